@@ -33,12 +33,16 @@ _root_option = click.option(
 def generate(root: Path | None) -> None:
     """Write generated/ anew from derive/ and templates/.
 
-    Files that would not change are not touched.
+    Files that would not change are not touched. WebAssembly is compiled from generated/c if it is
+    of other sources, which needs the extra `compile`.
     """
     from hoopgen import codegen
+    from hoopgen.engine import web_assembly
 
     root = root or _checkout()
     written = codegen.generate(root)
+    folder = root / "generated"
+    written += web_assembly.build(folder, web_assembly.stale_modules(folder))
     for path in written:
         click.echo(path.relative_to(root) if path.is_relative_to(root) else path)
     if not written:
@@ -54,8 +58,14 @@ def check(ctx: click.Context, root: Path | None) -> None:
     Exit status 1 when a file is stale, missing or extra.
     """
     from hoopgen import codegen
+    from hoopgen.engine import web_assembly
 
-    differences = codegen.check(root or _checkout())
+    root = root or _checkout()
+    differences = codegen.check(root)
+    differences += [
+        f"stale or missing file: generated/wasm/{name}"
+        for name in web_assembly.stale_modules(root / "generated")
+    ]
     for difference in differences:
         click.echo(difference)
     if differences:

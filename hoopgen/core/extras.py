@@ -28,6 +28,7 @@ EXTRAS: Mapping[str, str] = MappingProxyType(
         "dask": "scale",
         "distributed": "scale",
         "openpyxl": "xlsx",
+        "ziglang": "compile",
         "pandas": "",
     }
 )
