@@ -29,18 +29,15 @@ SCENE = "hoop"
 ZIG = "0.17.1"
 """The version of zig: another one gives other bytes, of the same results."""
 
-MODULES: Mapping[str, tuple[str, ...]] = MappingProxyType(
-    {
-        "hoop.wasm": ("-DHOOP_ONLY=1",),
-        "hoop_simd.wasm": ("-DHOOP_ONLY=4", "-msimd128"),
-    }
-)
-"""File and options of each module: one lane, and four in vectors of 128 bits. Relaxed vectors are
-off: what they round is the processor's choice."""
+MODULES: Mapping[str, int] = MappingProxyType({"hoop.wasm": 1, "hoop_simd.wasm": 4})
+"""File and lanes of each module. Four lanes are in vectors of 128 bits. Relaxed vectors are off:
+how they round is the processor's choice."""
 
 _EXPORTS = ("hoop_simulate", "malloc", "free", "sin", "cos", "log")
 """The interface, and functions with which pages make releases: those of musl, in every browser the
 same bits."""
+
+_OPTIONS_BY_LANES = {1: ("-DHOOP_ONLY=1",), 4: ("-DHOOP_ONLY=4", "-msimd128")}
 
 _OPTIONS = (
     "-target",
@@ -56,7 +53,12 @@ _OPTIONS = (
 
 def _digest(folder: Path, name: str) -> str:
     """Return the digest of all that a module depends on, a C identifier."""
-    made_of = (c_build.source_digest(folder / "c", SCENE), _OPTIONS, MODULES[name], ZIG)
+    made_of = (
+        c_build.source_digest(folder / "c", SCENE),
+        _OPTIONS,
+        _OPTIONS_BY_LANES[MODULES[name]],
+        ZIG,
+    )
     return f"w{hashlib.sha256(repr(made_of).encode()).hexdigest()}"
 
 
@@ -133,7 +135,12 @@ def _compiled(zig: tuple[str, ...], folder: Path, name: str) -> Path:
     sources = f"-D{SCENE.upper()}_SOURCES={_digest(folder, name)}"
     with TemporaryDirectory() as place:
         out = Path(place) / name
-        options = (*_OPTIONS, *MODULES[name], sources, "-Wl,--export=hoop_sources")
+        options = (
+            *_OPTIONS,
+            *_OPTIONS_BY_LANES[MODULES[name]],
+            sources,
+            "-Wl,--export=hoop_sources",
+        )
         _run(*zig, "cc", *options, f"{SCENE}.c", "-o", str(out), cwd=folder / "c")
         target = folder / "wasm" / name
         target.parent.mkdir(exist_ok=True)
