@@ -54,18 +54,18 @@ _DEVIATIONS = {"speed": 0.07, "elevation": 1.3 * DEGREE, "azimuth": 1.0 * DEGREE
 _RELEASE: Mapping[str, tuple[str, float, float]] = {
     "speed": ("Speed", 2.0, 15.0),
     "elevation": ("Elevation", 0.0, 85 * DEGREE),
-    "azimuth": ("Aim to the left", -20 * DEGREE, 20 * DEGREE),
+    "azimuth": ("Aim left", -20 * DEGREE, 20 * DEGREE),
     "height": ("Height", 1.0, 3.4),
     "backspin": ("Backspin", -5 * TURN, 10 * TURN),
     "sidespin": ("Sidespin", -5 * TURN, 5 * TURN),
 }
 _PLACE: Mapping[str, tuple[str, float, float]] = {
     "distance": ("Distance", 0.0, 12.0),
-    "angle": ("Round the ring", -180 * DEGREE, 180 * DEGREE),
+    "angle": ("Angle", -180 * DEGREE, 180 * DEGREE),
 }
 _SCENE: Mapping[str, tuple[str, float, float]] = {
     "restitution": ("Restitution", 0.0, 1.0),
-    "ball_radius": ("Radius of the ball", 0.09, 0.16),
+    "ball_radius": ("Ball radius", 0.09, 0.16),
     "gravity": ("Gravity", 1.0, 25.0),
 }
 """Labels and ranges of sliders, SI; fields take any number."""

@@ -114,7 +114,7 @@ const Charts = (() => {
     axes.forEach(({ name, symbol, size }, k) => {
       const [low, high] = window[k].map((value) => value / size);
       const step = nice((high - low) / 4);
-      const text = /^\p{L}/u.test(symbol) ? `${name}, ${symbol}` : `${name} (${symbol})`;
+      const text = `${name}, ${symbol}`;
       for (let value = Math.ceil(low / step) * step; value <= high; value += step) {
         const share = (value - low) / (high - low);
         const label = `${Number(value.toFixed(6))}`;

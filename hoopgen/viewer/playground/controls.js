@@ -28,7 +28,7 @@ const Controls = (() => {
       slider.oninput = () => tell(slider, false);
       slider.onchange = () => tell(slider, true);
       field.onchange = () => tell(field, true);
-      row.append(text, field, symbol, slider);
+      row.append(text, slider, field, symbol);
       return { row, field, symbol, slider, kind, low, high };
     }
 

@@ -1,5 +1,5 @@
 // The smallest change of one variable with which a shot ends otherwise, as hoopgen.counterfactual
-// looks for it: many values are tried, the nearest change is narrowed down to neighbouring doubles.
+// looks for it: many values are tried, the nearest change is narrowed down as far as doubles decide.
 // Nothing is proved here.
 "use strict";
 

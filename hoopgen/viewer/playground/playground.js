@@ -12,7 +12,9 @@
   const STEEP = [5, 85].map((degrees) => (degrees * Math.PI) / 180);
   const still = window.matchMedia("(prefers-reduced-motion: reduce)");
   let now = { ...spec.start }; // SI, and the preset's name
-  let [asked, waiting, latest] = [0, false, {}];
+  let [asked, latest] = [0, {}];
+  const banner = Object.assign(document.createElement("p"), { id: "banner" });
+  banner.setAttribute("role", "status");
 
   // The shot
 
@@ -138,13 +140,8 @@
     return [Math.max(value - half, low), Math.min(value + half, high)];
   }
 
-  /** Ask the worker about the shot as it is; while it answers, only the newest question waits. */
+  /** Ask the worker about the shot as it is; it drops older questions. */
   function ask() {
-    if (waiting) {
-      waiting = "again";
-      return;
-    }
-    waiting = true;
     const given = { release: release(), parameters: parameters() };
     const speeds = bounds(now.speed, WINDOW[0]);
     const angles = bounds(now.elevation, WINDOW[1], STEEP);
@@ -154,20 +151,30 @@
       changes: { ...given, vary: spec.vary },
     };
     worker.postMessage({ id: ++asked, questions });
+    document.body.dataset.asked = asked;
   }
 
-  function answered({ data: { name, answer, milliseconds } }) {
+  function answered({ data: { id, name, answer, milliseconds } }) {
     document.body.dataset[name] = milliseconds;
-    if (name === "fingerprint") return Results.fingerprint(answer);
-    const told = { now, spec, words, parameters: parameters(), title: document.body.dataset.outcome };
-    Results[name](answer, told, set);
-    if (name === "changes") {
-      const again = waiting === "again";
-      waiting = false;
-      document.body.dataset.asked = asked;
-      if (again) ask();
+    if (name === "fingerprint") {
+      Results.fingerprint(answer, spec.fixed.sha256);
+      return;
     }
-    return undefined;
+    if (id !== asked) return;
+    Results[name](answer, { now, spec, words, parameters: parameters() }, set);
+    if (name === "scatter") tell(answer);
+    if (name === "changes") document.body.dataset.answered = id;
+  }
+
+  /** Say over the picture how the shot ends, and how many of the throws go in. */
+  function tell(found) {
+    const { outcome, kind } = document.body.dataset;
+    const share = ` · ${((100 * found.made) / found.count).toFixed(1)}% of such throws go in`;
+    const how = kind === "none" ? "" : ` (${words.said(kind)})`;
+    banner.replaceChildren(
+      Object.assign(document.createElement("b"), { textContent: `${Words.capital(outcome)}${how}` }),
+      found.count ? share : "",
+    );
   }
 
   // Begin
@@ -181,6 +188,7 @@
   worker.onmessage = answered;
   worker.postMessage({ spec, modules });
 
+  $("stage").append(banner);
   const place = (x, y, done) => {
     // The line of the throw turns with the place: the aim at the ring stays.
     set({ distance: Math.hypot(x, y), angle: Math.atan2(y, x) }, done);
@@ -207,6 +215,6 @@
   window.addEventListener("resize", () => Results.repaint());
   follow();
   // Last: what the reader came for is first.
-  worker.postMessage({ id: 0, questions: { fingerprint: { preset: spec.fixed.preset } } });
+  worker.postMessage({ id: 0, questions: { fingerprint: {} } });
   Object.assign(window.hoopgen, { engine: study, link, latest: () => latest, python });
 })();

@@ -82,8 +82,8 @@ const Results = (() => {
     );
   }
 
-  function changes(found, { spec, words, title }, set) {
-    const made = title === "made";
+  function changes(found, { spec, words }, set) {
+    const made = document.body.dataset.outcome === "made";
     $("change-title").textContent = made ? "What would have missed it" : "What would have made it";
     const labels = Object.fromEntries(Object.values(spec.variables).flat().map((one) => [one.name, one]));
     const rows = found.map((one) => ({ ...one, ...labels[one.name] }));
@@ -105,21 +105,21 @@ const Results = (() => {
         return item;
       }),
     );
-    $("change-note").textContent = "The smallest change of one variable alone, narrowed down to neighbouring doubles among thousands of values tried. A narrower gap between them may be missed; hoopgen counterfactual proves both sides.";
+    $("change-note").textContent = "The smallest change of one variable alone, narrowed down as far as doubles decide. Thousands of values are tried; intervals between them may be missed. In Python, hoopgen counterfactual proves both sides.";
   }
 
-  async function fingerprint(bytes) {
-    const spec = JSON.parse($("spec").textContent);
+  /** Show the digest of the results of the fixed shots beside Python's. */
+  async function fingerprint(bytes, wanted) {
     if (!globalThis.crypto?.subtle) {
       $("hash").textContent = "This address is not secure, and browsers give no SHA-256 there.";
       return;
     }
     const digest = await Fingerprint.sha256(bytes);
     $("hash").textContent = digest;
-    const same = digest === spec.fixed.sha256;
+    const same = digest === wanted;
     $("verdict").textContent = same
       ? "✓ The same as hoopgen had in Python where this page was made."
-      : `✗ In Python, where this page was made, it was ${spec.fixed.sha256}.`;
+      : `✗ In Python, where this page was made, it was ${wanted}.`;
   }
 
   function repaint() {

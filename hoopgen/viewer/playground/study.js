@@ -95,30 +95,29 @@ const Study = (() => {
       return { window: [across, up], size: [wide, high], outcome: found.outcome, kinds: Release.kinds(found, spec.kinds) };
     }
 
-    /** Return the smallest change of each variable with which the shot ends otherwise. */
-    function changes({ release, parameters, vary }) {
-      const run = (name, values) => {
+    /** Return the smallest change of a variable with which the shot ends otherwise. */
+    function change(name, { release, parameters }) {
+      const bodies = spec.kinds.bodies.length;
+      const run = (values) => {
         const own = spec.parameters.includes(name);
-        const states = Release.states(release, own ? {} : { [name]: values }, values.length, engine, ringHeight);
+        const columns = own ? {} : { [name]: values };
+        const states = Release.states(release, columns, values.length, engine, ringHeight);
         const given = own ? { ...parameters, [name]: values } : parameters;
         const found = simulate(states, given, Nearest.RESULTS);
-        const bodies = spec.kinds.bodies.length;
-        const marks = values.map((_, k) =>
-          found.uncertain[k] || found.outcome[k] === invalid
-            ? "" // not decided
-            : [found.outcome[k], found.contacts[k], found.first[k], ...found.counts.subarray(bodies * k, bodies * k + bodies)].join(),
-        );
-        return { made: values.map((_, k) => found.outcome[k] === made), marks };
+        const { outcome, contacts, first, counts, uncertain } = found;
+        const marks = values.map((_, k) => {
+          if (uncertain[k] || outcome[k] === invalid) return ""; // not decided
+          const by = counts.subarray(bodies * k, bodies * (k + 1));
+          return [outcome[k], contacts[k], first[k], ...by].join();
+        });
+        return { made: values.map((_, k) => outcome[k] === made), marks };
       };
-      return vary.map((name) => {
-        const value = release[name] ?? parameters[name];
-        const itself = run(name, [value]).made[0];
-        const found = Nearest.change(name, value, itself, (values) => run(name, values), spec.ranges);
-        return found ?? { name, value, range: Nearest.range(name, value, spec.ranges) };
-      });
+      const value = release[name] ?? parameters[name];
+      const [itself] = run([value]).made;
+      return Nearest.change(name, value, itself, run, spec.ranges) ?? { name, value };
     }
 
-    return { changes, map, scatter, shot };
+    return { change, map, scatter, shot };
   }
 
   return { of };

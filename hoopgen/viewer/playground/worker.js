@@ -18,13 +18,29 @@ if (typeof document === "undefined") {
     const { engine, study, spec } = await ready;
     await rest(); // for newer questions
     for (const [name, question] of Object.entries(data.questions)) {
-      if (data.id && data.id < newest) return; // 0 is no question about a shot
       const begun = performance.now();
-      const answer = name === "fingerprint"
-        ? Fingerprint.bytes(engine, spec.fixed, spec.presets[question.preset], spec.layout)
-        : study[name](question);
-      self.postMessage({ id: data.id, name, answer, milliseconds: performance.now() - begun });
-      await rest();
+      let answer;
+      for (const part of parts(name, question, engine, study, spec)) {
+        if (data.id && data.id < newest) return; // 0 is no question about a shot
+        answer = part();
+        await rest();
+      }
+      const milliseconds = performance.now() - begun;
+      if (data.id >= newest || !data.id) self.postMessage({ id: data.id, name, answer, milliseconds });
     }
   };
+
+  /** Return functions of which the last one returns an answer: between them newer questions come. */
+  function parts(name, question, engine, study, spec) {
+    if (name === "fingerprint") {
+      const parameters = spec.presets[spec.fixed.preset];
+      return [() => Fingerprint.bytes(engine, spec.fixed, parameters, spec.layout)];
+    }
+    if (name !== "changes") return [() => study[name](question)];
+    const found = [];
+    return question.vary.map((variable) => () => {
+      found.push(study.change(variable, question));
+      return found;
+    });
+  }
 }
