@@ -58,7 +58,8 @@ SHOTS = """
 given.map((release) => {
   const { events, outcome, uncertain, time, state, kind, release: thrown } =
     study.shot({ release, parameters: spec.presets.nba });
-  return { events: events[0], ends: [outcome[0], uncertain[0], kind], time: time[0], state: [...state], thrown };
+  const ends = [outcome[0], uncertain[0], kind];
+  return { events: events[0], ends, time: time[0], state: [...state], thrown };
 })
 """
 
@@ -120,7 +121,8 @@ SCATTER = """
   const { start, presets, throws } = spec;
   const deviations = Object.fromEntries(spec.scattered.map((name) => [name, start[`sd_${name}`]]));
   const release = Object.fromEntries(Release.ARGUMENTS.map((name) => [name, start[name]]));
-  const found = study.scatter({ release, parameters: presets.nba, deviations, seed: 0, count: throws });
+  const asked = { release, parameters: presets.nba, deviations, seed: 0, count: throws };
+  const found = study.scatter(asked);
   const { made, count, invalid, interval, tally, angle, landings, entries } = found;
   const missed = found.outcome.filter((end) => spec.outcomes[end] === "missed").length;
   const places = { landings: [...landings], entries: [...entries] };

@@ -106,7 +106,7 @@
   function follow() {
     const given = new URLSearchParams(location.hash.slice(1));
     const next = { ...spec.start };
-    if (given.get("preset") in spec.presets) {
+    if (Object.hasOwn(spec.presets, given.get("preset") ?? "")) {
       next.preset = given.get("preset");
       for (const { name } of spec.variables.scene) next[name] = spec.presets[next.preset][name];
     }
