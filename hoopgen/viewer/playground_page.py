@@ -28,7 +28,7 @@ from .net_and_court import net_and_court
 from .page import Extension, fill_page, json_element, page_data, read
 from .page_file import Page
 
-__all__ = ["CONFIDENCE", "THROWS", "playground"]
+__all__ = ["CONFIDENCE", "SHARED", "THROWS", "own_file", "page_spec", "playground"]
 
 THROWS = 10_000
 """Throws about a release."""
@@ -71,7 +71,8 @@ _SCENE: Mapping[str, tuple[str, float, float]] = {
 """Labels and ranges of sliders, SI; fields take any number."""
 
 _SCRIPTS = ("charts.js", "plan.js", "controls.js", "results.js", "playground.js")
-_SHARED = ("engine.js", "fingerprint.js", "release.js", "nearest.js", "study.js", "worker.js")
+SHARED = ("engine.js", "fingerprint.js", "release.js", "nearest.js", "study.js", "worker.js")
+"""Scripts that the page and its worker run."""
 _TITLE = "Playground"
 _ABOUT = "hoopgen’s engine runs in this page: every change is simulated at once"
 
@@ -114,7 +115,7 @@ def playground(
     data, colours = page_data(shots, parameters, title=_TITLE, about=_ABOUT)
     data["units"] = _units()
     data["about"] = f"{_ABOUT}."
-    text = fill_page(data, colours, _extension(_spec(backend)))
+    text = fill_page(data, colours, _extension(page_spec(backend)))
     if target is not None:
         write(target, text)
     return Page(target, text, data["about"])
@@ -129,18 +130,18 @@ def _extension(spec: Mapping[str, Any]) -> Extension:
         for name, module in modules.items()
     ]
     return Extension(
-        style=_own("playground.css"),
-        controls=_own("controls.html"),
-        below=_own("study.html"),
+        style=own_file("playground.css"),
+        controls=own_file("controls.html"),
+        below=own_file("study.html"),
         elements="".join(elements),
-        shared=[_own(name) for name in _SHARED],
-        scripts=[_own(name) for name in _SCRIPTS],
+        shared=[own_file(name) for name in SHARED],
+        scripts=[own_file(name) for name in _SCRIPTS],
         policy="; worker-src blob:",
         allowed=" 'wasm-unsafe-eval'",
     )
 
 
-def _spec(backend: BackendName) -> dict[str, Any]:
+def page_spec(backend: BackendName) -> dict[str, Any]:
     """Return what the scripts know of hoopgen: names, tables, presets, ranges."""
     layout = HOOP.layout
     state = len(HOOP.kernels.STATE)
@@ -160,7 +161,8 @@ def _spec(backend: BackendName) -> dict[str, Any]:
         },
         # The widest first: a browser that cannot run it takes the next.
         "modules": [
-            {"name": name, "lanes": lanes} for name, lanes in reversed(web_assembly.MODULES.items())
+            {"name": name, "lanes": lanes}
+            for name, lanes in reversed([*web_assembly.MODULES.items()])
         ],
         "parameters": list(HOOP.parameters),
         "outcomes": [outcome.name.lower() for outcome in HOOP.outcomes],
@@ -227,5 +229,6 @@ def _units() -> dict[str, Any]:
 
 
 @cache
-def _own(name: str) -> str:
+def own_file(name: str) -> str:
+    """Return a text file of the playground."""
     return read(f"playground/{name}")

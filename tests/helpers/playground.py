@@ -11,7 +11,7 @@ from typing import Any
 
 import pytest
 
-from hoopgen.viewer.playground_page import _SHARED, _own, _spec
+from hoopgen.viewer.playground_page import SHARED, own_file, page_spec
 from tests.helpers import ROOT
 
 RUN = """
@@ -29,7 +29,7 @@ whole(given.spec, modules, given.given).then(
 @cache
 def spec() -> dict[str, Any]:
     """Return what the page's scripts know of hoopgen."""
-    return _spec("auto")
+    return page_spec("auto")
 
 
 def computed(script: str, given: Any = None, lanes: int = 4) -> Any:
@@ -43,7 +43,7 @@ def computed(script: str, given: Any = None, lanes: int = 4) -> Any:
     source = "\n".join(
         [
             kernels,
-            *(_own(name) for name in _SHARED if name != "worker.js"),
+            *(own_file(name) for name in SHARED if name != "worker.js"),
             "return Engine.start(modules, spec.layout).then((engine) => {",
             "const study = Study.of(engine, spec);",
             f"return {script.strip()};",
