@@ -21,6 +21,13 @@ def _checkout() -> Path:
     return root
 
 
+def _listed(root: Path, written: list[Path]) -> bool:
+    """Print the files that were written; return whether there are any."""
+    for path in written:
+        click.echo(path.relative_to(root) if path.is_relative_to(root) else path)
+    return bool(written)
+
+
 _root_option = click.option(
     "--root",
     type=click.Path(exists=True, file_okay=False, path_type=Path),
@@ -40,11 +47,9 @@ def generate(root: Path | None) -> None:
     from hoopgen.engine import web_assembly
 
     root = root or _checkout()
-    written = codegen.generate(root)
+    written = _listed(root, codegen.generate(root))
     folder = root / "generated"
-    written += web_assembly.build(folder, web_assembly.stale_modules(folder))
-    for path in written:
-        click.echo(path.relative_to(root) if path.is_relative_to(root) else path)
+    written |= _listed(root, web_assembly.build(folder, web_assembly.stale_modules(folder)))
     if not written:
         click.echo("nothing to write: generated/ is up to date")
 

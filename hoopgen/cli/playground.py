@@ -16,7 +16,12 @@ from .question_options import setting_options
 from .types import PAGE
 
 
-@command(epilog=examples("hoopgen playground --out playground.html"))
+@command(
+    epilog=examples(
+        "hoopgen playground --out playground.html",
+        "hoopgen playground --out playground.html --backend numpy",
+    )
+)
 @click.option(
     "--out", type=PAGE, required=True, help="The page, .html: one file that needs no network."
 )

@@ -28,7 +28,7 @@ EXTRAS: Mapping[str, str] = MappingProxyType(
         "dask": "scale",
         "distributed": "scale",
         "openpyxl": "xlsx",
-        "ziglang": "compile",
+        "ziglang": "",
         "pandas": "",
     }
 )

@@ -73,8 +73,10 @@ def stale_modules(folder: Path) -> list[str]:
     Parameters
     ----------
     folder
-        The folder generated/.
+        The folder generated/. Without C sources no module is missing.
     """
+    if not (folder / "c" / f"{SCENE}.c").is_file():
+        return []
     return [name for name in MODULES if not _is_current(folder, name)]
 
 

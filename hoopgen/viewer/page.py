@@ -67,7 +67,7 @@ _SLOT = re.compile(r"\{\{(\w+)\}\}")
 
 @dataclass(frozen=True)
 class Extension:
-    """What another page has beside the viewer's own.
+    """The parts that another page adds to the viewer's own.
 
     Attributes
     ----------

@@ -34,7 +34,7 @@ THROWS = 10_000
 """Throws about a release."""
 
 CONFIDENCE = 0.95
-"""Of the interval of the share."""
+"""The confidence of the interval of the share."""
 
 _PRESET = "nba"
 _START = {

@@ -66,7 +66,7 @@ given.map((release) => {
 
 @pytest.mark.parametrize("lanes", LANES)
 def test_a_shot_of_the_page_is_that_of_python_to_the_bit(lanes: int) -> None:
-    """Of the state that the page's release gives; that is Python's but for the last bits."""
+    """The state that the page's release gives is Python's but for the last bits."""
     releases = random_releases(trials(100))
     found = computed(SHOTS, releases, lanes)
     thrown = np.array([one["thrown"] for one in found])
