@@ -56,10 +56,16 @@ const Charts = (() => {
     circle(context, project(0, 0), scale * radius, style("--ring"), sight);
   }
 
+  /** Return how far from the ring's centre nearly all places are, m, or a bound on what is drawn. */
+  function reachOf(places) {
+    const away = Float32Array.from(places.filter((value) => !Number.isNaN(value)), Math.abs).sort();
+    return Math.min(1.1 * (away[Math.floor(0.99 * away.length)] ?? 0), 4);
+  }
+
   /** Draw where flights come down through the ring's plane as if they touched nothing. */
   function entries(canvas, { entries: places, outcome }, sizes, made) {
     const { context, width, height } = begin(canvas);
-    const reach = 2.2 * sizes.ring_radius;
+    const reach = Math.max(2.2 * sizes.ring_radius, reachOf(places));
     const seen = above(width, height, [-reach, reach]);
     const [ink, other] = [style("--ink-0"), style("--ink-1")];
     context.globalAlpha = 0.5;

@@ -42,7 +42,7 @@ const Controls = (() => {
         Object.assign(slider, { min: end(low), max: end(high), step });
         slider.value = value;
         field.step = step;
-        const said = `${Number(value.toFixed(unit.decimals + 2))}`;
+        const said = `${Number(value.toFixed(unit.decimals + 1))}`;
         if (field.valueAsNumber !== Number(said)) field.value = said;
         symbol.textContent = unit.symbol;
         const spoken = `${Number(value.toFixed(unit.decimals))} ${unit.symbol}`;

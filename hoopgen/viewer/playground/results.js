@@ -27,8 +27,10 @@ const Results = (() => {
   function scatter(found, { now, spec, words, parameters }) {
     const share = found.count ? found.made / found.count : NaN;
     const [big, small] = $("share").children;
-    big.textContent = found.count ? percent(share) : "–";
-    small.textContent = `made, ${percent(found.interval[0])} to ${percent(found.interval[1])} (95%, Wilson)`;
+    const digits = share < 0.01 || share > 0.99 ? 2 : 1; // no interval is said to be a point
+    const [low, high] = found.interval.map((end) => percent(end, digits));
+    big.textContent = found.count ? percent(share, digits) : "–";
+    small.textContent = `made, ${low} to ${high} (95%, Wilson)`;
     const there = classes(spec).map((one) => ({ ...one, number: found.tally[one.kind][one.row] }));
     const seen = there.filter(({ number }) => number);
     $("bar").replaceChildren(
