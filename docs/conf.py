@@ -30,6 +30,7 @@ import pages  # noqa: E402
 from docutils import nodes  # noqa: E402
 
 import hoopgen  # noqa: E402
+from hoopgen.viewer.playground_page import playground  # noqa: E402
 
 project = "hoopgen"
 author = copyright = "hoopgen contributors"
@@ -108,6 +109,12 @@ html_theme = "furo"
 html_title = "hoopgen"
 html_static_path = ["_static"]
 html_css_files = ["site.css"]
+
+# The playground is a page of its own, beside the start page, which links it first.
+extra = HERE / "_build" / "extra"
+extra.mkdir(parents=True, exist_ok=True)
+playground(extra / "playground.html")
+html_extra_path = [str(extra)]
 html_copy_source = False
 html_show_sourcelink = False
 

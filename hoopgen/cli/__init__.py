@@ -35,6 +35,7 @@ _COMMANDS = {
     "fit": "fit",
     "study": "study",
     "view": "view",
+    "playground": "playground",
     "certify": "certify",
     "counterfactual": "counterfactual",
     "compile": "scenes",

@@ -21,6 +21,13 @@ def _checkout() -> Path:
     return root
 
 
+def _listed(root: Path, written: list[Path]) -> bool:
+    """Print the files that were written; return whether there are any."""
+    for path in written:
+        click.echo(path.relative_to(root) if path.is_relative_to(root) else path)
+    return bool(written)
+
+
 _root_option = click.option(
     "--root",
     type=click.Path(exists=True, file_okay=False, path_type=Path),
@@ -33,14 +40,16 @@ _root_option = click.option(
 def generate(root: Path | None) -> None:
     """Write generated/ anew from derive/ and templates/.
 
-    Files that would not change are not touched.
+    Files that would not change are not touched. WebAssembly is compiled from generated/c if it is
+    of other sources, which needs the extra `compile`.
     """
     from hoopgen import codegen
+    from hoopgen.engine import web_assembly
 
     root = root or _checkout()
-    written = codegen.generate(root)
-    for path in written:
-        click.echo(path.relative_to(root) if path.is_relative_to(root) else path)
+    written = _listed(root, codegen.generate(root))
+    folder = root / "generated"
+    written |= _listed(root, web_assembly.build(folder, web_assembly.stale_modules(folder)))
     if not written:
         click.echo("nothing to write: generated/ is up to date")
 
@@ -54,8 +63,14 @@ def check(ctx: click.Context, root: Path | None) -> None:
     Exit status 1 when a file is stale, missing or extra.
     """
     from hoopgen import codegen
+    from hoopgen.engine import web_assembly
 
-    differences = codegen.check(root or _checkout())
+    root = root or _checkout()
+    differences = codegen.check(root)
+    differences += [
+        f"stale or missing file: generated/wasm/{name}"
+        for name in web_assembly.stale_modules(root / "generated")
+    ]
     for difference in differences:
         click.echo(difference)
     if differences:

@@ -7,6 +7,7 @@ from pathlib import Path
 
 from hoopgen.core.owned_folders import MARKER, find_store, marker_text, open_store
 from hoopgen.derive.scenes import SCENES
+from hoopgen.engine.web_assembly import MODULES
 
 from .render import render_elementary, render_scene
 
@@ -99,4 +100,5 @@ def check(root: Path) -> list[str]:
 def _extra(folder: Path, files: dict[str, str]) -> list[str]:
     present = (p for p in folder.rglob("*") if p.is_file() and "__pycache__" not in p.parts)
     names = sorted(p.relative_to(folder).as_posix() for p in present)
-    return [name for name in names if name not in files and name not in KEPT]
+    others = {*KEPT, *(f"wasm/{name}" for name in MODULES)}  # the latter have a check of their own
+    return [name for name in names if name not in files and name not in others]

@@ -42,6 +42,32 @@ _HOOP_BODIES = ("ring", "backboard")
 """Colours of the hoop's parts."""
 
 
+# The same hues, each kind of shot at a lightness of its own: made ones dark, missed ones light. No
+# two are nearer than 10 (CIEDE2000) to readers of any colour vision; so it is with the colours of
+# lines in `hoopgen.plots.style`. Found by a search, and measured by tests/core/test_colours.py.
+MADE: Mapping[str, str] = MappingProxyType(
+    {
+        "swish": "#115789",
+        "rim": "#AC5008",
+        "bank": "#239373",
+        "bank_rim": "#622757",
+        "rim_board": "#D08E20",
+    }
+)
+"""Colours of made shots, by kind."""
+
+MISSED: Mapping[str, str] = MappingProxyType(
+    {
+        "rim": "#F6CEBC",
+        "bank": "#7BC886",
+        "bank_rim": "#C5A1D7",
+        "rim_board": "#FFEE7C",
+        "airball": "#C9E2FF",
+    }
+)
+"""Colours of missed shots, by kind; an airball is pale blue as a swish is: both touch nothing."""
+
+
 def body_colours(names: Iterable[str]) -> dict[str, str]:
     """Return a colour for each body; a family such as wall_1 and wall_2 shares one."""
     own = list(names)

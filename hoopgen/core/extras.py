@@ -31,6 +31,7 @@ EXTRAS: Mapping[str, str] = MappingProxyType(
         "cupy": "cuda",
         "jax": "jax",
         "jaxlib": "jax",
+        "ziglang": "",
         "pandas": "",
     }
 )

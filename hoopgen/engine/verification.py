@@ -31,6 +31,7 @@ __all__ = [
     "batches",
     "differences",
     "even_numbers",
+    "first_primes",
     "verify",
     "user_cache",
     "available_widths",
@@ -187,15 +188,20 @@ def even_numbers(rows: int, columns: int) -> NDArray[np.float64]:
     rows, columns
         The shape of the result.
     """
+    steps = np.sqrt(np.array(first_primes(columns), float))
+    fractions: NDArray[np.float64] = np.outer(np.arange(1, rows + 1), steps) % 1.0
+    return fractions - 0.5
+
+
+def first_primes(count: int) -> list[int]:
+    """Return the smallest primes, so many of them."""
     primes: list[int] = []
     number = 2
-    while len(primes) < columns:
+    while len(primes) < count:
         if all(number % prime for prime in primes):
             primes.append(number)
         number += 1
-    steps = np.sqrt(np.array(primes, float))
-    fractions: NDArray[np.float64] = np.outer(np.arange(1, rows + 1), steps) % 1.0
-    return fractions - 0.5
+    return primes
 
 
 def batches(kernels: ModuleType, releases: NDArray[np.float64]) -> list[Batch]:

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from hoopgen.generated.numpy.hoop import BODIES, Outcome
 
-__all__ = ["Kind", "hoop_outcomes", "kinds"]
+__all__ = ["Kind", "hoop_outcomes", "kind_table", "kinds"]
 
 _RING, _BOARD, _BRIDGE = (BODIES.index(name) for name in ("ring", "backboard", "bridge"))
 
@@ -69,3 +69,11 @@ def _kind_of() -> NDArray[np.uint8]:
 
 
 _KIND_OF = _kind_of()
+
+
+def kind_table() -> list[list[int]]:
+    """Return the table of kinds by what was touched and by outcome, for other languages.
+
+    Its rows count 1 for the board, 2 for the ring or the bridge, 4 for the board first.
+    """
+    return [[int(kind) for kind in row] for row in _KIND_OF]

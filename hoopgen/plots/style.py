@@ -13,7 +13,7 @@ from typing import Any
 import matplotlib
 from matplotlib.figure import Figure
 
-from hoopgen.core.colours import COLOURS, OTHER_OUTCOME_COLOURS
+from hoopgen.core.colours import COLOURS, MADE, MISSED, OTHER_OUTCOME_COLOURS
 from hoopgen.core.files import PICTURES, atomic_file, check_output
 
 __all__ = [
@@ -54,32 +54,8 @@ NOTE_SIZE = 7.5
 INK, DARK, FRAME, EDGES, GRID = "#333333", "#222222", "#444444", "#777777", "#ECECEC"
 """Colours of text, lines over colours, axes, edges of areas, and of the grid behind everything."""
 
-# The same hues, each kind of shot at a lightness of its own: made ones dark, missed ones light. No
-# two colours of areas, and no two of lines, are nearer than 10 (CIEDE2000) to readers of any colour
-# vision; lines, which have no edge, have a contrast of 3 with paper at least (WCAG 2.2, 1.4.11).
-# Found by a search, and measured by tests/core/test_colours.py.
-MADE: Mapping[str, str] = MappingProxyType(
-    {
-        "swish": "#115789",
-        "rim": "#AC5008",
-        "bank": "#239373",
-        "bank_rim": "#622757",
-        "rim_board": "#D08E20",
-    }
-)
-"""Colours of made shots, by kind."""
-
-MISSED: Mapping[str, str] = MappingProxyType(
-    {
-        "rim": "#F6CEBC",
-        "bank": "#7BC886",
-        "bank_rim": "#C5A1D7",
-        "rim_board": "#FFEE7C",
-        "airball": "#C9E2FF",
-    }
-)
-"""Colours of missed shots, by kind; an airball is pale blue as a swish is: both touch nothing."""
-
+# Lines have a contrast of 3 with paper at least (WCAG 2.2, 1.4.11). As in `MADE` and `MISSED`, the
+# colours of areas, no two are nearer than 10 (CIEDE2000) to readers of any colour vision.
 LINES: Mapping[str, Mapping[str, str]] = MappingProxyType(
     {
         "made": MappingProxyType(

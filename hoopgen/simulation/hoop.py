@@ -19,13 +19,12 @@ from .engine import Engine
 if TYPE_CHECKING:
     from hoopgen.derive.scenes.scene import Scene
 
-__all__ = ["EACH", "HOOP", "hoop_library", "hoop_releases", "hoop_shots"]
+__all__ = ["EACH", "HOOP", "KINDS", "hoop_library", "hoop_releases", "hoop_shots"]
 
 EACH = 32
 """Number of shots of each kind."""
 
-# A release and the spread of its shots, by kind: x y z, vx vy vz, wx wy wz.
-_KINDS = (
+KINDS = (
     # a free throw, through the ring, onto it and short of it
     ((4.19, 0, -0.61, -4.5, 0, 5.577, 0, 19, 0), (0, 0, 0, 0.3, 0.1, 0.3, 2, 8, 2)),
     # a bank shot, 45 degrees from the side
@@ -43,12 +42,13 @@ _KINDS = (
     # from anywhere
     ((0.7, 0, 0.2, 0, 0, 2, 0, 0, 0), (4, 3, 2.5, 9, 9, 9, 60, 60, 60)),
 )
+"""A release and the spread of its shots, by kind: x y z, vx vy vz, wx wy wz."""
 
 
 def hoop_releases(each: int = EACH) -> NDArray[np.float64]:
     """Return releases that meet all that a hoop has, as many of each kind, (n, 9)."""
     apart = verification.even_numbers(each, len(hoop.STATE))
-    kinds = [np.asarray(centre) + np.asarray(width) * apart for centre, width in _KINDS]
+    kinds = [np.asarray(centre) + np.asarray(width) * apart for centre, width in KINDS]
     return np.concatenate(kinds)
 
 

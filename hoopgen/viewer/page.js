@@ -193,6 +193,14 @@
     seek(state.time);
   }
 
+  /** Put another shot in the place of the only one, in the scene of its own parameters. */
+  function replace(shot, ghost) {
+    shots[0] = { ...shot, duration: shot.flights.at(-1)[0] };
+    picture?.replace(ghost);
+    legend();
+    choose(0);
+  }
+
   function choose(k) {
     state.shot = k;
     const shot = chosen();
@@ -226,6 +234,7 @@
     legend();
     tell();
     seek(state.time, state.playing, state.stop);
+    document.dispatchEvent(new Event("units"));
   }
 
   /** Go to a time, or to a stop of the chosen shot, of which several may be at one time. */
@@ -364,6 +373,9 @@
   });
   window.hoopgen = {
     balls: () => picture.balls(),
+    play: () => !$("play").disabled && play(0),
+    replace,
+    words,
     stateAt: (shot, time) => Flight.stateAt(shots[shot], time),
   };
 })();

@@ -8,6 +8,7 @@ import html
 import json
 import re
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from functools import cache
 from importlib.resources import files
 from pathlib import Path
@@ -36,7 +37,16 @@ from .page_file import Page
 from .palette import palette
 from .scenery import ROLL_PIECE_DURATION, ball_radius, flight_parameters, scenery, turn_vectors
 
-__all__ = ["MAX_SHOTS", "page", "write_page"]
+__all__ = [
+    "MAX_SHOTS",
+    "Extension",
+    "fill_page",
+    "json_element",
+    "page",
+    "page_data",
+    "read",
+    "write_page",
+]
 
 MAX_SHOTS = 2000
 """Shots on a page; with more, browsers are slow and paths cannot be told apart."""
@@ -53,6 +63,36 @@ _SCRIPTS = (
     "page.js",
 )
 _SLOT = re.compile(r"\{\{(\w+)\}\}")
+
+
+@dataclass(frozen=True)
+class Extension:
+    """The parts that another page adds to the viewer's own.
+
+    Attributes
+    ----------
+    style
+        CSS after the viewer's.
+    controls, below, elements
+        HTML beside the picture, below it, and before the scripts.
+    shared
+        Scripts between the kernels and the viewer's, which its workers run too.
+    scripts
+        Scripts after the viewer's.
+    policy
+        Directives of the content security policy beside the viewer's.
+    allowed
+        Sources of scripts beside their digests.
+    """
+
+    style: str = ""
+    controls: str = ""
+    below: str = ""
+    elements: str = ""
+    shared: Sequence[str] = ()
+    scripts: Sequence[str] = ()
+    policy: str = ""
+    allowed: str = ""
 
 
 def write_page(
@@ -102,6 +142,24 @@ def page(
     title, about, labels
         As for `hoopgen.view`.
     """
+    return fill_page(*page_data(shots, parameters, title=title, about=about, labels=labels))
+
+
+def page_data(
+    shots: Shots,
+    parameters: Mapping[str, Any],
+    *,
+    title: str = "",
+    about: str = "",
+    labels: Sequence[str] | None = None,
+) -> tuple[dict[str, Any], str]:
+    """Return the data of a page, and the style sheet of its colours.
+
+    Parameters
+    ----------
+    shots, parameters, title, about, labels
+        As for `page`.
+    """
     table, hoop = shots.scene.table, shots.scene.is_hoop
     values = resolve(parameters, len(shots), table)
     names = _labels(labels, len(shots))
@@ -139,7 +197,7 @@ def page(
         drawn, bodies = scenery(shots, values, paths.values())
         data |= {"kinds": [], "parameters": {}, "scenery": drawn}
         colours |= bodies
-    return _fill(data, palette(colours))
+    return data, palette(colours)
 
 
 def _outcome_colours(shots: Shots) -> dict[str, str]:
@@ -261,27 +319,48 @@ def _ball(shots: Shots, values: Mapping[str, Value], rows: NDArray[np.intp]) -> 
     return found if isinstance(found, float) else found[rows]
 
 
-def _fill(data: Mapping[str, Any], colours: str) -> str:
-    """Fill the page with style, scripts and data, and a policy that lets nothing else run."""
-    style, three = colours + _read("page.css"), _read("three/three.js")
-    first, scripts = _read("theme.js"), [_kernel_source(), *(_read(name) for name in _SCRIPTS)]
-    allowed = " ".join(_digest(text) for text in (first, three, *scripts))
-    policy = f"default-src 'none'; img-src data:; script-src {allowed}; style-src {_digest(style)}"
+def fill_page(data: Mapping[str, Any], colours: str, extension: Extension | None = None) -> str:
+    """Fill the page with style, scripts and data, and a policy that lets nothing else run.
+
+    Parameters
+    ----------
+    data, colours
+        As `page_data` returns them.
+    extension
+        What the page has beside that.
+    """
+    extension = extension or Extension()
+    style, three = colours + read("page.css") + extension.style, read("three/three.js")
+    shared = [_kernel_source(), *extension.shared]
+    first, scripts = read("theme.js"), [*(read(name) for name in _SCRIPTS), *extension.scripts]
+    allowed = " ".join(_digest(text) for text in (first, three, *shared, *scripts))
+    policy = (
+        f"default-src 'none'; img-src data:; script-src {allowed}{extension.allowed}; "
+        f"style-src {_digest(style)}{extension.policy}"
+    )
     slots = {
         "policy": policy,
         "version": html.escape(version()),
         "title": html.escape(data["title"]),
         "style": style,
         "theme": first,
-        "data": _json(data),
-        "licence": _read("three/LICENSE"),
+        "controls": extension.controls,
+        "below": extension.below,
+        "elements": extension.elements,
+        "data": json_element(data),
+        "licence": read("three/LICENSE"),
         "three": three,
-        "scripts": "\n".join(f"<script>{text}</script>" for text in scripts),
+        "scripts": "\n".join(
+            [
+                *(f"<script data-worker>{text}</script>" for text in shared),
+                *(f"<script>{text}</script>" for text in scripts),
+            ]
+        ),
     }
-    return _SLOT.sub(lambda slot: slots[slot[1]], _read("page.html"))
+    return _SLOT.sub(lambda slot: slots[slot[1]], read("page.html"))
 
 
-def _json(data: Mapping[str, Any]) -> str:
+def json_element(data: Mapping[str, Any]) -> str:
     """Return JSON that can neither end its element nor open a comment."""
     text = json.dumps(data, allow_nan=False, separators=(",", ":"))
     return text.replace("<", "\\u003c")
@@ -297,5 +376,6 @@ def _kernel_source() -> str:
 
 
 @cache
-def _read(name: str) -> str:
+def read(name: str) -> str:
+    """Return a text file of the viewer."""
     return files("hoopgen.viewer").joinpath(name).read_text(encoding="utf-8")

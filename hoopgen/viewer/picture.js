@@ -18,7 +18,8 @@ const Picture = (() => {
   /** Set up the picture of a page's shots; `pick` is told the index of one whose path is clicked.
    * Without a scenery, which other scenes have, there is a hoop; a ghost is not simulated. */
   function create(stage, canvas, svg, shots, page, paint, pick) {
-    const { ring_height: ringHeight, scenery, ghost, outcomes } = page;
+    const { ring_height: ringHeight, scenery, outcomes } = page;
+    let { ghost } = page;
     const renderer = new THREE.WebGLRenderer({
       canvas,
       antialias: true,
@@ -40,7 +41,7 @@ const Picture = (() => {
     let colour = Scene.colours(extra);
     const inkOf = (outcome) => colour[`ink-${outcomes.indexOf(outcome)}`];
     const middle = [0, 1, 2].map((k) => (scenery ? (scenery.room[0][k] + scenery.room[1][k]) / 2 : 0));
-    const beat = Scene.beatOf(shots);
+    let beat = Scene.beatOf(shots);
     const paths = shots.map((shot) => Flight.pathOf(shot, scenery ? Math.min(0.02, shot.duration / 150) : 0.02));
     const things = {}; // what is in the scene, by what it is
     let chosen = shots[0];
@@ -109,6 +110,17 @@ const Picture = (() => {
       }
       crowd();
       update();
+    }
+
+    /** Draw what is now the only shot of `shots`, about another hoop's net and court lines. */
+    function replace(around) {
+      ghost = around;
+      beat = Scene.beatOf(shots);
+      paths[0] = Flight.pathOf(shots[0]);
+      chosen = shots[0];
+      setting();
+      choose(chosen);
+      if (!turned) look(view);
     }
 
     /** Draw everything anew, in the colours that the page has now. */
@@ -288,7 +300,7 @@ const Picture = (() => {
     choose(chosen);
     new ResizeObserver(resize).observe(stage);
     resize();
-    return { balls, choose, filter, gather, haunt, key, look, move, repaint };
+    return { balls, choose, filter, gather, haunt, key, look, move, repaint, replace };
   }
 
   /** Return the distance from a point to a stretch between two others, px. */

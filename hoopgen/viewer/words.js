@@ -21,6 +21,9 @@ const Words = (() => {
       return /^\p{L}/u.test(symbol) ? `${said} ${symbol}` : `${said}${symbol}`;
     }
 
+    /** Return how a kind of quantity is shown now: symbol, size, decimals. */
+    const unit = (kind) => units[system][kind];
+
     const length = (...values) => say("length", ...values);
     /** Say a length without zeros that say nothing. */
     const round = (value) => length(value).replace(/\.?0+(?=\s)/, "");
@@ -123,7 +126,7 @@ const Words = (() => {
       ];
     }
 
-    return { convert, kind, length, named, now, other, outcome, release, round, said, stop };
+    return { convert, kind, length, named, now, other, outcome, release, round, said, say, stop, unit };
   }
 
   return { capital, of, seconds };

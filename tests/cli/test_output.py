@@ -39,7 +39,18 @@ FIGURE_7 = [
 ]
 COMMANDS = [
     *("paper", "shot", "estimate", "map", "fan", "landings", "optimum", "aim", "bank", "batch"),
-    *("study", "view", "certify", "compile", "cache", "hash", "generate", "check", "bench"),
+    *(
+        "study",
+        "view",
+        "playground",
+        "certify",
+        "compile",
+        "cache",
+        "hash",
+        "generate",
+        "check",
+        "bench",
+    ),
 ]
 
 

@@ -1,4 +1,4 @@
-"""JavaScript: the flight alone, for pages that show it in motion."""
+"""JavaScript: flights, and where a body is touched, for pages that show shots in motion."""
 
 from __future__ import annotations
 
@@ -38,8 +38,11 @@ class JsBackend:
     files: Mapping[str, str] = field(default_factory=lambda: {"js/flight.js.j2": "js/{scene}.js"})
 
     def kernels(self, lowered: LoweredScene) -> Mapping[str, Any]:
-        """Return the kernels."""
-        return {"kernels": [JsKernel(program) for program in lowered.programs]}
+        """Return the kernels of flights, and the normals of the bodies."""
+        bodies = (body.name for body in lowered.model.scene.bodies)
+        names = {"flight", "descent", *(f"{body}_normal" for body in bodies)}
+        kernels = [JsKernel(program) for program in lowered.programs]
+        return {"kernels": [kernel for kernel in kernels if kernel.name in names]}
 
     def loop(self, lowered: LoweredScene, kernels: Mapping[str, Any]) -> Mapping[str, Any]:
         """Return nothing: the event loop is not written in JavaScript."""

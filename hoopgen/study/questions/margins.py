@@ -15,6 +15,7 @@ from hoopgen.core.parameters import ParameterValues
 from hoopgen.core.validation import check_count
 from hoopgen.core.variables import check_names
 from hoopgen.hoop.presets import PAPER
+from hoopgen.hoop.search_range import search_range
 from hoopgen.hoop.variables import VARIABLES
 from hoopgen.report.provenance import describe_scene
 from hoopgen.report.quantities import for_json, format_range, format_variable
@@ -30,7 +31,6 @@ from hoopgen.study.result import Result
 from hoopgen.study.statistics.tally import check_share
 from hoopgen.text.numbers import format_count
 
-from .search_range import search_range
 from .specification import MARGINS
 
 _EXACT = (2000, 40)

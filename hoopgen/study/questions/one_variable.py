@@ -12,11 +12,10 @@ from numpy.typing import NDArray
 from hoopgen.core.variables import STATE, check_names
 from hoopgen.hoop.arguments import arguments_of
 from hoopgen.hoop.releases import states_of
+from hoopgen.hoop.search_range import search_range
 from hoopgen.hoop.variables import ARGUMENTS
 from hoopgen.simulation.engine import Engine
 from hoopgen.simulation.simulate import simulate
-
-from .search_range import search_range
 
 Floats = NDArray[np.float64]
 

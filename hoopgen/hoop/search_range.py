@@ -7,7 +7,19 @@ from collections.abc import Mapping
 
 from hoopgen.core.units import DEGREE, TURN
 
-_LIMITS: Mapping[str, tuple[float, float]] = {
+HALF_WIDTHS: Mapping[str, float] = {
+    "elevation": 25 * DEGREE,
+    "entry": 25 * DEGREE,
+    "azimuth": 25 * DEGREE,
+    "angle": 25 * DEGREE,
+    **dict.fromkeys(("backspin", "sidespin", "wx", "wy", "wz"), 10 * TURN),
+    "aim": 1.0,
+    "height": 1.0,
+    "distance": 1.0,
+}
+"""Half widths of ranges, SI; that of the distance is no more than the distance itself."""
+
+LIMITS: Mapping[str, tuple[float, float]] = {
     "elevation": (-90 * DEGREE, 90 * DEGREE),
     "entry": (-90 * DEGREE, 90 * DEGREE),
     "restitution": (0.0, 1.0),
@@ -33,16 +45,8 @@ def search_range(name: str, value: float, scale: float = 0.0) -> tuple[float, fl
     tuple
         Low and high; the value itself is never outside.
     """
-    away: dict[str, float] = {
-        "elevation": 25 * DEGREE,
-        "entry": 25 * DEGREE,
-        "azimuth": 25 * DEGREE,
-        "angle": 25 * DEGREE,
-        **dict.fromkeys(("backspin", "sidespin", "wx", "wy", "wz"), 10 * TURN),
-        "aim": 1.0,
-        "height": 1.0,
-        "distance": min(1.0, abs(value)),
-    }
-    half = away.get(name, 0.25 * max(abs(value), scale))
-    least, most = _LIMITS.get(name, (-math.inf, math.inf))
+    half = HALF_WIDTHS.get(name, 0.25 * max(abs(value), scale))
+    if name == "distance":
+        half = min(half, abs(value))
+    least, most = LIMITS.get(name, (-math.inf, math.inf))
     return min(max(value - half, least), value), max(min(value + half, most), value)

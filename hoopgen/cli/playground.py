@@ -1,0 +1,40 @@
+"""``hoopgen playground``: a page on which shots are thrown, in any browser."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+
+from hoopgen.core.validation import BackendName
+from hoopgen.study.questions.settings import Engines
+from hoopgen.text.escape import printable
+
+from .command import command
+from .messages import examples
+from .question_options import setting_options
+from .types import PAGE
+
+
+@command(
+    epilog=examples(
+        "hoopgen playground --out playground.html",
+        "hoopgen playground --out playground.html --backend numpy",
+    )
+)
+@click.option(
+    "--out", type=PAGE, required=True, help="The page, .html: one file that needs no network."
+)
+@setting_options(Engines)
+def playground(out: Path, backend: BackendName) -> None:
+    """Write a page on which shots are thrown by sliders, in the article's scene.
+
+    The page runs the C engine as WebAssembly, with the bits of every other backend, and compares
+    the SHA-256 of 100,000 fixed shots with that of this installation. It shows the shot in motion,
+    its contacts, 10,000 throws about it, a map of speed and elevation, and the smallest changes
+    with which it ends otherwise. Its address contains the shot, so a link reproduces it.
+    """
+    from hoopgen.viewer.playground_page import playground as write_playground
+
+    page = write_playground(out, backend=backend)
+    click.echo(printable(f"{out}: {page.about}"))

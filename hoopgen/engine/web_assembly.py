@@ -1,0 +1,165 @@
+"""The C engine of the hoop as WebAssembly, for pages: how it is compiled, and which sources it has.
+
+The modules are committed in generated/wasm/, so that who has no compiler can make a page. Each
+contains a digest of the sources, the options and the compiler that it was made with: with others
+it is stale, and is not used.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import subprocess
+import sys
+from collections.abc import Mapping
+from importlib.resources import files
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from types import MappingProxyType
+
+from hoopgen.core.extras import require
+from hoopgen.core.files import write
+
+from . import c_build
+
+__all__ = ["MODULES", "ZIG", "build", "module_bytes", "stale_modules"]
+
+SCENE = "hoop"
+
+ZIG = "0.17.1"
+"""The version of zig: another one gives other bytes, of the same results."""
+
+MODULES: Mapping[str, int] = MappingProxyType({"hoop.wasm": 1, "hoop_simd.wasm": 4})
+"""File and lanes of each module. Four lanes are in vectors of 128 bits. Relaxed vectors are off:
+how they round is the processor's choice."""
+
+_EXPORTS = ("hoop_simulate", "malloc", "free", "sin", "cos", "log")
+"""The interface, and functions with which pages make releases: those of musl, in every browser the
+same bits."""
+
+_OPTIONS_BY_LANES = {1: ("-DHOOP_ONLY=1",), 4: ("-DHOOP_ONLY=4", "-msimd128")}
+
+_OPTIONS = (
+    "-target",
+    "wasm32-wasi",
+    *c_build.FLAGS,
+    "-w",
+    "-mexec-model=reactor",
+    "-Wl,--no-entry",
+    "-Wl,--strip-all",
+    *(f"-Wl,--export={name}" for name in _EXPORTS),
+)
+
+
+def _digest(folder: Path, name: str) -> str:
+    """Return the digest of all that a module depends on, a C identifier."""
+    made_of = (
+        c_build.source_digest(folder / "c", SCENE),
+        _OPTIONS,
+        _OPTIONS_BY_LANES[MODULES[name]],
+        ZIG,
+    )
+    return f"w{hashlib.sha256(repr(made_of).encode()).hexdigest()}"
+
+
+def _is_current(folder: Path, name: str) -> bool:
+    file = folder / "wasm" / name
+    return file.is_file() and _digest(folder, name).encode() in file.read_bytes()
+
+
+def stale_modules(folder: Path) -> list[str]:
+    """Return the names of the modules that are missing, or of other sources than those beside them.
+
+    Parameters
+    ----------
+    folder
+        The folder generated/. Without C sources no module is missing.
+    """
+    if not (folder / "c" / f"{SCENE}.c").is_file():
+        return []
+    return [name for name in MODULES if not _is_current(folder, name)]
+
+
+def module_bytes(name: str) -> bytes:
+    """Return a module of the installation.
+
+    Parameters
+    ----------
+    name
+        A key of `MODULES`.
+
+    Raises
+    ------
+    RuntimeError
+        If it is missing, or of other sources than those installed.
+    """
+    folder = Path(str(files("hoopgen.generated")))
+    if not _is_current(folder, name):
+        raise RuntimeError(
+            f"generated/wasm/{name} is missing, or of other sources than generated/c: "
+            "`hoopgen generate` in the checkout compiles it"
+        )
+    return (folder / "wasm" / name).read_bytes()
+
+
+def build(folder: Path, names: list[str]) -> list[Path]:
+    """Compile modules and return their files.
+
+    Parameters
+    ----------
+    folder
+        The folder generated/.
+    names
+        Keys of `MODULES`.
+
+    Raises
+    ------
+    ImportError
+        If zig is not installed.
+    RuntimeError
+        If it is another version, or fails.
+    """
+    if not names:
+        return []
+    zig = (sys.executable, "-m", "ziglang")
+    require("ziglang", "compiling generated/wasm")
+    version = _run(*zig, "version").strip()
+    if version != ZIG:
+        raise RuntimeError(
+            f"generated/wasm is compiled by zig {ZIG}, and zig {version} gives other bytes: "
+            f"pip install ziglang=={ZIG}"
+        )
+    return [_compiled(zig, folder, name) for name in names]
+
+
+def _compiled(zig: tuple[str, ...], folder: Path, name: str) -> Path:
+    """Compile a module beside, and put it in its place."""
+    sources = f"-D{SCENE.upper()}_SOURCES={_digest(folder, name)}"
+    with TemporaryDirectory() as place:
+        out = Path(place) / name
+        options = (
+            *_OPTIONS,
+            *_OPTIONS_BY_LANES[MODULES[name]],
+            sources,
+            "-Wl,--export=hoop_sources",
+        )
+        _run(*zig, "cc", *options, f"{SCENE}.c", "-o", str(out), cwd=folder / "c")
+        target = folder / "wasm" / name
+        target.parent.mkdir(exist_ok=True)
+        return write(target, out.read_bytes())
+
+
+def _run(*command: str, cwd: Path | None = None) -> str:
+    done = subprocess.run(
+        command,
+        cwd=cwd,
+        env=os.environ | {"LC_ALL": "C"},
+        stdin=subprocess.DEVNULL,
+        capture_output=True,
+        text=True,
+        errors="replace",
+        check=False,
+    )
+    if done.returncode:
+        raise RuntimeError(f"zig failed: {(done.stderr or done.stdout).strip()[-2000:]}")
+    return done.stdout

@@ -1,0 +1,124 @@
+// What a worker computes of a shot: its scatter, the map about it, and its nearest changes.
+"use strict";
+
+const Study = (() => {
+  const RESULTS = ["outcome", "counts", "first", "state"];
+
+  /** Return the studies of one engine; `spec` is the page's. */
+  function of(engine, spec) {
+    const { ring_height: ringHeight, most } = spec;
+    const made = spec.outcomes.indexOf("made");
+    const invalid = spec.outcomes.indexOf("invalid");
+
+    function simulate(states, parameters, results, record = false) {
+      return engine.simulate(states, parameters, { most, results, record });
+    }
+
+    /** Return one shot with its event log, all results, and its release. */
+    function shot({ release, parameters }) {
+      const states = new Float64Array(9);
+      Release.write(states, 0, release, engine, ringHeight);
+      const results = spec.layout.results.map(([name]) => name);
+      const found = simulate(states, parameters, results, true);
+      return { ...found, kind: Release.kinds(found, spec.kinds)[0], release: [...states] };
+    }
+
+    /** Return throws about a release: each argument with a deviation is normal, independently. */
+    function scatter({ release, parameters, deviations, seed, count }) {
+      const names = spec.scattered;
+      const draws = Release.normals(names.length * count, seed, engine);
+      const columns = names.map((name, k) => {
+        const column = draws.subarray(k * count, (k + 1) * count);
+        return [name, column.map((draw) => release[name] + deviations[name] * draw)];
+      });
+      const states = Release.states(release, Object.fromEntries(columns), count, engine, ringHeight);
+      const found = simulate(states, parameters, RESULTS);
+      const kinds = Release.kinds(found, spec.kinds);
+      const tally = spec.kinds.names.map(() => [0, 0]); // made, and not
+      let [valid, total] = [0, 0];
+      found.outcome.forEach((end, row) => {
+        valid += end !== invalid;
+        total += end === made;
+        tally[kinds[row]][Number(end !== made)] += end !== invalid;
+      });
+      return {
+        ...{ count: valid, made: total, invalid: count - valid, tally },
+        interval: Release.wilson(total, valid, spec.z),
+        ...{ outcome: found.outcome, kinds },
+        ...entries(states, parameters, found.outcome),
+        landings: landings(found, parameters),
+      };
+    }
+
+    /** Return where flights come down through the ring's plane as if they touched nothing, and the
+     * mean and the deviation of their angles there. */
+    function entries(states, { gravity }, outcome) {
+      const places = new Float32Array(2 * outcome.length).fill(NaN);
+      let [number, sum, squares] = [0, 0, 0];
+      for (let row = 0; row < outcome.length; row++) {
+        const [x, y, z, vx, vy, vz] = states.subarray(9 * row, 9 * row + 6);
+        const [time, down] = hoop_descent(z, vz, 0, gravity);
+        if (!(time > 0)) continue;
+        places.set(hoop_flight(time, x, y, z, vx, vy, vz, gravity).slice(0, 2), 2 * row);
+        const angle = Math.atan2(-down, Math.hypot(vx, vy));
+        [number, sum, squares] = [number + 1, sum + angle, squares + angle * angle];
+      }
+      const mean = sum / number;
+      return { entries: places, angle: [mean, Math.sqrt(Math.max(squares / number - mean * mean, 0))] };
+    }
+
+    /** Return where misses come down to the height at which rebounds are caught. */
+    function landings({ outcome, state }, { gravity }) {
+      const missed = spec.outcomes.indexOf("missed");
+      const places = new Float32Array(2 * outcome.length).fill(NaN);
+      for (let row = 0; row < outcome.length; row++) {
+        if (outcome[row] !== missed) continue;
+        const [x, y, z, vx, vy, vz] = state.subarray(9 * row, 9 * row + 6);
+        const [time] = hoop_descent(z, vz, spec.catching_height - ringHeight, gravity);
+        if (time > 0) places.set(hoop_flight(time, x, y, z, vx, vy, vz, gravity).slice(0, 2), 2 * row);
+      }
+      return places;
+    }
+
+    /** Return the classes of shots over speed (across) and elevation (up), about a release. */
+    function map({ release, parameters, window: [across, up], size: [wide, high] }) {
+      const count = wide * high;
+      const speed = new Float64Array(count);
+      const elevation = new Float64Array(count);
+      const between = ([low, top], k, cells) => low + ((top - low) * (k + 0.5)) / cells;
+      for (let row = 0; row < count; row++) {
+        speed[row] = between(across, row % wide, wide);
+        elevation[row] = between(up, Math.floor(row / wide), high);
+      }
+      const states = Release.states(release, { speed, elevation }, count, engine, ringHeight);
+      const found = simulate(states, parameters, RESULTS.slice(0, 3));
+      return { window: [across, up], size: [wide, high], outcome: found.outcome, kinds: Release.kinds(found, spec.kinds) };
+    }
+
+    /** Return the smallest change of a variable with which the shot ends otherwise. */
+    function change(name, { release, parameters }) {
+      const bodies = spec.kinds.bodies.length;
+      const run = (values) => {
+        const own = spec.parameters.includes(name);
+        const columns = own ? {} : { [name]: values };
+        const states = Release.states(release, columns, values.length, engine, ringHeight);
+        const given = own ? { ...parameters, [name]: values } : parameters;
+        const found = simulate(states, given, Nearest.RESULTS);
+        const { outcome, contacts, first, counts, uncertain } = found;
+        const marks = values.map((_, k) => {
+          if (uncertain[k] || outcome[k] === invalid) return ""; // not decided
+          const by = counts.subarray(bodies * k, bodies * (k + 1));
+          return [outcome[k], contacts[k], first[k], ...by].join();
+        });
+        return { made: values.map((_, k) => outcome[k] === made), marks };
+      };
+      const value = release[name] ?? parameters[name];
+      const [itself] = run([value]).made;
+      return Nearest.change(name, value, itself, run, spec.ranges) ?? { name, value };
+    }
+
+    return { change, map, scatter, shot };
+  }
+
+  return { of };
+})();

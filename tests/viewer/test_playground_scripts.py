@@ -1,0 +1,230 @@
+"""The playground's scripts beside Python: the same bits, releases, shares, kinds and changes."""
+
+from __future__ import annotations
+
+import json
+from typing import Any
+
+import numpy as np
+import pytest
+
+import hoopgen
+from hoopgen.hoop.kinds import kinds
+from hoopgen.simulation.fingerprint import fingerprint, fixed_releases
+from tests.helpers import ROOT
+from tests.helpers.effort import trials
+from tests.helpers.playground import computed, spec
+
+GOLDEN = json.loads((ROOT / "tests" / "golden_hashes.json").read_text(encoding="utf-8"))
+LANES = [1, 4]
+EPS = np.finfo(float).eps
+
+HASH = """
+Fingerprint.sha256(
+  Fingerprint.bytes(engine, { ...spec.fixed, each: given }, spec.presets.paper, spec.layout),
+)
+"""
+
+
+@pytest.mark.parametrize("lanes", LANES)
+def test_some_fixed_shots_have_the_bits_of_python(lanes: int) -> None:
+    assert computed(HASH, 500, lanes) == fingerprint(hoopgen.HOOP, shots=4000)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("lanes", LANES)
+def test_the_fixed_shots_have_the_golden_hash(lanes: int) -> None:
+    assert spec()["fixed"]["sha256"] == GOLDEN["hoop"]
+    assert computed(HASH, spec()["fixed"]["each"], lanes) == GOLDEN["hoop"]
+
+
+def test_the_fixed_releases_are_those_of_python() -> None:
+    found = computed("[...Fingerprint.releases({ ...spec.fixed, each: 50 })]")
+    assert found == fixed_releases(hoopgen.HOOP, 400).ravel().tolist()
+
+
+def random_releases(count: int) -> list[dict[str, float]]:
+    random = np.random.default_rng(5)
+    low = {"speed": 4.0, "elevation": 0.5, "azimuth": -0.1, "backspin": -20.0, "sidespin": -9.0}
+    high = {"speed": 12.0, "elevation": 1.3, "azimuth": 0.1, "backspin": 40.0, "sidespin": 9.0}
+    low |= {"height": 1.5, "distance": 1.0, "angle": -3.0}
+    high |= {"height": 2.6, "distance": 8.0, "angle": 3.0}
+    return [
+        {name: float(random.uniform(low[name], high[name])) for name in low} for _ in range(count)
+    ]
+
+
+SHOTS = """
+given.map((release) => {
+  const { events, outcome, uncertain, time, state, kind, release: thrown } =
+    study.shot({ release, parameters: spec.presets.nba });
+  const ends = [outcome[0], uncertain[0], kind];
+  return { events: events[0], ends, time: time[0], state: [...state], thrown };
+})
+"""
+
+
+@pytest.mark.parametrize("lanes", LANES)
+def test_a_shot_of_the_page_is_that_of_python_to_the_bit(lanes: int) -> None:
+    """The state that the page's release gives is Python's but for the last bits."""
+    releases = random_releases(trials(100))
+    found = computed(SHOTS, releases, lanes)
+    thrown = np.array([one["thrown"] for one in found])
+    columns = {name: np.array([one[name] for one in releases]) for name in releases[0]}
+    wanted = hoopgen.release(**columns)
+    # Sine and cosine are within 1 ulp in either language; sizes are products of them.
+    size = np.maximum(np.abs(wanted), np.abs(wanted).max(axis=1, keepdims=True))
+    assert (np.abs(thrown - wanted) <= 4 * EPS * size).all()
+    shots = hoopgen.simulate(thrown, hoopgen.NBA, record=True)
+    named = kinds(shots.outcome, shots.counts, shots.first)
+    for row, one in enumerate(found):
+        assert one["ends"] == [shots.outcome[row], shots.uncertain[row], named[row]]
+        assert (one["time"], one["state"]) == (shots.time[row], shots.state[row].tolist())
+        events = shots.trajectory(row).events
+        assert len(one["events"]) == len(events)
+        for got, event in zip(one["events"], events, strict=True):
+            assert [got["time"], *got["before"], *got["after"], got["surface"]] == [
+                *(event["time"], *event["before"], *event["after"], event["surface"])
+            ]
+
+
+def test_wilson_s_interval_is_that_of_python() -> None:
+    intervals = pytest.importorskip("hoopgen.study.statistics.intervals")
+    pairs = [
+        (k, n)
+        for n in (0, 1, 2, 10, 9_999, 10_000)
+        for k in {0, 1, n // 3, n - 1, n}
+        if 0 <= k <= n
+    ]
+    found = computed("given.map(([made, shots]) => Release.wilson(made, shots, spec.z))", pairs)
+    for (made, shots), ends in zip(pairs, found, strict=True):
+        wanted = intervals.wilson(made, shots, 0.95)
+        # A dozen operations, and the quantile from two libraries.
+        np.testing.assert_allclose(ends, np.array(wanted).ravel(), rtol=0, atol=32 * EPS)
+
+
+def test_the_draws_are_normal_and_independent() -> None:
+    stats = pytest.importorskip("scipy.stats")
+    count = 30_000
+    draws = np.array(computed(f"[...Release.normals({count}, 7, engine)]"))
+    assert stats.kstest(draws, "norm").pvalue > 1e-4
+    assert abs(np.corrcoef(draws[:-1], draws[1:])[0, 1]) < 4 / np.sqrt(count)
+    thirds = draws.reshape(3, -1)
+    assert np.abs(np.corrcoef(thirds)[np.triu_indices(3, 1)]).max() < 4 / np.sqrt(count / 3)
+    again, other = computed("[7, 8].map((seed) => [...Release.normals(9, seed, engine)])")
+    assert again == draws[:9].tolist()
+    assert other != again
+
+
+SCATTER = """
+(() => {
+  const { start, presets, throws } = spec;
+  const deviations = Object.fromEntries(spec.scattered.map((name) => [name, start[`sd_${name}`]]));
+  const release = Object.fromEntries(Release.ARGUMENTS.map((name) => [name, start[name]]));
+  const asked = { release, parameters: presets.nba, deviations, seed: 0, count: throws };
+  const found = study.scatter(asked);
+  const { made, count, invalid, interval, tally, angle, landings, entries } = found;
+  const missed = found.outcome.filter((end) => spec.outcomes[end] === "missed").length;
+  const places = { landings: [...landings], entries: [...entries] };
+  return { missed, made, count, invalid, interval, tally, angle, ...places };
+})()
+"""
+
+
+@pytest.fixture(scope="module")
+def scatter() -> Any:
+    return computed(SCATTER)
+
+
+def test_the_share_is_that_of_an_estimate_in_python(scatter: Any) -> None:
+    pytest.importorskip("scipy")
+    start = spec()["start"]
+    mean = {name: start[name] for name in hoopgen_arguments()}
+    sd = {name: start[f"sd_{name}"] for name in spec()["scattered"]}
+    found = hoopgen.estimate(hoopgen.Scatter(mean, sd), hoopgen.NBA, shots=100_000)
+    share, wanted = scatter["made"] / scatter["count"], found.probability
+    assert abs(share - wanted) < 4 * np.sqrt(wanted * (1 - wanted) * (1e-4 + 1e-5))
+    assert scatter["interval"][0] < share < scatter["interval"][1]
+    assert sum(map(sum, scatter["tally"])) == scatter["count"] == 10_000 - scatter["invalid"]
+    assert sum(made for made, _ in scatter["tally"]) == scatter["made"]
+
+
+def hoopgen_arguments() -> list[str]:
+    from hoopgen.hoop.variables import ARGUMENTS
+
+    return list(ARGUMENTS)
+
+
+def test_misses_land_and_flights_enter_where_free_flight_leads(scatter: Any) -> None:
+    landings = np.array(scatter["landings"], float).reshape(-1, 2)  # null is not a number
+    entries = np.array(scatter["entries"], float).reshape(-1, 2)
+    there = np.isfinite(landings[:, 0])
+    assert there.sum() == scatter["missed"] > 1000
+    start = spec()["start"]
+    state = hoopgen.release(**{name: start[name] for name in hoopgen_arguments()})
+    _, arrived = hoopgen.HOOP.fall(state, 0.0, hoopgen.NBA)
+    spread = np.nanstd(entries, axis=0)
+    assert (np.abs(np.nanmean(entries, axis=0) - arrived[:2]) < 0.2 * spread).all()
+    angle = np.arctan2(-arrived[5], np.hypot(arrived[3], arrived[4]))
+    assert abs(scatter["angle"][0] - angle) < 0.1 * scatter["angle"][1]
+
+
+CHANGES = """
+given.map(({ release, vary }) =>
+  vary.map((name) => study.change(name, { release, parameters: spec.presets.nba })))
+"""
+
+
+def ends(release: dict[str, float], name: str, value: float | None = None) -> bool:
+    """Return whether a shot is made, with another value of a variable if one is given."""
+    parameters, own = dict(hoopgen.NBA), dict(release)
+    if value is not None:
+        (own if name in own else parameters)[name] = value
+    return bool(hoopgen.simulate(hoopgen.release(**own), parameters).made[0])
+
+
+@pytest.mark.slow
+def test_the_nearest_change_is_that_of_counterfactual() -> None:
+    pytest.importorskip("scipy")
+    start = spec()["start"]
+    base = {name: start[name] for name in hoopgen_arguments()}
+    releases = [base, base | {"speed": 7.0}, base | {"elevation": 0.9, "azimuth": 0.0}]
+    vary = spec()["vary"]
+    found = computed(CHANGES, [{"release": one, "vary": vary} for one in releases])
+    compared = 0
+    for release, changes in zip(releases, found, strict=True):
+        shots = hoopgen.simulate(hoopgen.release(**release), hoopgen.NBA)
+        wanted = hoopgen.counterfactual(shots, vary=vary, prove=False)
+        for got, change in zip(changes, wanted.changes, strict=True):
+            assert ("changed" in got) == bool(np.isfinite(change.changed)), change
+            if "changed" in got:
+                compared += 1
+                # At an edge where dozens of contacts follow each other doubles decide little, and
+                # both have tried other values.
+                # Straight shots change alike to both sides.
+                sizes = (abs(got["changed"] - got["value"]), abs(change.changed - change.value))
+                assert sizes[0] == pytest.approx(sizes[1], rel=1e-3), change
+                assert ends(release, change.name, got["changed"]) != ends(release, change.name)
+    assert compared > 10
+
+
+def test_the_map_has_python_s_outcomes() -> None:
+    script = """
+    (() => {
+      const release = Object.fromEntries(Release.ARGUMENTS.map((name) => [name, spec.start[name]]));
+      const over = { window: [[6, 9], [0.7, 1.2]], size: [12, 9] };
+      const { outcome, kinds } = study.map({ release, parameters: spec.presets.nba, ...over });
+      return [[...outcome], [...kinds]];
+    })()
+    """
+    outcome, kind = computed(script)
+    start = spec()["start"]
+    speed = 6 + 3 * (np.arange(12) + 0.5) / 12
+    elevation = 0.7 + 0.5 * (np.arange(9) + 0.5) / 9
+    base = {name: start[name] for name in hoopgen_arguments()}
+    states = hoopgen.release(
+        **{**base, "speed": speed[None, :], "elevation": elevation[:, None]}
+    ).reshape(-1, 9)
+    shots = hoopgen.simulate(states, hoopgen.NBA)
+    assert outcome == shots.outcome.tolist()
+    assert kind == kinds(shots.outcome, shots.counts, shots.first).tolist()
