@@ -10,6 +10,7 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
 import click
+import numpy as np
 
 from hoopgen.hoop.variables import change_variables
 from hoopgen.simulation.lookup import BUILT_IN
@@ -38,6 +39,7 @@ from .types import CORRELATION, DEVIATION, FILE, once
 
 if TYPE_CHECKING:
     from hoopgen.simulation.engine import Engine
+    from hoopgen.study.models.fitted_scatter import FittedScatter, FittedScatters
     from hoopgen.study.models.resample import Resample
     from hoopgen.study.models.scatter import Scatter
     from hoopgen.study.tables.invalid import InvalidRows
@@ -93,6 +95,18 @@ class Releasing:
     engine: Engine
     measured: Mapping[str, Any] = field(default_factory=dict)  # columns of --from
     group: Sequence[str | None] | None = None  # label of each row, --group
+    fitted: bool = False  # a scatter is fitted to the columns, --fitted
+    errors: Mapping[str, Any] = field(default_factory=dict)  # of the measurement: variances
+
+    def fit(self) -> FittedScatter[Scatter] | FittedScatters[Scatter]:
+        """Return the scatter fitted to the measured releases; with labels, of each player."""
+        from hoopgen.study.models.scatter import Scatter
+
+        columns: dict[str, Any] = {**self.measured, **self.values}
+        errors: dict[str | tuple[str, str], Any] = {
+            name: one for name, one in self.errors.items() if np.ndim(columns.get(name, 0.0))
+        }
+        return Scatter.fit(columns, self.group, errors)
 
     def model(
         self, changes: Mapping[str, float] = MappingProxyType({}), over: Iterable[str] = ()
@@ -102,6 +116,7 @@ class Releasing:
         `changes` may hold variables and parameters of the scene. The components of a state that
         vary `over` some values are left out.
         """
+        from hoopgen.study.models.fitted_scatter import FittedScatters
         from hoopgen.study.models.resample import Resample
         from hoopgen.study.models.scatter import Scatter
 
@@ -116,6 +131,15 @@ class Releasing:
             values = {n: v for n, v in (values | dict(changes)).items() if n not in varied}
         scene = dict(self.parameters)
         scene |= {name: values.pop(name) for name in scene if name in changes}
+        if self.fitted:
+            found = self.fit()
+            if isinstance(found, FittedScatters):
+                raise click.UsageError(
+                    "--fitted with --group gives a scatter for each player, which only estimate "
+                    "takes, without --versus and --solve; choose one by --where 'player == Ann'"
+                )
+            moved = change_variables(found.model.release, changes)
+            return replace(found.model, release=moved), scene
         if self.measured:
             return Resample(values, self.group), scene
         return Scatter(values, self.sd, self.correlation), scene
@@ -145,8 +169,9 @@ class Releasing:
         )
         measured, invalid = table.measured(source)
         scene, values = table.origin.parameters, table.origin.release
+        errors = {n: v for n, v in table.error_variances(source).items() if n not in self.errors}
         model = replace(self, values=values, parameters=scene, measured=measured, group=labels)
-        return model, table, invalid
+        return replace(model, errors={**errors, **self.errors}), table, invalid
 
 
 _FROM = together(
@@ -158,6 +183,21 @@ _FROM = together(
         "in.",
     ),
     setting_options(MeasuredReleases, only="group"),
+    click.option(
+        "--fitted",
+        is_flag=True,
+        help="Fit a normal scatter to the rows of --from, without the measuring errors and robust "
+        "to outliers, and draw from it. Of estimate, --group is the player of each row.",
+    ),
+    click.option(
+        "--instrument",
+        type=DEVIATION,
+        multiple=True,
+        callback=once,
+        help="Standard error of the measurement of a variable, speed=2cm/s, with --fitted; by "
+        "default columns sd_speed_m_s ... of the table, as hoopgen fit writes them. May be "
+        "repeated.",
+    ),
     override_option,
     reading_options,
 )
@@ -175,13 +215,21 @@ def from_option(command: Callable[..., Any]) -> Callable[..., Any]:
         releasing: Releasing,
         file: Path | None,
         group: str | None,
+        fitted: bool,
+        instrument: Mapping[str, float],
         override: bool,
         **options: Any,
     ) -> Any:
         reading_values = {name: options.pop(name) for name in READING}
+        if instrument and not fitted:
+            raise click.UsageError("--instrument: it is of --fitted; leave it out, or give both")
+        errors = {name: sd**2 for name, sd in instrument.items()}
+        releasing = replace(releasing, fitted=fitted, errors=errors)
         if file is None:
             if group is not None:
                 raise click.UsageError("--group: it is a column of --from; leave it out")
+            if fitted:
+                raise click.UsageError("--fitted: there are no measured releases; give --from")
             if override:
                 raise click.UsageError("--override: there is no file of results; leave it out")
             stray = [name for name, value in reading_values.items() if value]
@@ -195,6 +243,9 @@ def from_option(command: Callable[..., Any]) -> Callable[..., Any]:
             options["max_contacts"] = table.origin.max_contacts
         result = command(*arguments, releasing=releasing, **options)
         lines = f"\n{table.interpretation}\n{invalid}"
+        if fitted:
+            known = ", ".join(f"{n} (given)" if n in errors else n for n in releasing.errors)
+            lines += f"\nmeasuring errors: {known or 'none known, so the spread contains them'}"
         echo_lines(lines, err=bool(options.get("as_json")))
         if assumption:
             click.echo(assumption, err=True)
