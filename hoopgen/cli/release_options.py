@@ -138,7 +138,9 @@ class Releasing:
                     "--fitted with --group gives a scatter for each player, which only estimate "
                     "takes, without --versus and --solve; choose one by --where 'player == Ann'"
                 )
-            moved = change_variables(found.model.release, changes)
+            known = {n: v for n, v in changes.items() if n not in scene}
+            moved = change_variables(found.model.release, known | dict.fromkeys(over, 0.0))
+            moved = {name: value for name, value in moved.items() if name not in over}
             return replace(found.model, release=moved), scene
         if self.measured:
             return Resample(values, self.group), scene

@@ -18,7 +18,7 @@ import hoopgen  # noqa: E402
 from hoopgen import NBA, Resample, Scatter  # noqa: E402
 from hoopgen.study.models.fitted_scatter import FittedScatter, consistent  # noqa: E402
 from hoopgen.study.models.robust_moments import NU, efficiency, moments  # noqa: E402
-from tests.helpers.commands import failure, output  # noqa: E402
+from tests.helpers.commands import failure, output, succeed  # noqa: E402
 from tests.helpers.effort import trials  # noqa: E402
 
 NAMES = ("speed", "elevation", "azimuth")
@@ -357,3 +357,10 @@ def test_the_command_takes_a_player_a_group(tmp_path: Path) -> None:
     said = failure(*words, "--group", "player", "--versus", "height=6ft")
     assert "--where 'player == Ann'" in said
     assert "give --from" in failure("estimate", "--fitted", *_RELEASE)
+
+
+def test_other_questions_take_the_fitted_scatter_too(tmp_path: Path) -> None:
+    file = write(tmp_path / "shots.csv", group=False)
+    words = ("--from", file, "--height", "7ft", "--distance", "13.75ft", "--fitted", "--shots", 500)
+    assert "scatter  speed 0.0" in output("optimum", *words, "--over", "aim", "--over", "elevation")
+    succeed("map", *words, "--over", "aim=0:10cm:2", "--out", tmp_path / "map.csv")
