@@ -29,6 +29,7 @@ if TYPE_CHECKING:
     from .hoop.court import FIBA_COURT as FIBA_COURT
     from .hoop.court import NBA_COURT as NBA_COURT
     from .hoop.court import PAPER_COURT as PAPER_COURT
+    from .hoop.court_places import place as place
     from .hoop.presets import FIBA as FIBA
     from .hoop.presets import NBA as NBA
     from .hoop.presets import PAPER as PAPER
@@ -103,6 +104,7 @@ _LAZY = {
     "NBA_COURT": "hoop.court",
     "FIBA_COURT": "hoop.court",
     "release": "hoop.releases",
+    "place": "hoop.court_places",
     "PAPER": "hoop.presets",
     "NBA": "hoop.presets",
     "FIBA": "hoop.presets",

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 import click
 import numpy as np
 
+from hoopgen.hoop.court_places import find_place
 from hoopgen.hoop.variables import change_variables
 from hoopgen.simulation.lookup import BUILT_IN
 from hoopgen.study.questions.settings import MeasuredReleases
@@ -24,6 +25,7 @@ from .options import (
     scene_options,
     variable_option,
 )
+from .place_option import PLACE, place_option
 from .question_options import setting_options, together
 from .scene_option import (
     engine_of,
@@ -56,7 +58,7 @@ _ALTERNATIVES: Mapping[str, tuple[str, ...]] = {
 _REQUIRED: Mapping[str, str] = {
     "speed": "--speed (or --aim)",
     "elevation": "--elevation (or --entry)",
-    "distance": "--distance (or --x and --y)",
+    "distance": "--distance (or --place, or --x and --y)",
 }
 """Texts of those that have alternatives."""
 
@@ -166,8 +168,16 @@ class Releasing:
         if group is not None:
             labels = source.labels(source.whole(), group)
             reading = replace(reading, own=(*reading.own, group))
+        release = dict(self.values)
+        if (place := click.get_current_context().meta.get(PLACE)) is not None:
+            # The table may name its scene, and with it another rule book.
+            from hoopgen.study.tables.provenance import origin_of
+
+            origin = None if override else origin_of(source, self.engine)
+            named = self.parameters if origin is None else origin.parameters
+            release |= find_place(place, asked.get("parameters") or named).variables
         table = reading.interpreted(
-            source, release=self.values, **asked, override=override, scene=self.engine
+            source, release=release, **asked, override=override, scene=self.engine
         )
         measured, invalid = table.measured(source)
         scene, values = table.origin.parameters, table.origin.release
@@ -288,7 +298,8 @@ def _release_options(command: Callable[..., Any], scene: Any) -> Callable[..., A
         releasing = Releasing(values, sd, correlation, parameters, engine)
         return command(*arguments, releasing=releasing, **options)
 
-    options = (*map(variable_option, VARIABLE_HELP), scene, *_SCATTER, scene_options)
+    variables = map(variable_option, VARIABLE_HELP)
+    options = (*variables, place_option, scene, *_SCATTER, scene_options)
     decorated: Callable[..., Any] = together(*options)(collected)
     return decorated
 
