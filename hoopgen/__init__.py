@@ -55,6 +55,7 @@ if TYPE_CHECKING:
     from .study.questions.aim import aim as aim
     from .study.questions.bank import bank_or_direct as bank_or_direct
     from .study.questions.batch import batch as batch
+    from .study.questions.coach import coach as coach
     from .study.questions.compare import compare as compare
     from .study.questions.counterfactual import counterfactual as counterfactual
     from .study.questions.estimate import estimate as estimate
@@ -119,6 +120,7 @@ _LAZY = {
     "Grid": "study.models.grid",
     "estimate": "study.questions.estimate",
     "compare": "study.questions.compare",
+    "coach": "study.questions.coach",
     "counterfactual": "study.questions.counterfactual",
     "solve": "study.questions.solve",
     "map": "study.questions.map",

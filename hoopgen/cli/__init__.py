@@ -37,6 +37,7 @@ _COMMANDS = {
     "view": "view",
     "certify": "certify",
     "counterfactual": "counterfactual",
+    "coach": "coach",
     "compile": "scenes",
     "cache": "scenes",
     "hash": "scenes",

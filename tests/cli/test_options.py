@@ -27,7 +27,10 @@ PLACE = ["--height", "7ft", "--distance", "13.75ft"]
 RELEASE = [*PLACE, "--speed", "7.17", "--elevation", "52deg"]
 
 
-ALL = "--speed (or --aim), --elevation (or --entry), --height and --distance (or --place, or --x and --y)"
+ALL = (
+    "--speed (or --aim), --elevation (or --entry), --height and "
+    "--distance (or --place, or --x and --y)"
+)
 
 
 @pytest.mark.parametrize(

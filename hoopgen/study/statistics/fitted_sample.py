@@ -69,12 +69,9 @@ def sample_of_fit(
         As for `hoopgen.simulate`.
     """
     models = [fitted.model, *fitted.models(MODELS, found.seed)]
-    shares = np.concatenate(
-        [
-            _shares(models[k : k + _TOGETHER], setting, found.seed, max_contacts, backend, threads)
-            for k in range(0, len(models), _TOGETHER)
-        ]
-    )
+    options = setting, found.seed, max_contacts, backend, threads
+    parts = range(0, len(models), _TOGETHER)
+    shares = np.concatenate([made_shares(models[k : k + _TOGETHER], *options) for k in parts])
     off = shares[1:] - shares[0]
     tail = 0.5 - 0.5 * found.confidence
     below, above = np.nanquantile(off, [tail, 1.0 - tail])
@@ -84,7 +81,7 @@ def sample_of_fit(
     return SampleInterval(found.probability, low, high, fitted.rows, None)
 
 
-def _shares(
+def made_shares(
     models: list[Scatter],
     setting: Any,
     seed: int,
