@@ -53,6 +53,7 @@ if TYPE_CHECKING:
     from .study.models.resample import Resample as Resample
     from .study.models.scatter import Scatter as Scatter
     from .study.questions.aim import aim as aim
+    from .study.questions.assess import assess as assess
     from .study.questions.bank import bank_or_direct as bank_or_direct
     from .study.questions.batch import batch as batch
     from .study.questions.coach import coach as coach
@@ -120,6 +121,7 @@ _LAZY = {
     "Grid": "study.models.grid",
     "estimate": "study.questions.estimate",
     "compare": "study.questions.compare",
+    "assess": "study.questions.assess",
     "coach": "study.questions.coach",
     "counterfactual": "study.questions.counterfactual",
     "solve": "study.questions.solve",
