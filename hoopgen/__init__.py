@@ -64,6 +64,7 @@ if TYPE_CHECKING:
     from .study.questions.margins import margins as margins
     from .study.questions.optimum import optimum as optimum
     from .study.questions.solve import solve as solve
+    from .study.recovery.calibrate import calibrate as calibrate
     from .study.recovery.fit_release import fit_release as fit_release
     from .studyfile import run_study as run_study
     from .viewer import view as view
@@ -133,6 +134,7 @@ _LAZY = {
     "measure": "study.measures.measures",
     "batch": "study.questions.batch",
     "fit_release": "study.recovery.fit_release",
+    "calibrate": "study.recovery.calibrate",
     "run_study": "studyfile",
     "view": "viewer",
 }

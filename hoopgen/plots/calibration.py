@@ -22,8 +22,8 @@ __all__ = ["plot_calibration"]
 def plot_calibration(found: Assessment, *, title: str = "", ax: Drawn | None = None) -> Drawn:
     """Draw the share made of shots with similar probabilities against the predicted share.
 
-    On the dashed line both are equal. Bars are the intervals of the shares made, and the numbers
-    those of the shots.
+    On the dashed line both are equal. Bars are the intervals of the shares made; the number of
+    shots stands below each.
 
     Parameters
     ----------
@@ -61,9 +61,12 @@ def _draw(found: Assessment, title: str, axes: Axes) -> None:
         axes.errorbar(
             at, share, yerr=error, fmt="o", ms=4, color=COLOURS["ring"], capsize=2, lw=0.9
         )
-        axes.annotate(f"{one.shots}", (at, share), (4, 4), textcoords="offset points", fontsize=6.5)
-    axes.set_xlim(0, 100)
-    axes.set_ylim(0, 100)
+        below = (at, 100.0 * one.share_low)
+        axes.annotate(
+            f"{one.shots}", below, (0, -8), textcoords="offset points", fontsize=6.5, ha="center"
+        )
+    axes.set_xlim(-3, 103)
+    axes.set_ylim(-3, 103)
     axes.set_aspect("equal")
     axes.set_xlabel("predicted to be made (%)")
     axes.set_ylabel(f"made (%, {format_percent(found.confidence, None)} interval)")
