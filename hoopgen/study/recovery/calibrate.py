@@ -311,7 +311,7 @@ def _drawn(
             noise = float(sd) * normals(seed, stream, 0, rows * draws).reshape(rows, draws)
             full[name] = full.get(name, 0.0) + noise
         states = np.broadcast_to(release(**full), (rows, draws, 9))
-        good = np.isfinite(states).all(axis=(1, 2))
+        good = np.asarray(np.isfinite(states).all(axis=(1, 2)))
     else:
         raise TypeError(f"table: expected columns by name or fitted releases, got {brief(table)}")
     if made is None:
@@ -342,10 +342,10 @@ def _hits(
         }
         flat = states[part].reshape(-1, 9)
         shots = simulate(flat, own, scene=engine, fields=("outcome", "contacts"))
-        same: NDArray[np.bool_] = np.asarray(shots.made.reshape(-1, draws) == seen[part, None])
+        same = np.asarray(shots.made).reshape(-1, draws) == seen[part, None]
         if contacts is not None:
             found = np.minimum(shots.contacts.reshape(-1, draws), _CONTACTS)
-            same &= found == np.minimum(contacts[part, None], _CONTACTS)
+            same = same & (found == np.minimum(contacts[part, None], _CONTACTS))
         hits[part] = np.asarray(same)
         valid[part] = (shots.outcome != engine.outcomes["INVALID"]).reshape(-1, draws)
     return hits & valid, valid

@@ -188,8 +188,8 @@ def test_intervals_of_players_hold_and_shrunk_spreads_are_nearer() -> None:
                     shrunk.append((one.sd[name].value - spread) / spread)
                     alone.append((own.sd[name].value - spread) / spread)
     share = np.mean(inside, axis=0)
-    # The intervals of players with few releases are known to hold in 92% to 94%; see the page on
-    # validation.
+    # The intervals of players with few releases are known to hold in 92% to 94%, as the page on a
+    # player study says.
     assert np.all(share > 0.95 - 0.02 - 4 * np.sqrt(0.05 * 0.95 / len(inside))), share
     assert np.all(share < 0.98), share
     assert np.mean(np.square(shrunk)) < 0.8 * np.mean(np.square(alone))
