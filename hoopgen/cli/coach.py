@@ -10,13 +10,14 @@ import click
 
 import hoopgen
 from hoopgen.hoop.court_places import PLACES
+from hoopgen.study.questions.settings import TableSettings
 from hoopgen.study.questions.specification import CoachQuestion
 
 from .command import command
 from .messages import echo_json, echo_lines, examples
 from .options import json_option, picture_option, preset_options
 from .place_option import PlaceName
-from .question_options import question_options
+from .question_options import question_options, setting_options
 from .scene_option import engine_of, parameters_of, scene_option
 from .types import FILE
 
@@ -35,12 +36,7 @@ from .types import FILE
     help="Measured releases, .csv, .parquet, .arrow or .xlsx, to which the player is fitted, in "
     "place of --makes and --place.",
 )
-@click.option(
-    "--where",
-    multiple=True,
-    metavar="CONDITION",
-    help="Rows of --from that do not meet a condition are left out: 'player == Ann'.",
-)
+@setting_options(TableSettings, only="where")
 @click.option("--place", type=PlaceName(), help=f"From where: {', '.join(PLACES)}.")
 @scene_option
 @preset_options

@@ -18,7 +18,7 @@ from hoopgen.core.units import INCH
 from hoopgen.text.shorten import brief
 
 from .court_lines import COURTS, Court, court_of
-from .presets import PAPER
+from .presets import FIBA, PAPER
 
 __all__ = ["PLACES", "Place", "find_place", "place"]
 
@@ -91,7 +91,7 @@ def _half_court(court: Court, board: float) -> tuple[float, float]:
 
 @dataclass(frozen=True)
 class _Rule:
-    """How a place follows from the measures of a court, and the words for it."""
+    """A function from the measures of a court to a place, and the words of the rule book."""
 
     at: Any
     source: str
@@ -166,7 +166,7 @@ def find_place(
         letters do not matter, and 3 is three.
     parameters
         Of the hoop, by which the court is that of the NBA or of FIBA, and from whose board lines
-        are measured; by default `hoopgen.PAPER`.
+        are measured; by default `hoopgen.PAPER`, for FIBA's court `hoopgen.FIBA`.
     court
         "NBA" or "FIBA", whatever the parameters are.
 
@@ -175,7 +175,9 @@ def find_place(
     TypeError, ValueError
         If there is no such place or court.
     """
-    hoop = PAPER if parameters is None else parameters
+    hoop = parameters
+    if hoop is None:
+        hoop = FIBA if court == "FIBA" else PAPER
     if not isinstance(name, str):
         raise TypeError(f"place: expected the name of a place, got {brief(name)}")
     words = _plain(name)

@@ -69,6 +69,7 @@ def test_names_are_read_as_people_write_them() -> None:
     assert hoopgen.place("left corner three", NBA)["angle"] == -corner["angle"]
     assert hoopgen.place("foul line") == hoopgen.place("free-throw line", PAPER)
     assert hoopgen.place("top three", court="FIBA")["distance"] == 6.75
+    assert hoopgen.place("elbow", court="FIBA") == hoopgen.place("elbow", FIBA)
     assert find_place("elbow").name == "right elbow"
 
 

@@ -60,7 +60,7 @@ class Advice:
 
 @dataclass(frozen=True, repr=False)
 class Coaching(Result):
-    """What is worth practising most.
+    """The advice to a player: the gain of each change, the largest first.
 
     Attributes
     ----------
