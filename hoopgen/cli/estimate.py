@@ -41,7 +41,7 @@ _PITCH = "--scatter vx=0.1 --scatter vy=0.05"
         "    --preset nba --precision 0.001 --versus backspin=0",
         "hoopgen estimate --scene golf.toml --position=-30cm,0,20cm --velocity 1.4,0,0 \\",
         "    --scatter vx=0.1 --scatter vy=0.05 --max-contacts 30",
-        "hoopgen estimate --from releases.csv --place 'free throw' --height 7ft --fitted --solve 70%",
+        "hoopgen estimate --from releases.csv --place elbow --height 7ft --fitted --solve 70%",
     ),
 )
 @release_options
