@@ -29,6 +29,7 @@ if TYPE_CHECKING:
     from .hoop.court import FIBA_COURT as FIBA_COURT
     from .hoop.court import NBA_COURT as NBA_COURT
     from .hoop.court import PAPER_COURT as PAPER_COURT
+    from .hoop.court_places import place as place
     from .hoop.presets import FIBA as FIBA
     from .hoop.presets import NBA as NBA
     from .hoop.presets import PAPER as PAPER
@@ -53,8 +54,10 @@ if TYPE_CHECKING:
     from .study.models.resample import Resample as Resample
     from .study.models.scatter import Scatter as Scatter
     from .study.questions.aim import aim as aim
+    from .study.questions.assess import assess as assess
     from .study.questions.bank import bank_or_direct as bank_or_direct
     from .study.questions.batch import batch as batch
+    from .study.questions.coach import coach as coach
     from .study.questions.compare import compare as compare
     from .study.questions.counterfactual import counterfactual as counterfactual
     from .study.questions.estimate import estimate as estimate
@@ -62,6 +65,7 @@ if TYPE_CHECKING:
     from .study.questions.margins import margins as margins
     from .study.questions.optimum import optimum as optimum
     from .study.questions.solve import solve as solve
+    from .study.recovery.calibrate import calibrate as calibrate
     from .study.recovery.fit_release import fit_release as fit_release
     from .studyfile import run_study as run_study
     from .viewer import view as view
@@ -105,6 +109,7 @@ _LAZY = {
     "NBA_COURT": "hoop.court",
     "FIBA_COURT": "hoop.court",
     "release": "hoop.releases",
+    "place": "hoop.court_places",
     "PAPER": "hoop.presets",
     "NBA": "hoop.presets",
     "FIBA": "hoop.presets",
@@ -119,6 +124,8 @@ _LAZY = {
     "Grid": "study.models.grid",
     "estimate": "study.questions.estimate",
     "compare": "study.questions.compare",
+    "assess": "study.questions.assess",
+    "coach": "study.questions.coach",
     "counterfactual": "study.questions.counterfactual",
     "solve": "study.questions.solve",
     "map": "study.questions.map",
@@ -129,6 +136,7 @@ _LAZY = {
     "measure": "study.measures.measures",
     "batch": "study.questions.batch",
     "fit_release": "study.recovery.fit_release",
+    "calibrate": "study.recovery.calibrate",
     "run_study": "studyfile",
     "view": "viewer",
 }

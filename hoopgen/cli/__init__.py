@@ -38,6 +38,7 @@ _COMMANDS = {
     "playground": "playground",
     "certify": "certify",
     "counterfactual": "counterfactual",
+    "coach": "coach",
     "compile": "scenes",
     "cache": "scenes",
     "hash": "scenes",

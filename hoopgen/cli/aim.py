@@ -22,6 +22,7 @@ from hoopgen.text.tables import table
 from .command import command
 from .messages import examples, shown
 from .options import UNITS_IN_WORDS, picture_option, scene_options, units_option, variable_option
+from .place_option import place_option
 from .question_options import question_options
 from .scene_option import no_scene_option
 from .types import OUT, Parsed, number_cell
@@ -74,20 +75,26 @@ def _range(first: str, last: str, by: str) -> tuple[float, ...]:
 
 
 @command(
+    needs=lambda typed: [] if "distance" in typed else ["--distance (or --place)"],
     epilog=UNITS_IN_WORDS
     + examples(
-        "hoopgen aim --distance 13.75ft --height 7ft",
+        "hoopgen aim --place 'free throw' --height 7ft",
         "hoopgen aim --distance 13.75ft --height 7ft --entry 45deg --backspin 3Hz --depth 2in",
         "hoopgen aim --distance 1m:7m:0.5m --height 0.6m --speed 9.5 --csv table.csv \\",
         "    --picture table.svg",
         "hoopgen aim --distance 12ft --height 7ft --elevation 55deg --set ball_radius=11.9cm",
-    )
+    ),
 )
-@question_options(AimQuestion, distance={"type": Parsed(_distances, "LENGTH [m] | FROM:TO:STEP")})
+@question_options(
+    AimQuestion,
+    optional=("distance",),
+    distance={"type": Parsed(_distances, "LENGTH [m] | FROM:TO:STEP")},
+)
 @variable_option("height", required=True)
 @variable_option("angle", default=0.0)
 @variable_option("backspin", default=0.0)
 @variable_option("sidespin", default=0.0)
+@place_option
 @no_scene_option
 @scene_options
 @click.option("--csv", "file", type=OUT, help="Write the table: m, m/s, degrees, Hz, s.")

@@ -19,7 +19,7 @@ options, such as ``--speed (or --aim)``."""
 ARGUMENTS = "hoopgen.arguments"
 """Key of the context's ``meta``: the words that the command was given."""
 
-_READ, _WRITTEN = "hoopgen.read", "hoopgen.written"
+_READ, _WRITTEN, _DEFERRED = "hoopgen.read", "hoopgen.written", "hoopgen.deferred"
 
 MAX_UNGROUPED = 12
 """Options that a help shows in one list."""
@@ -28,9 +28,9 @@ GROUPS: Mapping[str, tuple[str, ...]] = {
     ASKED: ("versus", "sample"),
     RELEASE: (
         *("speed", "elevation", "azimuth", "backspin", "sidespin", "height", "distance", "angle"),
-        *("aim", "entry", "x", "y", "position", "velocity", "spin", "release"),
+        *("place", "aim", "entry", "x", "y", "position", "velocity", "spin", "release"),
     ),
-    MEASURED: ("scatter", "correlation", "from", "group", "override"),
+    MEASURED: ("scatter", "correlation", "from", "group", "fitted", "instrument", "override"),
     "The scene": ("scene", "limit", "preset", "set"),
     COMPUTED: ("max-bits", "prove"),
     RESULTS: ("out", "csv", "picture", "view", "label", "title", "units", "json", "help"),
@@ -70,12 +70,17 @@ class Command(click.Command):
             raise self._missing(ctx, words) or error from None
         if not ctx.resilient_parsing and (missing := self._missing(ctx, words)):
             raise missing
+        for call in ctx.meta.pop(_DEFERRED, ()):
+            with ctx:
+                call(ctx)
         return rest
 
     def _missing(self, ctx: click.Context, words: Sequence[str]) -> click.UsageError | None:
         """Return the error that lists what is missing; None if nothing is."""
         typed, _, _ = self.make_parser(ctx).parse_args(list(words))
         given = {name: it for name, it in typed.items() if it is not None and it is not _UNSET}
+        if "place" in given:
+            given["distance"] = given["place"]
         missing = [_name(p) for p in self.get_params(ctx) if p.required and p.name not in given]
         missing += [one for one in (self.needs(given) if self.needs else ()) if one not in missing]
         if not missing:
@@ -138,6 +143,11 @@ class Command(click.Command):
 def command(name: str | None = None, **attributes: Any) -> Callable[[Callable[..., Any]], Command]:
     """Return what `click.command` does, for a `Command`; ``needs`` is one of its attributes."""
     return click.command(name, cls=Command, **attributes)
+
+
+def defer(ctx: click.Context, call: Callable[[click.Context], None]) -> None:
+    """Call a function when all options of a command are read, and none is missing."""
+    ctx.meta.setdefault(_DEFERRED, []).append(call)
 
 
 def note_input(ctx: click.Context | None, param: click.Parameter | None, path: Path) -> None:

@@ -13,10 +13,11 @@ import hoopgen
 from hoopgen.report.quantities import format_variable
 from hoopgen.study.questions.settings import settings
 from hoopgen.study.questions.specification import CompareQuestion, EstimateQuestion, SolveQuestion
+from hoopgen.text.shorten import join_names
 
 from .command import ARGUMENTS, command
 from .invalid import warn_invalid
-from .messages import echo_json, examples, shown
+from .messages import echo_json, echo_lines, examples, shown
 from .options import UNITS_IN_WORDS, json_option, picture_option, units_option
 from .question_options import check_caught, question_options
 from .release_options import Releasing, from_option, release_needs, release_options
@@ -40,7 +41,7 @@ _PITCH = "--scatter vx=0.1 --scatter vy=0.05"
         "    --preset nba --precision 0.001 --versus backspin=0",
         "hoopgen estimate --scene golf.toml --position=-30cm,0,20cm --velocity 1.4,0,0 \\",
         "    --scatter vx=0.1 --scatter vy=0.05 --max-contacts 30",
-        "hoopgen estimate --from releases.csv --height 7ft --distance 13.75ft --solve 70%",
+        "hoopgen estimate --from releases.csv --place elbow --height 7ft --fitted --solve 70%",
     ),
 )
 @release_options
@@ -79,6 +80,12 @@ def estimate(
     check_caught(measures)
     if share is not None and not (releasing.sd or releasing.measured):
         raise click.UsageError(_needs_scatter(releasing.engine))
+    if releasing.fitted and share is None and not versus:
+        options = _options_of(
+            EstimateQuestion, work | {"precision": precision, "measures": measures}
+        )
+        _estimate_fitted(releasing, options, picture, as_json)
+        return
     (model, parameters), scene = releasing.model(), releasing.engine
     question: Any = CompareQuestion if versus else EstimateQuestion
     question = SolveQuestion if share is not None else question
@@ -106,6 +113,39 @@ def estimate(
         warn_invalid(model, parameters, scene, invalid, result.shots, work["seed"])
     if precision is not None and result.half_width > precision:
         click.echo("hoopgen: the precision was not reached; more --shots", err=True)
+
+
+def _estimate_fitted(
+    releasing: Releasing, options: Mapping[str, Any], picture: Path | None, as_json: bool
+) -> None:
+    """Print the fitted scatter and its estimate; with a group, of each player."""
+    from hoopgen.study.models.fitted_scatter import FittedScatter
+    from hoopgen.study.named_units import in_units
+
+    fitted, scene = releasing.fit(), releasing.engine
+    players = {"": fitted} if isinstance(fitted, FittedScatter) else dict(fitted)
+    if picture is not None and len(players) > 1:
+        raise click.UsageError("--picture is of one player; choose one by --where")
+    found = {}
+    for label, one in players.items():
+        with shown() as progress:
+            found[label] = hoopgen.estimate(
+                one, releasing.parameters, scene=scene, progress=progress, **options
+            )
+    if picture is not None:
+        hoopgen.plots.save(hoopgen.plots.plot_estimate(found[""]), picture)
+    if as_json:
+        both = {
+            label: {"scatter": one.as_dict(), **in_units(found[label].as_dict())}
+            for label, one in players.items()
+        }
+        echo_json(both.get("", {"players": both}))
+        return
+    for label, one in players.items():
+        heading = f"{label}: " if label else ""
+        echo_lines(f"{heading}{one}\n\n{found[label]}\n")
+    if not isinstance(fitted, FittedScatter) and fitted.left_out:
+        click.echo(f"too few releases: {join_names(fitted.left_out)}")
 
 
 def _options_of(question: Any, given: Mapping[str, Any]) -> dict[str, Any]:

@@ -13,6 +13,7 @@ from hoopgen.hoop.presets import PRESETS
 from hoopgen.hoop.variables import VARIABLES
 from hoopgen.study.questions.settings import Parsing, TableSettings
 
+from .place_option import place_option
 from .question_options import setting_options, together
 from .scene_option import NEEDED, engine_of, parameters_of, scene_option
 from .shot_files import reading_of, simulation_options
@@ -60,6 +61,7 @@ def argument_options(*, required: bool) -> Decorator:
     return together(
         *(variable_option(name, required=required) for name in NEEDED),
         *(variable_option(name, default=0.0) for name in others),
+        place_option,
     )
 
 
@@ -114,6 +116,7 @@ _TABLE = together(
         callback=once,
         help="A variable that all rows share, in place of a column; may be repeated.",
     ),
+    place_option,
     preset_options,
     override_option,
 )

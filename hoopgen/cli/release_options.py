@@ -10,7 +10,9 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
 import click
+import numpy as np
 
+from hoopgen.hoop.court_places import find_place
 from hoopgen.hoop.variables import change_variables
 from hoopgen.simulation.lookup import BUILT_IN
 from hoopgen.study.questions.settings import MeasuredReleases
@@ -23,6 +25,7 @@ from .options import (
     scene_options,
     variable_option,
 )
+from .place_option import PLACE, place_option
 from .question_options import setting_options, together
 from .scene_option import (
     engine_of,
@@ -38,6 +41,7 @@ from .types import CORRELATION, DEVIATION, FILE, once
 
 if TYPE_CHECKING:
     from hoopgen.simulation.engine import Engine
+    from hoopgen.study.models.fitted_scatter import FittedScatter, FittedScatters
     from hoopgen.study.models.resample import Resample
     from hoopgen.study.models.scatter import Scatter
     from hoopgen.study.tables.invalid import InvalidRows
@@ -54,7 +58,7 @@ _ALTERNATIVES: Mapping[str, tuple[str, ...]] = {
 _REQUIRED: Mapping[str, str] = {
     "speed": "--speed (or --aim)",
     "elevation": "--elevation (or --entry)",
-    "distance": "--distance (or --x and --y)",
+    "distance": "--distance (or --place, or --x and --y)",
 }
 """Texts of those that have alternatives."""
 
@@ -93,6 +97,18 @@ class Releasing:
     engine: Engine
     measured: Mapping[str, Any] = field(default_factory=dict)  # columns of --from
     group: Sequence[str | None] | None = None  # label of each row, --group
+    fitted: bool = False  # a scatter is fitted to the columns, --fitted
+    errors: Mapping[str, Any] = field(default_factory=dict)  # of the measurement: variances
+
+    def fit(self) -> FittedScatter[Scatter] | FittedScatters[Scatter]:
+        """Return the scatter fitted to the measured releases; with labels, of each player."""
+        from hoopgen.study.models.scatter import Scatter
+
+        columns: dict[str, Any] = {**self.measured, **self.values}
+        errors: dict[str | tuple[str, str], Any] = {
+            name: one for name, one in self.errors.items() if np.ndim(columns.get(name, 0.0))
+        }
+        return Scatter.fit(columns, self.group, errors)
 
     def model(
         self, changes: Mapping[str, float] = MappingProxyType({}), over: Iterable[str] = ()
@@ -102,6 +118,7 @@ class Releasing:
         `changes` may hold variables and parameters of the scene. The components of a state that
         vary `over` some values are left out.
         """
+        from hoopgen.study.models.fitted_scatter import FittedScatters
         from hoopgen.study.models.resample import Resample
         from hoopgen.study.models.scatter import Scatter
 
@@ -116,6 +133,17 @@ class Releasing:
             values = {n: v for n, v in (values | dict(changes)).items() if n not in varied}
         scene = dict(self.parameters)
         scene |= {name: values.pop(name) for name in scene if name in changes}
+        if self.fitted:
+            found = self.fit()
+            if isinstance(found, FittedScatters):
+                raise click.UsageError(
+                    "--fitted with --group gives a scatter for each player, which only estimate "
+                    "takes, without --versus and --solve; choose one by --where 'player == Ann'"
+                )
+            known = {n: v for n, v in changes.items() if n not in scene}
+            moved = change_variables(found.model.release, known | dict.fromkeys(over, 0.0))
+            moved = {name: value for name, value in moved.items() if name not in over}
+            return replace(found.model, release=moved), scene
         if self.measured:
             return Resample(values, self.group), scene
         return Scatter(values, self.sd, self.correlation), scene
@@ -140,13 +168,22 @@ class Releasing:
         if group is not None:
             labels = source.labels(source.whole(), group)
             reading = replace(reading, own=(*reading.own, group))
+        release = dict(self.values)
+        if (place := click.get_current_context().meta.get(PLACE)) is not None:
+            # The table may name its scene, and with it another rule book.
+            from hoopgen.study.tables.provenance import origin_of
+
+            origin = None if override else origin_of(source, self.engine)
+            named = self.parameters if origin is None else origin.parameters
+            release |= find_place(place, asked.get("parameters") or named).variables
         table = reading.interpreted(
-            source, release=self.values, **asked, override=override, scene=self.engine
+            source, release=release, **asked, override=override, scene=self.engine
         )
         measured, invalid = table.measured(source)
         scene, values = table.origin.parameters, table.origin.release
+        errors = {n: v for n, v in table.error_variances(source).items() if n not in self.errors}
         model = replace(self, values=values, parameters=scene, measured=measured, group=labels)
-        return model, table, invalid
+        return replace(model, errors={**errors, **self.errors}), table, invalid
 
 
 _FROM = together(
@@ -158,6 +195,21 @@ _FROM = together(
         "in.",
     ),
     setting_options(MeasuredReleases, only="group"),
+    click.option(
+        "--fitted",
+        is_flag=True,
+        help="Fit a normal scatter to the rows of --from, without the measuring errors and robust "
+        "to outliers, and draw from it. Of estimate, --group is the player of each row.",
+    ),
+    click.option(
+        "--instrument",
+        type=DEVIATION,
+        multiple=True,
+        callback=once,
+        help="Standard error of the measurement of a variable, speed=2cm/s, with --fitted; by "
+        "default columns sd_speed_m_s ... of the table, as hoopgen fit writes them. May be "
+        "repeated.",
+    ),
     override_option,
     reading_options,
 )
@@ -175,13 +227,21 @@ def from_option(command: Callable[..., Any]) -> Callable[..., Any]:
         releasing: Releasing,
         file: Path | None,
         group: str | None,
+        fitted: bool,
+        instrument: Mapping[str, float],
         override: bool,
         **options: Any,
     ) -> Any:
         reading_values = {name: options.pop(name) for name in READING}
+        if instrument and not fitted:
+            raise click.UsageError("--instrument: it is of --fitted; leave it out, or give both")
+        errors = {name: sd**2 for name, sd in instrument.items()}
+        releasing = replace(releasing, fitted=fitted, errors=errors)
         if file is None:
             if group is not None:
                 raise click.UsageError("--group: it is a column of --from; leave it out")
+            if fitted:
+                raise click.UsageError("--fitted: there are no measured releases; give --from")
             if override:
                 raise click.UsageError("--override: there is no file of results; leave it out")
             stray = [name for name, value in reading_values.items() if value]
@@ -195,6 +255,9 @@ def from_option(command: Callable[..., Any]) -> Callable[..., Any]:
             options["max_contacts"] = table.origin.max_contacts
         result = command(*arguments, releasing=releasing, **options)
         lines = f"\n{table.interpretation}\n{invalid}"
+        if fitted:
+            known = ", ".join(f"{n} (given)" if n in errors else n for n in releasing.errors)
+            lines += f"\nmeasuring errors: {known or 'none known, so the spread contains them'}"
         echo_lines(lines, err=bool(options.get("as_json")))
         if assumption:
             click.echo(assumption, err=True)
@@ -235,7 +298,8 @@ def _release_options(command: Callable[..., Any], scene: Any) -> Callable[..., A
         releasing = Releasing(values, sd, correlation, parameters, engine)
         return command(*arguments, releasing=releasing, **options)
 
-    options = (*map(variable_option, VARIABLE_HELP), scene, *_SCATTER, scene_options)
+    variables = map(variable_option, VARIABLE_HELP)
+    options = (*variables, place_option, scene, *_SCATTER, scene_options)
     decorated: Callable[..., Any] = together(*options)(collected)
     return decorated
 

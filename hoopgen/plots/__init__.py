@@ -3,6 +3,8 @@
 from .aim_points import plot_aim_points
 from .aim_table import plot_aim
 from .animation import save_film
+from .calibration import plot_calibration
+from .coach import plot_coach
 from .counterfactual import plot_counterfactual
 from .estimates import plot_estimate
 from .fan import plot_fan
@@ -18,6 +20,8 @@ __all__ = [
     "PAGE",
     "plot_aim",
     "plot_aim_points",
+    "plot_calibration",
+    "plot_coach",
     "plot_counterfactual",
     "plot_estimate",
     "plot_fan",

@@ -27,7 +27,7 @@ from hoopgen.study.questions.specification import (
 )
 
 from .schema import Given, Question, Study, reading
-from .settings import ShotSource
+from .settings import ShotSource, placed
 
 
 @dataclass(frozen=True)
@@ -120,6 +120,11 @@ class Context:
             self.engine, setting.parameters_of(source) if source else setting.parameters
         )
 
+    @property
+    def shared_release(self) -> dict[str, Any]:
+        """Return the variables that all rows of a batch share."""
+        return placed(self.question.release, self.setting.parameters_of(self.source))
+
     def changed(self, versus: Given) -> ShotSource:
         """Return the setting with changes."""
         return ShotSource.of((self.given, self.question, versus), self.folder, self.engine)
@@ -146,7 +151,7 @@ class Context:
             identity["units"] = system
         if isinstance(question, BatchQuestion):
             scene = self.setting.parameters_of(self.source)
-            shared = {"release": question.release, "parameters": scene}
+            shared = {"release": self.shared_release, "parameters": scene}
             return identity | {"setting": shared, "table": self.source.digest()[0]}
         identity["setting"] = self.setting.identity()
         if isinstance(question, CompareQuestion):

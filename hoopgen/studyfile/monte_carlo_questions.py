@@ -178,7 +178,7 @@ def ask_batch(context: Context, question: BatchQuestion, **work: Any) -> Batch:
         context.source.path,
         parameters=context.setting.parameters_of(context.source),
         scene=context.engine,
-        release=context.question.release,
+        release=context.shared_release,
         override=True,  # what the study file says is said on purpose
         **context.arguments,
         **work,

@@ -152,7 +152,7 @@ def _setting(context: Context) -> dict[str, str]:
     """Say what is thrown, by what it is: the scene, the release, its scatter."""
     question = context.question
     if isinstance(question, BatchQuestion | AimQuestion):
-        release = dict(question.release)
+        release = {} if isinstance(question, AimQuestion) else context.shared_release
         if isinstance(question, AimQuestion):
             aimed = context.setting.release
             release = {name: aimed[name] for name in _AIMED if name in aimed}

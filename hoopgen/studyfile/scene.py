@@ -14,6 +14,7 @@ from pydantic_core import CoreSchema, core_schema
 
 from hoopgen.core.units import Kind
 from hoopgen.core.variables import STATE
+from hoopgen.hoop.court_places import PLACES, find_place
 from hoopgen.hoop.presets import PRESETS
 from hoopgen.hoop.variables import ARGUMENTS, VARIABLES
 from hoopgen.scene.lookup import variables_of
@@ -57,6 +58,32 @@ def varying() -> tuple[str, ...]:
 def releasing() -> tuple[str, ...]:
     """Return the variables of a release: where there is no hoop, the components of a state."""
     return tuple(name for name in varying() if name not in _own())
+
+
+def release_keys() -> tuple[str, ...]:
+    """Return the keys of a table `release`: its variables, and where there is a hoop a place."""
+    return (*releasing(), *(("place",) if _SCENE.get().has_hoop else ()))
+
+
+class PlaceName(Text):
+    """The name of a place of the court."""
+
+    def __init__(self) -> None:
+        super().__init__(words=f"a place: {', '.join(PLACES)}; left or right before some")
+
+    def read(self, given: Any) -> str:
+        """Return the name."""
+        name = super().read(given)
+        try:
+            find_place(name)
+        except ValueError as error:
+            raise ValueError(str(error).removeprefix("place: ")) from None
+        return name
+
+
+def release_value(name: str) -> Value:
+    """Return the kind of values of a key of a table `release`."""
+    return PlaceName() if name == "place" else quantity(name)
 
 
 def scattering() -> tuple[str, ...]:

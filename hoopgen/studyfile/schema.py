@@ -40,8 +40,8 @@ from .scene import (
     correlations,
     deviation,
     in_file,
-    quantity,
-    releasing,
+    release_keys,
+    release_value,
     scattering,
     scene_keys,
     scene_or_size,
@@ -91,7 +91,12 @@ class Given:
         InScene(Named(scene_keys, scene_or_size)),
         {},
     )
-    release: Mapping[str, float] = setting("The release aimed at.", Named(releasing, quantity), {})
+    release: Mapping[str, Any] = setting(
+        "The release aimed at.",
+        Named(release_keys, release_value),
+        {},
+        file='`place = "free throw"` takes the place of distance and angle.',
+    )
     scatter: Mapping[str, float] | None = setting(
         "Standard deviations about it.", Named(scattering, deviation, none=True), {}
     )

@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 
 from hoopgen.core.variables import is_state
+from hoopgen.hoop.court_places import find_place
 from hoopgen.hoop.variables import change_variables
 from hoopgen.simulation.engine import Engine
 from hoopgen.study.models.resample import Resample
@@ -20,12 +21,13 @@ from hoopgen.study.questions.settings import MeasuredReleases
 from hoopgen.study.tables.columns import variable_of
 from hoopgen.study.tables.provenance import origin_of
 from hoopgen.study.tables.source import Source
+from hoopgen.text.shorten import join_names
 
 from .scene import FILE
 from .schema import Given, reading
 
-_PLACES = ({"x", "y"}, {"distance", "angle"})
-"""Two ways to say a place."""
+_PLACES = ({"x", "y"}, {"distance", "angle"}, {"place"})
+"""Three ways to say a place."""
 
 
 @dataclass(frozen=True)
@@ -36,14 +38,14 @@ class ShotSource:
     ----------
     above, own
         Variables of the release aimed at: those that columns of `releases` take the place of, and
-        those that take the place of columns.
+        those that take the place of columns; `place` may be among them, the name of one.
     sd, correlation
         The scatter about it, as of `Scatter`.
     """
 
     scene: Mapping[str, Any]  # the preset, and the parameters that differ from it
-    above: Mapping[str, float]
-    own: Mapping[str, float]
+    above: Mapping[str, Any]
+    own: Mapping[str, Any]
     sd: Mapping[str, float]
     correlation: Mapping[tuple[str, str], float]
     releases: MeasuredReleases | None  # measured releases; None without
@@ -83,7 +85,7 @@ class ShotSource:
     @property
     def release(self) -> dict[str, float]:
         """Return the variables of the release aimed at."""
-        return _change(self.above, self.own)
+        return placed(_change(self.above, self.own), self.parameters)
 
     @property
     def parameters(self) -> dict[str, float]:
@@ -139,13 +141,14 @@ class ShotSource:
             if name not in own
         }
         said = {name: variable for name, variable in said.items() if variable}
-        kept = _change(dict.fromkeys(said.values(), math.nan) | dict(shared), self.own)
-        passed = [name for name, one in said.items() if one in self.own or one not in kept]
+        above, here = (placed(one, self.parameters) for one in (self.above, self.own))
+        kept = _change(dict.fromkeys(said.values(), math.nan) | dict(shared), here)
+        passed = [name for name, one in said.items() if one in here or one not in kept]
         state = is_state(said.values())
         given = {
-            **({} if state else given_without(self.above, kept)),
+            **({} if state else given_without(above, kept)),
             **{name: value for name, value in shared.items() if name in kept},
-            **self.own,
+            **here,
         }
         columns = source.columns(
             sorted({*own, *passed}),
@@ -173,15 +176,21 @@ class ShotSource:
 
 def _change(release: Mapping[str, float], changes: Mapping[str, Any]) -> dict[str, Any]:
     """Return variables with some changed; what says the same in another way is dropped."""
-    gone = {name for way in _PLACES if not way.isdisjoint(changes) for name in _other(way)}
+    said = [way for way in _PLACES if not way.isdisjoint(changes)]
+    gone = {name for way in said for other in _PLACES if other is not way for name in other}
     if is_state({*release, *changes}):
         return {**release, **changes}
     return change_variables({n: v for n, v in release.items() if n not in gone}, changes)
 
 
-def _other(way: set[str]) -> set[str]:
-    first, second = _PLACES
-    return second if way is first else first
+def placed(release: Mapping[str, Any], parameters: Mapping[str, Any]) -> dict[str, Any]:
+    """Return variables with the distance and the angle of a place of the court that is named."""
+    others = {name: value for name, value in release.items() if name != "place"}
+    if "place" not in release:
+        return others
+    if both := [name for name in ("distance", "angle", "x", "y") if name in others]:
+        raise ValueError(f"release: place says where; leave out {join_names(both)}")
+    return {**others, **find_place(release["place"], parameters).variables}
 
 
 def given_without(release: Mapping[str, float], names: Iterable[str]) -> dict[str, float]:

@@ -193,7 +193,7 @@ def test_what_is_wrong_shows_before_a_folder_is_made(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("more", "said"),
     [
-        ([], "missing --distance (or --x and --y)"),
+        ([], "missing --distance (or --place, or --x and --y)"),
         (["--x", "2m"], "places: expected distance and angle, or x and y; got x"),
         (["--distance", "2m", "--y", "1m"], "places: expected distance and angle, or x and y"),
         (["--distance", "2m", "--places", "distance=3m"], "--distance and --places distance=..."),

@@ -27,7 +27,10 @@ PLACE = ["--height", "7ft", "--distance", "13.75ft"]
 RELEASE = [*PLACE, "--speed", "7.17", "--elevation", "52deg"]
 
 
-ALL = "--speed (or --aim), --elevation (or --entry), --height and --distance (or --x and --y)"
+ALL = (
+    "--speed (or --aim), --elevation (or --entry), --height and "
+    "--distance (or --place, or --x and --y)"
+)
 
 
 @pytest.mark.parametrize(
@@ -48,10 +51,10 @@ ALL = "--speed (or --aim), --elevation (or --entry), --height and --distance (or
         ("map", f"missing --over, {ALL}"),
         ("map --over elevation=45deg:60deg:3 --height 7ft", "missing --speed (or --aim) and --dis"),
         ("optimum", f"missing --over, {ALL}"),
-        ("optimum --over elevation --over aim", "missing --height and --distance (or --x and --y)"),
-        ("bank", "missing --height and --distance (or --x and --y)"),
+        ("optimum --over elevation --over aim", "missing --height and --distance (or --place, or"),
+        ("bank", "missing --height and --distance (or --place, or --x and --y)"),
         ("bank --places distance=2,3 --places angle=0deg", "missing --height"),
-        ("aim", "missing --distance and --height"),
+        ("aim", "missing --height and --distance (or --place)"),
         ("batch", "missing --out and FILE"),
         ("view", "missing --out and FILE"),
         ("study", "missing FILE"),

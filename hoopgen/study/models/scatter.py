@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from hashlib import sha256
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from hoopgen.core.parameters import ParameterValues
 from hoopgen.core.validation import as_doubles
@@ -24,6 +24,8 @@ from hoopgen.hoop.variables import (
 from hoopgen.scene.lookup import HOOP_VARIABLES
 from hoopgen.text.shorten import brief
 
+from .fitted_scatter import FittedScatter, FittedScatters
+from .measured_columns import Measured, measured_columns, measured_groups, measuring_noise
 from .random import factor, normals
 from .release_model import (
     Floats,
@@ -36,6 +38,7 @@ from .release_model import (
     check_turns,
     spread,
 )
+from .scatter_fitting import fit_columns
 
 SCATTERED = (*ARGUMENTS, *NAMES)
 """Variables that may scatter about a release at a hoop; the index of each is the stream of its
@@ -139,6 +142,49 @@ class Scatter:
             states = np.broadcast_to(as_states(columns), (stop - start, len(STATE)))
             return Releases(states, scene, {})
         return make_releases(columns, scene, stop - start)
+
+    @classmethod
+    def fit(
+        cls,
+        table: Measured,
+        group: Iterable[object] | str | None = None,
+        measurement_covariance: Mapping[str | tuple[str, str], ArrayLike] | None = None,
+    ) -> FittedScatter[Scatter] | FittedScatters[Scatter]:
+        """Fit mean, spread and correlation to measured releases, without the measuring errors.
+
+        Outliers have little weight: `hoopgen.study.models.robust_moments` derives the estimate. It
+        assumes that the other releases are normal, and independent of each other. With a group it
+        is a scatter for each player. From four players on each is shrunk towards what they have in
+        common, the more the fewer rows it has: `hoopgen.study.models.shrinkage`.
+
+        Parameters
+        ----------
+        table
+            Measured releases: what `hoopgen.fit_release` returned, of which the credible ones count
+            and the covariances are taken out; a `Resample`; or columns by name, (n,) each or one
+            number for all, SI, as of `Resample`. Rows that are not finite are left out. x and y
+            become distance and angle. A column of equal numbers does not scatter.
+        group
+            The player of each row, (n,); or the name of a column of the table.
+        measurement_covariance
+            Of the errors of the measurement: a name with the variance, a pair of names with the
+            covariance, each one number or (n,), in the square of the unit. Pairs that are not given
+            have 0. None: that of `hoopgen.fit_release`; of other tables none.
+
+        Returns
+        -------
+        FittedScatter or FittedScatters
+            The scatter as `model`, and its uncertainty; with a group, by the player's label.
+
+        Raises
+        ------
+        TypeError, ValueError
+            If an argument is not as described, or the rows are too few: two more than there are
+            variables that scatter, or from four players on, three of each.
+        """
+        columns, labels = measured_columns(table, group)
+        noise = measuring_noise(table, columns, measurement_covariance)
+        return fit_columns(columns, noise, measured_groups(table, labels), cls)
 
     @property
     def _names(self) -> tuple[str, ...]:

@@ -31,8 +31,10 @@ from hoopgen.study.jobs.monte_carlo import (
 )
 from hoopgen.study.measures.measures import MEASURES, measures_of
 from hoopgen.study.measures.rebounds import CATCHING_HEIGHT, check_height
+from hoopgen.study.models.fitted_scatter import FittedScatter
 from hoopgen.study.models.random import check_seed
 from hoopgen.study.models.release_model import ReleaseModel, is_still
+from hoopgen.study.models.scatter import Scatter
 from hoopgen.study.result import SharesOfShots
 from hoopgen.study.statistics.distributions import (
     Spread,
@@ -41,6 +43,7 @@ from hoopgen.study.statistics.distributions import (
     spreads_of_sample,
     width_of,
 )
+from hoopgen.study.statistics.fitted_sample import sample_of_fit
 from hoopgen.study.statistics.intervals import wilson
 from hoopgen.study.statistics.sample import Rows, SampleInterval, say_sample
 from hoopgen.study.statistics.shares import Shares, shares_of
@@ -96,8 +99,8 @@ class Estimate(SharesOfShots):
     slip_left
         Capped ones whose bounces ended with slip left, which friction could not stop.
     sample
-        Of measured releases: the interval of the probability which contains the uncertainty of the
-        sample. None of other models.
+        Of measured releases, and of a scatter fitted to them: the interval of the probability that
+        contains the uncertainty of the sample. None of other models.
     still
         Whether nothing scatters, so that there is nothing to be estimated.
     """
@@ -234,7 +237,7 @@ class _Options(TypedDict, total=False):
 
 @overload
 def estimate(
-    model: ReleaseModel,
+    model: ReleaseModel | FittedScatter[Scatter],
     parameters: ParameterValues | None = None,
     *,
     scene: None = None,
@@ -244,7 +247,7 @@ def estimate(
 
 @overload
 def estimate(
-    model: ReleaseModel,
+    model: ReleaseModel | FittedScatter[Scatter],
     parameters: ParameterValues | None = None,
     *,
     scene: SceneLike,
@@ -253,7 +256,7 @@ def estimate(
 
 
 def estimate(
-    model: ReleaseModel,
+    model: ReleaseModel | FittedScatter[Scatter],
     parameters: ParameterValues | None = None,
     *,
     scene: SceneLike = None,
@@ -275,8 +278,8 @@ def estimate(
     Parameters
     ----------
     model
-        Where the shots come from: `Scatter`, `Resample`, or one of your own. Where there is no
-        hoop, of states.
+        Where the shots come from: `Scatter`, `Resample`, one of your own, or what `Scatter.fit`
+        returned for a player. Where there is no hoop, of states.
     parameters
         Of the scene, one number each; those left out have its usual values.
     scene
@@ -316,6 +319,7 @@ def estimate(
     TypeError, ValueError
         If an argument is not as described.
     """
+    fitted, model = (model, model.model) if isinstance(model, FittedScatter) else (None, model)
     setting = setting_of(model, parameters, scene)
     level = check_share("confidence", confidence)
     contacts = contacts_of(max_contacts, setting.scene)
@@ -334,7 +338,10 @@ def estimate(
         precision, lambda total: estimated(job, total, 0, level).half_width, progress
     )
     total = rule.total(job, folder, scheduler, threads)
-    return estimated(job, total, 0, level).with_rows(job.rows(0, threads))
+    found = estimated(job, total, 0, level).with_rows(job.rows(0, threads))
+    if fitted is None or isinstance(found, Shares):
+        return found
+    return replace(found, sample=sample_of_fit(fitted, setting, found, contacts, backend, threads))
 
 
 def _measured(measures: Iterable[str], scene: Engine) -> tuple[str, ...]:

@@ -267,6 +267,19 @@ class CounterfactualQuestion:
 
 
 @dataclass(frozen=True, kw_only=True)
+class CoachQuestion:
+    """The part of a player's release that is worth practising most."""
+
+    shared: ClassVar = (of.Sampling, of.Threads)
+    makes: float | None = setting(
+        "Share of shots made by the player, 70%; by default that. All of the spread is scaled.",
+        Share(percent=True),
+        None,
+    )
+    shots: int = setting("Number of shots before and after each change.", Whole(), 100_000)
+
+
+@dataclass(frozen=True, kw_only=True)
 class FitQuestion:
     """The releases of measured tracks."""
 

@@ -140,15 +140,21 @@ class FittedReleases(Result):
         return {name: found[name] for name in FLIGHT_ARGUMENTS}
 
     @cached_property
+    def variables_covariance(self) -> Floats:
+        """Return the covariance of the errors of `variables`, (n, 6, 6), of first order."""
+        jacobian = arguments_jacobian(self.states)
+        with np.errstate(invalid="ignore"):
+            found = np.einsum("nij,njk,nlk->nil", jacobian, self.covariance, jacobian)
+        return np.asarray(found)
+
+    @cached_property
     def standard_errors(self) -> Mapping[str, Floats]:
         """Return the standard errors of `variables` and of the components of `states`, (n,) each.
 
         Those of variables are of first order: the Jacobian times the covariance.
         """
-        jacobian = arguments_jacobian(self.states)
         with np.errstate(invalid="ignore"):
-            variances = np.einsum("nij,njk,nik->ni", jacobian, self.covariance, jacobian)
-            found = np.sqrt(variances)
+            found = np.sqrt(np.diagonal(self.variables_covariance, axis1=1, axis2=2))
             own = np.sqrt(np.diagonal(self.covariance, axis1=1, axis2=2))
         named = dict(zip(FLIGHT_ARGUMENTS, found.T, strict=True))
         return named | dict(zip(STATE[:6], own.T, strict=True))

@@ -19,7 +19,7 @@ from hoopgen.engine.compiled_scene import CompiledScene
 from hoopgen.simulation.hoop import HOOP
 from hoopgen.text.shorten import brief
 
-from .columns import Column
+from .columns import Column, numbers, variable_of
 from .interpretation import Interpretation, interpret
 from .invalid import InvalidRows, reasons
 from .limits import MEMORY
@@ -28,6 +28,9 @@ from .source import Source
 
 _ROWS = 1 << 20
 """Read at a time where all are."""
+
+ERROR = "sd_"
+"""Prefix of columns of standard errors."""
 
 
 @dataclass(frozen=True)
@@ -106,10 +109,10 @@ class Interpreted:
         """
         invalid = InvalidRows()
         parts: list[dict[str, NDArray[np.float64]]] = []
-        for part, numbers in table.numbered(_ROWS):
+        for part, rows_in_file in table.numbered(_ROWS):
             given = table.values(part, self.columns, check=not parts)
             rows = np.flatnonzero(np.isnan(np.stack(list(given.values()))).any(axis=0))
-            listed = numbers[rows].tolist()
+            listed = rows_in_file[rows].tolist()
             why = reasons(
                 part.take(rows),
                 self.columns,
@@ -122,6 +125,22 @@ class Interpreted:
         return {
             name: np.concatenate([one[name] for one in parts]) for name in self.columns
         }, invalid
+
+    def error_variances(self, table: Source) -> dict[str, NDArray[np.float64]]:
+        """Return the variances of the measuring errors of all rows, by variable.
+
+        They are the squares of columns ``sd_speed_m_s``, as `hoopgen fit` writes them, of variables
+        that the table has.
+        """
+        found = {}
+        for name in table.schema().names:
+            stem = name.strip().lower()
+            variable, unit = variable_of(stem.removeprefix(ERROR), self.origin.engine)
+            if stem.startswith(ERROR) and variable in self.columns and unit is not None:
+                column = Column(name, unit)
+                parts = [numbers(part, column, table.comma) for part in table.tables(_ROWS)]
+                found[variable] = np.concatenate(parts) ** 2
+        return found
 
 
 _ROWS_WRITTEN = 1 << 16

@@ -703,7 +703,10 @@ def test_the_folder_is_passed_on(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        (["--elevation", "52deg"], "missing --speed (or --aim), --height and --distance (or --x"),
+        (
+            ["--elevation", "52deg"],
+            "missing --speed (or --aim), --height and --distance (or --place, or --x",
+        ),
         (["--scatter", "pace=1"], "'pace' is none of speed, elevation"),
         (["--scatter", "speed"], "'speed' is not name=value"),
         (["--scatter", "speed=1deg"], "speed: '1deg': 'deg' is not a unit of speed"),

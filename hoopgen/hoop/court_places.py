@@ -1,0 +1,246 @@
+"""Named places of the court from which shots are taken, by the rule books.
+
+The measures are those of `court_lines`, where the rule books are named. A player stands behind a
+line, and releases the ball about above it: a place is on the outer edge of its line. Left and right
+are as the shooter sees them who faces the basket; a place without a side is that on the right.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from difflib import get_close_matches
+from math import atan2, hypot, sqrt
+from types import MappingProxyType
+from typing import Any
+
+from hoopgen.core.units import INCH
+from hoopgen.text.shorten import brief
+
+from .court_lines import COURTS, Court, court_of
+from .presets import FIBA, PAPER
+
+__all__ = ["PLACES", "Place", "find_place", "place"]
+
+
+@dataclass(frozen=True)
+class Place:
+    """A place on the floor.
+
+    Attributes
+    ----------
+    name
+        As in `PLACES`, with a side where there are two.
+    court
+        Of the rule book, "NBA" or "FIBA".
+    x, y
+        From the ring's centre, m; +x away from the board, +y to the shooter's right.
+    source
+        What the rule book says, in words.
+    """
+
+    name: str
+    court: str
+    x: float
+    y: float
+    source: str
+
+    @property
+    def distance(self) -> float:
+        """The distance to the ring's centre on the floor plan, m."""
+        return hypot(self.x, self.y)
+
+    @property
+    def angle(self) -> float:
+        """The angle around the ring, rad: 0 straight in front of the board."""
+        return atan2(self.y, self.x)
+
+    @property
+    def variables(self) -> dict[str, float]:
+        """Return `distance` and `angle`, variables of a release."""
+        return {"distance": self.distance, "angle": self.angle}
+
+
+def _free_throw(court: Court, board: float) -> tuple[float, float]:
+    return court.free_throw - board, 0.0
+
+
+def _top_of_key(court: Court, board: float) -> tuple[float, float]:
+    return court.free_throw - board + court.circle, 0.0
+
+
+def _elbow(court: Court, board: float) -> tuple[float, float]:
+    return court.free_throw - board, 0.5 * court.lane
+
+
+def _top_three(court: Court, board: float) -> tuple[float, float]:
+    return court.arc, 0.0
+
+
+def _wing_three(court: Court, board: float) -> tuple[float, float]:
+    return court.arc * sqrt(0.5), court.arc * sqrt(0.5)
+
+
+def _corner_three(court: Court, board: float) -> tuple[float, float]:
+    return 0.0, court.corner
+
+
+def _half_court(court: Court, board: float) -> tuple[float, float]:
+    return court.half_length - court.baseline - board, 0.0
+
+
+@dataclass(frozen=True)
+class _Rule:
+    """A function from the measures of a court to a place, and the words of the rule book."""
+
+    at: Any
+    source: str
+    sides: bool = False
+
+
+PLACES: Mapping[str, _Rule] = MappingProxyType(
+    {
+        "free throw": _Rule(_free_throw, "the free-throw line, {free_throw} from the board"),
+        "top of the key": _Rule(
+            _top_of_key,
+            "where the free-throw circle ends, {circle} beyond the free-throw line, which is "
+            "{free_throw} from the board",
+        ),
+        "elbow": _Rule(
+            _elbow,
+            "where the free-throw line, {free_throw} from the board, meets the side of the lane, "
+            "{lane} wide",
+            True,
+        ),
+        "top three": _Rule(_top_three, "the three-point line, {arc} from the ring's centre"),
+        "wing three": _Rule(
+            _wing_three,
+            "the three-point line, {arc} from the ring's centre, 45 degrees to the side",
+            True,
+        ),
+        "corner three": _Rule(
+            _corner_three,
+            "the three-point line in the corner, {corner} from the middle of the court, level with "
+            "the ring's centre",
+            True,
+        ),
+        "half court": _Rule(
+            _half_court, "the middle of the division line, {half_length} from the baseline"
+        ),
+    }
+)
+"""Places by name. The article's, the NBA's and other hoops have the NBA's court, FIBA's its own."""
+
+_ALIASES = {
+    "free throw line": "free throw",
+    "foul line": "free throw",
+    "key": "top of the key",
+    "top of key": "top of the key",
+    "top of the arc": "top three",
+    "straight on three": "top three",
+    "three": "top three",
+    "corner": "corner three",
+    "wing": "wing three",
+    "division line": "half court",
+    "halfcourt": "half court",
+}
+
+_SIDES = ("left", "right")
+_SPELLED = {"3": "three", "3pt": "three", "pointer": ""}
+
+
+def _plain(name: str) -> str:
+    words = name.lower().replace("-", " ").replace("_", " ").split()
+    return " ".join(filter(None, (_SPELLED.get(word, word) for word in words)))
+
+
+def find_place(
+    name: str, parameters: Mapping[str, Any] | None = None, court: str | None = None
+) -> Place:
+    """Return a named place.
+
+    Parameters
+    ----------
+    name
+        One of `PLACES`, with "left" or "right" before it where there are two; hyphens and capital
+        letters do not matter, and 3 is three.
+    parameters
+        Of the hoop, by which the court is that of the NBA or of FIBA, and from whose board lines
+        are measured; by default `hoopgen.PAPER`, for FIBA's court `hoopgen.FIBA`.
+    court
+        "NBA" or "FIBA", whatever the parameters are.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If there is no such place or court.
+    """
+    hoop = parameters
+    if hoop is None:
+        hoop = FIBA if court == "FIBA" else PAPER
+    if not isinstance(name, str):
+        raise TypeError(f"place: expected the name of a place, got {brief(name)}")
+    words = _plain(name)
+    side, _, rest = words.partition(" ")
+    if side not in _SIDES:
+        side, rest = "", words
+    plain = _ALIASES.get(rest, rest)
+    if plain not in PLACES or (side and not PLACES[plain].sides):
+        close = get_close_matches(rest, [*PLACES, *_ALIASES], n=1)
+        meant = f"; is {_ALIASES.get(close[0], close[0])} meant?" if close else ""
+        two = ", ".join(one for one, rule in PLACES.items() if rule.sides)
+        raise ValueError(
+            f"place: expected one of {', '.join(PLACES)}, with left or right before {two}; "
+            f"got {brief(name)}{meant}"
+        )
+    book = court_of(hoop) if court is None else court
+    if book not in COURTS:
+        raise ValueError(f"court: expected {' or '.join(COURTS)}, got {brief(court)}")
+    measures, rule = COURTS[book], PLACES[plain]
+    x, y = rule.at(measures, float(hoop.get("board_distance", PAPER["board_distance"])))
+    said = rule.source.format_map({key: _length(book, size) for key, size in _sizes(measures)})
+    label = f"{side or 'right'} {plain}" if rule.sides else plain
+    return Place(label, book, x, -y if side == "left" else y, f"{book} rules: {said}")
+
+
+def place(
+    name: str, parameters: Mapping[str, Any] | None = None, court: str | None = None
+) -> dict[str, float]:
+    """Return the distance and the angle of a named place of the court.
+
+    They are variables of a release: ``hoopgen.release(7.2, 0.9, height=2.1, **place("elbow"))``,
+    or ``Scatter({"speed": 7.2, ..., **place("left corner three", hoopgen.FIBA)})``.
+
+    Parameters
+    ----------
+    name
+        One of `hoopgen.hoop.court_places.PLACES`, such as "free throw" or "corner three"; with
+        "left" or "right" before it where there are two, as the shooter sees them.
+    parameters
+        Of the hoop, which say whether the court is the NBA's or FIBA's; by default the NBA's.
+    court
+        "NBA" or "FIBA", whatever the parameters are.
+
+    Returns
+    -------
+    dict
+        distance, m, and angle, rad.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If there is no such place or court.
+    """
+    return find_place(name, parameters, court).variables
+
+
+def _sizes(court: Court) -> list[tuple[str, float]]:
+    return [(name, size) for name, size in vars(court).items() if not isinstance(size, bool)]
+
+
+def _length(book: str, size: float) -> str:
+    """Return a measure of a rule book in its own unit."""
+    if book == "FIBA":
+        return f"{size:.4g} m"
+    feet, inches = divmod(round(size / INCH), 12)
+    return f"{feet} ft {inches} in" if inches else f"{feet} ft"

@@ -1,0 +1,142 @@
+"""Tables of measured releases as columns, with the covariance of their measuring errors."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from typing import Any, Protocol, TypeAlias, runtime_checkable
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from hoopgen.core.validation import as_doubles
+from hoopgen.core.variables import STATE, check_names, is_state
+from hoopgen.hoop.arguments import FLIGHT_ARGUMENTS
+from hoopgen.hoop.variables import ARGUMENTS, STANDS_FOR, check_angles
+from hoopgen.text.shorten import brief, join_names
+
+from .resample import Resample
+
+Floats = NDArray[np.float64]
+
+
+@runtime_checkable
+class WithErrors(Protocol):
+    """Releases whose measuring errors are known, such as `FittedReleases`."""
+
+    credible: NDArray[np.bool_]
+    backspin: Floats | None
+
+    @property
+    def variables(self) -> Mapping[str, Floats]:
+        """Return `FLIGHT_ARGUMENTS`, (n,) each."""
+        ...
+
+    @property
+    def variables_covariance(self) -> Floats:
+        """Return the covariance of their errors, (n, 6, 6)."""
+        ...
+
+
+Measured: TypeAlias = WithErrors | Resample | Mapping[str, Any]
+
+
+def measured_columns(
+    table: Measured, group: Iterable[object] | str | None
+) -> tuple[dict[str, Floats], Iterable[object] | None]:
+    """Return the columns of a table, (n,) each or one number, and the labels of the rows."""
+    if isinstance(table, WithErrors):
+        if isinstance(group, str):
+            raise ValueError(f"group: fitted releases have no column {brief(group)}; give labels")
+        columns = {name: np.array(one) for name, one in table.variables.items()}
+        for one in columns.values():
+            one[~table.credible] = np.nan
+        if table.backspin is not None:
+            columns["backspin"] = np.asarray(table.backspin, np.float64)
+        return columns, group
+    if isinstance(table, Resample):
+        if isinstance(group, str):
+            raise ValueError(f"group: a Resample has no column {brief(group)}; give labels")
+        given: dict[str, Any] = dict(table.columns)
+        group = table.group if group is None else group
+    elif hasattr(table, "items"):
+        given = dict(table.items())
+    else:
+        raise TypeError(
+            f"table: expected fitted releases, a Resample, or columns by name; got {brief(table)}"
+        )
+    if isinstance(group, str):
+        if group not in given:
+            raise ValueError(f"group: no column {brief(group)}; there are {join_names(given)}")
+        group = list(given.pop(group))
+    return _plain(given), group
+
+
+def _plain(given: Mapping[str, Any]) -> dict[str, Floats]:
+    """Return columns of a state, or of arguments of a release."""
+    columns = {name: as_doubles(f"table[{name!r}]", one) for name, one in given.items()}
+    lengths = {one.shape for one in columns.values() if one.ndim}
+    if len(lengths) != 1 or len(next(iter(lengths))) != 1:
+        shapes = ", ".join(f"{name} {one.shape}" for name, one in columns.items())
+        raise ValueError(f"table: expected columns of one length, got {shapes or 'none'}")
+    if is_state(columns):
+        check_names("table", columns, STATE)
+        return columns
+    check_names("table", columns, (*ARGUMENTS, "x", "y"))
+    check_angles("table", columns)
+    floor = [name for name in ("x", "y") if name in columns]
+    if len(floor) == 1 or (floor and any(other in columns for other in STANDS_FOR["x"])):
+        raise ValueError("table: x and y are given together, in place of distance and angle")
+    if "x" in columns:
+        x, y = columns.pop("x"), columns.pop("y")
+        columns |= {"distance": np.hypot(x, y), "angle": np.arctan2(y, x)}
+    return columns
+
+
+def measured_groups(table: Measured, labels: Iterable[object] | None) -> list[str] | None:
+    """Return the labels of the rows as text."""
+    if labels is None:
+        return None
+    found = list(labels)
+    missing = [row for row, one in enumerate(found) if one is None or one != one or one == ""]
+    if missing:
+        raise ValueError(f"group: row {missing[0]} has no label")
+    return [str(one) for one in found]
+
+
+def measuring_noise(
+    table: Measured,
+    columns: Mapping[str, Floats],
+    given: Mapping[str | tuple[str, str], ArrayLike] | None,
+) -> dict[tuple[str, str], Floats]:
+    """Return the covariances of the measuring errors by pairs of names.
+
+    Raises
+    ------
+    ValueError
+        If a name is no column, a pair is given twice, or they are no covariance.
+    """
+    found: dict[tuple[str, str], Floats] = {}
+    if given is None:
+        if isinstance(table, WithErrors):
+            covariance = table.variables_covariance
+            for i, a in enumerate(FLIGHT_ARGUMENTS):
+                for j, b in enumerate(FLIGHT_ARGUMENTS[: i + 1]):
+                    found[a, b] = covariance[:, i, j]
+        return found
+    for key, value in given.items():
+        a, b = (key, key) if isinstance(key, str) else key
+        text = f"measurement_covariance[{key!r}]"
+        check_names("measurement_covariance", (a, b), columns)
+        if (a, b) in found or (b, a) in found:
+            raise ValueError(f"measurement_covariance: {a} and {b} are given twice")
+        found[a, b] = as_doubles(text, value)
+        if a == b and np.any(found[a, b] < 0.0):
+            raise ValueError(f"{text}: expected variances from 0, got {brief(value)}")
+    for (a, b), one in found.items():
+        most = np.asarray(found.get((a, a), 0.0)) * np.asarray(found.get((b, b), 0.0))
+        if np.any(one * one > most * (1.0 + 1e-9)):
+            raise ValueError(
+                f"measurement_covariance: the covariance of {a} and {b} is larger than their "
+                "variances allow"
+            )
+    return found

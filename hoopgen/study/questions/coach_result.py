@@ -1,0 +1,175 @@
+"""Advice for players: the gain of each change, in feet, inches, mph, degrees and rpm."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from hoopgen.core.plotting import plotting_module
+from hoopgen.core.units import DEGREE, FOOT, INCH, UNITS
+from hoopgen.hoop.court_places import Place
+from hoopgen.study.models.scatter import Scatter
+from hoopgen.study.result import Result
+from hoopgen.text.numbers import MINUS, format_percent, format_points
+from hoopgen.text.tables import table
+
+if TYPE_CHECKING:
+    from hoopgen.results.drawing import Drawn
+
+PARTS: Mapping[str, str] = {
+    "speed": "short or long (speed)",
+    "elevation": "arc",
+    "azimuth": "left or right",
+    "backspin": "spin",
+}
+"""Parts of a release that scatter, in words."""
+
+_MPH, _RPM = UNITS["speed"]["mph"], UNITS["spin"]["rpm"]
+
+
+@dataclass(frozen=True)
+class Advice:
+    """One change, and what it does.
+
+    Attributes
+    ----------
+    name
+        The part whose spread is halved, or the habit that is changed, in words.
+    variable
+        Of the release, whose standard deviation or mean is changed.
+    before, after
+        What changes, SI.
+    gain
+        Share made after less that before.
+    low, high
+        Its interval: of the simulation and, of measured releases, of the sample.
+    made
+        Share made after the change.
+    """
+
+    name: str
+    variable: str
+    before: float
+    after: float
+    gain: float
+    low: float
+    high: float
+    made: float
+
+
+@dataclass(frozen=True, repr=False)
+class Coaching(Result):
+    """The advice to a player: the gain of each change, the largest first.
+
+    Attributes
+    ----------
+    made, low, high
+        Share made before, and its interval.
+    player
+        The release and its scatter.
+    place
+        From where; None where the measured releases say it.
+    spreads
+        Each part of the spread halved alone, the largest gain first.
+    habits
+        Each habit changed a little, with the spread as it is, the largest gain first.
+    confidence
+        Of the intervals.
+    provenance
+        Where the player comes from.
+    """
+
+    made: float
+    low: float
+    high: float
+    player: Scatter
+    place: Place | None
+    spreads: tuple[Advice, ...]
+    habits: tuple[Advice, ...]
+    confidence: float
+    provenance: str
+
+    @property
+    def advice(self) -> str:
+        """The advice in a sentence, with what the intervals leave open."""
+        if not self.spreads:
+            return "Nothing scatters, so there is nothing to be made steadier."
+        best, *others = self.spreads
+        if best.low <= 0.0:
+            return "None of the parts is certain to matter: more shots, or more measured releases."
+        text = (
+            f"Practise {best.name} most: with half the spread you would make "
+            f"{100.0 * best.gain:.1f} more in a hundred ({_points(best)})."
+        )
+        tied = [one.name for one in others if one.high > best.low]
+        return text + (f" Not certain to be less: {', '.join(tied)}." if tied else "")
+
+    def as_dict(self) -> dict[str, Any]:
+        """Return everything, in types that JSON knows; SI."""
+        return {
+            "made": {"value": self.made, "low": self.low, "high": self.high},
+            "place": None if self.place is None else vars(self.place),
+            "player": self.player.identity(),
+            "spreads": [vars(one) for one in self.spreads],
+            "habits": [vars(one) for one in self.habits],
+            "advice": self.advice,
+            "confidence": self.confidence,
+            "provenance": self.provenance,
+        }
+
+    def plot(self, *, ax: Drawn | None = None, title: str = "") -> Drawn:
+        """Draw the gains as bars; as of `hoopgen.plots.plot_coach`."""
+        drawn: Drawn = plotting_module().plot_coach(self, ax=ax, title=title)
+        return drawn
+
+    def __str__(self) -> str:
+        level = format_percent(self.confidence, None)
+        lines = []
+        if self.place is not None:
+            lines.append(f"{self.place.name} ({self.place.source})")
+        lines += [
+            f"You make {format_percent(self.made)} ({format_percent(self.low)} to "
+            f"{format_percent(self.high)}).",
+            "",
+            self.advice,
+            "",
+            table(
+                ["half the spread of", "from", "to", "you would make", "gain", f"{level} interval"],
+                [_row(one) for one in self.spreads],
+                right=range(1, 6),
+            ),
+            "",
+            table(
+                ["or change", "from", "to", "you would make", "gain", f"{level} interval"],
+                [_row(one) for one in self.habits],
+                right=range(1, 6),
+            ),
+            "",
+            self.provenance,
+        ]
+        return "\n".join(lines)
+
+
+def _points(one: Advice) -> str:
+    return f"{format_points(one.low)} to {format_points(one.high)}"
+
+
+def _row(one: Advice) -> list[str]:
+    ends = [say(one.variable, value) for value in (one.before, one.after)]
+    return [one.name, *ends, format_percent(one.made), format_points(one.gain), _points(one)]
+
+
+def say(variable: str, value: float) -> str:
+    """Return a value in the units of players: feet, inches, mph, degrees and rpm."""
+    if variable == "speed":
+        text = f"{value / _MPH:.2f} mph"
+    elif variable in ("backspin", "sidespin"):
+        text = f"{value / _RPM:.0f} rpm"
+    elif variable == "aim":
+        text = f"{value / INCH:.1f} in"
+    elif variable in ("height", "distance"):
+        text = f"{value / FOOT:.1f} ft"
+    else:
+        text = f"{value / DEGREE:.2f}\N{DEGREE SIGN}"
+    return text.replace("-", MINUS)

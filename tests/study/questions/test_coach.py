@@ -1,0 +1,131 @@
+"""`coach`: gains against direct estimates, units of players, and the uncertainty of fits."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+for _library in ("pyarrow", "scipy"):
+    pytest.importorskip(_library)
+
+import hoopgen  # noqa: E402
+from hoopgen import NBA, Scatter  # noqa: E402
+from hoopgen.core.units import DEGREE  # noqa: E402
+from hoopgen.hoop.arguments import arguments_of  # noqa: E402
+from hoopgen.study.questions.coach_result import say  # noqa: E402
+from tests.helpers.commands import failure, output  # noqa: E402
+
+SHOTS = 20_000
+PLAYER = Scatter(
+    {"height": 2.13, "elevation": 52 * DEGREE, "speed": 7.19, "distance": 4.191, "backspin": 18.0},
+    {"speed": 0.07, "elevation": 1.3 * DEGREE, "azimuth": 1.0 * DEGREE},
+)
+
+
+def test_the_default_player_makes_the_share_that_is_asked() -> None:
+    found = hoopgen.coach(makes=0.6, place="left wing three", parameters=NBA, shots=SHOTS)
+    assert found.made == pytest.approx(0.6, abs=0.01)
+    assert found.place is not None
+    assert found.place.name == "left wing three"
+    assert found.player.release["angle"] == pytest.approx(-np.pi / 4)
+    assert "assumed" in found.provenance
+    assert "Slegers" in str(found)
+
+
+def test_gains_are_those_of_the_changed_players() -> None:
+    found = hoopgen.coach(PLAYER, parameters=NBA, shots=SHOTS)
+    before = hoopgen.estimate(PLAYER, NBA, shots=SHOTS).probability
+    # The speed is that through the point aimed at: equal but for its last digits.
+    assert found.made == pytest.approx(before, abs=3 / SHOTS)
+    parts = {one.variable: one for one in found.spreads}
+    assert set(parts) == {"speed", "elevation", "azimuth"}
+    for name, one in parts.items():
+        steadier = replace(PLAYER, sd={**PLAYER.sd, name: PLAYER.sd[name] / 2})
+        after = hoopgen.estimate(steadier, NBA, shots=SHOTS).probability
+        assert one.made == pytest.approx(after, abs=3 / SHOTS)
+        assert one.gain == pytest.approx(one.made - found.made, abs=1e-12)
+        assert (one.before, one.after) == (PLAYER.sd[name], PLAYER.sd[name] / 2)
+        assert one.low < one.gain < one.high
+    assert found.spreads[0].name == "short or long (speed)"
+    assert found.advice.startswith("Practise short or long (speed) most")
+    gains = [one.gain for one in found.habits]
+    assert gains == sorted(gains, reverse=True)
+
+
+def test_a_higher_arc_leads_through_the_same_point() -> None:
+    found = hoopgen.coach(PLAYER, parameters=NBA, shots=2_000)
+    assert "speed" not in found.player.release
+    released = replace(found.player, sd={}).draw(0, 1, 0, NBA)
+    speed = float(np.linalg.norm(released.states[0, 3:6]))
+    assert speed == pytest.approx(PLAYER.release["speed"], rel=1e-12)
+
+
+def test_the_intervals_of_a_fitted_player_contain_the_sample() -> None:
+    released = arguments_of(PLAYER.draw(0, 60, 3, NBA).states)
+    columns = {name: released[name] for name in ("speed", "elevation", "azimuth")}
+    fitted = Scatter.fit({"height": 2.13, "distance": 4.191, "backspin": 18.0, **columns})
+    found = hoopgen.coach(fitted, parameters=NBA, shots=5_000)
+    plain = hoopgen.coach(fitted.model, parameters=NBA, shots=5_000)
+    assert found.made == plain.made
+    assert found.low < plain.low < plain.high < found.high
+    widths = {one.name: one.high - one.low for one in found.spreads}
+    assert all(widths[one.name] > one.high - one.low for one in plain.spreads)
+
+
+def test_values_are_said_in_the_units_of_players() -> None:
+    assert say("speed", 7.15264) == "16.00 mph"
+    assert say("backspin", 6 * np.pi) == "180 rpm"
+    assert say("aim", -0.0508) == "\N{MINUS SIGN}2.0 in"
+    assert say("height", 2.1336) == "7.0 ft"
+    assert say("elevation", 52 * DEGREE) == "52.00\N{DEGREE SIGN}"
+
+
+@pytest.mark.parametrize(
+    ("options", "said"),
+    [
+        ({"player": PLAYER, "place": "elbow"}, "place: it is of the default player"),
+        ({"player": 3}, "player: expected a Scatter"),
+        ({"player": Scatter({"speed": 7.0, "height": 2.0})}, "player|missing"),
+        ({"makes": 1.5}, "makes"),
+        ({"place": "elbwo"}, "is elbow meant"),
+    ],
+)
+def test_what_cannot_be_coached_is_refused(options: dict[str, object], said: str) -> None:
+    with pytest.raises((TypeError, ValueError), match=said):
+        hoopgen.coach(shots=100, **options)  # type: ignore[arg-type]
+
+
+def test_the_command_speaks_feet_and_draws(tmp_path: Path) -> None:
+    pytest.importorskip("matplotlib")
+    words = ("coach", "--makes", "70%", "--place", "free throw", "--preset", "nba", "--shots", 2000)
+    text = output(*words, "--picture", tmp_path / "advice.svg")
+    assert "free throw (NBA rules: the free-throw line, 15 ft from the board)" in text
+    assert "mph" in text
+    assert "rpm" in text
+    assert "m/s" not in text.split("The default player")[0]
+    assert (tmp_path / "advice.svg").stat().st_size > 1000
+    found = json.loads(output(*words, "--json"))
+    assert found["place"]["name"] == "free throw"
+    assert len(found["spreads"]) == 4
+
+
+def test_the_command_reads_measured_releases(tmp_path: Path) -> None:
+    file = tmp_path / "shots.csv"
+    released = arguments_of(PLAYER.draw(0, 80, 5, NBA).states)
+    rows = [
+        f"{'Ann' if row % 2 else 'Bea'},{released['speed'][row]},"
+        f"{np.degrees(released['elevation'][row])},{np.degrees(released['azimuth'][row])},7,13.75"
+        for row in range(80)
+    ]
+    head = "player,speed_m_s,elevation_deg,azimuth_deg,height_ft,distance_ft"
+    file.write_text("\n".join([head, *rows]) + "\n", encoding="utf-8")
+    words = ("coach", "--from", file, "--shots", 2000, "--preset", "nba")
+    text = output(*words, "--where", "player == Ann")
+    assert "40 releases, 0 outliers" in text
+    assert "straight at the centre" in text
+    assert "--from has the player's releases" in failure(*words, "--makes", "70%")
+    assert "give --from" in failure("coach", "--where", "player == Ann")
