@@ -26,7 +26,7 @@ from hoopgen.codegen.statements import (
     Scalar,
     Statement,
 )
-from hoopgen.codegen.straight_line import PrintedBody, formatted, straight_line
+from hoopgen.codegen.straight_line import PrintedBody, print_body, straight_line
 
 DOUBLE = Spelling(
     operations=INFIX
@@ -81,7 +81,7 @@ FORMATTER = ToyFormatter(DOUBLE, SINGLE, "const {type} {name} = {value};")
 class ToyKernel(KernelView):
     @property
     def body(self) -> PrintedBody:
-        return formatted(straight_line(self.program, SINGLE if self.single else DOUBLE), FORMATTER)
+        return print_body(straight_line(self.program, SINGLE if self.single else DOUBLE), FORMATTER)
 
     @property
     def outputs(self) -> str:
@@ -122,6 +122,7 @@ class ToyBackend:
     name: str = "toy"
     options: None = None
     files: Mapping[str, str] = field(default_factory=lambda: {"toy.c.j2": "toy/{scene}.c"})
+    spelling: Spelling = DOUBLE
 
     def kernels(self, lowered: LoweredScene) -> Mapping[str, Any]:
         called = (p for p in lowered.programs if p.kernel.name in lowered.called)

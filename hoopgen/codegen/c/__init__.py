@@ -10,10 +10,12 @@ from typing import Any
 from hoopgen.derive.state.fields import ResultField
 
 from ..backend import TEMPLATES, LoweredScene
+from ..formatter import Spelling
 from ..identifiers import identifier
 from .hoisted import Hoisted
-from .merging import merged
+from .merging import merge_variants
 from .options import Options
+from .spelling import LANES
 from .view import CKernel, columns_kernels, loop_view
 
 FILES = {
@@ -54,6 +56,7 @@ class CBackend:
     options: Options = field(default_factory=Options)
     templates: Traversable = TEMPLATES
     files: Mapping[str, str] = field(default_factory=lambda: dict(FILES))
+    spelling: Spelling = LANES
 
     def kernels(self, lowered: LoweredScene) -> Mapping[str, Any]:
         """Return the kernels that the event loop evaluates: the library serves its engine alone."""
@@ -77,7 +80,7 @@ class CBackend:
         return {
             "loops": views[::-1],
             "fixed": hoisted.counts,
-            "merged": merged,
+            "merge_variants": merge_variants,
             "results": [ResultView(r) for r in lowered.model.results],
         }
 
