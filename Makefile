@@ -10,7 +10,7 @@ PIP := $(BIN)/python -m pip --disable-pip-version-check
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
 .NOTPARALLEL:
-.PHONY: help paper test test-slow generate check lint docs attack bench exactness pictures validate clean
+.PHONY: help paper test test-slow test-all generate check lint docs attack bench exactness pictures validate clean
 
 help:
 	@sed -n 's/^\([a-z-]*\):.*## /\1\t/p' $(firstword $(MAKEFILE_LIST)) | expand -t 12
@@ -23,6 +23,9 @@ test: $(VENV)/with-dev ## most tests and a sample of the slow ones, in three min
 
 test-slow: $(VENV)/with-dev ## what make test leaves out: slow tests, and random ones at full effort
 	$(BIN)/python -m pytest -n auto --dist loadgroup -m "slow or scaled" $(ARGS)
+
+test-all: $(VENV)/with-dev ## every test once, at full effort
+	$(BIN)/python -m pytest -n auto --dist loadgroup $(ARGS)
 
 generate: $(VENV)/with-generate ## write generated/ from derive/ and templates/
 	$(BIN)/hoopgen generate $(ARGS)
