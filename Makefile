@@ -24,7 +24,8 @@ test: $(VENV)/with-dev ## most tests and a sample of the slow ones, in three min
 test-slow: $(VENV)/with-dev ## what make test leaves out: slow tests, and random ones at full effort
 	$(BIN)/python -m pytest -n auto --dist loadgroup -m "slow or scaled" $(ARGS)
 
-test-all: test test-slow ## all tests
+test-all: $(VENV)/with-dev ## every test once, at full effort
+	$(BIN)/python -m pytest -n auto --dist loadgroup $(ARGS)
 
 generate: $(VENV)/with-generate ## write generated/ from derive/ and templates/
 	$(BIN)/hoopgen generate $(ARGS)

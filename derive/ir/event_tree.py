@@ -3,7 +3,8 @@
 A tree describes *one* shot. A `Call` evaluates a kernel and assigns its outputs to variables;
 an `If` executes its body if a condition holds; a `While` as long as one holds; a `ForEach` once
 for every row of a table. A target that processes many shots at once leaves the others unchanged: by
-selection, by compaction, or by a branch.
+selection, by compaction, or by a branch. Codegen lowers these nodes to the `Call`, `If` and
+`While` of its own `statements`, which a target prints as they stand.
 """
 
 from __future__ import annotations

@@ -84,7 +84,7 @@ def _fitted(file: Path, where: tuple[str, ...], parameters: Any, engine: Any) ->
     from hoopgen.study.models.scatter import Scatter
     from hoopgen.study.tables.reading import ReadingOptions
 
-    reading = ReadingOptions.of(where=where)
+    reading = ReadingOptions.from_options(where=where)
     source = reading.source(file)
     table = reading.interpreted(source, parameters, override=True, scene=engine)
     measured, invalid = table.measured(source)

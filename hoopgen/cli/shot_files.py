@@ -91,4 +91,4 @@ def reading_of(options: dict[str, Any]) -> ReadingOptions:
     """Return how a table is read, from the options of `reading_options`, which are taken out."""
     from hoopgen.study.tables.reading import ReadingOptions
 
-    return ReadingOptions.of(**{name: options.pop(name) for name in READING})
+    return ReadingOptions.from_options(**{name: options.pop(name) for name in READING})

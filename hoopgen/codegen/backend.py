@@ -17,6 +17,7 @@ from hoopgen.derive.model import Model
 from hoopgen.derive.state.fields import ResultField
 
 from .cost import describe_cost, weighted
+from .formatter import Spelling
 from .hoisting import PartialEvaluation, partial_evaluations
 from .identifiers import identifier
 from .program import Program
@@ -141,6 +142,8 @@ class Backend(Protocol):
         The thresholds by which it chooses between ways of writing the same.
     templates
         The folder in which its templates are, by the names of `files`.
+    spelling
+        How it writes operations and numbers; the templates' filter `number` is from it.
     files
         By template, the file that it makes below generated/; `{scene}` is the scene's name. A file
         without it is the same for every scene, and its template is given nothing of one.
@@ -157,6 +160,9 @@ class Backend(Protocol):
 
     @property
     def files(self) -> Mapping[str, str]: ...  # noqa: D102
+
+    @property
+    def spelling(self) -> Spelling: ...  # noqa: D102
 
     def kernels(self, lowered: LoweredScene) -> Mapping[str, Any]:
         """Return what the templates are given of the kernels, by key."""

@@ -14,7 +14,7 @@ from .numpy.formatter import ROWS_FORMATTER
 from .numpy.spelling import NUMPY
 from .program import derivation_hash, lower
 from .stamp import shared_stamp_of
-from .straight_line import PrintedBody, formatted, straight_line
+from .straight_line import PrintedBody, print_body, straight_line
 
 FILES = {
     "numpy/elementary.py.j2": "numpy/elementary.py",
@@ -36,12 +36,12 @@ class ElementaryFunction(KernelView):
     @property
     def body(self) -> PrintedBody:
         """Its statements and results in C, for one number of each argument."""
-        return formatted(straight_line(self.program, _C), _C_FORMATTER)
+        return print_body(straight_line(self.program, _C), _C_FORMATTER)
 
     @property
     def numpy(self) -> PrintedBody:
         """Its statements and results in NumPy."""
-        return formatted(straight_line(self.program, NUMPY), ROWS_FORMATTER)
+        return print_body(straight_line(self.program, NUMPY), ROWS_FORMATTER)
 
 
 def elementary_context(template: str) -> dict[str, object]:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from importlib.resources.abc import Traversable
 from pathlib import PurePosixPath
 from typing import Any
 
@@ -18,15 +17,13 @@ from hoopgen.derive.state.fields import EVENTS
 from hoopgen.derive.symbolic.number_range import MAX_SIZE, MAX_TIME
 from hoopgen.derive.symbolic.symbols import STATE
 
-from .backend import TEMPLATES, KernelView, LoweredScene
-from .c.spelling import LANES
+from .backend import TEMPLATES, Backend, KernelView, LoweredScene
 from .derivation import REFERENCE_FILE, PageData, anchor, derivation_context
 from .derivation.summary import worked_shot
 from .elementary import FILES as ELEMENTARY_FILES
 from .elementary import elementary_context
 from .identifiers import FILTERS, identifier
 from .numpy import local
-from .numpy.spelling import NUMPY
 from .program import derivation_hash, lower
 from .registry import BACKENDS
 from .stamp import shared_stamp_of, stamp_of
@@ -45,7 +42,9 @@ def outputs(targets: Iterable[str] | None = None) -> dict[str, str]:
     return {name: file for target in chosen for name, file in BACKENDS[target].files.items()}
 
 
-def _environment(templates: Traversable = TEMPLATES) -> jinja2.Environment:
+def _environment(backend: Backend | None = None) -> jinja2.Environment:
+    """Return the environment of the templates of a target, or of those of no target."""
+    templates = TEMPLATES if backend is None else backend.templates
     environment = jinja2.Environment(
         loader=jinja2.FileSystemLoader(str(templates)),
         undefined=jinja2.StrictUndefined,
@@ -55,8 +54,9 @@ def _environment(templates: Traversable = TEMPLATES) -> jinja2.Environment:
         autoescape=False,
     )
     environment.filters |= FILTERS
-    environment.filters["number"] = lambda value: NUMPY.number_text(float(value))
-    environment.filters["c_number"] = lambda value: LANES.number_text(float(value))
+    if backend is not None:
+        spelling = backend.spelling
+        environment.filters["number"] = lambda value: spelling.number_text(float(value))
     environment.filters["local"] = lambda name: local(name, 0)
     environment.filters["rows"] = lambda many: ", ".join(f"_r{k}" for k in range(many))
     environment.filters["annotated"] = lambda name: f"{name}: Any"
@@ -136,7 +136,7 @@ def render_elementary() -> dict[str, str]:
 def render_target(lowered: LoweredScene, target: str) -> dict[str, str]:
     """Return the files of one target: path below generated/, and text."""
     backend, scene = BACKENDS[target], lowered.model.scene
-    environment = _environment(backend.templates)
+    environment = _environment(backend)
     kernels = backend.kernels(lowered)
     printed = {**kernels, **backend.loop(lowered, kernels)}
     shared = _of_scene(lowered) | printed

@@ -1,7 +1,9 @@
 """Statements as a tree: what lowering makes of kernels and of the event loop, and formatters print.
 
 An expression has no effect. A statement declares, assigns or calls, or has bodies of statements.
-`visitors` say what a tree reads and writes.
+`visitors` say what a tree reads and writes. `Call`, `If` and `While` are statements of the target;
+the nodes of these names in `hoopgen.derive.ir.event_tree` are of the mathematics, and say
+what happens to one shot: code that has both writes `ir.Call` for a node.
 """
 
 from __future__ import annotations

@@ -28,8 +28,8 @@ class PrintedBody:
     rows: int = 0
 
 
-def formatted(body: Body, formatter: Formatter) -> PrintedBody:
-    """Return a body, formatted."""
+def print_body(body: Body, formatter: Formatter) -> PrintedBody:
+    """Return the text of a body."""
     outputs = [formatter.expression(output) for output in body.outputs]
     return PrintedBody(formatter.lines(body.statements), outputs, body.rows)
 

@@ -69,7 +69,7 @@ class Table:
     written: DerivedInputs | None = None
 
     @classmethod
-    def of(cls, kernels: ModuleType, written: DerivedInputs | None = None) -> Table:
+    def from_kernels(cls, kernels: ModuleType, written: DerivedInputs | None = None) -> Table:
         """Return the table of a generated module.
 
         Parameters

@@ -73,7 +73,7 @@ class CompiledScene:
         self.max_contacts, self.time_limit = max_contacts, time_limit
         self.has_hoop = has_hoop
         self.presets: Mapping[str, Parameters[float]] = {} if presets is None else presets
-        self.table = Table.of(kernels, written)
+        self.table = Table.from_kernels(kernels, written)
         self._find, self._sources, self._scene, self._rebuild = find, sources, scene, rebuild
         self._trial = trial
 

@@ -31,7 +31,7 @@ class Square:
     line: float
 
     @classmethod
-    def of(cls, parameters: Mapping[str, float]) -> Square:
+    def from_parameters(cls, parameters: Mapping[str, float]) -> Square:
         """Return the square of a scene with these parameters."""
         bottom = parameters["wire_radius"] - _LINE
         return cls(-_ACROSS / 2.0, _ACROSS / 2.0, bottom, bottom + _UP, _LINE)
@@ -39,7 +39,7 @@ class Square:
 
 def on_board(parameters: Mapping[str, float]) -> dict[str, tuple[float, float]]:
     """Return the named places on the board, y and z from the ring's centre, m."""
-    square = Square.of(parameters)
+    square = Square.from_parameters(parameters)
     middle = (square.bottom + square.top) / 2.0
     return {
         "top left corner of the square": (square.left, square.top),

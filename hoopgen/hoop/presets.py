@@ -14,7 +14,7 @@ from hoopgen.generated.numpy import hoop
 NAMES = tuple(hoop.PARAMETERS)
 """Names of the parameters of the article's hoop."""
 
-HOOP_TABLE = Table.of(hoop)
+HOOP_TABLE = Table.from_kernels(hoop)
 
 
 def _preset(

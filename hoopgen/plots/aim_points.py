@@ -327,7 +327,7 @@ def _floor(aims: _AimPoints, parameters: Mapping[str, float]) -> Limits:
 
 def _draw_target(axes: Axes, parameters: Mapping[str, float]) -> None:
     """Draw the square painted on the board: the middles of its lines."""
-    square = Square.of(parameters)
+    square = Square.from_parameters(parameters)
     half = square.line / 2.0
     corner = square.left + half, square.bottom + half
     size = square.right - square.left - square.line, square.top - square.bottom - square.line

@@ -174,7 +174,7 @@ def scenery_of(scene: CompiledScene, parameters: Mapping[str, Any], paths: Point
     """
     if scene.is_hoop:
         return _Hoop(parameters, parameters["ball_radius"])
-    seen = SceneGeometry.of(scene, parameters)
+    seen = SceneGeometry.from_engine(scene, parameters)
     turn, names = upright(seen.scene.read.down)
     room = seen.room(paths.min(axis=0), paths.max(axis=0))
     bodies = tuple(_turn_body(body, turn) for body in seen.bodies(room))

@@ -96,7 +96,7 @@ class SceneGeometry:
     values: Mapping[str, float]
 
     @classmethod
-    def of(cls, engine: CompiledScene, parameters: Mapping[str, Any]) -> SceneGeometry:
+    def from_engine(cls, engine: CompiledScene, parameters: Mapping[str, Any]) -> SceneGeometry:
         """Return the geometry of a scene, at the means of parameters that differ by shot.
 
         Parameters
@@ -224,7 +224,7 @@ class SceneGeometry:
         axis, way = shape.axis
         at = way * self._number(shape["at"])
         if not room[0][axis] <= at <= room[1][axis]:
-            return Mesh.of(np.empty((0, 3, 6)))
+            return Mesh.from_corners(np.empty((0, 3, 6)))
         return flat(axis, way, at, room, self.ball_radius, self._bounds(shape.bounds))
 
     def _sphere(self, shape: Shape, room: Box) -> Mesh:
@@ -279,12 +279,12 @@ class SceneGeometry:
             corners = np.stack([middle, *turn[::way]], 1)
             # Bounds other than those along the axis hold for a ball beside the rim.
             beside = corners + ball / radius * (corners - middle[:, None])
-            whole = Mesh.of(np.concatenate([corners, beside], -1))
+            whole = Mesh.from_corners(np.concatenate([corners, beside], -1))
             others = [b for b in shape.bounds if not is_along(b, axis)]
             left = cut(whole, self._bounds(others), walls(room)).corners
             left[..., 3:] = left[..., :3]
             left[..., 3 + axis] += way * ball
-            found.append(Mesh.of(left))
+            found.append(Mesh.from_corners(left))
         return found
 
     def _curved(
@@ -298,13 +298,13 @@ class SceneGeometry:
         if shape.kind == "cylinder":
             parts = np.arange(len(corners)) // (2 * _TURN_PIECES)
         real = ~np.all(corners == np.roll(corners, -1, axis=1), axis=2).any(axis=1)
-        whole = Mesh.of(corners[real], parts[real])
+        whole = Mesh.from_corners(corners[real], parts[real])
         return cut(whole, self._bounds(shape.bounds), walls(room))
 
     def _torus(self, shape: Shape, room: Box) -> Mesh:
         wire = self._number(shape["wire"])
         if wire == 0.0:
-            return Mesh.of(np.empty((0, 3, 6)))
+            return Mesh.from_corners(np.empty((0, 3, 6)))
         circle, centre = self._circle(shape), self._centre(shape)
         out = (circle - centre) / self._number(shape["radius"])
         along = np.zeros(3)
@@ -315,7 +315,7 @@ class SceneGeometry:
             contact_mesh(circle[:, None] + wire * unit, unit, self.ball_radius), (True, True)
         )
         parts = np.arange(len(corners)) // (2 * _WIRE_PIECES * _SECTOR_PIECES)
-        return cut(Mesh.of(corners, parts), (), walls(room))
+        return cut(Mesh.from_corners(corners, parts), (), walls(room))
 
     def _circle(self, shape: Shape) -> Floats:
         axis = shape.axis[0]
@@ -332,7 +332,7 @@ class SceneGeometry:
             for axis in range(3)
             for way in (-1, 1)
         ]
-        whole = Mesh.of(np.concatenate([face.corners for face in faces]))
+        whole = Mesh.from_corners(np.concatenate([face.corners for face in faces]))
         return cut(whole, (), walls(room))
 
     def _surface(self, shape: Shape, room: Box) -> Mesh:

@@ -64,7 +64,7 @@ class Mesh:
     parts: NDArray[np.int64]
 
     @classmethod
-    def of(cls, corners: Floats, parts: NDArray[np.int64] | None = None) -> Mesh:
+    def from_corners(cls, corners: Floats, parts: NDArray[np.int64] | None = None) -> Mesh:
         """Return an uncut mesh.
 
         Parameters
@@ -239,7 +239,7 @@ def flat(axis: int, way: int, at: float, room: Box, ball: float, bounds: Sequenc
     quads = np.concatenate(found)
     a, b, c, d = np.moveaxis(quads, 1, 0)
     corners = np.concatenate([np.stack([a, b, c], 1), np.stack([a, c, d], 1)])
-    return cut(Mesh.of(corners), bounds)
+    return cut(Mesh.from_corners(corners), bounds)
 
 
 def _samples(quads: Floats) -> Floats:
@@ -316,7 +316,7 @@ def level_set(condition: Bound, gradient: Bound, room: Box, ball: float) -> Mesh
     corners[away], unit[away] = corners[away][:, ::-1], unit[away][:, ::-1]
     touched = np.concatenate([corners - ball * unit, corners], -1)
     blocks = np.floor((corners.mean(axis=1) - low) / (5.0 * step)).astype(np.int64)
-    return Mesh.of(touched, blocks @ (1, 64, 4096))
+    return Mesh.from_corners(touched, blocks @ (1, 64, 4096))
 
 
 _CUT_EDGES = {

@@ -91,7 +91,7 @@ def oblique_mesh(
     frame = _Frame.along(direction, origin)
     low, high = frame.box(room)
     if not low[2] <= 0.0 <= high[2]:
-        return Mesh.of(np.empty((0, 3, 6)))
+        return Mesh.from_corners(np.empty((0, 3, 6)))
     placed = [_placed(bound, frame) for bound in bounds]
     if shape.kind == "disc":
         radius = number(shape["radius"])
@@ -137,7 +137,7 @@ def _cylinder(
     count = int(np.clip(np.ceil((high - low) / radius), 1, _MAX_ROWS))
     heights = np.linspace(max(low, ends[0]), min(high, ends[1]), count + 1)
     if not heights[0] < heights[-1]:
-        return Mesh.of(np.empty((0, 3, 6)))
+        return Mesh.from_corners(np.empty((0, 3, 6)))
     rows = np.full(count + 1, radius)
     side = _revolved(shape, frame, heights, rows, np.array([1.0, 0.0]), ball)
     side = cut(side, bounds)
@@ -157,7 +157,7 @@ def _cone(shape: Shape, number: Number, room: Box, ball: float) -> Mesh:
     high = min(float(frame.box(room)[1][2]), ends[1])
     low = max(0.0, ends[0])
     if not low < high:
-        return Mesh.of(np.empty((0, 3, 6)))
+        return Mesh.from_corners(np.empty((0, 3, 6)))
     heights = np.linspace(low, high, _TURN_PIECES // 2 + 1)
     rows = slope * heights
     cosine = 1.0 / np.sqrt(1.0 + slope**2)
@@ -219,7 +219,7 @@ def _revolved(
     parts = np.arange(len(corners)) // (2 * _TURN_PIECES)
     places = corners[..., :3]
     real = ~np.all(places == np.roll(places, -1, axis=1), axis=2).any(axis=1)
-    return _turned(Mesh.of(corners[real], parts[real]), frame)
+    return _turned(Mesh.from_corners(corners[real], parts[real]), frame)
 
 
 def _circle(frame: _Frame, at: float, radius: float) -> Floats:
@@ -243,9 +243,9 @@ def _cap(
     turn = (rim, np.roll(rim, -1, axis=0))
     corners = np.stack([middle, *turn[::way]], 1)
     asked = corners + beside / radius * (corners - middle[:, None])
-    left = cut(Mesh.of(np.concatenate([corners, asked], -1)), bounds).corners
+    left = cut(Mesh.from_corners(np.concatenate([corners, asked], -1)), bounds).corners
     left[..., 3:] = left[..., :3] + way * ball * frame.axes[2]
-    return Mesh.of(left)
+    return Mesh.from_corners(left)
 
 
 def _with_rims(

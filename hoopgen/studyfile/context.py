@@ -27,7 +27,7 @@ from hoopgen.study.questions.specification import (
 )
 
 from .schema import Given, Question, Study, reading
-from .settings import ShotSource, placed
+from .shot_source import ShotSource, placed
 
 
 @dataclass(frozen=True)
@@ -90,7 +90,7 @@ class Context:
     @cached_property
     def setting(self) -> ShotSource:
         """The setting of its shots."""
-        return ShotSource.of((self.given, self.question), self.folder, self.engine)
+        return ShotSource.from_tables((self.given, self.question), self.folder, self.engine)
 
     @property
     def arguments(self) -> dict[str, Any]:
@@ -127,7 +127,7 @@ class Context:
 
     def changed(self, versus: Given) -> ShotSource:
         """Return the setting with changes."""
-        return ShotSource.of((self.given, self.question, versus), self.folder, self.engine)
+        return ShotSource.from_tables((self.given, self.question, versus), self.folder, self.engine)
 
     def identity(self) -> dict[str, Any]:
         """Return all that the answer depends on, in types that JSON knows."""

@@ -150,7 +150,9 @@ def table_of(*specifications: Any) -> type[Table]:
 
 def reading(table: TableSettings) -> ReadingOptions:
     """Return how a table of releases is read."""
-    return ReadingOptions.of(**{name: getattr(table, name) for name, *_ in settings(TableSettings)})
+    return ReadingOptions.from_options(
+        **{name: getattr(table, name) for name, *_ in settings(TableSettings)}
+    )
 
 
 KINDS: Mapping[str, type[Table]] = {

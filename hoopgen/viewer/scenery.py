@@ -45,7 +45,7 @@ def scenery(
         The shots' trajectories.
     """
     valid = shots.outcome != shots.scene.outcomes["INVALID"]
-    seen = SceneGeometry.of(shots.scene, means(parameters, valid))
+    seen = SceneGeometry.from_engine(shots.scene, means(parameters, valid))
     turn, axes = upright(seen.scene.read.down)
     low, high = _path_corners(paths)
     room = seen.room(low, high)
@@ -97,7 +97,7 @@ def flight_parameters(shots: Shots, parameters: Mapping[str, Any], row: int) -> 
         The row of the shot.
     """
     own = {name: np.broadcast_to(v, len(shots))[row] for name, v in parameters.items()}
-    seen = SceneGeometry.of(shots.scene, own)
+    seen = SceneGeometry.from_engine(shots.scene, own)
     return {"ball_radius": seen.ball_radius, "gravity": seen.gravity}
 
 

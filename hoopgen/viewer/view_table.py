@@ -59,7 +59,7 @@ def view_table(
     target = None if path is None else check_output(path, PAGES)
     file, engine = Path(source), engine_of(scene)
     read = [one.name for one in fields(ReadingOptions) if one.name in options]
-    reading = ReadingOptions.of(**{name: options.pop(name) for name in read})
+    reading = ReadingOptions.from_options(**{name: options.pop(name) for name in read})
     chosen = sample(file, count, seed, reading=reading, scene=engine, **options)
     states, parameters = chosen.releases.states, chosen.releases.parameters
     most = chosen.max_contacts

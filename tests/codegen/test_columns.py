@@ -12,7 +12,7 @@ import pytest
 from hoopgen.codegen.c import formatter
 from hoopgen.codegen.c.columns import MACROS, PAIRS, alike
 from hoopgen.codegen.c.formatter import C_FORMATTER
-from hoopgen.codegen.c.merging import WIDTH, merged
+from hoopgen.codegen.c.merging import WIDTH, merge_variants
 from hoopgen.codegen.statements import Assign, Declare, Name, Number
 from tests.helpers import ROOT
 from tests.helpers.compiled import COMPILER, lanes, needs_compiler
@@ -118,13 +118,13 @@ WITHOUT = """#define BOUNDED 0
 
 
 def test_two_variants_are_one_text() -> None:
-    assert merged(PLAIN, BOUND) == MERGED
-    assert merged(PLAIN, PLAIN).count("EACH(LOAD, , x, y)") == 1
+    assert merge_variants(PLAIN, BOUND) == MERGED
+    assert merge_variants(PLAIN, PLAIN).count("EACH(LOAD, , x, y)") == 1
 
 
 def test_variables_are_gathered_in_lines_of_limited_length() -> None:
     names = [f"variable_{k}" for k in range(40)]
-    text = merged(*2 * ["\n".join(f"    EACH(STORE, list_, {name})" for name in names)])
+    text = merge_variants(*2 * ["\n".join(f"    EACH(STORE, list_, {name})" for name in names)])
     lines = text.splitlines()
     assert max(map(len, lines)) <= WIDTH
     assert len(lines) < 10

@@ -176,7 +176,8 @@ def contexts() -> dict[str, dict[str, Any]]:
 def printed(template: str, kernels: list[Kernel], **context: Any) -> str:
     """Return kernels, printed by the template of a target as if they were the hoop's."""
     given = contexts()[template] | views(template.partition("/")[0], kernels) | context
-    return render._environment().get_template(template).render(given)
+    backend = BACKENDS[template.partition("/")[0]]
+    return render._environment(backend).get_template(template).render(given)
 
 
 def views(target: str, kernels: list[Kernel]) -> dict[str, Any]:
@@ -607,12 +608,12 @@ def test_a_template_that_asks_for_an_unknown_key_fails() -> None:
 
 
 def test_the_templates_ask_for_the_keys_that_are_supplied_and_no_other() -> None:
-    environment = render._environment()
-    assert environment.loader is not None
     # Names alone: pytest would print all that is supplied, which takes minutes.
     supplied = {name: set(given) for name, given in contexts().items()}
     asked = {}
     for name in supplied:
+        environment = render._environment(BACKENDS.get(name.partition("/")[0]))
+        assert environment.loader is not None
         source, _, _ = environment.loader.get_source(environment, name)
         asked[name] = jinja2.meta.find_undeclared_variables(environment.parse(source))
         assert asked[name] <= supplied[name]

@@ -13,7 +13,7 @@ from hoopgen.derive.ir.kernel import Kernel
 from hoopgen.derive.symbolic.conditionals import AtMost, IfLess, Less, absolute, all_of
 from hoopgen.derive.symbolic.symbols import ParameterSymbol
 
-from hoopgen.codegen.c.merging import merged
+from hoopgen.codegen.c.merging import merge_variants
 from hoopgen.codegen.c.spelling import LANES, parameter_of_row
 from hoopgen.codegen.identifiers import identifier
 from hoopgen.codegen.program import Program, lower
@@ -158,6 +158,6 @@ def test_each_variant_can_be_had_again_from_the_text_of_both() -> None:
         bounded = random.choices("abcdef", k=30)
         plain = [random.choice("abx") if random.random() < 0.1 else line for line in bounded]
         plain = [line for line in plain if random.random() < 0.8]
-        text = merged("\n".join(plain), "\n".join(bounded))
+        text = merge_variants("\n".join(plain), "\n".join(bounded))
         assert preprocessed(text, bounded=False) == plain
         assert preprocessed(text, bounded=True) == bounded

@@ -59,7 +59,9 @@ def test_what_is_not_in_rows_is_copied_once() -> None:
 def test_an_array_on_a_gpu_is_refused_in_one_line(device: int) -> None:
     states = throws()
     for given in ((Packed(states, device), None), (states, {"gravity": Packed(9.8, device)})):
-        with pytest.raises(ValueError, match=r"on a GPU, which .* reads; or copy it first") as raised:
+        with pytest.raises(
+            ValueError, match=r"on a GPU, which .* reads; or copy it first"
+        ) as raised:
             hoopgen.simulate(*given)
         assert str(raised.value).startswith(("states: ", "parameters['gravity']: "))
         assert "\n" not in str(raised.value)

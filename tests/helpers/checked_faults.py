@@ -76,7 +76,7 @@ class OfKernels(OfFormulas):
 
     def prepare(self, folder: Path, patch: ExitStack) -> Prepared:
         """Derive the court; return what runs the test with its kernels."""
-        kernels = DerivedKernels.of(COURT)
+        kernels = DerivedKernels.from_scene(COURT)
         patch.close()
 
         def run() -> None:
@@ -94,7 +94,7 @@ class WithKernels(OfFormulas):
 
     def prepare(self, folder: Path, patch: ExitStack) -> Prepared:
         """Derive the court; return what runs the test with its kernels."""
-        kernels = DerivedKernels.of(COURT)
+        kernels = DerivedKernels.from_scene(COURT)
         patch.close()
         return lambda: self._run((kernels,))
 

@@ -72,7 +72,7 @@ class DerivedKernels:
         }
 
     @classmethod
-    def of(cls, scene: Derived) -> DerivedKernels:
+    def from_scene(cls, scene: Derived) -> DerivedKernels:
         """Return the kernels of a scene."""
         return cls(build(scene))
 

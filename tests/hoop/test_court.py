@@ -516,7 +516,7 @@ def test_shots_that_touch_what_both_have_go_the_same_way() -> None:
 
 
 def test_what_is_drawn_is_as_large_as_what_is_flown_against() -> None:
-    seen = SceneGeometry.of(COURT, FIBA_COURT)
+    seen = SceneGeometry.from_engine(COURT, FIBA_COURT)
     ring, *boxes = seen.bodies(seen.room(np.full(3, -1.0), np.full(3, 1.0)))
     symbols = {p.symbol: FIBA_COURT[p.name] for p in DERIVED.parameters}
     for shown, body in zip(boxes, DERIVED.bodies[BOARD:], strict=True):

@@ -54,6 +54,12 @@ def test_every_test_is_run_at_full_effort_by_one_of_the_two_targets(
     assert "HOOPGEN_TEST_EFFORT" not in command("test-slow")
 
 
+def test_all_tests_are_run_at_full_effort_by_one_target() -> None:
+    assert " -m pytest " in command("test-all")
+    assert command("test-all").count(" -m ") == 1  # pytest selects nothing
+    assert "HOOPGEN_TEST_EFFORT" not in command("test-all")
+
+
 def test_the_effort_is_imported_by_the_names_of_its_functions() -> None:
     """A name given by `as`, or a helper that scales, would hide which tests scale."""
     files = list(importers())

@@ -234,7 +234,7 @@ def stand_in(scene: Scene) -> Any:
 
 def test_a_scene_written_for_derivation_is_refused_in_a_line() -> None:
     with pytest.raises(ValueError, match=r"scene: one is written for derivation; drawn are the ho"):
-        SceneGeometry.of(
+        SceneGeometry.from_engine(
             type("E", (), {"table": type("T", (), {"written": None}), "name": "one"}), {}
         )  # type: ignore[arg-type]
 

@@ -126,7 +126,7 @@ assert [float(c or "nan") for c in np.array(column)[valid]] == shots.longest_fli
 
 # tallies
 assert "longest_flight" in fields_of(scene)
-counts = Tally.of(shots, 1).counts["moved"]
+counts = Tally.from_shots(shots, 1).counts["moved"]
 assert counts.tolist() == [np.count_nonzero(shots.longest_flight)]
 
 # certificates: the judge does not know it, and a settled shot keeps it

@@ -8,11 +8,13 @@ from importlib.resources.abc import Traversable
 from typing import Any
 
 from ..backend import TEMPLATES, LoweredScene, ResultView
+from ..formatter import Spelling
 from ..identifiers import identifier
 from ..rerolling import parameter_kernels
 from .hoisted import Hoisted
-from .merging import merged
+from .merging import merge_variants
 from .options import Options
+from .spelling import LANES
 from .view import CKernel, loop_view
 
 FILES = {
@@ -38,6 +40,7 @@ class CBackend:
     options: Options = field(default_factory=Options)
     templates: Traversable = TEMPLATES
     files: Mapping[str, str] = field(default_factory=lambda: dict(FILES))
+    spelling: Spelling = LANES
 
     def kernels(self, lowered: LoweredScene) -> Mapping[str, Any]:
         """Return the kernels that the event loop evaluates: the library serves its engine alone."""
@@ -61,7 +64,7 @@ class CBackend:
         return {
             "loops": views[::-1],
             "fixed": hoisted.counts,
-            "merged": merged,
+            "merge_variants": merge_variants,
             "results": [ResultView(r, C_TYPES) for r in lowered.model.results],
         }
 

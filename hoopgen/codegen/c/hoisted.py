@@ -96,7 +96,7 @@ class Hoisted:
             placed[k] = operations.add(replace(operation, operands=operands, symbol=symbol))
         return [placed[k] for k in own.loop_invariant]
 
-    def of(self, nodes: Iterable[Node]) -> Rows:
+    def rows_of(self, nodes: Iterable[Node]) -> Rows:
         """Return the rows that the kernels of nodes take."""
         found: Rows = (set(), set())
         for node in walk(nodes):

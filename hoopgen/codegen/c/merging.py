@@ -46,7 +46,7 @@ class Line(NamedTuple):
         return f"{what.replace('(SET', '(GET')}, {of}" if of or what else ""
 
 
-def merged(plain: str, bounded: str) -> str:
+def merge_variants(plain: str, bounded: str) -> str:
     """Return one text of two: lines that only one of them has are for that one alone.
 
     Parameters

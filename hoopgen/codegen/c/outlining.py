@@ -67,7 +67,7 @@ class OutlinedLoop(GroupedLoop):
 
         It is a function: beside what is done for all it would be in the way.
         """
-        rows = self.hoisted.of(nodes)
+        rows = self.hoisted.rows_of(nodes)
         read = self.hoisted.reads(rows)
         if not read:
             return []

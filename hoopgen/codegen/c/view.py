@@ -33,7 +33,7 @@ from ..statements import (
     Name,
     Statement,
 )
-from ..straight_line import PrintedBody, formatted, straight_line
+from ..straight_line import PrintedBody, print_body, straight_line
 from ..variants import Variant
 from .compaction import CompactedLoop, Insertion
 from .formatter import C_FORMATTER
@@ -82,10 +82,10 @@ class CKernel(KernelView):
     def body(self) -> PrintedBody:
         """Its statements and results."""
         if self.numbers:
-            return formatted(
+            return print_body(
                 rerolled(self.program, self.numbers, LANES, parameter_of_row), C_FORMATTER
             )
-        return formatted(straight_line(self.rest, SINGLES if self.single else LANES), C_FORMATTER)
+        return print_body(straight_line(self.rest, SINGLES if self.single else LANES), C_FORMATTER)
 
     @property
     def cost(self) -> str:

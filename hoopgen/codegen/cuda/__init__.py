@@ -12,10 +12,11 @@ from hoopgen.derive.ir.event_tree import writes
 from hoopgen.derive.symbolic.conditionals import Boolean
 
 from ..backend import TEMPLATES, KernelView, LoweredScene, ResultView
+from ..formatter import Spelling
 from ..identifiers import identifier
 from ..rerolling import parameter_kernels, rerolled
 from ..statements import Number
-from ..straight_line import PrintedBody, formatted, straight_line
+from ..straight_line import PrintedBody, print_body, straight_line
 from ..variants import Variant
 from .loop import ShotLoop, function
 from .spelling import CUDA_FORMATTER, DOUBLE, SINGLE, TYPES, parameter_of_shot
@@ -61,7 +62,7 @@ class CudaKernel(KernelView):
             own = rerolled(self.program, self.numbers, DOUBLE, parameter_of_shot)
         else:
             own = straight_line(self.program, SINGLE if self.single else DOUBLE)
-        return formatted(own, CUDA_FORMATTER)
+        return print_body(own, CUDA_FORMATTER)
 
     @property
     def parameters(self) -> list[str]:
@@ -116,6 +117,7 @@ class CudaBackend:
     files: Mapping[str, str] = field(
         default_factory=lambda: {"cuda/scene.cu.j2": "cuda/{scene}.cu"}
     )
+    spelling: Spelling = DOUBLE
 
     def kernels(self, lowered: LoweredScene) -> Mapping[str, Any]:
         """Return the kernels that the event loop evaluates."""

@@ -9,7 +9,7 @@ from typing import Any
 
 from ..backend import TEMPLATES, KernelView, LoweredScene
 from ..formatter import ONE_SHOT, Formatter, Spelling
-from ..straight_line import PrintedBody, formatted, straight_line
+from ..straight_line import PrintedBody, print_body, straight_line
 
 JS = Spelling(
     operations=ONE_SHOT
@@ -25,7 +25,7 @@ class JsKernel(KernelView):
     @property
     def body(self) -> PrintedBody:
         """Its statements and results."""
-        return formatted(straight_line(self.program, JS), JS_FORMATTER)
+        return print_body(straight_line(self.program, JS), JS_FORMATTER)
 
 
 @dataclass(frozen=True)
@@ -36,6 +36,7 @@ class JsBackend:
     options: None = None
     templates: Traversable = TEMPLATES
     files: Mapping[str, str] = field(default_factory=lambda: {"js/flight.js.j2": "js/{scene}.js"})
+    spelling: Spelling = JS
 
     def kernels(self, lowered: LoweredScene) -> Mapping[str, Any]:
         """Return the kernels of flights, and the normals of the bodies."""

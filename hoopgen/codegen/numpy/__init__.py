@@ -14,9 +14,10 @@ from hoopgen.derive.symbolic.isomorphism import Symbols
 from hoopgen.derive.symbolic.symbols import change_of
 
 from ..backend import TEMPLATES, KernelView, LoweredScene
+from ..formatter import Spelling
 from ..identifiers import identifier
 from ..program import Program
-from ..straight_line import PrintedBody, formatted, straight_line
+from ..straight_line import PrintedBody, print_body, straight_line
 from ..variants import Variant
 from .constants import Constants, number_type
 from .formatter import ONE_SHOT_FORMATTER, ROWS_FORMATTER
@@ -125,6 +126,7 @@ class NumPyBackend:
     files: Mapping[str, str] = field(
         default_factory=lambda: {"numpy/kernels.py.j2": "numpy/{scene}.py"}
     )
+    spelling: Spelling = NUMPY
 
     def kernels(self, lowered: LoweredScene) -> Mapping[str, Any]:
         """Return the kernels, and the numbers in them."""
@@ -142,8 +144,8 @@ class NumPyBackend:
         alone = straight_line(program, ONE_SHOT, lambda value: constants.name(value, own))
         return NumPyKernel(
             program,
-            formatted(body or straight_line(program, NUMPY), ROWS_FORMATTER),
-            formatted(alone, ONE_SHOT_FORMATTER),
+            print_body(body or straight_line(program, NUMPY), ROWS_FORMATTER),
+            print_body(alone, ONE_SHOT_FORMATTER),
         )
 
     def loop(self, lowered: LoweredScene, kernels: Mapping[str, Any]) -> Mapping[str, Any]:

@@ -17,7 +17,7 @@ class Constants:
     def __init__(self) -> None:
         self._names: dict[Expression, str] = {}
 
-    def of(self, program: Operations, value: float, meets_rows: bool) -> Expression:
+    def number(self, program: Operations, value: float, meets_rows: bool) -> Expression:
         """Return a number of a program."""
         single = [number_type(program.single)] if program.single else []
         return self.name(value, *["_scalar"] * meets_rows, *single)

@@ -82,7 +82,7 @@ class _Kernel:
         if operation.name in ("argument", "truth"):
             return Name(operation.symbol)
         if operation.name == "constant":
-            return self.constants.of(self.program, operation.value, user in self.of_shot)
+            return self.constants.number(self.program, operation.value, user in self.of_shot)
         operands = tuple(self._value(operand, index) for operand in operation.operands)
         if index in self.own and operation.name in SELECTING:
             function = "_select" if index in self.row else "_result"

@@ -144,7 +144,7 @@ class MonteCarloJob(ShotsJob):
         """Return the tally of each setting, and of two the pairs, of some shots."""
         sampled = [self._simulate(setting, start, stop) for setting in self.settings]
         results = [shots for _, shots in sampled]
-        rows = [Tally.of(shots, 1).row()[0] for shots in results]
+        rows = [Tally.from_shots(shots, 1).row()[0] for shots in results]
         rows += [self._pairs(*results)] if len(results) == 2 else []
         if self.measures:
             rows.append(counts_of(*sampled[0], self.measures, self.catching_height))

@@ -49,7 +49,7 @@ class Block:
         outcome = self.results["outcome"]
         return np.asarray((outcome == Outcome.MADE) | (outcome == Outcome.MISSED))
 
-    def of(self, rows: NDArray[np.intp]) -> dict[str, Value]:
+    def parameters_of(self, rows: NDArray[np.intp]) -> dict[str, Value]:
         """Return the parameters of some of the shots."""
         return {name: rows_of(value, rows) for name, value in self.parameters.items()}
 
@@ -57,7 +57,7 @@ class Block:
         """Simulate some of the shots up to so many contacts."""
         return simulate(
             self.states[rows],
-            self.of(rows),
+            self.parameters_of(rows),
             scene=self.scene,
             max_contacts=max_contacts,
             threads=1,

@@ -160,12 +160,12 @@ def _past_the_wire(block: Block) -> dict[str, Floats]:
     ends = block.results["time"] + np.where(short, fall, 0.0)
     clearance = np.zeros(len(block))
     free = np.flatnonzero(missed_it & (contacts == 0))
-    clearance[free] = nearest(block.states[free], ends[free], block.of(free))
+    clearance[free] = nearest(block.states[free], ends[free], block.parameters_of(free))
     around = np.flatnonzero(missed_it & (contacts > 0))
     if len(around):
         owner, states, durations = _flights(block, around, ends)
         clearance[around] = np.inf
-        np.minimum.at(clearance, owner, nearest(states, durations, block.of(owner)))
+        np.minimum.at(clearance, owner, nearest(states, durations, block.parameters_of(owner)))
     return {"clearance": np.maximum(clearance, 0.0)}
 
 
@@ -276,10 +276,12 @@ class Measure:
 
 
 def _measures() -> Iterator[Measure]:
-    def of(compute: Callable[[Block], dict[str, Floats]], *fields: str) -> Callable[..., Measure]:
+    def measure_from(
+        compute: Callable[[Block], dict[str, Floats]], *fields: str
+    ) -> Callable[..., Measure]:
         return partial(Measure, fields=("outcome", *fields), compute=compute)
 
-    ring = of(_to_the_ring, "first")
+    ring = measure_from(_to_the_ring, "first")
     yield ring(
         "entry_angle",
         "entry angle",
@@ -297,16 +299,16 @@ def _measures() -> Iterator[Measure]:
     yield ring(
         "left_right", "left-right", "m", "How far that is to the shooter's left of that line."
     )
-    yield of(_highest, "contacts")(
+    yield measure_from(_highest, "contacts")(
         "apex", "apex", "m", "Greatest height of the centre above the floor up to a first contact."
     )
-    yield of(_past_the_wire, "contacts", "counts", "time", "state")(
+    yield measure_from(_past_the_wire, "contacts", "counts", "time", "state")(
         "clearance",
         "clearance of the ring",
         "m",
         "Closest approach of the ball's surface to the ring's wire; 0 if that was touched.",
     )
-    end, floor = of(_at_the_end, "state"), of(_on_the_floor, "time", "state")
+    end, floor = measure_from(_at_the_end, "state"), measure_from(_on_the_floor, "time", "state")
     yield floor(
         "floor_time", "time at the floor", "s", "Since the release, at floor level; see floor_x."
     )
@@ -321,7 +323,7 @@ def _measures() -> Iterator[Measure]:
     for axis in "xyz":
         yield end(f"end_v{axis}", f"v{axis} at the end", "m/s", "At the end plane.")
         yield floor(f"floor_v{axis}", f"v{axis} at the floor", "m/s", "There; see floor_x.")
-    back = of(rebound, "contacts", "time", "state")
+    back = measure_from(rebound, "contacts", "time", "state")
     where = "Of the centre, when a miss comes down to the catching height after its last contact."
     for axis in "xy":
         yield back(f"rebound_{axis}", f"{axis} of the rebound", "m", where)
@@ -336,7 +338,7 @@ def _measures() -> Iterator[Measure]:
         "the left, ±π beyond the ring.",
     )
     yield back("rebound_time", "time of the rebound", "s", "Since the release; see rebound_x.")
-    yield of(delay, "contacts", "time", "state")(
+    yield measure_from(delay, "contacts", "time", "state")(
         "rebound_delay",
         "rebound after the first contact",
         "s",

@@ -185,7 +185,7 @@ def batch(
     rows = check_count("rows", rows)
     computed = partial(run, scheduler=scheduler, threads=threads, progress=progress, report=report)
     log = None if events is None else _checked_events(events, out)
-    reading = ReadingOptions.of(
+    reading = ReadingOptions.from_options(
         format=format,
         delimiter=delimiter,
         own=own,

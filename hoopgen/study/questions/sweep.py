@@ -109,7 +109,7 @@ class Sweep(ShotsJob):
             last = min(cell + few, high)
             shots = self.simulate(cell, last, stop - start, noise)
             tallied = self.model.scatters
-            parts.append(Tally.of(shots, last - cell).row() if tallied else _row(shots))
+            parts.append(Tally.from_shots(shots, last - cell).row() if tallied else _row(shots))
         numbers = np.concatenate(parts) + (0 if before is None else rows_of(before))
         flat = pa.array(numbers.ravel())
         return pa.table({"numbers": pa.FixedSizeListArray.from_arrays(flat, numbers.shape[1])})

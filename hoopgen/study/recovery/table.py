@@ -119,7 +119,9 @@ def fit_table(
     target = None if out is None else _target(out)
     file_unit("m", units)  # none but them
     time = _release_time(release_time)
-    reading = ReadingOptions.of(format=format, delimiter=delimiter, where=where, memory=memory)
+    reading = ReadingOptions.from_options(
+        format=format, delimiter=delimiter, where=where, memory=memory
+    )
     with sourced(source, reading) as table:
         if target is not None and target.exists() and target.samefile(table.path):
             raise ValueError(f"out: {target} is the source")

@@ -52,7 +52,7 @@ class SampleInterval:
     groups: int | None
 
     @property
-    def of(self) -> str:
+    def words(self) -> str:
         """The sample in words."""
         return f"{format_count(self.rows, 'measured release')}{in_groups(self.groups)}"
 
@@ -69,13 +69,13 @@ def in_groups(groups: int | None) -> str:
 def say_sample(found: SampleInterval, confidence: float, digits: int = 1) -> str:
     """Say the interval of a share, and that it contains the uncertainty of the sample."""
     ends = format_interval(found.low, found.high, digits)
-    return f"{ends} ({format_percent(confidence, None)} interval of the sample, {found.of})"
+    return f"{ends} ({format_percent(confidence, None)} interval of the sample, {found.words})"
 
 
 def say_difference(found: SampleInterval, confidence: float, digits: int = 1) -> str:
     """Say the interval of a difference, and that it contains the uncertainty of the sample."""
     ends = f"{format_points(found.low, digits)} to {format_points(found.high, digits)}"
-    return f"{ends} ({format_percent(confidence, None)} interval of the sample, {found.of})"
+    return f"{ends} ({format_percent(confidence, None)} interval of the sample, {found.words})"
 
 
 def totals_by_group(counts: NDArray[Any], cluster: NDArray[np.intp] | None) -> NDArray[np.int64]:

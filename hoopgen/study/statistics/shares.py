@@ -123,7 +123,7 @@ class Shares(SharesOfShots):
         wilson = f"Wilson's {format_percent(self.confidence, None)} intervals"
         if not self.sample:
             return wilson
-        of = next(iter(self.sample.values())).of
+        of = next(iter(self.sample.values())).words
         return f"{wilson} of the simulation alone; those of the sample, {of}, contain both"
 
     def __str__(self) -> str:

@@ -77,7 +77,7 @@ class Tally:
         return cls.read(np.zeros((*settings, width_of(scene)), np.int64), scene)
 
     @classmethod
-    def of(cls, shots: Shots, settings: int) -> Tally:
+    def from_shots(cls, shots: Shots, settings: int) -> Tally:
         """Count shots of so many settings, as many of each, one setting after the other."""
         scene = shots.scene
         shape = _shape(scene)

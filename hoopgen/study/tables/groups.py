@@ -44,7 +44,7 @@ class Group:
     high: float
 
     @classmethod
-    def of(cls, shots: Mapping[str, int]) -> Group:
+    def from_counts(cls, shots: Mapping[str, int]) -> Group:
         """Return a group from the numbers of its shots by outcome."""
         first = next(iter(shots))
         valid = sum(count for name, count in shots.items() if name != "invalid")
@@ -91,7 +91,7 @@ class GroupCounts:
             Names of the outcomes that there can be.
         """
         return {
-            name: Group.of(dict(zip(ended, self._counts[name].tolist(), strict=False)))
+            name: Group.from_counts(dict(zip(ended, self._counts[name].tolist(), strict=False)))
             for name in sorted(self._counts)
         }
 

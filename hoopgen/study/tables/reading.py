@@ -54,7 +54,7 @@ class ReadingOptions:
     memory: int = MEMORY
 
     @classmethod
-    def of(cls, **options: Any) -> ReadingOptions:
+    def from_options(cls, **options: Any) -> ReadingOptions:
         """Return one from the options of a function, of which None is the default."""
         given: dict[str, Any] = {n: value for n, value in options.items() if value is not None}
         if isinstance(given.get("where"), str):

@@ -585,12 +585,12 @@ def test_what_is_wrong_is_said(
 
 def test_a_tally_of_many_settings_is_that_of_each() -> None:
     shots = everything(600)
-    whole = Tally.of(shots, 3)
+    whole = Tally.from_shots(shots, 3)
     assert whole.shots.tolist() == [200, 200, 200]
     again = Tally.read(whole.row(), whole.scene)
     assert np.array_equal(again.table, whole.table)
     assert np.array_equal(again.uncertain, whole.uncertain)
-    one = Tally.of(shots, 1)
+    one = Tally.from_shots(shots, 1)
     assert np.array_equal(whole.table.sum(axis=0), one.table[0])
     total = whole + whole
     assert total.shots.tolist() == [400, 400, 400]

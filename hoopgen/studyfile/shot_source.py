@@ -53,7 +53,7 @@ class ShotSource:
     engine: Engine  # the scene itself
 
     @classmethod
-    def of(cls, given: Iterable[Given], folder: Path, engine: Engine) -> ShotSource:
+    def from_tables(cls, given: Iterable[Given], folder: Path, engine: Engine) -> ShotSource:
         """Return what tables say, each key by key in place of those before."""
         return reduce(ShotSource._changed, given, cls({}, {}, {}, {}, {}, None, folder, engine))
 
