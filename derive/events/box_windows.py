@@ -72,20 +72,21 @@ def enter(
 
 
 def windows(axes: Sequence[Axis], halves: Sequence[sp.Expr | None]) -> list[Window]:
-    """Return the times at which all coordinates are in the box; a half size None is infinite."""
+    """Return the times at which all coordinates are in the box; a half size None is infinite.
+
+    Windows are in order of time, so far as they are not empty: if the first interval of one axis
+    meets the second one of another, their other two intervals do not meet. Two intervals of an axis
+    are not joined, since bounds on F'' hold only within the box.
+    """
     known = [(axis, half) for axis, half in zip(axes, halves, strict=True) if half is not None]
     wider = RELATIVE_INFLATION * minimum(*(half for _, half in known))
     found: list[Window] = [(sp.Integer(0), sp.oo)]
-    falling = False
     for axis, half in known:
         if axis[2] == 0:
             spans = [_straight(axis, barrier(half + wider))]
         else:
             fall = _falling if has_sign(axis[2]) else _perhaps_falling
             spans = fall(axis, barrier(half + wider))
-            if falling:  # one axis with two intervals suffices; of others take the hull
-                spans = [(spans[0][0], spans[1][1])]
-            falling = True
         found = [_meet(window, span) for span in spans for window in found]
     return found
 

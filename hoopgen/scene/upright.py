@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from .scene_reader import ParsedScene
 
-__all__ = ["acceleration", "upright"]
+__all__ = ["acceleration", "upright", "upright_along"]
 
 _PRIME = chr(0x2032)  # after the names of axes that are turned by less than a right angle
 
@@ -54,14 +54,14 @@ def upright(
         other direction it is the smallest rotation, and the names have primes.
     """
     if len(read.down) == 2:
-        return _along_axis(*read.down)
+        return upright_along(*read.down)
     down = acceleration(read, values)
     size = float(np.linalg.norm(down))
     if not size > 0.0:
-        return _along_axis(2, -1)
+        return upright_along(2, -1)
     x, y, z = down / size
     if x == 0.0 and y == 0.0:
-        return _along_axis(2, 1 if z > 0.0 else -1)
+        return upright_along(2, 1 if z > 0.0 else -1)
     # Rodrigues' rotation about the horizontal direction across gravity, from it to -z.
     across = np.array([-y, x, 0.0]) / np.hypot(x, y)
     ux, uy, _ = across
@@ -70,7 +70,14 @@ def upright(
     return turn, (f"x{_PRIME}", f"y{_PRIME}", f"z{_PRIME}")
 
 
-def _along_axis(axis: int, sign: int) -> tuple[NDArray[np.float64], tuple[str, str, str]]:
+def upright_along(axis: int, sign: int) -> tuple[NDArray[np.float64], tuple[str, str, str]]:
+    """Return what `upright` does for gravity along an axis.
+
+    Parameters
+    ----------
+    axis, sign
+        Which coordinate, and which way.
+    """
     turn = np.roll(np.eye(3), axis - 2, axis=1)
     if sign > 0:
         turn = np.diag([1.0, -1.0, -1.0]) @ turn

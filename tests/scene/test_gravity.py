@@ -121,7 +121,7 @@ def check_against_the_judge(engine: Engine, states: Floats, values: Mapping[str,
     valid = shots.outcome != engine.outcomes["INVALID"]
     assert valid.mean() > 0.7
     assert np.sum(shots.uncertain & valid) < exceptions(0.002, len(states))
-    assert (shots.counts[valid].sum(axis=0) > occurrences(len(states) // 100)).all()
+    assert (shots.counts[valid].sum(axis=0) > occurrences(len(states) // 400)).all()
     sure = valid & ~shots.uncertain
     away = np.abs(shots.state - proofs.state).reshape(-1, 3, 3).max(axis=2)
     assert (away <= shots.state_error + proofs.state_error)[sure].all()
