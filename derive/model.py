@@ -117,6 +117,7 @@ def build(scene: Scene) -> Model:
         ends,
         fields(names, scene.rolls, scene.passage is not None, counted, bool(tabled)),
         [variable(symbol) for symbol in scene.symbols],
+        scene.open_ended,
     )
     common |= {name: kernel for name, kernel in optional.items() if name in loop.called}
     lacking = () if scene.rolls else (NO_ROLLING,)
@@ -148,7 +149,9 @@ def _optional_kernels(
     kernels = (
         flight_boxes(scene, order)
         | shared_kernels.KERNELS
-        | predicates.kernels(scene.faces, scene.outcomes, end_planes, not scene.rolls)
+        | predicates.kernels(
+            scene.faces, scene.outcomes, end_planes, not scene.rolls, scene.open_ended
+        )
     )
     if scene.rolls:
         codes = EventCodes(len(scene.surfaces) + end_planes, len(scene.bodies))

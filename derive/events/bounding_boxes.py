@@ -32,6 +32,7 @@ from __future__ import annotations
 
 import sympy as sp
 
+from ..motion.flight import has_sign
 from ..motion.parabola import Parabola
 from ..surfaces import Box, Surface
 from ..symbolic.conditionals import (
@@ -84,15 +85,25 @@ def flight_box(flight: Parabola) -> dict[str, sp.Expr]:
         there = barrier(place + barrier(v + a * horizon / 2) * horizon)
         low, high = barrier(minimum(place, there)), barrier(maximum(place, there))
         if a != 0:
-            apex = barrier(place - v**2 / (2 * a))
-            against = (0, v) if a.is_negative else (v, 0)
-            turned = barrier(IfLess(*against, apex, place))
+            known = a if has_sign(a) else barrier(IfLess(0, absolute(a), a, 1))
+            apex = barrier(place - v**2 / (2 * known))
+            turned = barrier(_turned(a, v, apex, place))
             low, high = barrier(minimum(low, turned)), barrier(maximum(high, turned))
         middles[BOX_CENTRES[k].name] = barrier(low + high) / 2
         reaches[HALF_SIZES[k].name] = (1 + RELATIVE_SLACK) * barrier(
             barrier(high - low) / 2 + slack
         )
     return middles | reaches
+
+
+def _turned(a: sp.Expr, v: sp.Expr, apex: sp.Expr, place: sp.Expr) -> sp.Expr:
+    """Return the apex of a coordinate that first moves against its acceleration, else its start."""
+    falling, rising = IfLess(0, v, apex, place), IfLess(v, 0, apex, place)
+    if a.is_negative:
+        return falling
+    if a.is_positive:
+        return rising
+    return IfLess(0, a, rising, IfLess(a, 0, falling, place))
 
 
 def path_slack(flight: Parabola) -> sp.Expr:

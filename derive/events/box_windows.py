@@ -10,19 +10,23 @@ from collections.abc import Sequence
 
 import sympy as sp
 
+from ..motion.flight import divisor, has_sign
 from ..symbolic.conditionals import (
+    AtMost,
     Choose,
     IfAtMost,
     IfLess,
     Less,
     Or,
+    absolute,
+    all_of,
     barrier,
     false,
     maximum,
     minimum,
 )
 from ..symbolic.rounding import extent, position_error, speed, velocity_error
-from ..symbolic.symbols import t
+from ..symbolic.symbols import VELOCITY, t
 from .event_polynomials import Window, end, horizon
 
 RELATIVE_INFLATION = sp.Rational(1, 2**14)
@@ -68,19 +72,21 @@ def enter(
 
 
 def windows(axes: Sequence[Axis], halves: Sequence[sp.Expr | None]) -> list[Window]:
-    """Return the times at which all coordinates are in the box; a half size None is infinite."""
+    """Return the times at which all coordinates are in the box; a half size None is infinite.
+
+    Windows are in order of time, so far as they are not empty: if the first interval of one axis
+    meets the second one of another, their other two intervals do not meet. Two intervals of an axis
+    are not joined, since bounds on F'' hold only within the box.
+    """
     known = [(axis, half) for axis, half in zip(axes, halves, strict=True) if half is not None]
     wider = RELATIVE_INFLATION * minimum(*(half for _, half in known))
     found: list[Window] = [(sp.Integer(0), sp.oo)]
-    falling = False
     for axis, half in known:
         if axis[2] == 0:
             spans = [_straight(axis, barrier(half + wider))]
         else:
-            spans = _falling(axis, barrier(half + wider))
-            if falling:  # one axis with two intervals suffices; of others take the hull
-                spans = [(spans[0][0], spans[1][1])]
-            falling = True
+            fall = _falling if has_sign(axis[2]) else _perhaps_falling
+            spans = fall(axis, barrier(half + wider))
         found = [_meet(window, span) for span in spans for window in found]
     return found
 
@@ -97,12 +103,47 @@ def lost(
     half, widest = minimum(*known), maximum(*known)
     far = barrier(extent + sp.Add(*map(sp.Abs, centre)) + widest)
     falls = [(a, h) for a, h in zip(acceleration, halves, strict=True) if a != 0]
+    if not all(has_sign(a) for a, _ in falls) or not falls:
+        return _lost_with_any_gravity(far, half, halves, acceleration)
     per_g = barrier(1 / minimum(*(sp.Abs(a) for a, _ in falls)))
     latest: sp.Expr = horizon
     if all(h is not None for _, h in falls):
         latest = barrier(minimum(horizon, time_to_leave(barrier(far + half), per_g)))
     moved = barrier(position_error + velocity_error * latest)
     rounded = barrier(far + speed**2 * per_g) * sp.Rational(1, 2**48)
+    return barrier(moved + rounded) - RELATIVE_INFLATION / 4 * half
+
+
+def _lost_with_any_gravity(
+    far: sp.Expr, half: sp.Expr, halves: Sequence[sp.Expr | None], acceleration: Sequence[sp.Expr]
+) -> sp.Expr:
+    """Return what `lost` does if an acceleration may be zero.
+
+    Along an axis without acceleration the ball, and the true one, has left the box after
+    T = 2 d / |v|: with errors e_p and e_v T of at most w, |p + v t| is from then on at least
+    2 d - |p| - 2 w, and grows. The first axis counts along which it has left, or the horizon.
+
+    The roots of `_crossings` are off by a few roundings of themselves. On the way to -2 q / w that
+    is as much of q, and so is what cancels in D = v² + 2 g q, since then v² <= 4 g |q|. At w / g it
+    is as much of v²/g, or of (v + g T) T with the horizon T, after which no root counts.
+    """
+    latest: sp.Expr = horizon
+    flown: sp.Expr = sp.Integer(0)
+    for v, a, own in zip(VELOCITY, acceleration, halves, strict=True):
+        if own is None:
+            continue
+        leaving = IfLess(0, absolute(v), 2 * far / absolute(v), sp.oo)
+        if a != 0:
+            g = barrier(absolute(a))
+            per_g = barrier(1 / divisor(g))
+            longest = barrier(barrier(speed + g * horizon) * horizon)
+            high = barrier(minimum(barrier(speed**2 * per_g), longest))
+            flown = barrier(maximum(flown, IfLess(0, g, high, 0)))
+            falling = barrier(time_to_leave(barrier(far + half), per_g))
+            leaving = IfLess(0, g, falling, leaving)
+        latest = barrier(minimum(latest, leaving))
+    moved = barrier(position_error + velocity_error * latest)
+    rounded = barrier(far + flown) * sp.Rational(1, 2**48)
     return barrier(moved + rounded) - RELATIVE_INFLATION / 4 * half
 
 
@@ -158,6 +199,45 @@ def _falling(axis: Axis, half: sp.Expr) -> list[Window]:
     passed = IfLess(0, to_top, barrier(up - inner) * per_g, last)
     again = IfLess(0, to_top, barrier(up + inner) * per_g, sp.oo)
     return [(first, passed), (again, last)]
+
+
+def _perhaps_falling(axis: Axis, half: sp.Expr) -> list[Window]:
+    """Return the two intervals of |c + v t + a t²/2| <= h for an acceleration that may be zero.
+
+    Turned so that the acceleration g = |a| points down, the ball is above the bottom between the
+    roots of p + h + v t - g t²/2, and above the top between those of p - h + v t - g t²/2.
+    """
+    place, velocity, acceleration = axis
+    g = barrier(absolute(acceleration))
+    above = barrier(IfLess(0, acceleration, -place, place))
+    up = barrier(IfLess(0, acceleration, -velocity, velocity))
+    to_bottom, to_top = barrier(above + half), barrier(above - half)
+    bottom, top = (barrier(up**2 + 2 * barrier(g * q)) for q in (to_bottom, to_top))
+    first, last = _crossings(to_bottom, up, g, barrier(maximum(bottom, 0)))
+    passed, again = _crossings(to_top, up, g, barrier(maximum(top, 0)))
+    still = AtMost(barrier(absolute(up) + g), 0)
+    below = Or(Less(bottom, 0), all_of(still, Less(to_bottom, 0)))
+    first, last = Choose(below, sp.oo, first), barrier(Choose(below, -sp.oo, last))
+    crosses = Or(Less(0, to_top), Less(0, top))
+    return [(first, Choose(crosses, passed, last)), (Choose(crosses, again, sp.oo), last)]
+
+
+def _crossings(q: sp.Expr, up: sp.Expr, g: sp.Expr, discriminant: sp.Expr) -> Window:
+    """Return both roots of q + v t - g t²/2, of which no difference cancels.
+
+    With w = |v| + sqrt(v² + 2 g q) they are w / g and -2 q / w for v >= 0, and -w / g and 2 q / w
+    for v < 0. Without acceleration the first of them is infinite, and both are without any motion.
+    """
+    wide = barrier(absolute(up) + sp.sqrt(discriminant))
+    far = barrier(IfLess(0, g, wide / divisor(g), sp.oo))
+    near = barrier(IfLess(0, wide, barrier(2 * q) / wide, 0))
+    motionless = barrier(IfLess(0, wide, 0, IfLess(0, absolute(q), 1, IfLess(0, g, 0, 1))))
+    low = barrier(IfAtMost(0, up, -near, -far))
+    high = barrier(IfAtMost(0, up, far, near))
+    return (
+        barrier(IfLess(0, motionless, -sp.oo, low)),
+        barrier(IfLess(0, motionless, sp.oo, high)),
+    )
 
 
 def _meet(left: Window, right: Window) -> Window:

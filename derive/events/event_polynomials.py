@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import sympy as sp
 
-from ..motion.flight import Flight
+from ..motion.flight import Flight, divisor
 from ..surfaces import Surface
 from ..symbolic.conditionals import IfLess, barrier, maximum
 from ..symbolic.polynomials import Coefficients, compose
@@ -109,9 +109,17 @@ def error_budget(flight: Flight) -> dict[str, sp.Expr]:
 def padded_horizon(flight: Flight) -> dict[str, sp.Expr]:
     """Return a time after which no event is wanted, given the earliest arrival so far.
 
-    It does not depend on the bound on that arrival's delay, which must not exceed `pad`.
+    It does not depend on the bound on that arrival's delay, which must not exceed `pad`. Without
+    gravity no other time is known than that of the arrival.
     """
-    pad = barrier(t + speed * barrier(1 / flight.strength)) * sp.Rational(1, 2**20)
+    if flight.falls:
+        turning = speed * barrier(1 / flight.strength)
+    elif flight.strength == 0:
+        turning = t
+    else:
+        strength = barrier(flight.strength)
+        turning = IfLess(0, strength, speed * barrier(1 / divisor(strength)), t)
+    pad = barrier(t + turning) * sp.Rational(1, 2**20)
     return {"horizon": t + barrier(pad), "pad": pad}
 
 

@@ -9,6 +9,7 @@ import sympy as sp
 
 from ..ir.event_tree import Call, If, Node, Value
 from ..ir.kernel import Kernel
+from ..motion.flight import has_sign
 from ..motion.parabola import Parabola
 from ..surfaces import Plane
 from ..symbolic.conditionals import IfAtMost, IfLess, absolute, barrier
@@ -43,13 +44,22 @@ def plane_arrival(plane: Plane, flight: Parabola) -> dict[str, sp.Expr]:
     root = barrier(IfLess(0, leaving, absolute(b), sp.sqrt(discriminant)))
     numerator = IfLess(b, 0, 2 * c, b + root)
     denominator = IfLess(b, 0, root - b, -2 * a)
-    per_bend = barrier(1 / (2 * a))
+    if has_sign(a):
+        per_bend = barrier(1 / (2 * a))
+        apex, height = -b * per_bend, -discriminant * per_bend / 2
+    else:
+        # Without acceleration the formulas above hold, where 0/0 and an infinite time are no
+        # arrival; the gap has no apex.
+        size = barrier(absolute(a))
+        per_bend = barrier(1 / (2 * barrier(IfLess(0, size, a, 1))))
+        apex = IfLess(0, size, -b * per_bend, IfAtMost(absolute(b), 0, 0, -1))
+        height = IfLess(0, size, -discriminant * per_bend / 2, c)
     return {
         "time": numerator / denominator,
         "rate": -root,
         "bend": 2 * a,
-        "apex": -b * per_bend,
-        "height": -discriminant * per_bend / 2,
+        "apex": apex,
+        "height": height,
     }
 
 

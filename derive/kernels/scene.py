@@ -15,7 +15,7 @@ from ..scenes import validity
 from ..scenes.scene import Scene
 from ..symbolic import error_terms
 from ..symbolic.conditionals import barrier, maximum
-from ..symbolic.number_range import MAX_FLIGHT
+from ..symbolic.number_range import MAX_FLIGHT, MAX_SPEED
 from ..symbolic.symbols import POSITION, SPIN, VELOCITY, spin, velocity
 from .arguments import FRAME, RESTITUTION, components, unchecked_argument_order
 from .variation import scene_variations
@@ -143,8 +143,13 @@ def _arrivals(scene: Scene, order: tuple[sp.Symbol, ...], tabled: Set[int]) -> t
 
 
 def _flight_size(scene: Scene) -> sp.Expr:
-    """Return the largest of the sizes of a flight: coordinates, speed and v²/g."""
+    """Return the largest of the sizes of a flight: coordinates, speed and v²/g.
+
+    Where gravity may be zero, the time limit bounds what v²/g does not (`MAX_SPEED`).
+    """
     place, fastest = (barrier(sum(map(sp.Abs, of))) for of in (POSITION, VELOCITY))
+    if not scene.flight.falls:
+        return maximum(place, fastest * (MAX_FLIGHT / MAX_SPEED))
     return maximum(place, fastest, barrier(fastest**2 * barrier(1 / scene.flight.strength)))
 
 

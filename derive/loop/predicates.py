@@ -65,7 +65,11 @@ def body_of(faces: Sequence[int], end_planes: int) -> sp.Expr:
 
 
 def kernels(
-    faces: Sequence[int], outcomes: Mapping[str, int], end_planes: int, single: bool
+    faces: Sequence[int],
+    outcomes: Mapping[str, int],
+    end_planes: int,
+    single: bool,
+    open_ended: bool,
 ) -> dict[str, Kernel]:
     """Return the decisions of a scene.
 
@@ -79,13 +83,15 @@ def kernels(
         How many planes end a shot.
     single
         True if errors are carried in single precision.
+    open_ended
+        True if the time limit ends every shot.
     """
-    own = (*_of_scene(faces, outcomes, end_planes), *_of_errors(single))
+    own = (*_of_scene(faces, outcomes, end_planes, open_ended), *_of_errors(single))
     return searching.KERNELS | KERNELS | {kernel.name: kernel for kernel in own}
 
 
 def _of_scene(
-    faces: Sequence[int], outcomes: Mapping[str, int], end_planes: int
+    faces: Sequence[int], outcomes: Mapping[str, int], end_planes: int, open_ended: bool
 ) -> tuple[Kernel, ...]:
     bodies = max(faces, default=-1) + 1
     timed = Equal(which, index)
@@ -101,7 +107,7 @@ def _of_scene(
             },
             "Outcome of a shot at its start, and whether that is uncertain.",
         ),
-        decision("expiry", expiry(open_ended=not end_planes), "The time limit as an arrival."),
+        decision("expiry", expiry(open_ended), "The time limit as an arrival."),
         decision(
             "departed",
             {

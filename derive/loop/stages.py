@@ -36,6 +36,7 @@ def event_loop(
     end_planes: Sequence[LoopSurface],
     fields: Sequence[Field],
     parameters: Sequence[str],
+    open_ended: bool,
 ) -> Loop:
     """Return the event loop of a scene.
 
@@ -49,6 +50,8 @@ def event_loop(
         The fields of a shot.
     parameters
         The variables of the scene's parameters.
+    open_ended
+        True if the time limit ends every shot, also one that meets nothing any more.
     """
     return Loop(
         tuple(fields),
@@ -66,7 +69,7 @@ def event_loop(
                 Call(common["admitted"]),
                 *([Call(common["passing_start"])] if "passing" in common else []),
             ),
-            "detect": tuple(_reach(common, contacts, end_planes)),
+            "detect": tuple(_reach(common, contacts, end_planes, open_ended)),
             "resolve": tuple(_meet(common, contacts, end_planes, {field.name for field in fields})),
         },
     )
@@ -97,7 +100,10 @@ def _starting(kind: SurfaceKind) -> Iterator[Node]:
 
 
 def _reach(
-    common: Parts, contacts: Sequence[LoopSurface], end_planes: Sequence[LoopSurface]
+    common: Parts,
+    contacts: Sequence[LoopSurface],
+    end_planes: Sequence[LoopSurface],
+    open_ended: bool,
 ) -> Iterator[Node]:
     """Detect the earliest arrival (Eq. 4) and move the ball there (Eq. 3)."""
     time = len(contacts) + len(end_planes)
@@ -108,7 +114,7 @@ def _reach(
     yield Call(common["limited"])
     if "in_contact" in common:
         yield Call(common["in_contact"])
-    if not end_planes:
+    if open_ended:
         yield expiry
     # End planes come first: an arrival that is certainly later needs no search.
     kinds = by_kind(sorted((*end_planes, *contacts), key=lambda s: not s.search.closed))
@@ -122,7 +128,7 @@ def _reach(
             yield If("reachable", tuple(nodes))
         else:
             yield from nodes
-    if end_planes:
+    if not open_ended:
         yield expiry
     if "in_contact" in common:
         yield If(

@@ -7,10 +7,20 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from ..symbolic.conditionals import barrier_all, maximum
+from ..symbolic.conditionals import IfLess, barrier, barrier_all, maximum
 from ..symbolic.polynomials import Coefficients, derivative, horner
 from ..symbolic.rounding import Rounded
 from ..symbolic.symbols import POSITION, t
+
+
+def has_sign(component: sp.Expr) -> bool:
+    """Return True if an acceleration is positive, or negative, whatever the parameters are."""
+    return bool(component.is_positive or component.is_negative)
+
+
+def divisor(size: sp.Expr) -> sp.Expr:
+    """Return a size, or 1 for zero: a divisor of quotients that count only if it is not zero."""
+    return barrier(IfLess(0, size, size, 1))
 
 
 @dataclass(frozen=True)
@@ -20,19 +30,21 @@ class Flight(ABC):
     Attributes
     ----------
     acceleration
-        The acceleration of free fall, m/s², along x, y and z; not zero throughout.
+        The acceleration of free fall, m/s², along x, y and z.
     """
 
     acceleration: tuple[sp.Expr, sp.Expr, sp.Expr]
 
-    def __post_init__(self) -> None:
-        if all(component == 0 for component in self.acceleration):
-            raise ValueError("a flight's acceleration: expected one that is not zero, got zero")
+    @property
+    def falls(self) -> bool:
+        """True if some component of the acceleration is certainly not zero."""
+        return any(has_sign(component) for component in self.acceleration)
 
     @property
     def strength(self) -> sp.Expr:
         """The largest size of a component of the acceleration; along an axis, its size."""
-        return maximum(*(sp.Abs(component) for component in self.acceleration if component != 0))
+        sizes = [sp.Abs(component) for component in self.acceleration if component != 0]
+        return maximum(*sizes) if sizes else sp.Integer(0)
 
     @property
     @abstractmethod

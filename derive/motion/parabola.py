@@ -15,7 +15,7 @@ from .flight import Flight
 
 @dataclass(frozen=True)
 class Parabola(Flight):
-    """Eq. 3, with an acceleration along any axis."""
+    """Eq. 3, with an acceleration in any direction, which may be zero."""
 
     @property
     def upright(self) -> bool:

@@ -17,6 +17,9 @@ from . import names
 from .ends import End, check_passed, check_reached, end_planes, outcomes
 from .passage import Passage
 
+Acceleration = tuple[sp.Expr, sp.Expr, sp.Expr]
+"""Components along x, y and z, m/s²."""
+
 AXES = ((1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, 1), (0, 0, -1))
 """The directions of gravity that are allowed."""
 
@@ -94,6 +97,9 @@ class Scene:
         For readers, in plain sentences: the origin and the axes, and any other remarks.
     gravity_axis
         The direction of gravity, along one axis; by default down.
+    acceleration
+        The acceleration of free fall where it may be zero or is not along that axis; None: gravity
+        along it.
     rolls
         True if a ball whose bounces accumulate rolls on; then no surface has bounds.
     passage
@@ -105,12 +111,13 @@ class Scene:
     bodies: tuple[Body, ...]
     ends: tuple[End, ...]
     ball_radius: sp.Symbol
-    gravity: sp.Symbol
+    gravity: sp.Expr
     inertia: sp.Expr = THIN_SHELL
     requirements: tuple[sp.Expr, ...] = field(default=())
     axes: str = ""
     remarks: str = ""
     gravity_axis: tuple[int, int, int] = (0, 0, -1)
+    acceleration: Acceleration | None = None
     rolls: bool = False
     passage: Passage | None = None
 
@@ -130,6 +137,11 @@ class Scene:
                 f"scene {self.name}: gravity_axis: expected one of "
                 f"{', '.join(map(str, AXES))}, got {self.gravity_axis!r}"
             )
+        if self.rolls and not self.flight.falls:
+            raise ValueError(
+                f"scene {self.name}: rolls: expected gravity along an axis, not zero; got "
+                f"{self.flight.acceleration}"
+            )
         bounded = [surface.name for surface in self.surfaces if surface.bounds]
         if self.rolls and bounded:
             raise ValueError(
@@ -145,8 +157,18 @@ class Scene:
     @property
     def flight(self) -> Parabola:
         """The motion of the ball between contacts."""
+        if self.acceleration is not None:
+            return Parabola(self.acceleration)
         ax, ay, az = (component * self.gravity for component in self.gravity_axis)
         return Parabola((ax, ay, az))
+
+    @property
+    def open_ended(self) -> bool:
+        """True if the time limit ends every shot, also one that meets nothing any more.
+
+        Without gravity a ball may fly on for ever, and no bound on its path is known without one.
+        """
+        return not self.ends or not self.flight.falls
 
     @property
     def surfaces(self) -> tuple[Surface, ...]:

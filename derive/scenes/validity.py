@@ -143,7 +143,8 @@ def allowed(scene: Scene) -> dict[str, sp.Expr]:
 
 def size_limits(scene: Scene, parameter: Parameter) -> tuple[sp.Expr, sp.Expr]:
     """Return the smallest and the largest size of a parameter (`symbolic/number_range.py`)."""
-    scales = parameter.symbol in (scene.ball_radius, scene.gravity)
+    falls = parameter.symbol == scene.gravity and scene.flight.falls
+    scales = falls or parameter.symbol == scene.ball_radius
     if parameter.infinite:
         return sp.Integer(0), sp.oo
     largest_size = MAX_SIZE if parameter.unit in _UNITS else MAX_COEFFICIENT

@@ -230,7 +230,7 @@ def _next(
     arrivals: dict[int, Arrival] = {}
     latest = _NEVER
     names = [*(surface.name for surface in formulas.surfaces), "time limit"]
-    limit, open_ended = len(names) - 1, formulas.faces == len(formulas.surfaces)
+    limit, open_ended = len(names) - 1, formulas.open_ended
     if remaining is not None and open_ended:
         arrivals[limit], latest = Arrival(remaining), remaining.upper()
     for k in formulas.order:

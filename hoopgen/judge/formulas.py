@@ -212,6 +212,8 @@ class Formulas:
         the body.
     faces, bodies
         How many of the surfaces can be touched, and how many bodies there are.
+    open_ended
+        True if the time limit ends every shot, also one that meets nothing any more.
     outcomes
         The number of each outcome by name.
     order
@@ -236,6 +238,7 @@ class Formulas:
     solids: tuple[Function, ...]
     faces: int
     bodies: int
+    open_ended: bool
     outcomes: dict[str, int]
     order: tuple[int, ...]
     flight: Function
@@ -330,6 +333,7 @@ def formulas(scene: Scene = HOOP) -> Formulas:
         ),
         len(touched),
         len(scene.bodies),
+        scene.open_ended,
         scene.outcomes,
         tuple(sorted(range(len(surfaces)), key=lambda k: surfaces[k].axis < 0)),
         compile_expressions([e for vector in there for e in vector], state, parameters, (t,)),

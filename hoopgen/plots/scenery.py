@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 from hoopgen.core.colours import body_colours, face_colours
 from hoopgen.engine.compiled_scene import CompiledScene
 from hoopgen.results.shots import SURFACES
-from hoopgen.scene.geometry import Body, SceneGeometry, upright
+from hoopgen.scene.geometry import Body, SceneGeometry
 from hoopgen.scene.meshes import Mesh, chains, clip
 
 from .hoop import draw_hoop, drawing_order, scene_corners, scene_points
@@ -175,11 +175,11 @@ def scenery_of(scene: CompiledScene, parameters: Mapping[str, Any], paths: Point
     if scene.is_hoop:
         return _Hoop(parameters, parameters["ball_radius"])
     seen = SceneGeometry.from_engine(scene, parameters)
-    turn, names = upright(seen.scene.read.down)
+    turn, names = seen.upright
     room = seen.room(paths.min(axis=0), paths.max(axis=0))
     bodies = tuple(_turn_body(body, turn) for body in seen.bodies(room))
     ends = tuple(_turn_body(body, turn) for body in seen.ends(room))
-    span = np.sort(np.stack(room) @ turn.T, axis=0)
+    span = seen.turned(room)
     own = body_colours(seen.names)
     return _Bodies(
         *(seen.ball_radius, seen.names, own, names, turn, bodies, ends, span, scene.has_hoop, seen),
@@ -188,7 +188,7 @@ def scenery_of(scene: CompiledScene, parameters: Mapping[str, Any], paths: Point
     )
 
 
-def _turn_body(body: Body, turn: NDArray[np.int64]) -> Body:
+def _turn_body(body: Body, turn: NDArray[np.float64]) -> Body:
     mesh = body.mesh
     points = np.stack([mesh.corners[..., :3], mesh.corners[..., 3:]], -2) @ turn.T
     corners = points.reshape(*points.shape[:2], 6)
@@ -215,7 +215,7 @@ class _Bodies(Scenery):
     names: tuple[str, ...]
     colours: Mapping[str, str]
     axes: tuple[str, str, str]
-    turn: NDArray[np.int64]
+    turn: NDArray[np.float64]
     bodies: tuple[Body, ...]
     ends: tuple[Body, ...]
     room: Points

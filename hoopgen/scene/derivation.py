@@ -87,6 +87,16 @@ class _Builder:
     def scene(self, axes: str, remarks: str) -> derive.Scene:
         """Return the scene."""
         read = self._read
+        gravity = self._sympy(read.gravity)
+        way, acceleration = (2, -1), None
+        if len(read.down) == 2:
+            way = read.down
+            if not gravity.is_positive:
+                ax, ay, az = (part * gravity for part in _direction(way))
+                acceleration = (ax, ay, az)
+        else:
+            ax, ay, az = map(self._sympy, read.down)
+            acceleration = (ax, ay, az)
         bodies = tuple(self._body(shape) for shape in read.bodies)
         ends = tuple(self._end(shape) for shape in read.ends)
         return derive.Scene(
@@ -95,12 +105,13 @@ class _Builder:
             bodies=bodies,
             ends=ends,
             ball_radius=self._ball,
-            gravity=self._sympy(read.gravity),
+            gravity=gravity,
             inertia=self._sympy(read.inertia),
             requirements=tuple(dict.fromkeys(self._requirements)),
             axes=axes,
             remarks=remarks,
-            gravity_axis=_direction(read.down),
+            gravity_axis=_direction(way),
+            acceleration=acceleration,
             rolls=read.rolls,
         )
 

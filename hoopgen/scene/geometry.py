@@ -21,8 +21,9 @@ from .oblique_geometry import FLAT, OBLIQUE, oblique_extent, oblique_mesh
 from .polynomials import derivative, evaluate
 from .scene import Scene
 from .scene_reader import Shape
+from .upright import acceleration, upright
 
-__all__ = ["Body", "SceneGeometry", "upright"]
+__all__ = ["Body", "SceneGeometry"]
 
 _TURN_PIECES, _HALF_TURN_PIECES, _WIRE_PIECES, _SECTOR_PIECES = 48, 24, 12, 4
 """Pieces of a turn, of a half one, of a wire's, and of a ring's that are drawn together."""
@@ -53,31 +54,6 @@ class Body:
     mesh: Mesh
     behind: bool
     lines: Floats
-
-
-def upright(way: tuple[int, int]) -> tuple[NDArray[np.int64], tuple[str, str, str]]:
-    """Return the rotation that turns gravity down, and the names of the axes after it.
-
-    Parameters
-    ----------
-    way
-        Where gravity points: which coordinate, and which way.
-
-    Returns
-    -------
-    tuple
-        The matrix (3, 3), of which each row has one entry, 1 or -1; and three names, with a minus
-        where an axis is seen the other way round.
-    """
-    axis, sign = way
-    turn = np.roll(np.eye(3, dtype=np.int64), axis - 2, axis=1)
-    if sign > 0:
-        turn = np.array([[1, 0, 0], [0, -1, 0], [0, 0, -1]]) @ turn
-    names = []
-    for row in turn:
-        k = int(np.flatnonzero(row)[0])
-        names.append(f"{chr(0x2212) if row[k] < 0 else ''}{'xyz'[k]}")
-    return turn, (names[0], names[1], names[2])
 
 
 @dataclass(frozen=True)
@@ -123,14 +99,38 @@ class SceneGeometry:
     @property
     def gravity(self) -> float:
         """The size of gravity, m/s²."""
-        return self._number(self.scene.read.gravity)
+        return float(np.linalg.norm(self.acceleration))
+
+    @cached_property
+    def acceleration(self) -> Floats:
+        """The acceleration of free fall, (3,), m/s²."""
+        return acceleration(self.scene.read, self.values)
+
+    @cached_property
+    def upright(self) -> tuple[NDArray[np.float64], tuple[str, str, str]]:
+        """The rotation (3, 3) that turns gravity down, and the names of the axes after it."""
+        return upright(self.scene.read, self.values)
+
+    def turned(self, room: Box) -> Floats:
+        """Return the lowest and the highest corner (2, 3) of a room after that rotation.
+
+        Parameters
+        ----------
+        room
+            Its lowest and its highest corner.
+        """
+        corners = np.stack(np.meshgrid(*np.stack(room).T, indexing="ij"), axis=-1).reshape(-1, 3)
+        corners = corners @ self.upright[0].T
+        return np.stack([corners.min(axis=0), corners.max(axis=0)])
 
     @cached_property
     def axis(self) -> int | None:
         """The common axis of all cylinders, when upright; None if there is none."""
         axes = {shape.axis[0] for shape in self.scene.read.bodies if shape.kind == "cylinder"}
-        turn, _ = upright(self.scene.read.down)
-        return int(np.flatnonzero(turn[:, axes.pop()])[0]) if len(axes) == 1 else None
+        if len(axes) != 1:
+            return None
+        along = np.flatnonzero(self.upright[0][:, axes.pop()])
+        return int(along[0]) if len(along) == 1 else None
 
     @cached_property
     def planar(self) -> bool:

@@ -18,7 +18,7 @@ from hoopgen.text.shorten import brief
 from .contact_laws import CONTACT_ARGUMENTS
 from .inputs import Input, unknown, wrong
 from .limits import Limits, check_limits, use_limits
-from .pieces import Body, End, Parameter, Size
+from .pieces import Body, Direction, End, Parameter, Size
 from .scene_reader import ParsedScene, read_scene
 
 if TYPE_CHECKING:
@@ -43,12 +43,13 @@ class Scene:
         By name, in order: where a shot is, of those that it crosses at once, the first counts. It
         may be empty: a time ends such shots.
     ball_radius, gravity
-        Sizes, too.
+        Sizes, too. Gravity may be the number 0, or a parameter that is nonnegative.
     inertia
         A size, too: the ball's moment of inertia over m R_B², 2/3 of a thin shell, 2/5 of a solid
         ball; 1/64 to 1.
     down
-        Where gravity points, "-z" or along another axis.
+        Where gravity points, "-z" or along another axis, or in any direction: three sizes, of any
+        length but 0, or the angles ``{"tilt": "170deg", "towards": "30deg"}`` from the z axis.
     restitution
         That of bodies without one of their own.
     friction, tangential, restitution_speed
@@ -77,7 +78,7 @@ class Scene:
     ball_radius: Size
     gravity: Size
     inertia: Size = "2/3"
-    down: str = "-z"
+    down: str | Direction = "-z"
     restitution: Size | None = None
     friction: Size | None = None
     tangential: Size | None = None

@@ -13,7 +13,9 @@ from hoopgen.text.shorten import brief, join_names
 from . import pieces
 from .bounds import LinearMap, Map, Terms, bounds, terms
 from .contact_laws import Contact, contact, is_infinite
+from .directions import Vector
 from .formulas import ONE, POSITION, ZERO, Formula, constant, name
+from .gravity import check_rolling, read_gravity
 from .inputs import Input, Inputs, wrong
 from .limits import current
 from .names import check_apart, check_faces, check_name, check_names
@@ -25,7 +27,6 @@ from .oblique_bodies import (
     read_oblique_cylinder,
     read_plane_normal,
     read_span,
-    why_not_rolling,
 )
 
 SIGNS = ("positive", "nonnegative", "any")
@@ -83,7 +84,7 @@ class ParsedScene:
     ball_radius: Formula
     gravity: Formula
     inertia: Formula
-    down: tuple[int, int]
+    down: tuple[int, int] | Vector
     rolls: bool
     bodies: tuple[Shape, ...]
     ends: tuple[Shape, ...]
@@ -98,7 +99,7 @@ def read_scene(
     ball_radius: pieces.Size,
     gravity: pieces.Size,
     inertia: pieces.Size,
-    down: str,
+    down: str | pieces.Direction,
     rolls: bool,
     contacts: Mapping[str, pieces.Size | None],
     as_written: bool = False,
@@ -125,11 +126,11 @@ def read_scene(
     inputs = Inputs(scene, _parameters(scene, parameters), as_written)
     reader = _Reader(inputs)
     ball = reader.size("", "ball_radius", ball_radius, sign="positive")
-    fall = reader.size("", "gravity", gravity, sign="positive", unit="m/s²")
+    along = reader.axis("", "down", down) if isinstance(down, str) else None
+    fall, way = read_gravity(inputs, gravity, down, along)
     turning = reader.size(
         "", "inertia", inertia, sign="positive", lower=MIN_INERTIA, upper=MAX_INERTIA, unit="1"
     )
-    way = reader.axis("", "down", down)
     if not isinstance(rolls, bool):
         raise wrong(scene, "", "rolls", f"expected true or false, got {brief(rolls)}")
     bodies = _check_list(scene, "bodies", bodies, pieces.Body)
@@ -144,10 +145,9 @@ def read_scene(
     check_faces(scene, bodies)
     radius = reader.formula("", "ball_radius", ball_radius)
     shapes = tuple(_body(reader, body, radius, contacts) for body in bodies)
-    for shape in shapes:
-        argument, said = why_not_rolling(shape.kind, dict(shape.sizes), bool(shape.bounds))
-        if rolls and said:
-            raise wrong(scene, f"body {shape.name}", argument, said)
+    if rolls:
+        asked = ((one.name, one.kind, dict(one.sizes), bool(one.bounds)) for one in shapes)
+        check_rolling(inputs, fall, way, asked)
     finished = tuple(_end(reader, own, end) for own, end in zip(ends, finishes, strict=True))
     return ParsedScene(scene, inputs.all, ball, fall, turning, way, rolls, shapes, finished)
 

@@ -255,7 +255,7 @@ def _shot(
         "kind": kind,
         "uncertain": bool(shots.uncertain[row]),
         "parameters": own,
-        "flights": np.column_stack([starts, turn_vectors(shots, states)]).tolist(),
+        "flights": np.column_stack([starts, turn_vectors(shots, values, states)]).tolist(),
         "rolls": np.flatnonzero(np.diff(rolling, prepend=False)).reshape(-1, 2).tolist(),
         **({} if fall is None else {"floor_time": fall}),
         "events": [
@@ -307,7 +307,7 @@ def _contact_points(shots: Shots, values: Mapping[str, Value]) -> NDArray[np.flo
         ball = _ball(shots, values, shot)
         for axis, component in enumerate(normal):
             centres[rows, axis] -= ball * component
-    return turn_vectors(shots, centres)
+    return turn_vectors(shots, values, centres)
 
 
 def _ball(shots: Shots, values: Mapping[str, Value], rows: NDArray[np.intp]) -> Any:

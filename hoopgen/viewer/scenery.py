@@ -13,8 +13,9 @@ from hoopgen.core.parameters import means
 from hoopgen.results.shots import Shots
 from hoopgen.results.trajectory import Trajectory
 from hoopgen.scene.engine_pieces import scene_pieces
-from hoopgen.scene.geometry import Body, SceneGeometry, upright
+from hoopgen.scene.geometry import Body, SceneGeometry
 from hoopgen.scene.meshes import chains, loops
+from hoopgen.scene.upright import acceleration
 
 __all__ = ["ROLL_PIECE_DURATION", "ball_radius", "scenery", "flight_parameters", "turn_vectors"]
 
@@ -23,6 +24,9 @@ ROLL_PIECE_DURATION = 2.0**-7
 
 _DIGITS = 6
 """Significant, of a corner of a body: finer than can be seen."""
+
+_SAME_DIRECTION = 1e-9
+"""Difference of unit vectors that cannot be seen in a picture."""
 
 Floats = NDArray[np.float64]
 
@@ -46,15 +50,16 @@ def scenery(
     """
     valid = shots.outcome != shots.scene.outcomes["INVALID"]
     seen = SceneGeometry.from_engine(shots.scene, means(parameters, valid))
-    turn, axes = upright(seen.scene.read.down)
+    _check_direction(shots, parameters)
+    turn, axes = seen.upright
     low, high = _path_corners(paths)
     room = seen.room(low, high)
     own, drawn_in = body_colours(seen.names), face_colours(seen.names)
-    corners = np.sort(np.stack(room) @ turn.T, axis=0)
+    corners = seen.turned(room)
     named = {f"body-{k}": own[name] for k, name in enumerate(seen.names)}
     named |= {f"face-{k}": drawn_in[name] for k, name in enumerate(seen.names)}
     hoop = shots.scene.has_hoop  # with the board on the left
-    along = 1 if hoop else seen.side(np.abs(turn @ (high - low)))
+    along = 1 if hoop else seen.side(np.abs(turn) @ (high - low))
     found = {
         "axes": axes,
         "views": _views(seen.axis if seen.planar else None),
@@ -68,19 +73,35 @@ def scenery(
     return found, named
 
 
-def turn_vectors(shots: Shots, states: Floats) -> Floats:
+def _check_direction(shots: Shots, parameters: Mapping[str, Any]) -> None:
+    """Raise unless all shots have one direction of gravity, which the page shows as down."""
+    written = scene_pieces(shots.scene)
+    inputs = zip(written.inputs, written.values(parameters), strict=True)
+    pull = acceleration(written.read, {one.name: value for one, value in inputs}).reshape(-1, 3)
+    size = np.linalg.norm(pull, axis=1, keepdims=True)
+    ways = (pull / np.where(size > 0.0, size, 1.0))[size[:, 0] > 0.0]
+    if len(ways) and float(np.ptp(ways, axis=0).max()) > _SAME_DIRECTION:
+        raise ValueError(
+            "view: the direction of gravity differs from shot to shot; a page shows shots that "
+            "have the same one"
+        )
+
+
+def turn_vectors(shots: Shots, parameters: Mapping[str, Any], states: Floats) -> Floats:
     """Return vectors, three columns each, turned so that gravity points down.
 
     Parameters
     ----------
     shots
         The shots, whose scene says where gravity points.
+    parameters
+        The scene's parameters, each a number or (n,).
     states
         Vectors, (..., 3 k).
     """
     if shots.scene.is_hoop:
         return states
-    turn, _ = upright(scene_pieces(shots.scene).read.down)
+    turn, _ = SceneGeometry.from_engine(shots.scene, parameters).upright
     return np.asarray((states.reshape(-1, 3) @ turn.T).reshape(states.shape))
 
 
@@ -138,7 +159,7 @@ def _views(across: int | None) -> list[str]:
     }.get(across, ["Side", "3D", "Top"])
 
 
-def _body(body: Body, turn: NDArray[np.int64]) -> dict[str, Any]:
+def _body(body: Body, turn: NDArray[np.float64]) -> dict[str, Any]:
     corners = body.mesh.corners.reshape(-1, 6)
     rows, index = np.unique(corners, axis=0, return_inverse=True)
     flat = body.behind and _is_flat(body)
@@ -163,7 +184,7 @@ def _is_flat(body: Body) -> bool:
     return not len(ways) or bool(np.ptp(ways, axis=0).max() < 1e-9)
 
 
-def _lines(segments: Floats, turn: NDArray[np.int64]) -> list[Any]:
+def _lines(segments: Floats, turn: NDArray[np.float64]) -> list[Any]:
     return [_round(line @ turn.T).tolist() for line in chains(segments)]
 
 

@@ -22,7 +22,7 @@ def blocks(language: str) -> list[str]:
     return re.findall(rf"^```{language}(?: \S+)?\n(.*?)^```", PAGE, re.MULTILINE | re.DOTALL)
 
 
-HOLE, SLIDE, FRICTION = blocks("toml")
+HOLE, SLIDE, CABIN, FRICTION = blocks("toml")
 
 
 @pytest.fixture

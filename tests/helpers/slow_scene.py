@@ -67,9 +67,7 @@ class Slow:
         defaults = {p.name: p.default for p in scene.parameters}
         self._values = defaults | dict(parameters or {})
         self._ball, self._inertia = self._size(scene.ball_radius), self._size(scene.inertia)
-        axis, way = _axis(scene.down)
-        self._fall = np.zeros(3)
-        self._fall[axis] = way * self._size(scene.gravity)
+        self._fall = self._unit(scene.down) * self._size(scene.gravity)
         self._scene = scene
         self._faces = [self._face(k, body) for k, body in enumerate(scene.bodies)]
         self._ends = [(name, *self._end(end)) for name, end in scene.ends.items()]

@@ -39,8 +39,9 @@ from hoopgen.scene import (
     Torus,
     load_scene,
 )
-from hoopgen.scene.geometry import SceneGeometry, upright
+from hoopgen.scene.geometry import SceneGeometry
 from hoopgen.scene.meshes import chains, clip, loops
+from hoopgen.scene.upright import upright_along
 from hoopgen.simulation.engine import Engine
 from hoopgen.viewer import page
 from tests.scene.test_example_scenes import numpy_engine
@@ -136,7 +137,7 @@ def test_a_body_far_away_and_one_without_end_leave_the_room_small() -> None:
 
 @pytest.mark.parametrize("way", [(k, sign) for k in range(3) for sign in (1, -1)])
 def test_gravity_is_turned_down(way: tuple[int, int]) -> None:
-    turn, names = upright(way)
+    turn, names = upright_along(*way)
     gravity = np.zeros(3)
     gravity[way[0]] = way[1]
     assert (turn @ gravity).tolist() == [0, 0, -1]

@@ -85,6 +85,8 @@ class PageData:
     ----------
     reference
         The name of the scene whose page this one does not repeat; "" if it repeats all.
+    falls
+        True if gravity cannot be zero along its axis.
     """
 
     name: str
@@ -111,6 +113,7 @@ class PageData:
     kernels: Mapping[str, KernelText]
     premises: Mapping[str, PremiseText]
     series: tuple[SymbolText, ...]
+    falls: bool
 
     @property
     def polynomial_surfaces(self) -> bool:
@@ -331,4 +334,5 @@ def derivation_context(model: Model, reference: PageData | None = None) -> PageD
         kernels=kernels,
         premises=premises,
         series=_series(model),
+        falls=flight.falls,
     )

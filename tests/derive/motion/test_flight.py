@@ -58,9 +58,21 @@ def test_free_fall_askew_is_no_stronger_than_its_largest_component() -> None:
     assert slant.at()[1][2] == VELOCITY[2] - 3 * t
 
 
-def test_a_flight_without_acceleration_is_refused() -> None:
-    with pytest.raises(ValueError, match="acceleration: expected one that is not zero, got zero"):
-        Parabola((sp.Integer(0), sp.Integer(0), sp.Integer(0)))
+def test_a_flight_without_acceleration_is_straight() -> None:
+    straight = Parabola((sp.Integer(0), sp.Integer(0), sp.Integer(0)))
+    assert not straight.falls
+    assert straight.strength == 0
+    place, motion = straight.at()
+    assert list(motion) == list(VELOCITY)
+    for component, start, v in zip(place, POSITION, VELOCITY, strict=True):
+        assert sp.expand(component - start - v * t) == 0
+
+
+def test_a_flight_falls_only_if_its_acceleration_cannot_be_zero() -> None:
+    some = sp.Symbol("some", nonnegative=True)
+    assert HOOP.flight.falls
+    assert not Parabola((sp.Integer(0), sp.Integer(0), -some)).falls
+    assert not Parabola((sp.Integer(0), sp.Symbol("any", real=True), sp.Integer(0))).falls
 
 
 # -- What is carried along them
