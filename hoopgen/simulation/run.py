@@ -33,6 +33,7 @@ from hoopgen.engine.result_arrays import ResultArrays
 from hoopgen.results.shots import Shots
 from hoopgen.text.shorten import brief, join_names
 
+from .shot_variations import Variations
 from .variations import NEEDED, check_derivatives
 from .variations import derivatives as find_derivatives
 
@@ -221,7 +222,8 @@ def run(
         results["events"] = np.concatenate([np.empty(0, engine.layout.event), *logs])
     variations = None  # along the recorded events, which settling does not change
     if by is not None:
-        variations = find_derivatives(engine, by, named, results, results["events"])
+        found = find_derivatives(engine, by, named, results, results["events"])
+        variations = Variations(engine, named, releases, *found)
     if settle:
         # Imported here, because the judge needs SymPy and python-flint.
         from hoopgen.judge.settle import settle as decide
