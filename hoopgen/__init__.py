@@ -34,6 +34,7 @@ if TYPE_CHECKING:
     from .hoop.presets import PAPER as PAPER
     from .hoop.releases import release as release
     from .judge import certify as certify
+    from .judge import certify_box as certify_box
     from .results.shots import SURFACES as SURFACES
     from .results.shots import Outcome as Outcome
     from .results.shots import Shots as Shots
@@ -70,6 +71,7 @@ if TYPE_CHECKING:
 __all__ = [
     "simulate",
     "certify",
+    "certify_box",
     "compile",
     "release",
     "HOOP",
@@ -112,6 +114,7 @@ _LAZY = {
     "Shots": "results.shots",
     "Trajectory": "results.trajectory",
     "certify": "judge",
+    "certify_box": "judge",
     "Scatter": "study.models.scatter",
     "Resample": "study.models.resample",
     "Grid": "study.models.grid",

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from types import MappingProxyType
-from typing import Literal, overload
+from typing import Any, Literal, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -169,19 +169,26 @@ def states_of(arrays: Mapping[str, NDArray[np.float64]]) -> NDArray[np.float64]:
         raise ValueError(f"release: the shapes do not broadcast: {shapes}") from None
     arrays = {**arrays, **{name: from_zero(name, arrays[name]) for name in FROM_ZERO}}
     with np.errstate(over="ignore", invalid="ignore"):  # what is not finite is an invalid shot
-        return _states(arrays, shape)
+        return evaluate_states(arrays, shape)
 
 
-def _states(
-    arrays: Mapping[str, NDArray[np.float64]], shape: tuple[int, ...]
-) -> NDArray[np.float64]:
-    """Return the states of releases whose arguments broadcast to a shape."""
+def evaluate_states(arrays: Mapping[str, NDArray[Any]], shape: tuple[int, ...]) -> NDArray[Any]:
+    """Return the states of releases whose arguments broadcast to a shape, without any check.
+
+    Parameters
+    ----------
+    arrays
+        All arguments of `release`; of doubles, or of objects that add, multiply and have ``cos``
+        and ``sin``, such as balls.
+    shape
+        Their common shape.
+    """
     # Nothing is broadcast before it is stored: what all shots share is computed once.
     # Towards the centre is angle + pi; the shooter's left, seen from above, is counter-clockwise.
     heading = arrays["azimuth"] + arrays["angle"]
     ahead_x, ahead_y = -np.cos(heading), -np.sin(heading)
     level = arrays["speed"] * np.cos(arrays["elevation"])
-    state = np.empty((*shape, 9))
+    state = np.empty((*shape, 9), np.result_type(*arrays.values()))
     state[..., 0] = arrays["distance"] * np.cos(arrays["angle"])
     state[..., 1] = arrays["distance"] * np.sin(arrays["angle"])
     state[..., 2] = arrays["height"] - RING_HEIGHT
@@ -197,7 +204,7 @@ def _states(
 
 
 def _jacobian(arrays: Mapping[str, NDArray[np.float64]], shape: tuple[int, ...]) -> Jacobian:
-    """Return the derivatives of `_states` by the arguments of releases."""
+    """Return the derivatives of `evaluate_states` by the arguments of releases."""
     heading = arrays["azimuth"] + arrays["angle"]
     ahead_x, ahead_y = -np.cos(heading), -np.sin(heading)
     speed, backspin, distance = (arrays[name] for name in ("speed", "backspin", "distance"))
