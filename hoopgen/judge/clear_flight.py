@@ -17,7 +17,7 @@ _SLICES = 64
 """Parts of a flight, each of which is proved to be clear by itself."""
 
 _SPLITS = 6
-"""How often a part is halved that is not."""
+"""Number of times that a part is halved that is not."""
 
 
 def clear_until(

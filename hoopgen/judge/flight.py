@@ -70,7 +70,7 @@ def fly(
     formulas
         The formulas of the scene.
     state
-        The release: nine exact numbers, or balls; what is proved then holds for all numbers in them.
+        The release: nine exact numbers, or balls; a proof holds for all numbers in them.
     parameters
         The kernels' inputs, exact numbers.
     max_contacts

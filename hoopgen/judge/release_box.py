@@ -54,7 +54,7 @@ _REQUIRED = ("speed", "elevation", "height", "distance")
 
 @dataclass(frozen=True)
 class BoxProof:
-    """What is proved of the releases in a box.
+    """The proof of a box of releases, as far as it goes.
 
     Attributes
     ----------

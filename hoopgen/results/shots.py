@@ -45,7 +45,7 @@ them."""
 
 
 class Variations(Protocol):
-    """How some shots vary with their releases and parameters."""
+    """The variations of some shots with their releases and parameters."""
 
     @property
     def jacobian(self) -> Jacobian:
@@ -53,7 +53,7 @@ class Variations(Protocol):
 
     @property
     def differentiable(self) -> NDArray[np.bool_]:
-        """Whether a shot has derivatives, (n,)."""
+        """The mask of the shots that have derivatives, (n,)."""
 
     @property
     def decisions(self) -> tuple[str, ...]:

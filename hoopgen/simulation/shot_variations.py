@@ -1,4 +1,4 @@
-"""`Variations`: what `Shots` knows of its derivatives, and asks for when it is wanted."""
+"""`Variations`: the derivatives of shots, and the distances that follow from them on demand."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ ROUNDING = 64 * np.finfo(np.float64).eps
 
 @dataclass(frozen=True)
 class Variations:
-    """How some shots vary with their releases and parameters: what `Shots` asks for.
+    """The variations of some shots with their releases and parameters.
 
     Attributes
     ----------

@@ -114,7 +114,7 @@ def derivatives(
 
 
 class Observer(Protocol):
-    """What is told of each flight and of each event while variations are carried along."""
+    """An observer of the flights and events along which variations are carried."""
 
     def flight(
         self, rows: NDArray[np.intp], events: NDArray[np.void], duration: Floats, start: Floats
@@ -199,7 +199,7 @@ class VariedPath:
         first
             The row of the first event of each of these, (m,).
         observer
-            What is told of each flight and each event.
+            An object that is given each flight and each event.
         """
         self._observer = observer
         shots = len(first)
