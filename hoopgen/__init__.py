@@ -36,6 +36,7 @@ if TYPE_CHECKING:
     from .hoop.releases import release as release
     from .interop import jax as jax
     from .judge import certify as certify
+    from .judge import certify_box as certify_box
     from .results.shots import SURFACES as SURFACES
     from .results.shots import Outcome as Outcome
     from .results.shots import Shots as Shots
@@ -75,6 +76,7 @@ if TYPE_CHECKING:
 __all__ = [
     "simulate",
     "certify",
+    "certify_box",
     "compile",
     "release",
     "HOOP",
@@ -119,6 +121,7 @@ _LAZY = {
     "Shots": "results.shots",
     "Trajectory": "results.trajectory",
     "certify": "judge",
+    "certify_box": "judge",
     "Scatter": "study.models.scatter",
     "Resample": "study.models.resample",
     "Grid": "study.models.grid",

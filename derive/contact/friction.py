@@ -187,6 +187,20 @@ class CoulombFriction(Law):
         undecided = Not(Less(barrier(met.grip + 2 * self.friction) * off, difference))
         return all_of(Less(0, self.friction), Less(self.friction, sp.oo), undecided)
 
+    def grip_margin(
+        self, normal: sp.Matrix, velocity: sp.Matrix, spin: sp.Matrix, ball: Ball
+    ) -> sp.Expr | None:
+        """Return the impulse that friction can give less the one that stops the slip, per mass.
+
+        With a mu of 0 or infinity nothing is decided; the margin is then a constant, 1 m/s.
+        """
+        if self.friction in (0, sp.oo):
+            return None
+        met = self._before(normal, velocity, spin, ball)
+        margin = met.slide - barrier(met.grip * sp.sqrt(met.squared))
+        one = sp.Integer(1)
+        return IfLess(0, self.friction, IfLess(self.friction, sp.oo, margin, one), one)
+
     def _share(self, met: _ContactMotion) -> sp.Expr:
         """Return the share of the slip that is taken from the velocity.
 

@@ -52,3 +52,9 @@ class Law(ABC):
     ) -> sp.Basic | None:
         """Return the condition that a decision in the contact is undecided; None: no decision."""
         return None
+
+    def grip_margin(
+        self, normal: sp.Matrix, velocity: sp.Matrix, spin: sp.Matrix, ball: Ball
+    ) -> sp.Expr | None:
+        """Return by how much a contact grips, m/s; negative: it slips; None: it always does one."""
+        return None

@@ -15,10 +15,10 @@ from ..errors import derivative
 from ..events.search import Formula
 from ..ir.kernel import Kernel, kernel
 from ..scenes.scene import Scene
-from ..surfaces import Surface
+from ..surfaces import EndPlane, Surface
 from ..symbolic.conditionals import barrier
 from ..symbolic.error_terms import dn, dv, dw, dx
-from ..symbolic.symbols import POSITION, VELOCITY, change_of, normal, velocity
+from ..symbolic.symbols import POSITION, VELOCITY, change_of, normal, spin, velocity
 
 __all__ = ["contact_delay", "contact_variation", "law_variation", "scene_variations"]
 
@@ -68,11 +68,13 @@ def contact_variation(surface: Surface, scene: Scene) -> Formula:
 
     With the distance d, the normal n and the velocity v the delay of the contact is
     dt = -(n·dx + the change of d by the parameters) / (n·v); there the position varies by dx + v dt
-    and the velocity by dv + a dt.
+    and the velocity by dv + a dt. The change of d at the time itself, and the bounds g of Eq. 2
+    with their changes at the contact, tell how far decisions are from being others.
     """
     changes = _changes(scene)
     offset = normal.dot(sp.Matrix(dx)) + derivative.directional(surface.distance, changes)
-    delay_of = derivative.contact_delay(barrier(offset))
+    gap_change = barrier(offset)
+    delay_of = derivative.contact_delay(gap_change)
     place = derivative.at_contact(dx, delay_of)
     sped = derivative.velocity_change(scene.flight, delay_of)
     along = dict(zip(POSITION, place, strict=True)) | changes
@@ -81,10 +83,15 @@ def contact_variation(surface: Surface, scene: Scene) -> Formula:
     speeds = [before + change for before, change in zip(dv, sped, strict=True)]
     values = (*place, *speeds, *turned)
     formulas = dict(zip(names, values, strict=True))
+    bounds = surface.sides if isinstance(surface, EndPlane) else surface.bounds
+    for k, bound in enumerate(bounds):
+        formulas[f"g{k}"] = bound
+        formulas[f"g{k}_change"] = derivative.directional(bound, along)
     return (
-        {"contact_delay": delay_of, "gap": surface.distance} | formulas,
-        "Delay of a contact, distance there, and variations of position, velocity and normal.",
-        "derivatives of the distance, of Eq. 3 and of the normal",
+        {"contact_delay": delay_of, "gap": surface.distance, "gap_change": gap_change} | formulas,
+        "Delay of a contact, distance there, and variations of position, velocity and normal; the "
+        "change of the distance at a fixed time, and bounds with their changes at the contact.",
+        "derivatives of the distance, of Eq. 3, of the normal and of Eq. 2",
     )
 
 
@@ -92,9 +99,15 @@ def law_variation(law: Law, scene: Scene, order: tuple[sp.Symbol, ...]) -> Kerne
     """Return the variations of velocity and spin after a contact, from those before it."""
     velocities, spins = derivative.along_impact(law, scene.ball, _changes(scene))
     names = [symbol.name for symbol in (*dv, *dw)]
+    formulas = dict(zip(names, (*velocities, *spins), strict=True))
+    margin = law.grip_margin(normal, velocity, spin, scene.ball)
+    if margin is not None:
+        inputs = dict(zip((*velocity, *spin, *normal), (*dv, *dw, *dn), strict=True))
+        formulas["grip_margin"] = margin
+        formulas["grip_margin_change"] = derivative.directional(margin, inputs | _changes(scene))
     return kernel(
         f"vary_{law.name}",
-        dict(zip(names, (*velocities, *spins), strict=True)),
+        formulas,
         order,
         "Variations of velocity and spin after a contact, from those before it.",
         f"derivative of {law.description}",

@@ -1,6 +1,6 @@
 """NumPy kernels of the scene court.
 
-Generated from templates/numpy/kernels.py.j2, scene court, derivation 0929985e58d5a95b,
+Generated from templates/numpy/kernels.py.j2, scene court, derivation 68775c01ff418eab,
 with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
 and run `make generate`.
 Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
@@ -445,12 +445,12 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "ring_impact_grip_deficit": ("grip_deficit", "grip_deficit_rate",),
     "ring_impact": ("vx", "vy", "vz", "wx", "wy", "wz",),
     "carry_ring_impact": ("dvx", "dvy", "dvz", "dwx", "dwy", "dwz",),
-    "vary_ring_impact": ("dvx", "dvy", "dvz", "dwx", "dwy", "dwz",),
+    "vary_ring_impact": ("dvx", "dvy", "dvz", "dwx", "dwy", "dwz", "grip_margin", "grip_margin_change",),
     "ring_coefficients": ("c0", "c1", "c2", "c3", "c4", "c5", "c6", "c7", "c8",),
     "ring_deflated": ("c0", "c1", "c2", "c3", "c4", "c5", "c6", "c7",),
     "ring_normal": ("nx", "ny", "nz",),
     "ring_curvature": ("curvature",),
-    "ring_vary": ("contact_delay", "gap", "dx", "dy", "dz", "dvx", "dvy", "dvz", "dnx", "dny", "dnz",),
+    "ring_vary": ("contact_delay", "gap", "gap_change", "dx", "dy", "dz", "dvx", "dvy", "dvz", "dnx", "dny", "dnz",),
     "ring_carry_normal": ("dnx", "dny", "dnz", "turn",),
     "ring_clear": ("clear",),
     "ring_prepare": ("energy2", "moment2", "rho_start", "low0", "high0", "low1", "high1", "low2", "high2", "ceiling", "latest", "budget_exceeded",),
@@ -488,7 +488,7 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "ring_enter": ("t", "end", "searching",),
     "backboard_normal": ("nx", "ny", "nz",),
     "backboard_curvature": ("curvature",),
-    "backboard_vary": ("contact_delay", "gap", "dx", "dy", "dz", "dvx", "dvy", "dvz", "dnx", "dny", "dnz",),
+    "backboard_vary": ("contact_delay", "gap", "gap_change", "dx", "dy", "dz", "dvx", "dvy", "dvz", "dnx", "dny", "dnz",),
     "backboard_carry_normal": ("dnx", "dny", "dnz", "turn",),
     "backboard_prepare": ("low0", "high0", "low1", "high1", "ceiling", "latest", "budget_exceeded",),
     "backboard_margins": ("margin", "leaving_margin", "rate_margin",),
@@ -511,7 +511,7 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "backboard_enter": ("t", "end", "searching",),
     "bridge_normal": ("nx", "ny", "nz",),
     "bridge_curvature": ("curvature",),
-    "bridge_vary": ("contact_delay", "gap", "dx", "dy", "dz", "dvx", "dvy", "dvz", "dnx", "dny", "dnz",),
+    "bridge_vary": ("contact_delay", "gap", "gap_change", "dx", "dy", "dz", "dvx", "dvy", "dvz", "dnx", "dny", "dnz",),
     "bridge_carry_normal": ("dnx", "dny", "dnz", "turn",),
     "bridge_prepare": ("low0", "high0", "low1", "high1", "ceiling", "latest", "budget_exceeded",),
     "bridge_margins": ("margin", "leaving_margin", "rate_margin",),
@@ -536,7 +536,7 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "end_deflated": ("c0", "c1",),
     "end_normal": ("nx", "ny", "nz",),
     "end_curvature": ("curvature",),
-    "end_vary": ("contact_delay", "gap", "dx", "dy", "dz", "dvx", "dvy", "dvz", "dnx", "dny", "dnz",),
+    "end_vary": ("contact_delay", "gap", "gap_change", "dx", "dy", "dz", "dvx", "dvy", "dvz", "dnx", "dny", "dnz", "g0", "g0_change",),
     "end_arrival": ("time", "rate", "bend", "apex", "height",),
     "end_margin": ("margin",),
     "end_place": ("x", "y", "z",),
@@ -2994,7 +2994,7 @@ def carry_ring_impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: 
 def vary_ring_impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, ny: Any, nz: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, dwz: Any, dnx: Any, dny: Any, dnz: Any, p_ball_radius: Any, p_ring_restitution: Any, p_ring_friction: Any, p_inertia: Any, p_tangential_restitution: Any, p_restitution_speed: Any, change_ball_radius: Any, change_ring_restitution: Any, change_ring_friction: Any, change_inertia: Any, change_tangential_restitution: Any, change_restitution_speed: Any) -> tuple[Any, ...]:
     """Variations of velocity and spin after a contact, from those before it.
 
-    derivative of the contact with friction. 248 operations: 50 additions, 37 subtractions, 131 multiplications, 17 divisions, 1 square root, 3 negations, 3 comparisons, 6 selections.
+    derivative of the contact with friction. 260 operations: 51 additions, 39 subtractions, 135 multiplications, 18 divisions, 1 square root, 3 negations, 3 comparisons, 10 selections.
     """
     _s0 = (((nx * dvx) + (vx * dnx)) + ((ny * dvy) + (vy * dny))) + ((nz * dvz) + (vz * dnz))
     _s1 = ((nx * vx) + (ny * vy)) + (nz * vz)
@@ -3018,25 +3018,27 @@ def vary_ring_impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: A
     _s19 = _sqrt(_s9)
     _s20 = (p_ring_restitution * (-((_s0 / p_restitution_speed) - ((change_restitution_speed * _s1) / (p_restitution_speed * p_restitution_speed))))) / (_s13 * _s13)
     _s21 = (change_ring_restitution / _s13) - _s20
-    _s22 = (-((p_ring_friction * ((_s15 * _s0) + (_s21 * _s1))) + (change_ring_friction * _s16))) / _s19
+    _s22 = -((p_ring_friction * ((_s15 * _s0) + (_s21 * _s1))) + (change_ring_friction * _s16))
     _s23 = dvz - ((nz * _s0) + (dnz * _s1))
     _s24 = _s23 - ((p_ball_radius * (((ny * dwx) + (wx * dny)) - ((nx * dwy) + (wy * dnx)))) + (change_ball_radius * _s5))
     _s25 = dvy - ((ny * _s0) + (dny * _s1))
     _s26 = _s25 - ((p_ball_radius * (((nx * dwz) + (wz * dnx)) - ((nz * dwx) + (wx * dnz)))) + (change_ball_radius * _s7))
     _s27 = _s2 - ((p_ball_radius * (((nz * dwy) + (wy * dnz)) - ((ny * dwz) + (wz * dny)))) + (change_ball_radius * _s3))
-    _s28 = ((0.5 * _s17) * ((((2.0 * _s6) * _s24) + ((2.0 * _s8) * _s26)) + ((2.0 * _s4) * _s27))) / (_s19 * _s9)
+    _s28 = (((2.0 * _s6) * _s24) + ((2.0 * _s8) * _s26)) + ((2.0 * _s4) * _s27)
     _s29 = (_s9 * (_s12 * _s12)) <= (_s17 * _s17)
     _s30 = p_ring_friction < _inf
-    _s31 = 0.0 < p_ring_friction
-    _s32 = _where(_s31, _where(_s30, _where(_s29, _s18, (_s22 - _s28)), _s18), 0.0)
-    _s33 = _where(_s31, _where(_s30, _where(_s29, _s12, (_s17 / _s19)), _s12), 0.0)
-    _s34 = p_ball_radius * p_inertia
-    _s35 = _s33 / _s34
-    _s36 = ((_s32 / _s34) - ((change_ball_radius * _s33) / ((p_ball_radius * p_ball_radius) * p_inertia))) - ((change_inertia * _s33) / (p_ball_radius * (p_inertia * p_inertia)))
-    _s37 = dwx + ((_s35 * (((ny * _s24) + (dny * _s6)) - ((nz * _s26) + (dnz * _s8)))) + (((ny * _s6) - (nz * _s8)) * _s36))
-    _s38 = dwy + ((_s35 * (((nz * _s27) + (dnz * _s4)) - ((nx * _s24) + (dnx * _s6)))) + (((nz * _s4) - (nx * _s6)) * _s36))
-    _s39 = dwz + ((_s35 * (((nx * _s26) + (dnx * _s8)) - ((ny * _s27) + (dny * _s4)))) + (((nx * _s8) - (ny * _s4)) * _s36))
-    return (_s2 - ((_s4 * _s32) + (_s27 * _s33))) - ((((nx * _s14) * _s0) + ((nx * _s21) * _s1)) + ((dnx * _s14) * _s1)), (_s25 - ((_s8 * _s32) + (_s26 * _s33))) - ((((ny * _s14) * _s0) + ((ny * _s21) * _s1)) + ((dny * _s14) * _s1)), (_s23 - ((_s6 * _s32) + (_s24 * _s33))) - ((((nz * _s14) * _s0) + ((nz * _s21) * _s1)) + ((dnz * _s14) * _s1)), _s37, _s38, _s39
+    _s31 = _where(_s30, _where(_s29, _s18, ((_s22 / _s19) - (((0.5 * _s17) * _s28) / (_s19 * _s9)))), _s18)
+    _s32 = 0.0 < p_ring_friction
+    _s33 = _where(_s32, _s31, 0.0)
+    _s34 = _where(_s32, _where(_s30, _where(_s29, _s12, (_s17 / _s19)), _s12), 0.0)
+    _s35 = p_ball_radius * p_inertia
+    _s36 = _s34 / _s35
+    _s37 = ((_s33 / _s35) - ((change_ball_radius * _s34) / ((p_ball_radius * p_ball_radius) * p_inertia))) - ((change_inertia * _s34) / (p_ball_radius * (p_inertia * p_inertia)))
+    _s38 = dwx + ((_s36 * (((ny * _s24) + (dny * _s6)) - ((nz * _s26) + (dnz * _s8)))) + (((ny * _s6) - (nz * _s8)) * _s37))
+    _s39 = dwy + ((_s36 * (((nz * _s27) + (dnz * _s4)) - ((nx * _s24) + (dnx * _s6)))) + (((nz * _s4) - (nx * _s6)) * _s37))
+    _s40 = dwz + ((_s36 * (((nx * _s26) + (dnx * _s8)) - ((ny * _s27) + (dny * _s4)))) + (((nx * _s8) - (ny * _s4)) * _s37))
+    _s41 = _where(_s30, (_s22 - ((_s18 * _s19) + (((0.5 * _s12) * _s28) / _s19))), 0.0)
+    return (_s2 - ((_s4 * _s33) + (_s27 * _s34))) - ((((nx * _s14) * _s0) + ((nx * _s21) * _s1)) + ((dnx * _s14) * _s1)), (_s25 - ((_s8 * _s33) + (_s26 * _s34))) - ((((ny * _s14) * _s0) + ((ny * _s21) * _s1)) + ((dny * _s14) * _s1)), (_s23 - ((_s6 * _s33) + (_s24 * _s34))) - ((((nz * _s14) * _s0) + ((nz * _s21) * _s1)) + ((dnz * _s14) * _s1)), _s38, _s39, _s40, _where(_s32, _where(_s30, (_s17 - (_s12 * _s19)), 1.0), 1.0), _where(_s32, _s41, 0.0)
 
 
 def ring_coefficients(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
@@ -3106,9 +3108,9 @@ def ring_curvature(p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any) -
 
 
 def ring_vary(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: Any, ny: Any, nz: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, change_ball_radius: Any, change_ring_radius: Any, change_wire_radius: Any) -> tuple[Any, ...]:
-    """Delay of a contact, distance there, and variations of position, velocity and normal.
+    """Delay of a contact, distance there, and variations of position, velocity and normal; the change of the distance at a fixed time, and bounds with their changes at the contact.
 
-    derivatives of the distance, of Eq. 3 and of the normal. 75 operations: 17 additions, 9 subtractions, 40 multiplications, 4 divisions, 2 square roots, 3 negations.
+    derivatives of the distance, of Eq. 3, of the normal and of Eq. 2. 75 operations: 17 additions, 9 subtractions, 40 multiplications, 4 divisions, 2 square roots, 3 negations.
     """
     _s0 = _sqrt(((x * x) + (y * y)))
     _s1 = _s0 - p_ring_radius
@@ -3125,7 +3127,7 @@ def ring_vary(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: Any, ny: An
     _s12 = ((_s9 * _s1) * _s10) + (((-(_s11 * (_s10 * _s10))) * _s8) * _s1)
     _s13 = _s12 + ((_s8 * (_s11 - change_ring_radius)) * _s10)
     _s14 = (_s8 * _s1) * _s10
-    return _s4, (_s2 - p_ball_radius) - p_wire_radius, _s5, _s6, _s7, dvx, dvy, dvz - (p_gravity * _s4), (x * _s13) + (_s14 * _s5), (y * _s13) + (_s14 * _s6), (z * _s9) + (_s8 * _s7)
+    return _s4, (_s2 - p_ball_radius) - p_wire_radius, _s3, _s5, _s6, _s7, dvx, dvy, dvz - (p_gravity * _s4), (x * _s13) + (_s14 * _s5), (y * _s13) + (_s14 * _s6), (z * _s9) + (_s8 * _s7)
 
 
 def ring_carry_normal(x: Any, y: Any, dx: Any, dy: Any, dz: Any, shift: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -4193,9 +4195,9 @@ def backboard_curvature(p_ball_radius: Any) -> tuple[Any, ...]:
 
 
 def backboard_vary(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: Any, ny: Any, nz: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, p_ball_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_board_thickness: Any, p_gravity: Any, change_ball_radius: Any, change_board_distance: Any, change_board_half_width: Any, change_board_bottom: Any, change_board_top: Any, change_board_thickness: Any) -> tuple[Any, ...]:
-    """Delay of a contact, distance there, and variations of position, velocity and normal.
+    """Delay of a contact, distance there, and variations of position, velocity and normal; the change of the distance at a fixed time, and bounds with their changes at the contact.
 
-    derivatives of the distance, of Eq. 3 and of the normal. 113 operations: 23 additions, 18 subtractions, 29 multiplications, 3 divisions, 1 square root, 9 negations, 12 comparisons, 18 selections.
+    derivatives of the distance, of Eq. 3, of the normal and of Eq. 2. 113 operations: 23 additions, 18 subtractions, 29 multiplications, 3 divisions, 1 square root, 9 negations, 12 comparisons, 18 selections.
     """
     _s0 = p_board_distance + x
     _s1 = _s0 < 0.0
@@ -4217,8 +4219,8 @@ def backboard_vary(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: Any, n
     _s17 = _where(_s13 < 0.0, 0.0, _s13) - _where(_s15 < 0.0, 0.0, _s15)
     _s18 = _s12 + ((2.0 * (_where(_s14, 0.0, (-change_board_top)) - _where(_s16, 0.0, change_board_bottom))) * _s17)
     _s19 = _sqrt((((_s5 * _s5) + (_s11 * _s11)) + (_s17 * _s17)))
-    _s20 = (((((nx * dx) + (ny * dy)) + (nz * dz)) + ((0.5 * _s18) / _s19)) - change_ball_radius) * (1.0 / (((nx * vx) + (ny * vy)) + (nz * vz)))
-    _s21 = -_s20
+    _s20 = ((((nx * dx) + (ny * dy)) + (nz * dz)) + ((0.5 * _s18) / _s19)) - change_ball_radius
+    _s21 = -(_s20 * (1.0 / (((nx * vx) + (ny * vy)) + (nz * vz))))
     _s22 = dx + (vx * _s21)
     _s23 = dy + (vy * _s21)
     _s24 = dz + (vz * _s21)
@@ -4226,7 +4228,7 @@ def backboard_vary(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: Any, n
     _s26 = -(change_ball_radius * (_s25 * _s25))
     _s27 = (_s25 * (_where(_s1, 0.0, (change_board_distance + _s22)) - _where(_s4, 0.0, (-(_s3 + _s22))))) + (_s26 * _s5)
     _s28 = (_s25 * (_where(_s8, 0.0, (_s23 - change_board_half_width)) - _where(_s10, 0.0, (-(change_board_half_width + _s23))))) + (_s26 * _s11)
-    return _s21, _s19 - p_ball_radius, _s22, _s23, _s24, dvx, dvy, dvz - (p_gravity * _s21), _s27, _s28, (_s25 * (_where(_s14, 0.0, (_s24 - change_board_top)) - _where(_s16, 0.0, (change_board_bottom - _s24)))) + (_s26 * _s17)
+    return _s21, _s19 - p_ball_radius, _s20, _s22, _s23, _s24, dvx, dvy, dvz - (p_gravity * _s21), _s27, _s28, (_s25 * (_where(_s14, 0.0, (_s24 - change_board_top)) - _where(_s16, 0.0, (change_board_bottom - _s24)))) + (_s26 * _s17)
 
 
 def backboard_carry_normal(x: Any, y: Any, z: Any, dx: Any, dy: Any, dz: Any, shift: Any, p_ball_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_board_thickness: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -4727,9 +4729,9 @@ def bridge_curvature(p_ball_radius: Any) -> tuple[Any, ...]:
 
 
 def bridge_vary(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: Any, ny: Any, nz: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_bridge_half_width: Any, p_bridge_depth: Any, p_gravity: Any, change_ball_radius: Any, change_ring_radius: Any, change_wire_radius: Any, change_board_distance: Any, change_bridge_half_width: Any, change_bridge_depth: Any) -> tuple[Any, ...]:
-    """Delay of a contact, distance there, and variations of position, velocity and normal.
+    """Delay of a contact, distance there, and variations of position, velocity and normal; the change of the distance at a fixed time, and bounds with their changes at the contact.
 
-    derivatives of the distance, of Eq. 3 and of the normal. 113 operations: 21 additions, 20 subtractions, 29 multiplications, 3 divisions, 1 square root, 9 negations, 12 comparisons, 18 selections.
+    derivatives of the distance, of Eq. 3, of the normal and of Eq. 2. 113 operations: 21 additions, 20 subtractions, 29 multiplications, 3 divisions, 1 square root, 9 negations, 12 comparisons, 18 selections.
     """
     _s0 = p_ring_radius + x
     _s1 = _s0 < 0.0
@@ -4751,8 +4753,8 @@ def bridge_vary(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: Any, ny: 
     _s17 = _where(_s12 < 0.0, 0.0, _s12) - _where(_s15 < 0.0, 0.0, _s15)
     _s18 = _sqrt((((_s4 * _s4) + (_s10 * _s10)) + (_s17 * _s17)))
     _s19 = 0.5 * (_s11 + ((2.0 * (_where(_s14, 0.0, _s13) - _where(_s16, 0.0, _s13))) * _s17))
-    _s20 = (((((nx * dx) + (ny * dy)) + (nz * dz)) + (_s19 / _s18)) - change_ball_radius) * (1.0 / (((nx * vx) + (ny * vy)) + (nz * vz)))
-    _s21 = -_s20
+    _s20 = ((((nx * dx) + (ny * dy)) + (nz * dz)) + (_s19 / _s18)) - change_ball_radius
+    _s21 = -(_s20 * (1.0 / (((nx * vx) + (ny * vy)) + (nz * vz))))
     _s22 = dx + (vx * _s21)
     _s23 = dy + (vy * _s21)
     _s24 = dz + (vz * _s21)
@@ -4760,7 +4762,7 @@ def bridge_vary(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: Any, ny: 
     _s26 = -(change_ball_radius * (_s25 * _s25))
     _s27 = (_s25 * (_where(_s1, 0.0, (change_ring_radius + _s22)) - _where(_s3, 0.0, (-(change_board_distance + _s22))))) + (_s26 * _s4)
     _s28 = (_s25 * (_where(_s14, 0.0, (_s23 - change_bridge_half_width)) - _where(_s16, 0.0, (-(change_bridge_half_width + _s23))))) + (_s26 * _s17)
-    return _s21, _s18 - p_ball_radius, _s22, _s23, _s24, dvx, dvy, dvz - (p_gravity * _s21), _s27, _s28, (_s25 * (_where(_s6, 0.0, (_s24 - change_wire_radius)) - _where(_s9, 0.0, (_s8 - _s24)))) + (_s26 * _s10)
+    return _s21, _s18 - p_ball_radius, _s20, _s22, _s23, _s24, dvx, dvy, dvz - (p_gravity * _s21), _s27, _s28, (_s25 * (_where(_s6, 0.0, (_s24 - change_wire_radius)) - _where(_s9, 0.0, (_s8 - _s24)))) + (_s26 * _s10)
 
 
 def bridge_carry_normal(x: Any, y: Any, z: Any, dx: Any, dy: Any, dz: Any, shift: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_bridge_half_width: Any, p_bridge_depth: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -5270,13 +5272,18 @@ def end_curvature() -> tuple[Any, ...]:
     return 0.0,
 
 
-def end_vary(z: Any, vx: Any, vy: Any, vz: Any, nx: Any, ny: Any, nz: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, p_gravity: Any, p_end_depth: Any, change_end_depth: Any) -> tuple[Any, ...]:
-    """Delay of a contact, distance there, and variations of position, velocity and normal.
+def end_vary(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: Any, ny: Any, nz: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, p_ring_radius: Any, p_gravity: Any, p_end_depth: Any, change_ring_radius: Any, change_end_depth: Any) -> tuple[Any, ...]:
+    """Delay of a contact, distance there, and variations of position, velocity and normal; the change of the distance at a fixed time, and bounds with their changes at the contact.
 
-    derivatives of the distance, of Eq. 3 and of the normal. 25 operations: 7 additions, 3 subtractions, 11 multiplications, 1 division, 3 negations.
+    derivatives of the distance, of Eq. 3, of the normal and of Eq. 2. 38 operations: 9 additions, 5 subtractions, 18 multiplications, 2 divisions, 1 square root, 3 negations.
     """
-    _s0 = -(((((nx * dx) + (ny * dy)) + (nz * dz)) - (-change_end_depth)) * (1.0 / (((nx * vx) + (ny * vy)) + (nz * vz))))
-    return _s0, z - (-p_end_depth), dx + (vx * _s0), dy + (vy * _s0), dz + (vz * _s0), dvx, dvy, dvz - (p_gravity * _s0), 0.0, 0.0, 0.0
+    _s0 = (((nx * dx) + (ny * dy)) + (nz * dz)) - (-change_end_depth)
+    _s1 = -(_s0 * (1.0 / (((nx * vx) + (ny * vy)) + (nz * vz))))
+    _s2 = dx + (vx * _s1)
+    _s3 = dy + (vy * _s1)
+    _s4 = _sqrt(((x * x) + (y * y)))
+    _s5 = ((0.5 * (((2.0 * x) * _s2) + ((2.0 * y) * _s3))) / _s4) - change_ring_radius
+    return _s1, z - (-p_end_depth), _s0, _s2, _s3, dz + (vz * _s1), dvx, dvy, dvz - (p_gravity * _s1), 0.0, 0.0, 0.0, _s4 - p_ring_radius, _s5
 
 
 def end_arrival(leaving: Any, z: Any, vz: Any, p_gravity: Any, p_end_depth: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:

@@ -1,6 +1,6 @@
 """NumPy kernels of the scene hoop.
 
-Generated from templates/numpy/kernels.py.j2, scene hoop, derivation 7b4ebc472a3e0af7,
+Generated from templates/numpy/kernels.py.j2, scene hoop, derivation 7ceba1546743c869,
 with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
 and run `make generate`.
 Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
@@ -333,7 +333,7 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "ring_deflated": ("c0", "c1", "c2", "c3", "c4", "c5", "c6", "c7",),
     "ring_normal": ("nx", "ny", "nz",),
     "ring_curvature": ("curvature",),
-    "ring_vary": ("contact_delay", "gap", "dx", "dy", "dz", "dvx", "dvy", "dvz", "dnx", "dny", "dnz",),
+    "ring_vary": ("contact_delay", "gap", "gap_change", "dx", "dy", "dz", "dvx", "dvy", "dvz", "dnx", "dny", "dnz",),
     "ring_carry_normal": ("dnx", "dny", "dnz", "turn",),
     "ring_clear": ("clear",),
     "ring_prepare": ("energy2", "moment2", "rho_start", "low0", "high0", "low1", "high1", "low2", "high2", "ceiling", "latest", "budget_exceeded",),
@@ -350,7 +350,7 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "backboard_deflated": ("c0",),
     "backboard_normal": ("nx", "ny", "nz",),
     "backboard_curvature": ("curvature",),
-    "backboard_vary": ("contact_delay", "gap", "dx", "dy", "dz", "dvx", "dvy", "dvz", "dnx", "dny", "dnz",),
+    "backboard_vary": ("contact_delay", "gap", "gap_change", "dx", "dy", "dz", "dvx", "dvy", "dvz", "dnx", "dny", "dnz", "g0", "g0_change", "g1", "g1_change", "g2", "g2_change", "g3", "g3_change",),
     "backboard_bounds": ("g0", "g1", "g2", "g3",),
     "backboard_arrival": ("time", "rate", "bend", "apex", "height",),
     "backboard_margin": ("margin",),
@@ -361,7 +361,7 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "bridge_deflated": ("c0", "c1",),
     "bridge_normal": ("nx", "ny", "nz",),
     "bridge_curvature": ("curvature",),
-    "bridge_vary": ("contact_delay", "gap", "dx", "dy", "dz", "dvx", "dvy", "dvz", "dnx", "dny", "dnz",),
+    "bridge_vary": ("contact_delay", "gap", "gap_change", "dx", "dy", "dz", "dvx", "dvy", "dvz", "dnx", "dny", "dnz", "g0", "g0_change", "g1", "g1_change", "g2", "g2_change", "g3", "g3_change", "g4", "g4_change",),
     "bridge_bounds": ("g0", "g1", "g2", "g3", "g4",),
     "bridge_arrival": ("time", "rate", "bend", "apex", "height",),
     "bridge_margin": ("margin",),
@@ -372,7 +372,7 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "end_deflated": ("c0", "c1",),
     "end_normal": ("nx", "ny", "nz",),
     "end_curvature": ("curvature",),
-    "end_vary": ("contact_delay", "gap", "dx", "dy", "dz", "dvx", "dvy", "dvz", "dnx", "dny", "dnz",),
+    "end_vary": ("contact_delay", "gap", "gap_change", "dx", "dy", "dz", "dvx", "dvy", "dvz", "dnx", "dny", "dnz", "g0", "g0_change",),
     "end_arrival": ("time", "rate", "bend", "apex", "height",),
     "end_margin": ("margin",),
     "end_place": ("x", "y", "z",),
@@ -1564,9 +1564,9 @@ def ring_curvature(p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any) -
 
 
 def ring_vary(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: Any, ny: Any, nz: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, change_ball_radius: Any, change_ring_radius: Any, change_wire_radius: Any) -> tuple[Any, ...]:
-    """Delay of a contact, distance there, and variations of position, velocity and normal.
+    """Delay of a contact, distance there, and variations of position, velocity and normal; the change of the distance at a fixed time, and bounds with their changes at the contact.
 
-    derivatives of the distance, of Eq. 3 and of the normal. 75 operations: 17 additions, 9 subtractions, 40 multiplications, 4 divisions, 2 square roots, 3 negations.
+    derivatives of the distance, of Eq. 3, of the normal and of Eq. 2. 75 operations: 17 additions, 9 subtractions, 40 multiplications, 4 divisions, 2 square roots, 3 negations.
     """
     _s0 = _sqrt(((x * x) + (y * y)))
     _s1 = _s0 - p_ring_radius
@@ -1583,7 +1583,7 @@ def ring_vary(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: Any, ny: An
     _s12 = ((_s9 * _s1) * _s10) + (((-(_s11 * (_s10 * _s10))) * _s8) * _s1)
     _s13 = _s12 + ((_s8 * (_s11 - change_ring_radius)) * _s10)
     _s14 = (_s8 * _s1) * _s10
-    return _s4, (_s2 - p_ball_radius) - p_wire_radius, _s5, _s6, _s7, dvx, dvy, dvz - (p_gravity * _s4), (x * _s13) + (_s14 * _s5), (y * _s13) + (_s14 * _s6), (z * _s9) + (_s8 * _s7)
+    return _s4, (_s2 - p_ball_radius) - p_wire_radius, _s3, _s5, _s6, _s7, dvx, dvy, dvz - (p_gravity * _s4), (x * _s13) + (_s14 * _s5), (y * _s13) + (_s14 * _s6), (z * _s9) + (_s8 * _s7)
 
 
 def ring_carry_normal(x: Any, y: Any, dx: Any, dy: Any, dz: Any, shift: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -2085,13 +2085,16 @@ def backboard_curvature() -> tuple[Any, ...]:
     return 0.0,
 
 
-def backboard_vary(x: Any, vx: Any, vy: Any, vz: Any, nx: Any, ny: Any, nz: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, p_ball_radius: Any, p_board_distance: Any, p_gravity: Any, change_ball_radius: Any, change_board_distance: Any) -> tuple[Any, ...]:
-    """Delay of a contact, distance there, and variations of position, velocity and normal.
+def backboard_vary(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: Any, ny: Any, nz: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, p_ball_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_gravity: Any, change_ball_radius: Any, change_board_distance: Any, change_board_half_width: Any, change_board_bottom: Any, change_board_top: Any) -> tuple[Any, ...]:
+    """Delay of a contact, distance there, and variations of position, velocity and normal; the change of the distance at a fixed time, and bounds with their changes at the contact.
 
-    derivatives of the distance, of Eq. 3 and of the normal. 25 operations: 7 additions, 5 subtractions, 11 multiplications, 1 division, 1 negation.
+    derivatives of the distance, of Eq. 3, of the normal and of Eq. 2. 35 operations: 9 additions, 11 subtractions, 11 multiplications, 1 division, 3 negations.
     """
-    _s0 = -(((((nx * dx) + (ny * dy)) + (nz * dz)) - (change_ball_radius - change_board_distance)) * (1.0 / (((nx * vx) + (ny * vy)) + (nz * vz))))
-    return _s0, x - (p_ball_radius - p_board_distance), dx + (vx * _s0), dy + (vy * _s0), dz + (vz * _s0), dvx, dvy, dvz - (p_gravity * _s0), 0.0, 0.0, 0.0
+    _s0 = (((nx * dx) + (ny * dy)) + (nz * dz)) - (change_ball_radius - change_board_distance)
+    _s1 = -(_s0 * (1.0 / (((nx * vx) + (ny * vy)) + (nz * vz))))
+    _s2 = dy + (vy * _s1)
+    _s3 = dz + (vz * _s1)
+    return _s1, x - (p_ball_radius - p_board_distance), _s0, dx + (vx * _s1), _s2, _s3, dvx, dvy, dvz - (p_gravity * _s1), 0.0, 0.0, 0.0, -(p_board_half_width + y), -(change_board_half_width + _s2), y - p_board_half_width, _s2 - change_board_half_width, p_board_bottom - z, change_board_bottom - _s3, z - p_board_top, _s3 - change_board_top
 
 
 def backboard_bounds(y: Any, z: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any) -> tuple[Any, ...]:
@@ -2179,13 +2182,18 @@ def bridge_curvature() -> tuple[Any, ...]:
     return 0.0,
 
 
-def bridge_vary(z: Any, vx: Any, vy: Any, vz: Any, nx: Any, ny: Any, nz: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, p_ball_radius: Any, p_wire_radius: Any, p_gravity: Any, change_ball_radius: Any, change_wire_radius: Any) -> tuple[Any, ...]:
-    """Delay of a contact, distance there, and variations of position, velocity and normal.
+def bridge_vary(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: Any, ny: Any, nz: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_bridge_half_width: Any, p_gravity: Any, change_ball_radius: Any, change_ring_radius: Any, change_wire_radius: Any, change_board_distance: Any, change_bridge_half_width: Any) -> tuple[Any, ...]:
+    """Delay of a contact, distance there, and variations of position, velocity and normal; the change of the distance at a fixed time, and bounds with their changes at the contact.
 
-    derivatives of the distance, of Eq. 3 and of the normal. 25 operations: 9 additions, 3 subtractions, 11 multiplications, 1 division, 1 negation.
+    derivatives of the distance, of Eq. 3, of the normal and of Eq. 2. 48 operations: 15 additions, 7 subtractions, 18 multiplications, 2 divisions, 1 square root, 5 negations.
     """
-    _s0 = -(((((nx * dx) + (ny * dy)) + (nz * dz)) - (change_ball_radius + change_wire_radius)) * (1.0 / (((nx * vx) + (ny * vy)) + (nz * vz))))
-    return _s0, z - (p_ball_radius + p_wire_radius), dx + (vx * _s0), dy + (vy * _s0), dz + (vz * _s0), dvx, dvy, dvz - (p_gravity * _s0), 0.0, 0.0, 0.0
+    _s0 = (((nx * dx) + (ny * dy)) + (nz * dz)) - (change_ball_radius + change_wire_radius)
+    _s1 = -(_s0 * (1.0 / (((nx * vx) + (ny * vy)) + (nz * vz))))
+    _s2 = dx + (vx * _s1)
+    _s3 = dy + (vy * _s1)
+    _s4 = _sqrt(((x * x) + (y * y)))
+    _s5 = change_ring_radius - ((0.5 * (((2.0 * x) * _s2) + ((2.0 * y) * _s3))) / _s4)
+    return _s1, z - (p_ball_radius + p_wire_radius), _s0, _s2, _s3, dz + (vz * _s1), dvx, dvy, dvz - (p_gravity * _s1), 0.0, 0.0, 0.0, -(p_bridge_half_width + y), -(change_bridge_half_width + _s3), y - p_bridge_half_width, _s3 - change_bridge_half_width, p_ring_radius - _s4, _s5, x, _s2, -(p_board_distance + x), -(change_board_distance + _s2)
 
 
 def bridge_bounds(x: Any, y: Any, p_ring_radius: Any, p_board_distance: Any, p_bridge_half_width: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -2281,13 +2289,18 @@ def end_curvature() -> tuple[Any, ...]:
     return 0.0,
 
 
-def end_vary(z: Any, vx: Any, vy: Any, vz: Any, nx: Any, ny: Any, nz: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, p_gravity: Any, p_end_depth: Any, change_end_depth: Any) -> tuple[Any, ...]:
-    """Delay of a contact, distance there, and variations of position, velocity and normal.
+def end_vary(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: Any, ny: Any, nz: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, p_ring_radius: Any, p_gravity: Any, p_end_depth: Any, change_ring_radius: Any, change_end_depth: Any) -> tuple[Any, ...]:
+    """Delay of a contact, distance there, and variations of position, velocity and normal; the change of the distance at a fixed time, and bounds with their changes at the contact.
 
-    derivatives of the distance, of Eq. 3 and of the normal. 25 operations: 7 additions, 3 subtractions, 11 multiplications, 1 division, 3 negations.
+    derivatives of the distance, of Eq. 3, of the normal and of Eq. 2. 38 operations: 9 additions, 5 subtractions, 18 multiplications, 2 divisions, 1 square root, 3 negations.
     """
-    _s0 = -(((((nx * dx) + (ny * dy)) + (nz * dz)) - (-change_end_depth)) * (1.0 / (((nx * vx) + (ny * vy)) + (nz * vz))))
-    return _s0, z - (-p_end_depth), dx + (vx * _s0), dy + (vy * _s0), dz + (vz * _s0), dvx, dvy, dvz - (p_gravity * _s0), 0.0, 0.0, 0.0
+    _s0 = (((nx * dx) + (ny * dy)) + (nz * dz)) - (-change_end_depth)
+    _s1 = -(_s0 * (1.0 / (((nx * vx) + (ny * vy)) + (nz * vz))))
+    _s2 = dx + (vx * _s1)
+    _s3 = dy + (vy * _s1)
+    _s4 = _sqrt(((x * x) + (y * y)))
+    _s5 = ((0.5 * (((2.0 * x) * _s2) + ((2.0 * y) * _s3))) / _s4) - change_ring_radius
+    return _s1, z - (-p_end_depth), _s0, _s2, _s3, dz + (vz * _s1), dvx, dvy, dvz - (p_gravity * _s1), 0.0, 0.0, 0.0, _s4 - p_ring_radius, _s5
 
 
 def end_arrival(leaving: Any, z: Any, vz: Any, p_gravity: Any, p_end_depth: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:

@@ -45,7 +45,7 @@ class Jacobian(Mapping[str, NDArray[np.float64]]):
         shapes = ", ".join(f"{name} {matrix.shape}" for name, matrix in self.items())
         return f"Jacobian({shapes} by {', '.join(self.names)})"
 
-    def chain(self, release: Jacobian) -> Jacobian:
+    def chain(self, release: Jacobian, shots: int | None = None) -> Jacobian:
         """Return the derivatives by what the releases were made of, by the chain rule.
 
         Parameters
@@ -53,6 +53,8 @@ class Jacobian(Mapping[str, NDArray[np.float64]]):
         release
             Derivatives of the releases, as ``hoopgen.release(..., jacobian=True)`` returns them:
             "state" of shape (n, 9, j), or (9, j) for a single release.
+        shots
+            The number of releases that there may be; by default that of these derivatives.
 
         Returns
         -------
@@ -82,16 +84,15 @@ class Jacobian(Mapping[str, NDArray[np.float64]]):
                 f"derivatives: {', '.join(missing)} missing, on which the releases depend; "
                 "simulate with derivatives by them, too"
             )
-        shots = len(next(iter(self.values())))
+        shots = len(next(iter(self.values()))) if shots is None else shots
         if len(own) not in (1, shots):
             raise ValueError(f"release: expected the Jacobian of {shots} releases, got {len(own)}")
         columns = [self.names.index(name) for name in STATE if name in self.names]
         rows = [row for row, name in enumerate(STATE) if name in self.names]
         others = [column for column, name in enumerate(self.names) if name not in STATE]
-        chained = {
-            result: np.concatenate(
-                [changes[..., columns] @ own[:, rows], changes[..., others]], axis=-1
-            )
-            for result, changes in self.items()
-        }
+        chained = {}
+        for result, changes in self.items():
+            moved = changes[..., columns] @ own[:, rows]
+            kept = np.broadcast_to(changes[..., others], (*moved.shape[:-1], len(others)))
+            chained[result] = np.concatenate([moved, kept], axis=-1)
         return Jacobian(chained, (*release.names, *(self.names[column] for column in others)))

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from types import MappingProxyType
-from typing import Literal, overload
+from typing import Any, Literal, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -170,20 +170,32 @@ def states_of(arrays: Mapping[str, NDArray[np.float64]]) -> NDArray[np.float64]:
         raise ValueError(f"release: the shapes do not broadcast: {shapes}") from None
     arrays = {**arrays, **{name: from_zero(name, arrays[name]) for name in FROM_ZERO}}
     with np.errstate(over="ignore", invalid="ignore"):  # what is not finite is an invalid shot
-        return _states(arrays, shape)
+        return evaluate_states(arrays, shape)
 
 
-def _states(
-    arrays: Mapping[str, NDArray[np.float64]], shape: tuple[int, ...]
-) -> NDArray[np.float64]:
-    """Return the states of releases whose arguments broadcast to a shape."""
+def evaluate_states(
+    arrays: Mapping[str, NDArray[Any]],
+    shape: tuple[int, ...],
+    sine_cosine: Callable[[Any], tuple[Any, Any]] = sine_cosine,
+) -> NDArray[Any]:
+    """Return the states of releases whose arguments broadcast to a shape, without any check.
+
+    Parameters
+    ----------
+    arrays
+        All arguments of `release`; of doubles, or of objects that add and multiply, such as balls.
+    shape
+        Their common shape.
+    sine_cosine
+        Function that returns the sine and the cosine of an array of such objects.
+    """
     # Nothing is broadcast before it is stored: what all shots share is computed once.
     # Towards the centre is angle + pi; the shooter's left, seen from above, is counter-clockwise.
     heading = arrays["azimuth"] + arrays["angle"]
     ahead_y, ahead_x = (-value for value in sine_cosine(heading))
     (rise, level), (left, front) = map(sine_cosine, (arrays["elevation"], arrays["angle"]))
     level = arrays["speed"] * level
-    state = np.empty((*shape, 9))
+    state = np.empty((*shape, 9), np.result_type(*arrays.values()))
     state[..., 0] = arrays["distance"] * front
     state[..., 1] = arrays["distance"] * left
     state[..., 2] = arrays["height"] - RING_HEIGHT
@@ -199,7 +211,7 @@ def _states(
 
 
 def _jacobian(arrays: Mapping[str, NDArray[np.float64]], shape: tuple[int, ...]) -> Jacobian:
-    """Return the derivatives of `_states` by the arguments of releases."""
+    """Return the derivatives of `evaluate_states` by the arguments of releases."""
     heading = arrays["azimuth"] + arrays["angle"]
     ahead_y, ahead_x = (-value for value in sine_cosine(heading))
     speed, backspin, distance = (arrays[name] for name in ("speed", "backspin", "distance"))

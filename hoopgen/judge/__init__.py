@@ -12,13 +12,16 @@ except ImportError as error:
 
 from .batch import MAX_BITS, CertificationOptions, certify
 from .certificate import UNDECIDED, Certificate, Enclosure, Proof
+from .release_box import BoxProof, certify_box
 
 __all__ = [
     "MAX_BITS",
     "UNDECIDED",
+    "BoxProof",
     "Certificate",
     "CertificationOptions",
     "Enclosure",
     "Proof",
     "certify",
+    "certify_box",
 ]

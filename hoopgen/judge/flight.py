@@ -55,7 +55,7 @@ class ProvedFlight:
 
 def fly(
     formulas: Formulas,
-    state: Sequence[float],
+    state: Sequence[float] | Sequence[arb],
     parameters: Sequence[float],
     max_contacts: int,
     leaving: int = -1,
@@ -70,7 +70,7 @@ def fly(
     formulas
         The formulas of the scene.
     state
-        The release, nine exact numbers.
+        The release: nine exact numbers, or balls; a proof holds for all numbers in them.
     parameters
         The kernels' inputs, exact numbers.
     max_contacts

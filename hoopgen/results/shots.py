@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Unpack
+from typing import TYPE_CHECKING, Protocol, Unpack
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from hoopgen.core.jacobian import Jacobian
 from hoopgen.core.parameters import Value
@@ -42,6 +42,30 @@ FieldArray = (
 SURFACES: tuple[str, ...] = tuple(BODIES)
 """Bodies of the hoop, in the order of ``Shots.counts``; the event log numbers the end plane after
 them."""
+
+
+class Variations(Protocol):
+    """The variations of some shots with their releases and parameters."""
+
+    @property
+    def jacobian(self) -> Jacobian:
+        """Derivatives of the end."""
+
+    @property
+    def differentiable(self) -> NDArray[np.bool_]:
+        """The mask of the shots that have derivatives, (n,)."""
+
+    @property
+    def decisions(self) -> tuple[str, ...]:
+        """Names of the decisions."""
+
+    def change_distance(
+        self,
+        events: NDArray[np.void],
+        covariance: ArrayLike | None,
+        release: Jacobian | None,
+    ) -> NDArray[np.float64]:
+        """Return `Shots.change_distance`, given the event log."""
 
 
 class Shots:
@@ -102,7 +126,7 @@ class Shots:
     state_error: NDArray[np.float64]
     grip_lost: NDArray[np.float64]
     events: NDArray[np.void]
-    _variations: tuple[Jacobian, NDArray[np.bool_]]
+    _variations: Variations
 
     def __init__(
         self,
@@ -110,7 +134,7 @@ class Shots:
         states: NDArray[np.float64],
         parameters: Mapping[str, Value],
         scene: CompiledScene,
-        variations: tuple[Jacobian, NDArray[np.bool_]] | None = None,
+        variations: Variations | None = None,
     ) -> None:
         self._fields = fields
         if variations is not None:
@@ -140,7 +164,7 @@ class Shots:
         AttributeError
             If the shots were simulated without ``derivatives=``.
         """
-        return self._variations[0]
+        return self._variations.jacobian
 
     @property
     def differentiable(self) -> NDArray[np.bool_]:
@@ -148,13 +172,55 @@ class Shots:
 
         A shot has none if a decision of it is uncertain, such as a tie or a graze, if it does not
         reach an end, or if the ball stays in contact with a body, where it rolls.
+        """
+        return self._variations.differentiable
+
+    @property
+    def decisions(self) -> tuple[str, ...]:
+        """With ``derivatives=``: names of the columns of `change_distance`."""
+        return self._variations.decisions
+
+    def change_distance(
+        self, covariance: ArrayLike | None = None, *, release: Jacobian | None = None
+    ) -> NDArray[np.float64]:
+        """Return how far each shot is from a change of each of its decisions, to first order.
+
+        The shots are simulated with ``derivatives=`` and with ``record=True``. The distance is in
+        the space of the variables of the derivatives, or of those of `release`.
+
+        Parameters
+        ----------
+        covariance
+            Of these variables, (j, j), or (n, j, j) one a shot: the distance is then in standard
+            deviations. None: the variables count as they are, in SI units.
+        release
+            As ``hoopgen.release(..., jacobian=True)`` returns it: the variables are then speed,
+            elevation, ..., and the parameters among the derivatives, as in `Jacobian.chain`.
+
+        Returns
+        -------
+        ndarray
+            (n, `decisions`): of a decision that a shot takes several times the smallest distance;
+            infinite where it takes none, or where the decision does not depend on the variables;
+            NaN where a shot is not `differentiable`. The columns are
+
+            - ``ring_touch``, of each body: a contact with it just touches, or meets its edge. A
+              contact so deep that the flight, continued, would pass through the core of the body
+              has no such distance.
+            - ``ring_miss``: the ball just touches the body where it did not, or before what it
+              touched first.
+            - ``ring_slip``: a contact with it is between grip and slip; where there is friction.
+            - ``end_edge``: the end is on an edge, such as the rim between made and missed.
+            - ``end_miss``: the shot ends before what it touched.
 
         Raises
         ------
         AttributeError
-            If the shots were simulated without ``derivatives=``.
+            If the shots were simulated without ``derivatives=`` or without ``record=True``.
+        ValueError
+            If the covariance is not as described, or is no covariance.
         """
-        return self._variations[1]
+        return self._variations.change_distance(self.events, covariance, release)
 
     def _field(self, name: str) -> FieldArray:
         """Return a field by its name; one that was not requested raises AttributeError."""
@@ -166,7 +232,8 @@ class Shots:
         if name == "made" and fields and "MADE" in self.scene.outcomes.__members__:
             made: NDArray[np.bool_] = self.outcome == self.scene.outcomes["MADE"]
             return made
-        if name in ("jacobian", "differentiable"):
+        if name in ("jacobian", "differentiable", "decisions", "_variations"):
+            name = "change_distance" if name == "_variations" else name
             raise AttributeError(f'{name}: simulate with derivatives=("vx", ...) to have it')
         if name == "events":
             raise AttributeError("events: simulate with record=True to keep the event log")
@@ -181,7 +248,7 @@ class Shots:
         __getattr__ = _field
 
     def __dir__(self) -> list[str]:
-        optional = ("made", "jacobian", "differentiable")
+        optional = ("made", "jacobian", "differentiable", "decisions")
         lacking = {name for name in optional if not hasattr(self, name)}
         return sorted({*super().__dir__(), *self._fields, *optional} - lacking)
 

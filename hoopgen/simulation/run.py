@@ -31,6 +31,7 @@ from hoopgen.results.shots import Shots
 
 from .backends import Library, device_states, find_library, host_parameters
 from .checks import check_fields, check_limit
+from .shot_variations import Variations
 from .variations import NEEDED, check_derivatives
 from .variations import derivatives as find_derivatives
 
@@ -231,7 +232,8 @@ def run(
         results["events"] = np.concatenate([np.empty(0, engine.layout.event), *logs])
     variations = None  # along the recorded events, which settling does not change
     if by is not None:
-        variations = find_derivatives(engine, by, named, results, results["events"])
+        found = find_derivatives(engine, by, named, results, results["events"])
+        variations = Variations(engine, named, releases, *found)
     if settle:
         # Imported here, because the judge needs SymPy and python-flint.
         from hoopgen.judge.settle import settle as decide

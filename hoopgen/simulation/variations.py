@@ -8,7 +8,7 @@ record the same events with the same bits, so the derivatives have the same bits
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from typing import Any
+from typing import Any, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,7 +19,7 @@ from hoopgen.core.parameters import Value
 from hoopgen.core.variables import STATE, check_names
 from hoopgen.engine.compiled_scene import CompiledScene
 
-__all__ = ["NEEDED", "check_derivatives", "derivatives"]
+__all__ = ["NEEDED", "Observer", "VariedPath", "check_derivatives", "derivatives"]
 
 Floats = NDArray[np.float64]
 
@@ -29,7 +29,7 @@ NEEDED = ("outcome", "uncertain")
 SHOTS_AT_ONCE = 1 << 14
 """Shots whose derivatives are computed together, which bounds the memory that this takes."""
 
-_VARIATION = tuple(f"d{name}" for name in STATE)
+VARIATION = tuple(f"d{name}" for name in STATE)
 _CHANGE = "change_"
 _NORMAL = ("nx", "ny", "nz")
 
@@ -107,7 +107,7 @@ def derivatives(
         for start in range(0, shots, SHOTS_AT_ONCE):
             rows = start + np.flatnonzero(differentiable[start : start + SHOTS_AT_ONCE])
             own = {n: v if isinstance(v, float) else v[rows] for n, v in parameters.items()}
-            path = _Path(scene, names, own, len(rows))
+            path = VariedPath(scene, names, own, len(rows))
             state[rows], time[rows] = path.follow(events, first[rows])
     # An exact graze, or a contact law at its limit, has no derivative.
     finite = np.isfinite(state).all(axis=(1, 2)) & np.isfinite(time).all(axis=(1, 2))
@@ -117,7 +117,37 @@ def derivatives(
     return Jacobian({"state": state, "time": time}, names), differentiable
 
 
-class _Path:
+class Observer(Protocol):
+    """An observer of the flights and events along which variations are carried."""
+
+    def flight(
+        self, rows: NDArray[np.intp], events: NDArray[np.void], duration: Floats, start: Floats
+    ) -> None:
+        """Note flights: their shots, their last events, their durations, and the variations.
+
+        Parameters
+        ----------
+        rows
+            The shots, (j,), by their number among those of the path.
+        events
+            The event at the end of each flight, (j,).
+        duration
+            s, (j,).
+        start
+            Variations at the start of the flight, at a fixed time, (9, k, j).
+        """
+
+    def event(
+        self,
+        face: str,
+        rows: NDArray[np.intp],
+        events: NDArray[np.void],
+        found: dict[str, Any],
+    ) -> None:
+        """Note events at one face: what its kernels, and those of the contact law, return."""
+
+
+class VariedPath:
     """The variations of some shots along their events.
 
     Parameters
@@ -143,6 +173,10 @@ class _Path:
         variables = tuple(self._kernels.VARIABLES.values())
         inputs = scene.table.inputs(parameters)
         self._inputs: dict[str, Any] = dict(zip(variables, inputs, strict=True))
+        still = dict.fromkeys(
+            (*VARIATION, *(f"{_CHANGE}{name}" for name in self._kernels.VARIABLES)), 0.0
+        )
+        self._parameters = self._inputs | still
         self._variation = np.zeros((len(STATE), len(names), shots))
         changes = np.zeros((len(variables), len(names), shots))
         for column, name in enumerate(names):
@@ -154,7 +188,12 @@ class _Path:
         for name, change in zip(self._kernels.VARIABLES, changes, strict=True):
             self._inputs[f"{_CHANGE}{name}"] = change
 
-    def follow(self, events: NDArray[np.void], first: NDArray[np.intp]) -> tuple[Floats, Floats]:
+    def follow(
+        self,
+        events: NDArray[np.void],
+        first: NDArray[np.intp],
+        observer: Observer | None = None,
+    ) -> tuple[Floats, Floats]:
         """Return the derivatives of state and time at the end, (m, 9, k) and (m, 1, k).
 
         Parameters
@@ -163,7 +202,10 @@ class _Path:
             The event log of all shots.
         first
             The row of the first event of each of these, (m,).
+        observer
+            An object that is given each flight and each event.
         """
+        self._observer = observer
         shots = len(first)
         columns = self._variation.shape[1]
         time, end = np.zeros(shots), np.zeros((columns, shots))
@@ -171,7 +213,10 @@ class _Path:
         row = first.copy()
         while len(going):
             now = events[row[going]]
-            self._fly(going, now["time"] - time[going])
+            duration = now["time"] - time[going]
+            if observer is not None:
+                observer.flight(going, now, duration, self._variation[:, :, going])
+            self._fly(going, duration)
             ended = now["kind"] == Event.END
             for face, which in self._touched(now, going):
                 end[:, going[which]] = self._meet(face, going[which], now[which])
@@ -179,14 +224,15 @@ class _Path:
             going, row = going[~ended], row + 1
         return np.moveaxis(self._variation, (0, 1), (1, 2)), end.T[:, np.newaxis]
 
-    def _given(self, rows: NDArray[np.intp]) -> dict[str, Any]:
-        """Return what all kernels may be given, of some shots."""
-        given = {name: v[..., rows] if np.ndim(v) else v for name, v in self._inputs.items()}
-        return given | dict(zip(_VARIATION, self._variation[:, :, rows], strict=True))
+    def given(self, rows: NDArray[np.intp], varied: bool = True) -> dict[str, Any]:
+        """Return what all kernels may be given, of some shots; else without variations."""
+        own = self._inputs if varied else self._parameters
+        given = {name: v[..., rows] if np.ndim(v) else v for name, v in own.items()}
+        if not varied:
+            return given
+        return given | dict(zip(VARIATION, self._variation[:, :, rows], strict=True))
 
-    def _call(
-        self, kernel: str, given: dict[str, Any], asked: Sequence[str] = ()
-    ) -> dict[str, Any]:
+    def call(self, kernel: str, given: dict[str, Any], asked: Sequence[str] = ()) -> dict[str, Any]:
         """Evaluate a kernel of the names in `asked`, its own by default; return its outputs."""
         names = asked or self._kernels.ARGUMENTS[kernel]
         found = getattr(self._kernels, kernel)(*(given[name] for name in names))
@@ -194,13 +240,13 @@ class _Path:
 
     def _store(self, rows: NDArray[np.intp], found: Mapping[str, Any]) -> None:
         """Store the variations of some shots."""
-        for index, name in enumerate(_VARIATION):
+        for index, name in enumerate(VARIATION):
             if name in found:
                 self._variation[index][:, rows] = found[name]
 
     def _fly(self, rows: NDArray[np.intp], duration: Floats) -> None:
         """Carry variations through a flight."""
-        self._store(rows, self._call("vary_flight", self._given(rows) | {"t": duration}))
+        self._store(rows, self.call("vary_flight", self.given(rows) | {"t": duration}))
 
     def _touched(
         self, events: NDArray[np.void], rows: NDArray[np.intp]
@@ -213,9 +259,9 @@ class _Path:
                 continue
             nearest = np.zeros(len(which), np.intp)
             if len(faces) > 1:
-                given = self._given(rows[which]) | self._before(events[which])
+                given = self.given(rows[which]) | self._before(events[which])
                 given |= dict.fromkeys(_NORMAL, 0.0)
-                gaps = [self._call(f"{face}_vary", given)["gap"] for face in faces]
+                gaps = [self.call(f"{face}_vary", given)["gap"] for face in faces]
                 sizes = [np.abs(np.broadcast_to(gap, len(which))) for gap in gaps]
                 nearest = np.argmin(sizes, axis=0)
             for index, face in enumerate(faces):
@@ -228,20 +274,24 @@ class _Path:
 
     def _meet(self, face: str, rows: NDArray[np.intp], events: NDArray[np.void]) -> Floats:
         """Carry variations through an event; return the variation of its time, (k, m)."""
-        given = self._given(rows) | self._before(events)
-        given |= self._call(f"{face}_normal", given)
-        found = self._call(f"{face}_vary", given)
+        given = self.given(rows) | self._before(events)
+        given |= self.call(f"{face}_normal", given)
+        found = self.call(f"{face}_vary", given)
         shape = (self._variation.shape[1], len(rows))
         delay = np.broadcast_to(found["contact_delay"], shape)
         self._store(rows, found)
         if face in self._kernels.END_PLANES:
+            if self._observer is not None:
+                self._observer.event(face, rows, events, given | found)
             return delay
         given |= found
         bodies = zip(self._kernels.BODIES, self._kernels.FACES, strict=True)
         body = next(name for name, faces in bodies if face in faces)
         law, asked = self._kernels.VARIED_LAWS[body]
-        given |= self._call(law, given, asked)
+        given |= self.call(law, given, asked)
+        if self._observer is not None:
+            self._observer.event(face, rows, events, given)
         given |= dict(zip(STATE, events["after"].T, strict=True))
         self._store(rows, given)
-        self._store(rows, self._call("vary_departure", given))
+        self._store(rows, self.call("vary_departure", given))
         return delay
