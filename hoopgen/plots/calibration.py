@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from hoopgen.study.questions.assess import Assessment
 from hoopgen.text.numbers import format_percent
 
 from .figure import Picture, draw_picture
@@ -15,6 +14,7 @@ from .style import COLOURS, COLUMN, INK
 
 if TYPE_CHECKING:
     from hoopgen.results.drawing import Drawn
+    from hoopgen.study.questions.assess import Assessment
 
 __all__ = ["plot_calibration"]
 

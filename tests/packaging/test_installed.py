@@ -152,6 +152,7 @@ def test_away_from_a_checkout_the_packages_themselves_are_named(
     assert (pip, install) == ("pip", "install")
     assert packages
     others = {"flint": "python-flint", "distributed": "dask", "markdown_it": "markdown-it-py"}
+    others |= {"jaxlib": "jax"}
     package = others.get(missing, missing)
     assert any(one.startswith(package) for one in packages)
     assert not any("hoopgen" in one or ";" in one for one in packages)

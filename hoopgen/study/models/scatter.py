@@ -38,7 +38,6 @@ from .release_model import (
     check_turns,
     spread,
 )
-from .scatter_fitting import fit_columns
 
 SCATTERED = (*ARGUMENTS, *NAMES)
 """Variables that may scatter about a release at a hoop; the index of each is the stream of its
@@ -184,6 +183,8 @@ class Scatter:
         """
         columns, labels = measured_columns(table, group)
         noise = measuring_noise(table, columns, measurement_covariance)
+        from .scatter_fitting import fit_columns  # needs SciPy, which nothing else here does
+
         return fit_columns(columns, noise, measured_groups(table, labels), cls)
 
     @property

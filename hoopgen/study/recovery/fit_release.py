@@ -18,8 +18,9 @@ from hoopgen.simulation.lookup import engine_of
 from hoopgen.simulation.simulate import simulate
 from hoopgen.text.shorten import brief
 
+from .backspin import states_with_backspin
 from .estimator import ROUGH, TOLERANCE, Flags, Floats, line_covariance
-from .fitted_releases import FittedReleases, spun
+from .fitted_releases import FittedReleases
 from .frames import (
     MAX_OUTLIERS,
     MIN_FRAMES,
@@ -323,7 +324,7 @@ class _Spins:
     def states(self, position: Floats, velocity: Floats, rows: Any) -> Floats:
         """Return states of some tracks, (n, 9)."""
         if self.backspin is not None:
-            return spun(position, velocity, self.backspin[rows])
+            return states_with_backspin(position, velocity, self.backspin[rows])
         spin = self.spin[rows] if self.spin.ndim == 2 else self.spin
         return np.concatenate([position, velocity, np.broadcast_to(spin, position.shape)], axis=1)
 

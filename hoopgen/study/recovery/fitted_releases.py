@@ -31,6 +31,7 @@ from hoopgen.text.html import table as rendered
 from hoopgen.text.numbers import format_count
 from hoopgen.text.tables import table
 
+from .backspin import states_with_backspin
 from .made import MadeGivenTrack
 
 if TYPE_CHECKING:
@@ -45,17 +46,6 @@ _SHOTS = 1 << 18
 
 _SHOWN = 10
 """Releases that are listed in text."""
-
-
-def spun(position: Floats, velocity: Floats, backspin: Floats) -> Floats:
-    """Return states whose spin is a backspin across the flight on the floor plan, (..., 9)."""
-    level = np.hypot(velocity[..., 0], velocity[..., 1])
-    with np.errstate(invalid="ignore", divide="ignore"):
-        ahead = velocity[..., :2] / level[..., None]
-    spin = np.zeros_like(position)
-    spin[..., 0] = backspin * ahead[..., 1]
-    spin[..., 1] = -backspin * ahead[..., 0]
-    return np.concatenate([position, velocity, spin + 0.0], axis=-1)
 
 
 def _decimals(errors: Floats) -> int:
@@ -221,7 +211,7 @@ class FittedReleases(Result):
             drawn[:, :, axis + 3] = slant[:, None] * one + rest[:, None] * two
         drawn += self.states[part, None, :6]
         if self.backspin is not None:
-            return spun(drawn[..., :3], drawn[..., 3:], self.backspin[part, None])
+            return states_with_backspin(drawn[..., :3], drawn[..., 3:], self.backspin[part, None])
         spins = np.broadcast_to(self.states[part, None, 6:], (*drawn.shape[:2], 3))
         return np.concatenate([drawn, spins], axis=2)
 

@@ -418,11 +418,11 @@ margins = []
     out = run_study(tmp_path / "study.toml", report=tmp_path / "page.html")
     folder = tmp_path / "study-results"
     assert out is not None
-    answer = json.loads((folder / "made" / "answer.json").read_text())
-    assert "of the simulation alone" in (folder / "report.md").read_text()
-    assert "of the sample" in (tmp_path / "page.html").read_text()
+    answer = json.loads((folder / "made" / "answer.json").read_text(encoding="utf-8"))
+    assert "of the simulation alone" in (folder / "report.md").read_text(encoding="utf-8")
+    assert "of the sample" in (tmp_path / "page.html").read_text(encoding="utf-8")
     assert "20" in json.dumps(answer)
-    assert "uncertainty of the sample" in (folder / "report.md").read_text()
+    assert "uncertainty of the sample" in (folder / "report.md").read_text(encoding="utf-8")
 
 
 def test_a_study_file_names_a_column_of_groups_that_is_not_there(
