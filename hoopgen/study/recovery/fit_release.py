@@ -81,7 +81,7 @@ def fit_release(
         and no even rate; they are sorted.
     positions
         Of the ball's centre, m, in hoopgen's axes: (m, 3) or (n, m, 3). A frame whose time or
-        position is not finite is a gap.
+        position is not finite is a gap, and so is one that repeats another, time and place.
     tracks
         Labels of the frames, (m,), where `times` (m,) and `positions` (m, 3) hold many tracks one
         below the other; the releases are in the order in which labels first appear.

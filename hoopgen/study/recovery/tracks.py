@@ -126,12 +126,24 @@ def _ordered(
     labels: tuple[Hashable, ...],
     shape: tuple[int, ...],
 ) -> Tracks:
-    """Return tracks with the frames in order of time, gaps last, and times from the first frame."""
+    """Return tracks with the frames in order of time, gaps last, and times from the first frame.
+
+    A frame that repeats the one before it, time and place, is taken for a gap: it measures nothing.
+    """
     if not times.shape[1]:  # a gap is as good as no frame
         times, positions = np.full((len(times), 1), np.nan), np.full((len(times), 1, 3), np.nan)
         places = np.full(times.shape, -1, np.intp)
     measured = np.isfinite(times) & np.isfinite(positions).all(axis=-1)
-    order = np.argsort(np.where(measured, times, np.inf), axis=1, kind="stable")
+    order = _order(times, measured)
+    t, xyz = (
+        np.take_along_axis(times, order, axis=1),
+        np.take_along_axis(positions, order[..., None], axis=1),
+    )
+    again = (t[:, 1:] == t[:, :-1]) & (xyz[:, 1:] == xyz[:, :-1]).all(axis=-1)
+    if again.any():
+        there = np.take_along_axis(measured, order[:, 1:], axis=1)
+        np.put_along_axis(measured, order[:, 1:], there & ~again, axis=1)
+        order = _order(times, measured)
     measured = np.take_along_axis(measured, order, axis=1)
     t = np.take_along_axis(times, order, axis=1)
     xyz = np.take_along_axis(positions, order[..., None], axis=1)
@@ -148,3 +160,8 @@ def _ordered(
         np.take_along_axis(places, order, axis=1),
         shape,
     )
+
+
+def _order(times: Floats, measured: Flags) -> NDArray[np.intp]:
+    """Return the places of the frames of each track in order of time, of gaps last."""
+    return np.argsort(np.where(measured, times, np.inf), axis=1, kind="stable")

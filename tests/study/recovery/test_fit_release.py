@@ -264,6 +264,20 @@ def test_gaps_and_order_change_nothing() -> None:
     assert one.frames.shape == times.shape
 
 
+def test_a_frame_that_is_there_twice_counts_once() -> None:
+    thrown = throws(20, 19)
+    times = np.arange(0.0, 1.2, 1 / 60)
+    positions = noisy(thrown.positions(times), 0.01, 20)
+    found = fit(times, positions)
+    twice = fit(np.concatenate([times, times]), np.concatenate([positions, positions], axis=1))
+    assert found.credible.mean() > 0.8
+    assert np.array_equal(twice.states, found.states)
+    assert np.array_equal(twice.covariance, found.covariance)
+    assert np.array_equal(twice.credible, found.credible)
+    assert np.array_equal(twice.frames[:, : len(times)], found.frames)
+    assert not twice.frames[:, len(times) :].any()
+
+
 # ---------------------------------------------------------------------------- the ends of a flight
 
 
