@@ -1,4 +1,4 @@
-"""The C engine of the hoop as WebAssembly, for pages: how it is compiled, and which sources it has.
+"""The C engine of the hoop as WebAssembly, for pages: how it is compiled, and its sources.
 
 The modules are committed in generated/wasm/, so that who has no compiler can make a page. Each
 contains a digest of the sources, the options and the compiler that it was made with: with others
@@ -33,9 +33,10 @@ MODULES: Mapping[str, int] = MappingProxyType({"hoop.wasm": 1, "hoop_simd.wasm":
 """File and lanes of each module. Four lanes are in vectors of 128 bits. Relaxed vectors are off:
 how they round is the processor's choice."""
 
-_EXPORTS = ("hoop_simulate", "malloc", "free", "sin", "cos", "log")
-"""The interface, and functions with which pages make releases: those of musl, in every browser the
-same bits."""
+_LIBRARIES = (SCENE, "elementary")
+"""The engine, and the functions with which pages make releases, as Python does."""
+
+_EXPORTS = ("hoop_simulate", "elementary_compute", "malloc", "free")
 
 _OPTIONS_BY_LANES = {1: ("-DHOOP_ONLY=1",), 4: ("-DHOOP_ONLY=4", "-msimd128")}
 
@@ -54,7 +55,7 @@ _OPTIONS = (
 def _digest(folder: Path, name: str) -> str:
     """Return the digest of all that a module depends on, a C identifier."""
     made_of = (
-        c_build.source_digest(folder / "c", SCENE),
+        *(c_build.source_digest(folder / "c", library) for library in _LIBRARIES),
         _OPTIONS,
         _OPTIONS_BY_LANES[MODULES[name]],
         ZIG,
@@ -143,7 +144,8 @@ def _compiled(zig: tuple[str, ...], folder: Path, name: str) -> Path:
             sources,
             "-Wl,--export=hoop_sources",
         )
-        _run(*zig, "cc", *options, f"{SCENE}.c", "-o", str(out), cwd=folder / "c")
+        files = [f"{library}.c" for library in _LIBRARIES]
+        _run(*zig, "cc", *options, *files, "-o", str(out), cwd=folder / "c")
         target = folder / "wasm" / name
         target.parent.mkdir(exist_ok=True)
         return write(target, out.read_bytes())

@@ -15,6 +15,7 @@ from hoopgen.core.units import DEGREE, DISPLAY_UNITS, FOOT, TURN, UNITS
 from hoopgen.core.validation import BackendName
 from hoopgen.engine import web_assembly
 from hoopgen.engine.verification import first_primes
+from hoopgen.generated.numpy import elementary
 from hoopgen.hoop.kinds import Kind, kind_table
 from hoopgen.hoop.presets import PRESETS
 from hoopgen.hoop.releases import CATCHING_HEIGHT, RING_HEIGHT, release
@@ -152,6 +153,7 @@ def page_spec(backend: BackendName) -> dict[str, Any]:
     blank = simulate(release(**_START), PRESETS[_PRESET])
     return {
         "layout": {
+            "functions": {name: results for name, (_, results) in elementary.FUNCTIONS.items()},
             "state": state,
             "parameters": list(HOOP.parameters),
             "results": [

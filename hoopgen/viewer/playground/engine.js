@@ -108,8 +108,23 @@ const Engine = (() => {
       });
     }
 
-    const { sin, cos, log } = c; // in every browser the same bits
-    return { ...about, simulate, sin, cos, log };
+    /** Return the results of an elementary function of arrays: the bits of Python. */
+    function compute(name, ...columns) {
+      const held = [];
+      try {
+        const size = columns[0].length;
+        const given = columns.map((column) => put(held, Float64Array.from(column)));
+        const results = layout.functions[name].map(() => room(held, 8 * size));
+        const [from, to] = [given, results].map((places) => put(held, Uint32Array.from(places)));
+        const number = Object.keys(layout.functions).indexOf(name);
+        if (c.elementary_compute(number, size, from, to, 0) < 0) throw new Error(`no ${name}`);
+        return results.map((place) => view(Float64Array, place, size).slice());
+      } finally {
+        held.forEach(c.free);
+      }
+    }
+
+    return { ...about, simulate, compute };
   }
 
   return { bytesOf, start };

@@ -3,62 +3,52 @@
 
 const Release = (() => {
   const ARGUMENTS = "speed elevation azimuth backspin sidespin height distance angle".split(" ");
-  const BLOCK = 1 << 26;
 
-  /** Write the state of a release into an array, at a place: `hoopgen.release`, its operations in
-   * their order, with the sine and cosine of `engine`. Lengths in m, angles in rad. */
-  function write(states, at, release, engine, ringHeight) {
-    const { speed, elevation, azimuth, backspin, sidespin, height, distance, angle } = release;
-    const heading = azimuth + angle;
-    const [aheadX, aheadY] = [-engine.cos(heading), -engine.sin(heading)];
-    const fast = speed < 0 ? NaN : speed; // an angle gives the direction
-    const level = fast * engine.cos(elevation);
-    states[at] = distance * engine.cos(angle) + 0; // no negative zeros
-    states[at + 1] = distance * engine.sin(angle) + 0;
-    states[at + 2] = height - ringHeight + 0;
-    states[at + 3] = level * aheadX + 0;
-    states[at + 4] = level * aheadY + 0;
-    states[at + 5] = fast * engine.sin(elevation) + 0;
-    states[at + 6] = backspin * aheadY + 0;
-    states[at + 7] = backspin * -aheadX + 0;
-    states[at + 8] = sidespin + 0;
-  }
-
-  /** Return the states of many releases, which differ from one in some arguments' columns. */
+  /** Return the states of releases, 9 numbers each: `hoopgen.release`, its operations in their
+   * order. Some arguments have a column of values, the others are those of one release; lengths
+   * in m, angles in rad. */
   function states(release, columns, count, engine, ringHeight) {
+    const column = (name) => columns[name] ?? new Float64Array(count).fill(release[name]);
+    const all = Object.fromEntries(ARGUMENTS.map((name) => [name, column(name)]));
+    const heading = all.azimuth.map((azimuth, row) => azimuth + all.angle[row]);
+    const [aside, before] = engine.compute("sine_cosine", heading);
+    const [rise, flat] = engine.compute("sine_cosine", all.elevation);
+    const [left, front] = engine.compute("sine_cosine", all.angle);
     const found = new Float64Array(9 * count);
-    const own = { ...release };
     for (let row = 0; row < count; row++) {
-      for (const [name, values] of Object.entries(columns)) own[name] = values[row];
-      write(found, 9 * row, own, engine, ringHeight);
+      const [speed, spin, distance] = [all.speed[row], all.backspin[row], all.distance[row]];
+      const [aheadX, aheadY] = [-before[row], -aside[row]];
+      const fast = speed < 0 ? NaN : speed; // an angle gives the direction
+      const far = distance < 0 ? NaN : distance;
+      const level = fast * flat[row];
+      const state = [far * front[row], far * left[row], all.height[row] - ringHeight];
+      state.push(level * aheadX, level * aheadY, fast * rise[row]);
+      state.push(spin * aheadY, spin * -aheadX, all.sidespin[row]);
+      found.set(state.map((value) => value + 0), 9 * row); // no negative zeros
     }
     return found;
   }
 
-  /** Return numbers of a normal distribution: sfc32 (C. Doty-Humphrey, PractRand), 53 bits of two
-   * of its numbers, and G. Marsaglia's polar method, whose logarithm is that of `engine`. */
-  function normals(count, seed, engine) {
-    let [a, b, c, counter] = [0, seed | 0, seed < 2 ** 32 ? 0 : (seed / 2 ** 32) | 0, 1];
-    const word = () => {
-      const sum = (a + b + counter) | 0;
-      counter = (counter + 1) | 0;
-      a = b ^ (b >>> 9);
-      b = (c + (c << 3)) | 0;
-      c = (((c << 21) | (c >>> 11)) + sum) | 0;
-      return sum >>> 0;
-    };
-    for (let k = 0; k < 15; k++) word();
-    const even = () => ((word() >>> 5) * BLOCK + (word() >>> 6)) / (BLOCK * 2 ** 27);
-    const found = new Float64Array(count);
-    for (let k = 0; k < count; ) {
-      const [u, v] = [2 * even() - 1, 2 * even() - 1];
-      const square = u * u + v * v;
-      if (square >= 1 || square === 0) continue;
-      const scale = Math.sqrt((-2 * engine.log(square)) / square);
-      found[k++] = u * scale;
-      if (k < count) found[k++] = v * scale;
+  /** Return standard normal numbers as `hoopgen.Scatter` draws them: Philox 4×64 with ten rounds
+   * (Salmon et al. 2011), keyed by the seed and a stream, and the quantile of each number. */
+  function normals(count, seed, stream, engine) {
+    const [mask, bits] = [(1n << 64n) - 1n, 64n];
+    const [first, second] = [0xd2e7470ee14c6c93n, 0xca5a826395121157n];
+    const [weyl, other] = [0x9e3779b97f4a7c15n, 0xbb67ae8584caa73bn];
+    const numbers = new Float64Array(count);
+    for (let block = 0; 4 * block < count; block++) {
+      let [a, b, c, d] = [BigInt(block + 1), 0n, 0n, 0n];
+      let [key, next] = [BigInt(seed), BigInt(stream)];
+      for (let round = 0; round < 10; round++) {
+        const [one, two] = [first * a, second * c];
+        [a, b, c, d] = [(two >> bits) ^ b ^ key, two & mask, (one >> bits) ^ d ^ next, one & mask];
+        [key, next] = [(key + weyl) & mask, (next + other) & mask];
+      }
+      [a, b, c, d].forEach((word, k) => {
+        if (4 * block + k < count) numbers[4 * block + k] = (Number(word >> 12n) + 0.5) * 2 ** -52;
+      });
     }
-    return found;
+    return engine.compute("normal_quantile", numbers)[0];
   }
 
   /** Return the kind of each shot, by the table of hoopgen.hoop.kinds. */
@@ -79,5 +69,5 @@ const Release = (() => {
     return [made > 0 ? (middle - half) / whole : 0, made < shots ? (middle + half) / whole : 1];
   }
 
-  return { ARGUMENTS, kinds, normals, states, wilson, write };
+  return { ARGUMENTS, kinds, normals, states, wilson };
 })();

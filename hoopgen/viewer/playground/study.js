@@ -7,6 +7,7 @@ const Study = (() => {
   /** Return the studies of one engine; `spec` is the page's. */
   function of(engine, spec) {
     const { ring_height: ringHeight, most } = spec;
+    const drawn = {}; // by argument, count and seed
     const made = spec.outcomes.indexOf("made");
     const invalid = spec.outcomes.indexOf("invalid");
 
@@ -16,20 +17,24 @@ const Study = (() => {
 
     /** Return one shot with its event log, all results, and its release. */
     function shot({ release, parameters }) {
-      const states = new Float64Array(9);
-      Release.write(states, 0, release, engine, ringHeight);
+      const states = Release.states(release, {}, 1, engine, ringHeight);
       const results = spec.layout.results.map(([name]) => name);
       const found = simulate(states, parameters, results, true);
       return { ...found, kind: Release.kinds(found, spec.kinds)[0], release: [...states] };
     }
 
+    /** Return the standard normal numbers of an argument, which all changes of a page share. */
+    function standard(name, count, seed) {
+      const key = [name, count, seed].join();
+      drawn[key] ??= Release.normals(count, seed, Release.ARGUMENTS.indexOf(name), engine);
+      return drawn[key];
+    }
+
     /** Return throws about a release: each argument with a deviation is normal, independently. */
     function scatter({ release, parameters, deviations, seed, count }) {
-      const names = spec.scattered;
-      const draws = Release.normals(names.length * count, seed, engine);
-      const columns = names.map((name, k) => {
-        const column = draws.subarray(k * count, (k + 1) * count);
-        return [name, column.map((draw) => release[name] + deviations[name] * draw)];
+      const columns = spec.scattered.map((name) => {
+        const draws = standard(name, count, seed);
+        return [name, draws.map((draw) => release[name] + deviations[name] * draw)];
       });
       const states = Release.states(release, Object.fromEntries(columns), count, engine, ringHeight);
       const found = simulate(states, parameters, RESULTS);
