@@ -112,10 +112,13 @@ def test_what_the_judge_cannot_decide_is_nobodys_mistake(monkeypatch: pytest.Mon
 
 
 def test_the_readme_shows_the_table_that_the_command_wrote() -> None:
-    tallies = [Tally(**row) for row in json.loads((ROOT / "docs" / "grazes.json").read_text())]
+    tallies = [
+        Tally(**row)
+        for row in json.loads((ROOT / "docs" / "grazes.json").read_text(encoding="utf-8"))
+    ]
     table = "\n".join(grazes_page.summary(tallies))
-    assert table in (ROOT / "docs" / "grazes.md").read_text()
-    assert table in (ROOT / "README.md").read_text()
+    assert table in (ROOT / "docs" / "grazes.md").read_text(encoding="utf-8")
+    assert table in (ROOT / "README.md").read_text(encoding="utf-8")
     ours = [tally for tally in tallies if tally.who in grazes.OURS]
     assert ours
     assert all(tally.missed == tally.invented == 0 for tally in ours)
@@ -130,7 +133,7 @@ def test_the_command_writes_grazes_alone(
     monkeypatch.setattr(sys, "argv", ["benchmarks", *arguments])
     command.main()
     assert sorted(path.name for path in tmp_path.iterdir()) == ["grazes.json", "grazes.md"]
-    assert (tmp_path / "grazes.md").read_text() in capsys.readouterr().out
+    assert (tmp_path / "grazes.md").read_text(encoding="utf-8") in capsys.readouterr().out
 
 
 @pytest.mark.parametrize(

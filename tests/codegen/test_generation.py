@@ -755,7 +755,7 @@ def test_each_function_states_equation_and_operations(files: dict[str, str]) -> 
 
 def test_what_is_rarely_done_and_long_is_a_function_of_its_own() -> None:
     """The end of bounces is such a part: inline it would take the flights' registers."""
-    text = (ROOT / "generated" / "c" / "court_loop.h").read_text()
+    text = (ROOT / "generated" / "c" / "court_loop.h").read_text(encoding="utf-8")
     parts = re.split(r"^(?:static|LANES_APART) void (?=LOOP)", text, flags=re.M)
     functions = {part.split("(", 2)[1].split(")")[0]: part for part in parts[1:]}
     assert "_settling, " in functions["slow"]

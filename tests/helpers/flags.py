@@ -166,6 +166,8 @@ def _run(command: Sequence[str], **environment: str) -> str:
         env=os.environ | environment,
         capture_output=True,
         text=True,
+        encoding="utf-8",
+        errors="replace",
         check=False,
         timeout=600,
     )

@@ -116,8 +116,8 @@ def test_wheel_without_compiler_is_the_same_less_the_library(
 
 @pytest.mark.skipif(shutil.which(COMPILER) is None, reason="no C compiler")
 def test_wheel_with_compiler_holds_a_library_of_each_scene_for_ctypes(installed: Path) -> None:
-    court, hoop = sorted(libraries(installed))
-    for library, name in ((court, "_court"), (hoop, "_hoop")):
+    names = ("_court", "_elementary", "_hoop")
+    for library, name in zip(sorted(libraries(installed)), names, strict=True):
         assert library.parent == installed / "hoopgen" / "engine"
         assert library.name == f"{name}.so"
         assert not hasattr(ctypes.CDLL(str(library)), f"PyInit_{name}")
@@ -142,7 +142,8 @@ def test_one_wheel_serves_every_python_of_a_platform(installed: Path, tmp_path: 
 def test_a_second_installation_from_a_checkout_compiles_nothing(tmp_path: Path) -> None:
     """`make paper` and then `pip install '.[study]'` took two minutes of compiling each."""
     source, log = copy_sources(tmp_path / "source"), tmp_path / "log"
-    (source / "generated" / "c" / "court.c").unlink()
+    for other in ("court", "elementary"):
+        (source / "generated" / "c" / f"{other}.c").unlink()
     compiler = tmp_path / "cc"
     narrow = "-DHOOP_WIDEST=1 -O0"  # compiles in a second
     compiler.write_text(f'#!/bin/sh\necho "$@" >>{log}\nexec {shlex.join(COMMAND)} "$@" {narrow}\n')

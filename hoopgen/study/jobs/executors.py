@@ -270,7 +270,8 @@ class _Attendance:
 
 def _check_versions(client: Any, here: Mapping[str, str]) -> None:
     """Refuse workers that would compute something else, or nothing."""
-    for name, ours in here.items():
+    for name in ("hoopgen", "numpy"):  # each worker compares all again
+        ours = here[name]
         # A function of Python's own: a worker without hoopgen has none of ours.
         for worker, there in client.run(metadata.version, name, on_error="return").items():
             if there != ours:

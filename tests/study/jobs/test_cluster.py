@@ -137,7 +137,7 @@ def test_an_error_of_the_job_comes_from_the_worker(cluster: Any) -> None:
         next(chunks.run(Fails(), scheduler=cluster.scheduler_address))
 
 
-PACKAGES = ["hoopgen", "numpy", "elementary functions"]
+PACKAGES = ["hoopgen", "numpy"]
 
 
 @pytest.mark.parametrize("package", PACKAGES)
