@@ -89,6 +89,6 @@ def _fitted(file: Path, where: tuple[str, ...], parameters: Any, engine: Any) ->
     table = reading.interpreted(source, parameters, override=True, scene=engine)
     measured, invalid = table.measured(source)
     errors: Any = table.error_variances(source)
-    columns = {**table.origin.release, **measured}
+    columns: dict[str, Any] = {**table.origin.release, **measured}
     fitted = Scatter.fit(columns, measurement_covariance=errors)
     return fitted, f"{fitted}\n\n{table.interpretation}\n{invalid}"

@@ -14,7 +14,9 @@ from math import atan2, hypot, sqrt
 from types import MappingProxyType
 from typing import Any
 
+from hoopgen.core.parameters import ParameterValues
 from hoopgen.core.units import INCH
+from hoopgen.core.validation import as_doubles
 from hoopgen.text.shorten import brief
 
 from .court_lines import COURTS, Court, court_of
@@ -155,7 +157,7 @@ def _plain(name: str) -> str:
 
 
 def find_place(
-    name: str, parameters: Mapping[str, Any] | None = None, court: str | None = None
+    name: str, parameters: ParameterValues | None = None, court: str | None = None
 ) -> Place:
     """Return a named place.
 
@@ -197,14 +199,20 @@ def find_place(
     if book not in COURTS:
         raise ValueError(f"court: expected {' or '.join(COURTS)}, got {brief(court)}")
     measures, rule = COURTS[book], PLACES[plain]
-    x, y = rule.at(measures, float(hoop.get("board_distance", PAPER["board_distance"])))
+    given = hoop.get("board_distance", PAPER["board_distance"])
+    board = as_doubles("parameters['board_distance']", given)
+    if board.ndim:
+        raise ValueError(
+            f"parameters['board_distance']: a place needs one number, got {brief(given)}"
+        )
+    x, y = rule.at(measures, float(board))
     said = rule.source.format_map({key: _length(book, size) for key, size in _sizes(measures)})
     label = f"{side or 'right'} {plain}" if rule.sides else plain
     return Place(label, book, x, -y if side == "left" else y, f"{book} rules: {said}")
 
 
 def place(
-    name: str, parameters: Mapping[str, Any] | None = None, court: str | None = None
+    name: str, parameters: ParameterValues | None = None, court: str | None = None
 ) -> dict[str, float]:
     """Return the distance and the angle of a named place of the court.
 

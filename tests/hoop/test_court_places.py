@@ -156,3 +156,8 @@ def test_a_study_file_takes_a_place(tmp_path: Path) -> None:
     file.write_text(text.replace("free throw", "free thow"), encoding="utf-8")
     with pytest.raises(Exception, match="is free throw meant"):
         hoopgen.run_study(file, tmp_path / "wrong")
+
+
+def test_a_place_is_of_one_hoop() -> None:
+    with pytest.raises(ValueError, match=r"parameters\['board_distance'\]: a place needs one num"):
+        hoopgen.place("free throw", {"board_distance": [0.3, 0.4]})

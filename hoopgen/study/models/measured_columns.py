@@ -37,7 +37,7 @@ class WithErrors(Protocol):
         ...
 
 
-Measured: TypeAlias = WithErrors | Resample | Mapping[str, Any]
+Measured: TypeAlias = WithErrors | Resample | Mapping[str, ArrayLike]
 
 
 def measured_columns(

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Protocol, runtime_checkable
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -13,6 +13,7 @@ from hoopgen.core.plotting import plotting_module
 from hoopgen.core.units import use_units
 from hoopgen.core.validation import as_doubles
 from hoopgen.study.models.fitted_scatter import FittedScatter
+from hoopgen.study.models.measured_columns import Measured
 from hoopgen.study.models.scatter import Scatter
 from hoopgen.study.result import Result
 from hoopgen.study.statistics.intervals import wilson
@@ -173,12 +174,27 @@ def _row(label: str, one: Predicted) -> list[str]:
     ]
 
 
+@runtime_checkable
+class SimulatedProbabilities(Protocol):
+    """Probabilities that were simulated, such as `FittedReleases.made` returns."""
+
+    @property
+    def probability(self) -> Floats:
+        """Return the probability of each shot, (n,)."""
+        ...
+
+    @property
+    def shots(self) -> NDArray[np.int64]:
+        """Return the number of simulated shots of each, (n,)."""
+        ...
+
+
 def assess(
-    probability: Any,
+    probability: ArrayLike | SimulatedProbabilities,
     made: ArrayLike,
     *,
     player: Iterable[object] | None = None,
-    releases: Any = None,
+    releases: Measured | None = None,
     shots: int | None = None,
     confidence: float = 0.95,
 ) -> Assessment:
@@ -213,7 +229,7 @@ def assess(
         If an argument is not as described, or no shot has a probability.
     """
     level = check_share("confidence", confidence)
-    if hasattr(probability, "probability"):
+    if isinstance(probability, SimulatedProbabilities):
         shots = int(np.max(probability.shots, initial=0)) if shots is None else shots
         probability = probability.probability
     p = as_doubles("probability", probability)
@@ -284,7 +300,9 @@ def _predicted(p: Floats, made: Flags, level: float) -> Predicted:
     return Predicted(len(p), float(p.sum()), low, most, count, float(ends[0]), float(ends[1]))
 
 
-def _scatters(releases: Any, labels: Any) -> dict[str, FittedScatter[Scatter]]:
+def _scatters(
+    releases: Measured | None, labels: NDArray[np.object_] | None
+) -> dict[str, FittedScatter[Scatter]]:
     """Return the scatter of each player with enough releases."""
     if releases is None:
         return {}

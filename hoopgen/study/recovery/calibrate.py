@@ -18,7 +18,7 @@ from math import inf
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 from scipy.special import chdtri
 
 from hoopgen.core.parameters import ParameterValues, resolve
@@ -160,10 +160,10 @@ class CalibratedScene(Result):
 
 
 def calibrate(
-    table: Mapping[str, Any] | FittedReleases,
+    table: Mapping[str, ArrayLike] | FittedReleases,
     vary: Sequence[str] | Mapping[str, tuple[float, float]],
     *,
-    made: Any = None,
+    made: ArrayLike | None = None,
     scene: SceneLike = None,
     parameters: ParameterValues | None = None,
     errors: Mapping[str, float] | None = None,
