@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ctypes
+import gc
 import platform
 import sys
 import threading
@@ -31,7 +32,11 @@ MODES = {
 
 
 def in_a_thread(work: Callable[[], Any]) -> Any:
-    """Return what work returns, or the error that it raises; what it sets is its thread's."""
+    """Return what work returns, or the error that it raises; what it sets is its thread's.
+
+    Garbage is not collected meanwhile: callbacks that Hypothesis and JAX have registered compute
+    with inexact numbers, which sets a flag in whichever thread happens to collect.
+    """
     results = []
 
     def run() -> None:
@@ -40,9 +45,15 @@ def in_a_thread(work: Callable[[], Any]) -> Any:
         except Exception as error:
             results.append(error)
 
-    thread = threading.Thread(target=run)
-    thread.start()
-    thread.join()
+    collected = gc.isenabled()
+    gc.disable()
+    try:
+        thread = threading.Thread(target=run)
+        thread.start()
+        thread.join()
+    finally:
+        if collected:
+            gc.enable()
     return results[0]
 
 
