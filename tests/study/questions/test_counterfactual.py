@@ -188,6 +188,33 @@ def test_an_invalid_shot_has_no_counterfactual() -> None:
         hoopgen.counterfactual(endless, vary=["ring_friction"], max_contacts=30, prove=False)
 
 
+def test_a_parameter_that_is_zero_has_a_range() -> None:
+    shots = hoopgen.simulate(hoopgen.release(7.3, 51 * DEGREE, **PLACE), scene=hoopgen.COURT)
+    assert shots.parameters["tangential_restitution"] == 0.0
+    answer = hoopgen.counterfactual(shots, vary=["tangential_restitution"], prove=False)
+    assert answer.changes[0].searched == (-0.25, 0.25)
+    dead = hoopgen.simulate(
+        hoopgen.release(7.3, 51 * DEGREE, **PLACE), {"restitution": 0.0}, max_contacts=12
+    )
+    answer = hoopgen.counterfactual(dead, vary=["restitution"], prove=False, max_contacts=12)
+    assert answer.changes[0].searched == (0.0, 0.25)
+
+
+@pytest.mark.slow
+def test_a_settled_shot_is_settled_again() -> None:
+    pytest.importorskip("flint")
+    # Released on the axis of the ring's tube, straight down: each bounce leads back, until 40.
+    states = hoopgen.release(np.linspace(7.05, 7.35, 4000), 51 * DEGREE, **PLACE)
+    plain = hoopgen.simulate(states)
+    (rows,) = np.nonzero(plain.uncertain)
+    settled = hoopgen.simulate(states[rows], settle=True)
+    (other,) = np.nonzero(~settled.uncertain & (settled.outcome != plain.outcome[rows]))
+    assert len(other)
+    shots = hoopgen.simulate(states[rows[other[:1]]], settle=True)
+    answer = hoopgen.counterfactual(shots, vary=["speed"], prove=False)
+    assert answer.outcome == hoopgen.Outcome(int(shots.outcome[0])).name.lower()
+
+
 def test_another_time_limit_is_said_to_be_the_cause() -> None:
     state = hoopgen.release(7.3, 51 * DEGREE, **PLACE)
     shots = hoopgen.simulate(state, scene=hoopgen.COURT, time_limit=1.0)
