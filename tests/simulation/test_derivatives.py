@@ -11,11 +11,14 @@ import pytest
 import hoopgen
 from hoopgen.core.event_log import Event
 from hoopgen.core.variables import STATE
+from hoopgen.scene import End, Plane, Scene
 from hoopgen.simulation.engine import Engine
 from tests.helpers import ROOT
 
 pytest.importorskip("sympy")
 pytest.importorskip("mpmath")
+
+import mpmath
 
 from tests.helpers.precise_path import PreciseScene
 from tests.helpers.scenes.leaning import LEANING
@@ -290,6 +293,45 @@ def test_derivatives_have_names_and_units_in_xarray() -> None:
     np.testing.assert_array_equal(at_events, shots.event_jacobian["after"][:, 5, 0])
     assert at_events["event_surface"].values[0] in (*hoopgen.SURFACES, "end")
     assert "after_derivative" not in hoopgen.simulate(throws(1), derivatives=names).to_xarray()
+
+
+@pytest.mark.slow
+def test_the_height_of_a_bouncing_ball_at_a_time_has_the_derivatives_of_its_formula() -> None:
+    """Dropped from h, the ball falls for sqrt(2h/g) and then flies for 2 e^k sqrt(2h/g)."""
+    floor = Scene(
+        "floor",
+        bodies=[Plane("floor", at=0)],
+        ball_radius=0.1,
+        gravity=9.81,
+        restitution=0.8,
+        ends={"side": End(axis="x", at=10)},
+    )
+    shots = hoopgen.simulate(
+        [0, 0, 1.1, 0, 0, 0, 0, 0, 0],
+        scene=floor,
+        derivatives=["z"],
+        record=True,
+        max_contacts=8,
+    )
+    events, jacobian = shots.events, shots.event_jacobian
+    g, e = mpmath.mpf(9.81), mpmath.mpf(0.8)
+
+    def height(bounces: int, time: float, drop: Any) -> Any:
+        down = mpmath.sqrt(2 * drop / g)
+        since = time - down * (1 + 2 * sum(e**k for k in range(1, bounces)))
+        return g * down * e**bounces * since - g * since**2 / 2
+
+    for bounces, time in ((1, 0.6), (2, 1.2), (2, 1.6), (3, 1.9)):
+        last = bounces - 1
+        assert events["time"][last] < time < events["time"][bounces]
+        later = jacobian["time"][last, 0, 0]
+        up = jacobian["after"][last, 5, 0] + 9.81 * later
+        place = jacobian["after"][last, 2, 0] - events["after"][last, 5] * later
+        found = place + up * (time - events["time"][last])
+        drop = mpmath.mpf(1.1) - mpmath.mpf(0.1)
+        with mpmath.workdps(50):
+            expected = mpmath.diff(lambda h, b=bounces, t=time: height(b, t, h), drop)
+        assert found == pytest.approx(float(expected), rel=1e-12)
 
 
 def test_nothing_else_changes_with_derivatives() -> None:

@@ -99,7 +99,7 @@ def counterfactual(
         max_contacts,
     )
     names = variables_of_shot(vary, scene)
-    itself = _like(shots, index, one)
+    itself = simulated_like(shots, index, one)
     outcome = scene.outcomes(int(itself.outcome[0]))
     if outcome == scene.outcomes["INVALID"]:
         (why,) = why_invalid(one.state, one.parameters, scene=scene)
@@ -147,8 +147,8 @@ def counterfactual(
     )
 
 
-def _like(shots: Shots, index: int, one: OneShot) -> Shots:
-    """Return a shot simulated again; settled, if it was."""
+def simulated_like(shots: Shots, index: int, one: OneShot) -> Shots:
+    """Return a shot of some shots, simulated again; settled, if it was."""
     settle = False
     while True:
         itself = simulate(

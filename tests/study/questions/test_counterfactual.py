@@ -19,7 +19,9 @@ import hoopgen
 from hoopgen.core.units import use_units
 from hoopgen.hoop.arguments import arguments_of
 from hoopgen.scene import End, Parameter, Plane, Scene
+from hoopgen.study.questions.counterfactual import simulated_like
 from hoopgen.study.questions.counterfactual_result import Change, Counterfactual
+from hoopgen.study.questions.one_variable import OneShot
 
 DEGREE = np.pi / 180
 PLACE: dict[str, Any] = {"height": 2.1336, "distance": 4.191}
@@ -203,16 +205,18 @@ def test_a_parameter_that_is_zero_has_a_range() -> None:
 @pytest.mark.slow
 def test_a_settled_shot_is_settled_again() -> None:
     pytest.importorskip("flint")
-    # Released on the axis of the ring's tube, straight down: each bounce leads back, until 40.
-    states = hoopgen.release(np.linspace(7.05, 7.35, 4000), 51 * DEGREE, **PLACE)
-    plain = hoopgen.simulate(states)
-    (rows,) = np.nonzero(plain.uncertain)
-    settled = hoopgen.simulate(states[rows], settle=True)
-    (other,) = np.nonzero(~settled.uncertain & (settled.outcome != plain.outcome[rows]))
-    assert len(other)
-    shots = hoopgen.simulate(states[rows[other[:1]]], settle=True)
-    answer = hoopgen.counterfactual(shots, vary=["speed"], prove=False)
-    assert answer.outcome == hoopgen.Outcome(int(shots.outcome[0])).name.lower()
+    random = np.random.default_rng(1)
+    speeds, elevations = random.normal(7.17, 0.07, 40_000), random.normal(0.9, 0.02, 40_000)
+    states = hoopgen.release(speeds, elevations, backspin=6 * np.pi, **PLACE)
+    uncertain = states[hoopgen.simulate(states, fields=["uncertain"]).uncertain][:1]
+    assert len(uncertain)
+    parameters = {name: float(value) for name, value in hoopgen.PAPER.items()}
+    one = OneShot(hoopgen.HOOP, uncertain[0], parameters, int(hoopgen.Outcome.MADE))
+    for settle in (False, True):
+        shots = hoopgen.simulate(uncertain, settle=settle)
+        again = simulated_like(shots, 0, one)
+        assert bool(again.uncertain[0]) is bool(shots.uncertain[0]) is not settle
+        assert again.outcome[0] == shots.outcome[0]
 
 
 def test_another_time_limit_is_said_to_be_the_cause() -> None:
