@@ -227,7 +227,8 @@ class Shots:
             return made
         if name in ("jacobian", "event_jacobian", "differentiable", "decisions", "_variations"):
             name = "change_distance" if name == "_variations" else name
-            raise AttributeError(f'{name}: simulate with derivatives=("vx", ...) to have it')
+            more = " and record=True" if name == "event_jacobian" else ""
+            raise AttributeError(f'{name}: simulate with derivatives=("vx", ...){more} to have it')
         if name == "events":
             raise AttributeError("events: simulate with record=True to keep the event log")
         if scene is not None and name in scene.layout.absent:

@@ -23,7 +23,7 @@ from .scatter import Scatter
 __all__ = ["MEAN", "SD", "SUMS", "check_scored", "score_sums", "split"]
 
 MEAN, SD = "mean", "sd"
-"""What a score is the derivative by: the name before the point of ``mean.speed``."""
+"""Parameters of a normal variable: the names before the point of ``mean.speed``."""
 
 SUMS = 4
 """Sums of each score: of valid shots, of those made, and of the squares of both."""

@@ -90,7 +90,7 @@ def test_scores_agree_with_differences_over_the_same_random_numbers() -> None:
 
 @pytest.mark.slow
 def test_intervals_of_the_gradient_contain_the_truth_as_often_as_they_say() -> None:
-    """Of 95% intervals over many seeds 90% at the least, against a million shots."""
+    """Demand that 90% at the least do, of 95% intervals of many seeds."""
     names = (*NAMES, "restitution")
     truth = found(1 << 21, 10_000, names)
     runs = trials(200)
