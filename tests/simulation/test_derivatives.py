@@ -292,7 +292,7 @@ def test_derivatives_have_names_and_units_in_xarray() -> None:
     at_events = dataset["after_derivative"].sel(variable="vx", component="vz")
     np.testing.assert_array_equal(at_events, shots.event_jacobian["after"][:, 5, 0])
     assert at_events["event_surface"].values[0] in (*hoopgen.SURFACES, "end")
-    with pytest.raises(AttributeError, match="event_jacobian: .* and record=True to have it"):
+    with pytest.raises(AttributeError, match=r"event_jacobian: .* and record=True to have it"):
         _ = hoopgen.simulate(throws(1), derivatives=names).event_jacobian
     assert "after_derivative" not in hoopgen.simulate(throws(1), derivatives=names).to_xarray()
 
