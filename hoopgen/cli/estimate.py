@@ -35,12 +35,10 @@ _PITCH = "--scatter vx=0.1 --scatter vy=0.05"
     + examples(
         "hoopgen estimate --speed 7.17 --elevation 52deg --backspin 3Hz --height 7ft \\",
         f"    --distance 13.75ft {_PLAYER} \\",
-        "    --picture shares.svg",
+        "    --gradient mean.speed --gradient restitution --picture shares.svg",
         "hoopgen estimate --aim 5cm --elevation 52deg --backspin 3Hz --height 7ft \\",
         f"    --distance 13.75ft {_PLAYER} \\",
         "    --preset nba --precision 0.001 --versus backspin=0",
-        "hoopgen estimate --aim 5cm --elevation 52deg --height 7ft --distance 13.75ft \\",
-        f"    {_PLAYER} --gradient mean.speed --gradient restitution",
         "hoopgen estimate --scene golf.toml --position=-30cm,0,20cm --velocity 1.4,0,0 \\",
         "    --scatter vx=0.1 --scatter vy=0.05 --max-contacts 30",
         "hoopgen estimate --from releases.csv --place elbow --height 7ft --fitted --solve 70%",

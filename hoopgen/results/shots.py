@@ -244,6 +244,8 @@ class Shots:
     def __dir__(self) -> list[str]:
         optional = ("made", "jacobian", "differentiable", "decisions")
         lacking = {name for name in optional if not hasattr(self, name)}
+        if "jacobian" in lacking or "events" not in self._fields:
+            lacking.add("event_jacobian")
         return sorted({*super().__dir__(), *self._fields, *optional} - lacking)
 
     def __len__(self) -> int:
