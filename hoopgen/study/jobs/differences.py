@@ -6,8 +6,9 @@ the share of made shots is differenced: (made above - made below) / 2h, over the
 both values cancel. The bias is of the order of h squared, and a difference over 2h estimates it.
 
 The rate at which the boundary itself moves would have no step. `Shots.change_distance` gives it
-where a single decision changes. In `HOOP` nine of ten places at which made shots end along the
-speed are balls that come to rest on the rim, between more and more contacts: no decision is alone.
+where a single decision changes. In `HOOP`, on 100 lines along the speed for the player of the
+README, 92% of the boundary by weight had no decision that could be told apart: most of these shots
+stay on the rim for more than twenty contacts (docs/howto/gradients.md).
 """
 
 from __future__ import annotations
