@@ -19,7 +19,7 @@ from hoopgen.hoop.releases import RING_HEIGHT
 from hoopgen.hoop.variables import ARGUMENTS, resolve_variables
 from hoopgen.study.jobs.objective import By, Player, paired
 from hoopgen.study.questions.bank import Crossing, bank_or_direct, crossing
-from hoopgen.study.questions.estimate import Estimate
+from hoopgen.study.questions.estimate_result import Estimate
 from hoopgen.study.questions.optimum import optimum
 from hoopgen.study.questions.optimum_result import Optimum
 from hoopgen.study.statistics.intervals import wilson

@@ -35,7 +35,7 @@ _PITCH = "--scatter vx=0.1 --scatter vy=0.05"
     + examples(
         "hoopgen estimate --speed 7.17 --elevation 52deg --backspin 3Hz --height 7ft \\",
         f"    --distance 13.75ft {_PLAYER} \\",
-        "    --picture shares.svg",
+        "    --gradient mean.speed --gradient restitution --picture shares.svg",
         "hoopgen estimate --aim 5cm --elevation 52deg --backspin 3Hz --height 7ft \\",
         f"    --distance 13.75ft {_PLAYER} \\",
         "    --preset nba --precision 0.001 --versus backspin=0",
@@ -56,6 +56,7 @@ def estimate(
     share: float | None,
     precision: float | None,
     measures: tuple[str, ...],
+    gradient: tuple[str, ...],
     picture: Path | None,
     as_json: bool,
     **work: Any,
@@ -65,9 +66,9 @@ def estimate(
     Shots scatter about a release, or are drawn from measured ones. The answer is the probability
     with its confidence interval, and the shares of swishes, shots off the rim, bank shots and so
     on; --measure adds the distribution of a measure, and of rebound_angle the rebounds by
-    direction. With --scene shots scatter about a position and a velocity, and the answer is the
-    share of each end. --solve asks the other way round: how wide is the scatter of somebody who
-    makes so many?
+    direction. --gradient adds derivatives of the probability. With --scene shots scatter about a
+    position and a velocity, and the answer is the share of each end. --solve asks the other way
+    round: how wide is the scatter of somebody who makes so many?
     """
     from hoopgen.study.named_units import in_units
 
@@ -77,19 +78,21 @@ def estimate(
     if measures and (versus or share is not None):
         other = "--versus" if versus else "--solve"
         raise click.UsageError(f"--measure is of one setting, without {other}.")
+    if gradient and (versus or share is not None):
+        other = "--versus" if versus else "--solve"
+        raise click.UsageError(f"--gradient is of one setting, without {other}.")
     check_caught(measures)
+    work |= {"precision": precision, "measures": measures, "gradient": gradient}
     if share is not None and not (releasing.sd or releasing.measured):
         raise click.UsageError(_needs_scatter(releasing.engine))
     if releasing.fitted and share is None and not versus:
-        options = _options_of(
-            EstimateQuestion, work | {"precision": precision, "measures": measures}
-        )
+        options = _options_of(EstimateQuestion, work)
         _estimate_fitted(releasing, options, picture, as_json)
         return
     (model, parameters), scene = releasing.model(), releasing.engine
     question: Any = CompareQuestion if versus else EstimateQuestion
     question = SolveQuestion if share is not None else question
-    options = _options_of(question, work | {"precision": precision, "measures": measures})
+    options = _options_of(question, work)
     with shown() as progress:
         options |= {"scene": scene, "progress": progress}
         result: Any

@@ -19,6 +19,8 @@ class Jacobian(Mapping[str, NDArray[np.float64]]):
     ----------
     names
         The variables of the columns, k of them.
+    shot
+        The shot of each matrix, (m,), where a shot has several, one for each event; else None.
 
     Parameters
     ----------
@@ -26,11 +28,19 @@ class Jacobian(Mapping[str, NDArray[np.float64]]):
         By the name of a result, (..., m, k): "state" has m = 9 rows, "time" has one.
     names
         The variables of the columns.
+    shot
+        As the attribute.
     """
 
-    def __init__(self, matrices: Mapping[str, NDArray[np.float64]], names: Sequence[str]) -> None:
+    def __init__(
+        self,
+        matrices: Mapping[str, NDArray[np.float64]],
+        names: Sequence[str],
+        shot: NDArray[np.integer] | None = None,
+    ) -> None:
         self._matrices = dict(matrices)
         self.names = tuple(names)
+        self.shot = shot
 
     def __getitem__(self, result: str) -> NDArray[np.float64]:
         return self._matrices[result]
@@ -84,9 +94,16 @@ class Jacobian(Mapping[str, NDArray[np.float64]]):
                 f"derivatives: {', '.join(missing)} missing, on which the releases depend; "
                 "simulate with derivatives by them, too"
             )
-        shots = len(next(iter(self.values()))) if shots is None else shots
+        if shots is None:
+            shots = len(next(iter(self.values()))) if self.shot is None else len(own)
         if len(own) not in (1, shots):
             raise ValueError(f"release: expected the Jacobian of {shots} releases, got {len(own)}")
+        if self.shot is not None and len(own) > 1:
+            if np.any(self.shot >= len(own)):
+                raise ValueError(
+                    f"release: expected the Jacobian of all shots, got that of {len(own)}"
+                )
+            own = own[self.shot]
         columns = [self.names.index(name) for name in STATE if name in self.names]
         rows = [row for row, name in enumerate(STATE) if name in self.names]
         others = [column for column, name in enumerate(self.names) if name not in STATE]
@@ -95,4 +112,6 @@ class Jacobian(Mapping[str, NDArray[np.float64]]):
             moved = changes[..., columns] @ own[:, rows]
             kept = np.broadcast_to(changes[..., others], (*moved.shape[:-1], len(others)))
             chained[result] = np.concatenate([moved, kept], axis=-1)
-        return Jacobian(chained, (*release.names, *(self.names[column] for column in others)))
+        return Jacobian(
+            chained, (*release.names, *(self.names[column] for column in others)), self.shot
+        )

@@ -40,7 +40,7 @@ from .ticks import number
 if TYPE_CHECKING:
     from hoopgen.results.drawing import Drawn
     from hoopgen.study.questions.compare import Comparison
-    from hoopgen.study.questions.estimate import Estimate
+    from hoopgen.study.questions.estimate_result import Estimate
     from hoopgen.study.questions.solve import Solution
     from hoopgen.study.statistics.shares import Shares
 

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from hoopgen.core.event_log import Event, describe_event, number_contacts
 from hoopgen.core.extras import require
+from hoopgen.core.jacobian import Jacobian
 from hoopgen.core.parameters import Value
 from hoopgen.core.units import System, column_name, file_unit
 from hoopgen.core.variables import STATE, STATE_UNITS
@@ -20,6 +21,8 @@ from hoopgen.generated.numpy.hoop import ResultField
 from hoopgen.report.provenance import describe_scene
 from hoopgen.report.quantities import for_json
 from hoopgen.text.html import MAX_ROWS, some_rows, table
+
+from .variations import derivative_arrays, event_derivative_arrays
 
 if TYPE_CHECKING:
     from pandas import DataFrame
@@ -55,6 +58,15 @@ class Shots(Protocol):
 
     @property
     def events(self) -> NDArray[np.void]: ...
+
+    @property
+    def jacobian(self) -> Jacobian: ...
+
+    @property
+    def event_jacobian(self) -> Jacobian: ...
+
+    @property
+    def differentiable(self) -> NDArray[np.bool_]: ...
 
     def __len__(self) -> int: ...
 
@@ -143,6 +155,12 @@ def shots_dataset(shots: Shots) -> Dataset:
             codes = np.arange(low, low + len(result.flags), dtype=values.dtype)
             attributes = {"flag_values": codes, "flag_meanings": " ".join(result.flags)}
         data[result.name] = (dimensions, values, attributes)
+    if hasattr(shots, "jacobian"):
+        more, along = derivative_arrays(shots.jacobian, shots.differentiable, shots.scene)
+        data, units = data | more, units | along
+    if hasattr(shots, "jacobian") and hasattr(shots, "events"):
+        more, along = event_derivative_arrays(shots.event_jacobian, shots.events, shots.scene)
+        data, units = data | more, units | along
     dataset: Dataset = xr.Dataset(data, coordinates).assign_coords(units)
     alike = {name: float(v) for name, v in shots.parameters.items() if np.ndim(v) == 0}
     dataset.attrs["scene"] = scene_of(shots)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Protocol, Unpack
+from typing import TYPE_CHECKING, Unpack
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -19,6 +19,7 @@ from hoopgen.text.numbers import format_count, format_uncertain
 from . import frames
 from .drawing import FanOptions
 from .trajectory import Trajectory
+from .variations import Variations
 
 if TYPE_CHECKING:
     from pandas import DataFrame
@@ -42,30 +43,6 @@ FieldArray = (
 SURFACES: tuple[str, ...] = tuple(BODIES)
 """Bodies of the hoop, in the order of ``Shots.counts``; the event log numbers the end plane after
 them."""
-
-
-class Variations(Protocol):
-    """The variations of some shots with their releases and parameters."""
-
-    @property
-    def jacobian(self) -> Jacobian:
-        """Derivatives of the end."""
-
-    @property
-    def differentiable(self) -> NDArray[np.bool_]:
-        """The mask of the shots that have derivatives, (n,)."""
-
-    @property
-    def decisions(self) -> tuple[str, ...]:
-        """Names of the decisions."""
-
-    def change_distance(
-        self,
-        events: NDArray[np.void],
-        covariance: ArrayLike | None,
-        release: Jacobian | None,
-    ) -> NDArray[np.float64]:
-        """Return `Shots.change_distance`, given the event log."""
 
 
 class Shots:
@@ -176,6 +153,22 @@ class Shots:
         return self._variations.differentiable
 
     @property
+    def event_jacobian(self) -> Jacobian:
+        """With ``derivatives=`` and ``record=True``: the derivatives at each event of the log.
+
+        "time" (m, 1, k), "before" and "after" (m, 9, k) for the m rows of `events`: how the event
+        itself changes, whose time varies too. They are computed at each access. They are NaN in a
+        shot with an uncertain decision, and from the first event at which a ball stays in contact.
+        A shot that does not reach an end has them, too.
+
+        Raises
+        ------
+        AttributeError
+            If the shots were simulated without ``derivatives=`` or without ``record=True``.
+        """
+        return self._variations.at_events(self.events)
+
+    @property
     def decisions(self) -> tuple[str, ...]:
         """With ``derivatives=``: names of the columns of `change_distance`."""
         return self._variations.decisions
@@ -232,9 +225,10 @@ class Shots:
         if name == "made" and fields and "MADE" in self.scene.outcomes.__members__:
             made: NDArray[np.bool_] = self.outcome == self.scene.outcomes["MADE"]
             return made
-        if name in ("jacobian", "differentiable", "decisions", "_variations"):
+        if name in ("jacobian", "event_jacobian", "differentiable", "decisions", "_variations"):
             name = "change_distance" if name == "_variations" else name
-            raise AttributeError(f'{name}: simulate with derivatives=("vx", ...) to have it')
+            more = " and record=True" if name == "event_jacobian" else ""
+            raise AttributeError(f'{name}: simulate with derivatives=("vx", ...){more} to have it')
         if name == "events":
             raise AttributeError("events: simulate with record=True to keep the event log")
         if scene is not None and name in scene.layout.absent:
@@ -250,6 +244,8 @@ class Shots:
     def __dir__(self) -> list[str]:
         optional = ("made", "jacobian", "differentiable", "decisions")
         lacking = {name for name in optional if not hasattr(self, name)}
+        if "jacobian" in lacking or "events" not in self._fields:
+            lacking.add("event_jacobian")
         return sorted({*super().__dir__(), *self._fields, *optional} - lacking)
 
     def __len__(self) -> int:
@@ -365,7 +361,9 @@ class Shots:
         """Return the results as an xarray.Dataset over ``shot``, with what the codes mean.
 
         Parameters of the scene are coordinates where they differ from shot to shot, else in its
-        ``attrs``.
+        ``attrs``. With ``derivatives=`` it has ``state_derivative`` and ``time_derivative`` over
+        ``variable``, whose units are in ``variable_unit``; with ``record=True``, too, the
+        derivatives of `event_jacobian` over ``event``.
 
         Raises
         ------

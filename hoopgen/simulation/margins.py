@@ -162,7 +162,12 @@ class _Margins:
             self._near(plane, "end_miss", rows, start, looks, bounded=False)
 
     def event(
-        self, face: str, rows: Rows, events: NDArray[np.void], found: Mapping[str, Any]
+        self,
+        face: str,
+        rows: Rows,
+        events: NDArray[np.void],
+        found: Mapping[str, Any],
+        arrival: Floats,
     ) -> None:
         """Note how far an event is from the edges of its surface, from slip, and from a tie."""
         kernels = self.scene.kernels

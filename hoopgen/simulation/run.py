@@ -233,7 +233,7 @@ def run(
     variations = None  # along the recorded events, which settling does not change
     if by is not None:
         found = find_derivatives(engine, by, named, results, results["events"])
-        variations = Variations(engine, named, releases, *found)
+        variations = Variations(engine, named, releases, *found, ~results["uncertain"])
     if settle:
         # Imported here, because the judge needs SymPy and python-flint.
         from hoopgen.judge.settle import settle as decide

@@ -13,6 +13,7 @@ from hoopgen.core.parameters import Value
 from hoopgen.core.validation import as_doubles
 from hoopgen.engine.compiled_scene import CompiledScene
 
+from .event_variations import event_derivatives
 from .margins import change_distance, decision_names
 
 __all__ = ["Variations", "root_of_covariance"]
@@ -33,6 +34,8 @@ class Variations:
         Of the shots.
     jacobian, differentiable
         As of `variations.derivatives`.
+    certain
+        The shots of which no decision is uncertain, (n,).
     """
 
     scene: CompiledScene
@@ -40,11 +43,17 @@ class Variations:
     releases: Floats
     jacobian: Jacobian
     differentiable: NDArray[np.bool_]
+    certain: NDArray[np.bool_]
 
     @property
     def decisions(self) -> tuple[str, ...]:
         """Names of the decisions, `decision_names`."""
         return decision_names(self.scene)
+
+    def at_events(self, events: NDArray[np.void]) -> Jacobian:
+        """Return `Shots.event_jacobian`, given the event log."""
+        names = self.jacobian.names
+        return event_derivatives(self.scene, names, self.parameters, self.certain, events)
 
     def change_distance(
         self,

@@ -143,8 +143,21 @@ class Observer(Protocol):
         rows: NDArray[np.intp],
         events: NDArray[np.void],
         found: dict[str, Any],
+        arrival: Floats,
     ) -> None:
-        """Note events at one face: what its kernels, and those of the contact law, return."""
+        """Note events at one face: what its kernels, and those of the contact law, return.
+
+        Parameters
+        ----------
+        face
+            The face.
+        rows, events
+            As of `flight`.
+        found
+            By name what the kernels were given and what they return: variations after the event.
+        arrival
+            Variations before it, at the event itself, (9, k, j).
+        """
 
 
 class VariedPath:
@@ -193,6 +206,7 @@ class VariedPath:
         events: NDArray[np.void],
         first: NDArray[np.intp],
         observer: Observer | None = None,
+        last: NDArray[np.intp] | None = None,
     ) -> tuple[Floats, Floats]:
         """Return the derivatives of state and time at the end, (m, 9, k) and (m, 1, k).
 
@@ -204,6 +218,8 @@ class VariedPath:
             The row of the first event of each of these, (m,).
         observer
             An object that is given each flight and each event.
+        last
+            The row of the last event of each that is followed, (m,); by default the end.
         """
         self._observer = observer
         shots = len(first)
@@ -217,7 +233,7 @@ class VariedPath:
             if observer is not None:
                 observer.flight(going, now, duration, self._variation[:, :, going])
             self._fly(going, duration)
-            ended = now["kind"] == Event.END
+            ended = now["kind"] == Event.END if last is None else row[going] >= last[going]
             for face, which in self._touched(now, going):
                 end[:, going[which]] = self._meet(face, going[which], now[which])
             time[going] = now["time"]
@@ -280,9 +296,10 @@ class VariedPath:
         shape = (self._variation.shape[1], len(rows))
         delay = np.broadcast_to(found["contact_delay"], shape)
         self._store(rows, found)
+        arrival = self._variation[:, :, rows]
         if face in self._kernels.END_PLANES:
             if self._observer is not None:
-                self._observer.event(face, rows, events, given | found)
+                self._observer.event(face, rows, events, given | found, arrival)
             return delay
         given |= found
         bodies = zip(self._kernels.BODIES, self._kernels.FACES, strict=True)
@@ -290,7 +307,7 @@ class VariedPath:
         law, asked = self._kernels.VARIED_LAWS[body]
         given |= self.call(law, given, asked)
         if self._observer is not None:
-            self._observer.event(face, rows, events, given)
+            self._observer.event(face, rows, events, given, arrival)
         given |= dict(zip(STATE, events["after"].T, strict=True))
         self._store(rows, given)
         self._store(rows, self.call("vary_departure", given))

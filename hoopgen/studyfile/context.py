@@ -139,6 +139,8 @@ class Context:
             apart |= {"catching_height"} - set(caught)
         if isinstance(question, EstimateQuestion) and not question.measures:
             apart.add("measures")
+        if isinstance(question, EstimateQuestion) and not question.gradient:
+            apart.add("gradient")
         identity: dict[str, Any] = {
             **scene_identity(self.engine),
             **{name: getattr(self.study, name) for name in ("seed", "confidence", "formats")},

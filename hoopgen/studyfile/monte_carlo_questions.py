@@ -13,7 +13,8 @@ from hoopgen.study.jobs.monte_carlo import most_shots
 from hoopgen.study.named_units import in_units
 from hoopgen.study.questions.batch import batch
 from hoopgen.study.questions.compare import Comparison, compare
-from hoopgen.study.questions.estimate import STILL, Estimate, estimate
+from hoopgen.study.questions.estimate import estimate
+from hoopgen.study.questions.estimate_result import STILL, Estimate
 from hoopgen.study.questions.landings import landings_of
 from hoopgen.study.questions.optimum_result import PLOTTED
 from hoopgen.study.questions.solve import Solution, solve

@@ -60,10 +60,10 @@ class PreciseScene:
         """Return the distance of a ball at a place from a surface."""
         return self._function("gap", surface, POSITION, [surface.distance])(*place, *inputs)[0]
 
-    def end(
+    def states(
         self, state: Vector, inputs: Vector, events: Sequence[tuple[Surface, Law | None, float]]
-    ) -> Vector:
-        """Return the time of the last event and the state then.
+    ) -> list[Vector]:
+        """Return of each event the states before and after it, nine numbers each, and the time.
 
         Parameters
         ----------
@@ -74,7 +74,7 @@ class PreciseScene:
         events
             Of each event its surface, the contact law (None: the end), and a time near it.
         """
-        clock, now = mpmath.mpf(0), list(state)
+        clock, now, found = mpmath.mpf(0), list(state), []
         flight = self._function(
             "flight",
             self.scene.name,
@@ -89,6 +89,7 @@ class PreciseScene:
             duration = mpmath.findroot(distance, (near - clock, near - clock + mpmath.mpf("1e-9")))
             now = [*flight(duration, *now, *inputs), *now[6:]]
             clock += duration
+            before = list(now)
             if law is not None:
                 turned = self._function("normal", surface, POSITION, surface.normal)
                 after = law.after(normal, velocity, spin, self.scene.ball)
@@ -96,7 +97,8 @@ class PreciseScene:
                     "law", law, (*STATE[3:], *NORMAL), [c for part in after for c in part]
                 )
                 now[3:] = act(*now[3:], *turned(*now[:3], *inputs), *inputs)
-        return [*now, clock]
+            found.append([*before, *now, clock])
+        return found
 
     def derivatives(
         self,
@@ -105,12 +107,12 @@ class PreciseScene:
         events: Sequence[tuple[Surface, Law | None, float]],
         changes: Mapping[str, Sequence[float]],
     ) -> NDArray[np.float64]:
-        """Return the derivatives of state and time at the last event, (10, k).
+        """Return of each event the derivatives of states before and after, and of time, (19, k).
 
         Parameters
         ----------
         state, inputs, events
-            The shot, as of `end`.
+            The shot, as of `states`.
         changes
             By variable the derivatives of the nine numbers of the release and of the inputs.
         """
@@ -121,7 +123,11 @@ class PreciseScene:
                 ends = []
                 for sign in (1, -1):
                     moved = [v + sign * _STEP * c for v, c in zip(start, change, strict=True)]
-                    ends.append(self.end(moved[:9], moved[9:], events))
-                pairs = zip(*ends, strict=True)
-                columns.append([float((up - down) / (2 * _STEP)) for up, down in pairs])
-        return np.array(columns).T
+                    ends.append(self.states(moved[:9], moved[9:], events))
+                columns.append(
+                    [
+                        [float((up - down) / (2 * _STEP)) for up, down in zip(*pair, strict=True)]
+                        for pair in zip(*ends, strict=True)
+                    ]
+                )
+        return np.moveaxis(np.array(columns), 0, 2)

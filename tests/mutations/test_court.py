@@ -19,7 +19,7 @@ from hoopgen.derive.events.ring.single import MAX_STEPS, SinglePrecisionRing
 from hoopgen.derive.motion import rolling_series
 from hoopgen.derive.motion.ring_rolling_series import RingRolling
 from hoopgen.derive.rolling import contact_phase, endless, events, neighbour, settling
-from hoopgen.derive.scenes import passage
+from hoopgen.derive.scenes import passage, validity
 from hoopgen.derive.surfaces import Box
 
 pytest.importorskip("flint")
@@ -27,7 +27,7 @@ pytest.importorskip("flint")
 from tests.derive.contact import test_friction
 from tests.derive.events import test_bounding_boxes, test_near_plates
 from tests.derive.rolling import test_contact_phase, test_endless, test_settling, test_steps
-from tests.derive.scenes import test_passage, test_passage_edge
+from tests.derive.scenes import test_passage, test_passage_edge, test_start_outside
 from tests.helpers.checked_faults import (
     OfFormulas,
     OfKernels,
@@ -184,6 +184,9 @@ passings_at_the_edge = OfKernels(
     ((1e-12,), (1e-8,), (1e-5,)),
     named=((test_passage.__name__, "kernels"),),
 )
+starts_at_the_ring = OfKernels(
+    test_start_outside.test_a_start_at_the_ring_is_undecided_or_what_more_digits_say,
+)
 single = WithKernels(no_search_in_single_precision_passes_a_root)
 
 
@@ -193,6 +196,11 @@ in_ring = partial(in_text, RingRolling)
 in_series = partial(in_text, rolling_series)
 
 FAULTS = (
+    Planted(
+        "the place of the start has no rounding",
+        in_text(validity, "_slack", "16 * UNIT_ROUNDOFF", "0 * UNIT_ROUNDOFF"),
+        starts_at_the_ring,
+    ),
     # Rolling on the ring: Routh's equations as a series.
     Planted(
         "the whole weight turns the ball around the wire",

@@ -11,16 +11,22 @@ import pytest
 import hoopgen
 from hoopgen.core.event_log import Event
 from hoopgen.core.variables import STATE
+from hoopgen.scene import End, Plane, Scene
 from hoopgen.simulation.engine import Engine
 from tests.helpers import ROOT
 
 pytest.importorskip("sympy")
 pytest.importorskip("mpmath")
 
+import mpmath
+
 from tests.helpers.precise_path import PreciseScene
 from tests.helpers.scenes.leaning import LEANING
 
 FREE_THROW = {"height": 2.1336, "distance": 4.191}
+MAX_CONTACTS = 12
+"""Contacts up to which derivatives are compared. Each contact multiplies their errors."""
+
 BOARD = ("ring_radius", "wire_radius", "ball_radius", "board_distance", "gravity", "end_depth")
 
 
@@ -42,7 +48,7 @@ def throws(n: int, seed: int = 7) -> Any:
 def truth(
     engine: Engine, states: Any, parameters: Mapping[str, float], names: tuple[str, ...], rows: Any
 ) -> Any:
-    """Return the derivatives of some shots to 70 digits, (m, 10, k)."""
+    """Return the derivatives at all events of some shots to 70 digits, (events, 19, k)."""
     precise = PreciseScene(engine.scene)
     values = dict(engine.parameters) | dict(parameters)
     inputs = engine.table.inputs(values)
@@ -65,22 +71,28 @@ def truth(
             law = None if body is None else body.law
             events.append((faces[gaps.index(min(gaps))], law, float(event["time"])))
         found.append(precise.derivatives(states[rows[index]], inputs, events, changes))
-    return np.array(found)
+    return np.concatenate(found)
 
 
 def check_against_truth(
     engine: Engine, states: Any, parameters: Mapping[str, float], names: tuple[str, ...], most: int
 ) -> Any:
-    """Compare derivatives with 70 digits; return the numbers of contacts of the shots."""
+    """Compare derivatives at all events with 70 digits; return the shots' numbers of contacts."""
     shots = engine.simulate(states, parameters, derivatives=names)
-    rows = np.flatnonzero(shots.differentiable)[:most]
+    rows = np.flatnonzero(shots.differentiable)
+    rows = rows[shots.contacts[rows] <= MAX_CONTACTS][:most]
     expected = truth(engine, states, parameters, names, rows)
-    matrices = (shots.jacobian["state"][rows], shots.jacobian["time"][rows])
+    again = engine.simulate(states[rows], parameters, derivatives=names, record=True)
+    at_events, ended = again.event_jacobian, again.events["kind"] == Event.END
+    matrices = [at_events[name] for name in ("before", "after", "time")]
     found = np.concatenate(matrices, axis=1)
-    size = np.abs(expected).max(axis=(1, 2), keepdims=True)
-    error = (np.abs(found - expected) / size).max(axis=(1, 2))
+    for name, matrix in (("state", found[ended, 9:18]), ("time", found[ended, 18:])):
+        np.testing.assert_array_equal(matrix, shots.jacobian[name][rows])
+    size = np.abs(expected).max(axis=(1, 2))
+    error = np.abs(found - expected).max(axis=(1, 2)) / size
     # The path in doubles is itself off by some 1e-16, times what a change of the release grows by.
-    assert np.all(error < 1e-13 * np.maximum(1.0, size[:, 0, 0])), error.max()
+    assert np.all(error < 1e-13 * np.maximum(1.0, size)), error.max()
+    assert np.all(error < 1e-8), error.max()
     return shots.contacts[rows]
 
 
@@ -112,7 +124,8 @@ def test_derivatives_are_those_of_70_digits(
 @pytest.mark.slow
 @pytest.mark.parametrize("engine", [hoopgen.HOOP, hoopgen.COURT], ids=["hoop", "court"])
 def test_derivatives_of_many_shots_are_those_of_70_digits(engine: Engine) -> None:
-    contacts = check_against_truth(engine, throws(420, 11), {}, (*STATE, *BOARD), 400)
+    contacts = check_against_truth(engine, throws(430, 11), {}, (*STATE, *BOARD), 400)
+    assert len(contacts) == 400
     assert contacts.max() >= 8
 
 
@@ -120,12 +133,13 @@ def test_derivatives_of_many_shots_are_those_of_70_digits(engine: Engine) -> Non
 def test_derivatives_in_a_scene_of_formulas_are_those_of_70_digits() -> None:
     engine = hoopgen.compile(hoopgen.load_scene(ROOT / "examples" / "scenes" / "netball.toml"))
     random = np.random.default_rng(5)
-    states = np.zeros((60, 9))
+    states = np.zeros((200, 9))
     states[:, 0], states[:, 2] = 2.0, -0.9
-    states[:, 3] = random.normal(-2.0, 0.1, 60)
-    states[:, 5] = random.normal(5.8, 0.1, 60)
+    states[:, 3] = random.normal(-2.0, 0.1, 200)
+    states[:, 5] = random.normal(5.8, 0.1, 200)
     states[:, 7] = 10.0
-    contacts = check_against_truth(engine, states, {}, (*STATE, *engine.parameters), 30)
+    contacts = check_against_truth(engine, states, {}, (*STATE, *engine.parameters), 100)
+    assert len(contacts) == 100
     assert contacts.max() >= 1
 
 
@@ -140,7 +154,8 @@ def test_derivatives_among_leaning_bodies_are_those_of_70_digits() -> None:
     states[:, 6:] = random.normal(0, 10, (200, 3))
     counts = engine.simulate(states, fields=["counts", "outcome"]).counts
     assert np.all(counts.sum(axis=0) > 20)
-    contacts = check_against_truth(engine, states, {}, (*STATE, *engine.parameters), 60)
+    contacts = check_against_truth(engine, states, {}, (*STATE, *engine.parameters), 100)
+    assert len(contacts) == 100
     assert contacts.max() >= 8
 
 
@@ -149,8 +164,11 @@ def test_both_engines_give_the_same_bits(engine: Engine) -> None:
     states = throws(300)
     names = ("vx", "wz", "gravity", "ball_radius")
     found = [
-        engine.simulate(states, backend=backend, derivatives=names) for backend in ("c", "numpy")
+        engine.simulate(states, backend=backend, derivatives=names, record=True)
+        for backend in ("c", "numpy")
     ]
+    for one, other in zip(*(shots.event_jacobian.values() for shots in found), strict=True):
+        assert np.array_equal(one, other, equal_nan=True)
     for one, other in zip(*(shots.jacobian.values() for shots in found), strict=True):
         assert np.array_equal(one, other, equal_nan=True)
     assert np.array_equal(*(shots.differentiable for shots in found))
@@ -232,6 +250,90 @@ def test_a_ball_that_rolls_has_no_derivatives() -> None:
     )
     assert len(stays)
     assert not shots.differentiable[stays].any()
+    kinds, matrix = shots.events["kind"], shots.event_jacobian["after"]
+    assert np.isnan(matrix[np.isin(kinds, (Event.ROLL, Event.LEAVE))]).all()
+    own = np.isin(shots.events["shot"], stays) & (kinds == Event.IMPACT)
+    assert np.isfinite(matrix[own]).any()
+
+
+def test_a_shot_without_an_end_has_derivatives_at_its_contacts() -> None:
+    states, names = throws(100), ("vx", "gravity")
+    whole = hoopgen.simulate(states, derivatives=names, record=True)
+    capped = hoopgen.simulate(states, derivatives=names, record=True, max_contacts=1)
+    second = np.flatnonzero(whole.differentiable & (whole.contacts > 1))
+    assert not capped.differentiable[second].any()
+    rows = [np.searchsorted(shots.events["shot"], second) for shots in (whole, capped)]
+    for name, matrix in capped.event_jacobian.items():
+        np.testing.assert_array_equal(matrix[rows[1]], whole.event_jacobian[name][rows[0]])
+        assert np.isfinite(matrix[rows[1]]).all()
+
+
+def test_derivatives_at_events_chain_with_those_of_each_shot_s_release() -> None:
+    speeds = np.array([7.1, 7.2, 7.3])
+    states, by_release = hoopgen.release(speeds, 0.9, **FREE_THROW, jacobian=True)
+    shots = hoopgen.simulate(states, derivatives=STATE, record=True)
+    assert len(shots.events) > 3
+    chained = shots.event_jacobian.chain(by_release)
+    ends = shots.events["kind"] == Event.END
+    np.testing.assert_array_equal(chained["after"][ends], shots.jacobian.chain(by_release)["state"])
+    two = hoopgen.release(speeds[:2], 0.9, **FREE_THROW, jacobian=True)[1]
+    with pytest.raises(ValueError, match="release: expected the Jacobian of all shots"):
+        shots.event_jacobian.chain(two)
+
+
+def test_derivatives_have_names_and_units_in_xarray() -> None:
+    pytest.importorskip("xarray")
+    names = ("vx", "gravity", "restitution")
+    shots = hoopgen.simulate(throws(10), derivatives=names, record=True)
+    dataset = shots.to_xarray()
+    assert dataset["variable_unit"].values.tolist() == ["m/s", "m/s2", ""]
+    one = dataset["state_derivative"].sel(variable="gravity", component="x")
+    np.testing.assert_array_equal(one, shots.jacobian["state"][:, 0, 1])
+    at_events = dataset["after_derivative"].sel(variable="vx", component="vz")
+    np.testing.assert_array_equal(at_events, shots.event_jacobian["after"][:, 5, 0])
+    assert at_events["event_surface"].values[0] in (*hoopgen.SURFACES, "end")
+    with pytest.raises(AttributeError, match=r"event_jacobian: .* and record=True to have it"):
+        _ = hoopgen.simulate(throws(1), derivatives=names).event_jacobian
+    assert "after_derivative" not in hoopgen.simulate(throws(1), derivatives=names).to_xarray()
+
+
+@pytest.mark.slow
+def test_the_height_of_a_bouncing_ball_at_a_time_has_the_derivatives_of_its_formula() -> None:
+    """Dropped from h, the ball falls for sqrt(2h/g) and then flies for 2 e^k sqrt(2h/g)."""
+    floor = Scene(
+        "floor",
+        bodies=[Plane("floor", at=0)],
+        ball_radius=0.1,
+        gravity=9.81,
+        restitution=0.8,
+        ends={"side": End(axis="x", at=10)},
+    )
+    shots = hoopgen.simulate(
+        [0, 0, 1.1, 0, 0, 0, 0, 0, 0],
+        scene=floor,
+        derivatives=["z"],
+        record=True,
+        max_contacts=8,
+    )
+    events, jacobian = shots.events, shots.event_jacobian
+    g, e = mpmath.mpf(9.81), mpmath.mpf(0.8)
+
+    def height(bounces: int, time: float, drop: Any) -> Any:
+        down = mpmath.sqrt(2 * drop / g)
+        since = time - down * (1 + 2 * sum(e**k for k in range(1, bounces)))
+        return g * down * e**bounces * since - g * since**2 / 2
+
+    for bounces, time in ((1, 0.6), (2, 1.2), (2, 1.6), (3, 1.9)):
+        last = bounces - 1
+        assert events["time"][last] < time < events["time"][bounces]
+        later = jacobian["time"][last, 0, 0]
+        up = jacobian["after"][last, 5, 0] + 9.81 * later
+        place = jacobian["after"][last, 2, 0] - events["after"][last, 5] * later
+        found = place + up * (time - events["time"][last])
+        drop = mpmath.mpf(1.1) - mpmath.mpf(0.1)
+        with mpmath.workdps(50):
+            expected = mpmath.diff(lambda h, b=bounces, t=time: height(b, t, h), drop)
+        assert found == pytest.approx(float(expected), rel=1e-12)
 
 
 def test_nothing_else_changes_with_derivatives() -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import closing
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import ceil, sqrt
 from os import PathLike
 from typing import Any, TypeAlias
@@ -30,6 +30,7 @@ from hoopgen.study.models.grid import Grid
 from hoopgen.study.models.release_model import ReleaseModel
 from hoopgen.study.models.resample import Resample
 from hoopgen.study.models.scatter import Scatter
+from hoopgen.study.models.scores import score_sums
 from hoopgen.study.statistics.distributions import counts_of
 from hoopgen.study.statistics.intervals import least_shots
 from hoopgen.study.statistics.sample import Rows, sampled_rows
@@ -44,6 +45,7 @@ from hoopgen.study.statistics.tally import (
 from hoopgen.text.shorten import brief
 
 from .chunks import ShotsJob, run
+from .differences import difference_counts
 
 CHUNK = 1 << 17
 """Shots in a chunk: after each one the precision is looked at, and a folder has one file."""
@@ -89,6 +91,8 @@ class MonteCarloJob(ShotsJob):
     ----------
     measures
         Names of those of which it is counted, of one setting, how they are spread.
+    gradient
+        Names of the variables by which the probability of one setting is differentiated.
     """
 
     settings: tuple[ResolvedSetting, ...]
@@ -99,6 +103,7 @@ class MonteCarloJob(ShotsJob):
     by: int = Outcome.MADE  # the outcome by which they pair
     measures: tuple[str, ...] = ()
     catching_height: float = CATCHING_HEIGHT  # of rebounds
+    gradient: tuple[str, ...] = ()
 
     @property
     def scene(self) -> Engine:
@@ -121,6 +126,7 @@ class MonteCarloJob(ShotsJob):
             **({} if self.by == Outcome.MADE else {"by": int(self.by)}),
             **({"measures": list(self.measures)} if self.measures else {}),
             **caught_at(self.measures, self.catching_height),
+            **({"gradient": list(self.gradient)} if self.gradient else {}),
         }
 
     def shots_in(self, kept: pa.Table) -> int:
@@ -148,7 +154,34 @@ class MonteCarloJob(ShotsJob):
         rows += [self._pairs(*results)] if len(results) == 2 else []
         if self.measures:
             rows.append(counts_of(*sampled[0], self.measures, self.catching_height))
+        if self.scored:
+            model, outcome = self.settings[0].model, results[0].outcome
+            assert isinstance(model, Scatter)
+            valid, made = outcome != self.scene.outcomes["INVALID"], outcome == self.by
+            rows.append(score_sums(model, self.scored, (start, stop), self.seed, valid, made))
+        rows += [self._differences(name, start, stop) for name in self.differenced]
         return np.concatenate(rows)
+
+    @property
+    def scored(self) -> tuple[str, ...]:
+        """The names of `gradient` of which the scores are summed."""
+        return tuple(name for name in self.gradient if name not in self.settings[0].parameters)
+
+    @property
+    def differenced(self) -> tuple[str, ...]:
+        """The names of `gradient` by which shots are differenced."""
+        return tuple(name for name in self.gradient if name in self.settings[0].parameters)
+
+    def _differences(self, name: str, start: int, stop: int) -> NDArray[np.int64]:
+        """Return the counts of the differences of some shots by a parameter."""
+        setting = self.settings[0]
+
+        def moved(value: float) -> Shots:
+            parameters = {**setting.parameters, name: value}
+            return self._simulate(replace(setting, parameters=parameters), start, stop)[1]
+
+        invalid = self.scene.outcomes["INVALID"]
+        return difference_counts(moved, setting.parameters[name], self.by, invalid)
 
     def rows(self, which: int, threads: int | None) -> Rows | None:
         """Return what becomes of each measured release of a setting; None of another model."""

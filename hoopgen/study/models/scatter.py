@@ -207,6 +207,14 @@ class Scatter:
         return not any(self.sd.values())
 
     @property
+    def mixing(self) -> dict[str, NDArray[np.float64]]:
+        """The rows of the factor of the correlations, by the name of each variable that scatters.
+
+        The noise of a variable is its deviation times its row times standard normal numbers.
+        """
+        return dict(zip(self._scattered(), self._mix(), strict=True))
+
+    @property
     def centre(self) -> dict[str, float]:
         """Variables of the release aimed at."""
         return {name: float(value) for name, value in self.release.items()}

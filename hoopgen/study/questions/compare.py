@@ -33,7 +33,7 @@ from hoopgen.study.statistics.shares import Shares
 from hoopgen.study.statistics.tally import check_share, contacts_of, width_of
 from hoopgen.text.numbers import format_percent, format_points, percent_decimals
 
-from .estimate import NAMES, STILL, Estimate, describe_estimate, estimated
+from .estimate_result import NAMES, STILL, Estimate, describe_estimate, estimated
 
 
 @dataclass(frozen=True, repr=False)

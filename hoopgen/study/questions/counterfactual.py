@@ -99,7 +99,7 @@ def counterfactual(
         max_contacts,
     )
     names = variables_of_shot(vary, scene)
-    itself = simulate(one.state, one.parameters, scene=scene, max_contacts=max_contacts)
+    itself = simulated_like(shots, index, one)
     outcome = scene.outcomes(int(itself.outcome[0]))
     if outcome == scene.outcomes["INVALID"]:
         (why,) = why_invalid(one.state, one.parameters, scene=scene)
@@ -145,6 +145,23 @@ def counterfactual(
         changes=tuple(changes),
         shots=recorded,
     )
+
+
+def simulated_like(shots: Shots, index: int, one: OneShot) -> Shots:
+    """Return a shot of some shots, simulated again; settled, if it was."""
+    settle = False
+    while True:
+        itself = simulate(
+            one.state,
+            one.parameters,
+            scene=one.scene,
+            max_contacts=one.max_contacts,
+            settle=settle,
+        )
+        known = hasattr(shots, "uncertain") and not shots.uncertain[index]
+        if settle or not itself.uncertain[0] or not known:
+            return itself
+        settle = True
 
 
 def _nearest(one: OneShot, name: str, succeeds: bool, steady: float) -> tuple[float, float] | None:

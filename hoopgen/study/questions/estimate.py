@@ -2,222 +2,35 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field, fields, replace
-from math import nan
+from collections.abc import Iterable, Sequence
+from dataclasses import replace
 from os import PathLike
-from typing import Any, TypedDict, Unpack, overload
-
-import numpy as np
-from numpy.typing import NDArray
+from typing import TypedDict, Unpack, overload
 
 from hoopgen.core.parameters import ParameterValues
 from hoopgen.core.validation import BackendName
 from hoopgen.core.variables import check_names
-from hoopgen.hoop.kinds import Kind, hoop_outcomes
-from hoopgen.report.provenance import describe_setting, footer
-from hoopgen.report.quantities import for_json
-from hoopgen.results.shots import Outcome
 from hoopgen.scene.lookup import SceneLike, check_hoop
 from hoopgen.simulation.engine import Engine
-from hoopgen.simulation.hoop import HOOP
 from hoopgen.study.jobs.monte_carlo import (
     MonteCarloJob,
     Progress,
     StoppingRule,
     most_shots,
     setting_of,
-    tally_of,
 )
 from hoopgen.study.measures.measures import MEASURES, measures_of
 from hoopgen.study.measures.rebounds import CATCHING_HEIGHT, check_height
 from hoopgen.study.models.fitted_scatter import FittedScatter
 from hoopgen.study.models.random import check_seed
-from hoopgen.study.models.release_model import ReleaseModel, is_still
+from hoopgen.study.models.release_model import ReleaseModel
 from hoopgen.study.models.scatter import Scatter
-from hoopgen.study.result import SharesOfShots
-from hoopgen.study.statistics.distributions import (
-    Spread,
-    spread_lines,
-    spreads,
-    spreads_of_sample,
-    width_of,
-)
 from hoopgen.study.statistics.fitted_sample import sample_of_fit
-from hoopgen.study.statistics.intervals import wilson
-from hoopgen.study.statistics.sample import Rows, SampleInterval, say_sample
-from hoopgen.study.statistics.shares import Shares, shares_of
-from hoopgen.study.statistics.tally import Tally, check_share, contacts_of
-from hoopgen.text.numbers import format_interval, format_percent, format_uncertain, percent_decimals
+from hoopgen.study.statistics.shares import Shares
+from hoopgen.study.statistics.tally import check_share, contacts_of
 
-STILL = "no scatter: every throw is the same"
-"""Text in place of an interval if nothing is random."""
-
-NAMES = 9
-"""Width of the column of names, in letters."""
-
-
-@dataclass(frozen=True, repr=False)
-class Estimate(SharesOfShots):
-    """The probability that a shot is made.
-
-    An invalid shot is no trial: `probability` is of the others. A capped one is a trial and not
-    made, since the model does not decide it; `with_capped` is the probability if all had gone in.
-
-    Attributes
-    ----------
-    probability
-        made / (shots - invalid); NaN if all are invalid.
-    low, high
-        Wilson's interval of it: that of the simulation alone, which shrinks with the shots. Without
-        scatter every throw is the same, and both are the probability.
-    confidence
-        Of the intervals.
-    shots
-        Drawn.
-    made, missed, capped, short, invalid
-        Of them, by outcome.
-    uncertain
-        With a decision within its rounding-error bound.
-    uncertain_capped
-        Capped ones among those.
-    kinds, kinds_made
-        Shots by the name of their `Kind`, all and made.
-    seed
-        Of the random numbers.
-    setting
-        Release model and parameters.
-    scene
-        In which the shots were thrown.
-    lodged, endless
-        Shots at rest on the hoop, and those still on their way at the time limit: none where no
-        ball rolls.
-    measured
-        How measures are spread, by their names: those that were asked for.
-    rolled
-        Shots that rolled, whatever became of them.
-    slip_left
-        Capped ones whose bounces ended with slip left, which friction could not stop.
-    sample
-        Of measured releases, and of a scatter fitted to them: the interval of the probability that
-        contains the uncertainty of the sample. None of other models.
-    still
-        Whether nothing scatters, so that there is nothing to be estimated.
-    """
-
-    probability: float
-    low: float
-    high: float
-    confidence: float
-    shots: int
-    made: int
-    missed: int
-    capped: int
-    short: int
-    invalid: int
-    uncertain: int
-    uncertain_capped: int
-    kinds: Mapping[str, int]
-    kinds_made: Mapping[str, int]
-    seed: int
-    setting: Mapping[str, Any]
-    scene: Engine = field(default=HOOP, compare=False)
-    lodged: int = 0
-    endless: int = 0
-    measured: Mapping[str, Spread] = field(default_factory=dict)
-    rolled: int = 0
-    slip_left: int = 0
-    sample: SampleInterval | None = None
-    still: bool = False
-
-    @property
-    def shares(self) -> dict[str, float]:
-        """Shares of the kinds among all shots."""
-        return {name: count / self.shots for name, count in self.kinds.items()}
-
-    def share_of(self, by: str) -> float:
-        """Return the share of the shots that end so: of those made, the probability."""
-        valid = self.shots - self.invalid
-        return int(getattr(self, by)) / valid if valid else nan
-
-    def ends_of(self, by: str) -> tuple[float, float]:
-        """Return the interval of the share of the shots that end so: of those made, its own."""
-        if self.still:
-            return self.share_of(by), self.share_of(by)
-        low, high = wilson(getattr(self, by), self.shots - self.invalid, self.confidence)
-        return float(low), float(high)
-
-    def with_rows(self, rows: Rows | None) -> Estimate:
-        """Return this with the intervals of the sample whose rows they are; None: as it is."""
-        if rows is None:
-            return self
-        sample = rows.share(Outcome.MADE, self.confidence)
-        return replace(self, sample=sample, measured=spreads_of_sample(self.measured, rows))
-
-    @property
-    def with_capped(self) -> float:
-        """Probability if all capped shots had been made."""
-        valid = self.shots - self.invalid
-        return (self.made + self.capped) / valid if valid else nan
-
-    @property
-    def rolled_share(self) -> float:
-        """Share of the shots that rolled; the invalid ones are no trials."""
-        valid = self.shots - self.invalid
-        return self.rolled / valid if valid else nan
-
-    def _rolled(self) -> str:
-        return f"{format_percent(self.rolled_share, 2)}: {self.rolled:,} of the shots"
-
-    def _made(self, digits: int) -> list[str]:
-        """Say the probability with its intervals."""
-        text = f"made     {format_percent(self.probability, digits)}"
-        if self.still:
-            return [f"{text} ({STILL})"]
-        level = format_percent(self.confidence, None)
-        alone = "" if self.sample is None else " of the simulation alone"
-        ends = format_interval(self.low, self.high, digits)
-        lines = [f"{text}, {ends} (Wilson's {level} interval{alone})"]
-        if self.sample is not None:
-            lines.append(f"sample   {say_sample(self.sample, self.confidence)}")
-        return lines
-
-    def _capped(self, digits: int) -> str:
-        slipping = f"; {self.slip_left:,} of them with slip left" if self.slip_left else ""
-        return f"{format_percent(self.with_capped, digits)} if made{slipping}"
-
-    def as_dict(self) -> dict[str, Any]:
-        """Return everything, in types that JSON knows; None for what is not a number."""
-        more: dict[str, Any] = {"with_capped": self.with_capped, "shares": self.shares}
-        plain = {one.name: getattr(self, one.name) for one in fields(self)}
-        more["scene"] = describe_setting(self.setting, self.scene)["scene"]
-        measured = {name: one.as_dict() for name, one in plain.pop("measured").items()}
-        more |= {"measured": measured} if measured else {}
-        sample = plain.pop("sample")
-        more |= {"sample": sample.as_dict()} if sample is not None else {}
-        return {name: for_json(value) for name, value in (plain | more).items()}
-
-    def __str__(self) -> str:
-        digits = percent_decimals(self.half_width)
-        ended = (outcome.name.lower() for outcome in hoop_outcomes(self.scene.rolls))
-        counts = [f"{getattr(self, name):,} {name}" for name in ended]
-        counts.append(format_uncertain(self.uncertain, self.uncertain_capped))
-        lines = [
-            *self._made(digits),
-            f"shots    {self.shots:,}: {', '.join(counts)}",
-            *([f"rolled   {self._rolled()}"] if self.scene.rolls else []),
-            *([f"capped   {self._capped(digits)}"] if self.capped else []),
-            "",
-            "kind         share  of it made",
-        ]
-        lines += [
-            f"{name.replace('_', ', '):10}  {format_percent(self.shares[name]):>6}"
-            f"  {format_percent(self.kinds_made[name] / count):>10}"
-            for name, count in self.kinds.items()
-            if count
-        ]
-        lines += spread_lines(self.measured)
-        return "\n".join([*lines, "", footer(NAMES, describe_estimate(self))])
+from .estimate_result import Estimate, estimated
+from .gradient import check_gradient
 
 
 class _Options(TypedDict, total=False):
@@ -225,6 +38,7 @@ class _Options(TypedDict, total=False):
     precision: float | None
     measures: Iterable[str]
     catching_height: float
+    gradient: Sequence[str]
     confidence: float
     seed: int
     max_contacts: int | None
@@ -264,6 +78,7 @@ def estimate(
     precision: float | None = None,
     measures: Iterable[str] = (),
     catching_height: float = CATCHING_HEIGHT,
+    gradient: Sequence[str] = (),
     confidence: float = 0.95,
     seed: int = 0,
     max_contacts: int | None = None,
@@ -295,6 +110,11 @@ def estimate(
         hoop.
     catching_height
         Of rebounds, as for `hoopgen.measure`.
+    gradient
+        Names of what the probability is differentiated by: ``mean.speed`` and ``sd.speed`` of a
+        variable that scatters, of a `Scatter`, by its score; or a parameter of the scene, by a
+        difference over the same random numbers, which takes four times the shots for each. Only
+        where there is a hoop. See `hoopgen.study.questions.gradient`.
     confidence
         Of the interval, within 0 and 1.
     seed
@@ -325,6 +145,9 @@ def estimate(
     contacts = contacts_of(max_contacts, setting.scene)
     most = most_shots(shots, precision, level)
     names = _measured(measures, setting.scene)
+    slopes = check_gradient(gradient, setting)
+    if slopes:
+        check_hoop("gradient", setting.scene)
     job = MonteCarloJob(
         (setting,),
         most,
@@ -333,6 +156,7 @@ def estimate(
         backend,
         measures=names,
         catching_height=check_height(catching_height),
+        gradient=slopes,
     )
     rule = StoppingRule(
         precision, lambda total: estimated(job, total, 0, level).half_width, progress
@@ -351,50 +175,3 @@ def _measured(measures: Iterable[str], scene: Engine) -> tuple[str, ...]:
         check_hoop("measures", scene)
         check_names("measures", names, measures_of(scene))
     return names
-
-
-def estimated(
-    job: MonteCarloJob, total: NDArray[np.int64], which: int, level: float
-) -> Estimate | Shares:
-    """Return what the numbers say of one setting."""
-    tally = tally_of(total, which, job.scene)
-    if not job.scene.has_hoop:
-        return shares_of(tally, job.settings[which], level, job.seed)
-    return _estimated(job, total, tally, which, level)
-
-
-def _estimated(
-    job: MonteCarloJob, total: NDArray[np.int64], tally: Tally, which: int, level: float
-) -> Estimate:
-    outcomes = hoop_outcomes(job.scene.rolls)
-    ended: dict[str, Any] = {one.name.lower(): int(tally.ended(one)) for one in outcomes}
-    valid = int(tally.valid)
-    still = is_still(job.settings[which].model)
-    share = ended["made"] / valid if valid else nan
-    low, high = (share, share) if still and valid else wilson(ended["made"], valid, level)
-    names = [kind.name.lower() for kind in Kind]
-    counts = total[len(total) - width_of(job.measures) :]
-    return Estimate(
-        probability=share,
-        low=float(low),
-        high=float(high),
-        confidence=level,
-        shots=int(tally.shots),
-        **ended,
-        uncertain=int(tally.uncertain),
-        uncertain_capped=int(tally.uncertain_capped),
-        rolled=int(tally.counts.get("rolled", 0)),
-        slip_left=int(tally.counts.get("slip_left", 0)),
-        kinds=dict(zip(names, tally.of_kind().tolist(), strict=True)),
-        kinds_made=dict(zip(names, tally.table[:, Outcome.MADE].tolist(), strict=True)),
-        seed=job.seed,
-        setting=job.settings[which].identity(),
-        scene=job.scene,
-        measured=spreads(counts, job.measures, level, job.catching_height),
-        still=still,
-    )
-
-
-def describe_estimate(found: Estimate | Shares) -> dict[str, str]:
-    """Say what an estimate rests on."""
-    return describe_setting(found.setting, found.scene) | {"seed": str(found.seed)}

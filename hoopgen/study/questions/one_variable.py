@@ -101,7 +101,15 @@ class OneShot:
         if name in STATE and not self.scene.has_hoop:
             part = STATE.index(name) // 3 * 3
             scale = float(np.linalg.norm(self.state[part : part + 3])) or 1.0
-        return search_range(name, self.value(name), scale)
+        value = self.value(name)
+        if name in self.parameters and not value:  # then its size is that of what is allowed
+            limits = self.scene.table.limits.get(name, (0.0, 1.0))
+            scale = (
+                max((abs(limit) for limit in limits if math.isfinite(limit)), default=0.0) or 1.0
+            )
+            low, high = search_range(name, value, scale)
+            return max(low, limits[0]), min(high, limits[1])
+        return search_range(name, value, scale)
 
     def with_values(self, name: str, values: Floats) -> tuple[Floats, dict[str, float | Floats]]:
         """Return states (n, 9) and parameters with other values of a variable, (n,)."""

@@ -47,7 +47,7 @@ from hoopgen.study.statistics.tally import blocks, check_share, contacts_of
 from hoopgen.text.numbers import format_count, format_percent, percent_decimals
 from hoopgen.text.shorten import brief
 
-from .estimate import Estimate, estimated
+from .estimate_result import Estimate, estimated
 
 FACTORS = (0.0, *(2.0 ** (half / 2) for half in range(-8, 9)))
 """Times the scatter: between which of them the share passes the wanted one is looked at first."""

@@ -69,6 +69,14 @@ class EstimateQuestion:
         "Measures whose distribution is described; of rebound_angle, the rebounds by direction."
     )
     catching_height: float = of.catching_height()
+    gradient: Sequence[str] = setting(
+        "Derivatives of the probability by the means and deviations of what scatters, and by "
+        "parameters of the scene.",
+        Listed(Text(words="a name", metavar="NAME")),
+        (),
+        command="Such as mean.speed, sd.elevation or restitution.",
+        file='`["mean.speed", "sd.elevation", "restitution"]`.',
+    )
     figures: Sequence[str] = _figures(
         "Paths of the first shots; where misses reach the floor; where they come down to the "
         "catching height.",

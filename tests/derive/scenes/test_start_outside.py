@@ -6,6 +6,7 @@ from dataclasses import replace
 from types import ModuleType
 from typing import Any
 
+import mpmath
 import numpy as np
 import pytest
 from hoopgen.derive.scenes import HOOP, validity
@@ -16,6 +17,7 @@ from hoopgen.scene import Parameter, Plane, Scene
 from tests.helpers.effort import trials
 
 ROWS = trials(100_000)
+TOUCHING = 2_000
 
 
 def evaluate(module: ModuleType, kernel: str, given: dict[str, Any]) -> tuple[Any, ...]:
@@ -65,6 +67,32 @@ def test_who_is_beside_all_surfaces_is_outside_and_that_is_sure(
     assert near.any()
     assert not near.all()
     assert np.any(valid[near] == 0.0)
+
+
+def on_the_ring(sizes: dict[str, float]) -> dict[str, Any]:
+    """Return starts within a few roundings of touching the ring, in front."""
+    rng = np.random.default_rng(5)
+    azimuth, climb = rng.uniform(-1.2, 1.2, TOUCHING), rng.uniform(0, 2 * np.pi, TOUCHING)
+    reach = sizes["ball_radius"] + sizes["wire_radius"]
+    across = sizes["ring_radius"] + reach * np.cos(climb)
+    place = np.array([across * np.cos(azimuth), across * np.sin(azimuth), reach * np.sin(climb)])
+    return dict(zip("xyz", place + rng.integers(-2, 3, place.shape) * 2.0**-54, strict=True))
+
+
+def test_a_start_at_the_ring_is_undecided_or_what_more_digits_say() -> None:
+    sizes = {name: float(value) for name, value in PAPER_COURT.items()}
+    given = on_the_ring(sizes) | {"last": np.full(TOUCHING, -1.0)}
+    given |= {f"p_{name}": value for name, value in sizes.items()}
+    valid, doubt = evaluate(court, "valid", given)
+    with mpmath.workdps(50):
+        outside = []
+        for x, y, z in zip(given["x"], given["y"], given["z"], strict=True):
+            across = mpmath.hypot(mpmath.mpf(x), mpmath.mpf(y)) - mpmath.mpf(sizes["ring_radius"])
+            reach = mpmath.mpf(sizes["ball_radius"]) + mpmath.mpf(sizes["wire_radius"])
+            outside.append(mpmath.hypot(across, mpmath.mpf(z)) >= reach)
+    computed = np.broadcast_to(valid, TOUCHING) == 1.0
+    assert np.all((computed == outside) | (np.broadcast_to(doubt, TOUCHING) > 0.0))
+    assert np.any(computed != outside)  # else the starts are too far from the ring
 
 
 def test_what_is_no_number_is_near() -> None:

@@ -37,7 +37,7 @@ MEASURED = Resample({**THROWN, **HERE})
 SHOTS = 3000
 
 
-def agrees(cell: Any, found: hoopgen.study.questions.estimate.Estimate) -> None:
+def agrees(cell: Any, found: hoopgen.study.questions.estimate_result.Estimate) -> None:
     counts = [cell[name].item() for name in ("made", "capped", "invalid", "uncertain")]
     assert counts == [found.made, found.capped, found.invalid, found.uncertain]
     assert cell["probability"].item() == found.probability

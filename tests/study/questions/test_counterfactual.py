@@ -19,7 +19,9 @@ import hoopgen
 from hoopgen.core.units import use_units
 from hoopgen.hoop.arguments import arguments_of
 from hoopgen.scene import End, Parameter, Plane, Scene
+from hoopgen.study.questions.counterfactual import simulated_like
 from hoopgen.study.questions.counterfactual_result import Change, Counterfactual
+from hoopgen.study.questions.one_variable import OneShot
 
 DEGREE = np.pi / 180
 PLACE: dict[str, Any] = {"height": 2.1336, "distance": 4.191}
@@ -186,6 +188,35 @@ def test_an_invalid_shot_has_no_counterfactual() -> None:
     )
     with pytest.raises(ValueError, match="vary: ring_friction is inf in this shot"):
         hoopgen.counterfactual(endless, vary=["ring_friction"], max_contacts=30, prove=False)
+
+
+def test_a_parameter_that_is_zero_has_a_range() -> None:
+    shots = hoopgen.simulate(hoopgen.release(7.3, 51 * DEGREE, **PLACE), scene=hoopgen.COURT)
+    assert shots.parameters["tangential_restitution"] == 0.0
+    answer = hoopgen.counterfactual(shots, vary=["tangential_restitution"], prove=False)
+    assert answer.changes[0].searched == (-0.25, 0.25)
+    dead = hoopgen.simulate(
+        hoopgen.release(7.3, 51 * DEGREE, **PLACE), {"restitution": 0.0}, max_contacts=12
+    )
+    answer = hoopgen.counterfactual(dead, vary=["restitution"], prove=False, max_contacts=12)
+    assert answer.changes[0].searched == (0.0, 0.25)
+
+
+@pytest.mark.slow
+def test_a_settled_shot_is_settled_again() -> None:
+    pytest.importorskip("flint")
+    random = np.random.default_rng(1)
+    speeds, elevations = random.normal(7.17, 0.07, 40_000), random.normal(0.9, 0.02, 40_000)
+    states = hoopgen.release(speeds, elevations, backspin=6 * np.pi, **PLACE)
+    uncertain = states[hoopgen.simulate(states, fields=["uncertain"]).uncertain][:1]
+    assert len(uncertain)
+    parameters = {name: float(value) for name, value in hoopgen.PAPER.items()}
+    one = OneShot(hoopgen.HOOP, uncertain[0], parameters, int(hoopgen.Outcome.MADE))
+    for settle in (False, True):
+        shots = hoopgen.simulate(uncertain, settle=settle)
+        again = simulated_like(shots, 0, one)
+        assert bool(again.uncertain[0]) is bool(shots.uncertain[0]) is not settle
+        assert again.outcome[0] == shots.outcome[0]
 
 
 def test_another_time_limit_is_said_to_be_the_cause() -> None:

@@ -24,7 +24,7 @@ from hoopgen.hoop.variables import change_variables
 from hoopgen.study.jobs import monte_carlo
 from hoopgen.study.named_units import in_units
 from hoopgen.study.questions.compare import Comparison
-from hoopgen.study.questions.estimate import Estimate
+from hoopgen.study.questions.estimate_result import Estimate
 from hoopgen.study.statistics.intervals import newcombe, wilson
 from hoopgen.study.statistics.tally import Tally
 from tests.helpers import ROOT, contents

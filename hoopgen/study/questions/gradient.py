@@ -1,0 +1,176 @@
+"""The gradient of the probability that a shot is made.
+
+By what scatters it is the covariance of the score with made shots, which needs no other shots
+(`hoopgen.study.models.scores`); by a parameter of the scene, a difference over the same random
+numbers (`hoopgen.study.jobs.differences`).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict, dataclass
+from math import nan, sqrt
+from statistics import NormalDist
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hoopgen.core.units import display_unit
+from hoopgen.scene.lookup import variables_of
+from hoopgen.simulation.engine import Engine
+from hoopgen.study.jobs.differences import TIMES, step_of
+from hoopgen.study.jobs.monte_carlo import ResolvedSetting
+from hoopgen.study.models.scores import SUMS, UNIT, check_scored, split
+from hoopgen.text.numbers import format_percent
+from hoopgen.text.tables import table
+
+__all__ = ["Slope", "check_gradient", "difference_slopes", "score_slopes", "slope_lines"]
+
+Floats = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Slope:
+    """The derivative of the probability by one variable.
+
+    Attributes
+    ----------
+    value
+        Per SI unit of the variable.
+    low, high
+        The normal interval of it, of the confidence of the estimate: that of the simulation.
+    method
+        "score" or "difference".
+    bias
+        Of a difference: a third of the change of the value with twice the step, which estimates
+        the part of the value that is due to the step; it contains the noise of both. 0 for a score.
+    """
+
+    value: float
+    low: float
+    high: float
+    method: str
+    bias: float = 0.0
+
+    def as_dict(self) -> dict[str, Any]:
+        """Return everything, in types that JSON knows."""
+        return asdict(self)
+
+
+def slope_lines(slopes: Mapping[str, Slope], scene: Engine, level: float) -> list[str]:
+    """Return the lines that say the derivatives with their intervals, in the units shown."""
+    if not slopes:
+        return []
+    rows = []
+    for name, slope in slopes.items():
+        unit = display_unit(variables_of(scene)[split(name)[1]].kind)
+        values = [f"{value * unit.size:+.4g}" for value in (slope.value, slope.low, slope.high)]
+        per = unit.symbol.strip() or "1"
+        bias = f", bias {slope.bias * unit.size:+.1g}" if slope.bias else ""
+        ends = f"{values[1]} to {values[2]}"
+        rows.append([name, values[0], f"per {per}", ends, f"{slope.method}{bias}"])
+    interval = f"{format_percent(level, None)} interval"
+    head = ["gradient", "of made", "", interval, "method"]
+    return ["", *table(head, rows, right=[1]).splitlines()]
+
+
+def check_gradient(names: Sequence[str], setting: ResolvedSetting) -> tuple[str, ...]:
+    """Return the names of the variables; refuse those that the probability has no derivative by.
+
+    Raises
+    ------
+    TypeError
+        If they are one text, or the model is no Scatter.
+    ValueError
+        If a name is unknown, there twice, or does not scatter.
+    """
+    if isinstance(names, str):
+        raise TypeError(f"gradient: expected a list of names, got the text {names!r}")
+    found = tuple(names)
+    if len(set(found)) < len(found):
+        raise ValueError(f"gradient: expected each name once, got {', '.join(found)}")
+    check_scored(setting.model, [name for name in found if name not in setting.parameters])
+    for name in found:
+        if name not in setting.parameters:
+            continue
+        value = setting.parameters[name]
+        if not np.isfinite(value):
+            raise ValueError(f"gradient: {name} is {value:g}; expected a finite number")
+        changed = {**setting.parameters, name: value + step_of(value)}
+        drawn = setting.model.draw(0, 1, 0, changed).parameters[name]
+        if np.ndim(drawn) or drawn != changed[name]:
+            raise ValueError(f"gradient: {name} is of the release model; ask for mean.{name}")
+    return found
+
+
+def score_slopes(
+    model: Any, names: Sequence[str], sums: NDArray[np.int64], valid: int, made: int, level: float
+) -> dict[str, Slope]:
+    """Return the derivatives by what scatters, from the sums of their scores.
+
+    Parameters
+    ----------
+    model
+        A Scatter.
+    names
+        Of the derivatives.
+    sums
+        As of `score_sums`, of all shots.
+    valid, made
+        Numbers of shots.
+    level
+        Of the intervals.
+    """
+    z = NormalDist().inv_cdf(0.5 + level / 2)
+    found = {}
+    for name, of_name in zip(names, sums.reshape(-1, SUMS), strict=True):
+        if not valid:
+            found[name] = Slope(nan, nan, nan, "score")
+            continue
+        every, of_made, squares, squares_made = (float(one) / UNIT / valid for one in of_name)
+        share = made / valid
+        # (made - P)(s - mean of s), whose mean is the covariance: its variance by its square.
+        value = of_made - share * every
+        centred = squares - every**2
+        centred_made = squares_made - 2.0 * every * of_made + every**2 * share
+        variance = (1.0 - 2.0 * share) * centred_made + share**2 * centred - value**2
+        half = z * sqrt(max(variance, 0.0) / valid)
+        sd = float(model.sd[split(name)[1]])
+        found[name] = Slope(value / sd, (value - half) / sd, (value + half) / sd, "score")
+    return found
+
+
+def difference_slopes(
+    parameters: Mapping[str, float],
+    names: Sequence[str],
+    counts: NDArray[np.int64],
+    level: float,
+) -> dict[str, Slope]:
+    """Return the derivatives by parameters of the scene, from pairs of shots.
+
+    Parameters
+    ----------
+    parameters
+        Of the scene.
+    names
+        Of the derivatives.
+    counts
+        As of `difference_counts`, of all shots.
+    level
+        Of the intervals, which are those of a difference of two shares of the same shots.
+    """
+    z = NormalDist().inv_cdf(0.5 + level / 2)
+    found = {}
+    for name, of_name in zip(names, counts.reshape(-1, len(TIMES), 3), strict=True):
+        values, halves = [], []
+        for times, (pairs, above, below) in zip(TIMES, of_name.tolist(), strict=True):
+            width = 2.0 * times * step_of(parameters[name])
+            share = (above - below) / pairs if pairs else nan
+            variance = (above + below) / pairs - share**2 if pairs else nan
+            values.append(share / width)
+            halves.append(z * sqrt(max(variance, 0.0) / pairs) / width if pairs else nan)
+        value, half = values[0], halves[0]
+        bias = (values[1] - value) / 3.0
+        found[name] = Slope(value, value - half, value + half, "difference", bias)
+    return found

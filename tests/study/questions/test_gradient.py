@@ -1,0 +1,222 @@
+"""The gradient of the probability of a made shot: scores, differences, intervals, refusals."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+pytest.importorskip("pyarrow")
+pytest.importorskip("scipy")
+
+import hoopgen
+from hoopgen.study.jobs import monte_carlo
+from hoopgen.study.jobs.differences import step_of
+from hoopgen.study.models.scores import SUMS, UNIT, score_sums
+from hoopgen.study.questions.gradient import Slope
+from tests.helpers.commands import failure, succeed
+from tests.helpers.effort import trials
+
+RELEASE = {"speed": 7.17, "elevation": 0.9076, "backspin": 18.85, "height": 2.1336}
+RELEASE |= {"distance": 4.191}
+SD = {"speed": 0.07, "elevation": 0.0227, "azimuth": 0.0175}
+PLAYER = hoopgen.Scatter(RELEASE, SD, {("speed", "elevation"): -0.4})
+NAMES = ("mean.speed", "sd.speed", "mean.elevation", "sd.azimuth")
+
+
+def log_density(mean: Any, sd: Any, correlation: float, x: Any) -> float:
+    """Return the logarithm of the density of two correlated normal variables."""
+    covariance = np.diag(sd) @ np.array([[1, correlation], [correlation, 1]]) @ np.diag(sd)
+    off = x - mean
+    return float(
+        -0.5 * off @ np.linalg.solve(covariance, off) - 0.5 * np.log(np.linalg.det(covariance))
+    )
+
+
+@pytest.mark.parametrize("correlation", [0.0, 0.6, -0.9])
+def test_a_score_is_the_derivative_of_the_logarithm_of_the_density(correlation: float) -> None:
+    pairs = {("speed", "elevation"): correlation}
+    model = hoopgen.Scatter(RELEASE, {"speed": 0.07, "elevation": 0.02}, pairs)
+    names = ("mean.speed", "sd.speed", "mean.elevation", "sd.elevation")
+    mean, sd = np.array([7.17, 0.9076]), np.array([0.07, 0.02])
+    yes = np.ones(1, np.bool_)
+    for shot in range(20):
+        noise = model.noise(shot, shot + 1, 3)
+        x = mean + [float(noise[name][0]) for name in ("speed", "elevation")]
+        sums = score_sums(model, names, (shot, shot + 1), 3, yes, yes).reshape(-1, SUMS)
+        for index, name in enumerate(names):
+            ends = []
+            for sign in (1, -1):
+                moved = [mean.copy(), sd.copy()]
+                moved["sd" in name][index // 2] += sign * 1e-6 * sd[index // 2]
+                ends.append(log_density(*moved, correlation, x))
+            score = (ends[0] - ends[1]) / 2e-6  # times the deviation
+            assert abs(sums[index, 0] / UNIT - score) < 1e-5 + 1e-6 * abs(score)
+            assert sums[index, 0] == sums[index, 1]
+            assert abs(sums[index, 2] / UNIT - score**2) < 1e-5 + 1e-4 * score**2
+
+
+def found(shots: int, seed: int, names: Any = NAMES, **options: Any) -> dict[str, Slope]:
+    """Return the gradient of the player."""
+    return dict(
+        hoopgen.estimate(PLAYER, shots=shots, seed=seed, gradient=names, **options).gradient
+    )
+
+
+def test_scores_agree_with_differences_over_the_same_random_numbers() -> None:
+    shots = 200_000
+    slopes = found(shots, 1)
+    for name, slope in slopes.items():
+        kind, variable = name.split(".")
+        step = 0.1 * SD[variable]
+        players = []
+        for sign in (-1, 1):
+            release, sd = dict(RELEASE), dict(SD)
+            if kind == "mean":
+                release[variable] += sign * step
+            else:
+                sd[variable] += sign * step
+            players.append(hoopgen.Scatter(release, sd, {("speed", "elevation"): -0.4}))
+        change = hoopgen.compare(*players, shots=shots, seed=2)
+        expected, half = change.difference / (2 * step), (change.high - change.low) / (4 * step)
+        # Both are random; half the widths are two standard errors each, and the step has a bias.
+        assert abs(slope.value - expected) < 2 * np.hypot(half, (slope.high - slope.low) / 2)
+        assert slope.low < slope.value < slope.high
+        assert (slope.method, slope.bias) == ("score", 0.0)
+
+
+@pytest.mark.slow
+def test_intervals_of_the_gradient_contain_the_truth_as_often_as_they_say() -> None:
+    """Demand that 90% at the least do, of 95% intervals of many seeds."""
+    names = (*NAMES, "restitution")
+    truth = found(1 << 21, 10_000, names)
+    runs = trials(200)
+    hits = dict.fromkeys(names, 0)
+    for seed in range(runs):
+        for name, slope in found(10_000, seed, names).items():
+            hits[name] += slope.low <= truth[name].value <= slope.high
+    for name, count in hits.items():
+        assert 0.9 * runs <= count, (name, count, runs)
+
+
+def test_a_parameter_is_differenced_over_the_same_shots() -> None:
+    shots, step = 20_000, step_of(0.7)
+    slope = found(shots, 4, ["restitution"])["restitution"]
+    shares = [
+        hoopgen.estimate(PLAYER, {"restitution": 0.7 + times * step}, shots=shots, seed=4)
+        for times in (1, -1, 2, -2)
+    ]
+    made = [one.probability for one in shares]
+    assert slope.method == "difference"
+    assert slope.value == pytest.approx((made[0] - made[1]) / (2 * step), rel=1e-12)
+    twice = (made[2] - made[3]) / (4 * step)
+    assert slope.bias == pytest.approx((twice - slope.value) / 3, rel=1e-9)
+    both = hoopgen.compare(
+        (PLAYER, {"restitution": 0.7 - step}), (PLAYER, {"restitution": 0.7 + step}),
+        shots=shots, seed=4,
+    )  # fmt: skip
+    assert slope.high - slope.low == pytest.approx((both.high - both.low) / (2 * step), rel=0.02)
+
+
+def test_gravity_moves_the_release_of_an_aim_too() -> None:
+    aim = {name: value for name, value in RELEASE.items() if name != "speed"} | {"aim": 0.05}
+    player = hoopgen.Scatter(aim, SD)
+    slope = hoopgen.estimate(player, shots=20_000, gradient=["gravity"]).gradient["gravity"]
+    step = step_of(9.81)
+    made = [
+        hoopgen.estimate(player, {"gravity": 9.81 + sign * step}, shots=20_000).probability
+        for sign in (1, -1)
+    ]
+    assert slope.value == pytest.approx((made[0] - made[1]) / (2 * step), rel=1e-12)
+
+
+def test_the_gradient_does_not_depend_on_chunks_threads_or_an_interruption(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    names = ("sd.speed", "restitution", "mean.elevation")
+    whole = found(20_000, 0, names, threads=1)
+    assert list(whole) == list(names)
+    monkeypatch.setattr(monte_carlo, "CHUNK", 1 << 12)
+    assert found(20_000, 0, names, threads=2) == whole
+    folder = tmp_path / "chunks"
+    found(6_000, 0, names, folder=folder)
+    assert found(20_000, 0, names, folder=folder) == whole
+
+
+def test_the_rest_of_an_estimate_is_as_without_a_gradient() -> None:
+    options: dict[str, Any] = {"shots": 5_000, "measures": ["depth"]}
+    plain = hoopgen.estimate(PLAYER, **options)
+    more = hoopgen.estimate(PLAYER, gradient=["mean.speed", "restitution"], **options)
+    record = more.as_dict()
+    slopes = record.pop("gradient")
+    assert record == plain.as_dict()
+    assert set(slopes) == {"mean.speed", "restitution"}
+    assert json.loads(json.dumps(slopes))["restitution"]["method"] == "difference"
+    assert "gradient" not in str(plain)
+    assert "mean.speed" in str(more)
+    assert "per m/s" in str(more)
+
+
+@pytest.mark.parametrize(
+    ("names", "error", "said"),
+    [
+        ("mean.speed", TypeError, "gradient: expected a list of names, got the text 'mean.speed'"),
+        (["mean.speed"] * 2, ValueError, "gradient: expected each name once"),
+        (["speed"], ValueError, "gradient: 'speed' is nothing that scatters; expected one of mean"),
+        (["mean.backspin"], ValueError, "gradient: 'mean.backspin' is nothing that scatters"),
+        (["median.speed"], ValueError, "gradient: 'median.speed' is nothing that scatters"),
+    ],
+)
+def test_bad_names(names: Any, error: type[Exception], said: str) -> None:
+    with pytest.raises(error) as refusal:
+        hoopgen.estimate(PLAYER, shots=100, gradient=names)
+    assert said in str(refusal.value)
+
+
+def test_models_and_parameters_without_a_derivative_are_refused() -> None:
+    measured = hoopgen.Resample(
+        {"speed": [7.1, 7.2], "elevation": 0.9, "height": 2.1, "distance": 4.2}
+    )
+    with pytest.raises(TypeError, match=r"gradient: mean\.speed is a derivative by a Scatter"):
+        hoopgen.estimate(measured, shots=100, gradient=["mean.speed"])
+    assert hoopgen.estimate(measured, shots=100, gradient=["restitution"]).gradient
+    random = hoopgen.Scatter(RELEASE, SD | {"restitution": 0.01})
+    with pytest.raises(ValueError, match=r"gradient: restitution .* ask for mean\.restitution"):
+        hoopgen.estimate(random, shots=100, gradient=["restitution"])
+    assert hoopgen.estimate(random, shots=100, gradient=["mean.restitution"]).gradient
+    with pytest.raises(ValueError, match="gradient: ring_friction is inf; expected a finite"):
+        hoopgen.estimate(PLAYER, scene=hoopgen.COURT, shots=100, gradient=["ring_friction"])
+    close = hoopgen.Scatter(RELEASE, SD, {("speed", "elevation"): 0.9999})
+    with pytest.raises(ValueError, match="gradient: the correlations of speed are too close to 1"):
+        hoopgen.estimate(close, shots=100, gradient=["mean.speed"])
+
+
+SHOT = ["--speed", "7.17", "--elevation", "52deg", "--distance", "4.191", "--height", "2.1336"]
+SHOT += ["--scatter", "speed=0.07", "--shots", "2000"]
+
+
+def test_the_command_and_the_study_file(tmp_path: Path) -> None:
+    asked = ["--gradient", "mean.speed", "--gradient", "restitution"]
+    text = succeed("estimate", *SHOT, *asked).stdout
+    assert "mean.speed" in text
+    assert "difference, bias" in text
+    record = json.loads(succeed("estimate", *SHOT, *asked, "--json").stdout)
+    assert set(record["gradient"]) == {"mean.speed", "restitution"}
+    assert "--gradient is of one setting, without --versus" in failure(
+        "estimate", *SHOT, *asked, "--versus", "backspin=0"
+    )
+    pytest.importorskip("pydantic")
+    file = tmp_path / "study.toml"
+    file.write_text(
+        '[study]\nname = "A player"\n[release]\nspeed = "7.17 m/s"\nelevation = "52 deg"\n'
+        'distance = "4.191 m"\nheight = "2.1336 m"\n[scatter]\nspeed = "0.07 m/s"\n'
+        '[[question]]\nname = "player"\nkind = "estimate"\nshots = 2000\n'
+        'gradient = ["mean.speed", "restitution"]\n'
+    )
+    out = tmp_path / "out"
+    succeed("study", str(file), "--out", str(out))
+    answer = json.loads((out / "player" / "answer.json").read_text())
+    assert answer["numbers"]["gradient"] == record["gradient"]
