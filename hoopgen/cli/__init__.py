@@ -33,6 +33,7 @@ _COMMANDS = {
     "bank": "bank",
     "batch": "batch",
     "fit": "fit",
+    "calibrate": "calibrate",
     "study": "study",
     "view": "view",
     "playground": "playground",

@@ -10,8 +10,8 @@ import click
 
 import hoopgen
 from hoopgen.hoop.court_places import PLACES
+from hoopgen.study.questions.measured_specification import CoachQuestion
 from hoopgen.study.questions.settings import TableSettings
-from hoopgen.study.questions.specification import CoachQuestion
 
 from .command import command
 from .messages import echo_json, echo_lines, examples

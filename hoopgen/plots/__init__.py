@@ -9,6 +9,7 @@ from .counterfactual import plot_counterfactual
 from .estimates import plot_estimate
 from .fan import plot_fan
 from .landings import plot_landings
+from .likelihood import plot_likelihood
 from .maps import plot_map
 from .style import COLOURS, COLUMN, FORMATS, PAGE, save, style
 from .trajectory import plot_trajectory
@@ -26,6 +27,7 @@ __all__ = [
     "plot_estimate",
     "plot_fan",
     "plot_landings",
+    "plot_likelihood",
     "plot_map",
     "plot_trajectory",
     "save",
