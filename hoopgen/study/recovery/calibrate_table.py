@@ -133,7 +133,8 @@ def calibrate_table(
         confidence=confidence,
     )
     said = [f"outcomes: {', '.join(f'{name} from {cut(col)}' for name, col in found.items())}"]
-    said += [str(read.interpretation), str(invalid)]
+    others = {n: one for n, one in read.interpretation.not_read.items() if n not in found.values()}
+    said += [str(replace(read.interpretation, not_read=others)), str(invalid)]
     if (left := int((good & ~known).sum())) > 0:
         said.append(f"left out: {format_count(left, 'row')} without an outcome")
     return CalibratedTable(scene_found, "\n".join(line for line in said if line))
