@@ -31,6 +31,7 @@ _COMMANDS = {
     "optimum": "optimum",
     "aim": "aim",
     "bank": "bank",
+    "best": "best",
     "batch": "batch",
     "fit": "fit",
     "calibrate": "calibrate",

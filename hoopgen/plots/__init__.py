@@ -3,6 +3,7 @@
 from .aim_points import plot_aim_points
 from .aim_table import plot_aim
 from .animation import save_film
+from .best_shots import plot_best_shots
 from .calibration import plot_calibration
 from .coach import plot_coach
 from .counterfactual import plot_counterfactual
@@ -21,6 +22,7 @@ __all__ = [
     "PAGE",
     "plot_aim",
     "plot_aim_points",
+    "plot_best_shots",
     "plot_calibration",
     "plot_coach",
     "plot_counterfactual",

@@ -43,6 +43,7 @@ FUNCTIONS = {
     specification.AimQuestion: aim_table,
     specification.BatchQuestion: hoopgen.batch,
     specification.MarginsQuestion: hoopgen.margins,
+    measured_specification.BestQuestion: hoopgen.best_shots,
     measured_specification.FitQuestion: fit_table,
     measured_specification.CalibrateQuestion: calibrate_table,
     specification.CounterfactualQuestion: hoopgen.counterfactual,
@@ -52,7 +53,7 @@ NOT_SETTINGS = {
     *("model", "first", "second", "parameters", "scene", "source", "out", "release", "places"),
     *("distances", "height", "angle", "backspin", "sidespin"),  # the release of a table of aim
     *("override", "rows", "progress", "report"),
-    *("i", "errors"),
+    *("i", "errors", "player"),
 }
 """Arguments of functions that are not settings: shots, their scene, and a program's own."""
 

@@ -31,6 +31,24 @@ class CoachQuestion:
 
 
 @dataclass(frozen=True, kw_only=True)
+class BestQuestion:
+    """The shot that a player makes most often, from each place of the half court."""
+
+    shared: ClassVar = (of.Sampling, of.Threads)
+    makes: float | None = setting(
+        "Share of free throws made by the default player; by default 70%.",
+        Share(percent=True),
+        None,
+    )
+    step: float = setting("Distance of neighbouring places.", Quantity("length", 0.5, 3.0), 1.5)
+    shots: int = setting(
+        "Number of shots of the last step of each search, and of the fresh estimates.",
+        Whole(),
+        5_000,
+    )
+
+
+@dataclass(frozen=True, kw_only=True)
 class FitQuestion:
     """The releases of measured tracks."""
 
