@@ -20,13 +20,14 @@ from .place_option import PlaceName
 from .player_option import fitted_player, from_table
 from .question_options import question_options, setting_options
 from .scene_option import engine_of, parameters_of, scene_option
+from .types import OUT
 
 
 @command(
     epilog=examples(
         "hoopgen coach --makes 70% --place 'free throw'",
         "hoopgen coach --makes 35% --place 'corner three' --picture advice.svg",
-        "hoopgen coach --from my_shots.csv --where 'player == Ann'",
+        "hoopgen coach --from my_shots.csv --where 'player == Ann' --out ann.html",
     )
 )
 @from_table
@@ -35,6 +36,9 @@ from .scene_option import engine_of, parameters_of, scene_option
 @scene_option
 @preset_options
 @question_options(CoachQuestion)
+@click.option(
+    "--out", type=OUT, help="A page for players, .html: the advice, pictures, before and after."
+)
 @picture_option("gains")
 @json_option
 def coach(
@@ -43,6 +47,7 @@ def coach(
     place: str | None,
     preset: str,
     settings: Mapping[str, float],
+    out: Path | None,
     picture: Path | None,
     as_json: bool,
     **options: Any,
@@ -65,6 +70,8 @@ def coach(
     found = hoopgen.coach(player, place=place, parameters=parameters, scene=engine, **options)
     if picture is not None:
         hoopgen.plots.save(found.plot(), picture)
+    if out is not None:
+        found.page(out, read=read)
     if as_json:
         echo_json(found.as_dict())
     else:

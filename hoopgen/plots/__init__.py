@@ -6,6 +6,7 @@ from .animation import save_film
 from .best_shots import plot_best_shots
 from .calibration import plot_calibration
 from .coach import plot_coach
+from .coach_page import plot_coach_shots, write_coach_page
 from .counterfactual import plot_counterfactual
 from .estimates import plot_estimate
 from .fan import plot_fan
@@ -25,6 +26,7 @@ __all__ = [
     "plot_best_shots",
     "plot_calibration",
     "plot_coach",
+    "plot_coach_shots",
     "plot_counterfactual",
     "plot_estimate",
     "plot_fan",
@@ -35,4 +37,5 @@ __all__ = [
     "save",
     "save_film",
     "style",
+    "write_coach_page",
 ]

@@ -132,7 +132,9 @@ def best_shots(
     attributes = {
         "player": json.dumps(model.identity()),
         "provenance": provenance,
-        "parameters": json.dumps({n: as_doubles(n, value).item() for n, value in parameters.items()}),
+        "parameters": json.dumps(
+            {n: as_doubles(n, value).item() for n, value in parameters.items()}
+        ),
         "step": float(step),
         "shots": count,
         "confidence": level,

@@ -167,6 +167,8 @@ def coach(
         tuple(sorted(habits, key=lambda one: -one.gain)),
         level,
         provenance,
+        setting.parameters,
+        scene,
     )
 
 
