@@ -31,7 +31,7 @@ NOAH_ENTRY, NOAH_DEPTH, HOOP = 45 * DEGREE, 11 * INCH, 18 * INCH
 """Noah Basketball: the entry angle, the depth past the front of the rim, the hoop's diameter."""
 
 PLAYERS, THROWS = 72, 21_964
-"""Of McGrath's data."""
+"""Players and throws in McGrath's data."""
 
 _SPEEDS, _ANGLES = (7.0, 8.0), (45.0, 65.0)
 """m/s and degrees: the map of Okubo and Hubbard."""

@@ -125,10 +125,10 @@ def write_coach_page(found: Coaching, path: str | os.PathLike[str], *, read: str
     if target.suffix.lower() not in (".html", ".htm"):
         raise ValueError(f"out: expected a file .html, got {path}")
     check_output(target)
-    return write(target, coach_page(found, read))
+    return write(target, _page(found, read))
 
 
-def coach_page(found: Coaching, read: str = "") -> str:
+def _page(found: Coaching, read: str = "") -> str:
     """Return the page, HTML, with all texts escaped."""
     where = "Your shots" if found.place is None else f"Your {found.place.name}s"
     if found.place is not None and found.place.name.endswith(("key", "court")):

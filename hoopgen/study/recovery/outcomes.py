@@ -1,4 +1,4 @@
-"""What was seen of measured shots, and which simulated shots end in the same way.
+"""Observed ends of measured shots, and the simulated shots that end in the same way.
 
 A shot is made or not. A table may also say the impacts before the end, the body that was touched
 first, and of a miss where it came down. Places of rebounds are told apart by direction, in the six
@@ -43,7 +43,7 @@ _STREAM = POSTERIOR + 3_000
 
 @dataclass(frozen=True)
 class Outcomes:
-    """What was seen of shots.
+    """The observed ends of shots.
 
     Attributes
     ----------

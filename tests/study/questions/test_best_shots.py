@@ -38,7 +38,7 @@ def test_places_are_within_the_lines_and_mirror_each_other() -> None:
 
 
 def test_each_share_is_that_of_the_release(found: Any) -> None:
-    """Of any way in; with other random numbers it is within the errors of both."""
+    """Shares with other random numbers, of any way in, are within the errors of both."""
     for row in range(0, found.sizes["place"], 4):
         one = {name: float(found[name].values[row]) for name in ("x", "y", "speed", "elevation")}
         one["azimuth"] = float(found["azimuth"].values[row])

@@ -133,7 +133,7 @@ def test_rebounds_tell_more_than_outcomes() -> None:
 
 
 def test_the_body_touched_first_tells_more_than_the_outcome() -> None:
-    """Of one throw at the back of the ring, it says how often the board was met before."""
+    """A simulated shot agrees if it ends alike and touches the same body first."""
     table = {n: one for n, one in ended(200, 8, 0.6).items() if "rebound" not in n}
     draws = Outcomes.read(
         {"made": table["made"], "first": table["first"]}, 200, SURFACES, 2, 0, 1, 0

@@ -44,7 +44,7 @@ def test_equal_probabilities_are_binomial() -> None:
 
 
 def test_the_work_for_many_shots_is_small() -> None:
-    """What is kept of a hundred thousand shots is some forty standard deviations long."""
+    """The distribution for a hundred thousand shots is less than forty deviations long."""
     random = np.random.default_rng(2)
     p = random.uniform(0.0, 1.0, 100_000)
     made = random.uniform(size=len(p)) < p
