@@ -77,7 +77,7 @@ def best(
 
 
 def _text(found: xr.Dataset) -> str:
-    from hoopgen.study.questions.best_shots import describe_best_shots
+    from hoopgen.study.questions.best_shots_result import describe_best_shots
 
     length, speed = display_unit("length"), display_unit("speed")
     heads = [f"x ({length.symbol})", f"y ({length.symbol})", "way", "made", "interval"]

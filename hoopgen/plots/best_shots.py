@@ -15,7 +15,7 @@ from matplotlib.patheffects import withStroke
 
 from hoopgen.core.units import DEGREE, display_unit
 from hoopgen.hoop.court_lines import find_court
-from hoopgen.study.questions.best_shots import describe_best_shots
+from hoopgen.study.questions.best_shots_result import describe_best_shots
 
 from .figure import Picture, add_title, draw_picture, fit_view
 from .floor_plan import FLOOR, draw_floor, on_floor

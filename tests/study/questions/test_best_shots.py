@@ -15,7 +15,8 @@ for _library in ("pyarrow", "scipy", "xarray"):
 import hoopgen  # noqa: E402
 from hoopgen import NBA, Scatter  # noqa: E402
 from hoopgen.core.units import DEGREE  # noqa: E402
-from hoopgen.study.questions.best_shots import court_places, describe_best_shots  # noqa: E402
+from hoopgen.study.questions.best_shots import court_places  # noqa: E402
+from hoopgen.study.questions.best_shots_result import describe_best_shots  # noqa: E402
 from tests.helpers.commands import failure, output  # noqa: E402
 
 PLAYER = Scatter(
