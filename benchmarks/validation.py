@@ -7,6 +7,7 @@ gives the same bytes.
 import argparse
 from pathlib import Path
 
+from benchmarks import validation_further
 from benchmarks.validation_coverage import counts, present, replaced, section
 from benchmarks.validation_page import page, throw_picture
 from benchmarks.validation_results import DISTANCES, everything
@@ -27,8 +28,9 @@ def main() -> None:
     parser.add_argument("--out", type=Path, default=Path("docs"), help="folder, default docs")
     parser.add_argument(
         "--only",
-        choices=["coverage", "literature"],
-        help="the section on coverage alone, or all others; the rest stays as it is",
+        choices=["coverage", "literature", "further"],
+        help="the section on coverage or on further results alone, or all but that on coverage; "
+        "the rest stays as it is",
     )
     parser.add_argument(
         "--part", type=float, default=1.0, help="of the repetitions of coverage, default 1"
@@ -36,6 +38,11 @@ def main() -> None:
     arguments = parser.parse_args()
     arguments.out.mkdir(parents=True, exist_ok=True)  # before the work, should it fail
     file = arguments.out / "validation.md"
+    shots = 1_000 if arguments.quick else 20_000
+    if arguments.only == "further":
+        lines = validation_further.section(validation_further.further(shots))
+        write(file, validation_further.replaced(file.read_text("utf-8"), lines))
+        return
     if arguments.only == "literature":
         coverage = present(file.read_text("utf-8"))
     else:
@@ -51,7 +58,8 @@ def main() -> None:
     save(throw_picture(results), arguments.out / "validation-throws.svg")
     save(plot_aim_points(results.banks.places, PAPER), arguments.out / "validation-bank.svg")
     save(picture(results.bounces), arguments.out / "validation-bounces.svg")
-    write(file, page(results, coverage))
+    more = validation_further.section(validation_further.further(shots))
+    write(file, page(results, coverage, more))
 
 
 if __name__ == "__main__":

@@ -8,6 +8,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from benchmarks.report import table
+from benchmarks.validation_further import SOURCES as FURTHER_SOURCES
 from benchmarks.validation_results import (
     ANGLES,
     DEGREE,
@@ -83,8 +84,8 @@ def chance(best: Optimum) -> str:
 # --------------------------------------------------------------------------------- sections
 
 
-def page(results: Results, coverage: Sequence[str]) -> str:
-    """Return the whole page, with the lines of the section on coverage."""
+def page(results: Results, coverage: Sequence[str], more: Sequence[str]) -> str:
+    """Return the whole page, with the lines on coverage and on further results."""
     lines = [
         *_head(results),
         *closed_forms(results.checks, results.entries),
@@ -92,11 +93,12 @@ def page(results: Results, coverage: Sequence[str]) -> str:
         *_bank(results),
         *_scatter(results),
         *results.court,
+        *more,
         *coverage,
         *_left_out(),
         "## Sources",
         "",
-        *(f"- {source}" for source in SOURCES),
+        *(f"- {source}" for source in (*SOURCES, *FURTHER_SOURCES)),
     ]
     return "\n".join(lines) + "\n"
 

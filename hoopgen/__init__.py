@@ -58,6 +58,7 @@ if TYPE_CHECKING:
     from .study.questions.assess import assess as assess
     from .study.questions.bank import bank_or_direct as bank_or_direct
     from .study.questions.batch import batch as batch
+    from .study.questions.best_shots import best_shots as best_shots
     from .study.questions.coach import coach as coach
     from .study.questions.compare import compare as compare
     from .study.questions.counterfactual import counterfactual as counterfactual
@@ -128,6 +129,7 @@ _LAZY = {
     "estimate": "study.questions.estimate",
     "compare": "study.questions.compare",
     "assess": "study.questions.assess",
+    "best_shots": "study.questions.best_shots",
     "coach": "study.questions.coach",
     "counterfactual": "study.questions.counterfactual",
     "solve": "study.questions.solve",

@@ -10,37 +10,35 @@ import click
 
 import hoopgen
 from hoopgen.hoop.court_places import PLACES
+from hoopgen.study.questions.measured_specification import CoachQuestion
 from hoopgen.study.questions.settings import TableSettings
-from hoopgen.study.questions.specification import CoachQuestion
 
 from .command import command
 from .messages import echo_json, echo_lines, examples
 from .options import json_option, picture_option, preset_options
 from .place_option import PlaceName
+from .player_option import fitted_player, from_table
 from .question_options import question_options, setting_options
 from .scene_option import engine_of, parameters_of, scene_option
-from .types import FILE
+from .types import OUT
 
 
 @command(
     epilog=examples(
         "hoopgen coach --makes 70% --place 'free throw'",
         "hoopgen coach --makes 35% --place 'corner three' --picture advice.svg",
-        "hoopgen coach --from my_shots.csv --where 'player == Ann'",
+        "hoopgen coach --from my_shots.csv --where 'player == Ann' --out ann.html",
     )
 )
-@click.option(
-    "--from",
-    "file",
-    type=FILE,
-    help="Measured releases, .csv, .parquet, .arrow or .xlsx, to which the player is fitted, in "
-    "place of --makes and --place.",
-)
+@from_table
 @setting_options(TableSettings, only="where")
 @click.option("--place", type=PlaceName(), help=f"From where: {', '.join(PLACES)}.")
 @scene_option
 @preset_options
 @question_options(CoachQuestion)
+@click.option(
+    "--out", type=OUT, help="A page for players, .html: the advice, pictures, before and after."
+)
 @picture_option("gains")
 @json_option
 def coach(
@@ -49,6 +47,7 @@ def coach(
     place: str | None,
     preset: str,
     settings: Mapping[str, float],
+    out: Path | None,
     picture: Path | None,
     as_json: bool,
     **options: Any,
@@ -65,30 +64,17 @@ def coach(
     if file is not None:
         if options["makes"] is not None or place is not None:
             raise click.UsageError("--from has the player's releases; leave out --makes, --place")
-        player, read = _fitted(file, where, parameters, engine)
+        player, read = fitted_player(file, where, parameters, engine)
     elif where:
         raise click.UsageError("--where: there is no table; give --from")
     found = hoopgen.coach(player, place=place, parameters=parameters, scene=engine, **options)
     if picture is not None:
         hoopgen.plots.save(found.plot(), picture)
+    if out is not None:
+        found.page(out, read=read)
     if as_json:
         echo_json(found.as_dict())
     else:
         echo_lines(str(found))
     if read:
         echo_lines(f"\n{read}", err=as_json)
-
-
-def _fitted(file: Path, where: tuple[str, ...], parameters: Any, engine: Any) -> tuple[Any, str]:
-    """Return the player fitted to a table, and how it was read."""
-    from hoopgen.study.models.scatter import Scatter
-    from hoopgen.study.tables.reading import ReadingOptions
-
-    reading = ReadingOptions.from_options(where=where)
-    source = reading.source(file)
-    table = reading.interpreted(source, parameters, override=True, scene=engine)
-    measured, invalid = table.measured(source)
-    errors: Any = table.error_variances(source)
-    columns: dict[str, Any] = {**table.origin.release, **measured}
-    fitted = Scatter.fit(columns, measurement_covariance=errors)
-    return fitted, f"{fitted}\n\n{table.interpretation}\n{invalid}"

@@ -8,7 +8,7 @@ from typing import Any
 
 import click
 
-from hoopgen.study.questions.specification import FitQuestion
+from hoopgen.study.questions.measured_specification import FitQuestion
 
 from .command import command
 from .messages import echo_json, echo_lines, examples

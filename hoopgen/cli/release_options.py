@@ -195,12 +195,7 @@ _FROM = together(
         "in.",
     ),
     setting_options(MeasuredReleases, only="group"),
-    click.option(
-        "--fitted",
-        is_flag=True,
-        help="Fit a normal scatter to the rows of --from, without the measuring errors and robust "
-        "to outliers, and draw from it. Of estimate, --group is the player of each row.",
-    ),
+    setting_options(MeasuredReleases, only="fitted"),
     click.option(
         "--instrument",
         type=DEVIATION,

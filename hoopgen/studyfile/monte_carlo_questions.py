@@ -64,7 +64,7 @@ def ask_estimate(context: Context, question: EstimateQuestion, **work: Any) -> E
         level = context.study.confidence
         most = most_shots(question.shots, question.precision, level)
         check_log(min(PLOTTED, most), contacts, scene=context.engine)
-    found: Estimate | Shares = estimate(context.setting.model(), **context.options, **work)
+    found: Estimate | Shares = estimate(context.setting.player(), **context.options, **work)
     return found
 
 

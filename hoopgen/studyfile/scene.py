@@ -191,6 +191,7 @@ _READ: Mapping[Value, Value] = {
         Listed(Varying(tuple(VARIABLES)), 1),
         Named(varying, lambda name: Ends(kind_of(name)), least=1),
     ),
+    kinds.DEVIATIONS: Named(scattering, deviation),
     kinds.PLACES: Named(("distance", "angle", "x", "y"), _values_of, least=2),
 }
 

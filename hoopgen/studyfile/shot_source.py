@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import reduce
 from pathlib import Path
 from typing import Any
@@ -15,11 +15,13 @@ from hoopgen.core.variables import is_state
 from hoopgen.hoop.court_places import find_place
 from hoopgen.hoop.variables import change_variables
 from hoopgen.simulation.engine import Engine
+from hoopgen.study.models.fitted_scatter import FittedScatter
 from hoopgen.study.models.resample import Resample
 from hoopgen.study.models.scatter import Scatter
 from hoopgen.study.questions.settings import MeasuredReleases
 from hoopgen.study.tables.columns import variable_of
 from hoopgen.study.tables.provenance import origin_of
+from hoopgen.study.tables.reading import error_variances
 from hoopgen.study.tables.source import Source
 from hoopgen.text.shorten import join_names
 
@@ -119,11 +121,37 @@ class ShotSource:
                 "scatter: it is about one release, and releases has many; leave one out, or give "
                 'scatter = "none"'
             )
+        if self.releases.instrument and not self.releases.fitted:
+            raise ValueError("releases.instrument: it is of fitted = true; leave it out, or both")
+        if self.releases.fitted:
+            fitted = self.fit(self.releases).model
+            return replace(fitted, release=given_without(fitted.release, over))
         groups, measured = self._groups(self.releases), self._measured(self.releases)
         alike = {name: value for name, value in measured.items() if not np.ndim(value)}
         left = given_without(alike, over)
         columns = {n: v for n, v in measured.items() if n not in alike or n in left}
         return Resample(columns, groups)
+
+    def player(self) -> Scatter | Resample | FittedScatter[Scatter]:
+        """Return the release model; of a fitted scatter with the uncertainty of the fit."""
+        model = self.model()
+        return self.fit(self.releases) if self.releases and self.releases.fitted else model
+
+    def fit(self, releases: MeasuredReleases) -> FittedScatter[Scatter]:
+        """Return the scatter of measured releases, without the errors of the measurement."""
+        if releases.group is not None:
+            raise ValueError(
+                "releases.group: with fitted there is one scatter; choose a player by where"
+            )
+        columns = self._measured(releases)
+        known: dict[str, Any] = error_variances(self._source(releases), columns, self.engine)
+        known |= {name: sd**2 for name, sd in releases.instrument.items()}
+        errors: dict[str | tuple[str, str], Any] = {
+            name: one for name, one in known.items() if np.ndim(columns.get(name, 0.0))
+        }
+        found = Scatter.fit(columns, measurement_covariance=errors)
+        assert isinstance(found, FittedScatter)
+        return found
 
     def _measured(self, releases: MeasuredReleases) -> dict[str, Any]:
         """Return the columns of measured releases, and what is the same for all."""
@@ -171,7 +199,10 @@ class ShotSource:
 
     def identity(self) -> dict[str, Any]:
         """Return what tells this setting from others, in types that JSON knows."""
-        return {**self.model().identity(), "parameters": self.parameters}
+        identity = {**self.model().identity(), "parameters": self.parameters}
+        if self.releases is not None and self.releases.fitted:
+            identity["fitted"] = self.fit(self.releases).as_dict()
+        return identity
 
 
 def _change(release: Mapping[str, float], changes: Mapping[str, Any]) -> dict[str, Any]:

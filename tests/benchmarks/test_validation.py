@@ -15,7 +15,7 @@ for needed in ("matplotlib", "pyarrow", "scipy", "xarray"):
     pytest.importorskip(needed)
 
 import hoopgen  # noqa: E402
-from benchmarks import validation_court, validation_page  # noqa: E402
+from benchmarks import validation_court, validation_further, validation_page  # noqa: E402
 from benchmarks import validation_results as validation  # noqa: E402
 from hoopgen.plots import save  # noqa: E402
 from hoopgen.study.questions.aim_points import on_board  # noqa: E402
@@ -135,7 +135,7 @@ def test_a_small_run_fills_the_page(tmp_path: Path, monkeypatch: pytest.MonkeyPa
         monkeypatch.setattr(validation, name, values)
     monkeypatch.setattr(validation_page, "ANGLES", validation.ANGLES)
     results = validation.everything(300, 150, (9, 11))
-    lines = validation_page.page(results, ["## Coverage", ""]).splitlines()
+    lines = validation_page.page(results, ["## Coverage", ""], ["## Further", ""]).splitlines()
     assert "## Coverage" in lines
     assert not [line for line in lines if "nan" in line]
     cells = [line for line in lines if line.startswith(("| 9 ft", "| 11 ft"))]
@@ -146,3 +146,53 @@ def test_a_small_run_fills_the_page(tmp_path: Path, monkeypatch: pytest.MonkeyPa
     assert chance[0] > chance[-1] + 0.15
     spins = results.line.by_spin
     assert spins[3].probability > spins[0].probability
+
+
+def test_steady_rolls_are_stable_where_the_page_says() -> None:
+    """By integration of the rolling ball's equations from near them."""
+    integrate = pytest.importorskip("scipy.integrate")
+    low, high, speed = validation_further._steady_rolls()
+    assert speed == pytest.approx(0.924, abs=5e-4)  # at 135 degrees, derived elsewhere
+    ring = hoopgen.NBA["ring_radius"]
+    radius = hoopgen.NBA["ball_radius"] + hoopgen.NBA["wire_radius"]
+    for a, stays in (
+        (low + 0.02, True),
+        (0.5 * (low + high), True),
+        (high - 0.02, True),
+        (low - 0.05, False),
+    ):
+        away = ring + radius * math.cos(a)
+        steady = math.sqrt(-0.6 * hoopgen.PAPER["gravity"] * away / math.tan(a))
+        path = integrate.solve_ivp(
+            lambda _, y: validation_further.roll(*y),
+            (0.0, 3.0),
+            [a + 1e-4, 0.0, steady, 0.0],
+            rtol=1e-10,
+            atol=1e-12,
+            events=_left,
+        )
+        far = float(np.max(np.abs(path.y[0] - a)))
+        assert (far < 2e-2) == stays
+
+
+def _left(_: float, y: np.ndarray) -> float:
+    """Return 0 when the ball is a radian off."""
+    return float(np.sin(y[0]))
+
+
+_left.terminal = True  # type: ignore[attr-defined]
+
+
+def test_noahs_depth_is_past_the_middle_of_an_eighteen_inch_hoop() -> None:
+    past = validation_further.NOAH_DEPTH - 0.5 * validation_further.HOOP
+    assert past == pytest.approx(0.0508)
+
+
+def test_the_page_has_the_further_results() -> None:
+    page = (ROOT / "docs" / "validation.md").read_text(encoding="utf-8")
+    lines = validation_further.present(page)
+    assert validation_further.replaced(page, lines) == page
+    assert all(f"- {source}" in page for source in validation_further.SOURCES)
+    first, last, speed = validation_further._steady_rolls()
+    said = f"stable and in contact from {math.degrees(first):.1f}° to {math.degrees(last):.1f}°"
+    assert any(said in line and f"{speed:.3f} m/s" in line for line in lines)

@@ -21,12 +21,13 @@ from hoopgen.cli import main
 from hoopgen.cli.command import command
 from hoopgen.cli.question_options import question_options
 from hoopgen.study.jobs.objective import BY
-from hoopgen.study.questions import specification
+from hoopgen.study.questions import measured_specification, specification
 from hoopgen.study.questions.aim_table import aim_table
 from hoopgen.study.questions.bank import bank_or_direct
 from hoopgen.study.questions.settings import WAYS, Sampling, arguments, setting, settings
 from hoopgen.study.questions.specification import QUESTIONS
 from hoopgen.study.questions.values import Choice, Whole
+from hoopgen.study.recovery.calibrate_table import calibrate_table
 from hoopgen.study.recovery.table import fit_table
 from hoopgen.study.tables.limits import MEMORY
 from hoopgen.study.tables.source import FORMATS
@@ -42,7 +43,9 @@ FUNCTIONS = {
     specification.AimQuestion: aim_table,
     specification.BatchQuestion: hoopgen.batch,
     specification.MarginsQuestion: hoopgen.margins,
-    specification.FitQuestion: fit_table,
+    measured_specification.BestQuestion: hoopgen.best_shots,
+    measured_specification.FitQuestion: fit_table,
+    measured_specification.CalibrateQuestion: calibrate_table,
     specification.CounterfactualQuestion: hoopgen.counterfactual,
 }
 
@@ -50,7 +53,7 @@ NOT_SETTINGS = {
     *("model", "first", "second", "parameters", "scene", "source", "out", "release", "places"),
     *("distances", "height", "angle", "backspin", "sidespin"),  # the release of a table of aim
     *("override", "rows", "progress", "report"),
-    "i",
+    *("i", "errors", "player"),
 }
 """Arguments of functions that are not settings: shots, their scene, and a program's own."""
 

@@ -1268,3 +1268,38 @@ def test_every_key_is_on_that_page() -> None:
         assert section
         for name in set(table.model_fields) - {shared for shared, *_ in settings(Question)}:
             assert f"| `{name}` | " in section.partition("###")[0], (kind, name)
+
+
+def test_a_scatter_is_fitted_to_measured_releases(tmp_path: Path) -> None:
+    """With the known errors of the instrument, and the interval of the fit; also in a search."""
+    random, mile = np.random.default_rng(9), 1609.344 / 3600
+    speeds, angles = random.normal(16.0, 0.2, 60), random.normal(52.0, 1.5, 60)
+    rows = [f"Ann,{speed},{angle}" for speed, angle in zip(speeds, angles, strict=True)]
+    text = HEAD + "[[question]]\nkind = 'estimate'\nname = 'a'\nscatter = 'none'\nshots = 2000\n"
+    text += "[question.releases]\nfile = 'many.csv'\nfitted = true\n"
+    text += "instrument.speed = '0.05 mph'\n"
+    file = written(tmp_path, text)
+    (tmp_path / "many.csv").write_text(
+        "\n".join(["player,speed_mph,elevation_deg", *rows]) + "\n", encoding="utf-8"
+    )
+    fitted = hoopgen.Scatter.fit(
+        {**without("aim", "elevation"), "speed": speeds * mile, "elevation": angles * DEGREE},
+        measurement_covariance={"speed": (0.05 * mile) ** 2},
+    )
+    run_study(file)
+    found = loaded(tmp_path / "study-results", "a")
+    here = hoopgen.estimate(fitted, shots=2000, seed=5)
+    assert found == in_units(here.as_dict())
+    source = setting(tmp_path, text).setting
+    moved = source.model(("elevation",))
+    assert isinstance(moved, hoopgen.Scatter)
+    assert "elevation" not in moved.release
+    assert moved.sd == fitted.model.sd
+    assert source.identity()["fitted"] == fitted.as_dict()
+    for wrong, said in (
+        ("group = 'player'\n", "releases.group: with fitted there is one scatter"),
+        ("fitted = false\n", "releases.instrument: it is of fitted"),
+    ):
+        changed = text.replace("fitted = true\n", "") if "false" in wrong else text
+        with pytest.raises(ValueError, match=said):
+            setting(tmp_path, changed + wrong).setting.model()

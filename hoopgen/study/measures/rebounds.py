@@ -80,10 +80,11 @@ def sector(angle: ArrayLike) -> NDArray[np.int8]:
 def directions(places: ArrayLike, seen_from: tuple[float, float]) -> Floats:
     """Return the measure `rebound_angle` of places, (n, 2), as it is seen from one; rad, (n,)."""
     x, y = np.asarray(places, np.float64).T
-    return _direction(x, y, *map(np.float64, seen_from))
+    return direction_from(x, y, *map(np.float64, seen_from))
 
 
-def _direction(x: Floats, y: Floats, from_x: ArrayLike, from_y: ArrayLike) -> Floats:
+def direction_from(x: Floats, y: Floats, from_x: ArrayLike, from_y: ArrayLike) -> Floats:
+    """Return the measure `rebound_angle` of places, each seen from its own; rad."""
     past, left = hoop.sighted(x, y, from_x, from_y)
     return arc_tangent(left, -past)
 
@@ -121,7 +122,7 @@ def _last_contact(block: Block, rows: NDArray[np.intp]) -> Floats:
 def rebound(block: Block) -> dict[str, Floats]:
     """Return when and where a miss comes down to the catching height."""
     time, x, y = _caught(block)
-    angle = _direction(x, y, block.states[:, 0], block.states[:, 1])
+    angle = direction_from(x, y, block.states[:, 0], block.states[:, 1])
     found = {"x": x, "y": y, "distance": hypotenuse(y, x), "angle": angle, "time": time}
     return {f"rebound_{name}": column for name, column in found.items()}
 

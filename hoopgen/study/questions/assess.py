@@ -17,6 +17,7 @@ from hoopgen.study.models.measured_columns import Measured
 from hoopgen.study.models.scatter import Scatter
 from hoopgen.study.result import Result
 from hoopgen.study.statistics.intervals import wilson
+from hoopgen.study.statistics.sums import count_quantile
 from hoopgen.study.statistics.tally import check_share
 from hoopgen.text.numbers import format_count, format_interval, format_percent
 from hoopgen.text.shorten import brief
@@ -288,12 +289,8 @@ def _bins(p: Floats) -> list[NDArray[np.intp]]:
 
 def _predicted(p: Floats, made: Flags, level: float) -> Predicted:
     """Return the made shots, and how many there are by the probabilities."""
-    chances = np.ones(1)
-    for one in p:  # the distribution of a sum of independent shots
-        chances = np.convolve(chances, (1.0 - one, one))
-    below = np.cumsum(chances)
     tail = 0.5 - 0.5 * level
-    low, high = (int(np.searchsorted(below, at)) for at in (tail, 1.0 - tail))
+    low, high = (count_quantile(p, at) for at in (tail, 1.0 - tail))
     count = int(made.sum())
     ends = wilson(count, len(p), level)
     most = min(high, len(p))

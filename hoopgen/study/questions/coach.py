@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from hoopgen.core.parameters import ParameterValues
 from hoopgen.core.units import DEGREE, FOOT, INCH, TURN, UNITS
-from hoopgen.hoop.court_places import find_place
+from hoopgen.hoop.court_places import Place, find_place
 from hoopgen.hoop.releases import RING_HEIGHT
 from hoopgen.scene.lookup import SceneLike, check_hoop
 from hoopgen.study.jobs.monte_carlo import ResolvedSetting, setting_of
@@ -110,8 +110,7 @@ def coach(
     given = player.model if isinstance(player, FittedScatter) else player
     if given is None:
         where = find_place("free throw" if place is None else place, setting.parameters)
-        release = {"height": HEIGHT, "backspin": BACKSPIN, "elevation": ELEVATION, "aim": AIM}
-        given, provenance = Scatter({**release, **where.variables}, PLAYER), PROVENANCE
+        given, provenance = _default(where), PROVENANCE
         makes = 0.7 if makes is None else makes
     elif not isinstance(given, Scatter):
         raise TypeError(f"player: expected a Scatter or what Scatter.fit gives, got {brief(given)}")
@@ -168,7 +167,24 @@ def coach(
         tuple(sorted(habits, key=lambda one: -one.gain)),
         level,
         provenance,
+        setting.parameters,
+        scene,
     )
+
+
+def default_player(
+    makes: float, parameters: ParameterValues, *, seed: int = 0, threads: int | None = None
+) -> Scatter:
+    """Return the default player, whose spread is scaled to a share of free throws made."""
+    throws = _default(find_place("free throw", parameters))
+    found = solve(throws, check_share("makes", makes), parameters, seed=seed, threads=threads)
+    assert isinstance(found.model, Scatter)
+    return found.model
+
+
+def _default(where: Place) -> Scatter:
+    release = {"height": HEIGHT, "backspin": BACKSPIN, "elevation": ELEVATION, "aim": AIM}
+    return Scatter({**release, **where.variables}, PLAYER)
 
 
 Change = Callable[[Scatter], Scatter]

@@ -4,11 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from os import PathLike
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from hoopgen.core.plotting import plotting_module
 from hoopgen.core.units import DEGREE, FOOT, INCH, UNITS
 from hoopgen.hoop.court_places import Place
+from hoopgen.scene.lookup import SceneLike
 from hoopgen.study.models.scatter import Scatter
 from hoopgen.study.result import Result
 from hoopgen.text.numbers import MINUS, format_percent, format_points
@@ -78,6 +81,8 @@ class Coaching(Result):
         Of the intervals.
     provenance
         Where the player comes from.
+    parameters, scene
+        The hoop.
     """
 
     made: float
@@ -89,6 +94,8 @@ class Coaching(Result):
     habits: tuple[Advice, ...]
     confidence: float
     provenance: str
+    parameters: Mapping[str, Any]
+    scene: SceneLike
 
     @property
     def advice(self) -> str:
@@ -122,6 +129,24 @@ class Coaching(Result):
         """Draw the gains as bars; as of `hoopgen.plots.plot_coach`."""
         drawn: Drawn = plotting_module().plot_coach(self, ax=ax, title=title)
         return drawn
+
+    def page(self, path: str | PathLike[str], *, read: str = "") -> Path:
+        """Write a page for players: the advice, pictures, and each part before and after.
+
+        Parameters
+        ----------
+        path
+            The file, .html.
+        read
+            Of measured releases, how the table was read, for the end of the page.
+
+        Returns
+        -------
+        Path
+            The file.
+        """
+        written: Path = plotting_module().write_coach_page(self, path, read=read)
+        return written
 
     def __str__(self) -> str:
         level = format_percent(self.confidence, None)

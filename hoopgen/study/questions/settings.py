@@ -15,6 +15,7 @@ from hoopgen.core.validation import BACKEND_NAMES, BackendName
 from hoopgen.hoop.releases import CATCHING_HEIGHT
 
 from .values import (
+    DEVIATIONS,
     FOLDER,
     MEMORY,
     Choice,
@@ -346,4 +347,22 @@ class MeasuredReleases(TableSettings):
         None,
         heading=MEASURED,
         command="With --from.",
+    )
+    fitted: bool = setting(
+        "Fit a normal scatter to the rows, without the measuring errors and robust to outliers, "
+        "and draw from it in place of the rows.",
+        Flag(),
+        False,
+        heading=MEASURED,
+        command="With --from; of estimate, --group is the player of each row.",
+        file="Of an estimate the interval of the sample is that of the fit. One player: choose by "
+        "`where`.",
+    )
+    instrument: Mapping[str, float] = setting(
+        "Standard errors of the measurement, with `fitted`; by default columns `sd_speed_m_s` ... "
+        "of the table, as `hoopgen fit` writes them.",
+        DEVIATIONS,
+        {},
+        option=None,
+        file='`instrument.speed = "2 cm/s"`.',
     )

@@ -16,7 +16,7 @@ from hoopgen.core.units import System
 from hoopgen.hoop.variables import VARIABLES
 
 from . import settings as of
-from .settings import MEASURED, RELEASE, RESULTS, Path, TableSettings, setting
+from .settings import RELEASE, RESULTS, Path, TableSettings, setting
 from .values import (
     AXES,
     BOUNDS,
@@ -24,7 +24,6 @@ from .values import (
     OUTPUT,
     PLACES,
     Choice,
-    Each,
     Flag,
     Listed,
     Quantities,
@@ -272,65 +271,6 @@ class CounterfactualQuestion:
         True,
         option=None,
     )
-
-
-@dataclass(frozen=True, kw_only=True)
-class CoachQuestion:
-    """The part of a player's release that is worth practising most."""
-
-    shared: ClassVar = (of.Sampling, of.Threads)
-    makes: float | None = setting(
-        "Share of shots made by the player, 70%; by default that. All of the spread is scaled.",
-        Share(percent=True),
-        None,
-    )
-    shots: int = setting("Number of shots before and after each change.", Whole(), 100_000)
-
-
-@dataclass(frozen=True, kw_only=True)
-class FitQuestion:
-    """The releases of measured tracks."""
-
-    shared: ClassVar = (of.Parsing,)
-    noise: float | None = setting(
-        "Standard deviation of a coordinate of a frame; by default estimated from all tracks.",
-        Quantity("length"),
-        None,
-    )
-    release_time: float | str | None = setting(
-        "Time of the release, s, before which frames are in the hand; or detect, for the earliest "
-        "frame that is consistent with the flight. By default the first frame of each track.",
-        Text(metavar="SECONDS|detect"),
-        None,
-    )
-    backspin: float | None = setting(
-        "Backspin of all releases, to write with them; positions do not determine it.",
-        Quantity("spin"),
-        None,
-    )
-    track: str | None = setting(
-        'Column of the labels of tracks; by default "track", and without it one track.',
-        Text(metavar="COLUMN"),
-        None,
-        heading=MEASURED,
-    )
-    keep: Sequence[str] = setting(
-        "Columns to write with the releases too, such as a player: of each track the first cell.",
-        Listed(Text(words="a column's name", metavar="COLUMN")),
-        (),
-        heading=RESULTS,
-    )
-    format: str | None = of.table_format()
-    columns: Mapping[str, str] | None = setting(
-        "Columns to read as time, x, y or z, whatever they are called.",
-        Each(Text(words="a column's name")),
-        None,
-        option="column",
-        heading=MEASURED,
-        command="Such as time_ms=Timestamp; the unit is at the end of either name.",
-    )
-    where: Sequence[str] = of.table_where()
-    units: System = of.table_units()
 
 
 @dataclass(frozen=True, kw_only=True)

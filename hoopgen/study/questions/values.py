@@ -366,6 +366,7 @@ class Notation(Value):
 AXES = Notation("variables of the scene and the values that each takes")
 BOUNDS = Notation("variables of the scene and the bounds of each, or their names alone")
 PLACES = Notation("places on the floor: distances and angles, or x and y")
+DEVIATIONS = Notation("variables and standard deviations of each", "a table")
 CHANGE = Notation("what changes in a second setting", "tables")
 FOLDER = Notation("a folder to be written")
 OUTPUT = Notation("a file to be written")

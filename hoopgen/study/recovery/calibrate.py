@@ -1,8 +1,8 @@
 """`calibrate`: restitution, friction and other parameters from shots whose ends are known.
 
 Each measured release is thrown many times with its measuring errors. The share of these that end as
-the shot did, in as many contacts where the table has them, is the probability of what was seen; the
-product over the shots is the likelihood of the parameters. It is computed on a grid, with the same
+the shot did, as `outcomes` compares them, is the probability of what was seen; the product over the
+shots is the likelihood of the parameters. It is computed on a grid, with the same
 random numbers at each point. The interval of a parameter is that of the profile likelihood: the
 values at which the largest log-likelihood over all other parameters is no more than half the
 quantile of chi-square below the maximum (S. S. Wilks (1938), The large-sample distribution of the
@@ -12,7 +12,6 @@ likelihood ratio, The Annals of Mathematical Statistics 9).
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from itertools import product
 from math import inf
 from typing import Any
@@ -28,23 +27,19 @@ from hoopgen.hoop.releases import release
 from hoopgen.hoop.variables import ARGUMENTS, check_angles
 from hoopgen.scene.lookup import SceneLike, check_hoop
 from hoopgen.simulation.lookup import engine_of
-from hoopgen.simulation.simulate import simulate
+from hoopgen.study.measures.rebounds import CATCHING_HEIGHT, check_height
 from hoopgen.study.models.random import POSTERIOR, normals
-from hoopgen.study.result import Result
 from hoopgen.study.statistics.tally import check_share
-from hoopgen.text.numbers import format_count, format_percent
 from hoopgen.text.shorten import brief, join_names
-from hoopgen.text.tables import table as text_table
 
+from .calibrated_scene import Calibrated, CalibratedScene
 from .fitted_releases import FittedReleases
+from .outcomes import OUTCOMES, Outcomes
 
 Floats = NDArray[np.float64]
 
 _POINTS = {1: 41, 2: 21, 3: 11}
 """Points of the grid in each direction, by the number of parameters."""
-
-_CONTACTS = 3
-"""So many contacts, and more, are told apart no further."""
 
 _STREAM = POSTERIOR + 2_000
 _TOGETHER = 1 << 19  # shots that are simulated together
@@ -52,121 +47,17 @@ _TOGETHER = 1 << 19  # shots that are simulated together
 _USUAL = {"restitution": (0.3, 0.95), "friction": (0.0, 1.2), "tangential_restitution": (0.0, 0.6)}
 
 
-@dataclass(frozen=True)
-class Calibrated:
-    """A parameter and its interval.
-
-    Attributes
-    ----------
-    value
-        Where the likelihood is largest.
-    low, high
-        Ends of the interval; those of the grid where the likelihood does not bound it.
-    bounded
-        Whether the likelihood bounds it from below, and from above.
-    grid, profile
-        Values, and the largest log-likelihood over the other parameters less the maximum.
-    """
-
-    value: float
-    low: float
-    high: float
-    bounded: tuple[bool, bool]
-    grid: Floats
-    profile: Floats
-
-    @property
-    def identified(self) -> bool:
-        """True if the shots bound the parameter on a side, so that they say something of it."""
-        return any(self.bounded)
-
-
-@dataclass(frozen=True, repr=False)
-class CalibratedScene(Result):
-    """Parameters of a scene that make the ends of measured shots likeliest.
-
-    Attributes
-    ----------
-    values
-        By name.
-    parameters
-        All parameters of the scene, with the likeliest values.
-    log_likelihood
-        The maximum.
-    noise
-        Standard error of the log-likelihood from the number of draws, by halves; the intervals
-        are widened by twice that.
-    shots, draws
-        Shots, and draws of each.
-    contacts
-        Whether the numbers of contacts were used, too.
-    confidence
-        Of the intervals.
-    """
-
-    values: Mapping[str, Calibrated]
-    parameters: Mapping[str, Any]
-    log_likelihood: float
-    noise: float
-    shots: int
-    draws: int
-    contacts: bool
-    confidence: float
-
-    def as_dict(self) -> dict[str, Any]:
-        """Return everything, in types that JSON knows."""
-        return {
-            "values": {
-                name: {
-                    "value": one.value,
-                    "low": one.low,
-                    "high": one.high,
-                    "bounded": list(one.bounded),
-                    "grid": one.grid.tolist(),
-                    "profile": one.profile.tolist(),
-                }
-                for name, one in self.values.items()
-            },
-            "log_likelihood": self.log_likelihood,
-            "noise": self.noise,
-            "shots": self.shots,
-            "draws": self.draws,
-            "contacts": self.contacts,
-            "confidence": self.confidence,
-        }
-
-    def __str__(self) -> str:
-        level = format_percent(self.confidence, None)
-        rows = []
-        for name, one in self.values.items():
-            ends = "".join(
-                [
-                    "" if one.bounded[0] else "below ",
-                    f"{one.low:.3g} to {one.high:.3g}",
-                    "" if one.bounded[1] else " and above",
-                ]
-            )
-            rows.append([name, f"{one.value:.3g}" if one.identified else "not identified", ends])
-        what = "outcomes and contacts" if self.contacts else "outcomes"
-        lines = [
-            text_table(["parameter", "likeliest", f"{level} interval"], rows, right=[1]),
-            "",
-            f"log-likelihood {self.log_likelihood:.2f} ± {self.noise:.2f} of the {what} of "
-            f"{format_count(self.shots, 'shot')}, {self.draws:,} draws of each",
-        ]
-        if self.noise > 0.5:
-            lines.append("the draws are too few for narrow intervals: give more")
-        return "\n".join(lines)
-
-
 def calibrate(
     table: Mapping[str, ArrayLike] | FittedReleases,
-    vary: Sequence[str] | Mapping[str, tuple[float, float]],
+    vary: Sequence[str] | Mapping[str, tuple[float, float] | None],
     *,
     made: ArrayLike | None = None,
+    outcomes: Mapping[str, ArrayLike] | None = None,
     scene: SceneLike = None,
     parameters: ParameterValues | None = None,
-    errors: Mapping[str, float] | None = None,
+    errors: Mapping[str, ArrayLike] | None = None,
+    rebound_error: float = 0.0,
+    catching_height: float = CATCHING_HEIGHT,
     draws: int = 200,
     seed: int = 0,
     confidence: float = 0.95,
@@ -177,18 +68,26 @@ def calibrate(
     ----------
     table
         Columns by name, SI: arguments of `hoopgen.release`, (n,) each or one number; `made`, true
-        or false; and if they were counted, `contacts`, the impacts before the end. Or what
-        `hoopgen.fit_release` returned, whose errors are known; then `made` is given beside it.
+        or false; and where they are known, `contacts`, the impacts before the end; `first`, the
+        name of the body touched first, or "none"; `rebound_x` and `rebound_y`, where a miss came
+        down to the catching height, m from the ring's centre. NaN or "" is a shot of which that is
+        not known. Or what `hoopgen.fit_release` returned, whose errors are known.
     vary
         Names of one to three parameters, such as ("restitution",); of other than restitutions and
         frictions with their bounds, {"board_distance": (0.37, 0.39)}.
     made
         Whether each shot was made, (n,), if it is no column of the table.
+    outcomes
+        The other columns of outcomes, if they are no columns of the table.
     scene, parameters
         As for `hoopgen.simulate`; the scene has a hoop.
     errors
-        Standard errors of the measurement by variable, SI. Without any, a release that is off by
-        less than its digits would be impossible, so they are needed.
+        Standard errors of the measurement by variable, SI, one number or one for each shot. Without
+        any, a release that is off by less than its digits would be impossible, so they are needed.
+    rebound_error
+        Standard error of each coordinate of a rebound, m.
+    catching_height
+        Of rebounds: of the ball's centre above the floor, m; for a ball on the floor its radius.
     draws
         Number of shots of each release at each point of the grid.
     seed
@@ -210,7 +109,14 @@ def calibrate(
     engine = engine_of(scene)
     check_hoop("scene", engine)
     level, count = check_share("confidence", confidence), check_count("draws", draws, least=2)
-    states, seen, contacts = _drawn(table, made, errors, count, seed)
+    height = check_height(catching_height)
+    states, good, ends = _drawn(table, errors, count, seed)
+    ends |= dict(outcomes or {}) | ({} if made is None else {"made": made})
+    bodies = tuple(engine.surfaces)
+    seen = Outcomes.read(ends, len(states), bodies, count, rebound_error, height, seed)
+    if not good.any():
+        raise ValueError("table: no shot has a release")
+    states, seen, cells = states[good], seen[good], seen.cells(len(bodies))
     base = resolve(parameters, len(states), engine.table)
     bounds = _bounds(vary, engine)
     grids = {n: np.linspace(*ends, _POINTS[len(bounds)]) for n, ends in bounds.items()}
@@ -218,8 +124,7 @@ def calibrate(
     surface, halves = np.empty(shape), np.empty((2, *shape))
     for place in product(*map(range, shape)):
         point = {name: float(one[k]) for (name, one), k in zip(grids.items(), place, strict=True)}
-        hits, valid = _hits(states, seen, contacts, {**base, **point}, engine)
-        cells = 2 * (_CONTACTS + 1) if contacts is not None else 2
+        hits, valid = _hits(states, seen, {**base, **point}, engine)
         surface[place] = _log_likelihood(hits.sum(axis=1), valid.sum(axis=1), cells)
         for half in range(2):
             part = np.arange(count) % 2 == half
@@ -245,7 +150,7 @@ def calibrate(
         noise,
         len(states),
         count,
-        contacts is not None,
+        seen.used,
         level,
     )
 
@@ -273,82 +178,57 @@ def _bounds(vary: Any, engine: Any) -> dict[str, tuple[float, float]]:
 
 
 def _drawn(
-    table: Any,
-    made: Any,
-    errors: Mapping[str, float] | None,
-    draws: int,
-    seed: int,
-) -> tuple[Floats, NDArray[np.bool_], Any]:
-    """Return states (n, draws, 9), whether each shot was made, and its contacts or None."""
+    table: Any, errors: Mapping[str, ArrayLike] | None, draws: int, seed: int
+) -> tuple[Floats, NDArray[np.bool_], dict[str, Any]]:
+    """Return states (n, draws, 9), which rows have them all, and the columns of outcomes."""
     if isinstance(table, FittedReleases):
         if errors is not None:
             raise ValueError("errors: fitted releases have their own; leave it out")
-        states, contacts = table.draw(draws, seed), None
-        good = table.credible
-    elif isinstance(table, Mapping) or hasattr(table, "items"):
-        given = dict(table.items())
-        made = given.pop("made") if made is None and "made" in given else made
-        contacts = given.pop("contacts", None)
-        check_names("table", given, (*ARGUMENTS, "made", "contacts"))
-        check_angles("table", given)
-        missing = [n for n in ("speed", "elevation", "height", "distance") if n not in given]
-        if missing:
-            raise ValueError(f"table: missing {join_names(missing)}")
-        columns = {n: as_doubles(f"table[{n!r}]", one) for n, one in given.items()}
-        rows = max((len(one) for one in columns.values() if one.ndim), default=0)
-        if not rows:
-            raise ValueError("table: expected columns of shots, got single numbers")
-        if not errors or not any(errors.values()):
-            raise ValueError("errors: expected standard errors of the measurement, such as speed")
-        check_names("errors", errors, ARGUMENTS)
-        full: dict[str, Any] = {
-            n: np.broadcast_to(one, rows)[:, None] for n, one in columns.items()
-        }
-        for name, sd in errors.items():
-            if not 0.0 <= float(sd) < inf:
-                raise ValueError(f"errors[{name!r}]: expected a number from 0, got {brief(sd)}")
-            stream = _STREAM + list(ARGUMENTS).index(name)
-            noise = float(sd) * normals(seed, stream, 0, rows * draws).reshape(rows, draws)
-            full[name] = full.get(name, 0.0) + noise
-        states = np.broadcast_to(release(**full), (rows, draws, 9))
-        good = np.asarray(np.isfinite(states).all(axis=(1, 2)))
-    else:
+        return table.draw(draws, seed), table.credible, {}
+    if not (isinstance(table, Mapping) or hasattr(table, "items")):
         raise TypeError(f"table: expected columns by name or fitted releases, got {brief(table)}")
-    if made is None:
-        raise ValueError("made: whether each shot was made is neither a column nor given")
-    seen = np.asarray(made)
-    if seen.shape != (len(states),) or not np.isin(seen, (0, 1)).all():
-        raise ValueError(f"made: expected true or false for each of {len(states)} shots")
-    counted = None if contacts is None else np.asarray(contacts)
-    if counted is not None and counted.shape != seen.shape:
-        raise ValueError(f"contacts: expected a number for each of {len(states)} shots")
-    if not good.any():
-        raise ValueError("table: no shot has a release")
-    return states[good], seen[good].astype(bool), None if counted is None else counted[good]
+    given = dict(table.items())
+    ends = {name: given.pop(name) for name in OUTCOMES if name in given}
+    check_names("table", given, (*ARGUMENTS, *OUTCOMES))
+    check_angles("table", given)
+    missing = [n for n in ("speed", "elevation", "height", "distance") if n not in given]
+    if missing:
+        raise ValueError(f"table: missing {join_names(missing)}")
+    columns = {n: as_doubles(f"table[{n!r}]", one) for n, one in given.items()}
+    rows = max((len(one) for one in columns.values() if one.ndim), default=0)
+    if not rows:
+        raise ValueError("table: expected columns of shots, got single numbers")
+    check_names("errors", errors or (), ARGUMENTS)
+    sizes = {n: as_doubles(f"errors[{n!r}]", one) for n, one in (errors or {}).items()}
+    if not any(np.any(one) for one in sizes.values()):
+        raise ValueError("errors: expected standard errors of the measurement, such as speed")
+    full: dict[str, Any] = {n: np.broadcast_to(one, rows)[:, None] for n, one in columns.items()}
+    for name, sd in sizes.items():
+        if sd.shape not in ((), (rows,)) or np.any(sd < 0.0):
+            raise ValueError(
+                f"errors[{name!r}]: expected a number from 0, or one for each of {rows} shots, got "
+                f"{brief(sd)}"
+            )
+        stream = _STREAM + list(ARGUMENTS).index(name)
+        noise = normals(seed, stream, 0, rows * draws).reshape(rows, draws)
+        full[name] = full.get(name, 0.0) + np.broadcast_to(sd, rows)[:, None] * noise
+    states = np.broadcast_to(release(**full), (rows, draws, 9))
+    return states, np.asarray(np.isfinite(states).all(axis=(1, 2))), ends
 
 
 def _hits(
-    states: Floats, seen: NDArray[np.bool_], contacts: Any, parameters: Any, engine: Any
+    states: Floats, seen: Outcomes, parameters: Any, engine: Any
 ) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
     """Return which draws end as the shots did, and which are valid, (n, draws)."""
     n, draws = states.shape[:2]
-    hits, valid = np.empty((n, draws), bool), np.empty((n, draws), bool)
     step = max(1, _TOGETHER // draws)
+    parts = []
     for first in range(0, n, step):
-        part = slice(first, min(first + step, n))
-        own = {
-            name: np.repeat(np.asarray(one)[part], draws) if np.ndim(one) else one
-            for name, one in parameters.items()
-        }
-        flat = states[part].reshape(-1, 9)
-        shots = simulate(flat, own, scene=engine, fields=("outcome", "contacts"))
-        same = np.asarray(shots.made).reshape(-1, draws) == seen[part, None]
-        if contacts is not None:
-            found = np.minimum(shots.contacts.reshape(-1, draws), _CONTACTS)
-            same = same & (found == np.minimum(contacts[part, None], _CONTACTS))
-        hits[part] = np.asarray(same)
-        valid[part] = (shots.outcome != engine.outcomes["INVALID"]).reshape(-1, draws)
-    return hits & valid, valid
+        rows = slice(first, min(first + step, n))
+        own = {name: one[rows] if np.ndim(one) else one for name, one in parameters.items()}
+        parts.append(seen[rows].hits(states[rows], own, engine))
+    hits, valid = (np.concatenate(one) for one in zip(*parts, strict=True))
+    return hits, valid
 
 
 def _log_likelihood(hits: Any, valid: Any, cells: int) -> float:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Hashable, Iterable, Mapping
-from dataclasses import dataclass
 from typing import Any, Literal
 
 import numpy as np
@@ -11,14 +10,14 @@ from numpy.typing import ArrayLike, NDArray
 from scipy.special import chdtrc, fdtrc
 
 from hoopgen.core.parameters import ParameterValues, Value, resolve
-from hoopgen.core.validation import as_doubles, check_count, check_spins
+from hoopgen.core.validation import as_doubles, check_count
 from hoopgen.scene.lookup import SceneLike
 from hoopgen.simulation.engine import Engine
 from hoopgen.simulation.lookup import engine_of
 from hoopgen.simulation.simulate import simulate
 from hoopgen.text.shorten import brief
 
-from .backspin import states_with_backspin
+from .axes_check import above_floor, unit_of
 from .estimator import ROUGH, TOLERANCE, Flags, Floats, line_covariance
 from .fitted_releases import FittedReleases
 from .frames import (
@@ -31,6 +30,7 @@ from .frames import (
     noise_of_differences,
     pooled_noise,
 )
+from .spins import Spins, spins_of
 from .tracks import Tracks, as_tracks
 
 LEVEL = 0.001
@@ -50,6 +50,8 @@ TWO_FLIGHTS = "frames of two flights"
 TOO_LARGE = "residuals too large"
 IN_HAND = "frames before the flight begins"
 TOO_NOISY = "estimated noise larger than the ball"
+OTHER_UNIT = "it falls as if the positions were in {unit}"
+ABOVE_FLOOR = "released far above the ring: are these heights above the floor?"
 
 
 def fit_release(
@@ -120,7 +122,7 @@ def fit_release(
     measured = as_tracks(times, positions, tracks)
     values = resolve(parameters, len(measured), engine.table)
     given = _noise(noise)
-    spins = _spins(spin, backspin, len(measured))
+    spins = spins_of(spin, backspin, len(measured))
     start, detect = _release_times(release_time, measured)
     problem = _Problem(engine, values, measured, given, start, detect, spins)
     problem.settle(check_count("rounds", rounds))
@@ -138,7 +140,7 @@ class _Problem:
         noise: Floats | None,
         start: Floats,
         detect: bool,
-        spins: _Spins,
+        spins: Spins,
     ) -> None:
         self.engine, self.values, self.tracks = engine, values, tracks
         self.spins, self.detect, self.release = spins, detect, start
@@ -291,6 +293,11 @@ class _Problem:
         noisy = np.zeros(len(counts), np.bool_)
         if self.given is None and self.engine.has_hoop:  # wrong units bend all tracks alike
             noisy |= fitted & (self.noise.max() > np.asarray(self.values["ball_radius"]))
+        everywhere = np.zeros(len(counts), np.bool_)
+        unit, floor = "", False
+        if self.engine.has_hoop:
+            unit = unit_of(self.measured, self.lines, self.frames, self.fall)
+            floor = above_floor(self.states()[fitted, 2])
         found = np.full(len(counts), "", dtype=object)
         for reason, which in (
             (TOO_LARGE, large),
@@ -298,6 +305,8 @@ class _Problem:
             (IN_HAND, early & fitted),
             (UNSETTLED, ~self.settled),
             (TOO_NOISY, noisy),
+            (ABOVE_FLOOR, everywhere | floor),
+            (OTHER_UNIT.format(unit=unit), everywhere | bool(unit)),
             (NOT_SIMULATED, self.impossible),
             (TOO_FEW, ~fitted),
         ):
@@ -311,38 +320,6 @@ class _Problem:
         lying = other & (part.squares(lines, self.noise) <= OUTLIER)
         counts = other.sum(axis=1)
         return np.asarray((counts > MIN_FRAMES) & (lying.sum(axis=1) >= 0.8 * counts))
-
-
-@dataclass(frozen=True)
-class _Spins:
-    """The spin at the release, as it is given."""
-
-    spin: Floats  # (3,) or (n, 3)
-    backspin: Floats | None  # (n,)
-    given: bool
-
-    def states(self, position: Floats, velocity: Floats, rows: Any) -> Floats:
-        """Return states of some tracks, (n, 9)."""
-        if self.backspin is not None:
-            return states_with_backspin(position, velocity, self.backspin[rows])
-        spin = self.spin[rows] if self.spin.ndim == 2 else self.spin
-        return np.concatenate([position, velocity, np.broadcast_to(spin, position.shape)], axis=1)
-
-
-def _spins(spin: ArrayLike | None, backspin: ArrayLike | None, tracks: int) -> _Spins:
-    if spin is not None and backspin is not None:
-        raise ValueError("spin, backspin: each gives the spin; leave one out")
-    if backspin is not None:
-        back = as_doubles("backspin", backspin)
-        if back.shape not in ((), (tracks,)):
-            raise ValueError(f"backspin: expected one number or {tracks}, got shape {back.shape}")
-        check_spins("backspin", {"backspin": back})
-        return _Spins(np.zeros(3), np.broadcast_to(back, (tracks,)).copy(), True)
-    whole = as_doubles("spin", (0.0, 0.0, 0.0) if spin is None else spin)
-    if whole.shape not in ((3,), (tracks, 3)):
-        raise ValueError(f"spin: expected shape (3,) or ({tracks}, 3), got {whole.shape}")
-    check_spins("spin", {"spin": whole})
-    return _Spins(whole, None, spin is not None)
 
 
 def _noise(noise: ArrayLike | None) -> Floats | None:

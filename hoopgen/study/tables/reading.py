@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator, Mapping
+from collections.abc import Container, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -129,18 +129,28 @@ class Interpreted:
     def error_variances(self, table: Source) -> dict[str, NDArray[np.float64]]:
         """Return the variances of the measuring errors of all rows, by variable.
 
-        They are the squares of columns ``sd_speed_m_s``, as `hoopgen fit` writes them, of variables
-        that the table has.
+        They are as of `error_variances`.
         """
-        found = {}
-        for name in table.schema().names:
-            stem = name.strip().lower()
-            variable, unit = variable_of(stem.removeprefix(ERROR), self.origin.engine)
-            if stem.startswith(ERROR) and variable in self.columns and unit is not None:
-                column = Column(name, unit)
-                parts = [numbers(part, column, table.comma) for part in table.tables(_ROWS)]
-                found[variable] = np.concatenate(parts) ** 2
-        return found
+        return error_variances(table, self.columns, self.origin.engine)
+
+
+def error_variances(
+    table: Source, variables: Container[str], scene: CompiledScene
+) -> dict[str, NDArray[np.float64]]:
+    """Return the variances of the measuring errors of all rows, by variable.
+
+    They are the squares of columns ``sd_speed_m_s``, as `hoopgen fit` writes them, of some
+    variables.
+    """
+    found = {}
+    for name in table.schema().names:
+        stem = name.strip().lower()
+        variable, unit = variable_of(stem.removeprefix(ERROR), scene)
+        if stem.startswith(ERROR) and variable in variables and unit is not None:
+            column = Column(name, unit)
+            parts = [numbers(part, column, table.comma) for part in table.tables(_ROWS)]
+            found[variable] = np.concatenate(parts) ** 2
+    return found
 
 
 _ROWS_WRITTEN = 1 << 16

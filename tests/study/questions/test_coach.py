@@ -113,6 +113,32 @@ def test_the_command_speaks_feet_and_draws(tmp_path: Path) -> None:
     assert len(found["spreads"]) == 4
 
 
+def test_the_page_has_each_part_before_and_after_and_loads_nothing(tmp_path: Path) -> None:
+    pytest.importorskip("matplotlib")
+    page = tmp_path / "coach.html"
+    words = ("coach", "--makes", "70%", "--preset", "nba", "--shots", 2000)
+    output(*words, "--out", page)
+    text = page.read_text(encoding="utf-8")
+    found = hoopgen.coach(makes=0.7, parameters=NBA, shots=2000)
+    assert found.advice in text
+    for one in (*found.spreads, *found.habits):
+        assert f"<td>{one.name}</td><td>{say(one.variable, one.before)}</td>" in text
+    assert text.count("<img") == 2
+    assert "http" not in text.replace("http-equiv", "")
+    output(*words, "--out", tmp_path / "again.html")
+    assert (tmp_path / "again.html").read_bytes() == page.read_bytes()
+    assert "expected a file .html" in failure(*words, "--out", tmp_path / "coach.svg")
+
+
+def test_the_page_escapes_how_a_table_was_read(tmp_path: Path) -> None:
+    pytest.importorskip("matplotlib")
+    found = hoopgen.coach(PLAYER, parameters=NBA, shots=500)
+    text = found.page(tmp_path / "a.html", read="<script>alert(1)</script>").read_text("utf-8")
+    assert "<script" not in text
+    assert "&lt;script&gt;" in text
+    assert "Your shots" in text
+
+
 def test_the_command_reads_measured_releases(tmp_path: Path) -> None:
     file = tmp_path / "shots.csv"
     released = arguments_of(PLAYER.draw(0, 80, 5, NBA).states)

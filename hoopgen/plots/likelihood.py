@@ -1,0 +1,87 @@
+"""Pictures of calibrations: the profile of the likelihood of each parameter."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from hoopgen.text.numbers import format_percent
+
+from .figure import Picture, draw_picture
+from .style import COLOURS, COLUMN, INK, PAGE
+
+if TYPE_CHECKING:
+    from hoopgen.results.drawing import Drawn
+    from hoopgen.study.recovery.calibrated_scene import Calibrated, CalibratedScene
+
+__all__ = ["plot_likelihood"]
+
+_DEEPEST = 8.0
+"""Log-likelihood below the maximum that is drawn."""
+
+
+def plot_likelihood(found: CalibratedScene, *, title: str = "", ax: Drawn | None = None) -> Drawn:
+    """Draw the profile of the log-likelihood of each calibrated parameter, and its interval.
+
+    A parameter whose profile is flat is not told by the shots.
+
+    Parameters
+    ----------
+    found
+        Of `hoopgen.calibrate`.
+    title
+        Above the picture.
+    ax
+        To draw on, of one parameter; by default a page of its own.
+
+    Returns
+    -------
+    Figure or Axes
+        A page of its own, or `ax`.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If `ax` is not axes, or given for several parameters.
+    """
+    if ax is not None and len(found.values) > 1:
+        raise ValueError("ax: it is of one parameter; leave it out for several")
+    return draw_picture(ax, lambda: _page(found, title), lambda axes: _only(found, title, axes))
+
+
+def _only(found: CalibratedScene, title: str, axes: Axes) -> None:
+    (name,) = found.values
+    _draw(name, found.values[name], found, axes)
+    axes.set_title(title or f"{found.shots:,} shots", loc="left")
+
+
+def _page(found: CalibratedScene, title: str) -> Figure:
+    count = len(found.values)
+    size = (COLUMN if count == 1 else PAGE, 0.8 * COLUMN)
+    figure = Picture(figsize=size, layout="constrained")
+    panels = figure.subplots(1, count, sharey=True, squeeze=False)[0]
+    for axes, (name, one) in zip(panels, found.values.items(), strict=True):
+        _draw(name, one, found, axes)
+        axes.label_outer()
+    panels[0].set_title(title or f"{found.shots:,} shots", loc="left")
+    return figure
+
+
+def _draw(name: str, one: Calibrated, found: CalibratedScene, axes: Axes) -> None:
+    axes.axvspan(one.low, one.high, color=COLOURS["ring"], alpha=0.15, lw=0)
+    axes.plot(one.grid, one.profile, color=INK, lw=1.1)
+    if one.identified:
+        axes.plot([one.value], [0.0], "o", ms=4, color=COLOURS["ring"])
+        text = f"{one.value:.3g} ({one.low:.3g} to {one.high:.3g})"
+    else:
+        text = "not identified"
+    axes.annotate(
+        text, (0.03, 0.04), xycoords="axes fraction", fontsize=7, ha="left", va="bottom", color=INK
+    )
+    axes.set_xlim(float(one.grid[0]), float(one.grid[-1]))
+    axes.set_ylim(-_DEEPEST, 0.5)
+    axes.set_xlabel(name.replace("_", " "))
+    level = format_percent(found.confidence, None)
+    axes.set_ylabel(f"log-likelihood below the maximum\n(shaded: {level} interval)")

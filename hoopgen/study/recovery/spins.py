@@ -1,0 +1,48 @@
+"""The spin of a release, which positions do not determine."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from hoopgen.core.validation import as_doubles, check_spins
+
+from .backspin import states_with_backspin
+
+Floats = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Spins:
+    """The spin at the release, as it is given."""
+
+    spin: Floats  # (3,) or (n, 3)
+    backspin: Floats | None  # (n,)
+    given: bool
+
+    def states(self, position: Floats, velocity: Floats, rows: Any) -> Floats:
+        """Return states of some tracks, (n, 9)."""
+        if self.backspin is not None:
+            return states_with_backspin(position, velocity, self.backspin[rows])
+        spin = self.spin[rows] if self.spin.ndim == 2 else self.spin
+        return np.concatenate([position, velocity, np.broadcast_to(spin, position.shape)], axis=1)
+
+
+def spins_of(spin: ArrayLike | None, backspin: ArrayLike | None, tracks: int) -> Spins:
+    """Return the spins that `fit_release` was given, for so many tracks."""
+    if spin is not None and backspin is not None:
+        raise ValueError("spin, backspin: each gives the spin; leave one out")
+    if backspin is not None:
+        back = as_doubles("backspin", backspin)
+        if back.shape not in ((), (tracks,)):
+            raise ValueError(f"backspin: expected one number or {tracks}, got shape {back.shape}")
+        check_spins("backspin", {"backspin": back})
+        return Spins(np.zeros(3), np.broadcast_to(back, (tracks,)).copy(), True)
+    whole = as_doubles("spin", (0.0, 0.0, 0.0) if spin is None else spin)
+    if whole.shape not in ((3,), (tracks, 3)):
+        raise ValueError(f"spin: expected shape (3,) or ({tracks}, 3), got {whole.shape}")
+    check_spins("spin", {"spin": whole})
+    return Spins(whole, None, spin is not None)

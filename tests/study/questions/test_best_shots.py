@@ -1,0 +1,109 @@
+"""`best_shots`: places, mirror images, and shares against direct estimates."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+for _library in ("pyarrow", "scipy", "xarray"):
+    pytest.importorskip(_library)
+
+import hoopgen  # noqa: E402
+from hoopgen import NBA, Scatter  # noqa: E402
+from hoopgen.core.units import DEGREE  # noqa: E402
+from hoopgen.study.questions.best_shots import court_places  # noqa: E402
+from hoopgen.study.questions.best_shots_result import describe_best_shots  # noqa: E402
+from tests.helpers.commands import failure, output  # noqa: E402
+
+PLAYER = Scatter(
+    {"height": 2.13, "backspin": 18.0},
+    {"speed": 0.07, "elevation": 1.3 * DEGREE, "azimuth": 1.0 * DEGREE},
+)
+
+
+@pytest.fixture(scope="module")
+def found() -> Any:
+    return hoopgen.best_shots(PLAYER, NBA, step=3.0, shots=2_000)
+
+
+def test_places_are_within_the_lines_and_mirror_each_other() -> None:
+    for step in (0.5, 1.5, 3.0):
+        x, y = court_places(step, NBA).T
+        assert np.abs(y).max() + 0.5 * step <= 25 * 0.3048 + 1e-9
+        assert np.hypot(x, y).min() >= 1.2
+        assert {(a, -b) for a, b in zip(x, y, strict=True)} == set(zip(x, y, strict=True))
+
+
+def test_each_share_is_that_of_the_release(found: Any) -> None:
+    """Shares with other random numbers, of any way in, are within the errors of both."""
+    for row in range(0, found.sizes["place"], 4):
+        one = {name: float(found[name].values[row]) for name in ("x", "y", "speed", "elevation")}
+        one["azimuth"] = float(found["azimuth"].values[row])
+        again = hoopgen.estimate(
+            Scatter({**PLAYER.release, **one}, PLAYER.sd), NBA, shots=40_000, seed=9
+        ).probability
+        share = float(found["probability"].values[row])
+        # Of one way alone, it is a little less than of both.
+        assert -5 * 0.011 < again - share < 5 * 0.011 + 0.02
+        assert found["low"].values[row] <= share <= found["high"].values[row]
+
+
+def test_no_other_angle_is_much_better(found: Any) -> None:
+    at = (found["x"].values == 3.0) & (found["y"].values == 0.0)
+    best = float(found["probability"].values[at][0])
+    release = {**PLAYER.release, "distance": 3.0, "aim": 0.05}
+    for angle in np.radians([45, 50, 55, 60, 65]):
+        other = Scatter({**release, "elevation": angle}, PLAYER.sd)
+        assert hoopgen.estimate(other, NBA, shots=20_000, seed=3).probability < best + 0.04
+
+
+def test_left_mirrors_right(found: Any) -> None:
+    rows = {
+        (x, y): k for k, (x, y) in enumerate(zip(found["x"].values, found["y"].values, strict=True))
+    }
+    for (x, y), row in rows.items():
+        other = rows[x, -y]
+        assert found["speed"].values[row] == found["speed"].values[other]
+        if y:
+            assert found["azimuth"].values[row] == -found["azimuth"].values[other]
+
+
+def test_the_same_seed_gives_the_same_and_the_second_search_says_how_far(found: Any) -> None:
+    again = hoopgen.best_shots(PLAYER, NBA, step=3.0, shots=2_000, threads=1)
+    assert again.identical(found)
+    known = np.isfinite(found["speed_change"].values)
+    assert known.any()
+    assert np.abs(found["probability_change"].values[known]).max() < 0.08
+    assert "A second search changes" in describe_best_shots(found)
+
+
+@pytest.mark.parametrize(
+    ("player", "options", "said"),
+    [
+        (PLAYER, {"makes": 0.7}, "makes: it is of the default player"),
+        (3, {}, "player: expected a Scatter"),
+        (Scatter({"backspin": 18.0}, {"speed": 0.1}), {}, "player: it needs a release height"),
+        (PLAYER, {"step": 0.1}, "step: expected a distance from 0.5 to 3 m"),
+        (PLAYER, {"seed": -1}, "seed"),
+        (PLAYER, {"scene": hoopgen.COURT}, "best_shots"),
+    ],
+)
+def test_what_cannot_be_searched_is_refused(player: Any, options: Any, said: str) -> None:
+    with pytest.raises((TypeError, ValueError), match=said):
+        hoopgen.best_shots(player, NBA, **options)
+
+
+def test_the_command_prints_and_draws(tmp_path: Path) -> None:
+    pytest.importorskip("matplotlib")
+    words = ("best", "--makes", "80%", "--preset", "nba", "--step", "3m", "--shots", 200)
+    text = output(*words, "--units", "us", "--picture", tmp_path / "best.svg")
+    assert "A player who makes 80% of free throws: a release 7.0 ft up" in text
+    assert "mph" in text
+    assert (tmp_path / "best.svg").stat().st_size > 10_000
+    record = json.loads(output(*words, "--json"))
+    assert len(record["places"]["speed"]) == len(court_places(3.0, NBA))
+    assert "give --from" in failure("best", "--where", "player == Ann")
