@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import Literal
 
 import sympy as sp
@@ -47,23 +48,25 @@ class Kernel:
         if unbound:
             raise ValueError(f"kernel {self.name}: not among its arguments: {', '.join(unbound)}")
 
-    @property
+    # The event loop asks for these a hundred thousand times while it is printed.
+
+    @cached_property
     def truths(self) -> tuple[bool, ...]:
         """True for each output that is a truth value."""
         return tuple(isinstance(e, Condition | Boolean) for e in self.expressions)
 
-    @property
+    @cached_property
     def kinds(self) -> tuple[Kind, ...]:
         """The type of each output."""
         value: Kind = "single" if self.single else "double"
         return tuple("truth" if truth else value for truth in self.truths)
 
-    @property
+    @cached_property
     def expressions(self) -> tuple[sp.Expr, ...]:
         """The output expressions, in order."""
         return tuple(expression for _, expression in self.outputs)
 
-    @property
+    @cached_property
     def output_names(self) -> tuple[str, ...]:
         """The output names, in order."""
         return tuple(name for name, _ in self.outputs)
