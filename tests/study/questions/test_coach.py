@@ -113,6 +113,7 @@ def test_the_command_speaks_feet_and_draws(tmp_path: Path) -> None:
     assert len(found["spreads"]) == 4
 
 
+@pytest.mark.slow
 def test_the_command_reads_measured_releases(tmp_path: Path) -> None:
     file = tmp_path / "shots.csv"
     released = arguments_of(PLAYER.draw(0, 80, 5, NBA).states)
