@@ -566,7 +566,7 @@ def test_numpy_is_as_near_to_fifty_digits_as_its_roundings_allow(name: str) -> N
         assert len(one_sided) <= RARELY_MET.get(name, 0)
 
 
-@pytest.mark.sampled(4)
+@pytest.mark.sampled(2)
 @needs_compiler
 @pytest.mark.parametrize("columns_of", [random_columns, leaping_columns, extreme_columns])
 @pytest.mark.parametrize("width", WIDTHS)

@@ -48,7 +48,7 @@ needs_signals = pytest.mark.skipif(
 )
 
 
-@pytest.mark.sampled(2)
+@pytest.mark.sampled(1)
 @needs_signals
 @pytest.mark.parametrize("threads", [1, 2])
 @pytest.mark.parametrize("backend", ["c", "numpy"])

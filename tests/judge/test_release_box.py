@@ -115,6 +115,7 @@ def test_a_counterexample_is_in_the_box_and_ends_otherwise() -> None:
     assert "Proved to end otherwise: speed" in str(proof)
 
 
+@pytest.mark.slow
 def test_the_parts_of_a_survey_are_the_box_and_end_as_is_proved() -> None:
     widths = {"speed": 0.05, "elevation": 0.03}
     proof = hoopgen.certify_box(THROW, widths, max_parts=400, survey=True)

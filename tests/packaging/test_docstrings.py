@@ -6,6 +6,7 @@ import ast
 import inspect
 import re
 from collections.abc import Iterator
+from functools import cache
 from itertools import pairwise
 from pathlib import Path
 
@@ -43,11 +44,13 @@ def sources(path: str) -> list[Path]:
     return files
 
 
-def documented(path: str) -> Iterator[tuple[str, Documented, str]]:
-    """Yield where a docstring is, the node that it documents and its text.
+@cache
+def documented(path: str) -> list[tuple[str, Documented, str]]:
+    """Return where each docstring is, the node that it documents and its text.
 
     A string after an assignment documents the name that is assigned.
     """
+    found: list[tuple[str, Documented, str]] = []
     for file in sources(path):
         module = ast.parse(file.read_text(encoding="utf-8"))
         for owner in ast.walk(module):
@@ -58,7 +61,8 @@ def documented(path: str) -> Iterator[tuple[str, Documented, str]]:
                         before, Documented
                     ):
                         where = f"{file.relative_to(ROOT)}:{node.lineno}"
-                        yield where, before, inspect.cleandoc(text)
+                        found.append((where, before, inspect.cleandoc(text)))
+    return found
 
 
 def is_predicate(node: Documented) -> bool:

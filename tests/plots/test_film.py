@@ -131,6 +131,7 @@ def test_a_gif_shows_the_movement_in_its_time(tmp_path: Path) -> None:
             assert pixels[0, 0].tolist() == [255, 255, 255]
 
 
+@pytest.mark.slow
 def test_an_mp4_is_what_ffmpeg_makes_of_the_frames(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

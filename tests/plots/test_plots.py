@@ -70,6 +70,7 @@ def test_the_views_are_side_and_top_and_out_of_plane_3d(
     assert list(views(figure)) == wanted
 
 
+@pytest.mark.sampled(2)
 def test_axes_are_named_with_their_unit(picture: tuple[ArticleResult, Figure]) -> None:
     _, figure = picture
     flat = views(figure)
@@ -152,7 +153,7 @@ def test_surfaces_differ_in_grey_too() -> None:
     assert abs(greys["ring"] - greys["backboard"]) > 0.2
 
 
-@pytest.mark.sampled(3)
+@pytest.mark.sampled(1)
 @pytest.mark.parametrize("slug", ["5d", "6b-wz2"])
 @pytest.mark.parametrize("suffix", ["png", "svg", "pdf"])
 def test_a_picture_is_written_in_every_format(tmp_path: Path, slug: str, suffix: str) -> None:

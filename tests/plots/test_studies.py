@@ -208,7 +208,7 @@ def words(axes: Axes) -> list[str]:
 # ------------------------------------------------------------------------------------ every page
 
 
-@pytest.mark.sampled(6)
+@pytest.mark.sampled(3)
 def test_a_page_is_as_wide_as_asked_for(page: tuple[str, float, Figure]) -> None:
     name, width, figure = page
     across, up = figure.get_size_inches()
@@ -217,7 +217,7 @@ def test_a_page_is_as_wide_as_asked_for(page: tuple[str, float, Figure]) -> None
     assert up <= 9.5
 
 
-@pytest.mark.sampled(9)
+@pytest.mark.sampled(3)
 def test_all_is_said_on_the_page_and_legibly(page: tuple[str, float, Figure]) -> None:
     _, _, figure = page
     width, height = figure.bbox.size
@@ -245,6 +245,7 @@ def _hidden(text: Text, figure: Figure) -> bool:
     return False
 
 
+@pytest.mark.sampled(3)
 def test_texts_of_a_key_are_not_over_one_another(page: tuple[str, float, Figure]) -> None:
     _, _, figure = page
     for legend in figure.legends:
@@ -917,7 +918,7 @@ def test_two_processes_write_the_same_bytes(tmp_path: Path) -> None:
     assert first == second
 
 
-@pytest.mark.sampled(4)
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("name", PICTURES)
 def test_only_cells_are_pixels_and_files_are_small(tmp_path: Path, name: str) -> None:
     path = save(PICTURES[name](PAGE), tmp_path / "picture.svg")

@@ -215,6 +215,7 @@ MEASURED = {
 }
 
 
+@pytest.mark.sampled(1)
 @pytest.mark.parametrize("command", MEASURED)
 def test_a_map_and_a_search_draw_from_results_in_their_scene(command: str, results: Path) -> None:
     result = run(*MEASURED[command], "--from", results)
@@ -388,7 +389,7 @@ PRINTED = {
 }
 
 
-@pytest.mark.sampled(4)
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("name", PRINTED)
 def test_what_is_printed_says_its_scene(name: str) -> None:
     arguments = PRINTED[name]

@@ -308,6 +308,7 @@ kind = "plane"
     assert WELL.defaults == {"kappa": SOLID, "bounce": 0.6}
 
 
+@pytest.mark.slow
 def test_the_page_of_a_scene_has_its_inertia() -> None:
     page = WELL.explain()
     assert r"$\kappa\, m_B R_B^2$" in page

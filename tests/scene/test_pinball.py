@@ -321,7 +321,7 @@ def test_a_ball_rolls_on_whichever_body_of_a_kind(tmp_path: Path) -> None:
         np.testing.assert_allclose(away, 0.55, rtol=0, atol=1e-9)
 
 
-@pytest.mark.sampled(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["netball", "bowl", "golf", "bumpers"])
 def test_every_example_is_viewed_plotted_and_explained(name: str, tmp_path: Path) -> None:
     example = EXAMPLE[name]

@@ -27,6 +27,7 @@ def test_every_scene_has_a_golden_hash() -> None:
     assert list(GOLDEN) == [Path(scene).stem for scene in SCENES]
 
 
+@pytest.mark.sampled(6)
 @pytest.mark.parametrize("backend", ["c", "numpy"])
 @pytest.mark.parametrize("scene", SCENES, ids=lambda scene: Path(scene).stem)
 def test_every_backend_has_the_golden_hash(scene: str, backend: BackendName) -> None:

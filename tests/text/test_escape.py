@@ -135,7 +135,7 @@ def _aim_points(title: str, **options: Any) -> Any:
     return plot_aim_points(dataset, hoopgen.NBA, title=title, **options)
 
 
-@pytest.mark.sampled(6)
+@pytest.mark.sampled(2)
 @pytest.mark.filterwarnings("ignore:Glyph .* missing from")
 @pytest.mark.parametrize("title", TITLES)
 @pytest.mark.parametrize("draw", [_trajectory, _fan, _landings, _map, _aim_points])

@@ -96,6 +96,7 @@ def test_equal_numbers_of_two_bodies_stay_two() -> None:
     assert len({letter for letter, _ in letters}) == len(letters) == len(numbers)
 
 
+@pytest.mark.slow
 def test_one_number_of_the_scene_is_one() -> None:
     assert not [name for name in values(page()) if name.endswith("_restitution")]
     assert len(re.findall(r"`restitution` \| 1 \| 0\.6 \|", page())) == 1
@@ -288,6 +289,7 @@ def test_coulombs_law_as_printed_is_what_the_kernels_compute(seed: int) -> None:
     printed(contact_text(COURT, letters), law, letters, np.random.default_rng(seed))
 
 
+@pytest.mark.slow
 def test_a_scene_s_page_has_the_laws_that_it_has() -> None:
     assert "**Coulomb's friction.**" not in page()
     assert "**No slip.**" in page()

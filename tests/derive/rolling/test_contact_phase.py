@@ -251,6 +251,7 @@ def test_settled_shots_roll_as_a_second_formulation_says() -> None:
     assert np.all(found.ratios <= 1)
 
 
+@pytest.mark.slow
 @needs_library
 def test_errors_of_ever_smaller_bounces_are_claimed_but_not_a_thousand_times() -> None:
     """Held against the same bounces with 400 bits, up to where the ball rolls."""

@@ -209,6 +209,7 @@ def test_on_a_ring_the_force_bends_no_more_than_is_said() -> None:
         assert abs(bend.subs(values)) <= bound.subs(values)
 
 
+@pytest.mark.slow
 def test_nothing_follows_a_neighbouring_motion_where_no_errors_are_asked_for() -> None:
     loop = build(COURT).loop
     followed = {name for stage in loop.stages.values() for name in writes(stage)}

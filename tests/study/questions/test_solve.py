@@ -39,6 +39,7 @@ def of_player(share: float = 0.7, **options: Any) -> Any:
     return solve(PLAYER, share, SCENE, **{"shots": 2000, **options})
 
 
+@pytest.mark.sampled(1)
 @pytest.mark.parametrize("factor", [0.4, 1.0, 3.0])
 def test_it_finds_the_factor_that_a_share_comes_from(factor: float) -> None:
     truth = estimate(scaled(PLAYER, factor), SCENE, shots=200_000, seed=9)

@@ -300,6 +300,7 @@ def test_frames_after_the_first_contact_are_cut(rate: int) -> None:
     assert np.array_equal(blind.frames, found.frames)
 
 
+@pytest.mark.sampled(1)
 @pytest.mark.parametrize(("rate", "noise"), [(30, 0.01), (60, 0.005)])
 @pytest.mark.parametrize("given", [True, False])
 def test_the_release_is_found_within_a_frame(rate: int, noise: float, given: bool) -> None:
