@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 from hoopgen.derive import scenes
 from hoopgen.derive.model import build
+from hoopgen.derive.scenes.scene import Scene
 from numpy.typing import NDArray
 
 import hoopgen
@@ -246,7 +247,7 @@ def executed(
     "scene", [scenes.HOOP, pytest.param(scenes.COURT, marks=pytest.mark.slow)], ids=lambda s: s.name
 )
 def test_the_switch_leaves_the_path_alone_and_all_of_the_loop_with_bounds(
-    scene: scenes.Scene,
+    scene: Scene,
 ) -> None:
     loop = build(scene).loop
     plain, bounded = variants(loop)
