@@ -64,10 +64,16 @@ class Loop:
         nodes = (node for stage in self.stages.values() for node in walk(stage))
         return tuple(node for node in nodes if isinstance(node, ForEach))
 
-    def plain(self) -> Loop:
-        """Return the loop without diagnostic fields; the trajectory is the same."""
+    @property
+    def plain_values(self) -> dict[str, float]:
+        """The values of the variables that the loop without diagnostic fields never assigns."""
         fixed = {f.name: f.start for f in self.fields if f.is_diagnostic and f.start is not None}
         fixed |= TEMPORARY_BOUNDS | {"position_error": 0.0, "velocity_error": 0.0, "claims": 0.0}
+        return fixed
+
+    def plain(self) -> Loop:
+        """Return the loop without diagnostic fields; the trajectory is the same."""
+        fixed = self.plain_values
         influential = tuple(field for field in self.fields if not field.is_diagnostic)
         wanted = {field.name for field in influential}
         stages: dict[str, tuple[Node, ...]] = {}

@@ -4918,7 +4918,7 @@ static __device__ __forceinline__ kernel_end_edge_out kernel_end_edge(double sla
     return {((g0 <= slack) && (!(g0 < (-slack)))) && (through == 1.0)};
 }
 
-/* Both variants of the event loop are given
+/* The event loop is given
    _shots             how many there are; the log counts them from `_first` on
    _states            x y z vx vy vz wx wy wz of each
    _values, _strides  where each parameter's values are, and the step from one shot's to the next one's
@@ -4928,10 +4928,9 @@ static __device__ __forceinline__ kernel_end_edge_out kernel_end_edge(double sla
                       and of the event log, which has 3 * _max_contacts + 1 rows
                       for each shot, and of their number: events, event_counts */
 
-
-#if VARIANT != 1
-/* The path alone. */
-extern "C" __global__ void court_plain(
+/* The event loop. Without BOUNDS, what it guards is never compiled, and what it would assign stays as it starts. */
+template <bool BOUNDS>
+static __device__ __forceinline__ void court_loop(
     long long _shots, long long _first, const double *_states, const double *const *_values,
     const long long *_strides, const signed char *_leaving, int _max_contacts, double time_limit,
     void *const *_results)
@@ -4941,1860 +4940,7 @@ extern "C" __global__ void court_plain(
         return;
     const shot_parameters _given = {_values, _strides, _shot};
     const double most_contacts = (double)_max_contacts;
-    const double p_ball_radius = parameter(_given, 0);
-    const double p_ring_radius = parameter(_given, 1);
-    const double p_wire_radius = parameter(_given, 2);
-    const double p_board_distance = parameter(_given, 3);
-    const double p_board_half_width = parameter(_given, 4);
-    const double p_board_bottom = parameter(_given, 5);
-    const double p_board_top = parameter(_given, 6);
-    const double p_board_thickness = parameter(_given, 7);
-    const double p_bridge_half_width = parameter(_given, 8);
-    const double p_bridge_depth = parameter(_given, 9);
-    const double p_gravity = parameter(_given, 10);
-    const double p_end_depth = parameter(_given, 11);
-    const double p_ring_restitution = parameter(_given, 12);
-    const double p_backboard_restitution = parameter(_given, 13);
-    const double p_bridge_restitution = parameter(_given, 14);
-    const double p_ring_friction = parameter(_given, 15);
-    const double p_backboard_friction = parameter(_given, 16);
-    const double p_bridge_friction = parameter(_given, 17);
-    const double p_inertia = parameter(_given, 18);
-    const double p_tangential_restitution = parameter(_given, 19);
-    const double p_restitution_speed = parameter(_given, 20);
-
-    double x = 0.0, y = 0.0, z = 0.0, vx = 0.0, vy = 0.0, vz = 0.0, wx = 0.0, wy = 0.0, wz = 0.0,
-        clock = 0.0, last = 0.0, first = -1.0, contacts = 0.0, count_0 = 0.0, count_1 = 0.0,
-        count_2 = 0.0, held = -1.0, mode = 0.0, circled = 0.0, rolls = 0.0, slip_left = 0.0,
-        through = 0.0, outcome = -1.0, allowed = 0.0, valid = 0.0, time_error = 0.0, extent = 0.0,
-        speed = 0.0, excess = 0.0, when = 0.0, which = 0.0, began = 0.0, leaving = 0.0, time = 0.0,
-        rate = 0.0, bend = 0.0, apex = 0.0, until = 0.0, clear = 0.0, share = 0.0, arrival = 0.0,
-        since = 0.0, rho_start = 0.0, start_rate = 0.0, rho_rate = 0.0, near_x = 0.0, near_y = 0.0,
-        near_z = 0.0, near_vz = 0.0, ceiling = 0.0, flat = 0.0, tilt = 0.0, t = 0.0, energy2 = 0.0,
-        moment2 = 0.0, low0 = 0.0, high0 = 0.0, low1 = 0.0, high1 = 0.0, low2 = 0.0, high2 = 0.0,
-        latest = 0.0, position_level = 0.0, velocity_level = 0.0, rate_slack = 0.0, end = 0.0,
-        margin = 0.0, gap = 0.0, step = 0.0, next = 0.0, clearance = 0.0, refined = 0.0, pad = 0.0,
-        middle_x = 0.0, reach_x = 0.0, later_middle_x = 0.0, later_reach_x = 0.0, middle_y = 0.0,
-        reach_y = 0.0, later_middle_y = 0.0, later_reach_y = 0.0, middle_z = 0.0, reach_z = 0.0,
-        later_middle_z = 0.0, later_reach_z = 0.0, nx = 0.0, ny = 0.0, nz = 0.0, bent_x = 0.0,
-        bent_y = 0.0, bent_z = 0.0, lift = 0.0, gap_jerk = 0.0, gap_snap = 0.0, per_reach = 0.0,
-        turn_rate = 0.0, rolled_x = 0.0, rolled_y = 0.0, rolled_z = 0.0, vx_0 = 0.0, vy_0 = 0.0,
-        vz_0 = 0.0, nx_0 = 0.0, ny_0 = 0.0, nz_0 = 0.0, turn_rate_0 = 0.0, lift_0 = 0.0,
-        tx_0 = 0.0, ty_0 = 0.0, tz_0 = 0.0, vx_1 = 0.0, vy_1 = 0.0, vz_1 = 0.0, nx_1 = 0.0,
-        ny_1 = 0.0, nz_1 = 0.0, turn_rate_1 = 0.0, lift_1 = 0.0, tx_1 = 0.0, ty_1 = 0.0,
-        tz_1 = 0.0, vx_2 = 0.0, vy_2 = 0.0, vz_2 = 0.0, nx_2 = 0.0, ny_2 = 0.0, nz_2 = 0.0,
-        turn_rate_2 = 0.0, lift_2 = 0.0, tx_2 = 0.0, ty_2 = 0.0, tz_2 = 0.0, vx_3 = 0.0,
-        vy_3 = 0.0, vz_3 = 0.0, nx_3 = 0.0, ny_3 = 0.0, nz_3 = 0.0, turn_rate_3 = 0.0,
-        lift_3 = 0.0, tx_3 = 0.0, ty_3 = 0.0, tz_3 = 0.0, vx_4 = 0.0, vy_4 = 0.0, vz_4 = 0.0,
-        nx_4 = 0.0, ny_4 = 0.0, nz_4 = 0.0, turn_rate_4 = 0.0, lift_4 = 0.0, tx_4 = 0.0,
-        ty_4 = 0.0, tz_4 = 0.0, vx_5 = 0.0, vy_5 = 0.0, vz_5 = 0.0, nx_5 = 0.0, ny_5 = 0.0,
-        nz_5 = 0.0, turn_rate_5 = 0.0, lift_5 = 0.0, tx_5 = 0.0, ty_5 = 0.0, tz_5 = 0.0,
-        vx_6 = 0.0, vy_6 = 0.0, vz_6 = 0.0, nx_6 = 0.0, ny_6 = 0.0, nz_6 = 0.0, turn_rate_6 = 0.0,
-        lift_6 = 0.0, tx_6 = 0.0, ty_6 = 0.0, tz_6 = 0.0, vx_7 = 0.0, vy_7 = 0.0, vz_7 = 0.0,
-        nx_7 = 0.0, ny_7 = 0.0, nz_7 = 0.0, turn_rate_7 = 0.0, lift_7 = 0.0, vx_8 = 0.0,
-        vy_8 = 0.0, vz_8 = 0.0, nx_8 = 0.0, ny_8 = 0.0, nz_8 = 0.0, turn_rate_8 = 0.0,
-        stride = 0.0, strongest = 0.0, fastest = 0.0, force = 0.0, force_rate = 0.0,
-        force_bend = 0.0, friction_force_rate = 0.0, nearing = 0.0, gap_curvature = 0.0,
-        near = 0.0, cosine_0 = 0.0, sine_0 = 0.0, climb_0 = 0.0, along_0 = 0.0, cos_0 = 0.0,
-        sin_0 = 0.0, tilted_0 = 0.0, near_0 = 0.0, omega_0 = 0.0, around_0 = 0.0, cosine_1 = 0.0,
-        sine_1 = 0.0, climb_1 = 0.0, along_1 = 0.0, tilted_1 = 0.0, omega_1 = 0.0, around_1 = 0.0,
-        cosine_2 = 0.0, sine_2 = 0.0, climb_2 = 0.0, along_2 = 0.0, tilted_2 = 0.0, omega_2 = 0.0,
-        around_2 = 0.0, cosine_3 = 0.0, sine_3 = 0.0, climb_3 = 0.0, along_3 = 0.0, tilted_3 = 0.0,
-        omega_3 = 0.0, around_3 = 0.0, cosine_4 = 0.0, sine_4 = 0.0, climb_4 = 0.0, along_4 = 0.0,
-        tilted_4 = 0.0, omega_4 = 0.0, around_4 = 0.0, cosine_5 = 0.0, sine_5 = 0.0, climb_5 = 0.0,
-        along_5 = 0.0, tilted_5 = 0.0, omega_5 = 0.0, around_5 = 0.0, cosine_6 = 0.0, sine_6 = 0.0,
-        climb_6 = 0.0, along_6 = 0.0, tilted_6 = 0.0, omega_6 = 0.0, around_6 = 0.0,
-        cosine_7 = 0.0, sine_7 = 0.0, climb_7 = 0.0, along_7 = 0.0, tilted_7 = 0.0, omega_7 = 0.0,
-        around_7 = 0.0, cosine_8 = 0.0, sine_8 = 0.0, climb_8 = 0.0, along_8 = 0.0, tilted_8 = 0.0,
-        omega_8 = 0.0, around_8 = 0.0, cosine_9 = 0.0, sine_9 = 0.0, climb_9 = 0.0, along_9 = 0.0,
-        turn_rate_9 = 0.0, tilted_9 = 0.0, omega_9 = 0.0, around_9 = 0.0, cosine_10 = 0.0,
-        sine_10 = 0.0, climb_10 = 0.0, along_10 = 0.0, turn_rate_10 = 0.0, tilted_10 = 0.0,
-        omega_10 = 0.0, around_10 = 0.0, cosine_11 = 0.0, sine_11 = 0.0, climb_11 = 0.0,
-        along_11 = 0.0, turn_rate_11 = 0.0, tilted_11 = 0.0, omega_11 = 0.0, cosine_12 = 0.0,
-        sine_12 = 0.0, climb_12 = 0.0, along_12 = 0.0, turn_rate_12 = 0.0,
-        section_acceleration = 0.0, azimuth_clearance = 0.0, forth = 0.0, back = 0.0, climb = 0.0,
-        free_time = 0.0, reached = 0.0, body = 0.0, g0 = 0.0, its_0_ring_impact = 0.0,
-        its_1_ring_impact = 0.0, slip = 0.0, bounce = 0.0, turning_x = 0.0, turning_y = 0.0,
-        turning_z = 0.0, press = 0.0, weight = 0.0, rolling_friction = 0.0,
-        rolling_acceleration_x = 0.0, rolling_acceleration_y = 0.0, rolling_acceleration_z = 0.0,
-        nearest = 0.0, second_contact_gap = 0.0, rolling_gap_acceleration = 0.0,
-        normal_cosine = 0.0;
-    bool permitted = false, in_range = false, close = false, limited = false, in_contact = false,
-        rests = false, rolling = false, arrives = false, possible = false, open = false,
-        certain = false, searching = false, representable = false, fits = false, stepping = false,
-        single_precision = false, hit = false, sure = false, needs_refinement = false,
-        exhausted = false, refining = false, reachable = false, begins = false, leaves = false,
-        here = false, circling = false, beside = false, over = false, endless = false,
-        moves = false, ends = false, touches = false, meeting = false, slow = false,
-        struck_0 = false, nearly = false, settles = false, lodges = false, slides = false,
-        unpressed = false, unsure = false;
-    float onset = (float)0.0, wide_end = (float)0.0, wide_low1 = (float)0.0, wide_high1 = (float)0.0,
-        wide_low2 = (float)0.0, wide_high2 = (float)0.0, lapsed = (float)0.0,
-        short_share = (float)0.0, short_t = (float)0.0, short_end = (float)0.0,
-        short_x = (float)0.0, short_y = (float)0.0, short_z = (float)0.0, short_vx = (float)0.0,
-        short_vy = (float)0.0, short_vz = (float)0.0, short_energy2 = (float)0.0,
-        short_moment2 = (float)0.0, short_rho_start = (float)0.0, short_ceiling = (float)0.0,
-        short_flat = (float)0.0, short_tilt = (float)0.0, short_jerk = (float)0.0,
-        short_quotient_margin = (float)0.0, short_start_rate = (float)0.0,
-        short_rho_rate = (float)0.0, short_rate_margin = (float)0.0, short_low1 = (float)0.0,
-        short_high1 = (float)0.0, short_low2 = (float)0.0, short_high2 = (float)0.0;
-    x = _states[9 * _shot + 0];
-    y = _states[9 * _shot + 1];
-    z = _states[9 * _shot + 2];
-    vx = _states[9 * _shot + 3];
-    vy = _states[9 * _shot + 4];
-    vz = _states[9 * _shot + 5];
-    wx = _states[9 * _shot + 6];
-    wy = _states[9 * _shot + 7];
-    wz = _states[9 * _shot + 8];
-    last = _leaving ? (double)_leaving[_shot] : -1.0;
-
-    court_event *_events = (court_event *)_results[12];
-    int _used = 0;
-    if (_events)
-        _events += _shot * (3 * (long long)_max_contacts + 1);
-
-    const kernel_allowed_out _o0 = kernel_allowed(_given);
-    allowed = _o0.allowed;
-    const kernel_parameters_in_range_out _o1 = kernel_parameters_in_range(_given, allowed);
-    permitted = _o1.permitted;
-    const kernel_state_in_range_out _o2 = kernel_state_in_range(x, y, z, vx, vy, vz, wx, wy, wz);
-    in_range = _o2.in_range;
-    const kernel_aside_out _o3 = kernel_aside(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_bridge_half_width, p_bridge_depth, p_end_depth);
-    close = _o3.close;
-    valid = _o3.valid;
-    if (close) {
-        const kernel_valid_out _o4 = kernel_valid(last, x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_bridge_half_width, p_bridge_depth, p_end_depth);
-        valid = _o4.valid;
-    }
-    const kernel_admitted_out _o5 = kernel_admitted(INFINITE, valid, permitted, in_range);
-    outcome = _o5.outcome;
-    const kernel_passing_start_out _o6 = kernel_passing_start(last, outcome, 0.0, x, y, z, p_ring_radius, p_end_depth);
-    through = _o6.through;
-
-    while (outcome < 0.0) {
-        /* To the next event. */
-        const kernel_error_bounds_out _o7 = kernel_error_bounds(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
-        time_error = _o7.time_error;
-        const kernel_scale_out _o8 = kernel_scale(x, y, z, vx, vy, vz, p_gravity);
-        extent = _o8.extent;
-        speed = _o8.speed;
-        excess = _o8.excess;
-        const kernel_opening_out _o9 = kernel_opening(excess, 0.0, 0.0);
-        when = _o9.when;
-        which = _o9.which;
-        const kernel_limited_out _o10 = kernel_limited(time_limit);
-        limited = _o10.limited;
-        const kernel_in_contact_out _o11 = kernel_in_contact(when, mode);
-        in_contact = _o11.in_contact;
-        when = _o11.when;
-        rests = _o11.rests;
-        rolling = _o11.rolling;
-        began = _o11.began;
-        const kernel_left_out _o12 = kernel_left(3.0, last);
-        leaving = _o12.leaving;
-        const kernel_end_arrival_out _o13 = kernel_end_arrival(leaving, z, vz, p_gravity, p_end_depth);
-        time = _o13.time;
-        rate = _o13.rate;
-        bend = _o13.bend;
-        apex = _o13.apex;
-        const kernel_meeting_plane_out _o14 = kernel_meeting_plane(rate, bend, apex, time);
-        arrives = _o14.arrives;
-        const kernel_within_time_out _o15 = kernel_within_time(time, when, 0.0, 0.0, arrives);
-        possible = _o15.possible;
-        if (possible) {
-            const kernel_earliest_out _o16 = kernel_earliest(3.0, time, when, which, arrives);
-            when = _o16.when;
-            which = _o16.which;
-        }
-        const kernel_horizon_out _o17 = kernel_horizon(when, speed, p_gravity);
-        until = _o17.horizon;
-        const kernel_ring_clear_out _o18 = kernel_ring_clear(until, x, y, z, vx, vy, vz, extent, speed, 0.0, 0.0, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-        clear = _o18.clear;
-        const kernel_opens_in_flight_out _o19 = kernel_opens_in_flight(clear, in_contact);
-        open = _o19.open;
-        if (open) {
-            const kernel_beginning_out _o20 = kernel_beginning();
-            share = _o20.share;
-            arrival = _o20.arrival;
-            certain = _o20.certain;
-            const kernel_left_out _o21 = kernel_left(0.0, last);
-            leaving = _o21.leaving;
-            const kernel_ring_opened_out _o22 = kernel_ring_opened(until, x, y, z, vx, vy, vz, extent, speed, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            onset = _o22.t;
-            wide_end = _o22.end;
-            searching = _o22.searching;
-            wide_low1 = _o22.low1;
-            wide_high1 = _o22.high1;
-            wide_low2 = _o22.low2;
-            wide_high2 = _o22.high2;
-            lapsed = _o22.latest;
-            representable = _o22.representable;
-            const kernel_opened_out _o23 = kernel_opened(lapsed, onset);
-            since = _o23.time;
-            const kernel_ring_started_out _o24 = kernel_ring_started(x, y, z, vx, vy, vz, p_ring_radius);
-            rho_start = _o24.rho_start;
-            start_rate = _o24.start_rate;
-            rho_rate = _o24.rho_rate;
-            const kernel_flight_out _o25 = kernel_flight(since, x, y, z, vx, vy, vz, p_gravity);
-            near_x = _o25.x;
-            near_y = _o25.y;
-            near_z = _o25.z;
-            near_vz = _o25.vz;
-            const kernel_ring_resolution_out _o26 = kernel_ring_resolution(onset, wide_end, leaving, lapsed, near_x, near_y, near_z, vx, vy, near_vz, extent, speed, start_rate, rho_rate, wide_low1, wide_high1, wide_low2, wide_high2, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            short_share = _o26.share;
-            short_t = _o26.t;
-            short_end = _o26.end;
-            short_x = _o26.x;
-            short_y = _o26.y;
-            short_z = _o26.z;
-            short_vx = _o26.vx;
-            short_vy = _o26.vy;
-            short_vz = _o26.vz;
-            short_energy2 = _o26.energy2;
-            short_moment2 = _o26.moment2;
-            short_rho_start = _o26.rho_start;
-            short_ceiling = _o26.ceiling;
-            short_flat = _o26.flat;
-            short_tilt = _o26.tilt;
-            short_jerk = _o26.jerk;
-            short_quotient_margin = _o26.quotient_margin;
-            short_start_rate = _o26.start_rate;
-            short_rho_rate = _o26.rho_rate;
-            short_rate_margin = _o26.rate_margin;
-            short_low1 = _o26.low1;
-            short_high1 = _o26.high1;
-            short_low2 = _o26.low2;
-            short_high2 = _o26.high2;
-            fits = _o26.fits;
-            const kernel_coarse_out _o27 = kernel_coarse(short_rate_margin, short_flat, short_ceiling, short_share, searching, representable, fits);
-            stepping = _o27.stepping;
-            searching = _o27.searching;
-            single_precision = _o27.single_precision;
-            ceiling = _o27.ceiling;
-            flat = _o27.flat;
-            tilt = _o27.tilt;
-            if (stepping) {
-                const kernel_ring_step_out _o28 = kernel_ring_step(short_t, short_end, short_rate_margin, short_ceiling, short_x, short_y, short_z, short_vx, short_vy, short_vz, short_energy2, short_moment2, short_rho_start, short_flat, short_tilt, short_quotient_margin, short_jerk, short_start_rate, short_rho_rate, short_low1, short_high1, short_low2, short_high2, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                short_t = _o28.t;
-                short_end = _o28.end;
-                certain = _o28.certain;
-                stepping = _o28.stepping;
-            }
-            for (size_t _turn = 0; _turn < 24; _turn++) {
-                if (!stepping)
-                    break;
-                const kernel_ring_step_out _o29 = kernel_ring_step(short_t, short_end, short_rate_margin, short_ceiling, short_x, short_y, short_z, short_vx, short_vy, short_vz, short_energy2, short_moment2, short_rho_start, short_flat, short_tilt, short_quotient_margin, short_jerk, short_start_rate, short_rho_rate, short_low1, short_high1, short_low2, short_high2, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                short_t = _o29.t;
-                short_end = _o29.end;
-                certain = _o29.certain;
-                stepping = _o29.stepping;
-            }
-            const kernel_stepped_out _o30 = kernel_stepped(arrival, short_t, searching, since, single_precision, certain);
-            arrival = _o30.arrival;
-            t = _o30.t;
-            searching = _o30.searching;
-            if (searching) {
-                const kernel_ring_prepare_out _o31 = kernel_ring_prepare(until, x, y, z, vx, vy, vz, extent, speed, 0.0, 0.0, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                energy2 = _o31.energy2;
-                moment2 = _o31.moment2;
-                rho_start = _o31.rho_start;
-                low0 = _o31.low0;
-                high0 = _o31.high0;
-                low1 = _o31.low1;
-                high1 = _o31.high1;
-                low2 = _o31.low2;
-                high2 = _o31.high2;
-                ceiling = _o31.ceiling;
-                latest = _o31.latest;
-                const kernel_allowance_out _o32 = kernel_allowance(share, latest, extent, speed, 0.0, 0.0, p_gravity);
-                position_level = _o32.position_level;
-                velocity_level = _o32.velocity_level;
-                const kernel_ring_margins_out _o33 = kernel_ring_margins(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                flat = _o33.margin;
-                tilt = _o33.leaving_margin;
-                rate_slack = _o33.rate_margin;
-                const kernel_ring_enter_out _o34 = kernel_ring_enter(t, 0.0, t, low0, low1, low2, high0, high1, high2);
-                t = _o34.t;
-                end = _o34.end;
-                searching = _o34.searching;
-                for (size_t _turn = 0; _turn < 201; _turn++) {
-                    if (!searching)
-                        break;
-                    const kernel_nearby_out _o35 = kernel_nearby(t, flat, tilt, 0.0, last);
-                    leaving = _o35.leaving;
-                    margin = _o35.margin;
-                    const kernel_ring_advance_out _o36 = kernel_ring_advance(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, energy2, moment2, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                    gap = _o36.gap;
-                    rate = _o36.rate;
-                    bend = _o36.bend;
-                    step = _o36.step;
-                    next = _o36.next;
-                    clearance = _o36.clearance;
-                    const kernel_struck_out _o37 = kernel_struck(gap, rate, bend, margin, rate_slack, clearance, share);
-                    hit = _o37.hit;
-                    sure = _o37.sure;
-                    needs_refinement = _o37.needs_refinement;
-                    if (needs_refinement) {
-                        const kernel_finer_out _o38 = kernel_finer(share);
-                        share = _o38.share;
-                        const kernel_allowance_out _o39 = kernel_allowance(share, latest, extent, speed, 0.0, 0.0, p_gravity);
-                        position_level = _o39.position_level;
-                        velocity_level = _o39.velocity_level;
-                        const kernel_ring_margins_out _o40 = kernel_ring_margins(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                        flat = _o40.margin;
-                        tilt = _o40.leaving_margin;
-                        rate_slack = _o40.rate_margin;
-                    }
-                    const kernel_advanced_out _o41 = kernel_advanced(t, end, step, next, arrival, hit, sure, needs_refinement, certain);
-                    arrival = _o41.arrival;
-                    certain = _o41.certain;
-                    exhausted = _o41.exhausted;
-                    searching = _o41.searching;
-                    t = _o41.t;
-                    if (exhausted) {
-                        const kernel_ring_enter_out _o42 = kernel_ring_enter(t, end, end, low0, low1, low2, high0, high1, high2);
-                        t = _o42.t;
-                        end = _o42.end;
-                        searching = _o42.searching;
-                    }
-                }
-            }
-            const kernel_found_out _o43 = kernel_found(arrival);
-            arrives = _o43.arrives;
-            refining = _o43.refining;
-            const kernel_nearby_out _o44 = kernel_nearby(arrival, flat, tilt, 0.0, last);
-            leaving = _o44.leaving;
-            if (refining) {
-                const kernel_ring_refine_out _o45 = kernel_ring_refine(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                refined = _o45.time;
-                gap = _o45.gap;
-                rate = _o45.rate;
-                const kernel_polished_out _o46 = kernel_polished(gap, rate, ceiling, arrival, refined, certain);
-                arrival = _o46.arrival;
-                refining = _o46.refining;
-            }
-            if (refining) {
-                const kernel_ring_refine_out _o47 = kernel_ring_refine(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                refined = _o47.time;
-                gap = _o47.gap;
-                rate = _o47.rate;
-                const kernel_polished_out _o48 = kernel_polished(gap, rate, ceiling, arrival, refined, certain);
-                arrival = _o48.arrival;
-                refining = _o48.refining;
-            }
-            for (size_t _turn = 0; _turn < 8; _turn++) {
-                if (!refining)
-                    break;
-                const kernel_ring_refine_out _o49 = kernel_ring_refine(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                refined = _o49.time;
-                gap = _o49.gap;
-                rate = _o49.rate;
-                const kernel_polished_out _o50 = kernel_polished(gap, rate, ceiling, arrival, refined, certain);
-                arrival = _o50.arrival;
-                refining = _o50.refining;
-            }
-            const kernel_landed_out _o51 = kernel_landed(arrival);
-            time = _o51.time;
-            const kernel_earliest_out _o52 = kernel_earliest(0.0, time, when, which, arrives);
-            when = _o52.when;
-            which = _o52.which;
-        }
-        const kernel_horizon_out _o53 = kernel_horizon(when, speed, p_gravity);
-        until = _o53.horizon;
-        pad = _o53.pad;
-        const kernel_halved_out _o54 = kernel_halved(until, x, y, z, vx, vy, vz, extent, speed, 0.0, 0.0, 0.0, pad, p_gravity);
-        middle_x = _o54.middle_x;
-        reach_x = _o54.reach_x;
-        later_middle_x = _o54.later_middle_x;
-        later_reach_x = _o54.later_reach_x;
-        middle_y = _o54.middle_y;
-        reach_y = _o54.reach_y;
-        later_middle_y = _o54.later_middle_y;
-        later_reach_y = _o54.later_reach_y;
-        middle_z = _o54.middle_z;
-        reach_z = _o54.reach_z;
-        later_middle_z = _o54.later_middle_z;
-        later_reach_z = _o54.later_reach_z;
-        const kernel_backboard_near_out _o55 = kernel_backboard_near(middle_x, middle_y, middle_z, reach_x, reach_y, reach_z, later_middle_x, later_middle_y, later_middle_z, later_reach_x, later_reach_y, later_reach_z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-        reachable = _o55.near;
-        const kernel_reachable_in_flight_out _o56 = kernel_reachable_in_flight(reachable, in_contact);
-        reachable = _o56.reachable;
-        if (reachable) {
-            const kernel_horizon_out _o57 = kernel_horizon(when, speed, p_gravity);
-            until = _o57.horizon;
-            const kernel_backboard_prepare_out _o58 = kernel_backboard_prepare(until, x, y, z, vx, vy, vz, extent, speed, 0.0, 0.0, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-            low0 = _o58.low0;
-            high0 = _o58.high0;
-            low1 = _o58.low1;
-            high1 = _o58.high1;
-            ceiling = _o58.ceiling;
-            latest = _o58.latest;
-            const kernel_beginning_out _o59 = kernel_beginning();
-            share = _o59.share;
-            arrival = _o59.arrival;
-            certain = _o59.certain;
-            const kernel_allowance_out _o60 = kernel_allowance(share, latest, extent, speed, 0.0, 0.0, p_gravity);
-            position_level = _o60.position_level;
-            velocity_level = _o60.velocity_level;
-            const kernel_backboard_margins_out _o61 = kernel_backboard_margins(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-            flat = _o61.margin;
-            tilt = _o61.leaving_margin;
-            rate_slack = _o61.rate_margin;
-            const kernel_backboard_enter_out _o62 = kernel_backboard_enter(0.0, 0.0, 0.0, low0, low1, high0, high1);
-            t = _o62.t;
-            end = _o62.end;
-            searching = _o62.searching;
-            if (searching) {
-                const kernel_nearby_out _o63 = kernel_nearby(t, flat, tilt, 1.0, last);
-                leaving = _o63.leaving;
-                margin = _o63.margin;
-                const kernel_backboard_advance_out _o64 = kernel_backboard_advance(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-                gap = _o64.gap;
-                rate = _o64.rate;
-                bend = _o64.bend;
-                step = _o64.step;
-                next = _o64.next;
-                clearance = _o64.clearance;
-                const kernel_struck_or_still_out _o65 = kernel_struck_or_still(t, end, gap, rate, bend, margin, rate_slack, next, clearance, share);
-                hit = _o65.hit;
-                sure = _o65.sure;
-                needs_refinement = _o65.needs_refinement;
-                if (needs_refinement) {
-                    const kernel_finer_out _o66 = kernel_finer(share);
-                    share = _o66.share;
-                    const kernel_allowance_out _o67 = kernel_allowance(share, latest, extent, speed, 0.0, 0.0, p_gravity);
-                    position_level = _o67.position_level;
-                    velocity_level = _o67.velocity_level;
-                    const kernel_backboard_margins_out _o68 = kernel_backboard_margins(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-                    flat = _o68.margin;
-                    tilt = _o68.leaving_margin;
-                    rate_slack = _o68.rate_margin;
-                }
-                const kernel_advanced_out _o69 = kernel_advanced(t, end, step, next, arrival, hit, sure, needs_refinement, certain);
-                arrival = _o69.arrival;
-                certain = _o69.certain;
-                exhausted = _o69.exhausted;
-                searching = _o69.searching;
-                t = _o69.t;
-                if (exhausted) {
-                    const kernel_backboard_enter_out _o70 = kernel_backboard_enter(t, end, end, low0, low1, high0, high1);
-                    t = _o70.t;
-                    end = _o70.end;
-                    searching = _o70.searching;
-                }
-            }
-            for (size_t _turn = 0; _turn < 201; _turn++) {
-                if (!searching)
-                    break;
-                const kernel_nearby_out _o71 = kernel_nearby(t, flat, tilt, 1.0, last);
-                leaving = _o71.leaving;
-                margin = _o71.margin;
-                const kernel_backboard_advance_out _o72 = kernel_backboard_advance(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-                gap = _o72.gap;
-                rate = _o72.rate;
-                bend = _o72.bend;
-                step = _o72.step;
-                next = _o72.next;
-                clearance = _o72.clearance;
-                const kernel_struck_or_still_out _o73 = kernel_struck_or_still(t, end, gap, rate, bend, margin, rate_slack, next, clearance, share);
-                hit = _o73.hit;
-                sure = _o73.sure;
-                needs_refinement = _o73.needs_refinement;
-                if (needs_refinement) {
-                    const kernel_finer_out _o74 = kernel_finer(share);
-                    share = _o74.share;
-                    const kernel_allowance_out _o75 = kernel_allowance(share, latest, extent, speed, 0.0, 0.0, p_gravity);
-                    position_level = _o75.position_level;
-                    velocity_level = _o75.velocity_level;
-                    const kernel_backboard_margins_out _o76 = kernel_backboard_margins(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-                    flat = _o76.margin;
-                    tilt = _o76.leaving_margin;
-                    rate_slack = _o76.rate_margin;
-                }
-                const kernel_advanced_out _o77 = kernel_advanced(t, end, step, next, arrival, hit, sure, needs_refinement, certain);
-                arrival = _o77.arrival;
-                certain = _o77.certain;
-                exhausted = _o77.exhausted;
-                searching = _o77.searching;
-                t = _o77.t;
-                if (exhausted) {
-                    const kernel_backboard_enter_out _o78 = kernel_backboard_enter(t, end, end, low0, low1, high0, high1);
-                    t = _o78.t;
-                    end = _o78.end;
-                    searching = _o78.searching;
-                }
-            }
-            const kernel_found_out _o79 = kernel_found(arrival);
-            arrives = _o79.arrives;
-            refining = _o79.refining;
-            const kernel_nearby_out _o80 = kernel_nearby(arrival, flat, tilt, 1.0, last);
-            leaving = _o80.leaving;
-            if (refining) {
-                const kernel_backboard_refine_out _o81 = kernel_backboard_refine(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-                refined = _o81.time;
-                gap = _o81.gap;
-                rate = _o81.rate;
-                const kernel_polished_out _o82 = kernel_polished(gap, rate, ceiling, arrival, refined, certain);
-                arrival = _o82.arrival;
-                refining = _o82.refining;
-            }
-            if (refining) {
-                const kernel_backboard_refine_out _o83 = kernel_backboard_refine(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-                refined = _o83.time;
-                gap = _o83.gap;
-                rate = _o83.rate;
-                const kernel_polished_out _o84 = kernel_polished(gap, rate, ceiling, arrival, refined, certain);
-                arrival = _o84.arrival;
-                refining = _o84.refining;
-            }
-            for (size_t _turn = 0; _turn < 8; _turn++) {
-                if (!refining)
-                    break;
-                const kernel_backboard_refine_out _o85 = kernel_backboard_refine(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-                refined = _o85.time;
-                gap = _o85.gap;
-                rate = _o85.rate;
-                const kernel_polished_out _o86 = kernel_polished(gap, rate, ceiling, arrival, refined, certain);
-                arrival = _o86.arrival;
-                refining = _o86.refining;
-            }
-            const kernel_landed_out _o87 = kernel_landed(arrival);
-            time = _o87.time;
-            const kernel_earliest_out _o88 = kernel_earliest(1.0, time, when, which, arrives);
-            when = _o88.when;
-            which = _o88.which;
-        }
-        const kernel_horizon_out _o89 = kernel_horizon(when, speed, p_gravity);
-        until = _o89.horizon;
-        pad = _o89.pad;
-        const kernel_halved_out _o90 = kernel_halved(until, x, y, z, vx, vy, vz, extent, speed, 0.0, 0.0, 0.0, pad, p_gravity);
-        middle_x = _o90.middle_x;
-        reach_x = _o90.reach_x;
-        later_middle_x = _o90.later_middle_x;
-        later_reach_x = _o90.later_reach_x;
-        middle_y = _o90.middle_y;
-        reach_y = _o90.reach_y;
-        later_middle_y = _o90.later_middle_y;
-        later_reach_y = _o90.later_reach_y;
-        middle_z = _o90.middle_z;
-        reach_z = _o90.reach_z;
-        later_middle_z = _o90.later_middle_z;
-        later_reach_z = _o90.later_reach_z;
-        const kernel_bridge_near_out _o91 = kernel_bridge_near(middle_x, middle_y, middle_z, reach_x, reach_y, reach_z, later_middle_x, later_middle_y, later_middle_z, later_reach_x, later_reach_y, later_reach_z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-        reachable = _o91.near;
-        const kernel_reachable_in_flight_out _o92 = kernel_reachable_in_flight(reachable, in_contact);
-        reachable = _o92.reachable;
-        if (reachable) {
-            const kernel_horizon_out _o93 = kernel_horizon(when, speed, p_gravity);
-            until = _o93.horizon;
-            const kernel_bridge_prepare_out _o94 = kernel_bridge_prepare(until, x, y, z, vx, vy, vz, extent, speed, 0.0, 0.0, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-            low0 = _o94.low0;
-            high0 = _o94.high0;
-            low1 = _o94.low1;
-            high1 = _o94.high1;
-            ceiling = _o94.ceiling;
-            latest = _o94.latest;
-            const kernel_beginning_out _o95 = kernel_beginning();
-            share = _o95.share;
-            arrival = _o95.arrival;
-            certain = _o95.certain;
-            const kernel_allowance_out _o96 = kernel_allowance(share, latest, extent, speed, 0.0, 0.0, p_gravity);
-            position_level = _o96.position_level;
-            velocity_level = _o96.velocity_level;
-            const kernel_bridge_margins_out _o97 = kernel_bridge_margins(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-            flat = _o97.margin;
-            tilt = _o97.leaving_margin;
-            rate_slack = _o97.rate_margin;
-            const kernel_bridge_enter_out _o98 = kernel_bridge_enter(0.0, 0.0, 0.0, low0, low1, high0, high1);
-            t = _o98.t;
-            end = _o98.end;
-            searching = _o98.searching;
-            if (searching) {
-                const kernel_nearby_out _o99 = kernel_nearby(t, flat, tilt, 2.0, last);
-                leaving = _o99.leaving;
-                margin = _o99.margin;
-                const kernel_bridge_advance_out _o100 = kernel_bridge_advance(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-                gap = _o100.gap;
-                rate = _o100.rate;
-                bend = _o100.bend;
-                step = _o100.step;
-                next = _o100.next;
-                clearance = _o100.clearance;
-                const kernel_struck_or_still_out _o101 = kernel_struck_or_still(t, end, gap, rate, bend, margin, rate_slack, next, clearance, share);
-                hit = _o101.hit;
-                sure = _o101.sure;
-                needs_refinement = _o101.needs_refinement;
-                if (needs_refinement) {
-                    const kernel_finer_out _o102 = kernel_finer(share);
-                    share = _o102.share;
-                    const kernel_allowance_out _o103 = kernel_allowance(share, latest, extent, speed, 0.0, 0.0, p_gravity);
-                    position_level = _o103.position_level;
-                    velocity_level = _o103.velocity_level;
-                    const kernel_bridge_margins_out _o104 = kernel_bridge_margins(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-                    flat = _o104.margin;
-                    tilt = _o104.leaving_margin;
-                    rate_slack = _o104.rate_margin;
-                }
-                const kernel_advanced_out _o105 = kernel_advanced(t, end, step, next, arrival, hit, sure, needs_refinement, certain);
-                arrival = _o105.arrival;
-                certain = _o105.certain;
-                exhausted = _o105.exhausted;
-                searching = _o105.searching;
-                t = _o105.t;
-                if (exhausted) {
-                    const kernel_bridge_enter_out _o106 = kernel_bridge_enter(t, end, end, low0, low1, high0, high1);
-                    t = _o106.t;
-                    end = _o106.end;
-                    searching = _o106.searching;
-                }
-            }
-            for (size_t _turn = 0; _turn < 201; _turn++) {
-                if (!searching)
-                    break;
-                const kernel_nearby_out _o107 = kernel_nearby(t, flat, tilt, 2.0, last);
-                leaving = _o107.leaving;
-                margin = _o107.margin;
-                const kernel_bridge_advance_out _o108 = kernel_bridge_advance(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-                gap = _o108.gap;
-                rate = _o108.rate;
-                bend = _o108.bend;
-                step = _o108.step;
-                next = _o108.next;
-                clearance = _o108.clearance;
-                const kernel_struck_or_still_out _o109 = kernel_struck_or_still(t, end, gap, rate, bend, margin, rate_slack, next, clearance, share);
-                hit = _o109.hit;
-                sure = _o109.sure;
-                needs_refinement = _o109.needs_refinement;
-                if (needs_refinement) {
-                    const kernel_finer_out _o110 = kernel_finer(share);
-                    share = _o110.share;
-                    const kernel_allowance_out _o111 = kernel_allowance(share, latest, extent, speed, 0.0, 0.0, p_gravity);
-                    position_level = _o111.position_level;
-                    velocity_level = _o111.velocity_level;
-                    const kernel_bridge_margins_out _o112 = kernel_bridge_margins(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-                    flat = _o112.margin;
-                    tilt = _o112.leaving_margin;
-                    rate_slack = _o112.rate_margin;
-                }
-                const kernel_advanced_out _o113 = kernel_advanced(t, end, step, next, arrival, hit, sure, needs_refinement, certain);
-                arrival = _o113.arrival;
-                certain = _o113.certain;
-                exhausted = _o113.exhausted;
-                searching = _o113.searching;
-                t = _o113.t;
-                if (exhausted) {
-                    const kernel_bridge_enter_out _o114 = kernel_bridge_enter(t, end, end, low0, low1, high0, high1);
-                    t = _o114.t;
-                    end = _o114.end;
-                    searching = _o114.searching;
-                }
-            }
-            const kernel_found_out _o115 = kernel_found(arrival);
-            arrives = _o115.arrives;
-            refining = _o115.refining;
-            const kernel_nearby_out _o116 = kernel_nearby(arrival, flat, tilt, 2.0, last);
-            leaving = _o116.leaving;
-            if (refining) {
-                const kernel_bridge_refine_out _o117 = kernel_bridge_refine(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-                refined = _o117.time;
-                gap = _o117.gap;
-                rate = _o117.rate;
-                const kernel_polished_out _o118 = kernel_polished(gap, rate, ceiling, arrival, refined, certain);
-                arrival = _o118.arrival;
-                refining = _o118.refining;
-            }
-            if (refining) {
-                const kernel_bridge_refine_out _o119 = kernel_bridge_refine(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-                refined = _o119.time;
-                gap = _o119.gap;
-                rate = _o119.rate;
-                const kernel_polished_out _o120 = kernel_polished(gap, rate, ceiling, arrival, refined, certain);
-                arrival = _o120.arrival;
-                refining = _o120.refining;
-            }
-            for (size_t _turn = 0; _turn < 8; _turn++) {
-                if (!refining)
-                    break;
-                const kernel_bridge_refine_out _o121 = kernel_bridge_refine(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-                refined = _o121.time;
-                gap = _o121.gap;
-                rate = _o121.rate;
-                const kernel_polished_out _o122 = kernel_polished(gap, rate, ceiling, arrival, refined, certain);
-                arrival = _o122.arrival;
-                refining = _o122.refining;
-            }
-            const kernel_landed_out _o123 = kernel_landed(arrival);
-            time = _o123.time;
-            const kernel_earliest_out _o124 = kernel_earliest(2.0, time, when, which, arrives);
-            when = _o124.when;
-            which = _o124.which;
-        }
-        if (limited) {
-            const kernel_expiry_out _o125 = kernel_expiry(when, which, 0.0, INFINITE, time_error, clock, time_limit);
-            time = _o125.time;
-            arrives = _o125.arrives;
-            const kernel_earliest_out _o126 = kernel_earliest(4.0, time, when, which, arrives);
-            when = _o126.when;
-            which = _o126.which;
-        }
-        if (in_contact) {
-            const kernel_resumed_out _o127 = kernel_resumed(0.0, 0.0, clock, mode);
-            which = _o127.which;
-            began = _o127.began;
-            begins = _o127.begins;
-            rolling = _o127.rolling;
-            leaves = _o127.leaves;
-            nx = _o127.nx;
-            ny = _o127.ny;
-            nz = _o127.nz;
-            gap = _o127.gap;
-            bent_x = _o127.bent_x;
-            bent_y = _o127.bent_y;
-            bent_z = _o127.bent_z;
-            lift = _o127.lift;
-            gap_jerk = _o127.gap_jerk;
-            gap_snap = _o127.gap_snap;
-            per_reach = _o127.per_reach;
-            if (begins) {
-                const kernel_holding_out _o128 = kernel_holding(0.0, held);
-                here = _o128.here;
-                if (here) {
-                    const kernel_ring_normal_out _o129 = kernel_ring_normal(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
-                    nx = _o129.nx;
-                    ny = _o129.ny;
-                    nz = _o129.nz;
-                }
-                const kernel_holding_out _o130 = kernel_holding(1.0, held);
-                here = _o130.here;
-                if (here) {
-                    const kernel_backboard_normal_out _o131 = kernel_backboard_normal(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                    nx = _o131.nx;
-                    ny = _o131.ny;
-                    nz = _o131.nz;
-                }
-                const kernel_holding_out _o132 = kernel_holding(2.0, held);
-                here = _o132.here;
-                if (here) {
-                    const kernel_bridge_normal_out _o133 = kernel_bridge_normal(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                    nx = _o133.nx;
-                    ny = _o133.ny;
-                    nz = _o133.nz;
-                }
-                const kernel_roll_turn_rate_out _o134 = kernel_roll_turn_rate(p_ball_radius, nx, ny, nz, wx, wy, wz);
-                turn_rate = _o134.turn_rate;
-                const kernel_gripped_out _o135 = kernel_gripped(p_ball_radius, p_inertia, nx, ny, nz, vx, vy, vz, wx, wy, wz);
-                rolled_x = _o135.rolled_x;
-                rolled_y = _o135.rolled_y;
-                rolled_z = _o135.rolled_z;
-                const kernel_holding_out _o136 = kernel_holding(0.0, held);
-                here = _o136.here;
-                if (here) {
-                    const kernel_ring_distance_out _o137 = kernel_ring_distance(p_ball_radius, p_ring_radius, p_wire_radius, x, y, z);
-                    gap = _o137.gap;
-                }
-                const kernel_holding_out _o138 = kernel_holding(1.0, held);
-                here = _o138.here;
-                if (here) {
-                    const kernel_backboard_distance_out _o139 = kernel_backboard_distance(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z);
-                    gap = _o139.gap;
-                }
-                const kernel_holding_out _o140 = kernel_holding(2.0, held);
-                here = _o140.here;
-                if (here) {
-                    const kernel_bridge_distance_out _o141 = kernel_bridge_distance(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z);
-                    gap = _o141.gap;
-                }
-                const kernel_roll_placed_out _o142 = kernel_roll_placed(p_ball_radius, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, gap, turn_rate);
-                x = _o142.x;
-                y = _o142.y;
-                z = _o142.z;
-                vx = _o142.vx;
-                vy = _o142.vy;
-                vz = _o142.vz;
-                wx = _o142.wx;
-                wy = _o142.wy;
-                wz = _o142.wz;
-                const kernel_beginning_contact_out _o143 = kernel_beginning_contact();
-                which = _o143.which;
-                circled = _o143.circled;
-            }
-            const kernel_circles_out _o144 = kernel_circles(0.0, held, rolling);
-            circling = _o144.circling;
-            rolling = _o144.rolling;
-            for (size_t _turn = 0; _turn < 16; _turn++) {
-                if (!rolling)
-                    break;
-                const kernel_holding_out _o145 = kernel_holding(1.0, held);
-                here = _o145.here;
-                if (here) {
-                    const kernel_backboard_normal_out _o146 = kernel_backboard_normal(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                    nx = _o146.nx;
-                    ny = _o146.ny;
-                    nz = _o146.nz;
-                    const kernel_backboard_rolling_surface_out _o147 = kernel_backboard_rolling_surface(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, vx, vy, vz);
-                    bent_x = _o147.bent_x;
-                    bent_y = _o147.bent_y;
-                    bent_z = _o147.bent_z;
-                    per_reach = _o147.per_reach;
-                }
-                const kernel_holding_out _o148 = kernel_holding(2.0, held);
-                here = _o148.here;
-                if (here) {
-                    const kernel_bridge_normal_out _o149 = kernel_bridge_normal(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                    nx = _o149.nx;
-                    ny = _o149.ny;
-                    nz = _o149.nz;
-                    const kernel_bridge_rolling_surface_out _o150 = kernel_bridge_rolling_surface(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
-                    bent_x = _o150.bent_x;
-                    bent_y = _o150.bent_y;
-                    bent_z = _o150.bent_z;
-                    per_reach = _o150.per_reach;
-                }
-                const kernel_roll_start_out _o151 = kernel_roll_start(p_ball_radius, nx, ny, nz, vx, vy, vz, wx, wy, wz);
-                vx_0 = _o151.vx_0;
-                vy_0 = _o151.vy_0;
-                vz_0 = _o151.vz_0;
-                nx_0 = _o151.nx_0;
-                ny_0 = _o151.ny_0;
-                nz_0 = _o151.nz_0;
-                turn_rate_0 = _o151.turn_rate_0;
-                const kernel_roll_0_out _o152 = kernel_roll_0(p_gravity, p_inertia, nx_0, ny_0, nz_0, vx_0, vy_0, vz_0, bent_x, bent_y, bent_z, per_reach, turn_rate_0);
-                lift_0 = _o152.lift_0;
-                tx_0 = _o152.tx_0;
-                ty_0 = _o152.ty_0;
-                tz_0 = _o152.tz_0;
-                vx_1 = _o152.vx_1;
-                vy_1 = _o152.vy_1;
-                vz_1 = _o152.vz_1;
-                nx_1 = _o152.nx_1;
-                ny_1 = _o152.ny_1;
-                nz_1 = _o152.nz_1;
-                turn_rate_1 = _o152.turn_rate_1;
-                const kernel_roll_1_out _o153 = kernel_roll_1(p_gravity, p_inertia, nx_0, nx_1, ny_0, ny_1, nz_0, nz_1, vx_0, vx_1, vy_0, vy_1, vz_0, vz_1, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, lift_0, tx_0, ty_0, tz_0);
-                lift_1 = _o153.lift_1;
-                tx_1 = _o153.tx_1;
-                ty_1 = _o153.ty_1;
-                tz_1 = _o153.tz_1;
-                vx_2 = _o153.vx_2;
-                vy_2 = _o153.vy_2;
-                vz_2 = _o153.vz_2;
-                nx_2 = _o153.nx_2;
-                ny_2 = _o153.ny_2;
-                nz_2 = _o153.nz_2;
-                turn_rate_2 = _o153.turn_rate_2;
-                const kernel_roll_2_out _o154 = kernel_roll_2(p_gravity, p_inertia, nx_0, nx_1, nx_2, ny_0, ny_1, ny_2, nz_0, nz_1, nz_2, vx_0, vx_1, vx_2, vy_0, vy_1, vy_2, vz_0, vz_1, vz_2, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, lift_0, lift_1, tx_0, tx_1, ty_0, ty_1, tz_0, tz_1);
-                lift_2 = _o154.lift_2;
-                tx_2 = _o154.tx_2;
-                ty_2 = _o154.ty_2;
-                tz_2 = _o154.tz_2;
-                vx_3 = _o154.vx_3;
-                vy_3 = _o154.vy_3;
-                vz_3 = _o154.vz_3;
-                nx_3 = _o154.nx_3;
-                ny_3 = _o154.ny_3;
-                nz_3 = _o154.nz_3;
-                turn_rate_3 = _o154.turn_rate_3;
-                const kernel_roll_3_out _o155 = kernel_roll_3(p_gravity, p_inertia, nx_0, nx_1, nx_2, nx_3, ny_0, ny_1, ny_2, ny_3, nz_0, nz_1, nz_2, nz_3, vx_0, vx_1, vx_2, vx_3, vy_0, vy_1, vy_2, vy_3, vz_0, vz_1, vz_2, vz_3, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, lift_0, lift_1, lift_2, tx_0, tx_1, tx_2, ty_0, ty_1, ty_2, tz_0, tz_1, tz_2);
-                lift_3 = _o155.lift_3;
-                tx_3 = _o155.tx_3;
-                ty_3 = _o155.ty_3;
-                tz_3 = _o155.tz_3;
-                vx_4 = _o155.vx_4;
-                vy_4 = _o155.vy_4;
-                vz_4 = _o155.vz_4;
-                nx_4 = _o155.nx_4;
-                ny_4 = _o155.ny_4;
-                nz_4 = _o155.nz_4;
-                turn_rate_4 = _o155.turn_rate_4;
-                const kernel_roll_4_out _o156 = kernel_roll_4(p_gravity, p_inertia, nx_0, nx_1, nx_2, nx_3, nx_4, ny_0, ny_1, ny_2, ny_3, ny_4, nz_0, nz_1, nz_2, nz_3, nz_4, vx_0, vx_1, vx_2, vx_3, vx_4, vy_0, vy_1, vy_2, vy_3, vy_4, vz_0, vz_1, vz_2, vz_3, vz_4, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, lift_0, lift_1, lift_2, lift_3, tx_0, tx_1, tx_2, tx_3, ty_0, ty_1, ty_2, ty_3, tz_0, tz_1, tz_2, tz_3);
-                lift_4 = _o156.lift_4;
-                tx_4 = _o156.tx_4;
-                ty_4 = _o156.ty_4;
-                tz_4 = _o156.tz_4;
-                vx_5 = _o156.vx_5;
-                vy_5 = _o156.vy_5;
-                vz_5 = _o156.vz_5;
-                nx_5 = _o156.nx_5;
-                ny_5 = _o156.ny_5;
-                nz_5 = _o156.nz_5;
-                turn_rate_5 = _o156.turn_rate_5;
-                const kernel_roll_5_out _o157 = kernel_roll_5(p_gravity, p_inertia, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, lift_0, lift_1, lift_2, lift_3, lift_4, tx_0, tx_1, tx_2, tx_3, tx_4, ty_0, ty_1, ty_2, ty_3, ty_4, tz_0, tz_1, tz_2, tz_3, tz_4);
-                lift_5 = _o157.lift_5;
-                tx_5 = _o157.tx_5;
-                ty_5 = _o157.ty_5;
-                tz_5 = _o157.tz_5;
-                vx_6 = _o157.vx_6;
-                vy_6 = _o157.vy_6;
-                vz_6 = _o157.vz_6;
-                nx_6 = _o157.nx_6;
-                ny_6 = _o157.ny_6;
-                nz_6 = _o157.nz_6;
-                turn_rate_6 = _o157.turn_rate_6;
-                const kernel_roll_6_out _o158 = kernel_roll_6(p_gravity, p_inertia, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5);
-                lift_6 = _o158.lift_6;
-                tx_6 = _o158.tx_6;
-                ty_6 = _o158.ty_6;
-                tz_6 = _o158.tz_6;
-                vx_7 = _o158.vx_7;
-                vy_7 = _o158.vy_7;
-                vz_7 = _o158.vz_7;
-                nx_7 = _o158.nx_7;
-                ny_7 = _o158.ny_7;
-                nz_7 = _o158.nz_7;
-                turn_rate_7 = _o158.turn_rate_7;
-                const kernel_roll_7_out _o159 = kernel_roll_7(p_gravity, p_inertia, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, nx_7, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, ny_7, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, nz_7, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, lift_6, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, tx_6, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, ty_6, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, tz_6);
-                lift_7 = _o159.lift_7;
-                vx_8 = _o159.vx_8;
-                vy_8 = _o159.vy_8;
-                vz_8 = _o159.vz_8;
-                nx_8 = _o159.nx_8;
-                ny_8 = _o159.ny_8;
-                nz_8 = _o159.nz_8;
-                turn_rate_8 = _o159.turn_rate_8;
-                const kernel_roll_pace_out _o160 = kernel_roll_pace(p_gravity, p_inertia, nx_8, ny_8, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, nz_7, nz_8, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vx_8, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vy_8, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, vz_8, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, lift_6, lift_7);
-                stride = _o160.stride;
-                strongest = _o160.strongest;
-                fastest = _o160.fastest;
-                force = _o160.force;
-                force_rate = _o160.force_rate;
-                force_bend = _o160.force_bend;
-                friction_force_rate = _o160.friction_force_rate;
-                const kernel_leaving_force_out _o161 = kernel_leaving_force(p_ball_radius, p_gravity, vx, vx_1, vy, vy_1, vz, vz_1, which, INFINITE, 0.0, 0.0, per_reach, force, force_rate, force_bend, friction_force_rate, stride, fastest);
-                stride = _o161.stride;
-                which = _o161.which;
-                rests = _o161.rests;
-                const kernel_beside_out _o162 = kernel_beside(0.0, held);
-                beside = _o162.beside;
-                if (beside) {
-                    const kernel_ring_beside_out _o163 = kernel_ring_beside(p_ball_radius, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
-                    gap = _o163.gap;
-                    nearing = _o163.nearing;
-                    gap_curvature = _o163.gap_curvature;
-                    const kernel_beside_body_out _o164 = kernel_beside_body(p_ball_radius, x, y, z, gap, 0.0, which, 0.0, INFINITE, 0.0, nearing, gap_curvature, stride, strongest, fastest);
-                    stride = _o164.stride;
-                    which = _o164.which;
-                }
-                const kernel_beside_out _o165 = kernel_beside(1.0, held);
-                beside = _o165.beside;
-                if (beside) {
-                    const kernel_backboard_beside_out _o166 = kernel_backboard_beside(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, vx, vy, vz);
-                    gap = _o166.gap;
-                    nearing = _o166.nearing;
-                    gap_curvature = _o166.gap_curvature;
-                    const kernel_beside_body_out _o167 = kernel_beside_body(p_ball_radius, x, y, z, gap, 1.0, which, 0.0, INFINITE, 0.0, nearing, gap_curvature, stride, strongest, fastest);
-                    stride = _o167.stride;
-                    which = _o167.which;
-                }
-                const kernel_beside_out _o168 = kernel_beside(2.0, held);
-                beside = _o168.beside;
-                if (beside) {
-                    const kernel_bridge_beside_out _o169 = kernel_bridge_beside(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
-                    gap = _o169.gap;
-                    nearing = _o169.nearing;
-                    gap_curvature = _o169.gap_curvature;
-                    const kernel_beside_body_out _o170 = kernel_beside_body(p_ball_radius, x, y, z, gap, 2.0, which, 0.0, INFINITE, 0.0, nearing, gap_curvature, stride, strongest, fastest);
-                    stride = _o170.stride;
-                    which = _o170.which;
-                }
-                const kernel_end_beside_out _o171 = kernel_end_beside(p_end_depth, z, vz);
-                gap = _o171.gap;
-                nearing = _o171.nearing;
-                gap_curvature = _o171.gap_curvature;
-                const kernel_beside_gate_out _o172 = kernel_beside_gate(p_ball_radius, x, y, z, gap, 3.0, which, 0.0, INFINITE, 0.0, nearing, gap_curvature, stride, strongest, fastest);
-                stride = _o172.stride;
-                which = _o172.which;
-                const kernel_holding_out _o173 = kernel_holding(1.0, held);
-                here = _o173.here;
-                if (here) {
-                    const kernel_backboard_seam0_out _o174 = kernel_backboard_seam0(p_ball_radius, p_board_distance, p_board_thickness, x, vx);
-                    gap = _o174.gap;
-                    nearing = _o174.nearing;
-                    near = _o174.near;
-                    const kernel_beside_seam_out _o175 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
-                    stride = _o175.stride;
-                    const kernel_backboard_seam1_out _o176 = kernel_backboard_seam1(p_ball_radius, p_board_distance, p_board_thickness, x, vx);
-                    gap = _o176.gap;
-                    nearing = _o176.nearing;
-                    near = _o176.near;
-                    const kernel_beside_seam_out _o177 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
-                    stride = _o177.stride;
-                    const kernel_backboard_seam2_out _o178 = kernel_backboard_seam2(p_ball_radius, p_board_half_width, y, vy);
-                    gap = _o178.gap;
-                    nearing = _o178.nearing;
-                    near = _o178.near;
-                    const kernel_beside_seam_out _o179 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
-                    stride = _o179.stride;
-                    const kernel_backboard_seam3_out _o180 = kernel_backboard_seam3(p_ball_radius, p_board_half_width, y, vy);
-                    gap = _o180.gap;
-                    nearing = _o180.nearing;
-                    near = _o180.near;
-                    const kernel_beside_seam_out _o181 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
-                    stride = _o181.stride;
-                    const kernel_backboard_seam4_out _o182 = kernel_backboard_seam4(p_ball_radius, p_board_bottom, p_board_top, z, vz);
-                    gap = _o182.gap;
-                    nearing = _o182.nearing;
-                    near = _o182.near;
-                    const kernel_beside_seam_out _o183 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
-                    stride = _o183.stride;
-                    const kernel_backboard_seam5_out _o184 = kernel_backboard_seam5(p_ball_radius, p_board_bottom, p_board_top, z, vz);
-                    gap = _o184.gap;
-                    nearing = _o184.nearing;
-                    near = _o184.near;
-                    const kernel_beside_seam_out _o185 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
-                    stride = _o185.stride;
-                }
-                const kernel_holding_out _o186 = kernel_holding(2.0, held);
-                here = _o186.here;
-                if (here) {
-                    const kernel_bridge_seam0_out _o187 = kernel_bridge_seam0(p_ball_radius, p_board_distance, p_ring_radius, x, vx);
-                    gap = _o187.gap;
-                    nearing = _o187.nearing;
-                    near = _o187.near;
-                    const kernel_beside_seam_out _o188 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
-                    stride = _o188.stride;
-                    const kernel_bridge_seam1_out _o189 = kernel_bridge_seam1(p_ball_radius, p_board_distance, p_ring_radius, x, vx);
-                    gap = _o189.gap;
-                    nearing = _o189.nearing;
-                    near = _o189.near;
-                    const kernel_beside_seam_out _o190 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
-                    stride = _o190.stride;
-                    const kernel_bridge_seam2_out _o191 = kernel_bridge_seam2(p_ball_radius, p_bridge_half_width, y, vy);
-                    gap = _o191.gap;
-                    nearing = _o191.nearing;
-                    near = _o191.near;
-                    const kernel_beside_seam_out _o192 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
-                    stride = _o192.stride;
-                    const kernel_bridge_seam3_out _o193 = kernel_bridge_seam3(p_ball_radius, p_bridge_half_width, y, vy);
-                    gap = _o193.gap;
-                    nearing = _o193.nearing;
-                    near = _o193.near;
-                    const kernel_beside_seam_out _o194 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
-                    stride = _o194.stride;
-                    const kernel_bridge_seam4_out _o195 = kernel_bridge_seam4(p_ball_radius, p_bridge_depth, p_wire_radius, z, vz);
-                    gap = _o195.gap;
-                    nearing = _o195.nearing;
-                    near = _o195.near;
-                    const kernel_beside_seam_out _o196 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
-                    stride = _o196.stride;
-                    const kernel_bridge_seam5_out _o197 = kernel_bridge_seam5(p_ball_radius, p_bridge_depth, p_wire_radius, z, vz);
-                    gap = _o197.gap;
-                    nearing = _o197.nearing;
-                    near = _o197.near;
-                    const kernel_beside_seam_out _o198 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
-                    stride = _o198.stride;
-                }
-                const kernel_beside_time_out _o199 = kernel_beside_time(which, clock, time_limit, stride);
-                stride = _o199.stride;
-                which = _o199.which;
-                const kernel_passing_from_out _o200 = kernel_passing_from(z);
-                over = _o200.over;
-                const kernel_roll_moved_out _o201 = kernel_roll_moved(x, y, z, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vx_8, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vy_8, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, vz_8, stride, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8);
-                x = _o201.x;
-                vx = _o201.vx;
-                y = _o201.y;
-                vy = _o201.vy;
-                z = _o201.z;
-                vz = _o201.vz;
-                turn_rate = _o201.turn_rate;
-                const kernel_holding_out _o202 = kernel_holding(1.0, held);
-                here = _o202.here;
-                if (here) {
-                    const kernel_backboard_normal_out _o203 = kernel_backboard_normal(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                    nx = _o203.nx;
-                    ny = _o203.ny;
-                    nz = _o203.nz;
-                    const kernel_backboard_distance_out _o204 = kernel_backboard_distance(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z);
-                    gap = _o204.gap;
-                }
-                const kernel_holding_out _o205 = kernel_holding(2.0, held);
-                here = _o205.here;
-                if (here) {
-                    const kernel_bridge_normal_out _o206 = kernel_bridge_normal(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                    nx = _o206.nx;
-                    ny = _o206.ny;
-                    nz = _o206.nz;
-                    const kernel_bridge_distance_out _o207 = kernel_bridge_distance(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z);
-                    gap = _o207.gap;
-                }
-                const kernel_roll_placed_out _o208 = kernel_roll_placed(p_ball_radius, x, y, z, nx, ny, nz, vx, vy, vz, gap, turn_rate);
-                x = _o208.x;
-                y = _o208.y;
-                z = _o208.z;
-                vx = _o208.vx;
-                vy = _o208.vy;
-                vz = _o208.vz;
-                wx = _o208.wx;
-                wy = _o208.wy;
-                wz = _o208.wz;
-                const kernel_passing_in_contact_out _o209 = kernel_passing_in_contact(p_ring_radius, x, y, z, through, over);
-                through = _o209.through;
-                const kernel_rolled_on_out _o210 = kernel_rolled_on(which, clock, stride, rests);
-                clock = _o210.clock;
-                rolling = _o210.rolling;
-            }
-            for (size_t _turn = 0; _turn < 16; _turn++) {
-                if (!circling)
-                    break;
-                const kernel_ring_rolling_surface_out _o211 = kernel_ring_rolling_surface(p_ball_radius, p_wire_radius);
-                per_reach = _o211.per_reach;
-                const kernel_ring_round_start_out _o212 = kernel_ring_round_start(p_ball_radius, p_inertia, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz, wx, wy, wz, per_reach);
-                cosine_0 = _o212.cosine_0;
-                sine_0 = _o212.sine_0;
-                climb_0 = _o212.climb_0;
-                along_0 = _o212.along_0;
-                turn_rate_0 = _o212.turn_rate_0;
-                cos_0 = _o212.cos_0;
-                sin_0 = _o212.sin_0;
-                tilted_0 = _o212.tilted_0;
-                near_0 = _o212.near_0;
-                const kernel_ring_round_0_out _o213 = kernel_ring_round_0(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, near_0, climb_0, cosine_0, sine_0, along_0, tilted_0);
-                omega_0 = _o213.omega_0;
-                around_0 = _o213.around_0;
-                cosine_1 = _o213.cosine_1;
-                sine_1 = _o213.sine_1;
-                climb_1 = _o213.climb_1;
-                along_1 = _o213.along_1;
-                turn_rate_1 = _o213.turn_rate_1;
-                tilted_1 = _o213.tilted_1;
-                const kernel_ring_round_1_out _o214 = kernel_ring_round_1(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, near_0, climb_0, climb_1, cosine_0, cosine_1, sine_0, sine_1, along_1, omega_0, around_0, tilted_0, tilted_1);
-                omega_1 = _o214.omega_1;
-                around_1 = _o214.around_1;
-                cosine_2 = _o214.cosine_2;
-                sine_2 = _o214.sine_2;
-                climb_2 = _o214.climb_2;
-                along_2 = _o214.along_2;
-                turn_rate_2 = _o214.turn_rate_2;
-                tilted_2 = _o214.tilted_2;
-                const kernel_ring_round_2_out _o215 = kernel_ring_round_2(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, near_0, climb_0, climb_1, climb_2, cosine_0, cosine_1, cosine_2, sine_0, sine_1, sine_2, along_2, omega_0, omega_1, around_0, around_1, tilted_0, tilted_1, tilted_2);
-                omega_2 = _o215.omega_2;
-                around_2 = _o215.around_2;
-                cosine_3 = _o215.cosine_3;
-                sine_3 = _o215.sine_3;
-                climb_3 = _o215.climb_3;
-                along_3 = _o215.along_3;
-                turn_rate_3 = _o215.turn_rate_3;
-                tilted_3 = _o215.tilted_3;
-                const kernel_ring_round_3_out _o216 = kernel_ring_round_3(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, near_0, climb_0, climb_1, climb_2, climb_3, cosine_0, cosine_1, cosine_2, cosine_3, sine_0, sine_1, sine_2, sine_3, along_3, omega_0, omega_1, omega_2, around_0, around_1, around_2, tilted_0, tilted_1, tilted_2, tilted_3);
-                omega_3 = _o216.omega_3;
-                around_3 = _o216.around_3;
-                cosine_4 = _o216.cosine_4;
-                sine_4 = _o216.sine_4;
-                climb_4 = _o216.climb_4;
-                along_4 = _o216.along_4;
-                turn_rate_4 = _o216.turn_rate_4;
-                tilted_4 = _o216.tilted_4;
-                const kernel_ring_round_4_out _o217 = kernel_ring_round_4(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, sine_0, sine_1, sine_2, sine_3, sine_4, along_4, omega_0, omega_1, omega_2, omega_3, around_0, around_1, around_2, around_3, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4);
-                omega_4 = _o217.omega_4;
-                around_4 = _o217.around_4;
-                cosine_5 = _o217.cosine_5;
-                sine_5 = _o217.sine_5;
-                climb_5 = _o217.climb_5;
-                along_5 = _o217.along_5;
-                turn_rate_5 = _o217.turn_rate_5;
-                tilted_5 = _o217.tilted_5;
-                const kernel_ring_round_5_out _o218 = kernel_ring_round_5(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, along_5, omega_0, omega_1, omega_2, omega_3, omega_4, around_0, around_1, around_2, around_3, around_4, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5);
-                omega_5 = _o218.omega_5;
-                around_5 = _o218.around_5;
-                cosine_6 = _o218.cosine_6;
-                sine_6 = _o218.sine_6;
-                climb_6 = _o218.climb_6;
-                along_6 = _o218.along_6;
-                turn_rate_6 = _o218.turn_rate_6;
-                tilted_6 = _o218.tilted_6;
-                const kernel_ring_round_6_out _o219 = kernel_ring_round_6(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, along_6, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, around_0, around_1, around_2, around_3, around_4, around_5, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6);
-                omega_6 = _o219.omega_6;
-                around_6 = _o219.around_6;
-                cosine_7 = _o219.cosine_7;
-                sine_7 = _o219.sine_7;
-                climb_7 = _o219.climb_7;
-                along_7 = _o219.along_7;
-                turn_rate_7 = _o219.turn_rate_7;
-                tilted_7 = _o219.tilted_7;
-                const kernel_ring_round_7_out _o220 = kernel_ring_round_7(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, along_7, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, around_0, around_1, around_2, around_3, around_4, around_5, around_6, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7);
-                omega_7 = _o220.omega_7;
-                around_7 = _o220.around_7;
-                cosine_8 = _o220.cosine_8;
-                sine_8 = _o220.sine_8;
-                climb_8 = _o220.climb_8;
-                along_8 = _o220.along_8;
-                turn_rate_8 = _o220.turn_rate_8;
-                tilted_8 = _o220.tilted_8;
-                const kernel_ring_round_8_out _o221 = kernel_ring_round_8(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, along_8, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8);
-                omega_8 = _o221.omega_8;
-                around_8 = _o221.around_8;
-                cosine_9 = _o221.cosine_9;
-                sine_9 = _o221.sine_9;
-                climb_9 = _o221.climb_9;
-                along_9 = _o221.along_9;
-                turn_rate_9 = _o221.turn_rate_9;
-                tilted_9 = _o221.tilted_9;
-                const kernel_ring_round_9_out _o222 = kernel_ring_round_9(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, along_9, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9);
-                omega_9 = _o222.omega_9;
-                around_9 = _o222.around_9;
-                cosine_10 = _o222.cosine_10;
-                sine_10 = _o222.sine_10;
-                climb_10 = _o222.climb_10;
-                along_10 = _o222.along_10;
-                turn_rate_10 = _o222.turn_rate_10;
-                tilted_10 = _o222.tilted_10;
-                const kernel_ring_round_10_out _o223 = kernel_ring_round_10(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, turn_rate_10, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, cosine_10, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, sine_10, along_10, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, tilted_10);
-                omega_10 = _o223.omega_10;
-                around_10 = _o223.around_10;
-                cosine_11 = _o223.cosine_11;
-                sine_11 = _o223.sine_11;
-                climb_11 = _o223.climb_11;
-                along_11 = _o223.along_11;
-                turn_rate_11 = _o223.turn_rate_11;
-                tilted_11 = _o223.tilted_11;
-                const kernel_ring_round_11_out _o224 = kernel_ring_round_11(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, turn_rate_10, turn_rate_11, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, climb_11, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, cosine_10, cosine_11, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, sine_10, sine_11, along_11, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, omega_10, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, around_10, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, tilted_10, tilted_11);
-                omega_11 = _o224.omega_11;
-                cosine_12 = _o224.cosine_12;
-                sine_12 = _o224.sine_12;
-                climb_12 = _o224.climb_12;
-                along_12 = _o224.along_12;
-                turn_rate_12 = _o224.turn_rate_12;
-                const kernel_ring_round_pace_out _o225 = kernel_ring_round_pace(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_11, turn_rate_12, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, climb_11, climb_12, cosine_0, cosine_12, sine_0, sine_12, along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, along_10, along_11, along_12, cos_0, sin_0, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, omega_10, omega_11);
-                stride = _o225.stride;
-                strongest = _o225.strongest;
-                fastest = _o225.fastest;
-                section_acceleration = _o225.section_acceleration;
-                force = _o225.force;
-                force_rate = _o225.force_rate;
-                force_bend = _o225.force_bend;
-                friction_force_rate = _o225.friction_force_rate;
-                vx_1 = _o225.vx_1;
-                vy_1 = _o225.vy_1;
-                vz_1 = _o225.vz_1;
-                const kernel_leaving_force_out _o226 = kernel_leaving_force(p_ball_radius, p_gravity, vx, vx_1, vy, vy_1, vz, vz_1, which, INFINITE, 0.0, 0.0, per_reach, force, force_rate, force_bend, friction_force_rate, stride, fastest);
-                stride = _o226.stride;
-                which = _o226.which;
-                rests = _o226.rests;
-                const kernel_backboard_beside_out _o227 = kernel_backboard_beside(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, vx, vy, vz);
-                gap = _o227.gap;
-                nearing = _o227.nearing;
-                gap_curvature = _o227.gap_curvature;
-                const kernel_beside_body_out _o228 = kernel_beside_body(p_ball_radius, x, y, z, gap, 1.0, which, 0.0, INFINITE, 0.0, nearing, gap_curvature, stride, strongest, fastest);
-                stride = _o228.stride;
-                which = _o228.which;
-                const kernel_bridge_beside_out _o229 = kernel_bridge_beside(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
-                gap = _o229.gap;
-                nearing = _o229.nearing;
-                gap_curvature = _o229.gap_curvature;
-                const kernel_beside_body_out _o230 = kernel_beside_body(p_ball_radius, x, y, z, gap, 2.0, which, 0.0, INFINITE, 0.0, nearing, gap_curvature, stride, strongest, fastest);
-                stride = _o230.stride;
-                which = _o230.which;
-                const kernel_end_beside_out _o231 = kernel_end_beside(p_end_depth, z, vz);
-                gap = _o231.gap;
-                nearing = _o231.nearing;
-                gap_curvature = _o231.gap_curvature;
-                const kernel_beside_gate_out _o232 = kernel_beside_gate(p_ball_radius, x, y, z, gap, 3.0, which, 0.0, INFINITE, 0.0, nearing, gap_curvature, stride, strongest, fastest);
-                stride = _o232.stride;
-                which = _o232.which;
-                const kernel_beside_time_out _o233 = kernel_beside_time(which, clock, time_limit, stride);
-                stride = _o233.stride;
-                which = _o233.which;
-                const kernel_passing_from_out _o234 = kernel_passing_from(z);
-                over = _o234.over;
-                const kernel_isolated_out _o235 = kernel_isolated();
-                azimuth_clearance = _o235.nearest;
-                const kernel_half_steps_out _o236 = kernel_half_steps(stride);
-                forth = _o236.forth;
-                back = _o236.back;
-                const kernel_backboard_around_out _o237 = kernel_backboard_around(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, vx, vy, vz);
-                gap = _o237.gap;
-                nearing = _o237.nearing;
-                const kernel_cleared_out _o238 = kernel_cleared(gap, nearing, forth, azimuth_clearance);
-                azimuth_clearance = _o238.azimuth_clearance;
-                const kernel_bridge_around_out _o239 = kernel_bridge_around(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
-                gap = _o239.gap;
-                nearing = _o239.nearing;
-                const kernel_cleared_out _o240 = kernel_cleared(gap, nearing, forth, azimuth_clearance);
-                azimuth_clearance = _o240.azimuth_clearance;
-                const kernel_end_around_out _o241 = kernel_end_around(p_end_depth, z, vz);
-                gap = _o241.gap;
-                nearing = _o241.nearing;
-                const kernel_cleared_out _o242 = kernel_cleared(gap, nearing, forth, azimuth_clearance);
-                azimuth_clearance = _o242.azimuth_clearance;
-                const kernel_ring_round_moved_out _o243 = kernel_ring_round_moved(p_ball_radius, p_ring_radius, p_wire_radius, stride, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, turn_rate_10, turn_rate_11, turn_rate_12, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, climb_11, climb_12, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, cosine_10, cosine_11, cosine_12, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, sine_10, sine_11, sine_12, along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, along_10, along_11, along_12, cos_0, sin_0, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, omega_10, omega_11);
-                x = _o243.x;
-                y = _o243.y;
-                z = _o243.z;
-                vx = _o243.vx;
-                vy = _o243.vy;
-                vz = _o243.vz;
-                wx = _o243.wx;
-                wy = _o243.wy;
-                wz = _o243.wz;
-                climb = _o243.climb;
-                const kernel_passing_in_contact_out _o244 = kernel_passing_in_contact(p_ring_radius, x, y, z, through, over);
-                through = _o244.through;
-                const kernel_backboard_around_out _o245 = kernel_backboard_around(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, vx, vy, vz);
-                gap = _o245.gap;
-                nearing = _o245.nearing;
-                const kernel_cleared_out _o246 = kernel_cleared(gap, nearing, back, azimuth_clearance);
-                azimuth_clearance = _o246.azimuth_clearance;
-                const kernel_bridge_around_out _o247 = kernel_bridge_around(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
-                gap = _o247.gap;
-                nearing = _o247.nearing;
-                const kernel_cleared_out _o248 = kernel_cleared(gap, nearing, back, azimuth_clearance);
-                azimuth_clearance = _o248.azimuth_clearance;
-                const kernel_end_around_out _o249 = kernel_end_around(p_end_depth, z, vz);
-                gap = _o249.gap;
-                nearing = _o249.nearing;
-                const kernel_cleared_out _o250 = kernel_cleared(gap, nearing, back, azimuth_clearance);
-                azimuth_clearance = _o250.azimuth_clearance;
-                const kernel_ring_swung_out _o251 = kernel_ring_swung(p_ball_radius, p_gravity, p_wire_radius, which, INFINITE, 0.0, 0.0, force, force_rate, force_bend, stride, fastest, circled, climb, climb_0, section_acceleration, azimuth_clearance);
-                circled = _o251.circled;
-                endless = _o251.endless;
-                const kernel_for_ever_out _o252 = kernel_for_ever(which, endless);
-                which = _o252.which;
-                const kernel_rolled_on_out _o253 = kernel_rolled_on(which, clock, stride, rests);
-                clock = _o253.clock;
-                circling = _o253.rolling;
-            }
-            const kernel_rejoined_out _o254 = kernel_rejoined(rolling, circling);
-            rolling = _o254.rolling;
-            if (leaves) {
-                const kernel_holding_out _o255 = kernel_holding(0.0, held);
-                here = _o255.here;
-                if (here) {
-                    const kernel_ring_rolling_surface_out _o256 = kernel_ring_rolling_surface(p_ball_radius, p_wire_radius);
-                    per_reach = _o256.per_reach;
-                    const kernel_ring_separation_out _o257 = kernel_ring_separation(p_gravity, p_ring_radius, x, y, z, vx, vy, vz);
-                    lift = _o257.lift;
-                    gap_jerk = _o257.gap_jerk;
-                    gap_snap = _o257.gap_snap;
-                }
-                const kernel_holding_out _o258 = kernel_holding(1.0, held);
-                here = _o258.here;
-                if (here) {
-                    const kernel_backboard_rolling_surface_out _o259 = kernel_backboard_rolling_surface(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, vx, vy, vz);
-                    per_reach = _o259.per_reach;
-                    const kernel_backboard_separation_out _o260 = kernel_backboard_separation(p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, p_gravity, x, y, z, vx, vy, vz);
-                    lift = _o260.lift;
-                    gap_jerk = _o260.gap_jerk;
-                    gap_snap = _o260.gap_snap;
-                }
-                const kernel_holding_out _o261 = kernel_holding(2.0, held);
-                here = _o261.here;
-                if (here) {
-                    const kernel_bridge_rolling_surface_out _o262 = kernel_bridge_rolling_surface(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
-                    per_reach = _o262.per_reach;
-                    const kernel_bridge_separation_out _o263 = kernel_bridge_separation(p_board_distance, p_bridge_depth, p_bridge_half_width, p_gravity, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
-                    lift = _o263.lift;
-                    gap_jerk = _o263.gap_jerk;
-                    gap_snap = _o263.gap_snap;
-                }
-                const kernel_no_contact_out _o264 = kernel_no_contact();
-                free_time = _o264.free_time;
-                const kernel_beside_out _o265 = kernel_beside(0.0, held);
-                beside = _o265.beside;
-                if (beside) {
-                    const kernel_ring_beside_out _o266 = kernel_ring_beside(p_ball_radius, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
-                    gap = _o266.gap;
-                    nearing = _o266.nearing;
-                    gap_curvature = _o266.gap_curvature;
-                    const kernel_neighbour_free_time_out _o267 = kernel_neighbour_free_time(p_gravity, vx, vy, vz, gap, free_time, nearing, gap_curvature);
-                    free_time = _o267.free_time;
-                }
-                const kernel_beside_out _o268 = kernel_beside(1.0, held);
-                beside = _o268.beside;
-                if (beside) {
-                    const kernel_backboard_beside_out _o269 = kernel_backboard_beside(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, vx, vy, vz);
-                    gap = _o269.gap;
-                    nearing = _o269.nearing;
-                    gap_curvature = _o269.gap_curvature;
-                    const kernel_neighbour_free_time_out _o270 = kernel_neighbour_free_time(p_gravity, vx, vy, vz, gap, free_time, nearing, gap_curvature);
-                    free_time = _o270.free_time;
-                }
-                const kernel_beside_out _o271 = kernel_beside(2.0, held);
-                beside = _o271.beside;
-                if (beside) {
-                    const kernel_bridge_beside_out _o272 = kernel_bridge_beside(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
-                    gap = _o272.gap;
-                    nearing = _o272.nearing;
-                    gap_curvature = _o272.gap_curvature;
-                    const kernel_neighbour_free_time_out _o273 = kernel_neighbour_free_time(p_gravity, vx, vy, vz, gap, free_time, nearing, gap_curvature);
-                    free_time = _o273.free_time;
-                }
-                const kernel_end_beside_out _o274 = kernel_end_beside(p_end_depth, z, vz);
-                gap = _o274.gap;
-                nearing = _o274.nearing;
-                gap_curvature = _o274.gap_curvature;
-                const kernel_end_plane_free_time_out _o275 = kernel_end_plane_free_time(p_gravity, vx, vy, vz, gap, INFINITE, free_time, nearing, gap_curvature);
-                free_time = _o275.free_time;
-                const kernel_holding_out _o276 = kernel_holding(1.0, held);
-                here = _o276.here;
-                if (here) {
-                    const kernel_backboard_seam0_out _o277 = kernel_backboard_seam0(p_ball_radius, p_board_distance, p_board_thickness, x, vx);
-                    gap = _o277.gap;
-                    nearing = _o277.nearing;
-                    near = _o277.near;
-                    const kernel_seam_free_time_out _o278 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
-                    free_time = _o278.free_time;
-                    const kernel_backboard_seam1_out _o279 = kernel_backboard_seam1(p_ball_radius, p_board_distance, p_board_thickness, x, vx);
-                    gap = _o279.gap;
-                    nearing = _o279.nearing;
-                    near = _o279.near;
-                    const kernel_seam_free_time_out _o280 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
-                    free_time = _o280.free_time;
-                    const kernel_backboard_seam2_out _o281 = kernel_backboard_seam2(p_ball_radius, p_board_half_width, y, vy);
-                    gap = _o281.gap;
-                    nearing = _o281.nearing;
-                    near = _o281.near;
-                    const kernel_seam_free_time_out _o282 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
-                    free_time = _o282.free_time;
-                    const kernel_backboard_seam3_out _o283 = kernel_backboard_seam3(p_ball_radius, p_board_half_width, y, vy);
-                    gap = _o283.gap;
-                    nearing = _o283.nearing;
-                    near = _o283.near;
-                    const kernel_seam_free_time_out _o284 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
-                    free_time = _o284.free_time;
-                    const kernel_backboard_seam4_out _o285 = kernel_backboard_seam4(p_ball_radius, p_board_bottom, p_board_top, z, vz);
-                    gap = _o285.gap;
-                    nearing = _o285.nearing;
-                    near = _o285.near;
-                    const kernel_seam_free_time_out _o286 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
-                    free_time = _o286.free_time;
-                    const kernel_backboard_seam5_out _o287 = kernel_backboard_seam5(p_ball_radius, p_board_bottom, p_board_top, z, vz);
-                    gap = _o287.gap;
-                    nearing = _o287.nearing;
-                    near = _o287.near;
-                    const kernel_seam_free_time_out _o288 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
-                    free_time = _o288.free_time;
-                }
-                const kernel_holding_out _o289 = kernel_holding(2.0, held);
-                here = _o289.here;
-                if (here) {
-                    const kernel_bridge_seam0_out _o290 = kernel_bridge_seam0(p_ball_radius, p_board_distance, p_ring_radius, x, vx);
-                    gap = _o290.gap;
-                    nearing = _o290.nearing;
-                    near = _o290.near;
-                    const kernel_seam_free_time_out _o291 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
-                    free_time = _o291.free_time;
-                    const kernel_bridge_seam1_out _o292 = kernel_bridge_seam1(p_ball_radius, p_board_distance, p_ring_radius, x, vx);
-                    gap = _o292.gap;
-                    nearing = _o292.nearing;
-                    near = _o292.near;
-                    const kernel_seam_free_time_out _o293 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
-                    free_time = _o293.free_time;
-                    const kernel_bridge_seam2_out _o294 = kernel_bridge_seam2(p_ball_radius, p_bridge_half_width, y, vy);
-                    gap = _o294.gap;
-                    nearing = _o294.nearing;
-                    near = _o294.near;
-                    const kernel_seam_free_time_out _o295 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
-                    free_time = _o295.free_time;
-                    const kernel_bridge_seam3_out _o296 = kernel_bridge_seam3(p_ball_radius, p_bridge_half_width, y, vy);
-                    gap = _o296.gap;
-                    nearing = _o296.nearing;
-                    near = _o296.near;
-                    const kernel_seam_free_time_out _o297 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
-                    free_time = _o297.free_time;
-                    const kernel_bridge_seam4_out _o298 = kernel_bridge_seam4(p_ball_radius, p_bridge_depth, p_wire_radius, z, vz);
-                    gap = _o298.gap;
-                    nearing = _o298.nearing;
-                    near = _o298.near;
-                    const kernel_seam_free_time_out _o299 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
-                    free_time = _o299.free_time;
-                    const kernel_bridge_seam5_out _o300 = kernel_bridge_seam5(p_ball_radius, p_bridge_depth, p_wire_radius, z, vz);
-                    gap = _o300.gap;
-                    nearing = _o300.nearing;
-                    near = _o300.near;
-                    const kernel_seam_free_time_out _o301 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
-                    free_time = _o301.free_time;
-                }
-                const kernel_separated_out _o302 = kernel_separated(p_gravity, vx, vy, vz, INFINITE, 0.0, 0.0, per_reach, free_time, lift, gap_jerk, gap_snap);
-                when = _o302.when;
-                const kernel_take_off_out _o303 = kernel_take_off();
-                which = _o303.which;
-            }
-        }
-        const kernel_departed_out _o304 = kernel_departed(3.0, which);
-        moves = _o304.moves;
-        ends = _o304.ends;
-        touches = _o304.touches;
-        reached = _o304.reached;
-        const kernel_body_of_out _o305 = kernel_body_of(which);
-        body = _o305.body;
-        if (moves) {
-            const kernel_passing_out _o306 = kernel_passing(through, when, x, y, z, vx, vy, vz, p_ring_radius, p_gravity);
-            through = _o306.through;
-            const kernel_flight_out _o307 = kernel_flight(when, x, y, z, vx, vy, vz, p_gravity);
-            x = _o307.x;
-            y = _o307.y;
-            z = _o307.z;
-            vx = _o307.vx;
-            vy = _o307.vy;
-            vz = _o307.vz;
-            const kernel_event_clock_out _o308 = kernel_event_clock(when, clock);
-            clock = _o308.clock;
-        }
-        if (limited) {
-            const kernel_expired_out _o309 = kernel_expired(4.0, which, body, clock, reached, time_limit, ends);
-            clock = _o309.clock;
-            body = _o309.body;
-            reached = _o309.reached;
-            ends = _o309.ends;
-        }
-        if (in_contact) {
-            const kernel_stay_in_contact_out _o310 = kernel_stay_in_contact(last, which, INFINITE, body, clock, reached, ends, held, rolls, rolling, began, rests);
-            body = _o310.body;
-            reached = _o310.reached;
-            ends = _o310.ends;
-            last = _o310.last;
-            mode = _o310.mode;
-            held = _o310.held;
-            rolls = _o310.rolls;
-        }
-        const kernel_here_out _o311 = kernel_here(3.0, which);
-        here = _o311.here;
-        if (here) {
-            const kernel_end_bounds_out _o312 = kernel_end_bounds(x, y, p_ring_radius);
-            g0 = _o312.g0;
-            const kernel_end_reached_out _o313 = kernel_end_reached(through, g0);
-            reached = _o313.reached;
-        }
-        const kernel_accounted_out _o314 = kernel_accounted(contacts, most_contacts, reached, touches);
-        contacts = _o314.contacts;
-        outcome = _o314.outcome;
-
-        const double _before[] = {x, y, z, vx, vy, vz, wx, wy, wz};
-
-        /* What it does to the ball. */
-        const kernel_meeting_out _o315 = kernel_meeting(0.0, ends, touches);
-        meeting = _o315.meeting;
-        const kernel_unslowed_out _o316 = kernel_unslowed();
-        slow = _o316.slow;
-        if (meeting) {
-            const kernel_end_normal_out _o317 = kernel_end_normal();
-            nx = _o317.nx;
-            ny = _o317.ny;
-            nz = _o317.nz;
-            const kernel_here_out _o318 = kernel_here(0.0, which);
-            here = _o318.here;
-            if (here) {
-                const kernel_ring_normal_out _o319 = kernel_ring_normal(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
-                nx = _o319.nx;
-                ny = _o319.ny;
-                nz = _o319.nz;
-                const kernel_counted_out _o320 = kernel_counted(count_0);
-                count_0 = _o320.count;
-            }
-            const kernel_here_out _o321 = kernel_here(1.0, which);
-            here = _o321.here;
-            if (here) {
-                const kernel_backboard_normal_out _o322 = kernel_backboard_normal(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                nx = _o322.nx;
-                ny = _o322.ny;
-                nz = _o322.nz;
-                const kernel_counted_out _o323 = kernel_counted(count_1);
-                count_1 = _o323.count;
-            }
-            const kernel_here_out _o324 = kernel_here(2.0, which);
-            here = _o324.here;
-            if (here) {
-                const kernel_bridge_normal_out _o325 = kernel_bridge_normal(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                nx = _o325.nx;
-                ny = _o325.ny;
-                nz = _o325.nz;
-                const kernel_counted_out _o326 = kernel_counted(count_2);
-                count_2 = _o326.count;
-            }
-            const kernel_untaken_out _o327 = kernel_untaken();
-            struck_0 = _o327.of_this_kind;
-            const kernel_ring_impact_taken_out _o328 = kernel_ring_impact_taken(p_ring_restitution, p_ring_friction);
-            its_0_ring_impact = _o328.its_0;
-            its_1_ring_impact = _o328.its_1;
-            for (size_t _row = 0; _row < 3; _row++) {
-                const double own_1 = parameter(_given, table_0[_row][0]);
-                const double own_2 = parameter(_given, table_0[_row][1]);
-                const double own_index = table_1[_row][0];
-                const kernel_here_out _o329 = kernel_here(own_index, which);
-                here = _o329.here;
-                if (here) {
-                    const kernel_ring_impact_taken_out _o330 = kernel_ring_impact_taken(own_2, own_1);
-                    struck_0 = _o330.of_this_kind;
-                    its_0_ring_impact = _o330.its_0;
-                    its_1_ring_impact = _o330.its_1;
-                }
-            }
-            if (struck_0) {
-                const kernel_ring_impact_out _o331 = kernel_ring_impact(vx, vy, vz, wx, wy, wz, nx, ny, nz, p_ball_radius, its_0_ring_impact, its_1_ring_impact, p_inertia, p_tangential_restitution, p_restitution_speed);
-                vx = _o331.vx;
-                vy = _o331.vy;
-                vz = _o331.vz;
-                wx = _o331.wx;
-                wy = _o331.wy;
-                wz = _o331.wz;
-            }
-            if (touches) {
-                const kernel_touched_out _o332 = kernel_touched(which, body, first);
-                first = _o332.first;
-                last = _o332.last;
-                const kernel_slowed_out _o333 = kernel_slowed(p_ball_radius, p_gravity, nx, ny, nz, vx, vy, vz, 0.0);
-                slow = _o333.slow;
-            }
-        }
-        if (slow) {
-            const kernel_ring_normal_out _o334 = kernel_ring_normal(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
-            nx = _o334.nx;
-            ny = _o334.ny;
-            nz = _o334.nz;
-            const kernel_here_out _o335 = kernel_here(1.0, which);
-            here = _o335.here;
-            if (here) {
-                const kernel_backboard_normal_out _o336 = kernel_backboard_normal(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                nx = _o336.nx;
-                ny = _o336.ny;
-                nz = _o336.nz;
-            }
-            const kernel_here_out _o337 = kernel_here(2.0, which);
-            here = _o337.here;
-            if (here) {
-                const kernel_bridge_normal_out _o338 = kernel_bridge_normal(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                nx = _o338.nx;
-                ny = _o338.ny;
-                nz = _o338.nz;
-            }
-            const kernel_nearly_out _o339 = kernel_nearly(p_ball_radius, p_gravity, nx, ny, nz, vx, vy, vz);
-            nearly = _o339.nearly;
-            const kernel_gripped_out _o340 = kernel_gripped(p_ball_radius, p_inertia, nx, ny, nz, vx, vy, vz, wx, wy, wz);
-            rolled_x = _o340.rolled_x;
-            rolled_y = _o340.rolled_y;
-            rolled_z = _o340.rolled_z;
-            slip = _o340.slip;
-            bounce = _o340.bounce;
-            const kernel_here_out _o341 = kernel_here(0.0, which);
-            here = _o341.here;
-            if (here) {
-                const kernel_ring_turning_out _o342 = kernel_ring_turning(p_ball_radius, p_ring_radius, p_wire_radius, x, y, rolled_x, rolled_y, rolled_z);
-                turning_x = _o342.turning_x;
-                turning_y = _o342.turning_y;
-                turning_z = _o342.turning_z;
-                const kernel_pressed_on_out _o343 = kernel_pressed_on(p_ball_radius, p_gravity, p_inertia, nx, ny, nz, wx, wy, wz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z);
-                press = _o343.press;
-                weight = _o343.weight;
-                rolling_friction = _o343.rolling_friction;
-                rolling_acceleration_x = _o343.rolling_acceleration_x;
-                rolling_acceleration_y = _o343.rolling_acceleration_y;
-                rolling_acceleration_z = _o343.rolling_acceleration_z;
-                const kernel_isolated_out _o344 = kernel_isolated();
-                nearest = _o344.nearest;
-                second_contact_gap = _o344.second_contact_gap;
-                const kernel_backboard_closing_out _o345 = kernel_backboard_closing(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z);
-                gap = _o345.gap;
-                nearing = _o345.nearing;
-                rolling_gap_acceleration = _o345.rolling_gap_acceleration;
-                normal_cosine = _o345.normal_cosine;
-                const kernel_neared_body_out _o346 = kernel_neared_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
-                nearest = _o346.nearest;
-                second_contact_gap = _o346.second_contact_gap;
-                const kernel_bridge_closing_out _o347 = kernel_bridge_closing(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z);
-                gap = _o347.gap;
-                nearing = _o347.nearing;
-                rolling_gap_acceleration = _o347.rolling_gap_acceleration;
-                normal_cosine = _o347.normal_cosine;
-                const kernel_neared_body_out _o348 = kernel_neared_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
-                nearest = _o348.nearest;
-                second_contact_gap = _o348.second_contact_gap;
-                const kernel_end_beside_out _o349 = kernel_end_beside(p_end_depth, z, vz);
-                gap = _o349.gap;
-                const kernel_neared_out _o350 = kernel_neared(gap, nearest);
-                nearest = _o350.nearest;
-                const kernel_ring_separation_out _o351 = kernel_ring_separation(p_gravity, p_ring_radius, x, y, z, vx, vy, vz);
-                lift = _o351.lift;
-                const kernel_ring_impact_settling_out _o352 = kernel_ring_impact_settling(p_ball_radius, p_inertia, p_ring_friction, p_ring_restitution, wx, wy, wz, 0.0, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, slip, bounce, nearest, second_contact_gap, press, weight, rolling_friction, lift);
-                settles = _o352.settles;
-                lodges = _o352.lodges;
-                slides = _o352.slides;
-                unpressed = _o352.unpressed;
-                unsure = _o352.unsure;
-                const kernel_settled_out _o353 = kernel_settled(0.0, outcome, 0.0, unsure, settles, nearly, lodges, slides, unpressed);
-                mode = _o353.mode;
-                held = _o353.held;
-                outcome = _o353.outcome;
-                slip_left = _o353.slip_left;
-            }
-            const kernel_here_out _o354 = kernel_here(1.0, which);
-            here = _o354.here;
-            if (here) {
-                const kernel_backboard_turning_out _o355 = kernel_backboard_turning(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, rolled_x, rolled_y, rolled_z);
-                turning_x = _o355.turning_x;
-                turning_y = _o355.turning_y;
-                turning_z = _o355.turning_z;
-                const kernel_pressed_on_out _o356 = kernel_pressed_on(p_ball_radius, p_gravity, p_inertia, nx, ny, nz, wx, wy, wz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z);
-                press = _o356.press;
-                weight = _o356.weight;
-                rolling_friction = _o356.rolling_friction;
-                rolling_acceleration_x = _o356.rolling_acceleration_x;
-                rolling_acceleration_y = _o356.rolling_acceleration_y;
-                rolling_acceleration_z = _o356.rolling_acceleration_z;
-                const kernel_isolated_out _o357 = kernel_isolated();
-                nearest = _o357.nearest;
-                second_contact_gap = _o357.second_contact_gap;
-                const kernel_ring_closing_out _o358 = kernel_ring_closing(p_ball_radius, p_ring_radius, p_wire_radius, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z);
-                gap = _o358.gap;
-                nearing = _o358.nearing;
-                rolling_gap_acceleration = _o358.rolling_gap_acceleration;
-                normal_cosine = _o358.normal_cosine;
-                const kernel_neared_body_out _o359 = kernel_neared_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
-                nearest = _o359.nearest;
-                second_contact_gap = _o359.second_contact_gap;
-                const kernel_bridge_closing_out _o360 = kernel_bridge_closing(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z);
-                gap = _o360.gap;
-                nearing = _o360.nearing;
-                rolling_gap_acceleration = _o360.rolling_gap_acceleration;
-                normal_cosine = _o360.normal_cosine;
-                const kernel_neared_body_out _o361 = kernel_neared_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
-                nearest = _o361.nearest;
-                second_contact_gap = _o361.second_contact_gap;
-                const kernel_end_beside_out _o362 = kernel_end_beside(p_end_depth, z, vz);
-                gap = _o362.gap;
-                const kernel_neared_out _o363 = kernel_neared(gap, nearest);
-                nearest = _o363.nearest;
-                const kernel_backboard_separation_out _o364 = kernel_backboard_separation(p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, p_gravity, x, y, z, vx, vy, vz);
-                lift = _o364.lift;
-                const kernel_ring_impact_settling_out _o365 = kernel_ring_impact_settling(p_ball_radius, p_inertia, p_backboard_friction, p_backboard_restitution, wx, wy, wz, 0.0, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, slip, bounce, nearest, second_contact_gap, press, weight, rolling_friction, lift);
-                settles = _o365.settles;
-                lodges = _o365.lodges;
-                slides = _o365.slides;
-                unpressed = _o365.unpressed;
-                unsure = _o365.unsure;
-                const kernel_settled_out _o366 = kernel_settled(1.0, outcome, 0.0, unsure, settles, nearly, lodges, slides, unpressed);
-                mode = _o366.mode;
-                held = _o366.held;
-                outcome = _o366.outcome;
-                slip_left = _o366.slip_left;
-            }
-            const kernel_here_out _o367 = kernel_here(2.0, which);
-            here = _o367.here;
-            if (here) {
-                const kernel_bridge_turning_out _o368 = kernel_bridge_turning(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, rolled_x, rolled_y, rolled_z);
-                turning_x = _o368.turning_x;
-                turning_y = _o368.turning_y;
-                turning_z = _o368.turning_z;
-                const kernel_pressed_on_out _o369 = kernel_pressed_on(p_ball_radius, p_gravity, p_inertia, nx, ny, nz, wx, wy, wz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z);
-                press = _o369.press;
-                weight = _o369.weight;
-                rolling_friction = _o369.rolling_friction;
-                rolling_acceleration_x = _o369.rolling_acceleration_x;
-                rolling_acceleration_y = _o369.rolling_acceleration_y;
-                rolling_acceleration_z = _o369.rolling_acceleration_z;
-                const kernel_isolated_out _o370 = kernel_isolated();
-                nearest = _o370.nearest;
-                second_contact_gap = _o370.second_contact_gap;
-                const kernel_ring_closing_out _o371 = kernel_ring_closing(p_ball_radius, p_ring_radius, p_wire_radius, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z);
-                gap = _o371.gap;
-                nearing = _o371.nearing;
-                rolling_gap_acceleration = _o371.rolling_gap_acceleration;
-                normal_cosine = _o371.normal_cosine;
-                const kernel_neared_body_out _o372 = kernel_neared_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
-                nearest = _o372.nearest;
-                second_contact_gap = _o372.second_contact_gap;
-                const kernel_backboard_closing_out _o373 = kernel_backboard_closing(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z);
-                gap = _o373.gap;
-                nearing = _o373.nearing;
-                rolling_gap_acceleration = _o373.rolling_gap_acceleration;
-                normal_cosine = _o373.normal_cosine;
-                const kernel_neared_body_out _o374 = kernel_neared_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
-                nearest = _o374.nearest;
-                second_contact_gap = _o374.second_contact_gap;
-                const kernel_end_beside_out _o375 = kernel_end_beside(p_end_depth, z, vz);
-                gap = _o375.gap;
-                const kernel_neared_out _o376 = kernel_neared(gap, nearest);
-                nearest = _o376.nearest;
-                const kernel_bridge_separation_out _o377 = kernel_bridge_separation(p_board_distance, p_bridge_depth, p_bridge_half_width, p_gravity, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
-                lift = _o377.lift;
-                const kernel_ring_impact_settling_out _o378 = kernel_ring_impact_settling(p_ball_radius, p_inertia, p_bridge_friction, p_bridge_restitution, wx, wy, wz, 0.0, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, slip, bounce, nearest, second_contact_gap, press, weight, rolling_friction, lift);
-                settles = _o378.settles;
-                lodges = _o378.lodges;
-                slides = _o378.slides;
-                unpressed = _o378.unpressed;
-                unsure = _o378.unsure;
-                const kernel_settled_out _o379 = kernel_settled(2.0, outcome, 0.0, unsure, settles, nearly, lodges, slides, unpressed);
-                mode = _o379.mode;
-                held = _o379.held;
-                outcome = _o379.outcome;
-                slip_left = _o379.slip_left;
-            }
-        }
-
-        if (_events && body >= 0.0) {
-            court_event *const _event = _events + _used++;
-            const long long _place = (long long)body, _staying = _place - 4;
-            _event->shot = _first + _shot;
-            _event->surface = _staying < 0 ? _place : _staying / 2;
-            _event->kind = _staying < -1 ? COURT_EVENT_IMPACT : _staying < 0 ? COURT_EVENT_END : _staying % 2 ? COURT_EVENT_LEAVE : COURT_EVENT_ROLL;
-            _event->time = clock;
-            for (int _k = 0; _k < 9; _k++)
-                _event->before[_k] = _before[_k];
-            _event->after[0] = x;
-            _event->after[1] = y;
-            _event->after[2] = z;
-            _event->after[3] = vx;
-            _event->after[4] = vy;
-            _event->after[5] = vz;
-            _event->after[6] = wx;
-            _event->after[7] = wy;
-            _event->after[8] = wz;
-        }
-    }
-
-    if (_events)
-        ((int *)_results[13])[_shot] = _used;
-    const bool _invalid = (int)outcome == COURT_OUTCOME_INVALID;
-    (void)_invalid;
-    if (_results[0]) {
-        ((unsigned char *)_results[0])[_shot] = (unsigned char)(int)outcome;
-    }
-    if (_results[1]) {
-        ((int *)_results[1])[_shot] = (int)contacts;
-    }
-    if (_results[2]) {
-        ((int *)_results[2])[3 * _shot + 0] = (int)count_0;
-        ((int *)_results[2])[3 * _shot + 1] = (int)count_1;
-        ((int *)_results[2])[3 * _shot + 2] = (int)count_2;
-    }
-    if (_results[3]) {
-        ((signed char *)_results[3])[_shot] = (signed char)(int)first;
-    }
-    if (_results[4]) {
-        ((double *)_results[4])[_shot] = _invalid ? NOT_A_NUMBER : clock;
-    }
-    if (_results[5]) {
-        ((double *)_results[5])[9 * _shot + 0] = _invalid ? NOT_A_NUMBER : x;
-        ((double *)_results[5])[9 * _shot + 1] = _invalid ? NOT_A_NUMBER : y;
-        ((double *)_results[5])[9 * _shot + 2] = _invalid ? NOT_A_NUMBER : z;
-        ((double *)_results[5])[9 * _shot + 3] = _invalid ? NOT_A_NUMBER : vx;
-        ((double *)_results[5])[9 * _shot + 4] = _invalid ? NOT_A_NUMBER : vy;
-        ((double *)_results[5])[9 * _shot + 5] = _invalid ? NOT_A_NUMBER : vz;
-        ((double *)_results[5])[9 * _shot + 6] = _invalid ? NOT_A_NUMBER : wx;
-        ((double *)_results[5])[9 * _shot + 7] = _invalid ? NOT_A_NUMBER : wy;
-        ((double *)_results[5])[9 * _shot + 8] = _invalid ? NOT_A_NUMBER : wz;
-    }
-    if (_results[6]) {
-        ((int *)_results[6])[_shot] = (int)rolls;
-    }
-    if (_results[7]) {
-        ((unsigned char *)_results[7])[_shot] = (unsigned char)(int)slip_left;
-    }
-}
-#endif
-
-#if VARIANT != 0
-/* With bounds on errors. */
-extern "C" __global__ void court_bounded(
-    long long _shots, long long _first, const double *_states, const double *const *_values,
-    const long long *_strides, const signed char *_leaving, int _max_contacts, double time_limit,
-    void *const *_results)
-{
-    const long long _shot = blockIdx.x * (long long)blockDim.x + threadIdx.x;
-    if (_shot >= _shots)
-        return;
-    const shot_parameters _given = {_values, _strides, _shot};
-    const double most_contacts = (double)_max_contacts;
-    const double claims = _results[9] || _results[10] ? 1.0 : 0.0;
+    const double claims = BOUNDS && (_results[9] || _results[10]) ? 1.0 : 0.0;
     const double p_ball_radius = parameter(_given, 0);
     const double p_ring_radius = parameter(_given, 1);
     const double p_wire_radius = parameter(_given, 2);
@@ -6825,18 +4971,18 @@ extern "C" __global__ void court_bounded(
         last_grip_deficit = INFINITE, last_grip_deficit_rate = 0.0, last_grip_clock = 0.0,
         through = 0.0, uncertain = 0.0, position_claim = 0.0, velocity_claim = 0.0,
         spin_claim = 0.0, time_claim = 0.0, outcome = -1.0, allowed = 0.0, valid = 0.0,
-        doubt = 0.0, position_error = 0.0, velocity_error = 0.0, time_error = 0.0, extent = 0.0,
-        speed = 0.0, excess = 0.0, when = 0.0, which = 0.0, earliest_delay = 0.0, began = 0.0,
-        leaving = 0.0, time = 0.0, rate = 0.0, bend = 0.0, apex = 0.0, height = 0.0, ceiling = 0.0,
-        nearest = 0.0, margin = 0.0, clearance = 0.0, delay = 0.0, until = 0.0, pad = 0.0,
-        clear = 0.0, share = 0.0, arrival = 0.0, since = 0.0, latest = 0.0, rho_start = 0.0,
-        start_rate = 0.0, rho_rate = 0.0, near_x = 0.0, near_y = 0.0, near_z = 0.0, near_vz = 0.0,
-        flat = 0.0, tilt = 0.0, allowing = 0.0, budget_exceeded = 0.0, t = 0.0, energy2 = 0.0,
-        moment2 = 0.0, low0 = 0.0, high0 = 0.0, low1 = 0.0, high1 = 0.0, low2 = 0.0, high2 = 0.0,
-        position_level = 0.0, velocity_level = 0.0, rate_slack = 0.0, end = 0.0, gap = 0.0,
-        step = 0.0, next = 0.0, refined = 0.0, rate_margin = 0.0, middle_x = 0.0, reach_x = 0.0,
-        later_middle_x = 0.0, later_reach_x = 0.0, middle_y = 0.0, reach_y = 0.0,
-        later_middle_y = 0.0, later_reach_y = 0.0, middle_z = 0.0, reach_z = 0.0,
+        doubt = INFINITE, position_error = 0.0, velocity_error = 0.0, time_error = 0.0,
+        extent = 0.0, speed = 0.0, excess = 0.0, when = 0.0, which = 0.0, earliest_delay = 0.0,
+        began = 0.0, leaving = 0.0, time = 0.0, rate = 0.0, bend = 0.0, apex = 0.0, height = 0.0,
+        ceiling = 0.0, nearest = 0.0, margin = 0.0, clearance = 0.0, delay = 0.0, until = 0.0,
+        pad = 0.0, clear = 0.0, share = 0.0, arrival = 0.0, since = 0.0, latest = 0.0,
+        rho_start = 0.0, start_rate = 0.0, rho_rate = 0.0, near_x = 0.0, near_y = 0.0,
+        near_z = 0.0, near_vz = 0.0, flat = 0.0, tilt = 0.0, allowing = 0.0, budget_exceeded = 0.0,
+        t = 0.0, energy2 = 0.0, moment2 = 0.0, low0 = 0.0, high0 = 0.0, low1 = 0.0, high1 = 0.0,
+        low2 = 0.0, high2 = 0.0, position_level = 0.0, velocity_level = 0.0, rate_slack = 0.0,
+        end = 0.0, gap = 0.0, step = 0.0, next = 0.0, refined = 0.0, rate_margin = 0.0,
+        middle_x = 0.0, reach_x = 0.0, later_middle_x = 0.0, later_reach_x = 0.0, middle_y = 0.0,
+        reach_y = 0.0, later_middle_y = 0.0, later_reach_y = 0.0, middle_z = 0.0, reach_z = 0.0,
         later_middle_z = 0.0, later_reach_z = 0.0, nx = 0.0, ny = 0.0, nz = 0.0, bent_x = 0.0,
         bent_y = 0.0, bent_z = 0.0, lift = 0.0, gap_jerk = 0.0, gap_snap = 0.0, per_reach = 0.0,
         turn_rate = 0.0, rolled_x = 0.0, rolled_y = 0.0, rolled_z = 0.0, vx_0 = 0.0, vy_0 = 0.0,
@@ -6921,2396 +5067,2537 @@ extern "C" __global__ void court_bounded(
     if (_events)
         _events += _shot * (3 * (long long)_max_contacts + 1);
 
-    const kernel_allowed_out _o380 = kernel_allowed(_given);
-    allowed = _o380.allowed;
-    const kernel_parameters_in_range_out _o381 = kernel_parameters_in_range(_given, allowed);
-    permitted = _o381.permitted;
-    const kernel_state_in_range_out _o382 = kernel_state_in_range(x, y, z, vx, vy, vz, wx, wy, wz);
-    in_range = _o382.in_range;
-    const kernel_aside_out _o383 = kernel_aside(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_bridge_half_width, p_bridge_depth, p_end_depth);
-    close = _o383.close;
-    valid = _o383.valid;
-    doubt = _o383.doubt;
+    const kernel_allowed_out _o0 = kernel_allowed(_given);
+    allowed = _o0.allowed;
+    const kernel_parameters_in_range_out _o1 = kernel_parameters_in_range(_given, allowed);
+    permitted = _o1.permitted;
+    const kernel_state_in_range_out _o2 = kernel_state_in_range(x, y, z, vx, vy, vz, wx, wy, wz);
+    in_range = _o2.in_range;
+    const kernel_aside_out _o3 = kernel_aside(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_bridge_half_width, p_bridge_depth, p_end_depth);
+    close = _o3.close;
+    valid = _o3.valid;
+    if (BOUNDS)
+        doubt = _o3.doubt;
     if (close) {
-        const kernel_valid_out _o384 = kernel_valid(last, x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_bridge_half_width, p_bridge_depth, p_end_depth);
-        valid = _o384.valid;
-        doubt = _o384.doubt;
+        const kernel_valid_out _o4 = kernel_valid(last, x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_bridge_half_width, p_bridge_depth, p_end_depth);
+        valid = _o4.valid;
+        if (BOUNDS)
+            doubt = _o4.doubt;
     }
-    const kernel_admitted_out _o385 = kernel_admitted(doubt, valid, permitted, in_range);
-    outcome = _o385.outcome;
-    uncertain = _o385.uncertain;
-    const kernel_passing_start_out _o386 = kernel_passing_start(last, outcome, uncertain, x, y, z, p_ring_radius, p_end_depth);
-    through = _o386.through;
-    uncertain = _o386.uncertain;
+    const kernel_admitted_out _o5 = kernel_admitted(doubt, valid, permitted, in_range);
+    outcome = _o5.outcome;
+    if (BOUNDS)
+        uncertain = _o5.uncertain;
+    const kernel_passing_start_out _o6 = kernel_passing_start(last, outcome, uncertain, x, y, z, p_ring_radius, p_end_depth);
+    through = _o6.through;
+    if (BOUNDS)
+        uncertain = _o6.uncertain;
 
     while (outcome < 0.0) {
         /* To the next event. */
-        const kernel_error_bounds_out _o387 = kernel_error_bounds(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
-        position_error = _o387.position_error;
-        velocity_error = _o387.velocity_error;
-        time_error = _o387.time_error;
-        const kernel_scale_out _o388 = kernel_scale(x, y, z, vx, vy, vz, p_gravity);
-        extent = _o388.extent;
-        speed = _o388.speed;
-        excess = _o388.excess;
-        const kernel_opening_out _o389 = kernel_opening(excess, position_error, velocity_error);
-        when = _o389.when;
-        which = _o389.which;
-        earliest_delay = _o389.earliest_delay;
-        doubt = _o389.doubt;
-        const kernel_limited_out _o390 = kernel_limited(time_limit);
-        limited = _o390.limited;
-        const kernel_in_contact_out _o391 = kernel_in_contact(when, mode);
-        in_contact = _o391.in_contact;
-        when = _o391.when;
-        rests = _o391.rests;
-        rolling = _o391.rolling;
-        began = _o391.began;
-        const kernel_left_out _o392 = kernel_left(3.0, last);
-        leaving = _o392.leaving;
-        const kernel_end_arrival_out _o393 = kernel_end_arrival(leaving, z, vz, p_gravity, p_end_depth);
-        time = _o393.time;
-        rate = _o393.rate;
-        bend = _o393.bend;
-        apex = _o393.apex;
-        height = _o393.height;
-        const kernel_meeting_plane_out _o394 = kernel_meeting_plane(rate, bend, apex, time);
-        arrives = _o394.arrives;
-        ceiling = _o394.ceiling;
-        nearest = _o394.nearest;
-        const kernel_end_margin_out _o395 = kernel_end_margin(nearest, extent, speed, position_error, velocity_error, p_gravity, p_end_depth);
-        margin = _o395.margin;
-        const kernel_crossing_out _o396 = kernel_crossing(margin, 0.0, rate, ceiling);
-        clearance = _o396.clearance;
-        delay = _o396.delay;
-        const kernel_within_time_out _o397 = kernel_within_time(time, when, delay, earliest_delay, arrives);
-        possible = _o397.possible;
-        const kernel_grazed_out _o398 = kernel_grazed(margin, apex, height, doubt);
-        doubt = _o398.doubt;
-        if (possible) {
-            const kernel_crossed_out _o399 = kernel_crossed(clearance, time, doubt, arrives);
-            doubt = _o399.doubt;
-            const kernel_tied_out _o400 = kernel_tied(time, when, delay, earliest_delay, doubt, arrives);
-            doubt = _o400.doubt;
-            earliest_delay = _o400.earliest_delay;
-            const kernel_earliest_out _o401 = kernel_earliest(3.0, time, when, which, arrives);
-            when = _o401.when;
-            which = _o401.which;
+        const kernel_error_bounds_out _o7 = kernel_error_bounds(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
+        time_error = _o7.time_error;
+        if (BOUNDS) {
+            position_error = _o7.position_error;
+            velocity_error = _o7.velocity_error;
         }
-        const kernel_horizon_out _o402 = kernel_horizon(when, speed, p_gravity);
-        until = _o402.horizon;
-        pad = _o402.pad;
-        const kernel_ring_clear_out _o403 = kernel_ring_clear(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-        clear = _o403.clear;
-        const kernel_opens_in_flight_out _o404 = kernel_opens_in_flight(clear, in_contact);
-        open = _o404.open;
+        const kernel_scale_out _o8 = kernel_scale(x, y, z, vx, vy, vz, p_gravity);
+        extent = _o8.extent;
+        speed = _o8.speed;
+        excess = _o8.excess;
+        const kernel_opening_out _o9 = kernel_opening(excess, position_error, velocity_error);
+        when = _o9.when;
+        which = _o9.which;
+        if (BOUNDS) {
+            earliest_delay = _o9.earliest_delay;
+            doubt = _o9.doubt;
+        }
+        const kernel_limited_out _o10 = kernel_limited(time_limit);
+        limited = _o10.limited;
+        const kernel_in_contact_out _o11 = kernel_in_contact(when, mode);
+        in_contact = _o11.in_contact;
+        when = _o11.when;
+        rests = _o11.rests;
+        rolling = _o11.rolling;
+        began = _o11.began;
+        const kernel_left_out _o12 = kernel_left(3.0, last);
+        leaving = _o12.leaving;
+        const kernel_end_arrival_out _o13 = kernel_end_arrival(leaving, z, vz, p_gravity, p_end_depth);
+        time = _o13.time;
+        rate = _o13.rate;
+        bend = _o13.bend;
+        apex = _o13.apex;
+        if (BOUNDS)
+            height = _o13.height;
+        const kernel_meeting_plane_out _o14 = kernel_meeting_plane(rate, bend, apex, time);
+        arrives = _o14.arrives;
+        if (BOUNDS) {
+            ceiling = _o14.ceiling;
+            nearest = _o14.nearest;
+        }
+        if (BOUNDS) {
+            const kernel_end_margin_out _o15 = kernel_end_margin(nearest, extent, speed, position_error, velocity_error, p_gravity, p_end_depth);
+            margin = _o15.margin;
+            const kernel_crossing_out _o16 = kernel_crossing(margin, 0.0, rate, ceiling);
+            clearance = _o16.clearance;
+            delay = _o16.delay;
+        }
+        const kernel_within_time_out _o17 = kernel_within_time(time, when, delay, earliest_delay, arrives);
+        possible = _o17.possible;
+        if (BOUNDS) {
+            const kernel_grazed_out _o18 = kernel_grazed(margin, apex, height, doubt);
+            doubt = _o18.doubt;
+        }
+        if (possible) {
+            if (BOUNDS) {
+                const kernel_crossed_out _o19 = kernel_crossed(clearance, time, doubt, arrives);
+                doubt = _o19.doubt;
+                const kernel_tied_out _o20 = kernel_tied(time, when, delay, earliest_delay, doubt, arrives);
+                doubt = _o20.doubt;
+                earliest_delay = _o20.earliest_delay;
+            }
+            const kernel_earliest_out _o21 = kernel_earliest(3.0, time, when, which, arrives);
+            when = _o21.when;
+            which = _o21.which;
+        }
+        const kernel_horizon_out _o22 = kernel_horizon(when, speed, p_gravity);
+        until = _o22.horizon;
+        if (BOUNDS)
+            pad = _o22.pad;
+        const kernel_ring_clear_out _o23 = kernel_ring_clear(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+        clear = _o23.clear;
+        const kernel_opens_in_flight_out _o24 = kernel_opens_in_flight(clear, in_contact);
+        open = _o24.open;
         if (open) {
-            const kernel_beginning_out _o405 = kernel_beginning();
-            share = _o405.share;
-            arrival = _o405.arrival;
-            certain = _o405.certain;
-            const kernel_left_out _o406 = kernel_left(0.0, last);
-            leaving = _o406.leaving;
-            const kernel_ring_opened_out _o407 = kernel_ring_opened(until, x, y, z, vx, vy, vz, extent, speed, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            onset = _o407.t;
-            wide_end = _o407.end;
-            searching = _o407.searching;
-            wide_low1 = _o407.low1;
-            wide_high1 = _o407.high1;
-            wide_low2 = _o407.low2;
-            wide_high2 = _o407.high2;
-            lapsed = _o407.latest;
-            representable = _o407.representable;
-            const kernel_opened_out _o408 = kernel_opened(lapsed, onset);
-            since = _o408.time;
-            latest = _o408.latest;
-            const kernel_ring_started_out _o409 = kernel_ring_started(x, y, z, vx, vy, vz, p_ring_radius);
-            rho_start = _o409.rho_start;
-            start_rate = _o409.start_rate;
-            rho_rate = _o409.rho_rate;
-            const kernel_flight_out _o410 = kernel_flight(since, x, y, z, vx, vy, vz, p_gravity);
-            near_x = _o410.x;
-            near_y = _o410.y;
-            near_z = _o410.z;
-            near_vz = _o410.vz;
-            const kernel_ring_resolution_out _o411 = kernel_ring_resolution(onset, wide_end, leaving, lapsed, near_x, near_y, near_z, vx, vy, near_vz, extent, speed, start_rate, rho_rate, wide_low1, wide_high1, wide_low2, wide_high2, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            short_share = _o411.share;
-            short_t = _o411.t;
-            short_end = _o411.end;
-            short_x = _o411.x;
-            short_y = _o411.y;
-            short_z = _o411.z;
-            short_vx = _o411.vx;
-            short_vy = _o411.vy;
-            short_vz = _o411.vz;
-            short_energy2 = _o411.energy2;
-            short_moment2 = _o411.moment2;
-            short_rho_start = _o411.rho_start;
-            short_ceiling = _o411.ceiling;
-            short_flat = _o411.flat;
-            short_tilt = _o411.tilt;
-            short_jerk = _o411.jerk;
-            short_quotient_margin = _o411.quotient_margin;
-            short_start_rate = _o411.start_rate;
-            short_rho_rate = _o411.rho_rate;
-            short_rate_margin = _o411.rate_margin;
-            short_low1 = _o411.low1;
-            short_high1 = _o411.high1;
-            short_low2 = _o411.low2;
-            short_high2 = _o411.high2;
-            fits = _o411.fits;
-            const kernel_coarse_out _o412 = kernel_coarse(short_rate_margin, short_flat, short_ceiling, short_share, searching, representable, fits);
-            stepping = _o412.stepping;
-            searching = _o412.searching;
-            single_precision = _o412.single_precision;
-            ceiling = _o412.ceiling;
-            flat = _o412.flat;
-            tilt = _o412.tilt;
-            allowing = _o412.allowing;
-            const kernel_allowance_out _o413 = kernel_allowance(allowing, latest, extent, speed, position_error, velocity_error, p_gravity);
-            excess = _o413.excess;
-            const kernel_ring_budget_exceeded_out _o414 = kernel_ring_budget_exceeded(until, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            budget_exceeded = _o414.budget_exceeded;
-            const kernel_out_of_budget_out _o415 = kernel_out_of_budget(pad, budget_exceeded, earliest_delay, doubt, excess);
-            doubt = _o415.doubt;
+            const kernel_beginning_out _o25 = kernel_beginning();
+            share = _o25.share;
+            arrival = _o25.arrival;
+            certain = _o25.certain;
+            const kernel_left_out _o26 = kernel_left(0.0, last);
+            leaving = _o26.leaving;
+            const kernel_ring_opened_out _o27 = kernel_ring_opened(until, x, y, z, vx, vy, vz, extent, speed, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+            onset = _o27.t;
+            wide_end = _o27.end;
+            searching = _o27.searching;
+            wide_low1 = _o27.low1;
+            wide_high1 = _o27.high1;
+            wide_low2 = _o27.low2;
+            wide_high2 = _o27.high2;
+            lapsed = _o27.latest;
+            representable = _o27.representable;
+            const kernel_opened_out _o28 = kernel_opened(lapsed, onset);
+            since = _o28.time;
+            if (BOUNDS)
+                latest = _o28.latest;
+            const kernel_ring_started_out _o29 = kernel_ring_started(x, y, z, vx, vy, vz, p_ring_radius);
+            rho_start = _o29.rho_start;
+            start_rate = _o29.start_rate;
+            rho_rate = _o29.rho_rate;
+            const kernel_flight_out _o30 = kernel_flight(since, x, y, z, vx, vy, vz, p_gravity);
+            near_x = _o30.x;
+            near_y = _o30.y;
+            near_z = _o30.z;
+            near_vz = _o30.vz;
+            const kernel_ring_resolution_out _o31 = kernel_ring_resolution(onset, wide_end, leaving, lapsed, near_x, near_y, near_z, vx, vy, near_vz, extent, speed, start_rate, rho_rate, wide_low1, wide_high1, wide_low2, wide_high2, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+            short_share = _o31.share;
+            short_t = _o31.t;
+            short_end = _o31.end;
+            short_x = _o31.x;
+            short_y = _o31.y;
+            short_z = _o31.z;
+            short_vx = _o31.vx;
+            short_vy = _o31.vy;
+            short_vz = _o31.vz;
+            short_energy2 = _o31.energy2;
+            short_moment2 = _o31.moment2;
+            short_rho_start = _o31.rho_start;
+            short_ceiling = _o31.ceiling;
+            short_flat = _o31.flat;
+            short_tilt = _o31.tilt;
+            short_jerk = _o31.jerk;
+            short_quotient_margin = _o31.quotient_margin;
+            short_start_rate = _o31.start_rate;
+            short_rho_rate = _o31.rho_rate;
+            short_rate_margin = _o31.rate_margin;
+            short_low1 = _o31.low1;
+            short_high1 = _o31.high1;
+            short_low2 = _o31.low2;
+            short_high2 = _o31.high2;
+            fits = _o31.fits;
+            const kernel_coarse_out _o32 = kernel_coarse(short_rate_margin, short_flat, short_ceiling, short_share, searching, representable, fits);
+            stepping = _o32.stepping;
+            searching = _o32.searching;
+            single_precision = _o32.single_precision;
+            ceiling = _o32.ceiling;
+            flat = _o32.flat;
+            tilt = _o32.tilt;
+            if (BOUNDS)
+                allowing = _o32.allowing;
+            if (BOUNDS) {
+                const kernel_allowance_out _o33 = kernel_allowance(allowing, latest, extent, speed, position_error, velocity_error, p_gravity);
+                excess = _o33.excess;
+                const kernel_ring_budget_exceeded_out _o34 = kernel_ring_budget_exceeded(until, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                budget_exceeded = _o34.budget_exceeded;
+                const kernel_out_of_budget_out _o35 = kernel_out_of_budget(pad, budget_exceeded, earliest_delay, doubt, excess);
+                doubt = _o35.doubt;
+            }
             if (stepping) {
-                const kernel_ring_step_out _o416 = kernel_ring_step(short_t, short_end, short_rate_margin, short_ceiling, short_x, short_y, short_z, short_vx, short_vy, short_vz, short_energy2, short_moment2, short_rho_start, short_flat, short_tilt, short_quotient_margin, short_jerk, short_start_rate, short_rho_rate, short_low1, short_high1, short_low2, short_high2, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                short_t = _o416.t;
-                short_end = _o416.end;
-                certain = _o416.certain;
-                stepping = _o416.stepping;
+                const kernel_ring_step_out _o36 = kernel_ring_step(short_t, short_end, short_rate_margin, short_ceiling, short_x, short_y, short_z, short_vx, short_vy, short_vz, short_energy2, short_moment2, short_rho_start, short_flat, short_tilt, short_quotient_margin, short_jerk, short_start_rate, short_rho_rate, short_low1, short_high1, short_low2, short_high2, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                short_t = _o36.t;
+                short_end = _o36.end;
+                certain = _o36.certain;
+                stepping = _o36.stepping;
             }
             for (size_t _turn = 0; _turn < 24; _turn++) {
                 if (!stepping)
                     break;
-                const kernel_ring_step_out _o417 = kernel_ring_step(short_t, short_end, short_rate_margin, short_ceiling, short_x, short_y, short_z, short_vx, short_vy, short_vz, short_energy2, short_moment2, short_rho_start, short_flat, short_tilt, short_quotient_margin, short_jerk, short_start_rate, short_rho_rate, short_low1, short_high1, short_low2, short_high2, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                short_t = _o417.t;
-                short_end = _o417.end;
-                certain = _o417.certain;
-                stepping = _o417.stepping;
+                const kernel_ring_step_out _o37 = kernel_ring_step(short_t, short_end, short_rate_margin, short_ceiling, short_x, short_y, short_z, short_vx, short_vy, short_vz, short_energy2, short_moment2, short_rho_start, short_flat, short_tilt, short_quotient_margin, short_jerk, short_start_rate, short_rho_rate, short_low1, short_high1, short_low2, short_high2, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                short_t = _o37.t;
+                short_end = _o37.end;
+                certain = _o37.certain;
+                stepping = _o37.stepping;
             }
-            const kernel_stepped_out _o418 = kernel_stepped(arrival, short_t, searching, since, single_precision, certain);
-            arrival = _o418.arrival;
-            t = _o418.t;
-            searching = _o418.searching;
+            const kernel_stepped_out _o38 = kernel_stepped(arrival, short_t, searching, since, single_precision, certain);
+            arrival = _o38.arrival;
+            t = _o38.t;
+            searching = _o38.searching;
             if (searching) {
-                const kernel_ring_prepare_out _o419 = kernel_ring_prepare(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                energy2 = _o419.energy2;
-                moment2 = _o419.moment2;
-                rho_start = _o419.rho_start;
-                low0 = _o419.low0;
-                high0 = _o419.high0;
-                low1 = _o419.low1;
-                high1 = _o419.high1;
-                low2 = _o419.low2;
-                high2 = _o419.high2;
-                ceiling = _o419.ceiling;
-                latest = _o419.latest;
-                const kernel_allowance_out _o420 = kernel_allowance(share, latest, extent, speed, position_error, velocity_error, p_gravity);
-                position_level = _o420.position_level;
-                velocity_level = _o420.velocity_level;
-                const kernel_ring_margins_out _o421 = kernel_ring_margins(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                flat = _o421.margin;
-                tilt = _o421.leaving_margin;
-                rate_slack = _o421.rate_margin;
-                const kernel_ring_enter_out _o422 = kernel_ring_enter(t, 0.0, t, low0, low1, low2, high0, high1, high2);
-                t = _o422.t;
-                end = _o422.end;
-                searching = _o422.searching;
+                const kernel_ring_prepare_out _o39 = kernel_ring_prepare(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                energy2 = _o39.energy2;
+                moment2 = _o39.moment2;
+                rho_start = _o39.rho_start;
+                low0 = _o39.low0;
+                high0 = _o39.high0;
+                low1 = _o39.low1;
+                high1 = _o39.high1;
+                low2 = _o39.low2;
+                high2 = _o39.high2;
+                ceiling = _o39.ceiling;
+                latest = _o39.latest;
+                const kernel_allowance_out _o40 = kernel_allowance(share, latest, extent, speed, position_error, velocity_error, p_gravity);
+                position_level = _o40.position_level;
+                velocity_level = _o40.velocity_level;
+                const kernel_ring_margins_out _o41 = kernel_ring_margins(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                flat = _o41.margin;
+                tilt = _o41.leaving_margin;
+                rate_slack = _o41.rate_margin;
+                const kernel_ring_enter_out _o42 = kernel_ring_enter(t, 0.0, t, low0, low1, low2, high0, high1, high2);
+                t = _o42.t;
+                end = _o42.end;
+                searching = _o42.searching;
                 for (size_t _turn = 0; _turn < 201; _turn++) {
                     if (!searching)
                         break;
-                    const kernel_nearby_out _o423 = kernel_nearby(t, flat, tilt, 0.0, last);
-                    leaving = _o423.leaving;
-                    margin = _o423.margin;
-                    const kernel_ring_advance_out _o424 = kernel_ring_advance(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, energy2, moment2, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                    gap = _o424.gap;
-                    rate = _o424.rate;
-                    bend = _o424.bend;
-                    step = _o424.step;
-                    next = _o424.next;
-                    clearance = _o424.clearance;
-                    const kernel_struck_out _o425 = kernel_struck(gap, rate, bend, margin, rate_slack, clearance, share);
-                    hit = _o425.hit;
-                    sure = _o425.sure;
-                    needs_refinement = _o425.needs_refinement;
+                    const kernel_nearby_out _o43 = kernel_nearby(t, flat, tilt, 0.0, last);
+                    leaving = _o43.leaving;
+                    margin = _o43.margin;
+                    const kernel_ring_advance_out _o44 = kernel_ring_advance(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, energy2, moment2, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                    gap = _o44.gap;
+                    rate = _o44.rate;
+                    bend = _o44.bend;
+                    step = _o44.step;
+                    next = _o44.next;
+                    clearance = _o44.clearance;
+                    const kernel_struck_out _o45 = kernel_struck(gap, rate, bend, margin, rate_slack, clearance, share);
+                    hit = _o45.hit;
+                    sure = _o45.sure;
+                    needs_refinement = _o45.needs_refinement;
                     if (needs_refinement) {
-                        const kernel_finer_out _o426 = kernel_finer(share);
-                        share = _o426.share;
-                        const kernel_allowance_out _o427 = kernel_allowance(share, latest, extent, speed, position_error, velocity_error, p_gravity);
-                        position_level = _o427.position_level;
-                        velocity_level = _o427.velocity_level;
-                        excess = _o427.excess;
-                        const kernel_ring_margins_out _o428 = kernel_ring_margins(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                        flat = _o428.margin;
-                        tilt = _o428.leaving_margin;
-                        rate_slack = _o428.rate_margin;
-                        const kernel_exceeded_out _o429 = kernel_exceeded(t, doubt, excess);
-                        doubt = _o429.doubt;
+                        const kernel_finer_out _o46 = kernel_finer(share);
+                        share = _o46.share;
+                        const kernel_allowance_out _o47 = kernel_allowance(share, latest, extent, speed, position_error, velocity_error, p_gravity);
+                        position_level = _o47.position_level;
+                        velocity_level = _o47.velocity_level;
+                        if (BOUNDS)
+                            excess = _o47.excess;
+                        const kernel_ring_margins_out _o48 = kernel_ring_margins(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                        flat = _o48.margin;
+                        tilt = _o48.leaving_margin;
+                        rate_slack = _o48.rate_margin;
+                        if (BOUNDS) {
+                            const kernel_exceeded_out _o49 = kernel_exceeded(t, doubt, excess);
+                            doubt = _o49.doubt;
+                        }
                     }
-                    const kernel_advanced_out _o430 = kernel_advanced(t, end, step, next, arrival, hit, sure, needs_refinement, certain);
-                    arrival = _o430.arrival;
-                    certain = _o430.certain;
-                    exhausted = _o430.exhausted;
-                    searching = _o430.searching;
-                    t = _o430.t;
+                    const kernel_advanced_out _o50 = kernel_advanced(t, end, step, next, arrival, hit, sure, needs_refinement, certain);
+                    arrival = _o50.arrival;
+                    certain = _o50.certain;
+                    exhausted = _o50.exhausted;
+                    searching = _o50.searching;
+                    t = _o50.t;
                     if (exhausted) {
-                        const kernel_ring_enter_out _o431 = kernel_ring_enter(t, end, end, low0, low1, low2, high0, high1, high2);
-                        t = _o431.t;
-                        end = _o431.end;
-                        searching = _o431.searching;
+                        const kernel_ring_enter_out _o51 = kernel_ring_enter(t, end, end, low0, low1, low2, high0, high1, high2);
+                        t = _o51.t;
+                        end = _o51.end;
+                        searching = _o51.searching;
                     }
                 }
-                const kernel_questioned_out _o432 = kernel_questioned(t, doubt, searching);
-                doubt = _o432.doubt;
+                if (BOUNDS) {
+                    const kernel_questioned_out _o52 = kernel_questioned(t, doubt, searching);
+                    doubt = _o52.doubt;
+                }
             }
-            const kernel_found_out _o433 = kernel_found(arrival);
-            arrives = _o433.arrives;
-            refining = _o433.refining;
-            rate = _o433.rate;
-            const kernel_nearby_out _o434 = kernel_nearby(arrival, flat, tilt, 0.0, last);
-            leaving = _o434.leaving;
+            const kernel_found_out _o53 = kernel_found(arrival);
+            arrives = _o53.arrives;
+            refining = _o53.refining;
+            if (BOUNDS)
+                rate = _o53.rate;
+            const kernel_nearby_out _o54 = kernel_nearby(arrival, flat, tilt, 0.0, last);
+            leaving = _o54.leaving;
             if (refining) {
-                const kernel_ring_refine_out _o435 = kernel_ring_refine(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                refined = _o435.time;
-                gap = _o435.gap;
-                rate = _o435.rate;
-                const kernel_polished_out _o436 = kernel_polished(gap, rate, ceiling, arrival, refined, certain);
-                arrival = _o436.arrival;
-                refining = _o436.refining;
+                const kernel_ring_refine_out _o55 = kernel_ring_refine(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                refined = _o55.time;
+                gap = _o55.gap;
+                rate = _o55.rate;
+                const kernel_polished_out _o56 = kernel_polished(gap, rate, ceiling, arrival, refined, certain);
+                arrival = _o56.arrival;
+                refining = _o56.refining;
             }
             if (refining) {
-                const kernel_ring_refine_out _o437 = kernel_ring_refine(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                refined = _o437.time;
-                gap = _o437.gap;
-                rate = _o437.rate;
-                const kernel_polished_out _o438 = kernel_polished(gap, rate, ceiling, arrival, refined, certain);
-                arrival = _o438.arrival;
-                refining = _o438.refining;
+                const kernel_ring_refine_out _o57 = kernel_ring_refine(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                refined = _o57.time;
+                gap = _o57.gap;
+                rate = _o57.rate;
+                const kernel_polished_out _o58 = kernel_polished(gap, rate, ceiling, arrival, refined, certain);
+                arrival = _o58.arrival;
+                refining = _o58.refining;
             }
             for (size_t _turn = 0; _turn < 8; _turn++) {
                 if (!refining)
                     break;
-                const kernel_ring_refine_out _o439 = kernel_ring_refine(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                refined = _o439.time;
-                gap = _o439.gap;
-                rate = _o439.rate;
-                const kernel_polished_out _o440 = kernel_polished(gap, rate, ceiling, arrival, refined, certain);
-                arrival = _o440.arrival;
-                refining = _o440.refining;
+                const kernel_ring_refine_out _o59 = kernel_ring_refine(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                refined = _o59.time;
+                gap = _o59.gap;
+                rate = _o59.rate;
+                const kernel_polished_out _o60 = kernel_polished(gap, rate, ceiling, arrival, refined, certain);
+                arrival = _o60.arrival;
+                refining = _o60.refining;
             }
-            const kernel_ring_margins_out _o441 = kernel_ring_margins(latest, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            flat = _o441.margin;
-            tilt = _o441.leaving_margin;
-            rate_margin = _o441.rate_margin;
-            const kernel_own_margin_out _o442 = kernel_own_margin(leaving, flat, tilt, arrival);
-            margin = _o442.margin;
-            const kernel_crossing_out _o443 = kernel_crossing(margin, rate_margin, rate, ceiling);
-            clearance = _o443.clearance;
-            delay = _o443.delay;
-            const kernel_landed_out _o444 = kernel_landed(arrival);
-            time = _o444.time;
-            const kernel_landed_surely_out _o445 = kernel_landed_surely(clearance, time, delay, doubt, arrives, certain);
-            delay = _o445.delay;
-            doubt = _o445.doubt;
-            const kernel_tied_out _o446 = kernel_tied(time, when, delay, earliest_delay, doubt, arrives);
-            doubt = _o446.doubt;
-            earliest_delay = _o446.earliest_delay;
-            const kernel_earliest_out _o447 = kernel_earliest(0.0, time, when, which, arrives);
-            when = _o447.when;
-            which = _o447.which;
+            if (BOUNDS) {
+                const kernel_ring_margins_out _o61 = kernel_ring_margins(latest, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                flat = _o61.margin;
+                tilt = _o61.leaving_margin;
+                rate_margin = _o61.rate_margin;
+                const kernel_own_margin_out _o62 = kernel_own_margin(leaving, flat, tilt, arrival);
+                margin = _o62.margin;
+                const kernel_crossing_out _o63 = kernel_crossing(margin, rate_margin, rate, ceiling);
+                clearance = _o63.clearance;
+                delay = _o63.delay;
+            }
+            const kernel_landed_out _o64 = kernel_landed(arrival);
+            time = _o64.time;
+            if (BOUNDS) {
+                const kernel_landed_surely_out _o65 = kernel_landed_surely(clearance, time, delay, doubt, arrives, certain);
+                delay = _o65.delay;
+                doubt = _o65.doubt;
+                const kernel_tied_out _o66 = kernel_tied(time, when, delay, earliest_delay, doubt, arrives);
+                doubt = _o66.doubt;
+                earliest_delay = _o66.earliest_delay;
+            }
+            const kernel_earliest_out _o67 = kernel_earliest(0.0, time, when, which, arrives);
+            when = _o67.when;
+            which = _o67.which;
         }
-        const kernel_horizon_out _o448 = kernel_horizon(when, speed, p_gravity);
-        until = _o448.horizon;
-        pad = _o448.pad;
-        const kernel_halved_out _o449 = kernel_halved(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, earliest_delay, pad, p_gravity);
-        middle_x = _o449.middle_x;
-        reach_x = _o449.reach_x;
-        later_middle_x = _o449.later_middle_x;
-        later_reach_x = _o449.later_reach_x;
-        middle_y = _o449.middle_y;
-        reach_y = _o449.reach_y;
-        later_middle_y = _o449.later_middle_y;
-        later_reach_y = _o449.later_reach_y;
-        middle_z = _o449.middle_z;
-        reach_z = _o449.reach_z;
-        later_middle_z = _o449.later_middle_z;
-        later_reach_z = _o449.later_reach_z;
-        const kernel_backboard_near_out _o450 = kernel_backboard_near(middle_x, middle_y, middle_z, reach_x, reach_y, reach_z, later_middle_x, later_middle_y, later_middle_z, later_reach_x, later_reach_y, later_reach_z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-        reachable = _o450.near;
-        const kernel_reachable_in_flight_out _o451 = kernel_reachable_in_flight(reachable, in_contact);
-        reachable = _o451.reachable;
+        const kernel_horizon_out _o68 = kernel_horizon(when, speed, p_gravity);
+        until = _o68.horizon;
+        pad = _o68.pad;
+        const kernel_halved_out _o69 = kernel_halved(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, earliest_delay, pad, p_gravity);
+        middle_x = _o69.middle_x;
+        reach_x = _o69.reach_x;
+        later_middle_x = _o69.later_middle_x;
+        later_reach_x = _o69.later_reach_x;
+        middle_y = _o69.middle_y;
+        reach_y = _o69.reach_y;
+        later_middle_y = _o69.later_middle_y;
+        later_reach_y = _o69.later_reach_y;
+        middle_z = _o69.middle_z;
+        reach_z = _o69.reach_z;
+        later_middle_z = _o69.later_middle_z;
+        later_reach_z = _o69.later_reach_z;
+        const kernel_backboard_near_out _o70 = kernel_backboard_near(middle_x, middle_y, middle_z, reach_x, reach_y, reach_z, later_middle_x, later_middle_y, later_middle_z, later_reach_x, later_reach_y, later_reach_z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
+        reachable = _o70.near;
+        const kernel_reachable_in_flight_out _o71 = kernel_reachable_in_flight(reachable, in_contact);
+        reachable = _o71.reachable;
         if (reachable) {
-            const kernel_horizon_out _o452 = kernel_horizon(when, speed, p_gravity);
-            until = _o452.horizon;
-            pad = _o452.pad;
-            const kernel_backboard_prepare_out _o453 = kernel_backboard_prepare(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-            low0 = _o453.low0;
-            high0 = _o453.high0;
-            low1 = _o453.low1;
-            high1 = _o453.high1;
-            ceiling = _o453.ceiling;
-            latest = _o453.latest;
-            budget_exceeded = _o453.budget_exceeded;
-            const kernel_beginning_out _o454 = kernel_beginning();
-            share = _o454.share;
-            arrival = _o454.arrival;
-            certain = _o454.certain;
-            const kernel_allowance_out _o455 = kernel_allowance(share, latest, extent, speed, position_error, velocity_error, p_gravity);
-            position_level = _o455.position_level;
-            velocity_level = _o455.velocity_level;
-            excess = _o455.excess;
-            const kernel_backboard_margins_out _o456 = kernel_backboard_margins(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-            flat = _o456.margin;
-            tilt = _o456.leaving_margin;
-            rate_slack = _o456.rate_margin;
-            const kernel_backboard_enter_out _o457 = kernel_backboard_enter(0.0, 0.0, 0.0, low0, low1, high0, high1);
-            t = _o457.t;
-            end = _o457.end;
-            searching = _o457.searching;
-            const kernel_out_of_budget_in_windows_out _o458 = kernel_out_of_budget_in_windows(pad, budget_exceeded, earliest_delay, doubt, excess, searching);
-            doubt = _o458.doubt;
+            const kernel_horizon_out _o72 = kernel_horizon(when, speed, p_gravity);
+            until = _o72.horizon;
+            if (BOUNDS)
+                pad = _o72.pad;
+            const kernel_backboard_prepare_out _o73 = kernel_backboard_prepare(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
+            low0 = _o73.low0;
+            high0 = _o73.high0;
+            low1 = _o73.low1;
+            high1 = _o73.high1;
+            ceiling = _o73.ceiling;
+            latest = _o73.latest;
+            if (BOUNDS)
+                budget_exceeded = _o73.budget_exceeded;
+            const kernel_beginning_out _o74 = kernel_beginning();
+            share = _o74.share;
+            arrival = _o74.arrival;
+            certain = _o74.certain;
+            const kernel_allowance_out _o75 = kernel_allowance(share, latest, extent, speed, position_error, velocity_error, p_gravity);
+            position_level = _o75.position_level;
+            velocity_level = _o75.velocity_level;
+            if (BOUNDS)
+                excess = _o75.excess;
+            const kernel_backboard_margins_out _o76 = kernel_backboard_margins(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
+            flat = _o76.margin;
+            tilt = _o76.leaving_margin;
+            rate_slack = _o76.rate_margin;
+            const kernel_backboard_enter_out _o77 = kernel_backboard_enter(0.0, 0.0, 0.0, low0, low1, high0, high1);
+            t = _o77.t;
+            end = _o77.end;
+            searching = _o77.searching;
+            if (BOUNDS) {
+                const kernel_out_of_budget_in_windows_out _o78 = kernel_out_of_budget_in_windows(pad, budget_exceeded, earliest_delay, doubt, excess, searching);
+                doubt = _o78.doubt;
+            }
             if (searching) {
-                const kernel_nearby_out _o459 = kernel_nearby(t, flat, tilt, 1.0, last);
-                leaving = _o459.leaving;
-                margin = _o459.margin;
-                const kernel_backboard_advance_out _o460 = kernel_backboard_advance(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-                gap = _o460.gap;
-                rate = _o460.rate;
-                bend = _o460.bend;
-                step = _o460.step;
-                next = _o460.next;
-                clearance = _o460.clearance;
-                const kernel_struck_or_still_out _o461 = kernel_struck_or_still(t, end, gap, rate, bend, margin, rate_slack, next, clearance, share);
-                hit = _o461.hit;
-                sure = _o461.sure;
-                needs_refinement = _o461.needs_refinement;
+                const kernel_nearby_out _o79 = kernel_nearby(t, flat, tilt, 1.0, last);
+                leaving = _o79.leaving;
+                margin = _o79.margin;
+                const kernel_backboard_advance_out _o80 = kernel_backboard_advance(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
+                gap = _o80.gap;
+                rate = _o80.rate;
+                bend = _o80.bend;
+                step = _o80.step;
+                next = _o80.next;
+                clearance = _o80.clearance;
+                const kernel_struck_or_still_out _o81 = kernel_struck_or_still(t, end, gap, rate, bend, margin, rate_slack, next, clearance, share);
+                hit = _o81.hit;
+                sure = _o81.sure;
+                needs_refinement = _o81.needs_refinement;
                 if (needs_refinement) {
-                    const kernel_finer_out _o462 = kernel_finer(share);
-                    share = _o462.share;
-                    const kernel_allowance_out _o463 = kernel_allowance(share, latest, extent, speed, position_error, velocity_error, p_gravity);
-                    position_level = _o463.position_level;
-                    velocity_level = _o463.velocity_level;
-                    excess = _o463.excess;
-                    const kernel_backboard_margins_out _o464 = kernel_backboard_margins(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-                    flat = _o464.margin;
-                    tilt = _o464.leaving_margin;
-                    rate_slack = _o464.rate_margin;
-                    const kernel_exceeded_out _o465 = kernel_exceeded(t, doubt, excess);
-                    doubt = _o465.doubt;
+                    const kernel_finer_out _o82 = kernel_finer(share);
+                    share = _o82.share;
+                    const kernel_allowance_out _o83 = kernel_allowance(share, latest, extent, speed, position_error, velocity_error, p_gravity);
+                    position_level = _o83.position_level;
+                    velocity_level = _o83.velocity_level;
+                    if (BOUNDS)
+                        excess = _o83.excess;
+                    const kernel_backboard_margins_out _o84 = kernel_backboard_margins(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
+                    flat = _o84.margin;
+                    tilt = _o84.leaving_margin;
+                    rate_slack = _o84.rate_margin;
+                    if (BOUNDS) {
+                        const kernel_exceeded_out _o85 = kernel_exceeded(t, doubt, excess);
+                        doubt = _o85.doubt;
+                    }
                 }
-                const kernel_advanced_out _o466 = kernel_advanced(t, end, step, next, arrival, hit, sure, needs_refinement, certain);
-                arrival = _o466.arrival;
-                certain = _o466.certain;
-                exhausted = _o466.exhausted;
-                searching = _o466.searching;
-                t = _o466.t;
+                const kernel_advanced_out _o86 = kernel_advanced(t, end, step, next, arrival, hit, sure, needs_refinement, certain);
+                arrival = _o86.arrival;
+                certain = _o86.certain;
+                exhausted = _o86.exhausted;
+                searching = _o86.searching;
+                t = _o86.t;
                 if (exhausted) {
-                    const kernel_backboard_enter_out _o467 = kernel_backboard_enter(t, end, end, low0, low1, high0, high1);
-                    t = _o467.t;
-                    end = _o467.end;
-                    searching = _o467.searching;
+                    const kernel_backboard_enter_out _o87 = kernel_backboard_enter(t, end, end, low0, low1, high0, high1);
+                    t = _o87.t;
+                    end = _o87.end;
+                    searching = _o87.searching;
                 }
             }
             for (size_t _turn = 0; _turn < 201; _turn++) {
                 if (!searching)
                     break;
-                const kernel_nearby_out _o468 = kernel_nearby(t, flat, tilt, 1.0, last);
-                leaving = _o468.leaving;
-                margin = _o468.margin;
-                const kernel_backboard_advance_out _o469 = kernel_backboard_advance(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-                gap = _o469.gap;
-                rate = _o469.rate;
-                bend = _o469.bend;
-                step = _o469.step;
-                next = _o469.next;
-                clearance = _o469.clearance;
-                const kernel_struck_or_still_out _o470 = kernel_struck_or_still(t, end, gap, rate, bend, margin, rate_slack, next, clearance, share);
-                hit = _o470.hit;
-                sure = _o470.sure;
-                needs_refinement = _o470.needs_refinement;
+                const kernel_nearby_out _o88 = kernel_nearby(t, flat, tilt, 1.0, last);
+                leaving = _o88.leaving;
+                margin = _o88.margin;
+                const kernel_backboard_advance_out _o89 = kernel_backboard_advance(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
+                gap = _o89.gap;
+                rate = _o89.rate;
+                bend = _o89.bend;
+                step = _o89.step;
+                next = _o89.next;
+                clearance = _o89.clearance;
+                const kernel_struck_or_still_out _o90 = kernel_struck_or_still(t, end, gap, rate, bend, margin, rate_slack, next, clearance, share);
+                hit = _o90.hit;
+                sure = _o90.sure;
+                needs_refinement = _o90.needs_refinement;
                 if (needs_refinement) {
-                    const kernel_finer_out _o471 = kernel_finer(share);
-                    share = _o471.share;
-                    const kernel_allowance_out _o472 = kernel_allowance(share, latest, extent, speed, position_error, velocity_error, p_gravity);
-                    position_level = _o472.position_level;
-                    velocity_level = _o472.velocity_level;
-                    excess = _o472.excess;
-                    const kernel_backboard_margins_out _o473 = kernel_backboard_margins(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-                    flat = _o473.margin;
-                    tilt = _o473.leaving_margin;
-                    rate_slack = _o473.rate_margin;
-                    const kernel_exceeded_out _o474 = kernel_exceeded(t, doubt, excess);
-                    doubt = _o474.doubt;
+                    const kernel_finer_out _o91 = kernel_finer(share);
+                    share = _o91.share;
+                    const kernel_allowance_out _o92 = kernel_allowance(share, latest, extent, speed, position_error, velocity_error, p_gravity);
+                    position_level = _o92.position_level;
+                    velocity_level = _o92.velocity_level;
+                    if (BOUNDS)
+                        excess = _o92.excess;
+                    const kernel_backboard_margins_out _o93 = kernel_backboard_margins(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
+                    flat = _o93.margin;
+                    tilt = _o93.leaving_margin;
+                    rate_slack = _o93.rate_margin;
+                    if (BOUNDS) {
+                        const kernel_exceeded_out _o94 = kernel_exceeded(t, doubt, excess);
+                        doubt = _o94.doubt;
+                    }
                 }
-                const kernel_advanced_out _o475 = kernel_advanced(t, end, step, next, arrival, hit, sure, needs_refinement, certain);
-                arrival = _o475.arrival;
-                certain = _o475.certain;
-                exhausted = _o475.exhausted;
-                searching = _o475.searching;
-                t = _o475.t;
+                const kernel_advanced_out _o95 = kernel_advanced(t, end, step, next, arrival, hit, sure, needs_refinement, certain);
+                arrival = _o95.arrival;
+                certain = _o95.certain;
+                exhausted = _o95.exhausted;
+                searching = _o95.searching;
+                t = _o95.t;
                 if (exhausted) {
-                    const kernel_backboard_enter_out _o476 = kernel_backboard_enter(t, end, end, low0, low1, high0, high1);
-                    t = _o476.t;
-                    end = _o476.end;
-                    searching = _o476.searching;
+                    const kernel_backboard_enter_out _o96 = kernel_backboard_enter(t, end, end, low0, low1, high0, high1);
+                    t = _o96.t;
+                    end = _o96.end;
+                    searching = _o96.searching;
                 }
             }
-            const kernel_questioned_out _o477 = kernel_questioned(t, doubt, searching);
-            doubt = _o477.doubt;
-            const kernel_found_out _o478 = kernel_found(arrival);
-            arrives = _o478.arrives;
-            refining = _o478.refining;
-            rate = _o478.rate;
-            const kernel_nearby_out _o479 = kernel_nearby(arrival, flat, tilt, 1.0, last);
-            leaving = _o479.leaving;
+            if (BOUNDS) {
+                const kernel_questioned_out _o97 = kernel_questioned(t, doubt, searching);
+                doubt = _o97.doubt;
+            }
+            const kernel_found_out _o98 = kernel_found(arrival);
+            arrives = _o98.arrives;
+            refining = _o98.refining;
+            if (BOUNDS)
+                rate = _o98.rate;
+            const kernel_nearby_out _o99 = kernel_nearby(arrival, flat, tilt, 1.0, last);
+            leaving = _o99.leaving;
             if (refining) {
-                const kernel_backboard_refine_out _o480 = kernel_backboard_refine(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-                refined = _o480.time;
-                gap = _o480.gap;
-                rate = _o480.rate;
-                const kernel_polished_out _o481 = kernel_polished(gap, rate, ceiling, arrival, refined, certain);
-                arrival = _o481.arrival;
-                refining = _o481.refining;
+                const kernel_backboard_refine_out _o100 = kernel_backboard_refine(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
+                refined = _o100.time;
+                gap = _o100.gap;
+                rate = _o100.rate;
+                const kernel_polished_out _o101 = kernel_polished(gap, rate, ceiling, arrival, refined, certain);
+                arrival = _o101.arrival;
+                refining = _o101.refining;
             }
             if (refining) {
-                const kernel_backboard_refine_out _o482 = kernel_backboard_refine(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-                refined = _o482.time;
-                gap = _o482.gap;
-                rate = _o482.rate;
-                const kernel_polished_out _o483 = kernel_polished(gap, rate, ceiling, arrival, refined, certain);
-                arrival = _o483.arrival;
-                refining = _o483.refining;
+                const kernel_backboard_refine_out _o102 = kernel_backboard_refine(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
+                refined = _o102.time;
+                gap = _o102.gap;
+                rate = _o102.rate;
+                const kernel_polished_out _o103 = kernel_polished(gap, rate, ceiling, arrival, refined, certain);
+                arrival = _o103.arrival;
+                refining = _o103.refining;
             }
             for (size_t _turn = 0; _turn < 8; _turn++) {
                 if (!refining)
                     break;
-                const kernel_backboard_refine_out _o484 = kernel_backboard_refine(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-                refined = _o484.time;
-                gap = _o484.gap;
-                rate = _o484.rate;
-                const kernel_polished_out _o485 = kernel_polished(gap, rate, ceiling, arrival, refined, certain);
-                arrival = _o485.arrival;
-                refining = _o485.refining;
+                const kernel_backboard_refine_out _o104 = kernel_backboard_refine(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
+                refined = _o104.time;
+                gap = _o104.gap;
+                rate = _o104.rate;
+                const kernel_polished_out _o105 = kernel_polished(gap, rate, ceiling, arrival, refined, certain);
+                arrival = _o105.arrival;
+                refining = _o105.refining;
             }
-            const kernel_backboard_margins_out _o486 = kernel_backboard_margins(latest, extent, speed, position_error, velocity_error, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-            flat = _o486.margin;
-            tilt = _o486.leaving_margin;
-            rate_margin = _o486.rate_margin;
-            const kernel_own_margin_out _o487 = kernel_own_margin(leaving, flat, tilt, arrival);
-            margin = _o487.margin;
-            const kernel_crossing_out _o488 = kernel_crossing(margin, rate_margin, rate, ceiling);
-            clearance = _o488.clearance;
-            delay = _o488.delay;
-            const kernel_landed_out _o489 = kernel_landed(arrival);
-            time = _o489.time;
-            const kernel_landed_surely_out _o490 = kernel_landed_surely(clearance, time, delay, doubt, arrives, certain);
-            delay = _o490.delay;
-            doubt = _o490.doubt;
-            const kernel_tied_out _o491 = kernel_tied(time, when, delay, earliest_delay, doubt, arrives);
-            doubt = _o491.doubt;
-            earliest_delay = _o491.earliest_delay;
-            const kernel_earliest_out _o492 = kernel_earliest(1.0, time, when, which, arrives);
-            when = _o492.when;
-            which = _o492.which;
+            if (BOUNDS) {
+                const kernel_backboard_margins_out _o106 = kernel_backboard_margins(latest, extent, speed, position_error, velocity_error, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
+                flat = _o106.margin;
+                tilt = _o106.leaving_margin;
+                rate_margin = _o106.rate_margin;
+                const kernel_own_margin_out _o107 = kernel_own_margin(leaving, flat, tilt, arrival);
+                margin = _o107.margin;
+                const kernel_crossing_out _o108 = kernel_crossing(margin, rate_margin, rate, ceiling);
+                clearance = _o108.clearance;
+                delay = _o108.delay;
+            }
+            const kernel_landed_out _o109 = kernel_landed(arrival);
+            time = _o109.time;
+            if (BOUNDS) {
+                const kernel_landed_surely_out _o110 = kernel_landed_surely(clearance, time, delay, doubt, arrives, certain);
+                delay = _o110.delay;
+                doubt = _o110.doubt;
+                const kernel_tied_out _o111 = kernel_tied(time, when, delay, earliest_delay, doubt, arrives);
+                doubt = _o111.doubt;
+                earliest_delay = _o111.earliest_delay;
+            }
+            const kernel_earliest_out _o112 = kernel_earliest(1.0, time, when, which, arrives);
+            when = _o112.when;
+            which = _o112.which;
         }
-        const kernel_horizon_out _o493 = kernel_horizon(when, speed, p_gravity);
-        until = _o493.horizon;
-        pad = _o493.pad;
-        const kernel_halved_out _o494 = kernel_halved(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, earliest_delay, pad, p_gravity);
-        middle_x = _o494.middle_x;
-        reach_x = _o494.reach_x;
-        later_middle_x = _o494.later_middle_x;
-        later_reach_x = _o494.later_reach_x;
-        middle_y = _o494.middle_y;
-        reach_y = _o494.reach_y;
-        later_middle_y = _o494.later_middle_y;
-        later_reach_y = _o494.later_reach_y;
-        middle_z = _o494.middle_z;
-        reach_z = _o494.reach_z;
-        later_middle_z = _o494.later_middle_z;
-        later_reach_z = _o494.later_reach_z;
-        const kernel_bridge_near_out _o495 = kernel_bridge_near(middle_x, middle_y, middle_z, reach_x, reach_y, reach_z, later_middle_x, later_middle_y, later_middle_z, later_reach_x, later_reach_y, later_reach_z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-        reachable = _o495.near;
-        const kernel_reachable_in_flight_out _o496 = kernel_reachable_in_flight(reachable, in_contact);
-        reachable = _o496.reachable;
+        const kernel_horizon_out _o113 = kernel_horizon(when, speed, p_gravity);
+        until = _o113.horizon;
+        pad = _o113.pad;
+        const kernel_halved_out _o114 = kernel_halved(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, earliest_delay, pad, p_gravity);
+        middle_x = _o114.middle_x;
+        reach_x = _o114.reach_x;
+        later_middle_x = _o114.later_middle_x;
+        later_reach_x = _o114.later_reach_x;
+        middle_y = _o114.middle_y;
+        reach_y = _o114.reach_y;
+        later_middle_y = _o114.later_middle_y;
+        later_reach_y = _o114.later_reach_y;
+        middle_z = _o114.middle_z;
+        reach_z = _o114.reach_z;
+        later_middle_z = _o114.later_middle_z;
+        later_reach_z = _o114.later_reach_z;
+        const kernel_bridge_near_out _o115 = kernel_bridge_near(middle_x, middle_y, middle_z, reach_x, reach_y, reach_z, later_middle_x, later_middle_y, later_middle_z, later_reach_x, later_reach_y, later_reach_z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
+        reachable = _o115.near;
+        const kernel_reachable_in_flight_out _o116 = kernel_reachable_in_flight(reachable, in_contact);
+        reachable = _o116.reachable;
         if (reachable) {
-            const kernel_horizon_out _o497 = kernel_horizon(when, speed, p_gravity);
-            until = _o497.horizon;
-            pad = _o497.pad;
-            const kernel_bridge_prepare_out _o498 = kernel_bridge_prepare(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-            low0 = _o498.low0;
-            high0 = _o498.high0;
-            low1 = _o498.low1;
-            high1 = _o498.high1;
-            ceiling = _o498.ceiling;
-            latest = _o498.latest;
-            budget_exceeded = _o498.budget_exceeded;
-            const kernel_beginning_out _o499 = kernel_beginning();
-            share = _o499.share;
-            arrival = _o499.arrival;
-            certain = _o499.certain;
-            const kernel_allowance_out _o500 = kernel_allowance(share, latest, extent, speed, position_error, velocity_error, p_gravity);
-            position_level = _o500.position_level;
-            velocity_level = _o500.velocity_level;
-            excess = _o500.excess;
-            const kernel_bridge_margins_out _o501 = kernel_bridge_margins(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-            flat = _o501.margin;
-            tilt = _o501.leaving_margin;
-            rate_slack = _o501.rate_margin;
-            const kernel_bridge_enter_out _o502 = kernel_bridge_enter(0.0, 0.0, 0.0, low0, low1, high0, high1);
-            t = _o502.t;
-            end = _o502.end;
-            searching = _o502.searching;
-            const kernel_out_of_budget_in_windows_out _o503 = kernel_out_of_budget_in_windows(pad, budget_exceeded, earliest_delay, doubt, excess, searching);
-            doubt = _o503.doubt;
+            const kernel_horizon_out _o117 = kernel_horizon(when, speed, p_gravity);
+            until = _o117.horizon;
+            if (BOUNDS)
+                pad = _o117.pad;
+            const kernel_bridge_prepare_out _o118 = kernel_bridge_prepare(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
+            low0 = _o118.low0;
+            high0 = _o118.high0;
+            low1 = _o118.low1;
+            high1 = _o118.high1;
+            ceiling = _o118.ceiling;
+            latest = _o118.latest;
+            if (BOUNDS)
+                budget_exceeded = _o118.budget_exceeded;
+            const kernel_beginning_out _o119 = kernel_beginning();
+            share = _o119.share;
+            arrival = _o119.arrival;
+            certain = _o119.certain;
+            const kernel_allowance_out _o120 = kernel_allowance(share, latest, extent, speed, position_error, velocity_error, p_gravity);
+            position_level = _o120.position_level;
+            velocity_level = _o120.velocity_level;
+            if (BOUNDS)
+                excess = _o120.excess;
+            const kernel_bridge_margins_out _o121 = kernel_bridge_margins(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
+            flat = _o121.margin;
+            tilt = _o121.leaving_margin;
+            rate_slack = _o121.rate_margin;
+            const kernel_bridge_enter_out _o122 = kernel_bridge_enter(0.0, 0.0, 0.0, low0, low1, high0, high1);
+            t = _o122.t;
+            end = _o122.end;
+            searching = _o122.searching;
+            if (BOUNDS) {
+                const kernel_out_of_budget_in_windows_out _o123 = kernel_out_of_budget_in_windows(pad, budget_exceeded, earliest_delay, doubt, excess, searching);
+                doubt = _o123.doubt;
+            }
             if (searching) {
-                const kernel_nearby_out _o504 = kernel_nearby(t, flat, tilt, 2.0, last);
-                leaving = _o504.leaving;
-                margin = _o504.margin;
-                const kernel_bridge_advance_out _o505 = kernel_bridge_advance(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-                gap = _o505.gap;
-                rate = _o505.rate;
-                bend = _o505.bend;
-                step = _o505.step;
-                next = _o505.next;
-                clearance = _o505.clearance;
-                const kernel_struck_or_still_out _o506 = kernel_struck_or_still(t, end, gap, rate, bend, margin, rate_slack, next, clearance, share);
-                hit = _o506.hit;
-                sure = _o506.sure;
-                needs_refinement = _o506.needs_refinement;
+                const kernel_nearby_out _o124 = kernel_nearby(t, flat, tilt, 2.0, last);
+                leaving = _o124.leaving;
+                margin = _o124.margin;
+                const kernel_bridge_advance_out _o125 = kernel_bridge_advance(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
+                gap = _o125.gap;
+                rate = _o125.rate;
+                bend = _o125.bend;
+                step = _o125.step;
+                next = _o125.next;
+                clearance = _o125.clearance;
+                const kernel_struck_or_still_out _o126 = kernel_struck_or_still(t, end, gap, rate, bend, margin, rate_slack, next, clearance, share);
+                hit = _o126.hit;
+                sure = _o126.sure;
+                needs_refinement = _o126.needs_refinement;
                 if (needs_refinement) {
-                    const kernel_finer_out _o507 = kernel_finer(share);
-                    share = _o507.share;
-                    const kernel_allowance_out _o508 = kernel_allowance(share, latest, extent, speed, position_error, velocity_error, p_gravity);
-                    position_level = _o508.position_level;
-                    velocity_level = _o508.velocity_level;
-                    excess = _o508.excess;
-                    const kernel_bridge_margins_out _o509 = kernel_bridge_margins(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-                    flat = _o509.margin;
-                    tilt = _o509.leaving_margin;
-                    rate_slack = _o509.rate_margin;
-                    const kernel_exceeded_out _o510 = kernel_exceeded(t, doubt, excess);
-                    doubt = _o510.doubt;
+                    const kernel_finer_out _o127 = kernel_finer(share);
+                    share = _o127.share;
+                    const kernel_allowance_out _o128 = kernel_allowance(share, latest, extent, speed, position_error, velocity_error, p_gravity);
+                    position_level = _o128.position_level;
+                    velocity_level = _o128.velocity_level;
+                    if (BOUNDS)
+                        excess = _o128.excess;
+                    const kernel_bridge_margins_out _o129 = kernel_bridge_margins(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
+                    flat = _o129.margin;
+                    tilt = _o129.leaving_margin;
+                    rate_slack = _o129.rate_margin;
+                    if (BOUNDS) {
+                        const kernel_exceeded_out _o130 = kernel_exceeded(t, doubt, excess);
+                        doubt = _o130.doubt;
+                    }
                 }
-                const kernel_advanced_out _o511 = kernel_advanced(t, end, step, next, arrival, hit, sure, needs_refinement, certain);
-                arrival = _o511.arrival;
-                certain = _o511.certain;
-                exhausted = _o511.exhausted;
-                searching = _o511.searching;
-                t = _o511.t;
+                const kernel_advanced_out _o131 = kernel_advanced(t, end, step, next, arrival, hit, sure, needs_refinement, certain);
+                arrival = _o131.arrival;
+                certain = _o131.certain;
+                exhausted = _o131.exhausted;
+                searching = _o131.searching;
+                t = _o131.t;
                 if (exhausted) {
-                    const kernel_bridge_enter_out _o512 = kernel_bridge_enter(t, end, end, low0, low1, high0, high1);
-                    t = _o512.t;
-                    end = _o512.end;
-                    searching = _o512.searching;
+                    const kernel_bridge_enter_out _o132 = kernel_bridge_enter(t, end, end, low0, low1, high0, high1);
+                    t = _o132.t;
+                    end = _o132.end;
+                    searching = _o132.searching;
                 }
             }
             for (size_t _turn = 0; _turn < 201; _turn++) {
                 if (!searching)
                     break;
-                const kernel_nearby_out _o513 = kernel_nearby(t, flat, tilt, 2.0, last);
-                leaving = _o513.leaving;
-                margin = _o513.margin;
-                const kernel_bridge_advance_out _o514 = kernel_bridge_advance(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-                gap = _o514.gap;
-                rate = _o514.rate;
-                bend = _o514.bend;
-                step = _o514.step;
-                next = _o514.next;
-                clearance = _o514.clearance;
-                const kernel_struck_or_still_out _o515 = kernel_struck_or_still(t, end, gap, rate, bend, margin, rate_slack, next, clearance, share);
-                hit = _o515.hit;
-                sure = _o515.sure;
-                needs_refinement = _o515.needs_refinement;
+                const kernel_nearby_out _o133 = kernel_nearby(t, flat, tilt, 2.0, last);
+                leaving = _o133.leaving;
+                margin = _o133.margin;
+                const kernel_bridge_advance_out _o134 = kernel_bridge_advance(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
+                gap = _o134.gap;
+                rate = _o134.rate;
+                bend = _o134.bend;
+                step = _o134.step;
+                next = _o134.next;
+                clearance = _o134.clearance;
+                const kernel_struck_or_still_out _o135 = kernel_struck_or_still(t, end, gap, rate, bend, margin, rate_slack, next, clearance, share);
+                hit = _o135.hit;
+                sure = _o135.sure;
+                needs_refinement = _o135.needs_refinement;
                 if (needs_refinement) {
-                    const kernel_finer_out _o516 = kernel_finer(share);
-                    share = _o516.share;
-                    const kernel_allowance_out _o517 = kernel_allowance(share, latest, extent, speed, position_error, velocity_error, p_gravity);
-                    position_level = _o517.position_level;
-                    velocity_level = _o517.velocity_level;
-                    excess = _o517.excess;
-                    const kernel_bridge_margins_out _o518 = kernel_bridge_margins(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-                    flat = _o518.margin;
-                    tilt = _o518.leaving_margin;
-                    rate_slack = _o518.rate_margin;
-                    const kernel_exceeded_out _o519 = kernel_exceeded(t, doubt, excess);
-                    doubt = _o519.doubt;
+                    const kernel_finer_out _o136 = kernel_finer(share);
+                    share = _o136.share;
+                    const kernel_allowance_out _o137 = kernel_allowance(share, latest, extent, speed, position_error, velocity_error, p_gravity);
+                    position_level = _o137.position_level;
+                    velocity_level = _o137.velocity_level;
+                    if (BOUNDS)
+                        excess = _o137.excess;
+                    const kernel_bridge_margins_out _o138 = kernel_bridge_margins(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
+                    flat = _o138.margin;
+                    tilt = _o138.leaving_margin;
+                    rate_slack = _o138.rate_margin;
+                    if (BOUNDS) {
+                        const kernel_exceeded_out _o139 = kernel_exceeded(t, doubt, excess);
+                        doubt = _o139.doubt;
+                    }
                 }
-                const kernel_advanced_out _o520 = kernel_advanced(t, end, step, next, arrival, hit, sure, needs_refinement, certain);
-                arrival = _o520.arrival;
-                certain = _o520.certain;
-                exhausted = _o520.exhausted;
-                searching = _o520.searching;
-                t = _o520.t;
+                const kernel_advanced_out _o140 = kernel_advanced(t, end, step, next, arrival, hit, sure, needs_refinement, certain);
+                arrival = _o140.arrival;
+                certain = _o140.certain;
+                exhausted = _o140.exhausted;
+                searching = _o140.searching;
+                t = _o140.t;
                 if (exhausted) {
-                    const kernel_bridge_enter_out _o521 = kernel_bridge_enter(t, end, end, low0, low1, high0, high1);
-                    t = _o521.t;
-                    end = _o521.end;
-                    searching = _o521.searching;
+                    const kernel_bridge_enter_out _o141 = kernel_bridge_enter(t, end, end, low0, low1, high0, high1);
+                    t = _o141.t;
+                    end = _o141.end;
+                    searching = _o141.searching;
                 }
             }
-            const kernel_questioned_out _o522 = kernel_questioned(t, doubt, searching);
-            doubt = _o522.doubt;
-            const kernel_found_out _o523 = kernel_found(arrival);
-            arrives = _o523.arrives;
-            refining = _o523.refining;
-            rate = _o523.rate;
-            const kernel_nearby_out _o524 = kernel_nearby(arrival, flat, tilt, 2.0, last);
-            leaving = _o524.leaving;
+            if (BOUNDS) {
+                const kernel_questioned_out _o142 = kernel_questioned(t, doubt, searching);
+                doubt = _o142.doubt;
+            }
+            const kernel_found_out _o143 = kernel_found(arrival);
+            arrives = _o143.arrives;
+            refining = _o143.refining;
+            if (BOUNDS)
+                rate = _o143.rate;
+            const kernel_nearby_out _o144 = kernel_nearby(arrival, flat, tilt, 2.0, last);
+            leaving = _o144.leaving;
             if (refining) {
-                const kernel_bridge_refine_out _o525 = kernel_bridge_refine(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-                refined = _o525.time;
-                gap = _o525.gap;
-                rate = _o525.rate;
-                const kernel_polished_out _o526 = kernel_polished(gap, rate, ceiling, arrival, refined, certain);
-                arrival = _o526.arrival;
-                refining = _o526.refining;
+                const kernel_bridge_refine_out _o145 = kernel_bridge_refine(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
+                refined = _o145.time;
+                gap = _o145.gap;
+                rate = _o145.rate;
+                const kernel_polished_out _o146 = kernel_polished(gap, rate, ceiling, arrival, refined, certain);
+                arrival = _o146.arrival;
+                refining = _o146.refining;
             }
             if (refining) {
-                const kernel_bridge_refine_out _o527 = kernel_bridge_refine(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-                refined = _o527.time;
-                gap = _o527.gap;
-                rate = _o527.rate;
-                const kernel_polished_out _o528 = kernel_polished(gap, rate, ceiling, arrival, refined, certain);
-                arrival = _o528.arrival;
-                refining = _o528.refining;
+                const kernel_bridge_refine_out _o147 = kernel_bridge_refine(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
+                refined = _o147.time;
+                gap = _o147.gap;
+                rate = _o147.rate;
+                const kernel_polished_out _o148 = kernel_polished(gap, rate, ceiling, arrival, refined, certain);
+                arrival = _o148.arrival;
+                refining = _o148.refining;
             }
             for (size_t _turn = 0; _turn < 8; _turn++) {
                 if (!refining)
                     break;
-                const kernel_bridge_refine_out _o529 = kernel_bridge_refine(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-                refined = _o529.time;
-                gap = _o529.gap;
-                rate = _o529.rate;
-                const kernel_polished_out _o530 = kernel_polished(gap, rate, ceiling, arrival, refined, certain);
-                arrival = _o530.arrival;
-                refining = _o530.refining;
+                const kernel_bridge_refine_out _o149 = kernel_bridge_refine(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
+                refined = _o149.time;
+                gap = _o149.gap;
+                rate = _o149.rate;
+                const kernel_polished_out _o150 = kernel_polished(gap, rate, ceiling, arrival, refined, certain);
+                arrival = _o150.arrival;
+                refining = _o150.refining;
             }
-            const kernel_bridge_margins_out _o531 = kernel_bridge_margins(latest, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-            flat = _o531.margin;
-            tilt = _o531.leaving_margin;
-            rate_margin = _o531.rate_margin;
-            const kernel_own_margin_out _o532 = kernel_own_margin(leaving, flat, tilt, arrival);
-            margin = _o532.margin;
-            const kernel_crossing_out _o533 = kernel_crossing(margin, rate_margin, rate, ceiling);
-            clearance = _o533.clearance;
-            delay = _o533.delay;
-            const kernel_landed_out _o534 = kernel_landed(arrival);
-            time = _o534.time;
-            const kernel_landed_surely_out _o535 = kernel_landed_surely(clearance, time, delay, doubt, arrives, certain);
-            delay = _o535.delay;
-            doubt = _o535.doubt;
-            const kernel_tied_out _o536 = kernel_tied(time, when, delay, earliest_delay, doubt, arrives);
-            doubt = _o536.doubt;
-            earliest_delay = _o536.earliest_delay;
-            const kernel_earliest_out _o537 = kernel_earliest(2.0, time, when, which, arrives);
-            when = _o537.when;
-            which = _o537.which;
+            if (BOUNDS) {
+                const kernel_bridge_margins_out _o151 = kernel_bridge_margins(latest, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
+                flat = _o151.margin;
+                tilt = _o151.leaving_margin;
+                rate_margin = _o151.rate_margin;
+                const kernel_own_margin_out _o152 = kernel_own_margin(leaving, flat, tilt, arrival);
+                margin = _o152.margin;
+                const kernel_crossing_out _o153 = kernel_crossing(margin, rate_margin, rate, ceiling);
+                clearance = _o153.clearance;
+                delay = _o153.delay;
+            }
+            const kernel_landed_out _o154 = kernel_landed(arrival);
+            time = _o154.time;
+            if (BOUNDS) {
+                const kernel_landed_surely_out _o155 = kernel_landed_surely(clearance, time, delay, doubt, arrives, certain);
+                delay = _o155.delay;
+                doubt = _o155.doubt;
+                const kernel_tied_out _o156 = kernel_tied(time, when, delay, earliest_delay, doubt, arrives);
+                doubt = _o156.doubt;
+                earliest_delay = _o156.earliest_delay;
+            }
+            const kernel_earliest_out _o157 = kernel_earliest(2.0, time, when, which, arrives);
+            when = _o157.when;
+            which = _o157.which;
         }
         if (limited) {
-            const kernel_expiry_out _o538 = kernel_expiry(when, which, earliest_delay, doubt, time_error, clock, time_limit);
-            time = _o538.time;
-            delay = _o538.delay;
-            arrives = _o538.arrives;
-            doubt = _o538.doubt;
-            const kernel_tied_out _o539 = kernel_tied(time, when, delay, earliest_delay, doubt, arrives);
-            doubt = _o539.doubt;
-            earliest_delay = _o539.earliest_delay;
-            const kernel_earliest_out _o540 = kernel_earliest(4.0, time, when, which, arrives);
-            when = _o540.when;
-            which = _o540.which;
+            const kernel_expiry_out _o158 = kernel_expiry(when, which, earliest_delay, doubt, time_error, clock, time_limit);
+            time = _o158.time;
+            arrives = _o158.arrives;
+            if (BOUNDS) {
+                delay = _o158.delay;
+                doubt = _o158.doubt;
+            }
+            if (BOUNDS) {
+                const kernel_tied_out _o159 = kernel_tied(time, when, delay, earliest_delay, doubt, arrives);
+                doubt = _o159.doubt;
+                earliest_delay = _o159.earliest_delay;
+            }
+            const kernel_earliest_out _o160 = kernel_earliest(4.0, time, when, which, arrives);
+            when = _o160.when;
+            which = _o160.which;
         }
         if (in_contact) {
-            const kernel_resumed_out _o541 = kernel_resumed(position_error, velocity_error, clock, mode);
-            which = _o541.which;
-            earliest_delay = _o541.earliest_delay;
-            began = _o541.began;
-            doubt = _o541.doubt;
-            begins = _o541.begins;
-            rolling = _o541.rolling;
-            leaves = _o541.leaves;
-            nx = _o541.nx;
-            ny = _o541.ny;
-            nz = _o541.nz;
-            gap = _o541.gap;
-            bent_x = _o541.bent_x;
-            bent_y = _o541.bent_y;
-            bent_z = _o541.bent_z;
-            lift = _o541.lift;
-            gap_jerk = _o541.gap_jerk;
-            gap_snap = _o541.gap_snap;
-            per_reach = _o541.per_reach;
-            if (begins) {
-                const kernel_holding_out _o542 = kernel_holding(0.0, held);
-                here = _o542.here;
-                if (here) {
-                    const kernel_ring_normal_out _o543 = kernel_ring_normal(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
-                    nx = _o543.nx;
-                    ny = _o543.ny;
-                    nz = _o543.nz;
-                }
-                const kernel_holding_out _o544 = kernel_holding(1.0, held);
-                here = _o544.here;
-                if (here) {
-                    const kernel_backboard_normal_out _o545 = kernel_backboard_normal(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                    nx = _o545.nx;
-                    ny = _o545.ny;
-                    nz = _o545.nz;
-                }
-                const kernel_holding_out _o546 = kernel_holding(2.0, held);
-                here = _o546.here;
-                if (here) {
-                    const kernel_bridge_normal_out _o547 = kernel_bridge_normal(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                    nx = _o547.nx;
-                    ny = _o547.ny;
-                    nz = _o547.nz;
-                }
-                const kernel_roll_turn_rate_out _o548 = kernel_roll_turn_rate(p_ball_radius, nx, ny, nz, wx, wy, wz);
-                turn_rate = _o548.turn_rate;
-                const kernel_gripped_out _o549 = kernel_gripped(p_ball_radius, p_inertia, nx, ny, nz, vx, vy, vz, wx, wy, wz);
-                rolled_x = _o549.rolled_x;
-                rolled_y = _o549.rolled_y;
-                rolled_z = _o549.rolled_z;
-                const kernel_holding_out _o550 = kernel_holding(0.0, held);
-                here = _o550.here;
-                if (here) {
-                    const kernel_ring_distance_out _o551 = kernel_ring_distance(p_ball_radius, p_ring_radius, p_wire_radius, x, y, z);
-                    gap = _o551.gap;
-                }
-                const kernel_holding_out _o552 = kernel_holding(1.0, held);
-                here = _o552.here;
-                if (here) {
-                    const kernel_backboard_distance_out _o553 = kernel_backboard_distance(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z);
-                    gap = _o553.gap;
-                }
-                const kernel_holding_out _o554 = kernel_holding(2.0, held);
-                here = _o554.here;
-                if (here) {
-                    const kernel_bridge_distance_out _o555 = kernel_bridge_distance(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z);
-                    gap = _o555.gap;
-                }
-                const kernel_roll_placed_out _o556 = kernel_roll_placed(p_ball_radius, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, gap, turn_rate);
-                x = _o556.x;
-                y = _o556.y;
-                z = _o556.z;
-                vx = _o556.vx;
-                vy = _o556.vy;
-                vz = _o556.vz;
-                wx = _o556.wx;
-                wy = _o556.wy;
-                wz = _o556.wz;
-                const kernel_begun_errors_out _o557 = kernel_begun_errors(p_ball_radius, vx, vy, vz, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
-                dx = _o557.dx;
-                dy = _o557.dy;
-                dz = _o557.dz;
-                dvx = _o557.dvx;
-                dvy = _o557.dvy;
-                dvz = _o557.dvz;
-                dwx = _o557.dwx;
-                dwy = _o557.dwy;
-                dwz = _o557.dwz;
-                const kernel_forget_grip_deficit_out _o558 = kernel_forget_grip_deficit();
-                last_grip_deficit = _o558.last_grip_deficit;
-                const kernel_beginning_contact_out _o559 = kernel_beginning_contact();
-                which = _o559.which;
-                circled = _o559.circled;
+            const kernel_resumed_out _o161 = kernel_resumed(position_error, velocity_error, clock, mode);
+            which = _o161.which;
+            began = _o161.began;
+            begins = _o161.begins;
+            rolling = _o161.rolling;
+            leaves = _o161.leaves;
+            nx = _o161.nx;
+            ny = _o161.ny;
+            nz = _o161.nz;
+            gap = _o161.gap;
+            bent_x = _o161.bent_x;
+            bent_y = _o161.bent_y;
+            bent_z = _o161.bent_z;
+            lift = _o161.lift;
+            gap_jerk = _o161.gap_jerk;
+            gap_snap = _o161.gap_snap;
+            per_reach = _o161.per_reach;
+            if (BOUNDS) {
+                earliest_delay = _o161.earliest_delay;
+                doubt = _o161.doubt;
             }
-            const kernel_circles_out _o560 = kernel_circles(0.0, held, rolling);
-            circling = _o560.circling;
-            rolling = _o560.rolling;
+            if (begins) {
+                const kernel_holding_out _o162 = kernel_holding(0.0, held);
+                here = _o162.here;
+                if (here) {
+                    const kernel_ring_normal_out _o163 = kernel_ring_normal(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
+                    nx = _o163.nx;
+                    ny = _o163.ny;
+                    nz = _o163.nz;
+                }
+                const kernel_holding_out _o164 = kernel_holding(1.0, held);
+                here = _o164.here;
+                if (here) {
+                    const kernel_backboard_normal_out _o165 = kernel_backboard_normal(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
+                    nx = _o165.nx;
+                    ny = _o165.ny;
+                    nz = _o165.nz;
+                }
+                const kernel_holding_out _o166 = kernel_holding(2.0, held);
+                here = _o166.here;
+                if (here) {
+                    const kernel_bridge_normal_out _o167 = kernel_bridge_normal(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
+                    nx = _o167.nx;
+                    ny = _o167.ny;
+                    nz = _o167.nz;
+                }
+                const kernel_roll_turn_rate_out _o168 = kernel_roll_turn_rate(p_ball_radius, nx, ny, nz, wx, wy, wz);
+                turn_rate = _o168.turn_rate;
+                const kernel_gripped_out _o169 = kernel_gripped(p_ball_radius, p_inertia, nx, ny, nz, vx, vy, vz, wx, wy, wz);
+                rolled_x = _o169.rolled_x;
+                rolled_y = _o169.rolled_y;
+                rolled_z = _o169.rolled_z;
+                const kernel_holding_out _o170 = kernel_holding(0.0, held);
+                here = _o170.here;
+                if (here) {
+                    const kernel_ring_distance_out _o171 = kernel_ring_distance(p_ball_radius, p_ring_radius, p_wire_radius, x, y, z);
+                    gap = _o171.gap;
+                }
+                const kernel_holding_out _o172 = kernel_holding(1.0, held);
+                here = _o172.here;
+                if (here) {
+                    const kernel_backboard_distance_out _o173 = kernel_backboard_distance(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z);
+                    gap = _o173.gap;
+                }
+                const kernel_holding_out _o174 = kernel_holding(2.0, held);
+                here = _o174.here;
+                if (here) {
+                    const kernel_bridge_distance_out _o175 = kernel_bridge_distance(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z);
+                    gap = _o175.gap;
+                }
+                const kernel_roll_placed_out _o176 = kernel_roll_placed(p_ball_radius, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, gap, turn_rate);
+                x = _o176.x;
+                y = _o176.y;
+                z = _o176.z;
+                vx = _o176.vx;
+                vy = _o176.vy;
+                vz = _o176.vz;
+                wx = _o176.wx;
+                wy = _o176.wy;
+                wz = _o176.wz;
+                if (BOUNDS) {
+                    const kernel_begun_errors_out _o177 = kernel_begun_errors(p_ball_radius, vx, vy, vz, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
+                    dx = _o177.dx;
+                    dy = _o177.dy;
+                    dz = _o177.dz;
+                    dvx = _o177.dvx;
+                    dvy = _o177.dvy;
+                    dvz = _o177.dvz;
+                    dwx = _o177.dwx;
+                    dwy = _o177.dwy;
+                    dwz = _o177.dwz;
+                    const kernel_forget_grip_deficit_out _o178 = kernel_forget_grip_deficit();
+                    last_grip_deficit = _o178.last_grip_deficit;
+                }
+                const kernel_beginning_contact_out _o179 = kernel_beginning_contact();
+                which = _o179.which;
+                circled = _o179.circled;
+            }
+            const kernel_circles_out _o180 = kernel_circles(0.0, held, rolling);
+            circling = _o180.circling;
+            rolling = _o180.rolling;
             for (size_t _turn = 0; _turn < 16; _turn++) {
                 if (!rolling)
                     break;
-                const kernel_error_bounds_out _o561 = kernel_error_bounds(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
-                position_error = _o561.position_error;
-                velocity_error = _o561.velocity_error;
-                const kernel_holding_out _o562 = kernel_holding(1.0, held);
-                here = _o562.here;
+                if (BOUNDS) {
+                    const kernel_error_bounds_out _o181 = kernel_error_bounds(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
+                    position_error = _o181.position_error;
+                    velocity_error = _o181.velocity_error;
+                }
+                const kernel_holding_out _o182 = kernel_holding(1.0, held);
+                here = _o182.here;
                 if (here) {
-                    const kernel_backboard_normal_out _o563 = kernel_backboard_normal(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                    nx = _o563.nx;
-                    ny = _o563.ny;
-                    nz = _o563.nz;
-                    const kernel_backboard_rolling_surface_out _o564 = kernel_backboard_rolling_surface(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, vx, vy, vz);
-                    bent_x = _o564.bent_x;
-                    bent_y = _o564.bent_y;
-                    bent_z = _o564.bent_z;
-                    per_reach = _o564.per_reach;
+                    const kernel_backboard_normal_out _o183 = kernel_backboard_normal(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
+                    nx = _o183.nx;
+                    ny = _o183.ny;
+                    nz = _o183.nz;
+                    const kernel_backboard_rolling_surface_out _o184 = kernel_backboard_rolling_surface(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, vx, vy, vz);
+                    bent_x = _o184.bent_x;
+                    bent_y = _o184.bent_y;
+                    bent_z = _o184.bent_z;
+                    per_reach = _o184.per_reach;
                 }
-                const kernel_holding_out _o565 = kernel_holding(2.0, held);
-                here = _o565.here;
+                const kernel_holding_out _o185 = kernel_holding(2.0, held);
+                here = _o185.here;
                 if (here) {
-                    const kernel_bridge_normal_out _o566 = kernel_bridge_normal(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                    nx = _o566.nx;
-                    ny = _o566.ny;
-                    nz = _o566.nz;
-                    const kernel_bridge_rolling_surface_out _o567 = kernel_bridge_rolling_surface(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
-                    bent_x = _o567.bent_x;
-                    bent_y = _o567.bent_y;
-                    bent_z = _o567.bent_z;
-                    per_reach = _o567.per_reach;
+                    const kernel_bridge_normal_out _o186 = kernel_bridge_normal(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
+                    nx = _o186.nx;
+                    ny = _o186.ny;
+                    nz = _o186.nz;
+                    const kernel_bridge_rolling_surface_out _o187 = kernel_bridge_rolling_surface(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
+                    bent_x = _o187.bent_x;
+                    bent_y = _o187.bent_y;
+                    bent_z = _o187.bent_z;
+                    per_reach = _o187.per_reach;
                 }
-                const kernel_roll_start_out _o568 = kernel_roll_start(p_ball_radius, nx, ny, nz, vx, vy, vz, wx, wy, wz);
-                vx_0 = _o568.vx_0;
-                vy_0 = _o568.vy_0;
-                vz_0 = _o568.vz_0;
-                nx_0 = _o568.nx_0;
-                ny_0 = _o568.ny_0;
-                nz_0 = _o568.nz_0;
-                turn_rate_0 = _o568.turn_rate_0;
-                const kernel_roll_0_out _o569 = kernel_roll_0(p_gravity, p_inertia, nx_0, ny_0, nz_0, vx_0, vy_0, vz_0, bent_x, bent_y, bent_z, per_reach, turn_rate_0);
-                lift_0 = _o569.lift_0;
-                tx_0 = _o569.tx_0;
-                ty_0 = _o569.ty_0;
-                tz_0 = _o569.tz_0;
-                vx_1 = _o569.vx_1;
-                vy_1 = _o569.vy_1;
-                vz_1 = _o569.vz_1;
-                nx_1 = _o569.nx_1;
-                ny_1 = _o569.ny_1;
-                nz_1 = _o569.nz_1;
-                turn_rate_1 = _o569.turn_rate_1;
-                const kernel_roll_1_out _o570 = kernel_roll_1(p_gravity, p_inertia, nx_0, nx_1, ny_0, ny_1, nz_0, nz_1, vx_0, vx_1, vy_0, vy_1, vz_0, vz_1, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, lift_0, tx_0, ty_0, tz_0);
-                lift_1 = _o570.lift_1;
-                tx_1 = _o570.tx_1;
-                ty_1 = _o570.ty_1;
-                tz_1 = _o570.tz_1;
-                vx_2 = _o570.vx_2;
-                vy_2 = _o570.vy_2;
-                vz_2 = _o570.vz_2;
-                nx_2 = _o570.nx_2;
-                ny_2 = _o570.ny_2;
-                nz_2 = _o570.nz_2;
-                turn_rate_2 = _o570.turn_rate_2;
-                const kernel_roll_2_out _o571 = kernel_roll_2(p_gravity, p_inertia, nx_0, nx_1, nx_2, ny_0, ny_1, ny_2, nz_0, nz_1, nz_2, vx_0, vx_1, vx_2, vy_0, vy_1, vy_2, vz_0, vz_1, vz_2, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, lift_0, lift_1, tx_0, tx_1, ty_0, ty_1, tz_0, tz_1);
-                lift_2 = _o571.lift_2;
-                tx_2 = _o571.tx_2;
-                ty_2 = _o571.ty_2;
-                tz_2 = _o571.tz_2;
-                vx_3 = _o571.vx_3;
-                vy_3 = _o571.vy_3;
-                vz_3 = _o571.vz_3;
-                nx_3 = _o571.nx_3;
-                ny_3 = _o571.ny_3;
-                nz_3 = _o571.nz_3;
-                turn_rate_3 = _o571.turn_rate_3;
-                const kernel_roll_3_out _o572 = kernel_roll_3(p_gravity, p_inertia, nx_0, nx_1, nx_2, nx_3, ny_0, ny_1, ny_2, ny_3, nz_0, nz_1, nz_2, nz_3, vx_0, vx_1, vx_2, vx_3, vy_0, vy_1, vy_2, vy_3, vz_0, vz_1, vz_2, vz_3, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, lift_0, lift_1, lift_2, tx_0, tx_1, tx_2, ty_0, ty_1, ty_2, tz_0, tz_1, tz_2);
-                lift_3 = _o572.lift_3;
-                tx_3 = _o572.tx_3;
-                ty_3 = _o572.ty_3;
-                tz_3 = _o572.tz_3;
-                vx_4 = _o572.vx_4;
-                vy_4 = _o572.vy_4;
-                vz_4 = _o572.vz_4;
-                nx_4 = _o572.nx_4;
-                ny_4 = _o572.ny_4;
-                nz_4 = _o572.nz_4;
-                turn_rate_4 = _o572.turn_rate_4;
-                const kernel_roll_4_out _o573 = kernel_roll_4(p_gravity, p_inertia, nx_0, nx_1, nx_2, nx_3, nx_4, ny_0, ny_1, ny_2, ny_3, ny_4, nz_0, nz_1, nz_2, nz_3, nz_4, vx_0, vx_1, vx_2, vx_3, vx_4, vy_0, vy_1, vy_2, vy_3, vy_4, vz_0, vz_1, vz_2, vz_3, vz_4, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, lift_0, lift_1, lift_2, lift_3, tx_0, tx_1, tx_2, tx_3, ty_0, ty_1, ty_2, ty_3, tz_0, tz_1, tz_2, tz_3);
-                lift_4 = _o573.lift_4;
-                tx_4 = _o573.tx_4;
-                ty_4 = _o573.ty_4;
-                tz_4 = _o573.tz_4;
-                vx_5 = _o573.vx_5;
-                vy_5 = _o573.vy_5;
-                vz_5 = _o573.vz_5;
-                nx_5 = _o573.nx_5;
-                ny_5 = _o573.ny_5;
-                nz_5 = _o573.nz_5;
-                turn_rate_5 = _o573.turn_rate_5;
-                const kernel_roll_5_out _o574 = kernel_roll_5(p_gravity, p_inertia, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, lift_0, lift_1, lift_2, lift_3, lift_4, tx_0, tx_1, tx_2, tx_3, tx_4, ty_0, ty_1, ty_2, ty_3, ty_4, tz_0, tz_1, tz_2, tz_3, tz_4);
-                lift_5 = _o574.lift_5;
-                tx_5 = _o574.tx_5;
-                ty_5 = _o574.ty_5;
-                tz_5 = _o574.tz_5;
-                vx_6 = _o574.vx_6;
-                vy_6 = _o574.vy_6;
-                vz_6 = _o574.vz_6;
-                nx_6 = _o574.nx_6;
-                ny_6 = _o574.ny_6;
-                nz_6 = _o574.nz_6;
-                turn_rate_6 = _o574.turn_rate_6;
-                const kernel_roll_6_out _o575 = kernel_roll_6(p_gravity, p_inertia, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5);
-                lift_6 = _o575.lift_6;
-                tx_6 = _o575.tx_6;
-                ty_6 = _o575.ty_6;
-                tz_6 = _o575.tz_6;
-                vx_7 = _o575.vx_7;
-                vy_7 = _o575.vy_7;
-                vz_7 = _o575.vz_7;
-                nx_7 = _o575.nx_7;
-                ny_7 = _o575.ny_7;
-                nz_7 = _o575.nz_7;
-                turn_rate_7 = _o575.turn_rate_7;
-                const kernel_roll_7_out _o576 = kernel_roll_7(p_gravity, p_inertia, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, nx_7, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, ny_7, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, nz_7, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, lift_6, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, tx_6, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, ty_6, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, tz_6);
-                lift_7 = _o576.lift_7;
-                vx_8 = _o576.vx_8;
-                vy_8 = _o576.vy_8;
-                vz_8 = _o576.vz_8;
-                nx_8 = _o576.nx_8;
-                ny_8 = _o576.ny_8;
-                nz_8 = _o576.nz_8;
-                turn_rate_8 = _o576.turn_rate_8;
-                const kernel_roll_pace_out _o577 = kernel_roll_pace(p_gravity, p_inertia, nx_8, ny_8, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, nz_7, nz_8, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vx_8, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vy_8, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, vz_8, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, lift_6, lift_7);
-                stride = _o577.stride;
-                missed = _o577.missed;
-                strongest = _o577.strongest;
-                fastest = _o577.fastest;
-                force = _o577.force;
-                force_rate = _o577.force_rate;
-                force_bend = _o577.force_bend;
-                friction_force_rate = _o577.friction_force_rate;
-                const kernel_pulled_out _o578 = kernel_pulled(p_gravity, p_inertia, nx_0, nx_1, ny_0, ny_1, nz_0, nz_1, turn_rate_0, turn_rate_1, tx_0, tx_1, ty_0, ty_1, tz_0, tz_1);
-                rolling_friction = _o578.rolling_friction;
-                rolling_friction_rate = _o578.rolling_friction_rate;
-                grip_deficit = _o578.grip_deficit;
-                grip_deficit_rate = _o578.grip_deficit_rate;
-                const kernel_holding_out _o579 = kernel_holding(1.0, held);
-                here = _o579.here;
-                if (here) {
-                    const kernel_ring_impact_grip_deficit_out _o580 = kernel_ring_impact_grip_deficit(p_backboard_friction, rolling_friction, rolling_friction_rate, force, force_rate);
-                    grip_deficit = _o580.grip_deficit;
-                    grip_deficit_rate = _o580.grip_deficit_rate;
+                const kernel_roll_start_out _o188 = kernel_roll_start(p_ball_radius, nx, ny, nz, vx, vy, vz, wx, wy, wz);
+                vx_0 = _o188.vx_0;
+                vy_0 = _o188.vy_0;
+                vz_0 = _o188.vz_0;
+                nx_0 = _o188.nx_0;
+                ny_0 = _o188.ny_0;
+                nz_0 = _o188.nz_0;
+                turn_rate_0 = _o188.turn_rate_0;
+                const kernel_roll_0_out _o189 = kernel_roll_0(p_gravity, p_inertia, nx_0, ny_0, nz_0, vx_0, vy_0, vz_0, bent_x, bent_y, bent_z, per_reach, turn_rate_0);
+                lift_0 = _o189.lift_0;
+                tx_0 = _o189.tx_0;
+                ty_0 = _o189.ty_0;
+                tz_0 = _o189.tz_0;
+                vx_1 = _o189.vx_1;
+                vy_1 = _o189.vy_1;
+                vz_1 = _o189.vz_1;
+                nx_1 = _o189.nx_1;
+                ny_1 = _o189.ny_1;
+                nz_1 = _o189.nz_1;
+                turn_rate_1 = _o189.turn_rate_1;
+                const kernel_roll_1_out _o190 = kernel_roll_1(p_gravity, p_inertia, nx_0, nx_1, ny_0, ny_1, nz_0, nz_1, vx_0, vx_1, vy_0, vy_1, vz_0, vz_1, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, lift_0, tx_0, ty_0, tz_0);
+                lift_1 = _o190.lift_1;
+                tx_1 = _o190.tx_1;
+                ty_1 = _o190.ty_1;
+                tz_1 = _o190.tz_1;
+                vx_2 = _o190.vx_2;
+                vy_2 = _o190.vy_2;
+                vz_2 = _o190.vz_2;
+                nx_2 = _o190.nx_2;
+                ny_2 = _o190.ny_2;
+                nz_2 = _o190.nz_2;
+                turn_rate_2 = _o190.turn_rate_2;
+                const kernel_roll_2_out _o191 = kernel_roll_2(p_gravity, p_inertia, nx_0, nx_1, nx_2, ny_0, ny_1, ny_2, nz_0, nz_1, nz_2, vx_0, vx_1, vx_2, vy_0, vy_1, vy_2, vz_0, vz_1, vz_2, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, lift_0, lift_1, tx_0, tx_1, ty_0, ty_1, tz_0, tz_1);
+                lift_2 = _o191.lift_2;
+                tx_2 = _o191.tx_2;
+                ty_2 = _o191.ty_2;
+                tz_2 = _o191.tz_2;
+                vx_3 = _o191.vx_3;
+                vy_3 = _o191.vy_3;
+                vz_3 = _o191.vz_3;
+                nx_3 = _o191.nx_3;
+                ny_3 = _o191.ny_3;
+                nz_3 = _o191.nz_3;
+                turn_rate_3 = _o191.turn_rate_3;
+                const kernel_roll_3_out _o192 = kernel_roll_3(p_gravity, p_inertia, nx_0, nx_1, nx_2, nx_3, ny_0, ny_1, ny_2, ny_3, nz_0, nz_1, nz_2, nz_3, vx_0, vx_1, vx_2, vx_3, vy_0, vy_1, vy_2, vy_3, vz_0, vz_1, vz_2, vz_3, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, lift_0, lift_1, lift_2, tx_0, tx_1, tx_2, ty_0, ty_1, ty_2, tz_0, tz_1, tz_2);
+                lift_3 = _o192.lift_3;
+                tx_3 = _o192.tx_3;
+                ty_3 = _o192.ty_3;
+                tz_3 = _o192.tz_3;
+                vx_4 = _o192.vx_4;
+                vy_4 = _o192.vy_4;
+                vz_4 = _o192.vz_4;
+                nx_4 = _o192.nx_4;
+                ny_4 = _o192.ny_4;
+                nz_4 = _o192.nz_4;
+                turn_rate_4 = _o192.turn_rate_4;
+                const kernel_roll_4_out _o193 = kernel_roll_4(p_gravity, p_inertia, nx_0, nx_1, nx_2, nx_3, nx_4, ny_0, ny_1, ny_2, ny_3, ny_4, nz_0, nz_1, nz_2, nz_3, nz_4, vx_0, vx_1, vx_2, vx_3, vx_4, vy_0, vy_1, vy_2, vy_3, vy_4, vz_0, vz_1, vz_2, vz_3, vz_4, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, lift_0, lift_1, lift_2, lift_3, tx_0, tx_1, tx_2, tx_3, ty_0, ty_1, ty_2, ty_3, tz_0, tz_1, tz_2, tz_3);
+                lift_4 = _o193.lift_4;
+                tx_4 = _o193.tx_4;
+                ty_4 = _o193.ty_4;
+                tz_4 = _o193.tz_4;
+                vx_5 = _o193.vx_5;
+                vy_5 = _o193.vy_5;
+                vz_5 = _o193.vz_5;
+                nx_5 = _o193.nx_5;
+                ny_5 = _o193.ny_5;
+                nz_5 = _o193.nz_5;
+                turn_rate_5 = _o193.turn_rate_5;
+                const kernel_roll_5_out _o194 = kernel_roll_5(p_gravity, p_inertia, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, lift_0, lift_1, lift_2, lift_3, lift_4, tx_0, tx_1, tx_2, tx_3, tx_4, ty_0, ty_1, ty_2, ty_3, ty_4, tz_0, tz_1, tz_2, tz_3, tz_4);
+                lift_5 = _o194.lift_5;
+                tx_5 = _o194.tx_5;
+                ty_5 = _o194.ty_5;
+                tz_5 = _o194.tz_5;
+                vx_6 = _o194.vx_6;
+                vy_6 = _o194.vy_6;
+                vz_6 = _o194.vz_6;
+                nx_6 = _o194.nx_6;
+                ny_6 = _o194.ny_6;
+                nz_6 = _o194.nz_6;
+                turn_rate_6 = _o194.turn_rate_6;
+                const kernel_roll_6_out _o195 = kernel_roll_6(p_gravity, p_inertia, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5);
+                lift_6 = _o195.lift_6;
+                tx_6 = _o195.tx_6;
+                ty_6 = _o195.ty_6;
+                tz_6 = _o195.tz_6;
+                vx_7 = _o195.vx_7;
+                vy_7 = _o195.vy_7;
+                vz_7 = _o195.vz_7;
+                nx_7 = _o195.nx_7;
+                ny_7 = _o195.ny_7;
+                nz_7 = _o195.nz_7;
+                turn_rate_7 = _o195.turn_rate_7;
+                const kernel_roll_7_out _o196 = kernel_roll_7(p_gravity, p_inertia, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, nx_7, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, ny_7, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, nz_7, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, lift_6, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, tx_6, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, ty_6, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, tz_6);
+                lift_7 = _o196.lift_7;
+                vx_8 = _o196.vx_8;
+                vy_8 = _o196.vy_8;
+                vz_8 = _o196.vz_8;
+                nx_8 = _o196.nx_8;
+                ny_8 = _o196.ny_8;
+                nz_8 = _o196.nz_8;
+                turn_rate_8 = _o196.turn_rate_8;
+                const kernel_roll_pace_out _o197 = kernel_roll_pace(p_gravity, p_inertia, nx_8, ny_8, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, nz_7, nz_8, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vx_8, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vy_8, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, vz_8, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, lift_6, lift_7);
+                stride = _o197.stride;
+                strongest = _o197.strongest;
+                fastest = _o197.fastest;
+                force = _o197.force;
+                force_rate = _o197.force_rate;
+                force_bend = _o197.force_bend;
+                friction_force_rate = _o197.friction_force_rate;
+                if (BOUNDS)
+                    missed = _o197.missed;
+                if (BOUNDS) {
+                    const kernel_pulled_out _o198 = kernel_pulled(p_gravity, p_inertia, nx_0, nx_1, ny_0, ny_1, nz_0, nz_1, turn_rate_0, turn_rate_1, tx_0, tx_1, ty_0, ty_1, tz_0, tz_1);
+                    rolling_friction = _o198.rolling_friction;
+                    rolling_friction_rate = _o198.rolling_friction_rate;
+                    grip_deficit = _o198.grip_deficit;
+                    grip_deficit_rate = _o198.grip_deficit_rate;
+                    const kernel_holding_out _o199 = kernel_holding(1.0, held);
+                    here = _o199.here;
+                    if (here) {
+                        const kernel_ring_impact_grip_deficit_out _o200 = kernel_ring_impact_grip_deficit(p_backboard_friction, rolling_friction, rolling_friction_rate, force, force_rate);
+                        grip_deficit = _o200.grip_deficit;
+                        grip_deficit_rate = _o200.grip_deficit_rate;
+                    }
+                    const kernel_holding_out _o201 = kernel_holding(2.0, held);
+                    here = _o201.here;
+                    if (here) {
+                        const kernel_ring_impact_grip_deficit_out _o202 = kernel_ring_impact_grip_deficit(p_bridge_friction, rolling_friction, rolling_friction_rate, force, force_rate);
+                        grip_deficit = _o202.grip_deficit;
+                        grip_deficit_rate = _o202.grip_deficit_rate;
+                    }
+                    const kernel_losing_out _o203 = kernel_losing(grip_deficit, grip_lost);
+                    loses = _o203.loses;
+                    if (loses) {
+                        const kernel_lost_grip_out _o204 = kernel_lost_grip(clock, grip_deficit, grip_deficit_rate, last_grip_deficit, last_grip_deficit_rate, last_grip_clock);
+                        grip_lost = _o204.grip_lost;
+                    }
+                    const kernel_remember_grip_deficit_out _o205 = kernel_remember_grip_deficit(clock, grip_deficit, grip_deficit_rate);
+                    last_grip_deficit = _o205.last_grip_deficit;
+                    last_grip_deficit_rate = _o205.last_grip_deficit_rate;
+                    last_grip_clock = _o205.last_grip_clock;
                 }
-                const kernel_holding_out _o581 = kernel_holding(2.0, held);
-                here = _o581.here;
-                if (here) {
-                    const kernel_ring_impact_grip_deficit_out _o582 = kernel_ring_impact_grip_deficit(p_bridge_friction, rolling_friction, rolling_friction_rate, force, force_rate);
-                    grip_deficit = _o582.grip_deficit;
-                    grip_deficit_rate = _o582.grip_deficit_rate;
-                }
-                const kernel_losing_out _o583 = kernel_losing(grip_deficit, grip_lost);
-                loses = _o583.loses;
-                if (loses) {
-                    const kernel_lost_grip_out _o584 = kernel_lost_grip(clock, grip_deficit, grip_deficit_rate, last_grip_deficit, last_grip_deficit_rate, last_grip_clock);
-                    grip_lost = _o584.grip_lost;
-                }
-                const kernel_remember_grip_deficit_out _o585 = kernel_remember_grip_deficit(clock, grip_deficit, grip_deficit_rate);
-                last_grip_deficit = _o585.last_grip_deficit;
-                last_grip_deficit_rate = _o585.last_grip_deficit_rate;
-                last_grip_clock = _o585.last_grip_clock;
-                const kernel_leaving_force_out _o586 = kernel_leaving_force(p_ball_radius, p_gravity, vx, vx_1, vy, vy_1, vz, vz_1, which, doubt, position_error, velocity_error, per_reach, force, force_rate, force_bend, friction_force_rate, stride, fastest);
-                stride = _o586.stride;
-                which = _o586.which;
-                rests = _o586.rests;
-                doubt = _o586.doubt;
-                const kernel_beside_out _o587 = kernel_beside(0.0, held);
-                beside = _o587.beside;
+                const kernel_leaving_force_out _o206 = kernel_leaving_force(p_ball_radius, p_gravity, vx, vx_1, vy, vy_1, vz, vz_1, which, doubt, position_error, velocity_error, per_reach, force, force_rate, force_bend, friction_force_rate, stride, fastest);
+                stride = _o206.stride;
+                which = _o206.which;
+                rests = _o206.rests;
+                if (BOUNDS)
+                    doubt = _o206.doubt;
+                const kernel_beside_out _o207 = kernel_beside(0.0, held);
+                beside = _o207.beside;
                 if (beside) {
-                    const kernel_ring_beside_out _o588 = kernel_ring_beside(p_ball_radius, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
-                    gap = _o588.gap;
-                    nearing = _o588.nearing;
-                    gap_curvature = _o588.gap_curvature;
-                    const kernel_beside_body_out _o589 = kernel_beside_body(p_ball_radius, x, y, z, gap, 0.0, which, earliest_delay, doubt, position_error, nearing, gap_curvature, stride, strongest, fastest);
-                    stride = _o589.stride;
-                    which = _o589.which;
-                    doubt = _o589.doubt;
-                    earliest_delay = _o589.earliest_delay;
+                    const kernel_ring_beside_out _o208 = kernel_ring_beside(p_ball_radius, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
+                    gap = _o208.gap;
+                    nearing = _o208.nearing;
+                    gap_curvature = _o208.gap_curvature;
+                    const kernel_beside_body_out _o209 = kernel_beside_body(p_ball_radius, x, y, z, gap, 0.0, which, earliest_delay, doubt, position_error, nearing, gap_curvature, stride, strongest, fastest);
+                    stride = _o209.stride;
+                    which = _o209.which;
+                    if (BOUNDS) {
+                        doubt = _o209.doubt;
+                        earliest_delay = _o209.earliest_delay;
+                    }
                 }
-                const kernel_beside_out _o590 = kernel_beside(1.0, held);
-                beside = _o590.beside;
+                const kernel_beside_out _o210 = kernel_beside(1.0, held);
+                beside = _o210.beside;
                 if (beside) {
-                    const kernel_backboard_beside_out _o591 = kernel_backboard_beside(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, vx, vy, vz);
-                    gap = _o591.gap;
-                    nearing = _o591.nearing;
-                    gap_curvature = _o591.gap_curvature;
-                    const kernel_beside_body_out _o592 = kernel_beside_body(p_ball_radius, x, y, z, gap, 1.0, which, earliest_delay, doubt, position_error, nearing, gap_curvature, stride, strongest, fastest);
-                    stride = _o592.stride;
-                    which = _o592.which;
-                    doubt = _o592.doubt;
-                    earliest_delay = _o592.earliest_delay;
+                    const kernel_backboard_beside_out _o211 = kernel_backboard_beside(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, vx, vy, vz);
+                    gap = _o211.gap;
+                    nearing = _o211.nearing;
+                    gap_curvature = _o211.gap_curvature;
+                    const kernel_beside_body_out _o212 = kernel_beside_body(p_ball_radius, x, y, z, gap, 1.0, which, earliest_delay, doubt, position_error, nearing, gap_curvature, stride, strongest, fastest);
+                    stride = _o212.stride;
+                    which = _o212.which;
+                    if (BOUNDS) {
+                        doubt = _o212.doubt;
+                        earliest_delay = _o212.earliest_delay;
+                    }
                 }
-                const kernel_beside_out _o593 = kernel_beside(2.0, held);
-                beside = _o593.beside;
+                const kernel_beside_out _o213 = kernel_beside(2.0, held);
+                beside = _o213.beside;
                 if (beside) {
-                    const kernel_bridge_beside_out _o594 = kernel_bridge_beside(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
-                    gap = _o594.gap;
-                    nearing = _o594.nearing;
-                    gap_curvature = _o594.gap_curvature;
-                    const kernel_beside_body_out _o595 = kernel_beside_body(p_ball_radius, x, y, z, gap, 2.0, which, earliest_delay, doubt, position_error, nearing, gap_curvature, stride, strongest, fastest);
-                    stride = _o595.stride;
-                    which = _o595.which;
-                    doubt = _o595.doubt;
-                    earliest_delay = _o595.earliest_delay;
+                    const kernel_bridge_beside_out _o214 = kernel_bridge_beside(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
+                    gap = _o214.gap;
+                    nearing = _o214.nearing;
+                    gap_curvature = _o214.gap_curvature;
+                    const kernel_beside_body_out _o215 = kernel_beside_body(p_ball_radius, x, y, z, gap, 2.0, which, earliest_delay, doubt, position_error, nearing, gap_curvature, stride, strongest, fastest);
+                    stride = _o215.stride;
+                    which = _o215.which;
+                    if (BOUNDS) {
+                        doubt = _o215.doubt;
+                        earliest_delay = _o215.earliest_delay;
+                    }
                 }
-                const kernel_end_beside_out _o596 = kernel_end_beside(p_end_depth, z, vz);
-                gap = _o596.gap;
-                nearing = _o596.nearing;
-                gap_curvature = _o596.gap_curvature;
-                const kernel_beside_gate_out _o597 = kernel_beside_gate(p_ball_radius, x, y, z, gap, 3.0, which, earliest_delay, doubt, position_error, nearing, gap_curvature, stride, strongest, fastest);
-                stride = _o597.stride;
-                which = _o597.which;
-                doubt = _o597.doubt;
-                earliest_delay = _o597.earliest_delay;
-                const kernel_holding_out _o598 = kernel_holding(1.0, held);
-                here = _o598.here;
+                const kernel_end_beside_out _o216 = kernel_end_beside(p_end_depth, z, vz);
+                gap = _o216.gap;
+                nearing = _o216.nearing;
+                gap_curvature = _o216.gap_curvature;
+                const kernel_beside_gate_out _o217 = kernel_beside_gate(p_ball_radius, x, y, z, gap, 3.0, which, earliest_delay, doubt, position_error, nearing, gap_curvature, stride, strongest, fastest);
+                stride = _o217.stride;
+                which = _o217.which;
+                if (BOUNDS) {
+                    doubt = _o217.doubt;
+                    earliest_delay = _o217.earliest_delay;
+                }
+                const kernel_holding_out _o218 = kernel_holding(1.0, held);
+                here = _o218.here;
                 if (here) {
-                    const kernel_backboard_seam0_out _o599 = kernel_backboard_seam0(p_ball_radius, p_board_distance, p_board_thickness, x, vx);
-                    gap = _o599.gap;
-                    nearing = _o599.nearing;
-                    near = _o599.near;
-                    const kernel_beside_seam_out _o600 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
-                    stride = _o600.stride;
-                    const kernel_backboard_seam1_out _o601 = kernel_backboard_seam1(p_ball_radius, p_board_distance, p_board_thickness, x, vx);
-                    gap = _o601.gap;
-                    nearing = _o601.nearing;
-                    near = _o601.near;
-                    const kernel_beside_seam_out _o602 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
-                    stride = _o602.stride;
-                    const kernel_backboard_seam2_out _o603 = kernel_backboard_seam2(p_ball_radius, p_board_half_width, y, vy);
-                    gap = _o603.gap;
-                    nearing = _o603.nearing;
-                    near = _o603.near;
-                    const kernel_beside_seam_out _o604 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
-                    stride = _o604.stride;
-                    const kernel_backboard_seam3_out _o605 = kernel_backboard_seam3(p_ball_radius, p_board_half_width, y, vy);
-                    gap = _o605.gap;
-                    nearing = _o605.nearing;
-                    near = _o605.near;
-                    const kernel_beside_seam_out _o606 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
-                    stride = _o606.stride;
-                    const kernel_backboard_seam4_out _o607 = kernel_backboard_seam4(p_ball_radius, p_board_bottom, p_board_top, z, vz);
-                    gap = _o607.gap;
-                    nearing = _o607.nearing;
-                    near = _o607.near;
-                    const kernel_beside_seam_out _o608 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
-                    stride = _o608.stride;
-                    const kernel_backboard_seam5_out _o609 = kernel_backboard_seam5(p_ball_radius, p_board_bottom, p_board_top, z, vz);
-                    gap = _o609.gap;
-                    nearing = _o609.nearing;
-                    near = _o609.near;
-                    const kernel_beside_seam_out _o610 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
-                    stride = _o610.stride;
+                    const kernel_backboard_seam0_out _o219 = kernel_backboard_seam0(p_ball_radius, p_board_distance, p_board_thickness, x, vx);
+                    gap = _o219.gap;
+                    nearing = _o219.nearing;
+                    near = _o219.near;
+                    const kernel_beside_seam_out _o220 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
+                    stride = _o220.stride;
+                    const kernel_backboard_seam1_out _o221 = kernel_backboard_seam1(p_ball_radius, p_board_distance, p_board_thickness, x, vx);
+                    gap = _o221.gap;
+                    nearing = _o221.nearing;
+                    near = _o221.near;
+                    const kernel_beside_seam_out _o222 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
+                    stride = _o222.stride;
+                    const kernel_backboard_seam2_out _o223 = kernel_backboard_seam2(p_ball_radius, p_board_half_width, y, vy);
+                    gap = _o223.gap;
+                    nearing = _o223.nearing;
+                    near = _o223.near;
+                    const kernel_beside_seam_out _o224 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
+                    stride = _o224.stride;
+                    const kernel_backboard_seam3_out _o225 = kernel_backboard_seam3(p_ball_radius, p_board_half_width, y, vy);
+                    gap = _o225.gap;
+                    nearing = _o225.nearing;
+                    near = _o225.near;
+                    const kernel_beside_seam_out _o226 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
+                    stride = _o226.stride;
+                    const kernel_backboard_seam4_out _o227 = kernel_backboard_seam4(p_ball_radius, p_board_bottom, p_board_top, z, vz);
+                    gap = _o227.gap;
+                    nearing = _o227.nearing;
+                    near = _o227.near;
+                    const kernel_beside_seam_out _o228 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
+                    stride = _o228.stride;
+                    const kernel_backboard_seam5_out _o229 = kernel_backboard_seam5(p_ball_radius, p_board_bottom, p_board_top, z, vz);
+                    gap = _o229.gap;
+                    nearing = _o229.nearing;
+                    near = _o229.near;
+                    const kernel_beside_seam_out _o230 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
+                    stride = _o230.stride;
                 }
-                const kernel_holding_out _o611 = kernel_holding(2.0, held);
-                here = _o611.here;
+                const kernel_holding_out _o231 = kernel_holding(2.0, held);
+                here = _o231.here;
                 if (here) {
-                    const kernel_bridge_seam0_out _o612 = kernel_bridge_seam0(p_ball_radius, p_board_distance, p_ring_radius, x, vx);
-                    gap = _o612.gap;
-                    nearing = _o612.nearing;
-                    near = _o612.near;
-                    const kernel_beside_seam_out _o613 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
-                    stride = _o613.stride;
-                    const kernel_bridge_seam1_out _o614 = kernel_bridge_seam1(p_ball_radius, p_board_distance, p_ring_radius, x, vx);
-                    gap = _o614.gap;
-                    nearing = _o614.nearing;
-                    near = _o614.near;
-                    const kernel_beside_seam_out _o615 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
-                    stride = _o615.stride;
-                    const kernel_bridge_seam2_out _o616 = kernel_bridge_seam2(p_ball_radius, p_bridge_half_width, y, vy);
-                    gap = _o616.gap;
-                    nearing = _o616.nearing;
-                    near = _o616.near;
-                    const kernel_beside_seam_out _o617 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
-                    stride = _o617.stride;
-                    const kernel_bridge_seam3_out _o618 = kernel_bridge_seam3(p_ball_radius, p_bridge_half_width, y, vy);
-                    gap = _o618.gap;
-                    nearing = _o618.nearing;
-                    near = _o618.near;
-                    const kernel_beside_seam_out _o619 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
-                    stride = _o619.stride;
-                    const kernel_bridge_seam4_out _o620 = kernel_bridge_seam4(p_ball_radius, p_bridge_depth, p_wire_radius, z, vz);
-                    gap = _o620.gap;
-                    nearing = _o620.nearing;
-                    near = _o620.near;
-                    const kernel_beside_seam_out _o621 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
-                    stride = _o621.stride;
-                    const kernel_bridge_seam5_out _o622 = kernel_bridge_seam5(p_ball_radius, p_bridge_depth, p_wire_radius, z, vz);
-                    gap = _o622.gap;
-                    nearing = _o622.nearing;
-                    near = _o622.near;
-                    const kernel_beside_seam_out _o623 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
-                    stride = _o623.stride;
+                    const kernel_bridge_seam0_out _o232 = kernel_bridge_seam0(p_ball_radius, p_board_distance, p_ring_radius, x, vx);
+                    gap = _o232.gap;
+                    nearing = _o232.nearing;
+                    near = _o232.near;
+                    const kernel_beside_seam_out _o233 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
+                    stride = _o233.stride;
+                    const kernel_bridge_seam1_out _o234 = kernel_bridge_seam1(p_ball_radius, p_board_distance, p_ring_radius, x, vx);
+                    gap = _o234.gap;
+                    nearing = _o234.nearing;
+                    near = _o234.near;
+                    const kernel_beside_seam_out _o235 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
+                    stride = _o235.stride;
+                    const kernel_bridge_seam2_out _o236 = kernel_bridge_seam2(p_ball_radius, p_bridge_half_width, y, vy);
+                    gap = _o236.gap;
+                    nearing = _o236.nearing;
+                    near = _o236.near;
+                    const kernel_beside_seam_out _o237 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
+                    stride = _o237.stride;
+                    const kernel_bridge_seam3_out _o238 = kernel_bridge_seam3(p_ball_radius, p_bridge_half_width, y, vy);
+                    gap = _o238.gap;
+                    nearing = _o238.nearing;
+                    near = _o238.near;
+                    const kernel_beside_seam_out _o239 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
+                    stride = _o239.stride;
+                    const kernel_bridge_seam4_out _o240 = kernel_bridge_seam4(p_ball_radius, p_bridge_depth, p_wire_radius, z, vz);
+                    gap = _o240.gap;
+                    nearing = _o240.nearing;
+                    near = _o240.near;
+                    const kernel_beside_seam_out _o241 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
+                    stride = _o241.stride;
+                    const kernel_bridge_seam5_out _o242 = kernel_bridge_seam5(p_ball_radius, p_bridge_depth, p_wire_radius, z, vz);
+                    gap = _o242.gap;
+                    nearing = _o242.nearing;
+                    near = _o242.near;
+                    const kernel_beside_seam_out _o243 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
+                    stride = _o243.stride;
                 }
-                const kernel_beside_time_out _o624 = kernel_beside_time(which, clock, time_limit, stride);
-                stride = _o624.stride;
-                which = _o624.which;
-                const kernel_neighbour_scale_out _o625 = kernel_neighbour_scale(p_ball_radius, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
-                neighbour_scale = _o625.neighbour_scale;
-                const kernel_neighbour_out _o626 = kernel_neighbour(x, y, z, vx, vy, vz, wx, wy, wz, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz, neighbour_scale);
-                far_x = _o626.far_x;
-                far_y = _o626.far_y;
-                far_z = _o626.far_z;
-                far_vx = _o626.far_vx;
-                far_vy = _o626.far_vy;
-                far_vz = _o626.far_vz;
-                far_wx = _o626.far_wx;
-                far_wy = _o626.far_wy;
-                far_wz = _o626.far_wz;
-                far_nx = _o626.far_nx;
-                far_ny = _o626.far_ny;
-                far_nz = _o626.far_nz;
-                far_gap = _o626.far_gap;
-                const kernel_passing_from_out _o627 = kernel_passing_from(z);
-                over = _o627.over;
-                const kernel_roll_moved_out _o628 = kernel_roll_moved(x, y, z, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vx_8, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vy_8, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, vz_8, stride, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8);
-                x = _o628.x;
-                vx = _o628.vx;
-                y = _o628.y;
-                vy = _o628.vy;
-                z = _o628.z;
-                vz = _o628.vz;
-                turn_rate = _o628.turn_rate;
-                const kernel_holding_out _o629 = kernel_holding(1.0, held);
-                here = _o629.here;
+                const kernel_beside_time_out _o244 = kernel_beside_time(which, clock, time_limit, stride);
+                stride = _o244.stride;
+                which = _o244.which;
+                if (BOUNDS) {
+                    const kernel_neighbour_scale_out _o245 = kernel_neighbour_scale(p_ball_radius, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
+                    neighbour_scale = _o245.neighbour_scale;
+                    const kernel_neighbour_out _o246 = kernel_neighbour(x, y, z, vx, vy, vz, wx, wy, wz, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz, neighbour_scale);
+                    far_x = _o246.far_x;
+                    far_y = _o246.far_y;
+                    far_z = _o246.far_z;
+                    far_vx = _o246.far_vx;
+                    far_vy = _o246.far_vy;
+                    far_vz = _o246.far_vz;
+                    far_wx = _o246.far_wx;
+                    far_wy = _o246.far_wy;
+                    far_wz = _o246.far_wz;
+                    far_nx = _o246.far_nx;
+                    far_ny = _o246.far_ny;
+                    far_nz = _o246.far_nz;
+                    far_gap = _o246.far_gap;
+                }
+                const kernel_passing_from_out _o247 = kernel_passing_from(z);
+                over = _o247.over;
+                const kernel_roll_moved_out _o248 = kernel_roll_moved(x, y, z, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vx_8, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vy_8, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, vz_8, stride, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8);
+                x = _o248.x;
+                vx = _o248.vx;
+                y = _o248.y;
+                vy = _o248.vy;
+                z = _o248.z;
+                vz = _o248.vz;
+                turn_rate = _o248.turn_rate;
+                const kernel_holding_out _o249 = kernel_holding(1.0, held);
+                here = _o249.here;
                 if (here) {
-                    const kernel_backboard_normal_out _o630 = kernel_backboard_normal(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                    nx = _o630.nx;
-                    ny = _o630.ny;
-                    nz = _o630.nz;
-                    const kernel_backboard_distance_out _o631 = kernel_backboard_distance(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z);
-                    gap = _o631.gap;
+                    const kernel_backboard_normal_out _o250 = kernel_backboard_normal(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
+                    nx = _o250.nx;
+                    ny = _o250.ny;
+                    nz = _o250.nz;
+                    const kernel_backboard_distance_out _o251 = kernel_backboard_distance(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z);
+                    gap = _o251.gap;
                 }
-                const kernel_holding_out _o632 = kernel_holding(2.0, held);
-                here = _o632.here;
+                const kernel_holding_out _o252 = kernel_holding(2.0, held);
+                here = _o252.here;
                 if (here) {
-                    const kernel_bridge_normal_out _o633 = kernel_bridge_normal(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                    nx = _o633.nx;
-                    ny = _o633.ny;
-                    nz = _o633.nz;
-                    const kernel_bridge_distance_out _o634 = kernel_bridge_distance(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z);
-                    gap = _o634.gap;
+                    const kernel_bridge_normal_out _o253 = kernel_bridge_normal(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
+                    nx = _o253.nx;
+                    ny = _o253.ny;
+                    nz = _o253.nz;
+                    const kernel_bridge_distance_out _o254 = kernel_bridge_distance(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z);
+                    gap = _o254.gap;
                 }
-                const kernel_roll_placed_out _o635 = kernel_roll_placed(p_ball_radius, x, y, z, nx, ny, nz, vx, vy, vz, gap, turn_rate);
-                x = _o635.x;
-                y = _o635.y;
-                z = _o635.z;
-                vx = _o635.vx;
-                vy = _o635.vy;
-                vz = _o635.vz;
-                wx = _o635.wx;
-                wy = _o635.wy;
-                wz = _o635.wz;
-                const kernel_passing_in_contact_out _o636 = kernel_passing_in_contact(p_ring_radius, x, y, z, through, over);
-                through = _o636.through;
-                const kernel_holding_out _o637 = kernel_holding(1.0, held);
-                here = _o637.here;
-                if (here) {
-                    const kernel_backboard_normal_out _o638 = kernel_backboard_normal(far_x, far_y, far_z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                    far_nx = _o638.nx;
-                    far_ny = _o638.ny;
-                    far_nz = _o638.nz;
+                const kernel_roll_placed_out _o255 = kernel_roll_placed(p_ball_radius, x, y, z, nx, ny, nz, vx, vy, vz, gap, turn_rate);
+                x = _o255.x;
+                y = _o255.y;
+                z = _o255.z;
+                vx = _o255.vx;
+                vy = _o255.vy;
+                vz = _o255.vz;
+                wx = _o255.wx;
+                wy = _o255.wy;
+                wz = _o255.wz;
+                const kernel_passing_in_contact_out _o256 = kernel_passing_in_contact(p_ring_radius, x, y, z, through, over);
+                through = _o256.through;
+                if (BOUNDS) {
+                    const kernel_holding_out _o257 = kernel_holding(1.0, held);
+                    here = _o257.here;
+                    if (here) {
+                        const kernel_backboard_normal_out _o258 = kernel_backboard_normal(far_x, far_y, far_z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
+                        far_nx = _o258.nx;
+                        far_ny = _o258.ny;
+                        far_nz = _o258.nz;
+                    }
+                    const kernel_holding_out _o259 = kernel_holding(2.0, held);
+                    here = _o259.here;
+                    if (here) {
+                        const kernel_bridge_normal_out _o260 = kernel_bridge_normal(far_x, far_y, far_z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
+                        far_nx = _o260.nx;
+                        far_ny = _o260.ny;
+                        far_nz = _o260.nz;
+                    }
+                    const kernel_roll_turn_rate_out _o261 = kernel_roll_turn_rate(p_ball_radius, far_nx, far_ny, far_nz, far_wx, far_wy, far_wz);
+                    turn_rate = _o261.turn_rate;
+                    const kernel_holding_out _o262 = kernel_holding(1.0, held);
+                    here = _o262.here;
+                    if (here) {
+                        const kernel_backboard_normal_out _o263 = kernel_backboard_normal(far_x, far_y, far_z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
+                        far_nx = _o263.nx;
+                        far_ny = _o263.ny;
+                        far_nz = _o263.nz;
+                        const kernel_backboard_distance_out _o264 = kernel_backboard_distance(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, far_x, far_y, far_z);
+                        far_gap = _o264.gap;
+                    }
+                    const kernel_holding_out _o265 = kernel_holding(2.0, held);
+                    here = _o265.here;
+                    if (here) {
+                        const kernel_bridge_normal_out _o266 = kernel_bridge_normal(far_x, far_y, far_z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
+                        far_nx = _o266.nx;
+                        far_ny = _o266.ny;
+                        far_nz = _o266.nz;
+                        const kernel_bridge_distance_out _o267 = kernel_bridge_distance(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, far_x, far_y, far_z);
+                        far_gap = _o267.gap;
+                    }
+                    const kernel_roll_placed_out _o268 = kernel_roll_placed(p_ball_radius, far_x, far_y, far_z, far_nx, far_ny, far_nz, far_vx, far_vy, far_vz, far_gap, turn_rate);
+                    far_x = _o268.x;
+                    far_y = _o268.y;
+                    far_z = _o268.z;
+                    far_vx = _o268.vx;
+                    far_vy = _o268.vy;
+                    far_vz = _o268.vz;
+                    far_wx = _o268.wx;
+                    far_wy = _o268.wy;
+                    far_wz = _o268.wz;
+                    const kernel_roll_start_out _o269 = kernel_roll_start(p_ball_radius, far_nx, far_ny, far_nz, far_vx, far_vy, far_vz, far_wx, far_wy, far_wz);
+                    vx_0 = _o269.vx_0;
+                    vy_0 = _o269.vy_0;
+                    vz_0 = _o269.vz_0;
+                    nx_0 = _o269.nx_0;
+                    ny_0 = _o269.ny_0;
+                    nz_0 = _o269.nz_0;
+                    turn_rate_0 = _o269.turn_rate_0;
+                    const kernel_roll_0_out _o270 = kernel_roll_0(p_gravity, p_inertia, nx_0, ny_0, nz_0, vx_0, vy_0, vz_0, bent_x, bent_y, bent_z, per_reach, turn_rate_0);
+                    lift_0 = _o270.lift_0;
+                    tx_0 = _o270.tx_0;
+                    ty_0 = _o270.ty_0;
+                    tz_0 = _o270.tz_0;
+                    vx_1 = _o270.vx_1;
+                    vy_1 = _o270.vy_1;
+                    vz_1 = _o270.vz_1;
+                    nx_1 = _o270.nx_1;
+                    ny_1 = _o270.ny_1;
+                    nz_1 = _o270.nz_1;
+                    turn_rate_1 = _o270.turn_rate_1;
+                    const kernel_roll_1_out _o271 = kernel_roll_1(p_gravity, p_inertia, nx_0, nx_1, ny_0, ny_1, nz_0, nz_1, vx_0, vx_1, vy_0, vy_1, vz_0, vz_1, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, lift_0, tx_0, ty_0, tz_0);
+                    lift_1 = _o271.lift_1;
+                    tx_1 = _o271.tx_1;
+                    ty_1 = _o271.ty_1;
+                    tz_1 = _o271.tz_1;
+                    vx_2 = _o271.vx_2;
+                    vy_2 = _o271.vy_2;
+                    vz_2 = _o271.vz_2;
+                    nx_2 = _o271.nx_2;
+                    ny_2 = _o271.ny_2;
+                    nz_2 = _o271.nz_2;
+                    turn_rate_2 = _o271.turn_rate_2;
+                    const kernel_roll_2_out _o272 = kernel_roll_2(p_gravity, p_inertia, nx_0, nx_1, nx_2, ny_0, ny_1, ny_2, nz_0, nz_1, nz_2, vx_0, vx_1, vx_2, vy_0, vy_1, vy_2, vz_0, vz_1, vz_2, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, lift_0, lift_1, tx_0, tx_1, ty_0, ty_1, tz_0, tz_1);
+                    lift_2 = _o272.lift_2;
+                    tx_2 = _o272.tx_2;
+                    ty_2 = _o272.ty_2;
+                    tz_2 = _o272.tz_2;
+                    vx_3 = _o272.vx_3;
+                    vy_3 = _o272.vy_3;
+                    vz_3 = _o272.vz_3;
+                    nx_3 = _o272.nx_3;
+                    ny_3 = _o272.ny_3;
+                    nz_3 = _o272.nz_3;
+                    turn_rate_3 = _o272.turn_rate_3;
+                    const kernel_roll_3_out _o273 = kernel_roll_3(p_gravity, p_inertia, nx_0, nx_1, nx_2, nx_3, ny_0, ny_1, ny_2, ny_3, nz_0, nz_1, nz_2, nz_3, vx_0, vx_1, vx_2, vx_3, vy_0, vy_1, vy_2, vy_3, vz_0, vz_1, vz_2, vz_3, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, lift_0, lift_1, lift_2, tx_0, tx_1, tx_2, ty_0, ty_1, ty_2, tz_0, tz_1, tz_2);
+                    lift_3 = _o273.lift_3;
+                    tx_3 = _o273.tx_3;
+                    ty_3 = _o273.ty_3;
+                    tz_3 = _o273.tz_3;
+                    vx_4 = _o273.vx_4;
+                    vy_4 = _o273.vy_4;
+                    vz_4 = _o273.vz_4;
+                    nx_4 = _o273.nx_4;
+                    ny_4 = _o273.ny_4;
+                    nz_4 = _o273.nz_4;
+                    turn_rate_4 = _o273.turn_rate_4;
+                    const kernel_roll_4_out _o274 = kernel_roll_4(p_gravity, p_inertia, nx_0, nx_1, nx_2, nx_3, nx_4, ny_0, ny_1, ny_2, ny_3, ny_4, nz_0, nz_1, nz_2, nz_3, nz_4, vx_0, vx_1, vx_2, vx_3, vx_4, vy_0, vy_1, vy_2, vy_3, vy_4, vz_0, vz_1, vz_2, vz_3, vz_4, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, lift_0, lift_1, lift_2, lift_3, tx_0, tx_1, tx_2, tx_3, ty_0, ty_1, ty_2, ty_3, tz_0, tz_1, tz_2, tz_3);
+                    lift_4 = _o274.lift_4;
+                    tx_4 = _o274.tx_4;
+                    ty_4 = _o274.ty_4;
+                    tz_4 = _o274.tz_4;
+                    vx_5 = _o274.vx_5;
+                    vy_5 = _o274.vy_5;
+                    vz_5 = _o274.vz_5;
+                    nx_5 = _o274.nx_5;
+                    ny_5 = _o274.ny_5;
+                    nz_5 = _o274.nz_5;
+                    turn_rate_5 = _o274.turn_rate_5;
+                    const kernel_roll_5_out _o275 = kernel_roll_5(p_gravity, p_inertia, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, lift_0, lift_1, lift_2, lift_3, lift_4, tx_0, tx_1, tx_2, tx_3, tx_4, ty_0, ty_1, ty_2, ty_3, ty_4, tz_0, tz_1, tz_2, tz_3, tz_4);
+                    lift_5 = _o275.lift_5;
+                    tx_5 = _o275.tx_5;
+                    ty_5 = _o275.ty_5;
+                    tz_5 = _o275.tz_5;
+                    vx_6 = _o275.vx_6;
+                    vy_6 = _o275.vy_6;
+                    vz_6 = _o275.vz_6;
+                    nx_6 = _o275.nx_6;
+                    ny_6 = _o275.ny_6;
+                    nz_6 = _o275.nz_6;
+                    turn_rate_6 = _o275.turn_rate_6;
+                    const kernel_roll_6_out _o276 = kernel_roll_6(p_gravity, p_inertia, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5);
+                    lift_6 = _o276.lift_6;
+                    tx_6 = _o276.tx_6;
+                    ty_6 = _o276.ty_6;
+                    tz_6 = _o276.tz_6;
+                    vx_7 = _o276.vx_7;
+                    vy_7 = _o276.vy_7;
+                    vz_7 = _o276.vz_7;
+                    nx_7 = _o276.nx_7;
+                    ny_7 = _o276.ny_7;
+                    nz_7 = _o276.nz_7;
+                    turn_rate_7 = _o276.turn_rate_7;
+                    const kernel_roll_7_out _o277 = kernel_roll_7(p_gravity, p_inertia, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, nx_7, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, ny_7, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, nz_7, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, lift_6, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, tx_6, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, ty_6, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, tz_6);
+                    vx_8 = _o277.vx_8;
+                    vy_8 = _o277.vy_8;
+                    vz_8 = _o277.vz_8;
+                    turn_rate_8 = _o277.turn_rate_8;
+                    const kernel_roll_moved_out _o278 = kernel_roll_moved(far_x, far_y, far_z, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vx_8, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vy_8, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, vz_8, stride, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8);
+                    far_x = _o278.x;
+                    far_vx = _o278.vx;
+                    far_y = _o278.y;
+                    far_vy = _o278.vy;
+                    far_z = _o278.z;
+                    far_vz = _o278.vz;
+                    turn_rate = _o278.turn_rate;
+                    const kernel_holding_out _o279 = kernel_holding(1.0, held);
+                    here = _o279.here;
+                    if (here) {
+                        const kernel_backboard_normal_out _o280 = kernel_backboard_normal(far_x, far_y, far_z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
+                        far_nx = _o280.nx;
+                        far_ny = _o280.ny;
+                        far_nz = _o280.nz;
+                        const kernel_backboard_distance_out _o281 = kernel_backboard_distance(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, far_x, far_y, far_z);
+                        far_gap = _o281.gap;
+                    }
+                    const kernel_holding_out _o282 = kernel_holding(2.0, held);
+                    here = _o282.here;
+                    if (here) {
+                        const kernel_bridge_normal_out _o283 = kernel_bridge_normal(far_x, far_y, far_z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
+                        far_nx = _o283.nx;
+                        far_ny = _o283.ny;
+                        far_nz = _o283.nz;
+                        const kernel_bridge_distance_out _o284 = kernel_bridge_distance(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, far_x, far_y, far_z);
+                        far_gap = _o284.gap;
+                    }
+                    const kernel_roll_placed_out _o285 = kernel_roll_placed(p_ball_radius, far_x, far_y, far_z, far_nx, far_ny, far_nz, far_vx, far_vy, far_vz, far_gap, turn_rate);
+                    far_x = _o285.x;
+                    far_y = _o285.y;
+                    far_z = _o285.z;
+                    far_vx = _o285.vx;
+                    far_vy = _o285.vy;
+                    far_vz = _o285.vz;
+                    far_wx = _o285.wx;
+                    far_wy = _o285.wy;
+                    far_wz = _o285.wz;
+                    const kernel_compared_out _o286 = kernel_compared(p_ball_radius, x, y, z, vx, vy, vz, wx, wy, wz, far_x, far_y, far_z, far_vx, far_vy, far_vz, far_wx, far_wy, far_wz, stride, missed, neighbour_scale);
+                    dx = _o286.dx;
+                    dy = _o286.dy;
+                    dz = _o286.dz;
+                    dvx = _o286.dvx;
+                    dvy = _o286.dvy;
+                    dvz = _o286.dvz;
+                    dwx = _o286.dwx;
+                    dwy = _o286.dwy;
+                    dwz = _o286.dwz;
                 }
-                const kernel_holding_out _o639 = kernel_holding(2.0, held);
-                here = _o639.here;
-                if (here) {
-                    const kernel_bridge_normal_out _o640 = kernel_bridge_normal(far_x, far_y, far_z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                    far_nx = _o640.nx;
-                    far_ny = _o640.ny;
-                    far_nz = _o640.nz;
-                }
-                const kernel_roll_turn_rate_out _o641 = kernel_roll_turn_rate(p_ball_radius, far_nx, far_ny, far_nz, far_wx, far_wy, far_wz);
-                turn_rate = _o641.turn_rate;
-                const kernel_holding_out _o642 = kernel_holding(1.0, held);
-                here = _o642.here;
-                if (here) {
-                    const kernel_backboard_normal_out _o643 = kernel_backboard_normal(far_x, far_y, far_z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                    far_nx = _o643.nx;
-                    far_ny = _o643.ny;
-                    far_nz = _o643.nz;
-                    const kernel_backboard_distance_out _o644 = kernel_backboard_distance(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, far_x, far_y, far_z);
-                    far_gap = _o644.gap;
-                }
-                const kernel_holding_out _o645 = kernel_holding(2.0, held);
-                here = _o645.here;
-                if (here) {
-                    const kernel_bridge_normal_out _o646 = kernel_bridge_normal(far_x, far_y, far_z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                    far_nx = _o646.nx;
-                    far_ny = _o646.ny;
-                    far_nz = _o646.nz;
-                    const kernel_bridge_distance_out _o647 = kernel_bridge_distance(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, far_x, far_y, far_z);
-                    far_gap = _o647.gap;
-                }
-                const kernel_roll_placed_out _o648 = kernel_roll_placed(p_ball_radius, far_x, far_y, far_z, far_nx, far_ny, far_nz, far_vx, far_vy, far_vz, far_gap, turn_rate);
-                far_x = _o648.x;
-                far_y = _o648.y;
-                far_z = _o648.z;
-                far_vx = _o648.vx;
-                far_vy = _o648.vy;
-                far_vz = _o648.vz;
-                far_wx = _o648.wx;
-                far_wy = _o648.wy;
-                far_wz = _o648.wz;
-                const kernel_roll_start_out _o649 = kernel_roll_start(p_ball_radius, far_nx, far_ny, far_nz, far_vx, far_vy, far_vz, far_wx, far_wy, far_wz);
-                vx_0 = _o649.vx_0;
-                vy_0 = _o649.vy_0;
-                vz_0 = _o649.vz_0;
-                nx_0 = _o649.nx_0;
-                ny_0 = _o649.ny_0;
-                nz_0 = _o649.nz_0;
-                turn_rate_0 = _o649.turn_rate_0;
-                const kernel_roll_0_out _o650 = kernel_roll_0(p_gravity, p_inertia, nx_0, ny_0, nz_0, vx_0, vy_0, vz_0, bent_x, bent_y, bent_z, per_reach, turn_rate_0);
-                lift_0 = _o650.lift_0;
-                tx_0 = _o650.tx_0;
-                ty_0 = _o650.ty_0;
-                tz_0 = _o650.tz_0;
-                vx_1 = _o650.vx_1;
-                vy_1 = _o650.vy_1;
-                vz_1 = _o650.vz_1;
-                nx_1 = _o650.nx_1;
-                ny_1 = _o650.ny_1;
-                nz_1 = _o650.nz_1;
-                turn_rate_1 = _o650.turn_rate_1;
-                const kernel_roll_1_out _o651 = kernel_roll_1(p_gravity, p_inertia, nx_0, nx_1, ny_0, ny_1, nz_0, nz_1, vx_0, vx_1, vy_0, vy_1, vz_0, vz_1, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, lift_0, tx_0, ty_0, tz_0);
-                lift_1 = _o651.lift_1;
-                tx_1 = _o651.tx_1;
-                ty_1 = _o651.ty_1;
-                tz_1 = _o651.tz_1;
-                vx_2 = _o651.vx_2;
-                vy_2 = _o651.vy_2;
-                vz_2 = _o651.vz_2;
-                nx_2 = _o651.nx_2;
-                ny_2 = _o651.ny_2;
-                nz_2 = _o651.nz_2;
-                turn_rate_2 = _o651.turn_rate_2;
-                const kernel_roll_2_out _o652 = kernel_roll_2(p_gravity, p_inertia, nx_0, nx_1, nx_2, ny_0, ny_1, ny_2, nz_0, nz_1, nz_2, vx_0, vx_1, vx_2, vy_0, vy_1, vy_2, vz_0, vz_1, vz_2, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, lift_0, lift_1, tx_0, tx_1, ty_0, ty_1, tz_0, tz_1);
-                lift_2 = _o652.lift_2;
-                tx_2 = _o652.tx_2;
-                ty_2 = _o652.ty_2;
-                tz_2 = _o652.tz_2;
-                vx_3 = _o652.vx_3;
-                vy_3 = _o652.vy_3;
-                vz_3 = _o652.vz_3;
-                nx_3 = _o652.nx_3;
-                ny_3 = _o652.ny_3;
-                nz_3 = _o652.nz_3;
-                turn_rate_3 = _o652.turn_rate_3;
-                const kernel_roll_3_out _o653 = kernel_roll_3(p_gravity, p_inertia, nx_0, nx_1, nx_2, nx_3, ny_0, ny_1, ny_2, ny_3, nz_0, nz_1, nz_2, nz_3, vx_0, vx_1, vx_2, vx_3, vy_0, vy_1, vy_2, vy_3, vz_0, vz_1, vz_2, vz_3, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, lift_0, lift_1, lift_2, tx_0, tx_1, tx_2, ty_0, ty_1, ty_2, tz_0, tz_1, tz_2);
-                lift_3 = _o653.lift_3;
-                tx_3 = _o653.tx_3;
-                ty_3 = _o653.ty_3;
-                tz_3 = _o653.tz_3;
-                vx_4 = _o653.vx_4;
-                vy_4 = _o653.vy_4;
-                vz_4 = _o653.vz_4;
-                nx_4 = _o653.nx_4;
-                ny_4 = _o653.ny_4;
-                nz_4 = _o653.nz_4;
-                turn_rate_4 = _o653.turn_rate_4;
-                const kernel_roll_4_out _o654 = kernel_roll_4(p_gravity, p_inertia, nx_0, nx_1, nx_2, nx_3, nx_4, ny_0, ny_1, ny_2, ny_3, ny_4, nz_0, nz_1, nz_2, nz_3, nz_4, vx_0, vx_1, vx_2, vx_3, vx_4, vy_0, vy_1, vy_2, vy_3, vy_4, vz_0, vz_1, vz_2, vz_3, vz_4, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, lift_0, lift_1, lift_2, lift_3, tx_0, tx_1, tx_2, tx_3, ty_0, ty_1, ty_2, ty_3, tz_0, tz_1, tz_2, tz_3);
-                lift_4 = _o654.lift_4;
-                tx_4 = _o654.tx_4;
-                ty_4 = _o654.ty_4;
-                tz_4 = _o654.tz_4;
-                vx_5 = _o654.vx_5;
-                vy_5 = _o654.vy_5;
-                vz_5 = _o654.vz_5;
-                nx_5 = _o654.nx_5;
-                ny_5 = _o654.ny_5;
-                nz_5 = _o654.nz_5;
-                turn_rate_5 = _o654.turn_rate_5;
-                const kernel_roll_5_out _o655 = kernel_roll_5(p_gravity, p_inertia, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, lift_0, lift_1, lift_2, lift_3, lift_4, tx_0, tx_1, tx_2, tx_3, tx_4, ty_0, ty_1, ty_2, ty_3, ty_4, tz_0, tz_1, tz_2, tz_3, tz_4);
-                lift_5 = _o655.lift_5;
-                tx_5 = _o655.tx_5;
-                ty_5 = _o655.ty_5;
-                tz_5 = _o655.tz_5;
-                vx_6 = _o655.vx_6;
-                vy_6 = _o655.vy_6;
-                vz_6 = _o655.vz_6;
-                nx_6 = _o655.nx_6;
-                ny_6 = _o655.ny_6;
-                nz_6 = _o655.nz_6;
-                turn_rate_6 = _o655.turn_rate_6;
-                const kernel_roll_6_out _o656 = kernel_roll_6(p_gravity, p_inertia, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5);
-                lift_6 = _o656.lift_6;
-                tx_6 = _o656.tx_6;
-                ty_6 = _o656.ty_6;
-                tz_6 = _o656.tz_6;
-                vx_7 = _o656.vx_7;
-                vy_7 = _o656.vy_7;
-                vz_7 = _o656.vz_7;
-                nx_7 = _o656.nx_7;
-                ny_7 = _o656.ny_7;
-                nz_7 = _o656.nz_7;
-                turn_rate_7 = _o656.turn_rate_7;
-                const kernel_roll_7_out _o657 = kernel_roll_7(p_gravity, p_inertia, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, nx_7, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, ny_7, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, nz_7, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, lift_6, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, tx_6, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, ty_6, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, tz_6);
-                vx_8 = _o657.vx_8;
-                vy_8 = _o657.vy_8;
-                vz_8 = _o657.vz_8;
-                turn_rate_8 = _o657.turn_rate_8;
-                const kernel_roll_moved_out _o658 = kernel_roll_moved(far_x, far_y, far_z, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vx_8, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vy_8, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, vz_8, stride, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8);
-                far_x = _o658.x;
-                far_vx = _o658.vx;
-                far_y = _o658.y;
-                far_vy = _o658.vy;
-                far_z = _o658.z;
-                far_vz = _o658.vz;
-                turn_rate = _o658.turn_rate;
-                const kernel_holding_out _o659 = kernel_holding(1.0, held);
-                here = _o659.here;
-                if (here) {
-                    const kernel_backboard_normal_out _o660 = kernel_backboard_normal(far_x, far_y, far_z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                    far_nx = _o660.nx;
-                    far_ny = _o660.ny;
-                    far_nz = _o660.nz;
-                    const kernel_backboard_distance_out _o661 = kernel_backboard_distance(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, far_x, far_y, far_z);
-                    far_gap = _o661.gap;
-                }
-                const kernel_holding_out _o662 = kernel_holding(2.0, held);
-                here = _o662.here;
-                if (here) {
-                    const kernel_bridge_normal_out _o663 = kernel_bridge_normal(far_x, far_y, far_z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                    far_nx = _o663.nx;
-                    far_ny = _o663.ny;
-                    far_nz = _o663.nz;
-                    const kernel_bridge_distance_out _o664 = kernel_bridge_distance(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, far_x, far_y, far_z);
-                    far_gap = _o664.gap;
-                }
-                const kernel_roll_placed_out _o665 = kernel_roll_placed(p_ball_radius, far_x, far_y, far_z, far_nx, far_ny, far_nz, far_vx, far_vy, far_vz, far_gap, turn_rate);
-                far_x = _o665.x;
-                far_y = _o665.y;
-                far_z = _o665.z;
-                far_vx = _o665.vx;
-                far_vy = _o665.vy;
-                far_vz = _o665.vz;
-                far_wx = _o665.wx;
-                far_wy = _o665.wy;
-                far_wz = _o665.wz;
-                const kernel_compared_out _o666 = kernel_compared(p_ball_radius, x, y, z, vx, vy, vz, wx, wy, wz, far_x, far_y, far_z, far_vx, far_vy, far_vz, far_wx, far_wy, far_wz, stride, missed, neighbour_scale);
-                dx = _o666.dx;
-                dy = _o666.dy;
-                dz = _o666.dz;
-                dvx = _o666.dvx;
-                dvy = _o666.dvy;
-                dvz = _o666.dvz;
-                dwx = _o666.dwx;
-                dwy = _o666.dwy;
-                dwz = _o666.dwz;
-                const kernel_rolled_on_out _o667 = kernel_rolled_on(which, clock, stride, rests);
-                clock = _o667.clock;
-                rolling = _o667.rolling;
+                const kernel_rolled_on_out _o287 = kernel_rolled_on(which, clock, stride, rests);
+                clock = _o287.clock;
+                rolling = _o287.rolling;
             }
             for (size_t _turn = 0; _turn < 16; _turn++) {
                 if (!circling)
                     break;
-                const kernel_error_bounds_out _o668 = kernel_error_bounds(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
-                position_error = _o668.position_error;
-                velocity_error = _o668.velocity_error;
-                const kernel_ring_rolling_surface_out _o669 = kernel_ring_rolling_surface(p_ball_radius, p_wire_radius);
-                per_reach = _o669.per_reach;
-                const kernel_ring_round_start_out _o670 = kernel_ring_round_start(p_ball_radius, p_inertia, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz, wx, wy, wz, per_reach);
-                cosine_0 = _o670.cosine_0;
-                sine_0 = _o670.sine_0;
-                climb_0 = _o670.climb_0;
-                along_0 = _o670.along_0;
-                turn_rate_0 = _o670.turn_rate_0;
-                cos_0 = _o670.cos_0;
-                sin_0 = _o670.sin_0;
-                tilted_0 = _o670.tilted_0;
-                near_0 = _o670.near_0;
-                const kernel_ring_round_0_out _o671 = kernel_ring_round_0(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, near_0, climb_0, cosine_0, sine_0, along_0, tilted_0);
-                omega_0 = _o671.omega_0;
-                around_0 = _o671.around_0;
-                cosine_1 = _o671.cosine_1;
-                sine_1 = _o671.sine_1;
-                climb_1 = _o671.climb_1;
-                along_1 = _o671.along_1;
-                turn_rate_1 = _o671.turn_rate_1;
-                tilted_1 = _o671.tilted_1;
-                const kernel_ring_round_1_out _o672 = kernel_ring_round_1(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, near_0, climb_0, climb_1, cosine_0, cosine_1, sine_0, sine_1, along_1, omega_0, around_0, tilted_0, tilted_1);
-                omega_1 = _o672.omega_1;
-                around_1 = _o672.around_1;
-                cosine_2 = _o672.cosine_2;
-                sine_2 = _o672.sine_2;
-                climb_2 = _o672.climb_2;
-                along_2 = _o672.along_2;
-                turn_rate_2 = _o672.turn_rate_2;
-                tilted_2 = _o672.tilted_2;
-                const kernel_ring_round_2_out _o673 = kernel_ring_round_2(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, near_0, climb_0, climb_1, climb_2, cosine_0, cosine_1, cosine_2, sine_0, sine_1, sine_2, along_2, omega_0, omega_1, around_0, around_1, tilted_0, tilted_1, tilted_2);
-                omega_2 = _o673.omega_2;
-                around_2 = _o673.around_2;
-                cosine_3 = _o673.cosine_3;
-                sine_3 = _o673.sine_3;
-                climb_3 = _o673.climb_3;
-                along_3 = _o673.along_3;
-                turn_rate_3 = _o673.turn_rate_3;
-                tilted_3 = _o673.tilted_3;
-                const kernel_ring_round_3_out _o674 = kernel_ring_round_3(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, near_0, climb_0, climb_1, climb_2, climb_3, cosine_0, cosine_1, cosine_2, cosine_3, sine_0, sine_1, sine_2, sine_3, along_3, omega_0, omega_1, omega_2, around_0, around_1, around_2, tilted_0, tilted_1, tilted_2, tilted_3);
-                omega_3 = _o674.omega_3;
-                around_3 = _o674.around_3;
-                cosine_4 = _o674.cosine_4;
-                sine_4 = _o674.sine_4;
-                climb_4 = _o674.climb_4;
-                along_4 = _o674.along_4;
-                turn_rate_4 = _o674.turn_rate_4;
-                tilted_4 = _o674.tilted_4;
-                const kernel_ring_round_4_out _o675 = kernel_ring_round_4(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, sine_0, sine_1, sine_2, sine_3, sine_4, along_4, omega_0, omega_1, omega_2, omega_3, around_0, around_1, around_2, around_3, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4);
-                omega_4 = _o675.omega_4;
-                around_4 = _o675.around_4;
-                cosine_5 = _o675.cosine_5;
-                sine_5 = _o675.sine_5;
-                climb_5 = _o675.climb_5;
-                along_5 = _o675.along_5;
-                turn_rate_5 = _o675.turn_rate_5;
-                tilted_5 = _o675.tilted_5;
-                const kernel_ring_round_5_out _o676 = kernel_ring_round_5(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, along_5, omega_0, omega_1, omega_2, omega_3, omega_4, around_0, around_1, around_2, around_3, around_4, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5);
-                omega_5 = _o676.omega_5;
-                around_5 = _o676.around_5;
-                cosine_6 = _o676.cosine_6;
-                sine_6 = _o676.sine_6;
-                climb_6 = _o676.climb_6;
-                along_6 = _o676.along_6;
-                turn_rate_6 = _o676.turn_rate_6;
-                tilted_6 = _o676.tilted_6;
-                const kernel_ring_round_6_out _o677 = kernel_ring_round_6(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, along_6, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, around_0, around_1, around_2, around_3, around_4, around_5, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6);
-                omega_6 = _o677.omega_6;
-                around_6 = _o677.around_6;
-                cosine_7 = _o677.cosine_7;
-                sine_7 = _o677.sine_7;
-                climb_7 = _o677.climb_7;
-                along_7 = _o677.along_7;
-                turn_rate_7 = _o677.turn_rate_7;
-                tilted_7 = _o677.tilted_7;
-                const kernel_ring_round_7_out _o678 = kernel_ring_round_7(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, along_7, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, around_0, around_1, around_2, around_3, around_4, around_5, around_6, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7);
-                omega_7 = _o678.omega_7;
-                around_7 = _o678.around_7;
-                cosine_8 = _o678.cosine_8;
-                sine_8 = _o678.sine_8;
-                climb_8 = _o678.climb_8;
-                along_8 = _o678.along_8;
-                turn_rate_8 = _o678.turn_rate_8;
-                tilted_8 = _o678.tilted_8;
-                const kernel_ring_round_8_out _o679 = kernel_ring_round_8(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, along_8, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8);
-                omega_8 = _o679.omega_8;
-                around_8 = _o679.around_8;
-                cosine_9 = _o679.cosine_9;
-                sine_9 = _o679.sine_9;
-                climb_9 = _o679.climb_9;
-                along_9 = _o679.along_9;
-                turn_rate_9 = _o679.turn_rate_9;
-                tilted_9 = _o679.tilted_9;
-                const kernel_ring_round_9_out _o680 = kernel_ring_round_9(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, along_9, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9);
-                omega_9 = _o680.omega_9;
-                around_9 = _o680.around_9;
-                cosine_10 = _o680.cosine_10;
-                sine_10 = _o680.sine_10;
-                climb_10 = _o680.climb_10;
-                along_10 = _o680.along_10;
-                turn_rate_10 = _o680.turn_rate_10;
-                tilted_10 = _o680.tilted_10;
-                const kernel_ring_round_10_out _o681 = kernel_ring_round_10(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, turn_rate_10, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, cosine_10, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, sine_10, along_10, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, tilted_10);
-                omega_10 = _o681.omega_10;
-                around_10 = _o681.around_10;
-                cosine_11 = _o681.cosine_11;
-                sine_11 = _o681.sine_11;
-                climb_11 = _o681.climb_11;
-                along_11 = _o681.along_11;
-                turn_rate_11 = _o681.turn_rate_11;
-                tilted_11 = _o681.tilted_11;
-                const kernel_ring_round_11_out _o682 = kernel_ring_round_11(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, turn_rate_10, turn_rate_11, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, climb_11, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, cosine_10, cosine_11, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, sine_10, sine_11, along_11, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, omega_10, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, around_10, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, tilted_10, tilted_11);
-                omega_11 = _o682.omega_11;
-                cosine_12 = _o682.cosine_12;
-                sine_12 = _o682.sine_12;
-                climb_12 = _o682.climb_12;
-                along_12 = _o682.along_12;
-                turn_rate_12 = _o682.turn_rate_12;
-                const kernel_ring_round_pace_out _o683 = kernel_ring_round_pace(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_11, turn_rate_12, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, climb_11, climb_12, cosine_0, cosine_12, sine_0, sine_12, along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, along_10, along_11, along_12, cos_0, sin_0, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, omega_10, omega_11);
-                stride = _o683.stride;
-                missed = _o683.missed;
-                strongest = _o683.strongest;
-                fastest = _o683.fastest;
-                section_acceleration = _o683.section_acceleration;
-                force = _o683.force;
-                force_rate = _o683.force_rate;
-                force_bend = _o683.force_bend;
-                friction_force_rate = _o683.friction_force_rate;
-                vx_1 = _o683.vx_1;
-                vy_1 = _o683.vy_1;
-                vz_1 = _o683.vz_1;
-                const kernel_ring_round_pulled_out _o684 = kernel_ring_round_pulled(p_gravity, p_inertia, turn_rate_0, turn_rate_1, climb_0, climb_1, cosine_0, cosine_1, omega_0, omega_1);
-                rolling_friction = _o684.rolling_friction;
-                rolling_friction_rate = _o684.rolling_friction_rate;
-                const kernel_ring_impact_grip_deficit_out _o685 = kernel_ring_impact_grip_deficit(p_ring_friction, rolling_friction, rolling_friction_rate, force, force_rate);
-                grip_deficit = _o685.grip_deficit;
-                grip_deficit_rate = _o685.grip_deficit_rate;
-                const kernel_losing_out _o686 = kernel_losing(grip_deficit, grip_lost);
-                loses = _o686.loses;
-                if (loses) {
-                    const kernel_lost_grip_out _o687 = kernel_lost_grip(clock, grip_deficit, grip_deficit_rate, last_grip_deficit, last_grip_deficit_rate, last_grip_clock);
-                    grip_lost = _o687.grip_lost;
+                if (BOUNDS) {
+                    const kernel_error_bounds_out _o288 = kernel_error_bounds(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
+                    position_error = _o288.position_error;
+                    velocity_error = _o288.velocity_error;
                 }
-                const kernel_remember_grip_deficit_out _o688 = kernel_remember_grip_deficit(clock, grip_deficit, grip_deficit_rate);
-                last_grip_deficit = _o688.last_grip_deficit;
-                last_grip_deficit_rate = _o688.last_grip_deficit_rate;
-                last_grip_clock = _o688.last_grip_clock;
-                const kernel_leaving_force_out _o689 = kernel_leaving_force(p_ball_radius, p_gravity, vx, vx_1, vy, vy_1, vz, vz_1, which, doubt, position_error, velocity_error, per_reach, force, force_rate, force_bend, friction_force_rate, stride, fastest);
-                stride = _o689.stride;
-                which = _o689.which;
-                rests = _o689.rests;
-                doubt = _o689.doubt;
-                const kernel_backboard_beside_out _o690 = kernel_backboard_beside(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, vx, vy, vz);
-                gap = _o690.gap;
-                nearing = _o690.nearing;
-                gap_curvature = _o690.gap_curvature;
-                const kernel_beside_body_out _o691 = kernel_beside_body(p_ball_radius, x, y, z, gap, 1.0, which, earliest_delay, doubt, position_error, nearing, gap_curvature, stride, strongest, fastest);
-                stride = _o691.stride;
-                which = _o691.which;
-                doubt = _o691.doubt;
-                earliest_delay = _o691.earliest_delay;
-                const kernel_bridge_beside_out _o692 = kernel_bridge_beside(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
-                gap = _o692.gap;
-                nearing = _o692.nearing;
-                gap_curvature = _o692.gap_curvature;
-                const kernel_beside_body_out _o693 = kernel_beside_body(p_ball_radius, x, y, z, gap, 2.0, which, earliest_delay, doubt, position_error, nearing, gap_curvature, stride, strongest, fastest);
-                stride = _o693.stride;
-                which = _o693.which;
-                doubt = _o693.doubt;
-                earliest_delay = _o693.earliest_delay;
-                const kernel_end_beside_out _o694 = kernel_end_beside(p_end_depth, z, vz);
-                gap = _o694.gap;
-                nearing = _o694.nearing;
-                gap_curvature = _o694.gap_curvature;
-                const kernel_beside_gate_out _o695 = kernel_beside_gate(p_ball_radius, x, y, z, gap, 3.0, which, earliest_delay, doubt, position_error, nearing, gap_curvature, stride, strongest, fastest);
-                stride = _o695.stride;
-                which = _o695.which;
-                doubt = _o695.doubt;
-                earliest_delay = _o695.earliest_delay;
-                const kernel_beside_time_out _o696 = kernel_beside_time(which, clock, time_limit, stride);
-                stride = _o696.stride;
-                which = _o696.which;
-                const kernel_neighbour_scale_out _o697 = kernel_neighbour_scale(p_ball_radius, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
-                neighbour_scale = _o697.neighbour_scale;
-                const kernel_neighbour_out _o698 = kernel_neighbour(x, y, z, vx, vy, vz, wx, wy, wz, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz, neighbour_scale);
-                far_x = _o698.far_x;
-                far_y = _o698.far_y;
-                far_z = _o698.far_z;
-                far_vx = _o698.far_vx;
-                far_vy = _o698.far_vy;
-                far_vz = _o698.far_vz;
-                far_wx = _o698.far_wx;
-                far_wy = _o698.far_wy;
-                far_wz = _o698.far_wz;
-                const kernel_passing_from_out _o699 = kernel_passing_from(z);
-                over = _o699.over;
-                const kernel_isolated_out _o700 = kernel_isolated();
-                azimuth_clearance = _o700.nearest;
-                const kernel_half_steps_out _o701 = kernel_half_steps(stride);
-                forth = _o701.forth;
-                back = _o701.back;
-                const kernel_backboard_around_out _o702 = kernel_backboard_around(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, vx, vy, vz);
-                gap = _o702.gap;
-                nearing = _o702.nearing;
-                const kernel_cleared_out _o703 = kernel_cleared(gap, nearing, forth, azimuth_clearance);
-                azimuth_clearance = _o703.azimuth_clearance;
-                const kernel_bridge_around_out _o704 = kernel_bridge_around(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
-                gap = _o704.gap;
-                nearing = _o704.nearing;
-                const kernel_cleared_out _o705 = kernel_cleared(gap, nearing, forth, azimuth_clearance);
-                azimuth_clearance = _o705.azimuth_clearance;
-                const kernel_end_around_out _o706 = kernel_end_around(p_end_depth, z, vz);
-                gap = _o706.gap;
-                nearing = _o706.nearing;
-                const kernel_cleared_out _o707 = kernel_cleared(gap, nearing, forth, azimuth_clearance);
-                azimuth_clearance = _o707.azimuth_clearance;
-                const kernel_ring_round_moved_out _o708 = kernel_ring_round_moved(p_ball_radius, p_ring_radius, p_wire_radius, stride, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, turn_rate_10, turn_rate_11, turn_rate_12, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, climb_11, climb_12, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, cosine_10, cosine_11, cosine_12, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, sine_10, sine_11, sine_12, along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, along_10, along_11, along_12, cos_0, sin_0, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, omega_10, omega_11);
-                x = _o708.x;
-                y = _o708.y;
-                z = _o708.z;
-                vx = _o708.vx;
-                vy = _o708.vy;
-                vz = _o708.vz;
-                wx = _o708.wx;
-                wy = _o708.wy;
-                wz = _o708.wz;
-                climb = _o708.climb;
-                const kernel_passing_in_contact_out _o709 = kernel_passing_in_contact(p_ring_radius, x, y, z, through, over);
-                through = _o709.through;
-                const kernel_backboard_around_out _o710 = kernel_backboard_around(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, vx, vy, vz);
-                gap = _o710.gap;
-                nearing = _o710.nearing;
-                const kernel_cleared_out _o711 = kernel_cleared(gap, nearing, back, azimuth_clearance);
-                azimuth_clearance = _o711.azimuth_clearance;
-                const kernel_bridge_around_out _o712 = kernel_bridge_around(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
-                gap = _o712.gap;
-                nearing = _o712.nearing;
-                const kernel_cleared_out _o713 = kernel_cleared(gap, nearing, back, azimuth_clearance);
-                azimuth_clearance = _o713.azimuth_clearance;
-                const kernel_end_around_out _o714 = kernel_end_around(p_end_depth, z, vz);
-                gap = _o714.gap;
-                nearing = _o714.nearing;
-                const kernel_cleared_out _o715 = kernel_cleared(gap, nearing, back, azimuth_clearance);
-                azimuth_clearance = _o715.azimuth_clearance;
-                const kernel_ring_swung_out _o716 = kernel_ring_swung(p_ball_radius, p_gravity, p_wire_radius, which, doubt, position_error, velocity_error, force, force_rate, force_bend, stride, fastest, circled, climb, climb_0, section_acceleration, azimuth_clearance);
-                circled = _o716.circled;
-                endless = _o716.endless;
-                doubt = _o716.doubt;
-                const kernel_for_ever_out _o717 = kernel_for_ever(which, endless);
-                which = _o717.which;
-                const kernel_ring_round_start_out _o718 = kernel_ring_round_start(p_ball_radius, p_inertia, p_ring_radius, p_wire_radius, far_x, far_y, far_z, far_vx, far_vy, far_vz, far_wx, far_wy, far_wz, per_reach);
-                cosine_0 = _o718.cosine_0;
-                sine_0 = _o718.sine_0;
-                climb_0 = _o718.climb_0;
-                along_0 = _o718.along_0;
-                turn_rate_0 = _o718.turn_rate_0;
-                cos_0 = _o718.cos_0;
-                sin_0 = _o718.sin_0;
-                tilted_0 = _o718.tilted_0;
-                near_0 = _o718.near_0;
-                const kernel_ring_round_0_out _o719 = kernel_ring_round_0(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, near_0, climb_0, cosine_0, sine_0, along_0, tilted_0);
-                omega_0 = _o719.omega_0;
-                around_0 = _o719.around_0;
-                cosine_1 = _o719.cosine_1;
-                sine_1 = _o719.sine_1;
-                climb_1 = _o719.climb_1;
-                along_1 = _o719.along_1;
-                turn_rate_1 = _o719.turn_rate_1;
-                tilted_1 = _o719.tilted_1;
-                const kernel_ring_round_1_out _o720 = kernel_ring_round_1(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, near_0, climb_0, climb_1, cosine_0, cosine_1, sine_0, sine_1, along_1, omega_0, around_0, tilted_0, tilted_1);
-                omega_1 = _o720.omega_1;
-                around_1 = _o720.around_1;
-                cosine_2 = _o720.cosine_2;
-                sine_2 = _o720.sine_2;
-                climb_2 = _o720.climb_2;
-                along_2 = _o720.along_2;
-                turn_rate_2 = _o720.turn_rate_2;
-                tilted_2 = _o720.tilted_2;
-                const kernel_ring_round_2_out _o721 = kernel_ring_round_2(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, near_0, climb_0, climb_1, climb_2, cosine_0, cosine_1, cosine_2, sine_0, sine_1, sine_2, along_2, omega_0, omega_1, around_0, around_1, tilted_0, tilted_1, tilted_2);
-                omega_2 = _o721.omega_2;
-                around_2 = _o721.around_2;
-                cosine_3 = _o721.cosine_3;
-                sine_3 = _o721.sine_3;
-                climb_3 = _o721.climb_3;
-                along_3 = _o721.along_3;
-                turn_rate_3 = _o721.turn_rate_3;
-                tilted_3 = _o721.tilted_3;
-                const kernel_ring_round_3_out _o722 = kernel_ring_round_3(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, near_0, climb_0, climb_1, climb_2, climb_3, cosine_0, cosine_1, cosine_2, cosine_3, sine_0, sine_1, sine_2, sine_3, along_3, omega_0, omega_1, omega_2, around_0, around_1, around_2, tilted_0, tilted_1, tilted_2, tilted_3);
-                omega_3 = _o722.omega_3;
-                around_3 = _o722.around_3;
-                cosine_4 = _o722.cosine_4;
-                sine_4 = _o722.sine_4;
-                climb_4 = _o722.climb_4;
-                along_4 = _o722.along_4;
-                turn_rate_4 = _o722.turn_rate_4;
-                tilted_4 = _o722.tilted_4;
-                const kernel_ring_round_4_out _o723 = kernel_ring_round_4(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, sine_0, sine_1, sine_2, sine_3, sine_4, along_4, omega_0, omega_1, omega_2, omega_3, around_0, around_1, around_2, around_3, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4);
-                omega_4 = _o723.omega_4;
-                around_4 = _o723.around_4;
-                cosine_5 = _o723.cosine_5;
-                sine_5 = _o723.sine_5;
-                climb_5 = _o723.climb_5;
-                along_5 = _o723.along_5;
-                turn_rate_5 = _o723.turn_rate_5;
-                tilted_5 = _o723.tilted_5;
-                const kernel_ring_round_5_out _o724 = kernel_ring_round_5(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, along_5, omega_0, omega_1, omega_2, omega_3, omega_4, around_0, around_1, around_2, around_3, around_4, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5);
-                omega_5 = _o724.omega_5;
-                around_5 = _o724.around_5;
-                cosine_6 = _o724.cosine_6;
-                sine_6 = _o724.sine_6;
-                climb_6 = _o724.climb_6;
-                along_6 = _o724.along_6;
-                turn_rate_6 = _o724.turn_rate_6;
-                tilted_6 = _o724.tilted_6;
-                const kernel_ring_round_6_out _o725 = kernel_ring_round_6(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, along_6, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, around_0, around_1, around_2, around_3, around_4, around_5, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6);
-                omega_6 = _o725.omega_6;
-                around_6 = _o725.around_6;
-                cosine_7 = _o725.cosine_7;
-                sine_7 = _o725.sine_7;
-                climb_7 = _o725.climb_7;
-                along_7 = _o725.along_7;
-                turn_rate_7 = _o725.turn_rate_7;
-                tilted_7 = _o725.tilted_7;
-                const kernel_ring_round_7_out _o726 = kernel_ring_round_7(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, along_7, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, around_0, around_1, around_2, around_3, around_4, around_5, around_6, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7);
-                omega_7 = _o726.omega_7;
-                around_7 = _o726.around_7;
-                cosine_8 = _o726.cosine_8;
-                sine_8 = _o726.sine_8;
-                climb_8 = _o726.climb_8;
-                along_8 = _o726.along_8;
-                turn_rate_8 = _o726.turn_rate_8;
-                tilted_8 = _o726.tilted_8;
-                const kernel_ring_round_8_out _o727 = kernel_ring_round_8(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, along_8, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8);
-                omega_8 = _o727.omega_8;
-                around_8 = _o727.around_8;
-                cosine_9 = _o727.cosine_9;
-                sine_9 = _o727.sine_9;
-                climb_9 = _o727.climb_9;
-                along_9 = _o727.along_9;
-                turn_rate_9 = _o727.turn_rate_9;
-                tilted_9 = _o727.tilted_9;
-                const kernel_ring_round_9_out _o728 = kernel_ring_round_9(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, along_9, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9);
-                omega_9 = _o728.omega_9;
-                around_9 = _o728.around_9;
-                cosine_10 = _o728.cosine_10;
-                sine_10 = _o728.sine_10;
-                climb_10 = _o728.climb_10;
-                along_10 = _o728.along_10;
-                turn_rate_10 = _o728.turn_rate_10;
-                tilted_10 = _o728.tilted_10;
-                const kernel_ring_round_10_out _o729 = kernel_ring_round_10(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, turn_rate_10, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, cosine_10, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, sine_10, along_10, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, tilted_10);
-                omega_10 = _o729.omega_10;
-                around_10 = _o729.around_10;
-                cosine_11 = _o729.cosine_11;
-                sine_11 = _o729.sine_11;
-                climb_11 = _o729.climb_11;
-                along_11 = _o729.along_11;
-                turn_rate_11 = _o729.turn_rate_11;
-                tilted_11 = _o729.tilted_11;
-                const kernel_ring_round_11_out _o730 = kernel_ring_round_11(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, turn_rate_10, turn_rate_11, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, climb_11, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, cosine_10, cosine_11, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, sine_10, sine_11, along_11, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, omega_10, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, around_10, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, tilted_10, tilted_11);
-                omega_11 = _o730.omega_11;
-                cosine_12 = _o730.cosine_12;
-                sine_12 = _o730.sine_12;
-                climb_12 = _o730.climb_12;
-                along_12 = _o730.along_12;
-                turn_rate_12 = _o730.turn_rate_12;
-                const kernel_ring_round_moved_out _o731 = kernel_ring_round_moved(p_ball_radius, p_ring_radius, p_wire_radius, stride, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, turn_rate_10, turn_rate_11, turn_rate_12, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, climb_11, climb_12, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, cosine_10, cosine_11, cosine_12, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, sine_10, sine_11, sine_12, along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, along_10, along_11, along_12, cos_0, sin_0, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, omega_10, omega_11);
-                far_x = _o731.x;
-                far_y = _o731.y;
-                far_z = _o731.z;
-                far_vx = _o731.vx;
-                far_vy = _o731.vy;
-                far_vz = _o731.vz;
-                far_wx = _o731.wx;
-                far_wy = _o731.wy;
-                far_wz = _o731.wz;
-                const kernel_compared_out _o732 = kernel_compared(p_ball_radius, x, y, z, vx, vy, vz, wx, wy, wz, far_x, far_y, far_z, far_vx, far_vy, far_vz, far_wx, far_wy, far_wz, stride, missed, neighbour_scale);
-                dx = _o732.dx;
-                dy = _o732.dy;
-                dz = _o732.dz;
-                dvx = _o732.dvx;
-                dvy = _o732.dvy;
-                dvz = _o732.dvz;
-                dwx = _o732.dwx;
-                dwy = _o732.dwy;
-                dwz = _o732.dwz;
-                const kernel_rolled_on_out _o733 = kernel_rolled_on(which, clock, stride, rests);
-                clock = _o733.clock;
-                circling = _o733.rolling;
+                const kernel_ring_rolling_surface_out _o289 = kernel_ring_rolling_surface(p_ball_radius, p_wire_radius);
+                per_reach = _o289.per_reach;
+                const kernel_ring_round_start_out _o290 = kernel_ring_round_start(p_ball_radius, p_inertia, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz, wx, wy, wz, per_reach);
+                cosine_0 = _o290.cosine_0;
+                sine_0 = _o290.sine_0;
+                climb_0 = _o290.climb_0;
+                along_0 = _o290.along_0;
+                turn_rate_0 = _o290.turn_rate_0;
+                cos_0 = _o290.cos_0;
+                sin_0 = _o290.sin_0;
+                tilted_0 = _o290.tilted_0;
+                near_0 = _o290.near_0;
+                const kernel_ring_round_0_out _o291 = kernel_ring_round_0(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, near_0, climb_0, cosine_0, sine_0, along_0, tilted_0);
+                omega_0 = _o291.omega_0;
+                around_0 = _o291.around_0;
+                cosine_1 = _o291.cosine_1;
+                sine_1 = _o291.sine_1;
+                climb_1 = _o291.climb_1;
+                along_1 = _o291.along_1;
+                turn_rate_1 = _o291.turn_rate_1;
+                tilted_1 = _o291.tilted_1;
+                const kernel_ring_round_1_out _o292 = kernel_ring_round_1(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, near_0, climb_0, climb_1, cosine_0, cosine_1, sine_0, sine_1, along_1, omega_0, around_0, tilted_0, tilted_1);
+                omega_1 = _o292.omega_1;
+                around_1 = _o292.around_1;
+                cosine_2 = _o292.cosine_2;
+                sine_2 = _o292.sine_2;
+                climb_2 = _o292.climb_2;
+                along_2 = _o292.along_2;
+                turn_rate_2 = _o292.turn_rate_2;
+                tilted_2 = _o292.tilted_2;
+                const kernel_ring_round_2_out _o293 = kernel_ring_round_2(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, near_0, climb_0, climb_1, climb_2, cosine_0, cosine_1, cosine_2, sine_0, sine_1, sine_2, along_2, omega_0, omega_1, around_0, around_1, tilted_0, tilted_1, tilted_2);
+                omega_2 = _o293.omega_2;
+                around_2 = _o293.around_2;
+                cosine_3 = _o293.cosine_3;
+                sine_3 = _o293.sine_3;
+                climb_3 = _o293.climb_3;
+                along_3 = _o293.along_3;
+                turn_rate_3 = _o293.turn_rate_3;
+                tilted_3 = _o293.tilted_3;
+                const kernel_ring_round_3_out _o294 = kernel_ring_round_3(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, near_0, climb_0, climb_1, climb_2, climb_3, cosine_0, cosine_1, cosine_2, cosine_3, sine_0, sine_1, sine_2, sine_3, along_3, omega_0, omega_1, omega_2, around_0, around_1, around_2, tilted_0, tilted_1, tilted_2, tilted_3);
+                omega_3 = _o294.omega_3;
+                around_3 = _o294.around_3;
+                cosine_4 = _o294.cosine_4;
+                sine_4 = _o294.sine_4;
+                climb_4 = _o294.climb_4;
+                along_4 = _o294.along_4;
+                turn_rate_4 = _o294.turn_rate_4;
+                tilted_4 = _o294.tilted_4;
+                const kernel_ring_round_4_out _o295 = kernel_ring_round_4(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, sine_0, sine_1, sine_2, sine_3, sine_4, along_4, omega_0, omega_1, omega_2, omega_3, around_0, around_1, around_2, around_3, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4);
+                omega_4 = _o295.omega_4;
+                around_4 = _o295.around_4;
+                cosine_5 = _o295.cosine_5;
+                sine_5 = _o295.sine_5;
+                climb_5 = _o295.climb_5;
+                along_5 = _o295.along_5;
+                turn_rate_5 = _o295.turn_rate_5;
+                tilted_5 = _o295.tilted_5;
+                const kernel_ring_round_5_out _o296 = kernel_ring_round_5(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, along_5, omega_0, omega_1, omega_2, omega_3, omega_4, around_0, around_1, around_2, around_3, around_4, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5);
+                omega_5 = _o296.omega_5;
+                around_5 = _o296.around_5;
+                cosine_6 = _o296.cosine_6;
+                sine_6 = _o296.sine_6;
+                climb_6 = _o296.climb_6;
+                along_6 = _o296.along_6;
+                turn_rate_6 = _o296.turn_rate_6;
+                tilted_6 = _o296.tilted_6;
+                const kernel_ring_round_6_out _o297 = kernel_ring_round_6(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, along_6, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, around_0, around_1, around_2, around_3, around_4, around_5, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6);
+                omega_6 = _o297.omega_6;
+                around_6 = _o297.around_6;
+                cosine_7 = _o297.cosine_7;
+                sine_7 = _o297.sine_7;
+                climb_7 = _o297.climb_7;
+                along_7 = _o297.along_7;
+                turn_rate_7 = _o297.turn_rate_7;
+                tilted_7 = _o297.tilted_7;
+                const kernel_ring_round_7_out _o298 = kernel_ring_round_7(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, along_7, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, around_0, around_1, around_2, around_3, around_4, around_5, around_6, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7);
+                omega_7 = _o298.omega_7;
+                around_7 = _o298.around_7;
+                cosine_8 = _o298.cosine_8;
+                sine_8 = _o298.sine_8;
+                climb_8 = _o298.climb_8;
+                along_8 = _o298.along_8;
+                turn_rate_8 = _o298.turn_rate_8;
+                tilted_8 = _o298.tilted_8;
+                const kernel_ring_round_8_out _o299 = kernel_ring_round_8(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, along_8, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8);
+                omega_8 = _o299.omega_8;
+                around_8 = _o299.around_8;
+                cosine_9 = _o299.cosine_9;
+                sine_9 = _o299.sine_9;
+                climb_9 = _o299.climb_9;
+                along_9 = _o299.along_9;
+                turn_rate_9 = _o299.turn_rate_9;
+                tilted_9 = _o299.tilted_9;
+                const kernel_ring_round_9_out _o300 = kernel_ring_round_9(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, along_9, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9);
+                omega_9 = _o300.omega_9;
+                around_9 = _o300.around_9;
+                cosine_10 = _o300.cosine_10;
+                sine_10 = _o300.sine_10;
+                climb_10 = _o300.climb_10;
+                along_10 = _o300.along_10;
+                turn_rate_10 = _o300.turn_rate_10;
+                tilted_10 = _o300.tilted_10;
+                const kernel_ring_round_10_out _o301 = kernel_ring_round_10(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, turn_rate_10, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, cosine_10, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, sine_10, along_10, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, tilted_10);
+                omega_10 = _o301.omega_10;
+                around_10 = _o301.around_10;
+                cosine_11 = _o301.cosine_11;
+                sine_11 = _o301.sine_11;
+                climb_11 = _o301.climb_11;
+                along_11 = _o301.along_11;
+                turn_rate_11 = _o301.turn_rate_11;
+                tilted_11 = _o301.tilted_11;
+                const kernel_ring_round_11_out _o302 = kernel_ring_round_11(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, turn_rate_10, turn_rate_11, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, climb_11, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, cosine_10, cosine_11, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, sine_10, sine_11, along_11, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, omega_10, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, around_10, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, tilted_10, tilted_11);
+                omega_11 = _o302.omega_11;
+                cosine_12 = _o302.cosine_12;
+                sine_12 = _o302.sine_12;
+                climb_12 = _o302.climb_12;
+                along_12 = _o302.along_12;
+                turn_rate_12 = _o302.turn_rate_12;
+                const kernel_ring_round_pace_out _o303 = kernel_ring_round_pace(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_11, turn_rate_12, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, climb_11, climb_12, cosine_0, cosine_12, sine_0, sine_12, along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, along_10, along_11, along_12, cos_0, sin_0, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, omega_10, omega_11);
+                stride = _o303.stride;
+                strongest = _o303.strongest;
+                fastest = _o303.fastest;
+                section_acceleration = _o303.section_acceleration;
+                force = _o303.force;
+                force_rate = _o303.force_rate;
+                force_bend = _o303.force_bend;
+                friction_force_rate = _o303.friction_force_rate;
+                vx_1 = _o303.vx_1;
+                vy_1 = _o303.vy_1;
+                vz_1 = _o303.vz_1;
+                if (BOUNDS)
+                    missed = _o303.missed;
+                if (BOUNDS) {
+                    const kernel_ring_round_pulled_out _o304 = kernel_ring_round_pulled(p_gravity, p_inertia, turn_rate_0, turn_rate_1, climb_0, climb_1, cosine_0, cosine_1, omega_0, omega_1);
+                    rolling_friction = _o304.rolling_friction;
+                    rolling_friction_rate = _o304.rolling_friction_rate;
+                    const kernel_ring_impact_grip_deficit_out _o305 = kernel_ring_impact_grip_deficit(p_ring_friction, rolling_friction, rolling_friction_rate, force, force_rate);
+                    grip_deficit = _o305.grip_deficit;
+                    grip_deficit_rate = _o305.grip_deficit_rate;
+                    const kernel_losing_out _o306 = kernel_losing(grip_deficit, grip_lost);
+                    loses = _o306.loses;
+                    if (loses) {
+                        const kernel_lost_grip_out _o307 = kernel_lost_grip(clock, grip_deficit, grip_deficit_rate, last_grip_deficit, last_grip_deficit_rate, last_grip_clock);
+                        grip_lost = _o307.grip_lost;
+                    }
+                    const kernel_remember_grip_deficit_out _o308 = kernel_remember_grip_deficit(clock, grip_deficit, grip_deficit_rate);
+                    last_grip_deficit = _o308.last_grip_deficit;
+                    last_grip_deficit_rate = _o308.last_grip_deficit_rate;
+                    last_grip_clock = _o308.last_grip_clock;
+                }
+                const kernel_leaving_force_out _o309 = kernel_leaving_force(p_ball_radius, p_gravity, vx, vx_1, vy, vy_1, vz, vz_1, which, doubt, position_error, velocity_error, per_reach, force, force_rate, force_bend, friction_force_rate, stride, fastest);
+                stride = _o309.stride;
+                which = _o309.which;
+                rests = _o309.rests;
+                if (BOUNDS)
+                    doubt = _o309.doubt;
+                const kernel_backboard_beside_out _o310 = kernel_backboard_beside(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, vx, vy, vz);
+                gap = _o310.gap;
+                nearing = _o310.nearing;
+                gap_curvature = _o310.gap_curvature;
+                const kernel_beside_body_out _o311 = kernel_beside_body(p_ball_radius, x, y, z, gap, 1.0, which, earliest_delay, doubt, position_error, nearing, gap_curvature, stride, strongest, fastest);
+                stride = _o311.stride;
+                which = _o311.which;
+                if (BOUNDS) {
+                    doubt = _o311.doubt;
+                    earliest_delay = _o311.earliest_delay;
+                }
+                const kernel_bridge_beside_out _o312 = kernel_bridge_beside(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
+                gap = _o312.gap;
+                nearing = _o312.nearing;
+                gap_curvature = _o312.gap_curvature;
+                const kernel_beside_body_out _o313 = kernel_beside_body(p_ball_radius, x, y, z, gap, 2.0, which, earliest_delay, doubt, position_error, nearing, gap_curvature, stride, strongest, fastest);
+                stride = _o313.stride;
+                which = _o313.which;
+                if (BOUNDS) {
+                    doubt = _o313.doubt;
+                    earliest_delay = _o313.earliest_delay;
+                }
+                const kernel_end_beside_out _o314 = kernel_end_beside(p_end_depth, z, vz);
+                gap = _o314.gap;
+                nearing = _o314.nearing;
+                gap_curvature = _o314.gap_curvature;
+                const kernel_beside_gate_out _o315 = kernel_beside_gate(p_ball_radius, x, y, z, gap, 3.0, which, earliest_delay, doubt, position_error, nearing, gap_curvature, stride, strongest, fastest);
+                stride = _o315.stride;
+                which = _o315.which;
+                if (BOUNDS) {
+                    doubt = _o315.doubt;
+                    earliest_delay = _o315.earliest_delay;
+                }
+                const kernel_beside_time_out _o316 = kernel_beside_time(which, clock, time_limit, stride);
+                stride = _o316.stride;
+                which = _o316.which;
+                if (BOUNDS) {
+                    const kernel_neighbour_scale_out _o317 = kernel_neighbour_scale(p_ball_radius, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
+                    neighbour_scale = _o317.neighbour_scale;
+                    const kernel_neighbour_out _o318 = kernel_neighbour(x, y, z, vx, vy, vz, wx, wy, wz, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz, neighbour_scale);
+                    far_x = _o318.far_x;
+                    far_y = _o318.far_y;
+                    far_z = _o318.far_z;
+                    far_vx = _o318.far_vx;
+                    far_vy = _o318.far_vy;
+                    far_vz = _o318.far_vz;
+                    far_wx = _o318.far_wx;
+                    far_wy = _o318.far_wy;
+                    far_wz = _o318.far_wz;
+                }
+                const kernel_passing_from_out _o319 = kernel_passing_from(z);
+                over = _o319.over;
+                const kernel_isolated_out _o320 = kernel_isolated();
+                azimuth_clearance = _o320.nearest;
+                const kernel_half_steps_out _o321 = kernel_half_steps(stride);
+                forth = _o321.forth;
+                back = _o321.back;
+                const kernel_backboard_around_out _o322 = kernel_backboard_around(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, vx, vy, vz);
+                gap = _o322.gap;
+                nearing = _o322.nearing;
+                const kernel_cleared_out _o323 = kernel_cleared(gap, nearing, forth, azimuth_clearance);
+                azimuth_clearance = _o323.azimuth_clearance;
+                const kernel_bridge_around_out _o324 = kernel_bridge_around(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
+                gap = _o324.gap;
+                nearing = _o324.nearing;
+                const kernel_cleared_out _o325 = kernel_cleared(gap, nearing, forth, azimuth_clearance);
+                azimuth_clearance = _o325.azimuth_clearance;
+                const kernel_end_around_out _o326 = kernel_end_around(p_end_depth, z, vz);
+                gap = _o326.gap;
+                nearing = _o326.nearing;
+                const kernel_cleared_out _o327 = kernel_cleared(gap, nearing, forth, azimuth_clearance);
+                azimuth_clearance = _o327.azimuth_clearance;
+                const kernel_ring_round_moved_out _o328 = kernel_ring_round_moved(p_ball_radius, p_ring_radius, p_wire_radius, stride, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, turn_rate_10, turn_rate_11, turn_rate_12, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, climb_11, climb_12, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, cosine_10, cosine_11, cosine_12, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, sine_10, sine_11, sine_12, along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, along_10, along_11, along_12, cos_0, sin_0, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, omega_10, omega_11);
+                x = _o328.x;
+                y = _o328.y;
+                z = _o328.z;
+                vx = _o328.vx;
+                vy = _o328.vy;
+                vz = _o328.vz;
+                wx = _o328.wx;
+                wy = _o328.wy;
+                wz = _o328.wz;
+                climb = _o328.climb;
+                const kernel_passing_in_contact_out _o329 = kernel_passing_in_contact(p_ring_radius, x, y, z, through, over);
+                through = _o329.through;
+                const kernel_backboard_around_out _o330 = kernel_backboard_around(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, vx, vy, vz);
+                gap = _o330.gap;
+                nearing = _o330.nearing;
+                const kernel_cleared_out _o331 = kernel_cleared(gap, nearing, back, azimuth_clearance);
+                azimuth_clearance = _o331.azimuth_clearance;
+                const kernel_bridge_around_out _o332 = kernel_bridge_around(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
+                gap = _o332.gap;
+                nearing = _o332.nearing;
+                const kernel_cleared_out _o333 = kernel_cleared(gap, nearing, back, azimuth_clearance);
+                azimuth_clearance = _o333.azimuth_clearance;
+                const kernel_end_around_out _o334 = kernel_end_around(p_end_depth, z, vz);
+                gap = _o334.gap;
+                nearing = _o334.nearing;
+                const kernel_cleared_out _o335 = kernel_cleared(gap, nearing, back, azimuth_clearance);
+                azimuth_clearance = _o335.azimuth_clearance;
+                const kernel_ring_swung_out _o336 = kernel_ring_swung(p_ball_radius, p_gravity, p_wire_radius, which, doubt, position_error, velocity_error, force, force_rate, force_bend, stride, fastest, circled, climb, climb_0, section_acceleration, azimuth_clearance);
+                circled = _o336.circled;
+                endless = _o336.endless;
+                if (BOUNDS)
+                    doubt = _o336.doubt;
+                const kernel_for_ever_out _o337 = kernel_for_ever(which, endless);
+                which = _o337.which;
+                if (BOUNDS) {
+                    const kernel_ring_round_start_out _o338 = kernel_ring_round_start(p_ball_radius, p_inertia, p_ring_radius, p_wire_radius, far_x, far_y, far_z, far_vx, far_vy, far_vz, far_wx, far_wy, far_wz, per_reach);
+                    cosine_0 = _o338.cosine_0;
+                    sine_0 = _o338.sine_0;
+                    climb_0 = _o338.climb_0;
+                    along_0 = _o338.along_0;
+                    turn_rate_0 = _o338.turn_rate_0;
+                    cos_0 = _o338.cos_0;
+                    sin_0 = _o338.sin_0;
+                    tilted_0 = _o338.tilted_0;
+                    near_0 = _o338.near_0;
+                    const kernel_ring_round_0_out _o339 = kernel_ring_round_0(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, near_0, climb_0, cosine_0, sine_0, along_0, tilted_0);
+                    omega_0 = _o339.omega_0;
+                    around_0 = _o339.around_0;
+                    cosine_1 = _o339.cosine_1;
+                    sine_1 = _o339.sine_1;
+                    climb_1 = _o339.climb_1;
+                    along_1 = _o339.along_1;
+                    turn_rate_1 = _o339.turn_rate_1;
+                    tilted_1 = _o339.tilted_1;
+                    const kernel_ring_round_1_out _o340 = kernel_ring_round_1(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, near_0, climb_0, climb_1, cosine_0, cosine_1, sine_0, sine_1, along_1, omega_0, around_0, tilted_0, tilted_1);
+                    omega_1 = _o340.omega_1;
+                    around_1 = _o340.around_1;
+                    cosine_2 = _o340.cosine_2;
+                    sine_2 = _o340.sine_2;
+                    climb_2 = _o340.climb_2;
+                    along_2 = _o340.along_2;
+                    turn_rate_2 = _o340.turn_rate_2;
+                    tilted_2 = _o340.tilted_2;
+                    const kernel_ring_round_2_out _o341 = kernel_ring_round_2(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, near_0, climb_0, climb_1, climb_2, cosine_0, cosine_1, cosine_2, sine_0, sine_1, sine_2, along_2, omega_0, omega_1, around_0, around_1, tilted_0, tilted_1, tilted_2);
+                    omega_2 = _o341.omega_2;
+                    around_2 = _o341.around_2;
+                    cosine_3 = _o341.cosine_3;
+                    sine_3 = _o341.sine_3;
+                    climb_3 = _o341.climb_3;
+                    along_3 = _o341.along_3;
+                    turn_rate_3 = _o341.turn_rate_3;
+                    tilted_3 = _o341.tilted_3;
+                    const kernel_ring_round_3_out _o342 = kernel_ring_round_3(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, near_0, climb_0, climb_1, climb_2, climb_3, cosine_0, cosine_1, cosine_2, cosine_3, sine_0, sine_1, sine_2, sine_3, along_3, omega_0, omega_1, omega_2, around_0, around_1, around_2, tilted_0, tilted_1, tilted_2, tilted_3);
+                    omega_3 = _o342.omega_3;
+                    around_3 = _o342.around_3;
+                    cosine_4 = _o342.cosine_4;
+                    sine_4 = _o342.sine_4;
+                    climb_4 = _o342.climb_4;
+                    along_4 = _o342.along_4;
+                    turn_rate_4 = _o342.turn_rate_4;
+                    tilted_4 = _o342.tilted_4;
+                    const kernel_ring_round_4_out _o343 = kernel_ring_round_4(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, sine_0, sine_1, sine_2, sine_3, sine_4, along_4, omega_0, omega_1, omega_2, omega_3, around_0, around_1, around_2, around_3, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4);
+                    omega_4 = _o343.omega_4;
+                    around_4 = _o343.around_4;
+                    cosine_5 = _o343.cosine_5;
+                    sine_5 = _o343.sine_5;
+                    climb_5 = _o343.climb_5;
+                    along_5 = _o343.along_5;
+                    turn_rate_5 = _o343.turn_rate_5;
+                    tilted_5 = _o343.tilted_5;
+                    const kernel_ring_round_5_out _o344 = kernel_ring_round_5(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, along_5, omega_0, omega_1, omega_2, omega_3, omega_4, around_0, around_1, around_2, around_3, around_4, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5);
+                    omega_5 = _o344.omega_5;
+                    around_5 = _o344.around_5;
+                    cosine_6 = _o344.cosine_6;
+                    sine_6 = _o344.sine_6;
+                    climb_6 = _o344.climb_6;
+                    along_6 = _o344.along_6;
+                    turn_rate_6 = _o344.turn_rate_6;
+                    tilted_6 = _o344.tilted_6;
+                    const kernel_ring_round_6_out _o345 = kernel_ring_round_6(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, along_6, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, around_0, around_1, around_2, around_3, around_4, around_5, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6);
+                    omega_6 = _o345.omega_6;
+                    around_6 = _o345.around_6;
+                    cosine_7 = _o345.cosine_7;
+                    sine_7 = _o345.sine_7;
+                    climb_7 = _o345.climb_7;
+                    along_7 = _o345.along_7;
+                    turn_rate_7 = _o345.turn_rate_7;
+                    tilted_7 = _o345.tilted_7;
+                    const kernel_ring_round_7_out _o346 = kernel_ring_round_7(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, along_7, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, around_0, around_1, around_2, around_3, around_4, around_5, around_6, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7);
+                    omega_7 = _o346.omega_7;
+                    around_7 = _o346.around_7;
+                    cosine_8 = _o346.cosine_8;
+                    sine_8 = _o346.sine_8;
+                    climb_8 = _o346.climb_8;
+                    along_8 = _o346.along_8;
+                    turn_rate_8 = _o346.turn_rate_8;
+                    tilted_8 = _o346.tilted_8;
+                    const kernel_ring_round_8_out _o347 = kernel_ring_round_8(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, along_8, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8);
+                    omega_8 = _o347.omega_8;
+                    around_8 = _o347.around_8;
+                    cosine_9 = _o347.cosine_9;
+                    sine_9 = _o347.sine_9;
+                    climb_9 = _o347.climb_9;
+                    along_9 = _o347.along_9;
+                    turn_rate_9 = _o347.turn_rate_9;
+                    tilted_9 = _o347.tilted_9;
+                    const kernel_ring_round_9_out _o348 = kernel_ring_round_9(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, along_9, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9);
+                    omega_9 = _o348.omega_9;
+                    around_9 = _o348.around_9;
+                    cosine_10 = _o348.cosine_10;
+                    sine_10 = _o348.sine_10;
+                    climb_10 = _o348.climb_10;
+                    along_10 = _o348.along_10;
+                    turn_rate_10 = _o348.turn_rate_10;
+                    tilted_10 = _o348.tilted_10;
+                    const kernel_ring_round_10_out _o349 = kernel_ring_round_10(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, turn_rate_10, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, cosine_10, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, sine_10, along_10, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, tilted_10);
+                    omega_10 = _o349.omega_10;
+                    around_10 = _o349.around_10;
+                    cosine_11 = _o349.cosine_11;
+                    sine_11 = _o349.sine_11;
+                    climb_11 = _o349.climb_11;
+                    along_11 = _o349.along_11;
+                    turn_rate_11 = _o349.turn_rate_11;
+                    tilted_11 = _o349.tilted_11;
+                    const kernel_ring_round_11_out _o350 = kernel_ring_round_11(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, turn_rate_10, turn_rate_11, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, climb_11, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, cosine_10, cosine_11, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, sine_10, sine_11, along_11, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, omega_10, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, around_10, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, tilted_10, tilted_11);
+                    omega_11 = _o350.omega_11;
+                    cosine_12 = _o350.cosine_12;
+                    sine_12 = _o350.sine_12;
+                    climb_12 = _o350.climb_12;
+                    along_12 = _o350.along_12;
+                    turn_rate_12 = _o350.turn_rate_12;
+                    const kernel_ring_round_moved_out _o351 = kernel_ring_round_moved(p_ball_radius, p_ring_radius, p_wire_radius, stride, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, turn_rate_10, turn_rate_11, turn_rate_12, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, climb_11, climb_12, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, cosine_10, cosine_11, cosine_12, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, sine_10, sine_11, sine_12, along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, along_10, along_11, along_12, cos_0, sin_0, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, omega_10, omega_11);
+                    far_x = _o351.x;
+                    far_y = _o351.y;
+                    far_z = _o351.z;
+                    far_vx = _o351.vx;
+                    far_vy = _o351.vy;
+                    far_vz = _o351.vz;
+                    far_wx = _o351.wx;
+                    far_wy = _o351.wy;
+                    far_wz = _o351.wz;
+                    const kernel_compared_out _o352 = kernel_compared(p_ball_radius, x, y, z, vx, vy, vz, wx, wy, wz, far_x, far_y, far_z, far_vx, far_vy, far_vz, far_wx, far_wy, far_wz, stride, missed, neighbour_scale);
+                    dx = _o352.dx;
+                    dy = _o352.dy;
+                    dz = _o352.dz;
+                    dvx = _o352.dvx;
+                    dvy = _o352.dvy;
+                    dvz = _o352.dvz;
+                    dwx = _o352.dwx;
+                    dwy = _o352.dwy;
+                    dwz = _o352.dwz;
+                }
+                const kernel_rolled_on_out _o353 = kernel_rolled_on(which, clock, stride, rests);
+                clock = _o353.clock;
+                circling = _o353.rolling;
             }
-            const kernel_rejoined_out _o734 = kernel_rejoined(rolling, circling);
-            rolling = _o734.rolling;
+            const kernel_rejoined_out _o354 = kernel_rejoined(rolling, circling);
+            rolling = _o354.rolling;
             if (leaves) {
-                const kernel_error_bounds_out _o735 = kernel_error_bounds(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
-                position_error = _o735.position_error;
-                velocity_error = _o735.velocity_error;
-                const kernel_holding_out _o736 = kernel_holding(0.0, held);
-                here = _o736.here;
-                if (here) {
-                    const kernel_ring_rolling_surface_out _o737 = kernel_ring_rolling_surface(p_ball_radius, p_wire_radius);
-                    per_reach = _o737.per_reach;
-                    const kernel_ring_separation_out _o738 = kernel_ring_separation(p_gravity, p_ring_radius, x, y, z, vx, vy, vz);
-                    lift = _o738.lift;
-                    gap_jerk = _o738.gap_jerk;
-                    gap_snap = _o738.gap_snap;
+                if (BOUNDS) {
+                    const kernel_error_bounds_out _o355 = kernel_error_bounds(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
+                    position_error = _o355.position_error;
+                    velocity_error = _o355.velocity_error;
                 }
-                const kernel_holding_out _o739 = kernel_holding(1.0, held);
-                here = _o739.here;
+                const kernel_holding_out _o356 = kernel_holding(0.0, held);
+                here = _o356.here;
                 if (here) {
-                    const kernel_backboard_rolling_surface_out _o740 = kernel_backboard_rolling_surface(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, vx, vy, vz);
-                    per_reach = _o740.per_reach;
-                    const kernel_backboard_separation_out _o741 = kernel_backboard_separation(p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, p_gravity, x, y, z, vx, vy, vz);
-                    lift = _o741.lift;
-                    gap_jerk = _o741.gap_jerk;
-                    gap_snap = _o741.gap_snap;
+                    const kernel_ring_rolling_surface_out _o357 = kernel_ring_rolling_surface(p_ball_radius, p_wire_radius);
+                    per_reach = _o357.per_reach;
+                    const kernel_ring_separation_out _o358 = kernel_ring_separation(p_gravity, p_ring_radius, x, y, z, vx, vy, vz);
+                    lift = _o358.lift;
+                    gap_jerk = _o358.gap_jerk;
+                    gap_snap = _o358.gap_snap;
                 }
-                const kernel_holding_out _o742 = kernel_holding(2.0, held);
-                here = _o742.here;
+                const kernel_holding_out _o359 = kernel_holding(1.0, held);
+                here = _o359.here;
                 if (here) {
-                    const kernel_bridge_rolling_surface_out _o743 = kernel_bridge_rolling_surface(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
-                    per_reach = _o743.per_reach;
-                    const kernel_bridge_separation_out _o744 = kernel_bridge_separation(p_board_distance, p_bridge_depth, p_bridge_half_width, p_gravity, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
-                    lift = _o744.lift;
-                    gap_jerk = _o744.gap_jerk;
-                    gap_snap = _o744.gap_snap;
+                    const kernel_backboard_rolling_surface_out _o360 = kernel_backboard_rolling_surface(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, vx, vy, vz);
+                    per_reach = _o360.per_reach;
+                    const kernel_backboard_separation_out _o361 = kernel_backboard_separation(p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, p_gravity, x, y, z, vx, vy, vz);
+                    lift = _o361.lift;
+                    gap_jerk = _o361.gap_jerk;
+                    gap_snap = _o361.gap_snap;
                 }
-                const kernel_no_contact_out _o745 = kernel_no_contact();
-                free_time = _o745.free_time;
-                const kernel_beside_out _o746 = kernel_beside(0.0, held);
-                beside = _o746.beside;
+                const kernel_holding_out _o362 = kernel_holding(2.0, held);
+                here = _o362.here;
+                if (here) {
+                    const kernel_bridge_rolling_surface_out _o363 = kernel_bridge_rolling_surface(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
+                    per_reach = _o363.per_reach;
+                    const kernel_bridge_separation_out _o364 = kernel_bridge_separation(p_board_distance, p_bridge_depth, p_bridge_half_width, p_gravity, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
+                    lift = _o364.lift;
+                    gap_jerk = _o364.gap_jerk;
+                    gap_snap = _o364.gap_snap;
+                }
+                const kernel_no_contact_out _o365 = kernel_no_contact();
+                free_time = _o365.free_time;
+                const kernel_beside_out _o366 = kernel_beside(0.0, held);
+                beside = _o366.beside;
                 if (beside) {
-                    const kernel_ring_beside_out _o747 = kernel_ring_beside(p_ball_radius, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
-                    gap = _o747.gap;
-                    nearing = _o747.nearing;
-                    gap_curvature = _o747.gap_curvature;
-                    const kernel_neighbour_free_time_out _o748 = kernel_neighbour_free_time(p_gravity, vx, vy, vz, gap, free_time, nearing, gap_curvature);
-                    free_time = _o748.free_time;
+                    const kernel_ring_beside_out _o367 = kernel_ring_beside(p_ball_radius, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
+                    gap = _o367.gap;
+                    nearing = _o367.nearing;
+                    gap_curvature = _o367.gap_curvature;
+                    const kernel_neighbour_free_time_out _o368 = kernel_neighbour_free_time(p_gravity, vx, vy, vz, gap, free_time, nearing, gap_curvature);
+                    free_time = _o368.free_time;
                 }
-                const kernel_beside_out _o749 = kernel_beside(1.0, held);
-                beside = _o749.beside;
+                const kernel_beside_out _o369 = kernel_beside(1.0, held);
+                beside = _o369.beside;
                 if (beside) {
-                    const kernel_backboard_beside_out _o750 = kernel_backboard_beside(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, vx, vy, vz);
-                    gap = _o750.gap;
-                    nearing = _o750.nearing;
-                    gap_curvature = _o750.gap_curvature;
-                    const kernel_neighbour_free_time_out _o751 = kernel_neighbour_free_time(p_gravity, vx, vy, vz, gap, free_time, nearing, gap_curvature);
-                    free_time = _o751.free_time;
+                    const kernel_backboard_beside_out _o370 = kernel_backboard_beside(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, vx, vy, vz);
+                    gap = _o370.gap;
+                    nearing = _o370.nearing;
+                    gap_curvature = _o370.gap_curvature;
+                    const kernel_neighbour_free_time_out _o371 = kernel_neighbour_free_time(p_gravity, vx, vy, vz, gap, free_time, nearing, gap_curvature);
+                    free_time = _o371.free_time;
                 }
-                const kernel_beside_out _o752 = kernel_beside(2.0, held);
-                beside = _o752.beside;
+                const kernel_beside_out _o372 = kernel_beside(2.0, held);
+                beside = _o372.beside;
                 if (beside) {
-                    const kernel_bridge_beside_out _o753 = kernel_bridge_beside(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
-                    gap = _o753.gap;
-                    nearing = _o753.nearing;
-                    gap_curvature = _o753.gap_curvature;
-                    const kernel_neighbour_free_time_out _o754 = kernel_neighbour_free_time(p_gravity, vx, vy, vz, gap, free_time, nearing, gap_curvature);
-                    free_time = _o754.free_time;
+                    const kernel_bridge_beside_out _o373 = kernel_bridge_beside(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
+                    gap = _o373.gap;
+                    nearing = _o373.nearing;
+                    gap_curvature = _o373.gap_curvature;
+                    const kernel_neighbour_free_time_out _o374 = kernel_neighbour_free_time(p_gravity, vx, vy, vz, gap, free_time, nearing, gap_curvature);
+                    free_time = _o374.free_time;
                 }
-                const kernel_end_beside_out _o755 = kernel_end_beside(p_end_depth, z, vz);
-                gap = _o755.gap;
-                nearing = _o755.nearing;
-                gap_curvature = _o755.gap_curvature;
-                const kernel_end_plane_free_time_out _o756 = kernel_end_plane_free_time(p_gravity, vx, vy, vz, gap, doubt, free_time, nearing, gap_curvature);
-                free_time = _o756.free_time;
-                doubt = _o756.doubt;
-                const kernel_holding_out _o757 = kernel_holding(1.0, held);
-                here = _o757.here;
+                const kernel_end_beside_out _o375 = kernel_end_beside(p_end_depth, z, vz);
+                gap = _o375.gap;
+                nearing = _o375.nearing;
+                gap_curvature = _o375.gap_curvature;
+                const kernel_end_plane_free_time_out _o376 = kernel_end_plane_free_time(p_gravity, vx, vy, vz, gap, doubt, free_time, nearing, gap_curvature);
+                free_time = _o376.free_time;
+                if (BOUNDS)
+                    doubt = _o376.doubt;
+                const kernel_holding_out _o377 = kernel_holding(1.0, held);
+                here = _o377.here;
                 if (here) {
-                    const kernel_backboard_seam0_out _o758 = kernel_backboard_seam0(p_ball_radius, p_board_distance, p_board_thickness, x, vx);
-                    gap = _o758.gap;
-                    nearing = _o758.nearing;
-                    near = _o758.near;
-                    const kernel_seam_free_time_out _o759 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
-                    free_time = _o759.free_time;
-                    const kernel_backboard_seam1_out _o760 = kernel_backboard_seam1(p_ball_radius, p_board_distance, p_board_thickness, x, vx);
-                    gap = _o760.gap;
-                    nearing = _o760.nearing;
-                    near = _o760.near;
-                    const kernel_seam_free_time_out _o761 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
-                    free_time = _o761.free_time;
-                    const kernel_backboard_seam2_out _o762 = kernel_backboard_seam2(p_ball_radius, p_board_half_width, y, vy);
-                    gap = _o762.gap;
-                    nearing = _o762.nearing;
-                    near = _o762.near;
-                    const kernel_seam_free_time_out _o763 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
-                    free_time = _o763.free_time;
-                    const kernel_backboard_seam3_out _o764 = kernel_backboard_seam3(p_ball_radius, p_board_half_width, y, vy);
-                    gap = _o764.gap;
-                    nearing = _o764.nearing;
-                    near = _o764.near;
-                    const kernel_seam_free_time_out _o765 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
-                    free_time = _o765.free_time;
-                    const kernel_backboard_seam4_out _o766 = kernel_backboard_seam4(p_ball_radius, p_board_bottom, p_board_top, z, vz);
-                    gap = _o766.gap;
-                    nearing = _o766.nearing;
-                    near = _o766.near;
-                    const kernel_seam_free_time_out _o767 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
-                    free_time = _o767.free_time;
-                    const kernel_backboard_seam5_out _o768 = kernel_backboard_seam5(p_ball_radius, p_board_bottom, p_board_top, z, vz);
-                    gap = _o768.gap;
-                    nearing = _o768.nearing;
-                    near = _o768.near;
-                    const kernel_seam_free_time_out _o769 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
-                    free_time = _o769.free_time;
+                    const kernel_backboard_seam0_out _o378 = kernel_backboard_seam0(p_ball_radius, p_board_distance, p_board_thickness, x, vx);
+                    gap = _o378.gap;
+                    nearing = _o378.nearing;
+                    near = _o378.near;
+                    const kernel_seam_free_time_out _o379 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
+                    free_time = _o379.free_time;
+                    const kernel_backboard_seam1_out _o380 = kernel_backboard_seam1(p_ball_radius, p_board_distance, p_board_thickness, x, vx);
+                    gap = _o380.gap;
+                    nearing = _o380.nearing;
+                    near = _o380.near;
+                    const kernel_seam_free_time_out _o381 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
+                    free_time = _o381.free_time;
+                    const kernel_backboard_seam2_out _o382 = kernel_backboard_seam2(p_ball_radius, p_board_half_width, y, vy);
+                    gap = _o382.gap;
+                    nearing = _o382.nearing;
+                    near = _o382.near;
+                    const kernel_seam_free_time_out _o383 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
+                    free_time = _o383.free_time;
+                    const kernel_backboard_seam3_out _o384 = kernel_backboard_seam3(p_ball_radius, p_board_half_width, y, vy);
+                    gap = _o384.gap;
+                    nearing = _o384.nearing;
+                    near = _o384.near;
+                    const kernel_seam_free_time_out _o385 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
+                    free_time = _o385.free_time;
+                    const kernel_backboard_seam4_out _o386 = kernel_backboard_seam4(p_ball_radius, p_board_bottom, p_board_top, z, vz);
+                    gap = _o386.gap;
+                    nearing = _o386.nearing;
+                    near = _o386.near;
+                    const kernel_seam_free_time_out _o387 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
+                    free_time = _o387.free_time;
+                    const kernel_backboard_seam5_out _o388 = kernel_backboard_seam5(p_ball_radius, p_board_bottom, p_board_top, z, vz);
+                    gap = _o388.gap;
+                    nearing = _o388.nearing;
+                    near = _o388.near;
+                    const kernel_seam_free_time_out _o389 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
+                    free_time = _o389.free_time;
                 }
-                const kernel_holding_out _o770 = kernel_holding(2.0, held);
-                here = _o770.here;
+                const kernel_holding_out _o390 = kernel_holding(2.0, held);
+                here = _o390.here;
                 if (here) {
-                    const kernel_bridge_seam0_out _o771 = kernel_bridge_seam0(p_ball_radius, p_board_distance, p_ring_radius, x, vx);
-                    gap = _o771.gap;
-                    nearing = _o771.nearing;
-                    near = _o771.near;
-                    const kernel_seam_free_time_out _o772 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
-                    free_time = _o772.free_time;
-                    const kernel_bridge_seam1_out _o773 = kernel_bridge_seam1(p_ball_radius, p_board_distance, p_ring_radius, x, vx);
-                    gap = _o773.gap;
-                    nearing = _o773.nearing;
-                    near = _o773.near;
-                    const kernel_seam_free_time_out _o774 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
-                    free_time = _o774.free_time;
-                    const kernel_bridge_seam2_out _o775 = kernel_bridge_seam2(p_ball_radius, p_bridge_half_width, y, vy);
-                    gap = _o775.gap;
-                    nearing = _o775.nearing;
-                    near = _o775.near;
-                    const kernel_seam_free_time_out _o776 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
-                    free_time = _o776.free_time;
-                    const kernel_bridge_seam3_out _o777 = kernel_bridge_seam3(p_ball_radius, p_bridge_half_width, y, vy);
-                    gap = _o777.gap;
-                    nearing = _o777.nearing;
-                    near = _o777.near;
-                    const kernel_seam_free_time_out _o778 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
-                    free_time = _o778.free_time;
-                    const kernel_bridge_seam4_out _o779 = kernel_bridge_seam4(p_ball_radius, p_bridge_depth, p_wire_radius, z, vz);
-                    gap = _o779.gap;
-                    nearing = _o779.nearing;
-                    near = _o779.near;
-                    const kernel_seam_free_time_out _o780 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
-                    free_time = _o780.free_time;
-                    const kernel_bridge_seam5_out _o781 = kernel_bridge_seam5(p_ball_radius, p_bridge_depth, p_wire_radius, z, vz);
-                    gap = _o781.gap;
-                    nearing = _o781.nearing;
-                    near = _o781.near;
-                    const kernel_seam_free_time_out _o782 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
-                    free_time = _o782.free_time;
+                    const kernel_bridge_seam0_out _o391 = kernel_bridge_seam0(p_ball_radius, p_board_distance, p_ring_radius, x, vx);
+                    gap = _o391.gap;
+                    nearing = _o391.nearing;
+                    near = _o391.near;
+                    const kernel_seam_free_time_out _o392 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
+                    free_time = _o392.free_time;
+                    const kernel_bridge_seam1_out _o393 = kernel_bridge_seam1(p_ball_radius, p_board_distance, p_ring_radius, x, vx);
+                    gap = _o393.gap;
+                    nearing = _o393.nearing;
+                    near = _o393.near;
+                    const kernel_seam_free_time_out _o394 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
+                    free_time = _o394.free_time;
+                    const kernel_bridge_seam2_out _o395 = kernel_bridge_seam2(p_ball_radius, p_bridge_half_width, y, vy);
+                    gap = _o395.gap;
+                    nearing = _o395.nearing;
+                    near = _o395.near;
+                    const kernel_seam_free_time_out _o396 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
+                    free_time = _o396.free_time;
+                    const kernel_bridge_seam3_out _o397 = kernel_bridge_seam3(p_ball_radius, p_bridge_half_width, y, vy);
+                    gap = _o397.gap;
+                    nearing = _o397.nearing;
+                    near = _o397.near;
+                    const kernel_seam_free_time_out _o398 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
+                    free_time = _o398.free_time;
+                    const kernel_bridge_seam4_out _o399 = kernel_bridge_seam4(p_ball_radius, p_bridge_depth, p_wire_radius, z, vz);
+                    gap = _o399.gap;
+                    nearing = _o399.nearing;
+                    near = _o399.near;
+                    const kernel_seam_free_time_out _o400 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
+                    free_time = _o400.free_time;
+                    const kernel_bridge_seam5_out _o401 = kernel_bridge_seam5(p_ball_radius, p_bridge_depth, p_wire_radius, z, vz);
+                    gap = _o401.gap;
+                    nearing = _o401.nearing;
+                    near = _o401.near;
+                    const kernel_seam_free_time_out _o402 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
+                    free_time = _o402.free_time;
                 }
-                const kernel_separated_out _o783 = kernel_separated(p_gravity, vx, vy, vz, doubt, position_error, velocity_error, per_reach, free_time, lift, gap_jerk, gap_snap);
-                when = _o783.when;
-                doubt = _o783.doubt;
-                const kernel_take_off_out _o784 = kernel_take_off();
-                which = _o784.which;
+                const kernel_separated_out _o403 = kernel_separated(p_gravity, vx, vy, vz, doubt, position_error, velocity_error, per_reach, free_time, lift, gap_jerk, gap_snap);
+                when = _o403.when;
+                if (BOUNDS)
+                    doubt = _o403.doubt;
+                const kernel_take_off_out _o404 = kernel_take_off();
+                which = _o404.which;
             }
         }
-        const kernel_departed_out _o785 = kernel_departed(3.0, which);
-        moves = _o785.moves;
-        ends = _o785.ends;
-        touches = _o785.touches;
-        reached = _o785.reached;
-        edge = _o785.edge;
-        const kernel_body_of_out _o786 = kernel_body_of(which);
-        body = _o786.body;
+        const kernel_departed_out _o405 = kernel_departed(3.0, which);
+        moves = _o405.moves;
+        ends = _o405.ends;
+        touches = _o405.touches;
+        reached = _o405.reached;
+        if (BOUNDS)
+            edge = _o405.edge;
+        const kernel_body_of_out _o406 = kernel_body_of(which);
+        body = _o406.body;
         if (moves) {
-            const kernel_passing_doubt_out _o787 = kernel_passing_doubt(when, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, p_ring_radius, p_gravity);
-            unsure = _o787.unsure;
-            const kernel_undecided_out _o788 = kernel_undecided(uncertain, unsure);
-            uncertain = _o788.uncertain;
-            const kernel_passing_out _o789 = kernel_passing(through, when, x, y, z, vx, vy, vz, p_ring_radius, p_gravity);
-            through = _o789.through;
-            const kernel_flight_out _o790 = kernel_flight(when, x, y, z, vx, vy, vz, p_gravity);
-            x = _o790.x;
-            y = _o790.y;
-            z = _o790.z;
-            vx = _o790.vx;
-            vy = _o790.vy;
-            vz = _o790.vz;
-            const kernel_event_clock_out _o791 = kernel_event_clock(when, clock);
-            clock = _o791.clock;
+            if (BOUNDS) {
+                const kernel_passing_doubt_out _o407 = kernel_passing_doubt(when, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, p_ring_radius, p_gravity);
+                unsure = _o407.unsure;
+                const kernel_undecided_out _o408 = kernel_undecided(uncertain, unsure);
+                uncertain = _o408.uncertain;
+            }
+            const kernel_passing_out _o409 = kernel_passing(through, when, x, y, z, vx, vy, vz, p_ring_radius, p_gravity);
+            through = _o409.through;
+            const kernel_flight_out _o410 = kernel_flight(when, x, y, z, vx, vy, vz, p_gravity);
+            x = _o410.x;
+            y = _o410.y;
+            z = _o410.z;
+            vx = _o410.vx;
+            vy = _o410.vy;
+            vz = _o410.vz;
+            const kernel_event_clock_out _o411 = kernel_event_clock(when, clock);
+            clock = _o411.clock;
         }
         if (limited) {
-            const kernel_expired_out _o792 = kernel_expired(4.0, which, body, clock, reached, time_limit, ends);
-            clock = _o792.clock;
-            body = _o792.body;
-            reached = _o792.reached;
-            ends = _o792.ends;
+            const kernel_expired_out _o412 = kernel_expired(4.0, which, body, clock, reached, time_limit, ends);
+            clock = _o412.clock;
+            body = _o412.body;
+            reached = _o412.reached;
+            ends = _o412.ends;
         }
-        const kernel_unhopped_out _o793 = kernel_unhopped();
-        hopped = _o793.hopped;
+        if (BOUNDS) {
+            const kernel_unhopped_out _o413 = kernel_unhopped();
+            hopped = _o413.hopped;
+        }
         if (in_contact) {
-            const kernel_stay_in_contact_out _o794 = kernel_stay_in_contact(last, which, doubt, body, clock, reached, ends, held, rolls, rolling, began, rests);
-            body = _o794.body;
-            reached = _o794.reached;
-            doubt = _o794.doubt;
-            ends = _o794.ends;
-            hopped = _o794.hopped;
-            last = _o794.last;
-            mode = _o794.mode;
-            held = _o794.held;
-            rolls = _o794.rolls;
+            const kernel_stay_in_contact_out _o414 = kernel_stay_in_contact(last, which, doubt, body, clock, reached, ends, held, rolls, rolling, began, rests);
+            body = _o414.body;
+            reached = _o414.reached;
+            ends = _o414.ends;
+            last = _o414.last;
+            mode = _o414.mode;
+            held = _o414.held;
+            rolls = _o414.rolls;
+            if (BOUNDS) {
+                doubt = _o414.doubt;
+                hopped = _o414.hopped;
+            }
         }
-        const kernel_displacement_out _o795 = kernel_displacement(earliest_delay, when, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_bridge_half_width, p_bridge_depth, p_gravity, p_end_depth);
-        slack = _o795.margin;
-        const kernel_here_out _o796 = kernel_here(3.0, which);
-        here = _o796.here;
+        if (BOUNDS) {
+            const kernel_displacement_out _o415 = kernel_displacement(earliest_delay, when, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_bridge_half_width, p_bridge_depth, p_gravity, p_end_depth);
+            slack = _o415.margin;
+        }
+        const kernel_here_out _o416 = kernel_here(3.0, which);
+        here = _o416.here;
         if (here) {
-            const kernel_end_bounds_out _o797 = kernel_end_bounds(x, y, p_ring_radius);
-            g0 = _o797.g0;
-            const kernel_end_reached_out _o798 = kernel_end_reached(through, g0);
-            reached = _o798.reached;
-            const kernel_end_edge_out _o799 = kernel_end_edge(slack, through, g0);
-            edge = _o799.edge;
+            const kernel_end_bounds_out _o417 = kernel_end_bounds(x, y, p_ring_radius);
+            g0 = _o417.g0;
+            const kernel_end_reached_out _o418 = kernel_end_reached(through, g0);
+            reached = _o418.reached;
+            if (BOUNDS) {
+                const kernel_end_edge_out _o419 = kernel_end_edge(slack, through, g0);
+                edge = _o419.edge;
+            }
         }
-        const kernel_doubted_in_contact_out _o800 = kernel_doubted_in_contact(last, when, which, earliest_delay, doubt, uncertain, edge, assured);
-        uncertain = _o800.uncertain;
-        const kernel_accounted_out _o801 = kernel_accounted(contacts, most_contacts, reached, touches);
-        contacts = _o801.contacts;
-        outcome = _o801.outcome;
+        if (BOUNDS) {
+            const kernel_doubted_in_contact_out _o420 = kernel_doubted_in_contact(last, when, which, earliest_delay, doubt, uncertain, edge, assured);
+            uncertain = _o420.uncertain;
+        }
+        const kernel_accounted_out _o421 = kernel_accounted(contacts, most_contacts, reached, touches);
+        contacts = _o421.contacts;
+        outcome = _o421.outcome;
 
         const double _before[] = {x, y, z, vx, vy, vz, wx, wy, wz};
 
         /* What it does to the ball. */
-        const kernel_meeting_out _o802 = kernel_meeting(claims, ends, touches);
-        meeting = _o802.meeting;
-        const kernel_unslowed_out _o803 = kernel_unslowed();
-        slow = _o803.slow;
+        const kernel_meeting_out _o422 = kernel_meeting(claims, ends, touches);
+        meeting = _o422.meeting;
+        const kernel_unslowed_out _o423 = kernel_unslowed();
+        slow = _o423.slow;
         if (meeting) {
-            const kernel_end_normal_out _o804 = kernel_end_normal();
-            nx = _o804.nx;
-            ny = _o804.ny;
-            nz = _o804.nz;
-            const kernel_here_out _o805 = kernel_here(0.0, which);
-            here = _o805.here;
+            const kernel_end_normal_out _o424 = kernel_end_normal();
+            nx = _o424.nx;
+            ny = _o424.ny;
+            nz = _o424.nz;
+            const kernel_here_out _o425 = kernel_here(0.0, which);
+            here = _o425.here;
             if (here) {
-                const kernel_ring_normal_out _o806 = kernel_ring_normal(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
-                nx = _o806.nx;
-                ny = _o806.ny;
-                nz = _o806.nz;
-                const kernel_counted_out _o807 = kernel_counted(count_0);
-                count_0 = _o807.count;
+                const kernel_ring_normal_out _o426 = kernel_ring_normal(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
+                nx = _o426.nx;
+                ny = _o426.ny;
+                nz = _o426.nz;
+                const kernel_counted_out _o427 = kernel_counted(count_0);
+                count_0 = _o427.count;
             }
-            const kernel_here_out _o808 = kernel_here(1.0, which);
-            here = _o808.here;
+            const kernel_here_out _o428 = kernel_here(1.0, which);
+            here = _o428.here;
             if (here) {
-                const kernel_backboard_normal_out _o809 = kernel_backboard_normal(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                nx = _o809.nx;
-                ny = _o809.ny;
-                nz = _o809.nz;
-                const kernel_counted_out _o810 = kernel_counted(count_1);
-                count_1 = _o810.count;
+                const kernel_backboard_normal_out _o429 = kernel_backboard_normal(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
+                nx = _o429.nx;
+                ny = _o429.ny;
+                nz = _o429.nz;
+                const kernel_counted_out _o430 = kernel_counted(count_1);
+                count_1 = _o430.count;
             }
-            const kernel_here_out _o811 = kernel_here(2.0, which);
-            here = _o811.here;
+            const kernel_here_out _o431 = kernel_here(2.0, which);
+            here = _o431.here;
             if (here) {
-                const kernel_bridge_normal_out _o812 = kernel_bridge_normal(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                nx = _o812.nx;
-                ny = _o812.ny;
-                nz = _o812.nz;
-                const kernel_counted_out _o813 = kernel_counted(count_2);
-                count_2 = _o813.count;
+                const kernel_bridge_normal_out _o432 = kernel_bridge_normal(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
+                nx = _o432.nx;
+                ny = _o432.ny;
+                nz = _o432.nz;
+                const kernel_counted_out _o433 = kernel_counted(count_2);
+                count_2 = _o433.count;
             }
-            const kernel_elsewhere_out _o814 = kernel_elsewhere();
-            curving = _o814.curving;
-            const kernel_anew_out _o815 = kernel_anew();
-            left_nx = _o815.left_nx;
-            left_ny = _o815.left_ny;
-            left_nz = _o815.left_nz;
-            const kernel_again_out _o816 = kernel_again(0.0, last, which);
-            again = _o816.again;
-            if (again) {
-                const kernel_ring_curvature_out _o817 = kernel_ring_curvature(p_ball_radius, p_ring_radius, p_wire_radius);
-                curving = _o817.curvature;
-                const kernel_started_out _o818 = kernel_started(p_gravity, x, y, z, vx, vy, vz, when);
-                from_x = _o818.from_x;
-                from_y = _o818.from_y;
-                from_z = _o818.from_z;
-                const kernel_ring_normal_out _o819 = kernel_ring_normal(from_x, from_y, from_z, p_ball_radius, p_ring_radius, p_wire_radius);
-                left_nx = _o819.nx;
-                left_ny = _o819.ny;
-                left_nz = _o819.nz;
+            if (BOUNDS) {
+                const kernel_elsewhere_out _o434 = kernel_elsewhere();
+                curving = _o434.curving;
+                const kernel_anew_out _o435 = kernel_anew();
+                left_nx = _o435.left_nx;
+                left_ny = _o435.left_ny;
+                left_nz = _o435.left_nz;
+                const kernel_again_out _o436 = kernel_again(0.0, last, which);
+                again = _o436.again;
+                if (again) {
+                    const kernel_ring_curvature_out _o437 = kernel_ring_curvature(p_ball_radius, p_ring_radius, p_wire_radius);
+                    curving = _o437.curvature;
+                    const kernel_started_out _o438 = kernel_started(p_gravity, x, y, z, vx, vy, vz, when);
+                    from_x = _o438.from_x;
+                    from_y = _o438.from_y;
+                    from_z = _o438.from_z;
+                    const kernel_ring_normal_out _o439 = kernel_ring_normal(from_x, from_y, from_z, p_ball_radius, p_ring_radius, p_wire_radius);
+                    left_nx = _o439.nx;
+                    left_ny = _o439.ny;
+                    left_nz = _o439.nz;
+                }
+                const kernel_again_out _o440 = kernel_again(1.0, last, which);
+                again = _o440.again;
+                if (again) {
+                    const kernel_backboard_curvature_out _o441 = kernel_backboard_curvature(p_ball_radius);
+                    curving = _o441.curvature;
+                    const kernel_started_out _o442 = kernel_started(p_gravity, x, y, z, vx, vy, vz, when);
+                    from_x = _o442.from_x;
+                    from_y = _o442.from_y;
+                    from_z = _o442.from_z;
+                    const kernel_backboard_normal_out _o443 = kernel_backboard_normal(from_x, from_y, from_z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
+                    left_nx = _o443.nx;
+                    left_ny = _o443.ny;
+                    left_nz = _o443.nz;
+                }
+                const kernel_again_out _o444 = kernel_again(2.0, last, which);
+                again = _o444.again;
+                if (again) {
+                    const kernel_bridge_curvature_out _o445 = kernel_bridge_curvature(p_ball_radius);
+                    curving = _o445.curvature;
+                    const kernel_started_out _o446 = kernel_started(p_gravity, x, y, z, vx, vy, vz, when);
+                    from_x = _o446.from_x;
+                    from_y = _o446.from_y;
+                    from_z = _o446.from_z;
+                    const kernel_bridge_normal_out _o447 = kernel_bridge_normal(from_x, from_y, from_z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
+                    left_nx = _o447.nx;
+                    left_ny = _o447.ny;
+                    left_nz = _o447.nz;
+                }
+                const kernel_carry_flight_out _o448 = kernel_carry_flight(when, x, y, z, vx, vy, vz, nx, ny, nz, clock, contacts, earliest_delay, dx, dy, dz, dvx, dvy, dvz, left_nx, left_ny, left_nz, curving, p_gravity);
+                dx = _o448.dx;
+                dy = _o448.dy;
+                dz = _o448.dz;
+                lifting = _o448.lifting;
+                dvx = _o448.dvx;
+                dvy = _o448.dvy;
+                dvz = _o448.dvz;
+                belated = _o448.delay;
+                shift = _o448.shift;
+                const kernel_delayed_out _o449 = kernel_delayed(belated, clock_error);
+                clock_error = _o449.clock_error;
+                if (ends) {
+                    const kernel_floored_out _o450 = kernel_floored(dx, dy, dz, shift);
+                    dx = _o450.dx;
+                    dy = _o450.dy;
+                    dz = _o450.dz;
+                }
+                const kernel_unturned_out _o451 = kernel_unturned();
+                dnx = _o451.dnx;
+                dny = _o451.dny;
+                dnz = _o451.dnz;
+                turn = _o451.turn;
+                const kernel_here_out _o452 = kernel_here(0.0, which);
+                here = _o452.here;
+                if (here) {
+                    const kernel_ring_carry_normal_out _o453 = kernel_ring_carry_normal(x, y, dx, dy, dz, shift, p_ball_radius, p_ring_radius, p_wire_radius);
+                    dnx = _o453.dnx;
+                    dny = _o453.dny;
+                    dnz = _o453.dnz;
+                    turn = _o453.turn;
+                }
+                const kernel_here_out _o454 = kernel_here(1.0, which);
+                here = _o454.here;
+                if (here) {
+                    const kernel_backboard_carry_normal_out _o455 = kernel_backboard_carry_normal(x, y, z, dx, dy, dz, shift, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
+                    dnx = _o455.dnx;
+                    dny = _o455.dny;
+                    dnz = _o455.dnz;
+                    turn = _o455.turn;
+                }
+                const kernel_here_out _o456 = kernel_here(2.0, which);
+                here = _o456.here;
+                if (here) {
+                    const kernel_bridge_carry_normal_out _o457 = kernel_bridge_carry_normal(x, y, z, dx, dy, dz, shift, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
+                    dnx = _o457.dnx;
+                    dny = _o457.dny;
+                    dnz = _o457.dnz;
+                    turn = _o457.turn;
+                }
             }
-            const kernel_again_out _o820 = kernel_again(1.0, last, which);
-            again = _o820.again;
-            if (again) {
-                const kernel_backboard_curvature_out _o821 = kernel_backboard_curvature(p_ball_radius);
-                curving = _o821.curvature;
-                const kernel_started_out _o822 = kernel_started(p_gravity, x, y, z, vx, vy, vz, when);
-                from_x = _o822.from_x;
-                from_y = _o822.from_y;
-                from_z = _o822.from_z;
-                const kernel_backboard_normal_out _o823 = kernel_backboard_normal(from_x, from_y, from_z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                left_nx = _o823.nx;
-                left_ny = _o823.ny;
-                left_nz = _o823.nz;
-            }
-            const kernel_again_out _o824 = kernel_again(2.0, last, which);
-            again = _o824.again;
-            if (again) {
-                const kernel_bridge_curvature_out _o825 = kernel_bridge_curvature(p_ball_radius);
-                curving = _o825.curvature;
-                const kernel_started_out _o826 = kernel_started(p_gravity, x, y, z, vx, vy, vz, when);
-                from_x = _o826.from_x;
-                from_y = _o826.from_y;
-                from_z = _o826.from_z;
-                const kernel_bridge_normal_out _o827 = kernel_bridge_normal(from_x, from_y, from_z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                left_nx = _o827.nx;
-                left_ny = _o827.ny;
-                left_nz = _o827.nz;
-            }
-            const kernel_carry_flight_out _o828 = kernel_carry_flight(when, x, y, z, vx, vy, vz, nx, ny, nz, clock, contacts, earliest_delay, dx, dy, dz, dvx, dvy, dvz, left_nx, left_ny, left_nz, curving, p_gravity);
-            dx = _o828.dx;
-            dy = _o828.dy;
-            dz = _o828.dz;
-            lifting = _o828.lifting;
-            dvx = _o828.dvx;
-            dvy = _o828.dvy;
-            dvz = _o828.dvz;
-            belated = _o828.delay;
-            shift = _o828.shift;
-            const kernel_delayed_out _o829 = kernel_delayed(belated, clock_error);
-            clock_error = _o829.clock_error;
-            if (ends) {
-                const kernel_floored_out _o830 = kernel_floored(dx, dy, dz, shift);
-                dx = _o830.dx;
-                dy = _o830.dy;
-                dz = _o830.dz;
-            }
-            const kernel_unturned_out _o831 = kernel_unturned();
-            dnx = _o831.dnx;
-            dny = _o831.dny;
-            dnz = _o831.dnz;
-            turn = _o831.turn;
-            const kernel_here_out _o832 = kernel_here(0.0, which);
-            here = _o832.here;
-            if (here) {
-                const kernel_ring_carry_normal_out _o833 = kernel_ring_carry_normal(x, y, dx, dy, dz, shift, p_ball_radius, p_ring_radius, p_wire_radius);
-                dnx = _o833.dnx;
-                dny = _o833.dny;
-                dnz = _o833.dnz;
-                turn = _o833.turn;
-            }
-            const kernel_here_out _o834 = kernel_here(1.0, which);
-            here = _o834.here;
-            if (here) {
-                const kernel_backboard_carry_normal_out _o835 = kernel_backboard_carry_normal(x, y, z, dx, dy, dz, shift, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                dnx = _o835.dnx;
-                dny = _o835.dny;
-                dnz = _o835.dnz;
-                turn = _o835.turn;
-            }
-            const kernel_here_out _o836 = kernel_here(2.0, which);
-            here = _o836.here;
-            if (here) {
-                const kernel_bridge_carry_normal_out _o837 = kernel_bridge_carry_normal(x, y, z, dx, dy, dz, shift, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                dnx = _o837.dnx;
-                dny = _o837.dny;
-                dnz = _o837.dnz;
-                turn = _o837.turn;
-            }
-            const kernel_untaken_out _o838 = kernel_untaken();
-            struck_0 = _o838.of_this_kind;
-            const kernel_ring_impact_taken_out _o839 = kernel_ring_impact_taken(p_ring_restitution, p_ring_friction);
-            its_0_ring_impact = _o839.its_0;
-            its_1_ring_impact = _o839.its_1;
+            const kernel_untaken_out _o458 = kernel_untaken();
+            struck_0 = _o458.of_this_kind;
+            const kernel_ring_impact_taken_out _o459 = kernel_ring_impact_taken(p_ring_restitution, p_ring_friction);
+            its_0_ring_impact = _o459.its_0;
+            its_1_ring_impact = _o459.its_1;
             for (size_t _row = 0; _row < 3; _row++) {
                 const double own_1 = parameter(_given, table_0[_row][0]);
                 const double own_2 = parameter(_given, table_0[_row][1]);
                 const double own_index = table_1[_row][0];
-                const kernel_here_out _o840 = kernel_here(own_index, which);
-                here = _o840.here;
+                const kernel_here_out _o460 = kernel_here(own_index, which);
+                here = _o460.here;
                 if (here) {
-                    const kernel_ring_impact_taken_out _o841 = kernel_ring_impact_taken(own_2, own_1);
-                    struck_0 = _o841.of_this_kind;
-                    its_0_ring_impact = _o841.its_0;
-                    its_1_ring_impact = _o841.its_1;
+                    const kernel_ring_impact_taken_out _o461 = kernel_ring_impact_taken(own_2, own_1);
+                    struck_0 = _o461.of_this_kind;
+                    its_0_ring_impact = _o461.its_0;
+                    its_1_ring_impact = _o461.its_1;
                 }
             }
             if (struck_0) {
-                const kernel_ring_impact_doubt_out _o842 = kernel_ring_impact_doubt(vx, vy, vz, wx, wy, wz, nx, ny, nz, dvx, dvy, dvz, dwx, dwy, dwz, turn, p_ball_radius, its_0_ring_impact, its_1_ring_impact, p_inertia, p_tangential_restitution, p_restitution_speed);
-                unsure = _o842.unsure;
-                const kernel_undecided_out _o843 = kernel_undecided(uncertain, unsure);
-                uncertain = _o843.uncertain;
-                const kernel_carry_ring_impact_out _o844 = kernel_carry_ring_impact(vx, vy, vz, wx, wy, wz, nx, ny, nz, dvx, dvy, dvz, dwx, dwy, dwz, dnx, dny, dnz, turn, lifting, p_ball_radius, its_0_ring_impact, its_1_ring_impact, p_inertia, p_tangential_restitution, p_restitution_speed);
-                dvx = _o844.dvx;
-                dvy = _o844.dvy;
-                dvz = _o844.dvz;
-                dwx = _o844.dwx;
-                dwy = _o844.dwy;
-                dwz = _o844.dwz;
-                const kernel_ring_impact_out _o845 = kernel_ring_impact(vx, vy, vz, wx, wy, wz, nx, ny, nz, p_ball_radius, its_0_ring_impact, its_1_ring_impact, p_inertia, p_tangential_restitution, p_restitution_speed);
-                vx = _o845.vx;
-                vy = _o845.vy;
-                vz = _o845.vz;
-                wx = _o845.wx;
-                wy = _o845.wy;
-                wz = _o845.wz;
+                if (BOUNDS) {
+                    const kernel_ring_impact_doubt_out _o462 = kernel_ring_impact_doubt(vx, vy, vz, wx, wy, wz, nx, ny, nz, dvx, dvy, dvz, dwx, dwy, dwz, turn, p_ball_radius, its_0_ring_impact, its_1_ring_impact, p_inertia, p_tangential_restitution, p_restitution_speed);
+                    unsure = _o462.unsure;
+                    const kernel_undecided_out _o463 = kernel_undecided(uncertain, unsure);
+                    uncertain = _o463.uncertain;
+                    const kernel_carry_ring_impact_out _o464 = kernel_carry_ring_impact(vx, vy, vz, wx, wy, wz, nx, ny, nz, dvx, dvy, dvz, dwx, dwy, dwz, dnx, dny, dnz, turn, lifting, p_ball_radius, its_0_ring_impact, its_1_ring_impact, p_inertia, p_tangential_restitution, p_restitution_speed);
+                    dvx = _o464.dvx;
+                    dvy = _o464.dvy;
+                    dvz = _o464.dvz;
+                    dwx = _o464.dwx;
+                    dwy = _o464.dwy;
+                    dwz = _o464.dwz;
+                }
+                const kernel_ring_impact_out _o465 = kernel_ring_impact(vx, vy, vz, wx, wy, wz, nx, ny, nz, p_ball_radius, its_0_ring_impact, its_1_ring_impact, p_inertia, p_tangential_restitution, p_restitution_speed);
+                vx = _o465.vx;
+                vy = _o465.vy;
+                vz = _o465.vz;
+                wx = _o465.wx;
+                wy = _o465.wy;
+                wz = _o465.wz;
             }
             if (touches) {
-                const kernel_touched_out _o846 = kernel_touched(which, body, first);
-                first = _o846.first;
-                last = _o846.last;
-                const kernel_slowed_out _o847 = kernel_slowed(p_ball_radius, p_gravity, nx, ny, nz, vx, vy, vz, position_error);
-                slow = _o847.slow;
-                assured = _o847.assured;
+                const kernel_touched_out _o466 = kernel_touched(which, body, first);
+                first = _o466.first;
+                last = _o466.last;
+                const kernel_slowed_out _o467 = kernel_slowed(p_ball_radius, p_gravity, nx, ny, nz, vx, vy, vz, position_error);
+                slow = _o467.slow;
+                if (BOUNDS)
+                    assured = _o467.assured;
             }
         }
         if (slow) {
-            const kernel_ring_normal_out _o848 = kernel_ring_normal(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
-            nx = _o848.nx;
-            ny = _o848.ny;
-            nz = _o848.nz;
-            const kernel_here_out _o849 = kernel_here(1.0, which);
-            here = _o849.here;
+            const kernel_ring_normal_out _o468 = kernel_ring_normal(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
+            nx = _o468.nx;
+            ny = _o468.ny;
+            nz = _o468.nz;
+            const kernel_here_out _o469 = kernel_here(1.0, which);
+            here = _o469.here;
             if (here) {
-                const kernel_backboard_normal_out _o850 = kernel_backboard_normal(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                nx = _o850.nx;
-                ny = _o850.ny;
-                nz = _o850.nz;
+                const kernel_backboard_normal_out _o470 = kernel_backboard_normal(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
+                nx = _o470.nx;
+                ny = _o470.ny;
+                nz = _o470.nz;
             }
-            const kernel_here_out _o851 = kernel_here(2.0, which);
-            here = _o851.here;
+            const kernel_here_out _o471 = kernel_here(2.0, which);
+            here = _o471.here;
             if (here) {
-                const kernel_bridge_normal_out _o852 = kernel_bridge_normal(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                nx = _o852.nx;
-                ny = _o852.ny;
-                nz = _o852.nz;
+                const kernel_bridge_normal_out _o472 = kernel_bridge_normal(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
+                nx = _o472.nx;
+                ny = _o472.ny;
+                nz = _o472.nz;
             }
-            const kernel_nearly_out _o853 = kernel_nearly(p_ball_radius, p_gravity, nx, ny, nz, vx, vy, vz);
-            nearly = _o853.nearly;
-            const kernel_gripped_out _o854 = kernel_gripped(p_ball_radius, p_inertia, nx, ny, nz, vx, vy, vz, wx, wy, wz);
-            rolled_x = _o854.rolled_x;
-            rolled_y = _o854.rolled_y;
-            rolled_z = _o854.rolled_z;
-            slip = _o854.slip;
-            bounce = _o854.bounce;
-            const kernel_here_out _o855 = kernel_here(0.0, which);
-            here = _o855.here;
+            const kernel_nearly_out _o473 = kernel_nearly(p_ball_radius, p_gravity, nx, ny, nz, vx, vy, vz);
+            nearly = _o473.nearly;
+            const kernel_gripped_out _o474 = kernel_gripped(p_ball_radius, p_inertia, nx, ny, nz, vx, vy, vz, wx, wy, wz);
+            rolled_x = _o474.rolled_x;
+            rolled_y = _o474.rolled_y;
+            rolled_z = _o474.rolled_z;
+            slip = _o474.slip;
+            bounce = _o474.bounce;
+            const kernel_here_out _o475 = kernel_here(0.0, which);
+            here = _o475.here;
             if (here) {
-                const kernel_ring_turning_out _o856 = kernel_ring_turning(p_ball_radius, p_ring_radius, p_wire_radius, x, y, rolled_x, rolled_y, rolled_z);
-                turning_x = _o856.turning_x;
-                turning_y = _o856.turning_y;
-                turning_z = _o856.turning_z;
-                const kernel_pressed_on_out _o857 = kernel_pressed_on(p_ball_radius, p_gravity, p_inertia, nx, ny, nz, wx, wy, wz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z);
-                press = _o857.press;
-                weight = _o857.weight;
-                rolling_friction = _o857.rolling_friction;
-                rolling_acceleration_x = _o857.rolling_acceleration_x;
-                rolling_acceleration_y = _o857.rolling_acceleration_y;
-                rolling_acceleration_z = _o857.rolling_acceleration_z;
-                const kernel_isolated_out _o858 = kernel_isolated();
-                nearest = _o858.nearest;
-                second_contact_gap = _o858.second_contact_gap;
-                const kernel_backboard_closing_out _o859 = kernel_backboard_closing(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z);
-                gap = _o859.gap;
-                nearing = _o859.nearing;
-                rolling_gap_acceleration = _o859.rolling_gap_acceleration;
-                normal_cosine = _o859.normal_cosine;
-                const kernel_neared_body_out _o860 = kernel_neared_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
-                nearest = _o860.nearest;
-                second_contact_gap = _o860.second_contact_gap;
-                const kernel_bridge_closing_out _o861 = kernel_bridge_closing(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z);
-                gap = _o861.gap;
-                nearing = _o861.nearing;
-                rolling_gap_acceleration = _o861.rolling_gap_acceleration;
-                normal_cosine = _o861.normal_cosine;
-                const kernel_neared_body_out _o862 = kernel_neared_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
-                nearest = _o862.nearest;
-                second_contact_gap = _o862.second_contact_gap;
-                const kernel_end_beside_out _o863 = kernel_end_beside(p_end_depth, z, vz);
-                gap = _o863.gap;
-                const kernel_neared_out _o864 = kernel_neared(gap, nearest);
-                nearest = _o864.nearest;
-                const kernel_ring_separation_out _o865 = kernel_ring_separation(p_gravity, p_ring_radius, x, y, z, vx, vy, vz);
-                lift = _o865.lift;
-                const kernel_ring_impact_settling_out _o866 = kernel_ring_impact_settling(p_ball_radius, p_inertia, p_ring_friction, p_ring_restitution, wx, wy, wz, velocity_error, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, slip, bounce, nearest, second_contact_gap, press, weight, rolling_friction, lift);
-                settles = _o866.settles;
-                lodges = _o866.lodges;
-                slides = _o866.slides;
-                unpressed = _o866.unpressed;
-                assured = _o866.assured;
-                unsure = _o866.unsure;
-                const kernel_settled_out _o867 = kernel_settled(0.0, outcome, uncertain, unsure, settles, nearly, lodges, slides, unpressed);
-                mode = _o867.mode;
-                held = _o867.held;
-                outcome = _o867.outcome;
-                slip_left = _o867.slip_left;
-                uncertain = _o867.uncertain;
+                const kernel_ring_turning_out _o476 = kernel_ring_turning(p_ball_radius, p_ring_radius, p_wire_radius, x, y, rolled_x, rolled_y, rolled_z);
+                turning_x = _o476.turning_x;
+                turning_y = _o476.turning_y;
+                turning_z = _o476.turning_z;
+                const kernel_pressed_on_out _o477 = kernel_pressed_on(p_ball_radius, p_gravity, p_inertia, nx, ny, nz, wx, wy, wz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z);
+                press = _o477.press;
+                weight = _o477.weight;
+                rolling_friction = _o477.rolling_friction;
+                rolling_acceleration_x = _o477.rolling_acceleration_x;
+                rolling_acceleration_y = _o477.rolling_acceleration_y;
+                rolling_acceleration_z = _o477.rolling_acceleration_z;
+                const kernel_isolated_out _o478 = kernel_isolated();
+                nearest = _o478.nearest;
+                second_contact_gap = _o478.second_contact_gap;
+                const kernel_backboard_closing_out _o479 = kernel_backboard_closing(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z);
+                gap = _o479.gap;
+                nearing = _o479.nearing;
+                rolling_gap_acceleration = _o479.rolling_gap_acceleration;
+                normal_cosine = _o479.normal_cosine;
+                const kernel_neared_body_out _o480 = kernel_neared_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
+                nearest = _o480.nearest;
+                second_contact_gap = _o480.second_contact_gap;
+                const kernel_bridge_closing_out _o481 = kernel_bridge_closing(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z);
+                gap = _o481.gap;
+                nearing = _o481.nearing;
+                rolling_gap_acceleration = _o481.rolling_gap_acceleration;
+                normal_cosine = _o481.normal_cosine;
+                const kernel_neared_body_out _o482 = kernel_neared_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
+                nearest = _o482.nearest;
+                second_contact_gap = _o482.second_contact_gap;
+                const kernel_end_beside_out _o483 = kernel_end_beside(p_end_depth, z, vz);
+                gap = _o483.gap;
+                const kernel_neared_out _o484 = kernel_neared(gap, nearest);
+                nearest = _o484.nearest;
+                const kernel_ring_separation_out _o485 = kernel_ring_separation(p_gravity, p_ring_radius, x, y, z, vx, vy, vz);
+                lift = _o485.lift;
+                const kernel_ring_impact_settling_out _o486 = kernel_ring_impact_settling(p_ball_radius, p_inertia, p_ring_friction, p_ring_restitution, wx, wy, wz, velocity_error, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, slip, bounce, nearest, second_contact_gap, press, weight, rolling_friction, lift);
+                settles = _o486.settles;
+                lodges = _o486.lodges;
+                slides = _o486.slides;
+                unpressed = _o486.unpressed;
+                unsure = _o486.unsure;
+                if (BOUNDS)
+                    assured = _o486.assured;
+                const kernel_settled_out _o487 = kernel_settled(0.0, outcome, uncertain, unsure, settles, nearly, lodges, slides, unpressed);
+                mode = _o487.mode;
+                held = _o487.held;
+                outcome = _o487.outcome;
+                slip_left = _o487.slip_left;
+                if (BOUNDS)
+                    uncertain = _o487.uncertain;
             }
-            const kernel_here_out _o868 = kernel_here(1.0, which);
-            here = _o868.here;
+            const kernel_here_out _o488 = kernel_here(1.0, which);
+            here = _o488.here;
             if (here) {
-                const kernel_backboard_turning_out _o869 = kernel_backboard_turning(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, rolled_x, rolled_y, rolled_z);
-                turning_x = _o869.turning_x;
-                turning_y = _o869.turning_y;
-                turning_z = _o869.turning_z;
-                const kernel_pressed_on_out _o870 = kernel_pressed_on(p_ball_radius, p_gravity, p_inertia, nx, ny, nz, wx, wy, wz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z);
-                press = _o870.press;
-                weight = _o870.weight;
-                rolling_friction = _o870.rolling_friction;
-                rolling_acceleration_x = _o870.rolling_acceleration_x;
-                rolling_acceleration_y = _o870.rolling_acceleration_y;
-                rolling_acceleration_z = _o870.rolling_acceleration_z;
-                const kernel_isolated_out _o871 = kernel_isolated();
-                nearest = _o871.nearest;
-                second_contact_gap = _o871.second_contact_gap;
-                const kernel_ring_closing_out _o872 = kernel_ring_closing(p_ball_radius, p_ring_radius, p_wire_radius, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z);
-                gap = _o872.gap;
-                nearing = _o872.nearing;
-                rolling_gap_acceleration = _o872.rolling_gap_acceleration;
-                normal_cosine = _o872.normal_cosine;
-                const kernel_neared_body_out _o873 = kernel_neared_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
-                nearest = _o873.nearest;
-                second_contact_gap = _o873.second_contact_gap;
-                const kernel_bridge_closing_out _o874 = kernel_bridge_closing(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z);
-                gap = _o874.gap;
-                nearing = _o874.nearing;
-                rolling_gap_acceleration = _o874.rolling_gap_acceleration;
-                normal_cosine = _o874.normal_cosine;
-                const kernel_neared_body_out _o875 = kernel_neared_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
-                nearest = _o875.nearest;
-                second_contact_gap = _o875.second_contact_gap;
-                const kernel_end_beside_out _o876 = kernel_end_beside(p_end_depth, z, vz);
-                gap = _o876.gap;
-                const kernel_neared_out _o877 = kernel_neared(gap, nearest);
-                nearest = _o877.nearest;
-                const kernel_backboard_separation_out _o878 = kernel_backboard_separation(p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, p_gravity, x, y, z, vx, vy, vz);
-                lift = _o878.lift;
-                const kernel_ring_impact_settling_out _o879 = kernel_ring_impact_settling(p_ball_radius, p_inertia, p_backboard_friction, p_backboard_restitution, wx, wy, wz, velocity_error, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, slip, bounce, nearest, second_contact_gap, press, weight, rolling_friction, lift);
-                settles = _o879.settles;
-                lodges = _o879.lodges;
-                slides = _o879.slides;
-                unpressed = _o879.unpressed;
-                assured = _o879.assured;
-                unsure = _o879.unsure;
-                const kernel_settled_out _o880 = kernel_settled(1.0, outcome, uncertain, unsure, settles, nearly, lodges, slides, unpressed);
-                mode = _o880.mode;
-                held = _o880.held;
-                outcome = _o880.outcome;
-                slip_left = _o880.slip_left;
-                uncertain = _o880.uncertain;
+                const kernel_backboard_turning_out _o489 = kernel_backboard_turning(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, rolled_x, rolled_y, rolled_z);
+                turning_x = _o489.turning_x;
+                turning_y = _o489.turning_y;
+                turning_z = _o489.turning_z;
+                const kernel_pressed_on_out _o490 = kernel_pressed_on(p_ball_radius, p_gravity, p_inertia, nx, ny, nz, wx, wy, wz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z);
+                press = _o490.press;
+                weight = _o490.weight;
+                rolling_friction = _o490.rolling_friction;
+                rolling_acceleration_x = _o490.rolling_acceleration_x;
+                rolling_acceleration_y = _o490.rolling_acceleration_y;
+                rolling_acceleration_z = _o490.rolling_acceleration_z;
+                const kernel_isolated_out _o491 = kernel_isolated();
+                nearest = _o491.nearest;
+                second_contact_gap = _o491.second_contact_gap;
+                const kernel_ring_closing_out _o492 = kernel_ring_closing(p_ball_radius, p_ring_radius, p_wire_radius, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z);
+                gap = _o492.gap;
+                nearing = _o492.nearing;
+                rolling_gap_acceleration = _o492.rolling_gap_acceleration;
+                normal_cosine = _o492.normal_cosine;
+                const kernel_neared_body_out _o493 = kernel_neared_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
+                nearest = _o493.nearest;
+                second_contact_gap = _o493.second_contact_gap;
+                const kernel_bridge_closing_out _o494 = kernel_bridge_closing(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z);
+                gap = _o494.gap;
+                nearing = _o494.nearing;
+                rolling_gap_acceleration = _o494.rolling_gap_acceleration;
+                normal_cosine = _o494.normal_cosine;
+                const kernel_neared_body_out _o495 = kernel_neared_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
+                nearest = _o495.nearest;
+                second_contact_gap = _o495.second_contact_gap;
+                const kernel_end_beside_out _o496 = kernel_end_beside(p_end_depth, z, vz);
+                gap = _o496.gap;
+                const kernel_neared_out _o497 = kernel_neared(gap, nearest);
+                nearest = _o497.nearest;
+                const kernel_backboard_separation_out _o498 = kernel_backboard_separation(p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, p_gravity, x, y, z, vx, vy, vz);
+                lift = _o498.lift;
+                const kernel_ring_impact_settling_out _o499 = kernel_ring_impact_settling(p_ball_radius, p_inertia, p_backboard_friction, p_backboard_restitution, wx, wy, wz, velocity_error, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, slip, bounce, nearest, second_contact_gap, press, weight, rolling_friction, lift);
+                settles = _o499.settles;
+                lodges = _o499.lodges;
+                slides = _o499.slides;
+                unpressed = _o499.unpressed;
+                unsure = _o499.unsure;
+                if (BOUNDS)
+                    assured = _o499.assured;
+                const kernel_settled_out _o500 = kernel_settled(1.0, outcome, uncertain, unsure, settles, nearly, lodges, slides, unpressed);
+                mode = _o500.mode;
+                held = _o500.held;
+                outcome = _o500.outcome;
+                slip_left = _o500.slip_left;
+                if (BOUNDS)
+                    uncertain = _o500.uncertain;
             }
-            const kernel_here_out _o881 = kernel_here(2.0, which);
-            here = _o881.here;
+            const kernel_here_out _o501 = kernel_here(2.0, which);
+            here = _o501.here;
             if (here) {
-                const kernel_bridge_turning_out _o882 = kernel_bridge_turning(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, rolled_x, rolled_y, rolled_z);
-                turning_x = _o882.turning_x;
-                turning_y = _o882.turning_y;
-                turning_z = _o882.turning_z;
-                const kernel_pressed_on_out _o883 = kernel_pressed_on(p_ball_radius, p_gravity, p_inertia, nx, ny, nz, wx, wy, wz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z);
-                press = _o883.press;
-                weight = _o883.weight;
-                rolling_friction = _o883.rolling_friction;
-                rolling_acceleration_x = _o883.rolling_acceleration_x;
-                rolling_acceleration_y = _o883.rolling_acceleration_y;
-                rolling_acceleration_z = _o883.rolling_acceleration_z;
-                const kernel_isolated_out _o884 = kernel_isolated();
-                nearest = _o884.nearest;
-                second_contact_gap = _o884.second_contact_gap;
-                const kernel_ring_closing_out _o885 = kernel_ring_closing(p_ball_radius, p_ring_radius, p_wire_radius, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z);
-                gap = _o885.gap;
-                nearing = _o885.nearing;
-                rolling_gap_acceleration = _o885.rolling_gap_acceleration;
-                normal_cosine = _o885.normal_cosine;
-                const kernel_neared_body_out _o886 = kernel_neared_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
-                nearest = _o886.nearest;
-                second_contact_gap = _o886.second_contact_gap;
-                const kernel_backboard_closing_out _o887 = kernel_backboard_closing(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z);
-                gap = _o887.gap;
-                nearing = _o887.nearing;
-                rolling_gap_acceleration = _o887.rolling_gap_acceleration;
-                normal_cosine = _o887.normal_cosine;
-                const kernel_neared_body_out _o888 = kernel_neared_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
-                nearest = _o888.nearest;
-                second_contact_gap = _o888.second_contact_gap;
-                const kernel_end_beside_out _o889 = kernel_end_beside(p_end_depth, z, vz);
-                gap = _o889.gap;
-                const kernel_neared_out _o890 = kernel_neared(gap, nearest);
-                nearest = _o890.nearest;
-                const kernel_bridge_separation_out _o891 = kernel_bridge_separation(p_board_distance, p_bridge_depth, p_bridge_half_width, p_gravity, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
-                lift = _o891.lift;
-                const kernel_ring_impact_settling_out _o892 = kernel_ring_impact_settling(p_ball_radius, p_inertia, p_bridge_friction, p_bridge_restitution, wx, wy, wz, velocity_error, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, slip, bounce, nearest, second_contact_gap, press, weight, rolling_friction, lift);
-                settles = _o892.settles;
-                lodges = _o892.lodges;
-                slides = _o892.slides;
-                unpressed = _o892.unpressed;
-                assured = _o892.assured;
-                unsure = _o892.unsure;
-                const kernel_settled_out _o893 = kernel_settled(2.0, outcome, uncertain, unsure, settles, nearly, lodges, slides, unpressed);
-                mode = _o893.mode;
-                held = _o893.held;
-                outcome = _o893.outcome;
-                slip_left = _o893.slip_left;
-                uncertain = _o893.uncertain;
+                const kernel_bridge_turning_out _o502 = kernel_bridge_turning(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, rolled_x, rolled_y, rolled_z);
+                turning_x = _o502.turning_x;
+                turning_y = _o502.turning_y;
+                turning_z = _o502.turning_z;
+                const kernel_pressed_on_out _o503 = kernel_pressed_on(p_ball_radius, p_gravity, p_inertia, nx, ny, nz, wx, wy, wz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z);
+                press = _o503.press;
+                weight = _o503.weight;
+                rolling_friction = _o503.rolling_friction;
+                rolling_acceleration_x = _o503.rolling_acceleration_x;
+                rolling_acceleration_y = _o503.rolling_acceleration_y;
+                rolling_acceleration_z = _o503.rolling_acceleration_z;
+                const kernel_isolated_out _o504 = kernel_isolated();
+                nearest = _o504.nearest;
+                second_contact_gap = _o504.second_contact_gap;
+                const kernel_ring_closing_out _o505 = kernel_ring_closing(p_ball_radius, p_ring_radius, p_wire_radius, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z);
+                gap = _o505.gap;
+                nearing = _o505.nearing;
+                rolling_gap_acceleration = _o505.rolling_gap_acceleration;
+                normal_cosine = _o505.normal_cosine;
+                const kernel_neared_body_out _o506 = kernel_neared_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
+                nearest = _o506.nearest;
+                second_contact_gap = _o506.second_contact_gap;
+                const kernel_backboard_closing_out _o507 = kernel_backboard_closing(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z);
+                gap = _o507.gap;
+                nearing = _o507.nearing;
+                rolling_gap_acceleration = _o507.rolling_gap_acceleration;
+                normal_cosine = _o507.normal_cosine;
+                const kernel_neared_body_out _o508 = kernel_neared_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
+                nearest = _o508.nearest;
+                second_contact_gap = _o508.second_contact_gap;
+                const kernel_end_beside_out _o509 = kernel_end_beside(p_end_depth, z, vz);
+                gap = _o509.gap;
+                const kernel_neared_out _o510 = kernel_neared(gap, nearest);
+                nearest = _o510.nearest;
+                const kernel_bridge_separation_out _o511 = kernel_bridge_separation(p_board_distance, p_bridge_depth, p_bridge_half_width, p_gravity, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
+                lift = _o511.lift;
+                const kernel_ring_impact_settling_out _o512 = kernel_ring_impact_settling(p_ball_radius, p_inertia, p_bridge_friction, p_bridge_restitution, wx, wy, wz, velocity_error, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, slip, bounce, nearest, second_contact_gap, press, weight, rolling_friction, lift);
+                settles = _o512.settles;
+                lodges = _o512.lodges;
+                slides = _o512.slides;
+                unpressed = _o512.unpressed;
+                unsure = _o512.unsure;
+                if (BOUNDS)
+                    assured = _o512.assured;
+                const kernel_settled_out _o513 = kernel_settled(2.0, outcome, uncertain, unsure, settles, nearly, lodges, slides, unpressed);
+                mode = _o513.mode;
+                held = _o513.held;
+                outcome = _o513.outcome;
+                slip_left = _o513.slip_left;
+                if (BOUNDS)
+                    uncertain = _o513.uncertain;
             }
         }
-        if (limited) {
-            const kernel_timed_out _o894 = kernel_timed(4.0, which, claims);
-            timed = _o894.timed;
-            if (timed) {
-                const kernel_carry_time_out _o895 = kernel_carry_time(when, x, y, z, vx, vy, vz, clock, clock_error, dx, dy, dz, dvx, dvy, dvz, p_gravity);
-                dx = _o895.dx;
-                dy = _o895.dy;
-                dz = _o895.dz;
-                dvx = _o895.dvx;
-                dvy = _o895.dvy;
-                dvz = _o895.dvz;
-                clock_error = _o895.clock_error;
+        if (BOUNDS) {
+            if (limited) {
+                const kernel_timed_out _o514 = kernel_timed(4.0, which, claims);
+                timed = _o514.timed;
+                if (timed) {
+                    const kernel_carry_time_out _o515 = kernel_carry_time(when, x, y, z, vx, vy, vz, clock, clock_error, dx, dy, dz, dvx, dvy, dvz, p_gravity);
+                    dx = _o515.dx;
+                    dy = _o515.dy;
+                    dz = _o515.dz;
+                    dvx = _o515.dvx;
+                    dvy = _o515.dvy;
+                    dvz = _o515.dvz;
+                    clock_error = _o515.clock_error;
+                }
             }
-        }
-        if (hopped) {
-            const kernel_carry_hop_out _o896 = kernel_carry_hop(x, y, z, vx, vy, vz, dx, dy, dz, dvx, dvy, dvz, when);
-            dx = _o896.dx;
-            dy = _o896.dy;
-            dz = _o896.dz;
-        }
-        const kernel_closing_out _o897 = kernel_closing(outcome, claims);
-        closed = _o897.closed;
-        position_claim = _o897.position_claim;
-        velocity_claim = _o897.velocity_claim;
-        spin_claim = _o897.spin_claim;
-        time_claim = _o897.time_claim;
-        if (closed) {
-            const kernel_claimed_errors_out _o898 = kernel_claimed_errors(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
-            position_claim = _o898.position_error;
-            velocity_claim = _o898.velocity_error;
-            spin_claim = _o898.spin_error;
-            time_claim = _o898.time_error;
+            if (hopped) {
+                const kernel_carry_hop_out _o516 = kernel_carry_hop(x, y, z, vx, vy, vz, dx, dy, dz, dvx, dvy, dvz, when);
+                dx = _o516.dx;
+                dy = _o516.dy;
+                dz = _o516.dz;
+            }
+            const kernel_closing_out _o517 = kernel_closing(outcome, claims);
+            closed = _o517.closed;
+            position_claim = _o517.position_claim;
+            velocity_claim = _o517.velocity_claim;
+            spin_claim = _o517.spin_claim;
+            time_claim = _o517.time_claim;
+            if (closed) {
+                const kernel_claimed_errors_out _o518 = kernel_claimed_errors(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
+                position_claim = _o518.position_error;
+                velocity_claim = _o518.velocity_error;
+                spin_claim = _o518.spin_error;
+                time_claim = _o518.time_error;
+            }
         }
 
         if (_events && body >= 0.0) {
@@ -9372,19 +7659,42 @@ extern "C" __global__ void court_bounded(
     if (_results[7]) {
         ((unsigned char *)_results[7])[_shot] = (unsigned char)(int)slip_left;
     }
-    if (_results[8]) {
+    if (BOUNDS && _results[8]) {
         ((double *)_results[8])[_shot] = _invalid ? NOT_A_NUMBER : grip_lost;
     }
-    if (_results[9]) {
+    if (BOUNDS && _results[9]) {
         ((double *)_results[9])[_shot] = _invalid ? NOT_A_NUMBER : time_claim;
     }
-    if (_results[10]) {
+    if (BOUNDS && _results[10]) {
         ((double *)_results[10])[3 * _shot + 0] = _invalid ? NOT_A_NUMBER : position_claim;
         ((double *)_results[10])[3 * _shot + 1] = _invalid ? NOT_A_NUMBER : velocity_claim;
         ((double *)_results[10])[3 * _shot + 2] = _invalid ? NOT_A_NUMBER : spin_claim;
     }
-    if (_results[11]) {
+    if (BOUNDS && _results[11]) {
         ((unsigned char *)_results[11])[_shot] = (unsigned char)(int)uncertain;
     }
+}
+
+#if VARIANT != 1
+/* The path alone. */
+extern "C" __global__ void court_plain(
+    long long _shots, long long _first, const double *_states, const double *const *_values,
+    const long long *_strides, const signed char *_leaving, int _max_contacts, double time_limit,
+    void *const *_results)
+{
+    court_loop<false>(
+        _shots, _first, _states, _values, _strides, _leaving, _max_contacts, time_limit, _results);
+}
+#endif
+
+#if VARIANT != 0
+/* With bounds on errors. */
+extern "C" __global__ void court_bounded(
+    long long _shots, long long _first, const double *_states, const double *const *_values,
+    const long long *_strides, const signed char *_leaving, int _max_contacts, double time_limit,
+    void *const *_results)
+{
+    court_loop<true>(
+        _shots, _first, _states, _values, _strides, _leaving, _max_contacts, time_limit, _results);
 }
 #endif

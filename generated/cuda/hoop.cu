@@ -1856,7 +1856,7 @@ static __device__ __forceinline__ kernel_end_edge_out kernel_end_edge(double sla
     return {(g0 <= slack) && (!(g0 < (-slack)))};
 }
 
-/* Both variants of the event loop are given
+/* The event loop is given
    _shots             how many there are; the log counts them from `_first` on
    _states            x y z vx vy vz wx wy wz of each
    _values, _strides  where each parameter's values are, and the step from one shot's to the next one's
@@ -1866,10 +1866,9 @@ static __device__ __forceinline__ kernel_end_edge_out kernel_end_edge(double sla
                       and of the event log, which has _max_contacts + 1 rows
                       for each shot, and of their number: events, event_counts */
 
-
-#if VARIANT != 1
-/* The path alone. */
-extern "C" __global__ void hoop_plain(
+/* The event loop. Without BOUNDS, what it guards is never compiled, and what it would assign stays as it starts. */
+template <bool BOUNDS>
+static __device__ __forceinline__ void hoop_loop(
     long long _shots, long long _first, const double *_states, const double *const *_values,
     const long long *_strides, const signed char *_leaving, int _max_contacts, double time_limit,
     void *const *_results)
@@ -1879,6 +1878,7 @@ extern "C" __global__ void hoop_plain(
         return;
     const shot_parameters _given = {_values, _strides, _shot};
     const double most_contacts = (double)_max_contacts;
+    const double claims = BOUNDS && (_results[6] || _results[7]) ? 1.0 : 0.0;
     const double p_ball_radius = parameter(_given, 0);
     const double p_ring_radius = parameter(_given, 1);
     const double p_wire_radius = parameter(_given, 2);
@@ -1893,558 +1893,13 @@ extern "C" __global__ void hoop_plain(
 
     double x = 0.0, y = 0.0, z = 0.0, vx = 0.0, vy = 0.0, vz = 0.0, wx = 0.0, wy = 0.0, wz = 0.0,
         clock = 0.0, last = 0.0, first = -1.0, contacts = 0.0, count_0 = 0.0, count_1 = 0.0,
-        count_2 = 0.0, outcome = -1.0, allowed = 0.0, valid = 0.0, extent = 0.0, speed = 0.0,
-        excess = 0.0, when = 0.0, which = 0.0, leaving = 0.0, time = 0.0, rate = 0.0, bend = 0.0,
-        apex = 0.0, until = 0.0, pad = 0.0, there_y = 0.0, there_z = 0.0, g0 = 0.0, g1 = 0.0,
-        g2 = 0.0, g3 = 0.0, there_x = 0.0, g4 = 0.0, clear = 0.0, share = 0.0, arrival = 0.0,
-        since = 0.0, rho_start = 0.0, start_rate = 0.0, rho_rate = 0.0, near_x = 0.0, near_y = 0.0,
-        near_z = 0.0, near_vz = 0.0, ceiling = 0.0, flat = 0.0, tilt = 0.0, t = 0.0, energy2 = 0.0,
-        moment2 = 0.0, low0 = 0.0, high0 = 0.0, low1 = 0.0, high1 = 0.0, low2 = 0.0, high2 = 0.0,
-        latest = 0.0, position_level = 0.0, velocity_level = 0.0, rate_slack = 0.0, end = 0.0,
-        margin = 0.0, gap = 0.0, step = 0.0, next = 0.0, clearance = 0.0, refined = 0.0,
-        reached = 0.0, body = 0.0, nx = 0.0, ny = 0.0, nz = 0.0;
-    bool permitted = false, in_range = false, close = false, limited = false, arrives = false,
-        possible = false, released = false, reachable = false, open = false, certain = false,
-        searching = false, representable = false, fits = false, stepping = false,
-        single_precision = false, hit = false, sure = false, needs_refinement = false,
-        exhausted = false, refining = false, moves = false, ends = false, touches = false,
-        here = false, meeting = false;
-    float time_error = (float)0.0, onset = (float)0.0, wide_end = (float)0.0, wide_low1 = (float)0.0,
-        wide_high1 = (float)0.0, wide_low2 = (float)0.0, wide_high2 = (float)0.0,
-        lapsed = (float)0.0, short_share = (float)0.0, short_t = (float)0.0,
-        short_end = (float)0.0, short_x = (float)0.0, short_y = (float)0.0, short_z = (float)0.0,
-        short_vx = (float)0.0, short_vy = (float)0.0, short_vz = (float)0.0,
-        short_energy2 = (float)0.0, short_moment2 = (float)0.0, short_rho_start = (float)0.0,
-        short_ceiling = (float)0.0, short_flat = (float)0.0, short_tilt = (float)0.0,
-        short_jerk = (float)0.0, short_quotient_margin = (float)0.0, short_start_rate = (float)0.0,
-        short_rho_rate = (float)0.0, short_rate_margin = (float)0.0, short_low1 = (float)0.0,
-        short_high1 = (float)0.0, short_low2 = (float)0.0, short_high2 = (float)0.0;
-    x = _states[9 * _shot + 0];
-    y = _states[9 * _shot + 1];
-    z = _states[9 * _shot + 2];
-    vx = _states[9 * _shot + 3];
-    vy = _states[9 * _shot + 4];
-    vz = _states[9 * _shot + 5];
-    wx = _states[9 * _shot + 6];
-    wy = _states[9 * _shot + 7];
-    wz = _states[9 * _shot + 8];
-    last = _leaving ? (double)_leaving[_shot] : -1.0;
-
-    hoop_event *_events = (hoop_event *)_results[9];
-    int _used = 0;
-    if (_events)
-        _events += _shot * (1 * (long long)_max_contacts + 1);
-
-    const kernel_allowed_out _o0 = kernel_allowed(_given);
-    allowed = _o0.allowed;
-    const kernel_parameters_in_range_out _o1 = kernel_parameters_in_range(_given, allowed);
-    permitted = _o1.permitted;
-    const kernel_state_in_range_out _o2 = kernel_state_in_range(x, y, z, vx, vy, vz, wx, wy, wz);
-    in_range = _o2.in_range;
-    const kernel_aside_out _o3 = kernel_aside(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_end_depth);
-    close = _o3.close;
-    valid = _o3.valid;
-    if (close) {
-        const kernel_valid_out _o4 = kernel_valid(last, x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_end_depth);
-        valid = _o4.valid;
-    }
-    const kernel_admitted_out _o5 = kernel_admitted(INFINITE, valid, permitted, in_range);
-    outcome = _o5.outcome;
-
-    while (outcome < 0.0) {
-        /* To the next event. */
-        const kernel_error_bounds_out _o6 = kernel_error_bounds(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
-        time_error = _o6.time_error;
-        const kernel_scale_out _o7 = kernel_scale(x, y, z, vx, vy, vz, p_gravity);
-        extent = _o7.extent;
-        speed = _o7.speed;
-        excess = _o7.excess;
-        const kernel_opening_out _o8 = kernel_opening(excess, 0.0, 0.0);
-        when = _o8.when;
-        which = _o8.which;
-        const kernel_limited_out _o9 = kernel_limited(time_limit);
-        limited = _o9.limited;
-        const kernel_left_out _o10 = kernel_left(3.0, last);
-        leaving = _o10.leaving;
-        const kernel_end_arrival_out _o11 = kernel_end_arrival(leaving, z, vz, p_gravity, p_end_depth);
-        time = _o11.time;
-        rate = _o11.rate;
-        bend = _o11.bend;
-        apex = _o11.apex;
-        const kernel_meeting_plane_out _o12 = kernel_meeting_plane(rate, bend, apex, time);
-        arrives = _o12.arrives;
-        const kernel_within_time_out _o13 = kernel_within_time(time, when, 0.0, 0.0, arrives);
-        possible = _o13.possible;
-        if (possible) {
-            const kernel_earliest_out _o14 = kernel_earliest(3.0, time, when, which, arrives);
-            when = _o14.when;
-            which = _o14.which;
-        }
-        const kernel_released_out _o15 = kernel_released(last);
-        released = _o15.released;
-        reachable = _o15.reachable;
-        if (released) {
-            const kernel_horizon_out _o16 = kernel_horizon(when, speed, p_gravity);
-            until = _o16.horizon;
-            pad = _o16.pad;
-            const kernel_reachable_out _o17 = kernel_reachable(p_ball_radius, p_board_distance, p_bridge_half_width, p_gravity, p_ring_radius, x, vx, until, extent, speed, pad, 0.0, 0.0, 0.0);
-            reachable = _o17.reachable;
-        }
-        if (reachable) {
-            const kernel_left_out _o18 = kernel_left(1.0, last);
-            leaving = _o18.leaving;
-            const kernel_backboard_arrival_out _o19 = kernel_backboard_arrival(leaving, x, vx, p_ball_radius, p_board_distance);
-            time = _o19.time;
-            rate = _o19.rate;
-            bend = _o19.bend;
-            apex = _o19.apex;
-            const kernel_meeting_plane_out _o20 = kernel_meeting_plane(rate, bend, apex, time);
-            arrives = _o20.arrives;
-            const kernel_within_time_out _o21 = kernel_within_time(time, when, 0.0, 0.0, arrives);
-            possible = _o21.possible;
-            if (possible) {
-                const kernel_flight_out _o22 = kernel_flight(time, x, y, z, vx, vy, vz, p_gravity);
-                there_y = _o22.y;
-                there_z = _o22.z;
-                const kernel_backboard_bounds_out _o23 = kernel_backboard_bounds(there_y, there_z, p_board_half_width, p_board_bottom, p_board_top);
-                g0 = _o23.g0;
-                g1 = _o23.g1;
-                g2 = _o23.g2;
-                g3 = _o23.g3;
-                const kernel_backboard_within_out _o24 = kernel_backboard_within(g0, g1, g2, g3);
-                arrives = _o24.arrives;
-                const kernel_earliest_out _o25 = kernel_earliest(1.0, time, when, which, arrives);
-                when = _o25.when;
-                which = _o25.which;
-            }
-            const kernel_left_out _o26 = kernel_left(2.0, last);
-            leaving = _o26.leaving;
-            const kernel_bridge_arrival_out _o27 = kernel_bridge_arrival(leaving, z, vz, p_ball_radius, p_wire_radius, p_gravity);
-            time = _o27.time;
-            rate = _o27.rate;
-            bend = _o27.bend;
-            apex = _o27.apex;
-            const kernel_meeting_plane_out _o28 = kernel_meeting_plane(rate, bend, apex, time);
-            arrives = _o28.arrives;
-            const kernel_within_time_out _o29 = kernel_within_time(time, when, 0.0, 0.0, arrives);
-            possible = _o29.possible;
-            if (possible) {
-                const kernel_flight_out _o30 = kernel_flight(time, x, y, z, vx, vy, vz, p_gravity);
-                there_x = _o30.x;
-                there_y = _o30.y;
-                const kernel_bridge_bounds_out _o31 = kernel_bridge_bounds(there_x, there_y, p_ring_radius, p_board_distance, p_bridge_half_width);
-                g0 = _o31.g0;
-                g1 = _o31.g1;
-                g2 = _o31.g2;
-                g3 = _o31.g3;
-                g4 = _o31.g4;
-                const kernel_bridge_within_out _o32 = kernel_bridge_within(g0, g1, g2, g3, g4);
-                arrives = _o32.arrives;
-                const kernel_earliest_out _o33 = kernel_earliest(2.0, time, when, which, arrives);
-                when = _o33.when;
-                which = _o33.which;
-            }
-        }
-        const kernel_horizon_out _o34 = kernel_horizon(when, speed, p_gravity);
-        until = _o34.horizon;
-        const kernel_ring_clear_out _o35 = kernel_ring_clear(until, x, y, z, vx, vy, vz, extent, speed, 0.0, 0.0, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-        clear = _o35.clear;
-        const kernel_opens_out _o36 = kernel_opens(clear);
-        open = _o36.open;
-        if (open) {
-            const kernel_beginning_out _o37 = kernel_beginning();
-            share = _o37.share;
-            arrival = _o37.arrival;
-            certain = _o37.certain;
-            const kernel_left_out _o38 = kernel_left(0.0, last);
-            leaving = _o38.leaving;
-            const kernel_ring_opened_out _o39 = kernel_ring_opened(until, x, y, z, vx, vy, vz, extent, speed, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            onset = _o39.t;
-            wide_end = _o39.end;
-            searching = _o39.searching;
-            wide_low1 = _o39.low1;
-            wide_high1 = _o39.high1;
-            wide_low2 = _o39.low2;
-            wide_high2 = _o39.high2;
-            lapsed = _o39.latest;
-            representable = _o39.representable;
-            const kernel_opened_out _o40 = kernel_opened(lapsed, onset);
-            since = _o40.time;
-            const kernel_ring_started_out _o41 = kernel_ring_started(x, y, z, vx, vy, vz, p_ring_radius);
-            rho_start = _o41.rho_start;
-            start_rate = _o41.start_rate;
-            rho_rate = _o41.rho_rate;
-            const kernel_flight_out _o42 = kernel_flight(since, x, y, z, vx, vy, vz, p_gravity);
-            near_x = _o42.x;
-            near_y = _o42.y;
-            near_z = _o42.z;
-            near_vz = _o42.vz;
-            const kernel_ring_resolution_out _o43 = kernel_ring_resolution(onset, wide_end, leaving, lapsed, near_x, near_y, near_z, vx, vy, near_vz, extent, speed, start_rate, rho_rate, wide_low1, wide_high1, wide_low2, wide_high2, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            short_share = _o43.share;
-            short_t = _o43.t;
-            short_end = _o43.end;
-            short_x = _o43.x;
-            short_y = _o43.y;
-            short_z = _o43.z;
-            short_vx = _o43.vx;
-            short_vy = _o43.vy;
-            short_vz = _o43.vz;
-            short_energy2 = _o43.energy2;
-            short_moment2 = _o43.moment2;
-            short_rho_start = _o43.rho_start;
-            short_ceiling = _o43.ceiling;
-            short_flat = _o43.flat;
-            short_tilt = _o43.tilt;
-            short_jerk = _o43.jerk;
-            short_quotient_margin = _o43.quotient_margin;
-            short_start_rate = _o43.start_rate;
-            short_rho_rate = _o43.rho_rate;
-            short_rate_margin = _o43.rate_margin;
-            short_low1 = _o43.low1;
-            short_high1 = _o43.high1;
-            short_low2 = _o43.low2;
-            short_high2 = _o43.high2;
-            fits = _o43.fits;
-            const kernel_coarse_out _o44 = kernel_coarse(short_rate_margin, short_flat, short_ceiling, short_share, searching, representable, fits);
-            stepping = _o44.stepping;
-            searching = _o44.searching;
-            single_precision = _o44.single_precision;
-            ceiling = _o44.ceiling;
-            flat = _o44.flat;
-            tilt = _o44.tilt;
-            if (stepping) {
-                const kernel_ring_step_out _o45 = kernel_ring_step(short_t, short_end, short_rate_margin, short_ceiling, short_x, short_y, short_z, short_vx, short_vy, short_vz, short_energy2, short_moment2, short_rho_start, short_flat, short_tilt, short_quotient_margin, short_jerk, short_start_rate, short_rho_rate, short_low1, short_high1, short_low2, short_high2, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                short_t = _o45.t;
-                short_end = _o45.end;
-                certain = _o45.certain;
-                stepping = _o45.stepping;
-            }
-            for (size_t _turn = 0; _turn < 24; _turn++) {
-                if (!stepping)
-                    break;
-                const kernel_ring_step_out _o46 = kernel_ring_step(short_t, short_end, short_rate_margin, short_ceiling, short_x, short_y, short_z, short_vx, short_vy, short_vz, short_energy2, short_moment2, short_rho_start, short_flat, short_tilt, short_quotient_margin, short_jerk, short_start_rate, short_rho_rate, short_low1, short_high1, short_low2, short_high2, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                short_t = _o46.t;
-                short_end = _o46.end;
-                certain = _o46.certain;
-                stepping = _o46.stepping;
-            }
-            const kernel_stepped_out _o47 = kernel_stepped(arrival, short_t, searching, since, single_precision, certain);
-            arrival = _o47.arrival;
-            t = _o47.t;
-            searching = _o47.searching;
-            if (searching) {
-                const kernel_ring_prepare_out _o48 = kernel_ring_prepare(until, x, y, z, vx, vy, vz, extent, speed, 0.0, 0.0, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                energy2 = _o48.energy2;
-                moment2 = _o48.moment2;
-                rho_start = _o48.rho_start;
-                low0 = _o48.low0;
-                high0 = _o48.high0;
-                low1 = _o48.low1;
-                high1 = _o48.high1;
-                low2 = _o48.low2;
-                high2 = _o48.high2;
-                ceiling = _o48.ceiling;
-                latest = _o48.latest;
-                const kernel_allowance_out _o49 = kernel_allowance(share, latest, extent, speed, 0.0, 0.0, p_gravity);
-                position_level = _o49.position_level;
-                velocity_level = _o49.velocity_level;
-                const kernel_ring_margins_out _o50 = kernel_ring_margins(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                flat = _o50.margin;
-                tilt = _o50.leaving_margin;
-                rate_slack = _o50.rate_margin;
-                const kernel_ring_enter_out _o51 = kernel_ring_enter(t, 0.0, t, low0, low1, low2, high0, high1, high2);
-                t = _o51.t;
-                end = _o51.end;
-                searching = _o51.searching;
-                for (size_t _turn = 0; _turn < 201; _turn++) {
-                    if (!searching)
-                        break;
-                    const kernel_nearby_out _o52 = kernel_nearby(t, flat, tilt, 0.0, last);
-                    leaving = _o52.leaving;
-                    margin = _o52.margin;
-                    const kernel_ring_advance_out _o53 = kernel_ring_advance(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, energy2, moment2, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                    gap = _o53.gap;
-                    rate = _o53.rate;
-                    bend = _o53.bend;
-                    step = _o53.step;
-                    next = _o53.next;
-                    clearance = _o53.clearance;
-                    const kernel_struck_out _o54 = kernel_struck(gap, rate, bend, margin, rate_slack, clearance, share);
-                    hit = _o54.hit;
-                    sure = _o54.sure;
-                    needs_refinement = _o54.needs_refinement;
-                    if (needs_refinement) {
-                        const kernel_finer_out _o55 = kernel_finer(share);
-                        share = _o55.share;
-                        const kernel_allowance_out _o56 = kernel_allowance(share, latest, extent, speed, 0.0, 0.0, p_gravity);
-                        position_level = _o56.position_level;
-                        velocity_level = _o56.velocity_level;
-                        const kernel_ring_margins_out _o57 = kernel_ring_margins(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                        flat = _o57.margin;
-                        tilt = _o57.leaving_margin;
-                        rate_slack = _o57.rate_margin;
-                    }
-                    const kernel_advanced_out _o58 = kernel_advanced(t, end, step, next, arrival, hit, sure, needs_refinement, certain);
-                    arrival = _o58.arrival;
-                    certain = _o58.certain;
-                    exhausted = _o58.exhausted;
-                    searching = _o58.searching;
-                    t = _o58.t;
-                    if (exhausted) {
-                        const kernel_ring_enter_out _o59 = kernel_ring_enter(t, end, end, low0, low1, low2, high0, high1, high2);
-                        t = _o59.t;
-                        end = _o59.end;
-                        searching = _o59.searching;
-                    }
-                }
-            }
-            const kernel_found_out _o60 = kernel_found(arrival);
-            arrives = _o60.arrives;
-            refining = _o60.refining;
-            const kernel_nearby_out _o61 = kernel_nearby(arrival, flat, tilt, 0.0, last);
-            leaving = _o61.leaving;
-            if (refining) {
-                const kernel_ring_refine_out _o62 = kernel_ring_refine(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                refined = _o62.time;
-                gap = _o62.gap;
-                rate = _o62.rate;
-                const kernel_polished_out _o63 = kernel_polished(gap, rate, ceiling, arrival, refined, certain);
-                arrival = _o63.arrival;
-                refining = _o63.refining;
-            }
-            if (refining) {
-                const kernel_ring_refine_out _o64 = kernel_ring_refine(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                refined = _o64.time;
-                gap = _o64.gap;
-                rate = _o64.rate;
-                const kernel_polished_out _o65 = kernel_polished(gap, rate, ceiling, arrival, refined, certain);
-                arrival = _o65.arrival;
-                refining = _o65.refining;
-            }
-            for (size_t _turn = 0; _turn < 8; _turn++) {
-                if (!refining)
-                    break;
-                const kernel_ring_refine_out _o66 = kernel_ring_refine(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                refined = _o66.time;
-                gap = _o66.gap;
-                rate = _o66.rate;
-                const kernel_polished_out _o67 = kernel_polished(gap, rate, ceiling, arrival, refined, certain);
-                arrival = _o67.arrival;
-                refining = _o67.refining;
-            }
-            const kernel_landed_out _o68 = kernel_landed(arrival);
-            time = _o68.time;
-            const kernel_earliest_out _o69 = kernel_earliest(0.0, time, when, which, arrives);
-            when = _o69.when;
-            which = _o69.which;
-        }
-        if (limited) {
-            const kernel_expiry_out _o70 = kernel_expiry(when, which, 0.0, INFINITE, time_error, clock, time_limit);
-            time = _o70.time;
-            arrives = _o70.arrives;
-            const kernel_earliest_out _o71 = kernel_earliest(4.0, time, when, which, arrives);
-            when = _o71.when;
-            which = _o71.which;
-        }
-        const kernel_departed_out _o72 = kernel_departed(3.0, which);
-        moves = _o72.moves;
-        ends = _o72.ends;
-        touches = _o72.touches;
-        reached = _o72.reached;
-        const kernel_body_of_out _o73 = kernel_body_of(which);
-        body = _o73.body;
-        if (moves) {
-            const kernel_flight_out _o74 = kernel_flight(when, x, y, z, vx, vy, vz, p_gravity);
-            x = _o74.x;
-            y = _o74.y;
-            z = _o74.z;
-            vx = _o74.vx;
-            vy = _o74.vy;
-            vz = _o74.vz;
-            const kernel_event_clock_out _o75 = kernel_event_clock(when, clock);
-            clock = _o75.clock;
-        }
-        if (limited) {
-            const kernel_expired_out _o76 = kernel_expired(4.0, which, body, clock, reached, time_limit, ends);
-            clock = _o76.clock;
-            body = _o76.body;
-            reached = _o76.reached;
-            ends = _o76.ends;
-        }
-        const kernel_here_out _o77 = kernel_here(3.0, which);
-        here = _o77.here;
-        if (here) {
-            const kernel_end_bounds_out _o78 = kernel_end_bounds(x, y, p_ring_radius);
-            g0 = _o78.g0;
-            const kernel_end_reached_out _o79 = kernel_end_reached(g0);
-            reached = _o79.reached;
-        }
-        const kernel_accounted_out _o80 = kernel_accounted(contacts, most_contacts, reached, touches);
-        contacts = _o80.contacts;
-        outcome = _o80.outcome;
-
-        const double _before[] = {x, y, z, vx, vy, vz, wx, wy, wz};
-
-        /* What it does to the ball. */
-        const kernel_meeting_out _o81 = kernel_meeting(0.0, ends, touches);
-        meeting = _o81.meeting;
-        if (meeting) {
-            const kernel_end_normal_out _o82 = kernel_end_normal();
-            nx = _o82.nx;
-            ny = _o82.ny;
-            nz = _o82.nz;
-            const kernel_here_out _o83 = kernel_here(0.0, which);
-            here = _o83.here;
-            if (here) {
-                const kernel_ring_normal_out _o84 = kernel_ring_normal(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
-                nx = _o84.nx;
-                ny = _o84.ny;
-                nz = _o84.nz;
-                const kernel_counted_out _o85 = kernel_counted(count_0);
-                count_0 = _o85.count;
-            }
-            const kernel_here_out _o86 = kernel_here(1.0, which);
-            here = _o86.here;
-            if (here) {
-                const kernel_backboard_normal_out _o87 = kernel_backboard_normal();
-                nx = _o87.nx;
-                ny = _o87.ny;
-                nz = _o87.nz;
-                const kernel_counted_out _o88 = kernel_counted(count_1);
-                count_1 = _o88.count;
-            }
-            const kernel_here_out _o89 = kernel_here(2.0, which);
-            here = _o89.here;
-            if (here) {
-                const kernel_bridge_normal_out _o90 = kernel_bridge_normal();
-                nx = _o90.nx;
-                ny = _o90.ny;
-                nz = _o90.nz;
-                const kernel_counted_out _o91 = kernel_counted(count_2);
-                count_2 = _o91.count;
-            }
-            if (touches) {
-                const kernel_impact_out _o92 = kernel_impact(vx, vy, vz, wx, wy, wz, nx, ny, nz, p_ball_radius, p_restitution);
-                vx = _o92.vx;
-                vy = _o92.vy;
-                vz = _o92.vz;
-                wx = _o92.wx;
-                wy = _o92.wy;
-                wz = _o92.wz;
-            }
-            const kernel_here_out _o93 = kernel_here(1.0, which);
-            here = _o93.here;
-            if (here) {
-                const kernel_backboard_place_out _o94 = kernel_backboard_place(y, z, p_ball_radius, p_board_distance);
-                x = _o94.x;
-                y = _o94.y;
-                z = _o94.z;
-            }
-            const kernel_here_out _o95 = kernel_here(2.0, which);
-            here = _o95.here;
-            if (here) {
-                const kernel_bridge_place_out _o96 = kernel_bridge_place(x, y, p_ball_radius, p_wire_radius);
-                x = _o96.x;
-                y = _o96.y;
-                z = _o96.z;
-            }
-            if (touches) {
-                const kernel_touched_out _o97 = kernel_touched(which, body, first);
-                first = _o97.first;
-                last = _o97.last;
-            }
-        }
-
-        if (_events && body >= 0.0) {
-            hoop_event *const _event = _events + _used++;
-            const long long _place = (long long)body, _staying = _place - 4;
-            _event->shot = _first + _shot;
-            _event->surface = _staying < 0 ? _place : _staying / 2;
-            _event->kind = _staying < -1 ? HOOP_EVENT_IMPACT : _staying < 0 ? HOOP_EVENT_END : _staying % 2 ? HOOP_EVENT_LEAVE : HOOP_EVENT_ROLL;
-            _event->time = clock;
-            for (int _k = 0; _k < 9; _k++)
-                _event->before[_k] = _before[_k];
-            _event->after[0] = x;
-            _event->after[1] = y;
-            _event->after[2] = z;
-            _event->after[3] = vx;
-            _event->after[4] = vy;
-            _event->after[5] = vz;
-            _event->after[6] = wx;
-            _event->after[7] = wy;
-            _event->after[8] = wz;
-        }
-    }
-
-    if (_events)
-        ((int *)_results[10])[_shot] = _used;
-    const bool _invalid = (int)outcome == HOOP_OUTCOME_INVALID;
-    (void)_invalid;
-    if (_results[0]) {
-        ((unsigned char *)_results[0])[_shot] = (unsigned char)(int)outcome;
-    }
-    if (_results[1]) {
-        ((int *)_results[1])[_shot] = (int)contacts;
-    }
-    if (_results[2]) {
-        ((int *)_results[2])[3 * _shot + 0] = (int)count_0;
-        ((int *)_results[2])[3 * _shot + 1] = (int)count_1;
-        ((int *)_results[2])[3 * _shot + 2] = (int)count_2;
-    }
-    if (_results[3]) {
-        ((signed char *)_results[3])[_shot] = (signed char)(int)first;
-    }
-    if (_results[4]) {
-        ((double *)_results[4])[_shot] = _invalid ? NOT_A_NUMBER : clock;
-    }
-    if (_results[5]) {
-        ((double *)_results[5])[9 * _shot + 0] = _invalid ? NOT_A_NUMBER : x;
-        ((double *)_results[5])[9 * _shot + 1] = _invalid ? NOT_A_NUMBER : y;
-        ((double *)_results[5])[9 * _shot + 2] = _invalid ? NOT_A_NUMBER : z;
-        ((double *)_results[5])[9 * _shot + 3] = _invalid ? NOT_A_NUMBER : vx;
-        ((double *)_results[5])[9 * _shot + 4] = _invalid ? NOT_A_NUMBER : vy;
-        ((double *)_results[5])[9 * _shot + 5] = _invalid ? NOT_A_NUMBER : vz;
-        ((double *)_results[5])[9 * _shot + 6] = _invalid ? NOT_A_NUMBER : wx;
-        ((double *)_results[5])[9 * _shot + 7] = _invalid ? NOT_A_NUMBER : wy;
-        ((double *)_results[5])[9 * _shot + 8] = _invalid ? NOT_A_NUMBER : wz;
-    }
-}
-#endif
-
-#if VARIANT != 0
-/* With bounds on errors. */
-extern "C" __global__ void hoop_bounded(
-    long long _shots, long long _first, const double *_states, const double *const *_values,
-    const long long *_strides, const signed char *_leaving, int _max_contacts, double time_limit,
-    void *const *_results)
-{
-    const long long _shot = blockIdx.x * (long long)blockDim.x + threadIdx.x;
-    if (_shot >= _shots)
-        return;
-    const shot_parameters _given = {_values, _strides, _shot};
-    const double most_contacts = (double)_max_contacts;
-    const double claims = _results[6] || _results[7] ? 1.0 : 0.0;
-    const double p_ball_radius = parameter(_given, 0);
-    const double p_ring_radius = parameter(_given, 1);
-    const double p_wire_radius = parameter(_given, 2);
-    const double p_board_distance = parameter(_given, 3);
-    const double p_board_half_width = parameter(_given, 4);
-    const double p_board_bottom = parameter(_given, 5);
-    const double p_board_top = parameter(_given, 6);
-    const double p_bridge_half_width = parameter(_given, 7);
-    const double p_restitution = parameter(_given, 8);
-    const double p_gravity = parameter(_given, 9);
-    const double p_end_depth = parameter(_given, 10);
-
-    double x = 0.0, y = 0.0, z = 0.0, vx = 0.0, vy = 0.0, vz = 0.0, wx = 0.0, wy = 0.0, wz = 0.0,
-        clock = 0.0, last = 0.0, first = -1.0, contacts = 0.0, count_0 = 0.0, count_1 = 0.0,
-        count_2 = 0.0, uncertain = 0.0, outcome = -1.0, allowed = 0.0, valid = 0.0, doubt = 0.0,
-        extent = 0.0, speed = 0.0, excess = 0.0, when = 0.0, which = 0.0, earliest_delay = 0.0,
-        leaving = 0.0, time = 0.0, rate = 0.0, bend = 0.0, apex = 0.0, height = 0.0, ceiling = 0.0,
-        nearest = 0.0, margin = 0.0, clearance = 0.0, delay = 0.0, until = 0.0, pad = 0.0,
-        there_y = 0.0, there_z = 0.0, g0 = 0.0, g1 = 0.0, g2 = 0.0, g3 = 0.0, slack = 0.0,
-        there_x = 0.0, g4 = 0.0, clear = 0.0, share = 0.0, arrival = 0.0, since = 0.0,
-        latest = 0.0, rho_start = 0.0, start_rate = 0.0, rho_rate = 0.0, near_x = 0.0,
+        count_2 = 0.0, uncertain = 0.0, outcome = -1.0, allowed = 0.0, valid = 0.0,
+        doubt = INFINITE, extent = 0.0, speed = 0.0, excess = 0.0, when = 0.0, which = 0.0,
+        earliest_delay = 0.0, leaving = 0.0, time = 0.0, rate = 0.0, bend = 0.0, apex = 0.0,
+        height = 0.0, ceiling = 0.0, nearest = 0.0, margin = 0.0, clearance = 0.0, delay = 0.0,
+        until = 0.0, pad = 0.0, there_y = 0.0, there_z = 0.0, g0 = 0.0, g1 = 0.0, g2 = 0.0,
+        g3 = 0.0, slack = 0.0, there_x = 0.0, g4 = 0.0, clear = 0.0, share = 0.0, arrival = 0.0,
+        since = 0.0, latest = 0.0, rho_start = 0.0, start_rate = 0.0, rho_rate = 0.0, near_x = 0.0,
         near_y = 0.0, near_z = 0.0, near_vz = 0.0, flat = 0.0, tilt = 0.0, allowing = 0.0,
         budget_exceeded = 0.0, t = 0.0, energy2 = 0.0, moment2 = 0.0, low0 = 0.0, high0 = 0.0,
         low1 = 0.0, high1 = 0.0, low2 = 0.0, high2 = 0.0, position_level = 0.0,
@@ -2490,611 +1945,681 @@ extern "C" __global__ void hoop_bounded(
     if (_events)
         _events += _shot * (1 * (long long)_max_contacts + 1);
 
-    const kernel_allowed_out _o98 = kernel_allowed(_given);
-    allowed = _o98.allowed;
-    const kernel_parameters_in_range_out _o99 = kernel_parameters_in_range(_given, allowed);
-    permitted = _o99.permitted;
-    const kernel_state_in_range_out _o100 = kernel_state_in_range(x, y, z, vx, vy, vz, wx, wy, wz);
-    in_range = _o100.in_range;
-    const kernel_aside_out _o101 = kernel_aside(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_end_depth);
-    close = _o101.close;
-    valid = _o101.valid;
-    doubt = _o101.doubt;
+    const kernel_allowed_out _o0 = kernel_allowed(_given);
+    allowed = _o0.allowed;
+    const kernel_parameters_in_range_out _o1 = kernel_parameters_in_range(_given, allowed);
+    permitted = _o1.permitted;
+    const kernel_state_in_range_out _o2 = kernel_state_in_range(x, y, z, vx, vy, vz, wx, wy, wz);
+    in_range = _o2.in_range;
+    const kernel_aside_out _o3 = kernel_aside(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_end_depth);
+    close = _o3.close;
+    valid = _o3.valid;
+    if (BOUNDS)
+        doubt = _o3.doubt;
     if (close) {
-        const kernel_valid_out _o102 = kernel_valid(last, x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_end_depth);
-        valid = _o102.valid;
-        doubt = _o102.doubt;
+        const kernel_valid_out _o4 = kernel_valid(last, x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_end_depth);
+        valid = _o4.valid;
+        if (BOUNDS)
+            doubt = _o4.doubt;
     }
-    const kernel_admitted_out _o103 = kernel_admitted(doubt, valid, permitted, in_range);
-    outcome = _o103.outcome;
-    uncertain = _o103.uncertain;
+    const kernel_admitted_out _o5 = kernel_admitted(doubt, valid, permitted, in_range);
+    outcome = _o5.outcome;
+    if (BOUNDS)
+        uncertain = _o5.uncertain;
 
     while (outcome < 0.0) {
         /* To the next event. */
-        const kernel_error_bounds_out _o104 = kernel_error_bounds(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
-        position_error = _o104.position_error;
-        velocity_error = _o104.velocity_error;
-        time_error = _o104.time_error;
-        const kernel_scale_out _o105 = kernel_scale(x, y, z, vx, vy, vz, p_gravity);
-        extent = _o105.extent;
-        speed = _o105.speed;
-        excess = _o105.excess;
-        const kernel_opening_out _o106 = kernel_opening(excess, position_error, velocity_error);
-        when = _o106.when;
-        which = _o106.which;
-        earliest_delay = _o106.earliest_delay;
-        doubt = _o106.doubt;
-        const kernel_limited_out _o107 = kernel_limited(time_limit);
-        limited = _o107.limited;
-        const kernel_left_out _o108 = kernel_left(3.0, last);
-        leaving = _o108.leaving;
-        const kernel_end_arrival_out _o109 = kernel_end_arrival(leaving, z, vz, p_gravity, p_end_depth);
-        time = _o109.time;
-        rate = _o109.rate;
-        bend = _o109.bend;
-        apex = _o109.apex;
-        height = _o109.height;
-        const kernel_meeting_plane_out _o110 = kernel_meeting_plane(rate, bend, apex, time);
-        arrives = _o110.arrives;
-        ceiling = _o110.ceiling;
-        nearest = _o110.nearest;
-        const kernel_end_margin_out _o111 = kernel_end_margin(nearest, extent, speed, position_error, velocity_error, p_gravity, p_end_depth);
-        margin = _o111.margin;
-        const kernel_crossing_out _o112 = kernel_crossing(margin, 0.0, rate, ceiling);
-        clearance = _o112.clearance;
-        delay = _o112.delay;
-        const kernel_within_time_out _o113 = kernel_within_time(time, when, delay, earliest_delay, arrives);
-        possible = _o113.possible;
-        const kernel_grazed_out _o114 = kernel_grazed(margin, apex, height, doubt);
-        doubt = _o114.doubt;
-        if (possible) {
-            const kernel_crossed_out _o115 = kernel_crossed(clearance, time, doubt, arrives);
-            doubt = _o115.doubt;
-            const kernel_tied_out _o116 = kernel_tied(time, when, delay, earliest_delay, doubt, arrives);
-            doubt = _o116.doubt;
-            earliest_delay = _o116.earliest_delay;
-            const kernel_earliest_out _o117 = kernel_earliest(3.0, time, when, which, arrives);
-            when = _o117.when;
-            which = _o117.which;
+        const kernel_error_bounds_out _o6 = kernel_error_bounds(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
+        time_error = _o6.time_error;
+        if (BOUNDS) {
+            position_error = _o6.position_error;
+            velocity_error = _o6.velocity_error;
         }
-        const kernel_released_out _o118 = kernel_released(last);
-        released = _o118.released;
-        reachable = _o118.reachable;
+        const kernel_scale_out _o7 = kernel_scale(x, y, z, vx, vy, vz, p_gravity);
+        extent = _o7.extent;
+        speed = _o7.speed;
+        excess = _o7.excess;
+        const kernel_opening_out _o8 = kernel_opening(excess, position_error, velocity_error);
+        when = _o8.when;
+        which = _o8.which;
+        if (BOUNDS) {
+            earliest_delay = _o8.earliest_delay;
+            doubt = _o8.doubt;
+        }
+        const kernel_limited_out _o9 = kernel_limited(time_limit);
+        limited = _o9.limited;
+        const kernel_left_out _o10 = kernel_left(3.0, last);
+        leaving = _o10.leaving;
+        const kernel_end_arrival_out _o11 = kernel_end_arrival(leaving, z, vz, p_gravity, p_end_depth);
+        time = _o11.time;
+        rate = _o11.rate;
+        bend = _o11.bend;
+        apex = _o11.apex;
+        if (BOUNDS)
+            height = _o11.height;
+        const kernel_meeting_plane_out _o12 = kernel_meeting_plane(rate, bend, apex, time);
+        arrives = _o12.arrives;
+        if (BOUNDS) {
+            ceiling = _o12.ceiling;
+            nearest = _o12.nearest;
+        }
+        if (BOUNDS) {
+            const kernel_end_margin_out _o13 = kernel_end_margin(nearest, extent, speed, position_error, velocity_error, p_gravity, p_end_depth);
+            margin = _o13.margin;
+            const kernel_crossing_out _o14 = kernel_crossing(margin, 0.0, rate, ceiling);
+            clearance = _o14.clearance;
+            delay = _o14.delay;
+        }
+        const kernel_within_time_out _o15 = kernel_within_time(time, when, delay, earliest_delay, arrives);
+        possible = _o15.possible;
+        if (BOUNDS) {
+            const kernel_grazed_out _o16 = kernel_grazed(margin, apex, height, doubt);
+            doubt = _o16.doubt;
+        }
+        if (possible) {
+            if (BOUNDS) {
+                const kernel_crossed_out _o17 = kernel_crossed(clearance, time, doubt, arrives);
+                doubt = _o17.doubt;
+                const kernel_tied_out _o18 = kernel_tied(time, when, delay, earliest_delay, doubt, arrives);
+                doubt = _o18.doubt;
+                earliest_delay = _o18.earliest_delay;
+            }
+            const kernel_earliest_out _o19 = kernel_earliest(3.0, time, when, which, arrives);
+            when = _o19.when;
+            which = _o19.which;
+        }
+        const kernel_released_out _o20 = kernel_released(last);
+        released = _o20.released;
+        reachable = _o20.reachable;
         if (released) {
-            const kernel_horizon_out _o119 = kernel_horizon(when, speed, p_gravity);
-            until = _o119.horizon;
-            pad = _o119.pad;
-            const kernel_reachable_out _o120 = kernel_reachable(p_ball_radius, p_board_distance, p_bridge_half_width, p_gravity, p_ring_radius, x, vx, until, extent, speed, pad, earliest_delay, position_error, velocity_error);
-            reachable = _o120.reachable;
+            const kernel_horizon_out _o21 = kernel_horizon(when, speed, p_gravity);
+            until = _o21.horizon;
+            pad = _o21.pad;
+            const kernel_reachable_out _o22 = kernel_reachable(p_ball_radius, p_board_distance, p_bridge_half_width, p_gravity, p_ring_radius, x, vx, until, extent, speed, pad, earliest_delay, position_error, velocity_error);
+            reachable = _o22.reachable;
         }
         if (reachable) {
-            const kernel_left_out _o121 = kernel_left(1.0, last);
-            leaving = _o121.leaving;
-            const kernel_backboard_arrival_out _o122 = kernel_backboard_arrival(leaving, x, vx, p_ball_radius, p_board_distance);
-            time = _o122.time;
-            rate = _o122.rate;
-            bend = _o122.bend;
-            apex = _o122.apex;
-            height = _o122.height;
-            const kernel_meeting_plane_out _o123 = kernel_meeting_plane(rate, bend, apex, time);
-            arrives = _o123.arrives;
-            ceiling = _o123.ceiling;
-            nearest = _o123.nearest;
-            const kernel_backboard_margin_out _o124 = kernel_backboard_margin(nearest, extent, speed, position_error, velocity_error, p_ball_radius, p_board_distance, p_gravity);
-            margin = _o124.margin;
-            const kernel_crossing_out _o125 = kernel_crossing(margin, 0.0, rate, ceiling);
-            clearance = _o125.clearance;
-            delay = _o125.delay;
-            const kernel_within_time_out _o126 = kernel_within_time(time, when, delay, earliest_delay, arrives);
-            possible = _o126.possible;
-            const kernel_grazed_out _o127 = kernel_grazed(margin, apex, height, doubt);
-            doubt = _o127.doubt;
-            if (possible) {
-                const kernel_flight_out _o128 = kernel_flight(time, x, y, z, vx, vy, vz, p_gravity);
-                there_y = _o128.y;
-                there_z = _o128.z;
-                const kernel_backboard_bounds_out _o129 = kernel_backboard_bounds(there_y, there_z, p_board_half_width, p_board_bottom, p_board_top);
-                g0 = _o129.g0;
-                g1 = _o129.g1;
-                g2 = _o129.g2;
-                g3 = _o129.g3;
-                const kernel_displacement_out _o130 = kernel_displacement(delay, time, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_gravity, p_end_depth);
-                slack = _o130.margin;
-                const kernel_backboard_edges_out _o131 = kernel_backboard_edges(clearance, slack, g0, g1, g2, g3);
-                unsure = _o131.unsure;
-                const kernel_questioned_out _o132 = kernel_questioned(time, doubt, unsure);
-                doubt = _o132.doubt;
-                const kernel_backboard_within_out _o133 = kernel_backboard_within(g0, g1, g2, g3);
-                arrives = _o133.arrives;
-                const kernel_tied_out _o134 = kernel_tied(time, when, delay, earliest_delay, doubt, arrives);
-                doubt = _o134.doubt;
-                earliest_delay = _o134.earliest_delay;
-                const kernel_earliest_out _o135 = kernel_earliest(1.0, time, when, which, arrives);
-                when = _o135.when;
-                which = _o135.which;
+            const kernel_left_out _o23 = kernel_left(1.0, last);
+            leaving = _o23.leaving;
+            const kernel_backboard_arrival_out _o24 = kernel_backboard_arrival(leaving, x, vx, p_ball_radius, p_board_distance);
+            time = _o24.time;
+            rate = _o24.rate;
+            bend = _o24.bend;
+            apex = _o24.apex;
+            if (BOUNDS)
+                height = _o24.height;
+            const kernel_meeting_plane_out _o25 = kernel_meeting_plane(rate, bend, apex, time);
+            arrives = _o25.arrives;
+            if (BOUNDS) {
+                ceiling = _o25.ceiling;
+                nearest = _o25.nearest;
             }
-            const kernel_left_out _o136 = kernel_left(2.0, last);
-            leaving = _o136.leaving;
-            const kernel_bridge_arrival_out _o137 = kernel_bridge_arrival(leaving, z, vz, p_ball_radius, p_wire_radius, p_gravity);
-            time = _o137.time;
-            rate = _o137.rate;
-            bend = _o137.bend;
-            apex = _o137.apex;
-            height = _o137.height;
-            const kernel_meeting_plane_out _o138 = kernel_meeting_plane(rate, bend, apex, time);
-            arrives = _o138.arrives;
-            ceiling = _o138.ceiling;
-            nearest = _o138.nearest;
-            const kernel_bridge_margin_out _o139 = kernel_bridge_margin(nearest, extent, speed, position_error, velocity_error, p_ball_radius, p_wire_radius, p_gravity);
-            margin = _o139.margin;
-            const kernel_crossing_out _o140 = kernel_crossing(margin, 0.0, rate, ceiling);
-            clearance = _o140.clearance;
-            delay = _o140.delay;
-            const kernel_within_time_out _o141 = kernel_within_time(time, when, delay, earliest_delay, arrives);
-            possible = _o141.possible;
-            const kernel_grazed_out _o142 = kernel_grazed(margin, apex, height, doubt);
-            doubt = _o142.doubt;
+            if (BOUNDS) {
+                const kernel_backboard_margin_out _o26 = kernel_backboard_margin(nearest, extent, speed, position_error, velocity_error, p_ball_radius, p_board_distance, p_gravity);
+                margin = _o26.margin;
+                const kernel_crossing_out _o27 = kernel_crossing(margin, 0.0, rate, ceiling);
+                clearance = _o27.clearance;
+                delay = _o27.delay;
+            }
+            const kernel_within_time_out _o28 = kernel_within_time(time, when, delay, earliest_delay, arrives);
+            possible = _o28.possible;
+            if (BOUNDS) {
+                const kernel_grazed_out _o29 = kernel_grazed(margin, apex, height, doubt);
+                doubt = _o29.doubt;
+            }
             if (possible) {
-                const kernel_flight_out _o143 = kernel_flight(time, x, y, z, vx, vy, vz, p_gravity);
-                there_x = _o143.x;
-                there_y = _o143.y;
-                const kernel_bridge_bounds_out _o144 = kernel_bridge_bounds(there_x, there_y, p_ring_radius, p_board_distance, p_bridge_half_width);
-                g0 = _o144.g0;
-                g1 = _o144.g1;
-                g2 = _o144.g2;
-                g3 = _o144.g3;
-                g4 = _o144.g4;
-                const kernel_displacement_out _o145 = kernel_displacement(delay, time, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_gravity, p_end_depth);
-                slack = _o145.margin;
-                const kernel_bridge_edges_out _o146 = kernel_bridge_edges(clearance, slack, g0, g1, g2, g3, g4);
-                unsure = _o146.unsure;
-                const kernel_questioned_out _o147 = kernel_questioned(time, doubt, unsure);
-                doubt = _o147.doubt;
-                const kernel_bridge_within_out _o148 = kernel_bridge_within(g0, g1, g2, g3, g4);
-                arrives = _o148.arrives;
-                const kernel_tied_out _o149 = kernel_tied(time, when, delay, earliest_delay, doubt, arrives);
-                doubt = _o149.doubt;
-                earliest_delay = _o149.earliest_delay;
-                const kernel_earliest_out _o150 = kernel_earliest(2.0, time, when, which, arrives);
-                when = _o150.when;
-                which = _o150.which;
+                const kernel_flight_out _o30 = kernel_flight(time, x, y, z, vx, vy, vz, p_gravity);
+                there_y = _o30.y;
+                there_z = _o30.z;
+                const kernel_backboard_bounds_out _o31 = kernel_backboard_bounds(there_y, there_z, p_board_half_width, p_board_bottom, p_board_top);
+                g0 = _o31.g0;
+                g1 = _o31.g1;
+                g2 = _o31.g2;
+                g3 = _o31.g3;
+                if (BOUNDS) {
+                    const kernel_displacement_out _o32 = kernel_displacement(delay, time, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_gravity, p_end_depth);
+                    slack = _o32.margin;
+                    const kernel_backboard_edges_out _o33 = kernel_backboard_edges(clearance, slack, g0, g1, g2, g3);
+                    unsure = _o33.unsure;
+                    const kernel_questioned_out _o34 = kernel_questioned(time, doubt, unsure);
+                    doubt = _o34.doubt;
+                }
+                const kernel_backboard_within_out _o35 = kernel_backboard_within(g0, g1, g2, g3);
+                arrives = _o35.arrives;
+                if (BOUNDS) {
+                    const kernel_tied_out _o36 = kernel_tied(time, when, delay, earliest_delay, doubt, arrives);
+                    doubt = _o36.doubt;
+                    earliest_delay = _o36.earliest_delay;
+                }
+                const kernel_earliest_out _o37 = kernel_earliest(1.0, time, when, which, arrives);
+                when = _o37.when;
+                which = _o37.which;
+            }
+            const kernel_left_out _o38 = kernel_left(2.0, last);
+            leaving = _o38.leaving;
+            const kernel_bridge_arrival_out _o39 = kernel_bridge_arrival(leaving, z, vz, p_ball_radius, p_wire_radius, p_gravity);
+            time = _o39.time;
+            rate = _o39.rate;
+            bend = _o39.bend;
+            apex = _o39.apex;
+            if (BOUNDS)
+                height = _o39.height;
+            const kernel_meeting_plane_out _o40 = kernel_meeting_plane(rate, bend, apex, time);
+            arrives = _o40.arrives;
+            if (BOUNDS) {
+                ceiling = _o40.ceiling;
+                nearest = _o40.nearest;
+            }
+            if (BOUNDS) {
+                const kernel_bridge_margin_out _o41 = kernel_bridge_margin(nearest, extent, speed, position_error, velocity_error, p_ball_radius, p_wire_radius, p_gravity);
+                margin = _o41.margin;
+                const kernel_crossing_out _o42 = kernel_crossing(margin, 0.0, rate, ceiling);
+                clearance = _o42.clearance;
+                delay = _o42.delay;
+            }
+            const kernel_within_time_out _o43 = kernel_within_time(time, when, delay, earliest_delay, arrives);
+            possible = _o43.possible;
+            if (BOUNDS) {
+                const kernel_grazed_out _o44 = kernel_grazed(margin, apex, height, doubt);
+                doubt = _o44.doubt;
+            }
+            if (possible) {
+                const kernel_flight_out _o45 = kernel_flight(time, x, y, z, vx, vy, vz, p_gravity);
+                there_x = _o45.x;
+                there_y = _o45.y;
+                const kernel_bridge_bounds_out _o46 = kernel_bridge_bounds(there_x, there_y, p_ring_radius, p_board_distance, p_bridge_half_width);
+                g0 = _o46.g0;
+                g1 = _o46.g1;
+                g2 = _o46.g2;
+                g3 = _o46.g3;
+                g4 = _o46.g4;
+                if (BOUNDS) {
+                    const kernel_displacement_out _o47 = kernel_displacement(delay, time, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_gravity, p_end_depth);
+                    slack = _o47.margin;
+                    const kernel_bridge_edges_out _o48 = kernel_bridge_edges(clearance, slack, g0, g1, g2, g3, g4);
+                    unsure = _o48.unsure;
+                    const kernel_questioned_out _o49 = kernel_questioned(time, doubt, unsure);
+                    doubt = _o49.doubt;
+                }
+                const kernel_bridge_within_out _o50 = kernel_bridge_within(g0, g1, g2, g3, g4);
+                arrives = _o50.arrives;
+                if (BOUNDS) {
+                    const kernel_tied_out _o51 = kernel_tied(time, when, delay, earliest_delay, doubt, arrives);
+                    doubt = _o51.doubt;
+                    earliest_delay = _o51.earliest_delay;
+                }
+                const kernel_earliest_out _o52 = kernel_earliest(2.0, time, when, which, arrives);
+                when = _o52.when;
+                which = _o52.which;
             }
         }
-        const kernel_horizon_out _o151 = kernel_horizon(when, speed, p_gravity);
-        until = _o151.horizon;
-        pad = _o151.pad;
-        const kernel_ring_clear_out _o152 = kernel_ring_clear(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-        clear = _o152.clear;
-        const kernel_opens_out _o153 = kernel_opens(clear);
-        open = _o153.open;
+        const kernel_horizon_out _o53 = kernel_horizon(when, speed, p_gravity);
+        until = _o53.horizon;
+        if (BOUNDS)
+            pad = _o53.pad;
+        const kernel_ring_clear_out _o54 = kernel_ring_clear(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+        clear = _o54.clear;
+        const kernel_opens_out _o55 = kernel_opens(clear);
+        open = _o55.open;
         if (open) {
-            const kernel_beginning_out _o154 = kernel_beginning();
-            share = _o154.share;
-            arrival = _o154.arrival;
-            certain = _o154.certain;
-            const kernel_left_out _o155 = kernel_left(0.0, last);
-            leaving = _o155.leaving;
-            const kernel_ring_opened_out _o156 = kernel_ring_opened(until, x, y, z, vx, vy, vz, extent, speed, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            onset = _o156.t;
-            wide_end = _o156.end;
-            searching = _o156.searching;
-            wide_low1 = _o156.low1;
-            wide_high1 = _o156.high1;
-            wide_low2 = _o156.low2;
-            wide_high2 = _o156.high2;
-            lapsed = _o156.latest;
-            representable = _o156.representable;
-            const kernel_opened_out _o157 = kernel_opened(lapsed, onset);
-            since = _o157.time;
-            latest = _o157.latest;
-            const kernel_ring_started_out _o158 = kernel_ring_started(x, y, z, vx, vy, vz, p_ring_radius);
-            rho_start = _o158.rho_start;
-            start_rate = _o158.start_rate;
-            rho_rate = _o158.rho_rate;
-            const kernel_flight_out _o159 = kernel_flight(since, x, y, z, vx, vy, vz, p_gravity);
-            near_x = _o159.x;
-            near_y = _o159.y;
-            near_z = _o159.z;
-            near_vz = _o159.vz;
-            const kernel_ring_resolution_out _o160 = kernel_ring_resolution(onset, wide_end, leaving, lapsed, near_x, near_y, near_z, vx, vy, near_vz, extent, speed, start_rate, rho_rate, wide_low1, wide_high1, wide_low2, wide_high2, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            short_share = _o160.share;
-            short_t = _o160.t;
-            short_end = _o160.end;
-            short_x = _o160.x;
-            short_y = _o160.y;
-            short_z = _o160.z;
-            short_vx = _o160.vx;
-            short_vy = _o160.vy;
-            short_vz = _o160.vz;
-            short_energy2 = _o160.energy2;
-            short_moment2 = _o160.moment2;
-            short_rho_start = _o160.rho_start;
-            short_ceiling = _o160.ceiling;
-            short_flat = _o160.flat;
-            short_tilt = _o160.tilt;
-            short_jerk = _o160.jerk;
-            short_quotient_margin = _o160.quotient_margin;
-            short_start_rate = _o160.start_rate;
-            short_rho_rate = _o160.rho_rate;
-            short_rate_margin = _o160.rate_margin;
-            short_low1 = _o160.low1;
-            short_high1 = _o160.high1;
-            short_low2 = _o160.low2;
-            short_high2 = _o160.high2;
-            fits = _o160.fits;
-            const kernel_coarse_out _o161 = kernel_coarse(short_rate_margin, short_flat, short_ceiling, short_share, searching, representable, fits);
-            stepping = _o161.stepping;
-            searching = _o161.searching;
-            single_precision = _o161.single_precision;
-            ceiling = _o161.ceiling;
-            flat = _o161.flat;
-            tilt = _o161.tilt;
-            allowing = _o161.allowing;
-            const kernel_allowance_out _o162 = kernel_allowance(allowing, latest, extent, speed, position_error, velocity_error, p_gravity);
-            excess = _o162.excess;
-            const kernel_ring_budget_exceeded_out _o163 = kernel_ring_budget_exceeded(until, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            budget_exceeded = _o163.budget_exceeded;
-            const kernel_out_of_budget_out _o164 = kernel_out_of_budget(pad, budget_exceeded, earliest_delay, doubt, excess);
-            doubt = _o164.doubt;
+            const kernel_beginning_out _o56 = kernel_beginning();
+            share = _o56.share;
+            arrival = _o56.arrival;
+            certain = _o56.certain;
+            const kernel_left_out _o57 = kernel_left(0.0, last);
+            leaving = _o57.leaving;
+            const kernel_ring_opened_out _o58 = kernel_ring_opened(until, x, y, z, vx, vy, vz, extent, speed, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+            onset = _o58.t;
+            wide_end = _o58.end;
+            searching = _o58.searching;
+            wide_low1 = _o58.low1;
+            wide_high1 = _o58.high1;
+            wide_low2 = _o58.low2;
+            wide_high2 = _o58.high2;
+            lapsed = _o58.latest;
+            representable = _o58.representable;
+            const kernel_opened_out _o59 = kernel_opened(lapsed, onset);
+            since = _o59.time;
+            if (BOUNDS)
+                latest = _o59.latest;
+            const kernel_ring_started_out _o60 = kernel_ring_started(x, y, z, vx, vy, vz, p_ring_radius);
+            rho_start = _o60.rho_start;
+            start_rate = _o60.start_rate;
+            rho_rate = _o60.rho_rate;
+            const kernel_flight_out _o61 = kernel_flight(since, x, y, z, vx, vy, vz, p_gravity);
+            near_x = _o61.x;
+            near_y = _o61.y;
+            near_z = _o61.z;
+            near_vz = _o61.vz;
+            const kernel_ring_resolution_out _o62 = kernel_ring_resolution(onset, wide_end, leaving, lapsed, near_x, near_y, near_z, vx, vy, near_vz, extent, speed, start_rate, rho_rate, wide_low1, wide_high1, wide_low2, wide_high2, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+            short_share = _o62.share;
+            short_t = _o62.t;
+            short_end = _o62.end;
+            short_x = _o62.x;
+            short_y = _o62.y;
+            short_z = _o62.z;
+            short_vx = _o62.vx;
+            short_vy = _o62.vy;
+            short_vz = _o62.vz;
+            short_energy2 = _o62.energy2;
+            short_moment2 = _o62.moment2;
+            short_rho_start = _o62.rho_start;
+            short_ceiling = _o62.ceiling;
+            short_flat = _o62.flat;
+            short_tilt = _o62.tilt;
+            short_jerk = _o62.jerk;
+            short_quotient_margin = _o62.quotient_margin;
+            short_start_rate = _o62.start_rate;
+            short_rho_rate = _o62.rho_rate;
+            short_rate_margin = _o62.rate_margin;
+            short_low1 = _o62.low1;
+            short_high1 = _o62.high1;
+            short_low2 = _o62.low2;
+            short_high2 = _o62.high2;
+            fits = _o62.fits;
+            const kernel_coarse_out _o63 = kernel_coarse(short_rate_margin, short_flat, short_ceiling, short_share, searching, representable, fits);
+            stepping = _o63.stepping;
+            searching = _o63.searching;
+            single_precision = _o63.single_precision;
+            ceiling = _o63.ceiling;
+            flat = _o63.flat;
+            tilt = _o63.tilt;
+            if (BOUNDS)
+                allowing = _o63.allowing;
+            if (BOUNDS) {
+                const kernel_allowance_out _o64 = kernel_allowance(allowing, latest, extent, speed, position_error, velocity_error, p_gravity);
+                excess = _o64.excess;
+                const kernel_ring_budget_exceeded_out _o65 = kernel_ring_budget_exceeded(until, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                budget_exceeded = _o65.budget_exceeded;
+                const kernel_out_of_budget_out _o66 = kernel_out_of_budget(pad, budget_exceeded, earliest_delay, doubt, excess);
+                doubt = _o66.doubt;
+            }
             if (stepping) {
-                const kernel_ring_step_out _o165 = kernel_ring_step(short_t, short_end, short_rate_margin, short_ceiling, short_x, short_y, short_z, short_vx, short_vy, short_vz, short_energy2, short_moment2, short_rho_start, short_flat, short_tilt, short_quotient_margin, short_jerk, short_start_rate, short_rho_rate, short_low1, short_high1, short_low2, short_high2, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                short_t = _o165.t;
-                short_end = _o165.end;
-                certain = _o165.certain;
-                stepping = _o165.stepping;
+                const kernel_ring_step_out _o67 = kernel_ring_step(short_t, short_end, short_rate_margin, short_ceiling, short_x, short_y, short_z, short_vx, short_vy, short_vz, short_energy2, short_moment2, short_rho_start, short_flat, short_tilt, short_quotient_margin, short_jerk, short_start_rate, short_rho_rate, short_low1, short_high1, short_low2, short_high2, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                short_t = _o67.t;
+                short_end = _o67.end;
+                certain = _o67.certain;
+                stepping = _o67.stepping;
             }
             for (size_t _turn = 0; _turn < 24; _turn++) {
                 if (!stepping)
                     break;
-                const kernel_ring_step_out _o166 = kernel_ring_step(short_t, short_end, short_rate_margin, short_ceiling, short_x, short_y, short_z, short_vx, short_vy, short_vz, short_energy2, short_moment2, short_rho_start, short_flat, short_tilt, short_quotient_margin, short_jerk, short_start_rate, short_rho_rate, short_low1, short_high1, short_low2, short_high2, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                short_t = _o166.t;
-                short_end = _o166.end;
-                certain = _o166.certain;
-                stepping = _o166.stepping;
+                const kernel_ring_step_out _o68 = kernel_ring_step(short_t, short_end, short_rate_margin, short_ceiling, short_x, short_y, short_z, short_vx, short_vy, short_vz, short_energy2, short_moment2, short_rho_start, short_flat, short_tilt, short_quotient_margin, short_jerk, short_start_rate, short_rho_rate, short_low1, short_high1, short_low2, short_high2, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                short_t = _o68.t;
+                short_end = _o68.end;
+                certain = _o68.certain;
+                stepping = _o68.stepping;
             }
-            const kernel_stepped_out _o167 = kernel_stepped(arrival, short_t, searching, since, single_precision, certain);
-            arrival = _o167.arrival;
-            t = _o167.t;
-            searching = _o167.searching;
+            const kernel_stepped_out _o69 = kernel_stepped(arrival, short_t, searching, since, single_precision, certain);
+            arrival = _o69.arrival;
+            t = _o69.t;
+            searching = _o69.searching;
             if (searching) {
-                const kernel_ring_prepare_out _o168 = kernel_ring_prepare(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                energy2 = _o168.energy2;
-                moment2 = _o168.moment2;
-                rho_start = _o168.rho_start;
-                low0 = _o168.low0;
-                high0 = _o168.high0;
-                low1 = _o168.low1;
-                high1 = _o168.high1;
-                low2 = _o168.low2;
-                high2 = _o168.high2;
-                ceiling = _o168.ceiling;
-                latest = _o168.latest;
-                const kernel_allowance_out _o169 = kernel_allowance(share, latest, extent, speed, position_error, velocity_error, p_gravity);
-                position_level = _o169.position_level;
-                velocity_level = _o169.velocity_level;
-                const kernel_ring_margins_out _o170 = kernel_ring_margins(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                flat = _o170.margin;
-                tilt = _o170.leaving_margin;
-                rate_slack = _o170.rate_margin;
-                const kernel_ring_enter_out _o171 = kernel_ring_enter(t, 0.0, t, low0, low1, low2, high0, high1, high2);
-                t = _o171.t;
-                end = _o171.end;
-                searching = _o171.searching;
+                const kernel_ring_prepare_out _o70 = kernel_ring_prepare(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                energy2 = _o70.energy2;
+                moment2 = _o70.moment2;
+                rho_start = _o70.rho_start;
+                low0 = _o70.low0;
+                high0 = _o70.high0;
+                low1 = _o70.low1;
+                high1 = _o70.high1;
+                low2 = _o70.low2;
+                high2 = _o70.high2;
+                ceiling = _o70.ceiling;
+                latest = _o70.latest;
+                const kernel_allowance_out _o71 = kernel_allowance(share, latest, extent, speed, position_error, velocity_error, p_gravity);
+                position_level = _o71.position_level;
+                velocity_level = _o71.velocity_level;
+                const kernel_ring_margins_out _o72 = kernel_ring_margins(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                flat = _o72.margin;
+                tilt = _o72.leaving_margin;
+                rate_slack = _o72.rate_margin;
+                const kernel_ring_enter_out _o73 = kernel_ring_enter(t, 0.0, t, low0, low1, low2, high0, high1, high2);
+                t = _o73.t;
+                end = _o73.end;
+                searching = _o73.searching;
                 for (size_t _turn = 0; _turn < 201; _turn++) {
                     if (!searching)
                         break;
-                    const kernel_nearby_out _o172 = kernel_nearby(t, flat, tilt, 0.0, last);
-                    leaving = _o172.leaving;
-                    margin = _o172.margin;
-                    const kernel_ring_advance_out _o173 = kernel_ring_advance(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, energy2, moment2, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                    gap = _o173.gap;
-                    rate = _o173.rate;
-                    bend = _o173.bend;
-                    step = _o173.step;
-                    next = _o173.next;
-                    clearance = _o173.clearance;
-                    const kernel_struck_out _o174 = kernel_struck(gap, rate, bend, margin, rate_slack, clearance, share);
-                    hit = _o174.hit;
-                    sure = _o174.sure;
-                    needs_refinement = _o174.needs_refinement;
+                    const kernel_nearby_out _o74 = kernel_nearby(t, flat, tilt, 0.0, last);
+                    leaving = _o74.leaving;
+                    margin = _o74.margin;
+                    const kernel_ring_advance_out _o75 = kernel_ring_advance(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, energy2, moment2, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                    gap = _o75.gap;
+                    rate = _o75.rate;
+                    bend = _o75.bend;
+                    step = _o75.step;
+                    next = _o75.next;
+                    clearance = _o75.clearance;
+                    const kernel_struck_out _o76 = kernel_struck(gap, rate, bend, margin, rate_slack, clearance, share);
+                    hit = _o76.hit;
+                    sure = _o76.sure;
+                    needs_refinement = _o76.needs_refinement;
                     if (needs_refinement) {
-                        const kernel_finer_out _o175 = kernel_finer(share);
-                        share = _o175.share;
-                        const kernel_allowance_out _o176 = kernel_allowance(share, latest, extent, speed, position_error, velocity_error, p_gravity);
-                        position_level = _o176.position_level;
-                        velocity_level = _o176.velocity_level;
-                        excess = _o176.excess;
-                        const kernel_ring_margins_out _o177 = kernel_ring_margins(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                        flat = _o177.margin;
-                        tilt = _o177.leaving_margin;
-                        rate_slack = _o177.rate_margin;
-                        const kernel_exceeded_out _o178 = kernel_exceeded(t, doubt, excess);
-                        doubt = _o178.doubt;
+                        const kernel_finer_out _o77 = kernel_finer(share);
+                        share = _o77.share;
+                        const kernel_allowance_out _o78 = kernel_allowance(share, latest, extent, speed, position_error, velocity_error, p_gravity);
+                        position_level = _o78.position_level;
+                        velocity_level = _o78.velocity_level;
+                        if (BOUNDS)
+                            excess = _o78.excess;
+                        const kernel_ring_margins_out _o79 = kernel_ring_margins(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                        flat = _o79.margin;
+                        tilt = _o79.leaving_margin;
+                        rate_slack = _o79.rate_margin;
+                        if (BOUNDS) {
+                            const kernel_exceeded_out _o80 = kernel_exceeded(t, doubt, excess);
+                            doubt = _o80.doubt;
+                        }
                     }
-                    const kernel_advanced_out _o179 = kernel_advanced(t, end, step, next, arrival, hit, sure, needs_refinement, certain);
-                    arrival = _o179.arrival;
-                    certain = _o179.certain;
-                    exhausted = _o179.exhausted;
-                    searching = _o179.searching;
-                    t = _o179.t;
+                    const kernel_advanced_out _o81 = kernel_advanced(t, end, step, next, arrival, hit, sure, needs_refinement, certain);
+                    arrival = _o81.arrival;
+                    certain = _o81.certain;
+                    exhausted = _o81.exhausted;
+                    searching = _o81.searching;
+                    t = _o81.t;
                     if (exhausted) {
-                        const kernel_ring_enter_out _o180 = kernel_ring_enter(t, end, end, low0, low1, low2, high0, high1, high2);
-                        t = _o180.t;
-                        end = _o180.end;
-                        searching = _o180.searching;
+                        const kernel_ring_enter_out _o82 = kernel_ring_enter(t, end, end, low0, low1, low2, high0, high1, high2);
+                        t = _o82.t;
+                        end = _o82.end;
+                        searching = _o82.searching;
                     }
                 }
-                const kernel_questioned_out _o181 = kernel_questioned(t, doubt, searching);
-                doubt = _o181.doubt;
+                if (BOUNDS) {
+                    const kernel_questioned_out _o83 = kernel_questioned(t, doubt, searching);
+                    doubt = _o83.doubt;
+                }
             }
-            const kernel_found_out _o182 = kernel_found(arrival);
-            arrives = _o182.arrives;
-            refining = _o182.refining;
-            rate = _o182.rate;
-            const kernel_nearby_out _o183 = kernel_nearby(arrival, flat, tilt, 0.0, last);
-            leaving = _o183.leaving;
+            const kernel_found_out _o84 = kernel_found(arrival);
+            arrives = _o84.arrives;
+            refining = _o84.refining;
+            if (BOUNDS)
+                rate = _o84.rate;
+            const kernel_nearby_out _o85 = kernel_nearby(arrival, flat, tilt, 0.0, last);
+            leaving = _o85.leaving;
             if (refining) {
-                const kernel_ring_refine_out _o184 = kernel_ring_refine(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                refined = _o184.time;
-                gap = _o184.gap;
-                rate = _o184.rate;
-                const kernel_polished_out _o185 = kernel_polished(gap, rate, ceiling, arrival, refined, certain);
-                arrival = _o185.arrival;
-                refining = _o185.refining;
+                const kernel_ring_refine_out _o86 = kernel_ring_refine(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                refined = _o86.time;
+                gap = _o86.gap;
+                rate = _o86.rate;
+                const kernel_polished_out _o87 = kernel_polished(gap, rate, ceiling, arrival, refined, certain);
+                arrival = _o87.arrival;
+                refining = _o87.refining;
             }
             if (refining) {
-                const kernel_ring_refine_out _o186 = kernel_ring_refine(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                refined = _o186.time;
-                gap = _o186.gap;
-                rate = _o186.rate;
-                const kernel_polished_out _o187 = kernel_polished(gap, rate, ceiling, arrival, refined, certain);
-                arrival = _o187.arrival;
-                refining = _o187.refining;
+                const kernel_ring_refine_out _o88 = kernel_ring_refine(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                refined = _o88.time;
+                gap = _o88.gap;
+                rate = _o88.rate;
+                const kernel_polished_out _o89 = kernel_polished(gap, rate, ceiling, arrival, refined, certain);
+                arrival = _o89.arrival;
+                refining = _o89.refining;
             }
             for (size_t _turn = 0; _turn < 8; _turn++) {
                 if (!refining)
                     break;
-                const kernel_ring_refine_out _o188 = kernel_ring_refine(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                refined = _o188.time;
-                gap = _o188.gap;
-                rate = _o188.rate;
-                const kernel_polished_out _o189 = kernel_polished(gap, rate, ceiling, arrival, refined, certain);
-                arrival = _o189.arrival;
-                refining = _o189.refining;
+                const kernel_ring_refine_out _o90 = kernel_ring_refine(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                refined = _o90.time;
+                gap = _o90.gap;
+                rate = _o90.rate;
+                const kernel_polished_out _o91 = kernel_polished(gap, rate, ceiling, arrival, refined, certain);
+                arrival = _o91.arrival;
+                refining = _o91.refining;
             }
-            const kernel_ring_margins_out _o190 = kernel_ring_margins(latest, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            flat = _o190.margin;
-            tilt = _o190.leaving_margin;
-            rate_margin = _o190.rate_margin;
-            const kernel_own_margin_out _o191 = kernel_own_margin(leaving, flat, tilt, arrival);
-            margin = _o191.margin;
-            const kernel_crossing_out _o192 = kernel_crossing(margin, rate_margin, rate, ceiling);
-            clearance = _o192.clearance;
-            delay = _o192.delay;
-            const kernel_landed_out _o193 = kernel_landed(arrival);
-            time = _o193.time;
-            const kernel_landed_surely_out _o194 = kernel_landed_surely(clearance, time, delay, doubt, arrives, certain);
-            delay = _o194.delay;
-            doubt = _o194.doubt;
-            const kernel_tied_out _o195 = kernel_tied(time, when, delay, earliest_delay, doubt, arrives);
-            doubt = _o195.doubt;
-            earliest_delay = _o195.earliest_delay;
-            const kernel_earliest_out _o196 = kernel_earliest(0.0, time, when, which, arrives);
-            when = _o196.when;
-            which = _o196.which;
+            if (BOUNDS) {
+                const kernel_ring_margins_out _o92 = kernel_ring_margins(latest, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                flat = _o92.margin;
+                tilt = _o92.leaving_margin;
+                rate_margin = _o92.rate_margin;
+                const kernel_own_margin_out _o93 = kernel_own_margin(leaving, flat, tilt, arrival);
+                margin = _o93.margin;
+                const kernel_crossing_out _o94 = kernel_crossing(margin, rate_margin, rate, ceiling);
+                clearance = _o94.clearance;
+                delay = _o94.delay;
+            }
+            const kernel_landed_out _o95 = kernel_landed(arrival);
+            time = _o95.time;
+            if (BOUNDS) {
+                const kernel_landed_surely_out _o96 = kernel_landed_surely(clearance, time, delay, doubt, arrives, certain);
+                delay = _o96.delay;
+                doubt = _o96.doubt;
+                const kernel_tied_out _o97 = kernel_tied(time, when, delay, earliest_delay, doubt, arrives);
+                doubt = _o97.doubt;
+                earliest_delay = _o97.earliest_delay;
+            }
+            const kernel_earliest_out _o98 = kernel_earliest(0.0, time, when, which, arrives);
+            when = _o98.when;
+            which = _o98.which;
         }
         if (limited) {
-            const kernel_expiry_out _o197 = kernel_expiry(when, which, earliest_delay, doubt, time_error, clock, time_limit);
-            time = _o197.time;
-            delay = _o197.delay;
-            arrives = _o197.arrives;
-            doubt = _o197.doubt;
-            const kernel_tied_out _o198 = kernel_tied(time, when, delay, earliest_delay, doubt, arrives);
-            doubt = _o198.doubt;
-            earliest_delay = _o198.earliest_delay;
-            const kernel_earliest_out _o199 = kernel_earliest(4.0, time, when, which, arrives);
-            when = _o199.when;
-            which = _o199.which;
+            const kernel_expiry_out _o99 = kernel_expiry(when, which, earliest_delay, doubt, time_error, clock, time_limit);
+            time = _o99.time;
+            arrives = _o99.arrives;
+            if (BOUNDS) {
+                delay = _o99.delay;
+                doubt = _o99.doubt;
+            }
+            if (BOUNDS) {
+                const kernel_tied_out _o100 = kernel_tied(time, when, delay, earliest_delay, doubt, arrives);
+                doubt = _o100.doubt;
+                earliest_delay = _o100.earliest_delay;
+            }
+            const kernel_earliest_out _o101 = kernel_earliest(4.0, time, when, which, arrives);
+            when = _o101.when;
+            which = _o101.which;
         }
-        const kernel_departed_out _o200 = kernel_departed(3.0, which);
-        moves = _o200.moves;
-        ends = _o200.ends;
-        touches = _o200.touches;
-        reached = _o200.reached;
-        edge = _o200.edge;
-        const kernel_body_of_out _o201 = kernel_body_of(which);
-        body = _o201.body;
+        const kernel_departed_out _o102 = kernel_departed(3.0, which);
+        moves = _o102.moves;
+        ends = _o102.ends;
+        touches = _o102.touches;
+        reached = _o102.reached;
+        if (BOUNDS)
+            edge = _o102.edge;
+        const kernel_body_of_out _o103 = kernel_body_of(which);
+        body = _o103.body;
         if (moves) {
-            const kernel_flight_out _o202 = kernel_flight(when, x, y, z, vx, vy, vz, p_gravity);
-            x = _o202.x;
-            y = _o202.y;
-            z = _o202.z;
-            vx = _o202.vx;
-            vy = _o202.vy;
-            vz = _o202.vz;
-            const kernel_event_clock_out _o203 = kernel_event_clock(when, clock);
-            clock = _o203.clock;
+            const kernel_flight_out _o104 = kernel_flight(when, x, y, z, vx, vy, vz, p_gravity);
+            x = _o104.x;
+            y = _o104.y;
+            z = _o104.z;
+            vx = _o104.vx;
+            vy = _o104.vy;
+            vz = _o104.vz;
+            const kernel_event_clock_out _o105 = kernel_event_clock(when, clock);
+            clock = _o105.clock;
         }
         if (limited) {
-            const kernel_expired_out _o204 = kernel_expired(4.0, which, body, clock, reached, time_limit, ends);
-            clock = _o204.clock;
-            body = _o204.body;
-            reached = _o204.reached;
-            ends = _o204.ends;
+            const kernel_expired_out _o106 = kernel_expired(4.0, which, body, clock, reached, time_limit, ends);
+            clock = _o106.clock;
+            body = _o106.body;
+            reached = _o106.reached;
+            ends = _o106.ends;
         }
-        const kernel_displacement_out _o205 = kernel_displacement(earliest_delay, when, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_gravity, p_end_depth);
-        slack = _o205.margin;
-        const kernel_here_out _o206 = kernel_here(3.0, which);
-        here = _o206.here;
+        if (BOUNDS) {
+            const kernel_displacement_out _o107 = kernel_displacement(earliest_delay, when, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_gravity, p_end_depth);
+            slack = _o107.margin;
+        }
+        const kernel_here_out _o108 = kernel_here(3.0, which);
+        here = _o108.here;
         if (here) {
-            const kernel_end_bounds_out _o207 = kernel_end_bounds(x, y, p_ring_radius);
-            g0 = _o207.g0;
-            const kernel_end_reached_out _o208 = kernel_end_reached(g0);
-            reached = _o208.reached;
-            const kernel_end_edge_out _o209 = kernel_end_edge(slack, g0);
-            edge = _o209.edge;
+            const kernel_end_bounds_out _o109 = kernel_end_bounds(x, y, p_ring_radius);
+            g0 = _o109.g0;
+            const kernel_end_reached_out _o110 = kernel_end_reached(g0);
+            reached = _o110.reached;
+            if (BOUNDS) {
+                const kernel_end_edge_out _o111 = kernel_end_edge(slack, g0);
+                edge = _o111.edge;
+            }
         }
-        const kernel_doubted_out _o210 = kernel_doubted(when, earliest_delay, doubt, uncertain, edge);
-        uncertain = _o210.uncertain;
-        const kernel_accounted_out _o211 = kernel_accounted(contacts, most_contacts, reached, touches);
-        contacts = _o211.contacts;
-        outcome = _o211.outcome;
+        if (BOUNDS) {
+            const kernel_doubted_out _o112 = kernel_doubted(when, earliest_delay, doubt, uncertain, edge);
+            uncertain = _o112.uncertain;
+        }
+        const kernel_accounted_out _o113 = kernel_accounted(contacts, most_contacts, reached, touches);
+        contacts = _o113.contacts;
+        outcome = _o113.outcome;
 
         const double _before[] = {x, y, z, vx, vy, vz, wx, wy, wz};
 
         /* What it does to the ball. */
-        const kernel_meeting_out _o212 = kernel_meeting(claims, ends, touches);
-        meeting = _o212.meeting;
+        const kernel_meeting_out _o114 = kernel_meeting(claims, ends, touches);
+        meeting = _o114.meeting;
         if (meeting) {
-            const kernel_end_normal_out _o213 = kernel_end_normal();
-            nx = _o213.nx;
-            ny = _o213.ny;
-            nz = _o213.nz;
-            const kernel_here_out _o214 = kernel_here(0.0, which);
-            here = _o214.here;
+            const kernel_end_normal_out _o115 = kernel_end_normal();
+            nx = _o115.nx;
+            ny = _o115.ny;
+            nz = _o115.nz;
+            const kernel_here_out _o116 = kernel_here(0.0, which);
+            here = _o116.here;
             if (here) {
-                const kernel_ring_normal_out _o215 = kernel_ring_normal(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
-                nx = _o215.nx;
-                ny = _o215.ny;
-                nz = _o215.nz;
-                const kernel_counted_out _o216 = kernel_counted(count_0);
-                count_0 = _o216.count;
+                const kernel_ring_normal_out _o117 = kernel_ring_normal(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
+                nx = _o117.nx;
+                ny = _o117.ny;
+                nz = _o117.nz;
+                const kernel_counted_out _o118 = kernel_counted(count_0);
+                count_0 = _o118.count;
             }
-            const kernel_here_out _o217 = kernel_here(1.0, which);
-            here = _o217.here;
+            const kernel_here_out _o119 = kernel_here(1.0, which);
+            here = _o119.here;
             if (here) {
-                const kernel_backboard_normal_out _o218 = kernel_backboard_normal();
-                nx = _o218.nx;
-                ny = _o218.ny;
-                nz = _o218.nz;
-                const kernel_counted_out _o219 = kernel_counted(count_1);
-                count_1 = _o219.count;
+                const kernel_backboard_normal_out _o120 = kernel_backboard_normal();
+                nx = _o120.nx;
+                ny = _o120.ny;
+                nz = _o120.nz;
+                const kernel_counted_out _o121 = kernel_counted(count_1);
+                count_1 = _o121.count;
             }
-            const kernel_here_out _o220 = kernel_here(2.0, which);
-            here = _o220.here;
+            const kernel_here_out _o122 = kernel_here(2.0, which);
+            here = _o122.here;
             if (here) {
-                const kernel_bridge_normal_out _o221 = kernel_bridge_normal();
-                nx = _o221.nx;
-                ny = _o221.ny;
-                nz = _o221.nz;
-                const kernel_counted_out _o222 = kernel_counted(count_2);
-                count_2 = _o222.count;
+                const kernel_bridge_normal_out _o123 = kernel_bridge_normal();
+                nx = _o123.nx;
+                ny = _o123.ny;
+                nz = _o123.nz;
+                const kernel_counted_out _o124 = kernel_counted(count_2);
+                count_2 = _o124.count;
             }
-            const kernel_elsewhere_out _o223 = kernel_elsewhere();
-            curving = _o223.curving;
-            const kernel_again_out _o224 = kernel_again(0.0, last, which);
-            again = _o224.again;
-            if (again) {
-                const kernel_ring_curvature_out _o225 = kernel_ring_curvature(p_ball_radius, p_ring_radius, p_wire_radius);
-                curving = _o225.curvature;
-            }
-            const kernel_again_out _o226 = kernel_again(1.0, last, which);
-            again = _o226.again;
-            if (again) {
-                const kernel_backboard_curvature_out _o227 = kernel_backboard_curvature();
-                curving = _o227.curvature;
-            }
-            const kernel_again_out _o228 = kernel_again(2.0, last, which);
-            again = _o228.again;
-            if (again) {
-                const kernel_bridge_curvature_out _o229 = kernel_bridge_curvature();
-                curving = _o229.curvature;
-            }
-            const kernel_carry_flight_out _o230 = kernel_carry_flight(when, x, y, z, vx, vy, vz, nx, ny, nz, clock, contacts, earliest_delay, dx, dy, dz, dvx, dvy, dvz, curving, p_gravity);
-            dx = _o230.dx;
-            dy = _o230.dy;
-            dz = _o230.dz;
-            dvx = _o230.dvx;
-            dvy = _o230.dvy;
-            dvz = _o230.dvz;
-            belated = _o230.delay;
-            shift = _o230.shift;
-            const kernel_delayed_out _o231 = kernel_delayed(belated, clock_error);
-            clock_error = _o231.clock_error;
-            if (ends) {
-                const kernel_floored_out _o232 = kernel_floored(dx, dy, dz, shift);
-                dx = _o232.dx;
-                dy = _o232.dy;
-                dz = _o232.dz;
-            }
-            const kernel_unturned_out _o233 = kernel_unturned();
-            dnx = _o233.dnx;
-            dny = _o233.dny;
-            dnz = _o233.dnz;
-            turn = _o233.turn;
-            const kernel_here_out _o234 = kernel_here(0.0, which);
-            here = _o234.here;
-            if (here) {
-                const kernel_ring_carry_normal_out _o235 = kernel_ring_carry_normal(x, y, dx, dy, dz, shift, p_ball_radius, p_ring_radius, p_wire_radius);
-                dnx = _o235.dnx;
-                dny = _o235.dny;
-                dnz = _o235.dnz;
-                turn = _o235.turn;
+            if (BOUNDS) {
+                const kernel_elsewhere_out _o125 = kernel_elsewhere();
+                curving = _o125.curving;
+                const kernel_again_out _o126 = kernel_again(0.0, last, which);
+                again = _o126.again;
+                if (again) {
+                    const kernel_ring_curvature_out _o127 = kernel_ring_curvature(p_ball_radius, p_ring_radius, p_wire_radius);
+                    curving = _o127.curvature;
+                }
+                const kernel_again_out _o128 = kernel_again(1.0, last, which);
+                again = _o128.again;
+                if (again) {
+                    const kernel_backboard_curvature_out _o129 = kernel_backboard_curvature();
+                    curving = _o129.curvature;
+                }
+                const kernel_again_out _o130 = kernel_again(2.0, last, which);
+                again = _o130.again;
+                if (again) {
+                    const kernel_bridge_curvature_out _o131 = kernel_bridge_curvature();
+                    curving = _o131.curvature;
+                }
+                const kernel_carry_flight_out _o132 = kernel_carry_flight(when, x, y, z, vx, vy, vz, nx, ny, nz, clock, contacts, earliest_delay, dx, dy, dz, dvx, dvy, dvz, curving, p_gravity);
+                dx = _o132.dx;
+                dy = _o132.dy;
+                dz = _o132.dz;
+                dvx = _o132.dvx;
+                dvy = _o132.dvy;
+                dvz = _o132.dvz;
+                belated = _o132.delay;
+                shift = _o132.shift;
+                const kernel_delayed_out _o133 = kernel_delayed(belated, clock_error);
+                clock_error = _o133.clock_error;
+                if (ends) {
+                    const kernel_floored_out _o134 = kernel_floored(dx, dy, dz, shift);
+                    dx = _o134.dx;
+                    dy = _o134.dy;
+                    dz = _o134.dz;
+                }
+                const kernel_unturned_out _o135 = kernel_unturned();
+                dnx = _o135.dnx;
+                dny = _o135.dny;
+                dnz = _o135.dnz;
+                turn = _o135.turn;
+                const kernel_here_out _o136 = kernel_here(0.0, which);
+                here = _o136.here;
+                if (here) {
+                    const kernel_ring_carry_normal_out _o137 = kernel_ring_carry_normal(x, y, dx, dy, dz, shift, p_ball_radius, p_ring_radius, p_wire_radius);
+                    dnx = _o137.dnx;
+                    dny = _o137.dny;
+                    dnz = _o137.dnz;
+                    turn = _o137.turn;
+                }
             }
             if (touches) {
-                const kernel_carry_impact_out _o236 = kernel_carry_impact(vx, vy, vz, wx, wy, wz, nx, ny, nz, contacts, dvx, dvy, dvz, dwx, dwy, dwz, dnx, dny, dnz, turn, p_ball_radius, p_restitution);
-                dvx = _o236.dvx;
-                dvy = _o236.dvy;
-                dvz = _o236.dvz;
-                dwx = _o236.dwx;
-                dwy = _o236.dwy;
-                dwz = _o236.dwz;
-                const kernel_impact_out _o237 = kernel_impact(vx, vy, vz, wx, wy, wz, nx, ny, nz, p_ball_radius, p_restitution);
-                vx = _o237.vx;
-                vy = _o237.vy;
-                vz = _o237.vz;
-                wx = _o237.wx;
-                wy = _o237.wy;
-                wz = _o237.wz;
+                if (BOUNDS) {
+                    const kernel_carry_impact_out _o138 = kernel_carry_impact(vx, vy, vz, wx, wy, wz, nx, ny, nz, contacts, dvx, dvy, dvz, dwx, dwy, dwz, dnx, dny, dnz, turn, p_ball_radius, p_restitution);
+                    dvx = _o138.dvx;
+                    dvy = _o138.dvy;
+                    dvz = _o138.dvz;
+                    dwx = _o138.dwx;
+                    dwy = _o138.dwy;
+                    dwz = _o138.dwz;
+                }
+                const kernel_impact_out _o139 = kernel_impact(vx, vy, vz, wx, wy, wz, nx, ny, nz, p_ball_radius, p_restitution);
+                vx = _o139.vx;
+                vy = _o139.vy;
+                vz = _o139.vz;
+                wx = _o139.wx;
+                wy = _o139.wy;
+                wz = _o139.wz;
             }
-            const kernel_here_out _o238 = kernel_here(1.0, which);
-            here = _o238.here;
+            const kernel_here_out _o140 = kernel_here(1.0, which);
+            here = _o140.here;
             if (here) {
-                const kernel_backboard_place_out _o239 = kernel_backboard_place(y, z, p_ball_radius, p_board_distance);
-                x = _o239.x;
-                y = _o239.y;
-                z = _o239.z;
+                const kernel_backboard_place_out _o141 = kernel_backboard_place(y, z, p_ball_radius, p_board_distance);
+                x = _o141.x;
+                y = _o141.y;
+                z = _o141.z;
             }
-            const kernel_here_out _o240 = kernel_here(2.0, which);
-            here = _o240.here;
+            const kernel_here_out _o142 = kernel_here(2.0, which);
+            here = _o142.here;
             if (here) {
-                const kernel_bridge_place_out _o241 = kernel_bridge_place(x, y, p_ball_radius, p_wire_radius);
-                x = _o241.x;
-                y = _o241.y;
-                z = _o241.z;
+                const kernel_bridge_place_out _o143 = kernel_bridge_place(x, y, p_ball_radius, p_wire_radius);
+                x = _o143.x;
+                y = _o143.y;
+                z = _o143.z;
             }
             if (touches) {
-                const kernel_touched_out _o242 = kernel_touched(which, body, first);
-                first = _o242.first;
-                last = _o242.last;
+                const kernel_touched_out _o144 = kernel_touched(which, body, first);
+                first = _o144.first;
+                last = _o144.last;
             }
         }
-        if (limited) {
-            const kernel_timed_out _o243 = kernel_timed(4.0, which, claims);
-            timed = _o243.timed;
-            if (timed) {
-                const kernel_carry_time_out _o244 = kernel_carry_time(when, x, y, z, vx, vy, vz, clock, clock_error, dx, dy, dz, dvx, dvy, dvz, p_gravity);
-                dx = _o244.dx;
-                dy = _o244.dy;
-                dz = _o244.dz;
-                dvx = _o244.dvx;
-                dvy = _o244.dvy;
-                dvz = _o244.dvz;
-                clock_error = _o244.clock_error;
+        if (BOUNDS) {
+            if (limited) {
+                const kernel_timed_out _o145 = kernel_timed(4.0, which, claims);
+                timed = _o145.timed;
+                if (timed) {
+                    const kernel_carry_time_out _o146 = kernel_carry_time(when, x, y, z, vx, vy, vz, clock, clock_error, dx, dy, dz, dvx, dvy, dvz, p_gravity);
+                    dx = _o146.dx;
+                    dy = _o146.dy;
+                    dz = _o146.dz;
+                    dvx = _o146.dvx;
+                    dvy = _o146.dvy;
+                    dvz = _o146.dvz;
+                    clock_error = _o146.clock_error;
+                }
             }
-        }
-        const kernel_closing_out _o245 = kernel_closing(outcome, claims);
-        closed = _o245.closed;
-        position_claim = _o245.position_claim;
-        velocity_claim = _o245.velocity_claim;
-        spin_claim = _o245.spin_claim;
-        time_claim = _o245.time_claim;
-        if (closed) {
-            const kernel_claimed_errors_out _o246 = kernel_claimed_errors(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
-            position_claim = _o246.position_error;
-            velocity_claim = _o246.velocity_error;
-            spin_claim = _o246.spin_error;
-            time_claim = _o246.time_error;
+            const kernel_closing_out _o147 = kernel_closing(outcome, claims);
+            closed = _o147.closed;
+            position_claim = _o147.position_claim;
+            velocity_claim = _o147.velocity_claim;
+            spin_claim = _o147.spin_claim;
+            time_claim = _o147.time_claim;
+            if (closed) {
+                const kernel_claimed_errors_out _o148 = kernel_claimed_errors(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
+                position_claim = _o148.position_error;
+                velocity_claim = _o148.velocity_error;
+                spin_claim = _o148.spin_error;
+                time_claim = _o148.time_error;
+            }
         }
 
         if (_events && body >= 0.0) {
@@ -3150,16 +2675,39 @@ extern "C" __global__ void hoop_bounded(
         ((double *)_results[5])[9 * _shot + 7] = _invalid ? NOT_A_NUMBER : wy;
         ((double *)_results[5])[9 * _shot + 8] = _invalid ? NOT_A_NUMBER : wz;
     }
-    if (_results[6]) {
+    if (BOUNDS && _results[6]) {
         ((double *)_results[6])[_shot] = _invalid ? NOT_A_NUMBER : time_claim;
     }
-    if (_results[7]) {
+    if (BOUNDS && _results[7]) {
         ((double *)_results[7])[3 * _shot + 0] = _invalid ? NOT_A_NUMBER : position_claim;
         ((double *)_results[7])[3 * _shot + 1] = _invalid ? NOT_A_NUMBER : velocity_claim;
         ((double *)_results[7])[3 * _shot + 2] = _invalid ? NOT_A_NUMBER : spin_claim;
     }
-    if (_results[8]) {
+    if (BOUNDS && _results[8]) {
         ((unsigned char *)_results[8])[_shot] = (unsigned char)(int)uncertain;
     }
+}
+
+#if VARIANT != 1
+/* The path alone. */
+extern "C" __global__ void hoop_plain(
+    long long _shots, long long _first, const double *_states, const double *const *_values,
+    const long long *_strides, const signed char *_leaving, int _max_contacts, double time_limit,
+    void *const *_results)
+{
+    hoop_loop<false>(
+        _shots, _first, _states, _values, _strides, _leaving, _max_contacts, time_limit, _results);
+}
+#endif
+
+#if VARIANT != 0
+/* With bounds on errors. */
+extern "C" __global__ void hoop_bounded(
+    long long _shots, long long _first, const double *_states, const double *const *_values,
+    const long long *_strides, const signed char *_leaving, int _max_contacts, double time_limit,
+    void *const *_results)
+{
+    hoop_loop<true>(
+        _shots, _first, _states, _values, _strides, _leaving, _max_contacts, time_limit, _results);
 }
 #endif

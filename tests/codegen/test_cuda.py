@@ -6,12 +6,14 @@ For the second claim the same source is compiled for this processor.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import partial
 
 import numpy as np
 import pytest
 from hoopgen.derive import scenes
+from hoopgen.derive.model import build
+from hoopgen.derive.scenes.scene import Scene
 from numpy.typing import NDArray
 
 import hoopgen
@@ -19,7 +21,11 @@ from benchmarks import own_scenes, workloads
 from hoopgen import COURT, HOOP
 from hoopgen.codegen import render
 from hoopgen.codegen.cuda import CudaBackend
+from hoopgen.codegen.cuda.loop import ShotLoop
 from hoopgen.codegen.registry import BACKENDS, register
+from hoopgen.codegen.rerolling import parameter_kernels
+from hoopgen.codegen.statements import Assign, Call, For, If, Member, Name, Number, Statement
+from hoopgen.codegen.variants import variants
 from hoopgen.engine import verification
 from hoopgen.engine.cuda import _INSTRUCTION, FLAGS, unexpected_instructions
 from hoopgen.simulation.court import court_shots
@@ -215,6 +221,50 @@ def test_scenes_of_ones_own_have_the_bits_of_c(file: str, device: HostCuPy) -> N
     ranges = partial(np.random.default_rng(6).uniform, 0.98, 1.02, len(states))
     own = {name: value * ranges() for name, value in scene.parameters.items()}
     agree(scene, states, device, parameters=own, leaving=0)
+
+
+def executed(
+    statements: Sequence[Statement], bounds: bool, values: Mapping[str, float]
+) -> Iterator[tuple[object, ...]]:
+    """Yield what is done if BOUNDS is so, in order, with the numbers of some variables."""
+    for statement in statements:
+        match statement:
+            case If(Name("BOUNDS"), body):
+                yield from executed(body if bounds else (), bounds, values)
+            case If(_, body) | For(_, _, body):
+                yield (statement.test if isinstance(statement, If) else statement.end,)
+                yield from executed(body, bounds, values)
+                yield ("end",)
+            case Call(name, arguments, _):
+                named = [a.name if isinstance(a, Name) else "" for a in arguments]
+                pairs = zip(arguments, named, strict=True)
+                yield (name, *(Number(values[n]) if n in values else a for a, n in pairs))
+            case Assign(Name(variable), Member(_, output)):
+                yield ("=", variable, output)
+
+
+@pytest.mark.parametrize(
+    "scene", [scenes.HOOP, pytest.param(scenes.COURT, marks=pytest.mark.slow)], ids=lambda s: s.name
+)
+def test_the_switch_leaves_the_path_alone_and_all_of_the_loop_with_bounds(
+    scene: Scene,
+) -> None:
+    loop = build(scene).loop
+    plain, bounded = variants(loop)
+    for stage, (nodes, _) in bounded.stages.items():
+        own = plain.stages[stage][0]
+        both, path, all_of_it = (
+            ShotLoop(loop.parameters, parameter_kernels(loop), loop.plain_values).body(*several)
+            for several in ((nodes, own), (own,), (nodes,))
+        )
+        assert list(executed(both, False, loop.plain_values)) == list(executed(path, False, {}))
+        steps = [list(executed(one, True, {})) for one in (both, all_of_it)]
+        first, second = ([step for step in own if step[0] != "="] for own in steps)
+        assert first == second
+        # The outputs of a call are assigned in another order: no call reads them in between.
+        assert sorted(steps[0], key=str) == sorted(steps[1], key=str)
+        assigned = {step[1] for step in executed(both, False, {}) if step[0] == "="}
+        assert not assigned & set(loop.plain_values)
 
 
 def test_a_target_of_ones_own_is_a_backend_that_is_registered() -> None:

@@ -17,7 +17,6 @@ from ..identifiers import identifier
 from ..rerolling import parameter_kernels, rerolled
 from ..statements import Number
 from ..straight_line import PrintedBody, print_body, straight_line
-from ..variants import Variant
 from .loop import ShotLoop, function
 from .spelling import CUDA_FORMATTER, DOUBLE, SINGLE, TYPES, parameter_of_shot
 
@@ -85,29 +84,6 @@ class CudaKernel(KernelView):
 
 
 @dataclass(frozen=True)
-class CudaVariant:
-    """A variant of the event loop in CUDA.
-
-    Attributes
-    ----------
-    lines
-        The lines of each stage.
-    used
-        The parameters that these read by name, with their numbers.
-    variables
-        By type, the variables of a shot with the values that they have before its start.
-    """
-
-    variant: Variant
-    lines: Mapping[str, list[str]] = field(repr=False)
-    used: Mapping[str, int]
-    variables: Mapping[str, str]
-
-    def __getattr__(self, name: str) -> Any:
-        return getattr(self.variant, name)
-
-
-@dataclass(frozen=True)
 class CudaBackend:
     """The target CUDA."""
 
@@ -132,26 +108,32 @@ class CudaBackend:
         }
 
     def loop(self, lowered: LoweredScene, kernels: Mapping[str, Any]) -> Mapping[str, Any]:
-        """Return the event loop in its variants, its tables, and the results that it writes."""
-        lowering = ShotLoop(lowered.model.loop.parameters, parameter_kernels(lowered.model.loop))
-        views = [self._variant(variant, lowering) for variant in lowered.variants]
-        tables = [CUDA_FORMATTER.statement(table) for table in lowering.tables]
-        results = [ResultView(result, C_TYPES) for result in lowered.model.results]
-        return {"loops": views, "tables": tables, "results": results}
+        """Return the event loop, its tables, and the results that it writes.
 
-    def _variant(self, variant: Variant, lowering: ShotLoop) -> CudaVariant:
-        lowering.used = set()
-        stages = {name: nodes for name, (nodes, _) in variant.stages.items()}
-        lines = {name: CUDA_FORMATTER.lines(lowering.body(nodes)) for name, nodes in stages.items()}
-        kinds = variant.kinds | writes(node for nodes in stages.values() for node in nodes)
-        starts = {f.name: f.start for f in variant.fields if f.start is not None}
+        `lines` are the lines of each stage, `used` the parameters that these read by name, with
+        their numbers, and `variables` by type those of a shot, with their values before its start.
+        """
+        loop, (plain, bounded) = lowered.model.loop, lowered.variants
+        lowering = ShotLoop(loop.parameters, parameter_kernels(loop), loop.plain_values)
+        lines = {
+            name: CUDA_FORMATTER.lines(lowering.body(nodes, plain.stages[name][0]))
+            for name, (nodes, _) in bounded.stages.items()
+        }
+        nodes = [node for own, _ in bounded.stages.values() for node in own]
+        starts = {f.name: f.start for f in loop.fields if f.start is not None} | loop.plain_values
         variables: dict[str, list[str]] = {}
-        for name, kind in kinds.items():
+        for name, kind in (bounded.kinds | writes(nodes)).items():
             start = Number(float(starts.get(name, 0.0)), kind == "single")
             value = "false" if kind == "truth" else CUDA_FORMATTER.expression(start)
             variables.setdefault(TYPES[kind], []).append(f"{name} = {value}")
-        numbers = {name: k for k, name in enumerate(lowering.parameters) if name in lowering.used}
-        return CudaVariant(variant, lines, numbers, {t: _wrapped(v) for t, v in variables.items()})
+        return {
+            "loops": lowered.variants,
+            "lines": lines,
+            "used": {n: k for k, n in enumerate(lowering.parameters) if n in lowering.used},
+            "variables": {kind: _wrapped(names) for kind, names in variables.items()},
+            "tables": [CUDA_FORMATTER.statement(table) for table in lowering.tables],
+            "results": [ResultView(result, C_TYPES) for result in lowered.model.results],
+        }
 
 
 def _wrapped(declared: Sequence[str]) -> str:

@@ -1,12 +1,16 @@
-"""Lowering the event loop for one shot: a thread takes it from its release to its end."""
+"""Lowering the event loop for one shot: a thread takes it from its release to its end.
+
+The path alone and that with bounds on errors are one function. Its switch `BOUNDS` is known when it
+is compiled.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from hoopgen.derive.ir import event_tree as ir
-from hoopgen.derive.ir.event_tree import Node
+from hoopgen.derive.ir.event_tree import Node, given_as
 
 from ..statements import (
     Assign,
@@ -33,9 +37,21 @@ def function(kernel: str) -> str:
     return f"kernel_{kernel}"
 
 
+def _guarded(statements: Sequence[Statement]) -> list[Statement]:
+    """Return what is done only with bounds on errors."""
+    return [If(Name("BOUNDS"), tuple(statements))] if statements else []
+
+
+def _head(node: ir.If | ir.While | ir.ForEach) -> tuple[object, ...]:
+    """Return what decides how often a body is done."""
+    if isinstance(node, ir.ForEach):
+        return (ir.ForEach, len(node.rows))
+    return (type(node), node.truth, node.limit if isinstance(node, ir.While) else None)
+
+
 @dataclass
 class ShotLoop:
-    """The lowering of nodes for one shot.
+    """The lowering of nodes for one shot, with bounds on errors where `BOUNDS` is true.
 
     Attributes
     ----------
@@ -43,6 +59,8 @@ class ShotLoop:
         The variables of the scene's parameters, in order.
     takes_all
         The kernels that are given all parameters, by their numbers.
+    plain_values
+        The variables that the loop without bounds never assigns, with their values there.
     tables
         The tables over whose rows bodies are repeated, in the order of their numbers.
     used
@@ -51,26 +69,65 @@ class ShotLoop:
 
     parameters: Sequence[str]
     takes_all: Collection[str]
+    plain_values: Mapping[str, float]
     tables: list[Table] = field(default_factory=list)
     used: set[str] = field(default_factory=set)
     results: int = 0
 
-    def body(self, nodes: Iterable[Node]) -> list[Statement]:
-        """Return the statements of nodes."""
-        found: list[Statement] = []
-        for node in nodes:
-            if isinstance(node, ir.Call):
-                found += self._call(node)
-            elif isinstance(node, ir.If):
-                found.append(If(Name(node.truth), tuple(self.body(node.body))))
-            elif isinstance(node, ir.While):
-                over = If(Operate("not", (Name(node.truth),)), (Break(),))
-                found.append(For("_turn", Scalar(node.limit), (over, *self.body(node.body))))
-            else:
-                found.append(self._each(node))
-        return found
+    def body(self, nodes: Iterable[Node], plain: Sequence[Node] | None = None) -> list[Statement]:
+        """Return the statements of nodes.
 
-    def _call(self, node: ir.Call) -> list[Statement]:
+        Parameters
+        ----------
+        nodes
+            The nodes with bounds on errors.
+        plain
+            Those of them that the path alone needs; the others, and what only they read, are done
+            where `BOUNDS` is true. None: all nodes stand where it is.
+        """
+        found: list[Statement] = []
+        bounds: list[Statement] = []
+        waiting = None if plain is None else list(plain)
+        for node in nodes:
+            if waiting is None:
+                found += self._node(node, node)
+            elif waiting and self._covers(node, waiting[0]):
+                found += [*_guarded(bounds), *self._node(node, waiting.pop(0), shared=True)]
+                bounds = []
+            else:
+                bounds += self._node(node, node)
+        if waiting:
+            raise ValueError(f"the loop without bounds has a node of its own: {waiting[0]}")
+        return [*found, *_guarded(bounds)]
+
+    def _covers(self, node: Node, plain: Node) -> bool:
+        """Return whether a node of the loop without bounds is one with bounds, or a part of it."""
+        if isinstance(node, ir.Call):
+            return (
+                isinstance(plain, ir.Call)
+                and node.kernel.name == plain.kernel.name
+                and given_as(node, self.plain_values).arguments == plain.arguments
+                and plain.assigned.items() <= node.assigned.items()
+            )
+        if isinstance(plain, ir.Call) or _head(node) != _head(plain):
+            return False
+        own = iter(node.body)
+        return all(any(self._covers(one, wanted) for one in own) for wanted in plain.body)
+
+    def _node(self, node: Node, plain: Node, shared: bool = False) -> list[Statement]:
+        """Return the statements of a node; if shared, the loop without bounds has part of it."""
+        if isinstance(node, ir.Call):
+            return self._call(node, plain.assigned if isinstance(plain, ir.Call) else {})
+        assert not isinstance(plain, ir.Call)
+        body = self.body(node.body, plain.body if shared else None)
+        if isinstance(node, ir.If):
+            return [If(Name(node.truth), tuple(body))]
+        if isinstance(node, ir.While):
+            over = If(Operate("not", (Name(node.truth),)), (Break(),))
+            return [For("_turn", Scalar(node.limit), (over, *body))]
+        return [self._each(node, body)]
+
+    def _call(self, node: ir.Call, shared: Mapping[str, str]) -> list[Statement]:
         kernel, result = node.kernel.name, f"_o{self.results}"
         self.results += 1
         given: list[Expression] = [Name("_given")] if kernel in self.takes_all else []
@@ -81,10 +138,11 @@ class ShotLoop:
                 given.append(Name(value))
         self.used |= {v.name for v in given if isinstance(v, Name)} & set(self.parameters)
         call = Call(function(kernel), tuple(given), (result,))
-        values = ((v, Member(Name(result), o)) for o, v in node.assigned.items())
-        return [call, *(Assign(Name(variable), value) for variable, value in values)]
+        values = {o: Assign(Name(v), Member(Name(result), o)) for o, v in node.assigned.items()}
+        bounds = [value for output, value in values.items() if output not in shared]
+        return [call, *(values[output] for output in values if output in shared), *_guarded(bounds)]
 
-    def _each(self, node: ir.ForEach) -> Statement:
+    def _each(self, node: ir.ForEach, body: Sequence[Statement]) -> Statement:
         """Return a loop over the rows of a table of numbers, and of the numbers of parameters.
 
         Groups of rows that a shot does not come near are not skipped: their rows change nothing.
@@ -100,7 +158,7 @@ class ShotLoop:
                 value: Expression = Item(Item(table, Name("_row")), Scalar(column))
                 value = parameter_of_shot(value) if wanted is str else value
                 row.append(Declare(name, "double", value, constant=True))
-        return For("_row", Scalar(len(node.rows)), (*row, *self.body(node.body)))
+        return For("_row", Scalar(len(node.rows)), (*row, *body))
 
     def _table(self, kind: str, columns: Sequence[Sequence[str | float]]) -> str:
         """Return the name of the table of some columns."""
