@@ -31,6 +31,7 @@ from ..symbolic.error_terms import (
     clock,
     clock_error,
     contacts,
+    dv,
     dx,
     earliest_delay,
     shift,
@@ -38,7 +39,7 @@ from ..symbolic.error_terms import (
 )
 from ..symbolic.number_range import MAX_SIZE
 from ..symbolic.rounding import position_error, velocity_error
-from ..symbolic.symbols import STATE, UNIT_ROUNDOFF
+from ..symbolic.symbols import STATE, UNIT_ROUNDOFF, velocity
 
 first, body, reached, outcome, most_contacts, claims, count, valid, uncertain = sp.symbols(
     "first body reached outcome most_contacts claims count valid uncertain", real=True
@@ -51,6 +52,9 @@ ends, edge, touches, in_range, permitted = map(
     Boolean, ("ends", "edge", "touches", "in_range", "permitted")
 )
 
+_OWN_ROUNDING = barrier(UNIT_ROUNDOFF / 16 * barrier(maximum(*map(absolute, velocity))))
+"""A 16th of the rounding of a velocity, of which four times as much is reported: a v + a t is off
+by u |v| besides the rounding of a t, which the delay of the end contains."""
 _bounded = all_of(Less(position_error, sp.oo), Less(velocity_error, sp.oo), AtMost(excess, 0))
 
 
@@ -160,8 +164,10 @@ def _of_errors(single: bool) -> tuple[Kernel, ...]:
         ),
         decision(
             "floored",
-            {s.name: Choose(Less(absolute(s), shift), shift, s) for s in dx},
-            "Errors of the position at the end, not below the largest that one flight can cause.",
+            {s.name: Choose(Less(absolute(s), shift), shift, s) for s in dx}
+            | {s.name: Choose(Less(absolute(s), _OWN_ROUNDING), _OWN_ROUNDING, s) for s in dv},
+            "Errors at the end: of the position not below the largest that one flight can cause, of "
+            "the velocity not below its own rounding.",
             single,
         ),
         decision(
