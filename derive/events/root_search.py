@@ -10,6 +10,7 @@ import sympy as sp
 from ..errors.propagation import normal_error, root_rounding
 from ..ir.event_tree import Call, If, Node, Value, While
 from ..ir.kernel import Kernel, decision
+from ..motion.parabola import Parabola
 from ..symbolic.symbols import variable
 from .box_windows import enter, opening
 from .predicates import KERNELS, side
@@ -86,7 +87,7 @@ class RootSearch(Search):
     @property
     def _root_rounding(self) -> dict[str, Formula]:
         """The roundings of the root, where the flight's own do not contain them."""
-        if not self.root_finder.about_reference:
+        if not self.root_finder.about_reference or not isinstance(self.flight, Parabola):
             return {}
         found = root_rounding(self.surface, self.flight)
         summary = "Errors at a contact, with the roundings of the root."

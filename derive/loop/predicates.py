@@ -90,7 +90,7 @@ def kernels(
     open_ended
         True if the time limit ends every shot.
     """
-    own = (*_of_scene(faces, outcomes, end_planes, open_ended), *_of_errors(single))
+    own = (*_of_scene(faces, outcomes, end_planes, open_ended), *_of_errors(single, open_ended))
     return searching.KERNELS | KERNELS | {kernel.name: kernel for kernel in own}
 
 
@@ -145,7 +145,10 @@ def _of_scene(
     )
 
 
-def _of_errors(single: bool) -> tuple[Kernel, ...]:
+def _of_errors(single: bool, open_ended: bool) -> tuple[Kernel, ...]:
+    floors = dict.fromkeys(dx, shift)
+    if open_ended:  # gravity may be so small that a delay of the end changes no velocity
+        floors |= dict.fromkeys(dv, _OWN_ROUNDING)
     return (
         decision(
             "delayed",
@@ -164,10 +167,8 @@ def _of_errors(single: bool) -> tuple[Kernel, ...]:
         ),
         decision(
             "floored",
-            {s.name: Choose(Less(absolute(s), shift), shift, s) for s in dx}
-            | {s.name: Choose(Less(absolute(s), _OWN_ROUNDING), _OWN_ROUNDING, s) for s in dv},
-            "Errors at the end: of the position not below the largest that one flight can cause, of "
-            "the velocity not below its own rounding.",
+            {s.name: Choose(Less(absolute(s), least), least, s) for s, least in floors.items()},
+            "Errors at the end, not below the largest that one flight can cause.",
             single,
         ),
         decision(

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 import hoopgen
 from hoopgen.judge import Certificate
-from hoopgen.scene import Cylinder, Plane, Scene, Sphere, Surface
+from hoopgen.scene import Cylinder, End, Parameter, Plane, Scene, Sphere, Surface
 from hoopgen.simulation.engine import Engine
 from tests.helpers.effort import trials
 
@@ -20,9 +20,7 @@ Floats = NDArray[np.float64]
 
 def facing(name: str, body: Any) -> Scene:
     """Return a scene with one body, whose surface is at x = -1."""
-    return Scene(
-        name, bodies=[body], ball_radius=0.0625, gravity=9.75, restitution=0.75
-    )
+    return Scene(name, bodies=[body], ball_radius=0.0625, gravity=9.75, restitution=0.75)
 
 
 STEEP = facing("steep", Plane("wall", normal=(1, 0, 1e-3), point=(-1, 0, 0)))
@@ -73,7 +71,8 @@ def test_the_error_of_the_velocity_at_an_end_contains_its_last_rounding() -> Non
         "hardly_falling",
         bodies=[Plane("floor")],
         ball_radius=0.0625,
-        gravity=1e-5,
+        parameters=[Parameter("pull", 1e-5, "m/s²", sign="nonnegative")],
+        gravity="pull",
         restitution=0.75,
         ends={"gone": End(axis="x", at=1)},
     )
