@@ -1,6 +1,6 @@
 /* Kernels of the scene court, in C.
 
-   Generated from templates/c/kernels.h.j2, scene court, derivation 7f4da1965ff763d1,
+   Generated from templates/c/kernels.h.j2, scene court, derivation 68775c01ff418eab,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -1126,21 +1126,16 @@ LANES(court_closing)(V outcome, V claims)
     return (LANES(court_closing_out)){ lanes_both(lanes_less(K(0.0), claims), lanes_at_most(K(0.0), outcome)), K(0.0), K(0.0), K(0.0), K(0.0) };
 }
 
-/* Errors at the end: of the position not below the largest that one flight can cause, of the velocity not below its own rounding.
-   Table 1. 26 operations: 1 multiplication, 9 absolute values, 8 comparisons, 8 selections. */
+/* Errors at the end, not below the largest that one flight can cause.
+   Table 1. 9 operations: 3 absolute values, 3 comparisons, 3 selections. */
 typedef struct {
-    V dx, dy, dz, dvx, dvy, dvz;
+    V dx, dy, dz;
 } LANES(court_floored_out);
 
 LANES_INLINE LANES(court_floored_out)
-LANES(court_floored)(V vx, V vy, V vz, V dx, V dy, V dz, V dvx, V dvy, V dvz, V shift)
+LANES(court_floored)(V dx, V dy, V dz, V shift)
 {
-    const V _s0 = lanes_abs(vx);
-    const V _s1 = lanes_abs(vy);
-    const V _s2 = lanes_max(_s0, _s1);
-    const V _s3 = lanes_abs(vz);
-    const V _s4 = lanes_mul(K(6.938893903907228e-18), lanes_max(_s2, _s3));
-    return (LANES(court_floored_out)){ lanes_select(lanes_less(lanes_abs(dx), shift), shift, dx), lanes_select(lanes_less(lanes_abs(dy), shift), shift, dy), lanes_select(lanes_less(lanes_abs(dz), shift), shift, dz), lanes_select(lanes_less(lanes_abs(dvx), _s4), _s4, dvx), lanes_select(lanes_less(lanes_abs(dvy), _s4), _s4, dvy), lanes_select(lanes_less(lanes_abs(dvz), _s4), _s4, dvz) };
+    return (LANES(court_floored_out)){ lanes_select(lanes_less(lanes_abs(dx), shift), shift, dx), lanes_select(lanes_less(lanes_abs(dy), shift), shift, dy), lanes_select(lanes_less(lanes_abs(dz), shift), shift, dz) };
 }
 
 /* Start values: a normal without error.

@@ -1,6 +1,6 @@
 /* The event loop of the scene court, with or without bounds on errors.
 
-   Generated from templates/c/loop.h.j2, scene court, derivation 7f4da1965ff763d1,
+   Generated from templates/c/loop.h.j2, scene court, derivation 68775c01ff418eab,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by court_engine.h twice, BOUNDED being 1 where errors are bounded, else 0. The path is
@@ -5064,8 +5064,8 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                 EACH(SELECT, (_if_meeting_1, _delayed_1), clock_error)
                 const M _if_ends_1 = lanes_both(_if_meeting_1, ends);
                 {
-                    CALL(court_floored, _floored_1)(vx, vy, vz, dx, dy, dz, dvx, dvy, dvz, shift);
-                    EACH(SELECT, (_if_ends_1, _floored_1), dx, dy, dz, dvx, dvy, dvz)
+                    CALL(court_floored, _floored_1)(dx, dy, dz, shift);
+                    EACH(SELECT, (_if_ends_1, _floored_1), dx, dy, dz)
                 }
                 CALL(court_unturned, _unturned_1)();
                 EACH(GET, _unturned_1, dnx, dny, dnz, turn)

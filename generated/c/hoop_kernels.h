@@ -1,6 +1,6 @@
 /* Kernels of the scene hoop, in C.
 
-   Generated from templates/c/kernels.h.j2, scene hoop, derivation 450d79de85b5ba47,
+   Generated from templates/c/kernels.h.j2, scene hoop, derivation 7ceba1546743c869,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -926,21 +926,16 @@ LANES(hoop_closing)(S outcome, S claims)
     return (LANES(hoop_closing_out)){ singles_truth(singles_both(singles_less(KS(0.0), claims), singles_at_most(KS(0.0), outcome))), KS(0.0), KS(0.0), KS(0.0), KS(0.0) };
 }
 
-/* Errors at the end: of the position not below the largest that one flight can cause, of the velocity not below its own rounding.
-   Table 1. 26 operations: 1 multiplication, 9 absolute values, 8 comparisons, 8 selections. */
+/* Errors at the end, not below the largest that one flight can cause.
+   Table 1. 9 operations: 3 absolute values, 3 comparisons, 3 selections. */
 typedef struct {
-    S dx, dy, dz, dvx, dvy, dvz;
+    S dx, dy, dz;
 } LANES(hoop_floored_out);
 
 LANES_INLINE LANES(hoop_floored_out)
-LANES(hoop_floored)(S vx, S vy, S vz, S dx, S dy, S dz, S dvx, S dvy, S dvz, S shift)
+LANES(hoop_floored)(S dx, S dy, S dz, S shift)
 {
-    const S _s0 = singles_abs(vx);
-    const S _s1 = singles_abs(vy);
-    const S _s2 = singles_max(_s0, _s1);
-    const S _s3 = singles_abs(vz);
-    const S _s4 = singles_mul(KS(6.938893903907228e-18), singles_max(_s2, _s3));
-    return (LANES(hoop_floored_out)){ singles_select(singles_less(singles_abs(dx), shift), shift, dx), singles_select(singles_less(singles_abs(dy), shift), shift, dy), singles_select(singles_less(singles_abs(dz), shift), shift, dz), singles_select(singles_less(singles_abs(dvx), _s4), _s4, dvx), singles_select(singles_less(singles_abs(dvy), _s4), _s4, dvy), singles_select(singles_less(singles_abs(dvz), _s4), _s4, dvz) };
+    return (LANES(hoop_floored_out)){ singles_select(singles_less(singles_abs(dx), shift), shift, dx), singles_select(singles_less(singles_abs(dy), shift), shift, dy), singles_select(singles_less(singles_abs(dz), shift), shift, dz) };
 }
 
 /* Start values: a normal without error.

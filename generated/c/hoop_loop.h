@@ -1,6 +1,6 @@
 /* The event loop of the scene hoop, with or without bounds on errors.
 
-   Generated from templates/c/loop.h.j2, scene hoop, derivation 450d79de85b5ba47,
+   Generated from templates/c/loop.h.j2, scene hoop, derivation 7ceba1546743c869,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by hoop_engine.h twice, BOUNDED being 1 where errors are bounded, else 0. The path is
@@ -2001,8 +2001,8 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
                 EACH(SELECT_SINGLE, (_if_meeting_1, _delayed_1), clock_error)
                 const M _if_ends_1 = lanes_both(_if_meeting_1, ends);
                 {
-                    CALL(hoop_floored, _floored_1)(lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(vz), dx, dy, dz, dvx, dvy, dvz, shift);
-                    EACH(SELECT_SINGLE, (_if_ends_1, _floored_1), dx, dy, dz, dvx, dvy, dvz)
+                    CALL(hoop_floored, _floored_1)(dx, dy, dz, shift);
+                    EACH(SELECT_SINGLE, (_if_ends_1, _floored_1), dx, dy, dz)
                 }
                 CALL(hoop_unturned, _unturned_1)();
                 EACH(GET_SINGLE, _unturned_1, dnx, dny, dnz, turn)

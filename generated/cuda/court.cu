@@ -1,6 +1,6 @@
 /* The event loop of the scene court in CUDA: a thread takes one shot from its release to its end.
 
-   Generated from templates/cuda/scene.cu.j2, scene court, derivation 7f4da1965ff763d1,
+   Generated from templates/cuda/scene.cu.j2, scene court, derivation 68775c01ff418eab,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    It needs no header. To give the bits of NumPy and C it is compiled with --fmad=false, --ftz=false,
@@ -1165,20 +1165,15 @@ static __device__ __forceinline__ kernel_closing_out kernel_closing(double outco
     return {(0.0 < claims) && (0.0 <= outcome), 0.0, 0.0, 0.0, 0.0};
 }
 
-/* Errors at the end: of the position not below the largest that one flight can cause, of the velocity not below its own rounding.
-   Table 1. 26 operations: 1 multiplication, 9 absolute values, 8 comparisons, 8 selections. */
+/* Errors at the end, not below the largest that one flight can cause.
+   Table 1. 9 operations: 3 absolute values, 3 comparisons, 3 selections. */
 struct kernel_floored_out {
-    double dx, dy, dz, dvx, dvy, dvz;
+    double dx, dy, dz;
 };
 
-static __device__ __forceinline__ kernel_floored_out kernel_floored(double vx, double vy, double vz, double dx, double dy, double dz, double dvx, double dvy, double dvz, double shift)
+static __device__ __forceinline__ kernel_floored_out kernel_floored(double dx, double dy, double dz, double shift)
 {
-    const double _s0 = fabs(vx);
-    const double _s1 = fabs(vy);
-    const double _s2 = larger(_s0, _s1);
-    const double _s3 = fabs(vz);
-    const double _s4 = 6.938893903907228e-18 * larger(_s2, _s3);
-    return {choose((fabs(dx) < shift), shift, dx), choose((fabs(dy) < shift), shift, dy), choose((fabs(dz) < shift), shift, dz), choose((fabs(dvx) < _s4), _s4, dvx), choose((fabs(dvy) < _s4), _s4, dvy), choose((fabs(dvz) < _s4), _s4, dvz)};
+    return {choose((fabs(dx) < shift), shift, dx), choose((fabs(dy) < shift), shift, dy), choose((fabs(dz) < shift), shift, dz)};
 }
 
 /* Start values: a normal without error.
@@ -9011,13 +9006,10 @@ extern "C" __global__ void court_bounded(
             const kernel_delayed_out _o829 = kernel_delayed(belated, clock_error);
             clock_error = _o829.clock_error;
             if (ends) {
-                const kernel_floored_out _o830 = kernel_floored(vx, vy, vz, dx, dy, dz, dvx, dvy, dvz, shift);
+                const kernel_floored_out _o830 = kernel_floored(dx, dy, dz, shift);
                 dx = _o830.dx;
                 dy = _o830.dy;
                 dz = _o830.dz;
-                dvx = _o830.dvx;
-                dvy = _o830.dvy;
-                dvz = _o830.dvz;
             }
             const kernel_unturned_out _o831 = kernel_unturned();
             dnx = _o831.dnx;

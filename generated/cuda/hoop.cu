@@ -1,6 +1,6 @@
 /* The event loop of the scene hoop in CUDA: a thread takes one shot from its release to its end.
 
-   Generated from templates/cuda/scene.cu.j2, scene hoop, derivation 450d79de85b5ba47,
+   Generated from templates/cuda/scene.cu.j2, scene hoop, derivation 7ceba1546743c869,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    It needs no header. To give the bits of NumPy and C it is compiled with --fmad=false, --ftz=false,
@@ -955,20 +955,15 @@ static __device__ __forceinline__ kernel_closing_out kernel_closing(float outcom
     return {(((float)0.0) < claims) && (((float)0.0) <= outcome), (float)0.0, (float)0.0, (float)0.0, (float)0.0};
 }
 
-/* Errors at the end: of the position not below the largest that one flight can cause, of the velocity not below its own rounding.
-   Table 1. 26 operations: 1 multiplication, 9 absolute values, 8 comparisons, 8 selections. */
+/* Errors at the end, not below the largest that one flight can cause.
+   Table 1. 9 operations: 3 absolute values, 3 comparisons, 3 selections. */
 struct kernel_floored_out {
-    float dx, dy, dz, dvx, dvy, dvz;
+    float dx, dy, dz;
 };
 
-static __device__ __forceinline__ kernel_floored_out kernel_floored(float vx, float vy, float vz, float dx, float dy, float dz, float dvx, float dvy, float dvz, float shift)
+static __device__ __forceinline__ kernel_floored_out kernel_floored(float dx, float dy, float dz, float shift)
 {
-    const float _s0 = fabsf(vx);
-    const float _s1 = fabsf(vy);
-    const float _s2 = larger(_s0, _s1);
-    const float _s3 = fabsf(vz);
-    const float _s4 = ((float)6.938893903907228e-18) * larger(_s2, _s3);
-    return {choose((fabsf(dx) < shift), shift, dx), choose((fabsf(dy) < shift), shift, dy), choose((fabsf(dz) < shift), shift, dz), choose((fabsf(dvx) < _s4), _s4, dvx), choose((fabsf(dvy) < _s4), _s4, dvy), choose((fabsf(dvz) < _s4), _s4, dvz)};
+    return {choose((fabsf(dx) < shift), shift, dx), choose((fabsf(dy) < shift), shift, dy), choose((fabsf(dz) < shift), shift, dz)};
 }
 
 /* Start values: a normal without error.
@@ -3017,13 +3012,10 @@ extern "C" __global__ void hoop_bounded(
             const kernel_delayed_out _o231 = kernel_delayed(belated, clock_error);
             clock_error = _o231.clock_error;
             if (ends) {
-                const kernel_floored_out _o232 = kernel_floored(vx, vy, vz, dx, dy, dz, dvx, dvy, dvz, shift);
+                const kernel_floored_out _o232 = kernel_floored(dx, dy, dz, shift);
                 dx = _o232.dx;
                 dy = _o232.dy;
                 dz = _o232.dz;
-                dvx = _o232.dvx;
-                dvy = _o232.dvy;
-                dvz = _o232.dvz;
             }
             const kernel_unturned_out _o233 = kernel_unturned();
             dnx = _o233.dnx;

@@ -1,6 +1,6 @@
 """NumPy kernels of the scene court.
 
-Generated from templates/numpy/kernels.py.j2, scene court, derivation 7f4da1965ff763d1,
+Generated from templates/numpy/kernels.py.j2, scene court, derivation 68775c01ff418eab,
 with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
 and run `make generate`.
 Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
@@ -376,7 +376,7 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "accounted": ("contacts", "outcome",),
     "delayed": ("clock_error",),
     "closing": ("closed", "position_claim", "velocity_claim", "spin_claim", "time_claim",),
-    "floored": ("dx", "dy", "dz", "dvx", "dvy", "dvz",),
+    "floored": ("dx", "dy", "dz",),
     "unturned": ("dnx", "dny", "dnz", "turn",),
     "circles": ("circling", "rolling",),
     "half_steps": ("forth", "back",),
@@ -643,181 +643,179 @@ _k57 = _float64(0.03125)
 _k58 = _float64(5.960464477539063e-08)
 _k59 = _scalar(1073741824.0)
 _k60 = _float64(3.0)
-_k61 = _scalar(6.938893903907228e-18)
-_k62 = _float64(6.938893903907228e-18)
-_k63 = _scalar(0.3333333333333333)
-_k64 = _float64(0.3333333333333333)
-_k65 = _scalar(3.0)
-_k66 = _scalar(4.0)
-_k67 = _scalar(0.2)
-_k68 = _float64(0.2)
-_k69 = _scalar(5.0)
-_k70 = _scalar(0.16666666666666666)
-_k71 = _float64(5.0)
-_k72 = _float64(0.16666666666666666)
-_k73 = _scalar(0.14285714285714285)
-_k74 = _float64(0.14285714285714285)
-_k75 = _scalar(7.0)
-_k76 = _float64(7.0)
-_k77 = _scalar(0.1111111111111111)
-_k78 = _float64(0.1111111111111111)
-_k79 = _scalar(1.4210854715202004e-14)
-_k80 = _scalar(12.0)
-_k81 = _scalar(20.0)
-_k82 = _scalar(30.0)
-_k83 = _scalar(42.0)
-_k84 = _float64(1.4210854715202004e-14)
-_k85 = _float64(12.0)
-_k86 = _float64(20.0)
-_k87 = _float64(30.0)
-_k88 = _float64(42.0)
-_k89 = _float64(7.275957614183426e-12)
-_k90 = _float64(1.1920928955078125e-07)
-_k91 = _scalar(9.5367431640625e-07)
-_k92 = _scalar(9.094947017729282e-13)
-_k93 = _scalar(0.9999990463256836)
-_k94 = _float64(9.094947017729282e-13)
-_k95 = _float64(0.9999990463256836)
-_k96 = _float64(3.637978807091713e-12)
-_k97 = _float64(1.4551915228366852e-11)
-_k98 = _scalar(5.684341886080802e-14)
-_k99 = _float64(5.684341886080802e-14)
-_k100 = _scalar(7.105427357601002e-15)
-_k101 = _float64(7.105427357601002e-15)
-_k102 = _float64(0.0078125)
-_k103 = _scalar(0.0078125)
-_k104 = _scalar(128.0)
-_k105 = _float64(128.0)
-_k106 = _float64(2.384185791015625e-07)
-_k107 = _scalar(5.960464477539063e-08)
-_k108 = _float64(-_inf)
-_k109 = _scalar(1.4551915228366852e-11)
-_k110 = _float64(3.725290298461914e-09)
-_k111 = _float64(0.000244140625)
-_k112 = _float64(1.52587890625e-05)
-_k113 = _float64(5.820766091346741e-11)
-_k114 = _float64(1.00006103515625)
-_k115 = _float64(65536.0)
-_k116 = _float64(6.0003662109375)
-_k117 = _float64(0.0001220703125)
-_k118 = _scalar(2.409919865102884e-181)
-_k119 = _scalar(-_inf)
-_k120 = _float64(2.409919865102884e-181)
-_k121 = _scalar(3.552713678800501e-15)
-_k122 = _float64(1.3323489447131243e-15)
-_k123 = _float64(5.00030517578125)
-_k124 = _float64(3.552713678800501e-15)
-_k125 = _float32(1.00006103515625)
-_k126 = _float32(2.0)
-_k127 = _scalar(_float32(4.76837158203125e-07))
-_k128 = _float32(1.0)
-_k129 = _scalar(_float32(9.5367431640625e-07))
-_k130 = _scalar(_float32(0.0))
-_k131 = _scalar(_float32(_inf))
-_k132 = _scalar(_float32(1.0))
-_k133 = _scalar(_float32(8.673617379884035e-19))
-_k134 = _scalar(_float32(-_inf))
-_k135 = _float32(0.0001220703125)
-_k136 = _scalar(_float32(1.000000238418579))
-_k137 = _float32(32.0)
-_k138 = _float32(4096.0)
-_k139 = _float32(0.000244140625)
-_k140 = _scalar(_float32(4096.0))
-_k141 = _float32(0.0)
-_k142 = _float32(4.76837158203125e-07)
-_k143 = _float32(9.5367431640625e-07)
-_k144 = _float32(_inf)
-_k145 = _float32(8.673617379884035e-19)
-_k146 = _float32(-_inf)
-_k147 = _float32(1.000000238418579)
-_k148 = _scalar(_float32(5.0))
-_k149 = _scalar(_float32(0.00390625))
-_k150 = _scalar(_float32(2.9802322387695312e-08))
-_k151 = _scalar(_float32(2.842170943040401e-14))
-_k152 = _scalar(_float32(2.0))
-_k153 = _float32(4.0)
-_k154 = _float32(6.0003662109375)
-_k155 = _scalar(_float32(0.5))
-_k156 = _scalar(_float32(1.0009765625))
-_k157 = _float32(5.0048828125)
-_k158 = _scalar(_float32(5.684341886080802e-14))
-_k159 = _float32(7.62939453125e-06)
-_k160 = _scalar(_float32(2.384185791015625e-07))
-_k161 = _float32(128.0)
-_k162 = _float32(2.842170943040401e-14)
-_k163 = _float32(0.00390625)
-_k164 = _float32(5.0)
-_k165 = _float32(2.9802322387695312e-08)
-_k166 = _float32(1.0009765625)
-_k167 = _float32(5.684341886080802e-14)
-_k168 = _float32(0.5)
-_k169 = _float32(2.384185791015625e-07)
-_k170 = _float32(6.0)
-_k171 = _scalar(_float32(8.0))
-_k172 = _scalar(_float32(4.0))
-_k173 = _scalar(_float32(0.0001220703125))
-_k174 = _scalar(_float32(3.814697265625e-06))
-_k175 = _scalar(_float32(3.0))
-_k176 = _scalar(_float32(0.000244140625))
-_k177 = _float32(8.0)
-_k178 = _float32(3.814697265625e-06)
-_k179 = _float32(3.0)
-_k180 = _scalar(0.1)
-_k181 = _scalar(0.09090909090909091)
-_k182 = _scalar(0.08333333333333333)
-_k183 = _scalar(2.48015873015873e-05)
-_k184 = _scalar(2.08767569878681e-09)
-_k185 = _scalar(2.755731922398589e-07)
-_k186 = _scalar(0.001388888888888889)
-_k187 = _scalar(0.041666666666666664)
-_k188 = _scalar(0.008333333333333333)
-_k189 = _scalar(2.7557319223985893e-06)
-_k190 = _scalar(2.505210838544172e-08)
-_k191 = _scalar(0.0001984126984126984)
-_k192 = _float64(0.041666666666666664)
-_k193 = _float64(2.48015873015873e-05)
-_k194 = _float64(2.08767569878681e-09)
-_k195 = _float64(0.1)
-_k196 = _float64(0.09090909090909091)
-_k197 = _float64(0.08333333333333333)
-_k198 = _float64(2.755731922398589e-07)
-_k199 = _float64(0.001388888888888889)
-_k200 = _float64(0.008333333333333333)
-_k201 = _float64(2.7557319223985893e-06)
-_k202 = _float64(2.505210838544172e-08)
-_k203 = _float64(0.0001984126984126984)
-_k204 = _scalar(4.547473508864641e-13)
-_k205 = _scalar(0.75)
-_k206 = _scalar(11.0)
-_k207 = _scalar(10.0)
-_k208 = _scalar(9.0)
-_k209 = _float64(0.75)
-_k210 = _float64(4.547473508864641e-13)
-_k211 = _float64(11.0)
-_k212 = _float64(10.0)
-_k213 = _float64(9.0)
-_k214 = _scalar(512.0)
-_k215 = _float64(0.00390625)
-_k216 = _float64(512.0)
-_k217 = _float64(6.103515625e-05)
-_k218 = _float64(1.25)
-_k219 = _scalar(3.3306690738754696e-16)
-_k220 = _scalar(1.3335686721571705e-15)
-_k221 = _scalar(4.00390625)
-_k222 = _scalar(2.001953125)
-_k223 = _float64(5.55653613398821e-16)
-_k224 = _float64(2.001953125)
-_k225 = _float64(3.3306690738754696e-16)
-_k226 = _float64(1.3335686721571705e-15)
-_k227 = _float64(6.667843360785852e-15)
-_k228 = _float64(12.01171875)
-_k229 = _float64(4.00390625)
-_k230 = _float64(2.667137344314341e-15)
-_k231 = _float64(6.005859375)
-_k232 = _float64(5.551115123125783e-16)
-_k233 = _scalar(2.222614453595284e-16)
-_k234 = _float64(6.667843360785852e-16)
-_k235 = _float64(2.222614453595284e-16)
+_k61 = _scalar(0.3333333333333333)
+_k62 = _float64(0.3333333333333333)
+_k63 = _scalar(3.0)
+_k64 = _scalar(4.0)
+_k65 = _scalar(0.2)
+_k66 = _float64(0.2)
+_k67 = _scalar(5.0)
+_k68 = _scalar(0.16666666666666666)
+_k69 = _float64(5.0)
+_k70 = _float64(0.16666666666666666)
+_k71 = _scalar(0.14285714285714285)
+_k72 = _float64(0.14285714285714285)
+_k73 = _scalar(7.0)
+_k74 = _float64(7.0)
+_k75 = _scalar(0.1111111111111111)
+_k76 = _float64(0.1111111111111111)
+_k77 = _scalar(1.4210854715202004e-14)
+_k78 = _scalar(12.0)
+_k79 = _scalar(20.0)
+_k80 = _scalar(30.0)
+_k81 = _scalar(42.0)
+_k82 = _float64(1.4210854715202004e-14)
+_k83 = _float64(12.0)
+_k84 = _float64(20.0)
+_k85 = _float64(30.0)
+_k86 = _float64(42.0)
+_k87 = _float64(7.275957614183426e-12)
+_k88 = _float64(1.1920928955078125e-07)
+_k89 = _scalar(9.5367431640625e-07)
+_k90 = _scalar(9.094947017729282e-13)
+_k91 = _scalar(0.9999990463256836)
+_k92 = _float64(9.094947017729282e-13)
+_k93 = _float64(0.9999990463256836)
+_k94 = _float64(3.637978807091713e-12)
+_k95 = _float64(1.4551915228366852e-11)
+_k96 = _scalar(5.684341886080802e-14)
+_k97 = _float64(5.684341886080802e-14)
+_k98 = _scalar(7.105427357601002e-15)
+_k99 = _float64(7.105427357601002e-15)
+_k100 = _float64(0.0078125)
+_k101 = _scalar(0.0078125)
+_k102 = _scalar(128.0)
+_k103 = _float64(128.0)
+_k104 = _float64(2.384185791015625e-07)
+_k105 = _scalar(5.960464477539063e-08)
+_k106 = _float64(-_inf)
+_k107 = _scalar(1.4551915228366852e-11)
+_k108 = _float64(3.725290298461914e-09)
+_k109 = _float64(0.000244140625)
+_k110 = _float64(1.52587890625e-05)
+_k111 = _float64(5.820766091346741e-11)
+_k112 = _float64(1.00006103515625)
+_k113 = _float64(65536.0)
+_k114 = _float64(6.0003662109375)
+_k115 = _float64(0.0001220703125)
+_k116 = _scalar(2.409919865102884e-181)
+_k117 = _scalar(-_inf)
+_k118 = _float64(2.409919865102884e-181)
+_k119 = _scalar(3.552713678800501e-15)
+_k120 = _float64(1.3323489447131243e-15)
+_k121 = _float64(5.00030517578125)
+_k122 = _float64(3.552713678800501e-15)
+_k123 = _float32(1.00006103515625)
+_k124 = _float32(2.0)
+_k125 = _scalar(_float32(4.76837158203125e-07))
+_k126 = _float32(1.0)
+_k127 = _scalar(_float32(9.5367431640625e-07))
+_k128 = _scalar(_float32(0.0))
+_k129 = _scalar(_float32(_inf))
+_k130 = _scalar(_float32(1.0))
+_k131 = _scalar(_float32(8.673617379884035e-19))
+_k132 = _scalar(_float32(-_inf))
+_k133 = _float32(0.0001220703125)
+_k134 = _scalar(_float32(1.000000238418579))
+_k135 = _float32(32.0)
+_k136 = _float32(4096.0)
+_k137 = _float32(0.000244140625)
+_k138 = _scalar(_float32(4096.0))
+_k139 = _float32(0.0)
+_k140 = _float32(4.76837158203125e-07)
+_k141 = _float32(9.5367431640625e-07)
+_k142 = _float32(_inf)
+_k143 = _float32(8.673617379884035e-19)
+_k144 = _float32(-_inf)
+_k145 = _float32(1.000000238418579)
+_k146 = _scalar(_float32(5.0))
+_k147 = _scalar(_float32(0.00390625))
+_k148 = _scalar(_float32(2.9802322387695312e-08))
+_k149 = _scalar(_float32(2.842170943040401e-14))
+_k150 = _scalar(_float32(2.0))
+_k151 = _float32(4.0)
+_k152 = _float32(6.0003662109375)
+_k153 = _scalar(_float32(0.5))
+_k154 = _scalar(_float32(1.0009765625))
+_k155 = _float32(5.0048828125)
+_k156 = _scalar(_float32(5.684341886080802e-14))
+_k157 = _float32(7.62939453125e-06)
+_k158 = _scalar(_float32(2.384185791015625e-07))
+_k159 = _float32(128.0)
+_k160 = _float32(2.842170943040401e-14)
+_k161 = _float32(0.00390625)
+_k162 = _float32(5.0)
+_k163 = _float32(2.9802322387695312e-08)
+_k164 = _float32(1.0009765625)
+_k165 = _float32(5.684341886080802e-14)
+_k166 = _float32(0.5)
+_k167 = _float32(2.384185791015625e-07)
+_k168 = _float32(6.0)
+_k169 = _scalar(_float32(8.0))
+_k170 = _scalar(_float32(4.0))
+_k171 = _scalar(_float32(0.0001220703125))
+_k172 = _scalar(_float32(3.814697265625e-06))
+_k173 = _scalar(_float32(3.0))
+_k174 = _scalar(_float32(0.000244140625))
+_k175 = _float32(8.0)
+_k176 = _float32(3.814697265625e-06)
+_k177 = _float32(3.0)
+_k178 = _scalar(0.1)
+_k179 = _scalar(0.09090909090909091)
+_k180 = _scalar(0.08333333333333333)
+_k181 = _scalar(2.48015873015873e-05)
+_k182 = _scalar(2.08767569878681e-09)
+_k183 = _scalar(2.755731922398589e-07)
+_k184 = _scalar(0.001388888888888889)
+_k185 = _scalar(0.041666666666666664)
+_k186 = _scalar(0.008333333333333333)
+_k187 = _scalar(2.7557319223985893e-06)
+_k188 = _scalar(2.505210838544172e-08)
+_k189 = _scalar(0.0001984126984126984)
+_k190 = _float64(0.041666666666666664)
+_k191 = _float64(2.48015873015873e-05)
+_k192 = _float64(2.08767569878681e-09)
+_k193 = _float64(0.1)
+_k194 = _float64(0.09090909090909091)
+_k195 = _float64(0.08333333333333333)
+_k196 = _float64(2.755731922398589e-07)
+_k197 = _float64(0.001388888888888889)
+_k198 = _float64(0.008333333333333333)
+_k199 = _float64(2.7557319223985893e-06)
+_k200 = _float64(2.505210838544172e-08)
+_k201 = _float64(0.0001984126984126984)
+_k202 = _scalar(4.547473508864641e-13)
+_k203 = _scalar(0.75)
+_k204 = _scalar(11.0)
+_k205 = _scalar(10.0)
+_k206 = _scalar(9.0)
+_k207 = _float64(0.75)
+_k208 = _float64(4.547473508864641e-13)
+_k209 = _float64(11.0)
+_k210 = _float64(10.0)
+_k211 = _float64(9.0)
+_k212 = _scalar(512.0)
+_k213 = _float64(0.00390625)
+_k214 = _float64(512.0)
+_k215 = _float64(6.103515625e-05)
+_k216 = _float64(1.25)
+_k217 = _scalar(3.3306690738754696e-16)
+_k218 = _scalar(1.3335686721571705e-15)
+_k219 = _scalar(4.00390625)
+_k220 = _scalar(2.001953125)
+_k221 = _float64(5.55653613398821e-16)
+_k222 = _float64(2.001953125)
+_k223 = _float64(3.3306690738754696e-16)
+_k224 = _float64(1.3335686721571705e-15)
+_k225 = _float64(6.667843360785852e-15)
+_k226 = _float64(12.01171875)
+_k227 = _float64(4.00390625)
+_k228 = _float64(2.667137344314341e-15)
+_k229 = _float64(6.005859375)
+_k230 = _float64(5.551115123125783e-16)
+_k231 = _scalar(2.222614453595284e-16)
+_k232 = _float64(6.667843360785852e-16)
+_k233 = _float64(2.222614453595284e-16)
 
 
 def _bits(value: Any, row: Any) -> Any:
@@ -1765,18 +1763,12 @@ def closing(outcome: Any, claims: Any) -> tuple[Any, ...]:
     return _logical_and((0.0 < claims), (0.0 <= outcome)), 0.0, 0.0, 0.0, 0.0
 
 
-def floored(vx: Any, vy: Any, vz: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, shift: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
-    """Errors at the end: of the position not below the largest that one flight can cause, of the velocity not below its own rounding.
+def floored(dx: Any, dy: Any, dz: Any, shift: Any) -> tuple[Any, ...]:
+    """Errors at the end, not below the largest that one flight can cause.
 
-    Table 1. 26 operations: 1 multiplication, 9 absolute values, 8 comparisons, 8 selections.
+    Table 1. 9 operations: 3 absolute values, 3 comparisons, 3 selections.
     """
-    _r0, _r1, _r2, _r3, _r4 = _room[:5]
-    _s0 = _absolute(vx, _r0)
-    _s1 = _absolute(vy, _r1)
-    _s2 = _select(_s0 < _s1, _s1, _s0, _r2)
-    _s3 = _absolute(vz, _r3)
-    _s4 = _multiply(_k61, _select(_s2 < _s3, _s3, _s2, _r4), _r4)
-    return _result(_absolute(dx, _r3) < shift, shift, dx, _r0), _result(_absolute(dy, _r3) < shift, shift, dy, _r0), _result(_absolute(dz, _r3) < shift, shift, dz, _r0), _result(_absolute(dvx, _r3) < _s4, _s4, dvx, _r0), _result(_absolute(dvy, _r3) < _s4, _s4, dvy, _r0), _result(_absolute(dvz, _r3) < _s4, _s4, dvz, _r0)
+    return _where((_absolute(dx) < shift), shift, dx), _where((_absolute(dy) < shift), shift, dy), _where((_absolute(dz) < shift), shift, dz)
 
 
 def unturned() -> tuple[Any, ...]:
@@ -1889,11 +1881,11 @@ def roll_2(p_gravity: Any, p_inertia: Any, nx_0: Any, nx_1: Any, nx_2: Any, ny_0
     _s9 = _add(_add(_multiply(nx_1, nz_2, _r6), _multiply(_s1, nz_1, _r2), _r2), _multiply(nz_0, _s2, _r6), _r6) - _add(_add(_multiply(nx_0, _s5, _r2), _multiply(_s8, nz_2, _r7), _r7), _multiply(nx_2, nz_1, _r2), _r2)
     _s10 = _add(_add(_multiply(nx_0, _s4, _r2), _multiply(_s8, ny_2, _r5), _r5), _multiply(nx_2, ny_1, _r2), _r2) - _add(_add(_multiply(nx_1, ny_2, _r5), _multiply(_s1, ny_1, _r0), _r0), _multiply(ny_0, _s2, _r5), _r5)
     _s11 = p_inertia * _s0
-    _s12 = _k63 * _add(_multiply(_s11, _add(_add(_multiply(turn_rate_0, _s7, _r5), _multiply(turn_rate_1, tx_1, _r2), _r2), _multiply(turn_rate_2, tx_0, _r5), _r5), _r5), _add(_add(_multiply(nx_0, _s6, _r2), _multiply(nx_1, lift_1, _r0), _r0), _multiply(nx_2, lift_0, _r2), _r2), _r2)
-    _s13 = _k63 * _add(_multiply(_s11, _add(_add(_multiply(turn_rate_0, _s9, _r2), _multiply(turn_rate_1, ty_1, _r5), _r5), _multiply(turn_rate_2, ty_0, _r2), _r2), _r2), _add(_add(_multiply(ny_0, _s6, _r5), _multiply(ny_1, lift_1, _r0), _r0), _multiply(ny_2, lift_0, _r5), _r5), _r5)
-    _s14 = _k63 * _add(_multiply(_s11, _add(_add(_multiply(turn_rate_0, _s10, _r5), _multiply(turn_rate_1, tz_1, _r2), _r2), _multiply(turn_rate_2, tz_0, _r5), _r5), _r5), _add(_add(_multiply(nz_0, _s6, _r2), _multiply(nz_1, lift_1, _r0), _r0), _multiply(nz_2, lift_0, _r2), _r2), _r2)
-    _s15 = _multiply(_k63, _add(_add(_add(_add(_multiply(vx_0, _s7, _r2), _multiply(vx_1, tx_1, _r5), _r5), _multiply(vx_2, tx_0, _r2), _r2), _add(_add(_multiply(vy_0, _s9, _r5), _multiply(vy_1, ty_1, _r0), _r0), _multiply(vy_2, ty_0, _r5), _r5), _r5), _add(_add(_multiply(vz_0, _s10, _r2), _multiply(vz_1, tz_1, _r0), _r0), _multiply(vz_2, tz_0, _r2), _r2), _r2), _r2)
-    return _s6, _s7, _s9, _s10, _s12, _s13, _s14, _k63 * _s2, _k63 * _s4, _k63 * _s5, -_s15
+    _s12 = _k61 * _add(_multiply(_s11, _add(_add(_multiply(turn_rate_0, _s7, _r5), _multiply(turn_rate_1, tx_1, _r2), _r2), _multiply(turn_rate_2, tx_0, _r5), _r5), _r5), _add(_add(_multiply(nx_0, _s6, _r2), _multiply(nx_1, lift_1, _r0), _r0), _multiply(nx_2, lift_0, _r2), _r2), _r2)
+    _s13 = _k61 * _add(_multiply(_s11, _add(_add(_multiply(turn_rate_0, _s9, _r2), _multiply(turn_rate_1, ty_1, _r5), _r5), _multiply(turn_rate_2, ty_0, _r2), _r2), _r2), _add(_add(_multiply(ny_0, _s6, _r5), _multiply(ny_1, lift_1, _r0), _r0), _multiply(ny_2, lift_0, _r5), _r5), _r5)
+    _s14 = _k61 * _add(_multiply(_s11, _add(_add(_multiply(turn_rate_0, _s10, _r5), _multiply(turn_rate_1, tz_1, _r2), _r2), _multiply(turn_rate_2, tz_0, _r5), _r5), _r5), _add(_add(_multiply(nz_0, _s6, _r2), _multiply(nz_1, lift_1, _r0), _r0), _multiply(nz_2, lift_0, _r2), _r2), _r2)
+    _s15 = _multiply(_k61, _add(_add(_add(_add(_multiply(vx_0, _s7, _r2), _multiply(vx_1, tx_1, _r5), _r5), _multiply(vx_2, tx_0, _r2), _r2), _add(_add(_multiply(vy_0, _s9, _r5), _multiply(vy_1, ty_1, _r0), _r0), _multiply(vy_2, ty_0, _r5), _r5), _r5), _add(_add(_multiply(vz_0, _s10, _r2), _multiply(vz_1, tz_1, _r0), _r0), _multiply(vz_2, tz_0, _r2), _r2), _r2), _r2)
+    return _s6, _s7, _s9, _s10, _s12, _s13, _s14, _k61 * _s2, _k61 * _s4, _k61 * _s5, -_s15
 
 
 def roll_3(p_gravity: Any, p_inertia: Any, nx_0: Any, nx_1: Any, nx_2: Any, nx_3: Any, ny_0: Any, ny_1: Any, ny_2: Any, ny_3: Any, nz_0: Any, nz_1: Any, nz_2: Any, nz_3: Any, vx_0: Any, vx_1: Any, vx_2: Any, vx_3: Any, vy_0: Any, vy_1: Any, vy_2: Any, vy_3: Any, vz_0: Any, vz_1: Any, vz_2: Any, vz_3: Any, bent_x: Any, bent_y: Any, bent_z: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, lift_0: Any, lift_1: Any, lift_2: Any, tx_0: Any, tx_1: Any, tx_2: Any, ty_0: Any, ty_1: Any, ty_2: Any, tz_0: Any, tz_1: Any, tz_2: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -1904,18 +1896,18 @@ def roll_3(p_gravity: Any, p_inertia: Any, nx_0: Any, nx_1: Any, nx_2: Any, nx_3
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9 = _room[:10]
     _s0 = 1.0 / (1.0 + p_inertia)
     _s1 = _multiply(_k20, nx_2, _r0)
-    _s2 = _multiply(_k65, nx_3, _r1)
+    _s2 = _multiply(_k63, nx_3, _r1)
     _s3 = _multiply(_multiply(vx_3, bent_x, _r2), per_reach, _r2)
     _s4 = _multiply(_k20, ny_2, _r3)
-    _s5 = _multiply(_k65, ny_3, _r4)
+    _s5 = _multiply(_k63, ny_3, _r4)
     _s6 = _multiply(_multiply(vy_3, bent_y, _r5), per_reach, _r5)
     _s7 = _multiply(_multiply(vz_3, bent_z, _r6), per_reach, _r6)
-    _s8 = _add(_add(_add(_add(_add(_multiply(nx_1, vx_3, _r7), _multiply(_s1, vx_2, _r8), _r8), _multiply(_s2, vx_1, _r7), _r7), _multiply(vx_0, _s3, _r8), _r8), _add(_add(_add(_multiply(ny_1, vy_3, _r7), _multiply(_s4, vy_2, _r9), _r9), _multiply(_s5, vy_1, _r7), _r7), _multiply(vy_0, _s6, _r9), _r9), _r9), _add(_add(_add(_multiply(nz_1, vz_3, _r8), _multiply(_multiply(_k20, nz_2, _r7), vz_2, _r7), _r7), _multiply(_multiply(_k65, nz_3, _r8), vz_1, _r8), _r8), _multiply(vz_0, _s7, _r7), _r7), _r7)
+    _s8 = _add(_add(_add(_add(_add(_multiply(nx_1, vx_3, _r7), _multiply(_s1, vx_2, _r8), _r8), _multiply(_s2, vx_1, _r7), _r7), _multiply(vx_0, _s3, _r8), _r8), _add(_add(_add(_multiply(ny_1, vy_3, _r7), _multiply(_s4, vy_2, _r9), _r9), _multiply(_s5, vy_1, _r7), _r7), _multiply(vy_0, _s6, _r9), _r9), _r9), _add(_add(_add(_multiply(nz_1, vz_3, _r8), _multiply(_multiply(_k20, nz_2, _r7), vz_2, _r7), _r7), _multiply(_multiply(_k63, nz_3, _r8), vz_1, _r8), _r8), _multiply(vz_0, _s7, _r7), _r7), _r7)
     _s9 = _multiply(_multiply(p_gravity, nz_3, _r9), _s0, _r9) - _s8
     _s10 = _multiply(_s4, nz_2, _r3)
-    _s11 = _add(_add(_add(_multiply(ny_0, _s7, _r7), _multiply(_multiply(_k65, ny_1, _r9), nz_3, _r9), _r9), _s10, _r9), _multiply(ny_3, nz_1, _r7), _r7) - _add(_add(_add(_multiply(ny_1, nz_3, _r9), _s10, _r9), _multiply(_s5, nz_1, _r4), _r4), _multiply(nz_0, _s6, _r9), _r9)
+    _s11 = _add(_add(_add(_multiply(ny_0, _s7, _r7), _multiply(_multiply(_k63, ny_1, _r9), nz_3, _r9), _r9), _s10, _r9), _multiply(ny_3, nz_1, _r7), _r7) - _add(_add(_add(_multiply(ny_1, nz_3, _r9), _s10, _r9), _multiply(_s5, nz_1, _r4), _r4), _multiply(nz_0, _s6, _r9), _r9)
     _s12 = _multiply(_s1, nz_2, _r9)
-    _s13 = _multiply(_k65, nx_1, _r7)
+    _s13 = _multiply(_k63, nx_1, _r7)
     _s14 = _add(_add(_add(_multiply(nx_1, nz_3, _r4), _s12, _r4), _multiply(_s2, nz_1, _r3), _r3), _multiply(nz_0, _s3, _r4), _r4) - _add(_add(_add(_multiply(nx_0, _s7, _r3), _multiply(_s13, nz_3, _r8), _r8), _s12, _r8), _multiply(nx_3, nz_1, _r9), _r9)
     _s15 = _multiply(_s1, ny_2, _r0)
     _s16 = _add(_add(_add(_multiply(nx_0, _s6, _r9), _multiply(_s13, ny_3, _r7), _r7), _s15, _r7), _multiply(nx_3, ny_1, _r9), _r9) - _add(_add(_add(_multiply(nx_1, ny_3, _r7), _s15, _r7), _multiply(_s2, ny_1, _r1), _r1), _multiply(ny_0, _s3, _r7), _r7)
@@ -1935,21 +1927,21 @@ def roll_4(p_gravity: Any, p_inertia: Any, nx_0: Any, nx_1: Any, nx_2: Any, nx_3
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11 = _room[:12]
     _s0 = 1.0 / (1.0 + p_inertia)
     _s1 = _multiply(_k20, nx_2, _r0)
-    _s2 = _multiply(_k65, nx_3, _r1)
-    _s3 = _multiply(_k66, nx_4, _r2)
+    _s2 = _multiply(_k63, nx_3, _r1)
+    _s3 = _multiply(_k64, nx_4, _r2)
     _s4 = _multiply(_multiply(vx_4, bent_x, _r3), per_reach, _r3)
     _s5 = _multiply(_k20, ny_2, _r4)
-    _s6 = _multiply(_k65, ny_3, _r5)
-    _s7 = _multiply(_k66, ny_4, _r6)
+    _s6 = _multiply(_k63, ny_3, _r5)
+    _s7 = _multiply(_k64, ny_4, _r6)
     _s8 = _multiply(_multiply(vy_4, bent_y, _r7), per_reach, _r7)
     _s9 = _add(_add(_add(_add(_add(_multiply(nx_1, vx_4, _r8), _multiply(_s1, vx_3, _r9), _r9), _multiply(_s2, vx_2, _r8), _r8), _multiply(_s3, vx_1, _r9), _r9), _multiply(vx_0, _s4, _r8), _r8), _add(_add(_add(_add(_multiply(ny_1, vy_4, _r9), _multiply(_s5, vy_3, _r10), _r10), _multiply(_s6, vy_2, _r9), _r9), _multiply(_s7, vy_1, _r10), _r10), _multiply(vy_0, _s8, _r9), _r9), _r9)
     _s10 = _multiply(_multiply(vz_4, bent_z, _r8), per_reach, _r8)
-    _s11 = _add(_add(_add(_add(_multiply(nz_1, vz_4, _r10), _multiply(_multiply(_k20, nz_2, _r11), vz_3, _r11), _r11), _multiply(_multiply(_k65, nz_3, _r10), vz_2, _r10), _r10), _multiply(_multiply(_k66, nz_4, _r11), vz_1, _r11), _r11), _multiply(vz_0, _s10, _r10), _r10)
+    _s11 = _add(_add(_add(_add(_multiply(nz_1, vz_4, _r10), _multiply(_multiply(_k20, nz_2, _r11), vz_3, _r11), _r11), _multiply(_multiply(_k63, nz_3, _r10), vz_2, _r10), _r10), _multiply(_multiply(_k64, nz_4, _r11), vz_1, _r11), _r11), _multiply(vz_0, _s10, _r10), _r10)
     _s12 = _multiply(_multiply(p_gravity, nz_4, _r11), _s0, _r11) - _add(_s9, _s11, _r10)
-    _s13 = _add(_add(_add(_add(_multiply(ny_0, _s10, _r10), _multiply(_multiply(_k66, ny_1, _r11), nz_4, _r11), _r11), _multiply(_multiply(_k65, ny_2, _r10), nz_3, _r10), _r10), _multiply(_multiply(_k20, ny_3, _r11), nz_2, _r11), _r11), _multiply(ny_4, nz_1, _r10), _r10)
+    _s13 = _add(_add(_add(_add(_multiply(ny_0, _s10, _r10), _multiply(_multiply(_k64, ny_1, _r11), nz_4, _r11), _r11), _multiply(_multiply(_k63, ny_2, _r10), nz_3, _r10), _r10), _multiply(_multiply(_k20, ny_3, _r11), nz_2, _r11), _r11), _multiply(ny_4, nz_1, _r10), _r10)
     _s14 = _s13 - _add(_add(_add(_add(_multiply(ny_1, nz_4, _r11), _multiply(_s5, nz_3, _r4), _r4), _multiply(_s6, nz_2, _r5), _r5), _multiply(_s7, nz_1, _r6), _r6), _multiply(nz_0, _s8, _r5), _r5)
-    _s15 = _multiply(_k66, nx_1, _r5)
-    _s16 = _multiply(_k65, nx_2, _r10)
+    _s15 = _multiply(_k64, nx_1, _r5)
+    _s16 = _multiply(_k63, nx_2, _r10)
     _s17 = _multiply(_k20, nx_3, _r6)
     _s18 = _add(_add(_add(_add(_multiply(nx_1, nz_4, _r4), _multiply(_s1, nz_3, _r11), _r11), _multiply(_s2, nz_2, _r4), _r4), _multiply(_s3, nz_1, _r11), _r11), _multiply(nz_0, _s4, _r4), _r4) - _add(_add(_add(_add(_multiply(nx_0, _s10, _r11), _multiply(_s15, nz_4, _r9), _r9), _multiply(_s16, nz_3, _r11), _r11), _multiply(_s17, nz_2, _r9), _r9), _multiply(nx_4, nz_1, _r11), _r11)
     _s19 = _add(_add(_add(_add(_multiply(nx_0, _s8, _r11), _multiply(_s15, ny_4, _r5), _r5), _multiply(_s16, ny_3, _r10), _r10), _multiply(_s17, ny_2, _r6), _r6), _multiply(nx_4, ny_1, _r10), _r10) - _add(_add(_add(_add(_multiply(nx_1, ny_4, _r6), _multiply(_s1, ny_3, _r0), _r0), _multiply(_s2, ny_2, _r1), _r1), _multiply(_s3, ny_1, _r2), _r2), _multiply(ny_0, _s4, _r1), _r1)
@@ -1962,7 +1954,7 @@ def roll_4(p_gravity: Any, p_inertia: Any, nx_0: Any, nx_1: Any, nx_2: Any, nx_3
     _s26 = _add(_s25, _add(_add(_add(_add(_multiply(nz_0, _s12, _r0), _multiply(nz_1, lift_3, _r6), _r6), _multiply(nz_2, lift_2, _r0), _r0), _multiply(nz_3, lift_1, _r6), _r6), _multiply(nz_4, lift_0, _r0), _r0), _r0)
     _s27 = _add(_add(_add(_add(_add(_multiply(vx_0, _s14, _r1), _multiply(vx_1, tx_3, _r6), _r6), _multiply(vx_2, tx_2, _r1), _r1), _multiply(vx_3, tx_1, _r6), _r6), _multiply(vx_4, tx_0, _r1), _r1), _add(_add(_add(_add(_multiply(vy_0, _s18, _r6), _multiply(vy_1, ty_3, _r5), _r5), _multiply(vy_2, ty_2, _r6), _r6), _multiply(vy_3, ty_1, _r5), _r5), _multiply(vy_4, ty_0, _r6), _r6), _r6)
     _s28 = _add(_s27, _add(_add(_add(_add(_multiply(vz_0, _s19, _r1), _multiply(vz_1, tz_3, _r5), _r5), _multiply(vz_2, tz_2, _r1), _r1), _multiply(vz_3, tz_1, _r5), _r5), _multiply(vz_4, tz_0, _r1), _r1), _r1)
-    return _s12, _s14, _s18, _s19, _k67 * _s22, _k67 * _s24, _k67 * _s26, _k67 * _s4, _k67 * _s8, _k67 * _s10, -_multiply(_k67, _s28, _r1)
+    return _s12, _s14, _s18, _s19, _k65 * _s22, _k65 * _s24, _k65 * _s26, _k65 * _s4, _k65 * _s8, _k65 * _s10, -_multiply(_k65, _s28, _r1)
 
 
 def roll_5(p_gravity: Any, p_inertia: Any, nx_0: Any, nx_1: Any, nx_2: Any, nx_3: Any, nx_4: Any, nx_5: Any, ny_0: Any, ny_1: Any, ny_2: Any, ny_3: Any, ny_4: Any, ny_5: Any, nz_0: Any, nz_1: Any, nz_2: Any, nz_3: Any, nz_4: Any, nz_5: Any, vx_0: Any, vx_1: Any, vx_2: Any, vx_3: Any, vx_4: Any, vx_5: Any, vy_0: Any, vy_1: Any, vy_2: Any, vy_3: Any, vy_4: Any, vy_5: Any, vz_0: Any, vz_1: Any, vz_2: Any, vz_3: Any, vz_4: Any, vz_5: Any, bent_x: Any, bent_y: Any, bent_z: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, lift_0: Any, lift_1: Any, lift_2: Any, lift_3: Any, lift_4: Any, tx_0: Any, tx_1: Any, tx_2: Any, tx_3: Any, tx_4: Any, ty_0: Any, ty_1: Any, ty_2: Any, ty_3: Any, ty_4: Any, tz_0: Any, tz_1: Any, tz_2: Any, tz_3: Any, tz_4: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -1973,28 +1965,28 @@ def roll_5(p_gravity: Any, p_inertia: Any, nx_0: Any, nx_1: Any, nx_2: Any, nx_3
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14 = _room[:15]
     _s0 = 1.0 / (1.0 + p_inertia)
     _s1 = _multiply(_k20, nx_2, _r0)
-    _s2 = _multiply(_k65, nx_3, _r1)
-    _s3 = _multiply(_k66, nx_4, _r2)
-    _s4 = _multiply(_k69, nx_5, _r3)
+    _s2 = _multiply(_k63, nx_3, _r1)
+    _s3 = _multiply(_k64, nx_4, _r2)
+    _s4 = _multiply(_k67, nx_5, _r3)
     _s5 = _multiply(_multiply(vx_5, bent_x, _r4), per_reach, _r4)
     _s6 = _add(_add(_add(_add(_add(_multiply(nx_1, vx_5, _r5), _multiply(_s1, vx_4, _r6), _r6), _multiply(_s2, vx_3, _r5), _r5), _multiply(_s3, vx_2, _r6), _r6), _multiply(_s4, vx_1, _r5), _r5), _multiply(vx_0, _s5, _r6), _r6)
     _s7 = _multiply(_k20, ny_2, _r5)
-    _s8 = _multiply(_k65, ny_3, _r7)
-    _s9 = _multiply(_k66, ny_4, _r8)
-    _s10 = _multiply(_k69, ny_5, _r9)
+    _s8 = _multiply(_k63, ny_3, _r7)
+    _s9 = _multiply(_k64, ny_4, _r8)
+    _s10 = _multiply(_k67, ny_5, _r9)
     _s11 = _multiply(_multiply(vy_5, bent_y, _r10), per_reach, _r10)
     _s12 = _add(_add(_add(_add(_add(_multiply(ny_1, vy_5, _r11), _multiply(_s7, vy_4, _r12), _r12), _multiply(_s8, vy_3, _r11), _r11), _multiply(_s9, vy_2, _r12), _r12), _multiply(_s10, vy_1, _r11), _r11), _multiply(vy_0, _s11, _r12), _r12)
-    _s13 = _add(_add(_add(_add(_multiply(nz_1, vz_5, _r11), _multiply(_multiply(_k20, nz_2, _r13), vz_4, _r13), _r13), _multiply(_multiply(_k65, nz_3, _r11), vz_3, _r11), _r11), _multiply(_multiply(_k66, nz_4, _r13), vz_2, _r13), _r13), _multiply(_multiply(_k69, nz_5, _r11), vz_1, _r11), _r11)
+    _s13 = _add(_add(_add(_add(_multiply(nz_1, vz_5, _r11), _multiply(_multiply(_k20, nz_2, _r13), vz_4, _r13), _r13), _multiply(_multiply(_k63, nz_3, _r11), vz_3, _r11), _r11), _multiply(_multiply(_k64, nz_4, _r13), vz_2, _r13), _r13), _multiply(_multiply(_k67, nz_5, _r11), vz_1, _r11), _r11)
     _s14 = _multiply(_multiply(vz_5, bent_z, _r13), per_reach, _r13)
     _s15 = _multiply(_multiply(p_gravity, nz_5, _r14), _s0, _r14) - _add(_add(_s6, _s12, _r12), _add(_s13, _multiply(vz_0, _s14, _r6), _r6), _r6)
     _s16 = _multiply(_s8, nz_3, _r7)
-    _s17 = _add(_add(_add(_add(_multiply(ny_0, _s14, _r6), _multiply(_multiply(_k69, ny_1, _r14), nz_5, _r14), _r14), _multiply(_multiply(_k66, ny_2, _r6), nz_4, _r6), _r6), _s16, _r6), _multiply(_multiply(_k20, ny_4, _r14), nz_2, _r14), _r14)
+    _s17 = _add(_add(_add(_add(_multiply(ny_0, _s14, _r6), _multiply(_multiply(_k67, ny_1, _r14), nz_5, _r14), _r14), _multiply(_multiply(_k64, ny_2, _r6), nz_4, _r6), _r6), _s16, _r6), _multiply(_multiply(_k20, ny_4, _r14), nz_2, _r14), _r14)
     _s18 = _add(_add(_add(_add(_add(_multiply(ny_1, nz_5, _r6), _multiply(_s7, nz_4, _r5), _r5), _s16, _r5), _multiply(_s9, nz_2, _r8), _r8), _multiply(_s10, nz_1, _r9), _r9), _multiply(nz_0, _s11, _r8), _r8)
     _s19 = _add(_s17, _multiply(ny_5, nz_1, _r9), _r9) - _s18
     _s20 = _multiply(_s2, nz_3, _r8)
     _s21 = _add(_add(_add(_add(_add(_multiply(nx_1, nz_5, _r9), _multiply(_s1, nz_4, _r14), _r14), _s20, _r14), _multiply(_s3, nz_2, _r9), _r9), _multiply(_s4, nz_1, _r14), _r14), _multiply(nz_0, _s5, _r9), _r9)
-    _s22 = _multiply(_k69, nx_1, _r14)
-    _s23 = _multiply(_k66, nx_2, _r5)
+    _s22 = _multiply(_k67, nx_1, _r14)
+    _s23 = _multiply(_k64, nx_2, _r5)
     _s24 = _multiply(_k20, nx_4, _r7)
     _s25 = _add(_add(_add(_add(_add(_multiply(nx_0, _s14, _r6), _multiply(_s22, nz_5, _r12), _r12), _multiply(_s23, nz_4, _r6), _r6), _s20, _r6), _multiply(_s24, nz_2, _r8), _r8), _multiply(nx_5, nz_1, _r6), _r6)
     _s26 = _s21 - _s25
@@ -2012,7 +2004,7 @@ def roll_5(p_gravity: Any, p_inertia: Any, nx_0: Any, nx_1: Any, nx_2: Any, nx_3
     _s38 = _add(_add(_add(_add(_add(_multiply(vx_0, _s19, _r2), _multiply(vx_1, tx_4, _r6), _r6), _multiply(vx_2, tx_3, _r2), _r2), _multiply(vx_3, tx_2, _r6), _r6), _multiply(vx_4, tx_1, _r2), _r2), _multiply(vx_5, tx_0, _r6), _r6)
     _s39 = _add(_add(_add(_add(_add(_multiply(vy_0, _s26, _r2), _multiply(vy_1, ty_4, _r9), _r9), _multiply(vy_2, ty_3, _r2), _r2), _multiply(vy_3, ty_2, _r9), _r9), _multiply(vy_4, ty_1, _r2), _r2), _multiply(vy_5, ty_0, _r9), _r9)
     _s40 = _add(_add(_add(_add(_add(_multiply(vz_0, _s30, _r2), _multiply(vz_1, tz_4, _r8), _r8), _multiply(vz_2, tz_3, _r2), _r2), _multiply(vz_3, tz_2, _r8), _r8), _multiply(vz_4, tz_1, _r2), _r2), _multiply(vz_5, tz_0, _r8), _r8)
-    return _s15, _s19, _s26, _s30, _k70 * _add(_multiply(_s31, _s32, _r5), _s33, _r3), _k70 * _add(_multiply(_s31, _s34, _r0), _s35, _r1), _k70 * _add(_multiply(_s31, _s36, _r7), _s37, _r14), _k70 * _s5, _k70 * _s11, _k70 * _s14, -_multiply(_k70, _add(_add(_s38, _s39, _r9), _s40, _r8), _r8)
+    return _s15, _s19, _s26, _s30, _k68 * _add(_multiply(_s31, _s32, _r5), _s33, _r3), _k68 * _add(_multiply(_s31, _s34, _r0), _s35, _r1), _k68 * _add(_multiply(_s31, _s36, _r7), _s37, _r14), _k68 * _s5, _k68 * _s11, _k68 * _s14, -_multiply(_k68, _add(_add(_s38, _s39, _r9), _s40, _r8), _r8)
 
 
 def roll_6(p_gravity: Any, p_inertia: Any, nx_0: Any, nx_1: Any, nx_2: Any, nx_3: Any, nx_4: Any, nx_5: Any, nx_6: Any, ny_0: Any, ny_1: Any, ny_2: Any, ny_3: Any, ny_4: Any, ny_5: Any, ny_6: Any, nz_0: Any, nz_1: Any, nz_2: Any, nz_3: Any, nz_4: Any, nz_5: Any, nz_6: Any, vx_0: Any, vx_1: Any, vx_2: Any, vx_3: Any, vx_4: Any, vx_5: Any, vx_6: Any, vy_0: Any, vy_1: Any, vy_2: Any, vy_3: Any, vy_4: Any, vy_5: Any, vy_6: Any, vz_0: Any, vz_1: Any, vz_2: Any, vz_3: Any, vz_4: Any, vz_5: Any, vz_6: Any, bent_x: Any, bent_y: Any, bent_z: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, lift_0: Any, lift_1: Any, lift_2: Any, lift_3: Any, lift_4: Any, lift_5: Any, tx_0: Any, tx_1: Any, tx_2: Any, tx_3: Any, tx_4: Any, tx_5: Any, ty_0: Any, ty_1: Any, ty_2: Any, ty_3: Any, ty_4: Any, ty_5: Any, tz_0: Any, tz_1: Any, tz_2: Any, tz_3: Any, tz_4: Any, tz_5: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -2023,30 +2015,30 @@ def roll_6(p_gravity: Any, p_inertia: Any, nx_0: Any, nx_1: Any, nx_2: Any, nx_3
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17 = _room[:18]
     _s0 = 1.0 / (1.0 + p_inertia)
     _s1 = _multiply(_k20, nx_2, _r0)
-    _s2 = _multiply(_k65, nx_3, _r1)
-    _s3 = _multiply(_k66, nx_4, _r2)
-    _s4 = _multiply(_k69, nx_5, _r3)
+    _s2 = _multiply(_k63, nx_3, _r1)
+    _s3 = _multiply(_k64, nx_4, _r2)
+    _s4 = _multiply(_k67, nx_5, _r3)
     _s5 = _multiply(_k3, nx_6, _r4)
     _s6 = _add(_add(_add(_add(_add(_multiply(nx_1, vx_6, _r5), _multiply(_s1, vx_5, _r6), _r6), _multiply(_s2, vx_4, _r5), _r5), _multiply(_s3, vx_3, _r6), _r6), _multiply(_s4, vx_2, _r5), _r5), _multiply(_s5, vx_1, _r6), _r6)
     _s7 = _multiply(_multiply(vx_6, bent_x, _r5), per_reach, _r5)
     _s8 = _multiply(_k20, ny_2, _r7)
-    _s9 = _multiply(_k65, ny_3, _r8)
-    _s10 = _multiply(_k66, ny_4, _r9)
-    _s11 = _multiply(_k69, ny_5, _r10)
+    _s9 = _multiply(_k63, ny_3, _r8)
+    _s10 = _multiply(_k64, ny_4, _r9)
+    _s11 = _multiply(_k67, ny_5, _r10)
     _s12 = _multiply(_k3, ny_6, _r11)
     _s13 = _add(_add(_add(_add(_add(_multiply(ny_1, vy_6, _r12), _multiply(_s8, vy_5, _r13), _r13), _multiply(_s9, vy_4, _r12), _r12), _multiply(_s10, vy_3, _r13), _r13), _multiply(_s11, vy_2, _r12), _r12), _multiply(_s12, vy_1, _r13), _r13)
     _s14 = _multiply(_multiply(vy_6, bent_y, _r12), per_reach, _r12)
-    _s15 = _add(_add(_add(_add(_multiply(nz_1, vz_6, _r14), _multiply(_multiply(_k20, nz_2, _r15), vz_5, _r15), _r15), _multiply(_multiply(_k65, nz_3, _r14), vz_4, _r14), _r14), _multiply(_multiply(_k66, nz_4, _r15), vz_3, _r15), _r15), _multiply(_multiply(_k69, nz_5, _r14), vz_2, _r14), _r14)
+    _s15 = _add(_add(_add(_add(_multiply(nz_1, vz_6, _r14), _multiply(_multiply(_k20, nz_2, _r15), vz_5, _r15), _r15), _multiply(_multiply(_k63, nz_3, _r14), vz_4, _r14), _r14), _multiply(_multiply(_k64, nz_4, _r15), vz_3, _r15), _r15), _multiply(_multiply(_k67, nz_5, _r14), vz_2, _r14), _r14)
     _s16 = _multiply(_multiply(vz_6, bent_z, _r15), per_reach, _r15)
     _s17 = _multiply(_multiply(p_gravity, nz_6, _r16), _s0, _r16) - _add(_add(_add(_s6, _multiply(vx_0, _s7, _r17), _r17), _add(_s13, _multiply(vy_0, _s14, _r6), _r6), _r6), _add(_add(_s15, _multiply(_multiply(_k3, nz_6, _r17), vz_1, _r17), _r17), _multiply(vz_0, _s16, _r14), _r14), _r14)
-    _s18 = _add(_add(_add(_add(_multiply(ny_0, _s16, _r14), _multiply(_multiply(_k3, ny_1, _r16), nz_6, _r16), _r16), _multiply(_multiply(_k69, ny_2, _r14), nz_5, _r14), _r14), _multiply(_multiply(_k66, ny_3, _r16), nz_4, _r16), _r16), _multiply(_multiply(_k65, ny_4, _r14), nz_3, _r14), _r14)
+    _s18 = _add(_add(_add(_add(_multiply(ny_0, _s16, _r14), _multiply(_multiply(_k3, ny_1, _r16), nz_6, _r16), _r16), _multiply(_multiply(_k67, ny_2, _r14), nz_5, _r14), _r14), _multiply(_multiply(_k64, ny_3, _r16), nz_4, _r16), _r16), _multiply(_multiply(_k63, ny_4, _r14), nz_3, _r14), _r14)
     _s19 = _add(_add(_add(_add(_add(_multiply(ny_1, nz_6, _r16), _multiply(_s8, nz_5, _r7), _r7), _multiply(_s9, nz_4, _r8), _r8), _multiply(_s10, nz_3, _r9), _r9), _multiply(_s11, nz_2, _r10), _r10), _multiply(_s12, nz_1, _r11), _r11)
     _s20 = _add(_add(_s18, _multiply(_multiply(_k20, ny_5, _r10), nz_2, _r10), _r10), _multiply(ny_6, nz_1, _r14), _r14) - _add(_s19, _multiply(nz_0, _s14, _r10), _r10)
     _s21 = _add(_add(_add(_add(_add(_multiply(nx_1, nz_6, _r10), _multiply(_s1, nz_5, _r14), _r14), _multiply(_s2, nz_4, _r10), _r10), _multiply(_s3, nz_3, _r14), _r14), _multiply(_s4, nz_2, _r10), _r10), _multiply(_s5, nz_1, _r14), _r14)
     _s22 = _multiply(_k3, nx_1, _r10)
-    _s23 = _multiply(_k69, nx_2, _r11)
-    _s24 = _multiply(_k66, nx_3, _r9)
-    _s25 = _multiply(_k65, nx_4, _r8)
+    _s23 = _multiply(_k67, nx_2, _r11)
+    _s24 = _multiply(_k64, nx_3, _r9)
+    _s25 = _multiply(_k63, nx_4, _r8)
     _s26 = _multiply(_k20, nx_5, _r7)
     _s27 = _add(_add(_add(_add(_add(_multiply(nx_0, _s16, _r16), _multiply(_s22, nz_6, _r6), _r6), _multiply(_s23, nz_5, _r16), _r16), _multiply(_s24, nz_4, _r6), _r6), _multiply(_s25, nz_3, _r16), _r16), _multiply(_s26, nz_2, _r6), _r6)
     _s28 = _add(_s21, _multiply(nz_0, _s7, _r16), _r16) - _add(_s27, _multiply(nx_6, nz_1, _r14), _r14)
@@ -2063,8 +2055,8 @@ def roll_6(p_gravity: Any, p_inertia: Any, nx_0: Any, nx_1: Any, nx_2: Any, nx_3
     _s39 = _add(_add(_add(_add(_add(_multiply(vx_0, _s20, _r7), _multiply(vx_1, tx_5, _r9), _r9), _multiply(vx_2, tx_4, _r7), _r7), _multiply(vx_3, tx_3, _r9), _r9), _multiply(vx_4, tx_2, _r7), _r7), _multiply(vx_5, tx_1, _r9), _r9)
     _s40 = _add(_add(_add(_add(_add(_multiply(vy_0, _s28, _r7), _multiply(vy_1, ty_5, _r11), _r11), _multiply(vy_2, ty_4, _r7), _r7), _multiply(vy_3, ty_3, _r11), _r11), _multiply(vy_4, ty_2, _r7), _r7), _multiply(vy_5, ty_1, _r11), _r11)
     _s41 = _add(_add(_add(_add(_add(_multiply(vz_0, _s31, _r7), _multiply(vz_1, tz_5, _r10), _r10), _multiply(vz_2, tz_4, _r7), _r7), _multiply(vz_3, tz_3, _r10), _r10), _multiply(vz_4, tz_2, _r7), _r7), _multiply(vz_5, tz_1, _r10), _r10)
-    _s42 = -_multiply(_k73, _add(_add(_add(_s39, _multiply(vx_6, tx_0, _r7), _r7), _add(_s40, _multiply(vy_6, ty_0, _r9), _r9), _r9), _add(_s41, _multiply(vz_6, tz_0, _r7), _r7), _r7), _r7)
-    return _s17, _s20, _s28, _s31, _k73 * _add(_multiply(_s32, _add(_s33, _multiply(turn_rate_6, tx_0, _r7), _r7), _r7), _add(_s34, _multiply(nx_6, lift_0, _r3), _r3), _r3), _k73 * _add(_multiply(_s32, _add(_s35, _multiply(turn_rate_6, ty_0, _r3), _r3), _r3), _add(_s36, _multiply(ny_6, lift_0, _r2), _r2), _r2), _k73 * _add(_multiply(_s32, _add(_s37, _multiply(turn_rate_6, tz_0, _r2), _r2), _r2), _add(_s38, _multiply(nz_6, lift_0, _r0), _r0), _r0), _k73 * _s7, _k73 * _s14, _k73 * _s16, _s42
+    _s42 = -_multiply(_k71, _add(_add(_add(_s39, _multiply(vx_6, tx_0, _r7), _r7), _add(_s40, _multiply(vy_6, ty_0, _r9), _r9), _r9), _add(_s41, _multiply(vz_6, tz_0, _r7), _r7), _r7), _r7)
+    return _s17, _s20, _s28, _s31, _k71 * _add(_multiply(_s32, _add(_s33, _multiply(turn_rate_6, tx_0, _r7), _r7), _r7), _add(_s34, _multiply(nx_6, lift_0, _r3), _r3), _r3), _k71 * _add(_multiply(_s32, _add(_s35, _multiply(turn_rate_6, ty_0, _r3), _r3), _r3), _add(_s36, _multiply(ny_6, lift_0, _r2), _r2), _r2), _k71 * _add(_multiply(_s32, _add(_s37, _multiply(turn_rate_6, tz_0, _r2), _r2), _r2), _add(_s38, _multiply(nz_6, lift_0, _r0), _r0), _r0), _k71 * _s7, _k71 * _s14, _k71 * _s16, _s42
 
 
 def roll_7(p_gravity: Any, p_inertia: Any, nx_0: Any, nx_1: Any, nx_2: Any, nx_3: Any, nx_4: Any, nx_5: Any, nx_6: Any, nx_7: Any, ny_0: Any, ny_1: Any, ny_2: Any, ny_3: Any, ny_4: Any, ny_5: Any, ny_6: Any, ny_7: Any, nz_0: Any, nz_1: Any, nz_2: Any, nz_3: Any, nz_4: Any, nz_5: Any, nz_6: Any, nz_7: Any, vx_0: Any, vx_1: Any, vx_2: Any, vx_3: Any, vx_4: Any, vx_5: Any, vx_6: Any, vx_7: Any, vy_0: Any, vy_1: Any, vy_2: Any, vy_3: Any, vy_4: Any, vy_5: Any, vy_6: Any, vy_7: Any, vz_0: Any, vz_1: Any, vz_2: Any, vz_3: Any, vz_4: Any, vz_5: Any, vz_6: Any, vz_7: Any, bent_x: Any, bent_y: Any, bent_z: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, lift_0: Any, lift_1: Any, lift_2: Any, lift_3: Any, lift_4: Any, lift_5: Any, lift_6: Any, tx_0: Any, tx_1: Any, tx_2: Any, tx_3: Any, tx_4: Any, tx_5: Any, tx_6: Any, ty_0: Any, ty_1: Any, ty_2: Any, ty_3: Any, ty_4: Any, ty_5: Any, ty_6: Any, tz_0: Any, tz_1: Any, tz_2: Any, tz_3: Any, tz_4: Any, tz_5: Any, tz_6: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -2075,35 +2067,35 @@ def roll_7(p_gravity: Any, p_inertia: Any, nx_0: Any, nx_1: Any, nx_2: Any, nx_3
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18 = _room[:19]
     _s0 = 1.0 / (1.0 + p_inertia)
     _s1 = _multiply(_k20, nx_2, _r0)
-    _s2 = _multiply(_k65, nx_3, _r1)
-    _s3 = _multiply(_k66, nx_4, _r2)
-    _s4 = _multiply(_k69, nx_5, _r3)
+    _s2 = _multiply(_k63, nx_3, _r1)
+    _s3 = _multiply(_k64, nx_4, _r2)
+    _s4 = _multiply(_k67, nx_5, _r3)
     _s5 = _multiply(_k3, nx_6, _r4)
     _s6 = _add(_add(_add(_add(_add(_multiply(nx_1, vx_7, _r5), _multiply(_s1, vx_6, _r6), _r6), _multiply(_s2, vx_5, _r5), _r5), _multiply(_s3, vx_4, _r6), _r6), _multiply(_s4, vx_3, _r5), _r5), _multiply(_s5, vx_2, _r6), _r6)
-    _s7 = _multiply(_k75, nx_7, _r5)
+    _s7 = _multiply(_k73, nx_7, _r5)
     _s8 = _multiply(_multiply(vx_7, bent_x, _r7), per_reach, _r7)
     _s9 = _multiply(_k20, ny_2, _r8)
-    _s10 = _multiply(_k65, ny_3, _r9)
-    _s11 = _multiply(_k66, ny_4, _r10)
-    _s12 = _multiply(_k69, ny_5, _r11)
+    _s10 = _multiply(_k63, ny_3, _r9)
+    _s11 = _multiply(_k64, ny_4, _r10)
+    _s12 = _multiply(_k67, ny_5, _r11)
     _s13 = _multiply(_k3, ny_6, _r12)
     _s14 = _add(_add(_add(_add(_add(_multiply(ny_1, vy_7, _r13), _multiply(_s9, vy_6, _r14), _r14), _multiply(_s10, vy_5, _r13), _r13), _multiply(_s11, vy_4, _r14), _r14), _multiply(_s12, vy_3, _r13), _r13), _multiply(_s13, vy_2, _r14), _r14)
-    _s15 = _multiply(_k75, ny_7, _r13)
+    _s15 = _multiply(_k73, ny_7, _r13)
     _s16 = _multiply(_multiply(vy_7, bent_y, _r15), per_reach, _r15)
-    _s17 = _add(_add(_add(_add(_multiply(nz_1, vz_7, _r16), _multiply(_multiply(_k20, nz_2, _r17), vz_6, _r17), _r17), _multiply(_multiply(_k65, nz_3, _r16), vz_5, _r16), _r16), _multiply(_multiply(_k66, nz_4, _r17), vz_4, _r17), _r17), _multiply(_multiply(_k69, nz_5, _r16), vz_3, _r16), _r16)
+    _s17 = _add(_add(_add(_add(_multiply(nz_1, vz_7, _r16), _multiply(_multiply(_k20, nz_2, _r17), vz_6, _r17), _r17), _multiply(_multiply(_k63, nz_3, _r16), vz_5, _r16), _r16), _multiply(_multiply(_k64, nz_4, _r17), vz_4, _r17), _r17), _multiply(_multiply(_k67, nz_5, _r16), vz_3, _r16), _r16)
     _s18 = _multiply(_multiply(vz_7, bent_z, _r17), per_reach, _r17)
-    _s19 = _add(_add(_add(_add(_s6, _multiply(_s7, vx_1, _r18), _r18), _multiply(vx_0, _s8, _r6), _r6), _add(_add(_s14, _multiply(_s15, vy_1, _r18), _r18), _multiply(vy_0, _s16, _r14), _r14), _r14), _add(_add(_add(_s17, _multiply(_multiply(_k3, nz_6, _r6), vz_2, _r6), _r6), _multiply(_multiply(_k75, nz_7, _r16), vz_1, _r16), _r16), _multiply(vz_0, _s18, _r6), _r6), _r6)
+    _s19 = _add(_add(_add(_add(_s6, _multiply(_s7, vx_1, _r18), _r18), _multiply(vx_0, _s8, _r6), _r6), _add(_add(_s14, _multiply(_s15, vy_1, _r18), _r18), _multiply(vy_0, _s16, _r14), _r14), _r14), _add(_add(_add(_s17, _multiply(_multiply(_k3, nz_6, _r6), vz_2, _r6), _r6), _multiply(_multiply(_k73, nz_7, _r16), vz_1, _r16), _r16), _multiply(vz_0, _s18, _r6), _r6), _r6)
     _s20 = _multiply(_multiply(p_gravity, nz_7, _r14), _s0, _r14) - _s19
     _s21 = _multiply(_s11, nz_4, _r10)
-    _s22 = _add(_add(_add(_add(_multiply(ny_0, _s18, _r6), _multiply(_multiply(_k75, ny_1, _r14), nz_7, _r14), _r14), _multiply(_multiply(_k3, ny_2, _r6), nz_6, _r6), _r6), _multiply(_multiply(_k69, ny_3, _r14), nz_5, _r14), _r14), _s21, _r14)
+    _s22 = _add(_add(_add(_add(_multiply(ny_0, _s18, _r6), _multiply(_multiply(_k73, ny_1, _r14), nz_7, _r14), _r14), _multiply(_multiply(_k3, ny_2, _r6), nz_6, _r6), _r6), _multiply(_multiply(_k67, ny_3, _r14), nz_5, _r14), _r14), _s21, _r14)
     _s23 = _add(_add(_add(_add(_add(_multiply(ny_1, nz_7, _r6), _multiply(_s9, nz_6, _r8), _r8), _multiply(_s10, nz_5, _r9), _r9), _s21, _r9), _multiply(_s12, nz_3, _r11), _r11), _multiply(_s13, nz_2, _r12), _r12)
-    _s24 = _add(_add(_add(_s22, _multiply(_multiply(_k65, ny_5, _r11), nz_3, _r11), _r11), _multiply(_multiply(_k20, ny_6, _r14), nz_2, _r14), _r14), _multiply(ny_7, nz_1, _r11), _r11) - _add(_add(_s23, _multiply(_s15, nz_1, _r13), _r13), _multiply(nz_0, _s16, _r12), _r12)
+    _s24 = _add(_add(_add(_s22, _multiply(_multiply(_k63, ny_5, _r11), nz_3, _r11), _r11), _multiply(_multiply(_k20, ny_6, _r14), nz_2, _r14), _r14), _multiply(ny_7, nz_1, _r11), _r11) - _add(_add(_s23, _multiply(_s15, nz_1, _r13), _r13), _multiply(nz_0, _s16, _r12), _r12)
     _s25 = _multiply(_s3, nz_4, _r12)
     _s26 = _add(_add(_add(_add(_add(_multiply(nx_1, nz_7, _r11), _multiply(_s1, nz_6, _r13), _r13), _multiply(_s2, nz_5, _r11), _r11), _s25, _r11), _multiply(_s4, nz_3, _r13), _r13), _multiply(_s5, nz_2, _r11), _r11)
-    _s27 = _multiply(_k75, nx_1, _r13)
+    _s27 = _multiply(_k73, nx_1, _r13)
     _s28 = _multiply(_k3, nx_2, _r14)
-    _s29 = _multiply(_k69, nx_3, _r9)
-    _s30 = _multiply(_k65, nx_5, _r10)
+    _s29 = _multiply(_k67, nx_3, _r9)
+    _s30 = _multiply(_k63, nx_5, _r10)
     _s31 = _add(_add(_add(_add(_add(_multiply(nx_0, _s18, _r8), _multiply(_s27, nz_7, _r6), _r6), _multiply(_s28, nz_6, _r8), _r8), _multiply(_s29, nz_5, _r6), _r6), _s25, _r6), _multiply(_s30, nz_3, _r12), _r12)
     _s32 = _multiply(_k20, nx_6, _r6)
     _s33 = _add(_add(_s26, _multiply(_s7, nz_1, _r8), _r8), _multiply(nz_0, _s8, _r11), _r11) - _add(_add(_s31, _multiply(_s32, nz_2, _r8), _r8), _multiply(nx_7, nz_1, _r12), _r12)
@@ -2158,19 +2150,19 @@ def roll_moved(x: Any, y: Any, z: Any, vx_0: Any, vx_1: Any, vx_2: Any, vx_3: An
     its series. 142 operations: 59 additions, 83 multiplications.
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7 = _room[:8]
-    _s0 = _multiply(t, _add(_multiply(_k73, vx_6, _r0), _multiply(t, _add(_multiply(_k26, vx_7, _r1), _multiply(_multiply(_k77, vx_8, _r2), t, _r2), _r2), _r2), _r2), _r2)
-    _s1 = _add(_multiply(_k24, vx_3, _r0), _multiply(t, _add(_multiply(_k67, vx_4, _r1), _multiply(t, _add(_multiply(_k70, vx_5, _r3), _s0, _r2), _r2), _r2), _r2), _r2)
-    _s2 = _add(vx_0, _multiply(t, _add(_multiply(_k45, vx_1, _r0), _multiply(t, _add(_multiply(_k63, vx_2, _r1), _multiply(t, _s1, _r2), _r2), _r2), _r2), _r2), _r2)
+    _s0 = _multiply(t, _add(_multiply(_k71, vx_6, _r0), _multiply(t, _add(_multiply(_k26, vx_7, _r1), _multiply(_multiply(_k75, vx_8, _r2), t, _r2), _r2), _r2), _r2), _r2)
+    _s1 = _add(_multiply(_k24, vx_3, _r0), _multiply(t, _add(_multiply(_k65, vx_4, _r1), _multiply(t, _add(_multiply(_k68, vx_5, _r3), _s0, _r2), _r2), _r2), _r2), _r2)
+    _s2 = _add(vx_0, _multiply(t, _add(_multiply(_k45, vx_1, _r0), _multiply(t, _add(_multiply(_k61, vx_2, _r1), _multiply(t, _s1, _r2), _r2), _r2), _r2), _r2), _r2)
     _s3 = _add(vx_5, _multiply(t, _add(vx_6, _multiply(t, _add(vx_7, _multiply(vx_8, t, _r0), _r0), _r0), _r0), _r0), _r0)
     _s4 = _add(vx_2, _multiply(t, _add(vx_3, _multiply(t, _add(vx_4, _multiply(t, _s3, _r0), _r0), _r0), _r0), _r0), _r0)
-    _s5 = _multiply(t, _add(_multiply(_k73, vy_6, _r1), _multiply(t, _add(_multiply(_k26, vy_7, _r3), _multiply(_multiply(_k77, vy_8, _r4), t, _r4), _r4), _r4), _r4), _r4)
-    _s6 = _add(_multiply(_k24, vy_3, _r1), _multiply(t, _add(_multiply(_k67, vy_4, _r3), _multiply(t, _add(_multiply(_k70, vy_5, _r5), _s5, _r4), _r4), _r4), _r4), _r4)
-    _s7 = _add(vy_0, _multiply(t, _add(_multiply(_k45, vy_1, _r1), _multiply(t, _add(_multiply(_k63, vy_2, _r3), _multiply(t, _s6, _r4), _r4), _r4), _r4), _r4), _r4)
+    _s5 = _multiply(t, _add(_multiply(_k71, vy_6, _r1), _multiply(t, _add(_multiply(_k26, vy_7, _r3), _multiply(_multiply(_k75, vy_8, _r4), t, _r4), _r4), _r4), _r4), _r4)
+    _s6 = _add(_multiply(_k24, vy_3, _r1), _multiply(t, _add(_multiply(_k65, vy_4, _r3), _multiply(t, _add(_multiply(_k68, vy_5, _r5), _s5, _r4), _r4), _r4), _r4), _r4)
+    _s7 = _add(vy_0, _multiply(t, _add(_multiply(_k45, vy_1, _r1), _multiply(t, _add(_multiply(_k61, vy_2, _r3), _multiply(t, _s6, _r4), _r4), _r4), _r4), _r4), _r4)
     _s8 = _add(vy_5, _multiply(t, _add(vy_6, _multiply(t, _add(vy_7, _multiply(vy_8, t, _r1), _r1), _r1), _r1), _r1), _r1)
     _s9 = _add(vy_2, _multiply(t, _add(vy_3, _multiply(t, _add(vy_4, _multiply(t, _s8, _r1), _r1), _r1), _r1), _r1), _r1)
-    _s10 = _multiply(t, _add(_multiply(_k73, vz_6, _r3), _multiply(t, _add(_multiply(_k26, vz_7, _r5), _multiply(_multiply(_k77, vz_8, _r6), t, _r6), _r6), _r6), _r6), _r6)
-    _s11 = _add(_multiply(_k24, vz_3, _r3), _multiply(t, _add(_multiply(_k67, vz_4, _r5), _multiply(t, _add(_multiply(_k70, vz_5, _r7), _s10, _r6), _r6), _r6), _r6), _r6)
-    _s12 = _add(vz_0, _multiply(t, _add(_multiply(_k45, vz_1, _r3), _multiply(t, _add(_multiply(_k63, vz_2, _r5), _multiply(t, _s11, _r6), _r6), _r6), _r6), _r6), _r6)
+    _s10 = _multiply(t, _add(_multiply(_k71, vz_6, _r3), _multiply(t, _add(_multiply(_k26, vz_7, _r5), _multiply(_multiply(_k75, vz_8, _r6), t, _r6), _r6), _r6), _r6), _r6)
+    _s11 = _add(_multiply(_k24, vz_3, _r3), _multiply(t, _add(_multiply(_k65, vz_4, _r5), _multiply(t, _add(_multiply(_k68, vz_5, _r7), _s10, _r6), _r6), _r6), _r6), _r6)
+    _s12 = _add(vz_0, _multiply(t, _add(_multiply(_k45, vz_1, _r3), _multiply(t, _add(_multiply(_k61, vz_2, _r5), _multiply(t, _s11, _r6), _r6), _r6), _r6), _r6), _r6)
     _s13 = _add(vz_5, _multiply(t, _add(vz_6, _multiply(t, _add(vz_7, _multiply(vz_8, t, _r3), _r3), _r3), _r3), _r3), _r3)
     _s14 = _add(vz_2, _multiply(t, _add(vz_3, _multiply(t, _add(vz_4, _multiply(t, _s13, _r3), _r3), _r3), _r3), _r3), _r3)
     _s15 = _add(turn_rate_5, _multiply(t, _add(turn_rate_6, _multiply(t, _add(turn_rate_7, _multiply(t, turn_rate_8, _r5), _r5), _r5), _r5), _r5), _r5)
@@ -2205,26 +2197,26 @@ def roll_pace(p_gravity: Any, p_inertia: Any, nx_8: Any, ny_8: Any, nz_0: Any, n
     _s4 = _add(_add(_add(_absolute(vx_8, _r3), _absolute(vy_8, _r5), _r5), _absolute(vz_8, _r3), _r3), _absolute(turn_rate_8, _r5), _r5)
     _s5 = _add(_multiply(_add(_multiply(_s2, _s0, _r3), _sqrt(_multiply(p_gravity, _s2, _r2), _r2), _r2), _s3, _r2), _s4, _r2)
     _s6 = _multiply(_s1, _add(_add(_absolute(nx_8, _r3), _absolute(ny_8, _r6), _r6), _absolute(nz_8, _r3), _r3), _r3)
-    _s7 = _sqrt(_sqrt(_sqrt(_divide(_multiply(_k79, _s1, _r6), _select(_s5 < _s6, _s6, _s5, _r7), _r6), _r6), _r6), _r6)
+    _s7 = _sqrt(_sqrt(_sqrt(_divide(_multiply(_k77, _s1, _r6), _select(_s5 < _s6, _s6, _s5, _r7), _r6), _r6), _r6), _r6)
     _s8 = _result(_s7 < _k19, _s7, _k19, _r0)
     _s9 = _multiply(_multiply(_k20, _add(_add(_add(_absolute(vx_2, _r7), _absolute(vy_2, _r3), _r3), _absolute(vz_2, _r7), _r7), _absolute(turn_rate_2, _r3), _r3), _r3), _s8, _r3)
     _s10 = _multiply(_s8, _s8, _r7)
-    _s11 = _multiply(_multiply(_k65, _add(_add(_add(_absolute(vx_3, _r2), _absolute(vy_3, _r8), _r8), _absolute(vz_3, _r2), _r2), _absolute(turn_rate_3, _r8), _r8), _r8), _s10, _r8)
+    _s11 = _multiply(_multiply(_k63, _add(_add(_add(_absolute(vx_3, _r2), _absolute(vy_3, _r8), _r8), _absolute(vz_3, _r2), _r2), _absolute(turn_rate_3, _r8), _r8), _r8), _s10, _r8)
     _s12 = _multiply(_s8, _s10, _r2)
-    _s13 = _multiply(_multiply(_k66, _add(_add(_add(_absolute(vx_4, _r9), _absolute(vy_4, _r10), _r10), _absolute(vz_4, _r9), _r9), _absolute(turn_rate_4, _r10), _r10), _r10), _s12, _r10)
+    _s13 = _multiply(_multiply(_k64, _add(_add(_add(_absolute(vx_4, _r9), _absolute(vy_4, _r10), _r10), _absolute(vz_4, _r9), _r9), _absolute(turn_rate_4, _r10), _r10), _r10), _s12, _r10)
     _s14 = _multiply(_s10, _s10, _r9)
-    _s15 = _multiply(_multiply(_k69, _add(_add(_add(_absolute(vx_5, _r11), _absolute(vy_5, _r12), _r12), _absolute(vz_5, _r11), _r11), _absolute(turn_rate_5, _r12), _r12), _r12), _s14, _r12)
+    _s15 = _multiply(_multiply(_k67, _add(_add(_add(_absolute(vx_5, _r11), _absolute(vy_5, _r12), _r12), _absolute(vz_5, _r11), _r11), _absolute(turn_rate_5, _r12), _r12), _r12), _s14, _r12)
     _s16 = _multiply(_s8, _s14, _r11)
     _s17 = _multiply(_multiply(_k3, _add(_add(_add(_absolute(vx_6, _r13), _absolute(vy_6, _r14), _r14), _absolute(vz_6, _r13), _r13), _absolute(turn_rate_6, _r14), _r14), _r14), _s16, _r14)
-    _s18 = _add(_add(_add(_add(_add(_add(_s9, _s11, _r8), _s13, _r10), _s15, _r12), _s17, _r14), _multiply(_multiply(_k75, _s3, _r4), _multiply(_s10, _s14, _r12), _r4), _r4), _multiply(_multiply(_k23, _s4, _r5), _multiply(_s12, _s14, _r14), _r5), _r5)
+    _s18 = _add(_add(_add(_add(_add(_add(_s9, _s11, _r8), _s13, _r10), _s15, _r12), _s17, _r14), _multiply(_multiply(_k73, _s3, _r4), _multiply(_s10, _s14, _r12), _r4), _r4), _multiply(_multiply(_k23, _s4, _r5), _multiply(_s12, _s14, _r14), _r5), _r5)
     _s19 = _s18 + _add(_add(_add(_absolute(vx_1, _r4), _absolute(vy_1, _r14), _r14), _absolute(vz_1, _r4), _r4), _absolute(turn_rate_1, _r14), _r14)
     _s20 = p_inertia * (1.0 / (1.0 + p_inertia))
     _s21 = _multiply(p_gravity, nz_1, _r14)
     _s22 = _multiply(_multiply(_k3, _absolute(_add(lift_3, _multiply(_multiply(p_gravity, nz_3, _r5), _s20, _r5), _r5), _r5), _r5), _s8, _r5)
-    _s23 = _multiply(_multiply(_k80, _absolute(_add(lift_4, _multiply(_multiply(p_gravity, nz_4, _r4), _s20, _r4), _r4), _r4), _r4), _s10, _r4)
-    _s24 = _multiply(_multiply(_k81, _absolute(_add(lift_5, _multiply(_multiply(p_gravity, nz_5, _r7), _s20, _r7), _r7), _r7), _r7), _s12, _r7)
-    _s25 = _multiply(_multiply(_k82, _absolute(_add(lift_6, _multiply(_multiply(p_gravity, nz_6, _r2), _s20, _r2), _r2), _r2), _r2), _s14, _r2)
-    _s26 = _multiply(_multiply(_k83, _absolute(_add(lift_7, _multiply(_multiply(p_gravity, nz_7, _r9), _s20, _r9), _r9), _r9), _r9), _s16, _r9)
+    _s23 = _multiply(_multiply(_k78, _absolute(_add(lift_4, _multiply(_multiply(p_gravity, nz_4, _r4), _s20, _r4), _r4), _r4), _r4), _s10, _r4)
+    _s24 = _multiply(_multiply(_k79, _absolute(_add(lift_5, _multiply(_multiply(p_gravity, nz_5, _r7), _s20, _r7), _r7), _r7), _r7), _s12, _r7)
+    _s25 = _multiply(_multiply(_k80, _absolute(_add(lift_6, _multiply(_multiply(p_gravity, nz_6, _r2), _s20, _r2), _r2), _r2), _r2), _s14, _r2)
+    _s26 = _multiply(_multiply(_k81, _absolute(_add(lift_7, _multiply(_multiply(p_gravity, nz_7, _r9), _s20, _r9), _r9), _r9), _r9), _s16, _r9)
     _s27 = _add(_add(_add(_add(_s22, _s23, _r4), _s24, _r7), _s25, _r2), _s26, _r9) + _multiply(_k20, _absolute(_add(lift_2, _multiply(_multiply(p_gravity, nz_2, _r2), _s20, _r2), _r2), _r2), _r2)
     return _s8, _k46 * _s1, _s19, _multiply(_s19, _s8, _r6) + _s0, lift_0 + _multiply(_multiply(p_gravity, nz_0, _r6), _s20, _r6), lift_1 + _multiply(_s21, _s20, _r6), _s27, -_multiply(_multiply(_k20, _negative(_s21, _r14), _r14), _s20, _r14)
 
@@ -2317,8 +2309,8 @@ def neared_body(gap: Any, nearest: Any, second_contact_gap: Any, rolling_gap_acc
     _r0, _r1, _r2, _r3, _r4 = _room[:5]
     _s0 = _absolute(gap, _r0)
     _s1 = _absolute(rolling_gap_acceleration, _r1)
-    _s2 = _multiply(_k91, press, _r2)
-    _s3 = _select(_logical_and((rolling_gap_acceleration < _multiply(_k92, press, _r3)), (normal_cosine < _k93)), _add(_divide(_multiply(_k45, _multiply(nearing, nearing, _r3), _r3), _select(_s1 < _s2, _s2, _s1, _r4), _r3), _s0, _r3), _k5, _r4)
+    _s2 = _multiply(_k89, press, _r2)
+    _s3 = _select(_logical_and((rolling_gap_acceleration < _multiply(_k90, press, _r3)), (normal_cosine < _k91)), _add(_divide(_multiply(_k45, _multiply(nearing, nearing, _r3), _r3), _select(_s1 < _s2, _s2, _s1, _r4), _r3), _s0, _r3), _k5, _r4)
     return _result(_s0 < nearest, _s0, nearest, _r0), _result(_s3 < second_contact_gap, _s3, second_contact_gap, _r0)
 
 
@@ -2354,7 +2346,7 @@ def leaving_force(p_ball_radius: Any, p_gravity: Any, vx: Any, vx_1: Any, vy: An
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10 = _room[:11]
     _s0 = _absolute(per_reach, _r0)
     _s1 = _add(p_gravity, _multiply(_multiply(fastest, fastest, _r1), _s0, _r1), _r1)
-    _s2 = _multiply(_k98, _s1, _r2)
+    _s2 = _multiply(_k96, _s1, _r2)
     _s3 = force_rate < _k4
     _s4 = _logical_or((force < _negative(_s2, _r3)), _logical_and((force <= _s2), _s3))
     _s5 = _negative(_add(force_rate, friction_force_rate, _r3), _r3)
@@ -2363,7 +2355,7 @@ def leaving_force(p_ball_radius: Any, p_gravity: Any, vx: Any, vx_1: Any, vy: An
     _s8 = _logical_and(_s4, _logical_not(_s7))
     _s9 = _logical_and((_add(_add(_absolute(vx, _r3), _absolute(vy, _r5), _r5), _absolute(vz, _r3), _r3) <= (5.684341886080802e-14 * _sqrt((p_ball_radius * p_gravity)))), (_add(_add(_absolute(vx_1, _r3), _absolute(vy_1, _r5), _r5), _absolute(vz_1, _r3), _r3) <= (5.684341886080802e-14 * p_gravity)))
     _s10 = _multiply(force_rate, force_rate, _r3)
-    _s11 = _add(force_bend, _multiply(_k92, _s1, _r5), _r5)
+    _s11 = _add(force_bend, _multiply(_k90, _s1, _r5), _r5)
     _s12 = _select(_s7, _s6, _select(force < _k4, _k4, force, _r6), _r7)
     _s13 = _add(_s10, _multiply(_multiply(_k20, _s11, _r8), _s12, _r8), _r8)
     _s14 = _sqrt(_s13, _r9)
@@ -2379,7 +2371,7 @@ def beside_body(p_ball_radius: Any, x: Any, y: Any, z: Any, gap: Any, index: Any
     a parabola below the distance. 55 operations: 7 additions, 1 subtraction, 12 multiplications, 2 divisions, 1 square root, 1 negation, 4 absolute values, 9 comparisons, 5 conjunctions, 1 disjunction, 2 complements, 10 selections.
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8 = _room[:9]
-    _s0 = _multiply(_k100, _add(_add(_add(p_ball_radius, _absolute(x, _r0), _r0), _absolute(y, _r1), _r1), _absolute(z, _r0), _r0), _r0)
+    _s0 = _multiply(_k98, _add(_add(_add(p_ball_radius, _absolute(x, _r0), _r0), _absolute(y, _r1), _r1), _absolute(z, _r0), _r0), _r0)
     _s1 = gap <= _s0
     _s2 = nearing < _k4
     _s3 = _logical_and(_s1, _s2)
@@ -2402,7 +2394,7 @@ def beside_gate(p_ball_radius: Any, x: Any, y: Any, z: Any, gap: Any, index: Any
     a parabola below the distance. 60 operations: 7 additions, 1 subtraction, 11 multiplications, 2 divisions, 1 square root, 2 negations, 4 absolute values, 12 comparisons, 6 conjunctions, 1 disjunction, 2 complements, 11 selections.
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8 = _room[:9]
-    _s0 = _multiply(_k100, _add(_add(_add(p_ball_radius, _absolute(x, _r0), _r0), _absolute(y, _r1), _r1), _absolute(z, _r0), _r0), _r0)
+    _s0 = _multiply(_k98, _add(_add(_add(p_ball_radius, _absolute(x, _r0), _r0), _absolute(y, _r1), _r1), _absolute(z, _r0), _r0), _r0)
     _s1 = nearing < _k4
     _s2 = _logical_and(_logical_and((gap <= _s0), _s1), (_negative(_s0, _r1) <= gap))
     _s3 = _multiply(nearing, nearing, _r1)
@@ -2427,7 +2419,7 @@ def beside_seam(gap: Any, near: Any, nearing: Any, stride: Any, strongest: Any, 
     _s0 = _absolute(gap, _r0)
     _s1 = _s0 <= near
     _s2 = _select(_s1, _k4, _s0, _r1)
-    _s3 = _select(_s1, _add(_multiply(_k91, fastest, _r2), _absolute(nearing, _r3), _r3), _select(_k4 < gap, nearing, _negative(nearing, _r2), _r4), _r5)
+    _s3 = _select(_s1, _add(_multiply(_k89, fastest, _r2), _absolute(nearing, _r3), _r3), _select(_k4 < gap, nearing, _negative(nearing, _r2), _r4), _r5)
     _s4 = _add(_multiply(_multiply(_k20, strongest, _r6), _s2, _r6), _multiply(_s3, _s3, _r7), _r7)
     _s5 = _sqrt(_s4, _r6)
     _s6 = _s3 < _k4
@@ -2501,7 +2493,7 @@ def end_plane_free_time(p_gravity: Any, vx: Any, vy: Any, vz: Any, gap: Any, dou
     _s15 = _negative(nearing, _r5) < _k4
     _s16 = _select(_k4 <= _s13, _divide(_select(_s15, _multiply(_k20, _s12, _r8), _subtract(_s14, nearing, _r2), _r3), _select(_s15, _add(nearing, _s14, _r0), _s8, _r5), _r3), _k5, _r2)
     _s17 = _divide(_absolute(nearing, _r8), _s3, _r8)
-    return _result(_s0, _select(_s10 < free_time, _s10, free_time, _r1), free_time, _r0), _result(_logical_or(_s0, (_k103 < _select(_s16 < _s17, _s17, _s16, _r1))), doubt, _k4, _r0)
+    return _result(_s0, _select(_s10 < free_time, _s10, free_time, _r1), free_time, _r0), _result(_logical_or(_s0, (_k101 < _select(_s16 < _s17, _s17, _s16, _r1))), doubt, _k4, _r0)
 
 
 def seam_free_time(p_gravity: Any, gap: Any, free_time: Any, near: Any, nearing: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -2537,12 +2529,12 @@ def separated(p_gravity: Any, vx: Any, vy: Any, vz: Any, doubt: Any, position_er
     _s9 = _add(_absolute(gap_snap, _r9), _s8, _r9)
     _s10 = _divide(_s6, _s9, _r6)
     _s11 = _select(_k4 < lift, lift, _k4, _r10)
-    _s12 = _sqrt(_divide(_multiply(_k104, _s11, _r11), _s5, _r11), _r11)
+    _s12 = _sqrt(_divide(_multiply(_k102, _s11, _r11), _s5, _r11), _r11)
     _s13 = _sqrt(_divide(_multiply(_k45, _s11, _r4), _s9, _r4), _r4)
-    _s14 = _divide(_s11, _add(_multiply(_k66, _absolute(gap_jerk, _r9), _r9), _s8, _r9), _r9)
+    _s14 = _divide(_s11, _add(_multiply(_k64, _absolute(gap_jerk, _r9), _r9), _s8, _r9), _r9)
     _s15 = _select(_s13 < _s14, _s13, _s14, _r10)
     _s16 = _select(_k4 < gap_jerk, _select(_s7 < _s10, _s7, _s10, _r8), _select(_s12 < _s15, _s12, _s15, _r12), _r13)
-    _s17 = _select(_s16 < _k103, _s16, _k103, _r14)
+    _s17 = _select(_s16 < _k101, _s16, _k101, _r14)
     _s18 = _select(_s0 < _s17, _s0, _s17, _r15)
     _s19 = _add(5.684341886080802e-14 * p_gravity, _multiply(_multiply(_k36, _add(_multiply(position_error, _s3, _r3), _multiply(velocity_error, _s1, _r1), _r1), _r1), _s2, _r1), _r1)
     return _result(_k4 < _s18, _s18, _k4, _r0), _result(_logical_or((_multiply(_s19, _s4, _r5) < gap_jerk), (_s19 < lift)), doubt, _k4, _r0)
@@ -2708,14 +2700,14 @@ def stay_in_contact(last: Any, which: Any, doubt: Any, body: Any, clock: Any, re
     Table 1. 38 operations: 3 additions, 1 subtraction, 1 multiplication, 9 comparisons, 2 conjunctions, 4 disjunctions, 1 complement, 17 selections.
     """
     _r0, _r1, _r2, _r3, _r4 = _room[:5]
-    _s0 = which == _k69
+    _s0 = which == _k67
     _s1 = _multiply(_k20, _select(held == _k20, _k20, _select(held == _k19, _k19, _select(held == _k4, _k4, _k51, _r0), _r1), _r2), _r2)
     _s2 = which == _k3
-    _s3 = which == _k75
+    _s3 = which == _k73
     _s4 = which == _k23
-    _s5 = _logical_and(rolling, (_subtract(clock, began, _r1) <= _k107))
-    _s6 = _k66 < which
-    return _result(_s0, _add(_k66, _s1, _r1), _select(_s2, _add(_k69, _s1, _r2), _select(_s3, _k51, _select(_s4, _k65, body, _r0), _r3), _r4), _r0), _result(_s5, _k20, _select(_s4, _k3, _select(rests, _k69, _select(_logical_or(_s6, rolling), _k51, reached, _r4), _r3), _r0), _r0), _result(_s5, _k4, doubt, _r0), _logical_and(ends, _logical_not(_s6)), _s3, _result(_s3, _k51, last, _r0), _result(_logical_or(_s0, rolling), _k20, _select(_s2, _k65, _k4, _r0), _r0), _result(_logical_or(_logical_or(_s0, _s2), rolling), held, _k51, _r0), _result(_s0, _add(_k19, rolls, _r0), rolls, _r0)
+    _s5 = _logical_and(rolling, (_subtract(clock, began, _r1) <= _k105))
+    _s6 = _k64 < which
+    return _result(_s0, _add(_k64, _s1, _r1), _select(_s2, _add(_k67, _s1, _r2), _select(_s3, _k51, _select(_s4, _k63, body, _r0), _r3), _r4), _r0), _result(_s5, _k20, _select(_s4, _k3, _select(rests, _k67, _select(_logical_or(_s6, rolling), _k51, reached, _r4), _r3), _r0), _r0), _result(_s5, _k4, doubt, _r0), _logical_and(ends, _logical_not(_s6)), _s3, _result(_s3, _k51, last, _r0), _result(_logical_or(_s0, rolling), _k20, _select(_s2, _k63, _k4, _r0), _r0), _result(_logical_or(_logical_or(_s0, _s2), rolling), held, _k51, _r0), _result(_s0, _add(_k19, rolls, _r0), rolls, _r0)
 
 
 def settled(index: Any, outcome: Any, uncertain: Any, unsure: Any, settles: Any, nearly: Any, lodges: Any, slides: Any, unpressed: Any) -> tuple[Any, ...]:
@@ -2774,9 +2766,9 @@ def lost_grip(clock: Any, grip_deficit: Any, grip_deficit_rate: Any, last_grip_d
     _s5 = _multiply(grip_deficit_rate, _s0, _r5)
     _s6 = _multiply(last_grip_deficit_rate, _s0, _r6)
     _s7 = _subtract(_add(_s5, _s6, _r7), _multiply(_k20, _s1, _r8), _r8)
-    _s8 = _subtract(_subtract(_multiply(_k65, _s1, _r7), _s5, _r7), _multiply(_k20, _s6, _r5), _r5)
+    _s8 = _subtract(_subtract(_multiply(_k63, _s1, _r7), _s5, _r7), _multiply(_k20, _s6, _r5), _r5)
     _s9 = _add(last_grip_deficit, _multiply(_add(_multiply(_add(_multiply(_s7, _s4, _r7), _s8, _r7), _s4, _r7), _s6, _r7), _s4, _r7), _r7)
-    _s10 = _multiply(_k65, _s7, _r9)
+    _s10 = _multiply(_k63, _s7, _r9)
     _s11 = _multiply(_k20, _s8, _r10)
     _s12 = _add(_multiply(_add(_multiply(_s10, _s4, _r11), _s11, _r11), _s4, _r11), _s6, _r11)
     _s13 = _subtract(_s4, _divide(_s9, _select(_k4 < _s12, _s12, _s1, _r12), _r12), _r12)
@@ -2859,17 +2851,17 @@ def ring_impact_settling(p_ball_radius: Any, p_inertia: Any, p_ring_friction: An
     _s7 = _multiply(_multiply(_k23, _s3, _r4), _add(_multiply(_s3, _s5, _r5), _s6, _r5), _r4)
     _s8 = _s0 * _s0
     _s9 = _add(_sqrt(_multiply(p_ball_radius, _s6, _r2), _r2), _s5, _r2)
-    _s10 = _multiply(_k79, _s9, _r5)
+    _s10 = _multiply(_k77, _s9, _r5)
     _s11 = _multiply(_k20, rolling_friction, _r6)
     _s12 = 1.0 + p_ring_restitution
     _s13 = p_ring_friction * _s12
     _s14 = _multiply(press, _s13, _r7)
-    _s15 = _logical_and(_logical_and(_logical_and(_logical_and((_k4 < press), _s1), (_multiply(_multiply(_k65, _s2, _r8), _s7, _r8) < _multiply(press, _s8, _r9))), (slip <= _add(_multiply(_multiply(_k23, rolling_friction, _r9), _s2, _r9), _s10, _r9))), (_s11 <= _s14))
+    _s15 = _logical_and(_logical_and(_logical_and(_logical_and((_k4 < press), _s1), (_multiply(_multiply(_k63, _s2, _r8), _s7, _r8) < _multiply(press, _s8, _r9))), (slip <= _add(_multiply(_multiply(_k23, rolling_friction, _r9), _s2, _r9), _s10, _r9))), (_s11 <= _s14))
     _s16 = _multiply(_k45, bounce, _r9)
     _s17 = _s12 * _s0
-    _s18 = _multiply(_k66, rolling_friction, _r8)
+    _s18 = _multiply(_k64, rolling_friction, _r8)
     _s19 = p_inertia * (1.0 / (1.0 + p_inertia))
-    _s20 = _add(_add(_multiply(_s16, _s2, _r10), _divide(_multiply(_s18, _multiply(_s2, _s2, _r11), _r11), _s17, _r11), _r11), _divide(_multiply(_multiply(_multiply(_k66, slip, _r10), _s19, _r10), _s2, _r10), _s0, _r10), _r10)
+    _s20 = _add(_add(_multiply(_s16, _s2, _r10), _divide(_multiply(_s18, _multiply(_s2, _s2, _r11), _r11), _s17, _r11), _r11), _divide(_multiply(_multiply(_multiply(_k64, slip, _r10), _s19, _r10), _s2, _r10), _s0, _r10), _r10)
     _s21 = 3.637978807091713e-12 * p_ball_radius
     _s22 = _logical_and(_s15, (_s20 <= _s21))
     _s23 = 3.725290298461914e-09 * p_ball_radius
@@ -2880,11 +2872,11 @@ def ring_impact_settling(p_ball_radius: Any, p_inertia: Any, p_ring_friction: An
     _s28 = _negative(lift, _r0)
     _s29 = _select(_s28 < press, _s28, press, _r11)
     _s30 = _divide(bounce, _s29, _r12)
-    _s31 = _logical_and(_logical_and(_logical_and((_k4 < _s29), _s1), (_multiply(_multiply(_k65, _s30, _r13), _s7, _r13) < _multiply(_s8, _s29, _r11))), (_add(_s23, _divide(_multiply(_multiply(_k36, _s30, _r11), _s5, _r11), _s0, _r11), _r11) < nearest))
+    _s31 = _logical_and(_logical_and(_logical_and((_k4 < _s29), _s1), (_multiply(_multiply(_k63, _s30, _r13), _s7, _r13) < _multiply(_s8, _s29, _r11))), (_add(_s23, _divide(_multiply(_multiply(_k36, _s30, _r11), _s5, _r11), _s0, _r11), _r11) < nearest))
     _s32 = _logical_and(_s31, (_add(_multiply(_s16, _s30, _r9), _divide(_multiply(_s18, _multiply(_s30, _s30, _r11), _r11), _s17, _r11), _r11) <= _s21))
     _s33 = _k4 < bounce
-    _s34 = _add(_divide(_multiply(_k20, _add(_multiply(_s11, _s30, _r12), _select(_s33, _multiply(bounce, _s13, _r11), _k4, _r9), _r9), _r9), _s19 * _s0, _r9), _multiply(_k109, _s9, _r2), _r2)
-    _s35 = _logical_or((_absolute(press, _r9) <= _multiply(_multiply(_k66, velocity_error, _r11), _s3, _r11)), _logical_and((_multiply(bounce, _absolute(_subtract(_s20, _s21, _r10), _r10), _r10) <= _multiply(_multiply(_k20, velocity_error, _r11), _s21, _r11)), _s33))
+    _s34 = _add(_divide(_multiply(_k20, _add(_multiply(_s11, _s30, _r12), _select(_s33, _multiply(bounce, _s13, _r11), _k4, _r9), _r9), _r9), _s19 * _s0, _r9), _multiply(_k107, _s9, _r2), _r2)
+    _s35 = _logical_or((_absolute(press, _r9) <= _multiply(_multiply(_k64, velocity_error, _r11), _s3, _r11)), _logical_and((_multiply(bounce, _absolute(_subtract(_s20, _s21, _r10), _r10), _r10) <= _multiply(_multiply(_k20, velocity_error, _r11), _s21, _r11)), _s33))
     _s36 = _multiply(_k36, velocity_error, _r11)
     _s37 = _logical_and(_s32, _logical_or((_absolute(_subtract(slip, _s34, _r10), _r10) < _s36), (_absolute(_subtract(_s11, _s14, _r10), _r10) < _multiply(_s36, _add(_multiply(_s13, _s3, _r9), _s3, _r9), _r9))))
     return _logical_and(_logical_and(_s22, _logical_not(_s24)), _logical_or(_s26, _s27)), _logical_and(_s22, _s24), _logical_and(_s32, _logical_or((_s34 < slip), (_s14 < _s11))), _logical_and((bounce <= _s10), (_k4 <= lift)), _result(_logical_or(_logical_and(_s15, _s26), _s31), _k19, _k4, _r0), _logical_or(_logical_or(_s35, _s37), _logical_and(_logical_and(_s22, _s27), _logical_not(_s26)))
@@ -3197,7 +3189,7 @@ def ring_clear(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, 
     _s32 = _add(x, _multiply(vx, horizon, _r7), _r7)
     _s33 = _add(y, _multiply(vy, horizon, _r8), _r8)
     _s34 = _select(_subtract(_add(_add(_s19, _multiply(_s32, _s32, _r7), _r7), _multiply(_s33, _s33, _r8), _r8), _s25, _r8) < _k4, _k19, _select(_subtract(_multiply(_s21, _s19 + _s25, _r8), _s29, _r8) < _k4, _k19, _k4, _r8), _r15)
-    _s35 = _select(_subtract(_multiply(_multiply(_k66, _multiply(_s31, _s31, _r10), _r10), _s26, _r10), _multiply(_multiply(_multiply(_k20, _s30, _r7), _s14, _r7), _s20, _r7), _r7) < _k4, _s34, _k4, _r7)
+    _s35 = _select(_subtract(_multiply(_multiply(_k64, _multiply(_s31, _s31, _r10), _r10), _s26, _r10), _multiply(_multiply(_multiply(_k20, _s30, _r7), _s14, _r7), _s20, _r7), _r7) < _k4, _s34, _k4, _r7)
     _s36 = _select(horizon < _subtract(_s11, _multiply(_k52, horizon, _r10), _r10), _k19, _select(_k4 < _s20, _select(_k4 < _s30, _s35, _k4, _r12), _k4, _r13), _r10)
     _s37 = _add(_multiply(x, vx, _r4), _multiply(y, vy, _r9), _r9)
     _s38 = _add(_multiply(_s10, _s21, _r14), _s37, _r14)
@@ -3238,20 +3230,20 @@ def ring_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any
     _s23 = _multiply(_k46, _add(_add(_absolute(_s21, _r14), _absolute(_s3, _r3), _r3), _s22, _r3), _r3)
     _s24 = _divide(_k19, _s1, _r14)
     _s25 = _k4 <= _s20
-    _s26 = _k118 < _s1
-    _s27 = _select(_s26, _select(_s25, _multiply(_negative(_add(_add(_s21, _s22, _r11), _s23, _r11), _r11), _s24, _r11), _k5, _r15), _k119, _r16)
+    _s26 = _k116 < _s1
+    _s27 = _select(_s26, _select(_s25, _multiply(_negative(_add(_add(_s21, _s22, _r11), _s23, _r11), _r11), _s24, _r11), _k5, _r15), _k117, _r16)
     _s28 = _select(_s16 < _s27, _s27, _s16, _r17)
     _s29 = p_ring_radius - _s8
     _s30 = 0.0001220703125 * p_ring_radius
     _s31 = _where(_s29 < _s30, _s30, _s29)
     _s32 = _subtract(_subtract(_multiply(_s1, _s31 * _s31, _r2), _s19, _r2), _s4, _r2)
     _s33 = _sqrt(_select(_s32 < _k4, _k4, _s32, _r1), _r1)
-    _s34 = _select(_s26, _select(_s25, _multiply(_subtract(_add(_s22, _s23, _r12), _s21, _r12), _s24, _r12), _k119, _r10), _k5, _r18)
+    _s34 = _select(_s26, _select(_s25, _multiply(_subtract(_add(_s22, _s23, _r12), _s21, _r12), _s24, _r12), _k117, _r10), _k5, _r18)
     _s35 = _k4 < _select(_s26, _s32, _k4, _r19)
     _s36 = _select(_s35, _multiply(_subtract(_subtract(_s23, _s21, _r19), _s33, _r19), _s24, _r19), _s34, _r2)
     _s37 = _subtract(_add(_s0, _multiply(_s9, _subtract(z, _s8, _r20), _r20), _r20), _s10, _r20)
     _s38 = _sqrt(_select(_s37 < _k4, _k4, _s37, _r4), _r4)
-    _s39 = _select(_s15, _multiply(_s12, _add(_add(vz, _s13, _r7), _s14, _r7), _r7), _k119, _r0)
+    _s39 = _select(_s15, _multiply(_s12, _add(_add(vz, _s13, _r7), _s14, _r7), _r7), _k117, _r0)
     _s40 = _k4 < _s37
     _s41 = _select(_s40, _multiply(_s12, _subtract(_add(vz, _s14, _r20), _s38, _r20), _r20), _s39, _r21)
     _s42 = _select(_s36 < _s41, _s36, _s41, _r22)
@@ -3294,9 +3286,9 @@ def ring_margins(horizon: Any, extent: Any, speed: Any, position_error: Any, vel
     _s8 = 0.0001220703125 * p_ring_radius
     _s9 = _s2 / _where(_s7 < _s8, _s8, _s7)
     _s10 = _where(1.0 < _s9, _s9, 1.0)
-    _s11 = _multiply(_k69, _add(_multiply(_multiply(_s1, _s10, _r3), _s6, _r3), _multiply(_s2, _add(velocity_error, _multiply(_k34, _s1, _r5), _r5), _r5), _r5), _r5)
-    _s12 = _k12 * _add(_add(_multiply(_multiply(_k121, _s1, _r3), _add(_multiply(_s5, _s10, _r2), _s4, _r2), _r3), _multiply(_k14, _s3, _r2), _r2), _s11, _r2)
-    return _k12 * _add(_add(_multiply(_multiply(_k14, horizon, _r2), _s3, _r2), (1.3323489447131243e-15 * _s0) * _s4, _r2), _multiply(5.00030517578125 * _s0, _s6, _r4), _r4), _s12, _k12 * _add(_multiply(_k121, _multiply(_s4, _s1, _r0), _r0), _s11, _r0)
+    _s11 = _multiply(_k67, _add(_multiply(_multiply(_s1, _s10, _r3), _s6, _r3), _multiply(_s2, _add(velocity_error, _multiply(_k34, _s1, _r5), _r5), _r5), _r5), _r5)
+    _s12 = _k12 * _add(_add(_multiply(_multiply(_k119, _s1, _r3), _add(_multiply(_s5, _s10, _r2), _s4, _r2), _r3), _multiply(_k14, _s3, _r2), _r2), _s11, _r2)
+    return _k12 * _add(_add(_multiply(_multiply(_k14, horizon, _r2), _s3, _r2), (1.3323489447131243e-15 * _s0) * _s4, _r2), _multiply(5.00030517578125 * _s0, _s6, _r4), _r4), _s12, _k12 * _add(_multiply(_k119, _multiply(_s4, _s1, _r0), _r0), _s11, _r0)
 
 
 def ring_refine(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, rho_start: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -3352,7 +3344,7 @@ def ring_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: Any, 
     _s23 = _subtract(_add(_s16, _s17, _r8), energy2, _r8)
     _s24 = _s20 < _k4
     _s25 = _multiply(_k20, _s22, _r10)
-    _s26 = _select(_k4 < _select(_k4 <= _s20, _s22, _k4, _r11), _k5, _divide(_select(_s24, _s25, _multiply(_k66, _s20, _r11), _r12), _select(_s24, _negative(_s20, _r13), _select(_k4 < _s23, _s23, _k4, _r14), _r15), _r12), _r11)
+    _s26 = _select(_k4 < _select(_k4 <= _s20, _s22, _k4, _r11), _k5, _divide(_select(_s24, _s25, _multiply(_k64, _s20, _r11), _r12), _select(_s24, _negative(_s20, _r13), _select(_k4 < _s23, _s23, _k4, _r14), _r15), _r12), _r11)
     _s27 = _subtract(end, t, _r15)
     _s28 = _select(_s26 < _s27, _s26, _s27, _r14)
     _s29 = _add(_s19, _add(_multiply(_s28, _select(_s13 < _k4, _k4, _s13, _r8), _r8), _s8, _r8), _r8)
@@ -3363,7 +3355,7 @@ def ring_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: Any, 
     _s34 = _where(_s32 < _s33, _s33, _s32)
     _s35 = _divide(_k19, _select(_s31 < _s34, _s34, _s31, _r3), _r3)
     _s36 = _multiply(moment2, _multiply(_s35, _multiply(_s35, _s35, _r8), _r8), _r8)
-    _s37 = _subtract(_add(_add(_s30, _s36, _r3), _multiply(_k92, _add(_add(_s36, _absolute(energy2, _r1), _r1), _absolute(_s30, _r6), _r6), _r6), _r6), energy2, _r6)
+    _s37 = _subtract(_add(_add(_s30, _s36, _r3), _multiply(_k90, _add(_add(_s36, _absolute(energy2, _r1), _r1), _absolute(_s30, _r6), _r6), _r6), _r6), energy2, _r6)
     _s38 = _add(_multiply(_multiply(_k20, _s37, _r3), _s22, _r3), _multiply(_s20, _s20, _r9), _r9)
     _s39 = _sqrt(_s38, _r3)
     _s40 = _select(_k4 <= _s38, _divide(_select(_s24, _s25, _add(_s20, _s39, _r9), _r7), _select(_s24, _subtract(_s39, _s20, _r3), _select(_k4 < _s37, _s37, _k4, _r5), _r1), _r7), _k5, _r9)
@@ -3380,73 +3372,73 @@ def ring_opened(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any,
     horizon, x, y, z, vx, vy, vz, extent, speed, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity, = [_single(value) for value in (horizon, x, y, z, vx, vy, vz, extent, speed, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity,)]
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23, _r24, _r25, _r26, _r27, _r28, _r29, _r30, _r31, _r32, _r33, _r34, _r35, _r36, _r37, _r38, _r39, _r40 = _halves(_room[:41])
     _s0 = _multiply(vz, vz, _r0)
-    _s1 = _k125 * (p_ball_radius + p_wire_radius)
-    _s2 = _k126 * p_gravity
-    _s3 = _multiply(_k127, _add(_s0, _multiply(_s2, _add(_absolute(z, _r1), _s1, _r1), _r1), _r1), _r1)
+    _s1 = _k123 * (p_ball_radius + p_wire_radius)
+    _s2 = _k124 * p_gravity
+    _s3 = _multiply(_k125, _add(_s0, _multiply(_s2, _add(_absolute(z, _r1), _s1, _r1), _r1), _r1), _r1)
     _s4 = _add(_add(_s0, _multiply(_s2, _add(z, _s1, _r2), _r2), _r2), _s3, _r2)
-    _s5 = _k128 / p_gravity
+    _s5 = _k126 / p_gravity
     _s6 = _sqrt(_s4, _r3)
-    _s7 = _multiply(_k129, _add(_absolute(vz, _r4), _s6, _r4), _r4)
-    _s8 = _k130 <= _s4
-    _s9 = _select(_s8, _multiply(_s5, _subtract(_subtract(vz, _s6, _r2), _s7, _r2), _r2), _k131, _r5)
+    _s7 = _multiply(_k127, _add(_absolute(vz, _r4), _s6, _r4), _r4)
+    _s8 = _k128 <= _s4
+    _s9 = _select(_s8, _multiply(_s5, _subtract(_subtract(vz, _s6, _r2), _s7, _r2), _r2), _k129, _r5)
     _s10 = _add(_multiply(vx, vx, _r6), _multiply(vy, vy, _r7), _r7)
     _s11 = p_ring_radius + _s1
     _s12 = _s11 * _s11
-    _s13 = _multiply(_multiply(_k129, _s10, _r6), _add(_s12, _add(_multiply(x, x, _r8), _multiply(y, y, _r9), _r9), _r9), _r6)
+    _s13 = _multiply(_multiply(_k127, _s10, _r6), _add(_s12, _add(_multiply(x, x, _r8), _multiply(y, y, _r9), _r9), _r9), _r6)
     _s14 = _subtract(_multiply(x, vy, _r9), _multiply(y, vx, _r8), _r8)
     _s15 = _multiply(_s14, _s14, _r9)
     _s16 = _subtract(_add(_multiply(_s12, _s10, _r10), _s13, _r10), _s15, _r10)
     _s17 = _add(_multiply(x, vx, _r11), _multiply(y, vy, _r12), _r12)
     _s18 = _sqrt(_s16, _r11)
-    _s19 = _multiply(_k129, _add(_add(_absolute(_s17, _r13), _absolute(_s14, _r8), _r8), _s18, _r8), _r8)
-    _s20 = _divide(_k132, _s10, _r13)
-    _s21 = _k130 <= _s16
-    _s22 = _k133 < _s10
-    _s23 = _select(_s22, _select(_s21, _multiply(_negative(_add(_add(_s17, _s18, _r10), _s19, _r10), _r10), _s20, _r10), _k131, _r14), _k134, _r15)
+    _s19 = _multiply(_k127, _add(_add(_absolute(_s17, _r13), _absolute(_s14, _r8), _r8), _s18, _r8), _r8)
+    _s20 = _divide(_k130, _s10, _r13)
+    _s21 = _k128 <= _s16
+    _s22 = _k131 < _s10
+    _s23 = _select(_s22, _select(_s21, _multiply(_negative(_add(_add(_s17, _s18, _r10), _s19, _r10), _r10), _s20, _r10), _k129, _r14), _k132, _r15)
     _s24 = _select(_s9 < _s23, _s23, _s9, _r16)
-    _s25 = _select(_k130 < _s24, _s24, _k130, _r17)
-    _s26 = _select(_k130 < _s25, _s25, _k130, _r18)
+    _s25 = _select(_k128 < _s24, _s24, _k128, _r17)
+    _s26 = _select(_k128 < _s25, _s25, _k128, _r18)
     _s27 = p_ring_radius - _s1
-    _s28 = _k135 * p_ring_radius
+    _s28 = _k133 * p_ring_radius
     _s29 = _where(_s27 < _s28, _s28, _s27)
     _s30 = _subtract(_subtract(_multiply(_s10, _s29 * _s29, _r7), _s13, _r7), _s15, _r7)
-    _s31 = _sqrt(_select(_s30 < _k130, _k130, _s30, _r9), _r9)
-    _s32 = _select(_s22, _select(_s21, _multiply(_subtract(_add(_s18, _s19, _r11), _s17, _r11), _s20, _r11), _k134, _r6), _k131, _r19)
-    _s33 = _k130 < _select(_s22, _s30, _k130, _r20)
+    _s31 = _sqrt(_select(_s30 < _k128, _k128, _s30, _r9), _r9)
+    _s32 = _select(_s22, _select(_s21, _multiply(_subtract(_add(_s18, _s19, _r11), _s17, _r11), _s20, _r11), _k132, _r6), _k129, _r19)
+    _s33 = _k128 < _select(_s22, _s30, _k128, _r20)
     _s34 = _select(_s33, _multiply(_subtract(_subtract(_s19, _s17, _r20), _s31, _r20), _s20, _r20), _s32, _r7)
     _s35 = _subtract(_add(_s0, _multiply(_s2, _subtract(z, _s1, _r21), _r21), _r21), _s3, _r21)
-    _s36 = _sqrt(_select(_s35 < _k130, _k130, _s35, _r1), _r1)
-    _s37 = _select(_s8, _multiply(_s5, _add(_add(vz, _s6, _r3), _s7, _r3), _r3), _k134, _r0)
-    _s38 = _k130 < _s35
+    _s36 = _sqrt(_select(_s35 < _k128, _k128, _s35, _r1), _r1)
+    _s37 = _select(_s8, _multiply(_s5, _add(_add(vz, _s6, _r3), _s7, _r3), _r3), _k132, _r0)
+    _s38 = _k128 < _s35
     _s39 = _select(_s38, _multiply(_s5, _subtract(_add(vz, _s7, _r21), _s36, _r21), _r21), _s37, _r22)
     _s40 = _select(_s34 < _s39, _s34, _s39, _r23)
-    _s41 = _multiply(_k136, horizon, _r24)
+    _s41 = _multiply(_k134, horizon, _r24)
     _s42 = _select(_s40 < _s41, _s40, _s41, _r25)
     _s43 = _s26 < _s42
-    _s44 = _select(_s33, _multiply(_subtract(_subtract(_s31, _s17, _r9), _s19, _r9), _s20, _r9), _k131, _r13)
+    _s44 = _select(_s33, _multiply(_subtract(_subtract(_s31, _s17, _r9), _s19, _r9), _s20, _r9), _k129, _r13)
     _s45 = _select(_s44 < _s34, _s34, _s44, _r8)
     _s46 = _select(_s9 < _s45, _s45, _s9, _r12)
     _s47 = _select(_s32 < _s39, _s32, _s39, _r26)
-    _s48 = _select(_s38, _multiply(_s5, _subtract(_add(vz, _s36, _r1), _s7, _r1), _r1), _k131, _r4)
+    _s48 = _select(_s38, _multiply(_s5, _subtract(_add(vz, _s36, _r1), _s7, _r1), _r1), _k129, _r4)
     _s49 = _select(_s48 < _s39, _s39, _s48, _r27)
     _s50 = _s46 <= _s47
     _s51 = _select(_s50, _s46, _select(_s49 < _s23, _s23, _s49, _r28), _r29)
-    _s52 = _result(_k130 < _s51, _s51, _k130, _r0)
-    _s53 = _select(_k130 < _s52, _s52, _k130, _r30)
+    _s52 = _result(_k128 < _s51, _s51, _k128, _r0)
+    _s53 = _select(_k128 < _s52, _s52, _k128, _r30)
     _s54 = _select(_s50, _s47, _select(_s34 < _s37, _s34, _s37, _r31), _r32)
     _s55 = _result(_s54 < _s41, _s54, _s41, _r0)
     _s56 = _s53 < _s55
     _s57 = _select(_s49 < _s45, _s45, _s49, _r33)
-    _s58 = _result(_k130 < _s57, _s57, _k130, _r0)
-    _s59 = _select(_k130 < _s58, _s58, _k130, _r34)
+    _s58 = _result(_k128 < _s57, _s57, _k128, _r0)
+    _s59 = _select(_k128 < _s58, _s58, _k128, _r34)
     _s60 = _select(_s32 < _s37, _s32, _s37, _r35)
     _s61 = _result(_s60 < _s41, _s60, _s41, _r0)
     _s62 = _s59 < _s61
-    _s63 = _select(_k130 < _s40, _s40, _k130, _r36)
+    _s63 = _select(_k128 < _s40, _s40, _k128, _r36)
     _s64 = _select(_s63 < _s54, _s54, _s63, _r37)
     _s65 = _select(_s64 < _s60, _s60, _s64, _r38)
-    _s66 = _logical_and(_logical_and(_logical_and((_s11 <= (_k137 * _s29)), (_s11 <= ((_k137 * p_ball_radius) + (_k137 * p_wire_radius)))), (_s11 <= _k138)), (_k139 <= _s29))
-    return _result(_s43, _s26, _select(_s56, _s53, _select(_s62, _s59, _k130, _r39), _r40), _r0), _result(_s43, _s42, _select(_s56, _s55, _select(_s62, _s61, _k130, _r40), _r39), _r0), _logical_or(_logical_or(_logical_or(False, _s62), _s56), _s43), _s52, _s55, _s58, _s61, _result(_s65 < _s41, _s65, _s41, _r0), _logical_and(_logical_and(_logical_and(_logical_and(_s66, (p_gravity <= _k138)), (_k139 <= p_gravity)), (extent <= _k140)), (speed <= _k140))
+    _s66 = _logical_and(_logical_and(_logical_and((_s11 <= (_k135 * _s29)), (_s11 <= ((_k135 * p_ball_radius) + (_k135 * p_wire_radius)))), (_s11 <= _k136)), (_k137 <= _s29))
+    return _result(_s43, _s26, _select(_s56, _s53, _select(_s62, _s59, _k128, _r39), _r40), _r0), _result(_s43, _s42, _select(_s56, _s55, _select(_s62, _s61, _k128, _r40), _r39), _r0), _logical_or(_logical_or(_logical_or(False, _s62), _s56), _s43), _s52, _s55, _s58, _s61, _result(_s65 < _s41, _s65, _s41, _r0), _logical_and(_logical_and(_logical_and(_logical_and(_s66, (p_gravity <= _k136)), (_k137 <= p_gravity)), (extent <= _k138)), (speed <= _k138))
 
 
 def ring_resolution(t: Any, end: Any, leaving: Any, horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, start_rate: Any, rho_rate: Any, low1: Any, high1: Any, low2: Any, high2: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -3456,33 +3448,33 @@ def ring_resolution(t: Any, end: Any, leaving: Any, horizon: Any, x: Any, y: Any
     """
     t, end, leaving, horizon, x, y, z, vx, vy, vz, extent, speed, start_rate, rho_rate, low1, high1, low2, high2, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity, = [_single(value) for value in (t, end, leaving, horizon, x, y, z, vx, vy, vz, extent, speed, start_rate, rho_rate, low1, high1, low2, high2, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity,)]
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12 = _halves(_room[:13])
-    _s0 = _k130 < leaving
+    _s0 = _k128 < leaving
     _s1 = _add(speed, _multiply(p_gravity, horizon, _r0), _r0)
     _s2 = p_ball_radius + p_wire_radius
-    _s3 = _k125 * _s2
+    _s3 = _k123 * _s2
     _s4 = p_ring_radius - _s3
-    _s5 = _k135 * p_ring_radius
+    _s5 = _k133 * p_ring_radius
     _s6 = _where(_s4 < _s5, _s5, _s4)
     _s7 = _s2 / _s6
-    _s8 = _where(_k128 < _s7, _s7, _k128)
+    _s8 = _where(_k126 < _s7, _s7, _k126)
     _s9 = _multiply(_s1, _s8, _r1)
     _s10 = _add(extent, _multiply(horizon, _s1, _r2), _r2)
-    _s11 = _multiply(_k148, _add(_multiply(_s9, _s10, _r3), _multiply(_s2, _s1, _r4), _r4), _r4)
-    _s12 = _divide(_multiply(_k149, start_rate, _r3), _s11, _r3)
-    _s13 = _select(_s12 < _k150, _s12, _k150, _r5)
-    _s14 = _result(_s0, _select(_k151 < _s13, _s13, _k151, _r6), _k150, _r0)
-    _s15 = _add(_multiply(_k152, _multiply(vz, vz, _r7), _r7), _multiply(_k153 * p_gravity, z, _r8), _r8) + _multiply(_k152, _add(_multiply(vx, vx, _r7), _multiply(vy, vy, _r9), _r9), _r9)
+    _s11 = _multiply(_k146, _add(_multiply(_s9, _s10, _r3), _multiply(_s2, _s1, _r4), _r4), _r4)
+    _s12 = _divide(_multiply(_k147, start_rate, _r3), _s11, _r3)
+    _s13 = _select(_s12 < _k148, _s12, _k148, _r5)
+    _s14 = _result(_s0, _select(_k149 < _s13, _s13, _k149, _r6), _k148, _r0)
+    _s15 = _add(_multiply(_k150, _multiply(vz, vz, _r7), _r7), _multiply(_k151 * p_gravity, z, _r8), _r8) + _multiply(_k150, _add(_multiply(vx, vx, _r7), _multiply(vy, vy, _r9), _r9), _r9)
     _s16 = _subtract(_multiply(x, vy, _r9), _multiply(y, vx, _r8), _r8)
-    _s17 = (_k126 * p_ring_radius) * _multiply(_s16, _s16, _r8)
-    _s18 = _k128 / _s6
+    _s17 = (_k124 * p_ring_radius) * _multiply(_s16, _s16, _r8)
+    _s18 = _k126 / _s6
     _s19 = _s18 * (_s18 * _s18)
-    _s20 = _add(_add((_k154 * p_gravity) * _s2, _multiply(_s17, _s19, _r8), _r8), _absolute(_s15, _r9), _r9)
+    _s20 = _add(_add((_k152 * p_gravity) * _s2, _multiply(_s17, _s19, _r8), _r8), _absolute(_s15, _r9), _r9)
     _s21 = _subtract(horizon, t, _r8)
     _s22 = _multiply(p_gravity, _multiply(_s21, _s21, _r7), _r7)
     _s23 = p_ring_radius + _s3
-    _s24 = _add(_multiply(_s10, _s14, _r2), _multiply(_k129, _add(_s22, _s23, _r10), _r10), _r10)
-    _s25 = _divide(_multiply(_k155, _multiply(_multiply(_s17, _add(_absolute(vx, _r2), _absolute(vy, _r11), _r11), _r11), _s19, _r11), _r11), _s6, _r11)
-    return _s14, _k141, end - t, x, y, z, vx, vy, vz, _s15, _s17, _sqrt(_add(_multiply(x, x, _r2), _multiply(y, y, _r12), _r12)), _k156 * _s20, (_k157 * _s2) * _s24, _result(_s0, _multiply(_k156, _add(_multiply(_k127, _absolute(start_rate, _r12), _r12), _multiply(_add(_k158, _s14, _r2), _s11, _r2), _r2), _r2), _k131, _r0), _k156 * _add(_multiply(p_gravity, _add(_multiply(p_gravity, _s21, _r8), _absolute(vz, _r2), _r2), _r2), _s25, _r11), (_k159 * ((_s23 / _s6) * _s8)) * _s20, start_rate, rho_rate, _k148 * _add(_multiply(_multiply(_k156, _s9, _r1), _s24, _r1), _multiply(_multiply(_add(_k160, _s14, _r6), _s2, _r6), _s1, _r6), _r6), low1 - t, high1 - t, low2 - t, high2 - t, _logical_and((_s22 <= ((_k161 * p_ball_radius) + (_k161 * p_wire_radius))), (_multiply(t, leaving, _r7) <= _k130))
+    _s24 = _add(_multiply(_s10, _s14, _r2), _multiply(_k127, _add(_s22, _s23, _r10), _r10), _r10)
+    _s25 = _divide(_multiply(_k153, _multiply(_multiply(_s17, _add(_absolute(vx, _r2), _absolute(vy, _r11), _r11), _r11), _s19, _r11), _r11), _s6, _r11)
+    return _s14, _k139, end - t, x, y, z, vx, vy, vz, _s15, _s17, _sqrt(_add(_multiply(x, x, _r2), _multiply(y, y, _r12), _r12)), _k154 * _s20, (_k155 * _s2) * _s24, _result(_s0, _multiply(_k154, _add(_multiply(_k125, _absolute(start_rate, _r12), _r12), _multiply(_add(_k156, _s14, _r2), _s11, _r2), _r2), _r2), _k129, _r0), _k154 * _add(_multiply(p_gravity, _add(_multiply(p_gravity, _s21, _r8), _absolute(vz, _r2), _r2), _r2), _s25, _r11), (_k157 * ((_s23 / _s6) * _s8)) * _s20, start_rate, rho_rate, _k146 * _add(_multiply(_multiply(_k154, _s9, _r1), _s24, _r1), _multiply(_multiply(_add(_k158, _s14, _r6), _s2, _r6), _s1, _r6), _r6), low1 - t, high1 - t, low2 - t, high2 - t, _logical_and((_s22 <= ((_k159 * p_ball_radius) + (_k159 * p_wire_radius))), (_multiply(t, leaving, _r7) <= _k128))
 
 
 def ring_step(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, energy2: Any, moment2: Any, rho_start: Any, flat: Any, tilt: Any, quotient_margin: Any, jerk: Any, start_rate: Any, rho_rate: Any, low1: Any, high1: Any, low2: Any, high2: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -3497,71 +3489,71 @@ def ring_step(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, 
     _s2 = _s1 < flat
     _s3 = _multiply(_multiply(t, t, _r2), jerk, _r2)
     _s4 = _logical_and(_s2, (_s3 < rate_margin))
-    _s5 = _select(_s4, _add(_s3, _multiply(_k152, _s0, _r0), _r0), rate_margin, _r2)
+    _s5 = _select(_s4, _add(_s3, _multiply(_k150, _s0, _r0), _r0), rate_margin, _r2)
     _s6 = _add(_multiply(vx, vx, _r3), _multiply(vy, vy, _r4), _r4)
     _s7 = _add(x, _multiply(vx, t, _r3), _r3)
     _s8 = _add(y, _multiply(vy, t, _r5), _r5)
     _s9 = _sqrt(_add(_multiply(_s7, _s7, _r6), _multiply(_s8, _s8, _r7), _r7), _r7)
     _s10 = _add(rho_start, _s9, _r6)
-    _s11 = _divide(_k132, _multiply(_s10, _s9, _r8), _r8)
+    _s11 = _divide(_k130, _multiply(_s10, _s9, _r8), _r8)
     _s12 = _multiply(_s9, _s11, _r9)
-    _s13 = _multiply(_s12, _add(_multiply(t, _s6, _r10), _multiply(_k152, _add(_multiply(x, vx, _r11), _multiply(y, vy, _r12), _r12), _r12), _r12), _r12)
-    _s14 = _subtract(vz, _multiply(_k168 * p_gravity, t, _r10), _r10)
-    _s15 = _add(_add(_multiply(_multiply(_multiply(_k152, _subtract(rho_start, p_ring_radius, _r11), _r11), _subtract(_s6, _multiply(rho_rate, _s13, _r13), _r13), _r11), _s12, _r11), _multiply(_s13, _s13, _r12), _r12), _multiply(_s14, _s14, _r11), _r11)
+    _s13 = _multiply(_s12, _add(_multiply(t, _s6, _r10), _multiply(_k150, _add(_multiply(x, vx, _r11), _multiply(y, vy, _r12), _r12), _r12), _r12), _r12)
+    _s14 = _subtract(vz, _multiply(_k166 * p_gravity, t, _r10), _r10)
+    _s15 = _add(_add(_multiply(_multiply(_multiply(_k150, _subtract(rho_start, p_ring_radius, _r11), _r11), _subtract(_s6, _multiply(rho_rate, _s13, _r13), _r13), _r11), _s12, _r11), _multiply(_s13, _s13, _r12), _r12), _multiply(_s14, _s14, _r11), _r11)
     _s16 = _add(start_rate, _multiply(t, _subtract(_s15, _multiply(p_gravity, z, _r12), _r12), _r12), _r12)
     _s17 = _multiply(_s10, _s11, _r8)
     _s18 = _multiply(_s17, _add(_multiply(vx, _s7, _r3), _multiply(vy, _s8, _r5), _r5), _r5)
     _s19 = _subtract(_s9, p_ring_radius, _r3)
     _s20 = _add(z, _multiply(t, _s14, _r10), _r10)
     _s21 = _subtract(vz, _multiply(p_gravity, t, _r6), _r6)
-    _s22 = _select(_s4, _subtract(_multiply(_k152, _s16, _r11), start_rate, _r11), _multiply(_k152, _add(_multiply(_s18, _s19, _r9), _multiply(_s20, _s21, _r13), _r13), _r13), _r9)
+    _s22 = _select(_s4, _subtract(_multiply(_k150, _s16, _r11), start_rate, _r11), _multiply(_k150, _add(_multiply(_s18, _s19, _r9), _multiply(_s20, _s21, _r13), _r13), _r13), _r9)
     _s23 = _negative(_add(_s5, _s22, _r4), _r4)
     _s24 = p_ball_radius + p_wire_radius
     _s25 = _select(_s2, _s1, flat, _r14)
     _s26 = _subtract(_select(_s2, _multiply(t, _s16, _r12), _subtract(_add(_multiply(_s19, _s19, _r3), _multiply(_s20, _s20, _r15), _r15), _s24 * _s24, _r15), _r3), _s25, _r3)
-    _s27 = _select(_s26 < _k130, _k130, _s26, _r15)
-    _s28 = _multiply(_k152, _add(_s27, _multiply(_k152, _s25, _r12), _r12), _r12)
+    _s27 = _select(_s26 < _k128, _k128, _s26, _r15)
+    _s28 = _multiply(_k150, _add(_s27, _multiply(_k150, _s25, _r12), _r12), _r12)
     _s29 = _subtract(_s22, _s5, _r2)
-    _s30 = _k170 * p_gravity
+    _s30 = _k168 * p_gravity
     _s31 = _multiply(_s30, _s20, _r0)
     _s32 = _multiply(moment2, _multiply(_s17, _multiply(_s17, _s17, _r16), _r16), _r16)
     _s33 = _subtract(_add(_s31, _s32, _r17), energy2, _r17)
-    _s34 = _s29 < _k130
-    _s35 = _multiply(_k152, _s27, _r18)
-    _s36 = _select(_k130 < _select(_k130 <= _s29, _s27, _k130, _r19), _k131, _divide(_select(_s34, _add(_s35, _multiply(_k171, _s25, _r19), _r19), _multiply(_k172, _s29, _r20), _r21), _select(_s34, _negative(_s29, _r22), _select(_k130 < _s33, _s33, _k130, _r23), _r24), _r21), _r20)
+    _s34 = _s29 < _k128
+    _s35 = _multiply(_k150, _s27, _r18)
+    _s36 = _select(_k128 < _select(_k128 <= _s29, _s27, _k128, _r19), _k129, _divide(_select(_s34, _add(_s35, _multiply(_k169, _s25, _r19), _r19), _multiply(_k170, _s29, _r20), _r21), _select(_s34, _negative(_s29, _r22), _select(_k128 < _s33, _s33, _k128, _r23), _r24), _r21), _r20)
     _s37 = _subtract(end, t, _r19)
     _s38 = _select(_s36 < _s37, _s36, _s37, _r24)
-    _s39 = _k125 * _s24
-    _s40 = _add((_k135 * p_ball_radius) + (_k135 * p_wire_radius), _add(_multiply(_s38, _select(_s21 < _k130, _k130, _s21, _r23), _r23), _s20, _r23), _r23)
+    _s39 = _k123 * _s24
+    _s40 = _add((_k133 * p_ball_radius) + (_k133 * p_wire_radius), _add(_multiply(_s38, _select(_s21 < _k128, _k128, _s21, _r23), _r23), _s20, _r23), _r23)
     _s41 = _multiply(_s30, _select(_s39 < _s40, _s39, _s40, _r10), _r10)
     _s42 = _multiply(_add(_absolute(vx, _r23), _absolute(vy, _r17), _r17), _s38, _r17)
-    _s43 = _subtract(_subtract(_add(_multiply(_s38, _select(_k130 < _s18, _k130, _s18, _r23), _r23), _s9, _r23), _multiply(_k173, _s42, _r7), _r7), _k143 * (p_ring_radius + _s39), _r7)
+    _s43 = _subtract(_subtract(_add(_multiply(_s38, _select(_k128 < _s18, _k128, _s18, _r23), _r23), _s9, _r23), _multiply(_k171, _s42, _r7), _r7), _k141 * (p_ring_radius + _s39), _r7)
     _s44 = p_ring_radius - _s39
-    _s45 = _k135 * p_ring_radius
+    _s45 = _k133 * p_ring_radius
     _s46 = _where(_s44 < _s45, _s45, _s44)
-    _s47 = _divide(_k132, _select(_s43 < _s46, _s46, _s43, _r23), _r23)
+    _s47 = _divide(_k130, _select(_s43 < _s46, _s46, _s43, _r23), _r23)
     _s48 = _multiply(moment2, _multiply(_s47, _multiply(_s47, _s47, _r7), _r7), _r7)
     _s49 = _absolute(energy2, _r23)
-    _s50 = _subtract(_add(_add(_s41, _s48, _r5), _multiply(_k174, _add(_add(_s48, _s49, _r7), _absolute(_s41, _r10), _r10), _r10), _r10), energy2, _r10)
+    _s50 = _subtract(_add(_add(_s41, _s48, _r5), _multiply(_k172, _add(_add(_s48, _s49, _r7), _absolute(_s41, _r10), _r10), _r10), _r10), energy2, _r10)
     _s51 = _negative(_s21, _r6)
-    _s52 = _add(_multiply(_s30, _add((_k139 * p_ball_radius) + (_k139 * p_wire_radius), _multiply(_add(_multiply(p_gravity, _s38, _r5), _select(_s51 < _k130, _k130, _s51, _r7), _r7), _s38, _r7), _r7), _r7), _multiply(_multiply(_k175, _multiply(_s32, _s17, _r8), _r8), _s42, _r8), _r8)
-    _s53 = _add(energy2, _add(_s52, _multiply(_k176, _add(_add(_s49, _absolute(_s31, _r7), _r7), _s32, _r7), _r7), _r7), _r7)
+    _s52 = _add(_multiply(_s30, _add((_k137 * p_ball_radius) + (_k137 * p_wire_radius), _multiply(_add(_multiply(p_gravity, _s38, _r5), _select(_s51 < _k128, _k128, _s51, _r7), _r7), _s38, _r7), _r7), _r7), _multiply(_multiply(_k173, _multiply(_s32, _s17, _r8), _r8), _s42, _r8), _r8)
+    _s53 = _add(energy2, _add(_s52, _multiply(_k174, _add(_add(_s49, _absolute(_s31, _r7), _r7), _s32, _r7), _r7), _r7), _r7)
     _s54 = _subtract(_subtract(_s53, _s31, _r7), _s32, _r7)
-    _s55 = _select(_k130 < _s23, _subtract(_multiply(_s23, _s23, _r16), _multiply(_multiply(_k171, _s28, _r0), _select(_s28 <= _multiply(_s23, _s38, _r8), _select(_s50 < _s54, _s54, _s50, _r8), ceiling, _r12), _r0), _r0), _s23, _r16)
-    _s56 = _k130 < _s55
-    _s57 = _add(_multiply(_multiply(_k152, _s50, _r16), _s27, _r16), _multiply(_s29, _s29, _r15), _r15)
+    _s55 = _select(_k128 < _s23, _subtract(_multiply(_s23, _s23, _r16), _multiply(_multiply(_k169, _s28, _r0), _select(_s28 <= _multiply(_s23, _s38, _r8), _select(_s50 < _s54, _s54, _s50, _r8), ceiling, _r12), _r0), _r0), _s23, _r16)
+    _s56 = _k128 < _s55
+    _s57 = _add(_multiply(_multiply(_k150, _s50, _r16), _s27, _r16), _multiply(_s29, _s29, _r15), _r15)
     _s58 = _sqrt(_s57, _r16)
-    _s59 = _select(_k130 <= _s57, _divide(_select(_s34, _s35, _add(_s58, _s29, _r15), _r0), _select(_s34, _subtract(_s58, _s29, _r16), _select(_k130 < _s50, _s50, _k130, _r2), _r4), _r0), _k131, _r15)
+    _s59 = _select(_k128 <= _s57, _divide(_select(_s34, _s35, _add(_s58, _s29, _r15), _r0), _select(_s34, _subtract(_s58, _s29, _r16), _select(_k128 < _s50, _s50, _k128, _r2), _r4), _r0), _k129, _r15)
     _s60 = _select(_s59 < _s38, _s59, _s38, _r4)
     _s61 = _add(t, _s60, _r2)
-    _s62 = _logical_and(_logical_not(_s56), _logical_or(_logical_and((_s22 < _k130), (_s26 <= _s25)), _logical_and((t < end), _logical_not((t < _s61)))))
+    _s62 = _logical_and(_logical_not(_s56), _logical_or(_logical_and((_s22 < _k128), (_s26 <= _s25)), _logical_and((t < end), _logical_not((t < _s61)))))
     _s63 = _logical_not(_logical_or(_s56, _s62))
     _s64 = _logical_and(_s63, (_s37 <= _s60))
     _s65 = _select(end < low1, low1, end, _r4)
     _s66 = _s65 < high1
     _s67 = _select(end < low2, low2, end, _r15)
     _s68 = _s67 < high2
-    return _result(_s64, _select(_s66, _s65, _select(_s68, _s67, _k131, _r0), _r24), _select(_s62, t, _s61, _r19), _r0), _result(_s64, _select(_s66, high1, _select(_s68, high2, end, _r19), _r24), end, _r0), _s56, _logical_and(_s63, _logical_or(_logical_not(_s64), _logical_or(_logical_or(False, _s68), _s66)))
+    return _result(_s64, _select(_s66, _s65, _select(_s68, _s67, _k129, _r0), _r24), _select(_s62, t, _s61, _r19), _r0), _result(_s64, _select(_s66, high1, _select(_s68, high2, end, _r19), _r24), end, _r0), _s56, _logical_and(_s63, _logical_or(_logical_not(_s64), _logical_or(_logical_or(False, _s68), _s66)))
 
 
 def ring_started(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_ring_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -3746,16 +3738,16 @@ def ring_round_moved(p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any,
     _s9 = _multiply(_s3, _s8, _r0)
     _s10 = p_ball_radius + p_wire_radius
     _s11 = _add(p_ring_radius, _multiply(_s9, _s10, _r2), _r2)
-    _s12 = _multiply(t, _add(_multiply(_k180, omega_9, _r4), _multiply(t, _add(_multiply(_k181, omega_10, _r5), _multiply(_multiply(_k182, t, _r6), omega_11, _r6), _r6), _r6), _r6), _r6)
-    _s13 = _add(_multiply(_k73, omega_6, _r4), _multiply(t, _add(_multiply(_k26, omega_7, _r5), _multiply(t, _add(_multiply(_k77, omega_8, _r7), _s12, _r6), _r6), _r6), _r6), _r6)
-    _s14 = _add(_multiply(_k24, omega_3, _r4), _multiply(t, _add(_multiply(_k67, omega_4, _r5), _multiply(t, _add(_multiply(_k70, omega_5, _r7), _multiply(t, _s13, _r6), _r6), _r6), _r6), _r6), _r6)
-    _s15 = _add(omega_0, _multiply(t, _add(_multiply(_k45, omega_1, _r4), _multiply(t, _add(_multiply(_k63, omega_2, _r5), _multiply(t, _s14, _r6), _r6), _r6), _r6), _r6), _r6)
+    _s12 = _multiply(t, _add(_multiply(_k178, omega_9, _r4), _multiply(t, _add(_multiply(_k179, omega_10, _r5), _multiply(_multiply(_k180, t, _r6), omega_11, _r6), _r6), _r6), _r6), _r6)
+    _s13 = _add(_multiply(_k71, omega_6, _r4), _multiply(t, _add(_multiply(_k26, omega_7, _r5), _multiply(t, _add(_multiply(_k75, omega_8, _r7), _s12, _r6), _r6), _r6), _r6), _r6)
+    _s14 = _add(_multiply(_k24, omega_3, _r4), _multiply(t, _add(_multiply(_k65, omega_4, _r5), _multiply(t, _add(_multiply(_k68, omega_5, _r7), _multiply(t, _s13, _r6), _r6), _r6), _r6), _r6), _r6)
+    _s15 = _add(omega_0, _multiply(t, _add(_multiply(_k45, omega_1, _r4), _multiply(t, _add(_multiply(_k61, omega_2, _r5), _multiply(t, _s14, _r6), _r6), _r6), _r6), _r6), _r6)
     _s16 = _multiply(t, _s15, _r6)
     _s17 = _multiply(_s16, _s16, _r4)
-    _s18 = _subtract(_multiply(_add(_k183, _multiply(_subtract(_multiply(_k184, _s17, _r5), _k185, _r5), _s17, _r5), _r5), _s17, _r5), _k186, _r5)
-    _s19 = _add(_k19, _multiply(_subtract(_multiply(_add(_k187, _multiply(_s18, _s17, _r5), _r5), _s17, _r5), _k45, _r5), _s17, _r5), _r5)
-    _s20 = _add(_k188, _multiply(_subtract(_multiply(_subtract(_k189, _multiply(_k190, _s17, _r7), _r7), _s17, _r7), _k191, _r7), _s17, _r7), _r7)
-    _s21 = _multiply(_s16, _add(_k19, _multiply(_subtract(_multiply(_s20, _s17, _r7), _k70, _r7), _s17, _r7), _r7), _r7)
+    _s18 = _subtract(_multiply(_add(_k181, _multiply(_subtract(_multiply(_k182, _s17, _r5), _k183, _r5), _s17, _r5), _r5), _s17, _r5), _k184, _r5)
+    _s19 = _add(_k19, _multiply(_subtract(_multiply(_add(_k185, _multiply(_s18, _s17, _r5), _r5), _s17, _r5), _k45, _r5), _s17, _r5), _r5)
+    _s20 = _add(_k186, _multiply(_subtract(_multiply(_subtract(_k187, _multiply(_k188, _s17, _r7), _r7), _s17, _r7), _k189, _r7), _s17, _r7), _r7)
+    _s21 = _multiply(_s16, _add(_k19, _multiply(_subtract(_multiply(_s20, _s17, _r7), _k68, _r7), _s17, _r7), _r7), _r7)
     _s22 = _subtract(_multiply(cos_0, _s19, _r6), _multiply(sin_0, _s21, _r4), _r4)
     _s23 = _add(_multiply(cos_0, _s21, _r7), _multiply(sin_0, _s19, _r5), _r5)
     _s24 = _multiply(_s7, _s8, _r3)
@@ -3796,29 +3788,29 @@ def ring_round_pace(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ring_r
     _s9 = _add(_multiply(_multiply(_k24, _add(_multiply(per_reach, _s3, _r3), _sqrt(_multiply(p_gravity, per_reach, _r8), _r8), _r8), _r8), _add(_multiply(_s5, _s1, _r3), _add(_absolute(turn_rate_11, _r9), _s6, _r9), _r9), _r8), _add(_multiply(_s7, _s1, _r9), _add(_absolute(turn_rate_12, _r3), _s8, _r3), _r3), _r3)
     _s10 = _absolute(omega_0, _r8)
     _s11 = _multiply(omega_0, omega_0, _r9)
-    _s12 = _multiply(_multiply(_k66, _s10, _r10), _multiply(_k36, _s11, _r11), _r10)
+    _s12 = _multiply(_multiply(_k64, _s10, _r10), _multiply(_k36, _s11, _r11), _r10)
     _s13 = _multiply(_s12, _s12, _r10)
-    _s14 = _multiply(_s4, _add(_add(_absolute(cosine_12, _r11), _absolute(sine_12, _r12), _r12), _multiply(_k204, _multiply(_s13, _s13, _r10), _r10), _r10), _r10)
-    _s15 = _sqrt(_sqrt(_divide(_multiply(_k204, _s4, _r12), _select(_s9 < _s14, _s14, _s9, _r11), _r12), _r12), _r12)
+    _s14 = _multiply(_s4, _add(_add(_absolute(cosine_12, _r11), _absolute(sine_12, _r12), _r12), _multiply(_k202, _multiply(_s13, _s13, _r10), _r10), _r10), _r10)
+    _s15 = _sqrt(_sqrt(_divide(_multiply(_k202, _s4, _r12), _select(_s9 < _s14, _s14, _s9, _r11), _r12), _r12), _r12)
     _s16 = _sqrt(_sqrt(_s15, _r11), _r11)
-    _s17 = _multiply(_multiply(_k205, _s16, _r10), _sqrt(_sqrt(_s16, _r11), _r11), _r10)
+    _s17 = _multiply(_multiply(_k203, _s16, _r10), _sqrt(_sqrt(_s16, _r11), _r11), _r10)
     _s18 = _multiply(_s17, _multiply(_s17, _s17, _r11), _r11)
     _s19 = _multiply(_divide(_add(_s18, _multiply(_k20, _s15, _r3), _r3), _add(_multiply(_k20, _s18, _r11), _s15, _r11), _r11), _s17, _r11)
     _s20 = _result(_s19 < _k25, _s19, _k25, _r0)
     _s21 = _absolute(climb_10, _r10)
-    _s22 = _multiply(_add(_multiply(_add(_multiply(_multiply(_k80, _s7, _r3), _s20, _r3), _multiply(_k206, _s5, _r12), _r12), _s20, _r12), _multiply(_k207, _s21, _r3), _r3), _s20, _r3)
+    _s22 = _multiply(_add(_multiply(_add(_multiply(_multiply(_k78, _s7, _r3), _s20, _r3), _multiply(_k204, _s5, _r12), _r12), _s20, _r12), _multiply(_k205, _s21, _r3), _r3), _s20, _r3)
     _s23 = _absolute(climb_9, _r12)
     _s24 = _absolute(climb_8, _r13)
     _s25 = _absolute(climb_7, _r14)
-    _s26 = _add(_multiply(_add(_multiply(_add(_s22, _multiply(_k208, _s23, _r15), _r15), _s20, _r15), _multiply(_k23, _s24, _r3), _r3), _s20, _r3), _multiply(_k75, _s25, _r15), _r15)
+    _s26 = _add(_multiply(_add(_multiply(_add(_s22, _multiply(_k206, _s23, _r15), _r15), _s20, _r15), _multiply(_k23, _s24, _r3), _r3), _s20, _r3), _multiply(_k73, _s25, _r15), _r15)
     _s27 = _absolute(climb_6, _r3)
     _s28 = _absolute(climb_5, _r16)
     _s29 = _absolute(climb_4, _r17)
-    _s30 = _add(_multiply(_add(_multiply(_add(_multiply(_s26, _s20, _r15), _multiply(_k3, _s27, _r18), _r18), _s20, _r18), _multiply(_k69, _s28, _r15), _r15), _s20, _r15), _multiply(_k66, _s29, _r18), _r18)
+    _s30 = _add(_multiply(_add(_multiply(_add(_multiply(_s26, _s20, _r15), _multiply(_k3, _s27, _r18), _r18), _s20, _r18), _multiply(_k67, _s28, _r15), _r15), _s20, _r15), _multiply(_k64, _s29, _r18), _r18)
     _s31 = _absolute(climb_3, _r15)
     _s32 = _absolute(climb_2, _r19)
     _s33 = _absolute(climb_1, _r20)
-    _s34 = _add(_multiply(_add(_multiply(_add(_multiply(_s30, _s20, _r18), _multiply(_k65, _s31, _r21), _r21), _s20, _r21), _multiply(_k20, _s32, _r18), _r18), _s20, _r18), _s33, _r18)
+    _s34 = _add(_multiply(_add(_multiply(_add(_multiply(_s30, _s20, _r18), _multiply(_k63, _s31, _r21), _r21), _s20, _r21), _multiply(_k20, _s32, _r18), _r18), _s20, _r18), _s33, _r18)
     _s35 = _add(_multiply(_add(_multiply(_add(_multiply(_s7, _s20, _r6), _s5, _r6), _s20, _r6), _s21, _r6), _s20, _r6), _s23, _r6)
     _s36 = _add(_multiply(_add(_multiply(_add(_multiply(_s35, _s20, _r6), _s24, _r6), _s20, _r6), _s25, _r6), _s20, _r6), _s27, _r6)
     _s37 = _add(_multiply(_add(_multiply(_add(_multiply(_s36, _s20, _r6), _s28, _r6), _s20, _r6), _s29, _r6), _s20, _r6), _s31, _r6)
@@ -3854,18 +3846,18 @@ def ring_round_pace(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ring_r
     _s67 = _absolute(along_1, _r30)
     _s68 = _add(_multiply(_add(_multiply(_add(_multiply(_s65, _s20, _r22), _s66, _r22), _s20, _r22), _s67, _r22), _s20, _r22), _s2, _r22)
     _s69 = _multiply(_s1, _s38, _r1) + _s68
-    _s70 = _multiply(_add(_multiply(_add(_multiply(_multiply(_k80, _s8, _r7), _s20, _r7), _multiply(_k206, _s6, _r5), _r5), _s20, _r5), _multiply(_k207, _s55, _r8), _r8), _s20, _r8)
-    _s71 = _add(_multiply(_add(_multiply(_add(_s70, _multiply(_k208, _s56, _r21), _r21), _s20, _r21), _multiply(_k23, _s58, _r23), _r23), _s20, _r23), _multiply(_k75, _s59, _r24), _r24)
-    _s72 = _add(_multiply(_add(_multiply(_add(_multiply(_s71, _s20, _r24), _multiply(_k3, _s60, _r25), _r25), _s20, _r25), _multiply(_k69, _s62, _r26), _r26), _s20, _r26), _multiply(_k66, _s63, _r27), _r27)
-    _s73 = _add(_multiply(_add(_multiply(_add(_multiply(_s72, _s20, _r27), _multiply(_k65, _s64, _r28), _r28), _s20, _r28), _multiply(_k20, _s66, _r29), _r29), _s20, _r29), _s67, _r29)
+    _s70 = _multiply(_add(_multiply(_add(_multiply(_multiply(_k78, _s8, _r7), _s20, _r7), _multiply(_k204, _s6, _r5), _r5), _s20, _r5), _multiply(_k205, _s55, _r8), _r8), _s20, _r8)
+    _s71 = _add(_multiply(_add(_multiply(_add(_s70, _multiply(_k206, _s56, _r21), _r21), _s20, _r21), _multiply(_k23, _s58, _r23), _r23), _s20, _r23), _multiply(_k73, _s59, _r24), _r24)
+    _s72 = _add(_multiply(_add(_multiply(_add(_multiply(_s71, _s20, _r24), _multiply(_k3, _s60, _r25), _r25), _s20, _r25), _multiply(_k67, _s62, _r26), _r26), _s20, _r26), _multiply(_k64, _s63, _r27), _r27)
+    _s73 = _add(_multiply(_add(_multiply(_add(_multiply(_s72, _s20, _r27), _multiply(_k63, _s64, _r28), _r28), _s20, _r28), _multiply(_k20, _s66, _r29), _r29), _s20, _r29), _s67, _r29)
     _s74 = _multiply(_multiply(climb_0, climb_0, _r30), _s1, _r30)
     _s75 = _multiply(along_0, omega_0, _r28)
     _s76 = p_inertia * (1.0 / (1.0 + p_inertia))
     _s77 = p_gravity * (3.0 - (2.0 * _s76))
     _s78 = 3.0 * p_ring_radius
-    _s79 = _multiply(_add(_multiply(_add(_multiply(_multiply(_k206, _s40, _r0), _s20, _r0), _multiply(_k207, _s41, _r20), _r20), _s20, _r20), _multiply(_k208, _s42, _r19), _r19), _s20, _r19)
-    _s80 = _add(_multiply(_add(_multiply(_add(_s79, _multiply(_k23, _s43, _r15), _r15), _s20, _r15), _multiply(_k75, _s45, _r16), _r16), _s20, _r16), _multiply(_k3, _s46, _r3), _r3)
-    _s81 = _add(_multiply(_add(_multiply(_add(_multiply(_s80, _s20, _r3), _multiply(_k69, _s47, _r14), _r14), _s20, _r14), _multiply(_k66, _s49, _r13), _r13), _s20, _r13), _multiply(_k65, _s50, _r12), _r12)
+    _s79 = _multiply(_add(_multiply(_add(_multiply(_multiply(_k204, _s40, _r0), _s20, _r0), _multiply(_k205, _s41, _r20), _r20), _s20, _r20), _multiply(_k206, _s42, _r19), _r19), _s20, _r19)
+    _s80 = _add(_multiply(_add(_multiply(_add(_s79, _multiply(_k23, _s43, _r15), _r15), _s20, _r15), _multiply(_k73, _s45, _r16), _r16), _s20, _r16), _multiply(_k3, _s46, _r3), _r3)
+    _s81 = _add(_multiply(_add(_multiply(_add(_multiply(_s80, _s20, _r3), _multiply(_k67, _s47, _r14), _r14), _s20, _r14), _multiply(_k64, _s49, _r13), _r13), _s20, _r13), _multiply(_k63, _s50, _r12), _r12)
     _s82 = _multiply(_s38, _s20, _r13)
     _s83 = _add(_absolute(sine_0, _r14), _s82, _r14)
     _s84 = _multiply(_multiply(_s54, _add(_multiply(_add(_multiply(_s81, _s20, _r12), _multiply(_k20, _s51, _r10), _r10), _s20, _r10), _s53, _r10), _r10), _s83, _r10)
@@ -3874,7 +3866,7 @@ def ring_round_pace(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ring_r
     _s87 = _multiply(_add(_multiply(6.0 * p_ring_radius, _s84, _r10), _multiply(_s38, _add(_multiply(_s85, _s86, _r13), _multiply(_s77, _s83, _r12), _r12), _r12), _r12), _s38, _r12) + _multiply(_s34, _add(_multiply(_s85, _s83, _r4), _multiply(_s77, _s86, _r11), _r11), _r11)
     _s88 = _negative(_add(_add(_multiply(cosine_0, _s74, _r11), _s75, _r11), _multiply(_multiply(climb_1, sine_0, _r12), _s1, _r12), _r12), _r12)
     _s89 = _subtract(along_1, _multiply(omega_0, _multiply(_multiply(climb_0, sine_0, _r11), _s1, _r11), _r11), _r11)
-    return _s20, _k98 * _s4, _s39 + _add(_multiply(_s54, _s69, _r17), _s73, _r29), _s69, _s39, _subtract(_multiply(p_gravity, sine_0, _r29), _s74, _r29) - _multiply(cosine_0, _s75, _r28), climb_0 * _add(_multiply(cosine_0, _s77, _r28), _multiply(sine_0, _multiply(_s78, _s11, _r9), _r9), _r9), _s87, ((2.0 * p_gravity) * _s76) * _multiply(climb_0, cosine_0, _r9), _multiply(cos_0, _s88, _r9) - _multiply(sin_0, _s89, _r28), _multiply(cos_0, _s89, _r11) + _multiply(sin_0, _s88, _r12), _multiply(_multiply(climb_1, cosine_0, _r12), _s1, _r12) - _multiply(sine_0, _s74, _r30)
+    return _s20, _k96 * _s4, _s39 + _add(_multiply(_s54, _s69, _r17), _s73, _r29), _s69, _s39, _subtract(_multiply(p_gravity, sine_0, _r29), _s74, _r29) - _multiply(cosine_0, _s75, _r28), climb_0 * _add(_multiply(cosine_0, _s77, _r28), _multiply(sine_0, _multiply(_s78, _s11, _r9), _r9), _r9), _s87, ((2.0 * p_gravity) * _s76) * _multiply(climb_0, cosine_0, _r9), _multiply(cos_0, _s88, _r9) - _multiply(sin_0, _s89, _r28), _multiply(cos_0, _s89, _r11) + _multiply(sin_0, _s88, _r12), _multiply(_multiply(climb_1, cosine_0, _r12), _s1, _r12) - _multiply(sine_0, _s74, _r30)
 
 
 def ring_round_pulled(p_gravity: Any, p_inertia: Any, turn_rate_0: Any, turn_rate_1: Any, climb_0: Any, climb_1: Any, cosine_0: Any, cosine_1: Any, omega_0: Any, omega_1: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -3905,7 +3897,7 @@ def ring_swung(p_ball_radius: Any, p_gravity: Any, p_wire_radius: Any, which: An
     _s4 = _logical_and((_multiply(climb, climb_0, _r2) < _k4), (_multiply(0.015625 * p_gravity, stride, _r2) < _multiply(_absolute(_subtract(climb, climb_0, _r1), _r1), _s0, _r1)))
     _s5 = _logical_and(_logical_and(_s3, _s4), (_k4 < circled))
     _s6 = _add(p_gravity, _multiply(_multiply(fastest, fastest, _r1), 1.0 / _s0, _r1), _r1)
-    _s7 = _logical_not((_multiply(_s6, _multiply(_k214, _add(_multiply(position_error, _s6, _r2), _multiply(velocity_error, fastest, _r0), _r0), _r0), _r0) < ((0.000244140625 * (p_gravity * p_gravity)) * _s0)))
+    _s7 = _logical_not((_multiply(_s6, _multiply(_k212, _add(_multiply(position_error, _s6, _r2), _multiply(velocity_error, fastest, _r0), _r0), _r0), _r0) < ((0.000244140625 * (p_gravity * p_gravity)) * _s0)))
     return _result(_s3, _select(_s4, _k19, circled, _r0), _k4, _r0), _s5, _result(_logical_and(_s5, _s7), _k4, doubt, _r0)
 
 
@@ -3945,10 +3937,10 @@ def ring_round_2(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ring_radi
     _s1 = near_0 * _subtract(along_2, _multiply(_s0, _add(_multiply(cosine_1, omega_1, _r0), _multiply(cosine_2, omega_0, _r1), _r1), _r1), _r1)
     _s2 = _add(_multiply(climb_0, _s1, _r1), _multiply(climb_1, omega_1, _r0), _r0) + _multiply(climb_2, omega_0, _r1)
     _s3 = 1.0 / (1.0 + p_inertia)
-    _s4 = -_multiply(_multiply(_k63, per_reach, _r1), _add(_multiply(_multiply(p_gravity, cosine_2, _r0), _s3, _r0), _add(_add(_multiply(omega_0, tilted_2, _r2), _multiply(omega_1, tilted_1, _r3), _r3), _multiply(tilted_0, _s1, _r2), _r2), _r2), _r1)
-    _s5 = _k63 * _subtract(_multiply(_s0, _add(_add(_multiply(sine_0, _s2, _r1), _multiply(sine_1, around_1, _r2), _r2), _multiply(sine_2, around_0, _r1), _r1), _r1), _multiply(p_inertia * _s3, _add(_add(_multiply(turn_rate_0, climb_2, _r2), _multiply(turn_rate_1, climb_1, _r0), _r0), _multiply(turn_rate_2, climb_0, _r2), _r2), _r2), _r2)
-    _s6 = _k63 * _add(_multiply(p_ring_radius * _s3, _add(_add(_multiply(cosine_0, _s2, _r2), _multiply(cosine_1, around_1, _r1), _r1), _multiply(cosine_2, around_0, _r2), _r2), _r2), _multiply(_s0, _s2, _r1), _r1)
-    return _s1, _s2, -_multiply(_k63, _add(_add(_multiply(climb_0, sine_2, _r1), _multiply(climb_1, sine_1, _r2), _r2), _multiply(climb_2, sine_0, _r1), _r1), _r1), _k63 * _add(_add(_multiply(climb_0, cosine_2, _r1), _multiply(climb_1, cosine_1, _r2), _r2), _multiply(climb_2, cosine_0, _r1), _r1), _s4, _s5, (0.3333333333333333 * p_ring_radius) * _s2, _s6
+    _s4 = -_multiply(_multiply(_k61, per_reach, _r1), _add(_multiply(_multiply(p_gravity, cosine_2, _r0), _s3, _r0), _add(_add(_multiply(omega_0, tilted_2, _r2), _multiply(omega_1, tilted_1, _r3), _r3), _multiply(tilted_0, _s1, _r2), _r2), _r2), _r1)
+    _s5 = _k61 * _subtract(_multiply(_s0, _add(_add(_multiply(sine_0, _s2, _r1), _multiply(sine_1, around_1, _r2), _r2), _multiply(sine_2, around_0, _r1), _r1), _r1), _multiply(p_inertia * _s3, _add(_add(_multiply(turn_rate_0, climb_2, _r2), _multiply(turn_rate_1, climb_1, _r0), _r0), _multiply(turn_rate_2, climb_0, _r2), _r2), _r2), _r2)
+    _s6 = _k61 * _add(_multiply(p_ring_radius * _s3, _add(_add(_multiply(cosine_0, _s2, _r2), _multiply(cosine_1, around_1, _r1), _r1), _multiply(cosine_2, around_0, _r2), _r2), _r2), _multiply(_s0, _s2, _r1), _r1)
+    return _s1, _s2, -_multiply(_k61, _add(_add(_multiply(climb_0, sine_2, _r1), _multiply(climb_1, sine_1, _r2), _r2), _multiply(climb_2, sine_0, _r1), _r1), _r1), _k61 * _add(_add(_multiply(climb_0, cosine_2, _r1), _multiply(climb_1, cosine_1, _r2), _r2), _multiply(climb_2, cosine_0, _r1), _r1), _s4, _s5, (0.3333333333333333 * p_ring_radius) * _s2, _s6
 
 
 def ring_round_3(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ring_radius: Any, p_wire_radius: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, near_0: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, along_3: Any, omega_0: Any, omega_1: Any, omega_2: Any, around_0: Any, around_1: Any, around_2: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -3978,14 +3970,14 @@ def ring_round_4(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ring_radi
     _s1 = _subtract(along_4, _multiply(_s0, _add(_add(_add(_multiply(cosine_1, omega_3, _r0), _multiply(cosine_2, omega_2, _r1), _r1), _multiply(cosine_3, omega_1, _r0), _r0), _multiply(cosine_4, omega_0, _r1), _r1), _r1), _r1)
     _s2 = near_0 * _s1
     _s3 = _add(_add(_add(_multiply(climb_0, _s2, _r1), _multiply(climb_1, omega_3, _r0), _r0), _multiply(climb_2, omega_2, _r1), _r1), _multiply(climb_3, omega_1, _r0), _r0) + _multiply(climb_4, omega_0, _r1)
-    _s4 = _multiply(_k67, _add(_add(_add(_add(_multiply(climb_0, sine_4, _r1), _multiply(climb_1, sine_3, _r0), _r0), _multiply(climb_2, sine_2, _r1), _r1), _multiply(climb_3, sine_1, _r0), _r0), _multiply(climb_4, sine_0, _r1), _r1), _r1)
-    _s5 = _k67 * _add(_add(_add(_add(_multiply(climb_0, cosine_4, _r0), _multiply(climb_1, cosine_3, _r2), _r2), _multiply(climb_2, cosine_2, _r0), _r0), _multiply(climb_3, cosine_1, _r2), _r2), _multiply(climb_4, cosine_0, _r0), _r0)
+    _s4 = _multiply(_k65, _add(_add(_add(_add(_multiply(climb_0, sine_4, _r1), _multiply(climb_1, sine_3, _r0), _r0), _multiply(climb_2, sine_2, _r1), _r1), _multiply(climb_3, sine_1, _r0), _r0), _multiply(climb_4, sine_0, _r1), _r1), _r1)
+    _s5 = _k65 * _add(_add(_add(_add(_multiply(climb_0, cosine_4, _r0), _multiply(climb_1, cosine_3, _r2), _r2), _multiply(climb_2, cosine_2, _r0), _r0), _multiply(climb_3, cosine_1, _r2), _r2), _multiply(climb_4, cosine_0, _r0), _r0)
     _s6 = 1.0 / (1.0 + p_inertia)
     _s7 = _add(_multiply(_multiply(p_gravity, cosine_4, _r0), _s6, _r0), _add(_add(_add(_add(_multiply(omega_0, tilted_4, _r2), _multiply(omega_1, tilted_3, _r3), _r3), _multiply(omega_2, tilted_2, _r2), _r2), _multiply(omega_3, tilted_1, _r3), _r3), _multiply(tilted_0, _s2, _r2), _r2), _r2)
     _s8 = _multiply(_s0, _add(_add(_add(_add(_multiply(sine_0, _s3, _r0), _multiply(sine_1, around_3, _r3), _r3), _multiply(sine_2, around_2, _r0), _r0), _multiply(sine_3, around_1, _r3), _r3), _multiply(sine_4, around_0, _r0), _r0), _r0)
     _s9 = _multiply(p_inertia * _s6, _add(_add(_add(_add(_multiply(turn_rate_0, climb_4, _r3), _multiply(turn_rate_1, climb_3, _r4), _r4), _multiply(turn_rate_2, climb_2, _r3), _r3), _multiply(turn_rate_3, climb_1, _r4), _r4), _multiply(turn_rate_4, climb_0, _r3), _r3), _r3)
     _s10 = _multiply(p_ring_radius * _s6, _add(_add(_add(_add(_multiply(cosine_0, _s3, _r4), _multiply(cosine_1, around_3, _r5), _r5), _multiply(cosine_2, around_2, _r4), _r4), _multiply(cosine_3, around_1, _r5), _r5), _multiply(cosine_4, around_0, _r4), _r4), _r4)
-    return _s2, _s3, -_s4, _s5, -_multiply(_multiply(_k67, per_reach, _r1), _s7, _r1), _k67 * _subtract(_s8, _s9, _r3), (0.2 * p_ring_radius) * _s3, _k67 * _add(_s10, _multiply(_s0, _s3, _r3), _r3)
+    return _s2, _s3, -_s4, _s5, -_multiply(_multiply(_k65, per_reach, _r1), _s7, _r1), _k65 * _subtract(_s8, _s9, _r3), (0.2 * p_ring_radius) * _s3, _k65 * _add(_s10, _multiply(_s0, _s3, _r3), _r3)
 
 
 def ring_round_5(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ring_radius: Any, p_wire_radius: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, near_0: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, along_5: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -4005,7 +3997,7 @@ def ring_round_5(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ring_radi
     _s8 = _add(_add(_add(_add(_add(_multiply(sine_0, _s3, _r1), _multiply(sine_1, around_4, _r4), _r4), _multiply(sine_2, around_3, _r1), _r1), _multiply(sine_3, around_2, _r4), _r4), _multiply(sine_4, around_1, _r1), _r1), _multiply(sine_5, around_0, _r4), _r4)
     _s9 = _add(_add(_add(_add(_add(_multiply(turn_rate_0, climb_5, _r1), _multiply(turn_rate_1, climb_4, _r5), _r5), _multiply(turn_rate_2, climb_3, _r1), _r1), _multiply(turn_rate_3, climb_2, _r5), _r5), _multiply(turn_rate_4, climb_1, _r1), _r1), _multiply(turn_rate_5, climb_0, _r5), _r5)
     _s10 = _add(_add(_add(_add(_add(_multiply(cosine_0, _s3, _r1), _multiply(cosine_1, around_4, _r6), _r6), _multiply(cosine_2, around_3, _r1), _r1), _multiply(cosine_3, around_2, _r6), _r6), _multiply(cosine_4, around_1, _r1), _r1), _multiply(cosine_5, around_0, _r6), _r6)
-    return _s2, _s3, -_multiply(_k70, _s4, _r0), _k70 * _s5, -_multiply(_multiply(_k70, per_reach, _r2), _add(_multiply(_multiply(p_gravity, cosine_5, _r0), _s6, _r0), _s7, _r3), _r2), _k70 * _subtract(_multiply(_s0, _s8, _r4), _multiply(p_inertia * _s6, _s9, _r5), _r5), (0.16666666666666666 * p_ring_radius) * _s3, _k70 * _add(_multiply(p_ring_radius * _s6, _s10, _r6), _multiply(_s0, _s3, _r5), _r5)
+    return _s2, _s3, -_multiply(_k68, _s4, _r0), _k68 * _s5, -_multiply(_multiply(_k68, per_reach, _r2), _add(_multiply(_multiply(p_gravity, cosine_5, _r0), _s6, _r0), _s7, _r3), _r2), _k68 * _subtract(_multiply(_s0, _s8, _r4), _multiply(p_inertia * _s6, _s9, _r5), _r5), (0.16666666666666666 * p_ring_radius) * _s3, _k68 * _add(_multiply(p_ring_radius * _s6, _s10, _r6), _multiply(_s0, _s3, _r5), _r5)
 
 
 def ring_round_6(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ring_radius: Any, p_wire_radius: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, near_0: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, along_6: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, around_5: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, tilted_6: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -4026,7 +4018,7 @@ def ring_round_6(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ring_radi
     _s9 = _add(_add(_add(_add(_add(_multiply(sine_0, _s4, _r1), _multiply(sine_1, around_5, _r4), _r4), _multiply(sine_2, around_4, _r1), _r1), _multiply(sine_3, around_3, _r4), _r4), _multiply(sine_4, around_2, _r1), _r1), _multiply(sine_5, around_1, _r4), _r4)
     _s10 = _add(_add(_add(_add(_add(_multiply(turn_rate_0, climb_6, _r1), _multiply(turn_rate_1, climb_5, _r5), _r5), _multiply(turn_rate_2, climb_4, _r1), _r1), _multiply(turn_rate_3, climb_3, _r5), _r5), _multiply(turn_rate_4, climb_2, _r1), _r1), _multiply(turn_rate_5, climb_1, _r5), _r5)
     _s11 = _add(_add(_add(_add(_add(_multiply(cosine_0, _s4, _r1), _multiply(cosine_1, around_5, _r6), _r6), _multiply(cosine_2, around_4, _r1), _r1), _multiply(cosine_3, around_3, _r6), _r6), _multiply(cosine_4, around_2, _r1), _r1), _multiply(cosine_5, around_1, _r6), _r6)
-    return _s2, _s4, -_multiply(_k73, _add(_s5, _multiply(climb_6, sine_0, _r1), _r1), _r1), _k73 * _add(_s6, _multiply(climb_6, cosine_0, _r1), _r1), -_multiply(_multiply(_k73, per_reach, _r1), _add(_multiply(_multiply(p_gravity, cosine_6, _r2), _s7, _r2), _add(_s8, _multiply(tilted_0, _s2, _r0), _r0), _r0), _r1), _k73 * _subtract(_multiply(_s0, _add(_s9, _multiply(sine_6, around_0, _r1), _r1), _r1), _multiply(p_inertia * _s7, _add(_s10, _multiply(turn_rate_6, climb_0, _r4), _r4), _r4), _r4), (0.14285714285714285 * p_ring_radius) * _s4, _k73 * _add(_multiply(p_ring_radius * _s7, _add(_s11, _multiply(cosine_6, around_0, _r4), _r4), _r4), _multiply(_s0, _s4, _r6), _r6)
+    return _s2, _s4, -_multiply(_k71, _add(_s5, _multiply(climb_6, sine_0, _r1), _r1), _r1), _k71 * _add(_s6, _multiply(climb_6, cosine_0, _r1), _r1), -_multiply(_multiply(_k71, per_reach, _r1), _add(_multiply(_multiply(p_gravity, cosine_6, _r2), _s7, _r2), _add(_s8, _multiply(tilted_0, _s2, _r0), _r0), _r0), _r1), _k71 * _subtract(_multiply(_s0, _add(_s9, _multiply(sine_6, around_0, _r1), _r1), _r1), _multiply(p_inertia * _s7, _add(_s10, _multiply(turn_rate_6, climb_0, _r4), _r4), _r4), _r4), (0.14285714285714285 * p_ring_radius) * _s4, _k71 * _add(_multiply(p_ring_radius * _s7, _add(_s11, _multiply(cosine_6, around_0, _r4), _r4), _r4), _multiply(_s0, _s4, _r6), _r6)
 
 
 def ring_round_7(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ring_radius: Any, p_wire_radius: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, near_0: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, climb_7: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, cosine_7: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, sine_7: Any, along_7: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, omega_6: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, around_5: Any, around_6: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, tilted_6: Any, tilted_7: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -4065,17 +4057,17 @@ def ring_round_8(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ring_radi
     _s3 = _add(_add(_add(_add(_add(_multiply(climb_0, _s2, _r1), _multiply(climb_1, omega_7, _r0), _r0), _multiply(climb_2, omega_6, _r1), _r1), _multiply(climb_3, omega_5, _r0), _r0), _multiply(climb_4, omega_4, _r1), _r1), _multiply(climb_5, omega_3, _r0), _r0)
     _s4 = _add(_add(_s3, _multiply(climb_6, omega_2, _r1), _r1), _multiply(climb_7, omega_1, _r0), _r0) + _multiply(climb_8, omega_0, _r1)
     _s5 = _add(_add(_add(_add(_add(_multiply(climb_0, sine_8, _r1), _multiply(climb_1, sine_7, _r0), _r0), _multiply(climb_2, sine_6, _r1), _r1), _multiply(climb_3, sine_5, _r0), _r0), _multiply(climb_4, sine_4, _r1), _r1), _multiply(climb_5, sine_3, _r0), _r0)
-    _s6 = -_multiply(_k77, _add(_add(_add(_s5, _multiply(climb_6, sine_2, _r1), _r1), _multiply(climb_7, sine_1, _r0), _r0), _multiply(climb_8, sine_0, _r1), _r1), _r1)
+    _s6 = -_multiply(_k75, _add(_add(_add(_s5, _multiply(climb_6, sine_2, _r1), _r1), _multiply(climb_7, sine_1, _r0), _r0), _multiply(climb_8, sine_0, _r1), _r1), _r1)
     _s7 = _add(_add(_add(_add(_add(_multiply(climb_0, cosine_8, _r1), _multiply(climb_1, cosine_7, _r0), _r0), _multiply(climb_2, cosine_6, _r1), _r1), _multiply(climb_3, cosine_5, _r0), _r0), _multiply(climb_4, cosine_4, _r1), _r1), _multiply(climb_5, cosine_3, _r0), _r0)
     _s8 = 1.0 / (1.0 + p_inertia)
     _s9 = _add(_add(_add(_add(_add(_multiply(omega_0, tilted_8, _r1), _multiply(omega_1, tilted_7, _r2), _r2), _multiply(omega_2, tilted_6, _r1), _r1), _multiply(omega_3, tilted_5, _r2), _r2), _multiply(omega_4, tilted_4, _r1), _r1), _multiply(omega_5, tilted_3, _r2), _r2)
-    _s10 = _multiply(_multiply(_k77, per_reach, _r1), _add(_multiply(_multiply(p_gravity, cosine_8, _r3), _s8, _r3), _add(_add(_add(_s9, _multiply(omega_6, tilted_2, _r4), _r4), _multiply(omega_7, tilted_1, _r2), _r2), _multiply(tilted_0, _s2, _r4), _r4), _r4), _r1)
+    _s10 = _multiply(_multiply(_k75, per_reach, _r1), _add(_multiply(_multiply(p_gravity, cosine_8, _r3), _s8, _r3), _add(_add(_add(_s9, _multiply(omega_6, tilted_2, _r4), _r4), _multiply(omega_7, tilted_1, _r2), _r2), _multiply(tilted_0, _s2, _r4), _r4), _r4), _r1)
     _s11 = _add(_add(_add(_add(_add(_multiply(sine_0, _s4, _r4), _multiply(sine_1, around_7, _r3), _r3), _multiply(sine_2, around_6, _r4), _r4), _multiply(sine_3, around_5, _r3), _r3), _multiply(sine_4, around_4, _r4), _r4), _multiply(sine_5, around_3, _r3), _r3)
     _s12 = _add(_add(_add(_add(_add(_multiply(turn_rate_0, climb_8, _r4), _multiply(turn_rate_1, climb_7, _r2), _r2), _multiply(turn_rate_2, climb_6, _r4), _r4), _multiply(turn_rate_3, climb_5, _r2), _r2), _multiply(turn_rate_4, climb_4, _r4), _r4), _multiply(turn_rate_5, climb_3, _r2), _r2)
     _s13 = _subtract(_multiply(_s0, _add(_add(_add(_s11, _multiply(sine_6, around_2, _r4), _r4), _multiply(sine_7, around_1, _r3), _r3), _multiply(sine_8, around_0, _r4), _r4), _r4), _multiply(p_inertia * _s8, _add(_add(_add(_s12, _multiply(turn_rate_6, climb_2, _r3), _r3), _multiply(turn_rate_7, climb_1, _r2), _r2), _multiply(turn_rate_8, climb_0, _r3), _r3), _r3), _r3)
     _s14 = _add(_add(_add(_add(_add(_multiply(cosine_0, _s4, _r4), _multiply(cosine_1, around_7, _r2), _r2), _multiply(cosine_2, around_6, _r4), _r4), _multiply(cosine_3, around_5, _r2), _r2), _multiply(cosine_4, around_4, _r4), _r4), _multiply(cosine_5, around_3, _r2), _r2)
     _s15 = _add(_multiply(p_ring_radius * _s8, _add(_add(_add(_s14, _multiply(cosine_6, around_2, _r4), _r4), _multiply(cosine_7, around_1, _r2), _r2), _multiply(cosine_8, around_0, _r4), _r4), _r4), _multiply(_s0, _s4, _r2), _r2)
-    return _s2, _s4, _s6, _k77 * _add(_add(_add(_s7, _multiply(climb_6, cosine_2, _r4), _r4), _multiply(climb_7, cosine_1, _r0), _r0), _multiply(climb_8, cosine_0, _r4), _r4), -_s10, _k77 * _s13, (0.1111111111111111 * p_ring_radius) * _s4, _k77 * _s15
+    return _s2, _s4, _s6, _k75 * _add(_add(_add(_s7, _multiply(climb_6, cosine_2, _r4), _r4), _multiply(climb_7, cosine_1, _r0), _r0), _multiply(climb_8, cosine_0, _r4), _r4), -_s10, _k75 * _s13, (0.1111111111111111 * p_ring_radius) * _s4, _k75 * _s15
 
 
 def ring_round_9(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ring_radius: Any, p_wire_radius: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, turn_rate_8: Any, turn_rate_9: Any, near_0: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, climb_7: Any, climb_8: Any, climb_9: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, cosine_7: Any, cosine_8: Any, cosine_9: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, sine_7: Any, sine_8: Any, sine_9: Any, along_9: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, omega_6: Any, omega_7: Any, omega_8: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, around_5: Any, around_6: Any, around_7: Any, around_8: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, tilted_6: Any, tilted_7: Any, tilted_8: Any, tilted_9: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -4091,9 +4083,9 @@ def ring_round_9(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ring_radi
     _s4 = _add(_add(_add(_add(_add(_multiply(climb_0, _s3, _r0), _multiply(climb_1, omega_8, _r1), _r1), _multiply(climb_2, omega_7, _r0), _r0), _multiply(climb_3, omega_6, _r1), _r1), _multiply(climb_4, omega_5, _r0), _r0), _multiply(climb_5, omega_4, _r1), _r1)
     _s5 = _add(_add(_add(_s4, _multiply(climb_6, omega_3, _r0), _r0), _multiply(climb_7, omega_2, _r1), _r1), _multiply(climb_8, omega_1, _r0), _r0) + _multiply(climb_9, omega_0, _r1)
     _s6 = _add(_add(_add(_add(_add(_multiply(climb_0, sine_9, _r1), _multiply(climb_1, sine_8, _r0), _r0), _multiply(climb_2, sine_7, _r1), _r1), _multiply(climb_3, sine_6, _r0), _r0), _multiply(climb_4, sine_5, _r1), _r1), _multiply(climb_5, sine_4, _r0), _r0)
-    _s7 = _multiply(_k180, _add(_add(_add(_add(_s6, _multiply(climb_6, sine_3, _r1), _r1), _multiply(climb_7, sine_2, _r0), _r0), _multiply(climb_8, sine_1, _r1), _r1), _multiply(climb_9, sine_0, _r0), _r0), _r0)
+    _s7 = _multiply(_k178, _add(_add(_add(_add(_s6, _multiply(climb_6, sine_3, _r1), _r1), _multiply(climb_7, sine_2, _r0), _r0), _multiply(climb_8, sine_1, _r1), _r1), _multiply(climb_9, sine_0, _r0), _r0), _r0)
     _s8 = _add(_add(_add(_add(_add(_multiply(climb_0, cosine_9, _r1), _multiply(climb_1, cosine_8, _r2), _r2), _multiply(climb_2, cosine_7, _r1), _r1), _multiply(climb_3, cosine_6, _r2), _r2), _multiply(climb_4, cosine_5, _r1), _r1), _multiply(climb_5, cosine_4, _r2), _r2)
-    _s9 = _k180 * _add(_add(_add(_add(_s8, _multiply(climb_6, cosine_3, _r1), _r1), _multiply(climb_7, cosine_2, _r2), _r2), _multiply(climb_8, cosine_1, _r1), _r1), _multiply(climb_9, cosine_0, _r2), _r2)
+    _s9 = _k178 * _add(_add(_add(_add(_s8, _multiply(climb_6, cosine_3, _r1), _r1), _multiply(climb_7, cosine_2, _r2), _r2), _multiply(climb_8, cosine_1, _r1), _r1), _multiply(climb_9, cosine_0, _r2), _r2)
     _s10 = 1.0 / (1.0 + p_inertia)
     _s11 = _add(_add(_add(_add(_add(_multiply(omega_0, tilted_9, _r2), _multiply(omega_1, tilted_8, _r1), _r1), _multiply(omega_2, tilted_7, _r2), _r2), _multiply(omega_3, tilted_6, _r1), _r1), _multiply(omega_4, tilted_5, _r2), _r2), _multiply(omega_5, tilted_4, _r1), _r1)
     _s12 = _add(_multiply(_multiply(p_gravity, cosine_9, _r2), _s10, _r2), _add(_add(_add(_add(_s11, _multiply(omega_6, tilted_3, _r3), _r3), _multiply(omega_7, tilted_2, _r1), _r1), _multiply(omega_8, tilted_1, _r3), _r3), _multiply(tilted_0, _s3, _r1), _r1), _r1)
@@ -4103,7 +4095,7 @@ def ring_round_9(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ring_radi
     _s16 = _multiply(p_inertia * _s10, _add(_add(_add(_add(_s15, _multiply(turn_rate_6, climb_3, _r2), _r2), _multiply(turn_rate_7, climb_2, _r4), _r4), _multiply(turn_rate_8, climb_1, _r2), _r2), _multiply(turn_rate_9, climb_0, _r4), _r4), _r4)
     _s17 = _add(_add(_add(_add(_add(_multiply(cosine_0, _s5, _r2), _multiply(cosine_1, around_8, _r5), _r5), _multiply(cosine_2, around_7, _r2), _r2), _multiply(cosine_3, around_6, _r5), _r5), _multiply(cosine_4, around_5, _r2), _r2), _multiply(cosine_5, around_4, _r5), _r5)
     _s18 = _multiply(p_ring_radius * _s10, _add(_add(_add(_add(_s17, _multiply(cosine_6, around_3, _r2), _r2), _multiply(cosine_7, around_2, _r5), _r5), _multiply(cosine_8, around_1, _r2), _r2), _multiply(cosine_9, around_0, _r5), _r5), _r5)
-    return _s3, _s5, -_s7, _s9, -_multiply(_multiply(_k180, per_reach, _r0), _s12, _r0), _k180 * _subtract(_s14, _s16, _r4), (0.1 * p_ring_radius) * _s5, _k180 * _add(_s18, _multiply(_s0, _s5, _r4), _r4)
+    return _s3, _s5, -_s7, _s9, -_multiply(_multiply(_k178, per_reach, _r0), _s12, _r0), _k178 * _subtract(_s14, _s16, _r4), (0.1 * p_ring_radius) * _s5, _k178 * _add(_s18, _multiply(_s0, _s5, _r4), _r4)
 
 
 def ring_round_10(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ring_radius: Any, p_wire_radius: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, turn_rate_8: Any, turn_rate_9: Any, turn_rate_10: Any, near_0: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, climb_7: Any, climb_8: Any, climb_9: Any, climb_10: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, cosine_7: Any, cosine_8: Any, cosine_9: Any, cosine_10: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, sine_7: Any, sine_8: Any, sine_9: Any, sine_10: Any, along_10: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, omega_6: Any, omega_7: Any, omega_8: Any, omega_9: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, around_5: Any, around_6: Any, around_7: Any, around_8: Any, around_9: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, tilted_6: Any, tilted_7: Any, tilted_8: Any, tilted_9: Any, tilted_10: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -4131,7 +4123,7 @@ def ring_round_10(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ring_rad
     _s16 = _add(_add(_add(_add(_add(_s15, _multiply(turn_rate_6, climb_4, _r4), _r4), _multiply(turn_rate_7, climb_3, _r5), _r5), _multiply(turn_rate_8, climb_2, _r4), _r4), _multiply(turn_rate_9, climb_1, _r5), _r5), _multiply(turn_rate_10, climb_0, _r4), _r4)
     _s17 = _add(_add(_add(_add(_add(_multiply(cosine_0, _s5, _r5), _multiply(cosine_1, around_9, _r6), _r6), _multiply(cosine_2, around_8, _r5), _r5), _multiply(cosine_3, around_7, _r6), _r6), _multiply(cosine_4, around_6, _r5), _r5), _multiply(cosine_5, around_5, _r6), _r6)
     _s18 = _add(_add(_add(_add(_add(_s17, _multiply(cosine_6, around_4, _r5), _r5), _multiply(cosine_7, around_3, _r6), _r6), _multiply(cosine_8, around_2, _r5), _r5), _multiply(cosine_9, around_1, _r6), _r6), _multiply(cosine_10, around_0, _r5), _r5)
-    return _s3, _s5, -_multiply(_k181, _s7, _r1), _k181 * _s9, -_multiply(_multiply(_k181, per_reach, _r0), _add(_multiply(_multiply(p_gravity, cosine_10, _r1), _s10, _r1), _s12, _r2), _r0), _k181 * _subtract(_multiply(_s0, _s14, _r3), _multiply(p_inertia * _s10, _s16, _r4), _r4), (0.09090909090909091 * p_ring_radius) * _s5, _k181 * _add(_multiply(p_ring_radius * _s10, _s18, _r5), _multiply(_s0, _s5, _r4), _r4)
+    return _s3, _s5, -_multiply(_k179, _s7, _r1), _k179 * _s9, -_multiply(_multiply(_k179, per_reach, _r0), _add(_multiply(_multiply(p_gravity, cosine_10, _r1), _s10, _r1), _s12, _r2), _r0), _k179 * _subtract(_multiply(_s0, _s14, _r3), _multiply(p_inertia * _s10, _s16, _r4), _r4), (0.09090909090909091 * p_ring_radius) * _s5, _k179 * _add(_multiply(p_ring_radius * _s10, _s18, _r5), _multiply(_s0, _s5, _r4), _r4)
 
 
 def ring_round_11(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ring_radius: Any, p_wire_radius: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, turn_rate_8: Any, turn_rate_9: Any, turn_rate_10: Any, turn_rate_11: Any, near_0: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, climb_7: Any, climb_8: Any, climb_9: Any, climb_10: Any, climb_11: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, cosine_7: Any, cosine_8: Any, cosine_9: Any, cosine_10: Any, cosine_11: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, sine_7: Any, sine_8: Any, sine_9: Any, sine_10: Any, sine_11: Any, along_11: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, omega_6: Any, omega_7: Any, omega_8: Any, omega_9: Any, omega_10: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, around_5: Any, around_6: Any, around_7: Any, around_8: Any, around_9: Any, around_10: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, tilted_6: Any, tilted_7: Any, tilted_8: Any, tilted_9: Any, tilted_10: Any, tilted_11: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -4160,7 +4152,7 @@ def ring_round_11(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ring_rad
     _s17 = _add(_add(_add(_add(_add(_s16, _multiply(turn_rate_6, climb_5, _r4), _r4), _multiply(turn_rate_7, climb_4, _r5), _r5), _multiply(turn_rate_8, climb_3, _r4), _r4), _multiply(turn_rate_9, climb_2, _r5), _r5), _multiply(turn_rate_10, climb_1, _r4), _r4)
     _s18 = _add(_add(_add(_add(_add(_multiply(cosine_0, _s6, _r5), _multiply(cosine_1, around_10, _r6), _r6), _multiply(cosine_2, around_9, _r5), _r5), _multiply(cosine_3, around_8, _r6), _r6), _multiply(cosine_4, around_7, _r5), _r5), _multiply(cosine_5, around_6, _r6), _r6)
     _s19 = _add(_add(_add(_add(_add(_s18, _multiply(cosine_6, around_5, _r5), _r5), _multiply(cosine_7, around_4, _r6), _r6), _multiply(cosine_8, around_3, _r5), _r5), _multiply(cosine_9, around_2, _r6), _r6), _multiply(cosine_10, around_1, _r5), _r5)
-    return _s3, _s6, -_multiply(_k182, _add(_s8, _multiply(climb_11, sine_0, _r6), _r6), _r6), _k182 * _add(_s10, _multiply(climb_11, cosine_0, _r6), _r6), -_multiply(_multiply(_k182, per_reach, _r6), _add(_multiply(_multiply(p_gravity, cosine_11, _r0), _s11, _r0), _add(_s13, _multiply(tilted_0, _s3, _r1), _r1), _r1), _r6), _k182 * _subtract(_multiply(_s0, _add(_s15, _multiply(sine_11, around_0, _r6), _r6), _r6), _multiply(p_inertia * _s11, _add(_s17, _multiply(turn_rate_11, climb_0, _r3), _r3), _r3), _r3), (0.08333333333333333 * p_ring_radius) * _s6, _k182 * _add(_multiply(p_ring_radius * _s11, _add(_s19, _multiply(cosine_11, around_0, _r3), _r3), _r3), _multiply(_s0, _s6, _r5), _r5)
+    return _s3, _s6, -_multiply(_k180, _add(_s8, _multiply(climb_11, sine_0, _r6), _r6), _r6), _k180 * _add(_s10, _multiply(climb_11, cosine_0, _r6), _r6), -_multiply(_multiply(_k180, per_reach, _r6), _add(_multiply(_multiply(p_gravity, cosine_11, _r0), _s11, _r0), _add(_s13, _multiply(tilted_0, _s3, _r1), _r1), _r1), _r6), _k180 * _subtract(_multiply(_s0, _add(_s15, _multiply(sine_11, around_0, _r6), _r6), _r6), _multiply(p_inertia * _s11, _add(_s17, _multiply(turn_rate_11, climb_0, _r3), _r3), _r3), _r3), (0.08333333333333333 * p_ring_radius) * _s6, _k180 * _add(_multiply(p_ring_radius * _s11, _add(_s19, _multiply(cosine_11, around_0, _r3), _r3), _r3), _multiply(_s0, _s6, _r5), _r5)
 
 
 def ring_enter(t: Any, end: Any, after: Any, low0: Any, low1: Any, low2: Any, high0: Any, high1: Any, high2: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -4291,7 +4283,7 @@ def backboard_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz
     _s31 = _select(_s21 < _s30, _s30, _s21, _r16)
     _s32 = _add(_s22, _multiply(_s25, _subtract(_s23, _s24, _r12), _r12), _r12)
     _s33 = _sqrt(_select(_s32 < _k4, _k4, _s32, _r11), _r11)
-    _s34 = _select(_s29, _multiply(_s27, _add(vz, _s28, _r14), _r14), _k119, _r17)
+    _s34 = _select(_s29, _multiply(_s27, _add(vz, _s28, _r14), _r14), _k117, _r17)
     _s35 = _k4 < _s32
     _s36 = _select(_s35, _multiply(_s27, _subtract(vz, _s33, _r12), _r12), _s34, _r18)
     _s37 = _divide(_subtract(_s18, _s19, _r8), _s17, _r8)
@@ -4306,11 +4298,11 @@ def backboard_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz
     _s46 = _select(_s45 < _s44, _s44, _s45, _r21)
     _s47 = _result(_s46 < horizon, _s46, horizon, _r0)
     _s48 = _add(speed, _multiply(p_gravity, _s47, _r21), _r21)
-    _s49 = _k20 * _add((1.25 * _absolute((-p_gravity))) * (p_ball_radius + (0.0001220703125 * _s9)), _multiply(_k65, _multiply(_s48, _s48, _r21), _r21), _r21)
+    _s49 = _k20 * _add((1.25 * _absolute((-p_gravity))) * (p_ball_radius + (0.0001220703125 * _s9)), _multiply(_k63, _multiply(_s48, _s48, _r21), _r21), _r21)
     _s50 = _where(_s2 < _s7, _s7, _s2)
     _s51 = _add(_add(_add(_s12, extent, _r21), _absolute((_s5 + _s3)), _r21), _where(_s50 < _s6, _s6, _s50), _r21)
     _s52 = _add(_multiply(_sqrt(2.0), _sqrt(_multiply(_s27, _add(_s51, _s9, _r20), _r20), _r20), _r20), _multiply(_multiply(_k20, speed, _r22), _s27, _r22), _r22)
-    _s53 = _add(_add(position_error, _multiply(velocity_error, _select(_s52 < horizon, _s52, horizon, _r20), _r20), _r20), _multiply(_k121, _add(_multiply(_multiply(speed, speed, _r22), _s27, _r22), _s51, _r22), _r22), _r22) - (1.52587890625e-05 * _s9)
+    _s53 = _add(_add(position_error, _multiply(velocity_error, _select(_s52 < horizon, _s52, horizon, _r20), _r20), _r20), _multiply(_k119, _add(_multiply(_multiply(speed, speed, _r22), _s27, _r22), _s51, _r22), _r22), _r22) - (1.52587890625e-05 * _s9)
     return _result(_k4 < _s31, _s31, _k4, _r0), _result(_s41 < horizon, _s41, horizon, _r0), _result(_k4 < _s43, _s43, _k4, _r0), _result(_s44 < horizon, _s44, horizon, _r0), _s49, _s47, _s53
 
 
@@ -4331,12 +4323,12 @@ def backboard_margins(horizon: Any, extent: Any, speed: Any, position_error: Any
     _s8 = _multiply(_k20, _add(_add(position_error, _multiply(horizon, velocity_error, _r3), _r3), _multiply(_k14, _s6, _r4), _r4), _r4)
     _s9 = _add(_add(3.3306690738754696e-16 * p_board_half_width, _s7, _r3), _s8, _r3)
     _s10 = 2.001953125 * _s4
-    _s11 = _add(_add((3.3306690738754696e-16 * p_board_distance) + (2.220446049250313e-16 * p_board_thickness), _multiply(_k219, _s6, _r1), _r1), _s8, _r1)
+    _s11 = _add(_add((3.3306690738754696e-16 * p_board_distance) + (2.220446049250313e-16 * p_board_thickness), _multiply(_k217, _s6, _r1), _r1), _s8, _r1)
     _s12 = _add(_add((2.220446049250313e-16 * _absolute(p_board_bottom)) + (2.220446049250313e-16 * _absolute(p_board_top)), _s7, _r2), _s8, _r2)
-    _s13 = _add(_add(_add(_add(5.55653613398821e-16 * (p_ball_radius * p_ball_radius), _multiply(_s10, _s9, _r4), _r4), _multiply(_s10, _s11, _r5), _r5), _multiply(_s10, _s12, _r4), _r4), _multiply(_multiply(_multiply(_k220, horizon, _r5), _s4, _r5), _s5, _r5), _r5)
-    _s14 = _multiply(_k221, _s5, _r4)
-    _s15 = _add(_add(_add(_multiply(6.667843360785852e-15 * _s4, _s5, _r6), _multiply(12.01171875 * _s4, _add(velocity_error, _multiply(_k219, _s5, _r7), _r7), _r7), _r7), _multiply(_s14, _s9, _r6), _r6), _multiply(_s14, _s11, _r7), _r7)
-    _s16 = _multiply(_k222, _s5, _r6)
+    _s13 = _add(_add(_add(_add(5.55653613398821e-16 * (p_ball_radius * p_ball_radius), _multiply(_s10, _s9, _r4), _r4), _multiply(_s10, _s11, _r5), _r5), _multiply(_s10, _s12, _r4), _r4), _multiply(_multiply(_multiply(_k218, horizon, _r5), _s4, _r5), _s5, _r5), _r5)
+    _s14 = _multiply(_k219, _s5, _r4)
+    _s15 = _add(_add(_add(_multiply(6.667843360785852e-15 * _s4, _s5, _r6), _multiply(12.01171875 * _s4, _add(velocity_error, _multiply(_k217, _s5, _r7), _r7), _r7), _r7), _multiply(_s14, _s9, _r6), _r6), _multiply(_s14, _s11, _r7), _r7)
+    _s16 = _multiply(_k220, _s5, _r6)
     _s17 = _add(_add(_add(_multiply(2.667137344314341e-15 * _s4, _s5, _r8), _multiply(6.005859375 * _s4, _add(velocity_error, _multiply(_k34, _s5, _r0), _r0), _r0), _r0), _multiply(_s16, _s9, _r3), _r3), _multiply(_s16, _s11, _r1), _r1)
     return _s13 + (1.3335686721571705e-15 * (_s4 * _s4)), _s15 + _multiply(_s14, _s12, _r4), _s17 + _multiply(_s16, _s12, _r6)
 
@@ -4429,11 +4421,11 @@ def backboard_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: 
     _s41 = _negative(_s31, _r11)
     _s42 = _s38 < _k4
     _s43 = _multiply(_k20, _s40, _r6)
-    _s44 = _select(_k4 < _select(_k4 <= _s38, _s40, _k4, _r9), _k5, _divide(_select(_s42, _s43, _multiply(_k66, _s38, _r9), _r4), _select(_s42, _negative(_s38, _r13), _select(_k4 < _s41, _s41, _k4, _r12), _r0), _r4), _r9)
+    _s44 = _select(_k4 < _select(_k4 <= _s38, _s40, _k4, _r9), _k5, _divide(_select(_s42, _s43, _multiply(_k64, _s38, _r9), _r4), _select(_s42, _negative(_s38, _r13), _select(_k4 < _s41, _s41, _k4, _r12), _r0), _r4), _r9)
     _s45 = _subtract(end, t, _r0)
     _s46 = _select(_s44 < _s45, _s44, _s45, _r12)
     _s47 = _add(_multiply(_add(_multiply(0.5 * _s32, _s46, _r11), _absolute(_s28, _r8), _r8), _s46, _r8), _s30, _r8)
-    _s48 = _add(_multiply(_k92, ceiling, _r1), _multiply(_k20, _multiply(_s32, _select(_s37 < _s47, _s37, _s47, _r11), _r11), _r11), _r11)
+    _s48 = _add(_multiply(_k90, ceiling, _r1), _multiply(_k20, _multiply(_s32, _select(_s37 < _s47, _s37, _s47, _r11), _r11), _r11), _r11)
     _s49 = _add(_multiply(_multiply(_k20, _s48, _r1), _s40, _r1), _multiply(_s38, _s38, _r5), _r5)
     _s50 = _sqrt(_s49, _r1)
     _s51 = _select(_k4 <= _s49, _divide(_select(_s42, _s43, _add(_s38, _s50, _r5), _r2), _select(_s42, _subtract(_s50, _s38, _r1), _select(_k4 < _s48, _s48, _k4, _r7), _r8), _r2), _k5, _r5)
@@ -4622,7 +4614,7 @@ def backboard_separation(p_board_bottom: Any, p_board_distance: Any, p_board_hal
     _s27 = _multiply(_s18, _s25, _r8)
     _s28 = _multiply(_s20, _s24, _r6)
     _s29 = _add(_s27, _s28, _r12)
-    _s30 = _add(_s29, _add(_s27, _multiply(_s15, _multiply(_k20, _multiply(_k65, _multiply(_s19, _s19, _r10), _r10), _r10), _r10), _r10), _r10)
+    _s30 = _add(_s29, _add(_s27, _multiply(_s15, _multiply(_k20, _multiply(_k63, _multiply(_s19, _s19, _r10), _r10), _r10), _r10), _r10), _r10)
     _s31 = _add(_add(_multiply(_s26, _s17, _r1), _multiply(_multiply(_s23, _s21, _r4), _s15, _r4), _r4), _multiply(_k20, _add(_add(_multiply(_multiply(_s18, _s18, _r1), _s16, _r1), _multiply(_multiply(_s18, _s21, _r5), _s15, _r5), _r5), _multiply(_multiply(_s16, _s24, _r11), _s15, _r11), _r11), _r11), _r11)
     _s32 = _k45 * _add(_s30, _add(_s29, _add(_multiply(_s14, _negative(_s31, _r11), _r11), _s28, _r11), _r11), _r11)
     return _s21, _s26, _s32
@@ -4826,7 +4818,7 @@ def bridge_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: A
     _s31 = _select(_s21 < _s30, _s30, _s21, _r16)
     _s32 = _add(_s22, _multiply(_s25, _subtract(_s24, _s23, _r12), _r12), _r12)
     _s33 = _sqrt(_select(_s32 < _k4, _k4, _s32, _r11), _r11)
-    _s34 = _select(_s29, _multiply(_s27, _add(vz, _s28, _r14), _r14), _k119, _r17)
+    _s34 = _select(_s29, _multiply(_s27, _add(vz, _s28, _r14), _r14), _k117, _r17)
     _s35 = _k4 < _s32
     _s36 = _select(_s35, _multiply(_s27, _subtract(vz, _s33, _r12), _r12), _s34, _r18)
     _s37 = _divide(_subtract(_s18, _s19, _r8), _s17, _r8)
@@ -4841,11 +4833,11 @@ def bridge_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: A
     _s46 = _select(_s45 < _s44, _s44, _s45, _r21)
     _s47 = _result(_s46 < horizon, _s46, horizon, _r0)
     _s48 = _add(speed, _multiply(p_gravity, _s47, _r21), _r21)
-    _s49 = _k20 * _add((1.25 * _absolute((-p_gravity))) * (p_ball_radius + (0.0001220703125 * _s9)), _multiply(_k65, _multiply(_s48, _s48, _r21), _r21), _r21)
+    _s49 = _k20 * _add((1.25 * _absolute((-p_gravity))) * (p_ball_radius + (0.0001220703125 * _s9)), _multiply(_k63, _multiply(_s48, _s48, _r21), _r21), _r21)
     _s50 = _where(_s7 < _s5, _s5, _s7)
     _s51 = _add(_add(_add(_s12, extent, _r21), _absolute((_s3 - p_wire_radius)), _r21), _where(_s50 < _s4, _s4, _s50), _r21)
     _s52 = _add(_multiply(_sqrt(2.0), _sqrt(_multiply(_s27, _add(_s51, _s9, _r20), _r20), _r20), _r20), _multiply(_multiply(_k20, speed, _r22), _s27, _r22), _r22)
-    _s53 = _add(_add(position_error, _multiply(velocity_error, _select(_s52 < horizon, _s52, horizon, _r20), _r20), _r20), _multiply(_k121, _add(_multiply(_multiply(speed, speed, _r22), _s27, _r22), _s51, _r22), _r22), _r22) - (1.52587890625e-05 * _s9)
+    _s53 = _add(_add(position_error, _multiply(velocity_error, _select(_s52 < horizon, _s52, horizon, _r20), _r20), _r20), _multiply(_k119, _add(_multiply(_multiply(speed, speed, _r22), _s27, _r22), _s51, _r22), _r22), _r22) - (1.52587890625e-05 * _s9)
     return _result(_k4 < _s31, _s31, _k4, _r0), _result(_s41 < horizon, _s41, horizon, _r0), _result(_k4 < _s43, _s43, _k4, _r0), _result(_s44 < horizon, _s44, horizon, _r0), _s49, _s47, _s53
 
 
@@ -4867,11 +4859,11 @@ def bridge_margins(horizon: Any, extent: Any, speed: Any, position_error: Any, v
     _s9 = _add(_add(3.3306690738754696e-16 * p_bridge_half_width, _s7, _r3), _s8, _r3)
     _s10 = 2.001953125 * _s4
     _s11 = _add(_add((1.1102230246251565e-16 * p_ring_radius) + (1.1102230246251565e-16 * p_board_distance), _s7, _r2), _s8, _r2)
-    _s12 = _add(_add((5.551115123125783e-16 * p_wire_radius) + (2.220446049250313e-16 * p_bridge_depth), _multiply(_k219, _s6, _r1), _r1), _s8, _r1)
-    _s13 = _add(_add(_add(_add(5.55653613398821e-16 * (p_ball_radius * p_ball_radius), _multiply(_s10, _s9, _r4), _r4), _multiply(_s10, _s11, _r5), _r5), _multiply(_s10, _s12, _r4), _r4), _multiply(_multiply(_multiply(_k220, horizon, _r5), _s4, _r5), _s5, _r5), _r5)
-    _s14 = _multiply(_k221, _s5, _r4)
-    _s15 = _add(_add(_add(_multiply(6.667843360785852e-15 * _s4, _s5, _r6), _multiply(12.01171875 * _s4, _add(velocity_error, _multiply(_k219, _s5, _r7), _r7), _r7), _r7), _multiply(_s14, _s9, _r6), _r6), _multiply(_s14, _s11, _r7), _r7)
-    _s16 = _multiply(_k222, _s5, _r6)
+    _s12 = _add(_add((5.551115123125783e-16 * p_wire_radius) + (2.220446049250313e-16 * p_bridge_depth), _multiply(_k217, _s6, _r1), _r1), _s8, _r1)
+    _s13 = _add(_add(_add(_add(5.55653613398821e-16 * (p_ball_radius * p_ball_radius), _multiply(_s10, _s9, _r4), _r4), _multiply(_s10, _s11, _r5), _r5), _multiply(_s10, _s12, _r4), _r4), _multiply(_multiply(_multiply(_k218, horizon, _r5), _s4, _r5), _s5, _r5), _r5)
+    _s14 = _multiply(_k219, _s5, _r4)
+    _s15 = _add(_add(_add(_multiply(6.667843360785852e-15 * _s4, _s5, _r6), _multiply(12.01171875 * _s4, _add(velocity_error, _multiply(_k217, _s5, _r7), _r7), _r7), _r7), _multiply(_s14, _s9, _r6), _r6), _multiply(_s14, _s11, _r7), _r7)
+    _s16 = _multiply(_k220, _s5, _r6)
     _s17 = _add(_add(_add(_multiply(2.667137344314341e-15 * _s4, _s5, _r8), _multiply(6.005859375 * _s4, _add(velocity_error, _multiply(_k34, _s5, _r0), _r0), _r0), _r0), _multiply(_s16, _s9, _r3), _r3), _multiply(_s16, _s11, _r2), _r2)
     return _s13 + (1.3335686721571705e-15 * (_s4 * _s4)), _s15 + _multiply(_s14, _s12, _r4), _s17 + _multiply(_s16, _s12, _r6)
 
@@ -4964,11 +4956,11 @@ def bridge_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: Any
     _s41 = _negative(_s31, _r11)
     _s42 = _s38 < _k4
     _s43 = _multiply(_k20, _s40, _r6)
-    _s44 = _select(_k4 < _select(_k4 <= _s38, _s40, _k4, _r10), _k5, _divide(_select(_s42, _s43, _multiply(_k66, _s38, _r10), _r4), _select(_s42, _negative(_s38, _r2), _select(_k4 < _s41, _s41, _k4, _r9), _r3), _r4), _r10)
+    _s44 = _select(_k4 < _select(_k4 <= _s38, _s40, _k4, _r10), _k5, _divide(_select(_s42, _s43, _multiply(_k64, _s38, _r10), _r4), _select(_s42, _negative(_s38, _r2), _select(_k4 < _s41, _s41, _k4, _r9), _r3), _r4), _r10)
     _s45 = _subtract(end, t, _r3)
     _s46 = _select(_s44 < _s45, _s44, _s45, _r9)
     _s47 = _add(_multiply(_add(_multiply(0.5 * _s32, _s46, _r11), _absolute(_s28, _r0), _r0), _s46, _r0), _s30, _r0)
-    _s48 = _add(_multiply(_k92, ceiling, _r1), _multiply(_k20, _multiply(_s32, _select(_s37 < _s47, _s37, _s47, _r11), _r11), _r11), _r11)
+    _s48 = _add(_multiply(_k90, ceiling, _r1), _multiply(_k20, _multiply(_s32, _select(_s37 < _s47, _s37, _s47, _r11), _r11), _r11), _r11)
     _s49 = _add(_multiply(_multiply(_k20, _s48, _r1), _s40, _r1), _multiply(_s38, _s38, _r12), _r12)
     _s50 = _sqrt(_s49, _r1)
     _s51 = _select(_k4 <= _s49, _divide(_select(_s42, _s43, _add(_s38, _s50, _r12), _r5), _select(_s42, _subtract(_s50, _s38, _r1), _select(_k4 < _s48, _s48, _k4, _r8), _r0), _r5), _k5, _r12)
@@ -5158,7 +5150,7 @@ def bridge_separation(p_board_distance: Any, p_bridge_depth: Any, p_bridge_half_
     _s27 = _multiply(_s18, _s25, _r6)
     _s28 = _multiply(_s20, _s24, _r8)
     _s29 = _add(_s27, _s28, _r12)
-    _s30 = _add(_s29, _add(_s27, _multiply(_s15, _multiply(_k20, _multiply(_k65, _multiply(_s19, _s19, _r10), _r10), _r10), _r10), _r10), _r10)
+    _s30 = _add(_s29, _add(_s27, _multiply(_s15, _multiply(_k20, _multiply(_k63, _multiply(_s19, _s19, _r10), _r10), _r10), _r10), _r10), _r10)
     _s31 = _add(_add(_multiply(_s26, _s17, _r2), _multiply(_multiply(_s23, _s21, _r4), _s15, _r4), _r4), _multiply(_k20, _add(_add(_multiply(_multiply(_s18, _s18, _r2), _s16, _r2), _multiply(_multiply(_s18, _s21, _r5), _s15, _r5), _r5), _multiply(_multiply(_s16, _s24, _r11), _s15, _r11), _r11), _r11), _r11)
     _s32 = _k45 * _add(_s30, _add(_s29, _add(_multiply(_s14, _negative(_s31, _r11), _r11), _s28, _r11), _r11), _r11)
     return _s21, _s26, _s32
@@ -5316,7 +5308,7 @@ def end_margin(horizon: Any, extent: Any, speed: Any, position_error: Any, veloc
     """
     _r0, _r1, _r2 = _room[:3]
     _s0 = _add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r0), _r0), _r0), _r0)
-    return _add(6.667843360785852e-16 * p_end_depth, _multiply(_k233, _s0, _r1), _r1) + _multiply(_k222, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(_k14, _s0, _r0), _r0), _r0),
+    return _add(6.667843360785852e-16 * p_end_depth, _multiply(_k231, _s0, _r1), _r1) + _multiply(_k220, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(_k14, _s0, _r0), _r0), _r0),
 
 
 def end_place(x: Any, y: Any, p_end_depth: Any) -> tuple[Any, ...]:
@@ -5906,11 +5898,11 @@ def _roll_2_alone(p_gravity: Any, p_inertia: Any, nx_0: Any, nx_1: Any, nx_2: An
     _s9 = (((nx_1 * nz_2) + (_s1 * nz_1)) + (nz_0 * _s2)) - (((nx_0 * _s5) + (_s8 * nz_2)) + (nx_2 * nz_1))
     _s10 = (((nx_0 * _s4) + (_s8 * ny_2)) + (nx_2 * ny_1)) - (((nx_1 * ny_2) + (_s1 * ny_1)) + (ny_0 * _s2))
     _s11 = p_inertia * _s0
-    _s12 = _k64 * ((_s11 * (((turn_rate_0 * _s7) + (turn_rate_1 * tx_1)) + (turn_rate_2 * tx_0))) + (((nx_0 * _s6) + (nx_1 * lift_1)) + (nx_2 * lift_0)))
-    _s13 = _k64 * ((_s11 * (((turn_rate_0 * _s9) + (turn_rate_1 * ty_1)) + (turn_rate_2 * ty_0))) + (((ny_0 * _s6) + (ny_1 * lift_1)) + (ny_2 * lift_0)))
-    _s14 = _k64 * ((_s11 * (((turn_rate_0 * _s10) + (turn_rate_1 * tz_1)) + (turn_rate_2 * tz_0))) + (((nz_0 * _s6) + (nz_1 * lift_1)) + (nz_2 * lift_0)))
-    _s15 = _k64 * (((((vx_0 * _s7) + (vx_1 * tx_1)) + (vx_2 * tx_0)) + (((vy_0 * _s9) + (vy_1 * ty_1)) + (vy_2 * ty_0))) + (((vz_0 * _s10) + (vz_1 * tz_1)) + (vz_2 * tz_0)))
-    return _s6, _s7, _s9, _s10, _s12, _s13, _s14, _k64 * _s2, _k64 * _s4, _k64 * _s5, -_s15
+    _s12 = _k62 * ((_s11 * (((turn_rate_0 * _s7) + (turn_rate_1 * tx_1)) + (turn_rate_2 * tx_0))) + (((nx_0 * _s6) + (nx_1 * lift_1)) + (nx_2 * lift_0)))
+    _s13 = _k62 * ((_s11 * (((turn_rate_0 * _s9) + (turn_rate_1 * ty_1)) + (turn_rate_2 * ty_0))) + (((ny_0 * _s6) + (ny_1 * lift_1)) + (ny_2 * lift_0)))
+    _s14 = _k62 * ((_s11 * (((turn_rate_0 * _s10) + (turn_rate_1 * tz_1)) + (turn_rate_2 * tz_0))) + (((nz_0 * _s6) + (nz_1 * lift_1)) + (nz_2 * lift_0)))
+    _s15 = _k62 * (((((vx_0 * _s7) + (vx_1 * tx_1)) + (vx_2 * tx_0)) + (((vy_0 * _s9) + (vy_1 * ty_1)) + (vy_2 * ty_0))) + (((vz_0 * _s10) + (vz_1 * tz_1)) + (vz_2 * tz_0)))
+    return _s6, _s7, _s9, _s10, _s12, _s13, _s14, _k62 * _s2, _k62 * _s4, _k62 * _s5, -_s15
 
 
 def _roll_3_alone(p_gravity: Any, p_inertia: Any, nx_0: Any, nx_1: Any, nx_2: Any, nx_3: Any, ny_0: Any, ny_1: Any, ny_2: Any, ny_3: Any, nz_0: Any, nz_1: Any, nz_2: Any, nz_3: Any, vx_0: Any, vx_1: Any, vx_2: Any, vx_3: Any, vy_0: Any, vy_1: Any, vy_2: Any, vy_3: Any, vz_0: Any, vz_1: Any, vz_2: Any, vz_3: Any, bent_x: Any, bent_y: Any, bent_z: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, lift_0: Any, lift_1: Any, lift_2: Any, tx_0: Any, tx_1: Any, tx_2: Any, ty_0: Any, ty_1: Any, ty_2: Any, tz_0: Any, tz_1: Any, tz_2: Any) -> tuple[Any, ...]:
@@ -5969,7 +5961,7 @@ def _roll_4_alone(p_gravity: Any, p_inertia: Any, nx_0: Any, nx_1: Any, nx_2: An
     _s26 = _s25 + (((((nz_0 * _s12) + (nz_1 * lift_3)) + (nz_2 * lift_2)) + (nz_3 * lift_1)) + (nz_4 * lift_0))
     _s27 = (((((vx_0 * _s14) + (vx_1 * tx_3)) + (vx_2 * tx_2)) + (vx_3 * tx_1)) + (vx_4 * tx_0)) + (((((vy_0 * _s18) + (vy_1 * ty_3)) + (vy_2 * ty_2)) + (vy_3 * ty_1)) + (vy_4 * ty_0))
     _s28 = _s27 + (((((vz_0 * _s19) + (vz_1 * tz_3)) + (vz_2 * tz_2)) + (vz_3 * tz_1)) + (vz_4 * tz_0))
-    return _s12, _s14, _s18, _s19, _k68 * _s22, _k68 * _s24, _k68 * _s26, _k68 * _s4, _k68 * _s8, _k68 * _s10, -(_k68 * _s28)
+    return _s12, _s14, _s18, _s19, _k66 * _s22, _k66 * _s24, _k66 * _s26, _k66 * _s4, _k66 * _s8, _k66 * _s10, -(_k66 * _s28)
 
 
 def _roll_5_alone(p_gravity: Any, p_inertia: Any, nx_0: Any, nx_1: Any, nx_2: Any, nx_3: Any, nx_4: Any, nx_5: Any, ny_0: Any, ny_1: Any, ny_2: Any, ny_3: Any, ny_4: Any, ny_5: Any, nz_0: Any, nz_1: Any, nz_2: Any, nz_3: Any, nz_4: Any, nz_5: Any, vx_0: Any, vx_1: Any, vx_2: Any, vx_3: Any, vx_4: Any, vx_5: Any, vy_0: Any, vy_1: Any, vy_2: Any, vy_3: Any, vy_4: Any, vy_5: Any, vz_0: Any, vz_1: Any, vz_2: Any, vz_3: Any, vz_4: Any, vz_5: Any, bent_x: Any, bent_y: Any, bent_z: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, lift_0: Any, lift_1: Any, lift_2: Any, lift_3: Any, lift_4: Any, tx_0: Any, tx_1: Any, tx_2: Any, tx_3: Any, tx_4: Any, ty_0: Any, ty_1: Any, ty_2: Any, ty_3: Any, ty_4: Any, tz_0: Any, tz_1: Any, tz_2: Any, tz_3: Any, tz_4: Any) -> tuple[Any, ...]:
@@ -5977,25 +5969,25 @@ def _roll_5_alone(p_gravity: Any, p_inertia: Any, nx_0: Any, nx_1: Any, nx_2: An
     _s1 = _k28 * nx_2
     _s2 = _k60 * nx_3
     _s3 = _k47 * nx_4
-    _s4 = _k71 * nx_5
+    _s4 = _k69 * nx_5
     _s5 = (vx_5 * bent_x) * per_reach
     _s6 = (((((nx_1 * vx_5) + (_s1 * vx_4)) + (_s2 * vx_3)) + (_s3 * vx_2)) + (_s4 * vx_1)) + (vx_0 * _s5)
     _s7 = _k28 * ny_2
     _s8 = _k60 * ny_3
     _s9 = _k47 * ny_4
-    _s10 = _k71 * ny_5
+    _s10 = _k69 * ny_5
     _s11 = (vy_5 * bent_y) * per_reach
     _s12 = (((((ny_1 * vy_5) + (_s7 * vy_4)) + (_s8 * vy_3)) + (_s9 * vy_2)) + (_s10 * vy_1)) + (vy_0 * _s11)
-    _s13 = ((((nz_1 * vz_5) + ((_k28 * nz_2) * vz_4)) + ((_k60 * nz_3) * vz_3)) + ((_k47 * nz_4) * vz_2)) + ((_k71 * nz_5) * vz_1)
+    _s13 = ((((nz_1 * vz_5) + ((_k28 * nz_2) * vz_4)) + ((_k60 * nz_3) * vz_3)) + ((_k47 * nz_4) * vz_2)) + ((_k69 * nz_5) * vz_1)
     _s14 = (vz_5 * bent_z) * per_reach
     _s15 = ((p_gravity * nz_5) * _s0) - ((_s6 + _s12) + (_s13 + (vz_0 * _s14)))
     _s16 = _s8 * nz_3
-    _s17 = ((((ny_0 * _s14) + ((_k71 * ny_1) * nz_5)) + ((_k47 * ny_2) * nz_4)) + _s16) + ((_k28 * ny_4) * nz_2)
+    _s17 = ((((ny_0 * _s14) + ((_k69 * ny_1) * nz_5)) + ((_k47 * ny_2) * nz_4)) + _s16) + ((_k28 * ny_4) * nz_2)
     _s18 = (((((ny_1 * nz_5) + (_s7 * nz_4)) + _s16) + (_s9 * nz_2)) + (_s10 * nz_1)) + (nz_0 * _s11)
     _s19 = (_s17 + (ny_5 * nz_1)) - _s18
     _s20 = _s2 * nz_3
     _s21 = (((((nx_1 * nz_5) + (_s1 * nz_4)) + _s20) + (_s3 * nz_2)) + (_s4 * nz_1)) + (nz_0 * _s5)
-    _s22 = _k71 * nx_1
+    _s22 = _k69 * nx_1
     _s23 = _k47 * nx_2
     _s24 = _k28 * nx_4
     _s25 = (((((nx_0 * _s14) + (_s22 * nz_5)) + (_s23 * nz_4)) + _s20) + (_s24 * nz_2)) + (nx_5 * nz_1)
@@ -6014,7 +6006,7 @@ def _roll_5_alone(p_gravity: Any, p_inertia: Any, nx_0: Any, nx_1: Any, nx_2: An
     _s38 = (((((vx_0 * _s19) + (vx_1 * tx_4)) + (vx_2 * tx_3)) + (vx_3 * tx_2)) + (vx_4 * tx_1)) + (vx_5 * tx_0)
     _s39 = (((((vy_0 * _s26) + (vy_1 * ty_4)) + (vy_2 * ty_3)) + (vy_3 * ty_2)) + (vy_4 * ty_1)) + (vy_5 * ty_0)
     _s40 = (((((vz_0 * _s30) + (vz_1 * tz_4)) + (vz_2 * tz_3)) + (vz_3 * tz_2)) + (vz_4 * tz_1)) + (vz_5 * tz_0)
-    return _s15, _s19, _s26, _s30, _k72 * ((_s31 * _s32) + _s33), _k72 * ((_s31 * _s34) + _s35), _k72 * ((_s31 * _s36) + _s37), _k72 * _s5, _k72 * _s11, _k72 * _s14, -(_k72 * ((_s38 + _s39) + _s40))
+    return _s15, _s19, _s26, _s30, _k70 * ((_s31 * _s32) + _s33), _k70 * ((_s31 * _s34) + _s35), _k70 * ((_s31 * _s36) + _s37), _k70 * _s5, _k70 * _s11, _k70 * _s14, -(_k70 * ((_s38 + _s39) + _s40))
 
 
 def _roll_6_alone(p_gravity: Any, p_inertia: Any, nx_0: Any, nx_1: Any, nx_2: Any, nx_3: Any, nx_4: Any, nx_5: Any, nx_6: Any, ny_0: Any, ny_1: Any, ny_2: Any, ny_3: Any, ny_4: Any, ny_5: Any, ny_6: Any, nz_0: Any, nz_1: Any, nz_2: Any, nz_3: Any, nz_4: Any, nz_5: Any, nz_6: Any, vx_0: Any, vx_1: Any, vx_2: Any, vx_3: Any, vx_4: Any, vx_5: Any, vx_6: Any, vy_0: Any, vy_1: Any, vy_2: Any, vy_3: Any, vy_4: Any, vy_5: Any, vy_6: Any, vz_0: Any, vz_1: Any, vz_2: Any, vz_3: Any, vz_4: Any, vz_5: Any, vz_6: Any, bent_x: Any, bent_y: Any, bent_z: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, lift_0: Any, lift_1: Any, lift_2: Any, lift_3: Any, lift_4: Any, lift_5: Any, tx_0: Any, tx_1: Any, tx_2: Any, tx_3: Any, tx_4: Any, tx_5: Any, ty_0: Any, ty_1: Any, ty_2: Any, ty_3: Any, ty_4: Any, ty_5: Any, tz_0: Any, tz_1: Any, tz_2: Any, tz_3: Any, tz_4: Any, tz_5: Any) -> tuple[Any, ...]:
@@ -6022,26 +6014,26 @@ def _roll_6_alone(p_gravity: Any, p_inertia: Any, nx_0: Any, nx_1: Any, nx_2: An
     _s1 = _k28 * nx_2
     _s2 = _k60 * nx_3
     _s3 = _k47 * nx_4
-    _s4 = _k71 * nx_5
+    _s4 = _k69 * nx_5
     _s5 = _k6 * nx_6
     _s6 = (((((nx_1 * vx_6) + (_s1 * vx_5)) + (_s2 * vx_4)) + (_s3 * vx_3)) + (_s4 * vx_2)) + (_s5 * vx_1)
     _s7 = (vx_6 * bent_x) * per_reach
     _s8 = _k28 * ny_2
     _s9 = _k60 * ny_3
     _s10 = _k47 * ny_4
-    _s11 = _k71 * ny_5
+    _s11 = _k69 * ny_5
     _s12 = _k6 * ny_6
     _s13 = (((((ny_1 * vy_6) + (_s8 * vy_5)) + (_s9 * vy_4)) + (_s10 * vy_3)) + (_s11 * vy_2)) + (_s12 * vy_1)
     _s14 = (vy_6 * bent_y) * per_reach
-    _s15 = ((((nz_1 * vz_6) + ((_k28 * nz_2) * vz_5)) + ((_k60 * nz_3) * vz_4)) + ((_k47 * nz_4) * vz_3)) + ((_k71 * nz_5) * vz_2)
+    _s15 = ((((nz_1 * vz_6) + ((_k28 * nz_2) * vz_5)) + ((_k60 * nz_3) * vz_4)) + ((_k47 * nz_4) * vz_3)) + ((_k69 * nz_5) * vz_2)
     _s16 = (vz_6 * bent_z) * per_reach
     _s17 = ((p_gravity * nz_6) * _s0) - (((_s6 + (vx_0 * _s7)) + (_s13 + (vy_0 * _s14))) + ((_s15 + ((_k6 * nz_6) * vz_1)) + (vz_0 * _s16)))
-    _s18 = ((((ny_0 * _s16) + ((_k6 * ny_1) * nz_6)) + ((_k71 * ny_2) * nz_5)) + ((_k47 * ny_3) * nz_4)) + ((_k60 * ny_4) * nz_3)
+    _s18 = ((((ny_0 * _s16) + ((_k6 * ny_1) * nz_6)) + ((_k69 * ny_2) * nz_5)) + ((_k47 * ny_3) * nz_4)) + ((_k60 * ny_4) * nz_3)
     _s19 = (((((ny_1 * nz_6) + (_s8 * nz_5)) + (_s9 * nz_4)) + (_s10 * nz_3)) + (_s11 * nz_2)) + (_s12 * nz_1)
     _s20 = ((_s18 + ((_k28 * ny_5) * nz_2)) + (ny_6 * nz_1)) - (_s19 + (nz_0 * _s14))
     _s21 = (((((nx_1 * nz_6) + (_s1 * nz_5)) + (_s2 * nz_4)) + (_s3 * nz_3)) + (_s4 * nz_2)) + (_s5 * nz_1)
     _s22 = _k6 * nx_1
-    _s23 = _k71 * nx_2
+    _s23 = _k69 * nx_2
     _s24 = _k47 * nx_3
     _s25 = _k60 * nx_4
     _s26 = _k28 * nx_5
@@ -6060,8 +6052,8 @@ def _roll_6_alone(p_gravity: Any, p_inertia: Any, nx_0: Any, nx_1: Any, nx_2: An
     _s39 = (((((vx_0 * _s20) + (vx_1 * tx_5)) + (vx_2 * tx_4)) + (vx_3 * tx_3)) + (vx_4 * tx_2)) + (vx_5 * tx_1)
     _s40 = (((((vy_0 * _s28) + (vy_1 * ty_5)) + (vy_2 * ty_4)) + (vy_3 * ty_3)) + (vy_4 * ty_2)) + (vy_5 * ty_1)
     _s41 = (((((vz_0 * _s31) + (vz_1 * tz_5)) + (vz_2 * tz_4)) + (vz_3 * tz_3)) + (vz_4 * tz_2)) + (vz_5 * tz_1)
-    _s42 = -(_k74 * (((_s39 + (vx_6 * tx_0)) + (_s40 + (vy_6 * ty_0))) + (_s41 + (vz_6 * tz_0))))
-    return _s17, _s20, _s28, _s31, _k74 * ((_s32 * (_s33 + (turn_rate_6 * tx_0))) + (_s34 + (nx_6 * lift_0))), _k74 * ((_s32 * (_s35 + (turn_rate_6 * ty_0))) + (_s36 + (ny_6 * lift_0))), _k74 * ((_s32 * (_s37 + (turn_rate_6 * tz_0))) + (_s38 + (nz_6 * lift_0))), _k74 * _s7, _k74 * _s14, _k74 * _s16, _s42
+    _s42 = -(_k72 * (((_s39 + (vx_6 * tx_0)) + (_s40 + (vy_6 * ty_0))) + (_s41 + (vz_6 * tz_0))))
+    return _s17, _s20, _s28, _s31, _k72 * ((_s32 * (_s33 + (turn_rate_6 * tx_0))) + (_s34 + (nx_6 * lift_0))), _k72 * ((_s32 * (_s35 + (turn_rate_6 * ty_0))) + (_s36 + (ny_6 * lift_0))), _k72 * ((_s32 * (_s37 + (turn_rate_6 * tz_0))) + (_s38 + (nz_6 * lift_0))), _k72 * _s7, _k72 * _s14, _k72 * _s16, _s42
 
 
 def _roll_7_alone(p_gravity: Any, p_inertia: Any, nx_0: Any, nx_1: Any, nx_2: Any, nx_3: Any, nx_4: Any, nx_5: Any, nx_6: Any, nx_7: Any, ny_0: Any, ny_1: Any, ny_2: Any, ny_3: Any, ny_4: Any, ny_5: Any, ny_6: Any, ny_7: Any, nz_0: Any, nz_1: Any, nz_2: Any, nz_3: Any, nz_4: Any, nz_5: Any, nz_6: Any, nz_7: Any, vx_0: Any, vx_1: Any, vx_2: Any, vx_3: Any, vx_4: Any, vx_5: Any, vx_6: Any, vx_7: Any, vy_0: Any, vy_1: Any, vy_2: Any, vy_3: Any, vy_4: Any, vy_5: Any, vy_6: Any, vy_7: Any, vz_0: Any, vz_1: Any, vz_2: Any, vz_3: Any, vz_4: Any, vz_5: Any, vz_6: Any, vz_7: Any, bent_x: Any, bent_y: Any, bent_z: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, lift_0: Any, lift_1: Any, lift_2: Any, lift_3: Any, lift_4: Any, lift_5: Any, lift_6: Any, tx_0: Any, tx_1: Any, tx_2: Any, tx_3: Any, tx_4: Any, tx_5: Any, tx_6: Any, ty_0: Any, ty_1: Any, ty_2: Any, ty_3: Any, ty_4: Any, ty_5: Any, ty_6: Any, tz_0: Any, tz_1: Any, tz_2: Any, tz_3: Any, tz_4: Any, tz_5: Any, tz_6: Any) -> tuple[Any, ...]:
@@ -6069,32 +6061,32 @@ def _roll_7_alone(p_gravity: Any, p_inertia: Any, nx_0: Any, nx_1: Any, nx_2: An
     _s1 = _k28 * nx_2
     _s2 = _k60 * nx_3
     _s3 = _k47 * nx_4
-    _s4 = _k71 * nx_5
+    _s4 = _k69 * nx_5
     _s5 = _k6 * nx_6
     _s6 = (((((nx_1 * vx_7) + (_s1 * vx_6)) + (_s2 * vx_5)) + (_s3 * vx_4)) + (_s4 * vx_3)) + (_s5 * vx_2)
-    _s7 = _k76 * nx_7
+    _s7 = _k74 * nx_7
     _s8 = (vx_7 * bent_x) * per_reach
     _s9 = _k28 * ny_2
     _s10 = _k60 * ny_3
     _s11 = _k47 * ny_4
-    _s12 = _k71 * ny_5
+    _s12 = _k69 * ny_5
     _s13 = _k6 * ny_6
     _s14 = (((((ny_1 * vy_7) + (_s9 * vy_6)) + (_s10 * vy_5)) + (_s11 * vy_4)) + (_s12 * vy_3)) + (_s13 * vy_2)
-    _s15 = _k76 * ny_7
+    _s15 = _k74 * ny_7
     _s16 = (vy_7 * bent_y) * per_reach
-    _s17 = ((((nz_1 * vz_7) + ((_k28 * nz_2) * vz_6)) + ((_k60 * nz_3) * vz_5)) + ((_k47 * nz_4) * vz_4)) + ((_k71 * nz_5) * vz_3)
+    _s17 = ((((nz_1 * vz_7) + ((_k28 * nz_2) * vz_6)) + ((_k60 * nz_3) * vz_5)) + ((_k47 * nz_4) * vz_4)) + ((_k69 * nz_5) * vz_3)
     _s18 = (vz_7 * bent_z) * per_reach
-    _s19 = (((_s6 + (_s7 * vx_1)) + (vx_0 * _s8)) + ((_s14 + (_s15 * vy_1)) + (vy_0 * _s16))) + (((_s17 + ((_k6 * nz_6) * vz_2)) + ((_k76 * nz_7) * vz_1)) + (vz_0 * _s18))
+    _s19 = (((_s6 + (_s7 * vx_1)) + (vx_0 * _s8)) + ((_s14 + (_s15 * vy_1)) + (vy_0 * _s16))) + (((_s17 + ((_k6 * nz_6) * vz_2)) + ((_k74 * nz_7) * vz_1)) + (vz_0 * _s18))
     _s20 = ((p_gravity * nz_7) * _s0) - _s19
     _s21 = _s11 * nz_4
-    _s22 = ((((ny_0 * _s18) + ((_k76 * ny_1) * nz_7)) + ((_k6 * ny_2) * nz_6)) + ((_k71 * ny_3) * nz_5)) + _s21
+    _s22 = ((((ny_0 * _s18) + ((_k74 * ny_1) * nz_7)) + ((_k6 * ny_2) * nz_6)) + ((_k69 * ny_3) * nz_5)) + _s21
     _s23 = (((((ny_1 * nz_7) + (_s9 * nz_6)) + (_s10 * nz_5)) + _s21) + (_s12 * nz_3)) + (_s13 * nz_2)
     _s24 = (((_s22 + ((_k60 * ny_5) * nz_3)) + ((_k28 * ny_6) * nz_2)) + (ny_7 * nz_1)) - ((_s23 + (_s15 * nz_1)) + (nz_0 * _s16))
     _s25 = _s3 * nz_4
     _s26 = (((((nx_1 * nz_7) + (_s1 * nz_6)) + (_s2 * nz_5)) + _s25) + (_s4 * nz_3)) + (_s5 * nz_2)
-    _s27 = _k76 * nx_1
+    _s27 = _k74 * nx_1
     _s28 = _k6 * nx_2
-    _s29 = _k71 * nx_3
+    _s29 = _k69 * nx_3
     _s30 = _k60 * nx_5
     _s31 = (((((nx_0 * _s18) + (_s27 * nz_7)) + (_s28 * nz_6)) + (_s29 * nz_5)) + _s25) + (_s30 * nz_3)
     _s32 = _k28 * nx_6
@@ -6125,19 +6117,19 @@ def _roll_start_alone(p_ball_radius: Any, nx: Any, ny: Any, nz: Any, vx: Any, vy
 
 
 def _roll_moved_alone(x: Any, y: Any, z: Any, vx_0: Any, vx_1: Any, vx_2: Any, vx_3: Any, vx_4: Any, vx_5: Any, vx_6: Any, vx_7: Any, vx_8: Any, vy_0: Any, vy_1: Any, vy_2: Any, vy_3: Any, vy_4: Any, vy_5: Any, vy_6: Any, vy_7: Any, vy_8: Any, vz_0: Any, vz_1: Any, vz_2: Any, vz_3: Any, vz_4: Any, vz_5: Any, vz_6: Any, vz_7: Any, vz_8: Any, t: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, turn_rate_8: Any) -> tuple[Any, ...]:
-    _s0 = t * ((_k74 * vx_6) + (t * ((_k32 * vx_7) + ((_k78 * vx_8) * t))))
-    _s1 = (_k27 * vx_3) + (t * ((_k68 * vx_4) + (t * ((_k72 * vx_5) + _s0))))
-    _s2 = vx_0 + (t * ((_k0 * vx_1) + (t * ((_k64 * vx_2) + (t * _s1)))))
+    _s0 = t * ((_k72 * vx_6) + (t * ((_k32 * vx_7) + ((_k76 * vx_8) * t))))
+    _s1 = (_k27 * vx_3) + (t * ((_k66 * vx_4) + (t * ((_k70 * vx_5) + _s0))))
+    _s2 = vx_0 + (t * ((_k0 * vx_1) + (t * ((_k62 * vx_2) + (t * _s1)))))
     _s3 = vx_5 + (t * (vx_6 + (t * (vx_7 + (vx_8 * t)))))
     _s4 = vx_2 + (t * (vx_3 + (t * (vx_4 + (t * _s3)))))
-    _s5 = t * ((_k74 * vy_6) + (t * ((_k32 * vy_7) + ((_k78 * vy_8) * t))))
-    _s6 = (_k27 * vy_3) + (t * ((_k68 * vy_4) + (t * ((_k72 * vy_5) + _s5))))
-    _s7 = vy_0 + (t * ((_k0 * vy_1) + (t * ((_k64 * vy_2) + (t * _s6)))))
+    _s5 = t * ((_k72 * vy_6) + (t * ((_k32 * vy_7) + ((_k76 * vy_8) * t))))
+    _s6 = (_k27 * vy_3) + (t * ((_k66 * vy_4) + (t * ((_k70 * vy_5) + _s5))))
+    _s7 = vy_0 + (t * ((_k0 * vy_1) + (t * ((_k62 * vy_2) + (t * _s6)))))
     _s8 = vy_5 + (t * (vy_6 + (t * (vy_7 + (vy_8 * t)))))
     _s9 = vy_2 + (t * (vy_3 + (t * (vy_4 + (t * _s8)))))
-    _s10 = t * ((_k74 * vz_6) + (t * ((_k32 * vz_7) + ((_k78 * vz_8) * t))))
-    _s11 = (_k27 * vz_3) + (t * ((_k68 * vz_4) + (t * ((_k72 * vz_5) + _s10))))
-    _s12 = vz_0 + (t * ((_k0 * vz_1) + (t * ((_k64 * vz_2) + (t * _s11)))))
+    _s10 = t * ((_k72 * vz_6) + (t * ((_k32 * vz_7) + ((_k76 * vz_8) * t))))
+    _s11 = (_k27 * vz_3) + (t * ((_k66 * vz_4) + (t * ((_k70 * vz_5) + _s10))))
+    _s12 = vz_0 + (t * ((_k0 * vz_1) + (t * ((_k62 * vz_2) + (t * _s11)))))
     _s13 = vz_5 + (t * (vz_6 + (t * (vz_7 + (vz_8 * t)))))
     _s14 = vz_2 + (t * (vz_3 + (t * (vz_4 + (t * _s13)))))
     _s15 = turn_rate_5 + (t * (turn_rate_6 + (t * (turn_rate_7 + (t * turn_rate_8)))))
@@ -6162,7 +6154,7 @@ def _roll_pace_alone(p_gravity: Any, p_inertia: Any, nx_8: Any, ny_8: Any, nz_0:
     _s4 = ((abs(vx_8) + abs(vy_8)) + abs(vz_8)) + abs(turn_rate_8)
     _s5 = (((_s2 * _s0) + _root((p_gravity * _s2))) * _s3) + _s4
     _s6 = _s1 * ((abs(nx_8) + abs(ny_8)) + abs(nz_8))
-    _s7 = _root(_root(_root(((_k84 * _s1) / (_s6 if _s5 < _s6 else _s5)))))
+    _s7 = _root(_root(_root(((_k82 * _s1) / (_s6 if _s5 < _s6 else _s5)))))
     _s8 = _s7 if _s7 < _k1 else _k1
     _s9 = (_k28 * (((abs(vx_2) + abs(vy_2)) + abs(vz_2)) + abs(turn_rate_2))) * _s8
     _s10 = _s8 * _s8
@@ -6170,18 +6162,18 @@ def _roll_pace_alone(p_gravity: Any, p_inertia: Any, nx_8: Any, ny_8: Any, nz_0:
     _s12 = _s8 * _s10
     _s13 = (_k47 * (((abs(vx_4) + abs(vy_4)) + abs(vz_4)) + abs(turn_rate_4))) * _s12
     _s14 = _s10 * _s10
-    _s15 = (_k71 * (((abs(vx_5) + abs(vy_5)) + abs(vz_5)) + abs(turn_rate_5))) * _s14
+    _s15 = (_k69 * (((abs(vx_5) + abs(vy_5)) + abs(vz_5)) + abs(turn_rate_5))) * _s14
     _s16 = _s8 * _s14
     _s17 = (_k6 * (((abs(vx_6) + abs(vy_6)) + abs(vz_6)) + abs(turn_rate_6))) * _s16
-    _s18 = (((((_s9 + _s11) + _s13) + _s15) + _s17) + ((_k76 * _s3) * (_s10 * _s14))) + ((_k31 * _s4) * (_s12 * _s14))
+    _s18 = (((((_s9 + _s11) + _s13) + _s15) + _s17) + ((_k74 * _s3) * (_s10 * _s14))) + ((_k31 * _s4) * (_s12 * _s14))
     _s19 = _s18 + (((abs(vx_1) + abs(vy_1)) + abs(vz_1)) + abs(turn_rate_1))
     _s20 = p_inertia * (_k1 / (_k1 + p_inertia))
     _s21 = p_gravity * nz_1
     _s22 = (_k6 * abs((lift_3 + ((p_gravity * nz_3) * _s20)))) * _s8
-    _s23 = (_k85 * abs((lift_4 + ((p_gravity * nz_4) * _s20)))) * _s10
-    _s24 = (_k86 * abs((lift_5 + ((p_gravity * nz_5) * _s20)))) * _s12
-    _s25 = (_k87 * abs((lift_6 + ((p_gravity * nz_6) * _s20)))) * _s14
-    _s26 = (_k88 * abs((lift_7 + ((p_gravity * nz_7) * _s20)))) * _s16
+    _s23 = (_k83 * abs((lift_4 + ((p_gravity * nz_4) * _s20)))) * _s10
+    _s24 = (_k84 * abs((lift_5 + ((p_gravity * nz_5) * _s20)))) * _s12
+    _s25 = (_k85 * abs((lift_6 + ((p_gravity * nz_6) * _s20)))) * _s14
+    _s26 = (_k86 * abs((lift_7 + ((p_gravity * nz_7) * _s20)))) * _s16
     _s27 = ((((_s22 + _s23) + _s24) + _s25) + _s26) + (_k28 * abs((lift_2 + ((p_gravity * nz_2) * _s20))))
     return _s8, _k48 * _s1, _s19, (_s19 * _s8) + _s0, lift_0 + ((p_gravity * nz_0) * _s20), lift_1 + (_s21 * _s20), _s27, -((_k28 * (-_s21)) * _s20)
 
@@ -6207,9 +6199,9 @@ def _isolated_alone() -> tuple[Any, ...]:
 
 
 def _begun_errors_alone(p_ball_radius: Any, vx: Any, vy: Any, vz: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, dwz: Any) -> tuple[Any, ...]:
-    _s0 = _k96 * p_ball_radius
+    _s0 = _k94 * p_ball_radius
     _s1 = -_s0
-    _s2 = (_k97 * p_ball_radius) * (_k1 + (((abs(vx) + abs(vy)) + abs(vz)) / p_ball_radius))
+    _s2 = (_k95 * p_ball_radius) * (_k1 + (((abs(vx) + abs(vy)) + abs(vz)) / p_ball_radius))
     _s3 = -_s2
     _s4 = _s2 / p_ball_radius
     _s5 = -_s4
@@ -6219,16 +6211,16 @@ def _begun_errors_alone(p_ball_radius: Any, vx: Any, vy: Any, vz: Any, dx: Any, 
 def _leaving_force_alone(p_ball_radius: Any, p_gravity: Any, vx: Any, vx_1: Any, vy: Any, vy_1: Any, vz: Any, vz_1: Any, which: Any, doubt: Any, position_error: Any, velocity_error: Any, per_reach: Any, force: Any, force_rate: Any, force_bend: Any, friction_force_rate: Any, stride: Any, fastest: Any) -> tuple[Any, ...]:
     _s0 = abs(per_reach)
     _s1 = p_gravity + ((fastest * fastest) * _s0)
-    _s2 = _k99 * _s1
+    _s2 = _k97 * _s1
     _s3 = force_rate < _k2
     _s4 = (force < (-_s2)) or ((force <= _s2) and _s3)
     _s5 = -(force_rate + friction_force_rate)
     _s6 = force + (((_s5 * _s5) / (p_gravity * (_s0 * _s1))) if (_s5 < _k2) else _k2)
     _s7 = _s4 and (_s2 < _s6)
     _s8 = _s4 and (not _s7)
-    _s9 = (((abs(vx) + abs(vy)) + abs(vz)) <= (_k99 * _root((p_ball_radius * p_gravity)))) and (((abs(vx_1) + abs(vy_1)) + abs(vz_1)) <= (_k99 * p_gravity))
+    _s9 = (((abs(vx) + abs(vy)) + abs(vz)) <= (_k97 * _root((p_ball_radius * p_gravity)))) and (((abs(vx_1) + abs(vy_1)) + abs(vz_1)) <= (_k97 * p_gravity))
     _s10 = force_rate * force_rate
-    _s11 = force_bend + (_k94 * _s1)
+    _s11 = force_bend + (_k92 * _s1)
     _s12 = _s6 if _s7 else (_k2 if force < _k2 else force)
     _s13 = _s10 + ((_k28 * _s11) * _s12)
     _s14 = _root(_s13)
@@ -6239,13 +6231,13 @@ def _leaving_force_alone(p_ball_radius: Any, p_gravity: Any, vx: Any, vx_1: Any,
 
 
 def _beside_body_alone(p_ball_radius: Any, x: Any, y: Any, z: Any, gap: Any, index: Any, which: Any, earliest_delay: Any, doubt: Any, position_error: Any, nearing: Any, gap_curvature: Any, stride: Any, strongest: Any, fastest: Any) -> tuple[Any, ...]:
-    _s0 = _k101 * (((p_ball_radius + abs(x)) + abs(y)) + abs(z))
+    _s0 = _k99 * (((p_ball_radius + abs(x)) + abs(y)) + abs(z))
     _s1 = gap <= _s0
     _s2 = nearing < _k2
     _s3 = _s1 and _s2
     _s4 = nearing * nearing
     _s5 = strongest + (gap_curvature * (fastest * fastest))
-    _s6 = (_k96 * p_ball_radius) if _s1 else gap
+    _s6 = (_k94 * p_ball_radius) if _s1 else gap
     _s7 = _s4 + ((_k28 * _s5) * _s6)
     _s8 = _root(_s7)
     _s9 = (((_k28 * _s6) if _s2 else (nearing + _s8)) / ((_s8 - nearing) if _s2 else (_s5 if _k2 < _s5 else _k2))) if (_k2 <= _s7) else _k7
@@ -6257,7 +6249,7 @@ def _beside_body_alone(p_ball_radius: Any, x: Any, y: Any, z: Any, gap: Any, ind
 
 
 def _beside_gate_alone(p_ball_radius: Any, x: Any, y: Any, z: Any, gap: Any, index: Any, which: Any, earliest_delay: Any, doubt: Any, position_error: Any, nearing: Any, gap_curvature: Any, stride: Any, strongest: Any, fastest: Any) -> tuple[Any, ...]:
-    _s0 = _k101 * (((p_ball_radius + abs(x)) + abs(y)) + abs(z))
+    _s0 = _k99 * (((p_ball_radius + abs(x)) + abs(y)) + abs(z))
     _s1 = nearing < _k2
     _s2 = ((gap <= _s0) and _s1) and ((-_s0) <= gap)
     _s3 = nearing * nearing
@@ -6300,7 +6292,7 @@ def _no_contact_alone() -> tuple[Any, ...]:
 
 
 def _neighbour_free_time_alone(p_gravity: Any, vx: Any, vy: Any, vz: Any, gap: Any, free_time: Any, nearing: Any, gap_curvature: Any) -> tuple[Any, ...]:
-    _s0 = (((_k102 * p_gravity) + abs(vx)) + abs(vy)) + abs(vz)
+    _s0 = (((_k100 * p_gravity) + abs(vx)) + abs(vy)) + abs(vz)
     _s1 = p_gravity + (gap_curvature * (_s0 * _s0))
     _s2 = _k2 if gap < _k2 else gap
     _s3 = (nearing * nearing) + ((_k28 * _s1) * _s2)
@@ -6313,7 +6305,7 @@ def _neighbour_free_time_alone(p_gravity: Any, vx: Any, vy: Any, vz: Any, gap: A
 def _end_plane_free_time_alone(p_gravity: Any, vx: Any, vy: Any, vz: Any, gap: Any, doubt: Any, free_time: Any, nearing: Any, gap_curvature: Any) -> tuple[Any, ...]:
     _s0 = _k2 < gap
     _s1 = nearing * nearing
-    _s2 = (((_k102 * p_gravity) + abs(vx)) + abs(vy)) + abs(vz)
+    _s2 = (((_k100 * p_gravity) + abs(vx)) + abs(vy)) + abs(vz)
     _s3 = p_gravity + (gap_curvature * (_s2 * _s2))
     _s4 = _k2 if gap < _k2 else gap
     _s5 = _k28 * _s3
@@ -6329,7 +6321,7 @@ def _end_plane_free_time_alone(p_gravity: Any, vx: Any, vy: Any, vz: Any, gap: A
     _s15 = (-nearing) < _k2
     _s16 = (((_k28 * _s12) if _s15 else (_s14 - nearing)) / ((nearing + _s14) if _s15 else _s8)) if (_k2 <= _s13) else _k7
     _s17 = abs(nearing) / _s3
-    return (_s10 if _s10 < free_time else free_time) if _s0 else free_time, doubt if (_s0 or (_k102 < (_s17 if _s16 < _s17 else _s16))) else _k2
+    return (_s10 if _s10 < free_time else free_time) if _s0 else free_time, doubt if (_s0 or (_k100 < (_s17 if _s16 < _s17 else _s16))) else _k2
 
 
 def _seam_free_time_alone(p_gravity: Any, gap: Any, free_time: Any, near: Any, nearing: Any) -> tuple[Any, ...]:
@@ -6344,7 +6336,7 @@ def _seam_free_time_alone(p_gravity: Any, gap: Any, free_time: Any, near: Any, n
 
 def _separated_alone(p_gravity: Any, vx: Any, vy: Any, vz: Any, doubt: Any, position_error: Any, velocity_error: Any, per_reach: Any, free_time: Any, lift: Any, gap_jerk: Any, gap_snap: Any) -> tuple[Any, ...]:
     _s0 = _k27 * free_time
-    _s1 = (((_k102 * p_gravity) + abs(vx)) + abs(vy)) + abs(vz)
+    _s1 = (((_k100 * p_gravity) + abs(vx)) + abs(vy)) + abs(vz)
     _s2 = abs(per_reach)
     _s3 = p_gravity + ((_s1 * _s1) * _s2)
     _s4 = (_k1 + (_s1 * _s2)) + _root((p_gravity * _s2))
@@ -6355,14 +6347,14 @@ def _separated_alone(p_gravity: Any, vx: Any, vy: Any, vz: Any, doubt: Any, posi
     _s9 = abs(gap_snap) + _s8
     _s10 = _s6 / _s9
     _s11 = lift if _k2 < lift else _k2
-    _s12 = _root(((_k105 * _s11) / _s5))
+    _s12 = _root(((_k103 * _s11) / _s5))
     _s13 = _root(((_k0 * _s11) / _s9))
     _s14 = _s11 / ((_k47 * abs(gap_jerk)) + _s8)
     _s15 = _s13 if _s13 < _s14 else _s14
     _s16 = (_s7 if _s7 < _s10 else _s10) if (_k2 < gap_jerk) else (_s12 if _s12 < _s15 else _s15)
-    _s17 = _s16 if _s16 < _k102 else _k102
+    _s17 = _s16 if _s16 < _k100 else _k100
     _s18 = _s0 if _s0 < _s17 else _s17
-    _s19 = (_k99 * p_gravity) + ((_k37 * ((position_error * _s3) + (velocity_error * _s1))) * _s2)
+    _s19 = (_k97 * p_gravity) + ((_k37 * ((position_error * _s3) + (velocity_error * _s1))) * _s2)
     return _s18 if _k2 < _s18 else _k2, doubt if (((_s19 * _s4) < gap_jerk) or (_s19 < lift)) else _k2
 
 
@@ -6380,7 +6372,7 @@ def _neighbour_scale_alone(p_ball_radius: Any, dx: Any, dy: Any, dz: Any, dvx: A
     _s10 = _s9 if _s8 < _s9 else _s8
     _s11 = abs(dz)
     _s12 = ((_k30 * p_ball_radius) + (_k32 * ((p_ball_radius * (_s3 if _s2 < _s3 else _s2)) + (_s7 if _s6 < _s7 else _s6)))) + (_s11 if _s10 < _s11 else _s10)
-    return (_k106 * p_ball_radius) / _s12,
+    return (_k104 * p_ball_radius) / _s12,
 
 
 def _neighbour_alone(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, dwz: Any, neighbour_scale: Any) -> tuple[Any, ...]:
@@ -6420,11 +6412,11 @@ def _beside_alone(index: Any, held: Any) -> tuple[Any, ...]:
 
 
 def _beginning_contact_alone() -> tuple[Any, ...]:
-    return _k71, _k2
+    return _k69, _k2
 
 
 def _take_off_alone() -> tuple[Any, ...]:
-    return _k76,
+    return _k74,
 
 
 def _pulled_alone(p_gravity: Any, p_inertia: Any, nx_0: Any, nx_1: Any, ny_0: Any, ny_1: Any, nz_0: Any, nz_1: Any, turn_rate_0: Any, turn_rate_1: Any, tx_0: Any, tx_1: Any, ty_0: Any, ty_1: Any, tz_0: Any, tz_1: Any) -> tuple[Any, ...]:
@@ -6437,7 +6429,7 @@ def _pulled_alone(p_gravity: Any, p_inertia: Any, nx_0: Any, nx_1: Any, ny_0: An
     _s6 = (_k28 * _s2) * (((((nx_0 * _s5) + (nx_1 * _s0)) + (turn_rate_0 * tx_1)) + (turn_rate_1 * tx_0)) * _s1)
     _s7 = (_k28 * _s3) * (((((ny_0 * _s5) + (ny_1 * _s0)) + (turn_rate_0 * ty_1)) + (turn_rate_1 * ty_0)) * _s1)
     _s8 = (_k28 * _s4) * (((((nz_0 * _s5) + (nz_1 * _s0)) + (turn_rate_0 * tz_1)) + (turn_rate_1 * tz_0)) * _s1)
-    return ((_s2 * _s2) + (_s3 * _s3)) + (_s4 * _s4), (_s6 + _s7) + _s8, _k108, _k2
+    return ((_s2 * _s2) + (_s3 * _s3)) + (_s4 * _s4), (_s6 + _s7) + _s8, _k106, _k2
 
 
 def _forget_grip_deficit_alone() -> tuple[Any, ...]:
@@ -6507,7 +6499,7 @@ def _ring_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, 
     _s5 = (_k28 * p_ring_radius) * _s4
     _s6 = (x * x) + (y * y)
     _s7 = p_ball_radius + p_wire_radius
-    _s8 = _k114 * _s7
+    _s8 = _k112 * _s7
     _s9 = _k28 * p_gravity
     _s10 = _k50 * (_s0 + (_s9 * (abs(z) + _s8)))
     _s11 = (_s0 + (_s9 * (z + _s8))) + _s10
@@ -6525,20 +6517,20 @@ def _ring_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, 
     _s23 = _k48 * ((abs(_s21) + abs(_s3)) + _s22)
     _s24 = _k1 / _s1
     _s25 = _k2 <= _s20
-    _s26 = _k120 < _s1
-    _s27 = (((-((_s21 + _s22) + _s23)) * _s24) if _s25 else _k7) if _s26 else _k108
+    _s26 = _k118 < _s1
+    _s27 = (((-((_s21 + _s22) + _s23)) * _s24) if _s25 else _k7) if _s26 else _k106
     _s28 = _s27 if _s16 < _s27 else _s16
     _s29 = p_ring_radius - _s8
-    _s30 = _k117 * p_ring_radius
+    _s30 = _k115 * p_ring_radius
     _s31 = _s30 if _s29 < _s30 else _s29
     _s32 = ((_s1 * (_s31 * _s31)) - _s19) - _s4
     _s33 = _root((_k2 if _s32 < _k2 else _s32))
-    _s34 = ((((_s22 + _s23) - _s21) * _s24) if _s25 else _k108) if _s26 else _k7
+    _s34 = ((((_s22 + _s23) - _s21) * _s24) if _s25 else _k106) if _s26 else _k7
     _s35 = _k2 < (_s32 if _s26 else _k2)
     _s36 = (((_s23 - _s21) - _s33) * _s24) if _s35 else _s34
     _s37 = (_s0 + (_s9 * (z - _s8))) - _s10
     _s38 = _root((_k2 if _s37 < _k2 else _s37))
-    _s39 = (_s12 * ((vz + _s13) + _s14)) if _s15 else _k108
+    _s39 = (_s12 * ((vz + _s13) + _s14)) if _s15 else _k106
     _s40 = _k2 < _s37
     _s41 = (_s12 * ((vz + _s14) - _s38)) if _s40 else _s39
     _s42 = _s36 if _s36 < _s41 else _s41
@@ -6557,28 +6549,28 @@ def _ring_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, 
     _s55 = _s42 if _k2 < _s42 else _k2
     _s56 = _s51 if _s55 < _s51 else _s55
     _s57 = _s53 if _s56 < _s53 else _s56
-    _s58 = (_k111 * p_ring_radius) - (p_ring_radius - _s7)
+    _s58 = (_k109 * p_ring_radius) - (p_ring_radius - _s7)
     _s59 = _root(_k28) * _root((_s12 * (((_k28 * p_ball_radius) + (_k28 * p_wire_radius)) + extent)))
     _s60 = _s59 + ((_k28 * speed) * _s12)
-    _s61 = ((position_error + (velocity_error * (_s60 if _s60 < horizon else horizon))) - (_k112 * p_ball_radius)) - (_k112 * p_wire_radius)
-    return _s2, _s5, _root(_s6), _s28 if _k2 < _s28 else _k2, _s42 if _s42 < horizon else horizon, _s50 if _k2 < _s50 else _k2, _s51 if _s51 < horizon else horizon, _s52 if _k2 < _s52 else _k2, _s53 if _s53 < horizon else horizon, (((_k116 * p_gravity) * _s7) + (_s5 * (_s54 * (_s54 * _s54)))) + abs(_s2), _s57 if _s57 < horizon else horizon, _s61 if _s58 < _s61 else _s58
+    _s61 = ((position_error + (velocity_error * (_s60 if _s60 < horizon else horizon))) - (_k110 * p_ball_radius)) - (_k110 * p_wire_radius)
+    return _s2, _s5, _root(_s6), _s28 if _k2 < _s28 else _k2, _s42 if _s42 < horizon else horizon, _s50 if _k2 < _s50 else _k2, _s51 if _s51 < horizon else horizon, _s52 if _k2 < _s52 else _k2, _s53 if _s53 < horizon else horizon, (((_k114 * p_gravity) * _s7) + (_s5 * (_s54 * (_s54 * _s54)))) + abs(_s2), _s57 if _s57 < horizon else horizon, _s61 if _s58 < _s61 else _s58
 
 
 def _ring_margins_alone(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
     _s0 = p_ball_radius + p_wire_radius
     _s1 = speed + (p_gravity * horizon)
-    _s2 = _k114 * _s0
+    _s2 = _k112 * _s0
     _s3 = _s2 * _s1
     _s4 = p_ring_radius + _s2
     _s5 = extent + (horizon * _s1)
     _s6 = (position_error + (horizon * velocity_error)) + (_k18 * _s5)
     _s7 = p_ring_radius - _s2
-    _s8 = _k117 * p_ring_radius
+    _s8 = _k115 * p_ring_radius
     _s9 = _s2 / (_s8 if _s7 < _s8 else _s7)
     _s10 = _s9 if _k1 < _s9 else _k1
-    _s11 = _k71 * (((_s1 * _s10) * _s6) + (_s2 * (velocity_error + (_k35 * _s1))))
-    _s12 = _k15 * ((((_k124 * _s1) * ((_s5 * _s10) + _s4)) + (_k18 * _s3)) + _s11)
-    return _k15 * ((((_k18 * horizon) * _s3) + ((_k122 * _s0) * _s4)) + ((_k123 * _s0) * _s6)), _s12, _k15 * ((_k124 * (_s4 * _s1)) + _s11)
+    _s11 = _k69 * (((_s1 * _s10) * _s6) + (_s2 * (velocity_error + (_k35 * _s1))))
+    _s12 = _k15 * ((((_k122 * _s1) * ((_s5 * _s10) + _s4)) + (_k18 * _s3)) + _s11)
+    return _k15 * ((((_k18 * horizon) * _s3) + ((_k120 * _s0) * _s4)) + ((_k121 * _s0) * _s6)), _s12, _k15 * ((_k122 * (_s4 * _s1)) + _s11)
 
 
 def _ring_refine_alone(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, rho_start: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
@@ -6616,8 +6608,8 @@ def _ring_advance_alone(t: Any, end: Any, leaving: Any, margin: Any, rate_margin
     _s15 = _k6 * p_gravity
     _s16 = _s15 * _s8
     _s17 = moment2 * (_s11 * (_s11 * _s11))
-    _s18 = _k114 * _s9
-    _s19 = _k94 * (p_ring_radius + _s18)
+    _s18 = _k112 * _s9
+    _s19 = _k92 * (p_ring_radius + _s18)
     _s20 = _s14 - rate_margin
     _s21 = _s10 - margin
     _s22 = _k2 if _s21 < _k2 else _s21
@@ -6631,11 +6623,11 @@ def _ring_advance_alone(t: Any, end: Any, leaving: Any, margin: Any, rate_margin
     _s30 = _s15 * (_s18 if _s18 < _s29 else _s29)
     _s31 = ((_s28 * (_k2 if _k2 < _s12 else _s12)) + _s2) - _s19
     _s32 = p_ring_radius - _s18
-    _s33 = _k117 * p_ring_radius
+    _s33 = _k115 * p_ring_radius
     _s34 = _s33 if _s32 < _s33 else _s32
     _s35 = _k1 / (_s34 if _s31 < _s34 else _s31)
     _s36 = moment2 * (_s35 * (_s35 * _s35))
-    _s37 = ((_s30 + _s36) + (_k94 * ((_s36 + abs(energy2)) + abs(_s30)))) - energy2
+    _s37 = ((_s30 + _s36) + (_k92 * ((_s36 + abs(energy2)) + abs(_s30)))) - energy2
     _s38 = ((_k28 * _s37) * _s22) + (_s20 * _s20)
     _s39 = _root(_s38)
     _s40 = ((_s25 if _s24 else (_s20 + _s39)) / ((_s39 - _s20) if _s24 else (_s37 if _k2 < _s37 else _k2))) if (_k2 <= _s38) else _k7
@@ -6646,103 +6638,103 @@ def _ring_advance_alone(t: Any, end: Any, leaving: Any, margin: Any, rate_margin
 
 def _ring_opened_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
     _s0 = vz * vz
-    _s1 = _k125 * (p_ball_radius + p_wire_radius)
-    _s2 = _k126 * p_gravity
-    _s3 = _k142 * (_s0 + (_s2 * (abs(z) + _s1)))
+    _s1 = _k123 * (p_ball_radius + p_wire_radius)
+    _s2 = _k124 * p_gravity
+    _s3 = _k140 * (_s0 + (_s2 * (abs(z) + _s1)))
     _s4 = (_s0 + (_s2 * (z + _s1))) + _s3
-    _s5 = _k128 / p_gravity
+    _s5 = _k126 / p_gravity
     _s6 = _root(_s4)
-    _s7 = _k143 * (abs(vz) + _s6)
-    _s8 = _k141 <= _s4
-    _s9 = (_s5 * ((vz - _s6) - _s7)) if _s8 else _k144
+    _s7 = _k141 * (abs(vz) + _s6)
+    _s8 = _k139 <= _s4
+    _s9 = (_s5 * ((vz - _s6) - _s7)) if _s8 else _k142
     _s10 = (vx * vx) + (vy * vy)
     _s11 = p_ring_radius + _s1
     _s12 = _s11 * _s11
-    _s13 = (_k143 * _s10) * (_s12 + ((x * x) + (y * y)))
+    _s13 = (_k141 * _s10) * (_s12 + ((x * x) + (y * y)))
     _s14 = (x * vy) - (y * vx)
     _s15 = _s14 * _s14
     _s16 = ((_s12 * _s10) + _s13) - _s15
     _s17 = (x * vx) + (y * vy)
     _s18 = _root(_s16)
-    _s19 = _k143 * ((abs(_s17) + abs(_s14)) + _s18)
-    _s20 = _k128 / _s10
-    _s21 = _k141 <= _s16
-    _s22 = _k145 < _s10
-    _s23 = (((-((_s17 + _s18) + _s19)) * _s20) if _s21 else _k144) if _s22 else _k146
+    _s19 = _k141 * ((abs(_s17) + abs(_s14)) + _s18)
+    _s20 = _k126 / _s10
+    _s21 = _k139 <= _s16
+    _s22 = _k143 < _s10
+    _s23 = (((-((_s17 + _s18) + _s19)) * _s20) if _s21 else _k142) if _s22 else _k144
     _s24 = _s23 if _s9 < _s23 else _s9
-    _s25 = _s24 if _k141 < _s24 else _k141
-    _s26 = _s25 if _k141 < _s25 else _k141
+    _s25 = _s24 if _k139 < _s24 else _k139
+    _s26 = _s25 if _k139 < _s25 else _k139
     _s27 = p_ring_radius - _s1
-    _s28 = _k135 * p_ring_radius
+    _s28 = _k133 * p_ring_radius
     _s29 = _s28 if _s27 < _s28 else _s27
     _s30 = ((_s10 * (_s29 * _s29)) - _s13) - _s15
-    _s31 = _root((_k141 if _s30 < _k141 else _s30))
-    _s32 = ((((_s18 + _s19) - _s17) * _s20) if _s21 else _k146) if _s22 else _k144
-    _s33 = _k141 < (_s30 if _s22 else _k141)
+    _s31 = _root((_k139 if _s30 < _k139 else _s30))
+    _s32 = ((((_s18 + _s19) - _s17) * _s20) if _s21 else _k144) if _s22 else _k142
+    _s33 = _k139 < (_s30 if _s22 else _k139)
     _s34 = (((_s19 - _s17) - _s31) * _s20) if _s33 else _s32
     _s35 = (_s0 + (_s2 * (z - _s1))) - _s3
-    _s36 = _root((_k141 if _s35 < _k141 else _s35))
-    _s37 = (_s5 * ((vz + _s6) + _s7)) if _s8 else _k146
-    _s38 = _k141 < _s35
+    _s36 = _root((_k139 if _s35 < _k139 else _s35))
+    _s37 = (_s5 * ((vz + _s6) + _s7)) if _s8 else _k144
+    _s38 = _k139 < _s35
     _s39 = (_s5 * ((vz + _s7) - _s36)) if _s38 else _s37
     _s40 = _s34 if _s34 < _s39 else _s39
-    _s41 = _k147 * horizon
+    _s41 = _k145 * horizon
     _s42 = _s40 if _s40 < _s41 else _s41
     _s43 = _s26 < _s42
-    _s44 = (((_s31 - _s17) - _s19) * _s20) if _s33 else _k144
+    _s44 = (((_s31 - _s17) - _s19) * _s20) if _s33 else _k142
     _s45 = _s34 if _s44 < _s34 else _s44
     _s46 = _s45 if _s9 < _s45 else _s9
     _s47 = _s32 if _s32 < _s39 else _s39
-    _s48 = (_s5 * ((vz + _s36) - _s7)) if _s38 else _k144
+    _s48 = (_s5 * ((vz + _s36) - _s7)) if _s38 else _k142
     _s49 = _s39 if _s48 < _s39 else _s48
     _s50 = _s46 <= _s47
     _s51 = _s46 if _s50 else (_s23 if _s49 < _s23 else _s49)
-    _s52 = _s51 if _k141 < _s51 else _k141
-    _s53 = _s52 if _k141 < _s52 else _k141
+    _s52 = _s51 if _k139 < _s51 else _k139
+    _s53 = _s52 if _k139 < _s52 else _k139
     _s54 = _s47 if _s50 else (_s34 if _s34 < _s37 else _s37)
     _s55 = _s54 if _s54 < _s41 else _s41
     _s56 = _s53 < _s55
     _s57 = _s45 if _s49 < _s45 else _s49
-    _s58 = _s57 if _k141 < _s57 else _k141
-    _s59 = _s58 if _k141 < _s58 else _k141
+    _s58 = _s57 if _k139 < _s57 else _k139
+    _s59 = _s58 if _k139 < _s58 else _k139
     _s60 = _s32 if _s32 < _s37 else _s37
     _s61 = _s60 if _s60 < _s41 else _s41
     _s62 = _s59 < _s61
-    _s63 = _s40 if _k141 < _s40 else _k141
+    _s63 = _s40 if _k139 < _s40 else _k139
     _s64 = _s54 if _s63 < _s54 else _s63
     _s65 = _s60 if _s64 < _s60 else _s64
-    _s66 = (((_s11 <= (_k137 * _s29)) and (_s11 <= ((_k137 * p_ball_radius) + (_k137 * p_wire_radius)))) and (_s11 <= _k138)) and (_k139 <= _s29)
-    return _s26 if _s43 else (_s53 if _s56 else (_s59 if _s62 else _k141)), _s42 if _s43 else (_s55 if _s56 else (_s61 if _s62 else _k141)), ((False or _s62) or _s56) or _s43, _s52, _s55, _s58, _s61, _s65 if _s65 < _s41 else _s41, (((_s66 and (p_gravity <= _k138)) and (_k139 <= p_gravity)) and (extent <= _k138)) and (speed <= _k138)
+    _s66 = (((_s11 <= (_k135 * _s29)) and (_s11 <= ((_k135 * p_ball_radius) + (_k135 * p_wire_radius)))) and (_s11 <= _k136)) and (_k137 <= _s29)
+    return _s26 if _s43 else (_s53 if _s56 else (_s59 if _s62 else _k139)), _s42 if _s43 else (_s55 if _s56 else (_s61 if _s62 else _k139)), ((False or _s62) or _s56) or _s43, _s52, _s55, _s58, _s61, _s65 if _s65 < _s41 else _s41, (((_s66 and (p_gravity <= _k136)) and (_k137 <= p_gravity)) and (extent <= _k136)) and (speed <= _k136)
 
 
 def _ring_resolution_alone(t: Any, end: Any, leaving: Any, horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, start_rate: Any, rho_rate: Any, low1: Any, high1: Any, low2: Any, high2: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
-    _s0 = _k141 < leaving
+    _s0 = _k139 < leaving
     _s1 = speed + (p_gravity * horizon)
     _s2 = p_ball_radius + p_wire_radius
-    _s3 = _k125 * _s2
+    _s3 = _k123 * _s2
     _s4 = p_ring_radius - _s3
-    _s5 = _k135 * p_ring_radius
+    _s5 = _k133 * p_ring_radius
     _s6 = _s5 if _s4 < _s5 else _s4
     _s7 = _s2 / _s6
-    _s8 = _s7 if _k128 < _s7 else _k128
+    _s8 = _s7 if _k126 < _s7 else _k126
     _s9 = _s1 * _s8
     _s10 = extent + (horizon * _s1)
-    _s11 = _k164 * ((_s9 * _s10) + (_s2 * _s1))
-    _s12 = (_k163 * start_rate) / _s11
-    _s13 = _s12 if _s12 < _k165 else _k165
-    _s14 = (_s13 if _k162 < _s13 else _k162) if _s0 else _k165
-    _s15 = ((_k126 * (vz * vz)) + ((_k153 * p_gravity) * z)) + (_k126 * ((vx * vx) + (vy * vy)))
+    _s11 = _k162 * ((_s9 * _s10) + (_s2 * _s1))
+    _s12 = (_k161 * start_rate) / _s11
+    _s13 = _s12 if _s12 < _k163 else _k163
+    _s14 = (_s13 if _k160 < _s13 else _k160) if _s0 else _k163
+    _s15 = ((_k124 * (vz * vz)) + ((_k151 * p_gravity) * z)) + (_k124 * ((vx * vx) + (vy * vy)))
     _s16 = (x * vy) - (y * vx)
-    _s17 = (_k126 * p_ring_radius) * (_s16 * _s16)
-    _s18 = _k128 / _s6
+    _s17 = (_k124 * p_ring_radius) * (_s16 * _s16)
+    _s18 = _k126 / _s6
     _s19 = _s18 * (_s18 * _s18)
-    _s20 = (((_k154 * p_gravity) * _s2) + (_s17 * _s19)) + abs(_s15)
+    _s20 = (((_k152 * p_gravity) * _s2) + (_s17 * _s19)) + abs(_s15)
     _s21 = horizon - t
     _s22 = p_gravity * (_s21 * _s21)
     _s23 = p_ring_radius + _s3
-    _s24 = (_s10 * _s14) + (_k143 * (_s22 + _s23))
-    _s25 = (_k168 * ((_s17 * (abs(vx) + abs(vy))) * _s19)) / _s6
-    return _s14, _k141, end - t, x, y, z, vx, vy, vz, _s15, _s17, _root(((x * x) + (y * y))), _k166 * _s20, (_k157 * _s2) * _s24, (_k166 * ((_k142 * abs(start_rate)) + ((_k167 + _s14) * _s11))) if _s0 else _k144, _k166 * ((p_gravity * ((p_gravity * _s21) + abs(vz))) + _s25), (_k159 * ((_s23 / _s6) * _s8)) * _s20, start_rate, rho_rate, _k164 * (((_k166 * _s9) * _s24) + (((_k169 + _s14) * _s2) * _s1)), low1 - t, high1 - t, low2 - t, high2 - t, (_s22 <= ((_k161 * p_ball_radius) + (_k161 * p_wire_radius))) and ((t * leaving) <= _k141)
+    _s24 = (_s10 * _s14) + (_k141 * (_s22 + _s23))
+    _s25 = (_k166 * ((_s17 * (abs(vx) + abs(vy))) * _s19)) / _s6
+    return _s14, _k139, end - t, x, y, z, vx, vy, vz, _s15, _s17, _root(((x * x) + (y * y))), _k164 * _s20, (_k155 * _s2) * _s24, (_k164 * ((_k140 * abs(start_rate)) + ((_k165 + _s14) * _s11))) if _s0 else _k142, _k164 * ((p_gravity * ((p_gravity * _s21) + abs(vz))) + _s25), (_k157 * ((_s23 / _s6) * _s8)) * _s20, start_rate, rho_rate, _k162 * (((_k164 * _s9) * _s24) + (((_k167 + _s14) * _s2) * _s1)), low1 - t, high1 - t, low2 - t, high2 - t, (_s22 <= ((_k159 * p_ball_radius) + (_k159 * p_wire_radius))) and ((t * leaving) <= _k139)
 
 
 def _ring_step_alone(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, energy2: Any, moment2: Any, rho_start: Any, flat: Any, tilt: Any, quotient_margin: Any, jerk: Any, start_rate: Any, rho_rate: Any, low1: Any, high1: Any, low2: Any, high2: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
@@ -6751,71 +6743,71 @@ def _ring_step_alone(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y
     _s2 = _s1 < flat
     _s3 = (t * t) * jerk
     _s4 = _s2 and (_s3 < rate_margin)
-    _s5 = (_s3 + (_k126 * _s0)) if _s4 else rate_margin
+    _s5 = (_s3 + (_k124 * _s0)) if _s4 else rate_margin
     _s6 = (vx * vx) + (vy * vy)
     _s7 = x + (vx * t)
     _s8 = y + (vy * t)
     _s9 = _root(((_s7 * _s7) + (_s8 * _s8)))
     _s10 = rho_start + _s9
-    _s11 = _k128 / (_s10 * _s9)
+    _s11 = _k126 / (_s10 * _s9)
     _s12 = _s9 * _s11
-    _s13 = _s12 * ((t * _s6) + (_k126 * ((x * vx) + (y * vy))))
-    _s14 = vz - ((_k168 * p_gravity) * t)
-    _s15 = ((((_k126 * (rho_start - p_ring_radius)) * (_s6 - (rho_rate * _s13))) * _s12) + (_s13 * _s13)) + (_s14 * _s14)
+    _s13 = _s12 * ((t * _s6) + (_k124 * ((x * vx) + (y * vy))))
+    _s14 = vz - ((_k166 * p_gravity) * t)
+    _s15 = ((((_k124 * (rho_start - p_ring_radius)) * (_s6 - (rho_rate * _s13))) * _s12) + (_s13 * _s13)) + (_s14 * _s14)
     _s16 = start_rate + (t * (_s15 - (p_gravity * z)))
     _s17 = _s10 * _s11
     _s18 = _s17 * ((vx * _s7) + (vy * _s8))
     _s19 = _s9 - p_ring_radius
     _s20 = z + (t * _s14)
     _s21 = vz - (p_gravity * t)
-    _s22 = ((_k126 * _s16) - start_rate) if _s4 else (_k126 * ((_s18 * _s19) + (_s20 * _s21)))
+    _s22 = ((_k124 * _s16) - start_rate) if _s4 else (_k124 * ((_s18 * _s19) + (_s20 * _s21)))
     _s23 = -(_s5 + _s22)
     _s24 = p_ball_radius + p_wire_radius
     _s25 = _s1 if _s2 else flat
     _s26 = ((t * _s16) if _s2 else (((_s19 * _s19) + (_s20 * _s20)) - (_s24 * _s24))) - _s25
-    _s27 = _k141 if _s26 < _k141 else _s26
-    _s28 = _k126 * (_s27 + (_k126 * _s25))
+    _s27 = _k139 if _s26 < _k139 else _s26
+    _s28 = _k124 * (_s27 + (_k124 * _s25))
     _s29 = _s22 - _s5
-    _s30 = _k170 * p_gravity
+    _s30 = _k168 * p_gravity
     _s31 = _s30 * _s20
     _s32 = moment2 * (_s17 * (_s17 * _s17))
     _s33 = (_s31 + _s32) - energy2
-    _s34 = _s29 < _k141
-    _s35 = _k126 * _s27
-    _s36 = _k144 if (_k141 < (_s27 if (_k141 <= _s29) else _k141)) else (((_s35 + (_k177 * _s25)) if _s34 else (_k153 * _s29)) / ((-_s29) if _s34 else (_s33 if _k141 < _s33 else _k141)))
+    _s34 = _s29 < _k139
+    _s35 = _k124 * _s27
+    _s36 = _k142 if (_k139 < (_s27 if (_k139 <= _s29) else _k139)) else (((_s35 + (_k175 * _s25)) if _s34 else (_k151 * _s29)) / ((-_s29) if _s34 else (_s33 if _k139 < _s33 else _k139)))
     _s37 = end - t
     _s38 = _s36 if _s36 < _s37 else _s37
-    _s39 = _k125 * _s24
-    _s40 = ((_k135 * p_ball_radius) + (_k135 * p_wire_radius)) + ((_s38 * (_k141 if _s21 < _k141 else _s21)) + _s20)
+    _s39 = _k123 * _s24
+    _s40 = ((_k133 * p_ball_radius) + (_k133 * p_wire_radius)) + ((_s38 * (_k139 if _s21 < _k139 else _s21)) + _s20)
     _s41 = _s30 * (_s39 if _s39 < _s40 else _s40)
     _s42 = (abs(vx) + abs(vy)) * _s38
-    _s43 = (((_s38 * (_k141 if _k141 < _s18 else _s18)) + _s9) - (_k135 * _s42)) - (_k143 * (p_ring_radius + _s39))
+    _s43 = (((_s38 * (_k139 if _k139 < _s18 else _s18)) + _s9) - (_k133 * _s42)) - (_k141 * (p_ring_radius + _s39))
     _s44 = p_ring_radius - _s39
-    _s45 = _k135 * p_ring_radius
+    _s45 = _k133 * p_ring_radius
     _s46 = _s45 if _s44 < _s45 else _s44
-    _s47 = _k128 / (_s46 if _s43 < _s46 else _s43)
+    _s47 = _k126 / (_s46 if _s43 < _s46 else _s43)
     _s48 = moment2 * (_s47 * (_s47 * _s47))
     _s49 = abs(energy2)
-    _s50 = ((_s41 + _s48) + (_k178 * ((_s48 + _s49) + abs(_s41)))) - energy2
+    _s50 = ((_s41 + _s48) + (_k176 * ((_s48 + _s49) + abs(_s41)))) - energy2
     _s51 = -_s21
-    _s52 = (_s30 * (((_k139 * p_ball_radius) + (_k139 * p_wire_radius)) + (((p_gravity * _s38) + (_k141 if _s51 < _k141 else _s51)) * _s38))) + ((_k179 * (_s32 * _s17)) * _s42)
-    _s53 = energy2 + (_s52 + (_k139 * ((_s49 + abs(_s31)) + _s32)))
+    _s52 = (_s30 * (((_k137 * p_ball_radius) + (_k137 * p_wire_radius)) + (((p_gravity * _s38) + (_k139 if _s51 < _k139 else _s51)) * _s38))) + ((_k177 * (_s32 * _s17)) * _s42)
+    _s53 = energy2 + (_s52 + (_k137 * ((_s49 + abs(_s31)) + _s32)))
     _s54 = (_s53 - _s31) - _s32
-    _s55 = ((_s23 * _s23) - ((_k177 * _s28) * ((_s54 if _s50 < _s54 else _s50) if (_s28 <= (_s23 * _s38)) else ceiling))) if (_k141 < _s23) else _s23
-    _s56 = _k141 < _s55
-    _s57 = ((_k126 * _s50) * _s27) + (_s29 * _s29)
+    _s55 = ((_s23 * _s23) - ((_k175 * _s28) * ((_s54 if _s50 < _s54 else _s50) if (_s28 <= (_s23 * _s38)) else ceiling))) if (_k139 < _s23) else _s23
+    _s56 = _k139 < _s55
+    _s57 = ((_k124 * _s50) * _s27) + (_s29 * _s29)
     _s58 = _root(_s57)
-    _s59 = ((_s35 if _s34 else (_s58 + _s29)) / ((_s58 - _s29) if _s34 else (_s50 if _k141 < _s50 else _k141))) if (_k141 <= _s57) else _k144
+    _s59 = ((_s35 if _s34 else (_s58 + _s29)) / ((_s58 - _s29) if _s34 else (_s50 if _k139 < _s50 else _k139))) if (_k139 <= _s57) else _k142
     _s60 = _s59 if _s59 < _s38 else _s38
     _s61 = t + _s60
-    _s62 = (not _s56) and (((_s22 < _k141) and (_s26 <= _s25)) or ((t < end) and (not (t < _s61))))
+    _s62 = (not _s56) and (((_s22 < _k139) and (_s26 <= _s25)) or ((t < end) and (not (t < _s61))))
     _s63 = not (_s56 or _s62)
     _s64 = _s63 and (_s37 <= _s60)
     _s65 = low1 if end < low1 else end
     _s66 = _s65 < high1
     _s67 = low2 if end < low2 else end
     _s68 = _s67 < high2
-    return (_s65 if _s66 else (_s67 if _s68 else _k144)) if _s64 else (t if _s62 else _s61), (high1 if _s66 else (high2 if _s68 else end)) if _s64 else end, _s56, _s63 and ((not _s64) or ((False or _s68) or _s66))
+    return (_s65 if _s66 else (_s67 if _s68 else _k142)) if _s64 else (t if _s62 else _s61), (high1 if _s66 else (high2 if _s68 else end)) if _s64 else end, _s56, _s63 and ((not _s64) or ((False or _s68) or _s66))
 
 
 def _ring_started_alone(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_ring_radius: Any) -> tuple[Any, ...]:
@@ -6825,11 +6817,11 @@ def _ring_started_alone(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_rin
 
 
 def _ring_budget_exceeded_alone(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
-    _s0 = (_k111 * p_ring_radius) - (p_ring_radius - (p_ball_radius + p_wire_radius))
+    _s0 = (_k109 * p_ring_radius) - (p_ring_radius - (p_ball_radius + p_wire_radius))
     _s1 = _k1 / p_gravity
     _s2 = _root(_k28) * _root((_s1 * (((_k28 * p_ball_radius) + (_k28 * p_wire_radius)) + extent)))
     _s3 = _s2 + ((_k28 * speed) * _s1)
-    _s4 = ((position_error + (velocity_error * (_s3 if _s3 < horizon else horizon))) - (_k112 * p_ball_radius)) - (_k112 * p_wire_radius)
+    _s4 = ((position_error + (velocity_error * (_s3 if _s3 < horizon else horizon))) - (_k110 * p_ball_radius)) - (_k110 * p_wire_radius)
     return _s4 if _s0 < _s4 else _s0,
 
 
@@ -6920,16 +6912,16 @@ def _ring_round_moved_alone(p_ball_radius: Any, p_ring_radius: Any, p_wire_radiu
     _s9 = _s3 * _s8
     _s10 = p_ball_radius + p_wire_radius
     _s11 = p_ring_radius + (_s9 * _s10)
-    _s12 = t * ((_k195 * omega_9) + (t * ((_k196 * omega_10) + ((_k197 * t) * omega_11))))
-    _s13 = (_k74 * omega_6) + (t * ((_k32 * omega_7) + (t * ((_k78 * omega_8) + _s12))))
-    _s14 = (_k27 * omega_3) + (t * ((_k68 * omega_4) + (t * ((_k72 * omega_5) + (t * _s13)))))
-    _s15 = omega_0 + (t * ((_k0 * omega_1) + (t * ((_k64 * omega_2) + (t * _s14)))))
+    _s12 = t * ((_k193 * omega_9) + (t * ((_k194 * omega_10) + ((_k195 * t) * omega_11))))
+    _s13 = (_k72 * omega_6) + (t * ((_k32 * omega_7) + (t * ((_k76 * omega_8) + _s12))))
+    _s14 = (_k27 * omega_3) + (t * ((_k66 * omega_4) + (t * ((_k70 * omega_5) + (t * _s13)))))
+    _s15 = omega_0 + (t * ((_k0 * omega_1) + (t * ((_k62 * omega_2) + (t * _s14)))))
     _s16 = t * _s15
     _s17 = _s16 * _s16
-    _s18 = ((_k193 + (((_k194 * _s17) - _k198) * _s17)) * _s17) - _k199
-    _s19 = _k1 + ((((_k192 + (_s18 * _s17)) * _s17) - _k0) * _s17)
-    _s20 = _k200 + ((((_k201 - (_k202 * _s17)) * _s17) - _k203) * _s17)
-    _s21 = _s16 * (_k1 + (((_s20 * _s17) - _k72) * _s17))
+    _s18 = ((_k191 + (((_k192 * _s17) - _k196) * _s17)) * _s17) - _k197
+    _s19 = _k1 + ((((_k190 + (_s18 * _s17)) * _s17) - _k0) * _s17)
+    _s20 = _k198 + ((((_k199 - (_k200 * _s17)) * _s17) - _k201) * _s17)
+    _s21 = _s16 * (_k1 + (((_s20 * _s17) - _k70) * _s17))
     _s22 = (cos_0 * _s19) - (sin_0 * _s21)
     _s23 = (cos_0 * _s21) + (sin_0 * _s19)
     _s24 = _s7 * _s8
@@ -6967,23 +6959,23 @@ def _ring_round_pace_alone(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p
     _s11 = omega_0 * omega_0
     _s12 = (_k47 * _s10) * (_k37 * _s11)
     _s13 = _s12 * _s12
-    _s14 = _s4 * ((abs(cosine_12) + abs(sine_12)) + (_k210 * (_s13 * _s13)))
-    _s15 = _root(_root(((_k210 * _s4) / (_s14 if _s9 < _s14 else _s9))))
+    _s14 = _s4 * ((abs(cosine_12) + abs(sine_12)) + (_k208 * (_s13 * _s13)))
+    _s15 = _root(_root(((_k208 * _s4) / (_s14 if _s9 < _s14 else _s9))))
     _s16 = _root(_root(_s15))
-    _s17 = (_k209 * _s16) * _root(_root(_s16))
+    _s17 = (_k207 * _s16) * _root(_root(_s16))
     _s18 = _s17 * (_s17 * _s17)
     _s19 = ((_s18 + (_k28 * _s15)) / ((_k28 * _s18) + _s15)) * _s17
     _s20 = _s19 if _s19 < _k33 else _k33
     _s21 = abs(climb_10)
-    _s22 = (((((_k85 * _s7) * _s20) + (_k211 * _s5)) * _s20) + (_k212 * _s21)) * _s20
+    _s22 = (((((_k83 * _s7) * _s20) + (_k209 * _s5)) * _s20) + (_k210 * _s21)) * _s20
     _s23 = abs(climb_9)
     _s24 = abs(climb_8)
     _s25 = abs(climb_7)
-    _s26 = ((((_s22 + (_k213 * _s23)) * _s20) + (_k31 * _s24)) * _s20) + (_k76 * _s25)
+    _s26 = ((((_s22 + (_k211 * _s23)) * _s20) + (_k31 * _s24)) * _s20) + (_k74 * _s25)
     _s27 = abs(climb_6)
     _s28 = abs(climb_5)
     _s29 = abs(climb_4)
-    _s30 = (((((_s26 * _s20) + (_k6 * _s27)) * _s20) + (_k71 * _s28)) * _s20) + (_k47 * _s29)
+    _s30 = (((((_s26 * _s20) + (_k6 * _s27)) * _s20) + (_k69 * _s28)) * _s20) + (_k47 * _s29)
     _s31 = abs(climb_3)
     _s32 = abs(climb_2)
     _s33 = abs(climb_1)
@@ -7023,18 +7015,18 @@ def _ring_round_pace_alone(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p
     _s67 = abs(along_1)
     _s68 = (((((_s65 * _s20) + _s66) * _s20) + _s67) * _s20) + _s2
     _s69 = (_s1 * _s38) + _s68
-    _s70 = (((((_k85 * _s8) * _s20) + (_k211 * _s6)) * _s20) + (_k212 * _s55)) * _s20
-    _s71 = ((((_s70 + (_k213 * _s56)) * _s20) + (_k31 * _s58)) * _s20) + (_k76 * _s59)
-    _s72 = (((((_s71 * _s20) + (_k6 * _s60)) * _s20) + (_k71 * _s62)) * _s20) + (_k47 * _s63)
+    _s70 = (((((_k83 * _s8) * _s20) + (_k209 * _s6)) * _s20) + (_k210 * _s55)) * _s20
+    _s71 = ((((_s70 + (_k211 * _s56)) * _s20) + (_k31 * _s58)) * _s20) + (_k74 * _s59)
+    _s72 = (((((_s71 * _s20) + (_k6 * _s60)) * _s20) + (_k69 * _s62)) * _s20) + (_k47 * _s63)
     _s73 = (((((_s72 * _s20) + (_k60 * _s64)) * _s20) + (_k28 * _s66)) * _s20) + _s67
     _s74 = (climb_0 * climb_0) * _s1
     _s75 = along_0 * omega_0
     _s76 = p_inertia * (_k1 / (_k1 + p_inertia))
     _s77 = p_gravity * (_k60 - (_k28 * _s76))
     _s78 = _k60 * p_ring_radius
-    _s79 = (((((_k211 * _s40) * _s20) + (_k212 * _s41)) * _s20) + (_k213 * _s42)) * _s20
-    _s80 = ((((_s79 + (_k31 * _s43)) * _s20) + (_k76 * _s45)) * _s20) + (_k6 * _s46)
-    _s81 = (((((_s80 * _s20) + (_k71 * _s47)) * _s20) + (_k47 * _s49)) * _s20) + (_k60 * _s50)
+    _s79 = (((((_k209 * _s40) * _s20) + (_k210 * _s41)) * _s20) + (_k211 * _s42)) * _s20
+    _s80 = ((((_s79 + (_k31 * _s43)) * _s20) + (_k74 * _s45)) * _s20) + (_k6 * _s46)
+    _s81 = (((((_s80 * _s20) + (_k69 * _s47)) * _s20) + (_k47 * _s49)) * _s20) + (_k60 * _s50)
     _s82 = _s38 * _s20
     _s83 = abs(sine_0) + _s82
     _s84 = (_s54 * ((((_s81 * _s20) + (_k28 * _s51)) * _s20) + _s53)) * _s83
@@ -7043,7 +7035,7 @@ def _ring_round_pace_alone(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p
     _s87 = ((((_k6 * p_ring_radius) * _s84) + (_s38 * ((_s85 * _s86) + (_s77 * _s83)))) * _s38) + (_s34 * ((_s85 * _s83) + (_s77 * _s86)))
     _s88 = -(((cosine_0 * _s74) + _s75) + ((climb_1 * sine_0) * _s1))
     _s89 = along_1 - (omega_0 * ((climb_0 * sine_0) * _s1))
-    return _s20, _k99 * _s4, _s39 + ((_s54 * _s69) + _s73), _s69, _s39, ((p_gravity * sine_0) - _s74) - (cosine_0 * _s75), climb_0 * ((cosine_0 * _s77) + (sine_0 * (_s78 * _s11))), _s87, ((_k28 * p_gravity) * _s76) * (climb_0 * cosine_0), (cos_0 * _s88) - (sin_0 * _s89), (cos_0 * _s89) + (sin_0 * _s88), ((climb_1 * cosine_0) * _s1) - (sine_0 * _s74)
+    return _s20, _k97 * _s4, _s39 + ((_s54 * _s69) + _s73), _s69, _s39, ((p_gravity * sine_0) - _s74) - (cosine_0 * _s75), climb_0 * ((cosine_0 * _s77) + (sine_0 * (_s78 * _s11))), _s87, ((_k28 * p_gravity) * _s76) * (climb_0 * cosine_0), (cos_0 * _s88) - (sin_0 * _s89), (cos_0 * _s89) + (sin_0 * _s88), ((climb_1 * cosine_0) * _s1) - (sine_0 * _s74)
 
 
 def _ring_round_pulled_alone(p_gravity: Any, p_inertia: Any, turn_rate_0: Any, turn_rate_1: Any, climb_0: Any, climb_1: Any, cosine_0: Any, cosine_1: Any, omega_0: Any, omega_1: Any) -> tuple[Any, ...]:
@@ -7053,18 +7045,18 @@ def _ring_round_pulled_alone(p_gravity: Any, p_inertia: Any, turn_rate_0: Any, t
     _s3 = _s0 * (cosine_0 * _s2)
     _s4 = _s3 * (_s0 * ((cosine_0 * ((turn_rate_0 * omega_1) + (turn_rate_1 * omega_0))) + (cosine_1 * _s2)))
     _s5 = _k28 * ((_s1 * (_s0 * ((turn_rate_0 * climb_1) + (turn_rate_1 * climb_0)))) + _s4)
-    return (_s1 * _s1) + (_s3 * _s3), _s5, _k108, _k2
+    return (_s1 * _s1) + (_s3 * _s3), _s5, _k106, _k2
 
 
 def _ring_swung_alone(p_ball_radius: Any, p_gravity: Any, p_wire_radius: Any, which: Any, doubt: Any, position_error: Any, velocity_error: Any, force: Any, force_rate: Any, force_bend: Any, stride: Any, fastest: Any, circled: Any, climb: Any, climb_0: Any, section_acceleration: Any, azimuth_clearance: Any) -> tuple[Any, ...]:
     _s0 = p_ball_radius + p_wire_radius
     _s1 = stride * stride
-    _s2 = ((_k111 * _s0) < (azimuth_clearance - ((_k32 * section_acceleration) * _s1))) and ((_k215 * p_gravity) < ((force + (stride * (force_rate if force_rate < _k2 else _k2))) - ((_k0 * force_bend) * _s1)))
+    _s2 = ((_k109 * _s0) < (azimuth_clearance - ((_k32 * section_acceleration) * _s1))) and ((_k213 * p_gravity) < ((force + (stride * (force_rate if force_rate < _k2 else _k2))) - ((_k0 * force_bend) * _s1)))
     _s3 = _s2 and (which == _k40)
     _s4 = ((climb * climb_0) < _k2) and (((_k41 * p_gravity) * stride) < (abs((climb - climb_0)) * _s0))
     _s5 = (_s3 and _s4) and (_k2 < circled)
     _s6 = p_gravity + ((fastest * fastest) * (_k1 / _s0))
-    _s7 = not ((_s6 * (_k216 * ((position_error * _s6) + (velocity_error * fastest)))) < ((_k111 * (p_gravity * p_gravity)) * _s0))
+    _s7 = not ((_s6 * (_k214 * ((position_error * _s6) + (velocity_error * fastest)))) < ((_k109 * (p_gravity * p_gravity)) * _s0))
     return (_k1 if _s4 else circled) if _s3 else _k2, _s5, _k2 if (_s5 and _s7) else doubt
 
 
@@ -7089,10 +7081,10 @@ def _ring_round_2_alone(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ri
     _s1 = near_0 * (along_2 - (_s0 * ((cosine_1 * omega_1) + (cosine_2 * omega_0))))
     _s2 = ((climb_0 * _s1) + (climb_1 * omega_1)) + (climb_2 * omega_0)
     _s3 = _k1 / (_k1 + p_inertia)
-    _s4 = -((_k64 * per_reach) * (((p_gravity * cosine_2) * _s3) + (((omega_0 * tilted_2) + (omega_1 * tilted_1)) + (tilted_0 * _s1))))
-    _s5 = _k64 * ((_s0 * (((sine_0 * _s2) + (sine_1 * around_1)) + (sine_2 * around_0))) - ((p_inertia * _s3) * (((turn_rate_0 * climb_2) + (turn_rate_1 * climb_1)) + (turn_rate_2 * climb_0))))
-    _s6 = _k64 * (((p_ring_radius * _s3) * (((cosine_0 * _s2) + (cosine_1 * around_1)) + (cosine_2 * around_0))) + (_s0 * _s2))
-    return _s1, _s2, -(_k64 * (((climb_0 * sine_2) + (climb_1 * sine_1)) + (climb_2 * sine_0))), _k64 * (((climb_0 * cosine_2) + (climb_1 * cosine_1)) + (climb_2 * cosine_0)), _s4, _s5, (_k64 * p_ring_radius) * _s2, _s6
+    _s4 = -((_k62 * per_reach) * (((p_gravity * cosine_2) * _s3) + (((omega_0 * tilted_2) + (omega_1 * tilted_1)) + (tilted_0 * _s1))))
+    _s5 = _k62 * ((_s0 * (((sine_0 * _s2) + (sine_1 * around_1)) + (sine_2 * around_0))) - ((p_inertia * _s3) * (((turn_rate_0 * climb_2) + (turn_rate_1 * climb_1)) + (turn_rate_2 * climb_0))))
+    _s6 = _k62 * (((p_ring_radius * _s3) * (((cosine_0 * _s2) + (cosine_1 * around_1)) + (cosine_2 * around_0))) + (_s0 * _s2))
+    return _s1, _s2, -(_k62 * (((climb_0 * sine_2) + (climb_1 * sine_1)) + (climb_2 * sine_0))), _k62 * (((climb_0 * cosine_2) + (climb_1 * cosine_1)) + (climb_2 * cosine_0)), _s4, _s5, (_k62 * p_ring_radius) * _s2, _s6
 
 
 def _ring_round_3_alone(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ring_radius: Any, p_wire_radius: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, near_0: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, along_3: Any, omega_0: Any, omega_1: Any, omega_2: Any, around_0: Any, around_1: Any, around_2: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any) -> tuple[Any, ...]:
@@ -7112,14 +7104,14 @@ def _ring_round_4_alone(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ri
     _s1 = along_4 - (_s0 * ((((cosine_1 * omega_3) + (cosine_2 * omega_2)) + (cosine_3 * omega_1)) + (cosine_4 * omega_0)))
     _s2 = near_0 * _s1
     _s3 = ((((climb_0 * _s2) + (climb_1 * omega_3)) + (climb_2 * omega_2)) + (climb_3 * omega_1)) + (climb_4 * omega_0)
-    _s4 = _k68 * (((((climb_0 * sine_4) + (climb_1 * sine_3)) + (climb_2 * sine_2)) + (climb_3 * sine_1)) + (climb_4 * sine_0))
-    _s5 = _k68 * (((((climb_0 * cosine_4) + (climb_1 * cosine_3)) + (climb_2 * cosine_2)) + (climb_3 * cosine_1)) + (climb_4 * cosine_0))
+    _s4 = _k66 * (((((climb_0 * sine_4) + (climb_1 * sine_3)) + (climb_2 * sine_2)) + (climb_3 * sine_1)) + (climb_4 * sine_0))
+    _s5 = _k66 * (((((climb_0 * cosine_4) + (climb_1 * cosine_3)) + (climb_2 * cosine_2)) + (climb_3 * cosine_1)) + (climb_4 * cosine_0))
     _s6 = _k1 / (_k1 + p_inertia)
     _s7 = ((p_gravity * cosine_4) * _s6) + (((((omega_0 * tilted_4) + (omega_1 * tilted_3)) + (omega_2 * tilted_2)) + (omega_3 * tilted_1)) + (tilted_0 * _s2))
     _s8 = _s0 * (((((sine_0 * _s3) + (sine_1 * around_3)) + (sine_2 * around_2)) + (sine_3 * around_1)) + (sine_4 * around_0))
     _s9 = (p_inertia * _s6) * (((((turn_rate_0 * climb_4) + (turn_rate_1 * climb_3)) + (turn_rate_2 * climb_2)) + (turn_rate_3 * climb_1)) + (turn_rate_4 * climb_0))
     _s10 = (p_ring_radius * _s6) * (((((cosine_0 * _s3) + (cosine_1 * around_3)) + (cosine_2 * around_2)) + (cosine_3 * around_1)) + (cosine_4 * around_0))
-    return _s2, _s3, -_s4, _s5, -((_k68 * per_reach) * _s7), _k68 * (_s8 - _s9), (_k68 * p_ring_radius) * _s3, _k68 * (_s10 + (_s0 * _s3))
+    return _s2, _s3, -_s4, _s5, -((_k66 * per_reach) * _s7), _k66 * (_s8 - _s9), (_k66 * p_ring_radius) * _s3, _k66 * (_s10 + (_s0 * _s3))
 
 
 def _ring_round_5_alone(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ring_radius: Any, p_wire_radius: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, near_0: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, along_5: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any) -> tuple[Any, ...]:
@@ -7134,7 +7126,7 @@ def _ring_round_5_alone(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ri
     _s8 = (((((sine_0 * _s3) + (sine_1 * around_4)) + (sine_2 * around_3)) + (sine_3 * around_2)) + (sine_4 * around_1)) + (sine_5 * around_0)
     _s9 = (((((turn_rate_0 * climb_5) + (turn_rate_1 * climb_4)) + (turn_rate_2 * climb_3)) + (turn_rate_3 * climb_2)) + (turn_rate_4 * climb_1)) + (turn_rate_5 * climb_0)
     _s10 = (((((cosine_0 * _s3) + (cosine_1 * around_4)) + (cosine_2 * around_3)) + (cosine_3 * around_2)) + (cosine_4 * around_1)) + (cosine_5 * around_0)
-    return _s2, _s3, -(_k72 * _s4), _k72 * _s5, -((_k72 * per_reach) * (((p_gravity * cosine_5) * _s6) + _s7)), _k72 * ((_s0 * _s8) - ((p_inertia * _s6) * _s9)), (_k72 * p_ring_radius) * _s3, _k72 * (((p_ring_radius * _s6) * _s10) + (_s0 * _s3))
+    return _s2, _s3, -(_k70 * _s4), _k70 * _s5, -((_k70 * per_reach) * (((p_gravity * cosine_5) * _s6) + _s7)), _k70 * ((_s0 * _s8) - ((p_inertia * _s6) * _s9)), (_k70 * p_ring_radius) * _s3, _k70 * (((p_ring_radius * _s6) * _s10) + (_s0 * _s3))
 
 
 def _ring_round_6_alone(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ring_radius: Any, p_wire_radius: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, near_0: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, along_6: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, around_5: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, tilted_6: Any) -> tuple[Any, ...]:
@@ -7150,7 +7142,7 @@ def _ring_round_6_alone(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ri
     _s9 = (((((sine_0 * _s4) + (sine_1 * around_5)) + (sine_2 * around_4)) + (sine_3 * around_3)) + (sine_4 * around_2)) + (sine_5 * around_1)
     _s10 = (((((turn_rate_0 * climb_6) + (turn_rate_1 * climb_5)) + (turn_rate_2 * climb_4)) + (turn_rate_3 * climb_3)) + (turn_rate_4 * climb_2)) + (turn_rate_5 * climb_1)
     _s11 = (((((cosine_0 * _s4) + (cosine_1 * around_5)) + (cosine_2 * around_4)) + (cosine_3 * around_3)) + (cosine_4 * around_2)) + (cosine_5 * around_1)
-    return _s2, _s4, -(_k74 * (_s5 + (climb_6 * sine_0))), _k74 * (_s6 + (climb_6 * cosine_0)), -((_k74 * per_reach) * (((p_gravity * cosine_6) * _s7) + (_s8 + (tilted_0 * _s2)))), _k74 * ((_s0 * (_s9 + (sine_6 * around_0))) - ((p_inertia * _s7) * (_s10 + (turn_rate_6 * climb_0)))), (_k74 * p_ring_radius) * _s4, _k74 * (((p_ring_radius * _s7) * (_s11 + (cosine_6 * around_0))) + (_s0 * _s4))
+    return _s2, _s4, -(_k72 * (_s5 + (climb_6 * sine_0))), _k72 * (_s6 + (climb_6 * cosine_0)), -((_k72 * per_reach) * (((p_gravity * cosine_6) * _s7) + (_s8 + (tilted_0 * _s2)))), _k72 * ((_s0 * (_s9 + (sine_6 * around_0))) - ((p_inertia * _s7) * (_s10 + (turn_rate_6 * climb_0)))), (_k72 * p_ring_radius) * _s4, _k72 * (((p_ring_radius * _s7) * (_s11 + (cosine_6 * around_0))) + (_s0 * _s4))
 
 
 def _ring_round_7_alone(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ring_radius: Any, p_wire_radius: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, near_0: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, climb_7: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, cosine_7: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, sine_7: Any, along_7: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, omega_6: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, around_5: Any, around_6: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, tilted_6: Any, tilted_7: Any) -> tuple[Any, ...]:
@@ -7179,17 +7171,17 @@ def _ring_round_8_alone(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ri
     _s3 = (((((climb_0 * _s2) + (climb_1 * omega_7)) + (climb_2 * omega_6)) + (climb_3 * omega_5)) + (climb_4 * omega_4)) + (climb_5 * omega_3)
     _s4 = ((_s3 + (climb_6 * omega_2)) + (climb_7 * omega_1)) + (climb_8 * omega_0)
     _s5 = (((((climb_0 * sine_8) + (climb_1 * sine_7)) + (climb_2 * sine_6)) + (climb_3 * sine_5)) + (climb_4 * sine_4)) + (climb_5 * sine_3)
-    _s6 = -(_k78 * (((_s5 + (climb_6 * sine_2)) + (climb_7 * sine_1)) + (climb_8 * sine_0)))
+    _s6 = -(_k76 * (((_s5 + (climb_6 * sine_2)) + (climb_7 * sine_1)) + (climb_8 * sine_0)))
     _s7 = (((((climb_0 * cosine_8) + (climb_1 * cosine_7)) + (climb_2 * cosine_6)) + (climb_3 * cosine_5)) + (climb_4 * cosine_4)) + (climb_5 * cosine_3)
     _s8 = _k1 / (_k1 + p_inertia)
     _s9 = (((((omega_0 * tilted_8) + (omega_1 * tilted_7)) + (omega_2 * tilted_6)) + (omega_3 * tilted_5)) + (omega_4 * tilted_4)) + (omega_5 * tilted_3)
-    _s10 = (_k78 * per_reach) * (((p_gravity * cosine_8) * _s8) + (((_s9 + (omega_6 * tilted_2)) + (omega_7 * tilted_1)) + (tilted_0 * _s2)))
+    _s10 = (_k76 * per_reach) * (((p_gravity * cosine_8) * _s8) + (((_s9 + (omega_6 * tilted_2)) + (omega_7 * tilted_1)) + (tilted_0 * _s2)))
     _s11 = (((((sine_0 * _s4) + (sine_1 * around_7)) + (sine_2 * around_6)) + (sine_3 * around_5)) + (sine_4 * around_4)) + (sine_5 * around_3)
     _s12 = (((((turn_rate_0 * climb_8) + (turn_rate_1 * climb_7)) + (turn_rate_2 * climb_6)) + (turn_rate_3 * climb_5)) + (turn_rate_4 * climb_4)) + (turn_rate_5 * climb_3)
     _s13 = (_s0 * (((_s11 + (sine_6 * around_2)) + (sine_7 * around_1)) + (sine_8 * around_0))) - ((p_inertia * _s8) * (((_s12 + (turn_rate_6 * climb_2)) + (turn_rate_7 * climb_1)) + (turn_rate_8 * climb_0)))
     _s14 = (((((cosine_0 * _s4) + (cosine_1 * around_7)) + (cosine_2 * around_6)) + (cosine_3 * around_5)) + (cosine_4 * around_4)) + (cosine_5 * around_3)
     _s15 = ((p_ring_radius * _s8) * (((_s14 + (cosine_6 * around_2)) + (cosine_7 * around_1)) + (cosine_8 * around_0))) + (_s0 * _s4)
-    return _s2, _s4, _s6, _k78 * (((_s7 + (climb_6 * cosine_2)) + (climb_7 * cosine_1)) + (climb_8 * cosine_0)), -_s10, _k78 * _s13, (_k78 * p_ring_radius) * _s4, _k78 * _s15
+    return _s2, _s4, _s6, _k76 * (((_s7 + (climb_6 * cosine_2)) + (climb_7 * cosine_1)) + (climb_8 * cosine_0)), -_s10, _k76 * _s13, (_k76 * p_ring_radius) * _s4, _k76 * _s15
 
 
 def _ring_round_9_alone(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ring_radius: Any, p_wire_radius: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, turn_rate_8: Any, turn_rate_9: Any, near_0: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, climb_7: Any, climb_8: Any, climb_9: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, cosine_7: Any, cosine_8: Any, cosine_9: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, sine_7: Any, sine_8: Any, sine_9: Any, along_9: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, omega_6: Any, omega_7: Any, omega_8: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, around_5: Any, around_6: Any, around_7: Any, around_8: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, tilted_6: Any, tilted_7: Any, tilted_8: Any, tilted_9: Any) -> tuple[Any, ...]:
@@ -7200,9 +7192,9 @@ def _ring_round_9_alone(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ri
     _s4 = (((((climb_0 * _s3) + (climb_1 * omega_8)) + (climb_2 * omega_7)) + (climb_3 * omega_6)) + (climb_4 * omega_5)) + (climb_5 * omega_4)
     _s5 = (((_s4 + (climb_6 * omega_3)) + (climb_7 * omega_2)) + (climb_8 * omega_1)) + (climb_9 * omega_0)
     _s6 = (((((climb_0 * sine_9) + (climb_1 * sine_8)) + (climb_2 * sine_7)) + (climb_3 * sine_6)) + (climb_4 * sine_5)) + (climb_5 * sine_4)
-    _s7 = _k195 * ((((_s6 + (climb_6 * sine_3)) + (climb_7 * sine_2)) + (climb_8 * sine_1)) + (climb_9 * sine_0))
+    _s7 = _k193 * ((((_s6 + (climb_6 * sine_3)) + (climb_7 * sine_2)) + (climb_8 * sine_1)) + (climb_9 * sine_0))
     _s8 = (((((climb_0 * cosine_9) + (climb_1 * cosine_8)) + (climb_2 * cosine_7)) + (climb_3 * cosine_6)) + (climb_4 * cosine_5)) + (climb_5 * cosine_4)
-    _s9 = _k195 * ((((_s8 + (climb_6 * cosine_3)) + (climb_7 * cosine_2)) + (climb_8 * cosine_1)) + (climb_9 * cosine_0))
+    _s9 = _k193 * ((((_s8 + (climb_6 * cosine_3)) + (climb_7 * cosine_2)) + (climb_8 * cosine_1)) + (climb_9 * cosine_0))
     _s10 = _k1 / (_k1 + p_inertia)
     _s11 = (((((omega_0 * tilted_9) + (omega_1 * tilted_8)) + (omega_2 * tilted_7)) + (omega_3 * tilted_6)) + (omega_4 * tilted_5)) + (omega_5 * tilted_4)
     _s12 = ((p_gravity * cosine_9) * _s10) + ((((_s11 + (omega_6 * tilted_3)) + (omega_7 * tilted_2)) + (omega_8 * tilted_1)) + (tilted_0 * _s3))
@@ -7212,7 +7204,7 @@ def _ring_round_9_alone(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ri
     _s16 = (p_inertia * _s10) * ((((_s15 + (turn_rate_6 * climb_3)) + (turn_rate_7 * climb_2)) + (turn_rate_8 * climb_1)) + (turn_rate_9 * climb_0))
     _s17 = (((((cosine_0 * _s5) + (cosine_1 * around_8)) + (cosine_2 * around_7)) + (cosine_3 * around_6)) + (cosine_4 * around_5)) + (cosine_5 * around_4)
     _s18 = (p_ring_radius * _s10) * ((((_s17 + (cosine_6 * around_3)) + (cosine_7 * around_2)) + (cosine_8 * around_1)) + (cosine_9 * around_0))
-    return _s3, _s5, -_s7, _s9, -((_k195 * per_reach) * _s12), _k195 * (_s14 - _s16), (_k195 * p_ring_radius) * _s5, _k195 * (_s18 + (_s0 * _s5))
+    return _s3, _s5, -_s7, _s9, -((_k193 * per_reach) * _s12), _k193 * (_s14 - _s16), (_k193 * p_ring_radius) * _s5, _k193 * (_s18 + (_s0 * _s5))
 
 
 def _ring_round_10_alone(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ring_radius: Any, p_wire_radius: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, turn_rate_8: Any, turn_rate_9: Any, turn_rate_10: Any, near_0: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, climb_7: Any, climb_8: Any, climb_9: Any, climb_10: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, cosine_7: Any, cosine_8: Any, cosine_9: Any, cosine_10: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, sine_7: Any, sine_8: Any, sine_9: Any, sine_10: Any, along_10: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, omega_6: Any, omega_7: Any, omega_8: Any, omega_9: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, around_5: Any, around_6: Any, around_7: Any, around_8: Any, around_9: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, tilted_6: Any, tilted_7: Any, tilted_8: Any, tilted_9: Any, tilted_10: Any) -> tuple[Any, ...]:
@@ -7235,7 +7227,7 @@ def _ring_round_10_alone(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_r
     _s16 = ((((_s15 + (turn_rate_6 * climb_4)) + (turn_rate_7 * climb_3)) + (turn_rate_8 * climb_2)) + (turn_rate_9 * climb_1)) + (turn_rate_10 * climb_0)
     _s17 = (((((cosine_0 * _s5) + (cosine_1 * around_9)) + (cosine_2 * around_8)) + (cosine_3 * around_7)) + (cosine_4 * around_6)) + (cosine_5 * around_5)
     _s18 = ((((_s17 + (cosine_6 * around_4)) + (cosine_7 * around_3)) + (cosine_8 * around_2)) + (cosine_9 * around_1)) + (cosine_10 * around_0)
-    return _s3, _s5, -(_k196 * _s7), _k196 * _s9, -((_k196 * per_reach) * (((p_gravity * cosine_10) * _s10) + _s12)), _k196 * ((_s0 * _s14) - ((p_inertia * _s10) * _s16)), (_k196 * p_ring_radius) * _s5, _k196 * (((p_ring_radius * _s10) * _s18) + (_s0 * _s5))
+    return _s3, _s5, -(_k194 * _s7), _k194 * _s9, -((_k194 * per_reach) * (((p_gravity * cosine_10) * _s10) + _s12)), _k194 * ((_s0 * _s14) - ((p_inertia * _s10) * _s16)), (_k194 * p_ring_radius) * _s5, _k194 * (((p_ring_radius * _s10) * _s18) + (_s0 * _s5))
 
 
 def _ring_round_11_alone(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ring_radius: Any, p_wire_radius: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, turn_rate_8: Any, turn_rate_9: Any, turn_rate_10: Any, turn_rate_11: Any, near_0: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, climb_7: Any, climb_8: Any, climb_9: Any, climb_10: Any, climb_11: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, cosine_7: Any, cosine_8: Any, cosine_9: Any, cosine_10: Any, cosine_11: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, sine_7: Any, sine_8: Any, sine_9: Any, sine_10: Any, sine_11: Any, along_11: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, omega_6: Any, omega_7: Any, omega_8: Any, omega_9: Any, omega_10: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, around_5: Any, around_6: Any, around_7: Any, around_8: Any, around_9: Any, around_10: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, tilted_6: Any, tilted_7: Any, tilted_8: Any, tilted_9: Any, tilted_10: Any, tilted_11: Any) -> tuple[Any, ...]:
@@ -7259,7 +7251,7 @@ def _ring_round_11_alone(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_r
     _s17 = ((((_s16 + (turn_rate_6 * climb_5)) + (turn_rate_7 * climb_4)) + (turn_rate_8 * climb_3)) + (turn_rate_9 * climb_2)) + (turn_rate_10 * climb_1)
     _s18 = (((((cosine_0 * _s6) + (cosine_1 * around_10)) + (cosine_2 * around_9)) + (cosine_3 * around_8)) + (cosine_4 * around_7)) + (cosine_5 * around_6)
     _s19 = ((((_s18 + (cosine_6 * around_5)) + (cosine_7 * around_4)) + (cosine_8 * around_3)) + (cosine_9 * around_2)) + (cosine_10 * around_1)
-    return _s3, _s6, -(_k197 * (_s8 + (climb_11 * sine_0))), _k197 * (_s10 + (climb_11 * cosine_0)), -((_k197 * per_reach) * (((p_gravity * cosine_11) * _s11) + (_s13 + (tilted_0 * _s3)))), _k197 * ((_s0 * (_s15 + (sine_11 * around_0))) - ((p_inertia * _s11) * (_s17 + (turn_rate_11 * climb_0)))), (_k197 * p_ring_radius) * _s6, _k197 * (((p_ring_radius * _s11) * (_s19 + (cosine_11 * around_0))) + (_s0 * _s6))
+    return _s3, _s6, -(_k195 * (_s8 + (climb_11 * sine_0))), _k195 * (_s10 + (climb_11 * cosine_0)), -((_k195 * per_reach) * (((p_gravity * cosine_11) * _s11) + (_s13 + (tilted_0 * _s3)))), _k195 * ((_s0 * (_s15 + (sine_11 * around_0))) - ((p_inertia * _s11) * (_s17 + (turn_rate_11 * climb_0)))), (_k195 * p_ring_radius) * _s6, _k195 * (((p_ring_radius * _s11) * (_s19 + (cosine_11 * around_0))) + (_s0 * _s6))
 
 
 def _ring_enter_alone(t: Any, end: Any, after: Any, low0: Any, low1: Any, low2: Any, high0: Any, high1: Any, high2: Any) -> tuple[Any, ...]:
@@ -7294,7 +7286,7 @@ def _backboard_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: 
     _s7 = p_ball_radius + p_board_half_width
     _s8 = _s7 if _s7 < _s2 else _s2
     _s9 = _s6 if _s6 < _s8 else _s8
-    _s10 = _k217 * _s9
+    _s10 = _k215 * _s9
     _s11 = _s2 + _s10
     _s12 = p_board_distance + _s1
     _s13 = _s12 + x
@@ -7318,7 +7310,7 @@ def _backboard_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: 
     _s31 = _s30 if _s21 < _s30 else _s21
     _s32 = _s22 + (_s25 * (_s23 - _s24))
     _s33 = _root((_k2 if _s32 < _k2 else _s32))
-    _s34 = (_s27 * (vz + _s28)) if _s29 else _k108
+    _s34 = (_s27 * (vz + _s28)) if _s29 else _k106
     _s35 = _k2 < _s32
     _s36 = (_s27 * (vz - _s33)) if _s35 else _s34
     _s37 = (_s18 - _s19) / _s17
@@ -7333,11 +7325,11 @@ def _backboard_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: 
     _s46 = _s44 if _s45 < _s44 else _s45
     _s47 = _s46 if _s46 < horizon else horizon
     _s48 = speed + (p_gravity * _s47)
-    _s49 = _k28 * (((_k218 * abs((-p_gravity))) * (p_ball_radius + (_k117 * _s9))) + (_k60 * (_s48 * _s48)))
+    _s49 = _k28 * (((_k216 * abs((-p_gravity))) * (p_ball_radius + (_k115 * _s9))) + (_k60 * (_s48 * _s48)))
     _s50 = _s7 if _s2 < _s7 else _s2
     _s51 = ((_s12 + extent) + abs((_s5 + _s3))) + (_s6 if _s50 < _s6 else _s50)
     _s52 = (_root(_k28) * _root((_s27 * (_s51 + _s9)))) + ((_k28 * speed) * _s27)
-    _s53 = ((position_error + (velocity_error * (_s52 if _s52 < horizon else horizon))) + (_k124 * (((speed * speed) * _s27) + _s51))) - (_k112 * _s9)
+    _s53 = ((position_error + (velocity_error * (_s52 if _s52 < horizon else horizon))) + (_k122 * (((speed * speed) * _s27) + _s51))) - (_k110 * _s9)
     return _s31 if _k2 < _s31 else _k2, _s41 if _s41 < horizon else horizon, _s43 if _k2 < _s43 else _k2, _s44 if _s44 < horizon else horizon, _s49, _s47, _s53
 
 
@@ -7346,21 +7338,21 @@ def _backboard_margins_alone(horizon: Any, extent: Any, speed: Any, position_err
     _s1 = p_ball_radius + p_board_half_width
     _s2 = p_ball_radius + (_k0 * p_board_thickness)
     _s3 = _s1 if _s1 < _s2 else _s2
-    _s4 = p_ball_radius + (_k117 * (_s0 if _s0 < _s3 else _s3))
+    _s4 = p_ball_radius + (_k115 * (_s0 if _s0 < _s3 else _s3))
     _s5 = speed + (p_gravity * horizon)
     _s6 = extent + (horizon * _s5)
     _s7 = _k35 * _s6
     _s8 = _k28 * ((position_error + (horizon * velocity_error)) + (_k18 * _s6))
-    _s9 = ((_k225 * p_board_half_width) + _s7) + _s8
-    _s10 = _k224 * _s4
-    _s11 = (((_k225 * p_board_distance) + (_k35 * p_board_thickness)) + (_k225 * _s6)) + _s8
+    _s9 = ((_k223 * p_board_half_width) + _s7) + _s8
+    _s10 = _k222 * _s4
+    _s11 = (((_k223 * p_board_distance) + (_k35 * p_board_thickness)) + (_k223 * _s6)) + _s8
     _s12 = (((_k35 * abs(p_board_bottom)) + (_k35 * abs(p_board_top))) + _s7) + _s8
-    _s13 = ((((_k223 * (p_ball_radius * p_ball_radius)) + (_s10 * _s9)) + (_s10 * _s11)) + (_s10 * _s12)) + (((_k226 * horizon) * _s4) * _s5)
-    _s14 = _k229 * _s5
-    _s15 = ((((_k227 * _s4) * _s5) + ((_k228 * _s4) * (velocity_error + (_k225 * _s5)))) + (_s14 * _s9)) + (_s14 * _s11)
-    _s16 = _k224 * _s5
-    _s17 = ((((_k230 * _s4) * _s5) + ((_k231 * _s4) * (velocity_error + (_k35 * _s5)))) + (_s16 * _s9)) + (_s16 * _s11)
-    return _s13 + (_k226 * (_s4 * _s4)), _s15 + (_s14 * _s12), _s17 + (_s16 * _s12)
+    _s13 = ((((_k221 * (p_ball_radius * p_ball_radius)) + (_s10 * _s9)) + (_s10 * _s11)) + (_s10 * _s12)) + (((_k224 * horizon) * _s4) * _s5)
+    _s14 = _k227 * _s5
+    _s15 = ((((_k225 * _s4) * _s5) + ((_k226 * _s4) * (velocity_error + (_k223 * _s5)))) + (_s14 * _s9)) + (_s14 * _s11)
+    _s16 = _k222 * _s5
+    _s17 = ((((_k228 * _s4) * _s5) + ((_k229 * _s4) * (velocity_error + (_k35 * _s5)))) + (_s16 * _s9)) + (_s16 * _s11)
+    return _s13 + (_k224 * (_s4 * _s4)), _s15 + (_s14 * _s12), _s17 + (_s16 * _s12)
 
 
 def _backboard_refine_alone(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_ball_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_board_thickness: Any, p_gravity: Any) -> tuple[Any, ...]:
@@ -7434,7 +7426,7 @@ def _backboard_advance_alone(t: Any, end: Any, leaving: Any, margin: Any, rate_m
     _s34 = p_ball_radius + p_board_half_width
     _s35 = p_ball_radius + (_k0 * p_board_thickness)
     _s36 = _s34 if _s34 < _s35 else _s35
-    _s37 = p_ball_radius + (_k117 * (_s33 if _s33 < _s36 else _s36))
+    _s37 = p_ball_radius + (_k115 * (_s33 if _s33 < _s36 else _s36))
     _s38 = _s29 - rate_margin
     _s39 = _s27 - margin
     _s40 = _k2 if _s39 < _k2 else _s39
@@ -7445,7 +7437,7 @@ def _backboard_advance_alone(t: Any, end: Any, leaving: Any, margin: Any, rate_m
     _s45 = end - t
     _s46 = _s44 if _s44 < _s45 else _s45
     _s47 = ((((_k0 * _s32) * _s46) + abs(_s28)) * _s46) + _s30
-    _s48 = (_k94 * ceiling) + (_k28 * (_s32 * (_s37 if _s37 < _s47 else _s47)))
+    _s48 = (_k92 * ceiling) + (_k28 * (_s32 * (_s37 if _s37 < _s47 else _s47)))
     _s49 = ((_k28 * _s48) * _s40) + (_s38 * _s38)
     _s50 = _root(_s49)
     _s51 = ((_s43 if _s42 else (_s38 + _s50)) / ((_s50 - _s38) if _s42 else (_s48 if _k2 < _s48 else _k2))) if (_k2 <= _s49) else _k7
@@ -7484,8 +7476,8 @@ def _backboard_distance_alone(p_ball_radius: Any, p_board_bottom: Any, p_board_d
 
 
 def _backboard_rolling_surface_alone(p_ball_radius: Any, p_board_bottom: Any, p_board_distance: Any, p_board_half_width: Any, p_board_thickness: Any, p_board_top: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any) -> tuple[Any, ...]:
-    _s0 = _k84 * p_ball_radius
-    _s1 = (_s0 + (_k56 * p_board_distance)) + (_k84 * p_board_thickness)
+    _s0 = _k82 * p_ball_radius
+    _s1 = (_s0 + (_k56 * p_board_distance)) + (_k82 * p_board_thickness)
     _s2 = p_board_distance + x
     _s3 = -_s1
     _s4 = -((p_board_distance + p_board_thickness) + x)
@@ -7495,7 +7487,7 @@ def _backboard_rolling_surface_alone(p_ball_radius: Any, p_board_bottom: Any, p_
     _s8 = -_s6
     _s9 = -(p_board_half_width + y)
     _s10 = _k1 if (((_s6 < _s7) or ((_s8 < _s7) and (_k2 < vy))) or ((_s6 < _s9) or ((_s8 < _s9) and (_k2 < (-vy))))) else _k2
-    _s11 = (_s0 + (_k84 * abs(p_board_bottom))) + (_k84 * abs(p_board_top))
+    _s11 = (_s0 + (_k82 * abs(p_board_bottom))) + (_k82 * abs(p_board_top))
     _s12 = z - p_board_top
     _s13 = -_s11
     _s14 = p_board_bottom - z
@@ -7541,27 +7533,27 @@ def _backboard_separation_alone(p_board_bottom: Any, p_board_distance: Any, p_bo
 
 
 def _backboard_seam0_alone(p_ball_radius: Any, p_board_distance: Any, p_board_thickness: Any, x: Any, vx: Any) -> tuple[Any, ...]:
-    return (p_board_distance + p_board_thickness) + x, vx, ((_k84 * p_ball_radius) + (_k56 * p_board_distance)) + (_k84 * p_board_thickness)
+    return (p_board_distance + p_board_thickness) + x, vx, ((_k82 * p_ball_radius) + (_k56 * p_board_distance)) + (_k82 * p_board_thickness)
 
 
 def _backboard_seam1_alone(p_ball_radius: Any, p_board_distance: Any, p_board_thickness: Any, x: Any, vx: Any) -> tuple[Any, ...]:
-    return p_board_distance + x, vx, ((_k84 * p_ball_radius) + (_k56 * p_board_distance)) + (_k84 * p_board_thickness)
+    return p_board_distance + x, vx, ((_k82 * p_ball_radius) + (_k56 * p_board_distance)) + (_k82 * p_board_thickness)
 
 
 def _backboard_seam2_alone(p_ball_radius: Any, p_board_half_width: Any, y: Any, vy: Any) -> tuple[Any, ...]:
-    return p_board_half_width + y, vy, (_k84 * p_ball_radius) + (_k56 * p_board_half_width)
+    return p_board_half_width + y, vy, (_k82 * p_ball_radius) + (_k56 * p_board_half_width)
 
 
 def _backboard_seam3_alone(p_ball_radius: Any, p_board_half_width: Any, y: Any, vy: Any) -> tuple[Any, ...]:
-    return y - p_board_half_width, vy, (_k84 * p_ball_radius) + (_k56 * p_board_half_width)
+    return y - p_board_half_width, vy, (_k82 * p_ball_radius) + (_k56 * p_board_half_width)
 
 
 def _backboard_seam4_alone(p_ball_radius: Any, p_board_bottom: Any, p_board_top: Any, z: Any, vz: Any) -> tuple[Any, ...]:
-    return z - p_board_bottom, vz, ((_k84 * p_ball_radius) + (_k84 * abs(p_board_bottom))) + (_k84 * abs(p_board_top))
+    return z - p_board_bottom, vz, ((_k82 * p_ball_radius) + (_k82 * abs(p_board_bottom))) + (_k82 * abs(p_board_top))
 
 
 def _backboard_seam5_alone(p_ball_radius: Any, p_board_bottom: Any, p_board_top: Any, z: Any, vz: Any) -> tuple[Any, ...]:
-    return z - p_board_top, vz, ((_k84 * p_ball_radius) + (_k84 * abs(p_board_bottom))) + (_k84 * abs(p_board_top))
+    return z - p_board_top, vz, ((_k82 * p_ball_radius) + (_k82 * abs(p_board_bottom))) + (_k82 * abs(p_board_top))
 
 
 def _backboard_around_alone(p_ball_radius: Any, p_board_bottom: Any, p_board_distance: Any, p_board_half_width: Any, p_board_thickness: Any, p_board_top: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any) -> tuple[Any, ...]:
@@ -7613,7 +7605,7 @@ def _bridge_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any
     _s7 = _s2 - _s6
     _s8 = _s5 if _s5 < _s7 else _s7
     _s9 = _s4 if _s4 < _s8 else _s8
-    _s10 = _k217 * _s9
+    _s10 = _k215 * _s9
     _s11 = (_s2 + _s10) - _s6
     _s12 = _s6 + _s1
     _s13 = _s12 + x
@@ -7637,7 +7629,7 @@ def _bridge_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any
     _s31 = _s30 if _s21 < _s30 else _s21
     _s32 = _s22 + (_s25 * (_s24 - _s23))
     _s33 = _root((_k2 if _s32 < _k2 else _s32))
-    _s34 = (_s27 * (vz + _s28)) if _s29 else _k108
+    _s34 = (_s27 * (vz + _s28)) if _s29 else _k106
     _s35 = _k2 < _s32
     _s36 = (_s27 * (vz - _s33)) if _s35 else _s34
     _s37 = (_s18 - _s19) / _s17
@@ -7652,11 +7644,11 @@ def _bridge_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any
     _s46 = _s44 if _s45 < _s44 else _s45
     _s47 = _s46 if _s46 < horizon else horizon
     _s48 = speed + (p_gravity * _s47)
-    _s49 = _k28 * (((_k218 * abs((-p_gravity))) * (p_ball_radius + (_k117 * _s9))) + (_k60 * (_s48 * _s48)))
+    _s49 = _k28 * (((_k216 * abs((-p_gravity))) * (p_ball_radius + (_k115 * _s9))) + (_k60 * (_s48 * _s48)))
     _s50 = _s5 if _s7 < _s5 else _s7
     _s51 = ((_s12 + extent) + abs((_s3 - p_wire_radius))) + (_s4 if _s50 < _s4 else _s50)
     _s52 = (_root(_k28) * _root((_s27 * (_s51 + _s9)))) + ((_k28 * speed) * _s27)
-    _s53 = ((position_error + (velocity_error * (_s52 if _s52 < horizon else horizon))) + (_k124 * (((speed * speed) * _s27) + _s51))) - (_k112 * _s9)
+    _s53 = ((position_error + (velocity_error * (_s52 if _s52 < horizon else horizon))) + (_k122 * (((speed * speed) * _s27) + _s51))) - (_k110 * _s9)
     return _s31 if _k2 < _s31 else _k2, _s41 if _s41 < horizon else horizon, _s43 if _k2 < _s43 else _k2, _s44 if _s44 < horizon else horizon, _s49, _s47, _s53
 
 
@@ -7665,21 +7657,21 @@ def _bridge_margins_alone(horizon: Any, extent: Any, speed: Any, position_error:
     _s1 = p_ball_radius + p_bridge_half_width
     _s2 = (p_ball_radius + (_k0 * p_board_distance)) - (_k0 * p_ring_radius)
     _s3 = _s1 if _s1 < _s2 else _s2
-    _s4 = p_ball_radius + (_k117 * (_s0 if _s0 < _s3 else _s3))
+    _s4 = p_ball_radius + (_k115 * (_s0 if _s0 < _s3 else _s3))
     _s5 = speed + (p_gravity * horizon)
     _s6 = extent + (horizon * _s5)
     _s7 = _k35 * _s6
     _s8 = _k28 * ((position_error + (horizon * velocity_error)) + (_k18 * _s6))
-    _s9 = ((_k225 * p_bridge_half_width) + _s7) + _s8
-    _s10 = _k224 * _s4
+    _s9 = ((_k223 * p_bridge_half_width) + _s7) + _s8
+    _s10 = _k222 * _s4
     _s11 = (((_k30 * p_ring_radius) + (_k30 * p_board_distance)) + _s7) + _s8
-    _s12 = (((_k232 * p_wire_radius) + (_k35 * p_bridge_depth)) + (_k225 * _s6)) + _s8
-    _s13 = ((((_k223 * (p_ball_radius * p_ball_radius)) + (_s10 * _s9)) + (_s10 * _s11)) + (_s10 * _s12)) + (((_k226 * horizon) * _s4) * _s5)
-    _s14 = _k229 * _s5
-    _s15 = ((((_k227 * _s4) * _s5) + ((_k228 * _s4) * (velocity_error + (_k225 * _s5)))) + (_s14 * _s9)) + (_s14 * _s11)
-    _s16 = _k224 * _s5
-    _s17 = ((((_k230 * _s4) * _s5) + ((_k231 * _s4) * (velocity_error + (_k35 * _s5)))) + (_s16 * _s9)) + (_s16 * _s11)
-    return _s13 + (_k226 * (_s4 * _s4)), _s15 + (_s14 * _s12), _s17 + (_s16 * _s12)
+    _s12 = (((_k230 * p_wire_radius) + (_k35 * p_bridge_depth)) + (_k223 * _s6)) + _s8
+    _s13 = ((((_k221 * (p_ball_radius * p_ball_radius)) + (_s10 * _s9)) + (_s10 * _s11)) + (_s10 * _s12)) + (((_k224 * horizon) * _s4) * _s5)
+    _s14 = _k227 * _s5
+    _s15 = ((((_k225 * _s4) * _s5) + ((_k226 * _s4) * (velocity_error + (_k223 * _s5)))) + (_s14 * _s9)) + (_s14 * _s11)
+    _s16 = _k222 * _s5
+    _s17 = ((((_k228 * _s4) * _s5) + ((_k229 * _s4) * (velocity_error + (_k35 * _s5)))) + (_s16 * _s9)) + (_s16 * _s11)
+    return _s13 + (_k224 * (_s4 * _s4)), _s15 + (_s14 * _s12), _s17 + (_s16 * _s12)
 
 
 def _bridge_refine_alone(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_bridge_half_width: Any, p_bridge_depth: Any, p_gravity: Any) -> tuple[Any, ...]:
@@ -7753,7 +7745,7 @@ def _bridge_advance_alone(t: Any, end: Any, leaving: Any, margin: Any, rate_marg
     _s34 = p_ball_radius + p_bridge_half_width
     _s35 = (p_ball_radius + (_k0 * p_board_distance)) - (_k0 * p_ring_radius)
     _s36 = _s34 if _s34 < _s35 else _s35
-    _s37 = p_ball_radius + (_k117 * (_s33 if _s33 < _s36 else _s36))
+    _s37 = p_ball_radius + (_k115 * (_s33 if _s33 < _s36 else _s36))
     _s38 = _s29 - rate_margin
     _s39 = _s27 - margin
     _s40 = _k2 if _s39 < _k2 else _s39
@@ -7764,7 +7756,7 @@ def _bridge_advance_alone(t: Any, end: Any, leaving: Any, margin: Any, rate_marg
     _s45 = end - t
     _s46 = _s44 if _s44 < _s45 else _s45
     _s47 = ((((_k0 * _s32) * _s46) + abs(_s28)) * _s46) + _s30
-    _s48 = (_k94 * ceiling) + (_k28 * (_s32 * (_s37 if _s37 < _s47 else _s47)))
+    _s48 = (_k92 * ceiling) + (_k28 * (_s32 * (_s37 if _s37 < _s47 else _s47)))
     _s49 = ((_k28 * _s48) * _s40) + (_s38 * _s38)
     _s50 = _root(_s49)
     _s51 = ((_s43 if _s42 else (_s38 + _s50)) / ((_s50 - _s38) if _s42 else (_s48 if _k2 < _s48 else _k2))) if (_k2 <= _s49) else _k7
@@ -7803,8 +7795,8 @@ def _bridge_distance_alone(p_ball_radius: Any, p_board_distance: Any, p_bridge_d
 
 
 def _bridge_rolling_surface_alone(p_ball_radius: Any, p_board_distance: Any, p_bridge_depth: Any, p_bridge_half_width: Any, p_ring_radius: Any, p_wire_radius: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any) -> tuple[Any, ...]:
-    _s0 = _k84 * p_ball_radius
-    _s1 = (_s0 + (_k84 * p_ring_radius)) + (_k84 * p_board_distance)
+    _s0 = _k82 * p_ball_radius
+    _s1 = (_s0 + (_k82 * p_ring_radius)) + (_k82 * p_board_distance)
     _s2 = p_ring_radius + x
     _s3 = -_s1
     _s4 = -(p_board_distance + x)
@@ -7814,7 +7806,7 @@ def _bridge_rolling_surface_alone(p_ball_radius: Any, p_board_distance: Any, p_b
     _s8 = -_s6
     _s9 = -(p_bridge_half_width + y)
     _s10 = _k1 if (((_s6 < _s7) or ((_s8 < _s7) and (_k2 < vy))) or ((_s6 < _s9) or ((_s8 < _s9) and (_k2 < (-vy))))) else _k2
-    _s11 = (_s0 + (_k84 * p_wire_radius)) + (_k84 * abs((p_bridge_depth - p_wire_radius)))
+    _s11 = (_s0 + (_k82 * p_wire_radius)) + (_k82 * abs((p_bridge_depth - p_wire_radius)))
     _s12 = z - p_wire_radius
     _s13 = -_s11
     _s14 = (p_wire_radius - p_bridge_depth) - z
@@ -7860,27 +7852,27 @@ def _bridge_separation_alone(p_board_distance: Any, p_bridge_depth: Any, p_bridg
 
 
 def _bridge_seam0_alone(p_ball_radius: Any, p_board_distance: Any, p_ring_radius: Any, x: Any, vx: Any) -> tuple[Any, ...]:
-    return p_board_distance + x, vx, ((_k84 * p_ball_radius) + (_k84 * p_ring_radius)) + (_k84 * p_board_distance)
+    return p_board_distance + x, vx, ((_k82 * p_ball_radius) + (_k82 * p_ring_radius)) + (_k82 * p_board_distance)
 
 
 def _bridge_seam1_alone(p_ball_radius: Any, p_board_distance: Any, p_ring_radius: Any, x: Any, vx: Any) -> tuple[Any, ...]:
-    return p_ring_radius + x, vx, ((_k84 * p_ball_radius) + (_k84 * p_ring_radius)) + (_k84 * p_board_distance)
+    return p_ring_radius + x, vx, ((_k82 * p_ball_radius) + (_k82 * p_ring_radius)) + (_k82 * p_board_distance)
 
 
 def _bridge_seam2_alone(p_ball_radius: Any, p_bridge_half_width: Any, y: Any, vy: Any) -> tuple[Any, ...]:
-    return p_bridge_half_width + y, vy, (_k84 * p_ball_radius) + (_k56 * p_bridge_half_width)
+    return p_bridge_half_width + y, vy, (_k82 * p_ball_radius) + (_k56 * p_bridge_half_width)
 
 
 def _bridge_seam3_alone(p_ball_radius: Any, p_bridge_half_width: Any, y: Any, vy: Any) -> tuple[Any, ...]:
-    return y - p_bridge_half_width, vy, (_k84 * p_ball_radius) + (_k56 * p_bridge_half_width)
+    return y - p_bridge_half_width, vy, (_k82 * p_ball_radius) + (_k56 * p_bridge_half_width)
 
 
 def _bridge_seam4_alone(p_ball_radius: Any, p_bridge_depth: Any, p_wire_radius: Any, z: Any, vz: Any) -> tuple[Any, ...]:
-    return (p_bridge_depth + z) - p_wire_radius, vz, ((_k84 * p_ball_radius) + (_k84 * p_wire_radius)) + (_k84 * abs((p_bridge_depth - p_wire_radius)))
+    return (p_bridge_depth + z) - p_wire_radius, vz, ((_k82 * p_ball_radius) + (_k82 * p_wire_radius)) + (_k82 * abs((p_bridge_depth - p_wire_radius)))
 
 
 def _bridge_seam5_alone(p_ball_radius: Any, p_bridge_depth: Any, p_wire_radius: Any, z: Any, vz: Any) -> tuple[Any, ...]:
-    return z - p_wire_radius, vz, ((_k84 * p_ball_radius) + (_k84 * p_wire_radius)) + (_k84 * abs((p_bridge_depth - p_wire_radius)))
+    return z - p_wire_radius, vz, ((_k82 * p_ball_radius) + (_k82 * p_wire_radius)) + (_k82 * abs((p_bridge_depth - p_wire_radius)))
 
 
 def _bridge_around_alone(p_ball_radius: Any, p_board_distance: Any, p_bridge_depth: Any, p_bridge_half_width: Any, p_ring_radius: Any, p_wire_radius: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any) -> tuple[Any, ...]:
@@ -11324,8 +11316,8 @@ def resolve_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             _curving_1, _left_nx_1, _left_ny_1, _left_nz_1 = _put(_rows7, _count2, (_curving_1, _left_nx_1, _left_ny_1, _left_nz_1,), (_curving_2, _left_nx_2, _left_ny_2, _left_nz_2,), _again_1)
         _dx_1, _dy_1, _dz_1, _lifting_1, _dvx_1, _dvy_1, _dvz_1, _belated_1, _shift_1 = carry_flight(_when_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _nx_1, _ny_1, _nz_1, _clock_1, _contacts_1, _earliest_delay_1, _dx_1, _dy_1, _dz_1, _dvx_1, _dvy_1, _dvz_1, _left_nx_1, _left_ny_1, _left_nz_1, _curving_1, _p_gravity_1, _room_1)
         _clock_error_1, = delayed(_belated_1, _clock_error_1)
-        _dx_2, _dy_2, _dz_2, _dvx_2, _dvy_2, _dvz_2 = floored(_vx_1, _vy_1, _vz_1, _dx_1, _dy_1, _dz_1, _dvx_1, _dvy_1, _dvz_1, _shift_1, _room_1)
-        _dvx_1, _dvy_1, _dvz_1, _dx_1, _dy_1, _dz_1 = _choose(_ends_1, (_dvx_2, _dvy_2, _dvz_2, _dx_2, _dy_2, _dz_2,), (_dvx_1, _dvy_1, _dvz_1, _dx_1, _dy_1, _dz_1,))
+        _dx_2, _dy_2, _dz_2 = floored(_dx_1, _dy_1, _dz_1, _shift_1)
+        _dx_1, _dy_1, _dz_1 = _choose(_ends_1, (_dx_2, _dy_2, _dz_2,), (_dx_1, _dy_1, _dz_1,))
         _dnx_1, _dny_1, _dnz_1, _turn_1 = unturned()
         _here_1, = here(0.0, _which_1)
         _rows9, _count10 = _most(_here_1, _count2)

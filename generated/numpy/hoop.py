@@ -1,6 +1,6 @@
 """NumPy kernels of the scene hoop.
 
-Generated from templates/numpy/kernels.py.j2, scene hoop, derivation 450d79de85b5ba47,
+Generated from templates/numpy/kernels.py.j2, scene hoop, derivation 7ceba1546743c869,
 with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
 and run `make generate`.
 Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
@@ -323,7 +323,7 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "accounted": ("contacts", "outcome",),
     "delayed": ("clock_error",),
     "closing": ("closed", "position_claim", "velocity_claim", "spin_claim", "time_claim",),
-    "floored": ("dx", "dy", "dz", "dvx", "dvy", "dvz",),
+    "floored": ("dx", "dy", "dz",),
     "unturned": ("dnx", "dny", "dnz", "turn",),
     "reachable": ("reachable",),
     "impact": ("vx", "vy", "vz", "wx", "wy", "wz",),
@@ -474,94 +474,92 @@ _k59 = _float64(5.960464477539063e-08)
 _k60 = _scalar(1073741824.0)
 _k61 = _float64(-1.0)
 _k62 = _float64(3.0)
-_k63 = _scalar(_float32(6.938893903907228e-18))
-_k64 = _float32(6.938893903907228e-18)
-_k65 = _scalar(9.313225746154785e-10)
-_k66 = _scalar(1.0000000000009095)
-_k67 = _float64(1.0000000000009095)
-_k68 = _scalar(0.6)
-_k69 = _float32(0.4)
-_k70 = _scalar(_float32(0.6))
-_k71 = _float32(0.6)
-_k72 = _float64(0.0625)
-_k73 = _scalar(4.0)
-_k74 = _float64(0.000244140625)
-_k75 = _float64(1.52587890625e-05)
-_k76 = _float64(5.820766091346741e-11)
-_k77 = _float64(1.00006103515625)
-_k78 = _float64(65536.0)
-_k79 = _float64(6.0003662109375)
-_k80 = _float64(0.0001220703125)
-_k81 = _scalar(8.881784197001252e-16)
-_k82 = _scalar(2.409919865102884e-181)
-_k83 = _scalar(-_inf)
-_k84 = _float64(8.881784197001252e-16)
-_k85 = _float64(2.409919865102884e-181)
-_k86 = _float64(-_inf)
-_k87 = _scalar(5.0)
-_k88 = _scalar(2.220446049250313e-16)
-_k89 = _scalar(3.552713678800501e-15)
-_k90 = _float64(1.3323489447131243e-15)
-_k91 = _float64(5.00030517578125)
-_k92 = _float64(3.552713678800501e-15)
-_k93 = _float64(5.0)
-_k94 = _float64(2.220446049250313e-16)
-_k95 = _scalar(9.094947017729282e-13)
-_k96 = _float64(9.094947017729282e-13)
-_k97 = _float32(1.00006103515625)
-_k98 = _scalar(_float32(4.76837158203125e-07))
-_k99 = _scalar(_float32(9.5367431640625e-07))
-_k100 = _scalar(_float32(_inf))
-_k101 = _scalar(_float32(8.673617379884035e-19))
-_k102 = _scalar(_float32(-_inf))
-_k103 = _float32(0.0001220703125)
-_k104 = _scalar(_float32(1.000000238418579))
-_k105 = _float32(32.0)
-_k106 = _float32(4096.0)
-_k107 = _float32(0.000244140625)
-_k108 = _scalar(_float32(4096.0))
-_k109 = _float32(4.76837158203125e-07)
-_k110 = _float32(9.5367431640625e-07)
-_k111 = _float32(_inf)
-_k112 = _float32(8.673617379884035e-19)
-_k113 = _float32(-_inf)
-_k114 = _float32(1.000000238418579)
-_k115 = _scalar(_float32(5.0))
-_k116 = _scalar(_float32(0.00390625))
-_k117 = _scalar(_float32(2.9802322387695312e-08))
-_k118 = _scalar(_float32(2.842170943040401e-14))
-_k119 = _float32(4.0)
-_k120 = _float32(6.0003662109375)
-_k121 = _scalar(_float32(0.5))
-_k122 = _scalar(_float32(1.0009765625))
-_k123 = _float32(5.0048828125)
-_k124 = _scalar(_float32(5.684341886080802e-14))
-_k125 = _float32(7.62939453125e-06)
-_k126 = _scalar(_float32(2.384185791015625e-07))
-_k127 = _float32(128.0)
-_k128 = _float32(2.842170943040401e-14)
-_k129 = _float32(0.00390625)
-_k130 = _float32(5.0)
-_k131 = _float32(2.9802322387695312e-08)
-_k132 = _float32(1.0009765625)
-_k133 = _float32(5.684341886080802e-14)
-_k134 = _float32(0.5)
-_k135 = _float32(2.384185791015625e-07)
-_k136 = _float32(6.0)
-_k137 = _scalar(_float32(4.0))
-_k138 = _scalar(_float32(0.0001220703125))
-_k139 = _scalar(_float32(3.814697265625e-06))
-_k140 = _scalar(_float32(3.0))
-_k141 = _scalar(_float32(0.000244140625))
-_k142 = _float32(3.814697265625e-06)
-_k143 = _float32(3.0)
-_k144 = _scalar(2.222614453595284e-16)
-_k145 = _scalar(2.001953125)
-_k146 = _float64(6.667843360785852e-16)
-_k147 = _float64(8.890457814381136e-16)
-_k148 = _float64(2.222614453595284e-16)
-_k149 = _float64(2.001953125)
-_k150 = _float64(7.105427357601002e-15)
+_k63 = _scalar(9.313225746154785e-10)
+_k64 = _scalar(1.0000000000009095)
+_k65 = _float64(1.0000000000009095)
+_k66 = _scalar(0.6)
+_k67 = _float32(0.4)
+_k68 = _scalar(_float32(0.6))
+_k69 = _float32(0.6)
+_k70 = _float64(0.0625)
+_k71 = _scalar(4.0)
+_k72 = _float64(0.000244140625)
+_k73 = _float64(1.52587890625e-05)
+_k74 = _float64(5.820766091346741e-11)
+_k75 = _float64(1.00006103515625)
+_k76 = _float64(65536.0)
+_k77 = _float64(6.0003662109375)
+_k78 = _float64(0.0001220703125)
+_k79 = _scalar(8.881784197001252e-16)
+_k80 = _scalar(2.409919865102884e-181)
+_k81 = _scalar(-_inf)
+_k82 = _float64(8.881784197001252e-16)
+_k83 = _float64(2.409919865102884e-181)
+_k84 = _float64(-_inf)
+_k85 = _scalar(5.0)
+_k86 = _scalar(2.220446049250313e-16)
+_k87 = _scalar(3.552713678800501e-15)
+_k88 = _float64(1.3323489447131243e-15)
+_k89 = _float64(5.00030517578125)
+_k90 = _float64(3.552713678800501e-15)
+_k91 = _float64(5.0)
+_k92 = _float64(2.220446049250313e-16)
+_k93 = _scalar(9.094947017729282e-13)
+_k94 = _float64(9.094947017729282e-13)
+_k95 = _float32(1.00006103515625)
+_k96 = _scalar(_float32(4.76837158203125e-07))
+_k97 = _scalar(_float32(9.5367431640625e-07))
+_k98 = _scalar(_float32(_inf))
+_k99 = _scalar(_float32(8.673617379884035e-19))
+_k100 = _scalar(_float32(-_inf))
+_k101 = _float32(0.0001220703125)
+_k102 = _scalar(_float32(1.000000238418579))
+_k103 = _float32(32.0)
+_k104 = _float32(4096.0)
+_k105 = _float32(0.000244140625)
+_k106 = _scalar(_float32(4096.0))
+_k107 = _float32(4.76837158203125e-07)
+_k108 = _float32(9.5367431640625e-07)
+_k109 = _float32(_inf)
+_k110 = _float32(8.673617379884035e-19)
+_k111 = _float32(-_inf)
+_k112 = _float32(1.000000238418579)
+_k113 = _scalar(_float32(5.0))
+_k114 = _scalar(_float32(0.00390625))
+_k115 = _scalar(_float32(2.9802322387695312e-08))
+_k116 = _scalar(_float32(2.842170943040401e-14))
+_k117 = _float32(4.0)
+_k118 = _float32(6.0003662109375)
+_k119 = _scalar(_float32(0.5))
+_k120 = _scalar(_float32(1.0009765625))
+_k121 = _float32(5.0048828125)
+_k122 = _scalar(_float32(5.684341886080802e-14))
+_k123 = _float32(7.62939453125e-06)
+_k124 = _scalar(_float32(2.384185791015625e-07))
+_k125 = _float32(128.0)
+_k126 = _float32(2.842170943040401e-14)
+_k127 = _float32(0.00390625)
+_k128 = _float32(5.0)
+_k129 = _float32(2.9802322387695312e-08)
+_k130 = _float32(1.0009765625)
+_k131 = _float32(5.684341886080802e-14)
+_k132 = _float32(0.5)
+_k133 = _float32(2.384185791015625e-07)
+_k134 = _float32(6.0)
+_k135 = _scalar(_float32(4.0))
+_k136 = _scalar(_float32(0.0001220703125))
+_k137 = _scalar(_float32(3.814697265625e-06))
+_k138 = _scalar(_float32(3.0))
+_k139 = _scalar(_float32(0.000244140625))
+_k140 = _float32(3.814697265625e-06)
+_k141 = _float32(3.0)
+_k142 = _scalar(2.222614453595284e-16)
+_k143 = _scalar(2.001953125)
+_k144 = _float64(6.667843360785852e-16)
+_k145 = _float64(8.890457814381136e-16)
+_k146 = _float64(2.222614453595284e-16)
+_k147 = _float64(2.001953125)
+_k148 = _float64(7.105427357601002e-15)
 
 
 def _bits(value: Any, row: Any) -> Any:
@@ -1361,19 +1359,13 @@ def closing(outcome: Any, claims: Any) -> tuple[Any, ...]:
     return _logical_and((_float32(0.0) < claims), (_float32(0.0) <= outcome)), _float32(0.0), _float32(0.0), _float32(0.0), _float32(0.0)
 
 
-def floored(vx: Any, vy: Any, vz: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, shift: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
-    """Errors at the end: of the position not below the largest that one flight can cause, of the velocity not below its own rounding.
+def floored(dx: Any, dy: Any, dz: Any, shift: Any) -> tuple[Any, ...]:
+    """Errors at the end, not below the largest that one flight can cause.
 
-    Table 1. 26 operations: 1 multiplication, 9 absolute values, 8 comparisons, 8 selections.
+    Table 1. 9 operations: 3 absolute values, 3 comparisons, 3 selections.
     """
-    vx, vy, vz, dx, dy, dz, dvx, dvy, dvz, shift, = [_single(value) for value in (vx, vy, vz, dx, dy, dz, dvx, dvy, dvz, shift,)]
-    _r0, _r1, _r2, _r3, _r4 = _halves(_room[:5])
-    _s0 = _absolute(vx, _r0)
-    _s1 = _absolute(vy, _r1)
-    _s2 = _select(_s0 < _s1, _s1, _s0, _r2)
-    _s3 = _absolute(vz, _r3)
-    _s4 = _multiply(_k63, _select(_s2 < _s3, _s3, _s2, _r4), _r4)
-    return _result(_absolute(dx, _r3) < shift, shift, dx, _r0), _result(_absolute(dy, _r3) < shift, shift, dy, _r0), _result(_absolute(dz, _r3) < shift, shift, dz, _r0), _result(_absolute(dvx, _r3) < _s4, _s4, dvx, _r0), _result(_absolute(dvy, _r3) < _s4, _s4, dvy, _r0), _result(_absolute(dvz, _r3) < _s4, _s4, dvz, _r0)
+    dx, dy, dz, shift, = [_single(value) for value in (dx, dy, dz, shift,)]
+    return _where((_absolute(dx) < shift), shift, dx), _where((_absolute(dy) < shift), shift, dy), _where((_absolute(dz) < shift), shift, dz)
 
 
 def unturned() -> tuple[Any, ...]:
@@ -1390,7 +1382,7 @@ def reachable(p_ball_radius: Any, p_board_distance: Any, p_bridge_half_width: An
     Table 1. 34 operations: 6 additions, 3 subtractions, 10 multiplications, 1 negation, 7 comparisons, 2 conjunctions, 1 complement, 4 selections.
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7 = _room[:8]
-    _s0 = _add(_add(position_error, _multiply(horizon, velocity_error, _r0), _r0), _multiply(_k65, _add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r1), _r1), _r1), _r1), _r1), _r1)
+    _s0 = _add(_add(position_error, _multiply(horizon, velocity_error, _r0), _r0), _multiply(_k63, _add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r1), _r1), _r1), _r1), _r1), _r1)
     _s1 = _select(pad < earliest_delay, _k8, _s0, _r0)
     _s2 = _add(x, _multiply(vx, horizon, _r2), _r2)
     _s3 = _select(_s2 < x, _s2, x, _r3)
@@ -1398,7 +1390,7 @@ def reachable(p_ball_radius: Any, p_board_distance: Any, p_bridge_half_width: An
     _s5 = -p_board_distance
     _s6 = _select(_s3 < _s5, _s5, _s3, _r5)
     _s7 = _select(_k7 < _s6, _k7, _s6, _r6)
-    _s8 = _logical_and((_s1 < _subtract(_s3, p_ball_radius - p_board_distance, _r7)), _logical_and((_k7 < _s4), (_multiply(_k66, _add(p_bridge_half_width * p_bridge_half_width, _multiply(_s7, _s7, _r6), _r6), _r6) < _multiply(_s4, _s4, _r4))))
+    _s8 = _logical_and((_s1 < _subtract(_s3, p_ball_radius - p_board_distance, _r7)), _logical_and((_k7 < _s4), (_multiply(_k64, _add(p_bridge_half_width * p_bridge_half_width, _multiply(_s7, _s7, _r6), _r6), _r6) < _multiply(_s4, _s4, _r4))))
     return _logical_not(_s8),
 
 
@@ -1410,9 +1402,9 @@ def impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, ny: An
     _r0, _r1, _r2, _r3, _r4, _r5, _r6 = _room[:7]
     _s0 = 0.4 * p_ball_radius
     _s1 = _add(_add(_multiply(nx, vx, _r0), _multiply(ny, vy, _r1), _r1), _multiply(nz, vz, _r0), _r0)
-    _s2 = _add(_multiply(_s0, _subtract(_multiply(nz, wy, _r1), _multiply(ny, wz, _r2), _r2), _r2), _multiply(_k68, _subtract(vx, _multiply(nx, _s1, _r1), _r1), _r1), _r1)
-    _s3 = _add(_multiply(_s0, _subtract(_multiply(nx, wz, _r2), _multiply(nz, wx, _r3), _r3), _r3), _multiply(_k68, _subtract(vy, _multiply(ny, _s1, _r2), _r2), _r2), _r2)
-    _s4 = _add(_multiply(_s0, _subtract(_multiply(ny, wx, _r3), _multiply(nx, wy, _r4), _r4), _r4), _multiply(_k68, _subtract(vz, _multiply(nz, _s1, _r3), _r3), _r3), _r3)
+    _s2 = _add(_multiply(_s0, _subtract(_multiply(nz, wy, _r1), _multiply(ny, wz, _r2), _r2), _r2), _multiply(_k66, _subtract(vx, _multiply(nx, _s1, _r1), _r1), _r1), _r1)
+    _s3 = _add(_multiply(_s0, _subtract(_multiply(nx, wz, _r2), _multiply(nz, wx, _r3), _r3), _r3), _multiply(_k66, _subtract(vy, _multiply(ny, _s1, _r2), _r2), _r2), _r2)
+    _s4 = _add(_multiply(_s0, _subtract(_multiply(ny, wx, _r3), _multiply(nx, wy, _r4), _r4), _r4), _multiply(_k66, _subtract(vz, _multiply(nz, _s1, _r3), _r3), _r3), _r3)
     _s5 = _add(_add(_multiply(nx, wx, _r4), _multiply(ny, wy, _r5), _r5), _multiply(nz, wz, _r4), _r4)
     _s6 = 1.0 / p_ball_radius
     return _s2 - _multiply(_multiply(p_restitution, nx, _r5), _s1, _r5), _s3 - _multiply(_multiply(p_restitution, ny, _r5), _s1, _r5), _s4 - _multiply(_multiply(p_restitution, nz, _r5), _s1, _r5), _multiply(nx, _s5, _r5) + _multiply(_s6, _subtract(_multiply(ny, _s4, _r0), _multiply(nz, _s3, _r6), _r6), _r6), _multiply(ny, _s5, _r6) + _multiply(_s6, _subtract(_multiply(nz, _s2, _r5), _multiply(nx, _s4, _r3), _r3), _r3), _multiply(nz, _s5, _r4) + _multiply(_s6, _subtract(_multiply(nx, _s3, _r2), _multiply(ny, _s2, _r1), _r1), _r1)
@@ -1425,11 +1417,11 @@ def carry_impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, 
     """
     vx, vy, vz, wx, wy, wz, nx, ny, nz, contacts, dvx, dvy, dvz, dwx, dwy, dwz, dnx, dny, dnz, turn, p_ball_radius, p_restitution, = [_single(value) for value in (vx, vy, vz, wx, wy, wz, nx, ny, nz, contacts, dvx, dvy, dvz, dwx, dwy, dwz, dnx, dny, dnz, turn, p_ball_radius, p_restitution,)]
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23, _r24 = _halves(_room[:25])
-    _s0 = _k69 * p_ball_radius
+    _s0 = _k67 * p_ball_radius
     _s1 = _add(_add(_add(_multiply(nx, dvx, _r0), _multiply(vx, dnx, _r1), _r1), _add(_multiply(ny, dvy, _r0), _multiply(vy, dny, _r2), _r2), _r2), _add(_multiply(nz, dvz, _r1), _multiply(vz, dnz, _r0), _r0), _r0)
     _s2 = _add(_add(_multiply(nx, vx, _r2), _multiply(ny, vy, _r1), _r1), _multiply(nz, vz, _r2), _r2)
     _s3 = _add(_multiply(nx, _s1, _r1), _multiply(dnx, _s2, _r3), _r3)
-    _s4 = _add(_multiply(_s0, _subtract(_add(_multiply(nz, dwy, _r1), _multiply(wy, dnz, _r4), _r4), _add(_multiply(ny, dwz, _r1), _multiply(wz, dny, _r5), _r5), _r5), _r5), _multiply(_k70, _subtract(dvx, _s3, _r4), _r4), _r4)
+    _s4 = _add(_multiply(_s0, _subtract(_add(_multiply(nz, dwy, _r1), _multiply(wy, dnz, _r4), _r4), _add(_multiply(ny, dwz, _r1), _multiply(wz, dny, _r5), _r5), _r5), _r5), _multiply(_k68, _subtract(dvx, _s3, _r4), _r4), _r4)
     _s5 = _subtract(_s4, _multiply(p_restitution, _s3, _r3), _r3)
     _s6 = _add(_add(_multiply(p_ball_radius, _add(_add(_absolute(wx, _r5), _absolute(wy, _r1), _r1), _absolute(wz, _r5), _r5), _r5), _absolute(vx, _r1), _r1), _absolute(vy, _r5), _r5)
     _s7 = _add(_s6, _absolute(vz, _r1), _r1)
@@ -1446,18 +1438,18 @@ def carry_impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, 
     _s18 = _multiply(_add(_add(_multiply(p_ball_radius, _select(_s12 < _s13, _s13, _s12, _r15), _r15), _multiply(turn, _s7, _r1), _r1), _select(_s16 < _s17, _s17, _s16, _r15), _r15), _divide(_k26, _add(_k27, _multiply(_k27, contacts, _r14), _r14), _r14), _r14)
     _s19 = _select(_s9 < _s18, _s18, _s9, _r15)
     _s20 = _add(_multiply(ny, _s1, _r13), _multiply(dny, _s2, _r12), _r12)
-    _s21 = _add(_multiply(_s0, _subtract(_add(_multiply(nx, dwz, _r13), _multiply(wz, dnx, _r11), _r11), _add(_multiply(nz, dwx, _r13), _multiply(wx, dnz, _r1), _r1), _r1), _r1), _multiply(_k70, _subtract(dvy, _s20, _r11), _r11), _r11)
+    _s21 = _add(_multiply(_s0, _subtract(_add(_multiply(nx, dwz, _r13), _multiply(wz, dnx, _r11), _r11), _add(_multiply(nz, dwx, _r13), _multiply(wx, dnz, _r1), _r1), _r1), _r1), _multiply(_k68, _subtract(dvy, _s20, _r11), _r11), _r11)
     _s22 = _subtract(_s21, _multiply(p_restitution, _s20, _r12), _r12)
     _s23 = _add(_absolute(_s22, _r1), _s8, _r1)
     _s24 = _select(_s23 < _s18, _s18, _s23, _r13)
     _s25 = _add(_multiply(nz, _s1, _r0), _multiply(dnz, _s2, _r10), _r10)
-    _s26 = _add(_multiply(_s0, _subtract(_add(_multiply(ny, dwx, _r0), _multiply(wx, dny, _r9), _r9), _add(_multiply(nx, dwy, _r0), _multiply(wy, dnx, _r8), _r8), _r8), _r8), _multiply(_k70, _subtract(dvz, _s25, _r9), _r9), _r9)
+    _s26 = _add(_multiply(_s0, _subtract(_add(_multiply(ny, dwx, _r0), _multiply(wx, dny, _r9), _r9), _add(_multiply(nx, dwy, _r0), _multiply(wy, dnx, _r8), _r8), _r8), _r8), _multiply(_k68, _subtract(dvz, _s25, _r9), _r9), _r9)
     _s27 = _subtract(_s26, _multiply(p_restitution, _s25, _r10), _r10)
     _s28 = _add(_absolute(_s27, _r8), _s8, _r8)
     _s29 = _select(_s28 < _s18, _s18, _s28, _r0)
     _s30 = _k34 / p_ball_radius
-    _s31 = _add(_multiply(_s0, _subtract(_multiply(ny, wx, _r7), _multiply(nx, wy, _r16), _r16), _r16), _multiply(_k70, _subtract(vz, _multiply(nz, _s2, _r7), _r7), _r7), _r7)
-    _s32 = _add(_multiply(_s0, _subtract(_multiply(nx, wz, _r16), _multiply(nz, wx, _r17), _r17), _r17), _multiply(_k70, _subtract(vy, _multiply(ny, _s2, _r16), _r16), _r16), _r16)
+    _s31 = _add(_multiply(_s0, _subtract(_multiply(ny, wx, _r7), _multiply(nx, wy, _r16), _r16), _r16), _multiply(_k68, _subtract(vz, _multiply(nz, _s2, _r7), _r7), _r7), _r7)
+    _s32 = _add(_multiply(_s0, _subtract(_multiply(nx, wz, _r16), _multiply(nz, wx, _r17), _r17), _r17), _multiply(_k68, _subtract(vy, _multiply(ny, _s2, _r16), _r16), _r16), _r16)
     _s33 = _add(_add(_add(_multiply(nx, dwx, _r17), _multiply(wx, dnx, _r18), _r18), _add(_multiply(ny, dwy, _r17), _multiply(wy, dny, _r19), _r19), _r19), _add(_multiply(nz, dwz, _r18), _multiply(wz, dnz, _r17), _r17), _r17)
     _s34 = _add(_add(_multiply(nx, wx, _r19), _multiply(ny, wy, _r18), _r18), _multiply(nz, wz, _r19), _r19)
     _s35 = _add(_multiply(_s30, _subtract(_add(_multiply(ny, _s26, _r18), _multiply(dny, _s31, _r20), _r20), _add(_multiply(nz, _s21, _r18), _multiply(dnz, _s32, _r21), _r21), _r21), _r21), _add(_multiply(nx, _s33, _r20), _multiply(dnx, _s34, _r18), _r18), _r18)
@@ -1465,7 +1457,7 @@ def carry_impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, 
     _s37 = _add(_absolute(_s35, _r21), _s36, _r21)
     _s38 = _multiply(_s30, _s18, _r20)
     _s39 = _select(_s37 < _s38, _s38, _s37, _r22)
-    _s40 = _add(_multiply(_s0, _subtract(_multiply(nz, wy, _r23), _multiply(ny, wz, _r24), _r24), _r24), _multiply(_k70, _subtract(vx, _multiply(nx, _s2, _r2), _r2), _r2), _r2)
+    _s40 = _add(_multiply(_s0, _subtract(_multiply(nz, wy, _r23), _multiply(ny, wz, _r24), _r24), _r24), _multiply(_k68, _subtract(vx, _multiply(nx, _s2, _r2), _r2), _r2), _r2)
     _s41 = _add(_multiply(_s30, _subtract(_add(_multiply(nz, _s4, _r24), _multiply(dnz, _s40, _r23), _r23), _add(_multiply(nx, _s26, _r9), _multiply(dnx, _s31, _r7), _r7), _r7), _r7), _add(_multiply(ny, _s33, _r23), _multiply(dny, _s34, _r9), _r9), _r9)
     _s42 = _add(_absolute(_s41, _r7), _s36, _r7)
     _s43 = _select(_s42 < _s38, _s38, _s42, _r23)
@@ -1654,8 +1646,8 @@ def ring_clear(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, 
     _s32 = _add(x, _multiply(vx, horizon, _r7), _r7)
     _s33 = _add(y, _multiply(vy, horizon, _r8), _r8)
     _s34 = _select(_subtract(_add(_add(_s19, _multiply(_s32, _s32, _r7), _r7), _multiply(_s33, _s33, _r8), _r8), _s25, _r8) < _k7, _k48, _select(_subtract(_multiply(_s21, _s19 + _s25, _r8), _s29, _r8) < _k7, _k48, _k7, _r8), _r15)
-    _s35 = _select(_subtract(_multiply(_multiply(_k73, _multiply(_s31, _s31, _r10), _r10), _s26, _r10), _multiply(_multiply(_multiply(_k49, _s30, _r7), _s14, _r7), _s20, _r7), _r7) < _k7, _s34, _k7, _r7)
-    _s36 = _select(horizon < _subtract(_s11, _multiply(_k65, horizon, _r10), _r10), _k48, _select(_k7 < _s20, _select(_k7 < _s30, _s35, _k7, _r12), _k7, _r13), _r10)
+    _s35 = _select(_subtract(_multiply(_multiply(_k71, _multiply(_s31, _s31, _r10), _r10), _s26, _r10), _multiply(_multiply(_multiply(_k49, _s30, _r7), _s14, _r7), _s20, _r7), _r7) < _k7, _s34, _k7, _r7)
+    _s36 = _select(horizon < _subtract(_s11, _multiply(_k63, horizon, _r10), _r10), _k48, _select(_k7 < _s20, _select(_k7 < _s30, _s35, _k7, _r12), _k7, _r13), _r10)
     _s37 = _add(_multiply(x, vx, _r4), _multiply(y, vy, _r9), _r9)
     _s38 = _add(_multiply(_s10, _s21, _r14), _s37, _r14)
     _s39 = _select(_s38 < _k7, _select(_s18 < _add(_multiply(_s10, _add(_s37, _s38, _r14), _r14), _add(_multiply(x, x, _r9), _multiply(y, y, _r4), _r4), _r4), _s36, _k7, _r4), _k7, _r14)
@@ -1679,7 +1671,7 @@ def ring_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any
     _s7 = p_ball_radius + p_wire_radius
     _s8 = 1.00006103515625 * _s7
     _s9 = 2.0 * p_gravity
-    _s10 = _multiply(_k81, _add(_s0, _multiply(_s9, _add(_absolute(z, _r4), _s8, _r4), _r4), _r4), _r4)
+    _s10 = _multiply(_k79, _add(_s0, _multiply(_s9, _add(_absolute(z, _r4), _s8, _r4), _r4), _r4), _r4)
     _s11 = _add(_add(_s0, _multiply(_s9, _add(z, _s8, _r6), _r6), _r6), _s10, _r6)
     _s12 = 1.0 / p_gravity
     _s13 = _sqrt(_s11, _r7)
@@ -1695,20 +1687,20 @@ def ring_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any
     _s23 = _multiply(_k50, _add(_add(_absolute(_s21, _r14), _absolute(_s3, _r3), _r3), _s22, _r3), _r3)
     _s24 = _divide(_k48, _s1, _r14)
     _s25 = _k7 <= _s20
-    _s26 = _k82 < _s1
-    _s27 = _select(_s26, _select(_s25, _multiply(_negative(_add(_add(_s21, _s22, _r11), _s23, _r11), _r11), _s24, _r11), _k8, _r15), _k83, _r16)
+    _s26 = _k80 < _s1
+    _s27 = _select(_s26, _select(_s25, _multiply(_negative(_add(_add(_s21, _s22, _r11), _s23, _r11), _r11), _s24, _r11), _k8, _r15), _k81, _r16)
     _s28 = _select(_s16 < _s27, _s27, _s16, _r17)
     _s29 = p_ring_radius - _s8
     _s30 = 0.0001220703125 * p_ring_radius
     _s31 = _where(_s29 < _s30, _s30, _s29)
     _s32 = _subtract(_subtract(_multiply(_s1, _s31 * _s31, _r2), _s19, _r2), _s4, _r2)
     _s33 = _sqrt(_select(_s32 < _k7, _k7, _s32, _r1), _r1)
-    _s34 = _select(_s26, _select(_s25, _multiply(_subtract(_add(_s22, _s23, _r12), _s21, _r12), _s24, _r12), _k83, _r10), _k8, _r18)
+    _s34 = _select(_s26, _select(_s25, _multiply(_subtract(_add(_s22, _s23, _r12), _s21, _r12), _s24, _r12), _k81, _r10), _k8, _r18)
     _s35 = _k7 < _select(_s26, _s32, _k7, _r19)
     _s36 = _select(_s35, _multiply(_subtract(_subtract(_s23, _s21, _r19), _s33, _r19), _s24, _r19), _s34, _r2)
     _s37 = _subtract(_add(_s0, _multiply(_s9, _subtract(z, _s8, _r20), _r20), _r20), _s10, _r20)
     _s38 = _sqrt(_select(_s37 < _k7, _k7, _s37, _r4), _r4)
-    _s39 = _select(_s15, _multiply(_s12, _add(_add(vz, _s13, _r7), _s14, _r7), _r7), _k83, _r0)
+    _s39 = _select(_s15, _multiply(_s12, _add(_add(vz, _s13, _r7), _s14, _r7), _r7), _k81, _r0)
     _s40 = _k7 < _s37
     _s41 = _select(_s40, _multiply(_s12, _subtract(_add(vz, _s14, _r20), _s38, _r20), _r20), _s39, _r21)
     _s42 = _select(_s36 < _s41, _s36, _s41, _r22)
@@ -1751,9 +1743,9 @@ def ring_margins(horizon: Any, extent: Any, speed: Any, position_error: Any, vel
     _s8 = 0.0001220703125 * p_ring_radius
     _s9 = _s2 / _where(_s7 < _s8, _s8, _s7)
     _s10 = _where(1.0 < _s9, _s9, 1.0)
-    _s11 = _multiply(_k87, _add(_multiply(_multiply(_s1, _s10, _r3), _s6, _r3), _multiply(_s2, _add(velocity_error, _multiply(_k88, _s1, _r5), _r5), _r5), _r5), _r5)
-    _s12 = _k14 * _add(_add(_multiply(_multiply(_k89, _s1, _r3), _add(_multiply(_s5, _s10, _r2), _s4, _r2), _r3), _multiply(_k17, _s3, _r2), _r2), _s11, _r2)
-    return _k14 * _add(_add(_multiply(_multiply(_k17, horizon, _r2), _s3, _r2), (1.3323489447131243e-15 * _s0) * _s4, _r2), _multiply(5.00030517578125 * _s0, _s6, _r4), _r4), _s12, _k14 * _add(_multiply(_k89, _multiply(_s4, _s1, _r0), _r0), _s11, _r0)
+    _s11 = _multiply(_k85, _add(_multiply(_multiply(_s1, _s10, _r3), _s6, _r3), _multiply(_s2, _add(velocity_error, _multiply(_k86, _s1, _r5), _r5), _r5), _r5), _r5)
+    _s12 = _k14 * _add(_add(_multiply(_multiply(_k87, _s1, _r3), _add(_multiply(_s5, _s10, _r2), _s4, _r2), _r3), _multiply(_k17, _s3, _r2), _r2), _s11, _r2)
+    return _k14 * _add(_add(_multiply(_multiply(_k17, horizon, _r2), _s3, _r2), (1.3323489447131243e-15 * _s0) * _s4, _r2), _multiply(5.00030517578125 * _s0, _s6, _r4), _r4), _s12, _k14 * _add(_multiply(_k87, _multiply(_s4, _s1, _r0), _r0), _s11, _r0)
 
 
 def ring_refine(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, rho_start: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -1809,7 +1801,7 @@ def ring_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: Any, 
     _s23 = _subtract(_add(_s16, _s17, _r8), energy2, _r8)
     _s24 = _s20 < _k7
     _s25 = _multiply(_k49, _s22, _r10)
-    _s26 = _select(_k7 < _select(_k7 <= _s20, _s22, _k7, _r11), _k8, _divide(_select(_s24, _s25, _multiply(_k73, _s20, _r11), _r12), _select(_s24, _negative(_s20, _r13), _select(_k7 < _s23, _s23, _k7, _r14), _r15), _r12), _r11)
+    _s26 = _select(_k7 < _select(_k7 <= _s20, _s22, _k7, _r11), _k8, _divide(_select(_s24, _s25, _multiply(_k71, _s20, _r11), _r12), _select(_s24, _negative(_s20, _r13), _select(_k7 < _s23, _s23, _k7, _r14), _r15), _r12), _r11)
     _s27 = _subtract(end, t, _r15)
     _s28 = _select(_s26 < _s27, _s26, _s27, _r14)
     _s29 = _add(_s19, _add(_multiply(_s28, _select(_s13 < _k7, _k7, _s13, _r8), _r8), _s8, _r8), _r8)
@@ -1820,7 +1812,7 @@ def ring_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: Any, 
     _s34 = _where(_s32 < _s33, _s33, _s32)
     _s35 = _divide(_k48, _select(_s31 < _s34, _s34, _s31, _r3), _r3)
     _s36 = _multiply(moment2, _multiply(_s35, _multiply(_s35, _s35, _r8), _r8), _r8)
-    _s37 = _subtract(_add(_add(_s30, _s36, _r3), _multiply(_k95, _add(_add(_s36, _absolute(energy2, _r1), _r1), _absolute(_s30, _r6), _r6), _r6), _r6), energy2, _r6)
+    _s37 = _subtract(_add(_add(_s30, _s36, _r3), _multiply(_k93, _add(_add(_s36, _absolute(energy2, _r1), _r1), _absolute(_s30, _r6), _r6), _r6), _r6), energy2, _r6)
     _s38 = _add(_multiply(_multiply(_k49, _s37, _r3), _s22, _r3), _multiply(_s20, _s20, _r9), _r9)
     _s39 = _sqrt(_s38, _r3)
     _s40 = _select(_k7 <= _s38, _divide(_select(_s24, _s25, _add(_s20, _s39, _r9), _r7), _select(_s24, _subtract(_s39, _s20, _r3), _select(_k7 < _s37, _s37, _k7, _r5), _r1), _r7), _k8, _r9)
@@ -1837,54 +1829,54 @@ def ring_opened(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any,
     horizon, x, y, z, vx, vy, vz, extent, speed, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity, = [_single(value) for value in (horizon, x, y, z, vx, vy, vz, extent, speed, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity,)]
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23, _r24, _r25, _r26, _r27, _r28, _r29, _r30, _r31, _r32, _r33, _r34, _r35, _r36, _r37, _r38, _r39, _r40 = _halves(_room[:41])
     _s0 = _multiply(vz, vz, _r0)
-    _s1 = _k97 * (p_ball_radius + p_wire_radius)
+    _s1 = _k95 * (p_ball_radius + p_wire_radius)
     _s2 = _k33 * p_gravity
-    _s3 = _multiply(_k98, _add(_s0, _multiply(_s2, _add(_absolute(z, _r1), _s1, _r1), _r1), _r1), _r1)
+    _s3 = _multiply(_k96, _add(_s0, _multiply(_s2, _add(_absolute(z, _r1), _s1, _r1), _r1), _r1), _r1)
     _s4 = _add(_add(_s0, _multiply(_s2, _add(z, _s1, _r2), _r2), _r2), _s3, _r2)
     _s5 = _k34 / p_gravity
     _s6 = _sqrt(_s4, _r3)
-    _s7 = _multiply(_k99, _add(_absolute(vz, _r4), _s6, _r4), _r4)
+    _s7 = _multiply(_k97, _add(_absolute(vz, _r4), _s6, _r4), _r4)
     _s8 = _k25 <= _s4
-    _s9 = _select(_s8, _multiply(_s5, _subtract(_subtract(vz, _s6, _r2), _s7, _r2), _r2), _k100, _r5)
+    _s9 = _select(_s8, _multiply(_s5, _subtract(_subtract(vz, _s6, _r2), _s7, _r2), _r2), _k98, _r5)
     _s10 = _add(_multiply(vx, vx, _r6), _multiply(vy, vy, _r7), _r7)
     _s11 = p_ring_radius + _s1
     _s12 = _s11 * _s11
-    _s13 = _multiply(_multiply(_k99, _s10, _r6), _add(_s12, _add(_multiply(x, x, _r8), _multiply(y, y, _r9), _r9), _r9), _r6)
+    _s13 = _multiply(_multiply(_k97, _s10, _r6), _add(_s12, _add(_multiply(x, x, _r8), _multiply(y, y, _r9), _r9), _r9), _r6)
     _s14 = _subtract(_multiply(x, vy, _r9), _multiply(y, vx, _r8), _r8)
     _s15 = _multiply(_s14, _s14, _r9)
     _s16 = _subtract(_add(_multiply(_s12, _s10, _r10), _s13, _r10), _s15, _r10)
     _s17 = _add(_multiply(x, vx, _r11), _multiply(y, vy, _r12), _r12)
     _s18 = _sqrt(_s16, _r11)
-    _s19 = _multiply(_k99, _add(_add(_absolute(_s17, _r13), _absolute(_s14, _r8), _r8), _s18, _r8), _r8)
+    _s19 = _multiply(_k97, _add(_add(_absolute(_s17, _r13), _absolute(_s14, _r8), _r8), _s18, _r8), _r8)
     _s20 = _divide(_k26, _s10, _r13)
     _s21 = _k25 <= _s16
-    _s22 = _k101 < _s10
-    _s23 = _select(_s22, _select(_s21, _multiply(_negative(_add(_add(_s17, _s18, _r10), _s19, _r10), _r10), _s20, _r10), _k100, _r14), _k102, _r15)
+    _s22 = _k99 < _s10
+    _s23 = _select(_s22, _select(_s21, _multiply(_negative(_add(_add(_s17, _s18, _r10), _s19, _r10), _r10), _s20, _r10), _k98, _r14), _k100, _r15)
     _s24 = _select(_s9 < _s23, _s23, _s9, _r16)
     _s25 = _select(_k25 < _s24, _s24, _k25, _r17)
     _s26 = _select(_k25 < _s25, _s25, _k25, _r18)
     _s27 = p_ring_radius - _s1
-    _s28 = _k103 * p_ring_radius
+    _s28 = _k101 * p_ring_radius
     _s29 = _where(_s27 < _s28, _s28, _s27)
     _s30 = _subtract(_subtract(_multiply(_s10, _s29 * _s29, _r7), _s13, _r7), _s15, _r7)
     _s31 = _sqrt(_select(_s30 < _k25, _k25, _s30, _r9), _r9)
-    _s32 = _select(_s22, _select(_s21, _multiply(_subtract(_add(_s18, _s19, _r11), _s17, _r11), _s20, _r11), _k102, _r6), _k100, _r19)
+    _s32 = _select(_s22, _select(_s21, _multiply(_subtract(_add(_s18, _s19, _r11), _s17, _r11), _s20, _r11), _k100, _r6), _k98, _r19)
     _s33 = _k25 < _select(_s22, _s30, _k25, _r20)
     _s34 = _select(_s33, _multiply(_subtract(_subtract(_s19, _s17, _r20), _s31, _r20), _s20, _r20), _s32, _r7)
     _s35 = _subtract(_add(_s0, _multiply(_s2, _subtract(z, _s1, _r21), _r21), _r21), _s3, _r21)
     _s36 = _sqrt(_select(_s35 < _k25, _k25, _s35, _r1), _r1)
-    _s37 = _select(_s8, _multiply(_s5, _add(_add(vz, _s6, _r3), _s7, _r3), _r3), _k102, _r0)
+    _s37 = _select(_s8, _multiply(_s5, _add(_add(vz, _s6, _r3), _s7, _r3), _r3), _k100, _r0)
     _s38 = _k25 < _s35
     _s39 = _select(_s38, _multiply(_s5, _subtract(_add(vz, _s7, _r21), _s36, _r21), _r21), _s37, _r22)
     _s40 = _select(_s34 < _s39, _s34, _s39, _r23)
-    _s41 = _multiply(_k104, horizon, _r24)
+    _s41 = _multiply(_k102, horizon, _r24)
     _s42 = _select(_s40 < _s41, _s40, _s41, _r25)
     _s43 = _s26 < _s42
-    _s44 = _select(_s33, _multiply(_subtract(_subtract(_s31, _s17, _r9), _s19, _r9), _s20, _r9), _k100, _r13)
+    _s44 = _select(_s33, _multiply(_subtract(_subtract(_s31, _s17, _r9), _s19, _r9), _s20, _r9), _k98, _r13)
     _s45 = _select(_s44 < _s34, _s34, _s44, _r8)
     _s46 = _select(_s9 < _s45, _s45, _s9, _r12)
     _s47 = _select(_s32 < _s39, _s32, _s39, _r26)
-    _s48 = _select(_s38, _multiply(_s5, _subtract(_add(vz, _s36, _r1), _s7, _r1), _r1), _k100, _r4)
+    _s48 = _select(_s38, _multiply(_s5, _subtract(_add(vz, _s36, _r1), _s7, _r1), _r1), _k98, _r4)
     _s49 = _select(_s48 < _s39, _s39, _s48, _r27)
     _s50 = _s46 <= _s47
     _s51 = _select(_s50, _s46, _select(_s49 < _s23, _s23, _s49, _r28), _r29)
@@ -1902,8 +1894,8 @@ def ring_opened(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any,
     _s63 = _select(_k25 < _s40, _s40, _k25, _r36)
     _s64 = _select(_s63 < _s54, _s54, _s63, _r37)
     _s65 = _select(_s64 < _s60, _s60, _s64, _r38)
-    _s66 = _logical_and(_logical_and(_logical_and((_s11 <= (_k105 * _s29)), (_s11 <= ((_k105 * p_ball_radius) + (_k105 * p_wire_radius)))), (_s11 <= _k106)), (_k107 <= _s29))
-    return _result(_s43, _s26, _select(_s56, _s53, _select(_s62, _s59, _k25, _r39), _r40), _r0), _result(_s43, _s42, _select(_s56, _s55, _select(_s62, _s61, _k25, _r40), _r39), _r0), _logical_or(_logical_or(_logical_or(False, _s62), _s56), _s43), _s52, _s55, _s58, _s61, _result(_s65 < _s41, _s65, _s41, _r0), _logical_and(_logical_and(_logical_and(_logical_and(_s66, (p_gravity <= _k106)), (_k107 <= p_gravity)), (extent <= _k108)), (speed <= _k108))
+    _s66 = _logical_and(_logical_and(_logical_and((_s11 <= (_k103 * _s29)), (_s11 <= ((_k103 * p_ball_radius) + (_k103 * p_wire_radius)))), (_s11 <= _k104)), (_k105 <= _s29))
+    return _result(_s43, _s26, _select(_s56, _s53, _select(_s62, _s59, _k25, _r39), _r40), _r0), _result(_s43, _s42, _select(_s56, _s55, _select(_s62, _s61, _k25, _r40), _r39), _r0), _logical_or(_logical_or(_logical_or(False, _s62), _s56), _s43), _s52, _s55, _s58, _s61, _result(_s65 < _s41, _s65, _s41, _r0), _logical_and(_logical_and(_logical_and(_logical_and(_s66, (p_gravity <= _k104)), (_k105 <= p_gravity)), (extent <= _k106)), (speed <= _k106))
 
 
 def ring_resolution(t: Any, end: Any, leaving: Any, horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, start_rate: Any, rho_rate: Any, low1: Any, high1: Any, low2: Any, high2: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -1916,30 +1908,30 @@ def ring_resolution(t: Any, end: Any, leaving: Any, horizon: Any, x: Any, y: Any
     _s0 = _k25 < leaving
     _s1 = _add(speed, _multiply(p_gravity, horizon, _r0), _r0)
     _s2 = p_ball_radius + p_wire_radius
-    _s3 = _k97 * _s2
+    _s3 = _k95 * _s2
     _s4 = p_ring_radius - _s3
-    _s5 = _k103 * p_ring_radius
+    _s5 = _k101 * p_ring_radius
     _s6 = _where(_s4 < _s5, _s5, _s4)
     _s7 = _s2 / _s6
     _s8 = _where(_k34 < _s7, _s7, _k34)
     _s9 = _multiply(_s1, _s8, _r1)
     _s10 = _add(extent, _multiply(horizon, _s1, _r2), _r2)
-    _s11 = _multiply(_k115, _add(_multiply(_s9, _s10, _r3), _multiply(_s2, _s1, _r4), _r4), _r4)
-    _s12 = _divide(_multiply(_k116, start_rate, _r3), _s11, _r3)
-    _s13 = _select(_s12 < _k117, _s12, _k117, _r5)
-    _s14 = _result(_s0, _select(_k118 < _s13, _s13, _k118, _r6), _k117, _r0)
-    _s15 = _add(_multiply(_k22, _multiply(vz, vz, _r7), _r7), _multiply(_k119 * p_gravity, z, _r8), _r8) + _multiply(_k22, _add(_multiply(vx, vx, _r7), _multiply(vy, vy, _r9), _r9), _r9)
+    _s11 = _multiply(_k113, _add(_multiply(_s9, _s10, _r3), _multiply(_s2, _s1, _r4), _r4), _r4)
+    _s12 = _divide(_multiply(_k114, start_rate, _r3), _s11, _r3)
+    _s13 = _select(_s12 < _k115, _s12, _k115, _r5)
+    _s14 = _result(_s0, _select(_k116 < _s13, _s13, _k116, _r6), _k115, _r0)
+    _s15 = _add(_multiply(_k22, _multiply(vz, vz, _r7), _r7), _multiply(_k117 * p_gravity, z, _r8), _r8) + _multiply(_k22, _add(_multiply(vx, vx, _r7), _multiply(vy, vy, _r9), _r9), _r9)
     _s16 = _subtract(_multiply(x, vy, _r9), _multiply(y, vx, _r8), _r8)
     _s17 = (_k33 * p_ring_radius) * _multiply(_s16, _s16, _r8)
     _s18 = _k34 / _s6
     _s19 = _s18 * (_s18 * _s18)
-    _s20 = _add(_add((_k120 * p_gravity) * _s2, _multiply(_s17, _s19, _r8), _r8), _absolute(_s15, _r9), _r9)
+    _s20 = _add(_add((_k118 * p_gravity) * _s2, _multiply(_s17, _s19, _r8), _r8), _absolute(_s15, _r9), _r9)
     _s21 = _subtract(horizon, t, _r8)
     _s22 = _multiply(p_gravity, _multiply(_s21, _s21, _r7), _r7)
     _s23 = p_ring_radius + _s3
-    _s24 = _add(_multiply(_s10, _s14, _r2), _multiply(_k99, _add(_s22, _s23, _r10), _r10), _r10)
-    _s25 = _divide(_multiply(_k121, _multiply(_multiply(_s17, _add(_absolute(vx, _r2), _absolute(vy, _r11), _r11), _r11), _s19, _r11), _r11), _s6, _r11)
-    return _s14, _k30, end - t, x, y, z, vx, vy, vz, _s15, _s17, _sqrt(_add(_multiply(x, x, _r2), _multiply(y, y, _r12), _r12)), _k122 * _s20, (_k123 * _s2) * _s24, _result(_s0, _multiply(_k122, _add(_multiply(_k98, _absolute(start_rate, _r12), _r12), _multiply(_add(_k124, _s14, _r2), _s11, _r2), _r2), _r2), _k100, _r0), _k122 * _add(_multiply(p_gravity, _add(_multiply(p_gravity, _s21, _r8), _absolute(vz, _r2), _r2), _r2), _s25, _r11), (_k125 * ((_s23 / _s6) * _s8)) * _s20, start_rate, rho_rate, _k115 * _add(_multiply(_multiply(_k122, _s9, _r1), _s24, _r1), _multiply(_multiply(_add(_k126, _s14, _r6), _s2, _r6), _s1, _r6), _r6), low1 - t, high1 - t, low2 - t, high2 - t, _logical_and((_s22 <= ((_k127 * p_ball_radius) + (_k127 * p_wire_radius))), (_multiply(t, leaving, _r7) <= _k25))
+    _s24 = _add(_multiply(_s10, _s14, _r2), _multiply(_k97, _add(_s22, _s23, _r10), _r10), _r10)
+    _s25 = _divide(_multiply(_k119, _multiply(_multiply(_s17, _add(_absolute(vx, _r2), _absolute(vy, _r11), _r11), _r11), _s19, _r11), _r11), _s6, _r11)
+    return _s14, _k30, end - t, x, y, z, vx, vy, vz, _s15, _s17, _sqrt(_add(_multiply(x, x, _r2), _multiply(y, y, _r12), _r12)), _k120 * _s20, (_k121 * _s2) * _s24, _result(_s0, _multiply(_k120, _add(_multiply(_k96, _absolute(start_rate, _r12), _r12), _multiply(_add(_k122, _s14, _r2), _s11, _r2), _r2), _r2), _k98, _r0), _k120 * _add(_multiply(p_gravity, _add(_multiply(p_gravity, _s21, _r8), _absolute(vz, _r2), _r2), _r2), _s25, _r11), (_k123 * ((_s23 / _s6) * _s8)) * _s20, start_rate, rho_rate, _k113 * _add(_multiply(_multiply(_k120, _s9, _r1), _s24, _r1), _multiply(_multiply(_add(_k124, _s14, _r6), _s2, _r6), _s1, _r6), _r6), low1 - t, high1 - t, low2 - t, high2 - t, _logical_and((_s22 <= ((_k125 * p_ball_radius) + (_k125 * p_wire_radius))), (_multiply(t, leaving, _r7) <= _k25))
 
 
 def ring_step(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, energy2: Any, moment2: Any, rho_start: Any, flat: Any, tilt: Any, quotient_margin: Any, jerk: Any, start_rate: Any, rho_rate: Any, low1: Any, high1: Any, low2: Any, high2: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -1963,7 +1955,7 @@ def ring_step(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, 
     _s11 = _divide(_k26, _multiply(_s10, _s9, _r8), _r8)
     _s12 = _multiply(_s9, _s11, _r9)
     _s13 = _multiply(_s12, _add(_multiply(t, _s6, _r10), _multiply(_k22, _add(_multiply(x, vx, _r11), _multiply(y, vy, _r12), _r12), _r12), _r12), _r12)
-    _s14 = _subtract(vz, _multiply(_k134 * p_gravity, t, _r10), _r10)
+    _s14 = _subtract(vz, _multiply(_k132 * p_gravity, t, _r10), _r10)
     _s15 = _add(_add(_multiply(_multiply(_multiply(_k22, _subtract(rho_start, p_ring_radius, _r11), _r11), _subtract(_s6, _multiply(rho_rate, _s13, _r13), _r13), _r11), _s12, _r11), _multiply(_s13, _s13, _r12), _r12), _multiply(_s14, _s14, _r11), _r11)
     _s16 = _add(start_rate, _multiply(t, _subtract(_s15, _multiply(p_gravity, z, _r12), _r12), _r12), _r12)
     _s17 = _multiply(_s10, _s11, _r8)
@@ -1979,36 +1971,36 @@ def ring_step(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, 
     _s27 = _select(_s26 < _k25, _k25, _s26, _r15)
     _s28 = _multiply(_k22, _add(_s27, _multiply(_k22, _s25, _r12), _r12), _r12)
     _s29 = _subtract(_s22, _s5, _r2)
-    _s30 = _k136 * p_gravity
+    _s30 = _k134 * p_gravity
     _s31 = _multiply(_s30, _s20, _r0)
     _s32 = _multiply(moment2, _multiply(_s17, _multiply(_s17, _s17, _r16), _r16), _r16)
     _s33 = _subtract(_add(_s31, _s32, _r17), energy2, _r17)
     _s34 = _s29 < _k25
     _s35 = _multiply(_k22, _s27, _r18)
-    _s36 = _select(_k25 < _select(_k25 <= _s29, _s27, _k25, _r19), _k100, _divide(_select(_s34, _add(_s35, _multiply(_k27, _s25, _r19), _r19), _multiply(_k137, _s29, _r20), _r21), _select(_s34, _negative(_s29, _r22), _select(_k25 < _s33, _s33, _k25, _r23), _r24), _r21), _r20)
+    _s36 = _select(_k25 < _select(_k25 <= _s29, _s27, _k25, _r19), _k98, _divide(_select(_s34, _add(_s35, _multiply(_k27, _s25, _r19), _r19), _multiply(_k135, _s29, _r20), _r21), _select(_s34, _negative(_s29, _r22), _select(_k25 < _s33, _s33, _k25, _r23), _r24), _r21), _r20)
     _s37 = _subtract(end, t, _r19)
     _s38 = _select(_s36 < _s37, _s36, _s37, _r24)
-    _s39 = _k97 * _s24
-    _s40 = _add((_k103 * p_ball_radius) + (_k103 * p_wire_radius), _add(_multiply(_s38, _select(_s21 < _k25, _k25, _s21, _r23), _r23), _s20, _r23), _r23)
+    _s39 = _k95 * _s24
+    _s40 = _add((_k101 * p_ball_radius) + (_k101 * p_wire_radius), _add(_multiply(_s38, _select(_s21 < _k25, _k25, _s21, _r23), _r23), _s20, _r23), _r23)
     _s41 = _multiply(_s30, _select(_s39 < _s40, _s39, _s40, _r10), _r10)
     _s42 = _multiply(_add(_absolute(vx, _r23), _absolute(vy, _r17), _r17), _s38, _r17)
-    _s43 = _subtract(_subtract(_add(_multiply(_s38, _select(_k25 < _s18, _k25, _s18, _r23), _r23), _s9, _r23), _multiply(_k138, _s42, _r7), _r7), _k110 * (p_ring_radius + _s39), _r7)
+    _s43 = _subtract(_subtract(_add(_multiply(_s38, _select(_k25 < _s18, _k25, _s18, _r23), _r23), _s9, _r23), _multiply(_k136, _s42, _r7), _r7), _k108 * (p_ring_radius + _s39), _r7)
     _s44 = p_ring_radius - _s39
-    _s45 = _k103 * p_ring_radius
+    _s45 = _k101 * p_ring_radius
     _s46 = _where(_s44 < _s45, _s45, _s44)
     _s47 = _divide(_k26, _select(_s43 < _s46, _s46, _s43, _r23), _r23)
     _s48 = _multiply(moment2, _multiply(_s47, _multiply(_s47, _s47, _r7), _r7), _r7)
     _s49 = _absolute(energy2, _r23)
-    _s50 = _subtract(_add(_add(_s41, _s48, _r5), _multiply(_k139, _add(_add(_s48, _s49, _r7), _absolute(_s41, _r10), _r10), _r10), _r10), energy2, _r10)
+    _s50 = _subtract(_add(_add(_s41, _s48, _r5), _multiply(_k137, _add(_add(_s48, _s49, _r7), _absolute(_s41, _r10), _r10), _r10), _r10), energy2, _r10)
     _s51 = _negative(_s21, _r6)
-    _s52 = _add(_multiply(_s30, _add((_k107 * p_ball_radius) + (_k107 * p_wire_radius), _multiply(_add(_multiply(p_gravity, _s38, _r5), _select(_s51 < _k25, _k25, _s51, _r7), _r7), _s38, _r7), _r7), _r7), _multiply(_multiply(_k140, _multiply(_s32, _s17, _r8), _r8), _s42, _r8), _r8)
-    _s53 = _add(energy2, _add(_s52, _multiply(_k141, _add(_add(_s49, _absolute(_s31, _r7), _r7), _s32, _r7), _r7), _r7), _r7)
+    _s52 = _add(_multiply(_s30, _add((_k105 * p_ball_radius) + (_k105 * p_wire_radius), _multiply(_add(_multiply(p_gravity, _s38, _r5), _select(_s51 < _k25, _k25, _s51, _r7), _r7), _s38, _r7), _r7), _r7), _multiply(_multiply(_k138, _multiply(_s32, _s17, _r8), _r8), _s42, _r8), _r8)
+    _s53 = _add(energy2, _add(_s52, _multiply(_k139, _add(_add(_s49, _absolute(_s31, _r7), _r7), _s32, _r7), _r7), _r7), _r7)
     _s54 = _subtract(_subtract(_s53, _s31, _r7), _s32, _r7)
     _s55 = _select(_k25 < _s23, _subtract(_multiply(_s23, _s23, _r16), _multiply(_multiply(_k27, _s28, _r0), _select(_s28 <= _multiply(_s23, _s38, _r8), _select(_s50 < _s54, _s54, _s50, _r8), ceiling, _r12), _r0), _r0), _s23, _r16)
     _s56 = _k25 < _s55
     _s57 = _add(_multiply(_multiply(_k22, _s50, _r16), _s27, _r16), _multiply(_s29, _s29, _r15), _r15)
     _s58 = _sqrt(_s57, _r16)
-    _s59 = _select(_k25 <= _s57, _divide(_select(_s34, _s35, _add(_s58, _s29, _r15), _r0), _select(_s34, _subtract(_s58, _s29, _r16), _select(_k25 < _s50, _s50, _k25, _r2), _r4), _r0), _k100, _r15)
+    _s59 = _select(_k25 <= _s57, _divide(_select(_s34, _s35, _add(_s58, _s29, _r15), _r0), _select(_s34, _subtract(_s58, _s29, _r16), _select(_k25 < _s50, _s50, _k25, _r2), _r4), _r0), _k98, _r15)
     _s60 = _select(_s59 < _s38, _s59, _s38, _r4)
     _s61 = _add(t, _s60, _r2)
     _s62 = _logical_and(_logical_not(_s56), _logical_or(_logical_and((_s22 < _k25), (_s26 <= _s25)), _logical_and((t < end), _logical_not((t < _s61)))))
@@ -2018,7 +2010,7 @@ def ring_step(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, 
     _s66 = _s65 < high1
     _s67 = _select(end < low2, low2, end, _r15)
     _s68 = _s67 < high2
-    return _result(_s64, _select(_s66, _s65, _select(_s68, _s67, _k100, _r0), _r24), _select(_s62, t, _s61, _r19), _r0), _result(_s64, _select(_s66, high1, _select(_s68, high2, end, _r19), _r24), end, _r0), _s56, _logical_and(_s63, _logical_or(_logical_not(_s64), _logical_or(_logical_or(False, _s68), _s66)))
+    return _result(_s64, _select(_s66, _s65, _select(_s68, _s67, _k98, _r0), _r24), _select(_s62, t, _s61, _r19), _r0), _result(_s64, _select(_s66, high1, _select(_s68, high2, end, _r19), _r24), end, _r0), _s56, _logical_and(_s63, _logical_or(_logical_not(_s64), _logical_or(_logical_or(False, _s68), _s66)))
 
 
 def ring_started(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_ring_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -2129,7 +2121,7 @@ def backboard_margin(horizon: Any, extent: Any, speed: Any, position_error: Any,
     """
     _r0, _r1, _r2 = _room[:3]
     _s0 = _add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r0), _r0), _r0), _r0)
-    return _add((6.667843360785852e-16 * p_ball_radius) + (8.890457814381136e-16 * p_board_distance), _multiply(_k144, _s0, _r1), _r1) + _multiply(_k145, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(_k17, _s0, _r0), _r0), _r0),
+    return _add((6.667843360785852e-16 * p_ball_radius) + (8.890457814381136e-16 * p_board_distance), _multiply(_k142, _s0, _r1), _r1) + _multiply(_k143, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(_k17, _s0, _r0), _r0), _r0),
 
 
 def backboard_place(y: Any, z: Any, p_ball_radius: Any, p_board_distance: Any) -> tuple[Any, ...]:
@@ -2235,7 +2227,7 @@ def bridge_margin(horizon: Any, extent: Any, speed: Any, position_error: Any, ve
     """
     _r0, _r1, _r2 = _room[:3]
     _s0 = _add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r0), _r0), _r0), _r0)
-    return _add((6.667843360785852e-16 * p_ball_radius) + (6.667843360785852e-16 * p_wire_radius), _multiply(_k144, _s0, _r1), _r1) + _multiply(_k145, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(_k17, _s0, _r0), _r0), _r0),
+    return _add((6.667843360785852e-16 * p_ball_radius) + (6.667843360785852e-16 * p_wire_radius), _multiply(_k142, _s0, _r1), _r1) + _multiply(_k143, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(_k17, _s0, _r0), _r0), _r0),
 
 
 def bridge_place(x: Any, y: Any, p_ball_radius: Any, p_wire_radius: Any) -> tuple[Any, ...]:
@@ -2333,7 +2325,7 @@ def end_margin(horizon: Any, extent: Any, speed: Any, position_error: Any, veloc
     """
     _r0, _r1, _r2 = _room[:3]
     _s0 = _add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r0), _r0), _r0), _r0)
-    return _add(6.667843360785852e-16 * p_end_depth, _multiply(_k144, _s0, _r1), _r1) + _multiply(_k145, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(_k17, _s0, _r0), _r0), _r0),
+    return _add(6.667843360785852e-16 * p_end_depth, _multiply(_k142, _s0, _r1), _r1) + _multiply(_k143, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(_k17, _s0, _r0), _r0), _r0),
 
 
 def end_place(x: Any, y: Any, p_end_depth: Any) -> tuple[Any, ...]:
@@ -2763,9 +2755,9 @@ def _ring_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, 
     _s5 = (_k51 * p_ring_radius) * _s4
     _s6 = (x * x) + (y * y)
     _s7 = p_ball_radius + p_wire_radius
-    _s8 = _k77 * _s7
+    _s8 = _k75 * _s7
     _s9 = _k51 * p_gravity
-    _s10 = _k84 * (_s0 + (_s9 * (abs(z) + _s8)))
+    _s10 = _k82 * (_s0 + (_s9 * (abs(z) + _s8)))
     _s11 = (_s0 + (_s9 * (z + _s8))) + _s10
     _s12 = _k1 / p_gravity
     _s13 = _root(_s11)
@@ -2781,20 +2773,20 @@ def _ring_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, 
     _s23 = _k53 * ((abs(_s21) + abs(_s3)) + _s22)
     _s24 = _k1 / _s1
     _s25 = _k2 <= _s20
-    _s26 = _k85 < _s1
-    _s27 = (((-((_s21 + _s22) + _s23)) * _s24) if _s25 else _k10) if _s26 else _k86
+    _s26 = _k83 < _s1
+    _s27 = (((-((_s21 + _s22) + _s23)) * _s24) if _s25 else _k10) if _s26 else _k84
     _s28 = _s27 if _s16 < _s27 else _s16
     _s29 = p_ring_radius - _s8
-    _s30 = _k80 * p_ring_radius
+    _s30 = _k78 * p_ring_radius
     _s31 = _s30 if _s29 < _s30 else _s29
     _s32 = ((_s1 * (_s31 * _s31)) - _s19) - _s4
     _s33 = _root((_k2 if _s32 < _k2 else _s32))
-    _s34 = ((((_s22 + _s23) - _s21) * _s24) if _s25 else _k86) if _s26 else _k10
+    _s34 = ((((_s22 + _s23) - _s21) * _s24) if _s25 else _k84) if _s26 else _k10
     _s35 = _k2 < (_s32 if _s26 else _k2)
     _s36 = (((_s23 - _s21) - _s33) * _s24) if _s35 else _s34
     _s37 = (_s0 + (_s9 * (z - _s8))) - _s10
     _s38 = _root((_k2 if _s37 < _k2 else _s37))
-    _s39 = (_s12 * ((vz + _s13) + _s14)) if _s15 else _k86
+    _s39 = (_s12 * ((vz + _s13) + _s14)) if _s15 else _k84
     _s40 = _k2 < _s37
     _s41 = (_s12 * ((vz + _s14) - _s38)) if _s40 else _s39
     _s42 = _s36 if _s36 < _s41 else _s41
@@ -2813,28 +2805,28 @@ def _ring_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, 
     _s55 = _s42 if _k2 < _s42 else _k2
     _s56 = _s51 if _s55 < _s51 else _s55
     _s57 = _s53 if _s56 < _s53 else _s56
-    _s58 = (_k74 * p_ring_radius) - (p_ring_radius - _s7)
+    _s58 = (_k72 * p_ring_radius) - (p_ring_radius - _s7)
     _s59 = _root(_k51) * _root((_s12 * (((_k51 * p_ball_radius) + (_k51 * p_wire_radius)) + extent)))
     _s60 = _s59 + ((_k51 * speed) * _s12)
-    _s61 = ((position_error + (velocity_error * (_s60 if _s60 < horizon else horizon))) - (_k75 * p_ball_radius)) - (_k75 * p_wire_radius)
-    return _s2, _s5, _root(_s6), _s28 if _k2 < _s28 else _k2, _s42 if _s42 < horizon else horizon, _s50 if _k2 < _s50 else _k2, _s51 if _s51 < horizon else horizon, _s52 if _k2 < _s52 else _k2, _s53 if _s53 < horizon else horizon, (((_k79 * p_gravity) * _s7) + (_s5 * (_s54 * (_s54 * _s54)))) + abs(_s2), _s57 if _s57 < horizon else horizon, _s61 if _s58 < _s61 else _s58
+    _s61 = ((position_error + (velocity_error * (_s60 if _s60 < horizon else horizon))) - (_k73 * p_ball_radius)) - (_k73 * p_wire_radius)
+    return _s2, _s5, _root(_s6), _s28 if _k2 < _s28 else _k2, _s42 if _s42 < horizon else horizon, _s50 if _k2 < _s50 else _k2, _s51 if _s51 < horizon else horizon, _s52 if _k2 < _s52 else _k2, _s53 if _s53 < horizon else horizon, (((_k77 * p_gravity) * _s7) + (_s5 * (_s54 * (_s54 * _s54)))) + abs(_s2), _s57 if _s57 < horizon else horizon, _s61 if _s58 < _s61 else _s58
 
 
 def _ring_margins_alone(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
     _s0 = p_ball_radius + p_wire_radius
     _s1 = speed + (p_gravity * horizon)
-    _s2 = _k77 * _s0
+    _s2 = _k75 * _s0
     _s3 = _s2 * _s1
     _s4 = p_ring_radius + _s2
     _s5 = extent + (horizon * _s1)
     _s6 = (position_error + (horizon * velocity_error)) + (_k21 * _s5)
     _s7 = p_ring_radius - _s2
-    _s8 = _k80 * p_ring_radius
+    _s8 = _k78 * p_ring_radius
     _s9 = _s2 / (_s8 if _s7 < _s8 else _s7)
     _s10 = _s9 if _k1 < _s9 else _k1
-    _s11 = _k93 * (((_s1 * _s10) * _s6) + (_s2 * (velocity_error + (_k94 * _s1))))
-    _s12 = _k18 * ((((_k92 * _s1) * ((_s5 * _s10) + _s4)) + (_k21 * _s3)) + _s11)
-    return _k18 * ((((_k21 * horizon) * _s3) + ((_k90 * _s0) * _s4)) + ((_k91 * _s0) * _s6)), _s12, _k18 * ((_k92 * (_s4 * _s1)) + _s11)
+    _s11 = _k91 * (((_s1 * _s10) * _s6) + (_s2 * (velocity_error + (_k92 * _s1))))
+    _s12 = _k18 * ((((_k90 * _s1) * ((_s5 * _s10) + _s4)) + (_k21 * _s3)) + _s11)
+    return _k18 * ((((_k21 * horizon) * _s3) + ((_k88 * _s0) * _s4)) + ((_k89 * _s0) * _s6)), _s12, _k18 * ((_k90 * (_s4 * _s1)) + _s11)
 
 
 def _ring_refine_alone(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, rho_start: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
@@ -2872,8 +2864,8 @@ def _ring_advance_alone(t: Any, end: Any, leaving: Any, margin: Any, rate_margin
     _s15 = _k9 * p_gravity
     _s16 = _s15 * _s8
     _s17 = moment2 * (_s11 * (_s11 * _s11))
-    _s18 = _k77 * _s9
-    _s19 = _k96 * (p_ring_radius + _s18)
+    _s18 = _k75 * _s9
+    _s19 = _k94 * (p_ring_radius + _s18)
     _s20 = _s14 - rate_margin
     _s21 = _s10 - margin
     _s22 = _k2 if _s21 < _k2 else _s21
@@ -2887,11 +2879,11 @@ def _ring_advance_alone(t: Any, end: Any, leaving: Any, margin: Any, rate_margin
     _s30 = _s15 * (_s18 if _s18 < _s29 else _s29)
     _s31 = ((_s28 * (_k2 if _k2 < _s12 else _s12)) + _s2) - _s19
     _s32 = p_ring_radius - _s18
-    _s33 = _k80 * p_ring_radius
+    _s33 = _k78 * p_ring_radius
     _s34 = _s33 if _s32 < _s33 else _s32
     _s35 = _k1 / (_s34 if _s31 < _s34 else _s31)
     _s36 = moment2 * (_s35 * (_s35 * _s35))
-    _s37 = ((_s30 + _s36) + (_k96 * ((_s36 + abs(energy2)) + abs(_s30)))) - energy2
+    _s37 = ((_s30 + _s36) + (_k94 * ((_s36 + abs(energy2)) + abs(_s30)))) - energy2
     _s38 = ((_k51 * _s37) * _s22) + (_s20 * _s20)
     _s39 = _root(_s38)
     _s40 = ((_s25 if _s24 else (_s20 + _s39)) / ((_s39 - _s20) if _s24 else (_s37 if _k2 < _s37 else _k2))) if (_k2 <= _s38) else _k10
@@ -2902,54 +2894,54 @@ def _ring_advance_alone(t: Any, end: Any, leaving: Any, margin: Any, rate_margin
 
 def _ring_opened_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
     _s0 = vz * vz
-    _s1 = _k97 * (p_ball_radius + p_wire_radius)
+    _s1 = _k95 * (p_ball_radius + p_wire_radius)
     _s2 = _k33 * p_gravity
-    _s3 = _k109 * (_s0 + (_s2 * (abs(z) + _s1)))
+    _s3 = _k107 * (_s0 + (_s2 * (abs(z) + _s1)))
     _s4 = (_s0 + (_s2 * (z + _s1))) + _s3
     _s5 = _k34 / p_gravity
     _s6 = _root(_s4)
-    _s7 = _k110 * (abs(vz) + _s6)
+    _s7 = _k108 * (abs(vz) + _s6)
     _s8 = _k30 <= _s4
-    _s9 = (_s5 * ((vz - _s6) - _s7)) if _s8 else _k111
+    _s9 = (_s5 * ((vz - _s6) - _s7)) if _s8 else _k109
     _s10 = (vx * vx) + (vy * vy)
     _s11 = p_ring_radius + _s1
     _s12 = _s11 * _s11
-    _s13 = (_k110 * _s10) * (_s12 + ((x * x) + (y * y)))
+    _s13 = (_k108 * _s10) * (_s12 + ((x * x) + (y * y)))
     _s14 = (x * vy) - (y * vx)
     _s15 = _s14 * _s14
     _s16 = ((_s12 * _s10) + _s13) - _s15
     _s17 = (x * vx) + (y * vy)
     _s18 = _root(_s16)
-    _s19 = _k110 * ((abs(_s17) + abs(_s14)) + _s18)
+    _s19 = _k108 * ((abs(_s17) + abs(_s14)) + _s18)
     _s20 = _k34 / _s10
     _s21 = _k30 <= _s16
-    _s22 = _k112 < _s10
-    _s23 = (((-((_s17 + _s18) + _s19)) * _s20) if _s21 else _k111) if _s22 else _k113
+    _s22 = _k110 < _s10
+    _s23 = (((-((_s17 + _s18) + _s19)) * _s20) if _s21 else _k109) if _s22 else _k111
     _s24 = _s23 if _s9 < _s23 else _s9
     _s25 = _s24 if _k30 < _s24 else _k30
     _s26 = _s25 if _k30 < _s25 else _k30
     _s27 = p_ring_radius - _s1
-    _s28 = _k103 * p_ring_radius
+    _s28 = _k101 * p_ring_radius
     _s29 = _s28 if _s27 < _s28 else _s27
     _s30 = ((_s10 * (_s29 * _s29)) - _s13) - _s15
     _s31 = _root((_k30 if _s30 < _k30 else _s30))
-    _s32 = ((((_s18 + _s19) - _s17) * _s20) if _s21 else _k113) if _s22 else _k111
+    _s32 = ((((_s18 + _s19) - _s17) * _s20) if _s21 else _k111) if _s22 else _k109
     _s33 = _k30 < (_s30 if _s22 else _k30)
     _s34 = (((_s19 - _s17) - _s31) * _s20) if _s33 else _s32
     _s35 = (_s0 + (_s2 * (z - _s1))) - _s3
     _s36 = _root((_k30 if _s35 < _k30 else _s35))
-    _s37 = (_s5 * ((vz + _s6) + _s7)) if _s8 else _k113
+    _s37 = (_s5 * ((vz + _s6) + _s7)) if _s8 else _k111
     _s38 = _k30 < _s35
     _s39 = (_s5 * ((vz + _s7) - _s36)) if _s38 else _s37
     _s40 = _s34 if _s34 < _s39 else _s39
-    _s41 = _k114 * horizon
+    _s41 = _k112 * horizon
     _s42 = _s40 if _s40 < _s41 else _s41
     _s43 = _s26 < _s42
-    _s44 = (((_s31 - _s17) - _s19) * _s20) if _s33 else _k111
+    _s44 = (((_s31 - _s17) - _s19) * _s20) if _s33 else _k109
     _s45 = _s34 if _s44 < _s34 else _s44
     _s46 = _s45 if _s9 < _s45 else _s9
     _s47 = _s32 if _s32 < _s39 else _s39
-    _s48 = (_s5 * ((vz + _s36) - _s7)) if _s38 else _k111
+    _s48 = (_s5 * ((vz + _s36) - _s7)) if _s38 else _k109
     _s49 = _s39 if _s48 < _s39 else _s48
     _s50 = _s46 <= _s47
     _s51 = _s46 if _s50 else (_s23 if _s49 < _s23 else _s49)
@@ -2967,38 +2959,38 @@ def _ring_opened_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, v
     _s63 = _s40 if _k30 < _s40 else _k30
     _s64 = _s54 if _s63 < _s54 else _s63
     _s65 = _s60 if _s64 < _s60 else _s64
-    _s66 = (((_s11 <= (_k105 * _s29)) and (_s11 <= ((_k105 * p_ball_radius) + (_k105 * p_wire_radius)))) and (_s11 <= _k106)) and (_k107 <= _s29)
-    return _s26 if _s43 else (_s53 if _s56 else (_s59 if _s62 else _k30)), _s42 if _s43 else (_s55 if _s56 else (_s61 if _s62 else _k30)), ((False or _s62) or _s56) or _s43, _s52, _s55, _s58, _s61, _s65 if _s65 < _s41 else _s41, (((_s66 and (p_gravity <= _k106)) and (_k107 <= p_gravity)) and (extent <= _k106)) and (speed <= _k106)
+    _s66 = (((_s11 <= (_k103 * _s29)) and (_s11 <= ((_k103 * p_ball_radius) + (_k103 * p_wire_radius)))) and (_s11 <= _k104)) and (_k105 <= _s29)
+    return _s26 if _s43 else (_s53 if _s56 else (_s59 if _s62 else _k30)), _s42 if _s43 else (_s55 if _s56 else (_s61 if _s62 else _k30)), ((False or _s62) or _s56) or _s43, _s52, _s55, _s58, _s61, _s65 if _s65 < _s41 else _s41, (((_s66 and (p_gravity <= _k104)) and (_k105 <= p_gravity)) and (extent <= _k104)) and (speed <= _k104)
 
 
 def _ring_resolution_alone(t: Any, end: Any, leaving: Any, horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, start_rate: Any, rho_rate: Any, low1: Any, high1: Any, low2: Any, high2: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
     _s0 = _k30 < leaving
     _s1 = speed + (p_gravity * horizon)
     _s2 = p_ball_radius + p_wire_radius
-    _s3 = _k97 * _s2
+    _s3 = _k95 * _s2
     _s4 = p_ring_radius - _s3
-    _s5 = _k103 * p_ring_radius
+    _s5 = _k101 * p_ring_radius
     _s6 = _s5 if _s4 < _s5 else _s4
     _s7 = _s2 / _s6
     _s8 = _s7 if _k34 < _s7 else _k34
     _s9 = _s1 * _s8
     _s10 = extent + (horizon * _s1)
-    _s11 = _k130 * ((_s9 * _s10) + (_s2 * _s1))
-    _s12 = (_k129 * start_rate) / _s11
-    _s13 = _s12 if _s12 < _k131 else _k131
-    _s14 = (_s13 if _k128 < _s13 else _k128) if _s0 else _k131
-    _s15 = ((_k33 * (vz * vz)) + ((_k119 * p_gravity) * z)) + (_k33 * ((vx * vx) + (vy * vy)))
+    _s11 = _k128 * ((_s9 * _s10) + (_s2 * _s1))
+    _s12 = (_k127 * start_rate) / _s11
+    _s13 = _s12 if _s12 < _k129 else _k129
+    _s14 = (_s13 if _k126 < _s13 else _k126) if _s0 else _k129
+    _s15 = ((_k33 * (vz * vz)) + ((_k117 * p_gravity) * z)) + (_k33 * ((vx * vx) + (vy * vy)))
     _s16 = (x * vy) - (y * vx)
     _s17 = (_k33 * p_ring_radius) * (_s16 * _s16)
     _s18 = _k34 / _s6
     _s19 = _s18 * (_s18 * _s18)
-    _s20 = (((_k120 * p_gravity) * _s2) + (_s17 * _s19)) + abs(_s15)
+    _s20 = (((_k118 * p_gravity) * _s2) + (_s17 * _s19)) + abs(_s15)
     _s21 = horizon - t
     _s22 = p_gravity * (_s21 * _s21)
     _s23 = p_ring_radius + _s3
-    _s24 = (_s10 * _s14) + (_k110 * (_s22 + _s23))
-    _s25 = (_k134 * ((_s17 * (abs(vx) + abs(vy))) * _s19)) / _s6
-    return _s14, _k30, end - t, x, y, z, vx, vy, vz, _s15, _s17, _root(((x * x) + (y * y))), _k132 * _s20, (_k123 * _s2) * _s24, (_k132 * ((_k109 * abs(start_rate)) + ((_k133 + _s14) * _s11))) if _s0 else _k111, _k132 * ((p_gravity * ((p_gravity * _s21) + abs(vz))) + _s25), (_k125 * ((_s23 / _s6) * _s8)) * _s20, start_rate, rho_rate, _k130 * (((_k132 * _s9) * _s24) + (((_k135 + _s14) * _s2) * _s1)), low1 - t, high1 - t, low2 - t, high2 - t, (_s22 <= ((_k127 * p_ball_radius) + (_k127 * p_wire_radius))) and ((t * leaving) <= _k30)
+    _s24 = (_s10 * _s14) + (_k108 * (_s22 + _s23))
+    _s25 = (_k132 * ((_s17 * (abs(vx) + abs(vy))) * _s19)) / _s6
+    return _s14, _k30, end - t, x, y, z, vx, vy, vz, _s15, _s17, _root(((x * x) + (y * y))), _k130 * _s20, (_k121 * _s2) * _s24, (_k130 * ((_k107 * abs(start_rate)) + ((_k131 + _s14) * _s11))) if _s0 else _k109, _k130 * ((p_gravity * ((p_gravity * _s21) + abs(vz))) + _s25), (_k123 * ((_s23 / _s6) * _s8)) * _s20, start_rate, rho_rate, _k128 * (((_k130 * _s9) * _s24) + (((_k133 + _s14) * _s2) * _s1)), low1 - t, high1 - t, low2 - t, high2 - t, (_s22 <= ((_k125 * p_ball_radius) + (_k125 * p_wire_radius))) and ((t * leaving) <= _k30)
 
 
 def _ring_step_alone(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, energy2: Any, moment2: Any, rho_start: Any, flat: Any, tilt: Any, quotient_margin: Any, jerk: Any, start_rate: Any, rho_rate: Any, low1: Any, high1: Any, low2: Any, high2: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
@@ -3016,7 +3008,7 @@ def _ring_step_alone(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y
     _s11 = _k34 / (_s10 * _s9)
     _s12 = _s9 * _s11
     _s13 = _s12 * ((t * _s6) + (_k33 * ((x * vx) + (y * vy))))
-    _s14 = vz - ((_k134 * p_gravity) * t)
+    _s14 = vz - ((_k132 * p_gravity) * t)
     _s15 = ((((_k33 * (rho_start - p_ring_radius)) * (_s6 - (rho_rate * _s13))) * _s12) + (_s13 * _s13)) + (_s14 * _s14)
     _s16 = start_rate + (t * (_s15 - (p_gravity * z)))
     _s17 = _s10 * _s11
@@ -3032,36 +3024,36 @@ def _ring_step_alone(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y
     _s27 = _k30 if _s26 < _k30 else _s26
     _s28 = _k33 * (_s27 + (_k33 * _s25))
     _s29 = _s22 - _s5
-    _s30 = _k136 * p_gravity
+    _s30 = _k134 * p_gravity
     _s31 = _s30 * _s20
     _s32 = moment2 * (_s17 * (_s17 * _s17))
     _s33 = (_s31 + _s32) - energy2
     _s34 = _s29 < _k30
     _s35 = _k33 * _s27
-    _s36 = _k111 if (_k30 < (_s27 if (_k30 <= _s29) else _k30)) else (((_s35 + (_k35 * _s25)) if _s34 else (_k119 * _s29)) / ((-_s29) if _s34 else (_s33 if _k30 < _s33 else _k30)))
+    _s36 = _k109 if (_k30 < (_s27 if (_k30 <= _s29) else _k30)) else (((_s35 + (_k35 * _s25)) if _s34 else (_k117 * _s29)) / ((-_s29) if _s34 else (_s33 if _k30 < _s33 else _k30)))
     _s37 = end - t
     _s38 = _s36 if _s36 < _s37 else _s37
-    _s39 = _k97 * _s24
-    _s40 = ((_k103 * p_ball_radius) + (_k103 * p_wire_radius)) + ((_s38 * (_k30 if _s21 < _k30 else _s21)) + _s20)
+    _s39 = _k95 * _s24
+    _s40 = ((_k101 * p_ball_radius) + (_k101 * p_wire_radius)) + ((_s38 * (_k30 if _s21 < _k30 else _s21)) + _s20)
     _s41 = _s30 * (_s39 if _s39 < _s40 else _s40)
     _s42 = (abs(vx) + abs(vy)) * _s38
-    _s43 = (((_s38 * (_k30 if _k30 < _s18 else _s18)) + _s9) - (_k103 * _s42)) - (_k110 * (p_ring_radius + _s39))
+    _s43 = (((_s38 * (_k30 if _k30 < _s18 else _s18)) + _s9) - (_k101 * _s42)) - (_k108 * (p_ring_radius + _s39))
     _s44 = p_ring_radius - _s39
-    _s45 = _k103 * p_ring_radius
+    _s45 = _k101 * p_ring_radius
     _s46 = _s45 if _s44 < _s45 else _s44
     _s47 = _k34 / (_s46 if _s43 < _s46 else _s43)
     _s48 = moment2 * (_s47 * (_s47 * _s47))
     _s49 = abs(energy2)
-    _s50 = ((_s41 + _s48) + (_k142 * ((_s48 + _s49) + abs(_s41)))) - energy2
+    _s50 = ((_s41 + _s48) + (_k140 * ((_s48 + _s49) + abs(_s41)))) - energy2
     _s51 = -_s21
-    _s52 = (_s30 * (((_k107 * p_ball_radius) + (_k107 * p_wire_radius)) + (((p_gravity * _s38) + (_k30 if _s51 < _k30 else _s51)) * _s38))) + ((_k143 * (_s32 * _s17)) * _s42)
-    _s53 = energy2 + (_s52 + (_k107 * ((_s49 + abs(_s31)) + _s32)))
+    _s52 = (_s30 * (((_k105 * p_ball_radius) + (_k105 * p_wire_radius)) + (((p_gravity * _s38) + (_k30 if _s51 < _k30 else _s51)) * _s38))) + ((_k141 * (_s32 * _s17)) * _s42)
+    _s53 = energy2 + (_s52 + (_k105 * ((_s49 + abs(_s31)) + _s32)))
     _s54 = (_s53 - _s31) - _s32
     _s55 = ((_s23 * _s23) - ((_k35 * _s28) * ((_s54 if _s50 < _s54 else _s50) if (_s28 <= (_s23 * _s38)) else ceiling))) if (_k30 < _s23) else _s23
     _s56 = _k30 < _s55
     _s57 = ((_k33 * _s50) * _s27) + (_s29 * _s29)
     _s58 = _root(_s57)
-    _s59 = ((_s35 if _s34 else (_s58 + _s29)) / ((_s58 - _s29) if _s34 else (_s50 if _k30 < _s50 else _k30))) if (_k30 <= _s57) else _k111
+    _s59 = ((_s35 if _s34 else (_s58 + _s29)) / ((_s58 - _s29) if _s34 else (_s50 if _k30 < _s50 else _k30))) if (_k30 <= _s57) else _k109
     _s60 = _s59 if _s59 < _s38 else _s38
     _s61 = t + _s60
     _s62 = (not _s56) and (((_s22 < _k30) and (_s26 <= _s25)) or ((t < end) and (not (t < _s61))))
@@ -3071,7 +3063,7 @@ def _ring_step_alone(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y
     _s66 = _s65 < high1
     _s67 = low2 if end < low2 else end
     _s68 = _s67 < high2
-    return (_s65 if _s66 else (_s67 if _s68 else _k111)) if _s64 else (t if _s62 else _s61), (high1 if _s66 else (high2 if _s68 else end)) if _s64 else end, _s56, _s63 and ((not _s64) or ((False or _s68) or _s66))
+    return (_s65 if _s66 else (_s67 if _s68 else _k109)) if _s64 else (t if _s62 else _s61), (high1 if _s66 else (high2 if _s68 else end)) if _s64 else end, _s56, _s63 and ((not _s64) or ((False or _s68) or _s66))
 
 
 def _ring_started_alone(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_ring_radius: Any) -> tuple[Any, ...]:
@@ -3081,11 +3073,11 @@ def _ring_started_alone(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_rin
 
 
 def _ring_budget_exceeded_alone(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
-    _s0 = (_k74 * p_ring_radius) - (p_ring_radius - (p_ball_radius + p_wire_radius))
+    _s0 = (_k72 * p_ring_radius) - (p_ring_radius - (p_ball_radius + p_wire_radius))
     _s1 = _k1 / p_gravity
     _s2 = _root(_k51) * _root((_s1 * (((_k51 * p_ball_radius) + (_k51 * p_wire_radius)) + extent)))
     _s3 = _s2 + ((_k51 * speed) * _s1)
-    _s4 = ((position_error + (velocity_error * (_s3 if _s3 < horizon else horizon))) - (_k75 * p_ball_radius)) - (_k75 * p_wire_radius)
+    _s4 = ((position_error + (velocity_error * (_s3 if _s3 < horizon else horizon))) - (_k73 * p_ball_radius)) - (_k73 * p_wire_radius)
     return _s4 if _s0 < _s4 else _s0,
 
 
@@ -3945,8 +3937,8 @@ def resolve_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _curving_1, = _choose(_again_1, (_curving_2,), (_curving_1,))
         _dx_1, _dy_1, _dz_1, _dvx_1, _dvy_1, _dvz_1, _belated_1, _shift_1 = carry_flight(_when_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _nx_1, _ny_1, _nz_1, _clock_1, _contacts_1, _earliest_delay_1, _dx_1, _dy_1, _dz_1, _dvx_1, _dvy_1, _dvz_1, _curving_1, _p_gravity_1, _room_1)
         _clock_error_1, = delayed(_belated_1, _clock_error_1)
-        _dx_2, _dy_2, _dz_2, _dvx_2, _dvy_2, _dvz_2 = floored(_vx_1, _vy_1, _vz_1, _dx_1, _dy_1, _dz_1, _dvx_1, _dvy_1, _dvz_1, _shift_1, _room_1)
-        _dvx_1, _dvy_1, _dvz_1, _dx_1, _dy_1, _dz_1 = _choose(_ends_1, (_dvx_2, _dvy_2, _dvz_2, _dx_2, _dy_2, _dz_2,), (_dvx_1, _dvy_1, _dvz_1, _dx_1, _dy_1, _dz_1,))
+        _dx_2, _dy_2, _dz_2 = floored(_dx_1, _dy_1, _dz_1, _shift_1)
+        _dx_1, _dy_1, _dz_1 = _choose(_ends_1, (_dx_2, _dy_2, _dz_2,), (_dx_1, _dy_1, _dz_1,))
         _dnx_1, _dny_1, _dnz_1, _turn_1 = unturned()
         _here_1, = here(0.0, _which_1)
         _rows3, _count4 = _most(_here_1, _count2)
