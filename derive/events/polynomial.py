@@ -170,7 +170,7 @@ class PolynomialRootFinder(RootFinder):
         do not cancel: on a plane that is the root itself, and on any other surface it is no further
         off than 2 h², as |F''| <= C.
         """
-        found = super().refine()
+        found = RootFinder.refine(self)
         if self._boxed:
             return found
         gap, rate = found["gap"], found["rate"]

@@ -13,8 +13,7 @@ from typing import Any
 import numpy as np
 import pytest
 from hoopgen.derive.contact import friction
-from hoopgen.derive.errors import propagation
-from hoopgen.derive.events import bounding_boxes, box_windows
+from hoopgen.derive.events import bounding_boxes, box_windows, root_search
 from hoopgen.derive.events.box import BoxRootFinder
 from hoopgen.derive.events.polynomial import PolynomialRootFinder
 from hoopgen.derive.ir.event_tree import Call
@@ -471,7 +470,7 @@ FAULTS = (
     ),
     Planted(
         "the roundings of a root are those of its flight",
-        in_text(propagation, "root_rounding", "UNIT_ROUNDOFF * size", "0 * size"),
+        in_text(root_search, "root_rounding", "UNIT_ROUNDOFF * size", "0 * size"),
         OfEngine(test_roots.check_states, scene=test_roots.LARGE),
     ),
     # The branch of friction.

@@ -23,7 +23,7 @@ def facing(name: str, body: Any) -> Scene:
     return Scene(name, bodies=[body], ball_radius=0.0625, gravity=9.75, restitution=0.75)
 
 
-STEEP = facing("steep", Plane("wall", normal=(1, 0, 1e-3), point=(-1, 0, 0)))
+STEEP = facing("steep", Plane("wall", normal=(1, 0, 1e-4), point=(-1, 0, 0)))
 """Gravity lies nearly along the plane, so that the gap is nearly linear in time."""
 FLAT = facing("flat", Surface("dish", condition="x + 1 + 1e-9*z**2"))
 LARGE = facing("large", Sphere("globe", radius=1e5, centre=(-100_001, 0, 0)))
