@@ -225,6 +225,27 @@ def normal_error(surface: Surface) -> dict[str, sp.Expr]:
     return outputs | {"turn": shift * barrier(surface.curvature)}
 
 
+def root_rounding(surface: Surface, flight: Parabola) -> dict[str, sp.Expr]:
+    """Return the errors at a contact, before the impact, with what the root's arithmetic adds.
+
+    A condition about a reference point is made of offsets from there, whose roundings put a contact
+    off the surface by u times their size, and Newton's method ends within 2^-49 = 16 u times that
+    of the root; along the path it is |v|/|n·v| times as far. The roundings of the flight contain
+    this if the reference point is the origin, and those of F/t if the ball returns to the surface.
+    """
+    if all(c == 0 for c in surface.reference_point):
+        return {}
+    places = zip(position, surface.reference_point, strict=True)
+    size = barrier(sum(absolute(barrier(place - c)) for place, c in places))
+    late = barrier(UNIT_ROUNDOFF * size * absolute(derivative.per_approach()))
+    late = barrier(IfLess(curving, sp.oo, 0, late))
+    rates = zip(dx + dv, (*velocity, *flight.acceleration), strict=True)
+    outputs = {
+        str(name): _away(name, barrier(late * absolute(rate))) for name, rate in rates if rate != 0
+    }
+    return outputs | {"shift": shift + barrier(late * greatest(velocity))}
+
+
 def errors_after_impact(law: Law, ball: Ball, returning: bool = False) -> dict[str, sp.Expr]:
     """Return the errors of velocity and spin after a contact, from those before it.
 

@@ -54,6 +54,11 @@ class PolynomialRootFinder(RootFinder):
     two_sided: bool = False
 
     @property
+    def about_reference(self) -> bool:
+        """True: the condition is expanded about that point."""
+        return True
+
+    @property
     def _coefficients(self) -> Coefficients:
         return event_coefficients(self.surface, self.flight)
 
@@ -154,6 +159,23 @@ class PolynomialRootFinder(RootFinder):
     def bend(self) -> sp.Expr:
         """The second derivative at time t."""
         return 2 * barrier(self._along(self._local[2]))
+
+    def refine(self) -> dict[str, sp.Expr]:
+        """Return the next value of a root near t, and gap and rate there.
+
+        Newton's method ends within 2^-49 |F'|/C of the root. On a body of size R this is no more
+        than a few roundings of R/|v|, since C >= 2 v² and |F'| <= 2 R |v| on a sphere, and alike on
+        others. A surface without such a size may be as flat as can be, and gravity lie along it:
+        then C is no measure. There the root of the local parabola is taken, in the form whose sums
+        do not cancel: on a plane that is the root itself, and on any other surface it is no further
+        off than 2 h², as |F''| <= C.
+        """
+        found = RootFinder.refine(self)
+        if self._boxed:
+            return found
+        gap, rate = found["gap"], found["rate"]
+        root = sp.sqrt(barrier(rate**2 - 2 * self.bend * gap))
+        return found | {"time": t + 2 * gap / barrier(root - rate)}
 
     def curvature(self, width: sp.Expr) -> sp.Expr:
         """Return the largest Bernstein coefficient of -F'' on the window, rounding included."""

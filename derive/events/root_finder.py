@@ -88,6 +88,11 @@ class RootFinder(ABC):
         """F'' at time t."""
 
     @property
+    def about_reference(self) -> bool:
+        """True if roundings of F are those of offsets from the surface's reference point."""
+        return False
+
+    @property
     def lost(self) -> sp.Expr:
         """Positive if the bounds of this class do not hold, so that no result is certain."""
         return sp.Integer(0)

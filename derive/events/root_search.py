@@ -7,9 +7,10 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from ..errors.propagation import normal_error
+from ..errors.propagation import normal_error, root_rounding
 from ..ir.event_tree import Call, If, Node, Value, While
 from ..ir.kernel import Kernel, decision
+from ..motion.parabola import Parabola
 from ..symbolic.symbols import variable
 from .box_windows import enter, opening
 from .predicates import KERNELS, side
@@ -58,6 +59,7 @@ class RootSearch(Search):
                 "Error of the normal, from that of the position.",
                 "derivative of Table 2's normal",
             ),
+            **self._root_rounding,
             **({} if approach.clear is None else _clear(approach.clear)),
             "prepare": (
                 approach.prepare(),
@@ -81,6 +83,15 @@ class RootSearch(Search):
             ),
             **({} if self.coarse is None else _coarse(self.coarse)),
         }
+
+    @property
+    def _root_rounding(self) -> dict[str, Formula]:
+        """The roundings of the root, where the flight's own do not contain them."""
+        if not self.root_finder.about_reference or not isinstance(self.flight, Parabola):
+            return {}
+        found = root_rounding(self.surface, self.flight)
+        summary = "Errors at a contact, with the roundings of the root."
+        return {"carry_root": (found, summary, "running error analysis")} if found else {}
 
     @property
     def reach_test(self) -> dict[str, sp.Basic]:

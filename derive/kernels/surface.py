@@ -105,7 +105,7 @@ def one_surface_kernels(
                 formulas |= _groups(surface)
     elif search.reach_test:
         formulas["near"] = (search.reach_test, _REACH, _DISJOINT)
-    single = search.single | (frozenset() if scene.rolls else {"carry_normal"})
+    single = search.single | (frozenset() if scene.rolls else {"carry_root", "carry_normal"})
     kernels = {
         part: kernel(f"{surface.name}_{part}", outputs, order, summary, equation, part in single)
         for part, (outputs, summary, equation) in formulas.items()

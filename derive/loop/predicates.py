@@ -31,6 +31,7 @@ from ..symbolic.error_terms import (
     clock,
     clock_error,
     contacts,
+    dv,
     dx,
     earliest_delay,
     shift,
@@ -38,7 +39,7 @@ from ..symbolic.error_terms import (
 )
 from ..symbolic.number_range import MAX_SIZE
 from ..symbolic.rounding import position_error, velocity_error
-from ..symbolic.symbols import STATE, UNIT_ROUNDOFF
+from ..symbolic.symbols import STATE, UNIT_ROUNDOFF, velocity
 
 first, body, reached, outcome, most_contacts, claims, count, valid, uncertain = sp.symbols(
     "first body reached outcome most_contacts claims count valid uncertain", real=True
@@ -51,6 +52,9 @@ ends, edge, touches, in_range, permitted = map(
     Boolean, ("ends", "edge", "touches", "in_range", "permitted")
 )
 
+_OWN_ROUNDING = barrier(UNIT_ROUNDOFF / 16 * barrier(maximum(*map(absolute, velocity))))
+"""A 16th of the rounding of a velocity, of which four times as much is reported: a v + a t is off
+by u |v| besides the rounding of a t, which the delay of the end contains."""
 _bounded = all_of(Less(position_error, sp.oo), Less(velocity_error, sp.oo), AtMost(excess, 0))
 
 
@@ -86,7 +90,7 @@ def kernels(
     open_ended
         True if the time limit ends every shot.
     """
-    own = (*_of_scene(faces, outcomes, end_planes, open_ended), *_of_errors(single))
+    own = (*_of_scene(faces, outcomes, end_planes, open_ended), *_of_errors(single, open_ended))
     return searching.KERNELS | KERNELS | {kernel.name: kernel for kernel in own}
 
 
@@ -141,7 +145,10 @@ def _of_scene(
     )
 
 
-def _of_errors(single: bool) -> tuple[Kernel, ...]:
+def _of_errors(single: bool, open_ended: bool) -> tuple[Kernel, ...]:
+    floors = dict.fromkeys(dx, shift)
+    if open_ended:  # gravity may be so small that a delay of the end changes no velocity
+        floors |= dict.fromkeys(dv, _OWN_ROUNDING)
     return (
         decision(
             "delayed",
@@ -160,8 +167,8 @@ def _of_errors(single: bool) -> tuple[Kernel, ...]:
         ),
         decision(
             "floored",
-            {s.name: Choose(Less(absolute(s), shift), shift, s) for s in dx},
-            "Errors of the position at the end, not below the largest that one flight can cause.",
+            {s.name: Choose(Less(absolute(s), least), least, s) for s, least in floors.items()},
+            "Errors at the end, not below the largest that one flight can cause.",
             single,
         ),
         decision(

@@ -243,6 +243,7 @@ def _contact(
         yield If("ends", (Call(common["floored"]),))
     yield Call(common["unturned"])
     for kind in kinds:
+        yield from kind.evaluate(common, "carry_root")
         yield from kind.evaluate(common, "carry_normal")
     yield from _laws(common, contacts)
     for kind in kinds:

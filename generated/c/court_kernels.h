@@ -1126,7 +1126,7 @@ LANES(court_closing)(V outcome, V claims)
     return (LANES(court_closing_out)){ lanes_both(lanes_less(K(0.0), claims), lanes_at_most(K(0.0), outcome)), K(0.0), K(0.0), K(0.0), K(0.0) };
 }
 
-/* Errors of the position at the end, not below the largest that one flight can cause.
+/* Errors at the end, not below the largest that one flight can cause.
    Table 1. 9 operations: 3 absolute values, 3 comparisons, 3 selections. */
 typedef struct {
     V dx, dy, dz;

@@ -926,7 +926,7 @@ LANES(hoop_closing)(S outcome, S claims)
     return (LANES(hoop_closing_out)){ singles_truth(singles_both(singles_less(KS(0.0), claims), singles_at_most(KS(0.0), outcome))), KS(0.0), KS(0.0), KS(0.0), KS(0.0) };
 }
 
-/* Errors of the position at the end, not below the largest that one flight can cause.
+/* Errors at the end, not below the largest that one flight can cause.
    Table 1. 9 operations: 3 absolute values, 3 comparisons, 3 selections. */
 typedef struct {
     S dx, dy, dz;

@@ -1165,7 +1165,7 @@ static __device__ __forceinline__ kernel_closing_out kernel_closing(double outco
     return {(0.0 < claims) && (0.0 <= outcome), 0.0, 0.0, 0.0, 0.0};
 }
 
-/* Errors of the position at the end, not below the largest that one flight can cause.
+/* Errors at the end, not below the largest that one flight can cause.
    Table 1. 9 operations: 3 absolute values, 3 comparisons, 3 selections. */
 struct kernel_floored_out {
     double dx, dy, dz;

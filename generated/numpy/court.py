@@ -1764,7 +1764,7 @@ def closing(outcome: Any, claims: Any) -> tuple[Any, ...]:
 
 
 def floored(dx: Any, dy: Any, dz: Any, shift: Any) -> tuple[Any, ...]:
-    """Errors of the position at the end, not below the largest that one flight can cause.
+    """Errors at the end, not below the largest that one flight can cause.
 
     Table 1. 9 operations: 3 absolute values, 3 comparisons, 3 selections.
     """

@@ -1,7 +1,7 @@
 """Deliberate faults in what scenes of one's own have: each trips a test by name.
 
 Bounces that accumulate and rolls over a shelf, the search for a box, windows, boxes about many
-bodies, the branch of friction.
+bodies, roots on flat and large bodies, the branch of friction.
 """
 
 from __future__ import annotations
@@ -13,8 +13,9 @@ from typing import Any
 import numpy as np
 import pytest
 from hoopgen.derive.contact import friction
-from hoopgen.derive.events import bounding_boxes, box_windows
+from hoopgen.derive.events import bounding_boxes, box_windows, root_search
 from hoopgen.derive.events.box import BoxRootFinder
+from hoopgen.derive.events.polynomial import PolynomialRootFinder
 from hoopgen.derive.ir.event_tree import Call
 from hoopgen.derive.loop import stages
 from hoopgen.derive.rolling import contact_phase, events, friction_limit, settling
@@ -39,7 +40,7 @@ from tests.helpers.checked_faults import (
     passes,
 )
 from tests.helpers.mutants import in_text, in_tree
-from tests.scene import test_friction_switch, test_shelf
+from tests.scene import test_friction_switch, test_roots, test_shelf
 from tests.scene.test_friction_switch import FLOOR
 from tests.scene.test_shelf import SHELF
 
@@ -460,6 +461,17 @@ FAULTS = (
         "the flight's size does not count before a single body",
         in_text(bounding_boxes, "may_reach", "wide + HALF_SIZES[k]", "wide"),
         posts,
+    ),
+    # Roots on flat and on large bodies.
+    Planted(
+        "a root on a plane is refined by Newton's method",
+        in_text(PolynomialRootFinder, "refine", "if self._boxed:", "if True:"),
+        OfEngine(test_roots.check_states, scene=test_roots.STEEP),
+    ),
+    Planted(
+        "the roundings of a root are those of its flight",
+        in_text(root_search, "root_rounding", "UNIT_ROUNDOFF * size", "0 * size"),
+        OfEngine(test_roots.check_states, scene=test_roots.LARGE),
     ),
     # The branch of friction.
     Planted(

@@ -172,9 +172,9 @@ PREMISES: dict[str, Premise] = {
         LEMMA,
         "propagation of errors through a flight and a contact",
         _kernels(
-            "common.carry_flight *.carry_normal law.carry common.carry_time common.delayed "
-            "common.unturned common.elsewhere common.again common.returned common.started "
-            "common.anew *.curvature"
+            "common.carry_flight *.carry_root *.carry_normal law.carry common.carry_time "
+            "common.delayed common.unturned common.elsewhere common.again common.returned "
+            "common.started common.anew *.curvature"
         ),
     ),
     "growth": Premise(
