@@ -206,8 +206,8 @@ class AimQuestion:
 class Tallies:
     """The outputs besides the results of a table."""
 
-    group: str | None = setting(
-        "Count results by the values of a column, too, with intervals.",
+    by: str | None = setting(
+        "Count results also by the values of a column, with intervals.",
         Text(metavar="COLUMN"),
         None,
     )
