@@ -9,7 +9,7 @@ from ..ir.event_tree import Call, ForEach, Node, check, live_before, needed, wal
 from ..ir.kernel import Kind as VariableKind
 from ..state.fields import Field
 
-TEMPORARY_BOUNDS = {"earliest_delay": 0.0, "delay": 0.0, "doubt": float("inf")}
+TEMPORARY_BOUNDS = {"earliest_delay": 0.0, "delay": 0.0, "undecided_time": float("inf")}
 """Error bounds within a stage, with their values in a loop without error bounds."""
 
 

@@ -1,6 +1,6 @@
 /* The event loop of the scene court in CUDA: a thread takes one shot from its release to its end.
 
-   Generated from templates/cuda/scene.cu.j2, scene court, derivation 68775c01ff418eab,
+   Generated from templates/cuda/scene.cu.j2, scene court, derivation 13e96f17d4a78f82,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    It needs no header. To give the bits of NumPy and C it is compiled with --fmad=false, --ftz=false,
@@ -402,7 +402,7 @@ static __device__ __forceinline__ kernel_parameters_in_range_out kernel_paramete
 /* 1 if the ball overlaps no surface; 1 if that is undecided.
    Table 2. 133 operations: 27 additions, 19 subtractions, 15 multiplications, 3 square roots, 4 negations, 20 absolute values, 21 comparisons, 24 selections. */
 struct kernel_valid_out {
-    double valid, doubt;
+    double valid, undecided_time;
 };
 
 static __device__ __forceinline__ kernel_valid_out kernel_valid(double last, double x, double y, double z, double p_ball_radius, double p_ring_radius, double p_wire_radius, double p_board_distance, double p_board_half_width, double p_board_bottom, double p_board_top, double p_board_thickness, double p_bridge_half_width, double p_bridge_depth, double p_end_depth)
@@ -447,7 +447,7 @@ static __device__ __forceinline__ kernel_valid_out kernel_valid(double last, dou
    Table 2. 54 operations: 19 additions, 6 subtractions, 5 multiplications, 2 negations, 16 absolute values, 3 comparisons, 2 conjunctions, 1 complement. */
 struct kernel_aside_out {
     bool close;
-    double valid, doubt;
+    double valid, undecided_time;
 };
 
 static __device__ __forceinline__ kernel_aside_out kernel_aside(double x, double y, double z, double p_ball_radius, double p_ring_radius, double p_wire_radius, double p_board_distance, double p_board_half_width, double p_board_bottom, double p_board_top, double p_board_thickness, double p_bridge_half_width, double p_bridge_depth, double p_end_depth)
@@ -513,11 +513,11 @@ static __device__ __forceinline__ kernel_passing_out kernel_passing(double throu
 
 /* Whether the passing of the disc lies within its error.
    running error analysis. 107 operations: 18 additions, 4 subtractions, 31 multiplications, 1 division, 4 square roots, 6 absolute values, 20 comparisons, 11 conjunctions, 6 disjunctions, 6 selections. */
-struct kernel_passing_doubt_out {
-    bool unsure;
+struct kernel_passing_undecided_out {
+    bool undecided;
 };
 
-static __device__ __forceinline__ kernel_passing_doubt_out kernel_passing_doubt(double t, double x, double y, double z, double vx, double vy, double vz, double extent, double speed, double position_error, double velocity_error, double p_ring_radius, double p_gravity)
+static __device__ __forceinline__ kernel_passing_undecided_out kernel_passing_undecided(double t, double x, double y, double z, double vx, double vy, double vz, double extent, double speed, double position_error, double velocity_error, double p_ring_radius, double p_gravity)
 {
     const double _s0 = z + (t * (vz - ((0.5 * p_gravity) * t)));
     const double _s1 = vz * vz;
@@ -577,11 +577,11 @@ static __device__ __forceinline__ kernel_passing_in_contact_out kernel_passing_i
 
 /* Boxes of the first and the second half of the flight until the horizon.
    Eq. 3, the chords of both and what it is off them. 62 operations: 21 additions, 5 subtractions, 27 multiplications, 1 negation, 6 absolute values, 1 comparison, 1 selection. */
-struct kernel_halved_out {
+struct kernel_half_flight_boxes_out {
     double middle_x, reach_x, later_middle_x, later_reach_x, middle_y, reach_y, later_middle_y, later_reach_y, middle_z, reach_z, later_middle_z, later_reach_z;
 };
 
-static __device__ __forceinline__ kernel_halved_out kernel_halved(double horizon, double x, double y, double z, double vx, double vy, double vz, double extent, double speed, double position_error, double velocity_error, double earliest_delay, double pad, double p_gravity)
+static __device__ __forceinline__ kernel_half_flight_boxes_out kernel_half_flight_boxes(double horizon, double x, double y, double z, double vx, double vy, double vz, double extent, double speed, double position_error, double velocity_error, double earliest_delay, double pad, double p_gravity)
 {
     const double _s0 = 0.5 * horizon;
     const double _s1 = vx * _s0;
@@ -603,11 +603,11 @@ static __device__ __forceinline__ kernel_halved_out kernel_halved(double horizon
 
 /* Start value: no surface of this kind.
    Table 1. No operations. */
-struct kernel_untaken_out {
+struct kernel_other_kind_out {
     bool of_this_kind;
 };
 
-static __device__ __forceinline__ kernel_untaken_out kernel_untaken()
+static __device__ __forceinline__ kernel_other_kind_out kernel_other_kind()
 {
     return {false};
 }
@@ -625,12 +625,12 @@ static __device__ __forceinline__ kernel_left_out kernel_left(double index, doub
 
 /* Whether a plane's only root is an arrival, the size of F'', and the nearest time.
    Table 1. 13 operations: 1 absolute value, 6 comparisons, 4 conjunctions, 1 disjunction, 1 selection. */
-struct kernel_meeting_plane_out {
+struct kernel_plane_root_out {
     bool arrives;
     double ceiling, nearest;
 };
 
-static __device__ __forceinline__ kernel_meeting_plane_out kernel_meeting_plane(double rate, double bend, double apex, double time)
+static __device__ __forceinline__ kernel_plane_root_out kernel_plane_root(double rate, double bend, double apex, double time)
 {
     const bool _s0 = (((rate < 0.0) || (((rate <= 0.0) && (bend < 0.0)) && (time == 0.0))) && (0.0 <= time)) && (time < (INFINITE));
     return {_s0, fabs(bend), choose(_s0, time, apex)};
@@ -649,48 +649,48 @@ static __device__ __forceinline__ kernel_within_time_out kernel_within_time(doub
 
 /* Earliest undecided time, with that of an apex whose gap is zero within its error.
    Table 1. 7 operations: 1 absolute value, 3 comparisons, 2 conjunctions, 1 selection. */
-struct kernel_grazed_out {
-    double doubt;
+struct kernel_graze_undecided_out {
+    double undecided_time;
 };
 
-static __device__ __forceinline__ kernel_grazed_out kernel_grazed(double margin, double apex, double height, double doubt)
+static __device__ __forceinline__ kernel_graze_undecided_out kernel_graze_undecided(double margin, double apex, double height, double undecided_time)
 {
-    return {choose((((0.0 <= apex) && (fabs(height) <= margin)) && (apex < doubt)), apex, doubt)};
+    return {choose((((0.0 <= apex) && (fabs(height) <= margin)) && (apex < undecided_time)), apex, undecided_time)};
 }
 
 /* Earliest undecided time, with that of an undecided predicate.
    Table 1. 3 operations: 1 comparison, 1 conjunction, 1 selection. */
-struct kernel_questioned_out {
-    double doubt;
+struct kernel_predicate_undecided_out {
+    double undecided_time;
 };
 
-static __device__ __forceinline__ kernel_questioned_out kernel_questioned(double time, double doubt, bool unsure)
+static __device__ __forceinline__ kernel_predicate_undecided_out kernel_predicate_undecided(double time, double undecided_time, bool undecided)
 {
-    return {choose((unsure && (time < doubt)), time, doubt)};
+    return {choose((undecided && (time < undecided_time)), time, undecided_time)};
 }
 
 /* Earliest undecided time, with that of an arrival whose crossing is not certain.
    Table 1. 6 operations: 2 comparisons, 2 conjunctions, 1 complement, 1 selection. */
-struct kernel_crossed_out {
-    double doubt;
+struct kernel_crossing_undecided_out {
+    double undecided_time;
 };
 
-static __device__ __forceinline__ kernel_crossed_out kernel_crossed(double clearance, double time, double doubt, bool arrives)
+static __device__ __forceinline__ kernel_crossing_undecided_out kernel_crossing_undecided(double clearance, double time, double undecided_time, bool arrives)
 {
-    return {choose(((arrives && (!(0.0 < clearance))) && (time < doubt)), time, doubt)};
+    return {choose(((arrives && (!(0.0 < clearance))) && (time < undecided_time)), time, undecided_time)};
 }
 
 /* Earliest undecided time, with that of a tie within the delays; the earlier's delay.
    Table 1. 12 operations: 1 addition, 1 subtraction, 1 absolute value, 3 comparisons, 3 conjunctions, 3 selections. */
-struct kernel_tied_out {
-    double doubt, earliest_delay;
+struct kernel_tie_undecided_out {
+    double undecided_time, earliest_delay;
 };
 
-static __device__ __forceinline__ kernel_tied_out kernel_tied(double time, double when, double delay, double earliest_delay, double doubt, bool arrives)
+static __device__ __forceinline__ kernel_tie_undecided_out kernel_tie_undecided(double time, double when, double delay, double earliest_delay, double undecided_time, bool arrives)
 {
     const bool _s0 = time < when;
     const double _s1 = choose(_s0, time, when);
-    const double _s2 = choose(((arrives && (fabs((time - when)) <= (delay + earliest_delay))) && (_s1 < doubt)), _s1, doubt);
+    const double _s2 = choose(((arrives && (fabs((time - when)) <= (delay + earliest_delay))) && (_s1 < undecided_time)), _s1, undecided_time);
     return {_s2, choose((arrives && _s0), delay, earliest_delay)};
 }
 
@@ -721,23 +721,23 @@ static __device__ __forceinline__ kernel_beginning_out kernel_beginning()
 /* Undecided time 0 if errors exceed the budget of a search, or its bounds fail.
    Table 1. 6 operations: 3 comparisons, 2 disjunctions, 1 selection. */
 struct kernel_out_of_budget_out {
-    double doubt;
+    double undecided_time;
 };
 
-static __device__ __forceinline__ kernel_out_of_budget_out kernel_out_of_budget(double pad, double budget_exceeded, double earliest_delay, double doubt, double excess)
+static __device__ __forceinline__ kernel_out_of_budget_out kernel_out_of_budget(double pad, double budget_exceeded, double earliest_delay, double undecided_time, double excess)
 {
-    return {choose((((0.0 < excess) || (0.0 < budget_exceeded)) || (pad < earliest_delay)), 0.0, doubt)};
+    return {choose((((0.0 < excess) || (0.0 < budget_exceeded)) || (pad < earliest_delay)), 0.0, undecided_time)};
 }
 
 /* Undecided time 0 if errors exceed the budget of an open window, or its bounds fail.
    Table 1. 7 operations: 3 comparisons, 1 conjunction, 2 disjunctions, 1 selection. */
 struct kernel_out_of_budget_in_windows_out {
-    double doubt;
+    double undecided_time;
 };
 
-static __device__ __forceinline__ kernel_out_of_budget_in_windows_out kernel_out_of_budget_in_windows(double pad, double budget_exceeded, double earliest_delay, double doubt, double excess, bool searching)
+static __device__ __forceinline__ kernel_out_of_budget_in_windows_out kernel_out_of_budget_in_windows(double pad, double budget_exceeded, double earliest_delay, double undecided_time, double excess, bool searching)
 {
-    return {choose(((searching && ((0.0 < excess) || (pad < earliest_delay))) || (0.0 < budget_exceeded)), 0.0, doubt)};
+    return {choose(((searching && ((0.0 < excess) || (pad < earliest_delay))) || (0.0 < budget_exceeded)), 0.0, undecided_time)};
 }
 
 /* 1 near the surface that the ball left, where F/t is more exact than F; the margin.
@@ -792,11 +792,11 @@ static __device__ __forceinline__ kernel_stepped_out kernel_stepped(double arriv
 
 /* Whether the gap closes, certainly closes, or needs a smaller error budget.
    Table 1. 17 operations: 1 subtraction, 6 comparisons, 6 conjunctions, 2 disjunctions, 2 complements. */
-struct kernel_struck_out {
+struct kernel_gap_closes_out {
     bool hit, sure, needs_refinement;
 };
 
-static __device__ __forceinline__ kernel_struck_out kernel_struck(double gap, double rate, double bend, double margin, double rate_margin, double clearance, double share)
+static __device__ __forceinline__ kernel_gap_closes_out kernel_gap_closes(double gap, double rate, double bend, double margin, double rate_margin, double clearance, double share)
 {
     const bool _s0 = (rate < 0.0) || ((rate <= rate_margin) && (bend < 0.0));
     const bool _s1 = 0.0 < clearance;
@@ -808,11 +808,11 @@ static __device__ __forceinline__ kernel_struck_out kernel_struck(double gap, do
 
 /* Whether the gap closes; a step that moves nothing needs a smaller budget, too.
    Table 1. 25 operations: 1 subtraction, 8 comparisons, 9 conjunctions, 3 disjunctions, 4 complements. */
-struct kernel_struck_or_still_out {
+struct kernel_gap_closes_or_stalls_out {
     bool hit, sure, needs_refinement;
 };
 
-static __device__ __forceinline__ kernel_struck_or_still_out kernel_struck_or_still(double t, double end, double gap, double rate, double bend, double margin, double rate_margin, double next, double clearance, double share)
+static __device__ __forceinline__ kernel_gap_closes_or_stalls_out kernel_gap_closes_or_stalls(double t, double end, double gap, double rate, double bend, double margin, double rate_margin, double next, double clearance, double share)
 {
     const bool _s0 = (rate < 0.0) || ((rate <= rate_margin) && (bend < 0.0));
     const bool _s1 = 0.0 < clearance;
@@ -826,24 +826,24 @@ static __device__ __forceinline__ kernel_struck_or_still_out kernel_struck_or_st
 
 /* Next smaller error budget.
    Table 1. 3 operations: 1 multiplication, 1 comparison, 1 selection. */
-struct kernel_finer_out {
+struct kernel_smaller_budget_out {
     double share;
 };
 
-static __device__ __forceinline__ kernel_finer_out kernel_finer(double share)
+static __device__ __forceinline__ kernel_smaller_budget_out kernel_smaller_budget(double share)
 {
     return {choose((2.842170943040401e-14 < share), (0.03125 * share), 0.0)};
 }
 
 /* Earliest undecided time, with the present one if the errors exceed the budget.
    Table 1. 4 operations: 2 comparisons, 1 conjunction, 1 selection. */
-struct kernel_exceeded_out {
-    double doubt;
+struct kernel_budget_undecided_out {
+    double undecided_time;
 };
 
-static __device__ __forceinline__ kernel_exceeded_out kernel_exceeded(double t, double doubt, double excess)
+static __device__ __forceinline__ kernel_budget_undecided_out kernel_budget_undecided(double t, double undecided_time, double excess)
 {
-    return {choose(((0.0 < excess) && (t < doubt)), t, doubt)};
+    return {choose(((0.0 < excess) && (t < undecided_time)), t, undecided_time)};
 }
 
 /* Root, time and state of a search after a step, and whether its window is exhausted.
@@ -876,12 +876,12 @@ static __device__ __forceinline__ kernel_found_out kernel_found(double arrival)
 
 /* A certain root, refined, and whether h is above 2^-24, so that it is refined again.
    Table 1. 7 operations: 3 multiplications, 1 absolute value, 1 comparison, 1 conjunction, 1 selection. */
-struct kernel_polished_out {
+struct kernel_refined_root_out {
     double arrival;
     bool refining;
 };
 
-static __device__ __forceinline__ kernel_polished_out kernel_polished(double gap, double rate, double ceiling, double arrival, double refined, bool certain)
+static __device__ __forceinline__ kernel_refined_root_out kernel_refined_root(double gap, double rate, double ceiling, double arrival, double refined, bool certain)
 {
     return {choose(certain, refined, arrival), certain && ((5.960464477539063e-08 * (rate * rate)) < (ceiling * fabs(gap)))};
 }
@@ -899,25 +899,25 @@ static __device__ __forceinline__ kernel_own_margin_out kernel_own_margin(double
 
 /* Time of an arrival, not before the flight.
    Table 1. 2 operations: 1 comparison, 1 selection. */
-struct kernel_landed_out {
+struct kernel_arrival_time_out {
     double time;
 };
 
-static __device__ __forceinline__ kernel_landed_out kernel_landed(double arrival)
+static __device__ __forceinline__ kernel_arrival_time_out kernel_arrival_time(double arrival)
 {
     return {choose((arrival < 0.0), 0.0, arrival)};
 }
 
 /* Delay of a certain arrival; the earliest undecided time, with that of any other one.
    Table 1. 8 operations: 2 comparisons, 3 conjunctions, 1 complement, 2 selections. */
-struct kernel_landed_surely_out {
-    double delay, doubt;
+struct kernel_certain_arrival_out {
+    double delay, undecided_time;
 };
 
-static __device__ __forceinline__ kernel_landed_surely_out kernel_landed_surely(double clearance, double time, double delay, double doubt, bool arrives, bool certain)
+static __device__ __forceinline__ kernel_certain_arrival_out kernel_certain_arrival(double clearance, double time, double delay, double undecided_time, bool arrives, bool certain)
 {
     const bool _s0 = certain && (0.0 < clearance);
-    return {choose(_s0, delay, 0.0), choose(((arrives && (!_s0)) && (time < doubt)), time, doubt)};
+    return {choose(_s0, delay, 0.0), choose(((arrives && (!_s0)) && (time < undecided_time)), time, undecided_time)};
 }
 
 /* Start value: the ball is outside the surface.
@@ -947,7 +947,7 @@ static __device__ __forceinline__ kernel_state_in_range_out kernel_state_in_rang
 /* Start values: no arrival; an uncertain shot if its errors are not bounded.
    Table 1. 6 operations: 3 comparisons, 2 conjunctions, 1 selection. */
 struct kernel_opening_out {
-    double when, which, earliest_delay, doubt;
+    double when, which, earliest_delay, undecided_time;
 };
 
 static __device__ __forceinline__ kernel_opening_out kernel_opening(double excess, double position_error, double velocity_error)
@@ -1045,11 +1045,11 @@ static __device__ __forceinline__ kernel_touched_out kernel_touched(double which
 
 /* Whether a shot has ended at the time limit and its errors are wanted.
    Table 1. 3 operations: 2 comparisons, 1 conjunction. */
-struct kernel_timed_out {
-    bool timed;
+struct kernel_ends_by_time_limit_out {
+    bool ends_by_time_limit;
 };
 
-static __device__ __forceinline__ kernel_timed_out kernel_timed(double index, double which, double claims)
+static __device__ __forceinline__ kernel_ends_by_time_limit_out kernel_ends_by_time_limit(double index, double which, double claims)
 {
     return {(which == index) && (0.0 < claims)};
 }
@@ -1060,9 +1060,9 @@ struct kernel_undecided_out {
     double uncertain;
 };
 
-static __device__ __forceinline__ kernel_undecided_out kernel_undecided(double uncertain, bool unsure)
+static __device__ __forceinline__ kernel_undecided_out kernel_undecided(double uncertain, bool undecided)
 {
-    return {choose(unsure, 1.0, uncertain)};
+    return {choose(undecided, 1.0, uncertain)};
 }
 
 /* Body that the event is on.
@@ -1082,10 +1082,10 @@ struct kernel_admitted_out {
     double outcome, uncertain;
 };
 
-static __device__ __forceinline__ kernel_admitted_out kernel_admitted(double doubt, double valid, bool permitted, bool in_range)
+static __device__ __forceinline__ kernel_admitted_out kernel_admitted(double undecided_time, double valid, bool permitted, bool in_range)
 {
     const bool _s0 = permitted && in_range;
-    return {choose((_s0 && (0.0 < valid)), -1.0, 4.0), choose((_s0 && (0.0 < doubt)), 1.0, 0.0)};
+    return {choose((_s0 && (0.0 < valid)), -1.0, 4.0), choose((_s0 && (0.0 < undecided_time)), 1.0, 0.0)};
 }
 
 /* The time limit as an arrival.
@@ -1093,13 +1093,13 @@ static __device__ __forceinline__ kernel_admitted_out kernel_admitted(double dou
 struct kernel_expiry_out {
     double time, delay;
     bool arrives;
-    double doubt;
+    double undecided_time;
 };
 
-static __device__ __forceinline__ kernel_expiry_out kernel_expiry(double when, double which, double earliest_delay, double doubt, double time_error, double clock, double time_limit)
+static __device__ __forceinline__ kernel_expiry_out kernel_expiry(double when, double which, double earliest_delay, double undecided_time, double time_error, double clock, double time_limit)
 {
     const double _s0 = time_limit - clock;
-    return {larger(0.0, _s0), time_error + (4.440892098500626e-16 * time_limit), 0.0 <= which, choose(((!((when + earliest_delay) < doubt)) && (doubt < (INFINITE))), 0.0, doubt)};
+    return {larger(0.0, _s0), time_error + (4.440892098500626e-16 * time_limit), 0.0 <= which, choose(((!((when + earliest_delay) < undecided_time)) && (undecided_time < (INFINITE))), 0.0, undecided_time)};
 }
 
 /* Whether there is no event, an end, or a contact, and the outcome without one.
@@ -1144,11 +1144,11 @@ static __device__ __forceinline__ kernel_accounted_out kernel_accounted(double c
 
 /* Sum of the errors of the contacts' times.
    Table 1. 1 operation: 1 addition. */
-struct kernel_delayed_out {
+struct kernel_clock_error_sum_out {
     double clock_error;
 };
 
-static __device__ __forceinline__ kernel_delayed_out kernel_delayed(double delay, double clock_error)
+static __device__ __forceinline__ kernel_clock_error_sum_out kernel_clock_error_sum(double delay, double clock_error)
 {
     return {delay + clock_error};
 }
@@ -1167,22 +1167,22 @@ static __device__ __forceinline__ kernel_closing_out kernel_closing(double outco
 
 /* Errors of the position at the end, not below the largest that one flight can cause.
    Table 1. 9 operations: 3 absolute values, 3 comparisons, 3 selections. */
-struct kernel_floored_out {
+struct kernel_position_error_floor_out {
     double dx, dy, dz;
 };
 
-static __device__ __forceinline__ kernel_floored_out kernel_floored(double dx, double dy, double dz, double shift)
+static __device__ __forceinline__ kernel_position_error_floor_out kernel_position_error_floor(double dx, double dy, double dz, double shift)
 {
     return {choose((fabs(dx) < shift), shift, dx), choose((fabs(dy) < shift), shift, dy), choose((fabs(dz) < shift), shift, dz)};
 }
 
 /* Start values: a normal without error.
    Table 1. No operations. */
-struct kernel_unturned_out {
+struct kernel_no_normal_error_out {
     double dnx, dny, dnz, turn;
 };
 
-static __device__ __forceinline__ kernel_unturned_out kernel_unturned()
+static __device__ __forceinline__ kernel_no_normal_error_out kernel_no_normal_error()
 {
     return {0.0, 0.0, 0.0, 0.0};
 }
@@ -1213,11 +1213,11 @@ static __device__ __forceinline__ kernel_half_steps_out kernel_half_steps(double
 
 /* Distance from the nearest other surface, at any azimuth.
    tangents. 6 operations: 1 addition, 1 multiplication, 2 comparisons, 2 selections. */
-struct kernel_cleared_out {
+struct kernel_clearance_at_any_azimuth_out {
     double azimuth_clearance;
 };
 
-static __device__ __forceinline__ kernel_cleared_out kernel_cleared(double gap, double nearing, double half_step, double azimuth_clearance)
+static __device__ __forceinline__ kernel_clearance_at_any_azimuth_out kernel_clearance_at_any_azimuth(double gap, double nearing, double half_step, double azimuth_clearance)
 {
     const double _s0 = nearing * half_step;
     const double _s1 = gap + smaller(_s0, 0.0);
@@ -1226,22 +1226,22 @@ static __device__ __forceinline__ kernel_cleared_out kernel_cleared(double gap, 
 
 /* Event: the ball certainly rolls for ever.
    Table 1. 1 operation: 1 selection. */
-struct kernel_for_ever_out {
+struct kernel_rolls_for_ever_out {
     double which;
 };
 
-static __device__ __forceinline__ kernel_for_ever_out kernel_for_ever(double which, bool endless)
+static __device__ __forceinline__ kernel_rolls_for_ever_out kernel_rolls_for_ever(double which, bool endless)
 {
     return {choose(endless, 8.0, which)};
 }
 
 /* Whether a ball goes on in contact, on whichever surface.
    Table 1. 1 operation: 1 disjunction. */
-struct kernel_rejoined_out {
+struct kernel_still_in_contact_out {
     bool rolling;
 };
 
-static __device__ __forceinline__ kernel_rejoined_out kernel_rejoined(bool rolling, bool circling)
+static __device__ __forceinline__ kernel_still_in_contact_out kernel_still_in_contact(bool rolling, bool circling)
 {
     return {rolling || circling};
 }
@@ -1561,11 +1561,11 @@ static __device__ __forceinline__ kernel_roll_7_out kernel_roll_7(double p_gravi
 
 /* Start value of the normal where the flight began: another surface.
    Table 1. No operations. */
-struct kernel_anew_out {
+struct kernel_other_start_surface_out {
     double left_nx, left_ny, left_nz;
 };
 
-static __device__ __forceinline__ kernel_anew_out kernel_anew()
+static __device__ __forceinline__ kernel_other_start_surface_out kernel_other_start_surface()
 {
     return {0.0, 0.0, 0.0};
 }
@@ -1706,12 +1706,12 @@ static __device__ __forceinline__ kernel_pressed_on_out kernel_pressed_on(double
 
 /* Whether a ball leaves so slowly that its bounces may end here.
    Table 1. 21 operations: 5 additions, 10 multiplications, 1 division, 3 comparisons, 1 conjunction, 1 disjunction. */
-struct kernel_slowed_out {
+struct kernel_leaves_slowly_out {
     bool slow;
     double assured;
 };
 
-static __device__ __forceinline__ kernel_slowed_out kernel_slowed(double p_ball_radius, double p_gravity, double nx, double ny, double nz, double vx, double vy, double vz, double position_error)
+static __device__ __forceinline__ kernel_leaves_slowly_out kernel_leaves_slowly(double p_ball_radius, double p_gravity, double nx, double ny, double nz, double vx, double vy, double vz, double position_error)
 {
     const double _s0 = ((nx * vx) + (ny * vy)) + (nz * vz);
     const double _s1 = _s0 * _s0;
@@ -1721,11 +1721,11 @@ static __device__ __forceinline__ kernel_slowed_out kernel_slowed(double p_ball_
 
 /* Start value for a ball without a contact.
    Table 1. No operations. */
-struct kernel_unslowed_out {
+struct kernel_no_slow_contact_out {
     bool slow;
 };
 
-static __device__ __forceinline__ kernel_unslowed_out kernel_unslowed()
+static __device__ __forceinline__ kernel_no_slow_contact_out kernel_no_slow_contact()
 {
     return {false};
 }
@@ -1775,11 +1775,11 @@ static __device__ __forceinline__ kernel_isolated_out kernel_isolated()
 
 /* Distance to a body beside a rolling ball, and whether it holds the ball, too.
    Table 1. 18 operations: 1 addition, 4 multiplications, 1 division, 2 absolute values, 5 comparisons, 1 conjunction, 4 selections. */
-struct kernel_neared_body_out {
+struct kernel_near_body_out {
     double nearest, second_contact_gap;
 };
 
-static __device__ __forceinline__ kernel_neared_body_out kernel_neared_body(double gap, double nearest, double second_contact_gap, double rolling_gap_acceleration, double normal_cosine, double press, double nearing)
+static __device__ __forceinline__ kernel_near_body_out kernel_near_body(double gap, double nearest, double second_contact_gap, double rolling_gap_acceleration, double normal_cosine, double press, double nearing)
 {
     const double _s0 = fabs(gap);
     const double _s1 = fabs(rolling_gap_acceleration);
@@ -1790,11 +1790,11 @@ static __device__ __forceinline__ kernel_neared_body_out kernel_neared_body(doub
 
 /* Distance to an end plane beside the ball.
    Table 1. 3 operations: 1 absolute value, 1 comparison, 1 selection. */
-struct kernel_neared_out {
+struct kernel_near_end_plane_out {
     double nearest;
 };
 
-static __device__ __forceinline__ kernel_neared_out kernel_neared(double gap, double nearest)
+static __device__ __forceinline__ kernel_near_end_plane_out kernel_near_end_plane(double gap, double nearest)
 {
     const double _s0 = fabs(gap);
     return {smaller(_s0, nearest)};
@@ -1802,11 +1802,11 @@ static __device__ __forceinline__ kernel_neared_out kernel_neared(double gap, do
 
 /* Errors with those of the jump to the end of the bounces.
    its bound. 41 operations: 12 additions, 3 multiplications, 2 divisions, 3 negations, 3 absolute values, 9 comparisons, 9 selections. */
-struct kernel_begun_errors_out {
+struct kernel_jump_errors_out {
     double dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz;
 };
 
-static __device__ __forceinline__ kernel_begun_errors_out kernel_begun_errors(double p_ball_radius, double vx, double vy, double vz, double dx, double dy, double dz, double dvx, double dvy, double dvz, double dwx, double dwy, double dwz)
+static __device__ __forceinline__ kernel_jump_errors_out kernel_jump_errors(double p_ball_radius, double vx, double vy, double vz, double dx, double dy, double dz, double dvx, double dvy, double dvz, double dwx, double dwy, double dwz)
 {
     const double _s0 = 3.637978807091713e-12 * p_ball_radius;
     const double _s1 = -_s0;
@@ -1822,10 +1822,10 @@ static __device__ __forceinline__ kernel_begun_errors_out kernel_begun_errors(do
 struct kernel_leaving_force_out {
     double stride, which;
     bool rests;
-    double doubt;
+    double undecided_time;
 };
 
-static __device__ __forceinline__ kernel_leaving_force_out kernel_leaving_force(double p_ball_radius, double p_gravity, double vx, double vx_1, double vy, double vy_1, double vz, double vz_1, double which, double doubt, double position_error, double velocity_error, double per_reach, double force, double force_rate, double force_bend, double friction_force_rate, double stride, double fastest)
+static __device__ __forceinline__ kernel_leaving_force_out kernel_leaving_force(double p_ball_radius, double p_gravity, double vx, double vx_1, double vy, double vy_1, double vz, double vz_1, double which, double undecided_time, double position_error, double velocity_error, double per_reach, double force, double force_rate, double force_bend, double friction_force_rate, double stride, double fastest)
 {
     const double _s0 = fabs(per_reach);
     const double _s1 = p_gravity + ((fastest * fastest) * _s0);
@@ -1845,16 +1845,16 @@ static __device__ __forceinline__ kernel_leaving_force_out kernel_leaving_force(
     const double _s15 = choose((0.0 <= _s13), (choose(_s3, (2.0 * _s12), (force_rate + _s14)) / choose(_s3, (_s14 - force_rate), larger(0.0, _s11))), (INFINITE));
     const double _s16 = ((8.0 * _s0) * ((position_error * _s1) + (velocity_error * fastest))) + _s2;
     const bool _s17 = _s7 || ((fabs(force) <= _s16) && (!(((8.0 * _s11) * _s16) < _s10)));
-    return {choose((_s8 || _s9), 0.0, smaller(_s15, stride)), choose((_s8 && (which == -1.0)), 6.0, which), _s9 && (!_s8), choose(_s17, 0.0, doubt)};
+    return {choose((_s8 || _s9), 0.0, smaller(_s15, stride)), choose((_s8 && (which == -1.0)), 6.0, which), _s9 && (!_s8), choose(_s17, 0.0, undecided_time)};
 }
 
 /* Whether a rolling ball meets another surface; else a time for which it cannot.
    a parabola below the distance. 55 operations: 7 additions, 1 subtraction, 12 multiplications, 2 divisions, 1 square root, 1 negation, 4 absolute values, 9 comparisons, 5 conjunctions, 1 disjunction, 2 complements, 10 selections. */
 struct kernel_beside_body_out {
-    double stride, which, doubt, earliest_delay;
+    double stride, which, undecided_time, earliest_delay;
 };
 
-static __device__ __forceinline__ kernel_beside_body_out kernel_beside_body(double p_ball_radius, double x, double y, double z, double gap, double index, double which, double earliest_delay, double doubt, double position_error, double nearing, double gap_curvature, double stride, double strongest, double fastest)
+static __device__ __forceinline__ kernel_beside_body_out kernel_beside_body(double p_ball_radius, double x, double y, double z, double gap, double index, double which, double earliest_delay, double undecided_time, double position_error, double nearing, double gap_curvature, double stride, double strongest, double fastest)
 {
     const double _s0 = 7.105427357601002e-15 * (((p_ball_radius + fabs(x)) + fabs(y)) + fabs(z));
     const bool _s1 = gap <= _s0;
@@ -1870,16 +1870,16 @@ static __device__ __forceinline__ kernel_beside_body_out kernel_beside_body(doub
     const bool _s11 = _s3 && _s10;
     const double _s12 = (2.0 * position_error) + _s0;
     const bool _s13 = (((gap <= _s12) && ((-_s12) <= gap)) && (!(((8.0 * _s12) * _s5) < _s4))) || (_s3 && (!_s10));
-    return {choose(_s3, 0.0, smaller(_s9, stride)), choose(_s11, index, which), choose(_s13, 0.0, doubt), choose(_s11, ((2.0 * _s12) / fabs(nearing)), earliest_delay)};
+    return {choose(_s3, 0.0, smaller(_s9, stride)), choose(_s11, index, which), choose(_s13, 0.0, undecided_time), choose(_s11, ((2.0 * _s12) / fabs(nearing)), earliest_delay)};
 }
 
 /* Whether a rolling ball crosses an end plane; else a time for which it cannot.
    a parabola below the distance. 60 operations: 7 additions, 1 subtraction, 11 multiplications, 2 divisions, 1 square root, 2 negations, 4 absolute values, 12 comparisons, 6 conjunctions, 1 disjunction, 2 complements, 11 selections. */
-struct kernel_beside_gate_out {
-    double stride, which, doubt, earliest_delay;
+struct kernel_beside_end_plane_out {
+    double stride, which, undecided_time, earliest_delay;
 };
 
-static __device__ __forceinline__ kernel_beside_gate_out kernel_beside_gate(double p_ball_radius, double x, double y, double z, double gap, double index, double which, double earliest_delay, double doubt, double position_error, double nearing, double gap_curvature, double stride, double strongest, double fastest)
+static __device__ __forceinline__ kernel_beside_end_plane_out kernel_beside_end_plane(double p_ball_radius, double x, double y, double z, double gap, double index, double which, double earliest_delay, double undecided_time, double position_error, double nearing, double gap_curvature, double stride, double strongest, double fastest)
 {
     const double _s0 = 7.105427357601002e-15 * (((p_ball_radius + fabs(x)) + fabs(y)) + fabs(z));
     const bool _s1 = nearing < 0.0;
@@ -1894,7 +1894,7 @@ static __device__ __forceinline__ kernel_beside_gate_out kernel_beside_gate(doub
     const bool _s10 = _s2 && _s9;
     const double _s11 = (2.0 * position_error) + _s0;
     const bool _s12 = (((gap <= _s11) && ((-_s11) <= gap)) && (!(((8.0 * _s11) * _s4) < _s3))) || (_s2 && (!_s9));
-    return {choose(_s2, 0.0, smaller(_s8, stride)), choose(_s10, index, which), choose(_s12, 0.0, doubt), choose(_s10, ((2.0 * _s11) / fabs(nearing)), earliest_delay)};
+    return {choose(_s2, 0.0, smaller(_s8, stride)), choose(_s10, index, which), choose(_s12, 0.0, undecided_time), choose(_s10, ((2.0 * _s11) / fabs(nearing)), earliest_delay)};
 }
 
 /* Time for which a rolling ball certainly stays on one part of its surface.
@@ -1970,13 +1970,13 @@ static __device__ __forceinline__ kernel_neighbour_free_time_out kernel_neighbou
     return {smaller(_s6, free_time)};
 }
 
-/* Time for which a ball that leaves crosses no end plane; else it is in doubt.
+/* Time for which a ball that leaves crosses no end plane; else that is undecided.
    a parabola below the distance. 55 operations: 8 additions, 2 subtractions, 9 multiplications, 3 divisions, 2 square roots, 2 negations, 4 absolute values, 11 comparisons, 1 disjunction, 13 selections. */
 struct kernel_end_plane_free_time_out {
-    double free_time, doubt;
+    double free_time, undecided_time;
 };
 
-static __device__ __forceinline__ kernel_end_plane_free_time_out kernel_end_plane_free_time(double p_gravity, double vx, double vy, double vz, double gap, double doubt, double free_time, double nearing, double gap_curvature)
+static __device__ __forceinline__ kernel_end_plane_free_time_out kernel_end_plane_free_time(double p_gravity, double vx, double vy, double vz, double gap, double undecided_time, double free_time, double nearing, double gap_curvature)
 {
     const bool _s0 = 0.0 < gap;
     const double _s1 = nearing * nearing;
@@ -1996,7 +1996,7 @@ static __device__ __forceinline__ kernel_end_plane_free_time_out kernel_end_plan
     const bool _s15 = (-nearing) < 0.0;
     const double _s16 = choose((0.0 <= _s13), (choose(_s15, (2.0 * _s12), (_s14 - nearing)) / choose(_s15, (nearing + _s14), _s8)), (INFINITE));
     const double _s17 = fabs(nearing) / _s3;
-    return {choose(_s0, smaller(_s10, free_time), free_time), choose((_s0 || (0.0078125 < larger(_s16, _s17))), doubt, 0.0)};
+    return {choose(_s0, smaller(_s10, free_time), free_time), choose((_s0 || (0.0078125 < larger(_s16, _s17))), undecided_time, 0.0)};
 }
 
 /* Time for which it certainly reaches no seam, where the distance bends differently.
@@ -2019,10 +2019,10 @@ static __device__ __forceinline__ kernel_seam_free_time_out kernel_seam_free_tim
 /* Time for which a ball that leaves a surface certainly meets neither it nor another.
    Taylor's theorem of the gap. 66 operations: 10 additions, 21 multiplications, 5 divisions, 4 square roots, 6 absolute values, 10 comparisons, 1 disjunction, 9 selections. */
 struct kernel_separated_out {
-    double when, doubt;
+    double when, undecided_time;
 };
 
-static __device__ __forceinline__ kernel_separated_out kernel_separated(double p_gravity, double vx, double vy, double vz, double doubt, double position_error, double velocity_error, double per_reach, double free_time, double lift, double gap_jerk, double gap_snap)
+static __device__ __forceinline__ kernel_separated_out kernel_separated(double p_gravity, double vx, double vy, double vz, double undecided_time, double position_error, double velocity_error, double per_reach, double free_time, double lift, double gap_jerk, double gap_snap)
 {
     const double _s0 = 0.25 * free_time;
     const double _s1 = (((0.0078125 * p_gravity) + fabs(vx)) + fabs(vy)) + fabs(vz);
@@ -2044,7 +2044,7 @@ static __device__ __forceinline__ kernel_separated_out kernel_separated(double p
     const double _s17 = smaller(_s16, 0.0078125);
     const double _s18 = smaller(_s0, _s17);
     const double _s19 = (5.684341886080802e-14 * p_gravity) + ((16.0 * ((position_error * _s3) + (velocity_error * _s1))) * _s2);
-    return {larger(0.0, _s18), choose((((_s19 * _s4) < gap_jerk) || (_s19 < lift)), doubt, 0.0)};
+    return {larger(0.0, _s18), choose((((_s19 * _s4) < gap_jerk) || (_s19 < lift)), undecided_time, 0.0)};
 }
 
 /* Scale from the errors to the neighbouring motion.
@@ -2167,7 +2167,7 @@ static __device__ __forceinline__ kernel_reachable_in_flight_out kernel_reachabl
 /* Start values of a turn in contact: no event yet.
    Table 1. 7 operations: 5 comparisons, 1 conjunction, 1 selection. */
 struct kernel_resumed_out {
-    double which, earliest_delay, began, doubt;
+    double which, earliest_delay, began, undecided_time;
     bool begins, rolling, leaves;
     double nx, ny, nz, gap, bent_x, bent_y, bent_z, lift, gap_jerk, gap_snap, per_reach;
 };
@@ -2179,13 +2179,13 @@ static __device__ __forceinline__ kernel_resumed_out kernel_resumed(double posit
 
 /* 1 if a decision lies within its error, unless it only delays bounces on one surface.
    Table 1. 12 operations: 1 addition, 4 comparisons, 3 conjunctions, 1 disjunction, 2 complements, 1 selection. */
-struct kernel_doubted_in_contact_out {
+struct kernel_contact_undecided_out {
     double uncertain;
 };
 
-static __device__ __forceinline__ kernel_doubted_in_contact_out kernel_doubted_in_contact(double last, double when, double which, double earliest_delay, double doubt, double uncertain, bool edge, double assured)
+static __device__ __forceinline__ kernel_contact_undecided_out kernel_contact_undecided(double last, double when, double which, double earliest_delay, double undecided_time, double uncertain, bool edge, double assured)
 {
-    const bool _s0 = (((!((when + earliest_delay) < doubt)) && (doubt < (INFINITE))) || edge) && (!((0.0 < assured) && (which == last)));
+    const bool _s0 = (((!((when + earliest_delay) < undecided_time)) && (undecided_time < (INFINITE))) || edge) && (!((0.0 < assured) && (which == last)));
     return {choose(_s0, 1.0, uncertain)};
 }
 
@@ -2213,11 +2213,11 @@ static __device__ __forceinline__ kernel_beside_out kernel_beside(double index, 
 
 /* Start value: the ball has not departed.
    Table 1. No operations. */
-struct kernel_unhopped_out {
+struct kernel_no_departure_out {
     bool hopped;
 };
 
-static __device__ __forceinline__ kernel_unhopped_out kernel_unhopped()
+static __device__ __forceinline__ kernel_no_departure_out kernel_no_departure()
 {
     return {false};
 }
@@ -2235,11 +2235,11 @@ static __device__ __forceinline__ kernel_beginning_contact_out kernel_beginning_
 
 /* Event: the ball is off the surface.
    Table 1. No operations. */
-struct kernel_take_off_out {
+struct kernel_detachment_out {
     double which;
 };
 
-static __device__ __forceinline__ kernel_take_off_out kernel_take_off()
+static __device__ __forceinline__ kernel_detachment_out kernel_detachment()
 {
     return {7.0};
 }
@@ -2247,12 +2247,12 @@ static __device__ __forceinline__ kernel_take_off_out kernel_take_off()
 /* Log entry, outcome and mode of a ball in contact after a turn.
    Table 1. 38 operations: 3 additions, 1 subtraction, 1 multiplication, 9 comparisons, 2 conjunctions, 4 disjunctions, 1 complement, 17 selections. */
 struct kernel_stay_in_contact_out {
-    double body, reached, doubt;
+    double body, reached, undecided_time;
     bool ends, hopped;
     double last, mode, held, rolls;
 };
 
-static __device__ __forceinline__ kernel_stay_in_contact_out kernel_stay_in_contact(double last, double which, double doubt, double body, double clock, double reached, bool ends, double held, double rolls, bool rolling, double began, bool rests)
+static __device__ __forceinline__ kernel_stay_in_contact_out kernel_stay_in_contact(double last, double which, double undecided_time, double body, double clock, double reached, bool ends, double held, double rolls, bool rolling, double began, bool rests)
 {
     const bool _s0 = which == 5.0;
     const double _s1 = 2.0 * choose((held == 2.0), 2.0, choose((held == 1.0), 1.0, choose((held == 0.0), 0.0, -1.0)));
@@ -2261,7 +2261,7 @@ static __device__ __forceinline__ kernel_stay_in_contact_out kernel_stay_in_cont
     const bool _s4 = which == 8.0;
     const bool _s5 = rolling && ((clock - began) <= 5.960464477539063e-08);
     const bool _s6 = 4.0 < which;
-    return {choose(_s0, (4.0 + _s1), choose(_s2, (5.0 + _s1), choose(_s3, -1.0, choose(_s4, 3.0, body)))), choose(_s5, 2.0, choose(_s4, 6.0, choose(rests, 5.0, choose((_s6 || rolling), -1.0, reached)))), choose(_s5, 0.0, doubt), ends && (!_s6), _s3, choose(_s3, -1.0, last), choose((_s0 || rolling), 2.0, choose(_s2, 3.0, 0.0)), choose(((_s0 || _s2) || rolling), held, -1.0), choose(_s0, (1.0 + rolls), rolls)};
+    return {choose(_s0, (4.0 + _s1), choose(_s2, (5.0 + _s1), choose(_s3, -1.0, choose(_s4, 3.0, body)))), choose(_s5, 2.0, choose(_s4, 6.0, choose(rests, 5.0, choose((_s6 || rolling), -1.0, reached)))), choose(_s5, 0.0, undecided_time), ends && (!_s6), _s3, choose(_s3, -1.0, last), choose((_s0 || rolling), 2.0, choose(_s2, 3.0, 0.0)), choose(((_s0 || _s2) || rolling), held, -1.0), choose(_s0, (1.0 + rolls), rolls)};
 }
 
 /* Whether the ball stays on the surface, slides, leaves, or is wedged.
@@ -2270,18 +2270,18 @@ struct kernel_settled_out {
     double mode, held, outcome, slip_left, uncertain;
 };
 
-static __device__ __forceinline__ kernel_settled_out kernel_settled(double index, double outcome, double uncertain, bool unsure, bool settles, bool nearly, bool lodges, bool slides, bool unpressed)
+static __device__ __forceinline__ kernel_settled_out kernel_settled(double index, double outcome, double uncertain, bool undecided, bool settles, bool nearly, bool lodges, bool slides, bool unpressed)
 {
-    return {choose(nearly, choose(settles, 1.0, choose(unpressed, 3.0, 0.0)), 0.0), choose((nearly && (settles || unpressed)), index, -1.0), choose(((nearly && (lodges || slides)) && (outcome < 0.0)), choose(lodges, 5.0, 2.0), outcome), choose((nearly && slides), 1.0, 0.0), choose((lodges || unsure), 1.0, uncertain)};
+    return {choose(nearly, choose(settles, 1.0, choose(unpressed, 3.0, 0.0)), 0.0), choose((nearly && (settles || unpressed)), index, -1.0), choose(((nearly && (lodges || slides)) && (outcome < 0.0)), choose(lodges, 5.0, 2.0), outcome), choose((nearly && slides), 1.0, 0.0), choose((lodges || undecided), 1.0, uncertain)};
 }
 
 /* Square of the friction that rolling takes, per unit mass, and its rate.
    F = beta (-a_t + s n × n'). 57 operations: 18 additions, 36 multiplications, 1 division, 2 negations. */
-struct kernel_pulled_out {
+struct kernel_ring_friction_out {
     double rolling_friction, rolling_friction_rate, grip_deficit, grip_deficit_rate;
 };
 
-static __device__ __forceinline__ kernel_pulled_out kernel_pulled(double p_gravity, double p_inertia, double nx_0, double nx_1, double ny_0, double ny_1, double nz_0, double nz_1, double turn_rate_0, double turn_rate_1, double tx_0, double tx_1, double ty_0, double ty_1, double tz_0, double tz_1)
+static __device__ __forceinline__ kernel_ring_friction_out kernel_ring_friction(double p_gravity, double p_inertia, double nx_0, double nx_1, double ny_0, double ny_1, double nz_0, double nz_1, double turn_rate_0, double turn_rate_1, double tx_0, double tx_1, double ty_0, double ty_1, double tz_0, double tz_1)
 {
     const double _s0 = -(p_gravity * nz_0);
     const double _s1 = p_inertia * (1.0 / (1.0 + p_inertia));
@@ -2308,22 +2308,22 @@ static __device__ __forceinline__ kernel_forget_grip_deficit_out kernel_forget_g
 
 /* Whether friction exceeds its limit for the first time.
    F² > mu² N². 3 operations: 2 comparisons, 1 conjunction. */
-struct kernel_losing_out {
+struct kernel_exceeds_grip_out {
     bool loses;
 };
 
-static __device__ __forceinline__ kernel_losing_out kernel_losing(double grip_deficit, double grip_lost)
+static __device__ __forceinline__ kernel_exceeds_grip_out kernel_exceeds_grip(double grip_deficit, double grip_lost)
 {
     return {(0.0 < grip_deficit) && (grip_lost == (INFINITE))};
 }
 
 /* Time at which friction first exceeded its limit.
    a cubic between the ends of a step. 97 operations: 22 additions, 9 subtractions, 28 multiplications, 5 divisions, 1 negation, 16 comparisons, 1 conjunction, 15 selections. */
-struct kernel_lost_grip_out {
+struct kernel_grip_lost_time_out {
     double grip_lost;
 };
 
-static __device__ __forceinline__ kernel_lost_grip_out kernel_lost_grip(double clock, double grip_deficit, double grip_deficit_rate, double last_grip_deficit, double last_grip_deficit_rate, double last_grip_clock)
+static __device__ __forceinline__ kernel_grip_lost_time_out kernel_grip_lost_time(double clock, double grip_deficit, double grip_deficit_rate, double last_grip_deficit, double last_grip_deficit_rate, double last_grip_clock)
 {
     const double _s0 = clock - last_grip_clock;
     const double _s1 = grip_deficit - last_grip_deficit;
@@ -2383,11 +2383,11 @@ static __device__ __forceinline__ kernel_ring_impact_taken_out kernel_ring_impac
 
 /* Whether a decision within the contact lies within its error.
    the law's own slack. 88 operations: 16 additions, 11 subtractions, 29 multiplications, 3 divisions, 1 square root, 1 negation, 13 absolute values, 7 comparisons, 2 conjunctions, 1 complement, 4 selections. */
-struct kernel_ring_impact_doubt_out {
-    bool unsure;
+struct kernel_ring_impact_undecided_out {
+    bool undecided;
 };
 
-static __device__ __forceinline__ kernel_ring_impact_doubt_out kernel_ring_impact_doubt(double vx, double vy, double vz, double wx, double wy, double wz, double nx, double ny, double nz, double dvx, double dvy, double dvz, double dwx, double dwy, double dwz, double turn, double p_ball_radius, double p_ring_restitution, double p_ring_friction, double p_inertia, double p_tangential_restitution, double p_restitution_speed)
+static __device__ __forceinline__ kernel_ring_impact_undecided_out kernel_ring_impact_undecided(double vx, double vy, double vz, double wx, double wy, double wz, double nx, double ny, double nz, double dvx, double dvy, double dvz, double dwx, double dwy, double dwz, double turn, double p_ball_radius, double p_ring_restitution, double p_ring_friction, double p_inertia, double p_tangential_restitution, double p_restitution_speed)
 {
     const double _s0 = (p_inertia * (1.0 + p_tangential_restitution)) / (1.0 + p_inertia);
     const double _s1 = fabs(dwx);
@@ -2416,7 +2416,7 @@ static __device__ __forceinline__ kernel_ring_impact_doubt_out kernel_ring_impac
 struct kernel_ring_impact_settling_out {
     bool settles, lodges, slides, unpressed;
     double assured;
-    bool unsure;
+    bool undecided;
 };
 
 static __device__ __forceinline__ kernel_ring_impact_settling_out kernel_ring_impact_settling(double p_ball_radius, double p_inertia, double p_ring_friction, double p_ring_restitution, double wx, double wy, double wz, double velocity_error, double rolled_x, double rolled_y, double rolled_z, double turning_x, double turning_y, double turning_z, double slip, double bounce, double nearest, double second_contact_gap, double press, double weight, double rolling_friction, double lift)
@@ -3409,10 +3409,10 @@ static __device__ __forceinline__ kernel_ring_round_pulled_out kernel_ring_round
 struct kernel_ring_swung_out {
     double circled;
     bool endless;
-    double doubt;
+    double undecided_time;
 };
 
-static __device__ __forceinline__ kernel_ring_swung_out kernel_ring_swung(double p_ball_radius, double p_gravity, double p_wire_radius, double which, double doubt, double position_error, double velocity_error, double force, double force_rate, double force_bend, double stride, double fastest, double circled, double climb, double climb_0, double section_acceleration, double azimuth_clearance)
+static __device__ __forceinline__ kernel_ring_swung_out kernel_ring_swung(double p_ball_radius, double p_gravity, double p_wire_radius, double which, double undecided_time, double position_error, double velocity_error, double force, double force_rate, double force_bend, double stride, double fastest, double circled, double climb, double climb_0, double section_acceleration, double azimuth_clearance)
 {
     const double _s0 = p_ball_radius + p_wire_radius;
     const double _s1 = stride * stride;
@@ -3422,7 +3422,7 @@ static __device__ __forceinline__ kernel_ring_swung_out kernel_ring_swung(double
     const bool _s5 = (_s3 && _s4) && (0.0 < circled);
     const double _s6 = p_gravity + ((fastest * fastest) * (1.0 / _s0));
     const bool _s7 = !((_s6 * (512.0 * ((position_error * _s6) + (velocity_error * fastest)))) < ((0.000244140625 * (p_gravity * p_gravity)) * _s0));
-    return {choose(_s3, choose(_s4, 1.0, circled), 0.0), _s5, choose((_s5 && _s7), 0.0, doubt)};
+    return {choose(_s3, choose(_s4, 1.0, circled), 0.0), _s5, choose((_s5 && _s7), 0.0, undecided_time)};
 }
 
 /* Coefficients of order 1, from those of lower order.
@@ -5027,7 +5027,7 @@ extern "C" __global__ void court_plain(
         here = false, circling = false, beside = false, over = false, endless = false,
         moves = false, ends = false, touches = false, meeting = false, slow = false,
         struck_0 = false, nearly = false, settles = false, lodges = false, slides = false,
-        unpressed = false, unsure = false;
+        unpressed = false, undecided = false;
     float onset = (float)0.0, wide_end = (float)0.0, wide_low1 = (float)0.0, wide_high1 = (float)0.0,
         wide_low2 = (float)0.0, wide_high2 = (float)0.0, lapsed = (float)0.0,
         short_share = (float)0.0, short_t = (float)0.0, short_end = (float)0.0,
@@ -5098,7 +5098,7 @@ extern "C" __global__ void court_plain(
         rate = _o13.rate;
         bend = _o13.bend;
         apex = _o13.apex;
-        const kernel_meeting_plane_out _o14 = kernel_meeting_plane(rate, bend, apex, time);
+        const kernel_plane_root_out _o14 = kernel_plane_root(rate, bend, apex, time);
         arrives = _o14.arrives;
         const kernel_within_time_out _o15 = kernel_within_time(time, when, 0.0, 0.0, arrives);
         possible = _o15.possible;
@@ -5231,12 +5231,12 @@ extern "C" __global__ void court_plain(
                     step = _o36.step;
                     next = _o36.next;
                     clearance = _o36.clearance;
-                    const kernel_struck_out _o37 = kernel_struck(gap, rate, bend, margin, rate_slack, clearance, share);
+                    const kernel_gap_closes_out _o37 = kernel_gap_closes(gap, rate, bend, margin, rate_slack, clearance, share);
                     hit = _o37.hit;
                     sure = _o37.sure;
                     needs_refinement = _o37.needs_refinement;
                     if (needs_refinement) {
-                        const kernel_finer_out _o38 = kernel_finer(share);
+                        const kernel_smaller_budget_out _o38 = kernel_smaller_budget(share);
                         share = _o38.share;
                         const kernel_allowance_out _o39 = kernel_allowance(share, latest, extent, speed, 0.0, 0.0, p_gravity);
                         position_level = _o39.position_level;
@@ -5270,7 +5270,7 @@ extern "C" __global__ void court_plain(
                 refined = _o45.time;
                 gap = _o45.gap;
                 rate = _o45.rate;
-                const kernel_polished_out _o46 = kernel_polished(gap, rate, ceiling, arrival, refined, certain);
+                const kernel_refined_root_out _o46 = kernel_refined_root(gap, rate, ceiling, arrival, refined, certain);
                 arrival = _o46.arrival;
                 refining = _o46.refining;
             }
@@ -5279,7 +5279,7 @@ extern "C" __global__ void court_plain(
                 refined = _o47.time;
                 gap = _o47.gap;
                 rate = _o47.rate;
-                const kernel_polished_out _o48 = kernel_polished(gap, rate, ceiling, arrival, refined, certain);
+                const kernel_refined_root_out _o48 = kernel_refined_root(gap, rate, ceiling, arrival, refined, certain);
                 arrival = _o48.arrival;
                 refining = _o48.refining;
             }
@@ -5290,11 +5290,11 @@ extern "C" __global__ void court_plain(
                 refined = _o49.time;
                 gap = _o49.gap;
                 rate = _o49.rate;
-                const kernel_polished_out _o50 = kernel_polished(gap, rate, ceiling, arrival, refined, certain);
+                const kernel_refined_root_out _o50 = kernel_refined_root(gap, rate, ceiling, arrival, refined, certain);
                 arrival = _o50.arrival;
                 refining = _o50.refining;
             }
-            const kernel_landed_out _o51 = kernel_landed(arrival);
+            const kernel_arrival_time_out _o51 = kernel_arrival_time(arrival);
             time = _o51.time;
             const kernel_earliest_out _o52 = kernel_earliest(0.0, time, when, which, arrives);
             when = _o52.when;
@@ -5303,7 +5303,7 @@ extern "C" __global__ void court_plain(
         const kernel_horizon_out _o53 = kernel_horizon(when, speed, p_gravity);
         until = _o53.horizon;
         pad = _o53.pad;
-        const kernel_halved_out _o54 = kernel_halved(until, x, y, z, vx, vy, vz, extent, speed, 0.0, 0.0, 0.0, pad, p_gravity);
+        const kernel_half_flight_boxes_out _o54 = kernel_half_flight_boxes(until, x, y, z, vx, vy, vz, extent, speed, 0.0, 0.0, 0.0, pad, p_gravity);
         middle_x = _o54.middle_x;
         reach_x = _o54.reach_x;
         later_middle_x = _o54.later_middle_x;
@@ -5356,12 +5356,12 @@ extern "C" __global__ void court_plain(
                 step = _o64.step;
                 next = _o64.next;
                 clearance = _o64.clearance;
-                const kernel_struck_or_still_out _o65 = kernel_struck_or_still(t, end, gap, rate, bend, margin, rate_slack, next, clearance, share);
+                const kernel_gap_closes_or_stalls_out _o65 = kernel_gap_closes_or_stalls(t, end, gap, rate, bend, margin, rate_slack, next, clearance, share);
                 hit = _o65.hit;
                 sure = _o65.sure;
                 needs_refinement = _o65.needs_refinement;
                 if (needs_refinement) {
-                    const kernel_finer_out _o66 = kernel_finer(share);
+                    const kernel_smaller_budget_out _o66 = kernel_smaller_budget(share);
                     share = _o66.share;
                     const kernel_allowance_out _o67 = kernel_allowance(share, latest, extent, speed, 0.0, 0.0, p_gravity);
                     position_level = _o67.position_level;
@@ -5397,12 +5397,12 @@ extern "C" __global__ void court_plain(
                 step = _o72.step;
                 next = _o72.next;
                 clearance = _o72.clearance;
-                const kernel_struck_or_still_out _o73 = kernel_struck_or_still(t, end, gap, rate, bend, margin, rate_slack, next, clearance, share);
+                const kernel_gap_closes_or_stalls_out _o73 = kernel_gap_closes_or_stalls(t, end, gap, rate, bend, margin, rate_slack, next, clearance, share);
                 hit = _o73.hit;
                 sure = _o73.sure;
                 needs_refinement = _o73.needs_refinement;
                 if (needs_refinement) {
-                    const kernel_finer_out _o74 = kernel_finer(share);
+                    const kernel_smaller_budget_out _o74 = kernel_smaller_budget(share);
                     share = _o74.share;
                     const kernel_allowance_out _o75 = kernel_allowance(share, latest, extent, speed, 0.0, 0.0, p_gravity);
                     position_level = _o75.position_level;
@@ -5435,7 +5435,7 @@ extern "C" __global__ void court_plain(
                 refined = _o81.time;
                 gap = _o81.gap;
                 rate = _o81.rate;
-                const kernel_polished_out _o82 = kernel_polished(gap, rate, ceiling, arrival, refined, certain);
+                const kernel_refined_root_out _o82 = kernel_refined_root(gap, rate, ceiling, arrival, refined, certain);
                 arrival = _o82.arrival;
                 refining = _o82.refining;
             }
@@ -5444,7 +5444,7 @@ extern "C" __global__ void court_plain(
                 refined = _o83.time;
                 gap = _o83.gap;
                 rate = _o83.rate;
-                const kernel_polished_out _o84 = kernel_polished(gap, rate, ceiling, arrival, refined, certain);
+                const kernel_refined_root_out _o84 = kernel_refined_root(gap, rate, ceiling, arrival, refined, certain);
                 arrival = _o84.arrival;
                 refining = _o84.refining;
             }
@@ -5455,11 +5455,11 @@ extern "C" __global__ void court_plain(
                 refined = _o85.time;
                 gap = _o85.gap;
                 rate = _o85.rate;
-                const kernel_polished_out _o86 = kernel_polished(gap, rate, ceiling, arrival, refined, certain);
+                const kernel_refined_root_out _o86 = kernel_refined_root(gap, rate, ceiling, arrival, refined, certain);
                 arrival = _o86.arrival;
                 refining = _o86.refining;
             }
-            const kernel_landed_out _o87 = kernel_landed(arrival);
+            const kernel_arrival_time_out _o87 = kernel_arrival_time(arrival);
             time = _o87.time;
             const kernel_earliest_out _o88 = kernel_earliest(1.0, time, when, which, arrives);
             when = _o88.when;
@@ -5468,7 +5468,7 @@ extern "C" __global__ void court_plain(
         const kernel_horizon_out _o89 = kernel_horizon(when, speed, p_gravity);
         until = _o89.horizon;
         pad = _o89.pad;
-        const kernel_halved_out _o90 = kernel_halved(until, x, y, z, vx, vy, vz, extent, speed, 0.0, 0.0, 0.0, pad, p_gravity);
+        const kernel_half_flight_boxes_out _o90 = kernel_half_flight_boxes(until, x, y, z, vx, vy, vz, extent, speed, 0.0, 0.0, 0.0, pad, p_gravity);
         middle_x = _o90.middle_x;
         reach_x = _o90.reach_x;
         later_middle_x = _o90.later_middle_x;
@@ -5521,12 +5521,12 @@ extern "C" __global__ void court_plain(
                 step = _o100.step;
                 next = _o100.next;
                 clearance = _o100.clearance;
-                const kernel_struck_or_still_out _o101 = kernel_struck_or_still(t, end, gap, rate, bend, margin, rate_slack, next, clearance, share);
+                const kernel_gap_closes_or_stalls_out _o101 = kernel_gap_closes_or_stalls(t, end, gap, rate, bend, margin, rate_slack, next, clearance, share);
                 hit = _o101.hit;
                 sure = _o101.sure;
                 needs_refinement = _o101.needs_refinement;
                 if (needs_refinement) {
-                    const kernel_finer_out _o102 = kernel_finer(share);
+                    const kernel_smaller_budget_out _o102 = kernel_smaller_budget(share);
                     share = _o102.share;
                     const kernel_allowance_out _o103 = kernel_allowance(share, latest, extent, speed, 0.0, 0.0, p_gravity);
                     position_level = _o103.position_level;
@@ -5562,12 +5562,12 @@ extern "C" __global__ void court_plain(
                 step = _o108.step;
                 next = _o108.next;
                 clearance = _o108.clearance;
-                const kernel_struck_or_still_out _o109 = kernel_struck_or_still(t, end, gap, rate, bend, margin, rate_slack, next, clearance, share);
+                const kernel_gap_closes_or_stalls_out _o109 = kernel_gap_closes_or_stalls(t, end, gap, rate, bend, margin, rate_slack, next, clearance, share);
                 hit = _o109.hit;
                 sure = _o109.sure;
                 needs_refinement = _o109.needs_refinement;
                 if (needs_refinement) {
-                    const kernel_finer_out _o110 = kernel_finer(share);
+                    const kernel_smaller_budget_out _o110 = kernel_smaller_budget(share);
                     share = _o110.share;
                     const kernel_allowance_out _o111 = kernel_allowance(share, latest, extent, speed, 0.0, 0.0, p_gravity);
                     position_level = _o111.position_level;
@@ -5600,7 +5600,7 @@ extern "C" __global__ void court_plain(
                 refined = _o117.time;
                 gap = _o117.gap;
                 rate = _o117.rate;
-                const kernel_polished_out _o118 = kernel_polished(gap, rate, ceiling, arrival, refined, certain);
+                const kernel_refined_root_out _o118 = kernel_refined_root(gap, rate, ceiling, arrival, refined, certain);
                 arrival = _o118.arrival;
                 refining = _o118.refining;
             }
@@ -5609,7 +5609,7 @@ extern "C" __global__ void court_plain(
                 refined = _o119.time;
                 gap = _o119.gap;
                 rate = _o119.rate;
-                const kernel_polished_out _o120 = kernel_polished(gap, rate, ceiling, arrival, refined, certain);
+                const kernel_refined_root_out _o120 = kernel_refined_root(gap, rate, ceiling, arrival, refined, certain);
                 arrival = _o120.arrival;
                 refining = _o120.refining;
             }
@@ -5620,11 +5620,11 @@ extern "C" __global__ void court_plain(
                 refined = _o121.time;
                 gap = _o121.gap;
                 rate = _o121.rate;
-                const kernel_polished_out _o122 = kernel_polished(gap, rate, ceiling, arrival, refined, certain);
+                const kernel_refined_root_out _o122 = kernel_refined_root(gap, rate, ceiling, arrival, refined, certain);
                 arrival = _o122.arrival;
                 refining = _o122.refining;
             }
-            const kernel_landed_out _o123 = kernel_landed(arrival);
+            const kernel_arrival_time_out _o123 = kernel_arrival_time(arrival);
             time = _o123.time;
             const kernel_earliest_out _o124 = kernel_earliest(2.0, time, when, which, arrives);
             when = _o124.when;
@@ -5901,7 +5901,7 @@ extern "C" __global__ void court_plain(
                 gap = _o171.gap;
                 nearing = _o171.nearing;
                 gap_curvature = _o171.gap_curvature;
-                const kernel_beside_gate_out _o172 = kernel_beside_gate(p_ball_radius, x, y, z, gap, 3.0, which, 0.0, INFINITE, 0.0, nearing, gap_curvature, stride, strongest, fastest);
+                const kernel_beside_end_plane_out _o172 = kernel_beside_end_plane(p_ball_radius, x, y, z, gap, 3.0, which, 0.0, INFINITE, 0.0, nearing, gap_curvature, stride, strongest, fastest);
                 stride = _o172.stride;
                 which = _o172.which;
                 const kernel_holding_out _o173 = kernel_holding(1.0, held);
@@ -6188,7 +6188,7 @@ extern "C" __global__ void court_plain(
                 gap = _o231.gap;
                 nearing = _o231.nearing;
                 gap_curvature = _o231.gap_curvature;
-                const kernel_beside_gate_out _o232 = kernel_beside_gate(p_ball_radius, x, y, z, gap, 3.0, which, 0.0, INFINITE, 0.0, nearing, gap_curvature, stride, strongest, fastest);
+                const kernel_beside_end_plane_out _o232 = kernel_beside_end_plane(p_ball_radius, x, y, z, gap, 3.0, which, 0.0, INFINITE, 0.0, nearing, gap_curvature, stride, strongest, fastest);
                 stride = _o232.stride;
                 which = _o232.which;
                 const kernel_beside_time_out _o233 = kernel_beside_time(which, clock, time_limit, stride);
@@ -6204,17 +6204,17 @@ extern "C" __global__ void court_plain(
                 const kernel_backboard_around_out _o237 = kernel_backboard_around(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, vx, vy, vz);
                 gap = _o237.gap;
                 nearing = _o237.nearing;
-                const kernel_cleared_out _o238 = kernel_cleared(gap, nearing, forth, azimuth_clearance);
+                const kernel_clearance_at_any_azimuth_out _o238 = kernel_clearance_at_any_azimuth(gap, nearing, forth, azimuth_clearance);
                 azimuth_clearance = _o238.azimuth_clearance;
                 const kernel_bridge_around_out _o239 = kernel_bridge_around(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
                 gap = _o239.gap;
                 nearing = _o239.nearing;
-                const kernel_cleared_out _o240 = kernel_cleared(gap, nearing, forth, azimuth_clearance);
+                const kernel_clearance_at_any_azimuth_out _o240 = kernel_clearance_at_any_azimuth(gap, nearing, forth, azimuth_clearance);
                 azimuth_clearance = _o240.azimuth_clearance;
                 const kernel_end_around_out _o241 = kernel_end_around(p_end_depth, z, vz);
                 gap = _o241.gap;
                 nearing = _o241.nearing;
-                const kernel_cleared_out _o242 = kernel_cleared(gap, nearing, forth, azimuth_clearance);
+                const kernel_clearance_at_any_azimuth_out _o242 = kernel_clearance_at_any_azimuth(gap, nearing, forth, azimuth_clearance);
                 azimuth_clearance = _o242.azimuth_clearance;
                 const kernel_ring_round_moved_out _o243 = kernel_ring_round_moved(p_ball_radius, p_ring_radius, p_wire_radius, stride, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, turn_rate_10, turn_rate_11, turn_rate_12, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, climb_11, climb_12, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, cosine_10, cosine_11, cosine_12, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, sine_10, sine_11, sine_12, along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, along_10, along_11, along_12, cos_0, sin_0, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, omega_10, omega_11);
                 x = _o243.x;
@@ -6232,28 +6232,28 @@ extern "C" __global__ void court_plain(
                 const kernel_backboard_around_out _o245 = kernel_backboard_around(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, vx, vy, vz);
                 gap = _o245.gap;
                 nearing = _o245.nearing;
-                const kernel_cleared_out _o246 = kernel_cleared(gap, nearing, back, azimuth_clearance);
+                const kernel_clearance_at_any_azimuth_out _o246 = kernel_clearance_at_any_azimuth(gap, nearing, back, azimuth_clearance);
                 azimuth_clearance = _o246.azimuth_clearance;
                 const kernel_bridge_around_out _o247 = kernel_bridge_around(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
                 gap = _o247.gap;
                 nearing = _o247.nearing;
-                const kernel_cleared_out _o248 = kernel_cleared(gap, nearing, back, azimuth_clearance);
+                const kernel_clearance_at_any_azimuth_out _o248 = kernel_clearance_at_any_azimuth(gap, nearing, back, azimuth_clearance);
                 azimuth_clearance = _o248.azimuth_clearance;
                 const kernel_end_around_out _o249 = kernel_end_around(p_end_depth, z, vz);
                 gap = _o249.gap;
                 nearing = _o249.nearing;
-                const kernel_cleared_out _o250 = kernel_cleared(gap, nearing, back, azimuth_clearance);
+                const kernel_clearance_at_any_azimuth_out _o250 = kernel_clearance_at_any_azimuth(gap, nearing, back, azimuth_clearance);
                 azimuth_clearance = _o250.azimuth_clearance;
                 const kernel_ring_swung_out _o251 = kernel_ring_swung(p_ball_radius, p_gravity, p_wire_radius, which, INFINITE, 0.0, 0.0, force, force_rate, force_bend, stride, fastest, circled, climb, climb_0, section_acceleration, azimuth_clearance);
                 circled = _o251.circled;
                 endless = _o251.endless;
-                const kernel_for_ever_out _o252 = kernel_for_ever(which, endless);
+                const kernel_rolls_for_ever_out _o252 = kernel_rolls_for_ever(which, endless);
                 which = _o252.which;
                 const kernel_rolled_on_out _o253 = kernel_rolled_on(which, clock, stride, rests);
                 clock = _o253.clock;
                 circling = _o253.rolling;
             }
-            const kernel_rejoined_out _o254 = kernel_rejoined(rolling, circling);
+            const kernel_still_in_contact_out _o254 = kernel_still_in_contact(rolling, circling);
             rolling = _o254.rolling;
             if (leaves) {
                 const kernel_holding_out _o255 = kernel_holding(0.0, held);
@@ -6406,7 +6406,7 @@ extern "C" __global__ void court_plain(
                 }
                 const kernel_separated_out _o302 = kernel_separated(p_gravity, vx, vy, vz, INFINITE, 0.0, 0.0, per_reach, free_time, lift, gap_jerk, gap_snap);
                 when = _o302.when;
-                const kernel_take_off_out _o303 = kernel_take_off();
+                const kernel_detachment_out _o303 = kernel_detachment();
                 which = _o303.which;
             }
         }
@@ -6464,7 +6464,7 @@ extern "C" __global__ void court_plain(
         /* What it does to the ball. */
         const kernel_meeting_out _o315 = kernel_meeting(0.0, ends, touches);
         meeting = _o315.meeting;
-        const kernel_unslowed_out _o316 = kernel_unslowed();
+        const kernel_no_slow_contact_out _o316 = kernel_no_slow_contact();
         slow = _o316.slow;
         if (meeting) {
             const kernel_end_normal_out _o317 = kernel_end_normal();
@@ -6501,7 +6501,7 @@ extern "C" __global__ void court_plain(
                 const kernel_counted_out _o326 = kernel_counted(count_2);
                 count_2 = _o326.count;
             }
-            const kernel_untaken_out _o327 = kernel_untaken();
+            const kernel_other_kind_out _o327 = kernel_other_kind();
             struck_0 = _o327.of_this_kind;
             const kernel_ring_impact_taken_out _o328 = kernel_ring_impact_taken(p_ring_restitution, p_ring_friction);
             its_0_ring_impact = _o328.its_0;
@@ -6532,7 +6532,7 @@ extern "C" __global__ void court_plain(
                 const kernel_touched_out _o332 = kernel_touched(which, body, first);
                 first = _o332.first;
                 last = _o332.last;
-                const kernel_slowed_out _o333 = kernel_slowed(p_ball_radius, p_gravity, nx, ny, nz, vx, vy, vz, 0.0);
+                const kernel_leaves_slowly_out _o333 = kernel_leaves_slowly(p_ball_radius, p_gravity, nx, ny, nz, vx, vy, vz, 0.0);
                 slow = _o333.slow;
             }
         }
@@ -6587,7 +6587,7 @@ extern "C" __global__ void court_plain(
                 nearing = _o345.nearing;
                 rolling_gap_acceleration = _o345.rolling_gap_acceleration;
                 normal_cosine = _o345.normal_cosine;
-                const kernel_neared_body_out _o346 = kernel_neared_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
+                const kernel_near_body_out _o346 = kernel_near_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
                 nearest = _o346.nearest;
                 second_contact_gap = _o346.second_contact_gap;
                 const kernel_bridge_closing_out _o347 = kernel_bridge_closing(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z);
@@ -6595,12 +6595,12 @@ extern "C" __global__ void court_plain(
                 nearing = _o347.nearing;
                 rolling_gap_acceleration = _o347.rolling_gap_acceleration;
                 normal_cosine = _o347.normal_cosine;
-                const kernel_neared_body_out _o348 = kernel_neared_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
+                const kernel_near_body_out _o348 = kernel_near_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
                 nearest = _o348.nearest;
                 second_contact_gap = _o348.second_contact_gap;
                 const kernel_end_beside_out _o349 = kernel_end_beside(p_end_depth, z, vz);
                 gap = _o349.gap;
-                const kernel_neared_out _o350 = kernel_neared(gap, nearest);
+                const kernel_near_end_plane_out _o350 = kernel_near_end_plane(gap, nearest);
                 nearest = _o350.nearest;
                 const kernel_ring_separation_out _o351 = kernel_ring_separation(p_gravity, p_ring_radius, x, y, z, vx, vy, vz);
                 lift = _o351.lift;
@@ -6609,8 +6609,8 @@ extern "C" __global__ void court_plain(
                 lodges = _o352.lodges;
                 slides = _o352.slides;
                 unpressed = _o352.unpressed;
-                unsure = _o352.unsure;
-                const kernel_settled_out _o353 = kernel_settled(0.0, outcome, 0.0, unsure, settles, nearly, lodges, slides, unpressed);
+                undecided = _o352.undecided;
+                const kernel_settled_out _o353 = kernel_settled(0.0, outcome, 0.0, undecided, settles, nearly, lodges, slides, unpressed);
                 mode = _o353.mode;
                 held = _o353.held;
                 outcome = _o353.outcome;
@@ -6638,7 +6638,7 @@ extern "C" __global__ void court_plain(
                 nearing = _o358.nearing;
                 rolling_gap_acceleration = _o358.rolling_gap_acceleration;
                 normal_cosine = _o358.normal_cosine;
-                const kernel_neared_body_out _o359 = kernel_neared_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
+                const kernel_near_body_out _o359 = kernel_near_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
                 nearest = _o359.nearest;
                 second_contact_gap = _o359.second_contact_gap;
                 const kernel_bridge_closing_out _o360 = kernel_bridge_closing(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z);
@@ -6646,12 +6646,12 @@ extern "C" __global__ void court_plain(
                 nearing = _o360.nearing;
                 rolling_gap_acceleration = _o360.rolling_gap_acceleration;
                 normal_cosine = _o360.normal_cosine;
-                const kernel_neared_body_out _o361 = kernel_neared_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
+                const kernel_near_body_out _o361 = kernel_near_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
                 nearest = _o361.nearest;
                 second_contact_gap = _o361.second_contact_gap;
                 const kernel_end_beside_out _o362 = kernel_end_beside(p_end_depth, z, vz);
                 gap = _o362.gap;
-                const kernel_neared_out _o363 = kernel_neared(gap, nearest);
+                const kernel_near_end_plane_out _o363 = kernel_near_end_plane(gap, nearest);
                 nearest = _o363.nearest;
                 const kernel_backboard_separation_out _o364 = kernel_backboard_separation(p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, p_gravity, x, y, z, vx, vy, vz);
                 lift = _o364.lift;
@@ -6660,8 +6660,8 @@ extern "C" __global__ void court_plain(
                 lodges = _o365.lodges;
                 slides = _o365.slides;
                 unpressed = _o365.unpressed;
-                unsure = _o365.unsure;
-                const kernel_settled_out _o366 = kernel_settled(1.0, outcome, 0.0, unsure, settles, nearly, lodges, slides, unpressed);
+                undecided = _o365.undecided;
+                const kernel_settled_out _o366 = kernel_settled(1.0, outcome, 0.0, undecided, settles, nearly, lodges, slides, unpressed);
                 mode = _o366.mode;
                 held = _o366.held;
                 outcome = _o366.outcome;
@@ -6689,7 +6689,7 @@ extern "C" __global__ void court_plain(
                 nearing = _o371.nearing;
                 rolling_gap_acceleration = _o371.rolling_gap_acceleration;
                 normal_cosine = _o371.normal_cosine;
-                const kernel_neared_body_out _o372 = kernel_neared_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
+                const kernel_near_body_out _o372 = kernel_near_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
                 nearest = _o372.nearest;
                 second_contact_gap = _o372.second_contact_gap;
                 const kernel_backboard_closing_out _o373 = kernel_backboard_closing(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z);
@@ -6697,12 +6697,12 @@ extern "C" __global__ void court_plain(
                 nearing = _o373.nearing;
                 rolling_gap_acceleration = _o373.rolling_gap_acceleration;
                 normal_cosine = _o373.normal_cosine;
-                const kernel_neared_body_out _o374 = kernel_neared_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
+                const kernel_near_body_out _o374 = kernel_near_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
                 nearest = _o374.nearest;
                 second_contact_gap = _o374.second_contact_gap;
                 const kernel_end_beside_out _o375 = kernel_end_beside(p_end_depth, z, vz);
                 gap = _o375.gap;
-                const kernel_neared_out _o376 = kernel_neared(gap, nearest);
+                const kernel_near_end_plane_out _o376 = kernel_near_end_plane(gap, nearest);
                 nearest = _o376.nearest;
                 const kernel_bridge_separation_out _o377 = kernel_bridge_separation(p_board_distance, p_bridge_depth, p_bridge_half_width, p_gravity, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
                 lift = _o377.lift;
@@ -6711,8 +6711,8 @@ extern "C" __global__ void court_plain(
                 lodges = _o378.lodges;
                 slides = _o378.slides;
                 unpressed = _o378.unpressed;
-                unsure = _o378.unsure;
-                const kernel_settled_out _o379 = kernel_settled(2.0, outcome, 0.0, unsure, settles, nearly, lodges, slides, unpressed);
+                undecided = _o378.undecided;
+                const kernel_settled_out _o379 = kernel_settled(2.0, outcome, 0.0, undecided, settles, nearly, lodges, slides, unpressed);
                 mode = _o379.mode;
                 held = _o379.held;
                 outcome = _o379.outcome;
@@ -6825,18 +6825,18 @@ extern "C" __global__ void court_bounded(
         last_grip_deficit = INFINITE, last_grip_deficit_rate = 0.0, last_grip_clock = 0.0,
         through = 0.0, uncertain = 0.0, position_claim = 0.0, velocity_claim = 0.0,
         spin_claim = 0.0, time_claim = 0.0, outcome = -1.0, allowed = 0.0, valid = 0.0,
-        doubt = 0.0, position_error = 0.0, velocity_error = 0.0, time_error = 0.0, extent = 0.0,
-        speed = 0.0, excess = 0.0, when = 0.0, which = 0.0, earliest_delay = 0.0, began = 0.0,
-        leaving = 0.0, time = 0.0, rate = 0.0, bend = 0.0, apex = 0.0, height = 0.0, ceiling = 0.0,
-        nearest = 0.0, margin = 0.0, clearance = 0.0, delay = 0.0, until = 0.0, pad = 0.0,
-        clear = 0.0, share = 0.0, arrival = 0.0, since = 0.0, latest = 0.0, rho_start = 0.0,
-        start_rate = 0.0, rho_rate = 0.0, near_x = 0.0, near_y = 0.0, near_z = 0.0, near_vz = 0.0,
-        flat = 0.0, tilt = 0.0, allowing = 0.0, budget_exceeded = 0.0, t = 0.0, energy2 = 0.0,
-        moment2 = 0.0, low0 = 0.0, high0 = 0.0, low1 = 0.0, high1 = 0.0, low2 = 0.0, high2 = 0.0,
-        position_level = 0.0, velocity_level = 0.0, rate_slack = 0.0, end = 0.0, gap = 0.0,
-        step = 0.0, next = 0.0, refined = 0.0, rate_margin = 0.0, middle_x = 0.0, reach_x = 0.0,
-        later_middle_x = 0.0, later_reach_x = 0.0, middle_y = 0.0, reach_y = 0.0,
-        later_middle_y = 0.0, later_reach_y = 0.0, middle_z = 0.0, reach_z = 0.0,
+        undecided_time = 0.0, position_error = 0.0, velocity_error = 0.0, time_error = 0.0,
+        extent = 0.0, speed = 0.0, excess = 0.0, when = 0.0, which = 0.0, earliest_delay = 0.0,
+        began = 0.0, leaving = 0.0, time = 0.0, rate = 0.0, bend = 0.0, apex = 0.0, height = 0.0,
+        ceiling = 0.0, nearest = 0.0, margin = 0.0, clearance = 0.0, delay = 0.0, until = 0.0,
+        pad = 0.0, clear = 0.0, share = 0.0, arrival = 0.0, since = 0.0, latest = 0.0,
+        rho_start = 0.0, start_rate = 0.0, rho_rate = 0.0, near_x = 0.0, near_y = 0.0,
+        near_z = 0.0, near_vz = 0.0, flat = 0.0, tilt = 0.0, allowing = 0.0, budget_exceeded = 0.0,
+        t = 0.0, energy2 = 0.0, moment2 = 0.0, low0 = 0.0, high0 = 0.0, low1 = 0.0, high1 = 0.0,
+        low2 = 0.0, high2 = 0.0, position_level = 0.0, velocity_level = 0.0, rate_slack = 0.0,
+        end = 0.0, gap = 0.0, step = 0.0, next = 0.0, refined = 0.0, rate_margin = 0.0,
+        middle_x = 0.0, reach_x = 0.0, later_middle_x = 0.0, later_reach_x = 0.0, middle_y = 0.0,
+        reach_y = 0.0, later_middle_y = 0.0, later_reach_y = 0.0, middle_z = 0.0, reach_z = 0.0,
         later_middle_z = 0.0, later_reach_z = 0.0, nx = 0.0, ny = 0.0, nz = 0.0, bent_x = 0.0,
         bent_y = 0.0, bent_z = 0.0, lift = 0.0, gap_jerk = 0.0, gap_snap = 0.0, per_reach = 0.0,
         turn_rate = 0.0, rolled_x = 0.0, rolled_y = 0.0, rolled_z = 0.0, vx_0 = 0.0, vy_0 = 0.0,
@@ -6892,9 +6892,9 @@ extern "C" __global__ void court_bounded(
         exhausted = false, refining = false, reachable = false, begins = false, leaves = false,
         here = false, circling = false, loses = false, beside = false, over = false,
         endless = false, moves = false, ends = false, touches = false, edge = false,
-        unsure = false, hopped = false, meeting = false, slow = false, again = false,
+        undecided = false, hopped = false, meeting = false, slow = false, again = false,
         struck_0 = false, nearly = false, settles = false, lodges = false, slides = false,
-        unpressed = false, timed = false, closed = false;
+        unpressed = false, ends_by_time_limit = false, closed = false;
     float onset = (float)0.0, wide_end = (float)0.0, wide_low1 = (float)0.0, wide_high1 = (float)0.0,
         wide_low2 = (float)0.0, wide_high2 = (float)0.0, lapsed = (float)0.0,
         short_share = (float)0.0, short_t = (float)0.0, short_end = (float)0.0,
@@ -6930,13 +6930,13 @@ extern "C" __global__ void court_bounded(
     const kernel_aside_out _o383 = kernel_aside(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_bridge_half_width, p_bridge_depth, p_end_depth);
     close = _o383.close;
     valid = _o383.valid;
-    doubt = _o383.doubt;
+    undecided_time = _o383.undecided_time;
     if (close) {
         const kernel_valid_out _o384 = kernel_valid(last, x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_bridge_half_width, p_bridge_depth, p_end_depth);
         valid = _o384.valid;
-        doubt = _o384.doubt;
+        undecided_time = _o384.undecided_time;
     }
-    const kernel_admitted_out _o385 = kernel_admitted(doubt, valid, permitted, in_range);
+    const kernel_admitted_out _o385 = kernel_admitted(undecided_time, valid, permitted, in_range);
     outcome = _o385.outcome;
     uncertain = _o385.uncertain;
     const kernel_passing_start_out _o386 = kernel_passing_start(last, outcome, uncertain, x, y, z, p_ring_radius, p_end_depth);
@@ -6957,7 +6957,7 @@ extern "C" __global__ void court_bounded(
         when = _o389.when;
         which = _o389.which;
         earliest_delay = _o389.earliest_delay;
-        doubt = _o389.doubt;
+        undecided_time = _o389.undecided_time;
         const kernel_limited_out _o390 = kernel_limited(time_limit);
         limited = _o390.limited;
         const kernel_in_contact_out _o391 = kernel_in_contact(when, mode);
@@ -6974,7 +6974,7 @@ extern "C" __global__ void court_bounded(
         bend = _o393.bend;
         apex = _o393.apex;
         height = _o393.height;
-        const kernel_meeting_plane_out _o394 = kernel_meeting_plane(rate, bend, apex, time);
+        const kernel_plane_root_out _o394 = kernel_plane_root(rate, bend, apex, time);
         arrives = _o394.arrives;
         ceiling = _o394.ceiling;
         nearest = _o394.nearest;
@@ -6985,13 +6985,13 @@ extern "C" __global__ void court_bounded(
         delay = _o396.delay;
         const kernel_within_time_out _o397 = kernel_within_time(time, when, delay, earliest_delay, arrives);
         possible = _o397.possible;
-        const kernel_grazed_out _o398 = kernel_grazed(margin, apex, height, doubt);
-        doubt = _o398.doubt;
+        const kernel_graze_undecided_out _o398 = kernel_graze_undecided(margin, apex, height, undecided_time);
+        undecided_time = _o398.undecided_time;
         if (possible) {
-            const kernel_crossed_out _o399 = kernel_crossed(clearance, time, doubt, arrives);
-            doubt = _o399.doubt;
-            const kernel_tied_out _o400 = kernel_tied(time, when, delay, earliest_delay, doubt, arrives);
-            doubt = _o400.doubt;
+            const kernel_crossing_undecided_out _o399 = kernel_crossing_undecided(clearance, time, undecided_time, arrives);
+            undecided_time = _o399.undecided_time;
+            const kernel_tie_undecided_out _o400 = kernel_tie_undecided(time, when, delay, earliest_delay, undecided_time, arrives);
+            undecided_time = _o400.undecided_time;
             earliest_delay = _o400.earliest_delay;
             const kernel_earliest_out _o401 = kernel_earliest(3.0, time, when, which, arrives);
             when = _o401.when;
@@ -7071,8 +7071,8 @@ extern "C" __global__ void court_bounded(
             excess = _o413.excess;
             const kernel_ring_budget_exceeded_out _o414 = kernel_ring_budget_exceeded(until, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
             budget_exceeded = _o414.budget_exceeded;
-            const kernel_out_of_budget_out _o415 = kernel_out_of_budget(pad, budget_exceeded, earliest_delay, doubt, excess);
-            doubt = _o415.doubt;
+            const kernel_out_of_budget_out _o415 = kernel_out_of_budget(pad, budget_exceeded, earliest_delay, undecided_time, excess);
+            undecided_time = _o415.undecided_time;
             if (stepping) {
                 const kernel_ring_step_out _o416 = kernel_ring_step(short_t, short_end, short_rate_margin, short_ceiling, short_x, short_y, short_z, short_vx, short_vy, short_vz, short_energy2, short_moment2, short_rho_start, short_flat, short_tilt, short_quotient_margin, short_jerk, short_start_rate, short_rho_rate, short_low1, short_high1, short_low2, short_high2, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
                 short_t = _o416.t;
@@ -7130,12 +7130,12 @@ extern "C" __global__ void court_bounded(
                     step = _o424.step;
                     next = _o424.next;
                     clearance = _o424.clearance;
-                    const kernel_struck_out _o425 = kernel_struck(gap, rate, bend, margin, rate_slack, clearance, share);
+                    const kernel_gap_closes_out _o425 = kernel_gap_closes(gap, rate, bend, margin, rate_slack, clearance, share);
                     hit = _o425.hit;
                     sure = _o425.sure;
                     needs_refinement = _o425.needs_refinement;
                     if (needs_refinement) {
-                        const kernel_finer_out _o426 = kernel_finer(share);
+                        const kernel_smaller_budget_out _o426 = kernel_smaller_budget(share);
                         share = _o426.share;
                         const kernel_allowance_out _o427 = kernel_allowance(share, latest, extent, speed, position_error, velocity_error, p_gravity);
                         position_level = _o427.position_level;
@@ -7145,8 +7145,8 @@ extern "C" __global__ void court_bounded(
                         flat = _o428.margin;
                         tilt = _o428.leaving_margin;
                         rate_slack = _o428.rate_margin;
-                        const kernel_exceeded_out _o429 = kernel_exceeded(t, doubt, excess);
-                        doubt = _o429.doubt;
+                        const kernel_budget_undecided_out _o429 = kernel_budget_undecided(t, undecided_time, excess);
+                        undecided_time = _o429.undecided_time;
                     }
                     const kernel_advanced_out _o430 = kernel_advanced(t, end, step, next, arrival, hit, sure, needs_refinement, certain);
                     arrival = _o430.arrival;
@@ -7161,8 +7161,8 @@ extern "C" __global__ void court_bounded(
                         searching = _o431.searching;
                     }
                 }
-                const kernel_questioned_out _o432 = kernel_questioned(t, doubt, searching);
-                doubt = _o432.doubt;
+                const kernel_predicate_undecided_out _o432 = kernel_predicate_undecided(t, undecided_time, searching);
+                undecided_time = _o432.undecided_time;
             }
             const kernel_found_out _o433 = kernel_found(arrival);
             arrives = _o433.arrives;
@@ -7175,7 +7175,7 @@ extern "C" __global__ void court_bounded(
                 refined = _o435.time;
                 gap = _o435.gap;
                 rate = _o435.rate;
-                const kernel_polished_out _o436 = kernel_polished(gap, rate, ceiling, arrival, refined, certain);
+                const kernel_refined_root_out _o436 = kernel_refined_root(gap, rate, ceiling, arrival, refined, certain);
                 arrival = _o436.arrival;
                 refining = _o436.refining;
             }
@@ -7184,7 +7184,7 @@ extern "C" __global__ void court_bounded(
                 refined = _o437.time;
                 gap = _o437.gap;
                 rate = _o437.rate;
-                const kernel_polished_out _o438 = kernel_polished(gap, rate, ceiling, arrival, refined, certain);
+                const kernel_refined_root_out _o438 = kernel_refined_root(gap, rate, ceiling, arrival, refined, certain);
                 arrival = _o438.arrival;
                 refining = _o438.refining;
             }
@@ -7195,7 +7195,7 @@ extern "C" __global__ void court_bounded(
                 refined = _o439.time;
                 gap = _o439.gap;
                 rate = _o439.rate;
-                const kernel_polished_out _o440 = kernel_polished(gap, rate, ceiling, arrival, refined, certain);
+                const kernel_refined_root_out _o440 = kernel_refined_root(gap, rate, ceiling, arrival, refined, certain);
                 arrival = _o440.arrival;
                 refining = _o440.refining;
             }
@@ -7208,13 +7208,13 @@ extern "C" __global__ void court_bounded(
             const kernel_crossing_out _o443 = kernel_crossing(margin, rate_margin, rate, ceiling);
             clearance = _o443.clearance;
             delay = _o443.delay;
-            const kernel_landed_out _o444 = kernel_landed(arrival);
+            const kernel_arrival_time_out _o444 = kernel_arrival_time(arrival);
             time = _o444.time;
-            const kernel_landed_surely_out _o445 = kernel_landed_surely(clearance, time, delay, doubt, arrives, certain);
+            const kernel_certain_arrival_out _o445 = kernel_certain_arrival(clearance, time, delay, undecided_time, arrives, certain);
             delay = _o445.delay;
-            doubt = _o445.doubt;
-            const kernel_tied_out _o446 = kernel_tied(time, when, delay, earliest_delay, doubt, arrives);
-            doubt = _o446.doubt;
+            undecided_time = _o445.undecided_time;
+            const kernel_tie_undecided_out _o446 = kernel_tie_undecided(time, when, delay, earliest_delay, undecided_time, arrives);
+            undecided_time = _o446.undecided_time;
             earliest_delay = _o446.earliest_delay;
             const kernel_earliest_out _o447 = kernel_earliest(0.0, time, when, which, arrives);
             when = _o447.when;
@@ -7223,7 +7223,7 @@ extern "C" __global__ void court_bounded(
         const kernel_horizon_out _o448 = kernel_horizon(when, speed, p_gravity);
         until = _o448.horizon;
         pad = _o448.pad;
-        const kernel_halved_out _o449 = kernel_halved(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, earliest_delay, pad, p_gravity);
+        const kernel_half_flight_boxes_out _o449 = kernel_half_flight_boxes(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, earliest_delay, pad, p_gravity);
         middle_x = _o449.middle_x;
         reach_x = _o449.reach_x;
         later_middle_x = _o449.later_middle_x;
@@ -7268,8 +7268,8 @@ extern "C" __global__ void court_bounded(
             t = _o457.t;
             end = _o457.end;
             searching = _o457.searching;
-            const kernel_out_of_budget_in_windows_out _o458 = kernel_out_of_budget_in_windows(pad, budget_exceeded, earliest_delay, doubt, excess, searching);
-            doubt = _o458.doubt;
+            const kernel_out_of_budget_in_windows_out _o458 = kernel_out_of_budget_in_windows(pad, budget_exceeded, earliest_delay, undecided_time, excess, searching);
+            undecided_time = _o458.undecided_time;
             if (searching) {
                 const kernel_nearby_out _o459 = kernel_nearby(t, flat, tilt, 1.0, last);
                 leaving = _o459.leaving;
@@ -7281,12 +7281,12 @@ extern "C" __global__ void court_bounded(
                 step = _o460.step;
                 next = _o460.next;
                 clearance = _o460.clearance;
-                const kernel_struck_or_still_out _o461 = kernel_struck_or_still(t, end, gap, rate, bend, margin, rate_slack, next, clearance, share);
+                const kernel_gap_closes_or_stalls_out _o461 = kernel_gap_closes_or_stalls(t, end, gap, rate, bend, margin, rate_slack, next, clearance, share);
                 hit = _o461.hit;
                 sure = _o461.sure;
                 needs_refinement = _o461.needs_refinement;
                 if (needs_refinement) {
-                    const kernel_finer_out _o462 = kernel_finer(share);
+                    const kernel_smaller_budget_out _o462 = kernel_smaller_budget(share);
                     share = _o462.share;
                     const kernel_allowance_out _o463 = kernel_allowance(share, latest, extent, speed, position_error, velocity_error, p_gravity);
                     position_level = _o463.position_level;
@@ -7296,8 +7296,8 @@ extern "C" __global__ void court_bounded(
                     flat = _o464.margin;
                     tilt = _o464.leaving_margin;
                     rate_slack = _o464.rate_margin;
-                    const kernel_exceeded_out _o465 = kernel_exceeded(t, doubt, excess);
-                    doubt = _o465.doubt;
+                    const kernel_budget_undecided_out _o465 = kernel_budget_undecided(t, undecided_time, excess);
+                    undecided_time = _o465.undecided_time;
                 }
                 const kernel_advanced_out _o466 = kernel_advanced(t, end, step, next, arrival, hit, sure, needs_refinement, certain);
                 arrival = _o466.arrival;
@@ -7325,12 +7325,12 @@ extern "C" __global__ void court_bounded(
                 step = _o469.step;
                 next = _o469.next;
                 clearance = _o469.clearance;
-                const kernel_struck_or_still_out _o470 = kernel_struck_or_still(t, end, gap, rate, bend, margin, rate_slack, next, clearance, share);
+                const kernel_gap_closes_or_stalls_out _o470 = kernel_gap_closes_or_stalls(t, end, gap, rate, bend, margin, rate_slack, next, clearance, share);
                 hit = _o470.hit;
                 sure = _o470.sure;
                 needs_refinement = _o470.needs_refinement;
                 if (needs_refinement) {
-                    const kernel_finer_out _o471 = kernel_finer(share);
+                    const kernel_smaller_budget_out _o471 = kernel_smaller_budget(share);
                     share = _o471.share;
                     const kernel_allowance_out _o472 = kernel_allowance(share, latest, extent, speed, position_error, velocity_error, p_gravity);
                     position_level = _o472.position_level;
@@ -7340,8 +7340,8 @@ extern "C" __global__ void court_bounded(
                     flat = _o473.margin;
                     tilt = _o473.leaving_margin;
                     rate_slack = _o473.rate_margin;
-                    const kernel_exceeded_out _o474 = kernel_exceeded(t, doubt, excess);
-                    doubt = _o474.doubt;
+                    const kernel_budget_undecided_out _o474 = kernel_budget_undecided(t, undecided_time, excess);
+                    undecided_time = _o474.undecided_time;
                 }
                 const kernel_advanced_out _o475 = kernel_advanced(t, end, step, next, arrival, hit, sure, needs_refinement, certain);
                 arrival = _o475.arrival;
@@ -7356,8 +7356,8 @@ extern "C" __global__ void court_bounded(
                     searching = _o476.searching;
                 }
             }
-            const kernel_questioned_out _o477 = kernel_questioned(t, doubt, searching);
-            doubt = _o477.doubt;
+            const kernel_predicate_undecided_out _o477 = kernel_predicate_undecided(t, undecided_time, searching);
+            undecided_time = _o477.undecided_time;
             const kernel_found_out _o478 = kernel_found(arrival);
             arrives = _o478.arrives;
             refining = _o478.refining;
@@ -7369,7 +7369,7 @@ extern "C" __global__ void court_bounded(
                 refined = _o480.time;
                 gap = _o480.gap;
                 rate = _o480.rate;
-                const kernel_polished_out _o481 = kernel_polished(gap, rate, ceiling, arrival, refined, certain);
+                const kernel_refined_root_out _o481 = kernel_refined_root(gap, rate, ceiling, arrival, refined, certain);
                 arrival = _o481.arrival;
                 refining = _o481.refining;
             }
@@ -7378,7 +7378,7 @@ extern "C" __global__ void court_bounded(
                 refined = _o482.time;
                 gap = _o482.gap;
                 rate = _o482.rate;
-                const kernel_polished_out _o483 = kernel_polished(gap, rate, ceiling, arrival, refined, certain);
+                const kernel_refined_root_out _o483 = kernel_refined_root(gap, rate, ceiling, arrival, refined, certain);
                 arrival = _o483.arrival;
                 refining = _o483.refining;
             }
@@ -7389,7 +7389,7 @@ extern "C" __global__ void court_bounded(
                 refined = _o484.time;
                 gap = _o484.gap;
                 rate = _o484.rate;
-                const kernel_polished_out _o485 = kernel_polished(gap, rate, ceiling, arrival, refined, certain);
+                const kernel_refined_root_out _o485 = kernel_refined_root(gap, rate, ceiling, arrival, refined, certain);
                 arrival = _o485.arrival;
                 refining = _o485.refining;
             }
@@ -7402,13 +7402,13 @@ extern "C" __global__ void court_bounded(
             const kernel_crossing_out _o488 = kernel_crossing(margin, rate_margin, rate, ceiling);
             clearance = _o488.clearance;
             delay = _o488.delay;
-            const kernel_landed_out _o489 = kernel_landed(arrival);
+            const kernel_arrival_time_out _o489 = kernel_arrival_time(arrival);
             time = _o489.time;
-            const kernel_landed_surely_out _o490 = kernel_landed_surely(clearance, time, delay, doubt, arrives, certain);
+            const kernel_certain_arrival_out _o490 = kernel_certain_arrival(clearance, time, delay, undecided_time, arrives, certain);
             delay = _o490.delay;
-            doubt = _o490.doubt;
-            const kernel_tied_out _o491 = kernel_tied(time, when, delay, earliest_delay, doubt, arrives);
-            doubt = _o491.doubt;
+            undecided_time = _o490.undecided_time;
+            const kernel_tie_undecided_out _o491 = kernel_tie_undecided(time, when, delay, earliest_delay, undecided_time, arrives);
+            undecided_time = _o491.undecided_time;
             earliest_delay = _o491.earliest_delay;
             const kernel_earliest_out _o492 = kernel_earliest(1.0, time, when, which, arrives);
             when = _o492.when;
@@ -7417,7 +7417,7 @@ extern "C" __global__ void court_bounded(
         const kernel_horizon_out _o493 = kernel_horizon(when, speed, p_gravity);
         until = _o493.horizon;
         pad = _o493.pad;
-        const kernel_halved_out _o494 = kernel_halved(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, earliest_delay, pad, p_gravity);
+        const kernel_half_flight_boxes_out _o494 = kernel_half_flight_boxes(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, earliest_delay, pad, p_gravity);
         middle_x = _o494.middle_x;
         reach_x = _o494.reach_x;
         later_middle_x = _o494.later_middle_x;
@@ -7462,8 +7462,8 @@ extern "C" __global__ void court_bounded(
             t = _o502.t;
             end = _o502.end;
             searching = _o502.searching;
-            const kernel_out_of_budget_in_windows_out _o503 = kernel_out_of_budget_in_windows(pad, budget_exceeded, earliest_delay, doubt, excess, searching);
-            doubt = _o503.doubt;
+            const kernel_out_of_budget_in_windows_out _o503 = kernel_out_of_budget_in_windows(pad, budget_exceeded, earliest_delay, undecided_time, excess, searching);
+            undecided_time = _o503.undecided_time;
             if (searching) {
                 const kernel_nearby_out _o504 = kernel_nearby(t, flat, tilt, 2.0, last);
                 leaving = _o504.leaving;
@@ -7475,12 +7475,12 @@ extern "C" __global__ void court_bounded(
                 step = _o505.step;
                 next = _o505.next;
                 clearance = _o505.clearance;
-                const kernel_struck_or_still_out _o506 = kernel_struck_or_still(t, end, gap, rate, bend, margin, rate_slack, next, clearance, share);
+                const kernel_gap_closes_or_stalls_out _o506 = kernel_gap_closes_or_stalls(t, end, gap, rate, bend, margin, rate_slack, next, clearance, share);
                 hit = _o506.hit;
                 sure = _o506.sure;
                 needs_refinement = _o506.needs_refinement;
                 if (needs_refinement) {
-                    const kernel_finer_out _o507 = kernel_finer(share);
+                    const kernel_smaller_budget_out _o507 = kernel_smaller_budget(share);
                     share = _o507.share;
                     const kernel_allowance_out _o508 = kernel_allowance(share, latest, extent, speed, position_error, velocity_error, p_gravity);
                     position_level = _o508.position_level;
@@ -7490,8 +7490,8 @@ extern "C" __global__ void court_bounded(
                     flat = _o509.margin;
                     tilt = _o509.leaving_margin;
                     rate_slack = _o509.rate_margin;
-                    const kernel_exceeded_out _o510 = kernel_exceeded(t, doubt, excess);
-                    doubt = _o510.doubt;
+                    const kernel_budget_undecided_out _o510 = kernel_budget_undecided(t, undecided_time, excess);
+                    undecided_time = _o510.undecided_time;
                 }
                 const kernel_advanced_out _o511 = kernel_advanced(t, end, step, next, arrival, hit, sure, needs_refinement, certain);
                 arrival = _o511.arrival;
@@ -7519,12 +7519,12 @@ extern "C" __global__ void court_bounded(
                 step = _o514.step;
                 next = _o514.next;
                 clearance = _o514.clearance;
-                const kernel_struck_or_still_out _o515 = kernel_struck_or_still(t, end, gap, rate, bend, margin, rate_slack, next, clearance, share);
+                const kernel_gap_closes_or_stalls_out _o515 = kernel_gap_closes_or_stalls(t, end, gap, rate, bend, margin, rate_slack, next, clearance, share);
                 hit = _o515.hit;
                 sure = _o515.sure;
                 needs_refinement = _o515.needs_refinement;
                 if (needs_refinement) {
-                    const kernel_finer_out _o516 = kernel_finer(share);
+                    const kernel_smaller_budget_out _o516 = kernel_smaller_budget(share);
                     share = _o516.share;
                     const kernel_allowance_out _o517 = kernel_allowance(share, latest, extent, speed, position_error, velocity_error, p_gravity);
                     position_level = _o517.position_level;
@@ -7534,8 +7534,8 @@ extern "C" __global__ void court_bounded(
                     flat = _o518.margin;
                     tilt = _o518.leaving_margin;
                     rate_slack = _o518.rate_margin;
-                    const kernel_exceeded_out _o519 = kernel_exceeded(t, doubt, excess);
-                    doubt = _o519.doubt;
+                    const kernel_budget_undecided_out _o519 = kernel_budget_undecided(t, undecided_time, excess);
+                    undecided_time = _o519.undecided_time;
                 }
                 const kernel_advanced_out _o520 = kernel_advanced(t, end, step, next, arrival, hit, sure, needs_refinement, certain);
                 arrival = _o520.arrival;
@@ -7550,8 +7550,8 @@ extern "C" __global__ void court_bounded(
                     searching = _o521.searching;
                 }
             }
-            const kernel_questioned_out _o522 = kernel_questioned(t, doubt, searching);
-            doubt = _o522.doubt;
+            const kernel_predicate_undecided_out _o522 = kernel_predicate_undecided(t, undecided_time, searching);
+            undecided_time = _o522.undecided_time;
             const kernel_found_out _o523 = kernel_found(arrival);
             arrives = _o523.arrives;
             refining = _o523.refining;
@@ -7563,7 +7563,7 @@ extern "C" __global__ void court_bounded(
                 refined = _o525.time;
                 gap = _o525.gap;
                 rate = _o525.rate;
-                const kernel_polished_out _o526 = kernel_polished(gap, rate, ceiling, arrival, refined, certain);
+                const kernel_refined_root_out _o526 = kernel_refined_root(gap, rate, ceiling, arrival, refined, certain);
                 arrival = _o526.arrival;
                 refining = _o526.refining;
             }
@@ -7572,7 +7572,7 @@ extern "C" __global__ void court_bounded(
                 refined = _o527.time;
                 gap = _o527.gap;
                 rate = _o527.rate;
-                const kernel_polished_out _o528 = kernel_polished(gap, rate, ceiling, arrival, refined, certain);
+                const kernel_refined_root_out _o528 = kernel_refined_root(gap, rate, ceiling, arrival, refined, certain);
                 arrival = _o528.arrival;
                 refining = _o528.refining;
             }
@@ -7583,7 +7583,7 @@ extern "C" __global__ void court_bounded(
                 refined = _o529.time;
                 gap = _o529.gap;
                 rate = _o529.rate;
-                const kernel_polished_out _o530 = kernel_polished(gap, rate, ceiling, arrival, refined, certain);
+                const kernel_refined_root_out _o530 = kernel_refined_root(gap, rate, ceiling, arrival, refined, certain);
                 arrival = _o530.arrival;
                 refining = _o530.refining;
             }
@@ -7596,26 +7596,26 @@ extern "C" __global__ void court_bounded(
             const kernel_crossing_out _o533 = kernel_crossing(margin, rate_margin, rate, ceiling);
             clearance = _o533.clearance;
             delay = _o533.delay;
-            const kernel_landed_out _o534 = kernel_landed(arrival);
+            const kernel_arrival_time_out _o534 = kernel_arrival_time(arrival);
             time = _o534.time;
-            const kernel_landed_surely_out _o535 = kernel_landed_surely(clearance, time, delay, doubt, arrives, certain);
+            const kernel_certain_arrival_out _o535 = kernel_certain_arrival(clearance, time, delay, undecided_time, arrives, certain);
             delay = _o535.delay;
-            doubt = _o535.doubt;
-            const kernel_tied_out _o536 = kernel_tied(time, when, delay, earliest_delay, doubt, arrives);
-            doubt = _o536.doubt;
+            undecided_time = _o535.undecided_time;
+            const kernel_tie_undecided_out _o536 = kernel_tie_undecided(time, when, delay, earliest_delay, undecided_time, arrives);
+            undecided_time = _o536.undecided_time;
             earliest_delay = _o536.earliest_delay;
             const kernel_earliest_out _o537 = kernel_earliest(2.0, time, when, which, arrives);
             when = _o537.when;
             which = _o537.which;
         }
         if (limited) {
-            const kernel_expiry_out _o538 = kernel_expiry(when, which, earliest_delay, doubt, time_error, clock, time_limit);
+            const kernel_expiry_out _o538 = kernel_expiry(when, which, earliest_delay, undecided_time, time_error, clock, time_limit);
             time = _o538.time;
             delay = _o538.delay;
             arrives = _o538.arrives;
-            doubt = _o538.doubt;
-            const kernel_tied_out _o539 = kernel_tied(time, when, delay, earliest_delay, doubt, arrives);
-            doubt = _o539.doubt;
+            undecided_time = _o538.undecided_time;
+            const kernel_tie_undecided_out _o539 = kernel_tie_undecided(time, when, delay, earliest_delay, undecided_time, arrives);
+            undecided_time = _o539.undecided_time;
             earliest_delay = _o539.earliest_delay;
             const kernel_earliest_out _o540 = kernel_earliest(4.0, time, when, which, arrives);
             when = _o540.when;
@@ -7626,7 +7626,7 @@ extern "C" __global__ void court_bounded(
             which = _o541.which;
             earliest_delay = _o541.earliest_delay;
             began = _o541.began;
-            doubt = _o541.doubt;
+            undecided_time = _o541.undecided_time;
             begins = _o541.begins;
             rolling = _o541.rolling;
             leaves = _o541.leaves;
@@ -7700,7 +7700,7 @@ extern "C" __global__ void court_bounded(
                 wx = _o556.wx;
                 wy = _o556.wy;
                 wz = _o556.wz;
-                const kernel_begun_errors_out _o557 = kernel_begun_errors(p_ball_radius, vx, vy, vz, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
+                const kernel_jump_errors_out _o557 = kernel_jump_errors(p_ball_radius, vx, vy, vz, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
                 dx = _o557.dx;
                 dy = _o557.dy;
                 dz = _o557.dz;
@@ -7861,7 +7861,7 @@ extern "C" __global__ void court_bounded(
                 force_rate = _o577.force_rate;
                 force_bend = _o577.force_bend;
                 friction_force_rate = _o577.friction_force_rate;
-                const kernel_pulled_out _o578 = kernel_pulled(p_gravity, p_inertia, nx_0, nx_1, ny_0, ny_1, nz_0, nz_1, turn_rate_0, turn_rate_1, tx_0, tx_1, ty_0, ty_1, tz_0, tz_1);
+                const kernel_ring_friction_out _o578 = kernel_ring_friction(p_gravity, p_inertia, nx_0, nx_1, ny_0, ny_1, nz_0, nz_1, turn_rate_0, turn_rate_1, tx_0, tx_1, ty_0, ty_1, tz_0, tz_1);
                 rolling_friction = _o578.rolling_friction;
                 rolling_friction_rate = _o578.rolling_friction_rate;
                 grip_deficit = _o578.grip_deficit;
@@ -7880,21 +7880,21 @@ extern "C" __global__ void court_bounded(
                     grip_deficit = _o582.grip_deficit;
                     grip_deficit_rate = _o582.grip_deficit_rate;
                 }
-                const kernel_losing_out _o583 = kernel_losing(grip_deficit, grip_lost);
+                const kernel_exceeds_grip_out _o583 = kernel_exceeds_grip(grip_deficit, grip_lost);
                 loses = _o583.loses;
                 if (loses) {
-                    const kernel_lost_grip_out _o584 = kernel_lost_grip(clock, grip_deficit, grip_deficit_rate, last_grip_deficit, last_grip_deficit_rate, last_grip_clock);
+                    const kernel_grip_lost_time_out _o584 = kernel_grip_lost_time(clock, grip_deficit, grip_deficit_rate, last_grip_deficit, last_grip_deficit_rate, last_grip_clock);
                     grip_lost = _o584.grip_lost;
                 }
                 const kernel_remember_grip_deficit_out _o585 = kernel_remember_grip_deficit(clock, grip_deficit, grip_deficit_rate);
                 last_grip_deficit = _o585.last_grip_deficit;
                 last_grip_deficit_rate = _o585.last_grip_deficit_rate;
                 last_grip_clock = _o585.last_grip_clock;
-                const kernel_leaving_force_out _o586 = kernel_leaving_force(p_ball_radius, p_gravity, vx, vx_1, vy, vy_1, vz, vz_1, which, doubt, position_error, velocity_error, per_reach, force, force_rate, force_bend, friction_force_rate, stride, fastest);
+                const kernel_leaving_force_out _o586 = kernel_leaving_force(p_ball_radius, p_gravity, vx, vx_1, vy, vy_1, vz, vz_1, which, undecided_time, position_error, velocity_error, per_reach, force, force_rate, force_bend, friction_force_rate, stride, fastest);
                 stride = _o586.stride;
                 which = _o586.which;
                 rests = _o586.rests;
-                doubt = _o586.doubt;
+                undecided_time = _o586.undecided_time;
                 const kernel_beside_out _o587 = kernel_beside(0.0, held);
                 beside = _o587.beside;
                 if (beside) {
@@ -7902,10 +7902,10 @@ extern "C" __global__ void court_bounded(
                     gap = _o588.gap;
                     nearing = _o588.nearing;
                     gap_curvature = _o588.gap_curvature;
-                    const kernel_beside_body_out _o589 = kernel_beside_body(p_ball_radius, x, y, z, gap, 0.0, which, earliest_delay, doubt, position_error, nearing, gap_curvature, stride, strongest, fastest);
+                    const kernel_beside_body_out _o589 = kernel_beside_body(p_ball_radius, x, y, z, gap, 0.0, which, earliest_delay, undecided_time, position_error, nearing, gap_curvature, stride, strongest, fastest);
                     stride = _o589.stride;
                     which = _o589.which;
-                    doubt = _o589.doubt;
+                    undecided_time = _o589.undecided_time;
                     earliest_delay = _o589.earliest_delay;
                 }
                 const kernel_beside_out _o590 = kernel_beside(1.0, held);
@@ -7915,10 +7915,10 @@ extern "C" __global__ void court_bounded(
                     gap = _o591.gap;
                     nearing = _o591.nearing;
                     gap_curvature = _o591.gap_curvature;
-                    const kernel_beside_body_out _o592 = kernel_beside_body(p_ball_radius, x, y, z, gap, 1.0, which, earliest_delay, doubt, position_error, nearing, gap_curvature, stride, strongest, fastest);
+                    const kernel_beside_body_out _o592 = kernel_beside_body(p_ball_radius, x, y, z, gap, 1.0, which, earliest_delay, undecided_time, position_error, nearing, gap_curvature, stride, strongest, fastest);
                     stride = _o592.stride;
                     which = _o592.which;
-                    doubt = _o592.doubt;
+                    undecided_time = _o592.undecided_time;
                     earliest_delay = _o592.earliest_delay;
                 }
                 const kernel_beside_out _o593 = kernel_beside(2.0, held);
@@ -7928,20 +7928,20 @@ extern "C" __global__ void court_bounded(
                     gap = _o594.gap;
                     nearing = _o594.nearing;
                     gap_curvature = _o594.gap_curvature;
-                    const kernel_beside_body_out _o595 = kernel_beside_body(p_ball_radius, x, y, z, gap, 2.0, which, earliest_delay, doubt, position_error, nearing, gap_curvature, stride, strongest, fastest);
+                    const kernel_beside_body_out _o595 = kernel_beside_body(p_ball_radius, x, y, z, gap, 2.0, which, earliest_delay, undecided_time, position_error, nearing, gap_curvature, stride, strongest, fastest);
                     stride = _o595.stride;
                     which = _o595.which;
-                    doubt = _o595.doubt;
+                    undecided_time = _o595.undecided_time;
                     earliest_delay = _o595.earliest_delay;
                 }
                 const kernel_end_beside_out _o596 = kernel_end_beside(p_end_depth, z, vz);
                 gap = _o596.gap;
                 nearing = _o596.nearing;
                 gap_curvature = _o596.gap_curvature;
-                const kernel_beside_gate_out _o597 = kernel_beside_gate(p_ball_radius, x, y, z, gap, 3.0, which, earliest_delay, doubt, position_error, nearing, gap_curvature, stride, strongest, fastest);
+                const kernel_beside_end_plane_out _o597 = kernel_beside_end_plane(p_ball_radius, x, y, z, gap, 3.0, which, earliest_delay, undecided_time, position_error, nearing, gap_curvature, stride, strongest, fastest);
                 stride = _o597.stride;
                 which = _o597.which;
-                doubt = _o597.doubt;
+                undecided_time = _o597.undecided_time;
                 earliest_delay = _o597.earliest_delay;
                 const kernel_holding_out _o598 = kernel_holding(1.0, held);
                 here = _o598.here;
@@ -8424,47 +8424,47 @@ extern "C" __global__ void court_bounded(
                 const kernel_ring_impact_grip_deficit_out _o685 = kernel_ring_impact_grip_deficit(p_ring_friction, rolling_friction, rolling_friction_rate, force, force_rate);
                 grip_deficit = _o685.grip_deficit;
                 grip_deficit_rate = _o685.grip_deficit_rate;
-                const kernel_losing_out _o686 = kernel_losing(grip_deficit, grip_lost);
+                const kernel_exceeds_grip_out _o686 = kernel_exceeds_grip(grip_deficit, grip_lost);
                 loses = _o686.loses;
                 if (loses) {
-                    const kernel_lost_grip_out _o687 = kernel_lost_grip(clock, grip_deficit, grip_deficit_rate, last_grip_deficit, last_grip_deficit_rate, last_grip_clock);
+                    const kernel_grip_lost_time_out _o687 = kernel_grip_lost_time(clock, grip_deficit, grip_deficit_rate, last_grip_deficit, last_grip_deficit_rate, last_grip_clock);
                     grip_lost = _o687.grip_lost;
                 }
                 const kernel_remember_grip_deficit_out _o688 = kernel_remember_grip_deficit(clock, grip_deficit, grip_deficit_rate);
                 last_grip_deficit = _o688.last_grip_deficit;
                 last_grip_deficit_rate = _o688.last_grip_deficit_rate;
                 last_grip_clock = _o688.last_grip_clock;
-                const kernel_leaving_force_out _o689 = kernel_leaving_force(p_ball_radius, p_gravity, vx, vx_1, vy, vy_1, vz, vz_1, which, doubt, position_error, velocity_error, per_reach, force, force_rate, force_bend, friction_force_rate, stride, fastest);
+                const kernel_leaving_force_out _o689 = kernel_leaving_force(p_ball_radius, p_gravity, vx, vx_1, vy, vy_1, vz, vz_1, which, undecided_time, position_error, velocity_error, per_reach, force, force_rate, force_bend, friction_force_rate, stride, fastest);
                 stride = _o689.stride;
                 which = _o689.which;
                 rests = _o689.rests;
-                doubt = _o689.doubt;
+                undecided_time = _o689.undecided_time;
                 const kernel_backboard_beside_out _o690 = kernel_backboard_beside(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, vx, vy, vz);
                 gap = _o690.gap;
                 nearing = _o690.nearing;
                 gap_curvature = _o690.gap_curvature;
-                const kernel_beside_body_out _o691 = kernel_beside_body(p_ball_radius, x, y, z, gap, 1.0, which, earliest_delay, doubt, position_error, nearing, gap_curvature, stride, strongest, fastest);
+                const kernel_beside_body_out _o691 = kernel_beside_body(p_ball_radius, x, y, z, gap, 1.0, which, earliest_delay, undecided_time, position_error, nearing, gap_curvature, stride, strongest, fastest);
                 stride = _o691.stride;
                 which = _o691.which;
-                doubt = _o691.doubt;
+                undecided_time = _o691.undecided_time;
                 earliest_delay = _o691.earliest_delay;
                 const kernel_bridge_beside_out _o692 = kernel_bridge_beside(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
                 gap = _o692.gap;
                 nearing = _o692.nearing;
                 gap_curvature = _o692.gap_curvature;
-                const kernel_beside_body_out _o693 = kernel_beside_body(p_ball_radius, x, y, z, gap, 2.0, which, earliest_delay, doubt, position_error, nearing, gap_curvature, stride, strongest, fastest);
+                const kernel_beside_body_out _o693 = kernel_beside_body(p_ball_radius, x, y, z, gap, 2.0, which, earliest_delay, undecided_time, position_error, nearing, gap_curvature, stride, strongest, fastest);
                 stride = _o693.stride;
                 which = _o693.which;
-                doubt = _o693.doubt;
+                undecided_time = _o693.undecided_time;
                 earliest_delay = _o693.earliest_delay;
                 const kernel_end_beside_out _o694 = kernel_end_beside(p_end_depth, z, vz);
                 gap = _o694.gap;
                 nearing = _o694.nearing;
                 gap_curvature = _o694.gap_curvature;
-                const kernel_beside_gate_out _o695 = kernel_beside_gate(p_ball_radius, x, y, z, gap, 3.0, which, earliest_delay, doubt, position_error, nearing, gap_curvature, stride, strongest, fastest);
+                const kernel_beside_end_plane_out _o695 = kernel_beside_end_plane(p_ball_radius, x, y, z, gap, 3.0, which, earliest_delay, undecided_time, position_error, nearing, gap_curvature, stride, strongest, fastest);
                 stride = _o695.stride;
                 which = _o695.which;
-                doubt = _o695.doubt;
+                undecided_time = _o695.undecided_time;
                 earliest_delay = _o695.earliest_delay;
                 const kernel_beside_time_out _o696 = kernel_beside_time(which, clock, time_limit, stride);
                 stride = _o696.stride;
@@ -8491,17 +8491,17 @@ extern "C" __global__ void court_bounded(
                 const kernel_backboard_around_out _o702 = kernel_backboard_around(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, vx, vy, vz);
                 gap = _o702.gap;
                 nearing = _o702.nearing;
-                const kernel_cleared_out _o703 = kernel_cleared(gap, nearing, forth, azimuth_clearance);
+                const kernel_clearance_at_any_azimuth_out _o703 = kernel_clearance_at_any_azimuth(gap, nearing, forth, azimuth_clearance);
                 azimuth_clearance = _o703.azimuth_clearance;
                 const kernel_bridge_around_out _o704 = kernel_bridge_around(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
                 gap = _o704.gap;
                 nearing = _o704.nearing;
-                const kernel_cleared_out _o705 = kernel_cleared(gap, nearing, forth, azimuth_clearance);
+                const kernel_clearance_at_any_azimuth_out _o705 = kernel_clearance_at_any_azimuth(gap, nearing, forth, azimuth_clearance);
                 azimuth_clearance = _o705.azimuth_clearance;
                 const kernel_end_around_out _o706 = kernel_end_around(p_end_depth, z, vz);
                 gap = _o706.gap;
                 nearing = _o706.nearing;
-                const kernel_cleared_out _o707 = kernel_cleared(gap, nearing, forth, azimuth_clearance);
+                const kernel_clearance_at_any_azimuth_out _o707 = kernel_clearance_at_any_azimuth(gap, nearing, forth, azimuth_clearance);
                 azimuth_clearance = _o707.azimuth_clearance;
                 const kernel_ring_round_moved_out _o708 = kernel_ring_round_moved(p_ball_radius, p_ring_radius, p_wire_radius, stride, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, turn_rate_10, turn_rate_11, turn_rate_12, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, climb_11, climb_12, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, cosine_10, cosine_11, cosine_12, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, sine_10, sine_11, sine_12, along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, along_10, along_11, along_12, cos_0, sin_0, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, omega_10, omega_11);
                 x = _o708.x;
@@ -8519,23 +8519,23 @@ extern "C" __global__ void court_bounded(
                 const kernel_backboard_around_out _o710 = kernel_backboard_around(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, vx, vy, vz);
                 gap = _o710.gap;
                 nearing = _o710.nearing;
-                const kernel_cleared_out _o711 = kernel_cleared(gap, nearing, back, azimuth_clearance);
+                const kernel_clearance_at_any_azimuth_out _o711 = kernel_clearance_at_any_azimuth(gap, nearing, back, azimuth_clearance);
                 azimuth_clearance = _o711.azimuth_clearance;
                 const kernel_bridge_around_out _o712 = kernel_bridge_around(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
                 gap = _o712.gap;
                 nearing = _o712.nearing;
-                const kernel_cleared_out _o713 = kernel_cleared(gap, nearing, back, azimuth_clearance);
+                const kernel_clearance_at_any_azimuth_out _o713 = kernel_clearance_at_any_azimuth(gap, nearing, back, azimuth_clearance);
                 azimuth_clearance = _o713.azimuth_clearance;
                 const kernel_end_around_out _o714 = kernel_end_around(p_end_depth, z, vz);
                 gap = _o714.gap;
                 nearing = _o714.nearing;
-                const kernel_cleared_out _o715 = kernel_cleared(gap, nearing, back, azimuth_clearance);
+                const kernel_clearance_at_any_azimuth_out _o715 = kernel_clearance_at_any_azimuth(gap, nearing, back, azimuth_clearance);
                 azimuth_clearance = _o715.azimuth_clearance;
-                const kernel_ring_swung_out _o716 = kernel_ring_swung(p_ball_radius, p_gravity, p_wire_radius, which, doubt, position_error, velocity_error, force, force_rate, force_bend, stride, fastest, circled, climb, climb_0, section_acceleration, azimuth_clearance);
+                const kernel_ring_swung_out _o716 = kernel_ring_swung(p_ball_radius, p_gravity, p_wire_radius, which, undecided_time, position_error, velocity_error, force, force_rate, force_bend, stride, fastest, circled, climb, climb_0, section_acceleration, azimuth_clearance);
                 circled = _o716.circled;
                 endless = _o716.endless;
-                doubt = _o716.doubt;
-                const kernel_for_ever_out _o717 = kernel_for_ever(which, endless);
+                undecided_time = _o716.undecided_time;
+                const kernel_rolls_for_ever_out _o717 = kernel_rolls_for_ever(which, endless);
                 which = _o717.which;
                 const kernel_ring_round_start_out _o718 = kernel_ring_round_start(p_ball_radius, p_inertia, p_ring_radius, p_wire_radius, far_x, far_y, far_z, far_vx, far_vy, far_vz, far_wx, far_wy, far_wz, per_reach);
                 cosine_0 = _o718.cosine_0;
@@ -8677,7 +8677,7 @@ extern "C" __global__ void court_bounded(
                 clock = _o733.clock;
                 circling = _o733.rolling;
             }
-            const kernel_rejoined_out _o734 = kernel_rejoined(rolling, circling);
+            const kernel_still_in_contact_out _o734 = kernel_still_in_contact(rolling, circling);
             rolling = _o734.rolling;
             if (leaves) {
                 const kernel_error_bounds_out _o735 = kernel_error_bounds(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
@@ -8749,9 +8749,9 @@ extern "C" __global__ void court_bounded(
                 gap = _o755.gap;
                 nearing = _o755.nearing;
                 gap_curvature = _o755.gap_curvature;
-                const kernel_end_plane_free_time_out _o756 = kernel_end_plane_free_time(p_gravity, vx, vy, vz, gap, doubt, free_time, nearing, gap_curvature);
+                const kernel_end_plane_free_time_out _o756 = kernel_end_plane_free_time(p_gravity, vx, vy, vz, gap, undecided_time, free_time, nearing, gap_curvature);
                 free_time = _o756.free_time;
-                doubt = _o756.doubt;
+                undecided_time = _o756.undecided_time;
                 const kernel_holding_out _o757 = kernel_holding(1.0, held);
                 here = _o757.here;
                 if (here) {
@@ -8832,10 +8832,10 @@ extern "C" __global__ void court_bounded(
                     const kernel_seam_free_time_out _o782 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
                     free_time = _o782.free_time;
                 }
-                const kernel_separated_out _o783 = kernel_separated(p_gravity, vx, vy, vz, doubt, position_error, velocity_error, per_reach, free_time, lift, gap_jerk, gap_snap);
+                const kernel_separated_out _o783 = kernel_separated(p_gravity, vx, vy, vz, undecided_time, position_error, velocity_error, per_reach, free_time, lift, gap_jerk, gap_snap);
                 when = _o783.when;
-                doubt = _o783.doubt;
-                const kernel_take_off_out _o784 = kernel_take_off();
+                undecided_time = _o783.undecided_time;
+                const kernel_detachment_out _o784 = kernel_detachment();
                 which = _o784.which;
             }
         }
@@ -8848,9 +8848,9 @@ extern "C" __global__ void court_bounded(
         const kernel_body_of_out _o786 = kernel_body_of(which);
         body = _o786.body;
         if (moves) {
-            const kernel_passing_doubt_out _o787 = kernel_passing_doubt(when, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, p_ring_radius, p_gravity);
-            unsure = _o787.unsure;
-            const kernel_undecided_out _o788 = kernel_undecided(uncertain, unsure);
+            const kernel_passing_undecided_out _o787 = kernel_passing_undecided(when, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, p_ring_radius, p_gravity);
+            undecided = _o787.undecided;
+            const kernel_undecided_out _o788 = kernel_undecided(uncertain, undecided);
             uncertain = _o788.uncertain;
             const kernel_passing_out _o789 = kernel_passing(through, when, x, y, z, vx, vy, vz, p_ring_radius, p_gravity);
             through = _o789.through;
@@ -8871,13 +8871,13 @@ extern "C" __global__ void court_bounded(
             reached = _o792.reached;
             ends = _o792.ends;
         }
-        const kernel_unhopped_out _o793 = kernel_unhopped();
+        const kernel_no_departure_out _o793 = kernel_no_departure();
         hopped = _o793.hopped;
         if (in_contact) {
-            const kernel_stay_in_contact_out _o794 = kernel_stay_in_contact(last, which, doubt, body, clock, reached, ends, held, rolls, rolling, began, rests);
+            const kernel_stay_in_contact_out _o794 = kernel_stay_in_contact(last, which, undecided_time, body, clock, reached, ends, held, rolls, rolling, began, rests);
             body = _o794.body;
             reached = _o794.reached;
-            doubt = _o794.doubt;
+            undecided_time = _o794.undecided_time;
             ends = _o794.ends;
             hopped = _o794.hopped;
             last = _o794.last;
@@ -8897,7 +8897,7 @@ extern "C" __global__ void court_bounded(
             const kernel_end_edge_out _o799 = kernel_end_edge(slack, through, g0);
             edge = _o799.edge;
         }
-        const kernel_doubted_in_contact_out _o800 = kernel_doubted_in_contact(last, when, which, earliest_delay, doubt, uncertain, edge, assured);
+        const kernel_contact_undecided_out _o800 = kernel_contact_undecided(last, when, which, earliest_delay, undecided_time, uncertain, edge, assured);
         uncertain = _o800.uncertain;
         const kernel_accounted_out _o801 = kernel_accounted(contacts, most_contacts, reached, touches);
         contacts = _o801.contacts;
@@ -8908,7 +8908,7 @@ extern "C" __global__ void court_bounded(
         /* What it does to the ball. */
         const kernel_meeting_out _o802 = kernel_meeting(claims, ends, touches);
         meeting = _o802.meeting;
-        const kernel_unslowed_out _o803 = kernel_unslowed();
+        const kernel_no_slow_contact_out _o803 = kernel_no_slow_contact();
         slow = _o803.slow;
         if (meeting) {
             const kernel_end_normal_out _o804 = kernel_end_normal();
@@ -8947,7 +8947,7 @@ extern "C" __global__ void court_bounded(
             }
             const kernel_elsewhere_out _o814 = kernel_elsewhere();
             curving = _o814.curving;
-            const kernel_anew_out _o815 = kernel_anew();
+            const kernel_other_start_surface_out _o815 = kernel_other_start_surface();
             left_nx = _o815.left_nx;
             left_ny = _o815.left_ny;
             left_nz = _o815.left_nz;
@@ -9003,15 +9003,15 @@ extern "C" __global__ void court_bounded(
             dvz = _o828.dvz;
             belated = _o828.delay;
             shift = _o828.shift;
-            const kernel_delayed_out _o829 = kernel_delayed(belated, clock_error);
+            const kernel_clock_error_sum_out _o829 = kernel_clock_error_sum(belated, clock_error);
             clock_error = _o829.clock_error;
             if (ends) {
-                const kernel_floored_out _o830 = kernel_floored(dx, dy, dz, shift);
+                const kernel_position_error_floor_out _o830 = kernel_position_error_floor(dx, dy, dz, shift);
                 dx = _o830.dx;
                 dy = _o830.dy;
                 dz = _o830.dz;
             }
-            const kernel_unturned_out _o831 = kernel_unturned();
+            const kernel_no_normal_error_out _o831 = kernel_no_normal_error();
             dnx = _o831.dnx;
             dny = _o831.dny;
             dnz = _o831.dnz;
@@ -9043,7 +9043,7 @@ extern "C" __global__ void court_bounded(
                 dnz = _o837.dnz;
                 turn = _o837.turn;
             }
-            const kernel_untaken_out _o838 = kernel_untaken();
+            const kernel_other_kind_out _o838 = kernel_other_kind();
             struck_0 = _o838.of_this_kind;
             const kernel_ring_impact_taken_out _o839 = kernel_ring_impact_taken(p_ring_restitution, p_ring_friction);
             its_0_ring_impact = _o839.its_0;
@@ -9062,9 +9062,9 @@ extern "C" __global__ void court_bounded(
                 }
             }
             if (struck_0) {
-                const kernel_ring_impact_doubt_out _o842 = kernel_ring_impact_doubt(vx, vy, vz, wx, wy, wz, nx, ny, nz, dvx, dvy, dvz, dwx, dwy, dwz, turn, p_ball_radius, its_0_ring_impact, its_1_ring_impact, p_inertia, p_tangential_restitution, p_restitution_speed);
-                unsure = _o842.unsure;
-                const kernel_undecided_out _o843 = kernel_undecided(uncertain, unsure);
+                const kernel_ring_impact_undecided_out _o842 = kernel_ring_impact_undecided(vx, vy, vz, wx, wy, wz, nx, ny, nz, dvx, dvy, dvz, dwx, dwy, dwz, turn, p_ball_radius, its_0_ring_impact, its_1_ring_impact, p_inertia, p_tangential_restitution, p_restitution_speed);
+                undecided = _o842.undecided;
+                const kernel_undecided_out _o843 = kernel_undecided(uncertain, undecided);
                 uncertain = _o843.uncertain;
                 const kernel_carry_ring_impact_out _o844 = kernel_carry_ring_impact(vx, vy, vz, wx, wy, wz, nx, ny, nz, dvx, dvy, dvz, dwx, dwy, dwz, dnx, dny, dnz, turn, lifting, p_ball_radius, its_0_ring_impact, its_1_ring_impact, p_inertia, p_tangential_restitution, p_restitution_speed);
                 dvx = _o844.dvx;
@@ -9085,7 +9085,7 @@ extern "C" __global__ void court_bounded(
                 const kernel_touched_out _o846 = kernel_touched(which, body, first);
                 first = _o846.first;
                 last = _o846.last;
-                const kernel_slowed_out _o847 = kernel_slowed(p_ball_radius, p_gravity, nx, ny, nz, vx, vy, vz, position_error);
+                const kernel_leaves_slowly_out _o847 = kernel_leaves_slowly(p_ball_radius, p_gravity, nx, ny, nz, vx, vy, vz, position_error);
                 slow = _o847.slow;
                 assured = _o847.assured;
             }
@@ -9141,7 +9141,7 @@ extern "C" __global__ void court_bounded(
                 nearing = _o859.nearing;
                 rolling_gap_acceleration = _o859.rolling_gap_acceleration;
                 normal_cosine = _o859.normal_cosine;
-                const kernel_neared_body_out _o860 = kernel_neared_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
+                const kernel_near_body_out _o860 = kernel_near_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
                 nearest = _o860.nearest;
                 second_contact_gap = _o860.second_contact_gap;
                 const kernel_bridge_closing_out _o861 = kernel_bridge_closing(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z);
@@ -9149,12 +9149,12 @@ extern "C" __global__ void court_bounded(
                 nearing = _o861.nearing;
                 rolling_gap_acceleration = _o861.rolling_gap_acceleration;
                 normal_cosine = _o861.normal_cosine;
-                const kernel_neared_body_out _o862 = kernel_neared_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
+                const kernel_near_body_out _o862 = kernel_near_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
                 nearest = _o862.nearest;
                 second_contact_gap = _o862.second_contact_gap;
                 const kernel_end_beside_out _o863 = kernel_end_beside(p_end_depth, z, vz);
                 gap = _o863.gap;
-                const kernel_neared_out _o864 = kernel_neared(gap, nearest);
+                const kernel_near_end_plane_out _o864 = kernel_near_end_plane(gap, nearest);
                 nearest = _o864.nearest;
                 const kernel_ring_separation_out _o865 = kernel_ring_separation(p_gravity, p_ring_radius, x, y, z, vx, vy, vz);
                 lift = _o865.lift;
@@ -9164,8 +9164,8 @@ extern "C" __global__ void court_bounded(
                 slides = _o866.slides;
                 unpressed = _o866.unpressed;
                 assured = _o866.assured;
-                unsure = _o866.unsure;
-                const kernel_settled_out _o867 = kernel_settled(0.0, outcome, uncertain, unsure, settles, nearly, lodges, slides, unpressed);
+                undecided = _o866.undecided;
+                const kernel_settled_out _o867 = kernel_settled(0.0, outcome, uncertain, undecided, settles, nearly, lodges, slides, unpressed);
                 mode = _o867.mode;
                 held = _o867.held;
                 outcome = _o867.outcome;
@@ -9194,7 +9194,7 @@ extern "C" __global__ void court_bounded(
                 nearing = _o872.nearing;
                 rolling_gap_acceleration = _o872.rolling_gap_acceleration;
                 normal_cosine = _o872.normal_cosine;
-                const kernel_neared_body_out _o873 = kernel_neared_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
+                const kernel_near_body_out _o873 = kernel_near_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
                 nearest = _o873.nearest;
                 second_contact_gap = _o873.second_contact_gap;
                 const kernel_bridge_closing_out _o874 = kernel_bridge_closing(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z);
@@ -9202,12 +9202,12 @@ extern "C" __global__ void court_bounded(
                 nearing = _o874.nearing;
                 rolling_gap_acceleration = _o874.rolling_gap_acceleration;
                 normal_cosine = _o874.normal_cosine;
-                const kernel_neared_body_out _o875 = kernel_neared_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
+                const kernel_near_body_out _o875 = kernel_near_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
                 nearest = _o875.nearest;
                 second_contact_gap = _o875.second_contact_gap;
                 const kernel_end_beside_out _o876 = kernel_end_beside(p_end_depth, z, vz);
                 gap = _o876.gap;
-                const kernel_neared_out _o877 = kernel_neared(gap, nearest);
+                const kernel_near_end_plane_out _o877 = kernel_near_end_plane(gap, nearest);
                 nearest = _o877.nearest;
                 const kernel_backboard_separation_out _o878 = kernel_backboard_separation(p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, p_gravity, x, y, z, vx, vy, vz);
                 lift = _o878.lift;
@@ -9217,8 +9217,8 @@ extern "C" __global__ void court_bounded(
                 slides = _o879.slides;
                 unpressed = _o879.unpressed;
                 assured = _o879.assured;
-                unsure = _o879.unsure;
-                const kernel_settled_out _o880 = kernel_settled(1.0, outcome, uncertain, unsure, settles, nearly, lodges, slides, unpressed);
+                undecided = _o879.undecided;
+                const kernel_settled_out _o880 = kernel_settled(1.0, outcome, uncertain, undecided, settles, nearly, lodges, slides, unpressed);
                 mode = _o880.mode;
                 held = _o880.held;
                 outcome = _o880.outcome;
@@ -9247,7 +9247,7 @@ extern "C" __global__ void court_bounded(
                 nearing = _o885.nearing;
                 rolling_gap_acceleration = _o885.rolling_gap_acceleration;
                 normal_cosine = _o885.normal_cosine;
-                const kernel_neared_body_out _o886 = kernel_neared_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
+                const kernel_near_body_out _o886 = kernel_near_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
                 nearest = _o886.nearest;
                 second_contact_gap = _o886.second_contact_gap;
                 const kernel_backboard_closing_out _o887 = kernel_backboard_closing(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z);
@@ -9255,12 +9255,12 @@ extern "C" __global__ void court_bounded(
                 nearing = _o887.nearing;
                 rolling_gap_acceleration = _o887.rolling_gap_acceleration;
                 normal_cosine = _o887.normal_cosine;
-                const kernel_neared_body_out _o888 = kernel_neared_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
+                const kernel_near_body_out _o888 = kernel_near_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
                 nearest = _o888.nearest;
                 second_contact_gap = _o888.second_contact_gap;
                 const kernel_end_beside_out _o889 = kernel_end_beside(p_end_depth, z, vz);
                 gap = _o889.gap;
-                const kernel_neared_out _o890 = kernel_neared(gap, nearest);
+                const kernel_near_end_plane_out _o890 = kernel_near_end_plane(gap, nearest);
                 nearest = _o890.nearest;
                 const kernel_bridge_separation_out _o891 = kernel_bridge_separation(p_board_distance, p_bridge_depth, p_bridge_half_width, p_gravity, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
                 lift = _o891.lift;
@@ -9270,8 +9270,8 @@ extern "C" __global__ void court_bounded(
                 slides = _o892.slides;
                 unpressed = _o892.unpressed;
                 assured = _o892.assured;
-                unsure = _o892.unsure;
-                const kernel_settled_out _o893 = kernel_settled(2.0, outcome, uncertain, unsure, settles, nearly, lodges, slides, unpressed);
+                undecided = _o892.undecided;
+                const kernel_settled_out _o893 = kernel_settled(2.0, outcome, uncertain, undecided, settles, nearly, lodges, slides, unpressed);
                 mode = _o893.mode;
                 held = _o893.held;
                 outcome = _o893.outcome;
@@ -9280,9 +9280,9 @@ extern "C" __global__ void court_bounded(
             }
         }
         if (limited) {
-            const kernel_timed_out _o894 = kernel_timed(4.0, which, claims);
-            timed = _o894.timed;
-            if (timed) {
+            const kernel_ends_by_time_limit_out _o894 = kernel_ends_by_time_limit(4.0, which, claims);
+            ends_by_time_limit = _o894.ends_by_time_limit;
+            if (ends_by_time_limit) {
                 const kernel_carry_time_out _o895 = kernel_carry_time(when, x, y, z, vx, vy, vz, clock, clock_error, dx, dy, dz, dvx, dvy, dvz, p_gravity);
                 dx = _o895.dx;
                 dy = _o895.dy;

@@ -247,7 +247,7 @@ FAULTS = (
     # Rolls and their events.
     Planted(
         "a ball rolls over an end plane",
-        without("beside_gate"),
+        without("beside_end_plane"),
         on_shelf["a_ball_rolls_across_an_end_plane"],
     ),
     Planted(
@@ -464,7 +464,7 @@ FAULTS = (
     # The branch of friction.
     Planted(
         "whether a contact slips is never in doubt",
-        in_text(stages, "_law", 'if "doubt" in surface.law', 'if "none" in surface.law'),
+        in_text(stages, "_law", 'if "undecided" in surface.law', 'if "none" in surface.law'),
         switch,
     ),
     Planted(
