@@ -66,7 +66,7 @@ def _needs(typed: Mapping[str, Any]) -> list[str]:
     type=whole(128),
     default=4096,
     show_default=True,
-    help="Precision at which to give up.",
+    help="Precision, in bits, up to which decisions are tried.",
 )
 @json_option
 @click.pass_context
@@ -128,7 +128,7 @@ def _outcome(proof: Proof, engine: Engine) -> str:
 
 
 def _together(proof: Proof) -> int:
-    """Return how many events at the end are on one body and soon after one another, if many are."""
+    """Return the number of final events on one body in quick succession, 0 if they are few."""
     events = reversed(list(zip(proof.surfaces, proof.times, strict=True)))
     run = takewhile(lambda e: e[0] == proof.surfaces[-1] and e[1] >= proof.until - CLOSE, events)
     count = sum(1 for _ in run)
