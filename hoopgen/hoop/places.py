@@ -77,7 +77,15 @@ def say_on_board(y: float, z: float, parameters: Mapping[str, float]) -> str:
 
 
 def say_on_ring(past: float, parameters: Mapping[str, float]) -> str:
-    """Say how far past the ring's centre an aim is, m, by the nearest place with a name."""
+    """Return a distance past the ring's centre, m, in words, by the nearest named place.
+
+    Parameters
+    ----------
+    past
+        The distance, m; negative short of the centre.
+    parameters
+        Parameters of the hoop, SI units.
+    """
     places = on_ring(parameters)
     name = min(places, key=lambda one: abs(places[one] - past))
     return _said(name, [(past - places[name], "past", "short of")])

@@ -82,7 +82,7 @@ class _Section:
 
 
 def check_page() -> Any:
-    """Return what makes the page."""
+    """Return the module of the page's templates, Jinja2."""
     check_markdown()
     return require("jinja2", "a report page")
 
@@ -149,7 +149,7 @@ def _section(context: Context, written: Mapping[str, Any], results: Results) -> 
 
 
 def _setting(context: Context) -> dict[str, str]:
-    """Say what is thrown, by what it is: the scene, the release, its scatter."""
+    """Return the scene, the release and its scatter as text, by name."""
     question = context.question
     if isinstance(question, BatchQuestion | AimQuestion):
         release = {} if isinstance(question, AimQuestion) else context.shared_release
@@ -174,7 +174,7 @@ def _setting(context: Context) -> dict[str, str]:
 
 
 def _options(question: Question, written: Mapping[str, Any]) -> Iterator[tuple[str, str, str]]:
-    """Yield what else a question says: the key, its value, and what that says."""
+    """Yield the other settings of a question: the key, its value, and its meaning."""
     for key, value in written.items():
         if key in _OF_ITSELF:
             continue
@@ -235,7 +235,7 @@ _DEEPEST = 6
 
 
 def check_markdown() -> Any:
-    """Return what reads Markdown."""
+    """Return the module that parses Markdown, markdown_it."""
     return require("markdown_it", "a report page")
 
 

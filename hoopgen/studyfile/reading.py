@@ -129,7 +129,7 @@ def _path(where: Iterable[str | int]) -> lines.Path:
 
 
 def _key(path: lines.Path) -> str:
-    """Say where: ``question #2, over.elevation``."""
+    """Return a location as text: ``question #2, over.elevation``."""
     text = ""
     for place, step in enumerate(path):
         if isinstance(step, int):
@@ -141,7 +141,7 @@ def _key(path: lines.Path) -> str:
 
 
 def _said(wrong: Mapping[str, Any]) -> str:
-    """Say what is wrong in the words used here."""
+    """Return an error of pydantic in hoopgen's words."""
     if wrong["type"] == "said":
         return str(wrong["msg"])
     if wrong["type"] == "value_error":

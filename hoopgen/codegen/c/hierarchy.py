@@ -270,7 +270,7 @@ def _append(array: Expression, count: Expression) -> Statements:
 
 
 def depths(members: Sequence[Group]) -> list[int]:
-    """Return how many groups each one is within."""
+    """Return the number of groups that contain each group."""
     found: list[int] = []
     for k, group in enumerate(members):
         around = [j for j in range(k) if members[j].after > k]

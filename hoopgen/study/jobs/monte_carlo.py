@@ -69,7 +69,7 @@ class ResolvedSetting:
     scene: Engine
 
     def identity(self) -> dict[str, object]:
-        """Return what tells this setting from others, in types that JSON knows."""
+        """Return the identity of the setting, in types that JSON knows."""
         parameters = dict(self.parameters)
         return {**self.model.identity(), "parameters": parameters, **scene_identity(self.scene)}
 
@@ -111,7 +111,7 @@ class MonteCarloJob(ShotsJob):
         return chunks_of(self.shots)
 
     def identity(self) -> dict[str, object]:
-        """Return what the chunks depend on."""
+        """Return the identity of the chunks: everything that they depend on."""
         return {
             # First, so that what differs names it.
             **scene_identity(self.scene),
@@ -124,7 +124,7 @@ class MonteCarloJob(ShotsJob):
         }
 
     def shots_in(self, kept: pa.Table) -> int:
-        """Return how many shots a chunk has that is kept."""
+        """Return the number of shots of a stored chunk."""
         return int(tally_of(numbers_of(kept), 0, self.scene).shots)
 
     def shots_of(self, chunk: int) -> tuple[int, int]:
@@ -151,7 +151,7 @@ class MonteCarloJob(ShotsJob):
         return np.concatenate(rows)
 
     def rows(self, which: int, threads: int | None) -> Rows | None:
-        """Return what becomes of each measured release of a setting; None of another model."""
+        """Return the result of each measured release of a setting; None for another model."""
         setting = self.settings[which]
         if not isinstance(setting.model, Resample):
             return None
@@ -170,7 +170,7 @@ class MonteCarloJob(ShotsJob):
         return releases, simulated(releases, contacts, self.backend, scene, self.measures)
 
     def _pairs(self, first: Shots, second: Shots) -> NDArray[np.int64]:
-        """Return how many pairs end so both, the first only, the second only, neither."""
+        """Return the numbers of pairs that end so in both, only first, only second, or neither."""
         outcomes = np.stack([first.outcome, second.outcome])
         invalid = self.scene.outcomes["INVALID"]
         others = (outcomes != self.by)[:, (outcomes != invalid).all(axis=0)]
@@ -238,7 +238,7 @@ class StoppingRule:
         return total
 
     def _needed(self, done: int, total: NDArray[np.int64], work: MonteCarloJob) -> int:
-        """Return how many chunks it will take, as far as can be told."""
+        """Return the expected number of chunks."""
         most = work.chunks
         if self.precision is None:
             return most

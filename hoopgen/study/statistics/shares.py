@@ -149,12 +149,12 @@ class Shares(SharesOfShots):
 
 
 def _width(found: Shares) -> int:
-    """Return how wide the column of names is."""
+    """Return the width of the column of names."""
     return max(7, *(len(name) for name in found.shares))
 
 
 def shares_of(tally: Tally, setting: Any, level: float, seed: int) -> Shares:
-    """Return what a tally says of a setting of `hoopgen.study.jobs.monte_carlo`."""
+    """Return the shares from the tally of a setting of `hoopgen.study.jobs.monte_carlo`."""
     scene: CompiledScene = setting.scene
     names = outcomes_of(scene)
     counts = {name: int(tally.ended(code)) for code, name in enumerate(names)}

@@ -32,17 +32,17 @@ def fields_of(scene: CompiledScene) -> tuple[str, ...]:
 
 
 def _shared(scene: CompiledScene) -> int:
-    """Return how many numbers of a tally there are beside its table."""
+    """Return the number of entries of a tally besides its table."""
     return len(_SHARED) + len(scene.layout.tallied)
 
 
 def _shape(scene: CompiledScene) -> tuple[int, int]:
-    """Return how many kinds there are, one where there is no hoop, and how many outcomes."""
+    """Return the number of kinds, one without a hoop, and the number of outcomes."""
     return len(Kind) if scene.has_hoop else 1, len(scene.outcomes)
 
 
 def width_of(scene: CompiledScene) -> int:
-    """Return how many columns a row of numbers of a `Tally` has."""
+    """Return the number of columns of a `Tally` as a row of numbers."""
     return prod(_shape(scene)) + _shared(scene)
 
 
@@ -105,7 +105,7 @@ class Tally:
 
     @classmethod
     def read(cls, row: NDArray[np.int64], scene: CompiledScene) -> Tally:
-        """Return what `row` gave, (..., columns)."""
+        """Return the tally from the result of `row`, (..., columns)."""
         shared = _shared(scene)
         table = row[..., :-shared].reshape(*row.shape[:-1], *_shape(scene))
         uncertain, capped, *others = (row[..., k - shared] for k in range(shared))

@@ -87,7 +87,7 @@ class Results:
         return {} if self._counts is None else self._counts.groups(self.ended)
 
     def schema(self, scene: str) -> pa.Schema:
-        """Return that of the results; arguments that shots cannot have are refused here.
+        """Return the schema of the results; arguments that shots cannot have raise an error here.
 
         Former results are left out where new ones have their names.
         """
@@ -180,7 +180,7 @@ Sink: TypeAlias = Callable[[pa.Table], None]
 
 
 def check_sink(format: str, schema: pa.Schema, source: object) -> None:
-    """Refuse columns that a format cannot have, before the work where that can be told."""
+    """Raise an error for columns that a format cannot have, before the work if possible."""
     if format in _DELIMITERS:
         with _refused(source, "CSV"):
             pa.csv.write_csv(_plain(schema).empty_table(), io.BytesIO())

@@ -108,7 +108,7 @@ def describe_columns(columns: Mapping[str, Column], track: str | None, rest: Ite
 
 
 def _said(name: str) -> tuple[str, float | None]:
-    """Return what a name says, or nothing, and the size of its unit if it has one."""
+    """Return the meaning of a name, if it has one, and the size of its unit."""
     plain = name.strip().lower()
     for one in FRAME:
         if plain == one:
