@@ -40,7 +40,7 @@ class Loop:
             known = check(nodes, known)
 
     @property
-    def tallied(self) -> bool:
+    def counts_by_body(self) -> bool:
         """True if contacts are counted by body where they happen, and not in fields of a shot."""
         return all(field.name != "count_0" for field in self.fields)
 

@@ -66,7 +66,7 @@ def valid(scene: Scene, tabled: Set[int]) -> dict[str, sp.Expr]:
     undecided: sp.Expr = sp.Integer(0)
     for index, surface in enumerate(scene.surfaces):
         if index not in tabled:
-            verdict, undecided = _asked(surface, index, verdict, undecided, slack)
+            verdict, undecided = _with_surface(surface, index, verdict, undecided, slack)
     found = {"valid": verdict, "undecided_time": undecided}
     return found | ({"blur": slack, "leeway": CERTAIN_DISTANCE_FACTOR * slack} if tabled else {})
 
@@ -105,11 +105,11 @@ def near_surface(scene: Scene) -> dict[str, sp.Basic]:
 
 def surface_start(surface: Surface) -> dict[str, sp.Expr]:
     """Return the validity of the start with one surface more, the one that the loop is at."""
-    verdict, undecided = _asked(surface, index, valid_so_far, undecided_so_far, blur)
+    verdict, undecided = _with_surface(surface, index, valid_so_far, undecided_so_far, blur)
     return {"valid": verdict, "undecided_time": undecided}
 
 
-def _asked(
+def _with_surface(
     surface: Surface,
     index: sp.Expr | int,
     verdict: sp.Expr,

@@ -37,7 +37,7 @@ if TYPE_CHECKING:
 CLOSE = 1e-3
 """Seconds before the last event of a shot; the events of one body since then share a line."""
 
-FEW = 3
+MAX_LISTED_EVENTS = 3
 """Events on one body, one soon after another, that have a line each."""
 
 
@@ -132,7 +132,7 @@ def _together(proof: Proof) -> int:
     events = reversed(list(zip(proof.surfaces, proof.times, strict=True)))
     run = takewhile(lambda e: e[0] == proof.surfaces[-1] and e[1] >= proof.until - CLOSE, events)
     count = sum(1 for _ in run)
-    return count if count > FEW else 0
+    return count if count > MAX_LISTED_EVENTS else 0
 
 
 def _summary(proof: Proof, engine: Engine) -> str:

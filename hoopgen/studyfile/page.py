@@ -182,17 +182,18 @@ def _options(question: Question, written: Mapping[str, Any]) -> Iterator[tuple[s
         about = next(
             one.help for name, _, one, _ in settings(QUESTIONS[question.kind]) if name == key
         )
-        yield key.replace("_", " "), _clean(_said(said)), about
+        yield key.replace("_", " "), _clean(_value_text(said)), about
 
 
-def _said(value: Any) -> str:
-    """Say a value of a study file, with its units as they are written."""
+def _value_text(value: Any) -> str:
+    """Return a value of a study file as text, with its units as they are written."""
     if isinstance(value, Mapping):
         if set(value) == {"from", "to", "count"}:
-            return f"{_said(value['from'])} to {_said(value['to'])}, {value['count']} values"
-        return "; ".join(f"{key}: {_said(one)}" for key, one in value.items())
+            first, last = _value_text(value["from"]), _value_text(value["to"])
+            return f"{first} to {last}, {value['count']} values"
+        return "; ".join(f"{key}: {_value_text(one)}" for key, one in value.items())
     if isinstance(value, list):
-        return ", ".join(map(_said, value)) or "none"
+        return ", ".join(map(_value_text, value)) or "none"
     if isinstance(value, int) and not isinstance(value, bool):
         return f"{value:,}"
     return str(value)

@@ -87,7 +87,7 @@ def parse(content: bytes, file: Path) -> tuple[StudyFile, dict[str, Any], str, E
         with within(scene):
             return read_document(document), document, text, scene
     except ValidationError as error:
-        found = [(_path(one["loc"]), _said(one)) for one in error.errors()]
+        found = [(_path(one["loc"]), _error_text(one)) for one in error.errors()]
         raise complain(file, text, found) from None
 
 
@@ -140,7 +140,7 @@ def _key(path: lines.Path) -> str:
     return text
 
 
-def _said(wrong: Mapping[str, Any]) -> str:
+def _error_text(wrong: Mapping[str, Any]) -> str:
     """Return an error of pydantic in hoopgen's words."""
     if wrong["type"] == "said":
         return str(wrong["msg"])

@@ -223,7 +223,7 @@ def test_what_a_group_asks_is_read() -> None:
         ("own",), (("a",), ("b",)), (adding,), BoundingVolumes(box, near, (Group(0, 2, 1),))
     )
     assert each.groups is not None
-    assert each.groups.asked == {"here"}
+    assert each.groups.test_reads == {"here"}
     assert reads([each]) == live_before([each], []) == {"a", "b", "total", "here"}
     with pytest.raises(ValueError, match="unknown: here"):
         check([each], ["a", "b", "total"])

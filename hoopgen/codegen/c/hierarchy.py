@@ -182,7 +182,7 @@ class GroupedLoop(CLoop):
         mask = Apply("mask_first_n", (Infix("-", Name(frame.count), Name("i")),))
         asked = [
             Declare(name, "V", load("double", at(frame.column(name), "i")), constant=True)
-            for name in sorted(groups.asked)
+            for name in sorted(groups.test_reads)
         ]
         kept = Name("_kept")
         look: Statements = [

@@ -256,7 +256,7 @@ def _record(index: int, loop: Loop) -> Insertion:
     """Return the statements that record the state before an event on request."""
     body = store("double", at("body", "i"), Name("body"))
     before = (store("double", at(f"{s}_before", "i"), Name(s)) for s in STATE_NAMES)
-    if loop.tallied:
+    if loop.counts_by_body:
         return Insertion(index, (body, If(Name("recording"), tuple(before))))
     return Insertion(index, (If(Name("recording"), (body, *before)),))
 

@@ -187,7 +187,7 @@ class NumPyLoop(Lowering):
             for v in groups.box.arguments
             if isinstance(v, str)
         )
-        seen = [v for v in groups.near.arguments if isinstance(v, str) and v in groups.asked]
+        seen = [v for v in groups.near.arguments if isinstance(v, str) and v in groups.test_reads]
         box, near = groups.box.kernel, groups.near.kernel
         assert groups.near.arguments[len(seen) :] == box.output_names, near.name
         found: Statements = [

@@ -36,7 +36,7 @@ _FILES = (_CHUNKS, _IDENTITY)
 
 KEPT = "finished chunks are kept, and the same call goes on from there"
 
-_FEW = 3
+_MAX_DIFFERENCES = 3
 """Number of differences that a message lists."""
 
 
@@ -216,8 +216,8 @@ def differences(there: Mapping[str, str], here: Mapping[str, str]) -> list[str]:
 
 def in_short(found: Sequence[str]) -> str:
     """Say the first few of what is not the same, and how many more there are."""
-    more = [f"and {len(found) - _FEW} more"] if len(found) > _FEW else []
-    return "; ".join([*found[:_FEW], *more])
+    more = [f"and {len(found) - _MAX_DIFFERENCES} more"] if len(found) > _MAX_DIFFERENCES else []
+    return "; ".join([*found[:_MAX_DIFFERENCES], *more])
 
 
 def flat(values: Mapping[str, Any], prefix: str = "") -> dict[str, str]:

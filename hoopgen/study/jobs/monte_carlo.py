@@ -1,4 +1,4 @@
-"""Shots thrown in one setting or in two: tallied in chunks, until their number or a precision."""
+"""Shots in one setting or in two, counted in chunks up to a number or a precision."""
 
 from __future__ import annotations
 
@@ -51,7 +51,7 @@ CHUNK = 1 << 17
 SHOTS = 100_000
 """Without a precision."""
 
-MOST = 1_000_000_000
+MAX_SHOTS = 1_000_000_000
 """Largest number of shots of an estimate that runs to a precision."""
 
 SettingLike: TypeAlias = ReleaseModel | tuple[ReleaseModel, ParameterValues]
@@ -318,10 +318,10 @@ def most_shots(
         return check_count("shots", shots)
     if precision is None:
         return SHOTS
-    if (least := least_shots(precision, level, paired=paired)) > MOST:
+    if (least := least_shots(precision, level, paired=paired)) > MAX_SHOTS:
         raise ValueError(
             f"precision: {precision} takes {format_whole(least)} shots at least, whatever "
             "becomes of "
-            f"them, and no more than {format_whole(MOST)} are thrown unless shots says so"
+            f"them, and at most {format_whole(MAX_SHOTS)} are simulated unless shots says so"
         )
-    return MOST
+    return MAX_SHOTS

@@ -181,14 +181,14 @@ class Player:
         worker, shots = replace(self, runner=run_serially), self._at_most(shots)
         starts = range(0, shots, TASK)
         work = [
-            partial(worker.tallied, values, one, min(one + TASK, shots), seed) for one in starts
+            partial(worker.count_task, values, one, min(one + TASK, shots), seed) for one in starts
         ]
         total = pa.concat_tables(self.runner(work) if len(work) > 1 else run_serially(work))
         sums = {name: int(np.sum(total[name].to_numpy())) for name in total.column_names}
         successes = Successes(np.array(sums.pop("made")), np.array(sums.pop("valid")))
         return successes, sums
 
-    def tallied(self, values: Mapping[str, float], start: int, stop: int, seed: int) -> pa.Table:
+    def count_task(self, values: Mapping[str, float], start: int, stop: int, seed: int) -> pa.Table:
         """Return the row of a table of what `tally` counts of shots `start` to `stop` - 1."""
         one = self._scored(values, start, stop, seed)
         found = {"made": int(one.made.sum()), "valid": int(one.valid.sum())}

@@ -149,7 +149,7 @@ _LABELS = {
 
 def number_labels(scene: Engine) -> dict[str, str]:
     """Return the meanings of the numbers of a map."""
-    return _LABELS | {result.tally: result.tally_summary for result in scene.layout.tallied}
+    return _LABELS | {result.tally: result.tally_summary for result in scene.layout.counted_results}
 
 
 def _outcomes(work: Sweep, numbers: Counts) -> dict[str, xr.Variable]:
@@ -224,7 +224,7 @@ def _attributes(work: Sweep, level: float) -> dict[str, Any]:
     return {
         "Conventions": "CF-1.11",
         "source": f"hoopgen {version()}",
-        **_said(work, scene, by_row),
+        **_scene_attributes(work, scene, by_row),
         "parameters": json.dumps(for_json(scene)),
         "max_contacts": work.max_contacts,
         **(
@@ -240,7 +240,9 @@ def _attributes(work: Sweep, level: float) -> dict[str, Any]:
     }
 
 
-def _said(work: Sweep, scene: Mapping[str, float], by_row: Sequence[str]) -> dict[str, str]:
+def _scene_attributes(
+    work: Sweep, scene: Mapping[str, float], by_row: Sequence[str]
+) -> dict[str, str]:
     """Return the attributes of the scene; for a scene of your own also those no reader has."""
     if work.scene.is_hoop:
         return {"scene": describe_hoop(scene, by_row)}

@@ -83,14 +83,14 @@ class Margin(Result):
         """The margin without its scene."""
         others = format_count(len(self.elsewhere), "further interval")
         more = f", and in {others}" if self.elsewhere else ""
-        return f"{self.name} {self.said(self.low, self.high)}{more}"
+        return f"{self.name} {self.describe_range(self.low, self.high)}{more}"
 
     def as_dict(self) -> dict[str, Any]:
         """Return everything, in types that JSON knows; SI. What is not a number is None."""
         return {name: for_json(value) for name, value in asdict(self).items()}
 
-    def said(self, low: float, high: float) -> str:
-        """Say an interval, of those above, open where it reaches as far as was looked."""
+    def describe_range(self, low: float, high: float) -> str:
+        """Return an interval as text, open where it reaches the end of the searched range."""
         least, most = self.searched
         if math.isnan(low):
             return "does not succeed"

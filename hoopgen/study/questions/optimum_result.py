@@ -368,8 +368,8 @@ def _margins(margins: Sequence[Margin], tolerance: float) -> str:
         [
             VARIABLES[margin.name].label,
             format_variable(margin.name, margin.value),
-            margin.said(margin.low, margin.high) + "*" * bool(margin.elsewhere),
-            margin.said(*margin.steady) if margin.steady else "",
+            margin.describe_range(margin.low, margin.high) + "*" * bool(margin.elsewhere),
+            margin.describe_range(*margin.steady) if margin.steady else "",
         ]
         for margin in margins
     ]
@@ -387,5 +387,5 @@ def _margins(margins: Sequence[Margin], tolerance: float) -> str:
 def _again(margin: Margin) -> str:
     """Say the first interval further out, and how many more there are."""
     first, *more = margin.elsewhere
-    said = margin.said(*first)
+    said = margin.describe_range(*first)
     return f"{said}, and {format_count(len(more), 'further interval')}" if more else said

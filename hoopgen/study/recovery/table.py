@@ -147,10 +147,10 @@ def fit_table(
         )
         if target is not None:
             _write(fitted, target, label or TRACK, frames, units, table)
-    return FittedTable(fitted, _said(read, frames), target)
+    return FittedTable(fitted, _describe_reading(read, frames), target)
 
 
-def _said(read: str, frames: _Frames) -> str:
+def _describe_reading(read: str, frames: _Frames) -> str:
     """Describe the reading of a table, with the rows that were left out."""
     stacked = np.stack(list(frames.values.values()))
     gaps = int((~np.isfinite(stacked)).any(axis=0).sum())

@@ -104,7 +104,7 @@ class Shares(SharesOfShots):
         plain |= {"sample": sample} if sample else {}
         return {name: for_json(value) for name, value in plain.items()}
 
-    def _said(self, name: str, digits: int) -> str:
+    def _share_line(self, name: str, digits: int) -> str:
         """Say a share with its intervals."""
         text = format_percent(self.shares[name], digits)
         if self.still:
@@ -130,7 +130,7 @@ class Shares(SharesOfShots):
         digits = percent_decimals(self.half_width)
         ends = self.scene.kernels.ENDS
         rows = [
-            f"{name:{_width(self)}}  {self._said(name, digits)}"
+            f"{name:{_width(self)}}  {self._share_line(name, digits)}"
             for name in self.shares
             if name in ends or self.counts[name]
         ]

@@ -28,12 +28,12 @@ BLOCK = 1 << 14
 
 def fields_of(scene: CompiledScene) -> tuple[str, ...]:
     """Return the results that a tally needs of a shot."""
-    return (*_FIELDS, *(result.name for result in scene.layout.tallied))
+    return (*_FIELDS, *(result.name for result in scene.layout.counted_results))
 
 
 def _shared(scene: CompiledScene) -> int:
     """Return the number of entries of a tally besides its table."""
-    return len(_SHARED) + len(scene.layout.tallied)
+    return len(_SHARED) + len(scene.layout.counted_results)
 
 
 def _shape(scene: CompiledScene) -> tuple[int, int]:
@@ -93,7 +93,7 @@ class Tally:
             result.tally: np.count_nonzero(
                 getattr(shots, result.name).reshape(settings, -1), axis=1
             )
-            for result in scene.layout.tallied
+            for result in scene.layout.counted_results
         }
         return cls(
             counted.reshape(settings, *shape),
@@ -109,7 +109,7 @@ class Tally:
         shared = _shared(scene)
         table = row[..., :-shared].reshape(*row.shape[:-1], *_shape(scene))
         uncertain, capped, *others = (row[..., k - shared] for k in range(shared))
-        names = (result.tally for result in scene.layout.tallied)
+        names = (result.tally for result in scene.layout.counted_results)
         return cls(table, uncertain, capped, dict(zip(names, others, strict=True)), scene)
 
     def row(self) -> NDArray[np.int64]:
