@@ -55,7 +55,7 @@ class Cost:
 
 
 def _place(k: int, far: bool) -> tuple[float, float, float]:
-    """Return where a body stands: in a row of a square, no two rows alike."""
+    """Return the place of a body: in a row of a square, no two rows alike."""
     row, column = divmod(k, 7)
     return 0.8 * row + 0.013 * column + FAR * far, 0.8 * column + 0.017 * row, 0.3 + 0.011 * k
 
@@ -147,7 +147,7 @@ def _made(scene: Scene) -> tuple[float, float, float]:
 
 
 def costs(shots: int, rounds: int) -> list[Cost]:
-    """Return what scenes cost, first the hoop; in a round each has a turn."""
+    """Return the costs of scenes, first the hoop; each round times every scene once."""
     far = [0, 0, 0, *FAR_AWAY, 0]
     away = [spheres(NEAR + count, count) for count in FAR_AWAY]
     scenes = [spheres(NEAR), spheres(10), spheres(40), *away, mixed()]

@@ -80,7 +80,7 @@ def _in_search(name: str, text: str) -> str:
 
 
 def _counted(states: States, width: int, change: Callable[[str, str], str]) -> list[float]:
-    """Return what the counters say after shots at a width, with the sources so changed."""
+    """Return the counters after shots at a width, with changed sources."""
     with tempfile.TemporaryDirectory() as folder:
         for source in source_files(GENERATED, "hoop"):
             text = change(source.name, source.read_text(encoding="utf-8"))

@@ -160,7 +160,7 @@ class Roll:
         self.clock = _mid(self.clock + step)
 
     def _first(self, rows: list[list[arb]], step: arb) -> tuple[int, arb] | None:
-        """Return what happens first within a step, and when, if anything does."""
+        """Return the first event within a step and its time; None without one."""
         t = LOOKED * float(step)
         c, s, _, _, _, phi, force = (_values(row, t) for row in rows)
         rho = float(self.r_h) + float(self.r) * c

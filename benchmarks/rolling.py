@@ -130,7 +130,7 @@ def _flagged_by(
 def _bounced(
     release: Floats, impacts: Any, scene: Mapping[str, float]
 ) -> tuple[Floats, Floats, bool]:
-    """Return what the engine is off by after the last bounce, and what it claims there.
+    """Return the engine's error after the last bounce, and the bound that it claims there.
 
     Of position, velocity, spin and time; and whether it is flagged by then.
     """
@@ -148,7 +148,7 @@ def _bounced(
 
 
 def _ended(rest: NDArray[Any], outcome: int) -> int:
-    """Return what the engine's log has the contact end with."""
+    """Return the event with which contact ends in the engine's log."""
     after = rest[1]
     if after["kind"] == Event.LEAVE:
         return LEAVES

@@ -35,7 +35,7 @@ REASONS = {
 
 
 def _scattered(mean: tuple[float, ...], apart: tuple[float, ...]) -> Callable[[int], States]:
-    """Return what makes shots with normal errors about a release."""
+    """Return a function that draws shots with normal errors about a release."""
 
     def make(n: int) -> States:
         random = np.random.Generator(np.random.Philox(SEED))

@@ -188,7 +188,7 @@ def _back() -> tuple[float, float]:
 
 
 def _of_release(arguments: Mapping[str, float], by: str, sample: Resample | None, seed: int) -> Any:
-    """Return what becomes of many shots of the player about a release.
+    """Return the results of many shots of the player about a release.
 
     Of measured releases the player moves the mean of all throws as far as that of the sample.
     """
@@ -383,7 +383,7 @@ first."""
 
 
 def count(number: int, part: float = 1.0) -> dict[str, Any]:
-    """Return what a case comes to, of a part of its repetitions, in types that JSON knows."""
+    """Return the result of a case for a part of its repetitions, in types that JSON knows."""
     case = CASES[number]
     repetitions = max(20, round(part * case.repetitions))
     found = coverage(case, list(case.intervals(repetitions)))
@@ -392,7 +392,7 @@ def count(number: int, part: float = 1.0) -> dict[str, Any]:
 
 
 def counts(part: float = 1.0) -> list[dict[str, Any]]:
-    """Return what every case comes to, in their order, each computed by a process of its own."""
+    """Return the results of all cases in order, each computed by a process of its own."""
     slow_first = sorted(range(len(CASES)), key=lambda number: CASES[number].repetitions)
     with ProcessPoolExecutor(mp_context=get_context("spawn")) as pool:
         found = {number: pool.submit(count, number, part) for number in slow_first}

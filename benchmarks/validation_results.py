@@ -278,7 +278,7 @@ def _thrown_again(
 
 
 def _past(best: xr.Dataset, scene: Parameters) -> float:
-    """Return how far from the ring's centre shots without scatter come down on average, m."""
+    """Return the mean distance from the ring's centre of shots without scatter, m."""
     states = hoopgen.release(**{name: best[name].values for name in ARGUMENTS})
     shots = hoopgen.simulate(states, scene)
     found = hoopgen.measure(states, shots, scene, ("depth", "left_right"))
@@ -286,7 +286,7 @@ def _past(best: xr.Dataset, scene: Parameters) -> float:
 
 
 def axis_behind(restitution: float) -> float:
-    """Return how far behind the board the axis is, m, for balls to the centre of the ring.
+    """Return the distance of the axis behind the board, m, for balls to the centre of the ring.
 
     Without spin about the vertical the board leaves 3/5 of the velocity along it (Eqs. 11-17) and
     the restitution's share of that towards it; so the straight line of the release, gone on with,

@@ -45,7 +45,7 @@ USUAL: tuple[tuple[str, Mapping[str, str]], ...] = (
 )
 """Small work for each command. Those that are not here write or measure the sources."""
 
-INSTEAD = {"--aim": "--speed", "--entry": "--elevation"}
+ALTERNATIVE_TO = {"--aim": "--speed", "--entry": "--elevation"}
 """Options that take the place of usual ones."""
 
 AT_LENGTH = {"--shots", "--precision", "--over", "--max-contacts", "--max-bits", "--distance"}
@@ -168,7 +168,7 @@ def line(random: np.random.Generator) -> list[str]:
         typed = _typed(option)
         if not getattr(option, "multiple", False):
             given.pop(typed, None)
-        given.pop(INSTEAD.get(typed, ""), None)
+        given.pop(ALTERNATIVE_TO.get(typed, ""), None)
         words += _words(typed, "" if getattr(option, "is_flag", False) else absurd(random, option))
     for typed, value in given.items():
         words += _words(typed, value)

@@ -55,5 +55,5 @@ def truncated(value: sp.Expr, bits: int) -> sp.Rational:
 
 
 def rest_of(value: sp.Expr, *parts: sp.Rational) -> sp.Rational:
-    """Return what a constant exceeds the sum of its first parts by, to `DIGITS` digits."""
+    """Return the excess of a constant over the sum of its first parts, to `DIGITS` digits."""
     return sp.Rational(str(value.evalf(DIGITS))) - sum(parts)

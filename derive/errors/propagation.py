@@ -163,7 +163,7 @@ def flight_start(flight: Parabola) -> dict[str, sp.Expr]:
 
 
 def _returning_offset(flight: Parabola, roundings: Sequence[sp.Expr]) -> sp.Expr:
-    """Return how much errors move a ball off a surface between leaving it and coming back."""
+    """Return the offset that errors cause off a surface between departure and return."""
     moved = _moved(_returning_roundings(flight, roundings))
     return barrier(normal.dot(sp.Matrix(moved))) - barrier(left_normal.dot(sp.Matrix(dx)))
 

@@ -117,7 +117,7 @@ def lost(
 def _lost_with_any_gravity(
     far: sp.Expr, half: sp.Expr, halves: Sequence[sp.Expr | None], acceleration: Sequence[sp.Expr]
 ) -> sp.Expr:
-    """Return what `lost` does if an acceleration may be zero.
+    """Return the result of `lost` for an acceleration that may be zero.
 
     Along an axis without acceleration the ball, and the true one, has left the box after
     T = 2 d / |v|: with errors e_p and e_v T of at most w, |p + v t| is from then on at least

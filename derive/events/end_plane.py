@@ -43,9 +43,9 @@ def edge(end_plane: EndPlane) -> sp.Basic:
         list(zip(numbered(end_plane.parts), end_plane.passed, strict=True))
     ):
         if bounds:
-            unsure = _of_fallen(passed, And(nearly(bounds), Not(inside(bounds))))
+            undecided = _of_fallen(passed, And(nearly(bounds), Not(inside(bounds))))
             later = And(Not(_of_fallen(passed, inside(bounds))), found)
-            found = unsure if found == false else Or(unsure, later)
+            found = undecided if found == false else Or(undecided, later)
     return found
 
 

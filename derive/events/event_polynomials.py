@@ -57,7 +57,7 @@ def deflated_coefficients(surface: Surface, flight: Flight) -> Coefficients:
 
 
 def crossing() -> dict[str, sp.Expr]:
-    """Return what certifies a crossing at a computed arrival, and bounds its delay.
+    """Return the quantity that certifies a crossing at an arrival, and a bound on its delay.
 
     At a computed root F <= m. With the slope r = -F' - m' > 0 and |F''| <= C,
     F(t + s) <= m - r s + C s²/2, which is negative at s = r/C if r² > 2 C m: the crossing is

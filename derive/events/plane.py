@@ -119,13 +119,13 @@ class PlaneSearch(Search):
         """Propose the only arrival, if it exists and lies within the bounds."""
         yield Call(KERNELS["left"], {"index": index})
         yield Call(own["arrival"])
-        yield Call(KERNELS["meeting_plane"])
+        yield Call(KERNELS["plane_root"])
         # An arrival that is undecided at its apex is at the same time within the margin.
         yield Call(own["margin"], {"horizon": "nearest"})
         yield Call(common["crossing"], {"rate_margin": 0.0})
         yield Call(KERNELS["within_time"])
-        yield Call(KERNELS["grazed"])
+        yield Call(KERNELS["graze_undecided"])
         if not self.surface.bounds:
-            yield If("possible", (Call(KERNELS["crossed"]), *proposed(index)))
+            yield If("possible", (Call(KERNELS["crossing_undecided"]), *proposed(index)))
             return
         yield If("possible", (*bounded(common, own, "time"), *proposed(index)))

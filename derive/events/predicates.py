@@ -24,8 +24,8 @@ from ..symbolic.conditionals import (
 from ..symbolic.error_terms import earliest_delay
 from .event_polynomials import ERROR_BUDGET_LEVELS, ceiling, horizon
 
-when, which, last, index, time, doubt, delay = sp.symbols(
-    "when which last index time doubt delay", real=True
+when, which, last, index, time, undecided_time, delay = sp.symbols(
+    "when which last index time undecided_time delay", real=True
 )
 """Time and surface of the earliest arrival so far; surface touched last; index of the surface
 that is searched; an arrival on it; the earliest time of a decision that lies within its rounding
@@ -43,9 +43,9 @@ through = sp.Symbol("through", real=True)
 flat, tilt, arrival, t, end, refined = sp.symbols("flat tilt arrival t end refined", real=True)
 since, lasting = sp.symbols("since lasting", real=True)
 """Begin of a search in single precision, and the time since then; infinite after all windows."""
-unsure, arrives, certain, hit, sure, needs_refinement, met, penetrates = map(
+undecided, arrives, certain, hit, sure, needs_refinement, met, penetrates = map(
     Boolean,
-    ("unsure", "arrives", "certain", "hit", "sure", "needs_refinement", "met", "penetrates"),
+    ("undecided", "arrives", "certain", "hit", "sure", "needs_refinement", "met", "penetrates"),
 )
 searching, representable, fits, single_precision = map(
     Boolean, ("searching", "representable", "fits", "single_precision")
@@ -54,7 +54,7 @@ searching, representable, fits, single_precision = map(
 
 def earlier(condition: sp.Basic, at: sp.Expr) -> sp.Expr:
     """Return the earliest undecided time, given one at which a condition holds."""
-    return Choose(all_of(condition, Less(at, doubt)), at, doubt)
+    return Choose(all_of(condition, Less(at, undecided_time)), at, undecided_time)
 
 
 CONVERGED = sp.Rational(1, 2**24)
@@ -89,7 +89,7 @@ KERNELS = {
             "Whether the ball has touched nothing yet.",
         ),
         decision(
-            "meeting_plane",
+            "plane_root",
             {
                 "arrives": _plane_met,
                 "ceiling": absolute(bend),
@@ -103,24 +103,30 @@ KERNELS = {
             "Whether an arrival may be the earliest within the delays.",
         ),
         decision(
-            "grazed",
-            {"doubt": earlier(all_of(AtMost(0, apex), AtMost(absolute(height), margin)), apex)},
+            "graze_undecided",
+            {
+                "undecided_time": earlier(
+                    all_of(AtMost(0, apex), AtMost(absolute(height), margin)), apex
+                )
+            },
             "Earliest undecided time, with that of an apex whose gap is zero within its error.",
         ),
         decision(
-            "questioned",
-            {"doubt": earlier(unsure, time)},
+            "predicate_undecided",
+            {"undecided_time": earlier(undecided, time)},
             "Earliest undecided time, with that of an undecided predicate.",
         ),
         decision(
-            "crossed",
-            {"doubt": earlier(all_of(arrives, Not(Less(0, clearance))), time)},
+            "crossing_undecided",
+            {"undecided_time": earlier(all_of(arrives, Not(Less(0, clearance))), time)},
             "Earliest undecided time, with that of an arrival whose crossing is not certain.",
         ),
         decision(
-            "tied",
+            "tie_undecided",
             {
-                "doubt": earlier(all_of(arrives, _tie), Choose(Less(time, when), time, when)),
+                "undecided_time": earlier(
+                    all_of(arrives, _tie), Choose(Less(time, when), time, when)
+                ),
                 "earliest_delay": Choose(_sooner, delay, earliest_delay),
             },
             "Earliest undecided time, with that of a tie within the delays; the earlier's delay.",
@@ -143,17 +149,21 @@ KERNELS = {
         decision(
             "out_of_budget",
             {
-                "doubt": Choose(
+                "undecided_time": Choose(
                     any_of(Less(0, excess), Less(0, budget_exceeded), Less(pad, earliest_delay)),
                     0,
-                    doubt,
+                    undecided_time,
                 )
             },
             "Undecided time 0 if errors exceed the budget of a search, or its bounds fail.",
         ),
         decision(
             "out_of_budget_in_windows",
-            {"doubt": Choose(any_of(_strays, Less(0, budget_exceeded)), 0, doubt)},
+            {
+                "undecided_time": Choose(
+                    any_of(_strays, Less(0, budget_exceeded)), 0, undecided_time
+                )
+            },
             "Undecided time 0 if errors exceed the budget of an open window, or its bounds fail.",
         ),
         decision(
@@ -192,7 +202,7 @@ KERNELS = {
             "Root from the search in single precision; whether and where the search goes on.",
         ),
         decision(
-            "struck",
+            "gap_closes",
             {
                 "hit": all_of(_strikes, Not(_unclear)),
                 "sure": _clears,
@@ -201,7 +211,7 @@ KERNELS = {
             "Whether the gap closes, certainly closes, or needs a smaller error budget.",
         ),
         decision(
-            "struck_or_still",
+            "gap_closes_or_stalls",
             {
                 "hit": all_of(_strikes, Not(_unclear)),
                 "sure": _clears,
@@ -210,7 +220,7 @@ KERNELS = {
             "Whether the gap closes; a step that moves nothing needs a smaller budget, too.",
         ),
         decision(
-            "finer",
+            "smaller_budget",
             {
                 "share": Choose(
                     Less(ERROR_BUDGET_LEVELS[-1], share),
@@ -221,8 +231,8 @@ KERNELS = {
             "Next smaller error budget.",
         ),
         decision(
-            "exceeded",
-            {"doubt": earlier(Less(0, excess), t)},
+            "budget_undecided",
+            {"undecided_time": earlier(Less(0, excess), t)},
             "Earliest undecided time, with the present one if the errors exceed the budget.",
         ),
         decision(
@@ -242,7 +252,7 @@ KERNELS = {
             "Whether a search found an arrival.",
         ),
         decision(
-            "polished",
+            "refined_root",
             {
                 "arrival": Choose(certain, refined, arrival),
                 "refining": all_of(certain, Less(CONVERGED * rate**2, ceiling * absolute(gap))),
@@ -255,15 +265,17 @@ KERNELS = {
             "Margin of the form, F or F/t, in which an arrival was found.",
         ),
         decision(
-            "landed",
+            "arrival_time",
             {"time": Choose(Less(arrival, 0), 0, arrival)},
             "Time of an arrival, not before the flight.",
         ),
         decision(
-            "landed_surely",
+            "certain_arrival",
             {
                 "delay": Choose(all_of(certain, Less(0, clearance)), delay, 0),
-                "doubt": earlier(all_of(arrives, Not(all_of(certain, Less(0, clearance)))), time),
+                "undecided_time": earlier(
+                    all_of(arrives, Not(all_of(certain, Less(0, clearance)))), time
+                ),
             },
             "Delay of a certain arrival; the earliest undecided time, with that of any other one.",
         ),
@@ -273,7 +285,7 @@ KERNELS = {
             "Start value: the ball is outside the surface.",
         ),
         decision(
-            "struck_bounded",
+            "gap_closes_bounded",
             {
                 "hit": all_of(_strikes, Not(_unclear), Not(_sunk)),
                 "sure": _clears,

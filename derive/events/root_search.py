@@ -122,7 +122,7 @@ class RootSearch(Search):
         allowing = tuple(_allowing(common, own))
         found = (
             While("searching", STEP_LIMIT, step),
-            Call(KERNELS["questioned"], {"unsure": "searching", "time": "t"}),
+            Call(KERNELS["predicate_undecided"], {"undecided": "searching", "time": "t"}),
         )
         if self.coarse is None:
             first = Call(own["enter"], {"after": 0.0, "t": 0.0, "end": 0.0})
@@ -155,7 +155,7 @@ class RootSearch(Search):
         """Step as far as there can be no root, or take the root."""
         if self.surface.bounds:
             return _bounded_step(common, own, index)
-        return _step(common, own, index, "struck" if self.coarse else "struck_or_still")
+        return _step(common, own, index, "gap_closes" if self.coarse else "gap_closes_or_stalls")
 
 
 def _clear(clear: sp.Expr) -> dict[str, Formula]:
@@ -240,13 +240,17 @@ def _allowing(common: Parts, own: Parts) -> Iterator[Node]:
     yield Call(margins.kernel, margins.inputs, renamed)
 
 
-def _step(common: Parts, own: Parts, index: Value, struck: str) -> Iterator[Node]:
+def _step(common: Parts, own: Parts, index: Value, closes: str) -> Iterator[Node]:
     """Step as far as there can be no root, or take the root, as a decision says."""
     yield Call(KERNELS["nearby"], {"index": index})
     yield given(own["advance"], rate_margin="rate_slack")
-    yield Call(KERNELS[struck], {"rate_margin": "rate_slack"})
+    yield Call(KERNELS[closes], {"rate_margin": "rate_slack"})
     # A root that is not certain is searched again with a smaller error budget.
-    finer = (Call(KERNELS["finer"]), *_allowing(common, own), Call(KERNELS["exceeded"]))
+    finer = (
+        Call(KERNELS["smaller_budget"]),
+        *_allowing(common, own),
+        Call(KERNELS["budget_undecided"]),
+    )
     yield If("needs_refinement", finer)
     yield Call(KERNELS["advanced"])
     yield If("exhausted", (Call(own["enter"], {"after": "end"}),))
@@ -256,8 +260,12 @@ def _bounded_step(common: Parts, own: Parts, index: Value) -> Iterator[Node]:
     """Step as `_step` does; pass a root that is out of bounds, and the way out behind it."""
     yield Call(KERNELS["nearby"], {"index": index})
     yield given(own["advance"], rate_margin="rate_slack")
-    yield Call(KERNELS["struck_bounded"], {"rate_margin": "rate_slack"})
-    finer = (Call(KERNELS["finer"]), *_allowing(common, own), Call(KERNELS["exceeded"]))
+    yield Call(KERNELS["gap_closes_bounded"], {"rate_margin": "rate_slack"})
+    finer = (
+        Call(KERNELS["smaller_budget"]),
+        *_allowing(common, own),
+        Call(KERNELS["budget_undecided"]),
+    )
     yield If("needs_refinement", finer)
     yield Call(KERNELS["candidate"])
     polish = (
@@ -276,7 +284,7 @@ def _landing(common: Parts, own: Parts, index: Value) -> Iterator[Node]:
     yield Call(KERNELS["nearby"], {"index": index, "t": "arrival"})
     newton = (
         Call(own["refine"], {"t": "arrival"}, {"time": "refined"}),
-        Call(KERNELS["polished"]),
+        Call(KERNELS["refined_root"]),
     )
     # Most roots need two steps, so lanes are not compacted for these.
     usual = "clear" in own
@@ -286,5 +294,5 @@ def _landing(common: Parts, own: Parts, index: Value) -> Iterator[Node]:
     yield Call(own["margins"], {"horizon": "latest"}, {"margin": "flat", "leaving_margin": "tilt"})
     yield Call(KERNELS["own_margin"])
     yield Call(common["crossing"])
-    yield Call(KERNELS["landed"])
-    yield Call(KERNELS["landed_surely"])
+    yield Call(KERNELS["arrival_time"])
+    yield Call(KERNELS["certain_arrival"])

@@ -83,7 +83,7 @@ class Search(ABC):
 
 def proposed(index: Value) -> Iterator[Node]:
     """Take an arrival that is earlier than those found so far."""
-    yield Call(KERNELS["tied"])
+    yield Call(KERNELS["tie_undecided"])
     yield Call(KERNELS["earliest"], {"index": index})
 
 
@@ -102,7 +102,7 @@ def edges(surface: Surface) -> dict[str, Kernel]:
         ),
         "edges": decision(
             f"{surface.name}_edges",
-            {"unsure": all_of(near, Not(surely))},
+            {"undecided": all_of(near, Not(surely))},
             "Whether the bounds or the crossing lie within their errors.",
         ),
     }
@@ -140,7 +140,7 @@ def bounded(common: Parts, own: Parts, time: str, **inputs: float) -> Iterator[N
     slackened = given(common["displacement"], horizon=time, **inputs)
     yield Call(slackened.kernel, slackened.inputs, {"margin": "slack"})
     yield given(own["edges"], **inputs)
-    yield given(KERNELS["questioned"], time=time)
+    yield given(KERNELS["predicate_undecided"], time=time)
     yield Call(own["within"])
 
 

@@ -125,7 +125,7 @@ class BoundingVolumes:
     members: tuple[Group, ...]
 
     @property
-    def asked(self) -> set[str]:
+    def test_reads(self) -> set[str]:
         """The variables of a shot that the test reads."""
         return {v for v in self.near.arguments if isinstance(v, str)} - {*self.box.assigned}
 
@@ -183,7 +183,7 @@ def reads(nodes: Iterable[Node]) -> set[str]:
         if isinstance(node, Call):
             found |= {value for value in node.arguments if isinstance(value, str)}
         elif isinstance(node, ForEach):
-            found |= reads(node.body) - set(node.names) | _asked(node)
+            found |= reads(node.body) - set(node.names) | _own_reads(node)
         else:
             found |= reads(node.body) | {node.truth}
     return found
@@ -210,7 +210,7 @@ def live_before(nodes: Sequence[Node], after: Iterable[str]) -> set[str]:
             live -= set(node.assigned.values())
             live |= reads([node])
         else:
-            live |= live_in_body(node, live) | _asked(node)
+            live |= live_in_body(node, live) | _own_reads(node)
     return live
 
 
@@ -218,18 +218,18 @@ def live_in_body(node: If | While | ForEach, after: Iterable[str]) -> set[str]:
     """Return the variables that are live where a body begins, without the node's own names."""
     live = live_before(node.body, after)
     while isinstance(node, While | ForEach):
-        more = live_before(node.body, live | set(after) | _asked(node))
+        more = live_before(node.body, live | set(after) | _own_reads(node))
         if more <= live:
             break
         live |= more
     return live - set(node.names) if isinstance(node, ForEach) else live
 
 
-def _asked(node: If | While | ForEach) -> set[str]:
+def _own_reads(node: If | While | ForEach) -> set[str]:
     """Return the variables that a node itself reads."""
     if not isinstance(node, ForEach):
         return {node.truth}
-    return node.given | (node.groups.asked if node.groups else set())
+    return node.given | (node.groups.test_reads if node.groups else set())
 
 
 def check(nodes: Iterable[Node], known: Iterable[str]) -> set[str]:
@@ -248,7 +248,7 @@ def check(nodes: Iterable[Node], known: Iterable[str]) -> set[str]:
             missing = {v for v in node.arguments if isinstance(v, str)} - known
             known |= set(node.assigned.values())
         else:
-            missing = _asked(node) - known
+            missing = _own_reads(node) - known
             check(node.body, known | set(node.names if isinstance(node, ForEach) else ()))
         if missing:
             where = node.kernel.name if isinstance(node, Call) else f"a {type(node).__name__}"
@@ -297,17 +297,17 @@ def _needed(nodes: tuple[Node, ...], live: set[str]) -> tuple[tuple[Node, ...], 
             continue
         body, before = _needed(node.body, live)
         while isinstance(node, While | ForEach):
-            again, more = _needed(node.body, live | before | _asked(node))
+            again, more = _needed(node.body, live | before | _own_reads(node))
             if more <= before and again == body:
                 break
             body, before = again, before | more
         if body and isinstance(node, ForEach):
             node = read_of(replace(node, body=body))
             kept.append(node)
-            live |= before - set(node.names) | _asked(node)
+            live |= before - set(node.names) | _own_reads(node)
         elif body:
             kept.append(replace(node, body=body))
-            live |= before | _asked(node)
+            live |= before | _own_reads(node)
     return tuple(reversed(kept)), live
 
 

@@ -68,7 +68,7 @@ def unchecked_argument_order(scene: Scene) -> tuple[sp.Symbol, ...]:
     """Return the symbols of kernels that run before the parameters are known to be valid."""
     so_far = (
         *(validity.index, validity.blur, validity.measured),
-        *(validity.valid_so_far, validity.doubt_so_far),
+        *(validity.valid_so_far, validity.undecided_so_far),
     )
     parameters = map(validity.without_assumptions, scene.symbols)
     return (validity.last, *so_far, *STATE, *parameters)

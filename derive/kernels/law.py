@@ -50,9 +50,9 @@ def _kernels(
         )
     undecided = law.undecided(normal, velocity, spin, scene.ball)
     if undecided is not None:
-        kernels["doubt"] = kernel(
-            f"{law.name}_doubt",
-            {"unsure": undecided},
+        kernels["undecided"] = kernel(
+            f"{law.name}_undecided",
+            {"undecided": undecided},
             order,
             "Whether a decision within the contact lies within its error.",
             "the law's own slack",

@@ -57,8 +57,8 @@ def flight_boxes(scene: Scene, order: tuple[sp.Symbol, ...]) -> dict[str, Kernel
             "Box that the ball is in until the horizon: its centre and its half sizes.",
             "Eq. 3, its ends and its apex",
         ),
-        "halved": kernel(
-            "halved",
+        "half_flight_boxes": kernel(
+            "half_flight_boxes",
             bounding_boxes.half_flight_boxes(scene.flight),
             order,
             "Boxes of the first and the second half of the flight until the horizon.",
@@ -96,7 +96,7 @@ def _motion(scene: Scene, order: tuple[sp.Symbol, ...]) -> tuple[Kernel, ...]:
 
 
 def _arrivals(scene: Scene, order: tuple[sp.Symbol, ...], tabled: Set[int]) -> tuple[Kernel, ...]:
-    """Return what the searches of all surfaces share."""
+    """Return the kernels that the searches of all surfaces share."""
     # Of many bodies the sum of the lengths is computed once for a shot.
     lengths = (validity.lengths,) if tabled else scene.lengths
     return (
@@ -154,7 +154,7 @@ def _flight_size(scene: Scene) -> sp.Expr:
 
 
 def _errors(scene: Scene, order: tuple[sp.Symbol, ...]) -> tuple[Kernel, ...]:
-    """Return how errors pass through a flight, and the bounds that are made of them."""
+    """Return the kernels of error propagation through a flight, and of the bounds from errors."""
     single = not scene.rolls
     return (
         kernel(

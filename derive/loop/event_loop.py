@@ -9,7 +9,7 @@ from ..ir.event_tree import Call, ForEach, Node, check, live_before, needed, wal
 from ..ir.kernel import Kind as VariableKind
 from ..state.fields import Field
 
-TEMPORARY_BOUNDS = {"earliest_delay": 0.0, "delay": 0.0, "doubt": float("inf")}
+TEMPORARY_BOUNDS = {"earliest_delay": 0.0, "delay": 0.0, "undecided_time": float("inf")}
 """Error bounds within a stage, with their values in a loop without error bounds."""
 
 
@@ -40,7 +40,7 @@ class Loop:
             known = check(nodes, known)
 
     @property
-    def tallied(self) -> bool:
+    def counts_by_body(self) -> bool:
         """True if contacts are counted by body where they happen, and not in fields of a shot."""
         return all(field.name != "count_0" for field in self.fields)
 

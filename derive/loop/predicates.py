@@ -10,7 +10,7 @@ from collections.abc import Mapping, Sequence
 import sympy as sp
 
 from ..events import predicates as searching
-from ..events.predicates import delay, doubt, excess, index, last, unsure, when, which
+from ..events.predicates import delay, excess, index, last, undecided, undecided_time, when, which
 from ..ir.kernel import Kernel, decision
 from ..state.fields import IN_FLIGHT, NONE, REPORTED_ERRORS
 from ..symbolic.conditionals import (
@@ -107,7 +107,7 @@ def _of_scene(
             "admitted",
             {
                 "outcome": startable,
-                "uncertain": Choose(all_of(permitted, in_range, Less(0, doubt)), 1, 0),
+                "uncertain": Choose(all_of(permitted, in_range, Less(0, undecided_time)), 1, 0),
             },
             "Outcome of a shot at its start, and whether that is uncertain.",
         ),
@@ -151,7 +151,7 @@ def _of_errors(single: bool, open_ended: bool) -> tuple[Kernel, ...]:
         floors |= dict.fromkeys(dv, _OWN_ROUNDING)
     return (
         decision(
-            "delayed",
+            "clock_error_sum",
             {"clock_error": clock_error + delay},
             "Sum of the errors of the contacts' times.",
             single,
@@ -166,13 +166,13 @@ def _of_errors(single: bool, open_ended: bool) -> tuple[Kernel, ...]:
             single,
         ),
         decision(
-            "floored",
+            "error_floor",
             {s.name: Choose(Less(absolute(s), least), least, s) for s, least in floors.items()},
             "Errors at the end, not below the largest that one flight can cause.",
             single,
         ),
         decision(
-            "unturned",
+            "no_normal_error",
             {"dnx": 0, "dny": 0, "dnz": 0, "turn": 0},
             "Start values: a normal without error.",
             single,
@@ -192,8 +192,13 @@ def expiry(open_ended: bool) -> dict[str, sp.Basic]:
     }
     if open_ended:
         return found | {"arrives": Less(time_limit, sp.oo)}
-    undecided = all_of(Not(Less(when + earliest_delay, doubt)), Less(doubt, sp.oo))
-    return found | {"arrives": AtMost(0, which), "doubt": Choose(undecided, 0, doubt)}
+    undecided = all_of(
+        Not(Less(when + earliest_delay, undecided_time)), Less(undecided_time, sp.oo)
+    )
+    return found | {
+        "arrives": AtMost(0, which),
+        "undecided_time": Choose(undecided, 0, undecided_time),
+    }
 
 
 KERNELS = {
@@ -210,7 +215,7 @@ KERNELS = {
                 "when": sp.oo,
                 "which": NONE,
                 "earliest_delay": 0,
-                "doubt": Choose(_bounded, sp.oo, 0),
+                "undecided_time": Choose(_bounded, sp.oo, 0),
             },
             "Start values: no arrival; an uncertain shot if its errors are not bounded.",
         ),
@@ -221,11 +226,14 @@ KERNELS = {
         ),
         decision("event_clock", {"clock": clock + when}, "Time of the event."),
         decision(
-            "doubted",
+            "flight_undecided",
             {
                 "uncertain": Choose(
                     Or(
-                        all_of(Not(Less(when + earliest_delay, doubt)), Less(doubt, sp.oo)),
+                        all_of(
+                            Not(Less(when + earliest_delay, undecided_time)),
+                            Less(undecided_time, sp.oo),
+                        ),
                         edge,
                     ),
                     1,
@@ -253,13 +261,13 @@ KERNELS = {
             "Body touched first and surface touched last.",
         ),
         decision(
-            "timed",
-            {"timed": all_of(Equal(which, index), Less(0, claims))},
+            "ends_by_time_limit",
+            {"ends_by_time_limit": all_of(Equal(which, index), Less(0, claims))},
             "Whether a shot has ended at the time limit and its errors are wanted.",
         ),
         decision(
             "undecided",
-            {"uncertain": Choose(unsure, 1, uncertain)},
+            {"uncertain": Choose(undecided, 1, uncertain)},
             "1 if a decision within a contact lies within its error.",
         ),
     )

@@ -140,7 +140,7 @@ def _reach(
     yield If("moves", (*_passing(common), *flown))
     yield If("limited", (Call(common["expired"], {"index": time}),), rare=True)
     if "in_contact" in common:
-        yield Call(common["unhopped"])
+        yield Call(common["no_departure"])
         yield If("in_contact", (Call(common["stay_in_contact"]),), rare=True)
     yield Call(
         common["displacement"], {"horizon": "when", "delay": "earliest_delay"}, {"margin": "slack"}
@@ -150,7 +150,7 @@ def _reach(
         yield from on_surface(
             common, end_plane.index, *(Call(kernel) for kernel in kernels if kernel is not None)
         )
-    yield Call(common["doubted_in_contact" if "in_contact" in common else "doubted"])
+    yield Call(common["contact_undecided" if "in_contact" in common else "flight_undecided"])
     yield Call(common["accounted"])
 
 
@@ -163,14 +163,14 @@ def _on_any(common: Parts, kind: SurfaceKind) -> Iterator[Node]:
     """Propose the first arrival on any surface of a kind."""
     if "near" in kind.first.parts:
         yield Call(common["horizon"], {"t": "when"}, {"horizon": "until"})
-        yield Call(common["swept" if kind.several else "halved"], {"horizon": "until"})
+        yield Call(common["swept" if kind.several else "half_flight_boxes"], {"horizon": "until"})
     yield from for_each(kind.contacts, lambda s, index: _arriving(common, s, index), {})
 
 
 def _passing(common: Parts) -> Iterator[Node]:
     """Test whether the flight goes through the scene's passage, if it has one."""
     if "passing" in common:
-        yield Call(common["passing_doubt"], {"t": "when"})
+        yield Call(common["passing_undecided"], {"t": "when"})
         yield Call(common["undecided"])
         yield Call(common["passing"], {"t": "when"})
 
@@ -196,12 +196,12 @@ def _meet(
     """Give the ball its motion after the contact (Eqs. 7-17), and propagate its errors."""
     yield Call(common["meeting"])
     if "in_contact" in common:
-        yield Call(common["unslowed"])
+        yield Call(common["no_slow_contact"])
     yield If("meeting", tuple(_contact(common, contacts, end_planes, fields)))
     if "in_contact" in common:
         yield from contact_stages.settled(common, contacts, end_planes)
-    timed = Call(common["timed"], {"index": len(contacts) + len(end_planes)})
-    carried = If("timed", (Call(common["carry_time"], {"t": "when"}),), rare=True)
+    timed = Call(common["ends_by_time_limit"], {"index": len(contacts) + len(end_planes)})
+    carried = If("ends_by_time_limit", (Call(common["carry_time"], {"t": "when"}),), rare=True)
     yield If("limited", (timed, carried), rare=True)
     if "in_contact" in common:
         yield If("hopped", (Call(common["carry_hop"]),), rare=True)
@@ -234,21 +234,21 @@ def _contact(
             yield from kind.evaluate(common, "normal", *_counted(common, kind.first, fields))
     yield Call(common["elsewhere"])
     if "in_contact" in common:
-        yield Call(common["anew"])
+        yield Call(common["other_start_surface"])
     for kind in kinds:
         yield from kind.normal_change(common)
     yield Call(common["carry_flight"], {"t": "when"}, {"delay": "belated"})
-    yield Call(common["delayed"], {"delay": "belated"})
+    yield Call(common["clock_error_sum"], {"delay": "belated"})
     if end_planes:
-        yield If("ends", (Call(common["floored"]),))
-    yield Call(common["unturned"])
+        yield If("ends", (Call(common["error_floor"]),))
+    yield Call(common["no_normal_error"])
     for kind in kinds:
         yield from kind.evaluate(common, "carry_root")
         yield from kind.evaluate(common, "carry_normal")
     yield from _laws(common, contacts)
     for kind in kinds:
         yield from kind.evaluate(common, "place")
-    slowed = (Call(common["slowed"]),) if "in_contact" in common else ()
+    slowed = (Call(common["leaves_slowly"]),) if "in_contact" in common else ()
     yield If("touches", (Call(common["touched"]), *slowed))
 
 
@@ -281,8 +281,8 @@ def _laws(common: Parts, contacts: Sequence[LoopSurface]) -> Iterator[Node]:
 
 
 def _law(common: Parts, surface: LoopSurface) -> Iterator[Call]:
-    if "doubt" in surface.law:
-        yield Call(surface.law["doubt"])
+    if "undecided" in surface.law:
+        yield Call(surface.law["undecided"])
         yield Call(common["undecided"])
     yield Call(surface.law["carry"])
     yield Call(surface.law["impact"])

@@ -11,7 +11,7 @@ import sympy as sp
 
 from ..contact.ball import Ball
 from ..errors.propagation import flight_start
-from ..events.predicates import clear, doubt, index, last, when, which
+from ..events.predicates import clear, index, last, undecided_time, when, which
 from ..ir.kernel import Kernel, decision, loop_kernel
 from ..motion import rolling_series
 from ..motion.parabola import Parabola
@@ -62,8 +62,8 @@ from .symbols import (
     settles,
     slides,
     uncertain,
+    undecided,
     unpressed,
-    unsure,
 )
 
 
@@ -118,7 +118,7 @@ def _series(flight: Parabola, ball: Ball, strength: sp.Expr) -> tuple[Kernel, ..
     return (
         *orders,
         decision(
-            "anew",
+            "other_start_surface",
             {str(n): 0 for n in left_normal},
             "Start value of the normal where the flight began: another surface.",
         ),
@@ -187,7 +187,7 @@ def _contact_decisions(codes: EventCodes) -> tuple[Kernel, ...]:
                 "which": NONE,
                 "earliest_delay": 0,
                 "began": clock,
-                "doubt": Choose(bounded, sp.oo, 0),
+                "undecided_time": Choose(bounded, sp.oo, 0),
                 "begins": Equal(mode, BEGINS),
                 "rolling": Equal(mode, ROLLS),
                 "leaves": Equal(mode, LEAVES),
@@ -200,12 +200,15 @@ def _contact_decisions(codes: EventCodes) -> tuple[Kernel, ...]:
             "Start values of a turn in contact: no event yet.",
         ),
         decision(
-            "doubted_in_contact",
+            "contact_undecided",
             {
                 "uncertain": Choose(
                     all_of(
                         Or(
-                            all_of(Not(Less(when + earliest_delay, doubt)), Less(doubt, sp.oo)),
+                            all_of(
+                                Not(Less(when + earliest_delay, undecided_time)),
+                                Less(undecided_time, sp.oo),
+                            ),
                             edge,
                         ),
                         Not(all_of(Less(0, assured), Equal(which, last))),
@@ -222,13 +225,13 @@ def _contact_decisions(codes: EventCodes) -> tuple[Kernel, ...]:
             {"beside": Not(Equal(held, index))},
             "Whether a surface is another than the one that the ball stays on.",
         ),
-        decision("unhopped", {"hopped": false}, "Start value: the ball has not departed."),
+        decision("no_departure", {"hopped": false}, "Start value: the ball has not departed."),
         decision(
             "beginning_contact",
             {"which": codes.begins, "circled": 0},
             "Event: the contact begins.",
         ),
-        decision("take_off", {"which": codes.hops}, "Event: the ball is off the surface."),
+        decision("detachment", {"which": codes.hops}, "Event: the ball is off the surface."),
     )
 
 
@@ -267,7 +270,7 @@ def _results(
                         Choose(rests, lodged, Choose(Or(beyond, goes_on), IN_FLIGHT, reached)),
                     ),
                 ),
-                "doubt": Choose(stuck, 0, doubt),
+                "undecided_time": Choose(stuck, 0, undecided_time),
                 "ends": all_of(ends, Not(beyond)),
                 "hopped": hops,
                 "last": Choose(hops, NONE, last),
@@ -288,7 +291,7 @@ def _results(
                     outcome,
                 ),
                 "slip_left": Choose(all_of(nearly, slides), 1, 0),
-                "uncertain": Choose(Or(lodges, unsure), 1, uncertain),
+                "uncertain": Choose(Or(lodges, undecided), 1, uncertain),
             },
             "Whether the ball stays on the surface, slides, leaves, or is wedged.",
         ),

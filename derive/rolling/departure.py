@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import sympy as sp
 
-from ..events.predicates import doubt
+from ..events.predicates import undecided_time
 from ..events.root_finder import first_root
 from ..ir.kernel import Kernel, decision, loop_kernel
 from ..motion import rolling_series
@@ -78,9 +78,11 @@ def departure_kernels(strength: sp.Expr) -> tuple[Kernel, ...]:
             "end_plane_free_time",
             {
                 "free_time": Choose(Less(0, gap), unmet, free_time),
-                "doubt": Choose(any_of(Less(0, gap), Less(longest, returns)), doubt, 0),
+                "undecided_time": Choose(
+                    any_of(Less(0, gap), Less(longest, returns)), undecided_time, 0
+                ),
             },
-            "Time for which a ball that leaves crosses no end plane; else it is in doubt.",
+            "Time for which a ball that leaves crosses no end plane; else that is undecided.",
             "a parabola below the distance",
         ),
         loop_kernel(
@@ -97,7 +99,7 @@ def departure_kernels(strength: sp.Expr) -> tuple[Kernel, ...]:
         ),
         loop_kernel(
             "separated",
-            {"when": maximum(0, hop), "doubt": Choose(opens, doubt, 0)},
+            {"when": maximum(0, hop), "undecided_time": Choose(opens, undecided_time, 0)},
             "Time for which a ball that leaves a surface certainly meets neither it nor another.",
             "Taylor's theorem of the gap",
         ),

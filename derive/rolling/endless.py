@@ -13,7 +13,7 @@ import sympy as sp
 
 from ..contact.ball import Ball
 from ..errors.derivative import directional
-from ..events.predicates import doubt, index, which
+from ..events.predicates import index, undecided_time, which
 from ..ir.kernel import Kernel, decision, loop_kernel
 from ..motion import ring_rolling_series
 from ..motion.parabola import Parabola
@@ -126,7 +126,7 @@ def _periodic(reach: sp.Expr, strength: sp.Expr) -> dict[str, sp.Basic]:
     return {
         "circled": Choose(safe, Choose(turned, 1, circled), 0),
         "endless": lasts,
-        "doubt": Choose(all_of(lasts, Not(known)), 0, doubt),
+        "undecided_time": Choose(all_of(lasts, Not(known)), 0, undecided_time),
     }
 
 
@@ -146,18 +146,18 @@ def kernels(codes: EventCodes) -> dict[str, Kernel]:
             "Half a step, from the start and from the end.",
         ),
         loop_kernel(
-            "cleared",
+            "clearance_at_any_azimuth",
             {"azimuth_clearance": minimum(azimuth_clearance, tangent)},
             "Distance from the nearest other surface, at any azimuth.",
             "tangents",
         ),
         decision(
-            "for_ever",
+            "rolls_for_ever",
             {"which": Choose(Boolean("endless"), codes.endless, which)},
             "Event: the ball certainly rolls for ever.",
         ),
         decision(
-            "rejoined",
+            "still_in_contact",
             {"rolling": Or(goes_on, circles)},
             "Whether a ball goes on in contact, on whichever surface.",
         ),

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import sympy as sp
 
-from ..events.predicates import doubt, index, which
+from ..events.predicates import index, undecided_time, which
 from ..events.root_finder import first_root
 from ..ir.kernel import Kernel, decision, loop_kernel
 from ..motion import rolling_series
@@ -142,7 +142,7 @@ def _leaving_force(strength: sp.Expr, ball_radius: sp.Expr, codes: EventCodes) -
             ),
             "which": _first(leaves, sp.Integer(codes.leaves)),
             "rests": all_of(stopped, Not(leaves)),
-            "doubt": Choose(
+            "undecided_time": Choose(
                 any_of(
                     holds,
                     all_of(
@@ -151,7 +151,7 @@ def _leaving_force(strength: sp.Expr, ball_radius: sp.Expr, codes: EventCodes) -
                     ),
                 ),
                 0,
-                doubt,
+                undecided_time,
             ),
         },
         "Whether the normal force vanishes or the ball rests; else a time for which neither can.",
@@ -185,7 +185,9 @@ def _other_surfaces(ball_radius: sp.Expr) -> tuple[Kernel, ...]:
         return {
             "stride": _shortened(arrives, root),
             "which": _first(arrives, index),
-            "doubt": Choose(any_of(grazes, all_of(arrives, Not(_NO_EVENT))), 0, doubt),
+            "undecided_time": Choose(
+                any_of(grazes, all_of(arrives, Not(_NO_EVENT))), 0, undecided_time
+            ),
             "earliest_delay": Choose(all_of(arrives, _NO_EVENT), delay, earliest_delay),
         }
 
@@ -197,7 +199,7 @@ def _other_surfaces(ball_radius: sp.Expr) -> tuple[Kernel, ...]:
             _BELOW,
         ),
         loop_kernel(
-            "beside_gate",
+            "beside_end_plane",
             outputs(crosses, to_end_plane),
             "Whether a rolling ball crosses an end plane; else a time for which it cannot.",
             _BELOW,

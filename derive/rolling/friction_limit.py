@@ -60,7 +60,7 @@ def kernels(acceleration: Sequence[sp.Expr], ball: Ball) -> tuple[Kernel, ...]:
     first = all_of(Less(0, grip_deficit), Equal(grip_lost, sp.oo))
     return (
         loop_kernel(
-            "pulled",
+            "ring_friction",
             {
                 "rolling_friction": squared,
                 "rolling_friction_rate": 2 * sum(f * r for f, r in zip(pull, change, strict=True)),
@@ -76,13 +76,13 @@ def kernels(acceleration: Sequence[sp.Expr], ball: Ball) -> tuple[Kernel, ...]:
             "Start value of a contact: no excess is known.",
         ),
         loop_kernel(
-            "losing",
+            "exceeds_grip",
             {"loses": first},
             "Whether friction exceeds its limit for the first time.",
             "F² > mu² N²",
         ),
         loop_kernel(
-            "lost_grip",
+            "grip_lost_time",
             {
                 "grip_lost": Choose(
                     all_of(Less(last_grip_deficit, sp.oo), Less(last_grip_deficit, grip_deficit)),

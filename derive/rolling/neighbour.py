@@ -47,7 +47,10 @@ def neighbour_kernels(ball_radius: sp.Expr) -> tuple[Kernel, ...]:
             "differences",
         ),
         loop_kernel(
-            "carry_hop", _flown(), "Errors after the flight of a departure.", "derivative of Eq. 3"
+            "carry_hop",
+            _after_departure(),
+            "Errors after the flight of a departure.",
+            "derivative of Eq. 3",
         ),
     )
 
@@ -69,7 +72,7 @@ def _compared(scale: sp.Expr, ball_radius: sp.Expr) -> dict[str, sp.Expr]:
     return outputs
 
 
-def _flown() -> dict[str, sp.Expr]:
+def _after_departure() -> dict[str, sp.Expr]:
     """Return the errors of the position after the flight that follows a departure."""
     outputs = {}
     for d, drift, v, p in zip(dx, dv, velocity, position, strict=True):

@@ -165,7 +165,7 @@ def settling(law: Law, ball: Ball) -> Kernel:
             "slides": slides,
             "unpressed": all_of(AtMost(bounce, rounding), AtMost(0, lift)),
             "assured": Choose(Or(all_of(presses, isolated), bounces_on), 1, 0),
-            "unsure": any_of(
+            "undecided": any_of(
                 undecided_press,
                 undecided_bounce,
                 undecided_slip,
@@ -233,11 +233,11 @@ def _bounce_kernels(strength: sp.Expr, ball: Ball) -> tuple[Kernel, ...]:
     ]
     return (
         decision(
-            "slowed",
+            "leaves_slowly",
             {"slow": any_of(small, all_of(slow, Less(0, position_error))), "assured": 0},
             "Whether a ball leaves so slowly that its bounces may end here.",
         ),
-        decision("unslowed", {"slow": false}, "Start value for a ball without a contact."),
+        decision("no_slow_contact", {"slow": false}, "Start value for a ball without a contact."),
         loop_kernel(
             "nearly",
             {"nearly": small},
@@ -260,17 +260,17 @@ def _bounce_kernels(strength: sp.Expr, ball: Ball) -> tuple[Kernel, ...]:
             "Start values: no surface beside the ball.",
         ),
         decision(
-            "neared_body",
+            "near_body",
             _beside_contact(),
             "Distance to a body beside a rolling ball, and whether it holds the ball, too.",
         ),
         decision(
-            "neared",
+            "near_end_plane",
             {"nearest": minimum(nearest, absolute(gap))},
             "Distance to an end plane beside the ball.",
         ),
         loop_kernel(
-            "begun_errors",
+            "jump_errors",
             _jump_errors(ball.radius),
             "Errors with those of the jump to the end of the bounces.",
             "its bound",

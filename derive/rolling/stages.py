@@ -41,7 +41,7 @@ def in_contact(
             common["roll_placed"],
             {f"v{axis}": f"rolled_{axis}" for axis in "xyz"},
         ),
-        Call(common["begun_errors"]),
+        Call(common["jump_errors"]),
         Call(common["forget_grip_deficit"]),
         Call(common["beginning_contact"]),
     )
@@ -53,14 +53,14 @@ def in_contact(
     for ring in rings:
         step = tuple(_ring_step(common, ring, contacts, end_planes))
         yield While("circling", MAX_STEPS_PER_TURN, step)
-        yield Call(common["rejoined"])
+        yield Call(common["still_in_contact"])
     depart = (
         Call(common["error_bounds"]),
         *_on_held(common, holders, "rolling_surface", "separation"),
         *_free_time(common, contacts, end_planes),
         *_at_seams(common, holders, "seam_free_time"),
         Call(common["separated"]),
-        Call(common["take_off"]),
+        Call(common["detachment"]),
     )
     yield If("leaves", depart, rare=True)
 
@@ -117,11 +117,11 @@ def _nearest(
     for surface in contacts:
         if surface.index != index:
             yield _part(surface, "closing")
-            yield Call(common["neared_body"])
+            yield Call(common["near_body"])
     for end_plane in end_planes:
         beside = Call(end_plane.parts["beside"], wanted=frozenset({"gap"}))
         yield given_as(beside, end_plane.sizes)
-        yield Call(common["neared"])
+        yield Call(common["near_end_plane"])
 
 
 def _step(
@@ -169,14 +169,14 @@ def _at_seams(common: Parts, holders: Sequence[LoopSurface], decision: str) -> I
 def _friction_limit(common: Parts, friction: Sequence[Node]) -> Iterator[Node]:
     """Check whether rolling takes more friction than there is, and since when."""
     yield from friction
-    yield Call(common["losing"])
-    yield If("loses", (Call(common["lost_grip"]),), rare=True)
+    yield Call(common["exceeds_grip"])
+    yield If("loses", (Call(common["grip_lost_time"]),), rare=True)
     yield Call(common["remember_grip_deficit"])
 
 
 def _friction(common: Parts, holders: Sequence[LoopSurface]) -> Iterator[Node]:
     """Evaluate the friction that rolling takes on a surface, and the law's limit."""
-    yield Call(common["pulled"])
+    yield Call(common["ring_friction"])
     for surface in holders:
         yield Call(common["holding"], {"index": surface.index})
         yield If("here", (given_as(Call(surface.law["grip_deficit"]), surface.law_sizes),))
@@ -190,7 +190,7 @@ def _beside(common: Parts, surface: LoopSurface) -> Iterator[Node]:
 def _beside_end_planes(common: Parts, end_planes: Sequence[LoopSurface]) -> Iterator[Node]:
     for end_plane in end_planes:
         yield _part(end_plane, "beside")
-        yield Call(common["beside_gate"], {"index": end_plane.index})
+        yield Call(common["beside_end_plane"], {"index": end_plane.index})
 
 
 def _ring_step(
@@ -212,7 +212,7 @@ def _ring_step(
     def clearance(half_step: str) -> Iterator[Node]:
         for surface in around:
             yield _part(surface, "around")
-            yield Call(common["cleared"], {"half_step": half_step})
+            yield Call(common["clearance_at_any_azimuth"], {"half_step": half_step})
 
     yield Call(common["error_bounds"])
     yield _part(ring, "rolling_surface")
@@ -239,7 +239,7 @@ def _ring_step(
     if bounded:
         yield from clearance("back")
         yield _part(ring, "swung")
-        yield Call(common["for_ever"])
+        yield Call(common["rolls_for_ever"])
     yield from series(_NEIGHBOUR)
     yield given_as(_part(ring, "round_moved", _NEIGHBOUR), {"t": "stride"})
     yield Call(common["compared"])

@@ -65,7 +65,7 @@ def _beside(surface: Surface) -> dict[str, Kernel]:
 
 
 def _under(surface: Surface, flight: Parabola) -> dict[str, Kernel]:
-    """Return what the motion on the surface is computed from."""
+    """Return the kernels from which the motion on the surface is computed."""
     name, rolling_surface = surface.name, surface.rolling_surface
     assert rolling_surface is not None
     along = dict(zip(POSITION, VELOCITY, strict=True))

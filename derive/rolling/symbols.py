@@ -72,7 +72,9 @@ the surface."""
 nearly = Boolean("nearly")
 """True if a bounce is so small that it may be the last before the ball rolls."""
 
-unsure, ends, rests, edge, goes_on = map(Boolean, ("unsure", "ends", "rests", "edge", "rolling"))
+undecided, ends, rests, edge, goes_on = map(
+    Boolean, ("undecided", "ends", "rests", "edge", "rolling")
+)
 
 
 class EventCodes:

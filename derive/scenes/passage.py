@@ -159,7 +159,7 @@ def _astray(passage: Passage, flight: Parabola) -> dict[str, sp.Basic]:
         )
 
     sides = any_of(edge(passings.rises, passings.up), edge(passings.falls, passings.down))
-    return {"unsure": any_of(undecided, sides)}
+    return {"undecided": any_of(undecided, sides)}
 
 
 def _admitted(passage: Passage) -> dict[str, sp.Basic]:
@@ -202,7 +202,7 @@ def passage_kernels(
             "Eq. 3, its roots in the ring's plane",
         ),
         kernel(
-            "passing_doubt",
+            "passing_undecided",
             _astray(passage, flight),
             symbols,
             "Whether the passing of the disc lies within its error.",

@@ -31,7 +31,7 @@ permission = sp.Symbol("allowed", real=True)
 """Positive if the parameters are allowed."""
 
 
-index, valid_so_far, doubt_so_far = sp.symbols("index valid doubt", real=True)
+index, valid_so_far, undecided_so_far = sp.symbols("index valid undecided_time", real=True)
 blur, leeway = sp.symbols("blur leeway", real=True)
 """Bound on the rounding of a length, and the distance from a box of surfaces within which it
 matters."""
@@ -63,11 +63,11 @@ def valid(scene: Scene, tabled: Set[int]) -> dict[str, sp.Expr]:
     """
     slack = _slack([measured] if tabled else _sizes(scene))
     verdict: sp.Expr = sp.Integer(1)
-    doubt: sp.Expr = sp.Integer(0)
+    undecided: sp.Expr = sp.Integer(0)
     for index, surface in enumerate(scene.surfaces):
         if index not in tabled:
-            verdict, doubt = _asked(surface, index, verdict, doubt, slack)
-    found = {"valid": verdict, "doubt": doubt}
+            verdict, undecided = _with_surface(surface, index, verdict, undecided, slack)
+    found = {"valid": verdict, "undecided_time": undecided}
     return found | ({"blur": slack, "leeway": CERTAIN_DISTANCE_FACTOR * slack} if tabled else {})
 
 
@@ -98,28 +98,35 @@ def near_surface(scene: Scene) -> dict[str, sp.Basic]:
         ]
         if found and all(found):
             apart = (any_of(*(Less(room, distance) for distance in own)) for own in found)
-            known = {"valid": sp.Integer(1), "doubt": sp.Integer(0)}
+            known = {"valid": sp.Integer(1), "undecided_time": sp.Integer(0)}
             return {"close": Not(all_of(*apart)), **known}
     return {}
 
 
 def surface_start(surface: Surface) -> dict[str, sp.Expr]:
     """Return the validity of the start with one surface more, the one that the loop is at."""
-    verdict, doubt = _asked(surface, index, valid_so_far, doubt_so_far, blur)
-    return {"valid": verdict, "doubt": doubt}
+    verdict, undecided = _with_surface(surface, index, valid_so_far, undecided_so_far, blur)
+    return {"valid": verdict, "undecided_time": undecided}
 
 
-def _asked(
-    surface: Surface, index: sp.Expr | int, verdict: sp.Expr, doubt: sp.Expr, slack: sp.Expr
+def _with_surface(
+    surface: Surface,
+    index: sp.Expr | int,
+    verdict: sp.Expr,
+    undecided: sp.Expr,
+    slack: sp.Expr,
 ) -> tuple[sp.Expr, sp.Expr]:
     overlap = barrier(maximum(*map(without_assumptions, surface.inside)))
     left = barrier(absolute(last - index))
     near = IfAtMost(
-        absolute(overlap), barrier(without_assumptions(surface.steepness)) * slack, 1, doubt
+        absolute(overlap),
+        barrier(without_assumptions(surface.steepness)) * slack,
+        1,
+        undecided,
     )
     return (
         IfLess(left, sp.Rational(1, 2), verdict, IfAtMost(0, overlap, verdict, 0)),
-        IfLess(left, sp.Rational(1, 2), doubt, near),
+        IfLess(left, sp.Rational(1, 2), undecided, near),
     )
 
 

@@ -26,7 +26,7 @@ INDEX = "own_index"
 KERNELS = {
     kernel.name: kernel
     for kernel in (
-        decision("untaken", {"of_this_kind": false}, "Start value: no surface of this kind."),
+        decision("other_kind", {"of_this_kind": false}, "Start value: no surface of this kind."),
         decision(
             "returned",
             {"again": all_of(Boolean("of_this_kind"), Equal(last, which))},
@@ -145,7 +145,7 @@ def take_parameters(
         "of_this_kind": mine,
         **dict(zip(kernel.output_names[1:], its.values(), strict=True)),
     }
-    yield Call(common["untaken"], {}, {"of_this_kind": mine})
+    yield Call(common["other_kind"], {}, {"of_this_kind": mine})
     yield Call(kernel, {}, outputs, frozenset(kernel.output_names[1:]))
     yield from for_each(
         alike, lambda _, index: on_surface(common, index, Call(kernel, {}, outputs), rare=True)

@@ -54,7 +54,7 @@ def apex(flight: Parabola) -> dict[str, sp.Expr]:
 
 
 def sighted() -> dict[str, sp.Expr]:
-    """Return how far a point is past the centre and to the left, as seen from the place."""
+    """Return the distances of a point past the centre and to the left, as seen from the place."""
     x, y, _ = POSITION
     away = barrier(sp.sqrt(barrier(place_x**2 + place_y**2)))
     return {

@@ -110,7 +110,7 @@ LOOP = {
     "which": Entry(r"j^\ast", "surface of the earliest arrival so far, -1: none"),
     "delay": Entry(r"\delta", "bound on how far a computed arrival is from the true one"),
     "earliest_delay": Entry(r"\delta^\ast", "bound on the delay of the earliest arrival so far"),
-    "doubt": Entry(
+    "undecided_time": Entry(
         r"\theta",
         "earliest undecided time; at a release, positive if the start is undecided",
     ),
@@ -154,7 +154,7 @@ LOOP = {
     "permitted": Entry(r"\text{permitted}", "the parameters are allowed and in range"),
     "in_range": Entry(r"\text{in range}", "no number of the release is too large"),
     "arrives": Entry(r"\text{arrives}", "there is an arrival on the surface"),
-    "unsure": Entry(r"\text{unsure}", "a decision about the arrival is undecided"),
+    "undecided": Entry(r"\text{undecided}", "a decision about the arrival is undecided"),
     "hit": Entry(r"\text{hit}", "the search has reached a root"),
     "sure": Entry(r"\text{sure}", "the root that the search has reached is certain"),
     "met": Entry(r"\text{met}", "the ball comes in at the root"),
@@ -321,7 +321,7 @@ LAWS = {
 }
 """Constants and quantities of contact laws in general."""
 
-RESULTS = {("meeting_plane", "nearest"): r"\check t"}
+RESULTS = {("plane_root", "nearest"): r"\check t"}
 """LaTeX of results, by kernel, whose name has another meaning elsewhere."""
 
 ARGUMENTS: dict[str, Entry] = FLIGHTS | LOOP | IN_CONTACT | STUDIES

@@ -1,6 +1,6 @@
 /* Kernels of the scene court, in C.
 
-   Generated from templates/c/kernels.h.j2, scene court, derivation 68775c01ff418eab,
+   Generated from templates/c/kernels.h.j2, scene court, derivation af737e2e972ce492,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -323,7 +323,7 @@ LANES(court_parameters_in_range)(const LANES(column) *p, size_t row, V allowed)
 /* 1 if the ball overlaps no surface; 1 if that is undecided.
    Table 2. 105 operations: 14 additions, 18 subtractions, 12 multiplications, 3 square roots, 4 negations, 9 absolute values, 21 comparisons, 24 selections. */
 typedef struct {
-    V valid, doubt;
+    V valid, undecided_time;
 } LANES(court_valid_out);
 
 LANES_INLINE LANES(court_valid_out)
@@ -366,7 +366,7 @@ LANES(court_valid)(V last, V x, V y, V z, V _c0, V _c1, V _c2, V _c3, V _c4, V _
    Table 2. 21 operations: 3 additions, 5 subtractions, 2 multiplications, 5 absolute values, 3 comparisons, 2 conjunctions, 1 complement. */
 typedef struct {
     M close;
-    V valid, doubt;
+    V valid, undecided_time;
 } LANES(court_aside_out);
 
 LANES_INLINE LANES(court_aside_out)
@@ -426,11 +426,11 @@ LANES(court_passing)(V through, V t, V x, V y, V z, V vx, V vy, V vz, V _c0, V _
 /* Whether the passing of the disc lies within its error.
    running error analysis. 102 operations: 18 additions, 4 subtractions, 27 multiplications, 4 square roots, 6 absolute values, 20 comparisons, 11 conjunctions, 6 disjunctions, 6 selections. */
 typedef struct {
-    M unsure;
-} LANES(court_passing_doubt_out);
+    M undecided;
+} LANES(court_passing_undecided_out);
 
-LANES_INLINE LANES(court_passing_doubt_out)
-LANES(court_passing_doubt)(V t, V x, V y, V z, V vx, V vy, V vz, V extent, V speed, V position_error, V velocity_error, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5, V _c6)
+LANES_INLINE LANES(court_passing_undecided_out)
+LANES(court_passing_undecided)(V t, V x, V y, V z, V vx, V vy, V vz, V extent, V speed, V position_error, V velocity_error, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5, V _c6)
 {
     const V _s0 = lanes_add(z, lanes_mul(t, lanes_sub(vz, lanes_mul(_c2, t))));
     const V _s1 = lanes_mul(vz, vz);
@@ -460,7 +460,7 @@ LANES(court_passing_doubt)(V t, V x, V y, V z, V vx, V vy, V vz, V extent, V spe
     const M _s25 = lanes_both(lanes_either(lanes_either(lanes_both(lanes_less(K(0.0), position_error), lanes_at_most(lanes_abs(z), position_error)), lanes_at_most(lanes_abs(_s0), _s5)), lanes_both(_s8, lanes_at_most(lanes_abs(_s9), lanes_mul(_c5, _s5)))), lanes_at_most(lanes_min(_s16, _s22), lanes_add(_c0, _s24)));
     const M _s26 = lanes_both(lanes_both(_s8, lanes_less(K(0.0), _s9)), lanes_less(vz, _s2));
     const M _s27 = lanes_either(_s25, lanes_either(lanes_both(lanes_either(_s26, lanes_both(_s6, lanes_at_most(K(0.0), _s0))), lanes_at_most(lanes_abs(lanes_sub(_s22, _c0)), _s24)), lanes_both(lanes_either(_s26, lanes_both(_s7, lanes_at_most(K(0.0), z))), lanes_at_most(lanes_abs(lanes_sub(_s16, _c0)), _s24))));
-    return (LANES(court_passing_doubt_out)){ _s27 };
+    return (LANES(court_passing_undecided_out)){ _s27 };
 }
 
 /* Whether a ball in contact is not below the ring's disc.
@@ -493,10 +493,10 @@ LANES(court_passing_in_contact)(V x, V y, V z, V through, M over, V _c0)
    Eq. 3, the chords of both and what it is off them. 59 operations: 21 additions, 5 subtractions, 25 multiplications, 1 negation, 5 absolute values, 1 comparison, 1 selection. */
 typedef struct {
     V middle_x, reach_x, later_middle_x, later_reach_x, middle_y, reach_y, later_middle_y, later_reach_y, middle_z, reach_z, later_middle_z, later_reach_z;
-} LANES(court_halved_out);
+} LANES(court_half_flight_boxes_out);
 
-LANES_INLINE LANES(court_halved_out)
-LANES(court_halved)(V horizon, V x, V y, V z, V vx, V vy, V vz, V extent, V speed, V position_error, V velocity_error, V earliest_delay, V pad, V _c0, V _c1, V _c2, V _c3)
+LANES_INLINE LANES(court_half_flight_boxes_out)
+LANES(court_half_flight_boxes)(V horizon, V x, V y, V z, V vx, V vy, V vz, V extent, V speed, V position_error, V velocity_error, V earliest_delay, V pad, V _c0, V _c1, V _c2, V _c3)
 {
     const V _s0 = lanes_mul(K(0.5), horizon);
     const V _s1 = lanes_mul(vx, _s0);
@@ -512,19 +512,19 @@ LANES(court_halved)(V horizon, V x, V y, V z, V vx, V vy, V vz, V extent, V spee
     const V _s11 = lanes_neg(lanes_mul(_c3, lanes_mul(_s0, _s0)));
     const V _s12 = lanes_abs(_s11);
     const V _s13 = lanes_mul(_s0, lanes_sub(lanes_sub(vz, lanes_mul(_c0, _s0)), _s9));
-    return (LANES(court_halved_out)){ lanes_add(x, _s2), _s5, lanes_add(_s2, lanes_add(x, _s1)), _s5, lanes_add(y, _s7), _s8, lanes_add(_s7, lanes_add(y, _s6)), _s8, lanes_sub(lanes_add(z, lanes_mul(K(0.5), _s10)), _s11), lanes_mul(K(1.0000000009313226), lanes_add(lanes_add(_s12, lanes_mul(K(0.5), lanes_abs(_s10))), _s4)), lanes_sub(lanes_add(lanes_mul(K(0.5), _s13), lanes_add(z, _s10)), _s11), lanes_mul(K(1.0000000009313226), lanes_add(lanes_add(_s12, lanes_mul(K(0.5), lanes_abs(_s13))), _s4)) };
+    return (LANES(court_half_flight_boxes_out)){ lanes_add(x, _s2), _s5, lanes_add(_s2, lanes_add(x, _s1)), _s5, lanes_add(y, _s7), _s8, lanes_add(_s7, lanes_add(y, _s6)), _s8, lanes_sub(lanes_add(z, lanes_mul(K(0.5), _s10)), _s11), lanes_mul(K(1.0000000009313226), lanes_add(lanes_add(_s12, lanes_mul(K(0.5), lanes_abs(_s10))), _s4)), lanes_sub(lanes_add(lanes_mul(K(0.5), _s13), lanes_add(z, _s10)), _s11), lanes_mul(K(1.0000000009313226), lanes_add(lanes_add(_s12, lanes_mul(K(0.5), lanes_abs(_s13))), _s4)) };
 }
 
 /* Start value: no surface of this kind.
    Table 1. No operations. */
 typedef struct {
     M of_this_kind;
-} LANES(court_untaken_out);
+} LANES(court_other_kind_out);
 
-LANES_INLINE LANES(court_untaken_out)
-LANES(court_untaken)(void)
+LANES_INLINE LANES(court_other_kind_out)
+LANES(court_other_kind)(void)
 {
-    return (LANES(court_untaken_out)){ mask_none() };
+    return (LANES(court_other_kind_out)){ mask_none() };
 }
 
 /* 1 if the flight starts on this surface.
@@ -544,13 +544,13 @@ LANES(court_left)(V index, V last)
 typedef struct {
     M arrives;
     V ceiling, nearest;
-} LANES(court_meeting_plane_out);
+} LANES(court_plane_root_out);
 
-LANES_INLINE LANES(court_meeting_plane_out)
-LANES(court_meeting_plane)(V rate, V bend, V apex, V time)
+LANES_INLINE LANES(court_plane_root_out)
+LANES(court_plane_root)(V rate, V bend, V apex, V time)
 {
     const M _s0 = lanes_both(lanes_both(lanes_either(lanes_less(rate, K(0.0)), lanes_both(lanes_both(lanes_at_most(rate, K(0.0)), lanes_less(bend, K(0.0))), lanes_equal(time, K(0.0)))), lanes_at_most(K(0.0), time)), lanes_less(time, K(INFINITY)));
-    return (LANES(court_meeting_plane_out)){ _s0, lanes_abs(bend), lanes_select(_s0, time, apex) };
+    return (LANES(court_plane_root_out)){ _s0, lanes_abs(bend), lanes_select(_s0, time, apex) };
 }
 
 /* Whether an arrival may be the earliest within the delays.
@@ -568,52 +568,52 @@ LANES(court_within_time)(V time, V when, V delay, V earliest_delay, M arrives)
 /* Earliest undecided time, with that of an apex whose gap is zero within its error.
    Table 1. 7 operations: 1 absolute value, 3 comparisons, 2 conjunctions, 1 selection. */
 typedef struct {
-    V doubt;
-} LANES(court_grazed_out);
+    V undecided_time;
+} LANES(court_graze_undecided_out);
 
-LANES_INLINE LANES(court_grazed_out)
-LANES(court_grazed)(V margin, V apex, V height, V doubt)
+LANES_INLINE LANES(court_graze_undecided_out)
+LANES(court_graze_undecided)(V margin, V apex, V height, V undecided_time)
 {
-    return (LANES(court_grazed_out)){ lanes_select(lanes_both(lanes_both(lanes_at_most(K(0.0), apex), lanes_at_most(lanes_abs(height), margin)), lanes_less(apex, doubt)), apex, doubt) };
+    return (LANES(court_graze_undecided_out)){ lanes_select(lanes_both(lanes_both(lanes_at_most(K(0.0), apex), lanes_at_most(lanes_abs(height), margin)), lanes_less(apex, undecided_time)), apex, undecided_time) };
 }
 
 /* Earliest undecided time, with that of an undecided predicate.
    Table 1. 3 operations: 1 comparison, 1 conjunction, 1 selection. */
 typedef struct {
-    V doubt;
-} LANES(court_questioned_out);
+    V undecided_time;
+} LANES(court_predicate_undecided_out);
 
-LANES_INLINE LANES(court_questioned_out)
-LANES(court_questioned)(V time, V doubt, M unsure)
+LANES_INLINE LANES(court_predicate_undecided_out)
+LANES(court_predicate_undecided)(V time, V undecided_time, M undecided)
 {
-    return (LANES(court_questioned_out)){ lanes_select(lanes_both(unsure, lanes_less(time, doubt)), time, doubt) };
+    return (LANES(court_predicate_undecided_out)){ lanes_select(lanes_both(undecided, lanes_less(time, undecided_time)), time, undecided_time) };
 }
 
 /* Earliest undecided time, with that of an arrival whose crossing is not certain.
    Table 1. 6 operations: 2 comparisons, 2 conjunctions, 1 complement, 1 selection. */
 typedef struct {
-    V doubt;
-} LANES(court_crossed_out);
+    V undecided_time;
+} LANES(court_crossing_undecided_out);
 
-LANES_INLINE LANES(court_crossed_out)
-LANES(court_crossed)(V clearance, V time, V doubt, M arrives)
+LANES_INLINE LANES(court_crossing_undecided_out)
+LANES(court_crossing_undecided)(V clearance, V time, V undecided_time, M arrives)
 {
-    return (LANES(court_crossed_out)){ lanes_select(lanes_both(lanes_both(arrives, lanes_not(lanes_less(K(0.0), clearance))), lanes_less(time, doubt)), time, doubt) };
+    return (LANES(court_crossing_undecided_out)){ lanes_select(lanes_both(lanes_both(arrives, lanes_not(lanes_less(K(0.0), clearance))), lanes_less(time, undecided_time)), time, undecided_time) };
 }
 
 /* Earliest undecided time, with that of a tie within the delays; the earlier's delay.
    Table 1. 12 operations: 1 addition, 1 subtraction, 1 absolute value, 3 comparisons, 3 conjunctions, 3 selections. */
 typedef struct {
-    V doubt, earliest_delay;
-} LANES(court_tied_out);
+    V undecided_time, earliest_delay;
+} LANES(court_tie_undecided_out);
 
-LANES_INLINE LANES(court_tied_out)
-LANES(court_tied)(V time, V when, V delay, V earliest_delay, V doubt, M arrives)
+LANES_INLINE LANES(court_tie_undecided_out)
+LANES(court_tie_undecided)(V time, V when, V delay, V earliest_delay, V undecided_time, M arrives)
 {
     const M _s0 = lanes_less(time, when);
     const V _s1 = lanes_select(_s0, time, when);
-    const V _s2 = lanes_select(lanes_both(lanes_both(arrives, lanes_at_most(lanes_abs(lanes_sub(time, when)), lanes_add(delay, earliest_delay))), lanes_less(_s1, doubt)), _s1, doubt);
-    return (LANES(court_tied_out)){ _s2, lanes_select(lanes_both(arrives, _s0), delay, earliest_delay) };
+    const V _s2 = lanes_select(lanes_both(lanes_both(arrives, lanes_at_most(lanes_abs(lanes_sub(time, when)), lanes_add(delay, earliest_delay))), lanes_less(_s1, undecided_time)), _s1, undecided_time);
+    return (LANES(court_tie_undecided_out)){ _s2, lanes_select(lanes_both(arrives, _s0), delay, earliest_delay) };
 }
 
 /* Time and surface of the earliest arrival, with this one.
@@ -645,25 +645,25 @@ LANES(court_beginning)(void)
 /* Undecided time 0 if errors exceed the budget of a search, or its bounds fail.
    Table 1. 6 operations: 3 comparisons, 2 disjunctions, 1 selection. */
 typedef struct {
-    V doubt;
+    V undecided_time;
 } LANES(court_out_of_budget_out);
 
 LANES_INLINE LANES(court_out_of_budget_out)
-LANES(court_out_of_budget)(V pad, V budget_exceeded, V earliest_delay, V doubt, V excess)
+LANES(court_out_of_budget)(V pad, V budget_exceeded, V earliest_delay, V undecided_time, V excess)
 {
-    return (LANES(court_out_of_budget_out)){ lanes_select(lanes_either(lanes_either(lanes_less(K(0.0), excess), lanes_less(K(0.0), budget_exceeded)), lanes_less(pad, earliest_delay)), K(0.0), doubt) };
+    return (LANES(court_out_of_budget_out)){ lanes_select(lanes_either(lanes_either(lanes_less(K(0.0), excess), lanes_less(K(0.0), budget_exceeded)), lanes_less(pad, earliest_delay)), K(0.0), undecided_time) };
 }
 
 /* Undecided time 0 if errors exceed the budget of an open window, or its bounds fail.
    Table 1. 7 operations: 3 comparisons, 1 conjunction, 2 disjunctions, 1 selection. */
 typedef struct {
-    V doubt;
+    V undecided_time;
 } LANES(court_out_of_budget_in_windows_out);
 
 LANES_INLINE LANES(court_out_of_budget_in_windows_out)
-LANES(court_out_of_budget_in_windows)(V pad, V budget_exceeded, V earliest_delay, V doubt, V excess, M searching)
+LANES(court_out_of_budget_in_windows)(V pad, V budget_exceeded, V earliest_delay, V undecided_time, V excess, M searching)
 {
-    return (LANES(court_out_of_budget_in_windows_out)){ lanes_select(lanes_either(lanes_both(searching, lanes_either(lanes_less(K(0.0), excess), lanes_less(pad, earliest_delay))), lanes_less(K(0.0), budget_exceeded)), K(0.0), doubt) };
+    return (LANES(court_out_of_budget_in_windows_out)){ lanes_select(lanes_either(lanes_both(searching, lanes_either(lanes_less(K(0.0), excess), lanes_less(pad, earliest_delay))), lanes_less(K(0.0), budget_exceeded)), K(0.0), undecided_time) };
 }
 
 /* 1 near the surface that the ball left, where F/t is more exact than F; the margin.
@@ -724,27 +724,27 @@ LANES(court_stepped)(V arrival, V lasting, M searching, V since, M single_precis
    Table 1. 17 operations: 1 subtraction, 6 comparisons, 6 conjunctions, 2 disjunctions, 2 complements. */
 typedef struct {
     M hit, sure, needs_refinement;
-} LANES(court_struck_out);
+} LANES(court_gap_closes_out);
 
-LANES_INLINE LANES(court_struck_out)
-LANES(court_struck)(V gap, V rate, V bend, V margin, V rate_margin, V clearance, V share)
+LANES_INLINE LANES(court_gap_closes_out)
+LANES(court_gap_closes)(V gap, V rate, V bend, V margin, V rate_margin, V clearance, V share)
 {
     const M _s0 = lanes_either(lanes_less(rate, K(0.0)), lanes_both(lanes_at_most(rate, rate_margin), lanes_less(bend, K(0.0))));
     const M _s1 = lanes_less(K(0.0), clearance);
     const M _s2 = lanes_both(_s0, lanes_either(lanes_at_most(lanes_sub(gap, margin), margin), _s1));
     const M _s3 = lanes_both(_s0, _s1);
     const M _s4 = lanes_both(lanes_both(_s2, lanes_not(_s3)), lanes_less(K(0.0), share));
-    return (LANES(court_struck_out)){ lanes_both(_s2, lanes_not(_s4)), _s3, _s4 };
+    return (LANES(court_gap_closes_out)){ lanes_both(_s2, lanes_not(_s4)), _s3, _s4 };
 }
 
 /* Whether the gap closes; a step that moves nothing needs a smaller budget, too.
    Table 1. 25 operations: 1 subtraction, 8 comparisons, 9 conjunctions, 3 disjunctions, 4 complements. */
 typedef struct {
     M hit, sure, needs_refinement;
-} LANES(court_struck_or_still_out);
+} LANES(court_gap_closes_or_stalls_out);
 
-LANES_INLINE LANES(court_struck_or_still_out)
-LANES(court_struck_or_still)(V t, V end, V gap, V rate, V bend, V margin, V rate_margin, V next, V clearance, V share)
+LANES_INLINE LANES(court_gap_closes_or_stalls_out)
+LANES(court_gap_closes_or_stalls)(V t, V end, V gap, V rate, V bend, V margin, V rate_margin, V next, V clearance, V share)
 {
     const M _s0 = lanes_either(lanes_less(rate, K(0.0)), lanes_both(lanes_at_most(rate, rate_margin), lanes_less(bend, K(0.0))));
     const M _s1 = lanes_less(K(0.0), clearance);
@@ -753,31 +753,31 @@ LANES(court_struck_or_still)(V t, V end, V gap, V rate, V bend, V margin, V rate
     const M _s4 = lanes_less(K(0.0), share);
     const M _s5 = lanes_both(lanes_both(_s2, lanes_not(_s3)), _s4);
     const M _s6 = lanes_either(_s5, lanes_both(lanes_both(lanes_not(_s2), lanes_both(lanes_less(t, end), lanes_not(lanes_less(t, next)))), _s4));
-    return (LANES(court_struck_or_still_out)){ lanes_both(_s2, lanes_not(_s5)), _s3, _s6 };
+    return (LANES(court_gap_closes_or_stalls_out)){ lanes_both(_s2, lanes_not(_s5)), _s3, _s6 };
 }
 
 /* Next smaller error budget.
    Table 1. 3 operations: 1 multiplication, 1 comparison, 1 selection. */
 typedef struct {
     V share;
-} LANES(court_finer_out);
+} LANES(court_smaller_budget_out);
 
-LANES_INLINE LANES(court_finer_out)
-LANES(court_finer)(V share)
+LANES_INLINE LANES(court_smaller_budget_out)
+LANES(court_smaller_budget)(V share)
 {
-    return (LANES(court_finer_out)){ lanes_select(lanes_less(K(2.842170943040401e-14), share), lanes_mul(K(0.03125), share), K(0.0)) };
+    return (LANES(court_smaller_budget_out)){ lanes_select(lanes_less(K(2.842170943040401e-14), share), lanes_mul(K(0.03125), share), K(0.0)) };
 }
 
 /* Earliest undecided time, with the present one if the errors exceed the budget.
    Table 1. 4 operations: 2 comparisons, 1 conjunction, 1 selection. */
 typedef struct {
-    V doubt;
-} LANES(court_exceeded_out);
+    V undecided_time;
+} LANES(court_budget_undecided_out);
 
-LANES_INLINE LANES(court_exceeded_out)
-LANES(court_exceeded)(V t, V doubt, V excess)
+LANES_INLINE LANES(court_budget_undecided_out)
+LANES(court_budget_undecided)(V t, V undecided_time, V excess)
 {
-    return (LANES(court_exceeded_out)){ lanes_select(lanes_both(lanes_less(K(0.0), excess), lanes_less(t, doubt)), t, doubt) };
+    return (LANES(court_budget_undecided_out)){ lanes_select(lanes_both(lanes_less(K(0.0), excess), lanes_less(t, undecided_time)), t, undecided_time) };
 }
 
 /* Root, time and state of a search after a step, and whether its window is exhausted.
@@ -815,12 +815,12 @@ LANES(court_found)(V arrival)
 typedef struct {
     V arrival;
     M refining;
-} LANES(court_polished_out);
+} LANES(court_refined_root_out);
 
-LANES_INLINE LANES(court_polished_out)
-LANES(court_polished)(V gap, V rate, V ceiling, V arrival, V refined, M certain)
+LANES_INLINE LANES(court_refined_root_out)
+LANES(court_refined_root)(V gap, V rate, V ceiling, V arrival, V refined, M certain)
 {
-    return (LANES(court_polished_out)){ lanes_select(certain, refined, arrival), lanes_both(certain, lanes_less(lanes_mul(K(5.960464477539063e-08), lanes_mul(rate, rate)), lanes_mul(ceiling, lanes_abs(gap)))) };
+    return (LANES(court_refined_root_out)){ lanes_select(certain, refined, arrival), lanes_both(certain, lanes_less(lanes_mul(K(5.960464477539063e-08), lanes_mul(rate, rate)), lanes_mul(ceiling, lanes_abs(gap)))) };
 }
 
 /* Margin of the form, F or F/t, in which an arrival was found.
@@ -839,25 +839,25 @@ LANES(court_own_margin)(V leaving, V flat, V tilt, V arrival)
    Table 1. 2 operations: 1 comparison, 1 selection. */
 typedef struct {
     V time;
-} LANES(court_landed_out);
+} LANES(court_arrival_time_out);
 
-LANES_INLINE LANES(court_landed_out)
-LANES(court_landed)(V arrival)
+LANES_INLINE LANES(court_arrival_time_out)
+LANES(court_arrival_time)(V arrival)
 {
-    return (LANES(court_landed_out)){ lanes_select(lanes_less(arrival, K(0.0)), K(0.0), arrival) };
+    return (LANES(court_arrival_time_out)){ lanes_select(lanes_less(arrival, K(0.0)), K(0.0), arrival) };
 }
 
 /* Delay of a certain arrival; the earliest undecided time, with that of any other one.
    Table 1. 8 operations: 2 comparisons, 3 conjunctions, 1 complement, 2 selections. */
 typedef struct {
-    V delay, doubt;
-} LANES(court_landed_surely_out);
+    V delay, undecided_time;
+} LANES(court_certain_arrival_out);
 
-LANES_INLINE LANES(court_landed_surely_out)
-LANES(court_landed_surely)(V clearance, V time, V delay, V doubt, M arrives, M certain)
+LANES_INLINE LANES(court_certain_arrival_out)
+LANES(court_certain_arrival)(V clearance, V time, V delay, V undecided_time, M arrives, M certain)
 {
     const M _s0 = lanes_both(certain, lanes_less(K(0.0), clearance));
-    return (LANES(court_landed_surely_out)){ lanes_select(_s0, delay, K(0.0)), lanes_select(lanes_both(lanes_both(arrives, lanes_not(_s0)), lanes_less(time, doubt)), time, doubt) };
+    return (LANES(court_certain_arrival_out)){ lanes_select(_s0, delay, K(0.0)), lanes_select(lanes_both(lanes_both(arrives, lanes_not(_s0)), lanes_less(time, undecided_time)), time, undecided_time) };
 }
 
 /* Start value: the ball is outside the surface.
@@ -889,7 +889,7 @@ LANES(court_state_in_range)(V x, V y, V z, V vx, V vy, V vz, V wx, V wy, V wz)
 /* Start values: no arrival; an uncertain shot if its errors are not bounded.
    Table 1. 6 operations: 3 comparisons, 2 conjunctions, 1 selection. */
 typedef struct {
-    V when, which, earliest_delay, doubt;
+    V when, which, earliest_delay, undecided_time;
 } LANES(court_opening_out);
 
 LANES_INLINE LANES(court_opening_out)
@@ -997,13 +997,13 @@ LANES(court_touched)(V which, V body, V first)
 /* Whether a shot has ended at the time limit and its errors are wanted.
    Table 1. 3 operations: 2 comparisons, 1 conjunction. */
 typedef struct {
-    M timed;
-} LANES(court_timed_out);
+    M ends_by_time_limit;
+} LANES(court_ends_by_time_limit_out);
 
-LANES_INLINE LANES(court_timed_out)
-LANES(court_timed)(V index, V which, V claims)
+LANES_INLINE LANES(court_ends_by_time_limit_out)
+LANES(court_ends_by_time_limit)(V index, V which, V claims)
 {
-    return (LANES(court_timed_out)){ lanes_both(lanes_equal(which, index), lanes_less(K(0.0), claims)) };
+    return (LANES(court_ends_by_time_limit_out)){ lanes_both(lanes_equal(which, index), lanes_less(K(0.0), claims)) };
 }
 
 /* 1 if a decision within a contact lies within its error.
@@ -1013,9 +1013,9 @@ typedef struct {
 } LANES(court_undecided_out);
 
 LANES_INLINE LANES(court_undecided_out)
-LANES(court_undecided)(V uncertain, M unsure)
+LANES(court_undecided)(V uncertain, M undecided)
 {
-    return (LANES(court_undecided_out)){ lanes_select(unsure, K(1.0), uncertain) };
+    return (LANES(court_undecided_out)){ lanes_select(undecided, K(1.0), uncertain) };
 }
 
 /* Body that the event is on.
@@ -1037,10 +1037,10 @@ typedef struct {
 } LANES(court_admitted_out);
 
 LANES_INLINE LANES(court_admitted_out)
-LANES(court_admitted)(V doubt, V valid, M permitted, M in_range)
+LANES(court_admitted)(V undecided_time, V valid, M permitted, M in_range)
 {
     const M _s0 = lanes_both(permitted, in_range);
-    return (LANES(court_admitted_out)){ lanes_select(lanes_both(_s0, lanes_less(K(0.0), valid)), K(-1.0), K(4.0)), lanes_select(lanes_both(_s0, lanes_less(K(0.0), doubt)), K(1.0), K(0.0)) };
+    return (LANES(court_admitted_out)){ lanes_select(lanes_both(_s0, lanes_less(K(0.0), valid)), K(-1.0), K(4.0)), lanes_select(lanes_both(_s0, lanes_less(K(0.0), undecided_time)), K(1.0), K(0.0)) };
 }
 
 /* The time limit as an arrival.
@@ -1048,14 +1048,14 @@ LANES(court_admitted)(V doubt, V valid, M permitted, M in_range)
 typedef struct {
     V time, delay;
     M arrives;
-    V doubt;
+    V undecided_time;
 } LANES(court_expiry_out);
 
 LANES_INLINE LANES(court_expiry_out)
-LANES(court_expiry)(V when, V which, V earliest_delay, V doubt, V time_error, V clock, V time_limit)
+LANES(court_expiry)(V when, V which, V earliest_delay, V undecided_time, V time_error, V clock, V time_limit)
 {
     const V _s0 = lanes_sub(time_limit, clock);
-    return (LANES(court_expiry_out)){ lanes_max(K(0.0), _s0), lanes_add(time_error, lanes_mul(K(4.440892098500626e-16), time_limit)), lanes_at_most(K(0.0), which), lanes_select(lanes_both(lanes_not(lanes_less(lanes_add(when, earliest_delay), doubt)), lanes_less(doubt, K(INFINITY))), K(0.0), doubt) };
+    return (LANES(court_expiry_out)){ lanes_max(K(0.0), _s0), lanes_add(time_error, lanes_mul(K(4.440892098500626e-16), time_limit)), lanes_at_most(K(0.0), which), lanes_select(lanes_both(lanes_not(lanes_less(lanes_add(when, earliest_delay), undecided_time)), lanes_less(undecided_time, K(INFINITY))), K(0.0), undecided_time) };
 }
 
 /* Whether there is no event, an end, or a contact, and the outcome without one.
@@ -1105,12 +1105,12 @@ LANES(court_accounted)(V contacts, V most_contacts, V reached, M touches)
    Table 1. 1 operation: 1 addition. */
 typedef struct {
     V clock_error;
-} LANES(court_delayed_out);
+} LANES(court_clock_error_sum_out);
 
-LANES_INLINE LANES(court_delayed_out)
-LANES(court_delayed)(V delay, V clock_error)
+LANES_INLINE LANES(court_clock_error_sum_out)
+LANES(court_clock_error_sum)(V delay, V clock_error)
 {
-    return (LANES(court_delayed_out)){ lanes_add(delay, clock_error) };
+    return (LANES(court_clock_error_sum_out)){ lanes_add(delay, clock_error) };
 }
 
 /* Whether a shot has ended and its errors are wanted; start values of their bounds.
@@ -1130,24 +1130,24 @@ LANES(court_closing)(V outcome, V claims)
    Table 1. 9 operations: 3 absolute values, 3 comparisons, 3 selections. */
 typedef struct {
     V dx, dy, dz;
-} LANES(court_floored_out);
+} LANES(court_error_floor_out);
 
-LANES_INLINE LANES(court_floored_out)
-LANES(court_floored)(V dx, V dy, V dz, V shift)
+LANES_INLINE LANES(court_error_floor_out)
+LANES(court_error_floor)(V dx, V dy, V dz, V shift)
 {
-    return (LANES(court_floored_out)){ lanes_select(lanes_less(lanes_abs(dx), shift), shift, dx), lanes_select(lanes_less(lanes_abs(dy), shift), shift, dy), lanes_select(lanes_less(lanes_abs(dz), shift), shift, dz) };
+    return (LANES(court_error_floor_out)){ lanes_select(lanes_less(lanes_abs(dx), shift), shift, dx), lanes_select(lanes_less(lanes_abs(dy), shift), shift, dy), lanes_select(lanes_less(lanes_abs(dz), shift), shift, dz) };
 }
 
 /* Start values: a normal without error.
    Table 1. No operations. */
 typedef struct {
     V dnx, dny, dnz, turn;
-} LANES(court_unturned_out);
+} LANES(court_no_normal_error_out);
 
-LANES_INLINE LANES(court_unturned_out)
-LANES(court_unturned)(void)
+LANES_INLINE LANES(court_no_normal_error_out)
+LANES(court_no_normal_error)(void)
 {
-    return (LANES(court_unturned_out)){ K(0.0), K(0.0), K(0.0), K(0.0) };
+    return (LANES(court_no_normal_error_out)){ K(0.0), K(0.0), K(0.0), K(0.0) };
 }
 
 /* Whether a ball in contact rolls on the ring.
@@ -1180,38 +1180,38 @@ LANES(court_half_steps)(V stride)
    tangents. 6 operations: 1 addition, 1 multiplication, 2 comparisons, 2 selections. */
 typedef struct {
     V azimuth_clearance;
-} LANES(court_cleared_out);
+} LANES(court_clearance_at_any_azimuth_out);
 
-LANES_INLINE LANES(court_cleared_out)
-LANES(court_cleared)(V gap, V nearing, V half_step, V azimuth_clearance)
+LANES_INLINE LANES(court_clearance_at_any_azimuth_out)
+LANES(court_clearance_at_any_azimuth)(V gap, V nearing, V half_step, V azimuth_clearance)
 {
     const V _s0 = lanes_mul(nearing, half_step);
     const V _s1 = lanes_add(gap, lanes_min(_s0, K(0.0)));
-    return (LANES(court_cleared_out)){ lanes_min(_s1, azimuth_clearance) };
+    return (LANES(court_clearance_at_any_azimuth_out)){ lanes_min(_s1, azimuth_clearance) };
 }
 
 /* Event: the ball certainly rolls for ever.
    Table 1. 1 operation: 1 selection. */
 typedef struct {
     V which;
-} LANES(court_for_ever_out);
+} LANES(court_rolls_for_ever_out);
 
-LANES_INLINE LANES(court_for_ever_out)
-LANES(court_for_ever)(V which, M endless)
+LANES_INLINE LANES(court_rolls_for_ever_out)
+LANES(court_rolls_for_ever)(V which, M endless)
 {
-    return (LANES(court_for_ever_out)){ lanes_select(endless, K(8.0), which) };
+    return (LANES(court_rolls_for_ever_out)){ lanes_select(endless, K(8.0), which) };
 }
 
 /* Whether a ball goes on in contact, on whichever surface.
    Table 1. 1 operation: 1 disjunction. */
 typedef struct {
     M rolling;
-} LANES(court_rejoined_out);
+} LANES(court_still_in_contact_out);
 
-LANES_INLINE LANES(court_rejoined_out)
-LANES(court_rejoined)(M rolling, M circling)
+LANES_INLINE LANES(court_still_in_contact_out)
+LANES(court_still_in_contact)(M rolling, M circling)
 {
-    return (LANES(court_rejoined_out)){ lanes_either(rolling, circling) };
+    return (LANES(court_still_in_contact_out)){ lanes_either(rolling, circling) };
 }
 
 /* Coefficients of order 1 of a rolling ball, from those of lower order.
@@ -1523,12 +1523,12 @@ LANES(court_roll_7)(V nx_0, V nx_1, V nx_2, V nx_3, V nx_4, V nx_5, V nx_6, V nx
    Table 1. No operations. */
 typedef struct {
     V left_nx, left_ny, left_nz;
-} LANES(court_anew_out);
+} LANES(court_other_start_surface_out);
 
-LANES_INLINE LANES(court_anew_out)
-LANES(court_anew)(void)
+LANES_INLINE LANES(court_other_start_surface_out)
+LANES(court_other_start_surface)(void)
 {
-    return (LANES(court_anew_out)){ K(0.0), K(0.0), K(0.0) };
+    return (LANES(court_other_start_surface_out)){ K(0.0), K(0.0), K(0.0) };
 }
 
 /* Position at the start of a flight.
@@ -1674,27 +1674,27 @@ LANES(court_pressed_on)(V nx, V ny, V nz, V wx, V wy, V wz, V rolled_x, V rolled
 typedef struct {
     M slow;
     V assured;
-} LANES(court_slowed_out);
+} LANES(court_leaves_slowly_out);
 
-LANES_INLINE LANES(court_slowed_out)
-LANES(court_slowed)(V nx, V ny, V nz, V vx, V vy, V vz, V position_error, V _c0, V _c1, V _c2, V _c3)
+LANES_INLINE LANES(court_leaves_slowly_out)
+LANES(court_leaves_slowly)(V nx, V ny, V nz, V vx, V vy, V vz, V position_error, V _c0, V _c1, V _c2, V _c3)
 {
     const V _s0 = lanes_add(lanes_add(lanes_mul(nx, vx), lanes_mul(ny, vy)), lanes_mul(nz, vz));
     const V _s1 = lanes_mul(_s0, _s0);
     const V _s2 = lanes_mul(_c2, lanes_add(_c1, lanes_div(lanes_add(lanes_add(lanes_mul(vx, vx), lanes_mul(vy, vy)), lanes_mul(vz, vz)), _c0)));
-    return (LANES(court_slowed_out)){ lanes_either(lanes_less(_s1, _s2), lanes_both(lanes_less(_s1, _c3), lanes_less(K(0.0), position_error))), K(0.0) };
+    return (LANES(court_leaves_slowly_out)){ lanes_either(lanes_less(_s1, _s2), lanes_both(lanes_less(_s1, _c3), lanes_less(K(0.0), position_error))), K(0.0) };
 }
 
 /* Start value for a ball without a contact.
    Table 1. No operations. */
 typedef struct {
     M slow;
-} LANES(court_unslowed_out);
+} LANES(court_no_slow_contact_out);
 
-LANES_INLINE LANES(court_unslowed_out)
-LANES(court_unslowed)(void)
+LANES_INLINE LANES(court_no_slow_contact_out)
+LANES(court_no_slow_contact)(void)
 {
-    return (LANES(court_unslowed_out)){ mask_none() };
+    return (LANES(court_no_slow_contact_out)){ mask_none() };
 }
 
 /* Whether this bounce is so small that it may be the last.
@@ -1746,45 +1746,45 @@ LANES(court_isolated)(void)
    Table 1. 18 operations: 1 addition, 4 multiplications, 1 division, 2 absolute values, 5 comparisons, 1 conjunction, 4 selections. */
 typedef struct {
     V nearest, second_contact_gap;
-} LANES(court_neared_body_out);
+} LANES(court_near_body_out);
 
-LANES_INLINE LANES(court_neared_body_out)
-LANES(court_neared_body)(V gap, V nearest, V second_contact_gap, V rolling_gap_acceleration, V normal_cosine, V press, V nearing)
+LANES_INLINE LANES(court_near_body_out)
+LANES(court_near_body)(V gap, V nearest, V second_contact_gap, V rolling_gap_acceleration, V normal_cosine, V press, V nearing)
 {
     const V _s0 = lanes_abs(gap);
     const V _s1 = lanes_abs(rolling_gap_acceleration);
     const V _s2 = lanes_mul(K(9.5367431640625e-07), press);
     const V _s3 = lanes_select(lanes_both(lanes_less(rolling_gap_acceleration, lanes_mul(K(9.094947017729282e-13), press)), lanes_less(normal_cosine, K(0.9999990463256836))), lanes_add(lanes_div(lanes_mul(K(0.5), lanes_mul(nearing, nearing)), lanes_max(_s1, _s2)), _s0), K(INFINITY));
-    return (LANES(court_neared_body_out)){ lanes_min(_s0, nearest), lanes_min(_s3, second_contact_gap) };
+    return (LANES(court_near_body_out)){ lanes_min(_s0, nearest), lanes_min(_s3, second_contact_gap) };
 }
 
 /* Distance to an end plane beside the ball.
    Table 1. 3 operations: 1 absolute value, 1 comparison, 1 selection. */
 typedef struct {
     V nearest;
-} LANES(court_neared_out);
+} LANES(court_near_end_plane_out);
 
-LANES_INLINE LANES(court_neared_out)
-LANES(court_neared)(V gap, V nearest)
+LANES_INLINE LANES(court_near_end_plane_out)
+LANES(court_near_end_plane)(V gap, V nearest)
 {
     const V _s0 = lanes_abs(gap);
-    return (LANES(court_neared_out)){ lanes_min(_s0, nearest) };
+    return (LANES(court_near_end_plane_out)){ lanes_min(_s0, nearest) };
 }
 
 /* Errors with those of the jump to the end of the bounces.
    its bound. 38 operations: 12 additions, 1 multiplication, 2 divisions, 2 negations, 3 absolute values, 9 comparisons, 9 selections. */
 typedef struct {
     V dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz;
-} LANES(court_begun_errors_out);
+} LANES(court_jump_errors_out);
 
-LANES_INLINE LANES(court_begun_errors_out)
-LANES(court_begun_errors)(V vx, V vy, V vz, V dx, V dy, V dz, V dvx, V dvy, V dvz, V dwx, V dwy, V dwz, V _c0, V _c1, V _c2, V _c3)
+LANES_INLINE LANES(court_jump_errors_out)
+LANES(court_jump_errors)(V vx, V vy, V vz, V dx, V dy, V dz, V dvx, V dvy, V dvz, V dwx, V dwy, V dwz, V _c0, V _c1, V _c2, V _c3)
 {
     const V _s0 = lanes_mul(_c3, lanes_add(K(1.0), lanes_div(lanes_add(lanes_add(lanes_abs(vx), lanes_abs(vy)), lanes_abs(vz)), _c0)));
     const V _s1 = lanes_neg(_s0);
     const V _s2 = lanes_div(_s0, _c0);
     const V _s3 = lanes_neg(_s2);
-    return (LANES(court_begun_errors_out)){ lanes_add(dx, lanes_select(lanes_less(dx, K(0.0)), _c2, _c1)), lanes_add(dy, lanes_select(lanes_less(dy, K(0.0)), _c2, _c1)), lanes_add(dz, lanes_select(lanes_less(dz, K(0.0)), _c2, _c1)), lanes_add(dvx, lanes_select(lanes_less(dvx, K(0.0)), _s1, _s0)), lanes_add(dvy, lanes_select(lanes_less(dvy, K(0.0)), _s1, _s0)), lanes_add(dvz, lanes_select(lanes_less(dvz, K(0.0)), _s1, _s0)), lanes_add(dwx, lanes_select(lanes_less(dwx, K(0.0)), _s3, _s2)), lanes_add(dwy, lanes_select(lanes_less(dwy, K(0.0)), _s3, _s2)), lanes_add(dwz, lanes_select(lanes_less(dwz, K(0.0)), _s3, _s2)) };
+    return (LANES(court_jump_errors_out)){ lanes_add(dx, lanes_select(lanes_less(dx, K(0.0)), _c2, _c1)), lanes_add(dy, lanes_select(lanes_less(dy, K(0.0)), _c2, _c1)), lanes_add(dz, lanes_select(lanes_less(dz, K(0.0)), _c2, _c1)), lanes_add(dvx, lanes_select(lanes_less(dvx, K(0.0)), _s1, _s0)), lanes_add(dvy, lanes_select(lanes_less(dvy, K(0.0)), _s1, _s0)), lanes_add(dvz, lanes_select(lanes_less(dvz, K(0.0)), _s1, _s0)), lanes_add(dwx, lanes_select(lanes_less(dwx, K(0.0)), _s3, _s2)), lanes_add(dwy, lanes_select(lanes_less(dwy, K(0.0)), _s3, _s2)), lanes_add(dwz, lanes_select(lanes_less(dwz, K(0.0)), _s3, _s2)) };
 }
 
 /* Whether the normal force vanishes or the ball rests; else a time for which neither can.
@@ -1792,11 +1792,11 @@ LANES(court_begun_errors)(V vx, V vy, V vz, V dx, V dy, V dz, V dvx, V dvy, V dv
 typedef struct {
     V stride, which;
     M rests;
-    V doubt;
+    V undecided_time;
 } LANES(court_leaving_force_out);
 
 LANES_INLINE LANES(court_leaving_force_out)
-LANES(court_leaving_force)(V vx, V vx_1, V vy, V vy_1, V vz, V vz_1, V which, V doubt, V position_error, V velocity_error, V per_reach, V force, V force_rate, V force_bend, V friction_force_rate, V stride, V fastest, V _c0, V _c1, V _c2)
+LANES(court_leaving_force)(V vx, V vx_1, V vy, V vy_1, V vz, V vz_1, V which, V undecided_time, V position_error, V velocity_error, V per_reach, V force, V force_rate, V force_bend, V friction_force_rate, V stride, V fastest, V _c0, V _c1, V _c2)
 {
     const V _s0 = lanes_abs(per_reach);
     const V _s1 = lanes_add(_c0, lanes_mul(lanes_mul(fastest, fastest), _s0));
@@ -1816,17 +1816,17 @@ LANES(court_leaving_force)(V vx, V vx_1, V vy, V vy_1, V vz, V vz_1, V which, V 
     const V _s15 = lanes_select(lanes_at_most(K(0.0), _s13), lanes_div(lanes_select(_s3, lanes_mul(K(2.0), _s12), lanes_add(force_rate, _s14)), lanes_select(_s3, lanes_sub(_s14, force_rate), lanes_max(K(0.0), _s11))), K(INFINITY));
     const V _s16 = lanes_add(lanes_mul(lanes_mul(K(8.0), _s0), lanes_add(lanes_mul(position_error, _s1), lanes_mul(velocity_error, fastest))), _s2);
     const M _s17 = lanes_either(_s7, lanes_both(lanes_at_most(lanes_abs(force), _s16), lanes_not(lanes_less(lanes_mul(lanes_mul(K(8.0), _s11), _s16), _s10))));
-    return (LANES(court_leaving_force_out)){ lanes_select(lanes_either(_s8, _s9), K(0.0), lanes_min(_s15, stride)), lanes_select(lanes_both(_s8, lanes_equal(which, K(-1.0))), K(6.0), which), lanes_both(_s9, lanes_not(_s8)), lanes_select(_s17, K(0.0), doubt) };
+    return (LANES(court_leaving_force_out)){ lanes_select(lanes_either(_s8, _s9), K(0.0), lanes_min(_s15, stride)), lanes_select(lanes_both(_s8, lanes_equal(which, K(-1.0))), K(6.0), which), lanes_both(_s9, lanes_not(_s8)), lanes_select(_s17, K(0.0), undecided_time) };
 }
 
 /* Whether a rolling ball meets another surface; else a time for which it cannot.
    a parabola below the distance. 54 operations: 7 additions, 1 subtraction, 11 multiplications, 2 divisions, 1 square root, 1 negation, 4 absolute values, 9 comparisons, 5 conjunctions, 1 disjunction, 2 complements, 10 selections. */
 typedef struct {
-    V stride, which, doubt, earliest_delay;
+    V stride, which, undecided_time, earliest_delay;
 } LANES(court_beside_body_out);
 
 LANES_INLINE LANES(court_beside_body_out)
-LANES(court_beside_body)(V x, V y, V z, V gap, V index, V which, V earliest_delay, V doubt, V position_error, V nearing, V gap_curvature, V stride, V strongest, V fastest, V _c0, V _c1)
+LANES(court_beside_body)(V x, V y, V z, V gap, V index, V which, V earliest_delay, V undecided_time, V position_error, V nearing, V gap_curvature, V stride, V strongest, V fastest, V _c0, V _c1)
 {
     const V _s0 = lanes_mul(K(7.105427357601002e-15), lanes_add(lanes_add(lanes_add(_c0, lanes_abs(x)), lanes_abs(y)), lanes_abs(z)));
     const M _s1 = lanes_at_most(gap, _s0);
@@ -1842,17 +1842,17 @@ LANES(court_beside_body)(V x, V y, V z, V gap, V index, V which, V earliest_dela
     const M _s11 = lanes_both(_s3, _s10);
     const V _s12 = lanes_add(lanes_mul(K(2.0), position_error), _s0);
     const M _s13 = lanes_either(lanes_both(lanes_both(lanes_at_most(gap, _s12), lanes_at_most(lanes_neg(_s12), gap)), lanes_not(lanes_less(lanes_mul(lanes_mul(K(8.0), _s12), _s5), _s4))), lanes_both(_s3, lanes_not(_s10)));
-    return (LANES(court_beside_body_out)){ lanes_select(_s3, K(0.0), lanes_min(_s9, stride)), lanes_select(_s11, index, which), lanes_select(_s13, K(0.0), doubt), lanes_select(_s11, lanes_div(lanes_mul(K(2.0), _s12), lanes_abs(nearing)), earliest_delay) };
+    return (LANES(court_beside_body_out)){ lanes_select(_s3, K(0.0), lanes_min(_s9, stride)), lanes_select(_s11, index, which), lanes_select(_s13, K(0.0), undecided_time), lanes_select(_s11, lanes_div(lanes_mul(K(2.0), _s12), lanes_abs(nearing)), earliest_delay) };
 }
 
 /* Whether a rolling ball crosses an end plane; else a time for which it cannot.
    a parabola below the distance. 60 operations: 7 additions, 1 subtraction, 11 multiplications, 2 divisions, 1 square root, 2 negations, 4 absolute values, 12 comparisons, 6 conjunctions, 1 disjunction, 2 complements, 11 selections. */
 typedef struct {
-    V stride, which, doubt, earliest_delay;
-} LANES(court_beside_gate_out);
+    V stride, which, undecided_time, earliest_delay;
+} LANES(court_beside_end_plane_out);
 
-LANES_INLINE LANES(court_beside_gate_out)
-LANES(court_beside_gate)(V x, V y, V z, V gap, V index, V which, V earliest_delay, V doubt, V position_error, V nearing, V gap_curvature, V stride, V strongest, V fastest, V _c0)
+LANES_INLINE LANES(court_beside_end_plane_out)
+LANES(court_beside_end_plane)(V x, V y, V z, V gap, V index, V which, V earliest_delay, V undecided_time, V position_error, V nearing, V gap_curvature, V stride, V strongest, V fastest, V _c0)
 {
     const V _s0 = lanes_mul(K(7.105427357601002e-15), lanes_add(lanes_add(lanes_add(_c0, lanes_abs(x)), lanes_abs(y)), lanes_abs(z)));
     const M _s1 = lanes_less(nearing, K(0.0));
@@ -1867,7 +1867,7 @@ LANES(court_beside_gate)(V x, V y, V z, V gap, V index, V which, V earliest_dela
     const M _s10 = lanes_both(_s2, _s9);
     const V _s11 = lanes_add(lanes_mul(K(2.0), position_error), _s0);
     const M _s12 = lanes_either(lanes_both(lanes_both(lanes_at_most(gap, _s11), lanes_at_most(lanes_neg(_s11), gap)), lanes_not(lanes_less(lanes_mul(lanes_mul(K(8.0), _s11), _s4), _s3))), lanes_both(_s2, lanes_not(_s9)));
-    return (LANES(court_beside_gate_out)){ lanes_select(_s2, K(0.0), lanes_min(_s8, stride)), lanes_select(_s10, index, which), lanes_select(_s12, K(0.0), doubt), lanes_select(_s10, lanes_div(lanes_mul(K(2.0), _s11), lanes_abs(nearing)), earliest_delay) };
+    return (LANES(court_beside_end_plane_out)){ lanes_select(_s2, K(0.0), lanes_min(_s8, stride)), lanes_select(_s10, index, which), lanes_select(_s12, K(0.0), undecided_time), lanes_select(_s10, lanes_div(lanes_mul(K(2.0), _s11), lanes_abs(nearing)), earliest_delay) };
 }
 
 /* Time for which a rolling ball certainly stays on one part of its surface.
@@ -1948,14 +1948,14 @@ LANES(court_neighbour_free_time)(V vx, V vy, V vz, V gap, V free_time, V nearing
     return (LANES(court_neighbour_free_time_out)){ lanes_min(_s6, free_time) };
 }
 
-/* Time for which a ball that leaves crosses no end plane; else it is in doubt.
+/* Time for which a ball that leaves crosses no end plane; else that is undecided.
    a parabola below the distance. 54 operations: 8 additions, 2 subtractions, 8 multiplications, 3 divisions, 2 square roots, 2 negations, 4 absolute values, 11 comparisons, 1 disjunction, 13 selections. */
 typedef struct {
-    V free_time, doubt;
+    V free_time, undecided_time;
 } LANES(court_end_plane_free_time_out);
 
 LANES_INLINE LANES(court_end_plane_free_time_out)
-LANES(court_end_plane_free_time)(V vx, V vy, V vz, V gap, V doubt, V free_time, V nearing, V gap_curvature, V _c0, V _c1)
+LANES(court_end_plane_free_time)(V vx, V vy, V vz, V gap, V undecided_time, V free_time, V nearing, V gap_curvature, V _c0, V _c1)
 {
     const M _s0 = lanes_less(K(0.0), gap);
     const V _s1 = lanes_mul(nearing, nearing);
@@ -1975,7 +1975,7 @@ LANES(court_end_plane_free_time)(V vx, V vy, V vz, V gap, V doubt, V free_time, 
     const M _s15 = lanes_less(lanes_neg(nearing), K(0.0));
     const V _s16 = lanes_select(lanes_at_most(K(0.0), _s13), lanes_div(lanes_select(_s15, lanes_mul(K(2.0), _s12), lanes_sub(_s14, nearing)), lanes_select(_s15, lanes_add(nearing, _s14), _s8)), K(INFINITY));
     const V _s17 = lanes_div(lanes_abs(nearing), _s3);
-    return (LANES(court_end_plane_free_time_out)){ lanes_select(_s0, lanes_min(_s10, free_time), free_time), lanes_select(lanes_either(_s0, lanes_less(K(0.0078125), lanes_max(_s16, _s17))), doubt, K(0.0)) };
+    return (LANES(court_end_plane_free_time_out)){ lanes_select(_s0, lanes_min(_s10, free_time), free_time), lanes_select(lanes_either(_s0, lanes_less(K(0.0078125), lanes_max(_s16, _s17))), undecided_time, K(0.0)) };
 }
 
 /* Time for which it certainly reaches no seam, where the distance bends differently.
@@ -1999,11 +1999,11 @@ LANES(court_seam_free_time)(V gap, V free_time, V near, V nearing, V _c0, V _c1)
 /* Time for which a ball that leaves a surface certainly meets neither it nor another.
    Taylor's theorem of the gap. 64 operations: 10 additions, 19 multiplications, 5 divisions, 4 square roots, 6 absolute values, 10 comparisons, 1 disjunction, 9 selections. */
 typedef struct {
-    V when, doubt;
+    V when, undecided_time;
 } LANES(court_separated_out);
 
 LANES_INLINE LANES(court_separated_out)
-LANES(court_separated)(V vx, V vy, V vz, V doubt, V position_error, V velocity_error, V per_reach, V free_time, V lift, V gap_jerk, V gap_snap, V _c0, V _c1, V _c2)
+LANES(court_separated)(V vx, V vy, V vz, V undecided_time, V position_error, V velocity_error, V per_reach, V free_time, V lift, V gap_jerk, V gap_snap, V _c0, V _c1, V _c2)
 {
     const V _s0 = lanes_mul(K(0.25), free_time);
     const V _s1 = lanes_add(lanes_add(lanes_add(_c1, lanes_abs(vx)), lanes_abs(vy)), lanes_abs(vz));
@@ -2025,7 +2025,7 @@ LANES(court_separated)(V vx, V vy, V vz, V doubt, V position_error, V velocity_e
     const V _s17 = lanes_min(_s16, K(0.0078125));
     const V _s18 = lanes_min(_s0, _s17);
     const V _s19 = lanes_add(_c2, lanes_mul(lanes_mul(K(16.0), lanes_add(lanes_mul(position_error, _s3), lanes_mul(velocity_error, _s1))), _s2));
-    return (LANES(court_separated_out)){ lanes_max(K(0.0), _s18), lanes_select(lanes_either(lanes_less(lanes_mul(_s19, _s4), gap_jerk), lanes_less(_s19, lift)), doubt, K(0.0)) };
+    return (LANES(court_separated_out)){ lanes_max(K(0.0), _s18), lanes_select(lanes_either(lanes_less(lanes_mul(_s19, _s4), gap_jerk), lanes_less(_s19, lift)), undecided_time, K(0.0)) };
 }
 
 /* Scale from the errors to the neighbouring motion.
@@ -2155,7 +2155,7 @@ LANES(court_reachable_in_flight)(M reachable, M in_contact)
 /* Start values of a turn in contact: no event yet.
    Table 1. 7 operations: 5 comparisons, 1 conjunction, 1 selection. */
 typedef struct {
-    V which, earliest_delay, began, doubt;
+    V which, earliest_delay, began, undecided_time;
     M begins, rolling, leaves;
     V nx, ny, nz, gap, bent_x, bent_y, bent_z, lift, gap_jerk, gap_snap, per_reach;
 } LANES(court_resumed_out);
@@ -2170,13 +2170,13 @@ LANES(court_resumed)(V position_error, V velocity_error, V clock, V mode)
    Table 1. 12 operations: 1 addition, 4 comparisons, 3 conjunctions, 1 disjunction, 2 complements, 1 selection. */
 typedef struct {
     V uncertain;
-} LANES(court_doubted_in_contact_out);
+} LANES(court_contact_undecided_out);
 
-LANES_INLINE LANES(court_doubted_in_contact_out)
-LANES(court_doubted_in_contact)(V last, V when, V which, V earliest_delay, V doubt, V uncertain, M edge, V assured)
+LANES_INLINE LANES(court_contact_undecided_out)
+LANES(court_contact_undecided)(V last, V when, V which, V earliest_delay, V undecided_time, V uncertain, M edge, V assured)
 {
-    const M _s0 = lanes_both(lanes_either(lanes_both(lanes_not(lanes_less(lanes_add(when, earliest_delay), doubt)), lanes_less(doubt, K(INFINITY))), edge), lanes_not(lanes_both(lanes_less(K(0.0), assured), lanes_equal(which, last))));
-    return (LANES(court_doubted_in_contact_out)){ lanes_select(_s0, K(1.0), uncertain) };
+    const M _s0 = lanes_both(lanes_either(lanes_both(lanes_not(lanes_less(lanes_add(when, earliest_delay), undecided_time)), lanes_less(undecided_time, K(INFINITY))), edge), lanes_not(lanes_both(lanes_less(K(0.0), assured), lanes_equal(which, last))));
+    return (LANES(court_contact_undecided_out)){ lanes_select(_s0, K(1.0), uncertain) };
 }
 
 /* Whether the ball stays on a surface.
@@ -2207,12 +2207,12 @@ LANES(court_beside)(V index, V held)
    Table 1. No operations. */
 typedef struct {
     M hopped;
-} LANES(court_unhopped_out);
+} LANES(court_no_departure_out);
 
-LANES_INLINE LANES(court_unhopped_out)
-LANES(court_unhopped)(void)
+LANES_INLINE LANES(court_no_departure_out)
+LANES(court_no_departure)(void)
 {
-    return (LANES(court_unhopped_out)){ mask_none() };
+    return (LANES(court_no_departure_out)){ mask_none() };
 }
 
 /* Event: the contact begins.
@@ -2231,24 +2231,24 @@ LANES(court_beginning_contact)(void)
    Table 1. No operations. */
 typedef struct {
     V which;
-} LANES(court_take_off_out);
+} LANES(court_detachment_out);
 
-LANES_INLINE LANES(court_take_off_out)
-LANES(court_take_off)(void)
+LANES_INLINE LANES(court_detachment_out)
+LANES(court_detachment)(void)
 {
-    return (LANES(court_take_off_out)){ K(7.0) };
+    return (LANES(court_detachment_out)){ K(7.0) };
 }
 
 /* Log entry, outcome and mode of a ball in contact after a turn.
    Table 1. 38 operations: 3 additions, 1 subtraction, 1 multiplication, 9 comparisons, 2 conjunctions, 4 disjunctions, 1 complement, 17 selections. */
 typedef struct {
-    V body, reached, doubt;
+    V body, reached, undecided_time;
     M ends, hopped;
     V last, mode, held, rolls;
 } LANES(court_stay_in_contact_out);
 
 LANES_INLINE LANES(court_stay_in_contact_out)
-LANES(court_stay_in_contact)(V last, V which, V doubt, V body, V clock, V reached, M ends, V held, V rolls, M rolling, V began, M rests)
+LANES(court_stay_in_contact)(V last, V which, V undecided_time, V body, V clock, V reached, M ends, V held, V rolls, M rolling, V began, M rests)
 {
     const M _s0 = lanes_equal(which, K(5.0));
     const V _s1 = lanes_mul(K(2.0), lanes_select(lanes_equal(held, K(2.0)), K(2.0), lanes_select(lanes_equal(held, K(1.0)), K(1.0), lanes_select(lanes_equal(held, K(0.0)), K(0.0), K(-1.0)))));
@@ -2257,7 +2257,7 @@ LANES(court_stay_in_contact)(V last, V which, V doubt, V body, V clock, V reache
     const M _s4 = lanes_equal(which, K(8.0));
     const M _s5 = lanes_both(rolling, lanes_at_most(lanes_sub(clock, began), K(5.960464477539063e-08)));
     const M _s6 = lanes_less(K(4.0), which);
-    return (LANES(court_stay_in_contact_out)){ lanes_select(_s0, lanes_add(K(4.0), _s1), lanes_select(_s2, lanes_add(K(5.0), _s1), lanes_select(_s3, K(-1.0), lanes_select(_s4, K(3.0), body)))), lanes_select(_s5, K(2.0), lanes_select(_s4, K(6.0), lanes_select(rests, K(5.0), lanes_select(lanes_either(_s6, rolling), K(-1.0), reached)))), lanes_select(_s5, K(0.0), doubt), lanes_both(ends, lanes_not(_s6)), _s3, lanes_select(_s3, K(-1.0), last), lanes_select(lanes_either(_s0, rolling), K(2.0), lanes_select(_s2, K(3.0), K(0.0))), lanes_select(lanes_either(lanes_either(_s0, _s2), rolling), held, K(-1.0)), lanes_select(_s0, lanes_add(K(1.0), rolls), rolls) };
+    return (LANES(court_stay_in_contact_out)){ lanes_select(_s0, lanes_add(K(4.0), _s1), lanes_select(_s2, lanes_add(K(5.0), _s1), lanes_select(_s3, K(-1.0), lanes_select(_s4, K(3.0), body)))), lanes_select(_s5, K(2.0), lanes_select(_s4, K(6.0), lanes_select(rests, K(5.0), lanes_select(lanes_either(_s6, rolling), K(-1.0), reached)))), lanes_select(_s5, K(0.0), undecided_time), lanes_both(ends, lanes_not(_s6)), _s3, lanes_select(_s3, K(-1.0), last), lanes_select(lanes_either(_s0, rolling), K(2.0), lanes_select(_s2, K(3.0), K(0.0))), lanes_select(lanes_either(lanes_either(_s0, _s2), rolling), held, K(-1.0)), lanes_select(_s0, lanes_add(K(1.0), rolls), rolls) };
 }
 
 /* Whether the ball stays on the surface, slides, leaves, or is wedged.
@@ -2267,19 +2267,19 @@ typedef struct {
 } LANES(court_settled_out);
 
 LANES_INLINE LANES(court_settled_out)
-LANES(court_settled)(V index, V outcome, V uncertain, M unsure, M settles, M nearly, M lodges, M slides, M unpressed)
+LANES(court_settled)(V index, V outcome, V uncertain, M undecided, M settles, M nearly, M lodges, M slides, M unpressed)
 {
-    return (LANES(court_settled_out)){ lanes_select(nearly, lanes_select(settles, K(1.0), lanes_select(unpressed, K(3.0), K(0.0))), K(0.0)), lanes_select(lanes_both(nearly, lanes_either(settles, unpressed)), index, K(-1.0)), lanes_select(lanes_both(lanes_both(nearly, lanes_either(lodges, slides)), lanes_less(outcome, K(0.0))), lanes_select(lodges, K(5.0), K(2.0)), outcome), lanes_select(lanes_both(nearly, slides), K(1.0), K(0.0)), lanes_select(lanes_either(lodges, unsure), K(1.0), uncertain) };
+    return (LANES(court_settled_out)){ lanes_select(nearly, lanes_select(settles, K(1.0), lanes_select(unpressed, K(3.0), K(0.0))), K(0.0)), lanes_select(lanes_both(nearly, lanes_either(settles, unpressed)), index, K(-1.0)), lanes_select(lanes_both(lanes_both(nearly, lanes_either(lodges, slides)), lanes_less(outcome, K(0.0))), lanes_select(lodges, K(5.0), K(2.0)), outcome), lanes_select(lanes_both(nearly, slides), K(1.0), K(0.0)), lanes_select(lanes_either(lodges, undecided), K(1.0), uncertain) };
 }
 
 /* Square of the friction that rolling takes, per unit mass, and its rate.
    F = beta (-a_t + s n × n'). 54 operations: 17 additions, 35 multiplications, 2 negations. */
 typedef struct {
     V rolling_friction, rolling_friction_rate, grip_deficit, grip_deficit_rate;
-} LANES(court_pulled_out);
+} LANES(court_ring_friction_out);
 
-LANES_INLINE LANES(court_pulled_out)
-LANES(court_pulled)(V nx_0, V nx_1, V ny_0, V ny_1, V nz_0, V nz_1, V turn_rate_0, V turn_rate_1, V tx_0, V tx_1, V ty_0, V ty_1, V tz_0, V tz_1, V _c0, V _c1)
+LANES_INLINE LANES(court_ring_friction_out)
+LANES(court_ring_friction)(V nx_0, V nx_1, V ny_0, V ny_1, V nz_0, V nz_1, V turn_rate_0, V turn_rate_1, V tx_0, V tx_1, V ty_0, V ty_1, V tz_0, V tz_1, V _c0, V _c1)
 {
     const V _s0 = lanes_neg(lanes_mul(_c0, nz_0));
     const V _s1 = lanes_mul(lanes_add(lanes_mul(nx_0, _s0), lanes_mul(turn_rate_0, tx_0)), _c1);
@@ -2289,7 +2289,7 @@ LANES(court_pulled)(V nx_0, V nx_1, V ny_0, V ny_1, V nz_0, V nz_1, V turn_rate_
     const V _s5 = lanes_mul(lanes_mul(K(2.0), _s1), lanes_mul(lanes_add(lanes_add(lanes_add(lanes_mul(nx_0, _s4), lanes_mul(nx_1, _s0)), lanes_mul(turn_rate_0, tx_1)), lanes_mul(turn_rate_1, tx_0)), _c1));
     const V _s6 = lanes_mul(lanes_mul(K(2.0), _s2), lanes_mul(lanes_add(lanes_add(lanes_add(lanes_mul(ny_0, _s4), lanes_mul(ny_1, _s0)), lanes_mul(turn_rate_0, ty_1)), lanes_mul(turn_rate_1, ty_0)), _c1));
     const V _s7 = lanes_mul(lanes_mul(K(2.0), _s3), lanes_mul(lanes_add(lanes_add(lanes_add(lanes_mul(nz_0, _s4), lanes_mul(nz_1, _s0)), lanes_mul(turn_rate_0, tz_1)), lanes_mul(turn_rate_1, tz_0)), _c1));
-    return (LANES(court_pulled_out)){ lanes_add(lanes_add(lanes_mul(_s1, _s1), lanes_mul(_s2, _s2)), lanes_mul(_s3, _s3)), lanes_add(lanes_add(_s5, _s6), _s7), K(-INFINITY), K(0.0) };
+    return (LANES(court_ring_friction_out)){ lanes_add(lanes_add(lanes_mul(_s1, _s1), lanes_mul(_s2, _s2)), lanes_mul(_s3, _s3)), lanes_add(lanes_add(_s5, _s6), _s7), K(-INFINITY), K(0.0) };
 }
 
 /* Start value of a contact: no excess is known.
@@ -2308,22 +2308,22 @@ LANES(court_forget_grip_deficit)(void)
    F² > mu² N². 3 operations: 2 comparisons, 1 conjunction. */
 typedef struct {
     M loses;
-} LANES(court_losing_out);
+} LANES(court_exceeds_grip_out);
 
-LANES_INLINE LANES(court_losing_out)
-LANES(court_losing)(V grip_deficit, V grip_lost)
+LANES_INLINE LANES(court_exceeds_grip_out)
+LANES(court_exceeds_grip)(V grip_deficit, V grip_lost)
 {
-    return (LANES(court_losing_out)){ lanes_both(lanes_less(K(0.0), grip_deficit), lanes_equal(grip_lost, K(INFINITY))) };
+    return (LANES(court_exceeds_grip_out)){ lanes_both(lanes_less(K(0.0), grip_deficit), lanes_equal(grip_lost, K(INFINITY))) };
 }
 
 /* Time at which friction first exceeded its limit.
    a cubic between the ends of a step. 97 operations: 22 additions, 9 subtractions, 28 multiplications, 5 divisions, 1 negation, 16 comparisons, 1 conjunction, 15 selections. */
 typedef struct {
     V grip_lost;
-} LANES(court_lost_grip_out);
+} LANES(court_grip_lost_time_out);
 
-LANES_INLINE LANES(court_lost_grip_out)
-LANES(court_lost_grip)(V clock, V grip_deficit, V grip_deficit_rate, V last_grip_deficit, V last_grip_deficit_rate, V last_grip_clock)
+LANES_INLINE LANES(court_grip_lost_time_out)
+LANES(court_grip_lost_time)(V clock, V grip_deficit, V grip_deficit_rate, V last_grip_deficit, V last_grip_deficit_rate, V last_grip_clock)
 {
     const V _s0 = lanes_sub(clock, last_grip_clock);
     const V _s1 = lanes_sub(grip_deficit, last_grip_deficit);
@@ -2355,7 +2355,7 @@ LANES(court_lost_grip)(V clock, V grip_deficit, V grip_deficit_rate, V last_grip
     const V _s27 = lanes_add(lanes_mul(lanes_add(lanes_mul(_s10, _s25), _s11), _s25), _s6);
     const V _s28 = lanes_sub(_s25, lanes_div(_s26, lanes_select(lanes_less(K(0.0), _s27), _s27, _s1)));
     const V _s29 = lanes_min(_s28, K(1.0));
-    return (LANES(court_lost_grip_out)){ lanes_select(lanes_both(lanes_less(last_grip_deficit, K(INFINITY)), lanes_less(last_grip_deficit, grip_deficit)), lanes_add(last_grip_clock, lanes_mul(_s0, lanes_max(K(0.0), _s29))), clock) };
+    return (LANES(court_grip_lost_time_out)){ lanes_select(lanes_both(lanes_less(last_grip_deficit, K(INFINITY)), lanes_less(last_grip_deficit, grip_deficit)), lanes_add(last_grip_clock, lanes_mul(_s0, lanes_max(K(0.0), _s29))), clock) };
 }
 
 /* Excess, rate and time at the end of this step, for the next one.
@@ -2386,11 +2386,11 @@ LANES(court_ring_impact_taken)(V p_ring_restitution, V p_ring_friction)
 /* Whether a decision within the contact lies within its error.
    the law's own slack. 84 operations: 14 additions, 11 subtractions, 28 multiplications, 2 divisions, 1 square root, 1 negation, 13 absolute values, 7 comparisons, 2 conjunctions, 1 complement, 4 selections. */
 typedef struct {
-    M unsure;
-} LANES(court_ring_impact_doubt_out);
+    M undecided;
+} LANES(court_ring_impact_undecided_out);
 
-LANES_INLINE LANES(court_ring_impact_doubt_out)
-LANES(court_ring_impact_doubt)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V dvx, V dvy, V dvz, V dwx, V dwy, V dwz, V turn, V p_ring_restitution, V p_ring_friction, V _c0, V _c1, V _c2)
+LANES_INLINE LANES(court_ring_impact_undecided_out)
+LANES(court_ring_impact_undecided)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V dvx, V dvy, V dvz, V dwx, V dwy, V dwz, V turn, V p_ring_restitution, V p_ring_friction, V _c0, V _c1, V _c2)
 {
     const V _s0 = lanes_abs(dwx);
     const V _s1 = lanes_abs(dwy);
@@ -2410,7 +2410,7 @@ LANES(court_ring_impact_doubt)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V
     const V _s15 = lanes_mul(p_ring_friction, lanes_mul(lanes_add(K(1.0), lanes_div(p_ring_restitution, lanes_sub(K(1.0), lanes_div(_s11, _c1)))), _s11));
     const V _s16 = lanes_sub(lanes_mul(_c2, lanes_sqrt(lanes_add(lanes_add(lanes_mul(_s12, _s12), lanes_mul(_s13, _s13)), lanes_mul(_s14, _s14)))), lanes_neg(_s15));
     const M _s17 = lanes_both(lanes_both(lanes_less(K(0.0), p_ring_friction), lanes_less(p_ring_friction, K(INFINITY))), lanes_not(lanes_less(lanes_mul(lanes_add(lanes_mul(K(2.0), p_ring_friction), _c2), _s10), lanes_abs(_s16))));
-    return (LANES(court_ring_impact_doubt_out)){ _s17 };
+    return (LANES(court_ring_impact_undecided_out)){ _s17 };
 }
 
 /* Whether the bounces end in rolling, sliding, a wedge or departure, and whether that is certain.
@@ -2418,7 +2418,7 @@ LANES(court_ring_impact_doubt)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V
 typedef struct {
     M settles, lodges, slides, unpressed;
     V assured;
-    M unsure;
+    M undecided;
 } LANES(court_ring_impact_settling_out);
 
 LANES_INLINE LANES(court_ring_impact_settling_out)
@@ -3343,11 +3343,11 @@ LANES(court_ring_round_pulled)(V turn_rate_0, V turn_rate_1, V climb_0, V climb_
 typedef struct {
     V circled;
     M endless;
-    V doubt;
+    V undecided_time;
 } LANES(court_ring_swung_out);
 
 LANES_INLINE LANES(court_ring_swung_out)
-LANES(court_ring_swung)(V which, V doubt, V position_error, V velocity_error, V force, V force_rate, V force_bend, V stride, V fastest, V circled, V climb, V climb_0, V section_acceleration, V azimuth_clearance, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5, V _c6)
+LANES(court_ring_swung)(V which, V undecided_time, V position_error, V velocity_error, V force, V force_rate, V force_bend, V stride, V fastest, V circled, V climb, V climb_0, V section_acceleration, V azimuth_clearance, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5, V _c6)
 {
     const V _s0 = lanes_mul(stride, stride);
     const M _s1 = lanes_both(lanes_less(_c2, lanes_sub(azimuth_clearance, lanes_mul(lanes_mul(K(0.125), section_acceleration), _s0))), lanes_less(_c3, lanes_sub(lanes_add(force, lanes_mul(stride, lanes_min(force_rate, K(0.0)))), lanes_mul(lanes_mul(K(0.5), force_bend), _s0))));
@@ -3356,7 +3356,7 @@ LANES(court_ring_swung)(V which, V doubt, V position_error, V velocity_error, V 
     const M _s4 = lanes_both(lanes_both(_s2, _s3), lanes_less(K(0.0), circled));
     const V _s5 = lanes_add(_c0, lanes_mul(lanes_mul(fastest, fastest), _c5));
     const M _s6 = lanes_not(lanes_less(lanes_mul(_s5, lanes_mul(K(512.0), lanes_add(lanes_mul(position_error, _s5), lanes_mul(velocity_error, fastest)))), _c6));
-    return (LANES(court_ring_swung_out)){ lanes_select(_s2, lanes_select(_s3, K(1.0), circled), K(0.0)), _s4, lanes_select(lanes_both(_s4, _s6), K(0.0), doubt) };
+    return (LANES(court_ring_swung_out)){ lanes_select(_s2, lanes_select(_s3, K(1.0), circled), K(0.0)), _s4, lanes_select(lanes_both(_s4, _s6), K(0.0), undecided_time) };
 }
 
 /* Coefficients of order 1, from those of lower order.

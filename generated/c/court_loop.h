@@ -1,6 +1,6 @@
 /* The event loop of the scene court, with or without bounds on errors.
 
-   Generated from templates/c/loop.h.j2, scene court, derivation 68775c01ff418eab,
+   Generated from templates/c/loop.h.j2, scene court, derivation af737e2e972ce492,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by court_engine.h twice, BOUNDED being 1 where errors are bounded, else 0. The path is
@@ -215,55 +215,57 @@ typedef struct {
         open_stepping_short_vy, open_stepping_short_vz, open_stepping_short_x,
         open_stepping_short_y, open_stepping_short_z;
 #if BOUNDED
-    LANES(column) doubt, earliest_delay, hopped, in_contact_circling_clock_error, in_contact_circling_doubt,
-        in_contact_circling_dvx, in_contact_circling_dvy, in_contact_circling_dvz,
-        in_contact_circling_dwx, in_contact_circling_dwy, in_contact_circling_dwz,
-        in_contact_circling_dx, in_contact_circling_dy, in_contact_circling_dz,
-        in_contact_circling_earliest_delay, in_contact_circling_ended_doubt,
+    LANES(column) earliest_delay, hopped, in_contact_circling_clock_error, in_contact_circling_dvx,
+        in_contact_circling_dvy, in_contact_circling_dvz, in_contact_circling_dwx,
+        in_contact_circling_dwy, in_contact_circling_dwz, in_contact_circling_dx,
+        in_contact_circling_dy, in_contact_circling_dz, in_contact_circling_earliest_delay,
         in_contact_circling_ended_dvx, in_contact_circling_ended_dvy, in_contact_circling_ended_dvz,
         in_contact_circling_ended_dwx, in_contact_circling_ended_dwy, in_contact_circling_ended_dwz,
         in_contact_circling_ended_dx, in_contact_circling_ended_dy, in_contact_circling_ended_dz,
         in_contact_circling_ended_earliest_delay, in_contact_circling_ended_grip_lost,
         in_contact_circling_ended_last_grip_clock, in_contact_circling_ended_last_grip_deficit,
         in_contact_circling_ended_last_grip_deficit_rate, in_contact_circling_ended_position_error,
-        in_contact_circling_ended_velocity_error, in_contact_circling_grip_lost,
-        in_contact_circling_last_grip_clock, in_contact_circling_last_grip_deficit,
-        in_contact_circling_last_grip_deficit_rate, in_contact_clock_error, in_contact_doubt,
-        in_contact_dvx, in_contact_dvy, in_contact_dvz, in_contact_dwx, in_contact_dwy,
-        in_contact_dwz, in_contact_dx, in_contact_dy, in_contact_dz, in_contact_earliest_delay,
-        in_contact_grip_lost, in_contact_last_grip_clock, in_contact_last_grip_deficit,
-        in_contact_last_grip_deficit_rate, in_contact_leaves_clock_error, in_contact_leaves_doubt,
-        in_contact_leaves_dvx, in_contact_leaves_dvy, in_contact_leaves_dvz, in_contact_leaves_dwx,
-        in_contact_leaves_dwy, in_contact_leaves_dwz, in_contact_leaves_dx, in_contact_leaves_dy,
-        in_contact_leaves_dz, in_contact_leaves_position_error, in_contact_leaves_velocity_error,
-        in_contact_position_error, in_contact_rolling_clock_error, in_contact_rolling_doubt,
+        in_contact_circling_ended_undecided_time, in_contact_circling_ended_velocity_error,
+        in_contact_circling_grip_lost, in_contact_circling_last_grip_clock,
+        in_contact_circling_last_grip_deficit, in_contact_circling_last_grip_deficit_rate,
+        in_contact_circling_undecided_time, in_contact_clock_error, in_contact_dvx, in_contact_dvy,
+        in_contact_dvz, in_contact_dwx, in_contact_dwy, in_contact_dwz, in_contact_dx,
+        in_contact_dy, in_contact_dz, in_contact_earliest_delay, in_contact_grip_lost,
+        in_contact_last_grip_clock, in_contact_last_grip_deficit, in_contact_last_grip_deficit_rate,
+        in_contact_leaves_clock_error, in_contact_leaves_dvx, in_contact_leaves_dvy,
+        in_contact_leaves_dvz, in_contact_leaves_dwx, in_contact_leaves_dwy, in_contact_leaves_dwz,
+        in_contact_leaves_dx, in_contact_leaves_dy, in_contact_leaves_dz,
+        in_contact_leaves_position_error, in_contact_leaves_undecided_time,
+        in_contact_leaves_velocity_error, in_contact_position_error, in_contact_rolling_clock_error,
         in_contact_rolling_dvx, in_contact_rolling_dvy, in_contact_rolling_dvz,
         in_contact_rolling_dwx, in_contact_rolling_dwy, in_contact_rolling_dwz,
         in_contact_rolling_dx, in_contact_rolling_dy, in_contact_rolling_dz,
-        in_contact_rolling_earliest_delay, in_contact_rolling_ended_doubt,
-        in_contact_rolling_ended_dvx, in_contact_rolling_ended_dvy, in_contact_rolling_ended_dvz,
-        in_contact_rolling_ended_dwx, in_contact_rolling_ended_dwy, in_contact_rolling_ended_dwz,
-        in_contact_rolling_ended_dx, in_contact_rolling_ended_dy, in_contact_rolling_ended_dz,
+        in_contact_rolling_earliest_delay, in_contact_rolling_ended_dvx,
+        in_contact_rolling_ended_dvy, in_contact_rolling_ended_dvz, in_contact_rolling_ended_dwx,
+        in_contact_rolling_ended_dwy, in_contact_rolling_ended_dwz, in_contact_rolling_ended_dx,
+        in_contact_rolling_ended_dy, in_contact_rolling_ended_dz,
         in_contact_rolling_ended_earliest_delay, in_contact_rolling_ended_grip_lost,
         in_contact_rolling_ended_last_grip_clock, in_contact_rolling_ended_last_grip_deficit,
         in_contact_rolling_ended_last_grip_deficit_rate, in_contact_rolling_ended_position_error,
-        in_contact_rolling_ended_velocity_error, in_contact_rolling_grip_lost,
-        in_contact_rolling_last_grip_clock, in_contact_rolling_last_grip_deficit,
-        in_contact_rolling_last_grip_deficit_rate, in_contact_velocity_error, open_doubt,
+        in_contact_rolling_ended_undecided_time, in_contact_rolling_ended_velocity_error,
+        in_contact_rolling_grip_lost, in_contact_rolling_last_grip_clock,
+        in_contact_rolling_last_grip_deficit, in_contact_rolling_last_grip_deficit_rate,
+        in_contact_rolling_undecided_time, in_contact_undecided_time, in_contact_velocity_error,
         open_earliest_delay, open_latest, open_leaving, open_pad, open_position_error, open_rate,
-        open_refining_ended_rate, open_searching_doubt, open_searching_latest,
-        open_searching_position_error, open_searching_searching, open_searching_searching_doubt,
-        open_searching_searching_ended_doubt, open_searching_searching_ended_searching,
-        open_searching_searching_ended_t, open_searching_searching_position_error,
-        open_searching_searching_velocity_error, open_searching_velocity_error, open_velocity_error,
-        position_error, reachable_doubt, reachable_earliest_delay, reachable_latest,
-        reachable_leaving, reachable_position_error, reachable_rate, reachable_refining_ended_rate,
-        reachable_searching, reachable_searching_doubt, reachable_searching_ended_doubt,
+        open_refining_ended_rate, open_searching_latest, open_searching_position_error,
+        open_searching_searching, open_searching_searching_ended_searching,
+        open_searching_searching_ended_t, open_searching_searching_ended_undecided_time,
+        open_searching_searching_position_error, open_searching_searching_undecided_time,
+        open_searching_searching_velocity_error, open_searching_undecided_time,
+        open_searching_velocity_error, open_undecided_time, open_velocity_error, position_error,
+        reachable_earliest_delay, reachable_latest, reachable_leaving, reachable_position_error,
+        reachable_rate, reachable_refining_ended_rate, reachable_searching,
         reachable_searching_ended_searching, reachable_searching_ended_t,
-        reachable_searching_position_error, reachable_searching_velocity_error, reachable_t,
-        reachable_velocity_error, slow_assured, slow_uncertain, slow_velocity_error,
-        turning_p_backboard_friction, turning_p_bridge_friction, turning_p_ring_friction,
-        velocity_error;
+        reachable_searching_ended_undecided_time, reachable_searching_position_error,
+        reachable_searching_undecided_time, reachable_searching_velocity_error, reachable_t,
+        reachable_undecided_time, reachable_velocity_error, slow_assured, slow_uncertain,
+        slow_velocity_error, turning_p_backboard_friction, turning_p_bridge_friction,
+        turning_p_ring_friction, undecided_time, velocity_error;
 #endif
     /* What kernels make of parameters alone. */
     _Alignas(64) double fixed[LANES_ROWS][LANES_WIDTH];
@@ -1582,7 +1584,8 @@ LANES_APART void LOOP(leaves)(LOOP(worklist) *worklist, size_t in_contact_leaves
         EACH(LOAD, in_contact_leaves_, gap_jerk, gap_snap, held, lift, per_reach, vx, vy, vz, x, y)
         EACH(LOAD, in_contact_leaves_, z)
 #if BOUNDED
-        EACH(LOAD, in_contact_leaves_, clock_error, doubt, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz)
+        EACH(LOAD, in_contact_leaves_, clock_error, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz)
+        EACH(LOAD, in_contact_leaves_, undecided_time)
         CALL(court_error_bounds, _error_bounds_1)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
         EACH(GET, _error_bounds_1, position_error, velocity_error)
 #endif
@@ -1644,9 +1647,9 @@ LANES_APART void LOOP(leaves)(LOOP(worklist) *worklist, size_t in_contact_leaves
         }
         CALL(court_end_beside, _end_beside_1)(z, vz, FIXED(18));
         EACH(GET, _end_beside_1, gap, nearing, gap_curvature)
-        CALL(court_end_plane_free_time, _end_plane_free_time_1)(vx, vy, vz, gap, OR_INFINITE(doubt), free_time, nearing, gap_curvature, FIXED(21), FIXED(161));
+        CALL(court_end_plane_free_time, _end_plane_free_time_1)(vx, vy, vz, gap, OR_INFINITE(undecided_time), free_time, nearing, gap_curvature, FIXED(21), FIXED(161));
         EACH(SET, _end_plane_free_time_1, free_time)
-        BOUNDS(EACH(SET, _end_plane_free_time_1, doubt))
+        BOUNDS(EACH(SET, _end_plane_free_time_1, undecided_time))
         CALL(court_holding, _holding_4)(K(1.0), held);
         EACH(SET, _holding_4, here)
         const M _if_here_4 = lanes_both(rows, here);
@@ -1705,13 +1708,13 @@ LANES_APART void LOOP(leaves)(LOOP(worklist) *worklist, size_t in_contact_leaves
             CALL(court_seam_free_time, _seam_free_time_12)(gap, free_time, near, nearing, FIXED(22), FIXED(162));
             EACH(SELECT, (_if_here_5, _seam_free_time_12), free_time)
         }
-        CALL(court_separated, _separated_1)(vx, vy, vz, OR_INFINITE(doubt), OR_ZERO(position_error), OR_ZERO(velocity_error), per_reach, free_time, lift, gap_jerk, gap_snap, FIXED(21), FIXED(161), FIXED(132));
+        CALL(court_separated, _separated_1)(vx, vy, vz, OR_INFINITE(undecided_time), OR_ZERO(position_error), OR_ZERO(velocity_error), per_reach, free_time, lift, gap_jerk, gap_snap, FIXED(21), FIXED(161), FIXED(132));
         EACH(GET, _separated_1, when)
-        BOUNDS(EACH(SET, _separated_1, doubt))
-        CALL(court_take_off, _take_off_1)();
-        EACH(GET, _take_off_1, which)
+        BOUNDS(EACH(SET, _separated_1, undecided_time))
+        CALL(court_detachment, _detachment_1)();
+        EACH(GET, _detachment_1, which)
         EACH(STORE, in_contact_leaves_, when, which)
-        BOUNDS(EACH(STORE, in_contact_leaves_, doubt, position_error, velocity_error))
+        BOUNDS(EACH(STORE, in_contact_leaves_, position_error, undecided_time, velocity_error))
     }
 }
 
@@ -1741,7 +1744,7 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
         EACH(GET, _resumed_1, which, began, nx, ny, nz, gap, bent_x, bent_y, bent_z, lift, gap_jerk)
         EACH(GET, _resumed_1, gap_snap, per_reach)
         EACH(GET_MASK, _resumed_1, begins, rolling, leaves)
-        BOUNDS(EACH(GET, _resumed_1, earliest_delay, doubt))
+        BOUNDS(EACH(GET, _resumed_1, earliest_delay, undecided_time))
         const M _if_begins_1 = lanes_both(rows, begins);
         if (lanes_any(_if_begins_1)) {
             CALL(court_holding, _holding_1)(K(0.0), held);
@@ -1793,8 +1796,8 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
             CALL(court_roll_placed, _roll_placed_1)(x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, gap, turn_rate, FIXED(109));
             EACH(SELECT, (_if_begins_1, _roll_placed_1), x, y, z, vx, vy, vz, wx, wy, wz)
 #if BOUNDED
-            CALL(court_begun_errors, _begun_errors_1)(vx, vy, vz, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz, FIXED(6), FIXED(111), FIXED(112), FIXED(113));
-            EACH(SELECT, (_if_begins_1, _begun_errors_1), dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz)
+            CALL(court_jump_errors, _jump_errors_1)(vx, vy, vz, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz, FIXED(6), FIXED(111), FIXED(112), FIXED(113));
+            EACH(SELECT, (_if_begins_1, _jump_errors_1), dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz)
             CALL(court_forget_grip_deficit, _forget_grip_deficit_1)();
             EACH(SELECT, (_if_begins_1, _forget_grip_deficit_1), last_grip_deficit)
 #endif
@@ -1807,17 +1810,18 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
         EACH(STORE, in_contact_, began, circled, gap_jerk, gap_snap, lift, per_reach, vx, vy, vz)
         EACH(STORE, in_contact_, which, wx, wy, wz, x, y, z)
         EACH(STORE_MASK, in_contact_, circling, leaves, rolling)
-        BOUNDS(EACH(STORE, in_contact_, doubt, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz, earliest_delay))
-        BOUNDS(EACH(STORE, in_contact_, last_grip_deficit))
+        BOUNDS(EACH(STORE, in_contact_, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz, earliest_delay))
+        BOUNDS(EACH(STORE, in_contact_, last_grip_deficit, undecided_time))
         const M packed = lanes_both(rows, rolling);
         if (lanes_any(packed)) {
             lanes_pack(worklist->in_contact_rolling_row + in_contact_rolling_shots, packed, lanes_add(iota(), K((double)i)));
             EACH(PACK, in_contact_rolling_, bent_x, bent_y, bent_z, clock, held, nx, ny, nz)
             EACH(PACK, in_contact_rolling_, per_reach, through, vx, vy, vz, which, wx, wy, wz, x, y)
             EACH(PACK, in_contact_rolling_, z)
-            BOUNDS(EACH(PACK, in_contact_rolling_, clock_error, doubt, dvx, dvy, dvz, dwx, dwy, dwz, dx))
-            BOUNDS(EACH(PACK, in_contact_rolling_, dy, dz, earliest_delay, grip_lost, last_grip_clock))
+            BOUNDS(EACH(PACK, in_contact_rolling_, clock_error, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz))
+            BOUNDS(EACH(PACK, in_contact_rolling_, earliest_delay, grip_lost, last_grip_clock))
             BOUNDS(EACH(PACK, in_contact_rolling_, last_grip_deficit, last_grip_deficit_rate))
+            BOUNDS(EACH(PACK, in_contact_rolling_, undecided_time))
             if (LANES_SELDOM(varying)) {
 #if BOUNDED
                 for (size_t _p = 0; _p < 15; _p++) {
@@ -1833,9 +1837,9 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
     if (in_contact_rolling_shots) {
         EACH(CLEAR, in_contact_rolling_, row, bent_x, bent_y, bent_z, clock, held, nx, ny, nz)
         EACH(CLEAR, in_contact_rolling_, per_reach, through, vx, vy, vz, which, wx, wy, wz, x, y, z)
-        BOUNDS(EACH(CLEAR, in_contact_rolling_, clock_error, doubt, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy))
-        BOUNDS(EACH(CLEAR, in_contact_rolling_, dz, earliest_delay, grip_lost, last_grip_clock))
-        BOUNDS(EACH(CLEAR, in_contact_rolling_, last_grip_deficit, last_grip_deficit_rate))
+        BOUNDS(EACH(CLEAR, in_contact_rolling_, clock_error, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz))
+        BOUNDS(EACH(CLEAR, in_contact_rolling_, earliest_delay, grip_lost, last_grip_clock))
+        BOUNDS(EACH(CLEAR, in_contact_rolling_, last_grip_deficit, last_grip_deficit_rate, undecided_time))
         if (LANES_SELDOM(varying)) {
 #if BOUNDED
             for (size_t _p = 0; _p < 15; _p++) {
@@ -1853,8 +1857,9 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
         EACH(START_MASK, , active)
         EACH(START, , row, turns, bent_x, bent_y, bent_z, clock, held, nx, ny, nz, per_reach)
         EACH(START, , through, vx, vy, vz, which, wx, wy, wz, x, y, z)
-        BOUNDS(EACH(START, , clock_error, doubt, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz, earliest_delay))
+        BOUNDS(EACH(START, , clock_error, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz, earliest_delay))
         BOUNDS(EACH(START, , grip_lost, last_grip_clock, last_grip_deficit, last_grip_deficit_rate))
+        BOUNDS(EACH(START, , undecided_time))
         for (;;) {
             if ((taken < in_contact_rolling_shots) && ((busy + LANES_SPARE) <= LANES_WIDTH)) {
                 const M idle = lanes_not(active);
@@ -1862,10 +1867,10 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
                 EACH(EXPAND, in_contact_rolling_, row, bent_x, bent_y, bent_z, clock, held, nx, ny)
                 EACH(EXPAND, in_contact_rolling_, nz, per_reach, through, vx, vy, vz, which, wx, wy)
                 EACH(EXPAND, in_contact_rolling_, wz, x, y, z)
-                BOUNDS(EACH(EXPAND, in_contact_rolling_, clock_error, doubt, dvx, dvy, dvz, dwx, dwy, dwz))
-                BOUNDS(EACH(EXPAND, in_contact_rolling_, dx, dy, dz, earliest_delay, grip_lost))
-                BOUNDS(EACH(EXPAND, in_contact_rolling_, last_grip_clock, last_grip_deficit))
-                BOUNDS(EACH(EXPAND, in_contact_rolling_, last_grip_deficit_rate))
+                BOUNDS(EACH(EXPAND, in_contact_rolling_, clock_error, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy))
+                BOUNDS(EACH(EXPAND, in_contact_rolling_, dz, earliest_delay, grip_lost, last_grip_clock))
+                BOUNDS(EACH(EXPAND, in_contact_rolling_, last_grip_deficit, last_grip_deficit_rate))
+                BOUNDS(EACH(EXPAND, in_contact_rolling_, undecided_time))
                 if (LANES_SELDOM(varying))
                     LOOP(fix_in_contact_rolling_rows_1)(worklist, taken, idle);
                 const size_t room = LANES_WIDTH - busy;
@@ -1931,9 +1936,9 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
             EACH(GET, _roll_pace_1, friction_force_rate)
 #if BOUNDED
             EACH(GET, _roll_pace_1, missed)
-            CALL(court_pulled, _pulled_1)(nx_0, nx_1, ny_0, ny_1, nz_0, nz_1, turn_rate_0, turn_rate_1, tx_0, tx_1, ty_0, ty_1, tz_0, tz_1, FIXED(21), FIXED(110));
-            EACH(GET, _pulled_1, rolling_friction, rolling_friction_rate, grip_deficit)
-            EACH(GET, _pulled_1, grip_deficit_rate)
+            CALL(court_ring_friction, _ring_friction_1)(nx_0, nx_1, ny_0, ny_1, nz_0, nz_1, turn_rate_0, turn_rate_1, tx_0, tx_1, ty_0, ty_1, tz_0, tz_1, FIXED(21), FIXED(110));
+            EACH(GET, _ring_friction_1, rolling_friction, rolling_friction_rate, grip_deficit)
+            EACH(GET, _ring_friction_1, grip_deficit_rate)
             CALL(court_holding, _holding_3)(K(1.0), held);
             EACH(SET, _holding_3, here)
             const M _if_here_3 = lanes_both(active, here);
@@ -1950,30 +1955,30 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
                 EACH(SELECT, (_if_here_4, _ring_impact_grip_deficit_2), grip_deficit)
                 EACH(SELECT, (_if_here_4, _ring_impact_grip_deficit_2), grip_deficit_rate)
             }
-            CALL(court_losing, _losing_1)(grip_deficit, grip_lost);
-            EACH(GET_MASK, _losing_1, loses)
+            CALL(court_exceeds_grip, _exceeds_grip_1)(grip_deficit, grip_lost);
+            EACH(GET_MASK, _exceeds_grip_1, loses)
             const M _if_loses_1 = lanes_both(active, loses);
             if (lanes_any(_if_loses_1)) {
-                CALL(court_lost_grip, _lost_grip_1)(clock, grip_deficit, grip_deficit_rate, last_grip_deficit, last_grip_deficit_rate, last_grip_clock);
-                EACH(SELECT, (_if_loses_1, _lost_grip_1), grip_lost)
+                CALL(court_grip_lost_time, _grip_lost_time_1)(clock, grip_deficit, grip_deficit_rate, last_grip_deficit, last_grip_deficit_rate, last_grip_clock);
+                EACH(SELECT, (_if_loses_1, _grip_lost_time_1), grip_lost)
             }
             CALL(court_remember_grip_deficit, _remember_grip_deficit_1)(clock, grip_deficit, grip_deficit_rate);
             EACH(SET, _remember_grip_deficit_1, last_grip_deficit, last_grip_deficit_rate)
             EACH(SET, _remember_grip_deficit_1, last_grip_clock)
 #endif
-            CALL(court_leaving_force, _leaving_force_1)(vx, vx_1, vy, vy_1, vz, vz_1, which, OR_INFINITE(doubt), OR_ZERO(position_error), OR_ZERO(velocity_error), per_reach, force, force_rate, force_bend, friction_force_rate, stride, fastest, FIXED(21), FIXED(131), FIXED(132));
+            CALL(court_leaving_force, _leaving_force_1)(vx, vx_1, vy, vy_1, vz, vz_1, which, OR_INFINITE(undecided_time), OR_ZERO(position_error), OR_ZERO(velocity_error), per_reach, force, force_rate, force_bend, friction_force_rate, stride, fastest, FIXED(21), FIXED(131), FIXED(132));
             EACH(SET, _leaving_force_1, stride, which)
             EACH(GET_MASK, _leaving_force_1, rests)
-            BOUNDS(EACH(SET, _leaving_force_1, doubt))
+            BOUNDS(EACH(SET, _leaving_force_1, undecided_time))
             CALL(court_beside, _beside_1)(K(0.0), held);
             EACH(GET_MASK, _beside_1, beside)
             const M _if_beside_1 = lanes_both(active, beside);
             if (lanes_any(_if_beside_1)) {
                 CALL(court_ring_beside, _ring_beside_1)(x, y, z, vx, vy, vz, FIXED(6), FIXED(7), FIXED(8), FIXED(40), FIXED(133));
                 EACH(GET, _ring_beside_1, gap, nearing, gap_curvature)
-                CALL(court_beside_body, _beside_body_1)(x, y, z, gap, K(0.0), which, OR_ZERO(earliest_delay), OR_INFINITE(doubt), OR_ZERO(position_error), nearing, gap_curvature, stride, strongest, fastest, FIXED(6), FIXED(111));
+                CALL(court_beside_body, _beside_body_1)(x, y, z, gap, K(0.0), which, OR_ZERO(earliest_delay), OR_INFINITE(undecided_time), OR_ZERO(position_error), nearing, gap_curvature, stride, strongest, fastest, FIXED(6), FIXED(111));
                 EACH(SELECT, (_if_beside_1, _beside_body_1), stride, which)
-                BOUNDS(EACH(SELECT, (_if_beside_1, _beside_body_1), doubt, earliest_delay))
+                BOUNDS(EACH(SELECT, (_if_beside_1, _beside_body_1), undecided_time, earliest_delay))
             }
             CALL(court_beside, _beside_2)(K(1.0), held);
             EACH(SET, _beside_2, beside)
@@ -1981,9 +1986,9 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
             if (lanes_any(_if_beside_2)) {
                 CALL(court_backboard_beside, _backboard_beside_1)(x, y, z, vx, vy, vz, FIXED(6), FIXED(11), FIXED(9), FIXED(10), FIXED(12), FIXED(15));
                 EACH(GET, _backboard_beside_1, gap, nearing, gap_curvature)
-                CALL(court_beside_body, _beside_body_2)(x, y, z, gap, K(1.0), which, OR_ZERO(earliest_delay), OR_INFINITE(doubt), OR_ZERO(position_error), nearing, gap_curvature, stride, strongest, fastest, FIXED(6), FIXED(111));
+                CALL(court_beside_body, _beside_body_2)(x, y, z, gap, K(1.0), which, OR_ZERO(earliest_delay), OR_INFINITE(undecided_time), OR_ZERO(position_error), nearing, gap_curvature, stride, strongest, fastest, FIXED(6), FIXED(111));
                 EACH(SELECT, (_if_beside_2, _beside_body_2), stride, which)
-                BOUNDS(EACH(SELECT, (_if_beside_2, _beside_body_2), doubt, earliest_delay))
+                BOUNDS(EACH(SELECT, (_if_beside_2, _beside_body_2), undecided_time, earliest_delay))
             }
             CALL(court_beside, _beside_3)(K(2.0), held);
             EACH(SET, _beside_3, beside)
@@ -1991,16 +1996,16 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
             if (lanes_any(_if_beside_3)) {
                 CALL(court_bridge_beside, _bridge_beside_1)(x, y, z, vx, vy, vz, FIXED(6), FIXED(9), FIXED(13), FIXED(7), FIXED(8), FIXED(16));
                 EACH(GET, _bridge_beside_1, gap, nearing, gap_curvature)
-                CALL(court_beside_body, _beside_body_3)(x, y, z, gap, K(2.0), which, OR_ZERO(earliest_delay), OR_INFINITE(doubt), OR_ZERO(position_error), nearing, gap_curvature, stride, strongest, fastest, FIXED(6), FIXED(111));
+                CALL(court_beside_body, _beside_body_3)(x, y, z, gap, K(2.0), which, OR_ZERO(earliest_delay), OR_INFINITE(undecided_time), OR_ZERO(position_error), nearing, gap_curvature, stride, strongest, fastest, FIXED(6), FIXED(111));
                 EACH(SELECT, (_if_beside_3, _beside_body_3), stride, which)
-                BOUNDS(EACH(SELECT, (_if_beside_3, _beside_body_3), doubt, earliest_delay))
+                BOUNDS(EACH(SELECT, (_if_beside_3, _beside_body_3), undecided_time, earliest_delay))
             }
             CALL(court_end_beside, _end_beside_1)(z, vz, FIXED(18));
             EACH(GET, _end_beside_1, gap, nearing, gap_curvature)
-            CALL(court_beside_gate, _beside_gate_1)(x, y, z, gap, K(3.0), which, OR_ZERO(earliest_delay), OR_INFINITE(doubt), OR_ZERO(position_error), nearing, gap_curvature, stride, strongest, fastest, FIXED(6));
-            EACH(SET, _beside_gate_1, stride, which)
+            CALL(court_beside_end_plane, _beside_end_plane_1)(x, y, z, gap, K(3.0), which, OR_ZERO(earliest_delay), OR_INFINITE(undecided_time), OR_ZERO(position_error), nearing, gap_curvature, stride, strongest, fastest, FIXED(6));
+            EACH(SET, _beside_end_plane_1, stride, which)
 #if BOUNDED
-            EACH(SET, _beside_gate_1, doubt, earliest_delay)
+            EACH(SET, _beside_end_plane_1, undecided_time, earliest_delay)
             CALL(court_holding, _holding_5)(K(1.0), held);
             EACH(SET, _holding_5, here)
             const M _if_here_5 = lanes_both(active, here);
@@ -2374,7 +2379,6 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
             lanes_pack(worklist->in_contact_rolling_ended_row + done, ended, row);
             lanes_pack(worklist->in_contact_rolling_ended_clock + done, ended, clock);
 #if BOUNDED
-            lanes_pack(worklist->in_contact_rolling_ended_doubt + done, ended, doubt);
             lanes_pack(worklist->in_contact_rolling_ended_dvx + done, ended, dvx);
             lanes_pack(worklist->in_contact_rolling_ended_dvy + done, ended, dvy);
             lanes_pack(worklist->in_contact_rolling_ended_dvz + done, ended, dvz);
@@ -2398,6 +2402,7 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
             lanes_pack(worklist->in_contact_rolling_ended_rolling + done, ended, lanes_select(rolling, K(1.0), K(0.0)));
             lanes_pack(worklist->in_contact_rolling_ended_through + done, ended, through);
 #if BOUNDED
+            lanes_pack(worklist->in_contact_rolling_ended_undecided_time + done, ended, undecided_time);
             lanes_pack(worklist->in_contact_rolling_ended_velocity_error + done, ended, velocity_error);
 #endif
             lanes_pack(worklist->in_contact_rolling_ended_vx + done, ended, vx);
@@ -2419,12 +2424,13 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
             EACH(RETURN, (in_contact_, in_contact_rolling_ended_), clock, per_reach, rests, rolling)
             EACH(RETURN, (in_contact_, in_contact_rolling_ended_), through, vx, vy, vz, which, wx)
             EACH(RETURN, (in_contact_, in_contact_rolling_ended_), wy, wz, x, y, z)
-            BOUNDS(EACH(RETURN, (in_contact_, in_contact_rolling_ended_), doubt, dvx, dvy, dvz, dwx, dwy))
-            BOUNDS(EACH(RETURN, (in_contact_, in_contact_rolling_ended_), dwz, dx, dy, dz, earliest_delay))
+            BOUNDS(EACH(RETURN, (in_contact_, in_contact_rolling_ended_), dvx, dvy, dvz, dwx, dwy, dwz, dx))
+            BOUNDS(EACH(RETURN, (in_contact_, in_contact_rolling_ended_), dy, dz, earliest_delay))
             BOUNDS(EACH(RETURN, (in_contact_, in_contact_rolling_ended_), grip_lost, last_grip_clock))
             BOUNDS(EACH(RETURN, (in_contact_, in_contact_rolling_ended_), last_grip_deficit))
             BOUNDS(EACH(RETURN, (in_contact_, in_contact_rolling_ended_), last_grip_deficit_rate))
-            BOUNDS(EACH(RETURN, (in_contact_, in_contact_rolling_ended_), position_error, velocity_error))
+            BOUNDS(EACH(RETURN, (in_contact_, in_contact_rolling_ended_), position_error, undecided_time))
+            BOUNDS(EACH(RETURN, (in_contact_, in_contact_rolling_ended_), velocity_error))
         }
     }
     }
@@ -2439,17 +2445,18 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
         const M rows = mask_first_n(in_contact_shots - i);
         EACH(LOAD, in_contact_, circled, clock, through, vx, vy, vz, which, wx, wy, wz, x, y, z)
         EACH(LOAD_MASK, in_contact_, circling)
-        BOUNDS(EACH(LOAD, in_contact_, clock_error, doubt, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz))
+        BOUNDS(EACH(LOAD, in_contact_, clock_error, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz))
         BOUNDS(EACH(LOAD, in_contact_, earliest_delay, grip_lost, last_grip_clock, last_grip_deficit))
-        BOUNDS(EACH(LOAD, in_contact_, last_grip_deficit_rate))
+        BOUNDS(EACH(LOAD, in_contact_, last_grip_deficit_rate, undecided_time))
         const M packed = lanes_both(rows, circling);
         if (lanes_any(packed)) {
             lanes_pack(worklist->in_contact_circling_row + in_contact_circling_shots, packed, lanes_add(iota(), K((double)i)));
             EACH(PACK, in_contact_circling_, circled, clock, through, vx, vy, vz, which, wx, wy, wz)
             EACH(PACK, in_contact_circling_, x, y, z)
-            BOUNDS(EACH(PACK, in_contact_circling_, clock_error, doubt, dvx, dvy, dvz, dwx, dwy, dwz, dx))
-            BOUNDS(EACH(PACK, in_contact_circling_, dy, dz, earliest_delay, grip_lost, last_grip_clock))
+            BOUNDS(EACH(PACK, in_contact_circling_, clock_error, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz))
+            BOUNDS(EACH(PACK, in_contact_circling_, earliest_delay, grip_lost, last_grip_clock))
             BOUNDS(EACH(PACK, in_contact_circling_, last_grip_deficit, last_grip_deficit_rate))
+            BOUNDS(EACH(PACK, in_contact_circling_, undecided_time))
             if (LANES_SELDOM(varying)) {
 #if BOUNDED
                 for (size_t _p = 0; _p < 14; _p++) {
@@ -2465,9 +2472,9 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
     if (in_contact_circling_shots) {
         EACH(CLEAR, in_contact_circling_, row, circled, clock, through, vx, vy, vz, which, wx, wy)
         EACH(CLEAR, in_contact_circling_, wz, x, y, z)
-        BOUNDS(EACH(CLEAR, in_contact_circling_, clock_error, doubt, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy))
-        BOUNDS(EACH(CLEAR, in_contact_circling_, dz, earliest_delay, grip_lost, last_grip_clock))
-        BOUNDS(EACH(CLEAR, in_contact_circling_, last_grip_deficit, last_grip_deficit_rate))
+        BOUNDS(EACH(CLEAR, in_contact_circling_, clock_error, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz))
+        BOUNDS(EACH(CLEAR, in_contact_circling_, earliest_delay, grip_lost, last_grip_clock))
+        BOUNDS(EACH(CLEAR, in_contact_circling_, last_grip_deficit, last_grip_deficit_rate, undecided_time))
         if (LANES_SELDOM(varying)) {
 #if BOUNDED
             for (size_t _p = 0; _p < 14; _p++) {
@@ -2484,18 +2491,19 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
         size_t busy = 0;
         EACH(START_MASK, , active)
         EACH(START, , row, turns, circled, clock, through, vx, vy, vz, which, wx, wy, wz, x, y, z)
-        BOUNDS(EACH(START, , clock_error, doubt, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz, earliest_delay))
+        BOUNDS(EACH(START, , clock_error, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz, earliest_delay))
         BOUNDS(EACH(START, , grip_lost, last_grip_clock, last_grip_deficit, last_grip_deficit_rate))
+        BOUNDS(EACH(START, , undecided_time))
         for (;;) {
             if ((taken < in_contact_circling_shots) && ((busy + LANES_SPARE) <= LANES_WIDTH)) {
                 const M idle = lanes_not(active);
                 turns = lanes_select(idle, K(0.0), turns);
                 EACH(EXPAND, in_contact_circling_, row, circled, clock, through, vx, vy, vz, which)
                 EACH(EXPAND, in_contact_circling_, wx, wy, wz, x, y, z)
-                BOUNDS(EACH(EXPAND, in_contact_circling_, clock_error, doubt, dvx, dvy, dvz, dwx, dwy, dwz))
-                BOUNDS(EACH(EXPAND, in_contact_circling_, dx, dy, dz, earliest_delay, grip_lost))
+                BOUNDS(EACH(EXPAND, in_contact_circling_, clock_error, dvx, dvy, dvz, dwx, dwy, dwz, dx))
+                BOUNDS(EACH(EXPAND, in_contact_circling_, dy, dz, earliest_delay, grip_lost))
                 BOUNDS(EACH(EXPAND, in_contact_circling_, last_grip_clock, last_grip_deficit))
-                BOUNDS(EACH(EXPAND, in_contact_circling_, last_grip_deficit_rate))
+                BOUNDS(EACH(EXPAND, in_contact_circling_, last_grip_deficit_rate, undecided_time))
                 if (LANES_SELDOM(varying))
                     LOOP(fix_in_contact_circling_rows_1)(worklist, taken, idle);
                 const size_t room = LANES_WIDTH - busy;
@@ -2562,36 +2570,36 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
             EACH(GET, _ring_round_pulled_1, rolling_friction, rolling_friction_rate)
             CALL(court_ring_impact_grip_deficit, _ring_impact_grip_deficit_1)(rolling_friction, rolling_friction_rate, force, force_rate, FIXED(153));
             EACH(GET, _ring_impact_grip_deficit_1, grip_deficit, grip_deficit_rate)
-            CALL(court_losing, _losing_1)(grip_deficit, grip_lost);
-            EACH(GET_MASK, _losing_1, loses)
+            CALL(court_exceeds_grip, _exceeds_grip_1)(grip_deficit, grip_lost);
+            EACH(GET_MASK, _exceeds_grip_1, loses)
             const M _if_loses_1 = lanes_both(active, loses);
             if (lanes_any(_if_loses_1)) {
-                CALL(court_lost_grip, _lost_grip_1)(clock, grip_deficit, grip_deficit_rate, last_grip_deficit, last_grip_deficit_rate, last_grip_clock);
-                EACH(SELECT, (_if_loses_1, _lost_grip_1), grip_lost)
+                CALL(court_grip_lost_time, _grip_lost_time_1)(clock, grip_deficit, grip_deficit_rate, last_grip_deficit, last_grip_deficit_rate, last_grip_clock);
+                EACH(SELECT, (_if_loses_1, _grip_lost_time_1), grip_lost)
             }
             CALL(court_remember_grip_deficit, _remember_grip_deficit_1)(clock, grip_deficit, grip_deficit_rate);
             EACH(SET, _remember_grip_deficit_1, last_grip_deficit, last_grip_deficit_rate)
             EACH(SET, _remember_grip_deficit_1, last_grip_clock)
 #endif
-            CALL(court_leaving_force, _leaving_force_1)(vx, vx_1, vy, vy_1, vz, vz_1, which, OR_INFINITE(doubt), OR_ZERO(position_error), OR_ZERO(velocity_error), per_reach, force, force_rate, force_bend, friction_force_rate, stride, fastest, FIXED(21), FIXED(131), FIXED(132));
+            CALL(court_leaving_force, _leaving_force_1)(vx, vx_1, vy, vy_1, vz, vz_1, which, OR_INFINITE(undecided_time), OR_ZERO(position_error), OR_ZERO(velocity_error), per_reach, force, force_rate, force_bend, friction_force_rate, stride, fastest, FIXED(21), FIXED(131), FIXED(132));
             EACH(SET, _leaving_force_1, stride, which)
             EACH(GET_MASK, _leaving_force_1, rests)
-            BOUNDS(EACH(SET, _leaving_force_1, doubt))
+            BOUNDS(EACH(SET, _leaving_force_1, undecided_time))
             CALL(court_backboard_beside, _backboard_beside_1)(x, y, z, vx, vy, vz, FIXED(6), FIXED(11), FIXED(9), FIXED(10), FIXED(12), FIXED(15));
             EACH(GET, _backboard_beside_1, gap, nearing, gap_curvature)
-            CALL(court_beside_body, _beside_body_1)(x, y, z, gap, K(1.0), which, OR_ZERO(earliest_delay), OR_INFINITE(doubt), OR_ZERO(position_error), nearing, gap_curvature, stride, strongest, fastest, FIXED(6), FIXED(111));
+            CALL(court_beside_body, _beside_body_1)(x, y, z, gap, K(1.0), which, OR_ZERO(earliest_delay), OR_INFINITE(undecided_time), OR_ZERO(position_error), nearing, gap_curvature, stride, strongest, fastest, FIXED(6), FIXED(111));
             EACH(SET, _beside_body_1, stride, which)
-            BOUNDS(EACH(SET, _beside_body_1, doubt, earliest_delay))
+            BOUNDS(EACH(SET, _beside_body_1, undecided_time, earliest_delay))
             CALL(court_bridge_beside, _bridge_beside_1)(x, y, z, vx, vy, vz, FIXED(6), FIXED(9), FIXED(13), FIXED(7), FIXED(8), FIXED(16));
             EACH(SET, _bridge_beside_1, gap, nearing, gap_curvature)
-            CALL(court_beside_body, _beside_body_2)(x, y, z, gap, K(2.0), which, OR_ZERO(earliest_delay), OR_INFINITE(doubt), OR_ZERO(position_error), nearing, gap_curvature, stride, strongest, fastest, FIXED(6), FIXED(111));
+            CALL(court_beside_body, _beside_body_2)(x, y, z, gap, K(2.0), which, OR_ZERO(earliest_delay), OR_INFINITE(undecided_time), OR_ZERO(position_error), nearing, gap_curvature, stride, strongest, fastest, FIXED(6), FIXED(111));
             EACH(SET, _beside_body_2, stride, which)
-            BOUNDS(EACH(SET, _beside_body_2, doubt, earliest_delay))
+            BOUNDS(EACH(SET, _beside_body_2, undecided_time, earliest_delay))
             CALL(court_end_beside, _end_beside_1)(z, vz, FIXED(18));
             EACH(SET, _end_beside_1, gap, nearing, gap_curvature)
-            CALL(court_beside_gate, _beside_gate_1)(x, y, z, gap, K(3.0), which, OR_ZERO(earliest_delay), OR_INFINITE(doubt), OR_ZERO(position_error), nearing, gap_curvature, stride, strongest, fastest, FIXED(6));
-            EACH(SET, _beside_gate_1, stride, which)
-            BOUNDS(EACH(SET, _beside_gate_1, doubt, earliest_delay))
+            CALL(court_beside_end_plane, _beside_end_plane_1)(x, y, z, gap, K(3.0), which, OR_ZERO(earliest_delay), OR_INFINITE(undecided_time), OR_ZERO(position_error), nearing, gap_curvature, stride, strongest, fastest, FIXED(6));
+            EACH(SET, _beside_end_plane_1, stride, which)
+            BOUNDS(EACH(SET, _beside_end_plane_1, undecided_time, earliest_delay))
             CALL(court_beside_time, _beside_time_1)(which, clock, time_limit, stride);
             EACH(SET, _beside_time_1, stride, which)
 #if BOUNDED
@@ -2609,16 +2617,16 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
             EACH(GET, _half_steps_1, forth, back)
             CALL(court_backboard_around, _backboard_around_1)(x, y, z, vx, vy, vz, FIXED(6), FIXED(11), FIXED(12), FIXED(154));
             EACH(SET, _backboard_around_1, gap, nearing)
-            CALL(court_cleared, _cleared_1)(gap, nearing, forth, azimuth_clearance);
-            EACH(SET, _cleared_1, azimuth_clearance)
+            CALL(court_clearance_at_any_azimuth, _clearance_at_any_azimuth_1)(gap, nearing, forth, azimuth_clearance);
+            EACH(SET, _clearance_at_any_azimuth_1, azimuth_clearance)
             CALL(court_bridge_around, _bridge_around_1)(x, y, z, vx, vy, vz, FIXED(6), FIXED(8), FIXED(16), FIXED(155));
             EACH(SET, _bridge_around_1, gap, nearing)
-            CALL(court_cleared, _cleared_2)(gap, nearing, forth, azimuth_clearance);
-            EACH(SET, _cleared_2, azimuth_clearance)
+            CALL(court_clearance_at_any_azimuth, _clearance_at_any_azimuth_2)(gap, nearing, forth, azimuth_clearance);
+            EACH(SET, _clearance_at_any_azimuth_2, azimuth_clearance)
             CALL(court_end_around, _end_around_1)(z, vz, FIXED(18));
             EACH(SET, _end_around_1, gap, nearing)
-            CALL(court_cleared, _cleared_3)(gap, nearing, forth, azimuth_clearance);
-            EACH(SET, _cleared_3, azimuth_clearance)
+            CALL(court_clearance_at_any_azimuth, _clearance_at_any_azimuth_3)(gap, nearing, forth, azimuth_clearance);
+            EACH(SET, _clearance_at_any_azimuth_3, azimuth_clearance)
             CALL(court_ring_round_moved, _ring_round_moved_1)(stride, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, turn_rate_10, turn_rate_11, turn_rate_12, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, climb_11, climb_12, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, cosine_10, cosine_11, cosine_12, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, sine_10, sine_11, sine_12, along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, along_10, along_11, along_12, cos_0, sin_0, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, omega_10, omega_11, FIXED(7), FIXED(133), FIXED(109));
             EACH(SET, _ring_round_moved_1, x, y, z, vx, vy, vz, wx, wy, wz)
             EACH(GET, _ring_round_moved_1, climb)
@@ -2626,22 +2634,22 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
             EACH(SET, _passing_in_contact_1, through)
             CALL(court_backboard_around, _backboard_around_2)(x, y, z, vx, vy, vz, FIXED(6), FIXED(11), FIXED(12), FIXED(154));
             EACH(SET, _backboard_around_2, gap, nearing)
-            CALL(court_cleared, _cleared_4)(gap, nearing, back, azimuth_clearance);
-            EACH(SET, _cleared_4, azimuth_clearance)
+            CALL(court_clearance_at_any_azimuth, _clearance_at_any_azimuth_4)(gap, nearing, back, azimuth_clearance);
+            EACH(SET, _clearance_at_any_azimuth_4, azimuth_clearance)
             CALL(court_bridge_around, _bridge_around_2)(x, y, z, vx, vy, vz, FIXED(6), FIXED(8), FIXED(16), FIXED(155));
             EACH(SET, _bridge_around_2, gap, nearing)
-            CALL(court_cleared, _cleared_5)(gap, nearing, back, azimuth_clearance);
-            EACH(SET, _cleared_5, azimuth_clearance)
+            CALL(court_clearance_at_any_azimuth, _clearance_at_any_azimuth_5)(gap, nearing, back, azimuth_clearance);
+            EACH(SET, _clearance_at_any_azimuth_5, azimuth_clearance)
             CALL(court_end_around, _end_around_2)(z, vz, FIXED(18));
             EACH(SET, _end_around_2, gap, nearing)
-            CALL(court_cleared, _cleared_6)(gap, nearing, back, azimuth_clearance);
-            EACH(SET, _cleared_6, azimuth_clearance)
-            CALL(court_ring_swung, _ring_swung_1)(which, OR_INFINITE(doubt), OR_ZERO(position_error), OR_ZERO(velocity_error), force, force_rate, force_bend, stride, fastest, circled, climb, climb_0, section_acceleration, azimuth_clearance, FIXED(21), FIXED(133), FIXED(156), FIXED(157), FIXED(128), FIXED(108), FIXED(158));
+            CALL(court_clearance_at_any_azimuth, _clearance_at_any_azimuth_6)(gap, nearing, back, azimuth_clearance);
+            EACH(SET, _clearance_at_any_azimuth_6, azimuth_clearance)
+            CALL(court_ring_swung, _ring_swung_1)(which, OR_INFINITE(undecided_time), OR_ZERO(position_error), OR_ZERO(velocity_error), force, force_rate, force_bend, stride, fastest, circled, climb, climb_0, section_acceleration, azimuth_clearance, FIXED(21), FIXED(133), FIXED(156), FIXED(157), FIXED(128), FIXED(108), FIXED(158));
             EACH(SET, _ring_swung_1, circled)
             EACH(GET_MASK, _ring_swung_1, endless)
-            BOUNDS(EACH(SET, _ring_swung_1, doubt))
-            CALL(court_for_ever, _for_ever_1)(which, endless);
-            EACH(SET, _for_ever_1, which)
+            BOUNDS(EACH(SET, _ring_swung_1, undecided_time))
+            CALL(court_rolls_for_ever, _rolls_for_ever_1)(which, endless);
+            EACH(SET, _rolls_for_ever_1, which)
 #if BOUNDED
             CALL(court_ring_round_start, _ring_round_start_2)(far_x, far_y, far_z, far_vx, far_vy, far_vz, far_wx, far_wy, far_wz, per_reach, FIXED(6), FIXED(7), FIXED(110), FIXED(133));
             EACH(SET, _ring_round_start_2, cosine_0, sine_0, climb_0, along_0, turn_rate_0, cos_0)
@@ -2705,7 +2713,6 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
             lanes_pack(worklist->in_contact_circling_ended_circling + done, ended, lanes_select(circling, K(1.0), K(0.0)));
             lanes_pack(worklist->in_contact_circling_ended_clock + done, ended, clock);
 #if BOUNDED
-            lanes_pack(worklist->in_contact_circling_ended_doubt + done, ended, doubt);
             lanes_pack(worklist->in_contact_circling_ended_dvx + done, ended, dvx);
             lanes_pack(worklist->in_contact_circling_ended_dvy + done, ended, dvy);
             lanes_pack(worklist->in_contact_circling_ended_dvz + done, ended, dvz);
@@ -2728,6 +2735,7 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
             lanes_pack(worklist->in_contact_circling_ended_rests + done, ended, lanes_select(rests, K(1.0), K(0.0)));
             lanes_pack(worklist->in_contact_circling_ended_through + done, ended, through);
 #if BOUNDED
+            lanes_pack(worklist->in_contact_circling_ended_undecided_time + done, ended, undecided_time);
             lanes_pack(worklist->in_contact_circling_ended_velocity_error + done, ended, velocity_error);
 #endif
             lanes_pack(worklist->in_contact_circling_ended_vx + done, ended, vx);
@@ -2750,12 +2758,13 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
             EACH(RETURN, (in_contact_, in_contact_circling_ended_), per_reach, rests, through, vx)
             EACH(RETURN, (in_contact_, in_contact_circling_ended_), vy, vz, which, wx, wy, wz, x, y)
             EACH(RETURN, (in_contact_, in_contact_circling_ended_), z)
-            BOUNDS(EACH(RETURN, (in_contact_, in_contact_circling_ended_), doubt, dvx, dvy, dvz, dwx, dwy))
-            BOUNDS(EACH(RETURN, (in_contact_, in_contact_circling_ended_), dwz, dx, dy, dz, earliest_delay))
+            BOUNDS(EACH(RETURN, (in_contact_, in_contact_circling_ended_), dvx, dvy, dvz, dwx, dwy, dwz))
+            BOUNDS(EACH(RETURN, (in_contact_, in_contact_circling_ended_), dx, dy, dz, earliest_delay))
             BOUNDS(EACH(RETURN, (in_contact_, in_contact_circling_ended_), grip_lost, last_grip_clock))
             BOUNDS(EACH(RETURN, (in_contact_, in_contact_circling_ended_), last_grip_deficit))
             BOUNDS(EACH(RETURN, (in_contact_, in_contact_circling_ended_), last_grip_deficit_rate))
-            BOUNDS(EACH(RETURN, (in_contact_, in_contact_circling_ended_), position_error, velocity_error))
+            BOUNDS(EACH(RETURN, (in_contact_, in_contact_circling_ended_), position_error, undecided_time))
+            BOUNDS(EACH(RETURN, (in_contact_, in_contact_circling_ended_), velocity_error))
         }
     }
     }
@@ -2766,17 +2775,18 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
         const M rows = mask_first_n(in_contact_shots - i);
         EACH(LOAD_MASK, in_contact_, circling, leaves, rolling)
         EACH(LOAD, in_contact_, gap_jerk, gap_snap, held, lift, per_reach, vx, vy, vz, x, y, z)
-        BOUNDS(EACH(LOAD, in_contact_, clock_error, doubt, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz))
-        CALL(court_rejoined, _rejoined_1)(rolling, circling);
-        EACH(SET, _rejoined_1, rolling)
+        BOUNDS(EACH(LOAD, in_contact_, clock_error, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz))
+        BOUNDS(EACH(LOAD, in_contact_, undecided_time))
+        CALL(court_still_in_contact, _still_in_contact_1)(rolling, circling);
+        EACH(SET, _still_in_contact_1, rolling)
         EACH(STORE_MASK, in_contact_, rolling)
         const M packed = lanes_both(rows, leaves);
         if (lanes_any(packed)) {
             lanes_pack(worklist->in_contact_leaves_row + in_contact_leaves_shots, packed, lanes_add(iota(), K((double)i)));
             EACH(PACK, in_contact_leaves_, gap_jerk, gap_snap, held, lift, per_reach, vx, vy, vz, x)
             EACH(PACK, in_contact_leaves_, y, z)
-            BOUNDS(EACH(PACK, in_contact_leaves_, clock_error, doubt, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy))
-            BOUNDS(EACH(PACK, in_contact_leaves_, dz))
+            BOUNDS(EACH(PACK, in_contact_leaves_, clock_error, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz))
+            BOUNDS(EACH(PACK, in_contact_leaves_, undecided_time))
             if (LANES_SELDOM(varying)) {
                 for (size_t _p = 0; _p < 12; _p++) {
                     lanes_pack(worklist->in_contact_leaves_parameters.columns[in_contact_leaves_taken[_p]] + in_contact_leaves_shots, packed, lanes_load(worklist->in_contact_parameters.columns[in_contact_leaves_taken[_p]] + i));
@@ -2788,8 +2798,8 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
     if (in_contact_leaves_shots) {
         EACH(CLEAR, in_contact_leaves_, row, gap_jerk, gap_snap, held, lift, per_reach, vx, vy, vz)
         EACH(CLEAR, in_contact_leaves_, x, y, z)
-        BOUNDS(EACH(CLEAR, in_contact_leaves_, clock_error, doubt, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy))
-        BOUNDS(EACH(CLEAR, in_contact_leaves_, dz))
+        BOUNDS(EACH(CLEAR, in_contact_leaves_, clock_error, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz))
+        BOUNDS(EACH(CLEAR, in_contact_leaves_, undecided_time))
         if (LANES_SELDOM(varying)) {
             for (size_t _p = 0; _p < 12; _p++) {
                 lanes_store(worklist->in_contact_leaves_parameters.columns[in_contact_leaves_taken[_p]] + in_contact_leaves_shots, K(0.0));
@@ -2801,7 +2811,8 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
     for (size_t k = 0; k < in_contact_leaves_shots; k++) {
         const size_t row = (size_t)worklist->in_contact_leaves_row[k];
         EACH(RETURN, (in_contact_, in_contact_leaves_), when, which)
-        BOUNDS(EACH(RETURN, (in_contact_, in_contact_leaves_), doubt, position_error, velocity_error))
+        BOUNDS(EACH(RETURN, (in_contact_, in_contact_leaves_), position_error, undecided_time))
+        BOUNDS(EACH(RETURN, (in_contact_, in_contact_leaves_), velocity_error))
     }
     }
 }
@@ -2931,23 +2942,23 @@ LANES_APART void LOOP(slow)(LOOP(worklist) *worklist, size_t slow_shots, size_t 
             EACH(GET, _isolated_1, nearest, second_contact_gap)
             CALL(court_backboard_closing, _backboard_closing_1)(x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z, FIXED(6), FIXED(11), FIXED(9), FIXED(10), FIXED(12), FIXED(15));
             EACH(GET, _backboard_closing_1, gap, nearing, rolling_gap_acceleration, normal_cosine)
-            CALL(court_neared_body, _neared_body_1)(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
-            EACH(SET, _neared_body_1, nearest, second_contact_gap)
+            CALL(court_near_body, _near_body_1)(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
+            EACH(SET, _near_body_1, nearest, second_contact_gap)
             CALL(court_bridge_closing, _bridge_closing_1)(x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z, FIXED(6), FIXED(9), FIXED(13), FIXED(7), FIXED(8), FIXED(16));
             EACH(SET, _bridge_closing_1, gap, nearing, rolling_gap_acceleration, normal_cosine)
-            CALL(court_neared_body, _neared_body_2)(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
-            EACH(SET, _neared_body_2, nearest, second_contact_gap)
+            CALL(court_near_body, _near_body_2)(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
+            EACH(SET, _near_body_2, nearest, second_contact_gap)
             CALL(court_end_beside, _end_beside_1)(z, vz, FIXED(18));
             EACH(SET, _end_beside_1, gap)
-            CALL(court_neared, _neared_1)(gap, nearest);
-            EACH(SET, _neared_1, nearest)
+            CALL(court_near_end_plane, _near_end_plane_1)(gap, nearest);
+            EACH(SET, _near_end_plane_1, nearest)
             CALL(court_ring_separation, _ring_separation_1)(x, y, z, vx, vy, vz, FIXED(21), FIXED(7), FIXED(159), FIXED(160));
             EACH(GET, _ring_separation_1, lift)
             CALL(court_ring_impact_settling, _ring_impact_settling_1)(wx, wy, wz, OR_ZERO(velocity_error), rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, slip, bounce, nearest, second_contact_gap, press, weight, rolling_friction, lift, FIXED(6), FIXED(172), FIXED(173), FIXED(174), FIXED(175), FIXED(110), FIXED(111), FIXED(176), FIXED(177));
             EACH(GET_MASK, _ring_impact_settling_1, settles, lodges, slides, unpressed)
             BOUNDS(EACH(SELECT, (_if_here_3, _ring_impact_settling_1), assured))
-            EACH(GET_MASK, _ring_impact_settling_1, unsure)
-            CALL(court_settled, _settled_1)(K(0.0), outcome, OR_ZERO(uncertain), unsure, settles, nearly, lodges, slides, unpressed);
+            EACH(GET_MASK, _ring_impact_settling_1, undecided)
+            CALL(court_settled, _settled_1)(K(0.0), outcome, OR_ZERO(uncertain), undecided, settles, nearly, lodges, slides, unpressed);
             EACH(SELECT, (_if_here_3, _settled_1), mode, held, outcome, slip_left)
             BOUNDS(EACH(SELECT, (_if_here_3, _settled_1), uncertain))
         }
@@ -2964,23 +2975,23 @@ LANES_APART void LOOP(slow)(LOOP(worklist) *worklist, size_t slow_shots, size_t 
             EACH(GET, _isolated_2, nearest, second_contact_gap)
             CALL(court_ring_closing, _ring_closing_1)(x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z, FIXED(6), FIXED(7), FIXED(8));
             EACH(GET, _ring_closing_1, gap, nearing, rolling_gap_acceleration, normal_cosine)
-            CALL(court_neared_body, _neared_body_3)(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
-            EACH(SET, _neared_body_3, nearest, second_contact_gap)
+            CALL(court_near_body, _near_body_3)(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
+            EACH(SET, _near_body_3, nearest, second_contact_gap)
             CALL(court_bridge_closing, _bridge_closing_2)(x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z, FIXED(6), FIXED(9), FIXED(13), FIXED(7), FIXED(8), FIXED(16));
             EACH(SET, _bridge_closing_2, gap, nearing, rolling_gap_acceleration, normal_cosine)
-            CALL(court_neared_body, _neared_body_4)(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
-            EACH(SET, _neared_body_4, nearest, second_contact_gap)
+            CALL(court_near_body, _near_body_4)(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
+            EACH(SET, _near_body_4, nearest, second_contact_gap)
             CALL(court_end_beside, _end_beside_2)(z, vz, FIXED(18));
             EACH(SET, _end_beside_2, gap)
-            CALL(court_neared, _neared_2)(gap, nearest);
-            EACH(SET, _neared_2, nearest)
+            CALL(court_near_end_plane, _near_end_plane_2)(gap, nearest);
+            EACH(SET, _near_end_plane_2, nearest)
             CALL(court_backboard_separation, _backboard_separation_1)(x, y, z, vx, vy, vz, FIXED(11), FIXED(9), FIXED(10), FIXED(12), FIXED(21), FIXED(15), FIXED(23));
             EACH(GET, _backboard_separation_1, lift)
             CALL(court_ring_impact_settling, _ring_impact_settling_2)(wx, wy, wz, OR_ZERO(velocity_error), rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, slip, bounce, nearest, second_contact_gap, press, weight, rolling_friction, lift, FIXED(6), FIXED(178), FIXED(179), FIXED(180), FIXED(181), FIXED(110), FIXED(111), FIXED(176), FIXED(182));
             EACH(GET_MASK, _ring_impact_settling_2, settles, lodges, slides, unpressed)
             BOUNDS(EACH(SELECT, (_if_here_4, _ring_impact_settling_2), assured))
-            EACH(GET_MASK, _ring_impact_settling_2, unsure)
-            CALL(court_settled, _settled_2)(K(1.0), outcome, OR_ZERO(uncertain), unsure, settles, nearly, lodges, slides, unpressed);
+            EACH(GET_MASK, _ring_impact_settling_2, undecided)
+            CALL(court_settled, _settled_2)(K(1.0), outcome, OR_ZERO(uncertain), undecided, settles, nearly, lodges, slides, unpressed);
             EACH(SELECT, (_if_here_4, _settled_2), mode, held, outcome, slip_left)
             BOUNDS(EACH(SELECT, (_if_here_4, _settled_2), uncertain))
         }
@@ -2997,23 +3008,23 @@ LANES_APART void LOOP(slow)(LOOP(worklist) *worklist, size_t slow_shots, size_t 
             EACH(GET, _isolated_3, nearest, second_contact_gap)
             CALL(court_ring_closing, _ring_closing_2)(x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z, FIXED(6), FIXED(7), FIXED(8));
             EACH(GET, _ring_closing_2, gap, nearing, rolling_gap_acceleration, normal_cosine)
-            CALL(court_neared_body, _neared_body_5)(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
-            EACH(SET, _neared_body_5, nearest, second_contact_gap)
+            CALL(court_near_body, _near_body_5)(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
+            EACH(SET, _near_body_5, nearest, second_contact_gap)
             CALL(court_backboard_closing, _backboard_closing_2)(x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z, FIXED(6), FIXED(11), FIXED(9), FIXED(10), FIXED(12), FIXED(15));
             EACH(SET, _backboard_closing_2, gap, nearing, rolling_gap_acceleration, normal_cosine)
-            CALL(court_neared_body, _neared_body_6)(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
-            EACH(SET, _neared_body_6, nearest, second_contact_gap)
+            CALL(court_near_body, _near_body_6)(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
+            EACH(SET, _near_body_6, nearest, second_contact_gap)
             CALL(court_end_beside, _end_beside_3)(z, vz, FIXED(18));
             EACH(SET, _end_beside_3, gap)
-            CALL(court_neared, _neared_3)(gap, nearest);
-            EACH(SET, _neared_3, nearest)
+            CALL(court_near_end_plane, _near_end_plane_3)(gap, nearest);
+            EACH(SET, _near_end_plane_3, nearest)
             CALL(court_bridge_separation, _bridge_separation_1)(x, y, z, vx, vy, vz, FIXED(9), FIXED(13), FIXED(21), FIXED(7), FIXED(8), FIXED(16), FIXED(23));
             EACH(GET, _bridge_separation_1, lift)
             CALL(court_ring_impact_settling, _ring_impact_settling_3)(wx, wy, wz, OR_ZERO(velocity_error), rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, slip, bounce, nearest, second_contact_gap, press, weight, rolling_friction, lift, FIXED(6), FIXED(183), FIXED(184), FIXED(185), FIXED(186), FIXED(110), FIXED(111), FIXED(176), FIXED(187));
             EACH(GET_MASK, _ring_impact_settling_3, settles, lodges, slides, unpressed)
             BOUNDS(EACH(SELECT, (_if_here_5, _ring_impact_settling_3), assured))
-            EACH(GET_MASK, _ring_impact_settling_3, unsure)
-            CALL(court_settled, _settled_3)(K(2.0), outcome, OR_ZERO(uncertain), unsure, settles, nearly, lodges, slides, unpressed);
+            EACH(GET_MASK, _ring_impact_settling_3, undecided)
+            CALL(court_settled, _settled_3)(K(2.0), outcome, OR_ZERO(uncertain), undecided, settles, nearly, lodges, slides, unpressed);
             EACH(SELECT, (_if_here_5, _settled_3), mode, held, outcome, slip_left)
             BOUNDS(EACH(SELECT, (_if_here_5, _settled_3), uncertain))
         }
@@ -3100,15 +3111,15 @@ static size_t LOOP(launch)(LOOP(worklist) *worklist, const court_job *job, size_
         CALL(court_aside, _aside_1)(x, y, z, FIXED(0), FIXED(1), FIXED(2), FIXED(3), FIXED(4), FIXED(5));
         EACH(GET_MASK, _aside_1, close)
         EACH(GET, _aside_1, valid)
-        BOUNDS(EACH(GET, _aside_1, doubt))
+        BOUNDS(EACH(GET, _aside_1, undecided_time))
         const M _if_close_1 = close;
         if (lanes_any(_if_close_1)) {
             CALL(court_valid, _valid_1)(last, x, y, z, FIXED(6), FIXED(7), FIXED(8), FIXED(9), FIXED(10), FIXED(11), FIXED(12), FIXED(13), FIXED(14), FIXED(15), FIXED(16), FIXED(17), FIXED(0));
             EACH(SELECT, (_if_close_1, _valid_1), valid)
-            BOUNDS(EACH(SELECT, (_if_close_1, _valid_1), doubt))
+            BOUNDS(EACH(SELECT, (_if_close_1, _valid_1), undecided_time))
         }
 #if BOUNDED
-        CALL(court_admitted, _admitted_1)(doubt, valid, permitted, in_range);
+        CALL(court_admitted, _admitted_1)(undecided_time, valid, permitted, in_range);
 #else
         CALL(court_admitted, _admitted_1)(K(INFINITY), valid, permitted, in_range);
 #endif
@@ -3130,7 +3141,7 @@ static size_t LOOP(launch)(LOOP(worklist) *worklist, const court_job *job, size_
         CALL(court_opening, _opening_1)(excess, OR_ZERO(position_error), OR_ZERO(velocity_error));
         EACH(GET, _opening_1, when, which)
         BOUNDS(EACH(GET, _opening_1, earliest_delay))
-        BOUNDS(EACH(SET, _opening_1, doubt))
+        BOUNDS(EACH(SET, _opening_1, undecided_time))
         CALL(court_limited, _limited_1)(time_limit);
         EACH(GET_MASK, _limited_1, limited)
         CALL(court_in_contact, _in_contact_1)(when, mode);
@@ -3141,10 +3152,10 @@ static size_t LOOP(launch)(LOOP(worklist) *worklist, const court_job *job, size_
         CALL(court_end_arrival, _end_arrival_1)(leaving, z, vz, FIXED(21), FIXED(18), FIXED(22), FIXED(23), FIXED(24), FIXED(25));
         EACH(GET, _end_arrival_1, time, rate, bend, apex)
         BOUNDS(EACH(GET, _end_arrival_1, height))
-        CALL(court_meeting_plane, _meeting_plane_1)(rate, bend, apex, time);
-        EACH(GET_MASK, _meeting_plane_1, arrives)
+        CALL(court_plane_root, _plane_root_1)(rate, bend, apex, time);
+        EACH(GET_MASK, _plane_root_1, arrives)
 #if BOUNDED
-        EACH(GET, _meeting_plane_1, ceiling, nearest)
+        EACH(GET, _plane_root_1, ceiling, nearest)
         CALL(court_end_margin, _end_margin_1)(nearest, extent, speed, position_error, velocity_error, FIXED(21), FIXED(26));
         EACH(GET, _end_margin_1, margin)
         CALL(court_crossing, _crossing_1)(margin, K(0.0), rate, ceiling);
@@ -3153,16 +3164,16 @@ static size_t LOOP(launch)(LOOP(worklist) *worklist, const court_job *job, size_
         CALL(court_within_time, _within_time_1)(time, when, OR_ZERO(delay), OR_ZERO(earliest_delay), arrives);
         EACH(GET_MASK, _within_time_1, possible)
 #if BOUNDED
-        CALL(court_grazed, _grazed_1)(margin, apex, height, doubt);
-        EACH(SET, _grazed_1, doubt)
+        CALL(court_graze_undecided, _graze_undecided_1)(margin, apex, height, undecided_time);
+        EACH(SET, _graze_undecided_1, undecided_time)
 #endif
         const M _if_possible_1 = possible;
         {
 #if BOUNDED
-            CALL(court_crossed, _crossed_1)(clearance, time, doubt, arrives);
-            EACH(SELECT, (_if_possible_1, _crossed_1), doubt)
-            CALL(court_tied, _tied_1)(time, when, delay, earliest_delay, doubt, arrives);
-            EACH(SELECT, (_if_possible_1, _tied_1), doubt, earliest_delay)
+            CALL(court_crossing_undecided, _crossing_undecided_1)(clearance, time, undecided_time, arrives);
+            EACH(SELECT, (_if_possible_1, _crossing_undecided_1), undecided_time)
+            CALL(court_tie_undecided, _tie_undecided_1)(time, when, delay, earliest_delay, undecided_time, arrives);
+            EACH(SELECT, (_if_possible_1, _tie_undecided_1), undecided_time, earliest_delay)
 #endif
             CALL(court_earliest, _earliest_1)(K(3.0), time, when, which, arrives);
             EACH(SELECT, (_if_possible_1, _earliest_1), when, which)
@@ -3177,10 +3188,10 @@ static size_t LOOP(launch)(LOOP(worklist) *worklist, const court_job *job, size_
         CALL(court_horizon, _horizon_2)(when, speed, FIXED(20));
         until = _horizon_2.horizon;
         EACH(GET, _horizon_2, pad)
-        CALL(court_halved, _halved_1)(until, x, y, z, vx, vy, vz, extent, speed, OR_ZERO(position_error), OR_ZERO(velocity_error), OR_ZERO(earliest_delay), pad, FIXED(21), FIXED(52), FIXED(33), FIXED(53));
-        EACH(GET, _halved_1, middle_x, reach_x, later_middle_x, later_reach_x, middle_y, reach_y)
-        EACH(GET, _halved_1, later_middle_y, later_reach_y, middle_z, reach_z, later_middle_z)
-        EACH(GET, _halved_1, later_reach_z)
+        CALL(court_half_flight_boxes, _half_flight_boxes_1)(until, x, y, z, vx, vy, vz, extent, speed, OR_ZERO(position_error), OR_ZERO(velocity_error), OR_ZERO(earliest_delay), pad, FIXED(21), FIXED(52), FIXED(33), FIXED(53));
+        EACH(GET, _half_flight_boxes_1, middle_x, reach_x, later_middle_x, later_reach_x, middle_y)
+        EACH(GET, _half_flight_boxes_1, reach_y, later_middle_y, later_reach_y, middle_z, reach_z)
+        EACH(GET, _half_flight_boxes_1, later_middle_z, later_reach_z)
         CALL(court_backboard_near, _backboard_near_1)(middle_x, middle_y, middle_z, reach_x, reach_y, reach_z, later_middle_x, later_middle_y, later_middle_z, later_reach_x, later_reach_y, later_reach_z, FIXED(54), FIXED(2), FIXED(55), FIXED(56), FIXED(57), FIXED(58));
         M reachable = _backboard_near_1.near;
         CALL(court_reachable_in_flight, _reachable_in_flight_1)(reachable, in_contact);
@@ -3189,10 +3200,10 @@ static size_t LOOP(launch)(LOOP(worklist) *worklist, const court_job *job, size_
         CALL(court_horizon, _horizon_3)(when, speed, FIXED(20));
         until = _horizon_3.horizon;
         EACH(SET, _horizon_3, pad)
-        CALL(court_halved, _halved_2)(until, x, y, z, vx, vy, vz, extent, speed, OR_ZERO(position_error), OR_ZERO(velocity_error), OR_ZERO(earliest_delay), pad, FIXED(21), FIXED(52), FIXED(33), FIXED(53));
-        EACH(SET, _halved_2, middle_x, reach_x, later_middle_x, later_reach_x, middle_y, reach_y)
-        EACH(SET, _halved_2, later_middle_y, later_reach_y, middle_z, reach_z, later_middle_z)
-        EACH(SET, _halved_2, later_reach_z)
+        CALL(court_half_flight_boxes, _half_flight_boxes_2)(until, x, y, z, vx, vy, vz, extent, speed, OR_ZERO(position_error), OR_ZERO(velocity_error), OR_ZERO(earliest_delay), pad, FIXED(21), FIXED(52), FIXED(33), FIXED(53));
+        EACH(SET, _half_flight_boxes_2, middle_x, reach_x, later_middle_x, later_reach_x, middle_y)
+        EACH(SET, _half_flight_boxes_2, reach_y, later_middle_y, later_reach_y, middle_z, reach_z)
+        EACH(SET, _half_flight_boxes_2, later_middle_z, later_reach_z)
         CALL(court_bridge_near, _bridge_near_1)(middle_x, middle_y, middle_z, reach_x, reach_y, reach_z, later_middle_x, later_middle_y, later_middle_z, later_reach_x, later_reach_y, later_reach_z, FIXED(54), FIXED(4), FIXED(84), FIXED(85), FIXED(86), FIXED(87));
         reachable = _bridge_near_1.near;
         CALL(court_reachable_in_flight, _reachable_in_flight_2)(reachable, in_contact);
@@ -3200,14 +3211,14 @@ static size_t LOOP(launch)(LOOP(worklist) *worklist, const court_job *job, size_
         refused = lanes_either(refused, reachable);
         const M _if_limited_1 = limited;
         if (lanes_any(_if_limited_1)) {
-            CALL(court_expiry, _expiry_1)(when, which, OR_ZERO(earliest_delay), OR_INFINITE(doubt), time_error, clock, time_limit);
+            CALL(court_expiry, _expiry_1)(when, which, OR_ZERO(earliest_delay), OR_INFINITE(undecided_time), time_error, clock, time_limit);
             EACH(GET, _expiry_1, time)
             EACH(GET_MASK, _expiry_1, arrives)
 #if BOUNDED
             EACH(GET, _expiry_1, delay)
-            EACH(SELECT, (_if_limited_1, _expiry_1), doubt)
-            CALL(court_tied, _tied_2)(time, when, delay, earliest_delay, doubt, arrives);
-            EACH(SELECT, (_if_limited_1, _tied_2), doubt, earliest_delay)
+            EACH(SELECT, (_if_limited_1, _expiry_1), undecided_time)
+            CALL(court_tie_undecided, _tie_undecided_2)(time, when, delay, earliest_delay, undecided_time, arrives);
+            EACH(SELECT, (_if_limited_1, _tie_undecided_2), undecided_time, earliest_delay)
 #endif
             CALL(court_earliest, _earliest_2)(K(4.0), time, when, which, arrives);
             EACH(SELECT, (_if_limited_1, _earliest_2), when, which)
@@ -3222,9 +3233,9 @@ static size_t LOOP(launch)(LOOP(worklist) *worklist, const court_job *job, size_
         const M _if_moves_1 = moves;
         if (lanes_any(_if_moves_1)) {
 #if BOUNDED
-            CALL(court_passing_doubt, _passing_doubt_1)(when, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, FIXED(7), FIXED(21), FIXED(33), FIXED(20), FIXED(22), FIXED(36), FIXED(163));
-            EACH(GET_MASK, _passing_doubt_1, unsure)
-            CALL(court_undecided, _undecided_1)(uncertain, unsure);
+            CALL(court_passing_undecided, _passing_undecided_1)(when, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, FIXED(7), FIXED(21), FIXED(33), FIXED(20), FIXED(22), FIXED(36), FIXED(163));
+            EACH(GET_MASK, _passing_undecided_1, undecided)
+            CALL(court_undecided, _undecided_1)(uncertain, undecided);
             EACH(SELECT, (_if_moves_1, _undecided_1), uncertain)
 #endif
             CALL(court_passing, _passing_1)(through, when, x, y, z, vx, vy, vz, FIXED(21), FIXED(33), FIXED(22), FIXED(20), FIXED(19));
@@ -3241,8 +3252,8 @@ static size_t LOOP(launch)(LOOP(worklist) *worklist, const court_job *job, size_
             EACH(SELECT_MASK, (_if_limited_2, _expired_1), ends)
         }
 #if BOUNDED
-        CALL(court_unhopped, _unhopped_1)();
-        EACH(GET_MASK, _unhopped_1, hopped)
+        CALL(court_no_departure, _no_departure_1)();
+        EACH(GET_MASK, _no_departure_1, hopped)
 #endif
         refused = lanes_either(refused, in_contact);
 #if BOUNDED
@@ -3263,8 +3274,8 @@ static size_t LOOP(launch)(LOOP(worklist) *worklist, const court_job *job, size_
 #endif
         }
 #if BOUNDED
-        CALL(court_doubted_in_contact, _doubted_in_contact_1)(last, when, which, earliest_delay, doubt, uncertain, edge, assured);
-        EACH(SET, _doubted_in_contact_1, uncertain)
+        CALL(court_contact_undecided, _contact_undecided_1)(last, when, which, earliest_delay, undecided_time, uncertain, edge, assured);
+        EACH(SET, _contact_undecided_1, uncertain)
 #endif
         CALL(court_accounted, _accounted_1)(contacts, most_contacts, reached, touches);
         EACH(SET, _accounted_1, contacts, outcome)
@@ -3274,8 +3285,8 @@ static size_t LOOP(launch)(LOOP(worklist) *worklist, const court_job *job, size_
         CALL(court_meeting, _meeting_1)(K(0.0), ends, touches);
 #endif
         EACH(GET_MASK, _meeting_1, meeting)
-        CALL(court_unslowed, _unslowed_1)();
-        EACH(GET_MASK, _unslowed_1, slow)
+        CALL(court_no_slow_contact, _no_slow_contact_1)();
+        EACH(GET_MASK, _no_slow_contact_1, slow)
         refused = lanes_either(refused, meeting);
         refused = lanes_either(refused, slow);
 #if BOUNDED
@@ -3371,15 +3382,15 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             CALL(court_aside, _aside_1)(x, y, z, FIXED(0), FIXED(1), FIXED(2), FIXED(3), FIXED(4), FIXED(5));
             EACH(GET_MASK, _aside_1, close)
             EACH(GET, _aside_1, valid)
-            BOUNDS(EACH(GET, _aside_1, doubt))
+            BOUNDS(EACH(GET, _aside_1, undecided_time))
             const M _if_close_1 = lanes_both(rows, close);
             if (lanes_any(_if_close_1)) {
                 CALL(court_valid, _valid_1)(last, x, y, z, FIXED(6), FIXED(7), FIXED(8), FIXED(9), FIXED(10), FIXED(11), FIXED(12), FIXED(13), FIXED(14), FIXED(15), FIXED(16), FIXED(17), FIXED(0));
                 EACH(SELECT, (_if_close_1, _valid_1), valid)
-                BOUNDS(EACH(SELECT, (_if_close_1, _valid_1), doubt))
+                BOUNDS(EACH(SELECT, (_if_close_1, _valid_1), undecided_time))
             }
 #if BOUNDED
-            CALL(court_admitted, _admitted_1)(doubt, valid, permitted, in_range);
+            CALL(court_admitted, _admitted_1)(undecided_time, valid, permitted, in_range);
 #else
             CALL(court_admitted, _admitted_1)(K(INFINITY), valid, permitted, in_range);
 #endif
@@ -3422,7 +3433,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             EACH(GET, _scale_1, extent, speed, excess)
             CALL(court_opening, _opening_1)(excess, OR_ZERO(position_error), OR_ZERO(velocity_error));
             EACH(GET, _opening_1, when, which)
-            BOUNDS(EACH(GET, _opening_1, earliest_delay, doubt))
+            BOUNDS(EACH(GET, _opening_1, earliest_delay, undecided_time))
             CALL(court_limited, _limited_1)(time_limit);
             EACH(GET_MASK, _limited_1, limited)
             CALL(court_in_contact, _in_contact_1)(when, mode);
@@ -3434,10 +3445,10 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             CALL(court_end_arrival, _end_arrival_1)(leaving, z, vz, FIXED(21), FIXED(18), FIXED(22), FIXED(23), FIXED(24), FIXED(25));
             EACH(GET, _end_arrival_1, time, rate, bend, apex)
             BOUNDS(EACH(GET, _end_arrival_1, height))
-            CALL(court_meeting_plane, _meeting_plane_1)(rate, bend, apex, time);
-            EACH(GET_MASK, _meeting_plane_1, arrives)
+            CALL(court_plane_root, _plane_root_1)(rate, bend, apex, time);
+            EACH(GET_MASK, _plane_root_1, arrives)
 #if BOUNDED
-            EACH(GET, _meeting_plane_1, ceiling, nearest)
+            EACH(GET, _plane_root_1, ceiling, nearest)
             CALL(court_end_margin, _end_margin_1)(nearest, extent, speed, position_error, velocity_error, FIXED(21), FIXED(26));
             EACH(GET, _end_margin_1, margin)
             CALL(court_crossing, _crossing_1)(margin, K(0.0), rate, ceiling);
@@ -3446,16 +3457,16 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             CALL(court_within_time, _within_time_1)(time, when, OR_ZERO(delay), OR_ZERO(earliest_delay), arrives);
             EACH(GET_MASK, _within_time_1, possible)
 #if BOUNDED
-            CALL(court_grazed, _grazed_1)(margin, apex, height, doubt);
-            EACH(SET, _grazed_1, doubt)
+            CALL(court_graze_undecided, _graze_undecided_1)(margin, apex, height, undecided_time);
+            EACH(SET, _graze_undecided_1, undecided_time)
 #endif
             const M _if_possible_1 = lanes_both(rows, possible);
             {
 #if BOUNDED
-                CALL(court_crossed, _crossed_1)(clearance, time, doubt, arrives);
-                EACH(SELECT, (_if_possible_1, _crossed_1), doubt)
-                CALL(court_tied, _tied_1)(time, when, delay, earliest_delay, doubt, arrives);
-                EACH(SELECT, (_if_possible_1, _tied_1), doubt, earliest_delay)
+                CALL(court_crossing_undecided, _crossing_undecided_1)(clearance, time, undecided_time, arrives);
+                EACH(SELECT, (_if_possible_1, _crossing_undecided_1), undecided_time)
+                CALL(court_tie_undecided, _tie_undecided_1)(time, when, delay, earliest_delay, undecided_time, arrives);
+                EACH(SELECT, (_if_possible_1, _tie_undecided_1), undecided_time, earliest_delay)
 #endif
                 CALL(court_earliest, _earliest_1)(K(3.0), time, when, which, arrives);
                 EACH(SELECT, (_if_possible_1, _earliest_1), when, which)
@@ -3469,12 +3480,13 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             EACH(GET_MASK, _opens_in_flight_1, open)
             EACH(STORE, , began, extent, speed, time_error, when, which)
             EACH(STORE_MASK, , in_contact, limited, rests, rolling)
-            BOUNDS(EACH(STORE, , doubt, earliest_delay, position_error, velocity_error))
+            BOUNDS(EACH(STORE, , earliest_delay, position_error, undecided_time, velocity_error))
             const M packed = lanes_both(rows, open);
             if (lanes_any(packed)) {
                 lanes_pack(worklist->open_row + open_shots, packed, lanes_add(iota(), K((double)i)));
                 EACH(PACK, open_, extent, last, speed, until, vx, vy, vz, when, which, x, y, z)
-                BOUNDS(EACH(PACK, open_, doubt, earliest_delay, pad, position_error, velocity_error))
+                BOUNDS(EACH(PACK, open_, earliest_delay, pad, position_error, undecided_time))
+                BOUNDS(EACH(PACK, open_, velocity_error))
                 if (LANES_SELDOM(varying)) {
                     for (size_t _p = 0; _p < 4; _p++) {
                         lanes_pack(worklist->open_parameters.columns[open_taken[_p]] + open_shots, packed, lanes_load(worklist->parameters.columns[open_taken[_p]] + i));
@@ -3485,7 +3497,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
         }
         if (open_shots) {
             EACH(CLEAR, open_, row, extent, last, speed, until, vx, vy, vz, when, which, x, y, z)
-            BOUNDS(EACH(CLEAR, open_, doubt, earliest_delay, pad, position_error, velocity_error))
+            BOUNDS(EACH(CLEAR, open_, earliest_delay, pad, position_error, undecided_time, velocity_error))
             if (LANES_SELDOM(varying)) {
                 for (size_t _p = 0; _p < 4; _p++) {
                     lanes_store(worklist->open_parameters.columns[open_taken[_p]] + open_shots, K(0.0));
@@ -3500,7 +3512,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             if (LANES_SELDOM(varying))
                 LOOP(fix_open_rows_1)(worklist, i);
             EACH(LOAD, open_, extent, last, speed, until, vx, vy, vz, x, y, z)
-            BOUNDS(EACH(LOAD, open_, doubt, earliest_delay, pad, position_error, velocity_error))
+            BOUNDS(EACH(LOAD, open_, earliest_delay, pad, position_error, undecided_time, velocity_error))
             CALL(court_beginning, _beginning_1)();
             EACH(GET, _beginning_1, share, arrival)
             EACH(GET_MASK, _beginning_1, certain)
@@ -3562,8 +3574,8 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             EACH(GET, _allowance_1, excess)
             CALL(court_ring_budget_exceeded, _ring_budget_exceeded_1)(until, extent, speed, position_error, velocity_error, FIXED(27), FIXED(42), FIXED(20), FIXED(43), FIXED(28), FIXED(29));
             EACH(GET, _ring_budget_exceeded_1, budget_exceeded)
-            CALL(court_out_of_budget, _out_of_budget_1)(pad, budget_exceeded, earliest_delay, doubt, excess);
-            EACH(SET, _out_of_budget_1, doubt)
+            CALL(court_out_of_budget, _out_of_budget_1)(pad, budget_exceeded, earliest_delay, undecided_time, excess);
+            EACH(SET, _out_of_budget_1, undecided_time)
 #endif
             const M _if_stepping_1 = lanes_both(rows, stepping);
             if (LANES_USUAL(_if_stepping_1)) {
@@ -3575,7 +3587,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             EACH(STORE, open_, arrival, ceiling, flat, rho_start, share, since, tilt)
             EACH(STORE_MASK, open_, certain, searching, single_precision)
             EACH(STORE_SINGLE, open_, short_t)
-            BOUNDS(EACH(STORE, open_, doubt, latest))
+            BOUNDS(EACH(STORE, open_, latest, undecided_time))
             const M packed = lanes_both(rows, stepping);
             if (lanes_any(packed)) {
                 lanes_pack(worklist->open_stepping_row + open_stepping_shots, packed, lanes_add(iota(), K((double)i)));
@@ -3672,7 +3684,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             EACH(LOAD, open_, z)
             EACH(LOAD_MASK, open_, certain, searching, single_precision)
             EACH(LOAD_SINGLE, open_, short_t)
-            BOUNDS(EACH(LOAD, open_, doubt, position_error, velocity_error))
+            BOUNDS(EACH(LOAD, open_, position_error, undecided_time, velocity_error))
             CALL(court_stepped, _stepped_1)(arrival, lanes_wide(short_t), searching, since, single_precision, certain);
             EACH(SET, _stepped_1, arrival, searching)
             EACH(GET, _stepped_1, t)
@@ -3683,7 +3695,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                 EACH(PACK, open_searching_, arrival, extent, last, share, speed, t, until, vx, vy)
                 EACH(PACK, open_searching_, vz, x, y, z)
                 EACH(PACK_MASK, open_searching_, certain)
-                BOUNDS(EACH(PACK, open_searching_, doubt, position_error, velocity_error))
+                BOUNDS(EACH(PACK, open_searching_, position_error, undecided_time, velocity_error))
                 if (LANES_SELDOM(varying)) {
                     for (size_t _p = 0; _p < 4; _p++) {
                         lanes_pack(worklist->open_searching_parameters.columns[open_searching_taken[_p]] + open_searching_shots, packed, lanes_load(worklist->open_parameters.columns[open_searching_taken[_p]] + i));
@@ -3695,7 +3707,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
         if (open_searching_shots) {
             EACH(CLEAR, open_searching_, row, arrival, certain, extent, last, share, speed, t)
             EACH(CLEAR, open_searching_, until, vx, vy, vz, x, y, z)
-            BOUNDS(EACH(CLEAR, open_searching_, doubt, position_error, velocity_error))
+            BOUNDS(EACH(CLEAR, open_searching_, position_error, undecided_time, velocity_error))
             if (LANES_SELDOM(varying)) {
                 for (size_t _p = 0; _p < 4; _p++) {
                     lanes_store(worklist->open_searching_parameters.columns[open_searching_taken[_p]] + open_searching_shots, K(0.0));
@@ -3712,7 +3724,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             EACH(LOAD, open_searching_, arrival, extent, last, share, speed, t, until, vx, vy, vz)
             EACH(LOAD, open_searching_, x, y, z)
             EACH(LOAD_MASK, open_searching_, certain)
-            BOUNDS(EACH(LOAD, open_searching_, doubt, position_error, velocity_error))
+            BOUNDS(EACH(LOAD, open_searching_, position_error, undecided_time, velocity_error))
             CALL(court_ring_prepare, _ring_prepare_1)(until, x, y, z, vx, vy, vz, extent, speed, OR_ZERO(position_error), OR_ZERO(velocity_error), FIXED(36), FIXED(40), FIXED(30), FIXED(22), FIXED(20), FIXED(34), FIXED(38), FIXED(37), FIXED(44), FIXED(27), FIXED(42), FIXED(43), FIXED(28), FIXED(29));
             EACH(GET, _ring_prepare_1, energy2, moment2, rho_start, low0, high0, low1, high1, low2)
             EACH(GET, _ring_prepare_1, high2, ceiling, latest)
@@ -3737,7 +3749,8 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                 EACH(PACK, open_searching_searching_, low2, moment2, rate_slack, rho_start, share)
                 EACH(PACK, open_searching_searching_, speed, t, tilt, vx, vy, vz, x, y, z)
                 EACH(PACK_MASK, open_searching_searching_, certain)
-                BOUNDS(EACH(PACK, open_searching_searching_, doubt, position_error, velocity_error))
+                BOUNDS(EACH(PACK, open_searching_searching_, position_error, undecided_time))
+                BOUNDS(EACH(PACK, open_searching_searching_, velocity_error))
                 if (LANES_SELDOM(varying)) {
                     for (size_t _p = 0; _p < 4; _p++) {
                         lanes_pack(worklist->open_searching_searching_parameters.columns[open_searching_searching_taken[_p]] + open_searching_searching_shots, packed, lanes_load(worklist->open_searching_parameters.columns[open_searching_searching_taken[_p]] + i));
@@ -3751,7 +3764,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             EACH(CLEAR, open_searching_searching_, extent, flat, high0, high1, high2, last, latest)
             EACH(CLEAR, open_searching_searching_, low0, low1, low2, moment2, rate_slack, rho_start)
             EACH(CLEAR, open_searching_searching_, share, speed, t, tilt, vx, vy, vz, x, y, z)
-            BOUNDS(EACH(CLEAR, open_searching_searching_, doubt, position_error, velocity_error))
+            BOUNDS(EACH(CLEAR, open_searching_searching_, position_error, undecided_time, velocity_error))
             if (LANES_SELDOM(varying)) {
                 for (size_t _p = 0; _p < 4; _p++) {
                     lanes_store(worklist->open_searching_searching_parameters.columns[open_searching_searching_taken[_p]] + open_searching_searching_shots, K(0.0));
@@ -3766,7 +3779,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             EACH(START, , row, turns, arrival, ceiling, end, energy2, extent, flat, high0, high1)
             EACH(START, , high2, last, latest, low0, low1, low2, moment2, rate_slack, rho_start)
             EACH(START, , share, speed, t, tilt, vx, vy, vz, x, y, z)
-            BOUNDS(EACH(START, , doubt, position_error, velocity_error))
+            BOUNDS(EACH(START, , position_error, undecided_time, velocity_error))
             for (;;) {
                 if ((taken < open_searching_searching_shots) && ((busy + LANES_SPARE) <= LANES_WIDTH)) {
                     const M idle = lanes_not(active);
@@ -3777,7 +3790,8 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                     EACH(EXPAND, open_searching_searching_, rate_slack, rho_start, share, speed, t)
                     EACH(EXPAND, open_searching_searching_, tilt, vx, vy, vz, x, y, z)
                     EACH(EXPAND_MASK, open_searching_searching_, certain)
-                    BOUNDS(EACH(EXPAND, open_searching_searching_, doubt, position_error, velocity_error))
+                    BOUNDS(EACH(EXPAND, open_searching_searching_, position_error, undecided_time))
+                    BOUNDS(EACH(EXPAND, open_searching_searching_, velocity_error))
                     if (LANES_SELDOM(varying))
                         LOOP(fix_open_searching_searching_rows_1)(worklist, taken, idle);
                     const size_t room = LANES_WIDTH - busy;
@@ -3793,12 +3807,12 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                 EACH(GET, _nearby_1, leaving, margin)
                 CALL(court_ring_advance, _ring_advance_1)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, energy2, moment2, rho_start, FIXED(7), FIXED(21), FIXED(33), FIXED(14), FIXED(49), FIXED(30), FIXED(50), FIXED(51));
                 EACH(GET, _ring_advance_1, gap, rate, bend, step, next, clearance)
-                CALL(court_struck, _struck_1)(gap, rate, bend, margin, rate_slack, clearance, share);
-                EACH(GET_MASK, _struck_1, hit, sure, needs_refinement)
+                CALL(court_gap_closes, _gap_closes_1)(gap, rate, bend, margin, rate_slack, clearance, share);
+                EACH(GET_MASK, _gap_closes_1, hit, sure, needs_refinement)
                 const M _if_needs_refinement_1 = lanes_both(active, needs_refinement);
                 if (lanes_any(_if_needs_refinement_1)) {
-                    CALL(court_finer, _finer_1)(share);
-                    EACH(SELECT, (_if_needs_refinement_1, _finer_1), share)
+                    CALL(court_smaller_budget, _smaller_budget_1)(share);
+                    EACH(SELECT, (_if_needs_refinement_1, _smaller_budget_1), share)
                     CALL(court_allowance, _allowance_1)(share, latest, extent, speed, OR_ZERO(position_error), OR_ZERO(velocity_error), FIXED(21));
                     EACH(GET, _allowance_1, position_level, velocity_level)
                     BOUNDS(EACH(GET, _allowance_1, excess))
@@ -3807,8 +3821,8 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                     tilt = lanes_select(_if_needs_refinement_1, _ring_margins_1.leaving_margin, tilt);
                     rate_slack = lanes_select(_if_needs_refinement_1, _ring_margins_1.rate_margin, rate_slack);
 #if BOUNDED
-                    CALL(court_exceeded, _exceeded_1)(t, doubt, excess);
-                    EACH(SELECT, (_if_needs_refinement_1, _exceeded_1), doubt)
+                    CALL(court_budget_undecided, _budget_undecided_1)(t, undecided_time, excess);
+                    EACH(SELECT, (_if_needs_refinement_1, _budget_undecided_1), undecided_time)
 #endif
                 }
                 CALL(court_advanced, _advanced_1)(t, end, step, next, arrival, hit, sure, needs_refinement, certain);
@@ -3825,15 +3839,15 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                 lanes_pack(worklist->open_searching_searching_ended_row + done, ended, row);
                 lanes_pack(worklist->open_searching_searching_ended_arrival + done, ended, arrival);
                 lanes_pack(worklist->open_searching_searching_ended_certain + done, ended, lanes_select(certain, K(1.0), K(0.0)));
-#if BOUNDED
-                lanes_pack(worklist->open_searching_searching_ended_doubt + done, ended, doubt);
-#endif
                 lanes_pack(worklist->open_searching_searching_ended_flat + done, ended, flat);
 #if BOUNDED
                 lanes_pack(worklist->open_searching_searching_ended_searching + done, ended, lanes_select(searching, K(1.0), K(0.0)));
                 lanes_pack(worklist->open_searching_searching_ended_t + done, ended, t);
 #endif
                 lanes_pack(worklist->open_searching_searching_ended_tilt + done, ended, tilt);
+#if BOUNDED
+                lanes_pack(worklist->open_searching_searching_ended_undecided_time + done, ended, undecided_time);
+#endif
                 done += popcount(ended);
                 busy -= popcount(ended);
                 active = lanes_both(active, lanes_not(ended));
@@ -3842,24 +3856,24 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                 const size_t row = (size_t)worklist->open_searching_searching_ended_row[k];
                 EACH(RETURN, (open_searching_, open_searching_searching_ended_), arrival, certain)
                 EACH(RETURN, (open_searching_, open_searching_searching_ended_), flat, tilt)
-                BOUNDS(EACH(RETURN, (open_searching_, open_searching_searching_ended_), doubt, searching))
-                BOUNDS(EACH(RETURN, (open_searching_, open_searching_searching_ended_), t))
+                BOUNDS(EACH(RETURN, (open_searching_, open_searching_searching_ended_), searching, t))
+                BOUNDS(EACH(RETURN, (open_searching_, open_searching_searching_ended_), undecided_time))
             }
         }
 #if BOUNDED
         }
         for (size_t i = 0; i < open_searching_shots; i += LANES_WIDTH) {
-            EACH(LOAD, open_searching_, doubt, t)
             EACH(LOAD_MASK, open_searching_, searching)
-            CALL(court_questioned, _questioned_1)(t, doubt, searching);
-            EACH(SET, _questioned_1, doubt)
-            EACH(STORE, open_searching_, doubt)
+            EACH(LOAD, open_searching_, t, undecided_time)
+            CALL(court_predicate_undecided, _predicate_undecided_1)(t, undecided_time, searching);
+            EACH(SET, _predicate_undecided_1, undecided_time)
+            EACH(STORE, open_searching_, undecided_time)
 #endif
         }
         for (size_t k = 0; k < open_searching_shots; k++) {
             const size_t row = (size_t)worklist->open_searching_row[k];
             EACH(RETURN, (open_, open_searching_), arrival, ceiling, certain, flat, rho_start, tilt)
-            BOUNDS(EACH(RETURN, (open_, open_searching_), doubt, latest))
+            BOUNDS(EACH(RETURN, (open_, open_searching_), latest, undecided_time))
         }
         }
         {
@@ -3886,9 +3900,9 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
 #else
                 EACH(GET, _ring_refine_1, rate)
 #endif
-                CALL(court_polished, _polished_1)(gap, rate, ceiling, arrival, refined, certain);
-                EACH(SELECT, (_if_refining_1, _polished_1), arrival)
-                EACH(SELECT_MASK, (_if_refining_1, _polished_1), refining)
+                CALL(court_refined_root, _refined_root_1)(gap, rate, ceiling, arrival, refined, certain);
+                EACH(SELECT, (_if_refining_1, _refined_root_1), arrival)
+                EACH(SELECT_MASK, (_if_refining_1, _refined_root_1), refining)
             }
             const M _if_refining_2 = lanes_both(rows, refining);
             if (LANES_USUAL(_if_refining_2)) {
@@ -3900,9 +3914,9 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
 #else
                 EACH(GET, _ring_refine_2, rate)
 #endif
-                CALL(court_polished, _polished_2)(gap, rate, ceiling, arrival, refined, certain);
-                EACH(SELECT, (_if_refining_2, _polished_2), arrival)
-                EACH(SELECT_MASK, (_if_refining_2, _polished_2), refining)
+                CALL(court_refined_root, _refined_root_2)(gap, rate, ceiling, arrival, refined, certain);
+                EACH(SELECT, (_if_refining_2, _refined_root_2), arrival)
+                EACH(SELECT_MASK, (_if_refining_2, _refined_root_2), refining)
             }
             EACH(STORE, open_, arrival)
             EACH(STORE_MASK, open_, arrives)
@@ -3957,8 +3971,8 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                 CALL(court_ring_refine, _ring_refine_1)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, FIXED(7), FIXED(21), FIXED(33), FIXED(14));
                 V refined = _ring_refine_1.time;
                 EACH(GET, _ring_refine_1, gap, rate)
-                CALL(court_polished, _polished_1)(gap, rate, ceiling, arrival, refined, certain);
-                EACH(SET, _polished_1, arrival, refining)
+                CALL(court_refined_root, _refined_root_1)(gap, rate, ceiling, arrival, refined, certain);
+                EACH(SET, _refined_root_1, arrival, refining)
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(refining, lanes_less(turns, K(8.0)))));
                 lanes_pack(worklist->open_refining_ended_row + done, ended, row);
@@ -3985,8 +3999,8 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             EACH(LOAD, open_, arrival, when, which)
             EACH(LOAD_MASK, open_, arrives)
 #if BOUNDED
-            EACH(LOAD, open_, ceiling, doubt, earliest_delay, extent, latest, leaving)
-            EACH(LOAD, open_, position_error, rate, speed, velocity_error)
+            EACH(LOAD, open_, ceiling, earliest_delay, extent, latest, leaving, position_error)
+            EACH(LOAD, open_, rate, speed, undecided_time, velocity_error)
             EACH(LOAD_MASK, open_, certain)
             CALL(court_ring_margins, _ring_margins_1)(latest, extent, speed, position_error, velocity_error, FIXED(21), FIXED(30), FIXED(45), FIXED(46), FIXED(47), FIXED(48));
             V flat = _ring_margins_1.margin;
@@ -3997,23 +4011,23 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             CALL(court_crossing, _crossing_1)(margin, rate_margin, rate, ceiling);
             EACH(GET, _crossing_1, clearance, delay)
 #endif
-            CALL(court_landed, _landed_1)(arrival);
-            EACH(GET, _landed_1, time)
+            CALL(court_arrival_time, _arrival_time_1)(arrival);
+            EACH(GET, _arrival_time_1, time)
 #if BOUNDED
-            CALL(court_landed_surely, _landed_surely_1)(clearance, time, delay, doubt, arrives, certain);
-            EACH(SET, _landed_surely_1, delay, doubt)
-            CALL(court_tied, _tied_1)(time, when, delay, earliest_delay, doubt, arrives);
-            EACH(SET, _tied_1, doubt, earliest_delay)
+            CALL(court_certain_arrival, _certain_arrival_1)(clearance, time, delay, undecided_time, arrives, certain);
+            EACH(SET, _certain_arrival_1, delay, undecided_time)
+            CALL(court_tie_undecided, _tie_undecided_1)(time, when, delay, earliest_delay, undecided_time, arrives);
+            EACH(SET, _tie_undecided_1, undecided_time, earliest_delay)
 #endif
             CALL(court_earliest, _earliest_1)(K(0.0), time, when, which, arrives);
             EACH(SET, _earliest_1, when, which)
             EACH(STORE, open_, when, which)
-            BOUNDS(EACH(STORE, open_, doubt, earliest_delay))
+            BOUNDS(EACH(STORE, open_, earliest_delay, undecided_time))
         }
         for (size_t k = 0; k < open_shots; k++) {
             const size_t row = (size_t)worklist->open_row[k];
             EACH(RETURN, (, open_), when, which)
-            BOUNDS(EACH(RETURN, (, open_), doubt, earliest_delay))
+            BOUNDS(EACH(RETURN, (, open_), earliest_delay, undecided_time))
         }
         }
         {
@@ -4025,14 +4039,14 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                 LOOP(fix_rows_3)(worklist, i);
             EACH(LOAD, , extent, last, speed, vx, vy, vz, when, which, x, y, z)
             EACH(LOAD_MASK, , in_contact)
-            BOUNDS(EACH(LOAD, , doubt, earliest_delay, position_error, velocity_error))
+            BOUNDS(EACH(LOAD, , earliest_delay, position_error, undecided_time, velocity_error))
             CALL(court_horizon, _horizon_1)(when, speed, FIXED(20));
             V until = _horizon_1.horizon;
             EACH(GET, _horizon_1, pad)
-            CALL(court_halved, _halved_1)(until, x, y, z, vx, vy, vz, extent, speed, OR_ZERO(position_error), OR_ZERO(velocity_error), OR_ZERO(earliest_delay), pad, FIXED(21), FIXED(52), FIXED(33), FIXED(53));
-            EACH(GET, _halved_1, middle_x, reach_x, later_middle_x, later_reach_x, middle_y)
-            EACH(GET, _halved_1, reach_y, later_middle_y, later_reach_y, middle_z, reach_z)
-            EACH(GET, _halved_1, later_middle_z, later_reach_z)
+            CALL(court_half_flight_boxes, _half_flight_boxes_1)(until, x, y, z, vx, vy, vz, extent, speed, OR_ZERO(position_error), OR_ZERO(velocity_error), OR_ZERO(earliest_delay), pad, FIXED(21), FIXED(52), FIXED(33), FIXED(53));
+            EACH(GET, _half_flight_boxes_1, middle_x, reach_x, later_middle_x, later_reach_x)
+            EACH(GET, _half_flight_boxes_1, middle_y, reach_y, later_middle_y, later_reach_y)
+            EACH(GET, _half_flight_boxes_1, middle_z, reach_z, later_middle_z, later_reach_z)
             CALL(court_backboard_near, _backboard_near_1)(middle_x, middle_y, middle_z, reach_x, reach_y, reach_z, later_middle_x, later_middle_y, later_middle_z, later_reach_x, later_reach_y, later_reach_z, FIXED(54), FIXED(2), FIXED(55), FIXED(56), FIXED(57), FIXED(58));
             M reachable = _backboard_near_1.near;
             CALL(court_reachable_in_flight, _reachable_in_flight_1)(reachable, in_contact);
@@ -4041,7 +4055,8 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             if (lanes_any(packed)) {
                 lanes_pack(worklist->reachable_row + reachable_shots, packed, lanes_add(iota(), K((double)i)));
                 EACH(PACK, reachable_, extent, last, speed, vx, vy, vz, when, which, x, y, z)
-                BOUNDS(EACH(PACK, reachable_, doubt, earliest_delay, position_error, velocity_error))
+                BOUNDS(EACH(PACK, reachable_, earliest_delay, position_error, undecided_time))
+                BOUNDS(EACH(PACK, reachable_, velocity_error))
                 if (LANES_SELDOM(varying)) {
                     for (size_t _p = 0; _p < 7; _p++) {
                         lanes_pack(worklist->reachable_parameters.columns[reachable_taken[_p]] + reachable_shots, packed, lanes_load(worklist->parameters.columns[reachable_taken[_p]] + i));
@@ -4052,7 +4067,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
         }
         if (reachable_shots) {
             EACH(CLEAR, reachable_, row, extent, last, speed, vx, vy, vz, when, which, x, y, z)
-            BOUNDS(EACH(CLEAR, reachable_, doubt, earliest_delay, position_error, velocity_error))
+            BOUNDS(EACH(CLEAR, reachable_, earliest_delay, position_error, undecided_time, velocity_error))
             if (LANES_SELDOM(varying)) {
                 for (size_t _p = 0; _p < 7; _p++) {
                     lanes_store(worklist->reachable_parameters.columns[reachable_taken[_p]] + reachable_shots, K(0.0));
@@ -4067,7 +4082,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             if (LANES_SELDOM(varying))
                 LOOP(fix_reachable_rows_1)(worklist, i);
             EACH(LOAD, reachable_, extent, last, speed, vx, vy, vz, when, x, y, z)
-            BOUNDS(EACH(LOAD, reachable_, doubt, earliest_delay, position_error, velocity_error))
+            BOUNDS(EACH(LOAD, reachable_, earliest_delay, position_error, undecided_time, velocity_error))
             CALL(court_horizon, _horizon_1)(when, speed, FIXED(20));
             V until = _horizon_1.horizon;
             BOUNDS(EACH(GET, _horizon_1, pad))
@@ -4088,8 +4103,8 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             EACH(GET, _backboard_enter_1, t, end)
             EACH(GET_MASK, _backboard_enter_1, searching)
 #if BOUNDED
-            CALL(court_out_of_budget_in_windows, _out_of_budget_in_windows_1)(pad, budget_exceeded, earliest_delay, doubt, excess, searching);
-            EACH(SET, _out_of_budget_in_windows_1, doubt)
+            CALL(court_out_of_budget_in_windows, _out_of_budget_in_windows_1)(pad, budget_exceeded, earliest_delay, undecided_time, excess, searching);
+            EACH(SET, _out_of_budget_in_windows_1, undecided_time)
 #endif
             const M _if_searching_1 = lanes_both(rows, searching);
             if (lanes_any(_if_searching_1)) {
@@ -4097,12 +4112,12 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                 EACH(GET, _nearby_1, leaving, margin)
                 CALL(court_backboard_advance, _backboard_advance_1)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, FIXED(9), FIXED(10), FIXED(11), FIXED(12), FIXED(21), FIXED(15), FIXED(33), FIXED(81), FIXED(82), FIXED(71), FIXED(83));
                 EACH(GET, _backboard_advance_1, gap, rate, bend, step, next, clearance)
-                CALL(court_struck_or_still, _struck_or_still_1)(t, end, gap, rate, bend, margin, rate_slack, next, clearance, share);
-                EACH(GET_MASK, _struck_or_still_1, hit, sure, needs_refinement)
+                CALL(court_gap_closes_or_stalls, _gap_closes_or_stalls_1)(t, end, gap, rate, bend, margin, rate_slack, next, clearance, share);
+                EACH(GET_MASK, _gap_closes_or_stalls_1, hit, sure, needs_refinement)
                 const M _if_needs_refinement_1 = lanes_both(_if_searching_1, needs_refinement);
                 if (lanes_any(_if_needs_refinement_1)) {
-                    CALL(court_finer, _finer_1)(share);
-                    EACH(SELECT, (_if_needs_refinement_1, _finer_1), share)
+                    CALL(court_smaller_budget, _smaller_budget_1)(share);
+                    EACH(SELECT, (_if_needs_refinement_1, _smaller_budget_1), share)
                     CALL(court_allowance, _allowance_2)(share, latest, extent, speed, OR_ZERO(position_error), OR_ZERO(velocity_error), FIXED(21));
                     EACH(GET, _allowance_2, position_level, velocity_level)
                     BOUNDS(EACH(GET, _allowance_2, excess))
@@ -4111,8 +4126,8 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                     tilt = lanes_select(_if_needs_refinement_1, _backboard_margins_2.leaving_margin, tilt);
                     rate_slack = lanes_select(_if_needs_refinement_1, _backboard_margins_2.rate_margin, rate_slack);
 #if BOUNDED
-                    CALL(court_exceeded, _exceeded_1)(t, doubt, excess);
-                    EACH(SELECT, (_if_needs_refinement_1, _exceeded_1), doubt)
+                    CALL(court_budget_undecided, _budget_undecided_1)(t, undecided_time, excess);
+                    EACH(SELECT, (_if_needs_refinement_1, _budget_undecided_1), undecided_time)
 #endif
                 }
                 CALL(court_advanced, _advanced_1)(t, end, step, next, arrival, hit, sure, needs_refinement, certain);
@@ -4130,7 +4145,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             }
             EACH(STORE, reachable_, arrival, ceiling, flat, tilt)
             EACH(STORE_MASK, reachable_, certain)
-            BOUNDS(EACH(STORE, reachable_, doubt, latest, t))
+            BOUNDS(EACH(STORE, reachable_, latest, t, undecided_time))
             BOUNDS(EACH(STORE_MASK, reachable_, searching))
             const M packed = lanes_both(rows, searching);
             if (lanes_any(packed)) {
@@ -4139,7 +4154,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                 EACH(PACK, reachable_searching_, last, latest, low0, low1, rate_slack, share, speed)
                 EACH(PACK, reachable_searching_, t, tilt, vx, vy, vz, x, y, z)
                 EACH(PACK_MASK, reachable_searching_, certain)
-                BOUNDS(EACH(PACK, reachable_searching_, doubt, position_error, velocity_error))
+                BOUNDS(EACH(PACK, reachable_searching_, position_error, undecided_time, velocity_error))
                 if (LANES_SELDOM(varying)) {
                     for (size_t _p = 0; _p < 7; _p++) {
                         lanes_pack(worklist->reachable_searching_parameters.columns[reachable_searching_taken[_p]] + reachable_searching_shots, packed, lanes_load(worklist->reachable_parameters.columns[reachable_searching_taken[_p]] + i));
@@ -4152,7 +4167,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             EACH(CLEAR, reachable_searching_, row, arrival, ceiling, certain, end, extent, flat)
             EACH(CLEAR, reachable_searching_, high0, high1, last, latest, low0, low1, rate_slack)
             EACH(CLEAR, reachable_searching_, share, speed, t, tilt, vx, vy, vz, x, y, z)
-            BOUNDS(EACH(CLEAR, reachable_searching_, doubt, position_error, velocity_error))
+            BOUNDS(EACH(CLEAR, reachable_searching_, position_error, undecided_time, velocity_error))
             if (LANES_SELDOM(varying)) {
                 for (size_t _p = 0; _p < 7; _p++) {
                     lanes_store(worklist->reachable_searching_parameters.columns[reachable_searching_taken[_p]] + reachable_searching_shots, K(0.0));
@@ -4167,7 +4182,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             EACH(START, , row, turns, arrival, ceiling, end, extent, flat, high0, high1, last)
             EACH(START, , latest, low0, low1, rate_slack, share, speed, t, tilt, vx, vy, vz, x, y)
             EACH(START, , z)
-            BOUNDS(EACH(START, , doubt, position_error, velocity_error))
+            BOUNDS(EACH(START, , position_error, undecided_time, velocity_error))
             for (;;) {
                 if ((taken < reachable_searching_shots) && ((busy + LANES_SPARE) <= LANES_WIDTH)) {
                     const M idle = lanes_not(active);
@@ -4177,7 +4192,8 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                     EACH(EXPAND, reachable_searching_, rate_slack, share, speed, t, tilt, vx, vy)
                     EACH(EXPAND, reachable_searching_, vz, x, y, z)
                     EACH(EXPAND_MASK, reachable_searching_, certain)
-                    BOUNDS(EACH(EXPAND, reachable_searching_, doubt, position_error, velocity_error))
+                    BOUNDS(EACH(EXPAND, reachable_searching_, position_error, undecided_time))
+                    BOUNDS(EACH(EXPAND, reachable_searching_, velocity_error))
                     if (LANES_SELDOM(varying))
                         LOOP(fix_reachable_searching_rows_1)(worklist, taken, idle);
                     const size_t room = LANES_WIDTH - busy;
@@ -4193,12 +4209,12 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                 EACH(GET, _nearby_1, leaving, margin)
                 CALL(court_backboard_advance, _backboard_advance_1)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, FIXED(9), FIXED(10), FIXED(11), FIXED(12), FIXED(21), FIXED(15), FIXED(33), FIXED(81), FIXED(82), FIXED(71), FIXED(83));
                 EACH(GET, _backboard_advance_1, gap, rate, bend, step, next, clearance)
-                CALL(court_struck_or_still, _struck_or_still_1)(t, end, gap, rate, bend, margin, rate_slack, next, clearance, share);
-                EACH(GET_MASK, _struck_or_still_1, hit, sure, needs_refinement)
+                CALL(court_gap_closes_or_stalls, _gap_closes_or_stalls_1)(t, end, gap, rate, bend, margin, rate_slack, next, clearance, share);
+                EACH(GET_MASK, _gap_closes_or_stalls_1, hit, sure, needs_refinement)
                 const M _if_needs_refinement_1 = lanes_both(active, needs_refinement);
                 if (lanes_any(_if_needs_refinement_1)) {
-                    CALL(court_finer, _finer_1)(share);
-                    EACH(SELECT, (_if_needs_refinement_1, _finer_1), share)
+                    CALL(court_smaller_budget, _smaller_budget_1)(share);
+                    EACH(SELECT, (_if_needs_refinement_1, _smaller_budget_1), share)
                     CALL(court_allowance, _allowance_1)(share, latest, extent, speed, OR_ZERO(position_error), OR_ZERO(velocity_error), FIXED(21));
                     EACH(GET, _allowance_1, position_level, velocity_level)
                     BOUNDS(EACH(GET, _allowance_1, excess))
@@ -4207,8 +4223,8 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                     tilt = lanes_select(_if_needs_refinement_1, _backboard_margins_1.leaving_margin, tilt);
                     rate_slack = lanes_select(_if_needs_refinement_1, _backboard_margins_1.rate_margin, rate_slack);
 #if BOUNDED
-                    CALL(court_exceeded, _exceeded_1)(t, doubt, excess);
-                    EACH(SELECT, (_if_needs_refinement_1, _exceeded_1), doubt)
+                    CALL(court_budget_undecided, _budget_undecided_1)(t, undecided_time, excess);
+                    EACH(SELECT, (_if_needs_refinement_1, _budget_undecided_1), undecided_time)
 #endif
                 }
                 CALL(court_advanced, _advanced_1)(t, end, step, next, arrival, hit, sure, needs_refinement, certain);
@@ -4225,15 +4241,15 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                 lanes_pack(worklist->reachable_searching_ended_row + done, ended, row);
                 lanes_pack(worklist->reachable_searching_ended_arrival + done, ended, arrival);
                 lanes_pack(worklist->reachable_searching_ended_certain + done, ended, lanes_select(certain, K(1.0), K(0.0)));
-#if BOUNDED
-                lanes_pack(worklist->reachable_searching_ended_doubt + done, ended, doubt);
-#endif
                 lanes_pack(worklist->reachable_searching_ended_flat + done, ended, flat);
 #if BOUNDED
                 lanes_pack(worklist->reachable_searching_ended_searching + done, ended, lanes_select(searching, K(1.0), K(0.0)));
                 lanes_pack(worklist->reachable_searching_ended_t + done, ended, t);
 #endif
                 lanes_pack(worklist->reachable_searching_ended_tilt + done, ended, tilt);
+#if BOUNDED
+                lanes_pack(worklist->reachable_searching_ended_undecided_time + done, ended, undecided_time);
+#endif
                 done += popcount(ended);
                 busy -= popcount(ended);
                 active = lanes_both(active, lanes_not(ended));
@@ -4241,7 +4257,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             for (size_t k = 0; k < done; k++) {
                 const size_t row = (size_t)worklist->reachable_searching_ended_row[k];
                 EACH(RETURN, (reachable_, reachable_searching_ended_), arrival, certain, flat, tilt)
-                BOUNDS(EACH(RETURN, (reachable_, reachable_searching_ended_), doubt, searching, t))
+                BOUNDS(EACH(RETURN, (reachable_, reachable_searching_ended_), searching, t, undecided_time))
             }
         }
         }
@@ -4255,10 +4271,10 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             EACH(LOAD, reachable_, arrival, ceiling, flat, last, tilt, vx, vy, vz, x, y, z)
             EACH(LOAD_MASK, reachable_, certain)
 #if BOUNDED
-            EACH(LOAD, reachable_, doubt, t)
+            EACH(LOAD, reachable_, t, undecided_time)
             EACH(LOAD_MASK, reachable_, searching)
-            CALL(court_questioned, _questioned_1)(t, doubt, searching);
-            EACH(SET, _questioned_1, doubt)
+            CALL(court_predicate_undecided, _predicate_undecided_1)(t, undecided_time, searching);
+            EACH(SET, _predicate_undecided_1, undecided_time)
 #endif
             CALL(court_found, _found_1)(arrival);
             EACH(GET_MASK, _found_1, arrives, refining)
@@ -4275,9 +4291,9 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
 #else
                 EACH(GET, _backboard_refine_1, rate)
 #endif
-                CALL(court_polished, _polished_1)(gap, rate, ceiling, arrival, refined, certain);
-                EACH(SELECT, (_if_refining_1, _polished_1), arrival)
-                EACH(SELECT_MASK, (_if_refining_1, _polished_1), refining)
+                CALL(court_refined_root, _refined_root_1)(gap, rate, ceiling, arrival, refined, certain);
+                EACH(SELECT, (_if_refining_1, _refined_root_1), arrival)
+                EACH(SELECT_MASK, (_if_refining_1, _refined_root_1), refining)
             }
             const M _if_refining_2 = lanes_both(rows, refining);
             if (lanes_any(_if_refining_2)) {
@@ -4289,13 +4305,13 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
 #else
                 EACH(GET, _backboard_refine_2, rate)
 #endif
-                CALL(court_polished, _polished_2)(gap, rate, ceiling, arrival, refined, certain);
-                EACH(SELECT, (_if_refining_2, _polished_2), arrival)
-                EACH(SELECT_MASK, (_if_refining_2, _polished_2), refining)
+                CALL(court_refined_root, _refined_root_2)(gap, rate, ceiling, arrival, refined, certain);
+                EACH(SELECT, (_if_refining_2, _refined_root_2), arrival)
+                EACH(SELECT_MASK, (_if_refining_2, _refined_root_2), refining)
             }
             EACH(STORE, reachable_, arrival)
             EACH(STORE_MASK, reachable_, arrives)
-            BOUNDS(EACH(STORE, reachable_, doubt, leaving, rate))
+            BOUNDS(EACH(STORE, reachable_, leaving, rate, undecided_time))
             const M packed = lanes_both(rows, refining);
             if (lanes_any(packed)) {
                 lanes_pack(worklist->reachable_refining_row + reachable_refining_shots, packed, lanes_add(iota(), K((double)i)));
@@ -4345,8 +4361,8 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                 CALL(court_backboard_refine, _backboard_refine_1)(arrival, leaving, x, y, z, vx, vy, vz, FIXED(9), FIXED(10), FIXED(11), FIXED(12), FIXED(21), FIXED(15), FIXED(33), FIXED(81));
                 V refined = _backboard_refine_1.time;
                 EACH(GET, _backboard_refine_1, gap, rate)
-                CALL(court_polished, _polished_1)(gap, rate, ceiling, arrival, refined, certain);
-                EACH(SET, _polished_1, arrival, refining)
+                CALL(court_refined_root, _refined_root_1)(gap, rate, ceiling, arrival, refined, certain);
+                EACH(SET, _refined_root_1, arrival, refining)
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(refining, lanes_less(turns, K(8.0)))));
                 lanes_pack(worklist->reachable_refining_ended_row + done, ended, row);
@@ -4373,8 +4389,8 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             EACH(LOAD, reachable_, arrival, when, which)
             EACH(LOAD_MASK, reachable_, arrives)
 #if BOUNDED
-            EACH(LOAD, reachable_, ceiling, doubt, earliest_delay, extent, latest, leaving)
-            EACH(LOAD, reachable_, position_error, rate, speed, velocity_error)
+            EACH(LOAD, reachable_, ceiling, earliest_delay, extent, latest, leaving, position_error)
+            EACH(LOAD, reachable_, rate, speed, undecided_time, velocity_error)
             EACH(LOAD_MASK, reachable_, certain)
             CALL(court_backboard_margins, _backboard_margins_1)(latest, extent, speed, position_error, velocity_error, FIXED(21), FIXED(70), FIXED(71), FIXED(72), FIXED(73), FIXED(74), FIXED(75), FIXED(76), FIXED(77), FIXED(78), FIXED(79), FIXED(80));
             V flat = _backboard_margins_1.margin;
@@ -4385,23 +4401,23 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             CALL(court_crossing, _crossing_1)(margin, rate_margin, rate, ceiling);
             EACH(GET, _crossing_1, clearance, delay)
 #endif
-            CALL(court_landed, _landed_1)(arrival);
-            EACH(GET, _landed_1, time)
+            CALL(court_arrival_time, _arrival_time_1)(arrival);
+            EACH(GET, _arrival_time_1, time)
 #if BOUNDED
-            CALL(court_landed_surely, _landed_surely_1)(clearance, time, delay, doubt, arrives, certain);
-            EACH(SET, _landed_surely_1, delay, doubt)
-            CALL(court_tied, _tied_1)(time, when, delay, earliest_delay, doubt, arrives);
-            EACH(SET, _tied_1, doubt, earliest_delay)
+            CALL(court_certain_arrival, _certain_arrival_1)(clearance, time, delay, undecided_time, arrives, certain);
+            EACH(SET, _certain_arrival_1, delay, undecided_time)
+            CALL(court_tie_undecided, _tie_undecided_1)(time, when, delay, earliest_delay, undecided_time, arrives);
+            EACH(SET, _tie_undecided_1, undecided_time, earliest_delay)
 #endif
             CALL(court_earliest, _earliest_1)(K(1.0), time, when, which, arrives);
             EACH(SET, _earliest_1, when, which)
             EACH(STORE, reachable_, when, which)
-            BOUNDS(EACH(STORE, reachable_, doubt, earliest_delay))
+            BOUNDS(EACH(STORE, reachable_, earliest_delay, undecided_time))
         }
         for (size_t k = 0; k < reachable_shots; k++) {
             const size_t row = (size_t)worklist->reachable_row[k];
             EACH(RETURN, (, reachable_), when, which)
-            BOUNDS(EACH(RETURN, (, reachable_), doubt, earliest_delay))
+            BOUNDS(EACH(RETURN, (, reachable_), earliest_delay, undecided_time))
         }
         }
         {
@@ -4413,14 +4429,14 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                 LOOP(fix_rows_4)(worklist, i);
             EACH(LOAD, , extent, last, speed, vx, vy, vz, when, which, x, y, z)
             EACH(LOAD_MASK, , in_contact)
-            BOUNDS(EACH(LOAD, , doubt, earliest_delay, position_error, velocity_error))
+            BOUNDS(EACH(LOAD, , earliest_delay, position_error, undecided_time, velocity_error))
             CALL(court_horizon, _horizon_1)(when, speed, FIXED(20));
             V until = _horizon_1.horizon;
             EACH(GET, _horizon_1, pad)
-            CALL(court_halved, _halved_1)(until, x, y, z, vx, vy, vz, extent, speed, OR_ZERO(position_error), OR_ZERO(velocity_error), OR_ZERO(earliest_delay), pad, FIXED(21), FIXED(52), FIXED(33), FIXED(53));
-            EACH(GET, _halved_1, middle_x, reach_x, later_middle_x, later_reach_x, middle_y)
-            EACH(GET, _halved_1, reach_y, later_middle_y, later_reach_y, middle_z, reach_z)
-            EACH(GET, _halved_1, later_middle_z, later_reach_z)
+            CALL(court_half_flight_boxes, _half_flight_boxes_1)(until, x, y, z, vx, vy, vz, extent, speed, OR_ZERO(position_error), OR_ZERO(velocity_error), OR_ZERO(earliest_delay), pad, FIXED(21), FIXED(52), FIXED(33), FIXED(53));
+            EACH(GET, _half_flight_boxes_1, middle_x, reach_x, later_middle_x, later_reach_x)
+            EACH(GET, _half_flight_boxes_1, middle_y, reach_y, later_middle_y, later_reach_y)
+            EACH(GET, _half_flight_boxes_1, middle_z, reach_z, later_middle_z, later_reach_z)
             CALL(court_bridge_near, _bridge_near_1)(middle_x, middle_y, middle_z, reach_x, reach_y, reach_z, later_middle_x, later_middle_y, later_middle_z, later_reach_x, later_reach_y, later_reach_z, FIXED(54), FIXED(4), FIXED(84), FIXED(85), FIXED(86), FIXED(87));
             M reachable = _bridge_near_1.near;
             CALL(court_reachable_in_flight, _reachable_in_flight_1)(reachable, in_contact);
@@ -4429,7 +4445,8 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             if (lanes_any(packed)) {
                 lanes_pack(worklist->reachable_row + reachable_shots, packed, lanes_add(iota(), K((double)i)));
                 EACH(PACK, reachable_, extent, last, speed, vx, vy, vz, when, which, x, y, z)
-                BOUNDS(EACH(PACK, reachable_, doubt, earliest_delay, position_error, velocity_error))
+                BOUNDS(EACH(PACK, reachable_, earliest_delay, position_error, undecided_time))
+                BOUNDS(EACH(PACK, reachable_, velocity_error))
                 if (LANES_SELDOM(varying)) {
                     for (size_t _p = 0; _p < 7; _p++) {
                         lanes_pack(worklist->reachable_parameters.columns[reachable_taken[_p]] + reachable_shots, packed, lanes_load(worklist->parameters.columns[reachable_taken[_p]] + i));
@@ -4440,7 +4457,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
         }
         if (reachable_shots) {
             EACH(CLEAR, reachable_, row, extent, last, speed, vx, vy, vz, when, which, x, y, z)
-            BOUNDS(EACH(CLEAR, reachable_, doubt, earliest_delay, position_error, velocity_error))
+            BOUNDS(EACH(CLEAR, reachable_, earliest_delay, position_error, undecided_time, velocity_error))
             if (LANES_SELDOM(varying)) {
                 for (size_t _p = 0; _p < 7; _p++) {
                     lanes_store(worklist->reachable_parameters.columns[reachable_taken[_p]] + reachable_shots, K(0.0));
@@ -4455,12 +4472,12 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             if (LANES_SELDOM(varying))
 #if BOUNDED
                 LOOP(fix_reachable_rows_4)(worklist, i);
-            EACH(LOAD, reachable_, doubt, earliest_delay)
+            EACH(LOAD, reachable_, earliest_delay)
 #else
                 LOOP(fix_reachable_rows_3)(worklist, i);
 #endif
             EACH(LOAD, reachable_, extent, last, speed, vx, vy, vz, when, x, y, z)
-            BOUNDS(EACH(LOAD, reachable_, position_error, velocity_error))
+            BOUNDS(EACH(LOAD, reachable_, position_error, undecided_time, velocity_error))
             CALL(court_horizon, _horizon_1)(when, speed, FIXED(20));
             V until = _horizon_1.horizon;
             BOUNDS(EACH(GET, _horizon_1, pad))
@@ -4481,8 +4498,8 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             EACH(GET, _bridge_enter_1, t, end)
             EACH(GET_MASK, _bridge_enter_1, searching)
 #if BOUNDED
-            CALL(court_out_of_budget_in_windows, _out_of_budget_in_windows_1)(pad, budget_exceeded, earliest_delay, doubt, excess, searching);
-            EACH(SET, _out_of_budget_in_windows_1, doubt)
+            CALL(court_out_of_budget_in_windows, _out_of_budget_in_windows_1)(pad, budget_exceeded, earliest_delay, undecided_time, excess, searching);
+            EACH(SET, _out_of_budget_in_windows_1, undecided_time)
 #endif
             const M _if_searching_1 = lanes_both(rows, searching);
             if (lanes_any(_if_searching_1)) {
@@ -4490,12 +4507,12 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                 EACH(GET, _nearby_1, leaving, margin)
                 CALL(court_bridge_advance, _bridge_advance_1)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, FIXED(7), FIXED(8), FIXED(9), FIXED(13), FIXED(21), FIXED(16), FIXED(33), FIXED(81), FIXED(82), FIXED(98), FIXED(83));
                 EACH(GET, _bridge_advance_1, gap, rate, bend, step, next, clearance)
-                CALL(court_struck_or_still, _struck_or_still_1)(t, end, gap, rate, bend, margin, rate_slack, next, clearance, share);
-                EACH(GET_MASK, _struck_or_still_1, hit, sure, needs_refinement)
+                CALL(court_gap_closes_or_stalls, _gap_closes_or_stalls_1)(t, end, gap, rate, bend, margin, rate_slack, next, clearance, share);
+                EACH(GET_MASK, _gap_closes_or_stalls_1, hit, sure, needs_refinement)
                 const M _if_needs_refinement_1 = lanes_both(_if_searching_1, needs_refinement);
                 if (lanes_any(_if_needs_refinement_1)) {
-                    CALL(court_finer, _finer_1)(share);
-                    EACH(SELECT, (_if_needs_refinement_1, _finer_1), share)
+                    CALL(court_smaller_budget, _smaller_budget_1)(share);
+                    EACH(SELECT, (_if_needs_refinement_1, _smaller_budget_1), share)
                     CALL(court_allowance, _allowance_2)(share, latest, extent, speed, OR_ZERO(position_error), OR_ZERO(velocity_error), FIXED(21));
                     EACH(GET, _allowance_2, position_level, velocity_level)
                     BOUNDS(EACH(GET, _allowance_2, excess))
@@ -4504,8 +4521,8 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                     tilt = lanes_select(_if_needs_refinement_1, _bridge_margins_2.leaving_margin, tilt);
                     rate_slack = lanes_select(_if_needs_refinement_1, _bridge_margins_2.rate_margin, rate_slack);
 #if BOUNDED
-                    CALL(court_exceeded, _exceeded_1)(t, doubt, excess);
-                    EACH(SELECT, (_if_needs_refinement_1, _exceeded_1), doubt)
+                    CALL(court_budget_undecided, _budget_undecided_1)(t, undecided_time, excess);
+                    EACH(SELECT, (_if_needs_refinement_1, _budget_undecided_1), undecided_time)
 #endif
                 }
                 CALL(court_advanced, _advanced_1)(t, end, step, next, arrival, hit, sure, needs_refinement, certain);
@@ -4523,7 +4540,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             }
             EACH(STORE, reachable_, arrival, ceiling, flat, tilt)
             EACH(STORE_MASK, reachable_, certain)
-            BOUNDS(EACH(STORE, reachable_, doubt, latest, t))
+            BOUNDS(EACH(STORE, reachable_, latest, t, undecided_time))
             BOUNDS(EACH(STORE_MASK, reachable_, searching))
             const M packed = lanes_both(rows, searching);
             if (lanes_any(packed)) {
@@ -4532,7 +4549,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                 EACH(PACK, reachable_searching_, last, latest, low0, low1, rate_slack, share, speed)
                 EACH(PACK, reachable_searching_, t, tilt, vx, vy, vz, x, y, z)
                 EACH(PACK_MASK, reachable_searching_, certain)
-                BOUNDS(EACH(PACK, reachable_searching_, doubt, position_error, velocity_error))
+                BOUNDS(EACH(PACK, reachable_searching_, position_error, undecided_time, velocity_error))
                 if (LANES_SELDOM(varying)) {
                     for (size_t _p = 0; _p < 7; _p++) {
                         lanes_pack(worklist->reachable_searching_parameters.columns[reachable_searching_taken[_p]] + reachable_searching_shots, packed, lanes_load(worklist->reachable_parameters.columns[reachable_searching_taken[_p]] + i));
@@ -4545,7 +4562,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             EACH(CLEAR, reachable_searching_, row, arrival, ceiling, certain, end, extent, flat)
             EACH(CLEAR, reachable_searching_, high0, high1, last, latest, low0, low1, rate_slack)
             EACH(CLEAR, reachable_searching_, share, speed, t, tilt, vx, vy, vz, x, y, z)
-            BOUNDS(EACH(CLEAR, reachable_searching_, doubt, position_error, velocity_error))
+            BOUNDS(EACH(CLEAR, reachable_searching_, position_error, undecided_time, velocity_error))
             if (LANES_SELDOM(varying)) {
                 for (size_t _p = 0; _p < 7; _p++) {
                     lanes_store(worklist->reachable_searching_parameters.columns[reachable_searching_taken[_p]] + reachable_searching_shots, K(0.0));
@@ -4560,7 +4577,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             EACH(START, , row, turns, arrival, ceiling, end, extent, flat, high0, high1, last)
             EACH(START, , latest, low0, low1, rate_slack, share, speed, t, tilt, vx, vy, vz, x, y)
             EACH(START, , z)
-            BOUNDS(EACH(START, , doubt, position_error, velocity_error))
+            BOUNDS(EACH(START, , position_error, undecided_time, velocity_error))
             for (;;) {
                 if ((taken < reachable_searching_shots) && ((busy + LANES_SPARE) <= LANES_WIDTH)) {
                     const M idle = lanes_not(active);
@@ -4570,7 +4587,8 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                     EACH(EXPAND, reachable_searching_, rate_slack, share, speed, t, tilt, vx, vy)
                     EACH(EXPAND, reachable_searching_, vz, x, y, z)
                     EACH(EXPAND_MASK, reachable_searching_, certain)
-                    BOUNDS(EACH(EXPAND, reachable_searching_, doubt, position_error, velocity_error))
+                    BOUNDS(EACH(EXPAND, reachable_searching_, position_error, undecided_time))
+                    BOUNDS(EACH(EXPAND, reachable_searching_, velocity_error))
                     if (LANES_SELDOM(varying))
                         LOOP(fix_reachable_searching_rows_2)(worklist, taken, idle);
                     const size_t room = LANES_WIDTH - busy;
@@ -4586,12 +4604,12 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                 EACH(GET, _nearby_1, leaving, margin)
                 CALL(court_bridge_advance, _bridge_advance_1)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, FIXED(7), FIXED(8), FIXED(9), FIXED(13), FIXED(21), FIXED(16), FIXED(33), FIXED(81), FIXED(82), FIXED(98), FIXED(83));
                 EACH(GET, _bridge_advance_1, gap, rate, bend, step, next, clearance)
-                CALL(court_struck_or_still, _struck_or_still_1)(t, end, gap, rate, bend, margin, rate_slack, next, clearance, share);
-                EACH(GET_MASK, _struck_or_still_1, hit, sure, needs_refinement)
+                CALL(court_gap_closes_or_stalls, _gap_closes_or_stalls_1)(t, end, gap, rate, bend, margin, rate_slack, next, clearance, share);
+                EACH(GET_MASK, _gap_closes_or_stalls_1, hit, sure, needs_refinement)
                 const M _if_needs_refinement_1 = lanes_both(active, needs_refinement);
                 if (lanes_any(_if_needs_refinement_1)) {
-                    CALL(court_finer, _finer_1)(share);
-                    EACH(SELECT, (_if_needs_refinement_1, _finer_1), share)
+                    CALL(court_smaller_budget, _smaller_budget_1)(share);
+                    EACH(SELECT, (_if_needs_refinement_1, _smaller_budget_1), share)
                     CALL(court_allowance, _allowance_1)(share, latest, extent, speed, OR_ZERO(position_error), OR_ZERO(velocity_error), FIXED(21));
                     EACH(GET, _allowance_1, position_level, velocity_level)
                     BOUNDS(EACH(GET, _allowance_1, excess))
@@ -4600,8 +4618,8 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                     tilt = lanes_select(_if_needs_refinement_1, _bridge_margins_1.leaving_margin, tilt);
                     rate_slack = lanes_select(_if_needs_refinement_1, _bridge_margins_1.rate_margin, rate_slack);
 #if BOUNDED
-                    CALL(court_exceeded, _exceeded_1)(t, doubt, excess);
-                    EACH(SELECT, (_if_needs_refinement_1, _exceeded_1), doubt)
+                    CALL(court_budget_undecided, _budget_undecided_1)(t, undecided_time, excess);
+                    EACH(SELECT, (_if_needs_refinement_1, _budget_undecided_1), undecided_time)
 #endif
                 }
                 CALL(court_advanced, _advanced_1)(t, end, step, next, arrival, hit, sure, needs_refinement, certain);
@@ -4618,15 +4636,15 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                 lanes_pack(worklist->reachable_searching_ended_row + done, ended, row);
                 lanes_pack(worklist->reachable_searching_ended_arrival + done, ended, arrival);
                 lanes_pack(worklist->reachable_searching_ended_certain + done, ended, lanes_select(certain, K(1.0), K(0.0)));
-#if BOUNDED
-                lanes_pack(worklist->reachable_searching_ended_doubt + done, ended, doubt);
-#endif
                 lanes_pack(worklist->reachable_searching_ended_flat + done, ended, flat);
 #if BOUNDED
                 lanes_pack(worklist->reachable_searching_ended_searching + done, ended, lanes_select(searching, K(1.0), K(0.0)));
                 lanes_pack(worklist->reachable_searching_ended_t + done, ended, t);
 #endif
                 lanes_pack(worklist->reachable_searching_ended_tilt + done, ended, tilt);
+#if BOUNDED
+                lanes_pack(worklist->reachable_searching_ended_undecided_time + done, ended, undecided_time);
+#endif
                 done += popcount(ended);
                 busy -= popcount(ended);
                 active = lanes_both(active, lanes_not(ended));
@@ -4634,7 +4652,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             for (size_t k = 0; k < done; k++) {
                 const size_t row = (size_t)worklist->reachable_searching_ended_row[k];
                 EACH(RETURN, (reachable_, reachable_searching_ended_), arrival, certain, flat, tilt)
-                BOUNDS(EACH(RETURN, (reachable_, reachable_searching_ended_), doubt, searching, t))
+                BOUNDS(EACH(RETURN, (reachable_, reachable_searching_ended_), searching, t, undecided_time))
             }
         }
         }
@@ -4652,10 +4670,10 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             EACH(LOAD, reachable_, arrival, ceiling, flat, last, tilt, vx, vy, vz, x, y, z)
             EACH(LOAD_MASK, reachable_, certain)
 #if BOUNDED
-            EACH(LOAD, reachable_, doubt, t)
+            EACH(LOAD, reachable_, t, undecided_time)
             EACH(LOAD_MASK, reachable_, searching)
-            CALL(court_questioned, _questioned_1)(t, doubt, searching);
-            EACH(SET, _questioned_1, doubt)
+            CALL(court_predicate_undecided, _predicate_undecided_1)(t, undecided_time, searching);
+            EACH(SET, _predicate_undecided_1, undecided_time)
 #endif
             CALL(court_found, _found_1)(arrival);
             EACH(GET_MASK, _found_1, arrives, refining)
@@ -4672,9 +4690,9 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
 #else
                 EACH(GET, _bridge_refine_1, rate)
 #endif
-                CALL(court_polished, _polished_1)(gap, rate, ceiling, arrival, refined, certain);
-                EACH(SELECT, (_if_refining_1, _polished_1), arrival)
-                EACH(SELECT_MASK, (_if_refining_1, _polished_1), refining)
+                CALL(court_refined_root, _refined_root_1)(gap, rate, ceiling, arrival, refined, certain);
+                EACH(SELECT, (_if_refining_1, _refined_root_1), arrival)
+                EACH(SELECT_MASK, (_if_refining_1, _refined_root_1), refining)
             }
             const M _if_refining_2 = lanes_both(rows, refining);
             if (lanes_any(_if_refining_2)) {
@@ -4686,13 +4704,13 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
 #else
                 EACH(GET, _bridge_refine_2, rate)
 #endif
-                CALL(court_polished, _polished_2)(gap, rate, ceiling, arrival, refined, certain);
-                EACH(SELECT, (_if_refining_2, _polished_2), arrival)
-                EACH(SELECT_MASK, (_if_refining_2, _polished_2), refining)
+                CALL(court_refined_root, _refined_root_2)(gap, rate, ceiling, arrival, refined, certain);
+                EACH(SELECT, (_if_refining_2, _refined_root_2), arrival)
+                EACH(SELECT_MASK, (_if_refining_2, _refined_root_2), refining)
             }
             EACH(STORE, reachable_, arrival)
             EACH(STORE_MASK, reachable_, arrives)
-            BOUNDS(EACH(STORE, reachable_, doubt, leaving, rate))
+            BOUNDS(EACH(STORE, reachable_, leaving, rate, undecided_time))
             const M packed = lanes_both(rows, refining);
             if (lanes_any(packed)) {
                 lanes_pack(worklist->reachable_refining_row + reachable_refining_shots, packed, lanes_add(iota(), K((double)i)));
@@ -4742,8 +4760,8 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                 CALL(court_bridge_refine, _bridge_refine_1)(arrival, leaving, x, y, z, vx, vy, vz, FIXED(7), FIXED(8), FIXED(9), FIXED(13), FIXED(21), FIXED(33), FIXED(16), FIXED(81));
                 V refined = _bridge_refine_1.time;
                 EACH(GET, _bridge_refine_1, gap, rate)
-                CALL(court_polished, _polished_1)(gap, rate, ceiling, arrival, refined, certain);
-                EACH(SET, _polished_1, arrival, refining)
+                CALL(court_refined_root, _refined_root_1)(gap, rate, ceiling, arrival, refined, certain);
+                EACH(SET, _refined_root_1, arrival, refining)
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(refining, lanes_less(turns, K(8.0)))));
                 lanes_pack(worklist->reachable_refining_ended_row + done, ended, row);
@@ -4770,8 +4788,8 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             EACH(LOAD, reachable_, arrival, when, which)
             EACH(LOAD_MASK, reachable_, arrives)
 #if BOUNDED
-            EACH(LOAD, reachable_, ceiling, doubt, earliest_delay, extent, latest, leaving)
-            EACH(LOAD, reachable_, position_error, rate, speed, velocity_error)
+            EACH(LOAD, reachable_, ceiling, earliest_delay, extent, latest, leaving, position_error)
+            EACH(LOAD, reachable_, rate, speed, undecided_time, velocity_error)
             EACH(LOAD_MASK, reachable_, certain)
             CALL(court_bridge_margins, _bridge_margins_1)(latest, extent, speed, position_error, velocity_error, FIXED(21), FIXED(70), FIXED(98), FIXED(99), FIXED(100), FIXED(101), FIXED(102), FIXED(103), FIXED(104), FIXED(105), FIXED(106), FIXED(107));
             V flat = _bridge_margins_1.margin;
@@ -4782,23 +4800,23 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             CALL(court_crossing, _crossing_1)(margin, rate_margin, rate, ceiling);
             EACH(GET, _crossing_1, clearance, delay)
 #endif
-            CALL(court_landed, _landed_1)(arrival);
-            EACH(GET, _landed_1, time)
+            CALL(court_arrival_time, _arrival_time_1)(arrival);
+            EACH(GET, _arrival_time_1, time)
 #if BOUNDED
-            CALL(court_landed_surely, _landed_surely_1)(clearance, time, delay, doubt, arrives, certain);
-            EACH(SET, _landed_surely_1, delay, doubt)
-            CALL(court_tied, _tied_1)(time, when, delay, earliest_delay, doubt, arrives);
-            EACH(SET, _tied_1, doubt, earliest_delay)
+            CALL(court_certain_arrival, _certain_arrival_1)(clearance, time, delay, undecided_time, arrives, certain);
+            EACH(SET, _certain_arrival_1, delay, undecided_time)
+            CALL(court_tie_undecided, _tie_undecided_1)(time, when, delay, earliest_delay, undecided_time, arrives);
+            EACH(SET, _tie_undecided_1, undecided_time, earliest_delay)
 #endif
             CALL(court_earliest, _earliest_1)(K(2.0), time, when, which, arrives);
             EACH(SET, _earliest_1, when, which)
             EACH(STORE, reachable_, when, which)
-            BOUNDS(EACH(STORE, reachable_, doubt, earliest_delay))
+            BOUNDS(EACH(STORE, reachable_, earliest_delay, undecided_time))
         }
         for (size_t k = 0; k < reachable_shots; k++) {
             const size_t row = (size_t)worklist->reachable_row[k];
             EACH(RETURN, (, reachable_), when, which)
-            BOUNDS(EACH(RETURN, (, reachable_), doubt, earliest_delay))
+            BOUNDS(EACH(RETURN, (, reachable_), earliest_delay, undecided_time))
         }
         }
         {
@@ -4813,25 +4831,25 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             EACH(LOAD, , circled, clock, held, mode, through, time_error, vx, vy, vz, when, which)
             EACH(LOAD, , wx, wy, wz, x, y, z)
             EACH(LOAD_MASK, , in_contact, limited, rests)
-            BOUNDS(EACH(LOAD, , clock_error, doubt, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz))
-            BOUNDS(EACH(LOAD, , earliest_delay, grip_lost, last_grip_clock, last_grip_deficit))
-            BOUNDS(EACH(LOAD, , last_grip_deficit_rate, position_error, velocity_error))
+            BOUNDS(EACH(LOAD, , clock_error, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz, earliest_delay))
+            BOUNDS(EACH(LOAD, , grip_lost, last_grip_clock, last_grip_deficit, last_grip_deficit_rate))
+            BOUNDS(EACH(LOAD, , position_error, undecided_time, velocity_error))
             const M _if_limited_1 = lanes_both(rows, limited);
             if (lanes_any(_if_limited_1)) {
-                CALL(court_expiry, _expiry_1)(when, which, OR_ZERO(earliest_delay), OR_INFINITE(doubt), time_error, clock, time_limit);
+                CALL(court_expiry, _expiry_1)(when, which, OR_ZERO(earliest_delay), OR_INFINITE(undecided_time), time_error, clock, time_limit);
                 EACH(GET, _expiry_1, time)
                 EACH(GET_MASK, _expiry_1, arrives)
 #if BOUNDED
                 EACH(GET, _expiry_1, delay)
-                EACH(SELECT, (_if_limited_1, _expiry_1), doubt)
-                CALL(court_tied, _tied_1)(time, when, delay, earliest_delay, doubt, arrives);
-                EACH(SELECT, (_if_limited_1, _tied_1), doubt, earliest_delay)
+                EACH(SELECT, (_if_limited_1, _expiry_1), undecided_time)
+                CALL(court_tie_undecided, _tie_undecided_1)(time, when, delay, earliest_delay, undecided_time, arrives);
+                EACH(SELECT, (_if_limited_1, _tie_undecided_1), undecided_time, earliest_delay)
 #endif
                 CALL(court_earliest, _earliest_1)(K(4.0), time, when, which, arrives);
                 EACH(SELECT, (_if_limited_1, _earliest_1), when, which)
             }
             EACH(STORE, , when, which)
-            BOUNDS(EACH(STORE, , doubt, earliest_delay))
+            BOUNDS(EACH(STORE, , earliest_delay, undecided_time))
             const M packed = lanes_both(rows, in_contact);
             if (lanes_any(packed)) {
                 lanes_pack(worklist->in_contact_row + in_contact_shots, packed, lanes_add(iota(), K((double)i)));
@@ -4875,9 +4893,9 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             const size_t row = (size_t)worklist->in_contact_row[k];
             EACH(RETURN, (, in_contact_), began, circled, clock, rests, rolling, through, vx, vy)
             EACH(RETURN, (, in_contact_), vz, when, which, wx, wy, wz, x, y, z)
-            BOUNDS(EACH(RETURN, (, in_contact_), doubt, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz))
-            BOUNDS(EACH(RETURN, (, in_contact_), earliest_delay, grip_lost, last_grip_clock))
-            BOUNDS(EACH(RETURN, (, in_contact_), last_grip_deficit, last_grip_deficit_rate, position_error))
+            BOUNDS(EACH(RETURN, (, in_contact_), dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz, earliest_delay))
+            BOUNDS(EACH(RETURN, (, in_contact_), grip_lost, last_grip_clock, last_grip_deficit))
+            BOUNDS(EACH(RETURN, (, in_contact_), last_grip_deficit_rate, position_error, undecided_time))
             BOUNDS(EACH(RETURN, (, in_contact_), velocity_error))
         }
         }
@@ -4893,8 +4911,9 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             EACH(LOAD, , began, clock, contacts, count_0, count_1, count_2, first, held, last, mode)
             EACH(LOAD, , rolls, slip_left, through, vx, vy, vz, when, which, wx, wy, wz, x, y, z)
             EACH(LOAD_MASK, , in_contact, limited, rests, rolling)
-            BOUNDS(EACH(LOAD, , assured, clock_error, doubt, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz))
-            BOUNDS(EACH(LOAD, , earliest_delay, extent, position_error, speed, uncertain, velocity_error))
+            BOUNDS(EACH(LOAD, , assured, clock_error, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz))
+            BOUNDS(EACH(LOAD, , earliest_delay, extent, position_error, speed, uncertain, undecided_time))
+            BOUNDS(EACH(LOAD, , velocity_error))
             CALL(court_departed, _departed_1)(K(3.0), which);
             EACH(GET_MASK, _departed_1, moves, ends, touches)
             EACH(GET, _departed_1, reached)
@@ -4904,9 +4923,9 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             const M _if_moves_1 = lanes_both(rows, moves);
             if (lanes_any(_if_moves_1)) {
 #if BOUNDED
-                CALL(court_passing_doubt, _passing_doubt_1)(when, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, FIXED(7), FIXED(21), FIXED(33), FIXED(20), FIXED(22), FIXED(36), FIXED(163));
-                EACH(GET_MASK, _passing_doubt_1, unsure)
-                CALL(court_undecided, _undecided_1)(uncertain, unsure);
+                CALL(court_passing_undecided, _passing_undecided_1)(when, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, FIXED(7), FIXED(21), FIXED(33), FIXED(20), FIXED(22), FIXED(36), FIXED(163));
+                EACH(GET_MASK, _passing_undecided_1, undecided)
+                CALL(court_undecided, _undecided_1)(uncertain, undecided);
                 EACH(SELECT, (_if_moves_1, _undecided_1), uncertain)
 #endif
                 CALL(court_passing, _passing_1)(through, when, x, y, z, vx, vy, vz, FIXED(21), FIXED(33), FIXED(22), FIXED(20), FIXED(19));
@@ -4923,16 +4942,16 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                 EACH(SELECT_MASK, (_if_limited_1, _expired_1), ends)
             }
 #if BOUNDED
-            CALL(court_unhopped, _unhopped_1)();
-            EACH(GET_MASK, _unhopped_1, hopped)
+            CALL(court_no_departure, _no_departure_1)();
+            EACH(GET_MASK, _no_departure_1, hopped)
 #endif
             const M _if_in_contact_1 = lanes_both(rows, in_contact);
             if (lanes_any(_if_in_contact_1)) {
-                CALL(court_stay_in_contact, _stay_in_contact_1)(last, which, OR_INFINITE(doubt), body, clock, reached, ends, held, rolls, rolling, began, rests);
+                CALL(court_stay_in_contact, _stay_in_contact_1)(last, which, OR_INFINITE(undecided_time), body, clock, reached, ends, held, rolls, rolling, began, rests);
                 EACH(SELECT, (_if_in_contact_1, _stay_in_contact_1), body, reached, last, mode)
                 EACH(SELECT, (_if_in_contact_1, _stay_in_contact_1), held, rolls)
                 EACH(SELECT_MASK, (_if_in_contact_1, _stay_in_contact_1), ends)
-                BOUNDS(EACH(SELECT, (_if_in_contact_1, _stay_in_contact_1), doubt))
+                BOUNDS(EACH(SELECT, (_if_in_contact_1, _stay_in_contact_1), undecided_time))
                 BOUNDS(EACH(SELECT_MASK, (_if_in_contact_1, _stay_in_contact_1), hopped))
             }
 #if BOUNDED
@@ -4953,8 +4972,8 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
 #endif
             }
 #if BOUNDED
-            CALL(court_doubted_in_contact, _doubted_in_contact_1)(last, when, which, earliest_delay, doubt, uncertain, edge, assured);
-            EACH(SET, _doubted_in_contact_1, uncertain)
+            CALL(court_contact_undecided, _contact_undecided_1)(last, when, which, earliest_delay, undecided_time, uncertain, edge, assured);
+            EACH(SET, _contact_undecided_1, uncertain)
 #endif
             CALL(court_accounted, _accounted_1)(contacts, most_contacts, reached, touches);
             EACH(SET, _accounted_1, contacts)
@@ -4977,8 +4996,8 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             CALL(court_meeting, _meeting_1)(K(0.0), ends, touches);
 #endif
             EACH(GET_MASK, _meeting_1, meeting)
-            CALL(court_unslowed, _unslowed_1)();
-            EACH(GET_MASK, _unslowed_1, slow)
+            CALL(court_no_slow_contact, _no_slow_contact_1)();
+            EACH(GET_MASK, _no_slow_contact_1, slow)
             const M _if_meeting_1 = lanes_both(rows, meeting);
             if (lanes_any(_if_meeting_1)) {
                 CALL(court_end_normal, _end_normal_1)();
@@ -5013,8 +5032,8 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
 #if BOUNDED
                 CALL(court_elsewhere, _elsewhere_1)();
                 EACH(GET, _elsewhere_1, curving)
-                CALL(court_anew, _anew_1)();
-                EACH(GET, _anew_1, left_nx, left_ny, left_nz)
+                CALL(court_other_start_surface, _other_start_surface_1)();
+                EACH(GET, _other_start_surface_1, left_nx, left_ny, left_nz)
                 CALL(court_again, _again_1)(K(0.0), last, which);
                 EACH(GET_MASK, _again_1, again)
                 const M _if_again_1 = lanes_both(_if_meeting_1, again);
@@ -5060,15 +5079,15 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                 EACH(SELECT, (_if_meeting_1, _carry_flight_1), dvx, dvy, dvz)
                 V belated = _carry_flight_1.delay;
                 EACH(GET, _carry_flight_1, shift)
-                CALL(court_delayed, _delayed_1)(belated, clock_error);
-                EACH(SELECT, (_if_meeting_1, _delayed_1), clock_error)
+                CALL(court_clock_error_sum, _clock_error_sum_1)(belated, clock_error);
+                EACH(SELECT, (_if_meeting_1, _clock_error_sum_1), clock_error)
                 const M _if_ends_1 = lanes_both(_if_meeting_1, ends);
                 {
-                    CALL(court_floored, _floored_1)(dx, dy, dz, shift);
-                    EACH(SELECT, (_if_ends_1, _floored_1), dx, dy, dz)
+                    CALL(court_error_floor, _error_floor_1)(dx, dy, dz, shift);
+                    EACH(SELECT, (_if_ends_1, _error_floor_1), dx, dy, dz)
                 }
-                CALL(court_unturned, _unturned_1)();
-                EACH(GET, _unturned_1, dnx, dny, dnz, turn)
+                CALL(court_no_normal_error, _no_normal_error_1)();
+                EACH(GET, _no_normal_error_1, dnx, dny, dnz, turn)
                 CALL(court_here, _here_5)(K(0.0), which);
                 EACH(SET, _here_5, here)
                 const M _if_here_5 = lanes_both(_if_meeting_1, here);
@@ -5091,8 +5110,8 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                     EACH(SELECT, (_if_here_7, _bridge_carry_normal_1), dnx, dny, dnz, turn)
                 }
 #endif
-                CALL(court_untaken, _untaken_1)();
-                M struck_0 = _untaken_1.of_this_kind;
+                CALL(court_other_kind, _other_kind_1)();
+                M struck_0 = _other_kind_1.of_this_kind;
                 CALL(court_ring_impact_taken, _ring_impact_taken_1)(p_ring_restitution, p_ring_friction);
                 V its_0_ring_impact = _ring_impact_taken_1.its_0;
                 V its_1_ring_impact = _ring_impact_taken_1.its_1;
@@ -5138,9 +5157,9 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                 const M _if_struck_0_1 = lanes_both(_if_meeting_1, struck_0);
                 if (lanes_any(_if_struck_0_1)) {
 #if BOUNDED
-                    CALL(court_ring_impact_doubt, _ring_impact_doubt_1)(vx, vy, vz, wx, wy, wz, nx, ny, nz, dvx, dvy, dvz, dwx, dwy, dwz, turn, its_0_ring_impact, its_1_ring_impact, FIXED(6), FIXED(166), FIXED(167));
-                    EACH(GET_MASK, _ring_impact_doubt_1, unsure)
-                    CALL(court_undecided, _undecided_2)(uncertain, unsure);
+                    CALL(court_ring_impact_undecided, _ring_impact_undecided_1)(vx, vy, vz, wx, wy, wz, nx, ny, nz, dvx, dvy, dvz, dwx, dwy, dwz, turn, its_0_ring_impact, its_1_ring_impact, FIXED(6), FIXED(166), FIXED(167));
+                    EACH(GET_MASK, _ring_impact_undecided_1, undecided)
+                    CALL(court_undecided, _undecided_2)(uncertain, undecided);
                     EACH(SELECT, (_if_struck_0_1, _undecided_2), uncertain)
                     CALL(court_carry_ring_impact, _carry_ring_impact_1)(vx, vy, vz, wx, wy, wz, nx, ny, nz, dvx, dvy, dvz, dwx, dwy, dwz, dnx, dny, dnz, turn, lifting, its_0_ring_impact, its_1_ring_impact, FIXED(6), FIXED(166), FIXED(167), FIXED(168), FIXED(169), FIXED(109));
                     EACH(SELECT, (_if_struck_0_1, _carry_ring_impact_1), dvx, dvy, dvz, dwx, dwy)
@@ -5153,9 +5172,9 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                 {
                     CALL(court_touched, _touched_1)(which, body, first);
                     EACH(SELECT, (_if_touches_1, _touched_1), first, last)
-                    CALL(court_slowed, _slowed_1)(nx, ny, nz, vx, vy, vz, OR_ZERO(position_error), FIXED(6), FIXED(21), FIXED(170), FIXED(171));
-                    EACH(SELECT_MASK, (_if_touches_1, _slowed_1), slow)
-                    BOUNDS(EACH(SELECT, (_if_touches_1, _slowed_1), assured))
+                    CALL(court_leaves_slowly, _leaves_slowly_1)(nx, ny, nz, vx, vy, vz, OR_ZERO(position_error), FIXED(6), FIXED(21), FIXED(170), FIXED(171));
+                    EACH(SELECT_MASK, (_if_touches_1, _leaves_slowly_1), slow)
+                    BOUNDS(EACH(SELECT, (_if_touches_1, _leaves_slowly_1), assured))
                 }
             }
             EACH(STORE, , clock, contacts, count_0, count_1, count_2, first, held, last, mode)
@@ -5204,13 +5223,13 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             EACH(LOAD_MASK, , hopped, limited)
             const M _if_limited_1 = lanes_both(rows, limited);
             if (lanes_any(_if_limited_1)) {
-                CALL(court_timed, _timed_1)(K(4.0), which, claims);
-                EACH(GET_MASK, _timed_1, timed)
-                const M _if_timed_1 = lanes_both(_if_limited_1, timed);
-                if (lanes_any(_if_timed_1)) {
+                CALL(court_ends_by_time_limit, _ends_by_time_limit_1)(K(4.0), which, claims);
+                EACH(GET_MASK, _ends_by_time_limit_1, ends_by_time_limit)
+                const M _if_ends_by_time_limit_1 = lanes_both(_if_limited_1, ends_by_time_limit);
+                if (lanes_any(_if_ends_by_time_limit_1)) {
                     CALL(court_carry_time, _carry_time_1)(when, x, y, z, vx, vy, vz, clock, clock_error, dx, dy, dz, dvx, dvy, dvz, FIXED(21), FIXED(52));
-                    EACH(SELECT, (_if_timed_1, _carry_time_1), dx, dy, dz, dvx, dvy, dvz)
-                    EACH(SELECT, (_if_timed_1, _carry_time_1), clock_error)
+                    EACH(SELECT, (_if_ends_by_time_limit_1, _carry_time_1), dx, dy, dz, dvx, dvy)
+                    EACH(SELECT, (_if_ends_by_time_limit_1, _carry_time_1), dvz, clock_error)
                 }
                 EACH(STORE, , clock_error, dvx, dvy, dvz)
             }

@@ -1,6 +1,6 @@
 /* Kernels of the scene hoop, in C.
 
-   Generated from templates/c/kernels.h.j2, scene hoop, derivation 7ceba1546743c869,
+   Generated from templates/c/kernels.h.j2, scene hoop, derivation db4a923caff62ae4,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -285,7 +285,7 @@ LANES(hoop_parameters_in_range)(const LANES(column) *p, size_t row, V allowed)
 /* 1 if the ball overlaps no surface; 1 if that is undecided.
    Table 2. 83 operations: 8 additions, 13 subtractions, 6 multiplications, 1 square root, 3 negations, 9 absolute values, 20 comparisons, 23 selections. */
 typedef struct {
-    V valid, doubt;
+    V valid, undecided_time;
 } LANES(hoop_valid_out);
 
 LANES_INLINE LANES(hoop_valid_out)
@@ -332,7 +332,7 @@ LANES(hoop_valid)(V last, V x, V y, V z, V _c0, V _c1, V _c2, V _c3, V _c4, V _c
    Table 2. 23 operations: 4 additions, 3 subtractions, 2 multiplications, 1 negation, 3 absolute values, 5 comparisons, 2 conjunctions, 2 disjunctions, 1 complement. */
 typedef struct {
     M close;
-    V valid, doubt;
+    V valid, undecided_time;
 } LANES(hoop_aside_out);
 
 LANES_INLINE LANES(hoop_aside_out)
@@ -374,13 +374,13 @@ LANES(hoop_released)(V last)
 typedef struct {
     M arrives;
     V ceiling, nearest;
-} LANES(hoop_meeting_plane_out);
+} LANES(hoop_plane_root_out);
 
-LANES_INLINE LANES(hoop_meeting_plane_out)
-LANES(hoop_meeting_plane)(V rate, V bend, V apex, V time)
+LANES_INLINE LANES(hoop_plane_root_out)
+LANES(hoop_plane_root)(V rate, V bend, V apex, V time)
 {
     const M _s0 = lanes_both(lanes_both(lanes_either(lanes_less(rate, K(0.0)), lanes_both(lanes_both(lanes_at_most(rate, K(0.0)), lanes_less(bend, K(0.0))), lanes_equal(time, K(0.0)))), lanes_at_most(K(0.0), time)), lanes_less(time, K(INFINITY)));
-    return (LANES(hoop_meeting_plane_out)){ _s0, lanes_abs(bend), lanes_select(_s0, time, apex) };
+    return (LANES(hoop_plane_root_out)){ _s0, lanes_abs(bend), lanes_select(_s0, time, apex) };
 }
 
 /* Whether an arrival may be the earliest within the delays.
@@ -398,52 +398,52 @@ LANES(hoop_within_time)(V time, V when, V delay, V earliest_delay, M arrives)
 /* Earliest undecided time, with that of an apex whose gap is zero within its error.
    Table 1. 7 operations: 1 absolute value, 3 comparisons, 2 conjunctions, 1 selection. */
 typedef struct {
-    V doubt;
-} LANES(hoop_grazed_out);
+    V undecided_time;
+} LANES(hoop_graze_undecided_out);
 
-LANES_INLINE LANES(hoop_grazed_out)
-LANES(hoop_grazed)(V margin, V apex, V height, V doubt)
+LANES_INLINE LANES(hoop_graze_undecided_out)
+LANES(hoop_graze_undecided)(V margin, V apex, V height, V undecided_time)
 {
-    return (LANES(hoop_grazed_out)){ lanes_select(lanes_both(lanes_both(lanes_at_most(K(0.0), apex), lanes_at_most(lanes_abs(height), margin)), lanes_less(apex, doubt)), apex, doubt) };
+    return (LANES(hoop_graze_undecided_out)){ lanes_select(lanes_both(lanes_both(lanes_at_most(K(0.0), apex), lanes_at_most(lanes_abs(height), margin)), lanes_less(apex, undecided_time)), apex, undecided_time) };
 }
 
 /* Earliest undecided time, with that of an undecided predicate.
    Table 1. 3 operations: 1 comparison, 1 conjunction, 1 selection. */
 typedef struct {
-    V doubt;
-} LANES(hoop_questioned_out);
+    V undecided_time;
+} LANES(hoop_predicate_undecided_out);
 
-LANES_INLINE LANES(hoop_questioned_out)
-LANES(hoop_questioned)(V time, V doubt, M unsure)
+LANES_INLINE LANES(hoop_predicate_undecided_out)
+LANES(hoop_predicate_undecided)(V time, V undecided_time, M undecided)
 {
-    return (LANES(hoop_questioned_out)){ lanes_select(lanes_both(unsure, lanes_less(time, doubt)), time, doubt) };
+    return (LANES(hoop_predicate_undecided_out)){ lanes_select(lanes_both(undecided, lanes_less(time, undecided_time)), time, undecided_time) };
 }
 
 /* Earliest undecided time, with that of an arrival whose crossing is not certain.
    Table 1. 6 operations: 2 comparisons, 2 conjunctions, 1 complement, 1 selection. */
 typedef struct {
-    V doubt;
-} LANES(hoop_crossed_out);
+    V undecided_time;
+} LANES(hoop_crossing_undecided_out);
 
-LANES_INLINE LANES(hoop_crossed_out)
-LANES(hoop_crossed)(V clearance, V time, V doubt, M arrives)
+LANES_INLINE LANES(hoop_crossing_undecided_out)
+LANES(hoop_crossing_undecided)(V clearance, V time, V undecided_time, M arrives)
 {
-    return (LANES(hoop_crossed_out)){ lanes_select(lanes_both(lanes_both(arrives, lanes_not(lanes_less(K(0.0), clearance))), lanes_less(time, doubt)), time, doubt) };
+    return (LANES(hoop_crossing_undecided_out)){ lanes_select(lanes_both(lanes_both(arrives, lanes_not(lanes_less(K(0.0), clearance))), lanes_less(time, undecided_time)), time, undecided_time) };
 }
 
 /* Earliest undecided time, with that of a tie within the delays; the earlier's delay.
    Table 1. 12 operations: 1 addition, 1 subtraction, 1 absolute value, 3 comparisons, 3 conjunctions, 3 selections. */
 typedef struct {
-    V doubt, earliest_delay;
-} LANES(hoop_tied_out);
+    V undecided_time, earliest_delay;
+} LANES(hoop_tie_undecided_out);
 
-LANES_INLINE LANES(hoop_tied_out)
-LANES(hoop_tied)(V time, V when, V delay, V earliest_delay, V doubt, M arrives)
+LANES_INLINE LANES(hoop_tie_undecided_out)
+LANES(hoop_tie_undecided)(V time, V when, V delay, V earliest_delay, V undecided_time, M arrives)
 {
     const M _s0 = lanes_less(time, when);
     const V _s1 = lanes_select(_s0, time, when);
-    const V _s2 = lanes_select(lanes_both(lanes_both(arrives, lanes_at_most(lanes_abs(lanes_sub(time, when)), lanes_add(delay, earliest_delay))), lanes_less(_s1, doubt)), _s1, doubt);
-    return (LANES(hoop_tied_out)){ _s2, lanes_select(lanes_both(arrives, _s0), delay, earliest_delay) };
+    const V _s2 = lanes_select(lanes_both(lanes_both(arrives, lanes_at_most(lanes_abs(lanes_sub(time, when)), lanes_add(delay, earliest_delay))), lanes_less(_s1, undecided_time)), _s1, undecided_time);
+    return (LANES(hoop_tie_undecided_out)){ _s2, lanes_select(lanes_both(arrives, _s0), delay, earliest_delay) };
 }
 
 /* Time and surface of the earliest arrival, with this one.
@@ -487,13 +487,13 @@ LANES(hoop_beginning)(void)
 /* Undecided time 0 if errors exceed the budget of a search, or its bounds fail.
    Table 1. 6 operations: 3 comparisons, 2 disjunctions, 1 selection. */
 typedef struct {
-    V doubt;
+    V undecided_time;
 } LANES(hoop_out_of_budget_out);
 
 LANES_INLINE LANES(hoop_out_of_budget_out)
-LANES(hoop_out_of_budget)(V pad, V budget_exceeded, V earliest_delay, V doubt, V excess)
+LANES(hoop_out_of_budget)(V pad, V budget_exceeded, V earliest_delay, V undecided_time, V excess)
 {
-    return (LANES(hoop_out_of_budget_out)){ lanes_select(lanes_either(lanes_either(lanes_less(K(0.0), excess), lanes_less(K(0.0), budget_exceeded)), lanes_less(pad, earliest_delay)), K(0.0), doubt) };
+    return (LANES(hoop_out_of_budget_out)){ lanes_select(lanes_either(lanes_either(lanes_less(K(0.0), excess), lanes_less(K(0.0), budget_exceeded)), lanes_less(pad, earliest_delay)), K(0.0), undecided_time) };
 }
 
 /* 1 near the surface that the ball left, where F/t is more exact than F; the margin.
@@ -554,41 +554,41 @@ LANES(hoop_stepped)(V arrival, V lasting, M searching, V since, M single_precisi
    Table 1. 17 operations: 1 subtraction, 6 comparisons, 6 conjunctions, 2 disjunctions, 2 complements. */
 typedef struct {
     M hit, sure, needs_refinement;
-} LANES(hoop_struck_out);
+} LANES(hoop_gap_closes_out);
 
-LANES_INLINE LANES(hoop_struck_out)
-LANES(hoop_struck)(V gap, V rate, V bend, V margin, V rate_margin, V clearance, V share)
+LANES_INLINE LANES(hoop_gap_closes_out)
+LANES(hoop_gap_closes)(V gap, V rate, V bend, V margin, V rate_margin, V clearance, V share)
 {
     const M _s0 = lanes_either(lanes_less(rate, K(0.0)), lanes_both(lanes_at_most(rate, rate_margin), lanes_less(bend, K(0.0))));
     const M _s1 = lanes_less(K(0.0), clearance);
     const M _s2 = lanes_both(_s0, lanes_either(lanes_at_most(lanes_sub(gap, margin), margin), _s1));
     const M _s3 = lanes_both(_s0, _s1);
     const M _s4 = lanes_both(lanes_both(_s2, lanes_not(_s3)), lanes_less(K(0.0), share));
-    return (LANES(hoop_struck_out)){ lanes_both(_s2, lanes_not(_s4)), _s3, _s4 };
+    return (LANES(hoop_gap_closes_out)){ lanes_both(_s2, lanes_not(_s4)), _s3, _s4 };
 }
 
 /* Next smaller error budget.
    Table 1. 3 operations: 1 multiplication, 1 comparison, 1 selection. */
 typedef struct {
     V share;
-} LANES(hoop_finer_out);
+} LANES(hoop_smaller_budget_out);
 
-LANES_INLINE LANES(hoop_finer_out)
-LANES(hoop_finer)(V share)
+LANES_INLINE LANES(hoop_smaller_budget_out)
+LANES(hoop_smaller_budget)(V share)
 {
-    return (LANES(hoop_finer_out)){ lanes_select(lanes_less(K(2.842170943040401e-14), share), lanes_mul(K(0.03125), share), K(0.0)) };
+    return (LANES(hoop_smaller_budget_out)){ lanes_select(lanes_less(K(2.842170943040401e-14), share), lanes_mul(K(0.03125), share), K(0.0)) };
 }
 
 /* Earliest undecided time, with the present one if the errors exceed the budget.
    Table 1. 4 operations: 2 comparisons, 1 conjunction, 1 selection. */
 typedef struct {
-    V doubt;
-} LANES(hoop_exceeded_out);
+    V undecided_time;
+} LANES(hoop_budget_undecided_out);
 
-LANES_INLINE LANES(hoop_exceeded_out)
-LANES(hoop_exceeded)(V t, V doubt, V excess)
+LANES_INLINE LANES(hoop_budget_undecided_out)
+LANES(hoop_budget_undecided)(V t, V undecided_time, V excess)
 {
-    return (LANES(hoop_exceeded_out)){ lanes_select(lanes_both(lanes_less(K(0.0), excess), lanes_less(t, doubt)), t, doubt) };
+    return (LANES(hoop_budget_undecided_out)){ lanes_select(lanes_both(lanes_less(K(0.0), excess), lanes_less(t, undecided_time)), t, undecided_time) };
 }
 
 /* Root, time and state of a search after a step, and whether its window is exhausted.
@@ -626,12 +626,12 @@ LANES(hoop_found)(V arrival)
 typedef struct {
     V arrival;
     M refining;
-} LANES(hoop_polished_out);
+} LANES(hoop_refined_root_out);
 
-LANES_INLINE LANES(hoop_polished_out)
-LANES(hoop_polished)(V gap, V rate, V ceiling, V arrival, V refined, M certain)
+LANES_INLINE LANES(hoop_refined_root_out)
+LANES(hoop_refined_root)(V gap, V rate, V ceiling, V arrival, V refined, M certain)
 {
-    return (LANES(hoop_polished_out)){ lanes_select(certain, refined, arrival), lanes_both(certain, lanes_less(lanes_mul(K(5.960464477539063e-08), lanes_mul(rate, rate)), lanes_mul(ceiling, lanes_abs(gap)))) };
+    return (LANES(hoop_refined_root_out)){ lanes_select(certain, refined, arrival), lanes_both(certain, lanes_less(lanes_mul(K(5.960464477539063e-08), lanes_mul(rate, rate)), lanes_mul(ceiling, lanes_abs(gap)))) };
 }
 
 /* Margin of the form, F or F/t, in which an arrival was found.
@@ -650,25 +650,25 @@ LANES(hoop_own_margin)(V leaving, V flat, V tilt, V arrival)
    Table 1. 2 operations: 1 comparison, 1 selection. */
 typedef struct {
     V time;
-} LANES(hoop_landed_out);
+} LANES(hoop_arrival_time_out);
 
-LANES_INLINE LANES(hoop_landed_out)
-LANES(hoop_landed)(V arrival)
+LANES_INLINE LANES(hoop_arrival_time_out)
+LANES(hoop_arrival_time)(V arrival)
 {
-    return (LANES(hoop_landed_out)){ lanes_select(lanes_less(arrival, K(0.0)), K(0.0), arrival) };
+    return (LANES(hoop_arrival_time_out)){ lanes_select(lanes_less(arrival, K(0.0)), K(0.0), arrival) };
 }
 
 /* Delay of a certain arrival; the earliest undecided time, with that of any other one.
    Table 1. 8 operations: 2 comparisons, 3 conjunctions, 1 complement, 2 selections. */
 typedef struct {
-    V delay, doubt;
-} LANES(hoop_landed_surely_out);
+    V delay, undecided_time;
+} LANES(hoop_certain_arrival_out);
 
-LANES_INLINE LANES(hoop_landed_surely_out)
-LANES(hoop_landed_surely)(V clearance, V time, V delay, V doubt, M arrives, M certain)
+LANES_INLINE LANES(hoop_certain_arrival_out)
+LANES(hoop_certain_arrival)(V clearance, V time, V delay, V undecided_time, M arrives, M certain)
 {
     const M _s0 = lanes_both(certain, lanes_less(K(0.0), clearance));
-    return (LANES(hoop_landed_surely_out)){ lanes_select(_s0, delay, K(0.0)), lanes_select(lanes_both(lanes_both(arrives, lanes_not(_s0)), lanes_less(time, doubt)), time, doubt) };
+    return (LANES(hoop_certain_arrival_out)){ lanes_select(_s0, delay, K(0.0)), lanes_select(lanes_both(lanes_both(arrives, lanes_not(_s0)), lanes_less(time, undecided_time)), time, undecided_time) };
 }
 
 /* Whether all numbers of a release are small enough not to overflow.
@@ -688,7 +688,7 @@ LANES(hoop_state_in_range)(V x, V y, V z, V vx, V vy, V vz, V wx, V wy, V wz)
 /* Start values: no arrival; an uncertain shot if its errors are not bounded.
    Table 1. 6 operations: 3 comparisons, 2 conjunctions, 1 selection. */
 typedef struct {
-    V when, which, earliest_delay, doubt;
+    V when, which, earliest_delay, undecided_time;
 } LANES(hoop_opening_out);
 
 LANES_INLINE LANES(hoop_opening_out)
@@ -725,13 +725,13 @@ LANES(hoop_event_clock)(V when, V clock)
    Table 1. 7 operations: 1 addition, 2 comparisons, 1 conjunction, 1 disjunction, 1 complement, 1 selection. */
 typedef struct {
     V uncertain;
-} LANES(hoop_doubted_out);
+} LANES(hoop_flight_undecided_out);
 
-LANES_INLINE LANES(hoop_doubted_out)
-LANES(hoop_doubted)(V when, V earliest_delay, V doubt, V uncertain, M edge)
+LANES_INLINE LANES(hoop_flight_undecided_out)
+LANES(hoop_flight_undecided)(V when, V earliest_delay, V undecided_time, V uncertain, M edge)
 {
-    const V _s0 = lanes_select(lanes_either(lanes_both(lanes_not(lanes_less(lanes_add(when, earliest_delay), doubt)), lanes_less(doubt, K(INFINITY))), edge), K(1.0), uncertain);
-    return (LANES(hoop_doubted_out)){ _s0 };
+    const V _s0 = lanes_select(lanes_either(lanes_both(lanes_not(lanes_less(lanes_add(when, earliest_delay), undecided_time)), lanes_less(undecided_time, K(INFINITY))), edge), K(1.0), uncertain);
+    return (LANES(hoop_flight_undecided_out)){ _s0 };
 }
 
 /* Whether an event changes the motion, or its errors are wanted.
@@ -809,13 +809,13 @@ LANES(hoop_touched)(V which, V body, V first)
 /* Whether a shot has ended at the time limit and its errors are wanted.
    Table 1. 3 operations: 2 comparisons, 1 conjunction. */
 typedef struct {
-    M timed;
-} LANES(hoop_timed_out);
+    M ends_by_time_limit;
+} LANES(hoop_ends_by_time_limit_out);
 
-LANES_INLINE LANES(hoop_timed_out)
-LANES(hoop_timed)(V index, V which, V claims)
+LANES_INLINE LANES(hoop_ends_by_time_limit_out)
+LANES(hoop_ends_by_time_limit)(V index, V which, V claims)
 {
-    return (LANES(hoop_timed_out)){ lanes_both(lanes_equal(which, index), lanes_less(K(0.0), claims)) };
+    return (LANES(hoop_ends_by_time_limit_out)){ lanes_both(lanes_equal(which, index), lanes_less(K(0.0), claims)) };
 }
 
 /* Body that the event is on.
@@ -837,10 +837,10 @@ typedef struct {
 } LANES(hoop_admitted_out);
 
 LANES_INLINE LANES(hoop_admitted_out)
-LANES(hoop_admitted)(V doubt, V valid, M permitted, M in_range)
+LANES(hoop_admitted)(V undecided_time, V valid, M permitted, M in_range)
 {
     const M _s0 = lanes_both(permitted, in_range);
-    return (LANES(hoop_admitted_out)){ lanes_select(lanes_both(_s0, lanes_less(K(0.0), valid)), K(-1.0), K(4.0)), lanes_select(lanes_both(_s0, lanes_less(K(0.0), doubt)), K(1.0), K(0.0)) };
+    return (LANES(hoop_admitted_out)){ lanes_select(lanes_both(_s0, lanes_less(K(0.0), valid)), K(-1.0), K(4.0)), lanes_select(lanes_both(_s0, lanes_less(K(0.0), undecided_time)), K(1.0), K(0.0)) };
 }
 
 /* The time limit as an arrival.
@@ -848,14 +848,14 @@ LANES(hoop_admitted)(V doubt, V valid, M permitted, M in_range)
 typedef struct {
     V time, delay;
     M arrives;
-    V doubt;
+    V undecided_time;
 } LANES(hoop_expiry_out);
 
 LANES_INLINE LANES(hoop_expiry_out)
-LANES(hoop_expiry)(V when, V which, V earliest_delay, V doubt, V time_error, V clock, V time_limit)
+LANES(hoop_expiry)(V when, V which, V earliest_delay, V undecided_time, V time_error, V clock, V time_limit)
 {
     const V _s0 = lanes_sub(time_limit, clock);
-    return (LANES(hoop_expiry_out)){ lanes_max(K(0.0), _s0), lanes_add(time_error, lanes_mul(K(4.440892098500626e-16), time_limit)), lanes_at_most(K(0.0), which), lanes_select(lanes_both(lanes_not(lanes_less(lanes_add(when, earliest_delay), doubt)), lanes_less(doubt, K(INFINITY))), K(0.0), doubt) };
+    return (LANES(hoop_expiry_out)){ lanes_max(K(0.0), _s0), lanes_add(time_error, lanes_mul(K(4.440892098500626e-16), time_limit)), lanes_at_most(K(0.0), which), lanes_select(lanes_both(lanes_not(lanes_less(lanes_add(when, earliest_delay), undecided_time)), lanes_less(undecided_time, K(INFINITY))), K(0.0), undecided_time) };
 }
 
 /* Whether there is no event, an end, or a contact, and the outcome without one.
@@ -905,12 +905,12 @@ LANES(hoop_accounted)(V contacts, V most_contacts, V reached, M touches)
    Table 1. 1 operation: 1 addition. */
 typedef struct {
     S clock_error;
-} LANES(hoop_delayed_out);
+} LANES(hoop_clock_error_sum_out);
 
-LANES_INLINE LANES(hoop_delayed_out)
-LANES(hoop_delayed)(S delay, S clock_error)
+LANES_INLINE LANES(hoop_clock_error_sum_out)
+LANES(hoop_clock_error_sum)(S delay, S clock_error)
 {
-    return (LANES(hoop_delayed_out)){ singles_add(delay, clock_error) };
+    return (LANES(hoop_clock_error_sum_out)){ singles_add(delay, clock_error) };
 }
 
 /* Whether a shot has ended and its errors are wanted; start values of their bounds.
@@ -930,24 +930,24 @@ LANES(hoop_closing)(S outcome, S claims)
    Table 1. 9 operations: 3 absolute values, 3 comparisons, 3 selections. */
 typedef struct {
     S dx, dy, dz;
-} LANES(hoop_floored_out);
+} LANES(hoop_error_floor_out);
 
-LANES_INLINE LANES(hoop_floored_out)
-LANES(hoop_floored)(S dx, S dy, S dz, S shift)
+LANES_INLINE LANES(hoop_error_floor_out)
+LANES(hoop_error_floor)(S dx, S dy, S dz, S shift)
 {
-    return (LANES(hoop_floored_out)){ singles_select(singles_less(singles_abs(dx), shift), shift, dx), singles_select(singles_less(singles_abs(dy), shift), shift, dy), singles_select(singles_less(singles_abs(dz), shift), shift, dz) };
+    return (LANES(hoop_error_floor_out)){ singles_select(singles_less(singles_abs(dx), shift), shift, dx), singles_select(singles_less(singles_abs(dy), shift), shift, dy), singles_select(singles_less(singles_abs(dz), shift), shift, dz) };
 }
 
 /* Start values: a normal without error.
    Table 1. No operations. */
 typedef struct {
     S dnx, dny, dnz, turn;
-} LANES(hoop_unturned_out);
+} LANES(hoop_no_normal_error_out);
 
-LANES_INLINE LANES(hoop_unturned_out)
-LANES(hoop_unturned)(void)
+LANES_INLINE LANES(hoop_no_normal_error_out)
+LANES(hoop_no_normal_error)(void)
 {
-    return (LANES(hoop_unturned_out)){ KS(0.0), KS(0.0), KS(0.0), KS(0.0) };
+    return (LANES(hoop_no_normal_error_out)){ KS(0.0), KS(0.0), KS(0.0), KS(0.0) };
 }
 
 /* Whether a flight with these ends may come to a plate.
@@ -1594,7 +1594,7 @@ LANES(hoop_backboard_within)(V g0, V g1, V g2, V g3)
 /* Whether the bounds or the crossing lie within their errors.
    Table 1. 19 operations: 1 negation, 9 comparisons, 8 conjunctions, 1 complement. */
 typedef struct {
-    M unsure;
+    M undecided;
 } LANES(hoop_backboard_edges_out);
 
 LANES_INLINE LANES(hoop_backboard_edges_out)
@@ -1698,7 +1698,7 @@ LANES(hoop_bridge_within)(V g0, V g1, V g2, V g3, V g4)
 /* Whether the bounds or the crossing lie within their errors.
    Table 1. 23 operations: 1 negation, 11 comparisons, 10 conjunctions, 1 complement. */
 typedef struct {
-    M unsure;
+    M undecided;
 } LANES(hoop_bridge_edges_out);
 
 LANES_INLINE LANES(hoop_bridge_edges_out)

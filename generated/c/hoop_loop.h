@@ -1,6 +1,6 @@
 /* The event loop of the scene hoop, with or without bounds on errors.
 
-   Generated from templates/c/loop.h.j2, scene hoop, derivation 7ceba1546743c869,
+   Generated from templates/c/loop.h.j2, scene hoop, derivation db4a923caff62ae4,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by hoop_engine.h twice, BOUNDED being 1 where errors are bounded, else 0. The path is
@@ -89,11 +89,11 @@ typedef struct {
         open_stepping_short_vy, open_stepping_short_vz, open_stepping_short_x,
         open_stepping_short_y, open_stepping_short_z, time_error;
 #if BOUNDED
-    LANES(column) doubt, earliest_delay, extent, open_doubt, open_earliest_delay, open_latest, open_leaving,
-        open_pad, open_rate, open_refining_ended_rate, open_searching_doubt, open_searching_latest,
-        open_searching_searching, open_searching_searching_doubt,
-        open_searching_searching_ended_doubt, open_searching_searching_ended_searching,
-        open_searching_searching_ended_t, speed;
+    LANES(column) earliest_delay, extent, open_earliest_delay, open_latest, open_leaving, open_pad, open_rate,
+        open_refining_ended_rate, open_searching_latest, open_searching_searching,
+        open_searching_searching_ended_searching, open_searching_searching_ended_t,
+        open_searching_searching_ended_undecided_time, open_searching_searching_undecided_time,
+        open_searching_undecided_time, open_undecided_time, speed, undecided_time;
     LANES(singles_column) open_position_error, open_searching_position_error, open_searching_searching_position_error,
         open_searching_searching_velocity_error, open_searching_velocity_error, open_velocity_error,
         position_error, velocity_error;
@@ -825,15 +825,15 @@ static size_t LOOP(launch)(LOOP(worklist) *worklist, const hoop_job *job, size_t
         CALL(hoop_aside, _aside_1)(x, y, z, FIXED(0), FIXED(1), FIXED(2), FIXED(3), FIXED(4));
         EACH(GET_MASK, _aside_1, close)
         EACH(GET, _aside_1, valid)
-        BOUNDS(EACH(GET, _aside_1, doubt))
+        BOUNDS(EACH(GET, _aside_1, undecided_time))
         const M _if_close_1 = close;
         if (lanes_any(_if_close_1)) {
             CALL(hoop_valid, _valid_1)(last, x, y, z, FIXED(5), FIXED(0), FIXED(6), FIXED(7), FIXED(8), FIXED(9), FIXED(10), FIXED(11), FIXED(3), FIXED(4), FIXED(12), FIXED(13), FIXED(1));
             EACH(SELECT, (_if_close_1, _valid_1), valid)
-            BOUNDS(EACH(SELECT, (_if_close_1, _valid_1), doubt))
+            BOUNDS(EACH(SELECT, (_if_close_1, _valid_1), undecided_time))
         }
 #if BOUNDED
-        CALL(hoop_admitted, _admitted_1)(doubt, valid, permitted, in_range);
+        CALL(hoop_admitted, _admitted_1)(undecided_time, valid, permitted, in_range);
 #else
         CALL(hoop_admitted, _admitted_1)(K(INFINITY), valid, permitted, in_range);
 #endif
@@ -856,7 +856,7 @@ static size_t LOOP(launch)(LOOP(worklist) *worklist, const hoop_job *job, size_t
 #endif
         EACH(GET, _opening_1, when, which)
         BOUNDS(EACH(GET, _opening_1, earliest_delay))
-        BOUNDS(EACH(SET, _opening_1, doubt))
+        BOUNDS(EACH(SET, _opening_1, undecided_time))
         CALL(hoop_limited, _limited_1)(time_limit);
         EACH(GET_MASK, _limited_1, limited)
         CALL(hoop_left, _left_1)(K(3.0), last);
@@ -864,10 +864,10 @@ static size_t LOOP(launch)(LOOP(worklist) *worklist, const hoop_job *job, size_t
         CALL(hoop_end_arrival, _end_arrival_1)(leaving, z, vz, FIXED(15), FIXED(16), FIXED(17), FIXED(18), FIXED(19), FIXED(20));
         EACH(GET, _end_arrival_1, time, rate, bend, apex)
         BOUNDS(EACH(GET, _end_arrival_1, height))
-        CALL(hoop_meeting_plane, _meeting_plane_1)(rate, bend, apex, time);
-        EACH(GET_MASK, _meeting_plane_1, arrives)
+        CALL(hoop_plane_root, _plane_root_1)(rate, bend, apex, time);
+        EACH(GET_MASK, _plane_root_1, arrives)
 #if BOUNDED
-        EACH(GET, _meeting_plane_1, ceiling, nearest)
+        EACH(GET, _plane_root_1, ceiling, nearest)
         CALL(hoop_end_margin, _end_margin_1)(nearest, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), FIXED(15), FIXED(21));
         EACH(GET, _end_margin_1, margin)
         CALL(hoop_crossing, _crossing_1)(margin, K(0.0), rate, ceiling);
@@ -876,16 +876,16 @@ static size_t LOOP(launch)(LOOP(worklist) *worklist, const hoop_job *job, size_t
         CALL(hoop_within_time, _within_time_1)(time, when, OR_ZERO(delay), OR_ZERO(earliest_delay), arrives);
         EACH(GET_MASK, _within_time_1, possible)
 #if BOUNDED
-        CALL(hoop_grazed, _grazed_1)(margin, apex, height, doubt);
-        EACH(SET, _grazed_1, doubt)
+        CALL(hoop_graze_undecided, _graze_undecided_1)(margin, apex, height, undecided_time);
+        EACH(SET, _graze_undecided_1, undecided_time)
 #endif
         const M _if_possible_1 = possible;
         {
 #if BOUNDED
-            CALL(hoop_crossed, _crossed_1)(clearance, time, doubt, arrives);
-            EACH(SELECT, (_if_possible_1, _crossed_1), doubt)
-            CALL(hoop_tied, _tied_1)(time, when, delay, earliest_delay, doubt, arrives);
-            EACH(SELECT, (_if_possible_1, _tied_1), doubt, earliest_delay)
+            CALL(hoop_crossing_undecided, _crossing_undecided_1)(clearance, time, undecided_time, arrives);
+            EACH(SELECT, (_if_possible_1, _crossing_undecided_1), undecided_time)
+            CALL(hoop_tie_undecided, _tie_undecided_1)(time, when, delay, earliest_delay, undecided_time, arrives);
+            EACH(SELECT, (_if_possible_1, _tie_undecided_1), undecided_time, earliest_delay)
 #endif
             CALL(hoop_earliest, _earliest_1)(K(3.0), time, when, which, arrives);
             EACH(SELECT, (_if_possible_1, _earliest_1), when, which)
@@ -918,14 +918,14 @@ static size_t LOOP(launch)(LOOP(worklist) *worklist, const hoop_job *job, size_t
         refused = lanes_either(refused, open);
         const M _if_limited_1 = limited;
         if (lanes_any(_if_limited_1)) {
-            CALL(hoop_expiry, _expiry_1)(when, which, OR_ZERO(earliest_delay), OR_INFINITE(doubt), lanes_wide(time_error), clock, time_limit);
+            CALL(hoop_expiry, _expiry_1)(when, which, OR_ZERO(earliest_delay), OR_INFINITE(undecided_time), lanes_wide(time_error), clock, time_limit);
             EACH(GET, _expiry_1, time)
             EACH(GET_MASK, _expiry_1, arrives)
 #if BOUNDED
             EACH(GET, _expiry_1, delay)
-            EACH(SELECT, (_if_limited_1, _expiry_1), doubt)
-            CALL(hoop_tied, _tied_2)(time, when, delay, earliest_delay, doubt, arrives);
-            EACH(SELECT, (_if_limited_1, _tied_2), doubt, earliest_delay)
+            EACH(SELECT, (_if_limited_1, _expiry_1), undecided_time)
+            CALL(hoop_tie_undecided, _tie_undecided_2)(time, when, delay, earliest_delay, undecided_time, arrives);
+            EACH(SELECT, (_if_limited_1, _tie_undecided_2), undecided_time, earliest_delay)
 #endif
             CALL(hoop_earliest, _earliest_2)(K(4.0), time, when, which, arrives);
             EACH(SELECT, (_if_limited_1, _earliest_2), when, which)
@@ -967,8 +967,8 @@ static size_t LOOP(launch)(LOOP(worklist) *worklist, const hoop_job *job, size_t
 #endif
         }
 #if BOUNDED
-        CALL(hoop_doubted, _doubted_1)(when, earliest_delay, doubt, uncertain, edge);
-        EACH(SET, _doubted_1, uncertain)
+        CALL(hoop_flight_undecided, _flight_undecided_1)(when, earliest_delay, undecided_time, uncertain, edge);
+        EACH(SET, _flight_undecided_1, uncertain)
 #endif
         CALL(hoop_accounted, _accounted_1)(contacts, most_contacts, reached, touches);
         EACH(SET, _accounted_1, contacts, outcome)
@@ -1072,15 +1072,15 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
             CALL(hoop_aside, _aside_1)(x, y, z, FIXED(0), FIXED(1), FIXED(2), FIXED(3), FIXED(4));
             EACH(GET_MASK, _aside_1, close)
             EACH(GET, _aside_1, valid)
-            BOUNDS(EACH(GET, _aside_1, doubt))
+            BOUNDS(EACH(GET, _aside_1, undecided_time))
             const M _if_close_1 = lanes_both(rows, close);
             if (lanes_any(_if_close_1)) {
                 CALL(hoop_valid, _valid_1)(last, x, y, z, FIXED(5), FIXED(0), FIXED(6), FIXED(7), FIXED(8), FIXED(9), FIXED(10), FIXED(11), FIXED(3), FIXED(4), FIXED(12), FIXED(13), FIXED(1));
                 EACH(SELECT, (_if_close_1, _valid_1), valid)
-                BOUNDS(EACH(SELECT, (_if_close_1, _valid_1), doubt))
+                BOUNDS(EACH(SELECT, (_if_close_1, _valid_1), undecided_time))
             }
 #if BOUNDED
-            CALL(hoop_admitted, _admitted_1)(doubt, valid, permitted, in_range);
+            CALL(hoop_admitted, _admitted_1)(undecided_time, valid, permitted, in_range);
 #else
             CALL(hoop_admitted, _admitted_1)(K(INFINITY), valid, permitted, in_range);
 #endif
@@ -1124,7 +1124,7 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
             CALL(hoop_opening, _opening_1)(excess, K(0.0), K(0.0));
 #endif
             EACH(GET, _opening_1, when, which)
-            BOUNDS(EACH(GET, _opening_1, earliest_delay, doubt))
+            BOUNDS(EACH(GET, _opening_1, earliest_delay, undecided_time))
             CALL(hoop_limited, _limited_1)(time_limit);
             EACH(GET_MASK, _limited_1, limited)
             CALL(hoop_left, _left_1)(K(3.0), last);
@@ -1132,10 +1132,10 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
             CALL(hoop_end_arrival, _end_arrival_1)(leaving, z, vz, FIXED(15), FIXED(16), FIXED(17), FIXED(18), FIXED(19), FIXED(20));
             EACH(GET, _end_arrival_1, time, rate, bend, apex)
             BOUNDS(EACH(GET, _end_arrival_1, height))
-            CALL(hoop_meeting_plane, _meeting_plane_1)(rate, bend, apex, time);
-            EACH(GET_MASK, _meeting_plane_1, arrives)
+            CALL(hoop_plane_root, _plane_root_1)(rate, bend, apex, time);
+            EACH(GET_MASK, _plane_root_1, arrives)
 #if BOUNDED
-            EACH(GET, _meeting_plane_1, ceiling, nearest)
+            EACH(GET, _plane_root_1, ceiling, nearest)
             CALL(hoop_end_margin, _end_margin_1)(nearest, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), FIXED(15), FIXED(21));
             EACH(GET, _end_margin_1, margin)
             CALL(hoop_crossing, _crossing_1)(margin, K(0.0), rate, ceiling);
@@ -1144,16 +1144,16 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
             CALL(hoop_within_time, _within_time_1)(time, when, OR_ZERO(delay), OR_ZERO(earliest_delay), arrives);
             EACH(GET_MASK, _within_time_1, possible)
 #if BOUNDED
-            CALL(hoop_grazed, _grazed_1)(margin, apex, height, doubt);
-            EACH(SET, _grazed_1, doubt)
+            CALL(hoop_graze_undecided, _graze_undecided_1)(margin, apex, height, undecided_time);
+            EACH(SET, _graze_undecided_1, undecided_time)
 #endif
             const M _if_possible_1 = lanes_both(rows, possible);
             {
 #if BOUNDED
-                CALL(hoop_crossed, _crossed_1)(clearance, time, doubt, arrives);
-                EACH(SELECT, (_if_possible_1, _crossed_1), doubt)
-                CALL(hoop_tied, _tied_1)(time, when, delay, earliest_delay, doubt, arrives);
-                EACH(SELECT, (_if_possible_1, _tied_1), doubt, earliest_delay)
+                CALL(hoop_crossing_undecided, _crossing_undecided_1)(clearance, time, undecided_time, arrives);
+                EACH(SELECT, (_if_possible_1, _crossing_undecided_1), undecided_time)
+                CALL(hoop_tie_undecided, _tie_undecided_1)(time, when, delay, earliest_delay, undecided_time, arrives);
+                EACH(SELECT, (_if_possible_1, _tie_undecided_1), undecided_time, earliest_delay)
 #endif
                 CALL(hoop_earliest, _earliest_1)(K(3.0), time, when, which, arrives);
                 EACH(SELECT, (_if_possible_1, _earliest_1), when, which)
@@ -1179,10 +1179,10 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
                 CALL(hoop_backboard_arrival, _backboard_arrival_1)(leaving, x, vx, FIXED(3));
                 EACH(GET, _backboard_arrival_1, time, rate, bend, apex)
                 BOUNDS(EACH(GET, _backboard_arrival_1, height))
-                CALL(hoop_meeting_plane, _meeting_plane_2)(rate, bend, apex, time);
-                EACH(GET_MASK, _meeting_plane_2, arrives)
+                CALL(hoop_plane_root, _plane_root_2)(rate, bend, apex, time);
+                EACH(GET_MASK, _plane_root_2, arrives)
 #if BOUNDED
-                EACH(GET, _meeting_plane_2, ceiling, nearest)
+                EACH(GET, _plane_root_2, ceiling, nearest)
                 CALL(hoop_backboard_margin, _backboard_margin_1)(nearest, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), FIXED(15), FIXED(24));
                 EACH(GET, _backboard_margin_1, margin)
                 CALL(hoop_crossing, _crossing_2)(margin, K(0.0), rate, ceiling);
@@ -1191,8 +1191,8 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
                 CALL(hoop_within_time, _within_time_2)(time, when, OR_ZERO(delay), OR_ZERO(earliest_delay), arrives);
                 EACH(GET_MASK, _within_time_2, possible)
 #if BOUNDED
-                CALL(hoop_grazed, _grazed_2)(margin, apex, height, doubt);
-                EACH(SELECT, (_if_reachable_1, _grazed_2), doubt)
+                CALL(hoop_graze_undecided, _graze_undecided_2)(margin, apex, height, undecided_time);
+                EACH(SELECT, (_if_reachable_1, _graze_undecided_2), undecided_time)
 #endif
                 const M _if_possible_2 = lanes_both(_if_reachable_1, possible);
 #if BOUNDED
@@ -1209,15 +1209,15 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
                     CALL(hoop_displacement, _displacement_1)(delay, time, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), FIXED(15), FIXED(26));
                     V slack = _displacement_1.margin;
                     CALL(hoop_backboard_edges, _backboard_edges_1)(clearance, slack, g0, g1, g2, g3);
-                    EACH(GET_MASK, _backboard_edges_1, unsure)
-                    CALL(hoop_questioned, _questioned_1)(time, doubt, unsure);
-                    EACH(SELECT, (_if_possible_2, _questioned_1), doubt)
+                    EACH(GET_MASK, _backboard_edges_1, undecided)
+                    CALL(hoop_predicate_undecided, _predicate_undecided_1)(time, undecided_time, undecided);
+                    EACH(SELECT, (_if_possible_2, _predicate_undecided_1), undecided_time)
 #endif
                     CALL(hoop_backboard_within, _backboard_within_1)(g0, g1, g2, g3);
                     EACH(GET_MASK, _backboard_within_1, arrives)
 #if BOUNDED
-                    CALL(hoop_tied, _tied_2)(time, when, delay, earliest_delay, doubt, arrives);
-                    EACH(SELECT, (_if_possible_2, _tied_2), doubt, earliest_delay)
+                    CALL(hoop_tie_undecided, _tie_undecided_2)(time, when, delay, earliest_delay, undecided_time, arrives);
+                    EACH(SELECT, (_if_possible_2, _tie_undecided_2), undecided_time, earliest_delay)
 #endif
                     CALL(hoop_earliest, _earliest_2)(K(1.0), time, when, which, arrives);
                     EACH(SELECT, (_if_possible_2, _earliest_2), when, which)
@@ -1227,10 +1227,10 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
                 CALL(hoop_bridge_arrival, _bridge_arrival_1)(leaving, z, vz, FIXED(15), FIXED(10), FIXED(17), FIXED(18), FIXED(19), FIXED(20));
                 EACH(SET, _bridge_arrival_1, time, rate, bend, apex)
                 BOUNDS(EACH(SET, _bridge_arrival_1, height))
-                CALL(hoop_meeting_plane, _meeting_plane_3)(rate, bend, apex, time);
-                EACH(SET, _meeting_plane_3, arrives)
+                CALL(hoop_plane_root, _plane_root_3)(rate, bend, apex, time);
+                EACH(SET, _plane_root_3, arrives)
 #if BOUNDED
-                EACH(SET, _meeting_plane_3, ceiling, nearest)
+                EACH(SET, _plane_root_3, ceiling, nearest)
                 CALL(hoop_bridge_margin, _bridge_margin_1)(nearest, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), FIXED(15), FIXED(27));
                 EACH(SET, _bridge_margin_1, margin)
                 CALL(hoop_crossing, _crossing_3)(margin, K(0.0), rate, ceiling);
@@ -1239,8 +1239,8 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
                 CALL(hoop_within_time, _within_time_3)(time, when, OR_ZERO(delay), OR_ZERO(earliest_delay), arrives);
                 EACH(SET, _within_time_3, possible)
 #if BOUNDED
-                CALL(hoop_grazed, _grazed_3)(margin, apex, height, doubt);
-                EACH(SELECT, (_if_reachable_1, _grazed_3), doubt)
+                CALL(hoop_graze_undecided, _graze_undecided_3)(margin, apex, height, undecided_time);
+                EACH(SELECT, (_if_reachable_1, _graze_undecided_3), undecided_time)
 #endif
                 const M _if_possible_3 = lanes_both(_if_reachable_1, possible);
                 if (lanes_any(_if_possible_3)) {
@@ -1253,15 +1253,15 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
                     CALL(hoop_displacement, _displacement_2)(delay, time, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), FIXED(15), FIXED(26));
                     V slack = _displacement_2.margin;
                     CALL(hoop_bridge_edges, _bridge_edges_1)(clearance, slack, g0, g1, g2, g3, g4);
-                    EACH(GET_MASK, _bridge_edges_1, unsure)
-                    CALL(hoop_questioned, _questioned_2)(time, doubt, unsure);
-                    EACH(SELECT, (_if_possible_3, _questioned_2), doubt)
+                    EACH(GET_MASK, _bridge_edges_1, undecided)
+                    CALL(hoop_predicate_undecided, _predicate_undecided_2)(time, undecided_time, undecided);
+                    EACH(SELECT, (_if_possible_3, _predicate_undecided_2), undecided_time)
 #endif
                     CALL(hoop_bridge_within, _bridge_within_1)(g0, g1, g2, g3, g4);
                     EACH(GET_MASK, _bridge_within_1, arrives)
 #if BOUNDED
-                    CALL(hoop_tied, _tied_3)(time, when, delay, earliest_delay, doubt, arrives);
-                    EACH(SELECT, (_if_possible_3, _tied_3), doubt, earliest_delay)
+                    CALL(hoop_tie_undecided, _tie_undecided_3)(time, when, delay, earliest_delay, undecided_time, arrives);
+                    EACH(SELECT, (_if_possible_3, _tie_undecided_3), undecided_time, earliest_delay)
 #endif
                     CALL(hoop_earliest, _earliest_3)(K(2.0), time, when, which, arrives);
                     EACH(SELECT, (_if_possible_3, _earliest_3), when, which)
@@ -1281,13 +1281,13 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
             EACH(STORE, , when, which)
             EACH(STORE_MASK, , limited)
             EACH(STORE_SINGLE, , time_error)
-            BOUNDS(EACH(STORE, , doubt, earliest_delay, extent, speed))
+            BOUNDS(EACH(STORE, , earliest_delay, extent, speed, undecided_time))
             BOUNDS(EACH(STORE_SINGLE, , position_error, velocity_error))
             const M packed = lanes_both(rows, open);
             if (lanes_any(packed)) {
                 lanes_pack(worklist->open_row + open_shots, packed, lanes_add(iota(), K((double)i)));
                 EACH(PACK, open_, extent, last, speed, until, vx, vy, vz, when, which, x, y, z)
-                BOUNDS(EACH(PACK, open_, doubt, earliest_delay, pad))
+                BOUNDS(EACH(PACK, open_, earliest_delay, pad, undecided_time))
                 BOUNDS(EACH(PACK_SINGLE, open_, position_error, velocity_error))
                 if (LANES_SELDOM(varying)) {
                     for (size_t _p = 0; _p < 4; _p++) {
@@ -1299,7 +1299,7 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
         }
         if (open_shots) {
             EACH(CLEAR, open_, row, extent, last, speed, until, vx, vy, vz, when, which, x, y, z)
-            BOUNDS(EACH(CLEAR, open_, doubt, earliest_delay, pad))
+            BOUNDS(EACH(CLEAR, open_, earliest_delay, pad, undecided_time))
             BOUNDS(EACH(CLEAR_SINGLE, open_, position_error, velocity_error))
             if (LANES_SELDOM(varying)) {
                 for (size_t _p = 0; _p < 4; _p++) {
@@ -1315,7 +1315,7 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
             if (LANES_SELDOM(varying))
                 LOOP(fix_open_rows_1)(worklist, i);
             EACH(LOAD, open_, extent, last, speed, until, vx, vy, vz, x, y, z)
-            BOUNDS(EACH(LOAD, open_, doubt, earliest_delay, pad))
+            BOUNDS(EACH(LOAD, open_, earliest_delay, pad, undecided_time))
             BOUNDS(EACH(LOAD_SINGLE, open_, position_error, velocity_error))
             CALL(hoop_beginning, _beginning_1)();
             EACH(GET, _beginning_1, share, arrival)
@@ -1378,8 +1378,8 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
             EACH(GET, _allowance_1, excess)
             CALL(hoop_ring_budget_exceeded, _ring_budget_exceeded_1)(until, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), FIXED(28), FIXED(42), FIXED(14), FIXED(43), FIXED(29), FIXED(30));
             EACH(GET, _ring_budget_exceeded_1, budget_exceeded)
-            CALL(hoop_out_of_budget, _out_of_budget_1)(pad, budget_exceeded, earliest_delay, doubt, excess);
-            EACH(SET, _out_of_budget_1, doubt)
+            CALL(hoop_out_of_budget, _out_of_budget_1)(pad, budget_exceeded, earliest_delay, undecided_time, excess);
+            EACH(SET, _out_of_budget_1, undecided_time)
 #endif
             const M _if_stepping_1 = lanes_both(rows, stepping);
             if (LANES_USUAL(_if_stepping_1)) {
@@ -1391,7 +1391,7 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
             EACH(STORE, open_, arrival, ceiling, flat, rho_start, share, since, tilt)
             EACH(STORE_MASK, open_, certain, searching, single_precision)
             EACH(STORE_SINGLE, open_, short_t)
-            BOUNDS(EACH(STORE, open_, doubt, latest))
+            BOUNDS(EACH(STORE, open_, latest, undecided_time))
             const M packed = lanes_both(rows, stepping);
             if (lanes_any(packed)) {
                 lanes_pack(worklist->open_stepping_row + open_stepping_shots, packed, lanes_add(iota(), K((double)i)));
@@ -1488,7 +1488,7 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
             EACH(LOAD, open_, z)
             EACH(LOAD_MASK, open_, certain, searching, single_precision)
             EACH(LOAD_SINGLE, open_, short_t)
-            BOUNDS(EACH(LOAD, open_, doubt))
+            BOUNDS(EACH(LOAD, open_, undecided_time))
             BOUNDS(EACH(LOAD_SINGLE, open_, position_error, velocity_error))
             CALL(hoop_stepped, _stepped_1)(arrival, lanes_wide(short_t), searching, since, single_precision, certain);
             EACH(SET, _stepped_1, arrival, searching)
@@ -1500,7 +1500,7 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
                 EACH(PACK, open_searching_, arrival, extent, last, share, speed, t, until, vx, vy)
                 EACH(PACK, open_searching_, vz, x, y, z)
                 EACH(PACK_MASK, open_searching_, certain)
-                BOUNDS(EACH(PACK, open_searching_, doubt))
+                BOUNDS(EACH(PACK, open_searching_, undecided_time))
                 BOUNDS(EACH(PACK_SINGLE, open_searching_, position_error, velocity_error))
                 if (LANES_SELDOM(varying)) {
                     for (size_t _p = 0; _p < 4; _p++) {
@@ -1513,7 +1513,7 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
         if (open_searching_shots) {
             EACH(CLEAR, open_searching_, row, arrival, certain, extent, last, share, speed, t)
             EACH(CLEAR, open_searching_, until, vx, vy, vz, x, y, z)
-            BOUNDS(EACH(CLEAR, open_searching_, doubt))
+            BOUNDS(EACH(CLEAR, open_searching_, undecided_time))
             BOUNDS(EACH(CLEAR_SINGLE, open_searching_, position_error, velocity_error))
             if (LANES_SELDOM(varying)) {
                 for (size_t _p = 0; _p < 4; _p++) {
@@ -1532,7 +1532,7 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
             EACH(LOAD, open_searching_, x, y, z)
             EACH(LOAD_MASK, open_searching_, certain)
 #if BOUNDED
-            EACH(LOAD, open_searching_, doubt)
+            EACH(LOAD, open_searching_, undecided_time)
             EACH(LOAD_SINGLE, open_searching_, position_error, velocity_error)
             CALL(hoop_ring_prepare, _ring_prepare_1)(until, x, y, z, vx, vy, vz, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), FIXED(36), FIXED(40), FIXED(31), FIXED(17), FIXED(14), FIXED(34), FIXED(38), FIXED(37), FIXED(44), FIXED(28), FIXED(42), FIXED(43), FIXED(29), FIXED(30));
 #else
@@ -1565,7 +1565,7 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
                 EACH(PACK, open_searching_searching_, low2, moment2, rate_slack, rho_start, share)
                 EACH(PACK, open_searching_searching_, speed, t, tilt, vx, vy, vz, x, y, z)
                 EACH(PACK_MASK, open_searching_searching_, certain)
-                BOUNDS(EACH(PACK, open_searching_searching_, doubt))
+                BOUNDS(EACH(PACK, open_searching_searching_, undecided_time))
                 BOUNDS(EACH(PACK_SINGLE, open_searching_searching_, position_error, velocity_error))
                 if (LANES_SELDOM(varying)) {
                     for (size_t _p = 0; _p < 4; _p++) {
@@ -1580,7 +1580,7 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
             EACH(CLEAR, open_searching_searching_, extent, flat, high0, high1, high2, last, latest)
             EACH(CLEAR, open_searching_searching_, low0, low1, low2, moment2, rate_slack, rho_start)
             EACH(CLEAR, open_searching_searching_, share, speed, t, tilt, vx, vy, vz, x, y, z)
-            BOUNDS(EACH(CLEAR, open_searching_searching_, doubt))
+            BOUNDS(EACH(CLEAR, open_searching_searching_, undecided_time))
             BOUNDS(EACH(CLEAR_SINGLE, open_searching_searching_, position_error, velocity_error))
             if (LANES_SELDOM(varying)) {
                 for (size_t _p = 0; _p < 4; _p++) {
@@ -1596,7 +1596,7 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
             EACH(START, , row, turns, arrival, ceiling, end, energy2, extent, flat, high0, high1)
             EACH(START, , high2, last, latest, low0, low1, low2, moment2, rate_slack, rho_start)
             EACH(START, , share, speed, t, tilt, vx, vy, vz, x, y, z)
-            BOUNDS(EACH(START, , doubt))
+            BOUNDS(EACH(START, , undecided_time))
             BOUNDS(EACH(START_SINGLE, , position_error, velocity_error))
             for (;;) {
                 if ((taken < open_searching_searching_shots) && ((busy + LANES_SPARE) <= LANES_WIDTH)) {
@@ -1608,7 +1608,7 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
                     EACH(EXPAND, open_searching_searching_, rate_slack, rho_start, share, speed, t)
                     EACH(EXPAND, open_searching_searching_, tilt, vx, vy, vz, x, y, z)
                     EACH(EXPAND_MASK, open_searching_searching_, certain)
-                    BOUNDS(EACH(EXPAND, open_searching_searching_, doubt))
+                    BOUNDS(EACH(EXPAND, open_searching_searching_, undecided_time))
                     BOUNDS(EACH(EXPAND_SINGLE, open_searching_searching_, position_error, velocity_error))
                     if (LANES_SELDOM(varying))
                         LOOP(fix_open_searching_searching_rows_1)(worklist, taken, idle);
@@ -1625,12 +1625,12 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
                 EACH(GET, _nearby_1, leaving, margin)
                 CALL(hoop_ring_advance, _ring_advance_1)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, energy2, moment2, rho_start, FIXED(5), FIXED(15), FIXED(25), FIXED(11), FIXED(49), FIXED(31), FIXED(50), FIXED(51));
                 EACH(GET, _ring_advance_1, gap, rate, bend, step, next, clearance)
-                CALL(hoop_struck, _struck_1)(gap, rate, bend, margin, rate_slack, clearance, share);
-                EACH(GET_MASK, _struck_1, hit, sure, needs_refinement)
+                CALL(hoop_gap_closes, _gap_closes_1)(gap, rate, bend, margin, rate_slack, clearance, share);
+                EACH(GET_MASK, _gap_closes_1, hit, sure, needs_refinement)
                 const M _if_needs_refinement_1 = lanes_both(active, needs_refinement);
                 if (lanes_any(_if_needs_refinement_1)) {
-                    CALL(hoop_finer, _finer_1)(share);
-                    EACH(SELECT, (_if_needs_refinement_1, _finer_1), share)
+                    CALL(hoop_smaller_budget, _smaller_budget_1)(share);
+                    EACH(SELECT, (_if_needs_refinement_1, _smaller_budget_1), share)
 #if BOUNDED
                     CALL(hoop_allowance, _allowance_1)(share, latest, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), FIXED(15));
 #else
@@ -1643,8 +1643,8 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
                     tilt = lanes_select(_if_needs_refinement_1, _ring_margins_1.leaving_margin, tilt);
                     rate_slack = lanes_select(_if_needs_refinement_1, _ring_margins_1.rate_margin, rate_slack);
 #if BOUNDED
-                    CALL(hoop_exceeded, _exceeded_1)(t, doubt, excess);
-                    EACH(SELECT, (_if_needs_refinement_1, _exceeded_1), doubt)
+                    CALL(hoop_budget_undecided, _budget_undecided_1)(t, undecided_time, excess);
+                    EACH(SELECT, (_if_needs_refinement_1, _budget_undecided_1), undecided_time)
 #endif
                 }
                 CALL(hoop_advanced, _advanced_1)(t, end, step, next, arrival, hit, sure, needs_refinement, certain);
@@ -1661,15 +1661,15 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
                 lanes_pack(worklist->open_searching_searching_ended_row + done, ended, row);
                 lanes_pack(worklist->open_searching_searching_ended_arrival + done, ended, arrival);
                 lanes_pack(worklist->open_searching_searching_ended_certain + done, ended, lanes_select(certain, K(1.0), K(0.0)));
-#if BOUNDED
-                lanes_pack(worklist->open_searching_searching_ended_doubt + done, ended, doubt);
-#endif
                 lanes_pack(worklist->open_searching_searching_ended_flat + done, ended, flat);
 #if BOUNDED
                 lanes_pack(worklist->open_searching_searching_ended_searching + done, ended, lanes_select(searching, K(1.0), K(0.0)));
                 lanes_pack(worklist->open_searching_searching_ended_t + done, ended, t);
 #endif
                 lanes_pack(worklist->open_searching_searching_ended_tilt + done, ended, tilt);
+#if BOUNDED
+                lanes_pack(worklist->open_searching_searching_ended_undecided_time + done, ended, undecided_time);
+#endif
                 done += popcount(ended);
                 busy -= popcount(ended);
                 active = lanes_both(active, lanes_not(ended));
@@ -1678,24 +1678,24 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
                 const size_t row = (size_t)worklist->open_searching_searching_ended_row[k];
                 EACH(RETURN, (open_searching_, open_searching_searching_ended_), arrival, certain)
                 EACH(RETURN, (open_searching_, open_searching_searching_ended_), flat, tilt)
-                BOUNDS(EACH(RETURN, (open_searching_, open_searching_searching_ended_), doubt, searching))
-                BOUNDS(EACH(RETURN, (open_searching_, open_searching_searching_ended_), t))
+                BOUNDS(EACH(RETURN, (open_searching_, open_searching_searching_ended_), searching, t))
+                BOUNDS(EACH(RETURN, (open_searching_, open_searching_searching_ended_), undecided_time))
             }
         }
 #if BOUNDED
         }
         for (size_t i = 0; i < open_searching_shots; i += LANES_WIDTH) {
-            EACH(LOAD, open_searching_, doubt, t)
             EACH(LOAD_MASK, open_searching_, searching)
-            CALL(hoop_questioned, _questioned_1)(t, doubt, searching);
-            EACH(SET, _questioned_1, doubt)
-            EACH(STORE, open_searching_, doubt)
+            EACH(LOAD, open_searching_, t, undecided_time)
+            CALL(hoop_predicate_undecided, _predicate_undecided_1)(t, undecided_time, searching);
+            EACH(SET, _predicate_undecided_1, undecided_time)
+            EACH(STORE, open_searching_, undecided_time)
 #endif
         }
         for (size_t k = 0; k < open_searching_shots; k++) {
             const size_t row = (size_t)worklist->open_searching_row[k];
             EACH(RETURN, (open_, open_searching_), arrival, ceiling, certain, flat, rho_start, tilt)
-            BOUNDS(EACH(RETURN, (open_, open_searching_), doubt, latest))
+            BOUNDS(EACH(RETURN, (open_, open_searching_), latest, undecided_time))
         }
         }
         {
@@ -1722,9 +1722,9 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
 #else
                 EACH(GET, _ring_refine_1, rate)
 #endif
-                CALL(hoop_polished, _polished_1)(gap, rate, ceiling, arrival, refined, certain);
-                EACH(SELECT, (_if_refining_1, _polished_1), arrival)
-                EACH(SELECT_MASK, (_if_refining_1, _polished_1), refining)
+                CALL(hoop_refined_root, _refined_root_1)(gap, rate, ceiling, arrival, refined, certain);
+                EACH(SELECT, (_if_refining_1, _refined_root_1), arrival)
+                EACH(SELECT_MASK, (_if_refining_1, _refined_root_1), refining)
             }
             const M _if_refining_2 = lanes_both(rows, refining);
             if (LANES_USUAL(_if_refining_2)) {
@@ -1736,9 +1736,9 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
 #else
                 EACH(GET, _ring_refine_2, rate)
 #endif
-                CALL(hoop_polished, _polished_2)(gap, rate, ceiling, arrival, refined, certain);
-                EACH(SELECT, (_if_refining_2, _polished_2), arrival)
-                EACH(SELECT_MASK, (_if_refining_2, _polished_2), refining)
+                CALL(hoop_refined_root, _refined_root_2)(gap, rate, ceiling, arrival, refined, certain);
+                EACH(SELECT, (_if_refining_2, _refined_root_2), arrival)
+                EACH(SELECT_MASK, (_if_refining_2, _refined_root_2), refining)
             }
             EACH(STORE, open_, arrival)
             EACH(STORE_MASK, open_, arrives)
@@ -1793,8 +1793,8 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
                 CALL(hoop_ring_refine, _ring_refine_1)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, FIXED(5), FIXED(15), FIXED(25), FIXED(11));
                 V refined = _ring_refine_1.time;
                 EACH(GET, _ring_refine_1, gap, rate)
-                CALL(hoop_polished, _polished_1)(gap, rate, ceiling, arrival, refined, certain);
-                EACH(SET, _polished_1, arrival, refining)
+                CALL(hoop_refined_root, _refined_root_1)(gap, rate, ceiling, arrival, refined, certain);
+                EACH(SET, _refined_root_1, arrival, refining)
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(refining, lanes_less(turns, K(8.0)))));
                 lanes_pack(worklist->open_refining_ended_row + done, ended, row);
@@ -1821,7 +1821,8 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
             EACH(LOAD, open_, arrival, when, which)
             EACH(LOAD_MASK, open_, arrives)
 #if BOUNDED
-            EACH(LOAD, open_, ceiling, doubt, earliest_delay, extent, latest, leaving, rate, speed)
+            EACH(LOAD, open_, ceiling, earliest_delay, extent, latest, leaving, rate, speed)
+            EACH(LOAD, open_, undecided_time)
             EACH(LOAD_MASK, open_, certain)
             EACH(LOAD_SINGLE, open_, position_error, velocity_error)
             CALL(hoop_ring_margins, _ring_margins_1)(latest, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), FIXED(15), FIXED(31), FIXED(45), FIXED(46), FIXED(47), FIXED(48));
@@ -1833,23 +1834,23 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
             CALL(hoop_crossing, _crossing_1)(margin, rate_margin, rate, ceiling);
             EACH(GET, _crossing_1, clearance, delay)
 #endif
-            CALL(hoop_landed, _landed_1)(arrival);
-            EACH(GET, _landed_1, time)
+            CALL(hoop_arrival_time, _arrival_time_1)(arrival);
+            EACH(GET, _arrival_time_1, time)
 #if BOUNDED
-            CALL(hoop_landed_surely, _landed_surely_1)(clearance, time, delay, doubt, arrives, certain);
-            EACH(SET, _landed_surely_1, delay, doubt)
-            CALL(hoop_tied, _tied_1)(time, when, delay, earliest_delay, doubt, arrives);
-            EACH(SET, _tied_1, doubt, earliest_delay)
+            CALL(hoop_certain_arrival, _certain_arrival_1)(clearance, time, delay, undecided_time, arrives, certain);
+            EACH(SET, _certain_arrival_1, delay, undecided_time)
+            CALL(hoop_tie_undecided, _tie_undecided_1)(time, when, delay, earliest_delay, undecided_time, arrives);
+            EACH(SET, _tie_undecided_1, undecided_time, earliest_delay)
 #endif
             CALL(hoop_earliest, _earliest_1)(K(0.0), time, when, which, arrives);
             EACH(SET, _earliest_1, when, which)
             EACH(STORE, open_, when, which)
-            BOUNDS(EACH(STORE, open_, doubt, earliest_delay))
+            BOUNDS(EACH(STORE, open_, earliest_delay, undecided_time))
         }
         for (size_t k = 0; k < open_shots; k++) {
             const size_t row = (size_t)worklist->open_row[k];
             EACH(RETURN, (, open_), when, which)
-            BOUNDS(EACH(RETURN, (, open_), doubt, earliest_delay))
+            BOUNDS(EACH(RETURN, (, open_), earliest_delay, undecided_time))
         }
         }
         for (size_t i = 0; i < shots; i += LANES_WIDTH) {
@@ -1859,19 +1860,19 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
             EACH(LOAD, , clock, contacts, vx, vy, vz, when, which, wx, wy, wz, x, y, z)
             EACH(LOAD_SINGLE, , time_error)
             EACH(LOAD_MASK, , limited)
-            BOUNDS(EACH(LOAD, , doubt, earliest_delay, extent, speed, uncertain))
+            BOUNDS(EACH(LOAD, , earliest_delay, extent, speed, uncertain, undecided_time))
             BOUNDS(EACH(LOAD_SINGLE, , clock_error, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz))
             BOUNDS(EACH(LOAD_SINGLE, , position_error, velocity_error))
             const M _if_limited_1 = lanes_both(rows, limited);
             if (lanes_any(_if_limited_1)) {
-                CALL(hoop_expiry, _expiry_1)(when, which, OR_ZERO(earliest_delay), OR_INFINITE(doubt), lanes_wide(time_error), clock, time_limit);
+                CALL(hoop_expiry, _expiry_1)(when, which, OR_ZERO(earliest_delay), OR_INFINITE(undecided_time), lanes_wide(time_error), clock, time_limit);
                 EACH(GET, _expiry_1, time)
                 EACH(GET_MASK, _expiry_1, arrives)
 #if BOUNDED
                 EACH(GET, _expiry_1, delay)
-                EACH(SELECT, (_if_limited_1, _expiry_1), doubt)
-                CALL(hoop_tied, _tied_1)(time, when, delay, earliest_delay, doubt, arrives);
-                EACH(SELECT, (_if_limited_1, _tied_1), doubt, earliest_delay)
+                EACH(SELECT, (_if_limited_1, _expiry_1), undecided_time)
+                CALL(hoop_tie_undecided, _tie_undecided_1)(time, when, delay, earliest_delay, undecided_time, arrives);
+                EACH(SELECT, (_if_limited_1, _tie_undecided_1), undecided_time, earliest_delay)
 #endif
                 CALL(hoop_earliest, _earliest_1)(K(4.0), time, when, which, arrives);
                 EACH(SELECT, (_if_limited_1, _earliest_1), when, which)
@@ -1913,8 +1914,8 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
 #endif
             }
 #if BOUNDED
-            CALL(hoop_doubted, _doubted_1)(when, earliest_delay, doubt, uncertain, edge);
-            EACH(SET, _doubted_1, uncertain)
+            CALL(hoop_flight_undecided, _flight_undecided_1)(when, earliest_delay, undecided_time, uncertain, edge);
+            EACH(SET, _flight_undecided_1, uncertain)
 #endif
             CALL(hoop_accounted, _accounted_1)(contacts, most_contacts, reached, touches);
             EACH(SET, _accounted_1, contacts)
@@ -1997,15 +1998,15 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
                 EACH(SELECT_SINGLE, (_if_meeting_1, _carry_flight_1), dx, dy, dz, dvx, dvy, dvz)
                 S belated = _carry_flight_1.delay;
                 EACH(GET_SINGLE, _carry_flight_1, shift)
-                CALL(hoop_delayed, _delayed_1)(belated, clock_error);
-                EACH(SELECT_SINGLE, (_if_meeting_1, _delayed_1), clock_error)
+                CALL(hoop_clock_error_sum, _clock_error_sum_1)(belated, clock_error);
+                EACH(SELECT_SINGLE, (_if_meeting_1, _clock_error_sum_1), clock_error)
                 const M _if_ends_1 = lanes_both(_if_meeting_1, ends);
                 {
-                    CALL(hoop_floored, _floored_1)(dx, dy, dz, shift);
-                    EACH(SELECT_SINGLE, (_if_ends_1, _floored_1), dx, dy, dz)
+                    CALL(hoop_error_floor, _error_floor_1)(dx, dy, dz, shift);
+                    EACH(SELECT_SINGLE, (_if_ends_1, _error_floor_1), dx, dy, dz)
                 }
-                CALL(hoop_unturned, _unturned_1)();
-                EACH(GET_SINGLE, _unturned_1, dnx, dny, dnz, turn)
+                CALL(hoop_no_normal_error, _no_normal_error_1)();
+                EACH(GET_SINGLE, _no_normal_error_1, dnx, dny, dnz, turn)
                 CALL(hoop_here, _here_5)(K(0.0), which);
                 EACH(SET, _here_5, here)
                 const M _if_here_5 = lanes_both(_if_meeting_1, here);
@@ -2068,13 +2069,14 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
 #if BOUNDED
             const M _if_limited_3 = lanes_both(rows, limited);
             if (lanes_any(_if_limited_3)) {
-                CALL(hoop_timed, _timed_1)(K(4.0), which, claims);
-                EACH(GET_MASK, _timed_1, timed)
-                const M _if_timed_1 = lanes_both(_if_limited_3, timed);
-                if (lanes_any(_if_timed_1)) {
+                CALL(hoop_ends_by_time_limit, _ends_by_time_limit_1)(K(4.0), which, claims);
+                EACH(GET_MASK, _ends_by_time_limit_1, ends_by_time_limit)
+                const M _if_ends_by_time_limit_1 = lanes_both(_if_limited_3, ends_by_time_limit);
+                if (lanes_any(_if_ends_by_time_limit_1)) {
                     CALL(hoop_carry_time, _carry_time_1)(lanes_narrow(when), lanes_narrow(x), lanes_narrow(y), lanes_narrow(z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(vz), lanes_narrow(clock), clock_error, dx, dy, dz, dvx, dvy, dvz, FIXED_SINGLE(0), FIXED_SINGLE(32));
-                    EACH(SELECT_SINGLE, (_if_timed_1, _carry_time_1), dx, dy, dz, dvx, dvy, dvz)
-                    EACH(SELECT_SINGLE, (_if_timed_1, _carry_time_1), clock_error)
+                    EACH(SELECT_SINGLE, (_if_ends_by_time_limit_1, _carry_time_1), dx, dy, dz, dvx)
+                    EACH(SELECT_SINGLE, (_if_ends_by_time_limit_1, _carry_time_1), dvy, dvz)
+                    EACH(SELECT_SINGLE, (_if_ends_by_time_limit_1, _carry_time_1), clock_error)
                 }
             }
             CALL(hoop_closing, _closing_1)(lanes_narrow(outcome), lanes_narrow(claims));

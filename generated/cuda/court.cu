@@ -1,6 +1,6 @@
 /* The event loop of the scene court in CUDA: a thread takes one shot from its release to its end.
 
-   Generated from templates/cuda/scene.cu.j2, scene court, derivation 68775c01ff418eab,
+   Generated from templates/cuda/scene.cu.j2, scene court, derivation af737e2e972ce492,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    It needs no header. To give the bits of NumPy and C it is compiled with --fmad=false, --ftz=false,
@@ -402,7 +402,7 @@ static __device__ __forceinline__ kernel_parameters_in_range_out kernel_paramete
 /* 1 if the ball overlaps no surface; 1 if that is undecided.
    Table 2. 133 operations: 27 additions, 19 subtractions, 15 multiplications, 3 square roots, 4 negations, 20 absolute values, 21 comparisons, 24 selections. */
 struct kernel_valid_out {
-    double valid, doubt;
+    double valid, undecided_time;
 };
 
 static __device__ __forceinline__ kernel_valid_out kernel_valid(double last, double x, double y, double z, double p_ball_radius, double p_ring_radius, double p_wire_radius, double p_board_distance, double p_board_half_width, double p_board_bottom, double p_board_top, double p_board_thickness, double p_bridge_half_width, double p_bridge_depth, double p_end_depth)
@@ -447,7 +447,7 @@ static __device__ __forceinline__ kernel_valid_out kernel_valid(double last, dou
    Table 2. 54 operations: 19 additions, 6 subtractions, 5 multiplications, 2 negations, 16 absolute values, 3 comparisons, 2 conjunctions, 1 complement. */
 struct kernel_aside_out {
     bool close;
-    double valid, doubt;
+    double valid, undecided_time;
 };
 
 static __device__ __forceinline__ kernel_aside_out kernel_aside(double x, double y, double z, double p_ball_radius, double p_ring_radius, double p_wire_radius, double p_board_distance, double p_board_half_width, double p_board_bottom, double p_board_top, double p_board_thickness, double p_bridge_half_width, double p_bridge_depth, double p_end_depth)
@@ -513,11 +513,11 @@ static __device__ __forceinline__ kernel_passing_out kernel_passing(double throu
 
 /* Whether the passing of the disc lies within its error.
    running error analysis. 107 operations: 18 additions, 4 subtractions, 31 multiplications, 1 division, 4 square roots, 6 absolute values, 20 comparisons, 11 conjunctions, 6 disjunctions, 6 selections. */
-struct kernel_passing_doubt_out {
-    bool unsure;
+struct kernel_passing_undecided_out {
+    bool undecided;
 };
 
-static __device__ __forceinline__ kernel_passing_doubt_out kernel_passing_doubt(double t, double x, double y, double z, double vx, double vy, double vz, double extent, double speed, double position_error, double velocity_error, double p_ring_radius, double p_gravity)
+static __device__ __forceinline__ kernel_passing_undecided_out kernel_passing_undecided(double t, double x, double y, double z, double vx, double vy, double vz, double extent, double speed, double position_error, double velocity_error, double p_ring_radius, double p_gravity)
 {
     const double _s0 = z + (t * (vz - ((0.5 * p_gravity) * t)));
     const double _s1 = vz * vz;
@@ -577,11 +577,11 @@ static __device__ __forceinline__ kernel_passing_in_contact_out kernel_passing_i
 
 /* Boxes of the first and the second half of the flight until the horizon.
    Eq. 3, the chords of both and what it is off them. 62 operations: 21 additions, 5 subtractions, 27 multiplications, 1 negation, 6 absolute values, 1 comparison, 1 selection. */
-struct kernel_halved_out {
+struct kernel_half_flight_boxes_out {
     double middle_x, reach_x, later_middle_x, later_reach_x, middle_y, reach_y, later_middle_y, later_reach_y, middle_z, reach_z, later_middle_z, later_reach_z;
 };
 
-static __device__ __forceinline__ kernel_halved_out kernel_halved(double horizon, double x, double y, double z, double vx, double vy, double vz, double extent, double speed, double position_error, double velocity_error, double earliest_delay, double pad, double p_gravity)
+static __device__ __forceinline__ kernel_half_flight_boxes_out kernel_half_flight_boxes(double horizon, double x, double y, double z, double vx, double vy, double vz, double extent, double speed, double position_error, double velocity_error, double earliest_delay, double pad, double p_gravity)
 {
     const double _s0 = 0.5 * horizon;
     const double _s1 = vx * _s0;
@@ -603,11 +603,11 @@ static __device__ __forceinline__ kernel_halved_out kernel_halved(double horizon
 
 /* Start value: no surface of this kind.
    Table 1. No operations. */
-struct kernel_untaken_out {
+struct kernel_other_kind_out {
     bool of_this_kind;
 };
 
-static __device__ __forceinline__ kernel_untaken_out kernel_untaken()
+static __device__ __forceinline__ kernel_other_kind_out kernel_other_kind()
 {
     return {false};
 }
@@ -625,12 +625,12 @@ static __device__ __forceinline__ kernel_left_out kernel_left(double index, doub
 
 /* Whether a plane's only root is an arrival, the size of F'', and the nearest time.
    Table 1. 13 operations: 1 absolute value, 6 comparisons, 4 conjunctions, 1 disjunction, 1 selection. */
-struct kernel_meeting_plane_out {
+struct kernel_plane_root_out {
     bool arrives;
     double ceiling, nearest;
 };
 
-static __device__ __forceinline__ kernel_meeting_plane_out kernel_meeting_plane(double rate, double bend, double apex, double time)
+static __device__ __forceinline__ kernel_plane_root_out kernel_plane_root(double rate, double bend, double apex, double time)
 {
     const bool _s0 = (((rate < 0.0) || (((rate <= 0.0) && (bend < 0.0)) && (time == 0.0))) && (0.0 <= time)) && (time < (INFINITE));
     return {_s0, fabs(bend), choose(_s0, time, apex)};
@@ -649,48 +649,48 @@ static __device__ __forceinline__ kernel_within_time_out kernel_within_time(doub
 
 /* Earliest undecided time, with that of an apex whose gap is zero within its error.
    Table 1. 7 operations: 1 absolute value, 3 comparisons, 2 conjunctions, 1 selection. */
-struct kernel_grazed_out {
-    double doubt;
+struct kernel_graze_undecided_out {
+    double undecided_time;
 };
 
-static __device__ __forceinline__ kernel_grazed_out kernel_grazed(double margin, double apex, double height, double doubt)
+static __device__ __forceinline__ kernel_graze_undecided_out kernel_graze_undecided(double margin, double apex, double height, double undecided_time)
 {
-    return {choose((((0.0 <= apex) && (fabs(height) <= margin)) && (apex < doubt)), apex, doubt)};
+    return {choose((((0.0 <= apex) && (fabs(height) <= margin)) && (apex < undecided_time)), apex, undecided_time)};
 }
 
 /* Earliest undecided time, with that of an undecided predicate.
    Table 1. 3 operations: 1 comparison, 1 conjunction, 1 selection. */
-struct kernel_questioned_out {
-    double doubt;
+struct kernel_predicate_undecided_out {
+    double undecided_time;
 };
 
-static __device__ __forceinline__ kernel_questioned_out kernel_questioned(double time, double doubt, bool unsure)
+static __device__ __forceinline__ kernel_predicate_undecided_out kernel_predicate_undecided(double time, double undecided_time, bool undecided)
 {
-    return {choose((unsure && (time < doubt)), time, doubt)};
+    return {choose((undecided && (time < undecided_time)), time, undecided_time)};
 }
 
 /* Earliest undecided time, with that of an arrival whose crossing is not certain.
    Table 1. 6 operations: 2 comparisons, 2 conjunctions, 1 complement, 1 selection. */
-struct kernel_crossed_out {
-    double doubt;
+struct kernel_crossing_undecided_out {
+    double undecided_time;
 };
 
-static __device__ __forceinline__ kernel_crossed_out kernel_crossed(double clearance, double time, double doubt, bool arrives)
+static __device__ __forceinline__ kernel_crossing_undecided_out kernel_crossing_undecided(double clearance, double time, double undecided_time, bool arrives)
 {
-    return {choose(((arrives && (!(0.0 < clearance))) && (time < doubt)), time, doubt)};
+    return {choose(((arrives && (!(0.0 < clearance))) && (time < undecided_time)), time, undecided_time)};
 }
 
 /* Earliest undecided time, with that of a tie within the delays; the earlier's delay.
    Table 1. 12 operations: 1 addition, 1 subtraction, 1 absolute value, 3 comparisons, 3 conjunctions, 3 selections. */
-struct kernel_tied_out {
-    double doubt, earliest_delay;
+struct kernel_tie_undecided_out {
+    double undecided_time, earliest_delay;
 };
 
-static __device__ __forceinline__ kernel_tied_out kernel_tied(double time, double when, double delay, double earliest_delay, double doubt, bool arrives)
+static __device__ __forceinline__ kernel_tie_undecided_out kernel_tie_undecided(double time, double when, double delay, double earliest_delay, double undecided_time, bool arrives)
 {
     const bool _s0 = time < when;
     const double _s1 = choose(_s0, time, when);
-    const double _s2 = choose(((arrives && (fabs((time - when)) <= (delay + earliest_delay))) && (_s1 < doubt)), _s1, doubt);
+    const double _s2 = choose(((arrives && (fabs((time - when)) <= (delay + earliest_delay))) && (_s1 < undecided_time)), _s1, undecided_time);
     return {_s2, choose((arrives && _s0), delay, earliest_delay)};
 }
 
@@ -721,23 +721,23 @@ static __device__ __forceinline__ kernel_beginning_out kernel_beginning()
 /* Undecided time 0 if errors exceed the budget of a search, or its bounds fail.
    Table 1. 6 operations: 3 comparisons, 2 disjunctions, 1 selection. */
 struct kernel_out_of_budget_out {
-    double doubt;
+    double undecided_time;
 };
 
-static __device__ __forceinline__ kernel_out_of_budget_out kernel_out_of_budget(double pad, double budget_exceeded, double earliest_delay, double doubt, double excess)
+static __device__ __forceinline__ kernel_out_of_budget_out kernel_out_of_budget(double pad, double budget_exceeded, double earliest_delay, double undecided_time, double excess)
 {
-    return {choose((((0.0 < excess) || (0.0 < budget_exceeded)) || (pad < earliest_delay)), 0.0, doubt)};
+    return {choose((((0.0 < excess) || (0.0 < budget_exceeded)) || (pad < earliest_delay)), 0.0, undecided_time)};
 }
 
 /* Undecided time 0 if errors exceed the budget of an open window, or its bounds fail.
    Table 1. 7 operations: 3 comparisons, 1 conjunction, 2 disjunctions, 1 selection. */
 struct kernel_out_of_budget_in_windows_out {
-    double doubt;
+    double undecided_time;
 };
 
-static __device__ __forceinline__ kernel_out_of_budget_in_windows_out kernel_out_of_budget_in_windows(double pad, double budget_exceeded, double earliest_delay, double doubt, double excess, bool searching)
+static __device__ __forceinline__ kernel_out_of_budget_in_windows_out kernel_out_of_budget_in_windows(double pad, double budget_exceeded, double earliest_delay, double undecided_time, double excess, bool searching)
 {
-    return {choose(((searching && ((0.0 < excess) || (pad < earliest_delay))) || (0.0 < budget_exceeded)), 0.0, doubt)};
+    return {choose(((searching && ((0.0 < excess) || (pad < earliest_delay))) || (0.0 < budget_exceeded)), 0.0, undecided_time)};
 }
 
 /* 1 near the surface that the ball left, where F/t is more exact than F; the margin.
@@ -792,11 +792,11 @@ static __device__ __forceinline__ kernel_stepped_out kernel_stepped(double arriv
 
 /* Whether the gap closes, certainly closes, or needs a smaller error budget.
    Table 1. 17 operations: 1 subtraction, 6 comparisons, 6 conjunctions, 2 disjunctions, 2 complements. */
-struct kernel_struck_out {
+struct kernel_gap_closes_out {
     bool hit, sure, needs_refinement;
 };
 
-static __device__ __forceinline__ kernel_struck_out kernel_struck(double gap, double rate, double bend, double margin, double rate_margin, double clearance, double share)
+static __device__ __forceinline__ kernel_gap_closes_out kernel_gap_closes(double gap, double rate, double bend, double margin, double rate_margin, double clearance, double share)
 {
     const bool _s0 = (rate < 0.0) || ((rate <= rate_margin) && (bend < 0.0));
     const bool _s1 = 0.0 < clearance;
@@ -808,11 +808,11 @@ static __device__ __forceinline__ kernel_struck_out kernel_struck(double gap, do
 
 /* Whether the gap closes; a step that moves nothing needs a smaller budget, too.
    Table 1. 25 operations: 1 subtraction, 8 comparisons, 9 conjunctions, 3 disjunctions, 4 complements. */
-struct kernel_struck_or_still_out {
+struct kernel_gap_closes_or_stalls_out {
     bool hit, sure, needs_refinement;
 };
 
-static __device__ __forceinline__ kernel_struck_or_still_out kernel_struck_or_still(double t, double end, double gap, double rate, double bend, double margin, double rate_margin, double next, double clearance, double share)
+static __device__ __forceinline__ kernel_gap_closes_or_stalls_out kernel_gap_closes_or_stalls(double t, double end, double gap, double rate, double bend, double margin, double rate_margin, double next, double clearance, double share)
 {
     const bool _s0 = (rate < 0.0) || ((rate <= rate_margin) && (bend < 0.0));
     const bool _s1 = 0.0 < clearance;
@@ -826,24 +826,24 @@ static __device__ __forceinline__ kernel_struck_or_still_out kernel_struck_or_st
 
 /* Next smaller error budget.
    Table 1. 3 operations: 1 multiplication, 1 comparison, 1 selection. */
-struct kernel_finer_out {
+struct kernel_smaller_budget_out {
     double share;
 };
 
-static __device__ __forceinline__ kernel_finer_out kernel_finer(double share)
+static __device__ __forceinline__ kernel_smaller_budget_out kernel_smaller_budget(double share)
 {
     return {choose((2.842170943040401e-14 < share), (0.03125 * share), 0.0)};
 }
 
 /* Earliest undecided time, with the present one if the errors exceed the budget.
    Table 1. 4 operations: 2 comparisons, 1 conjunction, 1 selection. */
-struct kernel_exceeded_out {
-    double doubt;
+struct kernel_budget_undecided_out {
+    double undecided_time;
 };
 
-static __device__ __forceinline__ kernel_exceeded_out kernel_exceeded(double t, double doubt, double excess)
+static __device__ __forceinline__ kernel_budget_undecided_out kernel_budget_undecided(double t, double undecided_time, double excess)
 {
-    return {choose(((0.0 < excess) && (t < doubt)), t, doubt)};
+    return {choose(((0.0 < excess) && (t < undecided_time)), t, undecided_time)};
 }
 
 /* Root, time and state of a search after a step, and whether its window is exhausted.
@@ -876,12 +876,12 @@ static __device__ __forceinline__ kernel_found_out kernel_found(double arrival)
 
 /* A certain root, refined, and whether h is above 2^-24, so that it is refined again.
    Table 1. 7 operations: 3 multiplications, 1 absolute value, 1 comparison, 1 conjunction, 1 selection. */
-struct kernel_polished_out {
+struct kernel_refined_root_out {
     double arrival;
     bool refining;
 };
 
-static __device__ __forceinline__ kernel_polished_out kernel_polished(double gap, double rate, double ceiling, double arrival, double refined, bool certain)
+static __device__ __forceinline__ kernel_refined_root_out kernel_refined_root(double gap, double rate, double ceiling, double arrival, double refined, bool certain)
 {
     return {choose(certain, refined, arrival), certain && ((5.960464477539063e-08 * (rate * rate)) < (ceiling * fabs(gap)))};
 }
@@ -899,25 +899,25 @@ static __device__ __forceinline__ kernel_own_margin_out kernel_own_margin(double
 
 /* Time of an arrival, not before the flight.
    Table 1. 2 operations: 1 comparison, 1 selection. */
-struct kernel_landed_out {
+struct kernel_arrival_time_out {
     double time;
 };
 
-static __device__ __forceinline__ kernel_landed_out kernel_landed(double arrival)
+static __device__ __forceinline__ kernel_arrival_time_out kernel_arrival_time(double arrival)
 {
     return {choose((arrival < 0.0), 0.0, arrival)};
 }
 
 /* Delay of a certain arrival; the earliest undecided time, with that of any other one.
    Table 1. 8 operations: 2 comparisons, 3 conjunctions, 1 complement, 2 selections. */
-struct kernel_landed_surely_out {
-    double delay, doubt;
+struct kernel_certain_arrival_out {
+    double delay, undecided_time;
 };
 
-static __device__ __forceinline__ kernel_landed_surely_out kernel_landed_surely(double clearance, double time, double delay, double doubt, bool arrives, bool certain)
+static __device__ __forceinline__ kernel_certain_arrival_out kernel_certain_arrival(double clearance, double time, double delay, double undecided_time, bool arrives, bool certain)
 {
     const bool _s0 = certain && (0.0 < clearance);
-    return {choose(_s0, delay, 0.0), choose(((arrives && (!_s0)) && (time < doubt)), time, doubt)};
+    return {choose(_s0, delay, 0.0), choose(((arrives && (!_s0)) && (time < undecided_time)), time, undecided_time)};
 }
 
 /* Start value: the ball is outside the surface.
@@ -947,7 +947,7 @@ static __device__ __forceinline__ kernel_state_in_range_out kernel_state_in_rang
 /* Start values: no arrival; an uncertain shot if its errors are not bounded.
    Table 1. 6 operations: 3 comparisons, 2 conjunctions, 1 selection. */
 struct kernel_opening_out {
-    double when, which, earliest_delay, doubt;
+    double when, which, earliest_delay, undecided_time;
 };
 
 static __device__ __forceinline__ kernel_opening_out kernel_opening(double excess, double position_error, double velocity_error)
@@ -1045,11 +1045,11 @@ static __device__ __forceinline__ kernel_touched_out kernel_touched(double which
 
 /* Whether a shot has ended at the time limit and its errors are wanted.
    Table 1. 3 operations: 2 comparisons, 1 conjunction. */
-struct kernel_timed_out {
-    bool timed;
+struct kernel_ends_by_time_limit_out {
+    bool ends_by_time_limit;
 };
 
-static __device__ __forceinline__ kernel_timed_out kernel_timed(double index, double which, double claims)
+static __device__ __forceinline__ kernel_ends_by_time_limit_out kernel_ends_by_time_limit(double index, double which, double claims)
 {
     return {(which == index) && (0.0 < claims)};
 }
@@ -1060,9 +1060,9 @@ struct kernel_undecided_out {
     double uncertain;
 };
 
-static __device__ __forceinline__ kernel_undecided_out kernel_undecided(double uncertain, bool unsure)
+static __device__ __forceinline__ kernel_undecided_out kernel_undecided(double uncertain, bool undecided)
 {
-    return {choose(unsure, 1.0, uncertain)};
+    return {choose(undecided, 1.0, uncertain)};
 }
 
 /* Body that the event is on.
@@ -1082,10 +1082,10 @@ struct kernel_admitted_out {
     double outcome, uncertain;
 };
 
-static __device__ __forceinline__ kernel_admitted_out kernel_admitted(double doubt, double valid, bool permitted, bool in_range)
+static __device__ __forceinline__ kernel_admitted_out kernel_admitted(double undecided_time, double valid, bool permitted, bool in_range)
 {
     const bool _s0 = permitted && in_range;
-    return {choose((_s0 && (0.0 < valid)), -1.0, 4.0), choose((_s0 && (0.0 < doubt)), 1.0, 0.0)};
+    return {choose((_s0 && (0.0 < valid)), -1.0, 4.0), choose((_s0 && (0.0 < undecided_time)), 1.0, 0.0)};
 }
 
 /* The time limit as an arrival.
@@ -1093,13 +1093,13 @@ static __device__ __forceinline__ kernel_admitted_out kernel_admitted(double dou
 struct kernel_expiry_out {
     double time, delay;
     bool arrives;
-    double doubt;
+    double undecided_time;
 };
 
-static __device__ __forceinline__ kernel_expiry_out kernel_expiry(double when, double which, double earliest_delay, double doubt, double time_error, double clock, double time_limit)
+static __device__ __forceinline__ kernel_expiry_out kernel_expiry(double when, double which, double earliest_delay, double undecided_time, double time_error, double clock, double time_limit)
 {
     const double _s0 = time_limit - clock;
-    return {larger(0.0, _s0), time_error + (4.440892098500626e-16 * time_limit), 0.0 <= which, choose(((!((when + earliest_delay) < doubt)) && (doubt < (INFINITE))), 0.0, doubt)};
+    return {larger(0.0, _s0), time_error + (4.440892098500626e-16 * time_limit), 0.0 <= which, choose(((!((when + earliest_delay) < undecided_time)) && (undecided_time < (INFINITE))), 0.0, undecided_time)};
 }
 
 /* Whether there is no event, an end, or a contact, and the outcome without one.
@@ -1144,11 +1144,11 @@ static __device__ __forceinline__ kernel_accounted_out kernel_accounted(double c
 
 /* Sum of the errors of the contacts' times.
    Table 1. 1 operation: 1 addition. */
-struct kernel_delayed_out {
+struct kernel_clock_error_sum_out {
     double clock_error;
 };
 
-static __device__ __forceinline__ kernel_delayed_out kernel_delayed(double delay, double clock_error)
+static __device__ __forceinline__ kernel_clock_error_sum_out kernel_clock_error_sum(double delay, double clock_error)
 {
     return {delay + clock_error};
 }
@@ -1167,22 +1167,22 @@ static __device__ __forceinline__ kernel_closing_out kernel_closing(double outco
 
 /* Errors at the end, not below the largest that one flight can cause.
    Table 1. 9 operations: 3 absolute values, 3 comparisons, 3 selections. */
-struct kernel_floored_out {
+struct kernel_error_floor_out {
     double dx, dy, dz;
 };
 
-static __device__ __forceinline__ kernel_floored_out kernel_floored(double dx, double dy, double dz, double shift)
+static __device__ __forceinline__ kernel_error_floor_out kernel_error_floor(double dx, double dy, double dz, double shift)
 {
     return {choose((fabs(dx) < shift), shift, dx), choose((fabs(dy) < shift), shift, dy), choose((fabs(dz) < shift), shift, dz)};
 }
 
 /* Start values: a normal without error.
    Table 1. No operations. */
-struct kernel_unturned_out {
+struct kernel_no_normal_error_out {
     double dnx, dny, dnz, turn;
 };
 
-static __device__ __forceinline__ kernel_unturned_out kernel_unturned()
+static __device__ __forceinline__ kernel_no_normal_error_out kernel_no_normal_error()
 {
     return {0.0, 0.0, 0.0, 0.0};
 }
@@ -1213,11 +1213,11 @@ static __device__ __forceinline__ kernel_half_steps_out kernel_half_steps(double
 
 /* Distance from the nearest other surface, at any azimuth.
    tangents. 6 operations: 1 addition, 1 multiplication, 2 comparisons, 2 selections. */
-struct kernel_cleared_out {
+struct kernel_clearance_at_any_azimuth_out {
     double azimuth_clearance;
 };
 
-static __device__ __forceinline__ kernel_cleared_out kernel_cleared(double gap, double nearing, double half_step, double azimuth_clearance)
+static __device__ __forceinline__ kernel_clearance_at_any_azimuth_out kernel_clearance_at_any_azimuth(double gap, double nearing, double half_step, double azimuth_clearance)
 {
     const double _s0 = nearing * half_step;
     const double _s1 = gap + smaller(_s0, 0.0);
@@ -1226,22 +1226,22 @@ static __device__ __forceinline__ kernel_cleared_out kernel_cleared(double gap, 
 
 /* Event: the ball certainly rolls for ever.
    Table 1. 1 operation: 1 selection. */
-struct kernel_for_ever_out {
+struct kernel_rolls_for_ever_out {
     double which;
 };
 
-static __device__ __forceinline__ kernel_for_ever_out kernel_for_ever(double which, bool endless)
+static __device__ __forceinline__ kernel_rolls_for_ever_out kernel_rolls_for_ever(double which, bool endless)
 {
     return {choose(endless, 8.0, which)};
 }
 
 /* Whether a ball goes on in contact, on whichever surface.
    Table 1. 1 operation: 1 disjunction. */
-struct kernel_rejoined_out {
+struct kernel_still_in_contact_out {
     bool rolling;
 };
 
-static __device__ __forceinline__ kernel_rejoined_out kernel_rejoined(bool rolling, bool circling)
+static __device__ __forceinline__ kernel_still_in_contact_out kernel_still_in_contact(bool rolling, bool circling)
 {
     return {rolling || circling};
 }
@@ -1561,11 +1561,11 @@ static __device__ __forceinline__ kernel_roll_7_out kernel_roll_7(double p_gravi
 
 /* Start value of the normal where the flight began: another surface.
    Table 1. No operations. */
-struct kernel_anew_out {
+struct kernel_other_start_surface_out {
     double left_nx, left_ny, left_nz;
 };
 
-static __device__ __forceinline__ kernel_anew_out kernel_anew()
+static __device__ __forceinline__ kernel_other_start_surface_out kernel_other_start_surface()
 {
     return {0.0, 0.0, 0.0};
 }
@@ -1706,12 +1706,12 @@ static __device__ __forceinline__ kernel_pressed_on_out kernel_pressed_on(double
 
 /* Whether a ball leaves so slowly that its bounces may end here.
    Table 1. 21 operations: 5 additions, 10 multiplications, 1 division, 3 comparisons, 1 conjunction, 1 disjunction. */
-struct kernel_slowed_out {
+struct kernel_leaves_slowly_out {
     bool slow;
     double assured;
 };
 
-static __device__ __forceinline__ kernel_slowed_out kernel_slowed(double p_ball_radius, double p_gravity, double nx, double ny, double nz, double vx, double vy, double vz, double position_error)
+static __device__ __forceinline__ kernel_leaves_slowly_out kernel_leaves_slowly(double p_ball_radius, double p_gravity, double nx, double ny, double nz, double vx, double vy, double vz, double position_error)
 {
     const double _s0 = ((nx * vx) + (ny * vy)) + (nz * vz);
     const double _s1 = _s0 * _s0;
@@ -1721,11 +1721,11 @@ static __device__ __forceinline__ kernel_slowed_out kernel_slowed(double p_ball_
 
 /* Start value for a ball without a contact.
    Table 1. No operations. */
-struct kernel_unslowed_out {
+struct kernel_no_slow_contact_out {
     bool slow;
 };
 
-static __device__ __forceinline__ kernel_unslowed_out kernel_unslowed()
+static __device__ __forceinline__ kernel_no_slow_contact_out kernel_no_slow_contact()
 {
     return {false};
 }
@@ -1775,11 +1775,11 @@ static __device__ __forceinline__ kernel_isolated_out kernel_isolated()
 
 /* Distance to a body beside a rolling ball, and whether it holds the ball, too.
    Table 1. 18 operations: 1 addition, 4 multiplications, 1 division, 2 absolute values, 5 comparisons, 1 conjunction, 4 selections. */
-struct kernel_neared_body_out {
+struct kernel_near_body_out {
     double nearest, second_contact_gap;
 };
 
-static __device__ __forceinline__ kernel_neared_body_out kernel_neared_body(double gap, double nearest, double second_contact_gap, double rolling_gap_acceleration, double normal_cosine, double press, double nearing)
+static __device__ __forceinline__ kernel_near_body_out kernel_near_body(double gap, double nearest, double second_contact_gap, double rolling_gap_acceleration, double normal_cosine, double press, double nearing)
 {
     const double _s0 = fabs(gap);
     const double _s1 = fabs(rolling_gap_acceleration);
@@ -1790,11 +1790,11 @@ static __device__ __forceinline__ kernel_neared_body_out kernel_neared_body(doub
 
 /* Distance to an end plane beside the ball.
    Table 1. 3 operations: 1 absolute value, 1 comparison, 1 selection. */
-struct kernel_neared_out {
+struct kernel_near_end_plane_out {
     double nearest;
 };
 
-static __device__ __forceinline__ kernel_neared_out kernel_neared(double gap, double nearest)
+static __device__ __forceinline__ kernel_near_end_plane_out kernel_near_end_plane(double gap, double nearest)
 {
     const double _s0 = fabs(gap);
     return {smaller(_s0, nearest)};
@@ -1802,11 +1802,11 @@ static __device__ __forceinline__ kernel_neared_out kernel_neared(double gap, do
 
 /* Errors with those of the jump to the end of the bounces.
    its bound. 41 operations: 12 additions, 3 multiplications, 2 divisions, 3 negations, 3 absolute values, 9 comparisons, 9 selections. */
-struct kernel_begun_errors_out {
+struct kernel_jump_errors_out {
     double dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz;
 };
 
-static __device__ __forceinline__ kernel_begun_errors_out kernel_begun_errors(double p_ball_radius, double vx, double vy, double vz, double dx, double dy, double dz, double dvx, double dvy, double dvz, double dwx, double dwy, double dwz)
+static __device__ __forceinline__ kernel_jump_errors_out kernel_jump_errors(double p_ball_radius, double vx, double vy, double vz, double dx, double dy, double dz, double dvx, double dvy, double dvz, double dwx, double dwy, double dwz)
 {
     const double _s0 = 3.637978807091713e-12 * p_ball_radius;
     const double _s1 = -_s0;
@@ -1822,10 +1822,10 @@ static __device__ __forceinline__ kernel_begun_errors_out kernel_begun_errors(do
 struct kernel_leaving_force_out {
     double stride, which;
     bool rests;
-    double doubt;
+    double undecided_time;
 };
 
-static __device__ __forceinline__ kernel_leaving_force_out kernel_leaving_force(double p_ball_radius, double p_gravity, double vx, double vx_1, double vy, double vy_1, double vz, double vz_1, double which, double doubt, double position_error, double velocity_error, double per_reach, double force, double force_rate, double force_bend, double friction_force_rate, double stride, double fastest)
+static __device__ __forceinline__ kernel_leaving_force_out kernel_leaving_force(double p_ball_radius, double p_gravity, double vx, double vx_1, double vy, double vy_1, double vz, double vz_1, double which, double undecided_time, double position_error, double velocity_error, double per_reach, double force, double force_rate, double force_bend, double friction_force_rate, double stride, double fastest)
 {
     const double _s0 = fabs(per_reach);
     const double _s1 = p_gravity + ((fastest * fastest) * _s0);
@@ -1845,16 +1845,16 @@ static __device__ __forceinline__ kernel_leaving_force_out kernel_leaving_force(
     const double _s15 = choose((0.0 <= _s13), (choose(_s3, (2.0 * _s12), (force_rate + _s14)) / choose(_s3, (_s14 - force_rate), larger(0.0, _s11))), (INFINITE));
     const double _s16 = ((8.0 * _s0) * ((position_error * _s1) + (velocity_error * fastest))) + _s2;
     const bool _s17 = _s7 || ((fabs(force) <= _s16) && (!(((8.0 * _s11) * _s16) < _s10)));
-    return {choose((_s8 || _s9), 0.0, smaller(_s15, stride)), choose((_s8 && (which == -1.0)), 6.0, which), _s9 && (!_s8), choose(_s17, 0.0, doubt)};
+    return {choose((_s8 || _s9), 0.0, smaller(_s15, stride)), choose((_s8 && (which == -1.0)), 6.0, which), _s9 && (!_s8), choose(_s17, 0.0, undecided_time)};
 }
 
 /* Whether a rolling ball meets another surface; else a time for which it cannot.
    a parabola below the distance. 55 operations: 7 additions, 1 subtraction, 12 multiplications, 2 divisions, 1 square root, 1 negation, 4 absolute values, 9 comparisons, 5 conjunctions, 1 disjunction, 2 complements, 10 selections. */
 struct kernel_beside_body_out {
-    double stride, which, doubt, earliest_delay;
+    double stride, which, undecided_time, earliest_delay;
 };
 
-static __device__ __forceinline__ kernel_beside_body_out kernel_beside_body(double p_ball_radius, double x, double y, double z, double gap, double index, double which, double earliest_delay, double doubt, double position_error, double nearing, double gap_curvature, double stride, double strongest, double fastest)
+static __device__ __forceinline__ kernel_beside_body_out kernel_beside_body(double p_ball_radius, double x, double y, double z, double gap, double index, double which, double earliest_delay, double undecided_time, double position_error, double nearing, double gap_curvature, double stride, double strongest, double fastest)
 {
     const double _s0 = 7.105427357601002e-15 * (((p_ball_radius + fabs(x)) + fabs(y)) + fabs(z));
     const bool _s1 = gap <= _s0;
@@ -1870,16 +1870,16 @@ static __device__ __forceinline__ kernel_beside_body_out kernel_beside_body(doub
     const bool _s11 = _s3 && _s10;
     const double _s12 = (2.0 * position_error) + _s0;
     const bool _s13 = (((gap <= _s12) && ((-_s12) <= gap)) && (!(((8.0 * _s12) * _s5) < _s4))) || (_s3 && (!_s10));
-    return {choose(_s3, 0.0, smaller(_s9, stride)), choose(_s11, index, which), choose(_s13, 0.0, doubt), choose(_s11, ((2.0 * _s12) / fabs(nearing)), earliest_delay)};
+    return {choose(_s3, 0.0, smaller(_s9, stride)), choose(_s11, index, which), choose(_s13, 0.0, undecided_time), choose(_s11, ((2.0 * _s12) / fabs(nearing)), earliest_delay)};
 }
 
 /* Whether a rolling ball crosses an end plane; else a time for which it cannot.
    a parabola below the distance. 60 operations: 7 additions, 1 subtraction, 11 multiplications, 2 divisions, 1 square root, 2 negations, 4 absolute values, 12 comparisons, 6 conjunctions, 1 disjunction, 2 complements, 11 selections. */
-struct kernel_beside_gate_out {
-    double stride, which, doubt, earliest_delay;
+struct kernel_beside_end_plane_out {
+    double stride, which, undecided_time, earliest_delay;
 };
 
-static __device__ __forceinline__ kernel_beside_gate_out kernel_beside_gate(double p_ball_radius, double x, double y, double z, double gap, double index, double which, double earliest_delay, double doubt, double position_error, double nearing, double gap_curvature, double stride, double strongest, double fastest)
+static __device__ __forceinline__ kernel_beside_end_plane_out kernel_beside_end_plane(double p_ball_radius, double x, double y, double z, double gap, double index, double which, double earliest_delay, double undecided_time, double position_error, double nearing, double gap_curvature, double stride, double strongest, double fastest)
 {
     const double _s0 = 7.105427357601002e-15 * (((p_ball_radius + fabs(x)) + fabs(y)) + fabs(z));
     const bool _s1 = nearing < 0.0;
@@ -1894,7 +1894,7 @@ static __device__ __forceinline__ kernel_beside_gate_out kernel_beside_gate(doub
     const bool _s10 = _s2 && _s9;
     const double _s11 = (2.0 * position_error) + _s0;
     const bool _s12 = (((gap <= _s11) && ((-_s11) <= gap)) && (!(((8.0 * _s11) * _s4) < _s3))) || (_s2 && (!_s9));
-    return {choose(_s2, 0.0, smaller(_s8, stride)), choose(_s10, index, which), choose(_s12, 0.0, doubt), choose(_s10, ((2.0 * _s11) / fabs(nearing)), earliest_delay)};
+    return {choose(_s2, 0.0, smaller(_s8, stride)), choose(_s10, index, which), choose(_s12, 0.0, undecided_time), choose(_s10, ((2.0 * _s11) / fabs(nearing)), earliest_delay)};
 }
 
 /* Time for which a rolling ball certainly stays on one part of its surface.
@@ -1970,13 +1970,13 @@ static __device__ __forceinline__ kernel_neighbour_free_time_out kernel_neighbou
     return {smaller(_s6, free_time)};
 }
 
-/* Time for which a ball that leaves crosses no end plane; else it is in doubt.
+/* Time for which a ball that leaves crosses no end plane; else that is undecided.
    a parabola below the distance. 55 operations: 8 additions, 2 subtractions, 9 multiplications, 3 divisions, 2 square roots, 2 negations, 4 absolute values, 11 comparisons, 1 disjunction, 13 selections. */
 struct kernel_end_plane_free_time_out {
-    double free_time, doubt;
+    double free_time, undecided_time;
 };
 
-static __device__ __forceinline__ kernel_end_plane_free_time_out kernel_end_plane_free_time(double p_gravity, double vx, double vy, double vz, double gap, double doubt, double free_time, double nearing, double gap_curvature)
+static __device__ __forceinline__ kernel_end_plane_free_time_out kernel_end_plane_free_time(double p_gravity, double vx, double vy, double vz, double gap, double undecided_time, double free_time, double nearing, double gap_curvature)
 {
     const bool _s0 = 0.0 < gap;
     const double _s1 = nearing * nearing;
@@ -1996,7 +1996,7 @@ static __device__ __forceinline__ kernel_end_plane_free_time_out kernel_end_plan
     const bool _s15 = (-nearing) < 0.0;
     const double _s16 = choose((0.0 <= _s13), (choose(_s15, (2.0 * _s12), (_s14 - nearing)) / choose(_s15, (nearing + _s14), _s8)), (INFINITE));
     const double _s17 = fabs(nearing) / _s3;
-    return {choose(_s0, smaller(_s10, free_time), free_time), choose((_s0 || (0.0078125 < larger(_s16, _s17))), doubt, 0.0)};
+    return {choose(_s0, smaller(_s10, free_time), free_time), choose((_s0 || (0.0078125 < larger(_s16, _s17))), undecided_time, 0.0)};
 }
 
 /* Time for which it certainly reaches no seam, where the distance bends differently.
@@ -2019,10 +2019,10 @@ static __device__ __forceinline__ kernel_seam_free_time_out kernel_seam_free_tim
 /* Time for which a ball that leaves a surface certainly meets neither it nor another.
    Taylor's theorem of the gap. 66 operations: 10 additions, 21 multiplications, 5 divisions, 4 square roots, 6 absolute values, 10 comparisons, 1 disjunction, 9 selections. */
 struct kernel_separated_out {
-    double when, doubt;
+    double when, undecided_time;
 };
 
-static __device__ __forceinline__ kernel_separated_out kernel_separated(double p_gravity, double vx, double vy, double vz, double doubt, double position_error, double velocity_error, double per_reach, double free_time, double lift, double gap_jerk, double gap_snap)
+static __device__ __forceinline__ kernel_separated_out kernel_separated(double p_gravity, double vx, double vy, double vz, double undecided_time, double position_error, double velocity_error, double per_reach, double free_time, double lift, double gap_jerk, double gap_snap)
 {
     const double _s0 = 0.25 * free_time;
     const double _s1 = (((0.0078125 * p_gravity) + fabs(vx)) + fabs(vy)) + fabs(vz);
@@ -2044,7 +2044,7 @@ static __device__ __forceinline__ kernel_separated_out kernel_separated(double p
     const double _s17 = smaller(_s16, 0.0078125);
     const double _s18 = smaller(_s0, _s17);
     const double _s19 = (5.684341886080802e-14 * p_gravity) + ((16.0 * ((position_error * _s3) + (velocity_error * _s1))) * _s2);
-    return {larger(0.0, _s18), choose((((_s19 * _s4) < gap_jerk) || (_s19 < lift)), doubt, 0.0)};
+    return {larger(0.0, _s18), choose((((_s19 * _s4) < gap_jerk) || (_s19 < lift)), undecided_time, 0.0)};
 }
 
 /* Scale from the errors to the neighbouring motion.
@@ -2167,7 +2167,7 @@ static __device__ __forceinline__ kernel_reachable_in_flight_out kernel_reachabl
 /* Start values of a turn in contact: no event yet.
    Table 1. 7 operations: 5 comparisons, 1 conjunction, 1 selection. */
 struct kernel_resumed_out {
-    double which, earliest_delay, began, doubt;
+    double which, earliest_delay, began, undecided_time;
     bool begins, rolling, leaves;
     double nx, ny, nz, gap, bent_x, bent_y, bent_z, lift, gap_jerk, gap_snap, per_reach;
 };
@@ -2179,13 +2179,13 @@ static __device__ __forceinline__ kernel_resumed_out kernel_resumed(double posit
 
 /* 1 if a decision lies within its error, unless it only delays bounces on one surface.
    Table 1. 12 operations: 1 addition, 4 comparisons, 3 conjunctions, 1 disjunction, 2 complements, 1 selection. */
-struct kernel_doubted_in_contact_out {
+struct kernel_contact_undecided_out {
     double uncertain;
 };
 
-static __device__ __forceinline__ kernel_doubted_in_contact_out kernel_doubted_in_contact(double last, double when, double which, double earliest_delay, double doubt, double uncertain, bool edge, double assured)
+static __device__ __forceinline__ kernel_contact_undecided_out kernel_contact_undecided(double last, double when, double which, double earliest_delay, double undecided_time, double uncertain, bool edge, double assured)
 {
-    const bool _s0 = (((!((when + earliest_delay) < doubt)) && (doubt < (INFINITE))) || edge) && (!((0.0 < assured) && (which == last)));
+    const bool _s0 = (((!((when + earliest_delay) < undecided_time)) && (undecided_time < (INFINITE))) || edge) && (!((0.0 < assured) && (which == last)));
     return {choose(_s0, 1.0, uncertain)};
 }
 
@@ -2213,11 +2213,11 @@ static __device__ __forceinline__ kernel_beside_out kernel_beside(double index, 
 
 /* Start value: the ball has not departed.
    Table 1. No operations. */
-struct kernel_unhopped_out {
+struct kernel_no_departure_out {
     bool hopped;
 };
 
-static __device__ __forceinline__ kernel_unhopped_out kernel_unhopped()
+static __device__ __forceinline__ kernel_no_departure_out kernel_no_departure()
 {
     return {false};
 }
@@ -2235,11 +2235,11 @@ static __device__ __forceinline__ kernel_beginning_contact_out kernel_beginning_
 
 /* Event: the ball is off the surface.
    Table 1. No operations. */
-struct kernel_take_off_out {
+struct kernel_detachment_out {
     double which;
 };
 
-static __device__ __forceinline__ kernel_take_off_out kernel_take_off()
+static __device__ __forceinline__ kernel_detachment_out kernel_detachment()
 {
     return {7.0};
 }
@@ -2247,12 +2247,12 @@ static __device__ __forceinline__ kernel_take_off_out kernel_take_off()
 /* Log entry, outcome and mode of a ball in contact after a turn.
    Table 1. 38 operations: 3 additions, 1 subtraction, 1 multiplication, 9 comparisons, 2 conjunctions, 4 disjunctions, 1 complement, 17 selections. */
 struct kernel_stay_in_contact_out {
-    double body, reached, doubt;
+    double body, reached, undecided_time;
     bool ends, hopped;
     double last, mode, held, rolls;
 };
 
-static __device__ __forceinline__ kernel_stay_in_contact_out kernel_stay_in_contact(double last, double which, double doubt, double body, double clock, double reached, bool ends, double held, double rolls, bool rolling, double began, bool rests)
+static __device__ __forceinline__ kernel_stay_in_contact_out kernel_stay_in_contact(double last, double which, double undecided_time, double body, double clock, double reached, bool ends, double held, double rolls, bool rolling, double began, bool rests)
 {
     const bool _s0 = which == 5.0;
     const double _s1 = 2.0 * choose((held == 2.0), 2.0, choose((held == 1.0), 1.0, choose((held == 0.0), 0.0, -1.0)));
@@ -2261,7 +2261,7 @@ static __device__ __forceinline__ kernel_stay_in_contact_out kernel_stay_in_cont
     const bool _s4 = which == 8.0;
     const bool _s5 = rolling && ((clock - began) <= 5.960464477539063e-08);
     const bool _s6 = 4.0 < which;
-    return {choose(_s0, (4.0 + _s1), choose(_s2, (5.0 + _s1), choose(_s3, -1.0, choose(_s4, 3.0, body)))), choose(_s5, 2.0, choose(_s4, 6.0, choose(rests, 5.0, choose((_s6 || rolling), -1.0, reached)))), choose(_s5, 0.0, doubt), ends && (!_s6), _s3, choose(_s3, -1.0, last), choose((_s0 || rolling), 2.0, choose(_s2, 3.0, 0.0)), choose(((_s0 || _s2) || rolling), held, -1.0), choose(_s0, (1.0 + rolls), rolls)};
+    return {choose(_s0, (4.0 + _s1), choose(_s2, (5.0 + _s1), choose(_s3, -1.0, choose(_s4, 3.0, body)))), choose(_s5, 2.0, choose(_s4, 6.0, choose(rests, 5.0, choose((_s6 || rolling), -1.0, reached)))), choose(_s5, 0.0, undecided_time), ends && (!_s6), _s3, choose(_s3, -1.0, last), choose((_s0 || rolling), 2.0, choose(_s2, 3.0, 0.0)), choose(((_s0 || _s2) || rolling), held, -1.0), choose(_s0, (1.0 + rolls), rolls)};
 }
 
 /* Whether the ball stays on the surface, slides, leaves, or is wedged.
@@ -2270,18 +2270,18 @@ struct kernel_settled_out {
     double mode, held, outcome, slip_left, uncertain;
 };
 
-static __device__ __forceinline__ kernel_settled_out kernel_settled(double index, double outcome, double uncertain, bool unsure, bool settles, bool nearly, bool lodges, bool slides, bool unpressed)
+static __device__ __forceinline__ kernel_settled_out kernel_settled(double index, double outcome, double uncertain, bool undecided, bool settles, bool nearly, bool lodges, bool slides, bool unpressed)
 {
-    return {choose(nearly, choose(settles, 1.0, choose(unpressed, 3.0, 0.0)), 0.0), choose((nearly && (settles || unpressed)), index, -1.0), choose(((nearly && (lodges || slides)) && (outcome < 0.0)), choose(lodges, 5.0, 2.0), outcome), choose((nearly && slides), 1.0, 0.0), choose((lodges || unsure), 1.0, uncertain)};
+    return {choose(nearly, choose(settles, 1.0, choose(unpressed, 3.0, 0.0)), 0.0), choose((nearly && (settles || unpressed)), index, -1.0), choose(((nearly && (lodges || slides)) && (outcome < 0.0)), choose(lodges, 5.0, 2.0), outcome), choose((nearly && slides), 1.0, 0.0), choose((lodges || undecided), 1.0, uncertain)};
 }
 
 /* Square of the friction that rolling takes, per unit mass, and its rate.
    F = beta (-a_t + s n × n'). 57 operations: 18 additions, 36 multiplications, 1 division, 2 negations. */
-struct kernel_pulled_out {
+struct kernel_ring_friction_out {
     double rolling_friction, rolling_friction_rate, grip_deficit, grip_deficit_rate;
 };
 
-static __device__ __forceinline__ kernel_pulled_out kernel_pulled(double p_gravity, double p_inertia, double nx_0, double nx_1, double ny_0, double ny_1, double nz_0, double nz_1, double turn_rate_0, double turn_rate_1, double tx_0, double tx_1, double ty_0, double ty_1, double tz_0, double tz_1)
+static __device__ __forceinline__ kernel_ring_friction_out kernel_ring_friction(double p_gravity, double p_inertia, double nx_0, double nx_1, double ny_0, double ny_1, double nz_0, double nz_1, double turn_rate_0, double turn_rate_1, double tx_0, double tx_1, double ty_0, double ty_1, double tz_0, double tz_1)
 {
     const double _s0 = -(p_gravity * nz_0);
     const double _s1 = p_inertia * (1.0 / (1.0 + p_inertia));
@@ -2308,22 +2308,22 @@ static __device__ __forceinline__ kernel_forget_grip_deficit_out kernel_forget_g
 
 /* Whether friction exceeds its limit for the first time.
    F² > mu² N². 3 operations: 2 comparisons, 1 conjunction. */
-struct kernel_losing_out {
+struct kernel_exceeds_grip_out {
     bool loses;
 };
 
-static __device__ __forceinline__ kernel_losing_out kernel_losing(double grip_deficit, double grip_lost)
+static __device__ __forceinline__ kernel_exceeds_grip_out kernel_exceeds_grip(double grip_deficit, double grip_lost)
 {
     return {(0.0 < grip_deficit) && (grip_lost == (INFINITE))};
 }
 
 /* Time at which friction first exceeded its limit.
    a cubic between the ends of a step. 97 operations: 22 additions, 9 subtractions, 28 multiplications, 5 divisions, 1 negation, 16 comparisons, 1 conjunction, 15 selections. */
-struct kernel_lost_grip_out {
+struct kernel_grip_lost_time_out {
     double grip_lost;
 };
 
-static __device__ __forceinline__ kernel_lost_grip_out kernel_lost_grip(double clock, double grip_deficit, double grip_deficit_rate, double last_grip_deficit, double last_grip_deficit_rate, double last_grip_clock)
+static __device__ __forceinline__ kernel_grip_lost_time_out kernel_grip_lost_time(double clock, double grip_deficit, double grip_deficit_rate, double last_grip_deficit, double last_grip_deficit_rate, double last_grip_clock)
 {
     const double _s0 = clock - last_grip_clock;
     const double _s1 = grip_deficit - last_grip_deficit;
@@ -2383,11 +2383,11 @@ static __device__ __forceinline__ kernel_ring_impact_taken_out kernel_ring_impac
 
 /* Whether a decision within the contact lies within its error.
    the law's own slack. 88 operations: 16 additions, 11 subtractions, 29 multiplications, 3 divisions, 1 square root, 1 negation, 13 absolute values, 7 comparisons, 2 conjunctions, 1 complement, 4 selections. */
-struct kernel_ring_impact_doubt_out {
-    bool unsure;
+struct kernel_ring_impact_undecided_out {
+    bool undecided;
 };
 
-static __device__ __forceinline__ kernel_ring_impact_doubt_out kernel_ring_impact_doubt(double vx, double vy, double vz, double wx, double wy, double wz, double nx, double ny, double nz, double dvx, double dvy, double dvz, double dwx, double dwy, double dwz, double turn, double p_ball_radius, double p_ring_restitution, double p_ring_friction, double p_inertia, double p_tangential_restitution, double p_restitution_speed)
+static __device__ __forceinline__ kernel_ring_impact_undecided_out kernel_ring_impact_undecided(double vx, double vy, double vz, double wx, double wy, double wz, double nx, double ny, double nz, double dvx, double dvy, double dvz, double dwx, double dwy, double dwz, double turn, double p_ball_radius, double p_ring_restitution, double p_ring_friction, double p_inertia, double p_tangential_restitution, double p_restitution_speed)
 {
     const double _s0 = (p_inertia * (1.0 + p_tangential_restitution)) / (1.0 + p_inertia);
     const double _s1 = fabs(dwx);
@@ -2416,7 +2416,7 @@ static __device__ __forceinline__ kernel_ring_impact_doubt_out kernel_ring_impac
 struct kernel_ring_impact_settling_out {
     bool settles, lodges, slides, unpressed;
     double assured;
-    bool unsure;
+    bool undecided;
 };
 
 static __device__ __forceinline__ kernel_ring_impact_settling_out kernel_ring_impact_settling(double p_ball_radius, double p_inertia, double p_ring_friction, double p_ring_restitution, double wx, double wy, double wz, double velocity_error, double rolled_x, double rolled_y, double rolled_z, double turning_x, double turning_y, double turning_z, double slip, double bounce, double nearest, double second_contact_gap, double press, double weight, double rolling_friction, double lift)
@@ -3409,10 +3409,10 @@ static __device__ __forceinline__ kernel_ring_round_pulled_out kernel_ring_round
 struct kernel_ring_swung_out {
     double circled;
     bool endless;
-    double doubt;
+    double undecided_time;
 };
 
-static __device__ __forceinline__ kernel_ring_swung_out kernel_ring_swung(double p_ball_radius, double p_gravity, double p_wire_radius, double which, double doubt, double position_error, double velocity_error, double force, double force_rate, double force_bend, double stride, double fastest, double circled, double climb, double climb_0, double section_acceleration, double azimuth_clearance)
+static __device__ __forceinline__ kernel_ring_swung_out kernel_ring_swung(double p_ball_radius, double p_gravity, double p_wire_radius, double which, double undecided_time, double position_error, double velocity_error, double force, double force_rate, double force_bend, double stride, double fastest, double circled, double climb, double climb_0, double section_acceleration, double azimuth_clearance)
 {
     const double _s0 = p_ball_radius + p_wire_radius;
     const double _s1 = stride * stride;
@@ -3422,7 +3422,7 @@ static __device__ __forceinline__ kernel_ring_swung_out kernel_ring_swung(double
     const bool _s5 = (_s3 && _s4) && (0.0 < circled);
     const double _s6 = p_gravity + ((fastest * fastest) * (1.0 / _s0));
     const bool _s7 = !((_s6 * (512.0 * ((position_error * _s6) + (velocity_error * fastest)))) < ((0.000244140625 * (p_gravity * p_gravity)) * _s0));
-    return {choose(_s3, choose(_s4, 1.0, circled), 0.0), _s5, choose((_s5 && _s7), 0.0, doubt)};
+    return {choose(_s3, choose(_s4, 1.0, circled), 0.0), _s5, choose((_s5 && _s7), 0.0, undecided_time)};
 }
 
 /* Coefficients of order 1, from those of lower order.
@@ -4971,7 +4971,7 @@ static __device__ __forceinline__ void court_loop(
         last_grip_deficit = INFINITE, last_grip_deficit_rate = 0.0, last_grip_clock = 0.0,
         through = 0.0, uncertain = 0.0, position_claim = 0.0, velocity_claim = 0.0,
         spin_claim = 0.0, time_claim = 0.0, outcome = -1.0, allowed = 0.0, valid = 0.0,
-        doubt = INFINITE, position_error = 0.0, velocity_error = 0.0, time_error = 0.0,
+        undecided_time = INFINITE, position_error = 0.0, velocity_error = 0.0, time_error = 0.0,
         extent = 0.0, speed = 0.0, excess = 0.0, when = 0.0, which = 0.0, earliest_delay = 0.0,
         began = 0.0, leaving = 0.0, time = 0.0, rate = 0.0, bend = 0.0, apex = 0.0, height = 0.0,
         ceiling = 0.0, nearest = 0.0, margin = 0.0, clearance = 0.0, delay = 0.0, until = 0.0,
@@ -5038,9 +5038,9 @@ static __device__ __forceinline__ void court_loop(
         exhausted = false, refining = false, reachable = false, begins = false, leaves = false,
         here = false, circling = false, loses = false, beside = false, over = false,
         endless = false, moves = false, ends = false, touches = false, edge = false,
-        unsure = false, hopped = false, meeting = false, slow = false, again = false,
+        undecided = false, hopped = false, meeting = false, slow = false, again = false,
         struck_0 = false, nearly = false, settles = false, lodges = false, slides = false,
-        unpressed = false, timed = false, closed = false;
+        unpressed = false, ends_by_time_limit = false, closed = false;
     float onset = (float)0.0, wide_end = (float)0.0, wide_low1 = (float)0.0, wide_high1 = (float)0.0,
         wide_low2 = (float)0.0, wide_high2 = (float)0.0, lapsed = (float)0.0,
         short_share = (float)0.0, short_t = (float)0.0, short_end = (float)0.0,
@@ -5077,14 +5077,14 @@ static __device__ __forceinline__ void court_loop(
     close = _o3.close;
     valid = _o3.valid;
     if (BOUNDS)
-        doubt = _o3.doubt;
+        undecided_time = _o3.undecided_time;
     if (close) {
         const kernel_valid_out _o4 = kernel_valid(last, x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_bridge_half_width, p_bridge_depth, p_end_depth);
         valid = _o4.valid;
         if (BOUNDS)
-            doubt = _o4.doubt;
+            undecided_time = _o4.undecided_time;
     }
-    const kernel_admitted_out _o5 = kernel_admitted(doubt, valid, permitted, in_range);
+    const kernel_admitted_out _o5 = kernel_admitted(undecided_time, valid, permitted, in_range);
     outcome = _o5.outcome;
     if (BOUNDS)
         uncertain = _o5.uncertain;
@@ -5110,7 +5110,7 @@ static __device__ __forceinline__ void court_loop(
         which = _o9.which;
         if (BOUNDS) {
             earliest_delay = _o9.earliest_delay;
-            doubt = _o9.doubt;
+            undecided_time = _o9.undecided_time;
         }
         const kernel_limited_out _o10 = kernel_limited(time_limit);
         limited = _o10.limited;
@@ -5129,7 +5129,7 @@ static __device__ __forceinline__ void court_loop(
         apex = _o13.apex;
         if (BOUNDS)
             height = _o13.height;
-        const kernel_meeting_plane_out _o14 = kernel_meeting_plane(rate, bend, apex, time);
+        const kernel_plane_root_out _o14 = kernel_plane_root(rate, bend, apex, time);
         arrives = _o14.arrives;
         if (BOUNDS) {
             ceiling = _o14.ceiling;
@@ -5145,15 +5145,15 @@ static __device__ __forceinline__ void court_loop(
         const kernel_within_time_out _o17 = kernel_within_time(time, when, delay, earliest_delay, arrives);
         possible = _o17.possible;
         if (BOUNDS) {
-            const kernel_grazed_out _o18 = kernel_grazed(margin, apex, height, doubt);
-            doubt = _o18.doubt;
+            const kernel_graze_undecided_out _o18 = kernel_graze_undecided(margin, apex, height, undecided_time);
+            undecided_time = _o18.undecided_time;
         }
         if (possible) {
             if (BOUNDS) {
-                const kernel_crossed_out _o19 = kernel_crossed(clearance, time, doubt, arrives);
-                doubt = _o19.doubt;
-                const kernel_tied_out _o20 = kernel_tied(time, when, delay, earliest_delay, doubt, arrives);
-                doubt = _o20.doubt;
+                const kernel_crossing_undecided_out _o19 = kernel_crossing_undecided(clearance, time, undecided_time, arrives);
+                undecided_time = _o19.undecided_time;
+                const kernel_tie_undecided_out _o20 = kernel_tie_undecided(time, when, delay, earliest_delay, undecided_time, arrives);
+                undecided_time = _o20.undecided_time;
                 earliest_delay = _o20.earliest_delay;
             }
             const kernel_earliest_out _o21 = kernel_earliest(3.0, time, when, which, arrives);
@@ -5238,8 +5238,8 @@ static __device__ __forceinline__ void court_loop(
                 excess = _o33.excess;
                 const kernel_ring_budget_exceeded_out _o34 = kernel_ring_budget_exceeded(until, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
                 budget_exceeded = _o34.budget_exceeded;
-                const kernel_out_of_budget_out _o35 = kernel_out_of_budget(pad, budget_exceeded, earliest_delay, doubt, excess);
-                doubt = _o35.doubt;
+                const kernel_out_of_budget_out _o35 = kernel_out_of_budget(pad, budget_exceeded, earliest_delay, undecided_time, excess);
+                undecided_time = _o35.undecided_time;
             }
             if (stepping) {
                 const kernel_ring_step_out _o36 = kernel_ring_step(short_t, short_end, short_rate_margin, short_ceiling, short_x, short_y, short_z, short_vx, short_vy, short_vz, short_energy2, short_moment2, short_rho_start, short_flat, short_tilt, short_quotient_margin, short_jerk, short_start_rate, short_rho_rate, short_low1, short_high1, short_low2, short_high2, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
@@ -5298,12 +5298,12 @@ static __device__ __forceinline__ void court_loop(
                     step = _o44.step;
                     next = _o44.next;
                     clearance = _o44.clearance;
-                    const kernel_struck_out _o45 = kernel_struck(gap, rate, bend, margin, rate_slack, clearance, share);
+                    const kernel_gap_closes_out _o45 = kernel_gap_closes(gap, rate, bend, margin, rate_slack, clearance, share);
                     hit = _o45.hit;
                     sure = _o45.sure;
                     needs_refinement = _o45.needs_refinement;
                     if (needs_refinement) {
-                        const kernel_finer_out _o46 = kernel_finer(share);
+                        const kernel_smaller_budget_out _o46 = kernel_smaller_budget(share);
                         share = _o46.share;
                         const kernel_allowance_out _o47 = kernel_allowance(share, latest, extent, speed, position_error, velocity_error, p_gravity);
                         position_level = _o47.position_level;
@@ -5315,8 +5315,8 @@ static __device__ __forceinline__ void court_loop(
                         tilt = _o48.leaving_margin;
                         rate_slack = _o48.rate_margin;
                         if (BOUNDS) {
-                            const kernel_exceeded_out _o49 = kernel_exceeded(t, doubt, excess);
-                            doubt = _o49.doubt;
+                            const kernel_budget_undecided_out _o49 = kernel_budget_undecided(t, undecided_time, excess);
+                            undecided_time = _o49.undecided_time;
                         }
                     }
                     const kernel_advanced_out _o50 = kernel_advanced(t, end, step, next, arrival, hit, sure, needs_refinement, certain);
@@ -5333,8 +5333,8 @@ static __device__ __forceinline__ void court_loop(
                     }
                 }
                 if (BOUNDS) {
-                    const kernel_questioned_out _o52 = kernel_questioned(t, doubt, searching);
-                    doubt = _o52.doubt;
+                    const kernel_predicate_undecided_out _o52 = kernel_predicate_undecided(t, undecided_time, searching);
+                    undecided_time = _o52.undecided_time;
                 }
             }
             const kernel_found_out _o53 = kernel_found(arrival);
@@ -5349,7 +5349,7 @@ static __device__ __forceinline__ void court_loop(
                 refined = _o55.time;
                 gap = _o55.gap;
                 rate = _o55.rate;
-                const kernel_polished_out _o56 = kernel_polished(gap, rate, ceiling, arrival, refined, certain);
+                const kernel_refined_root_out _o56 = kernel_refined_root(gap, rate, ceiling, arrival, refined, certain);
                 arrival = _o56.arrival;
                 refining = _o56.refining;
             }
@@ -5358,7 +5358,7 @@ static __device__ __forceinline__ void court_loop(
                 refined = _o57.time;
                 gap = _o57.gap;
                 rate = _o57.rate;
-                const kernel_polished_out _o58 = kernel_polished(gap, rate, ceiling, arrival, refined, certain);
+                const kernel_refined_root_out _o58 = kernel_refined_root(gap, rate, ceiling, arrival, refined, certain);
                 arrival = _o58.arrival;
                 refining = _o58.refining;
             }
@@ -5369,7 +5369,7 @@ static __device__ __forceinline__ void court_loop(
                 refined = _o59.time;
                 gap = _o59.gap;
                 rate = _o59.rate;
-                const kernel_polished_out _o60 = kernel_polished(gap, rate, ceiling, arrival, refined, certain);
+                const kernel_refined_root_out _o60 = kernel_refined_root(gap, rate, ceiling, arrival, refined, certain);
                 arrival = _o60.arrival;
                 refining = _o60.refining;
             }
@@ -5384,14 +5384,14 @@ static __device__ __forceinline__ void court_loop(
                 clearance = _o63.clearance;
                 delay = _o63.delay;
             }
-            const kernel_landed_out _o64 = kernel_landed(arrival);
+            const kernel_arrival_time_out _o64 = kernel_arrival_time(arrival);
             time = _o64.time;
             if (BOUNDS) {
-                const kernel_landed_surely_out _o65 = kernel_landed_surely(clearance, time, delay, doubt, arrives, certain);
+                const kernel_certain_arrival_out _o65 = kernel_certain_arrival(clearance, time, delay, undecided_time, arrives, certain);
                 delay = _o65.delay;
-                doubt = _o65.doubt;
-                const kernel_tied_out _o66 = kernel_tied(time, when, delay, earliest_delay, doubt, arrives);
-                doubt = _o66.doubt;
+                undecided_time = _o65.undecided_time;
+                const kernel_tie_undecided_out _o66 = kernel_tie_undecided(time, when, delay, earliest_delay, undecided_time, arrives);
+                undecided_time = _o66.undecided_time;
                 earliest_delay = _o66.earliest_delay;
             }
             const kernel_earliest_out _o67 = kernel_earliest(0.0, time, when, which, arrives);
@@ -5401,7 +5401,7 @@ static __device__ __forceinline__ void court_loop(
         const kernel_horizon_out _o68 = kernel_horizon(when, speed, p_gravity);
         until = _o68.horizon;
         pad = _o68.pad;
-        const kernel_halved_out _o69 = kernel_halved(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, earliest_delay, pad, p_gravity);
+        const kernel_half_flight_boxes_out _o69 = kernel_half_flight_boxes(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, earliest_delay, pad, p_gravity);
         middle_x = _o69.middle_x;
         reach_x = _o69.reach_x;
         later_middle_x = _o69.later_middle_x;
@@ -5450,8 +5450,8 @@ static __device__ __forceinline__ void court_loop(
             end = _o77.end;
             searching = _o77.searching;
             if (BOUNDS) {
-                const kernel_out_of_budget_in_windows_out _o78 = kernel_out_of_budget_in_windows(pad, budget_exceeded, earliest_delay, doubt, excess, searching);
-                doubt = _o78.doubt;
+                const kernel_out_of_budget_in_windows_out _o78 = kernel_out_of_budget_in_windows(pad, budget_exceeded, earliest_delay, undecided_time, excess, searching);
+                undecided_time = _o78.undecided_time;
             }
             if (searching) {
                 const kernel_nearby_out _o79 = kernel_nearby(t, flat, tilt, 1.0, last);
@@ -5464,12 +5464,12 @@ static __device__ __forceinline__ void court_loop(
                 step = _o80.step;
                 next = _o80.next;
                 clearance = _o80.clearance;
-                const kernel_struck_or_still_out _o81 = kernel_struck_or_still(t, end, gap, rate, bend, margin, rate_slack, next, clearance, share);
+                const kernel_gap_closes_or_stalls_out _o81 = kernel_gap_closes_or_stalls(t, end, gap, rate, bend, margin, rate_slack, next, clearance, share);
                 hit = _o81.hit;
                 sure = _o81.sure;
                 needs_refinement = _o81.needs_refinement;
                 if (needs_refinement) {
-                    const kernel_finer_out _o82 = kernel_finer(share);
+                    const kernel_smaller_budget_out _o82 = kernel_smaller_budget(share);
                     share = _o82.share;
                     const kernel_allowance_out _o83 = kernel_allowance(share, latest, extent, speed, position_error, velocity_error, p_gravity);
                     position_level = _o83.position_level;
@@ -5481,8 +5481,8 @@ static __device__ __forceinline__ void court_loop(
                     tilt = _o84.leaving_margin;
                     rate_slack = _o84.rate_margin;
                     if (BOUNDS) {
-                        const kernel_exceeded_out _o85 = kernel_exceeded(t, doubt, excess);
-                        doubt = _o85.doubt;
+                        const kernel_budget_undecided_out _o85 = kernel_budget_undecided(t, undecided_time, excess);
+                        undecided_time = _o85.undecided_time;
                     }
                 }
                 const kernel_advanced_out _o86 = kernel_advanced(t, end, step, next, arrival, hit, sure, needs_refinement, certain);
@@ -5511,12 +5511,12 @@ static __device__ __forceinline__ void court_loop(
                 step = _o89.step;
                 next = _o89.next;
                 clearance = _o89.clearance;
-                const kernel_struck_or_still_out _o90 = kernel_struck_or_still(t, end, gap, rate, bend, margin, rate_slack, next, clearance, share);
+                const kernel_gap_closes_or_stalls_out _o90 = kernel_gap_closes_or_stalls(t, end, gap, rate, bend, margin, rate_slack, next, clearance, share);
                 hit = _o90.hit;
                 sure = _o90.sure;
                 needs_refinement = _o90.needs_refinement;
                 if (needs_refinement) {
-                    const kernel_finer_out _o91 = kernel_finer(share);
+                    const kernel_smaller_budget_out _o91 = kernel_smaller_budget(share);
                     share = _o91.share;
                     const kernel_allowance_out _o92 = kernel_allowance(share, latest, extent, speed, position_error, velocity_error, p_gravity);
                     position_level = _o92.position_level;
@@ -5528,8 +5528,8 @@ static __device__ __forceinline__ void court_loop(
                     tilt = _o93.leaving_margin;
                     rate_slack = _o93.rate_margin;
                     if (BOUNDS) {
-                        const kernel_exceeded_out _o94 = kernel_exceeded(t, doubt, excess);
-                        doubt = _o94.doubt;
+                        const kernel_budget_undecided_out _o94 = kernel_budget_undecided(t, undecided_time, excess);
+                        undecided_time = _o94.undecided_time;
                     }
                 }
                 const kernel_advanced_out _o95 = kernel_advanced(t, end, step, next, arrival, hit, sure, needs_refinement, certain);
@@ -5546,8 +5546,8 @@ static __device__ __forceinline__ void court_loop(
                 }
             }
             if (BOUNDS) {
-                const kernel_questioned_out _o97 = kernel_questioned(t, doubt, searching);
-                doubt = _o97.doubt;
+                const kernel_predicate_undecided_out _o97 = kernel_predicate_undecided(t, undecided_time, searching);
+                undecided_time = _o97.undecided_time;
             }
             const kernel_found_out _o98 = kernel_found(arrival);
             arrives = _o98.arrives;
@@ -5561,7 +5561,7 @@ static __device__ __forceinline__ void court_loop(
                 refined = _o100.time;
                 gap = _o100.gap;
                 rate = _o100.rate;
-                const kernel_polished_out _o101 = kernel_polished(gap, rate, ceiling, arrival, refined, certain);
+                const kernel_refined_root_out _o101 = kernel_refined_root(gap, rate, ceiling, arrival, refined, certain);
                 arrival = _o101.arrival;
                 refining = _o101.refining;
             }
@@ -5570,7 +5570,7 @@ static __device__ __forceinline__ void court_loop(
                 refined = _o102.time;
                 gap = _o102.gap;
                 rate = _o102.rate;
-                const kernel_polished_out _o103 = kernel_polished(gap, rate, ceiling, arrival, refined, certain);
+                const kernel_refined_root_out _o103 = kernel_refined_root(gap, rate, ceiling, arrival, refined, certain);
                 arrival = _o103.arrival;
                 refining = _o103.refining;
             }
@@ -5581,7 +5581,7 @@ static __device__ __forceinline__ void court_loop(
                 refined = _o104.time;
                 gap = _o104.gap;
                 rate = _o104.rate;
-                const kernel_polished_out _o105 = kernel_polished(gap, rate, ceiling, arrival, refined, certain);
+                const kernel_refined_root_out _o105 = kernel_refined_root(gap, rate, ceiling, arrival, refined, certain);
                 arrival = _o105.arrival;
                 refining = _o105.refining;
             }
@@ -5596,14 +5596,14 @@ static __device__ __forceinline__ void court_loop(
                 clearance = _o108.clearance;
                 delay = _o108.delay;
             }
-            const kernel_landed_out _o109 = kernel_landed(arrival);
+            const kernel_arrival_time_out _o109 = kernel_arrival_time(arrival);
             time = _o109.time;
             if (BOUNDS) {
-                const kernel_landed_surely_out _o110 = kernel_landed_surely(clearance, time, delay, doubt, arrives, certain);
+                const kernel_certain_arrival_out _o110 = kernel_certain_arrival(clearance, time, delay, undecided_time, arrives, certain);
                 delay = _o110.delay;
-                doubt = _o110.doubt;
-                const kernel_tied_out _o111 = kernel_tied(time, when, delay, earliest_delay, doubt, arrives);
-                doubt = _o111.doubt;
+                undecided_time = _o110.undecided_time;
+                const kernel_tie_undecided_out _o111 = kernel_tie_undecided(time, when, delay, earliest_delay, undecided_time, arrives);
+                undecided_time = _o111.undecided_time;
                 earliest_delay = _o111.earliest_delay;
             }
             const kernel_earliest_out _o112 = kernel_earliest(1.0, time, when, which, arrives);
@@ -5613,7 +5613,7 @@ static __device__ __forceinline__ void court_loop(
         const kernel_horizon_out _o113 = kernel_horizon(when, speed, p_gravity);
         until = _o113.horizon;
         pad = _o113.pad;
-        const kernel_halved_out _o114 = kernel_halved(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, earliest_delay, pad, p_gravity);
+        const kernel_half_flight_boxes_out _o114 = kernel_half_flight_boxes(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, earliest_delay, pad, p_gravity);
         middle_x = _o114.middle_x;
         reach_x = _o114.reach_x;
         later_middle_x = _o114.later_middle_x;
@@ -5662,8 +5662,8 @@ static __device__ __forceinline__ void court_loop(
             end = _o122.end;
             searching = _o122.searching;
             if (BOUNDS) {
-                const kernel_out_of_budget_in_windows_out _o123 = kernel_out_of_budget_in_windows(pad, budget_exceeded, earliest_delay, doubt, excess, searching);
-                doubt = _o123.doubt;
+                const kernel_out_of_budget_in_windows_out _o123 = kernel_out_of_budget_in_windows(pad, budget_exceeded, earliest_delay, undecided_time, excess, searching);
+                undecided_time = _o123.undecided_time;
             }
             if (searching) {
                 const kernel_nearby_out _o124 = kernel_nearby(t, flat, tilt, 2.0, last);
@@ -5676,12 +5676,12 @@ static __device__ __forceinline__ void court_loop(
                 step = _o125.step;
                 next = _o125.next;
                 clearance = _o125.clearance;
-                const kernel_struck_or_still_out _o126 = kernel_struck_or_still(t, end, gap, rate, bend, margin, rate_slack, next, clearance, share);
+                const kernel_gap_closes_or_stalls_out _o126 = kernel_gap_closes_or_stalls(t, end, gap, rate, bend, margin, rate_slack, next, clearance, share);
                 hit = _o126.hit;
                 sure = _o126.sure;
                 needs_refinement = _o126.needs_refinement;
                 if (needs_refinement) {
-                    const kernel_finer_out _o127 = kernel_finer(share);
+                    const kernel_smaller_budget_out _o127 = kernel_smaller_budget(share);
                     share = _o127.share;
                     const kernel_allowance_out _o128 = kernel_allowance(share, latest, extent, speed, position_error, velocity_error, p_gravity);
                     position_level = _o128.position_level;
@@ -5693,8 +5693,8 @@ static __device__ __forceinline__ void court_loop(
                     tilt = _o129.leaving_margin;
                     rate_slack = _o129.rate_margin;
                     if (BOUNDS) {
-                        const kernel_exceeded_out _o130 = kernel_exceeded(t, doubt, excess);
-                        doubt = _o130.doubt;
+                        const kernel_budget_undecided_out _o130 = kernel_budget_undecided(t, undecided_time, excess);
+                        undecided_time = _o130.undecided_time;
                     }
                 }
                 const kernel_advanced_out _o131 = kernel_advanced(t, end, step, next, arrival, hit, sure, needs_refinement, certain);
@@ -5723,12 +5723,12 @@ static __device__ __forceinline__ void court_loop(
                 step = _o134.step;
                 next = _o134.next;
                 clearance = _o134.clearance;
-                const kernel_struck_or_still_out _o135 = kernel_struck_or_still(t, end, gap, rate, bend, margin, rate_slack, next, clearance, share);
+                const kernel_gap_closes_or_stalls_out _o135 = kernel_gap_closes_or_stalls(t, end, gap, rate, bend, margin, rate_slack, next, clearance, share);
                 hit = _o135.hit;
                 sure = _o135.sure;
                 needs_refinement = _o135.needs_refinement;
                 if (needs_refinement) {
-                    const kernel_finer_out _o136 = kernel_finer(share);
+                    const kernel_smaller_budget_out _o136 = kernel_smaller_budget(share);
                     share = _o136.share;
                     const kernel_allowance_out _o137 = kernel_allowance(share, latest, extent, speed, position_error, velocity_error, p_gravity);
                     position_level = _o137.position_level;
@@ -5740,8 +5740,8 @@ static __device__ __forceinline__ void court_loop(
                     tilt = _o138.leaving_margin;
                     rate_slack = _o138.rate_margin;
                     if (BOUNDS) {
-                        const kernel_exceeded_out _o139 = kernel_exceeded(t, doubt, excess);
-                        doubt = _o139.doubt;
+                        const kernel_budget_undecided_out _o139 = kernel_budget_undecided(t, undecided_time, excess);
+                        undecided_time = _o139.undecided_time;
                     }
                 }
                 const kernel_advanced_out _o140 = kernel_advanced(t, end, step, next, arrival, hit, sure, needs_refinement, certain);
@@ -5758,8 +5758,8 @@ static __device__ __forceinline__ void court_loop(
                 }
             }
             if (BOUNDS) {
-                const kernel_questioned_out _o142 = kernel_questioned(t, doubt, searching);
-                doubt = _o142.doubt;
+                const kernel_predicate_undecided_out _o142 = kernel_predicate_undecided(t, undecided_time, searching);
+                undecided_time = _o142.undecided_time;
             }
             const kernel_found_out _o143 = kernel_found(arrival);
             arrives = _o143.arrives;
@@ -5773,7 +5773,7 @@ static __device__ __forceinline__ void court_loop(
                 refined = _o145.time;
                 gap = _o145.gap;
                 rate = _o145.rate;
-                const kernel_polished_out _o146 = kernel_polished(gap, rate, ceiling, arrival, refined, certain);
+                const kernel_refined_root_out _o146 = kernel_refined_root(gap, rate, ceiling, arrival, refined, certain);
                 arrival = _o146.arrival;
                 refining = _o146.refining;
             }
@@ -5782,7 +5782,7 @@ static __device__ __forceinline__ void court_loop(
                 refined = _o147.time;
                 gap = _o147.gap;
                 rate = _o147.rate;
-                const kernel_polished_out _o148 = kernel_polished(gap, rate, ceiling, arrival, refined, certain);
+                const kernel_refined_root_out _o148 = kernel_refined_root(gap, rate, ceiling, arrival, refined, certain);
                 arrival = _o148.arrival;
                 refining = _o148.refining;
             }
@@ -5793,7 +5793,7 @@ static __device__ __forceinline__ void court_loop(
                 refined = _o149.time;
                 gap = _o149.gap;
                 rate = _o149.rate;
-                const kernel_polished_out _o150 = kernel_polished(gap, rate, ceiling, arrival, refined, certain);
+                const kernel_refined_root_out _o150 = kernel_refined_root(gap, rate, ceiling, arrival, refined, certain);
                 arrival = _o150.arrival;
                 refining = _o150.refining;
             }
@@ -5808,14 +5808,14 @@ static __device__ __forceinline__ void court_loop(
                 clearance = _o153.clearance;
                 delay = _o153.delay;
             }
-            const kernel_landed_out _o154 = kernel_landed(arrival);
+            const kernel_arrival_time_out _o154 = kernel_arrival_time(arrival);
             time = _o154.time;
             if (BOUNDS) {
-                const kernel_landed_surely_out _o155 = kernel_landed_surely(clearance, time, delay, doubt, arrives, certain);
+                const kernel_certain_arrival_out _o155 = kernel_certain_arrival(clearance, time, delay, undecided_time, arrives, certain);
                 delay = _o155.delay;
-                doubt = _o155.doubt;
-                const kernel_tied_out _o156 = kernel_tied(time, when, delay, earliest_delay, doubt, arrives);
-                doubt = _o156.doubt;
+                undecided_time = _o155.undecided_time;
+                const kernel_tie_undecided_out _o156 = kernel_tie_undecided(time, when, delay, earliest_delay, undecided_time, arrives);
+                undecided_time = _o156.undecided_time;
                 earliest_delay = _o156.earliest_delay;
             }
             const kernel_earliest_out _o157 = kernel_earliest(2.0, time, when, which, arrives);
@@ -5823,16 +5823,16 @@ static __device__ __forceinline__ void court_loop(
             which = _o157.which;
         }
         if (limited) {
-            const kernel_expiry_out _o158 = kernel_expiry(when, which, earliest_delay, doubt, time_error, clock, time_limit);
+            const kernel_expiry_out _o158 = kernel_expiry(when, which, earliest_delay, undecided_time, time_error, clock, time_limit);
             time = _o158.time;
             arrives = _o158.arrives;
             if (BOUNDS) {
                 delay = _o158.delay;
-                doubt = _o158.doubt;
+                undecided_time = _o158.undecided_time;
             }
             if (BOUNDS) {
-                const kernel_tied_out _o159 = kernel_tied(time, when, delay, earliest_delay, doubt, arrives);
-                doubt = _o159.doubt;
+                const kernel_tie_undecided_out _o159 = kernel_tie_undecided(time, when, delay, earliest_delay, undecided_time, arrives);
+                undecided_time = _o159.undecided_time;
                 earliest_delay = _o159.earliest_delay;
             }
             const kernel_earliest_out _o160 = kernel_earliest(4.0, time, when, which, arrives);
@@ -5859,7 +5859,7 @@ static __device__ __forceinline__ void court_loop(
             per_reach = _o161.per_reach;
             if (BOUNDS) {
                 earliest_delay = _o161.earliest_delay;
-                doubt = _o161.doubt;
+                undecided_time = _o161.undecided_time;
             }
             if (begins) {
                 const kernel_holding_out _o162 = kernel_holding(0.0, held);
@@ -5921,7 +5921,7 @@ static __device__ __forceinline__ void court_loop(
                 wy = _o176.wy;
                 wz = _o176.wz;
                 if (BOUNDS) {
-                    const kernel_begun_errors_out _o177 = kernel_begun_errors(p_ball_radius, vx, vy, vz, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
+                    const kernel_jump_errors_out _o177 = kernel_jump_errors(p_ball_radius, vx, vy, vz, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
                     dx = _o177.dx;
                     dy = _o177.dy;
                     dz = _o177.dz;
@@ -6087,7 +6087,7 @@ static __device__ __forceinline__ void court_loop(
                 if (BOUNDS)
                     missed = _o197.missed;
                 if (BOUNDS) {
-                    const kernel_pulled_out _o198 = kernel_pulled(p_gravity, p_inertia, nx_0, nx_1, ny_0, ny_1, nz_0, nz_1, turn_rate_0, turn_rate_1, tx_0, tx_1, ty_0, ty_1, tz_0, tz_1);
+                    const kernel_ring_friction_out _o198 = kernel_ring_friction(p_gravity, p_inertia, nx_0, nx_1, ny_0, ny_1, nz_0, nz_1, turn_rate_0, turn_rate_1, tx_0, tx_1, ty_0, ty_1, tz_0, tz_1);
                     rolling_friction = _o198.rolling_friction;
                     rolling_friction_rate = _o198.rolling_friction_rate;
                     grip_deficit = _o198.grip_deficit;
@@ -6106,10 +6106,10 @@ static __device__ __forceinline__ void court_loop(
                         grip_deficit = _o202.grip_deficit;
                         grip_deficit_rate = _o202.grip_deficit_rate;
                     }
-                    const kernel_losing_out _o203 = kernel_losing(grip_deficit, grip_lost);
+                    const kernel_exceeds_grip_out _o203 = kernel_exceeds_grip(grip_deficit, grip_lost);
                     loses = _o203.loses;
                     if (loses) {
-                        const kernel_lost_grip_out _o204 = kernel_lost_grip(clock, grip_deficit, grip_deficit_rate, last_grip_deficit, last_grip_deficit_rate, last_grip_clock);
+                        const kernel_grip_lost_time_out _o204 = kernel_grip_lost_time(clock, grip_deficit, grip_deficit_rate, last_grip_deficit, last_grip_deficit_rate, last_grip_clock);
                         grip_lost = _o204.grip_lost;
                     }
                     const kernel_remember_grip_deficit_out _o205 = kernel_remember_grip_deficit(clock, grip_deficit, grip_deficit_rate);
@@ -6117,12 +6117,12 @@ static __device__ __forceinline__ void court_loop(
                     last_grip_deficit_rate = _o205.last_grip_deficit_rate;
                     last_grip_clock = _o205.last_grip_clock;
                 }
-                const kernel_leaving_force_out _o206 = kernel_leaving_force(p_ball_radius, p_gravity, vx, vx_1, vy, vy_1, vz, vz_1, which, doubt, position_error, velocity_error, per_reach, force, force_rate, force_bend, friction_force_rate, stride, fastest);
+                const kernel_leaving_force_out _o206 = kernel_leaving_force(p_ball_radius, p_gravity, vx, vx_1, vy, vy_1, vz, vz_1, which, undecided_time, position_error, velocity_error, per_reach, force, force_rate, force_bend, friction_force_rate, stride, fastest);
                 stride = _o206.stride;
                 which = _o206.which;
                 rests = _o206.rests;
                 if (BOUNDS)
-                    doubt = _o206.doubt;
+                    undecided_time = _o206.undecided_time;
                 const kernel_beside_out _o207 = kernel_beside(0.0, held);
                 beside = _o207.beside;
                 if (beside) {
@@ -6130,11 +6130,11 @@ static __device__ __forceinline__ void court_loop(
                     gap = _o208.gap;
                     nearing = _o208.nearing;
                     gap_curvature = _o208.gap_curvature;
-                    const kernel_beside_body_out _o209 = kernel_beside_body(p_ball_radius, x, y, z, gap, 0.0, which, earliest_delay, doubt, position_error, nearing, gap_curvature, stride, strongest, fastest);
+                    const kernel_beside_body_out _o209 = kernel_beside_body(p_ball_radius, x, y, z, gap, 0.0, which, earliest_delay, undecided_time, position_error, nearing, gap_curvature, stride, strongest, fastest);
                     stride = _o209.stride;
                     which = _o209.which;
                     if (BOUNDS) {
-                        doubt = _o209.doubt;
+                        undecided_time = _o209.undecided_time;
                         earliest_delay = _o209.earliest_delay;
                     }
                 }
@@ -6145,11 +6145,11 @@ static __device__ __forceinline__ void court_loop(
                     gap = _o211.gap;
                     nearing = _o211.nearing;
                     gap_curvature = _o211.gap_curvature;
-                    const kernel_beside_body_out _o212 = kernel_beside_body(p_ball_radius, x, y, z, gap, 1.0, which, earliest_delay, doubt, position_error, nearing, gap_curvature, stride, strongest, fastest);
+                    const kernel_beside_body_out _o212 = kernel_beside_body(p_ball_radius, x, y, z, gap, 1.0, which, earliest_delay, undecided_time, position_error, nearing, gap_curvature, stride, strongest, fastest);
                     stride = _o212.stride;
                     which = _o212.which;
                     if (BOUNDS) {
-                        doubt = _o212.doubt;
+                        undecided_time = _o212.undecided_time;
                         earliest_delay = _o212.earliest_delay;
                     }
                 }
@@ -6160,11 +6160,11 @@ static __device__ __forceinline__ void court_loop(
                     gap = _o214.gap;
                     nearing = _o214.nearing;
                     gap_curvature = _o214.gap_curvature;
-                    const kernel_beside_body_out _o215 = kernel_beside_body(p_ball_radius, x, y, z, gap, 2.0, which, earliest_delay, doubt, position_error, nearing, gap_curvature, stride, strongest, fastest);
+                    const kernel_beside_body_out _o215 = kernel_beside_body(p_ball_radius, x, y, z, gap, 2.0, which, earliest_delay, undecided_time, position_error, nearing, gap_curvature, stride, strongest, fastest);
                     stride = _o215.stride;
                     which = _o215.which;
                     if (BOUNDS) {
-                        doubt = _o215.doubt;
+                        undecided_time = _o215.undecided_time;
                         earliest_delay = _o215.earliest_delay;
                     }
                 }
@@ -6172,11 +6172,11 @@ static __device__ __forceinline__ void court_loop(
                 gap = _o216.gap;
                 nearing = _o216.nearing;
                 gap_curvature = _o216.gap_curvature;
-                const kernel_beside_gate_out _o217 = kernel_beside_gate(p_ball_radius, x, y, z, gap, 3.0, which, earliest_delay, doubt, position_error, nearing, gap_curvature, stride, strongest, fastest);
+                const kernel_beside_end_plane_out _o217 = kernel_beside_end_plane(p_ball_radius, x, y, z, gap, 3.0, which, earliest_delay, undecided_time, position_error, nearing, gap_curvature, stride, strongest, fastest);
                 stride = _o217.stride;
                 which = _o217.which;
                 if (BOUNDS) {
-                    doubt = _o217.doubt;
+                    undecided_time = _o217.undecided_time;
                     earliest_delay = _o217.earliest_delay;
                 }
                 const kernel_holding_out _o218 = kernel_holding(1.0, held);
@@ -6668,10 +6668,10 @@ static __device__ __forceinline__ void court_loop(
                     const kernel_ring_impact_grip_deficit_out _o305 = kernel_ring_impact_grip_deficit(p_ring_friction, rolling_friction, rolling_friction_rate, force, force_rate);
                     grip_deficit = _o305.grip_deficit;
                     grip_deficit_rate = _o305.grip_deficit_rate;
-                    const kernel_losing_out _o306 = kernel_losing(grip_deficit, grip_lost);
+                    const kernel_exceeds_grip_out _o306 = kernel_exceeds_grip(grip_deficit, grip_lost);
                     loses = _o306.loses;
                     if (loses) {
-                        const kernel_lost_grip_out _o307 = kernel_lost_grip(clock, grip_deficit, grip_deficit_rate, last_grip_deficit, last_grip_deficit_rate, last_grip_clock);
+                        const kernel_grip_lost_time_out _o307 = kernel_grip_lost_time(clock, grip_deficit, grip_deficit_rate, last_grip_deficit, last_grip_deficit_rate, last_grip_clock);
                         grip_lost = _o307.grip_lost;
                     }
                     const kernel_remember_grip_deficit_out _o308 = kernel_remember_grip_deficit(clock, grip_deficit, grip_deficit_rate);
@@ -6679,43 +6679,43 @@ static __device__ __forceinline__ void court_loop(
                     last_grip_deficit_rate = _o308.last_grip_deficit_rate;
                     last_grip_clock = _o308.last_grip_clock;
                 }
-                const kernel_leaving_force_out _o309 = kernel_leaving_force(p_ball_radius, p_gravity, vx, vx_1, vy, vy_1, vz, vz_1, which, doubt, position_error, velocity_error, per_reach, force, force_rate, force_bend, friction_force_rate, stride, fastest);
+                const kernel_leaving_force_out _o309 = kernel_leaving_force(p_ball_radius, p_gravity, vx, vx_1, vy, vy_1, vz, vz_1, which, undecided_time, position_error, velocity_error, per_reach, force, force_rate, force_bend, friction_force_rate, stride, fastest);
                 stride = _o309.stride;
                 which = _o309.which;
                 rests = _o309.rests;
                 if (BOUNDS)
-                    doubt = _o309.doubt;
+                    undecided_time = _o309.undecided_time;
                 const kernel_backboard_beside_out _o310 = kernel_backboard_beside(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, vx, vy, vz);
                 gap = _o310.gap;
                 nearing = _o310.nearing;
                 gap_curvature = _o310.gap_curvature;
-                const kernel_beside_body_out _o311 = kernel_beside_body(p_ball_radius, x, y, z, gap, 1.0, which, earliest_delay, doubt, position_error, nearing, gap_curvature, stride, strongest, fastest);
+                const kernel_beside_body_out _o311 = kernel_beside_body(p_ball_radius, x, y, z, gap, 1.0, which, earliest_delay, undecided_time, position_error, nearing, gap_curvature, stride, strongest, fastest);
                 stride = _o311.stride;
                 which = _o311.which;
                 if (BOUNDS) {
-                    doubt = _o311.doubt;
+                    undecided_time = _o311.undecided_time;
                     earliest_delay = _o311.earliest_delay;
                 }
                 const kernel_bridge_beside_out _o312 = kernel_bridge_beside(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
                 gap = _o312.gap;
                 nearing = _o312.nearing;
                 gap_curvature = _o312.gap_curvature;
-                const kernel_beside_body_out _o313 = kernel_beside_body(p_ball_radius, x, y, z, gap, 2.0, which, earliest_delay, doubt, position_error, nearing, gap_curvature, stride, strongest, fastest);
+                const kernel_beside_body_out _o313 = kernel_beside_body(p_ball_radius, x, y, z, gap, 2.0, which, earliest_delay, undecided_time, position_error, nearing, gap_curvature, stride, strongest, fastest);
                 stride = _o313.stride;
                 which = _o313.which;
                 if (BOUNDS) {
-                    doubt = _o313.doubt;
+                    undecided_time = _o313.undecided_time;
                     earliest_delay = _o313.earliest_delay;
                 }
                 const kernel_end_beside_out _o314 = kernel_end_beside(p_end_depth, z, vz);
                 gap = _o314.gap;
                 nearing = _o314.nearing;
                 gap_curvature = _o314.gap_curvature;
-                const kernel_beside_gate_out _o315 = kernel_beside_gate(p_ball_radius, x, y, z, gap, 3.0, which, earliest_delay, doubt, position_error, nearing, gap_curvature, stride, strongest, fastest);
+                const kernel_beside_end_plane_out _o315 = kernel_beside_end_plane(p_ball_radius, x, y, z, gap, 3.0, which, earliest_delay, undecided_time, position_error, nearing, gap_curvature, stride, strongest, fastest);
                 stride = _o315.stride;
                 which = _o315.which;
                 if (BOUNDS) {
-                    doubt = _o315.doubt;
+                    undecided_time = _o315.undecided_time;
                     earliest_delay = _o315.earliest_delay;
                 }
                 const kernel_beside_time_out _o316 = kernel_beside_time(which, clock, time_limit, stride);
@@ -6745,17 +6745,17 @@ static __device__ __forceinline__ void court_loop(
                 const kernel_backboard_around_out _o322 = kernel_backboard_around(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, vx, vy, vz);
                 gap = _o322.gap;
                 nearing = _o322.nearing;
-                const kernel_cleared_out _o323 = kernel_cleared(gap, nearing, forth, azimuth_clearance);
+                const kernel_clearance_at_any_azimuth_out _o323 = kernel_clearance_at_any_azimuth(gap, nearing, forth, azimuth_clearance);
                 azimuth_clearance = _o323.azimuth_clearance;
                 const kernel_bridge_around_out _o324 = kernel_bridge_around(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
                 gap = _o324.gap;
                 nearing = _o324.nearing;
-                const kernel_cleared_out _o325 = kernel_cleared(gap, nearing, forth, azimuth_clearance);
+                const kernel_clearance_at_any_azimuth_out _o325 = kernel_clearance_at_any_azimuth(gap, nearing, forth, azimuth_clearance);
                 azimuth_clearance = _o325.azimuth_clearance;
                 const kernel_end_around_out _o326 = kernel_end_around(p_end_depth, z, vz);
                 gap = _o326.gap;
                 nearing = _o326.nearing;
-                const kernel_cleared_out _o327 = kernel_cleared(gap, nearing, forth, azimuth_clearance);
+                const kernel_clearance_at_any_azimuth_out _o327 = kernel_clearance_at_any_azimuth(gap, nearing, forth, azimuth_clearance);
                 azimuth_clearance = _o327.azimuth_clearance;
                 const kernel_ring_round_moved_out _o328 = kernel_ring_round_moved(p_ball_radius, p_ring_radius, p_wire_radius, stride, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, turn_rate_10, turn_rate_11, turn_rate_12, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, climb_11, climb_12, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, cosine_10, cosine_11, cosine_12, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, sine_10, sine_11, sine_12, along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, along_10, along_11, along_12, cos_0, sin_0, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, omega_10, omega_11);
                 x = _o328.x;
@@ -6773,24 +6773,24 @@ static __device__ __forceinline__ void court_loop(
                 const kernel_backboard_around_out _o330 = kernel_backboard_around(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, vx, vy, vz);
                 gap = _o330.gap;
                 nearing = _o330.nearing;
-                const kernel_cleared_out _o331 = kernel_cleared(gap, nearing, back, azimuth_clearance);
+                const kernel_clearance_at_any_azimuth_out _o331 = kernel_clearance_at_any_azimuth(gap, nearing, back, azimuth_clearance);
                 azimuth_clearance = _o331.azimuth_clearance;
                 const kernel_bridge_around_out _o332 = kernel_bridge_around(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
                 gap = _o332.gap;
                 nearing = _o332.nearing;
-                const kernel_cleared_out _o333 = kernel_cleared(gap, nearing, back, azimuth_clearance);
+                const kernel_clearance_at_any_azimuth_out _o333 = kernel_clearance_at_any_azimuth(gap, nearing, back, azimuth_clearance);
                 azimuth_clearance = _o333.azimuth_clearance;
                 const kernel_end_around_out _o334 = kernel_end_around(p_end_depth, z, vz);
                 gap = _o334.gap;
                 nearing = _o334.nearing;
-                const kernel_cleared_out _o335 = kernel_cleared(gap, nearing, back, azimuth_clearance);
+                const kernel_clearance_at_any_azimuth_out _o335 = kernel_clearance_at_any_azimuth(gap, nearing, back, azimuth_clearance);
                 azimuth_clearance = _o335.azimuth_clearance;
-                const kernel_ring_swung_out _o336 = kernel_ring_swung(p_ball_radius, p_gravity, p_wire_radius, which, doubt, position_error, velocity_error, force, force_rate, force_bend, stride, fastest, circled, climb, climb_0, section_acceleration, azimuth_clearance);
+                const kernel_ring_swung_out _o336 = kernel_ring_swung(p_ball_radius, p_gravity, p_wire_radius, which, undecided_time, position_error, velocity_error, force, force_rate, force_bend, stride, fastest, circled, climb, climb_0, section_acceleration, azimuth_clearance);
                 circled = _o336.circled;
                 endless = _o336.endless;
                 if (BOUNDS)
-                    doubt = _o336.doubt;
-                const kernel_for_ever_out _o337 = kernel_for_ever(which, endless);
+                    undecided_time = _o336.undecided_time;
+                const kernel_rolls_for_ever_out _o337 = kernel_rolls_for_ever(which, endless);
                 which = _o337.which;
                 if (BOUNDS) {
                     const kernel_ring_round_start_out _o338 = kernel_ring_round_start(p_ball_radius, p_inertia, p_ring_radius, p_wire_radius, far_x, far_y, far_z, far_vx, far_vy, far_vz, far_wx, far_wy, far_wz, per_reach);
@@ -6934,7 +6934,7 @@ static __device__ __forceinline__ void court_loop(
                 clock = _o353.clock;
                 circling = _o353.rolling;
             }
-            const kernel_rejoined_out _o354 = kernel_rejoined(rolling, circling);
+            const kernel_still_in_contact_out _o354 = kernel_still_in_contact(rolling, circling);
             rolling = _o354.rolling;
             if (leaves) {
                 if (BOUNDS) {
@@ -7008,10 +7008,10 @@ static __device__ __forceinline__ void court_loop(
                 gap = _o375.gap;
                 nearing = _o375.nearing;
                 gap_curvature = _o375.gap_curvature;
-                const kernel_end_plane_free_time_out _o376 = kernel_end_plane_free_time(p_gravity, vx, vy, vz, gap, doubt, free_time, nearing, gap_curvature);
+                const kernel_end_plane_free_time_out _o376 = kernel_end_plane_free_time(p_gravity, vx, vy, vz, gap, undecided_time, free_time, nearing, gap_curvature);
                 free_time = _o376.free_time;
                 if (BOUNDS)
-                    doubt = _o376.doubt;
+                    undecided_time = _o376.undecided_time;
                 const kernel_holding_out _o377 = kernel_holding(1.0, held);
                 here = _o377.here;
                 if (here) {
@@ -7092,11 +7092,11 @@ static __device__ __forceinline__ void court_loop(
                     const kernel_seam_free_time_out _o402 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
                     free_time = _o402.free_time;
                 }
-                const kernel_separated_out _o403 = kernel_separated(p_gravity, vx, vy, vz, doubt, position_error, velocity_error, per_reach, free_time, lift, gap_jerk, gap_snap);
+                const kernel_separated_out _o403 = kernel_separated(p_gravity, vx, vy, vz, undecided_time, position_error, velocity_error, per_reach, free_time, lift, gap_jerk, gap_snap);
                 when = _o403.when;
                 if (BOUNDS)
-                    doubt = _o403.doubt;
-                const kernel_take_off_out _o404 = kernel_take_off();
+                    undecided_time = _o403.undecided_time;
+                const kernel_detachment_out _o404 = kernel_detachment();
                 which = _o404.which;
             }
         }
@@ -7111,9 +7111,9 @@ static __device__ __forceinline__ void court_loop(
         body = _o406.body;
         if (moves) {
             if (BOUNDS) {
-                const kernel_passing_doubt_out _o407 = kernel_passing_doubt(when, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, p_ring_radius, p_gravity);
-                unsure = _o407.unsure;
-                const kernel_undecided_out _o408 = kernel_undecided(uncertain, unsure);
+                const kernel_passing_undecided_out _o407 = kernel_passing_undecided(when, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, p_ring_radius, p_gravity);
+                undecided = _o407.undecided;
+                const kernel_undecided_out _o408 = kernel_undecided(uncertain, undecided);
                 uncertain = _o408.uncertain;
             }
             const kernel_passing_out _o409 = kernel_passing(through, when, x, y, z, vx, vy, vz, p_ring_radius, p_gravity);
@@ -7136,11 +7136,11 @@ static __device__ __forceinline__ void court_loop(
             ends = _o412.ends;
         }
         if (BOUNDS) {
-            const kernel_unhopped_out _o413 = kernel_unhopped();
+            const kernel_no_departure_out _o413 = kernel_no_departure();
             hopped = _o413.hopped;
         }
         if (in_contact) {
-            const kernel_stay_in_contact_out _o414 = kernel_stay_in_contact(last, which, doubt, body, clock, reached, ends, held, rolls, rolling, began, rests);
+            const kernel_stay_in_contact_out _o414 = kernel_stay_in_contact(last, which, undecided_time, body, clock, reached, ends, held, rolls, rolling, began, rests);
             body = _o414.body;
             reached = _o414.reached;
             ends = _o414.ends;
@@ -7149,7 +7149,7 @@ static __device__ __forceinline__ void court_loop(
             held = _o414.held;
             rolls = _o414.rolls;
             if (BOUNDS) {
-                doubt = _o414.doubt;
+                undecided_time = _o414.undecided_time;
                 hopped = _o414.hopped;
             }
         }
@@ -7170,7 +7170,7 @@ static __device__ __forceinline__ void court_loop(
             }
         }
         if (BOUNDS) {
-            const kernel_doubted_in_contact_out _o420 = kernel_doubted_in_contact(last, when, which, earliest_delay, doubt, uncertain, edge, assured);
+            const kernel_contact_undecided_out _o420 = kernel_contact_undecided(last, when, which, earliest_delay, undecided_time, uncertain, edge, assured);
             uncertain = _o420.uncertain;
         }
         const kernel_accounted_out _o421 = kernel_accounted(contacts, most_contacts, reached, touches);
@@ -7182,7 +7182,7 @@ static __device__ __forceinline__ void court_loop(
         /* What it does to the ball. */
         const kernel_meeting_out _o422 = kernel_meeting(claims, ends, touches);
         meeting = _o422.meeting;
-        const kernel_unslowed_out _o423 = kernel_unslowed();
+        const kernel_no_slow_contact_out _o423 = kernel_no_slow_contact();
         slow = _o423.slow;
         if (meeting) {
             const kernel_end_normal_out _o424 = kernel_end_normal();
@@ -7222,7 +7222,7 @@ static __device__ __forceinline__ void court_loop(
             if (BOUNDS) {
                 const kernel_elsewhere_out _o434 = kernel_elsewhere();
                 curving = _o434.curving;
-                const kernel_anew_out _o435 = kernel_anew();
+                const kernel_other_start_surface_out _o435 = kernel_other_start_surface();
                 left_nx = _o435.left_nx;
                 left_ny = _o435.left_ny;
                 left_nz = _o435.left_nz;
@@ -7278,15 +7278,15 @@ static __device__ __forceinline__ void court_loop(
                 dvz = _o448.dvz;
                 belated = _o448.delay;
                 shift = _o448.shift;
-                const kernel_delayed_out _o449 = kernel_delayed(belated, clock_error);
+                const kernel_clock_error_sum_out _o449 = kernel_clock_error_sum(belated, clock_error);
                 clock_error = _o449.clock_error;
                 if (ends) {
-                    const kernel_floored_out _o450 = kernel_floored(dx, dy, dz, shift);
+                    const kernel_error_floor_out _o450 = kernel_error_floor(dx, dy, dz, shift);
                     dx = _o450.dx;
                     dy = _o450.dy;
                     dz = _o450.dz;
                 }
-                const kernel_unturned_out _o451 = kernel_unturned();
+                const kernel_no_normal_error_out _o451 = kernel_no_normal_error();
                 dnx = _o451.dnx;
                 dny = _o451.dny;
                 dnz = _o451.dnz;
@@ -7319,7 +7319,7 @@ static __device__ __forceinline__ void court_loop(
                     turn = _o457.turn;
                 }
             }
-            const kernel_untaken_out _o458 = kernel_untaken();
+            const kernel_other_kind_out _o458 = kernel_other_kind();
             struck_0 = _o458.of_this_kind;
             const kernel_ring_impact_taken_out _o459 = kernel_ring_impact_taken(p_ring_restitution, p_ring_friction);
             its_0_ring_impact = _o459.its_0;
@@ -7339,9 +7339,9 @@ static __device__ __forceinline__ void court_loop(
             }
             if (struck_0) {
                 if (BOUNDS) {
-                    const kernel_ring_impact_doubt_out _o462 = kernel_ring_impact_doubt(vx, vy, vz, wx, wy, wz, nx, ny, nz, dvx, dvy, dvz, dwx, dwy, dwz, turn, p_ball_radius, its_0_ring_impact, its_1_ring_impact, p_inertia, p_tangential_restitution, p_restitution_speed);
-                    unsure = _o462.unsure;
-                    const kernel_undecided_out _o463 = kernel_undecided(uncertain, unsure);
+                    const kernel_ring_impact_undecided_out _o462 = kernel_ring_impact_undecided(vx, vy, vz, wx, wy, wz, nx, ny, nz, dvx, dvy, dvz, dwx, dwy, dwz, turn, p_ball_radius, its_0_ring_impact, its_1_ring_impact, p_inertia, p_tangential_restitution, p_restitution_speed);
+                    undecided = _o462.undecided;
+                    const kernel_undecided_out _o463 = kernel_undecided(uncertain, undecided);
                     uncertain = _o463.uncertain;
                     const kernel_carry_ring_impact_out _o464 = kernel_carry_ring_impact(vx, vy, vz, wx, wy, wz, nx, ny, nz, dvx, dvy, dvz, dwx, dwy, dwz, dnx, dny, dnz, turn, lifting, p_ball_radius, its_0_ring_impact, its_1_ring_impact, p_inertia, p_tangential_restitution, p_restitution_speed);
                     dvx = _o464.dvx;
@@ -7363,7 +7363,7 @@ static __device__ __forceinline__ void court_loop(
                 const kernel_touched_out _o466 = kernel_touched(which, body, first);
                 first = _o466.first;
                 last = _o466.last;
-                const kernel_slowed_out _o467 = kernel_slowed(p_ball_radius, p_gravity, nx, ny, nz, vx, vy, vz, position_error);
+                const kernel_leaves_slowly_out _o467 = kernel_leaves_slowly(p_ball_radius, p_gravity, nx, ny, nz, vx, vy, vz, position_error);
                 slow = _o467.slow;
                 if (BOUNDS)
                     assured = _o467.assured;
@@ -7420,7 +7420,7 @@ static __device__ __forceinline__ void court_loop(
                 nearing = _o479.nearing;
                 rolling_gap_acceleration = _o479.rolling_gap_acceleration;
                 normal_cosine = _o479.normal_cosine;
-                const kernel_neared_body_out _o480 = kernel_neared_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
+                const kernel_near_body_out _o480 = kernel_near_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
                 nearest = _o480.nearest;
                 second_contact_gap = _o480.second_contact_gap;
                 const kernel_bridge_closing_out _o481 = kernel_bridge_closing(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z);
@@ -7428,12 +7428,12 @@ static __device__ __forceinline__ void court_loop(
                 nearing = _o481.nearing;
                 rolling_gap_acceleration = _o481.rolling_gap_acceleration;
                 normal_cosine = _o481.normal_cosine;
-                const kernel_neared_body_out _o482 = kernel_neared_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
+                const kernel_near_body_out _o482 = kernel_near_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
                 nearest = _o482.nearest;
                 second_contact_gap = _o482.second_contact_gap;
                 const kernel_end_beside_out _o483 = kernel_end_beside(p_end_depth, z, vz);
                 gap = _o483.gap;
-                const kernel_neared_out _o484 = kernel_neared(gap, nearest);
+                const kernel_near_end_plane_out _o484 = kernel_near_end_plane(gap, nearest);
                 nearest = _o484.nearest;
                 const kernel_ring_separation_out _o485 = kernel_ring_separation(p_gravity, p_ring_radius, x, y, z, vx, vy, vz);
                 lift = _o485.lift;
@@ -7442,10 +7442,10 @@ static __device__ __forceinline__ void court_loop(
                 lodges = _o486.lodges;
                 slides = _o486.slides;
                 unpressed = _o486.unpressed;
-                unsure = _o486.unsure;
+                undecided = _o486.undecided;
                 if (BOUNDS)
                     assured = _o486.assured;
-                const kernel_settled_out _o487 = kernel_settled(0.0, outcome, uncertain, unsure, settles, nearly, lodges, slides, unpressed);
+                const kernel_settled_out _o487 = kernel_settled(0.0, outcome, uncertain, undecided, settles, nearly, lodges, slides, unpressed);
                 mode = _o487.mode;
                 held = _o487.held;
                 outcome = _o487.outcome;
@@ -7475,7 +7475,7 @@ static __device__ __forceinline__ void court_loop(
                 nearing = _o492.nearing;
                 rolling_gap_acceleration = _o492.rolling_gap_acceleration;
                 normal_cosine = _o492.normal_cosine;
-                const kernel_neared_body_out _o493 = kernel_neared_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
+                const kernel_near_body_out _o493 = kernel_near_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
                 nearest = _o493.nearest;
                 second_contact_gap = _o493.second_contact_gap;
                 const kernel_bridge_closing_out _o494 = kernel_bridge_closing(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z);
@@ -7483,12 +7483,12 @@ static __device__ __forceinline__ void court_loop(
                 nearing = _o494.nearing;
                 rolling_gap_acceleration = _o494.rolling_gap_acceleration;
                 normal_cosine = _o494.normal_cosine;
-                const kernel_neared_body_out _o495 = kernel_neared_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
+                const kernel_near_body_out _o495 = kernel_near_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
                 nearest = _o495.nearest;
                 second_contact_gap = _o495.second_contact_gap;
                 const kernel_end_beside_out _o496 = kernel_end_beside(p_end_depth, z, vz);
                 gap = _o496.gap;
-                const kernel_neared_out _o497 = kernel_neared(gap, nearest);
+                const kernel_near_end_plane_out _o497 = kernel_near_end_plane(gap, nearest);
                 nearest = _o497.nearest;
                 const kernel_backboard_separation_out _o498 = kernel_backboard_separation(p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, p_gravity, x, y, z, vx, vy, vz);
                 lift = _o498.lift;
@@ -7497,10 +7497,10 @@ static __device__ __forceinline__ void court_loop(
                 lodges = _o499.lodges;
                 slides = _o499.slides;
                 unpressed = _o499.unpressed;
-                unsure = _o499.unsure;
+                undecided = _o499.undecided;
                 if (BOUNDS)
                     assured = _o499.assured;
-                const kernel_settled_out _o500 = kernel_settled(1.0, outcome, uncertain, unsure, settles, nearly, lodges, slides, unpressed);
+                const kernel_settled_out _o500 = kernel_settled(1.0, outcome, uncertain, undecided, settles, nearly, lodges, slides, unpressed);
                 mode = _o500.mode;
                 held = _o500.held;
                 outcome = _o500.outcome;
@@ -7530,7 +7530,7 @@ static __device__ __forceinline__ void court_loop(
                 nearing = _o505.nearing;
                 rolling_gap_acceleration = _o505.rolling_gap_acceleration;
                 normal_cosine = _o505.normal_cosine;
-                const kernel_neared_body_out _o506 = kernel_neared_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
+                const kernel_near_body_out _o506 = kernel_near_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
                 nearest = _o506.nearest;
                 second_contact_gap = _o506.second_contact_gap;
                 const kernel_backboard_closing_out _o507 = kernel_backboard_closing(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z);
@@ -7538,12 +7538,12 @@ static __device__ __forceinline__ void court_loop(
                 nearing = _o507.nearing;
                 rolling_gap_acceleration = _o507.rolling_gap_acceleration;
                 normal_cosine = _o507.normal_cosine;
-                const kernel_neared_body_out _o508 = kernel_neared_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
+                const kernel_near_body_out _o508 = kernel_near_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
                 nearest = _o508.nearest;
                 second_contact_gap = _o508.second_contact_gap;
                 const kernel_end_beside_out _o509 = kernel_end_beside(p_end_depth, z, vz);
                 gap = _o509.gap;
-                const kernel_neared_out _o510 = kernel_neared(gap, nearest);
+                const kernel_near_end_plane_out _o510 = kernel_near_end_plane(gap, nearest);
                 nearest = _o510.nearest;
                 const kernel_bridge_separation_out _o511 = kernel_bridge_separation(p_board_distance, p_bridge_depth, p_bridge_half_width, p_gravity, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
                 lift = _o511.lift;
@@ -7552,10 +7552,10 @@ static __device__ __forceinline__ void court_loop(
                 lodges = _o512.lodges;
                 slides = _o512.slides;
                 unpressed = _o512.unpressed;
-                unsure = _o512.unsure;
+                undecided = _o512.undecided;
                 if (BOUNDS)
                     assured = _o512.assured;
-                const kernel_settled_out _o513 = kernel_settled(2.0, outcome, uncertain, unsure, settles, nearly, lodges, slides, unpressed);
+                const kernel_settled_out _o513 = kernel_settled(2.0, outcome, uncertain, undecided, settles, nearly, lodges, slides, unpressed);
                 mode = _o513.mode;
                 held = _o513.held;
                 outcome = _o513.outcome;
@@ -7566,9 +7566,9 @@ static __device__ __forceinline__ void court_loop(
         }
         if (BOUNDS) {
             if (limited) {
-                const kernel_timed_out _o514 = kernel_timed(4.0, which, claims);
-                timed = _o514.timed;
-                if (timed) {
+                const kernel_ends_by_time_limit_out _o514 = kernel_ends_by_time_limit(4.0, which, claims);
+                ends_by_time_limit = _o514.ends_by_time_limit;
+                if (ends_by_time_limit) {
                     const kernel_carry_time_out _o515 = kernel_carry_time(when, x, y, z, vx, vy, vz, clock, clock_error, dx, dy, dz, dvx, dvy, dvz, p_gravity);
                     dx = _o515.dx;
                     dy = _o515.dy;

@@ -1,6 +1,6 @@
 /* The event loop of the scene hoop in CUDA: a thread takes one shot from its release to its end.
 
-   Generated from templates/cuda/scene.cu.j2, scene hoop, derivation 7ceba1546743c869,
+   Generated from templates/cuda/scene.cu.j2, scene hoop, derivation db4a923caff62ae4,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    It needs no header. To give the bits of NumPy and C it is compiled with --fmad=false, --ftz=false,
@@ -352,7 +352,7 @@ static __device__ __forceinline__ kernel_parameters_in_range_out kernel_paramete
 /* 1 if the ball overlaps no surface; 1 if that is undecided.
    Table 2. 111 operations: 18 additions, 17 subtractions, 11 multiplications, 1 square root, 3 negations, 18 absolute values, 20 comparisons, 23 selections. */
 struct kernel_valid_out {
-    double valid, doubt;
+    double valid, undecided_time;
 };
 
 static __device__ __forceinline__ kernel_valid_out kernel_valid(double last, double x, double y, double z, double p_ball_radius, double p_ring_radius, double p_wire_radius, double p_board_distance, double p_board_half_width, double p_board_bottom, double p_board_top, double p_bridge_half_width, double p_end_depth)
@@ -403,7 +403,7 @@ static __device__ __forceinline__ kernel_valid_out kernel_valid(double last, dou
    Table 2. 45 operations: 14 additions, 5 subtractions, 3 multiplications, 1 negation, 12 absolute values, 5 comparisons, 2 conjunctions, 2 disjunctions, 1 complement. */
 struct kernel_aside_out {
     bool close;
-    double valid, doubt;
+    double valid, undecided_time;
 };
 
 static __device__ __forceinline__ kernel_aside_out kernel_aside(double x, double y, double z, double p_ball_radius, double p_ring_radius, double p_wire_radius, double p_board_distance, double p_board_half_width, double p_board_bottom, double p_board_top, double p_bridge_half_width, double p_end_depth)
@@ -443,12 +443,12 @@ static __device__ __forceinline__ kernel_released_out kernel_released(double las
 
 /* Whether a plane's only root is an arrival, the size of F'', and the nearest time.
    Table 1. 13 operations: 1 absolute value, 6 comparisons, 4 conjunctions, 1 disjunction, 1 selection. */
-struct kernel_meeting_plane_out {
+struct kernel_plane_root_out {
     bool arrives;
     double ceiling, nearest;
 };
 
-static __device__ __forceinline__ kernel_meeting_plane_out kernel_meeting_plane(double rate, double bend, double apex, double time)
+static __device__ __forceinline__ kernel_plane_root_out kernel_plane_root(double rate, double bend, double apex, double time)
 {
     const bool _s0 = (((rate < 0.0) || (((rate <= 0.0) && (bend < 0.0)) && (time == 0.0))) && (0.0 <= time)) && (time < (INFINITE));
     return {_s0, fabs(bend), choose(_s0, time, apex)};
@@ -467,48 +467,48 @@ static __device__ __forceinline__ kernel_within_time_out kernel_within_time(doub
 
 /* Earliest undecided time, with that of an apex whose gap is zero within its error.
    Table 1. 7 operations: 1 absolute value, 3 comparisons, 2 conjunctions, 1 selection. */
-struct kernel_grazed_out {
-    double doubt;
+struct kernel_graze_undecided_out {
+    double undecided_time;
 };
 
-static __device__ __forceinline__ kernel_grazed_out kernel_grazed(double margin, double apex, double height, double doubt)
+static __device__ __forceinline__ kernel_graze_undecided_out kernel_graze_undecided(double margin, double apex, double height, double undecided_time)
 {
-    return {choose((((0.0 <= apex) && (fabs(height) <= margin)) && (apex < doubt)), apex, doubt)};
+    return {choose((((0.0 <= apex) && (fabs(height) <= margin)) && (apex < undecided_time)), apex, undecided_time)};
 }
 
 /* Earliest undecided time, with that of an undecided predicate.
    Table 1. 3 operations: 1 comparison, 1 conjunction, 1 selection. */
-struct kernel_questioned_out {
-    double doubt;
+struct kernel_predicate_undecided_out {
+    double undecided_time;
 };
 
-static __device__ __forceinline__ kernel_questioned_out kernel_questioned(double time, double doubt, bool unsure)
+static __device__ __forceinline__ kernel_predicate_undecided_out kernel_predicate_undecided(double time, double undecided_time, bool undecided)
 {
-    return {choose((unsure && (time < doubt)), time, doubt)};
+    return {choose((undecided && (time < undecided_time)), time, undecided_time)};
 }
 
 /* Earliest undecided time, with that of an arrival whose crossing is not certain.
    Table 1. 6 operations: 2 comparisons, 2 conjunctions, 1 complement, 1 selection. */
-struct kernel_crossed_out {
-    double doubt;
+struct kernel_crossing_undecided_out {
+    double undecided_time;
 };
 
-static __device__ __forceinline__ kernel_crossed_out kernel_crossed(double clearance, double time, double doubt, bool arrives)
+static __device__ __forceinline__ kernel_crossing_undecided_out kernel_crossing_undecided(double clearance, double time, double undecided_time, bool arrives)
 {
-    return {choose(((arrives && (!(0.0 < clearance))) && (time < doubt)), time, doubt)};
+    return {choose(((arrives && (!(0.0 < clearance))) && (time < undecided_time)), time, undecided_time)};
 }
 
 /* Earliest undecided time, with that of a tie within the delays; the earlier's delay.
    Table 1. 12 operations: 1 addition, 1 subtraction, 1 absolute value, 3 comparisons, 3 conjunctions, 3 selections. */
-struct kernel_tied_out {
-    double doubt, earliest_delay;
+struct kernel_tie_undecided_out {
+    double undecided_time, earliest_delay;
 };
 
-static __device__ __forceinline__ kernel_tied_out kernel_tied(double time, double when, double delay, double earliest_delay, double doubt, bool arrives)
+static __device__ __forceinline__ kernel_tie_undecided_out kernel_tie_undecided(double time, double when, double delay, double earliest_delay, double undecided_time, bool arrives)
 {
     const bool _s0 = time < when;
     const double _s1 = choose(_s0, time, when);
-    const double _s2 = choose(((arrives && (fabs((time - when)) <= (delay + earliest_delay))) && (_s1 < doubt)), _s1, doubt);
+    const double _s2 = choose(((arrives && (fabs((time - when)) <= (delay + earliest_delay))) && (_s1 < undecided_time)), _s1, undecided_time);
     return {_s2, choose((arrives && _s0), delay, earliest_delay)};
 }
 
@@ -550,12 +550,12 @@ static __device__ __forceinline__ kernel_beginning_out kernel_beginning()
 /* Undecided time 0 if errors exceed the budget of a search, or its bounds fail.
    Table 1. 6 operations: 3 comparisons, 2 disjunctions, 1 selection. */
 struct kernel_out_of_budget_out {
-    double doubt;
+    double undecided_time;
 };
 
-static __device__ __forceinline__ kernel_out_of_budget_out kernel_out_of_budget(double pad, double budget_exceeded, double earliest_delay, double doubt, double excess)
+static __device__ __forceinline__ kernel_out_of_budget_out kernel_out_of_budget(double pad, double budget_exceeded, double earliest_delay, double undecided_time, double excess)
 {
-    return {choose((((0.0 < excess) || (0.0 < budget_exceeded)) || (pad < earliest_delay)), 0.0, doubt)};
+    return {choose((((0.0 < excess) || (0.0 < budget_exceeded)) || (pad < earliest_delay)), 0.0, undecided_time)};
 }
 
 /* 1 near the surface that the ball left, where F/t is more exact than F; the margin.
@@ -610,11 +610,11 @@ static __device__ __forceinline__ kernel_stepped_out kernel_stepped(double arriv
 
 /* Whether the gap closes, certainly closes, or needs a smaller error budget.
    Table 1. 17 operations: 1 subtraction, 6 comparisons, 6 conjunctions, 2 disjunctions, 2 complements. */
-struct kernel_struck_out {
+struct kernel_gap_closes_out {
     bool hit, sure, needs_refinement;
 };
 
-static __device__ __forceinline__ kernel_struck_out kernel_struck(double gap, double rate, double bend, double margin, double rate_margin, double clearance, double share)
+static __device__ __forceinline__ kernel_gap_closes_out kernel_gap_closes(double gap, double rate, double bend, double margin, double rate_margin, double clearance, double share)
 {
     const bool _s0 = (rate < 0.0) || ((rate <= rate_margin) && (bend < 0.0));
     const bool _s1 = 0.0 < clearance;
@@ -626,24 +626,24 @@ static __device__ __forceinline__ kernel_struck_out kernel_struck(double gap, do
 
 /* Next smaller error budget.
    Table 1. 3 operations: 1 multiplication, 1 comparison, 1 selection. */
-struct kernel_finer_out {
+struct kernel_smaller_budget_out {
     double share;
 };
 
-static __device__ __forceinline__ kernel_finer_out kernel_finer(double share)
+static __device__ __forceinline__ kernel_smaller_budget_out kernel_smaller_budget(double share)
 {
     return {choose((2.842170943040401e-14 < share), (0.03125 * share), 0.0)};
 }
 
 /* Earliest undecided time, with the present one if the errors exceed the budget.
    Table 1. 4 operations: 2 comparisons, 1 conjunction, 1 selection. */
-struct kernel_exceeded_out {
-    double doubt;
+struct kernel_budget_undecided_out {
+    double undecided_time;
 };
 
-static __device__ __forceinline__ kernel_exceeded_out kernel_exceeded(double t, double doubt, double excess)
+static __device__ __forceinline__ kernel_budget_undecided_out kernel_budget_undecided(double t, double undecided_time, double excess)
 {
-    return {choose(((0.0 < excess) && (t < doubt)), t, doubt)};
+    return {choose(((0.0 < excess) && (t < undecided_time)), t, undecided_time)};
 }
 
 /* Root, time and state of a search after a step, and whether its window is exhausted.
@@ -676,12 +676,12 @@ static __device__ __forceinline__ kernel_found_out kernel_found(double arrival)
 
 /* A certain root, refined, and whether h is above 2^-24, so that it is refined again.
    Table 1. 7 operations: 3 multiplications, 1 absolute value, 1 comparison, 1 conjunction, 1 selection. */
-struct kernel_polished_out {
+struct kernel_refined_root_out {
     double arrival;
     bool refining;
 };
 
-static __device__ __forceinline__ kernel_polished_out kernel_polished(double gap, double rate, double ceiling, double arrival, double refined, bool certain)
+static __device__ __forceinline__ kernel_refined_root_out kernel_refined_root(double gap, double rate, double ceiling, double arrival, double refined, bool certain)
 {
     return {choose(certain, refined, arrival), certain && ((5.960464477539063e-08 * (rate * rate)) < (ceiling * fabs(gap)))};
 }
@@ -699,25 +699,25 @@ static __device__ __forceinline__ kernel_own_margin_out kernel_own_margin(double
 
 /* Time of an arrival, not before the flight.
    Table 1. 2 operations: 1 comparison, 1 selection. */
-struct kernel_landed_out {
+struct kernel_arrival_time_out {
     double time;
 };
 
-static __device__ __forceinline__ kernel_landed_out kernel_landed(double arrival)
+static __device__ __forceinline__ kernel_arrival_time_out kernel_arrival_time(double arrival)
 {
     return {choose((arrival < 0.0), 0.0, arrival)};
 }
 
 /* Delay of a certain arrival; the earliest undecided time, with that of any other one.
    Table 1. 8 operations: 2 comparisons, 3 conjunctions, 1 complement, 2 selections. */
-struct kernel_landed_surely_out {
-    double delay, doubt;
+struct kernel_certain_arrival_out {
+    double delay, undecided_time;
 };
 
-static __device__ __forceinline__ kernel_landed_surely_out kernel_landed_surely(double clearance, double time, double delay, double doubt, bool arrives, bool certain)
+static __device__ __forceinline__ kernel_certain_arrival_out kernel_certain_arrival(double clearance, double time, double delay, double undecided_time, bool arrives, bool certain)
 {
     const bool _s0 = certain && (0.0 < clearance);
-    return {choose(_s0, delay, 0.0), choose(((arrives && (!_s0)) && (time < doubt)), time, doubt)};
+    return {choose(_s0, delay, 0.0), choose(((arrives && (!_s0)) && (time < undecided_time)), time, undecided_time)};
 }
 
 /* Whether all numbers of a release are small enough not to overflow.
@@ -736,7 +736,7 @@ static __device__ __forceinline__ kernel_state_in_range_out kernel_state_in_rang
 /* Start values: no arrival; an uncertain shot if its errors are not bounded.
    Table 1. 6 operations: 3 comparisons, 2 conjunctions, 1 selection. */
 struct kernel_opening_out {
-    double when, which, earliest_delay, doubt;
+    double when, which, earliest_delay, undecided_time;
 };
 
 static __device__ __forceinline__ kernel_opening_out kernel_opening(double excess, double position_error, double velocity_error)
@@ -768,13 +768,13 @@ static __device__ __forceinline__ kernel_event_clock_out kernel_event_clock(doub
 
 /* 1 if a decision up to this event, or the choice of the end, lies within its error.
    Table 1. 7 operations: 1 addition, 2 comparisons, 1 conjunction, 1 disjunction, 1 complement, 1 selection. */
-struct kernel_doubted_out {
+struct kernel_flight_undecided_out {
     double uncertain;
 };
 
-static __device__ __forceinline__ kernel_doubted_out kernel_doubted(double when, double earliest_delay, double doubt, double uncertain, bool edge)
+static __device__ __forceinline__ kernel_flight_undecided_out kernel_flight_undecided(double when, double earliest_delay, double undecided_time, double uncertain, bool edge)
 {
-    const double _s0 = choose((((!((when + earliest_delay) < doubt)) && (doubt < (INFINITE))) || edge), 1.0, uncertain);
+    const double _s0 = choose((((!((when + earliest_delay) < undecided_time)) && (undecided_time < (INFINITE))) || edge), 1.0, uncertain);
     return {_s0};
 }
 
@@ -846,11 +846,11 @@ static __device__ __forceinline__ kernel_touched_out kernel_touched(double which
 
 /* Whether a shot has ended at the time limit and its errors are wanted.
    Table 1. 3 operations: 2 comparisons, 1 conjunction. */
-struct kernel_timed_out {
-    bool timed;
+struct kernel_ends_by_time_limit_out {
+    bool ends_by_time_limit;
 };
 
-static __device__ __forceinline__ kernel_timed_out kernel_timed(double index, double which, double claims)
+static __device__ __forceinline__ kernel_ends_by_time_limit_out kernel_ends_by_time_limit(double index, double which, double claims)
 {
     return {(which == index) && (0.0 < claims)};
 }
@@ -872,10 +872,10 @@ struct kernel_admitted_out {
     double outcome, uncertain;
 };
 
-static __device__ __forceinline__ kernel_admitted_out kernel_admitted(double doubt, double valid, bool permitted, bool in_range)
+static __device__ __forceinline__ kernel_admitted_out kernel_admitted(double undecided_time, double valid, bool permitted, bool in_range)
 {
     const bool _s0 = permitted && in_range;
-    return {choose((_s0 && (0.0 < valid)), -1.0, 4.0), choose((_s0 && (0.0 < doubt)), 1.0, 0.0)};
+    return {choose((_s0 && (0.0 < valid)), -1.0, 4.0), choose((_s0 && (0.0 < undecided_time)), 1.0, 0.0)};
 }
 
 /* The time limit as an arrival.
@@ -883,13 +883,13 @@ static __device__ __forceinline__ kernel_admitted_out kernel_admitted(double dou
 struct kernel_expiry_out {
     double time, delay;
     bool arrives;
-    double doubt;
+    double undecided_time;
 };
 
-static __device__ __forceinline__ kernel_expiry_out kernel_expiry(double when, double which, double earliest_delay, double doubt, double time_error, double clock, double time_limit)
+static __device__ __forceinline__ kernel_expiry_out kernel_expiry(double when, double which, double earliest_delay, double undecided_time, double time_error, double clock, double time_limit)
 {
     const double _s0 = time_limit - clock;
-    return {larger(0.0, _s0), time_error + (4.440892098500626e-16 * time_limit), 0.0 <= which, choose(((!((when + earliest_delay) < doubt)) && (doubt < (INFINITE))), 0.0, doubt)};
+    return {larger(0.0, _s0), time_error + (4.440892098500626e-16 * time_limit), 0.0 <= which, choose(((!((when + earliest_delay) < undecided_time)) && (undecided_time < (INFINITE))), 0.0, undecided_time)};
 }
 
 /* Whether there is no event, an end, or a contact, and the outcome without one.
@@ -934,11 +934,11 @@ static __device__ __forceinline__ kernel_accounted_out kernel_accounted(double c
 
 /* Sum of the errors of the contacts' times.
    Table 1. 1 operation: 1 addition. */
-struct kernel_delayed_out {
+struct kernel_clock_error_sum_out {
     float clock_error;
 };
 
-static __device__ __forceinline__ kernel_delayed_out kernel_delayed(float delay, float clock_error)
+static __device__ __forceinline__ kernel_clock_error_sum_out kernel_clock_error_sum(float delay, float clock_error)
 {
     return {delay + clock_error};
 }
@@ -957,22 +957,22 @@ static __device__ __forceinline__ kernel_closing_out kernel_closing(float outcom
 
 /* Errors at the end, not below the largest that one flight can cause.
    Table 1. 9 operations: 3 absolute values, 3 comparisons, 3 selections. */
-struct kernel_floored_out {
+struct kernel_error_floor_out {
     float dx, dy, dz;
 };
 
-static __device__ __forceinline__ kernel_floored_out kernel_floored(float dx, float dy, float dz, float shift)
+static __device__ __forceinline__ kernel_error_floor_out kernel_error_floor(float dx, float dy, float dz, float shift)
 {
     return {choose((fabsf(dx) < shift), shift, dx), choose((fabsf(dy) < shift), shift, dy), choose((fabsf(dz) < shift), shift, dz)};
 }
 
 /* Start values: a normal without error.
    Table 1. No operations. */
-struct kernel_unturned_out {
+struct kernel_no_normal_error_out {
     float dnx, dny, dnz, turn;
 };
 
-static __device__ __forceinline__ kernel_unturned_out kernel_unturned()
+static __device__ __forceinline__ kernel_no_normal_error_out kernel_no_normal_error()
 {
     return {(float)0.0, (float)0.0, (float)0.0, (float)0.0};
 }
@@ -1675,7 +1675,7 @@ static __device__ __forceinline__ kernel_backboard_within_out kernel_backboard_w
 /* Whether the bounds or the crossing lie within their errors.
    Table 1. 19 operations: 1 negation, 9 comparisons, 8 conjunctions, 1 complement. */
 struct kernel_backboard_edges_out {
-    bool unsure;
+    bool undecided;
 };
 
 static __device__ __forceinline__ kernel_backboard_edges_out kernel_backboard_edges(double clearance, double slack, double g0, double g1, double g2, double g3)
@@ -1772,7 +1772,7 @@ static __device__ __forceinline__ kernel_bridge_within_out kernel_bridge_within(
 /* Whether the bounds or the crossing lie within their errors.
    Table 1. 23 operations: 1 negation, 11 comparisons, 10 conjunctions, 1 complement. */
 struct kernel_bridge_edges_out {
-    bool unsure;
+    bool undecided;
 };
 
 static __device__ __forceinline__ kernel_bridge_edges_out kernel_bridge_edges(double clearance, double slack, double g0, double g1, double g2, double g3, double g4)
@@ -1894,18 +1894,18 @@ static __device__ __forceinline__ void hoop_loop(
     double x = 0.0, y = 0.0, z = 0.0, vx = 0.0, vy = 0.0, vz = 0.0, wx = 0.0, wy = 0.0, wz = 0.0,
         clock = 0.0, last = 0.0, first = -1.0, contacts = 0.0, count_0 = 0.0, count_1 = 0.0,
         count_2 = 0.0, uncertain = 0.0, outcome = -1.0, allowed = 0.0, valid = 0.0,
-        doubt = INFINITE, extent = 0.0, speed = 0.0, excess = 0.0, when = 0.0, which = 0.0,
-        earliest_delay = 0.0, leaving = 0.0, time = 0.0, rate = 0.0, bend = 0.0, apex = 0.0,
-        height = 0.0, ceiling = 0.0, nearest = 0.0, margin = 0.0, clearance = 0.0, delay = 0.0,
-        until = 0.0, pad = 0.0, there_y = 0.0, there_z = 0.0, g0 = 0.0, g1 = 0.0, g2 = 0.0,
-        g3 = 0.0, slack = 0.0, there_x = 0.0, g4 = 0.0, clear = 0.0, share = 0.0, arrival = 0.0,
-        since = 0.0, latest = 0.0, rho_start = 0.0, start_rate = 0.0, rho_rate = 0.0, near_x = 0.0,
-        near_y = 0.0, near_z = 0.0, near_vz = 0.0, flat = 0.0, tilt = 0.0, allowing = 0.0,
-        budget_exceeded = 0.0, t = 0.0, energy2 = 0.0, moment2 = 0.0, low0 = 0.0, high0 = 0.0,
-        low1 = 0.0, high1 = 0.0, low2 = 0.0, high2 = 0.0, position_level = 0.0,
-        velocity_level = 0.0, rate_slack = 0.0, end = 0.0, gap = 0.0, step = 0.0, next = 0.0,
-        refined = 0.0, rate_margin = 0.0, reached = 0.0, body = 0.0, nx = 0.0, ny = 0.0, nz = 0.0,
-        curving = 0.0;
+        undecided_time = INFINITE, extent = 0.0, speed = 0.0, excess = 0.0, when = 0.0,
+        which = 0.0, earliest_delay = 0.0, leaving = 0.0, time = 0.0, rate = 0.0, bend = 0.0,
+        apex = 0.0, height = 0.0, ceiling = 0.0, nearest = 0.0, margin = 0.0, clearance = 0.0,
+        delay = 0.0, until = 0.0, pad = 0.0, there_y = 0.0, there_z = 0.0, g0 = 0.0, g1 = 0.0,
+        g2 = 0.0, g3 = 0.0, slack = 0.0, there_x = 0.0, g4 = 0.0, clear = 0.0, share = 0.0,
+        arrival = 0.0, since = 0.0, latest = 0.0, rho_start = 0.0, start_rate = 0.0,
+        rho_rate = 0.0, near_x = 0.0, near_y = 0.0, near_z = 0.0, near_vz = 0.0, flat = 0.0,
+        tilt = 0.0, allowing = 0.0, budget_exceeded = 0.0, t = 0.0, energy2 = 0.0, moment2 = 0.0,
+        low0 = 0.0, high0 = 0.0, low1 = 0.0, high1 = 0.0, low2 = 0.0, high2 = 0.0,
+        position_level = 0.0, velocity_level = 0.0, rate_slack = 0.0, end = 0.0, gap = 0.0,
+        step = 0.0, next = 0.0, refined = 0.0, rate_margin = 0.0, reached = 0.0, body = 0.0,
+        nx = 0.0, ny = 0.0, nz = 0.0, curving = 0.0;
     float dx = (float)0.0, dy = (float)0.0, dz = (float)0.0, dvx = (float)0.0, dvy = (float)0.0,
         dvz = (float)0.0, dwx = (float)0.0, dwy = (float)0.0, dwz = (float)0.0,
         clock_error = (float)0.0, position_claim = (float)0.0, velocity_claim = (float)0.0,
@@ -1924,11 +1924,12 @@ static __device__ __forceinline__ void hoop_loop(
         belated = (float)0.0, shift = (float)0.0, dnx = (float)0.0, dny = (float)0.0,
         dnz = (float)0.0, turn = (float)0.0;
     bool permitted = false, in_range = false, close = false, limited = false, arrives = false,
-        possible = false, released = false, reachable = false, unsure = false, open = false,
+        possible = false, released = false, reachable = false, undecided = false, open = false,
         certain = false, searching = false, representable = false, fits = false, stepping = false,
         single_precision = false, hit = false, sure = false, needs_refinement = false,
         exhausted = false, refining = false, moves = false, ends = false, touches = false,
-        edge = false, here = false, meeting = false, again = false, timed = false, closed = false;
+        edge = false, here = false, meeting = false, again = false, ends_by_time_limit = false,
+        closed = false;
     x = _states[9 * _shot + 0];
     y = _states[9 * _shot + 1];
     z = _states[9 * _shot + 2];
@@ -1955,14 +1956,14 @@ static __device__ __forceinline__ void hoop_loop(
     close = _o3.close;
     valid = _o3.valid;
     if (BOUNDS)
-        doubt = _o3.doubt;
+        undecided_time = _o3.undecided_time;
     if (close) {
         const kernel_valid_out _o4 = kernel_valid(last, x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_end_depth);
         valid = _o4.valid;
         if (BOUNDS)
-            doubt = _o4.doubt;
+            undecided_time = _o4.undecided_time;
     }
-    const kernel_admitted_out _o5 = kernel_admitted(doubt, valid, permitted, in_range);
+    const kernel_admitted_out _o5 = kernel_admitted(undecided_time, valid, permitted, in_range);
     outcome = _o5.outcome;
     if (BOUNDS)
         uncertain = _o5.uncertain;
@@ -1984,7 +1985,7 @@ static __device__ __forceinline__ void hoop_loop(
         which = _o8.which;
         if (BOUNDS) {
             earliest_delay = _o8.earliest_delay;
-            doubt = _o8.doubt;
+            undecided_time = _o8.undecided_time;
         }
         const kernel_limited_out _o9 = kernel_limited(time_limit);
         limited = _o9.limited;
@@ -1997,7 +1998,7 @@ static __device__ __forceinline__ void hoop_loop(
         apex = _o11.apex;
         if (BOUNDS)
             height = _o11.height;
-        const kernel_meeting_plane_out _o12 = kernel_meeting_plane(rate, bend, apex, time);
+        const kernel_plane_root_out _o12 = kernel_plane_root(rate, bend, apex, time);
         arrives = _o12.arrives;
         if (BOUNDS) {
             ceiling = _o12.ceiling;
@@ -2013,15 +2014,15 @@ static __device__ __forceinline__ void hoop_loop(
         const kernel_within_time_out _o15 = kernel_within_time(time, when, delay, earliest_delay, arrives);
         possible = _o15.possible;
         if (BOUNDS) {
-            const kernel_grazed_out _o16 = kernel_grazed(margin, apex, height, doubt);
-            doubt = _o16.doubt;
+            const kernel_graze_undecided_out _o16 = kernel_graze_undecided(margin, apex, height, undecided_time);
+            undecided_time = _o16.undecided_time;
         }
         if (possible) {
             if (BOUNDS) {
-                const kernel_crossed_out _o17 = kernel_crossed(clearance, time, doubt, arrives);
-                doubt = _o17.doubt;
-                const kernel_tied_out _o18 = kernel_tied(time, when, delay, earliest_delay, doubt, arrives);
-                doubt = _o18.doubt;
+                const kernel_crossing_undecided_out _o17 = kernel_crossing_undecided(clearance, time, undecided_time, arrives);
+                undecided_time = _o17.undecided_time;
+                const kernel_tie_undecided_out _o18 = kernel_tie_undecided(time, when, delay, earliest_delay, undecided_time, arrives);
+                undecided_time = _o18.undecided_time;
                 earliest_delay = _o18.earliest_delay;
             }
             const kernel_earliest_out _o19 = kernel_earliest(3.0, time, when, which, arrives);
@@ -2048,7 +2049,7 @@ static __device__ __forceinline__ void hoop_loop(
             apex = _o24.apex;
             if (BOUNDS)
                 height = _o24.height;
-            const kernel_meeting_plane_out _o25 = kernel_meeting_plane(rate, bend, apex, time);
+            const kernel_plane_root_out _o25 = kernel_plane_root(rate, bend, apex, time);
             arrives = _o25.arrives;
             if (BOUNDS) {
                 ceiling = _o25.ceiling;
@@ -2064,8 +2065,8 @@ static __device__ __forceinline__ void hoop_loop(
             const kernel_within_time_out _o28 = kernel_within_time(time, when, delay, earliest_delay, arrives);
             possible = _o28.possible;
             if (BOUNDS) {
-                const kernel_grazed_out _o29 = kernel_grazed(margin, apex, height, doubt);
-                doubt = _o29.doubt;
+                const kernel_graze_undecided_out _o29 = kernel_graze_undecided(margin, apex, height, undecided_time);
+                undecided_time = _o29.undecided_time;
             }
             if (possible) {
                 const kernel_flight_out _o30 = kernel_flight(time, x, y, z, vx, vy, vz, p_gravity);
@@ -2080,15 +2081,15 @@ static __device__ __forceinline__ void hoop_loop(
                     const kernel_displacement_out _o32 = kernel_displacement(delay, time, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_gravity, p_end_depth);
                     slack = _o32.margin;
                     const kernel_backboard_edges_out _o33 = kernel_backboard_edges(clearance, slack, g0, g1, g2, g3);
-                    unsure = _o33.unsure;
-                    const kernel_questioned_out _o34 = kernel_questioned(time, doubt, unsure);
-                    doubt = _o34.doubt;
+                    undecided = _o33.undecided;
+                    const kernel_predicate_undecided_out _o34 = kernel_predicate_undecided(time, undecided_time, undecided);
+                    undecided_time = _o34.undecided_time;
                 }
                 const kernel_backboard_within_out _o35 = kernel_backboard_within(g0, g1, g2, g3);
                 arrives = _o35.arrives;
                 if (BOUNDS) {
-                    const kernel_tied_out _o36 = kernel_tied(time, when, delay, earliest_delay, doubt, arrives);
-                    doubt = _o36.doubt;
+                    const kernel_tie_undecided_out _o36 = kernel_tie_undecided(time, when, delay, earliest_delay, undecided_time, arrives);
+                    undecided_time = _o36.undecided_time;
                     earliest_delay = _o36.earliest_delay;
                 }
                 const kernel_earliest_out _o37 = kernel_earliest(1.0, time, when, which, arrives);
@@ -2104,7 +2105,7 @@ static __device__ __forceinline__ void hoop_loop(
             apex = _o39.apex;
             if (BOUNDS)
                 height = _o39.height;
-            const kernel_meeting_plane_out _o40 = kernel_meeting_plane(rate, bend, apex, time);
+            const kernel_plane_root_out _o40 = kernel_plane_root(rate, bend, apex, time);
             arrives = _o40.arrives;
             if (BOUNDS) {
                 ceiling = _o40.ceiling;
@@ -2120,8 +2121,8 @@ static __device__ __forceinline__ void hoop_loop(
             const kernel_within_time_out _o43 = kernel_within_time(time, when, delay, earliest_delay, arrives);
             possible = _o43.possible;
             if (BOUNDS) {
-                const kernel_grazed_out _o44 = kernel_grazed(margin, apex, height, doubt);
-                doubt = _o44.doubt;
+                const kernel_graze_undecided_out _o44 = kernel_graze_undecided(margin, apex, height, undecided_time);
+                undecided_time = _o44.undecided_time;
             }
             if (possible) {
                 const kernel_flight_out _o45 = kernel_flight(time, x, y, z, vx, vy, vz, p_gravity);
@@ -2137,15 +2138,15 @@ static __device__ __forceinline__ void hoop_loop(
                     const kernel_displacement_out _o47 = kernel_displacement(delay, time, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_gravity, p_end_depth);
                     slack = _o47.margin;
                     const kernel_bridge_edges_out _o48 = kernel_bridge_edges(clearance, slack, g0, g1, g2, g3, g4);
-                    unsure = _o48.unsure;
-                    const kernel_questioned_out _o49 = kernel_questioned(time, doubt, unsure);
-                    doubt = _o49.doubt;
+                    undecided = _o48.undecided;
+                    const kernel_predicate_undecided_out _o49 = kernel_predicate_undecided(time, undecided_time, undecided);
+                    undecided_time = _o49.undecided_time;
                 }
                 const kernel_bridge_within_out _o50 = kernel_bridge_within(g0, g1, g2, g3, g4);
                 arrives = _o50.arrives;
                 if (BOUNDS) {
-                    const kernel_tied_out _o51 = kernel_tied(time, when, delay, earliest_delay, doubt, arrives);
-                    doubt = _o51.doubt;
+                    const kernel_tie_undecided_out _o51 = kernel_tie_undecided(time, when, delay, earliest_delay, undecided_time, arrives);
+                    undecided_time = _o51.undecided_time;
                     earliest_delay = _o51.earliest_delay;
                 }
                 const kernel_earliest_out _o52 = kernel_earliest(2.0, time, when, which, arrives);
@@ -2231,8 +2232,8 @@ static __device__ __forceinline__ void hoop_loop(
                 excess = _o64.excess;
                 const kernel_ring_budget_exceeded_out _o65 = kernel_ring_budget_exceeded(until, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
                 budget_exceeded = _o65.budget_exceeded;
-                const kernel_out_of_budget_out _o66 = kernel_out_of_budget(pad, budget_exceeded, earliest_delay, doubt, excess);
-                doubt = _o66.doubt;
+                const kernel_out_of_budget_out _o66 = kernel_out_of_budget(pad, budget_exceeded, earliest_delay, undecided_time, excess);
+                undecided_time = _o66.undecided_time;
             }
             if (stepping) {
                 const kernel_ring_step_out _o67 = kernel_ring_step(short_t, short_end, short_rate_margin, short_ceiling, short_x, short_y, short_z, short_vx, short_vy, short_vz, short_energy2, short_moment2, short_rho_start, short_flat, short_tilt, short_quotient_margin, short_jerk, short_start_rate, short_rho_rate, short_low1, short_high1, short_low2, short_high2, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
@@ -2291,12 +2292,12 @@ static __device__ __forceinline__ void hoop_loop(
                     step = _o75.step;
                     next = _o75.next;
                     clearance = _o75.clearance;
-                    const kernel_struck_out _o76 = kernel_struck(gap, rate, bend, margin, rate_slack, clearance, share);
+                    const kernel_gap_closes_out _o76 = kernel_gap_closes(gap, rate, bend, margin, rate_slack, clearance, share);
                     hit = _o76.hit;
                     sure = _o76.sure;
                     needs_refinement = _o76.needs_refinement;
                     if (needs_refinement) {
-                        const kernel_finer_out _o77 = kernel_finer(share);
+                        const kernel_smaller_budget_out _o77 = kernel_smaller_budget(share);
                         share = _o77.share;
                         const kernel_allowance_out _o78 = kernel_allowance(share, latest, extent, speed, position_error, velocity_error, p_gravity);
                         position_level = _o78.position_level;
@@ -2308,8 +2309,8 @@ static __device__ __forceinline__ void hoop_loop(
                         tilt = _o79.leaving_margin;
                         rate_slack = _o79.rate_margin;
                         if (BOUNDS) {
-                            const kernel_exceeded_out _o80 = kernel_exceeded(t, doubt, excess);
-                            doubt = _o80.doubt;
+                            const kernel_budget_undecided_out _o80 = kernel_budget_undecided(t, undecided_time, excess);
+                            undecided_time = _o80.undecided_time;
                         }
                     }
                     const kernel_advanced_out _o81 = kernel_advanced(t, end, step, next, arrival, hit, sure, needs_refinement, certain);
@@ -2326,8 +2327,8 @@ static __device__ __forceinline__ void hoop_loop(
                     }
                 }
                 if (BOUNDS) {
-                    const kernel_questioned_out _o83 = kernel_questioned(t, doubt, searching);
-                    doubt = _o83.doubt;
+                    const kernel_predicate_undecided_out _o83 = kernel_predicate_undecided(t, undecided_time, searching);
+                    undecided_time = _o83.undecided_time;
                 }
             }
             const kernel_found_out _o84 = kernel_found(arrival);
@@ -2342,7 +2343,7 @@ static __device__ __forceinline__ void hoop_loop(
                 refined = _o86.time;
                 gap = _o86.gap;
                 rate = _o86.rate;
-                const kernel_polished_out _o87 = kernel_polished(gap, rate, ceiling, arrival, refined, certain);
+                const kernel_refined_root_out _o87 = kernel_refined_root(gap, rate, ceiling, arrival, refined, certain);
                 arrival = _o87.arrival;
                 refining = _o87.refining;
             }
@@ -2351,7 +2352,7 @@ static __device__ __forceinline__ void hoop_loop(
                 refined = _o88.time;
                 gap = _o88.gap;
                 rate = _o88.rate;
-                const kernel_polished_out _o89 = kernel_polished(gap, rate, ceiling, arrival, refined, certain);
+                const kernel_refined_root_out _o89 = kernel_refined_root(gap, rate, ceiling, arrival, refined, certain);
                 arrival = _o89.arrival;
                 refining = _o89.refining;
             }
@@ -2362,7 +2363,7 @@ static __device__ __forceinline__ void hoop_loop(
                 refined = _o90.time;
                 gap = _o90.gap;
                 rate = _o90.rate;
-                const kernel_polished_out _o91 = kernel_polished(gap, rate, ceiling, arrival, refined, certain);
+                const kernel_refined_root_out _o91 = kernel_refined_root(gap, rate, ceiling, arrival, refined, certain);
                 arrival = _o91.arrival;
                 refining = _o91.refining;
             }
@@ -2377,14 +2378,14 @@ static __device__ __forceinline__ void hoop_loop(
                 clearance = _o94.clearance;
                 delay = _o94.delay;
             }
-            const kernel_landed_out _o95 = kernel_landed(arrival);
+            const kernel_arrival_time_out _o95 = kernel_arrival_time(arrival);
             time = _o95.time;
             if (BOUNDS) {
-                const kernel_landed_surely_out _o96 = kernel_landed_surely(clearance, time, delay, doubt, arrives, certain);
+                const kernel_certain_arrival_out _o96 = kernel_certain_arrival(clearance, time, delay, undecided_time, arrives, certain);
                 delay = _o96.delay;
-                doubt = _o96.doubt;
-                const kernel_tied_out _o97 = kernel_tied(time, when, delay, earliest_delay, doubt, arrives);
-                doubt = _o97.doubt;
+                undecided_time = _o96.undecided_time;
+                const kernel_tie_undecided_out _o97 = kernel_tie_undecided(time, when, delay, earliest_delay, undecided_time, arrives);
+                undecided_time = _o97.undecided_time;
                 earliest_delay = _o97.earliest_delay;
             }
             const kernel_earliest_out _o98 = kernel_earliest(0.0, time, when, which, arrives);
@@ -2392,16 +2393,16 @@ static __device__ __forceinline__ void hoop_loop(
             which = _o98.which;
         }
         if (limited) {
-            const kernel_expiry_out _o99 = kernel_expiry(when, which, earliest_delay, doubt, time_error, clock, time_limit);
+            const kernel_expiry_out _o99 = kernel_expiry(when, which, earliest_delay, undecided_time, time_error, clock, time_limit);
             time = _o99.time;
             arrives = _o99.arrives;
             if (BOUNDS) {
                 delay = _o99.delay;
-                doubt = _o99.doubt;
+                undecided_time = _o99.undecided_time;
             }
             if (BOUNDS) {
-                const kernel_tied_out _o100 = kernel_tied(time, when, delay, earliest_delay, doubt, arrives);
-                doubt = _o100.doubt;
+                const kernel_tie_undecided_out _o100 = kernel_tie_undecided(time, when, delay, earliest_delay, undecided_time, arrives);
+                undecided_time = _o100.undecided_time;
                 earliest_delay = _o100.earliest_delay;
             }
             const kernel_earliest_out _o101 = kernel_earliest(4.0, time, when, which, arrives);
@@ -2452,7 +2453,7 @@ static __device__ __forceinline__ void hoop_loop(
             }
         }
         if (BOUNDS) {
-            const kernel_doubted_out _o112 = kernel_doubted(when, earliest_delay, doubt, uncertain, edge);
+            const kernel_flight_undecided_out _o112 = kernel_flight_undecided(when, earliest_delay, undecided_time, uncertain, edge);
             uncertain = _o112.uncertain;
         }
         const kernel_accounted_out _o113 = kernel_accounted(contacts, most_contacts, reached, touches);
@@ -2529,15 +2530,15 @@ static __device__ __forceinline__ void hoop_loop(
                 dvz = _o132.dvz;
                 belated = _o132.delay;
                 shift = _o132.shift;
-                const kernel_delayed_out _o133 = kernel_delayed(belated, clock_error);
+                const kernel_clock_error_sum_out _o133 = kernel_clock_error_sum(belated, clock_error);
                 clock_error = _o133.clock_error;
                 if (ends) {
-                    const kernel_floored_out _o134 = kernel_floored(dx, dy, dz, shift);
+                    const kernel_error_floor_out _o134 = kernel_error_floor(dx, dy, dz, shift);
                     dx = _o134.dx;
                     dy = _o134.dy;
                     dz = _o134.dz;
                 }
-                const kernel_unturned_out _o135 = kernel_unturned();
+                const kernel_no_normal_error_out _o135 = kernel_no_normal_error();
                 dnx = _o135.dnx;
                 dny = _o135.dny;
                 dnz = _o135.dnz;
@@ -2594,9 +2595,9 @@ static __device__ __forceinline__ void hoop_loop(
         }
         if (BOUNDS) {
             if (limited) {
-                const kernel_timed_out _o145 = kernel_timed(4.0, which, claims);
-                timed = _o145.timed;
-                if (timed) {
+                const kernel_ends_by_time_limit_out _o145 = kernel_ends_by_time_limit(4.0, which, claims);
+                ends_by_time_limit = _o145.ends_by_time_limit;
+                if (ends_by_time_limit) {
                     const kernel_carry_time_out _o146 = kernel_carry_time(when, x, y, z, vx, vy, vz, clock, clock_error, dx, dy, dz, dvx, dvy, dvz, p_gravity);
                     dx = _o146.dx;
                     dy = _o146.dy;

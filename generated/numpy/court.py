@@ -1,6 +1,6 @@
 """NumPy kernels of the scene court.
 
-Generated from templates/numpy/kernels.py.j2, scene court, derivation 68775c01ff418eab,
+Generated from templates/numpy/kernels.py.j2, scene court, derivation af737e2e972ce492,
 with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
 and run `make generate`.
 Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
@@ -319,45 +319,45 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "claimed_errors": ("position_error", "velocity_error", "spin_error", "time_error",),
     "allowed": ("allowed",),
     "parameters_in_range": ("permitted",),
-    "valid": ("valid", "doubt",),
-    "aside": ("close", "valid", "doubt",),
+    "valid": ("valid", "undecided_time",),
+    "aside": ("close", "valid", "undecided_time",),
     "vary_flight": ("dx", "dy", "dz", "dvx", "dvy", "dvz",),
     "vary_departure": ("dx", "dy", "dz", "dvx", "dvy", "dvz",),
     "passing_start": ("through", "uncertain",),
     "passing": ("through",),
-    "passing_doubt": ("unsure",),
+    "passing_undecided": ("undecided",),
     "passing_from": ("over",),
     "passing_in_contact": ("through",),
-    "halved": ("middle_x", "reach_x", "later_middle_x", "later_reach_x", "middle_y", "reach_y", "later_middle_y", "later_reach_y", "middle_z", "reach_z", "later_middle_z", "later_reach_z",),
-    "untaken": ("of_this_kind",),
+    "half_flight_boxes": ("middle_x", "reach_x", "later_middle_x", "later_reach_x", "middle_y", "reach_y", "later_middle_y", "later_reach_y", "middle_z", "reach_z", "later_middle_z", "later_reach_z",),
+    "other_kind": ("of_this_kind",),
     "left": ("leaving",),
-    "meeting_plane": ("arrives", "ceiling", "nearest",),
+    "plane_root": ("arrives", "ceiling", "nearest",),
     "within_time": ("possible",),
-    "grazed": ("doubt",),
-    "questioned": ("doubt",),
-    "crossed": ("doubt",),
-    "tied": ("doubt", "earliest_delay",),
+    "graze_undecided": ("undecided_time",),
+    "predicate_undecided": ("undecided_time",),
+    "crossing_undecided": ("undecided_time",),
+    "tie_undecided": ("undecided_time", "earliest_delay",),
     "earliest": ("when", "which",),
     "beginning": ("share", "arrival", "certain",),
-    "out_of_budget": ("doubt",),
-    "out_of_budget_in_windows": ("doubt",),
+    "out_of_budget": ("undecided_time",),
+    "out_of_budget_in_windows": ("undecided_time",),
     "nearby": ("leaving", "margin",),
     "opened": ("time", "latest",),
     "coarse": ("stepping", "searching", "single_precision", "ceiling", "flat", "tilt", "allowing",),
     "stepped": ("arrival", "t", "searching",),
-    "struck": ("hit", "sure", "needs_refinement",),
-    "struck_or_still": ("hit", "sure", "needs_refinement",),
-    "finer": ("share",),
-    "exceeded": ("doubt",),
+    "gap_closes": ("hit", "sure", "needs_refinement",),
+    "gap_closes_or_stalls": ("hit", "sure", "needs_refinement",),
+    "smaller_budget": ("share",),
+    "budget_undecided": ("undecided_time",),
     "advanced": ("arrival", "certain", "exhausted", "searching", "t",),
     "found": ("arrives", "refining", "rate",),
-    "polished": ("arrival", "refining",),
+    "refined_root": ("arrival", "refining",),
     "own_margin": ("margin",),
-    "landed": ("time",),
-    "landed_surely": ("delay", "doubt",),
+    "arrival_time": ("time",),
+    "certain_arrival": ("delay", "undecided_time",),
     "outside": ("side",),
     "state_in_range": ("in_range",),
-    "opening": ("when", "which", "earliest_delay", "doubt",),
+    "opening": ("when", "which", "earliest_delay", "undecided_time",),
     "limited": ("limited",),
     "event_clock": ("clock",),
     "meeting": ("meeting",),
@@ -366,23 +366,23 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "elsewhere": ("curving",),
     "again": ("again",),
     "touched": ("first", "last",),
-    "timed": ("timed",),
+    "ends_by_time_limit": ("ends_by_time_limit",),
     "undecided": ("uncertain",),
     "body_of": ("body",),
     "admitted": ("outcome", "uncertain",),
-    "expiry": ("time", "delay", "arrives", "doubt",),
+    "expiry": ("time", "delay", "arrives", "undecided_time",),
     "departed": ("stays", "moves", "ends", "touches", "reached", "edge",),
     "expired": ("clock", "body", "reached", "ends",),
     "accounted": ("contacts", "outcome",),
-    "delayed": ("clock_error",),
+    "clock_error_sum": ("clock_error",),
     "closing": ("closed", "position_claim", "velocity_claim", "spin_claim", "time_claim",),
-    "floored": ("dx", "dy", "dz",),
-    "unturned": ("dnx", "dny", "dnz", "turn",),
+    "error_floor": ("dx", "dy", "dz",),
+    "no_normal_error": ("dnx", "dny", "dnz", "turn",),
     "circles": ("circling", "rolling",),
     "half_steps": ("forth", "back",),
-    "cleared": ("azimuth_clearance",),
-    "for_ever": ("which",),
-    "rejoined": ("rolling",),
+    "clearance_at_any_azimuth": ("azimuth_clearance",),
+    "rolls_for_ever": ("which",),
+    "still_in_contact": ("rolling",),
     "roll_0": ("lift_0", "tx_0", "ty_0", "tz_0", "vx_1", "vy_1", "vz_1", "nx_1", "ny_1", "nz_1", "turn_rate_1",),
     "roll_1": ("lift_1", "tx_1", "ty_1", "tz_1", "vx_2", "vy_2", "vz_2", "nx_2", "ny_2", "nz_2", "turn_rate_2",),
     "roll_2": ("lift_2", "tx_2", "ty_2", "tz_2", "vx_3", "vy_3", "vz_3", "nx_3", "ny_3", "nz_3", "turn_rate_3",),
@@ -391,7 +391,7 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "roll_5": ("lift_5", "tx_5", "ty_5", "tz_5", "vx_6", "vy_6", "vz_6", "nx_6", "ny_6", "nz_6", "turn_rate_6",),
     "roll_6": ("lift_6", "tx_6", "ty_6", "tz_6", "vx_7", "vy_7", "vz_7", "nx_7", "ny_7", "nz_7", "turn_rate_7",),
     "roll_7": ("lift_7", "tx_7", "ty_7", "tz_7", "vx_8", "vy_8", "vz_8", "nx_8", "ny_8", "nz_8", "turn_rate_8",),
-    "anew": ("left_nx", "left_ny", "left_nz",),
+    "other_start_surface": ("left_nx", "left_ny", "left_nz",),
     "started": ("from_x", "from_y", "from_z",),
     "roll_start": ("vx_0", "vy_0", "vz_0", "nx_0", "ny_0", "nz_0", "turn_rate_0",),
     "roll_moved": ("x", "vx", "y", "vy", "z", "vz", "turn_rate",),
@@ -399,25 +399,25 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "roll_pace": ("stride", "missed", "strongest", "fastest", "force", "force_rate", "force_bend", "friction_force_rate",),
     "roll_turn_rate": ("turn_rate",),
     "pressed_on": ("press", "weight", "rolling_friction", "rolling_acceleration_x", "rolling_acceleration_y", "rolling_acceleration_z",),
-    "slowed": ("slow", "assured",),
-    "unslowed": ("slow",),
+    "leaves_slowly": ("slow", "assured",),
+    "no_slow_contact": ("slow",),
     "nearly": ("nearly",),
     "gripped": ("rolled_x", "rolled_y", "rolled_z", "slip", "bounce",),
     "isolated": ("nearest", "second_contact_gap",),
-    "neared_body": ("nearest", "second_contact_gap",),
-    "neared": ("nearest",),
-    "begun_errors": ("dx", "dy", "dz", "dvx", "dvy", "dvz", "dwx", "dwy", "dwz",),
-    "leaving_force": ("stride", "which", "rests", "doubt",),
-    "beside_body": ("stride", "which", "doubt", "earliest_delay",),
-    "beside_gate": ("stride", "which", "doubt", "earliest_delay",),
+    "near_body": ("nearest", "second_contact_gap",),
+    "near_end_plane": ("nearest",),
+    "jump_errors": ("dx", "dy", "dz", "dvx", "dvy", "dvz", "dwx", "dwy", "dwz",),
+    "leaving_force": ("stride", "which", "rests", "undecided_time",),
+    "beside_body": ("stride", "which", "undecided_time", "earliest_delay",),
+    "beside_end_plane": ("stride", "which", "undecided_time", "earliest_delay",),
     "beside_seam": ("stride",),
     "beside_time": ("stride", "which",),
     "rolled_on": ("clock", "rolling",),
     "no_contact": ("free_time",),
     "neighbour_free_time": ("free_time",),
-    "end_plane_free_time": ("free_time", "doubt",),
+    "end_plane_free_time": ("free_time", "undecided_time",),
     "seam_free_time": ("free_time",),
-    "separated": ("when", "doubt",),
+    "separated": ("when", "undecided_time",),
     "neighbour_scale": ("neighbour_scale",),
     "neighbour": ("far_x", "far_y", "far_z", "far_vx", "far_vy", "far_vz", "far_wx", "far_wy", "far_wz", "far_nx", "far_ny", "far_nz", "far_gap",),
     "compared": ("dx", "dy", "dz", "dvx", "dvy", "dvz", "dwx", "dwy", "dwz",),
@@ -425,23 +425,23 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "in_contact": ("in_contact", "when", "rests", "rolling", "began",),
     "opens_in_flight": ("open",),
     "reachable_in_flight": ("reachable",),
-    "resumed": ("which", "earliest_delay", "began", "doubt", "begins", "rolling", "leaves", "nx", "ny", "nz", "gap", "bent_x", "bent_y", "bent_z", "lift", "gap_jerk", "gap_snap", "per_reach",),
-    "doubted_in_contact": ("uncertain",),
+    "resumed": ("which", "earliest_delay", "began", "undecided_time", "begins", "rolling", "leaves", "nx", "ny", "nz", "gap", "bent_x", "bent_y", "bent_z", "lift", "gap_jerk", "gap_snap", "per_reach",),
+    "contact_undecided": ("uncertain",),
     "holding": ("here",),
     "beside": ("beside",),
-    "unhopped": ("hopped",),
+    "no_departure": ("hopped",),
     "beginning_contact": ("which", "circled",),
-    "take_off": ("which",),
-    "stay_in_contact": ("body", "reached", "doubt", "ends", "hopped", "last", "mode", "held", "rolls",),
+    "detachment": ("which",),
+    "stay_in_contact": ("body", "reached", "undecided_time", "ends", "hopped", "last", "mode", "held", "rolls",),
     "settled": ("mode", "held", "outcome", "slip_left", "uncertain",),
-    "pulled": ("rolling_friction", "rolling_friction_rate", "grip_deficit", "grip_deficit_rate",),
+    "ring_friction": ("rolling_friction", "rolling_friction_rate", "grip_deficit", "grip_deficit_rate",),
     "forget_grip_deficit": ("last_grip_deficit",),
-    "losing": ("loses",),
-    "lost_grip": ("grip_lost",),
+    "exceeds_grip": ("loses",),
+    "grip_lost_time": ("grip_lost",),
     "remember_grip_deficit": ("last_grip_deficit", "last_grip_deficit_rate", "last_grip_clock",),
     "ring_impact_taken": ("of_this_kind", "its_0", "its_1",),
-    "ring_impact_doubt": ("unsure",),
-    "ring_impact_settling": ("settles", "lodges", "slides", "unpressed", "assured", "unsure",),
+    "ring_impact_undecided": ("undecided",),
+    "ring_impact_settling": ("settles", "lodges", "slides", "unpressed", "assured", "undecided",),
     "ring_impact_grip_deficit": ("grip_deficit", "grip_deficit_rate",),
     "ring_impact": ("vx", "vy", "vz", "wx", "wy", "wz",),
     "carry_ring_impact": ("dvx", "dvy", "dvz", "dwx", "dwy", "dwz",),
@@ -472,7 +472,7 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "ring_round_moved": ("x", "y", "z", "vx", "vy", "vz", "wx", "wy", "wz", "climb",),
     "ring_round_pace": ("stride", "missed", "strongest", "fastest", "section_acceleration", "force", "force_rate", "force_bend", "friction_force_rate", "vx_1", "vy_1", "vz_1",),
     "ring_round_pulled": ("rolling_friction", "rolling_friction_rate", "grip_deficit", "grip_deficit_rate",),
-    "ring_swung": ("circled", "endless", "doubt",),
+    "ring_swung": ("circled", "endless", "undecided_time",),
     "ring_round_0": ("omega_0", "around_0", "cosine_1", "sine_1", "climb_1", "along_1", "turn_rate_1", "tilted_1",),
     "ring_round_1": ("omega_1", "around_1", "cosine_2", "sine_2", "climb_2", "along_2", "turn_rate_2", "tilted_2",),
     "ring_round_2": ("omega_2", "around_2", "cosine_3", "sine_3", "climb_3", "along_3", "turn_rate_3", "tilted_3",),
@@ -1273,7 +1273,7 @@ def passing(through: Any, t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: 
     return _s19,
 
 
-def passing_doubt(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ring_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+def passing_undecided(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ring_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Whether the passing of the disc lies within its error.
 
     running error analysis. 107 operations: 18 additions, 4 subtractions, 31 multiplications, 1 division, 4 square roots, 6 absolute values, 20 comparisons, 11 conjunctions, 6 disjunctions, 6 selections.
@@ -1329,7 +1329,7 @@ def passing_in_contact(p_ring_radius: Any, x: Any, y: Any, z: Any, through: Any,
     return _where(_logical_and(_logical_and(_logical_and(over, (z < 0.0)), _s0), (_s1 == 0.0)), 1.0, _s1),
 
 
-def halved(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, earliest_delay: Any, pad: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+def half_flight_boxes(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, earliest_delay: Any, pad: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Boxes of the first and the second half of the flight until the horizon.
 
     Eq. 3, the chords of both and what it is off them. 62 operations: 21 additions, 5 subtractions, 27 multiplications, 1 negation, 6 absolute values, 1 comparison, 1 selection.
@@ -1353,7 +1353,7 @@ def halved(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, exte
     return x + _s2, _s6, _s2 + _add(x, _s1, _r1), _s6, y + _s8, _s9, _s8 + _add(y, _s7, _r5), _s9, _add(z, _multiply(_k45, _s11, _r5), _r5) - _s12, _k53 * _add(_add(_s13, _multiply(_k45, _absolute(_s11, _r5), _r5), _r5), _s5, _r5), _add(_multiply(_k45, _s14, _r5), _add(z, _s11, _r8), _r8) - _s12, _k53 * _add(_add(_s13, _multiply(_k45, _absolute(_s14, _r11), _r11), _r11), _s5, _r11)
 
 
-def untaken() -> tuple[Any, ...]:
+def other_kind() -> tuple[Any, ...]:
     """Start value: no surface of this kind.
 
     Table 1. No operations.
@@ -1369,7 +1369,7 @@ def left(index: Any, last: Any) -> tuple[Any, ...]:
     return _where((last == index), 1.0, 0.0),
 
 
-def meeting_plane(rate: Any, bend: Any, apex: Any, time: Any) -> tuple[Any, ...]:
+def plane_root(rate: Any, bend: Any, apex: Any, time: Any) -> tuple[Any, ...]:
     """Whether a plane's only root is an arrival, the size of F'', and the nearest time.
 
     Table 1. 13 operations: 1 absolute value, 6 comparisons, 4 conjunctions, 1 disjunction, 1 selection.
@@ -1386,38 +1386,38 @@ def within_time(time: Any, when: Any, delay: Any, earliest_delay: Any, arrives: 
     return _logical_and(arrives, _logical_not(((delay + earliest_delay) < (time - when)))),
 
 
-def grazed(margin: Any, apex: Any, height: Any, doubt: Any) -> tuple[Any, ...]:
+def graze_undecided(margin: Any, apex: Any, height: Any, undecided_time: Any) -> tuple[Any, ...]:
     """Earliest undecided time, with that of an apex whose gap is zero within its error.
 
     Table 1. 7 operations: 1 absolute value, 3 comparisons, 2 conjunctions, 1 selection.
     """
-    return _where(_logical_and(_logical_and((0.0 <= apex), (_absolute(height) <= margin)), (apex < doubt)), apex, doubt),
+    return _where(_logical_and(_logical_and((0.0 <= apex), (_absolute(height) <= margin)), (apex < undecided_time)), apex, undecided_time),
 
 
-def questioned(time: Any, doubt: Any, unsure: Any) -> tuple[Any, ...]:
+def predicate_undecided(time: Any, undecided_time: Any, undecided: Any) -> tuple[Any, ...]:
     """Earliest undecided time, with that of an undecided predicate.
 
     Table 1. 3 operations: 1 comparison, 1 conjunction, 1 selection.
     """
-    return _where(_logical_and(unsure, (time < doubt)), time, doubt),
+    return _where(_logical_and(undecided, (time < undecided_time)), time, undecided_time),
 
 
-def crossed(clearance: Any, time: Any, doubt: Any, arrives: Any) -> tuple[Any, ...]:
+def crossing_undecided(clearance: Any, time: Any, undecided_time: Any, arrives: Any) -> tuple[Any, ...]:
     """Earliest undecided time, with that of an arrival whose crossing is not certain.
 
     Table 1. 6 operations: 2 comparisons, 2 conjunctions, 1 complement, 1 selection.
     """
-    return _where(_logical_and(_logical_and(arrives, _logical_not((0.0 < clearance))), (time < doubt)), time, doubt),
+    return _where(_logical_and(_logical_and(arrives, _logical_not((0.0 < clearance))), (time < undecided_time)), time, undecided_time),
 
 
-def tied(time: Any, when: Any, delay: Any, earliest_delay: Any, doubt: Any, arrives: Any) -> tuple[Any, ...]:
+def tie_undecided(time: Any, when: Any, delay: Any, earliest_delay: Any, undecided_time: Any, arrives: Any) -> tuple[Any, ...]:
     """Earliest undecided time, with that of a tie within the delays; the earlier's delay.
 
     Table 1. 12 operations: 1 addition, 1 subtraction, 1 absolute value, 3 comparisons, 3 conjunctions, 3 selections.
     """
     _s0 = time < when
     _s1 = _where(_s0, time, when)
-    _s2 = _where(_logical_and(_logical_and(arrives, (_absolute((time - when)) <= (delay + earliest_delay))), (_s1 < doubt)), _s1, doubt)
+    _s2 = _where(_logical_and(_logical_and(arrives, (_absolute((time - when)) <= (delay + earliest_delay))), (_s1 < undecided_time)), _s1, undecided_time)
     return _s2, _where(_logical_and(arrives, _s0), delay, earliest_delay)
 
 
@@ -1438,20 +1438,20 @@ def beginning() -> tuple[Any, ...]:
     return 2.9802322387695312e-08, _inf, False
 
 
-def out_of_budget(pad: Any, budget_exceeded: Any, earliest_delay: Any, doubt: Any, excess: Any) -> tuple[Any, ...]:
+def out_of_budget(pad: Any, budget_exceeded: Any, earliest_delay: Any, undecided_time: Any, excess: Any) -> tuple[Any, ...]:
     """Undecided time 0 if errors exceed the budget of a search, or its bounds fail.
 
     Table 1. 6 operations: 3 comparisons, 2 disjunctions, 1 selection.
     """
-    return _where(_logical_or(_logical_or((0.0 < excess), (0.0 < budget_exceeded)), (pad < earliest_delay)), 0.0, doubt),
+    return _where(_logical_or(_logical_or((0.0 < excess), (0.0 < budget_exceeded)), (pad < earliest_delay)), 0.0, undecided_time),
 
 
-def out_of_budget_in_windows(pad: Any, budget_exceeded: Any, earliest_delay: Any, doubt: Any, excess: Any, searching: Any) -> tuple[Any, ...]:
+def out_of_budget_in_windows(pad: Any, budget_exceeded: Any, earliest_delay: Any, undecided_time: Any, excess: Any, searching: Any) -> tuple[Any, ...]:
     """Undecided time 0 if errors exceed the budget of an open window, or its bounds fail.
 
     Table 1. 7 operations: 3 comparisons, 1 conjunction, 2 disjunctions, 1 selection.
     """
-    return _where(_logical_or(_logical_and(searching, _logical_or((0.0 < excess), (pad < earliest_delay))), (0.0 < budget_exceeded)), 0.0, doubt),
+    return _where(_logical_or(_logical_and(searching, _logical_or((0.0 < excess), (pad < earliest_delay))), (0.0 < budget_exceeded)), 0.0, undecided_time),
 
 
 def nearby(t: Any, flat: Any, tilt: Any, index: Any, last: Any) -> tuple[Any, ...]:
@@ -1490,7 +1490,7 @@ def stepped(arrival: Any, lasting: Any, searching: Any, since: Any, single_preci
     return _where(certain, _s0, arrival), _where(single_precision, _s0, 0.0), _logical_and(_logical_and(searching, _logical_not(certain)), (lasting < _inf))
 
 
-def struck(gap: Any, rate: Any, bend: Any, margin: Any, rate_margin: Any, clearance: Any, share: Any) -> tuple[Any, ...]:
+def gap_closes(gap: Any, rate: Any, bend: Any, margin: Any, rate_margin: Any, clearance: Any, share: Any) -> tuple[Any, ...]:
     """Whether the gap closes, certainly closes, or needs a smaller error budget.
 
     Table 1. 17 operations: 1 subtraction, 6 comparisons, 6 conjunctions, 2 disjunctions, 2 complements.
@@ -1503,7 +1503,7 @@ def struck(gap: Any, rate: Any, bend: Any, margin: Any, rate_margin: Any, cleara
     return _logical_and(_s2, _logical_not(_s4)), _s3, _s4
 
 
-def struck_or_still(t: Any, end: Any, gap: Any, rate: Any, bend: Any, margin: Any, rate_margin: Any, next: Any, clearance: Any, share: Any) -> tuple[Any, ...]:
+def gap_closes_or_stalls(t: Any, end: Any, gap: Any, rate: Any, bend: Any, margin: Any, rate_margin: Any, next: Any, clearance: Any, share: Any) -> tuple[Any, ...]:
     """Whether the gap closes; a step that moves nothing needs a smaller budget, too.
 
     Table 1. 25 operations: 1 subtraction, 8 comparisons, 9 conjunctions, 3 disjunctions, 4 complements.
@@ -1518,7 +1518,7 @@ def struck_or_still(t: Any, end: Any, gap: Any, rate: Any, bend: Any, margin: An
     return _logical_and(_s2, _logical_not(_s5)), _s3, _s6
 
 
-def finer(share: Any) -> tuple[Any, ...]:
+def smaller_budget(share: Any) -> tuple[Any, ...]:
     """Next smaller error budget.
 
     Table 1. 3 operations: 1 multiplication, 1 comparison, 1 selection.
@@ -1526,12 +1526,12 @@ def finer(share: Any) -> tuple[Any, ...]:
     return _where((2.842170943040401e-14 < share), (0.03125 * share), 0.0),
 
 
-def exceeded(t: Any, doubt: Any, excess: Any) -> tuple[Any, ...]:
+def budget_undecided(t: Any, undecided_time: Any, excess: Any) -> tuple[Any, ...]:
     """Earliest undecided time, with the present one if the errors exceed the budget.
 
     Table 1. 4 operations: 2 comparisons, 1 conjunction, 1 selection.
     """
-    return _where(_logical_and((0.0 < excess), (t < doubt)), t, doubt),
+    return _where(_logical_and((0.0 < excess), (t < undecided_time)), t, undecided_time),
 
 
 def advanced(t: Any, end: Any, step: Any, next: Any, arrival: Any, hit: Any, sure: Any, needs_refinement: Any, certain: Any) -> tuple[Any, ...]:
@@ -1553,7 +1553,7 @@ def found(arrival: Any) -> tuple[Any, ...]:
     return _s0, _s0, 0.0
 
 
-def polished(gap: Any, rate: Any, ceiling: Any, arrival: Any, refined: Any, certain: Any) -> tuple[Any, ...]:
+def refined_root(gap: Any, rate: Any, ceiling: Any, arrival: Any, refined: Any, certain: Any) -> tuple[Any, ...]:
     """A certain root, refined, and whether h is above 2^-24, so that it is refined again.
 
     Table 1. 7 operations: 3 multiplications, 1 absolute value, 1 comparison, 1 conjunction, 1 selection.
@@ -1569,7 +1569,7 @@ def own_margin(leaving: Any, flat: Any, tilt: Any, arrival: Any) -> tuple[Any, .
     return _where((0.0 < leaving), (tilt * arrival), flat),
 
 
-def landed(arrival: Any) -> tuple[Any, ...]:
+def arrival_time(arrival: Any) -> tuple[Any, ...]:
     """Time of an arrival, not before the flight.
 
     Table 1. 2 operations: 1 comparison, 1 selection.
@@ -1577,13 +1577,13 @@ def landed(arrival: Any) -> tuple[Any, ...]:
     return _where((arrival < 0.0), 0.0, arrival),
 
 
-def landed_surely(clearance: Any, time: Any, delay: Any, doubt: Any, arrives: Any, certain: Any) -> tuple[Any, ...]:
+def certain_arrival(clearance: Any, time: Any, delay: Any, undecided_time: Any, arrives: Any, certain: Any) -> tuple[Any, ...]:
     """Delay of a certain arrival; the earliest undecided time, with that of any other one.
 
     Table 1. 8 operations: 2 comparisons, 3 conjunctions, 1 complement, 2 selections.
     """
     _s0 = _logical_and(certain, (0.0 < clearance))
-    return _where(_s0, delay, 0.0), _where(_logical_and(_logical_and(arrives, _logical_not(_s0)), (time < doubt)), time, doubt)
+    return _where(_s0, delay, 0.0), _where(_logical_and(_logical_and(arrives, _logical_not(_s0)), (time < undecided_time)), time, undecided_time)
 
 
 def outside() -> tuple[Any, ...]:
@@ -1677,7 +1677,7 @@ def touched(which: Any, body: Any, first: Any) -> tuple[Any, ...]:
     return _where((first < 0.0), body, first), which
 
 
-def timed(index: Any, which: Any, claims: Any) -> tuple[Any, ...]:
+def ends_by_time_limit(index: Any, which: Any, claims: Any) -> tuple[Any, ...]:
     """Whether a shot has ended at the time limit and its errors are wanted.
 
     Table 1. 3 operations: 2 comparisons, 1 conjunction.
@@ -1685,12 +1685,12 @@ def timed(index: Any, which: Any, claims: Any) -> tuple[Any, ...]:
     return _logical_and((which == index), (0.0 < claims)),
 
 
-def undecided(uncertain: Any, unsure: Any) -> tuple[Any, ...]:
+def undecided(uncertain: Any, undecided: Any) -> tuple[Any, ...]:
     """1 if a decision within a contact lies within its error.
 
     Table 1. 1 operation: 1 selection.
     """
-    return _where(unsure, 1.0, uncertain),
+    return _where(undecided, 1.0, uncertain),
 
 
 def body_of(which: Any) -> tuple[Any, ...]:
@@ -1701,22 +1701,22 @@ def body_of(which: Any) -> tuple[Any, ...]:
     return which,
 
 
-def admitted(doubt: Any, valid: Any, permitted: Any, in_range: Any) -> tuple[Any, ...]:
+def admitted(undecided_time: Any, valid: Any, permitted: Any, in_range: Any) -> tuple[Any, ...]:
     """Outcome of a shot at its start, and whether that is uncertain.
 
     Table 1. 7 operations: 2 comparisons, 3 conjunctions, 2 selections.
     """
     _s0 = _logical_and(permitted, in_range)
-    return _where(_logical_and(_s0, (0.0 < valid)), -1.0, 4.0), _where(_logical_and(_s0, (0.0 < doubt)), 1.0, 0.0)
+    return _where(_logical_and(_s0, (0.0 < valid)), -1.0, 4.0), _where(_logical_and(_s0, (0.0 < undecided_time)), 1.0, 0.0)
 
 
-def expiry(when: Any, which: Any, earliest_delay: Any, doubt: Any, time_error: Any, clock: Any, time_limit: Any) -> tuple[Any, ...]:
+def expiry(when: Any, which: Any, earliest_delay: Any, undecided_time: Any, time_error: Any, clock: Any, time_limit: Any) -> tuple[Any, ...]:
     """The time limit as an arrival.
 
     Table 1. 12 operations: 2 additions, 1 subtraction, 1 multiplication, 4 comparisons, 1 conjunction, 1 complement, 2 selections.
     """
     _s0 = time_limit - clock
-    return _where(0.0 < _s0, _s0, 0.0), time_error + (4.440892098500626e-16 * time_limit), 0.0 <= which, _where(_logical_and(_logical_not(((when + earliest_delay) < doubt)), (doubt < _inf)), 0.0, doubt)
+    return _where(0.0 < _s0, _s0, 0.0), time_error + (4.440892098500626e-16 * time_limit), 0.0 <= which, _where(_logical_and(_logical_not(((when + earliest_delay) < undecided_time)), (undecided_time < _inf)), 0.0, undecided_time)
 
 
 def departed(index: Any, which: Any) -> tuple[Any, ...]:
@@ -1747,7 +1747,7 @@ def accounted(contacts: Any, most_contacts: Any, reached: Any, touches: Any) -> 
     return _where(touches, _s0, contacts), _where(touches, _where((most_contacts <= _s0), 2.0, -1.0), reached)
 
 
-def delayed(delay: Any, clock_error: Any) -> tuple[Any, ...]:
+def clock_error_sum(delay: Any, clock_error: Any) -> tuple[Any, ...]:
     """Sum of the errors of the contacts' times.
 
     Table 1. 1 operation: 1 addition.
@@ -1763,7 +1763,7 @@ def closing(outcome: Any, claims: Any) -> tuple[Any, ...]:
     return _logical_and((0.0 < claims), (0.0 <= outcome)), 0.0, 0.0, 0.0, 0.0
 
 
-def floored(dx: Any, dy: Any, dz: Any, shift: Any) -> tuple[Any, ...]:
+def error_floor(dx: Any, dy: Any, dz: Any, shift: Any) -> tuple[Any, ...]:
     """Errors at the end, not below the largest that one flight can cause.
 
     Table 1. 9 operations: 3 absolute values, 3 comparisons, 3 selections.
@@ -1771,7 +1771,7 @@ def floored(dx: Any, dy: Any, dz: Any, shift: Any) -> tuple[Any, ...]:
     return _where((_absolute(dx) < shift), shift, dx), _where((_absolute(dy) < shift), shift, dy), _where((_absolute(dz) < shift), shift, dz)
 
 
-def unturned() -> tuple[Any, ...]:
+def no_normal_error() -> tuple[Any, ...]:
     """Start values: a normal without error.
 
     Table 1. No operations.
@@ -1797,7 +1797,7 @@ def half_steps(stride: Any) -> tuple[Any, ...]:
     return _s0, -_s0
 
 
-def cleared(gap: Any, nearing: Any, half_step: Any, azimuth_clearance: Any) -> tuple[Any, ...]:
+def clearance_at_any_azimuth(gap: Any, nearing: Any, half_step: Any, azimuth_clearance: Any) -> tuple[Any, ...]:
     """Distance from the nearest other surface, at any azimuth.
 
     tangents. 6 operations: 1 addition, 1 multiplication, 2 comparisons, 2 selections.
@@ -1807,7 +1807,7 @@ def cleared(gap: Any, nearing: Any, half_step: Any, azimuth_clearance: Any) -> t
     return _where(_s1 < azimuth_clearance, _s1, azimuth_clearance),
 
 
-def for_ever(which: Any, endless: Any) -> tuple[Any, ...]:
+def rolls_for_ever(which: Any, endless: Any) -> tuple[Any, ...]:
     """Event: the ball certainly rolls for ever.
 
     Table 1. 1 operation: 1 selection.
@@ -1815,7 +1815,7 @@ def for_ever(which: Any, endless: Any) -> tuple[Any, ...]:
     return _where(endless, 8.0, which),
 
 
-def rejoined(rolling: Any, circling: Any) -> tuple[Any, ...]:
+def still_in_contact(rolling: Any, circling: Any) -> tuple[Any, ...]:
     """Whether a ball goes on in contact, on whichever surface.
 
     Table 1. 1 operation: 1 disjunction.
@@ -2120,7 +2120,7 @@ def roll_7(p_gravity: Any, p_inertia: Any, nx_0: Any, nx_1: Any, nx_2: Any, nx_3
     return _s20, _s24, _s33, _s37, _s41, _s44, _s47, _k26 * _s8, _k26 * _s16, _k26 * _s18, -_s51
 
 
-def anew() -> tuple[Any, ...]:
+def other_start_surface() -> tuple[Any, ...]:
     """Start value of the normal where the flight began: another surface.
 
     Table 1. No operations.
@@ -2245,7 +2245,7 @@ def pressed_on(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, nx: Any, ny: 
     return _s1, _s0, _sqrt(_add(_add(_multiply(_s4, _s4, _r0), _multiply(_s5, _s5, _r1), _r1), _multiply(_s6, _s6, _r0), _r0)), _multiply(nx, _s1, _r0) + _s4, _multiply(ny, _s1, _r0) + _s5, _add(_multiply(nz, _s1, _r0), _s6, _r0) - p_gravity
 
 
-def slowed(p_ball_radius: Any, p_gravity: Any, nx: Any, ny: Any, nz: Any, vx: Any, vy: Any, vz: Any, position_error: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+def leaves_slowly(p_ball_radius: Any, p_gravity: Any, nx: Any, ny: Any, nz: Any, vx: Any, vy: Any, vz: Any, position_error: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Whether a ball leaves so slowly that its bounces may end here.
 
     Table 1. 21 operations: 5 additions, 10 multiplications, 1 division, 3 comparisons, 1 conjunction, 1 disjunction.
@@ -2257,7 +2257,7 @@ def slowed(p_ball_radius: Any, p_gravity: Any, nx: Any, ny: Any, nz: Any, vx: An
     return _logical_or((_s1 < _s2), _logical_and((_s1 < (1.1920928955078125e-07 * p_ball_radius)), (_k4 < position_error))), 0.0
 
 
-def unslowed() -> tuple[Any, ...]:
+def no_slow_contact() -> tuple[Any, ...]:
     """Start value for a ball without a contact.
 
     Table 1. No operations.
@@ -2301,7 +2301,7 @@ def isolated() -> tuple[Any, ...]:
     return _inf, _inf
 
 
-def neared_body(gap: Any, nearest: Any, second_contact_gap: Any, rolling_gap_acceleration: Any, normal_cosine: Any, press: Any, nearing: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+def near_body(gap: Any, nearest: Any, second_contact_gap: Any, rolling_gap_acceleration: Any, normal_cosine: Any, press: Any, nearing: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Distance to a body beside a rolling ball, and whether it holds the ball, too.
 
     Table 1. 18 operations: 1 addition, 4 multiplications, 1 division, 2 absolute values, 5 comparisons, 1 conjunction, 4 selections.
@@ -2314,7 +2314,7 @@ def neared_body(gap: Any, nearest: Any, second_contact_gap: Any, rolling_gap_acc
     return _result(_s0 < nearest, _s0, nearest, _r0), _result(_s3 < second_contact_gap, _s3, second_contact_gap, _r0)
 
 
-def neared(gap: Any, nearest: Any) -> tuple[Any, ...]:
+def near_end_plane(gap: Any, nearest: Any) -> tuple[Any, ...]:
     """Distance to an end plane beside the ball.
 
     Table 1. 3 operations: 1 absolute value, 1 comparison, 1 selection.
@@ -2323,7 +2323,7 @@ def neared(gap: Any, nearest: Any) -> tuple[Any, ...]:
     return _where(_s0 < nearest, _s0, nearest),
 
 
-def begun_errors(p_ball_radius: Any, vx: Any, vy: Any, vz: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, dwz: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+def jump_errors(p_ball_radius: Any, vx: Any, vy: Any, vz: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, dwz: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Errors with those of the jump to the end of the bounces.
 
     its bound. 41 operations: 12 additions, 3 multiplications, 2 divisions, 3 negations, 3 absolute values, 9 comparisons, 9 selections.
@@ -2338,7 +2338,7 @@ def begun_errors(p_ball_radius: Any, vx: Any, vy: Any, vz: Any, dx: Any, dy: Any
     return dx + _select(dx < _k4, _s1, _s0, _r4), dy + _select(dy < _k4, _s1, _s0, _r4), dz + _select(dz < _k4, _s1, _s0, _r4), dvx + _select(dvx < _k4, _s3, _s2, _r4), dvy + _select(dvy < _k4, _s3, _s2, _r4), dvz + _select(dvz < _k4, _s3, _s2, _r4), dwx + _select(dwx < _k4, _s5, _s4, _r4), dwy + _select(dwy < _k4, _s5, _s4, _r4), dwz + _select(dwz < _k4, _s5, _s4, _r4)
 
 
-def leaving_force(p_ball_radius: Any, p_gravity: Any, vx: Any, vx_1: Any, vy: Any, vy_1: Any, vz: Any, vz_1: Any, which: Any, doubt: Any, position_error: Any, velocity_error: Any, per_reach: Any, force: Any, force_rate: Any, force_bend: Any, friction_force_rate: Any, stride: Any, fastest: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+def leaving_force(p_ball_radius: Any, p_gravity: Any, vx: Any, vx_1: Any, vy: Any, vy_1: Any, vz: Any, vz_1: Any, which: Any, undecided_time: Any, position_error: Any, velocity_error: Any, per_reach: Any, force: Any, force_rate: Any, force_bend: Any, friction_force_rate: Any, stride: Any, fastest: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Whether the normal force vanishes or the ball rests; else a time for which neither can.
 
     N = 0. 85 operations: 12 additions, 1 subtraction, 20 multiplications, 2 divisions, 2 square roots, 2 negations, 8 absolute values, 14 comparisons, 7 conjunctions, 3 disjunctions, 3 complements, 11 selections.
@@ -2362,10 +2362,10 @@ def leaving_force(p_ball_radius: Any, p_gravity: Any, vx: Any, vx_1: Any, vy: An
     _s15 = _select(_k4 <= _s13, _divide(_select(_s3, _multiply(_k20, _s12, _r7), _add(force_rate, _s14, _r6), _r4), _select(_s3, _subtract(_s14, force_rate, _r9), _select(_k4 < _s11, _s11, _k4, _r8), _r10), _r4), _k5, _r6)
     _s16 = _add(_multiply(_multiply(_k23, _s0, _r0), _add(_multiply(position_error, _s1, _r1), _multiply(velocity_error, fastest, _r7), _r7), _r0), _s2, _r0)
     _s17 = _logical_or(_s7, _logical_and((_absolute(force, _r2) <= _s16), _logical_not((_multiply(_multiply(_k23, _s11, _r5), _s16, _r5) < _s10))))
-    return _result(_logical_or(_s8, _s9), _k4, _select(_s15 < stride, _s15, stride, _r5), _r0), _result(_logical_and(_s8, (which == _k51)), _k3, which, _r0), _logical_and(_s9, _logical_not(_s8)), _result(_s17, _k4, doubt, _r0)
+    return _result(_logical_or(_s8, _s9), _k4, _select(_s15 < stride, _s15, stride, _r5), _r0), _result(_logical_and(_s8, (which == _k51)), _k3, which, _r0), _logical_and(_s9, _logical_not(_s8)), _result(_s17, _k4, undecided_time, _r0)
 
 
-def beside_body(p_ball_radius: Any, x: Any, y: Any, z: Any, gap: Any, index: Any, which: Any, earliest_delay: Any, doubt: Any, position_error: Any, nearing: Any, gap_curvature: Any, stride: Any, strongest: Any, fastest: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+def beside_body(p_ball_radius: Any, x: Any, y: Any, z: Any, gap: Any, index: Any, which: Any, earliest_delay: Any, undecided_time: Any, position_error: Any, nearing: Any, gap_curvature: Any, stride: Any, strongest: Any, fastest: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Whether a rolling ball meets another surface; else a time for which it cannot.
 
     a parabola below the distance. 55 operations: 7 additions, 1 subtraction, 12 multiplications, 2 divisions, 1 square root, 1 negation, 4 absolute values, 9 comparisons, 5 conjunctions, 1 disjunction, 2 complements, 10 selections.
@@ -2385,10 +2385,10 @@ def beside_body(p_ball_radius: Any, x: Any, y: Any, z: Any, gap: Any, index: Any
     _s11 = _logical_and(_s3, _s10)
     _s12 = _add(_multiply(_k20, position_error, _r3), _s0, _r3)
     _s13 = _logical_or(_logical_and(_logical_and((gap <= _s12), (_negative(_s12, _r0) <= gap)), _logical_not((_multiply(_multiply(_k23, _s12, _r0), _s5, _r0) < _s4))), _logical_and(_s3, _logical_not(_s10)))
-    return _result(_s3, _k4, _select(_s9 < stride, _s9, stride, _r0), _r0), _result(_s11, index, which, _r0), _result(_s13, _k4, doubt, _r0), _result(_s11, _divide(_multiply(_k20, _s12, _r3), _absolute(nearing, _r0), _r3), earliest_delay, _r0)
+    return _result(_s3, _k4, _select(_s9 < stride, _s9, stride, _r0), _r0), _result(_s11, index, which, _r0), _result(_s13, _k4, undecided_time, _r0), _result(_s11, _divide(_multiply(_k20, _s12, _r3), _absolute(nearing, _r0), _r3), earliest_delay, _r0)
 
 
-def beside_gate(p_ball_radius: Any, x: Any, y: Any, z: Any, gap: Any, index: Any, which: Any, earliest_delay: Any, doubt: Any, position_error: Any, nearing: Any, gap_curvature: Any, stride: Any, strongest: Any, fastest: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+def beside_end_plane(p_ball_radius: Any, x: Any, y: Any, z: Any, gap: Any, index: Any, which: Any, earliest_delay: Any, undecided_time: Any, position_error: Any, nearing: Any, gap_curvature: Any, stride: Any, strongest: Any, fastest: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Whether a rolling ball crosses an end plane; else a time for which it cannot.
 
     a parabola below the distance. 60 operations: 7 additions, 1 subtraction, 11 multiplications, 2 divisions, 1 square root, 2 negations, 4 absolute values, 12 comparisons, 6 conjunctions, 1 disjunction, 2 complements, 11 selections.
@@ -2407,7 +2407,7 @@ def beside_gate(p_ball_radius: Any, x: Any, y: Any, z: Any, gap: Any, index: Any
     _s10 = _logical_and(_s2, _s9)
     _s11 = _add(_multiply(_k20, position_error, _r8), _s0, _r8)
     _s12 = _logical_or(_logical_and(_logical_and((gap <= _s11), (_negative(_s11, _r0) <= gap)), _logical_not((_multiply(_multiply(_k23, _s11, _r0), _s4, _r0) < _s3))), _logical_and(_s2, _logical_not(_s9)))
-    return _result(_s2, _k4, _select(_s8 < stride, _s8, stride, _r0), _r0), _result(_s10, index, which, _r0), _result(_s12, _k4, doubt, _r0), _result(_s10, _divide(_multiply(_k20, _s11, _r8), _absolute(nearing, _r0), _r8), earliest_delay, _r0)
+    return _result(_s2, _k4, _select(_s8 < stride, _s8, stride, _r0), _r0), _result(_s10, index, which, _r0), _result(_s12, _k4, undecided_time, _r0), _result(_s10, _divide(_multiply(_k20, _s11, _r8), _absolute(nearing, _r0), _r8), earliest_delay, _r0)
 
 
 def beside_seam(gap: Any, near: Any, nearing: Any, stride: Any, strongest: Any, fastest: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -2469,8 +2469,8 @@ def neighbour_free_time(p_gravity: Any, vx: Any, vy: Any, vz: Any, gap: Any, fre
     return _result(_s6 < free_time, _s6, free_time, _r0),
 
 
-def end_plane_free_time(p_gravity: Any, vx: Any, vy: Any, vz: Any, gap: Any, doubt: Any, free_time: Any, nearing: Any, gap_curvature: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
-    """Time for which a ball that leaves crosses no end plane; else it is in doubt.
+def end_plane_free_time(p_gravity: Any, vx: Any, vy: Any, vz: Any, gap: Any, undecided_time: Any, free_time: Any, nearing: Any, gap_curvature: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """Time for which a ball that leaves crosses no end plane; else that is undecided.
 
     a parabola below the distance. 55 operations: 8 additions, 2 subtractions, 9 multiplications, 3 divisions, 2 square roots, 2 negations, 4 absolute values, 11 comparisons, 1 disjunction, 13 selections.
     """
@@ -2493,7 +2493,7 @@ def end_plane_free_time(p_gravity: Any, vx: Any, vy: Any, vz: Any, gap: Any, dou
     _s15 = _negative(nearing, _r5) < _k4
     _s16 = _select(_k4 <= _s13, _divide(_select(_s15, _multiply(_k20, _s12, _r8), _subtract(_s14, nearing, _r2), _r3), _select(_s15, _add(nearing, _s14, _r0), _s8, _r5), _r3), _k5, _r2)
     _s17 = _divide(_absolute(nearing, _r8), _s3, _r8)
-    return _result(_s0, _select(_s10 < free_time, _s10, free_time, _r1), free_time, _r0), _result(_logical_or(_s0, (_k101 < _select(_s16 < _s17, _s17, _s16, _r1))), doubt, _k4, _r0)
+    return _result(_s0, _select(_s10 < free_time, _s10, free_time, _r1), free_time, _r0), _result(_logical_or(_s0, (_k101 < _select(_s16 < _s17, _s17, _s16, _r1))), undecided_time, _k4, _r0)
 
 
 def seam_free_time(p_gravity: Any, gap: Any, free_time: Any, near: Any, nearing: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -2511,7 +2511,7 @@ def seam_free_time(p_gravity: Any, gap: Any, free_time: Any, near: Any, nearing:
     return _result(_s0 <= near, free_time, _select(_s5 < free_time, _s5, free_time, _r0), _r0),
 
 
-def separated(p_gravity: Any, vx: Any, vy: Any, vz: Any, doubt: Any, position_error: Any, velocity_error: Any, per_reach: Any, free_time: Any, lift: Any, gap_jerk: Any, gap_snap: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+def separated(p_gravity: Any, vx: Any, vy: Any, vz: Any, undecided_time: Any, position_error: Any, velocity_error: Any, per_reach: Any, free_time: Any, lift: Any, gap_jerk: Any, gap_snap: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Time for which a ball that leaves a surface certainly meets neither it nor another.
 
     Taylor's theorem of the gap. 66 operations: 10 additions, 21 multiplications, 5 divisions, 4 square roots, 6 absolute values, 10 comparisons, 1 disjunction, 9 selections.
@@ -2537,7 +2537,7 @@ def separated(p_gravity: Any, vx: Any, vy: Any, vz: Any, doubt: Any, position_er
     _s17 = _select(_s16 < _k101, _s16, _k101, _r14)
     _s18 = _select(_s0 < _s17, _s0, _s17, _r15)
     _s19 = _add(5.684341886080802e-14 * p_gravity, _multiply(_multiply(_k36, _add(_multiply(position_error, _s3, _r3), _multiply(velocity_error, _s1, _r1), _r1), _r1), _s2, _r1), _r1)
-    return _result(_k4 < _s18, _s18, _k4, _r0), _result(_logical_or((_multiply(_s19, _s4, _r5) < gap_jerk), (_s19 < lift)), doubt, _k4, _r0)
+    return _result(_k4 < _s18, _s18, _k4, _r0), _result(_logical_or((_multiply(_s19, _s4, _r5) < gap_jerk), (_s19 < lift)), undecided_time, _k4, _r0)
 
 
 def neighbour_scale(p_ball_radius: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, dwz: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -2645,12 +2645,12 @@ def resumed(position_error: Any, velocity_error: Any, clock: Any, mode: Any) -> 
     return -1.0, 0.0, clock, _where(_logical_and((position_error < _inf), (velocity_error < _inf)), _inf, 0.0), mode == 1.0, mode == 2.0, mode == 3.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
 
 
-def doubted_in_contact(last: Any, when: Any, which: Any, earliest_delay: Any, doubt: Any, uncertain: Any, edge: Any, assured: Any) -> tuple[Any, ...]:
+def contact_undecided(last: Any, when: Any, which: Any, earliest_delay: Any, undecided_time: Any, uncertain: Any, edge: Any, assured: Any) -> tuple[Any, ...]:
     """1 if a decision lies within its error, unless it only delays bounces on one surface.
 
     Table 1. 12 operations: 1 addition, 4 comparisons, 3 conjunctions, 1 disjunction, 2 complements, 1 selection.
     """
-    _s0 = _logical_and(_logical_or(_logical_and(_logical_not(((when + earliest_delay) < doubt)), (doubt < _inf)), edge), _logical_not(_logical_and((0.0 < assured), (which == last))))
+    _s0 = _logical_and(_logical_or(_logical_and(_logical_not(((when + earliest_delay) < undecided_time)), (undecided_time < _inf)), edge), _logical_not(_logical_and((0.0 < assured), (which == last))))
     return _where(_s0, 1.0, uncertain),
 
 
@@ -2670,7 +2670,7 @@ def beside(index: Any, held: Any) -> tuple[Any, ...]:
     return _logical_not((held == index)),
 
 
-def unhopped() -> tuple[Any, ...]:
+def no_departure() -> tuple[Any, ...]:
     """Start value: the ball has not departed.
 
     Table 1. No operations.
@@ -2686,7 +2686,7 @@ def beginning_contact() -> tuple[Any, ...]:
     return 5.0, 0.0
 
 
-def take_off() -> tuple[Any, ...]:
+def detachment() -> tuple[Any, ...]:
     """Event: the ball is off the surface.
 
     Table 1. No operations.
@@ -2694,7 +2694,7 @@ def take_off() -> tuple[Any, ...]:
     return 7.0,
 
 
-def stay_in_contact(last: Any, which: Any, doubt: Any, body: Any, clock: Any, reached: Any, ends: Any, held: Any, rolls: Any, rolling: Any, began: Any, rests: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+def stay_in_contact(last: Any, which: Any, undecided_time: Any, body: Any, clock: Any, reached: Any, ends: Any, held: Any, rolls: Any, rolling: Any, began: Any, rests: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Log entry, outcome and mode of a ball in contact after a turn.
 
     Table 1. 38 operations: 3 additions, 1 subtraction, 1 multiplication, 9 comparisons, 2 conjunctions, 4 disjunctions, 1 complement, 17 selections.
@@ -2707,18 +2707,18 @@ def stay_in_contact(last: Any, which: Any, doubt: Any, body: Any, clock: Any, re
     _s4 = which == _k23
     _s5 = _logical_and(rolling, (_subtract(clock, began, _r1) <= _k105))
     _s6 = _k64 < which
-    return _result(_s0, _add(_k64, _s1, _r1), _select(_s2, _add(_k67, _s1, _r2), _select(_s3, _k51, _select(_s4, _k63, body, _r0), _r3), _r4), _r0), _result(_s5, _k20, _select(_s4, _k3, _select(rests, _k67, _select(_logical_or(_s6, rolling), _k51, reached, _r4), _r3), _r0), _r0), _result(_s5, _k4, doubt, _r0), _logical_and(ends, _logical_not(_s6)), _s3, _result(_s3, _k51, last, _r0), _result(_logical_or(_s0, rolling), _k20, _select(_s2, _k63, _k4, _r0), _r0), _result(_logical_or(_logical_or(_s0, _s2), rolling), held, _k51, _r0), _result(_s0, _add(_k19, rolls, _r0), rolls, _r0)
+    return _result(_s0, _add(_k64, _s1, _r1), _select(_s2, _add(_k67, _s1, _r2), _select(_s3, _k51, _select(_s4, _k63, body, _r0), _r3), _r4), _r0), _result(_s5, _k20, _select(_s4, _k3, _select(rests, _k67, _select(_logical_or(_s6, rolling), _k51, reached, _r4), _r3), _r0), _r0), _result(_s5, _k4, undecided_time, _r0), _logical_and(ends, _logical_not(_s6)), _s3, _result(_s3, _k51, last, _r0), _result(_logical_or(_s0, rolling), _k20, _select(_s2, _k63, _k4, _r0), _r0), _result(_logical_or(_logical_or(_s0, _s2), rolling), held, _k51, _r0), _result(_s0, _add(_k19, rolls, _r0), rolls, _r0)
 
 
-def settled(index: Any, outcome: Any, uncertain: Any, unsure: Any, settles: Any, nearly: Any, lodges: Any, slides: Any, unpressed: Any) -> tuple[Any, ...]:
+def settled(index: Any, outcome: Any, uncertain: Any, undecided: Any, settles: Any, nearly: Any, lodges: Any, slides: Any, unpressed: Any) -> tuple[Any, ...]:
     """Whether the ball stays on the surface, slides, leaves, or is wedged.
 
     Table 1. 16 operations: 1 comparison, 4 conjunctions, 3 disjunctions, 8 selections.
     """
-    return _where(nearly, _where(settles, 1.0, _where(unpressed, 3.0, 0.0)), 0.0), _where(_logical_and(nearly, _logical_or(settles, unpressed)), index, -1.0), _where(_logical_and(_logical_and(nearly, _logical_or(lodges, slides)), (outcome < 0.0)), _where(lodges, 5.0, 2.0), outcome), _where(_logical_and(nearly, slides), 1.0, 0.0), _where(_logical_or(lodges, unsure), 1.0, uncertain)
+    return _where(nearly, _where(settles, 1.0, _where(unpressed, 3.0, 0.0)), 0.0), _where(_logical_and(nearly, _logical_or(settles, unpressed)), index, -1.0), _where(_logical_and(_logical_and(nearly, _logical_or(lodges, slides)), (outcome < 0.0)), _where(lodges, 5.0, 2.0), outcome), _where(_logical_and(nearly, slides), 1.0, 0.0), _where(_logical_or(lodges, undecided), 1.0, uncertain)
 
 
-def pulled(p_gravity: Any, p_inertia: Any, nx_0: Any, nx_1: Any, ny_0: Any, ny_1: Any, nz_0: Any, nz_1: Any, turn_rate_0: Any, turn_rate_1: Any, tx_0: Any, tx_1: Any, ty_0: Any, ty_1: Any, tz_0: Any, tz_1: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+def ring_friction(p_gravity: Any, p_inertia: Any, nx_0: Any, nx_1: Any, ny_0: Any, ny_1: Any, nz_0: Any, nz_1: Any, turn_rate_0: Any, turn_rate_1: Any, tx_0: Any, tx_1: Any, ty_0: Any, ty_1: Any, tz_0: Any, tz_1: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Square of the friction that rolling takes, per unit mass, and its rate.
 
     F = beta (-a_t + s n × n'). 57 operations: 18 additions, 36 multiplications, 1 division, 2 negations.
@@ -2744,7 +2744,7 @@ def forget_grip_deficit() -> tuple[Any, ...]:
     return _inf,
 
 
-def losing(grip_deficit: Any, grip_lost: Any) -> tuple[Any, ...]:
+def exceeds_grip(grip_deficit: Any, grip_lost: Any) -> tuple[Any, ...]:
     """Whether friction exceeds its limit for the first time.
 
     F² > mu² N². 3 operations: 2 comparisons, 1 conjunction.
@@ -2752,7 +2752,7 @@ def losing(grip_deficit: Any, grip_lost: Any) -> tuple[Any, ...]:
     return _logical_and((0.0 < grip_deficit), (grip_lost == _inf)),
 
 
-def lost_grip(clock: Any, grip_deficit: Any, grip_deficit_rate: Any, last_grip_deficit: Any, last_grip_deficit_rate: Any, last_grip_clock: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+def grip_lost_time(clock: Any, grip_deficit: Any, grip_deficit_rate: Any, last_grip_deficit: Any, last_grip_deficit_rate: Any, last_grip_clock: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Time at which friction first exceeded its limit.
 
     a cubic between the ends of a step. 97 operations: 22 additions, 9 subtractions, 28 multiplications, 5 divisions, 1 negation, 16 comparisons, 1 conjunction, 15 selections.
@@ -2807,7 +2807,7 @@ def ring_impact_taken(p_ring_restitution: Any, p_ring_friction: Any) -> tuple[An
     return _logical_not(False), p_ring_restitution, p_ring_friction
 
 
-def ring_impact_doubt(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, ny: Any, nz: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, dwz: Any, turn: Any, p_ball_radius: Any, p_ring_restitution: Any, p_ring_friction: Any, p_inertia: Any, p_tangential_restitution: Any, p_restitution_speed: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+def ring_impact_undecided(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, ny: Any, nz: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, dwz: Any, turn: Any, p_ball_radius: Any, p_ring_restitution: Any, p_ring_friction: Any, p_inertia: Any, p_tangential_restitution: Any, p_restitution_speed: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Whether a decision within the contact lies within its error.
 
     the law's own slack. 88 operations: 16 additions, 11 subtractions, 29 multiplications, 3 divisions, 1 square root, 1 negation, 13 absolute values, 7 comparisons, 2 conjunctions, 1 complement, 4 selections.
@@ -3884,7 +3884,7 @@ def ring_round_pulled(p_gravity: Any, p_inertia: Any, turn_rate_0: Any, turn_rat
     return _multiply(_s1, _s1, _r0) + _multiply(_s3, _s3, _r2), _s5, -_inf, 0.0
 
 
-def ring_swung(p_ball_radius: Any, p_gravity: Any, p_wire_radius: Any, which: Any, doubt: Any, position_error: Any, velocity_error: Any, force: Any, force_rate: Any, force_bend: Any, stride: Any, fastest: Any, circled: Any, climb: Any, climb_0: Any, section_acceleration: Any, azimuth_clearance: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+def ring_swung(p_ball_radius: Any, p_gravity: Any, p_wire_radius: Any, which: Any, undecided_time: Any, position_error: Any, velocity_error: Any, force: Any, force_rate: Any, force_bend: Any, stride: Any, fastest: Any, circled: Any, climb: Any, climb_0: Any, section_acceleration: Any, azimuth_clearance: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Whether the ball certainly rolls on the ring for ever.
 
     Routh's equations. 49 operations: 4 additions, 3 subtractions, 21 multiplications, 1 division, 1 absolute value, 8 comparisons, 6 conjunctions, 1 complement, 4 selections.
@@ -3898,7 +3898,7 @@ def ring_swung(p_ball_radius: Any, p_gravity: Any, p_wire_radius: Any, which: An
     _s5 = _logical_and(_logical_and(_s3, _s4), (_k4 < circled))
     _s6 = _add(p_gravity, _multiply(_multiply(fastest, fastest, _r1), 1.0 / _s0, _r1), _r1)
     _s7 = _logical_not((_multiply(_s6, _multiply(_k212, _add(_multiply(position_error, _s6, _r2), _multiply(velocity_error, fastest, _r0), _r0), _r0), _r0) < ((0.000244140625 * (p_gravity * p_gravity)) * _s0)))
-    return _result(_s3, _select(_s4, _k19, circled, _r0), _k4, _r0), _s5, _result(_logical_and(_s5, _s7), _k4, doubt, _r0)
+    return _result(_s3, _select(_s4, _k19, circled, _r0), _k4, _r0), _s5, _result(_logical_and(_s5, _s7), _k4, undecided_time, _r0)
 
 
 def ring_round_0(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ring_radius: Any, p_wire_radius: Any, per_reach: Any, turn_rate_0: Any, near_0: Any, climb_0: Any, cosine_0: Any, sine_0: Any, along_0: Any, tilted_0: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -5727,14 +5727,14 @@ def _left_alone(index: Any, last: Any) -> tuple[Any, ...]:
     return _k1 if (last == index) else _k2,
 
 
-def _questioned_alone(time: Any, doubt: Any, unsure: Any) -> tuple[Any, ...]:
-    return time if (unsure and (time < doubt)) else doubt,
+def _predicate_undecided_alone(time: Any, undecided_time: Any, undecided: Any) -> tuple[Any, ...]:
+    return time if (undecided and (time < undecided_time)) else undecided_time,
 
 
-def _tied_alone(time: Any, when: Any, delay: Any, earliest_delay: Any, doubt: Any, arrives: Any) -> tuple[Any, ...]:
+def _tie_undecided_alone(time: Any, when: Any, delay: Any, earliest_delay: Any, undecided_time: Any, arrives: Any) -> tuple[Any, ...]:
     _s0 = time < when
     _s1 = time if _s0 else when
-    _s2 = _s1 if ((arrives and (abs((time - when)) <= (delay + earliest_delay))) and (_s1 < doubt)) else doubt
+    _s2 = _s1 if ((arrives and (abs((time - when)) <= (delay + earliest_delay))) and (_s1 < undecided_time)) else undecided_time
     return _s2, delay if (arrives and _s0) else earliest_delay
 
 
@@ -5747,12 +5747,12 @@ def _beginning_alone() -> tuple[Any, ...]:
     return _k55, _k7, False
 
 
-def _out_of_budget_alone(pad: Any, budget_exceeded: Any, earliest_delay: Any, doubt: Any, excess: Any) -> tuple[Any, ...]:
-    return _k2 if (((_k2 < excess) or (_k2 < budget_exceeded)) or (pad < earliest_delay)) else doubt,
+def _out_of_budget_alone(pad: Any, budget_exceeded: Any, earliest_delay: Any, undecided_time: Any, excess: Any) -> tuple[Any, ...]:
+    return _k2 if (((_k2 < excess) or (_k2 < budget_exceeded)) or (pad < earliest_delay)) else undecided_time,
 
 
-def _out_of_budget_in_windows_alone(pad: Any, budget_exceeded: Any, earliest_delay: Any, doubt: Any, excess: Any, searching: Any) -> tuple[Any, ...]:
-    return _k2 if ((searching and ((_k2 < excess) or (pad < earliest_delay))) or (_k2 < budget_exceeded)) else doubt,
+def _out_of_budget_in_windows_alone(pad: Any, budget_exceeded: Any, earliest_delay: Any, undecided_time: Any, excess: Any, searching: Any) -> tuple[Any, ...]:
+    return _k2 if ((searching and ((_k2 < excess) or (pad < earliest_delay))) or (_k2 < budget_exceeded)) else undecided_time,
 
 
 def _nearby_alone(t: Any, flat: Any, tilt: Any, index: Any, last: Any) -> tuple[Any, ...]:
@@ -5775,7 +5775,7 @@ def _stepped_alone(arrival: Any, lasting: Any, searching: Any, since: Any, singl
     return _s0 if certain else arrival, _s0 if single_precision else _k2, (searching and (not certain)) and (lasting < _k7)
 
 
-def _struck_alone(gap: Any, rate: Any, bend: Any, margin: Any, rate_margin: Any, clearance: Any, share: Any) -> tuple[Any, ...]:
+def _gap_closes_alone(gap: Any, rate: Any, bend: Any, margin: Any, rate_margin: Any, clearance: Any, share: Any) -> tuple[Any, ...]:
     _s0 = (rate < _k2) or ((rate <= rate_margin) and (bend < _k2))
     _s1 = _k2 < clearance
     _s2 = _s0 and (((gap - margin) <= margin) or _s1)
@@ -5784,7 +5784,7 @@ def _struck_alone(gap: Any, rate: Any, bend: Any, margin: Any, rate_margin: Any,
     return _s2 and (not _s4), _s3, _s4
 
 
-def _struck_or_still_alone(t: Any, end: Any, gap: Any, rate: Any, bend: Any, margin: Any, rate_margin: Any, next: Any, clearance: Any, share: Any) -> tuple[Any, ...]:
+def _gap_closes_or_stalls_alone(t: Any, end: Any, gap: Any, rate: Any, bend: Any, margin: Any, rate_margin: Any, next: Any, clearance: Any, share: Any) -> tuple[Any, ...]:
     _s0 = (rate < _k2) or ((rate <= rate_margin) and (bend < _k2))
     _s1 = _k2 < clearance
     _s2 = _s0 and (((gap - margin) <= margin) or _s1)
@@ -5795,12 +5795,12 @@ def _struck_or_still_alone(t: Any, end: Any, gap: Any, rate: Any, bend: Any, mar
     return _s2 and (not _s5), _s3, _s6
 
 
-def _finer_alone(share: Any) -> tuple[Any, ...]:
+def _smaller_budget_alone(share: Any) -> tuple[Any, ...]:
     return (_k57 * share) if (_k56 < share) else _k2,
 
 
-def _exceeded_alone(t: Any, doubt: Any, excess: Any) -> tuple[Any, ...]:
-    return t if ((_k2 < excess) and (t < doubt)) else doubt,
+def _budget_undecided_alone(t: Any, undecided_time: Any, excess: Any) -> tuple[Any, ...]:
+    return t if ((_k2 < excess) and (t < undecided_time)) else undecided_time,
 
 
 def _advanced_alone(t: Any, end: Any, step: Any, next: Any, arrival: Any, hit: Any, sure: Any, needs_refinement: Any, certain: Any) -> tuple[Any, ...]:
@@ -5814,7 +5814,7 @@ def _found_alone(arrival: Any) -> tuple[Any, ...]:
     return _s0, _s0, _k2
 
 
-def _polished_alone(gap: Any, rate: Any, ceiling: Any, arrival: Any, refined: Any, certain: Any) -> tuple[Any, ...]:
+def _refined_root_alone(gap: Any, rate: Any, ceiling: Any, arrival: Any, refined: Any, certain: Any) -> tuple[Any, ...]:
     return refined if certain else arrival, certain and ((_k58 * (rate * rate)) < (ceiling * abs(gap)))
 
 
@@ -5822,13 +5822,13 @@ def _own_margin_alone(leaving: Any, flat: Any, tilt: Any, arrival: Any) -> tuple
     return (tilt * arrival) if (_k2 < leaving) else flat,
 
 
-def _landed_alone(arrival: Any) -> tuple[Any, ...]:
+def _arrival_time_alone(arrival: Any) -> tuple[Any, ...]:
     return _k2 if (arrival < _k2) else arrival,
 
 
-def _landed_surely_alone(clearance: Any, time: Any, delay: Any, doubt: Any, arrives: Any, certain: Any) -> tuple[Any, ...]:
+def _certain_arrival_alone(clearance: Any, time: Any, delay: Any, undecided_time: Any, arrives: Any, certain: Any) -> tuple[Any, ...]:
     _s0 = certain and (_k2 < clearance)
-    return delay if _s0 else _k2, time if ((arrives and (not _s0)) and (time < doubt)) else doubt
+    return delay if _s0 else _k2, time if ((arrives and (not _s0)) and (time < undecided_time)) else undecided_time
 
 
 def _circles_alone(index: Any, held: Any, rolling: Any) -> tuple[Any, ...]:
@@ -5841,17 +5841,17 @@ def _half_steps_alone(stride: Any) -> tuple[Any, ...]:
     return _s0, -_s0
 
 
-def _cleared_alone(gap: Any, nearing: Any, half_step: Any, azimuth_clearance: Any) -> tuple[Any, ...]:
+def _clearance_at_any_azimuth_alone(gap: Any, nearing: Any, half_step: Any, azimuth_clearance: Any) -> tuple[Any, ...]:
     _s0 = nearing * half_step
     _s1 = gap + (_s0 if _s0 < _k2 else _k2)
     return _s1 if _s1 < azimuth_clearance else azimuth_clearance,
 
 
-def _for_ever_alone(which: Any, endless: Any) -> tuple[Any, ...]:
+def _rolls_for_ever_alone(which: Any, endless: Any) -> tuple[Any, ...]:
     return _k31 if endless else which,
 
 
-def _rejoined_alone(rolling: Any, circling: Any) -> tuple[Any, ...]:
+def _still_in_contact_alone(rolling: Any, circling: Any) -> tuple[Any, ...]:
     return rolling or circling,
 
 
@@ -6198,7 +6198,7 @@ def _isolated_alone() -> tuple[Any, ...]:
     return _k7, _k7
 
 
-def _begun_errors_alone(p_ball_radius: Any, vx: Any, vy: Any, vz: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, dwz: Any) -> tuple[Any, ...]:
+def _jump_errors_alone(p_ball_radius: Any, vx: Any, vy: Any, vz: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, dwz: Any) -> tuple[Any, ...]:
     _s0 = _k94 * p_ball_radius
     _s1 = -_s0
     _s2 = (_k95 * p_ball_radius) * (_k1 + (((abs(vx) + abs(vy)) + abs(vz)) / p_ball_radius))
@@ -6208,7 +6208,7 @@ def _begun_errors_alone(p_ball_radius: Any, vx: Any, vy: Any, vz: Any, dx: Any, 
     return dx + (_s1 if (dx < _k2) else _s0), dy + (_s1 if (dy < _k2) else _s0), dz + (_s1 if (dz < _k2) else _s0), dvx + (_s3 if (dvx < _k2) else _s2), dvy + (_s3 if (dvy < _k2) else _s2), dvz + (_s3 if (dvz < _k2) else _s2), dwx + (_s5 if (dwx < _k2) else _s4), dwy + (_s5 if (dwy < _k2) else _s4), dwz + (_s5 if (dwz < _k2) else _s4)
 
 
-def _leaving_force_alone(p_ball_radius: Any, p_gravity: Any, vx: Any, vx_1: Any, vy: Any, vy_1: Any, vz: Any, vz_1: Any, which: Any, doubt: Any, position_error: Any, velocity_error: Any, per_reach: Any, force: Any, force_rate: Any, force_bend: Any, friction_force_rate: Any, stride: Any, fastest: Any) -> tuple[Any, ...]:
+def _leaving_force_alone(p_ball_radius: Any, p_gravity: Any, vx: Any, vx_1: Any, vy: Any, vy_1: Any, vz: Any, vz_1: Any, which: Any, undecided_time: Any, position_error: Any, velocity_error: Any, per_reach: Any, force: Any, force_rate: Any, force_bend: Any, friction_force_rate: Any, stride: Any, fastest: Any) -> tuple[Any, ...]:
     _s0 = abs(per_reach)
     _s1 = p_gravity + ((fastest * fastest) * _s0)
     _s2 = _k97 * _s1
@@ -6227,10 +6227,10 @@ def _leaving_force_alone(p_ball_radius: Any, p_gravity: Any, vx: Any, vx_1: Any,
     _s15 = (((_k28 * _s12) if _s3 else (force_rate + _s14)) / ((_s14 - force_rate) if _s3 else (_s11 if _k2 < _s11 else _k2))) if (_k2 <= _s13) else _k7
     _s16 = ((_k31 * _s0) * ((position_error * _s1) + (velocity_error * fastest))) + _s2
     _s17 = _s7 or ((abs(force) <= _s16) and (not (((_k31 * _s11) * _s16) < _s10)))
-    return _k2 if (_s8 or _s9) else (_s15 if _s15 < stride else stride), _k6 if (_s8 and (which == _k40)) else which, _s9 and (not _s8), _k2 if _s17 else doubt
+    return _k2 if (_s8 or _s9) else (_s15 if _s15 < stride else stride), _k6 if (_s8 and (which == _k40)) else which, _s9 and (not _s8), _k2 if _s17 else undecided_time
 
 
-def _beside_body_alone(p_ball_radius: Any, x: Any, y: Any, z: Any, gap: Any, index: Any, which: Any, earliest_delay: Any, doubt: Any, position_error: Any, nearing: Any, gap_curvature: Any, stride: Any, strongest: Any, fastest: Any) -> tuple[Any, ...]:
+def _beside_body_alone(p_ball_radius: Any, x: Any, y: Any, z: Any, gap: Any, index: Any, which: Any, earliest_delay: Any, undecided_time: Any, position_error: Any, nearing: Any, gap_curvature: Any, stride: Any, strongest: Any, fastest: Any) -> tuple[Any, ...]:
     _s0 = _k99 * (((p_ball_radius + abs(x)) + abs(y)) + abs(z))
     _s1 = gap <= _s0
     _s2 = nearing < _k2
@@ -6245,10 +6245,10 @@ def _beside_body_alone(p_ball_radius: Any, x: Any, y: Any, z: Any, gap: Any, ind
     _s11 = _s3 and _s10
     _s12 = (_k28 * position_error) + _s0
     _s13 = (((gap <= _s12) and ((-_s12) <= gap)) and (not (((_k31 * _s12) * _s5) < _s4))) or (_s3 and (not _s10))
-    return _k2 if _s3 else (_s9 if _s9 < stride else stride), index if _s11 else which, _k2 if _s13 else doubt, ((_k28 * _s12) / abs(nearing)) if _s11 else earliest_delay
+    return _k2 if _s3 else (_s9 if _s9 < stride else stride), index if _s11 else which, _k2 if _s13 else undecided_time, ((_k28 * _s12) / abs(nearing)) if _s11 else earliest_delay
 
 
-def _beside_gate_alone(p_ball_radius: Any, x: Any, y: Any, z: Any, gap: Any, index: Any, which: Any, earliest_delay: Any, doubt: Any, position_error: Any, nearing: Any, gap_curvature: Any, stride: Any, strongest: Any, fastest: Any) -> tuple[Any, ...]:
+def _beside_end_plane_alone(p_ball_radius: Any, x: Any, y: Any, z: Any, gap: Any, index: Any, which: Any, earliest_delay: Any, undecided_time: Any, position_error: Any, nearing: Any, gap_curvature: Any, stride: Any, strongest: Any, fastest: Any) -> tuple[Any, ...]:
     _s0 = _k99 * (((p_ball_radius + abs(x)) + abs(y)) + abs(z))
     _s1 = nearing < _k2
     _s2 = ((gap <= _s0) and _s1) and ((-_s0) <= gap)
@@ -6262,7 +6262,7 @@ def _beside_gate_alone(p_ball_radius: Any, x: Any, y: Any, z: Any, gap: Any, ind
     _s10 = _s2 and _s9
     _s11 = (_k28 * position_error) + _s0
     _s12 = (((gap <= _s11) and ((-_s11) <= gap)) and (not (((_k31 * _s11) * _s4) < _s3))) or (_s2 and (not _s9))
-    return _k2 if _s2 else (_s8 if _s8 < stride else stride), index if _s10 else which, _k2 if _s12 else doubt, ((_k28 * _s11) / abs(nearing)) if _s10 else earliest_delay
+    return _k2 if _s2 else (_s8 if _s8 < stride else stride), index if _s10 else which, _k2 if _s12 else undecided_time, ((_k28 * _s11) / abs(nearing)) if _s10 else earliest_delay
 
 
 def _beside_seam_alone(gap: Any, near: Any, nearing: Any, stride: Any, strongest: Any, fastest: Any) -> tuple[Any, ...]:
@@ -6302,7 +6302,7 @@ def _neighbour_free_time_alone(p_gravity: Any, vx: Any, vy: Any, vz: Any, gap: A
     return _s6 if _s6 < free_time else free_time,
 
 
-def _end_plane_free_time_alone(p_gravity: Any, vx: Any, vy: Any, vz: Any, gap: Any, doubt: Any, free_time: Any, nearing: Any, gap_curvature: Any) -> tuple[Any, ...]:
+def _end_plane_free_time_alone(p_gravity: Any, vx: Any, vy: Any, vz: Any, gap: Any, undecided_time: Any, free_time: Any, nearing: Any, gap_curvature: Any) -> tuple[Any, ...]:
     _s0 = _k2 < gap
     _s1 = nearing * nearing
     _s2 = (((_k100 * p_gravity) + abs(vx)) + abs(vy)) + abs(vz)
@@ -6321,7 +6321,7 @@ def _end_plane_free_time_alone(p_gravity: Any, vx: Any, vy: Any, vz: Any, gap: A
     _s15 = (-nearing) < _k2
     _s16 = (((_k28 * _s12) if _s15 else (_s14 - nearing)) / ((nearing + _s14) if _s15 else _s8)) if (_k2 <= _s13) else _k7
     _s17 = abs(nearing) / _s3
-    return (_s10 if _s10 < free_time else free_time) if _s0 else free_time, doubt if (_s0 or (_k100 < (_s17 if _s16 < _s17 else _s16))) else _k2
+    return (_s10 if _s10 < free_time else free_time) if _s0 else free_time, undecided_time if (_s0 or (_k100 < (_s17 if _s16 < _s17 else _s16))) else _k2
 
 
 def _seam_free_time_alone(p_gravity: Any, gap: Any, free_time: Any, near: Any, nearing: Any) -> tuple[Any, ...]:
@@ -6334,7 +6334,7 @@ def _seam_free_time_alone(p_gravity: Any, gap: Any, free_time: Any, near: Any, n
     return free_time if (_s0 <= near) else (_s5 if _s5 < free_time else free_time),
 
 
-def _separated_alone(p_gravity: Any, vx: Any, vy: Any, vz: Any, doubt: Any, position_error: Any, velocity_error: Any, per_reach: Any, free_time: Any, lift: Any, gap_jerk: Any, gap_snap: Any) -> tuple[Any, ...]:
+def _separated_alone(p_gravity: Any, vx: Any, vy: Any, vz: Any, undecided_time: Any, position_error: Any, velocity_error: Any, per_reach: Any, free_time: Any, lift: Any, gap_jerk: Any, gap_snap: Any) -> tuple[Any, ...]:
     _s0 = _k27 * free_time
     _s1 = (((_k100 * p_gravity) + abs(vx)) + abs(vy)) + abs(vz)
     _s2 = abs(per_reach)
@@ -6355,7 +6355,7 @@ def _separated_alone(p_gravity: Any, vx: Any, vy: Any, vz: Any, doubt: Any, posi
     _s17 = _s16 if _s16 < _k100 else _k100
     _s18 = _s0 if _s0 < _s17 else _s17
     _s19 = (_k97 * p_gravity) + ((_k37 * ((position_error * _s3) + (velocity_error * _s1))) * _s2)
-    return _s18 if _k2 < _s18 else _k2, doubt if (((_s19 * _s4) < gap_jerk) or (_s19 < lift)) else _k2
+    return _s18 if _k2 < _s18 else _k2, undecided_time if (((_s19 * _s4) < gap_jerk) or (_s19 < lift)) else _k2
 
 
 def _neighbour_scale_alone(p_ball_radius: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, dwz: Any) -> tuple[Any, ...]:
@@ -6415,11 +6415,11 @@ def _beginning_contact_alone() -> tuple[Any, ...]:
     return _k69, _k2
 
 
-def _take_off_alone() -> tuple[Any, ...]:
+def _detachment_alone() -> tuple[Any, ...]:
     return _k74,
 
 
-def _pulled_alone(p_gravity: Any, p_inertia: Any, nx_0: Any, nx_1: Any, ny_0: Any, ny_1: Any, nz_0: Any, nz_1: Any, turn_rate_0: Any, turn_rate_1: Any, tx_0: Any, tx_1: Any, ty_0: Any, ty_1: Any, tz_0: Any, tz_1: Any) -> tuple[Any, ...]:
+def _ring_friction_alone(p_gravity: Any, p_inertia: Any, nx_0: Any, nx_1: Any, ny_0: Any, ny_1: Any, nz_0: Any, nz_1: Any, turn_rate_0: Any, turn_rate_1: Any, tx_0: Any, tx_1: Any, ty_0: Any, ty_1: Any, tz_0: Any, tz_1: Any) -> tuple[Any, ...]:
     _s0 = -(p_gravity * nz_0)
     _s1 = p_inertia * (_k1 / (_k1 + p_inertia))
     _s2 = ((nx_0 * _s0) + (turn_rate_0 * tx_0)) * _s1
@@ -6436,11 +6436,11 @@ def _forget_grip_deficit_alone() -> tuple[Any, ...]:
     return _k7,
 
 
-def _losing_alone(grip_deficit: Any, grip_lost: Any) -> tuple[Any, ...]:
+def _exceeds_grip_alone(grip_deficit: Any, grip_lost: Any) -> tuple[Any, ...]:
     return (_k2 < grip_deficit) and (grip_lost == _k7),
 
 
-def _lost_grip_alone(clock: Any, grip_deficit: Any, grip_deficit_rate: Any, last_grip_deficit: Any, last_grip_deficit_rate: Any, last_grip_clock: Any) -> tuple[Any, ...]:
+def _grip_lost_time_alone(clock: Any, grip_deficit: Any, grip_deficit_rate: Any, last_grip_deficit: Any, last_grip_deficit_rate: Any, last_grip_clock: Any) -> tuple[Any, ...]:
     _s0 = clock - last_grip_clock
     _s1 = grip_deficit - last_grip_deficit
     _s2 = -(last_grip_deficit / _s1)
@@ -7048,7 +7048,7 @@ def _ring_round_pulled_alone(p_gravity: Any, p_inertia: Any, turn_rate_0: Any, t
     return (_s1 * _s1) + (_s3 * _s3), _s5, _k106, _k2
 
 
-def _ring_swung_alone(p_ball_radius: Any, p_gravity: Any, p_wire_radius: Any, which: Any, doubt: Any, position_error: Any, velocity_error: Any, force: Any, force_rate: Any, force_bend: Any, stride: Any, fastest: Any, circled: Any, climb: Any, climb_0: Any, section_acceleration: Any, azimuth_clearance: Any) -> tuple[Any, ...]:
+def _ring_swung_alone(p_ball_radius: Any, p_gravity: Any, p_wire_radius: Any, which: Any, undecided_time: Any, position_error: Any, velocity_error: Any, force: Any, force_rate: Any, force_bend: Any, stride: Any, fastest: Any, circled: Any, climb: Any, climb_0: Any, section_acceleration: Any, azimuth_clearance: Any) -> tuple[Any, ...]:
     _s0 = p_ball_radius + p_wire_radius
     _s1 = stride * stride
     _s2 = ((_k109 * _s0) < (azimuth_clearance - ((_k32 * section_acceleration) * _s1))) and ((_k213 * p_gravity) < ((force + (stride * (force_rate if force_rate < _k2 else _k2))) - ((_k0 * force_bend) * _s1)))
@@ -7057,7 +7057,7 @@ def _ring_swung_alone(p_ball_radius: Any, p_gravity: Any, p_wire_radius: Any, wh
     _s5 = (_s3 and _s4) and (_k2 < circled)
     _s6 = p_gravity + ((fastest * fastest) * (_k1 / _s0))
     _s7 = not ((_s6 * (_k214 * ((position_error * _s6) + (velocity_error * fastest)))) < ((_k109 * (p_gravity * p_gravity)) * _s0))
-    return (_k1 if _s4 else circled) if _s3 else _k2, _s5, _k2 if (_s5 and _s7) else doubt
+    return (_k1 if _s4 else circled) if _s3 else _k2, _s5, _k2 if (_s5 and _s7) else undecided_time
 
 
 def _ring_round_0_alone(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ring_radius: Any, p_wire_radius: Any, per_reach: Any, turn_rate_0: Any, near_0: Any, climb_0: Any, cosine_0: Any, sine_0: Any, along_0: Any, tilted_0: Any) -> tuple[Any, ...]:
@@ -7937,9 +7937,9 @@ def _alone0(_extent_: Any, _last_: Any, _p_ball_radius_: Any, _p_gravity_: Any, 
                 break
             _leaving_, _margin_ = _nearby_alone(_t_, _flat_, _tilt_, _k2, _last_)
             _gap_, _rate_, _bend_, _step_, _next_, _clearance_ = _ring_advance_alone(_t_, _end_, _leaving_, _margin_, _rate_slack_, _ceiling_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _energy2_, _moment2_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
-            _hit_, _sure_, _needs_refinement_ = _struck_alone(_gap_, _rate_, _bend_, _margin_, _rate_slack_, _clearance_, _share_)
+            _hit_, _sure_, _needs_refinement_ = _gap_closes_alone(_gap_, _rate_, _bend_, _margin_, _rate_slack_, _clearance_, _share_)
             if _needs_refinement_:
-                _share_, = _finer_alone(_share_)
+                _share_, = _smaller_budget_alone(_share_)
                 _position_level_, _velocity_level_, _ = _allowance_alone(_share_, _latest_, _extent_, _speed_, _k2, _k2, _p_gravity_)
                 _flat_, _tilt_, _rate_slack_ = _ring_margins_alone(_latest_, _extent_, _speed_, _position_level_, _velocity_level_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
             _arrival_, _certain_, _exhausted_, _searching_, _t_ = _advanced_alone(_t_, _end_, _step_, _next_, _arrival_, _hit_, _sure_, _needs_refinement_, _certain_)
@@ -7949,16 +7949,16 @@ def _alone0(_extent_: Any, _last_: Any, _p_ball_radius_: Any, _p_gravity_: Any, 
     _leaving_, _ = _nearby_alone(_arrival_, _flat_, _tilt_, _k2, _last_)
     if _refining_:
         _refined_, _gap_, _rate_ = _ring_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
-        _arrival_, _refining_ = _polished_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
+        _arrival_, _refining_ = _refined_root_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
     if _refining_:
         _refined_, _gap_, _rate_ = _ring_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
-        _arrival_, _refining_ = _polished_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
+        _arrival_, _refining_ = _refined_root_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
     for _ in range(8):
         if not _refining_:
             break
         _refined_, _gap_, _rate_ = _ring_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
-        _arrival_, _refining_ = _polished_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
-    _time_, = _landed_alone(_arrival_)
+        _arrival_, _refining_ = _refined_root_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
+    _time_, = _arrival_time_alone(_arrival_)
     _when_, _which_ = _earliest_alone(_k2, _time_, _when_, _which_, _arrives_)
     return (_when_, _which_,)
 
@@ -7983,9 +7983,9 @@ def _alone2(_arrival_: Any, _certain_: Any, _extent_: Any, _last_: Any, _p_ball_
             break
         _leaving_, _margin_ = _nearby_alone(_t_, _flat_, _tilt_, _k2, _last_)
         _gap_, _rate_, _bend_, _step_, _next_, _clearance_ = _ring_advance_alone(_t_, _end_, _leaving_, _margin_, _rate_slack_, _ceiling_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _energy2_, _moment2_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
-        _hit_, _sure_, _needs_refinement_ = _struck_alone(_gap_, _rate_, _bend_, _margin_, _rate_slack_, _clearance_, _share_)
+        _hit_, _sure_, _needs_refinement_ = _gap_closes_alone(_gap_, _rate_, _bend_, _margin_, _rate_slack_, _clearance_, _share_)
         if _needs_refinement_:
-            _share_, = _finer_alone(_share_)
+            _share_, = _smaller_budget_alone(_share_)
             _position_level_, _velocity_level_, _ = _allowance_alone(_share_, _latest_, _extent_, _speed_, _k2, _k2, _p_gravity_)
             _flat_, _tilt_, _rate_slack_ = _ring_margins_alone(_latest_, _extent_, _speed_, _position_level_, _velocity_level_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
         _arrival_, _certain_, _exhausted_, _searching_, _t_ = _advanced_alone(_t_, _end_, _step_, _next_, _arrival_, _hit_, _sure_, _needs_refinement_, _certain_)
@@ -8001,9 +8001,9 @@ def _alone3(_arrival_: Any, _ceiling_: Any, _certain_: Any, _end_: Any, _energy2
             break
         _leaving_, _margin_ = _nearby_alone(_t_, _flat_, _tilt_, _k2, _last_)
         _gap_, _rate_, _bend_, _step_, _next_, _clearance_ = _ring_advance_alone(_t_, _end_, _leaving_, _margin_, _rate_slack_, _ceiling_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _energy2_, _moment2_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
-        _hit_, _sure_, _needs_refinement_ = _struck_alone(_gap_, _rate_, _bend_, _margin_, _rate_slack_, _clearance_, _share_)
+        _hit_, _sure_, _needs_refinement_ = _gap_closes_alone(_gap_, _rate_, _bend_, _margin_, _rate_slack_, _clearance_, _share_)
         if _needs_refinement_:
-            _share_, = _finer_alone(_share_)
+            _share_, = _smaller_budget_alone(_share_)
             _position_level_, _velocity_level_, _ = _allowance_alone(_share_, _latest_, _extent_, _speed_, _k2, _k2, _p_gravity_)
             _flat_, _tilt_, _rate_slack_ = _ring_margins_alone(_latest_, _extent_, _speed_, _position_level_, _velocity_level_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
         _arrival_, _certain_, _exhausted_, _searching_, _t_ = _advanced_alone(_t_, _end_, _step_, _next_, _arrival_, _hit_, _sure_, _needs_refinement_, _certain_)
@@ -8018,7 +8018,7 @@ def _alone4(_arrival_: Any, _ceiling_: Any, _certain_: Any, _leaving_: Any, _p_b
         if not _refining_:
             break
         _refined_, _gap_, _rate_ = _ring_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
-        _arrival_, _refining_ = _polished_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
+        _arrival_, _refining_ = _refined_root_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
     return (_arrival_,)
 
 
@@ -8033,9 +8033,9 @@ def _alone5(_extent_: Any, _last_: Any, _p_ball_radius_: Any, _p_board_bottom_: 
     if _searching_:
         _leaving_, _margin_ = _nearby_alone(_t_, _flat_, _tilt_, _k1, _last_)
         _gap_, _rate_, _bend_, _step_, _next_, _clearance_ = _backboard_advance_alone(_t_, _end_, _leaving_, _margin_, _rate_slack_, _ceiling_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_, _p_gravity_)
-        _hit_, _sure_, _needs_refinement_ = _struck_or_still_alone(_t_, _end_, _gap_, _rate_, _bend_, _margin_, _rate_slack_, _next_, _clearance_, _share_)
+        _hit_, _sure_, _needs_refinement_ = _gap_closes_or_stalls_alone(_t_, _end_, _gap_, _rate_, _bend_, _margin_, _rate_slack_, _next_, _clearance_, _share_)
         if _needs_refinement_:
-            _share_, = _finer_alone(_share_)
+            _share_, = _smaller_budget_alone(_share_)
             _position_level_, _velocity_level_, _ = _allowance_alone(_share_, _latest_, _extent_, _speed_, _k2, _k2, _p_gravity_)
             _flat_, _tilt_, _rate_slack_ = _backboard_margins_alone(_latest_, _extent_, _speed_, _position_level_, _velocity_level_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_, _p_gravity_)
         _arrival_, _certain_, _exhausted_, _searching_, _t_ = _advanced_alone(_t_, _end_, _step_, _next_, _arrival_, _hit_, _sure_, _needs_refinement_, _certain_)
@@ -8046,9 +8046,9 @@ def _alone5(_extent_: Any, _last_: Any, _p_ball_radius_: Any, _p_board_bottom_: 
             break
         _leaving_, _margin_ = _nearby_alone(_t_, _flat_, _tilt_, _k1, _last_)
         _gap_, _rate_, _bend_, _step_, _next_, _clearance_ = _backboard_advance_alone(_t_, _end_, _leaving_, _margin_, _rate_slack_, _ceiling_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_, _p_gravity_)
-        _hit_, _sure_, _needs_refinement_ = _struck_or_still_alone(_t_, _end_, _gap_, _rate_, _bend_, _margin_, _rate_slack_, _next_, _clearance_, _share_)
+        _hit_, _sure_, _needs_refinement_ = _gap_closes_or_stalls_alone(_t_, _end_, _gap_, _rate_, _bend_, _margin_, _rate_slack_, _next_, _clearance_, _share_)
         if _needs_refinement_:
-            _share_, = _finer_alone(_share_)
+            _share_, = _smaller_budget_alone(_share_)
             _position_level_, _velocity_level_, _ = _allowance_alone(_share_, _latest_, _extent_, _speed_, _k2, _k2, _p_gravity_)
             _flat_, _tilt_, _rate_slack_ = _backboard_margins_alone(_latest_, _extent_, _speed_, _position_level_, _velocity_level_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_, _p_gravity_)
         _arrival_, _certain_, _exhausted_, _searching_, _t_ = _advanced_alone(_t_, _end_, _step_, _next_, _arrival_, _hit_, _sure_, _needs_refinement_, _certain_)
@@ -8058,16 +8058,16 @@ def _alone5(_extent_: Any, _last_: Any, _p_ball_radius_: Any, _p_board_bottom_: 
     _leaving_, _ = _nearby_alone(_arrival_, _flat_, _tilt_, _k1, _last_)
     if _refining_:
         _refined_, _gap_, _rate_ = _backboard_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_, _p_gravity_)
-        _arrival_, _refining_ = _polished_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
+        _arrival_, _refining_ = _refined_root_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
     if _refining_:
         _refined_, _gap_, _rate_ = _backboard_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_, _p_gravity_)
-        _arrival_, _refining_ = _polished_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
+        _arrival_, _refining_ = _refined_root_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
     for _ in range(8):
         if not _refining_:
             break
         _refined_, _gap_, _rate_ = _backboard_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_, _p_gravity_)
-        _arrival_, _refining_ = _polished_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
-    _time_, = _landed_alone(_arrival_)
+        _arrival_, _refining_ = _refined_root_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
+    _time_, = _arrival_time_alone(_arrival_)
     _when_, _which_ = _earliest_alone(_k1, _time_, _when_, _which_, _arrives_)
     return (_when_, _which_,)
 
@@ -8079,9 +8079,9 @@ def _alone6(_arrival_: Any, _ceiling_: Any, _certain_: Any, _end_: Any, _flat_: 
             break
         _leaving_, _margin_ = _nearby_alone(_t_, _flat_, _tilt_, _k1, _last_)
         _gap_, _rate_, _bend_, _step_, _next_, _clearance_ = _backboard_advance_alone(_t_, _end_, _leaving_, _margin_, _rate_slack_, _ceiling_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_, _p_gravity_)
-        _hit_, _sure_, _needs_refinement_ = _struck_or_still_alone(_t_, _end_, _gap_, _rate_, _bend_, _margin_, _rate_slack_, _next_, _clearance_, _share_)
+        _hit_, _sure_, _needs_refinement_ = _gap_closes_or_stalls_alone(_t_, _end_, _gap_, _rate_, _bend_, _margin_, _rate_slack_, _next_, _clearance_, _share_)
         if _needs_refinement_:
-            _share_, = _finer_alone(_share_)
+            _share_, = _smaller_budget_alone(_share_)
             _position_level_, _velocity_level_, _ = _allowance_alone(_share_, _latest_, _extent_, _speed_, _k2, _k2, _p_gravity_)
             _flat_, _tilt_, _rate_slack_ = _backboard_margins_alone(_latest_, _extent_, _speed_, _position_level_, _velocity_level_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_, _p_gravity_)
         _arrival_, _certain_, _exhausted_, _searching_, _t_ = _advanced_alone(_t_, _end_, _step_, _next_, _arrival_, _hit_, _sure_, _needs_refinement_, _certain_)
@@ -8096,7 +8096,7 @@ def _alone7(_arrival_: Any, _ceiling_: Any, _certain_: Any, _leaving_: Any, _p_b
         if not _refining_:
             break
         _refined_, _gap_, _rate_ = _backboard_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_, _p_gravity_)
-        _arrival_, _refining_ = _polished_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
+        _arrival_, _refining_ = _refined_root_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
     return (_arrival_,)
 
 
@@ -8111,9 +8111,9 @@ def _alone8(_extent_: Any, _last_: Any, _p_ball_radius_: Any, _p_board_distance_
     if _searching_:
         _leaving_, _margin_ = _nearby_alone(_t_, _flat_, _tilt_, _k28, _last_)
         _gap_, _rate_, _bend_, _step_, _next_, _clearance_ = _bridge_advance_alone(_t_, _end_, _leaving_, _margin_, _rate_slack_, _ceiling_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_, _p_gravity_)
-        _hit_, _sure_, _needs_refinement_ = _struck_or_still_alone(_t_, _end_, _gap_, _rate_, _bend_, _margin_, _rate_slack_, _next_, _clearance_, _share_)
+        _hit_, _sure_, _needs_refinement_ = _gap_closes_or_stalls_alone(_t_, _end_, _gap_, _rate_, _bend_, _margin_, _rate_slack_, _next_, _clearance_, _share_)
         if _needs_refinement_:
-            _share_, = _finer_alone(_share_)
+            _share_, = _smaller_budget_alone(_share_)
             _position_level_, _velocity_level_, _ = _allowance_alone(_share_, _latest_, _extent_, _speed_, _k2, _k2, _p_gravity_)
             _flat_, _tilt_, _rate_slack_ = _bridge_margins_alone(_latest_, _extent_, _speed_, _position_level_, _velocity_level_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_, _p_gravity_)
         _arrival_, _certain_, _exhausted_, _searching_, _t_ = _advanced_alone(_t_, _end_, _step_, _next_, _arrival_, _hit_, _sure_, _needs_refinement_, _certain_)
@@ -8124,9 +8124,9 @@ def _alone8(_extent_: Any, _last_: Any, _p_ball_radius_: Any, _p_board_distance_
             break
         _leaving_, _margin_ = _nearby_alone(_t_, _flat_, _tilt_, _k28, _last_)
         _gap_, _rate_, _bend_, _step_, _next_, _clearance_ = _bridge_advance_alone(_t_, _end_, _leaving_, _margin_, _rate_slack_, _ceiling_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_, _p_gravity_)
-        _hit_, _sure_, _needs_refinement_ = _struck_or_still_alone(_t_, _end_, _gap_, _rate_, _bend_, _margin_, _rate_slack_, _next_, _clearance_, _share_)
+        _hit_, _sure_, _needs_refinement_ = _gap_closes_or_stalls_alone(_t_, _end_, _gap_, _rate_, _bend_, _margin_, _rate_slack_, _next_, _clearance_, _share_)
         if _needs_refinement_:
-            _share_, = _finer_alone(_share_)
+            _share_, = _smaller_budget_alone(_share_)
             _position_level_, _velocity_level_, _ = _allowance_alone(_share_, _latest_, _extent_, _speed_, _k2, _k2, _p_gravity_)
             _flat_, _tilt_, _rate_slack_ = _bridge_margins_alone(_latest_, _extent_, _speed_, _position_level_, _velocity_level_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_, _p_gravity_)
         _arrival_, _certain_, _exhausted_, _searching_, _t_ = _advanced_alone(_t_, _end_, _step_, _next_, _arrival_, _hit_, _sure_, _needs_refinement_, _certain_)
@@ -8136,16 +8136,16 @@ def _alone8(_extent_: Any, _last_: Any, _p_ball_radius_: Any, _p_board_distance_
     _leaving_, _ = _nearby_alone(_arrival_, _flat_, _tilt_, _k28, _last_)
     if _refining_:
         _refined_, _gap_, _rate_ = _bridge_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_, _p_gravity_)
-        _arrival_, _refining_ = _polished_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
+        _arrival_, _refining_ = _refined_root_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
     if _refining_:
         _refined_, _gap_, _rate_ = _bridge_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_, _p_gravity_)
-        _arrival_, _refining_ = _polished_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
+        _arrival_, _refining_ = _refined_root_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
     for _ in range(8):
         if not _refining_:
             break
         _refined_, _gap_, _rate_ = _bridge_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_, _p_gravity_)
-        _arrival_, _refining_ = _polished_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
-    _time_, = _landed_alone(_arrival_)
+        _arrival_, _refining_ = _refined_root_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
+    _time_, = _arrival_time_alone(_arrival_)
     _when_, _which_ = _earliest_alone(_k28, _time_, _when_, _which_, _arrives_)
     return (_when_, _which_,)
 
@@ -8157,9 +8157,9 @@ def _alone9(_arrival_: Any, _ceiling_: Any, _certain_: Any, _end_: Any, _flat_: 
             break
         _leaving_, _margin_ = _nearby_alone(_t_, _flat_, _tilt_, _k28, _last_)
         _gap_, _rate_, _bend_, _step_, _next_, _clearance_ = _bridge_advance_alone(_t_, _end_, _leaving_, _margin_, _rate_slack_, _ceiling_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_, _p_gravity_)
-        _hit_, _sure_, _needs_refinement_ = _struck_or_still_alone(_t_, _end_, _gap_, _rate_, _bend_, _margin_, _rate_slack_, _next_, _clearance_, _share_)
+        _hit_, _sure_, _needs_refinement_ = _gap_closes_or_stalls_alone(_t_, _end_, _gap_, _rate_, _bend_, _margin_, _rate_slack_, _next_, _clearance_, _share_)
         if _needs_refinement_:
-            _share_, = _finer_alone(_share_)
+            _share_, = _smaller_budget_alone(_share_)
             _position_level_, _velocity_level_, _ = _allowance_alone(_share_, _latest_, _extent_, _speed_, _k2, _k2, _p_gravity_)
             _flat_, _tilt_, _rate_slack_ = _bridge_margins_alone(_latest_, _extent_, _speed_, _position_level_, _velocity_level_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_, _p_gravity_)
         _arrival_, _certain_, _exhausted_, _searching_, _t_ = _advanced_alone(_t_, _end_, _step_, _next_, _arrival_, _hit_, _sure_, _needs_refinement_, _certain_)
@@ -8174,7 +8174,7 @@ def _alone10(_arrival_: Any, _ceiling_: Any, _certain_: Any, _leaving_: Any, _p_
         if not _refining_:
             break
         _refined_, _gap_, _rate_ = _bridge_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_, _p_gravity_)
-        _arrival_, _refining_ = _polished_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
+        _arrival_, _refining_ = _refined_root_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
     return (_arrival_,)
 
 
@@ -8240,7 +8240,7 @@ def _alone11(_circled_: Any, _clock_: Any, _held_: Any, _mode_: Any, _p_ball_rad
             _gap_, _nearing_, _gap_curvature_ = _bridge_beside_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _p_wire_radius_, _x_, _y_, _z_, _vx_, _vy_, _vz_)
             _stride_, _which_, _, _ = _beside_body_alone(_p_ball_radius_, _x_, _y_, _z_, _gap_, _k28, _which_, _k2, _k7, _k2, _nearing_, _gap_curvature_, _stride_, _strongest_, _fastest_)
         _gap_, _nearing_, _gap_curvature_ = _end_beside_alone(_p_end_depth_, _z_, _vz_)
-        _stride_, _which_, _, _ = _beside_gate_alone(_p_ball_radius_, _x_, _y_, _z_, _gap_, _k60, _which_, _k2, _k7, _k2, _nearing_, _gap_curvature_, _stride_, _strongest_, _fastest_)
+        _stride_, _which_, _, _ = _beside_end_plane_alone(_p_ball_radius_, _x_, _y_, _z_, _gap_, _k60, _which_, _k2, _k7, _k2, _nearing_, _gap_curvature_, _stride_, _strongest_, _fastest_)
         _here_, = _holding_alone(_k1, _held_)
         if _here_:
             _gap_, _nearing_, _near_ = _backboard_seam0_alone(_p_ball_radius_, _p_board_distance_, _p_board_thickness_, _x_, _vx_)
@@ -8307,29 +8307,29 @@ def _alone11(_circled_: Any, _clock_: Any, _held_: Any, _mode_: Any, _p_ball_rad
         _gap_, _nearing_, _gap_curvature_ = _bridge_beside_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _p_wire_radius_, _x_, _y_, _z_, _vx_, _vy_, _vz_)
         _stride_, _which_, _, _ = _beside_body_alone(_p_ball_radius_, _x_, _y_, _z_, _gap_, _k28, _which_, _k2, _k7, _k2, _nearing_, _gap_curvature_, _stride_, _strongest_, _fastest_)
         _gap_, _nearing_, _gap_curvature_ = _end_beside_alone(_p_end_depth_, _z_, _vz_)
-        _stride_, _which_, _, _ = _beside_gate_alone(_p_ball_radius_, _x_, _y_, _z_, _gap_, _k60, _which_, _k2, _k7, _k2, _nearing_, _gap_curvature_, _stride_, _strongest_, _fastest_)
+        _stride_, _which_, _, _ = _beside_end_plane_alone(_p_ball_radius_, _x_, _y_, _z_, _gap_, _k60, _which_, _k2, _k7, _k2, _nearing_, _gap_curvature_, _stride_, _strongest_, _fastest_)
         _stride_, _which_ = _beside_time_alone(_which_, _clock_, _time_limit_, _stride_)
         _over_, = _passing_from_alone(_z_)
         _azimuth_clearance_, _ = _isolated_alone()
         _forth_, _back_ = _half_steps_alone(_stride_)
         _gap_, _nearing_ = _backboard_around_alone(_p_ball_radius_, _p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _x_, _y_, _z_, _vx_, _vy_, _vz_)
-        _azimuth_clearance_, = _cleared_alone(_gap_, _nearing_, _forth_, _azimuth_clearance_)
+        _azimuth_clearance_, = _clearance_at_any_azimuth_alone(_gap_, _nearing_, _forth_, _azimuth_clearance_)
         _gap_, _nearing_ = _bridge_around_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _p_wire_radius_, _x_, _y_, _z_, _vx_, _vy_, _vz_)
-        _azimuth_clearance_, = _cleared_alone(_gap_, _nearing_, _forth_, _azimuth_clearance_)
+        _azimuth_clearance_, = _clearance_at_any_azimuth_alone(_gap_, _nearing_, _forth_, _azimuth_clearance_)
         _gap_, _nearing_ = _end_around_alone(_p_end_depth_, _z_, _vz_)
-        _azimuth_clearance_, = _cleared_alone(_gap_, _nearing_, _forth_, _azimuth_clearance_)
+        _azimuth_clearance_, = _clearance_at_any_azimuth_alone(_gap_, _nearing_, _forth_, _azimuth_clearance_)
         _x_, _y_, _z_, _vx_, _vy_, _vz_, _wx_, _wy_, _wz_, _climb_ = _ring_round_moved_alone(_p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _stride_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _turn_rate_8_, _turn_rate_9_, _turn_rate_10_, _turn_rate_11_, _turn_rate_12_, _climb_0_, _climb_1_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _climb_7_, _climb_8_, _climb_9_, _climb_10_, _climb_11_, _climb_12_, _cosine_0_, _cosine_1_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _cosine_6_, _cosine_7_, _cosine_8_, _cosine_9_, _cosine_10_, _cosine_11_, _cosine_12_, _sine_0_, _sine_1_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _sine_6_, _sine_7_, _sine_8_, _sine_9_, _sine_10_, _sine_11_, _sine_12_, _along_0_, _along_1_, _along_2_, _along_3_, _along_4_, _along_5_, _along_6_, _along_7_, _along_8_, _along_9_, _along_10_, _along_11_, _along_12_, _cos_0_, _sin_0_, _omega_0_, _omega_1_, _omega_2_, _omega_3_, _omega_4_, _omega_5_, _omega_6_, _omega_7_, _omega_8_, _omega_9_, _omega_10_, _omega_11_)
         _through_, = _passing_in_contact_alone(_p_ring_radius_, _x_, _y_, _z_, _through_, _over_)
         _gap_, _nearing_ = _backboard_around_alone(_p_ball_radius_, _p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _x_, _y_, _z_, _vx_, _vy_, _vz_)
-        _azimuth_clearance_, = _cleared_alone(_gap_, _nearing_, _back_, _azimuth_clearance_)
+        _azimuth_clearance_, = _clearance_at_any_azimuth_alone(_gap_, _nearing_, _back_, _azimuth_clearance_)
         _gap_, _nearing_ = _bridge_around_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _p_wire_radius_, _x_, _y_, _z_, _vx_, _vy_, _vz_)
-        _azimuth_clearance_, = _cleared_alone(_gap_, _nearing_, _back_, _azimuth_clearance_)
+        _azimuth_clearance_, = _clearance_at_any_azimuth_alone(_gap_, _nearing_, _back_, _azimuth_clearance_)
         _gap_, _nearing_ = _end_around_alone(_p_end_depth_, _z_, _vz_)
-        _azimuth_clearance_, = _cleared_alone(_gap_, _nearing_, _back_, _azimuth_clearance_)
+        _azimuth_clearance_, = _clearance_at_any_azimuth_alone(_gap_, _nearing_, _back_, _azimuth_clearance_)
         _circled_, _endless_, _ = _ring_swung_alone(_p_ball_radius_, _p_gravity_, _p_wire_radius_, _which_, _k7, _k2, _k2, _force_, _force_rate_, _force_bend_, _stride_, _fastest_, _circled_, _climb_, _climb_0_, _section_acceleration_, _azimuth_clearance_)
-        _which_, = _for_ever_alone(_which_, _endless_)
+        _which_, = _rolls_for_ever_alone(_which_, _endless_)
         _clock_, _circling_ = _rolled_on_alone(_which_, _clock_, _stride_, _rests_)
-    _rolling_, = _rejoined_alone(_rolling_, _circling_)
+    _rolling_, = _still_in_contact_alone(_rolling_, _circling_)
     if _leaves_:
         _here_, = _holding_alone(_k2, _held_)
         if _here_:
@@ -8387,7 +8387,7 @@ def _alone11(_circled_: Any, _clock_: Any, _held_: Any, _mode_: Any, _p_ball_rad
             _gap_, _nearing_, _near_ = _bridge_seam5_alone(_p_ball_radius_, _p_bridge_depth_, _p_wire_radius_, _z_, _vz_)
             _free_time_, = _seam_free_time_alone(_p_gravity_, _gap_, _free_time_, _near_, _nearing_)
         _when_, _ = _separated_alone(_p_gravity_, _vx_, _vy_, _vz_, _k7, _k2, _k2, _per_reach_, _free_time_, _lift_, _gap_jerk_, _gap_snap_)
-        _which_, = _take_off_alone()
+        _which_, = _detachment_alone()
     return (_began_, _circled_, _clock_, _rests_, _rolling_, _through_, _vx_, _vy_, _vz_, _when_, _which_, _wx_, _wy_, _wz_, _x_, _y_, _z_,)
 
 
@@ -8428,7 +8428,7 @@ def _alone12(_bent_x_: Any, _bent_y_: Any, _bent_z_: Any, _clock_: Any, _held_: 
             _gap_, _nearing_, _gap_curvature_ = _bridge_beside_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _p_wire_radius_, _x_, _y_, _z_, _vx_, _vy_, _vz_)
             _stride_, _which_, _, _ = _beside_body_alone(_p_ball_radius_, _x_, _y_, _z_, _gap_, _k28, _which_, _k2, _k7, _k2, _nearing_, _gap_curvature_, _stride_, _strongest_, _fastest_)
         _gap_, _nearing_, _gap_curvature_ = _end_beside_alone(_p_end_depth_, _z_, _vz_)
-        _stride_, _which_, _, _ = _beside_gate_alone(_p_ball_radius_, _x_, _y_, _z_, _gap_, _k60, _which_, _k2, _k7, _k2, _nearing_, _gap_curvature_, _stride_, _strongest_, _fastest_)
+        _stride_, _which_, _, _ = _beside_end_plane_alone(_p_ball_radius_, _x_, _y_, _z_, _gap_, _k60, _which_, _k2, _k7, _k2, _nearing_, _gap_curvature_, _stride_, _strongest_, _fastest_)
         _here_, = _holding_alone(_k1, _held_)
         if _here_:
             _gap_, _nearing_, _near_ = _backboard_seam0_alone(_p_ball_radius_, _p_board_distance_, _p_board_thickness_, _x_, _vx_)
@@ -8500,32 +8500,32 @@ def _alone13(_circled_: Any, _circling_: Any, _clock_: Any, _p_ball_radius_: Any
         _gap_, _nearing_, _gap_curvature_ = _bridge_beside_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _p_wire_radius_, _x_, _y_, _z_, _vx_, _vy_, _vz_)
         _stride_, _which_, _, _ = _beside_body_alone(_p_ball_radius_, _x_, _y_, _z_, _gap_, _k28, _which_, _k2, _k7, _k2, _nearing_, _gap_curvature_, _stride_, _strongest_, _fastest_)
         _gap_, _nearing_, _gap_curvature_ = _end_beside_alone(_p_end_depth_, _z_, _vz_)
-        _stride_, _which_, _, _ = _beside_gate_alone(_p_ball_radius_, _x_, _y_, _z_, _gap_, _k60, _which_, _k2, _k7, _k2, _nearing_, _gap_curvature_, _stride_, _strongest_, _fastest_)
+        _stride_, _which_, _, _ = _beside_end_plane_alone(_p_ball_radius_, _x_, _y_, _z_, _gap_, _k60, _which_, _k2, _k7, _k2, _nearing_, _gap_curvature_, _stride_, _strongest_, _fastest_)
         _stride_, _which_ = _beside_time_alone(_which_, _clock_, _time_limit_, _stride_)
         _over_, = _passing_from_alone(_z_)
         _azimuth_clearance_, _ = _isolated_alone()
         _forth_, _back_ = _half_steps_alone(_stride_)
         _gap_, _nearing_ = _backboard_around_alone(_p_ball_radius_, _p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _x_, _y_, _z_, _vx_, _vy_, _vz_)
-        _azimuth_clearance_, = _cleared_alone(_gap_, _nearing_, _forth_, _azimuth_clearance_)
+        _azimuth_clearance_, = _clearance_at_any_azimuth_alone(_gap_, _nearing_, _forth_, _azimuth_clearance_)
         _gap_, _nearing_ = _bridge_around_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _p_wire_radius_, _x_, _y_, _z_, _vx_, _vy_, _vz_)
-        _azimuth_clearance_, = _cleared_alone(_gap_, _nearing_, _forth_, _azimuth_clearance_)
+        _azimuth_clearance_, = _clearance_at_any_azimuth_alone(_gap_, _nearing_, _forth_, _azimuth_clearance_)
         _gap_, _nearing_ = _end_around_alone(_p_end_depth_, _z_, _vz_)
-        _azimuth_clearance_, = _cleared_alone(_gap_, _nearing_, _forth_, _azimuth_clearance_)
+        _azimuth_clearance_, = _clearance_at_any_azimuth_alone(_gap_, _nearing_, _forth_, _azimuth_clearance_)
         _x_, _y_, _z_, _vx_, _vy_, _vz_, _wx_, _wy_, _wz_, _climb_ = _ring_round_moved_alone(_p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _stride_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _turn_rate_8_, _turn_rate_9_, _turn_rate_10_, _turn_rate_11_, _turn_rate_12_, _climb_0_, _climb_1_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _climb_7_, _climb_8_, _climb_9_, _climb_10_, _climb_11_, _climb_12_, _cosine_0_, _cosine_1_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _cosine_6_, _cosine_7_, _cosine_8_, _cosine_9_, _cosine_10_, _cosine_11_, _cosine_12_, _sine_0_, _sine_1_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _sine_6_, _sine_7_, _sine_8_, _sine_9_, _sine_10_, _sine_11_, _sine_12_, _along_0_, _along_1_, _along_2_, _along_3_, _along_4_, _along_5_, _along_6_, _along_7_, _along_8_, _along_9_, _along_10_, _along_11_, _along_12_, _cos_0_, _sin_0_, _omega_0_, _omega_1_, _omega_2_, _omega_3_, _omega_4_, _omega_5_, _omega_6_, _omega_7_, _omega_8_, _omega_9_, _omega_10_, _omega_11_)
         _through_, = _passing_in_contact_alone(_p_ring_radius_, _x_, _y_, _z_, _through_, _over_)
         _gap_, _nearing_ = _backboard_around_alone(_p_ball_radius_, _p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _x_, _y_, _z_, _vx_, _vy_, _vz_)
-        _azimuth_clearance_, = _cleared_alone(_gap_, _nearing_, _back_, _azimuth_clearance_)
+        _azimuth_clearance_, = _clearance_at_any_azimuth_alone(_gap_, _nearing_, _back_, _azimuth_clearance_)
         _gap_, _nearing_ = _bridge_around_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _p_wire_radius_, _x_, _y_, _z_, _vx_, _vy_, _vz_)
-        _azimuth_clearance_, = _cleared_alone(_gap_, _nearing_, _back_, _azimuth_clearance_)
+        _azimuth_clearance_, = _clearance_at_any_azimuth_alone(_gap_, _nearing_, _back_, _azimuth_clearance_)
         _gap_, _nearing_ = _end_around_alone(_p_end_depth_, _z_, _vz_)
-        _azimuth_clearance_, = _cleared_alone(_gap_, _nearing_, _back_, _azimuth_clearance_)
+        _azimuth_clearance_, = _clearance_at_any_azimuth_alone(_gap_, _nearing_, _back_, _azimuth_clearance_)
         _circled_, _endless_, _ = _ring_swung_alone(_p_ball_radius_, _p_gravity_, _p_wire_radius_, _which_, _k7, _k2, _k2, _force_, _force_rate_, _force_bend_, _stride_, _fastest_, _circled_, _climb_, _climb_0_, _section_acceleration_, _azimuth_clearance_)
-        _which_, = _for_ever_alone(_which_, _endless_)
+        _which_, = _rolls_for_ever_alone(_which_, _endless_)
         _clock_, _circling_ = _rolled_on_alone(_which_, _clock_, _stride_, _rests_)
     return (_circled_, _circling_, _clock_, _per_reach_, _rests_, _through_, _vx_, _vy_, _vz_, _which_, _wx_, _wy_, _wz_, _x_, _y_, _z_,)
 
 
-def _alone14(_doubt_: Any, _earliest_delay_: Any, _extent_: Any, _last_: Any, _p_ball_radius_: Any, _p_gravity_: Any, _p_ring_radius_: Any, _p_wire_radius_: Any, _pad_: Any, _position_error_: Any, _speed_: Any, _until_: Any, _velocity_error_: Any, _vx_: Any, _vy_: Any, _vz_: Any, _when_: Any, _which_: Any, _x_: Any, _y_: Any, _z_: Any) -> tuple[Any, ...]:
+def _alone14(_earliest_delay_: Any, _extent_: Any, _last_: Any, _p_ball_radius_: Any, _p_gravity_: Any, _p_ring_radius_: Any, _p_wire_radius_: Any, _pad_: Any, _position_error_: Any, _speed_: Any, _undecided_time_: Any, _until_: Any, _velocity_error_: Any, _vx_: Any, _vy_: Any, _vz_: Any, _when_: Any, _which_: Any, _x_: Any, _y_: Any, _z_: Any) -> tuple[Any, ...]:
     """Do the body of `open` for one shot."""
     _share_, _arrival_, _certain_ = _beginning_alone()
     _leaving_, = _left_alone(_k2, _last_)
@@ -8537,7 +8537,7 @@ def _alone14(_doubt_: Any, _earliest_delay_: Any, _extent_: Any, _last_: Any, _p
     _stepping_, _searching_, _single_precision_, _ceiling_, _flat_, _tilt_, _allowing_ = _coarse_alone(_float64(_short_rate_margin_), _float64(_short_flat_), _float64(_short_ceiling_), _float64(_short_share_), _searching_, _representable_, _fits_)
     _, _, _excess_ = _allowance_alone(_allowing_, _latest_, _extent_, _speed_, _position_error_, _velocity_error_, _p_gravity_)
     _budget_exceeded_, = _ring_budget_exceeded_alone(_until_, _extent_, _speed_, _position_error_, _velocity_error_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
-    _doubt_, = _out_of_budget_alone(_pad_, _budget_exceeded_, _earliest_delay_, _doubt_, _excess_)
+    _undecided_time_, = _out_of_budget_alone(_pad_, _budget_exceeded_, _earliest_delay_, _undecided_time_, _excess_)
     if _stepping_:
         _short_t_, _short_end_, _certain_, _stepping_ = _ring_step_alone(_short_t_, _short_end_, _short_rate_margin_, _short_ceiling_, _short_x_, _short_y_, _short_z_, _short_vx_, _short_vy_, _short_vz_, _short_energy2_, _short_moment2_, _short_rho_start_, _short_flat_, _short_tilt_, _short_quotient_margin_, _short_jerk_, _short_start_rate_, _short_rho_rate_, _short_low1_, _short_high1_, _short_low2_, _short_high2_, _float32(_p_ball_radius_), _float32(_p_ring_radius_), _float32(_p_wire_radius_), _float32(_p_gravity_))
     for _ in range(24):
@@ -8555,37 +8555,37 @@ def _alone14(_doubt_: Any, _earliest_delay_: Any, _extent_: Any, _last_: Any, _p
                 break
             _leaving_, _margin_ = _nearby_alone(_t_, _flat_, _tilt_, _k2, _last_)
             _gap_, _rate_, _bend_, _step_, _next_, _clearance_ = _ring_advance_alone(_t_, _end_, _leaving_, _margin_, _rate_slack_, _ceiling_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _energy2_, _moment2_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
-            _hit_, _sure_, _needs_refinement_ = _struck_alone(_gap_, _rate_, _bend_, _margin_, _rate_slack_, _clearance_, _share_)
+            _hit_, _sure_, _needs_refinement_ = _gap_closes_alone(_gap_, _rate_, _bend_, _margin_, _rate_slack_, _clearance_, _share_)
             if _needs_refinement_:
-                _share_, = _finer_alone(_share_)
+                _share_, = _smaller_budget_alone(_share_)
                 _position_level_, _velocity_level_, _excess_ = _allowance_alone(_share_, _latest_, _extent_, _speed_, _position_error_, _velocity_error_, _p_gravity_)
                 _flat_, _tilt_, _rate_slack_ = _ring_margins_alone(_latest_, _extent_, _speed_, _position_level_, _velocity_level_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
-                _doubt_, = _exceeded_alone(_t_, _doubt_, _excess_)
+                _undecided_time_, = _budget_undecided_alone(_t_, _undecided_time_, _excess_)
             _arrival_, _certain_, _exhausted_, _searching_, _t_ = _advanced_alone(_t_, _end_, _step_, _next_, _arrival_, _hit_, _sure_, _needs_refinement_, _certain_)
             if _exhausted_:
                 _t_, _end_, _searching_ = _ring_enter_alone(_t_, _end_, _end_, _low0_, _low1_, _low2_, _high0_, _high1_, _high2_)
-        _doubt_, = _questioned_alone(_t_, _doubt_, _searching_)
+        _undecided_time_, = _predicate_undecided_alone(_t_, _undecided_time_, _searching_)
     _arrives_, _refining_, _rate_ = _found_alone(_arrival_)
     _leaving_, _ = _nearby_alone(_arrival_, _flat_, _tilt_, _k2, _last_)
     if _refining_:
         _refined_, _gap_, _rate_ = _ring_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
-        _arrival_, _refining_ = _polished_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
+        _arrival_, _refining_ = _refined_root_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
     if _refining_:
         _refined_, _gap_, _rate_ = _ring_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
-        _arrival_, _refining_ = _polished_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
+        _arrival_, _refining_ = _refined_root_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
     for _ in range(8):
         if not _refining_:
             break
         _refined_, _gap_, _rate_ = _ring_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
-        _arrival_, _refining_ = _polished_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
+        _arrival_, _refining_ = _refined_root_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
     _flat_, _tilt_, _rate_margin_ = _ring_margins_alone(_latest_, _extent_, _speed_, _position_error_, _velocity_error_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
     _margin_, = _own_margin_alone(_leaving_, _flat_, _tilt_, _arrival_)
     _clearance_, _delay_ = _crossing_alone(_margin_, _rate_margin_, _rate_, _ceiling_)
-    _time_, = _landed_alone(_arrival_)
-    _delay_, _doubt_ = _landed_surely_alone(_clearance_, _time_, _delay_, _doubt_, _arrives_, _certain_)
-    _doubt_, _earliest_delay_ = _tied_alone(_time_, _when_, _delay_, _earliest_delay_, _doubt_, _arrives_)
+    _time_, = _arrival_time_alone(_arrival_)
+    _delay_, _undecided_time_ = _certain_arrival_alone(_clearance_, _time_, _delay_, _undecided_time_, _arrives_, _certain_)
+    _undecided_time_, _earliest_delay_ = _tie_undecided_alone(_time_, _when_, _delay_, _earliest_delay_, _undecided_time_, _arrives_)
     _when_, _which_ = _earliest_alone(_k2, _time_, _when_, _which_, _arrives_)
-    return (_doubt_, _earliest_delay_, _when_, _which_,)
+    return (_earliest_delay_, _undecided_time_, _when_, _which_,)
 
 
 def _alone15(_certain_: Any, _p_ball_radius_: Any, _p_gravity_: Any, _p_ring_radius_: Any, _p_wire_radius_: Any, _short_ceiling_: Any, _short_end_: Any, _short_energy2_: Any, _short_flat_: Any, _short_high1_: Any, _short_high2_: Any, _short_jerk_: Any, _short_low1_: Any, _short_low2_: Any, _short_moment2_: Any, _short_quotient_margin_: Any, _short_rate_margin_: Any, _short_rho_rate_: Any, _short_rho_start_: Any, _short_start_rate_: Any, _short_t_: Any, _short_tilt_: Any, _short_vx_: Any, _short_vy_: Any, _short_vz_: Any, _short_x_: Any, _short_y_: Any, _short_z_: Any, _stepping_: Any, _turns: Any) -> tuple[Any, ...]:
@@ -8597,7 +8597,7 @@ def _alone15(_certain_: Any, _p_ball_radius_: Any, _p_gravity_: Any, _p_ring_rad
     return (_certain_, _short_t_,)
 
 
-def _alone16(_arrival_: Any, _certain_: Any, _doubt_: Any, _extent_: Any, _last_: Any, _p_ball_radius_: Any, _p_gravity_: Any, _p_ring_radius_: Any, _p_wire_radius_: Any, _position_error_: Any, _share_: Any, _speed_: Any, _t_: Any, _until_: Any, _velocity_error_: Any, _vx_: Any, _vy_: Any, _vz_: Any, _x_: Any, _y_: Any, _z_: Any) -> tuple[Any, ...]:
+def _alone16(_arrival_: Any, _certain_: Any, _extent_: Any, _last_: Any, _p_ball_radius_: Any, _p_gravity_: Any, _p_ring_radius_: Any, _p_wire_radius_: Any, _position_error_: Any, _share_: Any, _speed_: Any, _t_: Any, _undecided_time_: Any, _until_: Any, _velocity_error_: Any, _vx_: Any, _vy_: Any, _vz_: Any, _x_: Any, _y_: Any, _z_: Any) -> tuple[Any, ...]:
     """Do the body of `searching` for one shot."""
     _energy2_, _moment2_, _rho_start_, _low0_, _high0_, _low1_, _high1_, _low2_, _high2_, _ceiling_, _latest_, _ = _ring_prepare_alone(_until_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _extent_, _speed_, _position_error_, _velocity_error_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
     _position_level_, _velocity_level_, _ = _allowance_alone(_share_, _latest_, _extent_, _speed_, _position_error_, _velocity_error_, _p_gravity_)
@@ -8608,36 +8608,36 @@ def _alone16(_arrival_: Any, _certain_: Any, _doubt_: Any, _extent_: Any, _last_
             break
         _leaving_, _margin_ = _nearby_alone(_t_, _flat_, _tilt_, _k2, _last_)
         _gap_, _rate_, _bend_, _step_, _next_, _clearance_ = _ring_advance_alone(_t_, _end_, _leaving_, _margin_, _rate_slack_, _ceiling_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _energy2_, _moment2_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
-        _hit_, _sure_, _needs_refinement_ = _struck_alone(_gap_, _rate_, _bend_, _margin_, _rate_slack_, _clearance_, _share_)
+        _hit_, _sure_, _needs_refinement_ = _gap_closes_alone(_gap_, _rate_, _bend_, _margin_, _rate_slack_, _clearance_, _share_)
         if _needs_refinement_:
-            _share_, = _finer_alone(_share_)
+            _share_, = _smaller_budget_alone(_share_)
             _position_level_, _velocity_level_, _excess_ = _allowance_alone(_share_, _latest_, _extent_, _speed_, _position_error_, _velocity_error_, _p_gravity_)
             _flat_, _tilt_, _rate_slack_ = _ring_margins_alone(_latest_, _extent_, _speed_, _position_level_, _velocity_level_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
-            _doubt_, = _exceeded_alone(_t_, _doubt_, _excess_)
+            _undecided_time_, = _budget_undecided_alone(_t_, _undecided_time_, _excess_)
         _arrival_, _certain_, _exhausted_, _searching_, _t_ = _advanced_alone(_t_, _end_, _step_, _next_, _arrival_, _hit_, _sure_, _needs_refinement_, _certain_)
         if _exhausted_:
             _t_, _end_, _searching_ = _ring_enter_alone(_t_, _end_, _end_, _low0_, _low1_, _low2_, _high0_, _high1_, _high2_)
-    _doubt_, = _questioned_alone(_t_, _doubt_, _searching_)
-    return (_arrival_, _ceiling_, _certain_, _doubt_, _flat_, _latest_, _rho_start_, _tilt_,)
+    _undecided_time_, = _predicate_undecided_alone(_t_, _undecided_time_, _searching_)
+    return (_arrival_, _ceiling_, _certain_, _flat_, _latest_, _rho_start_, _tilt_, _undecided_time_,)
 
 
-def _alone17(_arrival_: Any, _ceiling_: Any, _certain_: Any, _doubt_: Any, _end_: Any, _energy2_: Any, _flat_: Any, _last_: Any, _moment2_: Any, _p_ball_radius_: Any, _p_gravity_: Any, _p_ring_radius_: Any, _p_wire_radius_: Any, _rate_slack_: Any, _rho_start_: Any, _searching_: Any, _share_: Any, _t_: Any, _tilt_: Any, _vx_: Any, _vy_: Any, _vz_: Any, _x_: Any, _y_: Any, _z_: Any, _extent_: Any, _high0_: Any, _high1_: Any, _high2_: Any, _latest_: Any, _low0_: Any, _low1_: Any, _low2_: Any, _position_error_: Any, _speed_: Any, _velocity_error_: Any, _turns: Any) -> tuple[Any, ...]:
+def _alone17(_arrival_: Any, _ceiling_: Any, _certain_: Any, _end_: Any, _energy2_: Any, _flat_: Any, _last_: Any, _moment2_: Any, _p_ball_radius_: Any, _p_gravity_: Any, _p_ring_radius_: Any, _p_wire_radius_: Any, _rate_slack_: Any, _rho_start_: Any, _searching_: Any, _share_: Any, _t_: Any, _tilt_: Any, _undecided_time_: Any, _vx_: Any, _vy_: Any, _vz_: Any, _x_: Any, _y_: Any, _z_: Any, _extent_: Any, _high0_: Any, _high1_: Any, _high2_: Any, _latest_: Any, _low0_: Any, _low1_: Any, _low2_: Any, _position_error_: Any, _speed_: Any, _velocity_error_: Any, _turns: Any) -> tuple[Any, ...]:
     """Do the body of `searching` for one shot."""
     for _ in range(_turns):
         if not _searching_:
             break
         _leaving_, _margin_ = _nearby_alone(_t_, _flat_, _tilt_, _k2, _last_)
         _gap_, _rate_, _bend_, _step_, _next_, _clearance_ = _ring_advance_alone(_t_, _end_, _leaving_, _margin_, _rate_slack_, _ceiling_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _energy2_, _moment2_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
-        _hit_, _sure_, _needs_refinement_ = _struck_alone(_gap_, _rate_, _bend_, _margin_, _rate_slack_, _clearance_, _share_)
+        _hit_, _sure_, _needs_refinement_ = _gap_closes_alone(_gap_, _rate_, _bend_, _margin_, _rate_slack_, _clearance_, _share_)
         if _needs_refinement_:
-            _share_, = _finer_alone(_share_)
+            _share_, = _smaller_budget_alone(_share_)
             _position_level_, _velocity_level_, _excess_ = _allowance_alone(_share_, _latest_, _extent_, _speed_, _position_error_, _velocity_error_, _p_gravity_)
             _flat_, _tilt_, _rate_slack_ = _ring_margins_alone(_latest_, _extent_, _speed_, _position_level_, _velocity_level_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
-            _doubt_, = _exceeded_alone(_t_, _doubt_, _excess_)
+            _undecided_time_, = _budget_undecided_alone(_t_, _undecided_time_, _excess_)
         _arrival_, _certain_, _exhausted_, _searching_, _t_ = _advanced_alone(_t_, _end_, _step_, _next_, _arrival_, _hit_, _sure_, _needs_refinement_, _certain_)
         if _exhausted_:
             _t_, _end_, _searching_ = _ring_enter_alone(_t_, _end_, _end_, _low0_, _low1_, _low2_, _high0_, _high1_, _high2_)
-    return (_arrival_, _certain_, _doubt_, _flat_, _searching_, _t_, _tilt_,)
+    return (_arrival_, _certain_, _flat_, _searching_, _t_, _tilt_, _undecided_time_,)
 
 
 def _alone18(_arrival_: Any, _ceiling_: Any, _certain_: Any, _leaving_: Any, _p_ball_radius_: Any, _p_gravity_: Any, _p_ring_radius_: Any, _p_wire_radius_: Any, _rate_: Any, _refining_: Any, _rho_start_: Any, _vx_: Any, _vy_: Any, _vz_: Any, _x_: Any, _y_: Any, _z_: Any, _turns: Any) -> tuple[Any, ...]:
@@ -8646,11 +8646,11 @@ def _alone18(_arrival_: Any, _ceiling_: Any, _certain_: Any, _leaving_: Any, _p_
         if not _refining_:
             break
         _refined_, _gap_, _rate_ = _ring_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
-        _arrival_, _refining_ = _polished_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
+        _arrival_, _refining_ = _refined_root_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
     return (_arrival_, _rate_,)
 
 
-def _alone19(_doubt_: Any, _earliest_delay_: Any, _extent_: Any, _last_: Any, _p_ball_radius_: Any, _p_board_bottom_: Any, _p_board_distance_: Any, _p_board_half_width_: Any, _p_board_thickness_: Any, _p_board_top_: Any, _p_gravity_: Any, _position_error_: Any, _speed_: Any, _velocity_error_: Any, _vx_: Any, _vy_: Any, _vz_: Any, _when_: Any, _which_: Any, _x_: Any, _y_: Any, _z_: Any) -> tuple[Any, ...]:
+def _alone19(_earliest_delay_: Any, _extent_: Any, _last_: Any, _p_ball_radius_: Any, _p_board_bottom_: Any, _p_board_distance_: Any, _p_board_half_width_: Any, _p_board_thickness_: Any, _p_board_top_: Any, _p_gravity_: Any, _position_error_: Any, _speed_: Any, _undecided_time_: Any, _velocity_error_: Any, _vx_: Any, _vy_: Any, _vz_: Any, _when_: Any, _which_: Any, _x_: Any, _y_: Any, _z_: Any) -> tuple[Any, ...]:
     """Do the body of `reachable` for one shot."""
     _until_, _pad_ = _horizon_alone(_when_, _speed_, _p_gravity_)
     _low0_, _high0_, _low1_, _high1_, _ceiling_, _latest_, _budget_exceeded_ = _backboard_prepare_alone(_until_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _extent_, _speed_, _position_error_, _velocity_error_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_, _p_gravity_)
@@ -8658,16 +8658,16 @@ def _alone19(_doubt_: Any, _earliest_delay_: Any, _extent_: Any, _last_: Any, _p
     _position_level_, _velocity_level_, _excess_ = _allowance_alone(_share_, _latest_, _extent_, _speed_, _position_error_, _velocity_error_, _p_gravity_)
     _flat_, _tilt_, _rate_slack_ = _backboard_margins_alone(_latest_, _extent_, _speed_, _position_level_, _velocity_level_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_, _p_gravity_)
     _t_, _end_, _searching_ = _backboard_enter_alone(_k2, _k2, _k2, _low0_, _low1_, _high0_, _high1_)
-    _doubt_, = _out_of_budget_in_windows_alone(_pad_, _budget_exceeded_, _earliest_delay_, _doubt_, _excess_, _searching_)
+    _undecided_time_, = _out_of_budget_in_windows_alone(_pad_, _budget_exceeded_, _earliest_delay_, _undecided_time_, _excess_, _searching_)
     if _searching_:
         _leaving_, _margin_ = _nearby_alone(_t_, _flat_, _tilt_, _k1, _last_)
         _gap_, _rate_, _bend_, _step_, _next_, _clearance_ = _backboard_advance_alone(_t_, _end_, _leaving_, _margin_, _rate_slack_, _ceiling_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_, _p_gravity_)
-        _hit_, _sure_, _needs_refinement_ = _struck_or_still_alone(_t_, _end_, _gap_, _rate_, _bend_, _margin_, _rate_slack_, _next_, _clearance_, _share_)
+        _hit_, _sure_, _needs_refinement_ = _gap_closes_or_stalls_alone(_t_, _end_, _gap_, _rate_, _bend_, _margin_, _rate_slack_, _next_, _clearance_, _share_)
         if _needs_refinement_:
-            _share_, = _finer_alone(_share_)
+            _share_, = _smaller_budget_alone(_share_)
             _position_level_, _velocity_level_, _excess_ = _allowance_alone(_share_, _latest_, _extent_, _speed_, _position_error_, _velocity_error_, _p_gravity_)
             _flat_, _tilt_, _rate_slack_ = _backboard_margins_alone(_latest_, _extent_, _speed_, _position_level_, _velocity_level_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_, _p_gravity_)
-            _doubt_, = _exceeded_alone(_t_, _doubt_, _excess_)
+            _undecided_time_, = _budget_undecided_alone(_t_, _undecided_time_, _excess_)
         _arrival_, _certain_, _exhausted_, _searching_, _t_ = _advanced_alone(_t_, _end_, _step_, _next_, _arrival_, _hit_, _sure_, _needs_refinement_, _certain_)
         if _exhausted_:
             _t_, _end_, _searching_ = _backboard_enter_alone(_t_, _end_, _end_, _low0_, _low1_, _high0_, _high1_)
@@ -8676,56 +8676,56 @@ def _alone19(_doubt_: Any, _earliest_delay_: Any, _extent_: Any, _last_: Any, _p
             break
         _leaving_, _margin_ = _nearby_alone(_t_, _flat_, _tilt_, _k1, _last_)
         _gap_, _rate_, _bend_, _step_, _next_, _clearance_ = _backboard_advance_alone(_t_, _end_, _leaving_, _margin_, _rate_slack_, _ceiling_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_, _p_gravity_)
-        _hit_, _sure_, _needs_refinement_ = _struck_or_still_alone(_t_, _end_, _gap_, _rate_, _bend_, _margin_, _rate_slack_, _next_, _clearance_, _share_)
+        _hit_, _sure_, _needs_refinement_ = _gap_closes_or_stalls_alone(_t_, _end_, _gap_, _rate_, _bend_, _margin_, _rate_slack_, _next_, _clearance_, _share_)
         if _needs_refinement_:
-            _share_, = _finer_alone(_share_)
+            _share_, = _smaller_budget_alone(_share_)
             _position_level_, _velocity_level_, _excess_ = _allowance_alone(_share_, _latest_, _extent_, _speed_, _position_error_, _velocity_error_, _p_gravity_)
             _flat_, _tilt_, _rate_slack_ = _backboard_margins_alone(_latest_, _extent_, _speed_, _position_level_, _velocity_level_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_, _p_gravity_)
-            _doubt_, = _exceeded_alone(_t_, _doubt_, _excess_)
+            _undecided_time_, = _budget_undecided_alone(_t_, _undecided_time_, _excess_)
         _arrival_, _certain_, _exhausted_, _searching_, _t_ = _advanced_alone(_t_, _end_, _step_, _next_, _arrival_, _hit_, _sure_, _needs_refinement_, _certain_)
         if _exhausted_:
             _t_, _end_, _searching_ = _backboard_enter_alone(_t_, _end_, _end_, _low0_, _low1_, _high0_, _high1_)
-    _doubt_, = _questioned_alone(_t_, _doubt_, _searching_)
+    _undecided_time_, = _predicate_undecided_alone(_t_, _undecided_time_, _searching_)
     _arrives_, _refining_, _rate_ = _found_alone(_arrival_)
     _leaving_, _ = _nearby_alone(_arrival_, _flat_, _tilt_, _k1, _last_)
     if _refining_:
         _refined_, _gap_, _rate_ = _backboard_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_, _p_gravity_)
-        _arrival_, _refining_ = _polished_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
+        _arrival_, _refining_ = _refined_root_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
     if _refining_:
         _refined_, _gap_, _rate_ = _backboard_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_, _p_gravity_)
-        _arrival_, _refining_ = _polished_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
+        _arrival_, _refining_ = _refined_root_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
     for _ in range(8):
         if not _refining_:
             break
         _refined_, _gap_, _rate_ = _backboard_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_, _p_gravity_)
-        _arrival_, _refining_ = _polished_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
+        _arrival_, _refining_ = _refined_root_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
     _flat_, _tilt_, _rate_margin_ = _backboard_margins_alone(_latest_, _extent_, _speed_, _position_error_, _velocity_error_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_, _p_gravity_)
     _margin_, = _own_margin_alone(_leaving_, _flat_, _tilt_, _arrival_)
     _clearance_, _delay_ = _crossing_alone(_margin_, _rate_margin_, _rate_, _ceiling_)
-    _time_, = _landed_alone(_arrival_)
-    _delay_, _doubt_ = _landed_surely_alone(_clearance_, _time_, _delay_, _doubt_, _arrives_, _certain_)
-    _doubt_, _earliest_delay_ = _tied_alone(_time_, _when_, _delay_, _earliest_delay_, _doubt_, _arrives_)
+    _time_, = _arrival_time_alone(_arrival_)
+    _delay_, _undecided_time_ = _certain_arrival_alone(_clearance_, _time_, _delay_, _undecided_time_, _arrives_, _certain_)
+    _undecided_time_, _earliest_delay_ = _tie_undecided_alone(_time_, _when_, _delay_, _earliest_delay_, _undecided_time_, _arrives_)
     _when_, _which_ = _earliest_alone(_k1, _time_, _when_, _which_, _arrives_)
-    return (_doubt_, _earliest_delay_, _when_, _which_,)
+    return (_earliest_delay_, _undecided_time_, _when_, _which_,)
 
 
-def _alone20(_arrival_: Any, _ceiling_: Any, _certain_: Any, _doubt_: Any, _end_: Any, _flat_: Any, _last_: Any, _p_ball_radius_: Any, _p_board_bottom_: Any, _p_board_distance_: Any, _p_board_half_width_: Any, _p_board_thickness_: Any, _p_board_top_: Any, _p_gravity_: Any, _rate_slack_: Any, _searching_: Any, _share_: Any, _t_: Any, _tilt_: Any, _vx_: Any, _vy_: Any, _vz_: Any, _x_: Any, _y_: Any, _z_: Any, _extent_: Any, _high0_: Any, _high1_: Any, _latest_: Any, _low0_: Any, _low1_: Any, _position_error_: Any, _speed_: Any, _velocity_error_: Any, _turns: Any) -> tuple[Any, ...]:
+def _alone20(_arrival_: Any, _ceiling_: Any, _certain_: Any, _end_: Any, _flat_: Any, _last_: Any, _p_ball_radius_: Any, _p_board_bottom_: Any, _p_board_distance_: Any, _p_board_half_width_: Any, _p_board_thickness_: Any, _p_board_top_: Any, _p_gravity_: Any, _rate_slack_: Any, _searching_: Any, _share_: Any, _t_: Any, _tilt_: Any, _undecided_time_: Any, _vx_: Any, _vy_: Any, _vz_: Any, _x_: Any, _y_: Any, _z_: Any, _extent_: Any, _high0_: Any, _high1_: Any, _latest_: Any, _low0_: Any, _low1_: Any, _position_error_: Any, _speed_: Any, _velocity_error_: Any, _turns: Any) -> tuple[Any, ...]:
     """Do the body of `searching` for one shot."""
     for _ in range(_turns):
         if not _searching_:
             break
         _leaving_, _margin_ = _nearby_alone(_t_, _flat_, _tilt_, _k1, _last_)
         _gap_, _rate_, _bend_, _step_, _next_, _clearance_ = _backboard_advance_alone(_t_, _end_, _leaving_, _margin_, _rate_slack_, _ceiling_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_, _p_gravity_)
-        _hit_, _sure_, _needs_refinement_ = _struck_or_still_alone(_t_, _end_, _gap_, _rate_, _bend_, _margin_, _rate_slack_, _next_, _clearance_, _share_)
+        _hit_, _sure_, _needs_refinement_ = _gap_closes_or_stalls_alone(_t_, _end_, _gap_, _rate_, _bend_, _margin_, _rate_slack_, _next_, _clearance_, _share_)
         if _needs_refinement_:
-            _share_, = _finer_alone(_share_)
+            _share_, = _smaller_budget_alone(_share_)
             _position_level_, _velocity_level_, _excess_ = _allowance_alone(_share_, _latest_, _extent_, _speed_, _position_error_, _velocity_error_, _p_gravity_)
             _flat_, _tilt_, _rate_slack_ = _backboard_margins_alone(_latest_, _extent_, _speed_, _position_level_, _velocity_level_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_, _p_gravity_)
-            _doubt_, = _exceeded_alone(_t_, _doubt_, _excess_)
+            _undecided_time_, = _budget_undecided_alone(_t_, _undecided_time_, _excess_)
         _arrival_, _certain_, _exhausted_, _searching_, _t_ = _advanced_alone(_t_, _end_, _step_, _next_, _arrival_, _hit_, _sure_, _needs_refinement_, _certain_)
         if _exhausted_:
             _t_, _end_, _searching_ = _backboard_enter_alone(_t_, _end_, _end_, _low0_, _low1_, _high0_, _high1_)
-    return (_arrival_, _certain_, _doubt_, _flat_, _searching_, _t_, _tilt_,)
+    return (_arrival_, _certain_, _flat_, _searching_, _t_, _tilt_, _undecided_time_,)
 
 
 def _alone21(_arrival_: Any, _ceiling_: Any, _certain_: Any, _leaving_: Any, _p_ball_radius_: Any, _p_board_bottom_: Any, _p_board_distance_: Any, _p_board_half_width_: Any, _p_board_thickness_: Any, _p_board_top_: Any, _p_gravity_: Any, _rate_: Any, _refining_: Any, _vx_: Any, _vy_: Any, _vz_: Any, _x_: Any, _y_: Any, _z_: Any, _turns: Any) -> tuple[Any, ...]:
@@ -8734,11 +8734,11 @@ def _alone21(_arrival_: Any, _ceiling_: Any, _certain_: Any, _leaving_: Any, _p_
         if not _refining_:
             break
         _refined_, _gap_, _rate_ = _backboard_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_, _p_gravity_)
-        _arrival_, _refining_ = _polished_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
+        _arrival_, _refining_ = _refined_root_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
     return (_arrival_, _rate_,)
 
 
-def _alone22(_doubt_: Any, _earliest_delay_: Any, _extent_: Any, _last_: Any, _p_ball_radius_: Any, _p_board_distance_: Any, _p_bridge_depth_: Any, _p_bridge_half_width_: Any, _p_gravity_: Any, _p_ring_radius_: Any, _p_wire_radius_: Any, _position_error_: Any, _speed_: Any, _velocity_error_: Any, _vx_: Any, _vy_: Any, _vz_: Any, _when_: Any, _which_: Any, _x_: Any, _y_: Any, _z_: Any) -> tuple[Any, ...]:
+def _alone22(_earliest_delay_: Any, _extent_: Any, _last_: Any, _p_ball_radius_: Any, _p_board_distance_: Any, _p_bridge_depth_: Any, _p_bridge_half_width_: Any, _p_gravity_: Any, _p_ring_radius_: Any, _p_wire_radius_: Any, _position_error_: Any, _speed_: Any, _undecided_time_: Any, _velocity_error_: Any, _vx_: Any, _vy_: Any, _vz_: Any, _when_: Any, _which_: Any, _x_: Any, _y_: Any, _z_: Any) -> tuple[Any, ...]:
     """Do the body of `reachable` for one shot."""
     _until_, _pad_ = _horizon_alone(_when_, _speed_, _p_gravity_)
     _low0_, _high0_, _low1_, _high1_, _ceiling_, _latest_, _budget_exceeded_ = _bridge_prepare_alone(_until_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _extent_, _speed_, _position_error_, _velocity_error_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_, _p_gravity_)
@@ -8746,16 +8746,16 @@ def _alone22(_doubt_: Any, _earliest_delay_: Any, _extent_: Any, _last_: Any, _p
     _position_level_, _velocity_level_, _excess_ = _allowance_alone(_share_, _latest_, _extent_, _speed_, _position_error_, _velocity_error_, _p_gravity_)
     _flat_, _tilt_, _rate_slack_ = _bridge_margins_alone(_latest_, _extent_, _speed_, _position_level_, _velocity_level_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_, _p_gravity_)
     _t_, _end_, _searching_ = _bridge_enter_alone(_k2, _k2, _k2, _low0_, _low1_, _high0_, _high1_)
-    _doubt_, = _out_of_budget_in_windows_alone(_pad_, _budget_exceeded_, _earliest_delay_, _doubt_, _excess_, _searching_)
+    _undecided_time_, = _out_of_budget_in_windows_alone(_pad_, _budget_exceeded_, _earliest_delay_, _undecided_time_, _excess_, _searching_)
     if _searching_:
         _leaving_, _margin_ = _nearby_alone(_t_, _flat_, _tilt_, _k28, _last_)
         _gap_, _rate_, _bend_, _step_, _next_, _clearance_ = _bridge_advance_alone(_t_, _end_, _leaving_, _margin_, _rate_slack_, _ceiling_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_, _p_gravity_)
-        _hit_, _sure_, _needs_refinement_ = _struck_or_still_alone(_t_, _end_, _gap_, _rate_, _bend_, _margin_, _rate_slack_, _next_, _clearance_, _share_)
+        _hit_, _sure_, _needs_refinement_ = _gap_closes_or_stalls_alone(_t_, _end_, _gap_, _rate_, _bend_, _margin_, _rate_slack_, _next_, _clearance_, _share_)
         if _needs_refinement_:
-            _share_, = _finer_alone(_share_)
+            _share_, = _smaller_budget_alone(_share_)
             _position_level_, _velocity_level_, _excess_ = _allowance_alone(_share_, _latest_, _extent_, _speed_, _position_error_, _velocity_error_, _p_gravity_)
             _flat_, _tilt_, _rate_slack_ = _bridge_margins_alone(_latest_, _extent_, _speed_, _position_level_, _velocity_level_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_, _p_gravity_)
-            _doubt_, = _exceeded_alone(_t_, _doubt_, _excess_)
+            _undecided_time_, = _budget_undecided_alone(_t_, _undecided_time_, _excess_)
         _arrival_, _certain_, _exhausted_, _searching_, _t_ = _advanced_alone(_t_, _end_, _step_, _next_, _arrival_, _hit_, _sure_, _needs_refinement_, _certain_)
         if _exhausted_:
             _t_, _end_, _searching_ = _bridge_enter_alone(_t_, _end_, _end_, _low0_, _low1_, _high0_, _high1_)
@@ -8764,56 +8764,56 @@ def _alone22(_doubt_: Any, _earliest_delay_: Any, _extent_: Any, _last_: Any, _p
             break
         _leaving_, _margin_ = _nearby_alone(_t_, _flat_, _tilt_, _k28, _last_)
         _gap_, _rate_, _bend_, _step_, _next_, _clearance_ = _bridge_advance_alone(_t_, _end_, _leaving_, _margin_, _rate_slack_, _ceiling_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_, _p_gravity_)
-        _hit_, _sure_, _needs_refinement_ = _struck_or_still_alone(_t_, _end_, _gap_, _rate_, _bend_, _margin_, _rate_slack_, _next_, _clearance_, _share_)
+        _hit_, _sure_, _needs_refinement_ = _gap_closes_or_stalls_alone(_t_, _end_, _gap_, _rate_, _bend_, _margin_, _rate_slack_, _next_, _clearance_, _share_)
         if _needs_refinement_:
-            _share_, = _finer_alone(_share_)
+            _share_, = _smaller_budget_alone(_share_)
             _position_level_, _velocity_level_, _excess_ = _allowance_alone(_share_, _latest_, _extent_, _speed_, _position_error_, _velocity_error_, _p_gravity_)
             _flat_, _tilt_, _rate_slack_ = _bridge_margins_alone(_latest_, _extent_, _speed_, _position_level_, _velocity_level_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_, _p_gravity_)
-            _doubt_, = _exceeded_alone(_t_, _doubt_, _excess_)
+            _undecided_time_, = _budget_undecided_alone(_t_, _undecided_time_, _excess_)
         _arrival_, _certain_, _exhausted_, _searching_, _t_ = _advanced_alone(_t_, _end_, _step_, _next_, _arrival_, _hit_, _sure_, _needs_refinement_, _certain_)
         if _exhausted_:
             _t_, _end_, _searching_ = _bridge_enter_alone(_t_, _end_, _end_, _low0_, _low1_, _high0_, _high1_)
-    _doubt_, = _questioned_alone(_t_, _doubt_, _searching_)
+    _undecided_time_, = _predicate_undecided_alone(_t_, _undecided_time_, _searching_)
     _arrives_, _refining_, _rate_ = _found_alone(_arrival_)
     _leaving_, _ = _nearby_alone(_arrival_, _flat_, _tilt_, _k28, _last_)
     if _refining_:
         _refined_, _gap_, _rate_ = _bridge_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_, _p_gravity_)
-        _arrival_, _refining_ = _polished_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
+        _arrival_, _refining_ = _refined_root_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
     if _refining_:
         _refined_, _gap_, _rate_ = _bridge_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_, _p_gravity_)
-        _arrival_, _refining_ = _polished_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
+        _arrival_, _refining_ = _refined_root_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
     for _ in range(8):
         if not _refining_:
             break
         _refined_, _gap_, _rate_ = _bridge_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_, _p_gravity_)
-        _arrival_, _refining_ = _polished_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
+        _arrival_, _refining_ = _refined_root_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
     _flat_, _tilt_, _rate_margin_ = _bridge_margins_alone(_latest_, _extent_, _speed_, _position_error_, _velocity_error_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_, _p_gravity_)
     _margin_, = _own_margin_alone(_leaving_, _flat_, _tilt_, _arrival_)
     _clearance_, _delay_ = _crossing_alone(_margin_, _rate_margin_, _rate_, _ceiling_)
-    _time_, = _landed_alone(_arrival_)
-    _delay_, _doubt_ = _landed_surely_alone(_clearance_, _time_, _delay_, _doubt_, _arrives_, _certain_)
-    _doubt_, _earliest_delay_ = _tied_alone(_time_, _when_, _delay_, _earliest_delay_, _doubt_, _arrives_)
+    _time_, = _arrival_time_alone(_arrival_)
+    _delay_, _undecided_time_ = _certain_arrival_alone(_clearance_, _time_, _delay_, _undecided_time_, _arrives_, _certain_)
+    _undecided_time_, _earliest_delay_ = _tie_undecided_alone(_time_, _when_, _delay_, _earliest_delay_, _undecided_time_, _arrives_)
     _when_, _which_ = _earliest_alone(_k28, _time_, _when_, _which_, _arrives_)
-    return (_doubt_, _earliest_delay_, _when_, _which_,)
+    return (_earliest_delay_, _undecided_time_, _when_, _which_,)
 
 
-def _alone23(_arrival_: Any, _ceiling_: Any, _certain_: Any, _doubt_: Any, _end_: Any, _flat_: Any, _last_: Any, _p_ball_radius_: Any, _p_board_distance_: Any, _p_bridge_depth_: Any, _p_bridge_half_width_: Any, _p_gravity_: Any, _p_ring_radius_: Any, _p_wire_radius_: Any, _rate_slack_: Any, _searching_: Any, _share_: Any, _t_: Any, _tilt_: Any, _vx_: Any, _vy_: Any, _vz_: Any, _x_: Any, _y_: Any, _z_: Any, _extent_: Any, _high0_: Any, _high1_: Any, _latest_: Any, _low0_: Any, _low1_: Any, _position_error_: Any, _speed_: Any, _velocity_error_: Any, _turns: Any) -> tuple[Any, ...]:
+def _alone23(_arrival_: Any, _ceiling_: Any, _certain_: Any, _end_: Any, _flat_: Any, _last_: Any, _p_ball_radius_: Any, _p_board_distance_: Any, _p_bridge_depth_: Any, _p_bridge_half_width_: Any, _p_gravity_: Any, _p_ring_radius_: Any, _p_wire_radius_: Any, _rate_slack_: Any, _searching_: Any, _share_: Any, _t_: Any, _tilt_: Any, _undecided_time_: Any, _vx_: Any, _vy_: Any, _vz_: Any, _x_: Any, _y_: Any, _z_: Any, _extent_: Any, _high0_: Any, _high1_: Any, _latest_: Any, _low0_: Any, _low1_: Any, _position_error_: Any, _speed_: Any, _velocity_error_: Any, _turns: Any) -> tuple[Any, ...]:
     """Do the body of `searching` for one shot."""
     for _ in range(_turns):
         if not _searching_:
             break
         _leaving_, _margin_ = _nearby_alone(_t_, _flat_, _tilt_, _k28, _last_)
         _gap_, _rate_, _bend_, _step_, _next_, _clearance_ = _bridge_advance_alone(_t_, _end_, _leaving_, _margin_, _rate_slack_, _ceiling_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_, _p_gravity_)
-        _hit_, _sure_, _needs_refinement_ = _struck_or_still_alone(_t_, _end_, _gap_, _rate_, _bend_, _margin_, _rate_slack_, _next_, _clearance_, _share_)
+        _hit_, _sure_, _needs_refinement_ = _gap_closes_or_stalls_alone(_t_, _end_, _gap_, _rate_, _bend_, _margin_, _rate_slack_, _next_, _clearance_, _share_)
         if _needs_refinement_:
-            _share_, = _finer_alone(_share_)
+            _share_, = _smaller_budget_alone(_share_)
             _position_level_, _velocity_level_, _excess_ = _allowance_alone(_share_, _latest_, _extent_, _speed_, _position_error_, _velocity_error_, _p_gravity_)
             _flat_, _tilt_, _rate_slack_ = _bridge_margins_alone(_latest_, _extent_, _speed_, _position_level_, _velocity_level_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_, _p_gravity_)
-            _doubt_, = _exceeded_alone(_t_, _doubt_, _excess_)
+            _undecided_time_, = _budget_undecided_alone(_t_, _undecided_time_, _excess_)
         _arrival_, _certain_, _exhausted_, _searching_, _t_ = _advanced_alone(_t_, _end_, _step_, _next_, _arrival_, _hit_, _sure_, _needs_refinement_, _certain_)
         if _exhausted_:
             _t_, _end_, _searching_ = _bridge_enter_alone(_t_, _end_, _end_, _low0_, _low1_, _high0_, _high1_)
-    return (_arrival_, _certain_, _doubt_, _flat_, _searching_, _t_, _tilt_,)
+    return (_arrival_, _certain_, _flat_, _searching_, _t_, _tilt_, _undecided_time_,)
 
 
 def _alone24(_arrival_: Any, _ceiling_: Any, _certain_: Any, _leaving_: Any, _p_ball_radius_: Any, _p_board_distance_: Any, _p_bridge_depth_: Any, _p_bridge_half_width_: Any, _p_gravity_: Any, _p_ring_radius_: Any, _p_wire_radius_: Any, _rate_: Any, _refining_: Any, _vx_: Any, _vy_: Any, _vz_: Any, _x_: Any, _y_: Any, _z_: Any, _turns: Any) -> tuple[Any, ...]:
@@ -8822,13 +8822,13 @@ def _alone24(_arrival_: Any, _ceiling_: Any, _certain_: Any, _leaving_: Any, _p_
         if not _refining_:
             break
         _refined_, _gap_, _rate_ = _bridge_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_, _p_gravity_)
-        _arrival_, _refining_ = _polished_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
+        _arrival_, _refining_ = _refined_root_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
     return (_arrival_, _rate_,)
 
 
 def _alone25(_circled_: Any, _clock_: Any, _clock_error_: Any, _dvx_: Any, _dvy_: Any, _dvz_: Any, _dwx_: Any, _dwy_: Any, _dwz_: Any, _dx_: Any, _dy_: Any, _dz_: Any, _grip_lost_: Any, _held_: Any, _last_grip_clock_: Any, _last_grip_deficit_: Any, _last_grip_deficit_rate_: Any, _mode_: Any, _p_backboard_friction_: Any, _p_ball_radius_: Any, _p_board_bottom_: Any, _p_board_distance_: Any, _p_board_half_width_: Any, _p_board_thickness_: Any, _p_board_top_: Any, _p_bridge_depth_: Any, _p_bridge_friction_: Any, _p_bridge_half_width_: Any, _p_end_depth_: Any, _p_gravity_: Any, _p_inertia_: Any, _p_ring_friction_: Any, _p_ring_radius_: Any, _p_wire_radius_: Any, _position_error_: Any, _rests_: Any, _through_: Any, _time_limit_: Any, _velocity_error_: Any, _vx_: Any, _vy_: Any, _vz_: Any, _when_: Any, _wx_: Any, _wy_: Any, _wz_: Any, _x_: Any, _y_: Any, _z_: Any) -> tuple[Any, ...]:
     """Do the body of `in_contact` for one shot."""
-    _which_, _earliest_delay_, _began_, _doubt_, _begins_, _rolling_, _leaves_, _nx_, _ny_, _nz_, _gap_, _bent_x_, _bent_y_, _bent_z_, _lift_, _gap_jerk_, _gap_snap_, _per_reach_ = _resumed_alone(_position_error_, _velocity_error_, _clock_, _mode_)
+    _which_, _earliest_delay_, _began_, _undecided_time_, _begins_, _rolling_, _leaves_, _nx_, _ny_, _nz_, _gap_, _bent_x_, _bent_y_, _bent_z_, _lift_, _gap_jerk_, _gap_snap_, _per_reach_ = _resumed_alone(_position_error_, _velocity_error_, _clock_, _mode_)
     if _begins_:
         _here_, = _holding_alone(_k2, _held_)
         if _here_:
@@ -8851,7 +8851,7 @@ def _alone25(_circled_: Any, _clock_: Any, _clock_error_: Any, _dvx_: Any, _dvy_
         if _here_:
             _gap_, = _bridge_distance_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _p_wire_radius_, _x_, _y_, _z_)
         _x_, _y_, _z_, _vx_, _vy_, _vz_, _wx_, _wy_, _wz_ = _roll_placed_alone(_p_ball_radius_, _x_, _y_, _z_, _nx_, _ny_, _nz_, _rolled_x_, _rolled_y_, _rolled_z_, _gap_, _turn_rate_)
-        _dx_, _dy_, _dz_, _dvx_, _dvy_, _dvz_, _dwx_, _dwy_, _dwz_ = _begun_errors_alone(_p_ball_radius_, _vx_, _vy_, _vz_, _dx_, _dy_, _dz_, _dvx_, _dvy_, _dvz_, _dwx_, _dwy_, _dwz_)
+        _dx_, _dy_, _dz_, _dvx_, _dvy_, _dvz_, _dwx_, _dwy_, _dwz_ = _jump_errors_alone(_p_ball_radius_, _vx_, _vy_, _vz_, _dx_, _dy_, _dz_, _dvx_, _dvy_, _dvz_, _dwx_, _dwy_, _dwz_)
         _last_grip_deficit_, = _forget_grip_deficit_alone()
         _which_, _circled_ = _beginning_contact_alone()
     _circling_, _rolling_ = _circles_alone(_k2, _held_, _rolling_)
@@ -8877,32 +8877,32 @@ def _alone25(_circled_: Any, _clock_: Any, _clock_error_: Any, _dvx_: Any, _dvy_
         _lift_6_, _tx_6_, _ty_6_, _tz_6_, _vx_7_, _vy_7_, _vz_7_, _nx_7_, _ny_7_, _nz_7_, _turn_rate_7_ = _roll_6_alone(_p_gravity_, _p_inertia_, _nx_0_, _nx_1_, _nx_2_, _nx_3_, _nx_4_, _nx_5_, _nx_6_, _ny_0_, _ny_1_, _ny_2_, _ny_3_, _ny_4_, _ny_5_, _ny_6_, _nz_0_, _nz_1_, _nz_2_, _nz_3_, _nz_4_, _nz_5_, _nz_6_, _vx_0_, _vx_1_, _vx_2_, _vx_3_, _vx_4_, _vx_5_, _vx_6_, _vy_0_, _vy_1_, _vy_2_, _vy_3_, _vy_4_, _vy_5_, _vy_6_, _vz_0_, _vz_1_, _vz_2_, _vz_3_, _vz_4_, _vz_5_, _vz_6_, _bent_x_, _bent_y_, _bent_z_, _per_reach_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _lift_0_, _lift_1_, _lift_2_, _lift_3_, _lift_4_, _lift_5_, _tx_0_, _tx_1_, _tx_2_, _tx_3_, _tx_4_, _tx_5_, _ty_0_, _ty_1_, _ty_2_, _ty_3_, _ty_4_, _ty_5_, _tz_0_, _tz_1_, _tz_2_, _tz_3_, _tz_4_, _tz_5_)
         _lift_7_, _, _, _, _vx_8_, _vy_8_, _vz_8_, _nx_8_, _ny_8_, _nz_8_, _turn_rate_8_ = _roll_7_alone(_p_gravity_, _p_inertia_, _nx_0_, _nx_1_, _nx_2_, _nx_3_, _nx_4_, _nx_5_, _nx_6_, _nx_7_, _ny_0_, _ny_1_, _ny_2_, _ny_3_, _ny_4_, _ny_5_, _ny_6_, _ny_7_, _nz_0_, _nz_1_, _nz_2_, _nz_3_, _nz_4_, _nz_5_, _nz_6_, _nz_7_, _vx_0_, _vx_1_, _vx_2_, _vx_3_, _vx_4_, _vx_5_, _vx_6_, _vx_7_, _vy_0_, _vy_1_, _vy_2_, _vy_3_, _vy_4_, _vy_5_, _vy_6_, _vy_7_, _vz_0_, _vz_1_, _vz_2_, _vz_3_, _vz_4_, _vz_5_, _vz_6_, _vz_7_, _bent_x_, _bent_y_, _bent_z_, _per_reach_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _lift_0_, _lift_1_, _lift_2_, _lift_3_, _lift_4_, _lift_5_, _lift_6_, _tx_0_, _tx_1_, _tx_2_, _tx_3_, _tx_4_, _tx_5_, _tx_6_, _ty_0_, _ty_1_, _ty_2_, _ty_3_, _ty_4_, _ty_5_, _ty_6_, _tz_0_, _tz_1_, _tz_2_, _tz_3_, _tz_4_, _tz_5_, _tz_6_)
         _stride_, _missed_, _strongest_, _fastest_, _force_, _force_rate_, _force_bend_, _friction_force_rate_ = _roll_pace_alone(_p_gravity_, _p_inertia_, _nx_8_, _ny_8_, _nz_0_, _nz_1_, _nz_2_, _nz_3_, _nz_4_, _nz_5_, _nz_6_, _nz_7_, _nz_8_, _vx_0_, _vx_1_, _vx_2_, _vx_3_, _vx_4_, _vx_5_, _vx_6_, _vx_7_, _vx_8_, _vy_0_, _vy_1_, _vy_2_, _vy_3_, _vy_4_, _vy_5_, _vy_6_, _vy_7_, _vy_8_, _vz_0_, _vz_1_, _vz_2_, _vz_3_, _vz_4_, _vz_5_, _vz_6_, _vz_7_, _vz_8_, _per_reach_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _turn_rate_8_, _lift_0_, _lift_1_, _lift_2_, _lift_3_, _lift_4_, _lift_5_, _lift_6_, _lift_7_)
-        _rolling_friction_, _rolling_friction_rate_, _grip_deficit_, _grip_deficit_rate_ = _pulled_alone(_p_gravity_, _p_inertia_, _nx_0_, _nx_1_, _ny_0_, _ny_1_, _nz_0_, _nz_1_, _turn_rate_0_, _turn_rate_1_, _tx_0_, _tx_1_, _ty_0_, _ty_1_, _tz_0_, _tz_1_)
+        _rolling_friction_, _rolling_friction_rate_, _grip_deficit_, _grip_deficit_rate_ = _ring_friction_alone(_p_gravity_, _p_inertia_, _nx_0_, _nx_1_, _ny_0_, _ny_1_, _nz_0_, _nz_1_, _turn_rate_0_, _turn_rate_1_, _tx_0_, _tx_1_, _ty_0_, _ty_1_, _tz_0_, _tz_1_)
         _here_, = _holding_alone(_k1, _held_)
         if _here_:
             _grip_deficit_, _grip_deficit_rate_ = _ring_impact_grip_deficit_alone(_p_backboard_friction_, _rolling_friction_, _rolling_friction_rate_, _force_, _force_rate_)
         _here_, = _holding_alone(_k28, _held_)
         if _here_:
             _grip_deficit_, _grip_deficit_rate_ = _ring_impact_grip_deficit_alone(_p_bridge_friction_, _rolling_friction_, _rolling_friction_rate_, _force_, _force_rate_)
-        _loses_, = _losing_alone(_grip_deficit_, _grip_lost_)
+        _loses_, = _exceeds_grip_alone(_grip_deficit_, _grip_lost_)
         if _loses_:
-            _grip_lost_, = _lost_grip_alone(_clock_, _grip_deficit_, _grip_deficit_rate_, _last_grip_deficit_, _last_grip_deficit_rate_, _last_grip_clock_)
+            _grip_lost_, = _grip_lost_time_alone(_clock_, _grip_deficit_, _grip_deficit_rate_, _last_grip_deficit_, _last_grip_deficit_rate_, _last_grip_clock_)
         _last_grip_deficit_, _last_grip_deficit_rate_, _last_grip_clock_ = _remember_grip_deficit_alone(_clock_, _grip_deficit_, _grip_deficit_rate_)
-        _stride_, _which_, _rests_, _doubt_ = _leaving_force_alone(_p_ball_radius_, _p_gravity_, _vx_, _vx_1_, _vy_, _vy_1_, _vz_, _vz_1_, _which_, _doubt_, _position_error_, _velocity_error_, _per_reach_, _force_, _force_rate_, _force_bend_, _friction_force_rate_, _stride_, _fastest_)
+        _stride_, _which_, _rests_, _undecided_time_ = _leaving_force_alone(_p_ball_radius_, _p_gravity_, _vx_, _vx_1_, _vy_, _vy_1_, _vz_, _vz_1_, _which_, _undecided_time_, _position_error_, _velocity_error_, _per_reach_, _force_, _force_rate_, _force_bend_, _friction_force_rate_, _stride_, _fastest_)
         _beside_, = _beside_alone(_k2, _held_)
         if _beside_:
             _gap_, _nearing_, _gap_curvature_ = _ring_beside_alone(_p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _x_, _y_, _z_, _vx_, _vy_, _vz_)
-            _stride_, _which_, _doubt_, _earliest_delay_ = _beside_body_alone(_p_ball_radius_, _x_, _y_, _z_, _gap_, _k2, _which_, _earliest_delay_, _doubt_, _position_error_, _nearing_, _gap_curvature_, _stride_, _strongest_, _fastest_)
+            _stride_, _which_, _undecided_time_, _earliest_delay_ = _beside_body_alone(_p_ball_radius_, _x_, _y_, _z_, _gap_, _k2, _which_, _earliest_delay_, _undecided_time_, _position_error_, _nearing_, _gap_curvature_, _stride_, _strongest_, _fastest_)
         _beside_, = _beside_alone(_k1, _held_)
         if _beside_:
             _gap_, _nearing_, _gap_curvature_ = _backboard_beside_alone(_p_ball_radius_, _p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _x_, _y_, _z_, _vx_, _vy_, _vz_)
-            _stride_, _which_, _doubt_, _earliest_delay_ = _beside_body_alone(_p_ball_radius_, _x_, _y_, _z_, _gap_, _k1, _which_, _earliest_delay_, _doubt_, _position_error_, _nearing_, _gap_curvature_, _stride_, _strongest_, _fastest_)
+            _stride_, _which_, _undecided_time_, _earliest_delay_ = _beside_body_alone(_p_ball_radius_, _x_, _y_, _z_, _gap_, _k1, _which_, _earliest_delay_, _undecided_time_, _position_error_, _nearing_, _gap_curvature_, _stride_, _strongest_, _fastest_)
         _beside_, = _beside_alone(_k28, _held_)
         if _beside_:
             _gap_, _nearing_, _gap_curvature_ = _bridge_beside_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _p_wire_radius_, _x_, _y_, _z_, _vx_, _vy_, _vz_)
-            _stride_, _which_, _doubt_, _earliest_delay_ = _beside_body_alone(_p_ball_radius_, _x_, _y_, _z_, _gap_, _k28, _which_, _earliest_delay_, _doubt_, _position_error_, _nearing_, _gap_curvature_, _stride_, _strongest_, _fastest_)
+            _stride_, _which_, _undecided_time_, _earliest_delay_ = _beside_body_alone(_p_ball_radius_, _x_, _y_, _z_, _gap_, _k28, _which_, _earliest_delay_, _undecided_time_, _position_error_, _nearing_, _gap_curvature_, _stride_, _strongest_, _fastest_)
         _gap_, _nearing_, _gap_curvature_ = _end_beside_alone(_p_end_depth_, _z_, _vz_)
-        _stride_, _which_, _doubt_, _earliest_delay_ = _beside_gate_alone(_p_ball_radius_, _x_, _y_, _z_, _gap_, _k60, _which_, _earliest_delay_, _doubt_, _position_error_, _nearing_, _gap_curvature_, _stride_, _strongest_, _fastest_)
+        _stride_, _which_, _undecided_time_, _earliest_delay_ = _beside_end_plane_alone(_p_ball_radius_, _x_, _y_, _z_, _gap_, _k60, _which_, _earliest_delay_, _undecided_time_, _position_error_, _nearing_, _gap_curvature_, _stride_, _strongest_, _fastest_)
         _here_, = _holding_alone(_k1, _held_)
         if _here_:
             _gap_, _nearing_, _near_ = _backboard_seam0_alone(_p_ball_radius_, _p_board_distance_, _p_board_thickness_, _x_, _vx_)
@@ -9004,17 +9004,17 @@ def _alone25(_circled_: Any, _clock_: Any, _clock_error_: Any, _dvx_: Any, _dvy_
         _stride_, _missed_, _strongest_, _fastest_, _section_acceleration_, _force_, _force_rate_, _force_bend_, _friction_force_rate_, _vx_1_, _vy_1_, _vz_1_ = _ring_round_pace_alone(_p_ball_radius_, _p_gravity_, _p_inertia_, _p_ring_radius_, _p_wire_radius_, _per_reach_, _turn_rate_0_, _turn_rate_11_, _turn_rate_12_, _climb_0_, _climb_1_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _climb_7_, _climb_8_, _climb_9_, _climb_10_, _climb_11_, _climb_12_, _cosine_0_, _cosine_12_, _sine_0_, _sine_12_, _along_0_, _along_1_, _along_2_, _along_3_, _along_4_, _along_5_, _along_6_, _along_7_, _along_8_, _along_9_, _along_10_, _along_11_, _along_12_, _cos_0_, _sin_0_, _omega_0_, _omega_1_, _omega_2_, _omega_3_, _omega_4_, _omega_5_, _omega_6_, _omega_7_, _omega_8_, _omega_9_, _omega_10_, _omega_11_)
         _rolling_friction_, _rolling_friction_rate_, _, _ = _ring_round_pulled_alone(_p_gravity_, _p_inertia_, _turn_rate_0_, _turn_rate_1_, _climb_0_, _climb_1_, _cosine_0_, _cosine_1_, _omega_0_, _omega_1_)
         _grip_deficit_, _grip_deficit_rate_ = _ring_impact_grip_deficit_alone(_p_ring_friction_, _rolling_friction_, _rolling_friction_rate_, _force_, _force_rate_)
-        _loses_, = _losing_alone(_grip_deficit_, _grip_lost_)
+        _loses_, = _exceeds_grip_alone(_grip_deficit_, _grip_lost_)
         if _loses_:
-            _grip_lost_, = _lost_grip_alone(_clock_, _grip_deficit_, _grip_deficit_rate_, _last_grip_deficit_, _last_grip_deficit_rate_, _last_grip_clock_)
+            _grip_lost_, = _grip_lost_time_alone(_clock_, _grip_deficit_, _grip_deficit_rate_, _last_grip_deficit_, _last_grip_deficit_rate_, _last_grip_clock_)
         _last_grip_deficit_, _last_grip_deficit_rate_, _last_grip_clock_ = _remember_grip_deficit_alone(_clock_, _grip_deficit_, _grip_deficit_rate_)
-        _stride_, _which_, _rests_, _doubt_ = _leaving_force_alone(_p_ball_radius_, _p_gravity_, _vx_, _vx_1_, _vy_, _vy_1_, _vz_, _vz_1_, _which_, _doubt_, _position_error_, _velocity_error_, _per_reach_, _force_, _force_rate_, _force_bend_, _friction_force_rate_, _stride_, _fastest_)
+        _stride_, _which_, _rests_, _undecided_time_ = _leaving_force_alone(_p_ball_radius_, _p_gravity_, _vx_, _vx_1_, _vy_, _vy_1_, _vz_, _vz_1_, _which_, _undecided_time_, _position_error_, _velocity_error_, _per_reach_, _force_, _force_rate_, _force_bend_, _friction_force_rate_, _stride_, _fastest_)
         _gap_, _nearing_, _gap_curvature_ = _backboard_beside_alone(_p_ball_radius_, _p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _x_, _y_, _z_, _vx_, _vy_, _vz_)
-        _stride_, _which_, _doubt_, _earliest_delay_ = _beside_body_alone(_p_ball_radius_, _x_, _y_, _z_, _gap_, _k1, _which_, _earliest_delay_, _doubt_, _position_error_, _nearing_, _gap_curvature_, _stride_, _strongest_, _fastest_)
+        _stride_, _which_, _undecided_time_, _earliest_delay_ = _beside_body_alone(_p_ball_radius_, _x_, _y_, _z_, _gap_, _k1, _which_, _earliest_delay_, _undecided_time_, _position_error_, _nearing_, _gap_curvature_, _stride_, _strongest_, _fastest_)
         _gap_, _nearing_, _gap_curvature_ = _bridge_beside_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _p_wire_radius_, _x_, _y_, _z_, _vx_, _vy_, _vz_)
-        _stride_, _which_, _doubt_, _earliest_delay_ = _beside_body_alone(_p_ball_radius_, _x_, _y_, _z_, _gap_, _k28, _which_, _earliest_delay_, _doubt_, _position_error_, _nearing_, _gap_curvature_, _stride_, _strongest_, _fastest_)
+        _stride_, _which_, _undecided_time_, _earliest_delay_ = _beside_body_alone(_p_ball_radius_, _x_, _y_, _z_, _gap_, _k28, _which_, _earliest_delay_, _undecided_time_, _position_error_, _nearing_, _gap_curvature_, _stride_, _strongest_, _fastest_)
         _gap_, _nearing_, _gap_curvature_ = _end_beside_alone(_p_end_depth_, _z_, _vz_)
-        _stride_, _which_, _doubt_, _earliest_delay_ = _beside_gate_alone(_p_ball_radius_, _x_, _y_, _z_, _gap_, _k60, _which_, _earliest_delay_, _doubt_, _position_error_, _nearing_, _gap_curvature_, _stride_, _strongest_, _fastest_)
+        _stride_, _which_, _undecided_time_, _earliest_delay_ = _beside_end_plane_alone(_p_ball_radius_, _x_, _y_, _z_, _gap_, _k60, _which_, _earliest_delay_, _undecided_time_, _position_error_, _nearing_, _gap_curvature_, _stride_, _strongest_, _fastest_)
         _stride_, _which_ = _beside_time_alone(_which_, _clock_, _time_limit_, _stride_)
         _neighbour_scale_, = _neighbour_scale_alone(_p_ball_radius_, _dx_, _dy_, _dz_, _dvx_, _dvy_, _dvz_, _dwx_, _dwy_, _dwz_)
         _far_x_, _far_y_, _far_z_, _far_vx_, _far_vy_, _far_vz_, _far_wx_, _far_wy_, _far_wz_, _, _, _, _ = _neighbour_alone(_x_, _y_, _z_, _vx_, _vy_, _vz_, _wx_, _wy_, _wz_, _dx_, _dy_, _dz_, _dvx_, _dvy_, _dvz_, _dwx_, _dwy_, _dwz_, _neighbour_scale_)
@@ -9022,21 +9022,21 @@ def _alone25(_circled_: Any, _clock_: Any, _clock_error_: Any, _dvx_: Any, _dvy_
         _azimuth_clearance_, _ = _isolated_alone()
         _forth_, _back_ = _half_steps_alone(_stride_)
         _gap_, _nearing_ = _backboard_around_alone(_p_ball_radius_, _p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _x_, _y_, _z_, _vx_, _vy_, _vz_)
-        _azimuth_clearance_, = _cleared_alone(_gap_, _nearing_, _forth_, _azimuth_clearance_)
+        _azimuth_clearance_, = _clearance_at_any_azimuth_alone(_gap_, _nearing_, _forth_, _azimuth_clearance_)
         _gap_, _nearing_ = _bridge_around_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _p_wire_radius_, _x_, _y_, _z_, _vx_, _vy_, _vz_)
-        _azimuth_clearance_, = _cleared_alone(_gap_, _nearing_, _forth_, _azimuth_clearance_)
+        _azimuth_clearance_, = _clearance_at_any_azimuth_alone(_gap_, _nearing_, _forth_, _azimuth_clearance_)
         _gap_, _nearing_ = _end_around_alone(_p_end_depth_, _z_, _vz_)
-        _azimuth_clearance_, = _cleared_alone(_gap_, _nearing_, _forth_, _azimuth_clearance_)
+        _azimuth_clearance_, = _clearance_at_any_azimuth_alone(_gap_, _nearing_, _forth_, _azimuth_clearance_)
         _x_, _y_, _z_, _vx_, _vy_, _vz_, _wx_, _wy_, _wz_, _climb_ = _ring_round_moved_alone(_p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _stride_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _turn_rate_8_, _turn_rate_9_, _turn_rate_10_, _turn_rate_11_, _turn_rate_12_, _climb_0_, _climb_1_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _climb_7_, _climb_8_, _climb_9_, _climb_10_, _climb_11_, _climb_12_, _cosine_0_, _cosine_1_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _cosine_6_, _cosine_7_, _cosine_8_, _cosine_9_, _cosine_10_, _cosine_11_, _cosine_12_, _sine_0_, _sine_1_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _sine_6_, _sine_7_, _sine_8_, _sine_9_, _sine_10_, _sine_11_, _sine_12_, _along_0_, _along_1_, _along_2_, _along_3_, _along_4_, _along_5_, _along_6_, _along_7_, _along_8_, _along_9_, _along_10_, _along_11_, _along_12_, _cos_0_, _sin_0_, _omega_0_, _omega_1_, _omega_2_, _omega_3_, _omega_4_, _omega_5_, _omega_6_, _omega_7_, _omega_8_, _omega_9_, _omega_10_, _omega_11_)
         _through_, = _passing_in_contact_alone(_p_ring_radius_, _x_, _y_, _z_, _through_, _over_)
         _gap_, _nearing_ = _backboard_around_alone(_p_ball_radius_, _p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _x_, _y_, _z_, _vx_, _vy_, _vz_)
-        _azimuth_clearance_, = _cleared_alone(_gap_, _nearing_, _back_, _azimuth_clearance_)
+        _azimuth_clearance_, = _clearance_at_any_azimuth_alone(_gap_, _nearing_, _back_, _azimuth_clearance_)
         _gap_, _nearing_ = _bridge_around_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _p_wire_radius_, _x_, _y_, _z_, _vx_, _vy_, _vz_)
-        _azimuth_clearance_, = _cleared_alone(_gap_, _nearing_, _back_, _azimuth_clearance_)
+        _azimuth_clearance_, = _clearance_at_any_azimuth_alone(_gap_, _nearing_, _back_, _azimuth_clearance_)
         _gap_, _nearing_ = _end_around_alone(_p_end_depth_, _z_, _vz_)
-        _azimuth_clearance_, = _cleared_alone(_gap_, _nearing_, _back_, _azimuth_clearance_)
-        _circled_, _endless_, _doubt_ = _ring_swung_alone(_p_ball_radius_, _p_gravity_, _p_wire_radius_, _which_, _doubt_, _position_error_, _velocity_error_, _force_, _force_rate_, _force_bend_, _stride_, _fastest_, _circled_, _climb_, _climb_0_, _section_acceleration_, _azimuth_clearance_)
-        _which_, = _for_ever_alone(_which_, _endless_)
+        _azimuth_clearance_, = _clearance_at_any_azimuth_alone(_gap_, _nearing_, _back_, _azimuth_clearance_)
+        _circled_, _endless_, _undecided_time_ = _ring_swung_alone(_p_ball_radius_, _p_gravity_, _p_wire_radius_, _which_, _undecided_time_, _position_error_, _velocity_error_, _force_, _force_rate_, _force_bend_, _stride_, _fastest_, _circled_, _climb_, _climb_0_, _section_acceleration_, _azimuth_clearance_)
+        _which_, = _rolls_for_ever_alone(_which_, _endless_)
         _cosine_0_, _sine_0_, _climb_0_, _along_0_, _turn_rate_0_, _cos_0_, _sin_0_, _tilted_0_, _near_0_ = _ring_round_start_alone(_p_ball_radius_, _p_inertia_, _p_ring_radius_, _p_wire_radius_, _far_x_, _far_y_, _far_z_, _far_vx_, _far_vy_, _far_vz_, _far_wx_, _far_wy_, _far_wz_, _per_reach_)
         _omega_0_, _around_0_, _cosine_1_, _sine_1_, _climb_1_, _along_1_, _turn_rate_1_, _tilted_1_ = _ring_round_0_alone(_p_ball_radius_, _p_gravity_, _p_inertia_, _p_ring_radius_, _p_wire_radius_, _per_reach_, _turn_rate_0_, _near_0_, _climb_0_, _cosine_0_, _sine_0_, _along_0_, _tilted_0_)
         _omega_1_, _around_1_, _cosine_2_, _sine_2_, _climb_2_, _along_2_, _turn_rate_2_, _tilted_2_ = _ring_round_1_alone(_p_ball_radius_, _p_gravity_, _p_inertia_, _p_ring_radius_, _p_wire_radius_, _per_reach_, _turn_rate_0_, _turn_rate_1_, _near_0_, _climb_0_, _climb_1_, _cosine_0_, _cosine_1_, _sine_0_, _sine_1_, _along_1_, _omega_0_, _around_0_, _tilted_0_, _tilted_1_)
@@ -9053,7 +9053,7 @@ def _alone25(_circled_: Any, _clock_: Any, _clock_error_: Any, _dvx_: Any, _dvy_
         _far_x_, _far_y_, _far_z_, _far_vx_, _far_vy_, _far_vz_, _far_wx_, _far_wy_, _far_wz_, _ = _ring_round_moved_alone(_p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _stride_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _turn_rate_8_, _turn_rate_9_, _turn_rate_10_, _turn_rate_11_, _turn_rate_12_, _climb_0_, _climb_1_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _climb_7_, _climb_8_, _climb_9_, _climb_10_, _climb_11_, _climb_12_, _cosine_0_, _cosine_1_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _cosine_6_, _cosine_7_, _cosine_8_, _cosine_9_, _cosine_10_, _cosine_11_, _cosine_12_, _sine_0_, _sine_1_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _sine_6_, _sine_7_, _sine_8_, _sine_9_, _sine_10_, _sine_11_, _sine_12_, _along_0_, _along_1_, _along_2_, _along_3_, _along_4_, _along_5_, _along_6_, _along_7_, _along_8_, _along_9_, _along_10_, _along_11_, _along_12_, _cos_0_, _sin_0_, _omega_0_, _omega_1_, _omega_2_, _omega_3_, _omega_4_, _omega_5_, _omega_6_, _omega_7_, _omega_8_, _omega_9_, _omega_10_, _omega_11_)
         _dx_, _dy_, _dz_, _dvx_, _dvy_, _dvz_, _dwx_, _dwy_, _dwz_ = _compared_alone(_p_ball_radius_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _wx_, _wy_, _wz_, _far_x_, _far_y_, _far_z_, _far_vx_, _far_vy_, _far_vz_, _far_wx_, _far_wy_, _far_wz_, _stride_, _missed_, _neighbour_scale_)
         _clock_, _circling_ = _rolled_on_alone(_which_, _clock_, _stride_, _rests_)
-    _rolling_, = _rejoined_alone(_rolling_, _circling_)
+    _rolling_, = _still_in_contact_alone(_rolling_, _circling_)
     if _leaves_:
         _position_error_, _velocity_error_, _, _ = _error_bounds_alone(_clock_error_, _dx_, _dy_, _dz_, _dvx_, _dvy_, _dvz_, _dwx_, _dwy_, _dwz_)
         _here_, = _holding_alone(_k2, _held_)
@@ -9082,7 +9082,7 @@ def _alone25(_circled_: Any, _clock_: Any, _clock_error_: Any, _dvx_: Any, _dvy_
             _gap_, _nearing_, _gap_curvature_ = _bridge_beside_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _p_wire_radius_, _x_, _y_, _z_, _vx_, _vy_, _vz_)
             _free_time_, = _neighbour_free_time_alone(_p_gravity_, _vx_, _vy_, _vz_, _gap_, _free_time_, _nearing_, _gap_curvature_)
         _gap_, _nearing_, _gap_curvature_ = _end_beside_alone(_p_end_depth_, _z_, _vz_)
-        _free_time_, _doubt_ = _end_plane_free_time_alone(_p_gravity_, _vx_, _vy_, _vz_, _gap_, _doubt_, _free_time_, _nearing_, _gap_curvature_)
+        _free_time_, _undecided_time_ = _end_plane_free_time_alone(_p_gravity_, _vx_, _vy_, _vz_, _gap_, _undecided_time_, _free_time_, _nearing_, _gap_curvature_)
         _here_, = _holding_alone(_k1, _held_)
         if _here_:
             _gap_, _nearing_, _near_ = _backboard_seam0_alone(_p_ball_radius_, _p_board_distance_, _p_board_thickness_, _x_, _vx_)
@@ -9111,12 +9111,12 @@ def _alone25(_circled_: Any, _clock_: Any, _clock_error_: Any, _dvx_: Any, _dvy_
             _free_time_, = _seam_free_time_alone(_p_gravity_, _gap_, _free_time_, _near_, _nearing_)
             _gap_, _nearing_, _near_ = _bridge_seam5_alone(_p_ball_radius_, _p_bridge_depth_, _p_wire_radius_, _z_, _vz_)
             _free_time_, = _seam_free_time_alone(_p_gravity_, _gap_, _free_time_, _near_, _nearing_)
-        _when_, _doubt_ = _separated_alone(_p_gravity_, _vx_, _vy_, _vz_, _doubt_, _position_error_, _velocity_error_, _per_reach_, _free_time_, _lift_, _gap_jerk_, _gap_snap_)
-        _which_, = _take_off_alone()
-    return (_began_, _circled_, _clock_, _doubt_, _dvx_, _dvy_, _dvz_, _dwx_, _dwy_, _dwz_, _dx_, _dy_, _dz_, _earliest_delay_, _grip_lost_, _last_grip_clock_, _last_grip_deficit_, _last_grip_deficit_rate_, _position_error_, _rests_, _rolling_, _through_, _velocity_error_, _vx_, _vy_, _vz_, _when_, _which_, _wx_, _wy_, _wz_, _x_, _y_, _z_,)
+        _when_, _undecided_time_ = _separated_alone(_p_gravity_, _vx_, _vy_, _vz_, _undecided_time_, _position_error_, _velocity_error_, _per_reach_, _free_time_, _lift_, _gap_jerk_, _gap_snap_)
+        _which_, = _detachment_alone()
+    return (_began_, _circled_, _clock_, _dvx_, _dvy_, _dvz_, _dwx_, _dwy_, _dwz_, _dx_, _dy_, _dz_, _earliest_delay_, _grip_lost_, _last_grip_clock_, _last_grip_deficit_, _last_grip_deficit_rate_, _position_error_, _rests_, _rolling_, _through_, _undecided_time_, _velocity_error_, _vx_, _vy_, _vz_, _when_, _which_, _wx_, _wy_, _wz_, _x_, _y_, _z_,)
 
 
-def _alone26(_bent_x_: Any, _bent_y_: Any, _bent_z_: Any, _clock_: Any, _clock_error_: Any, _doubt_: Any, _dvx_: Any, _dvy_: Any, _dvz_: Any, _dwx_: Any, _dwy_: Any, _dwz_: Any, _dx_: Any, _dy_: Any, _dz_: Any, _earliest_delay_: Any, _grip_lost_: Any, _held_: Any, _last_grip_clock_: Any, _last_grip_deficit_: Any, _last_grip_deficit_rate_: Any, _nx_: Any, _ny_: Any, _nz_: Any, _p_backboard_friction_: Any, _p_ball_radius_: Any, _p_bridge_friction_: Any, _p_end_depth_: Any, _p_gravity_: Any, _p_inertia_: Any, _p_ring_radius_: Any, _per_reach_: Any, _position_error_: Any, _rests_: Any, _rolling_: Any, _through_: Any, _time_limit_: Any, _velocity_error_: Any, _vx_: Any, _vy_: Any, _vz_: Any, _which_: Any, _wx_: Any, _wy_: Any, _wz_: Any, _x_: Any, _y_: Any, _z_: Any, _p_board_bottom_: Any, _p_board_distance_: Any, _p_board_half_width_: Any, _p_board_thickness_: Any, _p_board_top_: Any, _p_bridge_depth_: Any, _p_bridge_half_width_: Any, _p_wire_radius_: Any, _turns: Any) -> tuple[Any, ...]:
+def _alone26(_bent_x_: Any, _bent_y_: Any, _bent_z_: Any, _clock_: Any, _clock_error_: Any, _dvx_: Any, _dvy_: Any, _dvz_: Any, _dwx_: Any, _dwy_: Any, _dwz_: Any, _dx_: Any, _dy_: Any, _dz_: Any, _earliest_delay_: Any, _grip_lost_: Any, _held_: Any, _last_grip_clock_: Any, _last_grip_deficit_: Any, _last_grip_deficit_rate_: Any, _nx_: Any, _ny_: Any, _nz_: Any, _p_backboard_friction_: Any, _p_ball_radius_: Any, _p_bridge_friction_: Any, _p_end_depth_: Any, _p_gravity_: Any, _p_inertia_: Any, _p_ring_radius_: Any, _per_reach_: Any, _position_error_: Any, _rests_: Any, _rolling_: Any, _through_: Any, _time_limit_: Any, _undecided_time_: Any, _velocity_error_: Any, _vx_: Any, _vy_: Any, _vz_: Any, _which_: Any, _wx_: Any, _wy_: Any, _wz_: Any, _x_: Any, _y_: Any, _z_: Any, _p_board_bottom_: Any, _p_board_distance_: Any, _p_board_half_width_: Any, _p_board_thickness_: Any, _p_board_top_: Any, _p_bridge_depth_: Any, _p_bridge_half_width_: Any, _p_wire_radius_: Any, _turns: Any) -> tuple[Any, ...]:
     """Do the body of `rolling` for one shot."""
     for _ in range(_turns):
         if not _rolling_:
@@ -9140,32 +9140,32 @@ def _alone26(_bent_x_: Any, _bent_y_: Any, _bent_z_: Any, _clock_: Any, _clock_e
         _lift_6_, _tx_6_, _ty_6_, _tz_6_, _vx_7_, _vy_7_, _vz_7_, _nx_7_, _ny_7_, _nz_7_, _turn_rate_7_ = _roll_6_alone(_p_gravity_, _p_inertia_, _nx_0_, _nx_1_, _nx_2_, _nx_3_, _nx_4_, _nx_5_, _nx_6_, _ny_0_, _ny_1_, _ny_2_, _ny_3_, _ny_4_, _ny_5_, _ny_6_, _nz_0_, _nz_1_, _nz_2_, _nz_3_, _nz_4_, _nz_5_, _nz_6_, _vx_0_, _vx_1_, _vx_2_, _vx_3_, _vx_4_, _vx_5_, _vx_6_, _vy_0_, _vy_1_, _vy_2_, _vy_3_, _vy_4_, _vy_5_, _vy_6_, _vz_0_, _vz_1_, _vz_2_, _vz_3_, _vz_4_, _vz_5_, _vz_6_, _bent_x_, _bent_y_, _bent_z_, _per_reach_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _lift_0_, _lift_1_, _lift_2_, _lift_3_, _lift_4_, _lift_5_, _tx_0_, _tx_1_, _tx_2_, _tx_3_, _tx_4_, _tx_5_, _ty_0_, _ty_1_, _ty_2_, _ty_3_, _ty_4_, _ty_5_, _tz_0_, _tz_1_, _tz_2_, _tz_3_, _tz_4_, _tz_5_)
         _lift_7_, _, _, _, _vx_8_, _vy_8_, _vz_8_, _nx_8_, _ny_8_, _nz_8_, _turn_rate_8_ = _roll_7_alone(_p_gravity_, _p_inertia_, _nx_0_, _nx_1_, _nx_2_, _nx_3_, _nx_4_, _nx_5_, _nx_6_, _nx_7_, _ny_0_, _ny_1_, _ny_2_, _ny_3_, _ny_4_, _ny_5_, _ny_6_, _ny_7_, _nz_0_, _nz_1_, _nz_2_, _nz_3_, _nz_4_, _nz_5_, _nz_6_, _nz_7_, _vx_0_, _vx_1_, _vx_2_, _vx_3_, _vx_4_, _vx_5_, _vx_6_, _vx_7_, _vy_0_, _vy_1_, _vy_2_, _vy_3_, _vy_4_, _vy_5_, _vy_6_, _vy_7_, _vz_0_, _vz_1_, _vz_2_, _vz_3_, _vz_4_, _vz_5_, _vz_6_, _vz_7_, _bent_x_, _bent_y_, _bent_z_, _per_reach_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _lift_0_, _lift_1_, _lift_2_, _lift_3_, _lift_4_, _lift_5_, _lift_6_, _tx_0_, _tx_1_, _tx_2_, _tx_3_, _tx_4_, _tx_5_, _tx_6_, _ty_0_, _ty_1_, _ty_2_, _ty_3_, _ty_4_, _ty_5_, _ty_6_, _tz_0_, _tz_1_, _tz_2_, _tz_3_, _tz_4_, _tz_5_, _tz_6_)
         _stride_, _missed_, _strongest_, _fastest_, _force_, _force_rate_, _force_bend_, _friction_force_rate_ = _roll_pace_alone(_p_gravity_, _p_inertia_, _nx_8_, _ny_8_, _nz_0_, _nz_1_, _nz_2_, _nz_3_, _nz_4_, _nz_5_, _nz_6_, _nz_7_, _nz_8_, _vx_0_, _vx_1_, _vx_2_, _vx_3_, _vx_4_, _vx_5_, _vx_6_, _vx_7_, _vx_8_, _vy_0_, _vy_1_, _vy_2_, _vy_3_, _vy_4_, _vy_5_, _vy_6_, _vy_7_, _vy_8_, _vz_0_, _vz_1_, _vz_2_, _vz_3_, _vz_4_, _vz_5_, _vz_6_, _vz_7_, _vz_8_, _per_reach_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _turn_rate_8_, _lift_0_, _lift_1_, _lift_2_, _lift_3_, _lift_4_, _lift_5_, _lift_6_, _lift_7_)
-        _rolling_friction_, _rolling_friction_rate_, _grip_deficit_, _grip_deficit_rate_ = _pulled_alone(_p_gravity_, _p_inertia_, _nx_0_, _nx_1_, _ny_0_, _ny_1_, _nz_0_, _nz_1_, _turn_rate_0_, _turn_rate_1_, _tx_0_, _tx_1_, _ty_0_, _ty_1_, _tz_0_, _tz_1_)
+        _rolling_friction_, _rolling_friction_rate_, _grip_deficit_, _grip_deficit_rate_ = _ring_friction_alone(_p_gravity_, _p_inertia_, _nx_0_, _nx_1_, _ny_0_, _ny_1_, _nz_0_, _nz_1_, _turn_rate_0_, _turn_rate_1_, _tx_0_, _tx_1_, _ty_0_, _ty_1_, _tz_0_, _tz_1_)
         _here_, = _holding_alone(_k1, _held_)
         if _here_:
             _grip_deficit_, _grip_deficit_rate_ = _ring_impact_grip_deficit_alone(_p_backboard_friction_, _rolling_friction_, _rolling_friction_rate_, _force_, _force_rate_)
         _here_, = _holding_alone(_k28, _held_)
         if _here_:
             _grip_deficit_, _grip_deficit_rate_ = _ring_impact_grip_deficit_alone(_p_bridge_friction_, _rolling_friction_, _rolling_friction_rate_, _force_, _force_rate_)
-        _loses_, = _losing_alone(_grip_deficit_, _grip_lost_)
+        _loses_, = _exceeds_grip_alone(_grip_deficit_, _grip_lost_)
         if _loses_:
-            _grip_lost_, = _lost_grip_alone(_clock_, _grip_deficit_, _grip_deficit_rate_, _last_grip_deficit_, _last_grip_deficit_rate_, _last_grip_clock_)
+            _grip_lost_, = _grip_lost_time_alone(_clock_, _grip_deficit_, _grip_deficit_rate_, _last_grip_deficit_, _last_grip_deficit_rate_, _last_grip_clock_)
         _last_grip_deficit_, _last_grip_deficit_rate_, _last_grip_clock_ = _remember_grip_deficit_alone(_clock_, _grip_deficit_, _grip_deficit_rate_)
-        _stride_, _which_, _rests_, _doubt_ = _leaving_force_alone(_p_ball_radius_, _p_gravity_, _vx_, _vx_1_, _vy_, _vy_1_, _vz_, _vz_1_, _which_, _doubt_, _position_error_, _velocity_error_, _per_reach_, _force_, _force_rate_, _force_bend_, _friction_force_rate_, _stride_, _fastest_)
+        _stride_, _which_, _rests_, _undecided_time_ = _leaving_force_alone(_p_ball_radius_, _p_gravity_, _vx_, _vx_1_, _vy_, _vy_1_, _vz_, _vz_1_, _which_, _undecided_time_, _position_error_, _velocity_error_, _per_reach_, _force_, _force_rate_, _force_bend_, _friction_force_rate_, _stride_, _fastest_)
         _beside_, = _beside_alone(_k2, _held_)
         if _beside_:
             _gap_, _nearing_, _gap_curvature_ = _ring_beside_alone(_p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _x_, _y_, _z_, _vx_, _vy_, _vz_)
-            _stride_, _which_, _doubt_, _earliest_delay_ = _beside_body_alone(_p_ball_radius_, _x_, _y_, _z_, _gap_, _k2, _which_, _earliest_delay_, _doubt_, _position_error_, _nearing_, _gap_curvature_, _stride_, _strongest_, _fastest_)
+            _stride_, _which_, _undecided_time_, _earliest_delay_ = _beside_body_alone(_p_ball_radius_, _x_, _y_, _z_, _gap_, _k2, _which_, _earliest_delay_, _undecided_time_, _position_error_, _nearing_, _gap_curvature_, _stride_, _strongest_, _fastest_)
         _beside_, = _beside_alone(_k1, _held_)
         if _beside_:
             _gap_, _nearing_, _gap_curvature_ = _backboard_beside_alone(_p_ball_radius_, _p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _x_, _y_, _z_, _vx_, _vy_, _vz_)
-            _stride_, _which_, _doubt_, _earliest_delay_ = _beside_body_alone(_p_ball_radius_, _x_, _y_, _z_, _gap_, _k1, _which_, _earliest_delay_, _doubt_, _position_error_, _nearing_, _gap_curvature_, _stride_, _strongest_, _fastest_)
+            _stride_, _which_, _undecided_time_, _earliest_delay_ = _beside_body_alone(_p_ball_radius_, _x_, _y_, _z_, _gap_, _k1, _which_, _earliest_delay_, _undecided_time_, _position_error_, _nearing_, _gap_curvature_, _stride_, _strongest_, _fastest_)
         _beside_, = _beside_alone(_k28, _held_)
         if _beside_:
             _gap_, _nearing_, _gap_curvature_ = _bridge_beside_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _p_wire_radius_, _x_, _y_, _z_, _vx_, _vy_, _vz_)
-            _stride_, _which_, _doubt_, _earliest_delay_ = _beside_body_alone(_p_ball_radius_, _x_, _y_, _z_, _gap_, _k28, _which_, _earliest_delay_, _doubt_, _position_error_, _nearing_, _gap_curvature_, _stride_, _strongest_, _fastest_)
+            _stride_, _which_, _undecided_time_, _earliest_delay_ = _beside_body_alone(_p_ball_radius_, _x_, _y_, _z_, _gap_, _k28, _which_, _earliest_delay_, _undecided_time_, _position_error_, _nearing_, _gap_curvature_, _stride_, _strongest_, _fastest_)
         _gap_, _nearing_, _gap_curvature_ = _end_beside_alone(_p_end_depth_, _z_, _vz_)
-        _stride_, _which_, _doubt_, _earliest_delay_ = _beside_gate_alone(_p_ball_radius_, _x_, _y_, _z_, _gap_, _k60, _which_, _earliest_delay_, _doubt_, _position_error_, _nearing_, _gap_curvature_, _stride_, _strongest_, _fastest_)
+        _stride_, _which_, _undecided_time_, _earliest_delay_ = _beside_end_plane_alone(_p_ball_radius_, _x_, _y_, _z_, _gap_, _k60, _which_, _earliest_delay_, _undecided_time_, _position_error_, _nearing_, _gap_curvature_, _stride_, _strongest_, _fastest_)
         _here_, = _holding_alone(_k1, _held_)
         if _here_:
             _gap_, _nearing_, _near_ = _backboard_seam0_alone(_p_ball_radius_, _p_board_distance_, _p_board_thickness_, _x_, _vx_)
@@ -9246,10 +9246,10 @@ def _alone26(_bent_x_: Any, _bent_y_: Any, _bent_z_: Any, _clock_: Any, _clock_e
         _far_x_, _far_y_, _far_z_, _far_vx_, _far_vy_, _far_vz_, _far_wx_, _far_wy_, _far_wz_ = _roll_placed_alone(_p_ball_radius_, _far_x_, _far_y_, _far_z_, _far_nx_, _far_ny_, _far_nz_, _far_vx_, _far_vy_, _far_vz_, _far_gap_, _turn_rate_)
         _dx_, _dy_, _dz_, _dvx_, _dvy_, _dvz_, _dwx_, _dwy_, _dwz_ = _compared_alone(_p_ball_radius_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _wx_, _wy_, _wz_, _far_x_, _far_y_, _far_z_, _far_vx_, _far_vy_, _far_vz_, _far_wx_, _far_wy_, _far_wz_, _stride_, _missed_, _neighbour_scale_)
         _clock_, _rolling_ = _rolled_on_alone(_which_, _clock_, _stride_, _rests_)
-    return (_clock_, _doubt_, _dvx_, _dvy_, _dvz_, _dwx_, _dwy_, _dwz_, _dx_, _dy_, _dz_, _earliest_delay_, _grip_lost_, _last_grip_clock_, _last_grip_deficit_, _last_grip_deficit_rate_, _per_reach_, _position_error_, _rests_, _rolling_, _through_, _velocity_error_, _vx_, _vy_, _vz_, _which_, _wx_, _wy_, _wz_, _x_, _y_, _z_,)
+    return (_clock_, _dvx_, _dvy_, _dvz_, _dwx_, _dwy_, _dwz_, _dx_, _dy_, _dz_, _earliest_delay_, _grip_lost_, _last_grip_clock_, _last_grip_deficit_, _last_grip_deficit_rate_, _per_reach_, _position_error_, _rests_, _rolling_, _through_, _undecided_time_, _velocity_error_, _vx_, _vy_, _vz_, _which_, _wx_, _wy_, _wz_, _x_, _y_, _z_,)
 
 
-def _alone27(_circled_: Any, _circling_: Any, _clock_: Any, _clock_error_: Any, _doubt_: Any, _dvx_: Any, _dvy_: Any, _dvz_: Any, _dwx_: Any, _dwy_: Any, _dwz_: Any, _dx_: Any, _dy_: Any, _dz_: Any, _earliest_delay_: Any, _grip_lost_: Any, _last_grip_clock_: Any, _last_grip_deficit_: Any, _last_grip_deficit_rate_: Any, _p_ball_radius_: Any, _p_board_bottom_: Any, _p_board_distance_: Any, _p_board_half_width_: Any, _p_board_thickness_: Any, _p_board_top_: Any, _p_bridge_depth_: Any, _p_bridge_half_width_: Any, _p_end_depth_: Any, _p_gravity_: Any, _p_inertia_: Any, _p_ring_friction_: Any, _p_ring_radius_: Any, _p_wire_radius_: Any, _per_reach_: Any, _position_error_: Any, _rests_: Any, _through_: Any, _time_limit_: Any, _velocity_error_: Any, _vx_: Any, _vy_: Any, _vz_: Any, _which_: Any, _wx_: Any, _wy_: Any, _wz_: Any, _x_: Any, _y_: Any, _z_: Any, _turns: Any) -> tuple[Any, ...]:
+def _alone27(_circled_: Any, _circling_: Any, _clock_: Any, _clock_error_: Any, _dvx_: Any, _dvy_: Any, _dvz_: Any, _dwx_: Any, _dwy_: Any, _dwz_: Any, _dx_: Any, _dy_: Any, _dz_: Any, _earliest_delay_: Any, _grip_lost_: Any, _last_grip_clock_: Any, _last_grip_deficit_: Any, _last_grip_deficit_rate_: Any, _p_ball_radius_: Any, _p_board_bottom_: Any, _p_board_distance_: Any, _p_board_half_width_: Any, _p_board_thickness_: Any, _p_board_top_: Any, _p_bridge_depth_: Any, _p_bridge_half_width_: Any, _p_end_depth_: Any, _p_gravity_: Any, _p_inertia_: Any, _p_ring_friction_: Any, _p_ring_radius_: Any, _p_wire_radius_: Any, _per_reach_: Any, _position_error_: Any, _rests_: Any, _through_: Any, _time_limit_: Any, _undecided_time_: Any, _velocity_error_: Any, _vx_: Any, _vy_: Any, _vz_: Any, _which_: Any, _wx_: Any, _wy_: Any, _wz_: Any, _x_: Any, _y_: Any, _z_: Any, _turns: Any) -> tuple[Any, ...]:
     """Do the body of `circling` for one shot."""
     for _ in range(_turns):
         if not _circling_:
@@ -9272,17 +9272,17 @@ def _alone27(_circled_: Any, _circling_: Any, _clock_: Any, _clock_error_: Any, 
         _stride_, _missed_, _strongest_, _fastest_, _section_acceleration_, _force_, _force_rate_, _force_bend_, _friction_force_rate_, _vx_1_, _vy_1_, _vz_1_ = _ring_round_pace_alone(_p_ball_radius_, _p_gravity_, _p_inertia_, _p_ring_radius_, _p_wire_radius_, _per_reach_, _turn_rate_0_, _turn_rate_11_, _turn_rate_12_, _climb_0_, _climb_1_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _climb_7_, _climb_8_, _climb_9_, _climb_10_, _climb_11_, _climb_12_, _cosine_0_, _cosine_12_, _sine_0_, _sine_12_, _along_0_, _along_1_, _along_2_, _along_3_, _along_4_, _along_5_, _along_6_, _along_7_, _along_8_, _along_9_, _along_10_, _along_11_, _along_12_, _cos_0_, _sin_0_, _omega_0_, _omega_1_, _omega_2_, _omega_3_, _omega_4_, _omega_5_, _omega_6_, _omega_7_, _omega_8_, _omega_9_, _omega_10_, _omega_11_)
         _rolling_friction_, _rolling_friction_rate_, _, _ = _ring_round_pulled_alone(_p_gravity_, _p_inertia_, _turn_rate_0_, _turn_rate_1_, _climb_0_, _climb_1_, _cosine_0_, _cosine_1_, _omega_0_, _omega_1_)
         _grip_deficit_, _grip_deficit_rate_ = _ring_impact_grip_deficit_alone(_p_ring_friction_, _rolling_friction_, _rolling_friction_rate_, _force_, _force_rate_)
-        _loses_, = _losing_alone(_grip_deficit_, _grip_lost_)
+        _loses_, = _exceeds_grip_alone(_grip_deficit_, _grip_lost_)
         if _loses_:
-            _grip_lost_, = _lost_grip_alone(_clock_, _grip_deficit_, _grip_deficit_rate_, _last_grip_deficit_, _last_grip_deficit_rate_, _last_grip_clock_)
+            _grip_lost_, = _grip_lost_time_alone(_clock_, _grip_deficit_, _grip_deficit_rate_, _last_grip_deficit_, _last_grip_deficit_rate_, _last_grip_clock_)
         _last_grip_deficit_, _last_grip_deficit_rate_, _last_grip_clock_ = _remember_grip_deficit_alone(_clock_, _grip_deficit_, _grip_deficit_rate_)
-        _stride_, _which_, _rests_, _doubt_ = _leaving_force_alone(_p_ball_radius_, _p_gravity_, _vx_, _vx_1_, _vy_, _vy_1_, _vz_, _vz_1_, _which_, _doubt_, _position_error_, _velocity_error_, _per_reach_, _force_, _force_rate_, _force_bend_, _friction_force_rate_, _stride_, _fastest_)
+        _stride_, _which_, _rests_, _undecided_time_ = _leaving_force_alone(_p_ball_radius_, _p_gravity_, _vx_, _vx_1_, _vy_, _vy_1_, _vz_, _vz_1_, _which_, _undecided_time_, _position_error_, _velocity_error_, _per_reach_, _force_, _force_rate_, _force_bend_, _friction_force_rate_, _stride_, _fastest_)
         _gap_, _nearing_, _gap_curvature_ = _backboard_beside_alone(_p_ball_radius_, _p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _x_, _y_, _z_, _vx_, _vy_, _vz_)
-        _stride_, _which_, _doubt_, _earliest_delay_ = _beside_body_alone(_p_ball_radius_, _x_, _y_, _z_, _gap_, _k1, _which_, _earliest_delay_, _doubt_, _position_error_, _nearing_, _gap_curvature_, _stride_, _strongest_, _fastest_)
+        _stride_, _which_, _undecided_time_, _earliest_delay_ = _beside_body_alone(_p_ball_radius_, _x_, _y_, _z_, _gap_, _k1, _which_, _earliest_delay_, _undecided_time_, _position_error_, _nearing_, _gap_curvature_, _stride_, _strongest_, _fastest_)
         _gap_, _nearing_, _gap_curvature_ = _bridge_beside_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _p_wire_radius_, _x_, _y_, _z_, _vx_, _vy_, _vz_)
-        _stride_, _which_, _doubt_, _earliest_delay_ = _beside_body_alone(_p_ball_radius_, _x_, _y_, _z_, _gap_, _k28, _which_, _earliest_delay_, _doubt_, _position_error_, _nearing_, _gap_curvature_, _stride_, _strongest_, _fastest_)
+        _stride_, _which_, _undecided_time_, _earliest_delay_ = _beside_body_alone(_p_ball_radius_, _x_, _y_, _z_, _gap_, _k28, _which_, _earliest_delay_, _undecided_time_, _position_error_, _nearing_, _gap_curvature_, _stride_, _strongest_, _fastest_)
         _gap_, _nearing_, _gap_curvature_ = _end_beside_alone(_p_end_depth_, _z_, _vz_)
-        _stride_, _which_, _doubt_, _earliest_delay_ = _beside_gate_alone(_p_ball_radius_, _x_, _y_, _z_, _gap_, _k60, _which_, _earliest_delay_, _doubt_, _position_error_, _nearing_, _gap_curvature_, _stride_, _strongest_, _fastest_)
+        _stride_, _which_, _undecided_time_, _earliest_delay_ = _beside_end_plane_alone(_p_ball_radius_, _x_, _y_, _z_, _gap_, _k60, _which_, _earliest_delay_, _undecided_time_, _position_error_, _nearing_, _gap_curvature_, _stride_, _strongest_, _fastest_)
         _stride_, _which_ = _beside_time_alone(_which_, _clock_, _time_limit_, _stride_)
         _neighbour_scale_, = _neighbour_scale_alone(_p_ball_radius_, _dx_, _dy_, _dz_, _dvx_, _dvy_, _dvz_, _dwx_, _dwy_, _dwz_)
         _far_x_, _far_y_, _far_z_, _far_vx_, _far_vy_, _far_vz_, _far_wx_, _far_wy_, _far_wz_, _, _, _, _ = _neighbour_alone(_x_, _y_, _z_, _vx_, _vy_, _vz_, _wx_, _wy_, _wz_, _dx_, _dy_, _dz_, _dvx_, _dvy_, _dvz_, _dwx_, _dwy_, _dwz_, _neighbour_scale_)
@@ -9290,21 +9290,21 @@ def _alone27(_circled_: Any, _circling_: Any, _clock_: Any, _clock_error_: Any, 
         _azimuth_clearance_, _ = _isolated_alone()
         _forth_, _back_ = _half_steps_alone(_stride_)
         _gap_, _nearing_ = _backboard_around_alone(_p_ball_radius_, _p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _x_, _y_, _z_, _vx_, _vy_, _vz_)
-        _azimuth_clearance_, = _cleared_alone(_gap_, _nearing_, _forth_, _azimuth_clearance_)
+        _azimuth_clearance_, = _clearance_at_any_azimuth_alone(_gap_, _nearing_, _forth_, _azimuth_clearance_)
         _gap_, _nearing_ = _bridge_around_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _p_wire_radius_, _x_, _y_, _z_, _vx_, _vy_, _vz_)
-        _azimuth_clearance_, = _cleared_alone(_gap_, _nearing_, _forth_, _azimuth_clearance_)
+        _azimuth_clearance_, = _clearance_at_any_azimuth_alone(_gap_, _nearing_, _forth_, _azimuth_clearance_)
         _gap_, _nearing_ = _end_around_alone(_p_end_depth_, _z_, _vz_)
-        _azimuth_clearance_, = _cleared_alone(_gap_, _nearing_, _forth_, _azimuth_clearance_)
+        _azimuth_clearance_, = _clearance_at_any_azimuth_alone(_gap_, _nearing_, _forth_, _azimuth_clearance_)
         _x_, _y_, _z_, _vx_, _vy_, _vz_, _wx_, _wy_, _wz_, _climb_ = _ring_round_moved_alone(_p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _stride_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _turn_rate_8_, _turn_rate_9_, _turn_rate_10_, _turn_rate_11_, _turn_rate_12_, _climb_0_, _climb_1_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _climb_7_, _climb_8_, _climb_9_, _climb_10_, _climb_11_, _climb_12_, _cosine_0_, _cosine_1_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _cosine_6_, _cosine_7_, _cosine_8_, _cosine_9_, _cosine_10_, _cosine_11_, _cosine_12_, _sine_0_, _sine_1_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _sine_6_, _sine_7_, _sine_8_, _sine_9_, _sine_10_, _sine_11_, _sine_12_, _along_0_, _along_1_, _along_2_, _along_3_, _along_4_, _along_5_, _along_6_, _along_7_, _along_8_, _along_9_, _along_10_, _along_11_, _along_12_, _cos_0_, _sin_0_, _omega_0_, _omega_1_, _omega_2_, _omega_3_, _omega_4_, _omega_5_, _omega_6_, _omega_7_, _omega_8_, _omega_9_, _omega_10_, _omega_11_)
         _through_, = _passing_in_contact_alone(_p_ring_radius_, _x_, _y_, _z_, _through_, _over_)
         _gap_, _nearing_ = _backboard_around_alone(_p_ball_radius_, _p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _x_, _y_, _z_, _vx_, _vy_, _vz_)
-        _azimuth_clearance_, = _cleared_alone(_gap_, _nearing_, _back_, _azimuth_clearance_)
+        _azimuth_clearance_, = _clearance_at_any_azimuth_alone(_gap_, _nearing_, _back_, _azimuth_clearance_)
         _gap_, _nearing_ = _bridge_around_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _p_wire_radius_, _x_, _y_, _z_, _vx_, _vy_, _vz_)
-        _azimuth_clearance_, = _cleared_alone(_gap_, _nearing_, _back_, _azimuth_clearance_)
+        _azimuth_clearance_, = _clearance_at_any_azimuth_alone(_gap_, _nearing_, _back_, _azimuth_clearance_)
         _gap_, _nearing_ = _end_around_alone(_p_end_depth_, _z_, _vz_)
-        _azimuth_clearance_, = _cleared_alone(_gap_, _nearing_, _back_, _azimuth_clearance_)
-        _circled_, _endless_, _doubt_ = _ring_swung_alone(_p_ball_radius_, _p_gravity_, _p_wire_radius_, _which_, _doubt_, _position_error_, _velocity_error_, _force_, _force_rate_, _force_bend_, _stride_, _fastest_, _circled_, _climb_, _climb_0_, _section_acceleration_, _azimuth_clearance_)
-        _which_, = _for_ever_alone(_which_, _endless_)
+        _azimuth_clearance_, = _clearance_at_any_azimuth_alone(_gap_, _nearing_, _back_, _azimuth_clearance_)
+        _circled_, _endless_, _undecided_time_ = _ring_swung_alone(_p_ball_radius_, _p_gravity_, _p_wire_radius_, _which_, _undecided_time_, _position_error_, _velocity_error_, _force_, _force_rate_, _force_bend_, _stride_, _fastest_, _circled_, _climb_, _climb_0_, _section_acceleration_, _azimuth_clearance_)
+        _which_, = _rolls_for_ever_alone(_which_, _endless_)
         _cosine_0_, _sine_0_, _climb_0_, _along_0_, _turn_rate_0_, _cos_0_, _sin_0_, _tilted_0_, _near_0_ = _ring_round_start_alone(_p_ball_radius_, _p_inertia_, _p_ring_radius_, _p_wire_radius_, _far_x_, _far_y_, _far_z_, _far_vx_, _far_vy_, _far_vz_, _far_wx_, _far_wy_, _far_wz_, _per_reach_)
         _omega_0_, _around_0_, _cosine_1_, _sine_1_, _climb_1_, _along_1_, _turn_rate_1_, _tilted_1_ = _ring_round_0_alone(_p_ball_radius_, _p_gravity_, _p_inertia_, _p_ring_radius_, _p_wire_radius_, _per_reach_, _turn_rate_0_, _near_0_, _climb_0_, _cosine_0_, _sine_0_, _along_0_, _tilted_0_)
         _omega_1_, _around_1_, _cosine_2_, _sine_2_, _climb_2_, _along_2_, _turn_rate_2_, _tilted_2_ = _ring_round_1_alone(_p_ball_radius_, _p_gravity_, _p_inertia_, _p_ring_radius_, _p_wire_radius_, _per_reach_, _turn_rate_0_, _turn_rate_1_, _near_0_, _climb_0_, _climb_1_, _cosine_0_, _cosine_1_, _sine_0_, _sine_1_, _along_1_, _omega_0_, _around_0_, _tilted_0_, _tilted_1_)
@@ -9321,7 +9321,7 @@ def _alone27(_circled_: Any, _circling_: Any, _clock_: Any, _clock_error_: Any, 
         _far_x_, _far_y_, _far_z_, _far_vx_, _far_vy_, _far_vz_, _far_wx_, _far_wy_, _far_wz_, _ = _ring_round_moved_alone(_p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _stride_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _turn_rate_8_, _turn_rate_9_, _turn_rate_10_, _turn_rate_11_, _turn_rate_12_, _climb_0_, _climb_1_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _climb_7_, _climb_8_, _climb_9_, _climb_10_, _climb_11_, _climb_12_, _cosine_0_, _cosine_1_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _cosine_6_, _cosine_7_, _cosine_8_, _cosine_9_, _cosine_10_, _cosine_11_, _cosine_12_, _sine_0_, _sine_1_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _sine_6_, _sine_7_, _sine_8_, _sine_9_, _sine_10_, _sine_11_, _sine_12_, _along_0_, _along_1_, _along_2_, _along_3_, _along_4_, _along_5_, _along_6_, _along_7_, _along_8_, _along_9_, _along_10_, _along_11_, _along_12_, _cos_0_, _sin_0_, _omega_0_, _omega_1_, _omega_2_, _omega_3_, _omega_4_, _omega_5_, _omega_6_, _omega_7_, _omega_8_, _omega_9_, _omega_10_, _omega_11_)
         _dx_, _dy_, _dz_, _dvx_, _dvy_, _dvz_, _dwx_, _dwy_, _dwz_ = _compared_alone(_p_ball_radius_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _wx_, _wy_, _wz_, _far_x_, _far_y_, _far_z_, _far_vx_, _far_vy_, _far_vz_, _far_wx_, _far_wy_, _far_wz_, _stride_, _missed_, _neighbour_scale_)
         _clock_, _circling_ = _rolled_on_alone(_which_, _clock_, _stride_, _rests_)
-    return (_circled_, _circling_, _clock_, _doubt_, _dvx_, _dvy_, _dvz_, _dwx_, _dwy_, _dwz_, _dx_, _dy_, _dz_, _earliest_delay_, _grip_lost_, _last_grip_clock_, _last_grip_deficit_, _last_grip_deficit_rate_, _per_reach_, _position_error_, _rests_, _through_, _velocity_error_, _vx_, _vy_, _vz_, _which_, _wx_, _wy_, _wz_, _x_, _y_, _z_,)
+    return (_circled_, _circling_, _clock_, _dvx_, _dvy_, _dvz_, _dwx_, _dwy_, _dwz_, _dx_, _dy_, _dz_, _earliest_delay_, _grip_lost_, _last_grip_clock_, _last_grip_deficit_, _last_grip_deficit_rate_, _per_reach_, _position_error_, _rests_, _through_, _undecided_time_, _velocity_error_, _vx_, _vy_, _vz_, _which_, _wx_, _wy_, _wz_, _x_, _y_, _z_,)
 
 
 def validate_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
@@ -9360,7 +9360,7 @@ def detect_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
     _in_contact_0, _when_0, _rests_0, _rolling_0, _began_0 = in_contact(_when_0, _mode_0)
     _leaving_0, = left(3.0, _last_0)
     _time_0, _rate_0, _bend_0, _apex_0, *_ = end_arrival(_leaving_0, _z_0, _vz_0, _p_gravity_0, _p_end_depth_0, _room_0)
-    _arrives_0, *_ = meeting_plane(_rate_0, _bend_0, _apex_0, _time_0)
+    _arrives_0, *_ = plane_root(_rate_0, _bend_0, _apex_0, _time_0)
     _possible_0, = within_time(_time_0, _when_0, 0.0, 0.0, _arrives_0)
     _when_1, _which_1 = earliest(3.0, _time_0, _when_0, _which_0, _arrives_0)
     _when_0, _which_0 = _choose(_possible_0, (_when_1, _which_1,), (_when_0, _which_0,))
@@ -9436,14 +9436,14 @@ def detect_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
                     _room_3 = room(_count12)
                     _leaving_3, _margin_3 = nearby(_t_3, _flat_3, _tilt_3, 0.0, _last_3)
                     _gap_3, _rate_3, _bend_3, _step_3, _next_3, _clearance_3 = ring_advance(_t_3, _end_3, _leaving_3, _margin_3, _rate_slack_3, _ceiling_3, _x_3, _y_3, _z_3, _vx_3, _vy_3, _vz_3, _energy2_3, _moment2_3, _rho_start_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _p_gravity_3, _room_3)
-                    _hit_3, _sure_3, _needs_refinement_3 = struck(_gap_3, _rate_3, _bend_3, _margin_3, _rate_slack_3, _clearance_3, _share_3)
+                    _hit_3, _sure_3, _needs_refinement_3 = gap_closes(_gap_3, _rate_3, _bend_3, _margin_3, _rate_slack_3, _clearance_3, _share_3)
                     _rows14, _count15 = _most(_needs_refinement_3, _count12)
                     if _count15:
                         _far = _of(_rows11, _rows14)
                         _extent_4, _latest_4, _speed_4 = _taken(_far, _extent_2, _latest_2, _speed_2)
                         _p_ball_radius_4, _p_gravity_4, _p_ring_radius_4, _p_wire_radius_4, _share_4 = _taken(_rows14, _p_ball_radius_3, _p_gravity_3, _p_ring_radius_3, _p_wire_radius_3, _share_3)
                         _room_4 = room(_count15)
-                        _share_4, = finer(_share_4)
+                        _share_4, = smaller_budget(_share_4)
                         _position_level_4, _velocity_level_4, *_ = allowance(_share_4, _latest_4, _extent_4, _speed_4, 0.0, 0.0, _p_gravity_4, _room_4)
                         _flat_4, _tilt_4, _rate_slack_4 = ring_margins(_latest_4, _extent_4, _speed_4, _position_level_4, _velocity_level_4, _p_ball_radius_4, _p_ring_radius_4, _p_wire_radius_4, _p_gravity_4, _room_4)
                         _flat_3, _rate_slack_3, _share_3, _tilt_3 = _put(_rows14, _count12, (_flat_3, _rate_slack_3, _share_3, _tilt_3,), (_flat_4, _rate_slack_4, _share_4, _tilt_4,), _needs_refinement_3)
@@ -9479,14 +9479,14 @@ def detect_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
             _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _rho_start_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows19, _arrival_1, _ceiling_1, _certain_1, _leaving_1, _p_ball_radius_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _rho_start_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
             _room_2 = room(_count20)
             _refined_2, _gap_2, _rate_2 = ring_refine(_arrival_2, _leaving_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _rho_start_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
-            _arrival_2, _refining_2 = polished(_gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
+            _arrival_2, _refining_2 = refined_root(_gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
             _arrival_1, _refining_1 = _put(_rows19, _count2, (_arrival_1, _refining_1,), (_arrival_2, _refining_2,), _refining_1)
         _rows21, _count22 = _most(_refining_1, _count2)
         if _count22:
             _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _rho_start_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows21, _arrival_1, _ceiling_1, _certain_1, _leaving_1, _p_ball_radius_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _rho_start_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
             _room_2 = room(_count22)
             _refined_2, _gap_2, _rate_2 = ring_refine(_arrival_2, _leaving_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _rho_start_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
-            _arrival_2, _refining_2 = polished(_gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
+            _arrival_2, _refining_2 = refined_root(_gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
             _arrival_1, _refining_1 = _put(_rows21, _count2, (_arrival_1, _refining_1,), (_arrival_2, _refining_2,), _refining_1)
         _rows23, _count24 = _rows(_refining_1, _count2)
         if (0 < _count24) and (_count24 <= ALONE):
@@ -9498,7 +9498,7 @@ def detect_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
             for _turn25 in range(8):
                 _room_2 = room(_count24)
                 _refined_2, _gap_2, _rate_2 = ring_refine(_arrival_2, _leaving_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _rho_start_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
-                _arrival_2, _refining_2 = polished(_gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
+                _arrival_2, _refining_2 = refined_root(_gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
                 _going26 = _where_true(_refining_2)
                 if len(_going26) == _count24:
                     continue
@@ -9514,11 +9514,11 @@ def detect_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
                 _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _refining_2, _rho_start_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_going26, _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _refining_2, _rho_start_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
             else:
                 _store((_arrival_1,), _rows23, (_arrival_2,), None)
-        _time_1, = landed(_arrival_1)
+        _time_1, = arrival_time(_arrival_1)
         _when_1, _which_1 = earliest(0.0, _time_1, _when_1, _which_1, _arrives_1)
         _when_0, _which_0 = _put(_rows1, shots, (_when_0, _which_0,), (_when_1, _which_1,))
     _until_0, _pad_0 = horizon(_when_0, _speed_0, _p_gravity_0)
-    _middle_x_0, _reach_x_0, _later_middle_x_0, _later_reach_x_0, _middle_y_0, _reach_y_0, _later_middle_y_0, _later_reach_y_0, _middle_z_0, _reach_z_0, _later_middle_z_0, _later_reach_z_0 = halved(_until_0, _x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _extent_0, _speed_0, 0.0, 0.0, 0.0, _pad_0, _p_gravity_0, _room_0)
+    _middle_x_0, _reach_x_0, _later_middle_x_0, _later_reach_x_0, _middle_y_0, _reach_y_0, _later_middle_y_0, _later_reach_y_0, _middle_z_0, _reach_z_0, _later_middle_z_0, _later_reach_z_0 = half_flight_boxes(_until_0, _x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _extent_0, _speed_0, 0.0, 0.0, 0.0, _pad_0, _p_gravity_0, _room_0)
     _reachable_0, = backboard_near(_middle_x_0, _middle_y_0, _middle_z_0, _reach_x_0, _reach_y_0, _reach_z_0, _later_middle_x_0, _later_middle_y_0, _later_middle_z_0, _later_reach_x_0, _later_reach_y_0, _later_reach_z_0, _p_ball_radius_0, _p_board_distance_0, _p_board_half_width_0, _p_board_bottom_0, _p_board_top_0, _p_board_thickness_0, _room_0)
     _reachable_0, = reachable_in_flight(_reachable_0, _in_contact_0)
     _rows27, _count28 = _rows(_reachable_0, shots)
@@ -9540,12 +9540,12 @@ def detect_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
             _room_2 = room(_count30)
             _leaving_2, _margin_2 = nearby(_t_2, _flat_2, _tilt_2, 1.0, _last_2)
             _gap_2, _rate_2, _bend_2, _step_2, _next_2, _clearance_2 = backboard_advance(_t_2, _end_2, _leaving_2, _margin_2, _rate_slack_2, _ceiling_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _p_ball_radius_2, _p_board_distance_2, _p_board_half_width_2, _p_board_bottom_2, _p_board_top_2, _p_board_thickness_2, _p_gravity_2, _room_2)
-            _hit_2, _sure_2, _needs_refinement_2 = struck_or_still(_t_2, _end_2, _gap_2, _rate_2, _bend_2, _margin_2, _rate_slack_2, _next_2, _clearance_2, _share_2)
+            _hit_2, _sure_2, _needs_refinement_2 = gap_closes_or_stalls(_t_2, _end_2, _gap_2, _rate_2, _bend_2, _margin_2, _rate_slack_2, _next_2, _clearance_2, _share_2)
             _rows31, _count32 = _most(_needs_refinement_2, _count30)
             if _count32:
                 _extent_3, _latest_3, _p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _p_gravity_3, _share_3, _speed_3 = _taken(_rows31, _extent_2, _latest_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _share_2, _speed_2)
                 _room_3 = room(_count32)
-                _share_3, = finer(_share_3)
+                _share_3, = smaller_budget(_share_3)
                 _position_level_3, _velocity_level_3, *_ = allowance(_share_3, _latest_3, _extent_3, _speed_3, 0.0, 0.0, _p_gravity_3, _room_3)
                 _flat_3, _tilt_3, _rate_slack_3 = backboard_margins(_latest_3, _extent_3, _speed_3, _position_level_3, _velocity_level_3, _p_ball_radius_3, _p_board_distance_3, _p_board_half_width_3, _p_board_bottom_3, _p_board_top_3, _p_board_thickness_3, _p_gravity_3, _room_3)
                 _flat_2, _rate_slack_2, _share_2, _tilt_2 = _put(_rows31, _count30, (_flat_2, _rate_slack_2, _share_2, _tilt_2,), (_flat_3, _rate_slack_3, _share_3, _tilt_3,), _needs_refinement_2)
@@ -9564,14 +9564,14 @@ def detect_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
                 _room_2 = room(_count34)
                 _leaving_2, _margin_2 = nearby(_t_2, _flat_2, _tilt_2, 1.0, _last_2)
                 _gap_2, _rate_2, _bend_2, _step_2, _next_2, _clearance_2 = backboard_advance(_t_2, _end_2, _leaving_2, _margin_2, _rate_slack_2, _ceiling_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _p_ball_radius_2, _p_board_distance_2, _p_board_half_width_2, _p_board_bottom_2, _p_board_top_2, _p_board_thickness_2, _p_gravity_2, _room_2)
-                _hit_2, _sure_2, _needs_refinement_2 = struck_or_still(_t_2, _end_2, _gap_2, _rate_2, _bend_2, _margin_2, _rate_slack_2, _next_2, _clearance_2, _share_2)
+                _hit_2, _sure_2, _needs_refinement_2 = gap_closes_or_stalls(_t_2, _end_2, _gap_2, _rate_2, _bend_2, _margin_2, _rate_slack_2, _next_2, _clearance_2, _share_2)
                 _rows36, _count37 = _most(_needs_refinement_2, _count34)
                 if _count37:
                     _far = _of(_rows33, _rows36)
                     _extent_3, _latest_3, _speed_3 = _taken(_far, _extent_1, _latest_1, _speed_1)
                     _p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _p_gravity_3, _share_3 = _taken(_rows36, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _share_2)
                     _room_3 = room(_count37)
-                    _share_3, = finer(_share_3)
+                    _share_3, = smaller_budget(_share_3)
                     _position_level_3, _velocity_level_3, *_ = allowance(_share_3, _latest_3, _extent_3, _speed_3, 0.0, 0.0, _p_gravity_3, _room_3)
                     _flat_3, _tilt_3, _rate_slack_3 = backboard_margins(_latest_3, _extent_3, _speed_3, _position_level_3, _velocity_level_3, _p_ball_radius_3, _p_board_distance_3, _p_board_half_width_3, _p_board_bottom_3, _p_board_top_3, _p_board_thickness_3, _p_gravity_3, _room_3)
                     _flat_2, _rate_slack_2, _share_2, _tilt_2 = _put(_rows36, _count34, (_flat_2, _rate_slack_2, _share_2, _tilt_2,), (_flat_3, _rate_slack_3, _share_3, _tilt_3,), _needs_refinement_2)
@@ -9605,14 +9605,14 @@ def detect_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
             _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows41, _arrival_1, _ceiling_1, _certain_1, _leaving_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_gravity_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
             _room_2 = room(_count42)
             _refined_2, _gap_2, _rate_2 = backboard_refine(_arrival_2, _leaving_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _p_ball_radius_2, _p_board_distance_2, _p_board_half_width_2, _p_board_bottom_2, _p_board_top_2, _p_board_thickness_2, _p_gravity_2, _room_2)
-            _arrival_2, _refining_2 = polished(_gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
+            _arrival_2, _refining_2 = refined_root(_gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
             _arrival_1, _refining_1 = _put(_rows41, _count28, (_arrival_1, _refining_1,), (_arrival_2, _refining_2,), _refining_1)
         _rows43, _count44 = _most(_refining_1, _count28)
         if _count44:
             _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows43, _arrival_1, _ceiling_1, _certain_1, _leaving_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_gravity_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
             _room_2 = room(_count44)
             _refined_2, _gap_2, _rate_2 = backboard_refine(_arrival_2, _leaving_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _p_ball_radius_2, _p_board_distance_2, _p_board_half_width_2, _p_board_bottom_2, _p_board_top_2, _p_board_thickness_2, _p_gravity_2, _room_2)
-            _arrival_2, _refining_2 = polished(_gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
+            _arrival_2, _refining_2 = refined_root(_gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
             _arrival_1, _refining_1 = _put(_rows43, _count28, (_arrival_1, _refining_1,), (_arrival_2, _refining_2,), _refining_1)
         _rows45, _count46 = _rows(_refining_1, _count28)
         if (0 < _count46) and (_count46 <= ALONE):
@@ -9624,7 +9624,7 @@ def detect_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
             for _turn47 in range(8):
                 _room_2 = room(_count46)
                 _refined_2, _gap_2, _rate_2 = backboard_refine(_arrival_2, _leaving_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _p_ball_radius_2, _p_board_distance_2, _p_board_half_width_2, _p_board_bottom_2, _p_board_top_2, _p_board_thickness_2, _p_gravity_2, _room_2)
-                _arrival_2, _refining_2 = polished(_gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
+                _arrival_2, _refining_2 = refined_root(_gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
                 _going48 = _where_true(_refining_2)
                 if len(_going48) == _count46:
                     continue
@@ -9640,11 +9640,11 @@ def detect_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
                 _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _refining_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_going48, _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _refining_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
             else:
                 _store((_arrival_1,), _rows45, (_arrival_2,), None)
-        _time_1, = landed(_arrival_1)
+        _time_1, = arrival_time(_arrival_1)
         _when_1, _which_1 = earliest(1.0, _time_1, _when_1, _which_1, _arrives_1)
         _when_0, _which_0 = _put(_rows27, shots, (_when_0, _which_0,), (_when_1, _which_1,))
     _until_0, _pad_0 = horizon(_when_0, _speed_0, _p_gravity_0)
-    _middle_x_0, _reach_x_0, _later_middle_x_0, _later_reach_x_0, _middle_y_0, _reach_y_0, _later_middle_y_0, _later_reach_y_0, _middle_z_0, _reach_z_0, _later_middle_z_0, _later_reach_z_0 = halved(_until_0, _x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _extent_0, _speed_0, 0.0, 0.0, 0.0, _pad_0, _p_gravity_0, _room_0)
+    _middle_x_0, _reach_x_0, _later_middle_x_0, _later_reach_x_0, _middle_y_0, _reach_y_0, _later_middle_y_0, _later_reach_y_0, _middle_z_0, _reach_z_0, _later_middle_z_0, _later_reach_z_0 = half_flight_boxes(_until_0, _x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _extent_0, _speed_0, 0.0, 0.0, 0.0, _pad_0, _p_gravity_0, _room_0)
     _reachable_0, = bridge_near(_middle_x_0, _middle_y_0, _middle_z_0, _reach_x_0, _reach_y_0, _reach_z_0, _later_middle_x_0, _later_middle_y_0, _later_middle_z_0, _later_reach_x_0, _later_reach_y_0, _later_reach_z_0, _p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_board_distance_0, _p_bridge_half_width_0, _p_bridge_depth_0, _room_0)
     _reachable_0, = reachable_in_flight(_reachable_0, _in_contact_0)
     _rows49, _count50 = _rows(_reachable_0, shots)
@@ -9666,12 +9666,12 @@ def detect_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
             _room_2 = room(_count52)
             _leaving_2, _margin_2 = nearby(_t_2, _flat_2, _tilt_2, 2.0, _last_2)
             _gap_2, _rate_2, _bend_2, _step_2, _next_2, _clearance_2 = bridge_advance(_t_2, _end_2, _leaving_2, _margin_2, _rate_slack_2, _ceiling_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_board_distance_2, _p_bridge_half_width_2, _p_bridge_depth_2, _p_gravity_2, _room_2)
-            _hit_2, _sure_2, _needs_refinement_2 = struck_or_still(_t_2, _end_2, _gap_2, _rate_2, _bend_2, _margin_2, _rate_slack_2, _next_2, _clearance_2, _share_2)
+            _hit_2, _sure_2, _needs_refinement_2 = gap_closes_or_stalls(_t_2, _end_2, _gap_2, _rate_2, _bend_2, _margin_2, _rate_slack_2, _next_2, _clearance_2, _share_2)
             _rows53, _count54 = _most(_needs_refinement_2, _count52)
             if _count54:
                 _extent_3, _latest_3, _p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_gravity_3, _p_ring_radius_3, _p_wire_radius_3, _share_3, _speed_3 = _taken(_rows53, _extent_2, _latest_2, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _share_2, _speed_2)
                 _room_3 = room(_count54)
-                _share_3, = finer(_share_3)
+                _share_3, = smaller_budget(_share_3)
                 _position_level_3, _velocity_level_3, *_ = allowance(_share_3, _latest_3, _extent_3, _speed_3, 0.0, 0.0, _p_gravity_3, _room_3)
                 _flat_3, _tilt_3, _rate_slack_3 = bridge_margins(_latest_3, _extent_3, _speed_3, _position_level_3, _velocity_level_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _p_board_distance_3, _p_bridge_half_width_3, _p_bridge_depth_3, _p_gravity_3, _room_3)
                 _flat_2, _rate_slack_2, _share_2, _tilt_2 = _put(_rows53, _count52, (_flat_2, _rate_slack_2, _share_2, _tilt_2,), (_flat_3, _rate_slack_3, _share_3, _tilt_3,), _needs_refinement_2)
@@ -9690,14 +9690,14 @@ def detect_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
                 _room_2 = room(_count56)
                 _leaving_2, _margin_2 = nearby(_t_2, _flat_2, _tilt_2, 2.0, _last_2)
                 _gap_2, _rate_2, _bend_2, _step_2, _next_2, _clearance_2 = bridge_advance(_t_2, _end_2, _leaving_2, _margin_2, _rate_slack_2, _ceiling_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_board_distance_2, _p_bridge_half_width_2, _p_bridge_depth_2, _p_gravity_2, _room_2)
-                _hit_2, _sure_2, _needs_refinement_2 = struck_or_still(_t_2, _end_2, _gap_2, _rate_2, _bend_2, _margin_2, _rate_slack_2, _next_2, _clearance_2, _share_2)
+                _hit_2, _sure_2, _needs_refinement_2 = gap_closes_or_stalls(_t_2, _end_2, _gap_2, _rate_2, _bend_2, _margin_2, _rate_slack_2, _next_2, _clearance_2, _share_2)
                 _rows58, _count59 = _most(_needs_refinement_2, _count56)
                 if _count59:
                     _far = _of(_rows55, _rows58)
                     _extent_3, _latest_3, _speed_3 = _taken(_far, _extent_1, _latest_1, _speed_1)
                     _p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_gravity_3, _p_ring_radius_3, _p_wire_radius_3, _share_3 = _taken(_rows58, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _share_2)
                     _room_3 = room(_count59)
-                    _share_3, = finer(_share_3)
+                    _share_3, = smaller_budget(_share_3)
                     _position_level_3, _velocity_level_3, *_ = allowance(_share_3, _latest_3, _extent_3, _speed_3, 0.0, 0.0, _p_gravity_3, _room_3)
                     _flat_3, _tilt_3, _rate_slack_3 = bridge_margins(_latest_3, _extent_3, _speed_3, _position_level_3, _velocity_level_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _p_board_distance_3, _p_bridge_half_width_3, _p_bridge_depth_3, _p_gravity_3, _room_3)
                     _flat_2, _rate_slack_2, _share_2, _tilt_2 = _put(_rows58, _count56, (_flat_2, _rate_slack_2, _share_2, _tilt_2,), (_flat_3, _rate_slack_3, _share_3, _tilt_3,), _needs_refinement_2)
@@ -9731,14 +9731,14 @@ def detect_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
             _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows63, _arrival_1, _ceiling_1, _certain_1, _leaving_1, _p_ball_radius_1, _p_board_distance_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
             _room_2 = room(_count64)
             _refined_2, _gap_2, _rate_2 = bridge_refine(_arrival_2, _leaving_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_board_distance_2, _p_bridge_half_width_2, _p_bridge_depth_2, _p_gravity_2, _room_2)
-            _arrival_2, _refining_2 = polished(_gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
+            _arrival_2, _refining_2 = refined_root(_gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
             _arrival_1, _refining_1 = _put(_rows63, _count50, (_arrival_1, _refining_1,), (_arrival_2, _refining_2,), _refining_1)
         _rows65, _count66 = _most(_refining_1, _count50)
         if _count66:
             _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows65, _arrival_1, _ceiling_1, _certain_1, _leaving_1, _p_ball_radius_1, _p_board_distance_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
             _room_2 = room(_count66)
             _refined_2, _gap_2, _rate_2 = bridge_refine(_arrival_2, _leaving_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_board_distance_2, _p_bridge_half_width_2, _p_bridge_depth_2, _p_gravity_2, _room_2)
-            _arrival_2, _refining_2 = polished(_gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
+            _arrival_2, _refining_2 = refined_root(_gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
             _arrival_1, _refining_1 = _put(_rows65, _count50, (_arrival_1, _refining_1,), (_arrival_2, _refining_2,), _refining_1)
         _rows67, _count68 = _rows(_refining_1, _count50)
         if (0 < _count68) and (_count68 <= ALONE):
@@ -9750,7 +9750,7 @@ def detect_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
             for _turn69 in range(8):
                 _room_2 = room(_count68)
                 _refined_2, _gap_2, _rate_2 = bridge_refine(_arrival_2, _leaving_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_board_distance_2, _p_bridge_half_width_2, _p_bridge_depth_2, _p_gravity_2, _room_2)
-                _arrival_2, _refining_2 = polished(_gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
+                _arrival_2, _refining_2 = refined_root(_gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
                 _going70 = _where_true(_refining_2)
                 if len(_going70) == _count68:
                     continue
@@ -9766,7 +9766,7 @@ def detect_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
                 _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _refining_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_going70, _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _refining_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
             else:
                 _store((_arrival_1,), _rows67, (_arrival_2,), None)
-        _time_1, = landed(_arrival_1)
+        _time_1, = arrival_time(_arrival_1)
         _when_1, _which_1 = earliest(2.0, _time_1, _when_1, _which_1, _arrives_1)
         _when_0, _which_0 = _put(_rows49, shots, (_when_0, _which_0,), (_when_1, _which_1,))
     _rows71, _count72 = _most(_limited_0, shots)
@@ -9881,7 +9881,7 @@ def detect_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
                     _stride_3, _which_3, *_ = beside_body(_p_ball_radius_3, _x_3, _y_3, _z_3, _gap_3, 2.0, _which_3, 0.0, _inf, 0.0, _nearing_3, _gap_curvature_3, _stride_3, _strongest_3, _fastest_3, _room_3)
                     _stride_2, _which_2 = _put(_rows88, _count78, (_stride_2, _which_2,), (_stride_3, _which_3,), _beside_2)
                 _gap_2, _nearing_2, _gap_curvature_2 = end_beside(_p_end_depth_2, _z_2, _vz_2)
-                _stride_2, _which_2, *_ = beside_gate(_p_ball_radius_2, _x_2, _y_2, _z_2, _gap_2, 3.0, _which_2, 0.0, _inf, 0.0, _nearing_2, _gap_curvature_2, _stride_2, _strongest_2, _fastest_2, _room_2)
+                _stride_2, _which_2, *_ = beside_end_plane(_p_ball_radius_2, _x_2, _y_2, _z_2, _gap_2, 3.0, _which_2, 0.0, _inf, 0.0, _nearing_2, _gap_curvature_2, _stride_2, _strongest_2, _fastest_2, _room_2)
                 _here_2, = holding(1.0, _held_2)
                 _rows90, _count91 = _most(_here_2, _count78)
                 if _count91:
@@ -9993,27 +9993,27 @@ def detect_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
                 _gap_2, _nearing_2, _gap_curvature_2 = bridge_beside(_p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_ring_radius_2, _p_wire_radius_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _room_2)
                 _stride_2, _which_2, *_ = beside_body(_p_ball_radius_2, _x_2, _y_2, _z_2, _gap_2, 2.0, _which_2, 0.0, _inf, 0.0, _nearing_2, _gap_curvature_2, _stride_2, _strongest_2, _fastest_2, _room_2)
                 _gap_2, _nearing_2, _gap_curvature_2 = end_beside(_p_end_depth_2, _z_2, _vz_2)
-                _stride_2, _which_2, *_ = beside_gate(_p_ball_radius_2, _x_2, _y_2, _z_2, _gap_2, 3.0, _which_2, 0.0, _inf, 0.0, _nearing_2, _gap_curvature_2, _stride_2, _strongest_2, _fastest_2, _room_2)
+                _stride_2, _which_2, *_ = beside_end_plane(_p_ball_radius_2, _x_2, _y_2, _z_2, _gap_2, 3.0, _which_2, 0.0, _inf, 0.0, _nearing_2, _gap_curvature_2, _stride_2, _strongest_2, _fastest_2, _room_2)
                 _stride_2, _which_2 = beside_time(_which_2, _clock_2, _time_limit_2, _stride_2)
                 _over_2, = passing_from(_z_2)
                 _azimuth_clearance_2, *_ = isolated()
                 _forth_2, _back_2 = half_steps(_stride_2)
                 _gap_2, _nearing_2 = backboard_around(_p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _room_2)
-                _azimuth_clearance_2, = cleared(_gap_2, _nearing_2, _forth_2, _azimuth_clearance_2)
+                _azimuth_clearance_2, = clearance_at_any_azimuth(_gap_2, _nearing_2, _forth_2, _azimuth_clearance_2)
                 _gap_2, _nearing_2 = bridge_around(_p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_ring_radius_2, _p_wire_radius_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _room_2)
-                _azimuth_clearance_2, = cleared(_gap_2, _nearing_2, _forth_2, _azimuth_clearance_2)
+                _azimuth_clearance_2, = clearance_at_any_azimuth(_gap_2, _nearing_2, _forth_2, _azimuth_clearance_2)
                 _gap_2, _nearing_2 = end_around(_p_end_depth_2, _z_2, _vz_2)
-                _azimuth_clearance_2, = cleared(_gap_2, _nearing_2, _forth_2, _azimuth_clearance_2)
+                _azimuth_clearance_2, = clearance_at_any_azimuth(_gap_2, _nearing_2, _forth_2, _azimuth_clearance_2)
                 _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _climb_2 = ring_round_moved(_p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _stride_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _turn_rate_8_2, _turn_rate_9_2, _turn_rate_10_2, _turn_rate_11_2, _turn_rate_12_2, _climb_0_2, _climb_1_2, _climb_2_2, _climb_3_2, _climb_4_2, _climb_5_2, _climb_6_2, _climb_7_2, _climb_8_2, _climb_9_2, _climb_10_2, _climb_11_2, _climb_12_2, _cosine_0_2, _cosine_1_2, _cosine_2_2, _cosine_3_2, _cosine_4_2, _cosine_5_2, _cosine_6_2, _cosine_7_2, _cosine_8_2, _cosine_9_2, _cosine_10_2, _cosine_11_2, _cosine_12_2, _sine_0_2, _sine_1_2, _sine_2_2, _sine_3_2, _sine_4_2, _sine_5_2, _sine_6_2, _sine_7_2, _sine_8_2, _sine_9_2, _sine_10_2, _sine_11_2, _sine_12_2, _along_0_2, _along_1_2, _along_2_2, _along_3_2, _along_4_2, _along_5_2, _along_6_2, _along_7_2, _along_8_2, _along_9_2, _along_10_2, _along_11_2, _along_12_2, _cos_0_2, _sin_0_2, _omega_0_2, _omega_1_2, _omega_2_2, _omega_3_2, _omega_4_2, _omega_5_2, _omega_6_2, _omega_7_2, _omega_8_2, _omega_9_2, _omega_10_2, _omega_11_2, _room_2)
                 _through_2, = passing_in_contact(_p_ring_radius_2, _x_2, _y_2, _z_2, _through_2, _over_2)
                 _gap_2, _nearing_2 = backboard_around(_p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _room_2)
-                _azimuth_clearance_2, = cleared(_gap_2, _nearing_2, _back_2, _azimuth_clearance_2)
+                _azimuth_clearance_2, = clearance_at_any_azimuth(_gap_2, _nearing_2, _back_2, _azimuth_clearance_2)
                 _gap_2, _nearing_2 = bridge_around(_p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_ring_radius_2, _p_wire_radius_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _room_2)
-                _azimuth_clearance_2, = cleared(_gap_2, _nearing_2, _back_2, _azimuth_clearance_2)
+                _azimuth_clearance_2, = clearance_at_any_azimuth(_gap_2, _nearing_2, _back_2, _azimuth_clearance_2)
                 _gap_2, _nearing_2 = end_around(_p_end_depth_2, _z_2, _vz_2)
-                _azimuth_clearance_2, = cleared(_gap_2, _nearing_2, _back_2, _azimuth_clearance_2)
+                _azimuth_clearance_2, = clearance_at_any_azimuth(_gap_2, _nearing_2, _back_2, _azimuth_clearance_2)
                 _circled_2, _endless_2, *_ = ring_swung(_p_ball_radius_2, _p_gravity_2, _p_wire_radius_2, _which_2, _inf, 0.0, 0.0, _force_2, _force_rate_2, _force_bend_2, _stride_2, _fastest_2, _circled_2, _climb_2, _climb_0_2, _section_acceleration_2, _azimuth_clearance_2, _room_2)
-                _which_2, = for_ever(_which_2, _endless_2)
+                _which_2, = rolls_for_ever(_which_2, _endless_2)
                 _clock_2, _circling_2 = rolled_on(_which_2, _clock_2, _stride_2, _rests_2)
                 _going102 = _where_true(_circling_2)
                 if len(_going102) == _count100:
@@ -10030,7 +10030,7 @@ def detect_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
                 _circled_2, _circling_2, _clock_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_radius_2, _p_wire_radius_2, _per_reach_2, _rests_2, _through_2, _time_limit_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_going102, _circled_2, _circling_2, _clock_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_radius_2, _p_wire_radius_2, _per_reach_2, _rests_2, _through_2, _time_limit_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2)
             else:
                 _store((_circled_1, _circling_1, _clock_1, _per_reach_1, _rests_1, _through_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,), _rows99, (_circled_2, _circling_2, _clock_2, _per_reach_2, _rests_2, _through_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2,), None)
-        _rolling_1, = rejoined(_rolling_1, _circling_1)
+        _rolling_1, = still_in_contact(_rolling_1, _circling_1)
         _rows103, _count104 = _rows(_leaves_1, _count74)
         if _count104:
             _gap_jerk_2, _gap_snap_2, _held_2, _lift_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_end_depth_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _per_reach_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows103, _gap_jerk_1, _gap_snap_1, _held_1, _lift_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_end_depth_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _per_reach_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
@@ -10123,7 +10123,7 @@ def detect_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
                 _free_time_3, = seam_free_time(_p_gravity_3, _gap_3, _free_time_3, _near_3, _nearing_3, _room_3)
                 _free_time_2, = _put(_rows119, _count104, (_free_time_2,), (_free_time_3,), _here_2)
             _when_2, *_ = separated(_p_gravity_2, _vx_2, _vy_2, _vz_2, _inf, 0.0, 0.0, _per_reach_2, _free_time_2, _lift_2, _gap_jerk_2, _gap_snap_2, _room_2)
-            _which_2, = take_off()
+            _which_2, = detachment()
             _when_1, _which_1 = _put(_rows103, _count74, (_when_1, _which_1,), (_when_2, _which_2,))
         _began_0, _circled_0, _clock_0, _rests_0, _rolling_0, _through_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0 = _put(_rows73, shots, (_began_0, _circled_0, _clock_0, _rests_0, _rolling_0, _through_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0,), (_began_1, _circled_1, _clock_1, _rests_1, _rolling_1, _through_1, _vx_1, _vy_1, _vz_1, _when_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,))
     _, _moves_0, _ends_0, _touches_0, _reached_0, *_ = departed(3.0, _which_0)
@@ -10159,7 +10159,7 @@ def resolve_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
     """Stage resolve of the event loop, the path alone."""
     _body_0, _count_0_0, _count_1_0, _count_2_0, _ends_0, _first_0, _held_0, _last_0, _mode_0, _outcome_0, _p_backboard_friction_0, _p_backboard_restitution_0, _p_ball_radius_0, _p_board_bottom_0, _p_board_distance_0, _p_board_half_width_0, _p_board_thickness_0, _p_board_top_0, _p_bridge_depth_0, _p_bridge_friction_0, _p_bridge_half_width_0, _p_bridge_restitution_0, _p_end_depth_0, _p_gravity_0, _p_inertia_0, _p_restitution_speed_0, _p_ring_friction_0, _p_ring_radius_0, _p_ring_restitution_0, _p_tangential_restitution_0, _p_wire_radius_0, _slip_left_0, _touches_0, _vx_0, _vy_0, _vz_0, _which_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0, = map(columns.__getitem__, ("body", "count_0", "count_1", "count_2", "ends", "first", "held", "last", "mode", "outcome", "p_backboard_friction", "p_backboard_restitution", "p_ball_radius", "p_board_bottom", "p_board_distance", "p_board_half_width", "p_board_thickness", "p_board_top", "p_bridge_depth", "p_bridge_friction", "p_bridge_half_width", "p_bridge_restitution", "p_end_depth", "p_gravity", "p_inertia", "p_restitution_speed", "p_ring_friction", "p_ring_radius", "p_ring_restitution", "p_tangential_restitution", "p_wire_radius", "slip_left", "touches", "vx", "vy", "vz", "which", "wx", "wy", "wz", "x", "y", "z",))
     _meeting_0, = meeting(0.0, _ends_0, _touches_0)
-    _slow_0, = unslowed()
+    _slow_0, = no_slow_contact()
     _rows1, _count2 = _rows(_meeting_0, shots)
     if _count2:
         _body_1, _count_0_1, _count_1_1, _count_2_1, _first_1, _last_1, _p_backboard_friction_1, _p_backboard_restitution_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_friction_1, _p_bridge_half_width_1, _p_bridge_restitution_1, _p_gravity_1, _p_inertia_1, _p_restitution_speed_1, _p_ring_friction_1, _p_ring_radius_1, _p_ring_restitution_1, _p_tangential_restitution_1, _p_wire_radius_1, _slow_1, _touches_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1 = _taken(_rows1, _body_0, _count_0_0, _count_1_0, _count_2_0, _first_0, _last_0, _p_backboard_friction_0, _p_backboard_restitution_0, _p_ball_radius_0, _p_board_bottom_0, _p_board_distance_0, _p_board_half_width_0, _p_board_thickness_0, _p_board_top_0, _p_bridge_depth_0, _p_bridge_friction_0, _p_bridge_half_width_0, _p_bridge_restitution_0, _p_gravity_0, _p_inertia_0, _p_restitution_speed_0, _p_ring_friction_0, _p_ring_radius_0, _p_ring_restitution_0, _p_tangential_restitution_0, _p_wire_radius_0, _slow_0, _touches_0, _vx_0, _vy_0, _vz_0, _which_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0)
@@ -10177,7 +10177,7 @@ def resolve_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
         _nx_2, _ny_2, _nz_2 = bridge_normal(_x_1, _y_1, _z_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_board_distance_1, _p_bridge_half_width_1, _p_bridge_depth_1, _room_1)
         _count_2_2, = counted(_count_2_1)
         _count_2_1, _nx_1, _ny_1, _nz_1 = _choose(_here_1, (_count_2_2, _nx_2, _ny_2, _nz_2,), (_count_2_1, _nx_1, _ny_1, _nz_1,))
-        _struck_0_1, = untaken()
+        _struck_0_1, = other_kind()
         _, _its_0_ring_impact_1, _its_1_ring_impact_1 = ring_impact_taken(_p_ring_restitution_1, _p_ring_friction_1)
         for _own_index_1, _own_1_1, _own_2_1, in (
             (0.0, _p_ring_friction_1, _p_ring_restitution_1,),
@@ -10197,7 +10197,7 @@ def resolve_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
             _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2 = ring_impact(_vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _nx_2, _ny_2, _nz_2, _p_ball_radius_2, _its_0_ring_impact_2, _its_1_ring_impact_2, _p_inertia_2, _p_tangential_restitution_2, _p_restitution_speed_2, _room_2)
             _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1 = _put(_rows5, _count2, (_vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1,), (_vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2,), _struck_0_1)
         _first_2, _last_2 = touched(_which_1, _body_1, _first_1)
-        _slow_2, *_ = slowed(_p_ball_radius_1, _p_gravity_1, _nx_1, _ny_1, _nz_1, _vx_1, _vy_1, _vz_1, 0.0, _room_1)
+        _slow_2, *_ = leaves_slowly(_p_ball_radius_1, _p_gravity_1, _nx_1, _ny_1, _nz_1, _vx_1, _vy_1, _vz_1, 0.0, _room_1)
         _first_1, _last_1, _slow_1 = _choose(_touches_1, (_first_2, _last_2, _slow_2,), (_first_1, _last_1, _slow_1,))
         _count_0_0, _count_1_0, _count_2_0, _first_0, _last_0, _slow_0, _vx_0, _vy_0, _vz_0, _wx_0, _wy_0, _wz_0 = _put(_rows1, shots, (_count_0_0, _count_1_0, _count_2_0, _first_0, _last_0, _slow_0, _vx_0, _vy_0, _vz_0, _wx_0, _wy_0, _wz_0,), (_count_0_1, _count_1_1, _count_2_1, _first_1, _last_1, _slow_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1,))
     _rows7, _count8 = _rows(_slow_0, shots)
@@ -10222,14 +10222,14 @@ def resolve_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
             _press_2, _weight_2, _rolling_friction_2, _rolling_acceleration_x_2, _rolling_acceleration_y_2, _rolling_acceleration_z_2 = pressed_on(_p_ball_radius_2, _p_gravity_2, _p_inertia_2, _nx_2, _ny_2, _nz_2, _wx_2, _wy_2, _wz_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _turning_x_2, _turning_y_2, _turning_z_2, _room_2)
             _nearest_2, _second_contact_gap_2 = isolated()
             _gap_2, _nearing_2, _rolling_gap_acceleration_2, _normal_cosine_2 = backboard_closing(_p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _x_2, _y_2, _z_2, _nx_2, _ny_2, _nz_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _rolling_acceleration_x_2, _rolling_acceleration_y_2, _rolling_acceleration_z_2, _room_2)
-            _nearest_2, _second_contact_gap_2 = neared_body(_gap_2, _nearest_2, _second_contact_gap_2, _rolling_gap_acceleration_2, _normal_cosine_2, _press_2, _nearing_2, _room_2)
+            _nearest_2, _second_contact_gap_2 = near_body(_gap_2, _nearest_2, _second_contact_gap_2, _rolling_gap_acceleration_2, _normal_cosine_2, _press_2, _nearing_2, _room_2)
             _gap_2, _nearing_2, _rolling_gap_acceleration_2, _normal_cosine_2 = bridge_closing(_p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_ring_radius_2, _p_wire_radius_2, _x_2, _y_2, _z_2, _nx_2, _ny_2, _nz_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _rolling_acceleration_x_2, _rolling_acceleration_y_2, _rolling_acceleration_z_2, _room_2)
-            _nearest_2, _second_contact_gap_2 = neared_body(_gap_2, _nearest_2, _second_contact_gap_2, _rolling_gap_acceleration_2, _normal_cosine_2, _press_2, _nearing_2, _room_2)
+            _nearest_2, _second_contact_gap_2 = near_body(_gap_2, _nearest_2, _second_contact_gap_2, _rolling_gap_acceleration_2, _normal_cosine_2, _press_2, _nearing_2, _room_2)
             _gap_2, *_ = end_beside(_p_end_depth_2, _z_2, _vz_2)
-            _nearest_2, = neared(_gap_2, _nearest_2)
+            _nearest_2, = near_end_plane(_gap_2, _nearest_2)
             _lift_2, *_ = ring_separation(_p_gravity_2, _p_ring_radius_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _room_2)
-            _settles_2, _lodges_2, _slides_2, _unpressed_2, _, _unsure_2 = ring_impact_settling(_p_ball_radius_2, _p_inertia_2, _p_ring_friction_2, _p_ring_restitution_2, _wx_2, _wy_2, _wz_2, 0.0, _rolled_x_2, _rolled_y_2, _rolled_z_2, _turning_x_2, _turning_y_2, _turning_z_2, _slip_2, _bounce_2, _nearest_2, _second_contact_gap_2, _press_2, _weight_2, _rolling_friction_2, _lift_2, _room_2)
-            _mode_2, _held_2, _outcome_2, _slip_left_2, *_ = settled(0.0, _outcome_2, 0.0, _unsure_2, _settles_2, _nearly_2, _lodges_2, _slides_2, _unpressed_2)
+            _settles_2, _lodges_2, _slides_2, _unpressed_2, _, _undecided_2 = ring_impact_settling(_p_ball_radius_2, _p_inertia_2, _p_ring_friction_2, _p_ring_restitution_2, _wx_2, _wy_2, _wz_2, 0.0, _rolled_x_2, _rolled_y_2, _rolled_z_2, _turning_x_2, _turning_y_2, _turning_z_2, _slip_2, _bounce_2, _nearest_2, _second_contact_gap_2, _press_2, _weight_2, _rolling_friction_2, _lift_2, _room_2)
+            _mode_2, _held_2, _outcome_2, _slip_left_2, *_ = settled(0.0, _outcome_2, 0.0, _undecided_2, _settles_2, _nearly_2, _lodges_2, _slides_2, _unpressed_2)
             _held_1, _mode_1, _outcome_1, _slip_left_1 = _put(_rows9, _count8, (_held_1, _mode_1, _outcome_1, _slip_left_1,), (_held_2, _mode_2, _outcome_2, _slip_left_2,), _here_1)
         _here_1, = here(1.0, _which_1)
         _rows11, _count12 = _most(_here_1, _count8)
@@ -10240,14 +10240,14 @@ def resolve_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
             _press_2, _weight_2, _rolling_friction_2, _rolling_acceleration_x_2, _rolling_acceleration_y_2, _rolling_acceleration_z_2 = pressed_on(_p_ball_radius_2, _p_gravity_2, _p_inertia_2, _nx_2, _ny_2, _nz_2, _wx_2, _wy_2, _wz_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _turning_x_2, _turning_y_2, _turning_z_2, _room_2)
             _nearest_2, _second_contact_gap_2 = isolated()
             _gap_2, _nearing_2, _rolling_gap_acceleration_2, _normal_cosine_2 = ring_closing(_p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _x_2, _y_2, _z_2, _nx_2, _ny_2, _nz_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _rolling_acceleration_x_2, _rolling_acceleration_y_2, _rolling_acceleration_z_2, _room_2)
-            _nearest_2, _second_contact_gap_2 = neared_body(_gap_2, _nearest_2, _second_contact_gap_2, _rolling_gap_acceleration_2, _normal_cosine_2, _press_2, _nearing_2, _room_2)
+            _nearest_2, _second_contact_gap_2 = near_body(_gap_2, _nearest_2, _second_contact_gap_2, _rolling_gap_acceleration_2, _normal_cosine_2, _press_2, _nearing_2, _room_2)
             _gap_2, _nearing_2, _rolling_gap_acceleration_2, _normal_cosine_2 = bridge_closing(_p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_ring_radius_2, _p_wire_radius_2, _x_2, _y_2, _z_2, _nx_2, _ny_2, _nz_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _rolling_acceleration_x_2, _rolling_acceleration_y_2, _rolling_acceleration_z_2, _room_2)
-            _nearest_2, _second_contact_gap_2 = neared_body(_gap_2, _nearest_2, _second_contact_gap_2, _rolling_gap_acceleration_2, _normal_cosine_2, _press_2, _nearing_2, _room_2)
+            _nearest_2, _second_contact_gap_2 = near_body(_gap_2, _nearest_2, _second_contact_gap_2, _rolling_gap_acceleration_2, _normal_cosine_2, _press_2, _nearing_2, _room_2)
             _gap_2, *_ = end_beside(_p_end_depth_2, _z_2, _vz_2)
-            _nearest_2, = neared(_gap_2, _nearest_2)
+            _nearest_2, = near_end_plane(_gap_2, _nearest_2)
             _lift_2, *_ = backboard_separation(_p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _room_2)
-            _settles_2, _lodges_2, _slides_2, _unpressed_2, _, _unsure_2 = ring_impact_settling(_p_ball_radius_2, _p_inertia_2, _p_backboard_friction_2, _p_backboard_restitution_2, _wx_2, _wy_2, _wz_2, 0.0, _rolled_x_2, _rolled_y_2, _rolled_z_2, _turning_x_2, _turning_y_2, _turning_z_2, _slip_2, _bounce_2, _nearest_2, _second_contact_gap_2, _press_2, _weight_2, _rolling_friction_2, _lift_2, _room_2)
-            _mode_2, _held_2, _outcome_2, _slip_left_2, *_ = settled(1.0, _outcome_2, 0.0, _unsure_2, _settles_2, _nearly_2, _lodges_2, _slides_2, _unpressed_2)
+            _settles_2, _lodges_2, _slides_2, _unpressed_2, _, _undecided_2 = ring_impact_settling(_p_ball_radius_2, _p_inertia_2, _p_backboard_friction_2, _p_backboard_restitution_2, _wx_2, _wy_2, _wz_2, 0.0, _rolled_x_2, _rolled_y_2, _rolled_z_2, _turning_x_2, _turning_y_2, _turning_z_2, _slip_2, _bounce_2, _nearest_2, _second_contact_gap_2, _press_2, _weight_2, _rolling_friction_2, _lift_2, _room_2)
+            _mode_2, _held_2, _outcome_2, _slip_left_2, *_ = settled(1.0, _outcome_2, 0.0, _undecided_2, _settles_2, _nearly_2, _lodges_2, _slides_2, _unpressed_2)
             _held_1, _mode_1, _outcome_1, _slip_left_1 = _put(_rows11, _count8, (_held_1, _mode_1, _outcome_1, _slip_left_1,), (_held_2, _mode_2, _outcome_2, _slip_left_2,), _here_1)
         _here_1, = here(2.0, _which_1)
         _rows13, _count14 = _most(_here_1, _count8)
@@ -10258,14 +10258,14 @@ def resolve_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
             _press_2, _weight_2, _rolling_friction_2, _rolling_acceleration_x_2, _rolling_acceleration_y_2, _rolling_acceleration_z_2 = pressed_on(_p_ball_radius_2, _p_gravity_2, _p_inertia_2, _nx_2, _ny_2, _nz_2, _wx_2, _wy_2, _wz_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _turning_x_2, _turning_y_2, _turning_z_2, _room_2)
             _nearest_2, _second_contact_gap_2 = isolated()
             _gap_2, _nearing_2, _rolling_gap_acceleration_2, _normal_cosine_2 = ring_closing(_p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _x_2, _y_2, _z_2, _nx_2, _ny_2, _nz_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _rolling_acceleration_x_2, _rolling_acceleration_y_2, _rolling_acceleration_z_2, _room_2)
-            _nearest_2, _second_contact_gap_2 = neared_body(_gap_2, _nearest_2, _second_contact_gap_2, _rolling_gap_acceleration_2, _normal_cosine_2, _press_2, _nearing_2, _room_2)
+            _nearest_2, _second_contact_gap_2 = near_body(_gap_2, _nearest_2, _second_contact_gap_2, _rolling_gap_acceleration_2, _normal_cosine_2, _press_2, _nearing_2, _room_2)
             _gap_2, _nearing_2, _rolling_gap_acceleration_2, _normal_cosine_2 = backboard_closing(_p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _x_2, _y_2, _z_2, _nx_2, _ny_2, _nz_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _rolling_acceleration_x_2, _rolling_acceleration_y_2, _rolling_acceleration_z_2, _room_2)
-            _nearest_2, _second_contact_gap_2 = neared_body(_gap_2, _nearest_2, _second_contact_gap_2, _rolling_gap_acceleration_2, _normal_cosine_2, _press_2, _nearing_2, _room_2)
+            _nearest_2, _second_contact_gap_2 = near_body(_gap_2, _nearest_2, _second_contact_gap_2, _rolling_gap_acceleration_2, _normal_cosine_2, _press_2, _nearing_2, _room_2)
             _gap_2, *_ = end_beside(_p_end_depth_2, _z_2, _vz_2)
-            _nearest_2, = neared(_gap_2, _nearest_2)
+            _nearest_2, = near_end_plane(_gap_2, _nearest_2)
             _lift_2, *_ = bridge_separation(_p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _room_2)
-            _settles_2, _lodges_2, _slides_2, _unpressed_2, _, _unsure_2 = ring_impact_settling(_p_ball_radius_2, _p_inertia_2, _p_bridge_friction_2, _p_bridge_restitution_2, _wx_2, _wy_2, _wz_2, 0.0, _rolled_x_2, _rolled_y_2, _rolled_z_2, _turning_x_2, _turning_y_2, _turning_z_2, _slip_2, _bounce_2, _nearest_2, _second_contact_gap_2, _press_2, _weight_2, _rolling_friction_2, _lift_2, _room_2)
-            _mode_2, _held_2, _outcome_2, _slip_left_2, *_ = settled(2.0, _outcome_2, 0.0, _unsure_2, _settles_2, _nearly_2, _lodges_2, _slides_2, _unpressed_2)
+            _settles_2, _lodges_2, _slides_2, _unpressed_2, _, _undecided_2 = ring_impact_settling(_p_ball_radius_2, _p_inertia_2, _p_bridge_friction_2, _p_bridge_restitution_2, _wx_2, _wy_2, _wz_2, 0.0, _rolled_x_2, _rolled_y_2, _rolled_z_2, _turning_x_2, _turning_y_2, _turning_z_2, _slip_2, _bounce_2, _nearest_2, _second_contact_gap_2, _press_2, _weight_2, _rolling_friction_2, _lift_2, _room_2)
+            _mode_2, _held_2, _outcome_2, _slip_left_2, *_ = settled(2.0, _outcome_2, 0.0, _undecided_2, _settles_2, _nearly_2, _lodges_2, _slides_2, _unpressed_2)
             _held_1, _mode_1, _outcome_1, _slip_left_1 = _put(_rows13, _count8, (_held_1, _mode_1, _outcome_1, _slip_left_1,), (_held_2, _mode_2, _outcome_2, _slip_left_2,), _here_1)
         _held_0, _mode_0, _outcome_0, _slip_left_0 = _put(_rows7, shots, (_held_0, _mode_0, _outcome_0, _slip_left_0,), (_held_1, _mode_1, _outcome_1, _slip_left_1,))
     columns |= {"count_0": _count_0_0, "count_1": _count_1_0, "count_2": _count_2_0, "first": _first_0, "held": _held_0, "last": _last_0, "mode": _mode_0, "outcome": _outcome_0, "slip_left": _slip_left_0, "vx": _vx_0, "vy": _vy_0, "vz": _vz_0, "wx": _wx_0, "wy": _wy_0, "wz": _wz_0, }
@@ -10284,14 +10284,14 @@ def start_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
     _last_0, _p_ball_radius_0, _p_board_bottom_0, _p_board_distance_0, _p_board_half_width_0, _p_board_thickness_0, _p_board_top_0, _p_bridge_depth_0, _p_bridge_half_width_0, _p_end_depth_0, _p_ring_radius_0, _p_wire_radius_0, _permitted_0, _vx_0, _vy_0, _vz_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0, = map(columns.__getitem__, ("last", "p_ball_radius", "p_board_bottom", "p_board_distance", "p_board_half_width", "p_board_thickness", "p_board_top", "p_bridge_depth", "p_bridge_half_width", "p_end_depth", "p_ring_radius", "p_wire_radius", "permitted", "vx", "vy", "vz", "wx", "wy", "wz", "x", "y", "z",))
     _room_0 = room(shots)
     _in_range_0, = state_in_range(_x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _wx_0, _wy_0, _wz_0, _room_0)
-    _close_0, _valid_0, _doubt_0 = aside(_x_0, _y_0, _z_0, _p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_board_distance_0, _p_board_half_width_0, _p_board_bottom_0, _p_board_top_0, _p_board_thickness_0, _p_bridge_half_width_0, _p_bridge_depth_0, _p_end_depth_0, _room_0)
+    _close_0, _valid_0, _undecided_time_0 = aside(_x_0, _y_0, _z_0, _p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_board_distance_0, _p_board_half_width_0, _p_board_bottom_0, _p_board_top_0, _p_board_thickness_0, _p_bridge_half_width_0, _p_bridge_depth_0, _p_end_depth_0, _room_0)
     _rows1, _count2 = _most(_close_0, shots)
     if _count2:
         _last_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_end_depth_1, _p_ring_radius_1, _p_wire_radius_1, _x_1, _y_1, _z_1 = _taken(_rows1, _last_0, _p_ball_radius_0, _p_board_bottom_0, _p_board_distance_0, _p_board_half_width_0, _p_board_thickness_0, _p_board_top_0, _p_bridge_depth_0, _p_bridge_half_width_0, _p_end_depth_0, _p_ring_radius_0, _p_wire_radius_0, _x_0, _y_0, _z_0)
         _room_1 = room(_count2)
-        _valid_1, _doubt_1 = valid(_last_1, _x_1, _y_1, _z_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_board_distance_1, _p_board_half_width_1, _p_board_bottom_1, _p_board_top_1, _p_board_thickness_1, _p_bridge_half_width_1, _p_bridge_depth_1, _p_end_depth_1, _room_1)
-        _doubt_0, _valid_0 = _put(_rows1, shots, (_doubt_0, _valid_0,), (_doubt_1, _valid_1,), _close_0)
-    _outcome_0, _uncertain_0 = admitted(_doubt_0, _valid_0, _permitted_0, _in_range_0)
+        _valid_1, _undecided_time_1 = valid(_last_1, _x_1, _y_1, _z_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_board_distance_1, _p_board_half_width_1, _p_board_bottom_1, _p_board_top_1, _p_board_thickness_1, _p_bridge_half_width_1, _p_bridge_depth_1, _p_end_depth_1, _room_1)
+        _undecided_time_0, _valid_0 = _put(_rows1, shots, (_undecided_time_0, _valid_0,), (_undecided_time_1, _valid_1,), _close_0)
+    _outcome_0, _uncertain_0 = admitted(_undecided_time_0, _valid_0, _permitted_0, _in_range_0)
     _through_0, _uncertain_0 = passing_start(_last_0, _outcome_0, _uncertain_0, _x_0, _y_0, _z_0, _p_ring_radius_0, _p_end_depth_0, _room_0)
     columns |= {"outcome": _outcome_0, "through": _through_0, "uncertain": _uncertain_0, }
 
@@ -10302,29 +10302,29 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
     _room_0 = room(shots)
     _position_error_0, _velocity_error_0, _, _time_error_0 = error_bounds(_clock_error_0, _dx_0, _dy_0, _dz_0, _dvx_0, _dvy_0, _dvz_0, _dwx_0, _dwy_0, _dwz_0, _room_0)
     _extent_0, _speed_0, _excess_0 = scale(_x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _p_gravity_0, _room_0)
-    _when_0, _which_0, _earliest_delay_0, _doubt_0 = opening(_excess_0, _position_error_0, _velocity_error_0)
+    _when_0, _which_0, _earliest_delay_0, _undecided_time_0 = opening(_excess_0, _position_error_0, _velocity_error_0)
     _limited_0, = limited(_time_limit_0)
     _in_contact_0, _when_0, _rests_0, _rolling_0, _began_0 = in_contact(_when_0, _mode_0)
     _leaving_0, = left(3.0, _last_0)
     _time_0, _rate_0, _bend_0, _apex_0, _height_0 = end_arrival(_leaving_0, _z_0, _vz_0, _p_gravity_0, _p_end_depth_0, _room_0)
-    _arrives_0, _ceiling_0, _nearest_0 = meeting_plane(_rate_0, _bend_0, _apex_0, _time_0)
+    _arrives_0, _ceiling_0, _nearest_0 = plane_root(_rate_0, _bend_0, _apex_0, _time_0)
     _margin_0, = end_margin(_nearest_0, _extent_0, _speed_0, _position_error_0, _velocity_error_0, _p_gravity_0, _p_end_depth_0, _room_0)
     _clearance_0, _delay_0 = crossing(_margin_0, 0.0, _rate_0, _ceiling_0, _room_0)
     _possible_0, = within_time(_time_0, _when_0, _delay_0, _earliest_delay_0, _arrives_0)
-    _doubt_0, = grazed(_margin_0, _apex_0, _height_0, _doubt_0)
-    _doubt_1, = crossed(_clearance_0, _time_0, _doubt_0, _arrives_0)
-    _doubt_1, _earliest_delay_1 = tied(_time_0, _when_0, _delay_0, _earliest_delay_0, _doubt_1, _arrives_0)
+    _undecided_time_0, = graze_undecided(_margin_0, _apex_0, _height_0, _undecided_time_0)
+    _undecided_time_1, = crossing_undecided(_clearance_0, _time_0, _undecided_time_0, _arrives_0)
+    _undecided_time_1, _earliest_delay_1 = tie_undecided(_time_0, _when_0, _delay_0, _earliest_delay_0, _undecided_time_1, _arrives_0)
     _when_1, _which_1 = earliest(3.0, _time_0, _when_0, _which_0, _arrives_0)
-    _doubt_0, _earliest_delay_0, _when_0, _which_0 = _choose(_possible_0, (_doubt_1, _earliest_delay_1, _when_1, _which_1,), (_doubt_0, _earliest_delay_0, _when_0, _which_0,))
+    _earliest_delay_0, _undecided_time_0, _when_0, _which_0 = _choose(_possible_0, (_earliest_delay_1, _undecided_time_1, _when_1, _which_1,), (_earliest_delay_0, _undecided_time_0, _when_0, _which_0,))
     _until_0, _pad_0 = horizon(_when_0, _speed_0, _p_gravity_0)
     _clear_0, = ring_clear(_until_0, _x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _extent_0, _speed_0, _position_error_0, _velocity_error_0, _p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_gravity_0, _room_0)
     _open_0, = opens_in_flight(_clear_0, _in_contact_0)
     _rows1, _count2 = _rows(_open_0, shots)
     if (0 < _count2) and (_count2 <= ALONE):
-        _doubt_0, _earliest_delay_0, _when_0, _which_0 = _copies(shots, _doubt_0, _earliest_delay_0, _when_0, _which_0)
-        _one_by_one(_alone14, _rows1, _rows1, (_doubt_0, _earliest_delay_0, _extent_0, _last_0, _p_ball_radius_0, _p_gravity_0, _p_ring_radius_0, _p_wire_radius_0, _pad_0, _position_error_0, _speed_0, _until_0, _velocity_error_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _x_0, _y_0, _z_0,), (), (_doubt_0, _earliest_delay_0, _when_0, _which_0,))
+        _earliest_delay_0, _undecided_time_0, _when_0, _which_0 = _copies(shots, _earliest_delay_0, _undecided_time_0, _when_0, _which_0)
+        _one_by_one(_alone14, _rows1, _rows1, (_earliest_delay_0, _extent_0, _last_0, _p_ball_radius_0, _p_gravity_0, _p_ring_radius_0, _p_wire_radius_0, _pad_0, _position_error_0, _speed_0, _undecided_time_0, _until_0, _velocity_error_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _x_0, _y_0, _z_0,), (), (_earliest_delay_0, _undecided_time_0, _when_0, _which_0,))
     elif _count2:
-        _doubt_1, _earliest_delay_1, _extent_1, _last_1, _p_ball_radius_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _pad_1, _position_error_1, _speed_1, _until_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _when_1, _which_1, _x_1, _y_1, _z_1 = _taken(_rows1, _doubt_0, _earliest_delay_0, _extent_0, _last_0, _p_ball_radius_0, _p_gravity_0, _p_ring_radius_0, _p_wire_radius_0, _pad_0, _position_error_0, _speed_0, _until_0, _velocity_error_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _x_0, _y_0, _z_0)
+        _earliest_delay_1, _extent_1, _last_1, _p_ball_radius_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _pad_1, _position_error_1, _speed_1, _undecided_time_1, _until_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _when_1, _which_1, _x_1, _y_1, _z_1 = _taken(_rows1, _earliest_delay_0, _extent_0, _last_0, _p_ball_radius_0, _p_gravity_0, _p_ring_radius_0, _p_wire_radius_0, _pad_0, _position_error_0, _speed_0, _undecided_time_0, _until_0, _velocity_error_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _x_0, _y_0, _z_0)
         _room_1 = room(_count2)
         _share_1, _arrival_1, _certain_1 = beginning()
         _leaving_1, = left(0.0, _last_1)
@@ -10336,7 +10336,7 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _stepping_1, _searching_1, _single_precision_1, _ceiling_1, _flat_1, _tilt_1, _allowing_1 = coarse(_double(_short_rate_margin_1), _double(_short_flat_1), _double(_short_ceiling_1), _double(_short_share_1), _searching_1, _representable_1, _fits_1)
         _, _, _excess_1 = allowance(_allowing_1, _latest_1, _extent_1, _speed_1, _position_error_1, _velocity_error_1, _p_gravity_1, _room_1)
         _budget_exceeded_1, = ring_budget_exceeded(_until_1, _extent_1, _speed_1, _position_error_1, _velocity_error_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
-        _doubt_1, = out_of_budget(_pad_1, _budget_exceeded_1, _earliest_delay_1, _doubt_1, _excess_1)
+        _undecided_time_1, = out_of_budget(_pad_1, _budget_exceeded_1, _earliest_delay_1, _undecided_time_1, _excess_1)
         _rows3, _count4 = _most(_stepping_1, _count2)
         if _count4:
             _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _short_ceiling_2, _short_end_2, _short_energy2_2, _short_flat_2, _short_high1_2, _short_high2_2, _short_jerk_2, _short_low1_2, _short_low2_2, _short_moment2_2, _short_quotient_margin_2, _short_rate_margin_2, _short_rho_rate_2, _short_rho_start_2, _short_start_rate_2, _short_t_2, _short_tilt_2, _short_vx_2, _short_vy_2, _short_vz_2, _short_x_2, _short_y_2, _short_z_2 = _taken(_rows3, _p_ball_radius_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _short_ceiling_1, _short_end_1, _short_energy2_1, _short_flat_1, _short_high1_1, _short_high2_1, _short_jerk_1, _short_low1_1, _short_low2_1, _short_moment2_1, _short_quotient_margin_1, _short_rate_margin_1, _short_rho_rate_1, _short_rho_start_1, _short_start_rate_1, _short_t_1, _short_tilt_1, _short_vx_1, _short_vy_1, _short_vz_1, _short_x_1, _short_y_1, _short_z_1)
@@ -10371,10 +10371,10 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _arrival_1, _t_1, _searching_1 = stepped(_arrival_1, _double(_short_t_1), _searching_1, _since_1, _single_precision_1, _certain_1)
         _rows9, _count10 = _rows(_searching_1, _count2)
         if (0 < _count10) and (_count10 <= ALONE):
-            _arrival_1, _ceiling_1, _certain_1, _doubt_1, _flat_1, _latest_1, _rho_start_1, _tilt_1 = _copies(_count2, _arrival_1, _ceiling_1, _certain_1, _doubt_1, _flat_1, _latest_1, _rho_start_1, _tilt_1)
-            _one_by_one(_alone16, _rows9, _rows9, (_arrival_1, _certain_1, _doubt_1, _extent_1, _last_1, _p_ball_radius_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _position_error_1, _share_1, _speed_1, _t_1, _until_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1,), (), (_arrival_1, _ceiling_1, _certain_1, _doubt_1, _flat_1, _latest_1, _rho_start_1, _tilt_1,))
+            _arrival_1, _ceiling_1, _certain_1, _flat_1, _latest_1, _rho_start_1, _tilt_1, _undecided_time_1 = _copies(_count2, _arrival_1, _ceiling_1, _certain_1, _flat_1, _latest_1, _rho_start_1, _tilt_1, _undecided_time_1)
+            _one_by_one(_alone16, _rows9, _rows9, (_arrival_1, _certain_1, _extent_1, _last_1, _p_ball_radius_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _position_error_1, _share_1, _speed_1, _t_1, _undecided_time_1, _until_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1,), (), (_arrival_1, _ceiling_1, _certain_1, _flat_1, _latest_1, _rho_start_1, _tilt_1, _undecided_time_1,))
         elif _count10:
-            _arrival_2, _certain_2, _doubt_2, _extent_2, _last_2, _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _position_error_2, _share_2, _speed_2, _t_2, _until_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows9, _arrival_1, _certain_1, _doubt_1, _extent_1, _last_1, _p_ball_radius_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _position_error_1, _share_1, _speed_1, _t_1, _until_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
+            _arrival_2, _certain_2, _extent_2, _last_2, _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _position_error_2, _share_2, _speed_2, _t_2, _undecided_time_2, _until_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows9, _arrival_1, _certain_1, _extent_1, _last_1, _p_ball_radius_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _position_error_1, _share_1, _speed_1, _t_1, _undecided_time_1, _until_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
             _room_2 = room(_count10)
             _energy2_2, _moment2_2, _rho_start_2, _low0_2, _high0_2, _low1_2, _high1_2, _low2_2, _high2_2, _ceiling_2, _latest_2, *_ = ring_prepare(_until_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _extent_2, _speed_2, _position_error_2, _velocity_error_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
             _position_level_2, _velocity_level_2, *_ = allowance(_share_2, _latest_2, _extent_2, _speed_2, _position_error_2, _velocity_error_2, _p_gravity_2, _room_2)
@@ -10382,27 +10382,27 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             _t_2, _end_2, _searching_2 = ring_enter(_t_2, 0.0, _t_2, _low0_2, _low1_2, _low2_2, _high0_2, _high1_2, _high2_2, _room_2)
             _rows11, _count12 = _rows(_searching_2, _count10)
             if (0 < _count12) and (_count12 <= ALONE):
-                _arrival_2, _certain_2, _doubt_2, _flat_2, _searching_2, _t_2, _tilt_2 = _copies(_count10, _arrival_2, _certain_2, _doubt_2, _flat_2, _searching_2, _t_2, _tilt_2)
-                _one_by_one(_alone17, _rows11, _rows11, (_arrival_2, _ceiling_2, _certain_2, _doubt_2, _end_2, _energy2_2, _flat_2, _last_2, _moment2_2, _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _rate_slack_2, _rho_start_2, _searching_2, _share_2, _t_2, _tilt_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2, _extent_2, _high0_2, _high1_2, _high2_2, _latest_2, _low0_2, _low1_2, _low2_2, _position_error_2, _speed_2, _velocity_error_2,), (), (_arrival_2, _certain_2, _doubt_2, _flat_2, _searching_2, _t_2, _tilt_2,), 201)
+                _arrival_2, _certain_2, _flat_2, _searching_2, _t_2, _tilt_2, _undecided_time_2 = _copies(_count10, _arrival_2, _certain_2, _flat_2, _searching_2, _t_2, _tilt_2, _undecided_time_2)
+                _one_by_one(_alone17, _rows11, _rows11, (_arrival_2, _ceiling_2, _certain_2, _end_2, _energy2_2, _flat_2, _last_2, _moment2_2, _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _rate_slack_2, _rho_start_2, _searching_2, _share_2, _t_2, _tilt_2, _undecided_time_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2, _extent_2, _high0_2, _high1_2, _high2_2, _latest_2, _low0_2, _low1_2, _low2_2, _position_error_2, _speed_2, _velocity_error_2,), (), (_arrival_2, _certain_2, _flat_2, _searching_2, _t_2, _tilt_2, _undecided_time_2,), 201)
             elif _count12:
-                _arrival_3, _ceiling_3, _certain_3, _doubt_3, _end_3, _energy2_3, _flat_3, _last_3, _moment2_3, _p_ball_radius_3, _p_gravity_3, _p_ring_radius_3, _p_wire_radius_3, _rate_slack_3, _rho_start_3, _searching_3, _share_3, _t_3, _tilt_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_rows11, _arrival_2, _ceiling_2, _certain_2, _doubt_2, _end_2, _energy2_2, _flat_2, _last_2, _moment2_2, _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _rate_slack_2, _rho_start_2, _searching_2, _share_2, _t_2, _tilt_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
-                _arrival_2, _certain_2, _doubt_2, _flat_2, _searching_2, _t_2, _tilt_2 = _copies(_count10, _arrival_2, _certain_2, _doubt_2, _flat_2, _searching_2, _t_2, _tilt_2)
+                _arrival_3, _ceiling_3, _certain_3, _end_3, _energy2_3, _flat_3, _last_3, _moment2_3, _p_ball_radius_3, _p_gravity_3, _p_ring_radius_3, _p_wire_radius_3, _rate_slack_3, _rho_start_3, _searching_3, _share_3, _t_3, _tilt_3, _undecided_time_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_rows11, _arrival_2, _ceiling_2, _certain_2, _end_2, _energy2_2, _flat_2, _last_2, _moment2_2, _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _rate_slack_2, _rho_start_2, _searching_2, _share_2, _t_2, _tilt_2, _undecided_time_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
+                _arrival_2, _certain_2, _flat_2, _searching_2, _t_2, _tilt_2, _undecided_time_2 = _copies(_count10, _arrival_2, _certain_2, _flat_2, _searching_2, _t_2, _tilt_2, _undecided_time_2)
                 for _turn13 in range(201):
                     _room_3 = room(_count12)
                     _leaving_3, _margin_3 = nearby(_t_3, _flat_3, _tilt_3, 0.0, _last_3)
                     _gap_3, _rate_3, _bend_3, _step_3, _next_3, _clearance_3 = ring_advance(_t_3, _end_3, _leaving_3, _margin_3, _rate_slack_3, _ceiling_3, _x_3, _y_3, _z_3, _vx_3, _vy_3, _vz_3, _energy2_3, _moment2_3, _rho_start_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _p_gravity_3, _room_3)
-                    _hit_3, _sure_3, _needs_refinement_3 = struck(_gap_3, _rate_3, _bend_3, _margin_3, _rate_slack_3, _clearance_3, _share_3)
+                    _hit_3, _sure_3, _needs_refinement_3 = gap_closes(_gap_3, _rate_3, _bend_3, _margin_3, _rate_slack_3, _clearance_3, _share_3)
                     _rows14, _count15 = _most(_needs_refinement_3, _count12)
                     if _count15:
                         _far = _of(_rows11, _rows14)
                         _extent_4, _latest_4, _position_error_4, _speed_4, _velocity_error_4 = _taken(_far, _extent_2, _latest_2, _position_error_2, _speed_2, _velocity_error_2)
-                        _doubt_4, _p_ball_radius_4, _p_gravity_4, _p_ring_radius_4, _p_wire_radius_4, _share_4, _t_4 = _taken(_rows14, _doubt_3, _p_ball_radius_3, _p_gravity_3, _p_ring_radius_3, _p_wire_radius_3, _share_3, _t_3)
+                        _p_ball_radius_4, _p_gravity_4, _p_ring_radius_4, _p_wire_radius_4, _share_4, _t_4, _undecided_time_4 = _taken(_rows14, _p_ball_radius_3, _p_gravity_3, _p_ring_radius_3, _p_wire_radius_3, _share_3, _t_3, _undecided_time_3)
                         _room_4 = room(_count15)
-                        _share_4, = finer(_share_4)
+                        _share_4, = smaller_budget(_share_4)
                         _position_level_4, _velocity_level_4, _excess_4 = allowance(_share_4, _latest_4, _extent_4, _speed_4, _position_error_4, _velocity_error_4, _p_gravity_4, _room_4)
                         _flat_4, _tilt_4, _rate_slack_4 = ring_margins(_latest_4, _extent_4, _speed_4, _position_level_4, _velocity_level_4, _p_ball_radius_4, _p_ring_radius_4, _p_wire_radius_4, _p_gravity_4, _room_4)
-                        _doubt_4, = exceeded(_t_4, _doubt_4, _excess_4)
-                        _doubt_3, _flat_3, _rate_slack_3, _share_3, _tilt_3 = _put(_rows14, _count12, (_doubt_3, _flat_3, _rate_slack_3, _share_3, _tilt_3,), (_doubt_4, _flat_4, _rate_slack_4, _share_4, _tilt_4,), _needs_refinement_3)
+                        _undecided_time_4, = budget_undecided(_t_4, _undecided_time_4, _excess_4)
+                        _flat_3, _rate_slack_3, _share_3, _tilt_3, _undecided_time_3 = _put(_rows14, _count12, (_flat_3, _rate_slack_3, _share_3, _tilt_3, _undecided_time_3,), (_flat_4, _rate_slack_4, _share_4, _tilt_4, _undecided_time_4,), _needs_refinement_3)
                     _arrival_3, _certain_3, _exhausted_3, _searching_3, _t_3 = advanced(_t_3, _end_3, _step_3, _next_3, _arrival_3, _hit_3, _sure_3, _needs_refinement_3, _certain_3)
                     _rows16, _count17 = _most(_exhausted_3, _count12)
                     if _count17:
@@ -10416,19 +10416,19 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                     if len(_going18) == _count12:
                         continue
                     _done = _where_true(_logical_not(_searching_3))
-                    _store((_arrival_2, _certain_2, _doubt_2, _flat_2, _searching_2, _t_2, _tilt_2,), _of(_rows11, _done), (_arrival_3, _certain_3, _doubt_3, _flat_3, _searching_3, _t_3, _tilt_3,), _done)
+                    _store((_arrival_2, _certain_2, _flat_2, _searching_2, _t_2, _tilt_2, _undecided_time_2,), _of(_rows11, _done), (_arrival_3, _certain_3, _flat_3, _searching_3, _t_3, _tilt_3, _undecided_time_3,), _done)
                     _rows11 = _of(_rows11, _going18)
                     _count12 = len(_going18)
                     if _count12 == 0:
                         break
                     if _count12 <= ALONE:
-                        _one_by_one(_alone17, _rows11, _going18, (_arrival_3, _ceiling_3, _certain_3, _doubt_3, _end_3, _energy2_3, _flat_3, _last_3, _moment2_3, _p_ball_radius_3, _p_gravity_3, _p_ring_radius_3, _p_wire_radius_3, _rate_slack_3, _rho_start_3, _searching_3, _share_3, _t_3, _tilt_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3,), (_extent_2, _high0_2, _high1_2, _high2_2, _latest_2, _low0_2, _low1_2, _low2_2, _position_error_2, _speed_2, _velocity_error_2,), (_arrival_2, _certain_2, _doubt_2, _flat_2, _searching_2, _t_2, _tilt_2,), 200 - _turn13)
+                        _one_by_one(_alone17, _rows11, _going18, (_arrival_3, _ceiling_3, _certain_3, _end_3, _energy2_3, _flat_3, _last_3, _moment2_3, _p_ball_radius_3, _p_gravity_3, _p_ring_radius_3, _p_wire_radius_3, _rate_slack_3, _rho_start_3, _searching_3, _share_3, _t_3, _tilt_3, _undecided_time_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3,), (_extent_2, _high0_2, _high1_2, _high2_2, _latest_2, _low0_2, _low1_2, _low2_2, _position_error_2, _speed_2, _velocity_error_2,), (_arrival_2, _certain_2, _flat_2, _searching_2, _t_2, _tilt_2, _undecided_time_2,), 200 - _turn13)
                         break
-                    _arrival_3, _ceiling_3, _certain_3, _doubt_3, _end_3, _energy2_3, _flat_3, _last_3, _moment2_3, _p_ball_radius_3, _p_gravity_3, _p_ring_radius_3, _p_wire_radius_3, _rate_slack_3, _rho_start_3, _searching_3, _share_3, _t_3, _tilt_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_going18, _arrival_3, _ceiling_3, _certain_3, _doubt_3, _end_3, _energy2_3, _flat_3, _last_3, _moment2_3, _p_ball_radius_3, _p_gravity_3, _p_ring_radius_3, _p_wire_radius_3, _rate_slack_3, _rho_start_3, _searching_3, _share_3, _t_3, _tilt_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3)
+                    _arrival_3, _ceiling_3, _certain_3, _end_3, _energy2_3, _flat_3, _last_3, _moment2_3, _p_ball_radius_3, _p_gravity_3, _p_ring_radius_3, _p_wire_radius_3, _rate_slack_3, _rho_start_3, _searching_3, _share_3, _t_3, _tilt_3, _undecided_time_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_going18, _arrival_3, _ceiling_3, _certain_3, _end_3, _energy2_3, _flat_3, _last_3, _moment2_3, _p_ball_radius_3, _p_gravity_3, _p_ring_radius_3, _p_wire_radius_3, _rate_slack_3, _rho_start_3, _searching_3, _share_3, _t_3, _tilt_3, _undecided_time_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3)
                 else:
-                    _store((_arrival_2, _certain_2, _doubt_2, _flat_2, _searching_2, _t_2, _tilt_2,), _rows11, (_arrival_3, _certain_3, _doubt_3, _flat_3, _searching_3, _t_3, _tilt_3,), None)
-            _doubt_2, = questioned(_t_2, _doubt_2, _searching_2)
-            _arrival_1, _ceiling_1, _certain_1, _doubt_1, _flat_1, _latest_1, _rho_start_1, _tilt_1 = _put(_rows9, _count2, (_arrival_1, _ceiling_1, _certain_1, _doubt_1, _flat_1, _latest_1, _rho_start_1, _tilt_1,), (_arrival_2, _ceiling_2, _certain_2, _doubt_2, _flat_2, _latest_2, _rho_start_2, _tilt_2,))
+                    _store((_arrival_2, _certain_2, _flat_2, _searching_2, _t_2, _tilt_2, _undecided_time_2,), _rows11, (_arrival_3, _certain_3, _flat_3, _searching_3, _t_3, _tilt_3, _undecided_time_3,), None)
+            _undecided_time_2, = predicate_undecided(_t_2, _undecided_time_2, _searching_2)
+            _arrival_1, _ceiling_1, _certain_1, _flat_1, _latest_1, _rho_start_1, _tilt_1, _undecided_time_1 = _put(_rows9, _count2, (_arrival_1, _ceiling_1, _certain_1, _flat_1, _latest_1, _rho_start_1, _tilt_1, _undecided_time_1,), (_arrival_2, _ceiling_2, _certain_2, _flat_2, _latest_2, _rho_start_2, _tilt_2, _undecided_time_2,))
         _arrives_1, _refining_1, _rate_1 = found(_arrival_1)
         _leaving_1, *_ = nearby(_arrival_1, _flat_1, _tilt_1, 0.0, _last_1)
         _rows19, _count20 = _most(_refining_1, _count2)
@@ -10436,14 +10436,14 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _rho_start_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows19, _arrival_1, _ceiling_1, _certain_1, _leaving_1, _p_ball_radius_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _rho_start_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
             _room_2 = room(_count20)
             _refined_2, _gap_2, _rate_2 = ring_refine(_arrival_2, _leaving_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _rho_start_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
-            _arrival_2, _refining_2 = polished(_gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
+            _arrival_2, _refining_2 = refined_root(_gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
             _arrival_1, _rate_1, _refining_1 = _put(_rows19, _count2, (_arrival_1, _rate_1, _refining_1,), (_arrival_2, _rate_2, _refining_2,), _refining_1)
         _rows21, _count22 = _most(_refining_1, _count2)
         if _count22:
             _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _rho_start_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows21, _arrival_1, _ceiling_1, _certain_1, _leaving_1, _p_ball_radius_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _rho_start_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
             _room_2 = room(_count22)
             _refined_2, _gap_2, _rate_2 = ring_refine(_arrival_2, _leaving_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _rho_start_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
-            _arrival_2, _refining_2 = polished(_gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
+            _arrival_2, _refining_2 = refined_root(_gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
             _arrival_1, _rate_1, _refining_1 = _put(_rows21, _count2, (_arrival_1, _rate_1, _refining_1,), (_arrival_2, _rate_2, _refining_2,), _refining_1)
         _rows23, _count24 = _rows(_refining_1, _count2)
         if (0 < _count24) and (_count24 <= ALONE):
@@ -10455,7 +10455,7 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             for _turn25 in range(8):
                 _room_2 = room(_count24)
                 _refined_2, _gap_2, _rate_2 = ring_refine(_arrival_2, _leaving_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _rho_start_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
-                _arrival_2, _refining_2 = polished(_gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
+                _arrival_2, _refining_2 = refined_root(_gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
                 _going26 = _where_true(_refining_2)
                 if len(_going26) == _count24:
                     continue
@@ -10474,21 +10474,21 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _flat_1, _tilt_1, _rate_margin_1 = ring_margins(_latest_1, _extent_1, _speed_1, _position_error_1, _velocity_error_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
         _margin_1, = own_margin(_leaving_1, _flat_1, _tilt_1, _arrival_1)
         _clearance_1, _delay_1 = crossing(_margin_1, _rate_margin_1, _rate_1, _ceiling_1, _room_1)
-        _time_1, = landed(_arrival_1)
-        _delay_1, _doubt_1 = landed_surely(_clearance_1, _time_1, _delay_1, _doubt_1, _arrives_1, _certain_1)
-        _doubt_1, _earliest_delay_1 = tied(_time_1, _when_1, _delay_1, _earliest_delay_1, _doubt_1, _arrives_1)
+        _time_1, = arrival_time(_arrival_1)
+        _delay_1, _undecided_time_1 = certain_arrival(_clearance_1, _time_1, _delay_1, _undecided_time_1, _arrives_1, _certain_1)
+        _undecided_time_1, _earliest_delay_1 = tie_undecided(_time_1, _when_1, _delay_1, _earliest_delay_1, _undecided_time_1, _arrives_1)
         _when_1, _which_1 = earliest(0.0, _time_1, _when_1, _which_1, _arrives_1)
-        _doubt_0, _earliest_delay_0, _when_0, _which_0 = _put(_rows1, shots, (_doubt_0, _earliest_delay_0, _when_0, _which_0,), (_doubt_1, _earliest_delay_1, _when_1, _which_1,))
+        _earliest_delay_0, _undecided_time_0, _when_0, _which_0 = _put(_rows1, shots, (_earliest_delay_0, _undecided_time_0, _when_0, _which_0,), (_earliest_delay_1, _undecided_time_1, _when_1, _which_1,))
     _until_0, _pad_0 = horizon(_when_0, _speed_0, _p_gravity_0)
-    _middle_x_0, _reach_x_0, _later_middle_x_0, _later_reach_x_0, _middle_y_0, _reach_y_0, _later_middle_y_0, _later_reach_y_0, _middle_z_0, _reach_z_0, _later_middle_z_0, _later_reach_z_0 = halved(_until_0, _x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _extent_0, _speed_0, _position_error_0, _velocity_error_0, _earliest_delay_0, _pad_0, _p_gravity_0, _room_0)
+    _middle_x_0, _reach_x_0, _later_middle_x_0, _later_reach_x_0, _middle_y_0, _reach_y_0, _later_middle_y_0, _later_reach_y_0, _middle_z_0, _reach_z_0, _later_middle_z_0, _later_reach_z_0 = half_flight_boxes(_until_0, _x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _extent_0, _speed_0, _position_error_0, _velocity_error_0, _earliest_delay_0, _pad_0, _p_gravity_0, _room_0)
     _reachable_0, = backboard_near(_middle_x_0, _middle_y_0, _middle_z_0, _reach_x_0, _reach_y_0, _reach_z_0, _later_middle_x_0, _later_middle_y_0, _later_middle_z_0, _later_reach_x_0, _later_reach_y_0, _later_reach_z_0, _p_ball_radius_0, _p_board_distance_0, _p_board_half_width_0, _p_board_bottom_0, _p_board_top_0, _p_board_thickness_0, _room_0)
     _reachable_0, = reachable_in_flight(_reachable_0, _in_contact_0)
     _rows27, _count28 = _rows(_reachable_0, shots)
     if (0 < _count28) and (_count28 <= ALONE):
-        _doubt_0, _earliest_delay_0, _when_0, _which_0 = _copies(shots, _doubt_0, _earliest_delay_0, _when_0, _which_0)
-        _one_by_one(_alone19, _rows27, _rows27, (_doubt_0, _earliest_delay_0, _extent_0, _last_0, _p_ball_radius_0, _p_board_bottom_0, _p_board_distance_0, _p_board_half_width_0, _p_board_thickness_0, _p_board_top_0, _p_gravity_0, _position_error_0, _speed_0, _velocity_error_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _x_0, _y_0, _z_0,), (), (_doubt_0, _earliest_delay_0, _when_0, _which_0,))
+        _earliest_delay_0, _undecided_time_0, _when_0, _which_0 = _copies(shots, _earliest_delay_0, _undecided_time_0, _when_0, _which_0)
+        _one_by_one(_alone19, _rows27, _rows27, (_earliest_delay_0, _extent_0, _last_0, _p_ball_radius_0, _p_board_bottom_0, _p_board_distance_0, _p_board_half_width_0, _p_board_thickness_0, _p_board_top_0, _p_gravity_0, _position_error_0, _speed_0, _undecided_time_0, _velocity_error_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _x_0, _y_0, _z_0,), (), (_earliest_delay_0, _undecided_time_0, _when_0, _which_0,))
     elif _count28:
-        _doubt_1, _earliest_delay_1, _extent_1, _last_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_gravity_1, _position_error_1, _speed_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _when_1, _which_1, _x_1, _y_1, _z_1 = _taken(_rows27, _doubt_0, _earliest_delay_0, _extent_0, _last_0, _p_ball_radius_0, _p_board_bottom_0, _p_board_distance_0, _p_board_half_width_0, _p_board_thickness_0, _p_board_top_0, _p_gravity_0, _position_error_0, _speed_0, _velocity_error_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _x_0, _y_0, _z_0)
+        _earliest_delay_1, _extent_1, _last_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_gravity_1, _position_error_1, _speed_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _when_1, _which_1, _x_1, _y_1, _z_1 = _taken(_rows27, _earliest_delay_0, _extent_0, _last_0, _p_ball_radius_0, _p_board_bottom_0, _p_board_distance_0, _p_board_half_width_0, _p_board_thickness_0, _p_board_top_0, _p_gravity_0, _position_error_0, _speed_0, _undecided_time_0, _velocity_error_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _x_0, _y_0, _z_0)
         _room_1 = room(_count28)
         _until_1, _pad_1 = horizon(_when_1, _speed_1, _p_gravity_1)
         _low0_1, _high0_1, _low1_1, _high1_1, _ceiling_1, _latest_1, _budget_exceeded_1 = backboard_prepare(_until_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _extent_1, _speed_1, _position_error_1, _velocity_error_1, _p_ball_radius_1, _p_board_distance_1, _p_board_half_width_1, _p_board_bottom_1, _p_board_top_1, _p_board_thickness_1, _p_gravity_1, _room_1)
@@ -10496,50 +10496,50 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _position_level_1, _velocity_level_1, _excess_1 = allowance(_share_1, _latest_1, _extent_1, _speed_1, _position_error_1, _velocity_error_1, _p_gravity_1, _room_1)
         _flat_1, _tilt_1, _rate_slack_1 = backboard_margins(_latest_1, _extent_1, _speed_1, _position_level_1, _velocity_level_1, _p_ball_radius_1, _p_board_distance_1, _p_board_half_width_1, _p_board_bottom_1, _p_board_top_1, _p_board_thickness_1, _p_gravity_1, _room_1)
         _t_1, _end_1, _searching_1 = backboard_enter(0.0, 0.0, 0.0, _low0_1, _low1_1, _high0_1, _high1_1)
-        _doubt_1, = out_of_budget_in_windows(_pad_1, _budget_exceeded_1, _earliest_delay_1, _doubt_1, _excess_1, _searching_1)
+        _undecided_time_1, = out_of_budget_in_windows(_pad_1, _budget_exceeded_1, _earliest_delay_1, _undecided_time_1, _excess_1, _searching_1)
         _rows29, _count30 = _rows(_searching_1, _count28)
         if _count30:
-            _arrival_2, _ceiling_2, _certain_2, _doubt_2, _end_2, _extent_2, _flat_2, _high0_2, _high1_2, _last_2, _latest_2, _low0_2, _low1_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _position_error_2, _rate_slack_2, _share_2, _speed_2, _t_2, _tilt_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows29, _arrival_1, _ceiling_1, _certain_1, _doubt_1, _end_1, _extent_1, _flat_1, _high0_1, _high1_1, _last_1, _latest_1, _low0_1, _low1_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_gravity_1, _position_error_1, _rate_slack_1, _share_1, _speed_1, _t_1, _tilt_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
+            _arrival_2, _ceiling_2, _certain_2, _end_2, _extent_2, _flat_2, _high0_2, _high1_2, _last_2, _latest_2, _low0_2, _low1_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _position_error_2, _rate_slack_2, _share_2, _speed_2, _t_2, _tilt_2, _undecided_time_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows29, _arrival_1, _ceiling_1, _certain_1, _end_1, _extent_1, _flat_1, _high0_1, _high1_1, _last_1, _latest_1, _low0_1, _low1_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_gravity_1, _position_error_1, _rate_slack_1, _share_1, _speed_1, _t_1, _tilt_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
             _room_2 = room(_count30)
             _leaving_2, _margin_2 = nearby(_t_2, _flat_2, _tilt_2, 1.0, _last_2)
             _gap_2, _rate_2, _bend_2, _step_2, _next_2, _clearance_2 = backboard_advance(_t_2, _end_2, _leaving_2, _margin_2, _rate_slack_2, _ceiling_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _p_ball_radius_2, _p_board_distance_2, _p_board_half_width_2, _p_board_bottom_2, _p_board_top_2, _p_board_thickness_2, _p_gravity_2, _room_2)
-            _hit_2, _sure_2, _needs_refinement_2 = struck_or_still(_t_2, _end_2, _gap_2, _rate_2, _bend_2, _margin_2, _rate_slack_2, _next_2, _clearance_2, _share_2)
+            _hit_2, _sure_2, _needs_refinement_2 = gap_closes_or_stalls(_t_2, _end_2, _gap_2, _rate_2, _bend_2, _margin_2, _rate_slack_2, _next_2, _clearance_2, _share_2)
             _rows31, _count32 = _most(_needs_refinement_2, _count30)
             if _count32:
-                _doubt_3, _extent_3, _latest_3, _p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _p_gravity_3, _position_error_3, _share_3, _speed_3, _t_3, _velocity_error_3 = _taken(_rows31, _doubt_2, _extent_2, _latest_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _position_error_2, _share_2, _speed_2, _t_2, _velocity_error_2)
+                _extent_3, _latest_3, _p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _p_gravity_3, _position_error_3, _share_3, _speed_3, _t_3, _undecided_time_3, _velocity_error_3 = _taken(_rows31, _extent_2, _latest_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _position_error_2, _share_2, _speed_2, _t_2, _undecided_time_2, _velocity_error_2)
                 _room_3 = room(_count32)
-                _share_3, = finer(_share_3)
+                _share_3, = smaller_budget(_share_3)
                 _position_level_3, _velocity_level_3, _excess_3 = allowance(_share_3, _latest_3, _extent_3, _speed_3, _position_error_3, _velocity_error_3, _p_gravity_3, _room_3)
                 _flat_3, _tilt_3, _rate_slack_3 = backboard_margins(_latest_3, _extent_3, _speed_3, _position_level_3, _velocity_level_3, _p_ball_radius_3, _p_board_distance_3, _p_board_half_width_3, _p_board_bottom_3, _p_board_top_3, _p_board_thickness_3, _p_gravity_3, _room_3)
-                _doubt_3, = exceeded(_t_3, _doubt_3, _excess_3)
-                _doubt_2, _flat_2, _rate_slack_2, _share_2, _tilt_2 = _put(_rows31, _count30, (_doubt_2, _flat_2, _rate_slack_2, _share_2, _tilt_2,), (_doubt_3, _flat_3, _rate_slack_3, _share_3, _tilt_3,), _needs_refinement_2)
+                _undecided_time_3, = budget_undecided(_t_3, _undecided_time_3, _excess_3)
+                _flat_2, _rate_slack_2, _share_2, _tilt_2, _undecided_time_2 = _put(_rows31, _count30, (_flat_2, _rate_slack_2, _share_2, _tilt_2, _undecided_time_2,), (_flat_3, _rate_slack_3, _share_3, _tilt_3, _undecided_time_3,), _needs_refinement_2)
             _arrival_2, _certain_2, _exhausted_2, _searching_2, _t_2 = advanced(_t_2, _end_2, _step_2, _next_2, _arrival_2, _hit_2, _sure_2, _needs_refinement_2, _certain_2)
             _t_3, _end_3, _searching_3 = backboard_enter(_t_2, _end_2, _end_2, _low0_2, _low1_2, _high0_2, _high1_2)
             _end_2, _searching_2, _t_2 = _choose(_exhausted_2, (_end_3, _searching_3, _t_3,), (_end_2, _searching_2, _t_2,))
-            _arrival_1, _certain_1, _doubt_1, _end_1, _flat_1, _rate_slack_1, _searching_1, _share_1, _t_1, _tilt_1 = _put(_rows29, _count28, (_arrival_1, _certain_1, _doubt_1, _end_1, _flat_1, _rate_slack_1, _searching_1, _share_1, _t_1, _tilt_1,), (_arrival_2, _certain_2, _doubt_2, _end_2, _flat_2, _rate_slack_2, _searching_2, _share_2, _t_2, _tilt_2,))
+            _arrival_1, _certain_1, _end_1, _flat_1, _rate_slack_1, _searching_1, _share_1, _t_1, _tilt_1, _undecided_time_1 = _put(_rows29, _count28, (_arrival_1, _certain_1, _end_1, _flat_1, _rate_slack_1, _searching_1, _share_1, _t_1, _tilt_1, _undecided_time_1,), (_arrival_2, _certain_2, _end_2, _flat_2, _rate_slack_2, _searching_2, _share_2, _t_2, _tilt_2, _undecided_time_2,))
         _rows33, _count34 = _rows(_searching_1, _count28)
         if (0 < _count34) and (_count34 <= ALONE):
-            _arrival_1, _certain_1, _doubt_1, _flat_1, _searching_1, _t_1, _tilt_1 = _copies(_count28, _arrival_1, _certain_1, _doubt_1, _flat_1, _searching_1, _t_1, _tilt_1)
-            _one_by_one(_alone20, _rows33, _rows33, (_arrival_1, _ceiling_1, _certain_1, _doubt_1, _end_1, _flat_1, _last_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_gravity_1, _rate_slack_1, _searching_1, _share_1, _t_1, _tilt_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1, _extent_1, _high0_1, _high1_1, _latest_1, _low0_1, _low1_1, _position_error_1, _speed_1, _velocity_error_1,), (), (_arrival_1, _certain_1, _doubt_1, _flat_1, _searching_1, _t_1, _tilt_1,), 201)
+            _arrival_1, _certain_1, _flat_1, _searching_1, _t_1, _tilt_1, _undecided_time_1 = _copies(_count28, _arrival_1, _certain_1, _flat_1, _searching_1, _t_1, _tilt_1, _undecided_time_1)
+            _one_by_one(_alone20, _rows33, _rows33, (_arrival_1, _ceiling_1, _certain_1, _end_1, _flat_1, _last_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_gravity_1, _rate_slack_1, _searching_1, _share_1, _t_1, _tilt_1, _undecided_time_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1, _extent_1, _high0_1, _high1_1, _latest_1, _low0_1, _low1_1, _position_error_1, _speed_1, _velocity_error_1,), (), (_arrival_1, _certain_1, _flat_1, _searching_1, _t_1, _tilt_1, _undecided_time_1,), 201)
         elif _count34:
-            _arrival_2, _ceiling_2, _certain_2, _doubt_2, _end_2, _flat_2, _last_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _rate_slack_2, _searching_2, _share_2, _t_2, _tilt_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows33, _arrival_1, _ceiling_1, _certain_1, _doubt_1, _end_1, _flat_1, _last_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_gravity_1, _rate_slack_1, _searching_1, _share_1, _t_1, _tilt_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
-            _arrival_1, _certain_1, _doubt_1, _flat_1, _searching_1, _t_1, _tilt_1 = _copies(_count28, _arrival_1, _certain_1, _doubt_1, _flat_1, _searching_1, _t_1, _tilt_1)
+            _arrival_2, _ceiling_2, _certain_2, _end_2, _flat_2, _last_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _rate_slack_2, _searching_2, _share_2, _t_2, _tilt_2, _undecided_time_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows33, _arrival_1, _ceiling_1, _certain_1, _end_1, _flat_1, _last_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_gravity_1, _rate_slack_1, _searching_1, _share_1, _t_1, _tilt_1, _undecided_time_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
+            _arrival_1, _certain_1, _flat_1, _searching_1, _t_1, _tilt_1, _undecided_time_1 = _copies(_count28, _arrival_1, _certain_1, _flat_1, _searching_1, _t_1, _tilt_1, _undecided_time_1)
             for _turn35 in range(201):
                 _room_2 = room(_count34)
                 _leaving_2, _margin_2 = nearby(_t_2, _flat_2, _tilt_2, 1.0, _last_2)
                 _gap_2, _rate_2, _bend_2, _step_2, _next_2, _clearance_2 = backboard_advance(_t_2, _end_2, _leaving_2, _margin_2, _rate_slack_2, _ceiling_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _p_ball_radius_2, _p_board_distance_2, _p_board_half_width_2, _p_board_bottom_2, _p_board_top_2, _p_board_thickness_2, _p_gravity_2, _room_2)
-                _hit_2, _sure_2, _needs_refinement_2 = struck_or_still(_t_2, _end_2, _gap_2, _rate_2, _bend_2, _margin_2, _rate_slack_2, _next_2, _clearance_2, _share_2)
+                _hit_2, _sure_2, _needs_refinement_2 = gap_closes_or_stalls(_t_2, _end_2, _gap_2, _rate_2, _bend_2, _margin_2, _rate_slack_2, _next_2, _clearance_2, _share_2)
                 _rows36, _count37 = _most(_needs_refinement_2, _count34)
                 if _count37:
                     _far = _of(_rows33, _rows36)
                     _extent_3, _latest_3, _position_error_3, _speed_3, _velocity_error_3 = _taken(_far, _extent_1, _latest_1, _position_error_1, _speed_1, _velocity_error_1)
-                    _doubt_3, _p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _p_gravity_3, _share_3, _t_3 = _taken(_rows36, _doubt_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _share_2, _t_2)
+                    _p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _p_gravity_3, _share_3, _t_3, _undecided_time_3 = _taken(_rows36, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _share_2, _t_2, _undecided_time_2)
                     _room_3 = room(_count37)
-                    _share_3, = finer(_share_3)
+                    _share_3, = smaller_budget(_share_3)
                     _position_level_3, _velocity_level_3, _excess_3 = allowance(_share_3, _latest_3, _extent_3, _speed_3, _position_error_3, _velocity_error_3, _p_gravity_3, _room_3)
                     _flat_3, _tilt_3, _rate_slack_3 = backboard_margins(_latest_3, _extent_3, _speed_3, _position_level_3, _velocity_level_3, _p_ball_radius_3, _p_board_distance_3, _p_board_half_width_3, _p_board_bottom_3, _p_board_top_3, _p_board_thickness_3, _p_gravity_3, _room_3)
-                    _doubt_3, = exceeded(_t_3, _doubt_3, _excess_3)
-                    _doubt_2, _flat_2, _rate_slack_2, _share_2, _tilt_2 = _put(_rows36, _count34, (_doubt_2, _flat_2, _rate_slack_2, _share_2, _tilt_2,), (_doubt_3, _flat_3, _rate_slack_3, _share_3, _tilt_3,), _needs_refinement_2)
+                    _undecided_time_3, = budget_undecided(_t_3, _undecided_time_3, _excess_3)
+                    _flat_2, _rate_slack_2, _share_2, _tilt_2, _undecided_time_2 = _put(_rows36, _count34, (_flat_2, _rate_slack_2, _share_2, _tilt_2, _undecided_time_2,), (_flat_3, _rate_slack_3, _share_3, _tilt_3, _undecided_time_3,), _needs_refinement_2)
                 _arrival_2, _certain_2, _exhausted_2, _searching_2, _t_2 = advanced(_t_2, _end_2, _step_2, _next_2, _arrival_2, _hit_2, _sure_2, _needs_refinement_2, _certain_2)
                 _rows38, _count39 = _most(_exhausted_2, _count34)
                 if _count39:
@@ -10552,18 +10552,18 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                 if len(_going40) == _count34:
                     continue
                 _done = _where_true(_logical_not(_searching_2))
-                _store((_arrival_1, _certain_1, _doubt_1, _flat_1, _searching_1, _t_1, _tilt_1,), _of(_rows33, _done), (_arrival_2, _certain_2, _doubt_2, _flat_2, _searching_2, _t_2, _tilt_2,), _done)
+                _store((_arrival_1, _certain_1, _flat_1, _searching_1, _t_1, _tilt_1, _undecided_time_1,), _of(_rows33, _done), (_arrival_2, _certain_2, _flat_2, _searching_2, _t_2, _tilt_2, _undecided_time_2,), _done)
                 _rows33 = _of(_rows33, _going40)
                 _count34 = len(_going40)
                 if _count34 == 0:
                     break
                 if _count34 <= ALONE:
-                    _one_by_one(_alone20, _rows33, _going40, (_arrival_2, _ceiling_2, _certain_2, _doubt_2, _end_2, _flat_2, _last_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _rate_slack_2, _searching_2, _share_2, _t_2, _tilt_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2,), (_extent_1, _high0_1, _high1_1, _latest_1, _low0_1, _low1_1, _position_error_1, _speed_1, _velocity_error_1,), (_arrival_1, _certain_1, _doubt_1, _flat_1, _searching_1, _t_1, _tilt_1,), 200 - _turn35)
+                    _one_by_one(_alone20, _rows33, _going40, (_arrival_2, _ceiling_2, _certain_2, _end_2, _flat_2, _last_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _rate_slack_2, _searching_2, _share_2, _t_2, _tilt_2, _undecided_time_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2,), (_extent_1, _high0_1, _high1_1, _latest_1, _low0_1, _low1_1, _position_error_1, _speed_1, _velocity_error_1,), (_arrival_1, _certain_1, _flat_1, _searching_1, _t_1, _tilt_1, _undecided_time_1,), 200 - _turn35)
                     break
-                _arrival_2, _ceiling_2, _certain_2, _doubt_2, _end_2, _flat_2, _last_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _rate_slack_2, _searching_2, _share_2, _t_2, _tilt_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_going40, _arrival_2, _ceiling_2, _certain_2, _doubt_2, _end_2, _flat_2, _last_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _rate_slack_2, _searching_2, _share_2, _t_2, _tilt_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
+                _arrival_2, _ceiling_2, _certain_2, _end_2, _flat_2, _last_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _rate_slack_2, _searching_2, _share_2, _t_2, _tilt_2, _undecided_time_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_going40, _arrival_2, _ceiling_2, _certain_2, _end_2, _flat_2, _last_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _rate_slack_2, _searching_2, _share_2, _t_2, _tilt_2, _undecided_time_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
             else:
-                _store((_arrival_1, _certain_1, _doubt_1, _flat_1, _searching_1, _t_1, _tilt_1,), _rows33, (_arrival_2, _certain_2, _doubt_2, _flat_2, _searching_2, _t_2, _tilt_2,), None)
-        _doubt_1, = questioned(_t_1, _doubt_1, _searching_1)
+                _store((_arrival_1, _certain_1, _flat_1, _searching_1, _t_1, _tilt_1, _undecided_time_1,), _rows33, (_arrival_2, _certain_2, _flat_2, _searching_2, _t_2, _tilt_2, _undecided_time_2,), None)
+        _undecided_time_1, = predicate_undecided(_t_1, _undecided_time_1, _searching_1)
         _arrives_1, _refining_1, _rate_1 = found(_arrival_1)
         _leaving_1, *_ = nearby(_arrival_1, _flat_1, _tilt_1, 1.0, _last_1)
         _rows41, _count42 = _most(_refining_1, _count28)
@@ -10571,14 +10571,14 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows41, _arrival_1, _ceiling_1, _certain_1, _leaving_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_gravity_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
             _room_2 = room(_count42)
             _refined_2, _gap_2, _rate_2 = backboard_refine(_arrival_2, _leaving_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _p_ball_radius_2, _p_board_distance_2, _p_board_half_width_2, _p_board_bottom_2, _p_board_top_2, _p_board_thickness_2, _p_gravity_2, _room_2)
-            _arrival_2, _refining_2 = polished(_gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
+            _arrival_2, _refining_2 = refined_root(_gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
             _arrival_1, _rate_1, _refining_1 = _put(_rows41, _count28, (_arrival_1, _rate_1, _refining_1,), (_arrival_2, _rate_2, _refining_2,), _refining_1)
         _rows43, _count44 = _most(_refining_1, _count28)
         if _count44:
             _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows43, _arrival_1, _ceiling_1, _certain_1, _leaving_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_gravity_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
             _room_2 = room(_count44)
             _refined_2, _gap_2, _rate_2 = backboard_refine(_arrival_2, _leaving_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _p_ball_radius_2, _p_board_distance_2, _p_board_half_width_2, _p_board_bottom_2, _p_board_top_2, _p_board_thickness_2, _p_gravity_2, _room_2)
-            _arrival_2, _refining_2 = polished(_gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
+            _arrival_2, _refining_2 = refined_root(_gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
             _arrival_1, _rate_1, _refining_1 = _put(_rows43, _count28, (_arrival_1, _rate_1, _refining_1,), (_arrival_2, _rate_2, _refining_2,), _refining_1)
         _rows45, _count46 = _rows(_refining_1, _count28)
         if (0 < _count46) and (_count46 <= ALONE):
@@ -10590,7 +10590,7 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             for _turn47 in range(8):
                 _room_2 = room(_count46)
                 _refined_2, _gap_2, _rate_2 = backboard_refine(_arrival_2, _leaving_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _p_ball_radius_2, _p_board_distance_2, _p_board_half_width_2, _p_board_bottom_2, _p_board_top_2, _p_board_thickness_2, _p_gravity_2, _room_2)
-                _arrival_2, _refining_2 = polished(_gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
+                _arrival_2, _refining_2 = refined_root(_gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
                 _going48 = _where_true(_refining_2)
                 if len(_going48) == _count46:
                     continue
@@ -10609,21 +10609,21 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _flat_1, _tilt_1, _rate_margin_1 = backboard_margins(_latest_1, _extent_1, _speed_1, _position_error_1, _velocity_error_1, _p_ball_radius_1, _p_board_distance_1, _p_board_half_width_1, _p_board_bottom_1, _p_board_top_1, _p_board_thickness_1, _p_gravity_1, _room_1)
         _margin_1, = own_margin(_leaving_1, _flat_1, _tilt_1, _arrival_1)
         _clearance_1, _delay_1 = crossing(_margin_1, _rate_margin_1, _rate_1, _ceiling_1, _room_1)
-        _time_1, = landed(_arrival_1)
-        _delay_1, _doubt_1 = landed_surely(_clearance_1, _time_1, _delay_1, _doubt_1, _arrives_1, _certain_1)
-        _doubt_1, _earliest_delay_1 = tied(_time_1, _when_1, _delay_1, _earliest_delay_1, _doubt_1, _arrives_1)
+        _time_1, = arrival_time(_arrival_1)
+        _delay_1, _undecided_time_1 = certain_arrival(_clearance_1, _time_1, _delay_1, _undecided_time_1, _arrives_1, _certain_1)
+        _undecided_time_1, _earliest_delay_1 = tie_undecided(_time_1, _when_1, _delay_1, _earliest_delay_1, _undecided_time_1, _arrives_1)
         _when_1, _which_1 = earliest(1.0, _time_1, _when_1, _which_1, _arrives_1)
-        _doubt_0, _earliest_delay_0, _when_0, _which_0 = _put(_rows27, shots, (_doubt_0, _earliest_delay_0, _when_0, _which_0,), (_doubt_1, _earliest_delay_1, _when_1, _which_1,))
+        _earliest_delay_0, _undecided_time_0, _when_0, _which_0 = _put(_rows27, shots, (_earliest_delay_0, _undecided_time_0, _when_0, _which_0,), (_earliest_delay_1, _undecided_time_1, _when_1, _which_1,))
     _until_0, _pad_0 = horizon(_when_0, _speed_0, _p_gravity_0)
-    _middle_x_0, _reach_x_0, _later_middle_x_0, _later_reach_x_0, _middle_y_0, _reach_y_0, _later_middle_y_0, _later_reach_y_0, _middle_z_0, _reach_z_0, _later_middle_z_0, _later_reach_z_0 = halved(_until_0, _x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _extent_0, _speed_0, _position_error_0, _velocity_error_0, _earliest_delay_0, _pad_0, _p_gravity_0, _room_0)
+    _middle_x_0, _reach_x_0, _later_middle_x_0, _later_reach_x_0, _middle_y_0, _reach_y_0, _later_middle_y_0, _later_reach_y_0, _middle_z_0, _reach_z_0, _later_middle_z_0, _later_reach_z_0 = half_flight_boxes(_until_0, _x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _extent_0, _speed_0, _position_error_0, _velocity_error_0, _earliest_delay_0, _pad_0, _p_gravity_0, _room_0)
     _reachable_0, = bridge_near(_middle_x_0, _middle_y_0, _middle_z_0, _reach_x_0, _reach_y_0, _reach_z_0, _later_middle_x_0, _later_middle_y_0, _later_middle_z_0, _later_reach_x_0, _later_reach_y_0, _later_reach_z_0, _p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_board_distance_0, _p_bridge_half_width_0, _p_bridge_depth_0, _room_0)
     _reachable_0, = reachable_in_flight(_reachable_0, _in_contact_0)
     _rows49, _count50 = _rows(_reachable_0, shots)
     if (0 < _count50) and (_count50 <= ALONE):
-        _doubt_0, _earliest_delay_0, _when_0, _which_0 = _copies(shots, _doubt_0, _earliest_delay_0, _when_0, _which_0)
-        _one_by_one(_alone22, _rows49, _rows49, (_doubt_0, _earliest_delay_0, _extent_0, _last_0, _p_ball_radius_0, _p_board_distance_0, _p_bridge_depth_0, _p_bridge_half_width_0, _p_gravity_0, _p_ring_radius_0, _p_wire_radius_0, _position_error_0, _speed_0, _velocity_error_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _x_0, _y_0, _z_0,), (), (_doubt_0, _earliest_delay_0, _when_0, _which_0,))
+        _earliest_delay_0, _undecided_time_0, _when_0, _which_0 = _copies(shots, _earliest_delay_0, _undecided_time_0, _when_0, _which_0)
+        _one_by_one(_alone22, _rows49, _rows49, (_earliest_delay_0, _extent_0, _last_0, _p_ball_radius_0, _p_board_distance_0, _p_bridge_depth_0, _p_bridge_half_width_0, _p_gravity_0, _p_ring_radius_0, _p_wire_radius_0, _position_error_0, _speed_0, _undecided_time_0, _velocity_error_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _x_0, _y_0, _z_0,), (), (_earliest_delay_0, _undecided_time_0, _when_0, _which_0,))
     elif _count50:
-        _doubt_1, _earliest_delay_1, _extent_1, _last_1, _p_ball_radius_1, _p_board_distance_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _position_error_1, _speed_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _when_1, _which_1, _x_1, _y_1, _z_1 = _taken(_rows49, _doubt_0, _earliest_delay_0, _extent_0, _last_0, _p_ball_radius_0, _p_board_distance_0, _p_bridge_depth_0, _p_bridge_half_width_0, _p_gravity_0, _p_ring_radius_0, _p_wire_radius_0, _position_error_0, _speed_0, _velocity_error_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _x_0, _y_0, _z_0)
+        _earliest_delay_1, _extent_1, _last_1, _p_ball_radius_1, _p_board_distance_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _position_error_1, _speed_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _when_1, _which_1, _x_1, _y_1, _z_1 = _taken(_rows49, _earliest_delay_0, _extent_0, _last_0, _p_ball_radius_0, _p_board_distance_0, _p_bridge_depth_0, _p_bridge_half_width_0, _p_gravity_0, _p_ring_radius_0, _p_wire_radius_0, _position_error_0, _speed_0, _undecided_time_0, _velocity_error_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _x_0, _y_0, _z_0)
         _room_1 = room(_count50)
         _until_1, _pad_1 = horizon(_when_1, _speed_1, _p_gravity_1)
         _low0_1, _high0_1, _low1_1, _high1_1, _ceiling_1, _latest_1, _budget_exceeded_1 = bridge_prepare(_until_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _extent_1, _speed_1, _position_error_1, _velocity_error_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_board_distance_1, _p_bridge_half_width_1, _p_bridge_depth_1, _p_gravity_1, _room_1)
@@ -10631,50 +10631,50 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _position_level_1, _velocity_level_1, _excess_1 = allowance(_share_1, _latest_1, _extent_1, _speed_1, _position_error_1, _velocity_error_1, _p_gravity_1, _room_1)
         _flat_1, _tilt_1, _rate_slack_1 = bridge_margins(_latest_1, _extent_1, _speed_1, _position_level_1, _velocity_level_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_board_distance_1, _p_bridge_half_width_1, _p_bridge_depth_1, _p_gravity_1, _room_1)
         _t_1, _end_1, _searching_1 = bridge_enter(0.0, 0.0, 0.0, _low0_1, _low1_1, _high0_1, _high1_1)
-        _doubt_1, = out_of_budget_in_windows(_pad_1, _budget_exceeded_1, _earliest_delay_1, _doubt_1, _excess_1, _searching_1)
+        _undecided_time_1, = out_of_budget_in_windows(_pad_1, _budget_exceeded_1, _earliest_delay_1, _undecided_time_1, _excess_1, _searching_1)
         _rows51, _count52 = _rows(_searching_1, _count50)
         if _count52:
-            _arrival_2, _ceiling_2, _certain_2, _doubt_2, _end_2, _extent_2, _flat_2, _high0_2, _high1_2, _last_2, _latest_2, _low0_2, _low1_2, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _position_error_2, _rate_slack_2, _share_2, _speed_2, _t_2, _tilt_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows51, _arrival_1, _ceiling_1, _certain_1, _doubt_1, _end_1, _extent_1, _flat_1, _high0_1, _high1_1, _last_1, _latest_1, _low0_1, _low1_1, _p_ball_radius_1, _p_board_distance_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _position_error_1, _rate_slack_1, _share_1, _speed_1, _t_1, _tilt_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
+            _arrival_2, _ceiling_2, _certain_2, _end_2, _extent_2, _flat_2, _high0_2, _high1_2, _last_2, _latest_2, _low0_2, _low1_2, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _position_error_2, _rate_slack_2, _share_2, _speed_2, _t_2, _tilt_2, _undecided_time_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows51, _arrival_1, _ceiling_1, _certain_1, _end_1, _extent_1, _flat_1, _high0_1, _high1_1, _last_1, _latest_1, _low0_1, _low1_1, _p_ball_radius_1, _p_board_distance_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _position_error_1, _rate_slack_1, _share_1, _speed_1, _t_1, _tilt_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
             _room_2 = room(_count52)
             _leaving_2, _margin_2 = nearby(_t_2, _flat_2, _tilt_2, 2.0, _last_2)
             _gap_2, _rate_2, _bend_2, _step_2, _next_2, _clearance_2 = bridge_advance(_t_2, _end_2, _leaving_2, _margin_2, _rate_slack_2, _ceiling_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_board_distance_2, _p_bridge_half_width_2, _p_bridge_depth_2, _p_gravity_2, _room_2)
-            _hit_2, _sure_2, _needs_refinement_2 = struck_or_still(_t_2, _end_2, _gap_2, _rate_2, _bend_2, _margin_2, _rate_slack_2, _next_2, _clearance_2, _share_2)
+            _hit_2, _sure_2, _needs_refinement_2 = gap_closes_or_stalls(_t_2, _end_2, _gap_2, _rate_2, _bend_2, _margin_2, _rate_slack_2, _next_2, _clearance_2, _share_2)
             _rows53, _count54 = _most(_needs_refinement_2, _count52)
             if _count54:
-                _doubt_3, _extent_3, _latest_3, _p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_gravity_3, _p_ring_radius_3, _p_wire_radius_3, _position_error_3, _share_3, _speed_3, _t_3, _velocity_error_3 = _taken(_rows53, _doubt_2, _extent_2, _latest_2, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _position_error_2, _share_2, _speed_2, _t_2, _velocity_error_2)
+                _extent_3, _latest_3, _p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_gravity_3, _p_ring_radius_3, _p_wire_radius_3, _position_error_3, _share_3, _speed_3, _t_3, _undecided_time_3, _velocity_error_3 = _taken(_rows53, _extent_2, _latest_2, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _position_error_2, _share_2, _speed_2, _t_2, _undecided_time_2, _velocity_error_2)
                 _room_3 = room(_count54)
-                _share_3, = finer(_share_3)
+                _share_3, = smaller_budget(_share_3)
                 _position_level_3, _velocity_level_3, _excess_3 = allowance(_share_3, _latest_3, _extent_3, _speed_3, _position_error_3, _velocity_error_3, _p_gravity_3, _room_3)
                 _flat_3, _tilt_3, _rate_slack_3 = bridge_margins(_latest_3, _extent_3, _speed_3, _position_level_3, _velocity_level_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _p_board_distance_3, _p_bridge_half_width_3, _p_bridge_depth_3, _p_gravity_3, _room_3)
-                _doubt_3, = exceeded(_t_3, _doubt_3, _excess_3)
-                _doubt_2, _flat_2, _rate_slack_2, _share_2, _tilt_2 = _put(_rows53, _count52, (_doubt_2, _flat_2, _rate_slack_2, _share_2, _tilt_2,), (_doubt_3, _flat_3, _rate_slack_3, _share_3, _tilt_3,), _needs_refinement_2)
+                _undecided_time_3, = budget_undecided(_t_3, _undecided_time_3, _excess_3)
+                _flat_2, _rate_slack_2, _share_2, _tilt_2, _undecided_time_2 = _put(_rows53, _count52, (_flat_2, _rate_slack_2, _share_2, _tilt_2, _undecided_time_2,), (_flat_3, _rate_slack_3, _share_3, _tilt_3, _undecided_time_3,), _needs_refinement_2)
             _arrival_2, _certain_2, _exhausted_2, _searching_2, _t_2 = advanced(_t_2, _end_2, _step_2, _next_2, _arrival_2, _hit_2, _sure_2, _needs_refinement_2, _certain_2)
             _t_3, _end_3, _searching_3 = bridge_enter(_t_2, _end_2, _end_2, _low0_2, _low1_2, _high0_2, _high1_2)
             _end_2, _searching_2, _t_2 = _choose(_exhausted_2, (_end_3, _searching_3, _t_3,), (_end_2, _searching_2, _t_2,))
-            _arrival_1, _certain_1, _doubt_1, _end_1, _flat_1, _rate_slack_1, _searching_1, _share_1, _t_1, _tilt_1 = _put(_rows51, _count50, (_arrival_1, _certain_1, _doubt_1, _end_1, _flat_1, _rate_slack_1, _searching_1, _share_1, _t_1, _tilt_1,), (_arrival_2, _certain_2, _doubt_2, _end_2, _flat_2, _rate_slack_2, _searching_2, _share_2, _t_2, _tilt_2,))
+            _arrival_1, _certain_1, _end_1, _flat_1, _rate_slack_1, _searching_1, _share_1, _t_1, _tilt_1, _undecided_time_1 = _put(_rows51, _count50, (_arrival_1, _certain_1, _end_1, _flat_1, _rate_slack_1, _searching_1, _share_1, _t_1, _tilt_1, _undecided_time_1,), (_arrival_2, _certain_2, _end_2, _flat_2, _rate_slack_2, _searching_2, _share_2, _t_2, _tilt_2, _undecided_time_2,))
         _rows55, _count56 = _rows(_searching_1, _count50)
         if (0 < _count56) and (_count56 <= ALONE):
-            _arrival_1, _certain_1, _doubt_1, _flat_1, _searching_1, _t_1, _tilt_1 = _copies(_count50, _arrival_1, _certain_1, _doubt_1, _flat_1, _searching_1, _t_1, _tilt_1)
-            _one_by_one(_alone23, _rows55, _rows55, (_arrival_1, _ceiling_1, _certain_1, _doubt_1, _end_1, _flat_1, _last_1, _p_ball_radius_1, _p_board_distance_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _rate_slack_1, _searching_1, _share_1, _t_1, _tilt_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1, _extent_1, _high0_1, _high1_1, _latest_1, _low0_1, _low1_1, _position_error_1, _speed_1, _velocity_error_1,), (), (_arrival_1, _certain_1, _doubt_1, _flat_1, _searching_1, _t_1, _tilt_1,), 201)
+            _arrival_1, _certain_1, _flat_1, _searching_1, _t_1, _tilt_1, _undecided_time_1 = _copies(_count50, _arrival_1, _certain_1, _flat_1, _searching_1, _t_1, _tilt_1, _undecided_time_1)
+            _one_by_one(_alone23, _rows55, _rows55, (_arrival_1, _ceiling_1, _certain_1, _end_1, _flat_1, _last_1, _p_ball_radius_1, _p_board_distance_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _rate_slack_1, _searching_1, _share_1, _t_1, _tilt_1, _undecided_time_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1, _extent_1, _high0_1, _high1_1, _latest_1, _low0_1, _low1_1, _position_error_1, _speed_1, _velocity_error_1,), (), (_arrival_1, _certain_1, _flat_1, _searching_1, _t_1, _tilt_1, _undecided_time_1,), 201)
         elif _count56:
-            _arrival_2, _ceiling_2, _certain_2, _doubt_2, _end_2, _flat_2, _last_2, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _rate_slack_2, _searching_2, _share_2, _t_2, _tilt_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows55, _arrival_1, _ceiling_1, _certain_1, _doubt_1, _end_1, _flat_1, _last_1, _p_ball_radius_1, _p_board_distance_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _rate_slack_1, _searching_1, _share_1, _t_1, _tilt_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
-            _arrival_1, _certain_1, _doubt_1, _flat_1, _searching_1, _t_1, _tilt_1 = _copies(_count50, _arrival_1, _certain_1, _doubt_1, _flat_1, _searching_1, _t_1, _tilt_1)
+            _arrival_2, _ceiling_2, _certain_2, _end_2, _flat_2, _last_2, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _rate_slack_2, _searching_2, _share_2, _t_2, _tilt_2, _undecided_time_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows55, _arrival_1, _ceiling_1, _certain_1, _end_1, _flat_1, _last_1, _p_ball_radius_1, _p_board_distance_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _rate_slack_1, _searching_1, _share_1, _t_1, _tilt_1, _undecided_time_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
+            _arrival_1, _certain_1, _flat_1, _searching_1, _t_1, _tilt_1, _undecided_time_1 = _copies(_count50, _arrival_1, _certain_1, _flat_1, _searching_1, _t_1, _tilt_1, _undecided_time_1)
             for _turn57 in range(201):
                 _room_2 = room(_count56)
                 _leaving_2, _margin_2 = nearby(_t_2, _flat_2, _tilt_2, 2.0, _last_2)
                 _gap_2, _rate_2, _bend_2, _step_2, _next_2, _clearance_2 = bridge_advance(_t_2, _end_2, _leaving_2, _margin_2, _rate_slack_2, _ceiling_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_board_distance_2, _p_bridge_half_width_2, _p_bridge_depth_2, _p_gravity_2, _room_2)
-                _hit_2, _sure_2, _needs_refinement_2 = struck_or_still(_t_2, _end_2, _gap_2, _rate_2, _bend_2, _margin_2, _rate_slack_2, _next_2, _clearance_2, _share_2)
+                _hit_2, _sure_2, _needs_refinement_2 = gap_closes_or_stalls(_t_2, _end_2, _gap_2, _rate_2, _bend_2, _margin_2, _rate_slack_2, _next_2, _clearance_2, _share_2)
                 _rows58, _count59 = _most(_needs_refinement_2, _count56)
                 if _count59:
                     _far = _of(_rows55, _rows58)
                     _extent_3, _latest_3, _position_error_3, _speed_3, _velocity_error_3 = _taken(_far, _extent_1, _latest_1, _position_error_1, _speed_1, _velocity_error_1)
-                    _doubt_3, _p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_gravity_3, _p_ring_radius_3, _p_wire_radius_3, _share_3, _t_3 = _taken(_rows58, _doubt_2, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _share_2, _t_2)
+                    _p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_gravity_3, _p_ring_radius_3, _p_wire_radius_3, _share_3, _t_3, _undecided_time_3 = _taken(_rows58, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _share_2, _t_2, _undecided_time_2)
                     _room_3 = room(_count59)
-                    _share_3, = finer(_share_3)
+                    _share_3, = smaller_budget(_share_3)
                     _position_level_3, _velocity_level_3, _excess_3 = allowance(_share_3, _latest_3, _extent_3, _speed_3, _position_error_3, _velocity_error_3, _p_gravity_3, _room_3)
                     _flat_3, _tilt_3, _rate_slack_3 = bridge_margins(_latest_3, _extent_3, _speed_3, _position_level_3, _velocity_level_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _p_board_distance_3, _p_bridge_half_width_3, _p_bridge_depth_3, _p_gravity_3, _room_3)
-                    _doubt_3, = exceeded(_t_3, _doubt_3, _excess_3)
-                    _doubt_2, _flat_2, _rate_slack_2, _share_2, _tilt_2 = _put(_rows58, _count56, (_doubt_2, _flat_2, _rate_slack_2, _share_2, _tilt_2,), (_doubt_3, _flat_3, _rate_slack_3, _share_3, _tilt_3,), _needs_refinement_2)
+                    _undecided_time_3, = budget_undecided(_t_3, _undecided_time_3, _excess_3)
+                    _flat_2, _rate_slack_2, _share_2, _tilt_2, _undecided_time_2 = _put(_rows58, _count56, (_flat_2, _rate_slack_2, _share_2, _tilt_2, _undecided_time_2,), (_flat_3, _rate_slack_3, _share_3, _tilt_3, _undecided_time_3,), _needs_refinement_2)
                 _arrival_2, _certain_2, _exhausted_2, _searching_2, _t_2 = advanced(_t_2, _end_2, _step_2, _next_2, _arrival_2, _hit_2, _sure_2, _needs_refinement_2, _certain_2)
                 _rows60, _count61 = _most(_exhausted_2, _count56)
                 if _count61:
@@ -10687,18 +10687,18 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                 if len(_going62) == _count56:
                     continue
                 _done = _where_true(_logical_not(_searching_2))
-                _store((_arrival_1, _certain_1, _doubt_1, _flat_1, _searching_1, _t_1, _tilt_1,), _of(_rows55, _done), (_arrival_2, _certain_2, _doubt_2, _flat_2, _searching_2, _t_2, _tilt_2,), _done)
+                _store((_arrival_1, _certain_1, _flat_1, _searching_1, _t_1, _tilt_1, _undecided_time_1,), _of(_rows55, _done), (_arrival_2, _certain_2, _flat_2, _searching_2, _t_2, _tilt_2, _undecided_time_2,), _done)
                 _rows55 = _of(_rows55, _going62)
                 _count56 = len(_going62)
                 if _count56 == 0:
                     break
                 if _count56 <= ALONE:
-                    _one_by_one(_alone23, _rows55, _going62, (_arrival_2, _ceiling_2, _certain_2, _doubt_2, _end_2, _flat_2, _last_2, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _rate_slack_2, _searching_2, _share_2, _t_2, _tilt_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2,), (_extent_1, _high0_1, _high1_1, _latest_1, _low0_1, _low1_1, _position_error_1, _speed_1, _velocity_error_1,), (_arrival_1, _certain_1, _doubt_1, _flat_1, _searching_1, _t_1, _tilt_1,), 200 - _turn57)
+                    _one_by_one(_alone23, _rows55, _going62, (_arrival_2, _ceiling_2, _certain_2, _end_2, _flat_2, _last_2, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _rate_slack_2, _searching_2, _share_2, _t_2, _tilt_2, _undecided_time_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2,), (_extent_1, _high0_1, _high1_1, _latest_1, _low0_1, _low1_1, _position_error_1, _speed_1, _velocity_error_1,), (_arrival_1, _certain_1, _flat_1, _searching_1, _t_1, _tilt_1, _undecided_time_1,), 200 - _turn57)
                     break
-                _arrival_2, _ceiling_2, _certain_2, _doubt_2, _end_2, _flat_2, _last_2, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _rate_slack_2, _searching_2, _share_2, _t_2, _tilt_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_going62, _arrival_2, _ceiling_2, _certain_2, _doubt_2, _end_2, _flat_2, _last_2, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _rate_slack_2, _searching_2, _share_2, _t_2, _tilt_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
+                _arrival_2, _ceiling_2, _certain_2, _end_2, _flat_2, _last_2, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _rate_slack_2, _searching_2, _share_2, _t_2, _tilt_2, _undecided_time_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_going62, _arrival_2, _ceiling_2, _certain_2, _end_2, _flat_2, _last_2, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _rate_slack_2, _searching_2, _share_2, _t_2, _tilt_2, _undecided_time_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
             else:
-                _store((_arrival_1, _certain_1, _doubt_1, _flat_1, _searching_1, _t_1, _tilt_1,), _rows55, (_arrival_2, _certain_2, _doubt_2, _flat_2, _searching_2, _t_2, _tilt_2,), None)
-        _doubt_1, = questioned(_t_1, _doubt_1, _searching_1)
+                _store((_arrival_1, _certain_1, _flat_1, _searching_1, _t_1, _tilt_1, _undecided_time_1,), _rows55, (_arrival_2, _certain_2, _flat_2, _searching_2, _t_2, _tilt_2, _undecided_time_2,), None)
+        _undecided_time_1, = predicate_undecided(_t_1, _undecided_time_1, _searching_1)
         _arrives_1, _refining_1, _rate_1 = found(_arrival_1)
         _leaving_1, *_ = nearby(_arrival_1, _flat_1, _tilt_1, 2.0, _last_1)
         _rows63, _count64 = _most(_refining_1, _count50)
@@ -10706,14 +10706,14 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows63, _arrival_1, _ceiling_1, _certain_1, _leaving_1, _p_ball_radius_1, _p_board_distance_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
             _room_2 = room(_count64)
             _refined_2, _gap_2, _rate_2 = bridge_refine(_arrival_2, _leaving_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_board_distance_2, _p_bridge_half_width_2, _p_bridge_depth_2, _p_gravity_2, _room_2)
-            _arrival_2, _refining_2 = polished(_gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
+            _arrival_2, _refining_2 = refined_root(_gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
             _arrival_1, _rate_1, _refining_1 = _put(_rows63, _count50, (_arrival_1, _rate_1, _refining_1,), (_arrival_2, _rate_2, _refining_2,), _refining_1)
         _rows65, _count66 = _most(_refining_1, _count50)
         if _count66:
             _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows65, _arrival_1, _ceiling_1, _certain_1, _leaving_1, _p_ball_radius_1, _p_board_distance_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
             _room_2 = room(_count66)
             _refined_2, _gap_2, _rate_2 = bridge_refine(_arrival_2, _leaving_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_board_distance_2, _p_bridge_half_width_2, _p_bridge_depth_2, _p_gravity_2, _room_2)
-            _arrival_2, _refining_2 = polished(_gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
+            _arrival_2, _refining_2 = refined_root(_gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
             _arrival_1, _rate_1, _refining_1 = _put(_rows65, _count50, (_arrival_1, _rate_1, _refining_1,), (_arrival_2, _rate_2, _refining_2,), _refining_1)
         _rows67, _count68 = _rows(_refining_1, _count50)
         if (0 < _count68) and (_count68 <= ALONE):
@@ -10725,7 +10725,7 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             for _turn69 in range(8):
                 _room_2 = room(_count68)
                 _refined_2, _gap_2, _rate_2 = bridge_refine(_arrival_2, _leaving_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_board_distance_2, _p_bridge_half_width_2, _p_bridge_depth_2, _p_gravity_2, _room_2)
-                _arrival_2, _refining_2 = polished(_gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
+                _arrival_2, _refining_2 = refined_root(_gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
                 _going70 = _where_true(_refining_2)
                 if len(_going70) == _count68:
                     continue
@@ -10744,25 +10744,25 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _flat_1, _tilt_1, _rate_margin_1 = bridge_margins(_latest_1, _extent_1, _speed_1, _position_error_1, _velocity_error_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_board_distance_1, _p_bridge_half_width_1, _p_bridge_depth_1, _p_gravity_1, _room_1)
         _margin_1, = own_margin(_leaving_1, _flat_1, _tilt_1, _arrival_1)
         _clearance_1, _delay_1 = crossing(_margin_1, _rate_margin_1, _rate_1, _ceiling_1, _room_1)
-        _time_1, = landed(_arrival_1)
-        _delay_1, _doubt_1 = landed_surely(_clearance_1, _time_1, _delay_1, _doubt_1, _arrives_1, _certain_1)
-        _doubt_1, _earliest_delay_1 = tied(_time_1, _when_1, _delay_1, _earliest_delay_1, _doubt_1, _arrives_1)
+        _time_1, = arrival_time(_arrival_1)
+        _delay_1, _undecided_time_1 = certain_arrival(_clearance_1, _time_1, _delay_1, _undecided_time_1, _arrives_1, _certain_1)
+        _undecided_time_1, _earliest_delay_1 = tie_undecided(_time_1, _when_1, _delay_1, _earliest_delay_1, _undecided_time_1, _arrives_1)
         _when_1, _which_1 = earliest(2.0, _time_1, _when_1, _which_1, _arrives_1)
-        _doubt_0, _earliest_delay_0, _when_0, _which_0 = _put(_rows49, shots, (_doubt_0, _earliest_delay_0, _when_0, _which_0,), (_doubt_1, _earliest_delay_1, _when_1, _which_1,))
+        _earliest_delay_0, _undecided_time_0, _when_0, _which_0 = _put(_rows49, shots, (_earliest_delay_0, _undecided_time_0, _when_0, _which_0,), (_earliest_delay_1, _undecided_time_1, _when_1, _which_1,))
     _rows71, _count72 = _most(_limited_0, shots)
     if _count72:
-        _clock_1, _doubt_1, _earliest_delay_1, _time_error_1, _time_limit_1, _when_1, _which_1 = _taken(_rows71, _clock_0, _doubt_0, _earliest_delay_0, _time_error_0, _time_limit_0, _when_0, _which_0)
-        _time_1, _delay_1, _arrives_1, _doubt_1 = expiry(_when_1, _which_1, _earliest_delay_1, _doubt_1, _time_error_1, _clock_1, _time_limit_1)
-        _doubt_1, _earliest_delay_1 = tied(_time_1, _when_1, _delay_1, _earliest_delay_1, _doubt_1, _arrives_1)
+        _clock_1, _earliest_delay_1, _time_error_1, _time_limit_1, _undecided_time_1, _when_1, _which_1 = _taken(_rows71, _clock_0, _earliest_delay_0, _time_error_0, _time_limit_0, _undecided_time_0, _when_0, _which_0)
+        _time_1, _delay_1, _arrives_1, _undecided_time_1 = expiry(_when_1, _which_1, _earliest_delay_1, _undecided_time_1, _time_error_1, _clock_1, _time_limit_1)
+        _undecided_time_1, _earliest_delay_1 = tie_undecided(_time_1, _when_1, _delay_1, _earliest_delay_1, _undecided_time_1, _arrives_1)
         _when_1, _which_1 = earliest(4.0, _time_1, _when_1, _which_1, _arrives_1)
-        _doubt_0, _earliest_delay_0, _when_0, _which_0 = _put(_rows71, shots, (_doubt_0, _earliest_delay_0, _when_0, _which_0,), (_doubt_1, _earliest_delay_1, _when_1, _which_1,), _limited_0)
+        _earliest_delay_0, _undecided_time_0, _when_0, _which_0 = _put(_rows71, shots, (_earliest_delay_0, _undecided_time_0, _when_0, _which_0,), (_earliest_delay_1, _undecided_time_1, _when_1, _which_1,), _limited_0)
     _rows73, _count74 = _rows(_in_contact_0, shots)
     if (0 < _count74) and (_count74 <= ALONE):
-        _began_0, _circled_0, _clock_0, _doubt_0, _dvx_0, _dvy_0, _dvz_0, _dwx_0, _dwy_0, _dwz_0, _dx_0, _dy_0, _dz_0, _earliest_delay_0, _grip_lost_0, _last_grip_clock_0, _last_grip_deficit_0, _last_grip_deficit_rate_0, _position_error_0, _rests_0, _rolling_0, _through_0, _velocity_error_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0 = _copies(shots, _began_0, _circled_0, _clock_0, _doubt_0, _dvx_0, _dvy_0, _dvz_0, _dwx_0, _dwy_0, _dwz_0, _dx_0, _dy_0, _dz_0, _earliest_delay_0, _grip_lost_0, _last_grip_clock_0, _last_grip_deficit_0, _last_grip_deficit_rate_0, _position_error_0, _rests_0, _rolling_0, _through_0, _velocity_error_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0)
-        _one_by_one(_alone25, _rows73, _rows73, (_circled_0, _clock_0, _clock_error_0, _dvx_0, _dvy_0, _dvz_0, _dwx_0, _dwy_0, _dwz_0, _dx_0, _dy_0, _dz_0, _grip_lost_0, _held_0, _last_grip_clock_0, _last_grip_deficit_0, _last_grip_deficit_rate_0, _mode_0, _p_backboard_friction_0, _p_ball_radius_0, _p_board_bottom_0, _p_board_distance_0, _p_board_half_width_0, _p_board_thickness_0, _p_board_top_0, _p_bridge_depth_0, _p_bridge_friction_0, _p_bridge_half_width_0, _p_end_depth_0, _p_gravity_0, _p_inertia_0, _p_ring_friction_0, _p_ring_radius_0, _p_wire_radius_0, _position_error_0, _rests_0, _through_0, _time_limit_0, _velocity_error_0, _vx_0, _vy_0, _vz_0, _when_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0,), (), (_began_0, _circled_0, _clock_0, _doubt_0, _dvx_0, _dvy_0, _dvz_0, _dwx_0, _dwy_0, _dwz_0, _dx_0, _dy_0, _dz_0, _earliest_delay_0, _grip_lost_0, _last_grip_clock_0, _last_grip_deficit_0, _last_grip_deficit_rate_0, _position_error_0, _rests_0, _rolling_0, _through_0, _velocity_error_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0,))
+        _began_0, _circled_0, _clock_0, _dvx_0, _dvy_0, _dvz_0, _dwx_0, _dwy_0, _dwz_0, _dx_0, _dy_0, _dz_0, _earliest_delay_0, _grip_lost_0, _last_grip_clock_0, _last_grip_deficit_0, _last_grip_deficit_rate_0, _position_error_0, _rests_0, _rolling_0, _through_0, _undecided_time_0, _velocity_error_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0 = _copies(shots, _began_0, _circled_0, _clock_0, _dvx_0, _dvy_0, _dvz_0, _dwx_0, _dwy_0, _dwz_0, _dx_0, _dy_0, _dz_0, _earliest_delay_0, _grip_lost_0, _last_grip_clock_0, _last_grip_deficit_0, _last_grip_deficit_rate_0, _position_error_0, _rests_0, _rolling_0, _through_0, _undecided_time_0, _velocity_error_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0)
+        _one_by_one(_alone25, _rows73, _rows73, (_circled_0, _clock_0, _clock_error_0, _dvx_0, _dvy_0, _dvz_0, _dwx_0, _dwy_0, _dwz_0, _dx_0, _dy_0, _dz_0, _grip_lost_0, _held_0, _last_grip_clock_0, _last_grip_deficit_0, _last_grip_deficit_rate_0, _mode_0, _p_backboard_friction_0, _p_ball_radius_0, _p_board_bottom_0, _p_board_distance_0, _p_board_half_width_0, _p_board_thickness_0, _p_board_top_0, _p_bridge_depth_0, _p_bridge_friction_0, _p_bridge_half_width_0, _p_end_depth_0, _p_gravity_0, _p_inertia_0, _p_ring_friction_0, _p_ring_radius_0, _p_wire_radius_0, _position_error_0, _rests_0, _through_0, _time_limit_0, _velocity_error_0, _vx_0, _vy_0, _vz_0, _when_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0,), (), (_began_0, _circled_0, _clock_0, _dvx_0, _dvy_0, _dvz_0, _dwx_0, _dwy_0, _dwz_0, _dx_0, _dy_0, _dz_0, _earliest_delay_0, _grip_lost_0, _last_grip_clock_0, _last_grip_deficit_0, _last_grip_deficit_rate_0, _position_error_0, _rests_0, _rolling_0, _through_0, _undecided_time_0, _velocity_error_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0,))
     elif _count74:
         _circled_1, _clock_1, _clock_error_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _grip_lost_1, _held_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _mode_1, _p_backboard_friction_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_friction_1, _p_bridge_half_width_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_friction_1, _p_ring_radius_1, _p_wire_radius_1, _position_error_1, _rests_1, _through_1, _time_limit_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _when_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1 = _taken(_rows73, _circled_0, _clock_0, _clock_error_0, _dvx_0, _dvy_0, _dvz_0, _dwx_0, _dwy_0, _dwz_0, _dx_0, _dy_0, _dz_0, _grip_lost_0, _held_0, _last_grip_clock_0, _last_grip_deficit_0, _last_grip_deficit_rate_0, _mode_0, _p_backboard_friction_0, _p_ball_radius_0, _p_board_bottom_0, _p_board_distance_0, _p_board_half_width_0, _p_board_thickness_0, _p_board_top_0, _p_bridge_depth_0, _p_bridge_friction_0, _p_bridge_half_width_0, _p_end_depth_0, _p_gravity_0, _p_inertia_0, _p_ring_friction_0, _p_ring_radius_0, _p_wire_radius_0, _position_error_0, _rests_0, _through_0, _time_limit_0, _velocity_error_0, _vx_0, _vy_0, _vz_0, _when_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0)
-        _which_1, _earliest_delay_1, _began_1, _doubt_1, _begins_1, _rolling_1, _leaves_1, _nx_1, _ny_1, _nz_1, _gap_1, _bent_x_1, _bent_y_1, _bent_z_1, _lift_1, _gap_jerk_1, _gap_snap_1, _per_reach_1 = resumed(_position_error_1, _velocity_error_1, _clock_1, _mode_1)
+        _which_1, _earliest_delay_1, _began_1, _undecided_time_1, _begins_1, _rolling_1, _leaves_1, _nx_1, _ny_1, _nz_1, _gap_1, _bent_x_1, _bent_y_1, _bent_z_1, _lift_1, _gap_jerk_1, _gap_snap_1, _per_reach_1 = resumed(_position_error_1, _velocity_error_1, _clock_1, _mode_1)
         _rows75, _count76 = _rows(_begins_1, _count74)
         if _count76:
             _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _gap_2, _held_2, _nx_2, _ny_2, _nz_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_inertia_2, _p_ring_radius_2, _p_wire_radius_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_rows75, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _gap_1, _held_1, _nx_1, _ny_1, _nz_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_inertia_1, _p_ring_radius_1, _p_wire_radius_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
@@ -10788,18 +10788,18 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             _gap_3, = bridge_distance(_p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_ring_radius_2, _p_wire_radius_2, _x_2, _y_2, _z_2, _room_2)
             _gap_2, = _choose(_here_2, (_gap_3,), (_gap_2,))
             _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2 = roll_placed(_p_ball_radius_2, _x_2, _y_2, _z_2, _nx_2, _ny_2, _nz_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _gap_2, _turn_rate_2, _room_2)
-            _dx_2, _dy_2, _dz_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2 = begun_errors(_p_ball_radius_2, _vx_2, _vy_2, _vz_2, _dx_2, _dy_2, _dz_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _room_2)
+            _dx_2, _dy_2, _dz_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2 = jump_errors(_p_ball_radius_2, _vx_2, _vy_2, _vz_2, _dx_2, _dy_2, _dz_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _room_2)
             _last_grip_deficit_2, = forget_grip_deficit()
             _which_2, _circled_2 = beginning_contact()
             _circled_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _last_grip_deficit_1, _nx_1, _ny_1, _nz_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1 = _put(_rows75, _count74, (_circled_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _last_grip_deficit_1, _nx_1, _ny_1, _nz_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,), (_circled_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _last_grip_deficit_2, _nx_2, _ny_2, _nz_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2,))
         _circling_1, _rolling_1 = circles(0.0, _held_1, _rolling_1)
         _rows77, _count78 = _rows(_rolling_1, _count74)
         if (0 < _count78) and (_count78 <= ALONE):
-            _clock_1, _doubt_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _per_reach_1, _position_error_1, _rests_1, _rolling_1, _through_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1 = _copies(_count74, _clock_1, _doubt_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _per_reach_1, _position_error_1, _rests_1, _rolling_1, _through_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
-            _one_by_one(_alone26, _rows77, _rows77, (_bent_x_1, _bent_y_1, _bent_z_1, _clock_1, _clock_error_1, _doubt_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _held_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _nx_1, _ny_1, _nz_1, _p_backboard_friction_1, _p_ball_radius_1, _p_bridge_friction_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_radius_1, _per_reach_1, _position_error_1, _rests_1, _rolling_1, _through_1, _time_limit_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_wire_radius_1,), (), (_clock_1, _doubt_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _per_reach_1, _position_error_1, _rests_1, _rolling_1, _through_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,), 16)
+            _clock_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _per_reach_1, _position_error_1, _rests_1, _rolling_1, _through_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1 = _copies(_count74, _clock_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _per_reach_1, _position_error_1, _rests_1, _rolling_1, _through_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
+            _one_by_one(_alone26, _rows77, _rows77, (_bent_x_1, _bent_y_1, _bent_z_1, _clock_1, _clock_error_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _held_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _nx_1, _ny_1, _nz_1, _p_backboard_friction_1, _p_ball_radius_1, _p_bridge_friction_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_radius_1, _per_reach_1, _position_error_1, _rests_1, _rolling_1, _through_1, _time_limit_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_wire_radius_1,), (), (_clock_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _per_reach_1, _position_error_1, _rests_1, _rolling_1, _through_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,), 16)
         elif _count78:
-            _bent_x_2, _bent_y_2, _bent_z_2, _clock_2, _clock_error_2, _doubt_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _earliest_delay_2, _grip_lost_2, _held_2, _last_grip_clock_2, _last_grip_deficit_2, _last_grip_deficit_rate_2, _nx_2, _ny_2, _nz_2, _p_backboard_friction_2, _p_ball_radius_2, _p_bridge_friction_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_radius_2, _per_reach_2, _rolling_2, _through_2, _time_limit_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_rows77, _bent_x_1, _bent_y_1, _bent_z_1, _clock_1, _clock_error_1, _doubt_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _held_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _nx_1, _ny_1, _nz_1, _p_backboard_friction_1, _p_ball_radius_1, _p_bridge_friction_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_radius_1, _per_reach_1, _rolling_1, _through_1, _time_limit_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
-            _clock_1, _doubt_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _per_reach_1, _position_error_1, _rests_1, _rolling_1, _through_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1 = _copies(_count74, _clock_1, _doubt_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _per_reach_1, _position_error_1, _rests_1, _rolling_1, _through_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
+            _bent_x_2, _bent_y_2, _bent_z_2, _clock_2, _clock_error_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _earliest_delay_2, _grip_lost_2, _held_2, _last_grip_clock_2, _last_grip_deficit_2, _last_grip_deficit_rate_2, _nx_2, _ny_2, _nz_2, _p_backboard_friction_2, _p_ball_radius_2, _p_bridge_friction_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_radius_2, _per_reach_2, _rolling_2, _through_2, _time_limit_2, _undecided_time_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_rows77, _bent_x_1, _bent_y_1, _bent_z_1, _clock_1, _clock_error_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _held_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _nx_1, _ny_1, _nz_1, _p_backboard_friction_1, _p_ball_radius_1, _p_bridge_friction_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_radius_1, _per_reach_1, _rolling_1, _through_1, _time_limit_1, _undecided_time_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
+            _clock_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _per_reach_1, _position_error_1, _rests_1, _rolling_1, _through_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1 = _copies(_count74, _clock_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _per_reach_1, _position_error_1, _rests_1, _rolling_1, _through_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
             for _turn79 in range(16):
                 _room_2 = room(_count78)
                 _position_error_2, _velocity_error_2, *_ = error_bounds(_clock_error_2, _dx_2, _dy_2, _dz_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _room_2)
@@ -10833,54 +10833,54 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                 _lift_6_2, _tx_6_2, _ty_6_2, _tz_6_2, _vx_7_2, _vy_7_2, _vz_7_2, _nx_7_2, _ny_7_2, _nz_7_2, _turn_rate_7_2 = roll_6(_p_gravity_2, _p_inertia_2, _nx_0_2, _nx_1_2, _nx_2_2, _nx_3_2, _nx_4_2, _nx_5_2, _nx_6_2, _ny_0_2, _ny_1_2, _ny_2_2, _ny_3_2, _ny_4_2, _ny_5_2, _ny_6_2, _nz_0_2, _nz_1_2, _nz_2_2, _nz_3_2, _nz_4_2, _nz_5_2, _nz_6_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vx_4_2, _vx_5_2, _vx_6_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vy_4_2, _vy_5_2, _vy_6_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _vz_4_2, _vz_5_2, _vz_6_2, _bent_x_2, _bent_y_2, _bent_z_2, _per_reach_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _lift_0_2, _lift_1_2, _lift_2_2, _lift_3_2, _lift_4_2, _lift_5_2, _tx_0_2, _tx_1_2, _tx_2_2, _tx_3_2, _tx_4_2, _tx_5_2, _ty_0_2, _ty_1_2, _ty_2_2, _ty_3_2, _ty_4_2, _ty_5_2, _tz_0_2, _tz_1_2, _tz_2_2, _tz_3_2, _tz_4_2, _tz_5_2, _room_2)
                 _lift_7_2, _, _, _, _vx_8_2, _vy_8_2, _vz_8_2, _nx_8_2, _ny_8_2, _nz_8_2, _turn_rate_8_2 = roll_7(_p_gravity_2, _p_inertia_2, _nx_0_2, _nx_1_2, _nx_2_2, _nx_3_2, _nx_4_2, _nx_5_2, _nx_6_2, _nx_7_2, _ny_0_2, _ny_1_2, _ny_2_2, _ny_3_2, _ny_4_2, _ny_5_2, _ny_6_2, _ny_7_2, _nz_0_2, _nz_1_2, _nz_2_2, _nz_3_2, _nz_4_2, _nz_5_2, _nz_6_2, _nz_7_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vx_4_2, _vx_5_2, _vx_6_2, _vx_7_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vy_4_2, _vy_5_2, _vy_6_2, _vy_7_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _vz_4_2, _vz_5_2, _vz_6_2, _vz_7_2, _bent_x_2, _bent_y_2, _bent_z_2, _per_reach_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _lift_0_2, _lift_1_2, _lift_2_2, _lift_3_2, _lift_4_2, _lift_5_2, _lift_6_2, _tx_0_2, _tx_1_2, _tx_2_2, _tx_3_2, _tx_4_2, _tx_5_2, _tx_6_2, _ty_0_2, _ty_1_2, _ty_2_2, _ty_3_2, _ty_4_2, _ty_5_2, _ty_6_2, _tz_0_2, _tz_1_2, _tz_2_2, _tz_3_2, _tz_4_2, _tz_5_2, _tz_6_2, _room_2)
                 _stride_2, _missed_2, _strongest_2, _fastest_2, _force_2, _force_rate_2, _force_bend_2, _friction_force_rate_2 = roll_pace(_p_gravity_2, _p_inertia_2, _nx_8_2, _ny_8_2, _nz_0_2, _nz_1_2, _nz_2_2, _nz_3_2, _nz_4_2, _nz_5_2, _nz_6_2, _nz_7_2, _nz_8_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vx_4_2, _vx_5_2, _vx_6_2, _vx_7_2, _vx_8_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vy_4_2, _vy_5_2, _vy_6_2, _vy_7_2, _vy_8_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _vz_4_2, _vz_5_2, _vz_6_2, _vz_7_2, _vz_8_2, _per_reach_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _turn_rate_8_2, _lift_0_2, _lift_1_2, _lift_2_2, _lift_3_2, _lift_4_2, _lift_5_2, _lift_6_2, _lift_7_2, _room_2)
-                _rolling_friction_2, _rolling_friction_rate_2, _grip_deficit_2, _grip_deficit_rate_2 = pulled(_p_gravity_2, _p_inertia_2, _nx_0_2, _nx_1_2, _ny_0_2, _ny_1_2, _nz_0_2, _nz_1_2, _turn_rate_0_2, _turn_rate_1_2, _tx_0_2, _tx_1_2, _ty_0_2, _ty_1_2, _tz_0_2, _tz_1_2, _room_2)
+                _rolling_friction_2, _rolling_friction_rate_2, _grip_deficit_2, _grip_deficit_rate_2 = ring_friction(_p_gravity_2, _p_inertia_2, _nx_0_2, _nx_1_2, _ny_0_2, _ny_1_2, _nz_0_2, _nz_1_2, _turn_rate_0_2, _turn_rate_1_2, _tx_0_2, _tx_1_2, _ty_0_2, _ty_1_2, _tz_0_2, _tz_1_2, _room_2)
                 _here_2, = holding(1.0, _held_2)
                 _grip_deficit_3, _grip_deficit_rate_3 = ring_impact_grip_deficit(_p_backboard_friction_2, _rolling_friction_2, _rolling_friction_rate_2, _force_2, _force_rate_2)
                 _grip_deficit_2, _grip_deficit_rate_2 = _choose(_here_2, (_grip_deficit_3, _grip_deficit_rate_3,), (_grip_deficit_2, _grip_deficit_rate_2,))
                 _here_2, = holding(2.0, _held_2)
                 _grip_deficit_3, _grip_deficit_rate_3 = ring_impact_grip_deficit(_p_bridge_friction_2, _rolling_friction_2, _rolling_friction_rate_2, _force_2, _force_rate_2)
                 _grip_deficit_2, _grip_deficit_rate_2 = _choose(_here_2, (_grip_deficit_3, _grip_deficit_rate_3,), (_grip_deficit_2, _grip_deficit_rate_2,))
-                _loses_2, = losing(_grip_deficit_2, _grip_lost_2)
+                _loses_2, = exceeds_grip(_grip_deficit_2, _grip_lost_2)
                 _rows84, _count85 = _most(_loses_2, _count78)
                 if _count85:
                     _clock_3, _grip_deficit_3, _grip_deficit_rate_3, _last_grip_clock_3, _last_grip_deficit_3, _last_grip_deficit_rate_3 = _taken(_rows84, _clock_2, _grip_deficit_2, _grip_deficit_rate_2, _last_grip_clock_2, _last_grip_deficit_2, _last_grip_deficit_rate_2)
                     _room_3 = room(_count85)
-                    _grip_lost_3, = lost_grip(_clock_3, _grip_deficit_3, _grip_deficit_rate_3, _last_grip_deficit_3, _last_grip_deficit_rate_3, _last_grip_clock_3, _room_3)
+                    _grip_lost_3, = grip_lost_time(_clock_3, _grip_deficit_3, _grip_deficit_rate_3, _last_grip_deficit_3, _last_grip_deficit_rate_3, _last_grip_clock_3, _room_3)
                     _grip_lost_2, = _put(_rows84, _count78, (_grip_lost_2,), (_grip_lost_3,), _loses_2)
                 _last_grip_deficit_2, _last_grip_deficit_rate_2, _last_grip_clock_2 = remember_grip_deficit(_clock_2, _grip_deficit_2, _grip_deficit_rate_2)
-                _stride_2, _which_2, _rests_2, _doubt_2 = leaving_force(_p_ball_radius_2, _p_gravity_2, _vx_2, _vx_1_2, _vy_2, _vy_1_2, _vz_2, _vz_1_2, _which_2, _doubt_2, _position_error_2, _velocity_error_2, _per_reach_2, _force_2, _force_rate_2, _force_bend_2, _friction_force_rate_2, _stride_2, _fastest_2, _room_2)
+                _stride_2, _which_2, _rests_2, _undecided_time_2 = leaving_force(_p_ball_radius_2, _p_gravity_2, _vx_2, _vx_1_2, _vy_2, _vy_1_2, _vz_2, _vz_1_2, _which_2, _undecided_time_2, _position_error_2, _velocity_error_2, _per_reach_2, _force_2, _force_rate_2, _force_bend_2, _friction_force_rate_2, _stride_2, _fastest_2, _room_2)
                 _beside_2, = beside(0.0, _held_2)
                 _rows86, _count87 = _most(_beside_2, _count78)
                 if _count87:
                     _far = _of(_rows77, _rows86)
                     _p_wire_radius_3, = _taken(_far, _p_wire_radius_1)
-                    _doubt_3, _earliest_delay_3, _fastest_3, _p_ball_radius_3, _p_ring_radius_3, _position_error_3, _stride_3, _strongest_3, _vx_3, _vy_3, _vz_3, _which_3, _x_3, _y_3, _z_3 = _taken(_rows86, _doubt_2, _earliest_delay_2, _fastest_2, _p_ball_radius_2, _p_ring_radius_2, _position_error_2, _stride_2, _strongest_2, _vx_2, _vy_2, _vz_2, _which_2, _x_2, _y_2, _z_2)
+                    _earliest_delay_3, _fastest_3, _p_ball_radius_3, _p_ring_radius_3, _position_error_3, _stride_3, _strongest_3, _undecided_time_3, _vx_3, _vy_3, _vz_3, _which_3, _x_3, _y_3, _z_3 = _taken(_rows86, _earliest_delay_2, _fastest_2, _p_ball_radius_2, _p_ring_radius_2, _position_error_2, _stride_2, _strongest_2, _undecided_time_2, _vx_2, _vy_2, _vz_2, _which_2, _x_2, _y_2, _z_2)
                     _room_3 = room(_count87)
                     _gap_3, _nearing_3, _gap_curvature_3 = ring_beside(_p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _vx_3, _vy_3, _vz_3, _room_3)
-                    _stride_3, _which_3, _doubt_3, _earliest_delay_3 = beside_body(_p_ball_radius_3, _x_3, _y_3, _z_3, _gap_3, 0.0, _which_3, _earliest_delay_3, _doubt_3, _position_error_3, _nearing_3, _gap_curvature_3, _stride_3, _strongest_3, _fastest_3, _room_3)
-                    _doubt_2, _earliest_delay_2, _stride_2, _which_2 = _put(_rows86, _count78, (_doubt_2, _earliest_delay_2, _stride_2, _which_2,), (_doubt_3, _earliest_delay_3, _stride_3, _which_3,), _beside_2)
+                    _stride_3, _which_3, _undecided_time_3, _earliest_delay_3 = beside_body(_p_ball_radius_3, _x_3, _y_3, _z_3, _gap_3, 0.0, _which_3, _earliest_delay_3, _undecided_time_3, _position_error_3, _nearing_3, _gap_curvature_3, _stride_3, _strongest_3, _fastest_3, _room_3)
+                    _earliest_delay_2, _stride_2, _undecided_time_2, _which_2 = _put(_rows86, _count78, (_earliest_delay_2, _stride_2, _undecided_time_2, _which_2,), (_earliest_delay_3, _stride_3, _undecided_time_3, _which_3,), _beside_2)
                 _beside_2, = beside(1.0, _held_2)
                 _rows88, _count89 = _most(_beside_2, _count78)
                 if _count89:
                     _far = _of(_rows77, _rows88)
                     _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3 = _taken(_far, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1)
-                    _doubt_3, _earliest_delay_3, _fastest_3, _p_ball_radius_3, _position_error_3, _stride_3, _strongest_3, _vx_3, _vy_3, _vz_3, _which_3, _x_3, _y_3, _z_3 = _taken(_rows88, _doubt_2, _earliest_delay_2, _fastest_2, _p_ball_radius_2, _position_error_2, _stride_2, _strongest_2, _vx_2, _vy_2, _vz_2, _which_2, _x_2, _y_2, _z_2)
+                    _earliest_delay_3, _fastest_3, _p_ball_radius_3, _position_error_3, _stride_3, _strongest_3, _undecided_time_3, _vx_3, _vy_3, _vz_3, _which_3, _x_3, _y_3, _z_3 = _taken(_rows88, _earliest_delay_2, _fastest_2, _p_ball_radius_2, _position_error_2, _stride_2, _strongest_2, _undecided_time_2, _vx_2, _vy_2, _vz_2, _which_2, _x_2, _y_2, _z_2)
                     _room_3 = room(_count89)
                     _gap_3, _nearing_3, _gap_curvature_3 = backboard_beside(_p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _x_3, _y_3, _z_3, _vx_3, _vy_3, _vz_3, _room_3)
-                    _stride_3, _which_3, _doubt_3, _earliest_delay_3 = beside_body(_p_ball_radius_3, _x_3, _y_3, _z_3, _gap_3, 1.0, _which_3, _earliest_delay_3, _doubt_3, _position_error_3, _nearing_3, _gap_curvature_3, _stride_3, _strongest_3, _fastest_3, _room_3)
-                    _doubt_2, _earliest_delay_2, _stride_2, _which_2 = _put(_rows88, _count78, (_doubt_2, _earliest_delay_2, _stride_2, _which_2,), (_doubt_3, _earliest_delay_3, _stride_3, _which_3,), _beside_2)
+                    _stride_3, _which_3, _undecided_time_3, _earliest_delay_3 = beside_body(_p_ball_radius_3, _x_3, _y_3, _z_3, _gap_3, 1.0, _which_3, _earliest_delay_3, _undecided_time_3, _position_error_3, _nearing_3, _gap_curvature_3, _stride_3, _strongest_3, _fastest_3, _room_3)
+                    _earliest_delay_2, _stride_2, _undecided_time_2, _which_2 = _put(_rows88, _count78, (_earliest_delay_2, _stride_2, _undecided_time_2, _which_2,), (_earliest_delay_3, _stride_3, _undecided_time_3, _which_3,), _beside_2)
                 _beside_2, = beside(2.0, _held_2)
                 _rows90, _count91 = _most(_beside_2, _count78)
                 if _count91:
                     _far = _of(_rows77, _rows90)
                     _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_wire_radius_3 = _taken(_far, _p_board_distance_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_wire_radius_1)
-                    _doubt_3, _earliest_delay_3, _fastest_3, _p_ball_radius_3, _p_ring_radius_3, _position_error_3, _stride_3, _strongest_3, _vx_3, _vy_3, _vz_3, _which_3, _x_3, _y_3, _z_3 = _taken(_rows90, _doubt_2, _earliest_delay_2, _fastest_2, _p_ball_radius_2, _p_ring_radius_2, _position_error_2, _stride_2, _strongest_2, _vx_2, _vy_2, _vz_2, _which_2, _x_2, _y_2, _z_2)
+                    _earliest_delay_3, _fastest_3, _p_ball_radius_3, _p_ring_radius_3, _position_error_3, _stride_3, _strongest_3, _undecided_time_3, _vx_3, _vy_3, _vz_3, _which_3, _x_3, _y_3, _z_3 = _taken(_rows90, _earliest_delay_2, _fastest_2, _p_ball_radius_2, _p_ring_radius_2, _position_error_2, _stride_2, _strongest_2, _undecided_time_2, _vx_2, _vy_2, _vz_2, _which_2, _x_2, _y_2, _z_2)
                     _room_3 = room(_count91)
                     _gap_3, _nearing_3, _gap_curvature_3 = bridge_beside(_p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_ring_radius_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _vx_3, _vy_3, _vz_3, _room_3)
-                    _stride_3, _which_3, _doubt_3, _earliest_delay_3 = beside_body(_p_ball_radius_3, _x_3, _y_3, _z_3, _gap_3, 2.0, _which_3, _earliest_delay_3, _doubt_3, _position_error_3, _nearing_3, _gap_curvature_3, _stride_3, _strongest_3, _fastest_3, _room_3)
-                    _doubt_2, _earliest_delay_2, _stride_2, _which_2 = _put(_rows90, _count78, (_doubt_2, _earliest_delay_2, _stride_2, _which_2,), (_doubt_3, _earliest_delay_3, _stride_3, _which_3,), _beside_2)
+                    _stride_3, _which_3, _undecided_time_3, _earliest_delay_3 = beside_body(_p_ball_radius_3, _x_3, _y_3, _z_3, _gap_3, 2.0, _which_3, _earliest_delay_3, _undecided_time_3, _position_error_3, _nearing_3, _gap_curvature_3, _stride_3, _strongest_3, _fastest_3, _room_3)
+                    _earliest_delay_2, _stride_2, _undecided_time_2, _which_2 = _put(_rows90, _count78, (_earliest_delay_2, _stride_2, _undecided_time_2, _which_2,), (_earliest_delay_3, _stride_3, _undecided_time_3, _which_3,), _beside_2)
                 _gap_2, _nearing_2, _gap_curvature_2 = end_beside(_p_end_depth_2, _z_2, _vz_2)
-                _stride_2, _which_2, _doubt_2, _earliest_delay_2 = beside_gate(_p_ball_radius_2, _x_2, _y_2, _z_2, _gap_2, 3.0, _which_2, _earliest_delay_2, _doubt_2, _position_error_2, _nearing_2, _gap_curvature_2, _stride_2, _strongest_2, _fastest_2, _room_2)
+                _stride_2, _which_2, _undecided_time_2, _earliest_delay_2 = beside_end_plane(_p_ball_radius_2, _x_2, _y_2, _z_2, _gap_2, 3.0, _which_2, _earliest_delay_2, _undecided_time_2, _position_error_2, _nearing_2, _gap_curvature_2, _stride_2, _strongest_2, _fastest_2, _room_2)
                 _here_2, = holding(1.0, _held_2)
                 _rows92, _count93 = _most(_here_2, _count78)
                 if _count93:
@@ -11025,24 +11025,24 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                 if len(_going112) == _count78:
                     continue
                 _done = _where_true(_logical_not(_rolling_2))
-                _store((_clock_1, _doubt_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _per_reach_1, _position_error_1, _rests_1, _rolling_1, _through_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,), _of(_rows77, _done), (_clock_2, _doubt_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _earliest_delay_2, _grip_lost_2, _last_grip_clock_2, _last_grip_deficit_2, _last_grip_deficit_rate_2, _per_reach_2, _position_error_2, _rests_2, _rolling_2, _through_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2,), _done)
+                _store((_clock_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _per_reach_1, _position_error_1, _rests_1, _rolling_1, _through_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,), _of(_rows77, _done), (_clock_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _earliest_delay_2, _grip_lost_2, _last_grip_clock_2, _last_grip_deficit_2, _last_grip_deficit_rate_2, _per_reach_2, _position_error_2, _rests_2, _rolling_2, _through_2, _undecided_time_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2,), _done)
                 _rows77 = _of(_rows77, _going112)
                 _count78 = len(_going112)
                 if _count78 == 0:
                     break
                 if _count78 <= ALONE:
-                    _one_by_one(_alone26, _rows77, _going112, (_bent_x_2, _bent_y_2, _bent_z_2, _clock_2, _clock_error_2, _doubt_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _earliest_delay_2, _grip_lost_2, _held_2, _last_grip_clock_2, _last_grip_deficit_2, _last_grip_deficit_rate_2, _nx_2, _ny_2, _nz_2, _p_backboard_friction_2, _p_ball_radius_2, _p_bridge_friction_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_radius_2, _per_reach_2, _position_error_2, _rests_2, _rolling_2, _through_2, _time_limit_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2,), (_p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_wire_radius_1,), (_clock_1, _doubt_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _per_reach_1, _position_error_1, _rests_1, _rolling_1, _through_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,), 15 - _turn79)
+                    _one_by_one(_alone26, _rows77, _going112, (_bent_x_2, _bent_y_2, _bent_z_2, _clock_2, _clock_error_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _earliest_delay_2, _grip_lost_2, _held_2, _last_grip_clock_2, _last_grip_deficit_2, _last_grip_deficit_rate_2, _nx_2, _ny_2, _nz_2, _p_backboard_friction_2, _p_ball_radius_2, _p_bridge_friction_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_radius_2, _per_reach_2, _position_error_2, _rests_2, _rolling_2, _through_2, _time_limit_2, _undecided_time_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2,), (_p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_wire_radius_1,), (_clock_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _per_reach_1, _position_error_1, _rests_1, _rolling_1, _through_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,), 15 - _turn79)
                     break
-                _bent_x_2, _bent_y_2, _bent_z_2, _clock_2, _clock_error_2, _doubt_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _earliest_delay_2, _grip_lost_2, _held_2, _last_grip_clock_2, _last_grip_deficit_2, _last_grip_deficit_rate_2, _nx_2, _ny_2, _nz_2, _p_backboard_friction_2, _p_ball_radius_2, _p_bridge_friction_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_radius_2, _per_reach_2, _position_error_2, _rests_2, _rolling_2, _through_2, _time_limit_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_going112, _bent_x_2, _bent_y_2, _bent_z_2, _clock_2, _clock_error_2, _doubt_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _earliest_delay_2, _grip_lost_2, _held_2, _last_grip_clock_2, _last_grip_deficit_2, _last_grip_deficit_rate_2, _nx_2, _ny_2, _nz_2, _p_backboard_friction_2, _p_ball_radius_2, _p_bridge_friction_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_radius_2, _per_reach_2, _position_error_2, _rests_2, _rolling_2, _through_2, _time_limit_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2)
+                _bent_x_2, _bent_y_2, _bent_z_2, _clock_2, _clock_error_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _earliest_delay_2, _grip_lost_2, _held_2, _last_grip_clock_2, _last_grip_deficit_2, _last_grip_deficit_rate_2, _nx_2, _ny_2, _nz_2, _p_backboard_friction_2, _p_ball_radius_2, _p_bridge_friction_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_radius_2, _per_reach_2, _position_error_2, _rests_2, _rolling_2, _through_2, _time_limit_2, _undecided_time_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_going112, _bent_x_2, _bent_y_2, _bent_z_2, _clock_2, _clock_error_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _earliest_delay_2, _grip_lost_2, _held_2, _last_grip_clock_2, _last_grip_deficit_2, _last_grip_deficit_rate_2, _nx_2, _ny_2, _nz_2, _p_backboard_friction_2, _p_ball_radius_2, _p_bridge_friction_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_radius_2, _per_reach_2, _position_error_2, _rests_2, _rolling_2, _through_2, _time_limit_2, _undecided_time_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2)
             else:
-                _store((_clock_1, _doubt_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _per_reach_1, _position_error_1, _rests_1, _rolling_1, _through_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,), _rows77, (_clock_2, _doubt_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _earliest_delay_2, _grip_lost_2, _last_grip_clock_2, _last_grip_deficit_2, _last_grip_deficit_rate_2, _per_reach_2, _position_error_2, _rests_2, _rolling_2, _through_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2,), None)
+                _store((_clock_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _per_reach_1, _position_error_1, _rests_1, _rolling_1, _through_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,), _rows77, (_clock_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _earliest_delay_2, _grip_lost_2, _last_grip_clock_2, _last_grip_deficit_2, _last_grip_deficit_rate_2, _per_reach_2, _position_error_2, _rests_2, _rolling_2, _through_2, _undecided_time_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2,), None)
         _rows113, _count114 = _rows(_circling_1, _count74)
         if (0 < _count114) and (_count114 <= ALONE):
-            _circled_1, _circling_1, _clock_1, _doubt_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _per_reach_1, _position_error_1, _rests_1, _through_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1 = _copies(_count74, _circled_1, _circling_1, _clock_1, _doubt_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _per_reach_1, _position_error_1, _rests_1, _through_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
-            _one_by_one(_alone27, _rows113, _rows113, (_circled_1, _circling_1, _clock_1, _clock_error_1, _doubt_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_friction_1, _p_ring_radius_1, _p_wire_radius_1, _per_reach_1, _position_error_1, _rests_1, _through_1, _time_limit_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,), (), (_circled_1, _circling_1, _clock_1, _doubt_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _per_reach_1, _position_error_1, _rests_1, _through_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,), 16)
+            _circled_1, _circling_1, _clock_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _per_reach_1, _position_error_1, _rests_1, _through_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1 = _copies(_count74, _circled_1, _circling_1, _clock_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _per_reach_1, _position_error_1, _rests_1, _through_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
+            _one_by_one(_alone27, _rows113, _rows113, (_circled_1, _circling_1, _clock_1, _clock_error_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_friction_1, _p_ring_radius_1, _p_wire_radius_1, _per_reach_1, _position_error_1, _rests_1, _through_1, _time_limit_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,), (), (_circled_1, _circling_1, _clock_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _per_reach_1, _position_error_1, _rests_1, _through_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,), 16)
         elif _count114:
-            _circled_2, _circling_2, _clock_2, _clock_error_2, _doubt_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _earliest_delay_2, _grip_lost_2, _last_grip_clock_2, _last_grip_deficit_2, _last_grip_deficit_rate_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_friction_2, _p_ring_radius_2, _p_wire_radius_2, _through_2, _time_limit_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_rows113, _circled_1, _circling_1, _clock_1, _clock_error_1, _doubt_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_friction_1, _p_ring_radius_1, _p_wire_radius_1, _through_1, _time_limit_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
-            _circled_1, _circling_1, _clock_1, _doubt_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _per_reach_1, _position_error_1, _rests_1, _through_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1 = _copies(_count74, _circled_1, _circling_1, _clock_1, _doubt_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _per_reach_1, _position_error_1, _rests_1, _through_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
+            _circled_2, _circling_2, _clock_2, _clock_error_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _earliest_delay_2, _grip_lost_2, _last_grip_clock_2, _last_grip_deficit_2, _last_grip_deficit_rate_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_friction_2, _p_ring_radius_2, _p_wire_radius_2, _through_2, _time_limit_2, _undecided_time_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_rows113, _circled_1, _circling_1, _clock_1, _clock_error_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_friction_1, _p_ring_radius_1, _p_wire_radius_1, _through_1, _time_limit_1, _undecided_time_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
+            _circled_1, _circling_1, _clock_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _per_reach_1, _position_error_1, _rests_1, _through_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1 = _copies(_count74, _circled_1, _circling_1, _clock_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _per_reach_1, _position_error_1, _rests_1, _through_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
             for _turn115 in range(16):
                 _room_2 = room(_count114)
                 _position_error_2, _velocity_error_2, *_ = error_bounds(_clock_error_2, _dx_2, _dy_2, _dz_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _room_2)
@@ -11063,21 +11063,21 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                 _stride_2, _missed_2, _strongest_2, _fastest_2, _section_acceleration_2, _force_2, _force_rate_2, _force_bend_2, _friction_force_rate_2, _vx_1_2, _vy_1_2, _vz_1_2 = ring_round_pace(_p_ball_radius_2, _p_gravity_2, _p_inertia_2, _p_ring_radius_2, _p_wire_radius_2, _per_reach_2, _turn_rate_0_2, _turn_rate_11_2, _turn_rate_12_2, _climb_0_2, _climb_1_2, _climb_2_2, _climb_3_2, _climb_4_2, _climb_5_2, _climb_6_2, _climb_7_2, _climb_8_2, _climb_9_2, _climb_10_2, _climb_11_2, _climb_12_2, _cosine_0_2, _cosine_12_2, _sine_0_2, _sine_12_2, _along_0_2, _along_1_2, _along_2_2, _along_3_2, _along_4_2, _along_5_2, _along_6_2, _along_7_2, _along_8_2, _along_9_2, _along_10_2, _along_11_2, _along_12_2, _cos_0_2, _sin_0_2, _omega_0_2, _omega_1_2, _omega_2_2, _omega_3_2, _omega_4_2, _omega_5_2, _omega_6_2, _omega_7_2, _omega_8_2, _omega_9_2, _omega_10_2, _omega_11_2, _room_2)
                 _rolling_friction_2, _rolling_friction_rate_2, *_ = ring_round_pulled(_p_gravity_2, _p_inertia_2, _turn_rate_0_2, _turn_rate_1_2, _climb_0_2, _climb_1_2, _cosine_0_2, _cosine_1_2, _omega_0_2, _omega_1_2, _room_2)
                 _grip_deficit_2, _grip_deficit_rate_2 = ring_impact_grip_deficit(_p_ring_friction_2, _rolling_friction_2, _rolling_friction_rate_2, _force_2, _force_rate_2)
-                _loses_2, = losing(_grip_deficit_2, _grip_lost_2)
+                _loses_2, = exceeds_grip(_grip_deficit_2, _grip_lost_2)
                 _rows116, _count117 = _most(_loses_2, _count114)
                 if _count117:
                     _clock_3, _grip_deficit_3, _grip_deficit_rate_3, _last_grip_clock_3, _last_grip_deficit_3, _last_grip_deficit_rate_3 = _taken(_rows116, _clock_2, _grip_deficit_2, _grip_deficit_rate_2, _last_grip_clock_2, _last_grip_deficit_2, _last_grip_deficit_rate_2)
                     _room_3 = room(_count117)
-                    _grip_lost_3, = lost_grip(_clock_3, _grip_deficit_3, _grip_deficit_rate_3, _last_grip_deficit_3, _last_grip_deficit_rate_3, _last_grip_clock_3, _room_3)
+                    _grip_lost_3, = grip_lost_time(_clock_3, _grip_deficit_3, _grip_deficit_rate_3, _last_grip_deficit_3, _last_grip_deficit_rate_3, _last_grip_clock_3, _room_3)
                     _grip_lost_2, = _put(_rows116, _count114, (_grip_lost_2,), (_grip_lost_3,), _loses_2)
                 _last_grip_deficit_2, _last_grip_deficit_rate_2, _last_grip_clock_2 = remember_grip_deficit(_clock_2, _grip_deficit_2, _grip_deficit_rate_2)
-                _stride_2, _which_2, _rests_2, _doubt_2 = leaving_force(_p_ball_radius_2, _p_gravity_2, _vx_2, _vx_1_2, _vy_2, _vy_1_2, _vz_2, _vz_1_2, _which_2, _doubt_2, _position_error_2, _velocity_error_2, _per_reach_2, _force_2, _force_rate_2, _force_bend_2, _friction_force_rate_2, _stride_2, _fastest_2, _room_2)
+                _stride_2, _which_2, _rests_2, _undecided_time_2 = leaving_force(_p_ball_radius_2, _p_gravity_2, _vx_2, _vx_1_2, _vy_2, _vy_1_2, _vz_2, _vz_1_2, _which_2, _undecided_time_2, _position_error_2, _velocity_error_2, _per_reach_2, _force_2, _force_rate_2, _force_bend_2, _friction_force_rate_2, _stride_2, _fastest_2, _room_2)
                 _gap_2, _nearing_2, _gap_curvature_2 = backboard_beside(_p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _room_2)
-                _stride_2, _which_2, _doubt_2, _earliest_delay_2 = beside_body(_p_ball_radius_2, _x_2, _y_2, _z_2, _gap_2, 1.0, _which_2, _earliest_delay_2, _doubt_2, _position_error_2, _nearing_2, _gap_curvature_2, _stride_2, _strongest_2, _fastest_2, _room_2)
+                _stride_2, _which_2, _undecided_time_2, _earliest_delay_2 = beside_body(_p_ball_radius_2, _x_2, _y_2, _z_2, _gap_2, 1.0, _which_2, _earliest_delay_2, _undecided_time_2, _position_error_2, _nearing_2, _gap_curvature_2, _stride_2, _strongest_2, _fastest_2, _room_2)
                 _gap_2, _nearing_2, _gap_curvature_2 = bridge_beside(_p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_ring_radius_2, _p_wire_radius_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _room_2)
-                _stride_2, _which_2, _doubt_2, _earliest_delay_2 = beside_body(_p_ball_radius_2, _x_2, _y_2, _z_2, _gap_2, 2.0, _which_2, _earliest_delay_2, _doubt_2, _position_error_2, _nearing_2, _gap_curvature_2, _stride_2, _strongest_2, _fastest_2, _room_2)
+                _stride_2, _which_2, _undecided_time_2, _earliest_delay_2 = beside_body(_p_ball_radius_2, _x_2, _y_2, _z_2, _gap_2, 2.0, _which_2, _earliest_delay_2, _undecided_time_2, _position_error_2, _nearing_2, _gap_curvature_2, _stride_2, _strongest_2, _fastest_2, _room_2)
                 _gap_2, _nearing_2, _gap_curvature_2 = end_beside(_p_end_depth_2, _z_2, _vz_2)
-                _stride_2, _which_2, _doubt_2, _earliest_delay_2 = beside_gate(_p_ball_radius_2, _x_2, _y_2, _z_2, _gap_2, 3.0, _which_2, _earliest_delay_2, _doubt_2, _position_error_2, _nearing_2, _gap_curvature_2, _stride_2, _strongest_2, _fastest_2, _room_2)
+                _stride_2, _which_2, _undecided_time_2, _earliest_delay_2 = beside_end_plane(_p_ball_radius_2, _x_2, _y_2, _z_2, _gap_2, 3.0, _which_2, _earliest_delay_2, _undecided_time_2, _position_error_2, _nearing_2, _gap_curvature_2, _stride_2, _strongest_2, _fastest_2, _room_2)
                 _stride_2, _which_2 = beside_time(_which_2, _clock_2, _time_limit_2, _stride_2)
                 _neighbour_scale_2, = neighbour_scale(_p_ball_radius_2, _dx_2, _dy_2, _dz_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _room_2)
                 _far_x_2, _far_y_2, _far_z_2, _far_vx_2, _far_vy_2, _far_vz_2, _far_wx_2, _far_wy_2, _far_wz_2, *_ = neighbour(_x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _dx_2, _dy_2, _dz_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _neighbour_scale_2, _room_2)
@@ -11085,21 +11085,21 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                 _azimuth_clearance_2, *_ = isolated()
                 _forth_2, _back_2 = half_steps(_stride_2)
                 _gap_2, _nearing_2 = backboard_around(_p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _room_2)
-                _azimuth_clearance_2, = cleared(_gap_2, _nearing_2, _forth_2, _azimuth_clearance_2)
+                _azimuth_clearance_2, = clearance_at_any_azimuth(_gap_2, _nearing_2, _forth_2, _azimuth_clearance_2)
                 _gap_2, _nearing_2 = bridge_around(_p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_ring_radius_2, _p_wire_radius_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _room_2)
-                _azimuth_clearance_2, = cleared(_gap_2, _nearing_2, _forth_2, _azimuth_clearance_2)
+                _azimuth_clearance_2, = clearance_at_any_azimuth(_gap_2, _nearing_2, _forth_2, _azimuth_clearance_2)
                 _gap_2, _nearing_2 = end_around(_p_end_depth_2, _z_2, _vz_2)
-                _azimuth_clearance_2, = cleared(_gap_2, _nearing_2, _forth_2, _azimuth_clearance_2)
+                _azimuth_clearance_2, = clearance_at_any_azimuth(_gap_2, _nearing_2, _forth_2, _azimuth_clearance_2)
                 _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _climb_2 = ring_round_moved(_p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _stride_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _turn_rate_8_2, _turn_rate_9_2, _turn_rate_10_2, _turn_rate_11_2, _turn_rate_12_2, _climb_0_2, _climb_1_2, _climb_2_2, _climb_3_2, _climb_4_2, _climb_5_2, _climb_6_2, _climb_7_2, _climb_8_2, _climb_9_2, _climb_10_2, _climb_11_2, _climb_12_2, _cosine_0_2, _cosine_1_2, _cosine_2_2, _cosine_3_2, _cosine_4_2, _cosine_5_2, _cosine_6_2, _cosine_7_2, _cosine_8_2, _cosine_9_2, _cosine_10_2, _cosine_11_2, _cosine_12_2, _sine_0_2, _sine_1_2, _sine_2_2, _sine_3_2, _sine_4_2, _sine_5_2, _sine_6_2, _sine_7_2, _sine_8_2, _sine_9_2, _sine_10_2, _sine_11_2, _sine_12_2, _along_0_2, _along_1_2, _along_2_2, _along_3_2, _along_4_2, _along_5_2, _along_6_2, _along_7_2, _along_8_2, _along_9_2, _along_10_2, _along_11_2, _along_12_2, _cos_0_2, _sin_0_2, _omega_0_2, _omega_1_2, _omega_2_2, _omega_3_2, _omega_4_2, _omega_5_2, _omega_6_2, _omega_7_2, _omega_8_2, _omega_9_2, _omega_10_2, _omega_11_2, _room_2)
                 _through_2, = passing_in_contact(_p_ring_radius_2, _x_2, _y_2, _z_2, _through_2, _over_2)
                 _gap_2, _nearing_2 = backboard_around(_p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _room_2)
-                _azimuth_clearance_2, = cleared(_gap_2, _nearing_2, _back_2, _azimuth_clearance_2)
+                _azimuth_clearance_2, = clearance_at_any_azimuth(_gap_2, _nearing_2, _back_2, _azimuth_clearance_2)
                 _gap_2, _nearing_2 = bridge_around(_p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_ring_radius_2, _p_wire_radius_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _room_2)
-                _azimuth_clearance_2, = cleared(_gap_2, _nearing_2, _back_2, _azimuth_clearance_2)
+                _azimuth_clearance_2, = clearance_at_any_azimuth(_gap_2, _nearing_2, _back_2, _azimuth_clearance_2)
                 _gap_2, _nearing_2 = end_around(_p_end_depth_2, _z_2, _vz_2)
-                _azimuth_clearance_2, = cleared(_gap_2, _nearing_2, _back_2, _azimuth_clearance_2)
-                _circled_2, _endless_2, _doubt_2 = ring_swung(_p_ball_radius_2, _p_gravity_2, _p_wire_radius_2, _which_2, _doubt_2, _position_error_2, _velocity_error_2, _force_2, _force_rate_2, _force_bend_2, _stride_2, _fastest_2, _circled_2, _climb_2, _climb_0_2, _section_acceleration_2, _azimuth_clearance_2, _room_2)
-                _which_2, = for_ever(_which_2, _endless_2)
+                _azimuth_clearance_2, = clearance_at_any_azimuth(_gap_2, _nearing_2, _back_2, _azimuth_clearance_2)
+                _circled_2, _endless_2, _undecided_time_2 = ring_swung(_p_ball_radius_2, _p_gravity_2, _p_wire_radius_2, _which_2, _undecided_time_2, _position_error_2, _velocity_error_2, _force_2, _force_rate_2, _force_bend_2, _stride_2, _fastest_2, _circled_2, _climb_2, _climb_0_2, _section_acceleration_2, _azimuth_clearance_2, _room_2)
+                _which_2, = rolls_for_ever(_which_2, _endless_2)
                 _cosine_0_2, _sine_0_2, _climb_0_2, _along_0_2, _turn_rate_0_2, _cos_0_2, _sin_0_2, _tilted_0_2, _near_0_2 = ring_round_start(_p_ball_radius_2, _p_inertia_2, _p_ring_radius_2, _p_wire_radius_2, _far_x_2, _far_y_2, _far_z_2, _far_vx_2, _far_vy_2, _far_vz_2, _far_wx_2, _far_wy_2, _far_wz_2, _per_reach_2, _room_2)
                 _omega_0_2, _around_0_2, _cosine_1_2, _sine_1_2, _climb_1_2, _along_1_2, _turn_rate_1_2, _tilted_1_2 = ring_round_0(_p_ball_radius_2, _p_gravity_2, _p_inertia_2, _p_ring_radius_2, _p_wire_radius_2, _per_reach_2, _turn_rate_0_2, _near_0_2, _climb_0_2, _cosine_0_2, _sine_0_2, _along_0_2, _tilted_0_2, _room_2)
                 _omega_1_2, _around_1_2, _cosine_2_2, _sine_2_2, _climb_2_2, _along_2_2, _turn_rate_2_2, _tilted_2_2 = ring_round_1(_p_ball_radius_2, _p_gravity_2, _p_inertia_2, _p_ring_radius_2, _p_wire_radius_2, _per_reach_2, _turn_rate_0_2, _turn_rate_1_2, _near_0_2, _climb_0_2, _climb_1_2, _cosine_0_2, _cosine_1_2, _sine_0_2, _sine_1_2, _along_1_2, _omega_0_2, _around_0_2, _tilted_0_2, _tilted_1_2, _room_2)
@@ -11120,21 +11120,21 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                 if len(_going118) == _count114:
                     continue
                 _done = _where_true(_logical_not(_circling_2))
-                _store((_circled_1, _circling_1, _clock_1, _doubt_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _per_reach_1, _position_error_1, _rests_1, _through_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,), _of(_rows113, _done), (_circled_2, _circling_2, _clock_2, _doubt_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _earliest_delay_2, _grip_lost_2, _last_grip_clock_2, _last_grip_deficit_2, _last_grip_deficit_rate_2, _per_reach_2, _position_error_2, _rests_2, _through_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2,), _done)
+                _store((_circled_1, _circling_1, _clock_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _per_reach_1, _position_error_1, _rests_1, _through_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,), _of(_rows113, _done), (_circled_2, _circling_2, _clock_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _earliest_delay_2, _grip_lost_2, _last_grip_clock_2, _last_grip_deficit_2, _last_grip_deficit_rate_2, _per_reach_2, _position_error_2, _rests_2, _through_2, _undecided_time_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2,), _done)
                 _rows113 = _of(_rows113, _going118)
                 _count114 = len(_going118)
                 if _count114 == 0:
                     break
                 if _count114 <= ALONE:
-                    _one_by_one(_alone27, _rows113, _going118, (_circled_2, _circling_2, _clock_2, _clock_error_2, _doubt_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _earliest_delay_2, _grip_lost_2, _last_grip_clock_2, _last_grip_deficit_2, _last_grip_deficit_rate_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_friction_2, _p_ring_radius_2, _p_wire_radius_2, _per_reach_2, _position_error_2, _rests_2, _through_2, _time_limit_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2,), (), (_circled_1, _circling_1, _clock_1, _doubt_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _per_reach_1, _position_error_1, _rests_1, _through_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,), 15 - _turn115)
+                    _one_by_one(_alone27, _rows113, _going118, (_circled_2, _circling_2, _clock_2, _clock_error_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _earliest_delay_2, _grip_lost_2, _last_grip_clock_2, _last_grip_deficit_2, _last_grip_deficit_rate_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_friction_2, _p_ring_radius_2, _p_wire_radius_2, _per_reach_2, _position_error_2, _rests_2, _through_2, _time_limit_2, _undecided_time_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2,), (), (_circled_1, _circling_1, _clock_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _per_reach_1, _position_error_1, _rests_1, _through_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,), 15 - _turn115)
                     break
-                _circled_2, _circling_2, _clock_2, _clock_error_2, _doubt_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _earliest_delay_2, _grip_lost_2, _last_grip_clock_2, _last_grip_deficit_2, _last_grip_deficit_rate_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_friction_2, _p_ring_radius_2, _p_wire_radius_2, _per_reach_2, _position_error_2, _rests_2, _through_2, _time_limit_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_going118, _circled_2, _circling_2, _clock_2, _clock_error_2, _doubt_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _earliest_delay_2, _grip_lost_2, _last_grip_clock_2, _last_grip_deficit_2, _last_grip_deficit_rate_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_friction_2, _p_ring_radius_2, _p_wire_radius_2, _per_reach_2, _position_error_2, _rests_2, _through_2, _time_limit_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2)
+                _circled_2, _circling_2, _clock_2, _clock_error_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _earliest_delay_2, _grip_lost_2, _last_grip_clock_2, _last_grip_deficit_2, _last_grip_deficit_rate_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_friction_2, _p_ring_radius_2, _p_wire_radius_2, _per_reach_2, _position_error_2, _rests_2, _through_2, _time_limit_2, _undecided_time_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_going118, _circled_2, _circling_2, _clock_2, _clock_error_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _earliest_delay_2, _grip_lost_2, _last_grip_clock_2, _last_grip_deficit_2, _last_grip_deficit_rate_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_friction_2, _p_ring_radius_2, _p_wire_radius_2, _per_reach_2, _position_error_2, _rests_2, _through_2, _time_limit_2, _undecided_time_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2)
             else:
-                _store((_circled_1, _circling_1, _clock_1, _doubt_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _per_reach_1, _position_error_1, _rests_1, _through_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,), _rows113, (_circled_2, _circling_2, _clock_2, _doubt_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _earliest_delay_2, _grip_lost_2, _last_grip_clock_2, _last_grip_deficit_2, _last_grip_deficit_rate_2, _per_reach_2, _position_error_2, _rests_2, _through_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2,), None)
-        _rolling_1, = rejoined(_rolling_1, _circling_1)
+                _store((_circled_1, _circling_1, _clock_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _per_reach_1, _position_error_1, _rests_1, _through_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,), _rows113, (_circled_2, _circling_2, _clock_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _earliest_delay_2, _grip_lost_2, _last_grip_clock_2, _last_grip_deficit_2, _last_grip_deficit_rate_2, _per_reach_2, _position_error_2, _rests_2, _through_2, _undecided_time_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2,), None)
+        _rolling_1, = still_in_contact(_rolling_1, _circling_1)
         _rows119, _count120 = _rows(_leaves_1, _count74)
         if _count120:
-            _clock_error_2, _doubt_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _gap_jerk_2, _gap_snap_2, _held_2, _lift_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_end_depth_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _per_reach_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows119, _clock_error_1, _doubt_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _gap_jerk_1, _gap_snap_1, _held_1, _lift_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_end_depth_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _per_reach_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
+            _clock_error_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _gap_jerk_2, _gap_snap_2, _held_2, _lift_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_end_depth_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _per_reach_2, _undecided_time_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows119, _clock_error_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _gap_jerk_1, _gap_snap_1, _held_1, _lift_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_end_depth_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _per_reach_1, _undecided_time_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
             _room_2 = room(_count120)
             _position_error_2, _velocity_error_2, *_ = error_bounds(_clock_error_2, _dx_2, _dy_2, _dz_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _room_2)
             _here_2, = holding(0.0, _held_2)
@@ -11187,7 +11187,7 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                 _free_time_3, = neighbour_free_time(_p_gravity_3, _vx_3, _vy_3, _vz_3, _gap_3, _free_time_3, _nearing_3, _gap_curvature_3, _room_3)
                 _free_time_2, = _put(_rows131, _count120, (_free_time_2,), (_free_time_3,), _beside_2)
             _gap_2, _nearing_2, _gap_curvature_2 = end_beside(_p_end_depth_2, _z_2, _vz_2)
-            _free_time_2, _doubt_2 = end_plane_free_time(_p_gravity_2, _vx_2, _vy_2, _vz_2, _gap_2, _doubt_2, _free_time_2, _nearing_2, _gap_curvature_2, _room_2)
+            _free_time_2, _undecided_time_2 = end_plane_free_time(_p_gravity_2, _vx_2, _vy_2, _vz_2, _gap_2, _undecided_time_2, _free_time_2, _nearing_2, _gap_curvature_2, _room_2)
             _here_2, = holding(1.0, _held_2)
             _rows133, _count134 = _most(_here_2, _count120)
             if _count134:
@@ -11224,18 +11224,18 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                 _gap_3, _nearing_3, _near_3 = bridge_seam5(_p_ball_radius_3, _p_bridge_depth_3, _p_wire_radius_3, _z_3, _vz_3)
                 _free_time_3, = seam_free_time(_p_gravity_3, _gap_3, _free_time_3, _near_3, _nearing_3, _room_3)
                 _free_time_2, = _put(_rows135, _count120, (_free_time_2,), (_free_time_3,), _here_2)
-            _when_2, _doubt_2 = separated(_p_gravity_2, _vx_2, _vy_2, _vz_2, _doubt_2, _position_error_2, _velocity_error_2, _per_reach_2, _free_time_2, _lift_2, _gap_jerk_2, _gap_snap_2, _room_2)
-            _which_2, = take_off()
-            _doubt_1, _position_error_1, _velocity_error_1, _when_1, _which_1 = _put(_rows119, _count74, (_doubt_1, _position_error_1, _velocity_error_1, _when_1, _which_1,), (_doubt_2, _position_error_2, _velocity_error_2, _when_2, _which_2,))
-        _began_0, _circled_0, _clock_0, _doubt_0, _dvx_0, _dvy_0, _dvz_0, _dwx_0, _dwy_0, _dwz_0, _dx_0, _dy_0, _dz_0, _earliest_delay_0, _grip_lost_0, _last_grip_clock_0, _last_grip_deficit_0, _last_grip_deficit_rate_0, _position_error_0, _rests_0, _rolling_0, _through_0, _velocity_error_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0 = _put(_rows73, shots, (_began_0, _circled_0, _clock_0, _doubt_0, _dvx_0, _dvy_0, _dvz_0, _dwx_0, _dwy_0, _dwz_0, _dx_0, _dy_0, _dz_0, _earliest_delay_0, _grip_lost_0, _last_grip_clock_0, _last_grip_deficit_0, _last_grip_deficit_rate_0, _position_error_0, _rests_0, _rolling_0, _through_0, _velocity_error_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0,), (_began_1, _circled_1, _clock_1, _doubt_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _position_error_1, _rests_1, _rolling_1, _through_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _when_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,))
+            _when_2, _undecided_time_2 = separated(_p_gravity_2, _vx_2, _vy_2, _vz_2, _undecided_time_2, _position_error_2, _velocity_error_2, _per_reach_2, _free_time_2, _lift_2, _gap_jerk_2, _gap_snap_2, _room_2)
+            _which_2, = detachment()
+            _position_error_1, _undecided_time_1, _velocity_error_1, _when_1, _which_1 = _put(_rows119, _count74, (_position_error_1, _undecided_time_1, _velocity_error_1, _when_1, _which_1,), (_position_error_2, _undecided_time_2, _velocity_error_2, _when_2, _which_2,))
+        _began_0, _circled_0, _clock_0, _dvx_0, _dvy_0, _dvz_0, _dwx_0, _dwy_0, _dwz_0, _dx_0, _dy_0, _dz_0, _earliest_delay_0, _grip_lost_0, _last_grip_clock_0, _last_grip_deficit_0, _last_grip_deficit_rate_0, _position_error_0, _rests_0, _rolling_0, _through_0, _undecided_time_0, _velocity_error_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0 = _put(_rows73, shots, (_began_0, _circled_0, _clock_0, _dvx_0, _dvy_0, _dvz_0, _dwx_0, _dwy_0, _dwz_0, _dx_0, _dy_0, _dz_0, _earliest_delay_0, _grip_lost_0, _last_grip_clock_0, _last_grip_deficit_0, _last_grip_deficit_rate_0, _position_error_0, _rests_0, _rolling_0, _through_0, _undecided_time_0, _velocity_error_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0,), (_began_1, _circled_1, _clock_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _position_error_1, _rests_1, _rolling_1, _through_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _when_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,))
     _, _moves_0, _ends_0, _touches_0, _reached_0, _edge_0 = departed(3.0, _which_0)
     _body_0, = body_of(_which_0)
     _rows137, _count138 = _most(_moves_0, shots)
     if _count138:
         _clock_1, _extent_1, _p_gravity_1, _p_ring_radius_1, _position_error_1, _speed_1, _through_1, _uncertain_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _when_1, _x_1, _y_1, _z_1 = _taken(_rows137, _clock_0, _extent_0, _p_gravity_0, _p_ring_radius_0, _position_error_0, _speed_0, _through_0, _uncertain_0, _velocity_error_0, _vx_0, _vy_0, _vz_0, _when_0, _x_0, _y_0, _z_0)
         _room_1 = room(_count138)
-        _unsure_1, = passing_doubt(_when_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _extent_1, _speed_1, _position_error_1, _velocity_error_1, _p_ring_radius_1, _p_gravity_1, _room_1)
-        _uncertain_1, = undecided(_uncertain_1, _unsure_1)
+        _undecided_1, = passing_undecided(_when_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _extent_1, _speed_1, _position_error_1, _velocity_error_1, _p_ring_radius_1, _p_gravity_1, _room_1)
+        _uncertain_1, = undecided(_uncertain_1, _undecided_1)
         _through_1, = passing(_through_1, _when_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _p_ring_radius_1, _p_gravity_1, _room_1)
         _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1 = flight(_when_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _p_gravity_1, _room_1)
         _clock_1, = event_clock(_when_1, _clock_1)
@@ -11245,20 +11245,20 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _body_1, _clock_1, _ends_1, _reached_1, _time_limit_1, _which_1 = _taken(_rows139, _body_0, _clock_0, _ends_0, _reached_0, _time_limit_0, _which_0)
         _clock_1, _body_1, _reached_1, _ends_1 = expired(4.0, _which_1, _body_1, _clock_1, _reached_1, _time_limit_1, _ends_1)
         _body_0, _clock_0, _ends_0, _reached_0 = _put(_rows139, shots, (_body_0, _clock_0, _ends_0, _reached_0,), (_body_1, _clock_1, _ends_1, _reached_1,), _limited_0)
-    _hopped_0, = unhopped()
+    _hopped_0, = no_departure()
     _rows141, _count142 = _most(_in_contact_0, shots)
     if _count142:
-        _began_1, _body_1, _clock_1, _doubt_1, _ends_1, _held_1, _last_1, _reached_1, _rests_1, _rolling_1, _rolls_1, _which_1 = _taken(_rows141, _began_0, _body_0, _clock_0, _doubt_0, _ends_0, _held_0, _last_0, _reached_0, _rests_0, _rolling_0, _rolls_0, _which_0)
+        _began_1, _body_1, _clock_1, _ends_1, _held_1, _last_1, _reached_1, _rests_1, _rolling_1, _rolls_1, _undecided_time_1, _which_1 = _taken(_rows141, _began_0, _body_0, _clock_0, _ends_0, _held_0, _last_0, _reached_0, _rests_0, _rolling_0, _rolls_0, _undecided_time_0, _which_0)
         _room_1 = room(_count142)
-        _body_1, _reached_1, _doubt_1, _ends_1, _hopped_1, _last_1, _mode_1, _held_1, _rolls_1 = stay_in_contact(_last_1, _which_1, _doubt_1, _body_1, _clock_1, _reached_1, _ends_1, _held_1, _rolls_1, _rolling_1, _began_1, _rests_1, _room_1)
-        _body_0, _doubt_0, _ends_0, _held_0, _hopped_0, _last_0, _mode_0, _reached_0, _rolls_0 = _put(_rows141, shots, (_body_0, _doubt_0, _ends_0, _held_0, _hopped_0, _last_0, _mode_0, _reached_0, _rolls_0,), (_body_1, _doubt_1, _ends_1, _held_1, _hopped_1, _last_1, _mode_1, _reached_1, _rolls_1,), _in_contact_0)
+        _body_1, _reached_1, _undecided_time_1, _ends_1, _hopped_1, _last_1, _mode_1, _held_1, _rolls_1 = stay_in_contact(_last_1, _which_1, _undecided_time_1, _body_1, _clock_1, _reached_1, _ends_1, _held_1, _rolls_1, _rolling_1, _began_1, _rests_1, _room_1)
+        _body_0, _ends_0, _held_0, _hopped_0, _last_0, _mode_0, _reached_0, _rolls_0, _undecided_time_0 = _put(_rows141, shots, (_body_0, _ends_0, _held_0, _hopped_0, _last_0, _mode_0, _reached_0, _rolls_0, _undecided_time_0,), (_body_1, _ends_1, _held_1, _hopped_1, _last_1, _mode_1, _reached_1, _rolls_1, _undecided_time_1,), _in_contact_0)
     _slack_0, = displacement(_earliest_delay_0, _when_0, _extent_0, _speed_0, _position_error_0, _velocity_error_0, _p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_board_distance_0, _p_board_half_width_0, _p_board_bottom_0, _p_board_top_0, _p_board_thickness_0, _p_bridge_half_width_0, _p_bridge_depth_0, _p_gravity_0, _p_end_depth_0, _room_0)
     _here_0, = here(3.0, _which_0)
     _g0_1, = end_bounds(_x_0, _y_0, _p_ring_radius_0)
     _reached_1, = end_reached(_through_0, _g0_1)
     _edge_1, = end_edge(_slack_0, _through_0, _g0_1)
     _edge_0, _reached_0 = _choose(_here_0, (_edge_1, _reached_1,), (_edge_0, _reached_0,))
-    _uncertain_0, = doubted_in_contact(_last_0, _when_0, _which_0, _earliest_delay_0, _doubt_0, _uncertain_0, _edge_0, _assured_0)
+    _uncertain_0, = contact_undecided(_last_0, _when_0, _which_0, _earliest_delay_0, _undecided_time_0, _uncertain_0, _edge_0, _assured_0)
     _contacts_0, _outcome_0 = accounted(_contacts_0, _most_contacts_0, _reached_0, _touches_0)
     columns |= {"body": _body_0, "circled": _circled_0, "clock": _clock_0, "contacts": _contacts_0, "dvx": _dvx_0, "dvy": _dvy_0, "dvz": _dvz_0, "dwx": _dwx_0, "dwy": _dwy_0, "dwz": _dwz_0, "dx": _dx_0, "dy": _dy_0, "dz": _dz_0, "earliest_delay": _earliest_delay_0, "ends": _ends_0, "grip_lost": _grip_lost_0, "held": _held_0, "hopped": _hopped_0, "last": _last_0, "last_grip_clock": _last_grip_clock_0, "last_grip_deficit": _last_grip_deficit_0, "last_grip_deficit_rate": _last_grip_deficit_rate_0, "limited": _limited_0, "mode": _mode_0, "outcome": _outcome_0, "position_error": _position_error_0, "rolls": _rolls_0, "through": _through_0, "touches": _touches_0, "uncertain": _uncertain_0, "velocity_error": _velocity_error_0, "vx": _vx_0, "vy": _vy_0, "vz": _vz_0, "when": _when_0, "which": _which_0, "wx": _wx_0, "wy": _wy_0, "wz": _wz_0, "x": _x_0, "y": _y_0, "z": _z_0, }
 
@@ -11267,7 +11267,7 @@ def resolve_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
     """Stage resolve of the event loop, with bounds on errors."""
     _assured_0, _body_0, _claims_0, _clock_0, _clock_error_0, _contacts_0, _count_0_0, _count_1_0, _count_2_0, _dvx_0, _dvy_0, _dvz_0, _dwx_0, _dwy_0, _dwz_0, _dx_0, _dy_0, _dz_0, _earliest_delay_0, _ends_0, _first_0, _held_0, _hopped_0, _last_0, _limited_0, _mode_0, _outcome_0, _p_backboard_friction_0, _p_backboard_restitution_0, _p_ball_radius_0, _p_board_bottom_0, _p_board_distance_0, _p_board_half_width_0, _p_board_thickness_0, _p_board_top_0, _p_bridge_depth_0, _p_bridge_friction_0, _p_bridge_half_width_0, _p_bridge_restitution_0, _p_end_depth_0, _p_gravity_0, _p_inertia_0, _p_restitution_speed_0, _p_ring_friction_0, _p_ring_radius_0, _p_ring_restitution_0, _p_tangential_restitution_0, _p_wire_radius_0, _position_error_0, _slip_left_0, _touches_0, _uncertain_0, _velocity_error_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0, = map(columns.__getitem__, ("assured", "body", "claims", "clock", "clock_error", "contacts", "count_0", "count_1", "count_2", "dvx", "dvy", "dvz", "dwx", "dwy", "dwz", "dx", "dy", "dz", "earliest_delay", "ends", "first", "held", "hopped", "last", "limited", "mode", "outcome", "p_backboard_friction", "p_backboard_restitution", "p_ball_radius", "p_board_bottom", "p_board_distance", "p_board_half_width", "p_board_thickness", "p_board_top", "p_bridge_depth", "p_bridge_friction", "p_bridge_half_width", "p_bridge_restitution", "p_end_depth", "p_gravity", "p_inertia", "p_restitution_speed", "p_ring_friction", "p_ring_radius", "p_ring_restitution", "p_tangential_restitution", "p_wire_radius", "position_error", "slip_left", "touches", "uncertain", "velocity_error", "vx", "vy", "vz", "when", "which", "wx", "wy", "wz", "x", "y", "z",))
     _meeting_0, = meeting(_claims_0, _ends_0, _touches_0)
-    _slow_0, = unslowed()
+    _slow_0, = no_slow_contact()
     _rows1, _count2 = _rows(_meeting_0, shots)
     if _count2:
         _assured_1, _body_1, _clock_1, _clock_error_1, _contacts_1, _count_0_1, _count_1_1, _count_2_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _ends_1, _first_1, _last_1, _p_backboard_friction_1, _p_backboard_restitution_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_friction_1, _p_bridge_half_width_1, _p_bridge_restitution_1, _p_gravity_1, _p_inertia_1, _p_restitution_speed_1, _p_ring_friction_1, _p_ring_radius_1, _p_ring_restitution_1, _p_tangential_restitution_1, _p_wire_radius_1, _position_error_1, _slow_1, _touches_1, _uncertain_1, _vx_1, _vy_1, _vz_1, _when_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1 = _taken(_rows1, _assured_0, _body_0, _clock_0, _clock_error_0, _contacts_0, _count_0_0, _count_1_0, _count_2_0, _dvx_0, _dvy_0, _dvz_0, _dwx_0, _dwy_0, _dwz_0, _dx_0, _dy_0, _dz_0, _earliest_delay_0, _ends_0, _first_0, _last_0, _p_backboard_friction_0, _p_backboard_restitution_0, _p_ball_radius_0, _p_board_bottom_0, _p_board_distance_0, _p_board_half_width_0, _p_board_thickness_0, _p_board_top_0, _p_bridge_depth_0, _p_bridge_friction_0, _p_bridge_half_width_0, _p_bridge_restitution_0, _p_gravity_0, _p_inertia_0, _p_restitution_speed_0, _p_ring_friction_0, _p_ring_radius_0, _p_ring_restitution_0, _p_tangential_restitution_0, _p_wire_radius_0, _position_error_0, _slow_0, _touches_0, _uncertain_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0)
@@ -11286,7 +11286,7 @@ def resolve_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _count_2_2, = counted(_count_2_1)
         _count_2_1, _nx_1, _ny_1, _nz_1 = _choose(_here_1, (_count_2_2, _nx_2, _ny_2, _nz_2,), (_count_2_1, _nx_1, _ny_1, _nz_1,))
         _curving_1, = elsewhere()
-        _left_nx_1, _left_ny_1, _left_nz_1 = anew()
+        _left_nx_1, _left_ny_1, _left_nz_1 = other_start_surface()
         _again_1, = again(0.0, _last_1, _which_1)
         _rows3, _count4 = _most(_again_1, _count2)
         if _count4:
@@ -11315,10 +11315,10 @@ def resolve_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             _left_nx_2, _left_ny_2, _left_nz_2 = bridge_normal(_from_x_2, _from_y_2, _from_z_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_board_distance_2, _p_bridge_half_width_2, _p_bridge_depth_2, _room_2)
             _curving_1, _left_nx_1, _left_ny_1, _left_nz_1 = _put(_rows7, _count2, (_curving_1, _left_nx_1, _left_ny_1, _left_nz_1,), (_curving_2, _left_nx_2, _left_ny_2, _left_nz_2,), _again_1)
         _dx_1, _dy_1, _dz_1, _lifting_1, _dvx_1, _dvy_1, _dvz_1, _belated_1, _shift_1 = carry_flight(_when_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _nx_1, _ny_1, _nz_1, _clock_1, _contacts_1, _earliest_delay_1, _dx_1, _dy_1, _dz_1, _dvx_1, _dvy_1, _dvz_1, _left_nx_1, _left_ny_1, _left_nz_1, _curving_1, _p_gravity_1, _room_1)
-        _clock_error_1, = delayed(_belated_1, _clock_error_1)
-        _dx_2, _dy_2, _dz_2 = floored(_dx_1, _dy_1, _dz_1, _shift_1)
+        _clock_error_1, = clock_error_sum(_belated_1, _clock_error_1)
+        _dx_2, _dy_2, _dz_2 = error_floor(_dx_1, _dy_1, _dz_1, _shift_1)
         _dx_1, _dy_1, _dz_1 = _choose(_ends_1, (_dx_2, _dy_2, _dz_2,), (_dx_1, _dy_1, _dz_1,))
-        _dnx_1, _dny_1, _dnz_1, _turn_1 = unturned()
+        _dnx_1, _dny_1, _dnz_1, _turn_1 = no_normal_error()
         _here_1, = here(0.0, _which_1)
         _rows9, _count10 = _most(_here_1, _count2)
         if _count10:
@@ -11332,7 +11332,7 @@ def resolve_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _here_1, = here(2.0, _which_1)
         _dnx_2, _dny_2, _dnz_2, _turn_2 = bridge_carry_normal(_x_1, _y_1, _z_1, _dx_1, _dy_1, _dz_1, _shift_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_board_distance_1, _p_bridge_half_width_1, _p_bridge_depth_1, _room_1)
         _dnx_1, _dny_1, _dnz_1, _turn_1 = _choose(_here_1, (_dnx_2, _dny_2, _dnz_2, _turn_2,), (_dnx_1, _dny_1, _dnz_1, _turn_1,))
-        _struck_0_1, = untaken()
+        _struck_0_1, = other_kind()
         _, _its_0_ring_impact_1, _its_1_ring_impact_1 = ring_impact_taken(_p_ring_restitution_1, _p_ring_friction_1)
         for _own_index_1, _own_1_1, _own_2_1, in (
             (0.0, _p_ring_friction_1, _p_ring_restitution_1,),
@@ -11349,13 +11349,13 @@ def resolve_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         if _count14:
             _dnx_2, _dny_2, _dnz_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _its_0_ring_impact_2, _its_1_ring_impact_2, _lifting_2, _nx_2, _ny_2, _nz_2, _p_ball_radius_2, _p_inertia_2, _p_restitution_speed_2, _p_tangential_restitution_2, _turn_2, _uncertain_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2 = _taken(_rows13, _dnx_1, _dny_1, _dnz_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _its_0_ring_impact_1, _its_1_ring_impact_1, _lifting_1, _nx_1, _ny_1, _nz_1, _p_ball_radius_1, _p_inertia_1, _p_restitution_speed_1, _p_tangential_restitution_1, _turn_1, _uncertain_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1)
             _room_2 = room(_count14)
-            _unsure_2, = ring_impact_doubt(_vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _nx_2, _ny_2, _nz_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _turn_2, _p_ball_radius_2, _its_0_ring_impact_2, _its_1_ring_impact_2, _p_inertia_2, _p_tangential_restitution_2, _p_restitution_speed_2, _room_2)
-            _uncertain_2, = undecided(_uncertain_2, _unsure_2)
+            _undecided_2, = ring_impact_undecided(_vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _nx_2, _ny_2, _nz_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _turn_2, _p_ball_radius_2, _its_0_ring_impact_2, _its_1_ring_impact_2, _p_inertia_2, _p_tangential_restitution_2, _p_restitution_speed_2, _room_2)
+            _uncertain_2, = undecided(_uncertain_2, _undecided_2)
             _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2 = carry_ring_impact(_vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _nx_2, _ny_2, _nz_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dnx_2, _dny_2, _dnz_2, _turn_2, _lifting_2, _p_ball_radius_2, _its_0_ring_impact_2, _its_1_ring_impact_2, _p_inertia_2, _p_tangential_restitution_2, _p_restitution_speed_2, _room_2)
             _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2 = ring_impact(_vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _nx_2, _ny_2, _nz_2, _p_ball_radius_2, _its_0_ring_impact_2, _its_1_ring_impact_2, _p_inertia_2, _p_tangential_restitution_2, _p_restitution_speed_2, _room_2)
             _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _uncertain_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1 = _put(_rows13, _count2, (_dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _uncertain_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1,), (_dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _uncertain_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2,), _struck_0_1)
         _first_2, _last_2 = touched(_which_1, _body_1, _first_1)
-        _slow_2, _assured_2 = slowed(_p_ball_radius_1, _p_gravity_1, _nx_1, _ny_1, _nz_1, _vx_1, _vy_1, _vz_1, _position_error_1, _room_1)
+        _slow_2, _assured_2 = leaves_slowly(_p_ball_radius_1, _p_gravity_1, _nx_1, _ny_1, _nz_1, _vx_1, _vy_1, _vz_1, _position_error_1, _room_1)
         _assured_1, _first_1, _last_1, _slow_1 = _choose(_touches_1, (_assured_2, _first_2, _last_2, _slow_2,), (_assured_1, _first_1, _last_1, _slow_1,))
         _assured_0, _clock_error_0, _count_0_0, _count_1_0, _count_2_0, _dvx_0, _dvy_0, _dvz_0, _dwx_0, _dwy_0, _dwz_0, _dx_0, _dy_0, _dz_0, _first_0, _last_0, _slow_0, _uncertain_0, _vx_0, _vy_0, _vz_0, _wx_0, _wy_0, _wz_0 = _put(_rows1, shots, (_assured_0, _clock_error_0, _count_0_0, _count_1_0, _count_2_0, _dvx_0, _dvy_0, _dvz_0, _dwx_0, _dwy_0, _dwz_0, _dx_0, _dy_0, _dz_0, _first_0, _last_0, _slow_0, _uncertain_0, _vx_0, _vy_0, _vz_0, _wx_0, _wy_0, _wz_0,), (_assured_1, _clock_error_1, _count_0_1, _count_1_1, _count_2_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _first_1, _last_1, _slow_1, _uncertain_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1,))
     _rows15, _count16 = _rows(_slow_0, shots)
@@ -11380,14 +11380,14 @@ def resolve_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             _press_2, _weight_2, _rolling_friction_2, _rolling_acceleration_x_2, _rolling_acceleration_y_2, _rolling_acceleration_z_2 = pressed_on(_p_ball_radius_2, _p_gravity_2, _p_inertia_2, _nx_2, _ny_2, _nz_2, _wx_2, _wy_2, _wz_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _turning_x_2, _turning_y_2, _turning_z_2, _room_2)
             _nearest_2, _second_contact_gap_2 = isolated()
             _gap_2, _nearing_2, _rolling_gap_acceleration_2, _normal_cosine_2 = backboard_closing(_p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _x_2, _y_2, _z_2, _nx_2, _ny_2, _nz_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _rolling_acceleration_x_2, _rolling_acceleration_y_2, _rolling_acceleration_z_2, _room_2)
-            _nearest_2, _second_contact_gap_2 = neared_body(_gap_2, _nearest_2, _second_contact_gap_2, _rolling_gap_acceleration_2, _normal_cosine_2, _press_2, _nearing_2, _room_2)
+            _nearest_2, _second_contact_gap_2 = near_body(_gap_2, _nearest_2, _second_contact_gap_2, _rolling_gap_acceleration_2, _normal_cosine_2, _press_2, _nearing_2, _room_2)
             _gap_2, _nearing_2, _rolling_gap_acceleration_2, _normal_cosine_2 = bridge_closing(_p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_ring_radius_2, _p_wire_radius_2, _x_2, _y_2, _z_2, _nx_2, _ny_2, _nz_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _rolling_acceleration_x_2, _rolling_acceleration_y_2, _rolling_acceleration_z_2, _room_2)
-            _nearest_2, _second_contact_gap_2 = neared_body(_gap_2, _nearest_2, _second_contact_gap_2, _rolling_gap_acceleration_2, _normal_cosine_2, _press_2, _nearing_2, _room_2)
+            _nearest_2, _second_contact_gap_2 = near_body(_gap_2, _nearest_2, _second_contact_gap_2, _rolling_gap_acceleration_2, _normal_cosine_2, _press_2, _nearing_2, _room_2)
             _gap_2, *_ = end_beside(_p_end_depth_2, _z_2, _vz_2)
-            _nearest_2, = neared(_gap_2, _nearest_2)
+            _nearest_2, = near_end_plane(_gap_2, _nearest_2)
             _lift_2, *_ = ring_separation(_p_gravity_2, _p_ring_radius_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _room_2)
-            _settles_2, _lodges_2, _slides_2, _unpressed_2, _assured_2, _unsure_2 = ring_impact_settling(_p_ball_radius_2, _p_inertia_2, _p_ring_friction_2, _p_ring_restitution_2, _wx_2, _wy_2, _wz_2, _velocity_error_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _turning_x_2, _turning_y_2, _turning_z_2, _slip_2, _bounce_2, _nearest_2, _second_contact_gap_2, _press_2, _weight_2, _rolling_friction_2, _lift_2, _room_2)
-            _mode_2, _held_2, _outcome_2, _slip_left_2, _uncertain_2 = settled(0.0, _outcome_2, _uncertain_2, _unsure_2, _settles_2, _nearly_2, _lodges_2, _slides_2, _unpressed_2)
+            _settles_2, _lodges_2, _slides_2, _unpressed_2, _assured_2, _undecided_2 = ring_impact_settling(_p_ball_radius_2, _p_inertia_2, _p_ring_friction_2, _p_ring_restitution_2, _wx_2, _wy_2, _wz_2, _velocity_error_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _turning_x_2, _turning_y_2, _turning_z_2, _slip_2, _bounce_2, _nearest_2, _second_contact_gap_2, _press_2, _weight_2, _rolling_friction_2, _lift_2, _room_2)
+            _mode_2, _held_2, _outcome_2, _slip_left_2, _uncertain_2 = settled(0.0, _outcome_2, _uncertain_2, _undecided_2, _settles_2, _nearly_2, _lodges_2, _slides_2, _unpressed_2)
             _assured_1, _held_1, _mode_1, _outcome_1, _slip_left_1, _uncertain_1 = _put(_rows17, _count16, (_assured_1, _held_1, _mode_1, _outcome_1, _slip_left_1, _uncertain_1,), (_assured_2, _held_2, _mode_2, _outcome_2, _slip_left_2, _uncertain_2,), _here_1)
         _here_1, = here(1.0, _which_1)
         _rows19, _count20 = _most(_here_1, _count16)
@@ -11398,14 +11398,14 @@ def resolve_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             _press_2, _weight_2, _rolling_friction_2, _rolling_acceleration_x_2, _rolling_acceleration_y_2, _rolling_acceleration_z_2 = pressed_on(_p_ball_radius_2, _p_gravity_2, _p_inertia_2, _nx_2, _ny_2, _nz_2, _wx_2, _wy_2, _wz_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _turning_x_2, _turning_y_2, _turning_z_2, _room_2)
             _nearest_2, _second_contact_gap_2 = isolated()
             _gap_2, _nearing_2, _rolling_gap_acceleration_2, _normal_cosine_2 = ring_closing(_p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _x_2, _y_2, _z_2, _nx_2, _ny_2, _nz_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _rolling_acceleration_x_2, _rolling_acceleration_y_2, _rolling_acceleration_z_2, _room_2)
-            _nearest_2, _second_contact_gap_2 = neared_body(_gap_2, _nearest_2, _second_contact_gap_2, _rolling_gap_acceleration_2, _normal_cosine_2, _press_2, _nearing_2, _room_2)
+            _nearest_2, _second_contact_gap_2 = near_body(_gap_2, _nearest_2, _second_contact_gap_2, _rolling_gap_acceleration_2, _normal_cosine_2, _press_2, _nearing_2, _room_2)
             _gap_2, _nearing_2, _rolling_gap_acceleration_2, _normal_cosine_2 = bridge_closing(_p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_ring_radius_2, _p_wire_radius_2, _x_2, _y_2, _z_2, _nx_2, _ny_2, _nz_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _rolling_acceleration_x_2, _rolling_acceleration_y_2, _rolling_acceleration_z_2, _room_2)
-            _nearest_2, _second_contact_gap_2 = neared_body(_gap_2, _nearest_2, _second_contact_gap_2, _rolling_gap_acceleration_2, _normal_cosine_2, _press_2, _nearing_2, _room_2)
+            _nearest_2, _second_contact_gap_2 = near_body(_gap_2, _nearest_2, _second_contact_gap_2, _rolling_gap_acceleration_2, _normal_cosine_2, _press_2, _nearing_2, _room_2)
             _gap_2, *_ = end_beside(_p_end_depth_2, _z_2, _vz_2)
-            _nearest_2, = neared(_gap_2, _nearest_2)
+            _nearest_2, = near_end_plane(_gap_2, _nearest_2)
             _lift_2, *_ = backboard_separation(_p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _room_2)
-            _settles_2, _lodges_2, _slides_2, _unpressed_2, _assured_2, _unsure_2 = ring_impact_settling(_p_ball_radius_2, _p_inertia_2, _p_backboard_friction_2, _p_backboard_restitution_2, _wx_2, _wy_2, _wz_2, _velocity_error_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _turning_x_2, _turning_y_2, _turning_z_2, _slip_2, _bounce_2, _nearest_2, _second_contact_gap_2, _press_2, _weight_2, _rolling_friction_2, _lift_2, _room_2)
-            _mode_2, _held_2, _outcome_2, _slip_left_2, _uncertain_2 = settled(1.0, _outcome_2, _uncertain_2, _unsure_2, _settles_2, _nearly_2, _lodges_2, _slides_2, _unpressed_2)
+            _settles_2, _lodges_2, _slides_2, _unpressed_2, _assured_2, _undecided_2 = ring_impact_settling(_p_ball_radius_2, _p_inertia_2, _p_backboard_friction_2, _p_backboard_restitution_2, _wx_2, _wy_2, _wz_2, _velocity_error_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _turning_x_2, _turning_y_2, _turning_z_2, _slip_2, _bounce_2, _nearest_2, _second_contact_gap_2, _press_2, _weight_2, _rolling_friction_2, _lift_2, _room_2)
+            _mode_2, _held_2, _outcome_2, _slip_left_2, _uncertain_2 = settled(1.0, _outcome_2, _uncertain_2, _undecided_2, _settles_2, _nearly_2, _lodges_2, _slides_2, _unpressed_2)
             _assured_1, _held_1, _mode_1, _outcome_1, _slip_left_1, _uncertain_1 = _put(_rows19, _count16, (_assured_1, _held_1, _mode_1, _outcome_1, _slip_left_1, _uncertain_1,), (_assured_2, _held_2, _mode_2, _outcome_2, _slip_left_2, _uncertain_2,), _here_1)
         _here_1, = here(2.0, _which_1)
         _rows21, _count22 = _most(_here_1, _count16)
@@ -11416,26 +11416,26 @@ def resolve_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             _press_2, _weight_2, _rolling_friction_2, _rolling_acceleration_x_2, _rolling_acceleration_y_2, _rolling_acceleration_z_2 = pressed_on(_p_ball_radius_2, _p_gravity_2, _p_inertia_2, _nx_2, _ny_2, _nz_2, _wx_2, _wy_2, _wz_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _turning_x_2, _turning_y_2, _turning_z_2, _room_2)
             _nearest_2, _second_contact_gap_2 = isolated()
             _gap_2, _nearing_2, _rolling_gap_acceleration_2, _normal_cosine_2 = ring_closing(_p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _x_2, _y_2, _z_2, _nx_2, _ny_2, _nz_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _rolling_acceleration_x_2, _rolling_acceleration_y_2, _rolling_acceleration_z_2, _room_2)
-            _nearest_2, _second_contact_gap_2 = neared_body(_gap_2, _nearest_2, _second_contact_gap_2, _rolling_gap_acceleration_2, _normal_cosine_2, _press_2, _nearing_2, _room_2)
+            _nearest_2, _second_contact_gap_2 = near_body(_gap_2, _nearest_2, _second_contact_gap_2, _rolling_gap_acceleration_2, _normal_cosine_2, _press_2, _nearing_2, _room_2)
             _gap_2, _nearing_2, _rolling_gap_acceleration_2, _normal_cosine_2 = backboard_closing(_p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _x_2, _y_2, _z_2, _nx_2, _ny_2, _nz_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _rolling_acceleration_x_2, _rolling_acceleration_y_2, _rolling_acceleration_z_2, _room_2)
-            _nearest_2, _second_contact_gap_2 = neared_body(_gap_2, _nearest_2, _second_contact_gap_2, _rolling_gap_acceleration_2, _normal_cosine_2, _press_2, _nearing_2, _room_2)
+            _nearest_2, _second_contact_gap_2 = near_body(_gap_2, _nearest_2, _second_contact_gap_2, _rolling_gap_acceleration_2, _normal_cosine_2, _press_2, _nearing_2, _room_2)
             _gap_2, *_ = end_beside(_p_end_depth_2, _z_2, _vz_2)
-            _nearest_2, = neared(_gap_2, _nearest_2)
+            _nearest_2, = near_end_plane(_gap_2, _nearest_2)
             _lift_2, *_ = bridge_separation(_p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _room_2)
-            _settles_2, _lodges_2, _slides_2, _unpressed_2, _assured_2, _unsure_2 = ring_impact_settling(_p_ball_radius_2, _p_inertia_2, _p_bridge_friction_2, _p_bridge_restitution_2, _wx_2, _wy_2, _wz_2, _velocity_error_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _turning_x_2, _turning_y_2, _turning_z_2, _slip_2, _bounce_2, _nearest_2, _second_contact_gap_2, _press_2, _weight_2, _rolling_friction_2, _lift_2, _room_2)
-            _mode_2, _held_2, _outcome_2, _slip_left_2, _uncertain_2 = settled(2.0, _outcome_2, _uncertain_2, _unsure_2, _settles_2, _nearly_2, _lodges_2, _slides_2, _unpressed_2)
+            _settles_2, _lodges_2, _slides_2, _unpressed_2, _assured_2, _undecided_2 = ring_impact_settling(_p_ball_radius_2, _p_inertia_2, _p_bridge_friction_2, _p_bridge_restitution_2, _wx_2, _wy_2, _wz_2, _velocity_error_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _turning_x_2, _turning_y_2, _turning_z_2, _slip_2, _bounce_2, _nearest_2, _second_contact_gap_2, _press_2, _weight_2, _rolling_friction_2, _lift_2, _room_2)
+            _mode_2, _held_2, _outcome_2, _slip_left_2, _uncertain_2 = settled(2.0, _outcome_2, _uncertain_2, _undecided_2, _settles_2, _nearly_2, _lodges_2, _slides_2, _unpressed_2)
             _assured_1, _held_1, _mode_1, _outcome_1, _slip_left_1, _uncertain_1 = _put(_rows21, _count16, (_assured_1, _held_1, _mode_1, _outcome_1, _slip_left_1, _uncertain_1,), (_assured_2, _held_2, _mode_2, _outcome_2, _slip_left_2, _uncertain_2,), _here_1)
         _assured_0, _held_0, _mode_0, _outcome_0, _slip_left_0, _uncertain_0 = _put(_rows15, shots, (_assured_0, _held_0, _mode_0, _outcome_0, _slip_left_0, _uncertain_0,), (_assured_1, _held_1, _mode_1, _outcome_1, _slip_left_1, _uncertain_1,))
     _rows23, _count24 = _rows(_limited_0, shots)
     if _count24:
         _claims_1, _clock_1, _clock_error_1, _dvx_1, _dvy_1, _dvz_1, _dx_1, _dy_1, _dz_1, _p_gravity_1, _vx_1, _vy_1, _vz_1, _when_1, _which_1, _x_1, _y_1, _z_1 = _taken(_rows23, _claims_0, _clock_0, _clock_error_0, _dvx_0, _dvy_0, _dvz_0, _dx_0, _dy_0, _dz_0, _p_gravity_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _x_0, _y_0, _z_0)
-        _timed_1, = timed(4.0, _which_1, _claims_1)
-        _rows25, _count26 = _most(_timed_1, _count24)
+        _ends_by_time_limit_1, = ends_by_time_limit(4.0, _which_1, _claims_1)
+        _rows25, _count26 = _most(_ends_by_time_limit_1, _count24)
         if _count26:
             _clock_2, _clock_error_2, _dvx_2, _dvy_2, _dvz_2, _dx_2, _dy_2, _dz_2, _p_gravity_2, _vx_2, _vy_2, _vz_2, _when_2, _x_2, _y_2, _z_2 = _taken(_rows25, _clock_1, _clock_error_1, _dvx_1, _dvy_1, _dvz_1, _dx_1, _dy_1, _dz_1, _p_gravity_1, _vx_1, _vy_1, _vz_1, _when_1, _x_1, _y_1, _z_1)
             _room_2 = room(_count26)
             _dx_2, _dy_2, _dz_2, _dvx_2, _dvy_2, _dvz_2, _clock_error_2 = carry_time(_when_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _clock_2, _clock_error_2, _dx_2, _dy_2, _dz_2, _dvx_2, _dvy_2, _dvz_2, _p_gravity_2, _room_2)
-            _clock_error_1, _dvx_1, _dvy_1, _dvz_1, _dx_1, _dy_1, _dz_1 = _put(_rows25, _count24, (_clock_error_1, _dvx_1, _dvy_1, _dvz_1, _dx_1, _dy_1, _dz_1,), (_clock_error_2, _dvx_2, _dvy_2, _dvz_2, _dx_2, _dy_2, _dz_2,), _timed_1)
+            _clock_error_1, _dvx_1, _dvy_1, _dvz_1, _dx_1, _dy_1, _dz_1 = _put(_rows25, _count24, (_clock_error_1, _dvx_1, _dvy_1, _dvz_1, _dx_1, _dy_1, _dz_1,), (_clock_error_2, _dvx_2, _dvy_2, _dvz_2, _dx_2, _dy_2, _dz_2,), _ends_by_time_limit_1)
         _clock_error_0, _dvx_0, _dvy_0, _dvz_0, _dx_0, _dy_0, _dz_0 = _put(_rows23, shots, (_clock_error_0, _dvx_0, _dvy_0, _dvz_0, _dx_0, _dy_0, _dz_0,), (_clock_error_1, _dvx_1, _dvy_1, _dvz_1, _dx_1, _dy_1, _dz_1,))
     _rows27, _count28 = _most(_hopped_0, shots)
     if _count28:

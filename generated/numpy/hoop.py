@@ -1,6 +1,6 @@
 """NumPy kernels of the scene hoop.
 
-Generated from templates/numpy/kernels.py.j2, scene hoop, derivation 7ceba1546743c869,
+Generated from templates/numpy/kernels.py.j2, scene hoop, derivation db4a923caff62ae4,
 with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
 and run `make generate`.
 Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
@@ -274,57 +274,57 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "claimed_errors": ("position_error", "velocity_error", "spin_error", "time_error",),
     "allowed": ("allowed",),
     "parameters_in_range": ("permitted",),
-    "valid": ("valid", "doubt",),
-    "aside": ("close", "valid", "doubt",),
+    "valid": ("valid", "undecided_time",),
+    "aside": ("close", "valid", "undecided_time",),
     "vary_flight": ("dx", "dy", "dz", "dvx", "dvy", "dvz",),
     "vary_departure": ("dx", "dy", "dz", "dvx", "dvy", "dvz",),
     "left": ("leaving",),
     "released": ("released", "reachable",),
-    "meeting_plane": ("arrives", "ceiling", "nearest",),
+    "plane_root": ("arrives", "ceiling", "nearest",),
     "within_time": ("possible",),
-    "grazed": ("doubt",),
-    "questioned": ("doubt",),
-    "crossed": ("doubt",),
-    "tied": ("doubt", "earliest_delay",),
+    "graze_undecided": ("undecided_time",),
+    "predicate_undecided": ("undecided_time",),
+    "crossing_undecided": ("undecided_time",),
+    "tie_undecided": ("undecided_time", "earliest_delay",),
     "earliest": ("when", "which",),
     "opens": ("open",),
     "beginning": ("share", "arrival", "certain",),
-    "out_of_budget": ("doubt",),
+    "out_of_budget": ("undecided_time",),
     "nearby": ("leaving", "margin",),
     "opened": ("time", "latest",),
     "coarse": ("stepping", "searching", "single_precision", "ceiling", "flat", "tilt", "allowing",),
     "stepped": ("arrival", "t", "searching",),
-    "struck": ("hit", "sure", "needs_refinement",),
-    "finer": ("share",),
-    "exceeded": ("doubt",),
+    "gap_closes": ("hit", "sure", "needs_refinement",),
+    "smaller_budget": ("share",),
+    "budget_undecided": ("undecided_time",),
     "advanced": ("arrival", "certain", "exhausted", "searching", "t",),
     "found": ("arrives", "refining", "rate",),
-    "polished": ("arrival", "refining",),
+    "refined_root": ("arrival", "refining",),
     "own_margin": ("margin",),
-    "landed": ("time",),
-    "landed_surely": ("delay", "doubt",),
+    "arrival_time": ("time",),
+    "certain_arrival": ("delay", "undecided_time",),
     "state_in_range": ("in_range",),
-    "opening": ("when", "which", "earliest_delay", "doubt",),
+    "opening": ("when", "which", "earliest_delay", "undecided_time",),
     "limited": ("limited",),
     "event_clock": ("clock",),
-    "doubted": ("uncertain",),
+    "flight_undecided": ("uncertain",),
     "meeting": ("meeting",),
     "here": ("here",),
     "counted": ("count",),
     "elsewhere": ("curving",),
     "again": ("again",),
     "touched": ("first", "last",),
-    "timed": ("timed",),
+    "ends_by_time_limit": ("ends_by_time_limit",),
     "body_of": ("body",),
     "admitted": ("outcome", "uncertain",),
-    "expiry": ("time", "delay", "arrives", "doubt",),
+    "expiry": ("time", "delay", "arrives", "undecided_time",),
     "departed": ("stays", "moves", "ends", "touches", "reached", "edge",),
     "expired": ("clock", "body", "reached", "ends",),
     "accounted": ("contacts", "outcome",),
-    "delayed": ("clock_error",),
+    "clock_error_sum": ("clock_error",),
     "closing": ("closed", "position_claim", "velocity_claim", "spin_claim", "time_claim",),
-    "floored": ("dx", "dy", "dz",),
-    "unturned": ("dnx", "dny", "dnz", "turn",),
+    "error_floor": ("dx", "dy", "dz",),
+    "no_normal_error": ("dnx", "dny", "dnz", "turn",),
     "reachable": ("reachable",),
     "impact": ("vx", "vy", "vz", "wx", "wy", "wz",),
     "carry_impact": ("dvx", "dvy", "dvz", "dwx", "dwy", "dwz",),
@@ -356,7 +356,7 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "backboard_margin": ("margin",),
     "backboard_place": ("x", "y", "z",),
     "backboard_within": ("arrives",),
-    "backboard_edges": ("unsure",),
+    "backboard_edges": ("undecided",),
     "bridge_coefficients": ("c0", "c1", "c2",),
     "bridge_deflated": ("c0", "c1",),
     "bridge_normal": ("nx", "ny", "nz",),
@@ -367,7 +367,7 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "bridge_margin": ("margin",),
     "bridge_place": ("x", "y", "z",),
     "bridge_within": ("arrives",),
-    "bridge_edges": ("unsure",),
+    "bridge_edges": ("undecided",),
     "end_coefficients": ("c0", "c1", "c2",),
     "end_deflated": ("c0", "c1",),
     "end_normal": ("nx", "ny", "nz",),
@@ -985,7 +985,7 @@ def released(last: Any) -> tuple[Any, ...]:
     return _s0, _logical_not(_s0)
 
 
-def meeting_plane(rate: Any, bend: Any, apex: Any, time: Any) -> tuple[Any, ...]:
+def plane_root(rate: Any, bend: Any, apex: Any, time: Any) -> tuple[Any, ...]:
     """Whether a plane's only root is an arrival, the size of F'', and the nearest time.
 
     Table 1. 13 operations: 1 absolute value, 6 comparisons, 4 conjunctions, 1 disjunction, 1 selection.
@@ -1002,38 +1002,38 @@ def within_time(time: Any, when: Any, delay: Any, earliest_delay: Any, arrives: 
     return _logical_and(arrives, _logical_not(((delay + earliest_delay) < (time - when)))),
 
 
-def grazed(margin: Any, apex: Any, height: Any, doubt: Any) -> tuple[Any, ...]:
+def graze_undecided(margin: Any, apex: Any, height: Any, undecided_time: Any) -> tuple[Any, ...]:
     """Earliest undecided time, with that of an apex whose gap is zero within its error.
 
     Table 1. 7 operations: 1 absolute value, 3 comparisons, 2 conjunctions, 1 selection.
     """
-    return _where(_logical_and(_logical_and((0.0 <= apex), (_absolute(height) <= margin)), (apex < doubt)), apex, doubt),
+    return _where(_logical_and(_logical_and((0.0 <= apex), (_absolute(height) <= margin)), (apex < undecided_time)), apex, undecided_time),
 
 
-def questioned(time: Any, doubt: Any, unsure: Any) -> tuple[Any, ...]:
+def predicate_undecided(time: Any, undecided_time: Any, undecided: Any) -> tuple[Any, ...]:
     """Earliest undecided time, with that of an undecided predicate.
 
     Table 1. 3 operations: 1 comparison, 1 conjunction, 1 selection.
     """
-    return _where(_logical_and(unsure, (time < doubt)), time, doubt),
+    return _where(_logical_and(undecided, (time < undecided_time)), time, undecided_time),
 
 
-def crossed(clearance: Any, time: Any, doubt: Any, arrives: Any) -> tuple[Any, ...]:
+def crossing_undecided(clearance: Any, time: Any, undecided_time: Any, arrives: Any) -> tuple[Any, ...]:
     """Earliest undecided time, with that of an arrival whose crossing is not certain.
 
     Table 1. 6 operations: 2 comparisons, 2 conjunctions, 1 complement, 1 selection.
     """
-    return _where(_logical_and(_logical_and(arrives, _logical_not((0.0 < clearance))), (time < doubt)), time, doubt),
+    return _where(_logical_and(_logical_and(arrives, _logical_not((0.0 < clearance))), (time < undecided_time)), time, undecided_time),
 
 
-def tied(time: Any, when: Any, delay: Any, earliest_delay: Any, doubt: Any, arrives: Any) -> tuple[Any, ...]:
+def tie_undecided(time: Any, when: Any, delay: Any, earliest_delay: Any, undecided_time: Any, arrives: Any) -> tuple[Any, ...]:
     """Earliest undecided time, with that of a tie within the delays; the earlier's delay.
 
     Table 1. 12 operations: 1 addition, 1 subtraction, 1 absolute value, 3 comparisons, 3 conjunctions, 3 selections.
     """
     _s0 = time < when
     _s1 = _where(_s0, time, when)
-    _s2 = _where(_logical_and(_logical_and(arrives, (_absolute((time - when)) <= (delay + earliest_delay))), (_s1 < doubt)), _s1, doubt)
+    _s2 = _where(_logical_and(_logical_and(arrives, (_absolute((time - when)) <= (delay + earliest_delay))), (_s1 < undecided_time)), _s1, undecided_time)
     return _s2, _where(_logical_and(arrives, _s0), delay, earliest_delay)
 
 
@@ -1062,12 +1062,12 @@ def beginning() -> tuple[Any, ...]:
     return 2.9802322387695312e-08, _inf, False
 
 
-def out_of_budget(pad: Any, budget_exceeded: Any, earliest_delay: Any, doubt: Any, excess: Any) -> tuple[Any, ...]:
+def out_of_budget(pad: Any, budget_exceeded: Any, earliest_delay: Any, undecided_time: Any, excess: Any) -> tuple[Any, ...]:
     """Undecided time 0 if errors exceed the budget of a search, or its bounds fail.
 
     Table 1. 6 operations: 3 comparisons, 2 disjunctions, 1 selection.
     """
-    return _where(_logical_or(_logical_or((0.0 < excess), (0.0 < budget_exceeded)), (pad < earliest_delay)), 0.0, doubt),
+    return _where(_logical_or(_logical_or((0.0 < excess), (0.0 < budget_exceeded)), (pad < earliest_delay)), 0.0, undecided_time),
 
 
 def nearby(t: Any, flat: Any, tilt: Any, index: Any, last: Any) -> tuple[Any, ...]:
@@ -1106,7 +1106,7 @@ def stepped(arrival: Any, lasting: Any, searching: Any, since: Any, single_preci
     return _where(certain, _s0, arrival), _where(single_precision, _s0, 0.0), _logical_and(_logical_and(searching, _logical_not(certain)), (lasting < _inf))
 
 
-def struck(gap: Any, rate: Any, bend: Any, margin: Any, rate_margin: Any, clearance: Any, share: Any) -> tuple[Any, ...]:
+def gap_closes(gap: Any, rate: Any, bend: Any, margin: Any, rate_margin: Any, clearance: Any, share: Any) -> tuple[Any, ...]:
     """Whether the gap closes, certainly closes, or needs a smaller error budget.
 
     Table 1. 17 operations: 1 subtraction, 6 comparisons, 6 conjunctions, 2 disjunctions, 2 complements.
@@ -1119,7 +1119,7 @@ def struck(gap: Any, rate: Any, bend: Any, margin: Any, rate_margin: Any, cleara
     return _logical_and(_s2, _logical_not(_s4)), _s3, _s4
 
 
-def finer(share: Any) -> tuple[Any, ...]:
+def smaller_budget(share: Any) -> tuple[Any, ...]:
     """Next smaller error budget.
 
     Table 1. 3 operations: 1 multiplication, 1 comparison, 1 selection.
@@ -1127,12 +1127,12 @@ def finer(share: Any) -> tuple[Any, ...]:
     return _where((2.842170943040401e-14 < share), (0.03125 * share), 0.0),
 
 
-def exceeded(t: Any, doubt: Any, excess: Any) -> tuple[Any, ...]:
+def budget_undecided(t: Any, undecided_time: Any, excess: Any) -> tuple[Any, ...]:
     """Earliest undecided time, with the present one if the errors exceed the budget.
 
     Table 1. 4 operations: 2 comparisons, 1 conjunction, 1 selection.
     """
-    return _where(_logical_and((0.0 < excess), (t < doubt)), t, doubt),
+    return _where(_logical_and((0.0 < excess), (t < undecided_time)), t, undecided_time),
 
 
 def advanced(t: Any, end: Any, step: Any, next: Any, arrival: Any, hit: Any, sure: Any, needs_refinement: Any, certain: Any) -> tuple[Any, ...]:
@@ -1154,7 +1154,7 @@ def found(arrival: Any) -> tuple[Any, ...]:
     return _s0, _s0, 0.0
 
 
-def polished(gap: Any, rate: Any, ceiling: Any, arrival: Any, refined: Any, certain: Any) -> tuple[Any, ...]:
+def refined_root(gap: Any, rate: Any, ceiling: Any, arrival: Any, refined: Any, certain: Any) -> tuple[Any, ...]:
     """A certain root, refined, and whether h is above 2^-24, so that it is refined again.
 
     Table 1. 7 operations: 3 multiplications, 1 absolute value, 1 comparison, 1 conjunction, 1 selection.
@@ -1170,7 +1170,7 @@ def own_margin(leaving: Any, flat: Any, tilt: Any, arrival: Any) -> tuple[Any, .
     return _where((0.0 < leaving), (tilt * arrival), flat),
 
 
-def landed(arrival: Any) -> tuple[Any, ...]:
+def arrival_time(arrival: Any) -> tuple[Any, ...]:
     """Time of an arrival, not before the flight.
 
     Table 1. 2 operations: 1 comparison, 1 selection.
@@ -1178,13 +1178,13 @@ def landed(arrival: Any) -> tuple[Any, ...]:
     return _where((arrival < 0.0), 0.0, arrival),
 
 
-def landed_surely(clearance: Any, time: Any, delay: Any, doubt: Any, arrives: Any, certain: Any) -> tuple[Any, ...]:
+def certain_arrival(clearance: Any, time: Any, delay: Any, undecided_time: Any, arrives: Any, certain: Any) -> tuple[Any, ...]:
     """Delay of a certain arrival; the earliest undecided time, with that of any other one.
 
     Table 1. 8 operations: 2 comparisons, 3 conjunctions, 1 complement, 2 selections.
     """
     _s0 = _logical_and(certain, (0.0 < clearance))
-    return _where(_s0, delay, 0.0), _where(_logical_and(_logical_and(arrives, _logical_not(_s0)), (time < doubt)), time, doubt)
+    return _where(_s0, delay, 0.0), _where(_logical_and(_logical_and(arrives, _logical_not(_s0)), (time < undecided_time)), time, undecided_time)
 
 
 def state_in_range(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -1222,12 +1222,12 @@ def event_clock(when: Any, clock: Any) -> tuple[Any, ...]:
     return when + clock,
 
 
-def doubted(when: Any, earliest_delay: Any, doubt: Any, uncertain: Any, edge: Any) -> tuple[Any, ...]:
+def flight_undecided(when: Any, earliest_delay: Any, undecided_time: Any, uncertain: Any, edge: Any) -> tuple[Any, ...]:
     """1 if a decision up to this event, or the choice of the end, lies within its error.
 
     Table 1. 7 operations: 1 addition, 2 comparisons, 1 conjunction, 1 disjunction, 1 complement, 1 selection.
     """
-    _s0 = _where(_logical_or(_logical_and(_logical_not(((when + earliest_delay) < doubt)), (doubt < _inf)), edge), 1.0, uncertain)
+    _s0 = _where(_logical_or(_logical_and(_logical_not(((when + earliest_delay) < undecided_time)), (undecided_time < _inf)), edge), 1.0, uncertain)
     return _s0,
 
 
@@ -1279,7 +1279,7 @@ def touched(which: Any, body: Any, first: Any) -> tuple[Any, ...]:
     return _where((first < 0.0), body, first), which
 
 
-def timed(index: Any, which: Any, claims: Any) -> tuple[Any, ...]:
+def ends_by_time_limit(index: Any, which: Any, claims: Any) -> tuple[Any, ...]:
     """Whether a shot has ended at the time limit and its errors are wanted.
 
     Table 1. 3 operations: 2 comparisons, 1 conjunction.
@@ -1295,22 +1295,22 @@ def body_of(which: Any) -> tuple[Any, ...]:
     return which,
 
 
-def admitted(doubt: Any, valid: Any, permitted: Any, in_range: Any) -> tuple[Any, ...]:
+def admitted(undecided_time: Any, valid: Any, permitted: Any, in_range: Any) -> tuple[Any, ...]:
     """Outcome of a shot at its start, and whether that is uncertain.
 
     Table 1. 7 operations: 2 comparisons, 3 conjunctions, 2 selections.
     """
     _s0 = _logical_and(permitted, in_range)
-    return _where(_logical_and(_s0, (0.0 < valid)), -1.0, 4.0), _where(_logical_and(_s0, (0.0 < doubt)), 1.0, 0.0)
+    return _where(_logical_and(_s0, (0.0 < valid)), -1.0, 4.0), _where(_logical_and(_s0, (0.0 < undecided_time)), 1.0, 0.0)
 
 
-def expiry(when: Any, which: Any, earliest_delay: Any, doubt: Any, time_error: Any, clock: Any, time_limit: Any) -> tuple[Any, ...]:
+def expiry(when: Any, which: Any, earliest_delay: Any, undecided_time: Any, time_error: Any, clock: Any, time_limit: Any) -> tuple[Any, ...]:
     """The time limit as an arrival.
 
     Table 1. 12 operations: 2 additions, 1 subtraction, 1 multiplication, 4 comparisons, 1 conjunction, 1 complement, 2 selections.
     """
     _s0 = time_limit - clock
-    return _where(0.0 < _s0, _s0, 0.0), time_error + (4.440892098500626e-16 * time_limit), 0.0 <= which, _where(_logical_and(_logical_not(((when + earliest_delay) < doubt)), (doubt < _inf)), 0.0, doubt)
+    return _where(0.0 < _s0, _s0, 0.0), time_error + (4.440892098500626e-16 * time_limit), 0.0 <= which, _where(_logical_and(_logical_not(((when + earliest_delay) < undecided_time)), (undecided_time < _inf)), 0.0, undecided_time)
 
 
 def departed(index: Any, which: Any) -> tuple[Any, ...]:
@@ -1341,7 +1341,7 @@ def accounted(contacts: Any, most_contacts: Any, reached: Any, touches: Any) -> 
     return _where(touches, _s0, contacts), _where(touches, _where((most_contacts <= _s0), 2.0, -1.0), reached)
 
 
-def delayed(delay: Any, clock_error: Any) -> tuple[Any, ...]:
+def clock_error_sum(delay: Any, clock_error: Any) -> tuple[Any, ...]:
     """Sum of the errors of the contacts' times.
 
     Table 1. 1 operation: 1 addition.
@@ -1359,7 +1359,7 @@ def closing(outcome: Any, claims: Any) -> tuple[Any, ...]:
     return _logical_and((_float32(0.0) < claims), (_float32(0.0) <= outcome)), _float32(0.0), _float32(0.0), _float32(0.0), _float32(0.0)
 
 
-def floored(dx: Any, dy: Any, dz: Any, shift: Any) -> tuple[Any, ...]:
+def error_floor(dx: Any, dy: Any, dz: Any, shift: Any) -> tuple[Any, ...]:
     """Errors at the end, not below the largest that one flight can cause.
 
     Table 1. 9 operations: 3 absolute values, 3 comparisons, 3 selections.
@@ -1368,7 +1368,7 @@ def floored(dx: Any, dy: Any, dz: Any, shift: Any) -> tuple[Any, ...]:
     return _where((_absolute(dx) < shift), shift, dx), _where((_absolute(dy) < shift), shift, dy), _where((_absolute(dz) < shift), shift, dz)
 
 
-def unturned() -> tuple[Any, ...]:
+def no_normal_error() -> tuple[Any, ...]:
     """Start values: a normal without error.
 
     Table 1. No operations.
@@ -2657,14 +2657,14 @@ def _left_alone(index: Any, last: Any) -> tuple[Any, ...]:
     return _k1 if (last == index) else _k2,
 
 
-def _questioned_alone(time: Any, doubt: Any, unsure: Any) -> tuple[Any, ...]:
-    return time if (unsure and (time < doubt)) else doubt,
+def _predicate_undecided_alone(time: Any, undecided_time: Any, undecided: Any) -> tuple[Any, ...]:
+    return time if (undecided and (time < undecided_time)) else undecided_time,
 
 
-def _tied_alone(time: Any, when: Any, delay: Any, earliest_delay: Any, doubt: Any, arrives: Any) -> tuple[Any, ...]:
+def _tie_undecided_alone(time: Any, when: Any, delay: Any, earliest_delay: Any, undecided_time: Any, arrives: Any) -> tuple[Any, ...]:
     _s0 = time < when
     _s1 = time if _s0 else when
-    _s2 = _s1 if ((arrives and (abs((time - when)) <= (delay + earliest_delay))) and (_s1 < doubt)) else doubt
+    _s2 = _s1 if ((arrives and (abs((time - when)) <= (delay + earliest_delay))) and (_s1 < undecided_time)) else undecided_time
     return _s2, delay if (arrives and _s0) else earliest_delay
 
 
@@ -2677,8 +2677,8 @@ def _beginning_alone() -> tuple[Any, ...]:
     return _k56, _k10, False
 
 
-def _out_of_budget_alone(pad: Any, budget_exceeded: Any, earliest_delay: Any, doubt: Any, excess: Any) -> tuple[Any, ...]:
-    return _k2 if (((_k2 < excess) or (_k2 < budget_exceeded)) or (pad < earliest_delay)) else doubt,
+def _out_of_budget_alone(pad: Any, budget_exceeded: Any, earliest_delay: Any, undecided_time: Any, excess: Any) -> tuple[Any, ...]:
+    return _k2 if (((_k2 < excess) or (_k2 < budget_exceeded)) or (pad < earliest_delay)) else undecided_time,
 
 
 def _nearby_alone(t: Any, flat: Any, tilt: Any, index: Any, last: Any) -> tuple[Any, ...]:
@@ -2701,7 +2701,7 @@ def _stepped_alone(arrival: Any, lasting: Any, searching: Any, since: Any, singl
     return _s0 if certain else arrival, _s0 if single_precision else _k2, (searching and (not certain)) and (lasting < _k10)
 
 
-def _struck_alone(gap: Any, rate: Any, bend: Any, margin: Any, rate_margin: Any, clearance: Any, share: Any) -> tuple[Any, ...]:
+def _gap_closes_alone(gap: Any, rate: Any, bend: Any, margin: Any, rate_margin: Any, clearance: Any, share: Any) -> tuple[Any, ...]:
     _s0 = (rate < _k2) or ((rate <= rate_margin) and (bend < _k2))
     _s1 = _k2 < clearance
     _s2 = _s0 and (((gap - margin) <= margin) or _s1)
@@ -2710,12 +2710,12 @@ def _struck_alone(gap: Any, rate: Any, bend: Any, margin: Any, rate_margin: Any,
     return _s2 and (not _s4), _s3, _s4
 
 
-def _finer_alone(share: Any) -> tuple[Any, ...]:
+def _smaller_budget_alone(share: Any) -> tuple[Any, ...]:
     return (_k58 * share) if (_k57 < share) else _k2,
 
 
-def _exceeded_alone(t: Any, doubt: Any, excess: Any) -> tuple[Any, ...]:
-    return t if ((_k2 < excess) and (t < doubt)) else doubt,
+def _budget_undecided_alone(t: Any, undecided_time: Any, excess: Any) -> tuple[Any, ...]:
+    return t if ((_k2 < excess) and (t < undecided_time)) else undecided_time,
 
 
 def _advanced_alone(t: Any, end: Any, step: Any, next: Any, arrival: Any, hit: Any, sure: Any, needs_refinement: Any, certain: Any) -> tuple[Any, ...]:
@@ -2729,7 +2729,7 @@ def _found_alone(arrival: Any) -> tuple[Any, ...]:
     return _s0, _s0, _k2
 
 
-def _polished_alone(gap: Any, rate: Any, ceiling: Any, arrival: Any, refined: Any, certain: Any) -> tuple[Any, ...]:
+def _refined_root_alone(gap: Any, rate: Any, ceiling: Any, arrival: Any, refined: Any, certain: Any) -> tuple[Any, ...]:
     return refined if certain else arrival, certain and ((_k59 * (rate * rate)) < (ceiling * abs(gap)))
 
 
@@ -2737,13 +2737,13 @@ def _own_margin_alone(leaving: Any, flat: Any, tilt: Any, arrival: Any) -> tuple
     return (tilt * arrival) if (_k2 < leaving) else flat,
 
 
-def _landed_alone(arrival: Any) -> tuple[Any, ...]:
+def _arrival_time_alone(arrival: Any) -> tuple[Any, ...]:
     return _k2 if (arrival < _k2) else arrival,
 
 
-def _landed_surely_alone(clearance: Any, time: Any, delay: Any, doubt: Any, arrives: Any, certain: Any) -> tuple[Any, ...]:
+def _certain_arrival_alone(clearance: Any, time: Any, delay: Any, undecided_time: Any, arrives: Any, certain: Any) -> tuple[Any, ...]:
     _s0 = certain and (_k2 < clearance)
-    return delay if _s0 else _k2, time if ((arrives and (not _s0)) and (time < doubt)) else doubt
+    return delay if _s0 else _k2, time if ((arrives and (not _s0)) and (time < undecided_time)) else undecided_time
 
 
 def _ring_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
@@ -3118,9 +3118,9 @@ def _alone0(_extent_: Any, _last_: Any, _p_ball_radius_: Any, _p_gravity_: Any, 
                 break
             _leaving_, _margin_ = _nearby_alone(_t_, _flat_, _tilt_, _k2, _last_)
             _gap_, _rate_, _bend_, _step_, _next_, _clearance_ = _ring_advance_alone(_t_, _end_, _leaving_, _margin_, _rate_slack_, _ceiling_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _energy2_, _moment2_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
-            _hit_, _sure_, _needs_refinement_ = _struck_alone(_gap_, _rate_, _bend_, _margin_, _rate_slack_, _clearance_, _share_)
+            _hit_, _sure_, _needs_refinement_ = _gap_closes_alone(_gap_, _rate_, _bend_, _margin_, _rate_slack_, _clearance_, _share_)
             if _needs_refinement_:
-                _share_, = _finer_alone(_share_)
+                _share_, = _smaller_budget_alone(_share_)
                 _position_level_, _velocity_level_, _ = _allowance_alone(_share_, _latest_, _extent_, _speed_, _k2, _k2, _p_gravity_)
                 _flat_, _tilt_, _rate_slack_ = _ring_margins_alone(_latest_, _extent_, _speed_, _position_level_, _velocity_level_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
             _arrival_, _certain_, _exhausted_, _searching_, _t_ = _advanced_alone(_t_, _end_, _step_, _next_, _arrival_, _hit_, _sure_, _needs_refinement_, _certain_)
@@ -3130,16 +3130,16 @@ def _alone0(_extent_: Any, _last_: Any, _p_ball_radius_: Any, _p_gravity_: Any, 
     _leaving_, _ = _nearby_alone(_arrival_, _flat_, _tilt_, _k2, _last_)
     if _refining_:
         _refined_, _gap_, _rate_ = _ring_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
-        _arrival_, _refining_ = _polished_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
+        _arrival_, _refining_ = _refined_root_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
     if _refining_:
         _refined_, _gap_, _rate_ = _ring_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
-        _arrival_, _refining_ = _polished_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
+        _arrival_, _refining_ = _refined_root_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
     for _ in range(8):
         if not _refining_:
             break
         _refined_, _gap_, _rate_ = _ring_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
-        _arrival_, _refining_ = _polished_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
-    _time_, = _landed_alone(_arrival_)
+        _arrival_, _refining_ = _refined_root_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
+    _time_, = _arrival_time_alone(_arrival_)
     _when_, _which_ = _earliest_alone(_k2, _time_, _when_, _which_, _arrives_)
     return (_when_, _which_,)
 
@@ -3164,9 +3164,9 @@ def _alone2(_arrival_: Any, _certain_: Any, _extent_: Any, _last_: Any, _p_ball_
             break
         _leaving_, _margin_ = _nearby_alone(_t_, _flat_, _tilt_, _k2, _last_)
         _gap_, _rate_, _bend_, _step_, _next_, _clearance_ = _ring_advance_alone(_t_, _end_, _leaving_, _margin_, _rate_slack_, _ceiling_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _energy2_, _moment2_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
-        _hit_, _sure_, _needs_refinement_ = _struck_alone(_gap_, _rate_, _bend_, _margin_, _rate_slack_, _clearance_, _share_)
+        _hit_, _sure_, _needs_refinement_ = _gap_closes_alone(_gap_, _rate_, _bend_, _margin_, _rate_slack_, _clearance_, _share_)
         if _needs_refinement_:
-            _share_, = _finer_alone(_share_)
+            _share_, = _smaller_budget_alone(_share_)
             _position_level_, _velocity_level_, _ = _allowance_alone(_share_, _latest_, _extent_, _speed_, _k2, _k2, _p_gravity_)
             _flat_, _tilt_, _rate_slack_ = _ring_margins_alone(_latest_, _extent_, _speed_, _position_level_, _velocity_level_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
         _arrival_, _certain_, _exhausted_, _searching_, _t_ = _advanced_alone(_t_, _end_, _step_, _next_, _arrival_, _hit_, _sure_, _needs_refinement_, _certain_)
@@ -3182,9 +3182,9 @@ def _alone3(_arrival_: Any, _ceiling_: Any, _certain_: Any, _end_: Any, _energy2
             break
         _leaving_, _margin_ = _nearby_alone(_t_, _flat_, _tilt_, _k2, _last_)
         _gap_, _rate_, _bend_, _step_, _next_, _clearance_ = _ring_advance_alone(_t_, _end_, _leaving_, _margin_, _rate_slack_, _ceiling_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _energy2_, _moment2_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
-        _hit_, _sure_, _needs_refinement_ = _struck_alone(_gap_, _rate_, _bend_, _margin_, _rate_slack_, _clearance_, _share_)
+        _hit_, _sure_, _needs_refinement_ = _gap_closes_alone(_gap_, _rate_, _bend_, _margin_, _rate_slack_, _clearance_, _share_)
         if _needs_refinement_:
-            _share_, = _finer_alone(_share_)
+            _share_, = _smaller_budget_alone(_share_)
             _position_level_, _velocity_level_, _ = _allowance_alone(_share_, _latest_, _extent_, _speed_, _k2, _k2, _p_gravity_)
             _flat_, _tilt_, _rate_slack_ = _ring_margins_alone(_latest_, _extent_, _speed_, _position_level_, _velocity_level_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
         _arrival_, _certain_, _exhausted_, _searching_, _t_ = _advanced_alone(_t_, _end_, _step_, _next_, _arrival_, _hit_, _sure_, _needs_refinement_, _certain_)
@@ -3199,11 +3199,11 @@ def _alone4(_arrival_: Any, _ceiling_: Any, _certain_: Any, _leaving_: Any, _p_b
         if not _refining_:
             break
         _refined_, _gap_, _rate_ = _ring_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
-        _arrival_, _refining_ = _polished_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
+        _arrival_, _refining_ = _refined_root_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
     return (_arrival_,)
 
 
-def _alone5(_doubt_: Any, _earliest_delay_: Any, _extent_: Any, _last_: Any, _p_ball_radius_: Any, _p_gravity_: Any, _p_ring_radius_: Any, _p_wire_radius_: Any, _pad_: Any, _position_error_: Any, _speed_: Any, _until_: Any, _velocity_error_: Any, _vx_: Any, _vy_: Any, _vz_: Any, _when_: Any, _which_: Any, _x_: Any, _y_: Any, _z_: Any) -> tuple[Any, ...]:
+def _alone5(_earliest_delay_: Any, _extent_: Any, _last_: Any, _p_ball_radius_: Any, _p_gravity_: Any, _p_ring_radius_: Any, _p_wire_radius_: Any, _pad_: Any, _position_error_: Any, _speed_: Any, _undecided_time_: Any, _until_: Any, _velocity_error_: Any, _vx_: Any, _vy_: Any, _vz_: Any, _when_: Any, _which_: Any, _x_: Any, _y_: Any, _z_: Any) -> tuple[Any, ...]:
     """Do the body of `open` for one shot."""
     _share_, _arrival_, _certain_ = _beginning_alone()
     _leaving_, = _left_alone(_k2, _last_)
@@ -3215,7 +3215,7 @@ def _alone5(_doubt_: Any, _earliest_delay_: Any, _extent_: Any, _last_: Any, _p_
     _stepping_, _searching_, _single_precision_, _ceiling_, _flat_, _tilt_, _allowing_ = _coarse_alone(_float64(_short_rate_margin_), _float64(_short_flat_), _float64(_short_ceiling_), _float64(_short_share_), _searching_, _representable_, _fits_)
     _, _, _excess_ = _allowance_alone(_allowing_, _latest_, _extent_, _speed_, _float64(_position_error_), _float64(_velocity_error_), _p_gravity_)
     _budget_exceeded_, = _ring_budget_exceeded_alone(_until_, _extent_, _speed_, _float64(_position_error_), _float64(_velocity_error_), _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
-    _doubt_, = _out_of_budget_alone(_pad_, _budget_exceeded_, _earliest_delay_, _doubt_, _excess_)
+    _undecided_time_, = _out_of_budget_alone(_pad_, _budget_exceeded_, _earliest_delay_, _undecided_time_, _excess_)
     if _stepping_:
         _short_t_, _short_end_, _certain_, _stepping_ = _ring_step_alone(_short_t_, _short_end_, _short_rate_margin_, _short_ceiling_, _short_x_, _short_y_, _short_z_, _short_vx_, _short_vy_, _short_vz_, _short_energy2_, _short_moment2_, _short_rho_start_, _short_flat_, _short_tilt_, _short_quotient_margin_, _short_jerk_, _short_start_rate_, _short_rho_rate_, _short_low1_, _short_high1_, _short_low2_, _short_high2_, _float32(_p_ball_radius_), _float32(_p_ring_radius_), _float32(_p_wire_radius_), _float32(_p_gravity_))
     for _ in range(24):
@@ -3233,37 +3233,37 @@ def _alone5(_doubt_: Any, _earliest_delay_: Any, _extent_: Any, _last_: Any, _p_
                 break
             _leaving_, _margin_ = _nearby_alone(_t_, _flat_, _tilt_, _k2, _last_)
             _gap_, _rate_, _bend_, _step_, _next_, _clearance_ = _ring_advance_alone(_t_, _end_, _leaving_, _margin_, _rate_slack_, _ceiling_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _energy2_, _moment2_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
-            _hit_, _sure_, _needs_refinement_ = _struck_alone(_gap_, _rate_, _bend_, _margin_, _rate_slack_, _clearance_, _share_)
+            _hit_, _sure_, _needs_refinement_ = _gap_closes_alone(_gap_, _rate_, _bend_, _margin_, _rate_slack_, _clearance_, _share_)
             if _needs_refinement_:
-                _share_, = _finer_alone(_share_)
+                _share_, = _smaller_budget_alone(_share_)
                 _position_level_, _velocity_level_, _excess_ = _allowance_alone(_share_, _latest_, _extent_, _speed_, _float64(_position_error_), _float64(_velocity_error_), _p_gravity_)
                 _flat_, _tilt_, _rate_slack_ = _ring_margins_alone(_latest_, _extent_, _speed_, _position_level_, _velocity_level_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
-                _doubt_, = _exceeded_alone(_t_, _doubt_, _excess_)
+                _undecided_time_, = _budget_undecided_alone(_t_, _undecided_time_, _excess_)
             _arrival_, _certain_, _exhausted_, _searching_, _t_ = _advanced_alone(_t_, _end_, _step_, _next_, _arrival_, _hit_, _sure_, _needs_refinement_, _certain_)
             if _exhausted_:
                 _t_, _end_, _searching_ = _ring_enter_alone(_t_, _end_, _end_, _low0_, _low1_, _low2_, _high0_, _high1_, _high2_)
-        _doubt_, = _questioned_alone(_t_, _doubt_, _searching_)
+        _undecided_time_, = _predicate_undecided_alone(_t_, _undecided_time_, _searching_)
     _arrives_, _refining_, _rate_ = _found_alone(_arrival_)
     _leaving_, _ = _nearby_alone(_arrival_, _flat_, _tilt_, _k2, _last_)
     if _refining_:
         _refined_, _gap_, _rate_ = _ring_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
-        _arrival_, _refining_ = _polished_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
+        _arrival_, _refining_ = _refined_root_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
     if _refining_:
         _refined_, _gap_, _rate_ = _ring_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
-        _arrival_, _refining_ = _polished_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
+        _arrival_, _refining_ = _refined_root_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
     for _ in range(8):
         if not _refining_:
             break
         _refined_, _gap_, _rate_ = _ring_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
-        _arrival_, _refining_ = _polished_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
+        _arrival_, _refining_ = _refined_root_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
     _flat_, _tilt_, _rate_margin_ = _ring_margins_alone(_latest_, _extent_, _speed_, _float64(_position_error_), _float64(_velocity_error_), _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
     _margin_, = _own_margin_alone(_leaving_, _flat_, _tilt_, _arrival_)
     _clearance_, _delay_ = _crossing_alone(_margin_, _rate_margin_, _rate_, _ceiling_)
-    _time_, = _landed_alone(_arrival_)
-    _delay_, _doubt_ = _landed_surely_alone(_clearance_, _time_, _delay_, _doubt_, _arrives_, _certain_)
-    _doubt_, _earliest_delay_ = _tied_alone(_time_, _when_, _delay_, _earliest_delay_, _doubt_, _arrives_)
+    _time_, = _arrival_time_alone(_arrival_)
+    _delay_, _undecided_time_ = _certain_arrival_alone(_clearance_, _time_, _delay_, _undecided_time_, _arrives_, _certain_)
+    _undecided_time_, _earliest_delay_ = _tie_undecided_alone(_time_, _when_, _delay_, _earliest_delay_, _undecided_time_, _arrives_)
     _when_, _which_ = _earliest_alone(_k2, _time_, _when_, _which_, _arrives_)
-    return (_doubt_, _earliest_delay_, _when_, _which_,)
+    return (_earliest_delay_, _undecided_time_, _when_, _which_,)
 
 
 def _alone6(_certain_: Any, _p_ball_radius_: Any, _p_gravity_: Any, _p_ring_radius_: Any, _p_wire_radius_: Any, _short_ceiling_: Any, _short_end_: Any, _short_energy2_: Any, _short_flat_: Any, _short_high1_: Any, _short_high2_: Any, _short_jerk_: Any, _short_low1_: Any, _short_low2_: Any, _short_moment2_: Any, _short_quotient_margin_: Any, _short_rate_margin_: Any, _short_rho_rate_: Any, _short_rho_start_: Any, _short_start_rate_: Any, _short_t_: Any, _short_tilt_: Any, _short_vx_: Any, _short_vy_: Any, _short_vz_: Any, _short_x_: Any, _short_y_: Any, _short_z_: Any, _stepping_: Any, _turns: Any) -> tuple[Any, ...]:
@@ -3275,7 +3275,7 @@ def _alone6(_certain_: Any, _p_ball_radius_: Any, _p_gravity_: Any, _p_ring_radi
     return (_certain_, _short_t_,)
 
 
-def _alone7(_arrival_: Any, _certain_: Any, _doubt_: Any, _extent_: Any, _last_: Any, _p_ball_radius_: Any, _p_gravity_: Any, _p_ring_radius_: Any, _p_wire_radius_: Any, _position_error_: Any, _share_: Any, _speed_: Any, _t_: Any, _until_: Any, _velocity_error_: Any, _vx_: Any, _vy_: Any, _vz_: Any, _x_: Any, _y_: Any, _z_: Any) -> tuple[Any, ...]:
+def _alone7(_arrival_: Any, _certain_: Any, _extent_: Any, _last_: Any, _p_ball_radius_: Any, _p_gravity_: Any, _p_ring_radius_: Any, _p_wire_radius_: Any, _position_error_: Any, _share_: Any, _speed_: Any, _t_: Any, _undecided_time_: Any, _until_: Any, _velocity_error_: Any, _vx_: Any, _vy_: Any, _vz_: Any, _x_: Any, _y_: Any, _z_: Any) -> tuple[Any, ...]:
     """Do the body of `searching` for one shot."""
     _energy2_, _moment2_, _rho_start_, _low0_, _high0_, _low1_, _high1_, _low2_, _high2_, _ceiling_, _latest_, _ = _ring_prepare_alone(_until_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _extent_, _speed_, _float64(_position_error_), _float64(_velocity_error_), _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
     _position_level_, _velocity_level_, _ = _allowance_alone(_share_, _latest_, _extent_, _speed_, _float64(_position_error_), _float64(_velocity_error_), _p_gravity_)
@@ -3286,36 +3286,36 @@ def _alone7(_arrival_: Any, _certain_: Any, _doubt_: Any, _extent_: Any, _last_:
             break
         _leaving_, _margin_ = _nearby_alone(_t_, _flat_, _tilt_, _k2, _last_)
         _gap_, _rate_, _bend_, _step_, _next_, _clearance_ = _ring_advance_alone(_t_, _end_, _leaving_, _margin_, _rate_slack_, _ceiling_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _energy2_, _moment2_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
-        _hit_, _sure_, _needs_refinement_ = _struck_alone(_gap_, _rate_, _bend_, _margin_, _rate_slack_, _clearance_, _share_)
+        _hit_, _sure_, _needs_refinement_ = _gap_closes_alone(_gap_, _rate_, _bend_, _margin_, _rate_slack_, _clearance_, _share_)
         if _needs_refinement_:
-            _share_, = _finer_alone(_share_)
+            _share_, = _smaller_budget_alone(_share_)
             _position_level_, _velocity_level_, _excess_ = _allowance_alone(_share_, _latest_, _extent_, _speed_, _float64(_position_error_), _float64(_velocity_error_), _p_gravity_)
             _flat_, _tilt_, _rate_slack_ = _ring_margins_alone(_latest_, _extent_, _speed_, _position_level_, _velocity_level_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
-            _doubt_, = _exceeded_alone(_t_, _doubt_, _excess_)
+            _undecided_time_, = _budget_undecided_alone(_t_, _undecided_time_, _excess_)
         _arrival_, _certain_, _exhausted_, _searching_, _t_ = _advanced_alone(_t_, _end_, _step_, _next_, _arrival_, _hit_, _sure_, _needs_refinement_, _certain_)
         if _exhausted_:
             _t_, _end_, _searching_ = _ring_enter_alone(_t_, _end_, _end_, _low0_, _low1_, _low2_, _high0_, _high1_, _high2_)
-    _doubt_, = _questioned_alone(_t_, _doubt_, _searching_)
-    return (_arrival_, _ceiling_, _certain_, _doubt_, _flat_, _latest_, _rho_start_, _tilt_,)
+    _undecided_time_, = _predicate_undecided_alone(_t_, _undecided_time_, _searching_)
+    return (_arrival_, _ceiling_, _certain_, _flat_, _latest_, _rho_start_, _tilt_, _undecided_time_,)
 
 
-def _alone8(_arrival_: Any, _ceiling_: Any, _certain_: Any, _doubt_: Any, _end_: Any, _energy2_: Any, _flat_: Any, _last_: Any, _moment2_: Any, _p_ball_radius_: Any, _p_gravity_: Any, _p_ring_radius_: Any, _p_wire_radius_: Any, _rate_slack_: Any, _rho_start_: Any, _searching_: Any, _share_: Any, _t_: Any, _tilt_: Any, _vx_: Any, _vy_: Any, _vz_: Any, _x_: Any, _y_: Any, _z_: Any, _extent_: Any, _high0_: Any, _high1_: Any, _high2_: Any, _latest_: Any, _low0_: Any, _low1_: Any, _low2_: Any, _position_error_: Any, _speed_: Any, _velocity_error_: Any, _turns: Any) -> tuple[Any, ...]:
+def _alone8(_arrival_: Any, _ceiling_: Any, _certain_: Any, _end_: Any, _energy2_: Any, _flat_: Any, _last_: Any, _moment2_: Any, _p_ball_radius_: Any, _p_gravity_: Any, _p_ring_radius_: Any, _p_wire_radius_: Any, _rate_slack_: Any, _rho_start_: Any, _searching_: Any, _share_: Any, _t_: Any, _tilt_: Any, _undecided_time_: Any, _vx_: Any, _vy_: Any, _vz_: Any, _x_: Any, _y_: Any, _z_: Any, _extent_: Any, _high0_: Any, _high1_: Any, _high2_: Any, _latest_: Any, _low0_: Any, _low1_: Any, _low2_: Any, _position_error_: Any, _speed_: Any, _velocity_error_: Any, _turns: Any) -> tuple[Any, ...]:
     """Do the body of `searching` for one shot."""
     for _ in range(_turns):
         if not _searching_:
             break
         _leaving_, _margin_ = _nearby_alone(_t_, _flat_, _tilt_, _k2, _last_)
         _gap_, _rate_, _bend_, _step_, _next_, _clearance_ = _ring_advance_alone(_t_, _end_, _leaving_, _margin_, _rate_slack_, _ceiling_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _energy2_, _moment2_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
-        _hit_, _sure_, _needs_refinement_ = _struck_alone(_gap_, _rate_, _bend_, _margin_, _rate_slack_, _clearance_, _share_)
+        _hit_, _sure_, _needs_refinement_ = _gap_closes_alone(_gap_, _rate_, _bend_, _margin_, _rate_slack_, _clearance_, _share_)
         if _needs_refinement_:
-            _share_, = _finer_alone(_share_)
+            _share_, = _smaller_budget_alone(_share_)
             _position_level_, _velocity_level_, _excess_ = _allowance_alone(_share_, _latest_, _extent_, _speed_, _float64(_position_error_), _float64(_velocity_error_), _p_gravity_)
             _flat_, _tilt_, _rate_slack_ = _ring_margins_alone(_latest_, _extent_, _speed_, _position_level_, _velocity_level_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
-            _doubt_, = _exceeded_alone(_t_, _doubt_, _excess_)
+            _undecided_time_, = _budget_undecided_alone(_t_, _undecided_time_, _excess_)
         _arrival_, _certain_, _exhausted_, _searching_, _t_ = _advanced_alone(_t_, _end_, _step_, _next_, _arrival_, _hit_, _sure_, _needs_refinement_, _certain_)
         if _exhausted_:
             _t_, _end_, _searching_ = _ring_enter_alone(_t_, _end_, _end_, _low0_, _low1_, _low2_, _high0_, _high1_, _high2_)
-    return (_arrival_, _certain_, _doubt_, _flat_, _searching_, _t_, _tilt_,)
+    return (_arrival_, _certain_, _flat_, _searching_, _t_, _tilt_, _undecided_time_,)
 
 
 def _alone9(_arrival_: Any, _ceiling_: Any, _certain_: Any, _leaving_: Any, _p_ball_radius_: Any, _p_gravity_: Any, _p_ring_radius_: Any, _p_wire_radius_: Any, _rate_: Any, _refining_: Any, _rho_start_: Any, _vx_: Any, _vy_: Any, _vz_: Any, _x_: Any, _y_: Any, _z_: Any, _turns: Any) -> tuple[Any, ...]:
@@ -3324,7 +3324,7 @@ def _alone9(_arrival_: Any, _ceiling_: Any, _certain_: Any, _leaving_: Any, _p_b
         if not _refining_:
             break
         _refined_, _gap_, _rate_ = _ring_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
-        _arrival_, _refining_ = _polished_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
+        _arrival_, _refining_ = _refined_root_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
     return (_arrival_, _rate_,)
 
 
@@ -3362,7 +3362,7 @@ def detect_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
     _limited_0, = limited(_time_limit_0)
     _leaving_0, = left(3.0, _last_0)
     _time_0, _rate_0, _bend_0, _apex_0, *_ = end_arrival(_leaving_0, _z_0, _vz_0, _p_gravity_0, _p_end_depth_0, _room_0)
-    _arrives_0, *_ = meeting_plane(_rate_0, _bend_0, _apex_0, _time_0)
+    _arrives_0, *_ = plane_root(_rate_0, _bend_0, _apex_0, _time_0)
     _possible_0, = within_time(_time_0, _when_0, 0.0, 0.0, _arrives_0)
     _when_1, _which_1 = earliest(3.0, _time_0, _when_0, _which_0, _arrives_0)
     _when_0, _which_0 = _choose(_possible_0, (_when_1, _which_1,), (_when_0, _which_0,))
@@ -3380,7 +3380,7 @@ def detect_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
         _room_1 = room(_count4)
         _leaving_1, = left(1.0, _last_1)
         _time_1, _rate_1, _bend_1, _apex_1, *_ = backboard_arrival(_leaving_1, _x_1, _vx_1, _p_ball_radius_1, _p_board_distance_1)
-        _arrives_1, *_ = meeting_plane(_rate_1, _bend_1, _apex_1, _time_1)
+        _arrives_1, *_ = plane_root(_rate_1, _bend_1, _apex_1, _time_1)
         _possible_1, = within_time(_time_1, _when_1, 0.0, 0.0, _arrives_1)
         _, _there_y_2, _there_z_2, *_ = flight(_time_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _p_gravity_1, _room_1)
         _g0_2, _g1_2, _g2_2, _g3_2 = backboard_bounds(_there_y_2, _there_z_2, _p_board_half_width_1, _p_board_bottom_1, _p_board_top_1)
@@ -3389,7 +3389,7 @@ def detect_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
         _when_1, _which_1 = _choose(_possible_1, (_when_2, _which_2,), (_when_1, _which_1,))
         _leaving_1, = left(2.0, _last_1)
         _time_1, _rate_1, _bend_1, _apex_1, *_ = bridge_arrival(_leaving_1, _z_1, _vz_1, _p_ball_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
-        _arrives_1, *_ = meeting_plane(_rate_1, _bend_1, _apex_1, _time_1)
+        _arrives_1, *_ = plane_root(_rate_1, _bend_1, _apex_1, _time_1)
         _possible_1, = within_time(_time_1, _when_1, 0.0, 0.0, _arrives_1)
         _rows5, _count6 = _most(_possible_1, _count4)
         if _count6:
@@ -3473,14 +3473,14 @@ def detect_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
                     _room_3 = room(_count18)
                     _leaving_3, _margin_3 = nearby(_t_3, _flat_3, _tilt_3, 0.0, _last_3)
                     _gap_3, _rate_3, _bend_3, _step_3, _next_3, _clearance_3 = ring_advance(_t_3, _end_3, _leaving_3, _margin_3, _rate_slack_3, _ceiling_3, _x_3, _y_3, _z_3, _vx_3, _vy_3, _vz_3, _energy2_3, _moment2_3, _rho_start_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _p_gravity_3, _room_3)
-                    _hit_3, _sure_3, _needs_refinement_3 = struck(_gap_3, _rate_3, _bend_3, _margin_3, _rate_slack_3, _clearance_3, _share_3)
+                    _hit_3, _sure_3, _needs_refinement_3 = gap_closes(_gap_3, _rate_3, _bend_3, _margin_3, _rate_slack_3, _clearance_3, _share_3)
                     _rows20, _count21 = _most(_needs_refinement_3, _count18)
                     if _count21:
                         _far = _of(_rows17, _rows20)
                         _extent_4, _latest_4, _speed_4 = _taken(_far, _extent_2, _latest_2, _speed_2)
                         _p_ball_radius_4, _p_gravity_4, _p_ring_radius_4, _p_wire_radius_4, _share_4 = _taken(_rows20, _p_ball_radius_3, _p_gravity_3, _p_ring_radius_3, _p_wire_radius_3, _share_3)
                         _room_4 = room(_count21)
-                        _share_4, = finer(_share_4)
+                        _share_4, = smaller_budget(_share_4)
                         _position_level_4, _velocity_level_4, *_ = allowance(_share_4, _latest_4, _extent_4, _speed_4, 0.0, 0.0, _p_gravity_4, _room_4)
                         _flat_4, _tilt_4, _rate_slack_4 = ring_margins(_latest_4, _extent_4, _speed_4, _position_level_4, _velocity_level_4, _p_ball_radius_4, _p_ring_radius_4, _p_wire_radius_4, _p_gravity_4, _room_4)
                         _flat_3, _rate_slack_3, _share_3, _tilt_3 = _put(_rows20, _count18, (_flat_3, _rate_slack_3, _share_3, _tilt_3,), (_flat_4, _rate_slack_4, _share_4, _tilt_4,), _needs_refinement_3)
@@ -3516,14 +3516,14 @@ def detect_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
             _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _rho_start_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows25, _arrival_1, _ceiling_1, _certain_1, _leaving_1, _p_ball_radius_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _rho_start_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
             _room_2 = room(_count26)
             _refined_2, _gap_2, _rate_2 = ring_refine(_arrival_2, _leaving_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _rho_start_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
-            _arrival_2, _refining_2 = polished(_gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
+            _arrival_2, _refining_2 = refined_root(_gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
             _arrival_1, _refining_1 = _put(_rows25, _count8, (_arrival_1, _refining_1,), (_arrival_2, _refining_2,), _refining_1)
         _rows27, _count28 = _most(_refining_1, _count8)
         if _count28:
             _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _rho_start_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows27, _arrival_1, _ceiling_1, _certain_1, _leaving_1, _p_ball_radius_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _rho_start_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
             _room_2 = room(_count28)
             _refined_2, _gap_2, _rate_2 = ring_refine(_arrival_2, _leaving_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _rho_start_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
-            _arrival_2, _refining_2 = polished(_gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
+            _arrival_2, _refining_2 = refined_root(_gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
             _arrival_1, _refining_1 = _put(_rows27, _count8, (_arrival_1, _refining_1,), (_arrival_2, _refining_2,), _refining_1)
         _rows29, _count30 = _rows(_refining_1, _count8)
         if (0 < _count30) and (_count30 <= ALONE):
@@ -3535,7 +3535,7 @@ def detect_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
             for _turn31 in range(8):
                 _room_2 = room(_count30)
                 _refined_2, _gap_2, _rate_2 = ring_refine(_arrival_2, _leaving_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _rho_start_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
-                _arrival_2, _refining_2 = polished(_gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
+                _arrival_2, _refining_2 = refined_root(_gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
                 _going32 = _where_true(_refining_2)
                 if len(_going32) == _count30:
                     continue
@@ -3551,7 +3551,7 @@ def detect_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
                 _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _refining_2, _rho_start_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_going32, _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _refining_2, _rho_start_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
             else:
                 _store((_arrival_1,), _rows29, (_arrival_2,), None)
-        _time_1, = landed(_arrival_1)
+        _time_1, = arrival_time(_arrival_1)
         _when_1, _which_1 = earliest(0.0, _time_1, _when_1, _which_1, _arrives_1)
         _when_0, _which_0 = _put(_rows7, shots, (_when_0, _which_0,), (_when_1, _which_1,))
     _rows33, _count34 = _most(_limited_0, shots)
@@ -3630,14 +3630,14 @@ def start_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
     _last_0, _p_ball_radius_0, _p_board_bottom_0, _p_board_distance_0, _p_board_half_width_0, _p_board_top_0, _p_bridge_half_width_0, _p_end_depth_0, _p_ring_radius_0, _p_wire_radius_0, _permitted_0, _vx_0, _vy_0, _vz_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0, = map(columns.__getitem__, ("last", "p_ball_radius", "p_board_bottom", "p_board_distance", "p_board_half_width", "p_board_top", "p_bridge_half_width", "p_end_depth", "p_ring_radius", "p_wire_radius", "permitted", "vx", "vy", "vz", "wx", "wy", "wz", "x", "y", "z",))
     _room_0 = room(shots)
     _in_range_0, = state_in_range(_x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _wx_0, _wy_0, _wz_0, _room_0)
-    _close_0, _valid_0, _doubt_0 = aside(_x_0, _y_0, _z_0, _p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_board_distance_0, _p_board_half_width_0, _p_board_bottom_0, _p_board_top_0, _p_bridge_half_width_0, _p_end_depth_0, _room_0)
+    _close_0, _valid_0, _undecided_time_0 = aside(_x_0, _y_0, _z_0, _p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_board_distance_0, _p_board_half_width_0, _p_board_bottom_0, _p_board_top_0, _p_bridge_half_width_0, _p_end_depth_0, _room_0)
     _rows1, _count2 = _most(_close_0, shots)
     if _count2:
         _last_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_top_1, _p_bridge_half_width_1, _p_end_depth_1, _p_ring_radius_1, _p_wire_radius_1, _x_1, _y_1, _z_1 = _taken(_rows1, _last_0, _p_ball_radius_0, _p_board_bottom_0, _p_board_distance_0, _p_board_half_width_0, _p_board_top_0, _p_bridge_half_width_0, _p_end_depth_0, _p_ring_radius_0, _p_wire_radius_0, _x_0, _y_0, _z_0)
         _room_1 = room(_count2)
-        _valid_1, _doubt_1 = valid(_last_1, _x_1, _y_1, _z_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_board_distance_1, _p_board_half_width_1, _p_board_bottom_1, _p_board_top_1, _p_bridge_half_width_1, _p_end_depth_1, _room_1)
-        _doubt_0, _valid_0 = _put(_rows1, shots, (_doubt_0, _valid_0,), (_doubt_1, _valid_1,), _close_0)
-    _outcome_0, _uncertain_0 = admitted(_doubt_0, _valid_0, _permitted_0, _in_range_0)
+        _valid_1, _undecided_time_1 = valid(_last_1, _x_1, _y_1, _z_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_board_distance_1, _p_board_half_width_1, _p_board_bottom_1, _p_board_top_1, _p_bridge_half_width_1, _p_end_depth_1, _room_1)
+        _undecided_time_0, _valid_0 = _put(_rows1, shots, (_undecided_time_0, _valid_0,), (_undecided_time_1, _valid_1,), _close_0)
+    _outcome_0, _uncertain_0 = admitted(_undecided_time_0, _valid_0, _permitted_0, _in_range_0)
     columns |= {"outcome": _outcome_0, "uncertain": _uncertain_0, }
 
 
@@ -3647,19 +3647,19 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
     _room_0 = room(shots)
     _position_error_0, _velocity_error_0, _, _time_error_0 = error_bounds(_clock_error_0, _dx_0, _dy_0, _dz_0, _dvx_0, _dvy_0, _dvz_0, _dwx_0, _dwy_0, _dwz_0, _room_0)
     _extent_0, _speed_0, _excess_0 = scale(_x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _p_gravity_0, _room_0)
-    _when_0, _which_0, _earliest_delay_0, _doubt_0 = opening(_excess_0, _double(_position_error_0), _double(_velocity_error_0))
+    _when_0, _which_0, _earliest_delay_0, _undecided_time_0 = opening(_excess_0, _double(_position_error_0), _double(_velocity_error_0))
     _limited_0, = limited(_time_limit_0)
     _leaving_0, = left(3.0, _last_0)
     _time_0, _rate_0, _bend_0, _apex_0, _height_0 = end_arrival(_leaving_0, _z_0, _vz_0, _p_gravity_0, _p_end_depth_0, _room_0)
-    _arrives_0, _ceiling_0, _nearest_0 = meeting_plane(_rate_0, _bend_0, _apex_0, _time_0)
+    _arrives_0, _ceiling_0, _nearest_0 = plane_root(_rate_0, _bend_0, _apex_0, _time_0)
     _margin_0, = end_margin(_nearest_0, _extent_0, _speed_0, _double(_position_error_0), _double(_velocity_error_0), _p_gravity_0, _p_end_depth_0, _room_0)
     _clearance_0, _delay_0 = crossing(_margin_0, 0.0, _rate_0, _ceiling_0, _room_0)
     _possible_0, = within_time(_time_0, _when_0, _delay_0, _earliest_delay_0, _arrives_0)
-    _doubt_0, = grazed(_margin_0, _apex_0, _height_0, _doubt_0)
-    _doubt_1, = crossed(_clearance_0, _time_0, _doubt_0, _arrives_0)
-    _doubt_1, _earliest_delay_1 = tied(_time_0, _when_0, _delay_0, _earliest_delay_0, _doubt_1, _arrives_0)
+    _undecided_time_0, = graze_undecided(_margin_0, _apex_0, _height_0, _undecided_time_0)
+    _undecided_time_1, = crossing_undecided(_clearance_0, _time_0, _undecided_time_0, _arrives_0)
+    _undecided_time_1, _earliest_delay_1 = tie_undecided(_time_0, _when_0, _delay_0, _earliest_delay_0, _undecided_time_1, _arrives_0)
     _when_1, _which_1 = earliest(3.0, _time_0, _when_0, _which_0, _arrives_0)
-    _doubt_0, _earliest_delay_0, _when_0, _which_0 = _choose(_possible_0, (_doubt_1, _earliest_delay_1, _when_1, _which_1,), (_doubt_0, _earliest_delay_0, _when_0, _which_0,))
+    _earliest_delay_0, _undecided_time_0, _when_0, _which_0 = _choose(_possible_0, (_earliest_delay_1, _undecided_time_1, _when_1, _which_1,), (_earliest_delay_0, _undecided_time_0, _when_0, _which_0,))
     _released_0, _reachable_0 = released(_last_0)
     _rows1, _count2 = _most(_released_0, shots)
     if _count2:
@@ -3670,58 +3670,58 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _reachable_0, = _put(_rows1, shots, (_reachable_0,), (_reachable_1,), _released_0)
     _rows3, _count4 = _rows(_reachable_0, shots)
     if _count4:
-        _doubt_1, _earliest_delay_1, _extent_1, _last_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_top_1, _p_bridge_half_width_1, _p_end_depth_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _position_error_1, _speed_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _when_1, _which_1, _x_1, _y_1, _z_1 = _taken(_rows3, _doubt_0, _earliest_delay_0, _extent_0, _last_0, _p_ball_radius_0, _p_board_bottom_0, _p_board_distance_0, _p_board_half_width_0, _p_board_top_0, _p_bridge_half_width_0, _p_end_depth_0, _p_gravity_0, _p_ring_radius_0, _p_wire_radius_0, _position_error_0, _speed_0, _velocity_error_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _x_0, _y_0, _z_0)
+        _earliest_delay_1, _extent_1, _last_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_top_1, _p_bridge_half_width_1, _p_end_depth_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _position_error_1, _speed_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _when_1, _which_1, _x_1, _y_1, _z_1 = _taken(_rows3, _earliest_delay_0, _extent_0, _last_0, _p_ball_radius_0, _p_board_bottom_0, _p_board_distance_0, _p_board_half_width_0, _p_board_top_0, _p_bridge_half_width_0, _p_end_depth_0, _p_gravity_0, _p_ring_radius_0, _p_wire_radius_0, _position_error_0, _speed_0, _undecided_time_0, _velocity_error_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _x_0, _y_0, _z_0)
         _room_1 = room(_count4)
         _leaving_1, = left(1.0, _last_1)
         _time_1, _rate_1, _bend_1, _apex_1, _height_1 = backboard_arrival(_leaving_1, _x_1, _vx_1, _p_ball_radius_1, _p_board_distance_1)
-        _arrives_1, _ceiling_1, _nearest_1 = meeting_plane(_rate_1, _bend_1, _apex_1, _time_1)
+        _arrives_1, _ceiling_1, _nearest_1 = plane_root(_rate_1, _bend_1, _apex_1, _time_1)
         _margin_1, = backboard_margin(_nearest_1, _extent_1, _speed_1, _double(_position_error_1), _double(_velocity_error_1), _p_ball_radius_1, _p_board_distance_1, _p_gravity_1, _room_1)
         _clearance_1, _delay_1 = crossing(_margin_1, 0.0, _rate_1, _ceiling_1, _room_1)
         _possible_1, = within_time(_time_1, _when_1, _delay_1, _earliest_delay_1, _arrives_1)
-        _doubt_1, = grazed(_margin_1, _apex_1, _height_1, _doubt_1)
+        _undecided_time_1, = graze_undecided(_margin_1, _apex_1, _height_1, _undecided_time_1)
         _rows5, _count6 = _most(_possible_1, _count4)
         if _count6:
-            _clearance_2, _delay_2, _doubt_2, _earliest_delay_2, _extent_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_top_2, _p_bridge_half_width_2, _p_end_depth_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _position_error_2, _speed_2, _time_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _when_2, _which_2, _x_2, _y_2, _z_2 = _taken(_rows5, _clearance_1, _delay_1, _doubt_1, _earliest_delay_1, _extent_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_top_1, _p_bridge_half_width_1, _p_end_depth_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _position_error_1, _speed_1, _time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _when_1, _which_1, _x_1, _y_1, _z_1)
+            _clearance_2, _delay_2, _earliest_delay_2, _extent_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_top_2, _p_bridge_half_width_2, _p_end_depth_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _position_error_2, _speed_2, _time_2, _undecided_time_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _when_2, _which_2, _x_2, _y_2, _z_2 = _taken(_rows5, _clearance_1, _delay_1, _earliest_delay_1, _extent_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_top_1, _p_bridge_half_width_1, _p_end_depth_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _position_error_1, _speed_1, _time_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _when_1, _which_1, _x_1, _y_1, _z_1)
             _room_2 = room(_count6)
             _, _there_y_2, _there_z_2, *_ = flight(_time_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _p_gravity_2, _room_2)
             _g0_2, _g1_2, _g2_2, _g3_2 = backboard_bounds(_there_y_2, _there_z_2, _p_board_half_width_2, _p_board_bottom_2, _p_board_top_2)
             _slack_2, = displacement(_delay_2, _time_2, _extent_2, _speed_2, _double(_position_error_2), _double(_velocity_error_2), _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_board_distance_2, _p_board_half_width_2, _p_board_bottom_2, _p_board_top_2, _p_bridge_half_width_2, _p_gravity_2, _p_end_depth_2, _room_2)
-            _unsure_2, = backboard_edges(_clearance_2, _slack_2, _g0_2, _g1_2, _g2_2, _g3_2)
-            _doubt_2, = questioned(_time_2, _doubt_2, _unsure_2)
+            _undecided_2, = backboard_edges(_clearance_2, _slack_2, _g0_2, _g1_2, _g2_2, _g3_2)
+            _undecided_time_2, = predicate_undecided(_time_2, _undecided_time_2, _undecided_2)
             _arrives_2, = backboard_within(_g0_2, _g1_2, _g2_2, _g3_2)
-            _doubt_2, _earliest_delay_2 = tied(_time_2, _when_2, _delay_2, _earliest_delay_2, _doubt_2, _arrives_2)
+            _undecided_time_2, _earliest_delay_2 = tie_undecided(_time_2, _when_2, _delay_2, _earliest_delay_2, _undecided_time_2, _arrives_2)
             _when_2, _which_2 = earliest(1.0, _time_2, _when_2, _which_2, _arrives_2)
-            _doubt_1, _earliest_delay_1, _when_1, _which_1 = _put(_rows5, _count4, (_doubt_1, _earliest_delay_1, _when_1, _which_1,), (_doubt_2, _earliest_delay_2, _when_2, _which_2,), _possible_1)
+            _earliest_delay_1, _undecided_time_1, _when_1, _which_1 = _put(_rows5, _count4, (_earliest_delay_1, _undecided_time_1, _when_1, _which_1,), (_earliest_delay_2, _undecided_time_2, _when_2, _which_2,), _possible_1)
         _leaving_1, = left(2.0, _last_1)
         _time_1, _rate_1, _bend_1, _apex_1, _height_1 = bridge_arrival(_leaving_1, _z_1, _vz_1, _p_ball_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
-        _arrives_1, _ceiling_1, _nearest_1 = meeting_plane(_rate_1, _bend_1, _apex_1, _time_1)
+        _arrives_1, _ceiling_1, _nearest_1 = plane_root(_rate_1, _bend_1, _apex_1, _time_1)
         _margin_1, = bridge_margin(_nearest_1, _extent_1, _speed_1, _double(_position_error_1), _double(_velocity_error_1), _p_ball_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
         _clearance_1, _delay_1 = crossing(_margin_1, 0.0, _rate_1, _ceiling_1, _room_1)
         _possible_1, = within_time(_time_1, _when_1, _delay_1, _earliest_delay_1, _arrives_1)
-        _doubt_1, = grazed(_margin_1, _apex_1, _height_1, _doubt_1)
+        _undecided_time_1, = graze_undecided(_margin_1, _apex_1, _height_1, _undecided_time_1)
         _rows7, _count8 = _most(_possible_1, _count4)
         if _count8:
-            _clearance_2, _delay_2, _doubt_2, _earliest_delay_2, _extent_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_top_2, _p_bridge_half_width_2, _p_end_depth_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _position_error_2, _speed_2, _time_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _when_2, _which_2, _x_2, _y_2, _z_2 = _taken(_rows7, _clearance_1, _delay_1, _doubt_1, _earliest_delay_1, _extent_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_top_1, _p_bridge_half_width_1, _p_end_depth_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _position_error_1, _speed_1, _time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _when_1, _which_1, _x_1, _y_1, _z_1)
+            _clearance_2, _delay_2, _earliest_delay_2, _extent_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_top_2, _p_bridge_half_width_2, _p_end_depth_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _position_error_2, _speed_2, _time_2, _undecided_time_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _when_2, _which_2, _x_2, _y_2, _z_2 = _taken(_rows7, _clearance_1, _delay_1, _earliest_delay_1, _extent_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_top_1, _p_bridge_half_width_1, _p_end_depth_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _position_error_1, _speed_1, _time_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _when_1, _which_1, _x_1, _y_1, _z_1)
             _room_2 = room(_count8)
             _there_x_2, _there_y_2, *_ = flight(_time_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _p_gravity_2, _room_2)
             _g0_2, _g1_2, _g2_2, _g3_2, _g4_2 = bridge_bounds(_there_x_2, _there_y_2, _p_ring_radius_2, _p_board_distance_2, _p_bridge_half_width_2, _room_2)
             _slack_2, = displacement(_delay_2, _time_2, _extent_2, _speed_2, _double(_position_error_2), _double(_velocity_error_2), _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_board_distance_2, _p_board_half_width_2, _p_board_bottom_2, _p_board_top_2, _p_bridge_half_width_2, _p_gravity_2, _p_end_depth_2, _room_2)
-            _unsure_2, = bridge_edges(_clearance_2, _slack_2, _g0_2, _g1_2, _g2_2, _g3_2, _g4_2)
-            _doubt_2, = questioned(_time_2, _doubt_2, _unsure_2)
+            _undecided_2, = bridge_edges(_clearance_2, _slack_2, _g0_2, _g1_2, _g2_2, _g3_2, _g4_2)
+            _undecided_time_2, = predicate_undecided(_time_2, _undecided_time_2, _undecided_2)
             _arrives_2, = bridge_within(_g0_2, _g1_2, _g2_2, _g3_2, _g4_2)
-            _doubt_2, _earliest_delay_2 = tied(_time_2, _when_2, _delay_2, _earliest_delay_2, _doubt_2, _arrives_2)
+            _undecided_time_2, _earliest_delay_2 = tie_undecided(_time_2, _when_2, _delay_2, _earliest_delay_2, _undecided_time_2, _arrives_2)
             _when_2, _which_2 = earliest(2.0, _time_2, _when_2, _which_2, _arrives_2)
-            _doubt_1, _earliest_delay_1, _when_1, _which_1 = _put(_rows7, _count4, (_doubt_1, _earliest_delay_1, _when_1, _which_1,), (_doubt_2, _earliest_delay_2, _when_2, _which_2,), _possible_1)
-        _doubt_0, _earliest_delay_0, _when_0, _which_0 = _put(_rows3, shots, (_doubt_0, _earliest_delay_0, _when_0, _which_0,), (_doubt_1, _earliest_delay_1, _when_1, _which_1,))
+            _earliest_delay_1, _undecided_time_1, _when_1, _which_1 = _put(_rows7, _count4, (_earliest_delay_1, _undecided_time_1, _when_1, _which_1,), (_earliest_delay_2, _undecided_time_2, _when_2, _which_2,), _possible_1)
+        _earliest_delay_0, _undecided_time_0, _when_0, _which_0 = _put(_rows3, shots, (_earliest_delay_0, _undecided_time_0, _when_0, _which_0,), (_earliest_delay_1, _undecided_time_1, _when_1, _which_1,))
     _until_0, _pad_0 = horizon(_when_0, _speed_0, _p_gravity_0)
     _clear_0, = ring_clear(_until_0, _x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _extent_0, _speed_0, _double(_position_error_0), _double(_velocity_error_0), _p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_gravity_0, _room_0)
     _open_0, = opens(_clear_0)
     _rows9, _count10 = _rows(_open_0, shots)
     if (0 < _count10) and (_count10 <= ALONE):
-        _doubt_0, _earliest_delay_0, _when_0, _which_0 = _copies(shots, _doubt_0, _earliest_delay_0, _when_0, _which_0)
-        _one_by_one(_alone5, _rows9, _rows9, (_doubt_0, _earliest_delay_0, _extent_0, _last_0, _p_ball_radius_0, _p_gravity_0, _p_ring_radius_0, _p_wire_radius_0, _pad_0, _position_error_0, _speed_0, _until_0, _velocity_error_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _x_0, _y_0, _z_0,), (), (_doubt_0, _earliest_delay_0, _when_0, _which_0,))
+        _earliest_delay_0, _undecided_time_0, _when_0, _which_0 = _copies(shots, _earliest_delay_0, _undecided_time_0, _when_0, _which_0)
+        _one_by_one(_alone5, _rows9, _rows9, (_earliest_delay_0, _extent_0, _last_0, _p_ball_radius_0, _p_gravity_0, _p_ring_radius_0, _p_wire_radius_0, _pad_0, _position_error_0, _speed_0, _undecided_time_0, _until_0, _velocity_error_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _x_0, _y_0, _z_0,), (), (_earliest_delay_0, _undecided_time_0, _when_0, _which_0,))
     elif _count10:
-        _doubt_1, _earliest_delay_1, _extent_1, _last_1, _p_ball_radius_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _pad_1, _position_error_1, _speed_1, _until_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _when_1, _which_1, _x_1, _y_1, _z_1 = _taken(_rows9, _doubt_0, _earliest_delay_0, _extent_0, _last_0, _p_ball_radius_0, _p_gravity_0, _p_ring_radius_0, _p_wire_radius_0, _pad_0, _position_error_0, _speed_0, _until_0, _velocity_error_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _x_0, _y_0, _z_0)
+        _earliest_delay_1, _extent_1, _last_1, _p_ball_radius_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _pad_1, _position_error_1, _speed_1, _undecided_time_1, _until_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _when_1, _which_1, _x_1, _y_1, _z_1 = _taken(_rows9, _earliest_delay_0, _extent_0, _last_0, _p_ball_radius_0, _p_gravity_0, _p_ring_radius_0, _p_wire_radius_0, _pad_0, _position_error_0, _speed_0, _undecided_time_0, _until_0, _velocity_error_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _x_0, _y_0, _z_0)
         _room_1 = room(_count10)
         _share_1, _arrival_1, _certain_1 = beginning()
         _leaving_1, = left(0.0, _last_1)
@@ -3733,7 +3733,7 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _stepping_1, _searching_1, _single_precision_1, _ceiling_1, _flat_1, _tilt_1, _allowing_1 = coarse(_double(_short_rate_margin_1), _double(_short_flat_1), _double(_short_ceiling_1), _double(_short_share_1), _searching_1, _representable_1, _fits_1)
         _, _, _excess_1 = allowance(_allowing_1, _latest_1, _extent_1, _speed_1, _double(_position_error_1), _double(_velocity_error_1), _p_gravity_1, _room_1)
         _budget_exceeded_1, = ring_budget_exceeded(_until_1, _extent_1, _speed_1, _double(_position_error_1), _double(_velocity_error_1), _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
-        _doubt_1, = out_of_budget(_pad_1, _budget_exceeded_1, _earliest_delay_1, _doubt_1, _excess_1)
+        _undecided_time_1, = out_of_budget(_pad_1, _budget_exceeded_1, _earliest_delay_1, _undecided_time_1, _excess_1)
         _rows11, _count12 = _most(_stepping_1, _count10)
         if _count12:
             _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _short_ceiling_2, _short_end_2, _short_energy2_2, _short_flat_2, _short_high1_2, _short_high2_2, _short_jerk_2, _short_low1_2, _short_low2_2, _short_moment2_2, _short_quotient_margin_2, _short_rate_margin_2, _short_rho_rate_2, _short_rho_start_2, _short_start_rate_2, _short_t_2, _short_tilt_2, _short_vx_2, _short_vy_2, _short_vz_2, _short_x_2, _short_y_2, _short_z_2 = _taken(_rows11, _p_ball_radius_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _short_ceiling_1, _short_end_1, _short_energy2_1, _short_flat_1, _short_high1_1, _short_high2_1, _short_jerk_1, _short_low1_1, _short_low2_1, _short_moment2_1, _short_quotient_margin_1, _short_rate_margin_1, _short_rho_rate_1, _short_rho_start_1, _short_start_rate_1, _short_t_1, _short_tilt_1, _short_vx_1, _short_vy_1, _short_vz_1, _short_x_1, _short_y_1, _short_z_1)
@@ -3768,10 +3768,10 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _arrival_1, _t_1, _searching_1 = stepped(_arrival_1, _double(_short_t_1), _searching_1, _since_1, _single_precision_1, _certain_1)
         _rows17, _count18 = _rows(_searching_1, _count10)
         if (0 < _count18) and (_count18 <= ALONE):
-            _arrival_1, _ceiling_1, _certain_1, _doubt_1, _flat_1, _latest_1, _rho_start_1, _tilt_1 = _copies(_count10, _arrival_1, _ceiling_1, _certain_1, _doubt_1, _flat_1, _latest_1, _rho_start_1, _tilt_1)
-            _one_by_one(_alone7, _rows17, _rows17, (_arrival_1, _certain_1, _doubt_1, _extent_1, _last_1, _p_ball_radius_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _position_error_1, _share_1, _speed_1, _t_1, _until_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1,), (), (_arrival_1, _ceiling_1, _certain_1, _doubt_1, _flat_1, _latest_1, _rho_start_1, _tilt_1,))
+            _arrival_1, _ceiling_1, _certain_1, _flat_1, _latest_1, _rho_start_1, _tilt_1, _undecided_time_1 = _copies(_count10, _arrival_1, _ceiling_1, _certain_1, _flat_1, _latest_1, _rho_start_1, _tilt_1, _undecided_time_1)
+            _one_by_one(_alone7, _rows17, _rows17, (_arrival_1, _certain_1, _extent_1, _last_1, _p_ball_radius_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _position_error_1, _share_1, _speed_1, _t_1, _undecided_time_1, _until_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1,), (), (_arrival_1, _ceiling_1, _certain_1, _flat_1, _latest_1, _rho_start_1, _tilt_1, _undecided_time_1,))
         elif _count18:
-            _arrival_2, _certain_2, _doubt_2, _extent_2, _last_2, _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _position_error_2, _share_2, _speed_2, _t_2, _until_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows17, _arrival_1, _certain_1, _doubt_1, _extent_1, _last_1, _p_ball_radius_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _position_error_1, _share_1, _speed_1, _t_1, _until_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
+            _arrival_2, _certain_2, _extent_2, _last_2, _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _position_error_2, _share_2, _speed_2, _t_2, _undecided_time_2, _until_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows17, _arrival_1, _certain_1, _extent_1, _last_1, _p_ball_radius_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _position_error_1, _share_1, _speed_1, _t_1, _undecided_time_1, _until_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
             _room_2 = room(_count18)
             _energy2_2, _moment2_2, _rho_start_2, _low0_2, _high0_2, _low1_2, _high1_2, _low2_2, _high2_2, _ceiling_2, _latest_2, *_ = ring_prepare(_until_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _extent_2, _speed_2, _double(_position_error_2), _double(_velocity_error_2), _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
             _position_level_2, _velocity_level_2, *_ = allowance(_share_2, _latest_2, _extent_2, _speed_2, _double(_position_error_2), _double(_velocity_error_2), _p_gravity_2, _room_2)
@@ -3779,27 +3779,27 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             _t_2, _end_2, _searching_2 = ring_enter(_t_2, 0.0, _t_2, _low0_2, _low1_2, _low2_2, _high0_2, _high1_2, _high2_2, _room_2)
             _rows19, _count20 = _rows(_searching_2, _count18)
             if (0 < _count20) and (_count20 <= ALONE):
-                _arrival_2, _certain_2, _doubt_2, _flat_2, _searching_2, _t_2, _tilt_2 = _copies(_count18, _arrival_2, _certain_2, _doubt_2, _flat_2, _searching_2, _t_2, _tilt_2)
-                _one_by_one(_alone8, _rows19, _rows19, (_arrival_2, _ceiling_2, _certain_2, _doubt_2, _end_2, _energy2_2, _flat_2, _last_2, _moment2_2, _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _rate_slack_2, _rho_start_2, _searching_2, _share_2, _t_2, _tilt_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2, _extent_2, _high0_2, _high1_2, _high2_2, _latest_2, _low0_2, _low1_2, _low2_2, _position_error_2, _speed_2, _velocity_error_2,), (), (_arrival_2, _certain_2, _doubt_2, _flat_2, _searching_2, _t_2, _tilt_2,), 201)
+                _arrival_2, _certain_2, _flat_2, _searching_2, _t_2, _tilt_2, _undecided_time_2 = _copies(_count18, _arrival_2, _certain_2, _flat_2, _searching_2, _t_2, _tilt_2, _undecided_time_2)
+                _one_by_one(_alone8, _rows19, _rows19, (_arrival_2, _ceiling_2, _certain_2, _end_2, _energy2_2, _flat_2, _last_2, _moment2_2, _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _rate_slack_2, _rho_start_2, _searching_2, _share_2, _t_2, _tilt_2, _undecided_time_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2, _extent_2, _high0_2, _high1_2, _high2_2, _latest_2, _low0_2, _low1_2, _low2_2, _position_error_2, _speed_2, _velocity_error_2,), (), (_arrival_2, _certain_2, _flat_2, _searching_2, _t_2, _tilt_2, _undecided_time_2,), 201)
             elif _count20:
-                _arrival_3, _ceiling_3, _certain_3, _doubt_3, _end_3, _energy2_3, _flat_3, _last_3, _moment2_3, _p_ball_radius_3, _p_gravity_3, _p_ring_radius_3, _p_wire_radius_3, _rate_slack_3, _rho_start_3, _searching_3, _share_3, _t_3, _tilt_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_rows19, _arrival_2, _ceiling_2, _certain_2, _doubt_2, _end_2, _energy2_2, _flat_2, _last_2, _moment2_2, _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _rate_slack_2, _rho_start_2, _searching_2, _share_2, _t_2, _tilt_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
-                _arrival_2, _certain_2, _doubt_2, _flat_2, _searching_2, _t_2, _tilt_2 = _copies(_count18, _arrival_2, _certain_2, _doubt_2, _flat_2, _searching_2, _t_2, _tilt_2)
+                _arrival_3, _ceiling_3, _certain_3, _end_3, _energy2_3, _flat_3, _last_3, _moment2_3, _p_ball_radius_3, _p_gravity_3, _p_ring_radius_3, _p_wire_radius_3, _rate_slack_3, _rho_start_3, _searching_3, _share_3, _t_3, _tilt_3, _undecided_time_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_rows19, _arrival_2, _ceiling_2, _certain_2, _end_2, _energy2_2, _flat_2, _last_2, _moment2_2, _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _rate_slack_2, _rho_start_2, _searching_2, _share_2, _t_2, _tilt_2, _undecided_time_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
+                _arrival_2, _certain_2, _flat_2, _searching_2, _t_2, _tilt_2, _undecided_time_2 = _copies(_count18, _arrival_2, _certain_2, _flat_2, _searching_2, _t_2, _tilt_2, _undecided_time_2)
                 for _turn21 in range(201):
                     _room_3 = room(_count20)
                     _leaving_3, _margin_3 = nearby(_t_3, _flat_3, _tilt_3, 0.0, _last_3)
                     _gap_3, _rate_3, _bend_3, _step_3, _next_3, _clearance_3 = ring_advance(_t_3, _end_3, _leaving_3, _margin_3, _rate_slack_3, _ceiling_3, _x_3, _y_3, _z_3, _vx_3, _vy_3, _vz_3, _energy2_3, _moment2_3, _rho_start_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _p_gravity_3, _room_3)
-                    _hit_3, _sure_3, _needs_refinement_3 = struck(_gap_3, _rate_3, _bend_3, _margin_3, _rate_slack_3, _clearance_3, _share_3)
+                    _hit_3, _sure_3, _needs_refinement_3 = gap_closes(_gap_3, _rate_3, _bend_3, _margin_3, _rate_slack_3, _clearance_3, _share_3)
                     _rows22, _count23 = _most(_needs_refinement_3, _count20)
                     if _count23:
                         _far = _of(_rows19, _rows22)
                         _extent_4, _latest_4, _position_error_4, _speed_4, _velocity_error_4 = _taken(_far, _extent_2, _latest_2, _position_error_2, _speed_2, _velocity_error_2)
-                        _doubt_4, _p_ball_radius_4, _p_gravity_4, _p_ring_radius_4, _p_wire_radius_4, _share_4, _t_4 = _taken(_rows22, _doubt_3, _p_ball_radius_3, _p_gravity_3, _p_ring_radius_3, _p_wire_radius_3, _share_3, _t_3)
+                        _p_ball_radius_4, _p_gravity_4, _p_ring_radius_4, _p_wire_radius_4, _share_4, _t_4, _undecided_time_4 = _taken(_rows22, _p_ball_radius_3, _p_gravity_3, _p_ring_radius_3, _p_wire_radius_3, _share_3, _t_3, _undecided_time_3)
                         _room_4 = room(_count23)
-                        _share_4, = finer(_share_4)
+                        _share_4, = smaller_budget(_share_4)
                         _position_level_4, _velocity_level_4, _excess_4 = allowance(_share_4, _latest_4, _extent_4, _speed_4, _double(_position_error_4), _double(_velocity_error_4), _p_gravity_4, _room_4)
                         _flat_4, _tilt_4, _rate_slack_4 = ring_margins(_latest_4, _extent_4, _speed_4, _position_level_4, _velocity_level_4, _p_ball_radius_4, _p_ring_radius_4, _p_wire_radius_4, _p_gravity_4, _room_4)
-                        _doubt_4, = exceeded(_t_4, _doubt_4, _excess_4)
-                        _doubt_3, _flat_3, _rate_slack_3, _share_3, _tilt_3 = _put(_rows22, _count20, (_doubt_3, _flat_3, _rate_slack_3, _share_3, _tilt_3,), (_doubt_4, _flat_4, _rate_slack_4, _share_4, _tilt_4,), _needs_refinement_3)
+                        _undecided_time_4, = budget_undecided(_t_4, _undecided_time_4, _excess_4)
+                        _flat_3, _rate_slack_3, _share_3, _tilt_3, _undecided_time_3 = _put(_rows22, _count20, (_flat_3, _rate_slack_3, _share_3, _tilt_3, _undecided_time_3,), (_flat_4, _rate_slack_4, _share_4, _tilt_4, _undecided_time_4,), _needs_refinement_3)
                     _arrival_3, _certain_3, _exhausted_3, _searching_3, _t_3 = advanced(_t_3, _end_3, _step_3, _next_3, _arrival_3, _hit_3, _sure_3, _needs_refinement_3, _certain_3)
                     _rows24, _count25 = _most(_exhausted_3, _count20)
                     if _count25:
@@ -3813,19 +3813,19 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                     if len(_going26) == _count20:
                         continue
                     _done = _where_true(_logical_not(_searching_3))
-                    _store((_arrival_2, _certain_2, _doubt_2, _flat_2, _searching_2, _t_2, _tilt_2,), _of(_rows19, _done), (_arrival_3, _certain_3, _doubt_3, _flat_3, _searching_3, _t_3, _tilt_3,), _done)
+                    _store((_arrival_2, _certain_2, _flat_2, _searching_2, _t_2, _tilt_2, _undecided_time_2,), _of(_rows19, _done), (_arrival_3, _certain_3, _flat_3, _searching_3, _t_3, _tilt_3, _undecided_time_3,), _done)
                     _rows19 = _of(_rows19, _going26)
                     _count20 = len(_going26)
                     if _count20 == 0:
                         break
                     if _count20 <= ALONE:
-                        _one_by_one(_alone8, _rows19, _going26, (_arrival_3, _ceiling_3, _certain_3, _doubt_3, _end_3, _energy2_3, _flat_3, _last_3, _moment2_3, _p_ball_radius_3, _p_gravity_3, _p_ring_radius_3, _p_wire_radius_3, _rate_slack_3, _rho_start_3, _searching_3, _share_3, _t_3, _tilt_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3,), (_extent_2, _high0_2, _high1_2, _high2_2, _latest_2, _low0_2, _low1_2, _low2_2, _position_error_2, _speed_2, _velocity_error_2,), (_arrival_2, _certain_2, _doubt_2, _flat_2, _searching_2, _t_2, _tilt_2,), 200 - _turn21)
+                        _one_by_one(_alone8, _rows19, _going26, (_arrival_3, _ceiling_3, _certain_3, _end_3, _energy2_3, _flat_3, _last_3, _moment2_3, _p_ball_radius_3, _p_gravity_3, _p_ring_radius_3, _p_wire_radius_3, _rate_slack_3, _rho_start_3, _searching_3, _share_3, _t_3, _tilt_3, _undecided_time_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3,), (_extent_2, _high0_2, _high1_2, _high2_2, _latest_2, _low0_2, _low1_2, _low2_2, _position_error_2, _speed_2, _velocity_error_2,), (_arrival_2, _certain_2, _flat_2, _searching_2, _t_2, _tilt_2, _undecided_time_2,), 200 - _turn21)
                         break
-                    _arrival_3, _ceiling_3, _certain_3, _doubt_3, _end_3, _energy2_3, _flat_3, _last_3, _moment2_3, _p_ball_radius_3, _p_gravity_3, _p_ring_radius_3, _p_wire_radius_3, _rate_slack_3, _rho_start_3, _searching_3, _share_3, _t_3, _tilt_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_going26, _arrival_3, _ceiling_3, _certain_3, _doubt_3, _end_3, _energy2_3, _flat_3, _last_3, _moment2_3, _p_ball_radius_3, _p_gravity_3, _p_ring_radius_3, _p_wire_radius_3, _rate_slack_3, _rho_start_3, _searching_3, _share_3, _t_3, _tilt_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3)
+                    _arrival_3, _ceiling_3, _certain_3, _end_3, _energy2_3, _flat_3, _last_3, _moment2_3, _p_ball_radius_3, _p_gravity_3, _p_ring_radius_3, _p_wire_radius_3, _rate_slack_3, _rho_start_3, _searching_3, _share_3, _t_3, _tilt_3, _undecided_time_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_going26, _arrival_3, _ceiling_3, _certain_3, _end_3, _energy2_3, _flat_3, _last_3, _moment2_3, _p_ball_radius_3, _p_gravity_3, _p_ring_radius_3, _p_wire_radius_3, _rate_slack_3, _rho_start_3, _searching_3, _share_3, _t_3, _tilt_3, _undecided_time_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3)
                 else:
-                    _store((_arrival_2, _certain_2, _doubt_2, _flat_2, _searching_2, _t_2, _tilt_2,), _rows19, (_arrival_3, _certain_3, _doubt_3, _flat_3, _searching_3, _t_3, _tilt_3,), None)
-            _doubt_2, = questioned(_t_2, _doubt_2, _searching_2)
-            _arrival_1, _ceiling_1, _certain_1, _doubt_1, _flat_1, _latest_1, _rho_start_1, _tilt_1 = _put(_rows17, _count10, (_arrival_1, _ceiling_1, _certain_1, _doubt_1, _flat_1, _latest_1, _rho_start_1, _tilt_1,), (_arrival_2, _ceiling_2, _certain_2, _doubt_2, _flat_2, _latest_2, _rho_start_2, _tilt_2,))
+                    _store((_arrival_2, _certain_2, _flat_2, _searching_2, _t_2, _tilt_2, _undecided_time_2,), _rows19, (_arrival_3, _certain_3, _flat_3, _searching_3, _t_3, _tilt_3, _undecided_time_3,), None)
+            _undecided_time_2, = predicate_undecided(_t_2, _undecided_time_2, _searching_2)
+            _arrival_1, _ceiling_1, _certain_1, _flat_1, _latest_1, _rho_start_1, _tilt_1, _undecided_time_1 = _put(_rows17, _count10, (_arrival_1, _ceiling_1, _certain_1, _flat_1, _latest_1, _rho_start_1, _tilt_1, _undecided_time_1,), (_arrival_2, _ceiling_2, _certain_2, _flat_2, _latest_2, _rho_start_2, _tilt_2, _undecided_time_2,))
         _arrives_1, _refining_1, _rate_1 = found(_arrival_1)
         _leaving_1, *_ = nearby(_arrival_1, _flat_1, _tilt_1, 0.0, _last_1)
         _rows27, _count28 = _most(_refining_1, _count10)
@@ -3833,14 +3833,14 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _rho_start_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows27, _arrival_1, _ceiling_1, _certain_1, _leaving_1, _p_ball_radius_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _rho_start_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
             _room_2 = room(_count28)
             _refined_2, _gap_2, _rate_2 = ring_refine(_arrival_2, _leaving_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _rho_start_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
-            _arrival_2, _refining_2 = polished(_gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
+            _arrival_2, _refining_2 = refined_root(_gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
             _arrival_1, _rate_1, _refining_1 = _put(_rows27, _count10, (_arrival_1, _rate_1, _refining_1,), (_arrival_2, _rate_2, _refining_2,), _refining_1)
         _rows29, _count30 = _most(_refining_1, _count10)
         if _count30:
             _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _rho_start_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows29, _arrival_1, _ceiling_1, _certain_1, _leaving_1, _p_ball_radius_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _rho_start_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
             _room_2 = room(_count30)
             _refined_2, _gap_2, _rate_2 = ring_refine(_arrival_2, _leaving_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _rho_start_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
-            _arrival_2, _refining_2 = polished(_gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
+            _arrival_2, _refining_2 = refined_root(_gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
             _arrival_1, _rate_1, _refining_1 = _put(_rows29, _count10, (_arrival_1, _rate_1, _refining_1,), (_arrival_2, _rate_2, _refining_2,), _refining_1)
         _rows31, _count32 = _rows(_refining_1, _count10)
         if (0 < _count32) and (_count32 <= ALONE):
@@ -3852,7 +3852,7 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             for _turn33 in range(8):
                 _room_2 = room(_count32)
                 _refined_2, _gap_2, _rate_2 = ring_refine(_arrival_2, _leaving_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _rho_start_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
-                _arrival_2, _refining_2 = polished(_gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
+                _arrival_2, _refining_2 = refined_root(_gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
                 _going34 = _where_true(_refining_2)
                 if len(_going34) == _count32:
                     continue
@@ -3871,18 +3871,18 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _flat_1, _tilt_1, _rate_margin_1 = ring_margins(_latest_1, _extent_1, _speed_1, _double(_position_error_1), _double(_velocity_error_1), _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
         _margin_1, = own_margin(_leaving_1, _flat_1, _tilt_1, _arrival_1)
         _clearance_1, _delay_1 = crossing(_margin_1, _rate_margin_1, _rate_1, _ceiling_1, _room_1)
-        _time_1, = landed(_arrival_1)
-        _delay_1, _doubt_1 = landed_surely(_clearance_1, _time_1, _delay_1, _doubt_1, _arrives_1, _certain_1)
-        _doubt_1, _earliest_delay_1 = tied(_time_1, _when_1, _delay_1, _earliest_delay_1, _doubt_1, _arrives_1)
+        _time_1, = arrival_time(_arrival_1)
+        _delay_1, _undecided_time_1 = certain_arrival(_clearance_1, _time_1, _delay_1, _undecided_time_1, _arrives_1, _certain_1)
+        _undecided_time_1, _earliest_delay_1 = tie_undecided(_time_1, _when_1, _delay_1, _earliest_delay_1, _undecided_time_1, _arrives_1)
         _when_1, _which_1 = earliest(0.0, _time_1, _when_1, _which_1, _arrives_1)
-        _doubt_0, _earliest_delay_0, _when_0, _which_0 = _put(_rows9, shots, (_doubt_0, _earliest_delay_0, _when_0, _which_0,), (_doubt_1, _earliest_delay_1, _when_1, _which_1,))
+        _earliest_delay_0, _undecided_time_0, _when_0, _which_0 = _put(_rows9, shots, (_earliest_delay_0, _undecided_time_0, _when_0, _which_0,), (_earliest_delay_1, _undecided_time_1, _when_1, _which_1,))
     _rows35, _count36 = _most(_limited_0, shots)
     if _count36:
-        _clock_1, _doubt_1, _earliest_delay_1, _time_error_1, _time_limit_1, _when_1, _which_1 = _taken(_rows35, _clock_0, _doubt_0, _earliest_delay_0, _time_error_0, _time_limit_0, _when_0, _which_0)
-        _time_1, _delay_1, _arrives_1, _doubt_1 = expiry(_when_1, _which_1, _earliest_delay_1, _doubt_1, _double(_time_error_1), _clock_1, _time_limit_1)
-        _doubt_1, _earliest_delay_1 = tied(_time_1, _when_1, _delay_1, _earliest_delay_1, _doubt_1, _arrives_1)
+        _clock_1, _earliest_delay_1, _time_error_1, _time_limit_1, _undecided_time_1, _when_1, _which_1 = _taken(_rows35, _clock_0, _earliest_delay_0, _time_error_0, _time_limit_0, _undecided_time_0, _when_0, _which_0)
+        _time_1, _delay_1, _arrives_1, _undecided_time_1 = expiry(_when_1, _which_1, _earliest_delay_1, _undecided_time_1, _double(_time_error_1), _clock_1, _time_limit_1)
+        _undecided_time_1, _earliest_delay_1 = tie_undecided(_time_1, _when_1, _delay_1, _earliest_delay_1, _undecided_time_1, _arrives_1)
         _when_1, _which_1 = earliest(4.0, _time_1, _when_1, _which_1, _arrives_1)
-        _doubt_0, _earliest_delay_0, _when_0, _which_0 = _put(_rows35, shots, (_doubt_0, _earliest_delay_0, _when_0, _which_0,), (_doubt_1, _earliest_delay_1, _when_1, _which_1,), _limited_0)
+        _earliest_delay_0, _undecided_time_0, _when_0, _which_0 = _put(_rows35, shots, (_earliest_delay_0, _undecided_time_0, _when_0, _which_0,), (_earliest_delay_1, _undecided_time_1, _when_1, _which_1,), _limited_0)
     _, _moves_0, _ends_0, _touches_0, _reached_0, _edge_0 = departed(3.0, _which_0)
     _body_0, = body_of(_which_0)
     _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1 = flight(_when_0, _x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _p_gravity_0, _room_0)
@@ -3899,7 +3899,7 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
     _reached_1, = end_reached(_g0_1)
     _edge_1, = end_edge(_slack_0, _g0_1)
     _edge_0, _reached_0 = _choose(_here_0, (_edge_1, _reached_1,), (_edge_0, _reached_0,))
-    _uncertain_0, = doubted(_when_0, _earliest_delay_0, _doubt_0, _uncertain_0, _edge_0)
+    _uncertain_0, = flight_undecided(_when_0, _earliest_delay_0, _undecided_time_0, _uncertain_0, _edge_0)
     _contacts_0, _outcome_0 = accounted(_contacts_0, _most_contacts_0, _reached_0, _touches_0)
     columns |= {"body": _body_0, "clock": _clock_0, "contacts": _contacts_0, "earliest_delay": _earliest_delay_0, "ends": _ends_0, "limited": _limited_0, "outcome": _outcome_0, "touches": _touches_0, "uncertain": _uncertain_0, "vx": _vx_0, "vy": _vy_0, "vz": _vz_0, "when": _when_0, "which": _which_0, "x": _x_0, "y": _y_0, "z": _z_0, }
 
@@ -3936,10 +3936,10 @@ def resolve_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _curving_2, = bridge_curvature()
         _curving_1, = _choose(_again_1, (_curving_2,), (_curving_1,))
         _dx_1, _dy_1, _dz_1, _dvx_1, _dvy_1, _dvz_1, _belated_1, _shift_1 = carry_flight(_when_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _nx_1, _ny_1, _nz_1, _clock_1, _contacts_1, _earliest_delay_1, _dx_1, _dy_1, _dz_1, _dvx_1, _dvy_1, _dvz_1, _curving_1, _p_gravity_1, _room_1)
-        _clock_error_1, = delayed(_belated_1, _clock_error_1)
-        _dx_2, _dy_2, _dz_2 = floored(_dx_1, _dy_1, _dz_1, _shift_1)
+        _clock_error_1, = clock_error_sum(_belated_1, _clock_error_1)
+        _dx_2, _dy_2, _dz_2 = error_floor(_dx_1, _dy_1, _dz_1, _shift_1)
         _dx_1, _dy_1, _dz_1 = _choose(_ends_1, (_dx_2, _dy_2, _dz_2,), (_dx_1, _dy_1, _dz_1,))
-        _dnx_1, _dny_1, _dnz_1, _turn_1 = unturned()
+        _dnx_1, _dny_1, _dnz_1, _turn_1 = no_normal_error()
         _here_1, = here(0.0, _which_1)
         _rows3, _count4 = _most(_here_1, _count2)
         if _count4:
@@ -3966,13 +3966,13 @@ def resolve_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
     _rows7, _count8 = _rows(_limited_0, shots)
     if _count8:
         _claims_1, _clock_1, _clock_error_1, _dvx_1, _dvy_1, _dvz_1, _dx_1, _dy_1, _dz_1, _p_gravity_1, _vx_1, _vy_1, _vz_1, _when_1, _which_1, _x_1, _y_1, _z_1 = _taken(_rows7, _claims_0, _clock_0, _clock_error_0, _dvx_0, _dvy_0, _dvz_0, _dx_0, _dy_0, _dz_0, _p_gravity_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _x_0, _y_0, _z_0)
-        _timed_1, = timed(4.0, _which_1, _claims_1)
-        _rows9, _count10 = _most(_timed_1, _count8)
+        _ends_by_time_limit_1, = ends_by_time_limit(4.0, _which_1, _claims_1)
+        _rows9, _count10 = _most(_ends_by_time_limit_1, _count8)
         if _count10:
             _clock_2, _clock_error_2, _dvx_2, _dvy_2, _dvz_2, _dx_2, _dy_2, _dz_2, _p_gravity_2, _vx_2, _vy_2, _vz_2, _when_2, _x_2, _y_2, _z_2 = _taken(_rows9, _clock_1, _clock_error_1, _dvx_1, _dvy_1, _dvz_1, _dx_1, _dy_1, _dz_1, _p_gravity_1, _vx_1, _vy_1, _vz_1, _when_1, _x_1, _y_1, _z_1)
             _room_2 = room(_count10)
             _dx_2, _dy_2, _dz_2, _dvx_2, _dvy_2, _dvz_2, _clock_error_2 = carry_time(_when_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _clock_2, _clock_error_2, _dx_2, _dy_2, _dz_2, _dvx_2, _dvy_2, _dvz_2, _p_gravity_2, _room_2)
-            _clock_error_1, _dvx_1, _dvy_1, _dvz_1, _dx_1, _dy_1, _dz_1 = _put(_rows9, _count8, (_clock_error_1, _dvx_1, _dvy_1, _dvz_1, _dx_1, _dy_1, _dz_1,), (_clock_error_2, _dvx_2, _dvy_2, _dvz_2, _dx_2, _dy_2, _dz_2,), _timed_1)
+            _clock_error_1, _dvx_1, _dvy_1, _dvz_1, _dx_1, _dy_1, _dz_1 = _put(_rows9, _count8, (_clock_error_1, _dvx_1, _dvy_1, _dvz_1, _dx_1, _dy_1, _dz_1,), (_clock_error_2, _dvx_2, _dvy_2, _dvz_2, _dx_2, _dy_2, _dz_2,), _ends_by_time_limit_1)
         _clock_error_0, _dvx_0, _dvy_0, _dvz_0, _dx_0, _dy_0, _dz_0 = _put(_rows7, shots, (_clock_error_0, _dvx_0, _dvy_0, _dvz_0, _dx_0, _dy_0, _dz_0,), (_clock_error_1, _dvx_1, _dvy_1, _dvz_1, _dx_1, _dy_1, _dz_1,))
     _closed_0, _position_claim_0, _velocity_claim_0, _spin_claim_0, _time_claim_0 = closing(_outcome_0, _claims_0)
     _rows11, _count12 = _most(_closed_0, shots)

@@ -38,7 +38,7 @@ cells than the header. In CSV with semicolons or tabs, numbers may have decimal 
         "hoopgen batch releases.csv --out results.parquet --release height=7ft \\",
         "    --release distance=13.75ft --preset nba --measure depth --measure entry_angle",
         "hoopgen batch releases.xlsx --out results.parquet --column speed=release_speed_mph \\",
-        "    --reason --group player --where 'season == 2024' --events contacts.parquet",
+        "    --reason --by player --where 'season == 2024' --events contacts.parquet",
         "hoopgen batch states.arrow --out results.parquet --scheduler tcp://10.0.0.1:8786",
     )
 )
@@ -50,13 +50,21 @@ cells than the header. In CSV with semicolons or tabs, numbers may have decimal 
 )
 @table_options
 @question_options(BatchQuestion)
-def batch(file: Path, out: Path, release: Mapping[str, float], **options: Any) -> None:
+@click.option("--group", hidden=True)
+def batch(
+    file: Path, out: Path, release: Mapping[str, float], group: str | None, **options: Any
+) -> None:
     """Simulate the releases of a table, and write it with the results.
 
     FILE is CSV, Parquet, Arrow or .xlsx, and may be larger than the memory. The same command goes
     on where an interrupted one stopped.
     """
     check_caught(options["measures"])
+    if group is not None:
+        if options["by"] is not None:
+            raise click.UsageError("--group: the old name of --by; give --by alone")
+        click.echo("--group is deprecated: use --by", err=True)
+        options["by"] = group
     options = {name: value for name, value in options.items() if value is not None}
     with shown() as progress:
         outcomes = hoopgen.batch(file, out, release=release, progress=progress, **options)
@@ -69,5 +77,5 @@ def batch(file: Path, out: Path, release: Mapping[str, float], **options: Any) -
     if outcomes.groups:
         from hoopgen.study.tables.groups import groups_text
 
-        echo_lines(f"\n{groups_text(options['group'], outcomes.groups)}\n")
+        echo_lines(f"\n{groups_text(options['by'], outcomes.groups)}\n")
     click.echo(f"scene: {outcomes.scene}")

@@ -37,7 +37,7 @@ if TYPE_CHECKING:
 CLOSE = 1e-3
 """Seconds before the last event of a shot; the events of one body since then share a line."""
 
-FEW = 3
+MAX_LISTED_EVENTS = 3
 """Events on one body, one soon after another, that have a line each."""
 
 
@@ -66,7 +66,7 @@ def _needs(typed: Mapping[str, Any]) -> list[str]:
     type=whole(128),
     default=4096,
     show_default=True,
-    help="Precision at which to give up.",
+    help="Precision, in bits, up to which decisions are tried.",
 )
 @json_option
 @click.pass_context
@@ -128,11 +128,11 @@ def _outcome(proof: Proof, engine: Engine) -> str:
 
 
 def _together(proof: Proof) -> int:
-    """Return how many events at the end are on one body and soon after one another, if many are."""
+    """Return the number of final events on one body in quick succession, 0 if they are few."""
     events = reversed(list(zip(proof.surfaces, proof.times, strict=True)))
     run = takewhile(lambda e: e[0] == proof.surfaces[-1] and e[1] >= proof.until - CLOSE, events)
     count = sum(1 for _ in run)
-    return count if count > FEW else 0
+    return count if count > MAX_LISTED_EVENTS else 0
 
 
 def _summary(proof: Proof, engine: Engine) -> str:

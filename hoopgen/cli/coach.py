@@ -52,7 +52,7 @@ def coach(
     as_json: bool,
     **options: Any,
 ) -> None:
-    """Say what is worth practising most, in feet, mph and rpm.
+    """Find the part of a release that is worth practising most, in feet, mph and rpm.
 
     Each part of the player's spread (speed, arc, left-right, spin) is halved alone, and each habit
     is changed a little. The answer is how many more shots go in, with confidence intervals.

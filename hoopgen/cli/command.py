@@ -141,7 +141,7 @@ class Command(click.Command):
 
 
 def command(name: str | None = None, **attributes: Any) -> Callable[[Callable[..., Any]], Command]:
-    """Return what `click.command` does, for a `Command`; ``needs`` is one of its attributes."""
+    """Return the decorator `click.command` for a `Command`; ``needs`` is one of its attributes."""
     return click.command(name, cls=Command, **attributes)
 
 

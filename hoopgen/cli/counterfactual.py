@@ -65,8 +65,8 @@ def counterfactual(
 ) -> None:
     """Find the smallest changes with which a shot ends otherwise.
 
-    A missed shot goes in with a little more speed, a higher angle or another direction; a made one
-    is lost. Each variable is changed alone.
+    A missed shot goes in with a little more speed, a higher angle or another direction; a made
+    one misses. Each variable is changed alone.
     """
     from hoopgen.study.named_units import in_units
 

@@ -127,7 +127,7 @@ def _axes(dataset: xr.Dataset) -> list[str]:
 
 
 def _shared(dataset: xr.Dataset) -> dict[str, Any]:
-    """Return what else is the same in all cells: scene, scatter, seed, and hoopgen's version."""
+    """Return the values common to all cells: scene, scatter, seed, and hoopgen's version."""
     attributes = dataset.attrs
     scene = json.loads(attributes["parameters"])
     sd = json.loads(attributes.get("sd", "{}"))

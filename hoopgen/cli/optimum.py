@@ -45,7 +45,8 @@ _AIMING = ("speed", "aim", "azimuth")
 @click.option(
     "--versus",
     type=click.Choice(WAYS),
-    help="Find the best shot of this way too, aimed within the usual range; say which is better.",
+    help="Also find the best shot of this kind, aimed within the usual range, and print which is "
+    "better.",
 )
 @picture_option("paths of fresh shots of the best release")
 @units_option

@@ -40,9 +40,10 @@ VARIABLE_HELP: Mapping[str, str] = {
     "height": "Height of the ball's centre above the floor; the ring is at 10 ft = 3.048 m.",
     "distance": "Distance on the floor plan to the centre of the ring.",
     "angle": "Place around the ring: 0 straight in front of the board, positive towards +y.",
-    "aim": "In place of the speed: come down so far past the centre of the ring.",
-    "entry": "In place of the elevation (and, without --aim, the speed): angle of coming down.",
-    "x": "With --y, in place of distance and angle: place on the floor, away from the board.",
+    "aim": "Distance past the ring's centre at which the ball comes down; replaces the speed.",
+    "entry": "Angle at which the ball comes down to the ring; replaces the elevation and, "
+    "without --aim, the speed.",
+    "x": "Place on the floor, away from the board; with --y it replaces distance and angle.",
     "y": "Place on the floor, along the board.",
 }
 """Variables of a release that are options."""
@@ -71,8 +72,8 @@ preset_options = together(
         type=click.Choice(list(PRESETS), case_sensitive=False),
         default="paper",
         show_default=True,
-        help="Ball, ring, board and restitution; a file of results names its own. Of --scene court "
-        "restitution and friction too, of which most are guesses.",
+        help="Set of values of all parameters; a file of results has its own. For --scene "
+        "court it has also friction, and most of its restitutions and frictions are assumed.",
     ),
     click.option(
         "--set",
@@ -100,7 +101,8 @@ def scene_options(command: Callable[..., Any]) -> Callable[..., Any]:
 override_option = click.option(
     "--override",
     is_flag=True,
-    help="Simulate the shots of a file of results as the options say, not as the file does.",
+    help="Simulate the shots of a file of results with the options where the two contradict each "
+    "other.",
 )
 
 reading_options = setting_options(TableSettings, Parsing)

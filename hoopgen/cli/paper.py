@@ -44,7 +44,7 @@ TABLE = "table.txt"
     "formats",
     default="png,svg",
     show_default=True,
-    help="Of the pictures: png, svg, pdf; several with commas.",
+    help="Formats of the pictures: png, svg, pdf; separate several by commas.",
 )
 @click.option("--events", is_flag=True, help="List every event of every shot.")
 @setting_options(Engines)

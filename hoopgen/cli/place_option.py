@@ -77,7 +77,8 @@ place_option = click.option(
     type=PlaceName(),
     expose_value=False,
     callback=_take,
-    help=f"In place of distance and angle: {', '.join(PLACES)}, of the NBA's court or, with "
-    "--preset fiba, of FIBA's; left or right before those with a side, as the shooter sees them.",
+    help=f"Named place, which replaces distance and angle: {', '.join(PLACES)}, on the NBA's "
+    "court or, with --preset fiba, on FIBA's. Put left or right, as the shooter sees it, before a "
+    "place with a side.",
 )
 """``--place``; the command has ``--preset`` and ``--set`` too."""

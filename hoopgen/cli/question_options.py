@@ -148,7 +148,7 @@ def _type(name: str, value: Value) -> Any:
 
 
 def _completion(value: values.Names) -> Callable[..., list[CompletionItem]]:
-    """Return what completes a name for a shell."""
+    """Return the function that completes a name for a shell."""
 
     def complete(_: click.Context, __: click.Parameter, incomplete: str) -> list[CompletionItem]:
         known = value.labels().items()

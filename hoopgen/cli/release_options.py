@@ -64,7 +64,7 @@ _REQUIRED: Mapping[str, str] = {
 
 
 def release_needs(typed: Mapping[str, Any]) -> list[str]:
-    """Return what is missing of a release, of a hoop's or one's own scene, without ``--from``."""
+    """Return the missing options of a release, at a hoop or in any scene, without ``--from``."""
     if "file" in typed or "override" in typed:
         return []  # a file says it; without one, that is said first
     varied = {text.partition("=")[0].strip() for text in typed.get("over", ())}
@@ -81,7 +81,7 @@ def release_needs(typed: Mapping[str, Any]) -> list[str]:
 
 
 def place_needs(typed: Mapping[str, Any]) -> list[str]:
-    """Return what is missing of the places from which both ways in are searched."""
+    """Return the missing options of the places from which both kinds of shots are searched."""
     searched = {"over": ("speed", "elevation"), **({"distance": ""} if "places" in typed else {})}
     return release_needs({**typed, **searched})
 
@@ -312,6 +312,6 @@ _SCATTER = (
         type=CORRELATION,
         multiple=True,
         callback=once,
-        help="Correlation of two that scatter, speed,elevation=-0.3; may be repeated.",
+        help="Correlation of two variables that scatter, speed,elevation=-0.3; may be repeated.",
     ),
 )

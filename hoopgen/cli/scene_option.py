@@ -133,7 +133,7 @@ _scene_option = click.option(
     is_eager=True,
     expose_value=False,
     callback=_read,
-    help="A scene by name, or one of one's own, .toml; --set then changes its parameters.",
+    help="Scene by name, or scene file, .toml; --set then changes its parameters.",
 )
 
 
@@ -192,7 +192,7 @@ def own_options(command: Any) -> Any:
 
 
 def own_needs(typed: Mapping[str, Any], varied: Collection[str] = ()) -> list[str]:
-    """Return what is missing of the state in which a shot of one's own scene is released.
+    """Return the missing components of the state at the release in a scene of your own.
 
     Parameters
     ----------
@@ -213,7 +213,7 @@ def state_is_given(typed: Mapping[str, Any]) -> bool:
 
 
 def shot_needs(typed: Mapping[str, Any]) -> list[str]:
-    """Return what is missing of the release of one shot, where no file says it."""
+    """Return the missing options of the release of one shot without a file."""
     if "file" in typed:
         return []
     if typed.get("scene_name", "hoop") not in BUILT_IN:

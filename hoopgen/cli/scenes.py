@@ -58,8 +58,12 @@ def compile_(scene: str, package: Path | None) -> None:
 
 
 @command(epilog=examples("hoopgen cache --show", "hoopgen cache --clear"))
-@click.option("--show", is_flag=True, help="List what is kept; this is done, too, without options.")
-@click.option("--clear", is_flag=True, help="Remove all of it; scenes are then compiled anew.")
+@click.option(
+    "--show",
+    is_flag=True,
+    help="List the compiled scenes; without options the command does the same.",
+)
+@click.option("--clear", is_flag=True, help="Remove all compiled scenes.")
 def cache(show: bool, clear: bool) -> None:
     """Show or clear the folder of compiled scenes."""
     from hoopgen.scene.cache import clear_store, user_store

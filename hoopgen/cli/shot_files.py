@@ -88,7 +88,7 @@ def _refuse_columns(
 
 
 def reading_of(options: dict[str, Any]) -> ReadingOptions:
-    """Return how a table is read, from the options of `reading_options`, which are taken out."""
+    """Return the reading of a table, from the options of `reading_options`, which are removed."""
     from hoopgen.study.tables.reading import ReadingOptions
 
     return ReadingOptions.from_options(**{name: options.pop(name) for name in READING})

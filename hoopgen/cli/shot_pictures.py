@@ -227,7 +227,7 @@ def _where(there: Landings) -> str:
 
 
 def _caught(sample: _Sample, height: float, work: Mapping[str, Any]) -> dict[str, Spread]:
-    """Return how far rebounds go, when they come down, and where to."""
+    """Return distances, times and directions of rebounds."""
     from hoopgen.study.models.resample import Resample
     from hoopgen.study.statistics.distributions import counts_of, spreads, spreads_of_sample
     from hoopgen.study.statistics.sample import sampled_rows

@@ -14,7 +14,7 @@ from hoopgen.core.event_log import describe_event, number_contacts
 from hoopgen.core.units import display_unit
 from hoopgen.text.tables import NO_BREAK, table
 
-_FEW = 3  # events in a row on one surface that are told one by one
+_MAX_LISTED_EVENTS = 3  # in a row on one surface, each with its own time
 
 
 def surface_name(index: int, surfaces: Sequence[str] = hoopgen.SURFACES) -> str:
@@ -35,7 +35,7 @@ def _runs(events: NDArray[Any]) -> Iterable[str]:
     for surface, run in groupby(events, key=lambda event: int(event["surface"])):
         times = [float(event["time"]) for event in run]
         name = surface_name(surface)
-        if len(times) > _FEW:
+        if len(times) > _MAX_LISTED_EVENTS:
             yield f"{name} ×{len(times)}{NO_BREAK}{times[0]:.3f}–{times[-1]:.3f}"
         else:
             yield from (f"{name}{NO_BREAK}{time:.3f}" for time in times)

@@ -47,19 +47,19 @@ def _print_reference(ctx: click.Context, _: click.Parameter, wanted: bool) -> No
 @click.option(
     "--report",
     type=PAGE,
-    help="Write the report as a page too, .html: one file with all pictures, to print or pass on.",
+    help="Also write the report as a page, .html: one file with all pictures, to print or to send.",
 )
 @limit_option
 @setting_options(Workers)
 @units_option
-@click.option("--check", is_flag=True, help="Say what is wrong with FILE, and compute nothing.")
+@click.option("--check", is_flag=True, help="List the errors in FILE, and compute nothing.")
 @click.option(
     "--reference",
     is_flag=True,
     is_eager=True,
     expose_value=False,
     callback=_print_reference,
-    help="Print what FILE may say, and exit.",
+    help="Print the reference of study files, and exit.",
 )
 def study(
     file: Path,

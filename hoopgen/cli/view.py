@@ -40,9 +40,9 @@ from .types import PAGE, whole
 @click.option(
     "--label",
     metavar="COLUMN",
-    help="What each shot on the page is called; by default its row.",
+    help="Column with the name of each shot on the page; by default its row.",
 )
-@click.option("--title", default="", help="At the top of the page; by default the number of shots.")
+@click.option("--title", default="", help="Title of the page; by default the number of shots.")
 @table_options
 @reading_options
 @setting_options(EstimateQuestion, only="max_contacts")

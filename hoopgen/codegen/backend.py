@@ -165,7 +165,7 @@ class Backend(Protocol):
     def spelling(self) -> Spelling: ...  # noqa: D102
 
     def kernels(self, lowered: LoweredScene) -> Mapping[str, Any]:
-        """Return what the templates are given of the kernels, by key."""
+        """Return the templates' variables for the kernels, by key."""
 
     def loop(self, lowered: LoweredScene, kernels: Mapping[str, Any]) -> Mapping[str, Any]:
-        """Return what the templates are given of the event loop, given what `kernels` returned."""
+        """Return the templates' variables for the event loop, given the result of `kernels`."""

@@ -70,7 +70,7 @@ def _is(file: Path, text: str) -> bool:
 
 
 def check(root: Path) -> list[str]:
-    """Return how generated/ below `root` differs from what would be generated.
+    """Return the differences of generated/ below `root` from a new generation.
 
     Each entry is a missing file, an extra file, or a unified difference; there is none if all is
     as it should be.

@@ -45,7 +45,7 @@ class ElementaryFunction(KernelView):
 
 
 def elementary_context(template: str) -> dict[str, object]:
-    """Return what a template of the elementary functions is given."""
+    """Return the variables of a template of the elementary functions."""
     lowered = [lower(kernel) for kernel in KERNELS]
     return {
         "kernels": [ElementaryFunction(program) for program in lowered],

@@ -165,5 +165,5 @@ class Formatter:
 
 
 def _bare(text: str) -> str:
-    """Return how something is spelled, without the brackets that it has as an operand."""
+    """Return the spelling of an expression without the brackets that it has as an operand."""
     return text[1:-1] if text.startswith("(") else text

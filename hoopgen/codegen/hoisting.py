@@ -115,7 +115,7 @@ def _rest(operations: Sequence[Operation], invariant: Collection[int]) -> Iterat
 
 
 def needed_by(operations: Operations, wanted: Iterable[int]) -> list[int]:
-    """Return what some operations need, in order, and themselves."""
+    """Return operations and all operations that they need, in order."""
     found = set(wanted)
     for k in reversed(range(len(operations.operations))):
         if k in found:

@@ -29,7 +29,7 @@ class Scope:
 
 
 def carried(node: ir.ForEach, after: Iterable[str]) -> set[str]:
-    """Return what is needed where a body ends that is done for each row: after it, or by the next.
+    """Return the variables that are live where a body for each row ends: after it, or in the next.
 
     What it assigns of that is the same variable from row to row.
     """
@@ -42,7 +42,7 @@ def repeats(node: Node) -> bool:
 
 
 def scope(node: ir.If | ir.While, after: Iterable[str]) -> Scope:
-    """Return how a guarded body stands to what is around it, given what is needed after it."""
+    """Return the scope of a guarded body, given the variables that are live after it."""
     assigned = set(writes(node.body))
     gives = assigned & set(after)
     takes = live_in_body(node, gives)

@@ -160,7 +160,7 @@ class Program(Operations):
         return self._lowered[expression]
 
     def _inward(self, expression: sp.Basic) -> Iterator[sp.Basic]:
-        """Yield what is chosen or asked, each after what it is made of.
+        """Yield choices and conditions, each after its parts.
 
         Those of a scene with many bodies lie in each other deeper than functions can.
         """

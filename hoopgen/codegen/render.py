@@ -74,7 +74,7 @@ def derive(scene: Scene) -> LoweredScene:
 
 
 def _context(lowered: LoweredScene, template: str) -> dict[str, Any]:
-    """Return what every template is given."""
+    """Return the variables of every template."""
     scene = lowered.model.scene
     return {
         "scene": scene,
@@ -84,7 +84,7 @@ def _context(lowered: LoweredScene, template: str) -> dict[str, Any]:
 
 
 def _page(lowered: LoweredScene, reference: PageData | None = None) -> dict[str, Any]:
-    """Return what the templates of the pages are given besides."""
+    """Return the additional variables of the templates of the pages."""
     scene = lowered.model.scene
     return {
         "kernels": [KernelView(program) for program in lowered.programs],
@@ -151,7 +151,7 @@ def render_target(lowered: LoweredScene, target: str) -> dict[str, str]:
 
 
 def _of_scene(lowered: LoweredScene) -> dict[str, Any]:
-    """Return what the templates of every target are given of the scene."""
+    """Return the variables of a scene for the templates of every target."""
     scene = lowered.model.scene
     return {
         "size_limits": [size_limits(scene, parameter) for parameter in scene.parameters],
@@ -179,7 +179,7 @@ def _pages(lowered: LoweredScene) -> Iterator[tuple[str, str]]:
 
 
 def _page_path(page: str, scene: Scene) -> str:
-    """Return where a scene's page goes; the name without a scene is the first scene's."""
+    """Return the path of a scene's page; the name without a scene is the first scene's."""
     path = PurePosixPath(page)
     if scene.name == SCENES[0].name:
         return str(path)

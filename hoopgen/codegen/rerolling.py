@@ -163,7 +163,7 @@ class _Rerolled:
     def _step(
         self, index: int, before: int, value: Expression, places: Mapping[str, Expression]
     ) -> Expression:
-        """Return what an operation of a step computes."""
+        """Return the expression of an operation of a step."""
         if index == before:
             return value
         operation = self.program.operations[index]
@@ -250,7 +250,7 @@ def _rolled(steps: Sequence[_Step]) -> list[_Loop]:
 
 
 def _turns(shapes: Sequence[tuple[Shape, int]], start: int, period: int) -> int:
-    """Return how often the steps of a period follow one another."""
+    """Return the number of repetitions of the steps of a period."""
     turns, first = 1, shapes[start : start + period]
     while first == shapes[start + turns * period : start + (turns + 1) * period] != []:
         turns += 1

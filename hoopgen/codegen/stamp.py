@@ -10,7 +10,7 @@ from hoopgen.derive.scenes.scene import Scene
 
 
 def stamp_of(template: str, scene: Scene, derivation: str) -> Callable[[str], str]:
-    """Return what says how a file is made: one of ours, or one of a scene of a user's own."""
+    """Return the stamp of a generated file, for a scene of hoopgen or of a user."""
     tools = f"with SymPy {version('sympy')} and Jinja2 {version('jinja2')}."
     source = f"templates/{template}, scene {scene.name}, derivation {derivation},"
     if scene in SCENES:
@@ -31,7 +31,7 @@ def stamp_of(template: str, scene: Scene, derivation: str) -> Callable[[str], st
 
 
 def shared_stamp_of(template: str, scene: Scene) -> Callable[[str], str]:
-    """Return what says how a file is made that is the same for every scene."""
+    """Return the stamp of a generated file that is the same for every scene."""
     source = f"templates/{template}, the same for every scene, with"
     tool = f"Jinja2 {version('jinja2')}."
     if scene in SCENES:

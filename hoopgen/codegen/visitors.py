@@ -167,7 +167,7 @@ def live_before(statements: Sequence[Statement], after: Iterable[str] = ()) -> s
 
 
 def _live_in_turns(statement: Statement, after: set[str]) -> set[str]:
-    """Return what is needed where a loop or a function begins, for any number of turns."""
+    """Return the variables that are live at the begin of a loop or function, for any turns."""
     own, test = own_declarations(statement), own_reads(statement)
     live: set[str] = set()
     while True:

@@ -80,10 +80,10 @@ class Table:
             The inputs that are computed from parameters; None if there are none.
         """
         usual = {name: default for name, (default, _, _) in kernels.PARAMETERS.items()}
-        return cls.made(usual, kernels.LIMITS, written)
+        return cls.from_defaults(usual, kernels.LIMITS, written)
 
     @classmethod
-    def made(
+    def from_defaults(
         cls,
         taken: Mapping[str, float],
         limits: Mapping[str, tuple[float, float]],

@@ -11,7 +11,7 @@ _LOADERS: list[Callable[[], ModuleType]] = []
 
 
 def register_plotting(load: Callable[[], ModuleType]) -> None:
-    """Let `load` give the module that draws results; it is called when a picture is asked for."""
+    """Register `load`, which returns the module that draws results; pictures call it."""
     _LOADERS[:] = [load]
 
 

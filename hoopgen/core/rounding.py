@@ -9,7 +9,7 @@ from contextlib import contextmanager, suppress
 
 __all__ = ["rounding_to_nearest"]
 
-_ROOM = 256
+_ENVIRONMENT_SIZE = 256
 """Bytes for a floating-point environment of C, more than any platform's takes."""
 
 _TO_NEAREST = 0
@@ -26,7 +26,7 @@ def rounding_to_nearest() -> Iterator[None]:
     if _is_to_nearest():
         yield
         return
-    before = ctypes.create_string_buffer(_ROOM)
+    before = ctypes.create_string_buffer(_ENVIRONMENT_SIZE)
     library = None
     with suppress(OSError, AttributeError):  # where C has no such functions nothing can be set
         library = ctypes.CDLL("ucrtbase" if os.name == "nt" else None)

@@ -259,7 +259,7 @@ class CudaEngine:
         leaving: NDArray[np.int8] | None,
         out: ResultArrays,
     ) -> int:
-        """Return how many shots a launch takes: all whose arrays need no copy, else what fits."""
+        """Return the number of shots of a launch: all if no array needs a copy, else what fits."""
         copied = [states, *parameters, leaving, *out.arrays.values()]
         each = sum(array.nbytes // len(array) for array in copied if isinstance(array, np.ndarray))
         if not each:

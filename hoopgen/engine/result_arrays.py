@@ -115,7 +115,7 @@ class Layout:
         return tuple(sorted(self.results.values(), key=lambda one: order[one.name]))
 
     @property
-    def tallied(self) -> tuple[ResultField, ...]:
+    def counted_results(self) -> tuple[ResultField, ...]:
         """The results of which studies count the shots in which they are not zero."""
         return tuple(result for result in self.results.values() if result.tally)
 

@@ -95,6 +95,13 @@ COURTS: Mapping[str, Court] = MappingProxyType(
 def find_court(name: str | None, parameters: Mapping[str, Any]) -> Court:
     """Return a court by name; without a name, the court of the hoop with these parameters.
 
+    Parameters
+    ----------
+    name
+        "NBA" or "FIBA"; None: the court of the hoop.
+    parameters
+        Parameters of the hoop, SI units.
+
     Raises
     ------
     ValueError
@@ -118,6 +125,13 @@ def lines_of(court: Court, board_distance: float) -> dict[str, NDArray[np.float6
 
     The three-point line and the restricted arc are about the ring's centre, all else is measured
     from the board's front. The arc ends in straight lines up to the plane of the board.
+
+    Parameters
+    ----------
+    court
+        The measures of the court.
+    board_distance
+        Distance of the board's front from the ring's centre, m.
     """
     front, half, side = -board_distance, court.lane / 2.0, court.half_width
     baseline, line = front - court.baseline, front + court.free_throw

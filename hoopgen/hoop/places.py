@@ -73,17 +73,25 @@ def say_on_board(y: float, z: float, parameters: Mapping[str, float]) -> str:
     places = on_board(parameters)
     name = min(places, key=lambda one: math.dist(places[one], (y, z)))
     across, up = y - places[name][0], z - places[name][1]
-    return _said(name, [(up, "above", "below"), (across, "right of", "left of")])
+    return _place_text(name, [(up, "above", "below"), (across, "right of", "left of")])
 
 
 def say_on_ring(past: float, parameters: Mapping[str, float]) -> str:
-    """Say how far past the ring's centre an aim is, m, by the nearest place with a name."""
+    """Return a distance past the ring's centre, m, in words, by the nearest named place.
+
+    Parameters
+    ----------
+    past
+        The distance, m; negative short of the centre.
+    parameters
+        Parameters of the hoop, SI units.
+    """
     places = on_ring(parameters)
     name = min(places, key=lambda one: abs(places[one] - past))
-    return _said(name, [(past - places[name], "past", "short of")])
+    return _place_text(name, [(past - places[name], "past", "short of")])
 
 
-def _said(name: str, ways: list[tuple[float, str, str]]) -> str:
+def _place_text(name: str, ways: list[tuple[float, str, str]]) -> str:
     """Say a place by how far it is from a named one, each way."""
     unit = display_unit("short")
     parts = [

@@ -31,6 +31,13 @@ FROM_ZERO: Mapping[str, str] = MappingProxyType({"speed": "m/s", "distance": "m"
 def from_zero(name: str, values: NDArray[np.float64]) -> NDArray[np.float64]:
     """Return values of an argument in `FROM_ZERO`, NaN for negative ones.
 
+    Parameters
+    ----------
+    name
+        The name of the argument.
+    values
+        Its values, of any shape.
+
     Raises
     ------
     ValueError

@@ -90,6 +90,13 @@ def check_angles(name: str, values: Mapping[str, ArrayLike]) -> None:
 
     The limits are those of `hoopgen.core.validation`.
 
+    Parameters
+    ----------
+    name
+        The argument that errors name.
+    values
+        Values of variables by name, rad and rad/s.
+
     Raises
     ------
     ValueError
@@ -145,7 +152,17 @@ def resolve_variables(
 def make_releases(
     arguments: Mapping[str, NDArray[np.float64]], parameters: Mapping[str, Any], shots: int
 ) -> Releases:
-    """Return so many shots of all arguments of `hoopgen.release`, each one number or (shots,)."""
+    """Return so many shots of all arguments of `hoopgen.release`, each one number or (shots,).
+
+    Parameters
+    ----------
+    arguments
+        All arguments of `hoopgen.release` by name, () or (shots,), SI units.
+    parameters
+        Parameters of the scene.
+    shots
+        The number of shots.
+    """
     return Releases(
         np.broadcast_to(states_of(arguments), (shots, len(STATE))),
         parameters,
@@ -160,6 +177,13 @@ def release_arguments(
 
     Speed through the point aimed at, and the slope that comes down at an angle, are closed forms
     of a flight without contacts. Values broadcast; what is one number remains one.
+
+    Parameters
+    ----------
+    values
+        Values of the variables by name, SI units and rad.
+    gravity
+        Gravity, m/s².
 
     Raises
     ------
@@ -199,6 +223,13 @@ def change_variables(values: Mapping[str, Any], changes: Mapping[str, Any]) -> d
     """Return the variables with some changed: one that stands for another takes its place.
 
     A `speed` drops `aim` and `entry`, an `entry` drops `speed` and `elevation`, and so on.
+
+    Parameters
+    ----------
+    values
+        Values of variables by name.
+    changes
+        New values by name.
     """
     release = ("aim", "entry")
     dropped = {other for name in release if name in changes for other in STANDS_FOR[name]}

@@ -264,7 +264,7 @@ class _Simulator:
         return simulate
 
     def _inputs(self, states: jax.Array, values: Arrays) -> Arrays:
-        """Return what the kernels take, which of some scenes is computed from the parameters."""
+        """Return the kernels' inputs, which some scenes compute from the parameters."""
         table = self._engine.table
         if table.written is None:
             return values
@@ -388,5 +388,5 @@ def _expanded(value: Any, lead: tuple[int, ...]) -> NDArray[np.float64]:
 
 
 def _array_type(shape: tuple[int, ...], dtype: Any = np.float64) -> Any:
-    """Return what tells JAX the shape and the type of an array."""
+    """Return the description of an array's shape and type for JAX."""
     return jax.ShapeDtypeStruct(shape, dtype)  # type: ignore[no-untyped-call]

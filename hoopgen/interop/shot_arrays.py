@@ -44,7 +44,15 @@ class ShotArrays:
 
     @classmethod
     def of(cls, engine: Engine, arrays: Mapping[str, jax.Array]) -> ShotArrays:
-        """Return the results of shots in a scene."""
+        """Return the results of shots in a scene.
+
+        Parameters
+        ----------
+        engine
+            The scene.
+        arrays
+            The results by name, in any order.
+        """
         made = engine.outcomes.__members__.get("MADE")
         # JAX sorts names.
         ordered = {name: arrays[name] for name in engine.layout.results if name in arrays}

@@ -247,7 +247,7 @@ class _Pilot:
             return float(flown.events[0].time) if flown.events else 0.0
 
     def ending(self, box: Bounds, bits: int) -> tuple[Ending | None, str]:
-        """Return how all releases of a box end, or None and why that is not proved."""
+        """Return the common end of all releases in a box, or None and the reason for no proof."""
         with ctx.workprec(bits):
             state = self._state(box)
             own = formulas(self.scene)

@@ -309,7 +309,7 @@ def _name_places(
 
 
 def _legend_handles(axes: Axes, aims: _AimPoints) -> list[Collection]:
-    """Return what the key shows: the verdicts that there are, as they were drawn last."""
+    """Return the entries of the key: the verdicts that occur, as they were drawn last."""
     return [axes.collections[-len(_VERDICTS) + one] for one in np.unique(aims.verdicts)]
 
 

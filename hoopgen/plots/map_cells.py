@@ -142,7 +142,7 @@ class Cells:
         ]
 
     def flat(self) -> Cells:
-        """Return what is drawn: places on the floor as `on_floor` has them, all else as it is."""
+        """Return the cells to draw: places on the floor from `on_floor`, all else unchanged."""
         if self.hoop is None:
             return self
         place = {axis.name: axis for axis in self.axes[:2]}
@@ -166,7 +166,7 @@ class Cells:
         )
 
     def point(self, place: tuple[int, ...]) -> list[float]:
-        """Return where a cell is drawn."""
+        """Return the place at which a cell is drawn."""
         turned = self.hoop is not None and self.axes[0].name == "x"
         return self.flat().at(place[::-1] if turned else place)
 
@@ -177,7 +177,7 @@ class Cells:
         return tuple(int(i) for i in np.unravel_index(np.nanargmax(self.values), self.values.shape))
 
     def at(self, place: tuple[int, ...]) -> list[float]:
-        """Return where a cell is."""
+        """Return the place of a cell."""
         return [float(axis.values[i]) for axis, i in zip(self.axes, place, strict=True)]
 
     def say(self, place: tuple[int, ...]) -> str:
@@ -194,7 +194,7 @@ class Cells:
 
 
 def read_cells(dataset: xr.Dataset, of: str | None = None) -> Cells:
-    """Return what of a map is drawn; arguments and errors as of `plot_map`.
+    """Return the part of a map to draw; arguments and errors as of `plot_map`.
 
     Parameters
     ----------
@@ -357,14 +357,14 @@ def _scene(dataset: xr.Dataset) -> str:
 def _quantity(
     dataset: xr.Dataset, name: str, attributes: Mapping[Any, Any] | None = None
 ) -> Quantity:
-    """Return how a variable of a map is shown: components of a state, x and y too, as they are."""
+    """Return the display of a variable of a map: components of a state, x and y too, unchanged."""
     if name in STATE_UNITS and is_state(map(str, dataset.coords)):
         return Quantity(name, STATE_UNITS[name])
     return quantity(name, attributes)
 
 
 def _format(quantity: Quantity, value: float) -> str:
-    """Name a variable without what is said of its sign, and tell its value."""
+    """Return a variable's name, without the remark on its sign, and its value."""
     return f"{_strip_remark(quantity.name)} {quantity.format(float(quantity.convert(value)))}"
 
 

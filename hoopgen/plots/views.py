@@ -49,7 +49,7 @@ class View:
         return np.asarray(np.asarray(points) @ np.array([self.right, self.up]).T)
 
     def depth(self, points: ArrayLike) -> NDArray[np.float64]:
-        """Return how near to the eye points are; larger is nearer."""
+        """Return the nearness of points to the eye; larger is nearer."""
         return np.asarray((np.asarray(points) @ self.towards - self.middle) * self.near)
 
 

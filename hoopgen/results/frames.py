@@ -104,7 +104,7 @@ def _columns(shots: Shots, rows: Any = slice(None)) -> dict[str, NDArray[Any]]:
 
 
 def _words(shots: Shots) -> dict[str, list[str]]:
-    """Return what the values of columns mean, from 0 on; those below mean nothing."""
+    """Return the meanings of the values of columns, from 0 on; values below have none."""
     flagged = (result for result in _present(shots) if result.flags)
     return {result.name: list(result.flags[-result.first_flag :]) for result in flagged}
 

@@ -176,7 +176,7 @@ class Shots:
     def change_distance(
         self, covariance: ArrayLike | None = None, *, release: Jacobian | None = None
     ) -> NDArray[np.float64]:
-        """Return how far each shot is from a change of each of its decisions, to first order.
+        """Return the first-order distance of each shot from a change of each of its decisions.
 
         The shots are simulated with ``derivatives=`` and with ``record=True``. The distance is in
         the space of the variables of the derivatives, or of those of `release`.

@@ -40,7 +40,7 @@ class Variations(Protocol):
         covariance: ArrayLike | None,
         release: Jacobian | None,
     ) -> NDArray[np.float64]:
-        """Return `Shots.change_distance`, given the event log."""
+        """Return the distances as `Shots.change_distance` does, given the event log."""
 
 
 def derivative_arrays(

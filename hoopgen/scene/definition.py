@@ -51,7 +51,7 @@ def table_of(scene: SceneLike, derived: Scene) -> Table:
         p.name: (float(p.least), float(p.upper)) for p in derived.parameters if p.upper is not None
     }
     taken = {p.name: float(p.default) for p in derived.parameters}
-    return Table.made(taken, limits, scene if isinstance(scene, pieces.Scene) else None)
+    return Table.from_defaults(taken, limits, scene if isinstance(scene, pieces.Scene) else None)
 
 
 def default_max_contacts(scene: Scene) -> int:

@@ -53,7 +53,7 @@ STATES: Mapping[str, Variable] = MappingProxyType(
 
 
 def variables_of(scene: Any) -> Mapping[str, Variable]:
-    """Return what a study of a scene can set, scatter and map over, by name.
+    """Return the variables that a study of a scene can set, scatter and map over, by name.
 
     Where there is a hoop these are the variables of a release, anywhere else the components of a
     state; and the scene's parameters.

@@ -47,7 +47,7 @@ class _Frame:
         return cls(np.stack([first, np.cross(third, first), third]), origin)
 
     def place(self, points: Floats) -> Floats:
-        """Return where points (..., 3) of the frame are in the scene."""
+        """Return points (..., 3) of the frame in the scene's coordinates."""
         return np.asarray(points @ self.axes + self.origin)
 
     def box(self, room: Box) -> Box:
@@ -57,7 +57,7 @@ class _Frame:
         return found.min(axis=0), found.max(axis=0)
 
     def height(self, points: Floats) -> Floats:
-        """Return how far points (..., 3) of the scene are along the third axis."""
+        """Return the coordinates of points (..., 3) of the scene along the third axis."""
         return np.asarray((points - self.origin) @ self.axes[2])
 
 

@@ -71,7 +71,7 @@ def upright(
 
 
 def upright_along(axis: int, sign: int) -> tuple[NDArray[np.float64], tuple[str, str, str]]:
-    """Return what `upright` does for gravity along an axis.
+    """Return the result of `upright` for gravity along an axis.
 
     Parameters
     ----------

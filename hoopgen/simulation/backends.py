@@ -23,6 +23,13 @@ Library = native.Library | CudaEngine
 def find_library(backend: str, scene: CompiledScene) -> Library | None:
     """Return the engine of a backend; None is NumPy.
 
+    Parameters
+    ----------
+    backend
+        Its name, or "auto".
+    scene
+        The scene.
+
     Raises
     ------
     ValueError

@@ -30,6 +30,13 @@ def check_backend(backend: str) -> BackendName:
 def check_fields(fields: str | Iterable[str], scene: CompiledScene) -> tuple[str, ...]:
     """Return the names of the results that are wanted.
 
+    Parameters
+    ----------
+    fields
+        "all", or one or several names.
+    scene
+        The scene.
+
     Raises
     ------
     TypeError, ValueError
@@ -51,6 +58,13 @@ def check_fields(fields: str | Iterable[str], scene: CompiledScene) -> tuple[str
 
 def check_limit(time_limit: float | None, engine: CompiledScene) -> float:
     """Return the time limit of shots in a scene, s; infinity for none.
+
+    Parameters
+    ----------
+    time_limit
+        The caller's limit, s; None: the scene's default.
+    engine
+        The scene.
 
     Raises
     ------

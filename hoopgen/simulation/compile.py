@@ -173,7 +173,7 @@ class _Tools:
     @property
     def identity(self) -> str:
         """The identity that is known without running the compiler."""
-        return self._said(self.compiler.identity if self.compiler else "none")
+        return self._toolchain(self.compiler.identity if self.compiler else "none")
 
     @property
     def whole(self) -> str:
@@ -182,9 +182,9 @@ class _Tools:
 
         compiler = self.compiler
         called = f"{compiler.command} {compiler.version()}" if compiler else "none"
-        return f"{self._said(called)}, hoopgen {version()}"
+        return f"{self._toolchain(called)}, hoopgen {version()}"
 
-    def _said(self, compiler: str) -> str:
+    def _toolchain(self, compiler: str) -> str:
         python = importlib.util.MAGIC_NUMBER.hex()
         versions = f"NumPy {np.__version__}, Python {python}"
         return f"{compiler}; {compilers.FLAGS}; {self.width} lanes, {get_platform()}; {versions}"

@@ -12,7 +12,7 @@ from hoopgen.generated.numpy import court
 from hoopgen.hoop.court import NBA_COURT, PAPER_COURT, PRESETS
 
 from .engine import Engine
-from .hoop import EACH, hoop_releases
+from .hoop import SHOTS_PER_KIND, hoop_releases
 
 if TYPE_CHECKING:
     from hoopgen.derive.scenes.scene import Scene
@@ -39,7 +39,7 @@ def court_shots() -> list[verification.Batch]:
 
     They have the article's law of contact, a law with slip, and one after which balls soon roll.
     """
-    apart = verification.even_numbers(EACH, len(court.STATE))
+    apart = verification.even_numbers(SHOTS_PER_KIND, len(court.STATE))
     own = [np.asarray(centre) + np.asarray(width) * apart for centre, width in _KINDS]
     batches = verification.batches(court, np.concatenate([hoop_releases(), *own]))
     slipping = [float(NBA_COURT[name]) for name in court.PARAMETERS]

@@ -19,9 +19,9 @@ from .engine import Engine
 if TYPE_CHECKING:
     from hoopgen.derive.scenes.scene import Scene
 
-__all__ = ["EACH", "HOOP", "KINDS", "hoop_library", "hoop_releases", "hoop_shots"]
+__all__ = ["SHOTS_PER_KIND", "HOOP", "KINDS", "hoop_library", "hoop_releases", "hoop_shots"]
 
-EACH = 32
+SHOTS_PER_KIND = 32
 """Number of shots of each kind."""
 
 KINDS = (
@@ -45,7 +45,7 @@ KINDS = (
 """A release and the spread of its shots, by kind: x y z, vx vy vz, wx wy wz."""
 
 
-def hoop_releases(each: int = EACH) -> NDArray[np.float64]:
+def hoop_releases(each: int = SHOTS_PER_KIND) -> NDArray[np.float64]:
     """Return releases that meet all that a hoop has, as many of each kind, (n, 9)."""
     apart = verification.even_numbers(each, len(hoop.STATE))
     kinds = [np.asarray(centre) + np.asarray(width) * apart for centre, width in KINDS]

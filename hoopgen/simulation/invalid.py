@@ -131,13 +131,29 @@ def reason(
 
 
 def allowed(scene: CompiledScene, parameters: Mapping[str, float]) -> bool:
-    """Return whether a scene allows these parameters: all of its own in order, one number each."""
+    """Return whether a scene allows these parameters: all of its own in order, one number each.
+
+    Parameters
+    ----------
+    scene
+        The scene.
+    parameters
+        The parameters, SI units.
+    """
     found: bool = _evaluate(scene, "allowed", scene.table.inputs(parameters)) > 0
     return found
 
 
 def not_allowed(scene: CompiledScene, parameters: Mapping[str, float]) -> list[str]:
-    """Return the parameters that make the others allowed if their default replaces them."""
+    """Return the parameters that make the others allowed if their default replaces them.
+
+    Parameters
+    ----------
+    scene
+        The scene.
+    parameters
+        All of its parameters in order, one number each, SI units.
+    """
     usual = scene.table.defaults
     return [n for n in parameters if allowed(scene, {**parameters, n: np.float64(usual[n])})]
 

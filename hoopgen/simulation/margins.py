@@ -146,7 +146,7 @@ class _Margins:
     distance: Floats
 
     def flight(self, rows: Rows, events: NDArray[np.void], duration: Floats, start: Floats) -> None:
-        """Note how near flights come to bodies, and how deep those that touch would go."""
+        """Record the clearance of flights from bodies, and the depth of flights that touch."""
         kernels = self.scene.kernels
         looks = np.linspace(0.0, 1.0, LOOKS) * duration[:, np.newaxis]
         further = np.geomspace(SHORTEST_STAY, 1.0, LOOKS) * self.lasting[rows, np.newaxis]
@@ -169,7 +169,7 @@ class _Margins:
         found: Mapping[str, Any],
         arrival: Floats,
     ) -> None:
-        """Note how far an event is from the edges of its surface, from slip, and from a tie."""
+        """Record an event's distance from the edges of its surface, from slip, and from a tie."""
         kernels = self.scene.kernels
         ended = face in kernels.END_PLANES
         surface = int(events["surface"][0])
@@ -269,7 +269,7 @@ class _Margins:
         beyond: Floats,
         events: NDArray[np.void],
     ) -> None:
-        """Note how deep flights that end at a face would go, if they went on through it."""
+        """Record the depth of flights that end at a face, if continued through it."""
         gap, rate = self._looks(face, rows, beyond)
         nearest = np.abs(gap[:, 0])
         for other in self.scene.kernels.FACES[int(events["surface"][0])]:
@@ -309,7 +309,7 @@ class _Margins:
             self._miss(column, rows, varied, np.asarray(varied["gap"]) > 0.0, bounded)
 
     def _varied(self, face: str, rows: Rows, start: Floats, times: Floats) -> dict[str, Any]:
-        """Return what the kernel of a face says at some times of flights, with variations."""
+        """Return the values of a face's kernel at some times of flights, with variations."""
         given = self.path.given(rows) | dict(zip(VARIATION, start, strict=True)) | {"t": times}
         given |= self.path.call("vary_flight", given)
         given |= self._given(rows, times, varied=given)

@@ -251,6 +251,17 @@ def check_log(
 ) -> None:
     """Refuse an event log that does not fit in memory; arguments as of `simulate`.
 
+    Parameters
+    ----------
+    shots
+        The number of shots.
+    max_contacts
+        The limit on the contacts of a shot.
+    threads
+        The number of threads; None: the processors of this process.
+    scene
+        The scene.
+
     Raises
     ------
     ValueError

@@ -86,6 +86,15 @@ class Variations:
 def root_of_covariance(given: ArrayLike, variables: int, shots: int) -> Floats:
     """Return L of a covariance L L', (1 or n, j, j).
 
+    Parameters
+    ----------
+    given
+        The covariance, (j, j) or (n, j, j).
+    variables
+        j, the number of variables.
+    shots
+        n, the number of shots.
+
     Raises
     ------
     ValueError

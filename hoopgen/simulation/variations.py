@@ -241,7 +241,7 @@ class VariedPath:
         return np.moveaxis(self._variation, (0, 1), (1, 2)), end.T[:, np.newaxis]
 
     def given(self, rows: NDArray[np.intp], varied: bool = True) -> dict[str, Any]:
-        """Return what all kernels may be given, of some shots; else without variations."""
+        """Return the arguments of all kernels for some shots, with or without variations."""
         own = self._inputs if varied else self._parameters
         given = {name: v[..., rows] if np.ndim(v) else v for name, v in own.items()}
         if not varied:

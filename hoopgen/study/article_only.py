@@ -16,8 +16,8 @@ def of_hoop(study: Callable[Given, Found]) -> Callable[Given, Found]:
     """Make a study refuse ``scene=`` of another scene in a line, and take the article's."""
 
     @functools.wraps(study)
-    def asked(*arguments: Given.args, **options: Given.kwargs) -> Found:
+    def of_the_article(*arguments: Given.args, **options: Given.kwargs) -> Found:
         check_article(study.__name__, options.pop("scene", None))
         return study(*arguments, **options)
 
-    return asked
+    return of_the_article

@@ -63,7 +63,7 @@ class Workplace:
         trim(self.chunks, max(chunks_of(shots), self.kept))
 
     def file(self, name: str) -> Path:
-        """Return where a file of the answer is to be written."""
+        """Return the path of a file of the answer."""
         self.store.claim(name)
         return self.store.path / name
 
@@ -167,5 +167,5 @@ class Context:
 
 
 def fenced(found: object) -> str:
-    """Return what is printed of a result, as Markdown that keeps its columns."""
+    """Return the printed form of a result as Markdown that keeps its columns."""
     return f"```text\n{found}\n```"

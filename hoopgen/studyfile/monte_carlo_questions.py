@@ -187,6 +187,6 @@ def ask_batch(context: Context, question: BatchQuestion, **work: Any) -> Batch:
 
 
 def tell_batch(context: Context, question: BatchQuestion, counts: Batch, work: Workplace) -> Answer:
-    """Return how the shots of a table end, each in the table of results."""
+    """Return the outcomes of a table's shots, as in the table of results."""
     text = ", ".join(f"{count:,} {name}" for name, count in counts.items() if count)
     return Answer(f"{format_count(sum(counts.values()), 'shot')}: {text or 'none'}", "", counts)

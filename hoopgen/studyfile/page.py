@@ -82,7 +82,7 @@ class _Section:
 
 
 def check_page() -> Any:
-    """Return what makes the page."""
+    """Return the module of the page's templates, Jinja2."""
     check_markdown()
     return require("jinja2", "a report page")
 
@@ -149,7 +149,7 @@ def _section(context: Context, written: Mapping[str, Any], results: Results) -> 
 
 
 def _setting(context: Context) -> dict[str, str]:
-    """Say what is thrown, by what it is: the scene, the release, its scatter."""
+    """Return the scene, the release and its scatter as text, by name."""
     question = context.question
     if isinstance(question, BatchQuestion | AimQuestion):
         release = {} if isinstance(question, AimQuestion) else context.shared_release
@@ -174,7 +174,7 @@ def _setting(context: Context) -> dict[str, str]:
 
 
 def _options(question: Question, written: Mapping[str, Any]) -> Iterator[tuple[str, str, str]]:
-    """Yield what else a question says: the key, its value, and what that says."""
+    """Yield the other settings of a question: the key, its value, and its meaning."""
     for key, value in written.items():
         if key in _OF_ITSELF:
             continue
@@ -182,17 +182,18 @@ def _options(question: Question, written: Mapping[str, Any]) -> Iterator[tuple[s
         about = next(
             one.help for name, _, one, _ in settings(QUESTIONS[question.kind]) if name == key
         )
-        yield key.replace("_", " "), _clean(_said(said)), about
+        yield key.replace("_", " "), _clean(_value_text(said)), about
 
 
-def _said(value: Any) -> str:
-    """Say a value of a study file, with its units as they are written."""
+def _value_text(value: Any) -> str:
+    """Return a value of a study file as text, with its units as they are written."""
     if isinstance(value, Mapping):
         if set(value) == {"from", "to", "count"}:
-            return f"{_said(value['from'])} to {_said(value['to'])}, {value['count']} values"
-        return "; ".join(f"{key}: {_said(one)}" for key, one in value.items())
+            first, last = _value_text(value["from"]), _value_text(value["to"])
+            return f"{first} to {last}, {value['count']} values"
+        return "; ".join(f"{key}: {_value_text(one)}" for key, one in value.items())
     if isinstance(value, list):
-        return ", ".join(map(_said, value)) or "none"
+        return ", ".join(map(_value_text, value)) or "none"
     if isinstance(value, int) and not isinstance(value, bool):
         return f"{value:,}"
     return str(value)
@@ -235,7 +236,7 @@ _DEEPEST = 6
 
 
 def check_markdown() -> Any:
-    """Return what reads Markdown."""
+    """Return the module that parses Markdown, markdown_it."""
     return require("markdown_it", "a report page")
 
 

@@ -83,7 +83,7 @@ def check_questions(
 
 
 def _question(file: Path) -> dict[str, str]:
-    """Return what a file says of the question that is answered beside it."""
+    """Return the identity of a question that is stored beside its answer."""
     try:
         return flat(read_record(file))
     except ValueError:

@@ -87,7 +87,7 @@ def parse(content: bytes, file: Path) -> tuple[StudyFile, dict[str, Any], str, E
         with within(scene):
             return read_document(document), document, text, scene
     except ValidationError as error:
-        found = [(_path(one["loc"]), _said(one)) for one in error.errors()]
+        found = [(_path(one["loc"]), _error_text(one)) for one in error.errors()]
         raise complain(file, text, found) from None
 
 
@@ -129,7 +129,7 @@ def _path(where: Iterable[str | int]) -> lines.Path:
 
 
 def _key(path: lines.Path) -> str:
-    """Say where: ``question #2, over.elevation``."""
+    """Return a location as text: ``question #2, over.elevation``."""
     text = ""
     for place, step in enumerate(path):
         if isinstance(step, int):
@@ -140,8 +140,8 @@ def _key(path: lines.Path) -> str:
     return text
 
 
-def _said(wrong: Mapping[str, Any]) -> str:
-    """Say what is wrong in the words used here."""
+def _error_text(wrong: Mapping[str, Any]) -> str:
+    """Return an error of pydantic in hoopgen's words."""
     if wrong["type"] == "said":
         return str(wrong["msg"])
     if wrong["type"] == "value_error":

@@ -81,7 +81,7 @@ def _section(title: str, specification: type, apart: type | None = None) -> Iter
 
 
 def _words(said: str) -> str:
-    """Return what is allowed; of very many words the first ones."""
+    """Return the allowed values; of a long list the first ones."""
     return said if len(said) < 120 else f"{said[: said.index(' ', 40)]} …"
 
 

@@ -143,6 +143,6 @@ def _value(value: Any) -> str:
 
 
 def _text(said: object) -> str:
-    """Return what is no Markdown as a line of it that shows the same: no mark or tag counts."""
+    """Return plain text as a line of Markdown, with marks and tags escaped."""
     line = printable(" ".join(str(said).split()))
     return _MARKS.sub(r"\\\g<0>", html.escape(line, quote=False))

@@ -214,7 +214,7 @@ def _read(file: Path) -> tuple[bytes, list[Context], Mapping[str, Any]]:
 
 
 def _scenes(study: StudyFile) -> Iterator[tuple[lines.Path, Mapping[str, Any]]]:
-    """Yield what questions say of the scene, and where."""
+    """Yield the settings of questions that concern the scene, with their locations."""
     for place, question in enumerate(study.question):
         yield ("question", place, "scene"), question.scene
         if isinstance(question, CompareQuestion):
@@ -233,7 +233,7 @@ def _noted(progress: Progress | None, name: str) -> Callable[[int, int | None], 
 
 
 def _versions() -> dict[str, str]:
-    """Return what computes."""
+    """Return the versions of hoopgen and of its libraries, and the platform."""
     made_with = {"hoopgen": version()}
     made_with |= {name: metadata.version(name) for name in _MADE_WITH}
     system = {"python": platform.python_version(), "platform": platform.platform()}

@@ -41,7 +41,7 @@ def within(scene: Any) -> Iterator[None]:
 
 
 def named_by(document: Mapping[str, Any]) -> Any:
-    """Return what a study file gives for its scene; None where it names none."""
+    """Return the scene entry of a study file; None if it names no scene."""
     given = document.get("scene")
     return given.get(FILE) if isinstance(given, dict) else given
 

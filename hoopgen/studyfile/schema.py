@@ -149,7 +149,7 @@ def table_of(*specifications: Any) -> type[Table]:
 
 
 def reading(table: TableSettings) -> ReadingOptions:
-    """Return how a table of releases is read."""
+    """Return the options with which a table of releases is read."""
     return ReadingOptions.from_options(
         **{name: getattr(table, name) for name, *_ in settings(TableSettings)}
     )
@@ -218,5 +218,5 @@ class StudyFile(Given):
 
 
 def read_document(document: Mapping[str, Any]) -> StudyFile:
-    """Return what the document of a study file says, in SI."""
+    """Return the content of a study file's document, in SI units."""
     return cast(StudyFile, table_of(StudyFile).model_validate(document))

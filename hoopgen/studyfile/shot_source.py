@@ -56,7 +56,7 @@ class ShotSource:
 
     @classmethod
     def from_tables(cls, given: Iterable[Given], folder: Path, engine: Engine) -> ShotSource:
-        """Return what tables say, each key by key in place of those before."""
+        """Return the source of shots of merged tables; each key replaces the earlier ones."""
         return reduce(ShotSource._changed, given, cls({}, {}, {}, {}, {}, None, folder, engine))
 
     def _changed(self, given: Given) -> ShotSource:
@@ -198,7 +198,7 @@ class ShotSource:
         return reading(releases).source(self.folder / releases.file)
 
     def identity(self) -> dict[str, Any]:
-        """Return what tells this setting from others, in types that JSON knows."""
+        """Return the identity of the setting, in types that JSON knows."""
         identity = {**self.model().identity(), "parameters": self.parameters}
         if self.releases is not None and self.releases.fitted:
             identity["fitted"] = self.fit(self.releases).as_dict()

@@ -115,7 +115,7 @@ class _Places:
         return len(self.places)
 
     def identity(self) -> dict[str, Any]:
-        """Return what the chunks depend on."""
+        """Return the identity of the chunks: everything that they depend on."""
         return {
             "places": self.places,
             "model": self.model.identity(),

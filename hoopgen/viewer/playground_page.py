@@ -123,7 +123,7 @@ def playground(
 
 
 def _extension(spec: Mapping[str, Any]) -> Extension:
-    """Return what the page has beside the viewer's."""
+    """Return the page's data besides those of the viewer."""
     modules = {name: web_assembly.module_bytes(name) for name in web_assembly.MODULES}
     elements = [f'<script type="application/json" id="spec">{json_element(spec)}</script>\n']
     elements += [
@@ -143,7 +143,7 @@ def _extension(spec: Mapping[str, Any]) -> Extension:
 
 
 def page_spec(backend: BackendName) -> dict[str, Any]:
-    """Return what the scripts know of hoopgen: names, tables, presets, ranges."""
+    """Return the data of the scripts: names, tables, presets, ranges."""
     layout = HOOP.layout
     state = len(HOOP.kernels.STATE)
     presets = {name: dict(preset) for name, preset in PRESETS.items()}

@@ -158,7 +158,12 @@ def test_a_ball_out_of_a_groups_box_is_in_none_of_its_bodies(body: str) -> None:
     rng = np.random.default_rng(6)
     count = trials(200_000)
     defaults = {place["VARIABLES"][n]: value for n, (value, *_) in place["PARAMETERS"].items()}
-    known: dict[str, Any] = defaults | {"last": -1.0, "index": 0.0, "valid": 1.0, "doubt": 0.0}
+    known: dict[str, Any] = defaults | {
+        "last": -1.0,
+        "index": 0.0,
+        "valid": 1.0,
+        "undecided_time": 0.0,
+    }
     box = called(place, f"{body}_box", known)
     known |= dict(zip("xyz", rng.normal(0, 1, (3, count)), strict=True))
     # Next to the box, too.
@@ -179,7 +184,7 @@ def test_a_ball_out_of_a_groups_box_is_in_none_of_its_bodies(body: str) -> None:
     out = ~called(place, f"{body}_near_any", known | box)["near"]
     started = called(place, f"{body}_start", known)
     assert (started["valid"][out] == 1).all()
-    assert (started["doubt"][out] == 0).all()
+    assert (started["undecided_time"][out] == 0).all()
     assert 0.3 < out.mean() < 1
     assert (started["valid"] < 1).any() or body == "j"
 
@@ -219,7 +224,7 @@ def test_what_a_group_asks_is_read() -> None:
         ("own",), (("a",), ("b",)), (adding,), BoundingVolumes(box, near, (Group(0, 2, 1),))
     )
     assert each.groups is not None
-    assert each.groups.asked == {"here"}
+    assert each.groups.test_reads == {"here"}
     assert reads([each]) == live_before([each], []) == {"a", "b", "total", "here"}
     with pytest.raises(ValueError, match="unknown: here"):
         check([each], ["a", "b", "total"])

@@ -366,7 +366,17 @@ def _passed_on(rng: np.random.Generator, rows: int, arrival: Floats) -> dict[str
     columns = {name: rng.choice([0.0, 1.0], rows) for name in sorted(truths)}
     for name in ("which", "index", "first", "outcome"):
         columns[name] = rng.integers(-1, 4, rows).astype(float)
-    for name in ("when", "time", "doubt", "arrival", "apex", "low0", "low1", "low2", "after"):
+    for name in (
+        "when",
+        "time",
+        "undecided_time",
+        "arrival",
+        "apex",
+        "low0",
+        "low1",
+        "low2",
+        "after",
+    ):
         columns[name] = rng.choice([arrival, rng.normal(0, 1, rows), np.full(rows, np.inf)])
         columns[name][::5] = arrival[::5]
         columns[name][1::5] = rng.normal(0, 1, len(columns[name][1::5]))

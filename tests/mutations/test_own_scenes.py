@@ -248,7 +248,7 @@ FAULTS = (
     # Rolls and their events.
     Planted(
         "a ball rolls over an end plane",
-        without("beside_gate"),
+        without("beside_end_plane"),
         on_shelf["a_ball_rolls_across_an_end_plane"],
     ),
     Planted(
@@ -476,7 +476,7 @@ FAULTS = (
     # The branch of friction.
     Planted(
         "whether a contact slips is never in doubt",
-        in_text(stages, "_law", 'if "doubt" in surface.law', 'if "none" in surface.law'),
+        in_text(stages, "_law", 'if "undecided" in surface.law', 'if "none" in surface.law'),
         switch,
     ),
     Planted(

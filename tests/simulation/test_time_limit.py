@@ -146,8 +146,8 @@ def test_without_a_limit_all_that_is_done_for_it_is_to_ask() -> None:
     loop = build(HOOP).loop
     asked = [node.kernel.name for s in loop.stages.values() for node in unguarded(s)]
     assert asked.count("limited") == 1
-    assert not {"expiry", "expired", "timed", "carry_time"} & set(asked)
-    assert {"expiry", "expired", "timed", "carry_time"} < loop.called
+    assert not {"expiry", "expired", "ends_by_time_limit", "carry_time"} & set(asked)
+    assert {"expiry", "expired", "ends_by_time_limit", "carry_time"} < loop.called
 
 
 def test_what_errors_grow_to_after_a_ball_has_left_for_good_is_no_doubt() -> None:

@@ -94,7 +94,7 @@ def alike(statement: Statement) -> tuple[str, str, str] | None:
 
 
 def _parts(statement: Statement) -> tuple[str | tuple[str, str], str]:
-    """Return what a macro could be given for a statement, and the variable; "" if there is none."""
+    """Return the possible macro arguments of a statement, and its variable; "" without one."""
     match statement:
         case Declare(name, _, Member(Name(result))) | Assign(Name(name), Member(Name(result))):
             return result, name

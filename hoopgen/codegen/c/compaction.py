@@ -142,7 +142,7 @@ class CompactedLoop(TurnLoop):
     def _of_list(
         self, node: ir.If | ir.While, frame: GroupContext, own: GroupContext, later: set[str]
     ) -> Statements:
-        """Return what is done for the shots of a list that has been packed."""
+        """Return the statements for the shots of a packed list."""
         if isinstance(node, ir.While):
             return [self._turns(node, frame, own, later)]
         gives = scope(node, later).gives
@@ -176,7 +176,7 @@ class CompactedLoop(TurnLoop):
         return around([*own, *body])
 
     def _over_table(self, node: ir.ForEach, row: str, made: Statements) -> Around:
-        """Return what puts statements into a loop over the rows of a table, which comes before."""
+        """Return the function that puts statements into a loop over a table, after the table."""
         return lambda body: [*made, For(row, Scalar(len(node.rows)), tuple(body))]
 
     def table(

@@ -182,7 +182,7 @@ class GroupedLoop(CLoop):
         mask = Apply("mask_first_n", (Infix("-", Name(frame.count), Name("i")),))
         asked = [
             Declare(name, "V", load("double", at(frame.column(name), "i")), constant=True)
-            for name in sorted(groups.asked)
+            for name in sorted(groups.test_reads)
         ]
         kept = Name("_kept")
         look: Statements = [
@@ -270,7 +270,7 @@ def _append(array: Expression, count: Expression) -> Statements:
 
 
 def depths(members: Sequence[Group]) -> list[int]:
-    """Return how many groups each one is within."""
+    """Return the number of groups that contain each group."""
     found: list[int] = []
     for k, group in enumerate(members):
         around = [j for j in range(k) if members[j].after > k]

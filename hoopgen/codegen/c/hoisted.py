@@ -75,7 +75,7 @@ class Hoisted:
     )
 
     def given(self, node: ir.Call, given: Sequence[Expression]) -> list[Expression]:
-        """Return what the rest of a kernel takes, of what the kernel would be given."""
+        """Return the arguments of the rest of a kernel, given those of the whole kernel."""
         own = self.evaluations.get(node.kernel.name)
         if own is None:
             return list(given)

@@ -87,5 +87,5 @@ class LaunchLoop(CLoop):
 
 
 def _refuse(shots: Expression) -> Assign:
-    """Return what refuses shots."""
+    """Return the statement that refuses shots."""
     return Assign(Name(REFUSED), Operate("either", (Name(REFUSED), shots)))

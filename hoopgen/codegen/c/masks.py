@@ -120,7 +120,7 @@ class CLoop(Lowering):
         return both(Name(mask), Name(truth))
 
     def beside_body(self, node: ir.If, known: dict[str, Kind]) -> tuple[Statements, Statements]:
-        """Return what is done where a guarded body begins, and where it ends."""
+        """Return the statements at the begin and at the end of a guarded body."""
         return [], []
 
     def _each(
@@ -142,7 +142,7 @@ class CLoop(Lowering):
         return [Block(tuple(around([*own, *body])))]
 
     def row(self, node: ir.ForEach, mask: str) -> tuple[Around, dict[str, Expression]]:
-        """Return what a loop over the rows of a table is around, and the values of a row."""
+        """Return the wrapper of a loop over the rows of a table, and the values of a row."""
         raise NotImplementedError
 
     def _call(
@@ -169,7 +169,7 @@ class CLoop(Lowering):
             yield Assign(Name(variable), value)
 
     def _given(self, value: str | float, known: Mapping[str, Kind], single: bool) -> Expression:
-        """Return what a kernel is given, in the precision that it has."""
+        """Return an argument of a kernel, in the kernel's precision."""
         if not isinstance(value, str):
             return Number(float(value), single)
         kind = known.get(value, "double")

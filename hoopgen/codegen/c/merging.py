@@ -76,7 +76,7 @@ def _aligned(plain: Sequence[str], bounded: Sequence[str]) -> Iterator[Line]:
 
 
 def _key(line: str) -> str:
-    """Return what the two variants of a line have in common: of a call, all but its arguments."""
+    """Return the common part of two variants of a line: of a call, all but its arguments."""
     return line.partition(")(")[0] if line.lstrip().startswith(CALL) else line
 
 
@@ -99,7 +99,7 @@ def _call(plain: str, bounded: str) -> str:
 
 
 def _gathered(lines: Iterable[Line]) -> Iterator[Line]:
-    """Yield the lines with all variables of which the same is said one after another in one."""
+    """Yield the lines, with adjacent lines of the same macro gathered in one."""
     for family, group in groupby(lines, lambda line: line.family):
         own = list(group)
         if not family:

@@ -63,7 +63,7 @@ class OutlinedLoop(GroupedLoop):
         return Execute(Apply(f"LOOP({name})", arguments))
 
     def _fix(self, nodes: Sequence[Node], frame: GroupContext, turning: bool = False) -> Statements:
-        """Return what computes loop invariant results where each shot has its own parameters.
+        """Return the statements of loop invariant results for shots with parameters of their own.
 
         It is a function: beside what is done for all it would be in the way.
         """

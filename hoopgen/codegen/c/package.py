@@ -130,7 +130,7 @@ def write_package(scene: CompiledScene, path: Path) -> None:
 
 
 def _context(scene: CompiledScene) -> dict[str, Any]:
-    """Return what the templates are given."""
+    """Return the variables of the templates."""
     said = version()
     presets = scene.presets or {"usual": scene.parameters}
     inputs = scene.kernels.PARAMETERS
@@ -159,7 +159,7 @@ def _number(value: Any) -> str:
 
 
 def _release(name: str) -> dict[str, Any]:
-    """Return what the templates are given of releases."""
+    """Return the templates' variables for releases."""
     given = {symbol: sp.Symbol(f"given->{symbol.name}") for symbol in release.ARGUMENTS}
     given[release.ring_height] = sp.Symbol(f"{name.upper()}_RING_HEIGHT")
     text = C99CodePrinter().doprint

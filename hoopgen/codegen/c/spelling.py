@@ -178,7 +178,7 @@ def nothing(kind: Kind) -> Expression:
 
 
 def choose(kind: Kind, mask: Expression, then: Expression, other: Expression) -> Expression:
-    """Return what a variable is where it takes a new value in some lanes."""
+    """Return the value of a variable that takes a new value in some lanes."""
     if kind == "truth":
         return Apply("lanes_choose", (mask, then, other))
     own = Apply("singles_of", (mask,)) if kind == "single" else mask

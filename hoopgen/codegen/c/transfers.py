@@ -81,7 +81,7 @@ class TransferLoop(OutlinedLoop):
     def _over_taken(
         self, own: GroupContext, takes: Iterable[str], each: Statement
     ) -> list[Statement]:
-        """Return what is done for each parameter that a list takes."""
+        """Return the statements for each parameter that a list takes."""
         many = sum(map(is_parameter, takes))
         return [For("_p", Scalar(many), (each,))] if many else []
 
@@ -101,7 +101,7 @@ class TransferLoop(OutlinedLoop):
         takes: Sequence[str],
         known: Mapping[str, Kind],
     ) -> Statements:
-        """Return what appends the shots that go on to a body to the list of that."""
+        """Return the statement that appends the shots of a guarded body to its list."""
         packed = Name("packed")
         number = Operate("add", (Apply("iota"), Apply("K", (Cast("double", Name("i")),))))
         moves = [pack("double", at(own.column("row"), own.count), packed, number)]
@@ -126,7 +126,7 @@ class TransferLoop(OutlinedLoop):
         return [mask, Compact(own.count, packed, tuple(moves))]
 
     def _fill(self, own: GroupContext, takes: Sequence[str]) -> Statement:
-        """Return what puts zeros into the lanes behind a list's end, not what memory held."""
+        """Return the statement that clears the lanes behind a list's end."""
 
         def zero(name: str, kind: Kind) -> Statement:
             return zeros(kind, at(own.column(name), own.count))
@@ -141,7 +141,7 @@ class TransferLoop(OutlinedLoop):
         return If(Name(own.count), tuple(filled))
 
     def _return(self, frame: GroupContext, own: GroupContext, gives: Sequence[str]) -> Statement:
-        """Return what puts the results of a list back into the rows that its shots came from."""
+        """Return the statements that store the results of a list in the rows of its shots."""
         for name in gives:
             self._column(frame, name, frame.known[name])
         source = Cast("size_t", Item(Column(own.column("row")), Name("k")))

@@ -108,14 +108,14 @@ class TurnLoop(TransferLoop):
         )
 
     def _expanded(self, own: GroupContext, name: str, kind: Kind = "double") -> Statement:
-        """Return what gives a variable the values of the shots that are taken."""
+        """Return the statement that loads a variable of the next shots into free lanes."""
         place = at(own.column(name), "taken")
         return Assign(Name(name), expand(kind, place, Name("idle"), Name(name)))
 
     def _ended(
         self, node: ir.While, frame: GroupContext, own: GroupContext, gives: Sequence[str]
     ) -> tuple[Statements, Statement]:
-        """Return what packs the results of the lanes that are done, and what puts them into rows.
+        """Return the statements that pack results of finished lanes, and those that store them.
 
         How many lanes are done in a turn is hardly predictable, so no loop goes over them there.
         """

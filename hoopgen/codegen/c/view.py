@@ -241,7 +241,7 @@ def loop_view(
 
 
 def _permission(measured: bool) -> Insertion:
-    """Return what loads whether the parameters of a row of lanes are permitted."""
+    """Return the statement that loads the permissions of a row of lanes."""
 
     def loaded(name: str, kind: Kind) -> Declare:
         place = offset(Column(name), Infix("&", Name("i"), Name("varying")))
@@ -253,16 +253,16 @@ def _permission(measured: bool) -> Insertion:
 
 
 def _record(index: int, loop: Loop) -> Insertion:
-    """Return what stores the state before an event, which is recorded if that is wanted."""
+    """Return the statements that record the state before an event on request."""
     body = store("double", at("body", "i"), Name("body"))
     before = (store("double", at(f"{s}_before", "i"), Name(s)) for s in STATE_NAMES)
-    if loop.tallied:
+    if loop.counts_by_body:
         return Insertion(index, (body, If(Name("recording"), tuple(before))))
     return Insertion(index, (If(Name("recording"), (body, *before)),))
 
 
 def _permitted(prefix: str, measuring: Iterable[Node]) -> Statements:
-    """Return what looks at the parameters of a row of lanes, `row` being the first."""
+    """Return the statements that validate the parameters of a row of lanes, from `row` on."""
     given = (Column("parameters.columns"), Name("row"))
     permit = Apply(function(f"{prefix}_validate"), given)
     found = [store("truth", at("permitted", "row"), permit)]

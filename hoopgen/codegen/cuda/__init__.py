@@ -137,7 +137,7 @@ class CudaBackend:
 
 
 def _wrapped(declared: Sequence[str]) -> str:
-    """Return what is declared in lines, none of which begins within an entry."""
+    """Return declarations in lines, none of which begins within an entry."""
     found = ""
     room = 0
     for own in declared:

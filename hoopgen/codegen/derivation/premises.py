@@ -68,14 +68,14 @@ PREMISES: dict[str, Premise] = {
     "plane_first": Premise(
         LEMMA,
         "the only arrival on a plane",
-        _kernels("plane.arrival end.arrival common.meeting_plane common.grazed"),
+        _kernels("plane.arrival end.arrival common.plane_root common.graze_undecided"),
     ),
     "impact": Premise(
         DEFINITION,
         "contacts",
-        _kernels("law.impact law.taken *.taken common.impact_through_frame common.untaken"),
+        _kernels("law.impact law.taken *.taken common.impact_through_frame common.other_kind"),
     ),
-    "law_doubt": Premise(LEMMA, "grip or slip", _kernels("law.doubt common.undecided")),
+    "law_undecided": Premise(LEMMA, "grip or slip", _kernels("law.undecided common.undecided")),
     # Rounding
     "rounding": Premise(
         LEMMA, "running error", _kernels("common.scale common.measure common.begun_with")
@@ -95,14 +95,14 @@ PREMISES: dict[str, Premise] = {
         LEMMA,
         "existence of one simple root, and convergence of Newton's method",
         _kernels(
-            "common.polished common.found common.landed common.candidate "
+            "common.refined_root common.found common.arrival_time common.candidate "
             "common.refined_candidate *.refine"
         ),
     ),
     "crossing": Premise(
         LEMMA,
         "a certain crossing, and its delay",
-        _kernels("common.crossing common.crossed common.landed_surely"),
+        _kernels("common.crossing common.crossing_undecided common.certain_arrival"),
     ),
     "deflation": Premise(
         LEMMA, "deflation after a contact", _kernels("common.left common.nearby common.own_margin")
@@ -111,9 +111,9 @@ PREMISES: dict[str, Premise] = {
         CHOICE,
         "end and error budget of a search",
         _kernels(
-            "common.opens common.allowance common.beginning common.struck common.struck_or_still "
-            "common.finer common.exceeded common.advanced common.outside "
-            "common.struck_bounded common.passed"
+            "common.opens common.allowance common.beginning common.gap_closes "
+            "common.gap_closes_or_stalls common.smaller_budget common.budget_undecided "
+            "common.advanced common.outside common.gap_closes_bounded common.passed"
         ),
     ),
     # The ring
@@ -148,12 +148,15 @@ PREMISES: dict[str, Premise] = {
     "within": Premise(
         LEMMA,
         "bounds at an arrival",
-        _kernels("*.within *.edges end.reached end.edge common.questioned"),
+        _kernels("*.within *.edges end.reached end.edge common.predicate_undecided"),
     ),
     "first": Premise(
         LEMMA,
         "the first event is certain or undecided",
-        _kernels("common.opening common.within_time common.tied common.earliest common.doubted"),
+        _kernels(
+            "common.opening common.within_time common.tie_undecided common.earliest "
+            "common.flight_undecided"
+        ),
     ),
     "horizon": Premise(
         LEMMA,
@@ -164,7 +167,7 @@ PREMISES: dict[str, Premise] = {
     "far": Premise(
         LEMMA,
         "disjoint boxes",
-        _kernels("common.swept common.halved *.near *.near_any *.box"),
+        _kernels("common.swept common.half_flight_boxes *.near *.near_any *.box"),
     ),
     "passage": Premise(LEMMA, "passage through the ring", _kernels("common.passing*")),
     # Errors
@@ -173,14 +176,14 @@ PREMISES: dict[str, Premise] = {
         "propagation of errors through a flight and a contact",
         _kernels(
             "common.carry_flight *.carry_root *.carry_normal law.carry common.carry_time "
-            "common.delayed common.unturned common.elsewhere common.again common.returned "
-            "common.started common.anew *.curvature"
+            "common.clock_error_sum common.no_normal_error common.elsewhere common.again "
+            "common.returned common.started common.other_start_surface *.curvature"
         ),
     ),
     "growth": Premise(
         CHOICE,
         "growth of errors",
-        _kernels("common.error_bounds common.claimed_errors common.closing common.floored"),
+        _kernels("common.error_bounds common.claimed_errors common.closing common.error_floor"),
     ),
     "variations": Premise(
         LEMMA,
@@ -192,9 +195,9 @@ PREMISES: dict[str, Premise] = {
         LEMMA,
         "Zeno accumulation of bounces",
         _kernels(
-            "law.settling common.slowed common.unslowed common.nearly common.gripped "
-            "common.pressed_on common.isolated common.neared common.neared_body *.turning "
-            "*.closing *.separation common.settled common.begun_errors common.beginning_contact"
+            "law.settling common.leaves_slowly common.no_slow_contact common.nearly common.gripped "
+            "common.pressed_on common.isolated common.near_end_plane common.near_body *.turning "
+            "*.closing *.separation common.settled common.jump_errors common.beginning_contact"
         ),
     ),
     "series": Premise(
@@ -209,10 +212,12 @@ PREMISES: dict[str, Premise] = {
     "round": Premise(
         LEMMA,
         "rolling on a ring",
-        _kernels("ring.round_* common.circles common.half_steps common.rejoined"),
+        _kernels("ring.round_* common.circles common.half_steps common.still_in_contact"),
     ),
     "endless": Premise(
-        LEMMA, "rolling for ever", _kernels("ring.swung common.cleared common.for_ever *.around")
+        LEMMA,
+        "rolling for ever",
+        _kernels("ring.swung common.clearance_at_any_azimuth common.rolls_for_ever *.around"),
     ),
     "leaving": Premise(
         LEMMA,
@@ -227,7 +232,7 @@ PREMISES: dict[str, Premise] = {
         "tangential departure",
         _kernels(
             "common.no_contact common.neighbour_free_time common.end_plane_free_time "
-            "common.seam_free_time common.separated common.take_off "
+            "common.seam_free_time common.separated common.detachment "
             "common.carry_hop"
         ),
     ),
@@ -240,8 +245,8 @@ PREMISES: dict[str, Premise] = {
         CHOICE,
         "the limit of friction",
         _kernels(
-            "common.pulled common.forget_grip_deficit common.losing common.lost_grip "
-            "common.remember_grip_deficit "
+            "common.ring_friction common.forget_grip_deficit common.exceeds_grip "
+            "common.grip_lost_time common.remember_grip_deficit "
             "law.grip_deficit"
         ),
     ),
@@ -252,8 +257,8 @@ PREMISES: dict[str, Premise] = {
         _kernels(
             "common.body_of common.expiry common.departed common.expired common.accounted "
             "common.limited common.event_clock common.meeting common.here common.counted "
-            "common.touched common.timed common.in_contact common.opens_in_flight "
-            "common.reachable_in_flight common.doubted_in_contact common.unhopped "
+            "common.touched common.ends_by_time_limit common.in_contact common.opens_in_flight "
+            "common.reachable_in_flight common.contact_undecided common.no_departure "
             "common.stay_in_contact"
         ),
     ),

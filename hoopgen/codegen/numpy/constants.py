@@ -23,7 +23,7 @@ class Constants:
         return self.name(value, *["_scalar"] * meets_rows, *single)
 
     def name(self, value: float, *makers: str) -> Expression:
-        """Return what some functions make of a number, the last one first, by its name."""
+        """Return the name of the composition of some functions at a number, the last one first."""
         made: Expression = Number(value)
         if not makers:
             return made
@@ -38,5 +38,5 @@ class Constants:
 
 
 def number_type(single: bool) -> str:
-    """Return what makes a number of NumPy, in single precision or double."""
+    """Return the constructor of a NumPy number, in single or double precision."""
     return "_float32" if single else "_float64"

@@ -100,7 +100,7 @@ class NumPyLoop(Lowering):
         return self.cheap(node) and self._cost(node) <= most
 
     def _near(self, nodes: Sequence[Node], after: set[str]) -> set[str]:
-        """Return what all rows of a body need, not those of a guarded body alone."""
+        """Return the variables that all rows of a body need, not only those of a guarded body."""
         near: set[str] = set()
         for index, node in enumerate(nodes):
             if isinstance(node, ir.Call):
@@ -143,7 +143,7 @@ class NumPyLoop(Lowering):
         return Call(function, tuple(given), tuple(targets))
 
     def _given(self, value: Value, names: Mapping[str, str], single: bool) -> Expression:
-        """Return what a kernel is given; one in single precision rounds it itself."""
+        """Return an argument of a kernel; a kernel in single precision rounds it itself."""
         if not isinstance(value, str):
             return Number(float(value))
         own = Name(names[value])
@@ -187,7 +187,7 @@ class NumPyLoop(Lowering):
             for v in groups.box.arguments
             if isinstance(v, str)
         )
-        seen = [v for v in groups.near.arguments if isinstance(v, str) and v in groups.asked]
+        seen = [v for v in groups.near.arguments if isinstance(v, str) and v in groups.test_reads]
         box, near = groups.box.kernel, groups.near.kernel
         assert groups.near.arguments[len(seen) :] == box.output_names, near.name
         found: Statements = [
@@ -344,7 +344,7 @@ class NumPyLoop(Lowering):
         return found
 
     def _far(self, node: ir.While, own: Scope, later: set[str], rows: str) -> list[str]:
-        """Return what only some of the shots of a body that repeats need, and it never changes."""
+        """Return the variables that some shots of a repeated body need and it never changes."""
         outer, self.turning = self.turning, rows
         wanted = later | set(own.takes) | {node.truth}
         near = self._near(node.body, wanted) | set(writes(node.body)) | {node.truth}
@@ -353,18 +353,18 @@ class NumPyLoop(Lowering):
 
 
 def _taken(rows: str, names: Mapping[str, str]) -> Statements:
-    """Return what takes rows of columns, given the columns' names by those of what is taken."""
+    """Return the statement that takes rows of columns, given each column by the new name."""
     columns = tuple(map(Name, names.values()))
     return [Call("_taken", (Name(rows), *columns), tuple(names))] if names else []
 
 
 def _assign(name: str, function: str, *arguments: Expression) -> Statement:
-    """Return what gives a variable the value of a function."""
+    """Return the assignment of a function's value to a variable."""
     return Assign(Name(name), Apply(function, arguments))
 
 
 def _execute(function: str, *arguments: Expression) -> Statement:
-    """Return what calls a function for its effect."""
+    """Return the call of a function for its effect."""
     return Execute(Apply(function, arguments))
 
 

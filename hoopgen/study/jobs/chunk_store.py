@@ -36,7 +36,7 @@ _FILES = (_CHUNKS, _IDENTITY)
 
 KEPT = "finished chunks are kept, and the same call goes on from there"
 
-_FEW = 3
+_MAX_DIFFERENCES = 3
 """Number of differences that a message lists."""
 
 
@@ -57,11 +57,11 @@ class ChunkStore:
         return self.store.path
 
     def temporary(self) -> Path:
-        """Return where results may lie until they are whole; the next start removes the rest."""
+        """Return a path for incomplete results; the next start removes what is left there."""
         return self.store.temporary()
 
     def file(self, chunk: int) -> Path:
-        """Return where the chunk lies, or will."""
+        """Return the path of a chunk."""
         return self.path / f"chunk-{chunk:09d}.arrow"
 
     def read(self, chunk: int) -> pa.Table:
@@ -190,12 +190,12 @@ def remove_chunks(folder: Path) -> None:
 
 
 def count_chunks(folder: Path) -> int:
-    """Return how many chunks there are in a folder, which need not be there."""
+    """Return the number of chunks in a folder; 0 if it does not exist."""
     return sum(1 for _ in folder.glob(_CHUNKS))
 
 
 def read_record(file: Path) -> dict[str, Any]:
-    """Return what a file of JSON says, names and values."""
+    """Return the names and values in a file of JSON."""
     try:
         record = json.loads(read_file(file).decode())
     except RecursionError:
@@ -206,7 +206,7 @@ def read_record(file: Path) -> dict[str, Any]:
 
 
 def differences(there: Mapping[str, str], here: Mapping[str, str]) -> list[str]:
-    """Say what is not the same in two identities as of `flat`."""
+    """Return the differences between two identities as of `flat`, as text."""
     return [
         f"{name} is {_short(there.get(name))} there and {_short(here.get(name))} here"
         for name in dict.fromkeys((*here, *there))
@@ -216,8 +216,8 @@ def differences(there: Mapping[str, str], here: Mapping[str, str]) -> list[str]:
 
 def in_short(found: Sequence[str]) -> str:
     """Say the first few of what is not the same, and how many more there are."""
-    more = [f"and {len(found) - _FEW} more"] if len(found) > _FEW else []
-    return "; ".join([*found[:_FEW], *more])
+    more = [f"and {len(found) - _MAX_DIFFERENCES} more"] if len(found) > _MAX_DIFFERENCES else []
+    return "; ".join([*found[:_MAX_DIFFERENCES], *more])
 
 
 def flat(values: Mapping[str, Any], prefix: str = "") -> dict[str, str]:

@@ -95,7 +95,7 @@ class ShotsJob(ABC):
 
     @abstractmethod
     def shots_in(self, kept: pa.Table) -> int:
-        """Return how many shots a chunk has that is kept."""
+        """Return the number of shots of a stored chunk."""
 
     @abstractmethod
     def counted(
@@ -108,7 +108,7 @@ class ShotsJob(ABC):
         return self.counted(chunk, *self.shots_of(chunk))
 
     def rest(self, chunk: int, kept: pa.Table) -> Rest | None:
-        """Return what is to be done where a chunk is kept; None if it is the one asked for."""
+        """Return the task for a stored chunk; None if it is the requested one."""
         start, stop = self.shots_of(chunk)
         there = start + self.shots_in(kept)
         if there == stop:

@@ -25,7 +25,7 @@ CONNECT = 5
 """Seconds in which a scheduler has to answer."""
 
 PATIENCE = 5.0
-"""Seconds until it is said that there are no workers."""
+"""Seconds until a note says that there are no workers."""
 
 _EXAMPLE = "tcp://10.0.0.1:8786"
 
@@ -58,7 +58,7 @@ class Workers:
 
 
 def check_workers(scheduler: str | None, threads: int | None) -> None:
-    """Refuse what cannot be, before any work; nobody is asked for yet."""
+    """Raise an error for impossible arguments before any work, without a connection."""
     if scheduler is None:
         check_threads(threads)
         return
@@ -88,7 +88,7 @@ def _check_address(address: str) -> None:
 
 
 def _credentials(address: str, scheme: str) -> dict[str, Any]:
-    """Return what a connection is made with."""
+    """Return the arguments of a connection."""
     import distributed
 
     security: Any = distributed.Security()  # type: ignore[no-untyped-call]
@@ -174,7 +174,7 @@ def _gone(address: str) -> ConnectionError:
 
 @contextlib.contextmanager
 def _silenced() -> Iterator[None]:
-    """Keep distributed's log off the terminal: what matters of it is said in errors, once."""
+    """Keep distributed's log off the terminal; errors contain what matters of it, once."""
 
     def nothing(_: logging.LogRecord) -> bool:
         return False
@@ -229,7 +229,7 @@ async def _greet(address: str) -> None:
 
 
 def _reason(error: BaseException) -> str:
-    """Say what the system said, if it did."""
+    """Return the system's message, if there is one."""
     found: BaseException | None = error
     while found is not None:
         if isinstance(found, OSError) and found.strerror:

@@ -1,4 +1,4 @@
-"""Shots thrown in one setting or in two: tallied in chunks, until their number or a precision."""
+"""Shots in one setting or in two, counted in chunks up to a number or a precision."""
 
 from __future__ import annotations
 
@@ -53,7 +53,7 @@ CHUNK = 1 << 17
 SHOTS = 100_000
 """Without a precision."""
 
-MOST = 1_000_000_000
+MAX_SHOTS = 1_000_000_000
 """Largest number of shots of an estimate that runs to a precision."""
 
 SettingLike: TypeAlias = ReleaseModel | tuple[ReleaseModel, ParameterValues]
@@ -71,7 +71,7 @@ class ResolvedSetting:
     scene: Engine
 
     def identity(self) -> dict[str, object]:
-        """Return what tells this setting from others, in types that JSON knows."""
+        """Return the identity of the setting, in types that JSON knows."""
         parameters = dict(self.parameters)
         return {**self.model.identity(), "parameters": parameters, **scene_identity(self.scene)}
 
@@ -116,7 +116,7 @@ class MonteCarloJob(ShotsJob):
         return chunks_of(self.shots)
 
     def identity(self) -> dict[str, object]:
-        """Return what the chunks depend on."""
+        """Return the identity of the chunks: everything that they depend on."""
         return {
             # First, so that what differs names it.
             **scene_identity(self.scene),
@@ -130,7 +130,7 @@ class MonteCarloJob(ShotsJob):
         }
 
     def shots_in(self, kept: pa.Table) -> int:
-        """Return how many shots a chunk has that is kept."""
+        """Return the number of shots of a stored chunk."""
         return int(tally_of(numbers_of(kept), 0, self.scene).shots)
 
     def shots_of(self, chunk: int) -> tuple[int, int]:
@@ -184,7 +184,7 @@ class MonteCarloJob(ShotsJob):
         return difference_counts(moved, setting.parameters[name], self.by, invalid)
 
     def rows(self, which: int, threads: int | None) -> Rows | None:
-        """Return what becomes of each measured release of a setting; None of another model."""
+        """Return the result of each measured release of a setting; None for another model."""
         setting = self.settings[which]
         if not isinstance(setting.model, Resample):
             return None
@@ -203,7 +203,7 @@ class MonteCarloJob(ShotsJob):
         return releases, simulated(releases, contacts, self.backend, scene, self.measures)
 
     def _pairs(self, first: Shots, second: Shots) -> NDArray[np.int64]:
-        """Return how many pairs end so both, the first only, the second only, neither."""
+        """Return the numbers of pairs that end so in both, only first, only second, or neither."""
         outcomes = np.stack([first.outcome, second.outcome])
         invalid = self.scene.outcomes["INVALID"]
         others = (outcomes != self.by)[:, (outcomes != invalid).all(axis=0)]
@@ -271,7 +271,7 @@ class StoppingRule:
         return total
 
     def _needed(self, done: int, total: NDArray[np.int64], work: MonteCarloJob) -> int:
-        """Return how many chunks it will take, as far as can be told."""
+        """Return the expected number of chunks."""
         most = work.chunks
         if self.precision is None:
             return most
@@ -351,10 +351,10 @@ def most_shots(
         return check_count("shots", shots)
     if precision is None:
         return SHOTS
-    if (least := least_shots(precision, level, paired=paired)) > MOST:
+    if (least := least_shots(precision, level, paired=paired)) > MAX_SHOTS:
         raise ValueError(
             f"precision: {precision} takes {format_whole(least)} shots at least, whatever "
             "becomes of "
-            f"them, and no more than {format_whole(MOST)} are thrown unless shots says so"
+            f"them, and at most {format_whole(MAX_SHOTS)} are simulated unless shots says so"
         )
-    return MOST
+    return MAX_SHOTS

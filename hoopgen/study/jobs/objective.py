@@ -118,7 +118,7 @@ class Player:
         return replace(self, parameters={**self.parameters, **scene})
 
     def sampled(self, values: Mapping[str, ArrayLike], shots: int, seed: int = 0) -> Successes:
-        """Return how many of the first shots of a seed succeed, and how many are valid.
+        """Return the numbers of successes and of valid shots among the first shots of a seed.
 
         Parameters
         ----------
@@ -156,7 +156,7 @@ class Player:
     def count(
         self, values: Mapping[str, NDArray[np.float64]], start: int, stop: int, seed: int
     ) -> pa.Table:
-        """Return how many of shots `start` to `stop` - 1 of candidates (m,) succeed, are valid."""
+        """Return successes and valid shots among shots `start` to `stop` - 1 of candidates (m,)."""
         made, valid = self._judged(self._simulated(values, start, stop, seed))
         counts = [one.reshape(-1, stop - start).sum(axis=-1) for one in (made, valid)]
         return pa.table(dict(zip(("made", "valid"), counts, strict=True)))
@@ -174,21 +174,21 @@ class Player:
     def tally(
         self, values: Mapping[str, float], shots: int, seed: int = 0
     ) -> tuple[Successes, dict[str, int]]:
-        """Return how many of one candidate's shots succeed, are valid, and succeed in which way.
+        """Return the numbers of one candidate's successes, valid shots, and successes by kind.
 
         The ways are those of `ways_of`; there are none without a hoop.
         """
         worker, shots = replace(self, runner=run_serially), self._at_most(shots)
         starts = range(0, shots, TASK)
         work = [
-            partial(worker.tallied, values, one, min(one + TASK, shots), seed) for one in starts
+            partial(worker.count_task, values, one, min(one + TASK, shots), seed) for one in starts
         ]
         total = pa.concat_tables(self.runner(work) if len(work) > 1 else run_serially(work))
         sums = {name: int(np.sum(total[name].to_numpy())) for name in total.column_names}
         successes = Successes(np.array(sums.pop("made")), np.array(sums.pop("valid")))
         return successes, sums
 
-    def tallied(self, values: Mapping[str, float], start: int, stop: int, seed: int) -> pa.Table:
+    def count_task(self, values: Mapping[str, float], start: int, stop: int, seed: int) -> pa.Table:
         """Return the row of a table of what `tally` counts of shots `start` to `stop` - 1."""
         one = self._scored(values, start, stop, seed)
         found = {"made": int(one.made.sum()), "valid": int(one.valid.sum())}
@@ -205,7 +205,7 @@ class Player:
         return Successes(*self._judged(simulated), kind)
 
     def _at_most(self, shots: int) -> int:
-        """Return how many shots are thrown: of measured releases in their order, all at most."""
+        """Return the number of shots to simulate; of measured releases at most all, in order."""
         return min(shots, self.model.most) if isinstance(self.model, EachRow) else shots
 
     def _judged(self, shots: Shots) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
@@ -243,7 +243,7 @@ class Player:
 
 
 def ways_of(made: NDArray[np.bool_], kind: NDArray[np.uint8]) -> dict[str, int]:
-    """Return how many made shots touch nothing, touch the board first, and the others.
+    """Return the numbers of made shots that touch nothing, the board first, and others.
 
     Parameters
     ----------

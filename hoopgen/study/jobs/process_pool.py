@@ -76,11 +76,11 @@ class _Asked:
     """The number of questions is not known in advance."""
 
     def tasks(self) -> Iterator[Task | None]:
-        """Give what is waiting; None while nothing is."""
+        """Yield the waiting tasks; None while there is none."""
         self.begun = True
         while not self.over:
             yield self.waiting.popleft() if self.waiting else None
 
     def identity(self) -> Mapping[str, Any]:
-        """Return what the chunks depend on."""
+        """Return the identity of the chunks: everything that they depend on."""
         return self.of

@@ -107,7 +107,7 @@ def measure(
 
 
 def _to_the_ring(block: Block) -> dict[str, Floats]:
-    """Return where and how the flight that brings the ball to the ring crosses its plane."""
+    """Return place and velocity at which the flight to the ring crosses the ring's plane."""
     flights = block.states.copy()
     banked = np.flatnonzero(block.results["first"] == _BOARD)
     if len(banked):
@@ -351,7 +351,7 @@ MEASURES: Mapping[str, Measure] = MappingProxyType({each.name: each for each in 
 
 
 def measures_of(scene: CompiledScene) -> Mapping[str, Measure]:
-    """Return what can be measured in a scene, by name.
+    """Return the measures of a scene, by name.
 
     The clearance is that of flights, and so none where a ball may roll.
     """

@@ -128,7 +128,7 @@ def rebound(block: Block) -> dict[str, Floats]:
 
 
 def delay(block: Block) -> dict[str, Floats]:
-    """Return how long after the first contact that is."""
+    """Return the time from the first contact to the rebound."""
     after = np.full(len(block), np.nan)
     touched = np.flatnonzero(block.results["contacts"])
     if len(touched):

@@ -97,7 +97,7 @@ class Grid:
         return {**columns, **fixed}
 
     def identity(self) -> dict[str, object]:
-        """Return what tells this model from others, in types that JSON knows."""
+        """Return the identity of the model, in types that JSON knows."""
         return {
             "model": "grid",
             "axes": {name: as_doubles(name, values).tolist() for name, values in self.axes.items()},

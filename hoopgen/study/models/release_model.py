@@ -31,11 +31,11 @@ class ReleaseModel(Protocol):
     def draw(
         self, start: int, stop: int, seed: int = 0, parameters: Mapping[str, float] = PAPER
     ) -> Releases:
-        """Return shots `start` to `stop` - 1; shot i is the same however it is asked for."""
+        """Return shots `start` to `stop` - 1; shot i is the same in every such range."""
         ...
 
     def identity(self) -> Mapping[str, object]:
-        """Return what tells this model from others, in types that JSON knows."""
+        """Return the identity of the model, in types that JSON knows."""
         ...
 
 

@@ -195,7 +195,7 @@ class Resample:
         return {name: as_doubles(name, v) + self._off(name, noise) for name, v in values.items()}
 
     def _off(self, name: str, noise: Given) -> Any:
-        """Return how far rows are from the mean of a column; nothing, if it is none."""
+        """Return the deviations of rows from the mean of a column; 0 if it is no column."""
         return np.asarray(noise[name]) - self.centre[name] if name in noise else 0.0
 
     def _replaced(self, values: Given, noise: Given, parameters: Scene) -> dict[str, Floats]:
@@ -218,7 +218,7 @@ class Resample:
         return hash(self.identity()["sha256"])
 
     def identity(self) -> dict[str, object]:
-        """Return what tells this model from others, in types that JSON knows."""
+        """Return the identity of the model, in types that JSON knows."""
         digest = sha256()
         for name, column in self.columns.items():
             digest.update(f"{name} {np.shape(column)} ".encode())

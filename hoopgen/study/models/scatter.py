@@ -110,7 +110,7 @@ class Scatter:
         self._mix()
 
     def noise(self, start: int, stop: int, seed: int = 0) -> dict[str, NDArray[np.float64]]:
-        """Return what is added in shots `start` to `stop` - 1, by name, (n,) each."""
+        """Return the random deviations of shots `start` to `stop` - 1, by name, (n,) each."""
         check_drawn(start, stop)
         names = self._scattered()
         draws = [normals(seed, _stream(name), start, stop) for name in names]
@@ -262,7 +262,7 @@ class Scatter:
         return added, scene
 
     def identity(self) -> dict[str, object]:
-        """Return what tells this model from others, in types that JSON knows."""
+        """Return the identity of the model, in types that JSON knows."""
         return {
             "model": "scatter",
             "release": self.centre,

@@ -148,7 +148,7 @@ def _fitted(
 
 
 def _alone(found: Moments) -> _Posterior:
-    """Return what the rows of a player say without other players."""
+    """Return the estimate from a player's rows alone."""
     p = len(found.mean)
     width = np.sqrt(np.diag(found.mean_covariance))
     means = [
@@ -183,7 +183,7 @@ def _atanh(found: Moments, i: int, j: int) -> tuple[float, float]:
 
 
 def _shrunk(found: list[Moments], p: int) -> list[_Posterior]:
-    """Return what all players say of each."""
+    """Return the estimate of each player from all players."""
     means, spreads = [], []
     for j in range(p):
         centres = np.array([one.mean[j] for one in found])

@@ -74,7 +74,7 @@ class Aim:
         return {name: getattr(self, name) for name in names}
 
     def simulate(self, *, backspin: ArrayLike = 0.0, sidespin: ArrayLike = 0.0) -> Shots:
-        """Return what the releases do at the hoop, every contact recorded.
+        """Return the simulated releases, with every contact recorded.
 
         Parameters
         ----------
@@ -174,7 +174,7 @@ def aim(
     speed
         Wanted speed of the release, m/s.
     arc
-        Which of the two flights with that speed.
+        High or low flight of the two with that speed.
     depth
         How far past the ring's centre, along the line from the place, the point lies, m.
     parameters
@@ -233,7 +233,7 @@ def met_before(shots: Shots, row: int, time: float) -> tuple[str, float] | None:
 
 
 def flight_in_words(shots: Shots, row: int, time: float) -> str:
-    """Say how a shot ends, what it touches, and what of that before it is where it is aimed.
+    """Describe the end of a shot, its contacts, and those before the point that it is aimed at.
 
     Parameters
     ----------
@@ -285,7 +285,7 @@ def _solved(given: Mapping[str, NDArray[np.float64]], arc: Arc) -> dict[str, NDA
 
 
 def _point(given: Mapping[str, NDArray[np.float64]]) -> tuple[Any, Any, Any]:
-    """Return how far and how high above the release the point lies, and gravity."""
+    """Return distance and height of the point from the release, and gravity."""
     reach, rise = given["distance"] + given["depth"], RING_HEIGHT - given["height"]
     return reach, rise, given["parameters['gravity']"]
 

@@ -32,7 +32,7 @@ NOWHERE: Mapping[str, float] = dict.fromkeys(
 def on_board(
     arguments: Mapping[str, float], parameters: Mapping[str, float], scene: Engine = HOOP
 ) -> dict[str, float]:
-    """Return where the ball of a bank shot touches the board, and where its release points.
+    """Return the place on the board that a bank shot touches, and the direction of its release.
 
     Parameters
     ----------

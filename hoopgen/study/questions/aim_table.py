@@ -148,7 +148,7 @@ class _TableJob:
         return ceil(len(self.releases["speed"]) / ROWS)
 
     def identity(self) -> dict[str, Any]:
-        """Return what the chunks depend on."""
+        """Return the identity of the chunks: everything that they depend on."""
         releases = {name: column.tolist() for name, column in self.releases.items()}
         return {"aim": releases, "parameters": dict(self.parameters), "by": self.by}
 

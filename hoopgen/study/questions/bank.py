@@ -337,7 +337,7 @@ class Crossing:
 
 
 def crossing(start: ArrayLike, through: ArrayLike) -> Crossing:
-    """Return where lines on the floor plan cross, by least squares of their distances.
+    """Return the point where lines on the floor plan cross, by least squares of their distances.
 
     Parameters
     ----------

@@ -61,7 +61,7 @@ def batch(
     delimiter: str | None = None,
     columns: Mapping[str, str] | None = None,
     where: str | Sequence[str] = (),
-    group: str | None = None,
+    by: str | None = None,
     events: str | os.PathLike[str] | None = None,
     implausible: bool = False,
     units: System = "si",
@@ -132,8 +132,8 @@ def batch(
     where
         Conditions that rows meet, or are left out: a column, one of ``== != < <= > >=``, and a
         value, such as "speed_mph >= 15" or "player == Ann"; see `hoopgen.study.tables.filters`.
-    group
-        A column by whose values results are counted, too: `Batch.groups`.
+    by
+        Column by whose values results are counted: `Batch.groups`.
     events
         Parquet or CSV: the event log, a row each event, with the number of its row in the results,
         from 1, and its own among the events of that row.
@@ -213,7 +213,7 @@ def batch(
         check_names("measures", shots.measures, measures_of(engine))
         stamp = table.stamp()
         text = describe_scene(engine, origin.parameters, found.columns)
-        results = Results(table, found.columns, shots, origin, prefix, reason, group)
+        results = Results(table, found.columns, shots, origin, prefix, reason, by)
         schema = results.schema(text)
         format = target.suffix.lower()
         check_sink(format, schema, table)

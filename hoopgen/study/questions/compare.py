@@ -236,7 +236,7 @@ def _apart(found: Comparison, rows: list[Rows | None], by: int) -> SampleInterva
 
 
 def _comparison(job: MonteCarloJob, total: NDArray[np.int64], level: float) -> Comparison:
-    """Return what the numbers say of two settings."""
+    """Return the comparison of two settings from the numbers."""
     both, only_first, only_second, neither = total[2 * width_of(job.scene) :].tolist()
     pairs = both + only_first + only_second + neither
     difference = (only_second - only_first) / pairs if pairs else nan

@@ -51,7 +51,7 @@ def counterfactual(
         state; and parameters of the scene. By default speed, elevation and azimuth; without a hoop
         vx, vy and vz.
     by
-        The end that counts, in a scene of one's own; by default the first.
+        End that counts, in a scene of your own; by default the first.
     steady
         How much further than a change the other result must last, as a share of the change. Close
         to the edges between sequences of contacts there are intervals of made shots with a dozen

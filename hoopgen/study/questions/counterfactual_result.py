@@ -228,6 +228,6 @@ def _rounded_up(size: float) -> str:
 
 
 def _digits(change: float, value: float) -> int:
-    """Return how many decimals of a value show its change."""
+    """Return the number of decimals that show a change of a value."""
     size = abs(change) or abs(value) or 1.0
     return min(max(_DIGITS - 1 - math.floor(math.log10(size)), 0), 15)

@@ -218,7 +218,7 @@ class Estimate(SharesOfShots):
 def estimated(
     job: MonteCarloJob, total: NDArray[np.int64], which: int, level: float
 ) -> Estimate | Shares:
-    """Return what the numbers say of one setting."""
+    """Return the estimate of one setting from the numbers."""
     tally = tally_of(total, which, job.scene)
     if not job.scene.has_hoop:
         return shares_of(tally, job.settings[which], level, job.seed)
@@ -266,5 +266,5 @@ def _estimated(
 
 
 def describe_estimate(found: Estimate | Shares) -> dict[str, str]:
-    """Say what an estimate rests on."""
+    """Return the provenance of an estimate as text."""
     return describe_setting(found.setting, found.scene) | {"seed": str(found.seed)}

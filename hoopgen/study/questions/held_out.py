@@ -57,7 +57,7 @@ class HeldOut:
     fold: NDArray[np.intp]  # of each row, (m,)
 
     def scored(self, model: Resample, player: Player, fixed: Mapping[str, float]) -> Successes:
-        """Return what becomes of each row, (m,), thrown with the release found without it.
+        """Return the result of each row, (m,), at the release found without it.
 
         How far it is from the mean is counted from that of the rows that the release was found
         with: a player who moves the mean knows no other.

@@ -43,7 +43,7 @@ class Landings:
 
 
 def landings_of(released: Releases, shots: Shots, height: float | None = None) -> Landings:
-    """Return where those shots that miss come down; `height` None is the floor."""
+    """Return the places where missed shots come down; `height` None is the floor."""
     where = "floor" if height is None else "rebound"
     names = (f"{where}_x", f"{where}_y")
     caught = CATCHING_HEIGHT if height is None else height

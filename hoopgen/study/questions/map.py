@@ -149,7 +149,7 @@ def _axes(over: Mapping[str, ArrayLike], model: Any, scene: Engine) -> dict[str,
 
 
 def _variables(scene: Engine, *, state: bool) -> Mapping[str, Variable]:
-    """Return what can be mapped over: where the shots are states, their components."""
+    """Return the variables that can be mapped over: of states their components."""
     return {**variables_of(scene), **(STATES if state else {})}
 
 

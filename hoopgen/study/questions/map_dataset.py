@@ -124,7 +124,7 @@ def _probabilities(work: Sweep, numbers: Counts, level: float) -> dict[str, xr.V
 
 
 def _interval(work: Sweep, level: float) -> str:
-    """Say what the intervals are; those of measured releases do not contain the sample's."""
+    """Return the meaning of the intervals as text; they leave out the uncertainty of a sample."""
     text = f"{format_percent(level, None)} interval (Wilson)"
     return f"{text} of the simulation alone" if isinstance(work.model, Resample) else text
 
@@ -149,7 +149,7 @@ _LABELS = {
 
 def number_labels(scene: Engine) -> dict[str, str]:
     """Return the meanings of the numbers of a map."""
-    return _LABELS | {result.tally: result.tally_summary for result in scene.layout.tallied}
+    return _LABELS | {result.tally: result.tally_summary for result in scene.layout.counted_results}
 
 
 def _outcomes(work: Sweep, numbers: Counts) -> dict[str, xr.Variable]:
@@ -217,14 +217,14 @@ def _units(variable: Variable) -> dict[str, str]:
 
 
 def _attributes(work: Sweep, level: float) -> dict[str, Any]:
-    """Return what the map was made with; the mappings as JSON, which every file format takes."""
+    """Return the provenance of the map; mappings as JSON, which every file format takes."""
     by_row = [name for name in scene_by_row(work.model, work.parameters) if name not in work.axes]
     others = {n: v for n, v in work.parameters.items() if n not in (*work.axes, *by_row)}
     scene = others | {n: v for n, v in alike(work.model).items() if n in others}
     return {
         "Conventions": "CF-1.11",
         "source": f"hoopgen {version()}",
-        **_said(work, scene, by_row),
+        **_scene_attributes(work, scene, by_row),
         "parameters": json.dumps(for_json(scene)),
         "max_contacts": work.max_contacts,
         **(
@@ -240,8 +240,10 @@ def _attributes(work: Sweep, level: float) -> dict[str, Any]:
     }
 
 
-def _said(work: Sweep, scene: Mapping[str, float], by_row: Sequence[str]) -> dict[str, str]:
-    """Return what is said of the scene; of one's own that too which no reader could say of it."""
+def _scene_attributes(
+    work: Sweep, scene: Mapping[str, float], by_row: Sequence[str]
+) -> dict[str, str]:
+    """Return the attributes of the scene; for a scene of your own also those no reader has."""
     if work.scene.is_hoop:
         return {"scene": describe_hoop(scene, by_row)}
     attributes = describe_setting(

@@ -83,14 +83,14 @@ class Margin(Result):
         """The margin without its scene."""
         others = format_count(len(self.elsewhere), "further interval")
         more = f", and in {others}" if self.elsewhere else ""
-        return f"{self.name} {self.said(self.low, self.high)}{more}"
+        return f"{self.name} {self.describe_range(self.low, self.high)}{more}"
 
     def as_dict(self) -> dict[str, Any]:
         """Return everything, in types that JSON knows; SI. What is not a number is None."""
         return {name: for_json(value) for name, value in asdict(self).items()}
 
-    def said(self, low: float, high: float) -> str:
-        """Say an interval, of those above, open where it reaches as far as was looked."""
+    def describe_range(self, low: float, high: float) -> str:
+        """Return an interval as text, open where it reaches the end of the searched range."""
         least, most = self.searched
         if math.isnan(low):
             return "does not succeed"
@@ -118,7 +118,7 @@ def margins(
     scheduler: str | None = None,
     progress: Callable[[int, int | None], None] | None = None,
 ) -> dict[str, Margin]:
-    """Return how far each variable of a release may be off, the others as they are.
+    """Return the margin of each variable of a release, with the others fixed.
 
     Parameters
     ----------
@@ -181,7 +181,7 @@ def margins_about(
     seed: int,
     tolerance: float,
 ) -> dict[str, Margin]:
-    """Return what `margins` does, for a player in the scene of a release."""
+    """Return the margins, as `margins` does, for a player in the scene of a release."""
     found = {}
     exact = replace(player, model=Scatter({}))
     for name in names:
@@ -212,7 +212,7 @@ class _Line:
     seed: int
 
     def enough(self, at: NDArray[np.float64]) -> NDArray[np.bool_]:
-        """Return where enough shots succeed."""
+        """Return, for each value, whether enough shots succeed."""
         moved: dict[str, ArrayLike] = {**self.values, self.name: at}
         return self.player.sampled(moved, self.shots, self.seed).share >= self.least
 
@@ -244,7 +244,7 @@ class _Line:
 
 
 def _steps(value: float, searched: Bounds, count: int) -> NDArray[np.float64]:
-    """Return where to look, the release itself among them."""
+    """Return the values to try, the release's own among them."""
     low, high = searched
     return np.concatenate(
         [np.linspace(low, value, count, endpoint=False), np.linspace(value, high, count + 1)]

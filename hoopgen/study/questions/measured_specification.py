@@ -23,7 +23,8 @@ class CoachQuestion:
 
     shared: ClassVar = (of.Sampling, of.Threads)
     makes: float | None = setting(
-        "Share of shots made by the player, 70%; by default that. All of the spread is scaled.",
+        "Share of shots that the player makes, by default 70%. One factor scales all of the "
+        "spread.",
         Share(percent=True),
         None,
     )
@@ -76,7 +77,7 @@ class FitQuestion:
         heading=MEASURED,
     )
     keep: Sequence[str] = setting(
-        "Columns to write with the releases too, such as a player: of each track the first cell.",
+        "Column to copy to the releases, such as a player: the first cell of each track.",
         Listed(Text(words="a column's name", metavar="COLUMN")),
         (),
         heading=RESULTS,

@@ -176,7 +176,7 @@ class OneShot:
     def nearest_change(
         self, name: str, succeeds: bool, side: int, steady: float
     ) -> tuple[float, float] | None:
-        """Return where the result changes to one side, as far as values were tried.
+        """Return the nearest change of the result on one side, as far as values were tried.
 
         Parameters
         ----------

@@ -87,7 +87,7 @@ def optimum(
     confidence
         Of the interval.
     tolerance
-        The fall in probability that is still called flat.
+        Fall in probability within which a range counts as flat.
     margins
         Variables whose margins are wanted: by default `MARGINS`, and none where there is no hoop.
     threads, folder, scheduler, progress

@@ -189,7 +189,7 @@ class Optimum(Result):
         return self.describe()
 
     def _drawn(self) -> dict[str, str]:
-        """Return what its fresh shots rest on."""
+        """Return the provenance of its fresh shots."""
         description = self.describe()
         if isinstance(self.model, Scatter):
             release = describe_release(self.release, self.scene)
@@ -320,7 +320,7 @@ def _interval(best: Optimum) -> str:
 
 
 def _where(best: Optimum) -> str:
-    """Say where the ball goes: on the board, or down into the ring."""
+    """Return the place that the ball is aimed at, on the board or in the ring, as text."""
     if best.is_bank or best.by == "bank":
         touch = on_board(best.arguments, best.parameters, best.scene)
         return f"flight   {touching(touch['touch_y'], touch['touch_z'])}"
@@ -332,7 +332,7 @@ def _where(best: Optimum) -> str:
 
 
 def touching(y: float, z: float) -> str:
-    """Say where a bank shot touches the board; NaN if, thrown without errors, not first."""
+    """Return the place where a bank shot touches the board; NaN if not its first contact."""
     if math.isnan(y):
         return "without errors it does not touch the board first"
     return (
@@ -368,8 +368,8 @@ def _margins(margins: Sequence[Margin], tolerance: float) -> str:
         [
             VARIABLES[margin.name].label,
             format_variable(margin.name, margin.value),
-            margin.said(margin.low, margin.high) + "*" * bool(margin.elsewhere),
-            margin.said(*margin.steady) if margin.steady else "",
+            margin.describe_range(margin.low, margin.high) + "*" * bool(margin.elsewhere),
+            margin.describe_range(*margin.steady) if margin.steady else "",
         ]
         for margin in margins
     ]
@@ -387,5 +387,5 @@ def _margins(margins: Sequence[Margin], tolerance: float) -> str:
 def _again(margin: Margin) -> str:
     """Say the first interval further out, and how many more there are."""
     first, *more = margin.elsewhere
-    said = margin.said(*first)
+    said = margin.describe_range(*first)
     return f"{said}, and {format_count(len(more), 'further interval')}" if more else said

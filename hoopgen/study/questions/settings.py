@@ -131,8 +131,8 @@ def _check_conditions(where: Sequence[str]) -> Sequence[str]:
 
 max_contacts = partial(
     setting,
-    "Number of contacts after which a shot is given up as capped; by default 40 at the hoop, "
-    "elsewhere 1000.",
+    "Number of contacts after which a shot ends as capped; by default 40 at the hoop and 1000 "
+    "elsewhere.",
     Whole(high=2**31 - 1),
     None,
     heading=COMPUTED,
@@ -146,51 +146,51 @@ measures = partial(
 )
 catching_height = partial(
     setting,
-    "Height of the ball's centre above the floor when a rebound is caught; "
-    "the default is a choice.",
+    "Height of the ball's centre above the floor when a rebound is caught; the default is assumed.",
     Quantity("length", 0.0),
     CATCHING_HEIGHT,
     check=_check_height,
 )
 end = partial(
     setting,
-    "The end that counts, in a scene of one's own; by default the first.",
+    "End that counts, in a scene of your own; by default the first.",
     Text(words="the name of an end", metavar="END"),
     None,
 )
 way = partial(
     setting,
-    "What counts: any made shot, one not off the board, or one off it; in a scene of one's own an "
-    "end, by default the first.",
+    "Shots that count: any made shot, a direct shot, or a bank shot. In a scene of your own: "
+    "an end, by default the first.",
     Way(WAYS),
     "any",
 )
 precision = partial(
     setting,
-    "Stop when half the interval is no wider: 0.001 is a tenth of a point.",
+    "Stop when the half width of the interval is at most this: 0.001 is a tenth of a "
+    "percentage point.",
     Share(),
     None,
 )
 shots = partial(
     setting,
-    "Number of shots, by default 100,000; with a precision the most, by default 1e9.",
+    "Number of shots, by default 100,000; with a precision the largest number, by default 1e9.",
     Whole(),
     None,
 )
 tolerance = partial(
-    setting, "The fall in probability that is still called flat.", Share(), 0.01, option=None
+    setting, "Fall in probability within which a range counts as flat.", Share(), 0.01, option=None
 )
 
 table_format = partial(
     setting,
-    "Format of the table; by default as the file's suffix says.",
+    "Format of the table; by default that of the file's suffix.",
     Choice(("csv", "parquet", "arrow", "xlsx")),
     None,
     heading=MEASURED,
 )
 table_where = partial(
     setting,
-    "Rows that do not meet a condition are left out: 'speed_mph >= 15', 'player == Ann'.",
+    "Condition that a row must meet to be read, such as 'speed_mph >= 15' or 'player == Ann'.",
     Listed(Text(words="a comparison", metavar="CONDITION")),
     (),
     heading=MEASURED,
@@ -241,7 +241,7 @@ class Threads:
     """The processors of this machine that compute, which changes no result."""
 
     threads: int | None = setting(
-        "Number of threads; by default as many as there are.", Whole(), None, heading=COMPUTED
+        "Number of threads; by default one per processor.", Whole(), None, heading=COMPUTED
     )
 
 
@@ -262,8 +262,8 @@ class Computation(Workers):
     """The executor that computes, and the folder of its finished chunks."""
 
     folder: Path | None = setting(
-        "Folder of finished chunks: the same command goes on from them, and of more --shots "
-        "computes only the rest.",
+        "Folder of finished chunks: the same command continues from them, and with more "
+        "--shots it computes only the missing ones.",
         FOLDER,
         None,
         heading=COMPUTED,
@@ -276,24 +276,24 @@ class TableSettings:
 
     format: str | None = table_format()
     own: Sequence[str] = setting(
-        "Columns that are not to be read, though they are named like variables.",
+        "Column not to be read although it is named like a variable.",
         Listed(Text(words="a column's name", metavar="COLUMN")),
         (),
         heading=MEASURED,
     )
     columns: Mapping[str, str] | None = setting(
-        "Columns to read as variables, whatever they are called.",
+        "Column of any name to read as a variable,",
         Each(Text(words="a column's name")),
         None,
         option="column",
         heading=MEASURED,
-        command="Such as speed=release_speed_mph; the unit is at the end of either name: "
+        command="such as speed=release_speed_mph; the unit is at the end of either name: "
         "azimuth_deg='Side angle'.",
         file='`columns.speed = "release_speed_mph"`.',
     )
     where: Sequence[str] = table_where()
     implausible: bool = setting(
-        "Simulate rows with implausible numbers, too, such as an elevation of 500 degrees.",
+        "Also simulate rows with implausible numbers, such as an elevation of 500 degrees.",
         Flag(),
         False,
         option="keep-implausible",
@@ -306,13 +306,13 @@ class Parsing:
     """Settings for parsing a table, which a study file leaves to the table."""
 
     delimiter: str | None = setting(
-        "Delimiter of the cells of CSV, ; or tab; by default as its first line says.",
+        "Delimiter of the cells of CSV: ; or tab. By default the first line determines it.",
         Text(metavar="CHARACTER"),
         None,
         heading=MEASURED,
     )
     memory: int = setting(
-        "Memory that rows read at once may take, 4GB; 1 GB by default.",
+        "Largest memory for the rows that are read at once, such as 4GB; by default 1 GB.",
         MEMORY,
         1 << 30,
         heading=MEASURED,
@@ -321,7 +321,7 @@ class Parsing:
 
 table_file = partial(
     setting,
-    "CSV, Parquet, Arrow or .xlsx; relative to the study file. The columns' names say the "
+    "CSV, Parquet, Arrow or .xlsx; relative to the study file. The names of the columns give "
     "variables and units: `speed_mph`, `elevation_deg`.",
     Text(words="the name of a file"),
     option=None,
@@ -341,8 +341,8 @@ class MeasuredReleases(TableSettings):
 
     file: str = table_file()
     group: str | None = setting(
-        "Column that says which rows belong together, such as a game or a player: intervals of the "
-        "sample take groups, not rows, to be independent.",
+        "Column that names the rows that belong together, such as a game or a player: "
+        "intervals of the sample assume that groups, not rows, are independent.",
         Text(words="the name of a column", metavar="COLUMN"),
         None,
         heading=MEASURED,

@@ -308,7 +308,7 @@ class _Curve:
             self.seen[factor] = int(tally.ended(work.by)), int(tally.valid)
 
     def above(self, factor: float) -> float:
-        """Return how far the share is above the wanted one."""
+        """Return the difference of the share from the wanted one."""
         self.look([factor])
         made, valid = self.seen[factor]
         if not valid:
@@ -316,7 +316,7 @@ class _Curve:
         return made / valid - self.wanted
 
     def excluded(self, factor: float) -> float:
-        """Return how far the wanted share is outside of the interval; below 0, it is within."""
+        """Return the distance of the wanted share from the interval; negative within it."""
         self.look([factor])
         low, high = wilson(*self.seen[factor], self.level)
         return max(float(low) - self.wanted, self.wanted - float(high))
@@ -352,14 +352,14 @@ class _Curve:
         return 0.0 if side < 0 else inf
 
     def _root(self, of: Callable[[float], float], one: float, other: float) -> float:
-        """Return where a function of the factor has another sign, to a little of its interval."""
+        """Return the factor at which a function changes its sign, to a part of the interval."""
         _, valid = self.seen[other]
         # The factor is open by about the root of the shots; a hundredth of that is not seen.
         near = 0.01 * max(one, other) / max(valid, 1) ** 0.5
         return float(brentq(of, *sorted((one, other)), xtol=near))
 
     def _never(self, known: Sequence[float]) -> str:
-        """Say what the factors tried lead to."""
+        """Return the shares at the factors tried, as text."""
         shares = {factor: self.above(factor) + self.wanted for factor in known}
         over = self.above(known[0]) >= 0.0
         ending = (min if over else max)(known, key=lambda factor: shares[factor])

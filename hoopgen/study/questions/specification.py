@@ -49,8 +49,8 @@ _over = partial(
 )
 _search_shots = partial(
     setting,
-    "Number of shots of the last step of the search, and of the fresh estimate. Of measured "
-    "releases every row is judged once, by a release that was searched without it.",
+    "Number of shots of the last step of the search, and of the fresh estimate. With measured "
+    "releases each row judges once, for a release that was found without it.",
     Whole(),
 )
 _figures = partial(setting, default=(), option=None, argument=False)
@@ -106,8 +106,8 @@ class SolveQuestion:
 
     shared: ClassVar = (of.Sampling, of.Engines, of.Computation)
     share: float = setting(
-        "Share of shots made for which the factor times all of the scatter is found: 0.7 of "
-        "somebody who makes 70%.",
+        "Share of shots made for which the factor of the scatter is found: 0.7 for a player "
+        "who makes 70%.",
         Share(percent=True),
         option="solve",
     )
@@ -127,7 +127,7 @@ class MapQuestion:
 
     shared: ClassVar = (of.Sampling, of.Engines, of.Computation)
     over: Mapping[str, Any] = setting(
-        "Variables and their values, in place of what is given.",
+        "Variables and their values, which replace those of the release.",
         AXES,
         command="Such as elevation=45deg:60deg:61 or restitution=0.6,0.7,0.8.",
         file='`over.elevation = { from = "45 deg", to = "60 deg", count = 31 }`, or a list. The '
@@ -150,7 +150,7 @@ class OptimumQuestion:
     shots: int = _search_shots(100_000)
     tolerance: float = of.tolerance()
     margins: Sequence[str] | None = setting(
-        f"Variables of which it is said how far off they may be; by default {', '.join(MARGINS)}.",
+        f"Variables whose margins are computed; by default {', '.join(MARGINS)}.",
         Listed(Choice(tuple(VARIABLES))),
         None,
         option=None,
@@ -203,7 +203,7 @@ class AimQuestion:
         "Wanted speed at release.", Quantity("speed"), None, heading=RELEASE
     )
     arc: Literal["high", "low"] = setting(
-        "Which of the two flights with that speed.", Choice(("high", "low")), "high"
+        "High or low flight of the two with that speed.", Choice(("high", "low")), "high"
     )
     depth: float = setting("Distance past the ring's centre of the aim.", Quantity("length"), 0.0)
     by: str = of.way()
@@ -213,8 +213,8 @@ class AimQuestion:
 class Tallies:
     """The outputs besides the results of a table."""
 
-    group: str | None = setting(
-        "Count results by the values of a column, too, with intervals.",
+    by: str | None = setting(
+        "Count results also by the values of a column, with intervals.",
         Text(metavar="COLUMN"),
         None,
     )
@@ -225,7 +225,9 @@ class Tallies:
         heading=RESULTS,
     )
     units: System = of.table_units()
-    reason: bool = setting("Add a column: why a row is invalid.", Flag(), False, heading=RESULTS)
+    reason: bool = setting(
+        "Add a column with the reason why a row is invalid.", Flag(), False, heading=RESULTS
+    )
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -252,21 +254,21 @@ class CounterfactualQuestion:
 
     shared: ClassVar = ()
     vary: Sequence[str] | None = setting(
-        "Variables that are changed, each alone; by default speed, elevation and azimuth, in a "
-        "scene of one's own vx, vy and vz. Parameters of the scene are variables, too.",
+        "Variable to change, each alone; by default speed, elevation and azimuth, in a scene "
+        "of your own vx, vy and vz. Parameters of the scene are variables, too.",
         Listed(Text(words="a variable's name", metavar="NAME")),
         None,
     )
     by: str | None = of.end()
     steady: float = setting(
-        "How much further than a change the other result must last, as a share of the change; 0 "
-        "for the very nearest change, of however narrow an interval.",
+        "Share of a change for which the other result must continue beyond it; 0 accepts the "
+        "nearest change, however narrow its interval is.",
         Quantity("number", low=0.0),
         0.05,
     )
     max_contacts: int | None = of.max_contacts()
     prove: bool = setting(
-        "Whether the judge proves the results on both sides of each change.",
+        "Prove the results on both sides of each change in ball arithmetic.",
         Flag(),
         True,
         option=None,
@@ -278,7 +280,7 @@ class FanQuestion:
     """Paths of a player's shots, seen from the side."""
 
     shared: ClassVar = (of.Seeded, of.Engines, of.Threads)
-    shots: int = setting("Number of shots of which the shares are said.", Whole(), 2_000)
+    shots: int = setting("Number of shots from which the shares are computed.", Whole(), 2_000)
     paths: int = setting("Number of paths drawn, those of the first shots.", Whole(), 150)
     max_contacts: int | None = of.max_contacts()
 
@@ -290,8 +292,8 @@ class LandingsQuestion:
     shared: ClassVar = (of.Seeded, of.Engines, of.Threads)
     shots: int = setting("Number of shots.", Whole(), 200_000)
     catching_height: float | None = setting(
-        "Rebounds in place of landings: where and when the ball's centre comes down to this height "
-        "above the floor, and in which directions.",
+        "Show rebounds in place of landings: the places, times and directions at which the "
+        "ball's centre comes down to this height above the floor.",
         Quantity("length"),
         None,
     )

@@ -83,7 +83,7 @@ class Sweep(ShotsJob):
         return start, min(start + many, self.shots)
 
     def identity(self) -> dict[str, Any]:
-        """Return what the chunks depend on."""
+        """Return the identity of the chunks: everything that they depend on."""
         return {
             "over": {name: values.tolist() for name, values in self.axes.items()},
             "model": self.model.identity(),
@@ -94,7 +94,7 @@ class Sweep(ShotsJob):
         }
 
     def shots_in(self, kept: pa.Table) -> int:
-        """Return how many shots a chunk's cells have that is kept."""
+        """Return the number of shots per cell of a stored chunk."""
         return int(Tally.read(rows_of(kept)[0], self.scene).shots) if self.model.scatters else 1
 
     def counted(

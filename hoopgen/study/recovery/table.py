@@ -34,7 +34,7 @@ from .fit_release import fit_release
 from .fitted_releases import FittedReleases
 
 TRACK = "track"
-"""The column of labels that is read unless another one is asked for."""
+"""The default column of labels."""
 
 _ROWS = 1 << 20
 
@@ -147,11 +147,11 @@ def fit_table(
         )
         if target is not None:
             _write(fitted, target, label or TRACK, frames, units, table)
-    return FittedTable(fitted, _said(read, frames), target)
+    return FittedTable(fitted, _describe_reading(read, frames), target)
 
 
-def _said(read: str, frames: _Frames) -> str:
-    """Return how a table was read, with the rows that were left out."""
+def _describe_reading(read: str, frames: _Frames) -> str:
+    """Describe the reading of a table, with the rows that were left out."""
     stacked = np.stack(list(frames.values.values()))
     gaps = int((~np.isfinite(stacked)).any(axis=0).sum())
     lines = [read]
@@ -182,7 +182,7 @@ def _release_time(given: float | str | None) -> Any:
 
 
 def _label_column(track: str | None, names: Sequence[str]) -> str | None:
-    """Return the column of the labels; None where there is none and none is asked for."""
+    """Return the column of the labels; None if there is none and the caller names none."""
     if track is not None:
         if track not in names:
             raise ValueError(f"track: no column {cut(track)}; there are {join_names(names)}")

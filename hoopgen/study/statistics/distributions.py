@@ -120,14 +120,14 @@ class Spread:
 
 
 def width_of(names: Sequence[str]) -> int:
-    """Return how many numbers the counts of measures are."""
+    """Return the size of the counts of measures."""
     return len(names) * (CELLS + 2)
 
 
 def counts_of(
     releases: Releases, shots: Shots, names: Sequence[str], catching_height: float
 ) -> NDArray[np.int64]:
-    """Return how many shots are in each cell of each measure, one measure after the other."""
+    """Return the number of shots in each cell of each measure, one measure after the other."""
     columns = measure(
         releases.states, shots, releases.parameters, names, catching_height=catching_height
     )
@@ -142,7 +142,7 @@ def counts_of(
 def spreads(
     counts: NDArray[np.int64], names: Sequence[str], confidence: float, catching_height: float
 ) -> dict[str, Spread]:
-    """Return what counts say, by the name of the measure."""
+    """Return the distributions from counts, by the name of the measure."""
     found = {}
     for name, cells in zip(names, counts.reshape(len(names), CELLS + 2), strict=True):
         total, turns = int(cells.sum()), name == _DIRECTION
@@ -288,7 +288,7 @@ def _number(value: float, seen: DisplayUnit) -> str:
 
 
 def _shown(unit: str) -> DisplayUnit:
-    """Return how values of a measure are shown."""
+    """Return the display unit of a measure's values."""
     kind: Any = _SEEN.get(unit)
     seen = display_unit(kind) if kind else DisplayUnit(unit, 1.0, 0)
     return DisplayUnit(seen.symbol, seen.size, _DECIMALS[unit])

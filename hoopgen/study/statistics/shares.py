@@ -104,7 +104,7 @@ class Shares(SharesOfShots):
         plain |= {"sample": sample} if sample else {}
         return {name: for_json(value) for name, value in plain.items()}
 
-    def _said(self, name: str, digits: int) -> str:
+    def _share_line(self, name: str, digits: int) -> str:
         """Say a share with its intervals."""
         text = format_percent(self.shares[name], digits)
         if self.still:
@@ -130,7 +130,7 @@ class Shares(SharesOfShots):
         digits = percent_decimals(self.half_width)
         ends = self.scene.kernels.ENDS
         rows = [
-            f"{name:{_width(self)}}  {self._said(name, digits)}"
+            f"{name:{_width(self)}}  {self._share_line(name, digits)}"
             for name in self.shares
             if name in ends or self.counts[name]
         ]
@@ -149,12 +149,12 @@ class Shares(SharesOfShots):
 
 
 def _width(found: Shares) -> int:
-    """Return how wide the column of names is."""
+    """Return the width of the column of names."""
     return max(7, *(len(name) for name in found.shares))
 
 
 def shares_of(tally: Tally, setting: Any, level: float, seed: int) -> Shares:
-    """Return what a tally says of a setting of `hoopgen.study.jobs.monte_carlo`."""
+    """Return the shares from the tally of a setting of `hoopgen.study.jobs.monte_carlo`."""
     scene: CompiledScene = setting.scene
     names = outcomes_of(scene)
     counts = {name: int(tally.ended(code)) for code, name in enumerate(names)}

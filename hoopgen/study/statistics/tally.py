@@ -28,21 +28,21 @@ BLOCK = 1 << 14
 
 def fields_of(scene: CompiledScene) -> tuple[str, ...]:
     """Return the results that a tally needs of a shot."""
-    return (*_FIELDS, *(result.name for result in scene.layout.tallied))
+    return (*_FIELDS, *(result.name for result in scene.layout.counted_results))
 
 
 def _shared(scene: CompiledScene) -> int:
-    """Return how many numbers of a tally there are beside its table."""
-    return len(_SHARED) + len(scene.layout.tallied)
+    """Return the number of entries of a tally besides its table."""
+    return len(_SHARED) + len(scene.layout.counted_results)
 
 
 def _shape(scene: CompiledScene) -> tuple[int, int]:
-    """Return how many kinds there are, one where there is no hoop, and how many outcomes."""
+    """Return the number of kinds, one without a hoop, and the number of outcomes."""
     return len(Kind) if scene.has_hoop else 1, len(scene.outcomes)
 
 
 def width_of(scene: CompiledScene) -> int:
-    """Return how many columns a row of numbers of a `Tally` has."""
+    """Return the number of columns of a `Tally` as a row of numbers."""
     return prod(_shape(scene)) + _shared(scene)
 
 
@@ -93,7 +93,7 @@ class Tally:
             result.tally: np.count_nonzero(
                 getattr(shots, result.name).reshape(settings, -1), axis=1
             )
-            for result in scene.layout.tallied
+            for result in scene.layout.counted_results
         }
         return cls(
             counted.reshape(settings, *shape),
@@ -105,11 +105,11 @@ class Tally:
 
     @classmethod
     def read(cls, row: NDArray[np.int64], scene: CompiledScene) -> Tally:
-        """Return what `row` gave, (..., columns)."""
+        """Return the tally from the result of `row`, (..., columns)."""
         shared = _shared(scene)
         table = row[..., :-shared].reshape(*row.shape[:-1], *_shape(scene))
         uncertain, capped, *others = (row[..., k - shared] for k in range(shared))
-        names = (result.tally for result in scene.layout.tallied)
+        names = (result.tally for result in scene.layout.counted_results)
         return cls(table, uncertain, capped, dict(zip(names, others, strict=True)), scene)
 
     def row(self) -> NDArray[np.int64]:

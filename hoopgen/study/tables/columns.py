@@ -50,7 +50,7 @@ class Column:
 
 @cache
 def _kinds(scene: CompiledScene) -> dict[str, Kind]:
-    """Return what the variables and components of states that columns may say measure."""
+    """Return the kinds of quantities of the variables and state components in columns."""
     return {name: one.kind for name, one in {**STATES, **variables_of(scene)}.items()}
 
 
@@ -73,7 +73,7 @@ def columns_of(
     *,
     implausible: bool = False,
 ) -> dict[str, Column]:
-    """Return where a table has the variables of its shots, or their states.
+    """Return the columns with the variables of a table's shots, or with their states.
 
     Columns z or vx, vy, vz … say that rows are states. Those named like one of
     `hoopgen.study.measures.measures.MEASURES`, with a unit or without, are results, and let alone.
@@ -85,7 +85,7 @@ def columns_of(
         Its columns: names; or its schema, which tells of files that older versions wrote, with bare
         angles in radians and spins in rad/s.
     own
-        Columns that are not to be read, though they are named like variables.
+        Column not to be read although it is named like a variable.
     given
         Variables that are known from elsewhere; columns of them are not read.
     scene
@@ -237,7 +237,7 @@ def _ask(
 
 
 def _meant(column: str, variable: str, kind: Kind) -> str:
-    """Say how a column is read as a variable, in the unit that its name has."""
+    """Describe the reading of a column as a variable, in the unit of its name."""
     size = unit_at_end(column, kind)
     if size is None and kind in UNIT_REQUIRED:
         return f"Name it with its unit, such as {column_name(variable, UNIT_REQUIRED[kind][0])}"

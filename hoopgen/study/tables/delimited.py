@@ -74,7 +74,7 @@ class Layout:
 
 
 def check_delimiter(delimiter: str) -> str:
-    """Return what stands between the cells; "tab" too."""
+    """Return the delimiter of the cells; "tab" is one, too."""
     plain = {"tab": "\t", "\\t": "\t"}.get(delimiter, delimiter)
     if len(plain) != 1 or not plain.isascii() or plain.isalnum() or plain in "\"'\n\r.+-_#":
         raise ValueError(
@@ -113,7 +113,7 @@ def layout_of(path: Path, delimiter: str = "") -> Layout:
 
 
 def _header(start: bytes, skipped: int) -> str:
-    """Return what follows the lines before the header, as far as it lies at the beginning."""
+    """Return the header and the rows after it, as far as they are in the beginning of the file."""
     return "".join(start.decode("latin-1").splitlines(keepends=True)[skipped:])
 
 

@@ -62,7 +62,7 @@ class Flights:
     events: bool = False
 
     def identity(self) -> dict[str, Any]:
-        """Return what the results depend on, in types that JSON knows."""
+        """Return the identity of the results, in types that JSON knows."""
         return {
             "parameters": self.parameters,
             "release": self.release,
@@ -112,7 +112,7 @@ class Flights:
         return pa.field(column_name(name, unit), cells.type, metadata=about), cells
 
     def _about(self, name: str) -> dict[str, str]:
-        """Return what the schema says of a column besides its unit."""
+        """Return the metadata of a column besides its unit."""
         height = caught_at([name], self.catching_height)
         return {named(one): repr(value) for one, value in height.items()}
 

@@ -68,7 +68,7 @@ class GroupCounts:
             words = cells.cast(pa.string()).combine_chunks()
         except pa.ArrowException:
             raise ValueError(
-                f"group: column {brief(self.column)} holds {cells.type}, which names no group"
+                f"by: column {brief(self.column)} holds {cells.type}, which names no group"
             ) from None
         parts = words.chunks if isinstance(words, pa.ChunkedArray) else [words]
         coded = pa.concat_arrays(parts).fill_null("").dictionary_encode()
@@ -79,7 +79,7 @@ class GroupCounts:
             self._counts[name] = self._counts.get(name, 0) + counts
         if len(self._counts) > MAX_GROUPS:
             raise ValueError(
-                f"group: column {brief(self.column)} has more than {MAX_GROUPS:,} different values"
+                f"by: column {brief(self.column)} has more than {MAX_GROUPS:,} different values"
             )
 
     def groups(self, ended: Iterable[str]) -> dict[str, Group]:

@@ -76,7 +76,7 @@ def interpret(
     results: Sequence[str] = (),
     decimal_comma: bool = False,
 ) -> Interpretation:
-    """Return how a table is interpreted.
+    """Return the interpretation of a table.
 
     Parameters
     ----------

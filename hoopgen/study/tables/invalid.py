@@ -101,7 +101,7 @@ def cause(reason: str) -> str:
 
 
 def _cells(table: pa.Table, column: Column, wrong: NDArray[np.bool_], comma: bool) -> list[str]:
-    """Say what is wrong with the cells of a column that gave no number."""
+    """Return the reasons why cells of a column gave no number."""
     rows = np.flatnonzero(wrong)
     part = table.select([column.name]).take(rows)
     found, name = numbers(part, column, comma), cut(column.name)
@@ -115,7 +115,7 @@ def _cells(table: pa.Table, column: Column, wrong: NDArray[np.bool_], comma: boo
 
 
 def _cell(column: str, cell: Any) -> str:
-    """Say what is wrong with a cell that gave no number that is allowed."""
+    """Return the reason why a cell gave no allowed number."""
     if cell is None or (isinstance(cell, str) and not cell.strip()):
         return f"no value in {column}"
     try:
@@ -126,7 +126,7 @@ def _cell(column: str, cell: Any) -> str:
 
 
 def shot_reason(releases: Releases, row: int, scene: CompiledScene) -> str:
-    """Return what is wrong with a shot all of whose cells are numbers."""
+    """Return the reason why a shot is invalid although all of its cells are numbers."""
     own = {
         name: np.float64(np.broadcast_to(value, len(releases))[row])
         for name, value in releases.parameters.items()

@@ -61,7 +61,7 @@ class Origin:
         return (*self.own, *self.results)
 
     def metadata(self, scene: str, **more: Any) -> dict[bytes, bytes]:
-        """Return what a schema says of it, with the scene in words, and `more`."""
+        """Return the provenance for a schema, with the scene in words, and `more`."""
         made: dict[str, Any] = {_MADE_IN: self.engine.identity}
         if self.engine.is_hoop:
             made = {"preset": nearest_preset(self.parameters)[0]}
@@ -75,7 +75,7 @@ class OtherScene(ValueError):
 
 
 def origin_of(table: Source, scene: CompiledScene = HOOP) -> Origin | None:
-    """Return what a file of results says of its shots; None if it says nothing.
+    """Return the provenance in a file of results; None if it has none.
 
     Parameters
     ----------
@@ -149,7 +149,7 @@ def resolve_origin(
     scene: CompiledScene = HOOP,
     columns: Mapping[str, str] | None = None,
 ) -> Origin:
-    """Return how the shots of a table are flown: as it says, and where it says nothing as asked.
+    """Return the settings of a table's simulation: those of the file, else those of the caller.
 
     Parameters
     ----------

@@ -54,7 +54,7 @@ class Results:
     origin: Origin  # what the table says of its shots
     prefix: str  # of the names of the results
     reason: bool  # whether a column says why a row is invalid
-    group: str | None  # the column by whose values results are counted; None for none
+    by: str | None  # the column by whose values results are counted; None for none
     log: Sink | None = None
     log_schema: pa.Schema = field(default=None, init=False)
     outcomes: NDArray[np.int64] = field(init=False)  # counts of the rows that were written, by code
@@ -65,13 +65,13 @@ class Results:
         self._types = self.source.typed(self.columns)
         self._kept = self._types.names
         self._counts: GroupCounts | None = None
-        if self.group is not None:
-            if self.group not in self._kept:
+        if self.by is not None:
+            if self.by not in self._kept:
                 raise ValueError(
-                    f"group: {self.source} has no column {brief(self.group)}; the columns are "
+                    f"by: {self.source} has no column {brief(self.by)}; the columns are "
                     f"{join_names(self._kept)}"
                 )
-            self._counts = GroupCounts(self.group, outcomes_of(self.shots.scene))
+            self._counts = GroupCounts(self.by, outcomes_of(self.shots.scene))
 
     @property
     def ended(self) -> tuple[str, ...]:
@@ -87,7 +87,7 @@ class Results:
         return {} if self._counts is None else self._counts.groups(self.ended)
 
     def schema(self, scene: str) -> pa.Schema:
-        """Return that of the results; arguments that shots cannot have are refused here.
+        """Return the schema of the results; arguments that shots cannot have raise an error here.
 
         Former results are left out where new ones have their names.
         """
@@ -180,7 +180,7 @@ Sink: TypeAlias = Callable[[pa.Table], None]
 
 
 def check_sink(format: str, schema: pa.Schema, source: object) -> None:
-    """Refuse columns that a format cannot have, before the work where that can be told."""
+    """Raise an error for columns that a format cannot have, before the work if possible."""
     if format in _DELIMITERS:
         with _refused(source, "CSV"):
             pa.csv.write_csv(_plain(schema).empty_table(), io.BytesIO())

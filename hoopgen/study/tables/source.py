@@ -120,12 +120,12 @@ class Source:
 
     @cached_property
     def layout(self) -> Layout:
-        """Return how a file of CSV is laid out."""
+        """Return the layout of a CSV file."""
         return layout_of(self.path, self.delimiter)
 
     @property
     def between(self) -> str:
-        """Return what stands between the cells of CSV."""
+        """Return the delimiter of the cells of CSV."""
         return self.layout.delimiter
 
     @property
@@ -152,7 +152,7 @@ class Source:
         *,
         implausible: bool = False,
     ) -> dict[str, Column]:
-        """Return where the table has the variables of its shots; as `columns_of`."""
+        """Return the columns with the variables of the table's shots; as `columns_of`."""
         schema = self.schema()
         with self._naming():
             return columns_of(schema, own, given, scene, columns, implausible=implausible)
@@ -248,7 +248,7 @@ class Source:
         return digest.hexdigest(), lines - 1
 
     def stamp(self) -> Stamp:
-        """Return what is the same for as long as nobody writes to the file."""
+        """Return a stamp that stays the same as long as nobody writes to the file."""
         with self._naming():
             status = self.path.stat()
         return status.st_size, status.st_mtime_ns

@@ -53,7 +53,7 @@ def frame_columns(
     mapped: dict[str, tuple[str, float]] = {}
     for name, column in (columns or {}).items():
         where = f"columns: {cut(name)}={cut(column)}"
-        said, unit = _said(name)
+        said, unit = _meaning(name)
         if not said:
             raise ValueError(f"{where}: {cut(name)} is none of {', '.join(FRAME)}")
         if column not in names:
@@ -66,7 +66,7 @@ def frame_columns(
         mapped[column] = said, next((one for one in (unit, own) if one is not None), 1.0)
     given = {said for said, _ in mapped.values()}
     for column in names:
-        said, unit = mapped.get(column) or _said(column)
+        said, unit = mapped.get(column) or _meaning(column)
         if not said or (column not in mapped and said in given):
             continue
         if said in found:
@@ -107,8 +107,8 @@ def describe_columns(columns: Mapping[str, Column], track: str | None, rest: Ite
     return "\n".join([*lines, *([f"not read: {left}"] if left else [])])
 
 
-def _said(name: str) -> tuple[str, float | None]:
-    """Return what a name says, or nothing, and the size of its unit if it has one."""
+def _meaning(name: str) -> tuple[str, float | None]:
+    """Return the meaning of a name, if it has one, and the size of its unit."""
     plain = name.strip().lower()
     for one in FRAME:
         if plain == one:

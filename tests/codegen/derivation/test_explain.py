@@ -174,7 +174,7 @@ def test_one_letter_has_one_meaning() -> None:
 def test_a_result_has_the_letter_of_what_it_is() -> None:
     """A time of closest approach has a time's letter, and a distance in contact a length's."""
     text = (ROOT / "generated" / "derivation.md").read_text("utf-8")
-    meeting = text[text.index("#### meeting_plane") :].partition("#### ")[2].partition("#### ")[0]
+    meeting = text[text.index("#### plane_root") :].partition("#### ")[2].partition("#### ")[0]
     assert r"\check t &\leftarrow" in meeting
     assert ARGUMENTS["nearest"].latex not in meeting
 

@@ -89,7 +89,7 @@ def test_a_plate_that_is_called_far_is_not_within_reach(plate: str) -> None:
     far = around = 0
     for _ in range(trials(600)):
         known = flight(rng, low, high)
-        known |= called("halved", known)
+        known |= called("half_flight_boxes", known)
         if called(f"{plate}_near", known)["near"]:
             continue
         far += 1
@@ -108,7 +108,7 @@ def test_where_an_arrival_may_be_late_every_plate_is_near() -> None:
         "pad": 0.0,
         "earliest_delay": 1e-9,
     }
-    known |= called("halved", known)
+    known |= called("half_flight_boxes", known)
     assert called("bridge_near", known)["near"]
     assert called("backboard_near", known)["near"]
 

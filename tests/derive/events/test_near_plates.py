@@ -56,7 +56,7 @@ def grazing(plate: str, rows: int, errors: float, seed: int) -> dict[str, Any]:
 @pytest.mark.parametrize("plate", ["backboard", "bridge"])
 def test_a_plate_that_a_flight_grazes_is_near(plate: str, errors: float) -> None:
     known = grazing(plate, trials(5000, at_least=5000), errors, seed=4)
-    for name in ("halved", f"{plate}_near"):
+    for name in ("half_flight_boxes", f"{plate}_near"):
         found = getattr(court, name)(*(known[argument] for argument in court.ARGUMENTS[name]))
         known |= dict(zip(court.OUTPUTS[name], found, strict=True))
     assert np.all(known["near"])

@@ -322,9 +322,9 @@ def test_a_start_within_rounding_of_a_surface_is_in_doubt_or_right(scene: Scene)
                 continue
             outcome = scene.outcomes["short"]
         decided += 1
-        doubted += bool(found["doubt"])
+        doubted += bool(found["undecided_time"])
         right = (outcome != scene.outcomes["invalid"]) == bool(found["valid"])
-        assert right or found["doubt"], (surface.name, start)
+        assert right or found["undecided_time"], (surface.name, start)
     assert decided > occurrences(10)
     if EFFORT >= 1:
         assert 0 < doubted < decided
@@ -346,7 +346,11 @@ def test_beyond_a_wall_that_is_all_around_is_body_and_behind_a_thin_one_is_not()
     }
     for (x, y, z), valid in places.items():
         found = in_doubles(verdict, defaults | {"x": x, "y": y, "z": z, "last": -1})
-        assert (bool(found["valid"]), bool(found["doubt"])) == (bool(valid), False), (x, y, z)
+        assert (bool(found["valid"]), bool(found["undecided_time"])) == (bool(valid), False), (
+            x,
+            y,
+            z,
+        )
 
 
 def test_the_judge_takes_fractions_exactly() -> None:

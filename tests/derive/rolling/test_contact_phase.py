@@ -204,13 +204,13 @@ def test_a_ball_that_hardly_moves_along_the_top_is_not_taken_for_one_that_falls(
 
 
 def test_without_errors_a_bounce_is_looked_at_when_it_may_be_the_last() -> None:
-    at = dict.fromkeys(court.ARGUMENTS["slowed"], 0.0)
+    at = dict.fromkeys(court.ARGUMENTS["leaves_slowly"], 0.0)
     at |= {court.VARIABLES[name]: value for name, value in PAPER_COURT.items()} | {"nz": 1.0}
 
     def looked(speed: float, error: float) -> tuple[bool, bool]:
         given = at | {"vx": 0.5, "vz": speed, "position_error": error}
         found: dict[str, Any] = {}
-        for name in ("slowed", "nearly"):
+        for name in ("leaves_slowly", "nearly"):
             values = getattr(court, name)(*(given[one] for one in court.ARGUMENTS[name]))
             found |= dict(zip(court.OUTPUTS[name], values, strict=True))
         return bool(found["slow"]), bool(found["nearly"])
@@ -359,14 +359,19 @@ def test_a_ball_that_rolls_for_ever_ends_as_soon_as_that_is_certain() -> None:
 
 def _proved(ball: Rolling, berth: float) -> bool:
     """Return whether a second of rolling is certain not to end, with so much room beside it."""
-    ball.values |= {"circled": 0.0, "azimuth_clearance": berth, "which": -1.0, "doubt": math.inf}
+    ball.values |= {
+        "circled": 0.0,
+        "azimuth_clearance": berth,
+        "which": -1.0,
+        "undecided_time": math.inf,
+    }
     ball.values |= {"position_error": 1e-13, "velocity_error": 1e-13}
     while ball.clock < 2.0:
         ball.expand()
         ball.step(math.inf)
         ball.call("ring_swung")
         if ball.values["endless"]:
-            return math.isinf(ball["doubt"])
+            return math.isinf(ball["undecided_time"])
     return False
 
 

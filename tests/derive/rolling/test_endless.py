@@ -28,7 +28,7 @@ def followed(room: Any, force: float = 0.0) -> tuple[list[float], float]:
         What the normal force is less than it is.
     """
     ball, turns, proved = Rolling(*SWIRL), list[float](), math.inf
-    ball.values |= {"circled": 0.0, "which": -1.0, "doubt": math.inf}
+    ball.values |= {"circled": 0.0, "which": -1.0, "undecided_time": math.inf}
     ball.values |= {"position_error": 1e-13, "velocity_error": 1e-13}
     ball.expand()
     ball.values["climb"] = ball["climb_0"]
@@ -63,6 +63,6 @@ def test_the_bound_at_any_azimuth_holds_for_half_a_step() -> None:
     for _ in range(100):
         gap, nearing, half = random.uniform([0.01, -2.0, -0.02], [0.3, 2.0, 0.02])
         given = {"gap": gap, "nearing": nearing, "half_step": half, "azimuth_clearance": 1.0}
-        named = court.ARGUMENTS["cleared"]
-        (found,) = np.ravel(court.cleared(*(given[name] for name in named)))
+        named = court.ARGUMENTS["clearance_at_any_azimuth"]
+        (found,) = np.ravel(court.clearance_at_any_azimuth(*(given[name] for name in named)))
         assert found == pytest.approx(min(1.0, gap, gap + nearing * half), rel=1e-15)

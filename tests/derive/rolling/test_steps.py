@@ -21,7 +21,7 @@ from tests.derive.rolling.test_contact_phase import GRAVITY, NBA, REACH, RING_RA
 
 ERRORS = tuple(f"d{name}" for name in ("x", "y", "z", "vx", "vy", "vz", "wx", "wy", "wz"))
 STILL: dict[str, Any] = {"position_error": 0.0, "velocity_error": 0.0, "which": -1.0}
-STILL |= {"doubt": math.inf, "earliest_delay": 0.0, "clock": 0.0, "time_limit": 60.0}
+STILL |= {"undecided_time": math.inf, "earliest_delay": 0.0, "clock": 0.0, "time_limit": 60.0}
 """A ball without errors, of which no event is known."""
 
 
@@ -168,7 +168,7 @@ def test_no_step_goes_into_another_body(start: tuple[float, ...]) -> None:
     assert 3 < step < 60
     assert ball["stride"] == 0.0
     assert abs(ball["gap"]) < 1e-13
-    assert ball["doubt"] == math.inf
+    assert ball["undecided_time"] == math.inf
 
 
 def test_no_bound_below_the_distance_is_passed_where_a_surface_curves_towards_the_ball() -> None:
@@ -228,7 +228,7 @@ def test_a_ball_that_departs_is_off_the_ring_for_as_long_as_is_said(
     leaving(ball, thrown)
     when = ball["when"]
     assert 1e-5 < when <= 2**-7
-    assert ball["doubt"] == math.inf
+    assert ball["undecided_time"] == math.inf
     with mpmath.workdps(40):
         x, y, z, vx, vy, vz = (mpmath.mpf(ball[name]) for name in court.STATE[:6])
 
@@ -282,11 +282,11 @@ def test_a_ball_that_departs_crosses_no_end_plane_in_certainty(
     """The shot is in doubt if a gap that bends as much can become positive and negative again."""
     ball = Rolling(91.0)
     ball.leave()
-    ball.values |= {"free_time": math.inf, "doubt": math.inf}
+    ball.values |= {"free_time": math.inf, "undecided_time": math.inf}
     ball.values |= {"gap": gap, "nearing": nearing, "gap_curvature": 0.0}
     ball.call("end_plane_free_time")
     assert math.isinf(ball["free_time"]) == (gap <= 0.0)
-    assert ball["doubt"] == (0.0 if crosses else math.inf)
+    assert ball["undecided_time"] == (0.0 if crosses else math.inf)
     longest = min(ball["free_time"], 2**-7)
     times = np.linspace(0.0, longest, 200)
     found = False

@@ -43,7 +43,7 @@ def of_kernels(states: Floats, times: Floats, before: Floats, errors: Floats) ->
     given |= {"speed": np.abs(states[:, 3:]).sum(axis=1)}
     given |= {"position_error": errors, "velocity_error": errors}
     with np.errstate(all="ignore"):
-        (through,), (unsure,) = called("passing", **given), called("passing_doubt", **given)
+        (through,), (unsure,) = called("passing", **given), called("passing_undecided", **given)
     return through, unsure
 
 

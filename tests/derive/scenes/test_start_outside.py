@@ -116,6 +116,6 @@ def test_it_is_asked_along_an_axis_on_which_each_surface_has_an_end() -> None:
         gravity="g",
         restitution="e",
     )
-    assert set(validity.near_surface(HOOP)) == {"close", "valid", "doubt"}
-    assert set(validity.near_surface(one.derive())) == {"close", "valid", "doubt"}
+    assert set(validity.near_surface(HOOP)) == {"close", "valid", "undecided_time"}
+    assert set(validity.near_surface(one.derive())) == {"close", "valid", "undecided_time"}
     assert not validity.near_surface(replace(one, bodies=[floor, wall]).derive())

@@ -80,7 +80,7 @@ def test_the_command_writes_what_other_commands_read(
         assert np.all(error < 0.02)
     np.testing.assert_allclose(found["release_time_s"], 7.0, rtol=0, atol=1e-9)
     assert found["player"].tolist() == [("Bea", "Ann")[row % 2] for row in order]
-    said = output("batch", out, "--out", results, "--group", "player")
+    said = output("batch", out, "--out", results, "--by", "player")
     assert "scene: NBA" in said
     assert "invalid" not in said.split("\n", 2)[2]
     assert "speed_m_s as speed in m/s" in said

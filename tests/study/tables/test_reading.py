@@ -18,7 +18,7 @@ import numpy as np
 import pytest
 
 import hoopgen
-from tests.helpers.commands import run, succeed
+from tests.helpers.commands import failure, run, succeed
 
 pa = pytest.importorskip("pyarrow")
 pq = pytest.importorskip("pyarrow.parquet")
@@ -578,7 +578,7 @@ def test_events_as_a_data_frame() -> None:
 
 @pytest.mark.parametrize("rows", [2, 100])
 def test_groups_have_counts_and_intervals(rows: int, thrown: Path, tmp_path: Path) -> None:
-    result = hoopgen.batch(thrown, columns=MAPPED, group="player", rows=rows)
+    result = hoopgen.batch(thrown, columns=MAPPED, by="player", rows=rows)
     made = hoopgen.simulate(states()).made
     for player, group in result.groups.items():
         there = np.array([one == player for one in THROWN["player"]])
@@ -588,13 +588,22 @@ def test_groups_have_counts_and_intervals(rows: int, thrown: Path, tmp_path: Pat
         assert (group.low, group.high) == tuple(map(float, wilson(count, number, 0.95)))
     assert list(result.groups) == ["Ann", "Bea", "Cy"]
     assert pickle.loads(pickle.dumps(result)).groups == result.groups
-    command = ("batch", thrown, "--out", tmp_path / "o.csv", *COLUMNS, "--group", "player")
+    command = ("batch", thrown, "--out", tmp_path / "o.csv", *COLUMNS, "--by", "player")
     assert re.search(r"\nplayer  shots .*\n-+ .*\nAnn +3 ", succeed(*command).stdout)
 
 
+def test_group_is_a_deprecated_name_of_by(thrown: Path, tmp_path: Path) -> None:
+    command = ("batch", thrown, "--out", tmp_path / "o.csv", *COLUMNS, "--group", "player")
+    old, new = succeed(*command), succeed(*command[:-2], "--by", "player")
+    assert old.stdout == new.stdout
+    assert old.stderr == "--group is deprecated: use --by\n" + new.stderr
+    assert "--group" not in succeed("batch", "--help").stdout
+    assert "give --by alone" in failure(*command, "--by", "player")
+
+
 def test_a_group_that_is_no_column_is_refused() -> None:
-    with pytest.raises(ValueError, match="group: the table has no column 'team'; the columns are"):
-        hoopgen.batch(pa.table(THROWN), columns=MAPPED, group="team")
+    with pytest.raises(ValueError, match="by: the table has no column 'team'; the columns are"):
+        hoopgen.batch(pa.table(THROWN), columns=MAPPED, by="team")
 
 
 @pytest.mark.parametrize(
