@@ -60,6 +60,6 @@ def air_step() -> Kernel:
             velocity_error,
             *(p.symbol for p in PARAMETERS),
         ),
-        "One step of a flight through air: its time, position and velocity, bounds on their errors.",
+        "One step of a flight through air: time, position, velocity, and bounds on their errors.",
         "Taylor's series of gravity, buoyancy, drag and Magnus force; Gronwall's lemma",
     )
