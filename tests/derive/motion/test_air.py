@@ -95,7 +95,7 @@ def reference(state: np.ndarray, time: float) -> list[mpf]:
 
 
 def test_a_flight_has_the_check_value_without_spin_and_smoothing() -> None:
-    """The expected place was computed to 17 digits by another program."""
+    """The expected place is a check value of the equations of motion, given to 17 digits."""
     state = np.array([4.191, 0.0, -0.6096, -4.5, 0.0, 5.7, 0.0, 0.0, 0.0])
     left, steps, error = 0.8, 0, 0.0
     while left > 0.0 and steps < 30:
