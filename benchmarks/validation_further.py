@@ -117,7 +117,7 @@ def _first_contacts() -> dict[str, float]:
 
 
 def _command(seed: int = 1) -> tuple[float, float, float]:
-    """Return how well half of the throws of players predict the share of the other half.
+    """Return correlations of one half of the throws of players with the share of the other half.
 
     Correlations with the share made in the second half: of the share made in the first half; of
     the root mean square distance from the best point at the ring in the first half, with the sign

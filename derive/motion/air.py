@@ -84,7 +84,7 @@ PI = sp.floor(sp.pi * 2**51) / sp.Integer(2) ** 51
 
 @dataclass(frozen=True)
 class AirConstants:
-    """What the motion through air depends on, beside the state: expressions in SI units.
+    """The parameters of the motion through air: expressions in SI units.
 
     Attributes
     ----------

@@ -46,7 +46,17 @@ class Variations(Protocol):
 def derivative_arrays(
     jacobian: Jacobian, differentiable: NDArray[np.bool_], scene: CompiledScene
 ) -> tuple[dict[str, Any], dict[str, Any]]:
-    """Return the derivatives of the end as variables and coordinates of an xarray.Dataset."""
+    """Return the derivatives of the end as variables and coordinates of an xarray.Dataset.
+
+    Parameters
+    ----------
+    jacobian
+        Derivatives of the state (n, 9, k) and of the time (n, 1, k) at the end of n shots.
+    differentiable
+        The mask of the shots that have derivatives, (n,).
+    scene
+        The scene of the shots, which knows the units of its parameters.
+    """
     known = variables_of(scene)
     units = [
         STATE_UNITS[name] if name in STATE else next(iter(UNITS[known[name].kind]), "")
@@ -70,7 +80,17 @@ def derivative_arrays(
 def event_derivative_arrays(
     jacobian: Jacobian, events: NDArray[np.void], scene: CompiledScene
 ) -> tuple[dict[str, Any], dict[str, Any]]:
-    """Return the derivatives at events as variables and coordinates of an xarray.Dataset."""
+    """Return the derivatives at events as variables and coordinates of an xarray.Dataset.
+
+    Parameters
+    ----------
+    jacobian
+        Derivatives of the time (m, 1, k) and of the states before and after (m, 9, k) each event.
+    events
+        The event log, (m,).
+    scene
+        The scene of the shots, which knows the names of its surfaces.
+    """
     data = {
         "event_time_derivative": (["event", "variable"], jacobian["time"][:, 0]),
         "before_derivative": (["event", "component", "variable"], jacobian["before"]),

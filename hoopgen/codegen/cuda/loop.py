@@ -38,12 +38,12 @@ def function(kernel: str) -> str:
 
 
 def _guarded(statements: Sequence[Statement]) -> list[Statement]:
-    """Return what is done only with bounds on errors."""
+    """Return statements that run only if errors are bounded."""
     return [If(Name("BOUNDS"), tuple(statements))] if statements else []
 
 
 def _head(node: ir.If | ir.While | ir.ForEach) -> tuple[object, ...]:
-    """Return what decides how often a body is done."""
+    """Return the condition and the limit that decide how often a body runs."""
     if isinstance(node, ir.ForEach):
         return (ir.ForEach, len(node.rows))
     return (type(node), node.truth, node.limit if isinstance(node, ir.While) else None)

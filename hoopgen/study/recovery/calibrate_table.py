@@ -165,7 +165,7 @@ def _outcome_columns(
 
 
 def _outcomes(table: Source, found: Mapping[str, str]) -> dict[str, NDArray[Any]]:
-    """Return what the columns of outcomes say; NaN or nothing where a cell is empty."""
+    """Return the observations in the columns of outcomes; NaN or nothing for an empty cell."""
     parts: dict[str, list[Any]] = {name: [] for name in found}
     for part in table.tables(_ROWS):
         for name, column in found.items():

@@ -80,7 +80,7 @@ class Outcomes:
         catching_height: float,
         seed: int,
     ) -> Outcomes:
-        """Return what columns say, each (n,) with the names of `OUTCOMES`.
+        """Return the observed ends from columns, each (n,) with the names of `OUTCOMES`.
 
         Parameters
         ----------
