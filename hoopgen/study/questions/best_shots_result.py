@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 def describe_best_shots(dataset: xr.Dataset) -> str:
-    """Return a description of the numbers and their uncertainty: of the shares, and of a second search."""
+    """Return a description of the numbers and their uncertainty, with that of a second search."""
     half = 50.0 * float((dataset["high"] - dataset["low"]).max())
     level = format_percent(dataset.attrs["confidence"], None)
     speed = display_unit("speed")
