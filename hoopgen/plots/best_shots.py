@@ -108,7 +108,7 @@ def _draw(dataset: xr.Dataset, title: str, axes: Axes) -> None:
                 ha="center",
                 va="center",
                 zorder=4.0,
-                path_effects=[withStroke(linewidth=2.0, foreground=colour)],  # over the lines
+                path_effects=[withStroke(linewidth=4.0, foreground=colour)],  # over the lines
             )
     draw_floor(axes, panel, court, parameters, over=True)
     head = title or "Best shot from each place: share made, angle and speed at release"
