@@ -13,7 +13,7 @@ from hoopgen.core.units import FOOT
 from hoopgen.study.jobs.objective import By, Player, paired
 from hoopgen.study.questions.optimum import optimum
 from hoopgen.study.questions.optimum_result import Optimum
-from hoopgen.study.statistics.intervals import wilson
+from hoopgen.study.statistics.intervals import wilson_interval
 from hoopgen.text.numbers import format_percent
 
 Parameters = Mapping[str, Any]
@@ -76,7 +76,7 @@ def found_in(scene: Any, parameters: Parameters, shots: int) -> Setting:
     again = partial(_again, scene=scene, parameters=parameters, shots=shots)
     thrown = again(direct, "direct")
     made, valid = int(thrown.made.sum()), int(thrown.valid.sum())
-    low, high = wilson(made, valid, 0.95)
+    low, high = wilson_interval(made, valid, 0.95)
     return Setting(
         direct.release["elevation"],
         (made / valid, float(low), float(high)),

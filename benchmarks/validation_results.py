@@ -22,7 +22,7 @@ from hoopgen.study.questions.bank import Crossing, bank_or_direct, crossing
 from hoopgen.study.questions.estimate_result import Estimate
 from hoopgen.study.questions.optimum import optimum
 from hoopgen.study.questions.optimum_result import Optimum
-from hoopgen.study.statistics.intervals import wilson
+from hoopgen.study.statistics.intervals import wilson_interval
 
 Floats = NDArray[np.float64]
 Parameters = Mapping[str, Any]
@@ -322,7 +322,7 @@ def success(release: Mapping[str, float], name: str, sds: Sequence[float], shots
     ]
     pairs = [(one.made, one.valid) for one in thrown]
     made, valid = (np.concatenate(counts) for counts in zip(*pairs, strict=True))
-    return Curve(np.array(sds), made / valid, *wilson(made, valid, 0.95))
+    return Curve(np.array(sds), made / valid, *wilson_interval(made, valid, 0.95))
 
 
 def rounded(best: Optimum) -> dict[str, float]:

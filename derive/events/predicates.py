@@ -270,7 +270,7 @@ KERNELS = {
             "Time of an arrival, not before the flight.",
         ),
         decision(
-            "certain_arrival",
+            "arrival_certainty",
             {
                 "delay": Choose(all_of(certain, Less(0, clearance)), delay, 0),
                 "undecided_time": earlier(

@@ -295,4 +295,4 @@ def _landing(common: Parts, own: Parts, index: Value) -> Iterator[Node]:
     yield Call(KERNELS["own_margin"])
     yield Call(common["crossing"])
     yield Call(KERNELS["arrival_time"])
-    yield Call(KERNELS["certain_arrival"])
+    yield Call(KERNELS["arrival_certainty"])

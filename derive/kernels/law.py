@@ -59,7 +59,7 @@ def _kernels(
         )
     if scene.rolls:
         kernels["settling"] = settling.settling(law, scene.ball)
-        kernels["grip_deficit"] = friction_limit.strained(law)
+        kernels["grip_deficit"] = friction_limit.friction_excess(law)
     return kernels | {
         "impact": kernel(
             law.name,

@@ -105,7 +105,7 @@ def kernels(acceleration: Sequence[sp.Expr], ball: Ball) -> tuple[Kernel, ...]:
     )
 
 
-def strained(law: Law) -> Kernel:
+def friction_excess(law: Law) -> Kernel:
     """Return the kernel of the excess of friction over the law's limit, in squares."""
     friction = barrier(law.friction_coefficient**2) if law.friction_coefficient != sp.oo else sp.oo
     if friction == sp.oo:

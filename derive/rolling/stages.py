@@ -218,8 +218,8 @@ def _ring_step(
     yield _part(ring, "rolling_surface")
     yield from series({})
     yield _part(ring, "round_pace")
-    strained = given_as(Call(ring.law["grip_deficit"]), ring.law_sizes)
-    yield from _friction_limit(common, (_part(ring, "round_pulled"), strained))
+    friction_excess = given_as(Call(ring.law["grip_deficit"]), ring.law_sizes)
+    yield from _friction_limit(common, (_part(ring, "round_pulled"), friction_excess))
     yield Call(common["leaving_force"])
     for surface in others:
         yield from _beside(common, surface)

@@ -28,7 +28,7 @@ rise = sp.Symbol("rise", real=True)
 ARGUMENTS = (slope, entry, release_speed, reach, rise)
 
 
-def risen(gravity: sp.Expr) -> sp.Expr:
+def height_at_distance(gravity: sp.Expr) -> sp.Expr:
     """Return h after the horizontal distance L: Eq. 3 with t = L / (v cos(angle))."""
     return reach * slope - gravity * reach**2 * (1 + slope**2) / (2 * release_speed**2)
 

@@ -1,6 +1,6 @@
 /* Kernels of the scene court, in C.
 
-   Generated from templates/c/kernels.h.j2, scene court, derivation af737e2e972ce492,
+   Generated from templates/c/kernels.h.j2, scene court, derivation 9310fbfb302f2836,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -851,13 +851,13 @@ LANES(court_arrival_time)(V arrival)
    Table 1. 8 operations: 2 comparisons, 3 conjunctions, 1 complement, 2 selections. */
 typedef struct {
     V delay, undecided_time;
-} LANES(court_certain_arrival_out);
+} LANES(court_arrival_certainty_out);
 
-LANES_INLINE LANES(court_certain_arrival_out)
-LANES(court_certain_arrival)(V clearance, V time, V delay, V undecided_time, M arrives, M certain)
+LANES_INLINE LANES(court_arrival_certainty_out)
+LANES(court_arrival_certainty)(V clearance, V time, V delay, V undecided_time, M arrives, M certain)
 {
     const M _s0 = lanes_both(certain, lanes_less(K(0.0), clearance));
-    return (LANES(court_certain_arrival_out)){ lanes_select(_s0, delay, K(0.0)), lanes_select(lanes_both(lanes_both(arrives, lanes_not(_s0)), lanes_less(time, undecided_time)), time, undecided_time) };
+    return (LANES(court_arrival_certainty_out)){ lanes_select(_s0, delay, K(0.0)), lanes_select(lanes_both(lanes_both(arrives, lanes_not(_s0)), lanes_less(time, undecided_time)), time, undecided_time) };
 }
 
 /* Start value: the ball is outside the surface.

@@ -1,6 +1,6 @@
 /* Kernels of the scene hoop, in C.
 
-   Generated from templates/c/kernels.h.j2, scene hoop, derivation db4a923caff62ae4,
+   Generated from templates/c/kernels.h.j2, scene hoop, derivation 13e08d3d3f950874,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -662,13 +662,13 @@ LANES(hoop_arrival_time)(V arrival)
    Table 1. 8 operations: 2 comparisons, 3 conjunctions, 1 complement, 2 selections. */
 typedef struct {
     V delay, undecided_time;
-} LANES(hoop_certain_arrival_out);
+} LANES(hoop_arrival_certainty_out);
 
-LANES_INLINE LANES(hoop_certain_arrival_out)
-LANES(hoop_certain_arrival)(V clearance, V time, V delay, V undecided_time, M arrives, M certain)
+LANES_INLINE LANES(hoop_arrival_certainty_out)
+LANES(hoop_arrival_certainty)(V clearance, V time, V delay, V undecided_time, M arrives, M certain)
 {
     const M _s0 = lanes_both(certain, lanes_less(K(0.0), clearance));
-    return (LANES(hoop_certain_arrival_out)){ lanes_select(_s0, delay, K(0.0)), lanes_select(lanes_both(lanes_both(arrives, lanes_not(_s0)), lanes_less(time, undecided_time)), time, undecided_time) };
+    return (LANES(hoop_arrival_certainty_out)){ lanes_select(_s0, delay, K(0.0)), lanes_select(lanes_both(lanes_both(arrives, lanes_not(_s0)), lanes_less(time, undecided_time)), time, undecided_time) };
 }
 
 /* Whether all numbers of a release are small enough not to overflow.

@@ -1,6 +1,6 @@
 /* The event loop of the scene hoop, with or without bounds on errors.
 
-   Generated from templates/c/loop.h.j2, scene hoop, derivation db4a923caff62ae4,
+   Generated from templates/c/loop.h.j2, scene hoop, derivation 13e08d3d3f950874,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by hoop_engine.h twice, BOUNDED being 1 where errors are bounded, else 0. The path is
@@ -1837,8 +1837,8 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
             CALL(hoop_arrival_time, _arrival_time_1)(arrival);
             EACH(GET, _arrival_time_1, time)
 #if BOUNDED
-            CALL(hoop_certain_arrival, _certain_arrival_1)(clearance, time, delay, undecided_time, arrives, certain);
-            EACH(SET, _certain_arrival_1, delay, undecided_time)
+            CALL(hoop_arrival_certainty, _arrival_certainty_1)(clearance, time, delay, undecided_time, arrives, certain);
+            EACH(SET, _arrival_certainty_1, delay, undecided_time)
             CALL(hoop_tie_undecided, _tie_undecided_1)(time, when, delay, earliest_delay, undecided_time, arrives);
             EACH(SET, _tie_undecided_1, undecided_time, earliest_delay)
 #endif

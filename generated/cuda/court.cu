@@ -1,6 +1,6 @@
 /* The event loop of the scene court in CUDA: a thread takes one shot from its release to its end.
 
-   Generated from templates/cuda/scene.cu.j2, scene court, derivation af737e2e972ce492,
+   Generated from templates/cuda/scene.cu.j2, scene court, derivation 9310fbfb302f2836,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    It needs no header. To give the bits of NumPy and C it is compiled with --fmad=false, --ftz=false,
@@ -910,11 +910,11 @@ static __device__ __forceinline__ kernel_arrival_time_out kernel_arrival_time(do
 
 /* Delay of a certain arrival; the earliest undecided time, with that of any other one.
    Table 1. 8 operations: 2 comparisons, 3 conjunctions, 1 complement, 2 selections. */
-struct kernel_certain_arrival_out {
+struct kernel_arrival_certainty_out {
     double delay, undecided_time;
 };
 
-static __device__ __forceinline__ kernel_certain_arrival_out kernel_certain_arrival(double clearance, double time, double delay, double undecided_time, bool arrives, bool certain)
+static __device__ __forceinline__ kernel_arrival_certainty_out kernel_arrival_certainty(double clearance, double time, double delay, double undecided_time, bool arrives, bool certain)
 {
     const bool _s0 = certain && (0.0 < clearance);
     return {choose(_s0, delay, 0.0), choose(((arrives && (!_s0)) && (time < undecided_time)), time, undecided_time)};
@@ -5387,7 +5387,7 @@ static __device__ __forceinline__ void court_loop(
             const kernel_arrival_time_out _o64 = kernel_arrival_time(arrival);
             time = _o64.time;
             if (BOUNDS) {
-                const kernel_certain_arrival_out _o65 = kernel_certain_arrival(clearance, time, delay, undecided_time, arrives, certain);
+                const kernel_arrival_certainty_out _o65 = kernel_arrival_certainty(clearance, time, delay, undecided_time, arrives, certain);
                 delay = _o65.delay;
                 undecided_time = _o65.undecided_time;
                 const kernel_tie_undecided_out _o66 = kernel_tie_undecided(time, when, delay, earliest_delay, undecided_time, arrives);
@@ -5599,7 +5599,7 @@ static __device__ __forceinline__ void court_loop(
             const kernel_arrival_time_out _o109 = kernel_arrival_time(arrival);
             time = _o109.time;
             if (BOUNDS) {
-                const kernel_certain_arrival_out _o110 = kernel_certain_arrival(clearance, time, delay, undecided_time, arrives, certain);
+                const kernel_arrival_certainty_out _o110 = kernel_arrival_certainty(clearance, time, delay, undecided_time, arrives, certain);
                 delay = _o110.delay;
                 undecided_time = _o110.undecided_time;
                 const kernel_tie_undecided_out _o111 = kernel_tie_undecided(time, when, delay, earliest_delay, undecided_time, arrives);
@@ -5811,7 +5811,7 @@ static __device__ __forceinline__ void court_loop(
             const kernel_arrival_time_out _o154 = kernel_arrival_time(arrival);
             time = _o154.time;
             if (BOUNDS) {
-                const kernel_certain_arrival_out _o155 = kernel_certain_arrival(clearance, time, delay, undecided_time, arrives, certain);
+                const kernel_arrival_certainty_out _o155 = kernel_arrival_certainty(clearance, time, delay, undecided_time, arrives, certain);
                 delay = _o155.delay;
                 undecided_time = _o155.undecided_time;
                 const kernel_tie_undecided_out _o156 = kernel_tie_undecided(time, when, delay, earliest_delay, undecided_time, arrives);

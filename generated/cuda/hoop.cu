@@ -1,6 +1,6 @@
 /* The event loop of the scene hoop in CUDA: a thread takes one shot from its release to its end.
 
-   Generated from templates/cuda/scene.cu.j2, scene hoop, derivation db4a923caff62ae4,
+   Generated from templates/cuda/scene.cu.j2, scene hoop, derivation 13e08d3d3f950874,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    It needs no header. To give the bits of NumPy and C it is compiled with --fmad=false, --ftz=false,
@@ -710,11 +710,11 @@ static __device__ __forceinline__ kernel_arrival_time_out kernel_arrival_time(do
 
 /* Delay of a certain arrival; the earliest undecided time, with that of any other one.
    Table 1. 8 operations: 2 comparisons, 3 conjunctions, 1 complement, 2 selections. */
-struct kernel_certain_arrival_out {
+struct kernel_arrival_certainty_out {
     double delay, undecided_time;
 };
 
-static __device__ __forceinline__ kernel_certain_arrival_out kernel_certain_arrival(double clearance, double time, double delay, double undecided_time, bool arrives, bool certain)
+static __device__ __forceinline__ kernel_arrival_certainty_out kernel_arrival_certainty(double clearance, double time, double delay, double undecided_time, bool arrives, bool certain)
 {
     const bool _s0 = certain && (0.0 < clearance);
     return {choose(_s0, delay, 0.0), choose(((arrives && (!_s0)) && (time < undecided_time)), time, undecided_time)};
@@ -2381,7 +2381,7 @@ static __device__ __forceinline__ void hoop_loop(
             const kernel_arrival_time_out _o95 = kernel_arrival_time(arrival);
             time = _o95.time;
             if (BOUNDS) {
-                const kernel_certain_arrival_out _o96 = kernel_certain_arrival(clearance, time, delay, undecided_time, arrives, certain);
+                const kernel_arrival_certainty_out _o96 = kernel_arrival_certainty(clearance, time, delay, undecided_time, arrives, certain);
                 delay = _o96.delay;
                 undecided_time = _o96.undecided_time;
                 const kernel_tie_undecided_out _o97 = kernel_tie_undecided(time, when, delay, earliest_delay, undecided_time, arrives);

@@ -1,6 +1,6 @@
 """NumPy kernels of the scene court.
 
-Generated from templates/numpy/kernels.py.j2, scene court, derivation af737e2e972ce492,
+Generated from templates/numpy/kernels.py.j2, scene court, derivation 9310fbfb302f2836,
 with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
 and run `make generate`.
 Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
@@ -354,7 +354,7 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "refined_root": ("arrival", "refining",),
     "own_margin": ("margin",),
     "arrival_time": ("time",),
-    "certain_arrival": ("delay", "undecided_time",),
+    "arrival_certainty": ("delay", "undecided_time",),
     "outside": ("side",),
     "state_in_range": ("in_range",),
     "opening": ("when", "which", "earliest_delay", "undecided_time",),
@@ -1577,7 +1577,7 @@ def arrival_time(arrival: Any) -> tuple[Any, ...]:
     return _where((arrival < 0.0), 0.0, arrival),
 
 
-def certain_arrival(clearance: Any, time: Any, delay: Any, undecided_time: Any, arrives: Any, certain: Any) -> tuple[Any, ...]:
+def arrival_certainty(clearance: Any, time: Any, delay: Any, undecided_time: Any, arrives: Any, certain: Any) -> tuple[Any, ...]:
     """Delay of a certain arrival; the earliest undecided time, with that of any other one.
 
     Table 1. 8 operations: 2 comparisons, 3 conjunctions, 1 complement, 2 selections.
@@ -5826,7 +5826,7 @@ def _arrival_time_alone(arrival: Any) -> tuple[Any, ...]:
     return _k2 if (arrival < _k2) else arrival,
 
 
-def _certain_arrival_alone(clearance: Any, time: Any, delay: Any, undecided_time: Any, arrives: Any, certain: Any) -> tuple[Any, ...]:
+def _arrival_certainty_alone(clearance: Any, time: Any, delay: Any, undecided_time: Any, arrives: Any, certain: Any) -> tuple[Any, ...]:
     _s0 = certain and (_k2 < clearance)
     return delay if _s0 else _k2, time if ((arrives and (not _s0)) and (time < undecided_time)) else undecided_time
 
@@ -8582,7 +8582,7 @@ def _alone14(_earliest_delay_: Any, _extent_: Any, _last_: Any, _p_ball_radius_:
     _margin_, = _own_margin_alone(_leaving_, _flat_, _tilt_, _arrival_)
     _clearance_, _delay_ = _crossing_alone(_margin_, _rate_margin_, _rate_, _ceiling_)
     _time_, = _arrival_time_alone(_arrival_)
-    _delay_, _undecided_time_ = _certain_arrival_alone(_clearance_, _time_, _delay_, _undecided_time_, _arrives_, _certain_)
+    _delay_, _undecided_time_ = _arrival_certainty_alone(_clearance_, _time_, _delay_, _undecided_time_, _arrives_, _certain_)
     _undecided_time_, _earliest_delay_ = _tie_undecided_alone(_time_, _when_, _delay_, _earliest_delay_, _undecided_time_, _arrives_)
     _when_, _which_ = _earliest_alone(_k2, _time_, _when_, _which_, _arrives_)
     return (_earliest_delay_, _undecided_time_, _when_, _which_,)
@@ -8703,7 +8703,7 @@ def _alone19(_earliest_delay_: Any, _extent_: Any, _last_: Any, _p_ball_radius_:
     _margin_, = _own_margin_alone(_leaving_, _flat_, _tilt_, _arrival_)
     _clearance_, _delay_ = _crossing_alone(_margin_, _rate_margin_, _rate_, _ceiling_)
     _time_, = _arrival_time_alone(_arrival_)
-    _delay_, _undecided_time_ = _certain_arrival_alone(_clearance_, _time_, _delay_, _undecided_time_, _arrives_, _certain_)
+    _delay_, _undecided_time_ = _arrival_certainty_alone(_clearance_, _time_, _delay_, _undecided_time_, _arrives_, _certain_)
     _undecided_time_, _earliest_delay_ = _tie_undecided_alone(_time_, _when_, _delay_, _earliest_delay_, _undecided_time_, _arrives_)
     _when_, _which_ = _earliest_alone(_k1, _time_, _when_, _which_, _arrives_)
     return (_earliest_delay_, _undecided_time_, _when_, _which_,)
@@ -8791,7 +8791,7 @@ def _alone22(_earliest_delay_: Any, _extent_: Any, _last_: Any, _p_ball_radius_:
     _margin_, = _own_margin_alone(_leaving_, _flat_, _tilt_, _arrival_)
     _clearance_, _delay_ = _crossing_alone(_margin_, _rate_margin_, _rate_, _ceiling_)
     _time_, = _arrival_time_alone(_arrival_)
-    _delay_, _undecided_time_ = _certain_arrival_alone(_clearance_, _time_, _delay_, _undecided_time_, _arrives_, _certain_)
+    _delay_, _undecided_time_ = _arrival_certainty_alone(_clearance_, _time_, _delay_, _undecided_time_, _arrives_, _certain_)
     _undecided_time_, _earliest_delay_ = _tie_undecided_alone(_time_, _when_, _delay_, _earliest_delay_, _undecided_time_, _arrives_)
     _when_, _which_ = _earliest_alone(_k28, _time_, _when_, _which_, _arrives_)
     return (_earliest_delay_, _undecided_time_, _when_, _which_,)
@@ -10475,7 +10475,7 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _margin_1, = own_margin(_leaving_1, _flat_1, _tilt_1, _arrival_1)
         _clearance_1, _delay_1 = crossing(_margin_1, _rate_margin_1, _rate_1, _ceiling_1, _room_1)
         _time_1, = arrival_time(_arrival_1)
-        _delay_1, _undecided_time_1 = certain_arrival(_clearance_1, _time_1, _delay_1, _undecided_time_1, _arrives_1, _certain_1)
+        _delay_1, _undecided_time_1 = arrival_certainty(_clearance_1, _time_1, _delay_1, _undecided_time_1, _arrives_1, _certain_1)
         _undecided_time_1, _earliest_delay_1 = tie_undecided(_time_1, _when_1, _delay_1, _earliest_delay_1, _undecided_time_1, _arrives_1)
         _when_1, _which_1 = earliest(0.0, _time_1, _when_1, _which_1, _arrives_1)
         _earliest_delay_0, _undecided_time_0, _when_0, _which_0 = _put(_rows1, shots, (_earliest_delay_0, _undecided_time_0, _when_0, _which_0,), (_earliest_delay_1, _undecided_time_1, _when_1, _which_1,))
@@ -10610,7 +10610,7 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _margin_1, = own_margin(_leaving_1, _flat_1, _tilt_1, _arrival_1)
         _clearance_1, _delay_1 = crossing(_margin_1, _rate_margin_1, _rate_1, _ceiling_1, _room_1)
         _time_1, = arrival_time(_arrival_1)
-        _delay_1, _undecided_time_1 = certain_arrival(_clearance_1, _time_1, _delay_1, _undecided_time_1, _arrives_1, _certain_1)
+        _delay_1, _undecided_time_1 = arrival_certainty(_clearance_1, _time_1, _delay_1, _undecided_time_1, _arrives_1, _certain_1)
         _undecided_time_1, _earliest_delay_1 = tie_undecided(_time_1, _when_1, _delay_1, _earliest_delay_1, _undecided_time_1, _arrives_1)
         _when_1, _which_1 = earliest(1.0, _time_1, _when_1, _which_1, _arrives_1)
         _earliest_delay_0, _undecided_time_0, _when_0, _which_0 = _put(_rows27, shots, (_earliest_delay_0, _undecided_time_0, _when_0, _which_0,), (_earliest_delay_1, _undecided_time_1, _when_1, _which_1,))
@@ -10745,7 +10745,7 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _margin_1, = own_margin(_leaving_1, _flat_1, _tilt_1, _arrival_1)
         _clearance_1, _delay_1 = crossing(_margin_1, _rate_margin_1, _rate_1, _ceiling_1, _room_1)
         _time_1, = arrival_time(_arrival_1)
-        _delay_1, _undecided_time_1 = certain_arrival(_clearance_1, _time_1, _delay_1, _undecided_time_1, _arrives_1, _certain_1)
+        _delay_1, _undecided_time_1 = arrival_certainty(_clearance_1, _time_1, _delay_1, _undecided_time_1, _arrives_1, _certain_1)
         _undecided_time_1, _earliest_delay_1 = tie_undecided(_time_1, _when_1, _delay_1, _earliest_delay_1, _undecided_time_1, _arrives_1)
         _when_1, _which_1 = earliest(2.0, _time_1, _when_1, _which_1, _arrives_1)
         _earliest_delay_0, _undecided_time_0, _when_0, _which_0 = _put(_rows49, shots, (_earliest_delay_0, _undecided_time_0, _when_0, _which_0,), (_earliest_delay_1, _undecided_time_1, _when_1, _which_1,))

@@ -159,7 +159,7 @@ def _outcome_bars(found: Estimate) -> list[_Bar]:
 
 def _kind_bars(found: Estimate) -> _Group:
     """Return the bars of the kinds, made and missed."""
-    from hoopgen.study.statistics.intervals import wilson
+    from hoopgen.study.statistics.intervals import wilson_interval
 
     bars = []
     for kind, count in found.kinds.items():
@@ -167,7 +167,7 @@ def _kind_bars(found: Estimate) -> _Group:
             continue
         made = found.kinds_made[kind]
         share = count / found.shots
-        low, high = map(float, wilson(count, found.shots, found.confidence))
+        low, high = map(float, wilson_interval(count, found.shots, found.confidence))
         low, high = (share, share) if found.still else (low, high)
         parts = [(made / found.shots, MADE.get(kind, _PLAIN_COLOUR))]
         parts += [((count - made) / found.shots, MISSED.get(kind, _PLAIN_COLOUR))]

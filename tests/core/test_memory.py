@@ -178,10 +178,10 @@ def test_no_interval_is_narrower_than_its_least_shots_allow() -> None:
         cuts = np.sort(random.choice([0, shots, shots // 2, random.integers(shots + 1)], 3))
         parts = random.permutation(np.diff(cuts, prepend=0, append=shots)).tolist()
         # Half a width is known within some eps of 1, of which it is a difference.
-        low, high = intervals.newcombe(*parts, level)
+        low, high = intervals.newcombe_interval(*parts, level)
         half = math.nextafter(min(0.5 * (high - low) + 1e-15, 0.99), 1.0)
         assert intervals.least_shots(half, level, paired=True) <= shots
-        low, high = intervals.wilson(parts[0], shots, level)
+        low, high = intervals.wilson_interval(parts[0], shots, level)
         assert intervals.least_shots(0.5 * float(high - low) + 1e-15, level) <= shots
 
 

@@ -278,7 +278,7 @@ FAULTS = (
         in_search("_sooner = all_of(arrives, Less(time, when))", "_sooner = arrives"),
         in_c=True,
     ),
-    Fault("ties are not in doubt", in_search("earlier(all_of(arrives, _tie)", "earlier(false")),
+    Fault("ties are not in doubt", in_search("all_of(arrives, _tie), Choose", "false, Choose")),
     Fault(
         "an arrival before the flight counts",
         in_search("all_of(_meets, AtMost(0, time), Less", "all_of(_meets, Less"),

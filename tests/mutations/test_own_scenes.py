@@ -344,7 +344,7 @@ FAULTS = (
         "friction holds with its coefficient unsquared",
         in_text(
             friction_limit,
-            "strained",
+            "friction_excess",
             "barrier(law.friction_coefficient**2)",
             "law.friction_coefficient",
         ),

@@ -25,7 +25,7 @@ from matplotlib.figure import Figure
 from hoopgen.core.units import use_units
 from hoopgen.plots import COLUMN, PAGE, plot_aim, plot_estimate, plot_landings
 from hoopgen.study.questions.aim_table import aim_table
-from hoopgen.study.statistics.intervals import wilson
+from hoopgen.study.statistics.intervals import wilson_interval
 
 RELEASE = {
     "speed": 7.17,
@@ -106,7 +106,7 @@ def test_outcomes_have_their_shares_and_intervals(found: Any) -> None:
     assert parts["missed"] == [found.missed / 3000]
     ends = whiskers(axes)
     assert ends["made"] == (found.low, found.high)
-    assert ends["missed"] == tuple(map(float, wilson(found.missed, 3000, 0.95)))
+    assert ends["missed"] == tuple(map(float, wilson_interval(found.missed, 3000, 0.95)))
 
 
 def test_kinds_are_split_into_made_and_not(found: Any) -> None:

@@ -22,7 +22,7 @@ pytest.importorskip("pydantic")
 
 from hoopgen import Resample, Scatter  # noqa: E402
 from hoopgen.scene.lookup import variables_of  # noqa: E402
-from hoopgen.study.statistics.intervals import wilson  # noqa: E402
+from hoopgen.study.statistics.intervals import wilson_interval  # noqa: E402
 from hoopgen.studyfile import run_study  # noqa: E402
 from hoopgen.studyfile.reading import StudyError  # noqa: E402
 
@@ -104,7 +104,7 @@ def test_an_estimate_has_the_share_of_each_end_with_its_interval(scene: Engine) 
         assert 0 < count < SHOTS
         assert found.counts[name] == count
         assert found.shares[name] == count / SHOTS
-        assert (found.low[name], found.high[name]) == wilson(count, SHOTS, 0.95)
+        assert (found.low[name], found.high[name]) == wilson_interval(count, SHOTS, 0.95)
     assert sum(found.counts.values()) == SHOTS
     assert "near" in str(found)
     assert "scene    ledge" in str(found)

@@ -95,7 +95,7 @@ def test_wilson_s_interval_is_that_of_python() -> None:
     ]
     found = computed("given.map(([made, shots]) => Release.wilson(made, shots, spec.z))", pairs)
     for (made, shots), ends in zip(pairs, found, strict=True):
-        wanted = intervals.wilson(made, shots, 0.95)
+        wanted = intervals.wilson_interval(made, shots, 0.95)
         # A dozen operations, and the quantile from two libraries.
         np.testing.assert_allclose(ends, np.array(wanted).ravel(), rtol=0, atol=32 * EPS)
 

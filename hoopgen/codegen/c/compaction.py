@@ -32,7 +32,7 @@ from ..statements import (
     Table,
 )
 from .hierarchy import GroupContext
-from .masks import Around, Statements
+from .masked_loop import Around, Statements
 from .spelling import (
     TYPES,
     at,

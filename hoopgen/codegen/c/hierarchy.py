@@ -37,7 +37,7 @@ from ..statements import (
     Tuple,
     While,
 )
-from .masks import Around, CLoop, Statements
+from .masked_loop import Around, MaskedLoop, Statements
 from .spelling import any_lane, at, both, column_of, function, load, store
 
 
@@ -72,7 +72,7 @@ class GroupContext:
 
 
 @dataclass
-class GroupedLoop(CLoop):
+class GroupedLoop(MaskedLoop):
     """Tables in groups.
 
     Attributes

@@ -15,14 +15,14 @@ from hoopgen.derive.symbolic.symbols import STATE
 from .. import visitors
 from ..statements import Assign, Column, Declare, Expression, If, Name, Number, Operate
 from ..variants import Stage
-from .masks import CLoop, Statements
+from .masked_loop import MaskedLoop, Statements
 from .spelling import TYPES, ZERO, column_of, less, load, store
 
 STATE_NAMES = {symbol.name for symbol in STATE}
 
 
 @dataclass
-class LaunchLoop(CLoop):
+class LaunchLoop(MaskedLoop):
     """A pass over rows of new shots, which refuses those that may touch something."""
 
     def _guarded(

@@ -20,7 +20,7 @@ from ..statements import (
 )
 from ..visitors import live_before
 from .hierarchy import GroupContext, GroupedLoop
-from .masks import Statements
+from .masked_loop import Statements
 from .spelling import at, expand, load, seldom, store
 
 

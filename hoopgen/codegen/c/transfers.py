@@ -28,7 +28,7 @@ from ..statements import (
     Tuple,
 )
 from .hierarchy import GroupContext
-from .masks import Statements
+from .masked_loop import Statements
 from .outlining import OutlinedLoop
 from .spelling import (
     at,

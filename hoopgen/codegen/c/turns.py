@@ -32,7 +32,7 @@ from ..statements import (
     While,
 )
 from .hierarchy import GroupContext
-from .masks import Statements
+from .masked_loop import Statements
 from .spelling import (
     TYPES,
     at,

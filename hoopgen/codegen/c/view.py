@@ -40,7 +40,7 @@ from .formatter import C_FORMATTER
 from .hierarchy import GroupContext
 from .hoisted import Hoisted
 from .launch import LaunchLoop
-from .masks import CLoop, Statements
+from .masked_loop import MaskedLoop, Statements
 from .options import Options
 from .spelling import (
     LANES,
@@ -189,7 +189,7 @@ def loop_view(
     permitting = needed(stages["validate"][0], {"permitted"})
     sizes: dict[str, Kind] = dict.fromkeys(loop.parameters, "double")
     by_columns = frozenset(parameter_kernels(loop))
-    permit = CLoop(**common, by_columns=by_columns).body(
+    permit = MaskedLoop(**common, by_columns=by_columns).body(
         permitting, sizes, set(), "", {"permitted"}
     )
     launcher = LaunchLoop(**common, hoisted=hoisted)

@@ -26,7 +26,7 @@ from hoopgen.engine.thread_pools import SerialExecutor, executor
 from hoopgen.text.escape import printable
 
 from .chunk_store import KEPT, ChunkStore, opened
-from .executors import Task, Workers, check_workers, hired
+from .executors import Task, Workers, check_workers, make_workers
 
 _PREPARING: ContextVar[bool] = ContextVar("questions are prepared alone", default=False)
 
@@ -193,7 +193,7 @@ def run(
             kept = folder
         else:
             kept = stack.enter_context(opened(folder, job.identity()))
-        workers = stack.enter_context(hired(scheduler, threads, report))
+        workers = stack.enter_context(make_workers(scheduler, threads, report))
         total, done = job.chunks, 0
         note(done, total)
         for table, damage in _in_order(_parts(job), kept, workers):

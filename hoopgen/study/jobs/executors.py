@@ -104,7 +104,7 @@ def _credentials(address: str, scheme: str) -> dict[str, Any]:
     return arguments
 
 
-def hired(
+def make_workers(
     scheduler: str | None, threads: int | None, report: Callable[[str], None]
 ) -> contextlib.AbstractContextManager[Workers]:
     """Return those who compute; arguments and errors as of `hoopgen.study.jobs.chunks.run`."""

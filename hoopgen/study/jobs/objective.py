@@ -24,7 +24,7 @@ from hoopgen.simulation.hoop import HOOP
 from hoopgen.simulation.simulate import simulate
 from hoopgen.study.models.resample import EachRow, Resample
 from hoopgen.study.models.scatter import Scatter
-from hoopgen.study.statistics.intervals import newcombe
+from hoopgen.study.statistics.intervals import newcombe_interval
 from hoopgen.study.statistics.tally import check_scene
 from hoopgen.text.shorten import brief
 
@@ -268,7 +268,7 @@ def paired(mine: Successes, others: Successes, confidence: float) -> tuple[float
         int((a & b).sum()) for a in (first, ~first) for b in (second, ~second)
     )
     difference = (only_first - only_second) / len(first) if len(first) else nan
-    return difference, *newcombe(both, only_first, only_second, neither, confidence)
+    return difference, *newcombe_interval(both, only_first, only_second, neither, confidence)
 
 
 def one_each(argument: str, values: Mapping[str, Any]) -> dict[str, float]:

@@ -16,8 +16,8 @@ from hoopgen.study.models.fitted_scatter import FittedScatter
 from hoopgen.study.models.measured_columns import Measured
 from hoopgen.study.models.scatter import Scatter
 from hoopgen.study.result import Result
-from hoopgen.study.statistics.intervals import wilson
-from hoopgen.study.statistics.sums import count_quantile
+from hoopgen.study.statistics.intervals import wilson_interval
+from hoopgen.study.statistics.success_counts import count_quantile
 from hoopgen.study.statistics.tally import check_share
 from hoopgen.text.numbers import format_count, format_interval, format_percent
 from hoopgen.text.shorten import brief
@@ -292,7 +292,7 @@ def _predicted(p: Floats, made: Flags, level: float) -> Predicted:
     tail = 0.5 - 0.5 * level
     low, high = (count_quantile(p, at) for at in (tail, 1.0 - tail))
     count = int(made.sum())
-    ends = wilson(count, len(p), level)
+    ends = wilson_interval(count, len(p), level)
     most = min(high, len(p))
     return Predicted(len(p), float(p.sum()), low, most, count, float(ends[0]), float(ends[1]))
 

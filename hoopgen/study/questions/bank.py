@@ -30,7 +30,7 @@ from hoopgen.study.models.requirements import alike, scene_by_row
 from hoopgen.study.models.resample import Resample
 from hoopgen.study.models.scatter import Scatter
 from hoopgen.study.models.smoothed import smoothed
-from hoopgen.study.statistics.intervals import wilson
+from hoopgen.study.statistics.intervals import wilson_interval
 from hoopgen.study.statistics.sample import difference_of_rows, share_of_rows
 from hoopgen.study.statistics.tally import check_share
 from hoopgen.text.numbers import format_count
@@ -224,7 +224,7 @@ class _Question:
             lead = with_choice(lead, by_bank - by_direct, level, -1.0)
             difference, least, most = lead.value, lead.low, lead.high
         else:
-            low, high = wilson(both.made, both.valid, self.confidence)
+            low, high = wilson_interval(both.made, both.valid, self.confidence)
             difference, least, most = paired(banked, straight, self.confidence)
         released = (*ARGUMENTS, *(name for name in self.over if name in ("aim", *NAMES)))
         answer = {name: np.array([direct[name], bank[name]]) for name in released}

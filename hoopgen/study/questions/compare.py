@@ -27,7 +27,7 @@ from hoopgen.study.models.random import check_seed
 from hoopgen.study.models.release_model import is_still
 from hoopgen.study.models.resample import Resample
 from hoopgen.study.result import SharesOfShots
-from hoopgen.study.statistics.intervals import newcombe, newcombe_apart
+from hoopgen.study.statistics.intervals import newcombe_apart, newcombe_interval
 from hoopgen.study.statistics.sample import Rows, SampleInterval, difference_of_rows, say_difference
 from hoopgen.study.statistics.shares import Shares
 from hoopgen.study.statistics.tally import check_share, contacts_of, width_of
@@ -240,7 +240,7 @@ def _comparison(job: MonteCarloJob, total: NDArray[np.int64], level: float) -> C
     both, only_first, only_second, neither = total[2 * width_of(job.scene) :].tolist()
     pairs = both + only_first + only_second + neither
     difference = (only_second - only_first) / pairs if pairs else nan
-    low, high = newcombe(both, only_second, only_first, neither, level)
+    low, high = newcombe_interval(both, only_second, only_first, neither, level)
     if pairs and all(is_still(setting.model) for setting in job.settings):
         low = high = difference
     return Comparison(

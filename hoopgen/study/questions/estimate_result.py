@@ -31,7 +31,7 @@ from hoopgen.study.statistics.distributions import (
     spreads_of_sample,
     width_of,
 )
-from hoopgen.study.statistics.intervals import wilson
+from hoopgen.study.statistics.intervals import wilson_interval
 from hoopgen.study.statistics.sample import Rows, SampleInterval, say_sample
 from hoopgen.study.statistics.shares import Shares, shares_of
 from hoopgen.study.statistics.tally import Tally
@@ -136,7 +136,7 @@ class Estimate(SharesOfShots):
         """Return the interval of the share of the shots that end so: of those made, its own."""
         if self.still:
             return self.share_of(by), self.share_of(by)
-        low, high = wilson(getattr(self, by), self.shots - self.invalid, self.confidence)
+        low, high = wilson_interval(getattr(self, by), self.shots - self.invalid, self.confidence)
         return float(low), float(high)
 
     def with_rows(self, rows: Rows | None) -> Estimate:
@@ -233,7 +233,7 @@ def _estimated(
     valid = int(tally.valid)
     still = is_still(job.settings[which].model)
     share = ended["made"] / valid if valid else nan
-    low, high = (share, share) if still and valid else wilson(ended["made"], valid, level)
+    low, high = (share, share) if still and valid else wilson_interval(ended["made"], valid, level)
     names = [kind.name.lower() for kind in Kind]
     widths = [width_of(job.measures), SUMS * len(job.scored), COUNTS * len(job.differenced)]
     first = len(total) - sum(widths)

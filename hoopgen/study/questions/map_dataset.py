@@ -27,7 +27,7 @@ from hoopgen.scene.lookup import STATES, outcomes_of, variables_of
 from hoopgen.simulation.engine import Engine
 from hoopgen.study.models.requirements import alike, scene_by_row
 from hoopgen.study.models.resample import Resample
-from hoopgen.study.statistics.intervals import wilson
+from hoopgen.study.statistics.intervals import wilson_interval
 from hoopgen.study.statistics.shares import INVALID
 from hoopgen.study.statistics.tally import Tally
 from hoopgen.text.numbers import format_percent
@@ -77,7 +77,7 @@ def _shares(work: Sweep, numbers: Counts, level: float) -> dict[str, xr.Variable
     trial = np.array(outcomes_of(work.scene)) != INVALID
     with np.errstate(invalid="ignore", divide="ignore"):
         share = np.where(trial, count / valid, np.nan)
-    ends = wilson(np.where(trial, count, 0), valid, level)
+    ends = wilson_interval(np.where(trial, count, 0), valid, level)
     ends = (share, share) if work.model.still else ends
     low, high = (np.where(trial, end, np.nan) for end in ends)
     text, labels = f"of its {_interval(work, level)}", number_labels(work.scene)
@@ -100,7 +100,7 @@ def _probabilities(work: Sweep, numbers: Counts, level: float) -> dict[str, xr.V
     """Return the variables of a map with scatter, where there is a hoop."""
     tally = Tally.read(numbers, work.scene)
     made, valid = tally.ended(Outcome.MADE), tally.valid
-    low, high = wilson(made, valid, level)
+    low, high = wilson_interval(made, valid, level)
     with np.errstate(invalid="ignore"):
         probability = made / valid
         share = tally.of_kind() / tally.shots[..., None]

@@ -29,7 +29,7 @@ from hoopgen.study.models.requirements import check_model
 from hoopgen.study.models.resample import Resample
 from hoopgen.study.models.scatter import Scatter
 from hoopgen.study.models.smoothed import smoothed
-from hoopgen.study.statistics.intervals import wilson
+from hoopgen.study.statistics.intervals import wilson_interval
 from hoopgen.study.statistics.sample import share_of_rows
 from hoopgen.study.statistics.tally import check_scene, check_share
 
@@ -157,7 +157,7 @@ def optimum(
             player = replace(player, model=searcher.model)
         else:
             successes, ways = player.tally(fixed | point, shots, seed + 1)
-            low, high = map(float, wilson(successes.made, successes.valid, confidence))
+            low, high = map(float, wilson_interval(successes.made, successes.valid, confidence))
             folds, drawn = (), shots
         # Shots that the release was chosen by flatter it; others do not.
         few = min(shots, max(10_000, shots // 10)), seed + 1, tolerance

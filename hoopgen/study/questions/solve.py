@@ -41,7 +41,7 @@ from hoopgen.study.models.requirements import scaled
 from hoopgen.study.models.resample import Resample
 from hoopgen.study.models.scatter import Scatter
 from hoopgen.study.result import SharesOfShots
-from hoopgen.study.statistics.intervals import wilson
+from hoopgen.study.statistics.intervals import wilson_interval
 from hoopgen.study.statistics.shares import Shares
 from hoopgen.study.statistics.tally import blocks, check_share, contacts_of
 from hoopgen.text.numbers import format_count, format_percent, percent_decimals
@@ -318,7 +318,7 @@ class _Curve:
     def excluded(self, factor: float) -> float:
         """Return the distance of the wanted share from the interval; negative within it."""
         self.look([factor])
-        low, high = wilson(*self.seen[factor], self.level)
+        low, high = wilson_interval(*self.seen[factor], self.level)
         return max(float(low) - self.wanted, self.wanted - float(high))
 
     def solved(self, factors: Sequence[float]) -> tuple[float, list[float]]:

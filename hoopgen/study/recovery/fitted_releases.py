@@ -25,7 +25,7 @@ from hoopgen.simulation.simulate import simulate
 from hoopgen.study.models.random import POSTERIOR, normals, uniforms
 from hoopgen.study.named_units import unit_in
 from hoopgen.study.result import Result
-from hoopgen.study.statistics.intervals import wilson
+from hoopgen.study.statistics.intervals import wilson_interval
 from hoopgen.study.statistics.tally import check_share
 from hoopgen.text.html import table as rendered
 from hoopgen.text.numbers import format_count
@@ -257,7 +257,7 @@ class FittedReleases(Result):
         counts[~self.credible] = 0
         with np.errstate(invalid="ignore"):
             share = counts[:, 0] / counts[:, 1]
-        low, high = wilson(counts[:, 0], counts[:, 1], confidence)
+        low, high = wilson_interval(counts[:, 0], counts[:, 1], confidence)
         known = counts[:, 1] > 0
         low, high = np.where(known, low, np.nan), np.where(known, high, np.nan)
         return MadeGivenTrack(share, low, high, counts[:, 1], confidence, self.labels)

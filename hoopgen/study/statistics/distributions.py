@@ -30,7 +30,7 @@ from hoopgen.text.numbers import (
 )
 from hoopgen.text.tables import table
 
-from .intervals import Ends, quantile_ranks, wilson
+from .intervals import Ends, quantile_ranks, wilson_interval
 from .sample import Rows
 
 QUANTILES = (0.05, 0.25, 0.5, 0.75, 0.95)
@@ -90,7 +90,10 @@ class Spread:
     @property
     def shares(self) -> dict[str, tuple[float, float, float]]:
         """Shares of the sectors, each with Wilson's interval."""
-        ends = {name: wilson(n, self.shots, self.confidence) for name, n in self.sectors.items()}
+        ends = {
+            name: wilson_interval(n, self.shots, self.confidence)
+            for name, n in self.sectors.items()
+        }
         found = self.sectors.items() if self.shots else ()
         return {n: (k / self.shots, float(ends[n][0]), float(ends[n][1])) for n, k in found}
 

@@ -21,7 +21,7 @@ Ends = tuple[float, float]
 """Low and high."""
 
 
-def wilson(
+def wilson_interval(
     made: ArrayLike, shots: ArrayLike, confidence: float, degrees: float = inf
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Return the ends of Wilson's score interval (1927) of a probability.
@@ -46,7 +46,7 @@ def wilson(
     return low, high
 
 
-def newcombe(
+def newcombe_interval(
     both: int, only_first: int, only_second: int, neither: int, confidence: float
 ) -> tuple[float, float]:
     """Return the interval of a difference of paired proportions, the first less the second.
@@ -60,7 +60,7 @@ def newcombe(
     if not pairs:
         return -1.0, 1.0
     made = both + only_first, both + only_second
-    (low_1, low_2), (high_1, high_2) = wilson(made, pairs, confidence)
+    (low_1, low_2), (high_1, high_2) = wilson_interval(made, pairs, confidence)
     first, second = made[0] / pairs, made[1] / pairs
     # Products of counts outgrow 64 bits: Python's whole numbers do not.
     spread = made[0] * (pairs - made[0]) * made[1] * (pairs - made[1])
@@ -120,7 +120,7 @@ def grouped_wilson(made: ArrayLike, trials: ArrayLike, confidence: float) -> End
     if not 0.0 < share < 1.0:
         size = float(groups)  # all alike: no more is known than that every group is
     degrees = groups - 1.0
-    low, high = wilson(size if share == 1.0 else share * size, size, confidence, degrees)
+    low, high = wilson_interval(size if share == 1.0 else share * size, size, confidence, degrees)
     return float(low), float(high)
 
 
@@ -129,7 +129,8 @@ def grouped_difference(
 ) -> Ends:
     """Return the interval of the first share less the second, of pairs that come in groups.
 
-    As `newcombe`, of the intervals of `grouped_wilson` and the correlation between the groups.
+    It is `newcombe_interval` of the intervals of `grouped_wilson` and the correlation between the
+    groups.
 
     Parameters
     ----------

@@ -23,7 +23,14 @@ from hoopgen.study.measures.measures import MEASURES, measure
 from hoopgen.study.models.resample import Resample
 from hoopgen.text.numbers import format_count, format_interval, format_percent, format_points
 
-from .intervals import Ends, grouped_difference, grouped_wilson, newcombe, quantile_ranks, wilson
+from .intervals import (
+    Ends,
+    grouped_difference,
+    grouped_wilson,
+    newcombe_interval,
+    quantile_ranks,
+    wilson_interval,
+)
 from .tally import blocks
 
 Truths = NDArray[np.bool_]
@@ -99,7 +106,7 @@ def share_of_rows(
     """
     good, trials = int((made & valid).sum()), int(valid.sum())
     if cluster is None:
-        low, high = map(float, wilson(good, trials, confidence))
+        low, high = map(float, wilson_interval(good, trials, confidence))
     else:
         by_group = [totals_by_group(one, cluster) for one in (made & valid, valid)]
         low, high = grouped_wilson(by_group[0], by_group[1], confidence)
@@ -124,7 +131,7 @@ def difference_of_rows(
     if cluster is None:
         pairs = one & other, one & ~other, ~one & other, ~one & ~other & valid
         both, only_first, only_second, neither = (int(pair.sum()) for pair in pairs)
-        low, high = newcombe(both, only_first, only_second, neither, level)
+        low, high = newcombe_interval(both, only_first, only_second, neither, level)
     else:
         by_group = [totals_by_group(some, cluster) for some in (one, other, valid)]
         low, high = grouped_difference(by_group[0], by_group[1], by_group[2], level)

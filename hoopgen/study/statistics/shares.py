@@ -17,7 +17,7 @@ from hoopgen.study.models.release_model import is_still
 from hoopgen.study.result import SharesOfShots
 from hoopgen.text.numbers import format_interval, format_percent, format_uncertain, percent_decimals
 
-from .intervals import wilson
+from .intervals import wilson_interval
 from .sample import Rows, SampleInterval
 from .tally import Tally
 
@@ -161,7 +161,7 @@ def shares_of(tally: Tally, setting: Any, level: float, seed: int) -> Shares:
     trials = {name: count for name, count in counts.items() if name != INVALID}
     valid = sum(trials.values())
     shares = {name: count / valid if valid else nan for name, count in trials.items()}
-    ends = {name: wilson(count, valid, level) for name, count in trials.items()}
+    ends = {name: wilson_interval(count, valid, level) for name, count in trials.items()}
     still = is_still(setting.model)
     if still and valid:
         ends = {name: (np.asarray(share), np.asarray(share)) for name, share in shares.items()}

@@ -11,7 +11,7 @@ import numpy as np
 import pyarrow as pa
 from numpy.typing import NDArray
 
-from hoopgen.study.statistics.intervals import wilson
+from hoopgen.study.statistics.intervals import wilson_interval
 from hoopgen.text.numbers import format_interval, format_percent
 from hoopgen.text.shorten import brief, cut
 from hoopgen.text.tables import table
@@ -48,7 +48,7 @@ class Group:
         """Return a group from the numbers of its shots by outcome."""
         first = next(iter(shots))
         valid = sum(count for name, count in shots.items() if name != "invalid")
-        low, high = wilson(shots[first], valid, CONFIDENCE)
+        low, high = wilson_interval(shots[first], valid, CONFIDENCE)
         return cls(dict(shots), shots[first] / valid if valid else nan, float(low), float(high))
 
 

@@ -25,7 +25,7 @@ from hoopgen.study.jobs import monte_carlo
 from hoopgen.study.named_units import in_units
 from hoopgen.study.questions.compare import Comparison
 from hoopgen.study.questions.estimate_result import Estimate
-from hoopgen.study.statistics.intervals import newcombe, wilson
+from hoopgen.study.statistics.intervals import newcombe_interval, wilson_interval
 from hoopgen.study.statistics.tally import Tally
 from tests.helpers import ROOT, contents
 from tests.helpers.commands import failure, output, run, succeed
@@ -55,15 +55,15 @@ def small_chunks(monkeypatch: pytest.MonkeyPatch) -> None:
 )
 def test_wilson_is_scipy_s(made: int, shots: int, confidence: float) -> None:
     wanted = binomtest(made, shots).proportion_ci(confidence, method="wilson")
-    low, high = wilson(made, shots, confidence)
+    low, high = wilson_interval(made, shots, confidence)
     # Near 0 and 1 both lose half the digits in a difference.
     np.testing.assert_allclose([low, high], [wanted.low, wanted.high], rtol=1e-12, atol=1e-15)
     assert 0 <= low <= made / shots <= high <= 1
 
 
 def test_of_no_shots_nothing_is_known() -> None:
-    assert [float(end) for end in wilson(0, 0, 0.95)] == [0.0, 1.0]
-    assert newcombe(0, 0, 0, 0, 0.95) == (-1.0, 1.0)
+    assert [float(end) for end in wilson_interval(0, 0, 0.95)] == [0.0, 1.0]
+    assert newcombe_interval(0, 0, 0, 0, 0.95) == (-1.0, 1.0)
 
 
 @pytest.mark.parametrize(
@@ -79,18 +79,18 @@ def test_newcombe_gives_the_published_numbers(
     pairs: tuple[int, int, int, int], interval: tuple[float, float]
 ) -> None:
     digits = 4 if sum(pairs) > 100 else 3
-    assert tuple(round(end, digits) for end in newcombe(*pairs, 0.95)) == interval
+    assert tuple(round(end, digits) for end in newcombe_interval(*pairs, 0.95)) == interval
 
 
 def test_newcombe_changes_its_sign_with_the_order() -> None:
-    low, high = newcombe(40, 7, 3, 50, 0.9)
-    assert newcombe(40, 3, 7, 50, 0.9) == pytest.approx((-high, -low), rel=1e-14)
+    low, high = newcombe_interval(40, 7, 3, 50, 0.9)
+    assert newcombe_interval(40, 3, 7, 50, 0.9) == pytest.approx((-high, -low), rel=1e-14)
 
 
 @pytest.mark.parametrize("pairs", [(5, 0, 0, 0), (0, 0, 0, 5), (0, 5, 0, 0), (3, 0, 0, 4)])
 def test_newcombe_stands_where_nothing_varies(pairs: tuple[int, int, int, int]) -> None:
     both, first, second, _ = pairs
-    low, high = newcombe(*pairs, 0.95)
+    low, high = newcombe_interval(*pairs, 0.95)
     assert -1 <= low <= (first - second) / sum(pairs) <= high <= 1
     assert both or first or low < 0 < high
 
@@ -105,13 +105,13 @@ def test_newcombe_covers_the_difference_as_often_as_it_says(
     random = np.random.default_rng(12)
     true = chances[1] - chances[2]
     drawn = random.multinomial(1000, chances, size=2000)
-    ends = np.array([newcombe(*pairs, 0.95) for pairs in drawn.tolist()])
+    ends = np.array([newcombe_interval(*pairs, 0.95) for pairs in drawn.tolist()])
     covered = np.mean((ends[:, 0] <= true) & (true <= ends[:, 1]))
     assert 0.93 < covered < 0.99
 
 
 def test_huge_numbers_of_pairs_do_not_overflow() -> None:
-    low, high = newcombe(6 * 10**11, 2 * 10**10, 10**10, 3 * 10**11, 0.95)
+    low, high = newcombe_interval(6 * 10**11, 2 * 10**10, 10**10, 3 * 10**11, 0.95)
     n = 6 * 10**11 + 2 * 10**10 + 10**10 + 3 * 10**11
     difference = 10**10 / n
     # What Wald's interval tends to: z √((b + c)/n - d²) / √n.
@@ -448,7 +448,7 @@ def test_a_comparison_pairs_the_same_shots() -> None:
     assert found.first == estimate(PLAYER, SCENE, shots=2300, seed=3)
     assert found.second == estimate(PLAYER, livelier, shots=2300, seed=3)
     assert found.low < found.difference < found.high
-    assert (found.low, found.high) == newcombe(
+    assert (found.low, found.high) == newcombe_interval(
         found.both, found.only_second, found.only_first, found.neither, 0.95
     )
 

@@ -30,7 +30,7 @@ from hoopgen.study.questions.margins import _SMOOTH, Margin, margins
 from hoopgen.study.questions.optimum import optimum
 from hoopgen.study.questions.optimum_result import Optimum
 from hoopgen.study.questions.search import bounds_of
-from hoopgen.study.statistics.intervals import wilson
+from hoopgen.study.statistics.intervals import wilson_interval
 
 DEGREE = np.pi / 180
 SD = {"speed": 0.07, "elevation": 1.3 * DEGREE, "azimuth": 1.0 * DEGREE}
@@ -116,7 +116,7 @@ def test_no_release_of_a_random_hundred_is_better_on_fresh_shots(best: Optimum) 
 def test_the_probability_is_of_fresh_shots_with_its_interval(best: Optimum) -> None:
     made = Player(Scatter({}, SD)).sampled(best.release, best.shots, best.seed + 1).made[0]
     assert (best.made, best.probability) == (made, made / best.shots)
-    assert (best.low, best.high) == wilson(made, best.shots, best.confidence)
+    assert (best.low, best.high) == wilson_interval(made, best.shots, best.confidence)
 
 
 UNSTEADY = SD | {"restitution": 0.3}

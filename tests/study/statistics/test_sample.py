@@ -28,10 +28,10 @@ from hoopgen.study.questions.optimum_result import advice  # noqa: E402
 from hoopgen.study.statistics.intervals import (  # noqa: E402
     grouped_difference,
     grouped_wilson,
-    newcombe,
+    newcombe_interval,
     quantile_ranks,
     widened,
-    wilson,
+    wilson_interval,
 )
 from hoopgen.study.statistics.sample import SampleInterval  # noqa: E402
 from hoopgen.studyfile import run_study  # noqa: E402
@@ -85,7 +85,7 @@ def test_each_row_is_judged_by_a_release_found_without_it(best: Any) -> None:
         made += int(Player(rows).sampled({**point}, 200).made[0])
     assert (best.made, best.shots, best.probability) == (made, 200, made / 200)
     # The releases of the folds are not the one that is given: the interval is wider than the rows'.
-    low, high = map(float, wilson(made, 200, 0.95))
+    low, high = map(float, wilson_interval(made, 200, 0.95))
     assert best.low < low
     assert high < best.high
 
@@ -104,7 +104,7 @@ def test_the_interval_contains_that_the_releases_of_the_folds_differ(best: Any) 
     shares = thrown_alike(best, folds_of(MEASURED, best.seed))
     # The mean of five draws beside one more.
     variance = shares.var(ddof=1) * 6 / 5
-    ends = tuple(map(float, wilson(best.made, 200, 0.95)))
+    ends = tuple(map(float, wilson_interval(best.made, 200, 0.95)))
     wanted = widened(best.probability, ends, math.inf, variance, 5, 0.95, 0.0)
     assert (best.low, best.high) == pytest.approx(wanted, abs=1e-12)
 
@@ -129,7 +129,7 @@ def test_the_interval_of_a_sum_of_two_errors_contains_it_as_often_as_it_says() -
     random, inside = np.random.default_rng(5), 0
     for _ in range(4_000):
         made, draws = random.binomial(200, 0.7), random.normal(0.0, 0.03, 7)
-        ends = tuple(map(float, wilson(made, 200, 0.95)))
+        ends = tuple(map(float, wilson_interval(made, 200, 0.95)))
         variance = float(draws[1:].var(ddof=1))
         low, high = widened(made / 200, ends, math.inf, variance, 5, 0.95, 0.0)
         inside += bool(low <= 0.7 + draws[0] <= high)
@@ -157,7 +157,9 @@ def test_groups_are_held_out_whole_and_widen_the_interval() -> None:
     # Five games, in each of which all throws are made or all are missed.
     made = np.repeat([True, True, True, False, True], 40)
     low, high = grouped_wilson([40, 40, 40, 0, 40], [40] * 5, 0.95)
-    assert high - low > 3 * (wilson(made.sum(), 200, 0.95)[1] - wilson(made.sum(), 200, 0.95)[0])
+    assert high - low > 3 * (
+        wilson_interval(made.sum(), 200, 0.95)[1] - wilson_interval(made.sum(), 200, 0.95)[0]
+    )
 
 
 @pytest.mark.slow
@@ -177,7 +179,7 @@ def test_the_lead_of_one_way_is_of_held_out_rows() -> None:
         for one in (direct, bank)
     ]
     pairs = [int((a & b).sum()) for a in (rows[0], ~rows[0]) for b in (rows[1], ~rows[1])]
-    alone = newcombe(*pairs, 0.95)  # type: ignore[call-arg]
+    alone = newcombe_interval(*pairs, 0.95)  # type: ignore[call-arg]
     apart = thrown_alike(direct, fold) - thrown_alike(bank, fold)
     wanted = widened(lead, alone, math.inf, apart.var(ddof=1) * 6 / 5, 5, 0.95, -1.0)
     assert (low, high) == pytest.approx(wanted, abs=1e-12)
@@ -232,7 +234,9 @@ def test_an_estimate_of_a_sample_says_both_intervals() -> None:
     made = int(rows.made.sum())
     assert found.sample is not None
     assert found.sample.value == made / 200
-    assert (found.sample.low, found.sample.high) == tuple(map(float, wilson(made, 200, 0.95)))
+    assert (found.sample.low, found.sample.high) == tuple(
+        map(float, wilson_interval(made, 200, 0.95))
+    )
     assert found.high - found.low < 0.02 < 0.1 < found.sample.high - found.sample.low
     text = str(found).splitlines()
     assert text[0].endswith("(Wilson's 95% interval of the simulation alone)")
@@ -290,7 +294,7 @@ def test_a_comparison_pairs_the_rows_of_a_sample() -> None:
     ]
     pairs = [int((a & b).sum()) for a in (shots[1], ~shots[1]) for b in (shots[0], ~shots[0])]
     assert found.sample is not None
-    assert (found.sample.low, found.sample.high) == newcombe(*pairs, 0.95)  # type: ignore[call-arg]
+    assert (found.sample.low, found.sample.high) == newcombe_interval(*pairs, 0.95)  # type: ignore[call-arg]
     assert found.sample.high - found.sample.low > 3 * (found.high - found.low)
     assert "of the simulation alone)" in str(found)
     assert found.as_dict()["sample"]["rows"] == 200
@@ -306,7 +310,7 @@ def test_groups_of_one_row_are_rows() -> None:
     made = np.arange(100) % 3 > 0
     low, high = grouped_wilson(made, np.ones(100), 0.95)
     # Student's t of 99 degrees and one trial fewer: wider by less than two hundredths.
-    ends = wilson(made.sum(), 100, 0.95)
+    ends = wilson_interval(made.sum(), 100, 0.95)
     assert 1.0 < (high - low) / (ends[1] - ends[0]) < 1.02
     difference = grouped_difference(made, ~made, np.ones(100), 0.95)
     assert difference[0] < made.mean() - (~made).mean() < difference[1]

@@ -27,7 +27,7 @@ pytest.importorskip("scipy")
 from hoopgen.core.units import DEGREE, FOOT, TURN, UNITS, file_unit  # noqa: E402
 from hoopgen.simulation.hoop import HOOP  # noqa: E402
 from hoopgen.study.models.plausible import PLAUSIBLE  # noqa: E402
-from hoopgen.study.statistics.intervals import wilson  # noqa: E402
+from hoopgen.study.statistics.intervals import wilson_interval  # noqa: E402
 from hoopgen.study.tables import source as source_module  # noqa: E402
 from hoopgen.study.tables.columns import Column, columns_of  # noqa: E402
 from hoopgen.study.tables.filters import Condition, parse_conditions  # noqa: E402
@@ -585,7 +585,7 @@ def test_groups_have_counts_and_intervals(rows: int, thrown: Path, tmp_path: Pat
         count, number = int(made[there].sum()), int(there.sum())
         assert (group.shots["made"], sum(group.shots.values())) == (count, number)
         assert group.probability == count / number
-        assert (group.low, group.high) == tuple(map(float, wilson(count, number, 0.95)))
+        assert (group.low, group.high) == tuple(map(float, wilson_interval(count, number, 0.95)))
     assert list(result.groups) == ["Ann", "Bea", "Cy"]
     assert pickle.loads(pickle.dumps(result)).groups == result.groups
     command = ("batch", thrown, "--out", tmp_path / "o.csv", *COLUMNS, "--by", "player")

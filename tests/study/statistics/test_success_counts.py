@@ -10,7 +10,7 @@ pytest.importorskip("scipy")
 from scipy.stats import binom
 
 import hoopgen
-from hoopgen.study.statistics.sums import count_distribution, count_quantile
+from hoopgen.study.statistics.success_counts import count_distribution, count_quantile
 from tests.helpers.effort import trials
 
 

@@ -37,7 +37,7 @@ Around = Callable[[Sequence[Statement]], Statements]
 
 
 @dataclass
-class CLoop(Lowering):
+class MaskedLoop(Lowering):
     """Lanes: `lanes_any` skips a body, `lanes_select` keeps the other lanes as they are.
 
     Attributes
