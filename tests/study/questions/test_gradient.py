@@ -214,9 +214,10 @@ def test_the_command_and_the_study_file(tmp_path: Path) -> None:
         '[study]\nname = "A player"\n[release]\nspeed = "7.17 m/s"\nelevation = "52 deg"\n'
         'distance = "4.191 m"\nheight = "2.1336 m"\n[scatter]\nspeed = "0.07 m/s"\n'
         '[[question]]\nname = "player"\nkind = "estimate"\nshots = 2000\n'
-        'gradient = ["mean.speed", "restitution"]\n'
+        'gradient = ["mean.speed", "restitution"]\n',
+        encoding="utf-8",
     )
     out = tmp_path / "out"
     succeed("study", str(file), "--out", str(out))
-    answer = json.loads((out / "player" / "answer.json").read_text())
+    answer = json.loads((out / "player" / "answer.json").read_text("utf-8"))
     assert answer["numbers"]["gradient"] == record["gradient"]
