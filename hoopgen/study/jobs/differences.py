@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 
 from hoopgen.results.shots import Shots
 
-__all__ = ["COUNTS", "STEP", "TIMES", "difference_counts", "step_of"]
+__all__ = ["COUNTS", "PAIRS", "STEP", "TIMES", "difference_counts", "step_of"]
 
 STEP = 2.0**-7
 """Step h as a share of the value; of 0 the step itself. Noise falls with its square root."""
@@ -28,9 +28,12 @@ STEP = 2.0**-7
 TIMES = (1, 2)
 """Steps of the differences, in units of h."""
 
-COUNTS = 3 * len(TIMES)
-"""Numbers of each parameter: for each difference the pairs of valid shots, those made with the
-larger value alone, and those made with the smaller one alone."""
+PAIRS = 4
+"""Numbers of each difference: pairs of valid shots made with both values, with the larger value
+alone, with the smaller one alone, and with neither."""
+
+COUNTS = PAIRS * len(TIMES)
+"""Numbers of each parameter."""
 
 
 def step_of(value: float) -> float:
@@ -57,5 +60,6 @@ def difference_counts(
         above, below = (simulated(value + sign * times * step).outcome for sign in (1, -1))
         valid = (above != invalid) & (below != invalid)
         one, other = (above == made)[valid], (below == made)[valid]
-        counts += [len(one), np.count_nonzero(one & ~other), np.count_nonzero(other & ~one)]
+        made_with = (one & other, one & ~other, other & ~one, ~(one | other))
+        counts += [np.count_nonzero(pairs) for pairs in made_with]
     return np.array(counts, np.int64)

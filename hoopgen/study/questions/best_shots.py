@@ -79,7 +79,8 @@ def best_shots(
         Over ``place``, with `x` and `y` on the floor: `bank`, whether the best shot is off the
         board; its `speed`, `elevation`, `azimuth`, `aim` and `probability`, with the interval `low`
         and `high` of fresh shots; and `decided`, whether the interval of the difference between
-        bank and direct shot has no 0 in it. All is searched a second time with another seed:
+        bank and direct shot has no 0 in it. All is searched a second time with another seed, which
+        chooses between bank and direct, so that the choice does not raise the share:
         `speed_change`, `elevation_change` and `probability_change` are the second result less the
         first, for a place whose way is the same, else NaN. Where the share hardly depends on the
         angle, the two angles may differ by degrees.
@@ -118,10 +119,12 @@ def best_shots(
     searched = spots[spots[:, 1] >= 0.0] if even else spots
     options: dict[str, Any] = {"shots": count, "confidence": level, "threads": threads}
     options["progress"] = progress
-    first, second = (
-        _best(bank_or_direct(model, searched, parameters, seed=one, **options))
+    searches = [
+        bank_or_direct(model, searched, parameters, seed=one, **options)
         for one in (seed, seed + 2)  # a search has two seeds, the second for fresh shots
-    )
+    ]
+    # The larger of two estimates is too large, so each search reports the way that the other chose.
+    first, second = (_best(of_one, of_other) for of_one, of_other in (searches, searches[::-1]))
     same = first["bank"] == second["bank"]
     columns = dict(first)
     for name in ("speed", "elevation", "probability"):
@@ -163,10 +166,9 @@ def court_places(step: float, parameters: ParameterValues) -> Floats:
     return np.asarray(spots[(away >= _NEAREST) & (away <= _FURTHEST)])
 
 
-def _best(dataset: xr.Dataset) -> dict[str, Floats]:
-    """Return the better way of each place."""
-    shares = dataset["probability"].values
-    which = np.argmax(shares, axis=0)
+def _best(dataset: xr.Dataset, chosen: xr.Dataset) -> dict[str, Floats]:
+    """Return the results of one search, of the way that is better in another search."""
+    which = np.argmax(chosen["probability"].values, axis=0)
     names = ("speed", "elevation", "azimuth", "aim", "probability", "low", "high")
     columns = {n: np.take_along_axis(dataset[n].values, which[None], axis=0)[0] for n in names}
     low, high = dataset["difference_low"].values, dataset["difference_high"].values

@@ -19,9 +19,10 @@ from numpy.typing import NDArray
 from hoopgen.core.units import display_unit
 from hoopgen.scene.lookup import variables_of
 from hoopgen.simulation.engine import Engine
-from hoopgen.study.jobs.differences import TIMES, step_of
+from hoopgen.study.jobs.differences import PAIRS, TIMES, step_of
 from hoopgen.study.jobs.monte_carlo import ResolvedSetting
 from hoopgen.study.models.scores import SUMS, UNIT, check_scored, split
+from hoopgen.study.statistics.intervals import newcombe_interval
 from hoopgen.text.numbers import format_percent
 from hoopgen.text.tables import table
 
@@ -39,7 +40,9 @@ class Slope:
     value
         Per SI unit of the variable.
     low, high
-        The normal interval of it, of the confidence of the estimate: that of the simulation.
+        The interval of it, of the confidence of the estimate: that of the simulation alone. Of a
+        score it is normal, and NaN as the value is if no shot or every shot is made; of a
+        difference it is that of `newcombe_interval`, without the bias.
     method
         "score" or "difference".
     bias
@@ -125,7 +128,7 @@ def score_slopes(
     z = NormalDist().inv_cdf(0.5 + level / 2)
     found = {}
     for name, of_name in zip(names, sums.reshape(-1, SUMS), strict=True):
-        if not valid:
+        if not 0 < made < valid:  # the covariance and its variance would be 0
             found[name] = Slope(nan, nan, nan, "score")
             continue
         every, of_made, squares, squares_made = (float(one) / UNIT / valid for one in of_name)
@@ -158,19 +161,21 @@ def difference_slopes(
     counts
         As of `difference_counts`, of all shots.
     level
-        Of the intervals, which are those of a difference of two shares of the same shots.
+        Of the intervals.
     """
-    z = NormalDist().inv_cdf(0.5 + level / 2)
     found = {}
-    for name, of_name in zip(names, counts.reshape(-1, len(TIMES), 3), strict=True):
-        values, halves = [], []
-        for times, (pairs, above, below) in zip(TIMES, of_name.tolist(), strict=True):
-            width = 2.0 * times * step_of(parameters[name])
-            share = (above - below) / pairs if pairs else nan
-            variance = (above + below) / pairs - share**2 if pairs else nan
-            values.append(share / width)
-            halves.append(z * sqrt(max(variance, 0.0) / pairs) / width if pairs else nan)
-        value, half = values[0], halves[0]
-        bias = (values[1] - value) / 3.0
-        found[name] = Slope(value, value - half, value + half, "difference", bias)
+    for name, of_name in zip(names, counts.reshape(-1, len(TIMES), PAIRS), strict=True):
+        once, twice = of_name.tolist()
+        width = 2.0 * step_of(parameters[name])
+        value, wider = _difference(once) / width, _difference(twice) / (2.0 * width)
+        both, above, below, neither = once
+        low, high = newcombe_interval(both, above, below, neither, level)
+        bias = (wider - value) / 3.0
+        found[name] = Slope(value, low / width, high / width, "difference", bias)
     return found
+
+
+def _difference(counts: Sequence[int]) -> float:
+    """Return the share made with the larger value less that with the smaller one, by `PAIRS`."""
+    _, above, below, _ = counts
+    return (above - below) / sum(counts) if sum(counts) else nan

@@ -71,8 +71,8 @@ def unit_of(part: Measured, lines: Lines, frames: Flags, fall: Floats) -> str:
     left = np.where(some, rest - more * weights, 0.0)
     error = float(np.sqrt((left * left).sum() / free / total))
     mean = float(size[used].mean())
-    ratio, doubt = 1.0 + 2.0 * more / mean, 2.0 * error / mean
-    if abs(ratio - 1.0) <= _SIGMAS * doubt:
+    ratio, ratio_error = 1.0 + 2.0 * more / mean, 2.0 * error / mean
+    if abs(ratio - 1.0) <= _SIGMAS * ratio_error:
         return ""
     for name, length in _UNITS.items():
         if abs(ratio * length - 1.0) <= min(_NEAR, 0.5 * (1.0 / length - 1.0)):

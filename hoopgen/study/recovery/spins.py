@@ -17,10 +17,20 @@ Floats = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class Spins:
-    """The spin at the release, as it is given."""
+    """The spin at the release, as it is given.
 
-    spin: Floats  # (3,) or (n, 3)
-    backspin: Floats | None  # (n,)
+    Attributes
+    ----------
+    spin
+        Spin vector of all tracks (3,) or of each (n, 3), rad/s.
+    backspin
+        Backspin of each track, (n,), rad/s, in place of `spin`; None if it is not given.
+    given
+        True if either was given.
+    """
+
+    spin: Floats
+    backspin: Floats | None
     given: bool
 
     def states(self, position: Floats, velocity: Floats, rows: Any) -> Floats:

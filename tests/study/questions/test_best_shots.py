@@ -107,3 +107,16 @@ def test_the_command_prints_and_draws(tmp_path: Path) -> None:
     record = json.loads(output(*words, "--json"))
     assert len(record["places"]["speed"]) == len(court_places(3.0, NBA))
     assert "give --from" in failure("best", "--where", "player == Ann")
+
+
+def test_the_second_search_chooses_the_way(found: Any) -> None:
+    """A way chosen by the shares that are reported would make them too large."""
+    rows = np.flatnonzero(found["y"].values >= 0.0)[:3]
+    spots = np.stack([found["x"].values[rows], found["y"].values[rows]], axis=1)
+    held = Scatter(PLAYER.release, PLAYER.sd)
+    first, other = (
+        hoopgen.bank_or_direct(held, spots, NBA, shots=2_000, seed=seed) for seed in (0, 2)
+    )
+    way = np.argmax(other["probability"].values, axis=0)
+    shares = first["probability"].values[way, np.arange(len(rows))]
+    assert (found["probability"].values[rows] == shares).all()

@@ -16,7 +16,7 @@ import hoopgen
 from hoopgen.study.jobs import monte_carlo
 from hoopgen.study.jobs.differences import step_of
 from hoopgen.study.models.scores import SUMS, UNIT, score_sums
-from hoopgen.study.questions.gradient import Slope
+from hoopgen.study.questions.gradient import Slope, difference_slopes
 from tests.helpers.commands import failure, succeed
 from tests.helpers.effort import trials
 
@@ -221,3 +221,20 @@ def test_the_command_and_the_study_file(tmp_path: Path) -> None:
     succeed("study", str(file), "--out", str(out))
     answer = json.loads((out / "player" / "answer.json").read_text("utf-8"))
     assert answer["numbers"]["gradient"] == record["gradient"]
+
+
+def test_an_interval_has_a_width_where_no_pair_of_shots_differs() -> None:
+    counts = np.array([30, 0, 0, 70] * 2, np.int64)
+    slope = difference_slopes({"restitution": 0.65}, ["restitution"], counts, 0.95)["restitution"]
+    assert slope.value == 0.0
+    assert slope.low < 0.0 < slope.high
+
+
+@pytest.mark.parametrize("speed", [3.0, 7.17])
+def test_a_score_says_nothing_if_no_shot_is_made(speed: float) -> None:
+    player = hoopgen.Scatter(
+        {"speed": speed, "elevation": 0.9, "height": 2.1336, "distance": 4.191}, {"speed": 0.07}
+    )
+    found = hoopgen.estimate(player, shots=500, gradient=("mean.speed",))
+    slope = found.gradient["mean.speed"]
+    assert np.isnan([slope.value, slope.low, slope.high]).all() == (found.made == 0)
