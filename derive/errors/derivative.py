@@ -14,11 +14,11 @@ import sympy as sp
 
 from ..contact.ball import Ball
 from ..contact.law import Law
-from ..motion.parabola import Parabola
+from ..motion.flight import Flight
 from ..surfaces import Surface
 from ..symbolic.conditionals import Barrier, IfAtMost, IfLess, barrier
 from ..symbolic.error_terms import dn, dv, dw, dx
-from ..symbolic.symbols import POSITION, normal, spin, t, velocity
+from ..symbolic.symbols import POSITION, normal, spin, velocity
 
 
 def directional(expression: sp.Expr, tangents: dict[sp.Symbol, sp.Expr]) -> sp.Expr:
@@ -69,11 +69,6 @@ def _halved(total: sp.Expr) -> sp.Expr:
     return sp.Add(*(term / 2 for term in sp.Add.make_args(total)))
 
 
-def along_flight() -> list[sp.Expr]:
-    """Return the change of the position after a flight of time t, by errors at its start."""
-    return [barrier(error + drift * t) for error, drift in zip(dx, dv, strict=True)]
-
-
 def per_approach() -> sp.Expr:
     """Return the inverse of the normal velocity at the contact."""
     return barrier(1 / barrier(velocity.dot(normal)))
@@ -89,10 +84,9 @@ def at_contact(moved: Sequence[sp.Expr], delay: sp.Expr) -> list[sp.Expr]:
     return [barrier(value) for value in sp.Matrix(moved) + delay * velocity]
 
 
-def velocity_change(flight: Parabola, delay: sp.Expr) -> list[sp.Expr]:
+def velocity_change(flight: Flight, delay: sp.Expr) -> list[sp.Expr]:
     """Return the change of the velocity during the delay."""
-    _, fallen = flight.at(delay)
-    return [after - before for after, before in zip(fallen, velocity, strict=True)]
+    return [acceleration * delay for acceleration in flight.present_acceleration]
 
 
 def along_normal(surface: Surface) -> list[sp.Expr]:

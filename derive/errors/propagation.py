@@ -21,7 +21,7 @@ import sympy as sp
 
 from ..contact.ball import Ball
 from ..contact.law import Law
-from ..motion.parabola import Parabola
+from ..motion.flight import Flight
 from ..surfaces import Surface
 from ..symbolic.conditionals import IfLess, absolute, barrier, maximum, minimum
 from ..symbolic.error_terms import (
@@ -95,13 +95,21 @@ def _lifted(length: sp.Expr, floor: sp.Expr) -> sp.Expr:
     return barrier(maximum(length, floor))
 
 
-def _moved(roundings: Sequence[sp.Expr]) -> list[sp.Expr]:
+def _moved(flight: Flight, roundings: Sequence[sp.Expr]) -> list[sp.Expr]:
     """Return the errors of the position after a flight of time t, with its roundings."""
-    shifts = zip(derivative.along_flight(), roundings, strict=True)
+    places, _ = flight.along()
+    shifts = zip(places, roundings, strict=True)
     return [barrier(_away(error, rounding)) for error, rounding in shifts]
 
 
-def errors_at_contact(flight: Parabola, returning: bool = False) -> dict[str, sp.Expr]:
+def _sped(flight: Flight) -> list[sp.Expr]:
+    """Return the errors of the velocity after a flight of time t, with what its path leaves out."""
+    _, moving = flight.along()
+    _, added = flight.added_errors()
+    return moving if added == 0 else [barrier(_away(error, added)) for error in moving]
+
+
+def errors_at_contact(flight: Flight, returning: bool = False) -> dict[str, sp.Expr]:
     """Return the errors at the end of a flight of time t that meets a surface there.
 
     Arguments of the formulas are the errors at the start of the flight, and the state and the
@@ -119,7 +127,7 @@ def errors_at_contact(flight: Parabola, returning: bool = False) -> dict[str, sp
         goes to zero, and the offset would be nearly all of the delay.
     """
     roundings = _flight_roundings(flight)
-    moved = _moved(roundings)
+    moved = _moved(flight, roundings)
     offset = sp.Matrix(moved).dot(normal)
     if returning:
         offset = barrier(_returning_offset(flight, roundings))
@@ -148,7 +156,8 @@ def errors_at_contact(flight: Parabola, returning: bool = False) -> dict[str, sp
         extra["lifting"] = IfLess(across, short, sp.Rational(1, MIN_GROWTH_DIVISOR), _LEAST_SHARE)
     outputs = {str(name): value for name, value in zip(dx, lifts, strict=True)} | extra
     changes = derivative.velocity_change(flight, delay)
-    outputs |= {str(s): s + change for s, change in zip(dv, changes, strict=True)}
+    sped = zip(dv, _sped(flight), changes, strict=True)
+    outputs |= {str(s): error + change for s, error, change in sped}
     return outputs | {
         "delay": maximum(absolute(delay), earliest_delay / DECISION_FACTOR)
         + 4 * UNIT_ROUNDOFF * barrier(clock + t),
@@ -156,19 +165,19 @@ def errors_at_contact(flight: Parabola, returning: bool = False) -> dict[str, sp
     }
 
 
-def flight_start(flight: Parabola) -> dict[str, sp.Expr]:
+def flight_start(flight: Flight) -> dict[str, sp.Expr]:
     """Return the position at the start of a flight of time t, given the state at its end."""
     back, _ = flight.at(-t)
     return {f"from_{s}": place for s, place in zip(POSITION, back, strict=True)}
 
 
-def _returning_offset(flight: Parabola, roundings: Sequence[sp.Expr]) -> sp.Expr:
+def _returning_offset(flight: Flight, roundings: Sequence[sp.Expr]) -> sp.Expr:
     """Return the offset that errors cause off a surface between departure and return."""
-    moved = _moved(_returning_roundings(flight, roundings))
+    moved = _moved(flight, _returning_roundings(flight, roundings))
     return barrier(normal.dot(sp.Matrix(moved))) - barrier(left_normal.dot(sp.Matrix(dx)))
 
 
-def _returning_roundings(flight: Parabola, roundings: Sequence[sp.Expr]) -> list[sp.Expr]:
+def _returning_roundings(flight: Flight, roundings: Sequence[sp.Expr]) -> list[sp.Expr]:
     """Return the roundings of a flight that count across the surface: on return, those of F/t.
 
     They are a few u of the length of the path, and as many more as the position is larger than the
@@ -177,27 +186,37 @@ def _returning_roundings(flight: Parabola, roundings: Sequence[sp.Expr]) -> list
     wide = barrier(1 + curving * barrier(sum(map(absolute, position))))
     return [
         IfLess(curving, sp.oo, barrier(4 * UNIT_ROUNDOFF * barrier(wide * path)), rounding)
-        for path, rounding in zip(_path_lengths(flight), roundings, strict=True)
+        for path, rounding in zip(flight.path_lengths(), roundings, strict=True)
     ]
 
 
-def _path_lengths(flight: Parabola) -> list[sp.Expr]:
-    """Return a bound on the way along each axis in a flight of time t."""
+def _flight_roundings(flight: Flight) -> list[sp.Expr]:
+    """Return the rounding of each coordinate in a flight of time t, given the state at its end.
+
+    With it comes what the path leaves out.
+    """
+    added, _ = flight.added_errors()
     return [
-        2 * absolute(v) * t + sp.Abs(pull) * t**2
-        for v, pull in zip(velocity, flight.acceleration, strict=True)
+        barrier(UNIT_ROUNDOFF * barrier(absolute(place) + path) + ERROR_FLOOR + added)
+        for place, path in zip(position, flight.path_lengths(), strict=True)
     ]
 
 
-def _flight_roundings(flight: Parabola) -> list[sp.Expr]:
-    """Return the rounding of each coordinate in a flight of time t, given the state at its end."""
-    return [
-        barrier(UNIT_ROUNDOFF * barrier(absolute(place) + path) + ERROR_FLOOR)
-        for place, path in zip(position, _path_lengths(flight), strict=True)
-    ]
+def errors_at_piece_end(flight: Flight) -> dict[str, sp.Expr]:
+    """Return the errors at the end of a piece of a flight, of time t, from those at its start.
+
+    The time of the end is exact, and no error of a contact counts there.
+    """
+    roundings = _flight_roundings(flight)
+    moved = _moved(flight, roundings)
+    drift = barrier(greatest(dv) * t + barrier(maximum(*roundings)))
+    floor = barrier(barrier(greatest(dx) + drift) * _LEAST_SHARE)
+    lifts = [_signed(_lifted(absolute(value), floor), value) for value in moved]
+    values = zip((*dx, *dv), (*lifts, *_sped(flight)), strict=True)
+    return {str(name): value for name, value in values}
 
 
-def errors_at_time(flight: Parabola) -> dict[str, sp.Expr]:
+def errors_at_time(flight: Flight) -> dict[str, sp.Expr]:
     """Return the errors at the end of a flight of time t that a time limit ends.
 
     Arguments of the formulas are the errors at the start, and the state at the end. The flight is
@@ -212,9 +231,9 @@ def errors_at_time(flight: Parabola) -> dict[str, sp.Expr]:
         for name, speed in zip(dx, velocity, strict=True)
     }
     changes = derivative.velocity_change(flight, shift_of_time)
-    for name, before, change in zip(dv, velocity, changes, strict=True):
+    for name, error, before, change in zip(dv, _sped(flight), velocity, changes, strict=True):
         outputs[str(name)] = (
-            absolute(name) + absolute(change) + 2 * UNIT_ROUNDOFF * absolute(before)
+            absolute(error) + absolute(change) + 2 * UNIT_ROUNDOFF * absolute(before)
         )
     return outputs | {"clock_error": sp.Integer(0)}
 
@@ -225,7 +244,7 @@ def normal_error(surface: Surface) -> dict[str, sp.Expr]:
     return outputs | {"turn": shift * barrier(surface.curvature)}
 
 
-def root_rounding(surface: Surface, flight: Parabola) -> dict[str, sp.Expr]:
+def root_rounding(surface: Surface, flight: Flight) -> dict[str, sp.Expr]:
     """Return the errors at a contact, before the impact, with what the root's arithmetic adds.
 
     A condition about a reference point is made of offsets from there, whose roundings put a contact
@@ -239,7 +258,7 @@ def root_rounding(surface: Surface, flight: Parabola) -> dict[str, sp.Expr]:
     size = barrier(sum(absolute(barrier(place - c)) for place, c in places))
     late = barrier(UNIT_ROUNDOFF * size * absolute(derivative.per_approach()))
     late = barrier(IfLess(curving, sp.oo, 0, late))
-    rates = zip(dx + dv, (*velocity, *flight.acceleration), strict=True)
+    rates = zip(dx + dv, (*velocity, *flight.present_acceleration), strict=True)
     outputs = {
         str(name): _away(name, barrier(late * absolute(rate))) for name, rate in rates if rate != 0
     }

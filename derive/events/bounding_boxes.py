@@ -32,6 +32,7 @@ from __future__ import annotations
 
 import sympy as sp
 
+from ..motion.air import AirFlight
 from ..motion.flight import has_sign
 from ..motion.parabola import Parabola
 from ..surfaces import Box, Surface
@@ -71,6 +72,18 @@ NEGATED_MINIMA = sp.symbols("least_x least_y least_z", real=True)
 MAXIMA = sp.symbols("most_x most_y most_z", real=True)
 MAX_HALF_SIZES = sp.symbols("wide_x wide_y wide_z", real=True)
 """The largest of -c, of c, and of (1 + W) h in a group."""
+
+
+def piece_box(flight: AirFlight) -> dict[str, sp.Expr]:
+    """Return a box that the ball is in until the horizon, in a piece of its flight."""
+    there, _ = flight.rounding(horizon)
+    slack = barrier(there.error + RELATIVE_SLACK * there.magnitude)
+    slack = barrier(IfLess(pad, earliest_delay, sp.oo, slack))
+    outputs = {}
+    for k, (middle, reach) in enumerate(flight.enclosure(horizon)):
+        outputs[BOX_CENTRES[k].name] = middle
+        outputs[HALF_SIZES[k].name] = (1 + RELATIVE_SLACK) * barrier(reach + slack)
+    return outputs
 
 
 def flight_box(flight: Parabola) -> dict[str, sp.Expr]:

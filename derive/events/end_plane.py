@@ -2,16 +2,21 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import sympy as sp
 
+from ..ir.event_tree import Call, Node
 from ..ir.kernel import Kernel, decision
 from ..surfaces import EndPlane
 from ..symbolic.conditionals import And, Choose, Equal, Not, Or, false
 from .plane import PlaneSearch
 from .predicates import through
-from .search import Formula, inside, nearly, numbered, within
+from .root_search import RootSearch
+from .search import Formula, Parts, inside, nearly, numbered, within
+
+_CROSSED = decision("crossed", {"arrives": Not(false)}, "Every crossing counts.")
 
 
 def reached(end_plane: EndPlane) -> sp.Basic:
@@ -49,6 +54,27 @@ def edge(end_plane: EndPlane) -> sp.Basic:
     return found
 
 
+def _side_formulas(end_plane: EndPlane) -> dict[str, Formula]:
+    """Return the formulas of the bounds of all ends."""
+    sides = {f"g{k}": side for k, side in enumerate(end_plane.sides)}
+    if not sides:
+        return {}
+    summary = "Bounds of the ends on a plane; the first whose bounds all hold is reached."
+    return {"bounds": (sides, summary, "Table 2, success")}
+
+
+def _end_decisions(end_plane: EndPlane) -> dict[str, Kernel]:
+    """Return the decisions which end is reached, and whether that is undecided."""
+    name = end_plane.name
+    made = {"reached": reached(end_plane)}
+    found = {"reached": decision(f"{name}_reached", made, "End that a crossing reaches.")}
+    if end_plane.sides:
+        vague = {"edge": edge(end_plane)}
+        summary = "Whether the choice of the end lies within its error."
+        found["edge"] = decision(f"{name}_edge", vague, summary)
+    return found
+
+
 @dataclass(frozen=True)
 class EndPlaneSearch(PlaneSearch):
     """The search on a plane whose crossing ends a shot."""
@@ -63,20 +89,35 @@ class EndPlaneSearch(PlaneSearch):
     @property
     def formulas(self) -> dict[str, Formula]:
         """The formulas of a plane, and the bounds of all ends."""
-        sides = {f"g{k}": side for k, side in enumerate(self.surface.sides)}
-        if not sides:
-            return super().formulas
-        summary = "Bounds of the ends on a plane; the first whose bounds all hold is reached."
-        return super().formulas | {"bounds": (sides, summary, "Table 2, success")}
+        return super().formulas | _side_formulas(self.surface)
 
     @property
     def decisions(self) -> dict[str, Kernel]:
         """The decisions whether a crossing counts, and which end is reached."""
-        name = self.surface.name
-        made = {"reached": reached(self.surface)}
-        found = {"reached": decision(f"{name}_reached", made, "End that a crossing reaches.")}
-        if self.surface.sides:
-            vague = {"edge": edge(self.surface)}
-            summary = "Whether the choice of the end lies within its error."
-            found["edge"] = decision(f"{name}_edge", vague, summary)
-        return super().decisions | found
+        return super().decisions | _end_decisions(self.surface)
+
+
+@dataclass(frozen=True)
+class EndPlaneRootSearch(RootSearch):
+    """The same along a path on which the crossing is no closed form."""
+
+    surface: EndPlane
+
+    @property
+    def passes(self) -> bool:
+        """True: a ball may start below the plane."""
+        return True
+
+    @property
+    def formulas(self) -> dict[str, Formula]:
+        """The formulas of a root search, and the bounds of all ends."""
+        return super().formulas | _side_formulas(self.surface)
+
+    @property
+    def decisions(self) -> dict[str, Kernel]:
+        """The decisions whether a crossing counts, and which end is reached."""
+        return super().decisions | _end_decisions(self.surface) | {"crossed": _CROSSED}
+
+    def counted(self, common: Parts, own: Parts) -> Iterator[Node]:
+        """Test whether a crossing is within the bounds of any end, if all have some."""
+        return super().counted(common, own) if self.surface.bounds else iter([Call(own["crossed"])])

@@ -110,9 +110,11 @@ def padded_horizon(flight: Flight) -> dict[str, sp.Expr]:
     """Return a time after which no event is wanted, given the earliest arrival so far.
 
     It does not depend on the bound on that arrival's delay, which must not exceed `pad`. Without
-    gravity no other time is known than that of the arrival.
+    gravity no other time is known than that of the arrival, and in pieces the length of the piece.
     """
-    if flight.falls:
+    if not flight.exact:
+        turning = flight.span
+    elif flight.falls:
         turning = speed * barrier(1 / flight.strength)
     elif flight.strength == 0:
         turning = t

@@ -20,9 +20,8 @@ from ..symbolic.rounding import (
     position_error,
     rounding,
     speed,
-    velocity_error,
 )
-from ..symbolic.symbols import POSITION, UNIT_ROUNDOFF, VELOCITY, t
+from ..symbolic.symbols import POSITION, VELOCITY, t
 from .box_windows import clear, lost, windows
 from .event_polynomials import Window, ceiling, event_coefficients, horizon, time_rounding
 from .root_finder import RootFinder
@@ -140,8 +139,7 @@ class PolynomialRootFinder(RootFinder):
     @property
     def leaving_gap(self) -> sp.Expr:
         """The change since the start, with its factor t divided out and multiplied again."""
-        falls = zip(VELOCITY, self.flight.acceleration, strict=True)
-        rates = (barrier(v + a * t / 2) for v, a in falls)
+        rates = map(barrier, self.flight.mean_velocity())
         starts = (
             barrier(p - c) for p, c in zip(POSITION, self.surface.reference_point, strict=True)
         )
@@ -213,8 +211,7 @@ class PolynomialRootFinder(RootFinder):
     def margins(self) -> dict[str, sp.Expr]:
         """Bounds by running error analysis of the gap, its mean rate and its rate."""
         now = self._sizes(1 + sp.Rational(1, 2**10))
-        _, fastest = self.flight.size(horizon)
-        mean = Rounded(fastest, barrier(velocity_error + 3 * UNIT_ROUNDOFF * fastest))
+        mean = self.flight.mean_rounding(horizon)
         start = {place: Rounded(extent, position_error) for place in POSITION}
         since = now | dict.fromkeys(VELOCITY, mean)
         for own, place, centre in zip(STARTS, POSITION, self.surface.reference_point, strict=True):

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
+from ..motion.air import AirFlight
 from ..motion.flight import Flight
 from ..motion.parabola import Parabola
 from ..surfaces import (
@@ -17,8 +18,9 @@ from ..surfaces import (
     Ring,
     Surface,
 )
+from .air import AirRootFinder
 from .box import BoxRootFinder
-from .end_plane import EndPlaneSearch
+from .end_plane import EndPlaneRootSearch, EndPlaneSearch
 from .plane import PlaneSearch
 from .polynomial import PolynomialRootFinder
 from .ring.double import RingRootFinder
@@ -47,6 +49,16 @@ def _oblique(surface: Surface, flight: Parabola) -> Search:
     return RootSearch(surface, flight, PolynomialRootFinder(flight, surface, two_sided=True))
 
 
+def _in_air(surface: Surface, flight: AirFlight) -> Search | None:
+    if not surface.polynomial:
+        return None
+    return RootSearch(surface, flight, AirRootFinder(flight, surface, two_sided=True))
+
+
+def _end_in_air(surface: EndPlane, flight: AirFlight) -> Search:
+    return EndPlaneRootSearch(surface, flight, AirRootFinder(flight, surface, two_sided=True))
+
+
 def _general(surface: Surface, flight: Flight) -> Search | None:
     # The polynomial in time is that of the path, which must be the flight itself.
     if not flight.exact:
@@ -56,6 +68,8 @@ def _general(surface: Surface, flight: Flight) -> Search | None:
 
 SEARCHES: tuple[tuple[type[Surface], type[Flight], SearchFactory], ...] = (
     (EndPlane, Parabola, EndPlaneSearch),
+    (EndPlane, AirFlight, _end_in_air),
+    (Surface, AirFlight, _in_air),
     (Plane, Parabola, PlaneSearch),
     (Ring, Parabola, _ring),
     (Box, Parabola, _box),

@@ -10,7 +10,6 @@ import sympy as sp
 from ..errors.propagation import normal_error, root_rounding
 from ..ir.event_tree import Call, If, Node, Value, While
 from ..ir.kernel import Kernel, decision
-from ..motion.parabola import Parabola
 from ..symbolic.symbols import variable
 from .box_windows import enter, opening
 from .predicates import KERNELS, side
@@ -43,9 +42,14 @@ class RootSearch(Search):
     coarse: SinglePrecisionRing | None = None
 
     @property
+    def passes(self) -> bool:
+        """True if the ball may pass through the surface, and the search goes on behind it."""
+        return bool(self.surface.bounds)
+
+    @property
     def constants(self) -> tuple[sp.Symbol, ...]:
         """Quantities that are constant along the flight, and the state of the search."""
-        if self.surface.bounds:
+        if self.passes:
             return (*self.root_finder.symbols, side)
         return (*self.root_finder.symbols, *(self.coarse.passed if self.coarse else ()))
 
@@ -77,7 +81,7 @@ class RootSearch(Search):
                 "Newton's method",
             ),
             "advance": (
-                approach.advance(side) if self.surface.bounds else approach.advance(),
+                approach.advance(side) if self.passes else approach.advance(),
                 "Gap, rate, second derivative, a step without a root, its end, and the clearance.",
                 "Newton from the left under a curvature bound",
             ),
@@ -87,7 +91,7 @@ class RootSearch(Search):
     @property
     def _root_rounding(self) -> dict[str, Formula]:
         """The roundings of the root, where the flight's own do not contain them."""
-        if not self.root_finder.about_reference or not isinstance(self.flight, Parabola):
+        if not self.root_finder.about_reference:
             return {}
         found = root_rounding(self.surface, self.flight)
         summary = "Errors at a contact, with the roundings of the root."
@@ -151,10 +155,14 @@ class RootSearch(Search):
         yield Call(common.get("opens_in_flight", KERNELS["opens"]))
         yield If("open", searched)
 
+    def counted(self, common: Parts, own: Parts) -> Iterator[Node]:
+        """Test whether a root that the ball may pass counts."""
+        return bounded(common, own, "candidate", delay=0.0, clearance=1.0)
+
     def _step(self, common: Parts, own: Parts, index: Value) -> Iterator[Node]:
         """Step as far as there can be no root, or take the root."""
-        if self.surface.bounds:
-            return _bounded_step(common, own, index)
+        if self.passes:
+            return _passing_step(common, own, index, tuple(self.counted(common, own)))
         return _step(common, own, index, "gap_closes" if self.coarse else "gap_closes_or_stalls")
 
 
@@ -256,8 +264,10 @@ def _step(common: Parts, own: Parts, index: Value, closes: str) -> Iterator[Node
     yield If("exhausted", (Call(own["enter"], {"after": "end"}),))
 
 
-def _bounded_step(common: Parts, own: Parts, index: Value) -> Iterator[Node]:
-    """Step as `_step` does; pass a root that is out of bounds, and the way out behind it."""
+def _passing_step(
+    common: Parts, own: Parts, index: Value, counted: tuple[Node, ...]
+) -> Iterator[Node]:
+    """Step as `_step` does; pass a root that does not count, and the way out behind it."""
     yield Call(KERNELS["nearby"], {"index": index})
     yield given(own["advance"], rate_margin="rate_slack")
     yield Call(KERNELS["gap_closes_bounded"], {"rate_margin": "rate_slack"})
@@ -272,8 +282,7 @@ def _bounded_step(common: Parts, own: Parts, index: Value) -> Iterator[Node]:
         Call(own["refine"], {"t": "candidate"}, {"time": "refined"}, frozenset({"time"})),
         Call(KERNELS["refined_candidate"]),
     )
-    within = bounded(common, own, "candidate", delay=0.0, clearance=1.0)
-    yield If("met", (*polish, *polish, *within))
+    yield If("met", (*polish, *polish, *counted))
     yield Call(KERNELS["passed"])
     yield If("exhausted", (Call(own["enter"], {"after": "end"}),))
 

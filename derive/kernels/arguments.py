@@ -55,6 +55,7 @@ def argument_order(scene: Scene) -> tuple[sp.Symbol, ...]:
         *(extent, speed, position_error, velocity_error),
         *propagation.ARGUMENTS,
         *_BOXES,
+        *scene.flight.symbols,
         *dict.fromkeys(constants),
         *ARGUMENTS,
         *scene.symbols,

@@ -10,12 +10,15 @@ from ..contact.frame import contact_frame
 from ..contact.no_slip import impact_through_frame
 from ..errors import propagation
 from ..events import bounding_boxes, event_polynomials
+from ..events.predicates import excess
 from ..ir.kernel import Kernel, decision, kernel
-from ..scenes import validity
+from ..motion.air import ORDER, AirFlight, piece
+from ..scenes import sinking, validity
 from ..scenes.scene import Scene
 from ..symbolic import error_terms
-from ..symbolic.conditionals import barrier, maximum
+from ..symbolic.conditionals import Not, barrier, maximum
 from ..symbolic.number_range import MAX_FLIGHT, MAX_SPEED
+from ..symbolic.rounding import position_error
 from ..symbolic.symbols import POSITION, SPIN, VELOCITY, spin, velocity
 from .arguments import FRAME, RESTITUTION, components, unchecked_argument_order
 from .variation import scene_variations
@@ -40,15 +43,26 @@ def scene_kernels(
     kernels = (
         *_motion(scene, order),
         *_arrivals(scene, order, tabled),
+        *_pieces(scene, order),
         *_errors(scene, order),
         *_validity(scene, tabled),
-        *scene_variations(scene, order),
+        *(scene_variations(scene, order) if scene.flight.exact else ()),
     )
     return {kernel.name: kernel for kernel in kernels}
 
 
 def flight_boxes(scene: Scene, order: tuple[sp.Symbol, ...]) -> dict[str, Kernel]:
     """Return the kernels of the boxes that a flight is in."""
+    if isinstance(scene.flight, AirFlight):
+        return {
+            "swept": kernel(
+                "swept",
+                bounding_boxes.piece_box(scene.flight),
+                order,
+                "Box that the ball is in until the horizon: its centre and its half sizes.",
+                "the straight way from the start, and what the piece is off it",
+            )
+        }
     return {
         "swept": kernel(
             "swept",
@@ -138,6 +152,66 @@ def _arrivals(scene: Scene, order: tuple[sp.Symbol, ...], tabled: Set[int]) -> t
             order,
             "Bound on the error of a length at a computed arrival.",
             "running error analysis",
+        ),
+    )
+
+
+def _pieces(scene: Scene, order: tuple[sp.Symbol, ...]) -> tuple[Kernel, ...]:
+    """Return the kernels of a flight's pieces, if the flight has pieces."""
+    flight = scene.flight
+    if not isinstance(flight, AirFlight):
+        return ()
+    source = "Taylor series of gravity, buoyancy, drag and Magnus force"
+    rates = kernel(
+        "air_rates",
+        flight.constants_of(),
+        order,
+        "Rates of drag and Magnus force, and gravity less buoyancy.",
+        "equations of motion",
+    )
+    orders = (
+        kernel(
+            f"air_order_{k}",
+            flight.order(k),
+            order,
+            f"Coefficients of order {k} of the speed through the air, and the next of the velocity."
+            if k < ORDER
+            else f"Coefficient of order {k} of the speed through the air.",
+            source,
+        )
+        for k in range(ORDER + 1)
+    )
+    return (
+        rates,
+        *orders,
+        kernel(
+            "piece",
+            flight.piece(),
+            order,
+            "Length of a piece, what it adds to errors, and bounds on its motion.",
+            f"{source}, Gronwall's lemma",
+        ),
+        kernel(
+            "piece_excess",
+            {"excess": maximum(excess, flight.excess(), position_error - sinking.room(scene))},
+            (excess, *order),
+            "The excess of the flight's size, or that of errors over those that are bounded.",
+            "the bounds' premises",
+        ),
+        kernel(
+            "piece_end",
+            {"time": piece, "delay": sp.Integer(0), "arrives": Not(sinking.sinks(scene))},
+            order,
+            "The end of a piece as an arrival, unless the ball can never meet anything again.",
+            "the sign of the vertical acceleration",
+        ),
+        kernel(
+            "carry_piece",
+            propagation.errors_at_piece_end(flight),
+            order,
+            "Errors of position and velocity at the end of a piece, from those at its start.",
+            "first-order derivative of the equations of motion, with roundings",
+            not scene.rolls,
         ),
     )
 

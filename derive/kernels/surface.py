@@ -128,7 +128,7 @@ def one_surface_kernels(
 def _geometry(surface: Surface, scene: Scene) -> dict[str, Formula]:
     """Return the formulas of a surface that do not depend on how it is searched."""
     formulas: dict[str, Formula] = {}
-    if surface.polynomial:
+    if surface.polynomial and scene.flight.exact:
         formulas |= {
             "coefficients": (
                 _numbered("c", event_polynomials.event_coefficients(surface, scene.flight)),
@@ -152,8 +152,9 @@ def _geometry(surface: Surface, scene: Scene) -> dict[str, Formula]:
             "Bound on the rate at which the normal turns along the contact surface.",
             "Table 2",
         ),
-        "vary": contact_variation(surface, scene),
     }
+    if scene.flight.exact:
+        formulas["vary"] = contact_variation(surface, scene)
     if surface.bounds:
         formulas["bounds"] = (
             _numbered("g", list(surface.bounds)),

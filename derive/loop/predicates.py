@@ -247,6 +247,17 @@ KERNELS = {
             {"meeting": Or(touches, all_of(ends, Less(0, claims)))},
             "Whether an event changes the motion, or its errors are wanted.",
         ),
+        decision(
+            "goes_on",
+            {
+                "goes_on": Equal(which, index),
+                "ends": all_of(ends, Not(Equal(which, index))),
+                "reached": Choose(Equal(which, index), IN_FLIGHT, reached),
+                "body": Choose(Equal(which, index), NONE, body),
+            },
+            "Whether the event is the end of a piece, after which the flight goes on.",
+        ),
+        decision("aloft", {"last": NONE}, "The next piece of a flight begins on no surface."),
         decision("here", {"here": Equal(which, index)}, "Whether the event is on a surface."),
         decision("counted", {"count": count + 1}, "One more contact."),
         decision("elsewhere", {"curving": sp.oo}, "Start value: another surface."),

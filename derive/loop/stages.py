@@ -12,6 +12,7 @@ from collections.abc import Iterator, Sequence, Set
 from itertools import groupby
 
 from ..events.search import Parts, given, proposed
+from ..motion.air import PIECE_KERNELS
 from ..ir.event_tree import Call, If, Node, Value, given_as
 from ..rolling import stages as contact_stages
 from ..state.fields import REPORTED_ERRORS, Field
@@ -110,7 +111,11 @@ def _reach(
     expiry = If("limited", (Call(common["expiry"]), *proposed(time)), rare=True)
     yield Call(common["error_bounds"])
     yield Call(common["scale"])
+    yield from (Call(common[name]) for name in PIECE_KERNELS if name in common)
     yield Call(common["opening"])
+    if "piece_end" in common:
+        yield Call(common["piece_end"])
+        yield from proposed(time + 1)
     yield Call(common["limited"])
     if "in_contact" in common:
         yield Call(common["in_contact"])
@@ -136,6 +141,8 @@ def _reach(
         )
     yield Call(common["departed"], {"index": len(contacts)})
     yield Call(common["body_of"])
+    if "piece_end" in common:
+        yield Call(common["goes_on"], {"index": time + 1})
     flown = (Call(common["flight"], {"t": "when"}), Call(common["event_clock"]))
     yield If("moves", (*_passing(common), *flown))
     yield If("limited", (Call(common["expired"], {"index": time}),), rare=True)
@@ -194,6 +201,8 @@ def _meet(
     fields: Set[str],
 ) -> Iterator[Node]:
     """Give the ball its motion after the contact (Eqs. 7-17), and propagate its errors."""
+    if "piece_end" in common:
+        yield If("goes_on", (Call(common["carry_piece"], {"t": "when"}), Call(common["aloft"])))
     yield Call(common["meeting"])
     if "in_contact" in common:
         yield Call(common["no_slow_contact"])

@@ -1,18 +1,23 @@
-"""Flight through air: a Taylor series of one step, and a proved bound on what it leaves out.
+"""Flight through air: Taylor series of its pieces, and a proved bound on what they leave out.
 
 The forces on a ball of mass m, radius R and constant spin w are gravity less buoyancy, drag and the
 Magnus force. Per unit mass, with the density ϱ of the air and the area A = π R² of the ball,
 
-    v' = f(v) = -g_e e_z - k_d σ v + Ω × v,   σ = √(v·v + v_s²),
+    v' = f(v) = g_e - k_d σ v + Ω × v,   σ = √(v·v + v_s²),
     k_d = ϱ A C_d / 2m,   Ω = ϱ A R C_m w / 2m,   g_e = g (1 - ϱ (4/3) π R³ / m).
 
 The speed v_s makes the drag analytic where the ball is at rest. The coefficients of v and σ in time
 follow from those before:
 
     q_k = Σ V_i·V_{k-i} (+ v_s² at k = 0),   σ_0 = √q_0,   σ_k = (q_k - Σ' σ_i σ_{k-i}) / 2σ_0,
-    V_{k+1} = (-k_d Σ σ_i V_{k-i} + Ω × V_k - g_e e_z [k = 0]) / (k+1),
+    V_{k+1} = (-k_d Σ σ_i V_{k-i} + Ω × V_k + g_e [k = 0]) / (k+1),
 
-where Σ' leaves out the first and the last term.
+where Σ' leaves out the first and the last term. Each order is a kernel of its own, since the
+expression of one in terms of the state alone would be exponentially long.
+
+A flight is a sequence of pieces, each with its own series. A piece is so long that about
+`TOLERANCE` of the velocity is left out, and no shorter than `SHORTEST`: where the series is not
+good for as long as that, no bound is proved, and the shot is uncertain.
 
 The bound. The polynomials v_n and σ_n of degree P fulfil both equations up to their degree, except
 for roundings. With A_k = |V_k|₁ h^k, B_k = |σ_k| h^k and suffix sums S, on [0, h]
@@ -22,15 +27,15 @@ for roundings. With A_k = |V_k|₁ h^k, B_k = |σ_k| h^k and suffix sums S, on [
     |v_n' - f(v_n)| <= d = k_d (Σ_k B_k S^A_{P-k} + (D/s) S^A_0) + |Ω|₁ A_P + ρ'.
 
 Within `TUBE` of v_n the derivative of f is at most L = 2 k_d (S^B_0 + D/s + `TUBE`) + |Ω|₁, so by
-Gronwall's lemma an error E of the velocity at the start is at most (E + d h) / (1 - L h) at the
-end, since 1/(1 - L h) >= exp(L h); that is proved if it does not exceed `TUBE`. The position is off
-by h times that. ρ and ρ' are what `COEFFICIENT_ROUNDINGS` leave of the two equations.
+Gronwall's lemma an error E of the velocity at the start is at most G (E + d h) with the growth
+G = 1 / (1 - L h) >= exp(L h) at the end; that is proved if it does not exceed `TUBE`. The position
+is off by h times that. ρ and ρ' are what `COEFFICIENT_ROUNDINGS` leave of the two equations.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 
 import sympy as sp
@@ -43,27 +48,36 @@ from ..symbolic.conditionals import (
     all_of,
     barrier,
     barrier_all,
+    maximum,
     minimum,
 )
-from ..symbolic.polynomials import horner
-from ..symbolic.rounding import ROUNDING_SLACK
-from ..symbolic.symbols import UNIT_ROUNDOFF, position, spin, velocity
+from ..symbolic.error_terms import dv, dw, dx
+from ..symbolic.polynomials import Coefficients, derivative, horner
+from ..symbolic.rounding import ROUNDING_SLACK, Rounded, extent, position_error, velocity_error
+from ..symbolic.symbols import POSITION, UNIT_ROUNDOFF, VELOCITY, spin, t, velocity
+from .flight import Acceleration, Flight
 
 ORDER = 15
-"""Degree of the velocity in time. The step's root is then of degree 16: four square roots."""
+"""Degree of the velocity in time. The piece's root is then of degree 16: four square roots."""
 
 TOLERANCE = sp.Rational(1, 2**46)
-"""m/s: the step is so long that about this much of the velocity is left out."""
+"""m/s: a piece is so long that about this much of the velocity is left out."""
 
 SAFETY = sp.Rational(27, 32)
-"""Share of the estimated step that is taken."""
+"""Share of the estimated length that a piece has."""
 
 LONGEST = sp.Integer(1)
-"""Longest step, s."""
+"""Longest piece, s."""
 
-STEP_GRAIN = sp.Rational(3, 2) * 2**26
-"""A number to which a shorter time is added as a multiple of 2^-26 s. Times of steps are such
+SHORTEST = sp.Rational(1, 2**10)
+"""Shortest piece, s."""
+
+PIECE_GRAIN = sp.Rational(3, 2) * 2**26
+"""A number to which a shorter time is added as a multiple of 2^-26 s. Lengths of pieces are such
 multiples, so that sums and differences of them are exact."""
+
+OVERLAP = sp.Rational(1, 2**10)
+"""Share of a piece for which its bounds hold beyond its end."""
 
 TUBE = sp.Rational(1, 2**10)
 """Largest error of the velocity for which the bound is proved, m/s."""
@@ -81,6 +95,51 @@ UNDERFLOW = sp.Rational(1, 2**600)
 PI = sp.floor(sp.pi * 2**51) / sp.Integer(2) ** 51
 """The greatest double below π, within 2 u of it."""
 
+drag_rate = sp.Symbol("drag_rate", nonnegative=True)
+"""k_d, 1/m."""
+magnus_rate = sp.Matrix(sp.symbols("magnus_rate_x magnus_rate_y magnus_rate_z", real=True))
+"""Ω, 1/s."""
+free_fall = sp.symbols("free_fall_x free_fall_y free_fall_z", real=True)
+"""g_e, m/s²."""
+piece = sp.Symbol("piece", positive=True)
+"""Length of a piece, s."""
+growth = sp.Symbol("growth", positive=True)
+"""G, by which an error of the velocity grows at most within a piece."""
+piece_place_error, piece_speed_error = sp.symbols(
+    "piece_place_error piece_speed_error", nonnegative=True
+)
+"""What a piece adds to the bounds on the errors of position and velocity, m and m/s."""
+unproved = sp.Symbol("unproved", nonnegative=True)
+"""Infinite if no bound is proved for a piece, else zero."""
+piece_speed, piece_acceleration, piece_jerk = sp.symbols(
+    "piece_speed piece_acceleration piece_jerk", nonnegative=True
+)
+"""Bounds within a piece: on the size of the velocity, on that of the acceleration, and on that of
+the second derivative of the velocity's series."""
+
+AIRSPEEDS = sp.symbols(f"airspeed_0:{ORDER + 1}", real=True)
+"""σ_0 to σ_P."""
+VELOCITIES = (
+    velocity,
+    *(sp.Matrix([sp.Symbol(f"{s.name}_{k}", real=True) for s in VELOCITY]) for k in range(1, ORDER + 1)),
+)
+"""V_0 to V_P."""
+
+BOUNDS = (
+    *(piece, growth, piece_place_error, piece_speed_error, unproved),
+    *(piece_speed, piece_acceleration, piece_jerk),
+)
+"""What is known of a piece."""
+
+
+PIECE_KERNELS = (
+    "air_rates",
+    *(f"air_order_{k}" for k in range(ORDER + 1)),
+    "piece",
+    "piece_excess",
+)
+"""The names of the kernels that begin a piece, in order."""
+
 
 @dataclass(frozen=True)
 class AirConstants:
@@ -88,8 +147,6 @@ class AirConstants:
 
     Attributes
     ----------
-    gravity
-        g, m/s².
     ball_radius, ball_mass
         R and m, m and kg.
     air_density
@@ -100,7 +157,6 @@ class AirConstants:
         v_s, m/s.
     """
 
-    gravity: sp.Expr
     ball_radius: sp.Expr
     ball_mass: sp.Expr
     air_density: sp.Expr
@@ -108,37 +164,37 @@ class AirConstants:
     lift_coefficient: sp.Expr
     smoothing_speed: sp.Expr
 
-    @cached_property
+    @property
     def _half_column(self) -> sp.Expr:
         """ϱ A / 2m, 1/m."""
         area = barrier(PI * barrier(self.ball_radius**2))
         return barrier(barrier(self.air_density * area) / barrier(2 * self.ball_mass))
 
-    @cached_property
+    @property
     def drag(self) -> sp.Expr:
         """k_d, 1/m."""
         return barrier(self.drag_coefficient * self._half_column, "k_d")
 
-    @cached_property
+    @property
     def rotation(self) -> sp.Matrix:
         """Ω, 1/s."""
         lift = barrier(barrier(self.ball_radius * self._half_column) * self.lift_coefficient)
         return barrier_all(lift * spin, [rf"\Omega_{axis}" for axis in "xyz"])
 
-    @cached_property
+    @property
     def buoyancy(self) -> sp.Expr:
         """Share of the weight that the air carries."""
         return barrier(barrier(self._half_column * self.ball_radius) * sp.Rational(8, 3))
 
-    @cached_property
-    def fall(self) -> sp.Expr:
-        """g_e, m/s²."""
-        return barrier(self.gravity * barrier(1 - self.buoyancy), "g_e")
+    @property
+    def lift_per_spin(self) -> sp.Expr:
+        """k_m, the Magnus rate by the spin, 1."""
+        return barrier(barrier(self.ball_radius * self._half_column) * self.lift_coefficient)
 
 
-def _norm(vector: sp.Matrix) -> sp.Expr:
+def _norm(vector: Sequence[sp.Expr]) -> sp.Expr:
     """Return the sum of the sizes of the components."""
-    return barrier(sum(map(absolute, vector)))
+    return barrier(sum(absolute(c) for c in vector if c != 0))
 
 
 def _suffix_sums(sizes: Sequence[sp.Expr]) -> list[sp.Expr]:
@@ -154,103 +210,210 @@ def _sum(terms: Sequence[sp.Expr]) -> sp.Expr:
 
 
 @dataclass(frozen=True)
-class AirSeries:
-    """The series of a flight through air from a state on.
+class AirFlight(Flight):
+    """The flight through air, in pieces that each have a series of their own.
 
     Attributes
     ----------
     constants
-        What the motion depends on.
-    order
-        P, the degree of the velocity.
+        The parameters of the air and the ball.
     """
 
-    constants: AirConstants
-    order: int = ORDER
+    constants: AirConstants = field(kw_only=True)
 
-    @cached_property
-    def coefficients(self) -> tuple[list[sp.Matrix], list[sp.Expr]]:
-        """V_0 to V_P and σ_0 to σ_P."""
-        of, moved, sizes = self.constants, [velocity], list[sp.Expr]()
-        twice: sp.Expr = sp.Integer(0)
-        for k in range(self.order + 1):
-            square = barrier(self._convolved(moved, k) + self._smoothing(k))
-            if k == 0:
-                sizes.append(barrier(sp.sqrt(square), r"\sigma_0"))
-                twice = barrier(1 / barrier(2 * sizes[0]))
-            else:
-                inner = [barrier(2 * sizes[i] * sizes[k - i]) for i in range(1, (k + 1) // 2)]
-                middle = [barrier(sizes[k // 2] ** 2)] if k % 2 == 0 else []
-                rest = barrier(square - _sum([*inner, *middle])) if inner or middle else square
-                sizes.append(barrier(rest * twice, rf"\sigma_{{{k}}}"))
-            if k < self.order:
-                moved.append(self._next(moved, sizes, k, of))
-        return moved, sizes
+    @property
+    def symbols(self) -> tuple[sp.Symbol, ...]:
+        """What a piece's kernels pass to each other and to the searches."""
+        coefficients = (v for vector in VELOCITIES[1:] for v in vector)
+        return (*coefficients, *AIRSPEEDS, *BOUNDS, drag_rate, *magnus_rate, *free_fall)
 
-    def _smoothing(self, k: int) -> sp.Expr:
-        return barrier(self.constants.smoothing_speed**2) if k == 0 else sp.Integer(0)
+    @property
+    def fall(self) -> sp.Matrix:
+        """g_e, with zero along the axes without gravity."""
+        axes = zip(self.acceleration, free_fall, strict=True)
+        return sp.Matrix([0 if a == 0 else symbol for a, symbol in axes])
+
+    @property
+    def path(self) -> dict[sp.Symbol, Coefficients]:
+        """The Taylor polynomials of position, of degree P + 1."""
+        rows = ([v[axis] for v in VELOCITIES] for axis in range(3))
+        return {
+            place: [place, *(v / (k + 1) for k, v in enumerate(row))]
+            for place, row in zip(POSITION, rows, strict=True)
+        }
+
+    @property
+    def span(self) -> sp.Expr:
+        """The length of the piece."""
+        return piece
+
+    @property
+    def remainder(self) -> sp.Expr:
+        """What the piece adds to the error of the position."""
+        return piece_place_error
+
+    def at(self, time: sp.Expr = t) -> tuple[sp.Matrix, sp.Matrix]:
+        """Return position and velocity on the series, `time` after the state, in Horner form."""
+        means = self.mean_velocity(time)
+        places = [start + barrier(time * mean) for start, mean in zip(POSITION, means, strict=True)]
+        rows = ([v[axis] for v in VELOCITIES] for axis in range(3))
+        return sp.Matrix(places), sp.Matrix([horner(row, time) for row in rows])
+
+    def mean_velocity(self, time: sp.Expr = t) -> list[sp.Expr]:
+        """Return the displacement over the time."""
+        rows = ([v[axis] for v in VELOCITIES] for axis in range(3))
+        return [barrier(horner([v / (k + 1) for k, v in enumerate(row)], time)) for row in rows]
+
+    def acceleration_at(self, time: sp.Expr = t) -> list[sp.Expr]:
+        """Return the acceleration on the series."""
+        rows = ([v[axis] for v in VELOCITIES] for axis in range(3))
+        return [barrier(horner(derivative(row), time)) for row in rows]
+
+    @property
+    def present_acceleration(self) -> tuple[sp.Expr, ...]:
+        """The force per unit mass at the present velocity."""
+        size = barrier(sp.sqrt(barrier(velocity.dot(velocity) + self._smoothing)))
+        braking = barrier(drag_rate * size)
+        turned = magnus_rate.cross(velocity)
+        return tuple(
+            barrier(barrier(barrier(turned[k]) - barrier(braking * velocity[k])) + self.fall[k])
+            for k in range(3)
+        )
+
+    @property
+    def _smoothing(self) -> sp.Expr:
+        return barrier(self.constants.smoothing_speed**2)
+
+    def along(self) -> tuple[list[sp.Expr], list[sp.Expr]]:
+        """Return the changes of position and velocity at time t by errors at the start.
+
+        The force's derivative is that at the end: to first order in its growth within a piece.
+        """
+        size = barrier(sp.sqrt(barrier(velocity.dot(velocity) + self._smoothing)))
+        stretch = barrier(barrier(velocity.dot(sp.Matrix(dv))) / size)
+        magnus, spun = magnus_rate.cross(sp.Matrix(dv)), sp.Matrix(dw).cross(velocity)
+        places, moving = [], []
+        for k in range(3):
+            braked = barrier(drag_rate * barrier(size * dv[k] + velocity[k] * stretch))
+            lifted = barrier(self.constants.lift_per_spin * barrier(spun[k]))
+            change = barrier(t * barrier(barrier(barrier(magnus[k]) + lifted) - braked))
+            places.append(barrier(dx[k] + t * barrier(dv[k] + change / 2)))
+            moving.append(barrier(dv[k] + change))
+        return places, moving
+
+    def enclosure(self, latest: sp.Expr) -> list[tuple[sp.Expr, sp.Expr]]:
+        """Return for each axis the centre and the half size of a box of the path, without errors.
+
+        The centre of the box is that of the straight way from the start.
+        """
+        bulge = barrier(piece_acceleration * latest**2)
+        ways = [barrier(v * latest / 2) for v in VELOCITY]
+        return [
+            (barrier(place + way), barrier(absolute(way) + bulge))
+            for place, way in zip(POSITION, ways, strict=True)
+        ]
+
+    def path_lengths(self) -> list[sp.Expr]:
+        """Return a bound on the way along each axis in a flight of time t, given its end."""
+        return [barrier(2 * absolute(v) * t + piece_acceleration * t**2) for v in velocity]
+
+    def added_errors(self) -> tuple[sp.Expr, sp.Expr]:
+        """Return what the piece leaves out of position and velocity, infinite if not proved."""
+        return barrier(piece_place_error + unproved), barrier(piece_speed_error + unproved)
+
+    def size(self, latest: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
+        """Return bounds on every coordinate and every velocity up to the time `latest`."""
+        return barrier(extent + latest * piece_speed), piece_speed
+
+    def rounding(self, latest: sp.Expr) -> tuple[Rounded, Rounded]:
+        """Return error bounds of any coordinate and any velocity up to the time `latest`."""
+        furthest, fastest = self.size(latest)
+        moved = barrier(growth * velocity_error + piece_speed_error)
+        shift = barrier(
+            position_error + latest * barrier(growth * velocity_error) + piece_place_error
+        )
+        return Rounded(furthest, shift), Rounded(fastest, moved)
+
+    def mean_rounding(self, latest: sp.Expr) -> Rounded:
+        """Return the size and the error of a mean velocity: its coefficients are smaller."""
+        del latest
+        moved = barrier(growth * velocity_error + piece_speed_error)
+        return Rounded(piece_speed, moved)
+
+    def constants_of(self) -> dict[str, sp.Expr]:
+        """Return k_d, Ω and g_e from parameters and spin."""
+        of = self.constants
+        lightened = barrier(1 - of.buoyancy)
+        falls = zip(free_fall, self.acceleration, strict=True)
+        return {
+            drag_rate.name: of.drag,
+            **{s.name: value for s, value in zip(magnus_rate, of.rotation, strict=True)},
+            **{s.name: barrier(a * lightened) for s, a in falls if a != 0},
+        }
+
+    def order(self, k: int) -> dict[str, sp.Expr]:
+        """Return σ_k and V_{k+1} from the orders before; of σ_P no velocity follows."""
+        square = self._convolved(k)
+        if k == 0:
+            size = barrier(sp.sqrt(barrier(square + self._smoothing)))
+        else:
+            inner = [barrier(2 * AIRSPEEDS[i] * AIRSPEEDS[k - i]) for i in range(1, (k + 1) // 2)]
+            middle = [barrier(AIRSPEEDS[k // 2] ** 2)] if k % 2 == 0 else []
+            rest = barrier(square - _sum([*inner, *middle])) if inner or middle else square
+            size = barrier(rest / barrier(2 * AIRSPEEDS[0]))
+        outputs = {AIRSPEEDS[k].name: size}
+        if k < ORDER:
+            sizes = [*AIRSPEEDS[:k], size]
+            outputs |= dict(zip(map(str, VELOCITIES[k + 1]), self._next(k, sizes), strict=True))
+        return outputs
 
     @staticmethod
-    def _convolved(moved: Sequence[sp.Matrix], k: int) -> sp.Expr:
+    def _convolved(k: int) -> sp.Expr:
         """Return the k-th coefficient of v·v; of equal products it computes one."""
-        pairs = [barrier(2 * barrier(moved[i].dot(moved[k - i]))) for i in range((k + 1) // 2)]
-        middle = [barrier(moved[k // 2].dot(moved[k // 2]))] if k % 2 == 0 else []
+        of = VELOCITIES
+        pairs = [barrier(2 * barrier(of[i].dot(of[k - i]))) for i in range((k + 1) // 2)]
+        middle = [barrier(of[k // 2].dot(of[k // 2]))] if k % 2 == 0 else []
         return _sum([*pairs, *middle])
 
-    @staticmethod
-    def _next(
-        moved: Sequence[sp.Matrix], sizes: Sequence[sp.Expr], k: int, of: AirConstants
-    ) -> sp.Matrix:
+    def _next(self, k: int, sizes: Sequence[sp.Expr]) -> list[sp.Expr]:
         """Return V_{k+1}."""
-        turned = of.rotation.cross(moved[k])
+        turned = magnus_rate.cross(VELOCITIES[k])
         found = []
         for axis in range(3):
-            braked = _sum([barrier(sizes[i] * moved[k - i][axis]) for i in range(k + 1)])
-            force = barrier(barrier(turned[axis]) - barrier(of.drag * braked))
-            if k == 0 and axis == 2:
-                force = barrier(force - of.fall)
-            found.append(barrier(force / (k + 1), rf"V_{{{k + 1}{'xyz'[axis]}}}"))
-        return sp.Matrix(found)
+            braked = _sum([barrier(sizes[i] * VELOCITIES[k - i][axis]) for i in range(k + 1)])
+            force = barrier(barrier(turned[axis]) - barrier(drag_rate * braked))
+            if k == 0 and self.fall[axis] != 0:
+                force = barrier(force + self.fall[axis])
+            found.append(barrier(force / (k + 1)))
+        return found
 
-    @cached_property
-    def step(self) -> sp.Expr:
-        """The longest step that the series is good for, s, a multiple of 2^-26 s."""
-        moved, sizes = self.coefficients
-        radius = barrier(sizes[0] / self.constants.fall)
+    @property
+    def _length(self) -> sp.Expr:
+        """The length of the piece that the series is good for, s, a multiple of 2^-26 s."""
+        weight = _norm(self.fall)
+        radius = barrier(IfLess(0, weight, AIRSPEEDS[0] / barrier(IfLess(0, weight, weight, 1)), sp.oo))
         longest: sp.Expr = LONGEST**16
-        for k in (self.order - 1, self.order):
-            size = _norm(moved[k])
-            reach = barrier(TOLERANCE * barrier(radius ** (self.order + 1 - k)))
+        for k in (ORDER - 1, ORDER):
+            size = _norm(VELOCITIES[k])
+            reach = barrier(TOLERANCE * barrier(radius ** (ORDER + 1 - k)))
             longest = minimum(longest, IfLess(0, size, barrier(reach / size), sp.oo))
         for _ in range(4):
             longest = barrier(sp.sqrt(longest))
-        return barrier(barrier(SAFETY * longest + STEP_GRAIN) - STEP_GRAIN)
+        return barrier(maximum(barrier(barrier(SAFETY * longest + PIECE_GRAIN) - PIECE_GRAIN), SHORTEST))
 
-    def at(self, time: sp.Expr) -> tuple[sp.Matrix, sp.Matrix]:
-        """Return position and velocity on the series, `time` after the state, in Horner form."""
-        moved, _ = self.coefficients
-        rows = [[v[axis] for v in moved] for axis in range(3)]
-        places = [
-            start + barrier(time * horner([v / (k + 1) for k, v in enumerate(row)], time))
-            for start, row in zip(position, rows, strict=True)
-        ]
-        return sp.Matrix(places), sp.Matrix([horner(row, time) for row in rows])
+    def piece(self) -> dict[str, sp.Expr]:
+        """Return the length of the piece, and bounds that hold somewhat beyond it.
 
-    def errors(
-        self, time: sp.Expr, position_error: sp.Expr, velocity_error: sp.Expr
-    ) -> tuple[sp.Expr, sp.Expr]:
-        """Return bounds on the errors of `at`, infinite where none is proved.
-
-        They bound the Euclidean norms of the errors of position and velocity, m and m/s, with all
-        roundings, given such bounds at the start.
+        The errors are what the piece adds to those at its start, in Euclidean norm.
         """
-        moved, sizes = self.coefficients
-        of, last = self.constants, self.order
+        of, last = self.constants, ORDER
+        length = self._length
+        time = barrier(length + OVERLAP * length)
         powers = [sp.Integer(1)]
         for _ in range(last):
             powers.append(barrier(powers[-1] * time))
-        a = [barrier(_norm(v) * power) for v, power in zip(moved, powers, strict=True)]
-        b = [barrier(absolute(s) * power) for s, power in zip(sizes, powers, strict=True)]
+        a = [barrier(_norm(v) * power) for v, power in zip(VELOCITIES, powers, strict=True)]
+        b = [barrier(absolute(s) * power) for s, power in zip(AIRSPEEDS, powers, strict=True)]
         sums_a, sums_b = _suffix_sums(a), _suffix_sums(b)
         rounded = COEFFICIENT_ROUNDINGS * UNIT_ROUNDOFF
         square = _sum(
@@ -259,31 +422,46 @@ class AirSeries:
                 for k in range(1, last + 1)
             ]
         )
-        squares = barrier(
-            barrier(sums_a[0] ** 2) + barrier(sums_b[0] ** 2) + barrier(of.smoothing_speed**2)
-        )
+        squares = barrier(barrier(sums_a[0] ** 2) + barrier(sums_b[0] ** 2) + self._smoothing)
         least = barrier(barrier((1 - CANCELLATION) * b[0]) - sums_b[1])
         off = barrier(barrier(square + barrier(rounded * squares)) / least)
-        turning = _norm(of.rotation)
+        turning = _norm(magnus_rate)
         left_out = _sum([barrier(b[k] * sums_a[last - k]) for k in range(last + 1)])
-        dragged = barrier(of.drag * barrier(left_out + barrier(off * sums_a[0])))
-        largest_drag = barrier(of.drag * barrier(sums_b[0] * sums_a[0]))
-        weight = barrier(of.gravity * barrier(1 + of.buoyancy))
+        dragged = barrier(drag_rate * barrier(left_out + barrier(off * sums_a[0])))
+        largest_drag = barrier(drag_rate * barrier(sums_b[0] * sums_a[0]))
+        # g (1 - buoyancy) is off by its roundings and those of 1 - buoyancy: u g (1 + buoyancy).
+        gravity = [sp.Abs(component) for component in self.acceleration if component != 0]
+        weight = barrier(barrier(sum(gravity)) * barrier(1 + of.buoyancy))
         terms = barrier(barrier(largest_drag + barrier(turning * sums_a[0])) + weight)
         defect = barrier(
             barrier(dragged + barrier(turning * a[last])) + barrier(rounded * terms) + UNDERFLOW
         )
         widest = barrier(barrier(sums_b[0] + off) + TUBE)
-        growth = barrier(time * barrier(barrier(2 * of.drag * widest) + turning))
-        room = barrier((1 - CANCELLATION) - growth)
-        exact = barrier(ROUNDING_SLACK * barrier(velocity_error + barrier(defect * time)) / room)
-        proved = all_of(Less(0, least), Less(0, room), Less(exact, TUBE))
-        carried = barrier(position_error + barrier(time * exact))
-        path = barrier(8 * barrier(time * sums_a[0]) + _norm(position))
+        slope = barrier(barrier(2 * drag_rate * widest) + turning)
+        room = barrier((1 - CANCELLATION) - barrier(time * slope))
+        grown = barrier(ROUNDING_SLACK / room)
+        exact = barrier(grown * barrier(defect * time))
+        proved = all_of(Less(0, least), Less(0, room), Less(exact, TUBE / 2))
+        path = barrier(8 * barrier(time * sums_a[0]) + extent)
         rolled = barrier(barrier(2 * _sum(sums_a)) + sums_a[0])
-        place_error = barrier(ROUNDING_SLACK * barrier(carried + UNIT_ROUNDOFF * path))
+        place_error = barrier(ROUNDING_SLACK * barrier(time * exact + UNIT_ROUNDOFF * path))
         speed_error = barrier(exact + UNIT_ROUNDOFF * rolled)
-        return (
-            barrier(Choose(proved, place_error, sp.oo)),
-            barrier(Choose(proved, speed_error, sp.oo)),
-        )
+        per_time = barrier(1 / time)
+        # The true velocity is within the tube, and its rate differs by the slope and the defect.
+        beside = barrier(barrier(slope * TUBE) + defect)
+        first = barrier(_sum([k * a[k] for k in range(1, last + 1)]) * per_time)
+        second = barrier(_sum([k * (k - 1) * a[k] for k in range(2, last + 1)]) * per_time**2)
+        return {
+            piece.name: length,
+            growth.name: Choose(proved, grown, 1),
+            piece_place_error.name: Choose(proved, place_error, 0),
+            piece_speed_error.name: Choose(proved, speed_error, 0),
+            unproved.name: Choose(proved, 0, sp.oo),
+            piece_speed.name: barrier(ROUNDING_SLACK * sums_a[0] + TUBE),
+            piece_acceleration.name: barrier(ROUNDING_SLACK * barrier(first + beside)),
+            piece_jerk.name: barrier(ROUNDING_SLACK * second),
+        }
+
+    def excess(self) -> sp.Expr:
+        """Return by how much errors of the velocity exceed those for which growth is proved."""
+        return barrier(barrier(growth * velocity_error + piece_speed_error) - TUBE) + unproved

@@ -13,6 +13,10 @@ from ..symbolic.rounding import Rounded
 from ..symbolic.symbols import POSITION, t
 
 
+Acceleration = tuple[sp.Expr, sp.Expr, sp.Expr]
+"""Components along x, y and z, m/s²."""
+
+
 def has_sign(component: sp.Expr) -> bool:
     """Return True if an acceleration is positive, or negative, whatever the parameters are."""
     return bool(component.is_positive or component.is_negative)
@@ -33,7 +37,12 @@ class Flight(ABC):
         The acceleration of free fall, m/s², along x, y and z.
     """
 
-    acceleration: tuple[sp.Expr, sp.Expr, sp.Expr]
+    acceleration: Acceleration
+
+    @property
+    def symbols(self) -> tuple[sp.Symbol, ...]:
+        """What kernels of the flight pass to others, besides the state and parameters."""
+        return ()
 
     @property
     def falls(self) -> bool:
@@ -79,6 +88,31 @@ class Flight(ABC):
             barrier_all(position, [f"{axis}_t" for axis in "xyz"]),
             barrier_all(velocity, [rf"\dot {axis}_t" for axis in "xyz"]),
         )
+
+    @abstractmethod
+    def mean_velocity(self, time: sp.Expr = t) -> list[sp.Expr]:
+        """Return the displacement up to a time over that time, m/s."""
+
+    @abstractmethod
+    def mean_rounding(self, latest: sp.Expr) -> Rounded:
+        """Return the size and the error bound of any component of a mean velocity."""
+
+    @property
+    @abstractmethod
+    def present_acceleration(self) -> tuple[sp.Expr, ...]:
+        """The acceleration at the present velocity."""
+
+    @abstractmethod
+    def along(self) -> tuple[list[sp.Expr], list[sp.Expr]]:
+        """Return the changes of position and velocity at time t by errors at the start."""
+
+    @abstractmethod
+    def path_lengths(self) -> list[sp.Expr]:
+        """Return a bound on the way along each axis in a flight of time t, given its end."""
+
+    def added_errors(self) -> tuple[sp.Expr, sp.Expr]:
+        """Return what the path leaves out of position and velocity, besides roundings."""
+        return sp.Integer(0), sp.Integer(0)
 
     @abstractmethod
     def size(self, latest: sp.Expr) -> tuple[sp.Expr, sp.Expr]:

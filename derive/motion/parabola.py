@@ -6,10 +6,11 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from ..symbolic.conditionals import barrier
+from ..symbolic.conditionals import absolute, barrier
+from ..symbolic.error_terms import dv, dx
 from ..symbolic.polynomials import Coefficients
 from ..symbolic.rounding import Rounded, extent, position_error, speed, velocity_error
-from ..symbolic.symbols import POSITION, UNIT_ROUNDOFF, VELOCITY
+from ..symbolic.symbols import POSITION, UNIT_ROUNDOFF, VELOCITY, t, velocity
 from .flight import Flight
 
 
@@ -38,6 +39,33 @@ class Parabola(Flight):
     def remainder(self) -> sp.Expr:
         """Zero: the path is Eq. 3 itself."""
         return sp.Integer(0)
+
+    def mean_velocity(self, time: sp.Expr = t) -> list[sp.Expr]:
+        """Return v + a t/2."""
+        falls = zip(VELOCITY, self.acceleration, strict=True)
+        return [barrier(v + a * time / 2) for v, a in falls]
+
+    def mean_rounding(self, latest: sp.Expr) -> Rounded:
+        """Return the size of the flight, and at most three roundings of it."""
+        _, fastest = self.size(latest)
+        return Rounded(fastest, barrier(velocity_error + 3 * UNIT_ROUNDOFF * fastest))
+
+    @property
+    def present_acceleration(self) -> tuple[sp.Expr, ...]:
+        """The acceleration of free fall, at all velocities."""
+        return self.acceleration
+
+    def along(self) -> tuple[list[sp.Expr], list[sp.Expr]]:
+        """Return dx + t dv, and dv."""
+        places = [barrier(error + drift * t) for error, drift in zip(dx, dv, strict=True)]
+        return places, list(dv)
+
+    def path_lengths(self) -> list[sp.Expr]:
+        """Return 2 |v| t + |a| t² of each axis."""
+        return [
+            2 * absolute(v) * t + sp.Abs(pull) * t**2
+            for v, pull in zip(velocity, self.acceleration, strict=True)
+        ]
 
     def size(self, latest: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
         """Return the values for position, velocity and gravity of one direction."""

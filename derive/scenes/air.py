@@ -1,29 +1,24 @@
-"""The air, its parameters, and the kernel of one step of a flight through it."""
+"""Scenes in air: the parameters of the air and the ball, and the article's hoop with them."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from dataclasses import replace
+
 import sympy as sp
 
-from ..ir.kernel import Kernel, kernel
-from ..motion.air import AirConstants, AirSeries
-from ..symbolic.conditionals import barrier, minimum
-from ..symbolic.rounding import position_error, velocity_error
-from ..symbolic.symbols import POSITION, STATE, VELOCITY
+from ..motion.air import AirConstants
 from .hoop import HOOP
-from .scene import parameter
+from .scene import Parameter, Scene, parameter
 
-_OF_HOOP = {p.name: p for p in HOOP.parameters}
-
-PARAMETERS = (
-    _OF_HOOP["gravity"],
-    _OF_HOOP["ball_radius"],
+AIR_PARAMETERS = (
     parameter("ball_mass", "kg", "m, mass of the ball", 0.624, latex="m"),
     parameter("air_density", "kg/m³", "density of the air", 1.20, "nonnegative", latex=r"\varrho"),
     parameter("drag_coefficient", "1", "C_d of the ball", 0.5, "nonnegative", latex="C_d"),
     parameter(
         "lift_coefficient",
         "1",
-        "C_m, of the Magnus force over the surface's speed",
+        "C_m, Magnus force over that of a lift coefficient of R w / v",
         0.6,
         "any",
         latex="C_m",
@@ -36,30 +31,29 @@ PARAMETERS = (
         latex="v_s",
     ),
 )
-"""The parameters of a flight through air."""
-
-longest = sp.Symbol("longest", nonnegative=True)
-"""Time until which the flight is wanted, s."""
+"""The parameters that a flight through air adds to a scene's."""
 
 
-def air_step() -> Kernel:
-    """Return the kernel of one step of a flight, with proved bounds on its errors."""
-    series = AirSeries(AirConstants(*(p.symbol for p in PARAMETERS)))
-    step = barrier(minimum(longest, series.step), "h")
-    place, moving = series.at(step)
-    errors = series.errors(step, position_error, velocity_error)
-    after = dict(zip([s.name for s in (*POSITION, *VELOCITY)], [*place, *moving], strict=True))
-    names = (position_error.name, velocity_error.name)
-    return kernel(
-        "air_step",
-        {"step": step, **after, **dict(zip(names, errors, strict=True))},
-        (
-            longest,
-            *STATE,
-            position_error,
-            velocity_error,
-            *(p.symbol for p in PARAMETERS),
-        ),
-        "One step of a flight through air: time, position, velocity, and bounds on their errors.",
-        "Taylor's series of gravity, buoyancy, drag and Magnus force; Gronwall's lemma",
+def with_air(scene: Scene, air_parameters: Sequence[Parameter] = AIR_PARAMETERS) -> Scene:
+    """Return the scene in air, with the parameters of the air that it lacks after its own.
+
+    A ball must be heavier than the air that it displaces.
+    """
+    own = {p.name: p for p in scene.parameters}
+    added = tuple(p for p in air_parameters if p.name not in own)
+    symbols = {p.name: p.symbol for p in (*scene.parameters, *added)}
+    mass, density, drag, lift, smoothing = (symbols[p.name] for p in air_parameters)
+    displaced = density * scene.ball_radius**3 * sp.Rational(4189, 1000)
+    return replace(
+        scene,
+        parameters=(*scene.parameters, *added),
+        air=AirConstants(scene.ball_radius, mass, density, drag, lift, smoothing),
+        requirements=(*scene.requirements, mass - displaced),
     )
+
+
+AIR = replace(
+    with_air(HOOP),
+    name="air",
+    remarks="The article's hoop, and the ball flies through air: drag, buoyancy and Magnus force.",
+)

@@ -9,6 +9,8 @@ import sympy as sp
 
 from ..contact.ball import THIN_SHELL, Ball
 from ..contact.law import Law
+from ..motion.air import AirConstants, AirFlight
+from ..motion.flight import Acceleration, Flight
 from ..motion.parabola import Parabola
 from ..surfaces import Body, EndPlane, Surface
 from ..symbolic.conditionals import release
@@ -16,9 +18,6 @@ from ..symbolic.symbols import ParameterSymbol
 from . import names
 from .ends import End, check_passed, check_reached, end_planes, outcomes
 from .passage import Passage
-
-Acceleration = tuple[sp.Expr, sp.Expr, sp.Expr]
-"""Components along x, y and z, m/s²."""
 
 AXES = ((1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, 1), (0, 0, -1))
 """The directions of gravity that are allowed."""
@@ -102,6 +101,8 @@ class Scene:
         along it.
     rolls
         True if a ball whose bounces accumulate rolls on; then no surface has bounds.
+    air
+        The parameters of the air that the ball flies through; None: there is none.
     passage
         The ring that a ball must have fallen through for the ends that require it.
     """
@@ -119,6 +120,7 @@ class Scene:
     gravity_axis: tuple[int, int, int] = (0, 0, -1)
     acceleration: Acceleration | None = None
     rolls: bool = False
+    air: AirConstants | None = None
     passage: Passage | None = None
 
     def __post_init__(self) -> None:
@@ -136,6 +138,11 @@ class Scene:
             raise ValueError(
                 f"scene {self.name}: gravity_axis: expected one of "
                 f"{', '.join(map(str, AXES))}, got {self.gravity_axis!r}"
+            )
+        if self.air is not None and (self.rolls or self.passage is not None):
+            raise ValueError(
+                f"scene {self.name}: air: no ball rolls in air, and no passage is tested there; "
+                "expected neither rolls nor a passage"
             )
         if self.rolls and not self.flight.falls:
             raise ValueError(
@@ -155,20 +162,28 @@ class Scene:
         return Ball(self.ball_radius, self.inertia)
 
     @property
-    def flight(self) -> Parabola:
-        """The motion of the ball between contacts."""
+    def free_fall(self) -> Acceleration:
+        """The acceleration of free fall."""
         if self.acceleration is not None:
-            return Parabola(self.acceleration)
+            return self.acceleration
         ax, ay, az = (component * self.gravity for component in self.gravity_axis)
-        return Parabola((ax, ay, az))
+        return ax, ay, az
+
+    @property
+    def flight(self) -> Flight:
+        """The motion of the ball between contacts."""
+        if self.air is not None:
+            return AirFlight(self.free_fall, constants=self.air)
+        return Parabola(self.free_fall)
 
     @property
     def open_ended(self) -> bool:
         """True if the time limit ends every shot, also one that meets nothing any more.
 
         Without gravity a ball may fly on for ever, and no bound on its path is known without one.
+        Through air it flies in pieces, of which each has a next.
         """
-        return not self.ends or not self.flight.falls
+        return not self.ends or not self.flight.falls or self.air is not None
 
     @property
     def surfaces(self) -> tuple[Surface, ...]:

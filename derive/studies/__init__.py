@@ -5,6 +5,7 @@ from __future__ import annotations
 import sympy as sp
 
 from ..ir.kernel import Kernel, kernel
+from ..motion.parabola import Parabola
 from ..scenes.scene import Scene
 from ..surfaces import Ring
 from . import aiming, measures
@@ -20,7 +21,7 @@ def study_kernels(scene: Scene, order: tuple[sp.Symbol, ...]) -> list[Kernel]:
     There are none unless gravity acts along -z: they speak of heights and a floor plan.
     """
     flight, gravity, source = scene.flight, scene.gravity, "Eq. 3 without its time"
-    if not flight.upright:
+    if not isinstance(flight, Parabola) or not flight.upright:
         return []
     rings = [surface for surface in scene.surfaces if isinstance(surface, Ring)]
     return [

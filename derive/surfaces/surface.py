@@ -13,7 +13,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from ..symbolic.conditionals import absolute, barrier
+from ..symbolic.conditionals import absolute, barrier, release
 from ..symbolic.symbols import POSITION
 from .bounds import as_length
 from .rolling_surface import RollingSurface
@@ -101,6 +101,17 @@ class Surface(ABC):
             )
         alone = (d for d in self.inside if d.free_symbols & set(POSITION) == {place})
         return tuple(alone) if self.steepness == 1 else ()
+
+    def beyond(self, axis: int, side: int) -> tuple[sp.Expr, ...]:
+        """Distances that grow along an axis, to one side: if one is positive, the ball is past.
+
+        A ball that is past the surface, and moves on to that side, never touches it.
+        """
+        place, half = POSITION[axis], self.half_sizes[axis]
+        if self.enclosed and half is not None:
+            return (side * barrier(place - barrier(self.reference_point[axis])) - barrier(half),)
+        lengths = self.inside if self.steepness == 1 else ()
+        return tuple(d for d in lengths if sp.diff(release(d), place) == side)
 
     @property
     def bounds(self) -> tuple[sp.Expr, ...]:

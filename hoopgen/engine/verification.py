@@ -224,7 +224,7 @@ def batches(kernels: ModuleType, releases: NDArray[np.float64]) -> list[Batch]:
     if defaults:
         own[:: len(_ODD_NUMBERS), 0] = np.resize(_ODD_NUMBERS, len(own[:: len(_ODD_NUMBERS)]))
     columns = [np.ascontiguousarray(column) for column in own.T]
-    longest = ROLL_TIME_LIMIT if kernels.LOG_ROWS > 1 else math.inf
+    longest = ROLL_TIME_LIMIT if kernels.NEEDS_TIME_LIMIT else math.inf
     surfaces = len(kernels.BODIES)
     leaving = np.arange(len(states)) % (4 * surfaces)
     known = min(surfaces, np.iinfo(np.int8).max + 1)

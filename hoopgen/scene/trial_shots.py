@@ -51,7 +51,7 @@ def _touching_rows(
     usual = [default for default, _, _ in kernels.PARAMETERS.values()]
     out = Layout(kernels).allocate(len(states), ["counts"])
     out.arrays["counts"][:] = 0
-    limit = ROLL_TIME_LIMIT if kernels.LOG_ROWS > 1 else math.inf
+    limit = ROLL_TIME_LIMIT if kernels.NEEDS_TIME_LIMIT else math.inf
     numpy_backend.run(kernels, states, usual, None, _MAX_CONTACTS, out, time_limit=limit)
     touched = out.arrays["counts"] > 0
     each = [rng.permutation(np.flatnonzero(column)) for column in touched.T]

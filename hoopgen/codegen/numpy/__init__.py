@@ -85,7 +85,12 @@ def _shared(model: Model) -> list[SharedKernelView]:
 
 
 def _laws(model: Model) -> dict[str, tuple[str, list[str]]]:
-    """Return by body the kernel of its contact law's variation, and what it is given."""
+    """Return by body the kernel of its contact law's variation, and what it is given.
+
+    There are none along a path that is not the flight itself.
+    """
+    if not model.scene.flight.exact:
+        return {}
     varied = {law: kernels["vary"] for law, kernels in model.laws.items()}
     return {
         body.name: (
