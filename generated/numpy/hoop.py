@@ -162,6 +162,9 @@ class Event(IntEnum):
 LOG_ROWS = 1
 """Rows of the event log for each contact, at most; the end is one more."""
 
+NEEDS_TIME_LIMIT = False
+"""Whether a shot may go on for ever without a time limit."""
+
 
 class Field(NamedTuple):
     """A number that a shot keeps from event to event: its start, None if given; whether it is
