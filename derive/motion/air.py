@@ -121,7 +121,10 @@ AIRSPEEDS = sp.symbols(f"airspeed_0:{ORDER + 1}", real=True)
 """σ_0 to σ_P."""
 VELOCITIES = (
     velocity,
-    *(sp.Matrix([sp.Symbol(f"{s.name}_{k}", real=True) for s in VELOCITY]) for k in range(1, ORDER + 1)),
+    *(
+        sp.Matrix([sp.Symbol(f"{s.name}_{k}", real=True) for s in VELOCITY])
+        for k in range(1, ORDER + 1)
+    ),
 )
 """V_0 to V_P."""
 
@@ -391,15 +394,20 @@ class AirFlight(Flight):
     def _length(self) -> sp.Expr:
         """The length of the piece that the series is good for, s, a multiple of 2^-26 s."""
         weight = _norm(self.fall)
-        radius = barrier(IfLess(0, weight, AIRSPEEDS[0] / barrier(IfLess(0, weight, weight, 1)), sp.oo))
-        longest: sp.Expr = LONGEST**16
+        radius = barrier(
+            IfLess(0, weight, AIRSPEEDS[0] / barrier(IfLess(0, weight, weight, 1)), sp.oo)
+        )
+        # Without drag the velocity's series says nothing of that of σ, whose radius is about this.
+        longest: sp.Expr = barrier(minimum(LONGEST, radius / 4)) ** 16
         for k in (ORDER - 1, ORDER):
             size = _norm(VELOCITIES[k])
             reach = barrier(TOLERANCE * barrier(radius ** (ORDER + 1 - k)))
             longest = minimum(longest, IfLess(0, size, barrier(reach / size), sp.oo))
         for _ in range(4):
             longest = barrier(sp.sqrt(longest))
-        return barrier(maximum(barrier(barrier(SAFETY * longest + PIECE_GRAIN) - PIECE_GRAIN), SHORTEST))
+        return barrier(
+            maximum(barrier(barrier(SAFETY * longest + PIECE_GRAIN) - PIECE_GRAIN), SHORTEST)
+        )
 
     def piece(self) -> dict[str, sp.Expr]:
         """Return the length of the piece, and bounds that hold somewhat beyond it.
