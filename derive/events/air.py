@@ -13,11 +13,13 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from ..motion.air import AirFlight, growth, piece_acceleration, piece_jerk, piece_place_error
+from ..motion.air import AirFlight, piece_acceleration, piece_jerk
+from ..surfaces import Surface
 from ..symbolic.conditionals import IfLess, absolute, barrier, maximum, minimum
 from ..symbolic.polynomials import Coefficients, compose
-from ..symbolic.rounding import Rounded, extent, position_error, rounding, velocity_error
+from ..symbolic.rounding import Rounded, rounding
 from ..symbolic.symbols import POSITION, VELOCITY
+from .box import BoxRootFinder
 from .box_windows import RELATIVE_INFLATION, clear
 from .event_polynomials import Window, ceiling, horizon
 from .polynomial import CEILING_BOX_FACTOR, PolynomialRootFinder
@@ -27,6 +29,35 @@ bend_rate = sp.Symbol("bend_rate", nonnegative=True)
 
 _ACCELERATION = sp.symbols("acceleration_x acceleration_y acceleration_z", real=True)
 _JERK = sp.symbols("jerk_x jerk_y jerk_z", real=True)
+
+
+def _inflation(surface: Surface) -> sp.Expr:
+    known = [half for half in surface.half_sizes if half is not None]
+    return RELATIVE_INFLATION * minimum(*known) if known else sp.Integer(0)
+
+
+def piece_windows(surface: Surface, flight: AirFlight) -> list[Window]:
+    """Return the window of a piece: all of it, if it may come into the surface's box."""
+    inflation, high = _inflation(surface), horizon
+    axes = zip(flight.enclosure(horizon), surface.reference_point, surface.half_sizes, strict=True)
+    for (middle, reach), centre, half in axes:
+        if half is not None:
+            away = barrier(absolute(barrier(middle - centre)))
+            near = barrier(barrier(half + inflation) + reach)
+            high = IfLess(near, away, -1, high)
+    return [(sp.Integer(0), high)]
+
+
+def piece_lost(surface: Surface, flight: AirFlight) -> sp.Expr:
+    """Return a quantity that is positive if errors come near to the inflation of the box."""
+    known = [half for half in surface.half_sizes if half is not None]
+    if not known:
+        return sp.Integer(0)
+    there, _ = flight.rounding(horizon)
+    centre = sp.Add(*map(sp.Abs, surface.reference_point))
+    far = barrier(barrier(there.magnitude + centre) + maximum(*known))
+    rounded = barrier(far * sp.Rational(1, 2**48))
+    return barrier(there.error + rounded) - _inflation(surface) / 4
 
 
 @dataclass(frozen=True)
@@ -57,39 +88,12 @@ class AirRootFinder(PolynomialRootFinder):
     @property
     def windows(self) -> list[Window]:
         """All of the piece, if it may come into the surface's box."""
-        surface, inflation = self.surface, self._inflation
-        high: sp.Expr = horizon
-        axes = zip(
-            self.flight.enclosure(horizon), surface.reference_point, surface.half_sizes, strict=True
-        )
-        for (middle, reach), centre, half in axes:
-            if half is not None:
-                away = barrier(absolute(barrier(middle - centre)))
-                near = barrier(barrier(half + inflation) + reach)
-                high = IfLess(near, away, -1, high)
-        return [(sp.Integer(0), high)]
-
-    @property
-    def _known(self) -> list[sp.Expr]:
-        return [half for half in self.surface.half_sizes if half is not None]
-
-    @property
-    def _inflation(self) -> sp.Expr:
-        return RELATIVE_INFLATION * minimum(*self._known) if self._known else sp.Integer(0)
+        return piece_windows(self.surface, self.flight)
 
     @property
     def lost(self) -> sp.Expr:
         """Positive if errors come near to the inflation of the box."""
-        if not self._known:
-            return sp.Integer(0)
-        shift = barrier(
-            position_error + horizon * barrier(growth * velocity_error) + piece_place_error
-        )
-        furthest, _ = self.flight.size(horizon)
-        centre = sp.Add(*map(sp.Abs, self.surface.reference_point))
-        far = barrier(furthest + extent + centre + maximum(*self._known))
-        rounded = barrier(far * sp.Rational(1, 2**48))
-        return barrier(shift + rounded) - self._inflation / 4
+        return piece_lost(self.surface, self.flight)
 
     @property
     def clear(self) -> sp.Expr:
@@ -119,3 +123,46 @@ class AirRootFinder(PolynomialRootFinder):
         known = super()._sizes(share)
         known |= dict.fromkeys(_ACCELERATION, Rounded(piece_acceleration))
         return known | dict.fromkeys(_JERK, Rounded(piece_jerk))
+
+
+@dataclass(frozen=True)
+class AirBoxRootFinder(BoxRootFinder):
+    """The root finder for a box along a piece of a flight through air."""
+
+    flight: AirFlight
+
+    @property
+    def windows(self) -> list[Window]:
+        """All of the piece, if it may come near enough."""
+        return piece_windows(self.box, self.flight)
+
+    @property
+    def reach_test(self) -> dict[str, sp.Basic]:
+        """No test besides that of the windows."""
+        return {}
+
+    @property
+    def lost(self) -> sp.Expr:
+        """Positive if errors come near to the inflation of the windows."""
+        return piece_lost(self.box, self.flight)
+
+    def _accelerations(self) -> list[sp.Expr]:
+        return self.flight.acceleration_at()
+
+    def curvature(self, width: sp.Expr) -> sp.Expr:
+        """Return 2 Σ |e a| with the largest e and a; one far away stays within the windows."""
+        sums = []
+        for e, v, _ in self._moving():
+            drift = barrier(absolute(v) + piece_acceleration * width / 2) * width
+            sums.append(minimum(barrier(absolute(e) + drift), self._reach))
+        return (
+            2 * barrier(piece_acceleration * barrier(sp.Add(*sums)))
+            + sp.Rational(1, 2**40) * ceiling
+        )
+
+    @property
+    def ceiling(self) -> sp.Expr:
+        """The sum of the largest sizes of the terms of F''."""
+        _, fastest = self.flight.size(horizon)
+        pulled = barrier(CEILING_BOX_FACTOR * self._reach * piece_acceleration)
+        return 2 * barrier(3 * fastest**2 + 3 * pulled)

@@ -7,14 +7,15 @@ is continuous, which suffices for steps from the left and Newton's method.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import sympy as sp
 
 from ..surfaces import Box
 from ..symbolic.conditionals import IfLess, absolute, barrier, minimum
-from ..symbolic.rounding import ROUNDING_SLACK, Rounded, rounding, velocity_error
-from ..symbolic.symbols import POSITION, UNIT_ROUNDOFF, VELOCITY, t
+from ..symbolic.rounding import ROUNDING_SLACK, Rounded, rounding
+from ..symbolic.symbols import POSITION, VELOCITY, t
 from .bounding_boxes import may_reach_box
 from .box_windows import RELATIVE_INFLATION, lost, windows
 from .event_polynomials import Window, ceiling, horizon, time_rounding
@@ -69,7 +70,10 @@ class BoxRootFinder(RootFinder):
         there, moving = self.flight.named()
         now = dict(zip(POSITION, there, strict=True))
         excess = [e.xreplace(now) for e in self.box.excess]
-        return list(zip(excess, moving, self.flight.acceleration, strict=True))
+        return list(zip(excess, moving, self._accelerations(), strict=True))
+
+    def _accelerations(self) -> Sequence[sp.Expr]:
+        return self.flight.acceleration
 
     @property
     def gap(self) -> sp.Expr:
@@ -85,8 +89,9 @@ class BoxRootFinder(RootFinder):
         the ball has flown, and as exact as a product with t.
         """
         changes = []
-        for (e, _, a), start, v in zip(self._moving(), self.box.excess, VELOCITY, strict=True):
-            product = t * barrier(barrier(v + a * t / 2) * barrier(e + start))
+        means = self.flight.mean_velocity()
+        for (e, _, _), start, mean in zip(self._moving(), self.box.excess, means, strict=True):
+            product = t * barrier(barrier(mean) * barrier(e + start))
             changes.append(
                 barrier(IfLess(0, e * start, product, barrier(e**2) - barrier(start**2)))
             )
@@ -128,8 +133,7 @@ class BoxRootFinder(RootFinder):
     def margins(self) -> dict[str, sp.Expr]:
         """Bounds by running error analysis; e is off by its coordinate's error and one sum."""
         there, moved = self.flight.rounding(horizon)
-        _, fastest = self.flight.size(horizon)
-        mean = Rounded(fastest, barrier(velocity_error + 3 * UNIT_ROUNDOFF * fastest))
+        mean = self.flight.mean_rounding(horizon)
         now: dict[sp.Expr, Rounded] = dict.fromkeys(VELOCITY, moved)
         faces = zip(EXCESS, POSITION, self.box.low, self.box.high, strict=True)
         for e, place, low, high in faces:

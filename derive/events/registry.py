@@ -18,7 +18,7 @@ from ..surfaces import (
     Ring,
     Surface,
 )
-from .air import AirRootFinder
+from .air import AirBoxRootFinder, AirRootFinder
 from .box import BoxRootFinder
 from .end_plane import EndPlaneRootSearch, EndPlaneSearch
 from .plane import PlaneSearch
@@ -49,9 +49,9 @@ def _oblique(surface: Surface, flight: Parabola) -> Search:
     return RootSearch(surface, flight, PolynomialRootFinder(flight, surface, two_sided=True))
 
 
-def _in_air(surface: Surface, flight: AirFlight) -> Search | None:
-    if not surface.polynomial:
-        return None
+def _in_air(surface: Surface, flight: AirFlight) -> Search:
+    if isinstance(surface, Box):
+        return RootSearch(surface, flight, AirBoxRootFinder(flight, surface))
     return RootSearch(surface, flight, AirRootFinder(flight, surface, two_sided=True))
 
 

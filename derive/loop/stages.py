@@ -12,8 +12,8 @@ from collections.abc import Iterator, Sequence, Set
 from itertools import groupby
 
 from ..events.search import Parts, given, proposed
-from ..motion.air import PIECE_KERNELS
 from ..ir.event_tree import Call, If, Node, Value, given_as
+from ..motion.air import PIECE_KERNELS
 from ..rolling import stages as contact_stages
 from ..state.fields import REPORTED_ERRORS, Field
 from ..state.shared_kernels import (

@@ -36,7 +36,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from functools import cached_property
 
 import sympy as sp
 
@@ -55,7 +54,7 @@ from ..symbolic.error_terms import dv, dw, dx
 from ..symbolic.polynomials import Coefficients, derivative, horner
 from ..symbolic.rounding import ROUNDING_SLACK, Rounded, extent, position_error, velocity_error
 from ..symbolic.symbols import POSITION, UNIT_ROUNDOFF, VELOCITY, spin, t, velocity
-from .flight import Acceleration, Flight
+from .flight import Flight
 
 ORDER = 15
 """Degree of the velocity in time. The piece's root is then of degree 16: four square roots."""
@@ -135,13 +134,11 @@ BOUNDS = (
 """What is known of a piece."""
 
 
-PIECE_KERNELS = (
-    "air_rates",
-    *(f"air_order_{k}" for k in range(ORDER + 1)),
-    "piece",
-    "piece_excess",
-)
-"""The names of the kernels that begin a piece, in order."""
+SERIES_KERNELS = ("air_rates", *(f"air_order_{k}" for k in range(ORDER + 1)), "piece")
+"""The names of the kernels of a piece's series, in order."""
+
+PIECE_KERNELS = (*SERIES_KERNELS, "piece_excess")
+"""The names of the kernels that begin a piece of a shot, in order."""
 
 
 @dataclass(frozen=True)

@@ -12,7 +12,6 @@ from ..symbolic.polynomials import Coefficients, derivative, horner
 from ..symbolic.rounding import Rounded
 from ..symbolic.symbols import POSITION, t
 
-
 Acceleration = tuple[sp.Expr, sp.Expr, sp.Expr]
 """Components along x, y and z, m/s²."""
 

@@ -199,6 +199,9 @@ LOG_ROWS = 3
 NEEDS_TIME_LIMIT = True
 """Whether a shot may go on for ever without a time limit."""
 
+PIECES: tuple[str, ...] = ()
+"""The kernels that begin a piece of a flight, in order; none: a flight is one formula."""
+
 
 class Field(NamedTuple):
     """A number that a shot keeps from event to event: its start, None if given; whether it is

@@ -21,6 +21,7 @@ from hoopgen.generated.numpy import hoop
 from hoopgen.text.shorten import join_alternatives
 
 from . import arithmetic, c_build, cuda, native, verification
+from .flight_pieces import fly_in_pieces
 from .result_arrays import Layout
 from .rolling import Roll
 
@@ -206,6 +207,8 @@ class CompiledScene:
             States at the end, (..., 9).
         """
         own = self._inputs(parameters)
+        if self.kernels.PIECES:
+            return fly_in_pieces(self.kernels, times, states, own)
         own |= dict(zip(self.kernels.STATE, np.moveaxis(states, -1, 0), strict=True))
         asked = self.kernels.ARGUMENTS["flight"][1:]
         moved = self.kernels.flight(times, *(own[name] for name in asked))
@@ -228,9 +231,12 @@ class CompiledScene:
         Returns
         -------
         tuple
-            Times after the states, s, (...), NaN where a ball is below already; and states, (...,
-            9).
+            Times after the states, s, (...), NaN where a ball is below already, or the scene has no
+            formula for it; and states, (..., 9).
         """
+        if not hasattr(self.kernels, "descent"):
+            nowhere = np.full(np.shape(states)[:-1], np.nan)
+            return nowhere, np.full(np.shape(states), np.nan)
         own = self._inputs(parameters)
         own |= dict(zip(self.kernels.STATE, np.moveaxis(states, -1, 0), strict=True))
         own["level"] = level

@@ -29,6 +29,9 @@ if TYPE_CHECKING:
 
 __all__ = ["Trajectory"]
 
+FLIGHT_PIECE_DURATION = 0.01
+"""s: so short a piece of a flight through air differs from a parabola by less than 0.1 mm."""
+
 
 @dataclass(frozen=True)
 class Trajectory:
@@ -105,6 +108,8 @@ class Trajectory:
     ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.bool_]]:
         """Divide the path into its flights, and its rolls into pieces, for pictures.
 
+        Pieces of a flight, which in pictures are parabolas, are short where it is none.
+
         Parameters
         ----------
         step
@@ -122,7 +127,13 @@ class Trajectory:
         states = np.concatenate([self.release[None], self.events["after"]])
         times, there, rolling = [starts[:1]], [states[:1]], [np.zeros(1, np.bool_)]
         lasting = {row: stop - start for row, start, stop in self.rolls}
+        curved = bool(self.scene.kernels.PIECES)
         for row in range(len(self.events)):
+            if curved and row - 1 not in lasting:
+                between = np.linspace(*starts[row : row + 2], self._parts(row))[1:-1]
+                times.append(between)
+                there.append(self.at(between))
+                rolling.append(np.zeros(len(between), np.bool_))
             times.append(starts[row + 1 : row + 2])
             there.append(states[row + 1 : row + 2])
             rolling.append(np.array([row in lasting]))
@@ -134,6 +145,11 @@ class Trajectory:
                 there.append(self._roll(row).at(since))
                 rolling.append(np.arange(1, parts + 1) < parts)
         return np.concatenate(times), np.concatenate(there), np.concatenate(rolling)
+
+    def _parts(self, row: int) -> int:
+        """Return how many points a flight that is no parabola has in pictures, with its ends."""
+        start = self.events["time"][row - 1] if row else 0.0
+        return 2 + int((self.events["time"][row] - start) / FLIGHT_PIECE_DURATION)
 
     @cached_property
     def _followed(self) -> dict[int, Roll]:

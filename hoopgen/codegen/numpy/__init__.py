@@ -10,6 +10,7 @@ from typing import Any
 from hoopgen.derive.ir.event_tree import live_before, reads, writes
 from hoopgen.derive.ir.kernel import Kernel
 from hoopgen.derive.model import Model
+from hoopgen.derive.motion.air import SERIES_KERNELS
 from hoopgen.derive.symbolic.isomorphism import Symbols
 from hoopgen.derive.symbolic.symbols import change_of
 
@@ -164,6 +165,7 @@ class NumPyBackend:
             "grouped": any(each.groups for each in lowered.model.loop.tables),
             "shared": _shared(lowered.model),
             "laws": _laws(lowered.model),
+            "pieces": [] if lowered.model.scene.flight.exact else ["scale", *SERIES_KERNELS],
             "record": ResultRecord(lowered.model),
         }
 
