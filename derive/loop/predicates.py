@@ -52,6 +52,9 @@ ends, edge, touches, in_range, permitted = map(
     Boolean, ("ends", "edge", "touches", "in_range", "permitted")
 )
 
+GOES_ON = "goes_on"
+"""The variable that is true if a flight goes on with another piece."""
+
 _OWN_ROUNDING = barrier(UNIT_ROUNDOFF / 16 * barrier(maximum(*map(absolute, velocity))))
 """A 16th of the rounding of a velocity, of which four times as much is reported: a v + a t is off
 by u |v| besides the rounding of a t, which the delay of the end contains."""
@@ -248,9 +251,9 @@ KERNELS = {
             "Whether an event changes the motion, or its errors are wanted.",
         ),
         decision(
-            "goes_on",
+            GOES_ON,
             {
-                "goes_on": Equal(which, index),
+                GOES_ON: Equal(which, index),
                 "ends": all_of(ends, Not(Equal(which, index))),
                 "reached": Choose(Equal(which, index), IN_FLIGHT, reached),
                 "body": Choose(Equal(which, index), NONE, body),

@@ -27,6 +27,7 @@ from ..state.shared_kernels import (
     take_parameters,
 )
 from .event_loop import TEMPORARY_BOUNDS, Loop
+from .predicates import GOES_ON
 
 __all__ = ["TEMPORARY_BOUNDS", "Loop", "event_loop"]
 
@@ -142,7 +143,7 @@ def _reach(
     yield Call(common["departed"], {"index": len(contacts)})
     yield Call(common["body_of"])
     if "piece_end" in common:
-        yield Call(common["goes_on"], {"index": time + 1})
+        yield Call(common[GOES_ON], {"index": time + 1})
     flown = (Call(common["flight"], {"t": "when"}), Call(common["event_clock"]))
     yield If("moves", (*_passing(common), *flown))
     yield If("limited", (Call(common["expired"], {"index": time}),), rare=True)
@@ -202,7 +203,7 @@ def _meet(
 ) -> Iterator[Node]:
     """Give the ball its motion after the contact (Eqs. 7-17), and propagate its errors."""
     if "piece_end" in common:
-        yield If("goes_on", (Call(common["carry_piece"], {"t": "when"}), Call(common["aloft"])))
+        yield If(GOES_ON, (Call(common["carry_piece"], {"t": "when"}), Call(common["aloft"])))
     yield Call(common["meeting"])
     if "in_contact" in common:
         yield Call(common["no_slow_contact"])

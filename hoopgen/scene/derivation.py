@@ -13,6 +13,7 @@ from hoopgen.derive.contact.friction import CoulombFriction
 from hoopgen.derive.contact.law import Law
 from hoopgen.derive.contact.no_slip import NoSlip
 from hoopgen.derive.scenes import scene as derive
+from hoopgen.derive.scenes.air import with_air
 from hoopgen.derive.scenes.ends import End
 from hoopgen.derive.surfaces import (
     Body,
@@ -99,7 +100,7 @@ class _Builder:
             acceleration = (ax, ay, az)
         bodies = tuple(self._body(shape) for shape in read.bodies)
         ends = tuple(self._end(shape) for shape in read.ends)
-        return derive.Scene(
+        scene = derive.Scene(
             name=read.name,
             parameters=self._parameters,
             bodies=bodies,
@@ -114,6 +115,7 @@ class _Builder:
             acceleration=acceleration,
             rolls=read.rolls,
         )
+        return with_air(scene) if read.air else scene
 
     def _sympy(self, formula: Formula) -> sp.Expr:
         return formula.fold(

@@ -58,6 +58,11 @@ class Scene:
         Whether a ball whose bounces become ever smaller rolls on, instead of bouncing until it is
         given up. No body then has bounds, and such a shot may end LODGED, at rest or wedged, or
         ENDLESS, still rolling at the time limit. It makes kernels some times as long to compile.
+    air
+        Whether the ball flies through air, with drag, buoyancy and the Magnus force of its spin.
+        Then the scene has five parameters more, which it may declare itself to give other defaults:
+        `ball_mass` (0.624 kg), `air_density` (1.2 kg/m³), `drag_coefficient` (0.5),
+        `lift_coefficient` (0.6) and `drag_smoothing_speed` (0.05 m/s). No ball rolls in air.
     axes, remarks
         For readers, in plain sentences: where origin and axes lie, and what else there is to say.
     limits
@@ -84,6 +89,7 @@ class Scene:
     tangential: Size | None = None
     restitution_speed: Size | None = None
     rolls: bool = False
+    air: bool = False
     axes: str = ""
     remarks: str = ""
     limits: Limits | Mapping[str, int] | None = field(default=None, compare=False, repr=False)
@@ -114,6 +120,7 @@ class Scene:
                 inertia=self.inertia,
                 down=self.down,
                 rolls=self.rolls,
+                air=self.air,
                 contacts={name: getattr(self, name) for name in CONTACT_ARGUMENTS},
                 as_written=as_written,
             )

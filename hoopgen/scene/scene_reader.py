@@ -11,6 +11,7 @@ from typing import Any
 from hoopgen.text.shorten import brief, join_names
 
 from . import pieces
+from .air import added_parameters
 from .bounds import LinearMap, Map, Terms, bounds, terms
 from .contact_laws import Contact, contact, is_infinite
 from .directions import Vector
@@ -86,6 +87,7 @@ class ParsedScene:
     inertia: Formula
     down: tuple[int, int] | Vector
     rolls: bool
+    air: bool
     bodies: tuple[Shape, ...]
     ends: tuple[Shape, ...]
 
@@ -101,6 +103,7 @@ def read_scene(
     inertia: pieces.Size,
     down: str | pieces.Direction,
     rolls: bool,
+    air: bool,
     contacts: Mapping[str, pieces.Size | None],
     as_written: bool = False,
 ) -> ParsedScene:
@@ -110,7 +113,7 @@ def read_scene(
     ----------
     scene
         Its name.
-    parameters, bodies, ends, ball_radius, gravity, inertia, down, rolls
+    parameters, bodies, ends, ball_radius, gravity, inertia, down, rolls, air
         As its author gave them: of any type.
     contacts
         What contacts are like with bodies that do not say it themselves.
@@ -123,7 +126,13 @@ def read_scene(
         If something is wrong; names the body and the argument.
     """
     check_name(scene, "", scene)
-    inputs = Inputs(scene, _parameters(scene, parameters), as_written)
+    for argument, given in {"rolls": rolls, "air": air}.items():
+        if not isinstance(given, bool):
+            raise wrong(scene, "", argument, f"expected true or false, got {brief(given)}")
+    if rolls and air:
+        said = "in air no ball is known to roll; expected false where air is true"
+        raise wrong(scene, "", "rolls", said)
+    inputs = Inputs(scene, _parameters(scene, parameters, air), as_written)
     reader = _Reader(inputs)
     ball = reader.size("", "ball_radius", ball_radius, sign="positive")
     along = reader.axis("", "down", down) if isinstance(down, str) else None
@@ -131,8 +140,6 @@ def read_scene(
     turning = reader.size(
         "", "inertia", inertia, sign="positive", lower=MIN_INERTIA, upper=MAX_INERTIA, unit="1"
     )
-    if not isinstance(rolls, bool):
-        raise wrong(scene, "", "rolls", f"expected true or false, got {brief(rolls)}")
     bodies = _check_list(scene, "bodies", bodies, pieces.Body)
     if not isinstance(ends, Mapping):
         raise wrong(scene, "", "ends", f"expected names and ends, got {brief(ends)}")
@@ -149,7 +156,7 @@ def read_scene(
         asked = ((one.name, one.kind, dict(one.sizes), bool(one.bounds)) for one in shapes)
         check_rolling(inputs, fall, way, asked)
     finished = tuple(_end(reader, own, end) for own, end in zip(ends, finishes, strict=True))
-    return ParsedScene(scene, inputs.all, ball, fall, turning, way, rolls, shapes, finished)
+    return ParsedScene(scene, inputs.all, ball, fall, turning, way, rolls, air, shapes, finished)
 
 
 def _check_list(scene: str, argument: str, given: Any, kind: type) -> list[Any]:
@@ -183,11 +190,12 @@ def _check_bounds(scene: str, pieces_within: Iterable[Any]) -> None:
         raise wrong(scene, "", "within", excess)
 
 
-def _parameters(scene: str, given: Any) -> tuple[Input, ...]:
+def _parameters(scene: str, given: Any, air: bool) -> tuple[Input, ...]:
     if isinstance(given, str | Mapping) or not isinstance(given, Iterable):
         raise wrong(scene, "", "parameters", f"expected a list, got {brief(given)}")
     inputs = []
-    for one in _check_count(scene, "parameters", given):
+    own = _check_count(scene, "parameters", given)
+    for one in (*own, *(added_parameters(own) if air else ())):
         if not isinstance(one, pieces.Parameter):
             raise wrong(scene, "", "parameters", f"expected Parameter, got {brief(one)}")
         inputs.append(_parameter(scene, one))

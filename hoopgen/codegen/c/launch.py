@@ -9,6 +9,7 @@ from hoopgen.derive.ir import event_tree as ir
 from hoopgen.derive.ir.event_tree import live_before, needed, writes
 from hoopgen.derive.ir.kernel import Kind
 from hoopgen.derive.loop.launch import REFUSED, SIZE, launched
+from hoopgen.derive.loop.predicates import GOES_ON
 from hoopgen.derive.loop.stages import Loop
 from hoopgen.derive.symbolic.symbols import STATE
 
@@ -41,7 +42,7 @@ class LaunchLoop(MaskedLoop):
     ) -> tuple[Statements, Statements]:
         """Return the statements before the pass, and those for a row of lanes.
 
-        A scene with tables of surfaces has none.
+        A scene with tables of surfaces has none, and none whose flights go on in pieces.
 
         Parameters
         ----------
@@ -53,7 +54,8 @@ class LaunchLoop(MaskedLoop):
         release, detect, resolve = (
             launched(stages[name][0]) for name in ("start", "detect", "resolve")
         )
-        if any(isinstance(node, ir.ForEach) for node in (*release, *detect, *resolve)):
+        stepped = (*release, *detect, *resolve)
+        if any(isinstance(n, ir.ForEach | ir.While) for n in stepped) or GOES_ON in writes(stepped):
             return [], []
         wanted = {*results, "outcome"}
         flight = needed((*detect, *resolve), wanted | {REFUSED})
