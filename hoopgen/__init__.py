@@ -26,6 +26,9 @@ if TYPE_CHECKING:
     from . import plots as plots
     from . import scene as scene
     from .core.event_log import Event as Event
+    from .hoop.air import FIBA_AIR as FIBA_AIR
+    from .hoop.air import NBA_AIR as NBA_AIR
+    from .hoop.air import PAPER_AIR as PAPER_AIR
     from .hoop.court import FIBA_COURT as FIBA_COURT
     from .hoop.court import NBA_COURT as NBA_COURT
     from .hoop.court import PAPER_COURT as PAPER_COURT
@@ -43,6 +46,7 @@ if TYPE_CHECKING:
     from .results.trajectory import Trajectory as Trajectory
     from .scene import Scene as Scene
     from .scene import load_scene as load_scene
+    from .simulation.air import AIR as AIR
     from .simulation.compile import compile as compile
     from .simulation.court import COURT as COURT
     from .simulation.hoop import HOOP as HOOP
@@ -88,6 +92,9 @@ __all__ = [
     "PAPER_COURT",
     "NBA_COURT",
     "FIBA_COURT",
+    "PAPER_AIR",
+    "NBA_AIR",
+    "FIBA_AIR",
     "Outcome",
     "Event",
     "SURFACES",
@@ -111,6 +118,10 @@ _LAZY = {
     "PAPER_COURT": "hoop.court",
     "NBA_COURT": "hoop.court",
     "FIBA_COURT": "hoop.court",
+    "AIR": "simulation.air",
+    "PAPER_AIR": "hoop.air",
+    "NBA_AIR": "hoop.air",
+    "FIBA_AIR": "hoop.air",
     "release": "hoop.releases",
     "place": "hoop.court_places",
     "PAPER": "hoop.presets",

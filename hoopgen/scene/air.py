@@ -1,26 +1,36 @@
-"""The parameters that a scene in air has besides its own.
-
-The defaults are those of `derive/scenes/air.py`, which a test compares: a scene is read without
-SymPy.
-"""
+"""The parameters that a scene in air has besides its own."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+
+from hoopgen.hoop.air import AIR_DEFAULTS
 
 from .pieces import Parameter
 
 __all__ = ["AIR_PARAMETERS", "added_parameters"]
 
 AIR_PARAMETERS = (
-    Parameter("ball_mass", 0.624, "kg", "m, mass of the ball", latex="m"),
+    Parameter("ball_mass", AIR_DEFAULTS["ball_mass"], "kg", "m, mass of the ball", latex="m"),
     Parameter(
-        "air_density", 1.2, "kg/m³", "density of the air", sign="nonnegative", latex=r"\varrho"
+        "air_density",
+        AIR_DEFAULTS["air_density"],
+        "kg/m³",
+        "density of the air",
+        sign="nonnegative",
+        latex=r"\varrho",
     ),
-    Parameter("drag_coefficient", 0.5, "1", "C_d of the ball", sign="nonnegative", latex="C_d"),
+    Parameter(
+        "drag_coefficient",
+        AIR_DEFAULTS["drag_coefficient"],
+        "1",
+        "C_d of the ball",
+        sign="nonnegative",
+        latex="C_d",
+    ),
     Parameter(
         "lift_coefficient",
-        0.6,
+        AIR_DEFAULTS["lift_coefficient"],
         "1",
         "C_m, Magnus force over that of a lift coefficient of R w / v",
         sign="any",
@@ -28,7 +38,7 @@ AIR_PARAMETERS = (
     ),
     Parameter(
         "drag_smoothing_speed",
-        0.05,
+        AIR_DEFAULTS["drag_smoothing_speed"],
         "m/s",
         "v_s, below which the drag is linear in the speed",
         latex="v_s",

@@ -13,6 +13,7 @@ from hoopgen.engine.compiled_scene import CompiledScene, infinite_parameters
 from hoopgen.hoop.variables import ALTERNATIVE_VARIABLES, ARGUMENTS, VARIABLES
 from hoopgen.text.shorten import brief, join_names
 
+from .air import AIR_PARAMETERS
 from .scene import Scene
 
 if TYPE_CHECKING:
@@ -130,7 +131,11 @@ def _of_all_hoops() -> Mapping[str, Variable]:
     from hoopgen.generated.numpy import court  # which has many kernels
 
     own = _parameters(court, court.PARAMETERS, infinite_parameters(court))
-    return {**VARIABLES, **own}
+    return {
+        **VARIABLES,
+        **own,
+        **{p.name: _parameter(p.name, p.unit, False) for p in AIR_PARAMETERS},
+    }
 
 
 HOOP_VARIABLES: Mapping[str, Variable] = _HoopVariables()

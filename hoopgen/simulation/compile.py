@@ -15,7 +15,7 @@ import json
 import marshal
 import shutil
 import sys
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from functools import cache, partial
 from pathlib import Path
 from sysconfig import get_platform
@@ -44,7 +44,7 @@ from hoopgen.scene.trial_shots import trial_shots
 from .engine import Engine
 from .hoop import HOOP
 
-__all__ = ["compile", "scene_store"]
+__all__ = ["compile", "engine", "find_entry", "scene_store"]
 
 _MAX_MESSAGE_LINES = 20
 """Most lines of a compiler's words."""
@@ -99,13 +99,18 @@ def compile(scene: SceneLike) -> Engine:
         from .court import COURT  # whose kernels are many
 
         return COURT
-    known, engine = _KEY_BY_IDENTITY.get(id(scene), (None, None))
-    if engine is None or known is not scene:
-        engine = _find_entry(scene)
+    in_air = sys.modules.get("hoopgen.derive.scenes.air")
+    if in_air is not None and scene == in_air.AIR:
+        from .air import AIR  # which is compiled when it is first asked for
+
+        return AIR
+    known, found = _KEY_BY_IDENTITY.get(id(scene), (None, None))
+    if found is None or known is not scene:
+        found = _find_engine(scene)
         if len(_KEY_BY_IDENTITY) >= _MAX_IDENTITIES:
             _KEY_BY_IDENTITY.clear()
-        _KEY_BY_IDENTITY[id(scene)] = (scene, engine)
-    return engine
+        _KEY_BY_IDENTITY[id(scene)] = (scene, found)
+    return found
 
 
 def scene_store() -> SceneStore:
@@ -114,21 +119,45 @@ def scene_store() -> SceneStore:
     return process_store(there) if isinstance(there, str) else there
 
 
-def _find_entry(scene: Any) -> Engine:
-    tools = _Tools()
+def _find_engine(scene: Any) -> Engine:
     there = scene_store()
-    written = isinstance(scene, Scene)
-    name = digest(f"{tools.identity} {_source_digest()} {scene.key}".encode()) if written else ""
+    entry = find_entry(lambda: scene, scene.key if isinstance(scene, Scene) else "", there)
+    key = entry.record["key"]
+    if key not in _ENGINES:
+        written = scene if isinstance(scene, Scene) else None
+        made = engine(
+            entry, there, partial(_definition, scene), rebuild=(compile, (scene,)), written=written
+        )
+        _ENGINES.setdefault(key, made)
+    return _ENGINES[key]
+
+
+def find_entry(scene: Callable[[], Any], known: str, there: SceneStore) -> Entry:
+    """Return the files of a scene, which are made if there are none.
+
+    Parameters
+    ----------
+    scene
+        Function that returns the scene; it is called only if the files are not there.
+    known
+        The identity of the scene, by which its files are found without deriving it; "": none.
+    there
+        Where they are kept.
+
+    Raises
+    ------
+    ImportError, TypeError, ValueError, RuntimeError
+        As of `compile`.
+    """
+    tools = _Tools()
+    name = digest(f"{tools.identity} {_source_digest()} {known}".encode()) if known else ""
     entry = there.pointed(name) if name else None
     if entry is None:
         with HOOP.exact_arithmetic():
-            entry = _generate_files(scene, tools, there)
+            entry = _generate_files(scene(), tools, there)
         if name:
             there.point(name, entry.record["key"])
-    key = entry.record["key"]
-    if key not in _ENGINES:
-        _ENGINES.setdefault(key, _engine(entry, scene, there))
-    return _ENGINES[key]
+    return entry
 
 
 def _generate_files(scene: Any, tools: _Tools, there: SceneStore) -> Entry:
@@ -261,8 +290,18 @@ def _differences(content: bytes, kernels: ModuleType) -> str:
     return f"does not give NumPy's results ({found})" if found else ""
 
 
-def _engine(entry: Entry, scene: Any, there: SceneStore) -> Engine:
-    """Return the engine of a scene from its files."""
+def engine(entry: Entry, there: SceneStore, scene: Callable[[], Any], **options: Any) -> Engine:
+    """Return the engine of a scene from its files.
+
+    Parameters
+    ----------
+    entry, there
+        The files, and where they are kept.
+    scene
+        Function that returns the scene of derive/.
+    options
+        Further arguments of `Engine`.
+    """
     name = entry.record["scene"]
     kernels = _module(marshal.loads(entry.files[MODULE]), name)
     found: native.Library | native.Rejection
@@ -281,10 +320,9 @@ def _engine(entry: Entry, scene: Any, there: SceneStore) -> Engine:
         kernels,
         find=lambda: found,
         sources=lambda: json.loads(gzip.decompress(packed)),
-        scene=partial(_definition, scene),
-        rebuild=(compile, (scene,)),
-        written=scene if isinstance(scene, Scene) else None,
+        scene=scene,
         trial=lambda: verification.batches(kernels, trial_shots(kernels)),
+        **options,
     )
 
 

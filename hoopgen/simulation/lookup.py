@@ -23,8 +23,14 @@ def _court() -> Engine:
     return COURT
 
 
+def _air() -> Engine:
+    from .air import AIR  # which is compiled when it is first asked for
+
+    return AIR
+
+
 BUILT_IN: Mapping[str, Callable[[], Engine]] = MappingProxyType(
-    {"hoop": lambda: HOOP, "court": _court}
+    {"hoop": lambda: HOOP, "court": _court, "air": _air}
 )
 """Functions that return the scenes of hoopgen, by the names on the command line and in files."""
 
