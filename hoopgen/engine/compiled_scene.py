@@ -21,7 +21,7 @@ from hoopgen.generated.numpy import hoop
 from hoopgen.text.shorten import join_alternatives
 
 from . import arithmetic, c_build, cuda, native, verification
-from .flight_pieces import fly_in_pieces
+from .flight_pieces import apex_in_pieces, descend_in_pieces, fly_in_pieces
 from .result_arrays import Layout
 from .rolling import Roll
 
@@ -231,13 +231,12 @@ class CompiledScene:
         Returns
         -------
         tuple
-            Times after the states, s, (...), NaN where a ball is below already, or the scene has no
-            formula for it; and states, (..., 9).
+            Times after the states, s, (...), NaN where a ball is below already; and states, (...,
+            9).
         """
-        if not hasattr(self.kernels, "descent"):
-            nowhere = np.full(np.shape(states)[:-1], np.nan)
-            return nowhere, np.full(np.shape(states), np.nan)
         own = self._inputs(parameters)
+        if self.kernels.PIECES:
+            return descend_in_pieces(self.kernels, states, level, own)
         own |= dict(zip(self.kernels.STATE, np.moveaxis(states, -1, 0), strict=True))
         own["level"] = level
         with np.errstate(invalid="ignore"):
@@ -245,6 +244,31 @@ class CompiledScene:
             times, _ = self.kernels.descent(*given)
             times = np.where(np.asarray(times) >= 0.0, times, np.nan)
             return times, self.fly(times, states, parameters)
+
+    def apex(
+        self, states: NDArray[np.float64], parameters: Mapping[str, Value]
+    ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """Return when balls in free flight are highest, and their heights then.
+
+        Parameters
+        ----------
+        states
+            States of the balls, (..., 9).
+        parameters
+            Of the scene.
+
+        Returns
+        -------
+        tuple
+            Times after the states, s, (...), 0 for a ball that falls; heights z, m, (...).
+        """
+        own = self._inputs(parameters)
+        if self.kernels.PIECES:
+            times, there = apex_in_pieces(self.kernels, states, own)
+            return times, there[..., 2]
+        own |= dict(zip(self.kernels.STATE, np.moveaxis(states, -1, 0), strict=True))
+        time, height = self.kernels.apex(*(own[name] for name in self.kernels.ARGUMENTS["apex"]))
+        return np.asarray(time), np.asarray(height)
 
     def roll(
         self,

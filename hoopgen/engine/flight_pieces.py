@@ -9,12 +9,22 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["fly_in_pieces"]
+__all__ = ["apex_in_pieces", "descend_in_pieces", "fly_in_pieces"]
+
+LONGEST_SEARCH = 60.0
+"""s: a ball that still rises, or has not come down, after so long is given up."""
+
+_HALVINGS = 60
+"""Halvings of a piece, no longer than 1 s, until neighbouring doubles bound a time in it."""
+
+_Z, _VZ = 2, 5
+
+Floats = NDArray[np.float64]
 
 
 def fly_in_pieces(
-    kernels: ModuleType, times: ArrayLike, states: NDArray[np.float64], inputs: Mapping[str, Any]
-) -> NDArray[np.float64]:
+    kernels: ModuleType, times: ArrayLike, states: Floats, inputs: Mapping[str, Any]
+) -> Floats:
     """Return the states after free flights, piece by piece as in the event loop.
 
     Parameters
@@ -31,34 +41,116 @@ def fly_in_pieces(
     Returns
     -------
     ndarray
-        States at the end, (..., 9). A flight of negative duration, or one that is not a number, is
-        not a number.
+        States at the end, (..., 9); NaN for a duration that is negative, infinite or NaN.
     """
     shape = np.broadcast_shapes(np.shape(times), states.shape[:-1])
     left = np.broadcast_to(np.asarray(times, np.float64), shape).reshape(-1).copy()
-    now = np.broadcast_to(states, (*shape, states.shape[-1])).reshape(len(left), -1).copy()
-    own = {name: np.broadcast_to(value, shape).reshape(-1) for name, value in inputs.items()}
-    left[~(left >= 0.0) | ~np.isfinite(left)] = np.nan
-    now[np.isnan(left)] = np.nan
-    going = np.flatnonzero(left > 0.0)
+    now, own = _rows(states, shape, inputs)
+    now[~((left >= 0.0) & np.isfinite(left))] = np.nan
+    going = np.flatnonzero((left > 0.0) & np.isfinite(left))
     with np.errstate(all="ignore"):
         while len(going):
-            values = {name: value[going] for name, value in own.items()}
-            values |= dict(zip(kernels.STATE, now[going].T, strict=True))
-            for name in kernels.PIECES:
-                _evaluate(kernels, name, values)
-            values["t"] = np.minimum(left[going], values["piece"])
-            moved = _evaluate(kernels, "flight", values)
-            now[going, : len(moved)] = np.stack(moved, axis=1)
-            left[going] -= values["t"]
+            begun = _begin(kernels, now[going], {name: v[going] for name, v in own.items()})
+            time = np.minimum(left[going], begun["piece"])
+            now[going] = _moved(kernels, now[going], begun, time)
+            left[going] -= time
             going = going[left[going] > 0.0]
     return now.reshape(*shape, -1)
 
 
-def _evaluate(kernels: ModuleType, name: str, values: dict[str, Any]) -> list[Any]:
-    """Evaluate a kernel with values by name, which get its outputs; return these."""
-    given = (values[argument] for argument in kernels.ARGUMENTS[name])
-    found = [np.broadcast_to(made, values["x"].shape) for made in getattr(kernels, name)(*given)]
-    if name != "flight":
-        values.update(zip(kernels.OUTPUTS[name], found, strict=True))
-    return found
+def apex_in_pieces(
+    kernels: ModuleType, states: Floats, inputs: Mapping[str, Any]
+) -> tuple[Floats, Floats]:
+    """Return when balls in flight stop rising, and their states then.
+
+    Parameters
+    ----------
+    kernels, states, inputs
+        As for `fly_in_pieces`.
+
+    Returns
+    -------
+    tuple of ndarray
+        s, (...), 0 for a ball that falls; and (..., 9). NaN for one that rises longer than
+        `LONGEST_SEARCH`.
+    """
+    return _fall_to(kernels, states, np.float64(0.0), inputs, _VZ)
+
+
+def descend_in_pieces(
+    kernels: ModuleType, states: Floats, level: ArrayLike, inputs: Mapping[str, Any]
+) -> tuple[Floats, Floats]:
+    """Return when balls in flight come down to a height, and their states then.
+
+    Parameters
+    ----------
+    kernels, states, inputs
+        As for `fly_in_pieces`.
+    level
+        Height z of their centres, m; it broadcasts with the states, (...).
+
+    Returns
+    -------
+    tuple of ndarray
+        s, (...), and (..., 9); NaN for a ball that is below and does not rise to that height.
+    """
+    height = np.asarray(level, np.float64)
+    risen, top = apex_in_pieces(kernels, states, inputs)
+    fallen, there = _fall_to(kernels, top, height, inputs, _Z)
+    below = top[..., _Z] < height
+    return np.where(below, np.nan, risen + fallen), np.where(below[..., None], np.nan, there)
+
+
+def _fall_to(
+    kernels: ModuleType, states: Floats, level: Floats, inputs: Mapping[str, Any], component: int
+) -> tuple[Floats, Floats]:
+    """Return when a component that falls is first at most a level, and the states then."""
+    shape = np.broadcast_shapes(states.shape[:-1], np.shape(level))
+    now, own = _rows(states, shape, inputs)
+    level = np.broadcast_to(level, shape).reshape(-1)
+    since = np.where(np.isnan(now).any(axis=1), np.nan, 0.0)
+    going = np.flatnonzero(now[:, component] > level)
+    with np.errstate(all="ignore"):
+        while len(going):
+            begun = _begin(kernels, now[going], {name: v[going] for name, v in own.items()})
+            piece = begun["piece"].copy()
+            there = _moved(kernels, now[going], begun, piece)
+            ends = there[:, component] <= level[going]
+            low, high = np.zeros_like(piece), piece.copy()
+            for _ in range(_HALVINGS if ends.any() else 0):
+                middle = (low + high) / 2
+                met = _moved(kernels, now[going], begun, middle)[:, component] <= level[going]
+                low, high = np.where(met, low, middle), np.where(met, middle, high)
+            time = np.where(ends, high, piece)
+            now[going] = np.where(ends[:, None], _moved(kernels, now[going], begun, time), there)
+            since[going] += time
+            since[going] = np.where(since[going] <= LONGEST_SEARCH, since[going], np.nan)
+            going = going[~ends & ~np.isnan(since[going])]
+    now[np.isnan(since)] = np.nan
+    return since.reshape(shape), now.reshape(*shape, -1)
+
+
+def _rows(
+    states: Floats, shape: tuple[int, ...], inputs: Mapping[str, Any]
+) -> tuple[Floats, dict[str, Any]]:
+    """Return states as rows (n, 9), and the variables of the parameters as columns (n,)."""
+    rows = np.broadcast_to(states, (*shape, states.shape[-1])).reshape(-1, states.shape[-1])
+    columns = {n: np.broadcast_to(value, shape).reshape(-1) for n, value in inputs.items()}
+    return rows.copy(), columns
+
+
+def _begin(kernels: ModuleType, states: Floats, inputs: Mapping[str, Any]) -> dict[str, Any]:
+    """Return the variables of a piece of flights that begin at states (n, 9)."""
+    values = {**inputs, **dict(zip(kernels.STATE, states.T, strict=True))}
+    for name in kernels.PIECES:
+        given = (values[argument] for argument in kernels.ARGUMENTS[name])
+        made = (np.broadcast_to(one, len(states)) for one in getattr(kernels, name)(*given))
+        values.update(zip(kernels.OUTPUTS[name], made, strict=True))
+    return values
+
+
+def _moved(kernels: ModuleType, states: Floats, begun: Mapping[str, Any], time: Floats) -> Floats:
+    """Return the states (n, 9) at times within a piece."""
+    given = (time if name == "t" else begun[name] for name in kernels.ARGUMENTS["flight"])
+    moved = np.stack(kernels.flight(*given), axis=1)
+    return np.concatenate([moved, states[:, moved.shape[1] :]], axis=1)

@@ -72,6 +72,9 @@ class Block:
         ndarray, ndarray
             s, (n,), and x y z vx vy vz, (6, n); NaN if never.
         """
+        if self.scene.kernels.PIECES:
+            time, fallen = self.scene.fall(states, level, self.parameters)
+            return time, fallen[:, :6].T
         x, y, z, vx, vy, vz, *_ = states.T
         gravity = self.parameters["gravity"]
         time, falling = hoop.descent(z, vz, level, gravity)

@@ -119,8 +119,7 @@ def _to_the_ring(block: Block) -> dict[str, Floats]:
 
 def _highest(block: Block) -> dict[str, Floats]:
     """Return the height of the path up to the first contact."""
-    z, vz = block.states[:, 2], block.states[:, 5]
-    time, height = hoop.apex(z, vz, block.parameters["gravity"])
+    time, height = block.scene.apex(block.states, block.parameters)
     touched = np.flatnonzero(block.results["contacts"] > 0)
     if len(touched):
         contact = block.again(touched, 1, fields=("time", "state"))
@@ -353,6 +352,7 @@ MEASURES: Mapping[str, Measure] = MappingProxyType({each.name: each for each in 
 def measures_of(scene: CompiledScene) -> Mapping[str, Measure]:
     """Return the measures of a scene, by name.
 
-    The clearance is that of flights, and so none where a ball may roll.
+    The clearance is that of parabolas, and so none where a ball may roll or flies through air.
     """
-    return {n: one for n, one in MEASURES.items() if not (scene.rolls and n == "clearance")}
+    parabolas = not scene.rolls and not scene.kernels.PIECES
+    return {n: one for n, one in MEASURES.items() if parabolas or n != "clearance"}

@@ -92,17 +92,30 @@ def direction_from(x: Floats, y: Floats, from_x: ArrayLike, from_y: ArrayLike) -
 def _caught(block: Block) -> Floats:
     """Return time, x and y of rebounds, (3, n): of misses, and of shots that fall short."""
     outcome, ends = block.results["outcome"], block.results["time"]
-    x, y, z, vx, vy, vz, *_ = block.results["state"].T
-    gravity = block.parameters["gravity"]
-    time, _ = hoop.descent(z, vz, block.catching_height - RING_HEIGHT, gravity)
+    time, place = _descent(block)
     missed, short = outcome == Outcome.MISSED, outcome == Outcome.SHORT
     last = np.where(short, ends, 0.0)  # the state of such a shot is that at its last contact
     back = np.flatnonzero(missed & (time < 0))
     last[back] = _last_contact(block, back)
     above_floor = block.catching_height >= block.parameters["ball_radius"]
     there = (missed | short) & (ends + time >= last) & above_floor
-    place = hoop.flight(time, x, y, z, vx, vy, vz, gravity)
     return np.where(there, [ends + time, *place[:2]], np.nan)
+
+
+def _descent(block: Block) -> tuple[Floats, Floats]:
+    """Return when the flights from the last states come down to the catching height, and where.
+
+    A time before those states, of a parabola, says when the ball was there. Through air, where such
+    a flight is not followed backwards, there is none.
+    """
+    states, level = block.results["state"], block.catching_height - RING_HEIGHT
+    if block.scene.kernels.PIECES:
+        time, there = block.scene.fall(states, level, block.parameters)
+        return time, there[:, :3].T
+    x, y, z, vx, vy, vz, *_ = states.T
+    gravity = block.parameters["gravity"]
+    time, _ = hoop.descent(z, vz, level, gravity)
+    return time, np.array(hoop.flight(time, x, y, z, vx, vy, vz, gravity))
 
 
 def _last_contact(block: Block, rows: NDArray[np.intp]) -> Floats:
