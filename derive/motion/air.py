@@ -59,7 +59,7 @@ from .flight import Flight
 ORDER = 15
 """Degree of the velocity in time. The piece's root is then of degree 16: four square roots."""
 
-TOLERANCE = sp.Rational(1, 2**46)
+TOLERANCE = sp.Rational(1, 2**50)
 """m/s: a piece is so long that about this much of the velocity is left out."""
 
 SAFETY = sp.Rational(27, 32)
@@ -96,6 +96,10 @@ quotient, and one more."""
 WEIGHT_ROUNDINGS = 8
 """Roundings of g_e, relative to g and to its part that the air carries: six of that part, one of
 the difference, one of the product; and two of the sum of forces at once."""
+
+CARRIED_SHARE = sp.Rational(1, 4)
+"""Share of a piece's errors that is carried. They are proved bounds, unlike roundings that are
+carried with the sign that makes errors grow, and decisions allow for 16 times what is carried."""
 
 CANCELLATION = sp.Rational(1, 2**40)
 """Share of a positive quantity that covers the roundings of what is subtracted from it."""
@@ -330,8 +334,10 @@ class AirFlight(Flight):
         return [barrier(2 * absolute(v) * t + piece_acceleration * t**2) for v in velocity]
 
     def added_errors(self) -> tuple[sp.Expr, sp.Expr]:
-        """Return what the piece leaves out of position and velocity, infinite if not proved."""
-        return barrier(piece_place_error + unproved), barrier(piece_speed_error + unproved)
+        """Return a share of what the piece leaves out, infinite if that is not proved."""
+        left_out = (piece_place_error, piece_speed_error)
+        place, moving = (barrier(CARRIED_SHARE * error + unproved) for error in left_out)
+        return place, moving
 
     def size(self, latest: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
         """Return bounds on every coordinate and every velocity up to the time `latest`."""
