@@ -2,21 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 
 import sympy as sp
 
-from ..ir.event_tree import Call, Node
 from ..ir.kernel import Kernel, decision
 from ..surfaces import EndPlane
 from ..symbolic.conditionals import And, Choose, Equal, Not, Or, false
 from .plane import PlaneSearch
 from .predicates import through
-from .root_search import RootSearch
-from .search import Formula, Parts, inside, nearly, numbered, within
-
-_CROSSED = decision("crossed", {"arrives": Not(false)}, "Every crossing counts.")
+from .root_search import PlaneRootSearch
+from .search import Formula, inside, nearly, numbered, within
 
 
 def reached(end_plane: EndPlane) -> sp.Basic:
@@ -98,15 +94,10 @@ class EndPlaneSearch(PlaneSearch):
 
 
 @dataclass(frozen=True)
-class EndPlaneRootSearch(RootSearch):
+class EndPlaneRootSearch(PlaneRootSearch):
     """The same along a path on which the crossing is no closed form."""
 
     surface: EndPlane
-
-    @property
-    def passes(self) -> bool:
-        """True: a ball may start below the plane."""
-        return True
 
     @property
     def formulas(self) -> dict[str, Formula]:
@@ -116,8 +107,4 @@ class EndPlaneRootSearch(RootSearch):
     @property
     def decisions(self) -> dict[str, Kernel]:
         """The decisions whether a crossing counts, and which end is reached."""
-        return super().decisions | _end_decisions(self.surface) | {"crossed": _CROSSED}
-
-    def counted(self, common: Parts, own: Parts) -> Iterator[Node]:
-        """Test whether a crossing is within the bounds of any end, if all have some."""
-        return super().counted(common, own) if self.surface.bounds else iter([Call(own["crossed"])])
+        return super().decisions | _end_decisions(self.surface)

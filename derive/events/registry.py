@@ -27,7 +27,7 @@ from .ring.air import AirRingRootFinder
 from .ring.double import RingRootFinder
 from .ring.single import SinglePrecisionRing
 from .root_finder import RootFinder
-from .root_search import RootSearch
+from .root_search import PlaneRootSearch, RootSearch
 from .search import Search
 
 SearchFactory = Callable[[Any, Any], Search | None]
@@ -51,6 +51,8 @@ def _oblique(surface: Surface, flight: Parabola) -> Search:
 
 
 def _in_air(surface: Surface, flight: AirFlight) -> Search:
+    if isinstance(surface, Plane):
+        return PlaneRootSearch(surface, flight, AirRootFinder(flight, surface, two_sided=True))
     if isinstance(surface, Ring):
         return RootSearch(surface, flight, AirRingRootFinder(flight, surface))
     if isinstance(surface, Box):

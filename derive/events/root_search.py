@@ -10,6 +10,7 @@ import sympy as sp
 from ..errors.propagation import normal_error, root_rounding
 from ..ir.event_tree import Call, If, Node, Value, While
 from ..ir.kernel import Kernel, decision
+from ..symbolic.conditionals import Not, false
 from ..symbolic.symbols import variable
 from .box_windows import enter, opening
 from .predicates import KERNELS, side
@@ -164,6 +165,28 @@ class RootSearch(Search):
         if self.passes:
             return _passing_step(common, own, index, tuple(self.counted(common, own)))
         return _step(common, own, index, "gap_closes" if self.coarse else "gap_closes_or_stalls")
+
+
+_CROSSED = decision("crossed", {"arrives": Not(false)}, "Every crossing counts.")
+
+
+@dataclass(frozen=True)
+class PlaneRootSearch(RootSearch):
+    """The search on a plane along a path on which the arrival is no closed form."""
+
+    @property
+    def passes(self) -> bool:
+        """True: a plane is thin, and a ball may be behind it."""
+        return True
+
+    @property
+    def decisions(self) -> dict[str, Kernel]:
+        """Those of a root search, and that a crossing counts if there are no bounds."""
+        return super().decisions | ({} if self.surface.bounds else {"crossed": _CROSSED})
+
+    def counted(self, common: Parts, own: Parts) -> Iterator[Node]:
+        """Test whether a crossing is within the bounds, if there are any."""
+        return super().counted(common, own) if self.surface.bounds else iter([Call(own["crossed"])])
 
 
 def _clear(clear: sp.Expr) -> dict[str, Formula]:

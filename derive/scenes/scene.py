@@ -181,9 +181,8 @@ class Scene:
         """True if the time limit ends every shot, also one that meets nothing any more.
 
         Without gravity a ball may fly on for ever, and no bound on its path is known without one.
-        Through air it flies in pieces, of which each has a next.
         """
-        return not self.ends or not self.flight.falls or self.air is not None
+        return not self.ends or not self.flight.falls
 
     @property
     def surfaces(self) -> tuple[Surface, ...]:
