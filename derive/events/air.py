@@ -15,7 +15,7 @@ import sympy as sp
 
 from ..motion.air import AirFlight, piece_acceleration, piece_jerk
 from ..surfaces import Surface
-from ..symbolic.conditionals import IfAtMost, IfLess, absolute, barrier, maximum, minimum
+from ..symbolic.conditionals import IfLess, absolute, barrier, maximum, minimum
 from ..symbolic.polynomials import Coefficients, compose
 from ..symbolic.rounding import Rounded, rounding
 from ..symbolic.symbols import POSITION, VELOCITY
@@ -51,15 +51,18 @@ def piece_windows(surface: Surface, flight: AirFlight) -> list[Window]:
     return [(sp.Integer(0), high)]
 
 
-def piece_lost(surface: Surface, flight: AirFlight) -> sp.Expr:
-    """Return a quantity that is positive if errors come near to the inflation of the box.
+def over_budget(flight: AirFlight) -> sp.Expr:
+    """Return by how much errors within a piece exceed the largest budget of a search."""
+    there, _ = flight.rounding(flight.span)
+    return barrier(there.error - BUDGET * there.magnitude)
 
-    Without a box it is so if they exceed the largest budget of a search.
-    """
+
+def piece_lost(surface: Surface, flight: AirFlight) -> sp.Expr:
+    """Return a quantity that is positive if errors come near to the inflation of the box."""
     known = [half for half in surface.half_sizes if half is not None]
     there, _ = flight.rounding(horizon)
     if not known:
-        return barrier(there.error - BUDGET * there.magnitude)
+        return sp.Integer(0)
     centre = sp.Add(*map(sp.Abs, surface.reference_point))
     far = barrier(barrier(there.magnitude + centre) + maximum(*known))
     rounded = barrier(far * sp.Rational(1, 2**48))
@@ -105,7 +108,8 @@ class AirRootFinder(PolynomialRootFinder):
     def clear(self) -> sp.Expr:
         """Positive if no window opens, or the gap keeps its sign, before the horizon.
 
-        |F| changes by at most |F'| T + C T²/2.
+        |F| changes by at most |F'| T + C T²/2. Errors of the state may add no more than the largest
+        budget of a search does (`over_budget`).
         """
         if self._boxed:
             return clear(self.windows, self.lost)
@@ -114,7 +118,7 @@ class AirRootFinder(PolynomialRootFinder):
         change = barrier(absolute(rate) + barrier(self.ceiling * horizon / 2))
         error = rounding(self.surface.shape, self._budgeted()).error
         least = barrier(absolute(gap) - barrier(horizon * change) * (1 + BUDGET))
-        return IfAtMost(self.lost, 0, barrier(least - 4 * error), 0)
+        return barrier(least - 4 * error)
 
     @property
     def _offsets(self) -> list[sp.Expr]:

@@ -10,6 +10,7 @@ from ..contact.frame import contact_frame
 from ..contact.no_slip import impact_through_frame
 from ..errors import propagation
 from ..events import bounding_boxes, event_polynomials
+from ..events.air import over_budget
 from ..events.predicates import excess
 from ..ir.kernel import Kernel, decision, kernel
 from ..motion.air import ORDER, AirFlight, piece
@@ -193,7 +194,14 @@ def _pieces(scene: Scene, order: tuple[sp.Symbol, ...]) -> tuple[Kernel, ...]:
         ),
         kernel(
             "piece_excess",
-            {"excess": maximum(excess, flight.excess(), position_error - sinking.room(scene))},
+            {
+                "excess": maximum(
+                    excess,
+                    flight.excess(),
+                    over_budget(flight),
+                    position_error - sinking.room(scene),
+                )
+            },
             (excess, *order),
             "The excess of the flight's size, or that of errors over those that are bounded.",
             "the bounds' premises",
