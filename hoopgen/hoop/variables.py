@@ -58,6 +58,9 @@ ALTERNATIVE_VARIABLES = _listed(
 """Variables that replace arguments: `aim` the speed, `entry` the elevation, `x` and `y` the
 distance and the angle."""
 
+OF_PARABOLAS = ("aim", "entry")
+"""Those that stand for a release by the closed form of a parabola: in air there are none."""
+
 STANDS_FOR: Mapping[str, tuple[str, ...]] = MappingProxyType(
     {
         "aim": ("speed",),

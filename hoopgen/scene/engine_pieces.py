@@ -1,11 +1,12 @@
-"""The pieces from which a scene is drawn: its author's, or those of `COURT`."""
+"""The pieces from which a scene is drawn: its author's, or those of a hoop of hoopgen."""
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from functools import cache
 from typing import TYPE_CHECKING
 
-from .pieces import Body, Box, End, Parameter, Torus
+from .pieces import Body, Box, End, Parameter, Plane, Torus
 from .scene import Scene
 
 if TYPE_CHECKING:
@@ -25,6 +26,8 @@ def scene_pieces(engine: CompiledScene) -> Scene:
     written = engine.table.written
     if isinstance(written, Scene):
         return written
+    if engine.has_hoop and engine.kernels.PIECES:
+        return _hoop(engine.name, engine.kernels.PARAMETERS)
     from hoopgen.generated.numpy import court  # which has many kernels
 
     if engine.name == court.SCENE and engine.kernels is court:
@@ -33,6 +36,39 @@ def scene_pieces(engine: CompiledScene) -> Scene:
         f"scene: {engine.name} is written for derivation; drawn are the hoop, and scenes "
         "of the pieces of hoopgen.scene"
     )
+
+
+_WITHIN_RING = "x**2 + y**2 - ring_radius**2"
+
+
+def _drawn(
+    name: str, parameters: Mapping[str, tuple[float, str, str]], bodies: Sequence[Body]
+) -> Scene:
+    """Return a scene of a hoop, without laws of contact, which are not drawn."""
+    return Scene(
+        name,
+        parameters=[
+            Parameter(name, default, unit, summary, sign="any", infinite=default == float("inf"))
+            for name, (default, unit, summary) in parameters.items()
+        ],
+        ball_radius="ball_radius",
+        gravity="gravity",
+        restitution="1",
+        bodies=bodies,
+        ends={"made": End(at="-end_depth", within=[_WITHIN_RING]), "missed": End(at="-end_depth")},
+    )
+
+
+def _hoop(name: str, parameters: Mapping[str, tuple[float, str, str]]) -> Scene:
+    """Return the bodies of the article's hoop, of which only the upper sides are touched."""
+    board = ["-y - board_half_width", "y - board_half_width", "board_bottom - z", "z - board_top"]
+    bridge = ["-y - bridge_half_width", "y - bridge_half_width", "x + ring_radius"]
+    bodies: tuple[Body, ...] = (
+        Torus("ring", radius="ring_radius", wire="wire_radius"),
+        Plane("backboard", axis="x", at="-board_distance", within=board),
+        Plane("bridge", at="wire_radius", within=[*bridge, "-board_distance - x"]),
+    )
+    return _drawn(name, parameters, bodies)
 
 
 @cache
@@ -54,17 +90,4 @@ def _court() -> Scene:
             centre=(f"-({front} + ring_radius)/2", 0, "wire_radius - bridge_depth/2"),
         ),
     )
-    within = "x**2 + y**2 - ring_radius**2"
-    return Scene(
-        court.SCENE,
-        parameters=[
-            Parameter(name, default, unit, summary, sign="any", infinite=default == float("inf"))
-            for name, (default, unit, summary) in court.PARAMETERS.items()
-        ],
-        ball_radius="ball_radius",
-        gravity="gravity",
-        inertia="inertia",
-        restitution="ring_restitution",
-        bodies=bodies,
-        ends={"made": End(at="-end_depth", within=[within]), "missed": End(at="-end_depth")},
-    )
+    return _drawn(court.SCENE, court.PARAMETERS, bodies)

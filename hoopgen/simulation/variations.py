@@ -57,6 +57,11 @@ def check_derivatives(
     """
     if isinstance(names, str):
         raise TypeError(f"{argument}: expected a list of names, got the text {names!r}")
+    if scene.kernels.PIECES:
+        raise ValueError(
+            f"{argument}: derivatives are not derived for flights through air, such as those of "
+            f"the scene {scene.name}; expected a scene without air"
+        )
     found = tuple(names)
     check_names(argument, found, (*STATE, *scene.parameters))
     twice = sorted({name for name in found if found.count(name) > 1})

@@ -12,8 +12,15 @@ from hoopgen.core.memory import check_room
 from hoopgen.core.parameters import ParameterValues
 from hoopgen.core.validation import as_doubles, check_deviations
 from hoopgen.core.variables import STATE, Releases, check_names, is_state
+from hoopgen.hoop.air import AIR_DEFAULTS
 from hoopgen.hoop.presets import NAMES, PAPER
-from hoopgen.hoop.variables import ALTERNATIVE_VARIABLES, ARGUMENTS, check_angles, resolve_variables
+from hoopgen.hoop.variables import (
+    ALTERNATIVE_VARIABLES,
+    ARGUMENTS,
+    OF_PARABOLAS,
+    check_angles,
+    resolve_variables,
+)
 from hoopgen.scene.lookup import HOOP_VARIABLES
 
 Floats: TypeAlias = NDArray[np.float64]
@@ -68,9 +75,9 @@ def check_known(
         if own:
             check_names(argument, names, (*STATE, *own))
     else:
-        check_names(
-            argument, names, (*ARGUMENTS, *ALTERNATIVE_VARIABLES, *own) if own else HOOP_VARIABLES
-        )
+        in_air = set(AIR_DEFAULTS) <= set(own)
+        others = (name for name in ALTERNATIVE_VARIABLES if not (in_air and name in OF_PARABOLAS))
+        check_names(argument, names, (*ARGUMENTS, *others, *own) if own else HOOP_VARIABLES)
 
 
 def check_turns(argument: str, values: Mapping[str, ArrayLike], among: Iterable[str]) -> None:

@@ -105,6 +105,11 @@ def coach(
         raise ValueError("makes: it is of a player who was not measured; leave one out")
     setting = setting_of(Scatter({}), parameters, scene)
     check_hoop("scene", setting.scene)
+    if player is None and setting.scene is not None and setting.scene.kernels.PIECES:
+        raise ValueError(
+            f"scene: the default player aims along parabolas, and the scene {setting.scene.name} "
+            "has air; expected hoopgen.HOOP or hoopgen.COURT"
+        )
     where, provenance = None, "The player is as measured."
     fitted = player if isinstance(player, FittedScatter) else None
     given = player.model if isinstance(player, FittedScatter) else player
