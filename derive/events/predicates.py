@@ -51,6 +51,9 @@ searching, representable, fits, single_precision = map(
     Boolean, ("searching", "representable", "fits", "single_precision")
 )
 
+sunk = Boolean("sunk")
+"""True of a ball that flies through air and can never meet anything again."""
+
 
 def earlier(condition: sp.Basic, at: sp.Expr) -> sp.Expr:
     """Return the earliest undecided time, given one at which a condition holds."""

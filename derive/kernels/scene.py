@@ -13,11 +13,11 @@ from ..events import bounding_boxes, event_polynomials
 from ..events.air import over_budget
 from ..events.predicates import excess
 from ..ir.kernel import Kernel, decision, kernel
-from ..motion.air import ORDER, AirFlight, piece
+from ..motion.air import ORDER, AirFlight
 from ..scenes import sinking, validity
 from ..scenes.scene import Scene
 from ..symbolic import error_terms
-from ..symbolic.conditionals import Not, barrier, maximum
+from ..symbolic.conditionals import barrier, maximum
 from ..symbolic.number_range import MAX_FLIGHT, MAX_SPEED
 from ..symbolic.rounding import position_error
 from ..symbolic.symbols import POSITION, SPIN, VELOCITY, spin, velocity
@@ -208,9 +208,9 @@ def _pieces(scene: Scene, order: tuple[sp.Symbol, ...]) -> tuple[Kernel, ...]:
         ),
         kernel(
             "piece_end",
-            {"time": piece, "delay": sp.Integer(0), "arrives": Not(sinking.sinks(scene))},
+            sinking.piece_end(scene),
             order,
-            "The end of a piece as an arrival, unless the ball can never meet anything again.",
+            "The end of a piece as an arrival, now if the ball can never meet anything again.",
             "the sign of the vertical acceleration",
         ),
         kernel(

@@ -14,6 +14,7 @@ from ..events.predicates import delay, excess, index, last, undecided, undecided
 from ..ir.kernel import Kernel, decision
 from ..state.fields import IN_FLIGHT, NONE, REPORTED_ERRORS
 from ..symbolic.conditionals import (
+    And,
     AtMost,
     Boolean,
     Choose,
@@ -259,6 +260,11 @@ KERNELS = {
                 "body": Choose(Equal(which, index), NONE, body),
             },
             "Whether the event is the end of a piece, after which the flight goes on.",
+        ),
+        decision(
+            "sinks",
+            {"which": Choose(And(Equal(which, index), searching.sunk), NONE, which)},
+            "No event, if the ball can never meet anything again.",
         ),
         decision("aloft", {"last": NONE}, "The next piece of a flight begins on no surface."),
         decision("here", {"here": Equal(which, index)}, "Whether the event is on a surface."),

@@ -140,6 +140,8 @@ def _reach(
         yield If(
             "in_contact", tuple(contact_stages.in_contact(common, contacts, end_planes)), rare=True
         )
+    if "piece_end" in common:
+        yield Call(common["sinks"], {"index": time + 1})
     yield Call(common["departed"], {"index": len(contacts)})
     yield Call(common["body_of"])
     if "piece_end" in common:

@@ -4,7 +4,7 @@ Let gravity act along an axis, and u be the velocity along it. Where u = 0, its 
 g_e less a part of the Magnus force of at most |Ω| |v|. The speed never grows beyond the larger of
 the present one and sqrt(g_e / k_d), at which drag balances gravity. So if |Ω| |v| < g_e now and
 |Ω|² < g_e k_d, a ball with u >= 0 moves that way for ever. It meets nothing if it is past every
-surface and every end on that side (`Surface.beyond`).
+surface and every end on that side (`Surface.beyond`). Without ends the time limit ends every shot.
 """
 
 from __future__ import annotations
@@ -13,9 +13,20 @@ from collections.abc import Sequence
 
 import sympy as sp
 
-from ..motion.air import AirFlight, drag_rate, magnus_rate
+from ..events.predicates import sunk
+from ..motion.air import AirFlight, drag_rate, magnus_rate, piece
 from ..motion.flight import has_sign
-from ..symbolic.conditionals import AtMost, Less, absolute, all_of, any_of, barrier, false
+from ..symbolic.conditionals import (
+    AtMost,
+    Choose,
+    Less,
+    Not,
+    absolute,
+    all_of,
+    any_of,
+    barrier,
+    false,
+)
 from ..symbolic.rounding import extent, speed
 from ..symbolic.symbols import VELOCITY
 from .scene import Scene
@@ -35,7 +46,7 @@ def sinks(scene: Scene) -> sp.Basic:
     flight = scene.flight
     assert isinstance(flight, AirFlight)
     along = [k for k, a in enumerate(flight.acceleration) if a != 0]
-    if len(along) != 1 or not has_sign(flight.acceleration[along[0]]):
+    if not scene.ends or len(along) != 1 or not has_sign(flight.acceleration[along[0]]):
         return false
     (axis,) = along
     side = 1 if flight.acceleration[axis].is_positive else -1
@@ -53,6 +64,20 @@ def sinks(scene: Scene) -> sp.Basic:
             AtMost(turning, 0),
         ),
     )
+
+
+def piece_end(scene: Scene) -> dict[str, sp.Basic]:
+    """Return the end of a piece as an arrival, and whether the ball can never meet anything again.
+
+    If so, the arrival is now: nothing is searched, and no time limit comes before.
+    """
+    never = sinks(scene)
+    return {
+        "time": Choose(never, 0, piece),
+        "delay": sp.Integer(0),
+        "arrives": Not(false),
+        sunk.name: never,
+    }
 
 
 ROOM_IN_FORCE = 1 - sp.Rational(1, 2**20)

@@ -12,7 +12,8 @@ from dataclasses import dataclass
 
 from flint import arb
 
-from .formulas import Function, SurfaceFormulas
+from .expressions import Function
+from .formulas import SurfaceFormulas
 
 MIN_SMALL_HOPS = 32
 """Small hops in a row with which bounces accumulate. Where a ball leaves a surface that curves away

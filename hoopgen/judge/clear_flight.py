@@ -2,7 +2,7 @@
 
 The event polynomials of a flight that begins far from all bodies have large coefficients that
 cancel near a contact; of a box of flights that costs many times its width. From a place near the
-contact on they do not.
+contact on they do not. Pieces of a flight through air are short enough.
 """
 
 from __future__ import annotations
@@ -12,6 +12,7 @@ from collections.abc import Sequence
 from flint import arb
 
 from .formulas import Formulas
+from .pieces import Piece, next_piece
 
 _SLICES = 64
 """Parts of a flight, each of which is proved to be clear by itself."""
@@ -42,17 +43,20 @@ def clear_until(
     Returns
     -------
     float
-        s; 0 if nothing is proved.
+        s; 0 if nothing is proved, or if the ball flies through air.
     """
+    if formulas.air is not None:
+        return 0.0
     values = [arb(value) for value in parameters]
     passage = None if formulas.passage is None else formulas.passage(values)
+    piece = next_piece(formulas, state, values)
     reached = 0.0
     waiting = [
         (end * k / _SLICES, end * (k + 1) / _SLICES, _SPLITS) for k in reversed(range(_SLICES))
     ]
     while waiting:
         low, high, splits = waiting.pop()
-        if _is_clear(formulas, state, values, passage, arb(low).union(arb(high))):
+        if _is_clear(formulas, piece, values, passage, arb(low).union(arb(high))):
             reached = high
         elif splits:
             middle = (low + high) / 2
@@ -64,13 +68,13 @@ def clear_until(
 
 def _is_clear(
     formulas: Formulas,
-    state: Sequence[arb],
+    piece: Piece,
     values: list[arb],
     passage: Sequence[arb] | None,
     times: arb,
 ) -> bool:
     """Return whether the flights certainly meet nothing at any of the times."""
-    there = formulas.flight(state, values, (times,))
+    there = piece.at(times)
     if any(all(not part > 0 for part in solid(there, values)) for solid in formulas.solids):
         return False
     for plane in formulas.surfaces[formulas.faces :]:

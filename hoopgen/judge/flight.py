@@ -12,14 +12,16 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
-from flint import arb, arb_poly, ctx
+from flint import arb
 
 from hoopgen.derive.scenes.passage import FALLEN
 
 from . import passage
 from .accumulation import Hops
-from .formulas import Formulas, Function, SurfaceFormulas
-from .roots import Arrival, Undecided, descent, first_arrival, possible_from, root_bound, sign
+from .arrivals import arrival_at, holds
+from .formulas import Formulas, SurfaceFormulas
+from .pieces import Piece, meets_nothing, next_piece
+from .roots import Arrival, Undecided
 from .validity import valid
 
 _NEVER = arb.pos_inf()
@@ -121,8 +123,7 @@ def _follow(
         found = _next(formulas, start, values, last, vanishing, remaining)
         if found is None:
             return
-        last, time = found
-        before = formulas.flight(start, values, (time,)) + start[6:]
+        last, time, before = found
         if sizes is not None:
             through = passage.after(through, sizes, start, before, time)
         timed = last == len(formulas.surfaces)
@@ -167,7 +168,7 @@ def left_by(formulas: Formulas, state: list[arb], values: list[arb], leaving: in
     within = [
         k
         for k in own
-        if any(_holds(p, state, values) is not False for p in formulas.surfaces[k].patches)
+        if any(holds(p, state, values) is not False for p in formulas.surfaces[k].patches)
     ]
 
     def away(k: int) -> float:
@@ -198,20 +199,12 @@ def _crossing_outcome(
             if through is None:
                 raise Undecided("whether the ball passes the ring's disc")
             continue
-        holds = _holds(bounds, state, values)
-        if holds is None:
+        counts = holds(bounds, state, values)
+        if counts is None:
             raise Undecided(f"the ball crosses the plane {plane.name} on the edge of {name}")
-        if holds:
+        if counts:
             return outcome
     raise AssertionError(f"the ball crosses the plane {plane.name} where there is no end")
-
-
-def _holds(bounds: Function, state: list[arb], values: list[arb]) -> bool | None:
-    """Return whether no bound is positive; None if that is not certain."""
-    sides = [sign(bound) for bound in bounds(state, values)]
-    if 1 in sides:
-        return False
-    return None if None in sides else True
 
 
 def _next(
@@ -221,21 +214,51 @@ def _next(
     last: int,
     vanishing: int,
     remaining: arb | None,
-) -> tuple[int, arb] | None:
-    """Return surface and time of the certainly earliest arrival; None if there is none.
+) -> tuple[int, arb, list[arb]] | None:
+    """Return surface, time and state of the certainly earliest arrival; None if there is none.
 
-    The time limit, `remaining` from now, counts as the last surface where something else is met
-    too: what meets nothing any more can reach no end. Where there are none, it always counts.
+    The time limit, `remaining` from now, counts as the last surface.
+    """
+    time = arb(0)
+    while not meets_nothing(formulas, state, values):
+        piece = next_piece(formulas, state, values)
+        left = None if remaining is None else remaining - time
+        found = _next_on(formulas, piece, values, last, vanishing, left)
+        if found is None:
+            return None
+        place, after = found
+        state, time = piece.at(after), time + after
+        if place <= len(formulas.surfaces):
+            return place, time, state
+        last = -1
+    return None
+
+
+def _next_on(
+    formulas: Formulas,
+    piece: Piece,
+    values: list[arb],
+    last: int,
+    vanishing: int,
+    remaining: arb | None,
+) -> tuple[int, arb] | None:
+    """Return surface and time of the certainly earliest arrival on a piece; None without one.
+
+    The time limit counts where something else is met too: what meets nothing any more can reach no
+    end. Where there are no ends, or where a flight has pieces, it always counts. The end of the
+    piece counts as a surface beyond that.
     """
     arrivals: dict[int, Arrival] = {}
     latest = _NEVER
-    names = [*(surface.name for surface in formulas.surfaces), "time limit"]
-    limit, open_ended = len(names) - 1, formulas.open_ended
+    names = [*(surface.name for surface in formulas.surfaces), "time limit", "end of a piece"]
+    limit, end, open_ended = len(names) - 2, len(names) - 1, formulas.open_ended
+    if piece.span.is_finite():
+        arrivals[end], latest = Arrival(piece.span), piece.span
     if remaining is not None and open_ended:
-        arrivals[limit], latest = Arrival(remaining), remaining.upper()
+        arrivals[limit], latest = Arrival(remaining), latest.min(remaining.upper())
     for k in formulas.order:
         zeros = vanishing if k == last else 0
-        arrival = arrival_at(formulas, k, state, values, zeros, latest)
+        arrival = arrival_at(formulas, k, piece, values, zeros, latest)
         if arrival is not None:
             arrivals[k] = arrival
             if arrival.certain and arrival.time < latest:
@@ -259,133 +282,9 @@ def _next(
 
 def _seam(formulas: Formulas, one: int, other: int) -> bool:
     """Return whether both are parts of one surface, which is smooth where they meet."""
-    last = len(formulas.surfaces)  # the time limit
-    if last in (one, other):
+    if max(one, other) >= len(formulas.surfaces):  # the time limit, or the end of a piece
         return False
     return formulas.surfaces[one].face == formulas.surfaces[other].face
-
-
-def arrival_at(
-    formulas: Formulas,
-    index: int,
-    state: list[arb],
-    values: list[arb],
-    zeros: int,
-    latest: arb,
-) -> Arrival | None:
-    """Return the first arrival at a surface, within its bounds.
-
-    Exactly vanishing low coefficients are divided out: `zeros` of them by construction, and those
-    that are seen to vanish. If there are any, the ball is on the surface, and the sign of the first
-    that remains says whether it moves away, or is about to enter: an arrival now.
-
-    Parameters
-    ----------
-    formulas
-        The formulas of the scene.
-    index
-        The number of the surface.
-    state
-        The state, nine balls.
-    values
-        The kernels' inputs.
-    zeros
-        The number of roots at t = 0, which are divided out.
-    latest
-        The time up to which arrivals matter, s.
-    """
-    surface = formulas.surfaces[index]
-    coefficients = surface.coefficients(state, values)
-    while zeros < len(coefficients) and sign(coefficients[zeros]) == 0:
-        zeros += 1
-    rest = coefficients[zeros:]
-    if not rest:
-        return None
-    moving = sign(rest[0])
-    if moving is None and (zeros or surface.axis < 0):
-        return possible_from(arb(0))
-    if moving == -1 and zeros:
-        entering = _check_bounds(formulas, surface, state, values, Arrival(arb(0)))
-        if entering is not None or surface.axis >= 0:
-            return entering
-    if surface.axis >= 0:
-        arrival = descent(rest, moving)
-        return None if arrival is None else _check_bounds(formulas, surface, state, values, arrival)
-    if moving == -1 and not surface.bounded:
-        raise AssertionError(f"the ball is inside the {surface.name}")
-    return _first(formulas, surface, state, values, rest, moving == -1, latest)
-
-
-def _first(
-    formulas: Formulas,
-    surface: SurfaceFormulas,
-    state: list[arb],
-    values: list[arb],
-    coefficients: list[arb],
-    inside: bool,
-    latest: arb,
-) -> Arrival | None:
-    """Return the first arrival on a curved surface up to `latest`, or a little later.
-
-    What lies out of bounds is passed, and so is the way out behind it.
-    """
-    while coefficients and coefficients[-1].is_zero():  # of a ball that moves along it
-        coefficients = coefficients[:-1]
-    if len(coefficients) < 2:
-        return None
-    end = latest if latest.is_finite() else root_bound(coefficients)
-    if end is None:
-        return possible_from(arb(0))
-    end = (end * (1 + arb(2) ** -20)).upper()
-    start = arb(0)
-    while start < end:
-        local = arb_poly(coefficients)(arb_poly([start, 1])).coeffs()
-        root = first_arrival([-c for c in local] if inside else local, end - start)
-        if root is None:
-            return None
-        found = Arrival(start + root.time, root.certain, root.onwards)
-        if not root.certain:
-            return found
-        if not inside:
-            arrival = _check_bounds(formulas, surface, state, values, found)
-            if arrival is not None:
-                return arrival
-        behind = _behind(coefficients, found.time, inside)
-        if behind is None:
-            return possible_from(found.time)
-        inside, start = not inside, behind
-    return None
-
-
-def _behind(coefficients: list[arb], root: arb, inside: bool) -> arb | None:
-    """Return a time behind a simple root, before the next one; None if none can be shown."""
-    polynomial, wanted = arb_poly(coefficients), 1 if inside else -1
-    slope = polynomial.derivative()
-    width = root.rad() + abs(root).upper() * arb(2) ** -(ctx.prec // 2)
-    for _ in range(ctx.prec // 4):
-        time = (root.upper() + width).mid()
-        # Monotone up to there: no other root lies between.
-        if sign(slope(root.union(time))) == wanted and sign(polynomial(time)) == wanted:
-            return time
-        width = width * 2
-    return None
-
-
-def _check_bounds(
-    formulas: Formulas,
-    surface: SurfaceFormulas,
-    state: list[arb],
-    values: list[arb],
-    arrival: Arrival,
-) -> Arrival | None:
-    """Return an arrival, dropped if certainly out of bounds, certain if certainly within them."""
-    if arrival.onwards:
-        return arrival
-    there = formulas.flight(state, values, (arrival.time,))
-    held = [_holds(patch, there, values) for patch in surface.patches]
-    if not any(holds is not False for holds in held):
-        return None
-    return Arrival(arrival.time, arrival.certain and True in held)
 
 
 def _bounce(surface: SurfaceFormulas, before: list[arb], values: list[arb]) -> list[arb]:

@@ -1,27 +1,20 @@
-"""The formulas of derive/, compiled for ball arithmetic.
-
-SymPy expressions become straight-line Python that works on whatever numbers it is given, here
-Arb's balls. Nothing is reordered or simplified, and a rational number is never rounded.
-"""
+"""The formulas of a scene of derive/, compiled for ball arithmetic."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache
-from typing import Any
 
 import sympy as sp
-from flint import arb, fmpq
 
-from hoopgen.derive.events.event_polynomials import event_coefficients
+from hoopgen.derive.motion.parabola import Parabola
 from hoopgen.derive.rolling.settling import small_hop
 from hoopgen.derive.rolling.surface_kernels import allows_rolling
 from hoopgen.derive.scenes import HOOP
 from hoopgen.derive.scenes.scene import Scene
 from hoopgen.derive.scenes.validity import condition_scales, size_limits, without_assumptions
 from hoopgen.derive.surfaces import Box, EndPlane, Plane, Surface
-from hoopgen.derive.symbolic.conditionals import Barrier, IfAtMost, IfLess
 from hoopgen.derive.symbolic.symbols import (
     NORMAL,
     POSITION,
@@ -33,116 +26,12 @@ from hoopgen.derive.symbolic.symbols import (
     velocity,
 )
 
+from .air import AirFormulas, air_formulas
 from .box_parts import box_parts, box_solid
-
-Function = Callable[..., list[Any]]
+from .expressions import Function, compile_expressions
 
 ARRIVAL = sp.Symbol("arrival_speed", positive=True)
 """Along the normal, towards the surface, m/s."""
-
-
-def compile_expressions(
-    expressions: Sequence[sp.Expr], *arguments: Sequence[sp.Symbol]
-) -> Function:
-    """Return a Python function from sequences of numbers to the list of the expressions' values.
-
-    Parameters
-    ----------
-    expressions
-        Sums, products, powers by whole and half numbers, absolute values, choices.
-    arguments
-        The symbols of each argument, in the order of its items.
-
-    Raises
-    ------
-    TypeError
-        If an expression holds anything else.
-    """
-    writer = _Writer()
-    for place, symbols in enumerate(arguments):
-        for item, symbol in enumerate(symbols):
-            writer.names[symbol] = f"a{place}[{item}]"
-    results = [writer.write(sp.sympify(expression)) for expression in expressions]
-    head = f"def function({', '.join(f'a{place}' for place in range(len(arguments)))}):"
-    source = "\n    ".join([head, *writer.lines, f"return [{', '.join(results)}]"])
-    namespace: dict[str, Any] = {"fmpq": fmpq, "chosen": _choose, "infinity": arb.pos_inf()}
-    exec(source, namespace)  # made above, from derive/ alone
-    made: Function = namespace["function"]
-    return made
-
-
-def _choose(holds: bool, fails: bool, then: Any, other: Any) -> Any:
-    """Return the branch that a comparison chooses; NaN if it is undecided."""
-    if holds or fails:
-        return then if holds else other
-    return arb.nan()
-
-
-class _Writer:
-    """A writer of expressions as assignments, one for each distinct subexpression."""
-
-    def __init__(self) -> None:
-        self.names: dict[sp.Expr, str] = {}
-        self.lines: list[str] = []
-
-    def write(self, expression: sp.Expr) -> str:
-        """Return the name of the expression's value, writing it if it is new."""
-        if expression not in self.names:
-            if isinstance(expression, Barrier):
-                return self.write(expression.args[0])
-            formula = self._formula(expression)
-            if expression.is_Integer:
-                return formula
-            name = f"v{len(self.lines)}"
-            self.lines.append(f"{name} = {formula}")
-            self.names[expression] = name
-        return self.names[expression]
-
-    def _formula(self, expression: sp.Expr) -> str:
-        if expression.is_Integer:
-            return f"({int(expression)})"
-        if expression.is_Rational:
-            return f"fmpq({expression.p}, {expression.q})"
-        if expression.is_Add:
-            return " + ".join(self.write(term) for term in expression.args)
-        if expression.is_Mul:
-            return self._product(expression)
-        if expression.is_Pow and expression.exp.is_Rational:
-            return self._power(expression.base, expression.exp)
-        if isinstance(expression, sp.Abs):
-            return f"abs({self.write(expression.args[0])})"
-        if isinstance(expression, IfLess | IfAtMost):
-            left, right, then, other = (self.write(part) for part in expression.args)
-            less, more = ("<", ">=") if isinstance(expression, IfLess) else ("<=", ">")
-            return f"chosen({left} {less} {right}, {left} {more} {right}, {then}, {other})"
-        if expression is sp.oo:
-            return "infinity"
-        raise TypeError(f"no ball arithmetic for {expression}")
-
-    def _product(self, expression: sp.Expr) -> str:
-        number, factors = expression.as_coeff_mul()
-        if not number.is_Rational:
-            raise TypeError(f"no ball arithmetic for {number}")
-        parts = [self.write(factor) for factor in factors]
-        if number == -1:
-            return f"-({' * '.join(parts)})"
-        product = " * ".join(([f"({number.p})"] if number.p != 1 else []) + parts)
-        return product if number.q == 1 else f"({product}) / {number.q}"
-
-    def _power(self, base: sp.Expr, exponent: sp.Rational) -> str:
-        if exponent < 0:
-            return f"1 / {self.write(base**-exponent)}"
-        name = self.write(base)
-        if exponent.q == 2:
-            name = self._assign(f"{name}.sqrt()")
-        elif exponent.q != 1:
-            raise TypeError(f"no ball arithmetic for the power {exponent}")
-        return " * ".join([name] * exponent.p)
-
-    def _assign(self, formula: str) -> str:
-        name = f"v{len(self.lines)}"
-        self.lines.append(f"{name} = {formula}")
-        return name
 
 
 @dataclass(frozen=True)
@@ -153,8 +42,8 @@ class SurfaceFormulas:
     ----------
     name
         As in derive/.
-    coefficients
-        Of the event polynomial along the flight, constant first.
+    condition
+        The polynomial that is zero at a contact and positive outside, as a list of one.
     patches
         The g of Eq. 2, by part: a contact counts where all of one part hold.
     normal
@@ -179,11 +68,11 @@ class SurfaceFormulas:
         Where a shot ends: in order, each end's name, the number of its outcome, its bounds, and
         whether it is for a ball alone that has fallen through the scene's passage.
     allows_rolling
-        Whether a ball whose bounces accumulate there rolls, in a scene in which balls do.
+        Whether a ball whose bounces accumulate there rolls on.
     """
 
     name: str
-    coefficients: Function
+    condition: Function
     patches: tuple[Function, ...]
     normal: Function
     inside: Function
@@ -219,7 +108,9 @@ class Formulas:
     order
         In which they are searched: planes first, whose arrivals then limit the others' search.
     flight
-        (state, parameters, (time,)) to position and velocity.
+        (state, parameters, (time,)) to position and velocity, on a parabola; None through air.
+    air
+        The formulas of a flight through air; None without it.
     hop
         (state, parameters, normal): of a ball that leaves a surface, two numbers of which the first
         is less where the hop is too small to be told from rolling; None where no ball rolls.
@@ -241,7 +132,8 @@ class Formulas:
     open_ended: bool
     outcomes: dict[str, int]
     order: tuple[int, ...]
-    flight: Function
+    flight: Function | None
+    air: AirFormulas | None
     hop: Function | None
     passage: Function | None
     requirements: Function
@@ -279,7 +171,7 @@ def _surface(surface: Surface, face: int, body: int, scene: Scene) -> SurfaceFor
 
     return SurfaceFormulas(
         surface.name,
-        by_state(event_coefficients(surface, scene.flight)),
+        by_state([surface.condition]),
         tuple(by_state(patch) for patch in surface.patches),
         by_state(list(surface.normal)),
         by_state(surface.inside),
@@ -292,12 +184,27 @@ def _surface(surface: Surface, face: int, body: int, scene: Scene) -> SurfaceFor
         impact,
         restitution,
         tuple(ends),
-        face < len(scene.surfaces) and allows_rolling(scene.surfaces[face], scene.flight),
+        _rolls_on(scene, face),
     )
+
+
+def _rolls_on(scene: Scene, face: int) -> bool:
+    if not scene.rolls or face >= len(scene.surfaces):
+        return False
+    flight = scene.flight
+    assert isinstance(flight, Parabola)
+    return allows_rolling(scene.surfaces[face], flight)
 
 
 def _solid(surface: Surface) -> tuple[sp.Expr, ...]:
     return box_solid(surface) if isinstance(surface, Box) else surface.inside
+
+
+def _parabola(scene: Scene) -> Function | None:
+    if not scene.flight.exact:
+        return None
+    there = [component for vector in scene.flight.at() for component in vector]
+    return compile_expressions(there, (*POSITION, *VELOCITY, *SPIN), scene.symbols, (t,))
 
 
 def _hop(scene: Scene) -> Function | None:
@@ -310,9 +217,7 @@ def _hop(scene: Scene) -> Function | None:
 @cache
 def formulas(scene: Scene = HOOP) -> Formulas:
     """Return the scene's formulas, compiled once."""
-    state = (*POSITION, *VELOCITY, *SPIN)
     parameters = scene.symbols
-    there = scene.flight.at()
     faces = zip(scene.surfaces, scene.faces, strict=True)
     touched = [
         (part, face, body)
@@ -336,7 +241,8 @@ def formulas(scene: Scene = HOOP) -> Formulas:
         scene.open_ended,
         scene.outcomes,
         tuple(sorted(range(len(surfaces)), key=lambda k: surfaces[k].axis < 0)),
-        compile_expressions([e for vector in there for e in vector], state, parameters, (t,)),
+        _parabola(scene),
+        None if scene.air is None else air_formulas(scene),
         _hop(scene),
         None
         if passage is None

@@ -9,8 +9,10 @@ from flint import arb, arb_poly, arb_series, ctx
 from hoopgen.derive.scenes import HOOP
 from hoopgen.derive.scenes.scene import Scene
 
-from .flight import arrival_at, left_by
+from .arrivals import arrival_at
+from .flight import left_by
 from .formulas import Formulas, SurfaceFormulas, formulas
+from .pieces import Piece, next_piece
 from .roots import positive_within
 
 AUDIT_BITS = 128
@@ -48,73 +50,74 @@ def deepest(
     -------
     tuple
         An upper bound on the depth (m) by surface, zero if the ball certainly stays outside.
+
+    Raises
+    ------
+    ValueError
+        If the ball flies through air.
     """
+    if scene.air is not None:
+        raise ValueError(f"scene {scene.name}: air: expected flights on parabolas")
     with ctx.workprec(AUDIT_BITS):
         start, values = [arb(c) for c in state], [arb(p) for p in parameters]
         own, end = formulas(scene), arb(duration)
+        piece = next_piece(own, start, values)
         depths = [0.0] * len(own.solids)
         left = left_by(own, start, values, leaving)  # of a box, the part that it leaves
         for k, surface in enumerate(own.surfaces[: own.faces]):
-            depth = _depth(own, k, start, end, values, k == left)
+            depth = _depth(own, k, piece, end, values, k == left)
             depths[surface.face] = max(depths[surface.face], depth)
         return tuple(depths)
 
 
 def _depth(
-    own: Formulas, place: int, start: list[arb], duration: arb, values: list[arb], leaving: bool
+    own: Formulas, place: int, piece: Piece, duration: arb, values: list[arb], leaving: bool
 ) -> float:
     surface = own.surfaces[place]
     if not surface.bounded:
-        return _deepest(own, surface, start, arb(0), duration, values)
-    depth = -surface.distance(start, values)[0] if leaving else arb(0)
-    arrival = arrival_at(own, place, start, values, 0, arb.pos_inf())
+        return _deepest(surface, piece, arb(0), duration, values)
+    depth = -surface.distance(piece.start, values)[0] if leaving else arb(0)
+    arrival = arrival_at(own, place, piece, values, 0, arb.pos_inf())
     behind = 0.0
     if arrival is not None and not arrival.time > duration:
-        behind = _deepest(own, surface, start, arrival.time.lower().max(0), duration, values)
+        behind = _deepest(surface, piece, arrival.time.lower().max(0), duration, values)
     return max(behind, float(depth.upper()), 0.0)
 
 
 def _deepest(
-    own: Formulas,
     surface: SurfaceFormulas,
-    start: list[arb],
+    piece: Piece,
     begin: arb,
     end: arb,
     values: list[arb],
 ) -> float:
     """Split the flight until each part is outside or no deeper than the known maximum."""
-    coefficients = surface.coefficients(start, values)
-    polynomial = arb_poly(coefficients)
+    polynomial = surface.condition(piece.path, values)[0]
     bound, reached = 0.0, arb(TOLERANCE)
     narrowest = end * arb(2) ** -(ctx.prec // 2)
     parts = [(begin, end)]
     while parts:
         low, high = parts.pop()
-        if positive_within(polynomial, len(coefficients) - 1, low, high - low):
+        if positive_within(polynomial, polynomial.degree(), low, high - low):
             continue
-        around = _along(own, start, values, low.union(high))
+        around = piece.at(low.union(high))
         if any(part >= 0 for part in surface.inside(around, values)):
             continue
-        depth = -_least_distance(own, surface, start, values, low, high)
+        depth = -_least_distance(surface, piece, values, low, high)
         if depth <= reached or high - low < narrowest:
             bound = max(bound, float(depth.upper()))
             continue
         middle = ((low + high) / 2).mid()
-        here = _along(own, start, values, middle)
+        here = piece.at(middle)
         if all(part < 0 for part in surface.inside(here, values)):
             reached = reached.max(-surface.distance(here, values)[0].lower())
         parts += [(middle, high), (low, middle)]
     return bound
 
 
-def _along(own: Formulas, start: list[arb], values: list[arb], time: arb) -> list[arb]:
-    return own.flight(start, values, (time,))
-
-
 def _least_distance(
-    own: Formulas,
     surface: SurfaceFormulas,
-    start: list[arb],
+    piece: Piece,
     values: list[arb],
     low: arb,
     high: arb,
@@ -125,24 +128,22 @@ def _least_distance(
     theorem about the middle.
     """
     middle = ((low + high) / 2).mid()
-    everywhere = _taylor(own, surface, start, values, low.union(high))
+    everywhere = _taylor(surface, piece, values, low.union(high))
     rate = everywhere[1]
     if rate >= 0:
-        return _taylor(own, surface, start, values, low)[0].lower()
+        return _taylor(surface, piece, values, low)[0].lower()
     if rate <= 0:
-        return _taylor(own, surface, start, values, high)[0].lower()
-    distance, slope, _ = _taylor(own, surface, start, values, middle)
+        return _taylor(surface, piece, values, high)[0].lower()
+    distance, slope, _ = _taylor(surface, piece, values, middle)
     away = low.union(high) - middle
     bounds = [distance + away * slope + away * away * everywhere[2], everywhere[0]]
     finite = [bound.lower() for bound in bounds if bound.is_finite()]
     return max(finite, key=float) if finite else arb.neg_inf()
 
 
-def _taylor(
-    own: Formulas, surface: SurfaceFormulas, start: list[arb], values: list[arb], time: arb
-) -> list[arb]:
+def _taylor(surface: SurfaceFormulas, piece: Piece, values: list[arb], time: arb) -> list[arb]:
     """Return the distance's Taylor coefficients about each of the times, to the second."""
-    along = arb_series([time, 1], prec=3)
-    moving = own.flight([arb_series([c], prec=3) for c in start], values, (along,))
-    distance = surface.distance(moving, values)[0]
+    about = (coordinate(arb_poly([time, 1])) for coordinate in piece.path)
+    place = [arb_series([local[k] for k in range(3)], prec=3) for local in about]
+    distance = surface.distance(place, values)[0]
     return [distance[k] for k in range(3)]

@@ -32,6 +32,7 @@ from .certificate import UNDECIDED
 from .clear_flight import clear_until
 from .flight import fly
 from .formulas import formulas
+from .pieces import next_piece
 from .roots import Undecided
 
 BOX_BITS = 64
@@ -253,8 +254,8 @@ class _Pilot:
             own = formulas(self.scene)
             later = clear_until(own, state, self.parameters, self.first)
             if later > 0.0:
-                moved = own.flight(state, [arb(p) for p in self.parameters], (arb(later),))
-                state = moved + state[6:]
+                values = [arb(p) for p in self.parameters]
+                state = next_piece(own, state, values).at(arb(later))
             left = (arb(self.time_limit) - later).lower() if later else self.time_limit
             try:
                 flown = fly(own, state, self.parameters, self.max_contacts, time_limit=float(left))

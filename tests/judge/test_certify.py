@@ -33,11 +33,13 @@ from benchmarks.families import FAMILIES
 from benchmarks.workloads import TABLE_3, WORKLOADS
 from hoopgen.cli.certify import certify as command
 from hoopgen.judge import UNDECIDED, Enclosure, Proof, certify
+from hoopgen.judge.arrivals import arrival_at
 from hoopgen.judge.certificate import doubles, enclosure
-from hoopgen.judge.flight import arrival_at
+from hoopgen.judge.expressions import compile_expressions
 from hoopgen.judge.flight import fly as fly_in_balls
-from hoopgen.judge.formulas import compile_expressions, formulas
+from hoopgen.judge.formulas import formulas
 from hoopgen.judge.penetration import deepest
+from hoopgen.judge.pieces import next_piece
 from hoopgen.judge.roots import Arrival, first_arrival, sign_changes
 from hoopgen.judge.settle import settle
 from tests.helpers.hoop_shots import Batch
@@ -190,7 +192,8 @@ def test_the_first_arrival_is_the_first_of_all_the_roots() -> None:
     found = 0
     with ctx.workprec(256):
         for shot in WORKLOADS[2].make(40):
-            coefficients = surface.coefficients([arb(c) for c in shot.tolist()], values)
+            piece = next_piece(formulas(), [arb(c) for c in shot.tolist()], values)
+            coefficients = surface.condition(piece.path, values)[0].coeffs()
             roots = [
                 root.real
                 for root in arb_poly(coefficients).complex_roots()
@@ -324,7 +327,8 @@ def _arrival(surface: int, **components: arb) -> Arrival | None:
     names = ("x", "y", "z", "vx", "vy", "vz", "wx", "wy", "wz")
     values = [arb(float(v)) for v in SQUARE.values()]
     start = [components.get(name, arb(0)) for name in names]
-    return arrival_at(formulas(), surface, start, values, 0, arb.pos_inf())
+    piece = next_piece(formulas(), start, values)
+    return arrival_at(formulas(), surface, piece, values, 0, arb.pos_inf())
 
 
 @pytest.mark.parametrize(

@@ -19,7 +19,7 @@ from hoopgen.engine import native, numpy_backend
 from hoopgen.engine.result_arrays import Layout, ResultArrays
 from hoopgen.judge.batch import prove
 from hoopgen.judge.certificate import Certificate
-from hoopgen.judge.formulas import compile_expressions
+from hoopgen.judge.expressions import compile_expressions
 from hoopgen.results.shots import Outcome
 from tests.helpers.compiled import load_module, needs_compiler, same_bits, shared_library
 from tests.helpers.effort import occurrences, trials
