@@ -24,6 +24,9 @@ ROOM = sp.Rational(1, 2**20)
 """Distance from a surface, relative to the sizes of place and scene, within which the ball is not
 past it."""
 
+FORCE_SLACK = sp.Rational(1, 2**20)
+"""Share of a force that covers roundings of forces."""
+
 
 def room(scene: Scene) -> sp.Expr:
     """Return the distance within which the ball is not past a surface."""
@@ -47,16 +50,12 @@ def sinks(scene: Scene) -> sp.Basic:
     return all_of(
         AtMost(0, barrier(side * VELOCITY[axis])),
         *past,
-        Less(barrier(turning * speed), ROOM_IN_FORCE * fall),
+        Less(barrier(turning * speed), (1 - FORCE_SLACK) * fall),
         any_of(
-            Less(barrier(turning**2), ROOM_IN_FORCE * barrier(fall * drag_rate)),
+            Less(barrier(turning**2), (1 - FORCE_SLACK) * barrier(fall * drag_rate)),
             AtMost(turning, 0),
         ),
     )
-
-
-ROOM_IN_FORCE = 1 - sp.Rational(1, 2**20)
-"""Factor that covers roundings of forces."""
 
 
 def _distances(scene: Scene, axis: int, side: int) -> list[tuple[sp.Expr, ...]]:

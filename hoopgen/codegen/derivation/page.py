@@ -17,29 +17,25 @@ from hoopgen.derive.events import (
     event_polynomials,
     polynomial,
     predicates,
-    root_finder_for,
     root_search,
+    search_for,
 )
 from hoopgen.derive.events.plane import plane_margin
 from hoopgen.derive.events.ring import double, polar, single
+from hoopgen.derive.events.root_search import RootSearch
 from hoopgen.derive.ir.kernel import Kernel
 from hoopgen.derive.model import Model
-from hoopgen.derive.motion import ring_rolling_series, rolling_series
+from hoopgen.derive.motion import air, ring_rolling_series, rolling_series
+from hoopgen.derive.motion.parabola import Parabola
 from hoopgen.derive.rolling import friction_limit, neighbour
-from hoopgen.derive.scenes import validity
+from hoopgen.derive.scenes import sinking, validity
 from hoopgen.derive.surfaces import Plane
 from hoopgen.derive.symbolic import error_terms, rounding
+from hoopgen.derive.symbolic.letters import AXES, FLIGHTS, LOOP, RESULTS, SERIES, STUDIES, Entry
 from hoopgen.derive.symbolic.notation import (
     ARGUMENTS,
-    AXES,
-    FLIGHTS,
-    LOOP,
-    RESULTS,
     ROUNDOFF,
-    SERIES,
     SERIES_TERM,
-    STUDIES,
-    Entry,
     latex_name,
     structured,
     text,
@@ -87,6 +83,8 @@ class PageData:
         The name of the scene whose page this one does not repeat; "" if it repeats all.
     falls
         True if gravity cannot be zero along its axis.
+    pieces
+        True if a flight is a sequence of pieces.
     """
 
     name: str
@@ -114,6 +112,7 @@ class PageData:
     premises: Mapping[str, PremiseText]
     series: tuple[SymbolText, ...]
     falls: bool
+    pieces: bool
 
     @property
     def polynomial_surfaces(self) -> bool:
@@ -161,7 +160,7 @@ def _arguments(model: Model) -> tuple[SymbolText, ...]:
     }
     unknown = sorted(name for name in used - set(known) if structured(name) is None)
     if unknown:
-        raise ValueError(f"notation.py says nothing of {', '.join(unknown)}")
+        raise ValueError(f"letters.py says nothing of {', '.join(unknown)}")
     return tuple(
         SymbolText(letter.latex, name, letter.meaning)
         for name, letter in known.items()
@@ -174,8 +173,8 @@ def _kernels(model: Model, notation: SceneNotation) -> dict[str, KernelText]:
     texts = {}
     for made in (*model.surfaces, *model.end_planes):
         names = {}
-        if not isinstance(made.surface, Plane):
-            names = known(root_finder_for(made.surface, model.scene.flight))
+        if isinstance(made.search, RootSearch):
+            names = known(made.search.root_finder)
         for kernel in made.kernels.values():
             texts[kernel.name] = _kernel(kernel, names, frozenset(STUDIES), notation)
     study = {kernel.name for kernel in model.study}
@@ -247,9 +246,24 @@ def _constants() -> dict[str, str]:
         "neighbour": neighbour.NEIGHBOUR_DISTANCE,
         "watched": friction_limit.NEWTON_STEPS,
         "room": validity.CERTAIN_DISTANCE_FACTOR,
+        "piece_order": air.ORDER,
+        "piece_safety": air.SAFETY,
+        "piece_unit": air.PIECE_UNIT,
+        "longest_piece": air.LONGEST,
+        "shortest_piece": air.SHORTEST,
+        "piece_overlap": air.OVERLAP,
+        "piece_tube": air.TUBE,
+        "coefficient_roundings": air.COEFFICIENT_ROUNDINGS * UNIT_ROUNDOFF,
+        "cancellation": air.CANCELLATION,
+        "underflow": air.UNDERFLOW,
+        "past": sinking.ROOM,
+        "force_slack": sinking.FORCE_SLACK,
     }
     values = {name: sp.Rational(value) for name, value in found.items()}
-    return {name: number(value) or show(value) for name, value in values.items()}
+    tolerance = f"2^{{{int(sp.log(air.TOLERANCE, 2))}}}"
+    return {name: number(value) or show(value) for name, value in values.items()} | {
+        "piece_tolerance": tolerance
+    }
 
 
 def derivation_context(model: Model, reference: PageData | None = None) -> PageData:
@@ -268,7 +282,8 @@ def derivation_context(model: Model, reference: PageData | None = None) -> PageD
     place, motion = flight.at()
     there, moving = flight.rounding(event_polynomials.horizon)
     surfaces = (*scene.surfaces, *scene.end_planes)
-    planes = [s for s in surfaces if isinstance(s, Plane)]
+    planes = [s for s in surfaces if isinstance(s, Plane) and isinstance(flight, Parabola)]
+    searched = (*model.kinds, *((end_plane,) for end_plane in scene.end_planes))
     lengths = [p.symbol for p in scene.parameters if p.unit == "m"]
     flown = (f"{left}(t)" for left in (*AXES, *(f"v_{axis}" for axis in AXES)))
     kernels = _kernels(model, notation)
@@ -294,7 +309,9 @@ def derivation_context(model: Model, reference: PageData | None = None) -> PageD
         ),
         arguments=tuple(row for row in _arguments(model) if row not in letters),
         brief=Formulas(tuple(brief.definitions)),
-        flight=plainly(dict(zip(flown, (*place, *motion), strict=True)), {}, notation),
+        flight=plainly(
+            dict(zip(flown, (*place, *motion), strict=True)) if flight.exact else {}, {}, notation
+        ),
         surfaces=tuple(surface_text(s, flight, brief) for s in surfaces),
         ends=tuple(
             EndText(
@@ -311,8 +328,8 @@ def derivation_context(model: Model, reference: PageData | None = None) -> PageD
         crossing=explain({latex_name(n): e for n, e in event_polynomials.crossing().items()}),
         searches=tuple(
             search_text(alike, flight, notation)
-            for alike in model.kinds
-            if not isinstance(alike[0], Plane)
+            for alike in searched
+            if isinstance(search_for(alike[0], flight), RootSearch)
         ),
         flight_rounding=explain(
             {
@@ -335,4 +352,5 @@ def derivation_context(model: Model, reference: PageData | None = None) -> PageD
         premises=premises,
         series=_series(model),
         falls=flight.falls,
+        pieces=not flight.exact,
     )
