@@ -15,17 +15,20 @@ import sympy as sp
 
 from ..motion.air import AirFlight, piece_acceleration, piece_jerk
 from ..surfaces import Surface
-from ..symbolic.conditionals import IfLess, absolute, barrier, maximum, minimum
+from ..symbolic.conditionals import IfAtMost, IfLess, absolute, barrier, maximum, minimum
 from ..symbolic.polynomials import Coefficients, compose
 from ..symbolic.rounding import Rounded, rounding
 from ..symbolic.symbols import POSITION, VELOCITY
 from .box import BoxRootFinder
 from .box_windows import RELATIVE_INFLATION, clear
-from .event_polynomials import Window, ceiling, horizon
+from .event_polynomials import ERROR_BUDGET_LEVELS, Window, ceiling, horizon
 from .polynomial import CEILING_BOX_FACTOR, PolynomialRootFinder
 
 bend_rate = sp.Symbol("bend_rate", nonnegative=True)
 """J, a bound on the size of F''' up to the horizon."""
+
+BUDGET = ERROR_BUDGET_LEVELS[0]
+"""The largest errors that a search allows for, relative to the flight."""
 
 _ACCELERATION = sp.symbols("acceleration_x acceleration_y acceleration_z", real=True)
 _JERK = sp.symbols("jerk_x jerk_y jerk_z", real=True)
@@ -49,11 +52,14 @@ def piece_windows(surface: Surface, flight: AirFlight) -> list[Window]:
 
 
 def piece_lost(surface: Surface, flight: AirFlight) -> sp.Expr:
-    """Return a quantity that is positive if errors come near to the inflation of the box."""
+    """Return a quantity that is positive if errors come near to the inflation of the box.
+
+    Without a box it is so if they exceed the largest budget of a search.
+    """
     known = [half for half in surface.half_sizes if half is not None]
-    if not known:
-        return sp.Integer(0)
     there, _ = flight.rounding(horizon)
+    if not known:
+        return barrier(there.error - BUDGET * there.magnitude)
     centre = sp.Add(*map(sp.Abs, surface.reference_point))
     far = barrier(barrier(there.magnitude + centre) + maximum(*known))
     rounded = barrier(far * sp.Rational(1, 2**48))
@@ -97,8 +103,32 @@ class AirRootFinder(PolynomialRootFinder):
 
     @property
     def clear(self) -> sp.Expr:
-        """Positive if no window opens before the horizon."""
-        return clear(self.windows, self.lost) if self._boxed else sp.Integer(0)
+        """Positive if no window opens, or the gap keeps its sign, before the horizon.
+
+        |F| changes by at most |F'| T + C T²/2.
+        """
+        if self._boxed:
+            return clear(self.windows, self.lost)
+        start = dict(zip(POSITION, self._offsets, strict=True))
+        gap, rate = (barrier(e.xreplace(start)) for e in (self.surface.shape, self._rate))
+        change = barrier(absolute(rate) + barrier(self.ceiling * horizon / 2))
+        error = rounding(self.surface.shape, self._budgeted()).error
+        least = barrier(absolute(gap) - barrier(horizon * change) * (1 + BUDGET))
+        return IfAtMost(self.lost, 0, barrier(least - 4 * error), 0)
+
+    @property
+    def _offsets(self) -> list[sp.Expr]:
+        places = zip(POSITION, self.surface.reference_point, strict=True)
+        return [barrier(place - own) for place, own in places]
+
+    def _budgeted(self) -> dict[sp.Expr, Rounded]:
+        """Return sizes of places with the largest errors that a search allows for."""
+        furthest, fastest = self.flight.size(horizon)
+        known: dict[sp.Expr, Rounded] = dict.fromkeys(VELOCITY, Rounded(fastest, BUDGET * fastest))
+        for place, centre in zip(POSITION, self.surface.reference_point, strict=True):
+            offset = rounding(place - centre, {place: Rounded(furthest, BUDGET * furthest)})
+            known[place] = offset
+        return known
 
     @property
     def bend(self) -> sp.Expr:

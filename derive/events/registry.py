@@ -23,6 +23,7 @@ from .box import BoxRootFinder
 from .end_plane import EndPlaneRootSearch, EndPlaneSearch
 from .plane import PlaneSearch
 from .polynomial import PolynomialRootFinder
+from .ring.air import AirRingRootFinder
 from .ring.double import RingRootFinder
 from .ring.single import SinglePrecisionRing
 from .root_finder import RootFinder
@@ -50,6 +51,8 @@ def _oblique(surface: Surface, flight: Parabola) -> Search:
 
 
 def _in_air(surface: Surface, flight: AirFlight) -> Search:
+    if isinstance(surface, Ring):
+        return RootSearch(surface, flight, AirRingRootFinder(flight, surface))
     if isinstance(surface, Box):
         return RootSearch(surface, flight, AirBoxRootFinder(flight, surface))
     return RootSearch(surface, flight, AirRootFinder(flight, surface, two_sided=True))

@@ -175,12 +175,12 @@ class RootFinder(ABC):
         denominator = IfLess(slope, 0, -slope, _positive(barrier(-bend)))
         rising = IfAtMost(0, slope, low_gap, 0)
         guess = IfLess(0, rising, sp.oo, numerator / barrier(denominator))
-        width = barrier(minimum(barrier(end - t), guess), "w")
+        width = self.narrowed(barrier(minimum(barrier(end - t), guess), "w"))
         curvature = self.curvature(width)
         if turned:
             curvature = IfLess(0, side, barrier(curvature), self.turned_curvature(width))
         step = first_root(low_gap, slope, barrier(curvature, "M"))
-        stride = minimum(width, step)
+        stride = self.lengthened(minimum(width, step))
         least_fall = barrier(-rate - self.rate_allowed)
         reach = barrier(self.headroom(low_gap, turned))
         enough = least_fall**2 - 8 * self.steepest(width, curvature, least_fall, reach) * reach
@@ -193,6 +193,14 @@ class RootFinder(ABC):
             **({"root": t - gap / rate} if turned else {}),
             "clearance": IfLess(0, least_fall, enough, least_fall),
         }
+
+    def narrowed(self, width: sp.Expr) -> sp.Expr:
+        """Return the window on which the curvature is bounded, or the part where that is known."""
+        return width
+
+    def lengthened(self, stride: sp.Expr) -> sp.Expr:
+        """Return a longer step without a root, where the surface knows one."""
+        return stride
 
     def beyond(self, low_gap: sp.Expr) -> sp.Expr:
         """Return the gap whose local line determines the width of the window."""

@@ -59,7 +59,7 @@ from .flight import Flight
 ORDER = 15
 """Degree of the velocity in time. The piece's root is then of degree 16: four square roots."""
 
-TOLERANCE = sp.Rational(1, 2**46)
+TOLERANCE = sp.Rational(1, 2**50)
 """m/s: a piece is so long that about this much of the velocity is left out."""
 
 SAFETY = sp.Rational(27, 32)
@@ -83,9 +83,25 @@ OVERLAP = sp.Rational(1, 2**10)
 TUBE = sp.Rational(1, 2**10)
 """Largest error of the velocity for which the bound is proved, m/s."""
 
-COEFFICIENT_ROUNDINGS = 64
-"""Roundings, each at most u, between a coefficient and the sum of the sizes of its terms. There are
-fewer: 17 of a sum of products, 12 of the constants, three of each product, two of a quotient."""
+SQUARE_ROUNDINGS = 8
+"""Roundings of σ_k² besides those of its sum: three of a product of vectors, one of v_s², three of
+the sum, the difference and the quotient, and two of a root at most."""
+
+DRAG_ROUNDINGS = 12
+"""Roundings of k_d σ v besides those of its sum: seven of k_d, one of the product with it, two of
+the sum of forces, one of the quotient, and one more of each product of the sum."""
+
+MAGNUS_ROUNDINGS = 14
+"""Roundings of Ω × v: eight of Ω, two of a product of vectors, two of the sum of forces, one of the
+quotient, and one more."""
+
+WEIGHT_ROUNDINGS = 8
+"""Roundings of g_e, relative to g and to its part that the air carries: six of that part, one of
+the difference, one of the product; and two of the sum of forces at once."""
+
+CARRIED_SHARE = sp.Rational(1, 4)
+"""Share of a piece's errors that is carried. They are proved bounds, unlike roundings that are
+carried with the sign that makes errors grow, and decisions allow for 16 times what is carried."""
 
 CANCELLATION = sp.Rational(1, 2**40)
 """Share of a positive quantity that covers the roundings of what is subtracted from it."""
@@ -332,8 +348,10 @@ class AirFlight(Flight):
         return [barrier(2 * absolute(v) * t + piece_acceleration * t**2) for v in velocity]
 
     def added_errors(self) -> tuple[sp.Expr, sp.Expr]:
-        """Return what the piece leaves out of position and velocity, infinite if not proved."""
-        return barrier(piece_place_error + unproved), barrier(piece_speed_error + unproved)
+        """Return a share of what the piece leaves out, infinite if that is not proved."""
+        left_out = (piece_place_error, piece_speed_error)
+        place, moving = (barrier(CARRIED_SHARE * error + unproved) for error in left_out)
+        return place, moving
 
     def size(self, latest: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
         """Return bounds on every coordinate and every velocity up to the time `latest`."""
@@ -434,7 +452,9 @@ class AirFlight(Flight):
         a = [barrier(_norm(v) * power) for v, power in zip(VELOCITIES, powers, strict=True)]
         b = [barrier(absolute(s) * power) for s, power in zip(AIRSPEEDS, powers, strict=True)]
         sums_a, sums_b = _suffix_sums(a), _suffix_sums(b)
-        rounded = COEFFICIENT_ROUNDINGS * UNIT_ROUNDOFF
+        # Σ k A_k and Σ k B_k: a sum of k + 1 products has k roundings more than one product.
+        counted_a = _sum([k * a[k] for k in range(1, last + 1)])
+        counted_b = _sum([k * b[k] for k in range(1, last + 1)])
         square = _sum(
             [
                 barrier(barrier(a[k] * sums_a[last + 1 - k]) + barrier(b[k] * sums_b[last + 1 - k]))
@@ -443,17 +463,24 @@ class AirFlight(Flight):
         )
         squares = barrier(barrier(sums_a[0] ** 2) + barrier(sums_b[0] ** 2) + self._smoothing)
         least = barrier(barrier((1 - CANCELLATION) * b[0]) - sums_b[1])
-        off = barrier(barrier(square + barrier(rounded * squares)) / least)
+        sums = barrier(sums_a[0] * counted_a + sums_b[0] * counted_b)
+        rounded = barrier(UNIT_ROUNDOFF * barrier(SQUARE_ROUNDINGS * squares + sums))
+        off = barrier(barrier(square + ROUNDING_SLACK * rounded) / least)
         turning = _norm(magnus_rate)
         left_out = _sum([barrier(b[k] * sums_a[last - k]) for k in range(last + 1)])
         dragged = barrier(drag_rate * barrier(left_out + barrier(off * sums_a[0])))
-        largest_drag = barrier(drag_rate * barrier(sums_b[0] * sums_a[0]))
-        # g (1 - buoyancy) is off by its roundings and those of 1 - buoyancy: u g (1 + buoyancy).
+        products = barrier(sums_b[0] * counted_a + sums_a[0] * counted_b)
+        drags = barrier(
+            drag_rate * barrier(DRAG_ROUNDINGS * barrier(sums_b[0] * sums_a[0]) + products)
+        )
         gravity = [sp.Abs(component) for component in self.acceleration if component != 0]
         weight = barrier(barrier(sum(gravity)) * barrier(1 + of.buoyancy))
-        terms = barrier(barrier(largest_drag + barrier(turning * sums_a[0])) + weight)
+        lifts = barrier(MAGNUS_ROUNDINGS * barrier(turning * sums_a[0]))
+        terms = barrier(barrier(drags + lifts) + WEIGHT_ROUNDINGS * weight)
         defect = barrier(
-            barrier(dragged + barrier(turning * a[last])) + barrier(rounded * terms) + UNDERFLOW
+            barrier(dragged + barrier(turning * a[last]))
+            + ROUNDING_SLACK * barrier(UNIT_ROUNDOFF * terms)
+            + UNDERFLOW
         )
         widest = barrier(barrier(sums_b[0] + off) + TUBE)
         slope = barrier(barrier(2 * drag_rate * widest) + turning)
@@ -462,13 +489,13 @@ class AirFlight(Flight):
         exact = barrier(grown * barrier(defect * time))
         proved = all_of(Less(0, least), Less(0, room), Less(exact, TUBE / 2))
         path = barrier(8 * barrier(time * sums_a[0]) + extent)
-        rolled = barrier(barrier(2 * _sum(sums_a)) + sums_a[0])
+        rolled = barrier(ROUNDING_SLACK * barrier(barrier(2 * _sum(sums_a[1:])) + sums_a[0]))
         place_error = barrier(ROUNDING_SLACK * barrier(time * exact + UNIT_ROUNDOFF * path))
         speed_error = barrier(exact + UNIT_ROUNDOFF * rolled)
         per_time = barrier(1 / time)
         # The true velocity is within the tube, and its rate differs by the slope and the defect.
         beside = barrier(barrier(slope * TUBE) + defect)
-        first = barrier(_sum([k * a[k] for k in range(1, last + 1)]) * per_time)
+        first = barrier(counted_a * per_time)
         second = barrier(_sum([k * (k - 1) * a[k] for k in range(2, last + 1)]) * per_time**2)
         return {
             piece.name: length,
