@@ -201,7 +201,7 @@ def _pieces(scene: Scene, order: tuple[sp.Symbol, ...]) -> tuple[Kernel, ...]:
         kernel(
             "piece_end",
             {"time": piece, "delay": sp.Integer(0), "arrives": Not(sinking.sinks(scene))},
-            order,
+            (sinking.spin_error, *order),
             "The end of a piece as an arrival, unless the ball can never meet anything again.",
             "the sign of the vertical acceleration",
         ),

@@ -4,7 +4,8 @@ Let gravity act along an axis, and u be the velocity along it. Where u = 0, its 
 g_e less a part of the Magnus force of at most |Ω| |v|. The speed never grows beyond the larger of
 the present one and sqrt(g_e / k_d), at which drag balances gravity. So if |Ω| |v| < g_e now and
 |Ω|² < g_e k_d, a ball with u >= 0 moves that way for ever. It meets nothing if it is past every
-surface and every end on that side (`Surface.beyond`).
+surface and every end on that side (`Surface.beyond`). All of this must hold of the true ball, whose
+velocity and spin are off by their errors.
 """
 
 from __future__ import annotations
@@ -16,9 +17,12 @@ import sympy as sp
 from ..motion.air import AirFlight, drag_rate, magnus_rate
 from ..motion.flight import has_sign
 from ..symbolic.conditionals import AtMost, Less, absolute, all_of, any_of, barrier, false
-from ..symbolic.rounding import extent, speed
+from ..symbolic.rounding import extent, speed, velocity_error
 from ..symbolic.symbols import VELOCITY
 from .scene import Scene
+
+spin_error = sp.Symbol("spin_error", nonnegative=True)
+"""Bound on the error of each component of the spin, 1/s."""
 
 ROOM = sp.Rational(1, 2**20)
 """Distance from a surface, relative to the sizes of place and scene, within which the ball is not
@@ -46,11 +50,13 @@ def sinks(scene: Scene) -> sp.Basic:
     if false in past:
         return false
     fall = barrier(side * flight.fall[axis])
-    turning = barrier(sum(map(absolute, magnus_rate)))
+    lift = absolute(flight.constants.lift_per_spin)
+    turning = barrier(barrier(sum(map(absolute, magnus_rate))) + 3 * barrier(lift * spin_error))
+    fastest = barrier(speed + 3 * velocity_error)
     return all_of(
-        AtMost(0, barrier(side * VELOCITY[axis])),
+        AtMost(velocity_error, barrier(side * VELOCITY[axis])),
         *past,
-        Less(barrier(turning * speed), (1 - FORCE_SLACK) * fall),
+        Less(barrier(turning * fastest), (1 - FORCE_SLACK) * fall),
         any_of(
             Less(barrier(turning**2), (1 - FORCE_SLACK) * barrier(fall * drag_rate)),
             AtMost(turning, 0),

@@ -11,6 +11,7 @@ import sympy as sp
 
 from hoopgen.derive.contact.frame import frame_from_axis
 from hoopgen.derive.errors import propagation
+from hoopgen.derive.events import air as air_search
 from hoopgen.derive.events import (
     bounding_boxes,
     box_windows,
@@ -21,6 +22,7 @@ from hoopgen.derive.events import (
     search_for,
 )
 from hoopgen.derive.events.plane import plane_margin
+from hoopgen.derive.events.ring import air as ring_in_air
 from hoopgen.derive.events.ring import double, polar, single
 from hoopgen.derive.events.root_search import RootSearch
 from hoopgen.derive.ir.kernel import Kernel
@@ -74,6 +76,14 @@ class EndText:
 
 
 @dataclass(frozen=True)
+class AirText:
+    """The air that a ball flies through: the constants of its equation of motion, and v_s."""
+
+    rates: Formulas
+    smoothing: str
+
+
+@dataclass(frozen=True)
 class PageData:
     """The data of the template; formulas are LaTeX.
 
@@ -83,8 +93,8 @@ class PageData:
         The name of the scene whose page this one does not repeat; "" if it repeats all.
     falls
         True if gravity cannot be zero along its axis.
-    pieces
-        True if a flight is a sequence of pieces.
+    air
+        The air that the ball flies through; None: there is none, and no flight has pieces.
     """
 
     name: str
@@ -112,7 +122,7 @@ class PageData:
     premises: Mapping[str, PremiseText]
     series: tuple[SymbolText, ...]
     falls: bool
-    pieces: bool
+    air: AirText | None
 
     @property
     def polynomial_surfaces(self) -> bool:
@@ -172,7 +182,7 @@ def _kernels(model: Model, notation: SceneNotation) -> dict[str, KernelText]:
     """Return the formulas of all kernels, in the names that the searches define."""
     texts = {}
     for made in (*model.surfaces, *model.end_planes):
-        names = {}
+        names: Mapping[sp.Basic, str] = {}
         if isinstance(made.search, RootSearch):
             names = known(made.search.root_finder)
         for kernel in made.kernels.values():
@@ -181,7 +191,7 @@ def _kernels(model: Model, notation: SceneNotation) -> dict[str, KernelText]:
     for kernel in model.kernels:
         words = frozenset(FLIGHTS | LOOP if kernel.name in study else STUDIES)
         if kernel.name not in texts:
-            texts[kernel.name] = _kernel(kernel, {}, words, notation)
+            texts[kernel.name] = _kernel(kernel, PI, words, notation)
     return texts
 
 
@@ -199,6 +209,15 @@ def _series(model: Model) -> tuple[SymbolText, ...]:
         if name in found
     )
 
+
+def _air(flight: air.AirFlight, notation: SceneNotation) -> AirText:
+    outputs = {latex_name(name): rate for name, rate in flight.constants_of().items()}
+    rates = plainly(outputs, PI, notation)
+    return AirText(rates, show(flight.constants.smoothing_speed, None, notation))
+
+
+PI = {air.PI: r"\pi"}
+"""The name of a number that the page rounds."""
 
 SHORT_DECIMAL, MAX_DENOMINATOR = 12, 99
 """Length of a decimal that is preferred to a fraction, and the largest denominator of one."""
@@ -253,10 +272,16 @@ def _constants() -> dict[str, str]:
         "shortest_piece": air.SHORTEST,
         "piece_overlap": air.OVERLAP,
         "piece_tube": air.TUBE,
-        "coefficient_roundings": air.COEFFICIENT_ROUNDINGS * UNIT_ROUNDOFF,
+        "square_roundings": air.SQUARE_ROUNDINGS,
+        "drag_roundings": air.DRAG_ROUNDINGS,
+        "magnus_roundings": air.MAGNUS_ROUNDINGS,
+        "weight_roundings": air.WEIGHT_ROUNDINGS,
+        "carried_share": air.CARRIED_SHARE,
         "cancellation": air.CANCELLATION,
         "underflow": air.UNDERFLOW,
         "past": sinking.ROOM,
+        "steep": ring_in_air.STEEP,
+        "budget": air_search.BUDGET,
         "force_slack": sinking.FORCE_SLACK,
     }
     values = {name: sp.Rational(value) for name, value in found.items()}
@@ -352,5 +377,5 @@ def derivation_context(model: Model, reference: PageData | None = None) -> PageD
         premises=premises,
         series=_series(model),
         falls=flight.falls,
-        pieces=not flight.exact,
+        air=_air(flight, notation) if isinstance(flight, air.AirFlight) else None,
     )

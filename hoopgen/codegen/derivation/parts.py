@@ -11,6 +11,7 @@ from sympy.core.sorting import default_sort_key
 from hoopgen.derive.events import root_finder_for
 from hoopgen.derive.events.event_polynomials import event_coefficients
 from hoopgen.derive.events.plane import plane_arrival
+from hoopgen.derive.events.ring.air import AirRingRootFinder
 from hoopgen.derive.events.ring.double import RingRootFinder
 from hoopgen.derive.events.root_finder import RootFinder
 from hoopgen.derive.motion.flight import Flight
@@ -214,7 +215,9 @@ def search_text(alike: Sequence[Surface], flight: Flight, notation: SceneNotatio
         surface.name,
         ", ".join(other.name for other in others),
         isinstance(search, RingRootFinder),
-        show(search.ring.ring_radius, None, notation) if isinstance(search, RingRootFinder) else "",
+        show(search.ring.ring_radius, None, notation)
+        if isinstance(search, RingRootFinder | AirRingRootFinder)
+        else "",
         explain(own, names, notation),
         (explain if isinstance(surface, Box) else plainly)(slopes, names, notation),
         explain(bound, names, notation),

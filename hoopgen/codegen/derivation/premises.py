@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from hoopgen.derive.events.air import AirBoxRootFinder, AirRootFinder
 from hoopgen.derive.events.box import BoxRootFinder
 from hoopgen.derive.events.end_plane import EndPlaneSearch
+from hoopgen.derive.events.ring.air import AirRingRootFinder
 from hoopgen.derive.events.ring.polar import PolarRootFinder
 from hoopgen.derive.events.root_search import RootSearch
 from hoopgen.derive.kernels.surface import SurfaceKernels
@@ -163,12 +164,20 @@ PREMISES: dict[str, Premise] = {
     "piece_windows": Premise(
         LEMMA,
         "pieces that come near a surface",
-        _kernels("air.prepare air.enter air.clear air_box.prepare air_box.enter"),
+        _kernels(
+            "air.prepare air.enter air.clear air_box.prepare air_box.enter "
+            "air_ring.prepare air_ring.enter air_ring.clear"
+        ),
     ),
     "piece_bend": Premise(
         LEMMA,
         "second and third derivative of a gap along a piece",
         _kernels("air.advance air.margins"),
+    ),
+    "piece_ring": Premise(
+        LEMMA,
+        "second derivative of the ring's gap along a piece",
+        _kernels("air_ring.advance air_ring.margins"),
     ),
     # The first event
     "within": Premise(
@@ -302,23 +311,28 @@ PREMISES: dict[str, Premise] = {
 """Premises of the page in their order, by the key in the template."""
 
 
+FINDERS = (
+    (AirRingRootFinder, "air_ring"),
+    (AirBoxRootFinder, "air_box"),
+    (AirRootFinder, "air"),
+    (PolarRootFinder, "ring"),
+    (BoxRootFinder, "box"),
+)
+"""Kinds of searches, by their root finders; the first that fits counts."""
+
+
 def kind_of(made: SurfaceKernels) -> str:
     """Return the kind of search that a surface has.
 
-    It is plane, end, ring, box or general, and along a piece of a flight air_box or air.
+    It is plane, end, ring, box or general, and along a piece of a flight air_ring, air_box or air.
     """
     search = made.search
     if isinstance(search, EndPlaneSearch):
         return "end"
     if not isinstance(search, RootSearch):
         return "plane"
-    if isinstance(search.root_finder, PolarRootFinder):
-        return "ring"
-    if isinstance(search.root_finder, AirBoxRootFinder):
-        return "air_box"
-    if isinstance(search.root_finder, AirRootFinder):
-        return "air"
-    return "box" if isinstance(search.root_finder, BoxRootFinder) else "general"
+    kinds = (kind for finder, kind in FINDERS if isinstance(search.root_finder, finder))
+    return next(kinds, "general")
 
 
 def parts(model: Model) -> Iterator[tuple[str, str]]:
