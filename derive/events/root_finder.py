@@ -27,7 +27,7 @@ from dataclasses import dataclass
 import sympy as sp
 
 from ..motion.flight import Flight
-from ..symbolic.conditionals import Barrier, IfAtMost, IfLess, barrier, maximum, minimum
+from ..symbolic.conditionals import IfAtMost, IfLess, barrier, maximum, minimum
 from ..symbolic.symbols import t
 from .event_polynomials import Window, ceiling, end, horizon, leaving, margin, rate_margin
 
@@ -59,8 +59,7 @@ class RootFinder(ABC):
     @property
     def named(self) -> dict[str, sp.Expr]:
         """Quantities with a name in the derivation, by its LaTeX, each after those that it uses."""
-        there, moving = self.flight.named()
-        return {e.name: e for e in (*there, *moving) if isinstance(e, Barrier)}
+        return self.flight.quantities()
 
     @property
     @abstractmethod

@@ -19,7 +19,6 @@ from ..scenes.scene import Scene
 from ..symbolic import error_terms
 from ..symbolic.conditionals import barrier, maximum
 from ..symbolic.number_range import MAX_FLIGHT, MAX_SPEED
-from ..symbolic.rounding import position_error
 from ..symbolic.symbols import POSITION, SPIN, VELOCITY, spin, velocity
 from .arguments import FRAME, RESTITUTION, components, unchecked_argument_order
 from .variation import scene_variations
@@ -199,10 +198,10 @@ def _pieces(scene: Scene, order: tuple[sp.Symbol, ...]) -> tuple[Kernel, ...]:
                     excess,
                     flight.excess(),
                     over_budget(flight),
-                    position_error - sinking.room(scene),
+                    sinking.excess(scene),
                 )
             },
-            (excess, *order),
+            (excess, sinking.spin_error, *order),
             "The excess of the flight's size, or that of errors over those that are bounded.",
             "the bounds' premises",
         ),

@@ -71,9 +71,11 @@ LONGEST = sp.Integer(1)
 SHORTEST = sp.Rational(1, 2**10)
 """Shortest piece, s."""
 
-PIECE_GRAIN = sp.Rational(3, 2) * 2**26
-"""A number to which a shorter time is added as a multiple of 2^-26 s. Lengths of pieces are such
-multiples, so that sums and differences of them are exact."""
+PIECE_UNIT = sp.Rational(1, 2**26)
+"""Lengths of pieces are multiples of this, s, so that sums and differences of them are exact."""
+
+PIECE_GRAIN = sp.Rational(3, 2) * PIECE_UNIT / (2 * UNIT_ROUNDOFF)
+"""A number to which a shorter time is added as a multiple of `PIECE_UNIT`."""
 
 OVERLAP = sp.Rational(1, 2**10)
 """Share of a piece for which its bounds hold beyond its end."""
@@ -238,6 +240,11 @@ class AirFlight(Flight):
     constants: AirConstants = field(kw_only=True)
 
     @property
+    def source(self) -> str:
+        """The series of a piece."""
+        return "the piece's Taylor series"
+
+    @property
     def symbols(self) -> tuple[sp.Symbol, ...]:
         """What a piece's kernels pass to each other and to the searches."""
         coefficients = (v for vector in VELOCITIES[1:] for v in vector)
@@ -277,13 +284,21 @@ class AirFlight(Flight):
 
     def mean_velocity(self, time: sp.Expr = t) -> list[sp.Expr]:
         """Return the displacement over the time."""
-        rows = ([v[axis] for v in VELOCITIES] for axis in range(3))
-        return [barrier(horner([v / (k + 1) for k, v in enumerate(row)], time)) for row in rows]
+        rows = ([v[axis] / (k + 1) for k, v in enumerate(VELOCITIES)] for axis in range(3))
+        names = (rf"\bar v_{axis}" for axis in "xyz")
+        return [barrier(horner(row, time), name) for row, name in zip(rows, names, strict=True)]
 
     def acceleration_at(self, time: sp.Expr = t) -> list[sp.Expr]:
         """Return the acceleration on the series."""
-        rows = ([v[axis] for v in VELOCITIES] for axis in range(3))
-        return [barrier(horner(derivative(row), time)) for row in rows]
+        rows = (derivative([v[axis] for v in VELOCITIES]) for axis in range(3))
+        names = (rf"\ddot {axis}_t" for axis in "xyz")
+        return [barrier(horner(row, time), name) for row, name in zip(rows, names, strict=True)]
+
+    def quantities(self) -> dict[str, sp.Expr]:
+        """Return mean velocity, position, velocity and acceleration at time t, by their LaTeX."""
+        means, rates = self.mean_velocity(), self.acceleration_at()
+        around = ({str(e.name): e for e in one} for one in (means, rates))
+        return next(around) | super().quantities() | next(around)
 
     @property
     def present_acceleration(self) -> tuple[sp.Expr, ...]:
@@ -407,7 +422,7 @@ class AirFlight(Flight):
 
     @property
     def _length(self) -> sp.Expr:
-        """The length of the piece that the series is good for, s, a multiple of 2^-26 s."""
+        """The length of the piece that the series is good for, s, a multiple of `PIECE_UNIT`."""
         weight = _norm(self.fall)
         radius = barrier(
             IfLess(0, weight, AIRSPEEDS[0] / barrier(IfLess(0, weight, weight, 1)), sp.oo)

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from ..symbolic.conditionals import IfLess, barrier, barrier_all, maximum
+from ..symbolic.conditionals import Barrier, IfLess, barrier, barrier_all, maximum
 from ..symbolic.polynomials import Coefficients, derivative, horner
 from ..symbolic.rounding import Rounded
 from ..symbolic.symbols import POSITION, t
@@ -37,6 +37,11 @@ class Flight(ABC):
     """
 
     acceleration: Acceleration
+
+    @property
+    def source(self) -> str:
+        """The equation of the path, for readers."""
+        return "the flight's path"
 
     @property
     def symbols(self) -> tuple[sp.Symbol, ...]:
@@ -87,6 +92,10 @@ class Flight(ABC):
             barrier_all(position, [f"{axis}_t" for axis in "xyz"]),
             barrier_all(velocity, [rf"\dot {axis}_t" for axis in "xyz"]),
         )
+
+    def quantities(self) -> dict[str, sp.Expr]:
+        """Return what has a name of the motion at time t, by its LaTeX, each after what it uses."""
+        return {e.name: e for part in self.named() for e in part if isinstance(e, Barrier)}
 
     @abstractmethod
     def mean_velocity(self, time: sp.Expr = t) -> list[sp.Expr]:

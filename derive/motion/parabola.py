@@ -19,6 +19,11 @@ class Parabola(Flight):
     """Eq. 3, with an acceleration in any direction, which may be zero."""
 
     @property
+    def source(self) -> str:
+        """Eq. 3."""
+        return "Eq. 3"
+
+    @property
     def upright(self) -> bool:
         """True if gravity acts along -z."""
         ax, ay, az = self.acceleration

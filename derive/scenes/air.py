@@ -12,8 +12,10 @@ from .hoop import HOOP
 from .scene import Parameter, Scene, parameter
 
 AIR_PARAMETERS = (
-    parameter("ball_mass", "kg", "m, mass of the ball", 0.624, latex="m"),
-    parameter("air_density", "kg/m³", "density of the air", 1.20, "nonnegative", latex=r"\varrho"),
+    parameter("ball_mass", "kg", "m_B, mass of the ball", 0.624, latex="m_B"),
+    parameter(
+        "air_density", "kg/m³", "density of the air", 1.20, "nonnegative", latex=r"\varrho_a"
+    ),
     parameter("drag_coefficient", "1", "C_d of the ball", 0.5, "nonnegative", latex="C_d"),
     parameter(
         "lift_coefficient",

@@ -5,6 +5,7 @@ g_e less a part of the Magnus force of at most |Ω| |v|. The speed never grows b
 the present one and sqrt(g_e / k_d), at which drag balances gravity. So if |Ω| |v| < g_e now and
 |Ω|² < g_e k_d, a ball with u >= 0 moves that way for ever. It meets nothing if it is past every
 surface and every end on that side (`Surface.beyond`). Without ends the time limit ends every shot.
+Errors of the true ball are within what these conditions leave, or its shot is uncertain (`excess`).
 """
 
 from __future__ import annotations
@@ -14,11 +15,12 @@ from collections.abc import Sequence
 import sympy as sp
 
 from ..events.predicates import sunk
-from ..motion.air import AirFlight, drag_rate, magnus_rate, piece
+from ..motion.air import TUBE, AirFlight, drag_rate, magnus_rate, piece
 from ..motion.flight import has_sign
 from ..symbolic.conditionals import (
     AtMost,
     Choose,
+    IfLess,
     Less,
     Not,
     absolute,
@@ -26,14 +28,18 @@ from ..symbolic.conditionals import (
     any_of,
     barrier,
     false,
+    maximum,
 )
-from ..symbolic.rounding import extent, speed
+from ..symbolic.rounding import extent, position_error, speed, velocity_error
 from ..symbolic.symbols import VELOCITY
 from .scene import Scene
 
+spin_error = sp.Symbol("spin_error", nonnegative=True)
+"""Bound on the error of each component of the spin, 1/s."""
+
 ROOM = sp.Rational(1, 2**20)
 """Distance from a surface, relative to the sizes of place and scene, within which the ball is not
-past it."""
+past it; and shares of speeds and forces that cover their errors and roundings."""
 
 
 def room(scene: Scene) -> sp.Expr:
@@ -54,15 +60,35 @@ def sinks(scene: Scene) -> sp.Basic:
     if false in past:
         return false
     fall = barrier(side * flight.fall[axis])
-    turning = barrier(sum(map(absolute, magnus_rate)))
+    lift = barrier(absolute(flight.constants.lift_per_spin))
+    turning = barrier(sum(map(absolute, magnus_rate)) + IfLess(0, lift, ROOM, 0))
+    fastest = barrier(speed + 3 * _least_speed())
+    most = (1 - ROOM) * barrier(fall)
     return all_of(
-        AtMost(0, barrier(side * VELOCITY[axis])),
+        AtMost(_least_speed(), barrier(side * VELOCITY[axis])),
         *past,
-        Less(barrier(turning * speed), ROOM_IN_FORCE * fall),
-        any_of(
-            Less(barrier(turning**2), ROOM_IN_FORCE * barrier(fall * drag_rate)),
-            AtMost(turning, 0),
-        ),
+        Less(barrier(turning * fastest), most),
+        any_of(Less(barrier(turning**2), barrier(most * drag_rate)), AtMost(turning, 0)),
+    )
+
+
+def _least_speed() -> sp.Expr:
+    """Return the least speed along gravity of a ball that certainly falls."""
+    return barrier(ROOM * barrier(speed + TUBE))
+
+
+def excess(scene: Scene) -> sp.Expr:
+    """Return by how much errors exceed what `sinks` allows for, which does not depend on them.
+
+    They are at most `room` of the place, the least speed, and `ROOM` of the Magnus rate, 1/s.
+    """
+    flight = scene.flight
+    assert isinstance(flight, AirFlight)
+    lift = barrier(absolute(flight.constants.lift_per_spin))
+    return maximum(
+        barrier(position_error - room(scene)),
+        barrier(velocity_error - _least_speed()),
+        barrier(3 * barrier(lift * spin_error) - ROOM),
     )
 
 
@@ -78,10 +104,6 @@ def piece_end(scene: Scene) -> dict[str, sp.Basic]:
         "arrives": Not(false),
         sunk.name: never,
     }
-
-
-ROOM_IN_FORCE = 1 - sp.Rational(1, 2**20)
-"""Factor that covers roundings of forces."""
 
 
 def _distances(scene: Scene, axis: int, side: int) -> list[tuple[sp.Expr, ...]]:

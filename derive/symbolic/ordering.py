@@ -1,7 +1,7 @@
 """The order of terms and factors, which decides how sums and products are rounded.
 
 It follows from declarations alone: a scene's parameters come first, in the scene's order, then the
-symbols of derive/ in the order of `notation.py`. No name has a part in it, so that a scene or a
+symbols of derive/ in the order of `letters.py`. No name has a part in it, so that a scene or a
 formula with other names gives the same bits.
 """
 
@@ -26,7 +26,8 @@ from .conditionals import (
     Not,
     Or,
 )
-from .notation import ARGUMENTS, AXES, SERIES
+from .letters import AXES, SERIES
+from .notation import ARGUMENTS
 from .symbols import ParameterSymbol, change_of
 
 KINDS = (

@@ -11,14 +11,14 @@ from .pieces import Parameter
 __all__ = ["AIR_PARAMETERS", "added_parameters"]
 
 AIR_PARAMETERS = (
-    Parameter("ball_mass", AIR_DEFAULTS["ball_mass"], "kg", "m, mass of the ball", latex="m"),
+    Parameter("ball_mass", AIR_DEFAULTS["ball_mass"], "kg", "m_B, mass of the ball", latex="m_B"),
     Parameter(
         "air_density",
         AIR_DEFAULTS["air_density"],
         "kg/m³",
         "density of the air",
         sign="nonnegative",
-        latex=r"\varrho",
+        latex=r"\varrho_a",
     ),
     Parameter(
         "drag_coefficient",

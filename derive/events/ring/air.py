@@ -77,19 +77,25 @@ class AirRingRootFinder(RootFinder):
         return barrier(maximum(inner, barrier(sp.Rational(3, 2) * outer - inner)))
 
     @staticmethod
-    def _distance(place: sp.Matrix) -> sp.Expr:
+    def _distance(place: sp.Matrix, name: str = "") -> sp.Expr:
         x, y, _ = place
-        return barrier(sp.sqrt(barrier(x**2 + y**2)))
+        return barrier(sp.sqrt(barrier(x**2 + y**2)), name)
+
+    @property
+    def named(self) -> dict[str, sp.Expr]:
+        """The quantities of the flight, rho, d and rho' at time t."""
+        _, _, *own = self._now()
+        return super().named | {str(e.name): e for e in own}
 
     def _now(self) -> tuple[Vector, Vector, sp.Expr, sp.Expr, sp.Expr]:
         """Return place, velocity, rho, d and rho' at time t."""
         there, moving = self.flight.named()
         x, y, z = there
         vx, vy, vz = moving
-        rho = self._distance(there)
+        rho = self._distance(there, r"\rho_t")
         outward = barrier(x * vx + y * vy) / barrier(IfLess(0, rho, rho, 1))
-        depth = barrier(rho - self.ring.ring_radius)
-        return (x, y, z), (vx, vy, vz), rho, depth, barrier(outward)
+        depth = barrier(rho - self.ring.ring_radius, "d_t")
+        return (x, y, z), (vx, vy, vz), rho, depth, barrier(outward, r"\dot\rho_t")
 
     @property
     def gap(self) -> sp.Expr:
@@ -137,7 +143,7 @@ class AirRingRootFinder(RootFinder):
         _, _, rho, _, _ = self._now()
         room = barrier(maximum(0, barrier(rho - self._nearest)))
         known = barrier(barrier(room * (1 - sp.Rational(1, 2**10))) / piece_speed)
-        return barrier(minimum(width, known), "w")
+        return barrier(minimum(width, known), "w_1")
 
     def curvature(self, width: sp.Expr) -> sp.Expr:
         """Return the bound on -F'' as above."""

@@ -269,16 +269,20 @@ def plainly(
         {symbols[e]: latex for e, latex in known.items()}, notation or SceneNotation()
     )
     lines = (
-        Line(left, (str(printer.doprint(release(_but(e, symbols)))),), e)
+        Line(left, (str(printer.doprint(release(_but(e, left, known, symbols)))),), e)
         for left, e in outputs.items()
     )
     return Formulas(tuple(lines), (), known)
 
 
-def _but(expression: sp.Basic, symbols: Mapping[sp.Basic, sp.Symbol]) -> sp.Basic:
-    """Return the expression with known parts as symbols, but never as one symbol itself."""
+def _but(
+    expression: sp.Basic, left: str, known: Names, symbols: Mapping[sp.Basic, sp.Symbol]
+) -> sp.Basic:
+    """Return the expression with known parts as symbols, but not as that of its own left side."""
     inner = expression.args[0] if isinstance(expression, Barrier) else expression
-    return inner.xreplace({e: s for e, s in symbols.items() if e not in (expression, inner)})
+    own = {e for e in (expression, inner) if known.get(e) == left}
+    given = {e: s for e, s in symbols.items() if e not in own}
+    return given.get(expression, inner.xreplace(given))
 
 
 def _lift(expression: sp.Basic, given: Names) -> sp.Basic:

@@ -11,35 +11,33 @@ import sympy as sp
 
 from hoopgen.derive.contact.frame import frame_from_axis
 from hoopgen.derive.errors import propagation
+from hoopgen.derive.events import air as air_search
 from hoopgen.derive.events import (
     bounding_boxes,
     box_windows,
     event_polynomials,
     polynomial,
     predicates,
-    root_finder_for,
     root_search,
+    search_for,
 )
 from hoopgen.derive.events.plane import plane_margin
+from hoopgen.derive.events.ring import air as ring_in_air
 from hoopgen.derive.events.ring import double, polar, single
+from hoopgen.derive.events.root_search import RootSearch
 from hoopgen.derive.ir.kernel import Kernel
 from hoopgen.derive.model import Model
-from hoopgen.derive.motion import ring_rolling_series, rolling_series
+from hoopgen.derive.motion import air, ring_rolling_series, rolling_series
+from hoopgen.derive.motion.parabola import Parabola
 from hoopgen.derive.rolling import friction_limit, neighbour
-from hoopgen.derive.scenes import validity
+from hoopgen.derive.scenes import sinking, validity
 from hoopgen.derive.surfaces import Plane
 from hoopgen.derive.symbolic import error_terms, rounding
+from hoopgen.derive.symbolic.letters import AXES, FLIGHTS, LOOP, RESULTS, SERIES, STUDIES, Entry
 from hoopgen.derive.symbolic.notation import (
     ARGUMENTS,
-    AXES,
-    FLIGHTS,
-    LOOP,
-    RESULTS,
     ROUNDOFF,
-    SERIES,
     SERIES_TERM,
-    STUDIES,
-    Entry,
     latex_name,
     structured,
     text,
@@ -78,6 +76,14 @@ class EndText:
 
 
 @dataclass(frozen=True)
+class AirText:
+    """The air that a ball flies through: the constants of its equation of motion, and v_s."""
+
+    rates: Formulas
+    smoothing: str
+
+
+@dataclass(frozen=True)
 class PageData:
     """The data of the template; formulas are LaTeX.
 
@@ -87,6 +93,8 @@ class PageData:
         The name of the scene whose page this one does not repeat; "" if it repeats all.
     falls
         True if gravity cannot be zero along its axis.
+    air
+        The air that the ball flies through; None: there is none, and no flight has pieces.
     """
 
     name: str
@@ -114,6 +122,7 @@ class PageData:
     premises: Mapping[str, PremiseText]
     series: tuple[SymbolText, ...]
     falls: bool
+    air: AirText | None
 
     @property
     def polynomial_surfaces(self) -> bool:
@@ -161,7 +170,7 @@ def _arguments(model: Model) -> tuple[SymbolText, ...]:
     }
     unknown = sorted(name for name in used - set(known) if structured(name) is None)
     if unknown:
-        raise ValueError(f"notation.py says nothing of {', '.join(unknown)}")
+        raise ValueError(f"letters.py says nothing of {', '.join(unknown)}")
     return tuple(
         SymbolText(letter.latex, name, letter.meaning)
         for name, letter in known.items()
@@ -173,16 +182,16 @@ def _kernels(model: Model, notation: SceneNotation) -> dict[str, KernelText]:
     """Return the formulas of all kernels, in the names that the searches define."""
     texts = {}
     for made in (*model.surfaces, *model.end_planes):
-        names = {}
-        if not isinstance(made.surface, Plane):
-            names = known(root_finder_for(made.surface, model.scene.flight))
+        names: Mapping[sp.Basic, str] = {}
+        if isinstance(made.search, RootSearch):
+            names = known(made.search.root_finder)
         for kernel in made.kernels.values():
             texts[kernel.name] = _kernel(kernel, names, frozenset(STUDIES), notation)
     study = {kernel.name for kernel in model.study}
     for kernel in model.kernels:
         words = frozenset(FLIGHTS | LOOP if kernel.name in study else STUDIES)
         if kernel.name not in texts:
-            texts[kernel.name] = _kernel(kernel, {}, words, notation)
+            texts[kernel.name] = _kernel(kernel, PI, words, notation)
     return texts
 
 
@@ -200,6 +209,15 @@ def _series(model: Model) -> tuple[SymbolText, ...]:
         if name in found
     )
 
+
+def _air(flight: air.AirFlight, notation: SceneNotation) -> AirText:
+    outputs = {latex_name(name): rate for name, rate in flight.constants_of().items()}
+    rates = plainly(outputs, PI, notation)
+    return AirText(rates, show(flight.constants.smoothing_speed, None, notation))
+
+
+PI = {air.PI: r"\pi"}
+"""The name of a number that the page rounds."""
 
 SHORT_DECIMAL, MAX_DENOMINATOR = 12, 99
 """Length of a decimal that is preferred to a fraction, and the largest denominator of one."""
@@ -247,9 +265,29 @@ def _constants() -> dict[str, str]:
         "neighbour": neighbour.NEIGHBOUR_DISTANCE,
         "watched": friction_limit.NEWTON_STEPS,
         "room": validity.CERTAIN_DISTANCE_FACTOR,
+        "piece_order": air.ORDER,
+        "piece_safety": air.SAFETY,
+        "piece_unit": air.PIECE_UNIT,
+        "longest_piece": air.LONGEST,
+        "shortest_piece": air.SHORTEST,
+        "piece_overlap": air.OVERLAP,
+        "piece_tube": air.TUBE,
+        "square_roundings": air.SQUARE_ROUNDINGS,
+        "drag_roundings": air.DRAG_ROUNDINGS,
+        "magnus_roundings": air.MAGNUS_ROUNDINGS,
+        "weight_roundings": air.WEIGHT_ROUNDINGS,
+        "carried_share": air.CARRIED_SHARE,
+        "cancellation": air.CANCELLATION,
+        "underflow": air.UNDERFLOW,
+        "past": sinking.ROOM,
+        "steep": ring_in_air.STEEP,
+        "budget": air_search.BUDGET,
     }
     values = {name: sp.Rational(value) for name, value in found.items()}
-    return {name: number(value) or show(value) for name, value in values.items()}
+    tolerance = f"2^{{{int(sp.log(air.TOLERANCE, 2))}}}"
+    return {name: number(value) or show(value) for name, value in values.items()} | {
+        "piece_tolerance": tolerance
+    }
 
 
 def derivation_context(model: Model, reference: PageData | None = None) -> PageData:
@@ -268,7 +306,8 @@ def derivation_context(model: Model, reference: PageData | None = None) -> PageD
     place, motion = flight.at()
     there, moving = flight.rounding(event_polynomials.horizon)
     surfaces = (*scene.surfaces, *scene.end_planes)
-    planes = [s for s in surfaces if isinstance(s, Plane)]
+    planes = [s for s in surfaces if isinstance(s, Plane) and isinstance(flight, Parabola)]
+    searched = (*model.kinds, *((end_plane,) for end_plane in scene.end_planes))
     lengths = [p.symbol for p in scene.parameters if p.unit == "m"]
     flown = (f"{left}(t)" for left in (*AXES, *(f"v_{axis}" for axis in AXES)))
     kernels = _kernels(model, notation)
@@ -294,7 +333,9 @@ def derivation_context(model: Model, reference: PageData | None = None) -> PageD
         ),
         arguments=tuple(row for row in _arguments(model) if row not in letters),
         brief=Formulas(tuple(brief.definitions)),
-        flight=plainly(dict(zip(flown, (*place, *motion), strict=True)), {}, notation),
+        flight=plainly(
+            dict(zip(flown, (*place, *motion), strict=True)) if flight.exact else {}, {}, notation
+        ),
         surfaces=tuple(surface_text(s, flight, brief) for s in surfaces),
         ends=tuple(
             EndText(
@@ -311,8 +352,8 @@ def derivation_context(model: Model, reference: PageData | None = None) -> PageD
         crossing=explain({latex_name(n): e for n, e in event_polynomials.crossing().items()}),
         searches=tuple(
             search_text(alike, flight, notation)
-            for alike in model.kinds
-            if not isinstance(alike[0], Plane)
+            for alike in searched
+            if isinstance(search_for(alike[0], flight), RootSearch)
         ),
         flight_rounding=explain(
             {
@@ -335,4 +376,5 @@ def derivation_context(model: Model, reference: PageData | None = None) -> PageD
         premises=premises,
         series=_series(model),
         falls=flight.falls,
+        air=_air(flight, notation) if isinstance(flight, air.AirFlight) else None,
     )

@@ -11,13 +11,16 @@ from sympy.core.sorting import default_sort_key
 from hoopgen.derive.events import root_finder_for
 from hoopgen.derive.events.event_polynomials import event_coefficients
 from hoopgen.derive.events.plane import plane_arrival
+from hoopgen.derive.events.ring.air import AirRingRootFinder
 from hoopgen.derive.events.ring.double import RingRootFinder
 from hoopgen.derive.events.root_finder import RootFinder
+from hoopgen.derive.motion.flight import Flight
 from hoopgen.derive.motion.parabola import Parabola
 from hoopgen.derive.scenes.scene import Scene
 from hoopgen.derive.surfaces import Box, Plane, Ring, Surface
 from hoopgen.derive.symbolic.conditionals import Barrier, barrier, release
-from hoopgen.derive.symbolic.notation import AXES, latex_name
+from hoopgen.derive.symbolic.letters import AXES
+from hoopgen.derive.symbolic.notation import latex_name
 from hoopgen.derive.symbolic.polynomials import compose
 from hoopgen.derive.symbolic.symbols import POSITION
 
@@ -121,10 +124,10 @@ def _inner_sums(condition: sp.Expr) -> list[sp.Expr]:
 
 
 def _polynomial(
-    surface: Surface, flight: Parabola, brief: Abbreviations
+    surface: Surface, flight: Flight, brief: Abbreviations
 ) -> tuple[tuple[Line, ...], tuple[Line, ...], tuple[Line, ...]]:
     """Return a condition's inner polynomials, their coefficients, and its own coefficients."""
-    if not surface.polynomial:
+    if not (surface.polynomial and flight.exact):
         return (), (), ()
     condition = release(surface.condition)
     paths: dict[sp.Symbol, list[sp.Expr]] = dict(flight.path)
@@ -154,11 +157,11 @@ def _polynomial(
     return tuple(polynomials), tuple(inner), lines
 
 
-def surface_text(surface: Surface, flight: Parabola, brief: Abbreviations) -> SurfaceText:
+def surface_text(surface: Surface, flight: Flight, brief: Abbreviations) -> SurfaceText:
     """Return the text of a surface."""
     polynomials, inner, coefficients = _polynomial(surface, flight, brief)
     arrival = Formulas(())
-    if isinstance(surface, Plane):
+    if isinstance(surface, Plane) and isinstance(flight, Parabola):
         outputs = {latex_name(name): e for name, e in plane_arrival(surface, flight).items()}
         arrival = explain(outputs, {}, brief.notation)
     beyond = surface.excess if isinstance(surface, Box) else []
@@ -194,21 +197,28 @@ def known(search: RootFinder) -> dict[sp.Basic, str]:
     return names
 
 
-def search_text(alike: Sequence[Surface], flight: Parabola, notation: SceneNotation) -> SearchText:
-    """Return the text of the search of a curved surface and of others of its kind."""
+def search_text(alike: Sequence[Surface], flight: Flight, notation: SceneNotation) -> SearchText:
+    """Return the text of the search of a curved surface and of others of its kind.
+
+    The series of a piece of a flight stand on the page once, not with each search.
+    """
     surface, *others = alike
     search: RootFinder = root_finder_for(surface, flight)
     names = known(search)
     slopes = {"F": search.gap, "F'": search.rate, "F''": search.bend, r"F_\ell": search.leaving_gap}
     slopes |= {latex_name(name): e for name, e in search.constants.items()}
     width = sp.Symbol("w", nonnegative=True)
+    shown = set() if flight.exact else set(flight.quantities())
+    own = {latex: e for latex, e in search.named.items() if latex not in shown}
     bound = {"M(w)": search.curvature(width), "C": search.ceiling}
     return SearchText(
         surface.name,
         ", ".join(other.name for other in others),
         isinstance(search, RingRootFinder),
-        show(search.ring.ring_radius, None, notation) if isinstance(search, RingRootFinder) else "",
-        explain(search.named, names, notation),
+        show(search.ring.ring_radius, None, notation)
+        if isinstance(search, RingRootFinder | AirRingRootFinder)
+        else "",
+        explain(own, names, notation),
         (explain if isinstance(surface, Box) else plainly)(slopes, names, notation),
         explain(bound, names, notation),
     )

@@ -9,8 +9,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
+from hoopgen.derive.events.air import AirBoxRootFinder, AirRootFinder
 from hoopgen.derive.events.box import BoxRootFinder
 from hoopgen.derive.events.end_plane import EndPlaneSearch
+from hoopgen.derive.events.ring.air import AirRingRootFinder
 from hoopgen.derive.events.ring.polar import PolarRootFinder
 from hoopgen.derive.events.root_search import RootSearch
 from hoopgen.derive.kernels.surface import SurfaceKernels
@@ -49,6 +51,18 @@ def _kernels(text: str) -> tuple[str, ...]:
 
 
 PREMISES: dict[str, Premise] = {
+    # A flight through air
+    "air_motion": Premise(
+        DEFINITION,
+        "motion through air, and its series",
+        _kernels("common.air_rates common.air_order_*"),
+    ),
+    "piece_length": Premise(CHOICE, "length of a piece", beside="piece_remainder"),
+    "piece_remainder": Premise(
+        LEMMA,
+        "what the series of a piece leaves out",
+        _kernels("common.piece common.piece_excess"),
+    ),
     # Definitions, and planes
     "geometry": Premise(
         DEFINITION,
@@ -141,14 +155,35 @@ PREMISES: dict[str, Premise] = {
         _kernels("box.prepare box.enter general.prepare general.enter general.clear"),
     ),
     "box_bend": Premise(
-        LEMMA, "second derivative of a box's gap", _kernels("box.advance box.margins")
+        LEMMA,
+        "second derivative of a box's gap",
+        _kernels("box.advance box.margins air_box.advance air_box.margins"),
     ),
     "general": Premise(LEMMA, "any other surface", _kernels("general.advance general.margins")),
+    # Along a piece of a flight through air
+    "piece_windows": Premise(
+        LEMMA,
+        "pieces that come near a surface",
+        _kernels(
+            "air.prepare air.enter air.clear air_box.prepare air_box.enter "
+            "air_ring.prepare air_ring.enter air_ring.clear"
+        ),
+    ),
+    "piece_bend": Premise(
+        LEMMA,
+        "second and third derivative of a gap along a piece",
+        _kernels("air.advance air.margins"),
+    ),
+    "piece_ring": Premise(
+        LEMMA,
+        "second derivative of the ring's gap along a piece",
+        _kernels("air_ring.advance air_ring.margins"),
+    ),
     # The first event
     "within": Premise(
         LEMMA,
         "bounds at an arrival",
-        _kernels("*.within *.edges end.reached end.edge common.predicate_undecided"),
+        _kernels("*.within *.edges *.reached *.edge *.crossed common.predicate_undecided"),
     ),
     "first": Premise(
         LEMMA,
@@ -162,6 +197,9 @@ PREMISES: dict[str, Premise] = {
         LEMMA,
         "the horizon",
         _kernels("common.horizon common.out_of_budget common.out_of_budget_in_windows"),
+    ),
+    "sinking": Premise(
+        LEMMA, "a ball that can never meet anything again", _kernels("common.piece_end")
     ),
     "plates": Premise(LEMMA, "a filter of plates", _kernels("common.released common.reachable")),
     "far": Premise(
@@ -179,6 +217,9 @@ PREMISES: dict[str, Premise] = {
             "common.clock_error_sum common.no_normal_error common.elsewhere common.again "
             "common.returned common.started common.other_start_surface *.curvature"
         ),
+    ),
+    "piece_errors": Premise(
+        CHOICE, "propagation of errors through a piece", _kernels("common.carry_piece")
     ),
     "growth": Premise(
         CHOICE,
@@ -262,21 +303,36 @@ PREMISES: dict[str, Premise] = {
             "common.stay_in_contact"
         ),
     ),
+    "pieces": Premise(
+        DEFINITION, "pieces of a flight in the loop", _kernels("common.goes_on common.aloft")
+    ),
     "studies": Premise(DEFINITION, "kernels of studies", _kernels("study.*")),
 }
 """Premises of the page in their order, by the key in the template."""
 
 
+FINDERS = (
+    (AirRingRootFinder, "air_ring"),
+    (AirBoxRootFinder, "air_box"),
+    (AirRootFinder, "air"),
+    (PolarRootFinder, "ring"),
+    (BoxRootFinder, "box"),
+)
+"""Kinds of searches, by their root finders; the first that fits counts."""
+
+
 def kind_of(made: SurfaceKernels) -> str:
-    """Return the kind of search that a surface has: plane, end, ring, box or general."""
+    """Return the kind of search that a surface has.
+
+    It is plane, end, ring, box or general, and along a piece of a flight air_ring, air_box or air.
+    """
     search = made.search
     if isinstance(search, EndPlaneSearch):
         return "end"
     if not isinstance(search, RootSearch):
         return "plane"
-    if isinstance(search.root_finder, PolarRootFinder):
-        return "ring"
-    return "box" if isinstance(search.root_finder, BoxRootFinder) else "general"
+    kinds = (kind for finder, kind in FINDERS if isinstance(search.root_finder, finder))
+    return next(kinds, "general")
 
 
 def parts(model: Model) -> Iterator[tuple[str, str]]:

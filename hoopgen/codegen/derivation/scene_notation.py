@@ -7,7 +7,8 @@ from collections.abc import Mapping
 import sympy as sp
 
 from hoopgen.derive.scenes.scene import Scene
-from hoopgen.derive.symbolic.notation import ARGUMENTS, AXES, latex_name, text
+from hoopgen.derive.symbolic.letters import AXES
+from hoopgen.derive.symbolic.notation import ARGUMENTS, latex_name, text
 from hoopgen.derive.symbolic.symbols import CHANGE, ParameterSymbol
 
 QUANTITIES = {

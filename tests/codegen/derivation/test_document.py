@@ -62,8 +62,6 @@ pytestmark = pytest.mark.xdist_group("kernels")
 TEXT = (ROOT / "generated" / "derivation.md").read_text(encoding="utf-8")
 COURT_TEXT = (ROOT / "generated" / "derivation_court.md").read_text(encoding="utf-8")
 PROSE = re.sub(r"`[^`\n]*`", "", TEXT)
-DISPLAYED = re.findall(r"^\$\$\n(.*?)\n\$\$$", PROSE, re.DOTALL | re.MULTILINE)
-INLINE = re.findall(r"\$([^$\n]+)\$", re.sub(r"^\$\$\n.*?\n\$\$$", "", PROSE, flags=re.S | re.M))
 
 
 def test_every_kernel_is_in_the_table() -> None:
@@ -120,11 +118,16 @@ def test_what_the_court_links_its_whole_page_says_alike() -> None:
         assert text == (here if heading in here else there)[heading], heading
 
 
-def test_formulas_are_whole() -> None:
-    """Braces, brackets and environments are closed in order, and no macro is one GitHub forbids."""
-    assert len(DISPLAYED) > 50
-    assert len(INLINE) > 50
-    for formula in DISPLAYED + INLINE:
+def assert_whole(text: str) -> None:
+    """Check that formulas close what they open, in order, and use no macro that GitHub forbids."""
+    prose = re.sub(r"`[^`\n]*`", "", text)
+    displayed = re.findall(r"^\$\$\n(.*?)\n\$\$$", prose, re.DOTALL | re.MULTILINE)
+    inline = re.findall(
+        r"\$([^$\n]+)\$", re.sub(r"^\$\$\n.*?\n\$\$$", "", prose, flags=re.S | re.M)
+    )
+    assert len(displayed) > 50
+    assert len(inline) > 50
+    for formula in displayed + inline:
         open_: list[str] = []
         token = r"\\begin\{(\w+)\}|\\end\{(\w+)\}|\\(left|right)\b|(?<!\\)([{}])"
         for begin, end, side, brace in re.findall(token, formula):
@@ -135,6 +138,10 @@ def test_formulas_are_whole() -> None:
         assert not open_, formula
         assert not re.search(r"\\operatorname|\bnan\b|Held|If(Less|AtMost)", formula), formula
         assert "\n\n" not in formula
+
+
+def test_formulas_are_whole() -> None:
+    assert_whole(TEXT)
 
 
 def test_no_bar_of_a_formula_ends_the_cell_of_a_table() -> None:

@@ -14,7 +14,8 @@ from hoopgen.derive.contact.ball import Ball
 from hoopgen.derive.contact.friction import CoulombFriction
 from hoopgen.derive.contact.no_slip import NoSlip
 from hoopgen.derive.scenes import COURT, HOOP
-from hoopgen.derive.symbolic.notation import ARGUMENTS, LAWS, SERIES
+from hoopgen.derive.symbolic.letters import LAWS, SERIES
+from hoopgen.derive.symbolic.notation import ARGUMENTS
 from hoopgen.derive.symbolic.symbols import ParameterSymbol, normal, spin, velocity
 from mpmath import mp, mpf
 
