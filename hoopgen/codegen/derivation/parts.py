@@ -43,7 +43,6 @@ class SurfaceText:
     """
 
     name: str
-    is_plane: bool
     is_ring: bool
     distance: Formulas
     condition: Formulas
@@ -171,7 +170,6 @@ def surface_text(surface: Surface, flight: Parabola, brief: Abbreviations) -> Su
 
     return SurfaceText(
         surface.name,
-        isinstance(surface, Plane),
         isinstance(surface, Ring),
         formula(surface.distance),
         formula(surface.condition),

@@ -58,11 +58,6 @@ def _at_the_point(speed: sp.Expr, slope_: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
     return place[2].subs(start), -velocity[2].subs(start) / level
 
 
-def test_the_flight_without_its_time_is_the_flight() -> None:
-    risen, _ = _at_the_point(release_speed, slope)
-    assert sp.simplify(risen - aiming.height_at_distance(GRAVITY)) == 0
-
-
 def test_the_aimed_speed_goes_through_the_point_with_the_entry_slope() -> None:
     speed = unheld(aiming.aimed_speed(GRAVITY)["speed"])
     risen, down = _at_the_point(speed, slope)
@@ -94,7 +89,7 @@ def test_both_slopes_of_a_speed_go_through_the_point(below: bool) -> None:
     a, b = sp.symbols("a b", positive=True)
     point = {rise: (b - a) / 2, reach: sp.sqrt(a * b)}
     distance = {sp.sqrt(rise**2 + reach**2): (a + b) / 2}
-    residue = aiming.height_at_distance(GRAVITY) - rise
+    residue = _at_the_point(release_speed, slope)[0] - rise
     values = {release_speed: 9, a: 4, b: 5, GRAVITY: 10}
     both = []
     for expression in aiming.slopes_of_speed(GRAVITY).values():
