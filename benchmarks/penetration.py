@@ -5,13 +5,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from flint import arb, arb_poly, arb_series, ctx
-
 from hoopgen.derive.scenes import HOOP
 from hoopgen.derive.scenes.scene import Scene
 
-from .flight import arrival_at, left_by
-from .formulas import Formulas, SurfaceFormulas, formulas
-from .roots import positive_within
+from hoopgen.judge.flight import arrival_at, left_by
+from hoopgen.judge.formulas import Formulas, SurfaceFormulas, formulas
+from hoopgen.judge.roots import sign_variations
 
 AUDIT_BITS = 128
 
@@ -90,7 +89,7 @@ def _deepest(
     parts = [(begin, end)]
     while parts:
         low, high = parts.pop()
-        if positive_within(polynomial, len(coefficients) - 1, low, high - low):
+        if sign_variations(polynomial, len(coefficients) - 1, low, high - low)[1] == 0:
             continue
         around = _along(own, start, values, low.union(high))
         if any(part >= 0 for part in surface.inside(around, values)):
