@@ -9,7 +9,6 @@ import os
 import pickle
 import re
 import signal
-import subprocess
 import sys
 import tomllib
 from collections.abc import Iterator
@@ -21,6 +20,7 @@ import pytest
 
 from tests.helpers import ROOT
 from tests.helpers.commands import run, succeed
+from tests.helpers.killed import run_until_sync
 
 for _library in ("matplotlib", "pyarrow", "pydantic", "scipy", "xarray"):
     pytest.importorskip(_library)
@@ -832,31 +832,13 @@ def test_the_same_study_gives_the_same_bytes_by_any_number_of_threads(
     assert contents(tmp_path / "results") == contents(whole)
 
 
-KILLED = """
-import os, signal, sys
-left, sync = [int(sys.argv[3])], os.fsync
-
-def fsync(descriptor):
-    left[0] -= 1
-    if left[0] == 0:
-        os.kill(os.getpid(), signal.SIGKILL)
-    sync(descriptor)
-
-os.fsync = fsync
-from hoopgen.studyfile import run_study  # noqa: E402
-run_study(sys.argv[1], sys.argv[2], threads=1)
-print(int(sys.argv[3]) - left[0])
-"""
-
-
 @pytest.mark.slow
 def test_a_study_that_was_killed_goes_on_to_the_same_bytes(whole: Path, tmp_path: Path) -> None:
     """Killed again and again: when it begins, among chunks, and with a question finished."""
     file, results = written(tmp_path / "other", ALL), tmp_path / "results"
 
     def killed_at(sync: int) -> set[str]:
-        command = [sys.executable, "-c", KILLED, str(file), str(results), str(sync)]
-        killed = subprocess.run(command, capture_output=True, text=True, check=False)
+        killed = run_until_sync(file, results, sync)
         assert killed.returncode == -signal.SIGKILL, killed.stderr
         return {path.relative_to(results).as_posix() for path in results.rglob("*")}
 

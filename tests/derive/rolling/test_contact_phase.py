@@ -68,7 +68,7 @@ class Rolling:
     def expand(self) -> None:
         """Take the series at the place where the ball is."""
         self.call("ring_rolling_surface")
-        for name in ("start", *range(ORDER), "pace"):
+        for name in ("start", *range(ORDER), "step"):
             self.call(f"ring_round_{name}")
 
     def step(self, most: float) -> None:

@@ -69,7 +69,7 @@ def test_the_apex_is_where_the_ball_neither_rises_nor_falls() -> None:
 def test_past_and_left_are_the_place_s_own_axes() -> None:
     """A turn that takes the line of sight to (1, 0): lengths and handedness are kept."""
     x, y = POSITION[:2]
-    past, left = (unheld(e) for e in derived.sighted().values())
+    past, left = (unheld(e) for e in derived.line_of_sight().values())
     assert sp.simplify(past**2 + left**2 - x**2 - y**2) == 0
     jacobian = sp.Matrix([past, left]).jacobian([x, y])
     assert sp.simplify(jacobian.det()) == 1
