@@ -29,7 +29,6 @@ import xarray as xr  # noqa: E402
 
 import hoopgen  # noqa: E402
 from hoopgen.study.jobs import monte_carlo  # noqa: E402
-from hoopgen.study.jobs.executors import versions  # noqa: E402
 from hoopgen.study.named_units import in_units, named  # noqa: E402
 from hoopgen.study.questions import sweep  # noqa: E402
 from hoopgen.study.questions.bank import bank_or_direct  # noqa: E402
@@ -1013,14 +1012,13 @@ def test_nothing_else_of_a_question_may_change(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("package", ["hoopgen", "numpy", "elementary functions"])
-def test_answers_by_other_versions_are_another_study(
-    package: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_answers_by_other_versions_are_another_study(package: str, tmp_path: Path) -> None:
     file = written(tmp_path, HEAD + ESTIMATE)
     run_study(file)
-    others = {**versions(), package: "9.9"}
-    monkeypatch.setattr("hoopgen.studyfile.run.versions", lambda: others)
-    with pytest.raises(ValueError, match=rf'probability: {package} is "[^"]*" there and "9\.9" h'):
+    asked = tmp_path / "study-results" / "probability" / "question.json"
+    others = json.loads(asked.read_bytes()) | {package: "9.9"}
+    asked.write_text(json.dumps(others), encoding="utf-8")
+    with pytest.raises(ValueError, match=rf'probability: {package} is "9\.9" there and "[^"]*" h'):
         run_study(file)
 
 
