@@ -33,9 +33,9 @@ from hoopgen.study.named_units import in_units, named  # noqa: E402
 from hoopgen.study.questions import sweep  # noqa: E402
 from hoopgen.study.questions.bank import bank_or_direct  # noqa: E402
 from hoopgen.study.questions.settings import settings  # noqa: E402
-from hoopgen.studyfile import answers, check_study, run_study, sweeps  # noqa: E402
+from hoopgen.studyfile import check_study, run_study, sweeps  # noqa: E402
 from hoopgen.studyfile import lines as toml_lines  # noqa: E402
-from hoopgen.studyfile.context import Answer, Context, Workplace  # noqa: E402
+from hoopgen.studyfile.context import Context  # noqa: E402
 from hoopgen.studyfile.reading import StudyError, parse  # noqa: E402
 from hoopgen.studyfile.reference import reference  # noqa: E402
 from hoopgen.studyfile.report import _text as report_text  # noqa: E402
@@ -941,10 +941,8 @@ def test_a_question_may_be_asked_for_less_and_what_was_thrown_stays(
     before = contents(results)
     written(file.parent, text + less)
     if interrupted:
-        with monkeypatch.context() as patch:
-            patch.setattr("hoopgen.studyfile.question_folders.answer", _stopped)
-            with pytest.raises(KeyboardInterrupt):
-                run_study(file, results)
+        with pytest.raises(KeyboardInterrupt):
+            run_study(file, results, progress=_stopped)
     (answer,) = run_study(file, results).values()
     assert answer == run_study(file, tmp_path / "at-once")["q"]
     chunks = {name: content for name, content in before.items() if "chunks/" in name}
@@ -1036,23 +1034,14 @@ def test_measured_releases_that_have_changed_are_another_study(tmp_path: Path) -
         run_study(file)
 
 
-def test_questions_may_be_added_and_words_changed(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_questions_may_be_added_and_words_changed(tmp_path: Path) -> None:
     file = written(tmp_path, HEAD + ESTIMATE)
     first = run_study(file)
     more = ESTIMATE.replace("probability", "more").replace("2000", "1000")
     written(tmp_path, "# better\n" + HEAD.replace("Free throws", "Throws") + more + ESTIMATE)
-    asked = []
-    answer = answers.answer
-
-    def noted(one: Context, work: Workplace) -> Answer:
-        asked.append(one.question.name)
-        return answer(one, work)
-
-    monkeypatch.setattr("hoopgen.studyfile.question_folders.answer", noted)
-    again = run_study(file)
-    assert asked == ["more"]
+    asked = set[str]()
+    again = run_study(file, progress=lambda name, *_: asked.add(name))
+    assert asked == {"more"}
     assert list(again) == ["more", "probability"]
     assert again["probability"] == first["probability"]
     results = tmp_path / "study-results"
