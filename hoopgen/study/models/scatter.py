@@ -191,7 +191,7 @@ class Scatter:
         noise = measuring_noise(table, columns, measurement_covariance)
         from .scatter_fitting import fit_columns  # needs SciPy, which nothing else here does
 
-        return fit_columns(columns, noise, measured_groups(table, labels), cls)
+        return fit_columns(columns, noise, measured_groups(labels), cls)
 
     @property
     def _names(self) -> tuple[str, ...]:
