@@ -76,10 +76,8 @@ def fit_view(axes: Axes, view: View, limits: Limits) -> Panel:
 
     Parameters
     ----------
-    axes
-        The axes.
-    view
-        The view.
+    axes, view
+        The axes and the view.
     limits
         Left, right, bottom and top, m.
     """
