@@ -6,7 +6,6 @@ about, the ratio taken round by round, of clock and of processor time.
 
 import tempfile
 from collections.abc import Collection, Iterable, Mapping, Sequence
-from contextlib import ExitStack
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Self
@@ -308,32 +307,37 @@ class Engines:
 def against(ref: str, wanted: Wanted) -> bool:
     """Return whether the working tree gives what the commit gave, where that was asked for."""
     base = commit(ref)
-    with ExitStack() as stack:
-        home, said = stack.enter_context(built(base))
+    with (
+        built(base) as (home, said),
+        Process("base", home) as before,
+        Process("tree", None) as after,
+    ):
         print(f"base: {ref}, {base[:12]}, {said}", flush=True)
-        pair = Pair(
-            stack.enter_context(Process("base", home)), stack.enter_context(Process("tree", None))
-        )
-        before, after = (
-            [engine for engine in there if engine.split()[0] in wanted.backends]
-            for there in pair.ask("engines")
-        )
-        engines = Engines.of(before, after, WIDTHS)
-        fresh = [engine for engine in after if engine not in before]
-        parts = {
-            "engines": engines.both,
-            "given up, not compared": engines.given_up,
-            "new, not compared": fresh,
-            "LOST": engines.lost,
-        }
-        said = (f"{what}: {', '.join(which)}" for what, which in parts.items() if which)
-        print("; ".join(said), end="\n\n")
-        if not engines.both:
-            raise CannotBuild("the two have no engine in common")
-        same = not engines.lost
-        if wanted.equality:
-            same &= equality(pair, wanted, engines.both)
-            print("equal" if same else "NOT equal, or lost", end="\n\n", flush=True)
-        if wanted.speed:
-            speed(pair, wanted, engines.both)
+        return compare(Pair(before, after), wanted)
+
+
+def compare(pair: Pair, wanted: Wanted) -> bool:
+    """Return whether both contenders give the same, where that was asked for."""
+    before, after = (
+        [engine for engine in there if engine.split()[0] in wanted.backends]
+        for there in pair.ask("engines")
+    )
+    engines = Engines.of(before, after, WIDTHS)
+    fresh = [engine for engine in after if engine not in before]
+    parts = {
+        "engines": engines.both,
+        "given up, not compared": engines.given_up,
+        "new, not compared": fresh,
+        "LOST": engines.lost,
+    }
+    said = (f"{what}: {', '.join(which)}" for what, which in parts.items() if which)
+    print("; ".join(said), end="\n\n")
+    if not engines.both:
+        raise CannotBuild("the two have no engine in common")
+    same = not engines.lost
+    if wanted.equality:
+        same &= equality(pair, wanted, engines.both)
+        print("equal" if same else "NOT equal, or lost", end="\n\n", flush=True)
+    if wanted.speed:
+        speed(pair, wanted, engines.both)
     return same

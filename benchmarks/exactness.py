@@ -22,10 +22,10 @@ from numpy.typing import NDArray
 import hoopgen
 from benchmarks.families import FAMILIES, Family
 from benchmarks.machine import facts
+from benchmarks.penetration import deepest
 from benchmarks.report import number, table
 from hoopgen.core.files import write
 from hoopgen.judge import Certificate, Proof, certify
-from hoopgen.judge.penetration import deepest
 from hoopgen.simulation.hoop import HOOP
 from hoopgen.text.numbers import format_percent
 

@@ -30,6 +30,18 @@ def table(head: Sequence[str], rows: Iterable[Sequence[str]]) -> list[str]:
     return [f"| {' | '.join(row)} |" for row in (head, rule, *rows)] + [""]
 
 
+def section_of(page: str, heading: str) -> list[str]:
+    """Return the lines of a section of a page."""
+    return [heading, *page.split(f"{heading}\n")[1].partition("\n## ")[0].split("\n")]
+
+
+def with_section(page: str, lines: Sequence[str]) -> str:
+    """Return a page with other lines of a section, the first of which is its heading."""
+    before, rest = page.split(f"{lines[0]}\n")
+    after = rest.partition("\n## ")[2]
+    return before + "\n".join(lines) + f"\n## {after}"
+
+
 def number(value: float) -> str:
     """Three significant digits, thousands apart, no exponent at 1 or above."""
     if not 0.1 <= abs(value) < float("inf"):

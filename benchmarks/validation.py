@@ -8,7 +8,8 @@ import argparse
 from pathlib import Path
 
 from benchmarks import validation_further
-from benchmarks.validation_coverage import counts, present, replaced, section
+from benchmarks.report import section_of, with_section
+from benchmarks.validation_coverage import HEADING, counts, section
 from benchmarks.validation_page import page, throw_picture
 from benchmarks.validation_results import DISTANCES, everything
 from benchmarks.validation_rolling import picture
@@ -41,15 +42,15 @@ def main() -> None:
     shots = 1_000 if arguments.quick else 20_000
     if arguments.only == "further":
         lines = validation_further.section(validation_further.further(shots))
-        write(file, validation_further.replaced(file.read_text("utf-8"), lines))
+        write(file, with_section(file.read_text("utf-8"), lines))
         return
     if arguments.only == "literature":
-        coverage = present(file.read_text("utf-8"))
+        coverage = section_of(file.read_text("utf-8"), HEADING)
     else:
         found = counts(0.05 if arguments.quick else arguments.part)
         coverage = section(found)
     if arguments.only == "coverage":
-        write(file, replaced(file.read_text("utf-8"), found))
+        write(file, with_section(file.read_text("utf-8"), coverage))
         return
     if arguments.quick:
         results = everything(2_000, 1_000, DISTANCES[-2:])

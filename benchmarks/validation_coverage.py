@@ -472,15 +472,3 @@ def _verdict(found: Coverage) -> str:
 
 
 HEADING = "## Coverage of the intervals"
-
-
-def present(page: str) -> list[str]:
-    """Return the lines of this section in a page of results."""
-    return [HEADING, *page.split(f"{HEADING}\n")[1].partition("\n## ")[0].split("\n")]
-
-
-def replaced(page: str, found: Sequence[Mapping[str, Any]]) -> str:
-    """Return a page of results with this section in place of the one that it has."""
-    before, rest = page.split(f"{HEADING}\n")
-    after = rest.partition("\n## ")[2]
-    return before + "\n".join(section(found)) + f"\n## {after}"

@@ -253,17 +253,6 @@ def section(found: Further) -> list[str]:
     ]
 
 
-def present(page: str) -> list[str]:
-    """Return the lines of this section in a page of results."""
-    return [HEADING, *page.split(f"{HEADING}\n")[1].partition("\n## ")[0].split("\n")]
-
-
-def replaced(page: str, lines: Sequence[str]) -> str:
-    """Return a page of results with other lines of this section."""
-    before, rest = page.split(f"{HEADING}\n")
-    return before + "\n".join(lines) + f"\n## {rest.partition(chr(10) + '## ')[2]}"
-
-
 def _better(rows: Sequence[tuple[float, float, float, float, float]]) -> str:
     """Return from how far the direct shot is better."""
     return " and ".join(f"{row[0]:g} ft" for row in rows if row[4] < 0.0) or "no distance"

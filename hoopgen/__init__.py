@@ -50,7 +50,7 @@ if TYPE_CHECKING:
     from .simulation.compile import compile as compile
     from .simulation.court import COURT as COURT
     from .simulation.hoop import HOOP as HOOP
-    from .simulation.invalid import why_invalid as why_invalid
+    from .simulation.invalid_shots import why_invalid as why_invalid
     from .simulation.simulate import simulate as simulate
     from .simulation.tangents import jvp as jvp
     from .simulation.tangents import vjp as vjp
@@ -109,7 +109,7 @@ _LAZY = {
     "jvp": "simulation.tangents",
     "vjp": "simulation.tangents",
     "jax": "interop",
-    "why_invalid": "simulation.invalid",
+    "why_invalid": "simulation.invalid_shots",
     "compile": "simulation.compile",
     "Scene": "scene",
     "load_scene": "scene",

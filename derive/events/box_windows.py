@@ -27,7 +27,7 @@ from ..symbolic.conditionals import (
 )
 from ..symbolic.rounding import extent, position_error, speed, velocity_error
 from ..symbolic.symbols import VELOCITY, t
-from .event_polynomials import Window, end, horizon
+from .event_polynomials import Window, end, horizon, intersection
 
 RELATIVE_INFLATION = sp.Rational(1, 2**14)
 """Inflation of the box, relative to its smallest half size."""
@@ -87,7 +87,7 @@ def windows(axes: Sequence[Axis], halves: Sequence[sp.Expr | None]) -> list[Wind
         else:
             fall = _falling if has_sign(axis[2]) else _perhaps_falling
             spans = fall(axis, barrier(half + wider))
-        found = [_meet(window, span) for span in spans for window in found]
+        found = [intersection(window, span) for span in spans for window in found]
     return found
 
 
@@ -238,7 +238,3 @@ def _crossings(q: sp.Expr, up: sp.Expr, g: sp.Expr, discriminant: sp.Expr) -> Wi
         barrier(IfLess(0, motionless, -sp.oo, low)),
         barrier(IfLess(0, motionless, sp.oo, high)),
     )
-
-
-def _meet(left: Window, right: Window) -> Window:
-    return maximum(left[0], right[0]), minimum(left[1], right[1])

@@ -8,7 +8,7 @@ import sympy as sp
 
 from ..motion.flight import Flight, divisor
 from ..surfaces import Surface
-from ..symbolic.conditionals import IfLess, barrier, maximum
+from ..symbolic.conditionals import IfLess, barrier, maximum, minimum
 from ..symbolic.polynomials import Coefficients, compose
 from ..symbolic.rounding import ROUNDING_SLACK, Rounded, position_error, speed, velocity_error
 from ..symbolic.symbols import UNIT_ROUNDOFF, t
@@ -35,6 +35,11 @@ share = sp.Symbol("share", nonnegative=True)
 
 ERROR_BUDGET_LEVELS = [sp.Rational(1, 2**k) for k in (25, 30, 35, 40, 45)]
 """Values of `share` that a search tries one after another, and then 0, until a root is certain."""
+
+
+def intersection(left: Window, right: Window) -> Window:
+    """Return the part that two windows have in common; without any it ends before it begins."""
+    return maximum(left[0], right[0]), minimum(left[1], right[1])
 
 
 def event_coefficients(surface: Surface, flight: Flight) -> Coefficients:

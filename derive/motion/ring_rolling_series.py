@@ -170,7 +170,7 @@ class RingRolling:
         over = barrier(by * odd)
         return barrier(cos * even - sin * over), barrier(sin * even + cos * over)
 
-    def pace(self) -> dict[str, sp.Expr]:
+    def step(self) -> dict[str, sp.Expr]:
         """Return a step in which the series is nearly as good as rounded, and bounds in it.
 
         The first term that is left out is about the last one times the step over the time in which

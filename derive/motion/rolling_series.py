@@ -144,7 +144,7 @@ def force(acceleration: Sequence[sp.Expr], ball: Ball) -> list[sp.Expr]:
     ]
 
 
-def pace(acceleration: Sequence[sp.Expr], strength: sp.Expr, ball: Ball) -> dict[str, sp.Expr]:
+def step(acceleration: Sequence[sp.Expr], strength: sp.Expr, ball: Ball) -> dict[str, sp.Expr]:
     """Return a step in which the series is as good as rounded, and bounds on the motion in it.
 
     The first term that is left out is about the last one times the step over the time in which the

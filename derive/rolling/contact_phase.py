@@ -142,8 +142,8 @@ def _series(flight: Parabola, ball: Ball, strength: sp.Expr) -> tuple[Kernel, ..
             "v = R_B (w × n)",
         ),
         loop_kernel(
-            "roll_pace",
-            rolling_series.pace(acceleration, strength, ball),
+            "roll_step",
+            rolling_series.step(acceleration, strength, ball),
             "Length of a step of the series, bounds of the motion in it, and the normal force.",
             "the last terms of the series",
         ),

@@ -68,7 +68,7 @@ def ring_kernels(surface: Surface, flight: Parabola, ball: Ball) -> dict[str, Ke
     kernels = {
         "round_start": (rolling.start(), "Constant terms, in the ring's coordinates."),
         "round_moved": (rolling.moved(), "State of a ball that rolls on the ring at time t."),
-        "round_pace": (rolling.pace(), "Length of a step of the series, and bounds in it."),
+        "round_step": (rolling.step(), "Length of a step of the series, and bounds in it."),
         "round_pulled": (
             rolling.pulled() | {"grip_deficit": -sp.oo, "grip_deficit_rate": sp.Integer(0)},
             "Square of the friction that rolling on the ring takes, and its rate.",

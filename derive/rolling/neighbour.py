@@ -57,14 +57,18 @@ def neighbour_kernels(ball_radius: sp.Expr) -> tuple[Kernel, ...]:
 
 def _compared(scale: sp.Expr, ball_radius: sp.Expr) -> dict[str, sp.Expr]:
     """Return the errors after a step: the scaled difference of the motions, and its roundings."""
-    place = barrier(4 * UNIT_ROUNDOFF * barrier(sum(map(absolute, position)) + ball_radius))
-    pace = barrier(
+    place_rounding = barrier(
+        4 * UNIT_ROUNDOFF * barrier(sum(map(absolute, position)) + ball_radius)
+    )
+    velocity_rounding = barrier(
         4
         * UNIT_ROUNDOFF
         * barrier(sum(map(absolute, velocity)) + ball_radius * barrier(sum(map(absolute, spin))))
     )
-    off = barrier(pace + missed)
-    roundings = (barrier(place + missed * stride),) * 3 + (off,) * 3 + (off / ball_radius,) * 3
+    off = barrier(velocity_rounding + missed)
+    roundings = (
+        (barrier(place_rounding + missed * stride),) * 3 + (off,) * 3 + (off / ball_radius,) * 3
+    )
     outputs = {}
     for s, d, unit in zip(_STATES, _ERRORS, roundings, strict=True):
         change = barrier(barrier(sp.Symbol(f"far_{s}", real=True) - s) / scale)

@@ -135,7 +135,7 @@ def _step(
     yield from _on_held(common, holders, "normal", "rolling_surface")
     yield Call(common["roll_start"])
     yield from _series(common)
-    yield Call(common["roll_pace"])
+    yield Call(common["roll_step"])
     yield from _friction_limit(common, tuple(_friction(common, holders)))
     yield Call(common["leaving_force"])
     for surface in contacts:
@@ -217,7 +217,7 @@ def _ring_step(
     yield Call(common["error_bounds"])
     yield _part(ring, "rolling_surface")
     yield from series({})
-    yield _part(ring, "round_pace")
+    yield _part(ring, "round_step")
     friction_excess = given_as(Call(ring.law["grip_deficit"]), ring.law_sizes)
     yield from _friction_limit(common, (_part(ring, "round_pulled"), friction_excess))
     yield Call(common["leaving_force"])

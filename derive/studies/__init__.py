@@ -75,8 +75,8 @@ def study_kernels(scene: Scene, order: tuple[sp.Symbol, ...]) -> list[Kernel]:
             "Eq. 3, its derivative zero",
         ),
         kernel(
-            "sighted",
-            measures.sighted(),
+            "line_of_sight",
+            measures.line_of_sight(),
             order,
             "Distances of a point past the origin and to the left, seen from a place.",
             "components along and across the line of sight",

@@ -28,11 +28,6 @@ rise = sp.Symbol("rise", real=True)
 ARGUMENTS = (slope, entry, release_speed, reach, rise)
 
 
-def height_at_distance(gravity: sp.Expr) -> sp.Expr:
-    """Return h after the horizontal distance L: Eq. 3 with t = L / (v cos(angle))."""
-    return reach * slope - gravity * reach**2 * (1 + slope**2) / (2 * release_speed**2)
-
-
 def aimed_speed(gravity: sp.Expr) -> dict[str, sp.Expr]:
     """Return the speed through the point: v² = g L² (1 + s²) / (2 (L s - h)).
 

@@ -53,7 +53,7 @@ def apex(flight: Parabola) -> dict[str, sp.Expr]:
     }
 
 
-def sighted() -> dict[str, sp.Expr]:
+def line_of_sight() -> dict[str, sp.Expr]:
     """Return the distances of a point past the centre and to the left, as seen from the place."""
     x, y, _ = POSITION
     away = barrier(sp.sqrt(barrier(place_x**2 + place_y**2)))

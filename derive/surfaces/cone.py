@@ -29,11 +29,12 @@ from .directions import (
     perpendicular,
     squared_distance,
 )
-from .surface import Point, Surface, overlap, translated
+from .surface import Point, overlap, translated
+from .two_sided import TwoSided
 
 
 @dataclass(frozen=True)
-class Cone(Surface):
+class Cone(TwoSided):
     """One nappe of a cone, that to which its axis points.
 
     With d from the apex of the centres' cone to the ball's centre, and the vector u along the axis,
@@ -71,10 +72,6 @@ class Cone(Surface):
     def bounds(self) -> tuple[sp.Expr, ...]:
         """The bounds as lengths; the other nappe, on which the condition is zero, too, is none."""
         return tuple(map(as_length, (self._nappe, *self.limits)))
-
-    @property
-    def _side(self) -> int:
-        return -1 if self.inward else 1
 
     @property
     def _offset(self) -> list[sp.Expr]:

@@ -7,13 +7,13 @@ from dataclasses import dataclass
 import sympy as sp
 
 from ..symbolic.symbols import POSITION, position
-from .bounds import as_length
 from .rolling_surface import RollingSurface
-from .surface import Point, Surface, overlap, translated
+from .surface import Point, translated
+from .two_sided import Round
 
 
 @dataclass(frozen=True)
-class Cylinder(Surface):
+class Cylinder(Round):
     """The side of a cylinder, which ends where its bounds do.
 
     Attributes
@@ -44,15 +44,6 @@ class Cylinder(Surface):
         check_direction(self.name, self.direction)
 
     @property
-    def bounds(self) -> tuple[sp.Expr, ...]:
-        """The bounds as lengths."""
-        return tuple(map(as_length, self.limits))
-
-    @property
-    def _side(self) -> int:
-        return -1 if self.inward else 1
-
-    @property
     def _across(self) -> sp.Matrix:
         """The component of (x, y, z) across the axis."""
         return perpendicular_part(sp.Matrix(self.direction))
@@ -62,15 +53,8 @@ class Cylinder(Surface):
         return self._across.applyfunc(lambda component: translated(component, self.centre))
 
     @property
-    def distance(self) -> sp.Expr:
-        """The distance from the axis less the radius, or the negative of that from inside."""
-        away = sp.sqrt(sum(component**2 for component in self._offset))
-        return self._side * away - self._side * self.radius
-
-    @property
-    def reference_point(self) -> Point:
-        """A point of its axis."""
-        return self.centre
+    def _rho(self) -> sp.Expr:
+        return sp.sqrt(sum(component**2 for component in self._offset))
 
     @property
     def shape(self) -> sp.Expr:
@@ -89,19 +73,9 @@ class Cylinder(Surface):
         return not self.inward
 
     @property
-    def condition(self) -> sp.Expr:
-        """The shape, seen from the origin."""
-        return translated(self.shape, self.centre)
-
-    @property
     def normal(self) -> sp.Matrix:
         """The direction from the axis; the distance from it is r at a contact."""
         return self._offset * (self._side / self.radius)
-
-    @property
-    def curvature(self) -> sp.Expr:
-        """The curvature around the axis, 1/r; along it there is none."""
-        return 1 / self.radius
 
     @property
     def rolling_surface(self) -> RollingSurface | None:
@@ -110,18 +84,6 @@ class Cylinder(Surface):
             return None
         x, y, z = (sp.Integer(not u) for u in self.direction)
         return RollingSurface((x, y, z), self._side / self.radius)
-
-    @property
-    def max_concavity(self) -> sp.Expr:
-        """Zero outside; inside a bound on 1/rho down to half of rho."""
-        if not self.inward:
-            return sp.Integer(0)
-        return 2 / sp.sqrt(sum(component**2 for component in self._offset))
-
-    @property
-    def inside(self) -> tuple[sp.Expr, ...]:
-        """The distance, the thickness of a shell, and the bounds."""
-        return overlap(self.distance, self.limits, self.reach)
 
 
 def perpendicular_part(direction: sp.Matrix) -> sp.Matrix:

@@ -8,7 +8,6 @@ import sympy as sp
 
 from ..symbolic.conditionals import barrier
 from ..symbolic.symbols import POSITION
-from .bounds import as_length
 from .directions import (
     Direction,
     distance_from_axis,
@@ -16,11 +15,12 @@ from .directions import (
     squared_distance,
     squared_length,
 )
-from .surface import Point, Surface, overlap, translated
+from .surface import Point
+from .two_sided import Round
 
 
 @dataclass(frozen=True)
-class ObliqueCylinder(Surface):
+class ObliqueCylinder(Round):
     """The side of a cylinder, which ends where its bounds do.
 
     With d from a point of its axis to the ball's centre and the vector u along the axis, of length
@@ -51,28 +51,12 @@ class ObliqueCylinder(Surface):
     reach: sp.Expr | None = None
 
     @property
-    def bounds(self) -> tuple[sp.Expr, ...]:
-        """The bounds as lengths."""
-        return tuple(map(as_length, self.limits))
-
-    @property
-    def _side(self) -> int:
-        return -1 if self.inward else 1
-
-    @property
     def _offset(self) -> list[sp.Expr]:
         return [place - own for place, own in zip(POSITION, self.centre, strict=True)]
 
     @property
-    def distance(self) -> sp.Expr:
-        """The distance from the axis less the radius, or the negative of that from inside."""
-        away = distance_from_axis(self.direction, self._offset)
-        return self._side * away - self._side * self.radius
-
-    @property
-    def reference_point(self) -> Point:
-        """A point of its axis."""
-        return self.centre
+    def _rho(self) -> sp.Expr:
+        return distance_from_axis(self.direction, self._offset)
 
     @property
     def shape(self) -> sp.Expr:
@@ -81,29 +65,7 @@ class ObliqueCylinder(Surface):
         return self._side * width - self._side * self.radius**2 * squared_length(self.direction)
 
     @property
-    def condition(self) -> sp.Expr:
-        """The shape, seen from the origin."""
-        return translated(self.shape, self.centre)
-
-    @property
     def normal(self) -> sp.Matrix:
         """The direction from the axis; the distance from it is r at a contact."""
         per_radius = barrier(self._side / self.radius)
         return sp.Matrix([c * per_radius for c in perpendicular(self.direction, self._offset)])
-
-    @property
-    def curvature(self) -> sp.Expr:
-        """The curvature around the axis, 1/r; along it there is none."""
-        return 1 / self.radius
-
-    @property
-    def max_concavity(self) -> sp.Expr:
-        """Zero outside; inside a bound on 1/rho down to half of rho."""
-        if not self.inward:
-            return sp.Integer(0)
-        return 2 / distance_from_axis(self.direction, self._offset)
-
-    @property
-    def inside(self) -> tuple[sp.Expr, ...]:
-        """The distance, the thickness of a shell, and the bounds."""
-        return overlap(self.distance, self.limits, self.reach)

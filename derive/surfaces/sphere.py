@@ -7,13 +7,13 @@ from dataclasses import dataclass
 import sympy as sp
 
 from ..symbolic.symbols import POSITION, position
-from .bounds import as_length
 from .rolling_surface import RollingSurface
-from .surface import Point, Surface, overlap, translated
+from .surface import Point
+from .two_sided import Round
 
 
 @dataclass(frozen=True)
-class Sphere(Surface):
+class Sphere(Round):
     """A fixed sphere.
 
     Attributes
@@ -38,28 +38,12 @@ class Sphere(Surface):
     reach: sp.Expr | None = None
 
     @property
-    def bounds(self) -> tuple[sp.Expr, ...]:
-        """The bounds as lengths."""
-        return tuple(map(as_length, self.limits))
-
-    @property
-    def _side(self) -> int:
-        return -1 if self.inward else 1
-
-    @property
     def _offset(self) -> sp.Matrix:
         return position - sp.Matrix(self.centre)
 
     @property
-    def distance(self) -> sp.Expr:
-        """|p - c| - r, or r - |p - c| from inside."""
-        away = sp.sqrt(sum(component**2 for component in self._offset))
-        return self._side * away - self._side * self.radius
-
-    @property
-    def reference_point(self) -> Point:
-        """The centre."""
-        return self.centre
+    def _rho(self) -> sp.Expr:
+        return sp.sqrt(sum(component**2 for component in self._offset))
 
     @property
     def shape(self) -> sp.Expr:
@@ -77,34 +61,12 @@ class Sphere(Surface):
         return not self.inward
 
     @property
-    def condition(self) -> sp.Expr:
-        """|p - c|² - r², free of the root, or the negative of that from inside."""
-        return translated(self.shape, self.centre)
-
-    @property
     def normal(self) -> sp.Matrix:
         """The radial direction; |p - c| = r at a contact."""
         return self._offset * (self._side / self.radius)
-
-    @property
-    def curvature(self) -> sp.Expr:
-        """1/r."""
-        return 1 / self.radius
 
     @property
     def rolling_surface(self) -> RollingSurface | None:
         """The tube about its centre, if there are no bounds."""
         one = sp.Integer(1)
         return None if self.limits else RollingSurface((one, one, one), self._side / self.radius)
-
-    @property
-    def max_concavity(self) -> sp.Expr:
-        """Zero outside; inside a bound on 1/|p - c| down to half of it."""
-        if not self.inward:
-            return sp.Integer(0)
-        return 2 / sp.sqrt(sum(component**2 for component in self._offset))
-
-    @property
-    def inside(self) -> tuple[sp.Expr, ...]:
-        """The distance, the thickness of a shell, and the bounds."""
-        return overlap(self.distance, self.limits, self.reach)

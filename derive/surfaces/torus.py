@@ -121,10 +121,8 @@ def torus(
     direction: tuple[sp.Rational | int, ...],
     ring_radius: sp.Expr,
     reach: sp.Expr,
-    limits: tuple[sp.Expr, ...] = (),
 ) -> Surface:
     """Return a torus; about the origin and the z axis it is a `Ring`, whose search is faster."""
-    plain = not limits and all(sp.sympify(c) == 0 for c in (*centre, *direction[:2]))
-    if plain:
+    if all(sp.sympify(c) == 0 for c in (*centre, *direction[:2])):
         return Ring(name, ring_radius, reach)
-    return Torus(name, centre, direction, ring_radius, reach, limits)
+    return Torus(name, centre, direction, ring_radius, reach)

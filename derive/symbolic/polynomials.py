@@ -77,16 +77,6 @@ def derivative(coefficients: Sequence[sp.Expr]) -> Coefficients:
     return [k * c for k, c in enumerate(coefficients)][1:] or [sp.Integer(0)]
 
 
-def taylor(coefficients: Sequence[sp.Expr], start: sp.Expr) -> Coefficients:
-    """Return the coefficients of the expansion about `start` instead of zero."""
-    shifted = []
-    current = list(coefficients)
-    for k in range(len(coefficients)):
-        shifted.append(horner(current, start) / sp.factorial(k))
-        current = derivative(current)
-    return shifted
-
-
 def bernstein(coefficients: Sequence[sp.Expr], width: sp.Expr) -> Coefficients:
     """Return the Bernstein coefficients on [0, width]; the polynomial lies in their range."""
     degree = len(coefficients) - 1

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import sympy as sp
 
 from .conditionals import Barrier
-from .symbols import POSITION, UNIT_ROUNDOFF, VELOCITY
+from .symbols import UNIT_ROUNDOFF
 
 position_error, velocity_error = sp.symbols("position_error velocity_error", nonnegative=True)
 """Bounds on the error of each component of a computed position and velocity (`errors/`)."""
@@ -89,9 +89,3 @@ def _product(factors: list[Rounded]) -> Rounded:
         for i, factor in enumerate(factors)
     )
     return Rounded(magnitude, carried + (len(factors) - 1) * UNIT_ROUNDOFF * magnitude)
-
-
-def start_rounding() -> dict[sp.Expr, Rounded]:
-    """Return bounds for the state at the start of a flight: its size and its carried error."""
-    known = {symbol: Rounded(extent, position_error) for symbol in POSITION}
-    return known | {symbol: Rounded(speed, velocity_error) for symbol in VELOCITY}

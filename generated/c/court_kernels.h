@@ -1,6 +1,6 @@
 /* Kernels of the scene court, in C.
 
-   Generated from templates/c/kernels.h.j2, scene court, derivation 9310fbfb302f2836,
+   Generated from templates/c/kernels.h.j2, scene court, derivation 619087e8f0f74905,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -1604,10 +1604,10 @@ LANES(court_roll_placed)(V x, V y, V z, V nx, V ny, V nz, V vx, V vy, V vz, V ga
    the last terms of the series. 166 operations: 53 additions, 56 multiplications, 1 division, 4 square roots, 2 negations, 46 absolute values, 2 comparisons, 2 selections. */
 typedef struct {
     V stride, missed, strongest, fastest, force, force_rate, force_bend, friction_force_rate;
-} LANES(court_roll_pace_out);
+} LANES(court_roll_step_out);
 
-LANES_INLINE LANES(court_roll_pace_out)
-LANES(court_roll_pace)(V nx_8, V ny_8, V nz_0, V nz_1, V nz_2, V nz_3, V nz_4, V nz_5, V nz_6, V nz_7, V nz_8, V vx_0, V vx_1, V vx_2, V vx_3, V vx_4, V vx_5, V vx_6, V vx_7, V vx_8, V vy_0, V vy_1, V vy_2, V vy_3, V vy_4, V vy_5, V vy_6, V vy_7, V vy_8, V vz_0, V vz_1, V vz_2, V vz_3, V vz_4, V vz_5, V vz_6, V vz_7, V vz_8, V per_reach, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V turn_rate_6, V turn_rate_7, V turn_rate_8, V lift_0, V lift_1, V lift_2, V lift_3, V lift_4, V lift_5, V lift_6, V lift_7, V _c0, V _c1, V _c2)
+LANES_INLINE LANES(court_roll_step_out)
+LANES(court_roll_step)(V nx_8, V ny_8, V nz_0, V nz_1, V nz_2, V nz_3, V nz_4, V nz_5, V nz_6, V nz_7, V nz_8, V vx_0, V vx_1, V vx_2, V vx_3, V vx_4, V vx_5, V vx_6, V vx_7, V vx_8, V vy_0, V vy_1, V vy_2, V vy_3, V vy_4, V vy_5, V vy_6, V vy_7, V vy_8, V vz_0, V vz_1, V vz_2, V vz_3, V vz_4, V vz_5, V vz_6, V vz_7, V vz_8, V per_reach, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V turn_rate_6, V turn_rate_7, V turn_rate_8, V lift_0, V lift_1, V lift_2, V lift_3, V lift_4, V lift_5, V lift_6, V lift_7, V _c0, V _c1, V _c2)
 {
     const V _s0 = lanes_add(lanes_add(lanes_add(lanes_abs(vx_0), lanes_abs(vy_0)), lanes_abs(vz_0)), lanes_abs(turn_rate_0));
     const V _s1 = lanes_add(_c1, _s0);
@@ -1636,7 +1636,7 @@ LANES(court_roll_pace)(V nx_8, V ny_8, V nz_0, V nz_1, V nz_2, V nz_3, V nz_4, V
     const V _s24 = lanes_mul(lanes_mul(K(30.0), lanes_abs(lanes_add(lift_6, lanes_mul(lanes_mul(_c0, nz_6), _c2)))), _s14);
     const V _s25 = lanes_mul(lanes_mul(K(42.0), lanes_abs(lanes_add(lift_7, lanes_mul(lanes_mul(_c0, nz_7), _c2)))), _s16);
     const V _s26 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s21, _s22), _s23), _s24), _s25), lanes_mul(K(2.0), lanes_abs(lanes_add(lift_2, lanes_mul(lanes_mul(_c0, nz_2), _c2)))));
-    return (LANES(court_roll_pace_out)){ _s8, lanes_mul(K(1.7763568394002505e-15), _s1), _s19, lanes_add(lanes_mul(_s19, _s8), _s0), lanes_add(lift_0, lanes_mul(lanes_mul(_c0, nz_0), _c2)), lanes_add(lift_1, lanes_mul(_s20, _c2)), _s26, lanes_neg(lanes_mul(lanes_mul(K(2.0), lanes_neg(_s20)), _c2)) };
+    return (LANES(court_roll_step_out)){ _s8, lanes_mul(K(1.7763568394002505e-15), _s1), _s19, lanes_add(lanes_mul(_s19, _s8), _s0), lanes_add(lift_0, lanes_mul(lanes_mul(_c0, nz_0), _c2)), lanes_add(lift_1, lanes_mul(_s20, _c2)), _s26, lanes_neg(lanes_mul(lanes_mul(K(2.0), lanes_neg(_s20)), _c2)) };
 }
 
 /* Spin about the normal, times the ball's radius.
@@ -3227,10 +3227,10 @@ LANES(court_ring_round_moved)(V t, V turn_rate_0, V turn_rate_1, V turn_rate_2, 
    Routh's equations. 322 operations: 94 additions, 5 subtractions, 164 multiplications, 2 divisions, 7 square roots, 1 negation, 45 absolute values, 2 comparisons, 2 selections. */
 typedef struct {
     V stride, missed, strongest, fastest, section_acceleration, force, force_rate, force_bend, friction_force_rate, vx_1, vy_1, vz_1;
-} LANES(court_ring_round_pace_out);
+} LANES(court_ring_round_step_out);
 
-LANES_INLINE LANES(court_ring_round_pace_out)
-LANES(court_ring_round_pace)(V per_reach, V turn_rate_0, V turn_rate_11, V turn_rate_12, V climb_0, V climb_1, V climb_2, V climb_3, V climb_4, V climb_5, V climb_6, V climb_7, V climb_8, V climb_9, V climb_10, V climb_11, V climb_12, V cosine_0, V cosine_12, V sine_0, V sine_12, V along_0, V along_1, V along_2, V along_3, V along_4, V along_5, V along_6, V along_7, V along_8, V along_9, V along_10, V along_11, V along_12, V cos_0, V sin_0, V omega_0, V omega_1, V omega_2, V omega_3, V omega_4, V omega_5, V omega_6, V omega_7, V omega_8, V omega_9, V omega_10, V omega_11, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5, V _c6)
+LANES_INLINE LANES(court_ring_round_step_out)
+LANES(court_ring_round_step)(V per_reach, V turn_rate_0, V turn_rate_11, V turn_rate_12, V climb_0, V climb_1, V climb_2, V climb_3, V climb_4, V climb_5, V climb_6, V climb_7, V climb_8, V climb_9, V climb_10, V climb_11, V climb_12, V cosine_0, V cosine_12, V sine_0, V sine_12, V along_0, V along_1, V along_2, V along_3, V along_4, V along_5, V along_6, V along_7, V along_8, V along_9, V along_10, V along_11, V along_12, V cos_0, V sin_0, V omega_0, V omega_1, V omega_2, V omega_3, V omega_4, V omega_5, V omega_6, V omega_7, V omega_8, V omega_9, V omega_10, V omega_11, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5, V _c6)
 {
     const V _s0 = lanes_abs(climb_0);
     const V _s1 = lanes_abs(along_0);
@@ -3318,7 +3318,7 @@ LANES(court_ring_round_pace)(V per_reach, V turn_rate_0, V turn_rate_11, V turn_
     const V _s83 = lanes_add(lanes_mul(lanes_add(lanes_mul(_c5, _s80), lanes_mul(_s37, lanes_add(lanes_mul(_s81, _s82), lanes_mul(_c3, _s79)))), _s37), lanes_mul(_s33, lanes_add(lanes_mul(_s81, _s79), lanes_mul(_c3, _s82))));
     const V _s84 = lanes_neg(lanes_add(lanes_add(lanes_mul(cosine_0, _s73), _s74), lanes_mul(lanes_mul(climb_1, sine_0), _c2)));
     const V _s85 = lanes_sub(along_1, lanes_mul(omega_0, lanes_mul(lanes_mul(climb_0, sine_0), _c2)));
-    return (LANES(court_ring_round_pace_out)){ _s19, lanes_mul(K(5.684341886080802e-14), _s3), lanes_add(_s38, lanes_add(lanes_mul(_s53, _s68), _s72)), _s68, _s38, lanes_sub(lanes_sub(lanes_mul(_c0, sine_0), _s73), lanes_mul(cosine_0, _s74)), lanes_mul(climb_0, lanes_add(lanes_mul(cosine_0, _c3), lanes_mul(sine_0, lanes_mul(_c4, _s10)))), _s83, lanes_mul(_c6, lanes_mul(climb_0, cosine_0)), lanes_sub(lanes_mul(cos_0, _s84), lanes_mul(sin_0, _s85)), lanes_add(lanes_mul(cos_0, _s85), lanes_mul(sin_0, _s84)), lanes_sub(lanes_mul(lanes_mul(climb_1, cosine_0), _c2), lanes_mul(sine_0, _s73)) };
+    return (LANES(court_ring_round_step_out)){ _s19, lanes_mul(K(5.684341886080802e-14), _s3), lanes_add(_s38, lanes_add(lanes_mul(_s53, _s68), _s72)), _s68, _s38, lanes_sub(lanes_sub(lanes_mul(_c0, sine_0), _s73), lanes_mul(cosine_0, _s74)), lanes_mul(climb_0, lanes_add(lanes_mul(cosine_0, _c3), lanes_mul(sine_0, lanes_mul(_c4, _s10)))), _s83, lanes_mul(_c6, lanes_mul(climb_0, cosine_0)), lanes_sub(lanes_mul(cos_0, _s84), lanes_mul(sin_0, _s85)), lanes_add(lanes_mul(cos_0, _s85), lanes_mul(sin_0, _s84)), lanes_sub(lanes_mul(lanes_mul(climb_1, cosine_0), _c2), lanes_mul(sine_0, _s73)) };
 }
 
 /* Square of the friction that rolling on the ring takes, and its rate.

@@ -1,6 +1,6 @@
 /* The event loop of the scene court, with or without bounds on errors.
 
-   Generated from templates/c/loop.h.j2, scene court, derivation 9310fbfb302f2836,
+   Generated from templates/c/loop.h.j2, scene court, derivation 619087e8f0f74905,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by court_engine.h twice, BOUNDED being 1 where errors are bounded, else 0. The path is
@@ -1931,11 +1931,11 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
             EACH(GET, _roll_6_1, turn_rate_7)
             CALL(court_roll_7, _roll_7_1)(nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, nx_7, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, ny_7, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, nz_7, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, lift_6, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, tx_6, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, ty_6, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, tz_6, FIXED(21), FIXED(126), FIXED(110));
             EACH(GET, _roll_7_1, lift_7, vx_8, vy_8, vz_8, nx_8, ny_8, nz_8, turn_rate_8)
-            CALL(court_roll_pace, _roll_pace_1)(nx_8, ny_8, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, nz_7, nz_8, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vx_8, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vy_8, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, vz_8, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, lift_6, lift_7, FIXED(21), FIXED(128), FIXED(110));
-            EACH(GET, _roll_pace_1, stride, strongest, fastest, force, force_rate, force_bend)
-            EACH(GET, _roll_pace_1, friction_force_rate)
+            CALL(court_roll_step, _roll_step_1)(nx_8, ny_8, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, nz_7, nz_8, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vx_8, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vy_8, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, vz_8, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, lift_6, lift_7, FIXED(21), FIXED(128), FIXED(110));
+            EACH(GET, _roll_step_1, stride, strongest, fastest, force, force_rate, force_bend)
+            EACH(GET, _roll_step_1, friction_force_rate)
 #if BOUNDED
-            EACH(GET, _roll_pace_1, missed)
+            EACH(GET, _roll_step_1, missed)
             CALL(court_ring_friction, _ring_friction_1)(nx_0, nx_1, ny_0, ny_1, nz_0, nz_1, turn_rate_0, turn_rate_1, tx_0, tx_1, ty_0, ty_1, tz_0, tz_1, FIXED(21), FIXED(110));
             EACH(GET, _ring_friction_1, rolling_friction, rolling_friction_rate, grip_deficit)
             EACH(GET, _ring_friction_1, grip_deficit_rate)
@@ -2560,12 +2560,12 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
             CALL(court_ring_round_11, _ring_round_11_1)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, turn_rate_10, turn_rate_11, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, climb_11, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, cosine_10, cosine_11, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, sine_10, sine_11, along_11, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, omega_10, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, around_10, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, tilted_10, tilted_11, FIXED(21), FIXED(133), FIXED(126), FIXED(110), FIXED(148), FIXED(137));
             EACH(GET, _ring_round_11_1, omega_11, cosine_12, sine_12, climb_12, along_12)
             EACH(GET, _ring_round_11_1, turn_rate_12)
-            CALL(court_ring_round_pace, _ring_round_pace_1)(per_reach, turn_rate_0, turn_rate_11, turn_rate_12, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, climb_11, climb_12, cosine_0, cosine_12, sine_0, sine_12, along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, along_10, along_11, along_12, cos_0, sin_0, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, omega_10, omega_11, FIXED(21), FIXED(128), FIXED(133), FIXED(149), FIXED(150), FIXED(151), FIXED(152));
-            EACH(GET, _ring_round_pace_1, stride, strongest, fastest, section_acceleration, force)
-            EACH(GET, _ring_round_pace_1, force_rate, force_bend, friction_force_rate, vx_1, vy_1)
-            EACH(GET, _ring_round_pace_1, vz_1)
+            CALL(court_ring_round_step, _ring_round_step_1)(per_reach, turn_rate_0, turn_rate_11, turn_rate_12, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, climb_11, climb_12, cosine_0, cosine_12, sine_0, sine_12, along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, along_10, along_11, along_12, cos_0, sin_0, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, omega_10, omega_11, FIXED(21), FIXED(128), FIXED(133), FIXED(149), FIXED(150), FIXED(151), FIXED(152));
+            EACH(GET, _ring_round_step_1, stride, strongest, fastest, section_acceleration, force)
+            EACH(GET, _ring_round_step_1, force_rate, force_bend, friction_force_rate, vx_1, vy_1)
+            EACH(GET, _ring_round_step_1, vz_1)
 #if BOUNDED
-            EACH(GET, _ring_round_pace_1, missed)
+            EACH(GET, _ring_round_step_1, missed)
             CALL(court_ring_round_pulled, _ring_round_pulled_1)(turn_rate_0, turn_rate_1, climb_0, climb_1, cosine_0, cosine_1, omega_0, omega_1, FIXED(21), FIXED(110));
             EACH(GET, _ring_round_pulled_1, rolling_friction, rolling_friction_rate)
             CALL(court_ring_impact_grip_deficit, _ring_impact_grip_deficit_1)(rolling_friction, rolling_friction_rate, force, force_rate, FIXED(153));

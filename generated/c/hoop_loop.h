@@ -1,6 +1,6 @@
 /* The event loop of the scene hoop, with or without bounds on errors.
 
-   Generated from templates/c/loop.h.j2, scene hoop, derivation 13e08d3d3f950874,
+   Generated from templates/c/loop.h.j2, scene hoop, derivation 2c9762ba8a585e11,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by hoop_engine.h twice, BOUNDED being 1 where errors are bounded, else 0. The path is

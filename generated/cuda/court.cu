@@ -1,6 +1,6 @@
 /* The event loop of the scene court in CUDA: a thread takes one shot from its release to its end.
 
-   Generated from templates/cuda/scene.cu.j2, scene court, derivation 9310fbfb302f2836,
+   Generated from templates/cuda/scene.cu.j2, scene court, derivation 619087e8f0f74905,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    It needs no header. To give the bits of NumPy and C it is compiled with --fmad=false, --ftz=false,
@@ -1638,11 +1638,11 @@ static __device__ __forceinline__ kernel_roll_placed_out kernel_roll_placed(doub
 
 /* Length of a step of the series, bounds of the motion in it, and the normal force.
    the last terms of the series. 170 operations: 54 additions, 58 multiplications, 2 divisions, 4 square roots, 2 negations, 46 absolute values, 2 comparisons, 2 selections. */
-struct kernel_roll_pace_out {
+struct kernel_roll_step_out {
     double stride, missed, strongest, fastest, force, force_rate, force_bend, friction_force_rate;
 };
 
-static __device__ __forceinline__ kernel_roll_pace_out kernel_roll_pace(double p_gravity, double p_inertia, double nx_8, double ny_8, double nz_0, double nz_1, double nz_2, double nz_3, double nz_4, double nz_5, double nz_6, double nz_7, double nz_8, double vx_0, double vx_1, double vx_2, double vx_3, double vx_4, double vx_5, double vx_6, double vx_7, double vx_8, double vy_0, double vy_1, double vy_2, double vy_3, double vy_4, double vy_5, double vy_6, double vy_7, double vy_8, double vz_0, double vz_1, double vz_2, double vz_3, double vz_4, double vz_5, double vz_6, double vz_7, double vz_8, double per_reach, double turn_rate_0, double turn_rate_1, double turn_rate_2, double turn_rate_3, double turn_rate_4, double turn_rate_5, double turn_rate_6, double turn_rate_7, double turn_rate_8, double lift_0, double lift_1, double lift_2, double lift_3, double lift_4, double lift_5, double lift_6, double lift_7)
+static __device__ __forceinline__ kernel_roll_step_out kernel_roll_step(double p_gravity, double p_inertia, double nx_8, double ny_8, double nz_0, double nz_1, double nz_2, double nz_3, double nz_4, double nz_5, double nz_6, double nz_7, double nz_8, double vx_0, double vx_1, double vx_2, double vx_3, double vx_4, double vx_5, double vx_6, double vx_7, double vx_8, double vy_0, double vy_1, double vy_2, double vy_3, double vy_4, double vy_5, double vy_6, double vy_7, double vy_8, double vz_0, double vz_1, double vz_2, double vz_3, double vz_4, double vz_5, double vz_6, double vz_7, double vz_8, double per_reach, double turn_rate_0, double turn_rate_1, double turn_rate_2, double turn_rate_3, double turn_rate_4, double turn_rate_5, double turn_rate_6, double turn_rate_7, double turn_rate_8, double lift_0, double lift_1, double lift_2, double lift_3, double lift_4, double lift_5, double lift_6, double lift_7)
 {
     const double _s0 = ((fabs(vx_0) + fabs(vy_0)) + fabs(vz_0)) + fabs(turn_rate_0);
     const double _s1 = (0.015625 * p_gravity) + _s0;
@@ -3288,11 +3288,11 @@ static __device__ __forceinline__ kernel_ring_round_moved_out kernel_ring_round_
 
 /* Length of a step of the series, and bounds in it.
    Routh's equations. 334 operations: 96 additions, 6 subtractions, 172 multiplications, 3 divisions, 7 square roots, 1 negation, 45 absolute values, 2 comparisons, 2 selections. */
-struct kernel_ring_round_pace_out {
+struct kernel_ring_round_step_out {
     double stride, missed, strongest, fastest, section_acceleration, force, force_rate, force_bend, friction_force_rate, vx_1, vy_1, vz_1;
 };
 
-static __device__ __forceinline__ kernel_ring_round_pace_out kernel_ring_round_pace(double p_ball_radius, double p_gravity, double p_inertia, double p_ring_radius, double p_wire_radius, double per_reach, double turn_rate_0, double turn_rate_11, double turn_rate_12, double climb_0, double climb_1, double climb_2, double climb_3, double climb_4, double climb_5, double climb_6, double climb_7, double climb_8, double climb_9, double climb_10, double climb_11, double climb_12, double cosine_0, double cosine_12, double sine_0, double sine_12, double along_0, double along_1, double along_2, double along_3, double along_4, double along_5, double along_6, double along_7, double along_8, double along_9, double along_10, double along_11, double along_12, double cos_0, double sin_0, double omega_0, double omega_1, double omega_2, double omega_3, double omega_4, double omega_5, double omega_6, double omega_7, double omega_8, double omega_9, double omega_10, double omega_11)
+static __device__ __forceinline__ kernel_ring_round_step_out kernel_ring_round_step(double p_ball_radius, double p_gravity, double p_inertia, double p_ring_radius, double p_wire_radius, double per_reach, double turn_rate_0, double turn_rate_11, double turn_rate_12, double climb_0, double climb_1, double climb_2, double climb_3, double climb_4, double climb_5, double climb_6, double climb_7, double climb_8, double climb_9, double climb_10, double climb_11, double climb_12, double cosine_0, double cosine_12, double sine_0, double sine_12, double along_0, double along_1, double along_2, double along_3, double along_4, double along_5, double along_6, double along_7, double along_8, double along_9, double along_10, double along_11, double along_12, double cos_0, double sin_0, double omega_0, double omega_1, double omega_2, double omega_3, double omega_4, double omega_5, double omega_6, double omega_7, double omega_8, double omega_9, double omega_10, double omega_11)
 {
     const double _s0 = fabs(climb_0);
     const double _s1 = p_ball_radius + p_wire_radius;
@@ -6076,7 +6076,7 @@ static __device__ __forceinline__ void court_loop(
                 ny_8 = _o196.ny_8;
                 nz_8 = _o196.nz_8;
                 turn_rate_8 = _o196.turn_rate_8;
-                const kernel_roll_pace_out _o197 = kernel_roll_pace(p_gravity, p_inertia, nx_8, ny_8, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, nz_7, nz_8, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vx_8, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vy_8, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, vz_8, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, lift_6, lift_7);
+                const kernel_roll_step_out _o197 = kernel_roll_step(p_gravity, p_inertia, nx_8, ny_8, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, nz_7, nz_8, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vx_8, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vy_8, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, vz_8, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, lift_6, lift_7);
                 stride = _o197.stride;
                 strongest = _o197.strongest;
                 fastest = _o197.fastest;
@@ -6647,7 +6647,7 @@ static __device__ __forceinline__ void court_loop(
                 climb_12 = _o302.climb_12;
                 along_12 = _o302.along_12;
                 turn_rate_12 = _o302.turn_rate_12;
-                const kernel_ring_round_pace_out _o303 = kernel_ring_round_pace(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_11, turn_rate_12, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, climb_11, climb_12, cosine_0, cosine_12, sine_0, sine_12, along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, along_10, along_11, along_12, cos_0, sin_0, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, omega_10, omega_11);
+                const kernel_ring_round_step_out _o303 = kernel_ring_round_step(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_11, turn_rate_12, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, climb_11, climb_12, cosine_0, cosine_12, sine_0, sine_12, along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, along_10, along_11, along_12, cos_0, sin_0, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, omega_10, omega_11);
                 stride = _o303.stride;
                 strongest = _o303.strongest;
                 fastest = _o303.fastest;

@@ -1,6 +1,6 @@
 """NumPy kernels of the scene hoop.
 
-Generated from templates/numpy/kernels.py.j2, scene hoop, derivation 13e08d3d3f950874,
+Generated from templates/numpy/kernels.py.j2, scene hoop, derivation 2c9762ba8a585e11,
 with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
 and run `make generate`.
 Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
@@ -392,7 +392,7 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "slopes_of_speed": ("low", "high",),
     "descent": ("time", "vz",),
     "apex": ("time", "height",),
-    "sighted": ("past", "left",),
+    "line_of_sight": ("past", "left",),
     "ring_nearness": ("gap", "rate", "lower", "concavity", "resolution",),
 }
 """Names of each kernel's outputs."""
@@ -2439,7 +2439,7 @@ def apex(z: Any, vz: Any, p_gravity: Any) -> tuple[Any, ...]:
     return _where(_s0, (vz / p_gravity), 0.0), _where(_s0, (z + ((0.5 * (vz * vz)) / p_gravity)), z)
 
 
-def sighted(x: Any, y: Any, place_x: Any, place_y: Any) -> tuple[Any, ...]:
+def line_of_sight(x: Any, y: Any, place_x: Any, place_y: Any) -> tuple[Any, ...]:
     """Distances of a point past the origin and to the left, seen from a place.
 
     components along and across the line of sight. 13 operations: 2 additions, 1 subtraction, 6 multiplications, 2 divisions, 1 square root, 1 negation.

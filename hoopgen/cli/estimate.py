@@ -16,7 +16,7 @@ from hoopgen.study.questions.specification import CompareQuestion, EstimateQuest
 from hoopgen.text.shorten import join_names
 
 from .command import ARGUMENTS, command
-from .invalid import warn_invalid
+from .invalid_warnings import warn_invalid
 from .messages import echo_json, echo_lines, examples, shown
 from .options import UNITS_IN_WORDS, json_option, picture_option, units_option
 from .question_options import check_caught, question_options

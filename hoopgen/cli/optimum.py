@@ -10,7 +10,7 @@ import click
 
 import hoopgen
 from hoopgen.scene.lookup import check_hoop
-from hoopgen.study.questions.settings import WAYS
+from hoopgen.study.questions.settings import SUCCESSES
 from hoopgen.study.questions.specification import OptimumQuestion
 
 from .command import command
@@ -44,7 +44,7 @@ _AIMING = ("speed", "aim", "azimuth")
 @question_options(OptimumQuestion)
 @click.option(
     "--versus",
-    type=click.Choice(WAYS),
+    type=click.Choice(SUCCESSES),
     help="Also find the best shot of this kind, aimed within the usual range, and print which is "
     "better.",
 )

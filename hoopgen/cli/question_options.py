@@ -45,11 +45,11 @@ _WITH_DEFAULT = (values.Choice, values.Quantity, values.Share, values.Text, valu
 """Kinds of values whose defaults an option shows; of others the command has one."""
 
 
-class _Way(Choice):
-    """A way in; with ``--scene`` an end of that scene, which is known when it is compiled."""
+class _Success(Choice):
+    """The shots that count; with ``--scene`` an end of that scene, known when it is compiled."""
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
-        """Return the way or the end of the scene."""
+        """Return the kind of shots, or the end of the scene."""
         scene = None if ctx is None else ctx.meta.get(SCENE)
         own = scene is not None and not getattr(scene, "has_hoop", False)
         return value if own else super().convert(value, param, ctx)
@@ -138,7 +138,7 @@ def _attributes(name: str, setting: Setting, default: Any) -> dict[str, Any]:
 
 def _type(name: str, value: Value) -> Any:
     if isinstance(value, values.Choice):
-        kind = _Way if isinstance(value, values.Way) else click.Choice
+        kind = _Success if isinstance(value, values.Success) else click.Choice
         return kind(list(value.allowed), case_sensitive=False)
     if isinstance(value, values.Quantity):
         return quantity(value.kind, name)

@@ -44,7 +44,7 @@ if TYPE_CHECKING:
     from hoopgen.study.models.fitted_scatter import FittedScatter, FittedScatters
     from hoopgen.study.models.resample import Resample
     from hoopgen.study.models.scatter import Scatter
-    from hoopgen.study.tables.invalid import InvalidRows
+    from hoopgen.study.tables.invalid_rows import InvalidRows
     from hoopgen.study.tables.reading import Interpreted, ReadingOptions
 
 _ALTERNATIVES: Mapping[str, tuple[str, ...]] = {

@@ -30,7 +30,7 @@ def simulation_options(
     a line says which is assumed, for stderr when the work is done; else it is empty.
     """
     from hoopgen.report.provenance import describe_scene
-    from hoopgen.study.tables.provenance import OtherScene, names_scene, origin_of
+    from hoopgen.study.tables.provenance import OtherScene, names_hoop, origin_of
 
     context = click.get_current_context()
     settings = dict(context.params["settings"])
@@ -48,7 +48,7 @@ def simulation_options(
         base = origin.parameters if origin else engine.parameters
     parameters = {**base, **settings} if preset or settings else None
     assumption = ""
-    if engine.is_hoop and not preset and not (origin or names_scene(source, reading.own)):
+    if engine.is_hoop and not preset and not (origin or names_hoop(source, reading.own)):
         scene = describe_scene(engine, parameters or engine.parameters)
         text = f"{file.name} names no scene: {scene} is assumed; --preset names another"
         assumption = f"hoopgen: {printable(text)}"

@@ -18,7 +18,7 @@ from hoopgen.study.questions.specification import FanQuestion, LandingsQuestion
 from hoopgen.text.numbers import format_count, format_percent, format_uncertain
 
 from .command import command
-from .invalid import warn_invalid_shots
+from .invalid_warnings import warn_invalid_shots
 from .messages import echo_json, examples
 from .options import UNITS_IN_WORDS, json_option, picture_option, units_option
 from .question_options import question_options

@@ -11,8 +11,10 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from importlib import resources
 from importlib.resources.abc import Traversable
-from typing import Any, Protocol
+from itertools import groupby
+from typing import Any, ClassVar, Protocol
 
+from hoopgen.derive.ir.kernel import Kind
 from hoopgen.derive.model import Model
 from hoopgen.derive.state.fields import ResultField
 
@@ -72,6 +74,8 @@ class KernelView:
     """A view of a kernel for templates."""
 
     program: Program
+    types: ClassVar[Mapping[Kind, str]]
+    """The types of outputs, in languages like C."""
 
     @property
     def name(self) -> str:
@@ -82,6 +86,14 @@ class KernelView:
     def arguments(self) -> list[str]:
         """The names of its arguments, in calling order."""
         return [identifier(symbol) for symbol in self.program.kernel.arguments]
+
+    @property
+    def outputs(self) -> list[tuple[str, list[str]]]:
+        """Type and names of the outputs that follow one another and have the same type."""
+        kernel = self.program.kernel
+        pairs = zip(kernel.kinds, kernel.output_names, strict=True)
+        alike = groupby(pairs, lambda pair: pair[0])
+        return [(self.types[kind], [name for _, name in own]) for kind, own in alike]
 
     @property
     def output_names(self) -> tuple[str, ...]:

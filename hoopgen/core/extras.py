@@ -12,7 +12,15 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import Any
 
-__all__ = ["EXTRAS", "MissingExtra", "checkout", "explain_import_error", "require", "version"]
+__all__ = [
+    "EXTRAS",
+    "MissingExtra",
+    "checkout",
+    "explain_import_error",
+    "install_command",
+    "require",
+    "version",
+]
 
 EXTRAS: Mapping[str, str] = MappingProxyType(
     {
@@ -98,17 +106,33 @@ def explain_import_error(error: ImportError, what: str = "this", extra: str = ""
     missing = (error.name or "").partition(".")[0]
     if isinstance(error, MissingExtra) or missing not in EXTRAS:
         return error
-    command = _command(missing, extra or EXTRAS[missing])
+    command = install_command(missing, extra or EXTRAS[missing], checkout(), _installed())
     return MissingExtra(f"{what} needs {missing}: {command}", name=error.name)
 
 
-def _command(missing: str, extra: str) -> str:
-    """Return the command that installs a module; no index needs to have hoopgen."""
-    root = checkout()
+def install_command(
+    missing: str, extra: str, root: Path | None, installed: Distribution | None
+) -> str:
+    """Return the command that installs a module; no index needs to have hoopgen.
+
+    Parameters
+    ----------
+    missing, extra
+        The module and the extra that brings it; empty where its name does.
+    root
+        The checkout from which hoopgen runs; None if it is installed.
+    installed
+        The installation, if there is one: its requirements, and whether it is editable (PEP 610).
+    """
     if root is not None and extra:
-        option = "-e " if _is_editable() else ""
+        url = json.loads((installed and installed.read_text("direct_url.json")) or "{}")
+        option = "-e " if url.get("dir_info", {}).get("editable") else ""
         return f"pip install {option}{shlex.quote(f'{root}[{extra}]')}"
-    return f"pip install {' '.join(map(shlex.quote, _requirements(extra) or [missing]))}"
+    # All requirements of the extra, since some may be too old.
+    lines = [line.partition(";") for line in (installed and installed.requires) or []]
+    of_extra = re.compile(rf"""\bextra\s*==\s*["']{re.escape(extra)}["']""")
+    needed = [name.strip() for name, _, marker in lines if extra and of_extra.search(marker)]
+    return f"pip install {' '.join(map(shlex.quote, needed or [missing]))}"
 
 
 def _installed() -> Distribution | None:
@@ -116,18 +140,3 @@ def _installed() -> Distribution | None:
         return distribution("hoopgen")
     except PackageNotFoundError:
         return None
-
-
-def _is_editable() -> bool:
-    """Return whether hoopgen is an editable installation (PEP 610)."""
-    there = _installed()
-    told = json.loads((there and there.read_text("direct_url.json")) or "{}")
-    return bool(told.get("dir_info", {}).get("editable"))
-
-
-def _requirements(extra: str) -> list[str]:
-    """Return all requirements of an extra as pip takes them, since some may be too old."""
-    there = _installed()
-    asked = [line.partition(";") for line in (there and there.requires) or []]
-    of_extra = re.compile(rf"""\bextra\s*==\s*["']{re.escape(extra)}["']""")
-    return [asks.strip() for asks, _, marker in asked if extra and of_extra.search(marker)]

@@ -109,13 +109,16 @@ class Library:
 
 
 @cache
-def library() -> Library | None:
-    """Return the compiled functions; None if they were not built, or give other bits than NumPy."""
+def library(sources: Path | None = None) -> Library | None:
+    """Return the compiled functions; None if they were not built, or give other bits than NumPy.
+
+    They are of the C sources in a folder, by default that of the generated module.
+    """
     try:
         found = Library(Path(__file__).with_name("_elementary.so"))
     except (OSError, AttributeError):
         return None
-    sources = Path(str(generated.__file__)).parents[1] / "c"
+    sources = sources or Path(str(generated.__file__)).parents[1] / "c"
     if c_build.source_digest(sources, "elementary") not in ("", found.sources):
         return None
     with found.default_environment():

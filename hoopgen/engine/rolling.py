@@ -112,7 +112,7 @@ class Roll:
             f"{body}_rolling_surface",
             f"{series}_start",
             *(f"{series}_{k}" for k in range(order)),
-            f"{series}_pace",
+            f"{series}_step",
             *seams,
         ]
         back = [] if on_ring else [f"{body}_normal", f"{body}_distance", "roll_placed"]

@@ -45,7 +45,7 @@ MAX_IDLE_POOLS = 2
 """Largest number of idle pools of one size. Batches that run at the same time use one each."""
 
 
-def take(threads: int) -> Executor:
+def acquire_pool(threads: int) -> Executor:
     """Return an unused pool of so many threads, as `executor` gives it."""
     try:
         return _IDLE.setdefault(threads, []).pop()
@@ -53,7 +53,7 @@ def take(threads: int) -> Executor:
         return executor(threads)
 
 
-def leave(pool: Executor, threads: int) -> None:
+def return_pool(pool: Executor, threads: int) -> None:
     """Return an idle pool for the next batch.
 
     Parameters

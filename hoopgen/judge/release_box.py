@@ -45,8 +45,6 @@ ROUNDINGS = arb(2) ** -44
 """Share by which each component of a state is widened, and at least so much: `release` in doubles
 computes it from a few sums, products, sines and cosines, each off by a few times 2^-53."""
 
-_LEAST_SIZE = 2.0**-44
-
 Ending: TypeAlias = tuple[int, tuple[int, ...]]
 """The outcome, and the bodies met in order, the end included."""
 

@@ -125,7 +125,7 @@ def first_arrival(coefficients: Sequence[arb], end: arb) -> Arrival | None:
     boxes = [(arb(0), end)]
     while boxes:
         low, high = boxes.pop()
-        fewest, most = _variations(polynomial, degree, low, high - low)
+        fewest, most = sign_variations(polynomial, degree, low, high - low)
         if most == 0:
             continue
         if fewest == most == 1:
@@ -137,27 +137,18 @@ def first_arrival(coefficients: Sequence[arb], end: arb) -> Arrival | None:
     return None
 
 
-def positive_within(polynomial: arb_poly, degree: int, low: arb, width: arb) -> bool:
-    """Return True if the polynomial certainly is positive within the open box.
+def sign_variations(polynomial: arb_poly, degree: int, low: arb, width: arb) -> tuple[int, int]:
+    """Return the fewest and the most sign changes of the polynomial mapped from the box.
+
+    No root lies in the open box if there is none, exactly one if there is exactly one. With none
+    the polynomial is positive there.
 
     Parameters
     ----------
-    polynomial
-        The polynomial.
-    degree
-        Its degree.
-    low
-        The lower end of the box.
-    width
-        The width of the box.
-    """
-    return _variations(polynomial, degree, low, width)[1] == 0
-
-
-def _variations(polynomial: arb_poly, degree: int, low: arb, width: arb) -> tuple[int, int]:
-    """Return the fewest and the most sign changes of the polynomial mapped from the box.
-
-    No root lies in the open box if there is none, exactly one if there is exactly one.
+    polynomial, degree
+        The polynomial and its degree.
+    low, width
+        The lower end of the box and its width.
     """
     local = polynomial(arb_poly([low, width])).coeffs()
     local += [arb(0)] * (degree + 1 - len(local))

@@ -198,7 +198,7 @@ class Film:
             *describe_shot(trajectory, parameters),
             f"Shown {_describe_speed(self.speed)}.",
         ]
-        panels = _arrange(drawing, description)
+        panels = _arrange(drawing)
         still = _draw_background(panels, drawing, description)
         size = still.get_size_inches().tolist()
         self.figure = Figure(figsize=(size[0], size[1]), dpi=_DPI, frameon=False)
@@ -338,7 +338,7 @@ def _describe_speed(speed: float) -> str:
     return f"{speed:g} times as fast as it is" if speed > 1.0 else f"{1.0 / speed:.4g} times slower"
 
 
-def _arrange(drawing: Drawing, description: list[str]) -> list[Panel]:
+def _arrange(drawing: Drawing) -> list[Panel]:
     """Place the view that shows most and, if it shows more, the other below it."""
     flat = drawing.scenery.is_in_plane(drawing.path)
     shown = drawing.views[:1] if flat else drawing.views

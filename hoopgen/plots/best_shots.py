@@ -9,7 +9,6 @@ import matplotlib
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.colors import Normalize
-from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
 from matplotlib.patheffects import withStroke
 
@@ -17,7 +16,7 @@ from hoopgen.core.units import DEGREE, display_unit
 from hoopgen.hoop.court_lines import find_court
 from hoopgen.study.questions.best_shots_result import describe_best_shots
 
-from .figure import Picture, add_title, draw_picture, fit_view
+from .figure import add_title, draw_picture, fit_view
 from .floor_plan import FLOOR, draw_floor, on_floor
 from .style import DARK, PAGE, POINTS_PER_INCH, SHARE_COLOURS
 
@@ -60,13 +59,7 @@ def plot_best_shots(dataset: xr.Dataset, *, title: str = "", ax: Drawn | None = 
     TypeError
         If `ax` is not axes.
     """
-    return draw_picture(ax, lambda: _page(dataset, title), lambda axes: _draw(dataset, title, axes))
-
-
-def _page(dataset: xr.Dataset, title: str) -> Figure:
-    figure = Picture(figsize=(PAGE, _HEIGHT), layout="constrained")
-    _draw(dataset, title, figure.add_subplot())
-    return figure
+    return draw_picture(ax, (PAGE, _HEIGHT), lambda axes: _draw(dataset, title, axes))
 
 
 def _draw(dataset: xr.Dataset, title: str, axes: Axes) -> None:

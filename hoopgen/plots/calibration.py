@@ -5,11 +5,10 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from matplotlib.axes import Axes
-from matplotlib.figure import Figure
 
 from hoopgen.text.numbers import format_percent
 
-from .figure import Picture, draw_picture
+from .figure import draw_picture
 from .style import COLOURS, COLUMN, INK
 
 if TYPE_CHECKING:
@@ -44,13 +43,7 @@ def plot_calibration(found: Assessment, *, title: str = "", ax: Drawn | None = N
     TypeError
         If `ax` is not axes.
     """
-    return draw_picture(ax, lambda: _page(found, title), lambda axes: _draw(found, title, axes))
-
-
-def _page(found: Assessment, title: str) -> Figure:
-    figure = Picture(figsize=(COLUMN, COLUMN), layout="constrained")
-    _draw(found, title, figure.add_subplot())
-    return figure
+    return draw_picture(ax, (COLUMN, COLUMN), lambda axes: _draw(found, title, axes))
 
 
 def _draw(found: Assessment, title: str, axes: Axes) -> None:

@@ -5,12 +5,11 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from matplotlib.axes import Axes
-from matplotlib.figure import Figure
 
 from hoopgen.study.questions.coach_result import Advice, Coaching, say
 from hoopgen.text.numbers import format_percent
 
-from .figure import Picture, draw_picture
+from .figure import draw_picture
 from .style import COLOURS, INK, PAGE
 
 if TYPE_CHECKING:
@@ -41,14 +40,8 @@ def plot_coach(found: Coaching, *, title: str = "", ax: Drawn | None = None) -> 
     TypeError
         If `ax` is not axes.
     """
-    return draw_picture(ax, lambda: _page(found, title), lambda axes: _draw(found, title, axes))
-
-
-def _page(found: Coaching, title: str) -> Figure:
-    rows = len(found.spreads) + len(found.habits)
-    figure = Picture(figsize=(PAGE, 0.9 + 0.32 * rows), layout="constrained")
-    _draw(found, title, figure.add_subplot())
-    return figure
+    height = 0.9 + 0.32 * (len(found.spreads) + len(found.habits))
+    return draw_picture(ax, (PAGE, height), lambda axes: _draw(found, title, axes))
 
 
 def _draw(found: Coaching, title: str, axes: Axes) -> None:

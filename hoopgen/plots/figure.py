@@ -38,7 +38,11 @@ class Picture(Figure):
             return out.getvalue(), {"width": width, "height": height}
 
 
-def draw_picture(ax: Drawn | None, page: Callable[[], Figure], on: Callable[[Axes], None]) -> Drawn:
+def draw_picture(
+    ax: Drawn | None,
+    page: Callable[[], Figure] | tuple[float, float],
+    on: Callable[[Axes], None],
+) -> Drawn:
     """Draw a picture on given axes and return them; without any, return a page of its own.
 
     Parameters
@@ -46,7 +50,7 @@ def draw_picture(ax: Drawn | None, page: Callable[[], Figure], on: Callable[[Axe
     ax
         The axes; None for a page.
     page
-        Draws the page.
+        Draws the page; or the size, in inches, of one that has nothing but these axes.
     on
         Draws on axes.
 
@@ -57,7 +61,9 @@ def draw_picture(ax: Drawn | None, page: Callable[[], Figure], on: Callable[[Axe
     """
     with style():
         if ax is None:
-            drawn: Any = page()
+            drawn: Any = page() if callable(page) else Picture(figsize=page, layout="constrained")
+            if not callable(page):
+                on(drawn.add_subplot())
             return drawn  # type: ignore[no-any-return]
         if not isinstance(ax, Axes):
             raise TypeError(f"ax: expected one matplotlib Axes, got {type(ax).__name__}")
@@ -70,10 +76,8 @@ def fit_view(axes: Axes, view: View, limits: Limits) -> Panel:
 
     Parameters
     ----------
-    axes
-        The axes.
-    view
-        The view.
+    axes, view
+        The axes and the view.
     limits
         Left, right, bottom and top, m.
     """

@@ -55,10 +55,8 @@ def draw_path(axes: Axes, view: View, path: Points) -> None:
 
     Parameters
     ----------
-    axes
-        The axes.
-    view
-        The view.
+    axes, view
+        The axes and the view.
     path
         The path, (n, 3), m.
     """
@@ -82,10 +80,8 @@ def draw_ball(
 
     Parameters
     ----------
-    axes
-        The axes.
-    view
-        The view.
+    axes, view
+        The axes and the view.
     centre
         The ball's centre, (3,), m.
     radius

@@ -41,10 +41,8 @@ def edge_on(mesh: Mesh, view: View) -> bool:
 
     Parameters
     ----------
-    mesh
-        The mesh.
-    view
-        The view.
+    mesh, view
+        The mesh and the view.
     """
     ways = mesh.corners[..., 3:] - mesh.corners[..., :3]
     if not ways.any():  # an end: its ball has no size
@@ -137,10 +135,8 @@ def draw_lines(
 
     Parameters
     ----------
-    axes
-        The axes.
-    view
-        The view.
+    axes, view
+        The axes and the view.
     lines
         The segments, (k, 2, 3), m.
     colour

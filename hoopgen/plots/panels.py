@@ -178,12 +178,8 @@ def label_flat_view(axes: Axes, panel: Panel, drawing: Drawing) -> None:
 
     Parameters
     ----------
-    axes
-        The axes.
-    panel
-        Their view and scale.
-    drawing
-        The content.
+    axes, panel, drawing
+        As for `draw_view`.
     """
     view = panel.view
     metres = display_unit("length").size

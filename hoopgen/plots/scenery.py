@@ -111,10 +111,8 @@ class Scenery(Protocol):
 
         Parameters
         ----------
-        axes
-            The axes.
-        view
-            The view.
+        axes, view
+            The axes and the view.
         scale
             Inches of the picture per metre.
         """
@@ -124,10 +122,8 @@ class Scenery(Protocol):
 
         Parameters
         ----------
-        axes
-            The axes.
-        view
-            The view.
+        axes, view
+            The axes and the view.
         """
 
 

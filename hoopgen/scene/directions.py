@@ -112,12 +112,8 @@ def angle(inputs: Inputs, owner: str, argument: str, given: object) -> float:
 
     Parameters
     ----------
-    inputs
-        The inputs of the scene.
-    owner
-        The body, for error messages.
-    argument
-        The argument, for error messages.
+    inputs, owner, argument
+        As for `direction`.
     given
         The angle.
 
@@ -172,16 +168,12 @@ def vector_inputs(
 
     Parameters
     ----------
-    inputs
-        The inputs of the scene.
-    owner
-        The body, for error messages.
+    inputs, owner
+        As for `direction`.
     argument
         The argument after which the inputs are named.
-    vector
-        The components.
-    unit
-        Their unit.
+    vector, unit
+        The components, and their unit.
     """
     found = {}
     for axis, part in zip(POSITION, vector, strict=True):

@@ -162,10 +162,8 @@ class Inputs:
 
         Parameters
         ----------
-        owner
-            The body or end, for error messages.
-        argument
-            The argument, for error messages.
+        owner, argument
+            As for `read`.
         formula
             The formula.
         infinite
@@ -198,10 +196,8 @@ class Inputs:
 
         Parameters
         ----------
-        owner
-            The body or end, for error messages.
-        argument
-            The argument, for error messages.
+        owner, argument
+            As for `read`.
         formula
             The formula of the input.
         sign

@@ -100,12 +100,8 @@ def read_plane_normal(
 
     Parameters
     ----------
-    reader
-        The reader of the scene's arguments.
-    owner
-        The body, for error messages.
-    body
-        The body as its author wrote it.
+    reader, owner, body
+        As for `read_disc`.
 
     Raises
     ------
@@ -136,16 +132,10 @@ def read_inclined_plane(
 
     Parameters
     ----------
-    reader
-        The reader of the scene's arguments.
-    owner
-        The body, for error messages.
-    vector
-        Its direction.
-    at
-        The plane's offset along its direction.
-    ball
-        The ball's radius.
+    reader, owner, ball
+        As for `read_disc`.
+    vector, at
+        Its direction, and the plane's offset along it.
     """
     sizes = vector_inputs(reader.inputs, owner, "direction", vector, "1")
     sizes |= {"at": reader.inputs.add(owner, "at", at)}
@@ -191,14 +181,8 @@ def read_oblique_cylinder(
 
     Parameters
     ----------
-    reader
-        The reader of the scene's arguments.
-    owner
-        The body, for error messages.
-    body
-        The body as its author wrote it.
-    ball
-        The ball's radius.
+    reader, owner, body, ball
+        As for `read_disc`.
 
     Raises
     ------
@@ -251,10 +235,8 @@ def read_span(reader: _Reader, owner: str, given: object) -> dict[str, Formula]:
 
     Parameters
     ----------
-    reader
-        The reader of the scene's arguments.
-    owner
-        The body, for error messages.
+    reader, owner
+        As for `read_disc`.
     given
         The two ends as the author wrote them.
 
@@ -285,14 +267,8 @@ def read_cone(reader: _Reader, owner: str, body: pieces.Cone, ball: Formula) -> 
 
     Parameters
     ----------
-    reader
-        The reader of the scene's arguments.
-    owner
-        The body, for error messages.
-    body
-        The body as its author wrote it.
-    ball
-        The ball's radius.
+    reader, owner, body, ball
+        As for `read_disc`.
 
     Raises
     ------

@@ -30,7 +30,13 @@ class Engine(CompiledScene):
         parameters: ParameterValues | None = None,
         **options: Unpack[SimulationOptions],
     ) -> Shots:
-        """Simulate shots in this scene; all else as for `hoopgen.simulate`."""
+        """Simulate shots in this scene.
+
+        Parameters
+        ----------
+        states, parameters, options
+            As for `hoopgen.simulate`, without the scene; so is what is returned and raised.
+        """
         return run(self, states, parameters, **options)
 
     def certify(
@@ -39,7 +45,13 @@ class Engine(CompiledScene):
         parameters: ParameterValues | None = None,
         **options: Unpack[CertificationOptions],
     ) -> Certificate:
-        """Prove what shots do in this scene; all else as for `hoopgen.certify`."""
+        """Prove what shots do in this scene.
+
+        Parameters
+        ----------
+        states, parameters, options
+            As for `hoopgen.certify`, without the scene; so is what is returned and raised.
+        """
         from hoopgen import judge  # which needs SymPy and python-flint
 
         return judge.certify(states, parameters, scene=self, **options)

@@ -47,8 +47,10 @@ def fixed_releases(engine: Engine, shots: int = SHOTS) -> NDArray[np.float64]:
     return releases
 
 
-def fingerprint(engine: Engine, backend: BackendName = "auto", shots: int = SHOTS) -> str:
-    """Return the SHA-256 of all results of the fixed releases, in hexadecimal digits.
+def fingerprint(
+    engine: Engine, backend: BackendName = "auto", releases: NDArray[np.float64] | None = None
+) -> str:
+    """Return the SHA-256 of all results of releases, in hexadecimal digits.
 
     Its input is the bytes of each result in the order of `engine.layout.results`, bounds on errors
     included, little-endian, with one bit pattern for NaN: 0x7ff8000000000000.
@@ -59,12 +61,12 @@ def fingerprint(engine: Engine, backend: BackendName = "auto", shots: int = SHOT
         The scene; its parameters have their defaults.
     backend
         As for `hoopgen.simulate`.
-    shots
-        As for `fixed_releases`.
+    releases
+        (n, 9); by default the `fixed_releases` of the scene.
     """
     wanted = tuple(engine.layout.results)
     found = engine.simulate(
-        fixed_releases(engine, shots),
+        fixed_releases(engine) if releases is None else releases,
         max_contacts=MAX_CONTACTS,
         time_limit=TIME_LIMIT,
         backend=backend,

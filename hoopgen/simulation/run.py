@@ -350,11 +350,11 @@ def _interruptible() -> bool:
 @contextmanager
 def _pool(batch: _Batch, threads: int) -> Iterator[Executor]:
     """Yield a pool of threads for a batch; they stop if an error is raised."""
-    pool = thread_pools.take(threads)
+    pool = thread_pools.acquire_pool(threads)
     try:
         yield pool
     except BaseException:
         batch.stop[0] = 1
         pool.shutdown(wait=False, cancel_futures=True)
         raise
-    thread_pools.leave(pool, threads)
+    thread_pools.return_pool(pool, threads)

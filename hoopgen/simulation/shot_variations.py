@@ -61,7 +61,15 @@ class Variations:
         covariance: ArrayLike | None,
         release: Jacobian | None,
     ) -> Floats:
-        """Return `Shots.change_distance`, given the event log."""
+        """Return `Shots.change_distance`, given the event log.
+
+        Parameters
+        ----------
+        events
+            The event log.
+        covariance, release
+            As for `Shots.change_distance`.
+        """
         names = self.jacobian.names
         size = (1, len(names), len(names))
         spread = np.broadcast_to(np.eye(len(names)), size)

@@ -246,7 +246,15 @@ class VariedPath:
         return np.moveaxis(self._variation, (0, 1), (1, 2)), end.T[:, np.newaxis]
 
     def given(self, rows: NDArray[np.intp], varied: bool = True) -> dict[str, Any]:
-        """Return the arguments of all kernels for some shots, with or without variations."""
+        """Return the arguments of all kernels for some shots.
+
+        Parameters
+        ----------
+        rows
+            The shots.
+        varied
+            Whether the variations are among the arguments.
+        """
         own = self._inputs if varied else self._parameters
         given = {name: v[..., rows] if np.ndim(v) else v for name, v in own.items()}
         if not varied:
@@ -254,7 +262,17 @@ class VariedPath:
         return given | dict(zip(VARIATION, self._variation[:, :, rows], strict=True))
 
     def call(self, kernel: str, given: dict[str, Any], asked: Sequence[str] = ()) -> dict[str, Any]:
-        """Evaluate a kernel of the names in `asked`, its own by default; return its outputs."""
+        """Evaluate a kernel; return its outputs by name.
+
+        Parameters
+        ----------
+        kernel
+            The name of the kernel.
+        given
+            Arguments by name, others too.
+        asked
+            The names of its arguments; by default its own.
+        """
         names = asked or self._kernels.ARGUMENTS[kernel]
         found = getattr(self._kernels, kernel)(*(given[name] for name in names))
         return dict(zip(self._kernels.OUTPUTS[kernel], found, strict=True))

@@ -20,7 +20,7 @@ from hoopgen.hoop.variables import ARGUMENTS, VARIABLES
 from hoopgen.scene.lookup import variables_of
 from hoopgen.simulation.hoop import HOOP
 from hoopgen.study.questions import values as kinds
-from hoopgen.study.questions.values import Choice, Listed, Quantity, Text, Value, Way
+from hoopgen.study.questions.values import Choice, Listed, Quantity, Success, Text, Value
 
 from .fields import Ends, Named, OneOf, Values
 
@@ -120,11 +120,11 @@ class Varying(Choice):
         return Choice(varying()).read(given)
 
 
-class WayOfScene(Way):
-    """A way in or, where there is no hoop, an end, of which "any" is the first."""
+class SuccessInScene(Success):
+    """The shots that count or, where there is no hoop, an end, of which "any" is the first."""
 
     def read(self, given: Any) -> str:
-        """Return the way or the end."""
+        """Return the kind of shots, or the end."""
         scene = _SCENE.get()
         return Choice(self.allowed if scene.has_hoop else ("any", *scene.kernels.ENDS)).read(given)
 
@@ -200,6 +200,6 @@ def in_file(value: Any) -> Any:
     """Return the kind of values as a study file writes them."""
     if isinstance(value, kinds.Quantities):
         return Values(value.kind)
-    if isinstance(value, kinds.Way):
-        return WayOfScene(value.allowed)
+    if isinstance(value, kinds.Success):
+        return SuccessInScene(value.allowed)
     return _READ.get(value, value) if isinstance(value, kinds.Notation) else value

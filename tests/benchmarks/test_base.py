@@ -1,8 +1,8 @@
 """Beside another commit: what is not equal is found, in every engine, field and event."""
 
+import re
 import shutil
-from collections.abc import Iterator, Sequence
-from contextlib import nullcontext
+from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
@@ -12,8 +12,16 @@ from tests.helpers import ROOT
 
 pytest.importorskip("scipy")
 
-from benchmarks import against, base
-from benchmarks.against import Engines, Equality, Pair, Wanted, differing, turn_about
+from benchmarks import base
+from benchmarks.against import (
+    Engines,
+    Equality,
+    Pair,
+    Wanted,
+    compare,
+    differing,
+    turn_about,
+)
 from benchmarks.families import FAMILIES
 
 pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("against")]  # HEAD is built once
@@ -99,21 +107,23 @@ def test_a_width_that_was_given_up_is_not_compared_and_one_that_is_missing_is_lo
     ],
 )
 def test_only_what_should_be_there_and_is_not_fails(
-    monkeypatch: pytest.MonkeyPatch,
     capsys: pytest.CaptureFixture[str],
     before: list[str],
     after: list[str],
     same: bool,
 ) -> None:
-    asked: list[Sequence[str]] = []
-    monkeypatch.setattr(against, "commit", lambda ref: ref)
-    monkeypatch.setattr(against, "built", lambda _: nullcontext((Path(), "kept")))
-    monkeypatch.setattr(against, "Process", lambda *_: nullcontext())
-    monkeypatch.setattr(against.Pair, "ask", lambda *_: (before, after))
-    monkeypatch.setattr(against, "equality", lambda *given: asked.append(given[2]) or True)
-    assert against.against("HEAD", Wanted(speed=False)) is same
-    assert [list(engines) for engines in asked] == [["c"]]
+    class Has(list[str]):
+        """A contender that says which engines it has."""
+
+        def send(self, do: str) -> None:
+            assert do == "engines"
+
+        def receive(self) -> list[str]:
+            return self
+
+    assert compare(Pair(Has(before), Has(after)), Wanted(equality=False, speed=False)) is same
     said = capsys.readouterr().out
+    assert re.match(r"engines: c(;|\n)", said)
     assert ("given up, not compared: c 2" in said) is ("c 2" in before)
     assert ("LOST: c 4" in said) is ("c 4" in before)
 

@@ -17,6 +17,7 @@ for needed in ("matplotlib", "pyarrow", "scipy", "xarray"):
 import hoopgen  # noqa: E402
 from benchmarks import validation_court, validation_further, validation_page  # noqa: E402
 from benchmarks import validation_results as validation  # noqa: E402
+from benchmarks.report import section_of, with_section  # noqa: E402
 from hoopgen.plots import save  # noqa: E402
 from hoopgen.study.questions.aim_points import on_board  # noqa: E402
 
@@ -190,8 +191,8 @@ def test_noahs_depth_is_past_the_middle_of_an_eighteen_inch_hoop() -> None:
 
 def test_the_page_has_the_further_results() -> None:
     page = (ROOT / "docs" / "validation.md").read_text(encoding="utf-8")
-    lines = validation_further.present(page)
-    assert validation_further.replaced(page, lines) == page
+    lines = section_of(page, validation_further.HEADING)
+    assert with_section(page, lines) == page
     assert all(f"- {source}" in page for source in validation_further.SOURCES)
     first, last, speed = validation_further._steady_rolls()
     said = f"stable and in contact from {math.degrees(first):.1f}° to {math.degrees(last):.1f}°"

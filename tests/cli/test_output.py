@@ -20,19 +20,9 @@ from hoopgen.cli import main
 from hoopgen.core.units import FOOT
 from hoopgen.study.named_units import in_units
 from hoopgen.text.tables import NO_BREAK, table
-from tests.helpers.commands import failure, run, succeed
+from tests.helpers.commands import RELEASE, failure, run, succeed
 
-SHOT = [
-    "shot",
-    "--speed",
-    "7.17",
-    "--elevation",
-    "51deg",
-    "--distance",
-    "13.75ft",
-    "--height",
-    "7ft",
-]
+SHOT = ["shot", *RELEASE]
 FIGURE_7 = [
     *["shot", "--speed", "7.166", "--elevation", "51.101deg", "--distance", "13.75ft"],
     *["--height", "8ft", "--backspin", "3Hz"],

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import operator
-from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -19,26 +17,7 @@ from hoopgen.codegen.identifiers import identifier
 from hoopgen.codegen.program import Operations, lower
 from tests.codegen.test_kernels import model, random_columns
 from tests.codegen.test_shared_kernels import pins
-
-OPERATIONS: dict[str, Callable[..., Any]] = {
-    "add": operator.add,
-    "sub": operator.sub,
-    "mul": operator.mul,
-    "div": np.divide,
-    "neg": operator.neg,
-    "sqrt": np.sqrt,
-    "abs": np.abs,
-    "max": lambda a, b: np.where(a < b, b, a),
-    "min": lambda a, b: np.where(a < b, a, b),
-    "less": operator.lt,
-    "at_most": operator.le,
-    "equal": operator.eq,
-    "both": np.logical_and,
-    "either": np.logical_or,
-    "not": np.logical_not,
-    "nowhere": lambda: np.False_,
-    "select": np.where,
-}
+from tests.helpers.derived import OPERATIONS
 
 
 def values(program: Operations, given: dict[str, Any]) -> list[Any]:

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import os
 import signal
-import subprocess
-import sys
 from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any
@@ -15,6 +13,7 @@ import pytest
 from hoopgen.engine.web_assembly import MODULES
 from tests.helpers import ROOT
 from tests.helpers.commands import run, succeed
+from tests.helpers.killed import run_until_sync
 
 for _library in ("matplotlib", "pyarrow", "pydantic", "scipy", "sympy", "xarray"):
     pytest.importorskip(_library)
@@ -286,22 +285,6 @@ def test_a_file_of_somebody_else_is_not_replaced_by_a_figure(tmp_path: Path) -> 
     assert contents(results / "q") == contents(tmp_path / "whole" / "q")
 
 
-KILLED = """
-import os, signal, sys
-left, sync = [int(sys.argv[3])], os.fsync
-
-def fsync(descriptor):
-    left[0] -= 1
-    if left[0] == 0:
-        os.kill(os.getpid(), signal.SIGKILL)
-    sync(descriptor)
-
-os.fsync = fsync
-from hoopgen.studyfile import run_study
-run_study(sys.argv[1], sys.argv[2], threads=1)
-"""
-
-
 @pytest.mark.skipif(os.name != "posix", reason="signals are POSIX's")
 @pytest.mark.slow
 def test_an_old_answer_stays_until_the_new_one_is_there_whenever_it_is_killed(
@@ -314,8 +297,7 @@ def test_an_old_answer_stays_until_the_new_one_is_there_whenever_it_is_killed(
     run_study(file, tmp_path / "whole")
     new = contents(tmp_path / "whole" / "q")
     for sync in range(4, 60, 4):
-        command = [sys.executable, "-c", KILLED, str(file), str(results), str(sync)]
-        ended = subprocess.run(command, capture_output=True, text=True, check=False)
+        ended = run_until_sync(file, results, sync)
         there = contents(results / "q")
         assert there["answer.json"] in (old["answer.json"], new["answer.json"])
         if ended.returncode == 0:

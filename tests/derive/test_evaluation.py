@@ -37,25 +37,12 @@ from mpmath import mpf
 from numpy.typing import NDArray
 
 from hoopgen.codegen.program import Program, lower
+from tests.helpers.derived import OPERATIONS
 
 Values = Mapping[str, Any]
 
 NAN, INFINITY = mpf("nan"), mpf("inf")
 PARAMETERS = {p.name: p.default for p in HOOP.parameters}
-OPERATIONS = {
-    "add": np.add,
-    "sub": np.subtract,
-    "mul": np.multiply,
-    "div": np.divide,
-    "neg": np.negative,
-    "sqrt": np.sqrt,
-    "abs": np.absolute,
-    "max": lambda a, b: np.where(a < b, b, a),
-    "min": lambda a, b: np.where(a < b, a, b),
-    "less": np.less,
-    "at_most": np.less_equal,
-    "select": np.where,
-}
 
 
 @contextmanager

@@ -164,7 +164,7 @@ def test_without_cupy_the_error_says_what_brings_it(monkeypatch: pytest.MonkeyPa
 def test_without_a_gpu_the_error_is_one_line(monkeypatch: pytest.MonkeyPatch) -> None:
     device = HostCuPy()
     device.devices = 0
-    monkeypatch.setattr(cuda, "load_cupy", lambda: device)
+    monkeypatch.setitem(sys.modules, "cupy", device)
     with pytest.raises(
         RuntimeError, match=r"^backend: 'cuda' finds no GPU \(none is there\); use 'c' or 'numpy'$"
     ):
@@ -175,7 +175,7 @@ def test_instructions_that_could_round_otherwise_are_not_run(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     device = HostCuPy(instructions="\n    fma.rn.f64 %fd1, %fd2, %fd3, %fd4;\n")
-    monkeypatch.setattr(cuda, "load_cupy", lambda: device)
+    monkeypatch.setitem(sys.modules, "cupy", device)
     with pytest.raises(RuntimeError, match=r"may not give NumPy's bits \(1 fma.rn.f64\); use"):
         HOOP.simulate(free_throw(3), backend="cuda")
     assert device.flags[0] == (*cuda.FLAGS, "-DVARIANT=1", "-arch=sm_80")
@@ -190,7 +190,7 @@ def test_a_source_that_nvrtc_refuses_is_one_line(monkeypatch: pytest.MonkeyPatch
 
     device.cuda.nvrtc.compileProgram = refused
     device.cuda.nvrtc.getProgramLog = lambda program: "hoop.cu(1): error: no such thing\n  line\n"
-    monkeypatch.setattr(cuda, "load_cupy", lambda: device)
+    monkeypatch.setitem(sys.modules, "cupy", device)
     with pytest.raises(
         RuntimeError, match=r"compile the scene hoop \(hoop.cu\(1\): error: no such thing\); use"
     ):
@@ -201,7 +201,7 @@ def test_an_engine_with_other_bits_does_not_serve(
     device: HostCuPy, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """A coefficient of restitution that is off by one unit in the last place is noticed."""
-    monkeypatch.setattr(cuda, "load_cupy", lambda: device)
+    monkeypatch.setitem(sys.modules, "cupy", device)
     source = HOOP.source("cuda")["hoop.cu"]
     fault = "p_restitution = parameter(_given, 8) * 1.0000000000000002;"
     wrong = source.replace("p_restitution = parameter(_given, 8);", fault)

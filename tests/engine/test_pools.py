@@ -34,11 +34,11 @@ def no_batch_is_small(monkeypatch: pytest.MonkeyPatch) -> None:
 def test_the_next_batch_has_the_threads_of_the_last() -> None:
     wanted = outcome()
     assert ours()
-    thread_pools.leave(last := thread_pools.take(2), 2)
+    thread_pools.return_pool(last := thread_pools.acquire_pool(2), 2)
     assert outcome() == wanted
     # It took the same pool, and left it to the next one.
-    assert thread_pools.take(2) is last
-    thread_pools.leave(last, 2)
+    assert thread_pools.acquire_pool(2) is last
+    thread_pools.return_pool(last, 2)
 
 
 @pytest.mark.sampled(1)
@@ -64,15 +64,15 @@ def test_where_no_thread_can_be_started_batches_and_studies_run_all_the_same(
     wanted = answers()
     monkeypatch.setattr(thread_pools, "_IDLE", {})
     monkeypatch.setattr(threading.Thread, "start", refuse)
-    assert isinstance(thread_pools.take(2), thread_pools.SerialExecutor)
+    assert isinstance(thread_pools.acquire_pool(2), thread_pools.SerialExecutor)
     assert answers() == wanted
 
 
 def test_batches_beside_each_other_have_pools_of_their_own() -> None:
-    one, other = thread_pools.take(2), thread_pools.take(2)
+    one, other = thread_pools.acquire_pool(2), thread_pools.acquire_pool(2)
     assert one is not other
-    thread_pools.leave(one, 2)
-    assert thread_pools.take(2) is one
+    thread_pools.return_pool(one, 2)
+    assert thread_pools.acquire_pool(2) is one
     one.shutdown()
     other.shutdown()
 
@@ -91,12 +91,12 @@ def test_a_batch_that_fails_leaves_no_pool_behind(monkeypatch: pytest.MonkeyPatc
         raise RuntimeError("broken")
 
     outcome()
-    idle = thread_pools.take(2)
-    thread_pools.leave(idle, 2)
+    idle = thread_pools.acquire_pool(2)
+    thread_pools.return_pool(idle, 2)
     monkeypatch.setattr(run_module.numpy_backend, "run", broken)
     with pytest.raises(RuntimeError, match="broken"):
         outcome()
-    assert thread_pools.take(2) is not idle
+    assert thread_pools.acquire_pool(2) is not idle
 
 
 @pytest.fixture
@@ -104,6 +104,20 @@ def library() -> native.Library:
     if HOOP.library is None:
         pytest.skip("the C engine was not built")
     return HOOP.library
+
+
+@pytest.fixture
+def ran(library: native.Library, monkeypatch: pytest.MonkeyPatch) -> list[threading.Thread]:
+    """Return the threads that the engine runs in, one a call."""
+    found = []
+
+    class Seen:
+        def run(self, *arguments: Any, **options: Any) -> None:
+            found.append(threading.current_thread())
+            library.run(*arguments, **options)
+
+    monkeypatch.setattr(HOOP, "found", Seen())
+    return found
 
 
 def test_threads_that_share_a_batch_run_each_shot_once(library: native.Library) -> None:
@@ -133,18 +147,10 @@ def test_the_caller_works_too_where_ctrl_c_need_not_wait(
     at_once: int,
     interruptible: bool,
     works: bool,
-    library: native.Library,
+    ran: list[threading.Thread],
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    ran = []
-
-    class Seen:
-        def run(self, *arguments: Any, **options: Any) -> None:
-            ran.append(threading.current_thread())
-            library.run(*arguments, **options)
-
-    wanted = hoopgen.simulate([[0.0, 0.0, 1.0, *np.zeros(6)]] * 64).time
-    monkeypatch.setattr(HOOP, "found", Seen())
+    wanted = hoopgen.simulate([[0.0, 0.0, 1.0, *np.zeros(6)]] * 64, backend="numpy").time
     monkeypatch.setattr(run_module, "MAX_CONTACTS_WITHOUT_THREADS_IN_C", at_once)
     got: list[tuple[threading.Thread, bytes]] = []
 
@@ -171,17 +177,8 @@ def test_the_caller_does_not_work_where_one_shot_may_take_long(
     shots: int,
     max_contacts: int,
     works: bool,
-    library: native.Library,
-    monkeypatch: pytest.MonkeyPatch,
+    ran: list[threading.Thread],
 ) -> None:
-    ran = []
-
-    class Seen:
-        def run(self, *arguments: Any, **options: Any) -> None:
-            ran.append(threading.current_thread())
-            library.run(*arguments, **options)
-
-    monkeypatch.setattr(HOOP, "found", Seen())
     states = [[0.0, 0.0, 1.0, *np.zeros(6)]] * shots
     hoopgen.simulate(states, max_contacts=max_contacts, threads=1)
     assert ran == [threading.current_thread()] if works else threading.current_thread() not in ran

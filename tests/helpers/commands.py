@@ -6,6 +6,11 @@ from click.testing import CliRunner, Result
 
 from hoopgen.cli import main
 
+RELEASE = [
+    *["--speed", "7.17", "--elevation", "51deg", "--distance", "13.75ft", "--height", "7ft"],
+]
+"""Options of a free throw."""
+
 
 def run(*words: object) -> Result:
     """Run a command."""

@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 
 from hoopgen.codegen.identifiers import identifier
 from hoopgen.engine.c_build import FLAGS
+from hoopgen.engine.result_arrays import Layout, ResultArrays
 from tests.helpers import ROOT
 
 COMPILER = (os.environ.get("CC") or sysconfig.get_config_var("CC") or "cc").split()
@@ -219,3 +220,16 @@ def same_bits(left: object, right: object) -> NDArray[np.bool_]:
     """
     a, b = (np.asarray(side, dtype=np.float64) for side in (left, right))
     return (a.view(np.int64) == b.view(np.int64)) | (np.isnan(a) & np.isnan(b))
+
+
+def all_results(module: ModuleType, shots: int, max_contacts: int) -> ResultArrays:
+    """Return room for all results of a scene and for its event log."""
+    layout = Layout(module)
+    events = layout.allocate_events(shots, max_contacts)
+    return layout.allocate(shots, layout.results).joined(events)
+
+
+def sequences(out: ResultArrays) -> list[list[int]]:
+    """Return the surfaces that each shot meets, in order."""
+    log, used = out.arrays["events"]["surface"], out.arrays["event_counts"]
+    return [row[:count].tolist() for row, count in zip(log, used, strict=True)]

@@ -11,9 +11,11 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+import sympy as sp
 from hoopgen.derive.ir.kernel import Kernel
 from hoopgen.derive.model import Model, build
 from hoopgen.derive.scenes.scene import Scene as Derived
+from hoopgen.derive.symbolic.conditionals import IfLess, release
 from hoopgen.derive.symbolic.symbols import STATE
 
 from hoopgen.codegen import render
@@ -43,6 +45,12 @@ OPERATIONS: dict[str, Callable[..., Any]] = {
     "nowhere": lambda: np.False_,
     "select": np.where,
 }
+
+
+def decided(expression: sp.Expr, holds: bool) -> sp.Expr:
+    """Return a formula where the conditions of all its choices hold, or do not."""
+    chosen = release(expression)
+    return chosen.replace(IfLess, lambda left, right, then, other: then if holds else other)
 
 
 class GenerationError(Exception):

@@ -11,6 +11,7 @@ import ctypes
 import os
 import shutil
 import subprocess
+import sys
 import weakref
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -233,7 +234,7 @@ def on_host(scene: CompiledScene, device: HostCuPy | None = None) -> Iterator[Ho
     """Have backend "cuda" of a scene run on this processor meanwhile; yield the stand-in."""
     device = device or HostCuPy()
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(cuda, "load_cupy", lambda: device)
+        patch.setitem(sys.modules, "cupy", device)
         if scene.name not in device.engines:
             source = scene.source("cuda")[f"{scene.name}.cu"]
             device.engines[scene.name] = cuda.CudaEngine(source, scene.kernels)

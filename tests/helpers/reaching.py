@@ -54,6 +54,19 @@ def free_throws(count: int, seed: int = 5) -> Floats:
     )
 
 
+def soft_throws() -> Floats:
+    """Return free throws of which some roll on a soft ring and leave it."""
+    random = np.random.default_rng(1)
+    return hoopgen.release(
+        random.normal(7.17, 0.12, 100),
+        random.normal(0.89, 0.03, 100),
+        azimuth=random.normal(0.0, 0.02, 100),
+        backspin=12.0,
+        height=2.13,
+        distance=4.19,
+    )
+
+
 def dropped(count: int, centre: tuple[float, ...], spread: tuple[float, ...], seed: int) -> Floats:
     """Return balls about a place and a velocity, within a spread, without spin."""
     states = np.zeros((count, 9))

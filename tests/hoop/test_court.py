@@ -16,8 +16,8 @@ from hoopgen.generated.numpy import court as kernels
 from numpy.typing import NDArray
 
 import hoopgen
+from benchmarks.penetration import deepest
 from hoopgen import COURT, FIBA_COURT, NBA_COURT, PAPER_COURT
-from hoopgen.judge.penetration import deepest
 from hoopgen.scene.geometry import SceneGeometry
 from tests.helpers.court_shots import KINDS, all_kinds, thrown
 from tests.helpers.effort import exceptions, trials

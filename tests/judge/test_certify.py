@@ -30,6 +30,7 @@ from hoopgen.derive.symbolic.symbols import POSITION
 import hoopgen
 from benchmarks import exactness
 from benchmarks.families import FAMILIES
+from benchmarks.penetration import deepest
 from benchmarks.workloads import TABLE_3, WORKLOADS
 from hoopgen.cli.certify import certify as command
 from hoopgen.judge import UNDECIDED, Enclosure, Proof, certify
@@ -38,7 +39,6 @@ from hoopgen.judge.certificate import doubles, enclosure
 from hoopgen.judge.expressions import compile_expressions
 from hoopgen.judge.flight import fly as fly_in_balls
 from hoopgen.judge.formulas import formulas
-from hoopgen.judge.penetration import deepest
 from hoopgen.judge.pieces import next_piece
 from hoopgen.judge.roots import Arrival, first_arrival, sign_changes
 from hoopgen.judge.settle import settle

@@ -271,7 +271,7 @@ FAULTS = (
     Planted(
         "steps on the ring are eight times as long",
         in_ring(
-            "pace",
+            "step",
             "_twelfth_root(LAST_TERM_TOLERANCE * scale / last)",
             "8 * _twelfth_root(LAST_TERM_TOLERANCE * scale / last)",
         ),
@@ -279,12 +279,12 @@ FAULTS = (
     ),
     Planted(
         "the acceleration along the ring has no bound",
-        in_ring("pace", "swaying + barrier(quickens + fastest * omega)", "swaying"),
+        in_ring("step", "swaying + barrier(quickens + fastest * omega)", "swaying"),
         bounds,
     ),
     Planted(
         "the largest speed on the ring is that along it",
-        in_ring("pace", "barrier(self.reach * climb + along)", "along"),
+        in_ring("step", "barrier(self.reach * climb + along)", "along"),
         bounds,
     ),
     # Rolling on all else.
@@ -320,13 +320,13 @@ FAULTS = (
     Planted(
         "the acceleration on an edge is bounded without its first term",
         in_series(
-            "pace", "for k in range(ORDER)))\n    forces", "for k in range(1, ORDER)))\n    forces"
+            "step", "for k in range(ORDER)))\n    forces", "for k in range(1, ORDER)))\n    forces"
         ),
         bounds,
     ),
     Planted(
         "the normal force on an edge bends half as much",
-        in_series("pace", "sum(k * (k - 1) * absolute", "sum(absolute"),
+        in_series("step", "sum(k * (k - 1) * absolute", "sum(absolute"),
         bounds,
     ),
     Planted(
@@ -350,7 +350,7 @@ FAULTS = (
     ),
     Planted(
         "steps on an edge are sixteen times as long",
-        in_series("pace", "barrier(minimum(most, root))", "barrier(minimum(most, 16 * root))"),
+        in_series("step", "barrier(minimum(most, root))", "barrier(minimum(most, 16 * root))"),
         over_an_edge,
     ),
     # Events of a rolling ball.
@@ -377,7 +377,7 @@ FAULTS = (
     Planted(
         "friction does not hold a ball where its normal force ends",
         in_ring(
-            "pace",
+            "step",
             "2 * share * strength",
             "-2 * share * strength",
         ),
@@ -467,7 +467,12 @@ FAULTS = (
     ),
     Planted(
         "truncation errors are forgotten",
-        in_text(neighbour, "_compared", "off = barrier(pace + missed)", "off = pace"),
+        in_text(
+            neighbour,
+            "_compared",
+            "off = barrier(velocity_rounding + missed)",
+            "off = velocity_rounding",
+        ),
         errors,
     ),
     Planted(

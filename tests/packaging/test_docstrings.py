@@ -30,6 +30,7 @@ WITH_PARAMETERS = (
     "hoopgen/report",
     "hoopgen/results",
     "hoopgen/scene",
+    "hoopgen/simulation",
     "hoopgen/text",
     "hoopgen/viewer",
 )

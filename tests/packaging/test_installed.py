@@ -7,8 +7,9 @@ import shutil
 import subprocess
 import sys
 import sysconfig
-from importlib.metadata import requires
+from importlib.metadata import Distribution, requires
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -124,32 +125,35 @@ def test_what_there_is_not_is_an_attribute_error() -> None:
 # ------------------------------------------------------------------------------------------- hints
 
 
-class Away:
+class Away(Distribution):
     """An installation that is no checkout's."""
 
-    version = "0.1.0"
     requires = requires("hoopgen")
+    url: str | None = None
 
-    @staticmethod
-    def read_text(name: str) -> None:
-        return None
+    def read_text(self, filename: str) -> str | None:
+        return self.url
+
+    def locate_file(self, path: object) -> Any:
+        raise NotImplementedError
 
 
-def hint(missing: str) -> list[str]:
+class Editable(Away):
+    """An editable one."""
+
+    url = '{"url": "file:///home/ann/hoopgen", "dir_info": {"editable": true}}'
+
+
+def hint(missing: str, root: str | None, installed: Distribution) -> list[str]:
     """Return the command of the hint, as a shell takes it."""
-    error = extras.explain_import_error(ModuleNotFoundError(name=missing), "a picture")
-    said, _, command = str(error).partition(": ")
-    assert said == f"a picture needs {missing}"
+    place = root and Path(root)
+    command = extras.install_command(missing, extras.EXTRAS[missing], place or None, installed)
     return shlex.split(command)
 
 
 @pytest.mark.parametrize("missing", extras.EXTRAS)
-def test_away_from_a_checkout_the_packages_themselves_are_named(
-    missing: str, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(extras, "checkout", lambda: None)
-    monkeypatch.setattr(extras, "distribution", lambda name: Away)
-    pip, install, *packages = hint(missing)
+def test_away_from_a_checkout_the_packages_themselves_are_named(missing: str) -> None:
+    pip, install, *packages = hint(missing, None, Away())
     assert (pip, install) == ("pip", "install")
     assert packages
     others = {"flint": "python-flint", "distributed": "dask", "markdown_it": "markdown-it-py"}
@@ -159,19 +163,20 @@ def test_away_from_a_checkout_the_packages_themselves_are_named(
     assert not any("hoopgen" in one or ";" in one for one in packages)
 
 
-def test_in_a_checkout_its_folder_is_named_with_the_extra(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(extras, "checkout", lambda: Path("/my work/hoopgen"))
-    monkeypatch.setattr(extras, "distribution", lambda name: Away)
-    assert hint("pyarrow") == ["pip", "install", "/my work/hoopgen[study]"]
-    assert hint("pandas") == ["pip", "install", "pandas"]
+def test_in_a_checkout_its_folder_is_named_with_the_extra() -> None:
+    command = ["pip", "install", "/my work/hoopgen[study]"]
+    assert hint("pyarrow", "/my work/hoopgen", Away()) == command
+    assert hint("pandas", "/my work/hoopgen", Away()) == ["pip", "install", "pandas"]
 
 
-def test_an_editable_installation_stays_one(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(extras, "checkout", lambda: Path("/home/ann/hoopgen"))
-    monkeypatch.setattr(extras, "distribution", lambda name: Away)
-    told = '{"url": "file:///home/ann/hoopgen", "dir_info": {"editable": true}}'
-    monkeypatch.setattr(Away, "read_text", lambda name: told)
-    assert hint("flint") == ["pip", "install", "-e", "/home/ann/hoopgen[certify]"]
+def test_an_editable_installation_stays_one() -> None:
+    command = ["pip", "install", "-e", "/home/ann/hoopgen[certify]"]
+    assert hint("flint", "/home/ann/hoopgen", Editable()) == command
+
+
+def test_the_error_names_what_needs_the_module_and_the_command() -> None:
+    error = extras.explain_import_error(ModuleNotFoundError(name="flint"), "a picture")
+    assert str(error).startswith("a picture needs flint: pip install ")
 
 
 def test_other_import_errors_stay_as_they_are() -> None:

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 import hoopgen
 from hoopgen import COURT, PAPER_COURT, Event
+from tests.helpers.reaching import soft_throws
 
 Floats = NDArray[np.float64]
 
@@ -21,15 +22,7 @@ pytestmark = pytest.mark.xdist_group("court")
 
 @pytest.fixture(scope="module")
 def shots() -> hoopgen.Shots:
-    random = np.random.default_rng(1)
-    states = hoopgen.release(
-        random.normal(7.17, 0.12, 100),
-        random.normal(0.89, 0.03, 100),
-        azimuth=random.normal(0.0, 0.02, 100),
-        backspin=12.0,
-        height=2.13,
-        distance=4.19,
-    )
+    states = soft_throws()
     return hoopgen.simulate(states, SOFT, scene=COURT, record=True)
 
 

@@ -24,7 +24,14 @@ from hoopgen.engine import native, numpy_backend
 from hoopgen.engine.result_arrays import Layout, ResultArrays
 from hoopgen.judge.batch import prove
 from hoopgen.results.shots import Outcome
-from tests.helpers.compiled import load_module, needs_compiler, same_bits, shared_library
+from tests.helpers.compiled import (
+    all_results,
+    load_module,
+    needs_compiler,
+    same_bits,
+    sequences,
+    shared_library,
+)
 from tests.helpers.effort import exceptions, occurrences, trials
 from tests.helpers.scenes.caps import CAPS
 
@@ -69,20 +76,10 @@ def aimed(count: int, seed: int) -> NDArray[np.float64]:
     return states
 
 
-def room(module: ModuleType, shots: int) -> ResultArrays:
-    layout = Layout(module)
-    return layout.allocate(shots, layout.results).joined(layout.allocate_events(shots, MOST))
-
-
 def flown(module: ModuleType, states: NDArray[np.float64]) -> ResultArrays:
-    out = room(module, len(states))
+    out = all_results(module, len(states), MOST)
     numpy_backend.run(module, states, DEFAULTS, None, MOST, out)
     return out
-
-
-def sequences(out: ResultArrays) -> list[list[int]]:
-    log, used = out.arrays["events"]["surface"], out.arrays["event_counts"]
-    return [row[:count].tolist() for row, count in zip(log, used, strict=True)]
 
 
 @pytest.mark.slow
@@ -145,7 +142,7 @@ def test_both_engines_give_the_same_bits(module: ModuleType, folder: Path) -> No
     source = folder / "c" / "caps.c"
     library = native.Library(shared_library(source, "-O1", "-DCAPS_WIDEST=4"), module)
     for width in (1, 4):
-        out = room(module, len(states))
+        out = all_results(module, len(states), MOST)
         library.run(states, DEFAULTS, None, MOST, out, np.zeros(1, np.int32), width)
         for name in Layout(module).results:
             assert same_bits(wanted.arrays[name], out.arrays[name]).all(), (width, name)

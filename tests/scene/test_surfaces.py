@@ -9,7 +9,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from types import ModuleType
 from typing import Any
 
 import numpy as np
@@ -23,7 +22,14 @@ from hoopgen.engine.result_arrays import Layout, ResultArrays
 from hoopgen.judge.batch import prove
 from hoopgen.judge.certificate import Certificate
 from hoopgen.results.shots import Outcome
-from tests.helpers.compiled import load_module, needs_compiler, same_bits, shared_library
+from tests.helpers.compiled import (
+    all_results,
+    load_module,
+    needs_compiler,
+    same_bits,
+    sequences,
+    shared_library,
+)
 from tests.helpers.effort import exceptions, occurrences, trials
 from tests.helpers.scenes.chamber import CHAMBER
 from tests.helpers.scenes.crate import CRATE
@@ -65,12 +71,6 @@ class Case:
         return [p.default for p in self.scene.parameters]
 
 
-def empty(module: ModuleType, shots: int) -> ResultArrays:
-    """Return room for all results."""
-    layout = Layout(module)
-    return layout.allocate(shots, layout.results).joined(layout.allocate_events(shots, MOST))
-
-
 CASES = {
     "chamber": Case(CHAMBER, [(0.3, 0, -0.2), (-0.4, 0, 0.2)], 0.3, 0.6),
     "posts": Case(POSTS, [(-0.4, 0, 0.22), (-0.4, 0, 0), (0.5, 0.2, -0.1), (0, 0.25, 0)], 0.1, 0.8),
@@ -101,18 +101,13 @@ def own_folder(tmp_path_factory: pytest.TempPathFactory, case: Case) -> Path:
 
 def flown(case: Case, folder: Path, states: Floats) -> ResultArrays:
     module = load_module(folder / "numpy" / f"{case.scene.name}.py")
-    out = empty(module, len(states))
+    out = all_results(module, len(states), MOST)
     numpy_backend.run(module, states, case.defaults, None, MOST, out)
     return out
 
 
 def proved(case: Case, states: Floats) -> Certificate:
     return prove(case.scene, states, case.defaults, None, MOST)
-
-
-def sequences(out: ResultArrays) -> list[list[int]]:
-    log, used = out.arrays["events"]["surface"], out.arrays["event_counts"]
-    return [row[:count].tolist() for row, count in zip(log, used, strict=True)]
 
 
 @needs_compiler
@@ -124,7 +119,7 @@ def test_both_engines_give_the_same_bits(case: Case, folder: Path) -> None:
     source = folder / "c" / f"{name}.c"
     module = load_module(folder / "numpy" / f"{name}.py")
     library = native.Library(shared_library(source, "-O0", f"-D{name.upper()}_WIDEST=1"), module)
-    out = empty(module, len(states))
+    out = all_results(module, len(states), MOST)
     library.run(states, case.defaults, None, MOST, out, np.zeros(1, np.int32), 1)
     for field in Layout(module).results:
         assert same_bits(wanted.arrays[field], out.arrays[field]).all(), field
@@ -369,7 +364,7 @@ def test_a_ball_can_start_on_a_box_and_leave_it(crates: Path, leaving: int) -> N
     left = np.full(3, leaving, np.int8)
     case = CASES["crate"]
     module = load_module(crates / "numpy" / "crate.py")
-    out = empty(module, 3)
+    out = all_results(module, 3, MOST)
     numpy_backend.run(module, states, case.defaults, left, MOST, out)
     proofs = prove(case.scene, states, case.defaults, left, MOST)
     assert proofs.decided.all()
@@ -384,4 +379,4 @@ def test_faces_of_one_body_are_one_column(case: Case, folder: Path) -> None:
     module = load_module(folder / "numpy" / f"{case.scene.name}.py")
     if case.scene is POSTS:
         assert [len(b.faces) for b in POSTS.bodies] == [3, 2, 1]
-    assert empty(module, 1).arrays["counts"].shape == (1, len(case.scene.bodies))
+    assert all_results(module, 1, MOST).arrays["counts"].shape == (1, len(case.scene.bodies))

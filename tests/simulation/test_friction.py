@@ -21,7 +21,7 @@ from hoopgen.judge.batch import prove
 from hoopgen.judge.certificate import Certificate
 from hoopgen.judge.expressions import compile_expressions
 from hoopgen.results.shots import Outcome
-from tests.helpers.compiled import load_module, needs_compiler, same_bits, shared_library
+from tests.helpers.compiled import load_module, needs_compiler, same_bits, sequences, shared_library
 from tests.helpers.effort import occurrences, trials
 from tests.helpers.hoop_shots import families
 from tests.helpers.scenes.rough import ROUGH
@@ -100,11 +100,6 @@ def of_each(count: int, seed: int) -> dict[str, Any]:
     own["tangential"] = rng.choice([-1.0, -0.3, 0.0, 0.15, 1.0], count)
     own["falling"] = rng.choice([1e-3, 1.0, 40.0, np.inf], count)
     return own
-
-
-def sequences(out: ResultArrays) -> list[list[int]]:
-    log, used = out.arrays["events"]["surface"], out.arrays["event_counts"]
-    return [row[:count].tolist() for row, count in zip(log, used, strict=True)]
 
 
 # -- The engines

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -466,12 +467,9 @@ def test_without_the_library_c_is_an_error_that_names_the_remedy() -> None:
     assert "'numpy'" in str(error.value)
 
 
-def test_a_library_that_cannot_be_loaded_is_none(monkeypatch: pytest.MonkeyPatch) -> None:
-    def broken(*_: Any) -> None:
-        raise OSError("cannot open shared object file")
-
-    monkeypatch.setattr(native, "Library", broken)
-    found = hoop_library()
+def test_a_library_that_cannot_be_loaded_is_none(tmp_path: Path) -> None:
+    (tmp_path / "_hoop.so").write_bytes(b"not a library")
+    found = hoop_library(tmp_path / "_hoop.so")
     assert isinstance(found, native.Rejection)
     assert found.reason == "was not built"
 

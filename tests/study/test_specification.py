@@ -24,7 +24,7 @@ from hoopgen.study.jobs.objective import BY
 from hoopgen.study.questions import measured_specification, specification
 from hoopgen.study.questions.aim_table import aim_table
 from hoopgen.study.questions.bank import bank_or_direct
-from hoopgen.study.questions.settings import WAYS, Sampling, arguments, setting, settings
+from hoopgen.study.questions.settings import SUCCESSES, Sampling, arguments, setting, settings
 from hoopgen.study.questions.specification import QUESTIONS
 from hoopgen.study.questions.values import Choice, Whole
 from hoopgen.study.recovery.calibrate_table import calibrate_table
@@ -90,7 +90,7 @@ def test_every_question_of_a_study_file_has_a_command_and_a_table() -> None:
 
 def test_words_that_are_said_elsewhere_too_are_the_same() -> None:
     """The specification imports nothing that needs more than NumPy, so it repeats these."""
-    assert tuple(BY) == WAYS
+    assert tuple(BY) == SUCCESSES
     (formats,) = (
         one.value for name, _, one, _ in settings(specification.BatchQuestion) if name == "format"
     )

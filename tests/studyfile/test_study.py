@@ -9,7 +9,6 @@ import os
 import pickle
 import re
 import signal
-import subprocess
 import sys
 import tomllib
 from collections.abc import Iterator
@@ -21,6 +20,7 @@ import pytest
 
 from tests.helpers import ROOT
 from tests.helpers.commands import run, succeed
+from tests.helpers.killed import run_until_sync
 
 for _library in ("matplotlib", "pyarrow", "pydantic", "scipy", "xarray"):
     pytest.importorskip(_library)
@@ -29,14 +29,13 @@ import xarray as xr  # noqa: E402
 
 import hoopgen  # noqa: E402
 from hoopgen.study.jobs import monte_carlo  # noqa: E402
-from hoopgen.study.jobs.executors import versions  # noqa: E402
 from hoopgen.study.named_units import in_units, named  # noqa: E402
 from hoopgen.study.questions import sweep  # noqa: E402
 from hoopgen.study.questions.bank import bank_or_direct  # noqa: E402
 from hoopgen.study.questions.settings import settings  # noqa: E402
-from hoopgen.studyfile import answers, check_study, run_study, sweeps  # noqa: E402
+from hoopgen.studyfile import check_study, run_study, sweeps  # noqa: E402
 from hoopgen.studyfile import lines as toml_lines  # noqa: E402
-from hoopgen.studyfile.context import Answer, Context, Workplace  # noqa: E402
+from hoopgen.studyfile.context import Context  # noqa: E402
 from hoopgen.studyfile.reading import StudyError, parse  # noqa: E402
 from hoopgen.studyfile.reference import reference  # noqa: E402
 from hoopgen.studyfile.report import _text as report_text  # noqa: E402
@@ -832,31 +831,13 @@ def test_the_same_study_gives_the_same_bytes_by_any_number_of_threads(
     assert contents(tmp_path / "results") == contents(whole)
 
 
-KILLED = """
-import os, signal, sys
-left, sync = [int(sys.argv[3])], os.fsync
-
-def fsync(descriptor):
-    left[0] -= 1
-    if left[0] == 0:
-        os.kill(os.getpid(), signal.SIGKILL)
-    sync(descriptor)
-
-os.fsync = fsync
-from hoopgen.studyfile import run_study  # noqa: E402
-run_study(sys.argv[1], sys.argv[2], threads=1)
-print(int(sys.argv[3]) - left[0])
-"""
-
-
 @pytest.mark.slow
 def test_a_study_that_was_killed_goes_on_to_the_same_bytes(whole: Path, tmp_path: Path) -> None:
     """Killed again and again: when it begins, among chunks, and with a question finished."""
     file, results = written(tmp_path / "other", ALL), tmp_path / "results"
 
     def killed_at(sync: int) -> set[str]:
-        command = [sys.executable, "-c", KILLED, str(file), str(results), str(sync)]
-        killed = subprocess.run(command, capture_output=True, text=True, check=False)
+        killed = run_until_sync(file, results, sync)
         assert killed.returncode == -signal.SIGKILL, killed.stderr
         return {path.relative_to(results).as_posix() for path in results.rglob("*")}
 
@@ -960,10 +941,8 @@ def test_a_question_may_be_asked_for_less_and_what_was_thrown_stays(
     before = contents(results)
     written(file.parent, text + less)
     if interrupted:
-        with monkeypatch.context() as patch:
-            patch.setattr("hoopgen.studyfile.question_folders.answer", _stopped)
-            with pytest.raises(KeyboardInterrupt):
-                run_study(file, results)
+        with pytest.raises(KeyboardInterrupt):
+            run_study(file, results, progress=_stopped)
     (answer,) = run_study(file, results).values()
     assert answer == run_study(file, tmp_path / "at-once")["q"]
     chunks = {name: content for name, content in before.items() if "chunks/" in name}
@@ -1031,14 +1010,13 @@ def test_nothing_else_of_a_question_may_change(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("package", ["hoopgen", "numpy", "elementary functions"])
-def test_answers_by_other_versions_are_another_study(
-    package: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_answers_by_other_versions_are_another_study(package: str, tmp_path: Path) -> None:
     file = written(tmp_path, HEAD + ESTIMATE)
     run_study(file)
-    others = {**versions(), package: "9.9"}
-    monkeypatch.setattr("hoopgen.studyfile.run.versions", lambda: others)
-    with pytest.raises(ValueError, match=rf'probability: {package} is "[^"]*" there and "9\.9" h'):
+    asked = tmp_path / "study-results" / "probability" / "question.json"
+    others = json.loads(asked.read_bytes()) | {package: "9.9"}
+    asked.write_text(json.dumps(others), encoding="utf-8")
+    with pytest.raises(ValueError, match=rf'probability: {package} is "9\.9" there and "[^"]*" h'):
         run_study(file)
 
 
@@ -1056,23 +1034,14 @@ def test_measured_releases_that_have_changed_are_another_study(tmp_path: Path) -
         run_study(file)
 
 
-def test_questions_may_be_added_and_words_changed(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_questions_may_be_added_and_words_changed(tmp_path: Path) -> None:
     file = written(tmp_path, HEAD + ESTIMATE)
     first = run_study(file)
     more = ESTIMATE.replace("probability", "more").replace("2000", "1000")
     written(tmp_path, "# better\n" + HEAD.replace("Free throws", "Throws") + more + ESTIMATE)
-    asked = []
-    answer = answers.answer
-
-    def noted(one: Context, work: Workplace) -> Answer:
-        asked.append(one.question.name)
-        return answer(one, work)
-
-    monkeypatch.setattr("hoopgen.studyfile.question_folders.answer", noted)
-    again = run_study(file)
-    assert asked == ["more"]
+    asked = set[str]()
+    again = run_study(file, progress=lambda name, *_: asked.add(name))
+    assert asked == {"more"}
     assert list(again) == ["more", "probability"]
     assert again["probability"] == first["probability"]
     results = tmp_path / "study-results"

@@ -73,5 +73,5 @@ def test_a_study_runs_where_no_thread_can_be_started(
 
     monkeypatch.setattr(thread_pools, "_IDLE", {})
     monkeypatch.setattr(threading.Thread, "start", refuse)
-    assert isinstance(thread_pools.take(2), thread_pools.SerialExecutor)
+    assert isinstance(thread_pools.acquire_pool(2), thread_pools.SerialExecutor)
     assert results(tmp_path / "without") == wanted

@@ -27,7 +27,7 @@ import hoopgen
 from hoopgen.simulation.article import CASES
 from hoopgen.study.measures.measures import MEASURES
 from hoopgen.viewer import page, view
-from tests.helpers.commands import run, succeed
+from tests.helpers.commands import RELEASE, run, succeed
 
 FOLDER = Path(hoopgen.__file__).parent / "viewer"
 STATES = {case.slug: case.state for case in CASES}
@@ -728,17 +728,7 @@ def test_results_of_a_batch_are_shown_as_its_releases_are(table: Path, tmp_path:
 
 def test_the_shot_command_writes_a_page(tmp_path: Path) -> None:
     out = tmp_path / "shot.html"
-    release = [
-        "--speed",
-        "7.17",
-        "--elevation",
-        "51deg",
-        "--distance",
-        "13.75ft",
-        "--height",
-        "7ft",
-    ]
-    succeed("shot", *release, "--view", str(out))
+    succeed("shot", *RELEASE, "--view", str(out))
     data = data_of(out.read_text("utf-8"))
     assert data["title"] in ("Made", "Missed")
     assert data["about"] == "Scene PAPER (the article's)"

@@ -17,6 +17,7 @@ from hoopgen import COURT, PAPER_COURT, Event
 from hoopgen.core import units
 from hoopgen.engine.rolling import Roll
 from hoopgen.viewer import page
+from tests.helpers.reaching import soft_throws
 from tests.viewer.test_page import FOLDER, data_of
 
 SOFT = PAPER_COURT | {"ring_restitution": 0.3}
@@ -95,15 +96,7 @@ def test_a_flight_of_any_length_has_few_points_and_dots() -> None:
 @pytest.fixture(scope="module")
 def rolling() -> hoopgen.Shots:
     """Free throws that roll on the ring and leave it."""
-    random = np.random.default_rng(1)
-    states = hoopgen.release(
-        random.normal(7.17, 0.12, 100),
-        random.normal(0.89, 0.03, 100),
-        azimuth=random.normal(0.0, 0.02, 100),
-        backspin=12.0,
-        height=2.13,
-        distance=4.19,
-    )
+    states = soft_throws()
     shots = hoopgen.simulate(states, SOFT, scene=COURT, record=True)
     left = np.unique(shots.events["shot"][shots.events["kind"] == Event.LEAVE])
     assert len(left) > 5

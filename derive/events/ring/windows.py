@@ -11,9 +11,9 @@ from typing import ClassVar
 
 import sympy as sp
 
-from ...symbolic.conditionals import IfAtMost, IfLess, absolute, barrier, maximum, minimum
+from ...symbolic.conditionals import IfAtMost, IfLess, absolute, barrier, maximum
 from ...symbolic.symbols import POSITION, UNIT_ROUNDOFF, VELOCITY
-from ..event_polynomials import Window
+from ..event_polynomials import Window, intersection
 from .polar import PolarRootFinder
 
 
@@ -36,12 +36,12 @@ class RingWindows(PolarRootFinder):
         discriminants are widened by their rounding errors, and so are the times.
         """
         (z1, z2), (a1, a2) = self._slab_intervals(), self._annulus_intervals()
-        late_first = _meet(z1, a2)
+        late_first = intersection(z1, a2)
         middle = tuple(
             IfAtMost(late_first[0], late_first[1], late, early)
-            for late, early in zip(late_first, _meet(z2, a1), strict=True)
+            for late, early in zip(late_first, intersection(z2, a1), strict=True)
         )
-        return [_meet(z1, a1), (middle[0], middle[1]), _meet(z2, a2)]
+        return [intersection(z1, a1), (middle[0], middle[1]), intersection(z2, a2)]
 
     def _slab_intervals(self) -> tuple[Window, Window]:
         """Return the rising and the falling interval of |z| <= R.
@@ -107,7 +107,3 @@ def _two(
             barrier(last, rf"\overline {name}_2"),
         ),
     )
-
-
-def _meet(left: Window, right: Window) -> Window:
-    return maximum(left[0], right[0]), minimum(left[1], right[1])

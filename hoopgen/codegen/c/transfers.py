@@ -78,9 +78,7 @@ class TransferLoop(OutlinedLoop):
         number = Item(Name(f"{own.prefix}taken"), Name(index))
         return numbered_column(own.prefix if prefix is None else prefix, number)
 
-    def _over_taken(
-        self, own: GroupContext, takes: Iterable[str], each: Statement
-    ) -> list[Statement]:
+    def _over_taken(self, takes: Iterable[str], each: Statement) -> list[Statement]:
         """Return the statements for each parameter that a list takes."""
         many = sum(map(is_parameter, takes))
         return [For("_p", Scalar(many), (each,))] if many else []
@@ -108,7 +106,7 @@ class TransferLoop(OutlinedLoop):
         to, source = self._taken(own, "_p"), self._taken(own, "_p", frame.prefix)
         value = load("double", offset(source, Name("i")))
         own_row = offset(to, Name(own.count))
-        rare = self._over_taken(own, takes, pack("double", own_row, packed, value))
+        rare = self._over_taken(takes, pack("double", own_row, packed, value))
         self._column(own, "row", "double")
         for name in takes:
             if name in self.job:
@@ -134,7 +132,7 @@ class TransferLoop(OutlinedLoop):
         filled = [zero("row", "double")]
         filled += [zero(name, own.known[name]) for name in takes if name in own.known]
         own_row = offset(self._taken(own, "_p"), Name(own.count))
-        rare = self._over_taken(own, takes, zeros("double", own_row))
+        rare = self._over_taken(takes, zeros("double", own_row))
         bases = (name for name in takes if name in self.parameters and not is_parameter(name))
         rare += [zero(name, "double") for name in bases]
         filled += [If(seldom("varying"), tuple(rare))] if rare else []

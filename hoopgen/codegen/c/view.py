@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
-from itertools import groupby
 from typing import Any
 
 from hoopgen.derive.ir import event_tree as ir
@@ -70,6 +69,7 @@ class CKernel(KernelView):
         By name, the numbers of the scene's parameters, if it is given all as columns.
     """
 
+    types = TYPES
     evaluation: PartialEvaluation | None
     numbers: Mapping[str, int] = field(default_factory=dict)
 
@@ -108,14 +108,6 @@ class CKernel(KernelView):
         ]
         columns = ["const LANES(column) *p", "size_t row"] if self.numbers else []
         return columns + found + [f"{number} _c{k}" for k in given]
-
-    @property
-    def outputs(self) -> list[tuple[str, list[str]]]:
-        """Type and names of the outputs that follow one another and have the same type."""
-        kernel = self.program.kernel
-        pairs = zip(kernel.kinds, kernel.output_names, strict=True)
-        alike = groupby(pairs, lambda pair: pair[0])
-        return [(TYPES[kind], [name for _, name in own]) for kind, own in alike]
 
 
 @dataclass(frozen=True)

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from importlib.resources.abc import Traversable
-from itertools import groupby
 from typing import Any
 
 from hoopgen.derive.ir.event_tree import writes
@@ -47,6 +46,7 @@ class CudaKernel(KernelView):
         By name, the numbers of the scene's parameters, if it is given all of them.
     """
 
+    types = TYPES
     numbers: Mapping[str, int] = field(default_factory=dict)
 
     @property
@@ -73,14 +73,6 @@ class CudaKernel(KernelView):
             if identifier(argument) not in self.numbers
         ]
         return ["const shot_parameters &_given", *found] if self.numbers else found
-
-    @property
-    def outputs(self) -> list[tuple[str, list[str]]]:
-        """Type and names of the outputs that follow one another and have the same type."""
-        kernel = self.program.kernel
-        pairs = zip(kernel.kinds, kernel.output_names, strict=True)
-        alike = groupby(pairs, lambda pair: pair[0])
-        return [(TYPES[kind], [name for _, name in own]) for kind, own in alike]
 
 
 @dataclass(frozen=True)

@@ -46,7 +46,6 @@ class SurfaceText:
     """
 
     name: str
-    is_plane: bool
     is_ring: bool
     distance: Formulas
     condition: Formulas
@@ -174,7 +173,6 @@ def surface_text(surface: Surface, flight: Flight, brief: Abbreviations) -> Surf
 
     return SurfaceText(
         surface.name,
-        isinstance(surface, Plane),
         isinstance(surface, Ring),
         formula(surface.distance),
         formula(surface.condition),

@@ -245,7 +245,7 @@ PREMISES: dict[str, Premise] = {
         LEMMA,
         "rolling as a power series",
         _kernels(
-            "common.roll_turn_rate common.roll_start common.roll_* common.roll_pace "
+            "common.roll_turn_rate common.roll_start common.roll_* common.roll_step "
             "*.rolling_surface "
             "*.distance common.roll_moved common.roll_placed"
         ),

@@ -113,7 +113,7 @@ def _to_the_ring(block: Block) -> dict[str, Floats]:
     if len(banked):
         flights[banked] = block.again(banked, 1, fields=("state",)).state
     _, (x, y, _, vx, vy, vz) = block.descent(flights, 0.0)
-    depth, left = hoop.sighted(x, y, block.states[:, 0], block.states[:, 1])
+    depth, left = hoop.line_of_sight(x, y, block.states[:, 0], block.states[:, 1])
     return {"entry_angle": arc_tangent(-vz, hypotenuse(vy, vx)), "depth": depth, "left_right": left}
 
 

@@ -85,7 +85,7 @@ def directions(places: ArrayLike, seen_from: tuple[float, float]) -> Floats:
 
 def direction_from(x: Floats, y: Floats, from_x: ArrayLike, from_y: ArrayLike) -> Floats:
     """Return the measure `rebound_angle` of places, each seen from its own; rad."""
-    past, left = hoop.sighted(x, y, from_x, from_y)
+    past, left = hoop.line_of_sight(x, y, from_x, from_y)
     return arc_tangent(left, -past)
 
 

@@ -76,6 +76,15 @@ class Grid:
     ) -> Releases:
         """Return combinations `start` to `stop` - 1; nothing is random.
 
+        Parameters
+        ----------
+        start, stop
+            The first combination, and the one after the last.
+        seed
+            Of no effect: every release model takes one.
+        parameters
+            Of the scene, for those that are neither axes nor fixed.
+
         Raises
         ------
         IndexError

@@ -92,7 +92,7 @@ def _plain(given: Mapping[str, Any]) -> dict[str, Floats]:
     return columns
 
 
-def measured_groups(table: Measured, labels: Iterable[object] | None) -> list[str] | None:
+def measured_groups(labels: Iterable[object] | None) -> list[str] | None:
     """Return the labels of the rows as text."""
     if labels is None:
         return None

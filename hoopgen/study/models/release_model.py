@@ -38,7 +38,17 @@ class ReleaseModel(Protocol):
     def draw(
         self, start: int, stop: int, seed: int = 0, parameters: Mapping[str, float] = PAPER
     ) -> Releases:
-        """Return shots `start` to `stop` - 1; shot i is the same in every such range."""
+        """Return shots `start` to `stop` - 1; shot i is the same in every such range.
+
+        Parameters
+        ----------
+        start, stop
+            The first shot, and the one after the last.
+        seed
+            Other seeds give other shots, where any are random.
+        parameters
+            Of the scene, for those that the model has no values of.
+        """
         ...
 
     def identity(self) -> Mapping[str, object]:

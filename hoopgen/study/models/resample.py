@@ -137,7 +137,17 @@ class Resample:
     def draw(
         self, start: int, stop: int, seed: int = 0, parameters: ParameterValues = PAPER
     ) -> Releases:
-        """Return shots `start` to `stop` - 1, each a row chosen at random."""
+        """Return shots `start` to `stop` - 1, each a row chosen at random.
+
+        Parameters
+        ----------
+        start, stop
+            The first shot, and the one after the last.
+        seed
+            Shot i is the same in every range with the same seed.
+        parameters
+            Of the scene, for those that are no columns.
+        """
         return from_columns(self.noise(start, stop, seed), parameters)
 
     def _rows(self, start: int, stop: int, seed: int) -> NDArray[np.intp]:
@@ -159,7 +169,13 @@ class Resample:
         return {}, self
 
     def noise(self, start: int, stop: int, seed: int = 0) -> dict[str, Floats]:
-        """Return the columns of shots `start` to `stop` - 1, (n,) each or one number."""
+        """Return the columns of shots `start` to `stop` - 1, (n,) each or one number.
+
+        Parameters
+        ----------
+        start, stop, seed
+            As for `draw`.
+        """
         return self._at(self._rows(start, stop, seed))
 
     def around(self, values: Given, noise: Given, parameters: Scene, shots: int = 1) -> Releases:
@@ -168,6 +184,11 @@ class Resample:
         The mean of a column that is among the values is moved there, and so is that of what `aim`,
         `entry`, `x` and `y` stand for: how far the rows are from their mean stays as it was. A
         variable that is no column has the value itself. The other columns are as they are.
+
+        Parameters
+        ----------
+        values, noise, parameters, shots
+            As for `Scatter.around`; the noise is what `noise` returned.
         """
         columns = {**noise, **self._moved(values, noise)}
         if self.is_state:

@@ -110,7 +110,13 @@ class Scatter:
         self._mix()
 
     def noise(self, start: int, stop: int, seed: int = 0) -> dict[str, NDArray[np.float64]]:
-        """Return the random deviations of shots `start` to `stop` - 1, by name, (n,) each."""
+        """Return the random deviations of shots `start` to `stop` - 1, by name, (n,) each.
+
+        Parameters
+        ----------
+        start, stop, seed
+            As for `draw`.
+        """
         check_drawn(start, stop)
         names = self._scattered()
         draws = [normals(seed, _stream(name), start, stop) for name in names]
@@ -185,7 +191,7 @@ class Scatter:
         noise = measuring_noise(table, columns, measurement_covariance)
         from .scatter_fitting import fit_columns  # needs SciPy, which nothing else here does
 
-        return fit_columns(columns, noise, measured_groups(table, labels), cls)
+        return fit_columns(columns, noise, measured_groups(labels), cls)
 
     @property
     def _names(self) -> tuple[str, ...]:

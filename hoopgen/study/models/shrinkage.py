@@ -82,9 +82,9 @@ def _widths(mass: Floats, grid: Floats) -> Floats:
     return np.asarray(np.sqrt(np.maximum(share @ grid**2 - mean**2, 0.0)))
 
 
-def fine_grid(centres: Floats, widths: Floats, points: int = 41) -> Floats:
+def fine_grid(centres: Floats, widths: Floats) -> Floats:
     """Return a grid that is fine about each player's estimate, and coarse between them."""
-    near = centres[:, None] + widths[:, None] * np.linspace(-6.0, 6.0, points)
+    near = centres[:, None] + widths[:, None] * np.linspace(-6.0, 6.0, 41)
     far = np.linspace(near.min(), near.max(), 400)
     return np.unique(np.concatenate([near.ravel(), far]))
 

@@ -179,7 +179,7 @@ def _best(dataset: xr.Dataset, chosen: xr.Dataset) -> dict[str, Floats]:
 def _mirrored(columns: dict[str, Floats], searched: Floats, spots: Floats) -> dict[str, Floats]:
     """Return the columns at all places; to the left of the middle a shot is the mirror image."""
     rows = {(x, y): row for row, (x, y) in enumerate(searched.tolist())}
-    take = np.array([rows[x, abs(y)] for x, y in spots.tolist()])
-    whole = {name: one[take] for name, one in columns.items()}
+    order = np.array([rows[x, abs(y)] for x, y in spots.tolist()])
+    whole = {name: one[order] for name, one in columns.items()}
     whole["azimuth"] = np.where(spots[:, 1] < 0.0, -whole["azimuth"], whole["azimuth"])
     return whole

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from hoopgen.core.validation import is_whole
 from hoopgen.results.shots import Shots
 from hoopgen.simulation.engine import Engine
-from hoopgen.simulation.invalid import why_invalid
+from hoopgen.simulation.invalid_shots import why_invalid
 from hoopgen.simulation.simulate import simulate
 from hoopgen.study.jobs.monte_carlo import outcome_by
 from hoopgen.text.shorten import brief

@@ -128,19 +128,37 @@ class Estimate(SharesOfShots):
         return {name: count / self.shots for name, count in self.kinds.items()}
 
     def share_of(self, by: str) -> float:
-        """Return the share of the shots that end so: of those made, the probability."""
+        """Return the share of the valid shots that end in one way; NaN without any.
+
+        Parameters
+        ----------
+        by
+            The way: the name of an attribute with their number, such as "made".
+        """
         valid = self.shots - self.invalid
         return int(getattr(self, by)) / valid if valid else nan
 
     def ends_of(self, by: str) -> tuple[float, float]:
-        """Return the interval of the share of the shots that end so: of those made, its own."""
+        """Return both ends of the interval of `share_of`.
+
+        Parameters
+        ----------
+        by
+            As for `share_of`.
+        """
         if self.still:
             return self.share_of(by), self.share_of(by)
         low, high = wilson_interval(getattr(self, by), self.shots - self.invalid, self.confidence)
         return float(low), float(high)
 
     def with_rows(self, rows: Rows | None) -> Estimate:
-        """Return this with the intervals of the sample whose rows they are; None: as it is."""
+        """Return the estimate with intervals that contain the uncertainty of the sample.
+
+        Parameters
+        ----------
+        rows
+            The shots of each measured release; None leaves the estimate as it is.
+        """
         if rows is None:
             return self
         sample = rows.share(Outcome.MADE, self.confidence)

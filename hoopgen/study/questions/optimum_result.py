@@ -129,6 +129,11 @@ class Optimum(Result):
         invalid shot do not count. Measured releases are compared row by row, each judged by the
         releases that were searched without it; the interval contains the sample's uncertainty.
 
+        Parameters
+        ----------
+        other
+            Of as many shots and the same seed.
+
         Raises
         ------
         ValueError

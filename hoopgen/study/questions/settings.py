@@ -25,9 +25,9 @@ from .values import (
     Names,
     Quantity,
     Share,
+    Success,
     Text,
     Value,
-    Way,
     Whole,
 )
 
@@ -101,8 +101,8 @@ def arguments(question: Any, *specifications: type) -> dict[str, Any]:
 
 # ------------------------------------------------------------------------------------ shared ones
 
-WAYS = ("any", "direct", "bank")
-"""Ways in which a shot may go in."""
+SUCCESSES = ("any", "direct", "bank")
+"""The shots that may count: all made ones, or those of a kind."""
 
 Path: TypeAlias = str | PathLike[str]
 
@@ -157,11 +157,11 @@ end = partial(
     Text(words="the name of an end", metavar="END"),
     None,
 )
-way = partial(
+success = partial(
     setting,
     "Shots that count: any made shot, a direct shot, or a bank shot. In a scene of your own: "
     "an end, by default the first.",
-    Way(WAYS),
+    Success(SUCCESSES),
     "any",
 )
 precision = partial(

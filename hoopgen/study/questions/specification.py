@@ -146,7 +146,7 @@ class OptimumQuestion:
 
     shared: ClassVar = (of.Sampling, of.Computation)
     over: Ranges = _over()
-    by: str = of.way()
+    by: str = of.success()
     shots: int = _search_shots(100_000)
     tolerance: float = of.tolerance()
     margins: Sequence[str] | None = setting(
@@ -206,7 +206,7 @@ class AimQuestion:
         "High or low flight of the two with that speed.", Choice(("high", "low")), "high"
     )
     depth: float = setting("Distance past the ring's centre of the aim.", Quantity("length"), 0.0)
-    by: str = of.way()
+    by: str = of.success()
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -308,7 +308,7 @@ class MarginsQuestion:
     names: Sequence[str] = setting(
         "Variables that are off.", Listed(Choice(tuple(VARIABLES))), MARGINS
     )
-    by: str = of.way()
+    by: str = of.success()
     shots: int = setting("Number of shots of each trial.", Whole(), 10_000)
     tolerance: float = of.tolerance()
 

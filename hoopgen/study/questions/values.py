@@ -269,8 +269,8 @@ class Choice(Value):
         return str(given)
 
 
-class Way(Choice):
-    """A way in which a shot goes in; in a scene of one's own, one of its ends."""
+class Success(Choice):
+    """The shots that count: all made ones or those of a kind; in a scene of one's own, an end."""
 
 
 @dataclass(frozen=True)

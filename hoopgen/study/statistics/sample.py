@@ -73,15 +73,15 @@ def in_groups(groups: int | None) -> str:
     return "" if groups is None else f" in {format_count(groups, 'group')}"
 
 
-def say_sample(found: SampleInterval, confidence: float, digits: int = 1) -> str:
+def say_sample(found: SampleInterval, confidence: float) -> str:
     """Say the interval of a share, and that it contains the uncertainty of the sample."""
-    ends = format_interval(found.low, found.high, digits)
+    ends = format_interval(found.low, found.high)
     return f"{ends} ({format_percent(confidence, None)} interval of the sample, {found.words})"
 
 
-def say_difference(found: SampleInterval, confidence: float, digits: int = 1) -> str:
+def say_difference(found: SampleInterval, confidence: float) -> str:
     """Say the interval of a difference, and that it contains the uncertainty of the sample."""
-    ends = f"{format_points(found.low, digits)} to {format_points(found.high, digits)}"
+    ends = f"{format_points(found.low)} to {format_points(found.high)}"
     return f"{ends} ({format_percent(confidence, None)} interval of the sample, {found.words})"
 
 

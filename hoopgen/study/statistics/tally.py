@@ -16,7 +16,7 @@ from hoopgen.engine.compiled_scene import CompiledScene
 from hoopgen.hoop.kinds import Kind, kinds
 from hoopgen.results.shots import Shots
 from hoopgen.simulation.hoop import HOOP
-from hoopgen.simulation.invalid import allowed, not_allowed, out_of_range
+from hoopgen.simulation.invalid_shots import allowed, not_allowed, out_of_range
 from hoopgen.text.shorten import brief, join_names
 
 _FIELDS = ("outcome", "counts", "first", "uncertain")

@@ -15,7 +15,7 @@ from hoopgen.text.html import table as rendered
 from hoopgen.text.numbers import format_count
 
 from .groups import Group
-from .invalid import InvalidRows
+from .invalid_rows import InvalidRows
 from .source import Source
 
 if TYPE_CHECKING:

@@ -131,11 +131,11 @@ def _check_made_in(table: Source, said: Mapping[str, Any], scene: CompiledScene)
     )
 
 
-def names_scene(table: Source, own: Iterable[str] = (), scene: CompiledScene = HOOP) -> bool:
-    """Return whether a file says its scene: all of it in columns, or in its metadata."""
+def names_hoop(table: Source, own: Iterable[str] = ()) -> bool:
+    """Return whether a file says all of the article's scene, in columns or in its metadata."""
     left = set(own)
-    said = {variable_of(name, scene)[0] for name in table.schema().names if name not in left}
-    return said.issuperset(scene.table.defaults) or origin_of(table, scene) is not None
+    said = {variable_of(name, HOOP)[0] for name in table.schema().names if name not in left}
+    return said.issuperset(HOOP.table.defaults) or origin_of(table) is not None
 
 
 def resolve_origin(

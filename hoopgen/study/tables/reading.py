@@ -21,7 +21,7 @@ from hoopgen.text.shorten import brief
 
 from .columns import Column, numbers, variable_of
 from .interpretation import Interpretation, interpret
-from .invalid import InvalidRows, reasons
+from .invalid_rows import InvalidRows, reasons
 from .limits import MEMORY
 from .provenance import Origin, resolve_origin
 from .source import Source

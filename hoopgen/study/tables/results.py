@@ -29,7 +29,7 @@ from .delimited import COMMENT
 from .event_log import EVENTS, event_log, log_schema
 from .flights import Flights
 from .groups import Group, GroupCounts
-from .invalid import InvalidRows, reasons, shot_reason
+from .invalid_rows import InvalidRows, reasons, shot_reason
 from .provenance import Origin
 from .source import ABOUT, Source
 

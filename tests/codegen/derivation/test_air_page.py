@@ -1,4 +1,4 @@
-"""The derivation's page of a scene in air: its formulas, its statements, and no word of a parabola."""
+"""The page of a scene in air: its formulas, its statements, and no word of a parabola."""
 
 from __future__ import annotations
 

@@ -21,7 +21,6 @@ from hoopgen.derive.symbolic.polynomials import (
     derivative,
     horner,
     multiply,
-    taylor,
 )
 from hoopgen.derive.symbolic.symbols import POSITION, VELOCITY, t
 from hypothesis import given, settings
@@ -58,11 +57,6 @@ def test_horner_is_the_polynomial_and_derivative_its_derivative() -> None:
     assert same(horner(P, t), polynomial)
     assert same(horner(derivative(P), t), sp.diff(polynomial, t))
     assert derivative(P[:1]) == [0]
-
-
-def test_taylor_is_the_same_polynomial_about_another_point() -> None:
-    shifted = taylor(P, start)
-    assert same(sum(c * (t - start) ** k for k, c in enumerate(shifted)), horner(P, t))
 
 
 @pytest.mark.parametrize("degree", range(6))

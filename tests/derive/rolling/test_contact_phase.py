@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
@@ -68,7 +67,7 @@ class Rolling:
     def expand(self) -> None:
         """Take the series at the place where the ball is."""
         self.call("ring_rolling_surface")
-        for name in ("start", *range(ORDER), "pace"):
+        for name in ("start", *range(ORDER), "step"):
             self.call(f"ring_round_{name}")
 
     def step(self, most: float) -> None:
@@ -224,10 +223,6 @@ def test_without_errors_a_bounce_is_looked_at_when_it_may_be_the_last() -> None:
 # ------------------------------------------------------------------------------- settled shots
 
 
-def _elastic(restitution: float) -> Mapping[str, float]:
-    return NBA | {f"{body}_restitution": restitution for body in COURT.surfaces}
-
-
 def _rolled(shots: hoopgen.Shots) -> NDArray[np.int64]:
     """Return the shots that rolled."""
     return np.unique(shots.events["shot"][shots.events["kind"] == Event.ROLL])
@@ -269,7 +264,7 @@ def test_without_restitution_a_ball_leaves_the_bridge_beside_the_ring_that_it_to
     """The ball moves off the ring, leaves a corner, and crosses a seam to a face that holds it."""
     rows = [274, 862, 1462, 1984, 7432]
     states = free_throw(rows[-1] + 1)[rows]
-    shots = hoopgen.simulate(states, _elastic(0.0), scene=COURT, time_limit=6.0, record=True)
+    shots = hoopgen.simulate(states, rolling.elastic(0.0), scene=COURT, time_limit=6.0, record=True)
     assert not np.any(shots.outcome == COURT.outcomes["CAPPED"])
     assert shots.contacts.max() < 100
     at_bridge = shots.events[
@@ -309,7 +304,7 @@ def test_the_second_formulation_leaves_when_and_where_it_should() -> None:
 
 @needs_library
 def test_both_engines_settle_and_roll_to_the_same_bits() -> None:
-    scene = _elastic(0.2)
+    scene = rolling.elastic(0.2)
     states = free_throw(1 << 10)
     options: dict[str, Any] = {"scene": COURT, "record": True, "time_limit": 1.6}
     options["fields"] = tuple(COURT.layout.results)
@@ -329,7 +324,8 @@ def test_both_engines_settle_and_roll_to_the_same_bits() -> None:
 @needs_library
 @pytest.mark.parametrize(("restitution", "count"), [(0.7, 5_000), (0.95, 300)])
 def test_no_free_throw_with_grip_is_capped(restitution: float, count: int) -> None:
-    shots = hoopgen.simulate(free_throw(count), _elastic(restitution), scene=COURT, time_limit=6.0)
+    sizes = rolling.elastic(restitution)
+    shots = hoopgen.simulate(free_throw(count), sizes, scene=COURT, time_limit=6.0)
     assert not np.any(shots.outcome == COURT.outcomes["CAPPED"])
     assert not np.any(shots.outcome == COURT.outcomes["INVALID"])
 

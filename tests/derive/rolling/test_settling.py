@@ -142,15 +142,15 @@ def test_on_a_ring_they_are_too_in_its_own_coordinates(ball: Ball) -> None:
     first = {k: release(e).subs(terms) for k, e in ring.next_terms(0).items()}
     named = {sp.Symbol(name, real=True): value for name, value in first.items()}
     wanted = {"vx_1", "vy_1", "vz_1", "force"}
-    pace = {k: release(e).subs(named | terms) for k, e in ring.pace().items() if k in wanted}
+    step = {k: release(e).subs(named | terms) for k, e in ring.step().items() if k in wanted}
     e, over, up = sp.Matrix([cos, sin, 0]), sp.Matrix([-sin, cos, 0]), sp.Matrix([0, 0, 1])
     n, v = c * e + s * up, reach * a * (c * up - s * e) + along * over
     turning = (v - wide * along / rho * over) / reach
     friction = ball.friction_share * (spun * n.cross(turning) - (FALL - FALL.dot(n) * n))
     pressed = -FALL.dot(n) - v.dot(turning)
-    assert pace["force"] == pressed
+    assert step["force"] == pressed
     expected = FALL + pressed * n + friction
-    assert [pace[f"v{axis}_1"] for axis in "xyz"] == [sp.nsimplify(p) for p in expected]
+    assert [step[f"v{axis}_1"] for axis in "xyz"] == [sp.nsimplify(p) for p in expected]
     assert sp.simplify(first["turn_rate_1"] + v.dot(n.cross(turning))) == 0
 
 
@@ -251,6 +251,6 @@ def test_what_ends_with_friction_is_what_the_gap_of_a_flight_lacks() -> None:
         values |= {name: found(expression) for name, expression in of.next_terms(k).items()}
     assert abs(bent) < 1e-12
     assert abs(found(of.pressed()["force"])) < 1e-12
-    brace, force_rate = found(of.pace()["friction_force_rate"]), found(of.pressed()["force_rate"])
+    brace, force_rate = found(of.step()["friction_force_rate"]), found(of.pressed()["force_rate"])
     assert abs(brace) > 1
     assert snapped == pytest.approx(-float(force_rate + brace), rel=1e-9)

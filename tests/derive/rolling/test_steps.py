@@ -56,7 +56,7 @@ class OnBoard(Rolling):
             self.call(name)
         for order in range(rolling_series.ORDER):
             self.call(f"roll_{order}")
-        self.call("roll_pace")
+        self.call("roll_step")
 
     def step(self, most: float) -> None:
         """Move the ball by so much time, or by a step of the series, and onto the surface."""

@@ -11,7 +11,6 @@ import sympy as sp
 from hoopgen.derive.scenes.hoop import HOOP
 from hoopgen.derive.studies import measures as derived
 from hoopgen.derive.surfaces import Ring
-from hoopgen.derive.symbolic.conditionals import IfLess
 from hoopgen.derive.symbolic.conditionals import release as unheld
 from hoopgen.derive.symbolic.symbols import POSITION, VELOCITY, t
 from hoopgen.generated.numpy import hoop
@@ -23,6 +22,7 @@ from hoopgen.hoop.kinds import Kind, kinds
 from hoopgen.hoop.releases import RING_HEIGHT
 from hoopgen.study.measures import measure_context, measures
 from hoopgen.study.measures.measures import MEASURES, measure, nearest
+from tests.helpers.derived import decided
 from tests.helpers.effort import trials
 from tests.helpers.hoop_shots import Batch
 
@@ -39,16 +39,10 @@ GRAVITY = HOOP.gravity
 # The formulas
 
 
-def _decided(expression: sp.Expr, holds: bool) -> sp.Expr:
-    """Return the formula where the conditions of all its choices hold, or do not."""
-    chosen = unheld(expression)
-    return chosen.replace(IfLess, lambda left, right, then, other: then if holds else other)
-
-
 @pytest.mark.parametrize("falling", [True, False])
 def test_the_descent_is_at_the_height_and_falling(falling: bool) -> None:
     """Rising and falling balls take different forms of one root."""
-    found = {name: _decided(e, falling) for name, e in derived.descent(HOOP.flight).items()}
+    found = {name: decided(e, falling) for name, e in derived.descent(HOOP.flight).items()}
     place, velocity = HOOP.flight.at(found["time"])
     assert sp.simplify(place[2] - derived.level) == 0
     assert sp.simplify(velocity[2] - found["vz"]) == 0
@@ -58,7 +52,7 @@ def test_the_descent_is_at_the_height_and_falling(falling: bool) -> None:
 
 
 def test_the_apex_is_where_the_ball_neither_rises_nor_falls() -> None:
-    found = {name: _decided(e, True) for name, e in derived.apex(HOOP.flight).items()}
+    found = {name: decided(e, True) for name, e in derived.apex(HOOP.flight).items()}
     place, velocity = HOOP.flight.at(found["time"])
     assert sp.simplify(velocity[2]) == 0
     assert sp.simplify(place[2] - found["height"]) == 0
@@ -69,7 +63,7 @@ def test_the_apex_is_where_the_ball_neither_rises_nor_falls() -> None:
 def test_past_and_left_are_the_place_s_own_axes() -> None:
     """A turn that takes the line of sight to (1, 0): lengths and handedness are kept."""
     x, y = POSITION[:2]
-    past, left = (unheld(e) for e in derived.sighted().values())
+    past, left = (unheld(e) for e in derived.line_of_sight().values())
     assert sp.simplify(past**2 + left**2 - x**2 - y**2) == 0
     jacobian = sp.Matrix([past, left]).jacobian([x, y])
     assert sp.simplify(jacobian.det()) == 1

@@ -8,10 +8,10 @@ from typing import Any
 import mpmath
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
 import hoopgen
 from hoopgen import COURT, NBA_COURT, PAPER_COURT, Event, Outcome
+from tests.helpers.reaching import each, free_throws
 
 # One worker: the C library of the scene is looked at once.
 pytestmark = pytest.mark.xdist_group("rolling")
@@ -22,26 +22,10 @@ GRAVITY = SIZES["gravity"]
 RING, BOARD, BRIDGE = range(3)
 
 
-def _each(name: str, value: float) -> dict[str, float]:
-    return {f"{body}_{name}": value for body in COURT.surfaces}
-
-
 def _flown(state: Any, **options: Any) -> hoopgen.Shots:
     sizes = SIZES | options.pop("sizes", {})
     options.setdefault("fields", tuple(COURT.layout.results))
     return hoopgen.simulate(np.array(state), sizes, scene=COURT, record=True, **options)
-
-
-def _thrown(many: int) -> NDArray[np.float64]:
-    gauss = np.random.default_rng(5).standard_normal((many, 3))
-    return hoopgen.release(
-        speed=7.17 + 0.1 * gauss[:, 0],
-        elevation=np.radians(52 + 1.3 * gauss[:, 1]),
-        azimuth=np.radians(gauss[:, 2]),
-        backspin=6 * np.pi,
-        height=2.1336,
-        distance=4.191,
-    )
 
 
 # ------------------------------------------------------------------------------- how many roll
@@ -49,7 +33,7 @@ def _thrown(many: int) -> NDArray[np.float64]:
 
 def test_rolls_counts_the_rows_of_the_log_that_say_so() -> None:
     shots = hoopgen.simulate(
-        _thrown(400), SIZES | _each("restitution", 0.3), scene=COURT, record=True, time_limit=3
+        free_throws(400), SIZES | each("restitution", 0.3), scene=COURT, record=True, time_limit=3
     )
     rows = shots.events["shot"][shots.events["kind"] == Event.ROLL]
     assert np.array_equal(shots.rolls, np.bincount(rows, minlength=len(shots)))
@@ -58,7 +42,7 @@ def test_rolls_counts_the_rows_of_the_log_that_say_so() -> None:
 
 
 def test_the_hoop_has_none_of_it() -> None:
-    shots = hoopgen.simulate(_thrown(2))
+    shots = hoopgen.simulate(free_throws(2))
     for name in ("rolls", "slip_left", "grip_lost"):
         assert name not in hoopgen.HOOP.layout.results
         with pytest.raises(AttributeError, match=f"{name}: in the scene hoop no ball rolls"):
@@ -68,7 +52,7 @@ def test_the_hoop_has_none_of_it() -> None:
 def test_grip_lost_is_had_by_name_and_changes_nothing() -> None:
     sizes = NBA_COURT | {"ring_restitution": 0.3}
     plain, asked = (
-        hoopgen.simulate(_thrown(300), sizes, scene=COURT, time_limit=3, fields=fields)
+        hoopgen.simulate(free_throws(300), sizes, scene=COURT, time_limit=3, fields=fields)
         for fields in (("outcome", "state", "rolls"), ("outcome", "state", "rolls", "grip_lost"))
     )
     assert not hasattr(plain, "grip_lost")
@@ -82,7 +66,7 @@ def test_grip_lost_is_had_by_name_and_changes_nothing() -> None:
 
 def test_tables_have_it() -> None:
     pytest.importorskip("pandas")
-    shots = _flown(_thrown(3))
+    shots = _flown(free_throws(3))
     frame = shots.to_pandas()
     assert {"rolls", "slip_left", "grip_lost_s"} <= set(frame.columns)
     pytest.importorskip("xarray")
@@ -131,7 +115,7 @@ def test_grip_is_lost_when_the_plane_motion_says(
 ) -> None:
     if backend == "c" and COURT.backend != "c":
         pytest.skip("the C library was not built")
-    sizes = _each("restitution", 0.0) | _each("friction", friction)
+    sizes = each("restitution", 0.0) | each("friction", friction)
     shots = _flown(_on_top(angle), sizes=sizes, backend=backend)
     begun = shots.events[shots.events["kind"] == Event.ROLL][0]
     expected = float(begun["time"]) + _lost_in_the_plane(begun, friction)
@@ -142,7 +126,7 @@ def test_grip_is_lost_when_the_plane_motion_says(
 
 
 def test_grip_that_is_infinite_is_never_lost() -> None:
-    shots = _flown(_on_top(80.0), sizes=_each("restitution", 0.0))
+    shots = _flown(_on_top(80.0), sizes=each("restitution", 0.0))
     assert shots.rolls[0] > 0
     assert shots.grip_lost[0] == math.inf
 
@@ -158,7 +142,7 @@ def test_an_invalid_shot_has_no_such_time() -> None:
 
 def test_slip_left_tells_capped_shots_apart() -> None:
     state = [-0.308, 0, 0.05, 0, 0, 0, 100.0, 0, 0]
-    sizes = {"ball_radius": 0.03, "bridge_half_width": 0.5} | _each("restitution", 0.5)
+    sizes = {"ball_radius": 0.03, "bridge_half_width": 0.5} | each("restitution", 0.5)
     slips = _flown(state, sizes=sizes | {"bridge_friction": 0.05})
     assert (slips.outcome[0], slips.slip_left[0], slips.rolls[0]) == (Outcome.CAPPED, True, 0)
     assert not slips.uncertain[0]
@@ -172,7 +156,7 @@ def test_slip_left_tells_capped_shots_apart() -> None:
 
 def test_a_slope_too_steep_for_friction_leaves_slip_of_any_size() -> None:
     """For 2 F > (1 + e) mu N no small bounce grips, and the ball cannot begin to roll."""
-    sizes = _each("restitution", 0.5) | _each("friction", 0.1)
+    sizes = each("restitution", 0.5) | each("friction", 0.1)
     shots = _flown(_on_top(60.0), sizes=sizes)
     assert (shots.outcome[0], shots.slip_left[0]) == (Outcome.CAPPED, True)
 
@@ -181,7 +165,7 @@ def test_a_proof_agrees_with_a_shot_that_ends_with_slip_left() -> None:
     state = np.array([[-0.308, 0, 0.05, 0, 0, 0, 100.0, 0, 0]] * 2)
     state[1, 6] = 90.0
     sizes = SIZES | {"ball_radius": 0.03, "bridge_half_width": 0.5, "bridge_friction": 0.05}
-    sizes |= _each("restitution", 0.5)
+    sizes |= each("restitution", 0.5)
     shots = hoopgen.simulate(state, sizes, scene=COURT, record=True)
     proof = hoopgen.certify(state, sizes, scene=COURT, max_contacts=12)
     assert shots.slip_left.all()
@@ -197,7 +181,7 @@ def test_a_ball_that_rolls_over_the_ring_onto_the_bridge_is_not_wedged_there() -
     state = [x, 0, math.sqrt(REACH**2 - 0.005**2) + 1e-7, speed, 0, 0]
     state += [0, speed / SIZES["ball_radius"], 0]
     for backend in ("numpy", COURT.backend):
-        shots = _flown(state, sizes=_each("restitution", 0.3), time_limit=1.0, backend=backend)
+        shots = _flown(state, sizes=each("restitution", 0.3), time_limit=1.0, backend=backend)
         begun = shots.events[shots.events["kind"] == Event.ROLL]["surface"]
         assert [*begun[:2]] == [RING, BRIDGE]
         assert shots.outcome[0] != Outcome.LODGED or abs(shots.state[0, 3]) < 1e-3
@@ -205,7 +189,7 @@ def test_a_ball_that_rolls_over_the_ring_onto_the_bridge_is_not_wedged_there() -
 
 def test_what_is_lodged_between_ring_and_board_is_pressed_onto_both() -> None:
     sizes = SIZES | {"ring_restitution": 0.3}
-    states = _thrown(6000)
+    states = free_throws(6000)
     shots = hoopgen.simulate(states, sizes, scene=COURT, time_limit=5)
     lodged = np.flatnonzero(shots.outcome == Outcome.LODGED)
     again = hoopgen.simulate(states[lodged], sizes, scene=COURT, time_limit=5, record=True)
@@ -232,7 +216,7 @@ def test_without_restitution_what_nothing_presses_on_leaves() -> None:
     """A ball that grazes the ring's top too fast to be held by it: one contact, and on it flies."""
     state = [SIZES["ring_radius"] - 0.03, 0, REACH + 0.01, 2.5, 0, -0.5, 0, 0, 0]
     for backend in ("numpy", COURT.backend):
-        shots = _flown(state, sizes=_each("restitution", 0.0), backend=backend)
+        shots = _flown(state, sizes=each("restitution", 0.0), backend=backend)
         assert shots.outcome[0] == Outcome.MISSED
         assert (shots.contacts[0], shots.rolls[0]) == (1, 0)
         assert not shots.uncertain[0]

@@ -13,7 +13,6 @@ from click.testing import Result
 from hoopgen.derive.motion.parabola import Parabola
 from hoopgen.derive.studies import aiming
 from hoopgen.derive.studies.aiming import entry, reach, release_speed, rise, slope
-from hoopgen.derive.symbolic.conditionals import IfLess
 from hoopgen.derive.symbolic.conditionals import release as unheld
 from hoopgen.derive.symbolic.symbols import POSITION, VELOCITY
 from hoopgen.generated.numpy import hoop
@@ -28,6 +27,7 @@ from hoopgen.study.questions.aim import NUMBERS, Aim, aim
 from hoopgen.study.questions.aim_table import TABLE, aim_table, write_csv
 from hoopgen.text.numbers import format_count
 from tests.helpers.commands import run
+from tests.helpers.derived import decided
 from tests.helpers.effort import occurrences, trials
 
 Floats = NDArray[np.float64]
@@ -41,12 +41,6 @@ DIGITS = 40
 # The closed forms, put into the flight
 
 
-def _decided(expression: sp.Expr, holds: bool) -> sp.Expr:
-    """Return the formula where the conditions of all its choices hold, or do not."""
-    chosen = unheld(expression)
-    return chosen.replace(IfLess, lambda left, right, then, other: then if holds else other)
-
-
 def _at_the_point(speed: sp.Expr, slope_: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
     """Return height above the release, and slope downwards, of Eq. 3 after the distance L."""
     level = speed / sp.sqrt(1 + slope_**2)
@@ -56,11 +50,6 @@ def _at_the_point(speed: sp.Expr, slope_: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
     )
     assert sp.simplify(place[0].subs(start) - reach) == 0
     return place[2].subs(start), -velocity[2].subs(start) / level
-
-
-def test_the_flight_without_its_time_is_the_flight() -> None:
-    risen, _ = _at_the_point(release_speed, slope)
-    assert sp.simplify(risen - aiming.height_at_distance(GRAVITY)) == 0
 
 
 def test_the_aimed_speed_goes_through_the_point_with_the_entry_slope() -> None:
@@ -78,7 +67,7 @@ def test_the_slope_of_an_entry_has_that_entry() -> None:
 @pytest.mark.parametrize("below", [True, False])
 def test_the_least_speed_is_the_least(below: bool) -> None:
     """There the speed's square has no slope and bends upwards; both forms of the root."""
-    slowest, least = (_decided(e, below) for e in aiming.least_speed(GRAVITY).values())
+    slowest, least = (decided(e, below) for e in aiming.least_speed(GRAVITY).values())
     square = unheld(aiming.aimed_speed(GRAVITY)["speed"]) ** 2
     assert sp.simplify(sp.diff(square, slope).subs(slope, slowest)) == 0
     assert sp.simplify(square.subs(slope, slowest) - least**2) == 0
@@ -94,11 +83,11 @@ def test_both_slopes_of_a_speed_go_through_the_point(below: bool) -> None:
     a, b = sp.symbols("a b", positive=True)
     point = {rise: (b - a) / 2, reach: sp.sqrt(a * b)}
     distance = {sp.sqrt(rise**2 + reach**2): (a + b) / 2}
-    residue = aiming.height_at_distance(GRAVITY) - rise
+    residue = _at_the_point(release_speed, slope)[0] - rise
     values = {release_speed: 9, a: 4, b: 5, GRAVITY: 10}
     both = []
     for expression in aiming.slopes_of_speed(GRAVITY).values():
-        found = _decided(expression, below).subs(distance).subs(point)
+        found = decided(expression, below).subs(distance).subs(point)
         assert sp.simplify(residue.subs(point).subs(slope, found)) == 0
         both.append(found.subs(values))
     assert both[0] < both[1]

@@ -20,7 +20,6 @@ from hoopgen.cli.types import AXIS
 from hoopgen.hoop.kinds import Kind, kinds
 from hoopgen.hoop.variables import VARIABLES, resolve_variables
 from hoopgen.study.named_units import named
-from hoopgen.study.questions import map as module
 from hoopgen.study.questions import map_dataset, sweep
 from hoopgen.study.tables.columns import columns_of
 from tests.helpers import contents
@@ -240,11 +239,12 @@ def test_chunks_threads_and_backends_change_nothing(
         xr.testing.assert_identical(made(backend="numpy"), wanted)
 
 
-def test_a_chunk_may_be_computed_by_another_process(monkeypatch: pytest.MonkeyPatch) -> None:
-    works: list[Any] = []
-    monkeypatch.setattr(module, "run", lambda work, *_, **__: works.append(work) or iter(()))
-    hoopgen.map(Scatter(REST, SD, CORRELATION), OVER, shots=100)
-    (work,) = works
+def job(model: Scatter, over: Any, shots: int) -> sweep.Sweep:
+    return sweep.Sweep(over, model, hoopgen.PAPER, shots, 0, 40, "auto", hoopgen.HOOP)
+
+
+def test_a_chunk_may_be_computed_by_another_process() -> None:
+    work = job(Scatter(REST, SD, CORRELATION), OVER, 100)
     there = pickle.loads(pickle.dumps(work))
     assert there.compute(1).equals(work.compute(1))
     assert there.identity() == json.loads(json.dumps(work.identity()))
@@ -278,13 +278,13 @@ def test_a_folder_is_gone_on_from(tmp_path: Path, sd: Any, monkeypatch: pytest.M
 def thrown(monkeypatch: pytest.MonkeyPatch) -> list[tuple[int, int]]:
     """Return the cell and number of each sampled shot, once for each time it is sampled."""
     found: list[tuple[int, int]] = []
-    counted = module.Sweep.counted
+    counted = sweep.Sweep.counted
 
     def noted(work: Any, chunk: int, start: int, stop: int, *before: Any) -> Any:
         found.extend(itertools.product(range(*work.cells(chunk)), range(start, stop)))
         return counted(work, chunk, start, stop, *before)
 
-    monkeypatch.setattr(module.Sweep, "counted", noted)
+    monkeypatch.setattr(sweep.Sweep, "counted", noted)
     return found
 
 
@@ -312,15 +312,11 @@ def test_a_folder_can_be_asked_for_more_shots_and_only_the_rest_is_thrown(
 
 def test_many_cells_are_in_chunks_of_many(monkeypatch: pytest.MonkeyPatch) -> None:
     """Whatever the number of shots: not one file for a few hundred shots."""
-    works: list[Any] = []
-    monkeypatch.setattr(module, "run", lambda work, *_, **__: works.append(work) or iter(()))
-    monkeypatch.setattr(module, "dataset", lambda *_: None)
     monkeypatch.setattr(sweep, "CHUNK", 1 << 17)
     monkeypatch.setattr(sweep, "BLOCK", 1 << 14)
     for cells, shots, chunks in ((12, 100, 2), (5000, 100, 64), (5000, 20_000, 128)):
         over = {"speed": np.linspace(7.0, 8.0, cells)}
-        hoopgen.map(Scatter(REST | {"elevation": 0.9}, SD), over, shots=shots)
-        assert works[-1].chunks == chunks
+        assert job(Scatter(REST | {"elevation": 0.9}, SD), over, shots).chunks == chunks
 
 
 def test_whole_numbers_may_be_numpy_s(tmp_path: Path) -> None:

@@ -5,15 +5,14 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from flint import arb, arb_poly, arb_series, ctx
-
 from hoopgen.derive.scenes import HOOP
 from hoopgen.derive.scenes.scene import Scene
 
-from .arrivals import arrival_at
-from .flight import left_by
-from .formulas import Formulas, SurfaceFormulas, formulas
-from .pieces import Piece, next_piece
-from .roots import positive_within
+from hoopgen.judge.arrivals import arrival_at
+from hoopgen.judge.flight import left_by
+from hoopgen.judge.formulas import Formulas, SurfaceFormulas, formulas
+from hoopgen.judge.pieces import Piece, next_piece
+from hoopgen.judge.roots import sign_variations
 
 AUDIT_BITS = 128
 
@@ -98,7 +97,7 @@ def _deepest(
     parts = [(begin, end)]
     while parts:
         low, high = parts.pop()
-        if positive_within(polynomial, polynomial.degree(), low, high - low):
+        if sign_variations(polynomial, polynomial.degree(), low, high - low)[1] == 0:
             continue
         around = piece.at(low.union(high))
         if any(part >= 0 for part in surface.inside(around, values)):

@@ -1,4 +1,4 @@
-"""The reasons why sampled shots are invalid, which a command prints."""
+"""The warning about invalid sampled shots, which a command prints."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ def warn_invalid_shots(released: Releases, shots: hoopgen.Shots, invalid: int, t
     """
     if not invalid:
         return
-    from hoopgen.study.tables.invalid import shot_reason
+    from hoopgen.study.tables.invalid_rows import shot_reason
 
     rows = np.flatnonzero(shots.outcome == shots.scene.outcomes["INVALID"])[:MAX_SHOTS].tolist()
     reasons = Counter(shot_reason(released, row, shots.scene) for row in rows)

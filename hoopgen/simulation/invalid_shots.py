@@ -1,4 +1,4 @@
-"""Reasons for invalid shots, as text."""
+"""The reasons for which shots are invalid, as text."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Why rows of a table are invalid, in words."""
+"""The invalid rows of a table, and the reasons, as text."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from hoopgen.core.variables import Releases
 from hoopgen.engine.compiled_scene import CompiledScene
-from hoopgen.simulation.invalid import allowed, reason
+from hoopgen.simulation.invalid_shots import allowed, reason
 from hoopgen.text.shorten import brief, cut
 
 from .columns import Column, numbers
