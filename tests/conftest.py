@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import signal
 from collections import defaultdict
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from decimal import localcontext
 from pathlib import Path
 
@@ -13,8 +13,9 @@ import pytest
 from numpy.typing import NDArray
 
 import hoopgen
+from hoopgen.scene import compilers
 from tests.helpers import hoop_shots
-from tests.helpers.effort import scaled_names, trials
+from tests.helpers.effort import EFFORT, scaled_names, trials
 from tests.helpers.engines import ENGINES, Simulate, simulate_on
 from tests.helpers.hoop_shots import Batch
 from tests.helpers.march import Flown, March
@@ -47,6 +48,18 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
         for number, item in enumerate(members):
             if number not in kept:
                 item.add_marker("slow")
+
+
+@pytest.fixture(scope="session", autouse=True)
+def narrow_scenes() -> Iterator[None]:
+    """Below effort 1, compile scenes of one's own one lane wide, which takes half the time.
+
+    `tests/scene/test_compile.py` compiles one for the width of the processor.
+    """
+    with pytest.MonkeyPatch.context() as patch:
+        if EFFORT < 1:
+            patch.setattr(compilers, "processor_width", lambda: 1)
+        yield
 
 
 @pytest.fixture(scope="session", params=ENGINES)

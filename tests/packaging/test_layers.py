@@ -5,12 +5,15 @@ from __future__ import annotations
 import ast
 import re
 from collections.abc import Iterator, Mapping
+from functools import cache
 from graphlib import CycleError, TopologicalSorter
 from pathlib import Path
 
 import pytest
 
 from tests.helpers import ROOT
+
+pytestmark = pytest.mark.xdist_group("layers")  # all files are read once
 
 LAYERS = (
     {"derive.symbolic", "generated", "templates", "text"},
@@ -134,7 +137,10 @@ def circle(found: Arrows) -> list[str]:
     return []
 
 
-IMPORTS = arrows(modules())
+@cache
+def imports() -> Arrows:
+    """Return what every module imports of hoopgen, read once."""
+    return arrows(modules())
 
 
 def test_every_package_has_one_layer() -> None:
@@ -144,11 +150,11 @@ def test_every_package_has_one_layer() -> None:
 
 
 def test_no_import_leads_up() -> None:
-    assert upward(IMPORTS) == set()
+    assert upward(imports()) == set()
 
 
 def test_no_imports_lead_round() -> None:
-    assert circle(IMPORTS) == []
+    assert circle(imports()) == []
 
 
 def test_only_the_root_imports_modules_of_hoopgen_by_name() -> None:
