@@ -12,8 +12,9 @@ from pathlib import Path
 import pytest
 
 from tests.helpers import ROOT
+from tests.helpers.syntax import parsed, statements
 
-pytestmark = pytest.mark.xdist_group("layers")  # all files are read once
+pytestmark = pytest.mark.xdist_group("sources")  # all files are parsed once
 
 LAYERS = (
     {"derive.symbolic", "generated", "templates", "text"},
@@ -76,7 +77,7 @@ def modules() -> dict[str, Path]:
 
 def imported(tree: ast.AST, package: str) -> Iterator[str]:
     """Yield all that is imported anywhere in a file: in functions, and for types alone, too."""
-    for node in ast.walk(tree):
+    for node in statements(tree):
         if isinstance(node, ast.Import):
             yield from (each.name for each in node.names)
         elif isinstance(node, ast.ImportFrom):
@@ -97,8 +98,8 @@ def arrows(known: Mapping[str, Path]) -> dict[str, set[str]]:
     found = {}
     for name, file in known.items():
         package = name if file.name == "__init__.py" else name.rpartition(".")[0]
-        tree = ast.parse(file.read_text(encoding="utf-8"))
-        found[name] = {within(each, known) for each in imported(tree, package)} - {"", name}
+        inner = imported(parsed(file), package)
+        found[name] = {within(each, known) for each in inner} - {"", name}
     return found
 
 

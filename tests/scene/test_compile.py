@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import functools
+import inspect
 import os
 import pickle
 import shutil
@@ -59,8 +60,8 @@ DOME = Scene(
 PLANK = replace(DOME, name="plank", bodies=DOME.bodies[:1])
 """The least that there is to compile."""
 
-OWN_WIDTH, OWN_FLAGS = compilers.processor_width, compilers.FLAGS
-"""How users compile, before the fixtures of tests make it quicker."""
+OWN_WIDTH, OWN_FLAGS = inspect.unwrap(compilers.processor_width), compilers.FLAGS
+"""The width and the flags that users have, before fixtures of tests replace them."""
 
 FILE = """\
 name = "post"
