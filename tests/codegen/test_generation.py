@@ -400,9 +400,18 @@ def test_a_kernel_takes_nothing_that_it_does_not_use() -> None:
 
 
 @pytest.fixture(scope="module")
-def files() -> dict[str, str]:
+def rendered() -> dict[str, str]:
     """The files of all scenes that come with hoopgen, rendered once."""
     return committed.render_all()
+
+
+@pytest.fixture(scope="module")
+def files() -> dict[str, str]:
+    """The files as they are committed; they are those of `rendered`, or a test fails."""
+    root = ROOT / "generated"
+    names = [*json.loads((root / MARKER).read_bytes())["files"], MARKER]
+    there = {name: root / name for name in names if "*" not in name}
+    return {name: file.read_text(encoding="utf-8") for name, file in there.items()}
 
 
 def file_of(template: str) -> str:
@@ -422,11 +431,17 @@ def checkout(tmp_path: Path, files: dict[str, str], monkeypatch: pytest.MonkeyPa
 
 @pytest.mark.slow
 def test_the_repository_is_up_to_date(
-    files: dict[str, str], monkeypatch: pytest.MonkeyPatch
+    rendered: dict[str, str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Otherwise: `make generate`."""
-    monkeypatch.setattr(committed, "render_all", lambda: dict(files))
+    monkeypatch.setattr(committed, "render_all", lambda: dict(rendered))
     assert committed.check(ROOT) == []
+
+
+def test_the_hoop_s_sources_are_up_to_date(files: dict[str, str]) -> None:
+    """Otherwise: `make generate`; pages and other scenes take longer to render."""
+    again = render.render_scene(HOOP, page=False)
+    assert [name for name, text in again.items() if files[name] != text] == []
 
 
 def test_what_is_generated_is_what_is_committed_and_nothing_else(files: dict[str, str]) -> None:
@@ -449,7 +464,7 @@ for folder in map(Path, sys.argv[1:]):
 
 @pytest.mark.slow
 def test_generation_gives_the_same_bytes_in_every_process(
-    tmp_path: Path, files: dict[str, str]
+    tmp_path: Path, rendered: dict[str, str]
 ) -> None:
     """Whatever the order of Python's sets, and the second time in one process."""
     runs = []
@@ -460,7 +475,7 @@ def test_generation_gives_the_same_bytes_in_every_process(
         runs.append((subprocess.Popen(command, env=environment), folders))
     ended = [process.wait(timeout=300) for process, _ in runs]
     assert not any(ended)
-    expected = {name: text.encode() for name, text in files.items()}
+    expected = {name: text.encode() for name, text in rendered.items()}
     for root in (folder / "generated" for _, folders in runs for folder in folders):
         written = [path for path in root.rglob("*") if path.is_file()]
         assert {p.relative_to(root).as_posix(): p.read_bytes() for p in written} == expected

@@ -99,7 +99,7 @@ def kernels_of(name: str) -> Kernels:
     if name == "mixed":
         with pytest.MonkeyPatch.context() as patch:
             patch.setattr(grouping, "MIN_GROUPED_BODIES", 2)
-            text = render_scene(MIXED.derive(), page=False)["numpy/mixed.py"]
+            text = render_scene(MIXED.derive(), page=False, targets=["numpy"])["numpy/mixed.py"]
     else:
         text = sources(MIN_GROUPED_BODIES)["numpy/pins.py"]
     exec(text, place)

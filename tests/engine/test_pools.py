@@ -41,8 +41,7 @@ def test_the_next_batch_has_the_threads_of_the_last() -> None:
     thread_pools.return_pool(last, 2)
 
 
-@pytest.mark.sampled(1)
-@pytest.mark.parametrize("backend", ["c", "numpy"])
+@pytest.mark.parametrize("backend", ["c", pytest.param("numpy", marks=pytest.mark.slow)])
 def test_where_no_thread_can_be_started_batches_and_studies_run_all_the_same(
     backend: Any, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -70,22 +70,35 @@ def scaled_names(file: Path) -> frozenset[str]:
     """
     mentioned: dict[str, set[str]] = {}
     scaled = set[str]()
+    bodies: list[tuple[str | None, ast.stmt]] = []
     for node in ast.parse(file.read_text(encoding="utf-8")).body:
-        used = {each.id for each in ast.walk(node) if isinstance(each, ast.Name)}
-        used |= {each.arg for each in ast.walk(node) if isinstance(each, ast.arg)}  # fixtures
         match node:
             case ast.ImportFrom(module=str(module), names=names) if module.startswith("tests"):
                 for each in names:
                     if _depends(module, each.name):
                         scaled.add(each.asname or each.name)
             case ast.FunctionDef(name=name) | ast.ClassDef(name=name):
-                mentioned.setdefault(name, set()).update(used)
+                bodies.append((name, node))
             case ast.Assign() | ast.AnnAssign() | ast.AugAssign():
-                for name in used:
-                    mentioned.setdefault(name, set()).update(used)
+                bodies.append((None, node))
+    if not scaled:
+        return frozenset()
+    for name, node in bodies:
+        used = _names(node)
+        for each in used if name is None else (name,):
+            mentioned.setdefault(each, set()).update(used)
     while more := {name for name, used in mentioned.items() if used & scaled} - scaled:
         scaled |= more
     return frozenset(scaled)
+
+
+def _names(node: ast.AST) -> set[str]:
+    """Return the names that code mentions, those of arguments and thus of fixtures included."""
+    return {
+        each.id if isinstance(each, ast.Name) else each.arg
+        for each in ast.walk(node)
+        if isinstance(each, ast.Name | ast.arg)
+    }
 
 
 def _depends(module: str, name: str) -> bool:

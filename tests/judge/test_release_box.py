@@ -115,9 +115,9 @@ def test_a_counterexample_is_in_the_box_and_ends_otherwise() -> None:
     assert "Proved to end otherwise: speed" in str(proof)
 
 
-@pytest.mark.slow
-def test_the_parts_of_a_survey_are_the_box_and_end_as_is_proved() -> None:
-    widths = {"speed": 0.05, "elevation": 0.03}
+@pytest.mark.parametrize("size", [0.2, pytest.param(1.0, marks=pytest.mark.slow)])
+def test_the_parts_of_a_survey_are_the_box_and_end_as_is_proved(size: float) -> None:
+    widths = {"speed": 0.05 * size, "elevation": 0.03 * size}
     proof = hoopgen.certify_box(THROW, widths, max_parts=400, survey=True)
     whole = 4 * np.prod(list(widths.values()))
     np.testing.assert_allclose(np.prod(proof.high - proof.low, axis=1).sum(), whole, rtol=1e-9)

@@ -12,7 +12,10 @@ from pathlib import Path
 
 import pytest
 
-ROOT = Path(__file__).resolve().parents[2]
+from tests.helpers import ROOT
+from tests.helpers.syntax import parsed, statements
+
+pytestmark = pytest.mark.xdist_group("sources")  # all files are parsed once
 
 EVERYWHERE = ("benchmarks", "derive", "hoopgen", "tests", "setup.py")
 """Sources whose docstrings begin with a full statement."""
@@ -59,8 +62,7 @@ def documented(path: str) -> list[tuple[str, Documented, str]]:
     """
     found: list[tuple[str, Documented, str]] = []
     for file in sources(path):
-        module = ast.parse(file.read_text(encoding="utf-8"))
-        for owner in ast.walk(module):
+        for owner in statements(parsed(file)):
             body = getattr(owner, "body", None)
             for before, node in pairwise([owner, *body] if isinstance(body, list) else []):
                 match node:
@@ -79,7 +81,7 @@ def is_predicate(node: Documented) -> bool:
 def public_functions(folder: str) -> Iterator[tuple[str, ast.FunctionDef]]:
     """Yield the documented functions and methods whose names, and whose class's, are public."""
     for file in sources(folder):
-        module = ast.parse(file.read_text(encoding="utf-8"))
+        module = parsed(file)
         classes = [one for one in module.body if isinstance(one, ast.ClassDef)]
         for owner in (module, *(one for one in classes if not one.name.startswith("_"))):
             for one in owner.body:
@@ -92,7 +94,7 @@ def implemented(folder: str) -> set[str]:
     return {
         method.name
         for file in sources(folder)
-        for one in ast.parse(file.read_text(encoding="utf-8")).body
+        for one in parsed(file).body
         if isinstance(one, ast.ClassDef) and "Protocol" in map(ast.unparse, one.bases)
         for method in one.body
         if isinstance(method, ast.FunctionDef)

@@ -5,12 +5,16 @@ from __future__ import annotations
 import ast
 import re
 from collections.abc import Iterator, Mapping
+from functools import cache
 from graphlib import CycleError, TopologicalSorter
 from pathlib import Path
 
 import pytest
 
 from tests.helpers import ROOT
+from tests.helpers.syntax import parsed, statements
+
+pytestmark = pytest.mark.xdist_group("sources")  # all files are parsed once
 
 LAYERS = (
     {"derive.symbolic", "generated", "templates", "text"},
@@ -73,7 +77,7 @@ def modules() -> dict[str, Path]:
 
 def imported(tree: ast.AST, package: str) -> Iterator[str]:
     """Yield all that is imported anywhere in a file: in functions, and for types alone, too."""
-    for node in ast.walk(tree):
+    for node in statements(tree):
         if isinstance(node, ast.Import):
             yield from (each.name for each in node.names)
         elif isinstance(node, ast.ImportFrom):
@@ -94,8 +98,8 @@ def arrows(known: Mapping[str, Path]) -> dict[str, set[str]]:
     found = {}
     for name, file in known.items():
         package = name if file.name == "__init__.py" else name.rpartition(".")[0]
-        tree = ast.parse(file.read_text(encoding="utf-8"))
-        found[name] = {within(each, known) for each in imported(tree, package)} - {"", name}
+        inner = imported(parsed(file), package)
+        found[name] = {within(each, known) for each in inner} - {"", name}
     return found
 
 
@@ -134,7 +138,10 @@ def circle(found: Arrows) -> list[str]:
     return []
 
 
-IMPORTS = arrows(modules())
+@cache
+def imports() -> Arrows:
+    """Return what every module imports of hoopgen, read once."""
+    return arrows(modules())
 
 
 def test_every_package_has_one_layer() -> None:
@@ -144,11 +151,11 @@ def test_every_package_has_one_layer() -> None:
 
 
 def test_no_import_leads_up() -> None:
-    assert upward(IMPORTS) == set()
+    assert upward(imports()) == set()
 
 
 def test_no_imports_lead_round() -> None:
-    assert circle(IMPORTS) == []
+    assert circle(imports()) == []
 
 
 def test_only_the_root_imports_modules_of_hoopgen_by_name() -> None:

@@ -15,6 +15,9 @@ import pytest
 
 from tests.helpers import ROOT
 from tests.helpers.effort import scaled_names
+from tests.helpers.syntax import parsed, statements
+
+pytestmark = pytest.mark.xdist_group("sources")  # all files are parsed once
 
 MAKEFILE = (ROOT / "Makefile").read_text(encoding="utf-8")
 EFFORT = "tests/helpers/effort.py"
@@ -35,7 +38,7 @@ def selects(target: str, slow: bool, scaled: bool) -> bool:
 def importers() -> Iterator[tuple[str, ast.ImportFrom]]:
     """Yield the imports of the tests' effort, with the files in which they are."""
     for path in (ROOT / "tests").rglob("*.py"):
-        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        for node in statements(parsed(path)):
             if isinstance(node, ast.ImportFrom) and "effort" in {
                 *str(node.module).split("."),
                 *(name.name for name in node.names),

@@ -253,6 +253,7 @@ def test_texts_of_a_key_are_not_over_one_another(page: tuple[str, float, Figure]
         assert not any(a.overlaps(b) for a, b in itertools.combinations(boxes, 2))
 
 
+@pytest.mark.sampled(9)
 def test_titles_and_names_of_axes_are_not_over_one_another(
     page: tuple[str, float, Figure],
 ) -> None:
@@ -264,6 +265,7 @@ def test_titles_and_names_of_axes_are_not_over_one_another(
     assert not any(a.overlaps(b) for a, b in itertools.combinations(boxes, 2))
 
 
+@pytest.mark.sampled(9)
 def test_axes_are_named_with_units(page: tuple[str, float, Figure]) -> None:
     _, _, figure = page
     said = [axes.get_xlabel() for axes in figure.axes] + [axes.get_ylabel() for axes in figure.axes]

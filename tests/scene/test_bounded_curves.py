@@ -45,7 +45,7 @@ CAP, HALF, STEP = range(3)
 
 def written(scene: Scene, folder: Path) -> Path:
     """Render a scene into a folder."""
-    for name, text in render.render_scene(scene, page=False).items():
+    for name, text in render.render_scene(scene, page=False, targets=["numpy", "c"]).items():
         path = folder / name
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(text, encoding="utf-8")

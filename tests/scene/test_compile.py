@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import functools
+import inspect
 import os
 import pickle
 import shutil
@@ -58,6 +59,9 @@ DOME = Scene(
 )
 PLANK = replace(DOME, name="plank", bodies=DOME.bodies[:1])
 """The least that there is to compile."""
+
+OWN_WIDTH, OWN_FLAGS = inspect.unwrap(compilers.processor_width), compilers.FLAGS
+"""The width and the flags that users have, before fixtures of tests replace them."""
 
 FILE = """\
 name = "post"
@@ -202,16 +206,22 @@ def said(started: subprocess.Popen[str]) -> list[str]:
 # -------------------------------------------------------------------------------- what it simulates
 
 
-def test_c_gives_numpys_bits(dome: Engine) -> None:
+def assert_c_gives_numpys_bits(engine: Engine) -> None:
+    """Check all results of balls that are let go, some of which are invalid."""
     states = drops(2000)
     states[::50, 4] = np.nan
     own = {"bounce": np.linspace(0.5, 0.9, 2000)}
-    given: Any = {"record": True, "max_contacts": 50, "fields": tuple(dome.layout.results)}
-    c = dome.simulate(states, own, backend="c", **given)
-    numpy = hoopgen.simulate(states, own, scene=DOME, backend="numpy", **given)
-    for name in (*dome.layout.results, "events"):
+    given: Any = {"record": True, "max_contacts": 50, "fields": tuple(engine.layout.results)}
+    c = engine.simulate(states, own, backend="c", **given)
+    numpy = engine.simulate(states, own, backend="numpy", **given)
+    for name in (*engine.layout.results, "events"):
         assert getattr(c, name).tobytes() == getattr(numpy, name).tobytes(), name
-    assert {"CUP", "OUT", "INVALID"} <= {dome.outcomes(code).name for code in np.unique(c.outcome)}
+    ends = {engine.outcomes(code).name for code in np.unique(c.outcome)}
+    assert {"CUP", "OUT", "INVALID"} <= ends
+
+
+def test_c_gives_numpys_bits(dome: Engine) -> None:
+    assert_c_gives_numpys_bits(dome)
 
 
 def test_an_engine_says_what_it_has(dome: Engine) -> None:
@@ -592,6 +602,16 @@ def test_where_nothing_can_be_written_a_process_compiles_for_itself(
 
 
 # ---------------------------------------------------------------------------------- other people
+
+
+def test_c_as_wide_as_the_processor_gives_numpys_bits(
+    home: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Compiled as for a user, who has no test's flags and widths."""
+    monkeypatch.setattr(compilers, "processor_width", OWN_WIDTH)
+    monkeypatch.setattr(compilers, "FLAGS", OWN_FLAGS)
+    assert OWN_WIDTH() > 1
+    assert_c_gives_numpys_bits(hoopgen.compile(PLANK))
 
 
 @posix

@@ -149,7 +149,7 @@ def engines(tmp_path_factory: pytest.TempPathFactory) -> Mapping[str, Engines]:
 
 
 def made(scene: Scene, folder: Path, widest: int = 4) -> Engines:
-    for name, text in render.render_scene(scene, page=False).items():
+    for name, text in render.render_scene(scene, page=False, targets=["numpy", "c"]).items():
         path = folder / name
         path.parent.mkdir(exist_ok=True)
         path.write_text(text, encoding="utf-8")

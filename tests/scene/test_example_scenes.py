@@ -80,7 +80,8 @@ def numpy_engine(scene: Scene, folder: Path) -> Engine:
     """Return what simulates a scene on NumPy: compiling C would take longer than all else here."""
     derived, name = scene.derive(), f"numpy/{scene.name}.py"
     path = folder / Path(name).name
-    path.write_text(render.render_scene(derived, page=False)[name], encoding="utf-8")
+    text = render.render_scene(derived, page=False, targets=["numpy"])[name]
+    path.write_text(text, encoding="utf-8")
     return Engine(
         load_module(path),
         find=lambda: Rejection("is not wanted here", ""),

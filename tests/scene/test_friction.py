@@ -49,7 +49,8 @@ def engine(made: Scene, folder: Path) -> Engine:
     """Return what simulates a scene on NumPy."""
     derived, name = made.derive(), f"numpy/{made.name}.py"
     path = folder / f"{made.name}.py"
-    path.write_text(render.render_scene(derived, page=False)[name], encoding="utf-8")
+    text = render.render_scene(derived, page=False, targets=["numpy"])[name]
+    path.write_text(text, encoding="utf-8")
     return Engine(
         load_module(path),
         find=lambda: Rejection("is not wanted here", ""),

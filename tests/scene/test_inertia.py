@@ -308,8 +308,19 @@ kind = "plane"
     assert WELL.defaults == {"kappa": SOLID, "bounce": 0.6}
 
 
-@pytest.mark.slow
-def test_the_page_of_a_scene_has_its_inertia() -> None:
-    page = WELL.explain()
+FLOOR = Scene(
+    "floor",
+    parameters=[Parameter("kappa", SOLID, "1")],
+    bodies=[Plane("floor")],
+    ball_radius=BALL,
+    gravity=GRAVITY,
+    inertia="kappa",
+    restitution=0.5,
+)
+
+
+@pytest.mark.parametrize("scene", [FLOOR, pytest.param(WELL, marks=pytest.mark.slow)], ids=str)
+def test_the_page_of_a_scene_has_its_inertia(scene: Scene) -> None:
+    page = scene.explain()
     assert r"$\kappa\, m_B R_B^2$" in page
-    assert r"\beta = \frac{\kappa}{1 + \kappa}" in page
+    assert (r"\beta = \frac{\kappa}{1 + \kappa}" in page) == (scene is WELL)

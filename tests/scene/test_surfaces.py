@@ -92,7 +92,7 @@ def every_case(request: pytest.FixtureRequest) -> Case:
 @pytest.fixture(scope="module", name="folder")
 def own_folder(tmp_path_factory: pytest.TempPathFactory, case: Case) -> Path:
     folder = tmp_path_factory.mktemp(case.scene.name)
-    for name, text in render.render_scene(case.scene, page=False).items():
+    for name, text in render.render_scene(case.scene, page=False, targets=["numpy", "c"]).items():
         path = folder / name
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(text, encoding="utf-8")
@@ -304,7 +304,7 @@ def test_no_flight_goes_into_a_surface(case: Case, folder: Path) -> None:
 def crate_folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("crates")
     (folder / "numpy").mkdir()
-    text = render.render_scene(CRATE, page=False)["numpy/crate.py"]
+    text = render.render_scene(CRATE, page=False, targets=["numpy"])["numpy/crate.py"]
     (folder / "numpy" / "crate.py").write_text(text, encoding="utf-8")
     return folder
 

@@ -73,7 +73,7 @@ class Engines:
 @pytest.fixture(scope="module")
 def engines(tmp_path_factory: pytest.TempPathFactory) -> Engines:
     folder = tmp_path_factory.mktemp("rough")
-    for name, text in render.render_scene(ROUGH, page=False).items():
+    for name, text in render.render_scene(ROUGH, page=False, targets=["numpy", "c"]).items():
         path = folder / name
         path.parent.mkdir(exist_ok=True)
         path.write_text(text, encoding="utf-8")

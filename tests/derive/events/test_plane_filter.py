@@ -126,7 +126,8 @@ def test_an_end_that_stands_upright_is_always_looked_at(first: str, tmp_path: Pa
     order = (first, *(name for name in ends if name != first))
     scene = replace(HOOP, name="doors", ends=tuple(ends[name] for name in order))
     source = tmp_path / "doors.py"
-    source.write_text(render.render_scene(scene, page=False)["numpy/doors.py"], encoding="utf-8")
+    text = render.render_scene(scene, page=False, targets=["numpy"])["numpy/doors.py"]
+    source.write_text(text, encoding="utf-8")
     module, layout = load_module(source), Layout(load_module(source))
     states = np.array([[0.5, 0, 0, 3, 0, 5, 0, 0, 0]], float)
     given = [float(p.default) for p in scene.parameters]

@@ -244,6 +244,9 @@ def test_settled_shots_roll_as_a_second_formulation_says() -> None:
     assert found.wrong == []
     assert found.leaving < 1e-9
     assert np.all(found.ratios <= 1)
+    _, share, most = found.bounced()
+    assert most <= 1
+    assert share > 1e-3
 
 
 @pytest.mark.slow

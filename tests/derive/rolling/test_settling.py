@@ -19,7 +19,7 @@ from hoopgen.derive.scenes import COURT
 from hoopgen.derive.symbolic.conditionals import release
 from hoopgen.derive.symbolic.symbols import normal, spin, velocity
 
-from hoopgen.scene import scene_reader
+from hoopgen.scene import Scene, Sphere, scene_reader
 
 RADIUS = sp.Rational(3, 25)
 EACH_BALL = pytest.mark.parametrize(
@@ -29,6 +29,14 @@ EACH_BALL = pytest.mark.parametrize(
         for kappa in ("2/3", "2/5", "1/64", "1")
     ],
 )
+BOWL = Scene(
+    "bowl",
+    bodies=[Sphere("bowl", radius=1, inside=True)],
+    ball_radius=0.05,
+    gravity=9.81,
+    restitution=0.5,
+    rolls=True,
+).derive()
 NORMAL = sp.Matrix([1, 2, 2]) / 3
 STATE = sp.Matrix([-2, sp.Rational(1, 2), -3]), sp.Matrix([30, -70, 11])
 FALL = sp.Matrix([0, 0, -sp.Rational(981, 100)])
@@ -209,9 +217,9 @@ def test_on_a_ring_the_force_bends_no_more_than_is_said() -> None:
         assert abs(bend.subs(values)) <= bound.subs(values)
 
 
-@pytest.mark.slow
-def test_nothing_follows_a_neighbouring_motion_where_no_errors_are_asked_for() -> None:
-    loop = build(COURT).loop
+@pytest.mark.parametrize("scene", [BOWL, pytest.param(COURT, marks=pytest.mark.slow)], ids=str)
+def test_nothing_follows_a_neighbouring_motion_where_no_errors_are_asked_for(scene: Any) -> None:
+    loop = build(scene).loop
     followed = {name for stage in loop.stages.values() for name in writes(stage)}
     assert "far_x" in followed
     plain = {name for stage in loop.plain().stages.values() for name in writes(stage)}

@@ -18,6 +18,7 @@ from hoopgen.core.units import DEGREE  # noqa: E402
 from hoopgen.hoop.arguments import arguments_of  # noqa: E402
 from hoopgen.study.questions.coach_result import say  # noqa: E402
 from tests.helpers.commands import failure, output  # noqa: E402
+from tests.helpers.effort import trials  # noqa: E402
 
 SHOTS = 20_000
 PLAYER = Scatter(
@@ -139,7 +140,6 @@ def test_the_page_escapes_how_a_table_was_read(tmp_path: Path) -> None:
     assert "Your shots" in text
 
 
-@pytest.mark.slow
 def test_the_command_reads_measured_releases(tmp_path: Path) -> None:
     file = tmp_path / "shots.csv"
     released = arguments_of(PLAYER.draw(0, 80, 5, NBA).states)
@@ -150,7 +150,7 @@ def test_the_command_reads_measured_releases(tmp_path: Path) -> None:
     ]
     head = "player,speed_m_s,elevation_deg,azimuth_deg,height_ft,distance_ft"
     file.write_text("\n".join([head, *rows]) + "\n", encoding="utf-8")
-    words = ("coach", "--from", file, "--shots", 2000, "--preset", "nba")
+    words = ("coach", "--from", file, "--shots", trials(2000), "--preset", "nba")
     text = output(*words, "--where", "player == Ann")
     assert "40 releases, 0 outliers" in text
     assert "straight at the centre" in text
