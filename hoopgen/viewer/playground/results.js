@@ -110,18 +110,18 @@ const Results = (() => {
     $("change-note").textContent = "The smallest change of one variable alone, narrowed down as far as doubles decide. Thousands of values are tried; intervals between them may be missed. In Python, hoopgen counterfactual proves both sides.";
   }
 
-  /** Show the digest of the results of the fixed shots beside Python's. */
-  async function fingerprint(bytes, wanted) {
+  /** Show the digest of the results of a scene's fixed shots beside Python's; null: not known yet. */
+  function fingerprint(digest, { scene, fixed }) {
+    $("hash-command").textContent = `hoopgen hash ${scene}`;
+    $("hash").textContent = digest ?? "…";
+    const verdicts = [
+      `✗ In Python, where this page was made, it was ${fixed.sha256}.`,
+      "✓ The same as hoopgen had in Python where this page was made.",
+    ];
+    $("verdict").textContent = digest === null ? "" : verdicts[Number(digest === fixed.sha256)];
     if (!globalThis.crypto?.subtle) {
-      $("hash").textContent = "This address is not secure, and browsers give no SHA-256 there.";
-      return;
+      $("verdict").textContent = "This address is not secure, and browsers give no SHA-256 there.";
     }
-    const digest = await Fingerprint.sha256(bytes);
-    $("hash").textContent = digest;
-    const same = digest === wanted;
-    $("verdict").textContent = same
-      ? "✓ The same as hoopgen had in Python where this page was made."
-      : `✗ In Python, where this page was made, it was ${wanted}.`;
   }
 
   function repaint() {
