@@ -120,14 +120,14 @@ class _PageScene:
 _SCENES = (
     _PageScene(
         HOOP,
-        "The article’s",
+        "The article’s hoop",
         "",
         {"restitution": ("Restitution", 0.0, 1.0), **_BALL},
         ("restitution",),
     ),
     _PageScene(
         COURT,
-        "The real ball’s",
+        "The real ball",
         "_COURT",
         {
             f"{body}_{name}": (f"{title} {name}", 0.0, most)

@@ -198,6 +198,18 @@ def test_the_share_is_that_of_an_estimate_in_python(scatter: Any) -> None:
     assert sum(made for made, _ in scatter["tally"]) == scatter["made"]
 
 
+def test_the_real_ball_s_share_is_that_of_an_estimate_in_python() -> None:
+    pytest.importorskip("scipy")
+    start = spec()["start"]
+    mean = {name: start[name] for name in hoopgen_arguments()}
+    sd = {name: start[f"sd_{name}"] for name in spec()["scattered"]}
+    model, parameters = hoopgen.Scatter(mean, sd), hoopgen.NBA_COURT
+    found = hoopgen.estimate(model, parameters, scene=hoopgen.COURT, shots=spec()["throws"])
+    scatter = computed(SCATTER, scene="court")
+    assert scatter["made"] / scatter["count"] == found.probability
+    assert sum(map(sum, scatter["tally"])) == scatter["count"]
+
+
 def hoopgen_arguments() -> list[str]:
     from hoopgen.hoop.variables import ARGUMENTS
 
@@ -220,7 +232,7 @@ def test_misses_land_and_flights_enter_where_free_flight_leads(scatter: Any) -> 
 
 CHANGES = """
 given.map(({ release, vary }) =>
-  vary.map((name) => study.change(name, { release, parameters: spec.presets.nba })))
+  vary.map((name) => [...study.change(name, { release, parameters: spec.presets.nba })].at(-1)))
 """
 
 
@@ -255,6 +267,21 @@ def test_the_nearest_change_is_that_of_counterfactual() -> None:
                 assert sizes[0] == pytest.approx(sizes[1], rel=1e-3), change
                 assert ends(release, change.name, got["changed"]) != ends(release, change.name)
     assert compared > 10
+
+
+@pytest.mark.slow
+def test_the_nearest_change_of_the_real_ball_is_that_of_counterfactual() -> None:
+    pytest.importorskip("scipy")
+    release = {name: spec()["start"][name] for name in hoopgen_arguments()}
+    vary = ["elevation", "ring_restitution"]
+    (found,) = computed(CHANGES, [{"release": release, "vary": vary}], scene="court")
+    state = hoopgen.release(**release)
+    shots = hoopgen.simulate(state, hoopgen.NBA_COURT, scene=hoopgen.COURT)
+    wanted = hoopgen.counterfactual(shots, vary=vary, prove=False)
+    for got, change in zip(found, wanted.changes, strict=True):
+        assert np.isfinite(change.changed)
+        size = abs(change.changed - change.value)
+        assert abs(got["changed"] - got["value"]) == pytest.approx(size, rel=1e-3), change
 
 
 def test_the_map_has_python_s_outcomes() -> None:

@@ -7,6 +7,7 @@
   const { words } = hoopgen;
   const CELLS = [96, 72]; // of the map
   const WINDOW = [1.0, (15 * Math.PI) / 180]; // m/s and rad to each side of the shot
+  const SHOWN = { scatter: ["throws", "entries", "landings"], map: ["map"], changes: ["changes"] };
   const STEEP = [5, 85].map((degrees) => (degrees * Math.PI) / 180);
   const still = window.matchMedia("(prefers-reduced-motion: reduce)");
   const studies = {}; // by scene, once each is started
@@ -209,6 +210,7 @@
     };
     worker.postMessage({ id: ++asked, scene: spec.scene, questions });
     document.body.dataset.asked = asked;
+    for (const id of Object.values(SHOWN).flat()) $(id).setAttribute("aria-busy", true);
   }
 
   /** Have the fixed shots of the scene simulated, once, and show their digest. */
@@ -229,6 +231,7 @@
       return;
     }
     if (id !== asked) return;
+    for (const one of SHOWN[name]) $(one).removeAttribute("aria-busy");
     Results[name](answer, { now, spec, words, parameters: parameters() }, set);
     if (name === "scatter") tell(answer);
     if (name === "changes") document.body.dataset.answered = id;

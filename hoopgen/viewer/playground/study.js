@@ -4,7 +4,8 @@
 const Study = (() => {
   const RESULTS = ["outcome", "counts", "first", "state"];
 
-  const MAX_PIECES = 240; // of a shot's rolls
+  const MAX_PIECES = 120; // of a shot's rolls
+  const STRIDE = 500; // values of a variable that are simulated without a look at newer questions
 
   /** Return what the page knows of a scene, with what all scenes share. Null is infinity there. */
   function specOf(page, scene) {
@@ -146,10 +147,11 @@ const Study = (() => {
       return { window: [across, up], size: [wide, high], outcome: found.outcome, kinds: Release.kinds(found, spec.kinds) };
     }
 
-    /** Return the smallest change of a variable with which the shot ends otherwise. */
-    function change(name, { release, parameters }) {
+    /** Yield nothing after each step, and at last the smallest change of a variable with which the
+     * shot ends otherwise. */
+    function* change(name, { release, parameters }) {
       const bodies = spec.kinds.bodies.length;
-      const run = (values) => {
+      const some = (values) => {
         const own = spec.parameters.includes(name);
         const columns = own ? {} : { [name]: values };
         const states = Release.states(release, columns, values.length, engine, spec);
@@ -163,9 +165,19 @@ const Study = (() => {
         });
         return { made: values.map((_, k) => outcome[k] === made), marks };
       };
+      const run = function* (values) {
+        const all = { made: [], marks: [] };
+        for (let at = 0; at < values.length; at += STRIDE) {
+          const found = some(values.slice(at, at + STRIDE));
+          all.made.push(...found.made);
+          all.marks.push(...found.marks);
+          yield;
+        }
+        return all;
+      };
       const value = release[name] ?? parameters[name];
-      const [itself] = run([value]).made;
-      return Nearest.change(name, value, itself, run, spec.ranges) ?? { name, value };
+      const [itself] = some([value]).made;
+      yield (yield* Nearest.change(name, value, itself, run, spec.ranges)) ?? { name, value };
     }
 
     return { change, map, scatter, shot };

@@ -5,6 +5,7 @@ if (typeof document === "undefined") {
   let newest = 0;
   let page = null; // its data, and the modules
   const started = {}; // by scene
+  const BUSY = 30; // ms without a look at newer questions: browsers wait for 4 ms at each
   const rest = () => new Promise((go) => setTimeout(go));
 
   self.onmessage = async ({ data }) => {
@@ -19,10 +20,12 @@ if (typeof document === "undefined") {
     await rest(); // for newer questions
     for (const [name, question] of Object.entries(data.questions)) {
       const begun = performance.now();
-      let answer;
+      let [answer, rested] = [null, begun];
       for (const found of steps(name, question, study)) {
         answer = found;
+        if (performance.now() - rested < BUSY) continue;
         await rest();
+        rested = performance.now();
         if (data.id && data.id < newest) return; // 0 is no question about a shot
       }
       const milliseconds = performance.now() - begun;
@@ -38,9 +41,11 @@ if (typeof document === "undefined") {
     } else if (name === "changes") {
       const found = [];
       for (const variable of question.vary) {
-        found.push(study.change(variable, question));
-        yield found;
+        let change;
+        for (change of study.change(variable, question)) yield;
+        found.push(change);
       }
+      yield found;
     } else {
       yield study[name](question);
     }
