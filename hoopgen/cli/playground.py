@@ -27,7 +27,7 @@ from .types import PAGE
 )
 @setting_options(Engines)
 def playground(out: Path, backend: BackendName) -> None:
-    """Write a page on which shots are thrown by sliders, in the article's scene or with a real ball.
+    """Write a page on which sliders throw shots, at the article's hoop or with a real ball.
 
     The page runs the C engines as WebAssembly, with the bits of every other backend, and compares
     the SHA-256 of 100,000 fixed shots with that of this installation. It shows the shot in motion,
