@@ -130,12 +130,12 @@ _SCENES = (
         "The real ball",
         "_COURT",
         {
+            **_BALL,
             **{
                 f"{body}_{name}": (f"{title} {name}", 0.0, most)
                 for name, most in (("restitution", 1.0), ("friction", 1.5))
                 for body, title in (("ring", "Ring"), ("backboard", "Board"), ("bridge", "Bridge"))
             },
-            **_BALL,
         },
         ("ring_restitution", "backboard_restitution"),
     ),
