@@ -8,11 +8,14 @@ from ..ir.kernel import Kernel, kernel
 from ..motion.parabola import Parabola
 from ..scenes.scene import Scene
 from ..surfaces import Ring
-from . import aiming, measures
+from . import aiming, measures, release, share
 
-__all__ = ["ARGUMENTS", "aiming", "measures", "study_kernels"]
+__all__ = ["ARGUMENTS", "SCENELESS", "aiming", "measures", "study_kernels"]
 
 ARGUMENTS = (*aiming.ARGUMENTS, *measures.ARGUMENTS)
+
+SCENELESS = (*release.kernels(), share.wilson_interval())
+"""The kernels of studies that need no scene."""
 
 
 def study_kernels(scene: Scene, order: tuple[sp.Symbol, ...]) -> list[Kernel]:

@@ -9,12 +9,17 @@ the ring's centre, and flies in the direction that is turned from there by half 
     spin = (b ahead_y, -b ahead_x, s)
 
 Backspin b turns about the horizontal axis across the line of flight: for ahead = -x it is +y.
+
+The kernels are given the sine and the cosine of each angle, since every target computes these by
+`derive/elementary`.
 """
 
 from __future__ import annotations
 
 import sympy as sp
 
+from ..ir.kernel import Kernel, kernel
+from ..symbolic.conditionals import barrier
 from ..symbolic.symbols import STATE
 
 speed, elevation, azimuth, backspin, sidespin, height, distance, angle = ARGUMENTS = sp.symbols(
@@ -45,3 +50,66 @@ def release() -> tuple[dict[sp.Symbol, sp.Expr], dict[str, sp.Expr]]:
         *(backspin * ahead_y, -backspin * ahead_x, sidespin),
     )
     return steps, {symbol.name: value for symbol, value in zip(STATE, state, strict=True)}
+
+
+_TURNS = {
+    function(turned): sp.Symbol(f"{function.__name__}_{turned.name}", real=True)
+    for turned in (heading, elevation, angle)
+    for function in (sp.sin, sp.cos)
+}
+"""The sine and the cosine of each angle, as arguments of kernels."""
+
+_ORDER = (*ARGUMENTS, ring_height, *_TURNS.values())
+
+
+def _in_arguments(value: sp.Expr, steps: dict[sp.Symbol, sp.Expr]) -> sp.Expr:
+    """Return an expression of a release in the arguments of kernels, each step as a whole."""
+    held = {step: barrier(v.xreplace(_TURNS)) for step, v in steps.items() if step != heading}
+    return value.xreplace(_TURNS).xreplace(held)
+
+
+def _derivatives() -> dict[str, sp.Expr]:
+    """Return the derivatives of the state by the arguments that are not zero, by the chain rule."""
+    steps, state = release()
+    found = {}
+    for argument in ARGUMENTS:
+        rates: dict[sp.Symbol, sp.Expr] = {}
+        for step, value in steps.items():
+            through = sum(rate * sp.diff(value, other) for other, rate in rates.items())
+            rates[step] = sp.diff(value, argument) + through
+        for component, value in state.items():
+            through = sum(
+                barrier(rate) * sp.diff(value, step) for step, rate in rates.items() if rate != 0
+            )
+            total = sp.diff(value, argument) + through
+            if total != 0:
+                found[f"{component}_by_{argument.name}"] = _in_arguments(total, steps)
+    return found
+
+
+def kernels() -> tuple[Kernel, ...]:
+    """Return the kernels of the heading, the state and its derivatives by the arguments."""
+    steps, state = release()
+    return (
+        kernel(
+            "release_heading",
+            {"heading": steps[heading]},
+            _ORDER,
+            "Direction from the ring's centre opposite to which the ball is sent.",
+            "h = azimuth + angle",
+        ),
+        kernel(
+            "release_state",
+            {name: _in_arguments(value, steps) for name, value in state.items()},
+            _ORDER,
+            "State of a release, given the sine and the cosine of its angles.",
+            "ahead = -(cos h, sin h)",
+        ),
+        kernel(
+            "release_jacobian",
+            _derivatives(),
+            _ORDER,
+            "Derivatives of the state of a release by its arguments that are not zero.",
+            "the chain rule",
+        ),
+    )

@@ -27,9 +27,9 @@ from .types import PAGE
 )
 @setting_options(Engines)
 def playground(out: Path, backend: BackendName) -> None:
-    """Write a page on which shots are thrown by sliders, in the article's scene.
+    """Write a page on which sliders throw shots, at the article's hoop or with a real ball.
 
-    The page runs the C engine as WebAssembly, with the bits of every other backend, and compares
+    The page runs the C engines as WebAssembly, with the bits of every other backend, and compares
     the SHA-256 of 100,000 fixed shots with that of this installation. It shows the shot in motion,
     its contacts, 10,000 throws about it, a map of speed and elevation, and the smallest changes
     with which it ends otherwise. Its address contains the shot, so a link reproduces it.

@@ -9,7 +9,7 @@ from hoopgen.core.owned_folders import MARKER, find_store, marker_text, open_sto
 from hoopgen.derive.scenes import SCENES
 from hoopgen.engine.web_assembly import MODULES
 
-from .render import render_elementary, render_scene
+from .render import render_elementary, render_scene, render_studies
 
 __all__ = ["KEPT", "PURPOSE", "check", "generate", "render_all"]
 
@@ -22,7 +22,7 @@ PURPOSE = "generated code"
 
 def render_all() -> dict[str, str]:
     """Return the text of every file of generated/, the marker too, by its path below it."""
-    files = render_elementary()
+    files = render_elementary() | render_studies()
     for scene in SCENES:
         files |= render_scene(scene)
     return files | {MARKER: marker_text(PURPOSE, files)}

@@ -27,6 +27,8 @@ from .numpy import local
 from .program import derivation_hash, lower
 from .registry import BACKENDS
 from .stamp import shared_stamp_of, stamp_of
+from .studies import FILES as STUDIES_FILES
+from .studies import studies_context
 from .variants import variants
 
 PAGE, SUMMARY = "derivation.md.j2", "summary.md.j2"
@@ -130,6 +132,15 @@ def render_elementary() -> dict[str, str]:
     return {
         file: environment.get_template(template).render(elementary_context(template))
         for template, file in ELEMENTARY_FILES.items()
+    }
+
+
+def render_studies() -> dict[str, str]:
+    """Return the files of the formulas of studies that need no scene, as `render_elementary`."""
+    environment = _environment()
+    return {
+        file: environment.get_template(template).render(studies_context(template))
+        for template, file in STUDIES_FILES.items()
     }
 
 

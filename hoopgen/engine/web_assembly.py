@@ -1,4 +1,4 @@
-"""The C engine of the hoop as WebAssembly, for pages: how it is compiled, and its sources.
+"""The C engines of the two hoops as WebAssembly, for pages: how they are compiled, and from what.
 
 The modules are committed in generated/wasm/, so that who has no compiler can make a page. Each
 contains a digest of the sources, the options and the compiler that it was made with: with others
@@ -24,40 +24,49 @@ from . import c_build
 
 __all__ = ["MODULES", "ZIG", "build", "module_bytes", "stale_modules"]
 
-SCENE = "hoop"
-
 ZIG = "0.17.1"
 """The version of zig: another one gives other bytes, of the same results."""
 
-MODULES: Mapping[str, int] = MappingProxyType({"hoop.wasm": 1, "hoop_simd.wasm": 4})
-"""File and lanes of each module. Four lanes are in vectors of 128 bits. Relaxed vectors are off:
-how they round is the processor's choice."""
-
-_LIBRARIES = (SCENE, "elementary")
-"""The engine, and the functions with which pages make releases, as Python does."""
-
-_EXPORTS = ("hoop_simulate", "elementary_compute", "malloc", "free")
-
-_OPTIONS_BY_LANES = {1: ("-DHOOP_ONLY=1",), 4: ("-DHOOP_ONLY=4", "-msimd128")}
-
-_OPTIONS = (
-    "-target",
-    "wasm32-wasi",
-    *c_build.FLAGS,
-    "-w",
-    "-mexec-model=reactor",
-    "-Wl,--no-entry",
-    "-Wl,--strip-all",
-    *(f"-Wl,--export={name}" for name in _EXPORTS),
+MODULES: Mapping[str, tuple[str, int]] = MappingProxyType(
+    {
+        "hoop.wasm": ("hoop", 1),
+        "hoop_simd.wasm": ("hoop", 4),
+        "court.wasm": ("court", 1),
+        "court_simd.wasm": ("court", 4),
+    }
 )
+"""Scene and lanes of each file. Four lanes are in vectors of 128 bits. Relaxed vectors are off: how
+they round is the processor's choice."""
+
+_OPTIONS = ("-target", "wasm32-wasi", *c_build.FLAGS, "-w", "-mexec-model=reactor")
+_OPTIONS += ("-Wl,--no-entry", "-Wl,--strip-all")
+
+_VECTORS = {1: (), 4: ("-msimd128",)}
+"""Further options, by the number of lanes."""
+
+
+def _libraries(scene: str) -> tuple[str, ...]:
+    """Return the engine, and the functions with which pages make releases, as Python does."""
+    return scene, "elementary"
+
+
+def _options(name: str) -> tuple[str, ...]:
+    """Return the compiler's options for a module, but for the digest."""
+    scene, lanes = MODULES[name]
+    exported = (f"{scene}_simulate", "elementary_compute", "malloc", "free", f"{scene}_sources")
+    return (
+        *_OPTIONS,
+        *(f"-Wl,--export={function}" for function in exported),
+        f"-D{scene.upper()}_ONLY={lanes}",
+        *_VECTORS[lanes],
+    )
 
 
 def _digest(folder: Path, name: str) -> str:
     """Return the digest of all that a module depends on, a C identifier."""
     made_of = (
-        *(c_build.source_digest(folder / "c", library) for library in _LIBRARIES),
-        _OPTIONS,
-        _OPTIONS_BY_LANES[MODULES[name]],
+        *(c_build.source_digest(folder / "c", library) for library in _libraries(MODULES[name][0])),
+        _options(name),
         ZIG,
     )
     return f"w{hashlib.sha256(repr(made_of).encode()).hexdigest()}"
@@ -76,9 +85,8 @@ def stale_modules(folder: Path) -> list[str]:
     folder
         The folder generated/. Without C sources no module is missing.
     """
-    if not (folder / "c" / f"{SCENE}.c").is_file():
-        return []
-    return [name for name in MODULES if not _is_current(folder, name)]
+    there = (n for n, (scene, _) in MODULES.items() if (folder / "c" / f"{scene}.c").is_file())
+    return [name for name in there if not _is_current(folder, name)]
 
 
 def module_bytes(name: str) -> bytes:
@@ -135,17 +143,12 @@ def build(folder: Path, names: list[str]) -> list[Path]:
 
 def _compiled(zig: tuple[str, ...], folder: Path, name: str) -> Path:
     """Compile a module beside, and put it in its place."""
-    sources = f"-D{SCENE.upper()}_SOURCES={_digest(folder, name)}"
+    scene, _ = MODULES[name]
+    sources = f"-D{scene.upper()}_SOURCES={_digest(folder, name)}"
     with TemporaryDirectory() as place:
         out = Path(place) / name
-        options = (
-            *_OPTIONS,
-            *_OPTIONS_BY_LANES[MODULES[name]],
-            sources,
-            "-Wl,--export=hoop_sources",
-        )
-        files = [f"{library}.c" for library in _LIBRARIES]
-        _run(*zig, "cc", *options, *files, "-o", str(out), cwd=folder / "c")
+        files = [f"{library}.c" for library in _libraries(scene)]
+        _run(*zig, "cc", *_options(name), sources, *files, "-o", str(out), cwd=folder / "c")
         target = folder / "wasm" / name
         target.parent.mkdir(exist_ok=True)
         return write(target, out.read_bytes())

@@ -11,7 +11,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from hoopgen.core.jacobian import Jacobian
 from hoopgen.core.validation import as_doubles, check_angles, check_spins
+from hoopgen.core.variables import STATE
 from hoopgen.engine.elementary import sine_cosine
+from hoopgen.generated.numpy import studies
 
 RING_HEIGHT = 3.048
 """Height of the ring above the floor, m: 10 ft."""
@@ -23,6 +25,9 @@ not a measurement: a tall player who stands reaches about so high, one who jumps
 _ANGLES = ("elevation", "azimuth", "angle")
 _SPINS = ("backspin", "sidespin")
 
+_OF_STATE = ("speed", "backspin", "sidespin", "height", "distance")
+_OF_JACOBIAN = ("speed", "backspin", "distance")
+"""The arguments of the kernels of releases, beside angles."""
 
 FROM_ZERO: Mapping[str, str] = MappingProxyType({"speed": "m/s", "distance": "m"})
 """Arguments of `release` that are never negative, and their units; an angle gives the direction."""
@@ -197,45 +202,39 @@ def evaluate_states(
         Function that returns the sine and the cosine of an array of such objects.
     """
     # Nothing is broadcast before it is stored: what all shots share is computed once.
-    # Towards the centre is angle + pi; the shooter's left, seen from above, is counter-clockwise.
-    heading = arrays["azimuth"] + arrays["angle"]
-    ahead_y, ahead_x = (-value for value in sine_cosine(heading))
-    (rise, level), (left, front) = map(sine_cosine, (arrays["elevation"], arrays["angle"]))
-    level = arrays["speed"] * level
-    state = np.empty((*shape, 9), np.result_type(*arrays.values()))
-    state[..., 0] = arrays["distance"] * front
-    state[..., 1] = arrays["distance"] * left
-    state[..., 2] = arrays["height"] - RING_HEIGHT
-    state[..., 3] = level * ahead_x
-    state[..., 4] = level * ahead_y
-    state[..., 5] = arrays["speed"] * rise
-    # Backspin turns about the axis ahead × up rotated by half a turn: for ahead = -x it is +y.
-    state[..., 6] = arrays["backspin"] * ahead_y
-    state[..., 7] = arrays["backspin"] * -ahead_x
-    state[..., 8] = arrays["sidespin"]
+    found = studies.release_state(
+        **{name: arrays[name] for name in _OF_STATE},
+        ring_height=RING_HEIGHT,
+        **_turns(arrays, sine_cosine),
+    )
+    state = np.empty((*shape, len(found)), np.result_type(*arrays.values()))
+    for component, values in enumerate(found):
+        state[..., component] = values
     state += 0.0  # no negative zeros
     return state
 
 
+def _turns(
+    arrays: Mapping[str, NDArray[Any]],
+    sine_cosine: Callable[[Any], tuple[Any, Any]] = sine_cosine,
+) -> dict[str, Any]:
+    """Return the sine and the cosine of each angle of releases, by their names in kernels."""
+    (heading,) = studies.release_heading(arrays["azimuth"], arrays["angle"])
+    angles = {"heading": heading, "elevation": arrays["elevation"], "angle": arrays["angle"]}
+    return {
+        f"{name}_{angle}": value
+        for angle, values in angles.items()
+        for name, value in zip(("sin", "cos"), sine_cosine(values), strict=True)
+    }
+
+
 def _jacobian(arrays: Mapping[str, NDArray[np.float64]], shape: tuple[int, ...]) -> Jacobian:
     """Return the derivatives of `evaluate_states` by the arguments of releases."""
-    heading = arrays["azimuth"] + arrays["angle"]
-    ahead_y, ahead_x = (-value for value in sine_cosine(heading))
-    speed, backspin, distance = (arrays[name] for name in ("speed", "backspin", "distance"))
-    (sin, cos), (left, front) = map(sine_cosine, (arrays["elevation"], arrays["angle"]))
-    by = {name: np.zeros((*shape, 9)) for name in arrays}
-    by["speed"][..., 3], by["speed"][..., 4] = cos * ahead_x, cos * ahead_y
-    by["speed"][..., 5] = sin
-    by["elevation"][..., 3] = -speed * sin * ahead_x
-    by["elevation"][..., 4] = -speed * sin * ahead_y
-    by["elevation"][..., 5] = speed * cos
-    for name in ("azimuth", "angle"):  # the heading turns: ahead' = (-ahead_y, ahead_x)
-        by[name][..., 3] = -speed * cos * ahead_y
-        by[name][..., 4] = speed * cos * ahead_x
-        by[name][..., 6], by[name][..., 7] = backspin * ahead_x, backspin * ahead_y
-    by["backspin"][..., 6], by["backspin"][..., 7] = ahead_y, -ahead_x
-    by["sidespin"][..., 8] = 1.0
-    by["height"][..., 2] = 1.0
-    by["distance"][..., 0], by["distance"][..., 1] = front, left
-    by["angle"][..., 0], by["angle"][..., 1] = -distance * left, distance * front
+    found = studies.release_jacobian(
+        **{name: arrays[name] for name in _OF_JACOBIAN}, **_turns(arrays)
+    )
+    by = {name: np.zeros((*shape, len(STATE))) for name in arrays}
+    for entry, values in zip(studies.RESULTS["release_jacobian"], found, strict=True):
+        component, name = entry.split("_by_")
+        by[name][..., STATE.index(component)] = values
     return Jacobian({"state": np.stack(list(by.values()), axis=-1)}, tuple(by))

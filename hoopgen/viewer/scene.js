@@ -2,7 +2,7 @@
 "use strict";
 
 const Scene = (() => {
-  const GLASS = 0.0127; // m, thickness of the board as drawn; the model knows its front only
+  const GLASS = 0.0127; // m, thickness of the board as drawn where the model knows its front only
   const TARGET = { halfWidth: 0.3048, height: 0.4572, stroke: 0.0508 }; // m, 24 in × 18 in
   const BEAT = 0.1; // s between the dots on a path; more where they would be too many
   const BEATS = 100;
@@ -70,8 +70,9 @@ const Scene = (() => {
   function board(parameters, colour) {
     const { board_distance: distance, board_half_width: half } = parameters;
     const { board_bottom: bottom, board_top: top, wire_radius: wire } = parameters;
-    const box = new THREE.BoxGeometry(GLASS, 2 * half, top - bottom);
-    box.translate(-distance - GLASS / 2, 0, (bottom + top) / 2);
+    const { board_thickness: thickness = GLASS } = parameters;
+    const box = new THREE.BoxGeometry(thickness, 2 * half, top - bottom);
+    box.translate(-distance - thickness / 2, 0, (bottom + top) / 2);
     const glass = new THREE.Mesh(
       box,
       new THREE.MeshStandardMaterial({
@@ -112,9 +113,10 @@ const Scene = (() => {
     return new THREE.Shape(corners.map(([x, y]) => new THREE.Vector2(x, y)));
   }
 
-  /** Return the plate from the board to the middle of the wire. */
+  /** Return the bridge from the board to the wire: as thick as that where it is a plate. */
   function bridge(parameters, colour) {
     const { bridge_half_width: half, ring_radius: radius, wire_radius: wire } = parameters;
+    const { bridge_depth: depth = 2 * wire } = parameters;
     const outline = [new THREE.Vector2(-parameters.board_distance, half)];
     outline.push(new THREE.Vector2(-parameters.board_distance, -half));
     for (let i = 0; i <= 16; i++) {
@@ -122,10 +124,10 @@ const Scene = (() => {
       outline.push(new THREE.Vector2(-Math.sqrt(Math.max(radius ** 2 - y ** 2, 0)), y));
     }
     const plate = new THREE.ExtrudeGeometry(new THREE.Shape(outline), {
-      depth: 2 * wire,
+      depth,
       bevelEnabled: false,
     });
-    plate.translate(0, 0, -wire);
+    plate.translate(0, 0, wire - depth);
     return solid(plate, colour.bridge, 0.6);
   }
 

@@ -59,6 +59,8 @@ const Words = (() => {
       const words = {
         capped: `${many}, and not yet at the end plane`,
         short: "never comes down through the end plane",
+        lodged: `at rest or wedged after ${seconds(shot.duration)}`,
+        endless: `still moving after ${seconds(shot.duration)}`,
       };
       if (scenery) {
         const ended = shot.events.at(-1)?.surface === "end";

@@ -13,6 +13,7 @@ from hoopgen.codegen import render
 from hoopgen.codegen.c import C_BACKEND
 from hoopgen.codegen.elementary import FILES as ELEMENTARY_FILES
 from hoopgen.codegen.registry import BACKENDS, register
+from hoopgen.codegen.studies import FILES as STUDIES_FILES
 from hoopgen.core.validation import BACKEND_NAMES, RUNTIME_BACKENDS
 from tests.helpers import ROOT
 
@@ -24,8 +25,8 @@ def test_a_target_is_a_folder_of_the_generator_and_one_of_the_templates() -> Non
     assert {p.name for p in (ROOT / "templates").iterdir() if p.is_dir()} - others == set(BACKENDS)
     for name, backend in BACKENDS.items():
         own = {p.name for p in (ROOT / "templates" / name).glob("*.j2")}
-        elementary = {t for t in ELEMENTARY_FILES if t.startswith(f"{name}/")}
-        assert {f"{name}/{template}" for template in own} == set(backend.files) | elementary
+        sceneless = {t for t in ELEMENTARY_FILES | STUDIES_FILES if t.startswith(f"{name}/")}
+        assert {f"{name}/{template}" for template in own} == set(backend.files) | sceneless
         assert all(file.startswith(f"{name}/") for file in backend.files.values())
 
 

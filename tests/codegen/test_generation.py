@@ -447,8 +447,8 @@ def test_the_hoop_s_sources_are_up_to_date(files: dict[str, str]) -> None:
 def test_what_is_generated_is_what_is_committed_and_nothing_else(files: dict[str, str]) -> None:
     own = {file_of(template) for template in TEMPLATES}
     other = {file.format(scene="court") for file in render.outputs().values()}
-    elementary = set(render.render_elementary())
-    assert set(files) == own | other | elementary | {"derivation_court.md", "hoopgen.json"}
+    sceneless = set(render.render_elementary() | render.render_studies())
+    assert set(files) == own | other | sceneless | {"derivation_court.md", "hoopgen.json"}
     assert not set(files) & set(committed.KEPT)
     assert all(text.endswith("\n") and "\r" not in text for text in files.values())
 
@@ -687,8 +687,8 @@ def test_each_file_opens_with_its_stamp(files: dict[str, str]) -> None:
     assert len(hashes) == 1
 
 
-def test_the_elementary_functions_say_how_they_are_made(files: dict[str, str]) -> None:
-    for name in render.render_elementary():
+def test_what_is_of_no_scene_says_how_it_is_made(files: dict[str, str]) -> None:
+    for name in render.render_elementary() | render.render_studies():
         assert f"Generated from templates/{name}.j2, the same for every scene" in files[name][:400]
 
 

@@ -35,7 +35,10 @@ def test_a_module_of_other_sources_is_stale(copied: Path) -> None:
     assert stale_modules(copied) == []
     (copied / "wasm" / "hoop.wasm").unlink()
     assert stale_modules(copied) == ["hoop.wasm"]
-    header = copied / "c" / "hoop_kernels.h"
+    header = copied / "c" / "court_kernels.h"
+    header.write_text(header.read_text(encoding="utf-8") + "\n", encoding="utf-8")
+    assert stale_modules(copied) == ["hoop.wasm", "court.wasm", "court_simd.wasm"]
+    header = copied / "c" / "elementary_functions.h"
     header.write_text(header.read_text(encoding="utf-8") + "\n", encoding="utf-8")
     assert stale_modules(copied) == list(MODULES)
 
@@ -55,6 +58,8 @@ def test_modules_are_small_and_import_nothing() -> None:
     sizes = {name: len(module_bytes(name)) for name in MODULES}
     assert sizes["hoop.wasm"] < 130_000
     assert sizes["hoop_simd.wasm"] < 260_000
+    assert sizes["court.wasm"] < 400_000
+    assert sizes["court_simd.wasm"] < 900_000
     for name in MODULES:
         module = module_bytes(name)
         assert module.startswith(b"\0asm\1\0\0\0")

@@ -11,15 +11,20 @@ from typing import Any
 
 import pytest
 
-from hoopgen.viewer.playground_page import SHARED, own_file, page_spec
+from hoopgen.viewer.playground_page import (
+    GENERATED,
+    SHARED,
+    generated_script,
+    own_file,
+    page_spec,
+)
 from tests.helpers import ROOT
 
 RUN = """
 const { readFileSync } = require("fs");
-const { source, folder, module, given } = JSON.parse(readFileSync(0, "utf8"));
-const whole = new Function("spec", "modules", "given", source);
-const modules = [{ ...module, bytes: readFileSync(`${folder}/${module.name}`) }];
-whole(given.spec, modules, given.given).then(
+const { source, folder, module, ...given } = JSON.parse(readFileSync(0, "utf8"));
+const whole = new Function("page", "scene", "module", "bytes", "given", source);
+whole(given.page, given.scene, module, readFileSync(`${folder}/${module.name}`), given.given).then(
   (found) => process.stdout.write(JSON.stringify(found)),
   (error) => { console.error(error); process.exit(1); },
 );
@@ -32,30 +37,32 @@ def spec() -> dict[str, Any]:
     return page_spec("auto")
 
 
-def computed(script: str, given: Any = None, lanes: int = 4) -> Any:
+def computed(script: str, given: Any = None, lanes: int = 4, scene: str = "hoop") -> Any:
     """Return what a script, an expression, is: with `engine`, `study`, `spec` and `given`."""
     node = shutil.which("node")
     if node is None:
         if os.environ.get("CI"):
             pytest.fail("node is not on PATH")
         pytest.skip("needs node")
-    kernels = (ROOT / "generated" / "js" / "hoop.js").read_text(encoding="utf-8")
     source = "\n".join(
         [
-            kernels,
+            *(generated_script(name) for name in ("hoop.js", *GENERATED)),
             *(own_file(name) for name in SHARED if name != "worker.js"),
-            "return Engine.start(modules, spec.layout).then((engine) => {",
-            "const study = Study.of(engine, spec);",
+            "const spec = { ...Study.specOf(page, scene), modules: [module] };",
+            "return Study.start(spec, { [module.name]: bytes }).then((study) => {",
+            "const { engine } = study;",
             f"return {script.strip()};",
             "});",
         ]
     )
-    (module,) = (one for one in spec()["modules"] if one["lanes"] == lanes)
+    (module,) = (one for one in spec()["scenes"][scene]["modules"] if one["lanes"] == lanes)
     told = {
         "source": source,
         "folder": str(ROOT / "generated" / "wasm"),
         "module": module,
-        "given": {"spec": spec(), "given": given},
+        "page": spec(),
+        "scene": scene,
+        "given": given,
     }
     done = subprocess.run(
         [node, "-e", RUN], input=json.dumps(told), capture_output=True, text=True, check=False

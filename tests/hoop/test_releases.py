@@ -11,6 +11,8 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 
 import hoopgen
+from hoopgen.engine.elementary import sine_cosine
+from hoopgen.hoop.variables import ARGUMENTS
 from tests.helpers.effort import trials
 
 EPS = float(np.finfo(np.float64).eps)
@@ -180,3 +182,40 @@ def test_what_has_no_usual_value_must_be_given(missing: str) -> None:
     given = {name: value for name, value in SHOT.items() if name != missing}
     with pytest.raises(TypeError, match=missing):
         hoopgen.release(**given)
+
+
+def test_the_generated_formula_has_the_bits_of_the_one_written_out() -> None:
+    """Sums and products in the order of `hoopgen.release`, here in NumPy by hand."""
+    random, n = np.random.default_rng(11), trials(20_000)
+    speed, distance = random.uniform(0, 15, n), random.uniform(0, 12, n)
+    elevation, azimuth, angle = random.uniform(-6, 6, (3, n))
+    backspin, sidespin = random.normal(0, 30, (2, n))
+    height = random.uniform(0, 4, n)
+    (left, front), (aside, before) = sine_cosine(angle), sine_cosine(azimuth + angle)
+    rise, flat = sine_cosine(elevation)
+    level = speed * flat
+    expected = [distance * front, distance * left, height - 3.048]
+    expected += [level * -before, level * -aside, speed * rise]
+    expected += [backspin * -aside, backspin * before, sidespin]
+    found = hoopgen.release(
+        *(speed, elevation, azimuth, backspin, sidespin),
+        height=height,
+        distance=distance,
+        angle=angle,
+    )
+    assert (found == np.stack(expected, axis=-1)).all()
+
+
+@pytest.mark.parametrize(
+    "name",
+    ["speed", "elevation", "azimuth", "backspin", "sidespin", "height", "distance", "angle"],
+)
+def test_the_jacobian_is_what_differences_of_releases_approach(name: str) -> None:
+    given = SHOT | {"azimuth": 0.2, "angle": -0.7, "backspin": 19.0, "sidespin": 3.0}
+    _, jacobian = hoopgen.release(**given, jacobian=True)
+    step = 1e-5
+    ends = [hoopgen.release(**given | {name: given[name] + way * step}) for way in (1, -1)]
+    column = jacobian["state"][:, list(ARGUMENTS).index(name)]
+    # Third derivatives are at most 20, and a difference loses 2 roundings of numbers up to 20.
+    error = 20 * step**2 + 40 * EPS / step
+    np.testing.assert_allclose(column, (ends[0] - ends[1]) / (2 * step), rtol=0, atol=error)

@@ -7,10 +7,12 @@ from typing import Any
 
 import numpy as np
 import pytest
+from hoopgen.generated.numpy import studies as generated
 
 import hoopgen
 from hoopgen.hoop.kinds import kinds
 from hoopgen.simulation.fingerprint import fingerprint, fixed_releases
+from hoopgen.viewer.playground_page import CONFIDENCE
 from tests.helpers import ROOT
 from tests.helpers.effort import trials
 from tests.helpers.playground import computed, spec
@@ -20,23 +22,31 @@ LANES = [1, 4]
 EPS = np.finfo(float).eps
 
 HASH = """
-Fingerprint.sha256(
-  Fingerprint.bytes(engine, { ...spec.fixed, each: given }, spec.presets.paper, spec.layout),
-)
+(() => {
+  const fixed = { ...spec.fixed, each: given };
+  const steps = [...Fingerprint.steps(engine, fixed, spec.presets.paper, spec.layout)];
+  return Fingerprint.sha256(steps.at(-1));
+})()
 """
 
+ENGINES = {"hoop": hoopgen.HOOP, "court": hoopgen.COURT}
+SCENES = list(ENGINES)
 
+
+@pytest.mark.parametrize("scene", SCENES)
 @pytest.mark.parametrize("lanes", LANES)
-def test_some_fixed_shots_have_the_bits_of_python(lanes: int) -> None:
-    releases = fixed_releases(hoopgen.HOOP, 4000)
-    assert computed(HASH, 500, lanes) == fingerprint(hoopgen.HOOP, releases=releases)
+def test_some_fixed_shots_have_the_bits_of_python(lanes: int, scene: str) -> None:
+    releases = fixed_releases(ENGINES[scene], 4000)
+    assert computed(HASH, 500, lanes, scene) == fingerprint(ENGINES[scene], releases=releases)
 
 
 @pytest.mark.slow
+@pytest.mark.parametrize("scene", SCENES)
 @pytest.mark.parametrize("lanes", LANES)
-def test_the_fixed_shots_have_the_golden_hash(lanes: int) -> None:
-    assert spec()["fixed"]["sha256"] == GOLDEN["hoop"]
-    assert computed(HASH, spec()["fixed"]["each"], lanes) == GOLDEN["hoop"]
+def test_the_fixed_shots_have_the_golden_hash(lanes: int, scene: str) -> None:
+    fixed = spec()["scenes"][scene]["fixed"]
+    assert fixed["sha256"] == GOLDEN[scene]
+    assert computed(HASH, fixed["each"], lanes, scene) == GOLDEN[scene]
 
 
 def test_the_fixed_releases_are_those_of_python() -> None:
@@ -55,25 +65,39 @@ def random_releases(count: int) -> list[dict[str, float]]:
     ]
 
 
+def test_releases_of_the_page_are_those_of_python_to_the_bit() -> None:
+    """The formula is generated for both; sine and cosine are those of WebAssembly."""
+    releases = random_releases(trials(10_000)) + [random_releases(1)[0] | {"distance": -1.0}]
+    columns = {name: [one[name] for one in releases] for name in releases[0]}
+    script = "[...Release.states({}, given, given.speed.length, engine, spec)]"
+    found = np.array(computed(script, columns), float).reshape(-1, 9)  # null is NaN
+    wanted = hoopgen.release(**{name: np.array(column) for name, column in columns.items()})
+    assert np.isnan(wanted[-1, :2]).all()
+    np.testing.assert_array_equal(found, wanted)
+
+
 SHOTS = """
 given.map((release) => {
-  const { events, outcome, uncertain, time, state, kind, release: thrown } =
+  const { events, outcome, uncertain, time, state, kind, release: thrown, rolls } =
     study.shot({ release, parameters: spec.presets.nba });
   const ends = [outcome[0], uncertain[0], kind];
-  return { events: events[0], ends, time: time[0], state: [...state], thrown };
+  return { events: events[0], ends, time: time[0], state: [...state], thrown, rolls };
 })
 """
 
 
+@pytest.mark.parametrize("scene", SCENES)
 @pytest.mark.parametrize("lanes", LANES)
-def test_a_shot_of_the_page_is_that_of_python_to_the_bit(lanes: int) -> None:
+def test_a_shot_of_the_page_is_that_of_python_to_the_bit(lanes: int, scene: str) -> None:
+    engine = ENGINES[scene]
+    parameters = engine.presets["nba"]
     releases = random_releases(trials(100))
-    found = computed(SHOTS, releases, lanes)
+    found = computed(SHOTS, releases, lanes, scene)
     thrown = np.array([one["thrown"] for one in found])
     columns = {name: np.array([one[name] for one in releases]) for name in releases[0]}
     wanted = hoopgen.release(**columns)
     assert (thrown == wanted).all()
-    shots = hoopgen.simulate(thrown, hoopgen.NBA, record=True)
+    shots = engine.simulate(thrown, parameters, record=True)
     named = kinds(shots.outcome, shots.counts, shots.first)
     for row, one in enumerate(found):
         assert one["ends"] == [shots.outcome[row], shots.uncertain[row], named[row]]
@@ -81,24 +105,56 @@ def test_a_shot_of_the_page_is_that_of_python_to_the_bit(lanes: int) -> None:
         events = shots.trajectory(row).events
         assert len(one["events"]) == len(events)
         for got, event in zip(one["events"], events, strict=True):
-            assert [got["time"], *got["before"], *got["after"], got["surface"]] == [
-                *(event["time"], *event["before"], *event["after"], event["surface"])
+            assert [got["time"], *got["before"], *got["after"], got["surface"], got["kind"]] == [
+                *(event["time"], *event["before"], *event["after"]),
+                *(event["surface"], event["kind"]),
             ]
 
 
-def test_wilson_s_interval_is_that_of_python() -> None:
-    intervals = pytest.importorskip("hoopgen.study.statistics.intervals")
-    pairs = [
-        (k, n)
-        for n in (0, 1, 2, 10, 9_999, 10_000)
-        for k in {0, 1, n // 3, n - 1, n}
-        if 0 <= k <= n
+def test_a_roll_of_the_page_has_the_states_of_the_engine() -> None:
+    """Its pieces are on the path that `Trajectory` has by the engines' series."""
+    random = np.random.default_rng(8)
+    base = {name: spec()["start"][name] for name in hoopgen_arguments()}
+    many = [
+        base | {"speed": float(v), "elevation": float(e), "azimuth": float(a)}
+        for v, e, a in random.normal((7.25, 0.94, 0.03), (0.3, 0.05, 0.03), (3000, 3))
     ]
-    found = computed("given.map(([made, shots]) => Release.wilson(made, shots, spec.z))", pairs)
-    for (made, shots), ends in zip(pairs, found, strict=True):
-        wanted = intervals.wilson_interval(made, shots, 0.95)
-        # A dozen operations, and the quantile from two libraries.
-        np.testing.assert_allclose(ends, np.array(wanted).ravel(), rtol=0, atol=32 * EPS)
+    columns = {name: np.array([one[name] for one in many]) for name in base}
+    states = hoopgen.release(**columns)
+    shots = hoopgen.simulate(states, hoopgen.NBA_COURT, scene=hoopgen.COURT, record=True)
+    rows = np.flatnonzero(shots.rolls)[: trials(5)]
+    found = computed(SHOTS, [many[row] for row in rows], scene="court")
+    pieces = 0
+    for row, one in zip(rows, found, strict=True):
+        path = shots.trajectory(int(row))
+        assert [roll["row"] for roll in one["rolls"]] == [begin for begin, _, _ in path.rolls]
+        for roll, (_, begin, end) in zip(one["rolls"], path.rolls, strict=True):
+            for time, *state in roll["pieces"]:
+                assert begin < time < end
+                shot = hoopgen.simulate(
+                    states[row], hoopgen.NBA_COURT, scene=hoopgen.COURT, time_limit=time
+                )
+                assert state == shot.state[0].tolist()
+                # Steps of the series err by 1e-12 m, which a roll on a wire multiplies.
+                np.testing.assert_allclose(state, path.at(time), rtol=0, atol=1e-7)
+                pieces += 1
+    assert pieces > 10
+
+
+def test_wilson_s_interval_is_that_of_python_to_the_bit() -> None:
+    intervals = pytest.importorskip("hoopgen.study.statistics.intervals")
+    random = np.random.default_rng(6)
+    shots = np.concatenate([[0, 1, 1, 10_000, 10_000], random.integers(1, 20_000, 10_000)])
+    made = np.concatenate([[0, 0, 1, 0, 10_000], random.integers(0, shots[5:] + 1)])
+    script = "given[0].map((made, row) => wilson_interval(made, given[1][row], spec.z))"
+    found = np.array(computed(script, [made.tolist(), shots.tolist()]))
+    with np.errstate(invalid="ignore"):  # the first are no shots
+        wanted = np.stack(generated.wilson_interval(made, shots, spec()["z"]), axis=-1)
+    np.testing.assert_array_equal(found, wanted)
+    assert found[0].tolist() == [0.0, 1.0]
+    # Python's command has the quantile from another library.
+    ends = np.stack(intervals.wilson_interval(made, shots, CONFIDENCE), axis=-1)
+    np.testing.assert_allclose(found, ends, rtol=0, atol=8 * EPS)
 
 
 @pytest.mark.parametrize("seed", [0, 7, 2**53 - 1])
@@ -143,6 +199,18 @@ def test_the_share_is_that_of_an_estimate_in_python(scatter: Any) -> None:
     assert sum(made for made, _ in scatter["tally"]) == scatter["made"]
 
 
+def test_the_real_ball_s_share_is_that_of_an_estimate_in_python() -> None:
+    pytest.importorskip("scipy")
+    start = spec()["start"]
+    mean = {name: start[name] for name in hoopgen_arguments()}
+    sd = {name: start[f"sd_{name}"] for name in spec()["scattered"]}
+    model, parameters = hoopgen.Scatter(mean, sd), hoopgen.NBA_COURT
+    found = hoopgen.estimate(model, parameters, scene=hoopgen.COURT, shots=spec()["throws"])
+    scatter = computed(SCATTER, scene="court")
+    assert scatter["made"] / scatter["count"] == found.probability
+    assert sum(map(sum, scatter["tally"])) == scatter["count"]
+
+
 def hoopgen_arguments() -> list[str]:
     from hoopgen.hoop.variables import ARGUMENTS
 
@@ -165,7 +233,7 @@ def test_misses_land_and_flights_enter_where_free_flight_leads(scatter: Any) -> 
 
 CHANGES = """
 given.map(({ release, vary }) =>
-  vary.map((name) => study.change(name, { release, parameters: spec.presets.nba })))
+  vary.map((name) => [...study.change(name, { release, parameters: spec.presets.nba })].at(-1)))
 """
 
 
@@ -183,7 +251,7 @@ def test_the_nearest_change_is_that_of_counterfactual() -> None:
     start = spec()["start"]
     base = {name: start[name] for name in hoopgen_arguments()}
     releases = [base, base | {"speed": 7.0}, base | {"elevation": 0.9, "azimuth": 0.0}]
-    vary = spec()["vary"]
+    vary = spec()["scenes"]["hoop"]["vary"]
     found = computed(CHANGES, [{"release": one, "vary": vary} for one in releases])
     compared = 0
     for release, changes in zip(releases, found, strict=True):
@@ -200,6 +268,21 @@ def test_the_nearest_change_is_that_of_counterfactual() -> None:
                 assert sizes[0] == pytest.approx(sizes[1], rel=1e-3), change
                 assert ends(release, change.name, got["changed"]) != ends(release, change.name)
     assert compared > 10
+
+
+@pytest.mark.slow
+def test_the_nearest_change_of_the_real_ball_is_that_of_counterfactual() -> None:
+    pytest.importorskip("scipy")
+    release = {name: spec()["start"][name] for name in hoopgen_arguments()}
+    vary = ["elevation", "ring_restitution"]
+    (found,) = computed(CHANGES, [{"release": release, "vary": vary}], scene="court")
+    state = hoopgen.release(**release)
+    shots = hoopgen.simulate(state, hoopgen.NBA_COURT, scene=hoopgen.COURT)
+    wanted = hoopgen.counterfactual(shots, vary=vary, prove=False)
+    for got, change in zip(found, wanted.changes, strict=True):
+        assert np.isfinite(change.changed)
+        size = abs(change.changed - change.value)
+        assert abs(got["changed"] - got["value"]) == pytest.approx(size, rel=1e-3), change
 
 
 def test_the_map_has_python_s_outcomes() -> None:

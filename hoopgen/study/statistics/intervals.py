@@ -16,6 +16,8 @@ from numpy.typing import ArrayLike, NDArray
 from scipy.special import ndtri, stdtrit
 from scipy.stats import binom
 
+from hoopgen.generated.numpy import studies
+
 Floats = NDArray[np.float64]
 Ends = tuple[float, float]
 """Low and high."""
@@ -39,10 +41,7 @@ def wilson_interval(
     n, k = np.asarray(shots, dtype=np.float64), np.asarray(made, dtype=np.float64)
     z = _quantile(degrees, confidence)
     with np.errstate(invalid="ignore"):
-        half = z * np.sqrt(k * (n - k) / n + 0.25 * z * z)
-    middle, whole = k + 0.5 * z * z, n + z * z
-    low = np.where(k > 0, (middle - half) / whole, 0.0)
-    high = np.where(k < n, (middle + half) / whole, 1.0)
+        low, high = studies.wilson_interval(k, n, z)
     return low, high
 
 

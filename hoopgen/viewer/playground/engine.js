@@ -11,14 +11,16 @@ const Engine = (() => {
   };
   const EVENT = 22; // numbers of 8 bytes: shot, surface, time, before 9, after 9, kind
 
-  /** Return the bytes of a text in base 64. */
-  function bytesOf(text) {
-    return Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
+  /** Return the bytes that a text in base 64 has, compressed by gzip. */
+  async function bytesOf(text) {
+    const packed = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
+    const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));
+    return new Uint8Array(await new Response(stream).arrayBuffer());
   }
 
   /**
-   * Start the first of some modules that this browser takes. `modules` are {name, lanes, bytes};
-   * `layout` names the parameters and the results in the order of C.
+   * Start the first of a scene's modules that this browser takes. `modules` are {name, lanes,
+   * bytes}; `layout` names the scene, and the parameters and the results in the order of C.
    */
   async function start(modules, layout) {
     for (const { name, lanes, bytes } of modules) {
@@ -68,9 +70,10 @@ const Engine = (() => {
       const places = layout.results.map(([name, type, width]) =>
         results.includes(name) ? room(held, shots * width * NUMBERS[type].BYTES_PER_ELEMENT) : 0,
       );
-      const log = record ? room(held, shots * (most + 1) * EVENT * 8) : 0;
+      const rows = layout.log_rows * most + 1; // of a shot's event log
+      const log = record ? room(held, shots * rows * EVENT * 8) : 0;
       const counts = record ? room(held, shots * 4) : 0;
-      const code = c.hoop_simulate(
+      const code = c[`${layout.scene}_simulate`](
         shots,
         put(held, states),
         put(held, Uint32Array.from(values)),
@@ -82,20 +85,20 @@ const Engine = (() => {
         0, // nobody stops it
         put(held, Uint32Array.from([...places, log, counts])),
       );
-      if (code !== about.lanes) throw new Error(`hoop_simulate returned ${code}`);
+      if (code !== about.lanes) throw new Error(`the engine returned ${code}`);
       const found = layout.results.map(([name, type, width], k) =>
         [name, places[k] ? view(NUMBERS[type], places[k], shots * width).slice() : null],
       );
       const all = Object.fromEntries(found.filter(([, array]) => array));
-      if (record) all.events = Array.from({ length: shots }, (_, k) => events(k, most, log, counts));
+      if (record) all.events = Array.from({ length: shots }, (_, k) => events(k, rows, log, counts));
       return all;
     }
 
     /** Return the rows of a shot's event log. */
-    function events(shot, most, log, counts) {
-      const rows = view(Int32Array, counts, shot + 1)[shot];
-      return Array.from({ length: rows }, (_, row) => {
-        const at = log + 8 * EVENT * (shot * (most + 1) + row);
+    function events(shot, rows, log, counts) {
+      const used = view(Int32Array, counts, shot + 1)[shot];
+      return Array.from({ length: used }, (_, row) => {
+        const at = log + 8 * EVENT * (shot * rows + row);
         const whole = (k) => Number(view(BigInt64Array, at + 8 * k, 1)[0]);
         const numbers = [...view(Float64Array, at, EVENT)];
         return {

@@ -22,8 +22,9 @@ const Fingerprint = (() => {
     return states;
   }
 
-  /** Return the bytes that are hashed: each result of all shots, with one pattern for NaN. */
-  function bytes(engine, fixed, parameters, layout) {
+  /** Yield nothing after each step, and at last the bytes that are hashed: each result of all
+   * shots, with one pattern for NaN. */
+  function* steps(engine, fixed, parameters, layout) {
     const states = releases(fixed);
     const results = layout.results.map(([name]) => name);
     const parts = new Map(results.map((name) => [name, []]));
@@ -32,6 +33,7 @@ const Fingerprint = (() => {
       const { most, limit } = fixed;
       const found = engine.simulate(some, parameters, { most, limit, results });
       for (const name of results) parts.get(name).push(canonical(found[name]));
+      yield;
     }
     const all = results.flatMap((name) => parts.get(name));
     const whole = new Uint8Array(all.reduce((sum, part) => sum + part.length, 0));
@@ -40,7 +42,7 @@ const Fingerprint = (() => {
       whole.set(part, at);
       at += part.length;
     }
-    return whole;
+    yield whole;
   }
 
   /** Return an array's bytes; every NaN is 0x7ff8000000000000. */
@@ -54,11 +56,12 @@ const Fingerprint = (() => {
     return new Uint8Array(array.buffer);
   }
 
-  /** Return the digest, in hexadecimal digits. */
+  /** Return the digest, in hexadecimal digits; null where the address is not secure. */
   async function sha256(data) {
+    if (!globalThis.crypto?.subtle) return null;
     const digest = new Uint8Array(await crypto.subtle.digest("SHA-256", data));
     return [...digest].map((byte) => byte.toString(16).padStart(2, "0")).join("");
   }
 
-  return { bytes, releases, sha256 };
+  return { releases, sha256, steps };
 })();

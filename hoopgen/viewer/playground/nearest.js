@@ -19,34 +19,38 @@ const Nearest = (() => {
     return [Math.min(Math.max(value - half, least), value), Math.max(Math.min(value + half, most), value)];
   }
 
+  // Generators: they yield nothing after each step, so that a worker can look for newer questions.
+
   /**
    * Return the nearer change to both sides: {name, value, unchanged, changed}; null where there is
    * none. `run` simulates values of the variable; the other result must last `steady` times the
    * change.
    */
-  function change(name, value, made, run, ranges, steady = 0.05) {
-    const found = range(name, value, ranges)
-      .map((end) => towards(value, end, made, run, steady))
-      .filter(Boolean)
-      .sort((one, other) => Math.abs(one[1] - value) - Math.abs(other[1] - value));
+  function* change(name, value, made, run, ranges, steady = 0.05) {
+    const found = [];
+    for (const end of range(name, value, ranges)) {
+      const gap = yield* towards(value, end, made, run, steady);
+      if (gap) found.push(gap);
+    }
+    found.sort((one, other) => Math.abs(one[1] - value) - Math.abs(other[1] - value));
     if (!found.length) return null;
     return { name, value, unchanged: found[0][0], changed: found[0][1] };
   }
 
-  function towards(value, end, made, run, steady) {
+  function* towards(value, end, made, run, steady) {
     const reach = end - value;
     if (!reach || !Number.isFinite(reach)) return null;
     const near = Array.from({ length: TRIALS / 4 }, (_, k) => 10 ** (-9 + (9 * k) / (TRIALS / 4 - 1)));
     const even = Array.from({ length: (TRIALS * 3) / 4 }, (_, k) => k / ((TRIALS * 3) / 4 - 1));
     const away = ordered([...near, ...even]);
-    const values = refined(away.map((share) => value + reach * share), run);
-    const [tried, changed] = decided(values, made, run);
+    const values = yield* refined(away.map((share) => value + reach * share), run);
+    const [tried, changed] = yield* decided(values, made, run);
     for (let start = 1; start < tried.length; start++) {
       if (!changed[start]) continue;
       let stop = start;
       while (stop + 1 < tried.length && changed[stop + 1]) stop++;
       if (Math.abs(tried[stop] - tried[start]) >= steady * Math.abs(tried[start] - value)) {
-        return narrowed([tried[start - 1], tried[start]], made, run);
+        return yield* narrowed([tried[start - 1], tried[start]], made, run);
       }
       start = stop;
     }
@@ -58,10 +62,10 @@ const Nearest = (() => {
   }
 
   /** Return more values, between those whose contacts differ. */
-  function refined(values, run) {
+  function* refined(values, run) {
     let all = values;
     for (let round = 0; round < ROUNDS; round++) {
-      const marks = run(all).marks;
+      const { marks } = yield* run(all);
       const between = [];
       for (let k = 1, gaps = 0; k < all.length && gaps < MAX_SPLIT; k++) {
         if (marks[k] === marks[k - 1]) continue;
@@ -78,17 +82,17 @@ const Nearest = (() => {
   }
 
   /** Return the values whose results are certain, and whether each is another; the first is not. */
-  function decided(values, made, run) {
-    const found = run(values);
+  function* decided(values, made, run) {
+    const found = yield* run(values);
     const keep = values.map((_, k) => k).filter((k) => k === 0 || found.marks[k] !== "");
     return [keep.map((k) => values[k]), keep.map((k) => k > 0 && found.made[k] !== made)];
   }
 
-  function narrowed(gap, made, run) {
+  function* narrowed(gap, made, run) {
     for (;;) {
       const step = (gap[1] - gap[0]) / SECTIONS;
       const inner = Array.from({ length: SECTIONS - 1 }, (_, k) => gap[0] + step * (k + 1));
-      const [values, changed] = decided([gap[0], ...inner, gap[1]], made, run);
+      const [values, changed] = yield* decided([gap[0], ...inner, gap[1]], made, run);
       const last = changed.lastIndexOf(false);
       if (last + 1 >= values.length) return gap;
       const closer = [values[last], values[last + 1]];

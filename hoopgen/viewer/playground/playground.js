@@ -3,20 +3,32 @@
 
 (async () => {
   const $ = (id) => document.getElementById(id);
-  const spec = JSON.parse($("spec").textContent);
+  const page = JSON.parse($("spec").textContent);
   const { words } = hoopgen;
-  const variables = Object.values(spec.variables).flat();
-  const NAMES = variables.map(({ name }) => name); // what a link says, but for preset and seed
   const CELLS = [96, 72]; // of the map
   const WINDOW = [1.0, (15 * Math.PI) / 180]; // m/s and rad to each side of the shot
+  const SHOWN = { scatter: ["throws", "entries", "landings"], map: ["map"], changes: ["changes"] };
   const STEEP = [5, 85].map((degrees) => (degrees * Math.PI) / 180);
   const still = window.matchMedia("(prefers-reduced-motion: reduce)");
-  let now = { ...spec.start }; // SI, and the preset's name
+  const studies = {}; // by scene, once each is started
+  const digests = {}; // by scene, of the fixed shots; null once it is asked for
+  let spec = {}; // of the scene as it is
+  let now = page.start; // SI, and names
   let [asked, latest] = [0, {}];
   const banner = Object.assign(document.createElement("p"), { id: "banner" });
   banner.setAttribute("role", "status");
 
   // The shot
+
+  /** Return the values of a preset that have controls. */
+  function ownSizes({ variables, presets }, preset) {
+    return Object.fromEntries(variables.scene.map(({ name }) => [name, presets[preset][name]]));
+  }
+
+  /** Return the names of what a link says of a scene, but for scene, preset and seed. */
+  function namesOf({ variables }) {
+    return Object.values(variables).flat().map(({ name }) => name);
+  }
 
   function release() {
     return Object.fromEntries(Release.ARGUMENTS.map((name) => [name, now[name]]));
@@ -31,43 +43,57 @@
     return Object.fromEntries(spec.scattered.map((name) => [name, now[`sd_${name}`]]));
   }
 
+  /** Return the outward normal of a body where the ball's centre is, by the generated kernel. */
+  function normalAt(body, [x, y, z]) {
+    const given = { ...parameters(), x, y, z };
+    const kernel = globalThis[`${spec.scene}_${body}_normal`];
+    return kernel(...spec.normals[body].map((name) => given[name]));
+  }
+
   /** Return a shot as the viewer has them, with the points at which bodies are touched. */
   function shown(found) {
     const sizes = parameters();
-    const { ball_radius: ball, ring_radius: ring, wire_radius: wire, gravity } = sizes;
-    const normals = [
-      ([x, y, z]) => hoop_ring_normal(x, y, z, ball, ring, wire),
-      () => hoop_backboard_normal(),
-      () => hoop_bridge_normal(),
-    ];
+    const { ball_radius: ball, gravity } = sizes;
+    const { bodies } = spec.kinds;
     const rows = found.events[0];
     let contact = 0;
-    const events = rows.map(({ surface, time, before }) => {
+    const events = rows.map(({ surface, time, before, kind }) => {
       const centre = before.slice(0, 3);
-      const end = surface >= normals.length;
-      const normal = end ? [0, 0, 0] : normals[surface](centre);
+      const end = surface >= bodies.length;
+      const normal = end ? [0, 0, 0] : normalAt(bodies[surface], centre);
+      const name = spec.layout.events[kind];
       return {
-        number: end ? 0 : ++contact,
-        kind: end ? "end" : "impact",
-        surface: end ? "end" : spec.kinds.bodies[surface],
+        number: name === "impact" ? ++contact : 0,
+        kind: name,
+        surface: end ? "end" : bodies[surface],
         time,
         at: centre.map((value, k) => value - ball * normal[k]),
       };
     });
-    const flights = [[0, ...found.release], ...rows.map(({ time, after }) => [time, ...after])];
+    const flights = [[0, ...found.release]];
+    const rolls = [];
+    rows.forEach(({ time, after }, row) => {
+      flights.push([time, ...after]);
+      const roll = found.rolls.find((one) => one.row === row);
+      if (!roll) return;
+      const next = rows[row + 1];
+      const begin = flights.length - 1;
+      flights.push(...roll.pieces, [next.time, ...next.before]);
+      rolls.push([begin, flights.length - 1]);
+    });
     const outcome = spec.outcomes[found.outcome[0]];
     const last = flights.at(-1);
     const [fall] = hoop_descent(last[3], last[6], ball - spec.ring_height, gravity);
     const falls = ["made", "missed", "short"].includes(outcome) && Number.isFinite(fall);
     return {
       ...{ label: "Shot", outcome, kind: spec.kinds.names[found.kind] },
-      ...{ uncertain: Boolean(found.uncertain[0]), parameters: sizes, flights, rolls: [], events },
+      ...{ uncertain: Boolean(found.uncertain[0]), parameters: sizes, flights, rolls, events },
       ...(falls ? { floor_time: last[0] + fall } : {}),
     };
   }
 
   function fly(play) {
-    latest = study.shot({ release: release(), parameters: parameters() });
+    latest = studies[spec.scene].shot({ release: release(), parameters: parameters() });
     const invalid = spec.outcomes[latest.outcome[0]] === "invalid";
     $("fault").hidden = !invalid;
     if (invalid) {
@@ -80,49 +106,81 @@
 
   // Controls
 
+  /** Start the engine of the scene unless it runs, then simulate and draw the shot as it is. */
   function update(play = false) {
-    const values = { ...now };
-    for (const one of shownControls) one.show(values);
+    const { scene } = now;
+    if (studies[scene]) {
+      redraw(play);
+      return;
+    }
+    Study.start(Study.specOf(page, scene), modules).then((study) => {
+      studies[scene] = study;
+      if (now.scene === scene) redraw(play);
+    });
+  }
+
+  function redraw(play) {
+    if (spec.scene !== now.scene) furnish();
+    for (const one of shownControls) one.show(now);
+    $("scene").value = now.scene;
     $("preset").value = now.preset;
     const [x, y] = [now.distance * Math.cos(now.angle), now.distance * Math.sin(now.angle)];
     plan.draw([x, y], now.azimuth + now.angle, parameters(), spec.courts[now.preset].lines);
     fly(play);
     ask();
+    verify();
   }
 
-  function set(change, done = true) {
-    now = { ...now, ...change };
+  /** Have the controls of the scene as it is. */
+  function furnish() {
+    spec = studies[now.scene].spec;
+    shownControls = Object.entries(spec.variables).map(([group, own]) =>
+      Controls.create($(`of-${group}`), own, words.unit, change),
+    );
+  }
+
+  function set(changed, done = true) {
+    now = { ...now, ...changed };
     update(done);
     if (done) history.replaceState(null, "", link());
   }
 
+  /** Go to another scene or preset: the release and the scatter stay. */
+  function rebuild(scene, preset) {
+    const own = ownSizes(Study.specOf(page, scene), preset);
+    set({ scene, preset, ...own });
+  }
+
   /** Return the address's fragment: the whole shot, in SI, each number to the bit. */
   function link() {
-    const parts = [...NAMES, "preset", "seed"].map((name) => `${name}=${now[name]}`);
-    return `#${parts.join("&")}`;
+    const names = ["scene", ...namesOf(Study.specOf(page, now.scene)), "preset", "seed"];
+    return `#${names.map((name) => `${name}=${now[name]}`).join("&")}`;
   }
 
   /** Take the shot that the address says; what it leaves out is as it is at the start. */
   function follow() {
     const given = new URLSearchParams(location.hash.slice(1));
-    const next = { ...spec.start };
-    if (Object.hasOwn(spec.presets, given.get("preset") ?? "")) {
-      next.preset = given.get("preset");
-      for (const { name } of spec.variables.scene) next[name] = spec.presets[next.preset][name];
-    }
-    for (const name of [...NAMES, "seed"]) {
+    const named = (table, name, usual) => (Object.hasOwn(table, given.get(name) ?? "") ? given.get(name) : usual);
+    const scene = named(page.scenes, "scene", page.start.scene);
+    const there = Study.specOf(page, scene);
+    const preset = named(there.presets, "preset", page.start.preset);
+    const next = { ...page.start, scene, preset, ...ownSizes(there, preset) };
+    const infinite = there.variables.scene.filter((one) => one.infinite).map(({ name }) => name);
+    for (const name of [...namesOf(there), "seed"]) {
       const value = given.has(name) && given.get(name) !== "" ? Number(given.get(name)) : NaN;
-      if (Number.isFinite(value)) next[name] = value;
+      if (Number.isFinite(value) || (value === Infinity && infinite.includes(name))) next[name] = value;
     }
     now = next;
     update();
   }
 
   function python() {
+    const number = (value) => (value === Infinity ? 'float("inf")' : value);
     const own = Object.entries(parameters()).filter(([name, value]) => value !== spec.presets[now.preset][name]);
-    const changes = own.map(([name, value]) => `"${name}": ${value}`).join(", ");
-    const scene = `hoopgen.${now.preset.toUpperCase()}${changes ? ` | {${changes}}` : ""}`;
-    return `import hoopgen\n\nstate = [${latest.release.join(", ")}]\nshots = hoopgen.simulate(state, ${scene}, record=True)\nprint(shots.trajectory(0))\n`;
+    const changes = own.map(([name, value]) => `"${name}": ${number(value)}`).join(", ");
+    const hoop = `hoopgen.${now.preset.toUpperCase()}${spec.suffix}${changes ? ` | {${changes}}` : ""}`;
+    const scene = `scene=hoopgen.${spec.scene.toUpperCase()}`;
+    return `import hoopgen\n\nstate = [${latest.release.join(", ")}]\nshots = hoopgen.simulate(state, ${hoop}, ${scene}, record=True)\nprint(shots.trajectory(0))\n`;
   }
 
   async function copy(text, what) {
@@ -150,17 +208,30 @@
       map: { ...given, window: [speeds, angles], size: CELLS },
       changes: { ...given, vary: spec.vary },
     };
-    worker.postMessage({ id: ++asked, questions });
+    worker.postMessage({ id: ++asked, scene: spec.scene, questions });
     document.body.dataset.asked = asked;
+    for (const id of Object.values(SHOWN).flat()) $(id).setAttribute("aria-busy", true);
   }
 
-  function answered({ data: { id, name, answer, milliseconds } }) {
+  /** Have the fixed shots of the scene simulated, once, and show their digest. */
+  function verify() {
+    const { scene } = spec;
+    if (!(scene in digests)) {
+      digests[scene] = null;
+      worker.postMessage({ id: 0, scene, questions: { fingerprint: {} } });
+    }
+    Results.fingerprint(digests[scene], spec);
+  }
+
+  async function answered({ data: { id, scene, name, answer, milliseconds } }) {
     document.body.dataset[name] = milliseconds;
     if (name === "fingerprint") {
-      Results.fingerprint(answer, spec.fixed.sha256);
+      digests[scene] = await Fingerprint.sha256(answer);
+      if (spec.scene === scene) verify();
       return;
     }
     if (id !== asked) return;
+    for (const one of SHOWN[name]) $(one).removeAttribute("aria-busy");
     Results[name](answer, { now, spec, words, parameters: parameters() }, set);
     if (name === "scatter") tell(answer);
     if (name === "changes") document.body.dataset.answered = id;
@@ -179,14 +250,14 @@
 
   // Begin
 
-  const modules = spec.modules.map(({ name, lanes }) => {
-    return { name, lanes, bytes: Engine.bytesOf($(name).textContent) };
-  });
-  const study = Study.of(await Engine.start(modules, spec.layout), spec);
+  const modules = {};
+  for (const { name } of Object.values(page.scenes).flatMap((scene) => scene.modules)) {
+    modules[name] = await Engine.bytesOf($(name).textContent);
+  }
   const scripts = [...document.querySelectorAll("script[data-worker]")].map((one) => one.textContent);
   const worker = new Worker(URL.createObjectURL(new Blob(scripts, { type: "text/javascript" })));
   worker.onmessage = answered;
-  worker.postMessage({ spec, modules });
+  worker.postMessage({ spec: page, modules });
 
   $("stage").append(banner);
   const place = (x, y, done) => {
@@ -195,14 +266,11 @@
   };
   const plan = Plan.create($("plan"), place);
   const change = (name, value, done) => set({ [name]: value }, done);
-  const shownControls = Object.entries(spec.variables).map(([group, own]) =>
-    Controls.create($(`of-${group}`), own, words.unit, change),
-  );
-  $("preset").append(...Object.keys(spec.presets).map((name) => new Option(name.toUpperCase(), name)));
-  $("preset").onchange = ({ target: { value: preset } }) => {
-    const sizes = spec.variables.scene.map(({ name }) => [name, spec.presets[preset][name]]);
-    set({ preset, ...Object.fromEntries(sizes) });
-  };
+  let shownControls = [];
+  $("scene").append(...Object.entries(page.scenes).map(([name, { label }]) => new Option(label, name)));
+  $("scene").onchange = ({ target: { value } }) => rebuild(value, now.preset);
+  $("preset").append(...Object.keys(page.courts).map((name) => new Option(name.toUpperCase(), name)));
+  $("preset").onchange = ({ target: { value } }) => rebuild(now.scene, value);
   $("copy-link").onclick = () => copy(location.href.split("#")[0] + link(), "Link");
   $("copy-python").onclick = () => copy(python(), "Python code");
   $("map").onclick = ({ offsetX, offsetY }) => {
@@ -214,7 +282,5 @@
   Theme.tell(() => Results.repaint());
   window.addEventListener("resize", () => Results.repaint());
   follow();
-  // Last: what the reader came for is first.
-  worker.postMessage({ id: 0, questions: { fingerprint: {} } });
-  Object.assign(window.hoopgen, { engine: study, link, latest: () => latest, python });
+  Object.assign(window.hoopgen, { link, latest: () => latest, python });
 })();

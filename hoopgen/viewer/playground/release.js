@@ -1,29 +1,23 @@
-// Releases and their scatter, kinds of shots, and the interval of a share: as hoopgen has them.
+// Releases and their scatter, and kinds of shots, as hoopgen has them.
 "use strict";
 
 const Release = (() => {
   const ARGUMENTS = "speed elevation azimuth backspin sidespin height distance angle".split(" ");
 
-  /** Return the states of releases, 9 numbers each: `hoopgen.release`, its operations in their
-   * order. Some arguments have a column of values, the others are those of one release; lengths
-   * in m, angles in rad. */
-  function states(release, columns, count, engine, ringHeight) {
+  /** Return the states of releases, 9 numbers each, as `hoopgen.release` has them. Some arguments
+   * have a column of values, the others are those of one release; lengths in m, angles in rad.
+   * `about` has the ring's height, and the names of arguments that are never negative. */
+  function states(release, columns, count, engine, { ring_height: ringHeight, from_zero: fromZero }) {
     const column = (name) => columns[name] ?? new Float64Array(count).fill(release[name]);
     const all = Object.fromEntries(ARGUMENTS.map((name) => [name, column(name)]));
-    const heading = all.azimuth.map((azimuth, row) => azimuth + all.angle[row]);
-    const [aside, before] = engine.compute("sine_cosine", heading);
-    const [rise, flat] = engine.compute("sine_cosine", all.elevation);
-    const [left, front] = engine.compute("sine_cosine", all.angle);
+    for (const name of fromZero) all[name] = all[name].map((value) => (value < 0 ? NaN : value));
+    const heading = all.azimuth.map((azimuth, row) => release_heading(azimuth, all.angle[row])[0]);
+    const turns = [heading, all.elevation, all.angle].flatMap((angle) => engine.compute("sine_cosine", angle));
+    const { speed, backspin, sidespin, height, distance } = all;
     const found = new Float64Array(9 * count);
     for (let row = 0; row < count; row++) {
-      const [speed, spin, distance] = [all.speed[row], all.backspin[row], all.distance[row]];
-      const [aheadX, aheadY] = [-before[row], -aside[row]];
-      const fast = speed < 0 ? NaN : speed; // an angle gives the direction
-      const far = distance < 0 ? NaN : distance;
-      const level = fast * flat[row];
-      const state = [far * front[row], far * left[row], all.height[row] - ringHeight];
-      state.push(level * aheadX, level * aheadY, fast * rise[row]);
-      state.push(spin * aheadY, spin * -aheadX, all.sidespin[row]);
+      const own = [speed[row], backspin[row], sidespin[row], height[row], distance[row]];
+      const state = release_state(...own, ringHeight, ...turns.map((turn) => turn[row]));
       found.set(state.map((value) => value + 0), 9 * row); // no negative zeros
     }
     return found;
@@ -61,13 +55,5 @@ const Release = (() => {
     });
   }
 
-  /** Return the ends of Wilson's score interval of a share; z is the normal quantile. */
-  function wilson(made, shots, z) {
-    if (!shots) return [0, 1];
-    const half = z * Math.sqrt((made * (shots - made)) / shots + 0.25 * z * z);
-    const [middle, whole] = [made + 0.5 * z * z, shots + z * z];
-    return [made > 0 ? (middle - half) / whole : 0, made < shots ? (middle + half) / whole : 1];
-  }
-
-  return { ARGUMENTS, kinds, normals, states, wilson };
+  return { ARGUMENTS, kinds, normals, states };
 })();

@@ -7,6 +7,8 @@ const Results = (() => {
   let map = null;
 
   const percent = (share, digits = 1) => `${(100 * share).toFixed(digits)}%`;
+  /** Say a share that is not zero. */
+  const some = (share) => (share < 5e-4 ? "<0.1%" : percent(share));
   const count = (number) => number.toLocaleString("en");
 
   function make(tag, properties = {}, ...children) {
@@ -40,19 +42,19 @@ const Results = (() => {
         return part;
       }),
     );
-    $("bar").setAttribute("aria-label", seen.map(({ text, number }) => `${text} ${percent(number / found.count)}`).join("; "));
+    $("bar").setAttribute("aria-label", seen.map(({ text, number }) => `${text} ${some(number / found.count)}`).join("; "));
     $("kinds").replaceChildren(
       ...seen.map(({ text, number, colour }) => {
         const swatch = make("i");
         swatch.style.background = colour;
-        return make("li", {}, swatch, text, make("span", { textContent: percent(number / found.count) }));
+        return make("li", {}, swatch, text, make("span", { textContent: some(number / found.count) }));
       }),
     );
     const spread = spec.variables.scatter.map(({ name, label, kind }) => `${label.toLowerCase()} ${words.say(kind, now[name])}`);
     $("throws-note").textContent = `${count(found.count + found.invalid)} throws about this release, standard deviations: ${spread.join(", ")}. Every change uses the same random numbers (seed ${now.seed})${found.invalid ? `; ${count(found.invalid)} are invalid and left out` : ""}.`;
     const made = spec.outcomes.indexOf("made");
     const [mean, deviation] = found.angle;
-    $("entries-note").textContent = `Where each throw comes down through the ring’s plane if it touches nothing before; blue ones are made. Entry angle ${words.say("angle", mean)} ± ${words.say("angle", deviation)}.`;
+    $("entries-note").textContent = `Where each throw comes down through the ring’s plane if it touches nothing before: blue if it is made, orange if not. Entry angle ${words.say("angle", mean)} ± ${words.say("angle", deviation)}.`;
     $("entries").setAttribute("aria-label", $("entries-note").textContent);
     $("landings-note").textContent = `Where misses come down to ${words.say("length", spec.catching_height)} above the floor, as if nobody caught them before. Open circle: the shooter.`;
     $("landings").setAttribute("aria-label", $("landings-note").textContent);
@@ -110,18 +112,18 @@ const Results = (() => {
     $("change-note").textContent = "The smallest change of one variable alone, narrowed down as far as doubles decide. Thousands of values are tried; intervals between them may be missed. In Python, hoopgen counterfactual proves both sides.";
   }
 
-  /** Show the digest of the results of the fixed shots beside Python's. */
-  async function fingerprint(bytes, wanted) {
+  /** Show the digest of the results of a scene's fixed shots beside Python's; null: not known yet. */
+  function fingerprint(digest, { scene, fixed }) {
+    $("hash-command").textContent = `hoopgen hash ${scene}`;
+    $("hash").textContent = digest ?? "…";
+    const verdicts = [
+      `✗ In Python, where this page was made, it was ${fixed.sha256}.`,
+      "✓ The same as hoopgen had in Python where this page was made.",
+    ];
+    $("verdict").textContent = digest === null ? "" : verdicts[Number(digest === fixed.sha256)];
     if (!globalThis.crypto?.subtle) {
-      $("hash").textContent = "This address is not secure, and browsers give no SHA-256 there.";
-      return;
+      $("verdict").textContent = "This address is not secure, and browsers give no SHA-256 there.";
     }
-    const digest = await Fingerprint.sha256(bytes);
-    $("hash").textContent = digest;
-    const same = digest === wanted;
-    $("verdict").textContent = same
-      ? "✓ The same as hoopgen had in Python where this page was made."
-      : `✗ In Python, where this page was made, it was ${wanted}.`;
   }
 
   function repaint() {

@@ -4,23 +4,70 @@
 const Study = (() => {
   const RESULTS = ["outcome", "counts", "first", "state"];
 
-  /** Return the studies of one engine; `spec` is the page's. */
+  const MAX_PIECES = 120; // of a shot's rolls
+  const STRIDE = 500; // values of a variable that are simulated without a look at newer questions
+
+  /** Return what the page knows of a scene, with what all scenes share. Null is infinity there. */
+  function specOf(page, scene) {
+    const { scenes, variables, ...shared } = page;
+    const { presets, limit, fields, ...own } = scenes[scene];
+    const values = Object.entries(presets).map(([name, preset]) => {
+      return [name, Object.fromEntries(Object.entries(preset).map(([key, value]) => [key, value ?? Infinity]))];
+    });
+    return {
+      ...{ ...shared, ...own, scene },
+      presets: Object.fromEntries(values),
+      limit: limit ?? Infinity,
+      variables: { ...variables, scene: fields },
+    };
+  }
+
+  /** Return the studies of a scene, of which `modules` has the builds by their names. */
+  async function start(spec, modules) {
+    const own = spec.modules.map((one) => ({ ...one, bytes: modules[one.name] }));
+    const engine = await Engine.start(own, spec.layout);
+    return { engine, spec, ...of(engine, spec) };
+  }
+
+  /** Return the studies of one engine; `spec` is that of its scene. */
   function of(engine, spec) {
-    const { ring_height: ringHeight, most } = spec;
+    const { ring_height: ringHeight, most, limit } = spec;
     const drawn = {}; // by argument, count and seed
     const made = spec.outcomes.indexOf("made");
     const invalid = spec.outcomes.indexOf("invalid");
 
     function simulate(states, parameters, results, record = false) {
-      return engine.simulate(states, parameters, { most, results, record });
+      return engine.simulate(states, parameters, { most, limit, results, record });
     }
 
-    /** Return one shot with its event log, all results, and its release. */
+    /** Return one shot with its event log, all results, its release, and its rolls. */
     function shot({ release, parameters }) {
-      const states = Release.states(release, {}, 1, engine, ringHeight);
+      const states = Release.states(release, {}, 1, engine, spec);
       const results = spec.layout.results.map(([name]) => name);
       const found = simulate(states, parameters, results, true);
-      return { ...found, kind: Release.kinds(found, spec.kinds)[0], release: [...states] };
+      const rolls = rollsOf(found.events[0], states, parameters);
+      return { ...found, kind: Release.kinds(found, spec.kinds)[0], release: [...states], rolls };
+    }
+
+    /** Return the rolls of a shot: the row of the event log with which each begins, and states
+     * along it. The engine ends the shot at a time, and its state there is that of the ball. */
+    function rollsOf(events, states, parameters) {
+      const begun = events.flatMap(({ kind }, row) => {
+        return spec.layout.events[kind] === "roll" && row + 1 < events.length ? [row] : [];
+      });
+      const lasts = (row) => events[row + 1].time - events[row].time;
+      const all = begun.reduce((sum, row) => sum + lasts(row), 0);
+      const step = Math.max(spec.roll_piece, all / MAX_PIECES);
+      return begun.map((row) => {
+        const count = Math.max(1, Math.ceil(lasts(row) / step));
+        const pieces = [];
+        for (let k = 1; k < count; k++) {
+          const time = events[row].time + (lasts(row) * k) / count;
+          const { state } = engine.simulate(states, parameters, { most, limit: time, results: ["state"] });
+          pieces.push([time, ...state]);
+        }
+        return { row, pieces };
+      });
     }
 
     /** Return the standard normal numbers of an argument, which all changes of a page share. */
@@ -36,7 +83,7 @@ const Study = (() => {
         const draws = standard(name, count, seed);
         return [name, draws.map((draw) => release[name] + deviations[name] * draw)];
       });
-      const states = Release.states(release, Object.fromEntries(columns), count, engine, ringHeight);
+      const states = Release.states(release, Object.fromEntries(columns), count, engine, spec);
       const found = simulate(states, parameters, RESULTS);
       const kinds = Release.kinds(found, spec.kinds);
       const tally = spec.kinds.names.map(() => [0, 0]); // made, and not
@@ -48,7 +95,7 @@ const Study = (() => {
       });
       return {
         ...{ count: valid, made: total, invalid: count - valid, tally },
-        interval: Release.wilson(total, valid, spec.z),
+        interval: wilson_interval(total, valid, spec.z),
         ...{ outcome: found.outcome, kinds },
         ...entries(states, parameters, found.outcome),
         landings: landings(found, parameters),
@@ -95,18 +142,19 @@ const Study = (() => {
         speed[row] = between(across, row % wide, wide);
         elevation[row] = between(up, Math.floor(row / wide), high);
       }
-      const states = Release.states(release, { speed, elevation }, count, engine, ringHeight);
+      const states = Release.states(release, { speed, elevation }, count, engine, spec);
       const found = simulate(states, parameters, RESULTS.slice(0, 3));
       return { window: [across, up], size: [wide, high], outcome: found.outcome, kinds: Release.kinds(found, spec.kinds) };
     }
 
-    /** Return the smallest change of a variable with which the shot ends otherwise. */
-    function change(name, { release, parameters }) {
+    /** Yield nothing after each step, and at last the smallest change of a variable with which the
+     * shot ends otherwise. */
+    function* change(name, { release, parameters }) {
       const bodies = spec.kinds.bodies.length;
-      const run = (values) => {
+      const some = (values) => {
         const own = spec.parameters.includes(name);
         const columns = own ? {} : { [name]: values };
-        const states = Release.states(release, columns, values.length, engine, ringHeight);
+        const states = Release.states(release, columns, values.length, engine, spec);
         const given = own ? { ...parameters, [name]: values } : parameters;
         const found = simulate(states, given, Nearest.RESULTS);
         const { outcome, contacts, first, counts, uncertain } = found;
@@ -117,13 +165,23 @@ const Study = (() => {
         });
         return { made: values.map((_, k) => outcome[k] === made), marks };
       };
+      const run = function* (values) {
+        const all = { made: [], marks: [] };
+        for (let at = 0; at < values.length; at += STRIDE) {
+          const found = some(values.slice(at, at + STRIDE));
+          all.made.push(...found.made);
+          all.marks.push(...found.marks);
+          yield;
+        }
+        return all;
+      };
       const value = release[name] ?? parameters[name];
-      const [itself] = run([value]).made;
-      return Nearest.change(name, value, itself, run, spec.ranges) ?? { name, value };
+      const [itself] = some([value]).made;
+      yield (yield* Nearest.change(name, value, itself, run, spec.ranges)) ?? { name, value };
     }
 
     return { change, map, scatter, shot };
   }
 
-  return { of };
+  return { of, specOf, start };
 })();

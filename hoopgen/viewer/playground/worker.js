@@ -2,45 +2,52 @@
 "use strict";
 
 if (typeof document === "undefined") {
-  let [newest, ready] = [0, null];
+  let newest = 0;
+  let page = null; // its data, and the modules
+  const started = {}; // by scene
+  const BUSY = 30; // ms without a look at newer questions: browsers wait for 4 ms at each
   const rest = () => new Promise((go) => setTimeout(go));
 
   self.onmessage = async ({ data }) => {
     if (data.spec) {
-      ready = Engine.start(data.modules, data.spec.layout).then((engine) => ({
-        engine,
-        study: Study.of(engine, data.spec),
-        spec: data.spec,
-      }));
+      page = data;
       return;
     }
     newest = Math.max(newest, data.id);
-    const { engine, study, spec } = await ready;
+    const { scene } = data;
+    started[scene] ??= Study.start(Study.specOf(page.spec, scene), page.modules);
+    const study = await started[scene];
     await rest(); // for newer questions
     for (const [name, question] of Object.entries(data.questions)) {
       const begun = performance.now();
-      let answer;
-      for (const part of parts(name, question, engine, study, spec)) {
-        if (data.id && data.id < newest) return; // 0 is no question about a shot
-        answer = part();
+      let [answer, rested] = [null, begun];
+      for (const found of steps(name, question, study)) {
+        answer = found;
+        if (performance.now() - rested < BUSY) continue;
         await rest();
+        rested = performance.now();
+        if (data.id && data.id < newest) return; // 0 is no question about a shot
       }
       const milliseconds = performance.now() - begun;
-      if (data.id >= newest || !data.id) self.postMessage({ id: data.id, name, answer, milliseconds });
+      self.postMessage({ id: data.id, scene, name, answer, milliseconds });
     }
   };
 
-  /** Return functions of which the last one returns an answer: between them newer questions come. */
-  function parts(name, question, engine, study, spec) {
+  /** Yield answers, of which the last one is whole: between them newer questions come. */
+  function* steps(name, question, study) {
+    const { engine, spec } = study;
     if (name === "fingerprint") {
-      const parameters = spec.presets[spec.fixed.preset];
-      return [() => Fingerprint.bytes(engine, spec.fixed, parameters, spec.layout)];
+      yield* Fingerprint.steps(engine, spec.fixed, spec.presets[spec.fixed.preset], spec.layout);
+    } else if (name === "changes") {
+      const found = [];
+      for (const variable of question.vary) {
+        let change;
+        for (change of study.change(variable, question)) yield;
+        found.push(change);
+      }
+      yield found;
+    } else {
+      yield study[name](question);
     }
-    if (name !== "changes") return [() => study[name](question)];
-    const found = [];
-    return question.vary.map((variable) => () => {
-      found.push(study.change(variable, question));
-      return found;
-    });
   }
 }
