@@ -181,7 +181,7 @@ class PlaneRootSearch(RootSearch):
 
     @property
     def decisions(self) -> dict[str, Kernel]:
-        """Those of a root search, and that a crossing counts if there are no bounds."""
+        """The decisions of a root search, and that a crossing counts if there are no bounds."""
         return super().decisions | ({} if self.surface.bounds else {"crossed": _CROSSED})
 
     def counted(self, common: Parts, own: Parts) -> Iterator[Node]:

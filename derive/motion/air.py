@@ -125,7 +125,7 @@ growth = sp.Symbol("growth", positive=True)
 piece_place_error, piece_speed_error = sp.symbols(
     "piece_place_error piece_speed_error", nonnegative=True
 )
-"""What a piece adds to the bounds on the errors of position and velocity, m and m/s."""
+"""Bounds on the errors of position and velocity that a piece adds, m and m/s."""
 unproved = sp.Symbol("unproved", nonnegative=True)
 """Infinite if no bound is proved for a piece, else zero."""
 piece_speed, piece_acceleration, piece_jerk = sp.symbols(
@@ -149,7 +149,7 @@ BOUNDS = (
     *(piece, growth, piece_place_error, piece_speed_error, unproved),
     *(piece_speed, piece_acceleration, piece_jerk),
 )
-"""What is known of a piece."""
+"""The length of a piece, and bounds within it."""
 
 
 SERIES_KERNELS = ("air_rates", *(f"air_order_{k}" for k in range(ORDER + 1)), "piece")
@@ -246,7 +246,7 @@ class AirFlight(Flight):
 
     @property
     def symbols(self) -> tuple[sp.Symbol, ...]:
-        """What a piece's kernels pass to each other and to the searches."""
+        """The coefficients of a piece, its length and bounds, and the rates of the forces."""
         coefficients = (v for vector in VELOCITIES[1:] for v in vector)
         return (*coefficients, *AIRSPEEDS, *BOUNDS, drag_rate, *magnus_rate, *free_fall)
 
@@ -272,7 +272,7 @@ class AirFlight(Flight):
 
     @property
     def remainder(self) -> sp.Expr:
-        """What the piece adds to the error of the position."""
+        """The error of the position that the piece adds."""
         return piece_place_error
 
     def at(self, time: sp.Expr = t) -> tuple[sp.Matrix, sp.Matrix]:

@@ -45,7 +45,7 @@ class Flight(ABC):
 
     @property
     def symbols(self) -> tuple[sp.Symbol, ...]:
-        """What kernels of the flight pass to others, besides the state and parameters."""
+        """Symbols that kernels of the flight pass to others, besides the state and parameters."""
         return ()
 
     @property
@@ -94,7 +94,7 @@ class Flight(ABC):
         )
 
     def quantities(self) -> dict[str, sp.Expr]:
-        """Return what has a name of the motion at time t, by its LaTeX, each after what it uses."""
+        """Return the named parts of the motion at time t, by LaTeX, each after its own parts."""
         return {e.name: e for part in self.named() for e in part if isinstance(e, Barrier)}
 
     @abstractmethod
@@ -119,7 +119,7 @@ class Flight(ABC):
         """Return a bound on the way along each axis in a flight of time t, given its end."""
 
     def added_errors(self) -> tuple[sp.Expr, sp.Expr]:
-        """Return what the path leaves out of position and velocity, besides roundings."""
+        """Return the errors of position and velocity that the path adds, besides roundings."""
         return sp.Integer(0), sp.Integer(0)
 
     @abstractmethod

@@ -59,7 +59,7 @@ ALTERNATIVE_VARIABLES = _listed(
 distance and the angle."""
 
 OF_PARABOLAS = ("aim", "entry")
-"""Those that stand for a release by the closed form of a parabola: in air there are none."""
+"""The variables that stand for a release by the closed form of a parabola: not in air."""
 
 STANDS_FOR: Mapping[str, tuple[str, ...]] = MappingProxyType(
     {

@@ -58,7 +58,15 @@ class Piece:
         return [[coordinate(time) for coordinate in self.path] for time in times]
 
     def is_aside(self, surface: SurfaceFormulas, values: list[arb]) -> bool:
-        """Return True if the ball certainly stays on one side of a surface throughout the piece."""
+        """Return True if the ball certainly stays on one side of a surface throughout the piece.
+
+        Parameters
+        ----------
+        surface
+            The surface.
+        values
+            The kernels' inputs.
+        """
         if self.exact:
             return False
         sides = {sign(surface.condition(box, values)[0]) for box in self.boxes}

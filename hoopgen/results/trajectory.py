@@ -147,7 +147,7 @@ class Trajectory:
         return np.concatenate(times), np.concatenate(there), np.concatenate(rolling)
 
     def _parts(self, row: int) -> int:
-        """Return how many points a flight that is no parabola has in pictures, with its ends."""
+        """Return the number of points, with its ends, of a flight in pictures."""
         start = self.events["time"][row - 1] if row else 0.0
         return 2 + int((self.events["time"][row] - start) / FLIGHT_PIECE_DURATION)
 

@@ -5,10 +5,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from hoopgen.hoop.air import AIR_DEFAULTS
+from hoopgen.text.shorten import brief
 
+from .inputs import wrong
 from .pieces import Parameter
 
-__all__ = ["AIR_PARAMETERS", "added_parameters"]
+__all__ = ["AIR_PARAMETERS", "added_parameters", "check_switches"]
 
 AIR_PARAMETERS = (
     Parameter("ball_mass", AIR_DEFAULTS["ball_mass"], "kg", "m_B, mass of the ball", latex="m_B"),
@@ -52,3 +54,26 @@ def added_parameters(own: Sequence[Parameter]) -> list[Parameter]:
     """Return the parameters of the air that a scene does not declare itself."""
     names = {one.name for one in own if isinstance(one, Parameter)}
     return [one for one in AIR_PARAMETERS if one.name not in names]
+
+
+def check_switches(scene: str, rolls: object, air: object) -> None:
+    """Refuse what is neither true nor false, and rolling in air.
+
+    Parameters
+    ----------
+    scene
+        The name of the scene.
+    rolls, air
+        As its author gave them.
+
+    Raises
+    ------
+    SceneError
+        Naming the argument.
+    """
+    for argument, given in {"rolls": rolls, "air": air}.items():
+        if not isinstance(given, bool):
+            raise wrong(scene, "", argument, f"expected true or false, got {brief(given)}")
+    if rolls and air:
+        said = "in air no ball is known to roll; expected false where air is true"
+        raise wrong(scene, "", "rolls", said)

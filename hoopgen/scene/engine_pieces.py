@@ -26,12 +26,12 @@ def scene_pieces(engine: CompiledScene) -> Scene:
     written = engine.table.written
     if isinstance(written, Scene):
         return written
-    if engine.has_hoop and engine.kernels.PIECES:
-        return _hoop(engine.name, engine.kernels.PARAMETERS)
     from hoopgen.generated.numpy import court  # which has many kernels
 
     if engine.name == court.SCENE and engine.kernels is court:
         return _court()
+    if engine.name == "air" and engine.has_hoop:
+        return _hoop(engine.name, engine.kernels.PARAMETERS)
     raise ValueError(
         f"scene: {engine.name} is written for derivation; drawn are the hoop, and scenes "
         "of the pieces of hoopgen.scene"

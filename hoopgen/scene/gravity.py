@@ -12,6 +12,10 @@ from .oblique_bodies import why_not_rolling
 __all__ = ["check_rolling", "read_gravity"]
 
 
+MIN_INERTIA, MAX_INERTIA = 1 / 64, 1.0
+"""The allowed range of a ball's moment of inertia over m R_B² (`derive/contact/ball.py`)."""
+
+
 def read_gravity(
     inputs: Inputs, gravity: object, down: object, along: tuple[int, int] | None
 ) -> tuple[Formula, tuple[int, int] | Vector]:

@@ -11,12 +11,12 @@ from typing import Any
 from hoopgen.text.shorten import brief, join_names
 
 from . import pieces
-from .air import added_parameters
+from .air import added_parameters, check_switches
 from .bounds import LinearMap, Map, Terms, bounds, terms
 from .contact_laws import Contact, contact, is_infinite
 from .directions import Vector
 from .formulas import ONE, POSITION, ZERO, Formula, constant, name
-from .gravity import check_rolling, read_gravity
+from .gravity import MAX_INERTIA, MIN_INERTIA, check_rolling, read_gravity
 from .inputs import Input, Inputs, wrong
 from .limits import current
 from .names import check_apart, check_faces, check_name, check_names
@@ -36,9 +36,6 @@ AXES = {
     f"{sign}{axis}": (k, -1 if sign else 1) for sign in ("", "-") for k, axis in enumerate("xyz")
 }
 """Number of the coordinate and sign of the direction, by the name of an axis."""
-
-MIN_INERTIA, MAX_INERTIA = 1 / 64, 1.0
-"""The allowed range of a ball's moment of inertia over m R_B² (`derive/contact/ball.py`)."""
 
 
 @dataclass(frozen=True)
@@ -126,12 +123,7 @@ def read_scene(
         If something is wrong; names the body and the argument.
     """
     check_name(scene, "", scene)
-    for argument, given in {"rolls": rolls, "air": air}.items():
-        if not isinstance(given, bool):
-            raise wrong(scene, "", argument, f"expected true or false, got {brief(given)}")
-    if rolls and air:
-        said = "in air no ball is known to roll; expected false where air is true"
-        raise wrong(scene, "", "rolls", said)
+    check_switches(scene, rolls, air)
     inputs = Inputs(scene, _parameters(scene, parameters, air), as_written)
     reader = _Reader(inputs)
     ball = reader.size("", "ball_radius", ball_radius, sign="positive")

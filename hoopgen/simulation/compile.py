@@ -99,11 +99,6 @@ def compile(scene: SceneLike) -> Engine:
         from .court import COURT  # whose kernels are many
 
         return COURT
-    in_air = sys.modules.get("hoopgen.derive.scenes.air")
-    if in_air is not None and scene == in_air.AIR:
-        from .air import AIR  # which is compiled when it is first asked for
-
-        return AIR
     known, found = _KEY_BY_IDENTITY.get(id(scene), (None, None))
     if found is None or known is not scene:
         found = _find_engine(scene)

@@ -9,7 +9,7 @@ from types import MappingProxyType
 from hoopgen.scene.files import load_scene
 from hoopgen.scene.lookup import SceneLike
 from hoopgen.scene.scene import Scene
-from hoopgen.text.shorten import brief
+from hoopgen.text.shorten import brief, join_names
 
 from .engine import Engine
 from .hoop import HOOP
@@ -50,7 +50,7 @@ def is_built_in(text: str) -> bool:
         return True
     if Path(text).suffix.lower() != SUFFIX:
         raise ValueError(
-            f"expected {' or '.join(BUILT_IN)}, or a scene file, {SUFFIX}; got {brief(text)}"
+            f"expected {join_names(BUILT_IN)}, or a scene file, {SUFFIX}; got {brief(text)}"
         )
     return False
 

@@ -465,7 +465,7 @@ def test_shots_compared_leave_surfaces_that_there_are() -> None:
     """One byte says which: of two hundred surfaces the last are none that can be left."""
     for many in (1, 3, 128, 129, 200):
         kernels: Any = types.SimpleNamespace(
-            PARAMETERS={}, LOG_ROWS=1, BODIES=[f"body_{k}" for k in range(many)]
+            PARAMETERS={}, NEEDS_TIME_LIMIT=False, BODIES=[f"body_{k}" for k in range(many)]
         )
         left = verification.batches(kernels, np.zeros((1000, 9)))[2][2]
         assert left is not None

@@ -16,6 +16,7 @@ import pytest
 import hoopgen
 from hoopgen import COURT, HOOP, NBA_COURT, PAPER_COURT
 from hoopgen.core.units import parse_quantity
+from hoopgen.hoop.air import AIR_DEFAULTS
 from hoopgen.report.quantities import for_json
 from hoopgen.scene.lookup import HOOP_VARIABLES, variables_of
 from hoopgen.simulation.lookup import scene_from
@@ -75,7 +76,11 @@ print(*(name for name in sys.modules if name.endswith(".court")), sep=",")
 
 def test_variables_of_both_hoops_are_known_before_a_scene_is() -> None:
     assert "ring_friction" in HOOP_VARIABLES
-    assert set(HOOP_VARIABLES) == {*variables_of(HOOP), *variables_of(COURT)}
+    assert set(HOOP_VARIABLES) == {
+        *variables_of(HOOP),
+        *variables_of(COURT),
+        *AIR_DEFAULTS,
+    }
     Scatter(AT, {"ring_restitution": 0.01})
     with pytest.raises(ValueError, match=r"sd: unknown ring_frictions\. One of .*ring_friction,"):
         Scatter(AT, {"ring_frictions": 0.01})

@@ -222,6 +222,22 @@ class Jerked(Flight):
     def rounding(self, latest: sp.Expr) -> tuple[Rounded, Rounded]:
         raise NotImplementedError
 
+    def mean_velocity(self, time: sp.Expr = t) -> list[sp.Expr]:
+        return [(horner(self.path[p], time) - p) / time for p in POSITION]
+
+    def mean_rounding(self, latest: sp.Expr) -> Rounded:
+        raise NotImplementedError
+
+    @property
+    def present_acceleration(self) -> tuple[sp.Expr, ...]:
+        return self.acceleration
+
+    def along(self) -> tuple[list[sp.Expr], list[sp.Expr]]:
+        raise NotImplementedError
+
+    def path_lengths(self) -> list[sp.Expr]:
+        raise NotImplementedError
+
 
 @pytest.mark.parametrize("surface", HOOP.surfaces, ids=lambda surface: surface.name)
 def test_a_flight_of_another_kind_has_the_general_search_if_its_path_is_exact(

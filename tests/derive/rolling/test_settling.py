@@ -19,7 +19,7 @@ from hoopgen.derive.scenes import COURT
 from hoopgen.derive.symbolic.conditionals import release
 from hoopgen.derive.symbolic.symbols import normal, spin, velocity
 
-from hoopgen.scene import Scene, Sphere, scene_reader
+from hoopgen.scene import Scene, Sphere, gravity
 
 RADIUS = sp.Rational(3, 25)
 EACH_BALL = pytest.mark.parametrize(
@@ -60,7 +60,7 @@ def test_rolling_takes_what_a_contact_that_grips_takes() -> None:
 
 def test_every_scene_allows_the_same_inertia() -> None:
     """Scenes of one's own state it without SymPy."""
-    own = (scene_reader.MIN_INERTIA, scene_reader.MAX_INERTIA)
+    own = (gravity.MIN_INERTIA, gravity.MAX_INERTIA)
     assert own == (float(MIN_INERTIA), float(MAX_INERTIA))
 
 
