@@ -106,7 +106,7 @@ def build(scene: Scene) -> Model:
     end_planes = tuple(one_surface_kernels(plane, scene, order) for plane in scene.end_planes)
     common = scene_kernels(scene, order, tabled)
     if scene.passage is not None:
-        common |= passage_kernels(scene.passage, scene.flight, order)
+        common |= passage_kernels(scene.passage, scene.parabola, order)
     optional = _optional_kernels(scene, order, surfaces, tabled)
     contacts, ends = _loop_surfaces(scene, laws, law_likes, surfaces, end_planes)
     names = [body.name for body in scene.bodies]
@@ -155,7 +155,7 @@ def _optional_kernels(
     )
     if scene.rolls:
         codes = EventCodes(len(scene.surfaces) + end_planes, len(scene.bodies))
-        contact = (scene.flight, scene.ball, scene.faces, codes, scene.outcomes)
+        contact = (scene.parabola, scene.ball, scene.faces, codes, scene.outcomes)
         friction = friction_limit.kernels(scene.flight.acceleration, scene.ball)
         kernels |= endless.kernels(codes) | contact_phase.kernels(*contact)
         kernels |= {kernel.name: kernel for kernel in friction}

@@ -66,14 +66,14 @@ def flight_boxes(scene: Scene, order: tuple[sp.Symbol, ...]) -> dict[str, Kernel
     return {
         "swept": kernel(
             "swept",
-            bounding_boxes.flight_box(scene.flight),
+            bounding_boxes.flight_box(scene.parabola),
             order,
             "Box that the ball is in until the horizon: its centre and its half sizes.",
             "Eq. 3, its ends and its apex",
         ),
         "half_flight_boxes": kernel(
             "half_flight_boxes",
-            bounding_boxes.half_flight_boxes(scene.flight),
+            bounding_boxes.half_flight_boxes(scene.parabola),
             order,
             "Boxes of the first and the second half of the flight until the horizon.",
             "Eq. 3, the chords of both and what it is off them",

@@ -174,6 +174,19 @@ class Scene:
         """The motion of the ball between contacts."""
         if self.air is not None:
             return AirFlight(self.free_fall, constants=self.air)
+        return self.parabola
+
+    @property
+    def parabola(self) -> Parabola:
+        """The same where there is no air.
+
+        Raises
+        ------
+        TypeError
+            If there is air.
+        """
+        if self.air is not None:
+            raise TypeError(f"scene {self.name}: in air no flight is a parabola")
         return Parabola(self.free_fall)
 
     @property

@@ -74,7 +74,7 @@ def apex_in_pieces(
         s, (...), 0 for a ball that falls; and (..., 9). NaN for one that rises longer than
         `LONGEST_SEARCH`.
     """
-    return _fall_to(kernels, states, np.float64(0.0), inputs, _VZ)
+    return _fall_to(kernels, states, np.zeros(()), inputs, _VZ)
 
 
 def descend_in_pieces(

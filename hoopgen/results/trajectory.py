@@ -130,7 +130,8 @@ class Trajectory:
         curved = bool(self.scene.kernels.PIECES)
         for row in range(len(self.events)):
             if curved and row - 1 not in lasting:
-                between = np.linspace(*starts[row : row + 2], self._parts(row))[1:-1]
+                begin, end = starts[row : row + 2]
+                between = np.linspace(begin, end, self._parts(row))[1:-1]
                 times.append(between)
                 there.append(self.at(between))
                 rolling.append(np.zeros(len(between), np.bool_))

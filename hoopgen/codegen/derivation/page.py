@@ -366,7 +366,7 @@ def derivation_context(model: Model, reference: PageData | None = None) -> PageD
             notation,
         ),
         plane_margins=explain(
-            {f"m_{text(p.name)}": plane_margin(p, flight) for p in planes}, {}, notation
+            {f"m_{text(p.name)}": plane_margin(p, scene.parabola) for p in planes}, {}, notation
         ),
         displacement=explain(
             {r"\epsilon": event_polynomials.displacement(flight, lengths)}, {}, notation

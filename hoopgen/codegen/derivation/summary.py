@@ -205,10 +205,10 @@ def worked_shot(scene: Scene) -> ShotText:
     first: tuple[list[Arrival], Arrival, str, tuple[str, str], tuple[str, str]] | None = None
     while len(events) < EVENTS:
         surfaces = (*scene.surfaces, *scene.end_planes)
-        found = [arrival(s, scene.flight, numbers, s is last) for s in surfaces]
+        found = [arrival(s, scene.parabola, numbers, s is last) for s in surfaces]
         event = min(found, key=lambda one: one.time)
         clock += event.time
-        numbers = moved(scene.flight, numbers, event.time)
+        numbers = moved(scene.parabola, numbers, event.time)
         place, before = ([numbers[s] for s in part] for part in (POSITION, VELOCITY))
         if isinstance(event.surface, EndPlane):
             name = _outcome(scene, event.surface, numbers)

@@ -13,6 +13,7 @@ for needed in ("matplotlib", "pyarrow", "scipy", "xarray"):
     pytest.importorskip(needed)
 
 from benchmarks import validation_coverage as validation  # noqa: E402
+from benchmarks.report import with_section  # noqa: E402
 
 CHEAP = {
     number: case.repetitions // 25
@@ -57,7 +58,7 @@ def test_the_section_is_replaced_alone_and_says_what_does_not_hold() -> None:
     ]
     counts[0]["covered"] = 300
     page = f"# Validation\n\n{validation.HEADING}\n\nold\n\n## Sources\n\n- one\n"
-    lines = validation.replaced(page, counts).splitlines()
+    lines = with_section(page, validation.section(counts)).splitlines()
     assert (lines[0], lines[-3:]) == ("# Validation", ["## Sources", "", "- one"])
     assert "old" not in lines
     rows = [line for line in lines if line.startswith("| `estimate`")]
