@@ -90,7 +90,7 @@ def _motion(scene: Scene, order: tuple[sp.Symbol, ...]) -> tuple[Kernel, ...]:
             components((*POSITION, *VELOCITY), *scene.flight.at()),
             order,
             "Position and velocity at time t of a flight.",
-            "Eq. 3",
+            scene.flight.source,
         ),
         kernel(
             "contact_frame",
@@ -243,7 +243,7 @@ def _errors(scene: Scene, order: tuple[sp.Symbol, ...]) -> tuple[Kernel, ...]:
             propagation.errors_at_contact(scene.flight, scene.rolls),
             order,
             "Errors of the state at the end of a flight to a surface, from those at its start.",
-            "derivative of Eq. 3 and of the contact time, with roundings",
+            f"derivative of {scene.flight.source} and of the contact time, with roundings",
             single,
         ),
         kernel(
@@ -251,7 +251,7 @@ def _errors(scene: Scene, order: tuple[sp.Symbol, ...]) -> tuple[Kernel, ...]:
             propagation.errors_at_time(scene.flight),
             order,
             "Errors of the state at the time limit, from those at the start of the flight.",
-            "derivative of Eq. 3, with roundings",
+            f"derivative of {scene.flight.source}, with roundings",
             single,
         ),
         kernel(

@@ -294,8 +294,9 @@ IN_AIR = {
     "piece_jerk": Entry("J_p", "bound on the second derivative of the velocity's series"),
     "bend_rate": Entry("J_F", "bound on the size of the third derivative of a gap within a piece"),
     "goes_on": Entry(r"\text{goes on}", "the event is the end of a piece, and the flight goes on"),
+    "sunk": Entry(r"\text{sunk}", "the ball can never meet anything again"),
 }
-"""Arguments of a flight through air, in pieces; the last is a truth value."""
+"""Arguments of a flight through air, in pieces; the last are truth values."""
 
 SERIES = {
     **{f"v{axis}": Entry(f"v_{axis}", f"velocity along {axis}") for axis in AXES},

@@ -108,13 +108,23 @@ class Reader:
         self._take("}")
         return found
 
+    def _degree(self) -> int:
+        """Return the degree of a root: the number in square brackets, or 2."""
+        if not self._next("["):
+            return 2
+        number = re.match(r"\d+", self._text[self._at :])
+        assert number, f"no degree at {self._text[self._at :]!r}"
+        self._at += number.end()
+        self._take("]")
+        return int(number[0])
+
     def _primary(self) -> Value:
         self._skip()
         for name in self._longest_first:
             if self._text.startswith(name, self._at):
                 self._at += len(name)
                 return self._names[name]
-        number = re.compile(r"\d+").match(self._text, self._at)
+        number = re.compile(r"\d+(?:\.\d+)?").match(self._text, self._at)
         if number:
             self._at = number.end()
             return mpf(number[0])
@@ -131,8 +141,9 @@ class Reader:
             above, below = self._braced(), self._braced()
             return above * (mp.inf if below == 0 else 1 / below)
         if token == r"\sqrt":
+            degree = self._degree()
             inner = self._braced()
-            return mp.sqrt(inner) if not inner < 0 else mp.nan
+            return mp.root(inner, degree) if not inner < 0 else mp.nan
         if token == r"\begin{cases}":
             return self._cases()
         if token in (r"\max\left(", r"\min\left("):

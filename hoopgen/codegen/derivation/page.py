@@ -306,7 +306,10 @@ def derivation_context(model: Model, reference: PageData | None = None) -> PageD
     place, motion = flight.at()
     there, moving = flight.rounding(event_polynomials.horizon)
     surfaces = (*scene.surfaces, *scene.end_planes)
-    planes = [s for s in surfaces if isinstance(s, Plane) and isinstance(flight, Parabola)]
+    planes = [s for s in surfaces if isinstance(s, Plane)]
+    margins = {}
+    if isinstance(flight, Parabola):
+        margins = {f"m_{text(p.name)}": plane_margin(p, flight) for p in planes}
     searched = (*model.kinds, *((end_plane,) for end_plane in scene.end_planes))
     lengths = [p.symbol for p in scene.parameters if p.unit == "m"]
     flown = (f"{left}(t)" for left in (*AXES, *(f"v_{axis}" for axis in AXES)))
@@ -365,9 +368,7 @@ def derivation_context(model: Model, reference: PageData | None = None) -> PageD
             {},
             notation,
         ),
-        plane_margins=explain(
-            {f"m_{text(p.name)}": plane_margin(p, scene.parabola) for p in planes}, {}, notation
-        ),
+        plane_margins=explain(margins, {}, notation),
         displacement=explain(
             {r"\epsilon": event_polynomials.displacement(flight, lengths)}, {}, notation
         ),

@@ -199,7 +199,9 @@ PREMISES: dict[str, Premise] = {
         _kernels("common.horizon common.out_of_budget common.out_of_budget_in_windows"),
     ),
     "sinking": Premise(
-        LEMMA, "a ball that can never meet anything again", _kernels("common.piece_end")
+        LEMMA,
+        "a ball that can never meet anything again",
+        _kernels("common.piece_end common.sinks"),
     ),
     "plates": Premise(LEMMA, "a filter of plates", _kernels("common.released common.reachable")),
     "far": Premise(

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import pickle
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import fields, is_dataclass
 from functools import cache
 from pathlib import Path
@@ -242,15 +242,28 @@ def near(found: Any, exact: Any, scale: mpf) -> bool:
     return bool(abs(found - exact) <= scale * mpf(10) ** (8 - DIGITS))
 
 
+def parts_of(expressions: Iterable[sp.Basic]) -> set[sp.Basic]:
+    """Return all parts of expressions; unlike SymPy's own searches, it visits each part once."""
+    found: set[sp.Basic] = set()
+    waiting = list(expressions)
+    while waiting:
+        part = waiting.pop()
+        if part not in found:
+            found.add(part)
+            waiting.extend(part.args)
+    return found
+
+
 def assert_printed_as_meant(formulas: Formulas, letters: SceneNotation, seed: int) -> int:
     """Read all lines of formulas at random values; return how many there are."""
     random = np.random.default_rng(seed)
     lines = (*formulas.where, *formulas.lines)
-    free = set().union(*(line.means.free_symbols for line in lines))
+    parts = parts_of(line.means for line in lines)
+    free = {part for part in parts if part.is_Symbol}
     written = {letters(symbol) for symbol in free}
     assert len(written) == len(free), f"two symbols are written alike: {free}"
     own = [line.left for line in formulas.where]
-    used = {name for e, name in formulas.given.items() if any(line.means.has(e) for line in lines)}
+    used = {name for e, name in formulas.given.items() if e in parts}
     assert len(set(own)) == len(own)
     assert not written & (set(own) | used), "a name and a symbol are written alike"
     compared, enough = 0, 0.9 * ROWS * len(lines)
