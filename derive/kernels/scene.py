@@ -164,7 +164,7 @@ def _pieces(scene: Scene, order: tuple[sp.Symbol, ...]) -> tuple[Kernel, ...]:
     source = "Taylor series of gravity, buoyancy, drag and Magnus force"
     rates = kernel(
         "air_rates",
-        flight.constants_of(),
+        flight.rates(),
         order,
         "Rates of drag and Magnus force, and gravity less buoyancy.",
         "equations of motion",

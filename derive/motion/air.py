@@ -29,7 +29,8 @@ for roundings. With A_k = |V_k|₁ h^k, B_k = |σ_k| h^k and suffix sums S, on [
 Within `TUBE` of v_n the derivative of f is at most L = 2 k_d (S^B_0 + D/s + `TUBE`) + |Ω|₁, so by
 Gronwall's lemma an error E of the velocity at the start is at most G (E + d h) with the growth
 G = 1 / (1 - L h) >= exp(L h) at the end; that is proved if it does not exceed `TUBE`. The position
-is off by h times that. ρ and ρ' are what `COEFFICIENT_ROUNDINGS` leave of the two equations.
+is off by h times that. ρ and ρ' are what roundings leave of the two equations: those of a sum of
+k + 1 products, and at most so many more as `SQUARE_ROUNDINGS` and the constants after it say.
 """
 
 from __future__ import annotations
@@ -84,20 +85,21 @@ TUBE = sp.Rational(1, 2**10)
 """Largest error of the velocity for which the bound is proved, m/s."""
 
 SQUARE_ROUNDINGS = 8
-"""Roundings of σ_k² besides those of its sum: three of a product of vectors, one of v_s², three of
-the sum, the difference and the quotient, and two of a root at most."""
+"""At most so many roundings of σ_k² besides those of its sum: at k = 0 three of v·v, one of v_s²,
+one of the sum and two of the root; later three of a product of vectors, one of a product, one of
+the difference and one of the quotient."""
 
 DRAG_ROUNDINGS = 12
-"""Roundings of k_d σ v besides those of its sum: seven of k_d, one of the product with it, two of
-the sum of forces, one of the quotient, and one more of each product of the sum."""
+"""At most so many roundings of k_d σ v besides those of its sum: seven of k_d, one of a product in
+the sum, one of the product with k_d, and two of the sum of forces and the quotient."""
 
 MAGNUS_ROUNDINGS = 14
-"""Roundings of Ω × v: eight of Ω, two of a product of vectors, two of the sum of forces, one of the
-quotient, and one more."""
+"""At most so many roundings of Ω × v: nine of Ω, two of a product of vectors, and two of the sum of
+forces and the quotient."""
 
 WEIGHT_ROUNDINGS = 8
-"""Roundings of g_e, relative to g and to its part that the air carries: six of that part, one of
-the difference, one of the product; and two of the sum of forces at once."""
+"""At most so many roundings of g_e, relative to g (1 + b) where the air carries the share b < 1:
+nine of b, relative to g b, and one each of the difference, the product and the sum of forces."""
 
 CARRIED_SHARE = sp.Rational(1, 4)
 """Share of a piece's errors that is carried. They are proved bounds, unlike roundings that are
@@ -196,8 +198,7 @@ class AirConstants:
     @property
     def rotation(self) -> sp.Matrix:
         """Ω, 1/s."""
-        lift = barrier(barrier(self.ball_radius * self._half_column) * self.lift_coefficient)
-        return barrier_all(lift * spin, [rf"\Omega_{axis}" for axis in "xyz"])
+        return barrier_all(self.lift_per_spin * spin, [rf"\Omega_{axis}" for axis in "xyz"])
 
     @property
     def buoyancy(self) -> sp.Expr:
@@ -206,7 +207,7 @@ class AirConstants:
 
     @property
     def lift_per_spin(self) -> sp.Expr:
-        """k_m, the Magnus rate by the spin, 1."""
+        """k_m, the Magnus rate by the spin, a plain number."""
         return barrier(barrier(self.ball_radius * self._half_column) * self.lift_coefficient)
 
 
@@ -373,7 +374,7 @@ class AirFlight(Flight):
         moved = barrier(growth * velocity_error + piece_speed_error)
         return Rounded(piece_speed, moved)
 
-    def constants_of(self) -> dict[str, sp.Expr]:
+    def rates(self) -> dict[str, sp.Expr]:
         """Return k_d, Ω and g_e from parameters and spin."""
         of = self.constants
         lightened = barrier(1 - of.buoyancy)

@@ -93,7 +93,7 @@ def air_formulas(scene: Scene) -> AirFormulas:
         for v, bent in zip(VELOCITY, bend, strict=True)
     ]
     sizes = {extent: sum(map(sp.Abs, POSITION)), speed: sum(map(sp.Abs, VELOCITY))}
-    constants = flight.constants_of()
+    constants = flight.rates()
     state, parameters = (*POSITION, *VELOCITY, *SPIN), scene.symbols
 
     def of_velocity(expressions: Sequence[sp.Expr]) -> Function:

@@ -47,7 +47,7 @@ def throws(shots: int, seed: int = 1) -> Floats:
 
 
 def acceleration(state: Floats, **changed: float) -> Floats:
-    """Return the acceleration of a ball of radius 0.125 m, from BALL.md's equations of motion."""
+    """Return the acceleration of a ball of radius 0.125 m, by the equations of motion."""
     of = AIR_DEFAULTS | changed
     velocity, spin = state[3:6], state[6:9]
     area, volume = np.pi * 0.125**2, 4.0 / 3.0 * np.pi * 0.125**3

@@ -211,7 +211,7 @@ def _series(model: Model) -> tuple[SymbolText, ...]:
 
 
 def _air(flight: air.AirFlight, notation: SceneNotation) -> AirText:
-    outputs = {latex_name(name): rate for name, rate in flight.constants_of().items()}
+    outputs = {latex_name(name): rate for name, rate in flight.rates().items()}
     rates = plainly(outputs, PI, notation)
     return AirText(rates, show(flight.constants.smoothing_speed, None, notation))
 

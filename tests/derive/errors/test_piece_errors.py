@@ -29,7 +29,7 @@ def _values(state: Sequence[mpf]) -> dict[str, mpf]:
     """Return parameters, state and the constants of its flight, by name."""
     known = {name: mpf(value) for name, value in SIZES.items()}
     known |= dict(zip(STATE, state, strict=True))
-    return known | {name: _value(rate, known) for name, rate in _flight().constants_of().items()}
+    return known | {name: _value(rate, known) for name, rate in _flight().rates().items()}
 
 
 def _value(expression: sp.Expr, known: dict[str, mpf]) -> mpf:
