@@ -48,7 +48,8 @@ _BOXES = (
 
 def argument_order(scene: Scene) -> tuple[sp.Symbol, ...]:
     """Return all symbols that kernels of valid shots may have as arguments, in calling order."""
-    searches = (search_for(surface, scene.flight) for surface in scene.surfaces)
+    surfaces = (*scene.surfaces, *scene.end_planes)
+    searches = (search_for(surface, scene.flight) for surface in surfaces)
     constants = (symbol for search in searches for symbol in search.constants)
     return (
         *(*_SEARCH, *STATE, *NORMAL, *FRAME),

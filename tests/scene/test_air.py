@@ -58,11 +58,13 @@ def acceleration(state: Floats, **changed: float) -> Floats:
     return lift - half * of["drag_coefficient"] * speed * velocity - np.array([0.0, 0.0, weight])
 
 
+def motion(_: float, state: Floats) -> Floats:
+    """Return the rate of a state of nine numbers."""
+    return np.concatenate([state[3:6], acceleration(state), np.zeros(3)])
+
+
 def integrate(state: Floats, contacts: int) -> list[tuple[float, int, Floats, Floats]]:
     """Return the first contacts of a throw by DOP853: time, body, states before and after."""
-
-    def motion(_: float, y: Floats) -> Floats:
-        return np.concatenate([y[3:6], acceleration(y), np.zeros(3)])
 
     def floor(_: float, y: Floats) -> float:
         return float(y[2] - 0.125)
@@ -202,9 +204,17 @@ def test_a_ball_that_can_meet_nothing_more_is_short() -> None:
     states[:, 2], states[:, 3] = -2.0, 5.0
     states[1, 5] = 9.0
     states[2, 7] = -900.0
-    shots = hoopgen.simulate(states, scene=scene, time_limit=1.5)
+    shots = hoopgen.simulate(states, scene=scene, time_limit=3.0)
     named = [shots.scene.outcomes(int(one)).name for one in shots.outcome]
-    assert named == ["SHORT", "DOWN", "ENDLESS"]
+    assert named == ["SHORT", "DOWN", "DOWN"]
+
+    def above(_: float, y: Floats) -> float:
+        return float(y[2] + 1.0)
+
+    above.terminal, above.direction = True, -1.0  # type: ignore[attr-defined]
+    for state, time in zip(states[1:], shots.time[1:], strict=True):
+        way = solve_ivp(motion, (0.0, 3.0), state, "DOP853", rtol=1e-13, atol=1e-14, events=above)
+        assert abs(way.t_events[0][0] - time) < 1e-9
 
 
 def test_a_scene_declares_parameters_of_the_air_itself() -> None:
