@@ -14,11 +14,11 @@ from dataclasses import dataclass
 import sympy as sp
 
 from ..motion.air import AirFlight, piece_acceleration, piece_jerk
-from ..surfaces import Surface
-from ..symbolic.conditionals import IfLess, absolute, barrier, maximum, minimum
+from ..surfaces import Plane, Surface
+from ..symbolic.conditionals import IfLess, absolute, barrier, maximum, minimum, release
 from ..symbolic.polynomials import Coefficients, compose
 from ..symbolic.rounding import Rounded, rounding
-from ..symbolic.symbols import POSITION, VELOCITY
+from ..symbolic.symbols import POSITION, VELOCITY, position
 from .box import BoxRootFinder
 from .box_windows import RELATIVE_INFLATION, clear
 from .event_polynomials import ERROR_BUDGET_LEVELS, Window, ceiling, horizon
@@ -109,7 +109,8 @@ class AirRootFinder(PolynomialRootFinder):
         """Positive if no window opens, or the gap keeps its sign, before the horizon.
 
         |F| changes by at most |F'| T + C T²/2. Errors of the state may add no more than the largest
-        budget of a search does (`over_budget`).
+        budget of a search does (`over_budget`). A plane is also missed where the ball stays outside
+        of a bound.
         """
         if self._boxed:
             return clear(self.windows, self.lost)
@@ -118,7 +119,29 @@ class AirRootFinder(PolynomialRootFinder):
         change = barrier(absolute(rate) + barrier(self.ceiling * horizon / 2))
         error = rounding(self.surface.shape, self._budgeted()).error
         least = barrier(absolute(gap) - barrier(horizon * change) * (1 + BUDGET))
-        return barrier(least - 4 * error)
+        kept = barrier(least - 4 * error)
+        outside = self._outside
+        return kept if outside is None else barrier(maximum(kept, outside))
+
+    @property
+    def _outside(self) -> sp.Expr | None:
+        """Positive if the path's box is outside of a plane's linear bounds; None without any."""
+        if not isinstance(self.surface, Plane):
+            return None
+        plane, box = self.surface, self.flight.enclosure(horizon)
+        there, _ = self.flight.rounding(horizon)
+        onto = dict(zip(POSITION, position - plane.distance * plane.normal, strict=True))
+        found = []
+        for bound in plane.bounds:
+            along = sp.expand(release(bound).xreplace(onto))
+            if not along.is_polynomial(*POSITION) or sp.Poly(along, *POSITION).total_degree() != 1:
+                continue
+            slopes = [along.coeff(place) for place in POSITION]
+            middle = along.xreplace({p: m for p, (m, _) in zip(POSITION, box, strict=True)})
+            reach = sum(abs(c) * half for c, (_, half) in zip(slopes, box, strict=True))
+            error = rounding(along, dict.fromkeys(POSITION, there)).error
+            found.append(barrier(barrier(barrier(middle) - barrier(reach)) - 4 * error))
+        return maximum(*found) if found else None
 
     @property
     def _offsets(self) -> list[sp.Expr]:

@@ -336,14 +336,17 @@ class AirFlight(Flight):
     def enclosure(self, latest: sp.Expr) -> list[tuple[sp.Expr, sp.Expr]]:
         """Return for each axis the centre and the half size of a box of the path, without errors.
 
-        The centre of the box is that of the straight way from the start.
+        Up to a time T the parabola v t + V_1 t²/2 is within |V_1| T²/8 of its chord, and the path
+        within j T³/6 of the parabola, with the bound j on the velocity's second derivative.
         """
-        bulge = barrier(piece_acceleration * latest**2)
-        ways = [barrier(v * latest / 2) for v in VELOCITY]
-        return [
-            (barrier(place + way), barrier(absolute(way) + bulge))
-            for place, way in zip(POSITION, ways, strict=True)
-        ]
+        square = barrier(latest**2)
+        bent = barrier(piece_jerk * barrier(square * latest) / 6)
+        found = []
+        for place, v, rate in zip(POSITION, VELOCITY, VELOCITIES[1], strict=True):
+            half = barrier(barrier(v * latest + rate * square / 2) / 2)
+            bow = barrier(absolute(rate) * square / 8)
+            found.append((barrier(place + half), barrier(absolute(half) + bow + bent)))
+        return found
 
     def path_lengths(self) -> list[sp.Expr]:
         """Return a bound on the way along each axis in a flight of time t, given its end."""
