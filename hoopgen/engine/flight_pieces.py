@@ -55,7 +55,7 @@ def fly_in_pieces(
             now[going] = _moved(kernels, now[going], begun, time)
             left[going] -= time
             going = going[left[going] > 0.0]
-    return now.reshape(*shape, -1)
+    return now.reshape(*shape, now.shape[1])
 
 
 def apex_in_pieces(
@@ -127,7 +127,7 @@ def _fall_to(
             since[going] = np.where(since[going] <= LONGEST_SEARCH, since[going], np.nan)
             going = going[~ends & ~np.isnan(since[going])]
     now[np.isnan(since)] = np.nan
-    return since.reshape(shape), now.reshape(*shape, -1)
+    return since.reshape(shape), now.reshape(*shape, now.shape[1])
 
 
 def _rows(

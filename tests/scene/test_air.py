@@ -157,6 +157,12 @@ def test_a_trajectory_comes_to_its_events_to_the_bit() -> None:
             assert np.abs(flown - event["before"]).max() < 1e-13
 
 
+def test_no_times_give_no_states() -> None:
+    shots = drop().simulate(throws(1), record=True)
+    assert shots.trajectory(0).at(np.empty(0)).shape == (0, 9)
+    assert shots.trajectory(0).at(np.empty((2, 0))).shape == (2, 0, 9)
+
+
 def test_energy_falls_by_the_work_of_drag_alone() -> None:
     """The Magnus force does no work, and buoyancy makes gravity less."""
     state = np.array([0.0, 0.0, 5.0, 6.0, 1.0, 4.0, 10.0, -30.0, 20.0])
