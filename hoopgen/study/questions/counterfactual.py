@@ -181,17 +181,23 @@ def _proved(
 
     Where it cannot be proved, they are those of the engine.
     """
-    unchanged, changed = gap
-    further = (changed - one.value(name)) * np.array(_FURTHER)
-    sides = np.concatenate([unchanged - further, changed + further])
-    outcome = one.proved(name, sides)
-    decided = outcome >= 0
-    as_it_was = (outcome == one.end) == succeeds
-    before = np.flatnonzero((decided & as_it_was)[: len(further)])
-    after = np.flatnonzero((decided & ~as_it_was)[len(further) :])
-    if not len(before) or not len(after):
+    further = (gap[1] - one.value(name)) * np.array(_FURTHER)
+    unchanged = _first_proved(one, name, succeeds, gap[0] - further)
+    changed = _first_proved(one, name, not succeeds, gap[1] + further)
+    if unchanged is None or changed is None:
         return gap, False
-    return (float(sides[before[0]]), float(sides[len(further) + after[0]])), True
+    return (unchanged, changed), True
+
+
+def _first_proved(
+    one: OneShot, name: str, succeeds: bool, values: NDArray[np.float64]
+) -> float | None:
+    """Return the first of some values at which the shot is proved to succeed, or to fail."""
+    for value in values:
+        outcome = one.proved(name, np.array([value]))[0]
+        if outcome >= 0 and (outcome == one.end) == succeeds:
+            return float(value)
+    return None
 
 
 def _simulated(one: OneShot, changed: Mapping[str, float]) -> Shots:
