@@ -11,7 +11,8 @@ from dataclasses import dataclass
 import sympy as sp
 
 from ..surfaces import Surface
-from ..symbolic.conditionals import IfLess, absolute, barrier, maximum, minimum
+from ..symbolic.conditionals import IfAtMost, IfLess, absolute, barrier, maximum, minimum
+from ..symbolic.error_terms import curving
 from ..symbolic.polynomials import Coefficients, bernstein, compose, derivative, mean_rate
 from ..symbolic.rounding import (
     ROUNDING_SLACK,
@@ -37,6 +38,12 @@ a clearance promises may leave the surface's box. They go no further than twice 
 16 h^4 and 160 h² v² on a torus."""
 
 
+def _once_rounded(quantity: sp.Expr) -> Rounded:
+    """Return the bounds of a quantity with a rounding of its own."""
+    size = barrier(absolute(quantity))
+    return Rounded(size, UNIT_ROUNDOFF * size)
+
+
 @dataclass(frozen=True)
 class PolynomialRootFinder(RootFinder):
     """The root finder for any surface with a polynomial condition, by Bernstein bounds.
@@ -52,11 +59,6 @@ class PolynomialRootFinder(RootFinder):
 
     surface: Surface
     two_sided: bool = False
-
-    @property
-    def about_reference(self) -> bool:
-        """True: the condition is expanded about that point."""
-        return True
 
     @property
     def _coefficients(self) -> Coefficients:
@@ -168,14 +170,41 @@ class PolynomialRootFinder(RootFinder):
         others. A surface without such a size may be as flat as can be, and gravity lie along it:
         then C is no measure. There the root of the local parabola is taken, in the form whose sums
         do not cancel: on a plane that is the root itself, and on any other surface it is no further
-        off than 2 h², as |F''| <= C.
+        off than 2 h², as |F''| <= C. Without such a root the contact is not certain: its rate is 0.
         """
         found = RootFinder.refine(self)
         if self._boxed:
             return found
         gap, rate = found["gap"], found["rate"]
-        root = sp.sqrt(barrier(rate**2 - 2 * self.bend * gap))
-        return found | {"time": t + 2 * gap / barrier(root - rate)}
+        square = barrier(rate**2 - 2 * self.bend * gap)
+        later = t + 2 * gap / barrier(sp.sqrt(square) - rate)
+        return found | {
+            "time": IfAtMost(0, square, later, t),
+            "rate": IfAtMost(0, square, rate, 0),
+        }
+
+    @property
+    def root_delay(self) -> sp.Expr | None:
+        """The rounding of F, of F/t on return, over F', at the state and time t of the contact.
+
+        On a quadric about its reference point, F is as exact as the offset from there: then the
+        roundings of the flight contain those of F if that point is the origin, and those of F/t.
+        """
+        centre = self.surface.reference_point
+        simple = self._boxed and sp.Poly(self.surface.shape, *POSITION).total_degree() <= 2
+        if simple and all(c == 0 for c in centre):
+            return None
+        offsets = [barrier(p - c) for p, c in zip(POSITION, centre, strict=True)]
+        sizes = {p: _once_rounded(d) for p, d in zip(POSITION, offsets, strict=True)}
+        rate = barrier(self._rate.xreplace(dict(zip(POSITION, offsets, strict=True))))
+        first = barrier(rounding(self.surface.shape, sizes).error)
+        back, _ = self.flight.at(-t)
+        starts = zip(STARTS, back, centre, strict=True)
+        sizes |= {s: _once_rounded(barrier(barrier(p) - c)) for s, p, c in starts}
+        falls = zip(VELOCITY, self.flight.acceleration, strict=True)
+        sizes |= {v: _once_rounded(barrier(v - a * t / 2)) for v, a in falls}
+        again = 0 if simple else barrier(rounding(self._change, sizes).error) * t
+        return barrier(IfLess(curving, sp.oo, again, first)) / barrier(absolute(rate))
 
     def curvature(self, width: sp.Expr) -> sp.Expr:
         """Return the largest Bernstein coefficient of -F'' on the window, rounding included."""

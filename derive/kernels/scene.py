@@ -155,7 +155,7 @@ def _flight_size(scene: Scene) -> sp.Expr:
 
 def _errors(scene: Scene, order: tuple[sp.Symbol, ...]) -> tuple[Kernel, ...]:
     """Return the kernels of error propagation through a flight, and of the bounds from errors."""
-    single = not scene.rolls
+    single = scene.single_errors
     return (
         kernel(
             "carry_flight",

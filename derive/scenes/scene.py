@@ -150,6 +150,15 @@ class Scene:
             )
 
     @property
+    def single_errors(self) -> bool:
+        """True if errors are carried in single precision.
+
+        Without gravity a contact can be certain although v·n is so small a share of the speed that
+        it cancels there; under gravity the condition's curvature makes such a contact uncertain.
+        """
+        return not self.rolls and self.flight.falls
+
+    @property
     def ball(self) -> Ball:
         """The ball."""
         return Ball(self.ball_radius, self.inertia)

@@ -1,0 +1,101 @@
+"""Contacts whose own roundings exceed those of the flight are within their claimed errors."""
+
+from __future__ import annotations
+
+from functools import cache
+from typing import Any
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+import hoopgen
+from hoopgen.judge import Certificate
+from hoopgen.scene import Plane, Scene, Surface, Torus
+from hoopgen.simulation.engine import Engine
+from tests.helpers.effort import trials
+
+Floats = NDArray[np.float64]
+
+
+def floating(name: str, body: Any) -> Scene:
+    """Return a scene with one body and no gravity."""
+    return Scene(name, bodies=[body], ball_radius=0.0625, gravity=0, restitution=0.75)
+
+
+def expanded(distance: int, sign: str = "") -> Surface:
+    """Return a ball of 0.5 m, or a cavity, as an expanded polynomial, so far from the origin."""
+    formula = f"x**2 + y**2 + z**2 - {2 * distance}*x + {distance**2 - 0.25}"
+    return Surface("body", condition=f"{sign}({formula})")
+
+
+FAR = floating("far", expanded(100))
+FURTHER = floating("further", expanded(10_000))
+CAVITY = floating("cavity", expanded(10_000, "-"))
+WIDE = floating("wide", Torus("hoop", radius=16, wire=0.15625, axis="x"))
+THIN = floating("thin", Torus("hoop", radius=16, wire=0.015625, axis="x"))
+GRAZED = floating("grazed", Plane("floor"))
+SCENES = {scene.name: scene for scene in (FAR, FURTHER, CAVITY, WIDE, THIN, GRAZED)}
+
+
+def _aimed(name: str, count: int) -> Floats:
+    """Return balls thrown at the body of a scene."""
+    chance = np.random.default_rng(5)
+    states = np.zeros((count, 9))
+    states[:, 6:] = chance.normal(0, 10, (count, 3))
+    if name == "grazed":
+        steep = 10.0 ** chance.uniform(-11.5, -10, count)
+        along = chance.normal(0, 1, (count, 2))
+        along /= np.linalg.norm(along, axis=1)[:, None]
+        states[:, 2] = 0.0625 + steep * chance.uniform(0.1, 10, count)
+        states[:, 3:5], states[:, 5] = along, -steep
+        return states
+    away = chance.normal(0, 1, (count, 3))
+    away /= np.linalg.norm(away, axis=1)[:, None]
+    near = chance.uniform(-0.4, 0.4, (count, 3))
+    if name in ("wide", "thin"):
+        angle = chance.uniform(0, 2 * np.pi, count)
+        middle = 16 * np.stack([0 * angle, np.cos(angle), np.sin(angle)], axis=1)
+        near *= 0.2
+    else:
+        middle = np.array([100.0 if name == "far" else 10_000.0, 0, 0])
+    states[:, :3] = middle + (0.2 * away if name == "cavity" else 2 * away)
+    states[:, 3:6] = chance.uniform(0.5, 4, (count, 1)) * (middle + near - states[:, :3])
+    return states
+
+
+@cache
+def _proved(name: str, most: int) -> tuple[Floats, Certificate]:
+    """Return balls thrown at the body of a scene, and what the judge proves of them."""
+    states = _aimed(name, trials(300, at_least=100))
+    return states, hoopgen.certify(
+        states, scene=SCENES[name], max_contacts=most, time_limit=30.0, processes=1
+    )
+
+
+def check_states(engine: Engine, most: int = 1) -> None:
+    """Assert that the state after so many contacts is strictly within its claimed errors."""
+    states, proof = _proved(engine.name, most)
+    names = ("outcome", "uncertain", "contacts", "time", "state", "time_error", "state_error")
+    shots = engine.simulate(states, max_contacts=most, time_limit=30.0, fields=names)
+    sure = (shots.outcome != engine.outcomes["INVALID"]) & ~shots.uncertain & proof.decided
+    assert (sure & (shots.contacts > 0)).mean() > 0.1
+    away = np.abs(shots.state - proof.state).reshape(-1, 3, 3).max(axis=2)
+    parts = ("position", "velocity", "spin")
+    sure &= shots.contacts > 0
+    bounds = (shots.state_error + proof.state_error)[sure]
+    ratios = (away[sure] / bounds).max(axis=0)
+    worst = dict(zip(parts, ratios, strict=True))
+    late = np.abs(shots.time - proof.time)
+    worst["time"] = (late[sure] / (shots.time_error + proof.time_error)[sure]).max()
+    assert max(worst.values()) < 1, worst
+
+
+CASES = [(name, 1) for name in SCENES] + [("far", 3), ("wide", 3), ("thin", 3)]
+"""At 10 km every shot is flagged after its first contact: the body is known to 1e-7 m there."""
+
+
+@pytest.mark.parametrize(("name", "most"), CASES)
+@pytest.mark.sampled(1)
+def test_states_are_within_their_claimed_errors(name: str, most: int) -> None:
+    check_states(hoopgen.compile(SCENES[name]), most)
