@@ -492,7 +492,7 @@ FAULTS = (
     Planted(
         "a return to a surface has no rounding of its own",
         in_text(PolynomialRootFinder, "root_delay", "0 if simple else", "0 if True else"),
-        OfEngine(test_root_errors.check_returns, scene=test_root_errors.DEN),
+        OfEngine(test_root_errors.check_returns, scene=test_root_errors.THIN),
     ),
     Planted(
         "errors are carried in single precision without gravity",
