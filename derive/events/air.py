@@ -158,12 +158,13 @@ class AirRootFinder(PolynomialRootFinder):
 
         Arguments of the formulas are the state at the end of a time t within the piece; `offsets`
         are its offsets then. The ball returns to a surface within one piece, or the bounds that are
-        made of these do not count.
+        made of these do not count. With |a| <= A the mean velocity differs from the last by at most
+        A t/2.
         """
-        moved = barrier(piece_acceleration * t)
-        lengths = zip(offsets, self.flight.path_lengths(), strict=True)
+        moved = barrier(piece_acceleration * t / 2)
+        along = zip(offsets, VELOCITY, strict=True)
         return (
-            [barrier(absolute(offset) + length) for offset, length in lengths],
+            [barrier(absolute(barrier(d - v * t)) + moved * t) for d, v in along],
             [barrier(absolute(v) + moved) for v in VELOCITY],
         )
 

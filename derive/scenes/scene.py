@@ -161,16 +161,15 @@ class Scene:
         """True if errors are carried in single precision.
 
         A contact can be certain although v·n is so small a share of the speed that it cancels there
-        where the condition bends as little along the flight: without gravity, or on a surface that
-        may be flat along gravity, unless its normal is an axis, so that v·n is no sum. A surface of
-        some size bends by v² over that size, a plane by gravity g: there a contact is certain only
-        if v·n exceeds about sqrt(g m), with m the error of the gap, 1e-7 m/s.
+        where the condition bends as little along the flight: on a surface that may be flat, without
+        gravity or along it. If the normal of a plane is an axis, v·n is no sum. A surface of some
+        size bends by v² over that size.
         """
         flat = any(
             not isinstance(s, Plane) and all(half is None for half in s.half_sizes)
             for s in self.surfaces
         )
-        return not self.rolls and self.flight.falls and not flat
+        return not self.rolls and not flat
 
     @property
     def ball(self) -> Ball:

@@ -16,6 +16,7 @@ from hoopgen.derive.contact import friction
 from hoopgen.derive.events import bounding_boxes, box_windows, root_search
 from hoopgen.derive.events.box import BoxRootFinder
 from hoopgen.derive.events.polynomial import PolynomialRootFinder
+from hoopgen.derive.events.root_search import RootSearch
 from hoopgen.derive.ir.event_tree import Call
 from hoopgen.derive.loop import stages
 from hoopgen.derive.rolling import contact_phase, events, friction_limit, settling
@@ -495,8 +496,23 @@ FAULTS = (
         OfEngine(test_root_errors.check_returns, scene=test_root_errors.THIN),
     ),
     Planted(
+        "a root in air has no rounding of its own",
+        in_text(RootSearch, "_root_rounding", "late is None", "not self.flight.exact"),
+        OfEngine(test_root_errors.check_states, scene=test_root_errors.FAR_IN_AIR),
+    ),
+    Planted(
+        "a return in air has no rounding of its own",
+        in_text(PolynomialRootFinder, "root_delay", "0 if simple else", "0 if True else"),
+        OfEngine(test_root_errors.check_returns, scene=test_root_errors.THIN_IN_AIR),
+    ),
+    Planted(
+        "errors are carried in single precision on flat surfaces",
+        in_text(DerivedScene, "single_errors", " and not flat", ""),
+        OfEngine(test_root_errors.check_upright, scene=test_root_errors.UPRIGHT),
+    ),
+    Planted(
         "errors are carried in single precision without gravity",
-        in_text(DerivedScene, "single_errors", " and self.flight.falls", ""),
+        in_text(DerivedScene, "single_errors", " and not flat", ""),
         OfEngine(test_root_errors.check_states, scene=test_root_errors.GRAZED),
     ),
     # The branch of friction.

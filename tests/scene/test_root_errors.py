@@ -116,19 +116,23 @@ def check_states(engine: Engine, most: int = 1) -> None:
 
 
 def check_returns(engine: Engine) -> None:
-    """Assert the same of balls that leave the inside of the thin torus for its other side."""
+    """Assert the same of balls that leave the inside of the thin torus for another place there.
+
+    In air they are there before the first piece of the flight ends.
+    """
     chance = np.random.default_rng(9)
     count = trials(300, at_least=100)
     angle = chance.uniform(0, 2 * np.pi, count)
-    turned = angle + np.pi + chance.uniform(-1, 1, count)
+    air = SCENES[engine.name].air
+    turned = angle + (chance.uniform(0.3, 0.9, count) if air else chance.uniform(2, 4, count))
     reach = 0.0625 + 0.015625
     states = np.zeros((count, 9))
     states[:, 1:3] = (16 - reach) * np.stack([np.cos(angle), np.sin(angle)], axis=1)
     target = np.stack([np.cos(turned), np.sin(turned)], axis=1)
     states[:, 3] = chance.uniform(-0.8, 0.8, count) * reach
-    # In half a second they are there before the first piece of a flight through air ends.
-    states[:, 3:6] *= 2
-    states[:, 4:6] = 2 * (16 * target - states[:, 1:3])
+    states[:, 4:6] = 16 * target - states[:, 1:3]
+    if air:
+        states[:, 3:6] *= 20 / np.linalg.norm(states[:, 3:6], axis=1)[:, None]
     given: Any = {
         "leaving": np.zeros(len(states), dtype=int),
         "max_contacts": 1,
