@@ -150,7 +150,7 @@ def _optional_kernels(
         flight_boxes(scene, order)
         | shared_kernels.KERNELS
         | predicates.kernels(
-            scene.faces, scene.outcomes, end_planes, not scene.rolls, scene.open_ended
+            scene.faces, scene.outcomes, end_planes, scene.single_errors, scene.open_ended
         )
     )
     if scene.rolls:

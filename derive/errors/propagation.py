@@ -40,6 +40,7 @@ from ..symbolic.error_terms import (
     greatest,
     left_normal,
     lifting,
+    root_delay,
     shift,
     turn,
 )
@@ -74,6 +75,7 @@ ARGUMENTS = (
     shift,
     turn,
     lifting,
+    root_delay,
 )
 """Arguments of the kernels of this module, in calling order."""
 
@@ -244,25 +246,21 @@ def normal_error(surface: Surface) -> dict[str, sp.Expr]:
     return outputs | {"turn": shift * barrier(surface.curvature)}
 
 
-def root_rounding(surface: Surface, flight: Flight) -> dict[str, sp.Expr]:
+def root_rounding(flight: Flight) -> dict[str, sp.Expr]:
     """Return the errors at a contact, before the impact, with what the root's arithmetic adds.
 
-    A condition about a reference point is made of offsets from there, whose roundings put a contact
-    off the surface by u times their size, and Newton's method ends within 2^-49 = 16 u times that
-    of the root; along the path it is |v|/|n·v| times as far. The roundings of the flight contain
-    this if the reference point is the origin, and those of F/t if the ball returns to the surface.
+    Newton's method ends at a root of the rounded condition: it is late by `root_delay`, the error
+    of the condition over its rate. It ends within 2^-49 |F'|/C besides, 16 u times R/|v| on a body
+    of size R; the error of the condition is at least u R/|n·v| there, and the factors of decisions
+    and of reported bounds contain the rest.
     """
-    if all(c == 0 for c in surface.reference_point):
-        return {}
-    places = zip(position, surface.reference_point, strict=True)
-    size = barrier(sum(absolute(barrier(place - c)) for place, c in places))
-    late = barrier(UNIT_ROUNDOFF * size * absolute(derivative.per_approach()))
-    late = barrier(IfLess(curving, sp.oo, 0, late))
     rates = zip(dx + dv, (*velocity, *flight.present_acceleration), strict=True)
     outputs = {
-        str(name): _away(name, barrier(late * absolute(rate))) for name, rate in rates if rate != 0
+        str(name): _away(name, barrier(root_delay * absolute(rate)))
+        for name, rate in rates
+        if rate != 0
     }
-    return outputs | {"shift": shift + barrier(late * greatest(velocity))}
+    return outputs | {"shift": shift + barrier(root_delay * greatest(velocity))}
 
 
 def errors_after_impact(law: Law, ball: Ball, returning: bool = False) -> dict[str, sp.Expr]:

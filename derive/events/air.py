@@ -9,6 +9,7 @@ a piece, from the sizes of the surface's box and of the piece: |F'''| <= J. So w
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import sympy as sp
@@ -18,7 +19,7 @@ from ..surfaces import Plane, Surface
 from ..symbolic.conditionals import IfLess, absolute, barrier, maximum, minimum, release
 from ..symbolic.polynomials import Coefficients, compose
 from ..symbolic.rounding import Rounded, rounding
-from ..symbolic.symbols import POSITION, VELOCITY, position
+from ..symbolic.symbols import POSITION, VELOCITY, position, t
 from .box import BoxRootFinder
 from .box_windows import RELATIVE_INFLATION, clear
 from .event_polynomials import ERROR_BUDGET_LEVELS, Window, ceiling, horizon
@@ -174,6 +175,21 @@ class AirRootFinder(PolynomialRootFinder):
     def _bounded(self, bend: sp.Expr, width: sp.Expr) -> sp.Expr:
         upper = barrier(barrier(bend) + barrier(bend_rate * width))
         return barrier(minimum(upper, ceiling) + sp.Rational(1, 2**36) * ceiling)
+
+    def _flown(self, offsets: Sequence[sp.Expr]) -> tuple[list[sp.Expr], list[sp.Expr]]:
+        """Return bounds on the offset at the piece's start and on the mean velocity.
+
+        Arguments of the formulas are the state at the end of a time t within the piece; `offsets`
+        are its offsets then. The ball returns to a surface within one piece, or the bounds that are
+        made of these do not count. With |a| <= A the mean velocity differs from the last by at most
+        A t/2.
+        """
+        moved = barrier(piece_acceleration * t / 2)
+        along = zip(offsets, VELOCITY, strict=True)
+        return (
+            [barrier(absolute(barrier(d - v * t)) + moved * t) for d, v in along],
+            [barrier(absolute(v) + moved) for v in VELOCITY],
+        )
 
     def _sizes(self, share: sp.Expr) -> dict[sp.Expr, Rounded]:
         """Return bounds on offset, velocity, acceleration and its rate within the piece."""

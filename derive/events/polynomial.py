@@ -6,12 +6,14 @@ present time: its coefficients are as small as the surface, however long the fli
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import sympy as sp
 
-from ..surfaces import Surface
-from ..symbolic.conditionals import IfLess, absolute, barrier, maximum, minimum
+from ..surfaces import Plane, Surface
+from ..symbolic.conditionals import IfAtMost, IfLess, absolute, barrier, maximum, minimum
+from ..symbolic.error_terms import curving
 from ..symbolic.polynomials import Coefficients, bernstein, compose, derivative, mean_rate
 from ..symbolic.rounding import (
     ROUNDING_SLACK,
@@ -21,7 +23,7 @@ from ..symbolic.rounding import (
     rounding,
     speed,
 )
-from ..symbolic.symbols import POSITION, VELOCITY, t
+from ..symbolic.symbols import POSITION, UNIT_ROUNDOFF, VELOCITY, t
 from .box_windows import clear, lost, windows
 from .event_polynomials import Window, ceiling, event_coefficients, horizon, time_rounding
 from .root_finder import RootFinder
@@ -34,6 +36,12 @@ CEILING_BOX_FACTOR = sp.Rational(5, 4)
 a clearance promises may leave the surface's box. They go no further than twice F / |F'| < sqrt(F
 / C) / 8, and |F| within the box is at most 3 h² and C at least 2 v² on a sphere or a cylinder,
 16 h^4 and 160 h² v² on a torus."""
+
+
+def _once_rounded(quantity: sp.Expr) -> Rounded:
+    """Return the bounds of a quantity with a rounding of its own."""
+    size = barrier(absolute(quantity))
+    return Rounded(size, UNIT_ROUNDOFF * size)
 
 
 @dataclass(frozen=True)
@@ -51,11 +59,6 @@ class PolynomialRootFinder(RootFinder):
 
     surface: Surface
     two_sided: bool = False
-
-    @property
-    def about_reference(self) -> bool:
-        """True: the condition is expanded about that point."""
-        return True
 
     @property
     def _coefficients(self) -> Coefficients:
@@ -166,14 +169,56 @@ class PolynomialRootFinder(RootFinder):
         others. A surface without such a size may be as flat as can be, and gravity lie along it:
         then C is no measure. There the root of the local parabola is taken, in the form whose sums
         do not cancel: on a plane that is the root itself, and on any other surface it is no further
-        off than 2 h², as |F''| <= C.
+        off than 2 h², as |F''| <= C. Without such a root the contact is not certain: its rate is 0.
         """
         found = RootFinder.refine(self)
         if self._boxed:
             return found
         gap, rate = found["gap"], found["rate"]
-        root = sp.sqrt(barrier(rate**2 - 2 * self.bend * gap))
-        return found | {"time": t + 2 * gap / barrier(root - rate)}
+        square = barrier(rate**2 - 2 * self.bend * gap)
+        later = t + 2 * gap / barrier(sp.sqrt(square) - rate)
+        return found | {
+            "time": IfAtMost(0, square, later, t),
+            "rate": IfAtMost(0, square, rate, 0),
+        }
+
+    @property
+    def root_delay(self) -> sp.Expr | None:
+        """The rounding of F, of F/t on return, over F', at the state and time t of the contact.
+
+        On a plane across an axis, and on a quadric about its reference point, F is as exact as the
+        offset from there: then the roundings of the flight contain those of F if that point is the
+        origin, and those of F/t.
+        """
+        centre = self.surface.reference_point
+        simple = isinstance(self.surface, Plane) or (
+            self._boxed and sp.Poly(self.surface.shape, *POSITION).total_degree() <= 2
+        )
+        if simple and all(c == 0 for c in centre):
+            return None
+        offsets = [barrier(p - c) for p, c in zip(POSITION, centre, strict=True)]
+        sizes = {p: _once_rounded(d) for p, d in zip(POSITION, offsets, strict=True)}
+        rate = barrier(self._rate.xreplace(dict(zip(POSITION, offsets, strict=True))))
+        first = barrier(rounding(self.surface.shape, sizes).error)
+        starts, means = self._flown(offsets)
+        sizes |= {s: _once_rounded(d) for s, d in zip(STARTS, starts, strict=True)}
+        sizes |= {v: _once_rounded(mean) for v, mean in zip(VELOCITY, means, strict=True)}
+        again = 0 if simple else barrier(rounding(self._change, sizes).error) * t
+        return barrier(IfLess(curving, sp.oo, again, first)) / barrier(absolute(rate))
+
+    def _flown(self, offsets: Sequence[sp.Expr]) -> tuple[list[sp.Expr], list[sp.Expr]]:
+        """Return the sizes of the offset at the start and of the mean velocity.
+
+        Arguments of the formulas are the state at the end of a flight of time t.
+        """
+        del offsets
+        back, _ = self.flight.at(-t)
+        places = zip(back, self.surface.reference_point, strict=True)
+        falls = zip(VELOCITY, self.flight.acceleration, strict=True)
+        return (
+            [barrier(barrier(p) - c) for p, c in places],
+            [barrier(v - a * t / 2) for v, a in falls],
+        )
 
     def curvature(self, width: sp.Expr) -> sp.Expr:
         """Return the largest Bernstein coefficient of -F'' on the window, rounding included."""

@@ -87,9 +87,9 @@ class RootFinder(ABC):
         """F'' at time t."""
 
     @property
-    def about_reference(self) -> bool:
-        """True if roundings of F are those of offsets from the surface's reference point."""
-        return False
+    def root_delay(self) -> sp.Expr | None:
+        """Delay of a root by roundings of F, at the contact; None: the flight's contain it."""
+        return None
 
     @property
     def lost(self) -> sp.Expr:

@@ -92,11 +92,21 @@ class RootSearch(Search):
     @property
     def _root_rounding(self) -> dict[str, Formula]:
         """The roundings of the root, where the flight's own do not contain them."""
-        if not self.root_finder.about_reference:
+        late = self.root_finder.root_delay
+        if late is None:
             return {}
-        found = root_rounding(self.surface, self.flight)
-        summary = "Errors at a contact, with the roundings of the root."
-        return {"carry_root": (found, summary, "running error analysis")} if found else {}
+        return {
+            "root_delay": (
+                {"root_delay": late},
+                "Delay of a contact by the roundings of its condition.",
+                "running error analysis",
+            ),
+            "carry_root": (
+                root_rounding(self.flight),
+                "Errors at a contact, with the roundings of the root.",
+                "running error analysis",
+            ),
+        }
 
     @property
     def reach_test(self) -> dict[str, sp.Basic]:

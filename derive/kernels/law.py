@@ -74,7 +74,7 @@ def _kernels(
             order,
             "Errors of velocity and spin after a contact, from those before it.",
             f"derivative of {law.description}, with roundings",
-            not scene.rolls,
+            scene.single_errors,
         ),
         **({"vary": law_variation(law, scene, order)} if scene.flight.exact else {}),
     }

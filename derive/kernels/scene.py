@@ -218,7 +218,7 @@ def _pieces(scene: Scene, order: tuple[sp.Symbol, ...]) -> tuple[Kernel, ...]:
             order,
             "Errors of position and velocity at the end of a piece, from those at its start.",
             "first-order derivative of the equations of motion, with roundings",
-            not scene.rolls,
+            scene.single_errors,
         ),
     )
 
@@ -236,7 +236,7 @@ def _flight_size(scene: Scene) -> sp.Expr:
 
 def _errors(scene: Scene, order: tuple[sp.Symbol, ...]) -> tuple[Kernel, ...]:
     """Return the kernels of error propagation through a flight, and of the bounds from errors."""
-    single = not scene.rolls
+    single = scene.single_errors
     return (
         kernel(
             "carry_flight",

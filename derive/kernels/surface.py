@@ -105,7 +105,8 @@ def one_surface_kernels(
                 formulas |= _groups(surface)
     elif search.reach_test:
         formulas["near"] = (search.reach_test, _REACH, _DISJOINT)
-    single = search.single | (frozenset() if scene.rolls else {"carry_root", "carry_normal"})
+    carried = {"carry_root", "carry_normal"} if scene.single_errors else frozenset()
+    single = search.single | carried
     kernels = {
         part: kernel(f"{surface.name}_{part}", outputs, order, summary, equation, part in single)
         for part, (outputs, summary, equation) in formulas.items()

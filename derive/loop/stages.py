@@ -255,7 +255,9 @@ def _contact(
         yield If("ends", (Call(common["error_floor"]),))
     yield Call(common["no_normal_error"])
     for kind in kinds:
-        yield from kind.evaluate(common, "carry_root")
+        if "carry_root" in kind.first.parts:
+            carried = Call(kind.first.parts["carry_root"])
+            yield from kind.evaluate(common, "root_delay", carried)
         yield from kind.evaluate(common, "carry_normal")
     yield from _laws(common, contacts)
     for kind in kinds:

@@ -12,7 +12,7 @@ from ..contact.law import Law
 from ..motion.air import AirConstants, AirFlight
 from ..motion.flight import Acceleration, Flight
 from ..motion.parabola import Parabola
-from ..surfaces import Body, EndPlane, Surface
+from ..surfaces import Body, EndPlane, Plane, Surface
 from ..symbolic.conditionals import release
 from ..symbolic.symbols import ParameterSymbol
 from . import names
@@ -155,6 +155,21 @@ class Scene:
                 f"scene {self.name}: rolls: expected surfaces without bounds, got "
                 f"{', '.join(bounded)} with some"
             )
+
+    @property
+    def single_errors(self) -> bool:
+        """True if errors are carried in single precision.
+
+        A contact can be certain although v·n is so small a share of the speed that it cancels there
+        where the condition bends as little along the flight: on a surface that may be flat, without
+        gravity or along it. If the normal of a plane is an axis, v·n is no sum. A surface of some
+        size bends by v² over that size.
+        """
+        flat = any(
+            not isinstance(s, Plane) and all(half is None for half in s.half_sizes)
+            for s in self.surfaces
+        )
+        return not self.rolls and not flat
 
     @property
     def ball(self) -> Ball:

@@ -9,7 +9,7 @@ import sympy as sp
 
 from ..events.grouping import Box, group_bodies
 from ..events.predicates import last, which
-from ..events.search import Parts, Search
+from ..events.search import Parts, Search, given
 from ..ir.event_tree import BoundingVolumes, Call, ForEach, If, Node, Value, given_as, read_of
 from ..ir.kernel import Kernel, decision
 from ..symbolic.conditionals import Boolean, Equal, Not, all_of, false
@@ -110,10 +110,11 @@ class SurfaceKind:
         kernel = self.first.parts.get(part)
         if kernel is None:
             return
+        node = given(kernel, t="when")
         if self.several:
-            yield If(self.mine, (given_as(Call(kernel), self._its), *more))
+            yield If(self.mine, (given_as(node, self._its), *more))
         else:
-            yield from on_surface(common, self.first.index, Call(kernel), *more)
+            yield from on_surface(common, self.first.index, node, *more)
 
     def normal_change(self, common: Parts) -> Iterator[Node]:
         """Bound the rotation of the normal along a flight back to the surface where it began."""

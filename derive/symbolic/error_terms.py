@@ -31,6 +31,8 @@ left_normal = sp.Matrix(sp.symbols("left_nx left_ny left_nz", real=True))
 lifting = sp.Symbol("lifting", positive=True)
 """Share of the worst case that errors do not fall below; after a short hop
 1/`MIN_GROWTH_DIVISOR`."""
+root_delay = sp.Symbol("root_delay", nonnegative=True)
+"""Bound on the delay of a contact that the roundings of its condition cause, s."""
 contacts = sp.Symbol("contacts", nonnegative=True)
 """Number of contacts, including this one."""
 clock, clock_error = sp.symbols("clock clock_error", nonnegative=True)

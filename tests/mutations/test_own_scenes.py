@@ -16,10 +16,12 @@ from hoopgen.derive.contact import friction
 from hoopgen.derive.events import bounding_boxes, box_windows, root_search
 from hoopgen.derive.events.box import BoxRootFinder
 from hoopgen.derive.events.polynomial import PolynomialRootFinder
+from hoopgen.derive.events.root_search import RootSearch
 from hoopgen.derive.ir.event_tree import Call
 from hoopgen.derive.loop import stages
 from hoopgen.derive.rolling import contact_phase, events, friction_limit, settling
 from hoopgen.derive.rolling import stages as contact_stages
+from hoopgen.derive.scenes.scene import Scene as DerivedScene
 from hoopgen.derive.surfaces import Box
 from numpy.typing import NDArray
 
@@ -40,7 +42,7 @@ from tests.helpers.checked_faults import (
     passes,
 )
 from tests.helpers.mutants import in_text, in_tree
-from tests.scene import test_friction_switch, test_roots, test_shelf
+from tests.scene import test_friction_switch, test_root_errors, test_roots, test_shelf
 from tests.scene.test_friction_switch import FLOOR
 from tests.scene.test_shelf import SHELF
 
@@ -470,8 +472,48 @@ FAULTS = (
     ),
     Planted(
         "the roundings of a root are those of its flight",
-        in_text(root_search, "root_rounding", "UNIT_ROUNDOFF * size", "0 * size"),
+        in_text(root_search, "root_rounding", "root_delay * absolute(rate)", "0 * rate"),
         OfEngine(test_roots.check_states, scene=test_roots.LARGE),
+    ),
+    Planted(
+        "a wide torus is as exact as its offset",
+        in_text(PolynomialRootFinder, "root_delay", "total_degree() <= 2", "total_degree() <= 4"),
+        OfEngine(test_root_errors.check_states, scene=test_root_errors.THIN),
+    ),
+    Planted(
+        "a root far away is as exact as its position",
+        in_text(
+            PolynomialRootFinder,
+            "root_delay",
+            "rounding(self.surface.shape, sizes).error",
+            "UNIT_ROUNDOFF",
+        ),
+        OfEngine(test_root_errors.check_states, scene=test_root_errors.FAR),
+    ),
+    Planted(
+        "a return to a surface has no rounding of its own",
+        in_text(PolynomialRootFinder, "root_delay", "0 if simple else", "0 if True else"),
+        OfEngine(test_root_errors.check_returns, scene=test_root_errors.THIN),
+    ),
+    Planted(
+        "a root in air has no rounding of its own",
+        in_text(RootSearch, "_root_rounding", "late is None", "not self.flight.exact"),
+        OfEngine(test_root_errors.check_states, scene=test_root_errors.FAR_IN_AIR),
+    ),
+    Planted(
+        "a return in air has no rounding of its own",
+        in_text(PolynomialRootFinder, "root_delay", "0 if simple else", "0 if True else"),
+        OfEngine(test_root_errors.check_returns, scene=test_root_errors.THIN_IN_AIR),
+    ),
+    Planted(
+        "errors are carried in single precision on flat surfaces",
+        in_text(DerivedScene, "single_errors", " and not flat", ""),
+        OfEngine(test_root_errors.check_upright, scene=test_root_errors.UPRIGHT),
+    ),
+    Planted(
+        "errors are carried in single precision without gravity",
+        in_text(DerivedScene, "single_errors", " and not flat", ""),
+        OfEngine(test_root_errors.check_states, scene=test_root_errors.GRAZED),
     ),
     # The branch of friction.
     Planted(

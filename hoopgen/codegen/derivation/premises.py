@@ -215,7 +215,8 @@ PREMISES: dict[str, Premise] = {
         LEMMA,
         "propagation of errors through a flight and a contact",
         _kernels(
-            "common.carry_flight *.carry_root *.carry_normal law.carry common.carry_time "
+            "common.carry_flight *.root_delay *.carry_root *.carry_normal law.carry "
+            "common.carry_time "
             "common.clock_error_sum common.no_normal_error common.elsewhere common.again "
             "common.returned common.started common.other_start_surface *.curvature"
         ),
