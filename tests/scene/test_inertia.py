@@ -211,6 +211,7 @@ def test_engines_agree_for_an_inertia_of_each_shot(well: Engine) -> None:
         assert one.state.tobytes() == made[0].state[own].tobytes()
 
 
+@pytest.mark.slow
 def test_the_judge_knows_the_inertia(well: Engine) -> None:
     """Every certain shot has the sequence that is proved, with its own inertia and no other."""
     count = trials(25)

@@ -84,7 +84,7 @@ def colour_at(figure: Figure, axes: Any, place: tuple[float, float]) -> tuple[in
     return tuple(int(part) for part in pixels[pixels.shape[0] - 1 - int(y), int(x), :3])
 
 
-@pytest.mark.sampled(1)
+@pytest.mark.slow
 def test_a_plane_scene_is_drawn_in_its_plane_and_its_bumpers_are_no_holes(table: Engine) -> None:
     shots = table.simulate(start(axis_of(table)), record=True)
     figure = shots.trajectory(0).plot()

@@ -114,6 +114,7 @@ def test_what_cannot_be_searched_is_refused(player: Any, options: Any, said: str
         hoopgen.best_shots(player, NBA, **options)
 
 
+@pytest.mark.slow
 def test_the_command_prints_and_draws(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     pytest.importorskip("matplotlib")
     places = court_places(3.0, NBA)
