@@ -17,6 +17,8 @@ from hoopgen.simulation.engine import Engine
 from tests.helpers.court_shots import all_kinds
 from tests.helpers.effort import exceptions, trials
 
+pytestmark = pytest.mark.xdist_group("inertia")  # the scene is derived once
+
 Floats = NDArray[np.float64]
 
 SHELL, SOLID = 2 / 3, 2 / 5
