@@ -55,7 +55,7 @@ def pytest_collection_finish() -> None:
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     """Mark as slow what opens a browser or is left out by a sample, as scaled what may scale.
 
-    The sample of a test is of its cases, that of a file is of its tests.
+    The sample of a test is of its cases that are not slow, that of a file is of such tests.
     """
     families = defaultdict[tuple[str, int], list[pytest.Item]](list)
     for item in items:
@@ -65,6 +65,8 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
         scaled = scaled_names(item.path) | scaled_names(Path(__file__))
         if scaled.intersection([getattr(item, "originalname", item.name), *fixtures]):
             item.add_marker("scaled")
+        if item.get_closest_marker("slow"):
+            continue
         for node, mark in item.iter_markers_with_node("sampled"):
             family = item.nodeid.partition("[")[0] if node is item else node.nodeid
             families[family, mark.args[0]].append(item)

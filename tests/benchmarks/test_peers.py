@@ -86,7 +86,7 @@ def test_a_workload_begins_with_every_smaller_one(workload: workloads.Workload) 
     assert workload.make(3).shape == (3, 9)
 
 
-@pytest.mark.sampled(8)
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize("workload", workloads.WORKLOADS, ids=lambda workload: workload.key)
 @pytest.mark.parametrize("peer", peers.PEERS, ids=lambda peer: peer.key)
 def test_peers_agree_with_the_judge(peer: peers.Peer, workload: workloads.Workload) -> None:

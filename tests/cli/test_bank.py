@@ -24,6 +24,8 @@ from hoopgen import Scatter, bank_or_direct  # noqa: E402
 from hoopgen.cli import main  # noqa: E402
 from hoopgen.study.questions.bank import places_of, verdict  # noqa: E402
 
+pytestmark = pytest.mark.xdist_group("bank")  # the search is made once
+
 DEGREE = math.pi / 180
 SD = {"speed": 0.07, "elevation": 1.3 * DEGREE, "azimuth": DEGREE}
 RELEASE = {"height": 2.1336, "backspin": 6 * math.pi}

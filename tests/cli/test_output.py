@@ -264,6 +264,7 @@ def test_a_short_shot_is_told_and_is_no_error() -> None:
     assert record(*arguments)["first"] is None
 
 
+@pytest.mark.sampled(1)
 @pytest.mark.parametrize("suffix", ["png", "svg"])
 def test_shot_draws_its_picture(tmp_path: Path, suffix: str) -> None:
     pytest.importorskip("matplotlib")

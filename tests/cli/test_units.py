@@ -307,6 +307,7 @@ def test_a_shot_is_told_in_feet_and_mph() -> None:
     assert "ft from the centre of the ring" in us
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize(
     ("arguments", "there"),
     [
@@ -382,6 +383,7 @@ PICTURES: dict[str, Callable[[], Any]] = {
 }
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("name", PICTURES)
 def test_axes_of_pictures_are_in_feet(name: str) -> None:
     with use_units("us"):

@@ -158,6 +158,7 @@ WORKLOADS: tuple[Callable[[int], States], ...] = (
 )
 
 
+@pytest.mark.slow
 @needs_cpp
 @needs_compiler
 def test_the_source_has_the_bits_of_c_on_a_few_thousand_shots(device: HostCuPy) -> None:

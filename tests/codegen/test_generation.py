@@ -225,7 +225,7 @@ def test_the_zoo_holds_every_operation_of_every_target() -> None:
     )
 
 
-@pytest.mark.sampled(2)
+@pytest.mark.sampled(1)
 @needs_compiler
 @pytest.mark.parametrize("width", WIDTHS)
 def test_the_zoo_has_the_same_bits_in_numpy_and_c(
@@ -265,6 +265,7 @@ def test_an_expression_has_the_same_bits_alone_and_among_others(zoo_numpy: Modul
         assert same_bits(zoo_outputs(zoo_numpy, alone, columns)[0], among).all(), name
 
 
+@pytest.mark.sampled(23)
 @pytest.mark.parametrize("name", ZOO)
 def test_the_zoo_has_the_values_of_its_expressions(zoo_numpy: ModuleType, name: str) -> None:
     """Within the running-error bound, which no factor widens; what is undecided is not compared."""
@@ -491,6 +492,7 @@ main(["generate", "--root", sys.argv[1]])
 """
 
 
+@pytest.mark.slow
 def test_generation_needs_nothing_that_is_generated(tmp_path: Path) -> None:
     """Otherwise what generated/ lacks could not be generated."""
     command = [sys.executable, "-c", _GENERATE_ANEW, str(tmp_path)]

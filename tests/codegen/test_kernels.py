@@ -535,7 +535,7 @@ def test_the_evaluator_chooses_as_ieee_754_does() -> None:
     assert mp.isnan(evaluator(root).value)
 
 
-@pytest.mark.sampled(20)
+@pytest.mark.sampled(12)
 @pytest.mark.parametrize("name", NAMES)
 def test_numpy_is_as_near_to_fifty_digits_as_its_roundings_allow(name: str) -> None:
     """Each output is within the running-error bound of its expression: no operation is wrong.
@@ -576,7 +576,7 @@ def test_numpy_is_as_near_to_fifty_digits_as_its_roundings_allow(name: str) -> N
         assert len(one_sided) <= RARELY_MET.get(name, 0)
 
 
-@pytest.mark.sampled(2)
+@pytest.mark.sampled(1)
 @needs_compiler
 @pytest.mark.parametrize("columns_of", [random_columns, leaping_columns, extreme_columns])
 @pytest.mark.parametrize("width", WIDTHS)

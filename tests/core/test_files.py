@@ -241,8 +241,14 @@ main(sys.argv[1:])
 
 
 @POSIX
-@pytest.mark.parametrize("arguments", [[*SHOT, "--view"], [*SHOT, "--picture"], [*MAP, "--out"]])
-@pytest.mark.sampled(1)
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        [*SHOT, "--view"],
+        pytest.param([*SHOT, "--picture"], marks=pytest.mark.slow),
+        pytest.param([*MAP, "--out"], marks=pytest.mark.slow),
+    ],
+)
 def test_a_write_that_the_system_refuses_is_one_line(arguments: list[str], tmp_path: Path) -> None:
     pytest.importorskip("xarray")
     pytest.importorskip("matplotlib.font_manager")  # whose cache is a file

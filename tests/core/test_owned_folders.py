@@ -184,6 +184,7 @@ def test_a_folder_of_somebody_else_is_refused_and_every_byte_stays(
     assert contents(folder) == THEIRS
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("name", [name for name in COMMANDS if name != "generate"])
 def test_files_that_somebody_else_adds_later_stay(name: str, tmp_path: Path) -> None:
     """These files have names that the folder's marker does not list."""
@@ -203,6 +204,7 @@ def test_files_that_somebody_else_adds_later_stay(name: str, tmp_path: Path) -> 
     assert (folder / MARKER).is_file()
 
 
+@pytest.mark.slow
 def test_compiling_and_clearing_leave_a_folder_of_somebody_else(home: Path, tmp_path: Path) -> None:
     (tmp_path / "post.toml").write_text(SCENE)
     fill(home)
@@ -245,6 +247,7 @@ def test_clearing_follows_no_link(home: Path, tmp_path: Path) -> None:
 # ---------------------------------------------------------------------- a question is asked anew
 
 
+@pytest.mark.slow
 def test_a_question_that_is_asked_for_more_leaves_other_files_beside_the_answer(
     tmp_path: Path,
 ) -> None:
@@ -261,6 +264,7 @@ def test_a_question_that_is_asked_for_more_leaves_other_files_beside_the_answer(
     assert not (results / "q.unfinished").exists()
 
 
+@pytest.mark.slow
 def test_a_file_of_somebody_else_is_not_replaced_by_a_figure(tmp_path: Path) -> None:
     """The answer to fewer shots had no such figure: the old answer stays, with that file."""
     results = tmp_path / "results"

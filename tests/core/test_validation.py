@@ -223,6 +223,7 @@ def test_studies_say_so_too() -> None:
 MANY = list(range(1_000_000))
 
 
+@pytest.mark.sampled(5)
 @pytest.mark.parametrize(
     "call",
     [

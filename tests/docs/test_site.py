@@ -57,6 +57,7 @@ cat note.txt
     assert run(page, tmp_path) == "kept\nexamples/shots.c\nkept\n"
 
 
+@pytest.mark.sampled(1)
 @pytest.mark.xdist_group("kernels")
 @pytest.mark.parametrize("block", ["```python\n1 / 0\n```\n", "```sh\nfalse\ntrue\n```\n"])
 def test_a_block_that_fails_fails_the_page(block: str, tmp_path: Path) -> None:

@@ -16,6 +16,8 @@ import hoopgen
 from hoopgen.engine import array_pool
 from tests.helpers.effort import trials
 
+pytestmark = pytest.mark.xdist_group("blocks")  # garbage is looked for once among what stays
+
 LARGE = (array_pool.MIN_BLOCK_SIZE // 8, 3)
 DOUBLE = np.dtype(np.float64)
 
@@ -23,6 +25,7 @@ DOUBLE = np.dtype(np.float64)
 @pytest.fixture(autouse=True)
 def nothing_kept() -> Iterator[None]:
     gc.collect()
+    gc.freeze()  # what is left stays: the next test need not look through it
     array_pool._FREE.clear()
     yield
     array_pool._FREE.clear()

@@ -46,6 +46,7 @@ def same(left: hoopgen.Shots, right: hoopgen.Shots) -> bool:
     return all(left._fields[n].tobytes() == right._fields[n].tobytes() for n in right._fields)
 
 
+@pytest.mark.slow
 def test_a_batch_beyond_the_memory_goes_in_blocks(small: HostCuPy) -> None:
     states = free_throw(SHOTS)
     own = {"gravity": np.linspace(9.7, 9.9, SHOTS), "restitution": 0.6}
@@ -197,6 +198,7 @@ def test_a_source_that_nvrtc_refuses_is_one_line(monkeypatch: pytest.MonkeyPatch
         HOOP.simulate(free_throw(3), backend="cuda")
 
 
+@pytest.mark.slow
 def test_an_engine_with_other_bits_does_not_serve(
     device: HostCuPy, monkeypatch: pytest.MonkeyPatch
 ) -> None:

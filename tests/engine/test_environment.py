@@ -76,6 +76,7 @@ def usual_bits(backend: Any, options: str) -> dict[str, bytes]:
     return bits(HOOP.simulate(STATES, backend=backend, **OPTIONS[options]))
 
 
+@pytest.mark.sampled(15)
 @pytest.mark.parametrize("options", OPTIONS)
 @pytest.mark.parametrize("mode", MODES)
 @pytest.mark.parametrize("backend", BACKENDS)
@@ -235,7 +236,7 @@ def test_without_a_c_engine_the_thread_is_told(monkeypatch: pytest.MonkeyPatch) 
     assert HOOP.simulate(STATES, backend="numpy").outcome.size == len(STATES)
 
 
-@pytest.mark.sampled(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("mode", [0x400, 0x800, 0xC00])
 def test_modules_imported_in_another_mode_have_the_usual_constants(
     mode: int, tmp_path: Path

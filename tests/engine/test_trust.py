@@ -80,7 +80,7 @@ def test_what_a_compiler_admits_to_does_not_compile(compiler: str, flag: str) ->
     assert "compile without" in verdict.said
 
 
-@pytest.mark.sampled(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("flag", [f"{FUSES}-ffp-contract=fast", "-freciprocal-math"])
 def test_what_clang_does_not_admit_to_does_not_run(flag: str) -> None:
     needs("clang")
@@ -296,6 +296,7 @@ def test_a_cache_that_others_write_to_is_not_used(library: Path, tmp_path: Path)
     assert list(cache.iterdir()) == []
 
 
+@pytest.mark.sampled(1)
 @pytest.mark.skipif(os.name != "posix", reason="permissions are POSIX's")
 @pytest.mark.parametrize("above", ["cache", "."])
 def test_nor_is_one_below_a_folder_that_others_write_to(

@@ -261,6 +261,7 @@ def test_left_and_right_are_mirror_images_to_the_bit(preset: str) -> None:
 # -- Into no body
 
 
+@pytest.mark.sampled(7)
 @pytest.mark.parametrize("preset", PRESETS)
 @pytest.mark.parametrize("kind", KINDS)
 def test_no_flight_goes_into_a_body(kind: str, preset: str) -> None:

@@ -107,6 +107,7 @@ def test_threads_of_xla_share_a_batch_and_change_no_bit(threads: int) -> None:
     same_bits(hoopgen.simulate(states), found)
 
 
+@pytest.mark.sampled(1)
 @pytest.mark.parametrize("backend", BACKENDS)
 def test_vmap_over_states_parameters_and_both_gives_the_same_bits(backend: Any) -> None:
     states, restitution = throws(30), np.linspace(0.6, 0.8, 4)
@@ -162,6 +163,7 @@ def weights(count: int) -> Any:
     return np.random.default_rng(8).normal(size=(count, 9))
 
 
+@pytest.mark.sampled(1)
 @pytest.mark.parametrize("backend", BACKENDS)
 def test_jvp_is_hoopgens(backend: Any) -> None:
     states = throws(60)
@@ -185,6 +187,7 @@ def scale(values: Any) -> float:
     return 64 * EPS * float(np.nanmax(np.abs(values)))
 
 
+@pytest.mark.sampled(1)
 @pytest.mark.parametrize("backend", BACKENDS)
 def test_grad_is_hoopgens_vjp(backend: Any) -> None:
     states = throws(60)
@@ -267,6 +270,7 @@ def test_differentiable_is_that_of_simulate(scene: Engine) -> None:
     assert 0 < shots.differentiable.sum() < len(states)
 
 
+@pytest.mark.slow
 def test_counts_and_flags_have_no_derivative_and_second_derivatives_raise() -> None:
     states = throws(3)
     out = jax.jvp(

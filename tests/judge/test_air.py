@@ -74,7 +74,7 @@ def in_air(shots: Shots, parameters: Mapping[str, Any] | None = None) -> Certifi
 
 
 def test_shots_are_as_proved_and_a_slightly_wrong_engine_is_not() -> None:
-    shots = np.concatenate([free_throws(20, 1), wild(12, 2)])
+    shots = np.concatenate([free_throws(trials(20), 1), wild(trials(12), 2)])
     assert checked(shots, in_air(shots)) < 1
     # An engine whose drag is off by 1e-6 would be found by all that is not flagged.
     wrong = in_air(free_throws(4, 1), {"drag_coefficient": 0.5 * (1 + 1e-6)})
@@ -226,6 +226,7 @@ def test_a_box_of_releases_is_proved() -> None:
     assert flown.outcome.tolist() == [SCENE.outcomes[proof.outcome]] * 2
 
 
+@pytest.mark.slow
 def test_flagged_shots_are_settled() -> None:
     shots = free_throws(40_000, 10)
     flagged = shots[hoopgen.AIR.simulate(shots, max_contacts=12).uncertain][:3]

@@ -510,6 +510,7 @@ def test_max_contacts_caps() -> None:
 # --------------------------------------------------------------------------- against the engine
 
 
+@pytest.mark.sampled(6)
 @pytest.mark.parametrize("family", FAMILIES, ids=lambda family: family.key)
 def test_a_shot_that_the_engine_does_not_flag_is_as_proved(family: Any) -> None:
     states, parameters = family.make(60)
@@ -574,6 +575,7 @@ def test_doubles_are_no_further_from_the_truth_than_they_say() -> None:
         assert furthest <= Fraction(radius) <= furthest * (1 + Fraction(1, 2**20))
 
 
+@pytest.mark.sampled(1)
 @pytest.mark.parametrize("record", [False, True])
 def test_settled_shots_are_as_proved(record: bool) -> None:
     shots, states, parameters = flagged(record)

@@ -546,8 +546,8 @@ def test_a_fault_trips(fault: Fault, tmp_path: Path) -> None:
 
 
 @needs_compiler
+@pytest.mark.slow
 @pytest.mark.parametrize("fault", [f for f in FAULTS if f.in_c], ids=lambda fault: fault.name)
-@pytest.mark.sampled(1)
 def test_a_fault_trips_in_c(fault: Fault, tmp_path: Path) -> None:
     with pytest.raises(Tripped):
         trip(c_engine(derived(fault), tmp_path))

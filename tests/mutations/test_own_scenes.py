@@ -556,11 +556,14 @@ FAULTS = (
 CHECKS = checks_of(FAULTS)
 
 
-@pytest.fixture(scope="session", autouse=True)
-def proofs() -> None:
-    """Make all proofs before any fault is there."""
-    for name in BATCHES:
-        proved(name)
+@pytest.fixture(autouse=True)
+def proofs(request: pytest.FixtureRequest) -> None:
+    """Make all proofs that an engine is held against before any fault is there."""
+    given = request.node.callspec.params
+    check = given["check"] if "check" in given else given["fault"].check
+    if isinstance(check, OfEngine):
+        for name in BATCHES:
+            proved(name)
 
 
 @pytest.mark.slow
@@ -569,7 +572,17 @@ def test_without_a_fault_every_check_passes(check: OfFormulas, tmp_path: Path) -
     passes(check, tmp_path)
 
 
-@pytest.mark.parametrize("fault", FAULTS, ids=lambda fault: f"{fault.name} ({fault.check.name})")
+@pytest.mark.parametrize(
+    "fault",
+    [
+        pytest.param(
+            fault,
+            id=f"{fault.name} ({fault.check.name})",
+            marks=pytest.mark.slow if isinstance(fault.check, OfEngine) else (),
+        )
+        for fault in FAULTS
+    ],
+)
 @pytest.mark.sampled(1)
 def test_a_fault_trips_its_check(fault: Planted, tmp_path: Path) -> None:
     noticed(fault, tmp_path)

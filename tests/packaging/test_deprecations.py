@@ -101,3 +101,26 @@ def test_the_changelog_names_places_that_exist() -> None:
             find(name)
     for name in sorted(named - OLD):
         find(name)
+
+
+def moved_modules() -> list[tuple[str, str]]:
+    """Return the former and the present names of the modules that the changelog says have moved."""
+    section = UNRELEASED.split("### Moved modules\n")[1].split("\n### ")[0]
+    pairs = []
+    for package, modules in re.findall(r"^- `([\w.]+)`: ((?:.|\n(?!- ))+)", section, re.MULTILINE):
+        for former, renamed in re.findall(r"`([\w.]+)`(?:\s+as\s+`(\w+)`)?", modules):
+            name = renamed or former.rpartition(".")[2]
+            pairs.append((f"hoopgen.{former}", f"{package}.{name}"))
+    return pairs
+
+
+def test_moved_modules_are_where_the_changelog_says_and_no_longer_where_they_were() -> None:
+    pairs = moved_modules()
+    assert len(pairs) > 100
+    for former, present in pairs:
+        assert not hasattr(import_module(present), "__path__"), present
+        try:
+            left = import_module(former)
+        except ImportError:
+            continue
+        assert hasattr(left, "__path__"), former  # a package has its name now

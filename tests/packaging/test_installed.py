@@ -106,6 +106,7 @@ def test_all_that_is_shown_is_there() -> None:
         assert getattr(hoopgen, name) is not None
 
 
+@pytest.mark.slow
 def test_plots_are_there_after_import_and_nothing_is_loaded_before() -> None:
     pytest.importorskip("matplotlib")
     code = """
@@ -185,6 +186,7 @@ def test_other_import_errors_stay_as_they_are() -> None:
     assert extras.explain_import_error(error) is error
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize(
     ("name", "missing"),
     [("plots", "matplotlib"), ("estimate", "pyarrow"), ("map", "xarray"), ("certify", "flint")],

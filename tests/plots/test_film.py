@@ -41,6 +41,7 @@ def film(path: Any, **options: Any) -> Film:
         return Film(path, path.parameters, path.outcome, **options)
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("scene", [None, hoopgen.COURT], ids=["hoop", "court"])
 @pytest.mark.parametrize("state", [DROPPED, ASIDE], ids=["in plane", "aside"])
 def test_the_ball_is_where_the_trajectory_has_it(state: list[float], scene: Any) -> None:
@@ -134,7 +135,8 @@ def test_a_gif_shows_the_movement_in_its_time(tmp_path: Path) -> None:
             assert pixels[0, 0].tolist() == [255, 255, 255]
 
 
-@pytest.mark.parametrize("state", [STILL, pytest.param(DROPPED, marks=pytest.mark.slow)])
+@pytest.mark.slow
+@pytest.mark.parametrize("state", [STILL, DROPPED])
 def test_an_mp4_is_what_ffmpeg_makes_of_the_frames(
     state: list[float], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

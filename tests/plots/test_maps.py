@@ -82,6 +82,7 @@ def said(figure: Figure) -> str:
 # ------------------------------------------------------------------------------------ on the court
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("first", ["x", "y"])
 @pytest.mark.parametrize("units", ["si", "us"])
 def test_cells_are_where_the_places_are_on_the_court(first: str, units: Any) -> None:
@@ -120,6 +121,7 @@ def test_a_metre_is_as_long_up_as_across_on_the_page() -> None:
         assert figure.get_figwidth() <= PAGE
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize(
     ("parameters", "wide"),
     [

@@ -82,6 +82,7 @@ def test_axes_are_named_with_their_unit(picture: tuple[ArticleResult, Figure]) -
         assert {"x (m)", "y (m)", "z (m)"} <= written
 
 
+@pytest.mark.sampled(4)
 def test_a_metre_is_as_long_across_as_up(picture: tuple[ArticleResult, Figure]) -> None:
     _, figure = picture
     for axes in views(figure).values():
@@ -91,6 +92,7 @@ def test_a_metre_is_as_long_across_as_up(picture: tuple[ArticleResult, Figure]) 
         assert across[0] - origin[0] == pytest.approx(up[1] - origin[1], rel=1e-9, abs=0)
 
 
+@pytest.mark.sampled(4)
 def test_the_ball_is_drawn_to_scale_at_release_and_events(
     picture: tuple[ArticleResult, Figure],
 ) -> None:
@@ -171,7 +173,7 @@ save(plot_trajectory(result.trajectory, result.parameters), sys.argv[1])
 """
 
 
-@pytest.mark.sampled(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("suffix", ["svg", "png", "pdf"])
 def test_two_processes_write_the_same_bytes(tmp_path: Path, suffix: str) -> None:
     """This one, which has drawn before, and a new one, whose sets have another order."""
@@ -233,7 +235,7 @@ def test_any_shot_can_be_drawn(azimuth: float, angle: float, distance: float, sp
     assert height <= 11.0
 
 
-@pytest.mark.sampled(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("gravity", [1e-3, 1e-6, 1e-9])
 def test_a_flight_of_any_length_is_a_drawing_of_the_same_size(gravity: float) -> None:
     state = hoopgen.release(7.17, 0.89, 0.02, height=2.1336, distance=4.191)
@@ -360,6 +362,7 @@ def test_ticks_of_a_flight_of_any_length_have_room() -> None:
         assert _TICK_ROOM <= _step(span, scale) * scale < 5.0 * _TICK_ROOM or span < 1.0
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("bad", [np.nan, np.inf, -5.0])
 @pytest.mark.parametrize("scene", [hoopgen.HOOP, hoopgen.COURT], ids=["hoop", "court"])
 def test_a_parameter_of_an_invalid_shot_changes_no_picture(scene: Any, bad: float) -> None:

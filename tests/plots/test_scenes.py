@@ -166,6 +166,7 @@ def test_a_corner_all_but_on_a_cut_costs_no_outline() -> None:
         assert sorted(map(tuple, line[:-1, :2].tolist())) == [(0, 0), (0, 1), (1, 0), (1, 1)]
 
 
+@pytest.mark.sampled(20)
 @pytest.mark.parametrize("view", [(0.0, -1.0, 0.0), (0.0, 0.0, 1.0), (1.0, 0.0, 0.0)])
 @pytest.mark.parametrize("body", KINDS, ids=lambda body: body.name)
 def test_what_is_seen_of_a_body_has_closed_outlines(body: Any, view: Any) -> None:

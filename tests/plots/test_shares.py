@@ -259,7 +259,7 @@ COMMANDS = {
 }
 
 
-@pytest.mark.sampled(3)
+@pytest.mark.sampled(1)
 @pytest.mark.parametrize("command", COMMANDS)
 def test_a_picture_is_drawn_and_what_is_said_stays(command: str, tmp_path: Path) -> None:
     out = tmp_path / "picture.svg"
@@ -377,6 +377,7 @@ def test_rebounds_in_json_are_those_of_an_estimate() -> None:
     assert "landings" not in told
 
 
+@pytest.mark.slow
 def test_landings_are_a_hoops_and_paths_any_scenes(tmp_path: Path) -> None:
     result = run("landings", *PUTT, "--scatter", "vx=0.1")
     assert result.exit_code == 2

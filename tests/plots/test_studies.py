@@ -253,7 +253,7 @@ def test_texts_of_a_key_are_not_over_one_another(page: tuple[str, float, Figure]
         assert not any(a.overlaps(b) for a, b in itertools.combinations(boxes, 2))
 
 
-@pytest.mark.sampled(9)
+@pytest.mark.sampled(4)
 def test_titles_and_names_of_axes_are_not_over_one_another(
     page: tuple[str, float, Figure],
 ) -> None:
@@ -273,6 +273,7 @@ def test_axes_are_named_with_units(page: tuple[str, float, Figure]) -> None:
     assert all(re.search(r"\((m|m/s|°|%|Hz|% per m²)\)$", label) for label in said if label)
 
 
+@pytest.mark.slow
 def test_pictures_of_places_are_to_scale() -> None:
     for name in ("fan", "landings", "aim points", "court", "courts", "court of kinds"):
         for axes in PICTURES[name](PAGE).axes:
@@ -931,6 +932,7 @@ def test_only_cells_are_pixels_and_files_are_small(tmp_path: Path, name: str) ->
     assert path.stat().st_size < 300_000
 
 
+@pytest.mark.slow
 def test_a_map_of_many_cells_is_a_small_file(tmp_path: Path) -> None:
     over = {"speed": np.linspace(6.6, 9.6, 900), "elevation": np.radians(np.linspace(38, 75, 600))}
     path = save(plot_map(hoopgen.map(hoopgen.Scatter(FREE_THROW), over)), tmp_path / "map.svg")

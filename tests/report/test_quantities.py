@@ -96,6 +96,7 @@ def test_uncertain_shots_that_are_capped_are_said_to_be() -> None:
     assert f"{found.uncertain} uncertain ({found.uncertain_capped} of them capped)" in str(found)
 
 
+@pytest.mark.slow
 def test_an_optimum_is_printed_as_on_the_command_line() -> None:
     model = hoopgen.Scatter(
         {**PLACE, "height": 7 * 0.3048, "distance": 13.75 * 0.3048, "backspin": 3 * (2 * np.pi)},

@@ -123,6 +123,7 @@ def test_shots_are_those_of_an_independent_integrator() -> None:
     assert met > 0
 
 
+@pytest.mark.slow
 def test_without_air_the_results_are_those_of_the_parabola() -> None:
     states = throws(20_000, seed=2)
     own = hoopgen.simulate(

@@ -276,6 +276,7 @@ def test_shots_are_those_of_their_scene(dome: Engine) -> None:
     assert again.events.tobytes() == shots.events.tobytes()
 
 
+@pytest.mark.slow
 def test_the_log_grows_for_shots_with_many_contacts(dome: Engine) -> None:
     """They end elsewhere than with few, and are logged as they were flown."""
     still = np.tile([-0.7, 0.0, 0.5, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0], (3, 1))
@@ -604,6 +605,7 @@ def test_where_nothing_can_be_written_a_process_compiles_for_itself(
 # ---------------------------------------------------------------------------------- other people
 
 
+@pytest.mark.slow
 def test_c_as_wide_as_the_processor_gives_numpys_bits(
     home: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -167,6 +167,7 @@ def thrown(count: int) -> NDArray[np.float64]:
     return states
 
 
+@pytest.mark.slow
 def test_studies_speak_of_heights_only_where_free_fall_is_down() -> None:
     assert not build(WHEEL).study
     assert build(HOOP).study

@@ -17,6 +17,8 @@ from hoopgen.simulation.engine import Engine
 from tests.helpers.court_shots import all_kinds
 from tests.helpers.effort import exceptions, trials
 
+pytestmark = pytest.mark.xdist_group("inertia")  # the scene is derived once
+
 Floats = NDArray[np.float64]
 
 SHELL, SOLID = 2 / 3, 2 / 5
@@ -211,6 +213,7 @@ def test_engines_agree_for_an_inertia_of_each_shot(well: Engine) -> None:
         assert one.state.tobytes() == made[0].state[own].tobytes()
 
 
+@pytest.mark.slow
 def test_the_judge_knows_the_inertia(well: Engine) -> None:
     """Every certain shot has the sequence that is proved, with its own inertia and no other."""
     count = trials(25)

@@ -32,6 +32,8 @@ from hoopgen.viewer import page
 from tests.scene.test_example_scenes import EXAMPLE, numpy_engine
 from tests.viewer.test_page import data_of
 
+pytestmark = pytest.mark.xdist_group("pinball")  # each scene is derived once
+
 PLACES = [(-0.12, 0.55), (0.12, 0.55), (0.0, 0.7), (0.02, 0.35), (-0.18, 0.3)]
 BUMPER, BALL = 0.035, 0.013
 
@@ -66,7 +68,7 @@ def start(axis: str, count: int = 1) -> Any:
     return states
 
 
-@pytest.fixture(scope="module", params=["x", "y"])
+@pytest.fixture(scope="module", params=["x", pytest.param("y", marks=pytest.mark.slow)])
 def table(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Engine:
     folder = tmp_path_factory.mktemp("pinball")
     return numpy_engine(pinball(request.param), folder)
@@ -84,7 +86,7 @@ def colour_at(figure: Figure, axes: Any, place: tuple[float, float]) -> tuple[in
     return tuple(int(part) for part in pixels[pixels.shape[0] - 1 - int(y), int(x), :3])
 
 
-@pytest.mark.sampled(1)
+@pytest.mark.slow
 def test_a_plane_scene_is_drawn_in_its_plane_and_its_bumpers_are_no_holes(table: Engine) -> None:
     shots = table.simulate(start(axis_of(table)), record=True)
     figure = shots.trajectory(0).plot()

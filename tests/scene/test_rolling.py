@@ -60,6 +60,7 @@ def test_a_ball_in_a_bowl_rolls_until_its_time_is_up(bowl: Engine) -> None:
         assert _energy(state) == pytest.approx(_energy(start), rel=1e-12)
 
 
+@pytest.mark.slow
 def test_trial_shots_that_roll_for_ever_take_few_turns(
     bowl: Engine, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -110,6 +110,7 @@ def test_the_rim_of_the_end_is_a_decision() -> None:
     np.testing.assert_allclose(halved, found / 2, rtol=1e-12)
 
 
+@pytest.mark.slow
 def test_grip_and_slip_are_a_decision_where_there_is_friction() -> None:
     values = throws(trials(200, at_least=40))
     assert not [name for name in distances(hoopgen.HOOP, {}, values)[0].decisions if "slip" in name]

@@ -111,6 +111,7 @@ def check_against_truth(
                 *("backboard_friction", "tangential_restitution", "restitution_speed"),
             ),
             id="court",
+            marks=pytest.mark.slow,
         ),
         pytest.param(hoopgen.COURT, {}, (*STATE, "tangential_restitution"), id="court-usual"),
     ],

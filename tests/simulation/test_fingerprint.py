@@ -21,15 +21,25 @@ from tests.helpers import ROOT
 GOLDEN = json.loads((ROOT / "tests" / "golden_hashes.json").read_text(encoding="utf-8"))
 FILES = sorted((ROOT / "examples" / "scenes").glob("*.toml"))
 SCENES = (*BUILT_IN, *map(str, FILES))
+QUICK = [("hoop", "c"), ("hoop", "numpy"), ("court", "c")]
 
 
 def test_every_scene_has_a_golden_hash() -> None:
     assert list(GOLDEN) == [Path(scene).stem for scene in SCENES]
 
 
-@pytest.mark.sampled(6)
-@pytest.mark.parametrize("backend", ["c", "numpy"])
-@pytest.mark.parametrize("scene", SCENES, ids=lambda scene: Path(scene).stem)
+@pytest.mark.parametrize(
+    ("scene", "backend"),
+    [
+        pytest.param(
+            *(scene, backend),
+            id=f"{Path(scene).stem}-{backend}",
+            marks=() if (scene, backend) in QUICK else pytest.mark.slow,
+        )
+        for scene in SCENES
+        for backend in ("c", "numpy")
+    ],
+)
 def test_every_backend_has_the_golden_hash(scene: str, backend: BackendName) -> None:
     engine = engine_of(scene_from(scene))
     if backend == "c" and engine.library is None:
@@ -37,7 +47,15 @@ def test_every_backend_has_the_golden_hash(scene: str, backend: BackendName) -> 
     assert fingerprint(engine, backend) == GOLDEN[engine.name]
 
 
-@pytest.mark.parametrize("scene", SCENES, ids=lambda scene: Path(scene).stem)
+@pytest.mark.parametrize(
+    "scene",
+    [
+        pytest.param(
+            scene, id=Path(scene).stem, marks=() if (scene, "c") in QUICK else pytest.mark.slow
+        )
+        for scene in SCENES
+    ],
+)
 def test_the_fixed_shots_meet_every_body(scene: str) -> None:
     engine = engine_of(scene_from(scene))
     shots = engine.simulate(fixed_releases(engine), max_contacts=40, time_limit=5.0)

@@ -155,6 +155,7 @@ def test_what_is_saved_is_what_ball_arithmetic_proves(case: Case) -> None:
         assert (Outcome(proved.outcome).name, spelled(proved.surfaces)) == case.proved
 
 
+@pytest.mark.sampled(40)
 @claims("bits")
 def test_all_engines_and_widths_give_the_same_bits(
     engines: dict[str, Simulate], case: Case
@@ -173,6 +174,7 @@ def test_all_engines_and_widths_give_the_same_bits(
             assert same_bits(got.events[name], wanted.events[name]).all(), (engine, name)
 
 
+@pytest.mark.sampled(80)
 @claims("sequence")
 def test_what_is_not_uncertain_is_what_was_proved(case: Case) -> None:
     shots = flown(hoopgen.simulate, case)
@@ -186,6 +188,7 @@ def test_what_double_precision_decides_is_not_called_uncertain(case: Case) -> No
     assert not flown(hoopgen.simulate, case).uncertain[0]
 
 
+@pytest.mark.sampled(80)
 @claims("bounds")
 def test_time_and_state_are_within_their_bounds_of_the_truth(case: Case) -> None:
     shots, proved = flown(hoopgen.simulate, case), proof(CASES.index(case))
@@ -361,6 +364,7 @@ def test_random_shots_do_what_the_judge_proves_or_say_that_they_do_not_know(kind
     holds()
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("kind", SHOTS)
 def test_the_same_holds_for_other_hoops(kind: str) -> None:
     @settings(max_examples=trials(80), deadline=None, derandomize=True, database=None)

@@ -57,6 +57,7 @@ def assert_only_one_is_invalid(simulate: Simulate, batch: Batch, bad: int) -> No
 # ----------------------------------------------------------------------------------- INVALID rows
 
 
+@pytest.mark.sampled(63)
 @pytest.mark.parametrize("bad", [np.nan, np.inf, -np.inf])
 @pytest.mark.parametrize("column", STATE)
 def test_a_state_that_is_not_finite_is_invalid(simulate: Simulate, column: str, bad: float) -> None:
@@ -65,6 +66,7 @@ def test_a_state_that_is_not_finite_is_invalid(simulate: Simulate, column: str, 
     assert_only_one_is_invalid(simulate, batch, 4)
 
 
+@pytest.mark.sampled(70)
 @pytest.mark.parametrize("bad", [np.nan, np.inf, -np.inf])
 @pytest.mark.parametrize("name", NAMES)
 def test_a_parameter_that_is_not_finite_is_invalid(
@@ -75,6 +77,7 @@ def test_a_parameter_that_is_not_finite_is_invalid(
     assert_only_one_is_invalid(simulate, batch, 7)
 
 
+@pytest.mark.sampled(70)
 @pytest.mark.parametrize("bad", [0.0, -0.0, -0.1, -5e-324])
 @pytest.mark.parametrize(
     "name", [n for n in NAMES if n not in ("restitution", "board_bottom", "board_top")]
@@ -120,6 +123,7 @@ def test_a_ball_too_big_for_the_ring_is_invalid(
     assert_only_one_is_invalid(simulate, batch, 5)
 
 
+@pytest.mark.sampled(60)
 @pytest.mark.parametrize(
     "place",
     [

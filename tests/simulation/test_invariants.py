@@ -52,6 +52,7 @@ def normals(log: NDArray[Any]) -> NDArray[np.float64]:
     return np.where((surface == RING)[:, None], ring, fixed[surface])
 
 
+@pytest.mark.sampled(40)
 @each_workload
 @pytest.mark.parametrize("restitution", [0.0, 0.4, 0.7, 1.0])
 def test_no_shot_ends_with_more_energy_than_it_began_with(
@@ -64,6 +65,7 @@ def test_no_shot_ends_with_more_energy_than_it_began_with(
     assert np.all(energy(shots.state) <= start * (1 + 64 * EPS * (1 + shots.contacts)))
 
 
+@pytest.mark.sampled(40)
 @each_workload
 @pytest.mark.parametrize("restitution", [0.0, 0.7, 1.0])
 def test_a_contact_takes_what_rolling_and_restitution_take(
@@ -131,6 +133,7 @@ def test_from_any_contact_on_the_rest_is_the_rest_bit_for_bit(
     )
 
 
+@pytest.mark.sampled(20)
 @pytest.mark.parametrize("restitution", [0.0, 0.5, 0.7])
 @pytest.mark.parametrize("most", [40, 400])
 def test_infinitely_many_hops_take_a_finite_time_and_are_capped(
@@ -151,6 +154,7 @@ def test_infinitely_many_hops_take_a_finite_time_and_are_capped(
     assert np.all(shots.time >= limit * (1 - 3 * restitution**most - 4 * most * EPS))
 
 
+@pytest.mark.sampled(2)
 def test_a_swirl_s_last_hops_take_no_time_at_all(simulate: Simulate) -> None:
     """A capped swirl stays where it is: more contacts do not move it by a micrometre."""
     swirl = next(w for w in WORKLOADS if w.label == "swirl")

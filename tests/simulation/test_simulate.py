@@ -708,6 +708,7 @@ def test_recording_does_not_change_the_results(
         np.testing.assert_array_equal(getattr(plain, name), getattr(recorded, name))
 
 
+@pytest.mark.sampled(30)
 @pytest.mark.parametrize("name", FIELDS + BOUNDS)
 def test_a_field_alone_is_the_field_among_all(simulate: Simulate, mixed: Batch, name: str) -> None:
     some = mixed.take(slice(None, None, 50))

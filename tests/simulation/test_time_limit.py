@@ -33,6 +33,7 @@ def some(mixed: Batch) -> Batch:
     return mixed.take(slice(None, None, 10))
 
 
+@pytest.mark.sampled(7)
 @pytest.mark.parametrize("limit", [0.3, 0.9, 1.4])
 def test_what_ends_before_the_limit_is_as_it_was(
     simulate: Simulate, some: Batch, limit: float
@@ -62,6 +63,7 @@ def test_what_ends_before_the_limit_is_as_it_was(
         assert np.array_equal(ended.at(limit), cut.state[row])
 
 
+@pytest.mark.sampled(3)
 def test_every_engine_gives_the_bits_of_numpy(simulate: Simulate, some: Batch) -> None:
     options: dict[str, Any] = {"time_limit": 0.9, "fields": EVERY, "record": True}
     wanted = hoopgen.simulate(some.states, some.parameters, backend="numpy", **options)

@@ -203,6 +203,7 @@ def test_a_map_over_an_infinite_friction_is_the_shots_themselves(tmp_path: Path)
         assert shot.outcome[0] == code
 
 
+@pytest.mark.slow
 def test_an_optimum_and_its_rival_are_of_the_same_scene() -> None:
     over = ("--over", "speed=7.1:7.2", "--scatter", "speed=0.1", "--shots", 200)
     text = output("optimum", *THROWN, "--preset", "nba", *over, "--json")

@@ -80,6 +80,7 @@ def other(tmp_path_factory: pytest.TempPathFactory) -> Engine:
     return hoopgen.compile(hoopgen.load_scene(path))
 
 
+@pytest.mark.slow
 def test_the_scatter_is_found_with_which_a_share_ends_somewhere(scene: Engine, file: Path) -> None:
     wanted = hoopgen.solve(MODEL, 0.3, scene=scene, by="beyond", shots=SHOTS)
     assert wanted.low < wanted.factor < wanted.high

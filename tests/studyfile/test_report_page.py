@@ -22,6 +22,8 @@ for _library in ("jinja2", "markdown_it", "matplotlib", "pyarrow", "pydantic", "
 from hoopgen.studyfile import run_study, sweeps  # noqa: E402
 from hoopgen.studyfile.page import rendered  # noqa: E402
 
+pytestmark = pytest.mark.xdist_group("report_page")  # the study is run once
+
 HEAD = """\
 [study]
 name = "Free throws"

@@ -41,6 +41,8 @@ from hoopgen.studyfile.reference import reference  # noqa: E402
 from hoopgen.studyfile.report import _text as report_text  # noqa: E402
 from hoopgen.studyfile.schema import KINDS, Question  # noqa: E402
 
+pytestmark = pytest.mark.xdist_group("studyfile")  # the study is run once
+
 DEGREE = np.pi / 180
 
 EXAMPLE = ROOT / "examples" / "free-throw.toml"

@@ -28,6 +28,8 @@ from hoopgen import plots
 from hoopgen.simulation.article import CASES
 from hoopgen.viewer import page, view
 
+pytestmark = pytest.mark.xdist_group("notebook")  # the notebook is run once
+
 DEGREE = np.pi / 180
 PLACE = {"height": 2.1336, "distance": 4.191, "backspin": 6 * np.pi}
 MEAN = {**PLACE, "speed": 7.17, "elevation": 52 * DEGREE}

@@ -614,6 +614,7 @@ def test_a_sample_does_not_hang_on_how_the_table_is_read(table: Path) -> None:
     assert np.array_equal(in_parts.releases.states, whole.releases.states)
 
 
+@pytest.mark.slow
 def test_every_row_is_as_likely(table: Path) -> None:
     from hoopgen.viewer.row_sample import sample
 

@@ -86,6 +86,7 @@ def test_each_body_has_its_own_law_and_constants() -> None:
     assert golf["cup"][1] == r"$e_{\mathrm{cup}}$"
 
 
+@pytest.mark.slow
 def test_equal_numbers_of_two_bodies_stay_two() -> None:
     numbers = values(page())
     assert numbers["bumper_radius"] == numbers["knob_radius"] == "0.1"

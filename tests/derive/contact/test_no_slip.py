@@ -89,7 +89,7 @@ ORDERS = {
 }
 
 
-@pytest.mark.sampled(2)
+@pytest.mark.sampled(1)
 @pytest.mark.parametrize("sizes", ORDERS.values(), ids=list(ORDERS))
 def test_the_mended_eq_7_takes_the_axis_of_the_smallest_component(sizes: tuple[sp.Expr]) -> None:
     mended = contact_frame()
@@ -164,6 +164,7 @@ def test_eq_17_has_one_solution_and_it_satisfies_the_six_equations() -> None:
     assert [sp.simplify(e.subs(after)) for e in equations] == [0] * 6
 
 
+@pytest.mark.sampled(1)
 @AXES
 def test_eq_17_through_the_frame_is_the_frame_free_form_whatever_the_axis(axis: int) -> None:
     frame = frame_from_axis(normal, axis)
@@ -227,6 +228,7 @@ def test_angular_momentum_about_the_contact_point_is_kept() -> None:
     assert all(vanishes(component) for component in turned + moved)
 
 
+@pytest.mark.slow
 def test_a_second_contact_at_once_changes_the_normal_velocity_only() -> None:
     once = [release(m) for m in impact(normal, velocity, spin, BALL, restitution)]
     twice = [release(m) for m in impact(normal, *once, BALL, restitution)]

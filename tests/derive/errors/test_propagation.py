@@ -249,6 +249,7 @@ def test_the_flights_bounds_hold_its_roundings_and_the_errors_of_its_start(
                 assert abs(exactly(component, values)) <= magnitude
 
 
+@pytest.mark.sampled(6)
 @planes
 @flights
 @sometimes
@@ -275,6 +276,7 @@ def test_a_planes_margin_bounds_the_gap_at_its_computed_arrival(
         assert abs(gap) <= exactly(plane_margin(plane, flight), values)
 
 
+@pytest.mark.sampled(6)
 @planes
 @flights
 @sometimes

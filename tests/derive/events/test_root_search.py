@@ -132,6 +132,7 @@ def test_the_ceiling_bounds_the_bend_in_every_window(
 # -- Steps and roots
 
 
+@pytest.mark.sampled(1)
 @searches
 @sometimes(150)
 @given(paths(), parts_of_one)
@@ -149,6 +150,7 @@ def test_a_step_passes_no_root(search: Search, path: Path, part: float) -> None:
         assert exactly(search.gap, values | {"t": t + step}) > -(mpf(10) ** -30)
 
 
+@pytest.mark.slow
 @sometimes(150)
 @given(paths(), parts_of_one)
 def test_a_step_in_doubles_passes_no_root_of_the_true_gap(path: Path, part: float) -> None:
@@ -216,6 +218,7 @@ def refined(refine: Mapping[str, sp.Expr], values: Mapping[str, Any]) -> tuple[m
     raise AssertionError("it does not converge")
 
 
+@pytest.mark.sampled(1)
 @searches
 @sometimes(80)
 @given(paths(), parts_of_one, st.floats(0, 0.49))

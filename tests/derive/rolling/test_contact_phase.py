@@ -231,6 +231,7 @@ def _rolled(shots: hoopgen.Shots) -> NDArray[np.int64]:
 needs_library = pytest.mark.skipif(COURT.library is None, reason="the C engine was not built")
 
 
+@pytest.mark.slow
 @needs_library
 def test_settled_shots_roll_as_a_second_formulation_says() -> None:
     found = rolling.Found()

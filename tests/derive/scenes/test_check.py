@@ -42,6 +42,7 @@ def having(face: Surface) -> Scene:
     return replace(TABLE, bodies=(body(face, TABLE.bodies[0].law),))
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize(
     "scene", [HOOP, CAPS, TABLE, CHAMBER, POSTS, RINGS, CRATE], ids=lambda s: str(s.name)
 )

@@ -95,6 +95,7 @@ def test_the_kernel_finds_what_more_digits_find_or_is_in_doubt() -> None:
     assert set(zip(before.tolist(), wanted, strict=True)) >= {(0, 1), (0, -1), (1, 0), (-1, -1)}
 
 
+@pytest.mark.sampled(1)
 @pytest.mark.parametrize("error", [1e-13, 1e-9, 1e-6])
 def test_what_errors_of_a_state_turn_is_in_doubt(error: float) -> None:
     states, times, before = flights(trials(4000, at_least=2000), seed=2)

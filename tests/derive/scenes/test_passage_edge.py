@@ -11,6 +11,7 @@ from tests.derive.scenes.test_passage import GRAVITY, RADIUS, of_kernels, truth
 from tests.helpers.effort import trials
 
 
+@pytest.mark.sampled(1)
 @pytest.mark.parametrize("error", [1e-12, 1e-8, 1e-5])
 def test_a_passing_near_the_edge_is_in_doubt_if_errors_turn_it(error: float) -> None:
     """Slow falls too, whose time an error of the height changes most."""

@@ -538,7 +538,7 @@ with chunk_store.opened(sys.argv[1], job.identity()) as folder:
 """
 
 
-@pytest.mark.sampled(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("how", [signal.SIGKILL, signal.SIGINT])
 def test_a_run_that_was_stopped_from_outside_keeps_what_is_finished(
     how: signal.Signals, tmp_path: Path, whole: dict[str, bytes]

@@ -112,7 +112,7 @@ def test_what_was_interrupted_is_gone_on_from(
     "change",
     [{"seed": 1}, {"by": "direct"}, {"tolerance": 0.02}, {"margins": []}, {"shots": 5_000}],
 )
-@pytest.mark.sampled(1)
+@pytest.mark.slow
 def test_a_folder_holds_one_search(change: dict[str, Any], tmp_path: Path) -> None:
     options: dict[str, Any] = {"shots": 4_000, "margins": ["azimuth"], "folder": tmp_path}
     over = {"aim": (0.0, 0.1)}

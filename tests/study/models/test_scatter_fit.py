@@ -348,6 +348,7 @@ def test_the_command_fits_and_says_both_intervals(tmp_path: Path) -> None:
     assert "measuring errors: speed (given)" in raw
 
 
+@pytest.mark.slow
 def test_the_command_takes_a_player_a_group(tmp_path: Path) -> None:
     file = write(tmp_path / "shots.csv")
     words = ("estimate", "--from", file, "--height", "7ft", "--distance", "13.75ft", "--fitted")
@@ -359,6 +360,7 @@ def test_the_command_takes_a_player_a_group(tmp_path: Path) -> None:
     assert "give --from" in failure("estimate", "--fitted", *_RELEASE)
 
 
+@pytest.mark.slow
 def test_other_questions_take_the_fitted_scatter_too(tmp_path: Path) -> None:
     file = write(tmp_path / "shots.csv", group=False)
     words = ("--from", file, "--height", "7ft", "--distance", "13.75ft", "--fitted", "--shots", 500)

@@ -414,7 +414,7 @@ def test_the_command_says_where_past_the_centre() -> None:
     assert "2.0 cm short of its centre" in _run("--distance", "4m", "--depth", "-2cm").stdout
 
 
-@pytest.mark.sampled(1)
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("written", "distances"),
     [

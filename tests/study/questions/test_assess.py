@@ -27,6 +27,7 @@ def test_equal_probabilities_allow_what_the_binomial_distribution_does() -> None
     assert found.brier == pytest.approx((25 * 0.3**2 + 15 * 0.7**2) / 40)
 
 
+@pytest.mark.slow
 def test_counts_hold_as_often_as_they_say() -> None:
     random, count, inside = np.random.default_rng(1), trials(400, 200), 0
     p = random.uniform(0.1, 0.95, 60)

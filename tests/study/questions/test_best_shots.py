@@ -21,6 +21,8 @@ from hoopgen.study.questions.best_shots_result import describe_best_shots  # noq
 from tests.helpers.commands import failure, output  # noqa: E402
 from tests.helpers.effort import EFFORT, trials  # noqa: E402
 
+pytestmark = pytest.mark.xdist_group("best_shots")  # the search is made once
+
 PLAYER = Scatter(
     {"height": 2.13, "backspin": 18.0},
     {"speed": 0.07, "elevation": 1.3 * DEGREE, "azimuth": 1.0 * DEGREE},
@@ -89,6 +91,7 @@ def test_left_mirrors_right(found: Any) -> None:
             assert found["azimuth"].values[row] == -found["azimuth"].values[other]
 
 
+@pytest.mark.slow
 def test_the_same_seed_gives_the_same_and_the_second_search_says_how_far(found: Any) -> None:
     again = hoopgen.best_shots(PLAYER, NBA, step=3.0, shots=2_000, threads=1)
     assert again.identical(found)
@@ -114,6 +117,7 @@ def test_what_cannot_be_searched_is_refused(player: Any, options: Any, said: str
         hoopgen.best_shots(player, NBA, **options)
 
 
+@pytest.mark.slow
 def test_the_command_prints_and_draws(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     pytest.importorskip("matplotlib")
     places = court_places(3.0, NBA)

@@ -65,6 +65,7 @@ def test_a_higher_arc_leads_through_the_same_point() -> None:
     assert speed == pytest.approx(PLAYER.release["speed"], rel=1e-12)
 
 
+@pytest.mark.slow
 def test_the_intervals_of_a_fitted_player_contain_the_sample() -> None:
     released = arguments_of(PLAYER.draw(0, 60, 3, NBA).states)
     columns = {name: released[name] for name in ("speed", "elevation", "azimuth")}

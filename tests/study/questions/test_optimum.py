@@ -32,6 +32,8 @@ from hoopgen.study.questions.optimum_result import Optimum
 from hoopgen.study.questions.search import bounds_of
 from hoopgen.study.statistics.intervals import wilson_interval
 
+pytestmark = pytest.mark.xdist_group("optimum")  # each search is made once
+
 DEGREE = np.pi / 180
 SD = {"speed": 0.07, "elevation": 1.3 * DEGREE, "azimuth": 1.0 * DEGREE}
 PLACE = {"height": 2.1336, "distance": 4.191, "backspin": 6 * np.pi}

@@ -36,6 +36,8 @@ from hoopgen.study.statistics.intervals import (  # noqa: E402
 from hoopgen.study.statistics.sample import SampleInterval  # noqa: E402
 from hoopgen.studyfile import run_study  # noqa: E402
 
+pytestmark = pytest.mark.xdist_group("sample")  # the search is made once
+
 DEGREE = np.pi / 180
 HERE = {"backspin": 6 * np.pi, "height": 2.1336, "distance": 4.191}
 AT = {"speed": 7.17, "elevation": 52 * DEGREE, "azimuth": 0.0}
