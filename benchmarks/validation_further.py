@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 import hoopgen
 from benchmarks.report import table
+from benchmarks.validation_contacts import PICTURE, Contacts, first_contacts
 from benchmarks.validation_results import (
     DEGREE,
     FOOT,
@@ -19,7 +20,7 @@ from benchmarks.validation_results import (
     THEIR_AIM,
     THEIR_GAP,
 )
-from hoopgen import NBA, NBA_COURT, PAPER, Scatter
+from hoopgen import NBA, PAPER, Scatter
 from hoopgen.study.questions.bank import bank_or_direct
 from hoopgen.text.numbers import format_percent
 
@@ -32,9 +33,6 @@ NOAH_ENTRY, NOAH_DEPTH, HOOP = 45 * DEGREE, 11 * INCH, 18 * INCH
 
 PLAYERS, THROWS = 72, 21_964
 """Players and throws in McGrath's data."""
-
-_SPEEDS, _ANGLES = (7.0, 8.0), (45.0, 65.0)
-"""m/s and degrees: the map of Okubo and Hubbard."""
 
 _SD = (0.05, 0.13)
 """m/s: standard deviations of the speed among the players of Slegers, Lee and Wong."""
@@ -60,7 +58,7 @@ class Further:
     theirs: Any
     ends: Mapping[str, float]
     leads: Sequence[tuple[float, float, float, float, float]]
-    contacts: Mapping[str, float]
+    contacts: Contacts
     command: tuple[float, float, float]
     rolls: tuple[float, float, float]
 
@@ -82,7 +80,7 @@ def further(shots: int) -> Further:
     measured = hoopgen.measure(state, flown, PAPER, ("entry_angle", "depth"))
     ends = {name: float(one[0]) for name, one in measured.items()}
     return Further(
-        best, noah, theirs, ends, _leads(shots // 5), _first_contacts(), _command(), _steady_rolls()
+        best, noah, theirs, ends, _leads(shots // 5), first_contacts(), _command(), _steady_rolls()
     )
 
 
@@ -103,17 +101,6 @@ def roll(a: Any, rate: Any, speed: Any, spin: Any) -> tuple[Any, Any, Any, Any]:
     turn = speed / (ring + radius * np.cos(a))
     push = -speed * turn * np.sin(a) + (0.4 * spin * turn - 0.6 * g) * np.cos(a)
     return rate, push / radius, rate * (radius * turn * np.sin(a) - 0.4 * spin), ring * rate * turn
-
-
-def _first_contacts() -> dict[str, float]:
-    """Return the shares of a grid of free throws by the body touched first."""
-    speed, angle = np.meshgrid(np.linspace(*_SPEEDS, 401), np.linspace(*_ANGLES, 401))
-    states = hoopgen.release(speed.ravel(), angle.ravel() * DEGREE, **LINE)
-    shots = hoopgen.simulate(states, NBA_COURT, scene=hoopgen.COURT, fields=("first",))
-    names = [*hoopgen.COURT.surfaces, "none"]
-    return {name: float(np.mean(shots.first == k)) for k, name in enumerate(names[:-1])} | {
-        "none": float(np.mean(shots.first == -1))
-    }
 
 
 def _command(seed: int = 1) -> tuple[float, float, float]:
@@ -177,7 +164,9 @@ def section(found: Further) -> list[str]:
     aside = [one for one in found.leads if one[1] == 45.0]
     first, spread, few = found.command
     low, high, speed = found.rolls
-    touched = ", ".join(f"{name} {format_percent(one)}" for name, one in found.contacts.items())
+    contacts = found.contacts
+    touched = ", ".join(f"{name} {format_percent(one)}" for name, one in contacts.shares().items())
+    near, far = contacts.ends()
     rows = [
         [
             "Noah's 45/11",
@@ -207,11 +196,14 @@ def section(found: Further) -> list[str]:
         ],
         [
             "Okubo and Hubbard's first contacts",
-            "regions of ring, board and bridge over 7 to 8 m/s and 45° to 65°; the text that we "
-            "could read has lost the limits of the regions, the spin and the height",
-            f"shares of that box, `NBA_COURT`, our free throw: {touched}",
-            "All three bodies occur, as in theirs. The areas are not compared, as theirs cannot be "
-            "had.",
+            "a map of regions, with bridge and board among them, over speeds from 7 m/s and angles "
+            "from 45° to 65°; the text that we could read has lost the digits of the largest speed "
+            "(8 or more), the spin, the release point and the limits of the regions",
+            f"shares of the box up to 8 m/s, `NBA_COURT`, our free throw: {touched}; "
+            f"{format_percent(float(contacts.made.mean()))} go in, rebounds come down at "
+            f"{near:.1f} to {far:.1f} m (picture below)",
+            "Board and bridge occur, as in theirs, and the bridge is a narrow band between the "
+            "back of the ring and the board. The areas are not compared, as theirs cannot be had.",
         ],
         [
             "McGrath's command",
@@ -250,6 +242,7 @@ def section(found: Further) -> list[str]:
             line.replace("---:", "---")
             for line in table(["", "theirs", "hoopgen", "agreement, and why"], rows)
         ),
+        *PICTURE,
     ]
 
 
