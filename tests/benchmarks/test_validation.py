@@ -226,3 +226,14 @@ def test_the_map_of_first_contacts_is_that_of_single_shots() -> None:
     page = (ROOT / "docs" / "validation.md").read_text(encoding="utf-8")
     assert f"nothing {100 * shares['nothing']:.1f}%, front of the ring" in page
     assert f"bridge {100 * shares['bridge']:.1f}%; " in page
+
+
+def test_one_or_two_factors_differ_for_most_players() -> None:
+    """As the page says."""
+    found = validation_further.differing_factors()
+    page = (ROOT / "docs" / "validation.md").read_text(encoding="utf-8")
+    counts = [f"{said} {found[name].sum()}" for name, said in validation_further.FACTORS.items()]
+    assert ", ".join(counts) in page
+    few = np.sum(list(found.values()), axis=0)
+    assert f"one or two factors differ for {np.sum((few == 1) | (few == 2))} players" in page
+    assert found["speed"].sum() > 3 * found["height"].sum()
