@@ -45,7 +45,7 @@ FACTORS = {
     "backspin": "backspin",
     "height": "height",
 }
-"""What they compare between makes and misses, by variable."""
+"""Names of the factors that they compare between makes and misses, by variable."""
 
 _SD = (0.05, 0.13)
 """m/s: standard deviations of the speed among the players of Slegers, Lee and Wong."""
