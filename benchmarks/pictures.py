@@ -138,6 +138,12 @@ def aim_points() -> Figure:
     return plot_aim_points(dataset, SCENE)
 
 
+def best_shots() -> Figure:
+    """Draw the best shot from each place of the half court, in the scene of a real ball."""
+    found = hoopgen.best_shots(None, hoopgen.NBA_COURT, scene=hoopgen.COURT, shots=1_000)
+    return hoopgen.plots.plot_best_shots(found)
+
+
 # Shots in the scenes of examples/scenes: x y z, vx vy vz, wx wy wz, and contacts at most.
 OWN: Mapping[str, tuple[tuple[float, ...], int | None]] = {
     "netball": ((1.6, 0.258, -0.35, -2.317, -0.301, 4.649, 0.0, -12.0, 0.0), None),
@@ -200,6 +206,7 @@ PICTURES: Mapping[str, Callable[[], Figure]] = {
     "fan": fan,
     "landings": landings,
     "aim-points": aim_points,
+    "best-shots": best_shots,
 }
 
 

@@ -7,7 +7,7 @@ gives the same bytes.
 import argparse
 from pathlib import Path
 
-from benchmarks import validation_further
+from benchmarks import validation_contacts, validation_further
 from benchmarks.report import section_of, with_section
 from benchmarks.validation_coverage import HEADING, counts, section
 from benchmarks.validation_page import page, throw_picture
@@ -41,8 +41,7 @@ def main() -> None:
     file = arguments.out / "validation.md"
     shots = 1_000 if arguments.quick else 20_000
     if arguments.only == "further":
-        lines = validation_further.section(validation_further.further(shots))
-        write(file, with_section(file.read_text("utf-8"), lines))
+        write(file, with_section(file.read_text("utf-8"), _further(shots, arguments.out)))
         return
     if arguments.only == "literature":
         coverage = section_of(file.read_text("utf-8"), HEADING)
@@ -59,8 +58,14 @@ def main() -> None:
     save(throw_picture(results), arguments.out / "validation-throws.svg")
     save(plot_aim_points(results.banks.places, PAPER), arguments.out / "validation-bank.svg")
     save(picture(results.bounces), arguments.out / "validation-bounces.svg")
-    more = validation_further.section(validation_further.further(shots))
-    write(file, page(results, coverage, more))
+    write(file, page(results, coverage, _further(shots, arguments.out)))
+
+
+def _further(shots: int, out: Path) -> list[str]:
+    """Return the section on further results, and draw its picture."""
+    found = validation_further.further(shots)
+    save(validation_contacts.picture(found.contacts), out / "validation-contacts.svg")
+    return validation_further.section(found)
 
 
 if __name__ == "__main__":

@@ -25,11 +25,13 @@ from .command import command
 from .messages import echo_json, examples, shown
 from .options import UNITS_IN_WORDS, json_option, picture_option, units_option
 from .question_options import question_options
-from .release_options import Releasing, from_option, hoop_release_options, place_needs
+from .release_options import Releasing, from_option, place_needs, release_options
 from .types import number_cell
 
 if TYPE_CHECKING:
     import xarray as xr
+
+    from hoopgen.simulation.engine import Engine
 
 _PLACE_VARIABLES = ("distance", "angle", "x", "y")
 
@@ -49,7 +51,7 @@ _SCATTER = "--scatter speed=0.07 --scatter elevation=1.3deg --scatter azimuth=1d
         f"    --x 1.5m --y 2.6m --height 7ft {_SCATTER}",
     ),
 )
-@hoop_release_options
+@release_options
 @from_option
 @question_options(BankQuestion, optional=("places",))
 @picture_option("board and the floor")
@@ -78,11 +80,12 @@ def bank(
     values = {n: value for n, value in releasing.values.items() if n not in _PLACE_VARIABLES}
     model, parameters = replace(releasing, values=values).model(over=over)
     with shown() as progress:
-        dataset = bank_or_direct(model, spots, parameters, over=over, progress=progress, **work)
+        work |= {"scene": releasing.engine, "progress": progress}
+        dataset = bank_or_direct(model, spots, parameters, over=over, **work)
     if picture is not None:
         hoopgen.plots.save(hoopgen.plots.plot_aim_points(dataset, parameters), picture)
     if as_json:
-        echo_json(_record(dataset))
+        echo_json(_record(dataset, releasing.engine))
     else:
         click.echo(_text(dataset))
 
@@ -172,15 +175,18 @@ def _many(dataset: xr.Dataset) -> str:
     return table(head, rows, right=range(len(head)), groups=groups)
 
 
-def _record(dataset: xr.Dataset) -> dict[str, Any]:
+def _record(dataset: xr.Dataset, engine: Engine) -> dict[str, Any]:
     """Return all numbers; names have their units."""
-    from hoopgen.study.named_units import in_units
+    from hoopgen.study.named_units import named
 
     places = [dataset.isel(place=place) for place in range(dataset.sizes["place"])]
     record = {
         "places": [_place(here) for here in places],
         **{name: dataset.attrs[name] for name in ("confidence", "shots", "source")},
-        "parameters": in_units(json.loads(dataset.attrs["parameters"])),
+        "parameters": {
+            named(name, engine): value
+            for name, value in json.loads(dataset.attrs["parameters"]).items()
+        },
         **describe_dataset(dataset),
     }
     return {name: for_json(value) for name, value in record.items()}

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -9,7 +10,8 @@ from typing import TYPE_CHECKING, Any
 import click
 
 import hoopgen
-from hoopgen.core.units import DEGREE, display_unit
+from hoopgen.core.units import DEGREE, column_name, display_unit
+from hoopgen.report.quantities import for_json
 from hoopgen.study.questions.measured_specification import BestQuestion
 from hoopgen.study.questions.settings import TableSettings
 from hoopgen.text.numbers import format_interval, format_percent
@@ -20,22 +22,25 @@ from .messages import echo_json, echo_lines, examples, shown
 from .options import json_option, picture_option, preset_options, units_option
 from .player_option import fitted_player, from_table
 from .question_options import question_options, setting_options
-from .scene_option import engine_of, no_scene_option, parameters_of
+from .scene_option import engine_of, parameters_of, scene_option
 
 if TYPE_CHECKING:
     import xarray as xr
+
+    from hoopgen.simulation.engine import Engine
 
 
 @command(
     epilog=examples(
         "hoopgen best --makes 70% --preset nba --picture best.svg",
         "hoopgen best --makes 80% --preset fiba --step 1m --units us",
+        "hoopgen best --scene court --preset nba --step 3m --shots 2000",
         "hoopgen best --from my_shots.csv --where 'player == Ann' --preset nba --json",
     )
 )
 @from_table
 @setting_options(TableSettings, only="where")
-@no_scene_option
+@scene_option
 @preset_options
 @question_options(BestQuestion)
 @picture_option("half court with each place's best shot")
@@ -65,11 +70,11 @@ def best(
     elif where:
         raise click.UsageError("--where: there is no table; give --from")
     with shown() as progress:
-        found = hoopgen.best_shots(player, parameters, progress=progress, **options)
+        found = hoopgen.best_shots(player, parameters, scene=engine, progress=progress, **options)
     if picture is not None:
         hoopgen.plots.save(hoopgen.plots.plot_best_shots(found), picture)
     if as_json:
-        echo_json(_record(found))
+        echo_json(_record(found, engine))
     else:
         echo_lines(_text(found))
     if read:
@@ -103,10 +108,22 @@ def _text(found: xr.Dataset) -> str:
     )
 
 
-def _record(found: xr.Dataset) -> dict[str, Any]:
-    columns = {str(name): found[name].values.tolist() for name in ("x", "y", *found.data_vars)}
+def _record(found: xr.Dataset, engine: Engine) -> dict[str, Any]:
+    """Return all numbers; names have their units."""
+    from hoopgen.study.named_units import in_units, named
+
+    columns = {
+        column_name(str(name), found[name].attrs["units"]): found[name].values.tolist()
+        for name in ("x", "y", *found.data_vars)
+    }
     clean = {
         name: [None if value != value else value for value in column]
         for name, column in columns.items()
     }
-    return {"places": clean, **{str(name): value for name, value in found.attrs.items()}}
+    said = {str(name): value for name, value in found.attrs.items()}
+    player, parameters = (json.loads(said.pop(name)) for name in ("player", "parameters"))
+    nested = {
+        "player": in_units(player),
+        "parameters": {named(name, engine): value for name, value in parameters.items()},
+    }
+    return {"places": clean, "step_m": said.pop("step"), **said, **for_json(nested)}

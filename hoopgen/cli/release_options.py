@@ -30,7 +30,6 @@ from .question_options import setting_options, together
 from .scene_option import (
     engine_of,
     given,
-    no_scene_option,
     own_needs,
     own_options,
     state_given,
@@ -270,15 +269,6 @@ def _spelled(name: str) -> str:
 
 def release_options(command: Callable[..., Any]) -> Callable[..., Any]:
     """Add the options of a release, its scatter and the scene; give `releasing` to the command."""
-    return _release_options(command, own_options)
-
-
-def hoop_release_options(command: Callable[..., Any]) -> Callable[..., Any]:
-    """Add those of `release_options`, for a command whose question is a hoop's."""
-    return _release_options(command, no_scene_option)
-
-
-def _release_options(command: Callable[..., Any], scene: Any) -> Callable[..., Any]:
 
     @functools.wraps(command)
     def collected(*arguments: Any, parameters: Mapping[str, float], **options: Any) -> Any:
@@ -294,7 +284,7 @@ def _release_options(command: Callable[..., Any], scene: Any) -> Callable[..., A
         return command(*arguments, releasing=releasing, **options)
 
     variables = map(variable_option, VARIABLE_HELP)
-    options = (*variables, place_option, scene, *_SCATTER, scene_options)
+    options = (*variables, place_option, own_options, *_SCATTER, scene_options)
     decorated: Callable[..., Any] = together(*options)(collected)
     return decorated
 

@@ -203,7 +203,9 @@ def _join_ends(names: list[str]) -> str:
 
 
 def _default_note(dataset: xr.Dataset, parameters: Mapping[str, float]) -> str:
-    return sentences({**describe_dataset(dataset), "scene": describe_hoop(parameters)}, scene=True)
+    described = describe_dataset(dataset)
+    scene = described.get("scene") if "scene_sha256" in dataset.attrs else describe_hoop(parameters)
+    return sentences({**described, "scene": str(scene)}, scene=True)
 
 
 def _draw(

@@ -10,7 +10,6 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.colors import Normalize
 from matplotlib.patches import Rectangle
-from matplotlib.patheffects import withStroke
 
 from hoopgen.core.units import DEGREE, display_unit
 from hoopgen.hoop.court_lines import find_court
@@ -101,7 +100,7 @@ def _draw(dataset: xr.Dataset, title: str, axes: Axes) -> None:
                 ha="center",
                 va="center",
                 zorder=4.0,
-                path_effects=[withStroke(linewidth=4.0, foreground=colour)],  # over the lines
+                bbox={"fc": colour, "ec": "none", "pad": 0.8},  # over the lines
             )
     draw_floor(axes, panel, court, parameters, over=True)
     head = title or "Best shot from each place: share made, angle and speed at release"

@@ -25,6 +25,7 @@ __all__ = [
     "SceneLike",
     "check_article",
     "check_hoop",
+    "check_parabolas",
     "outcomes_of",
     "variables_of",
 ]
@@ -165,6 +166,27 @@ def check_hoop(what: str, scene: Any) -> None:
         f"{what}: its question is a hoop's, and {said} has none; estimate, compare, map, optimum, "
         "batch, simulate, certify, plot and view take any scene"
     )
+
+
+def check_parabolas(what: str, scene: Any) -> None:
+    """Refuse a scene without a hoop, and one in whose air no flight is a parabola.
+
+    Parameters
+    ----------
+    what, scene
+        As for `check_hoop`.
+
+    Raises
+    ------
+    ValueError
+        If the scene is one of these.
+    """
+    check_hoop(what, scene)
+    if scene is not None and scene.kernels.PIECES:
+        raise ValueError(
+            f"{what}: it aims along parabolas, and the scene {scene.name} has air; expected "
+            "hoopgen.HOOP or hoopgen.COURT"
+        )
 
 
 def check_article(what: str, scene: Any) -> None:

@@ -16,8 +16,11 @@ from numpy.typing import NDArray
 from hoopgen import plots
 from hoopgen.core.files import write
 from hoopgen.report.quantities import format_launch, format_range, format_variable
-from hoopgen.scene.lookup import check_article
+from hoopgen.scene.lookup import check_article, check_parabolas
+from hoopgen.simulation.engine import Engine
+from hoopgen.simulation.hoop import HOOP
 from hoopgen.study.jobs.chunks import preparing, run
+from hoopgen.study.jobs.monte_carlo import scene_identity
 from hoopgen.study.models.resample import Resample
 from hoopgen.study.models.scatter import Scatter
 from hoopgen.study.named_units import in_units
@@ -108,6 +111,7 @@ class _Places:
     model: Scatter | Resample
     parameters: Mapping[str, float]
     arguments: Mapping[str, Any]
+    scene: Engine = HOOP
 
     @property
     def chunks(self) -> int:
@@ -120,22 +124,24 @@ class _Places:
             "places": self.places,
             "model": self.model.identity(),
             "parameters": self.parameters,
+            **scene_identity(self.scene),
             **self.arguments,
         }
 
     def compute(self, chunk: int) -> pa.Table:
         """Return the dataset of a place, as the bytes of its netCDF file."""
         places = [self.places[chunk]]
-        found = bank_or_direct(self.model, places, self.parameters, threads=1, **self.arguments)
+        options = {"scene": self.scene, "threads": 1, **self.arguments}
+        found = bank_or_direct(self.model, places, self.parameters, **options)
         return pa.table({"dataset": [bytes(found.to_netcdf(engine="scipy"))]})
 
 
 def ask_bank(context: Context, question: BankQuestion, **work: Any) -> xr.Dataset:
     """Compare bank and direct shots, a chunk each place."""
-    check_article("bank", context.engine)
+    check_parabolas("bank", context.engine)
     model = context.setting.model((*question.over, "distance", "angle", "x", "y"))
     places = tuple((x, y) for x, y in places_of(question.places).tolist())
-    job = _Places(places, model, context.setting.parameters, context.arguments)
+    job = _Places(places, model, context.setting.parameters, context.arguments, context.engine)
     with preparing():
         job.compute(0)
     datasets = [_read(table) for table in run(job, **work)]

@@ -15,7 +15,12 @@ for needed in ("matplotlib", "pyarrow", "scipy", "xarray"):
     pytest.importorskip(needed)
 
 import hoopgen  # noqa: E402
-from benchmarks import validation_court, validation_further, validation_page  # noqa: E402
+from benchmarks import (  # noqa: E402
+    validation_contacts,
+    validation_court,
+    validation_further,
+    validation_page,
+)
 from benchmarks import validation_results as validation  # noqa: E402
 from benchmarks.report import section_of, with_section  # noqa: E402
 from hoopgen.plots import save  # noqa: E402
@@ -95,7 +100,8 @@ def test_the_page_on_file_is_of_these_sources() -> None:
     text = (ROOT / "docs" / "validation.md").read_text(encoding="utf-8")
     said = validation_page.closed_forms(validation.closed_forms(), validation.smallest_entries())
     assert "\n".join(said) in text
-    for picture in ("validation-throws.svg", "validation-bank.svg"):
+    for picture in ("throws", "bank", "bounces", "contacts"):
+        picture = f"validation-{picture}.svg"
         assert f"({picture})" in text
         assert (ROOT / "docs" / picture).exists()
 
@@ -197,3 +203,37 @@ def test_the_page_has_the_further_results() -> None:
     first, last, speed = validation_further._steady_rolls()
     said = f"stable and in contact from {math.degrees(first):.1f}° to {math.degrees(last):.1f}°"
     assert any(said in line and f"{speed:.3f} m/s" in line for line in lines)
+
+
+def test_the_map_of_first_contacts_is_that_of_single_shots() -> None:
+    found = validation_contacts.first_contacts(21)
+    names = np.array(validation_contacts.NAMES)
+    assert set(names[found.first].ravel()) == set(names)
+    for row, column in np.ndindex(found.first.shape):
+        release = validation.LINE | {"speed": found.speed[column]}
+        state = hoopgen.release(**release, elevation=found.angle[row] * validation.DEGREE)
+        shots = hoopgen.simulate(state, hoopgen.NBA_COURT, scene=hoopgen.COURT, record=True)
+        first = shots.events[:1]
+        name = "nothing"
+        if first["surface"][0] < len(hoopgen.COURT.surfaces):
+            name = hoopgen.COURT.surfaces[first["surface"][0]]
+        if name == "ring":
+            name = f"{'front' if first['before'][0, 0] > 0.0 else 'back'} of the ring"
+        assert names[found.first[row, column]] == name
+        assert found.made[row, column] == shots.made[0]
+        assert np.isfinite(found.landing[row, column]) == (shots.outcome[0] == 1)
+    shares = validation_contacts.first_contacts().shares()
+    page = (ROOT / "docs" / "validation.md").read_text(encoding="utf-8")
+    assert f"nothing {100 * shares['nothing']:.1f}%, front of the ring" in page
+    assert f"bridge {100 * shares['bridge']:.1f}%; " in page
+
+
+def test_one_or_two_factors_differ_for_most_players() -> None:
+    """As the page says."""
+    found = validation_further.differing_factors()
+    page = (ROOT / "docs" / "validation.md").read_text(encoding="utf-8")
+    counts = [f"{said} {found[name].sum()}" for name, said in validation_further.FACTORS.items()]
+    assert ", ".join(counts) in page
+    few = np.sum(list(found.values()), axis=0)
+    assert f"one or two factors differ for {np.sum((few == 1) | (few == 2))} players" in page
+    assert found["speed"].sum() > 3 * found["height"].sum()

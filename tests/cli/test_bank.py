@@ -205,7 +205,7 @@ def test_what_is_wrong_shows_before_a_folder_is_made(tmp_path: Path) -> None:
             [*SIDE, "--elevation", "50deg", "--over", "elevation"],
             "--elevation and --over elevation: leave one out",
         ),
-        ([*SIDE, "--scene", "court"], "hoopgen bank: its question is a hoop's"),
+        ([*SIDE, "--scene", "air"], "it aims along parabolas, and the scene air has air"),
         ([*SIDE, "--over", "pace"], "'pace' is none of"),
         ([*SIDE, "--picture", "bank.txt"], "bank.txt"),
     ],
@@ -215,6 +215,16 @@ def test_what_is_wrong_on_the_command_line_is_said(more: list[str], said: str) -
     assert (result.exit_code, result.stdout) == (2, "")
     assert said in result.stderr
     assert result.stderr.count("\n") == 1
+
+
+def test_the_whole_hoop_is_a_scene_too() -> None:
+    words = (*SIDE, "--scene", "court", "--preset", "nba", "--over", "aim", "--shots", "100")
+    elevated = (*words, "--elevation", "52deg")
+    assert "scene    court, NBA\n" in output(*BANK, *elevated)
+    record = json.loads(output(*BANK, *elevated, "--json"))
+    assert record["scene"] == "court, NBA"
+    assert record["parameters"]["board_thickness_m"] == hoopgen.NBA_COURT["board_thickness"]
+    assert record["parameters"]["ring_friction"] == 0.5
 
 
 def test_what_is_given_is_not_searched_over() -> None:

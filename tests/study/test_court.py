@@ -133,15 +133,32 @@ def test_studies_refuse_what_may_not_be_infinite() -> None:
 
 def test_questions_of_the_article_s_hoop_say_so_in_a_line() -> None:
     assert "its question is a hoop's, the article's" in failure("aim", "--scene", "court")
-    model = Scatter(PLACE, SD)
     asked: list[tuple[str, Any]] = [
         ("aim", lambda: hoopgen.aim(height=2.1, distance=4.2, scene=COURT)),
         ("margins", lambda: hoopgen.margins(MODEL, scene=COURT)),
-        ("bank_or_direct", lambda: hoopgen.bank_or_direct(model, [[4.2, 0]], scene=COURT)),
     ]
     for name, ask in asked:
         with pytest.raises(ValueError, match=rf"^{name}: it is computed for HOOP.* scene court"):
             ask()
+
+
+def test_bank_shots_on_the_whole_hoop_have_the_shares_of_estimates() -> None:
+    places = [[1.5, 2.6]]
+    parameters = NBA_COURT | {"backboard_restitution": 0.75}
+    release = {"height": 2.13, "backspin": 18.0}
+    model = Scatter(release, SD)
+    found = hoopgen.bank_or_direct(model, places, parameters, scene=COURT, shots=1_000)
+    assert found.attrs["scene"] == "court, NBA, backboard_restitution 0.75"
+    for way in ("direct", "bank"):
+        best = found.sel(way=way).isel(place=0)
+        one = {name: best[name].item() for name in ("speed", "elevation", "azimuth")}
+        one |= {name: best[name].item() for name in ("distance", "angle")}
+        drawn = Scatter({**release, **one}, SD).draw(0, 20_000, 7, parameters)
+        shots = hoopgen.simulate(drawn.states, drawn.parameters, scene=COURT)
+        banked = shots.first == COURT.surfaces.index("backboard")
+        share = np.mean(shots.made & (banked == (way == "bank")))
+        assert abs(share - best["probability"].item()) < 5 * 0.016
+    hoopgen.plots.plot_aim_points(found, parameters)
 
 
 # -- Studies

@@ -277,10 +277,11 @@ def test_releases_at_a_hoop_are_refused_where_there_is_none(scene: Engine) -> No
             asked(model, scene=scene)
 
 
-@pytest.mark.parametrize("name", ["aim", "bank_or_direct", "margins"])
+@pytest.mark.parametrize("name", ["aim", "bank_or_direct", "best_shots", "margins"])
 def test_what_only_a_hoop_has_says_so_in_a_line(name: str, scene: Engine) -> None:
+    given = (Scatter({}), [[4.2, 0.0]]) if name == "bank_or_direct" else ()
     with pytest.raises(ValueError, match=f"{name}: its question is a hoop's") as refused:
-        getattr(hoopgen, name)(scene=scene)
+        getattr(hoopgen, name)(*given, scene=scene)
     assert "ledge" in str(refused.value)
     assert "\n" not in str(refused.value)
 

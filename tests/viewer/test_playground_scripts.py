@@ -233,7 +233,10 @@ def test_misses_land_and_flights_enter_where_free_flight_leads(scatter: Any) -> 
 
 CHANGES = """
 given.map(({ release, vary }) =>
-  vary.map((name) => [...study.change(name, { release, parameters: spec.presets.nba })].at(-1)))
+  vary.map((name) => {
+    const question = { release, parameters: spec.presets.nba, patience: Infinity };
+    return [...study.change(name, question)].at(-1);
+  }))
 """
 
 
@@ -243,6 +246,46 @@ def ends(release: dict[str, float], name: str, value: float | None = None) -> bo
     if value is not None:
         (own if name in own else parameters)[name] = value
     return bool(hoopgen.simulate(hoopgen.release(**own), parameters).made[0])
+
+
+LOOK = """
+given.map(({ ends, patience }) => {
+  let [tried, furthest] = [0, 0];
+  const run = function* (values, late = () => false) {
+    yield;
+    if (late()) return null;
+    tried += values.length;
+    furthest = Math.max(furthest, ...values.map(Math.abs));
+    return { made: values.map((x) => x < ends[0] || x > ends[1]), marks: values.map(() => "1") };
+  };
+  const ranges = { away: { x: 1 }, limits: {} };
+  const late = () => tried > patience;
+  const steps = Nearest.change("x", 0, false, run, ranges, { late });
+  let last = steps.next();
+  while (!last.done) last = steps.next();
+  return [last.value, tried, furthest];
+})
+"""
+
+
+def test_a_change_is_looked_for_outwards_and_no_further_than_patience() -> None:
+    """A result that is another below one value and above another one."""
+    unlimited = 1e9
+    asked = [[-0.3, 0.2], [-0.02, 0.5], [-2.0, 2.0], [-0.3, 2.0]]
+    told = [{"ends": ends, "patience": unlimited} for ends in asked]
+    right, left, none, alone = computed(LOOK, told)
+    for (found, tried, furthest), edge in ((right, 0.2), (left, -0.02), (alone, -0.3)):
+        # Down to neighbouring doubles, and not much further than the change.
+        assert found["changed"] == np.nextafter(found["unchanged"], 2.0 * edge)
+        assert edge in (found["changed"], found["unchanged"])
+        assert furthest < 3.0 * abs(edge)  # a block of values further
+        assert tried < 4500
+        assert "within" not in found
+    assert none[0] == {"name": "x", "value": 0}
+    assert none[2] == 1.0
+    ((late, _, furthest),) = computed(LOOK, [{"ends": [-0.3, 0.2], "patience": 1000}])
+    assert set(late) == {"name", "value", "within"}
+    assert 0.0 < late["within"] <= furthest < 0.2
 
 
 @pytest.mark.slow

@@ -17,12 +17,13 @@ from hoopgen.core.extras import version
 from hoopgen.core.memory import check_room
 from hoopgen.core.parameters import ParameterValues
 from hoopgen.core.validation import as_doubles, check_count
+from hoopgen.engine.compiled_scene import CompiledScene
 from hoopgen.engine.elementary import sine_cosine
-from hoopgen.hoop.presets import NAMES, PAPER
 from hoopgen.hoop.variables import ARGUMENTS, VARIABLES, change_variables
-from hoopgen.report.provenance import describe_hoop, model_attributes
-from hoopgen.study.article_only import of_hoop
-from hoopgen.study.jobs.monte_carlo import Progress
+from hoopgen.report.provenance import describe_scene, describe_setting, model_attributes
+from hoopgen.scene.lookup import SceneLike, check_parabolas
+from hoopgen.simulation.lookup import engine_of
+from hoopgen.study.jobs.monte_carlo import Progress, scene_identity
 from hoopgen.study.jobs.objective import Bounds, By, Player, Successes, arguments_of, paired
 from hoopgen.study.jobs.process_pool import task_runner
 from hoopgen.study.models.random import check_two_seeds
@@ -67,12 +68,12 @@ _SHOT = 48
 Floats = NDArray[np.float64]
 
 
-@of_hoop
 def bank_or_direct(
     model: Scatter | Resample,
     places: ArrayLike,
-    parameters: ParameterValues = PAPER,
+    parameters: ParameterValues | None = None,
     *,
+    scene: SceneLike = None,
     over: Mapping[str, Bounds | None] | Sequence[str] = _OVER,
     shots: int = 20_000,
     seed: int = 0,
@@ -90,6 +91,8 @@ def bank_or_direct(
         The player, as for `optimum`; the places take the place of its own.
     places
         x and y on the floor, (n, 2), m; the ring's centre at 0, 0, the board at negative x.
+    scene
+        As for `optimum`: the article's hoop or `COURT`, whose flights are parabolas.
     parameters, over, shots, seed, confidence, threads, folder, scheduler, progress
         As for `optimum`.
 
@@ -116,13 +119,15 @@ def bank_or_direct(
     TypeError, ValueError
         If an argument is not as described.
     """
+    engine = engine_of(scene)
+    check_parabolas("bank_or_direct", engine)
     spots = as_doubles("places", places)
     if spots.ndim != 2 or spots.shape[1] != 2 or not len(spots):
         raise ValueError(f"places: expected x and y, shape (n, 2), got shape {spots.shape}")
     check_two_seeds(seed)
     check_kept(shots)
     over = over if isinstance(over, Mapping) else (over,) if isinstance(over, str) else tuple(over)
-    players = [scattering(model, over, parameters, way) for way in WAYS]
+    players = [scattering(model, over, parameters, way, engine) for way in WAYS]
     if isinstance(model, Resample):
         check_folds(model)
     question = _Question(
@@ -141,6 +146,7 @@ def bank_or_direct(
             "over": over if isinstance(over, Mapping) else dict.fromkeys(over),
             "parameters": players[0].parameters,
         },
+        **scene_identity(engine),
         "shots": question.shots,
         "seed": seed,
     }
@@ -226,7 +232,8 @@ class _Question:
         else:
             low, high = wilson_interval(both.made, both.valid, self.confidence)
             difference, least, most = paired(banked, straight, self.confidence)
-        released = (*ARGUMENTS, *(name for name in self.over if name in ("aim", *NAMES)))
+        own = self.players[0].parameters
+        released = (*ARGUMENTS, *(name for name in self.over if name in ("aim", *own)))
         answer = {name: np.array([direct[name], bank[name]]) for name in released}
         answer |= {"probability": both.share, "low": low, "high": high}
         answer |= {"invalid": len(straight.made) - both.valid}
@@ -234,7 +241,7 @@ class _Question:
             "difference": difference,
             "difference_low": least,
             "difference_high": most,
-            **on_board(bank, {name: bank[name] for name in NAMES}),
+            **on_board(bank, {name: bank[name] for name in own}, self.players[0].scene),
             **{name: bank[name] for name in NOWHERE},
         }
         return answer | {name: np.asarray(value) for name, value in single.items()}
@@ -298,21 +305,34 @@ def _dataset(spots: Floats, columns: Mapping[str, Floats], question: _Question) 
     coordinates = {"way": list(WAYS)} | {
         name: ("place", spots[:, k], _attributes(*named[name])) for k, name in enumerate("xy")
     }
-    same, by_row = alike(question.model), scene_by_row(question.model, NAMES)
+    engine, own = question.players[0].scene, question.players[0].parameters
+    same, by_row = alike(question.model), scene_by_row(question.model, own)
     parameters = question.players[0].at(same).parameters
     scene = {n: v for n, v in parameters.items() if n not in (*question.over, *by_row)}
     attributes = {
         "source": f"hoopgen {version()}",
-        "scene": describe_hoop(scene, by_row),
+        "scene": describe_scene(engine, scene, by_row),
         "parameters": json.dumps(scene),
-        "release": json.dumps({n: v for n, v in same.items() if n not in NAMES}),
+        "release": json.dumps({n: v for n, v in same.items() if n not in own}),
         **model_attributes(question.model.identity()),
+        **_own_scene(question, engine, scene),
         "confidence": question.confidence,
         "interval": _INTERVAL[isinstance(question.model, Resample)],
         "shots": question.shots,
         "seed": str(question.seed),
     }
     return xr.Dataset(data, coordinates, attributes)
+
+
+def _own_scene(
+    question: _Question, engine: CompiledScene, scene: Mapping[str, float]
+) -> dict[str, str]:
+    """Return the attributes that a scene other than the article's is described by."""
+    if engine.is_hoop:
+        return {}
+    said = describe_setting({**question.model.identity(), "parameters": scene}, engine)
+    named = {f"said_{name}": said[name] for name in ("release", "scatter") if said.get(name)}
+    return {"scene_sha256": engine.identity["sha256"], **named}
 
 
 def _attributes(units: str, long_name: str) -> dict[str, str]:

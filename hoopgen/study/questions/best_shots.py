@@ -17,17 +17,17 @@ from numpy.typing import NDArray
 from hoopgen.core.parameters import ParameterValues
 from hoopgen.core.validation import as_doubles, check_count
 from hoopgen.hoop.court_lines import find_court
-from hoopgen.hoop.presets import PAPER
-from hoopgen.study.article_only import of_hoop
+from hoopgen.hoop.variables import VARIABLES
+from hoopgen.report.provenance import describe_scene
+from hoopgen.scene.lookup import SceneLike, check_parabolas
+from hoopgen.simulation.lookup import engine_of
 from hoopgen.study.jobs.monte_carlo import Progress
 from hoopgen.study.models.fitted_scatter import FittedScatter
 from hoopgen.study.models.scatter import Scatter
-from hoopgen.study.statistics.tally import check_share
-from hoopgen.text.numbers import format_percent
+from hoopgen.study.statistics.tally import check_scene, check_share
 
 from .bank import WAYS, bank_or_direct
 from .coach import default_player
-from .coach_result import PARTS, say
 
 Floats = NDArray[np.float64]
 
@@ -38,14 +38,21 @@ _NEAREST, _FURTHEST = 1.2, 9.2
 """Distances from the ring's centre of the nearest and the furthest place, m."""
 
 _HELD = ("height", "backspin", "sidespin")
+_LABELS = {
+    "bank": "whether the best shot is off the board",
+    "decided": "whether bank and direct shot are told apart",
+    "probability": "probability of a made shot",
+    "low": "lower end of its interval",
+    "high": "upper end of its interval",
+}
 _UNEVEN = ("azimuth", "sidespin", "angle", "y")
 
 
-@of_hoop
 def best_shots(
     player: Scatter | FittedScatter[Scatter] | None = None,
-    parameters: ParameterValues = PAPER,
+    parameters: ParameterValues | None = None,
     *,
+    scene: SceneLike = None,
     makes: float | None = None,
     step: float = STEP,
     shots: int = 5_000,
@@ -63,7 +70,9 @@ def best_shots(
         scatter are the same from every place, speed and angles are searched. None: the default
         player of `coach`.
     parameters
-        Of the article's hoop; their court, the NBA's or FIBA's, has the places.
+        Of the scene; their court, the NBA's or FIBA's, has the places.
+    scene
+        As for `hoopgen.bank_or_direct`. In `COURT` the search takes more than twice as long.
     makes
         Share of free throws made by the default player; by default 0.7.
     step
@@ -90,37 +99,34 @@ def best_shots(
     TypeError, ValueError
         If an argument is not as described.
     """
+    engine = engine_of(scene)
+    check_parabolas("best_shots", engine)
+    values = check_scene(parameters, engine)
     level, count = check_share("confidence", confidence), check_count("shots", shots)
     seed = check_count("seed", seed, least=0, most=2**64 - 6)
     if player is not None and makes is not None:
         raise ValueError("makes: it is of the default player; leave one out")
     given = player.model if isinstance(player, FittedScatter) else player
-    provenance = "The player is as measured."
+    made: dict[str, float] = {}
     if given is None:
         share = 0.7 if makes is None else makes
-        given = default_player(share, parameters, seed=seed, threads=threads)
-        provenance = (
-            f"A player who makes {format_percent(share, None)} of free throws: a release "
-            f"{say('height', given.release['height'])} up with "
-            f"{say('backspin', given.release['backspin'])} of backspin; the spread is "
-            + ", ".join(f"{say(name, sd)} of {PARTS[name]}" for name, sd in given.sd.items())
-            + ", of which left or right and spin are assumed, as is that it is alike everywhere."
-        )
+        given = default_player(share, values, scene=engine, seed=seed, threads=threads)
+        made = {"makes": share}
     elif not isinstance(given, Scatter):
         raise TypeError("player: expected a Scatter or what Scatter.fit gives")
     held = {name: value for name, value in given.release.items() if name in _HELD}
     if "height" not in held:
         raise ValueError("player: it needs a release height")
     model = Scatter(held, given.sd, given.correlation)
-    spots = court_places(step, parameters)
+    spots = court_places(step, values)
     even = not held.get("sidespin") and not any(
         name in pair for pair in given.correlation for name in _UNEVEN
     )
     searched = spots[spots[:, 1] >= 0.0] if even else spots
     options: dict[str, Any] = {"shots": count, "confidence": level, "threads": threads}
-    options["progress"] = progress
+    options |= {"scene": engine, "progress": progress}
     searches = [
-        bank_or_direct(model, searched, parameters, seed=one, **options)
+        bank_or_direct(model, searched, values, seed=one, **options)
         for one in (seed, seed + 2)  # a search has two seeds, the second for fresh shots
     ]
     # The larger of two estimates is too large, so each search reports the way that the other chose.
@@ -133,18 +139,27 @@ def best_shots(
         columns = _mirrored(columns, searched, spots)
     attributes = {
         "player": json.dumps(model.identity()),
-        "provenance": provenance,
-        "parameters": json.dumps(
-            {n: as_doubles(n, value).item() for n, value in parameters.items()}
-        ),
+        **made,
+        "scene": describe_scene(engine, values),
+        "parameters": json.dumps(values),
         "step": float(step),
         "shots": count,
         "confidence": level,
         "seed": str(seed),
         "interval": "of the simulation alone: fresh shots, other than those of the search",
     }
-    data = {name: ("place", one) for name, one in columns.items()}
-    return xr.Dataset(data, {n: ("place", spots[:, k]) for k, n in enumerate("xy")}, attributes)
+    data = {name: ("place", one, _described(name)) for name, one in columns.items()}
+    places = {n: ("place", spots[:, k], _described(n)) for k, n in enumerate("xy")}
+    return xr.Dataset(data, places, attributes)
+
+
+def _described(name: str) -> dict[str, str]:
+    """Return unit and description of a variable of the dataset."""
+    of = name.removesuffix("_change")
+    label = _LABELS.get(of) or VARIABLES[of].label
+    if of != name:
+        label = f"{label}: that of a second search less this"
+    return {"units": VARIABLES[of].unit if of in VARIABLES else "1", "long_name": label}
 
 
 def court_places(step: float, parameters: ParameterValues) -> Floats:

@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+import json
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from hoopgen.core.units import DEGREE, display_unit
+from hoopgen.core.units import DEGREE, display_system, display_unit
+from hoopgen.report.quantities import format_variable
 from hoopgen.text.numbers import format_percent
+
+from .coach_result import PARTS, say
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -24,7 +28,8 @@ def describe_best_shots(dataset: xr.Dataset) -> str:
         if np.isfinite(dataset[f"{name}_change"].values).any()
     }
     lines = [
-        f"{dataset.attrs['provenance']} Shares are of {dataset.attrs['shots']:,} fresh shots; "
+        f"{_player(dataset)} Scene: {dataset.attrs['scene']}. "
+        f"Shares are of {dataset.attrs['shots']:,} fresh shots; "
         f"their {level} intervals are at most ±{half:.1f} points."
     ]
     if moved:
@@ -35,3 +40,18 @@ def describe_best_shots(dataset: xr.Dataset) -> str:
             f"{int(np.isnan(dataset['speed_change']).sum())} of {dataset.sizes['place']} changes."
         )
     return " ".join(lines)
+
+
+def _player(dataset: xr.Dataset) -> str:
+    """Return who throws, in the units that are shown: in US units those of players."""
+    if "makes" not in dataset.attrs:
+        return "The player is as measured."
+    player = json.loads(dataset.attrs["player"])
+    release, words = player["release"], say if display_system() == "us" else format_variable
+    spread = ", ".join(f"{words(name, sd)} of {PARTS[name]}" for name, sd in player["sd"].items())
+    return (
+        f"A player who makes {format_percent(dataset.attrs['makes'], None)} of free throws: a "
+        f"release {words('height', release['height'])} up with "
+        f"{words('backspin', release['backspin'])} of backspin; the spread is {spread}, of which "
+        "left or right and spin are assumed, as is that it is alike everywhere."
+    )

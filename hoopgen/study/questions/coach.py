@@ -19,7 +19,7 @@ from hoopgen.core.parameters import ParameterValues
 from hoopgen.core.units import DEGREE, FOOT, INCH, TURN, UNITS
 from hoopgen.hoop.court_places import Place, find_place
 from hoopgen.hoop.releases import RING_HEIGHT
-from hoopgen.scene.lookup import SceneLike, check_hoop
+from hoopgen.scene.lookup import SceneLike, check_hoop, check_parabolas
 from hoopgen.study.jobs.monte_carlo import ResolvedSetting, setting_of
 from hoopgen.study.models.fitted_scatter import FittedScatter
 from hoopgen.study.models.scatter import Scatter
@@ -105,11 +105,8 @@ def coach(
         raise ValueError("makes: it is of a player who was not measured; leave one out")
     setting = setting_of(Scatter({}), parameters, scene)
     check_hoop("scene", setting.scene)
-    if player is None and setting.scene is not None and setting.scene.kernels.PIECES:
-        raise ValueError(
-            f"scene: the default player aims along parabolas, and the scene {setting.scene.name} "
-            "has air; expected hoopgen.HOOP or hoopgen.COURT"
-        )
+    if player is None:
+        check_parabolas("scene, of the default player", setting.scene)
     where, provenance = None, "The player is as measured."
     fitted = player if isinstance(player, FittedScatter) else None
     given = player.model if isinstance(player, FittedScatter) else player
@@ -178,11 +175,17 @@ def coach(
 
 
 def default_player(
-    makes: float, parameters: ParameterValues, *, seed: int = 0, threads: int | None = None
+    makes: float,
+    parameters: ParameterValues,
+    *,
+    scene: SceneLike = None,
+    seed: int = 0,
+    threads: int | None = None,
 ) -> Scatter:
     """Return the default player, whose spread is scaled to a share of free throws made."""
     throws = _default(find_place("free throw", parameters))
-    found = solve(throws, check_share("makes", makes), parameters, seed=seed, threads=threads)
+    share = check_share("makes", makes)
+    found = solve(throws, share, parameters, scene=scene, seed=seed, threads=threads)
     assert isinstance(found.model, Scatter)
     return found.model
 

@@ -231,10 +231,11 @@
       return;
     }
     if (id !== asked) return;
-    for (const one of SHOWN[name]) $(one).removeAttribute("aria-busy");
+    const whole = name !== "changes" || answer.length === spec.vary.length;
+    if (whole) for (const one of SHOWN[name]) $(one).removeAttribute("aria-busy");
     Results[name](answer, { now, spec, words, parameters: parameters() }, set);
     if (name === "scatter") tell(answer);
-    if (name === "changes") document.body.dataset.answered = id;
+    if (name === "changes" && whole) document.body.dataset.answered = id;
   }
 
   /** Say over the picture how the shot ends, and how many of the throws go in. */

@@ -90,20 +90,26 @@ const Results = (() => {
     const made = document.body.dataset.outcome === "made";
     $("change-title").textContent = made ? "What would have missed it" : "What would have made it";
     const labels = Object.fromEntries(Object.values(spec.variables).flat().map((one) => [one.name, one]));
-    const rows = found.map((one) => ({ ...one, ...labels[one.name] }));
+    const rows = spec.vary.map((name, k) => ({ ...(found[k] ?? { name, waiting: true }), ...labels[name] }));
     $("changes").replaceChildren(
-      ...rows.map(({ name, label, kind, value, changed }) => {
-        if (changed === undefined) {
-          return make("li", { className: "none" }, label, make("span", { textContent: "no such change nearby" }));
-        }
+      ...rows.map(({ name, label, kind, value, changed, within, waiting }) => {
+        if (waiting) return make("li", { className: "none" }, label, make("span", { textContent: "…" }));
         const small = { length: "short" }[kind] ?? kind;
+        const { size, symbol, decimals } = words.unit(small);
+        const amount = (away) => {
+          const digits = Math.max(1 - Math.floor(Math.log10(Math.abs(away) / size)), decimals);
+          return `${(Math.abs(away) / size).toFixed(Math.min(digits, 12))}${/^\p{L}/u.test(symbol) ? " " : ""}${symbol}`;
+        };
+        const tried = within === undefined ? "" : `none ${within > 0 ? `within ±${amount(within)}` : "found"} in ${Study.PATIENCE / 1000} s`;
+        if (changed === undefined) {
+          return make("li", { className: "none" }, label, make("span", { textContent: tried || "no such change nearby" }));
+        }
         const away = changed - value;
-        const { size, symbol } = words.unit(small);
-        const digits = Math.max(1 - Math.floor(Math.log10(Math.abs(away) / size)), words.unit(small).decimals);
-        const said = `${away > 0 ? "+" : "−"}${(Math.abs(away) / size).toFixed(Math.min(digits, 12))}${/^\p{L}/u.test(symbol) ? " " : ""}${symbol}`;
+        const said = `${away > 0 ? "+" : "−"}${amount(away)}`;
         const button = make("button", { type: "button", textContent: "Try", onclick: () => set({ [name]: changed }) });
         button.setAttribute("aria-label", `Try ${label} ${said}`);
-        const item = make("li", {}, label, make("b", { textContent: said }), button);
+        const item = make("li", {}, label, make("b", { textContent: tried ? `${said}?` : said }), button);
+        if (tried) item.title = `A nearer one may exist: ${tried}`;
         item.dataset.name = name;
         item.dataset.changed = changed;
         return item;

@@ -5,7 +5,8 @@ const Study = (() => {
   const RESULTS = ["outcome", "counts", "first", "state"];
 
   const MAX_PIECES = 120; // of a shot's rolls
-  const STRIDE = 500; // values of a variable that are simulated without a look at newer questions
+  const PATIENCE = 5000; // ms in which a variable's nearest change is looked for
+  const STRIDE = 100; // values of a variable that are simulated without a look at newer questions
 
   /** Return what the page knows of a scene, with what all scenes share. Null is infinity there. */
   function specOf(page, scene) {
@@ -149,7 +150,7 @@ const Study = (() => {
 
     /** Yield nothing after each step, and at last the smallest change of a variable with which the
      * shot ends otherwise. */
-    function* change(name, { release, parameters }) {
+    function* change(name, { release, parameters, patience = PATIENCE }) {
       const bodies = spec.kinds.bodies.length;
       const some = (values) => {
         const own = spec.parameters.includes(name);
@@ -165,23 +166,26 @@ const Study = (() => {
         });
         return { made: values.map((_, k) => outcome[k] === made), marks };
       };
-      const run = function* (values) {
+      const run = function* (values, late = () => false) {
         const all = { made: [], marks: [] };
         for (let at = 0; at < values.length; at += STRIDE) {
           const found = some(values.slice(at, at + STRIDE));
           all.made.push(...found.made);
           all.marks.push(...found.marks);
           yield;
+          if (late()) return null;
         }
         return all;
       };
       const value = release[name] ?? parameters[name];
       const [itself] = some([value]).made;
-      yield (yield* Nearest.change(name, value, itself, run, spec.ranges)) ?? { name, value };
+      const until = performance.now() + patience;
+      const late = () => performance.now() > until;
+      yield yield* Nearest.change(name, value, itself, run, spec.ranges, { late });
     }
 
     return { change, map, scatter, shot };
   }
 
-  return { of, specOf, start };
+  return { PATIENCE, of, specOf, start };
 })();

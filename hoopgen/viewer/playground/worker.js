@@ -20,20 +20,20 @@ if (typeof document === "undefined") {
     await rest(); // for newer questions
     for (const [name, question] of Object.entries(data.questions)) {
       const begun = performance.now();
-      let [answer, rested] = [null, begun];
-      for (const found of steps(name, question, study)) {
-        answer = found;
+      let rested = begun;
+      for (const answer of steps(name, question, study)) {
+        if (answer !== undefined) {
+          self.postMessage({ id: data.id, scene, name, answer, milliseconds: performance.now() - begun });
+        }
         if (performance.now() - rested < BUSY) continue;
         await rest();
         rested = performance.now();
         if (data.id && data.id < newest) return; // 0 is no question about a shot
       }
-      const milliseconds = performance.now() - begun;
-      self.postMessage({ id: data.id, scene, name, answer, milliseconds });
     }
   };
 
-  /** Yield answers, of which the last one is whole: between them newer questions come. */
+  /** Yield answers, of which the last one is whole, and nothing where newer questions may come. */
   function* steps(name, question, study) {
     const { engine, spec } = study;
     if (name === "fingerprint") {
@@ -44,8 +44,8 @@ if (typeof document === "undefined") {
         let change;
         for (change of study.change(variable, question)) yield;
         found.push(change);
+        yield found;
       }
-      yield found;
     } else {
       yield study[name](question);
     }

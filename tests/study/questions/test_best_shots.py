@@ -109,7 +109,7 @@ def test_the_same_seed_gives_the_same_and_the_second_search_says_how_far(found: 
         (Scatter({"backspin": 18.0}, {"speed": 0.1}), {}, "player: it needs a release height"),
         (PLAYER, {"step": 0.1}, "step: expected a distance from 0.5 to 3 m"),
         (PLAYER, {"seed": -1}, "seed"),
-        (PLAYER, {"scene": hoopgen.COURT}, "best_shots"),
+        (PLAYER, {"scene": hoopgen.AIR}, "best_shots: it aims along parabolas, and .* has air"),
     ],
 )
 def test_what_cannot_be_searched_is_refused(player: Any, options: Any, said: str) -> None:
@@ -126,11 +126,18 @@ def test_the_command_prints_and_draws(tmp_path: Path, monkeypatch: pytest.Monkey
         monkeypatch.setattr("hoopgen.study.questions.best_shots.court_places", lambda *_: places)
     words = ("best", "--makes", "80%", "--preset", "nba", "--step", "3m", "--shots", 200)
     text = output(*words, "--units", "us", "--picture", tmp_path / "best.svg")
-    assert "A player who makes 80% of free throws: a release 7.0 ft up" in text
-    assert "mph" in text
+    said = "A player who makes 80% of free throws: a release 7.0 ft up with 180 rpm of backspin"
+    assert said in text
+    assert "Scene: NBA." in text
+    assert "speed (mph)" in text
     assert (tmp_path / "best.svg").stat().st_size > 10_000
     record = json.loads(output(*words, "--json"))
-    assert len(record["places"]["speed"]) == len(places)
+    assert len(record["places"]["speed_m_s"]) == len(places) == len(record["places"]["x_m"])
+    assert record["step_m"] == 3.0
+    assert record["player"]["release"]["height_m"] == pytest.approx(2.1336)
+    metres = output(*words)
+    assert "a release 2.134 m up with 3.00 Hz of backspin" in metres
+    assert "speed (m/s)" in metres
     assert "give --from" in failure("best", "--where", "player == Ann")
 
 
@@ -145,3 +152,21 @@ def test_the_second_search_chooses_the_way(found: Any) -> None:
     way = np.argmax(other["probability"].values, axis=0)
     shares = first["probability"].values[way, np.arange(len(rows))]
     assert (found["probability"].values[rows] == shares).all()
+
+
+def test_a_place_on_the_whole_hoop(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The share is that of the release in `COURT`, whose friction and edges change the shot."""
+    pytest.importorskip("matplotlib")
+    place = np.array([[3.0, 0.0]])
+    monkeypatch.setattr("hoopgen.study.questions.best_shots.court_places", lambda *_: place)
+    whole = {"scene": hoopgen.COURT}
+    found = hoopgen.best_shots(PLAYER, hoopgen.NBA_COURT, step=3.0, shots=1_000, **whole)
+    one = {name: found[name].item() for name in ("x", "y", "speed", "elevation", "azimuth")}
+    model = Scatter({**PLAYER.release, **one}, PLAYER.sd)
+    again = hoopgen.estimate(model, hoopgen.NBA_COURT, shots=40_000, seed=9, **whole)
+    # Of one way alone, it is a little less than of both.
+    assert -5 * 0.016 < again.probability - found["probability"].item() < 5 * 0.016 + 0.02
+    assert found["speed"].attrs["units"] == "m/s"
+    assert "Scene: court, NBA." in describe_best_shots(found)
+    assert json.loads(found.attrs["parameters"])["ring_friction"] == 0.5
+    hoopgen.plots.plot_best_shots(found)
