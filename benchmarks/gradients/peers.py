@@ -17,12 +17,6 @@ import numpy as np
 
 from benchmarks.gradients.ball import BALL, Ball
 
-STEP = 5e-4
-"""Time step (s) of the programs that take steps: a 250th part of the shortest flight here."""
-STIFFNESS = 1e4
-"""Stiffness of MuJoCo's contact, 1/s^2: a contact then takes some sixty steps."""
-
-
 WIDE = 0.03
 """Step (m) of the differences that are wide enough to see past the time steps."""
 
@@ -131,14 +125,14 @@ def _warp(ball: Ball, time: float) -> Callable[[], float]:
     wp.init()
     from benchmarks.gradients.warp_steps import advance
 
-    steps = round(time / STEP)
+    steps = round(time / ball.step)
     states = [
         wp.zeros(2, dtype=wp.float64, requires_grad=True, device="cpu") for _ in range(steps + 1)
     ]
     seed = wp.array([1.0, 0.0], dtype=wp.float64, device="cpu")
     states[0].assign(np.array([ball.height + ball.radius, 0.0]))
     tape = wp.Tape()
-    inputs = [ball.radius, ball.restitution, ball.gravity, STEP]
+    inputs = [ball.radius, ball.restitution, ball.gravity, ball.step]
     with tape:
         for old, new in itertools.pairwise(states):
             wp.launch(advance, 1, [old, new, *map(wp.float64, inputs)], device="cpu")
@@ -159,9 +153,9 @@ def mujoco_model(ball: Ball) -> Any:
     import mujoco
 
     def model(damping: float) -> Any:
-        contact = f'solref="{-STIFFNESS} {-damping}"'
+        contact = f'solref="{-ball.stiffness} {-damping}"'
         return mujoco.MjModel.from_xml_string(
-            f"""<mujoco><option timestep="{STEP}" gravity="0 0 {-ball.gravity}"/><worldbody>
+            f"""<mujoco><option timestep="{ball.step}" gravity="0 0 {-ball.gravity}"/><worldbody>
             <geom type="plane" size="9 9 .1" {contact}/><body pos="0 0 0">
             <joint type="slide" axis="0 0 1"/><geom type="sphere" size="{ball.radius}" mass="1"
             {contact}/></body></worldbody></mujoco>"""
@@ -177,11 +171,28 @@ def mujoco_model(ball: Ball) -> Any:
                 apex = max(apex, float(data.qpos[0]))
         return apex - ball.radius - ball.restitution**2 * ball.height
 
+    if ball.restitution == 1:
+        return model(0.0)
     low, high = 0.0, 60.0
     for _ in range(30):
         middle = (low + high) / 2
         low, high = (middle, high) if excess(middle) > 0 else (low, middle)
     return model(low)
+
+
+def mujoco_extremes(ball: Ball, time: float) -> tuple[float, float]:
+    """Return the least height of MuJoCo's ball until a time (s), and the greatest after it (m)."""
+    import mujoco
+
+    model = mujoco_model(ball)
+    data = mujoco.MjData(model)
+    data.qpos[0] = ball.height + ball.radius
+    heights = []
+    for _ in range(round(time / ball.step)):
+        mujoco.mj_step(model, data)
+        heights.append(float(data.qpos[0]))
+    lowest = min(heights)
+    return lowest, max(heights[heights.index(lowest) :])
 
 
 def _mujoco(ball: Ball, time: float) -> Callable[[], float]:
@@ -195,7 +206,7 @@ def _mujoco(ball: Ball, time: float) -> Callable[[], float]:
         mujoco.mj_resetData(model, data)
         data.qpos[0] = ball.height + ball.radius
         total = np.eye(2)
-        for _ in range(round(time / STEP)):
+        for _ in range(round(time / ball.step)):
             mujoco.mjd_transitionFD(model, data, 1e-6, True, step, None, None, None)
             total = step @ total
             mujoco.mj_step(model, data)
@@ -213,7 +224,7 @@ def _mujoco_wide(ball: Ball, time: float) -> Callable[[], float]:
     def height(start: float) -> float:
         mujoco.mj_resetData(model, data)
         data.qpos[0] = start
-        for _ in range(round(time / STEP)):
+        for _ in range(round(time / ball.step)):
             mujoco.mj_step(model, data)
         return float(data.qpos[0])
 
@@ -239,7 +250,7 @@ def _mjx_slope(ball: Ball) -> Callable[[float, int], Any]:
 
 def _mjx(ball: Ball, time: float) -> Callable[[], float]:
     slope = _mjx_slope(ball)
-    return lambda: float(slope(ball.height + ball.radius, round(time / STEP)))
+    return lambda: float(slope(ball.height + ball.radius, round(time / ball.step)))
 
 
 EVERYBODY = (
@@ -276,7 +287,8 @@ EVERYBODY = (
         "Warp, tape over time steps",
         "warp",
         _warp,
-        "The step of a contact does not depend on the release.",
+        "The step of a contact does not depend on the release, unless its user divides it at the "
+        "time of impact.",
     ),
     Peer(
         "mujoco",
@@ -297,7 +309,8 @@ EVERYBODY = (
         "MJX, forward mode over steps",
         "mujoco.mjx",
         _mjx,
-        "Contacts are soft; reverse mode does not go through its solver's loop.",
+        "Contacts are soft; reverse mode does not go through the loop of its solver, which must "
+        "then have one iteration.",
     ),
 )
 

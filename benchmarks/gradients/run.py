@@ -12,7 +12,16 @@ from typing import Any
 import numpy as np
 
 import hoopgen
-from benchmarks.gradients.ball import BALL, TIMES, floor, hoopgen_slopes, task_1, task_2
+from benchmarks.gradients.ball import (
+    BALL,
+    SPRING_BALL,
+    SPRING_TIMES,
+    TIMES,
+    floor,
+    hoopgen_slopes,
+    task_1,
+    task_2,
+)
 from benchmarks.gradients.free_throws import (
     CONTACTS,
     Throw,
@@ -22,7 +31,7 @@ from benchmarks.gradients.free_throws import (
     error,
     throws,
 )
-from benchmarks.gradients.peers import EVERYBODY, Peer, taking_part
+from benchmarks.gradients.peers import EVERYBODY, Peer, mujoco_extremes, slope, taking_part
 
 MANY = 10_000
 """Shots of a batch of hoopgen, whose time is divided by their number."""
@@ -65,7 +74,7 @@ def ball_results(peers: Sequence[Peer], rounds: int) -> dict[str, Any]:
     state[:, 2], state[:, 4] = BALL.radius + BALL.height, -1.0
     fly = partial(
         hoopgen.simulate,
-        scene=floor(time, BALL.gravity, BALL.restitution),
+        scene=floor(time, BALL),
         derivatives=["z"],
         threads=1,
     )
@@ -85,6 +94,20 @@ def ball_results(peers: Sequence[Peer], rounds: int) -> dict[str, Any]:
     taken = costs(calls, rounds)
     taken["hoopgen"] /= MANY
     return {"times": TIMES, "truth": right, "slopes": slopes, "cost": taken, "before": preparing}
+
+
+def spring_results(peers: Sequence[Peer]) -> dict[str, Any]:
+    """Return derivatives of the ball of MuJoCo's issue by each, and where MuJoCo's ball comes."""
+    slopes = {"hoopgen": hoopgen_slopes(SPRING_BALL, SPRING_TIMES)}
+    for peer in peers:
+        slopes[peer.key] = [slope(peer, time, SPRING_BALL) for time in SPRING_TIMES]
+    soft = any(peer.package == "mujoco" for peer in peers)
+    return {
+        "times": SPRING_TIMES,
+        "truth": [SPRING_BALL.truth(time)[1] for time in SPRING_TIMES],
+        "slopes": slopes,
+        "extremes": mujoco_extremes(SPRING_BALL, SPRING_TIMES[-1]) if soft else None,
+    }
 
 
 def throw_results(rounds: int, each: int, diffrax: bool) -> dict[str, Any]:
@@ -126,6 +149,7 @@ def run(quick: bool, peers: Sequence[Peer] = EVERYBODY) -> dict[str, Any]:
     tasks = {"task_1": task_1(), "task_2": task_2()}
     return {
         "ball": ball_results(there, rounds),
+        "spring": spring_results(there),
         "throws": throw_results(rounds, 1 if quick else 3, diffrax),
         "tasks": {key: [part.tolist() for part in both] for key, both in tasks.items()},
         "absent": list(absent),

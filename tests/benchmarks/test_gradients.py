@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -9,21 +11,26 @@ for _library in ("flint", "matplotlib", "mpmath", "scipy", "sympy"):
     pytest.importorskip(_library)
 
 from benchmarks.gradients import ball, free_throws, peers, run, steps  # noqa: E402
-from benchmarks.gradients.ball import BALL, TIMES  # noqa: E402
+from benchmarks.gradients.ball import BALL, SPRING_BALL, SPRING_TIMES, TIMES, Ball  # noqa: E402
 from benchmarks.gradients.peers import EVERYBODY, Peer  # noqa: E402
 
+BALLS = [*((BALL, time) for time in TIMES), *((SPRING_BALL, time) for time in SPRING_TIMES)]
 
-@pytest.mark.parametrize("time", TIMES)
-def test_the_closed_form_is_the_slope_of_its_own_height(time: float) -> None:
+
+@pytest.mark.parametrize(("one", "time"), BALLS)
+def test_the_closed_form_is_the_slope_of_its_own_height(one: Ball, time: float) -> None:
     step = 1e-6
-    up, down = (ball.Ball(height=BALL.height + sign * step).truth(time)[0] for sign in (1, -1))
+    up, down = (replace(one, height=one.height + sign * step).truth(time)[0] for sign in (1, -1))
     # Differences of a smooth function in doubles, with this step.
-    assert (up - down) / (2 * step) == pytest.approx(BALL.truth(time)[1], abs=1e-8)
+    assert (up - down) / (2 * step) == pytest.approx(one.truth(time)[1], abs=1e-8)
 
 
-def test_the_bouncing_ball_has_the_derivatives_of_the_closed_form() -> None:
-    right = [BALL.truth(time)[1] for time in TIMES]
-    np.testing.assert_allclose(ball.hoopgen_slopes(), right, rtol=1e-13, atol=0)
+@pytest.mark.parametrize(("one", "times"), [(BALL, TIMES), (SPRING_BALL, SPRING_TIMES)])
+def test_bouncing_balls_have_the_derivatives_of_the_closed_form(
+    one: Ball, times: tuple[float, ...]
+) -> None:
+    right = [one.truth(time)[1] for time in times]
+    np.testing.assert_allclose(ball.hoopgen_slopes(one, times), right, rtol=1e-13, atol=0)
 
 
 @pytest.mark.parametrize("task", [ball.task_1, ball.task_2])
