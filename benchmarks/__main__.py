@@ -1,11 +1,12 @@
 """`python -m benchmarks`: everything side by side; a table, the numbers and a picture.
 
 With `--only grazes` what everybody makes of shots that graze, and no speed; with `--only bodies`
-what many bodies cost. With `--base REF`
+what many bodies cost; with `--only gradients` derivatives through contacts. With `--base REF`
 instead the working tree beside another commit: the same results, and how fast.
 """
 
 import argparse
+import json
 import signal
 import sys
 from pathlib import Path
@@ -22,6 +23,7 @@ from hoopgen.plots.style import save
 
 GRAZES = "grazes"
 BODIES = "bodies"
+GRADIENTS = "gradients"
 PARTS = ("equality", "speed")
 
 
@@ -35,18 +37,21 @@ def main() -> None:
     parser.add_argument("--out", type=Path, default=Path("docs"), help="folder, default docs")
     parser.add_argument(
         "--only",
-        choices=(GRAZES, BODIES, *PARTS),
+        choices=(GRAZES, BODIES, GRADIENTS, *PARTS),
         help=f"default all; {' and '.join(PARTS)} are those of --base",
     )
     _add_base(parser)
     arguments = parser.parse_args()
     if arguments.only in PARTS and not arguments.base:
         parser.error(f"--only {arguments.only} is a part of the comparison that --base REF makes")
-    if arguments.only in (GRAZES, BODIES) and arguments.base:
+    if arguments.only in (GRAZES, BODIES, GRADIENTS) and arguments.base:
         parser.error(f"--base compares {' and '.join(PARTS)}, got --only {arguments.only}")
     if arguments.base:
         sys.exit(_beside(arguments))
     arguments.out.mkdir(parents=True, exist_ok=True)
+    if arguments.only == GRADIENTS:
+        _gradients(arguments)
+        return
     if arguments.only is None:
         results = run(QUICK if arguments.quick else Settings())
         write(arguments.out / "benchmarks.json", as_json(results))
@@ -64,6 +69,19 @@ def main() -> None:
     write(arguments.out / "grazes.json", grazes_page.as_json(tallies))
     write(arguments.out / "grazes.md", grazes_page.as_markdown(tallies))
     print(grazes_page.as_markdown(tallies))
+
+
+def _gradients(arguments: argparse.Namespace) -> None:
+    """Write gradients.md, gradients.json and gradients.svg."""
+    # Its truth needs the sources of the derivation, which no other part does.
+    from benchmarks.gradients import page
+    from benchmarks.gradients.run import run as run_gradients
+
+    results = run_gradients(arguments.quick)
+    write(arguments.out / "gradients.json", json.dumps(results, indent=1) + "\n")
+    write(arguments.out / "gradients.md", page.as_markdown(results))
+    save(page.draw(results), arguments.out / "gradients.svg")
+    print(page.as_markdown(results))
 
 
 def _add_base(parser: argparse.ArgumentParser) -> None:

@@ -1,6 +1,6 @@
 """The model every peer in Python flies: flight (Eq. 3), surfaces (Table 2), contact (Eqs. 11-17) in
 closed form, and the event loop of Table 1. It is model.h and loop.h in Python, and nothing of
-hoopgen's: a peer is how it finds the next contact."""
+hoopgen's: a peer is how it finds the next contact. In air the flight is another: `air`."""
 
 import math
 from collections.abc import Callable, Mapping, Sequence
@@ -29,6 +29,35 @@ class Event(NamedTuple):
 
 NextEvent = Callable[[Array, Scene, int | None], Event | None]
 """Function of a state and the surface just left to the next event, None if there is none."""
+
+
+IN_AIR = 60.0
+"""Seconds after which a ball in air has long come down."""
+
+
+class Air(NamedTuple):
+    """A ball's forces per unit mass: the weight less the buoyancy (m/s^2), drag over squared speed
+    and lift over spin and speed (1/m, 1), and the square of the smoothing speed (m^2/s^2)."""
+
+    weight: float
+    drag: float
+    lift: float
+    smooth: float
+
+
+def air(scene: Scene) -> Air | None:
+    """Return the forces in a scene's air, None if it has none."""
+    if "air_density" not in scene:
+        return None
+    radius, mass, density = (scene[key] for key in ("ball_radius", "ball_mass", "air_density"))
+    half = density * math.pi * radius**2 / (2 * mass)
+    buoyancy = density * 4 / 3 * math.pi * radius**3 / mass
+    return Air(
+        scene["gravity"] * (1 - buoyancy),
+        half * scene["drag_coefficient"],
+        half * radius * scene["lift_coefficient"],
+        scene["drag_smoothing_speed"] ** 2,
+    )
 
 
 def contact_radius(scene: Scene) -> float:
@@ -109,6 +138,8 @@ def rebound(scene: Scene, surface: int, state: Array) -> Array:
 def time_in_reach(state: Array, scene: Scene) -> float:
     """Time until the ball has fallen below every surface, 0 if it has (s)."""
     lowest = min(-scene["end_depth"], scene["board_bottom"], -contact_radius(scene)) - 1e-3
+    if "air_density" in scene:
+        return IN_AIR if state[2] > lowest or state[5] > 0 else 0.0
     gravity, vz = scene["gravity"], float(state[5])
     square = vz * vz + 2 * gravity * (float(state[2]) - lowest)
     return max(0.0, (vz + math.sqrt(square)) / gravity) if square > 0 else 0.0

@@ -8,10 +8,12 @@ import numpy as np
 
 from benchmarks.peers.flown import Flown
 from benchmarks.peers.model import (
+    Air,
     Array,
     Event,
     Log,
     Scene,
+    air,
     contact_radius,
     inside_bounds,
     time_in_reach,
@@ -22,24 +24,44 @@ LANES = 8
 """Shots side by side; more gain hardly anything: events are looked for lane by lane."""
 
 
+PLACE = 5
+"""Parameters of the scene's places; those of its air, and the spin, come after them."""
+SPIN = PLACE + len(Air._fields) - 1
+
+
+def _acceleration(hy: Any, velocity: Any, in_air: bool) -> tuple[Any, Any, Any]:
+    """Return the ball's acceleration: the weight, and in air drag and the Magnus force."""
+    vx, vy, vz = velocity
+    weight = hy.par[PLACE - 1]
+    if not in_air:
+        return 0.0 * vx, 0.0 * vx, -weight
+    drag, lift, smooth, wx, wy, wz = (hy.par[k] for k in range(PLACE, SPIN + 3))
+    slowing = drag * hy.sqrt(vx * vx + vy * vy + vz * vz + smooth)
+    return (
+        lift * (wy * vz - wz * vy) - slowing * vx,
+        lift * (wz * vx - wx * vz) - slowing * vy,
+        lift * (wx * vy - wy * vx) - slowing * vz - weight,
+    )
+
+
 @cache
-def _integrator() -> Any:
-    """The flight, and the four surfaces as events where they are reached from outside. All are
-    polynomials in time, and so is their series; the ring's is squared free of its root."""
+def _integrator(in_air: bool) -> Any:
+    """The flight, and the four surfaces as events where they are reached from outside. Without air
+    all are polynomials in time, and so is their series; the ring's is squared free of its root."""
     import heyoka as hy
 
     # Warnings go to standard output: of some grazes it says that it has not found the root.
     hy.set_logger_level_error()
     x, y, z, vx, vy, vz = hy.make_vars("x", "y", "z", "vx", "vy", "vz")
-    ring, radius, front, depth, gravity = (hy.par[k] for k in range(5))
+    ring, radius, front, depth = (hy.par[k] for k in range(PLACE - 1))
     rho2 = x * x + y * y
     total = rho2 + z * z + ring * ring - radius * radius
     surfaces = (total * total - 4.0 * ring * ring * rho2, x - front, z - radius, z + depth)
-    still = 0.0 * x
+    faster = _acceleration(hy, (vx, vy, vz), in_air)
     return hy.taylor_adaptive_batch(
-        [(x, vx), (y, vy), (z, vz), (vx, still), (vy, still), (vz, -gravity)],
+        list(zip((x, y, z, vx, vy, vz), (vx, vy, vz, *faster), strict=True)),
         np.zeros((6, LANES)),
-        pars=np.zeros((5, LANES)),
+        pars=np.zeros((SPIN + 3 if in_air else PLACE, LANES)),
         t_events=[
             hy.t_event_batch(surface, direction=hy.event_direction.negative) for surface in surfaces
         ],
@@ -63,6 +85,7 @@ class _Lanes:
 
     def _start(self, lane: int, state: Array) -> None:
         self.now[:, lane], self.spin[lane] = state[:6], state[6:]
+        self.integrator.pars[SPIN:, lane] = state[6 : 6 + len(self.integrator.pars[SPIN:])]
         self.flying[lane], self.left[lane] = 0.0, time_in_reach(state, self.log.scene)
 
     def _next_shot(self, lane: int) -> None:
@@ -104,16 +127,16 @@ def heyoka_events(
     takes its lane."""
     states = np.atleast_2d(states)
     log = Log(len(states), parameters, max_contacts, record)
-    integrator = _integrator()
-    integrator.pars[:] = np.array(
-        [
-            parameters["ring_radius"],
-            contact_radius(parameters),
-            parameters["ball_radius"] - parameters["board_distance"],
-            parameters["end_depth"],
-            parameters["gravity"],
-        ]
-    )[:, None]
+    forces = air(parameters)
+    integrator = _integrator(forces is not None)
+    places = (
+        parameters["ring_radius"],
+        contact_radius(parameters),
+        parameters["ball_radius"] - parameters["board_distance"],
+        parameters["end_depth"],
+        *(forces or (parameters["gravity"],)),
+    )
+    integrator.pars[: len(places)] = np.array(places)[:, None]
     integrator.set_time(0.0)
     lanes = _Lanes(integrator, states, log)
     while max(lanes.shot) >= 0:

@@ -1,0 +1,1 @@
+"""Derivatives through contacts, beside those of other programs and beside the truth."""
