@@ -330,6 +330,15 @@ kind = "map"
 name = "frictions"
 shots = 50
 over.ring_friction = [0.2, inf]
+
+[[question]]
+kind = "bank"
+name = "board"
+over = ["aim", "azimuth"]
+places = { distance = 3, angle = "60 deg" }
+scene = { preset = "nba" }
+shots = 100
+figures = ["aim_points"]
 """
 
 
@@ -340,6 +349,9 @@ def test_a_study_of_it_is_answered_and_gone_on_from(tmp_path: Path) -> None:
     setting = answers["grips"].numbers["second"]["setting"]
     assert setting["parameters"]["ring_friction"] == "inf"
     assert setting["parameters"]["backboard_friction"] == 0.5
+    with xr.open_dataset(out / "board" / "bank.nc", engine="scipy") as there:
+        assert there.attrs["scene"] == "court, NBA"
+    assert (out / "board" / "aim_points.svg").exists()
     assert {name: one.line for name, one in run_study(file, out).items()} == {
         name: one.line for name, one in answers.items()
     }
