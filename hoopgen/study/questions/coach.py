@@ -180,7 +180,19 @@ def coach(
 def default_player(
     makes: float, parameters: ParameterValues, *, seed: int = 0, threads: int | None = None
 ) -> Scatter:
-    """Return the default player, whose spread is scaled to a share of free throws made."""
+    """Return the default player, whose spread is scaled to a share of free throws made.
+
+    Parameters
+    ----------
+    makes
+        The share of free throws that go in, from 0 to 1.
+    parameters
+        Parameters of the hoop by name, SI.
+    seed
+        The seed of the random numbers.
+    threads
+        The number of threads; None is one for each processor.
+    """
     throws = _default(find_place("free throw", parameters))
     found = solve(throws, check_share("makes", makes), parameters, seed=seed, threads=threads)
     assert isinstance(found.model, Scatter)
