@@ -136,7 +136,7 @@ def _one(here: xr.Dataset) -> list[str]:
             continue
         shot = [format_launch(best), towards(best["azimuth"])]
         if way == "bank":
-            shot.append(touching(best["touch_y"], best["touch_z"]))
+            shot.append(touching(best))
         lines.append(
             f"{way:8} {format_percent(best['probability'])} "
             f"({format_interval(best['low'], best['high'])}) from {', '.join(shot)}"

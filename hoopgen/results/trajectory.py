@@ -177,6 +177,13 @@ class Trajectory:
         """Draw the path; options, and what is returned and raised, as for `plots.plot_trajectory`.
 
         The picture gives the outcome if it is known.
+
+        Parameters
+        ----------
+        ax
+            The axes to draw on; None makes a figure.
+        **options
+            Options of `plots.plot_trajectory`.
         """
         said: TrajectoryOptions = {"outcome": self.outcome}
         said |= options

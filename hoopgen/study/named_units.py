@@ -29,14 +29,30 @@ UNIT_OF: Mapping[str, str] = {
 
 
 def unit_in(name: str, scene: CompiledScene) -> str:
-    """Return the SI unit of a result, or of a variable of a scene; empty where there is none."""
+    """Return the SI unit of a result, or of a variable of a scene; empty where there is none.
+
+    Parameters
+    ----------
+    name
+        The name of a field of results, or of a variable.
+    scene
+        The scene whose variables and results they are.
+    """
     if not scene.is_hoop and name in (own := variables_of(scene)):
         return own[name].unit
     return UNIT_OF.get(name, "")
 
 
 def named(name: str, scene: CompiledScene = HOOP) -> str:
-    """Return the name of a column with its unit, ``time_s``; other names are as they are."""
+    """Return the name of a column with its unit, ``time_s``; other names are as they are.
+
+    Parameters
+    ----------
+    name
+        The name of a field of results, or of a variable.
+    scene
+        The scene whose variables and results they are.
+    """
     return column_name(name, unit_in(name, scene))
 
 
@@ -63,6 +79,14 @@ def in_units(record: Any) -> Any:
 
 
 def parameters_named(record: Mapping[str, Any], scene: CompiledScene = HOOP) -> dict[str, Any]:
-    """Return parameters of the scene by name, of a record in which names may have units."""
+    """Return parameters of the scene by name, of a record in which names may have units.
+
+    Parameters
+    ----------
+    record
+        Values by name, with a unit at its end or without: ``ball_radius_m`` or ``ball_radius``.
+    scene
+        The scene whose parameters are picked out.
+    """
     plain = {named(name, scene): name for name in scene.table.defaults}
     return {plain.get(name, name): value for name, value in record.items()}

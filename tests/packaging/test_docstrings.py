@@ -34,6 +34,11 @@ WITH_PARAMETERS = (
     "hoopgen/results",
     "hoopgen/scene",
     "hoopgen/simulation",
+    "hoopgen/study/measures",
+    "hoopgen/study/models",
+    "hoopgen/study/questions",
+    "hoopgen/study/recovery",
+    "hoopgen/study/statistics",
     "hoopgen/text",
     "hoopgen/viewer",
 )

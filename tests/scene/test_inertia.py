@@ -107,6 +107,7 @@ def test_an_impact_keeps_the_angular_momentum_about_the_contact_point(friction: 
 # -- Rolls
 
 
+@pytest.mark.slow
 @EACH_KAPPA
 def test_a_roll_keeps_its_energy(well: Engine, kappa: float) -> None:
     """(1 + kappa) v²/2 + kappa s²/2 + g z, with s for R_B times the spin about the normal."""
@@ -130,6 +131,7 @@ def test_a_roll_keeps_its_energy(well: Engine, kappa: float) -> None:
     assert checked > 3
 
 
+@pytest.mark.slow
 @EACH_KAPPA
 def test_a_ball_in_a_bowl_swings_with_the_period_of_its_pendulum(
     well: Engine, kappa: float
@@ -149,6 +151,7 @@ def test_a_ball_in_a_bowl_swings_with_the_period_of_its_pendulum(
     assert np.abs(whole[3:6]).max() < 1e-5  # the fall of the first tenth of a picometre
 
 
+@pytest.mark.slow
 @EACH_KAPPA
 def test_a_ball_that_rolls_around_in_a_pipe_goes_up_and_down(well: Engine, kappa: float) -> None:
     """v_z'' = -beta Omega² v_z with beta = kappa/(1 + kappa): no ball rolls out at the bottom."""
@@ -196,6 +199,7 @@ def test_a_ball_that_rolls_off_the_ring_leaves_it_at_the_angle_of_its_inertia(ka
 # -- Engines and judge
 
 
+@pytest.mark.slow
 def test_engines_agree_for_an_inertia_of_each_shot(well: Engine) -> None:
     count = trials(60)
     states = np.tile(thrown(count), (len(KAPPAS), 1))
@@ -277,6 +281,7 @@ def test_an_inertia_that_no_ball_has_is_refused(given: Any, said: str) -> None:
         )
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("backend", ["c", "numpy"])
 def test_a_shot_with_an_inertia_that_no_ball_has_is_invalid(well: Engine, backend: Any) -> None:
     wrong = np.array([SOLID, 0.0, -0.4, -1.0, 2.0, math.nan, math.inf, 1 / 65])

@@ -21,7 +21,15 @@ Floats = NDArray[np.float64]
 
 
 def rows_of(value: Value, rows: slice | NDArray[np.intp]) -> Value:
-    """Return a parameter of some shots; one number for all stays."""
+    """Return a parameter of some shots; one number for all stays.
+
+    Parameters
+    ----------
+    value
+        The parameter, one number or (n,).
+    rows
+        The shots that are wanted.
+    """
     return value if isinstance(value, float) else value[rows]
 
 
@@ -54,7 +62,17 @@ class Block:
         return {name: rows_of(value, rows) for name, value in self.parameters.items()}
 
     def again(self, rows: NDArray[np.intp], max_contacts: int, **options: Any) -> Shots:
-        """Simulate some of the shots up to so many contacts."""
+        """Simulate some of the shots up to so many contacts.
+
+        Parameters
+        ----------
+        rows
+            The indices of the shots in this block.
+        max_contacts
+            The number of contacts at which a shot ends as capped.
+        **options
+            Further options of `simulate`.
+        """
         return simulate(
             self.states[rows],
             self.parameters_of(rows),
@@ -66,6 +84,13 @@ class Block:
 
     def descent(self, states: Floats, level: ArrayLike) -> tuple[Floats, Floats]:
         """Return when flights from the states come down to a height, and where they are then.
+
+        Parameters
+        ----------
+        states
+            Position, velocity and spin at the starts of the flights, (n, 9), SI.
+        level
+            The height, one number or (n,), m.
 
         Returns
         -------

@@ -200,6 +200,15 @@ def nearest(states: Floats, durations: Floats, parameters: Mapping[str, Value]) 
 
     Branch and bound: a cell of time is left where the kernel's bound shows that no place in it is
     nearer than the nearest one known, and halved until the distance has at most one minimum in it.
+
+    Parameters
+    ----------
+    states
+        Position, velocity and spin at the starts of the flights, (n, 9), SI.
+    durations
+        How long each flight lasts, (n,), s.
+    parameters
+        Parameters of the hoop by name, one number or (n,) each, SI.
     """
 
     def near(rows: NDArray[np.intp], t: Floats, half: Floats) -> Any:

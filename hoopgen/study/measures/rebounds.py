@@ -65,7 +65,15 @@ def check_height(height: Any) -> float:
 
 
 def caught_at(measures: Iterable[str], height: float) -> dict[str, float]:
-    """Return the catching height by its name where measures depend on it, else nothing."""
+    """Return the catching height by its name where measures depend on it, else nothing.
+
+    Parameters
+    ----------
+    measures
+        The names of the measures that are asked for.
+    height
+        Where the ball's centre is when a rebound is caught, m above the floor.
+    """
     return {"catching_height": height} if set(measures) & set(REBOUNDS) else {}
 
 
@@ -78,13 +86,33 @@ def sector(angle: ArrayLike) -> NDArray[np.int8]:
 
 
 def directions(places: ArrayLike, seen_from: tuple[float, float]) -> Floats:
-    """Return the measure `rebound_angle` of places, (n, 2), as it is seen from one; rad, (n,)."""
+    """Return the measure `rebound_angle` of places, (n, 2), as it is seen from one; rad, (n,).
+
+    Parameters
+    ----------
+    places
+        x and y of the places, (n, 2), m.
+    seen_from
+        x and y of the place of the shooter, m.
+    """
     x, y = np.asarray(places, np.float64).T
     return direction_from(x, y, *map(np.float64, seen_from))
 
 
 def direction_from(x: Floats, y: Floats, from_x: ArrayLike, from_y: ArrayLike) -> Floats:
-    """Return the measure `rebound_angle` of places, each seen from its own; rad."""
+    """Return the measure `rebound_angle` of places, each seen from its own; rad.
+
+    Parameters
+    ----------
+    x
+        x of the places, (n,), m.
+    y
+        y of the places, (n,), m.
+    from_x
+        x of the shooter's place, one number or (n,), m.
+    from_y
+        y of the shooter's place, likewise.
+    """
     past, left = hoop.line_of_sight(x, y, from_x, from_y)
     return arc_tangent(left, -past)
 

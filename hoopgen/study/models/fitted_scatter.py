@@ -242,6 +242,13 @@ def consistent(
     """Return correlations that some distribution has, near those given.
 
     Eigenvalues of the matrix that are too small are raised, and its diagonal is made 1 again.
+
+    Parameters
+    ----------
+    sd
+        The standard deviation of each variable, of which the names count.
+    rho
+        Correlations by pairs of names.
     """
     names = list(sd)
     matrix = np.eye(len(names))

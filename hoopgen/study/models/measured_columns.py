@@ -43,7 +43,15 @@ Measured: TypeAlias = WithErrors | Resample | Mapping[str, ArrayLike]
 def measured_columns(
     table: Measured, group: Iterable[object] | str | None
 ) -> tuple[dict[str, Floats], Iterable[object] | None]:
-    """Return the columns of a table, (n,) each or one number, and the labels of the rows."""
+    """Return the columns of a table, (n,) each or one number, and the labels of the rows.
+
+    Parameters
+    ----------
+    table
+        Fitted releases, a sample, or columns by name.
+    group
+        The label of each row, or the name of the column with the labels; None for none.
+    """
     if isinstance(table, WithErrors):
         if isinstance(group, str):
             raise ValueError(f"group: fitted releases have no column {brief(group)}; give labels")
@@ -109,6 +117,16 @@ def measuring_noise(
     given: Mapping[str | tuple[str, str], ArrayLike] | None,
 ) -> dict[tuple[str, str], Floats]:
     """Return the covariances of the measuring errors by pairs of names.
+
+    Parameters
+    ----------
+    table
+        Fitted releases, a sample, or columns by name.
+    columns
+        The columns of the table, (n,) each or one number.
+    given
+        Variances by name and covariances by pairs of names, one number or (n,) each; None is what
+        the table has.
 
     Raises
     ------

@@ -53,6 +53,17 @@ def normals(seed: int, stream: int, start: int, stop: int) -> NDArray[np.float64
 
     The inverse of the distribution, which takes one number for one: nothing is rejected, so that
     the counter stays the shot's index.
+
+    Parameters
+    ----------
+    seed
+        The seed of the random numbers.
+    stream
+        The number of the stream, which separates the uses of one seed.
+    start
+        The index of the first shot.
+    stop
+        The index after that of the last shot.
     """
     return normal_quantile(uniforms(seed, stream, start, stop))
 

@@ -62,7 +62,15 @@ def is_still(model: ReleaseModel) -> bool:
 
 
 def check_drawn(start: int, stop: int) -> None:
-    """Refuse to draw more shots at once than there is memory for."""
+    """Refuse to draw more shots at once than there is memory for.
+
+    Parameters
+    ----------
+    start
+        The index of the first shot.
+    stop
+        The index after that of the last shot.
+    """
     check_room("stop", stop - start, "shots drawn at once", _SHOT)
 
 
@@ -91,7 +99,17 @@ def check_known(
 
 
 def check_turns(argument: str, values: Mapping[str, ArrayLike], among: Iterable[str]) -> None:
-    """Refuse degrees among the angles of releases; states have none."""
+    """Refuse degrees among the angles of releases; states have none.
+
+    Parameters
+    ----------
+    argument
+        The name of the argument, for the error.
+    values
+        Values of variables by name, one number or (n,) each, SI and rad.
+    among
+        All variables that are given; they tell states from releases.
+    """
     if not is_state(among):
         check_angles(argument, values)
 
@@ -101,7 +119,17 @@ AIMED = ("elevation", "azimuth")
 
 
 def check_spread(argument: str, deviations: Mapping[str, ArrayLike], among: Iterable[str]) -> None:
-    """Refuse standard deviations in degrees among those of releases; states have no angles."""
+    """Refuse standard deviations in degrees among those of releases; states have no angles.
+
+    Parameters
+    ----------
+    argument
+        The name of the argument, for the error.
+    deviations
+        Standard deviations of variables by name, one number or (n,) each, SI and rad.
+    among
+        All variables that are given; they tell states from releases.
+    """
     if not is_state(among):
         check_turns(argument, deviations, among)
         check_deviations(argument, {n: deviations[n] for n in AIMED if n in deviations})
@@ -142,6 +170,13 @@ def from_columns(columns: Mapping[str, ArrayLike], parameters: ParameterValues =
     """Return the shots of columns, one number for all or (n,) each: states, or variables.
 
     Columns z or vx, vy, vz say that they are states.
+
+    Parameters
+    ----------
+    columns
+        Variables and parameters of the hoop by name, one number or (n,) each, SI and rad.
+    parameters
+        Parameters of the hoop for those that no column has, SI.
     """
     if not is_state(columns):
         return resolve_variables(columns, parameters)

@@ -13,7 +13,15 @@ from .scatter import Scatter
 
 
 def check_model(model: object, over: Iterable[str]) -> Scatter | Resample:
-    """Return a model whose release is varied over some variables."""
+    """Return a model whose release is varied over some variables.
+
+    Parameters
+    ----------
+    model
+        The model that was given.
+    over
+        The variables whose means are varied.
+    """
     if not isinstance(model, Scatter | Resample):
         raise TypeError(f"model: expected a Scatter or a Resample, got {model!r}")
     twice = [name for name in over if isinstance(model, Scatter) and name in model.release]
@@ -26,6 +34,13 @@ def scaled(model: Scatter | Resample, factor: float) -> Scatter | Resample:
     """Return a model all of whose scatter is so many times as wide.
 
     Of a `Scatter` the standard deviations, of a `Resample` how far each row is from the means.
+
+    Parameters
+    ----------
+    model
+        The model, which stays as it is.
+    factor
+        How many times as wide the scatter is made.
     """
     if isinstance(model, Scatter):
         sd = {name: factor * deviation for name, deviation in model.sd.items()}
@@ -48,6 +63,14 @@ def alike(model: Scatter | Resample) -> dict[str, float]:
 
 
 def scene_by_row(model: Scatter | Resample, parameters: Iterable[str]) -> list[str]:
-    """Return the parameters of the scene that were measured with each release."""
+    """Return the parameters of the scene that were measured with each release.
+
+    Parameters
+    ----------
+    model
+        The model of the releases.
+    parameters
+        The names of the parameters of the scene.
+    """
     columns = {} if isinstance(model, Scatter) else model.columns
     return [name for name in parameters if np.ndim(columns.get(name, 0.0))]

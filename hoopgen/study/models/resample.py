@@ -97,7 +97,13 @@ class Resample:
         return None if self.cluster is None else int(self.cluster.max()) + 1
 
     def same_groups(self, other: Resample) -> bool:
-        """Return whether another sample has as many rows, in the same groups."""
+        """Return whether another sample has as many rows, in the same groups.
+
+        Parameters
+        ----------
+        other
+            The sample that this one is compared with.
+        """
         if self.rows != other.rows:
             return False
         if self.cluster is None or other.cluster is None:
@@ -105,7 +111,13 @@ class Resample:
         return bool(np.array_equal(self.cluster, other.cluster))
 
     def order(self, seed: int) -> NDArray[np.intp]:
-        """Return all rows in an order that depends on the seed alone, (m,)."""
+        """Return all rows in an order that depends on the seed alone, (m,).
+
+        Parameters
+        ----------
+        seed
+            The seed of the random numbers.
+        """
         numbers = uniforms(seed, ORDER_OF_ROWS, 0, self.rows)
         return np.argsort(numbers, kind="stable").astype(np.intp)
 

@@ -43,6 +43,13 @@ def split(name: str) -> tuple[str, str]:
 def check_scored(model: object, names: Sequence[str]) -> None:
     """Refuse what has no score.
 
+    Parameters
+    ----------
+    model
+        The model that was given.
+    names
+        The variables by whose means or deviations there shall be derivatives.
+
     Raises
     ------
     TypeError

@@ -83,12 +83,30 @@ def _widths(mass: Floats, grid: Floats) -> Floats:
 
 
 def fine_grid(centres: Floats, widths: Floats) -> Floats:
-    """Return a grid that is fine about each player's estimate, and coarse between them."""
+    """Return a grid that is fine about each player's estimate, and coarse between them.
+
+    Parameters
+    ----------
+    centres
+        The estimate of each player, (players,).
+    widths
+        The standard error of each, (players,).
+    """
     near = centres[:, None] + widths[:, None] * np.linspace(-6.0, 6.0, 41)
     far = np.linspace(near.min(), near.max(), 400)
     return np.unique(np.concatenate([near.ravel(), far]))
 
 
 def normal_log_likelihood(grid: Floats, centres: Floats, widths: Floats) -> Floats:
-    """Return the log-likelihood of normal estimates, (players, m)."""
+    """Return the log-likelihood of normal estimates, (players, m).
+
+    Parameters
+    ----------
+    grid
+        Values, (m,), at which it is wanted.
+    centres
+        The estimate of each player, (players,).
+    widths
+        The standard error of each, (players,).
+    """
     return np.asarray(-0.5 * ((grid - centres[:, None]) / widths[:, None]) ** 2)

@@ -66,7 +66,17 @@ class Smoothed(EachRow):
         return np.arange(start, stop) % self.rows
 
     def noise(self, start: int, stop: int, seed: int = 0) -> dict[str, Floats]:
-        """Return the columns of shots `start` to `stop` - 1, (n,) each or one number."""
+        """Return the columns of shots `start` to `stop` - 1, (n,) each or one number.
+
+        Parameters
+        ----------
+        start
+            The index of the first shot.
+        stop
+            The index after that of the last shot.
+        seed
+            The seed of the random numbers.
+        """
         columns = super().noise(start, stop, seed)
         whole, shrunk = self._whole, 1.0 / sqrt(1.0 + self.width**2)
         if len(whole) < 2:

@@ -223,7 +223,17 @@ def aim(
 
 
 def met_before(shots: Shots, row: int, time: float) -> tuple[str, float] | None:
-    """Return the body that a shot touches before a time, and when; None if it touches none."""
+    """Return the body that a shot touches before a time, and when; None if it touches none.
+
+    Parameters
+    ----------
+    shots
+        Results with their contacts (``record=True``).
+    row
+        The index of the shot.
+    time
+        The time since its release, s.
+    """
     if shots.contacts[row] == 0:
         return None
     first = shots.trajectory(row).events[0]

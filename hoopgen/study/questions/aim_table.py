@@ -181,6 +181,15 @@ def write_csv(
     What is NaN is left empty. The last columns are the parameters of the scene, so that
     `hoopgen.batch` flies the releases in it; SI.
 
+    Parameters
+    ----------
+    path
+        The file.
+    table
+        Columns by name, (n,) each, SI and rad.
+    parameters
+        Parameters of the hoop by name, SI.
+
     Raises
     ------
     OSError

@@ -118,7 +118,15 @@ class Assessment(Result):
         }
 
     def plot(self, *, ax: Drawn | None = None, title: str = "") -> Drawn:
-        """Draw the calibration; as of `hoopgen.plots.plot_calibration`."""
+        """Draw the calibration; as of `hoopgen.plots.plot_calibration`.
+
+        Parameters
+        ----------
+        ax
+            The axes to draw on; None makes a figure.
+        title
+            The title; empty for the usual one.
+        """
         drawn: Drawn = plotting_module().plot_calibration(self, ax=ax, title=title)
         return drawn
 

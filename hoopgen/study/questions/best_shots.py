@@ -165,6 +165,13 @@ def _described(name: str) -> dict[str, str]:
 def court_places(step: float, parameters: ParameterValues) -> Floats:
     """Return places of the half court, x and y, (n, 2), m, a step apart, the middle among them.
 
+    Parameters
+    ----------
+    step
+        The distance of neighbours, m.
+    parameters
+        Parameters of the hoop by name, SI.
+
     Raises
     ------
     ValueError

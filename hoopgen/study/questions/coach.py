@@ -182,7 +182,19 @@ def default_player(
     seed: int = 0,
     threads: int | None = None,
 ) -> Scatter:
-    """Return the default player, whose spread is scaled to a share of free throws made."""
+    """Return the default player, whose spread is scaled to a share of free throws made.
+
+    Parameters
+    ----------
+    makes
+        The share of free throws that go in, from 0 to 1.
+    parameters
+        Parameters of the hoop by name, SI.
+    seed
+        The seed of the random numbers.
+    threads
+        The number of threads; None is one for each processor.
+    """
     throws = _default(find_place("free throw", parameters))
     share = check_share("makes", makes)
     found = solve(throws, share, parameters, scene=scene, seed=seed, threads=threads)

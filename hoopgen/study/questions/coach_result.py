@@ -126,7 +126,15 @@ class Coaching(Result):
         }
 
     def plot(self, *, ax: Drawn | None = None, title: str = "") -> Drawn:
-        """Draw the gains as bars; as of `hoopgen.plots.plot_coach`."""
+        """Draw the gains as bars; as of `hoopgen.plots.plot_coach`.
+
+        Parameters
+        ----------
+        ax
+            The axes to draw on; None makes a figure.
+        title
+            The title; empty for the usual one.
+        """
         drawn: Drawn = plotting_module().plot_coach(self, ax=ax, title=title)
         return drawn
 
@@ -186,7 +194,15 @@ def _row(one: Advice) -> list[str]:
 
 
 def say(variable: str, value: float) -> str:
-    """Return a value in the units of players: feet, inches, mph, degrees and rpm."""
+    """Return a value in the units of players: feet, inches, mph, degrees and rpm.
+
+    Parameters
+    ----------
+    variable
+        The name of the variable, which tells its unit.
+    value
+        The value, SI and rad.
+    """
     if variable == "speed":
         text = f"{value / _MPH:.2f} mph"
     elif variable in ("backspin", "sidespin"):

@@ -148,7 +148,17 @@ def counterfactual(
 
 
 def simulated_like(shots: Shots, index: int, one: OneShot) -> Shots:
-    """Return a shot of some shots, simulated again; settled, if it was."""
+    """Return a shot of some shots, simulated again; settled, if it was.
+
+    Parameters
+    ----------
+    shots
+        The results that the shot is one of.
+    index
+        The index of the shot.
+    one
+        The shot with its scene.
+    """
     settle = False
     while True:
         itself = simulate(

@@ -236,7 +236,19 @@ class Estimate(SharesOfShots):
 def estimated(
     job: MonteCarloJob, total: NDArray[np.int64], which: int, level: float
 ) -> Estimate | Shares:
-    """Return the estimate of one setting from the numbers."""
+    """Return the estimate of one setting from the numbers.
+
+    Parameters
+    ----------
+    job
+        The job that the shots were thrown in.
+    total
+        The numbers of all of its settings.
+    which
+        The index of the setting.
+    level
+        The confidence of the intervals, from 0 to 1.
+    """
     tally = tally_of(total, which, job.scene)
     if not job.scene.has_hoop:
         return shares_of(tally, job.settings[which], level, job.seed)

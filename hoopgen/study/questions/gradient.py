@@ -62,7 +62,17 @@ class Slope:
 
 
 def slope_lines(slopes: Mapping[str, Slope], scene: Engine, level: float) -> list[str]:
-    """Return the lines that say the derivatives with their intervals, in the units shown."""
+    """Return the lines that say the derivatives with their intervals, in the units shown.
+
+    Parameters
+    ----------
+    slopes
+        The derivatives by variable, SI and rad.
+    scene
+        The scene whose variables they are.
+    level
+        The confidence of the intervals, from 0 to 1.
+    """
     if not slopes:
         return []
     rows = []
@@ -80,6 +90,13 @@ def slope_lines(slopes: Mapping[str, Slope], scene: Engine, level: float) -> lis
 
 def check_gradient(names: Sequence[str], setting: ResolvedSetting) -> tuple[str, ...]:
     """Return the names of the variables; refuse those that the probability has no derivative by.
+
+    Parameters
+    ----------
+    names
+        The names that were given.
+    setting
+        The setting with its model and its scene.
 
     Raises
     ------

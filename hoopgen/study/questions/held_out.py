@@ -61,6 +61,15 @@ class HeldOut:
 
         How far it is from the mean is counted from that of the rows that the release was found
         with: a player who moves the mean knows no other.
+
+        Parameters
+        ----------
+        model
+            The sample of m rows.
+        player
+            The player, who scatters.
+        fixed
+            The variables of the release that are not searched, SI and rad.
         """
         made, valid = np.zeros((2, model.rows), np.bool_)
         kind = np.zeros(model.rows, np.uint8)
@@ -161,7 +170,15 @@ def check_folds(model: Resample) -> int:
 
 
 def folds_of(model: Resample, seed: int) -> NDArray[np.intp]:
-    """Return the fold of each row, (m,), by a seed; those of a group are in one."""
+    """Return the fold of each row, (m,), by a seed; those of a group are in one.
+
+    Parameters
+    ----------
+    model
+        The sample of m rows.
+    seed
+        The seed of the random numbers.
+    """
     order, count = model.order(seed), check_folds(model)
     if model.cluster is None:
         fold = np.empty(model.rows, np.intp)

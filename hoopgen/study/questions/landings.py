@@ -43,7 +43,17 @@ class Landings:
 
 
 def landings_of(released: Releases, shots: Shots, height: float | None = None) -> Landings:
-    """Return the places where missed shots come down; `height` None is the floor."""
+    """Return the places where missed shots come down; `height` None is the floor.
+
+    Parameters
+    ----------
+    released
+        The releases of the shots.
+    shots
+        Their results.
+    height
+        Where the ball's centre is when it is caught, m above the floor.
+    """
     where = "floor" if height is None else "rebound"
     names = (f"{where}_x", f"{where}_y")
     caught = CATCHING_HEIGHT if height is None else height

@@ -130,7 +130,15 @@ def map(
 
 
 def check_cells(over: Mapping[str, Sized], *, scatters: bool) -> None:
-    """Refuse a map of more cells than there is memory for."""
+    """Refuse a map of more cells than there is memory for.
+
+    Parameters
+    ----------
+    over
+        The values of each axis by the variable's name.
+    scatters
+        Whether a cell has shots that scatter.
+    """
     cells = prod(len(values) for values in over.values())
     check_room("over", cells, "cells", _TALLIED if scatters else _CELL)
 

@@ -90,7 +90,15 @@ class Margin(Result):
         return {name: for_json(value) for name, value in asdict(self).items()}
 
     def describe_range(self, low: float, high: float) -> str:
-        """Return an interval as text, open where it reaches the end of the searched range."""
+        """Return an interval as text, open where it reaches the end of the searched range.
+
+        Parameters
+        ----------
+        low
+            The lower end, SI and rad.
+        high
+            The upper end, SI and rad.
+        """
         least, most = self.searched
         if math.isnan(low):
             return "does not succeed"
@@ -181,7 +189,23 @@ def margins_about(
     seed: int,
     tolerance: float,
 ) -> dict[str, Margin]:
-    """Return the margins, as `margins` does, for a player in the scene of a release."""
+    """Return the margins, as `margins` does, for a player in the scene of a release.
+
+    Parameters
+    ----------
+    release
+        The release by variable, SI and rad.
+    names
+        The variables whose margins are wanted.
+    player
+        The player, in a scene.
+    shots
+        The number of shots thrown at each release that is tried.
+    seed
+        The seed of the random numbers.
+    tolerance
+        By how much the probability may fall, from 0 to 1.
+    """
     found = {}
     exact = replace(player, model=Scatter({}))
     for name in names:

@@ -112,7 +112,15 @@ class OneShot:
         return search_range(name, value, scale)
 
     def with_values(self, name: str, values: Floats) -> tuple[Floats, dict[str, float | Floats]]:
-        """Return states (n, 9) and parameters with other values of a variable, (n,)."""
+        """Return states (n, 9) and parameters with other values of a variable, (n,).
+
+        Parameters
+        ----------
+        name
+            The name of a variable of the release, or of a parameter of the scene.
+        values
+            Its values, (n,), SI and rad.
+        """
         states = np.tile(self.state, (len(values), 1))
         parameters: dict[str, float | Floats] = dict(self.parameters)
         if name in self.parameters:
@@ -137,6 +145,13 @@ class OneShot:
     def results(self, name: str, values: Floats) -> tuple[NDArray[np.bool_], NDArray[np.int64]]:
         """Return, for values of a variable, which succeed, and the contacts of each.
 
+        Parameters
+        ----------
+        name
+            The name of a variable of the release, or of a parameter of the scene.
+        values
+            Its values, (n,), SI and rad.
+
         Returns
         -------
         tuple
@@ -159,6 +174,13 @@ class OneShot:
 
     def proved(self, name: str, values: Floats) -> NDArray[np.int64]:
         """Return the outcomes that the judge proves for values of a variable, -1 where none.
+
+        Parameters
+        ----------
+        name
+            The name of a variable of the release, or of a parameter of the scene.
+        values
+            Its values, (n,), SI and rad.
 
         Raises
         ------

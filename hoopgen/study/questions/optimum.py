@@ -198,7 +198,21 @@ def scattering(
     by: str,
     scene: SceneLike = None,
 ) -> Player:
-    """Return a player who scatters."""
+    """Return a player who scatters.
+
+    Parameters
+    ----------
+    model
+        The model of the releases.
+    over
+        The variables whose means are varied.
+    parameters
+        Parameters of the scene by name, SI.
+    by
+        The way in that counts: direct, bank or any.
+    scene
+        The scene; None is the hoop.
+    """
     names = (over,) if isinstance(over, str) else over
     engine = engine_of(scene)
     check_states(check_model(model, names), engine, names)

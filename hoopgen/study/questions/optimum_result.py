@@ -328,7 +328,7 @@ def _where(best: Optimum) -> str:
     """Return the place that the ball is aimed at, on the board or in the ring, as text."""
     if best.is_bank or best.by == "bank":
         touch = on_board(best.arguments, best.parameters, best.scene)
-        return f"flight   {touching(touch['touch_y'], touch['touch_z'])}"
+        return f"flight   {touching(touch)}"
     inside = best.parameters["ring_radius"] - best.parameters["wire_radius"]
     return (
         f"flight   comes down at {format_variable('entry', best.entry_angle)}, "
@@ -336,8 +336,9 @@ def _where(best: Optimum) -> str:
     )
 
 
-def touching(y: float, z: float) -> str:
-    """Return the place where a bank shot touches the board; NaN if not its first contact."""
+def touching(shot: Mapping[str, Any]) -> str:
+    """Say where a bank shot touches the board: `touch_y`, `touch_z`, m; NaN if not at first."""
+    y, z = float(shot["touch_y"]), float(shot["touch_z"])
     if math.isnan(y):
         return "without errors it does not touch the board first"
     return (

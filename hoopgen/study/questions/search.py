@@ -33,7 +33,17 @@ Floats = NDArray[np.float64]
 def bounds_of(
     over: Mapping[str, Bounds | None] | Sequence[str], centre: Mapping[str, float], player: Player
 ) -> dict[str, Bounds]:
-    """Return the bounds to search within: those given, or the usual ones about a release."""
+    """Return the bounds to search within: those given, or the usual ones about a release.
+
+    Parameters
+    ----------
+    over
+        The variables to search over, with their bounds, SI and rad; None is the usual bounds.
+    centre
+        A release by variable, SI and rad, about which the usual bounds are.
+    player
+        The player, whose scene sets bounds, too.
+    """
     names = check_names(
         "over", (over,) if isinstance(over, str) else over, variables_of(player.scene)
     )
@@ -91,7 +101,21 @@ def _usual(name: str, fixed: Mapping[str, float], player: Player) -> Bounds:
 def search(
     player: Player, bounds: Mapping[str, Bounds], fixed: Mapping[str, float], shots: int, seed: int
 ) -> dict[str, float] | None:
-    """Return the best values within the bounds; None if no release tried succeeds."""
+    """Return the best values within the bounds; None if no release tried succeeds.
+
+    Parameters
+    ----------
+    player
+        The player, who scatters.
+    bounds
+        The bounds of each variable, SI and rad.
+    fixed
+        The other variables of the release, SI and rad.
+    shots
+        The number of shots thrown at each release that is tried.
+    seed
+        The seed of the random numbers.
+    """
     surface = _Surface(player, bounds, fixed, seed)
     # Shots go in directly or off the board: two hills, too alike for few shots to choose between.
     ways: Sequence[str] = ("direct", "bank") if player.by == "any" else (player.by,)
@@ -184,6 +208,23 @@ def flat_about(
     that a narrow ridge is followed to its ends.
 
     Of shots that chose the point the region would be too narrow: they flatter it.
+
+    Parameters
+    ----------
+    player
+        The player, who scatters.
+    bounds
+        The bounds of each variable, SI and rad.
+    fixed
+        The other variables of the release, SI and rad.
+    point
+        The values about which the region is, SI and rad.
+    shots
+        The number of shots thrown at each release that is tried.
+    seed
+        The seed of the random numbers.
+    tolerance
+        By how much the probability may fall, from 0 to 1.
     """
     names, size = tuple(bounds), len(bounds)
     low, high = np.array(list(bounds.values())).T

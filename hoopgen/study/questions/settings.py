@@ -76,7 +76,19 @@ class Setting:
 
 
 def setting(help: str, value: Value, default: Any = MISSING, **attributes: Any) -> Any:
-    """Return the field of a dataclass that is a setting; `attributes` as of `Setting`."""
+    """Return the field of a dataclass that is a setting; `attributes` as of `Setting`.
+
+    Parameters
+    ----------
+    help
+        The text of help.
+    value
+        The kind of its values.
+    default
+        The value that it has if none is given.
+    **attributes
+        Further attributes of `Setting`.
+    """
     metadata = {"setting": Setting(help, value, **attributes)}
     if isinstance(default, dict):
         return field(default_factory=default.copy, metadata=metadata)

@@ -100,7 +100,19 @@ class Sweep(ShotsJob):
     def counted(
         self, chunk: int, start: int, stop: int, before: pa.Table | None = None
     ) -> pa.Table:
-        """Return the numbers of some shots of a chunk's cells, a row each, and of those before."""
+        """Return the numbers of some shots of a chunk's cells, a row each, and of those before.
+
+        Parameters
+        ----------
+        chunk
+            The index of the chunk.
+        start
+            The index of the first shot of each cell.
+        stop
+            The index after that of the last shot.
+        before
+            The numbers of the shots before; None if there are none.
+        """
         noise = self.model.noise(start, stop, self.seed)
         few = max(1, BLOCK // (stop - start))
         low, high = self.cells(chunk)
@@ -115,7 +127,19 @@ class Sweep(ShotsJob):
         return pa.table({"numbers": pa.FixedSizeListArray.from_arrays(flat, numbers.shape[1])})
 
     def simulate(self, start: int, stop: int, shots: int, noise: Mapping[str, Floats]) -> Shots:
-        """Return so many shots of each of the cells `start` to `stop` - 1, cell by cell."""
+        """Return so many shots of each of the cells `start` to `stop` - 1, cell by cell.
+
+        Parameters
+        ----------
+        start
+            The index of the first cell.
+        stop
+            The index after that of the last cell.
+        shots
+            The number of shots of each cell.
+        noise
+            The scatter of the shots by variable, SI and rad.
+        """
         places = np.unravel_index(np.arange(start, stop), self.shape)
         values = {
             name: axis[place][:, None]

@@ -36,7 +36,15 @@ def show(given: Any) -> str:
 
 
 def suggestion(given: Any, allowed: Iterable[str]) -> str:
-    """Return a question for the word that was perhaps meant; nothing if none is close."""
+    """Return a question for the word that was perhaps meant; nothing if none is close.
+
+    Parameters
+    ----------
+    given
+        The word that was given.
+    allowed
+        The words that are allowed.
+    """
     close = get_close_matches(str(given).lower(), list(allowed), n=1)
     return f"; is {close[0]} meant?" if close else ""
 
@@ -75,7 +83,15 @@ class Value:
         return self.read(text)
 
     def refusal(self, given: Any, more: str = "") -> ValueError:
-        """Return the error that says what is allowed and what was given."""
+        """Return the error that says what is allowed and what was given.
+
+        Parameters
+        ----------
+        given
+            The value that was given.
+        more
+            What is added to the message.
+        """
         return ValueError(f"expected {self.words}; got {show(given)}{more}")
 
     def __get_pydantic_core_schema__(self, _: Any, __: Any) -> Any:

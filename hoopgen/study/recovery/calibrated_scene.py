@@ -113,7 +113,15 @@ class CalibratedScene(Result):
         }
 
     def plot(self, *, ax: Drawn | None = None, title: str = "") -> Drawn:
-        """Draw the profiles of the likelihood; as of `hoopgen.plots.plot_likelihood`."""
+        """Draw the profiles of the likelihood; as of `hoopgen.plots.plot_likelihood`.
+
+        Parameters
+        ----------
+        ax
+            The axes to draw on; None makes a figure.
+        title
+            The title; empty for the usual one.
+        """
         drawn: Drawn = plotting_module().plot_likelihood(self, ax=ax, title=title)
         return drawn
 

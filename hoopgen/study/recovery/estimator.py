@@ -91,7 +91,15 @@ class Lines:
         return Lines(self.centre[rows], self.middle[:, rows], self.slope[:, rows])
 
     def put(self, rows: Any, others: Lines) -> None:
-        """Replace the lines of some tracks."""
+        """Replace the lines of some tracks.
+
+        Parameters
+        ----------
+        rows
+            The indices of the tracks.
+        others
+            Their new lines.
+        """
         self.centre[rows], self.middle[:, rows] = others.centre, others.middle
         self.slope[:, rows] = others.slope
 
@@ -126,7 +134,19 @@ def weighted_lines(times: Floats, positions: Floats, weights: Floats) -> Lines:
 
 
 def squares(lines: Lines, times: Floats, positions: Floats, noise: Floats) -> Floats:
-    """Return the squared residuals of frames in units of the noise, (n, m)."""
+    """Return the squared residuals of frames in units of the noise, (n, m).
+
+    Parameters
+    ----------
+    lines
+        The lines of the n tracks.
+    times
+        The times of the frames, (n, m), s.
+    positions
+        The positions in them, (3, n, m), m.
+    noise
+        The standard deviation of each coordinate, (3,), m.
+    """
     off = lines.at(times)
     np.subtract(positions, off, out=off)
     off /= noise[:, None, None]
@@ -234,7 +254,15 @@ def line_covariance(times: Floats, frames: Flags) -> Floats:
 
 
 def leverages(times: Floats, frames: Flags) -> Floats:
-    """Return the share of each frame's own error that the fit takes up, (n, m), below 1."""
+    """Return the share of each frame's own error that the fit takes up, (n, m), below 1.
+
+    Parameters
+    ----------
+    times
+        The times of the frames, (n, m), s.
+    frames
+        Whether each frame counts, (n, m).
+    """
     counts = frames.astype(np.float64)
     with np.errstate(divide="ignore", invalid="ignore"):
         total = counts.sum(axis=1)

@@ -92,15 +92,45 @@ class Measured:
         start: Lines | None = None,
         tolerance: float = TOLERANCE,
     ) -> Lines:
-        """Return the robust fit to some frames, as of `robust_lines`."""
+        """Return the robust fit to some frames, as of `robust_lines`.
+
+        Parameters
+        ----------
+        frames
+            Whether each frame counts, (n, m).
+        noise
+            The standard deviation of each coordinate, (3,), m.
+        start
+            Lines to start from; None for none.
+        tolerance
+            The change at which the iteration ends, in units of the noise.
+        """
         return robust_lines(self.times, self.positions, frames, noise, start, tolerance)
 
     def squares(self, lines: Lines, noise: Floats) -> Floats:
-        """Return the squared residuals, (n, m), in units of the noise."""
+        """Return the squared residuals, (n, m), in units of the noise.
+
+        Parameters
+        ----------
+        lines
+            The lines of the n tracks.
+        noise
+            The standard deviation of each coordinate, (3,), m.
+        """
         return squares(lines, self.times, self.positions, noise)
 
     def outliers(self, lines: Lines, frames: Flags, noise: Floats) -> Flags:
-        """Return which of the frames of a fit are outliers, (n, m)."""
+        """Return which of the frames of a fit are outliers, (n, m).
+
+        Parameters
+        ----------
+        lines
+            The lines of the n tracks.
+        frames
+            Whether each frame counts, (n, m).
+        noise
+            The standard deviation of each coordinate, (3,), m.
+        """
         off = self.squares(lines, noise) / (1.0 - leverages(self.times, frames))
         return frames & (off > OUTLIER)
 
@@ -132,6 +162,17 @@ def pooled_noise(
     The mean square of the residuals that are no outliers by the noise before. Each track takes off
     the degrees of freedom of its fit, which for an M-estimator of efficiency e are 4 - 2 / e for a
     coordinate; tracks that are no flights do not count.
+
+    Parameters
+    ----------
+    tracks
+        The measured tracks, n of them.
+    lines
+        Their lines.
+    frames
+        Whether each frame counts, (n, m).
+    noise
+        The standard deviation of each coordinate before, (3,), m.
 
     Returns
     -------

@@ -34,7 +34,17 @@ class Spins:
     given: bool
 
     def states(self, position: Floats, velocity: Floats, rows: Any) -> Floats:
-        """Return states of some tracks, (n, 9)."""
+        """Return states of some tracks, (n, 9).
+
+        Parameters
+        ----------
+        position
+            The positions at release, (n, 3), m.
+        velocity
+            The velocities at release, (n, 3), m/s.
+        rows
+            The indices of these n tracks.
+        """
         if self.backspin is not None:
             return states_with_backspin(position, velocity, self.backspin[rows])
         spin = self.spin[rows] if self.spin.ndim == 2 else self.spin
@@ -42,7 +52,17 @@ class Spins:
 
 
 def spins_of(spin: ArrayLike | None, backspin: ArrayLike | None, tracks: int) -> Spins:
-    """Return the spins that `fit_release` was given, for so many tracks."""
+    """Return the spins that `fit_release` was given, for so many tracks.
+
+    Parameters
+    ----------
+    spin
+        The spin vector, (3,) or (tracks, 3), rad/s; None if it is not given.
+    backspin
+        The backspin, one number or (tracks,), rad/s; None if it is not given.
+    tracks
+        The number of tracks.
+    """
     if spin is not None and backspin is not None:
         raise ValueError("spin, backspin: each gives the spin; leave one out")
     if backspin is not None:

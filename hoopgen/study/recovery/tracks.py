@@ -48,7 +48,15 @@ class Tracks:
         return len(self.times)
 
     def as_given(self, values: NDArray[Any], missing: Any) -> NDArray[Any]:
-        """Return values of frames, (n, m) or (n, m, 3), in the shape of the caller's arrays."""
+        """Return values of frames, (n, m) or (n, m, 3), in the shape of the caller's arrays.
+
+        Parameters
+        ----------
+        values
+            Values of the n tracks' m frames.
+        missing
+            The value of frames that a track does not have.
+        """
         rest = values.shape[2:]
         found = np.full((int(np.prod(self._shape)), *rest), missing, values.dtype)
         there = self._places >= 0

@@ -130,7 +130,19 @@ def width_of(names: Sequence[str]) -> int:
 def counts_of(
     releases: Releases, shots: Shots, names: Sequence[str], catching_height: float
 ) -> NDArray[np.int64]:
-    """Return the number of shots in each cell of each measure, one measure after the other."""
+    """Return the number of shots in each cell of each measure, one measure after the other.
+
+    Parameters
+    ----------
+    releases
+        The releases of the shots, n of them.
+    shots
+        Their results.
+    names
+        The names of the measures, k of them.
+    catching_height
+        Where the ball's centre is when a rebound is caught, m above the floor.
+    """
     columns = measure(
         releases.states, shots, releases.parameters, names, catching_height=catching_height
     )
@@ -145,7 +157,19 @@ def counts_of(
 def spreads(
     counts: NDArray[np.int64], names: Sequence[str], confidence: float, catching_height: float
 ) -> dict[str, Spread]:
-    """Return the distributions from counts, by the name of the measure."""
+    """Return the distributions from counts, by the name of the measure.
+
+    Parameters
+    ----------
+    counts
+        The numbers that `counts_of` gives, summed over shots.
+    names
+        The names of the measures, in that order.
+    confidence
+        The confidence of the intervals, from 0 to 1.
+    catching_height
+        Where the ball's centre is when a rebound is caught, m above the floor.
+    """
     found = {}
     for name, cells in zip(names, counts.reshape(len(names), CELLS + 2), strict=True):
         total, turns = int(cells.sum()), name == _DIRECTION
@@ -162,7 +186,15 @@ def spreads(
 
 
 def spreads_of_sample(found: Mapping[str, Spread], rows: Rows) -> dict[str, Spread]:
-    """Return measures with the intervals that contain the uncertainty of measured releases."""
+    """Return measures with the intervals that contain the uncertainty of measured releases.
+
+    Parameters
+    ----------
+    found
+        The distributions by the name of the measure.
+    rows
+        The same measures of each measured release.
+    """
     return {name: replace(one, sample=_of_sample(one, rows)) for name, one in found.items()}
 
 

@@ -89,7 +89,23 @@ def made_shares(
     backend: BackendName,
     threads: int | None,
 ) -> NDArray[np.float64]:
-    """Return the share of the valid shots of each model that are made."""
+    """Return the share of the valid shots of each model that are made.
+
+    Parameters
+    ----------
+    models
+        The models, which differ in their numbers alone.
+    setting
+        The setting: its scene and the parameters of that.
+    seed
+        The seed, the same for all models.
+    max_contacts
+        The number of contacts at which a shot ends as capped.
+    backend
+        What simulates the shots.
+    threads
+        The number of threads; None is one for each processor.
+    """
     drawn = [model.draw(0, SHOTS, seed, setting.parameters) for model in models]
     first = drawn[0].parameters
     parameters = {

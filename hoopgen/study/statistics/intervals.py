@@ -54,6 +54,19 @@ def newcombe_interval(
     proportions based on paired data, Statistics in Medicine 17, method 10: the distances to the
     ends of Wilson's two intervals are combined as the sides of a triangle whose angle is that of
     the correlation, which is corrected for continuity. Of no pairs nothing is known: from -1 to 1.
+
+    Parameters
+    ----------
+    both
+        The number of pairs of which both succeed.
+    only_first
+        The number of pairs of which the first alone succeeds.
+    only_second
+        The number of pairs of which the second alone succeeds.
+    neither
+        The number of pairs of which neither succeeds.
+    confidence
+        The confidence of the interval, from 0 to 1.
     """
     pairs = both + only_first + only_second + neither
     if not pairs:
@@ -76,6 +89,17 @@ def newcombe_apart(first: float, of_first: Ends, second: float, of_second: Ends)
 
     R. G. Newcombe (1998), Interval estimation for the difference between independent proportions,
     Statistics in Medicine 17, method 10: distances to the ends are combined at a right angle.
+
+    Parameters
+    ----------
+    first
+        The first share, from 0 to 1.
+    of_first
+        The ends of its interval.
+    second
+        The second share, from 0 to 1.
+    of_second
+        The ends of its interval.
     """
     return _combined(first, of_first, second, of_second, 0.0)
 
@@ -208,6 +232,15 @@ def quantile_ranks(level: float, trials: int, confidence: float) -> tuple[int, i
 
     Of sorted values, rank 1 the smallest: so many are below a quantile is binomial. Rank 0 is
     below all values, and ``trials + 1`` above: of so few nothing is known on that side.
+
+    Parameters
+    ----------
+    level
+        The quantile that is meant, from 0 to 1.
+    trials
+        The number of values.
+    confidence
+        The least confidence, from 0 to 1.
     """
     tail = 0.5 * (1.0 - confidence)
     # P(B < low) <= tail, and P(B >= high) <= tail, of B values below the quantile.
@@ -222,6 +255,15 @@ def least_shots(precision: float, confidence: float, *, paired: bool = False) ->
     With z of the confidence, half of Wilson's interval is narrowest where all n shots end alike:
     z² / (n + z²) / 2. In Newcombe's the correlation is at most 1 - 2 / n, so that half of it is no
     less than that times √(2 / n).
+
+    Parameters
+    ----------
+    precision
+        Half of the width that is wanted, as a share from 0 to 1.
+    confidence
+        The confidence of the interval, from 0 to 1.
+    paired
+        Whether it is the interval of a difference of paired shots.
     """
     square = float(ndtri(0.5 * (1.0 - confidence))) ** 2
     if paired:

@@ -74,19 +74,43 @@ def in_groups(groups: int | None) -> str:
 
 
 def say_sample(found: SampleInterval, confidence: float) -> str:
-    """Say the interval of a share, and that it contains the uncertainty of the sample."""
+    """Say the interval of a share, and that it contains the uncertainty of the sample.
+
+    Parameters
+    ----------
+    found
+        The interval, of a share from 0 to 1.
+    confidence
+        The confidence of the interval, from 0 to 1.
+    """
     ends = format_interval(found.low, found.high)
     return f"{ends} ({format_percent(confidence, None)} interval of the sample, {found.words})"
 
 
 def say_difference(found: SampleInterval, confidence: float) -> str:
-    """Say the interval of a difference, and that it contains the uncertainty of the sample."""
+    """Say the interval of a difference, and that it contains the uncertainty of the sample.
+
+    Parameters
+    ----------
+    found
+        The interval, of a difference from -1 to 1.
+    confidence
+        The confidence of the interval, from 0 to 1.
+    """
     ends = f"{format_points(found.low)} to {format_points(found.high)}"
     return f"{ends} ({format_percent(confidence, None)} interval of the sample, {found.words})"
 
 
 def totals_by_group(counts: NDArray[Any], cluster: NDArray[np.intp] | None) -> NDArray[np.int64]:
-    """Return the sums of the rows' numbers by group, (g,); of independent rows themselves."""
+    """Return the sums of the rows' numbers by group, (g,); of independent rows themselves.
+
+    Parameters
+    ----------
+    counts
+        One number of each row, (n,).
+    cluster
+        The group of each row, (n,), from 0; None if rows are independent.
+    """
     if cluster is None:
         return np.asarray(counts, np.int64)
     return np.bincount(cluster, counts).astype(np.int64)
@@ -163,7 +187,15 @@ class Rows:
         return np.asarray(self.outcome != self.scene.outcomes["INVALID"])
 
     def share(self, outcome: int, confidence: float) -> SampleInterval:
-        """Return the share of the rows that end so, with the interval of the sample."""
+        """Return the share of the rows that end so, with the interval of the sample.
+
+        Parameters
+        ----------
+        outcome
+            The code of the outcome.
+        confidence
+            The confidence of the interval, from 0 to 1.
+        """
         return share_of_rows(self.outcome == outcome, self.valid, self.cluster, confidence)
 
     def quantile(self, name: str, level: float, confidence: float) -> Ends:
@@ -172,6 +204,15 @@ class Rows:
         Of independent rows by the ranks of their values; of groups as R. S. Woodruff (1952),
         Confidence intervals for medians and other position measures, Journal of the American
         Statistical Association 47: of the share that is below, read off the values.
+
+        Parameters
+        ----------
+        name
+            The name of the measure.
+        level
+            The quantile that is meant, from 0 to 1.
+        confidence
+            The confidence of the interval, from 0 to 1.
         """
         there = ~np.isnan(self.measured[name])
         values = np.sort(self.measured[name][there])
@@ -187,7 +228,17 @@ class Rows:
         return float(bounded[low]), float(bounded[min(high, len(values) + 1)])
 
     def within(self, name: str, inside: Truths, confidence: float) -> SampleInterval:
-        """Return the share of the rows with a measure whose values are inside of something."""
+        """Return the share of the rows with a measure whose values are inside of something.
+
+        Parameters
+        ----------
+        name
+            The name of the measure.
+        inside
+            Whether the measure of each row is inside, (n,).
+        confidence
+            The confidence of the interval, from 0 to 1.
+        """
         there = ~np.isnan(self.measured[name])
         return share_of_rows(inside, there, self.cluster, confidence)
 

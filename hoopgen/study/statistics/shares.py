@@ -154,7 +154,19 @@ def _width(found: Shares) -> int:
 
 
 def shares_of(tally: Tally, setting: Any, level: float, seed: int) -> Shares:
-    """Return the shares from the tally of a setting of `hoopgen.study.jobs.monte_carlo`."""
+    """Return the shares from the tally of a setting of `hoopgen.study.jobs.monte_carlo`.
+
+    Parameters
+    ----------
+    tally
+        The numbers of shots by outcome.
+    setting
+        The setting that they were thrown in.
+    level
+        The confidence of the intervals, from 0 to 1.
+    seed
+        The seed that they were drawn with.
+    """
     scene: CompiledScene = setting.scene
     names = outcomes_of(scene)
     counts = {name: int(tally.ended(code)) for code, name in enumerate(names)}

@@ -50,7 +50,15 @@ def count_distribution(p: Floats) -> tuple[int, Floats]:
 
 
 def count_quantile(p: Floats, at: float) -> int:
-    """Return the least number of successes that is not exceeded with probability `at`."""
+    """Return the least number of successes that is not exceeded with probability `at`.
+
+    Parameters
+    ----------
+    p
+        The probability of success of each trial, (n,).
+    at
+        The probability that is meant, from 0 to 1.
+    """
     first, chances = count_distribution(p)
     return min(first + int(np.searchsorted(np.cumsum(chances), at)), len(p))
 

@@ -47,7 +47,15 @@ def width_of(scene: CompiledScene) -> int:
 
 
 def blocks(start: int, stop: int) -> Iterator[tuple[int, int]]:
-    """Cut shots `start` to `stop` - 1 into blocks."""
+    """Cut shots `start` to `stop` - 1 into blocks.
+
+    Parameters
+    ----------
+    start
+        The index of the first shot.
+    stop
+        The index after that of the last shot.
+    """
     for low in range(start, stop, BLOCK):
         yield low, min(low + BLOCK, stop)
 
@@ -78,7 +86,15 @@ class Tally:
 
     @classmethod
     def from_shots(cls, shots: Shots, settings: int) -> Tally:
-        """Count shots of so many settings, as many of each, one setting after the other."""
+        """Count shots of so many settings, as many of each, one setting after the other.
+
+        Parameters
+        ----------
+        shots
+            The results, of equally many shots in each setting.
+        settings
+            The number of settings.
+        """
         scene = shots.scene
         shape = _shape(scene)
         cell = shots.outcome.astype(np.intp)
@@ -105,7 +121,15 @@ class Tally:
 
     @classmethod
     def read(cls, row: NDArray[np.int64], scene: CompiledScene) -> Tally:
-        """Return the tally from the result of `row`, (..., columns)."""
+        """Return the tally from the result of `row`, (..., columns).
+
+        Parameters
+        ----------
+        row
+            The numbers, (..., columns).
+        scene
+            The scene in which the shots were thrown.
+        """
         shared = _shared(scene)
         table = row[..., :-shared].reshape(*row.shape[:-1], *_shape(scene))
         uncertain, capped, *others = (row[..., k - shared] for k in range(shared))
@@ -144,7 +168,15 @@ class Tally:
 def check_scene(
     parameters: ParameterValues | None, scene: CompiledScene = HOOP
 ) -> dict[str, float]:
-    """Return all parameters of a scene, each one number: usual values for those left out."""
+    """Return all parameters of a scene, each one number: usual values for those left out.
+
+    Parameters
+    ----------
+    parameters
+        Parameters by name, one number each, SI.
+    scene
+        The scene whose parameters they are.
+    """
     resolved = resolve(parameters, 1, scene.table)
     wrong = [name for name, value in (parameters or {}).items() if np.ndim(value)]
     if wrong:
@@ -172,12 +204,28 @@ def _infinite(scene: CompiledScene, name: str, value: Any) -> bool:
 
 
 def contacts_of(max_contacts: int | None, scene: CompiledScene) -> int:
-    """Return the contacts with which a shot ends as capped; of None, as many as is usual there."""
+    """Return the contacts with which a shot ends as capped; of None, as many as is usual there.
+
+    Parameters
+    ----------
+    max_contacts
+        The number that was given.
+    scene
+        The scene in which shots are thrown.
+    """
     return scene.max_contacts if max_contacts is None else check_contacts(max_contacts)
 
 
 def check_share(name: str, value: Any) -> float:
-    """Return a number within 0 and 1."""
+    """Return a number within 0 and 1.
+
+    Parameters
+    ----------
+    name
+        The name of the argument, for the error.
+    value
+        The value that was given.
+    """
     number = isinstance(value, float | np.floating) or is_whole(value)
     if not number or not 0.0 < value < 1.0:
         raise ValueError(f"{name}: expected a number within 0 and 1, got {brief(value)}")
