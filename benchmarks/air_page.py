@@ -68,8 +68,8 @@ def as_markdown(results: Results) -> str:
         "The throws are the free throws (W2) of [Benchmarks](benchmarks.md), all of them faster by "
         "the share that takes the mean throw through the ring's centre again. In each round "
         "everybody has a turn, and the times are compared round by round: median and quartiles. "
-        "The machine may have been shared, so compare the ratios. heyoka.py flies in C, but each of its "
-        "events, which are terminal, returns to Python, where the contact is computed; all of "
+        "The machine may have been shared, so compare the ratios. heyoka.py flies in C, but each of "
+        "its events, which are terminal, returns to Python, where the contact is computed; all of "
         "SciPy is in Python. hoopgen's time includes the bounds on its errors.",
         "",
         *_speeds(results),
@@ -92,9 +92,9 @@ def as_markdown(results: Results) -> str:
         "proved in ball arithmetic; their speeds differ from the border between the two by a share "
         f"of {DISTANCES[0]:.0e} to {DISTANCES[1]:.0e}. A contact is missed if it is not found "
         "within 5e-4 s of its time, and invented if one is found where none is. Throws that "
-        "hoopgen flags as `uncertain` count as neither; the peers have no such flag. solve_ivp looks "
-        "for changes of sign between the ends of its steps, and such a touch is over sooner than a "
-        "step.",
+        "hoopgen flags as `uncertain` count as neither; the peers have no such flag. solve_ivp "
+        "looks for changes of sign between the ends of its steps, and such a touch is over sooner "
+        "than a step.",
         "",
         *_grazes(results),
         "",
