@@ -1,8 +1,9 @@
 """`python -m benchmarks`: everything side by side; a table, the numbers and a picture.
 
 With `--only grazes` what everybody makes of shots that graze, and no speed; with `--only bodies`
-what many bodies cost; with `--only gradients` derivatives through contacts. With `--base REF`
-instead the working tree beside another commit: the same results, and how fast.
+what many bodies cost; with `--only gradients` derivatives through contacts; with `--only air`
+flights in air. With `--base REF` instead the working tree beside another commit: the same results,
+and how fast.
 """
 
 import argparse
@@ -24,6 +25,8 @@ from hoopgen.plots.style import save
 GRAZES = "grazes"
 BODIES = "bodies"
 GRADIENTS = "gradients"
+AIR = "air"
+ALONE = (GRAZES, BODIES, GRADIENTS, AIR)
 PARTS = ("equality", "speed")
 
 
@@ -37,20 +40,23 @@ def main() -> None:
     parser.add_argument("--out", type=Path, default=Path("docs"), help="folder, default docs")
     parser.add_argument(
         "--only",
-        choices=(GRAZES, BODIES, GRADIENTS, *PARTS),
+        choices=(*ALONE, *PARTS),
         help=f"default all; {' and '.join(PARTS)} are those of --base",
     )
     _add_base(parser)
     arguments = parser.parse_args()
     if arguments.only in PARTS and not arguments.base:
         parser.error(f"--only {arguments.only} is a part of the comparison that --base REF makes")
-    if arguments.only in (GRAZES, BODIES, GRADIENTS) and arguments.base:
+    if arguments.only in ALONE and arguments.base:
         parser.error(f"--base compares {' and '.join(PARTS)}, got --only {arguments.only}")
     if arguments.base:
         sys.exit(_beside(arguments))
     arguments.out.mkdir(parents=True, exist_ok=True)
     if arguments.only == GRADIENTS:
         _gradients(arguments)
+        return
+    if arguments.only == AIR:
+        _air(arguments)
         return
     if arguments.only is None:
         results = run(QUICK if arguments.quick else Settings())
@@ -82,6 +88,17 @@ def _gradients(arguments: argparse.Namespace) -> None:
     write(arguments.out / "gradients.md", page.as_markdown(results))
     save(page.draw(results), arguments.out / "gradients.svg")
     print(page.as_markdown(results))
+
+
+def _air(arguments: argparse.Namespace) -> None:
+    """Write benchmarks_air.md and benchmarks_air.json."""
+    # Its scene is derived and compiled, which takes half a minute if it is not there.
+    from benchmarks import air, air_page
+
+    results = air.run(arguments.quick)
+    write(arguments.out / "benchmarks_air.json", air.as_json(results))
+    write(arguments.out / "benchmarks_air.md", air_page.as_markdown(results))
+    print(air_page.as_markdown(results))
 
 
 def _add_base(parser: argparse.ArgumentParser) -> None:

@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -26,9 +27,13 @@ class Errors:
     time_95: float
 
 
-def by_hoopgen(states: States) -> Flown:
+def by_hoopgen(
+    states: States, parameters: Mapping[str, float] = PAPER, scene: Any = hoopgen.HOOP
+) -> Flown:
     """Return hoopgen as a contender, with its surfaces in sequence."""
-    shots = hoopgen.simulate(states, PAPER, max_contacts=MAX_CONTACTS, record=True)
+    shots = hoopgen.simulate(
+        states, parameters, scene=scene, max_contacts=MAX_CONTACTS, record=True
+    )
     events = shots.events[np.isin(shots.events["surface"], range(len(hoopgen.SURFACES)))]
     first = np.searchsorted(events["shot"], events["shot"])
     surfaces = np.full((len(states), MAX_CONTACTS), -1, np.int8)
@@ -51,14 +56,22 @@ class Verdict:
         return Verdict(first, self.known[:n], self.judge)
 
 
-def judge(states: States) -> Verdict:
+def by_certain(states: States, parameters: Mapping[str, float], scene: Any) -> Verdict:
+    """Return hoopgen's answers, of which those that are not uncertain count."""
+    shots = hoopgen.simulate(states, parameters, scene=scene, max_contacts=MAX_CONTACTS)
+    own = by_hoopgen(states, parameters, scene)
+    return Verdict(own, ~shots.uncertain, "hoopgen where it is certain")
+
+
+def judge(
+    states: States, parameters: Mapping[str, float] = PAPER, scene: Any = hoopgen.HOOP
+) -> Verdict:
     """Ball arithmetic if it is installed, else hoopgen where it is certain."""
     try:
         from hoopgen.judge import certify
     except ImportError:
-        certain = ~hoopgen.simulate(states, PAPER, max_contacts=MAX_CONTACTS).uncertain
-        return Verdict(by_hoopgen(states), certain, "hoopgen where it is certain")
-    proved = certify(states, PAPER, max_contacts=MAX_CONTACTS)
+        return by_certain(states, parameters, scene)
+    proved = certify(states, parameters, scene=scene, max_contacts=MAX_CONTACTS)
     surfaces = np.full((len(states), MAX_CONTACTS), -1, np.int8)
     for row, proof in zip(surfaces, proved.proofs, strict=True):
         touched = [surface for surface in proof.surfaces if surface < len(hoopgen.SURFACES)]

@@ -11,13 +11,14 @@ import math
 from collections import deque
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Any, TypeAlias
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 from flint import arb, ctx
 from numpy.typing import NDArray
 
 from hoopgen.core.parameters import ParameterValues, resolve
+from hoopgen.core.plotting import plotting_module
 from hoopgen.core.validation import check_contacts, check_count, check_time_limit
 from hoopgen.core.variables import STATE, check_names
 from hoopgen.derive.scenes.scene import Scene
@@ -34,6 +35,9 @@ from .flight import fly
 from .formulas import formulas
 from .pieces import next_piece
 from .roots import Undecided
+
+if TYPE_CHECKING:
+    from hoopgen.results.drawing import Drawn
 
 BOX_BITS = 64
 """Precision of a box: its width, not the precision, decides what can be proved."""
@@ -107,6 +111,27 @@ class BoxProof:
             values = ", ".join(f"{name} {value:.9g}" for name, value in self.counterexample.items())
             return f"{text} Proved to end otherwise: {values}."
         return f"{text} Not decided in a part of it: {self.question}."
+
+    def plot(self, *, ax: Drawn | None = None, title: str = "") -> Drawn:
+        """Draw how each part of a box of two variables is proved to end.
+
+        Parameters
+        ----------
+        ax, title
+            As for `hoopgen.plots.plot_box`.
+
+        Returns
+        -------
+        Figure or Axes
+            As of `hoopgen.plots.plot_box`.
+
+        Raises
+        ------
+        ImportError
+            If matplotlib is missing.
+        """
+        drawn: Drawn = plotting_module().plot_box(self, ax=ax, title=title)
+        return drawn
 
 
 def certify_box(

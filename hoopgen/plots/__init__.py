@@ -13,6 +13,7 @@ from .fan import plot_fan
 from .landings import plot_landings
 from .likelihood import plot_likelihood
 from .maps import plot_map
+from .proved_box import plot_box
 from .style import COLOURS, COLUMN, FORMATS, PAGE, save, style
 from .trajectory import plot_trajectory
 
@@ -24,6 +25,7 @@ __all__ = [
     "plot_aim",
     "plot_aim_points",
     "plot_best_shots",
+    "plot_box",
     "plot_calibration",
     "plot_coach",
     "plot_coach_shots",
