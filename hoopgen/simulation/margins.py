@@ -100,13 +100,12 @@ def change_distance(
             if not len(rows):
                 continue
             own = {n: v if isinstance(v, float) else v[rows] for n, v in parameters.items()}
-            path = VariedPath(scene, names, own, len(rows))
+            path = VariedPath(scene, names, own, releases[rows])
             margins = _Margins(
                 path,
                 scene,
                 dict(zip(columns, range(len(columns)), strict=True)),
                 np.broadcast_to(spread, (shots, *spread.shape[1:]))[rows],
-                releases[rows].copy(),
                 events["time"][last[rows]],
                 np.full((len(rows), len(columns)), np.inf),
             )
@@ -129,8 +128,6 @@ class _Margins:
         The column of each decision.
     spread
         (m, k, j), as for `change_distance`.
-    start
-        The states at the start of the next flight of each shot, (m, 9).
     lasting
         The durations of the shots, s, (m,).
     distance
@@ -141,7 +138,6 @@ class _Margins:
     scene: CompiledScene
     columns: Mapping[str, int]
     spread: Floats
-    start: Floats
     lasting: Floats
     distance: Floats
 
@@ -191,8 +187,6 @@ class _Margins:
                 approach = sum(given[n] * given[v] for n, v in zip(_NORMAL, _VELOCITY, strict=True))
                 nears = (np.asarray(varied["gap"]) > 0.0) & (approach < 0.0)
                 self._miss(f"{body}_miss", rows, varied, nears, bounded=body != "end")
-        if not ended:
-            self.start[rows] = events["after"]
 
     def _note(self, column: str, rows: Rows, margin: Any, change: Any) -> None:
         """Note the distance from a decision: its margin, (j,), and the change of that, (k, j)."""
@@ -331,7 +325,7 @@ class _Margins:
     ) -> dict[str, Any]:
         """Return parameters and the states at some times of flights; by default no variations."""
         given = self.path.given(rows, varied=varied is not None)
-        given |= dict(zip(STATE, self.start[rows].T, strict=True)) | {"t": times}
+        given |= dict(zip(STATE, self.path.start[rows].T, strict=True)) | {"t": times}
         given |= self.path.call("flight", given)
         given |= dict.fromkeys(_NORMAL, 0.0)
         return given if varied is None else dict(varied) | {n: given[n] for n in (*STATE, *_NORMAL)}
