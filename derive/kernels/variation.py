@@ -89,9 +89,7 @@ def scene_variations(scene: Scene, order: tuple[sp.Symbol, ...]) -> tuple[Kernel
     start = dict(zip((*POSITION, *VELOCITY), (*dx, *dv), strict=True))
     start |= _series_changes(scene) | _changes(scene)
     moved = [
-        derivative.directional(component, start)
-        for part in scene.flight.at()
-        for component in part
+        derivative.directional(component, start) for part in scene.flight.at() for component in part
     ]
     names = [symbol.name for symbol in (*dx, *dv)]
     changes = derivative.velocity_change(scene.flight, -contact_delay)

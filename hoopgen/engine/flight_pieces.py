@@ -9,7 +9,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["apex_in_pieces", "descend_in_pieces", "fly_in_pieces", "vary_in_pieces"]
+__all__ = [
+    "FlownPieces",
+    "apex_in_pieces",
+    "descend_in_pieces",
+    "fly_in_pieces",
+    "vary_in_pieces",
+]
 
 LONGEST_SEARCH = 60.0
 """s: a ball that still rises, or has not come down, after so long is given up."""
@@ -94,6 +100,57 @@ def vary_in_pieces(
         left[going] -= time
         going = going[left[going] > 0.0]
     return ended
+
+
+class FlownPieces:
+    """Flights whose pieces are kept, so that states within them are found at once.
+
+    Parameters
+    ----------
+    kernels
+        As for `fly_in_pieces`.
+    states
+        States at the beginning, (m, 9).
+    until
+        The latest time of each flight at which its state is asked for, s, (m,).
+    inputs
+        The variables of the parameters, each a number or (m,).
+    """
+
+    def __init__(
+        self, kernels: ModuleType, states: Floats, until: Floats, inputs: Mapping[str, Any]
+    ) -> None:
+        self._kernels = kernels
+        names = [name for name in kernels.ARGUMENTS["flight"] if name != "t"]
+        now, since = states.copy(), np.zeros(len(states))
+        begins, series = [], []
+        going = np.arange(len(states))
+        while len(going):
+            own = {name: v[going] if np.ndim(v) else v for name, v in inputs.items()}
+            begun = _begin(kernels, now[going], own)
+            begins.append(np.full(len(states), np.inf))
+            begins[-1][going] = since[going]
+            series.append(np.full((len(names), len(states)), np.nan))
+            series[-1][:, going] = [np.broadcast_to(begun[name], len(going)) for name in names]
+            now[going] = _moved(kernels, now[going], begun, begun["piece"])
+            since[going] += begun["piece"]
+            going = going[since[going] <= until[going]]
+        self._names, self._begins, self._series = names, np.array(begins), np.array(series)
+
+    def at(self, flights: NDArray[np.intp], times: Floats) -> dict[str, Any]:
+        """Return position and velocity at some times of flights, by name.
+
+        Parameters
+        ----------
+        flights
+            The flights, by their numbers, (j,).
+        times
+            s since their beginnings, (j,).
+        """
+        piece = np.maximum((self._begins[:, flights] <= times).sum(axis=0) - 1, 0)
+        given = dict(zip(self._names, self._series[piece, :, flights].T, strict=True))
+        given["t"] = times - self._begins[piece, flights]
+        return _evaluate(self._kernels, "flight", given)
 
 
 def apex_in_pieces(

@@ -137,7 +137,10 @@ class PreciseScene:
                     ends.append(self.states(moved[:9], moved[9:], events))
                 columns.append(
                     [
-                        [float((up - down) / (2 * self.step)) for up, down in zip(*pair, strict=True)]
+                        [
+                            float((up - down) / (2 * self.step))
+                            for up, down in zip(*pair, strict=True)
+                        ]
                         for pair in zip(*ends, strict=True)
                     ]
                 )

@@ -20,6 +20,7 @@ pytest.importorskip("mpmath")
 pytest.importorskip("flint")
 
 from tests.helpers.precise_air import PreciseAir
+from tests.simulation.test_change_distance import beside_changes, distances, throws
 from tests.simulation.test_derivatives import FREE_THROW, check_against_truth
 
 # One worker: each scene is compiled once.
@@ -162,7 +163,7 @@ def test_products_with_tangents_and_cotangents_are_those_of_the_jacobian() -> No
 
 
 def test_derivatives_chain_with_those_of_a_release() -> None:
-    values = {"speed": 7.5, "elevation": 0.91, "azimuth": 0.02, "backspin": 12.0, "sidespin": 1.0}
+    values = {"speed": 7.45, "elevation": 0.91, "azimuth": 0.02, "backspin": 12.0, "sidespin": 1.0}
     values |= {"height": 2.1, "distance": 4.2, "angle": 0.1}
     states, by_release = hoopgen.release(**values, jacobian=True)
     chained = hoopgen.AIR.simulate(states, derivatives=STATE).jacobian.chain(by_release)
@@ -176,6 +177,25 @@ def test_derivatives_chain_with_those_of_a_release() -> None:
         ]
         expected = (ends[0] - ends[1])[0] / (2 * step)
         np.testing.assert_allclose(chained["state"][0, :, column], expected, rtol=1e-5, atol=1e-5)
+
+
+def test_distances_to_changes_are_those_of_bisection() -> None:
+    for values, known in beside_changes(hoopgen.AIR, {}, throws(30, speed=7.5), 1e-7):
+        shots, distance = distances(hoopgen.AIR, {}, values)
+        share = distance[known & shots.differentiable].min(axis=1) / 1e-7
+        assert len(share) >= 5
+        np.testing.assert_allclose(np.median(share), 1.0, rtol=0.02, atol=0.0)
+
+
+def test_without_air_distances_to_changes_are_those_of_the_parabola() -> None:
+    states, names = free_throws(60), ("vx", "vy", "vz")
+    own = hoopgen.AIR.simulate(states, {"air_density": 0.0}, derivatives=names, record=True)
+    plain = hoopgen.simulate(states, derivatives=names, record=True)
+    assert own.decisions == plain.decisions
+    same = own.differentiable & plain.differentiable
+    assert same.sum() > 40
+    found, expected = own.change_distance()[same], plain.change_distance()[same]
+    np.testing.assert_allclose(found, expected, rtol=1e-7, atol=1e-12)
 
 
 def test_parameters_by_shot_have_their_own_derivatives() -> None:
