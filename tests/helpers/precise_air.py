@@ -88,7 +88,7 @@ def _series(
 
 
 def _convolved(first: Sequence[arb], second: Sequence[arb], low: int, high: int) -> arb:
-    """Return the sum of products of terms from `low` to `high` of the one, and back of the other."""
+    """Return the sum of products of the terms from `low` to `high`, of the second backwards."""
     return sum(map(mul, first[low : high + 1], second[low : high + 1][::-1]), arb(0))
 
 

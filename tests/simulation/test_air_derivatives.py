@@ -194,7 +194,11 @@ def test_without_air_distances_to_changes_are_those_of_the_parabola() -> None:
     assert own.decisions == plain.decisions
     same = own.differentiable & plain.differentiable
     assert same.sum() > 40
-    found, expected = own.change_distance()[same], plain.change_distance()[same]
+    # Above the bridge the height at a contact does not vary, apart from roundings.
+    found, expected = (
+        np.where(distance > 1e12, np.inf, distance)
+        for distance in (own.change_distance()[same], plain.change_distance()[same])
+    )
     np.testing.assert_allclose(found, expected, rtol=1e-7, atol=1e-12)
 
 
