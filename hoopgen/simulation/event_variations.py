@@ -15,7 +15,7 @@ from hoopgen.core.parameters import Value
 from hoopgen.core.variables import STATE
 from hoopgen.engine.compiled_scene import CompiledScene
 
-from .variations import VARIATION, VariedPath, shots_at_once
+from .variations import SHOTS_AT_ONCE, VARIATION, VariedPath
 
 __all__ = ["event_derivatives"]
 
@@ -54,10 +54,10 @@ def event_derivatives(
     stop = np.searchsorted(events["shot"], every, "right")
     stays = np.flatnonzero(np.isin(events["kind"], (Event.ROLL, Event.LEAVE)))
     np.minimum.at(stop, events["shot"][stays], stays)
-    followed, size = np.flatnonzero(certain & (first < stop)), shots_at_once(scene)
+    followed = np.flatnonzero(certain & (first < stop))
     with np.errstate(all="ignore"):  # what a kernel does not choose may be divided by 0
-        for start in range(0, len(followed), size):
-            rows = followed[start : start + size]
+        for start in range(0, len(followed), SHOTS_AT_ONCE):
+            rows = followed[start : start + SHOTS_AT_ONCE]
             own = {n: v if isinstance(v, float) else v[rows] for n, v in parameters.items()}
             log = _EventLog(first[rows].copy(), time, before, after)
             VariedPath(scene, names, own, releases[rows]).follow(

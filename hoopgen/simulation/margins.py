@@ -21,7 +21,7 @@ from hoopgen.core.variables import STATE
 from hoopgen.engine.compiled_scene import CompiledScene
 from hoopgen.engine.flight_pieces import FlownPieces
 
-from .variations import VARIATION, VariedPath, shots_at_once
+from .variations import SHOTS_AT_ONCE, VARIATION, VariedPath
 
 __all__ = ["change_distance", "decision_names"]
 
@@ -31,6 +31,9 @@ Rows = NDArray[np.intp]
 LOOKS = 64
 """Times of a flight at which the distance of a body is computed. Between two of them a smallest
 distance is found by bisection, where its rate is negative at the first and not at the second."""
+
+SHOTS_WITH_PIECES_AT_ONCE = 1 << 10
+"""Shots that are followed together where flights have pieces: all of those are kept."""
 
 SHORTEST_STAY = 1e-6
 """First look into the continuation of a flight through the body that it touches, as a share of the
@@ -91,7 +94,8 @@ def change_distance(
         infinite where it takes none.
     """
     columns = decision_names(scene)
-    shots, size = len(releases), shots_at_once(scene)
+    shots = len(releases)
+    size = SHOTS_WITH_PIECES_AT_ONCE if scene.kernels.PIECES else SHOTS_AT_ONCE
     found = np.full((shots, len(columns)), np.nan)
     first = np.searchsorted(events["shot"], np.arange(shots))
     last = np.searchsorted(events["shot"], np.arange(shots), "right") - 1

@@ -20,23 +20,15 @@ from hoopgen.core.variables import STATE, check_names
 from hoopgen.engine.compiled_scene import CompiledScene
 from hoopgen.engine.flight_pieces import vary_in_pieces
 
-__all__ = [
-    "NEEDED",
-    "Observer",
-    "VariedPath",
-    "check_derivatives",
-    "derivatives",
-    "shots_at_once",
-]
+__all__ = ["NEEDED", "Observer", "VariedPath", "check_derivatives", "derivatives"]
 
 Floats = NDArray[np.float64]
 
 NEEDED = ("outcome", "uncertain")
 """Results that tell whether a shot has derivatives."""
 
-SHOTS_AT_ONCE, SHOTS_AT_ONCE_IN_PIECES = 1 << 14, 1 << 11
-"""Shots whose derivatives are computed together, which bounds the memory that this takes; and where
-flights have pieces, of which each shot has many numbers."""
+SHOTS_AT_ONCE = 1 << 14
+"""Shots whose derivatives are computed together, which bounds the memory that this takes."""
 
 VARIATION = tuple(f"d{name}" for name in STATE)
 _CHANGE = "change_"
@@ -74,11 +66,6 @@ def check_derivatives(
         what = f"{', '.join(twice)} twice" if twice else "no name"
         raise ValueError(f"{argument}: {what}; expected each name once")
     return found
-
-
-def shots_at_once(scene: CompiledScene) -> int:
-    """Return how many shots of a scene have their derivatives computed together."""
-    return SHOTS_AT_ONCE_IN_PIECES if scene.kernels.PIECES else SHOTS_AT_ONCE
 
 
 def derivatives(
@@ -121,10 +108,9 @@ def derivatives(
     state = np.full((shots, len(STATE), len(names)), np.nan)
     time = np.full((shots, 1, len(names)), np.nan)
     first = np.searchsorted(events["shot"], np.arange(shots))
-    size = shots_at_once(scene)
     with np.errstate(all="ignore"):  # what a kernel does not choose may be divided by 0
-        for start in range(0, shots, size):
-            rows = start + np.flatnonzero(differentiable[start : start + size])
+        for start in range(0, shots, SHOTS_AT_ONCE):
+            rows = start + np.flatnonzero(differentiable[start : start + SHOTS_AT_ONCE])
             own = {n: v if isinstance(v, float) else v[rows] for n, v in parameters.items()}
             path = VariedPath(scene, names, own, releases[rows])
             state[rows], time[rows] = path.follow(events, first[rows])
