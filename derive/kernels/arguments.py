@@ -12,7 +12,7 @@ from ..scenes.scene import Scene
 from ..studies import ARGUMENTS
 from ..symbolic.rounding import extent, position_error, speed, velocity_error
 from ..symbolic.symbols import NORMAL, STATE, change_of, t
-from .variation import contact_delay
+from .variation import contact_delay, variation_symbols
 
 FRAME = sp.Matrix(3, 3, lambda i, j: sp.Symbol(f"n{i + 1}{j + 1}", real=True))
 """Components of the contact frame, R of Eq. 10."""
@@ -57,6 +57,7 @@ def argument_order(scene: Scene) -> tuple[sp.Symbol, ...]:
         *propagation.ARGUMENTS,
         *_BOXES,
         *scene.flight.symbols,
+        *variation_symbols(scene),
         *dict.fromkeys(constants),
         *ARGUMENTS,
         *scene.symbols,

@@ -76,5 +76,5 @@ def _kernels(
             f"derivative of {law.description}, with roundings",
             scene.single_errors,
         ),
-        **({"vary": law_variation(law, scene, order)} if scene.flight.exact else {}),
+        "vary": law_variation(law, scene, order),
     }

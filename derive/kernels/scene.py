@@ -21,7 +21,7 @@ from ..symbolic.conditionals import barrier, maximum
 from ..symbolic.number_range import MAX_FLIGHT, MAX_SPEED
 from ..symbolic.symbols import POSITION, SPIN, VELOCITY, spin, velocity
 from .arguments import FRAME, RESTITUTION, components, unchecked_argument_order
-from .variation import scene_variations
+from .variation import piece_variations, scene_variations
 
 MOTION = (*VELOCITY, *SPIN)
 
@@ -46,7 +46,8 @@ def scene_kernels(
         *_pieces(scene, order),
         *_errors(scene, order),
         *_validity(scene, tabled),
-        *(scene_variations(scene, order) if scene.flight.exact else ()),
+        *scene_variations(scene, order),
+        *piece_variations(scene, order),
     )
     return {kernel.name: kernel for kernel in kernels}
 

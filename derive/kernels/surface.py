@@ -154,8 +154,7 @@ def _geometry(surface: Surface, scene: Scene) -> dict[str, Formula]:
             "Table 2",
         ),
     }
-    if scene.flight.exact:
-        formulas["vary"] = contact_variation(surface, scene)
+    formulas["vary"] = contact_variation(surface, scene)
     if surface.bounds:
         formulas["bounds"] = (
             _numbered("g", list(surface.bounds)),

@@ -4,6 +4,11 @@ They are exact derivatives, apart from the roundings of their own evaluation: of
 time and place of a contact, of the normal there, and of the contact law. The event loop evaluates
 none of them; they follow the events of a shot afterwards. A variation holds at a fixed time, and
 the variations of an event at the event itself, whose time varies too.
+
+A flight through air has no formula. The coefficients of its series follow from each other, order by
+order, and so do their variations: those of an order from those of the orders before, by the
+derivative of the same recurrence. What the series leaves out of the variation of the velocity is
+the derivative of what it leaves out of the velocity.
 """
 
 from __future__ import annotations
@@ -14,13 +19,21 @@ from ..contact.law import Law
 from ..errors import derivative
 from ..events.search import Formula
 from ..ir.kernel import Kernel, kernel
+from ..motion.air import ORDER, AirFlight
 from ..scenes.scene import Scene
 from ..surfaces import EndPlane, Surface
 from ..symbolic.conditionals import barrier
 from ..symbolic.error_terms import dn, dv, dw, dx
-from ..symbolic.symbols import POSITION, VELOCITY, change_of, normal, spin, velocity
+from ..symbolic.symbols import POSITION, SPIN, VELOCITY, change_of, normal, spin, velocity
 
-__all__ = ["contact_delay", "contact_variation", "law_variation", "scene_variations"]
+__all__ = [
+    "contact_delay",
+    "contact_variation",
+    "law_variation",
+    "piece_variations",
+    "scene_variations",
+    "variation_symbols",
+]
 
 contact_delay = sp.Symbol("contact_delay", real=True)
 """Variation of the time of a contact, s."""
@@ -31,13 +44,52 @@ def _changes(scene: Scene) -> dict[sp.Symbol, sp.Expr]:
     return {symbol: change_of(symbol) for symbol in scene.symbols}
 
 
+def variation_of(symbol: sp.Symbol) -> sp.Symbol:
+    """Return the symbol of the variation of a symbol of the flight."""
+    return sp.Symbol(f"d{symbol.name}", real=True)
+
+
+def _series_changes(scene: Scene) -> dict[sp.Symbol, sp.Expr]:
+    """Return the variations of the symbols on which the coefficients of a piece's series depend."""
+    if not isinstance(scene.flight, AirFlight):
+        return {}
+    return {symbol: variation_of(symbol) for symbol in scene.flight.coefficients}
+
+
+def variation_symbols(scene: Scene) -> tuple[sp.Symbol, ...]:
+    """Return the symbols of variations that kernels of the flight pass to others."""
+    return tuple(_series_changes(scene).values())
+
+
+def piece_variations(scene: Scene, order: tuple[sp.Symbol, ...]) -> tuple[Kernel, ...]:
+    """Return the variations of a piece's series, if the flight has pieces.
+
+    Each is named after the kernel of which it is the derivative.
+    """
+    flight = scene.flight
+    if not isinstance(flight, AirFlight):
+        return ()
+    moved = dict(zip((*VELOCITY, *SPIN), (*dv, *dw), strict=True))
+    moved |= _series_changes(scene) | _changes(scene)
+
+    def varied(name: str, outputs: dict[str, sp.Expr], summary: str) -> Kernel:
+        changes = {f"d{key}": derivative.directional(e, moved) for key, e in outputs.items()}
+        return kernel(f"vary_{name}", changes, order, summary, f"derivative of {name}")
+
+    rates = "Variations of the rates of drag and Magnus force, and of gravity less buoyancy."
+    terms = "Variations of the coefficients of order {} of a piece's series."
+    return (
+        varied("air_rates", flight.rates(), rates),
+        *(varied(f"air_order_{k}", flight.order(k), terms.format(k)) for k in range(ORDER + 1)),
+    )
+
+
 def scene_variations(scene: Scene, order: tuple[sp.Symbol, ...]) -> tuple[Kernel, ...]:
     """Return the variations of a flight, and of the flight that begins at a varied contact."""
     start = dict(zip((*POSITION, *VELOCITY), (*dx, *dv), strict=True))
+    start |= _series_changes(scene) | _changes(scene)
     moved = [
-        derivative.directional(component, start | _changes(scene))
-        for part in scene.flight.at()
-        for component in part
+        derivative.directional(component, start) for part in scene.flight.at() for component in part
     ]
     names = [symbol.name for symbol in (*dx, *dv)]
     changes = derivative.velocity_change(scene.flight, -contact_delay)
@@ -51,14 +103,14 @@ def scene_variations(scene: Scene, order: tuple[sp.Symbol, ...]) -> tuple[Kernel
             dict(zip(names, moved, strict=True)),
             order,
             "Variations of position and velocity at time t of a flight, from those at its start.",
-            "derivative of Eq. 3",
+            f"derivative of {scene.flight.source}",
         ),
         kernel(
             "vary_departure",
             dict(zip(names, back, strict=True)),
             order,
             "Variations of position and velocity after a contact, at the time of the contact.",
-            "derivative of Eq. 3 at its start",
+            f"derivative of {scene.flight.source} at its start",
         ),
     )
 
@@ -91,7 +143,7 @@ def contact_variation(surface: Surface, scene: Scene) -> Formula:
         {"contact_delay": delay_of, "gap": surface.distance, "gap_change": gap_change} | formulas,
         "Delay of a contact, distance there, and variations of position, velocity and normal; the "
         "change of the distance at a fixed time, and bounds with their changes at the contact.",
-        "derivatives of the distance, of Eq. 3, of the normal and of Eq. 2",
+        f"derivatives of the distance, of {scene.flight.source}, of the normal and of Eq. 2",
     )
 
 

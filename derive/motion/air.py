@@ -153,6 +153,7 @@ BOUNDS = (
 )
 """The length of a piece, and bounds within it."""
 
+_RATES = (drag_rate, *magnus_rate, *free_fall)
 
 SERIES_KERNELS = ("air_rates", *(f"air_order_{k}" for k in range(ORDER + 1)), "piece")
 """The names of the kernels of a piece's series, in order."""
@@ -248,8 +249,13 @@ class AirFlight(Flight):
     @property
     def symbols(self) -> tuple[sp.Symbol, ...]:
         """The coefficients of a piece, its length and bounds, and the rates of the forces."""
-        coefficients = (v for vector in VELOCITIES[1:] for v in vector)
-        return (*coefficients, *AIRSPEEDS, *BOUNDS, drag_rate, *magnus_rate, *free_fall)
+        series, rates = self.coefficients[: -len(_RATES)], self.coefficients[-len(_RATES) :]
+        return (*series, *BOUNDS, *rates)
+
+    @property
+    def coefficients(self) -> tuple[sp.Symbol, ...]:
+        """The coefficients of a piece's series, and the rates of the forces."""
+        return (*(v for vector in VELOCITIES[1:] for v in vector), *AIRSPEEDS, *_RATES)
 
     @property
     def fall(self) -> sp.Matrix:

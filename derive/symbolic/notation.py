@@ -52,15 +52,22 @@ def structured(name: str) -> str | None:
     match = re.fullmatch(r"far_([vw]?[xyz])", name)
     if match:
         return rf"\tilde{{{structured(match[1])}}}"
-    match = SERIES_TERM.fullmatch(name)
-    if match and match[1] in SERIES:
-        return f"{SERIES[match[1]].latex}^{{({match[2]})}}"
+    if _is_series_term(name):
+        series, _, order = name.rpartition("_")
+        return f"{SERIES[series].latex}^{{({order})}}"
+    if name.startswith("d") and (name[1:] in IN_AIR or _is_series_term(name[1:])):
+        return rf"\delta_{{{latex_name(name[1:])}}}"
     match = re.fullmatch(r"([a-z])(\d+)", name)
     if match:
         return f"{match[1]}_{{{match[2]}}}"
     if name.startswith(CHANGE):
         return rf"\delta_{{{text(name.removeprefix(CHANGE))}}}"
     return name if len(name) == 1 else None
+
+
+def _is_series_term(name: str) -> bool:
+    match = SERIES_TERM.fullmatch(name)
+    return match is not None and match[1] in SERIES
 
 
 def text(name: str) -> str:

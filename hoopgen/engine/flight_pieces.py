@@ -9,7 +9,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["apex_in_pieces", "descend_in_pieces", "fly_in_pieces"]
+__all__ = [
+    "FlownPieces",
+    "apex_in_pieces",
+    "descend_in_pieces",
+    "fly_in_pieces",
+    "vary_in_pieces",
+]
 
 LONGEST_SEARCH = 60.0
 """s: a ball that still rises, or has not come down, after so long is given up."""
@@ -56,6 +62,95 @@ def fly_in_pieces(
             left[going] -= time
             going = going[left[going] > 0.0]
     return now.reshape(*shape, now.shape[1])
+
+
+def vary_in_pieces(
+    kernels: ModuleType, times: Floats, states: Floats, given: Mapping[str, Any]
+) -> dict[str, Floats]:
+    """Return the variations of position and velocity after free flights, piece by piece.
+
+    Parameters
+    ----------
+    kernels
+        As for `fly_in_pieces`.
+    times
+        Durations of the flights, s, none of them negative, (m,).
+    states
+        States at the beginning, (m, 9).
+    given
+        By name the variables of the parameters, numbers or (m,), their changes, numbers or (k, m),
+        and the variations of the state at the beginning, (k, m).
+
+    Returns
+    -------
+    dict
+        The variations at the end by name, (k, m).
+    """
+    left, now = times.copy(), states.copy()
+    names = kernels.OUTPUTS["vary_flight"]
+    ended = {name: np.array(given[name]) for name in names}
+    going = np.flatnonzero(left > 0.0)
+    while len(going):
+        own = {name: v[..., going] if np.ndim(v) else v for name, v in {**given, **ended}.items()}
+        begun = _begin(kernels, now[going], own, varied=True)
+        time = np.minimum(left[going], begun["piece"])
+        for name, value in _evaluate(kernels, "vary_flight", begun | {"t": time}).items():
+            ended[name][:, going] = value
+        now[going] = _moved(kernels, now[going], begun, time)
+        left[going] -= time
+        going = going[left[going] > 0.0]
+    return ended
+
+
+class FlownPieces:
+    """Flights whose pieces are kept, so that states within them are found at once.
+
+    Parameters
+    ----------
+    kernels
+        As for `fly_in_pieces`.
+    states
+        States at the beginning, (m, 9).
+    until
+        The latest time of each flight at which its state is asked for, s, (m,).
+    inputs
+        The variables of the parameters, each a number or (m,).
+    """
+
+    def __init__(
+        self, kernels: ModuleType, states: Floats, until: Floats, inputs: Mapping[str, Any]
+    ) -> None:
+        self._kernels = kernels
+        names = [name for name in kernels.ARGUMENTS["flight"] if name != "t"]
+        now, since = states.copy(), np.zeros(len(states))
+        begins, series = [], []
+        going = np.arange(len(states))
+        while len(going):
+            own = {name: v[going] if np.ndim(v) else v for name, v in inputs.items()}
+            begun = _begin(kernels, now[going], own)
+            begins.append(np.full(len(states), np.inf))
+            begins[-1][going] = since[going]
+            series.append(np.full((len(names), len(states)), np.nan))
+            series[-1][:, going] = [np.broadcast_to(begun[name], len(going)) for name in names]
+            now[going] = _moved(kernels, now[going], begun, begun["piece"])
+            since[going] += begun["piece"]
+            going = going[since[going] <= until[going]]
+        self._names, self._begins, self._series = names, np.array(begins), np.array(series)
+
+    def at(self, flights: NDArray[np.intp], times: Floats) -> dict[str, Any]:
+        """Return position and velocity at some times of flights, by name.
+
+        Parameters
+        ----------
+        flights
+            The flights, by their numbers, (j,).
+        times
+            s since their beginnings, (j,).
+        """
+        piece = np.maximum((self._begins[:, flights] <= times).sum(axis=0) - 1, 0)
+        given = dict(zip(self._names, self._series[piece, :, flights].T, strict=True))
+        given["t"] = times - self._begins[piece, flights]
+        return _evaluate(self._kernels, "flight", given)
 
 
 def apex_in_pieces(
@@ -139,18 +234,29 @@ def _rows(
     return rows.copy(), columns
 
 
-def _begin(kernels: ModuleType, states: Floats, inputs: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the variables of a piece of flights that begin at states (n, 9)."""
+def _begin(
+    kernels: ModuleType, states: Floats, inputs: Mapping[str, Any], varied: bool = False
+) -> dict[str, Any]:
+    """Return the variables of a piece of flights that begin at states (n, 9).
+
+    Where variations are among the inputs, those of the piece are among the variables.
+    """
     values = {**inputs, **dict(zip(kernels.STATE, states.T, strict=True))}
     for name in kernels.PIECES:
-        given = (values[argument] for argument in kernels.ARGUMENTS[name])
-        made = (np.broadcast_to(one, len(states)) for one in getattr(kernels, name)(*given))
-        values.update(zip(kernels.OUTPUTS[name], made, strict=True))
+        found = _evaluate(kernels, name, values)
+        values.update({key: np.broadcast_to(one, len(states)) for key, one in found.items()})
+        if varied and f"vary_{name}" in kernels.ARGUMENTS:
+            values.update(_evaluate(kernels, f"vary_{name}", values))
     return values
+
+
+def _evaluate(kernels: ModuleType, name: str, values: Mapping[str, Any]) -> dict[str, Any]:
+    """Return the outputs of a kernel by name."""
+    given = (values[argument] for argument in kernels.ARGUMENTS[name])
+    return dict(zip(kernels.OUTPUTS[name], getattr(kernels, name)(*given), strict=True))
 
 
 def _moved(kernels: ModuleType, states: Floats, begun: Mapping[str, Any], time: Floats) -> Floats:
     """Return the states (n, 9) at times within a piece."""
-    given = (time if name == "t" else begun[name] for name in kernels.ARGUMENTS["flight"])
-    moved = np.stack(kernels.flight(*given), axis=1)
+    moved = np.stack([*_evaluate(kernels, "flight", {**begun, "t": time}).values()], axis=1)
     return np.concatenate([moved, states[:, moved.shape[1] :]], axis=1)

@@ -26,6 +26,7 @@ def event_derivatives(
     scene: CompiledScene,
     names: Sequence[str],
     parameters: Mapping[str, Value],
+    releases: Floats,
     certain: NDArray[np.bool_],
     events: NDArray[np.void],
 ) -> Jacobian:
@@ -33,7 +34,7 @@ def event_derivatives(
 
     Parameters
     ----------
-    scene, names, parameters, events
+    scene, names, parameters, releases, events
         As of `derivatives`; m events.
     certain
         The shots of which no decision is uncertain, (n,).
@@ -59,7 +60,7 @@ def event_derivatives(
             rows = followed[start : start + SHOTS_AT_ONCE]
             own = {n: v if isinstance(v, float) else v[rows] for n, v in parameters.items()}
             log = _EventLog(first[rows].copy(), time, before, after)
-            VariedPath(scene, names, own, len(rows)).follow(
+            VariedPath(scene, names, own, releases[rows]).follow(
                 events, first[rows], log, stop[rows] - 1
             )
     known = np.ones(len(events), np.bool_)

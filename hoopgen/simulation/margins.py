@@ -10,7 +10,7 @@ the gradient there is that at a fixed time.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 from hoopgen.core.parameters import Value
 from hoopgen.core.variables import STATE
 from hoopgen.engine.compiled_scene import CompiledScene
+from hoopgen.engine.flight_pieces import FlownPieces
 
 from .variations import SHOTS_AT_ONCE, VARIATION, VariedPath
 
@@ -30,6 +31,9 @@ Rows = NDArray[np.intp]
 LOOKS = 64
 """Times of a flight at which the distance of a body is computed. Between two of them a smallest
 distance is found by bisection, where its rate is negative at the first and not at the second."""
+
+SHOTS_WITH_PIECES_AT_ONCE = 1 << 10
+"""Shots that are followed together where flights have pieces: all of those are kept."""
 
 SHORTEST_STAY = 1e-6
 """First look into the continuation of a flight through the body that it touches, as a share of the
@@ -91,22 +95,22 @@ def change_distance(
     """
     columns = decision_names(scene)
     shots = len(releases)
+    size = SHOTS_WITH_PIECES_AT_ONCE if scene.kernels.PIECES else SHOTS_AT_ONCE
     found = np.full((shots, len(columns)), np.nan)
     first = np.searchsorted(events["shot"], np.arange(shots))
     last = np.searchsorted(events["shot"], np.arange(shots), "right") - 1
     with np.errstate(all="ignore"):  # what has no normal or no root is no number, and left out
-        for start in range(0, shots, SHOTS_AT_ONCE):
-            rows = start + np.flatnonzero(differentiable[start : start + SHOTS_AT_ONCE])
+        for start in range(0, shots, size):
+            rows = start + np.flatnonzero(differentiable[start : start + size])
             if not len(rows):
                 continue
             own = {n: v if isinstance(v, float) else v[rows] for n, v in parameters.items()}
-            path = VariedPath(scene, names, own, len(rows))
+            path = VariedPath(scene, names, own, releases[rows])
             margins = _Margins(
                 path,
                 scene,
                 dict(zip(columns, range(len(columns)), strict=True)),
                 np.broadcast_to(spread, (shots, *spread.shape[1:]))[rows],
-                releases[rows].copy(),
                 events["time"][last[rows]],
                 np.full((len(rows), len(columns)), np.inf),
             )
@@ -129,21 +133,21 @@ class _Margins:
         The column of each decision.
     spread
         (m, k, j), as for `change_distance`.
-    start
-        The states at the start of the next flight of each shot, (m, 9).
     lasting
         The durations of the shots, s, (m,).
     distance
         The smallest distances so far, (m, decisions).
+    _pieces
+        Where a flight has pieces: the shots in flight, in order, and their flights.
     """
 
     path: VariedPath
     scene: CompiledScene
     columns: Mapping[str, int]
     spread: Floats
-    start: Floats
     lasting: Floats
     distance: Floats
+    _pieces: tuple[Rows, FlownPieces] | None = field(default=None, init=False)
 
     def flight(self, rows: Rows, events: NDArray[np.void], duration: Floats, start: Floats) -> None:
         """Record the clearance of flights from bodies, and the depth of flights that touch."""
@@ -151,15 +155,19 @@ class _Margins:
         looks = np.linspace(0.0, 1.0, LOOKS) * duration[:, np.newaxis]
         further = np.geomspace(SHORTEST_STAY, 1.0, LOOKS) * self.lasting[rows, np.newaxis]
         beyond = np.concatenate([duration[:, np.newaxis], duration[:, np.newaxis] + further], 1)
+        if kernels.PIECES:
+            given = self.path.given(rows, varied=False)
+            self._pieces = rows, FlownPieces(kernels, self.path.start[rows], beyond[:, -1], given)
+        seen = self._given(np.repeat(rows, LOOKS), looks.ravel())
         for body, name in enumerate(kernels.BODIES):
             touched = np.flatnonzero(events["surface"] == body)
             for face in kernels.FACES[body]:
-                self._near(face, f"{name}_miss", rows, start, looks)
+                self._near(face, f"{name}_miss", rows, start, looks, seen)
                 if len(touched):
                     own = (rows[touched], start[..., touched], beyond[touched])
                     self._deep(face, f"{name}_touch", *own, events[touched])
         for plane in kernels.END_PLANES:
-            self._near(plane, "end_miss", rows, start, looks, bounded=False)
+            self._near(plane, "end_miss", rows, start, looks, seen, bounded=False)
 
     def event(
         self,
@@ -191,8 +199,6 @@ class _Margins:
                 approach = sum(given[n] * given[v] for n, v in zip(_NORMAL, _VELOCITY, strict=True))
                 nears = (np.asarray(varied["gap"]) > 0.0) & (approach < 0.0)
                 self._miss(f"{body}_miss", rows, varied, nears, bounded=body != "end")
-        if not ended:
-            self.start[rows] = events["after"]
 
     def _note(self, column: str, rows: Rows, margin: Any, change: Any) -> None:
         """Note the distance from a decision: its margin, (j,), and the change of that, (k, j)."""
@@ -235,10 +241,11 @@ class _Margins:
         rows: Rows,
         start: Floats,
         looks: Floats,
+        seen: Mapping[str, Any],
         bounded: bool = True,
     ) -> None:
-        """Note the smallest distances from a face during flights."""
-        gap, rate = self._looks(face, rows, looks)
+        """Note the smallest distances from a face during flights, given what is seen of them."""
+        gap, rate = self._seen(face, seen, looks.shape)
         flight, look = np.nonzero((rate[:, :-1] < 0.0) & (rate[:, 1:] >= 0.0))
         low, high = looks[flight, look], looks[flight, look + 1]
         self._at_least(face, column, rows[flight], start[..., flight], low, high, bounded)
@@ -311,30 +318,39 @@ class _Margins:
     def _varied(self, face: str, rows: Rows, start: Floats, times: Floats) -> dict[str, Any]:
         """Return the values of a face's kernel at some times of flights, with variations."""
         given = self.path.given(rows) | dict(zip(VARIATION, start, strict=True)) | {"t": times}
-        given |= self.path.call("vary_flight", given)
+        given |= self.path.fly(rows, times, given)
         given |= self._given(rows, times, varied=given)
         given |= self.path.call(f"{face}_normal", given)
         return self.path.call(f"{face}_vary", given)
 
     def _looks(self, face: str, rows: Rows, times: Floats) -> tuple[Floats, Floats]:
         """Return the distances from a face at times of flights, and their rates, (j, times)."""
-        each = np.repeat(rows, times.shape[1])
-        given = self._given(each, times.ravel())
-        gap = self.path.call(f"{face}_vary", given)["gap"]
-        given |= self.path.call(f"{face}_normal", given)
-        rate = sum(given[n] * given[v] for n, v in zip(_NORMAL, _VELOCITY, strict=True))
-        gap, rate = (np.broadcast_to(found, each.shape) for found in (gap, rate))
-        return gap.reshape(times.shape), rate.reshape(times.shape)
+        given = self._given(np.repeat(rows, times.shape[1]), times.ravel())
+        return self._seen(face, given, times.shape)
+
+    def _seen(
+        self, face: str, given: Mapping[str, Any], shape: tuple[int, ...]
+    ) -> tuple[Floats, Floats]:
+        """Return distances from a face and their rates, given the arguments of kernels."""
+        gap = self.path.call(f"{face}_vary", dict(given))["gap"]
+        turned = self.path.call(f"{face}_normal", dict(given))
+        rate = sum(turned[n] * given[v] for n, v in zip(_NORMAL, _VELOCITY, strict=True))
+        gap, rate = (np.broadcast_to(found, int(np.prod(shape))) for found in (gap, rate))
+        return gap.reshape(shape), rate.reshape(shape)
 
     def _given(
         self, rows: Rows, times: Floats, varied: Mapping[str, Any] | None = None
     ) -> dict[str, Any]:
         """Return parameters and the states at some times of flights; by default no variations."""
         given = self.path.given(rows, varied=varied is not None)
-        given |= dict(zip(STATE, self.start[rows].T, strict=True)) | {"t": times}
-        given |= self.path.call("flight", given)
-        given |= dict.fromkeys(_NORMAL, 0.0)
-        return given if varied is None else dict(varied) | {n: given[n] for n in (*STATE, *_NORMAL)}
+        given |= dict(zip(STATE, self.path.start[rows].T, strict=True)) | {"t": times}
+        if self._pieces is not None:
+            shots, flown = self._pieces
+            given |= flown.at(np.searchsorted(shots, rows), times)
+        else:
+            given |= self.path.call("flight", given)
+        given |= self.path.forces(given) | dict.fromkeys(_NORMAL, 0.0)
+        return given if varied is None else given | {n: varied[n] for n in VARIATION}
 
 
 def _bounds(found: Mapping[str, Any]) -> list[tuple[Any, Any]]:

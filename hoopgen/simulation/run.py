@@ -232,7 +232,7 @@ def run(
         results["events"] = np.concatenate([np.empty(0, engine.layout.event), *logs])
     variations = None  # along the recorded events, which settling does not change
     if by is not None:
-        found = find_derivatives(engine, by, named, results, results["events"])
+        found = find_derivatives(engine, by, named, releases, results, results["events"])
         variations = Variations(engine, named, releases, *found, ~results["uncertain"])
     if settle:
         # Imported here, because the judge needs SymPy and python-flint.

@@ -52,8 +52,8 @@ class Variations:
 
     def at_events(self, events: NDArray[np.void]) -> Jacobian:
         """Return `Shots.event_jacobian`, given the event log."""
-        names = self.jacobian.names
-        return event_derivatives(self.scene, names, self.parameters, self.certain, events)
+        names, own = self.jacobian.names, (self.parameters, self.releases)
+        return event_derivatives(self.scene, names, *own, self.certain, events)
 
     def change_distance(
         self,

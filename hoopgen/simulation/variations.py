@@ -18,6 +18,7 @@ from hoopgen.core.jacobian import Jacobian
 from hoopgen.core.parameters import Value
 from hoopgen.core.variables import STATE, check_names
 from hoopgen.engine.compiled_scene import CompiledScene
+from hoopgen.engine.flight_pieces import vary_in_pieces
 
 __all__ = ["NEEDED", "Observer", "VariedPath", "check_derivatives", "derivatives"]
 
@@ -32,6 +33,7 @@ SHOTS_AT_ONCE = 1 << 14
 VARIATION = tuple(f"d{name}" for name in STATE)
 _CHANGE = "change_"
 _NORMAL = ("nx", "ny", "nz")
+_RATES = "air_rates"
 
 
 def check_derivatives(
@@ -57,11 +59,6 @@ def check_derivatives(
     """
     if isinstance(names, str):
         raise TypeError(f"{argument}: expected a list of names, got the text {names!r}")
-    if scene.kernels.PIECES:
-        raise ValueError(
-            f"{argument}: derivatives are not derived for flights through air, such as those of "
-            f"the scene {scene.name}; expected a scene without air"
-        )
     found = tuple(names)
     check_names(argument, found, (*STATE, *scene.parameters))
     twice = sorted({name for name in found if found.count(name) > 1})
@@ -75,6 +72,7 @@ def derivatives(
     scene: CompiledScene,
     names: Sequence[str],
     parameters: Mapping[str, Value],
+    releases: Floats,
     results: Mapping[str, NDArray[Any]],
     events: NDArray[np.void],
 ) -> tuple[Jacobian, NDArray[np.bool_]]:
@@ -88,6 +86,8 @@ def derivatives(
         Variables of the derivatives, k of them (`check_derivatives`).
     parameters
         Parameters of the scene in calling order, one number each or (n,).
+    releases
+        States at the release, (n, 9).
     results
         Results of the shots, those of `NEEDED` among them.
     events
@@ -112,7 +112,7 @@ def derivatives(
         for start in range(0, shots, SHOTS_AT_ONCE):
             rows = start + np.flatnonzero(differentiable[start : start + SHOTS_AT_ONCE])
             own = {n: v if isinstance(v, float) else v[rows] for n, v in parameters.items()}
-            path = VariedPath(scene, names, own, len(rows))
+            path = VariedPath(scene, names, own, releases[rows])
             state[rows], time[rows] = path.follow(events, first[rows])
     # An exact graze, or a contact law at its limit, has no derivative.
     finite = np.isfinite(state).all(axis=(1, 2)) & np.isfinite(time).all(axis=(1, 2))
@@ -176,8 +176,13 @@ class VariedPath:
         Variables of the derivatives, k of them.
     parameters
         Parameters, one number each or (m,).
-    shots
-        Their number, m.
+    releases
+        The states at the release, (m, 9).
+
+    Attributes
+    ----------
+    start
+        The states at the start of the present flight of each shot, (m, 9).
     """
 
     def __init__(
@@ -185,8 +190,10 @@ class VariedPath:
         scene: CompiledScene,
         names: Sequence[str],
         parameters: Mapping[str, Value],
-        shots: int,
+        releases: Floats,
     ) -> None:
+        self.start = releases.copy()
+        shots = len(releases)
         self._kernels = scene.kernels
         variables = tuple(self._kernels.VARIABLES.values())
         inputs = scene.table.inputs(parameters)
@@ -237,7 +244,7 @@ class VariedPath:
             duration = now["time"] - time[going]
             if observer is not None:
                 observer.flight(going, now, duration, self._variation[:, :, going])
-            self._fly(going, duration)
+            self._store(going, self.fly(going, duration, self.given(going)))
             ended = now["kind"] == Event.END if last is None else row[going] >= last[going]
             for face, which in self._touched(now, going):
                 end[:, going[which]] = self._meet(face, going[which], now[which])
@@ -283,9 +290,33 @@ class VariedPath:
             if name in found:
                 self._variation[index][:, rows] = found[name]
 
-    def _fly(self, rows: NDArray[np.intp], duration: Floats) -> None:
-        """Carry variations through a flight."""
-        self._store(rows, self.call("vary_flight", self.given(rows) | {"t": duration}))
+    def fly(
+        self, rows: NDArray[np.intp], duration: Floats, given: Mapping[str, Any]
+    ) -> dict[str, Any]:
+        """Return the variations of position and velocity in flights from the shots' `start`.
+
+        Parameters
+        ----------
+        rows
+            The shots, (j,).
+        duration
+            s, (j,).
+        given
+            Their arguments as of `given`, with the variations at the start.
+        """
+        if self._kernels.PIECES:
+            return dict(vary_in_pieces(self._kernels, duration, self.start[rows], given))
+        return self.call("vary_flight", {**given, "t": duration})
+
+    def forces(self, given: Mapping[str, Any]) -> dict[str, Any]:
+        """Return the rates of the forces on balls in flight; none on a parabola.
+
+        Parameters
+        ----------
+        given
+            Arguments of the kernels, states among them.
+        """
+        return self.call(_RATES, given) if self._kernels.PIECES else {}
 
     def _touched(
         self, events: NDArray[np.void], rows: NDArray[np.intp]
@@ -298,7 +329,7 @@ class VariedPath:
                 continue
             nearest = np.zeros(len(which), np.intp)
             if len(faces) > 1:
-                given = self.given(rows[which]) | self._before(events[which])
+                given = self._arriving(rows[which], events[which])
                 given |= dict.fromkeys(_NORMAL, 0.0)
                 gaps = [self.call(f"{face}_vary", given)["gap"] for face in faces]
                 sizes = [np.abs(np.broadcast_to(gap, len(which))) for gap in gaps]
@@ -307,13 +338,14 @@ class VariedPath:
                 if (nearest == index).any():
                     yield face, which[nearest == index]
 
-    @staticmethod
-    def _before(events: NDArray[np.void]) -> dict[str, Any]:
-        return dict(zip(STATE, events["before"].T, strict=True))
+    def _arriving(self, rows: NDArray[np.intp], events: NDArray[np.void]) -> dict[str, Any]:
+        """Return the arguments of kernels at events, with the states before them."""
+        given = self.given(rows) | dict(zip(STATE, events["before"].T, strict=True))
+        return given | self.forces(given)
 
     def _meet(self, face: str, rows: NDArray[np.intp], events: NDArray[np.void]) -> Floats:
         """Carry variations through an event; return the variation of its time, (k, m)."""
-        given = self.given(rows) | self._before(events)
+        given = self._arriving(rows, events)
         given |= self.call(f"{face}_normal", given)
         found = self.call(f"{face}_vary", given)
         shape = (self._variation.shape[1], len(rows))
@@ -332,6 +364,8 @@ class VariedPath:
         if self._observer is not None:
             self._observer.event(face, rows, events, given, arrival)
         given |= dict(zip(STATE, events["after"].T, strict=True))
+        given |= self.forces(given)
         self._store(rows, given)
         self._store(rows, self.call("vary_departure", given))
+        self.start[rows] = events["after"]
         return delay

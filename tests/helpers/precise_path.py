@@ -20,8 +20,6 @@ from hoopgen.derive.symbolic.conditionals import release
 from hoopgen.derive.symbolic.symbols import NORMAL, POSITION, STATE, normal, spin, t, velocity
 from numpy.typing import NDArray
 
-DIGITS = 70
-_STEP = mpmath.mpf(10) ** -25
 _CHOICES = {
     "IfLess": lambda left, right, then, other: then if left < right else other,
     "IfAtMost": lambda left, right, then, other: then if left <= right else other,
@@ -37,7 +35,17 @@ class PreciseScene:
     ----------
     scene
         The scene of the derivation.
+
+    Attributes
+    ----------
+    digits
+        Digits of the numbers.
+    step
+        Step of the differences.
     """
+
+    digits = 70
+    step = mpmath.mpf(10) ** -25
 
     def __init__(self, scene: Scene) -> None:
         self.scene = scene
@@ -60,6 +68,15 @@ class PreciseScene:
         """Return the distance of a ball at a place from a surface."""
         return self._function("gap", surface, POSITION, [surface.distance])(*place, *inputs)[0]
 
+    def fly(self, duration: Any, now: Vector, inputs: Vector) -> list[Any]:
+        """Return position and velocity after a flight of some duration."""
+        return list(self._flight(duration, *now, *inputs))
+
+    @cached_property
+    def _flight(self) -> Any:
+        moved = [c for part in self.scene.flight.at() for c in part]
+        return self._function("flight", self.scene.name, (t, *STATE), moved)
+
     def states(
         self, state: Vector, inputs: Vector, events: Sequence[tuple[Surface, Law | None, float]]
     ) -> list[Vector]:
@@ -75,19 +92,13 @@ class PreciseScene:
             Of each event its surface, the contact law (None: the end), and a time near it.
         """
         clock, now, found = mpmath.mpf(0), list(state), []
-        flight = self._function(
-            "flight",
-            self.scene.name,
-            (t, *STATE),
-            [c for part in self.scene.flight.at() for c in part],
-        )
         for surface, law, near in events:
 
             def distance(since: Any, now: Vector = now, surface: Surface = surface) -> Any:
-                return self.gap(surface, flight(since, *now, *inputs)[:3], inputs)
+                return self.gap(surface, self.fly(since, now, inputs)[:3], inputs)
 
             duration = mpmath.findroot(distance, (near - clock, near - clock + mpmath.mpf("1e-9")))
-            now = [*flight(duration, *now, *inputs), *now[6:]]
+            now = [*self.fly(duration, now, inputs), *now[6:]]
             clock += duration
             before = list(now)
             if law is not None:
@@ -116,17 +127,20 @@ class PreciseScene:
         changes
             By variable the derivatives of the nine numbers of the release and of the inputs.
         """
-        with mpmath.workdps(DIGITS):
+        with mpmath.workdps(self.digits):
             start = [mpmath.mpf(float(value)) for value in (*state, *inputs)]
             columns = []
             for change in changes.values():
                 ends = []
                 for sign in (1, -1):
-                    moved = [v + sign * _STEP * c for v, c in zip(start, change, strict=True)]
+                    moved = [v + sign * self.step * c for v, c in zip(start, change, strict=True)]
                     ends.append(self.states(moved[:9], moved[9:], events))
                 columns.append(
                     [
-                        [float((up - down) / (2 * _STEP)) for up, down in zip(*pair, strict=True)]
+                        [
+                            float((up - down) / (2 * self.step))
+                            for up, down in zip(*pair, strict=True)
+                        ]
                         for pair in zip(*ends, strict=True)
                     ]
                 )

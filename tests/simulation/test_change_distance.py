@@ -17,11 +17,11 @@ SPEED = np.diag([1.0] + 7 * [0.0])
 FRICTION = {"ring_friction": 0.3, "backboard_friction": 0.2}
 
 
-def throws(n: int, seed: int = 5) -> dict[str, Any]:
+def throws(n: int, seed: int = 5, speed: float = 7.2) -> dict[str, Any]:
     """Return arguments of releases, most of which touch something."""
     random = np.random.default_rng(seed)
     return {
-        "speed": random.normal(7.2, 0.15, n),
+        "speed": random.normal(speed, 0.15, n),
         "elevation": random.normal(0.9, 0.05, n),
         "azimuth": random.normal(0, 0.03, n),
         "backspin": random.normal(15, 5, n),
@@ -69,15 +69,16 @@ def beside_changes(
 
 @pytest.mark.slow
 @pytest.mark.parametrize(
-    ("engine", "parameters"),
-    [(hoopgen.HOOP, {}), (hoopgen.COURT, FRICTION)],
-    ids=["hoop", "court"],
+    ("engine", "parameters", "speed"),
+    [(hoopgen.HOOP, {}, 7.2), (hoopgen.COURT, FRICTION, 7.2), (hoopgen.AIR, {}, 7.5)],
+    ids=["hoop", "court", "air"],
 )
 def test_the_distance_is_that_of_the_change_that_bisection_finds(
-    engine: Engine, parameters: Mapping[str, float]
+    engine: Engine, parameters: Mapping[str, float], speed: float
 ) -> None:
     away, met = 1e-7, set()
-    for values, known in beside_changes(engine, parameters, throws(trials(600)), away):
+    shots = throws(trials(600), speed=speed)
+    for values, known in beside_changes(engine, parameters, shots, away):
         shots, distance = distances(engine, parameters, values)
         known &= shots.differentiable
         assert known.sum() >= occurrences(150)

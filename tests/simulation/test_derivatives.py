@@ -47,10 +47,15 @@ def throws(n: int, seed: int = 7) -> Any:
 
 
 def truth(
-    engine: Engine, states: Any, parameters: Mapping[str, float], names: tuple[str, ...], rows: Any
+    engine: Engine,
+    states: Any,
+    parameters: Mapping[str, float],
+    names: tuple[str, ...],
+    rows: Any,
+    precise_scene: type[PreciseScene],
 ) -> Any:
-    """Return the derivatives at all events of some shots to 70 digits, (events, 19, k)."""
-    precise = PreciseScene(engine.scene)
+    """Return the derivatives at all events of some shots to many digits, (events, 19, k)."""
+    precise = precise_scene(engine.scene)
     values = dict(engine.parameters) | dict(parameters)
     inputs = engine.table.inputs(values)
     changes = {}
@@ -76,13 +81,19 @@ def truth(
 
 
 def check_against_truth(
-    engine: Engine, states: Any, parameters: Mapping[str, float], names: tuple[str, ...], most: int
+    engine: Engine,
+    states: Any,
+    parameters: Mapping[str, float],
+    names: tuple[str, ...],
+    most: int,
+    precise_scene: type[PreciseScene] = PreciseScene,
+    **options: Any,
 ) -> Any:
-    """Compare derivatives at all events with 70 digits; return the shots' numbers of contacts."""
-    shots = engine.simulate(states, parameters, derivatives=names)
+    """Compare derivatives at all events with many digits; return the shots' numbers of contacts."""
+    shots = engine.simulate(states, parameters, derivatives=names, **options)
     rows = np.flatnonzero(shots.differentiable)
     rows = rows[shots.contacts[rows] <= MAX_CONTACTS][:most]
-    expected = truth(engine, states, parameters, names, rows)
+    expected = truth(engine, states, parameters, names, rows, precise_scene)
     again = engine.simulate(states[rows], parameters, derivatives=names, record=True)
     at_events, ended = again.event_jacobian, again.events["kind"] == Event.END
     matrices = [at_events[name] for name in ("before", "after", "time")]

@@ -16,7 +16,7 @@ from .premises import DEFINITION, PREMISES
 REFERENCE_FILE = "derivation.md"
 """The page of the first scene, which repeats nothing of another."""
 
-FAMILY = re.compile(r"(?:roll|air_order|\w+_round)_(\d+)")
+FAMILY = re.compile(r"(?:roll|(?:vary_)?air_order|\w+_round)_(\d+)")
 """Pattern of the kernels of a series' orders; each is like the one before, with longer sums."""
 
 

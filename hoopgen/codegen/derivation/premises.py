@@ -232,7 +232,10 @@ PREMISES: dict[str, Premise] = {
     "variations": Premise(
         LEMMA,
         "variations of a shot",
-        _kernels("common.vary_flight *.vary law.vary common.vary_departure"),
+        _kernels(
+            "common.vary_air_rates common.vary_air_order_* common.vary_flight *.vary law.vary "
+            "common.vary_departure"
+        ),
     ),
     # In contact
     "bounces": Premise(

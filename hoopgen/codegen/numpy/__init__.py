@@ -86,12 +86,7 @@ def _shared(model: Model) -> list[SharedKernelView]:
 
 
 def _laws(model: Model) -> dict[str, tuple[str, list[str]]]:
-    """Return by body the kernel of its contact law's variation, and what it is given.
-
-    There are none along a path that is not the flight itself.
-    """
-    if not model.scene.flight.exact:
-        return {}
+    """Return by body the kernel of its contact law's variation, and what it is given."""
     varied = {law: kernels["vary"] for law, kernels in model.laws.items()}
     return {
         body.name: (
