@@ -11,6 +11,7 @@ from .end_plane import EndPlane
 from .implicit import ImplicitSurface
 from .inclined_plane import InclinedPlane
 from .oblique_cylinder import ObliqueCylinder
+from .oblique_torus import ObliqueTorus
 from .plane import Plane
 from .ring import Ring
 from .sphere import Sphere
@@ -25,6 +26,7 @@ __all__ = [
     "ImplicitSurface",
     "InclinedPlane",
     "ObliqueCylinder",
+    "ObliqueTorus",
     "EndPlane",
     "Plane",
     "Ring",

@@ -23,6 +23,7 @@ from hoopgen.derive.surfaces import (
     ImplicitSurface,
     InclinedPlane,
     ObliqueCylinder,
+    ObliqueTorus,
     Plane,
     Sphere,
     Surface,
@@ -133,6 +134,7 @@ class _Builder:
             "inclined plane": self._inclined_plane,
             "disc": self._disc,
             "oblique cylinder": self._oblique_cylinder,
+            "oblique torus": self._oblique_torus,
             "cone": self._cone,
         }
         return Body(shape.name, make[shape.kind](shape), self._law(shape))
@@ -178,9 +180,18 @@ class _Builder:
         return bounds, radius - self._ball, self._ball if bounds else None
 
     def _torus(self, shape: Shape) -> tuple[Surface, ...]:
+        radius, reach = self._tube(shape)
+        return (torus(shape.name, self._centre(shape), _direction(shape.axis), radius, reach),)
+
+    def _oblique_torus(self, shape: Shape) -> tuple[Surface, ...]:
+        direction = self._vector(shape, "direction")
+        return (ObliqueTorus(shape.name, self._centre(shape), direction, *self._tube(shape)),)
+
+    def _tube(self, shape: Shape) -> tuple[sp.Expr, sp.Expr]:
+        """Return the radius of a torus, and the reach of its tube, which leaves a hole."""
         radius, reach = self._sympy(shape["radius"]), self._sympy(shape["wire"]) + self._ball
         self._requirements.append(radius - reach)
-        return (torus(shape.name, self._centre(shape), _direction(shape.axis), radius, reach),)
+        return radius, reach
 
     def _box(self, shape: Shape) -> tuple[Surface, ...]:
         low, high = (

@@ -17,7 +17,7 @@ from .bounds import Terms, is_along, linear_powers
 from .engine_pieces import scene_pieces
 from .formulas import Formula
 from .meshes import Bound, Box, Floats, Mesh, contact_mesh, cut, flat, grid, join, level_set, walls
-from .oblique_geometry import FLAT, OBLIQUE, oblique_extent, oblique_mesh
+from .oblique_geometry import FLAT, OBLIQUE, oblique_axes, oblique_extent, oblique_mesh
 from .polynomials import derivative, evaluate
 from .scene import Scene
 from .scene_reader import Shape
@@ -211,11 +211,12 @@ class SceneGeometry:
             "sphere": self._sphere,
             "cylinder": self._cylinder,
             "torus": self._torus,
+            "oblique torus": self._torus,
             "box": self._box,
             "surface": self._surface,
         }[shape.kind](shape, room)
         lines = np.empty((0, 2, 3))
-        if shape.kind == "torus" and self._number(shape["wire"]) == 0.0:
+        if shape.kind.endswith("torus") and self._number(shape["wire"]) == 0.0:
             line = self._circle(shape)
             lines = np.stack([line, np.roll(line, -1, axis=0)], 1)
         return Body(shape.name, made, shape.kind == "plane" or shape.inside, lines)
@@ -307,8 +308,7 @@ class SceneGeometry:
             return Mesh.from_corners(np.empty((0, 3, 6)))
         circle, centre = self._circle(shape), self._centre(shape)
         out = (circle - centre) / self._number(shape["radius"])
-        along = np.zeros(3)
-        along[shape.axis[0]] = 1.0
+        along = self._axes(shape)[2]
         v = np.linspace(0.0, 2.0 * np.pi, _WIRE_PIECES, endpoint=False)
         unit = np.cos(v)[:, None] * out[:, None] + np.sin(v)[:, None] * along
         corners = grid(
@@ -318,11 +318,17 @@ class SceneGeometry:
         return cut(Mesh.from_corners(corners, parts), (), walls(room))
 
     def _circle(self, shape: Shape) -> Floats:
-        axis = shape.axis[0]
-        u = np.linspace(0.0, 2.0 * np.pi, 2 * _TURN_PIECES, endpoint=False)
-        unit = np.zeros((len(u), 3))
-        unit[:, (axis + 1) % 3], unit[:, (axis + 2) % 3] = np.cos(u), np.sin(u)
+        first, second, _ = self._axes(shape)
+        u = np.linspace(0.0, 2.0 * np.pi, 2 * _TURN_PIECES, endpoint=False)[:, None]
+        unit = np.cos(u) * first + np.sin(u) * second
         return self._centre(shape) + self._number(shape["radius"]) * unit
+
+    def _axes(self, shape: Shape) -> Floats:
+        """Return the axes of a torus, of which the third is its own, in rows, (3, 3)."""
+        if shape.kind == "oblique torus":
+            return oblique_axes(shape, self._number)
+        axis = shape.axis[0]
+        return np.eye(3)[[(axis + 1) % 3, (axis + 2) % 3, axis]]
 
     def _box(self, shape: Shape, room: Box) -> Mesh:
         low, high = (np.array(side) for side in self._extent(shape))
@@ -367,9 +373,9 @@ class SceneGeometry:
         if shape.kind in ("plane", "surface"):
             return [-np.inf] * 3, [np.inf] * 3
         centre, reach = self._centre(shape), np.full(3, self._number(shape["radius"]))
-        if shape.kind == "torus":
+        if shape.kind.endswith("torus"):
+            reach *= np.sqrt(np.maximum(1.0 - self._axes(shape)[2] ** 2, 0.0))
             reach += self._number(shape["wire"])
-            reach[shape.axis[0]] -= self._number(shape["radius"])
         low, high = centre - reach, centre + reach
         if shape.kind == "cylinder":
             axis = shape.axis[0]

@@ -1,4 +1,4 @@
-"""Reading of bodies along any direction: inclined planes, discs, oblique cylinders, cones.
+"""Reading of bodies along any direction: inclined planes, discs, cylinders, cones, tori.
 
 With the unit vector u of the direction and the ball's radius R, the sizes that they add are those
 of the surface on which the ball's centre is at a contact (`derive/surfaces`).
@@ -29,6 +29,7 @@ __all__ = [
     "read_plane_normal",
     "read_inclined_plane",
     "read_span",
+    "read_torus",
     "why_not_rolling",
 ]
 
@@ -311,6 +312,39 @@ def read_cone(reader: _Reader, owner: str, body: pieces.Cone, ball: Formula) -> 
         high = settled(end + way * sine)
         sizes["contact to"] = inputs.add(owner, "contact to", high)
     return ObliqueBody("cone", tuple(sizes.items()), inside)
+
+
+def read_torus(
+    reader: _Reader, owner: str, body: pieces.Torus, ball: Formula
+) -> tuple[str, tuple[tuple[str, Formula], ...], tuple[int, int]]:
+    """Return a torus: the kind of its shape, "" along an axis; its sizes; and that axis.
+
+    Parameters
+    ----------
+    reader, owner, body, ball
+        As for `read_disc`.
+
+    Raises
+    ------
+    SceneError
+        If a size is not allowed.
+    """
+    inputs = reader.inputs
+    room = [
+        reader.formula(owner, argument, getattr(body, argument)) for argument in ("radius", "wire")
+    ]
+    sizes = {
+        "radius": reader.size(owner, "radius", body.radius, sign="positive"),
+        "wire": reader.size(owner, "wire", body.wire, sign="nonnegative"),
+    }
+    if inputs.number(owner, "radius", room[0] - room[1] - ball) <= 0:
+        raise inputs.wrong(owner, "radius", "the ball does not fit through")
+    vector = _any_direction(reader, owner, "axis", body.axis)
+    axis = aligned(vector)
+    if axis is None:
+        sizes |= vector_inputs(inputs, owner, "direction", vector, "1")
+    sizes |= reader.add(owner, reader.point(owner, "centre", body.centre))
+    return "" if axis else "oblique torus", tuple(sizes.items()), axis or (2, 1)
 
 
 def _slope(reader: _Reader, owner: str, body: pieces.Cone) -> Formula:

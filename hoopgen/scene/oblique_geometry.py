@@ -11,7 +11,7 @@ from .formulas import Formula
 from .meshes import Bound, Box, Floats, Mesh, contact_mesh, cut, flat, grid, join, walls
 from .scene_reader import Shape
 
-__all__ = ["FLAT", "OBLIQUE", "oblique_extent", "oblique_mesh"]
+__all__ = ["FLAT", "OBLIQUE", "oblique_axes", "oblique_extent", "oblique_mesh"]
 
 FLAT = ("inclined plane", "disc")
 OBLIQUE = (*FLAT, "oblique cylinder", "cone")
@@ -99,6 +99,19 @@ def oblique_mesh(
         placed.append(lambda points: points[..., 0] ** 2 + points[..., 1] ** 2 - radius**2)
     mesh = flat(2, 1, 0.0, (low, high), ball, placed)
     return cut(_turned(mesh, frame), (), walls(room))
+
+
+def oblique_axes(shape: Shape, number: Number) -> Floats:
+    """Return the unit vectors, in rows, (3, 3), of axes of which the third is a body's direction.
+
+    Parameters
+    ----------
+    shape
+        The body.
+    number
+        The value of its sizes.
+    """
+    return _Frame.along(_vector(shape, number, "direction"), np.zeros(3)).axes
 
 
 def _vector(shape: Shape, number: Number, argument: str) -> Floats:

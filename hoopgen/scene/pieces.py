@@ -234,14 +234,15 @@ class Cone(Body):
 class Torus(Body):
     """A ring, touched from outside: the wire circle's radius, and the wire's own.
 
-    A wire of radius 0 is an edge, such as that of a hole.
+    A wire of radius 0 is an edge, such as that of a hole. Its axis is "x", "y", "z", one of them
+    with a minus, or any direction.
     """
 
     _: KW_ONLY
     radius: Size
     wire: Size = 0.0
     centre: Point = (0.0, 0.0, 0.0)
-    axis: str = "z"
+    axis: str | Direction = "z"
 
 
 @dataclass(frozen=True)

@@ -28,6 +28,7 @@ from .oblique_bodies import (
     read_oblique_cylinder,
     read_plane_normal,
     read_span,
+    read_torus,
 )
 
 SIGNS = ("positive", "nonnegative", "any")
@@ -286,7 +287,8 @@ def _body(
     elif isinstance(body, pieces.Sphere | pieces.Cylinder):
         shape, there = _curved(reader, owner, body, ball)
     elif isinstance(body, pieces.Torus):
-        shape, there = _torus(reader, owner, body, ball), None
+        turned, sizes, axis = read_torus(reader, owner, body, ball)
+        shape, there = Shape(body.name, turned, sizes, axis), None
     elif isinstance(body, pieces.Box):
         shape, there = _box(reader, owner, body), None
     elif isinstance(body, pieces.Surface):
@@ -358,20 +360,6 @@ def _span(reader: _Reader, owner: str, given: object, axis: int) -> tuple[Terms,
         powers = tuple(int(k == axis) for k in range(3))
         found.append((((powers[0], powers[1], powers[2]), constant(way)), ((0, 0, 0), offset)))
     return tuple(found)
-
-
-def _torus(reader: _Reader, owner: str, body: pieces.Torus, ball: Formula) -> Shape:
-    room = [
-        reader.formula(owner, argument, getattr(body, argument)) for argument in ("radius", "wire")
-    ]
-    sizes = {
-        "radius": reader.size(owner, "radius", body.radius, sign="positive"),
-        "wire": reader.size(owner, "wire", body.wire, sign="nonnegative"),
-    }
-    if reader.inputs.number(owner, "radius", room[0] - room[1] - ball) <= 0:
-        raise reader.inputs.wrong(owner, "radius", "the ball does not fit through")
-    sizes |= reader.add(owner, reader.point(owner, "centre", body.centre))
-    return Shape(body.name, "", tuple(sizes.items()), reader.axis(owner, "axis", body.axis))
 
 
 def _box(reader: _Reader, owner: str, body: pieces.Box) -> Shape:

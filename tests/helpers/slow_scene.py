@@ -135,13 +135,13 @@ class Slow:
         centre = np.array([*map(self._size, body.centre)])
         radius = self._size(body.radius)
         kept = np.ones(3)
-        if not isinstance(body, Sphere):
+        if isinstance(body, Cylinder):
             kept["xyz".index(body.axis[-1])] = 0.0
         if isinstance(body, Torus):
-            wire = self._size(body.wire)
+            wire, unit = self._size(body.wire), self._unit(body.axis)
 
             def on_circle(p: Vector) -> Vector:
-                across = (p - centre) * kept
+                across = p - centre - ((p - centre) @ unit) * unit
                 return centre + across * (radius / np.linalg.norm(across))
 
             def on_wire(p: Vector) -> Vector:

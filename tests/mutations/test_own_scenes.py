@@ -22,7 +22,7 @@ from hoopgen.derive.loop import stages
 from hoopgen.derive.rolling import contact_phase, events, friction_limit, settling
 from hoopgen.derive.rolling import stages as contact_stages
 from hoopgen.derive.scenes.scene import Scene as DerivedScene
-from hoopgen.derive.surfaces import Box
+from hoopgen.derive.surfaces import Box, ObliqueTorus
 from numpy.typing import NDArray
 
 pytest.importorskip("flint")
@@ -42,7 +42,13 @@ from tests.helpers.checked_faults import (
     passes,
 )
 from tests.helpers.mutants import in_text, in_tree
-from tests.scene import test_friction_switch, test_root_errors, test_roots, test_shelf
+from tests.scene import (
+    test_friction_switch,
+    test_oblique_bodies,
+    test_root_errors,
+    test_roots,
+    test_shelf,
+)
 from tests.scene.test_friction_switch import FLOOR
 from tests.scene.test_shelf import SHELF
 
@@ -165,6 +171,10 @@ windows_hold = OfFormulas(
 )
 crate = OfEngine(the_judge_agrees, scene=CRATE)
 posts = OfEngine(the_judge_agrees, scene=POSTS)
+turned_tori = OfEngine(
+    test_oblique_bodies.test_turned_tori_are_met_where_an_independent_integrator_meets_them,
+    scene=test_oblique_bodies.RINGS,
+)
 switch = OfEngine(
     test_friction_switch.test_the_switch_between_grip_and_slip_is_in_doubt_within_its_error,
     cases(test_friction_switch.test_the_switch_between_grip_and_slip_is_in_doubt_within_its_error),
@@ -514,6 +524,17 @@ FAULTS = (
         "errors are carried in single precision without gravity",
         in_text(DerivedScene, "single_errors", " and not flat", ""),
         OfEngine(test_root_errors.check_states, scene=test_root_errors.GRAZED),
+    ),
+    # Bodies in any direction.
+    Planted(
+        "the normal of a torus has no part along its axis",
+        in_text(ObliqueTorus, "normal", "c * outward + u * up", "c * outward"),
+        turned_tori,
+    ),
+    Planted(
+        "the box of a torus is that of its circle",
+        in_text(ObliqueTorus, "half_sizes", "self.ring_radius + self.reach", "self.ring_radius"),
+        turned_tori,
     ),
     # The branch of friction.
     Planted(

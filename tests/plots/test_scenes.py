@@ -61,6 +61,7 @@ KINDS = [
     Box("crate", size=(0.1, 0.2, 0.3)),
     Surface("ramp", condition="z - x**2 - y/4"),
     *(Torus(f"ring_{a}", radius=0.3, wire=0.02, axis=a) for a in ALL_AXES),
+    Torus("ring_leaning", radius=0.3, wire=0.02, axis=(1, -2, 2)),
     *(Cylinder(f"post_{a}", radius=0.1, axis=a, span=(-0.2, 0.3)) for a in ALL_AXES),
     *(Cylinder(f"pipe_{a}", radius=0.3, axis=a, inside=True) for a in ALL_AXES),
     *(Plane(f"wall_{a}", axis=a, within=["0.04 - x**2 - y**2 - z**2"]) for a in ALL_AXES),
@@ -95,6 +96,23 @@ def test_every_triangle_faces_the_ball_that_touches_it(body: Any) -> None:
     assert (np.einsum("ij,ij->i", np.cross(b - a, c - a), towards) > -1e-15).all()
     ways = corners[..., 3:] - corners[..., :3]
     assert np.allclose(np.linalg.norm(ways, axis=-1), BALL, rtol=0.02, atol=0.0)
+
+
+def test_a_leaning_ring_is_drawn_about_its_axis() -> None:
+    """Each corner is at the wire's radius from the circle, and the box about it is no larger."""
+    made = seen(Torus("ring", radius=0.25, wire=0.02, centre=(0.1, 0, 0), axis=(1, -2, 2)))
+    (one,) = made.bodies(ROOM)
+    unit, off = np.array([1, -2, 2]) / 3, one.mesh.corners[..., :3] - [0.1, 0, 0]
+    height = off @ unit
+    rho = np.sqrt(np.sum(off**2, axis=-1) - height**2)
+    assert np.hypot(rho - 0.25, height) == pytest.approx(0.02, rel=1e-12)
+    assert abs(height).max() == pytest.approx(0.02, rel=1e-12)
+    low, high = map(np.array, made._extent(made.scene.read.bodies[0]))
+    assert (off.min(axis=(0, 1)) + [0.1, 0, 0] >= low - 1e-12).all()
+    assert high - low == pytest.approx(0.5 * np.sqrt(1 - unit**2) + 0.04, rel=1e-12)
+    (edge,) = seen(Torus("edge", radius=0.25, axis=(1, -2, 2))).bodies(ROOM)
+    assert np.linalg.norm(edge.lines, axis=-1) == pytest.approx(0.25, rel=1e-12)
+    assert edge.lines @ unit == pytest.approx(0.0, abs=1e-12)
 
 
 def test_a_plane_with_a_round_hole_has_that_hole() -> None:

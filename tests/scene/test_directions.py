@@ -23,6 +23,7 @@ from hoopgen.scene import (
     Plane,
     Scene,
     SceneError,
+    Torus,
 )
 from hoopgen.scene.files import parse_scene
 from hoopgen.scene.geometry import SceneGeometry
@@ -79,6 +80,9 @@ def direction(made: Scene, body: str = "a") -> list[float]:
         (Cylinder("a", radius=1, axis=(1, 0, 1), span=(1, 0)), "body a: span: it ends at 0 before"),
         (Disc("a", radius=0), "body a: radius: expected a number above 0"),
         (Disc("a", radius=1, axis=(0, 0, 0)), "body a: axis: has no direction"),
+        (Torus("a", radius=1, axis=(0, 0, 0)), "body a: axis: has no direction"),
+        (Torus("a", radius=1, axis=(1, 2)), "body a: axis: expected three sizes"),  # type: ignore[arg-type]
+        (Torus("a", radius=0.06, axis=(1, 2, 2)), "body a: radius: the ball does not fit through"),
         (Cone("a"), "body a: half_angle: expected half_angle or slope, got neither"),
         (Cone("a", half_angle="9deg", slope=1), "expected half_angle or slope, got both"),
         (Cone("a", half_angle="0deg"), "half_angle: expected an angle above 0deg and below 90deg"),
@@ -306,6 +310,28 @@ def test_a_ball_first_touches_a_cone_at_its_radius_from_it(
     assert proof.surfaces == [0]
 
 
+def test_a_ball_first_touches_a_turned_ring_at_its_radius_from_the_wire() -> None:
+    """The root of the distance from the wire's circle in 40 digits; the axis is of any length."""
+    axis, centre, radius, wire = (0.25, 0.5, 2.0), (0.125, 0.0, 0.25), 0.5, 0.0625
+    made = scene(Torus("ring", radius=radius, wire=wire, axis=axis, centre=centre))
+    place, thrown = (0.625, 0.0, 1.75), (0.0, 0.03125, 0.0)
+    proof = hoopgen.certify(shot(place, thrown), scene=made, max_contacts=1)[0]
+    with mpmath.workdps(40):
+        length = mpmath.norm(mpmath.matrix(axis))
+
+        def gap(t: Any) -> Any:
+            there = [mpf(p) + mpf(v) * t for p, v in zip(place, thrown, strict=True)]
+            there[2] -= mpf(GRAVITY) * t**2 / 2
+            off = [p - c for p, c in zip(there, centre, strict=True)]
+            height = sum(o * u for o, u in zip(off, axis, strict=True)) / length
+            width = mpmath.sqrt(sum(o**2 for o in off) - height**2)
+            return mpmath.hypot(width - radius, height) - wire - mpf(BALL)
+
+        root = mpmath.findroot(gap, mpf(proof.times[0]) * (1 + mpf(2) ** -20))
+        assert abs(root - mpf(proof.times[0])) < 1e-14  # the axis is rounded to doubles
+    assert proof.surfaces == [0]
+
+
 def test_a_direction_that_a_row_does_not_have_is_invalid() -> None:
     made = scene(Plane("floor", at=-1), Plane("a", normal=(0, "lean", "2*lean"), at=-1))
     states = np.repeat(shot((0, 0, 1)), 2, axis=0)
@@ -322,6 +348,7 @@ BODIES = (
     ("ramp", lambda u, c: Plane("ramp", normal=u, point=c)),
     ("rod", lambda u, c: Cylinder("rod", radius=0.5, axis=u, centre=c, span=(-0.5, 0.625))),
     ("spike", lambda u, c: Cone("spike", slope=4, axis=negative(u), apex=c, span=(None, 1))),
+    ("ring", lambda u, c: Torus("ring", radius=0.2, wire=0.125, axis=u, centre=c)),
     ("plate", lambda u, c: Disc("plate", radius=0.5, axis=u, centre=c)),
 )
 

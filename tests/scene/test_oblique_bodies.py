@@ -13,10 +13,11 @@ from numpy.typing import NDArray
 
 import hoopgen
 from hoopgen import Event
-from hoopgen.scene import Cone, Cylinder, Disc, End, Parameter, Plane, Scene
+from hoopgen.scene import Cone, Cylinder, Disc, End, Parameter, Plane, Scene, Torus
 from hoopgen.simulation.engine import Engine
 from tests.helpers.derived import engine_of
 from tests.helpers.effort import exceptions, occurrences, trials
+from tests.helpers.slow_scene import Slow
 
 # One worker: each scene is compiled once.
 pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("oblique_bodies")]
@@ -30,6 +31,8 @@ CENTRES: Mapping[str, tuple[float, float, float]] = {
     "pipe": (-0.9, -0.6, 0.2),
     "spike": (0.8, 0.8, 0.3),
     "funnel": (0.7, -0.8, -0.3),
+    "hoop": (0.3, 0.1, 0.0),
+    "hole": (-0.6, 0.2, 0.3),
 }
 
 
@@ -103,6 +106,21 @@ ROUND = scene(
 )
 
 
+RINGS = scene(
+    "rings",
+    ("hoop", "hole", "ramp"),
+    Torus("hoop", radius=0.23, wire=0.02, **placed("hoop")),
+    Torus("hole", radius="steep/2", **placed("hole")),
+    Plane("ramp", normal=own("ramp", "way"), at=-0.9),
+    ends={"gone": End(at=-4)},
+)
+
+
+@pytest.fixture(scope="module")
+def rings() -> Engine:
+    return hoopgen.compile(RINGS)
+
+
 @pytest.fixture(scope="module")
 def straight() -> Engine:
     return hoopgen.compile(STRAIGHT)
@@ -172,6 +190,30 @@ def test_cones_and_pipes_turn_at_random(round_bodies: Engine) -> None:
     check_against_the_judge(round_bodies, ROUND, trials(5000, at_least=300), seed=2)
 
 
+def test_tori_turn_at_random(rings: Engine) -> None:
+    """5,000 shots, each with its own directions: the sequences proved, or flagged."""
+    check_against_the_judge(rings, RINGS, trials(5000, at_least=300), seed=3)
+
+
+def test_turned_tori_are_met_where_an_independent_integrator_meets_them(rings: Engine) -> None:
+    count = trials(200, at_least=40)
+    states, values = aimed(RINGS, count, 9), turned_at_random(RINGS, count, 9)
+    shots = rings.simulate(states, values, max_contacts=3, record=True, time_limit=3.0)
+    compared = np.zeros(3, int)
+    for row in np.flatnonzero(shots.outcome != rings.outcomes["INVALID"]):
+        usual = {name: float(value) for name, value in RINGS.defaults.items()}
+        slow = Slow(RINGS, usual | {name: float(v[row]) for name, v in values.items()})
+        flown = slow.fly(states[row], 3, 3.0)
+        if flown.close or shots.uncertain[row]:
+            continue
+        events = shots.events[(shots.events["shot"] == row) & (shots.events["surface"] < 3)]
+        assert events["surface"].tolist() == [body for body, _ in flown.contacts], row
+        times = [time for _, time in flown.contacts]
+        np.testing.assert_allclose(events["time"], times, rtol=0, atol=1e-8)
+        compared += np.bincount(events["surface"], minlength=3)
+    assert (compared > occurrences(count // 20)).all()
+
+
 def rotated(values: Mapping[str, Any], angle: Floats) -> dict[str, Any]:
     """Return the parameters of bodies turned about the vertical."""
     found = dict(values)
@@ -183,17 +225,17 @@ def rotated(values: Mapping[str, Any], angle: Floats) -> dict[str, Any]:
     return found
 
 
-@pytest.mark.parametrize("which", ["straight", "round_bodies"])
+@pytest.mark.parametrize("which", ["straight", "round_bodies", "rings"])
 def test_a_scene_turned_about_the_vertical_gives_the_turned_shots(
     which: str, request: pytest.FixtureRequest
 ) -> None:
     """As far as the errors of both allow: the turned parameters are rounded, too."""
     engine: Engine = request.getfixturevalue(which)
-    made = STRAIGHT if which == "straight" else ROUND
+    made = {"straight": STRAIGHT, "round_bodies": ROUND, "rings": RINGS}[which]
     count = trials(1000, at_least=200)
     angle = np.random.default_rng(4).uniform(-math.pi, math.pi, count)
     states, values = aimed(made, count, 5), turned_at_random(made, count, 5)
-    if which == "round_bodies":
+    if which != "straight":
         values["steep"] = np.full(count, 0.75)
     values |= {
         name: np.full(count, value) for name, value in made.defaults.items() if name not in values

@@ -19,7 +19,7 @@ from hoopgen.derive.motion.parabola import Parabola
 from hoopgen.derive.scenes import validity
 from hoopgen.derive.scenes.ends import End
 from hoopgen.derive.scenes.scene import Scene, parameter
-from hoopgen.derive.surfaces import Box, Cylinder, Plane, Sphere, Surface, Torus, body
+from hoopgen.derive.surfaces import Box, Cylinder, ObliqueTorus, Plane, Sphere, Surface, Torus, body
 from hoopgen.derive.symbolic.conditionals import release
 from hoopgen.derive.symbolic.polynomials import mean_rate
 from hoopgen.derive.symbolic.symbols import POSITION, VELOCITY, t
@@ -166,6 +166,7 @@ KINDS: dict[str, Surface] = {
     "oblique": Cylinder("oblique", CENTRE, LEAN, R),
     "torus": Torus("torus", CENTRE, (1, 0, 0), R, S),
     "leaning": Torus("leaning", CENTRE, LEAN, R, S),
+    "turned": ObliqueTorus("turned", CENTRE, (sp.Integer(1), sp.Integer(-2), sp.Integer(2)), R, S),
     "box": Box("box", CENTRE, tuple(c + R for c in CENTRE), S),
 }
 kinds = pytest.mark.parametrize("surface", KINDS.values(), ids=list(KINDS))

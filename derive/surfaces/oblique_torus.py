@@ -1,0 +1,111 @@
+"""A torus about any direction, whose components are parameters."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import sympy as sp
+
+from ..symbolic.conditionals import barrier
+from ..symbolic.symbols import POSITION
+from .directions import (
+    Direction,
+    along,
+    distance_from_axis,
+    per_length,
+    perpendicular,
+    squared_distance,
+    squared_length,
+)
+from .surface import Point, Surface, overlap, translated
+
+
+@dataclass(frozen=True)
+class ObliqueTorus(Surface):
+    """A torus, touched from outside its tube.
+
+    With d from the centre of the torus to the ball's centre and the vector u along its axis, of
+    length 1 or not, the ball touches where |u|² (d² + R² - r²)² = 4 R² |d × u|².
+
+    Attributes
+    ----------
+    centre
+        The centre of the torus.
+    direction
+        A vector along its axis, about of length 1.
+    ring_radius
+        R, radius of the tube's centre circle.
+    reach
+        r, the sum of the radii of ball and tube; less than R.
+    """
+
+    centre: Point
+    direction: Direction
+    ring_radius: sp.Expr
+    reach: sp.Expr
+
+    @property
+    def _offset(self) -> list[sp.Expr]:
+        return [place - own for place, own in zip(POSITION, self.centre, strict=True)]
+
+    @property
+    def _rho(self) -> sp.Expr:
+        """The distance from the axis."""
+        return distance_from_axis(self.direction, self._offset)
+
+    @property
+    def _height(self) -> sp.Expr:
+        """The way along the axis, from the centre."""
+        return barrier(barrier(along(self.direction, self._offset)) * per_length(self.direction))
+
+    @property
+    def distance(self) -> sp.Expr:
+        """sqrt((rho - R)² + h²) - r, with h along the axis."""
+        depth = barrier(self._rho - self.ring_radius)
+        return sp.sqrt(barrier(depth**2 + self._height**2)) - self.reach
+
+    @property
+    def reference_point(self) -> Point:
+        """The centre."""
+        return self.centre
+
+    @property
+    def shape(self) -> sp.Expr:
+        """|u|² (x² + y² + z² + R² - r²)² - 4 R² |d × u|²."""
+        squared = sp.Add(*(c**2 for c in POSITION), self.ring_radius**2 - self.reach**2)
+        wide = squared_distance(self.direction, POSITION)
+        return squared_length(self.direction) * squared**2 - 4 * self.ring_radius**2 * wide
+
+    @property
+    def half_sizes(self) -> tuple[sp.Expr | None, ...]:
+        """R + r along every axis."""
+        return (self.ring_radius + self.reach,) * 3
+
+    @property
+    def enclosed(self) -> bool:
+        """True: a torus is bounded."""
+        return True
+
+    @property
+    def condition(self) -> sp.Expr:
+        """The shape, seen from the origin."""
+        return translated(self.shape, self.centre)
+
+    @property
+    def normal(self) -> sp.Matrix:
+        """The direction from the nearest point of the tube's centre circle."""
+        per_reach, rho = barrier(1 / self.reach), barrier(self._rho)
+        outward = barrier(barrier(rho - self.ring_radius) * per_reach * barrier(1 / rho))
+        up = barrier(barrier(self._height * per_length(self.direction)) * per_reach)
+        parts = zip(perpendicular(self.direction, self._offset), self.direction, strict=True)
+        return sp.Matrix([c * outward + u * up for c, u in parts])
+
+    @property
+    def curvature(self) -> sp.Expr:
+        """A bound on 1/r around the tube and |rho - R|/(rho r) along it: 1/rho + 1/r."""
+        return 1 / self._rho + 1 / self.reach
+
+    @property
+    def inside(self) -> tuple[sp.Expr, ...]:
+        """The distance."""
+        return overlap(self.distance, (), None)
