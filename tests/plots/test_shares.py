@@ -68,6 +68,7 @@ def same(one: Any, other: Any) -> bool:
     return np.array_equal(*drawn)
 
 
+@pytest.mark.slow
 def test_each_result_made_of_shares_draws_itself(found: Any) -> None:
     compared = hoopgen.compare(player(), player(speed=7.2), shots=500)
     solved = hoopgen.solve(player(), 0.5, shots=500)
