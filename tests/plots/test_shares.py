@@ -338,7 +338,7 @@ def test_landings_without_a_miss_say_so_and_cannot_be_drawn(tmp_path: Path) -> N
     assert "expected at least one place" in result.stderr
 
 
-@pytest.mark.parametrize("own", [False, True])
+@pytest.mark.parametrize("own", [False, pytest.param(True, marks=pytest.mark.slow)])
 def test_a_fan_in_json_is_what_is_said_of_it(own: bool) -> None:
     asked = ["fan", *(PUTT if own else SHOTS), "--shots", "200", "--seed", "3"]
     asked += ["--scatter", "vy=0.05"] if own else []
