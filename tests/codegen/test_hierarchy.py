@@ -150,7 +150,7 @@ def test_a_group_that_is_called_far_has_no_body_that_is_called_near() -> None:
 BODIES = {"b": "sphere", "d": "cylinder", "f": "box", "j": "torus"}
 
 
-@pytest.mark.sampled(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("body", BODIES, ids=BODIES.values())
 def test_a_ball_out_of_a_groups_box_is_in_none_of_its_bodies(body: str) -> None:
     """Nor is that in doubt: what is asked of a body there changes nothing."""

@@ -172,6 +172,7 @@ def test_without_a_gpu_the_error_is_one_line(monkeypatch: pytest.MonkeyPatch) ->
         HOOP.simulate(free_throw(3), backend="cuda")
 
 
+@pytest.mark.slow
 def test_instructions_that_could_round_otherwise_are_not_run(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:

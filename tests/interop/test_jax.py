@@ -212,6 +212,7 @@ def test_grad_is_hoopgens_vjp(backend: Any) -> None:
         np.testing.assert_allclose(by_parameter[name], each.sum(), rtol=0, atol=atol)
 
 
+@pytest.mark.slow
 def test_vmap_and_jacobians_of_single_shots_are_the_jacobian_of_simulate() -> None:
     states = throws(12)
     names = (*STATE, "restitution")

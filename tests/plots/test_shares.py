@@ -68,6 +68,7 @@ def same(one: Any, other: Any) -> bool:
     return np.array_equal(*drawn)
 
 
+@pytest.mark.slow
 def test_each_result_made_of_shares_draws_itself(found: Any) -> None:
     compared = hoopgen.compare(player(), player(speed=7.2), shots=500)
     solved = hoopgen.solve(player(), 0.5, shots=500)
@@ -337,7 +338,7 @@ def test_landings_without_a_miss_say_so_and_cannot_be_drawn(tmp_path: Path) -> N
     assert "expected at least one place" in result.stderr
 
 
-@pytest.mark.parametrize("own", [False, True])
+@pytest.mark.parametrize("own", [False, pytest.param(True, marks=pytest.mark.slow)])
 def test_a_fan_in_json_is_what_is_said_of_it(own: bool) -> None:
     asked = ["fan", *(PUTT if own else SHOTS), "--shots", "200", "--seed", "3"]
     asked += ["--scatter", "vy=0.05"] if own else []

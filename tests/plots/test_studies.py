@@ -569,6 +569,7 @@ def test_parameters_may_differ_from_shot_to_shot() -> None:
     plot_fan(hoopgen.simulate(states, scene, record=True), scene)
 
 
+@pytest.mark.slow
 def test_many_paths_have_a_panel_for_each_kind() -> None:
     shots = shots_of(200)
     figure = plot_fan(shots, SCENE)

@@ -215,7 +215,7 @@ MEASURED = {
 }
 
 
-@pytest.mark.sampled(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("command", MEASURED)
 def test_a_map_and_a_search_draw_from_results_in_their_scene(command: str, results: Path) -> None:
     result = run(*MEASURED[command], "--from", results)

@@ -780,11 +780,11 @@ def test_a_compiler_that_fails_says_so_once_and_is_not_asked_again(
     assert hoopgen.compile(PLANK).backend == "c"
 
 
+@pytest.mark.slow
 @posix
 @pytest.mark.parametrize(
     "commands", ["kill -9 $$", "echo 'cc1: fatal error: No space left on device' >&2; exit 1"]
 )
-@pytest.mark.sampled(1)
 def test_a_compiler_that_was_stopped_is_asked_again(
     home: Path, wrapped: Wrapped, commands: str
 ) -> None:

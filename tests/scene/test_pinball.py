@@ -217,6 +217,7 @@ def test_entries_of_the_key_are_beside_one_another() -> None:
     assert not any(a.overlaps(b) for a, b in itertools.combinations(boxes, 2))
 
 
+@pytest.mark.slow
 def test_the_dashed_line_where_shots_end_is_in_the_key(table: Engine) -> None:
     shots = table.simulate(start(axis_of(table)), record=True)
     for figure in (

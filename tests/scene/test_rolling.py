@@ -19,6 +19,8 @@ from hoopgen.scene.trial_shots import SHOTS, trial_shots
 from hoopgen.simulation.engine import Engine
 from tests.helpers import ROOT
 
+pytestmark = pytest.mark.xdist_group("rolling_scenes")  # the bowl is compiled once
+
 BOWL = ROOT / "examples" / "scenes" / "bowl.toml"
 ACROSS = 1.0 - 0.05
 """Distance between the centres of the bowl and of a ball that touches it, m."""
@@ -122,7 +124,7 @@ def test_without_rolls_it_bounces_until_it_is_given_up() -> None:
     assert shots.outcome[0] == engine.outcomes["CAPPED"]
 
 
-def test_what_cannot_roll_is_refused() -> None:
+def test_what_cannot_roll_is_refused(bowl: Engine) -> None:
     floor = Plane("floor", axis="z", at=0.0, within=["x"])
     half = Parameter("half", 0.5)
     with pytest.raises(SceneError, match=r"body floor: within: .* rolls"):
@@ -144,9 +146,8 @@ def test_what_cannot_roll_is_refused() -> None:
             restitution=0.5,
             rolls="yes",  # type: ignore[arg-type]
         )
-    engine = hoopgen.compile(hoopgen.load_scene(BOWL))
     with pytest.raises(ValueError, match="time_limit: expected a finite time"):
-        engine.simulate(np.zeros(9), time_limit=math.inf)
+        bowl.simulate(np.zeros(9), time_limit=math.inf)
 
 
 @pytest.mark.sampled(2)

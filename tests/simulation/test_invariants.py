@@ -154,7 +154,7 @@ def test_infinitely_many_hops_take_a_finite_time_and_are_capped(
     assert np.all(shots.time >= limit * (1 - 3 * restitution**most - 4 * most * EPS))
 
 
-@pytest.mark.sampled(2)
+@pytest.mark.slow
 def test_a_swirl_s_last_hops_take_no_time_at_all(simulate: Simulate) -> None:
     """A capped swirl stays where it is: more contacts do not move it by a micrometre."""
     swirl = next(w for w in WORKLOADS if w.label == "swirl")

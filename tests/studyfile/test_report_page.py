@@ -328,6 +328,7 @@ def test_errors_are_text_and_what_was_answered_is_there(
     assert any(" made (" in text for text in read.said("p"))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("formats", "kinds"),
     [
@@ -336,7 +337,6 @@ def test_errors_are_text_and_what_was_answered_is_there(
         ('["pdf"]', []),
     ],
 )
-@pytest.mark.sampled(1)
 def test_pictures_are_shown_in_the_best_format_that_there_is(
     tmp_path: Path, formats: str, kinds: list[str]
 ) -> None:

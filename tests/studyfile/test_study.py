@@ -1241,6 +1241,7 @@ def test_every_key_is_on_that_page() -> None:
             assert f"| `{name}` | " in section.partition("###")[0], (kind, name)
 
 
+@pytest.mark.slow
 def test_a_scatter_is_fitted_to_measured_releases(tmp_path: Path) -> None:
     """With the known errors of the instrument, and the interval of the fit; also in a search."""
     random, mile = np.random.default_rng(9), 1609.344 / 3600

@@ -111,6 +111,7 @@ def test_a_shot_of_the_page_is_that_of_python_to_the_bit(lanes: int, scene: str)
             ]
 
 
+@pytest.mark.slow
 def test_a_roll_of_the_page_has_the_states_of_the_engine() -> None:
     """Its pieces are on the path that `Trajectory` has by the engines' series."""
     random = np.random.default_rng(8)

@@ -88,6 +88,7 @@ def test_normal_and_tangential_motion_do_not_act_on_one_another() -> None:
     assert sp.simplify(contact_velocity(sp.Matrix(BEFORE), BALL)[2] - BEFORE[2]) == 0
 
 
+@pytest.mark.slow
 def test_a_grip_leaves_the_slip_turned_about_by_the_tangential_restitution() -> None:
     grip = grip_share(BALL, tangential)
     assert sp.simplify(grip - AWAY * (1 + tangential)) == 0

@@ -282,6 +282,7 @@ def test_without_restitution_a_ball_leaves_the_bridge_beside_the_ring_that_it_to
     assert np.all(np.abs(away - NBA["ball_radius"]) <= landing)
 
 
+@pytest.mark.slow
 @needs_library
 def test_rolling_from_a_bounce_is_off_by_the_square_of_its_speed() -> None:
     for restitution, throws in ((0.3, 200), (0.5, 300)):

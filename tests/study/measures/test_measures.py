@@ -497,6 +497,7 @@ def _equal(
         np.testing.assert_array_equal(left[name][rows], right[name][rows], err_msg=name)
 
 
+@pytest.mark.slow
 def test_each_shot_is_measured_on_its_own(mixed: Batch, monkeypatch: pytest.MonkeyPatch) -> None:
     """Whatever the blocks; with its own parameters given as arrays or as numbers."""
     batch = _some(mixed)

@@ -141,6 +141,7 @@ def test_the_page_escapes_how_a_table_was_read(tmp_path: Path) -> None:
     assert "Your shots" in text
 
 
+@pytest.mark.slow
 def test_the_command_reads_measured_releases(tmp_path: Path) -> None:
     file = tmp_path / "shots.csv"
     released = arguments_of(PLAYER.draw(0, 80, 5, NBA).states)

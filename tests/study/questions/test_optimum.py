@@ -197,6 +197,7 @@ def test_the_flat_range_is_flat_and_its_ends_are_its_ends() -> None:
     assert share(high + (high - low) / 8) < least
 
 
+@pytest.mark.slow
 def test_a_bound_that_is_in_the_way_is_named() -> None:
     over = {"elevation": (44 * DEGREE, 48 * DEGREE), "aim": None}
     found = optimum(Scatter(PLACE, SD), over, shots=4_000, margins=())
@@ -229,6 +230,7 @@ def test_off_the_board_the_best_release_is_off_the_board(bank: Optimum) -> None:
     assert bank.release["azimuth"] < -2 * DEGREE
 
 
+@pytest.mark.slow
 def test_the_lead_is_of_the_same_shots(best: Optimum) -> None:
     short = optimum(Scatter(PLACE | {"aim": -0.1}, SD), ["elevation"], shots=8_000, margins=())
     difference, low, high = best.lead(short)
@@ -500,6 +502,7 @@ def test_from_a_place_what_was_searched_of_the_scene_is_in_the_results() -> None
     assert float(found.touch_z[0]) == on_board(arguments, scene)["touch_z"]
 
 
+@pytest.mark.slow
 def test_invalid_shots_from_a_place_do_not_count() -> None:
     over = ("elevation", "aim")
     found = bank_or_direct(

@@ -131,6 +131,7 @@ def test_intervals_hold_as_often_as_they_say(given: bool) -> None:
         assert chance > 0.01 / len(inside), (name, which.mean())
 
 
+@pytest.mark.slow
 def test_intervals_hold_with_few_degrees_of_freedom() -> None:
     """Each track alone, with eight frames: six degrees of freedom of the noise."""
     count = trials(150, 60)

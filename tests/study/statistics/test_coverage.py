@@ -44,8 +44,8 @@ def test_an_interval_contains_the_truth_as_often_as_it_says(number: int) -> None
     assert found.holds, f"{found.case.name}: {found.share:.1%}, P {found.probability:.2g}"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("number", CHEAP)
-@pytest.mark.sampled(3)
 def test_half_an_interval_does_not(number: int) -> None:
     halved = [one.halved() for one in intervals(number)]
     assert not validation.coverage(validation.CASES[number], halved).holds
@@ -66,6 +66,7 @@ def test_the_section_is_replaced_alone_and_says_what_does_not_hold() -> None:
     assert rows[1].endswith("| 95.0% | 1.00 | yes |")
 
 
+@pytest.mark.slow
 def test_the_page_says_how_often_the_test_finds_out_an_interval() -> None:
     # Of what claims 95% rightly it refuses a hundredth, or a little less since counts are whole.
     assert 0.002 < validation.found_out(400, validation.LEVEL) < validation.WORST

@@ -391,6 +391,7 @@ def test_the_command_line_reads_groups_from_a_column(table: Path) -> None:
     assert "--group: it is a column of --from" in alone.output
 
 
+@pytest.mark.slow
 def test_a_study_file_says_both_intervals_and_reads_groups(table: Path, tmp_path: Path) -> None:
     (tmp_path / "study.toml").write_text(
         """
@@ -533,6 +534,7 @@ def test_an_optimum_says_in_which_ways_it_goes_in() -> None:
     assert bank.as_dict()["ways"]["bank"] > 0.3
 
 
+@pytest.mark.slow
 def test_advice_compares_like_with_like() -> None:
     options: dict[str, Any] = {"shots": 500, "margins": ()}
     here = hoopgen.optimum(hoopgen.Scatter(HERE, SD), ["elevation", "aim"], **options)

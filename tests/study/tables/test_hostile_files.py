@@ -124,7 +124,7 @@ except ValueError as error:
 """
 
 
-@pytest.mark.sampled(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("new", [pa.ipc.new_file, pa.ipc.new_stream])
 def test_a_file_cut_off_while_it_is_read_is_refused_by_name(new: Any, tmp_path: Path) -> None:
     file = tmp_path / "table.arrow"
