@@ -308,7 +308,7 @@ class VariedPath:
             return dict(vary_in_pieces(self._kernels, duration, self.start[rows], given))
         return self.call("vary_flight", {**given, "t": duration})
 
-    def forces(self, given: Mapping[str, Any]) -> dict[str, Any]:
+    def forces(self, given: dict[str, Any]) -> dict[str, Any]:
         """Return the rates of the forces on balls in flight; none on a parabola.
 
         Parameters
