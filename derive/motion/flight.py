@@ -59,6 +59,10 @@ class SurfaceForce:
         return barrier(self.buoyancy * fall) + barrier(self.lift * squared)
 
 
+NO_FORCE = SurfaceForce()
+"""Nothing besides the weight."""
+
+
 @dataclass(frozen=True)
 class Flight(ABC):
     """The motion of a ball from a state on; times are since the last contact, s.
@@ -95,7 +99,7 @@ class Flight(ABC):
     @property
     def surface_force(self) -> SurfaceForce:
         """What presses a rolling ball onto its surface besides its weight: nothing."""
-        return SurfaceForce()
+        return NO_FORCE
 
     def disturbance(self, speed: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
         """Return bounds on the force besides gravity, and on its change by the velocity.

@@ -31,7 +31,7 @@ from ..contact.ball import Ball
 from ..symbolic.conditionals import absolute, barrier, maximum, minimum
 from ..symbolic.polynomials import horner
 from ..symbolic.symbols import POSITION, SPIN, VELOCITY, position, spin, t, velocity
-from .flight import SurfaceForce
+from .flight import NO_FORCE, SurfaceForce
 from .rolling_series import per_reach, product, term
 
 ORDER = 12
@@ -72,7 +72,7 @@ class RingRolling:
     reach: sp.Expr
     ball: Ball
     gravity: sp.Expr
-    besides: SurfaceForce = SurfaceForce()
+    besides: SurfaceForce = NO_FORCE
 
     def start(self) -> dict[str, sp.Expr]:
         """Return the constant terms, for a ball at its place on the ring or near it."""
@@ -277,15 +277,13 @@ class RingRolling:
 
         That of S is at most A² + |A'|, that of v² at most 2 R² (A'² + A A'') + 2 (P'² + P P'').
         """
-        if self.besides == SurfaceForce():
+        if self.besides == NO_FORCE:
             return sp.Integer(0)
         bends, turns = (self._largest_bend(name, step) for name in ("climb", "along"))
         swings = barrier(barrier(self.reach**2) * barrier(rises**2 + climb * bends))
         squared = barrier(2 * barrier(swings + barrier(quickens**2 + along * turns)))
         fall = barrier(self.gravity * barrier(climb**2 + rises))
-        return barrier(self.besides.buoyancy * fall) + barrier(
-            self.besides.lift_size * squared
-        )
+        return barrier(self.besides.buoyancy * fall) + barrier(self.besides.lift_size * squared)
 
     def _largest_bend(self, name: str, step: sp.Expr) -> sp.Expr:
         """Return a bound on the second derivative of a series within a step."""

@@ -28,7 +28,7 @@ from ..contact.ball import Ball
 from ..symbolic.conditionals import absolute, barrier, maximum, minimum
 from ..symbolic.polynomials import horner
 from ..symbolic.symbols import normal, position, spin, t, velocity
-from .flight import SurfaceForce
+from .flight import NO_FORCE, SurfaceForce
 
 ORDER = 8
 """Order of the series: a power of two, so that the step is a root of roots. A lower order makes
@@ -133,7 +133,7 @@ def placed(ball: Ball) -> dict[str, sp.Expr]:
 
 
 def force(
-    acceleration: Sequence[sp.Expr], ball: Ball, besides: SurfaceForce = SurfaceForce()
+    acceleration: Sequence[sp.Expr], ball: Ball, besides: SurfaceForce = NO_FORCE
 ) -> list[sp.Expr]:
     """Return the force per unit mass that presses the ball on, as a series.
 
@@ -161,7 +161,7 @@ def step(
     acceleration: Sequence[sp.Expr],
     strength: sp.Expr,
     ball: Ball,
-    besides: SurfaceForce = SurfaceForce(),
+    besides: SurfaceForce = NO_FORCE,
 ) -> dict[str, sp.Expr]:
     """Return a step in which the series is as good as rounded, and bounds on the motion in it.
 

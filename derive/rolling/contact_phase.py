@@ -122,7 +122,9 @@ def _series(flight: Flight, ball: Ball, strength: sp.Expr) -> tuple[Kernel, ...]
             {str(n): 0 for n in left_normal},
             "Start value of the normal where the flight began: another surface.",
         ),
-        loop_kernel("started", flight_start(flight), "Position at the start of a flight.", flight.source),
+        loop_kernel(
+            "started", flight_start(flight), "Position at the start of a flight.", flight.source
+        ),
         loop_kernel(
             "roll_start",
             rolling_series.start(ball),

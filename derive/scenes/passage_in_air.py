@@ -33,7 +33,7 @@ from ..symbolic.conditionals import (
     maximum,
     minimum,
 )
-from ..symbolic.polynomials import derivative, horner
+from ..symbolic.polynomials import horner
 from ..symbolic.rounding import ROUNDING_SLACK, position_error
 from ..symbolic.symbols import POSITION, VELOCITY, t
 
@@ -164,9 +164,7 @@ class PiecePassings:
             left = barrier(absolute(self._height(self._root(side))) + off)
             late = barrier(sp.sqrt(barrier(8 * barrier(left * per))) + astray)
             slacks[side] = barrier(ROUNDING_SLACK * barrier(self._error + piece_speed * late))
-        nearest = minimum(
-            barrier(distances[-1] - slacks[-1]), barrier(distances[1] - slacks[1])
-        )
+        nearest = minimum(barrier(distances[-1] - slacks[-1]), barrier(distances[1] - slacks[1]))
         starts = all_of(Less(0, position_error), AtMost(absolute(z), position_error))
         stops = AtMost(absolute(self.end), off)
         turns = all_of(Less(z, 0), Less(self.end, 0), AtMost(absolute(self.top), off))

@@ -168,7 +168,7 @@ class Scene:
     def flight(self) -> Flight:
         """The motion of the ball between contacts."""
         if self.air is not None:
-            return AirFlight(self.free_fall, constants=self.air)
+            return AirFlight(self.free_fall, constants=self.air, departs=self.rolls)
         return self.parabola
 
     @property
