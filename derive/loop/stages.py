@@ -16,6 +16,7 @@ from ..ir.event_tree import Call, If, Node, Value, given_as
 from ..motion.air import PIECE_KERNELS
 from ..rolling import stages as contact_stages
 from ..rolling.symbols import EventCodes
+from ..scenes import passage_in_air
 from ..state.fields import REPORTED_ERRORS, Field
 from ..state.shared_kernels import (
     LoopSurface,
@@ -192,15 +193,16 @@ def _passing(common: Parts) -> Iterator[Node]:
     if "passing" not in common:
         return
     nodes = (
-        Call(common["passing_undecided"], {"t": "when"}),
+        given(common["passing_undecided"], t="when"),
         Call(common["undecided"]),
-        Call(common["passing"], {"t": "when"}),
+        given(common["passing"], t="when"),
     )
     if "passing_near" not in common:
         yield from nodes
         return
     yield Call(common["passing_near"], {"t": "when"})
-    yield If("near_disc", nodes)
+    found = (given(common[name], t="when") for name in passage_in_air.KERNELS)
+    yield If("near_disc", (*found, *nodes))
 
 
 def _arriving(common: Parts, surface: LoopSurface, index: Value) -> Iterator[Node]:

@@ -35,7 +35,7 @@ from ..symbolic.conditionals import (
 )
 from ..symbolic.rounding import ROUNDING_SLACK, position_error
 from ..symbolic.symbols import POSITION, UNIT_ROUNDOFF, VELOCITY, t
-from .passage_in_air import PiecePassings
+from . import passage_in_air
 
 x, y, z = POSITION
 vx, vy, vz = VELOCITY
@@ -122,11 +122,11 @@ def _disc_passings(flight: Parabola) -> _DiscPassings:
     )
 
 
-def _through_in_air(passage: Passage, passings: PiecePassings) -> dict[str, sp.Basic]:
+def _through_in_air(passage: Passage) -> dict[str, sp.Basic]:
     """Return `through` after a piece of a flight, up to time t."""
     limit = barrier(passage.radius**2)
-    rises = And(passings.rises, Less(passings.away(-1), limit))
-    falls = And(passings.falls, Less(passings.away(1), limit))
+    rises = And(passage_in_air.RISES, Less(passage_in_air.rise_away, limit))
+    falls = And(passage_in_air.FALLS, Less(passage_in_air.fall_away, limit))
     return {"through": next_state(through, rises, falls)}
 
 
@@ -190,10 +190,12 @@ def _passed_in_contact(passage: Passage) -> dict[str, sp.Basic]:
     return {"through": next_state(through, rises, falls)}
 
 
-def _in_flight(passage: Passage, flight: Flight) -> tuple[dict[str, sp.Basic], ...]:
-    """Return the outputs of passings in a flight: what is passed, and whether it is undecided.
+def _in_flight(
+    passage: Passage, flight: Flight
+) -> tuple[dict[str, sp.Basic], dict[str, sp.Basic], dict[str, passage_in_air.Formula]]:
+    """Return the outputs of passings in a flight, and in air the kernels that find them.
 
-    In air come whether a piece may come to the plane at all.
+    The outputs are what is passed, and whether it is undecided.
 
     Raises
     ------
@@ -201,11 +203,10 @@ def _in_flight(passage: Passage, flight: Flight) -> tuple[dict[str, sp.Basic], .
         If there are none for the flight.
     """
     if isinstance(flight, AirFlight):
-        passings = PiecePassings(flight)
-        undecided = {"undecided": passings.undecided(passage.radius)}
-        return _through_in_air(passage, passings), undecided, {"near_disc": passings.near}
+        undecided = {"undecided": passage_in_air.undecided(flight, passage.radius)}
+        return _through_in_air(passage), undecided, passage_in_air.formulas(flight)
     if isinstance(flight, Parabola):
-        return _through(passage, flight), _astray(passage, flight)
+        return _through(passage, flight), _astray(passage, flight), {}
     raise TypeError(f"no passage along a {type(flight).__name__}")
 
 
@@ -215,19 +216,10 @@ def passage_kernels(
     """Return the kernels of a scene with a passage."""
     if not flight.upright:
         raise ValueError("a ball passes a ring's disc where free fall is down, along -z")
-    symbols = (last, outcome, uncertain, through, *order)
-    passes, undecided, *may_pass = _in_flight(passage, flight)
+    symbols = (last, outcome, uncertain, through, *order, *passage_in_air.SYMBOLS)
+    passes, undecided, found = _in_flight(passage, flight)
     kernels = (
-        *(
-            kernel(
-                "passing_near",
-                outputs,
-                symbols,
-                "Whether a piece of a flight may come to the ring's plane.",
-                "what a piece is off its chord",
-            )
-            for outputs in may_pass
-        ),
+        *(kernel(name, made[0], symbols, *made[1:]) for name, made in found.items()),
         kernel(
             "passing_start",
             _admitted(passage),
