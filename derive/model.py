@@ -25,7 +25,7 @@ from .scenes.names import check_kernels
 from .scenes.passage import passage_kernels
 from .scenes.scene import Scene
 from .state import shared_kernels
-from .state.fields import NO_ROLLING, ResultField, fields, results
+from .state.fields import NO_ROLLING, NO_ROLLING_IN_AIR, ResultField, fields, results
 from .state.shared_kernels import LoopSurface
 from .studies import study_kernels
 from .surfaces import Surface
@@ -106,7 +106,7 @@ def build(scene: Scene) -> Model:
     end_planes = tuple(one_surface_kernels(plane, scene, order) for plane in scene.end_planes)
     common = scene_kernels(scene, order, tabled)
     if scene.passage is not None:
-        common |= passage_kernels(scene.passage, scene.parabola, order)
+        common |= passage_kernels(scene.passage, scene.flight, order)
     optional = _optional_kernels(scene, order, surfaces, tabled)
     contacts, ends = _loop_surfaces(scene, laws, law_likes, surfaces, end_planes)
     names = [body.name for body in scene.bodies]
@@ -120,7 +120,9 @@ def build(scene: Scene) -> Model:
         scene.open_ended,
     )
     common |= {name: kernel for name, kernel in optional.items() if name in loop.called}
-    lacking = () if scene.rolls else (NO_ROLLING,)
+    lacking = {NO_ROLLING} if not scene.rolls else set()
+    if not scene.rolls or scene.air is None:
+        lacking.add(NO_ROLLING_IN_AIR)
     every = results(names, scene.outcomes, counted)
     model = Model(
         scene,
@@ -155,7 +157,7 @@ def _optional_kernels(
     )
     if scene.rolls:
         codes = EventCodes(len(scene.surfaces) + end_planes, len(scene.bodies))
-        contact = (scene.parabola, scene.ball, scene.faces, codes, scene.outcomes)
+        contact = (scene.flight, scene.ball, scene.faces, codes, scene.outcomes)
         friction = friction_limit.kernels(scene.flight.acceleration, scene.ball)
         kernels |= endless.kernels(codes) | contact_phase.kernels(*contact)
         kernels |= {kernel.name: kernel for kernel in friction}

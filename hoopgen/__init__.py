@@ -32,6 +32,9 @@ if TYPE_CHECKING:
     from .hoop.court import FIBA_COURT as FIBA_COURT
     from .hoop.court import NBA_COURT as NBA_COURT
     from .hoop.court import PAPER_COURT as PAPER_COURT
+    from .hoop.court_air import FIBA_COURT_AIR as FIBA_COURT_AIR
+    from .hoop.court_air import NBA_COURT_AIR as NBA_COURT_AIR
+    from .hoop.court_air import PAPER_COURT_AIR as PAPER_COURT_AIR
     from .hoop.court_places import place as place
     from .hoop.presets import FIBA as FIBA
     from .hoop.presets import NBA as NBA
@@ -49,6 +52,7 @@ if TYPE_CHECKING:
     from .simulation.air import AIR as AIR
     from .simulation.compile import compile as compile
     from .simulation.court import COURT as COURT
+    from .simulation.court_air import COURT_AIR as COURT_AIR
     from .simulation.hoop import HOOP as HOOP
     from .simulation.invalid_shots import why_invalid as why_invalid
     from .simulation.simulate import simulate as simulate
@@ -95,6 +99,9 @@ __all__ = [
     "PAPER_AIR",
     "NBA_AIR",
     "FIBA_AIR",
+    "PAPER_COURT_AIR",
+    "NBA_COURT_AIR",
+    "FIBA_COURT_AIR",
     "Outcome",
     "Event",
     "SURFACES",
@@ -122,6 +129,10 @@ _LAZY = {
     "PAPER_AIR": "hoop.air",
     "NBA_AIR": "hoop.air",
     "FIBA_AIR": "hoop.air",
+    "COURT_AIR": "simulation.court_air",
+    "PAPER_COURT_AIR": "hoop.court_air",
+    "NBA_COURT_AIR": "hoop.court_air",
+    "FIBA_COURT_AIR": "hoop.court_air",
     "release": "hoop.releases",
     "place": "hoop.court_places",
     "PAPER": "hoop.presets",

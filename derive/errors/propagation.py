@@ -169,8 +169,7 @@ def errors_at_contact(flight: Flight, returning: bool = False) -> dict[str, sp.E
 
 def flight_start(flight: Flight) -> dict[str, sp.Expr]:
     """Return the position at the start of a flight of time t, given the state at its end."""
-    back, _ = flight.at(-t)
-    return {f"from_{s}": place for s, place in zip(POSITION, back, strict=True)}
+    return {f"from_{s}": place for s, place in zip(POSITION, flight.start(), strict=True)}
 
 
 def _returning_offset(flight: Flight, roundings: Sequence[sp.Expr]) -> sp.Expr:
@@ -183,11 +182,13 @@ def _returning_roundings(flight: Flight, roundings: Sequence[sp.Expr]) -> list[s
     """Return the roundings of a flight that count across the surface: on return, those of F/t.
 
     They are a few u of the length of the path, and as many more as the position is larger than the
-    surface's radius of curvature: F/t is made of sums of such positions, times a speed.
+    surface's radius of curvature: F/t is made of sums of such positions, times a speed. What the
+    path leaves out comes with them.
     """
     wide = barrier(1 + curving * barrier(sum(map(absolute, position))))
+    added = flight.returning_error()
     return [
-        IfLess(curving, sp.oo, barrier(4 * UNIT_ROUNDOFF * barrier(wide * path)), rounding)
+        IfLess(curving, sp.oo, barrier(4 * UNIT_ROUNDOFF * barrier(wide * path) + added), rounding)
         for path, rounding in zip(flight.path_lengths(), roundings, strict=True)
     ]
 

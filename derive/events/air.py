@@ -22,7 +22,7 @@ from ..symbolic.rounding import Rounded, rounding
 from ..symbolic.symbols import POSITION, VELOCITY, position, t
 from .box import BoxRootFinder
 from .box_windows import RELATIVE_INFLATION, clear
-from .event_polynomials import ERROR_BUDGET_LEVELS, Window, ceiling, horizon
+from .event_polynomials import ERROR_BUDGET_LEVELS, Window, ceiling, end, horizon
 from .polynomial import CEILING_BOX_FACTOR, PolynomialRootFinder
 
 bend_rate = sp.Symbol("bend_rate", nonnegative=True)
@@ -68,6 +68,30 @@ def piece_lost(surface: Surface, flight: AirFlight) -> sp.Expr:
     far = barrier(barrier(there.magnitude + centre) + maximum(*known))
     rounded = barrier(far * sp.Rational(1, 2**48))
     return barrier(there.error + rounded) - _inflation(surface) / 4
+
+
+def opening_time(slope: sp.Expr, bend: sp.Expr, third: sp.Expr) -> sp.Expr:
+    """Return a time in which a gap that opens has no root; 0 if it does not open.
+
+    A ball that leaves a surface tangentially has a gap that grows as t³. It is outside now, and
+    with F' not negative and J a bound on the third derivative F(t + s) >= F' s + F" s²/2 - J s³/6:
+    no root until s² = 6 F'/J or s = 3 F"/J where F" is positive, else while s <= F'/|F"| and
+    s² <= 3 F'/J.
+
+    Parameters
+    ----------
+    slope, bend
+        Bounds below F' and F".
+    third
+        J.
+    """
+    falling = barrier(maximum(0, -bend))
+    per = barrier(1 / third)
+    curved = barrier(IfLess(0, falling, slope / barrier(IfLess(0, falling, falling, 1)), sp.oo))
+    sure = barrier(minimum(curved, barrier(sp.sqrt(barrier(3 * maximum(0, slope) * per)))))
+    bent = barrier(3 * maximum(0, bend) * per)
+    opening = barrier(barrier(maximum(sure, bent)) * (1 - sp.Rational(1, 2**10)))
+    return barrier(IfLess(slope, 0, 0, opening))
 
 
 @dataclass(frozen=True)
@@ -171,6 +195,15 @@ class AirRootFinder(PolynomialRootFinder):
     def turned_curvature(self, width: sp.Expr) -> sp.Expr:
         """Return F'' at time t and J on the window, rounding included."""
         return self._bounded(self.bend, width)
+
+    def lengthened(self, stride: sp.Expr) -> sp.Expr:
+        """Return the time in which the gap of a ball that has rolled certainly opens, if longer."""
+        if not self.flight.departs:
+            return stride
+        slope = barrier(barrier(self.rate) - self.rate_allowed)
+        low = barrier(barrier(self.bend) - sp.Rational(1, 2**36) * ceiling)
+        time = opening_time(slope, low, bend_rate)
+        return barrier(maximum(stride, barrier(minimum(barrier(end - t), time))))
 
     def _bounded(self, bend: sp.Expr, width: sp.Expr) -> sp.Expr:
         upper = barrier(barrier(bend) + barrier(bend_rate * width))

@@ -58,7 +58,7 @@ def _kernels(
             "the law's own slack",
         )
     if scene.rolls:
-        kernels["settling"] = settling.settling(law, scene.ball)
+        kernels["settling"] = settling.settling(law, scene.ball, scene.flight)
         kernels["grip_deficit"] = friction_limit.friction_excess(law)
     return kernels | {
         "impact": kernel(

@@ -120,8 +120,8 @@ def one_surface_kernels(
             "Table 2",
         )
     if scene.rolls:
-        kernels |= surface_kernels.contact_phase_kernels(surface, scene.parabola)
-        kernels |= endless.ring_kernels(surface, scene.parabola, scene.ball)
+        kernels |= surface_kernels.contact_phase_kernels(surface, scene.flight)
+        kernels |= endless.ring_kernels(surface, scene.flight, scene.ball)
         kernels |= endless.azimuth_free_kernels(surface)
     return SurfaceKernels(surface, search, kernels | search.decisions)
 

@@ -15,6 +15,8 @@ from ..events.search import Parts, given, proposed
 from ..ir.event_tree import Call, If, Node, Value, given_as
 from ..motion.air import PIECE_KERNELS
 from ..rolling import stages as contact_stages
+from ..rolling.symbols import EventCodes
+from ..scenes import passage_in_air
 from ..state.fields import REPORTED_ERRORS, Field
 from ..state.shared_kernels import (
     LoopSurface,
@@ -109,6 +111,7 @@ def _reach(
 ) -> Iterator[Node]:
     """Detect the earliest arrival (Eq. 4) and move the ball there (Eq. 3)."""
     time = len(contacts) + len(end_planes)
+    piece_end = _piece_end(common, contacts, end_planes)
     expiry = If("limited", (Call(common["expiry"]), *proposed(time)), rare=True)
     yield Call(common["error_bounds"])
     yield Call(common["scale"])
@@ -116,7 +119,7 @@ def _reach(
     yield Call(common["opening"])
     if "piece_end" in common:
         yield Call(common["piece_end"])
-        yield from proposed(time + 1)
+        yield from proposed(piece_end)
     yield Call(common["limited"])
     if "in_contact" in common:
         yield Call(common["in_contact"])
@@ -141,11 +144,11 @@ def _reach(
             "in_contact", tuple(contact_stages.in_contact(common, contacts, end_planes)), rare=True
         )
     if "piece_end" in common:
-        yield Call(common["sinks"], {"index": time + 1})
+        yield Call(common["sinks"], {"index": piece_end})
     yield Call(common["departed"], {"index": len(contacts)})
     yield Call(common["body_of"])
     if "piece_end" in common:
-        yield Call(common[GOES_ON], {"index": time + 1})
+        yield Call(common[GOES_ON], {"index": piece_end})
     flown = (Call(common["flight"], {"t": "when"}), Call(common["event_clock"]))
     yield If("moves", (*_passing(common), *flown))
     yield If("limited", (Call(common["expired"], {"index": time}),), rare=True)
@@ -164,6 +167,14 @@ def _reach(
     yield Call(common["accounted"])
 
 
+def _piece_end(
+    common: Parts, contacts: Sequence[LoopSurface], end_planes: Sequence[LoopSurface]
+) -> int:
+    """Return the index of the end of a piece, after those of all other events."""
+    surfaces = len(contacts) + len(end_planes)
+    return EventCodes(surfaces, 0).piece_end if "in_contact" in common else surfaces + 1
+
+
 def _plate(common: Parts, kind: SurfaceKind) -> bool:
     """Return True if the ends of a flight can show that it does not come to the only surface."""
     return "reachable" in common and bool(kind.first.search.apart) and not kind.several
@@ -179,10 +190,19 @@ def _on_any(common: Parts, kind: SurfaceKind) -> Iterator[Node]:
 
 def _passing(common: Parts) -> Iterator[Node]:
     """Test whether the flight goes through the scene's passage, if it has one."""
-    if "passing" in common:
-        yield Call(common["passing_undecided"], {"t": "when"})
-        yield Call(common["undecided"])
-        yield Call(common["passing"], {"t": "when"})
+    if "passing" not in common:
+        return
+    nodes = (
+        given(common["passing_undecided"], t="when"),
+        Call(common["undecided"]),
+        given(common["passing"], t="when"),
+    )
+    if "passing_near" not in common:
+        yield from nodes
+        return
+    yield Call(common["passing_near"], {"t": "when"})
+    found = (given(common[name], t="when") for name in passage_in_air.KERNELS)
+    yield If("near_disc", (*found, *nodes))
 
 
 def _arriving(common: Parts, surface: LoopSurface, index: Value) -> Iterator[Node]:
@@ -216,7 +236,8 @@ def _meet(
     carried = If("ends_by_time_limit", (Call(common["carry_time"], {"t": "when"}),), rare=True)
     yield If("limited", (timed, carried), rare=True)
     if "in_contact" in common:
-        yield If("hopped", (Call(common["carry_hop"]),), rare=True)
+        hop = "carry_piece" if "carry_piece" in common else "carry_hop"
+        yield If("hopped", (given(common[hop], t="when"),), rare=True)
     yield Call(common["closing"])
     names = ("position_error", "velocity_error", "spin_error", "time_error")
     claims = dict(zip(names, REPORTED_ERRORS, strict=True))

@@ -55,7 +55,7 @@ from ..symbolic.error_terms import dv, dw, dx
 from ..symbolic.polynomials import Coefficients, derivative, horner
 from ..symbolic.rounding import ROUNDING_SLACK, Rounded, extent, position_error, velocity_error
 from ..symbolic.symbols import POSITION, UNIT_ROUNDOFF, VELOCITY, spin, t, velocity
-from .flight import Flight
+from .flight import Flight, SurfaceForce
 
 ORDER = 15
 """Degree of the velocity in time. The piece's root is then of degree 16: four square roots."""
@@ -237,9 +237,12 @@ class AirFlight(Flight):
     ----------
     constants
         The parameters of the air and the ball.
+    departs
+        True if a ball may leave a surface tangentially, as one that has rolled there does.
     """
 
     constants: AirConstants = field(kw_only=True)
+    departs: bool = field(default=False, kw_only=True)
 
     @property
     def source(self) -> str:
@@ -281,6 +284,41 @@ class AirFlight(Flight):
     def remainder(self) -> sp.Expr:
         """The error of the position that the piece adds."""
         return piece_place_error
+
+    @property
+    def surface_force(self) -> SurfaceForce:
+        """Buoyancy, and the Magnus force of a spin that rolls; drag is along the surface.
+
+        With R (w × n) = v the Magnus force k_m w × v is -k_m v²/R along the normal.
+        """
+        of = self.constants
+        return SurfaceForce(of.buoyancy, barrier(of.lift_per_spin / of.ball_radius))
+
+    def disturbance(self, speed: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
+        """Return bounds on the air's force, buoyancy included, and on its change by the velocity.
+
+        They are b g + L v and L = 2 k_d (v + v_s) + k_m v/R.
+        """
+        of = self.constants
+        spun = barrier(absolute(of.lift_per_spin) * barrier(speed / of.ball_radius))
+        slope = barrier(barrier(2 * drag_rate * barrier(speed + of.smoothing_speed)) + spun)
+        return barrier(of.buoyancy * self.strength + barrier(slope * speed)), slope
+
+    def resistance(self, speed: sp.Expr) -> sp.Expr:
+        """Return a bound on the drag per unit mass at speeds up to one, m/s²."""
+        return barrier(drag_rate * barrier(speed * barrier(speed + self.constants.smoothing_speed)))
+
+    def start(self, time: sp.Expr = t) -> sp.Matrix:
+        """Return the position at the start of a piece, given position and velocity at its end.
+
+        With x = x_0 + Σ V_k t^(k+1)/(k+1) and v = Σ V_k t^k, x_0 = x - v t + Σ k V_k t^(k+1)/(k+1).
+        """
+        found = []
+        for axis, (place, v) in enumerate(zip(POSITION, VELOCITY, strict=True)):
+            bends = [sp.Rational(k, k + 1) * VELOCITIES[k][axis] for k in range(1, ORDER + 1)]
+            bent = barrier(time * barrier(horner(bends, time)))
+            found.append(place - barrier(time * barrier(v - bent)))
+        return sp.Matrix(found)
 
     def at(self, time: sp.Expr = t) -> tuple[sp.Matrix, sp.Matrix]:
         """Return position and velocity on the series, `time` after the state, in Horner form."""
@@ -363,6 +401,14 @@ class AirFlight(Flight):
         left_out = (piece_place_error, piece_speed_error)
         place, moving = (barrier(CARRIED_SHARE * error + unproved) for error in left_out)
         return place, moving
+
+    def returning_error(self) -> sp.Expr:
+        """Return a share of what the piece leaves out up to time t.
+
+        The velocity's error grows at most as the time does, from zero.
+        """
+        share = barrier(CARRIED_SHARE * piece_speed_error)
+        return barrier(barrier(share * barrier(t / piece)) * t)
 
     def size(self, latest: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
         """Return bounds on every coordinate and every velocity up to the time `latest`."""

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from ..symbolic.conditionals import Barrier, IfLess, barrier, barrier_all, maximum
+from ..symbolic.conditionals import Barrier, IfLess, absolute, barrier, barrier_all, maximum
 from ..symbolic.polynomials import Coefficients, derivative, horner
 from ..symbolic.rounding import Rounded
 from ..symbolic.symbols import POSITION, t
@@ -24,6 +24,43 @@ def has_sign(component: sp.Expr) -> bool:
 def divisor(size: sp.Expr) -> sp.Expr:
     """Return a size, or 1 for zero: a divisor of quotients that count only if it is not zero."""
     return barrier(IfLess(0, size, size, 1))
+
+
+@dataclass(frozen=True)
+class SurfaceForce:
+    """What presses a rolling ball onto its surface besides its weight, per unit mass.
+
+    Attributes
+    ----------
+    buoyancy
+        The share of the weight that is carried.
+    lift
+        The force onto the surface over the square of the speed, 1/m.
+    """
+
+    buoyancy: sp.Expr = sp.Integer(0)
+    lift: sp.Expr = sp.Integer(0)
+
+    @property
+    def lift_size(self) -> sp.Expr:
+        """The size of `lift`."""
+        return sp.Integer(0) if self.lift == 0 else absolute(self.lift)
+
+    def at(self, fall: sp.Expr, squared: sp.Expr) -> sp.Expr:
+        """Return the force onto the surface, m/s².
+
+        Parameters
+        ----------
+        fall
+            The acceleration of free fall along the normal, m/s².
+        squared
+            The square of the speed, m²/s².
+        """
+        return barrier(self.buoyancy * fall) + barrier(self.lift * squared)
+
+
+NO_FORCE = SurfaceForce()
+"""Nothing besides the weight."""
 
 
 @dataclass(frozen=True)
@@ -52,6 +89,30 @@ class Flight(ABC):
     def falls(self) -> bool:
         """True if some component of the acceleration is certainly not zero."""
         return any(has_sign(component) for component in self.acceleration)
+
+    @property
+    def upright(self) -> bool:
+        """True if gravity acts along -z."""
+        ax, ay, az = self.acceleration
+        return bool(ax == 0 and ay == 0 and az.is_negative)
+
+    @property
+    def surface_force(self) -> SurfaceForce:
+        """What presses a rolling ball onto its surface besides its weight: nothing."""
+        return NO_FORCE
+
+    def disturbance(self, speed: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
+        """Return bounds on the force besides gravity, and on its change by the velocity.
+
+        They are m/s² and 1/s; here zero.
+
+        Parameters
+        ----------
+        speed
+            A bound on the speed of the ball, and on that of its surface about its centre, m/s.
+        """
+        del speed
+        return sp.Integer(0), sp.Integer(0)
 
     @property
     def strength(self) -> sp.Expr:
@@ -84,6 +145,11 @@ class Flight(ABC):
         rows = [self.path[coordinate] for coordinate in POSITION]
         moving = [horner(derivative(row), time) for row in rows]
         return sp.Matrix([horner(row, time) for row in rows]), sp.Matrix(moving)
+
+    def start(self, time: sp.Expr = t) -> sp.Matrix:
+        """Return the position at the start of a flight, given the state at its end."""
+        there, _ = self.at(-time)
+        return there
 
     def named(self) -> tuple[sp.Matrix, sp.Matrix]:
         """Return position and velocity at time t, each component held with a name."""
@@ -121,6 +187,10 @@ class Flight(ABC):
     def added_errors(self) -> tuple[sp.Expr, sp.Expr]:
         """Return the errors of position and velocity that the path adds, besides roundings."""
         return sp.Integer(0), sp.Integer(0)
+
+    def returning_error(self) -> sp.Expr:
+        """Return the error of the position that the path adds within a flight of time t."""
+        return sp.Integer(0)
 
     @abstractmethod
     def size(self, latest: sp.Expr) -> tuple[sp.Expr, sp.Expr]:

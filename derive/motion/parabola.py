@@ -24,12 +24,6 @@ class Parabola(Flight):
         return "Eq. 3"
 
     @property
-    def upright(self) -> bool:
-        """True if gravity acts along -z."""
-        ax, ay, az = self.acceleration
-        return bool(ax == 0 and ay == 0 and az.is_negative)
-
-    @property
     def path(self) -> dict[sp.Symbol, Coefficients]:
         """Position, velocity and half the acceleration; without acceleration the degree is 1."""
         parts = zip(POSITION, VELOCITY, self.acceleration, strict=True)

@@ -31,6 +31,7 @@ from ..contact.ball import Ball
 from ..symbolic.conditionals import absolute, barrier, maximum, minimum
 from ..symbolic.polynomials import horner
 from ..symbolic.symbols import POSITION, SPIN, VELOCITY, position, spin, t, velocity
+from .flight import NO_FORCE, SurfaceForce
 from .rolling_series import per_reach, product, term
 
 ORDER = 12
@@ -63,12 +64,15 @@ class RingRolling:
         The ball.
     gravity
         g.
+    besides
+        What presses the ball on besides its weight.
     """
 
     ring_radius: sp.Expr
     reach: sp.Expr
     ball: Ball
     gravity: sp.Expr
+    besides: SurfaceForce = NO_FORCE
 
     def start(self) -> dict[str, sp.Expr]:
         """Return the constant terms, for a ball at its place on the ring or near it."""
@@ -214,7 +218,8 @@ class RingRolling:
             "fastest": fastest,
             "section_acceleration": swaying,
             **self.pressed(),
-            "force_bend": self.max_force_bend(step, climb, rises, omega, turns),
+            "force_bend": self.max_force_bend(step, climb, rises, omega, turns)
+            + self._max_bend_besides(step, climb, rises, along, quickens),
             "friction_force_rate": barrier(
                 2 * share * strength * barrier(term("cosine", 0) * term("climb", 0))
             ),
@@ -232,9 +237,18 @@ class RingRolling:
             term(name, 0) for name in ("cosine", "sine", "climb", "along", "omega")
         )
         falls, turns = self._weights(omega)
+        squared = barrier(barrier(self.reach * climb) ** 2 + along**2)
+        quickens = 2 * barrier(
+            barrier(self.reach**2) * barrier(climb * term("climb", 1)) + along * term("along", 1)
+        )
+        pressed = self.besides.at(barrier(-self.gravity * sine), squared)
+        changed = self.besides.at(barrier(-self.gravity * barrier(climb * cosine)), quickens)
         return {
-            "force": self.gravity * sine - self.reach * climb**2 - barrier(along * omega) * cosine,
-            "force_rate": climb * barrier(falls * cosine + turns * sine),
+            "force": self.gravity * sine
+            - self.reach * climb**2
+            - barrier(along * omega) * cosine
+            + pressed,
+            "force_rate": climb * barrier(falls * cosine + turns * sine) + changed,
         }
 
     def _weights(self, omega: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
@@ -255,6 +269,26 @@ class RingRolling:
         return slowly + climb * barrier(
             quickly + 6 * self.ring_radius * barrier(barrier(omega * turns) * sine)
         )
+
+    def _max_bend_besides(
+        self, step: sp.Expr, climb: sp.Expr, rises: sp.Expr, along: sp.Expr, quickens: sp.Expr
+    ) -> sp.Expr:
+        """Return the largest second derivative of what presses besides the weight, in a step.
+
+        That of S is at most A² + |A'|, that of v² at most 2 R² (A'² + A A'') + 2 (P'² + P P'').
+        """
+        if self.besides == NO_FORCE:
+            return sp.Integer(0)
+        bends, turns = (self._largest_bend(name, step) for name in ("climb", "along"))
+        swings = barrier(barrier(self.reach**2) * barrier(rises**2 + climb * bends))
+        squared = barrier(2 * barrier(swings + barrier(quickens**2 + along * turns)))
+        fall = barrier(self.gravity * barrier(climb**2 + rises))
+        return barrier(self.besides.buoyancy * fall) + barrier(self.besides.lift_size * squared)
+
+    def _largest_bend(self, name: str, step: sp.Expr) -> sp.Expr:
+        """Return a bound on the second derivative of a series within a step."""
+        sizes = [barrier(absolute(part)) for part in _row(name, ORDER)]
+        return barrier(horner([k * (k - 1) * own for k, own in enumerate(sizes)][2:], step))
 
     def pulled(self) -> dict[str, sp.Expr]:
         """Return F² at the start, and its rate.

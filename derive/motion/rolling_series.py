@@ -28,6 +28,7 @@ from ..contact.ball import Ball
 from ..symbolic.conditionals import absolute, barrier, maximum, minimum
 from ..symbolic.polynomials import horner
 from ..symbolic.symbols import normal, position, spin, t, velocity
+from .flight import NO_FORCE, SurfaceForce
 
 ORDER = 8
 """Order of the series: a power of two, so that the step is a root of roots. A lower order makes
@@ -131,20 +132,37 @@ def placed(ball: Ball) -> dict[str, sp.Expr]:
     return outputs | {str(w): barrier(own) * per for w, own in zip(spin, turning, strict=True)}
 
 
-def force(acceleration: Sequence[sp.Expr], ball: Ball) -> list[sp.Expr]:
-    """Return the normal force per unit mass, N, as a series."""
-    rows = [[term(name, k) for name in SERIES[3:6]] for k in range(ORDER)]
-    return [
-        barrier(
-            term("lift", k)
-            - ball.friction_share
-            * sum(a * n for a, n in zip(acceleration, row, strict=True) if a != 0)
-        )
-        for k, row in enumerate(rows)
-    ]
+def force(
+    acceleration: Sequence[sp.Expr], ball: Ball, besides: SurfaceForce = NO_FORCE
+) -> list[sp.Expr]:
+    """Return the force per unit mass that presses the ball on, as a series.
+
+    Parameters
+    ----------
+    acceleration
+        That of free fall.
+    ball
+        The ball.
+    besides
+        What presses it on besides its weight.
+    """
+    found = []
+    for k in range(ORDER):
+        row = [term(name, k) for name in SERIES[3:6]]
+        fall = sum(a * n for a, n in zip(acceleration, row, strict=True) if a != 0)
+        speeds = [_row(name, k) for name in SERIES[:3]]
+        squared = barrier(sp.Add(*(product(v, v) for v in speeds)))
+        pressed = besides.at(barrier(fall), squared)
+        found.append(barrier(term("lift", k) - ball.friction_share * fall + pressed))
+    return found
 
 
-def step(acceleration: Sequence[sp.Expr], strength: sp.Expr, ball: Ball) -> dict[str, sp.Expr]:
+def step(
+    acceleration: Sequence[sp.Expr],
+    strength: sp.Expr,
+    ball: Ball,
+    besides: SurfaceForce = NO_FORCE,
+) -> dict[str, sp.Expr]:
     """Return a step in which the series is as good as rounded, and bounds on the motion in it.
 
     The first term that is left out is about the last one times the step over the time in which the
@@ -171,7 +189,7 @@ def step(acceleration: Sequence[sp.Expr], strength: sp.Expr, ball: Ball) -> dict
     step = barrier(minimum(most, root))
     powers = [step**k for k in range(ORDER)]
     strongest = barrier(sum((k + 1) * sizes[k + 1] * powers[k] for k in range(ORDER)))
-    forces = force(acceleration, ball)
+    forces = force(acceleration, ball, besides)
     braced = [(a, n) for a, n in zip(acceleration, SERIES[3:6], strict=True) if a != 0]
     bend = barrier(sum(k * (k - 1) * absolute(forces[k]) * powers[k - 2] for k in range(2, ORDER)))
     return {

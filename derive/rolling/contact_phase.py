@@ -14,7 +14,7 @@ from ..errors.propagation import flight_start
 from ..events.predicates import clear, index, last, undecided_time, when, which
 from ..ir.kernel import Kernel, decision, loop_kernel
 from ..motion import rolling_series
-from ..motion.parabola import Parabola
+from ..motion.flight import Flight
 from ..state.fields import IN_FLIGHT, NONE
 from ..symbolic.conditionals import (
     AtMost,
@@ -68,7 +68,7 @@ from .symbols import (
 
 
 def kernels(
-    flight: Parabola,
+    flight: Flight,
     ball: Ball,
     faces: Sequence[int],
     codes: EventCodes,
@@ -92,9 +92,9 @@ def kernels(
     strength = barrier(flight.strength)
     every_kernel = (
         *_series(flight, ball, strength),
-        *settling_kernels(flight.acceleration, strength, ball),
-        *step_events(strength, ball.radius, codes),
-        *departure_kernels(strength),
+        *settling_kernels(flight, strength, ball),
+        *step_events(strength, ball.radius, codes, flight.surface_force),
+        *departure_kernels(flight, strength, ball),
         *neighbour_kernels(ball.radius),
         *_flight_decisions(),
         *_contact_decisions(codes),
@@ -103,7 +103,7 @@ def kernels(
     return {kernel.name: kernel for kernel in every_kernel}
 
 
-def _series(flight: Parabola, ball: Ball, strength: sp.Expr) -> tuple[Kernel, ...]:
+def _series(flight: Flight, ball: Ball, strength: sp.Expr) -> tuple[Kernel, ...]:
     """Return the kernels of the power series of rolling."""
     acceleration = flight.acceleration
     orders = (
@@ -122,7 +122,9 @@ def _series(flight: Parabola, ball: Ball, strength: sp.Expr) -> tuple[Kernel, ..
             {str(n): 0 for n in left_normal},
             "Start value of the normal where the flight began: another surface.",
         ),
-        loop_kernel("started", flight_start(flight), "Position at the start of a flight.", "Eq. 3"),
+        loop_kernel(
+            "started", flight_start(flight), "Position at the start of a flight.", flight.source
+        ),
         loop_kernel(
             "roll_start",
             rolling_series.start(ball),
@@ -143,7 +145,7 @@ def _series(flight: Parabola, ball: Ball, strength: sp.Expr) -> tuple[Kernel, ..
         ),
         loop_kernel(
             "roll_step",
-            rolling_series.step(acceleration, strength, ball),
+            rolling_series.step(acceleration, strength, ball, flight.surface_force),
             "Length of a step of the series, bounds of the motion in it, and the normal force.",
             "the last terms of the series",
         ),

@@ -10,29 +10,44 @@ from __future__ import annotations
 
 import sympy as sp
 
-from ..events.predicates import undecided_time
+from ..contact.ball import Ball
+from ..events.predicates import excess, undecided_time
 from ..events.root_finder import first_root
 from ..ir.kernel import Kernel, decision, loop_kernel
 from ..motion import rolling_series
+from ..motion.flight import Flight
 from ..symbolic.conditionals import (
     AtMost,
     Choose,
     Less,
     absolute,
+    all_of,
     any_of,
     barrier,
     maximum,
     minimum,
 )
 from ..symbolic.rounding import position_error, velocity_error
-from ..symbolic.symbols import velocity
+from ..symbolic.symbols import spin, velocity
 from .symbols import free_time, gap, gap_curvature, gap_jerk, gap_snap, lift, near, nearing
 
 
-def departure_kernels(strength: sp.Expr) -> tuple[Kernel, ...]:
-    """Return the kernels of the first moment of flight after a tangential departure."""
+def departure_kernels(flight: Flight, gravity: sp.Expr, ball: Ball) -> tuple[Kernel, ...]:
+    """Return the kernels of the first moment of flight after a tangential departure.
+
+    Parameters
+    ----------
+    flight
+        The motion between contacts.
+    gravity
+        The size of free fall, m/s².
+    ball
+        The ball.
+    """
     per = barrier(absolute(rolling_series.per_reach))
     longest = sp.Rational(1, 2**7)
+    turned = barrier(ball.radius * barrier(sum(map(absolute, spin))))
+    strength, slope = _strength(flight, gravity, turned, longest)
     speed = barrier(sum(map(absolute, velocity)) + strength * longest)
     # The ball also stays free of a body that it touches and moves away from.
     dipping = barrier(strength + gap_curvature * speed**2)
@@ -45,7 +60,7 @@ def departure_kernels(strength: sp.Expr) -> tuple[Kernel, ...]:
             barrier(absolute(nearing) / dipping),
         )
     )
-    rate = barrier(speed * per + sp.sqrt(barrier(strength * per)) + 1)
+    rate = barrier(speed * per + sp.sqrt(barrier(strength * per)) + 1 + slope)
     bends = barrier(64 * rate**3 * barrier(strength + speed**2 * per))
     fourth = barrier(absolute(gap_snap) + bends * sp.Rational(1, 2**30))
     opening = minimum(
@@ -59,6 +74,8 @@ def departure_kernels(strength: sp.Expr) -> tuple[Kernel, ...]:
     )
     away = barrier(Choose(Less(0, gap_jerk), opening, thrown_off))
     hop = barrier(minimum(longest, away, barrier(free_time / 4)))
+    if not flight.exact:
+        hop = barrier(minimum(hop, flight.span))
     lift_error = barrier(
         16
         * per
@@ -66,6 +83,8 @@ def departure_kernels(strength: sp.Expr) -> tuple[Kernel, ...]:
         + sp.Rational(1, 2**44) * strength
     )
     opens = any_of(Less(barrier(lift_error * rate), gap_jerk), Less(lift_error, lift))
+    if not flight.exact:
+        opens = all_of(opens, AtMost(excess, 0))
     return (
         decision("no_contact", {"free_time": sp.oo}, "Start value: no surface beside the ball."),
         loop_kernel(
@@ -104,3 +123,24 @@ def departure_kernels(strength: sp.Expr) -> tuple[Kernel, ...]:
             "Taylor's theorem of the gap",
         ),
     )
+
+
+def _strength(
+    flight: Flight, gravity: sp.Expr, turned: sp.Expr, longest: sp.Expr
+) -> tuple[sp.Expr, sp.Expr]:
+    """Return bounds on the acceleration, and on its change by the velocity, after a departure.
+
+    Parameters
+    ----------
+    flight
+        The motion between contacts.
+    gravity
+        The size of free fall, m/s².
+    turned
+        A bound on the speed of the ball's surface about its centre, m/s.
+    longest
+        The longest time, s.
+    """
+    speed = barrier(sum(map(absolute, velocity)) + turned + 2 * gravity * longest)
+    disturbance, slope = flight.disturbance(speed)
+    return (gravity if disturbance == 0 else barrier(gravity + disturbance)), slope

@@ -16,7 +16,7 @@ from ..errors.derivative import directional
 from ..events.predicates import index, undecided_time, which
 from ..ir.kernel import Kernel, decision, loop_kernel
 from ..motion import ring_rolling_series
-from ..motion.parabola import Parabola
+from ..motion.flight import Flight
 from ..state.fields import NONE
 from ..surfaces import Surface
 from ..symbolic.conditionals import (
@@ -58,13 +58,15 @@ section_acceleration = sp.Symbol("section_acceleration", nonnegative=True)
 circles = Boolean("circling")
 
 
-def ring_kernels(surface: Surface, flight: Parabola, ball: Ball) -> dict[str, Kernel]:
+def ring_kernels(surface: Surface, flight: Flight, ball: Ball) -> dict[str, Kernel]:
     """Return the kernels of rolling on a ring, by part; none if the surface is not a ring."""
     found = surface.rolling_surface
     if found is None or found.ring == 0 or not flight.upright:
         return {}
     reach = barrier(1 / found.per_reach)
-    rolling = ring_rolling_series.RingRolling(found.ring, reach, ball, barrier(flight.strength))
+    rolling = ring_rolling_series.RingRolling(
+        found.ring, reach, ball, barrier(flight.strength), flight.surface_force
+    )
     kernels = {
         "round_start": (rolling.start(), "Constant terms, in the ring's coordinates."),
         "round_moved": (rolling.moved(), "State of a ball that rolls on the ring at time t."),

@@ -12,6 +12,7 @@ from ..events.predicates import index, undecided_time, which
 from ..events.root_finder import first_root
 from ..ir.kernel import Kernel, decision, loop_kernel
 from ..motion import rolling_series
+from ..motion.flight import SurfaceForce
 from ..state.fields import NONE
 from ..symbolic.conditionals import (
     AtMost,
@@ -53,10 +54,12 @@ _NO_EVENT = Equal(which, NONE)
 _BELOW = "a parabola below the distance"
 
 
-def step_events(strength: sp.Expr, ball_radius: sp.Expr, codes: EventCodes) -> tuple[Kernel, ...]:
+def step_events(
+    strength: sp.Expr, ball_radius: sp.Expr, codes: EventCodes, besides: SurfaceForce
+) -> tuple[Kernel, ...]:
     """Return the kernels that shorten a step to the first possible event, and name that event."""
     return (
-        _leaving_force(strength, ball_radius, codes),
+        _leaving_force(strength, ball_radius, codes, besides),
         *_other_surfaces(ball_radius),
         loop_kernel(
             "beside_seam",
@@ -103,13 +106,17 @@ def _shortened(condition: sp.Basic, root: sp.Expr) -> sp.Expr:
     return Choose(condition, 0, minimum(stride, root))
 
 
-def _leaving_force(strength: sp.Expr, ball_radius: sp.Expr, codes: EventCodes) -> Kernel:
+def _leaving_force(
+    strength: sp.Expr, ball_radius: sp.Expr, codes: EventCodes, besides: SurfaceForce
+) -> Kernel:
     """Return the kernel that detects where the normal force vanishes, or the ball is at rest."""
     per = rolling_series.per_reach
     pull = barrier(strength + fastest**2 * absolute(per))
     small = barrier(sp.Rational(1, 2**44) * pull)
     force_error = barrier(
-        small + 8 * absolute(per) * barrier(pull * position_error + fastest * velocity_error)
+        small
+        + 8 * absolute(per) * barrier(pull * position_error + fastest * velocity_error)
+        + 4 * besides.lift_size * barrier(fastest * velocity_error)
     )
     bends = barrier(force_bend + sp.Rational(1, 2**40) * pull)
     spent = any_of(Less(force, -small), all_of(AtMost(force, small), Less(force_rate, 0)))

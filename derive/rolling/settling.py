@@ -11,13 +11,12 @@ is left. As soon as their sum is less than `tolerance`, the ball rolls.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 import sympy as sp
 
 from ..contact.ball import Ball
 from ..contact.law import Law
 from ..ir.kernel import Kernel, decision, loop_kernel
+from ..motion.flight import Flight
 from ..symbolic.conditionals import (
     AtMost,
     Choose,
@@ -82,8 +81,10 @@ def wedge_width(ball_radius: sp.Expr) -> sp.Expr:
     return sp.Rational(1, 2**28) * ball_radius
 
 
-def settling(law: Law, ball: Ball) -> Kernel:
+def settling(law: Law, ball: Ball, flight: Flight) -> Kernel:
     """Return the kernel that decides how the bounces on a surface end.
+
+    A force besides gravity turns with the surface, and changes by its slope times the acceleration.
 
     The ball settles if the bounces end before anything else can happen; it lodges if it is then
     wedged; it slides if slip is left that friction cannot stop; it parts if no force presses it
@@ -102,7 +103,9 @@ def settling(law: Law, ball: Ball) -> Kernel:
     allowed = barrier(tolerance(ball.radius))
     quick = barrier(speed + sp.sqrt(barrier(absolute(weight) * ball.radius)))
     turns = barrier(barrier(sp.Add(*map(absolute, turning))) + 4 * UNIT_ROUNDOFF)
-    force_change = barrier(8 * barrier(absolute(weight) + speed * turns) * turns)
+    disturbance, slope = flight.disturbance(speed)
+    disturbed = disturbance * turns + slope * barrier(flight.strength + disturbance)
+    force_change = barrier(8 * barrier(absolute(weight) + speed * turns) * turns + 8 * disturbed)
     constant_force = Less(barrier(3 * hop * force_change), barrier(press * left**2))
     rounding = sp.Rational(1, 2**46) * quick
     gripped = AtMost(slip, barrier(barrier(8 * rolling_friction * hop) + rounding))
@@ -152,7 +155,7 @@ def settling(law: Law, ball: Ball) -> Kernel:
     # Beside a surface that does not hold it, a ball that hardly moves until the bounces end rolls
     # from where it is. Which surface it would touch first meanwhile is undecided.
     still = AtMost(way, narrow)
-    undecided_press = AtMost(absolute(press), barrier(4 * turns * velocity_error))
+    undecided_press = AtMost(absolute(press), barrier(4 * (turns + slope) * velocity_error))
     near_limit = barrier(absolute(offset - allowed) * bounce)
     undecided_bounce = all_of(
         AtMost(near_limit, barrier(2 * allowed * velocity_error)), Less(0, bounce)
@@ -178,9 +181,7 @@ def settling(law: Law, ball: Ball) -> Kernel:
     )
 
 
-def settling_kernels(
-    acceleration: Sequence[sp.Expr], strength: sp.Expr, ball: Ball
-) -> tuple[Kernel, ...]:
+def settling_kernels(flight: Flight, strength: sp.Expr, ball: Ball) -> tuple[Kernel, ...]:
     """Return the kernels that prepare the decision of `settling`, the same for all surfaces."""
     return (
         loop_kernel(
@@ -189,13 +190,14 @@ def settling_kernels(
             "Spin about the normal, times the ball's radius.",
             "s = R_B (w·n)",
         ),
-        _pressed_on(acceleration, ball),
+        _pressed_on(flight, ball),
         *_bounce_kernels(strength, ball),
     )
 
 
-def _pressed_on(acceleration: Sequence[sp.Expr], ball: Ball) -> Kernel:
+def _pressed_on(flight: Flight, ball: Ball) -> Kernel:
     """Return the forces on a ball that rolls on from the surface it has touched."""
+    acceleration = flight.acceleration
     turn_rate = ball.radius * barrier(spin.dot(normal))
     down = sp.Matrix(list(acceleration))
     pressing = barrier(down.dot(normal))
@@ -210,7 +212,7 @@ def _pressed_on(acceleration: Sequence[sp.Expr], ball: Ball) -> Kernel:
     return loop_kernel(
         "pressed_on",
         {
-            "press": n,
+            "press": n + flight.surface_force.at(pressing, barrier(rolled.dot(rolled))),
             "weight": pressing,
             "rolling_friction": barrier(sp.sqrt(barrier(sum(c**2 for c in friction)))),
             **dict(zip(map(str, rolling_acceleration), pushed, strict=True)),

@@ -76,6 +76,8 @@ def settled(
     for surface in holders[1:]:
         nodes += on_surface(common, surface.index, _part(surface, "normal"))
     nodes += [Call(common["nearly"]), Call(common["gripped"])]
+    if "air_rates" in common:  # by the spin after the contact
+        nodes.append(Call(common["air_rates"]))
     for surface in holders:
         own = (
             _part(surface, "turning"),

@@ -7,14 +7,14 @@ import sympy as sp
 from ..errors.derivative import directional
 from ..ir.kernel import Kernel, loop_kernel
 from ..motion import rolling_series
-from ..motion.parabola import Parabola
+from ..motion.flight import Flight
 from ..surfaces import Surface
 from ..symbolic.conditionals import barrier
 from ..symbolic.symbols import POSITION, VELOCITY, normal
 from .symbols import rolled, rolling_acceleration, turning
 
 
-def allows_rolling(surface: Surface, flight: Parabola) -> bool:
+def allows_rolling(surface: Surface, flight: Flight) -> bool:
     """Return True if a ball can stay in contact with the surface; else it bounces on.
 
     On a ring the motion is known only if gravity acts along the ring's axis.
@@ -23,7 +23,7 @@ def allows_rolling(surface: Surface, flight: Parabola) -> bool:
     return found is not None and (found.ring == 0 or flight.upright)
 
 
-def contact_phase_kernels(surface: Surface, flight: Parabola) -> dict[str, Kernel]:
+def contact_phase_kernels(surface: Surface, flight: Flight) -> dict[str, Kernel]:
     """Return the kernels of one surface by part: all have those beside it, some those on it."""
     kernels = _beside(surface)
     if not allows_rolling(surface, flight):
@@ -64,12 +64,12 @@ def _beside(surface: Surface) -> dict[str, Kernel]:
     }
 
 
-def _under(surface: Surface, flight: Parabola) -> dict[str, Kernel]:
+def _under(surface: Surface, flight: Flight) -> dict[str, Kernel]:
     """Return the kernels from which the motion on the surface is computed."""
     name, rolling_surface = surface.name, surface.rolling_surface
     assert rolling_surface is not None
     along = dict(zip(POSITION, VELOCITY, strict=True))
-    rates = along | dict(zip(VELOCITY, flight.acceleration, strict=True))
+    rates = along | dict(zip(VELOCITY, flight.present_acceleration, strict=True))
     turns = dict(zip(POSITION, rolled, strict=True))
     derivatives = [_hold_all_parts(surface.distance)]
     for _ in range(4):

@@ -92,6 +92,7 @@ class EventCodes:
         self.time = surfaces
         self.begins, self.leaves, self.hops = surfaces + 1, surfaces + 2, surfaces + 3
         self.endless = surfaces + 4
+        self.piece_end = surfaces + 5
         self.bodies = bodies
 
     def log_row(self, body: sp.Expr, leaves: bool) -> sp.Expr:

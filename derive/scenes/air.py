@@ -8,6 +8,7 @@ from dataclasses import replace
 import sympy as sp
 
 from ..motion.air import AirConstants
+from .court import COURT
 from .hoop import HOOP
 from .scene import Parameter, Scene, parameter
 
@@ -58,4 +59,12 @@ AIR = replace(
     with_air(HOOP),
     name="air",
     remarks="The article's hoop, and the ball flies through air: drag, buoyancy and Magnus force.",
+)
+
+COURT_AIR = replace(
+    with_air(COURT),
+    name="court_air",
+    remarks=f"{COURT.remarks} The ball flies through air: drag, buoyancy and Magnus force. Where "
+    "it rolls, buoyancy and Magnus force press it on or lift it off; along the surface no air "
+    "acts.",
 )

@@ -3,7 +3,7 @@
 The ball passes the ring's disc, z = 0 within the wire's centre circle, downwards or upwards. A ball
 that has come up through it has not fallen through it, whatever it does then, unless it had fallen
 in before. In a flight it passes upwards at most once, then downwards: at the roots of z, a
-parabola.
+parabola, or in air as in `passage_in_air`.
 """
 
 from __future__ import annotations
@@ -15,6 +15,8 @@ import sympy as sp
 
 from ..events.predicates import last, through
 from ..ir.kernel import Kernel, decision, kernel
+from ..motion.air import AirFlight
+from ..motion.flight import Flight
 from ..motion.parabola import Parabola
 from ..symbolic.conditionals import (
     And,
@@ -33,6 +35,7 @@ from ..symbolic.conditionals import (
 )
 from ..symbolic.rounding import ROUNDING_SLACK, position_error
 from ..symbolic.symbols import POSITION, UNIT_ROUNDOFF, VELOCITY, t
+from . import passage_in_air
 
 x, y, z = POSITION
 vx, vy, vz = VELOCITY
@@ -97,8 +100,6 @@ class _DiscPassings:
 
 def _disc_passings(flight: Parabola) -> _DiscPassings:
     """Return the passings of the disc in a flight of time t."""
-    if not flight.upright:
-        raise ValueError("a ball passes a ring's disc where free fall is down, along -z")
     there, _ = flight.at()
     height, gravity = barrier(there[2]), flight.strength
     squared = barrier(vz**2 + 2 * gravity * z)
@@ -119,6 +120,14 @@ def _disc_passings(flight: Parabola) -> _DiscPassings:
         height,
         squared,
     )
+
+
+def _through_in_air(passage: Passage) -> dict[str, sp.Basic]:
+    """Return `through` after a piece of a flight, up to time t."""
+    limit = barrier(passage.radius**2)
+    rises = And(passage_in_air.RISES, Less(passage_in_air.rise_away, limit))
+    falls = And(passage_in_air.FALLS, Less(passage_in_air.fall_away, limit))
+    return {"through": next_state(through, rises, falls)}
 
 
 def _through(passage: Passage, flight: Parabola) -> dict[str, sp.Basic]:
@@ -181,12 +190,36 @@ def _passed_in_contact(passage: Passage) -> dict[str, sp.Basic]:
     return {"through": next_state(through, rises, falls)}
 
 
+def _in_flight(
+    passage: Passage, flight: Flight
+) -> tuple[dict[str, sp.Basic], dict[str, sp.Basic], dict[str, passage_in_air.Formula]]:
+    """Return the outputs of passings in a flight, and in air the kernels that find them.
+
+    The outputs are what is passed, and whether it is undecided.
+
+    Raises
+    ------
+    TypeError
+        If there are none for the flight.
+    """
+    if isinstance(flight, AirFlight):
+        undecided = {"undecided": passage_in_air.undecided(flight, passage.radius)}
+        return _through_in_air(passage), undecided, passage_in_air.formulas(flight)
+    if isinstance(flight, Parabola):
+        return _through(passage, flight), _astray(passage, flight), {}
+    raise TypeError(f"no passage along a {type(flight).__name__}")
+
+
 def passage_kernels(
-    passage: Passage, flight: Parabola, order: Iterable[sp.Symbol]
+    passage: Passage, flight: Flight, order: Iterable[sp.Symbol]
 ) -> dict[str, Kernel]:
     """Return the kernels of a scene with a passage."""
-    symbols = (last, outcome, uncertain, through, *order)
+    if not flight.upright:
+        raise ValueError("a ball passes a ring's disc where free fall is down, along -z")
+    symbols = (last, outcome, uncertain, through, *order, *passage_in_air.SYMBOLS)
+    passes, undecided, found = _in_flight(passage, flight)
     kernels = (
+        *(kernel(name, made[0], symbols, *made[1:]) for name, made in found.items()),
         kernel(
             "passing_start",
             _admitted(passage),
@@ -196,14 +229,14 @@ def passage_kernels(
         ),
         kernel(
             "passing",
-            _through(passage, flight),
+            passes,
             symbols,
             "1 for a ball that fell through the ring's disc, -1 for one that came up, else 0.",
-            "Eq. 3, its roots in the ring's plane",
+            f"{flight.source}, its roots in the ring's plane",
         ),
         kernel(
             "passing_undecided",
-            _astray(passage, flight),
+            undecided,
             symbols,
             "Whether the passing of the disc lies within its error.",
             "running error analysis",

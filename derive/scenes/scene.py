@@ -139,11 +139,6 @@ class Scene:
                 f"scene {self.name}: gravity_axis: expected one of "
                 f"{', '.join(map(str, AXES))}, got {self.gravity_axis!r}"
             )
-        if self.air is not None and (self.rolls or self.passage is not None):
-            raise ValueError(
-                f"scene {self.name}: air: no ball rolls in air, and no passage is tested there; "
-                "expected neither rolls nor a passage"
-            )
         if self.rolls and not self.flight.falls:
             raise ValueError(
                 f"scene {self.name}: rolls: expected gravity along an axis, not zero; got "
@@ -188,7 +183,7 @@ class Scene:
     def flight(self) -> Flight:
         """The motion of the ball between contacts."""
         if self.air is not None:
-            return AirFlight(self.free_fall, constants=self.air)
+            return AirFlight(self.free_fall, constants=self.air, departs=self.rolls)
         return self.parabola
 
     @property

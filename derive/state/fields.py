@@ -47,6 +47,9 @@ class Field:
 NO_ROLLING = "no ball rolls"
 """Why a scene in which no ball rolls lacks the results of rolling."""
 
+NO_ROLLING_IN_AIR = "no ball rolls in air"
+"""Why a scene without air, or in which no ball rolls, lacks what is said of rolling in air."""
+
 
 @dataclass(frozen=True)
 class ResultField:
@@ -213,6 +216,16 @@ _ROLLING = (
         absence=NO_ROLLING,
         tally="rolled",
         tally_summary="shots that rolled",
+        proved=0.0,
+    ),
+    ResultField(
+        "airless_rolls",
+        "bool",
+        ("rolls",),
+        "it rolled, without the air's force along the surface",
+        absence=NO_ROLLING_IN_AIR,
+        tally="rolled_airless",
+        tally_summary="shots that rolled without the air's force along the surface",
         proved=0.0,
     ),
     ResultField(

@@ -307,6 +307,7 @@ RESULTS: tuple[ResultField, ...] = (
 """The results of a shot, in the order of the C struct."""
 
 ABSENT_RESULTS: tuple[ResultField, ...] = (
+    ResultField(name="airless_rolls", dtype="bool", columns=("rolls",), summary="it rolled, without the air's force along the surface", absence="no ball rolls in air", tally="rolled_airless", tally_summary="shots that rolled without the air's force along the surface", proved=0.0),
 )
 """The results of other scenes that this one lacks."""
 

@@ -260,6 +260,7 @@ RESULTS: tuple[ResultField, ...] = (
 
 ABSENT_RESULTS: tuple[ResultField, ...] = (
     ResultField(name="rolls", dtype="int32", columns=("rolls",), summary="how many times it began to roll", absence="no ball rolls", tally="rolled", tally_summary="shots that rolled", proved=0.0),
+    ResultField(name="airless_rolls", dtype="bool", columns=("rolls",), summary="it rolled, without the air's force along the surface", absence="no ball rolls in air", tally="rolled_airless", tally_summary="shots that rolled without the air's force along the surface", proved=0.0),
     ResultField(name="slip_left", dtype="bool", columns=("slip_left",), summary="its bounces ended with slip left, and so it is capped", absence="no ball rolls", tally="slip_left", tally_summary="capped shots whose bounces ended with slip left", proved=0.0),
     ResultField(name="grip_lost", dtype="float64", columns=("grip_lost",), summary="s, when friction first was too little for the ball to roll as it did; infinite: never", is_empty_if_invalid=True, is_diagnostic=True, is_on_request=True, absence="no ball rolls", units=("s",), proved=_inf),
 )

@@ -116,9 +116,10 @@ def _summary(shots: hoopgen.Shots, state: NDArray[np.float64]) -> str:
         f"outcome    {_outcome_text(shots)}",
         f"contacts   {shots.contacts[0]} ({by_surface})",
     ]
+    airless = ", without air along it" if "airless_rolls" in shots.scene.layout.results else ""
     for row, start, stop in path.rolls:
         name = shots.surfaces[int(path.events["surface"][row])]
-        lines.append(f"rolls      on the {name} from {start:.3f} to {stop:.3f} s")
+        lines.append(f"rolls      on the {name} from {start:.3f} to {stop:.3f} s{airless}")
     if shots.uncertain[0]:
         lines.append("uncertain  yes: some decision is within the bound on its rounding error")
     return "\n".join(lines)

@@ -22,7 +22,7 @@ class ShotArrays:
 
     Attributes
     ----------
-    outcome, contacts, counts, first, time, state, uncertain, rolls, slip_left
+    outcome, contacts, counts, first, time, state, uncertain, rolls, airless_rolls, slip_left
         As of `hoopgen.Shots`.
     """
 
@@ -34,6 +34,7 @@ class ShotArrays:
     state: jax.Array
     uncertain: jax.Array
     rolls: jax.Array
+    airless_rolls: jax.Array
     slip_left: jax.Array
 
     def __init__(

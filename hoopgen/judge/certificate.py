@@ -150,7 +150,7 @@ class Certificate:
     accumulates
         bool (n,), the proof ends because bounces accumulate: from there the ball rolls, which the
         judge does not follow. Such a shot is undecided; `Proof.question` says on what it rolls.
-    rolls, slip_left, grip_lost
+    rolls, airless_rolls, slip_left, grip_lost
         As in `Shots`: no ball rolls or ends with slip left of whose shot the outcome is proved.
     time, time_radius
         float64 (n,), s: the doubles nearest to the proved times, and how far the truth can be from
@@ -162,6 +162,7 @@ class Certificate:
     """
 
     rolls: NDArray[np.int32]
+    airless_rolls: NDArray[np.bool_]
     slip_left: NDArray[np.bool_]
     grip_lost: NDArray[np.float64]
 

@@ -123,9 +123,9 @@ def _follow(
         found = _next(formulas, start, values, last, vanishing, remaining)
         if found is None:
             return
-        last, time, before = found
+        last, time, before, legs = found
         if sizes is not None:
-            through = passage.after(through, sizes, start, before, time)
+            through = _through(through, sizes, legs, before)
         timed = last == len(formulas.surfaces)
         flown.time = arb(time_limit) if timed else flown.time + time
         if last >= formulas.faces:
@@ -148,6 +148,21 @@ def _follow(
         if full:
             flown.outcome = formulas.outcomes["capped"]
             return
+
+
+def _through(
+    through: int, sizes: Sequence[arb], legs: Sequence[tuple[Piece, arb]], end: list[arb]
+) -> int | None:
+    """Return the state of passage after the pieces of a flight, None if undecided."""
+    found: int | None = through
+    for piece, time in legs:
+        if found is None:
+            return None
+        if piece.exact:
+            found = passage.after(found, sizes, piece.start, end, time)
+        else:
+            found = passage.after_piece(found, sizes, piece.path, time)
+    return found
 
 
 def left_by(formulas: Formulas, state: list[arb], values: list[arb], leaving: int) -> int:
@@ -214,12 +229,13 @@ def _next(
     last: int,
     vanishing: int,
     remaining: arb | None,
-) -> tuple[int, arb, list[arb]] | None:
-    """Return surface, time and state of the certainly earliest arrival; None if there is none.
+) -> tuple[int, arb, list[arb], list[tuple[Piece, arb]]] | None:
+    """Return surface, time and state of the certainly earliest arrival, and the pieces until then.
 
-    The time limit, `remaining` from now, counts as the last surface.
+    None if there is none. The time limit, `remaining` from now, counts as the last surface.
     """
     time = arb(0)
+    legs: list[tuple[Piece, arb]] = []
     while not meets_nothing(formulas, state, values):
         piece = next_piece(formulas, state, values)
         left = None if remaining is None else remaining - time
@@ -227,9 +243,10 @@ def _next(
         if found is None:
             return None
         place, after = found
+        legs.append((piece, after))
         state, time = piece.at(after), time + after
         if place <= len(formulas.surfaces):
-            return place, time, state
+            return place, time, state, legs
         last = -1
     return None
 

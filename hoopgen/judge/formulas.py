@@ -8,7 +8,6 @@ from functools import cache
 
 import sympy as sp
 
-from hoopgen.derive.motion.parabola import Parabola
 from hoopgen.derive.rolling.settling import small_hop
 from hoopgen.derive.rolling.surface_kernels import allows_rolling
 from hoopgen.derive.scenes import HOOP
@@ -191,9 +190,7 @@ def _surface(surface: Surface, face: int, body: int, scene: Scene) -> SurfaceFor
 def _rolls_on(scene: Scene, face: int) -> bool:
     if not scene.rolls or face >= len(scene.surfaces):
         return False
-    flight = scene.flight
-    assert isinstance(flight, Parabola)
-    return allows_rolling(scene.surfaces[face], flight)
+    return allows_rolling(scene.surfaces[face], scene.flight)
 
 
 def _solid(surface: Surface) -> tuple[sp.Expr, ...]:

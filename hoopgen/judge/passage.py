@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from flint import arb
+from flint import arb, arb_poly
 
 from hoopgen.derive.scenes.passage import FALLEN, NEITHER, RISEN
 
@@ -12,6 +12,12 @@ from .roots import sign
 
 Sizes = Sequence[arb]
 """Radius and depth of the passage, and gravity."""
+
+MAX_DIVISIONS = 40
+"""Divisions of a piece after which a passing is undecided."""
+
+SPLIT_POINT = 0.48828125
+"""Share of a part at which it is divided; passings of simple shots are elsewhere."""
 
 Passing = tuple[bool | None, arb]
 """A passage of the plane: True if upwards, None if undecided, and its time."""
@@ -67,11 +73,57 @@ def after(
             continue
         if within is None or upwards is None:
             return None
-        if upwards:
-            through = NEITHER if through == FALLEN else RISEN
-        elif through == NEITHER:
-            through = FALLEN
+        through = next_passage(through, upwards)
     return through
+
+
+def after_piece(through: int, sizes: Sizes, path: Sequence[arb_poly], time: arb) -> int | None:
+    """Return the state of passage after a piece of a flight, None if undecided.
+
+    The piece is divided until in each part the ball is on one side of the plane, is outside the
+    disc, or certainly moves one way within the disc.
+
+    Parameters
+    ----------
+    through
+        The state of passage before the piece.
+    sizes
+        Radius and depth of the passage, and gravity.
+    path
+        The polynomials of the position: at every time position and velocity are those of one of
+        them.
+    time
+        How long the ball flies on it, s.
+    """
+    radius, _, _ = sizes
+    heights = [path[2], path[2].derivative()]
+    parts = [(arb(0), time, 0)]
+    while parts:
+        low, high, depth = parts.pop()
+        during = low.union(high)
+        if _above(heights[0](during)) is not None:
+            continue
+        within = _within(path[0](during), path[1](during), radius)
+        if within is False:
+            continue
+        before, behind = (_above(heights[0](end)) for end in (low, high))
+        one_way = sign(heights[1](during)) not in (None, 0)
+        if within and one_way and before is not None and behind is not None:
+            if before != behind:
+                through = next_passage(through, behind)
+            continue
+        if depth >= MAX_DIVISIONS:
+            return None
+        middle = low + (high - low) * SPLIT_POINT
+        parts += [(middle, high, depth + 1), (low, middle, depth + 1)]
+    return through
+
+
+def next_passage(through: int, upwards: bool) -> int:
+    """Return the state of passage after a passing, from that before it."""
+    if upwards:
+        return NEITHER if through == FALLEN else RISEN
+    return FALLEN if through == NEITHER else through
 
 
 def _passings(gravity: arb, start: Sequence[arb], end: Sequence[arb], time: arb) -> list[Passing]:

@@ -68,6 +68,9 @@ class Shots:
         float64 (n, 9), state at that time.
     rolls
         int32 (n,), in a scene where a ball may roll: number of times that it began to roll.
+    airless_rolls
+        bool (n,), where a ball may roll in air: whether it rolled, which it does without the air's
+        force along the surface. Bounds on errors of such a shot are those of this model.
     slip_left
         bool (n,), in such a scene: whether the bounces ended with slip that friction could not
         stop. Such a shot is CAPPED, at its last contact.
@@ -99,6 +102,7 @@ class Shots:
     time: NDArray[np.float64]
     state: NDArray[np.float64]
     rolls: NDArray[np.int32]
+    airless_rolls: NDArray[np.bool_]
     slip_left: NDArray[np.bool_]
     uncertain: NDArray[np.bool_]
     time_error: NDArray[np.float64]

@@ -57,7 +57,7 @@ def added_parameters(own: Sequence[Parameter]) -> list[Parameter]:
 
 
 def check_switches(scene: str, rolls: object, air: object) -> None:
-    """Refuse what is neither true nor false, and rolling in air.
+    """Refuse what is neither true nor false.
 
     Parameters
     ----------
@@ -74,6 +74,3 @@ def check_switches(scene: str, rolls: object, air: object) -> None:
     for argument, given in {"rolls": rolls, "air": air}.items():
         if not isinstance(given, bool):
             raise wrong(scene, "", argument, f"expected true or false, got {brief(given)}")
-    if rolls and air:
-        said = "in air no ball is known to roll; expected false where air is true"
-        raise wrong(scene, "", "rolls", said)

@@ -28,8 +28,8 @@ def scene_pieces(engine: CompiledScene) -> Scene:
         return written
     from hoopgen.generated.numpy import court  # which has many kernels
 
-    if engine.name == court.SCENE and engine.kernels is court:
-        return _court()
+    if engine.kernels is court or (engine.name == "court_air" and engine.has_hoop):
+        return _court(engine)
     if engine.name == "air" and engine.has_hoop:
         return _hoop(engine.name, engine.kernels.PARAMETERS)
     raise ValueError(
@@ -72,10 +72,8 @@ def _hoop(name: str, parameters: Mapping[str, tuple[float, str, str]]) -> Scene:
 
 
 @cache
-def _court() -> Scene:
-    """Return the bodies of `COURT`, without laws of contact, which are not drawn."""
-    from hoopgen.generated.numpy import court
-
+def _court(engine: CompiledScene) -> Scene:
+    """Return the bodies of a gym's hoop, without laws of contact, which are not drawn."""
     front, bottom, top = "board_distance", "board_bottom", "board_top"
     bodies: tuple[Body, ...] = (
         Torus("ring", radius="ring_radius", wire="wire_radius"),
@@ -90,4 +88,4 @@ def _court() -> Scene:
             centre=(f"-({front} + ring_radius)/2", 0, "wire_radius - bridge_depth/2"),
         ),
     )
-    return _drawn(court.SCENE, court.PARAMETERS, bodies)
+    return _drawn(engine.name, engine.kernels.PARAMETERS, bodies)

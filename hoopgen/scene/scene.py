@@ -62,7 +62,8 @@ class Scene:
         Whether the ball flies through air, with drag, buoyancy and the Magnus force of its spin.
         Then the scene has five parameters more, which it may declare itself to give other defaults:
         `ball_mass` (0.624 kg), `air_density` (1.2 kg/m³), `drag_coefficient` (0.5),
-        `lift_coefficient` (0.6) and `drag_smoothing_speed` (0.05 m/s). No ball rolls in air.
+        `lift_coefficient` (0.6) and `drag_smoothing_speed` (0.05 m/s). Where a ball
+        rolls, the air presses it on or lifts it off, and no air acts along the surface.
     axes, remarks
         For readers, in plain sentences: where origin and axes lie, and what else there is to say.
     limits

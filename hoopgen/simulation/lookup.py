@@ -29,8 +29,14 @@ def _air() -> Engine:
     return AIR
 
 
+def _court_air() -> Engine:
+    from .court_air import COURT_AIR
+
+    return COURT_AIR
+
+
 BUILT_IN: Mapping[str, Callable[[], Engine]] = MappingProxyType(
-    {"hoop": lambda: HOOP, "court": _court, "air": _air}
+    {"hoop": lambda: HOOP, "court": _court, "air": _air, "court-air": _court_air}
 )
 """Functions that return the scenes of hoopgen, by the names on the command line and in files."""
 

@@ -251,7 +251,14 @@ def test_a_shell_completes_names_of_variables_measures_presets_and_scenes(
     assert completed("shot --preset ") == ["paper", "nba", "fiba"]
     (folder / "deep").mkdir()
     (folder / "deep" / "own.toml").write_bytes(b"")
-    assert completed("shot --scene ") == ["hoop", "court", "air", "deep/", "scene.toml"]
+    assert completed("shot --scene ") == [
+        "hoop",
+        "court",
+        "air",
+        "court-air",
+        "deep/",
+        "scene.toml",
+    ]
     assert completed("shot --scene deep/") == ["deep/own.toml"]
     assert completed("shot --scene nowhere/x") == []
     assert completed("estimate --scene scene.toml --scatter v") == ["vx=", "vy=", "vz="]

@@ -86,6 +86,7 @@ def test_tab_completion_shows_the_interface_and_nothing_else() -> None:
     shown = {name for name in dir(hoopgen) if not name.startswith("__")}
     assert shown == {
         *("simulate", "certify", "release", "Outcome", "SURFACES", "Shots", "Trajectory"),
+        *("COURT_AIR", "PAPER_COURT_AIR", "NBA_COURT_AIR", "FIBA_COURT_AIR"),
         *("AIR", "PAPER_AIR", "NBA_AIR", "FIBA_AIR"),
         *("PAPER", "NBA", "FIBA", "Scatter", "Resample", "Grid", "estimate", "compare", "map"),
         *("solve", "optimum", "margins", "bank_or_direct", "aim", "measure", "batch", "run_study"),

@@ -229,8 +229,6 @@ def test_a_scene_declares_parameters_of_the_air_itself() -> None:
     given: dict[str, Any] = {"bodies": AROUND[:1], "ball_radius": 0.0213, "gravity": 9.81}
     scene = Scene("golf", parameters=[mass], restitution=0.8, air=True, **given)
     assert scene.defaults == {**AIR_DEFAULTS, "ball_mass": 0.0459}
-    with pytest.raises(SceneError, match=r"rolls: in air no ball is known to roll"):
-        Scene("golf", restitution=0.8, air=True, rolls=True, **given)
     with pytest.raises(SceneError, match=r"air: expected true or false, got 'yes'"):
         Scene("golf", restitution=0.8, air="yes", **given)  # type: ignore[arg-type]
 

@@ -21,12 +21,19 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from ...motion.air import AirFlight, growth, piece_acceleration, piece_speed, piece_speed_error
+from ...motion.air import (
+    AirFlight,
+    growth,
+    piece_acceleration,
+    piece_jerk,
+    piece_speed,
+    piece_speed_error,
+)
 from ...surfaces import Ring
 from ...symbolic.conditionals import IfLess, absolute, barrier, maximum, minimum
 from ...symbolic.rounding import ROUNDING_SLACK, velocity_error
 from ...symbolic.symbols import POSITION, UNIT_ROUNDOFF, t
-from ..air import piece_lost, piece_windows
+from ..air import opening_time, piece_lost, piece_windows
 from ..box_windows import clear
 from ..event_polynomials import Window, ceiling, end, horizon, leaving, margin
 from ..root_finder import RootFinder
@@ -140,10 +147,13 @@ class AirRingRootFinder(RootFinder):
 
     def narrowed(self, width: sp.Expr) -> sp.Expr:
         """Return the part of the window in which rho is at least half of R_H - R."""
+        return barrier(minimum(width, self._known()), "w_1")
+
+    def _known(self) -> sp.Expr:
+        """Return the time for which rho is certainly at least half of R_H - R."""
         _, _, rho, _, _ = self._now()
         room = barrier(maximum(0, barrier(rho - self._nearest)))
-        known = barrier(barrier(room * (1 - sp.Rational(1, 2**10))) / piece_speed)
-        return barrier(minimum(width, known), "w_1")
+        return barrier(barrier(room * (1 - sp.Rational(1, 2**10))) / piece_speed)
 
     def curvature(self, width: sp.Expr) -> sp.Expr:
         """Return the bound on -F'' as above."""
@@ -179,7 +189,28 @@ class AirRingRootFinder(RootFinder):
         sure = barrier(away - margin / self.ring.reach)
         time = barrier(barrier(sure * (1 - sp.Rational(1, 2**10))) / piece_speed)
         longer = barrier(minimum(barrier(end - t), IfLess(0, leaving, 0, time)))
-        return barrier(maximum(stride, longer))
+        stride = barrier(maximum(stride, longer))
+        return barrier(maximum(stride, self._opening())) if self.flight.departs else stride
+
+    def _opening(self) -> sp.Expr:
+        """Return a time in which the gap of a ball that has rolled certainly opens.
+
+        With |rho''| <= A + v²/r, the third derivative of rho is at most 3 v (|rho''| + A)/r + j.
+        """
+        (_, _, z), _, _, depth, _ = self._now()
+        known = barrier(minimum(barrier(end - t), self._known()))
+        way, square = barrier(piece_speed * known), barrier(piece_speed**2)
+        turned = barrier(piece_acceleration + square / self._nearest)
+        quick = barrier(3 * piece_speed * barrier(turned + piece_acceleration))
+        bent = barrier(quick / self._nearest) + piece_jerk
+        deep, high = barrier(absolute(depth) + way), barrier(absolute(z) + way)
+        third = barrier(2 * barrier(quick + barrier(deep * barrier(bent) + high * piece_jerk)))
+        pulled = barrier(deep * turned) + barrier(high * piece_acceleration)
+        size = barrier(2 * barrier(2 * square + pulled))
+        low = barrier(barrier(self.bend) - sp.Rational(1, 2**36) * size)
+        slope = barrier(barrier(self.rate) - self.rate_allowed)
+        time = opening_time(slope, low, barrier(ROUNDING_SLACK * third))
+        return barrier(minimum(known, time))
 
     @property
     def margins(self) -> dict[str, sp.Expr]:

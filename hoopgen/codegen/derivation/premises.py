@@ -259,12 +259,12 @@ PREMISES: dict[str, Premise] = {
     "round": Premise(
         LEMMA,
         "rolling on a ring",
-        _kernels("ring.round_* common.circles common.half_steps common.still_in_contact"),
+        _kernels("*.round_* common.circles common.half_steps common.still_in_contact"),
     ),
     "endless": Premise(
         LEMMA,
         "rolling for ever",
-        _kernels("ring.swung common.clearance_at_any_azimuth common.rolls_for_ever *.around"),
+        _kernels("*.swung common.clearance_at_any_azimuth common.rolls_for_ever *.around"),
     ),
     "leaving": Premise(
         LEMMA,
