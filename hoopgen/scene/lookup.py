@@ -168,7 +168,7 @@ def check_hoop(what: str, scene: Any) -> None:
 
 
 def check_article(what: str, scene: Any) -> None:
-    """Refuse any scene but the article's hoop, whose formulas some questions use.
+    """Refuse any scene but the article's hoop, with or without air.
 
     Parameters
     ----------
@@ -181,9 +181,9 @@ def check_article(what: str, scene: Any) -> None:
         If it is another scene, with or without a hoop.
     """
     check_hoop(what, scene)
-    if scene is not None and not scene.is_hoop:
+    if scene is not None and not (scene.is_hoop or scene.is_hoop_in_air):
         raise ValueError(
-            f"{what}: it is computed for HOOP, the article's hoop, and not for the scene "
+            f"{what}: it is computed for HOOP, the article's hoop, or AIR, and not for the scene "
             f"{scene.name}; estimate, compare, map, optimum, batch, simulate, certify, plot and "
             "view take that"
         )

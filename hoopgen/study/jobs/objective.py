@@ -291,6 +291,7 @@ def arguments_of(
 
     The parameters of the scene are not taken from the values; see `Player.at`.
     """
-    given = {name: as_doubles(name, value) for name, value in values.items() if name not in NAMES}
-    columns = release_arguments(given, parameters["gravity"])
+    own = (*NAMES, *parameters)
+    given = {name: as_doubles(name, value) for name, value in values.items() if name not in own}
+    columns = release_arguments(given, parameters)
     return {name: columns[name].item() for name in ARGUMENTS}
