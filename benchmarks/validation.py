@@ -7,7 +7,7 @@ gives the same bytes.
 import argparse
 from pathlib import Path
 
-from benchmarks import validation_further
+from benchmarks import validation_air, validation_further
 from benchmarks.report import section_of, with_section
 from benchmarks.validation_coverage import HEADING, counts, section
 from benchmarks.validation_page import page, throw_picture
@@ -29,8 +29,8 @@ def main() -> None:
     parser.add_argument("--out", type=Path, default=Path("docs"), help="folder, default docs")
     parser.add_argument(
         "--only",
-        choices=["coverage", "literature", "further"],
-        help="the section on coverage or on further results alone, or all but that on coverage; "
+        choices=["coverage", "literature", "further", "air"],
+        help="the section on coverage, on further results or on air alone, or all but that on coverage; "
         "the rest stays as it is",
     )
     parser.add_argument(
@@ -42,6 +42,11 @@ def main() -> None:
     shots = 1_000 if arguments.quick else 20_000
     if arguments.only == "further":
         lines = validation_further.section(validation_further.further(shots))
+        write(file, with_section(file.read_text("utf-8"), lines))
+        return
+    in_air = 1_000 if arguments.quick else 10_000
+    if arguments.only == "air":
+        lines = validation_air.section(validation_air.flights(in_air), in_air)
         write(file, with_section(file.read_text("utf-8"), lines))
         return
     if arguments.only == "literature":
@@ -60,6 +65,7 @@ def main() -> None:
     save(plot_aim_points(results.banks.places, PAPER), arguments.out / "validation-bank.svg")
     save(picture(results.bounces), arguments.out / "validation-bounces.svg")
     more = validation_further.section(validation_further.further(shots))
+    more += ["", *validation_air.section(validation_air.flights(in_air), in_air)]
     write(file, page(results, coverage, more))
 
 

@@ -28,6 +28,12 @@ class FlyingScene(Protocol):
         """Return the states after free flights, as `CompiledScene.fly`."""
         ...
 
+    def fall(
+        self, states: NDArray[np.float64], level: ArrayLike, parameters: Mapping[str, Value]
+    ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """Return when balls come down to a height, and their states, as `CompiledScene.fall`."""
+        ...
+
 
 _FINDERS: list[Callable[[], FlyingScene]] = []
 

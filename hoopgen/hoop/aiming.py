@@ -7,15 +7,19 @@ moves, it solves a shooting problem.
 from __future__ import annotations
 
 from collections.abc import Mapping
+from math import cos, nan, sin, sqrt
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from hoopgen.core.air_scene import air_scene
+
 from .flights import Flights, is_in_air
 from .parabolas import Arc, Floats, Values, parabola_through
+from .releases import RING_HEIGHT, states_of
 from .shooting import ShootingProblem
 
-__all__ = ["aimed"]
+__all__ = ["aimed", "flown_distance"]
 
 
 def aimed(
@@ -74,3 +78,36 @@ def aimed(
     with np.errstate(all="ignore"):
         solved = problem.solved({name: rows[name] for name in wanted}, arc)
     return {name: value.reshape(shape) for name, value in solved.items()}
+
+
+def flown_distance(release: Mapping[str, float], parameters: Mapping[str, ArrayLike]) -> float:
+    """Return how far away on the floor plan a ball comes down to the ring's height, m.
+
+    Parameters
+    ----------
+    release
+        Arguments of `hoopgen.release`, one number each; spins that are not there are 0.
+    parameters
+        Parameters of the scene, which say whether it has air.
+
+    Returns
+    -------
+    float
+        NaN if the ball does not rise to the ring's height.
+    """
+    if not is_in_air(parameters):
+        speed, angle = float(release["speed"]), float(release["elevation"])
+        rise = RING_HEIGHT - float(release["height"])
+        gravity = float(np.asarray(parameters["gravity"]))
+        square = (speed * sin(angle)) ** 2 - 2.0 * gravity * rise
+        if square <= 0.0:
+            return nan
+        return speed * cos(angle) * (speed * sin(angle) + sqrt(square)) / gravity
+    arguments = dict.fromkeys(("azimuth", "backspin", "sidespin", "angle"), 0.0) | dict(release)
+    names = ("speed", "elevation", "azimuth", "backspin", "sidespin", "height", "distance", "angle")
+    state = states_of({name: np.asarray(arguments[name], np.float64) for name in names})
+    scene = air_scene()
+    own = {name: np.asarray(value, np.float64) for name, value in parameters.items()}
+    known = {n: own[n] for n in Flights.used(own)}
+    _, end = scene.fall(state[None], 0.0, {**scene.parameters, **known})
+    return float(np.hypot(*(end[0, :2] - state[:2])))

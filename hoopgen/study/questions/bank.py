@@ -18,11 +18,12 @@ from hoopgen.core.memory import check_room
 from hoopgen.core.parameters import ParameterValues
 from hoopgen.core.validation import as_doubles, check_count
 from hoopgen.engine.elementary import sine_cosine
-from hoopgen.hoop.presets import NAMES, PAPER
-from hoopgen.hoop.variables import ARGUMENTS, VARIABLES, change_variables
-from hoopgen.report.provenance import describe_hoop, model_attributes
-from hoopgen.study.article_only import of_hoop
-from hoopgen.study.jobs.monte_carlo import Progress
+from hoopgen.hoop.presets import PAPER
+from hoopgen.hoop.variables import ARGUMENTS, change_variables
+from hoopgen.report.provenance import describe_scene, model_attributes
+from hoopgen.scene.lookup import SceneLike, check_article, variables_of
+from hoopgen.simulation.lookup import engine_of
+from hoopgen.study.jobs.monte_carlo import Progress, scene_identity
 from hoopgen.study.jobs.objective import Bounds, By, Player, Successes, arguments_of, paired
 from hoopgen.study.jobs.process_pool import task_runner
 from hoopgen.study.models.random import check_two_seeds
@@ -67,12 +68,12 @@ _SHOT = 48
 Floats = NDArray[np.float64]
 
 
-@of_hoop
 def bank_or_direct(
     model: Scatter | Resample,
     places: ArrayLike,
     parameters: ParameterValues = PAPER,
     *,
+    scene: SceneLike = None,
     over: Mapping[str, Bounds | None] | Sequence[str] = _OVER,
     shots: int = 20_000,
     seed: int = 0,
@@ -90,6 +91,8 @@ def bank_or_direct(
         The player, as for `optimum`; the places take the place of its own.
     places
         x and y on the floor, (n, 2), m; the ring's centre at 0, 0, the board at negative x.
+    scene
+        `hoopgen.HOOP` or `hoopgen.AIR`; None: `HOOP`.
     parameters, over, shots, seed, confidence, threads, folder, scheduler, progress
         As for `optimum`.
 
@@ -116,13 +119,15 @@ def bank_or_direct(
     TypeError, ValueError
         If an argument is not as described.
     """
+    check_article("bank_or_direct", scene)
+    engine = engine_of(scene)
     spots = as_doubles("places", places)
     if spots.ndim != 2 or spots.shape[1] != 2 or not len(spots):
         raise ValueError(f"places: expected x and y, shape (n, 2), got shape {spots.shape}")
     check_two_seeds(seed)
     check_kept(shots)
     over = over if isinstance(over, Mapping) else (over,) if isinstance(over, str) else tuple(over)
-    players = [scattering(model, over, parameters, way) for way in WAYS]
+    players = [scattering(model, over, parameters, way, engine) for way in WAYS]
     if isinstance(model, Resample):
         check_folds(model)
     question = _Question(
@@ -141,6 +146,7 @@ def bank_or_direct(
             "over": over if isinstance(over, Mapping) else dict.fromkeys(over),
             "parameters": players[0].parameters,
         },
+        **scene_identity(engine),
         "shots": question.shots,
         "seed": seed,
     }
@@ -226,7 +232,8 @@ class _Question:
         else:
             low, high = wilson_interval(both.made, both.valid, self.confidence)
             difference, least, most = paired(banked, straight, self.confidence)
-        released = (*ARGUMENTS, *(name for name in self.over if name in ("aim", *NAMES)))
+        parameters = self.players[0].parameters
+        released = (*ARGUMENTS, *(name for name in self.over if name in ("aim", *parameters)))
         answer = {name: np.array([direct[name], bank[name]]) for name in released}
         answer |= {"probability": both.share, "low": low, "high": high}
         answer |= {"invalid": len(straight.made) - both.valid}
@@ -234,7 +241,7 @@ class _Question:
             "difference": difference,
             "difference_low": least,
             "difference_high": most,
-            **on_board(bank, {name: bank[name] for name in NAMES}),
+            **on_board(bank, {n: bank[n] for n in parameters}, self.players[1].scene),
             **{name: bank[name] for name in NOWHERE},
         }
         return answer | {name: np.asarray(value) for name, value in single.items()}
@@ -290,7 +297,10 @@ def _dataset(spots: Floats, columns: Mapping[str, Floats], question: _Question) 
         "touch_z": ("m", "where the ball touches the board, height from the ring"),
         **{name: ("m", f"of made shots, nine tenths: {said}") for name, said in _ENDS.items()},
         "sight_y": ("m", "where the release points on the board, y"),
-    } | {name: (variable.unit or "1", variable.label) for name, variable in VARIABLES.items()}
+    } | {
+        name: (variable.unit or "1", variable.label)
+        for name, variable in variables_of(question.players[0].scene).items()
+    }
     data = {
         name: (("way", "place")[-column.ndim :], column, _attributes(*named[name]))
         for name, column in columns.items()
@@ -298,14 +308,16 @@ def _dataset(spots: Floats, columns: Mapping[str, Floats], question: _Question) 
     coordinates = {"way": list(WAYS)} | {
         name: ("place", spots[:, k], _attributes(*named[name])) for k, name in enumerate("xy")
     }
-    same, by_row = alike(question.model), scene_by_row(question.model, NAMES)
-    parameters = question.players[0].at(same).parameters
+    same = alike(question.model)
+    player = question.players[0].at(same)
+    parameters = player.parameters
+    by_row = scene_by_row(question.model, parameters)
     scene = {n: v for n, v in parameters.items() if n not in (*question.over, *by_row)}
     attributes = {
         "source": f"hoopgen {version()}",
-        "scene": describe_hoop(scene, by_row),
+        "scene": describe_scene(player.scene, scene, by_row),
         "parameters": json.dumps(scene),
-        "release": json.dumps({n: v for n, v in same.items() if n not in NAMES}),
+        "release": json.dumps({n: v for n, v in same.items() if n not in parameters}),
         **model_attributes(question.model.identity()),
         "confidence": question.confidence,
         "interval": _INTERVAL[isinstance(question.model, Resample)],

@@ -18,7 +18,8 @@ from hoopgen.core.parameters import ParameterValues
 from hoopgen.core.validation import as_doubles, check_count
 from hoopgen.hoop.court_lines import find_court
 from hoopgen.hoop.presets import PAPER
-from hoopgen.study.article_only import of_hoop
+from hoopgen.scene.lookup import SceneLike, check_article
+from hoopgen.simulation.lookup import engine_of
 from hoopgen.study.jobs.monte_carlo import Progress
 from hoopgen.study.models.fitted_scatter import FittedScatter
 from hoopgen.study.models.scatter import Scatter
@@ -41,7 +42,6 @@ _HELD = ("height", "backspin", "sidespin")
 _UNEVEN = ("azimuth", "sidespin", "angle", "y")
 
 
-@of_hoop
 def best_shots(
     player: Scatter | FittedScatter[Scatter] | None = None,
     parameters: ParameterValues = PAPER,
@@ -53,6 +53,7 @@ def best_shots(
     confidence: float = 0.95,
     threads: int | None = None,
     progress: Progress | None = None,
+    scene: SceneLike = None,
 ) -> xr.Dataset:
     """Return from each place of the half court the shot that a player makes most often.
 
@@ -72,6 +73,8 @@ def best_shots(
         Number of shots of the last step of each search, and of the fresh estimates.
     seed, confidence, threads, progress
         As for `hoopgen.bank_or_direct`.
+    scene
+        None or `hoopgen.HOOP`, the article's hoop; in air this would take hours.
 
     Returns
     -------
@@ -90,6 +93,12 @@ def best_shots(
     TypeError, ValueError
         If an argument is not as described.
     """
+    check_article("best_shots", scene)
+    if not engine_of(scene).is_hoop:
+        raise ValueError(
+            "best_shots: it is computed for HOOP, the article's hoop; in air it would take hours, "
+            "so ask bank_or_direct from the places that matter"
+        )
     level, count = check_share("confidence", confidence), check_count("shots", shots)
     seed = check_count("seed", seed, least=0, most=2**64 - 6)
     if player is not None and makes is not None:
