@@ -30,8 +30,8 @@ def main() -> None:
     parser.add_argument(
         "--only",
         choices=["coverage", "literature", "further", "air"],
-        help="the section on coverage, on further results or on air alone, or all but that on coverage; "
-        "the rest stays as it is",
+        help="the section on coverage, on further results or on air alone, or all but that on "
+        "coverage; the rest stays as it is",
     )
     parser.add_argument(
         "--part", type=float, default=1.0, help="of the repetitions of coverage, default 1"

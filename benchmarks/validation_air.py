@@ -1,4 +1,4 @@
-"""What air changes, by distance: speed, angles, lift and the share made."""
+"""Effects of air by distance: speed, angles, lift and the share made."""
 
 from __future__ import annotations
 
@@ -58,7 +58,7 @@ class Flight:
 
 
 def flights(shots: int, feet: Sequence[float] = FEET) -> list[Flight]:
-    """Return what air changes at each distance.
+    """Return the flights from each distance.
 
     Parameters
     ----------
@@ -107,7 +107,7 @@ def _flight(feet: float, shots: int) -> Flight:
 
 
 def _moved(scene: tuple[Engine, Mapping[str, float]], found: Aim) -> float:
-    """Return how much further from its place a release comes down with 0.1 m/s more, m."""
+    """Return the distance past the centre to which 0.1 m/s more carries a release, m."""
     engine, parameters = scene
     faster = found.arguments | {"speed": found.speed + 0.1}
     _, ends = engine.fall(hoopgen.release(**faster)[None], 0.0, parameters)
@@ -168,7 +168,7 @@ def section(found: Sequence[Flight], shots: int) -> list[str]:
         f"{ANGLES[-1]:.0f}° in steps of {ANGLES[1] - ANGLES[0]:.0f}°, for the player above who "
         f"aims 5 cm past the centre ({shots:,} shots at each angle, the same random numbers; near "
         "the best the share is flat, so the angle is uncertain by a step or two). The player aims "
-        "again for the air; without that nearly every shot falls short.",
+        "again for the air.",
         "",
         *table(["distance", "share made", "release angle"], shares),
         "In air the ball comes down steeper, and an error of the speed moves it less, so the same "

@@ -81,7 +81,7 @@ def aimed(
 
 
 def flown_distance(release: Mapping[str, float], parameters: Mapping[str, ArrayLike]) -> float:
-    """Return how far away on the floor plan a ball comes down to the ring's height, m.
+    """Return the distance on the floor plan at which a ball comes down to the ring's height, m.
 
     Parameters
     ----------

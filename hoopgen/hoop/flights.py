@@ -44,7 +44,15 @@ class Flights:
 
     @classmethod
     def of(cls, used: Mapping[str, Floats], shape: tuple[int, ...]) -> Flights:
-        """Return flights whose parameters, as of `used`, broadcast to a shape, as rows."""
+        """Return flights as rows.
+
+        Parameters
+        ----------
+        used
+            Parameters, as of `used`, numbers or arrays.
+        shape
+            The shape to which they broadcast; its entries are the rows.
+        """
         return cls({n: np.broadcast_to(value, shape).ravel() for n, value in used.items()})
 
     def at(self, rows: NDArray[np.intp]) -> Flights:

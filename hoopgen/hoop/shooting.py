@@ -84,7 +84,13 @@ class ShootingProblem:
         return self.flights.fly(np.broadcast_to(release["time"], shape), states)
 
     def solved(self, wanted: Mapping[str, Floats], arc: Arc) -> Values:
-        """Return the releases, (n,) each; NaN where there is none."""
+        """Return the releases, (n,) each; NaN where there is none.
+
+        Parameters
+        ----------
+        wanted, arc
+            As for `parabola_through`, (n,) each.
+        """
         found, good = self._solved(wanted, arc)
         for name in found:
             found[name] = np.where(good, found[name], np.nan)

@@ -17,7 +17,9 @@ from hoopgen import plots
 from hoopgen.core.files import write
 from hoopgen.report.quantities import format_launch, format_range, format_variable
 from hoopgen.scene.lookup import check_article
+from hoopgen.simulation.engine import Engine
 from hoopgen.study.jobs.chunks import preparing, run
+from hoopgen.study.jobs.monte_carlo import scene_identity
 from hoopgen.study.models.resample import Resample
 from hoopgen.study.models.scatter import Scatter
 from hoopgen.study.named_units import in_units
@@ -108,6 +110,7 @@ class _Places:
     model: Scatter | Resample
     parameters: Mapping[str, float]
     arguments: Mapping[str, Any]
+    scene: Engine
 
     @property
     def chunks(self) -> int:
@@ -121,12 +124,15 @@ class _Places:
             "model": self.model.identity(),
             "parameters": self.parameters,
             **self.arguments,
+            **scene_identity(self.scene),
         }
 
     def compute(self, chunk: int) -> pa.Table:
         """Return the dataset of a place, as the bytes of its netCDF file."""
         places = [self.places[chunk]]
-        found = bank_or_direct(self.model, places, self.parameters, threads=1, **self.arguments)
+        found = bank_or_direct(
+            self.model, places, self.parameters, scene=self.scene, threads=1, **self.arguments
+        )
         return pa.table({"dataset": [bytes(found.to_netcdf(engine="scipy"))]})
 
 
@@ -135,7 +141,7 @@ def ask_bank(context: Context, question: BankQuestion, **work: Any) -> xr.Datase
     check_article("bank", context.engine)
     model = context.setting.model((*question.over, "distance", "angle", "x", "y"))
     places = tuple((x, y) for x, y in places_of(question.places).tolist())
-    job = _Places(places, model, context.setting.parameters, context.arguments)
+    job = _Places(places, model, context.setting.parameters, context.arguments, context.engine)
     with preparing():
         job.compute(0)
     datasets = [_read(table) for table in run(job, **work)]
@@ -195,7 +201,9 @@ def ask_aim(context: Context, question: AimQuestion, **work: Any) -> Mapping[str
     """Aim from each distance."""
     check_article("aim", context.engine)
     wanted, parameters = _wanted(context), context.setting.parameters
-    return aim_table(wanted.pop("distance"), **wanted, parameters=parameters, **work)
+    return aim_table(
+        wanted.pop("distance"), **wanted, parameters=parameters, scene=context.engine, **work
+    )
 
 
 def tell_aim(

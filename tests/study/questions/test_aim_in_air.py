@@ -11,6 +11,7 @@ import hoopgen
 from hoopgen import PAPER_AIR, Resample, Scatter, aim
 from hoopgen.simulation.engine import Engine
 from hoopgen.study.questions.aim_table import aim_table
+from tests.helpers.commands import output
 
 pytest.importorskip("sympy")  # which derives the scene in air
 
@@ -145,3 +146,14 @@ def test_an_estimate_of_releases_by_entry_in_air_says_what_that_of_its_speed_say
     short = given | {"speed": float(vacuum.speed), "elevation": float(vacuum.elevation)}
     third = hoopgen.estimate(Scatter(short, sd), PAPER_AIR, scene=AIR, shots=2000)
     assert third.probability < first.probability / 2
+
+
+def test_the_command_aims_through_air() -> None:
+    words = "--distance 4.191m --height 2.1m --entry 46deg --backspin 3Hz --sidespin 2Hz".split()
+    said = output("aim", *words, "--scene", "air")
+    spins = {"backspin": 6.0 * np.pi, "sidespin": 4.0 * np.pi}
+    found = aim(**HERE, entry=np.radians(46.0), **spins, scene=AIR)
+    assert f"{found.speed:.3f} m/s" in said
+    assert f"azimuth {np.degrees(found.azimuth):.1f}°" in said
+    assert "scene   air, PAPER" in said
+    assert "made without a contact" in said
