@@ -149,7 +149,18 @@ def test_an_estimate_of_releases_by_entry_in_air_says_what_that_of_its_speed_say
 
 
 def test_the_command_aims_through_air() -> None:
-    words = "--distance 4.191m --height 2.1m --entry 46deg --backspin 3Hz --sidespin 2Hz".split()
+    words = [
+        "--distance",
+        "4.191m",
+        "--height",
+        "2.1m",
+        "--entry",
+        "46deg",
+        "--backspin",
+        "3Hz",
+        "--sidespin",
+        "2Hz",
+    ]
     said = output("aim", *words, "--scene", "air")
     spins = {"backspin": 6.0 * np.pi, "sidespin": 4.0 * np.pi}
     found = aim(**HERE, entry=np.radians(46.0), **spins, scene=AIR)
