@@ -7,7 +7,7 @@ gives the same bytes.
 import argparse
 from pathlib import Path
 
-from benchmarks import validation_contacts, validation_further
+from benchmarks import validation_air, validation_contacts, validation_further
 from benchmarks.report import section_of, with_section
 from benchmarks.validation_coverage import HEADING, counts, section
 from benchmarks.validation_page import page, throw_picture
@@ -29,9 +29,9 @@ def main() -> None:
     parser.add_argument("--out", type=Path, default=Path("docs"), help="folder, default docs")
     parser.add_argument(
         "--only",
-        choices=["coverage", "literature", "further"],
-        help="the section on coverage or on further results alone, or all but that on coverage; "
-        "the rest stays as it is",
+        choices=["coverage", "literature", "further", "air"],
+        help="the section on coverage, on further results or on air alone, or all but that on "
+        "coverage; the rest stays as it is",
     )
     parser.add_argument(
         "--part", type=float, default=1.0, help="of the repetitions of coverage, default 1"
@@ -42,6 +42,11 @@ def main() -> None:
     shots = 1_000 if arguments.quick else 20_000
     if arguments.only == "further":
         write(file, with_section(file.read_text("utf-8"), _further(shots, arguments.out)))
+        return
+    in_air = 1_000 if arguments.quick else 10_000
+    if arguments.only == "air":
+        lines = validation_air.section(validation_air.flights(in_air), in_air)
+        write(file, with_section(file.read_text("utf-8"), lines))
         return
     if arguments.only == "literature":
         coverage = section_of(file.read_text("utf-8"), HEADING)
@@ -58,7 +63,12 @@ def main() -> None:
     save(throw_picture(results), arguments.out / "validation-throws.svg")
     save(plot_aim_points(results.banks.places, PAPER), arguments.out / "validation-bank.svg")
     save(picture(results.bounces), arguments.out / "validation-bounces.svg")
-    write(file, page(results, coverage, _further(shots, arguments.out)))
+    more = [
+        *_further(shots, arguments.out),
+        "",
+        *validation_air.section(validation_air.flights(in_air), in_air),
+    ]
+    write(file, page(results, coverage, more))
 
 
 def _further(shots: int, out: Path) -> list[str]:

@@ -17,6 +17,7 @@ if find_spec(f"{__name__}.generated") is None:
     # In a checkout whose hoopgen/ shadows an installed one: derive/ and its like lie beside it.
     __path__.append(str(Path(__file__).resolve().parent.parent))
 
+from .core.air_scene import register_air
 from .core.plotting import register_plotting
 from .core.rounding import rounding_to_nearest
 
@@ -175,6 +176,7 @@ _SUBMODULES = ("plots", "scene")
 
 
 register_plotting(lambda: import_module(f"{__name__}.plots"))
+register_air(lambda: import_module(f"{__name__}.simulation.air").AIR)
 
 
 def _import_public(name: str) -> Any:

@@ -11,8 +11,9 @@ import click
 
 import hoopgen
 from hoopgen.core.units import display_unit, parse_quantity
+from hoopgen.hoop.flights import is_in_air
 from hoopgen.hoop.variables import ARGUMENTS, VARIABLES
-from hoopgen.report.provenance import describe_hoop
+from hoopgen.report.provenance import describe_scene
 from hoopgen.report.quantities import format_launch, format_variable
 from hoopgen.study.questions.specification import TOLERANCES, AimQuestion
 from hoopgen.text.numbers import format_count
@@ -24,7 +25,7 @@ from .messages import examples, shown
 from .options import UNITS_IN_WORDS, picture_option, scene_options, units_option, variable_option
 from .place_option import place_option
 from .question_options import question_options
-from .scene_option import no_scene_option
+from .scene_option import article_scene_option, engine_of
 from .types import OUT, Parsed, number_cell
 
 if TYPE_CHECKING:
@@ -95,7 +96,7 @@ def _range(first: str, last: str, by: str) -> tuple[float, ...]:
 @variable_option("backspin", default=0.0)
 @variable_option("sidespin", default=0.0)
 @place_option
-@no_scene_option
+@article_scene_option
 @scene_options
 @click.option("--csv", "file", type=OUT, help="Write the table: m, m/s, degrees, Hz, s.")
 @picture_option("shot; of several distances the table, with what each release forgives")
@@ -117,22 +118,28 @@ def aim(
     The slowest one, or one with a wanted entry angle, elevation or speed. Its flight leads through
     a point of the ring's plane, and no other can be aimed at; the ring and the board may be met
     before, which is said. How far off each of speed, elevation and azimuth alone may be is found by
-    simulation.
+    simulation. With --scene air the flight is through air, where the spins matter, too.
     """
     from hoopgen.study.questions.aim import aim as aimed
     from hoopgen.study.questions.aim import flight_in_words, met_before
     from hoopgen.study.questions.aim_table import aim_table, write_csv
 
     spins = {name: wanted.pop(name) for name in ("backspin", "sidespin")}
+    engine = engine_of()
     if len(distance) == 1:
         # A single number gives the error that says why there is no such release.
-        aimed(distance=distance[0], arc=arc, parameters=parameters, **wanted)
+        spun = spins if is_in_air(engine.parameters) else {}
+        one = {**wanted, **spun}
+        aimed(distance=distance[0], arc=arc, parameters=parameters, scene=engine, **one)
     computation: dict[str, Any] = {"threads": threads, "folder": folder, "scheduler": scheduler}
     with shown() as progress:
         options = {**spins, **wanted, **computation, "progress": progress}
-        columns = aim_table(distance, arc=arc, by=by, parameters=parameters, **options)
+        columns = aim_table(
+            distance, arc=arc, by=by, parameters=parameters, scene=engine, **options
+        )
     release = {name: columns[name] for name in ARGUMENTS if name in columns}
-    shots = hoopgen.simulate(hoopgen.release(**release), parameters, record=True)
+    states = hoopgen.release(**release)
+    shots = hoopgen.simulate(states, parameters, scene=engine, record=True)
     times = columns["time"].tolist()
     if len(distance) == 1:
         release_values = {name: float(column[0]) for name, column in columns.items()}
@@ -150,7 +157,7 @@ def aim(
                 f"before the point aimed at, from {places}; a steeper --entry may clear it",
                 err=True,
             )
-    click.echo(f"\nscene   {describe_hoop(parameters)}")
+    click.echo(f"\nscene   {describe_scene(engine, parameters)}")
     if file is not None:
         write_csv(file, columns, parameters)
     if picture is not None:
@@ -169,7 +176,7 @@ def _one(release: Mapping[str, float], depth: float, by: str, path: str) -> str:
     """Describe one release, what it does and what it forgives."""
     spins = [
         f"{name} {format_variable(name, release[name])}"
-        for name in ("backspin", "sidespin")
+        for name in ("azimuth", "backspin", "sidespin")
         if release[name]
     ]
     side = "past" if depth > 0 else "short of"

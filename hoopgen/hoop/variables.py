@@ -13,10 +13,13 @@ from hoopgen.core.units import Kind
 from hoopgen.core.validation import as_doubles, check_spins
 from hoopgen.core.validation import check_angles as check_radians
 from hoopgen.core.variables import STATE, Releases, Variable, check_names
-from hoopgen.engine.elementary import arc_tangent, hypotenuse, sine_cosine, tangent
+from hoopgen.engine.elementary import arc_tangent, hypotenuse
 from hoopgen.generated.numpy import hoop
 from hoopgen.text.shorten import join_names
 
+from .aiming import aimed
+from .flights import is_in_air
+from .parabolas import parabola_through
 from .presets import NAMES, PAPER
 from .releases import RING_HEIGHT, states_of
 
@@ -57,9 +60,6 @@ ALTERNATIVE_VARIABLES = _listed(
 )
 """Variables that replace arguments: `aim` the speed, `entry` the elevation, `x` and `y` the
 distance and the angle."""
-
-OF_PARABOLAS = ("aim", "entry")
-"""The variables that stand for a release by the closed form of a parabola: not in air."""
 
 STANDS_FOR: Mapping[str, tuple[str, ...]] = MappingProxyType(
     {
@@ -148,7 +148,7 @@ def resolve_variables(
     scene |= {name: _plain(arrays.pop(name)) for name in names if name in arrays}
     shots = max((shape[0] for shape in lengths.values()), default=1)
     # Without a gravity `simulate` says what is missing.
-    arguments = release_arguments(arrays, scene.get("gravity", np.nan))
+    arguments = release_arguments(arrays, scene)
     return make_releases(arguments, scene, shots)
 
 
@@ -174,19 +174,21 @@ def make_releases(
 
 
 def release_arguments(
-    values: Mapping[str, NDArray[np.float64]], gravity: ArrayLike
+    values: Mapping[str, NDArray[np.float64]], parameters: Mapping[str, ArrayLike]
 ) -> dict[str, NDArray[np.float64]]:
     """Return all arguments of `hoopgen.release` that the variables stand for.
 
-    Speed through the point aimed at, and the slope that comes down at an angle, are closed forms
-    of a flight without contacts. Values broadcast; what is one number remains one.
+    Speed through the point aimed at, and the elevation that comes down at an angle, are those of a
+    flight without contacts: `hoopgen.hoop.aiming`. Through air it is a flight that comes down as
+    far away as the point; a sidespin turns it aside. Values broadcast; what is one number remains
+    one.
 
     Parameters
     ----------
     values
         Values of the variables by name, SI units and rad.
-    gravity
-        Gravity, m/s².
+    parameters
+        Parameters of the scene; one without a gravity aims nowhere.
 
     Raises
     ------
@@ -206,19 +208,18 @@ def release_arguments(
     missing = [name for name in ("height", "distance") if name not in given]
     if missing:
         raise ValueError(f"variables: missing {', '.join(missing)}")
-    aimed = "aim" in given or "entry" in given
+    aims = "aim" in given or "entry" in given
     reach, rise = given["distance"] + given.pop("aim", 0.0), RING_HEIGHT - given["height"]
-    if "entry" in given:
-        with np.errstate(all="ignore"):  # from the point aimed at itself there is none
-            (slope,) = hoop.slope_of_entry(tangent(given.pop("entry")), reach, rise)
-        given["elevation"] = arc_tangent(slope)
-    if "elevation" not in given or (not aimed and "speed" not in given):
+    entry = given.pop("entry", None)
+    if ("elevation" not in given and entry is None) or (not aims and "speed" not in given):
         raise ValueError(
             "variables: expected speed and elevation, or aim in place of speed, "
             f"or entry in place of both; got {join_names(values)}"
         )
-    if aimed:
-        given["speed"] = _aimed_speed(given["elevation"], reach, rise, gravity)
+    if aims:
+        wanted = {"elevation": given["elevation"]} if entry is None else {"entry": entry}
+        spins = {name: given[name] for name in ("backspin", "sidespin") if name in given}
+        given |= _aimed(wanted, reach, rise, parameters, spins)
     return {name: np.asarray(given.get(name, 0.0), dtype=np.float64) for name in ARGUMENTS}
 
 
@@ -240,16 +241,24 @@ def change_variables(values: Mapping[str, Any], changes: Mapping[str, Any]) -> d
     return {name: value for name, value in values.items() if name not in dropped} | dict(changes)
 
 
-def _aimed_speed(
-    elevation: ArrayLike, reach: ArrayLike, rise: ArrayLike, gravity: ArrayLike
-) -> NDArray[np.float64]:
-    """Return the speed that comes down through a point ahead, or NaN where none does."""
-    with np.errstate(all="ignore"):
-        slope = tangent(elevation)
-        (speed,) = hoop.aimed_speed(slope, reach, rise, gravity)
-        (entry,) = hoop.entry_slope(slope, reach, rise)
-        there = (sine_cosine(elevation)[1] > 0.0) & (np.asarray(reach) > 0.0) & (entry > 0.0)
-        return np.where(there & np.isfinite(speed), speed, np.nan)
+def _aimed(
+    wanted: Mapping[str, NDArray[np.float64]],
+    reach: NDArray[np.float64],
+    rise: NDArray[np.float64],
+    parameters: Mapping[str, ArrayLike],
+    spins: Mapping[str, NDArray[np.float64]],
+) -> dict[str, NDArray[np.float64]]:
+    """Return speed and elevation of flights through a point; the speed is NaN where none is."""
+    if is_in_air(parameters):
+        found = aimed(wanted, reach, rise, parameters, **spins)
+        # As where there is no air, one number remains one, and what is given remains as it is.
+        return {n: wanted.get(n, found[n]) for n in ("speed", "elevation")}
+    gravity = np.asarray(parameters.get("gravity", np.nan), np.float64)
+    if "entry" in wanted:
+        found, _ = parabola_through(wanted, reach, rise, gravity)
+        wanted = {"elevation": found["elevation"]}
+    found, possible = parabola_through(wanted, reach, rise, gravity)
+    return {"speed": np.where(possible, found["speed"], np.nan), "elevation": wanted["elevation"]}
 
 
 def _plain(array: NDArray[np.float64]) -> float | NDArray[np.float64]:

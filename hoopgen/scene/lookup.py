@@ -25,7 +25,6 @@ __all__ = [
     "SceneLike",
     "check_article",
     "check_hoop",
-    "check_parabolas",
     "outcomes_of",
     "variables_of",
 ]
@@ -168,29 +167,8 @@ def check_hoop(what: str, scene: Any) -> None:
     )
 
 
-def check_parabolas(what: str, scene: Any) -> None:
-    """Refuse a scene without a hoop, and one in whose air no flight is a parabola.
-
-    Parameters
-    ----------
-    what, scene
-        As for `check_hoop`.
-
-    Raises
-    ------
-    ValueError
-        If the scene is one of these.
-    """
-    check_hoop(what, scene)
-    if scene is not None and scene.kernels.PIECES:
-        raise ValueError(
-            f"{what}: it aims along parabolas, and the scene {scene.name} has air; expected "
-            "hoopgen.HOOP or hoopgen.COURT"
-        )
-
-
 def check_article(what: str, scene: Any) -> None:
-    """Refuse any scene but the article's hoop, whose formulas some questions use.
+    """Refuse any scene but the article's hoop, with or without air.
 
     Parameters
     ----------
@@ -203,9 +181,9 @@ def check_article(what: str, scene: Any) -> None:
         If it is another scene, with or without a hoop.
     """
     check_hoop(what, scene)
-    if scene is not None and not scene.is_hoop:
+    if scene is not None and not (scene.is_hoop or scene.is_hoop_in_air):
         raise ValueError(
-            f"{what}: it is computed for HOOP, the article's hoop, and not for the scene "
+            f"{what}: it is computed for HOOP, the article's hoop, or AIR, and not for the scene "
             f"{scene.name}; estimate, compare, map, optimum, batch, simulate, certify, plot and "
             "view take that"
         )

@@ -16,9 +16,8 @@ from numpy.typing import NDArray
 from hoopgen import plots
 from hoopgen.core.files import write
 from hoopgen.report.quantities import format_launch, format_range, format_variable
-from hoopgen.scene.lookup import check_article, check_parabolas
+from hoopgen.scene.lookup import check_article, check_hoop
 from hoopgen.simulation.engine import Engine
-from hoopgen.simulation.hoop import HOOP
 from hoopgen.study.jobs.chunks import preparing, run
 from hoopgen.study.jobs.monte_carlo import scene_identity
 from hoopgen.study.models.resample import Resample
@@ -111,7 +110,7 @@ class _Places:
     model: Scatter | Resample
     parameters: Mapping[str, float]
     arguments: Mapping[str, Any]
-    scene: Engine = HOOP
+    scene: Engine
 
     @property
     def chunks(self) -> int:
@@ -138,7 +137,7 @@ class _Places:
 
 def ask_bank(context: Context, question: BankQuestion, **work: Any) -> xr.Dataset:
     """Compare bank and direct shots, a chunk each place."""
-    check_parabolas("bank", context.engine)
+    check_hoop("bank", context.engine)
     model = context.setting.model((*question.over, "distance", "angle", "x", "y"))
     places = tuple((x, y) for x, y in places_of(question.places).tolist())
     job = _Places(places, model, context.setting.parameters, context.arguments, context.engine)
@@ -201,7 +200,9 @@ def ask_aim(context: Context, question: AimQuestion, **work: Any) -> Mapping[str
     """Aim from each distance."""
     check_article("aim", context.engine)
     wanted, parameters = _wanted(context), context.setting.parameters
-    return aim_table(wanted.pop("distance"), **wanted, parameters=parameters, **work)
+    return aim_table(
+        wanted.pop("distance"), **wanted, parameters=parameters, scene=context.engine, **work
+    )
 
 
 def tell_aim(

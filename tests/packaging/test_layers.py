@@ -29,7 +29,7 @@ LAYERS = (
     {"derive.model"},
     {"codegen"},
     {"scene"},
-    {"report", "study.article_only", "study.models"},
+    {"report", "study.models"},
     {"results"},
     {"judge"},
     {"simulation"},

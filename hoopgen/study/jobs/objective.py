@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from functools import partial
 from math import nan
@@ -271,9 +271,21 @@ def paired(mine: Successes, others: Successes, confidence: float) -> tuple[float
     return difference, *newcombe_interval(both, only_first, only_second, neither, confidence)
 
 
-def one_each(argument: str, values: Mapping[str, Any]) -> dict[str, float]:
-    """Return the values of variables, each one number."""
-    check_names(argument, values, VARIABLES)
+def one_each(
+    argument: str, values: Mapping[str, Any], among: Iterable[str] = VARIABLES
+) -> dict[str, float]:
+    """Return the values of variables, each one number.
+
+    Parameters
+    ----------
+    argument
+        The name of the argument, for errors.
+    values
+        By name.
+    among
+        The names that there are.
+    """
+    check_names(argument, values, among)
     plain = {}
     for name, value in values.items():
         number = as_doubles(f"{argument}[{name!r}]", value)
@@ -291,6 +303,7 @@ def arguments_of(
 
     The parameters of the scene are not taken from the values; see `Player.at`.
     """
-    given = {name: as_doubles(name, value) for name, value in values.items() if name not in NAMES}
-    columns = release_arguments(given, parameters["gravity"])
+    own = (*NAMES, *parameters)
+    given = {name: as_doubles(name, value) for name, value in values.items() if name not in own}
+    columns = release_arguments(given, parameters)
     return {name: columns[name].item() for name in ARGUMENTS}

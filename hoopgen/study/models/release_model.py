@@ -12,12 +12,10 @@ from hoopgen.core.memory import check_room
 from hoopgen.core.parameters import ParameterValues
 from hoopgen.core.validation import as_doubles, check_deviations
 from hoopgen.core.variables import STATE, Releases, check_names, is_state
-from hoopgen.hoop.air import AIR_DEFAULTS
 from hoopgen.hoop.presets import NAMES, PAPER
 from hoopgen.hoop.variables import (
     ALTERNATIVE_VARIABLES,
     ARGUMENTS,
-    OF_PARABOLAS,
     check_angles,
     resolve_variables,
 )
@@ -93,9 +91,8 @@ def check_known(
         if own:
             check_names(argument, names, (*STATE, *own))
     else:
-        in_air = set(AIR_DEFAULTS) <= set(own)
-        others = (name for name in ALTERNATIVE_VARIABLES if not (in_air and name in OF_PARABOLAS))
-        check_names(argument, names, (*ARGUMENTS, *others, *own) if own else HOOP_VARIABLES)
+        known = (*ARGUMENTS, *ALTERNATIVE_VARIABLES, *own) if own else HOOP_VARIABLES
+        check_names(argument, names, known)
 
 
 def check_turns(argument: str, values: Mapping[str, ArrayLike], among: Iterable[str]) -> None:

@@ -220,7 +220,7 @@ class Resample:
         scene = dict(parameters) | {
             name: columns.pop(name) for name in parameters if name in columns
         }
-        arguments = release_arguments(columns, scene.get("gravity", nan))
+        arguments = release_arguments(columns, scene)
         return spread(states_of(arguments), scene, shots)
 
     def _moved(self, values: Given, noise: Given) -> dict[str, Any]:
@@ -239,9 +239,9 @@ class Resample:
         means = change_variables(self.centre, values)
         gone = {other for name in standing for other in STANDS_FOR[name]}
         means = {name: as_doubles(name, v) for name, v in means.items() if name not in gone}
-        gravity = means["gravity"] if "gravity" in means else parameters.get("gravity", nan)
+        scene = {name: means.get(name, value) for name, value in parameters.items()}
         plain = {name: value for name, value in means.items() if name not in parameters}
-        found = release_arguments(plain, gravity)
+        found = release_arguments(plain, scene)
         return {name: found[name] + self._off(name, noise) for name in gone}
 
     def __eq__(self, other: object) -> bool:

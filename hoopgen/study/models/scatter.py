@@ -261,7 +261,7 @@ class Scatter:
             added: dict[str, Any] = {**scene, **spins, **means}
             as_states({name: added[name] for name in STATE if name in added})  # all are there
         else:
-            added = {**scene, **release_arguments(means, scene.get("gravity", np.nan))}
+            added = {**scene, **release_arguments(means, scene)}
         for name, one in noise.items():
             added[name] = added[name] + one
         scene = {name: added.pop(name) for name in scene}

@@ -16,13 +16,20 @@ from numpy.typing import ArrayLike, NDArray
 from hoopgen.core.files import atomic_text_file
 from hoopgen.core.units import DEGREE, TURN, column_name
 from hoopgen.core.validation import as_doubles, check_spins
+from hoopgen.hoop.flights import is_in_air
+from hoopgen.hoop.parabolas import Arc
 from hoopgen.hoop.presets import PAPER
+from hoopgen.scene.lookup import SceneLike, check_article
+from hoopgen.simulation.engine import Engine
+from hoopgen.simulation.hoop import HOOP
+from hoopgen.simulation.lookup import engine_of
 from hoopgen.study.jobs.chunks import run
+from hoopgen.study.jobs.monte_carlo import scene_identity
 from hoopgen.study.jobs.objective import By, Player
 from hoopgen.study.named_units import UNIT_OF
 from hoopgen.study.statistics.tally import check_scene
 
-from .aim import NUMBERS, Arc, aim
+from .aim import NUMBERS, aim
 from .margins import margins_about
 from .specification import TOLERANCES
 
@@ -33,7 +40,7 @@ TABLE: Mapping[str, str] = {
     for name in (
         *("distance", "angle", "height"),
         *_SPINS,
-        *("speed", "elevation", "entry_angle", "time"),
+        *("speed", "elevation", "azimuth", "entry_angle", "time"),
         *(f"{end}_{name}" for name in TOLERANCES for end in ("low", "high")),
     )
 }
@@ -55,6 +62,7 @@ def aim_table(
     sidespin: ArrayLike = 0.0,
     by: By = "any",
     parameters: Mapping[str, Any] = PAPER,
+    scene: SceneLike = None,
     threads: int | None = None,
     folder: str | os.PathLike[str] | None = None,
     scheduler: str | None = None,
@@ -74,6 +82,8 @@ def aim_table(
         What counts: "any" shot made, "direct" if the board is not touched first, "bank" if it is.
     parameters
         Of the scene, one number each.
+    scene
+        As for `aim`.
     threads, folder, scheduler, progress
         As for `hoopgen.estimate`.
 
@@ -94,6 +104,13 @@ def aim_table(
     places = np.atleast_1d(as_doubles("distances", distances))
     if places.ndim != 1:
         raise ValueError(f"distances: expected shape (n,), got {places.shape}")
+    check_article("aim", scene)
+    engine = engine_of(scene)
+    columns = {
+        "backspin": as_doubles("backspin", backspin),
+        "sidespin": as_doubles("sidespin", sidespin),
+    }
+    check_spins("aim", columns)
     found = aim(
         height=height,
         distance=places,
@@ -104,12 +121,9 @@ def aim_table(
         arc=arc,
         depth=depth,
         parameters=parameters,
+        scene=engine,
+        **(columns if is_in_air(engine.parameters) else {}),
     )
-    columns = {
-        "backspin": as_doubles("backspin", backspin),
-        "sidespin": as_doubles("sidespin", sidespin),
-    }
-    check_spins("aim", columns)
     columns |= {name: np.asarray(getattr(found, name)) for name in NUMBERS}
     count = len(places)
     for name, column in columns.items():
@@ -118,10 +132,11 @@ def aim_table(
     table = {name: np.full(count, np.nan) for name in TABLE}
     for name, column in columns.items():
         table[name][:] = column
-    scene = check_scene(parameters)
-    Player(parameters=scene, by=by)  # what is wrong shows before a folder is made
+    checked = check_scene(parameters, engine)
+    Player(parameters=checked, by=by, scene=engine)  # what is wrong shows before a folder is made
     rows = np.flatnonzero(np.isfinite(table["speed"]))
-    job = _TableJob({name: table[name][rows] for name in (*found.arguments, *_SPINS)}, scene, by)
+    names = dict.fromkeys((*found.arguments, *_SPINS))
+    job = _TableJob({name: table[name][rows] for name in names}, checked, by, engine)
     done = run(job, folder, scheduler=scheduler, threads=threads, progress=progress)
     for chunk, ends in enumerate(done):
         some = rows[chunk * ROWS : (chunk + 1) * ROWS]
@@ -141,6 +156,7 @@ class _TableJob:
     releases: Mapping[str, NDArray[np.float64]]
     parameters: Mapping[str, float]
     by: By
+    scene: Engine = HOOP
 
     @property
     def chunks(self) -> int:
@@ -150,7 +166,9 @@ class _TableJob:
     def identity(self) -> dict[str, Any]:
         """Return the identity of the chunks: everything that they depend on."""
         releases = {name: column.tolist() for name, column in self.releases.items()}
-        return {"aim": releases, "parameters": dict(self.parameters), "by": self.by}
+        parameters = dict(self.parameters)
+        identity = {"aim": releases, "parameters": parameters, "by": self.by}
+        return identity | scene_identity(self.scene)
 
     def compute(self, chunk: int) -> pa.Table:
         """Return the ends of each row's tolerances, by the names of `TABLE`."""
@@ -158,9 +176,9 @@ class _TableJob:
         some = {name: c[start : start + ROWS] for name, c in self.releases.items()}
         columns = [f"{end}_{name}" for name in TOLERANCES for end in ("low", "high")]
         ends: dict[str, list[float]] = {name: [] for name in columns}
-        player = Player(parameters=self.parameters, by=self.by)
+        player = Player(parameters=self.parameters, by=self.by, scene=self.scene)
         for row in range(len(some["speed"])):
-            aimed = {name: column[row].item() for name, column in some.items()} | {"azimuth": 0.0}
+            aimed = {name: column[row].item() for name, column in some.items()}
             for name, margin in margins_about(aimed, TOLERANCES, player, 1, 0, 0.5).items():
                 ends[f"low_{name}"].append(margin.low)
                 ends[f"high_{name}"].append(margin.high)

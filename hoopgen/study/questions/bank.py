@@ -19,9 +19,9 @@ from hoopgen.core.parameters import ParameterValues
 from hoopgen.core.validation import as_doubles, check_count
 from hoopgen.engine.compiled_scene import CompiledScene
 from hoopgen.engine.elementary import sine_cosine
-from hoopgen.hoop.variables import ARGUMENTS, VARIABLES, change_variables
+from hoopgen.hoop.variables import ARGUMENTS, change_variables
 from hoopgen.report.provenance import describe_scene, describe_setting, model_attributes
-from hoopgen.scene.lookup import SceneLike, check_parabolas
+from hoopgen.scene.lookup import SceneLike, check_hoop, variables_of
 from hoopgen.simulation.lookup import engine_of
 from hoopgen.study.jobs.monte_carlo import Progress, scene_identity
 from hoopgen.study.jobs.objective import Bounds, By, Player, Successes, arguments_of, paired
@@ -92,7 +92,7 @@ def bank_or_direct(
     places
         x and y on the floor, (n, 2), m; the ring's centre at 0, 0, the board at negative x.
     scene
-        As for `optimum`: the article's hoop or `COURT`, whose flights are parabolas.
+        As for `optimum`: a scene with a hoop.
     parameters, over, shots, seed, confidence, threads, folder, scheduler, progress
         As for `optimum`.
 
@@ -120,7 +120,7 @@ def bank_or_direct(
         If an argument is not as described.
     """
     engine = engine_of(scene)
-    check_parabolas("bank_or_direct", engine)
+    check_hoop("bank_or_direct", engine)
     spots = as_doubles("places", places)
     if spots.ndim != 2 or spots.shape[1] != 2 or not len(spots):
         raise ValueError(f"places: expected x and y, shape (n, 2), got shape {spots.shape}")
@@ -297,7 +297,10 @@ def _dataset(spots: Floats, columns: Mapping[str, Floats], question: _Question) 
         "touch_z": ("m", "where the ball touches the board, height from the ring"),
         **{name: ("m", f"of made shots, nine tenths: {said}") for name, said in _ENDS.items()},
         "sight_y": ("m", "where the release points on the board, y"),
-    } | {name: (variable.unit or "1", variable.label) for name, variable in VARIABLES.items()}
+    } | {
+        name: (variable.unit or "1", variable.label)
+        for name, variable in variables_of(question.players[0].scene).items()
+    }
     data = {
         name: (("way", "place")[-column.ndim :], column, _attributes(*named[name]))
         for name, column in columns.items()

@@ -19,7 +19,7 @@ from hoopgen.core.validation import as_doubles, check_count
 from hoopgen.hoop.court_lines import find_court
 from hoopgen.hoop.variables import VARIABLES
 from hoopgen.report.provenance import describe_scene
-from hoopgen.scene.lookup import SceneLike, check_parabolas
+from hoopgen.scene.lookup import SceneLike, check_hoop
 from hoopgen.simulation.lookup import engine_of
 from hoopgen.study.jobs.monte_carlo import Progress
 from hoopgen.study.models.fitted_scatter import FittedScatter
@@ -72,7 +72,8 @@ def best_shots(
     parameters
         Of the scene; their court, the NBA's or FIBA's, has the places.
     scene
-        As for `hoopgen.bank_or_direct`. In `COURT` the search takes more than twice as long.
+        `hoopgen.HOOP` or `hoopgen.COURT`, where the search takes more than twice as long; None:
+        `HOOP`. In air it would take hours.
     makes
         Share of free throws made by the default player; by default 0.7.
     step
@@ -100,7 +101,12 @@ def best_shots(
         If an argument is not as described.
     """
     engine = engine_of(scene)
-    check_parabolas("best_shots", engine)
+    check_hoop("best_shots", engine)
+    if engine.kernels.PIECES:
+        raise ValueError(
+            f"best_shots: in the air of the scene {engine.name} it would take hours; expected "
+            "hoopgen.HOOP or hoopgen.COURT, or ask bank_or_direct from the places that matter"
+        )
     values = check_scene(parameters, engine)
     level, count = check_share("confidence", confidence), check_count("shots", shots)
     seed = check_count("seed", seed, least=0, most=2**64 - 6)

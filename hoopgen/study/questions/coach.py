@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import replace
-from math import cos, hypot, sin, sqrt
+from math import hypot, isnan
 from typing import Any
 
 import numpy as np
@@ -17,9 +17,9 @@ from numpy.typing import NDArray
 
 from hoopgen.core.parameters import ParameterValues
 from hoopgen.core.units import DEGREE, FOOT, INCH, TURN, UNITS
+from hoopgen.hoop.aiming import flown_distance
 from hoopgen.hoop.court_places import Place, find_place
-from hoopgen.hoop.releases import RING_HEIGHT
-from hoopgen.scene.lookup import SceneLike, check_hoop, check_parabolas
+from hoopgen.scene.lookup import SceneLike, check_hoop
 from hoopgen.study.jobs.monte_carlo import ResolvedSetting, setting_of
 from hoopgen.study.models.fitted_scatter import FittedScatter
 from hoopgen.study.models.scatter import Scatter
@@ -105,8 +105,6 @@ def coach(
         raise ValueError("makes: it is of a player who was not measured; leave one out")
     setting = setting_of(Scatter({}), parameters, scene)
     check_hoop("scene", setting.scene)
-    if player is None:
-        check_parabolas("scene, of the default player", setting.scene)
     where, provenance = None, "The player is as measured."
     fitted = player if isinstance(player, FittedScatter) else None
     given = player.model if isinstance(player, FittedScatter) else player
@@ -260,12 +258,11 @@ def _aimed(player: Scatter, parameters: Mapping[str, Any]) -> Scatter:
     release = dict(player.release)
     if "speed" not in release or "elevation" not in release or "height" not in release:
         return player
-    speed, angle = float(release["speed"]), float(release["elevation"])
-    rise, g = RING_HEIGHT - float(release["height"]), float(parameters["gravity"])
-    square = (speed * sin(angle)) ** 2 - 2.0 * g * rise
-    if square <= 0.0 or "distance" not in release:
+    if "distance" not in release:
         return player
-    reach = speed * cos(angle) * (speed * sin(angle) + sqrt(square)) / g
+    reach = flown_distance(release, parameters)
+    if isnan(reach):
+        return player
     del release["speed"]
     return replace(player, release={**release, "aim": reach - float(release["distance"])})
 

@@ -16,10 +16,11 @@ from hoopgen.core.validation import check_count
 from hoopgen.core.variables import check_names
 from hoopgen.hoop.presets import PAPER
 from hoopgen.hoop.search_range import search_range
-from hoopgen.hoop.variables import VARIABLES
 from hoopgen.report.provenance import describe_scene
 from hoopgen.report.quantities import for_json, format_range, format_variable
-from hoopgen.study.article_only import of_hoop
+from hoopgen.scene.lookup import SceneLike, check_article, variables_of
+from hoopgen.simulation.lookup import engine_of
+from hoopgen.study.jobs.monte_carlo import scene_identity
 from hoopgen.study.jobs.objective import Bounds, By, Player, arguments_of, one_each
 from hoopgen.study.jobs.process_pool import task_runner
 from hoopgen.study.models.random import check_seed
@@ -111,11 +112,11 @@ class Margin(Result):
         return format_range(self.name, low, high)
 
 
-@of_hoop
 def margins(
     model: Scatter | Resample,
     parameters: ParameterValues = PAPER,
     *,
+    scene: SceneLike = None,
     names: Sequence[str] = MARGINS,
     by: By = "any",
     shots: int = 10_000,
@@ -136,6 +137,8 @@ def margins(
         it is when another variable is off, unless that is `aim` or `entry`.
     parameters
         Of the scene, one number each.
+    scene
+        `hoopgen.HOOP` or `hoopgen.AIR`; None: `HOOP`.
     names
         Variables that are off.
     by
@@ -156,18 +159,21 @@ def margins(
     TypeError, ValueError
         If an argument is not as described.
     """
-    names = check_names("names", names, VARIABLES)
+    check_article("margins", scene)
+    engine = engine_of(scene)
+    names = check_names("names", names, variables_of(engine))
     check_count("shots", shots)
     check_seed(seed)
     check_share("tolerance", tolerance)
-    given = one_each("release", check_model(model, ()).centre)
-    player = Player(model.apart()[1], parameters, by).at(given)
+    given = one_each("release", check_model(model, ()).centre, variables_of(engine))
+    player = Player(model.apart()[1], parameters, by, scene=engine).at(given)
     if isinstance(model, Resample):
         player = replace(player, model=smoothed(model, seed))
     for name in names:
         _held(given, name, player.parameters)  # what is wrong shows before a folder is made
     identity = {
         "margins": {"model": model.identity(), "parameters": dict(player.parameters)},
+        **scene_identity(engine),
         "names": list(names),
         "by": by,
         "shots": shots,

@@ -15,9 +15,9 @@ from os import PathLike
 from hoopgen.core.parameters import ParameterValues
 from hoopgen.core.validation import check_count
 from hoopgen.core.variables import check_names
-from hoopgen.hoop.variables import VARIABLES, change_variables, resolve_variables
+from hoopgen.hoop.variables import change_variables, resolve_variables
 from hoopgen.report.quantities import format_range
-from hoopgen.scene.lookup import SceneLike, check_hoop
+from hoopgen.scene.lookup import SceneLike, check_hoop, variables_of
 from hoopgen.simulation.lookup import engine_of
 from hoopgen.simulation.simulate import simulate
 from hoopgen.study.jobs.monte_carlo import check_states, outcome_by, scene_identity
@@ -117,7 +117,7 @@ def optimum(
     if margins:
         check_hoop("margins", engine)
     wanted = (MARGINS if hoop else ()) if margins is None else margins
-    margins = check_names("names", wanted, VARIABLES)
+    margins = check_names("names", wanted, variables_of(engine))
     if isinstance(model, Resample):
         check_folds(model)
     lowest = {name: low for name, (low, _) in bounds.items()}

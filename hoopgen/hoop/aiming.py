@@ -1,0 +1,113 @@
+"""Releases whose flight comes down through a point, along a parabola or through air.
+
+On a parabola from a place at rest the release is a closed form; through air, or from a place that
+moves, it solves a shooting problem.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from math import cos, nan, sin, sqrt
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from hoopgen.core.air_scene import air_scene
+
+from .flights import Flights, is_in_air
+from .parabolas import Arc, Floats, Values, parabola_through
+from .releases import RING_HEIGHT, states_of
+from .shooting import ShootingProblem
+
+__all__ = ["aimed", "flown_distance"]
+
+
+def aimed(
+    wanted: Mapping[str, Floats],
+    reach: Floats,
+    rise: Floats,
+    parameters: Mapping[str, ArrayLike],
+    arc: Arc = "high",
+    *,
+    backspin: Floats | float = 0.0,
+    sidespin: Floats | float = 0.0,
+    moving: tuple[Floats, Floats] | None = None,
+) -> Values:
+    """Return the releases whose flight comes down through a point, NaN where there is none.
+
+    Parameters
+    ----------
+    wanted, reach, rise, arc
+        As for `parabola_through`.
+    parameters
+        Parameters of the scene, which say whether it has air.
+    backspin, sidespin
+        rad/s; on a parabola they do not matter.
+    moving
+        Velocity of the place of the release, m/s, towards the point and to the left of it, to which
+        that of the release is added. None: it does not move.
+
+    Returns
+    -------
+    dict
+        `speed` (m/s), `elevation` and `azimuth` (rad, relative to the place; the azimuth from the
+        line to the point, positive to the left), `entry_angle` (rad, below the horizontal) and
+        `time` (s); of one shape, that of all arguments that matter.
+    """
+    if moving is None and not is_in_air(parameters):
+        gravity = np.asarray(parameters.get("gravity", np.nan), np.float64)
+        found, possible = parabola_through(wanted, reach, rise, gravity, arc)
+        possible = possible & np.isfinite(found["time"])
+        found["azimuth"] = np.zeros(())
+        return {name: np.where(possible, value, np.nan) for name, value in found.items()}
+    velocity = (np.zeros(()), np.zeros(())) if moving is None else moving
+    given = {"reach": reach, "rise": rise, "backspin": backspin, "sidespin": sidespin}
+    given |= {"ahead": velocity[0], "aside": velocity[1], **wanted}
+    used = Flights.used(parameters)
+    shape = np.broadcast_shapes(*map(np.shape, (*given.values(), *used.values())))
+    rows = {
+        name: np.broadcast_to(np.asarray(value, np.float64), shape).ravel()
+        for name, value in given.items()
+    }
+    problem = ShootingProblem(
+        np.stack([np.where(rows["reach"] > 0.0, rows["reach"], np.nan), rows["rise"]], -1),
+        np.stack([rows["backspin"], rows["sidespin"]], -1),
+        np.stack([rows["ahead"], rows["aside"]], -1),
+        Flights.of(used, shape),
+    )
+    with np.errstate(all="ignore"):
+        solved = problem.solved({name: rows[name] for name in wanted}, arc)
+    return {name: value.reshape(shape) for name, value in solved.items()}
+
+
+def flown_distance(release: Mapping[str, float], parameters: Mapping[str, ArrayLike]) -> float:
+    """Return the distance on the floor plan at which a ball comes down to the ring's height, m.
+
+    Parameters
+    ----------
+    release
+        Arguments of `hoopgen.release`, one number each; spins that are not there are 0.
+    parameters
+        Parameters of the scene, which say whether it has air.
+
+    Returns
+    -------
+    float
+        NaN if the ball does not rise to the ring's height.
+    """
+    if not is_in_air(parameters):
+        speed, angle = float(release["speed"]), float(release["elevation"])
+        rise = RING_HEIGHT - float(release["height"])
+        gravity = float(np.asarray(parameters["gravity"]))
+        square = (speed * sin(angle)) ** 2 - 2.0 * gravity * rise
+        if square <= 0.0:
+            return nan
+        return speed * cos(angle) * (speed * sin(angle) + sqrt(square)) / gravity
+    arguments = dict.fromkeys(("azimuth", "backspin", "sidespin", "angle"), 0.0) | dict(release)
+    names = ("speed", "elevation", "azimuth", "backspin", "sidespin", "height", "distance", "angle")
+    state = states_of({name: np.asarray(arguments[name], np.float64) for name in names})
+    scene = air_scene()
+    own = {name: np.asarray(value, np.float64) for name, value in parameters.items()}
+    known = {n: own[n] for n in Flights.used(own)}
+    _, end = scene.fall(state[None], 0.0, {**scene.parameters, **known})
+    return float(np.hypot(*(end[0, :2] - state[:2])))

@@ -1,0 +1,161 @@
+"""The point that a release is aimed at, as the place of the release sees it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from hoopgen.engine.elementary import arc_tangent, hypotenuse, sine_cosine
+from hoopgen.generated.numpy import hoop
+from hoopgen.hoop.aiming import aimed
+from hoopgen.hoop.flights import is_in_air
+from hoopgen.hoop.parabolas import Arc
+from hoopgen.hoop.releases import RING_HEIGHT
+
+__all__ = ["Point", "why_none"]
+
+Floats = NDArray[np.float64]
+Given = Mapping[str, Floats]
+
+_WANTED = ("entry", "elevation", "speed")
+_SPINS = ("backspin", "sidespin")
+
+
+@dataclass(frozen=True)
+class Point:
+    """A point, and the velocity of the place, in the directions to the point and left of that.
+
+    Attributes
+    ----------
+    reach, rise
+        Horizontal distance and height of the point from the release, m.
+    bearing
+        Of the point, rad, from the line over the ring's centre; positive to the left.
+    place
+        x, y and z of the point in the scene's coordinates, m, (..., 3).
+    moving
+        m/s, ahead and to the left; None if the place is at rest.
+    """
+
+    reach: Floats
+    rise: Floats
+    bearing: Floats
+    place: Floats
+    moving: tuple[Floats, Floats] | None
+
+    @classmethod
+    def of(cls, given: Given) -> Point:
+        """Return the point of the arguments of `aim`, of which vectors are components."""
+        sine, cosine = sine_cosine(given["angle"])
+        if "target x" in given:
+            x, y, z = (given[f"target {axis}"] for axis in "xyz")
+            ahead = given["distance"] - (x * cosine + y * sine)
+            left = x * sine - y * cosine
+            reach, bearing = hypotenuse(left, ahead), arc_tangent(left, ahead)
+            rise = z + (RING_HEIGHT - given["height"])
+        else:
+            x, y, z = -given["depth"] * cosine, -given["depth"] * sine, np.zeros(())
+            reach, rise = given["distance"] + given["depth"], RING_HEIGHT - given["height"]
+            bearing = np.zeros(())
+        place = np.stack(np.broadcast_arrays(x, y, z), axis=-1)
+        moving = None
+        if "moving x" in given:
+            along, across = given["moving x"], given["moving y"]
+            ahead, left = -(along * cosine + across * sine), along * sine - across * cosine
+            sine, cosine = sine_cosine(bearing)
+            moving = ahead * cosine + left * sine, left * cosine - ahead * sine
+        return cls(reach, rise, bearing, place, moving)
+
+    def solved(self, given: Given, parameters: Mapping[str, ArrayLike], arc: Arc) -> dict[str, Any]:
+        """Return speed, elevation, azimuth, entry angle and time; NaN where there are none."""
+        wanted = {name: given[name] for name in _WANTED if name in given}
+        spins = {name: given[name] for name in _SPINS if name in given}
+        found: dict[str, Any] = aimed(
+            wanted, self.reach, self.rise, parameters, arc, moving=self.moving, **spins
+        )
+        return found | {"azimuth": self.bearing + found["azimuth"]}
+
+
+def why_none(point: Point, given: Given, parameters: Mapping[str, ArrayLike], arc: Arc) -> str:
+    """Say why no release comes down through the point.
+
+    Parameters
+    ----------
+    given
+        The arguments of `aim`, one number each.
+    parameters
+        Parameters of the scene.
+    """
+    for name, value in given.items():
+        if not np.isfinite(value):
+            return f"{name}: expected a finite number, got {value}"
+    reach, rise, gravity = point.reach, point.rise, parameters["gravity"]
+    if "target x" in given and reach <= 0.0:
+        return "target: expected a point that is not right above or below the release"
+    if given["distance"] == 0.0 and reach <= 0.0:
+        return (
+            "distance: expected above 0: right above or below the ring's centre nothing is thrown "
+            "at a point of the ring's plane, unless depth is past the centre; got 0"
+        )
+    if reach <= 0.0:
+        return (
+            f"depth: expected a point of the ring's plane before the ball, more than "
+            f"{-given['distance']} m past the ring's centre; got {given['depth']}"
+        )
+    if gravity <= 0.0:
+        return f"parameters['gravity']: expected above 0, got {gravity}"
+    if is_in_air(parameters) or point.moving is not None:
+        return _none_found(point, given, parameters, arc)
+    if "entry" in given or "elevation" in given:
+        return _too_flat(given, reach, rise)
+    if "speed" in given:
+        _, least = hoop.least_speed(reach, rise, gravity)
+        if not given["speed"] >= least:
+            return (
+                f"speed: the point of the ring's plane needs at least {least:.6g} m/s, got "
+                f"{given['speed']}"
+            )
+        return (
+            f"arc: the {arc} one of this speed does not come down through the point of the ring's "
+            "plane"
+        )
+    return "aim: the numbers are too large or too small"
+
+
+def _none_found(point: Point, given: Given, parameters: Mapping[str, ArrayLike], arc: Arc) -> str:
+    """Say why no flight was found that is no parabola from a place at rest."""
+    named = [name for name in _WANTED if name in given]
+    if not named:
+        return (
+            "aim: no flight comes down through the point; it is too far, or the numbers too large"
+        )
+    (name,) = named
+    if name == "speed":
+        least = point.solved({n: v for n, v in given.items() if n != name}, parameters, arc)
+        if not given["speed"] >= least["speed"]:
+            return (
+                f"speed: the point needs at least {float(least['speed']):.6g} m/s, got "
+                f"{given['speed']}"
+            )
+        return f"arc: no {arc} one of this speed comes down through the point"
+    return (
+        f"{name}: no flight with this angle comes down through the point; "
+        f"got {np.degrees(given[name]):.4g}° ({given[name]} rad)"
+    )
+
+
+def _too_flat(given: Given, reach: Any, rise: Any) -> str:
+    """Say which angles there are: none flatter than the line to the point, and level at one end."""
+    name = "entry" if "entry" in given else "elevation"
+    end = float(hoop.slope_of_entry(0.0, reach, rise)[0]) if name == "elevation" else 0.0
+    line = float(rise / reach) if name == "elevation" else float(-rise / reach)
+    flattest, value = np.arctan(max(end, line)), given[name]
+    return (
+        f"{name}: the ball comes down through the point of the ring's plane only at angles within "
+        f"{np.degrees(flattest):.2f} and 90° ({flattest:.4f} and 1.5708 rad); "
+        f"got {np.degrees(value):.4g}° ({value} rad)"
+    )
