@@ -69,8 +69,8 @@ def as_markdown(results: Results) -> str:
         "the share that takes the mean throw through the ring's centre again. In each round "
         "everybody has a turn, and the times are compared round by round: median and quartiles. "
         "The machine may have been shared, so compare the ratios. heyoka.py flies in C, but each "
-        "of its events, which are terminal, returns to Python, where the contact is computed; all of "
-        "SciPy is in Python. hoopgen's time includes the bounds on its errors.",
+        "of its events, which are terminal, returns to Python, where the contact is computed; all "
+        "of SciPy is in Python. hoopgen's time includes the bounds on its errors.",
         "",
         *_speeds(results),
         "",
