@@ -321,7 +321,8 @@ class SceneGeometry:
         first, second, _ = self._axes(shape)
         u = np.linspace(0.0, 2.0 * np.pi, 2 * _TURN_PIECES, endpoint=False)[:, None]
         unit = np.cos(u) * first + np.sin(u) * second
-        return self._centre(shape) + self._number(shape["radius"]) * unit
+        around: Floats = self._centre(shape) + self._number(shape["radius"]) * unit
+        return around
 
     def _axes(self, shape: Shape) -> Floats:
         """Return the axes of a torus, of which the third is its own, in rows, (3, 3)."""
