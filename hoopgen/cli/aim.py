@@ -32,8 +32,8 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
+    from hoopgen.hoop.parabolas import Arc
     from hoopgen.study.jobs.objective import By
-    from hoopgen.study.questions.aim import Arc
 
     Columns = Mapping[str, NDArray[np.float64]]
 

@@ -84,6 +84,7 @@ class Flights:
         if is_in_air(self.parameters):
             scene = air_scene()
             return scene.fly(times, states, {**scene.parameters, **self.parameters})
-        moved = hoop.flight(times, *np.moveaxis(states[..., :6], -1, 0), self.parameters["gravity"])
+        x, y, z, vx, vy, vz = np.moveaxis(states[..., :6], -1, 0)
+        moved = hoop.flight(times, x, y, z, vx, vy, vz, self.parameters["gravity"])
         past = np.where(times >= 0.0, 0.0, np.nan)
         return np.concatenate([np.stack(moved, -1) + past[..., None], states[..., 6:]], -1)

@@ -61,8 +61,8 @@ class ShootingProblem:
 
     def at(self, rows: NDArray[np.intp]) -> ShootingProblem:
         """Return the problems of some rows."""
-        parts = (one[rows] for one in (self.point, self.spin, self.moving))
-        return ShootingProblem(*parts, self.flights.at(rows))
+        point, spin, moving = (one[rows] for one in (self.point, self.spin, self.moving))
+        return ShootingProblem(point, spin, moving, self.flights.at(rows))
 
     def eased(self, part: float) -> ShootingProblem:
         """Return the problems in a part of the air, moving at a part of the velocity."""
@@ -131,7 +131,9 @@ class ShootingProblem:
 
     def _parabola(self, wanted: Mapping[str, Floats], arc: Arc = "high") -> tuple[Floats, Floats]:
         """Return elevation and speed of parabolas from a place at rest."""
-        found, _ = parabola_through(wanted, *self.point.T, self.flights.parameters["gravity"], arc)
+        reach, rise = self.point.T
+        gravity = self.flights.parameters["gravity"]
+        found, _ = parabola_through(wanted, reach, rise, gravity, arc)
         return found["elevation"], found["speed"]
 
     def _guess(self, elevation: Floats) -> Values:

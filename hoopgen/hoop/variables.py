@@ -218,8 +218,8 @@ def release_arguments(
         )
     if aims:
         wanted = {"elevation": given["elevation"]} if entry is None else {"entry": entry}
-        spins = {name: given[name] for name in ("backspin", "sidespin") if name in given}
-        given |= _aimed(wanted, reach, rise, parameters, spins)
+        spins = [given.get(name, np.zeros(())) for name in ("backspin", "sidespin")]
+        given |= _aimed(wanted, reach, rise, parameters, *spins)
     return {name: np.asarray(given.get(name, 0.0), dtype=np.float64) for name in ARGUMENTS}
 
 
@@ -246,11 +246,12 @@ def _aimed(
     reach: NDArray[np.float64],
     rise: NDArray[np.float64],
     parameters: Mapping[str, ArrayLike],
-    spins: Mapping[str, NDArray[np.float64]],
+    backspin: NDArray[np.float64],
+    sidespin: NDArray[np.float64],
 ) -> dict[str, NDArray[np.float64]]:
     """Return speed and elevation of flights through a point; the speed is NaN where none is."""
     if is_in_air(parameters):
-        found = aimed(wanted, reach, rise, parameters, **spins)
+        found = aimed(wanted, reach, rise, parameters, backspin=backspin, sidespin=sidespin)
         # As where there is no air, one number remains one, and what is given remains as it is.
         return {n: wanted.get(n, found[n]) for n in ("speed", "elevation")}
     gravity = np.asarray(parameters.get("gravity", np.nan), np.float64)

@@ -18,6 +18,7 @@ from hoopgen.core.files import write
 from hoopgen.report.quantities import format_launch, format_range, format_variable
 from hoopgen.scene.lookup import check_article, check_hoop
 from hoopgen.simulation.engine import Engine
+from hoopgen.simulation.hoop import HOOP
 from hoopgen.study.jobs.chunks import preparing, run
 from hoopgen.study.jobs.monte_carlo import scene_identity
 from hoopgen.study.models.resample import Resample
@@ -110,7 +111,7 @@ class _Places:
     model: Scatter | Resample
     parameters: Mapping[str, float]
     arguments: Mapping[str, Any]
-    scene: Engine
+    scene: Engine = HOOP
 
     @property
     def chunks(self) -> int:

@@ -166,7 +166,9 @@ class Aim:
             )
         numbers = (format_variable(name, getattr(self, name)) for name in ("speed", "elevation"))
         entry = format_variable("entry", float(np.asarray(self.entry_angle)))
-        aside = f", azimuth {format_variable('azimuth', self.azimuth)}" if self.azimuth else ""
+        aside = (
+            f", azimuth {format_variable('azimuth', float(self.azimuth))}" if self.azimuth else ""
+        )
         where = "point" if self.target[..., 2] else "ring's plane"
         return (
             f"{' at '.join(numbers)}{aside}, down through the {where} after {self.time:.3f} s at "
@@ -287,7 +289,9 @@ def aim(
     arrays["distance"] = from_zero("distance", arrays["distance"])
     angles = ("angle", "entry", "elevation")
     check_angles("aim", {name: arrays[name] for name in angles if name in arrays})
-    spins = {name: arrays[name] for name in ("backspin", "sidespin") if name in arrays}
+    spins: dict[str, NDArray[np.float64]] = {
+        name: arrays[name] for name in ("backspin", "sidespin") if name in arrays
+    }
     check_spins("aim", spins)
     if target is not None and np.any(arrays["depth"]):
         raise ValueError("aim: expected depth or target; got both")

@@ -93,7 +93,7 @@ def why_none(point: Point, given: Given, parameters: Mapping[str, ArrayLike], ar
     for name, value in given.items():
         if not np.isfinite(value):
             return f"{name}: expected a finite number, got {value}"
-    reach, rise, gravity = point.reach, point.rise, parameters["gravity"]
+    reach, rise, gravity = point.reach, point.rise, float(np.asarray(parameters["gravity"]))
     if "target x" in given and reach <= 0.0:
         return "target: expected a point that is not right above or below the release"
     if given["distance"] == 0.0 and reach <= 0.0:
