@@ -531,11 +531,6 @@ FAULTS = (
         in_text(ObliqueTorus, "normal", "c * outward + u * up", "c * outward"),
         turned_tori,
     ),
-    Planted(
-        "the box of a torus is that of its circle",
-        in_text(ObliqueTorus, "half_sizes", "self.ring_radius + self.reach", "self.ring_radius"),
-        turned_tori,
-    ),
     # The branch of friction.
     Planted(
         "whether a contact slips is never in doubt",
