@@ -1,6 +1,6 @@
 """Fingerprints: every backend has the hashes of tests/golden_hashes.json.
 
-`hoopgen hash hoop court air court-air examples/scenes/*.toml --json > tests/golden_hashes.json` writes it.
+`hoopgen hash hoop court air court-air examples/scenes/*.toml --json` prints what it holds.
 A commit that changes it changes bits on purpose and says so.
 """
 
