@@ -149,6 +149,9 @@ def _reach(
     yield Call(common["body_of"])
     if "piece_end" in common:
         yield Call(common[GOES_ON], {"index": piece_end})
+    if "piece_end" in common and "in_contact" in common:
+        # The series of rolling stands in the variables of the flight's.
+        yield If("in_contact", (Call(common["stays_put"]),), rare=True)
     flown = (Call(common["flight"], {"t": "when"}), Call(common["event_clock"]))
     yield If("moves", (*_passing(common), *flown))
     yield If("limited", (Call(common["expired"], {"index": time}),), rare=True)

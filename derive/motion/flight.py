@@ -28,7 +28,7 @@ def divisor(size: sp.Expr) -> sp.Expr:
 
 @dataclass(frozen=True)
 class SurfaceForce:
-    """What presses a rolling ball onto its surface besides its weight, per unit mass.
+    """The force that presses a rolling ball onto its surface besides its weight, per unit mass.
 
     Attributes
     ----------
@@ -98,7 +98,7 @@ class Flight(ABC):
 
     @property
     def surface_force(self) -> SurfaceForce:
-        """What presses a rolling ball onto its surface besides its weight: nothing."""
+        """The force onto its surface of a rolling ball besides its weight: none."""
         return NO_FORCE
 
     def disturbance(self, speed: sp.Expr) -> tuple[sp.Expr, sp.Expr]:

@@ -229,6 +229,11 @@ def _contact_decisions(codes: EventCodes) -> tuple[Kernel, ...]:
         ),
         decision("no_departure", {"hopped": false}, "Start value: the ball has not departed."),
         decision(
+            "stays_put",
+            {"moves": all_of(Boolean("moves"), Less(0, when))},
+            "Whether a ball in contact flies: its step is behind it, and so are a flight's terms.",
+        ),
+        decision(
             "beginning_contact",
             {"which": codes.begins, "circled": 0},
             "Event: the contact begins.",

@@ -74,13 +74,13 @@ KERNELS = (
 """The kernels that find the passings of a piece that comes near the plane, in order."""
 
 _ARCH = all_of(Less(z, 0), Less(end_height, 0), Less(0, vz), Less(0, apex_height))
-"""Whether the ball is below the plane at both ends and above it in between."""
+"""The condition that the ball is below the plane at both ends and above it in between."""
 
 RISES = any_of(_ARCH, And(Less(z, 0), AtMost(0, end_height)))
-"""Whether the ball passes the plane upwards."""
+"""The condition that the ball passes the plane upwards."""
 
 FALLS = any_of(_ARCH, And(Less(end_height, 0), AtMost(0, z)))
-"""Whether the ball passes the plane downwards."""
+"""The condition that the ball passes the plane downwards."""
 
 Formula = tuple[Mapping[str, sp.Basic], str, str]
 """Outputs, summary and source of a kernel."""

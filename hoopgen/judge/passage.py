@@ -73,7 +73,7 @@ def after(
             continue
         if within is None or upwards is None:
             return None
-        through = next_passage(through, upwards)
+        through = _next_passage(through, upwards)
     return through
 
 
@@ -110,7 +110,7 @@ def after_piece(through: int, sizes: Sizes, path: Sequence[arb_poly], time: arb)
         one_way = sign(heights[1](during)) not in (None, 0)
         if within and one_way and before is not None and behind is not None:
             if before != behind:
-                through = next_passage(through, behind)
+                through = _next_passage(through, behind)
             continue
         if depth >= MAX_DIVISIONS:
             return None
@@ -119,7 +119,7 @@ def after_piece(through: int, sizes: Sizes, path: Sequence[arb_poly], time: arb)
     return through
 
 
-def next_passage(through: int, upwards: bool) -> int:
+def _next_passage(through: int, upwards: bool) -> int:
     """Return the state of passage after a passing, from that before it."""
     if upwards:
         return NEITHER if through == FALLEN else RISEN

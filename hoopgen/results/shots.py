@@ -69,8 +69,7 @@ class Shots:
     rolls
         int32 (n,), in a scene where a ball may roll: number of times that it began to roll.
     airless_rolls
-        bool (n,), where a ball may roll in air: whether it rolled, which it does without the air's
-        force along the surface. Bounds on errors of such a shot are those of this model.
+        bool (n,), where a ball may roll in air: whether it rolled, with no air along the surface.
     slip_left
         bool (n,), in such a scene: whether the bounces ended with slip that friction could not
         stop. Such a shot is CAPPED, at its last contact.
@@ -83,8 +82,7 @@ class Shots:
         too small.
     grip_lost
         float64 (n,), s, if requested by name, where a ball may roll: the time at which rolling
-        first needed more friction than the body has; infinite if it never did. The ball rolls on
-        all the same.
+        first needed more friction than the body has; infinite if never. The ball rolls on.
     events
         With ``record=True``: the event log, rows in order of shot, then time; their ``kind`` is an
         `Event`. Between a ROLL row and the next one of its shot the ball stays in contact.

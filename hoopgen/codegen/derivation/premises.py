@@ -306,6 +306,7 @@ PREMISES: dict[str, Premise] = {
             "common.limited common.event_clock common.meeting common.here common.counted "
             "common.touched common.ends_by_time_limit common.in_contact common.opens_in_flight "
             "common.reachable_in_flight common.contact_undecided common.no_departure "
+            "common.stays_put "
             "common.stay_in_contact"
         ),
     ),
