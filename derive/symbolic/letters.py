@@ -133,9 +133,7 @@ LOOP = {
     },
     "contact_delay": Entry("dt", "variation of the time of a contact"),
     "lifting": Entry(r"\varphi", "share of the worst case that errors do not fall below"),
-    "root_delay": Entry(
-        r"\delta_F", "delay of a contact that the roundings of its condition cause"
-    ),
+    "root_delay": Entry("t_F", "delay of a contact that the roundings of its condition cause"),
     "shift": Entry(
         r"\varsigma", "largest error of the position at a contact that one flight can cause"
     ),

@@ -205,7 +205,6 @@ def test_what_is_wrong_shows_before_a_folder_is_made(tmp_path: Path) -> None:
             [*SIDE, "--elevation", "50deg", "--over", "elevation"],
             "--elevation and --over elevation: leave one out",
         ),
-        ([*SIDE, "--scene", "air"], "it aims along parabolas, and the scene air has air"),
         ([*SIDE, "--over", "pace"], "'pace' is none of"),
         ([*SIDE, "--picture", "bank.txt"], "bank.txt"),
     ],

@@ -243,20 +243,18 @@ class _StandIn:
     is_hoop = has_hoop = False
     kernels = _Kernels
 
-    def __init__(self, scene: Scene) -> None:
+    def __init__(self, scene: Scene | None) -> None:
         self.table = type("Table", (), {"written": scene})
-        self.name = scene.name
+        self.name = "one" if scene is None else scene.name
 
 
-def stand_in(scene: Scene) -> Any:
+def stand_in(scene: Scene | None) -> Any:
     return _StandIn(scene)
 
 
 def test_a_scene_written_for_derivation_is_refused_in_a_line() -> None:
     with pytest.raises(ValueError, match=r"scene: one is written for derivation; drawn are the ho"):
-        SceneGeometry.from_engine(
-            type("E", (), {"table": type("T", (), {"written": None}), "name": "one"}), {}
-        )  # type: ignore[arg-type]
+        SceneGeometry.from_engine(stand_in(None), {})
 
 
 @pytest.fixture(scope="module")
@@ -510,10 +508,10 @@ def test_a_position_without_a_scene_is_refused() -> None:
 # Studies
 
 
-STUDIES: dict[str, tuple[Any, ...]] = {
-    "margins": (None,),
-    "bank_or_direct": (None, []),
-    "aim": (),
+STUDIES: dict[str, dict[str, Any]] = {
+    "margins": {"model": None},
+    "bank_or_direct": {"model": None, "places": []},
+    "aim": {"height": 2.1, "distance": 4.2},
 }
 
 
@@ -521,7 +519,7 @@ STUDIES: dict[str, tuple[Any, ...]] = {
 def test_a_hoops_study_refuses_another_scene_in_a_line(name: str, netball: Engine) -> None:
     pytest.importorskip("xarray")
     with pytest.raises(ValueError, match=rf"^{name}: its question is a hoop's, and the scene net"):
-        getattr(hoopgen, name)(*STUDIES[name], scene=netball)
+        getattr(hoopgen, name)(**STUDIES[name], scene=netball)
 
 
 def test_a_hoops_measures_refuse_another_scenes_shots(netball: Engine) -> None:

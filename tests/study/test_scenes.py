@@ -279,9 +279,13 @@ def test_releases_at_a_hoop_are_refused_where_there_is_none(scene: Engine) -> No
 
 @pytest.mark.parametrize("name", ["aim", "bank_or_direct", "best_shots", "margins"])
 def test_what_only_a_hoop_has_says_so_in_a_line(name: str, scene: Engine) -> None:
-    given = (Scatter({}), [[4.2, 0.0]]) if name == "bank_or_direct" else ()
+    given: dict[str, dict[str, Any]] = {
+        "aim": {"height": 2.1, "distance": 4.2},
+        "bank_or_direct": {"model": Scatter({}), "places": [[4.2, 0.0]]},
+        "margins": {"model": Scatter({})},
+    }
     with pytest.raises(ValueError, match=f"{name}: its question is a hoop's") as refused:
-        getattr(hoopgen, name)(*given, scene=scene)
+        getattr(hoopgen, name)(**given.get(name, {}), scene=scene)
     assert "ledge" in str(refused.value)
     assert "\n" not in str(refused.value)
 
@@ -426,7 +430,7 @@ def test_the_command_line_runs_studies_of_a_scene(file: Path, tmp_path: Path) ->
         (("aim", "--scene", "FILE"), "hoopgen aim: its question is a hoop's, the article's"),
         (("paper", "--scene", "FILE"), "hoopgen paper: its question is a hoop's"),
         (("estimate", *RELEASED), "--position is of a shot in a --scene"),
-        (("estimate", "--scene", "x.txt"), "expected hoop, court, air, or a scene file, .toml"),
+        (("estimate", "--scene", "x.txt"), "hoop, court, air, court-air, or a scene file, .toml"),
         (("estimate", "--scene", "none.toml"), "does not exist"),
         (("estimate", "--scene", "FILE", "--speed", "7"), "--speed is of a shot at a hoop"),
         (("estimate", "--scene", "FILE", *RELEASED, "--preset", "nba"), "--preset is a hoop's"),
@@ -552,9 +556,13 @@ def test_nothing_in_a_scene_file_of_a_study_is_run(
     ("given", "scene", "said"),
     [
         ('"none.toml"', None, "there is no file"),
-        ('"ledge.py"', LEDGE, "expected hoop, court, air, or a scene file, .toml; got 'ledge.py'"),
-        ('"/dev/zero"', LEDGE, "expected hoop, court, air, or a scene file, .toml"),
-        ('"."', LEDGE, "expected hoop, court, air, or a scene file"),
+        (
+            '"ledge.py"',
+            LEDGE,
+            "air, court-air, or a scene file, .toml; got 'ledge.py'",
+        ),
+        ('"/dev/zero"', LEDGE, "expected hoop, court, air, court-air, or a scene file, .toml"),
+        ('"."', LEDGE, "expected hoop, court, air, court-air, or a scene file"),
         ('"ledge.toml"', "[[[", "this is not TOML"),
         ('"ledge.toml"', "\x00", "this is not TOML"),
         ('"ledge.toml"', 'name = "no bodies"', "scene"),

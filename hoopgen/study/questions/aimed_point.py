@@ -71,7 +71,17 @@ class Point:
         return cls(reach, rise, bearing, place, moving)
 
     def solved(self, given: Given, parameters: Mapping[str, ArrayLike], arc: Arc) -> dict[str, Any]:
-        """Return speed, elevation, azimuth, entry angle and time; NaN where there are none."""
+        """Return speed, elevation, azimuth, entry angle and time; NaN where there are none.
+
+        Parameters
+        ----------
+        given
+            The arguments of `aim`, numbers or arrays.
+        parameters
+            Of the scene.
+        arc
+            Which of two arcs is wanted where there are two.
+        """
         wanted = {name: given[name] for name in _WANTED if name in given}
         spins = {name: given[name] for name in _SPINS if name in given}
         found: dict[str, Any] = aimed(

@@ -81,8 +81,3 @@ def test_a_coach_in_air_moves_the_point_that_a_measured_player_aims_at() -> None
     said = coach(Scatter(release, SD), scene=AIR, shots=200)
     aim = said.player.release["aim"]
     np.testing.assert_allclose(aim, 0.05, rtol=0.0, atol=1e-9)
-
-
-def test_best_shots_says_that_it_is_of_parabolas() -> None:
-    with pytest.raises(ValueError, match=r"best_shots: it is computed for HOOP"):
-        hoopgen.best_shots(scene=AIR)
