@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from functools import cache
 from typing import Any
 
@@ -13,12 +14,14 @@ from hoopgen.derive.ir.kernel import Kernel
 from hoopgen.derive.model import build
 from hoopgen.derive.symbolic.conditionals import IfLess
 
+from hoopgen.codegen import render
 from hoopgen.codegen.hoisting import PartialEvaluation, partial_evaluation, partial_evaluations
 from hoopgen.codegen.identifiers import identifier
 from hoopgen.codegen.program import Operations, lower
 from tests.codegen.test_kernels import model, random_columns
 from tests.codegen.test_shared_kernels import pins
 from tests.helpers.derived import OPERATIONS
+from tests.scene.test_oblique_bodies import RINGS
 
 
 def values(program: Operations, given: dict[str, Any]) -> list[Any]:
@@ -111,3 +114,18 @@ def test_a_kernel_makes_what_is_of_the_row_of_a_table_itself() -> None:
                 kept = {names[k] for k in ready.kept_arguments}
                 assert of_row <= kept
     assert met
+
+
+@pytest.mark.slow
+def test_quantities_of_parameters_have_a_row_of_memory_each() -> None:
+    """More than the rows of one lane too, 256; a scene of many parameters has them."""
+    (loop,) = (
+        text
+        for file, text in render.render_scene(RINGS.derive(), page=False, targets=["c"]).items()
+        if file.endswith("_loop.h")
+    )
+    for stored, memory in (("FIX", "fixed"), ("FIX_SINGLE", "fixed_single")):
+        used = 1 + max((int(row) for row in re.findall(rf"\b{stored}\((\d+)", loop)), default=-1)
+        (size,) = re.findall(rf" {memory}\[(\w+)\]\[LANES_WIDTH\];", loop) or ["0"]
+        assert used <= (256 if size == "LANES_ROWS" else int(size))
+        assert memory != "fixed" or used > 256
