@@ -21,7 +21,7 @@ from hoopgen.generated.numpy import hoop
 from hoopgen.text.shorten import join_alternatives
 
 from . import arithmetic, c_build, cuda, native, verification
-from .flight_pieces import apex_in_pieces, descend_in_pieces, fly_in_pieces
+from .flight_pieces import FlownPieces, apex_in_pieces, descend_in_pieces, fly_in_pieces
 from .result_arrays import Layout
 from .rolling import Roll
 
@@ -222,6 +222,34 @@ class CompiledScene:
         asked = self.kernels.ARGUMENTS["flight"][1:]
         moved = self.kernels.flight(times, *(own[name] for name in asked))
         return np.stack([*moved, *np.moveaxis(states[..., len(moved) :], -1, 0)], -1)
+
+    def follow(
+        self,
+        times: NDArray[np.float64],
+        states: NDArray[np.float64],
+        parameters: Mapping[str, Value],
+    ) -> NDArray[np.float64]:
+        """Return the positions at many times of free flights, (n, m, 3).
+
+        Parameters
+        ----------
+        times
+            s since the beginnings, not negative, (n, m).
+        states
+            States at the beginnings, (n, 9).
+        parameters
+            Parameters of the scene by name, numbers or (n,), SI units.
+        """
+        if not self.kernels.PIECES:
+            own = {n: np.asarray(v)[..., None] if np.ndim(v) else v for n, v in parameters.items()}
+            return self.fly(times, states[:, None], own)[..., :3]
+        latest = times.max(axis=1, initial=0.0)
+        with np.errstate(all="ignore"):
+            flown = FlownPieces(self.kernels, states, latest, self._inputs(parameters))
+            flights = np.repeat(np.arange(len(states)), times.shape[1])
+            there = flown.at(flights, times.ravel())
+        found = np.stack([there[axis] for axis in "xyz"], axis=-1)
+        return found.reshape(*times.shape, 3)
 
     def fall(
         self, states: NDArray[np.float64], level: ArrayLike, parameters: Mapping[str, Value]

@@ -18,7 +18,8 @@ from hoopgen.simulation.simulate import simulate
 from hoopgen.text.shorten import brief
 
 from .axes_check import above_floor, unit_of
-from .estimator import ROUGH, TOLERANCE, Flags, Floats, line_covariance
+from .bends import bends_of
+from .estimator import ROUGH, TOLERANCE, Flags, Floats
 from .fitted_releases import FittedReleases
 from .frames import (
     MAX_OUTLIERS,
@@ -69,9 +70,10 @@ def fit_release(
 ) -> FittedReleases:
     """Fit the releases of measured tracks, each the flight of a ball to its first contact.
 
-    Without air the path from the release to the first contact is a parabola with known
-    acceleration. It is fitted with errors of Student's t, so that outliers have little influence;
-    `hoopgen.study.recovery.estimator` derives the estimate and its covariance. Frames after the
+    The path from the release to the first contact is a parabola with known acceleration, or a
+    flight through the scene's air. It is fitted with errors of Student's t, so that outliers have
+    little influence; `hoopgen.study.recovery.estimator` derives the estimate and its covariance,
+    `bends` what is different in air. Frames after the
     first contact are left out: the fitted release is simulated in the scene, frames from the time
     of its first contact, or of its end, are cut, and the rest is fitted again, until the set of
     frames is stable.
@@ -144,15 +146,15 @@ class _Problem:
     ) -> None:
         self.engine, self.values, self.tracks = engine, values, tracks
         self.spins, self.detect, self.release = spins, detect, start
-        self.fall = _accelerations(engine, values, len(tracks))
         t = tracks.times
-        positions = np.moveaxis(tracks.positions, -1, 0) - 0.5 * self.fall.T[..., None] * (t * t)
-        there: Flags = tracks.measured & np.isfinite(self.fall).all(axis=1, keepdims=True)
-        positions[:, ~there] = 0.0
+        self.bends = bends_of(engine, values, t, np.zeros(len(t)) if detect else start, spins)
+        there: Flags = tracks.measured & np.isfinite(self.bends.fall).all(axis=1, keepdims=True)
+        there &= t <= self.bends.longest
         if not detect:
             slack = 1e-9 + 1e-12 * np.abs(np.nan_to_num(tracks.first))
             there &= t >= (start - slack)[:, None]
-        self.measured = Measured(t, positions, there)
+        self.there = there
+        self._straighten()
         self.given = noise
         self.degrees = np.inf if noise is not None else 0.0
         self.noise = noise_of_differences(self.measured) if noise is None else noise
@@ -162,7 +164,29 @@ class _Problem:
         self.settled = np.zeros(len(tracks), np.bool_)
         self.impossible = np.zeros(len(tracks), np.bool_)
 
+    def _straighten(self) -> None:
+        """Take the bend of the flights off the positions."""
+        positions = np.moveaxis(self.tracks.positions, -1, 0) - self.bends.offsets()
+        positions[:, ~self.there] = 0.0
+        self.measured = Measured(self.tracks.times, positions, self.there)
+
     def settle(self, rounds: int) -> None:
+        """Fit the flights; those in air again with the bend of the flights fitted before."""
+        if self.bends.rough:
+            known, self.given = (self.given, self.noise), np.maximum(self.noise, self.bends.rough)
+            self.noise = self.given
+            self._settle(rounds)
+            self.given, self.noise = known
+        for _ in range(self.bends.passes):
+            if not self.bends.follow(self.lines, self.noise):
+                return
+            self._straighten()
+            self.settled[:] = False
+            self._settle(rounds)
+        if not self.bends.passes:
+            self._settle(rounds)
+
+    def _settle(self, rounds: int) -> None:
         """Fit, cut at the first contact, and fit again."""
         everything = self.measured.frames
         self.lines, self.frames = first_flight(
@@ -217,7 +241,8 @@ class _Problem:
         self.impossible[rows] = invalid
         end = np.where(ended & ~invalid, shots.time + self.release[rows], np.inf)
         # A frame so near to the contact that the noise may have put it before is not needed.
-        speed = np.linalg.norm(states[:, 3:6] + self.fall[rows] * shots.time[:, None], axis=1)
+        fallen = self.bends.fall[rows] * shots.time[:, None]
+        speed = np.linalg.norm(states[:, 3:6] + fallen, axis=1)
         with np.errstate(divide="ignore", invalid="ignore"):
             margin = np.nan_to_num(2.0 * self.noise.max() / speed, nan=0.0, posinf=0.0)
         frames = part.frames & (part.times < (end - margin)[:, None])
@@ -231,11 +256,7 @@ class _Problem:
 
     def states(self, rows: Any = slice(None)) -> Floats:
         """Return the states at the release, (n, 9)."""
-        lines, since = self.lines.take(rows), self.release[rows]
-        fall = self.fall[rows]
-        position = lines.at(since[:, None])[..., 0].T + 0.5 * fall * (since * since)[:, None]
-        velocity = lines.slope.T + fall * since[:, None]
-        return self.spins.states(position, velocity, rows)
+        return self.bends.states(self.lines.take(rows), self.release[rows], rows)
 
     def result(self) -> FittedReleases:
         """Return the releases, and which of them are credible."""
@@ -244,10 +265,7 @@ class _Problem:
         outliers = part.outliers(self.lines, self.frames, self.noise)
         kept = self.frames & ~outliers
         fitted = np.isfinite(self.states()[:, :6]).all(axis=1) & (kept.sum(axis=1) >= MIN_FRAMES)
-        blocks = line_covariance(part.times - self.release[:, None], kept)
-        covariance = np.zeros((len(tracks), 6, 6))
-        for axis, size in enumerate(self.noise):
-            covariance[:, axis::3, axis::3] = size * size * blocks
+        covariance = self.bends.covariance(self.lines, self.release, kept, self.noise)
         fitted &= np.isfinite(covariance).all(axis=(1, 2)) & (not self.unknown)
         states = np.where(fitted[:, None], self.states(), np.nan)
         covariance[~fitted] = np.nan
@@ -296,7 +314,7 @@ class _Problem:
         everywhere = np.zeros(len(counts), np.bool_)
         unit, floor = "", False
         if self.engine.has_hoop:
-            unit = unit_of(self.measured, self.lines, self.frames, self.fall)
+            unit = unit_of(self.measured, self.lines, self.frames, self.bends.fall)
             floor = above_floor(self.states()[fitted, 2])
         found = np.full(len(counts), "", dtype=object)
         for reason, which in (
@@ -350,27 +368,3 @@ def _release_times(release_time: Any, tracks: Tracks) -> tuple[Floats, bool]:
             f"release_time: expected one number or {count}, one a track; got shape {given.shape}"
         )
     return np.broadcast_to(given, (count,)) - tracks.first, False
-
-
-def _accelerations(engine: Engine, values: Mapping[str, Value], tracks: int) -> Floats:
-    """Return the acceleration of a ball in flight, (n, 3), m/s²; NaN for a row without gravity.
-
-    It is taken from the scene's own motion, so that gravity may have any direction.
-    """
-    probe = np.array([[0.0] * 9, [1.0, -2.0, 0.5, 3.0, -1.0, 4.0, 5.0, -7.0, 2.0]])
-    states = np.broadcast_to(probe[:, None], (2, tracks, 9))
-    with np.errstate(invalid="ignore", over="ignore"):
-        moved = engine.fly(1.0, states, values)
-        twice = engine.fly(2.0, states, values)
-    fall = 2.0 * moved[0, :, :3]
-    straight = states[1, :, :3] + states[1, :, 3:6]
-    far = straight + states[1, :, 3:6] + 2.0 * fall
-    with np.errstate(invalid="ignore"):
-        bent = np.abs(moved[1, :, :3] - straight - 0.5 * fall) > 1e-9 * (1.0 + np.abs(fall))
-        bent |= np.abs(twice[1, :, :3] - far) > 1e-9 * (1.0 + np.abs(fall))
-    if bent.any():
-        raise ValueError(
-            f"scene: the flights in the scene {engine.name} are no parabolas, and only those are "
-            "fitted; give a scene without air"
-        )
-    return np.asarray(fall)
