@@ -1,4 +1,4 @@
-"""How flights bend: what is taken off the positions of a track so that a straight line is left.
+"""The bend of flights, which is taken off the positions of a track so that a straight line is left.
 
 Without air that is the fall, a t²/2. In air it is the way of the present estimate of the flight,
 less the straight line with its position and velocity at the start. The line that is fitted to the
@@ -15,9 +15,8 @@ efficiency of the weights. Drag changes D by a tenth, so hardly anything of the 
 
 from __future__ import annotations
 
-from abc import ABC, abstractmethod
 from collections.abc import Mapping
-from typing import Any
+from typing import Any, Protocol
 
 import numpy as np
 
@@ -47,8 +46,8 @@ _SETTLED = 1e-4
 """Standard deviations of a frame: changes by which an estimate in air is no longer improved."""
 
 
-class Bends(ABC):
-    """How the flights of tracks bend.
+class Bends(Protocol):
+    """The bend of the flights of tracks.
 
     Attributes
     ----------
@@ -63,15 +62,14 @@ class Bends(ABC):
     """
 
     fall: Floats
-    passes = 0
-    rough = 0.0
-    longest = np.inf
+    passes: int
+    rough: float
+    longest: float
 
-    @abstractmethod
     def offsets(self) -> Floats:
-        """Return how far each frame is off the straight line, (3, n, m), m."""
+        """Return the distances of the frames from a straight line, (3, n, m), m."""
+        ...
 
-    @abstractmethod
     def states(self, lines: Lines, since: Floats, rows: Any) -> Floats:
         """Return the states of some tracks at times since their first frames, (n, 9).
 
@@ -84,8 +82,8 @@ class Bends(ABC):
         rows
             The indices of these tracks.
         """
+        ...
 
-    @abstractmethod
     def covariance(self, lines: Lines, since: Floats, frames: Flags, noise: Floats) -> Floats:
         """Return the covariance of position and velocity at times, (n, 6, 6).
 
@@ -100,6 +98,7 @@ class Bends(ABC):
         noise
             The standard deviation of each coordinate, (3,), m.
         """
+        ...
 
     def follow(self, lines: Lines, noise: Floats) -> bool:
         """Compute the bend from an estimate; return False if that has changed nothing.
@@ -111,12 +110,11 @@ class Bends(ABC):
         noise
             The standard deviation of each coordinate, (3,), m.
         """
-        del lines, noise
-        return False
+        ...
 
 
-class Parabolas(Bends):
-    """Flights with known acceleration.
+class Parabolas:
+    """Flights with known acceleration, as `Bends`.
 
     Parameters
     ----------
@@ -128,12 +126,19 @@ class Parabolas(Bends):
         The spins at the release.
     """
 
+    passes, rough, longest = 0, 0.0, np.inf
+
     def __init__(self, fall: Floats, times: Floats, spins: Spins) -> None:
         self.fall, self._times, self._spins = fall, times, spins
 
     def offsets(self) -> Floats:
         """Return a t²/2, (3, n, m)."""
         return np.asarray(0.5 * self.fall.T[..., None] * (self._times * self._times))
+
+    def follow(self, lines: Lines, noise: Floats) -> bool:
+        """Return False: the bend is that of every flight."""
+        del lines, noise
+        return False
 
     def states(self, lines: Lines, since: Floats, rows: Any) -> Floats:
         """Return the states, as of `Bends.states`."""
@@ -151,8 +156,8 @@ class Parabolas(Bends):
         return covariance
 
 
-class FlightsInAir(Bends):
-    """Flights through air, by the scene's own motion.
+class FlightsInAir:
+    """Flights through air, by the scene's own motion, as `Bends`.
 
     Parameters
     ----------
@@ -187,7 +192,7 @@ class FlightsInAir(Bends):
         self._origin = np.minimum(0.0, np.nan_to_num(release))
         self._times = np.minimum(times - self._origin[:, None], _LONGEST)
         self._start = np.full((len(times), 9), np.nan)
-        self._bent = 0.5 * fall.T[..., None] * (self._times * self._times)
+        self._bent: Floats = 0.5 * fall.T[..., None] * (self._times * self._times)
 
     def offsets(self) -> Floats:
         """Return the bend of the flights as last followed, (3, n, m)."""
@@ -285,7 +290,7 @@ def bends_of(
     release: Floats,
     spins: Spins,
 ) -> Bends:
-    """Return how the flights of tracks in a scene bend.
+    """Return the bend of the flights of tracks in a scene.
 
     Parameters
     ----------
