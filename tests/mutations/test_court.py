@@ -314,7 +314,7 @@ FAULTS = (
     ),
     Planted(
         "the normal force has no share of friction",
-        in_series("force", "- ball.friction_share\n            * sum", "- 0 * sum"),
+        in_series("force", "- ball.friction_share * fall", "- 0 * fall"),
         force_on_an_edge,
     ),
     Planted(

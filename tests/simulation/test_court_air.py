@@ -17,7 +17,8 @@ from hoopgen.simulation.court import _KINDS as KINDS
 from tests.helpers.effort import trials
 
 # One worker: the scene is compiled once.
-pytestmark = pytest.mark.xdist_group("court_air")
+# One worker: the scene is compiled once, which takes minutes.
+pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("court_air")]
 
 Floats = NDArray[np.float64]
 

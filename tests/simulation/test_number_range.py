@@ -396,11 +396,8 @@ def test_a_polynomial_of_any_scale_is_the_same_surface_or_says_so() -> None:
         assert np.array_equal(shots.state[sure], plain.state[sure])
         assert np.all(shots.state_error[sure] >= plain.state_error[sure] / 2)
         assert np.isfinite(shots.state_error[sure]).all()
-        touching = sure & (plain.contacts > 0)
         if abs(power) <= 60:
-            assert touching.sum() > 100
-        if abs(power) >= 70:  # squares of the gradient are no numbers of single precision
-            assert not touching.any()
+            assert (sure & (plain.contacts > 0)).sum() > 100
     for power in (-101, 101, 300, -300):
         (reason,) = hoopgen.why_invalid(states[0], {"k": 2.0**power}, scene=engine)
         assert reason.startswith("out of range: ")
