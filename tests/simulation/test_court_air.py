@@ -16,7 +16,6 @@ from hoopgen.scene import End, Plane, Scene
 from hoopgen.simulation.court import _KINDS as KINDS
 from tests.helpers.effort import trials
 
-# One worker: the scene is compiled once.
 # One worker: the scene is compiled once, which takes minutes.
 pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("court_air")]
 
