@@ -56,12 +56,26 @@ def _cost(call: Callable[[], object]) -> float:
     return (process_time() - start) / repeats
 
 
-def costs(calls: Mapping[str, Callable[[], object]], rounds: int) -> dict[str, float]:
-    """Return the least CPU time of each call (s), over rounds in which everybody has a turn."""
+def costs(
+    calls: Mapping[str, Callable[[], object]],
+    rounds: int,
+    cost: Callable[[Callable[[], object]], float] = _cost,
+) -> dict[str, float]:
+    """Return the least cost of each call, over rounds in which everybody has a turn.
+
+    Parameters
+    ----------
+    calls
+        The calls by name.
+    rounds
+        Number of rounds.
+    cost
+        The cost of one call; by default its CPU time, s.
+    """
     least = dict.fromkeys(calls, float("inf"))
     for _ in range(rounds):
         for key, call in calls.items():
-            least[key] = min(least[key], _cost(call))
+            least[key] = min(least[key], cost(call))
     return least
 
 

@@ -242,7 +242,8 @@ class CompiledScene:
         """
         if not self.kernels.PIECES:
             own = {n: np.asarray(v)[..., None] if np.ndim(v) else v for n, v in parameters.items()}
-            return self.fly(times, states[:, None], own)[..., :3]
+            many = np.broadcast_to(states[:, None], (*times.shape, states.shape[-1]))
+            return self.fly(times, many, own)[..., :3]
         latest = times.max(axis=1, initial=0.0)
         with np.errstate(all="ignore"):
             flown = FlownPieces(self.kernels, states, latest, self._inputs(parameters))

@@ -7,16 +7,13 @@ moves, it solves a shooting problem.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from math import cos, nan, sin, sqrt
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from hoopgen.core.air_scene import air_scene
-
 from .flights import Flights, is_in_air
 from .parabolas import Arc, Floats, Values, parabola_through
-from .releases import RING_HEIGHT, states_of
+from .releases import states_of
 from .shooting import ShootingProblem
 
 __all__ = ["aimed", "flown_distance"]
@@ -95,19 +92,8 @@ def flown_distance(release: Mapping[str, float], parameters: Mapping[str, ArrayL
     float
         NaN if the ball does not rise to the ring's height.
     """
-    if not is_in_air(parameters):
-        speed, angle = float(release["speed"]), float(release["elevation"])
-        rise = RING_HEIGHT - float(release["height"])
-        gravity = float(np.asarray(parameters["gravity"]))
-        square = (speed * sin(angle)) ** 2 - 2.0 * gravity * rise
-        if square <= 0.0:
-            return nan
-        return speed * cos(angle) * (speed * sin(angle) + sqrt(square)) / gravity
     arguments = dict.fromkeys(("azimuth", "backspin", "sidespin", "angle"), 0.0) | dict(release)
     names = ("speed", "elevation", "azimuth", "backspin", "sidespin", "height", "distance", "angle")
     state = states_of({name: np.asarray(arguments[name], np.float64) for name in names})
-    scene = air_scene()
-    own = {name: np.asarray(value, np.float64) for name, value in parameters.items()}
-    known = {n: own[n] for n in Flights.used(own)}
-    _, end = scene.fall(state[None], 0.0, {**scene.parameters, **known})
+    end = Flights.of(Flights.used(parameters), (1,)).fall(state[None])
     return float(np.hypot(*(end[0, :2] - state[:2])))

@@ -88,3 +88,18 @@ class Flights:
         moved = hoop.flight(times, x, y, z, vx, vy, vz, self.parameters["gravity"])
         past = np.where(times >= 0.0, 0.0, np.nan)
         return np.concatenate([np.stack(moved, -1) + past[..., None], states[..., 6:]], -1)
+
+    def fall(self, states: Floats) -> Floats:
+        """Return the states at which balls come down to the ring's height, (n, 9), NaN if not.
+
+        Parameters
+        ----------
+        states
+            States at the beginning, (n, 9).
+        """
+        if is_in_air(self.parameters):
+            scene = air_scene()
+            return scene.fall(states, 0.0, {**scene.parameters, **self.parameters})[1]
+        with np.errstate(invalid="ignore"):
+            times, _ = hoop.descent(states[:, 2], states[:, 5], 0.0, self.parameters["gravity"])
+            return self.fly(np.asarray(times), states)

@@ -24,6 +24,7 @@ from hoopgen.core.parameters import Value
 from hoopgen.simulation.engine import Engine
 
 from .estimator import EFFICIENCY, Flags, Floats, Lines, line_covariance
+from .frames import MIN_NOISE
 from .spins import Spins
 
 _ROUGH_NOISE = 0.15
@@ -43,7 +44,8 @@ _TRACKS = 256
 """Tracks whose flights in air are followed together, which bounds the memory that this takes."""
 
 _SETTLED = 1e-4
-"""Standard deviations of a frame: changes by which an estimate in air is no longer improved."""
+"""Standard deviations of a frame: changes by which an estimate in air is no longer improved, nor by
+`MIN_NOISE`."""
 
 
 class Bends(Protocol):
@@ -100,8 +102,8 @@ class Bends(Protocol):
         """
         ...
 
-    def follow(self, lines: Lines, noise: Floats) -> bool:
-        """Compute the bend from an estimate; return False if that has changed nothing.
+    def follow(self, lines: Lines, noise: Floats) -> Flags:
+        """Compute the bend from an estimate; return the tracks of which that has changed it, (n,).
 
         Parameters
         ----------
@@ -135,10 +137,10 @@ class Parabolas:
         """Return a t²/2, (3, n, m)."""
         return np.asarray(0.5 * self.fall.T[..., None] * (self._times * self._times))
 
-    def follow(self, lines: Lines, noise: Floats) -> bool:
-        """Return False: the bend is that of every flight."""
+    def follow(self, lines: Lines, noise: Floats) -> Flags:
+        """Return that no track has changed: the bend is that of every flight, as of `Bends`."""
         del lines, noise
-        return False
+        return np.zeros(len(self.fall), np.bool_)
 
     def states(self, lines: Lines, since: Floats, rows: Any) -> Floats:
         """Return the states, as of `Bends.states`."""
@@ -205,20 +207,22 @@ class FlightsInAir:
             there: Floats = self._engine.fly(since - self._origin[rows], start, self._own(rows))
         return there
 
-    def follow(self, lines: Lines, noise: Floats) -> bool:
+    def follow(self, lines: Lines, noise: Floats) -> Flags:
         """Compute the bend of the estimated flights, as of `Bends.follow`."""
         start = self._starts(lines, slice(None))
         change = np.abs(start - self._start)[:, :6].T.reshape(2, 3, -1)
         longest = self._times.max(axis=1, initial=0.0)
-        far = np.max((change[0] + change[1] * longest) / noise[:, None], axis=0)
-        moving = np.flatnonzero(np.isfinite(start).all(axis=1) & ~(far <= _SETTLED))
+        least = np.maximum(_SETTLED * noise, MIN_NOISE)[:, None]
+        far = np.max((change[0] + change[1] * longest) / least, axis=0)
+        changed = np.isfinite(start).all(axis=1) & ~(far <= 1.0)
+        moving = np.flatnonzero(changed)
         for first in range(0, len(moving), _TRACKS):
             rows = moving[first : first + _TRACKS]
             straight = start[rows, :3].T[..., None]
             straight = straight + start[rows, 3:6].T[..., None] * self._times[rows]
             self._bent[:, rows] = self._positions(start[rows], rows) - straight
             self._start[rows] = start[rows]
-        return bool(len(moving))
+        return np.asarray(changed)
 
     def covariance(self, lines: Lines, since: Floats, frames: Flags, noise: Floats) -> Floats:
         """Return the covariance, as of `Bends.covariance`."""

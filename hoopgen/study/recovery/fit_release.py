@@ -45,7 +45,7 @@ _NOISE_STEPS = 12
 _NOISE_TOLERANCE = 1e-6
 
 TOO_FEW = "too few frames"
-UNSETTLED = "the cut at the first contact does not settle"
+UNSETTLED = "the fit and its cut at the first contact do not settle"
 NOT_SIMULATED = "the fitted release cannot be simulated"
 TWO_FLIGHTS = "frames of two flights"
 TOO_LARGE = "residuals too large"
@@ -177,14 +177,16 @@ class _Problem:
             self.noise = self.given
             self._settle(rounds)
             self.given, self.noise = known
+        else:
+            self._settle(rounds)
         for _ in range(self.bends.passes):
-            if not self.bends.follow(self.lines, self.noise):
-                return
+            if not self.bends.follow(self.lines, self.noise).any():
+                break
             self._straighten()
             self.settled[:] = False
             self._settle(rounds)
-        if not self.bends.passes:
-            self._settle(rounds)
+        else:
+            self.settled &= ~self.bends.follow(self.lines, self.noise)
 
     def _settle(self, rounds: int) -> None:
         """Fit, cut at the first contact, and fit again."""

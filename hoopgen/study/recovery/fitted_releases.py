@@ -65,7 +65,8 @@ class FittedReleases(Result):
         given, 0 if nothing was: positions do not determine it.
     covariance
         Of position and velocity, (n, 6, 6), SI: right if the errors are normal and independent.
-        Outliers are not counted as frames in it; that they move the fit a little is not in it.
+        Outliers are not counted as frames in it; that they move the fit a little is not in it, nor
+        that parameters and, in air, the spin are not known exactly.
     time
         Of the release, (n,), s, on the clock of the frames.
     residuals
@@ -88,9 +89,9 @@ class FittedReleases(Result):
         Why it is not, by track: too few frames, residuals too large (a chi-square test at
         0.1%, or more outliers than a quarter of the frames), frames of two flights (the outliers
         lie on another parabola), frames before the flight begins (the first two are outliers),
-        the cut at the first contact does not settle, the estimated noise is larger than the ball
-        (all tracks at a hoop are called so; their unit or clock is another one), or the fitted
-        release cannot be simulated. "" for a credible one.
+        the fit or its cut at the first contact does not settle, the estimated noise is larger than
+        the ball (all tracks at a hoop are called so; their unit or clock is another one), or the
+        fitted release cannot be simulated. "" for a credible one.
     labels
         Of the tracks, as given; else their numbers from 0.
     backspin

@@ -9,6 +9,7 @@ from operator import add, mul, sub, truediv
 from typing import Any
 
 import numpy as np
+from hoopgen.derive.events.event_polynomials import horizon
 from hoopgen.derive.motion.air import SERIES_KERNELS
 from hoopgen.derive.scenes.air import AIR, AIR_PARAMETERS
 from mpmath import mp, mpf, odefun, sqrt
@@ -51,7 +52,11 @@ def programs() -> dict[str, Program]:
 
 def evaluate(name: str, values: Values) -> Values:
     """Return the results of a kernel, each operation rounded to double precision."""
-    program = programs()[name]
+    return run(programs()[name], values)
+
+
+def run(program: Program, values: Values) -> Values:
+    """Return the results of a program, each operation rounded to double precision."""
     done: list[float] = []
     for operation in program.operations:
         if operation.name == "argument":
@@ -131,6 +136,66 @@ def test_velocity_and_acceleration_are_within_their_bounds_all_along_a_piece() -
         assert (pull <= known["piece_acceleration"]).all()
         bend = np.linalg.norm(np.diff(path[:, 3:], 2, axis=0), axis=1) / np.diff(times)[1:] ** 2
         assert (bend <= known["piece_jerk"] + 1e-9).all()
+
+
+@cache
+def program_of(name: str) -> Program:
+    """Return the box of a path up to the horizon, or a kernel of the scene, as a program."""
+    from hoopgen.derive.ir.kernel import kernel
+    from hoopgen.derive.kernels.arguments import argument_order
+    from hoopgen.derive.model import build
+
+    if name != "enclosure":
+        (known,) = (one for one in build(AIR).kernels if one.name == name)
+        return lower(known, AIR.symbols)
+    box = AIR.flight.enclosure(horizon)
+    outputs = {f"{part}{k}": pair[j] for k, pair in enumerate(box) for j, part in enumerate("cr")}
+    return lower(kernel(name, outputs, argument_order(AIR), "A box.", "Taylor"), AIR.symbols)
+
+
+def path_of(known: Values, latest: float, count: int = 33) -> np.ndarray:
+    """Return positions at times of a piece up to the latest, (count, 3)."""
+    times = np.linspace(0.0, latest, count)
+    return np.array([list(evaluate("flight", known | {"t": float(t)}).values())[:3] for t in times])
+
+
+def test_the_path_is_within_its_box_which_is_hardly_larger() -> None:
+    random = np.random.default_rng(8)
+    ratios = []
+    for _ in range(trials(40, at_least=10)):
+        state = random.normal(size=9) * np.repeat([2.0, 8.0, 20.0], 3)
+        latest = begin(state)["piece"] * random.uniform(0.5, 1.0)
+        state[5] = 0.5 * DEFAULTS["gravity"] * latest  # level again at the end: only the bow counts
+        known = begin(state)
+        latest = min(latest, known["piece"])
+        box = run(program_of("enclosure"), known | {"horizon": latest})
+        path = path_of(known, latest)
+        for k in range(3):
+            off = np.abs(path[:, k] - box[f"c{k}"])
+            assert (off <= box[f"r{k}"] * (1 + 1e-12)).all()
+            ratios.append(box[f"r{k}"] / off.max())
+    assert np.median(ratios) < 1.1
+
+
+def test_a_piece_that_is_outside_of_a_plane_s_bounds_is_clear_of_it_and_no_other_is() -> None:
+    random = np.random.default_rng(9)
+    offset = DEFAULTS["ball_radius"] + DEFAULTS["wire_radius"]
+    half, board = DEFAULTS["bridge_half_width"], DEFAULTS["board_distance"]
+    crossing, cleared = 0, 0
+    for _ in range(trials(400, at_least=120)):
+        place = [random.uniform(-0.5, 0.2), random.uniform(-0.25, 0.25), offset + 0.02]
+        state = np.array([*place, *random.normal(0.0, 1.0, 2), -2.0, 0.0, 10.0, 0.0])
+        known = begin(state)
+        errors = {"position_error": 1e-14, "velocity_error": 1e-14, "speed": 20.0}
+        known |= errors | {"horizon": known["piece"]}
+        clear = run(program_of("bridge_clear"), known)["clear"] > 0.0
+        path = path_of(known, known["piece"], 65)
+        x, y, _ = path.T
+        inside = (np.abs(y) <= half) & (x >= -board) & (x <= 0.0)
+        crossing += bool(path[-1, 2] < offset and not inside.any())
+        cleared += clear
+        assert not (clear and inside.any())
+    assert cleared >= 0.6 * crossing > 20
 
 
 def test_a_flight_has_the_check_value_without_spin_and_smoothing() -> None:

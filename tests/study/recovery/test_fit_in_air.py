@@ -15,7 +15,9 @@ from scipy.stats import binomtest
 
 import hoopgen
 from hoopgen import AIR, NBA_AIR, fit_release
+from hoopgen.study.recovery.bends import FlightsInAir
 from hoopgen.study.recovery.estimator import EFFICIENCY
+from hoopgen.study.recovery.fit_release import UNSETTLED
 from tests.helpers.effort import trials
 
 from .tracks import SPIN, Floats, noisy
@@ -159,3 +161,22 @@ def test_tracks_that_are_no_flights_hurt_no_others() -> None:
     found = fit(times, np.concatenate([wild, positions]), noise=0.01)
     assert found.credible.tolist() == [False, False, True, True, True]
     np.testing.assert_allclose(found.states[2:], states, rtol=0, atol=1e-5)
+
+
+def test_a_fit_that_does_not_settle_says_so(monkeypatch: pytest.MonkeyPatch) -> None:
+    states, contact = throws(3, 1)
+    times = np.arange(0.0, LONGEST, 1 / 60)
+    monkeypatch.setattr(FlightsInAir, "passes", 1)
+    found = fit(times, tracks(states, contact, times), noise=1e-4)
+    assert set(found.reason) == {UNSETTLED}
+
+
+def test_flights_without_air_are_followed_along_their_parabolas() -> None:
+    state = np.array([[4.0, 0.5, 0.0, -4.0, 0.1, 5.0, 0.0, 15.0, 0.0]] * 2)
+    times = np.array([[0.0, 0.25, 0.5], [0.1, 0.2, 0.3]])
+    found = hoopgen.HOOP.follow(times, state, {**hoopgen.NBA, "gravity": np.array([9.81, 9.0])})
+    for row, gravity in enumerate((9.81, 9.0)):
+        fall = np.array([0.0, 0.0, -0.5 * gravity])
+        since = times[row, :, None]
+        right = state[row, :3] + state[row, 3:6] * since + fall * since**2
+        np.testing.assert_allclose(found[row], right, rtol=0, atol=1e-14)
