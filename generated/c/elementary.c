@@ -1,4 +1,4 @@
-/* Elementary functions of arrays, at the widths that the processor has.
+/* Elementary functions of arrays, and the drawing of releases, at the widths that the processor has.
 
    Generated from templates/c/elementary.c.j2, the same for every scene, with
    Jinja2 3.1.6. Do not edit: change templates/ and run `make generate`.
@@ -29,8 +29,9 @@
 #define APART
 #endif
 
-/* Shots that are drawn at a time: what lies between two functions stays in the nearest cache. */
+/* Numbers that are computed at a time: what lies between two functions stays in the nearest cache. */
 #define TILE 128
+_Static_assert(TILE % 8 == 0, "a tile is whole vectors");
 
 #include "philox.h"
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
-from hoopgen.derive.elementary import KERNELS
+from hoopgen.derive.elementary import KERNELS, PARTS
 from hoopgen.derive.scenes import SCENES
 from hoopgen.derive.studies import DRAWING
 from hoopgen.derive.studies.noise import RANDOM_BITS
@@ -53,9 +53,13 @@ class ElementaryFunction(KernelView):
 def elementary_context(template: str) -> dict[str, object]:
     """Return the variables of a template of the elementary functions."""
     lowered = [lower(kernel) for kernel in KERNELS]
-    drawing = {kernel.name: ElementaryFunction(lower(kernel)) for kernel in DRAWING}
+    parts, drawing = (
+        {kernel.name: ElementaryFunction(lower(kernel)) for kernel in own}
+        for own in (PARTS, DRAWING)
+    )
     return {
         "kernels": [ElementaryFunction(program) for program in lowered],
+        "parts": parts,
         "drawing": drawing,
         "random_bits": RANDOM_BITS,
         "release_arguments": [symbol.name for symbol in ARGUMENTS],
