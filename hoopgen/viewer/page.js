@@ -224,6 +224,10 @@
       const why = ". Uncertain: some decision is within the bound on its rounding error.";
       $("outcome").append(make("span", { textContent: why }));
     }
+    if (shot.airless) {
+      const left = ". While the ball rolls, no air acts along the surface.";
+      $("outcome").append(make("span", { textContent: left }));
+    }
     fill($("release"), words.release(shot));
   }
 
