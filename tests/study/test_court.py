@@ -283,7 +283,7 @@ def test_a_table_may_have_an_infinite_friction_and_results_are_read_again(
     again = output("estimate", "--from", out, "--scene", "court", "--shots", 100, "--json")
     found = json.loads(again)
     assert found["made"] > 0
-    assert found["setting"]["parameters"]["restitution_speed"] == "inf"
+    assert found["setting"]["parameters"]["restitution_speed_m_s"] == "inf"
 
 
 def test_a_column_that_may_not_be_infinite_makes_invalid_rows_alone(tmp_path: Path) -> None:
