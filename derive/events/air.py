@@ -154,7 +154,7 @@ class AirRootFinder(PolynomialRootFinder):
 
     @property
     def _least_gap(self) -> sp.Expr:
-        """A bound below |F| until the horizon, without errors; negative if F may change its sign."""
+        """A bound below |F| until the horizon, without errors; negative if F may become zero."""
         linear = _linear(self.surface.shape)
         if linear is None:
             start = dict(zip(POSITION, self._offsets, strict=True))

@@ -43,10 +43,9 @@ from .spelling import (
     zeros,
 )
 
-
 MIN_COPIED = 34
-"""Least number of columns that are copied to a list shot by shot. Packing costs each row of lanes the
-same however few of its shots go to the list, a copy costs each of these."""
+"""Least number of columns that are copied to a list shot by shot. Packing costs each row of lanes
+the same however few of its shots go to the list; a copy costs each of these."""
 
 
 @dataclass

@@ -198,6 +198,23 @@ def test_a_piece_that_is_outside_of_a_plane_s_bounds_is_clear_of_it_and_no_other
     assert cleared >= 0.6 * crossing > 20
 
 
+def test_a_piece_that_stays_on_one_side_of_the_end_s_plane_is_clear_of_it_and_no_other_is() -> None:
+    random = np.random.default_rng(10)
+    beside, cleared = 0, 0
+    for _ in range(trials(400, at_least=120)):
+        level = -DEFAULTS["end_depth"] + random.normal(0.0, 0.05)
+        climb = random.uniform(-2.0, 2.0)
+        state = np.array([0.1, 0.2, level, 1.0, -0.5, climb, 0.0, 10.0, 0.0])
+        known = begin(state)
+        clear = run(program_of("end_clear"), known | {"horizon": known["piece"]})["clear"] > 0.0
+        above = path_of(known, known["piece"], 65)[:, 2] > -DEFAULTS["end_depth"]
+        crosses = above.any() and not above.all()
+        beside += not crosses
+        cleared += clear
+        assert not (clear and crosses)
+    assert cleared >= 0.8 * beside > 20
+
+
 def test_a_flight_has_the_check_value_without_spin_and_smoothing() -> None:
     """The expected place is a check value of the equations of motion, given to 17 digits."""
     state = np.array([4.191, 0.0, -0.6096, -4.5, 0.0, 5.7, 0.0, 0.0, 0.0])
