@@ -232,6 +232,13 @@ def _sum(terms: Sequence[sp.Expr]) -> sp.Expr:
     return barrier(sp.Add(*terms))
 
 
+def _integrals(truncated: sp.Expr, unrounded: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
+    """Return the integral over t/h from 0 to 1 of a defect (t/h)^P and a constant one, and twice."""
+    order = ORDER + 1
+    once = barrier(truncated / order + unrounded)
+    return once, barrier(truncated / (order * (order + 1)) + unrounded / 2)
+
+
 @dataclass(frozen=True)
 class AirFlight(Flight):
     """The flight through air, in pieces that each have a series of their own.
@@ -547,9 +554,8 @@ class AirFlight(Flight):
         slope = barrier(barrier(2 * drag_rate * widest) + turning)
         room = barrier((1 - CANCELLATION) - barrier(time * slope))
         grown = barrier(ROUNDING_SLACK / room)
-        # The integrals over the piece of t^P / h^P and of 1, once and twice.
-        exact = barrier(grown * barrier(barrier(truncated / (last + 1) + unrounded) * time))
-        twice = barrier(truncated / ((last + 1) * (last + 2)) + unrounded / 2)
+        once, twice = _integrals(truncated, unrounded)
+        exact = barrier(grown * barrier(once * time))
         moved = barrier(barrier(grown * barrier(twice * time)) * time)
         proved = all_of(Less(0, least), Less(0, room), Less(exact, TUBE / 2))
         path = barrier(8 * barrier(time * sums_a[0]) + extent)

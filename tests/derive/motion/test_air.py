@@ -9,7 +9,10 @@ from operator import add, mul, sub, truediv
 from typing import Any
 
 import numpy as np
+import pytest
+import sympy as sp
 from hoopgen.derive.events.event_polynomials import horizon
+from hoopgen.derive.motion import air
 from hoopgen.derive.motion.air import SERIES_KERNELS
 from hoopgen.derive.scenes.air import AIR, AIR_PARAMETERS
 from mpmath import mp, mpf, odefun, sqrt
@@ -121,6 +124,28 @@ def test_the_error_of_a_piece_is_within_its_bound_and_the_bound_is_not_useless()
         assert speed <= known["piece_speed_error"] < 1e-13
         ratios.append(float(known["piece_speed_error"] / speed))
     assert np.median(ratios) < 300.0
+
+
+def test_the_bound_holds_where_far_more_is_left_out_than_roundings(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(air, "TOLERANCE", sp.Rational(1, 2**24))
+    programs.cache_clear()
+    random = np.random.default_rng(6)
+    ratios = []
+    for _ in range(trials(12, at_least=4)):
+        state = random.normal(size=9) * np.repeat([2.0, 5.0, 20.0], 3)
+        known = begin(state)
+        found = evaluate("flight", known | {"t": known["piece"]})
+        with mp.workdps(40):
+            exact = reference(state, known["piece"])
+            off = [abs(mpf(found[n]) - e) for n, e in zip(NAMES, exact, strict=True)]
+            place, speed = mp.norm(off[:3]), mp.norm(off[3:])
+        assert place <= known["piece_place_error"]
+        assert speed <= known["piece_speed_error"]
+        ratios.append(float(known["piece_speed_error"] / speed))
+    programs.cache_clear()
+    assert np.median(ratios) < 100.0
 
 
 def test_velocity_and_acceleration_are_within_their_bounds_all_along_a_piece() -> None:
