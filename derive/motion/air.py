@@ -233,7 +233,7 @@ def _sum(terms: Sequence[sp.Expr]) -> sp.Expr:
 
 
 def _integrals(truncated: sp.Expr, unrounded: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
-    """Return the integral over t/h from 0 to 1 of a defect (t/h)^P and a constant one, and twice."""
+    """Return the integrals over t/h from 0 to 1 of a defect (t/h)^P and a constant, and twice."""
     order = ORDER + 1
     once = barrier(truncated / order + unrounded)
     return once, barrier(truncated / (order * (order + 1)) + unrounded / 2)
