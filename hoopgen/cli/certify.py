@@ -103,7 +103,9 @@ def certify(
     )[0]
     scene = describe_scene(engine, parameters)
     if as_json:
-        click.echo(json.dumps({**in_units(_record(proof, engine)), "scene": scene}, indent=2))
+        click.echo(
+            json.dumps({**in_units(_record(proof, engine), engine), "scene": scene}, indent=2)
+        )
     else:
         click.echo(f"{_summary(proof, engine)}\nscene      {scene}")
     if not proof.decided:

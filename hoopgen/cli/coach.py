@@ -57,6 +57,8 @@ def coach(
     Each part of the player's spread (speed, arc, left-right, spin) is halved alone, and each habit
     is changed a little. The answer is how many more shots go in, with confidence intervals.
     """
+    from hoopgen.study.named_units import in_units
+
     engine = engine_of()
     parameters = parameters_of(engine, preset, settings)
     player: Any = None
@@ -73,7 +75,7 @@ def coach(
     if out is not None:
         found.page(out, read=read)
     if as_json:
-        echo_json(found.as_dict())
+        echo_json(in_units(found.as_dict(), engine))
     else:
         echo_lines(str(found))
     if read:

@@ -80,6 +80,6 @@ def counterfactual(
     if picture is not None:
         hoopgen.plots.save(answer.plot(), picture)
     if as_json:
-        echo_json(in_units(answer.as_dict()))
+        echo_json(in_units(answer.as_dict(), engine))
     else:
         click.echo(str(answer))

@@ -105,7 +105,7 @@ def estimate(
     if picture is not None:
         hoopgen.plots.save(hoopgen.plots.plot_estimate(result), picture)
     if as_json:
-        echo_json(in_units(result.as_dict()))
+        echo_json(in_units(result.as_dict(), scene))
     else:
         if versus:
             changes = ", ".join(_changed(scene, name, to) for name, to in versus.items())
@@ -139,7 +139,7 @@ def _estimate_fitted(
         hoopgen.plots.save(hoopgen.plots.plot_estimate(found[""]), picture)
     if as_json:
         both = {
-            label: {"scatter": one.as_dict(), **in_units(found[label].as_dict())}
+            label: {"scatter": one.as_dict(), **in_units(found[label].as_dict(), scene)}
             for label, one in players.items()
         }
         echo_json(both.get("", {"players": both}))

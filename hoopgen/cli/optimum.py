@@ -90,6 +90,6 @@ def optimum(
         if rival is not None:
             lead = dict(zip(("lead", "low", "high"), best.lead(rival), strict=True))
             record["versus"] = rival.as_dict() | lead
-        echo_json(in_units(record))
+        echo_json(in_units(record, scene))
     else:
         click.echo(advice(best, rival))

@@ -190,4 +190,4 @@ def _record(
         ],
         "components": COMPONENTS,
     }
-    return dict(in_units(record))
+    return dict(in_units(record, shots.scene))

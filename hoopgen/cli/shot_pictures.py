@@ -26,6 +26,7 @@ from .release_options import Releasing, from_option, release_needs, release_opti
 
 if TYPE_CHECKING:
     from hoopgen.core.variables import Releases
+    from hoopgen.engine.compiled_scene import CompiledScene
     from hoopgen.study.questions.landings import Landings
     from hoopgen.study.statistics.distributions import Spread
 
@@ -78,7 +79,7 @@ def fan(
         picture_of_paths = hoopgen.plots.plot_fan(sample.shots, scene, paths=paths, note=note)
         hoopgen.plots.save(picture_of_paths, picture)
     if as_json:
-        _echo(sample.as_dict())
+        _echo(sample.as_dict(), sample.shots.scene)
     else:
         click.echo(f"{sample.line}\n\n{footer(9, sample.provenance)}")
 
@@ -127,7 +128,7 @@ def landings(
         text = "\n".join(spread_lines(measured))
         record = {"measured": {name: one.as_dict() for name, one in measured.items()}}
     if as_json:
-        _echo(sample.as_dict() | record)
+        _echo(sample.as_dict() | record, sample.shots.scene)
     else:
         click.echo(f"{sample.line}\n{text}\n\n{footer(9, sample.provenance)}")
     if picture is not None:  # without misses there is none, which is then an error
@@ -199,10 +200,10 @@ def _sample(releasing: Releasing, count: int, *, seed: int, **options: Any) -> _
     return sample
 
 
-def _echo(record: Mapping[str, Any]) -> None:
+def _echo(record: Mapping[str, Any], scene: CompiledScene) -> None:
     from hoopgen.study.named_units import in_units
 
-    echo_json(in_units({name: for_json(value) for name, value in record.items()}))
+    echo_json(in_units({name: for_json(value) for name, value in record.items()}, scene))
 
 
 def _within(there: Landings) -> dict[str, Any]:

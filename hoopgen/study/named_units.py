@@ -60,21 +60,28 @@ COMPONENTS = tuple(map(named, STATE))
 """Components of a state, in order, with their units."""
 
 
-def in_units(record: Any) -> Any:
+def in_units(record: Any, scene: CompiledScene = HOOP) -> Any:
     """Return a record whose keys say the units of the numbers, and of lists of them, below.
 
     A margin, whose variable is one of its values, gets a key ``unit``.
+
+    Parameters
+    ----------
+    record
+        Names and numbers, nested.
+    scene
+        The scene whose variables and results they are.
     """
     if isinstance(record, list | tuple):
-        return [in_units(one) for one in record]
+        return [in_units(one, scene) for one in record]
     if not isinstance(record, Mapping):
         return record
     record = {
-        name if isinstance(value, Mapping) else named(name): in_units(value)
+        name if isinstance(value, Mapping) else named(name, scene): in_units(value, scene)
         for name, value in record.items()
     }
-    if "value" in record and record.get("name") in VARIABLES:
-        record["unit"] = VARIABLES[record["name"]].unit
+    if "value" in record and record.get("name") in (own := variables_of(scene)):
+        record["unit"] = own[record["name"]].unit
     return record
 
 

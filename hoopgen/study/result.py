@@ -7,7 +7,9 @@ from typing import TYPE_CHECKING, Any, Unpack
 
 from hoopgen.core.extras import require
 from hoopgen.core.plotting import plotting_module
+from hoopgen.engine.compiled_scene import CompiledScene
 from hoopgen.results.drawing import EstimateOptions
+from hoopgen.simulation.hoop import HOOP
 
 from .named_units import in_units
 
@@ -35,7 +37,9 @@ class Result:
             If pandas is missing: what brings it.
         """
         pd = require("pandas", "to_pandas")
-        frame: DataFrame = pd.json_normalize([in_units(self.as_dict())], sep="_")
+        scene = getattr(self, "scene", None)
+        scene = scene if isinstance(scene, CompiledScene) else HOOP
+        frame: DataFrame = pd.json_normalize([in_units(self.as_dict(), scene)], sep="_")
         return frame
 
     def __repr__(self) -> str:

@@ -52,7 +52,7 @@ def tell_solve(
     context: Context, question: SolveQuestion, found: Solution, work: Workplace
 ) -> Answer:
     """Return the factor times the scatter."""
-    return Answer(found.line, fenced(found), in_units(found.as_dict()))
+    return Answer(found.line, fenced(found), in_units(found.as_dict(), context.engine))
 
 
 def ask_estimate(context: Context, question: EstimateQuestion, **work: Any) -> Estimate | Shares:
@@ -91,7 +91,9 @@ def tell_estimate(
         line = "; ".join(filter(None, (line, in_brief(found.measured))))
     line += "".join(f"; {_EMPTY[name]}" for name, figure in figures.items() if figure is None)
     return Answer(
-        line + _short_of(question, found.half_width), fenced(found), in_units(found.as_dict())
+        line + _short_of(question, found.half_width),
+        fenced(found),
+        in_units(found.as_dict(), context.engine),
     )
 
 
@@ -169,7 +171,9 @@ def tell_compare(
     ends = STILL if found.still else ends
     line = f"{format_points(found.difference, digits)} points by the change ({ends})"
     return Answer(
-        line + _short_of(question, found.half_width), fenced(found), in_units(found.as_dict())
+        line + _short_of(question, found.half_width),
+        fenced(found),
+        in_units(found.as_dict(), context.engine),
     )
 
 

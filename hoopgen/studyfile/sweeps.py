@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from hoopgen import plots
 from hoopgen.core.files import write
 from hoopgen.report.quantities import format_launch, format_range, format_variable
-from hoopgen.scene.lookup import check_article, check_hoop
+from hoopgen.scene.lookup import check_hoop
 from hoopgen.simulation.engine import Engine
 from hoopgen.simulation.hoop import HOOP
 from hoopgen.study.jobs.chunks import preparing, run
@@ -58,12 +58,11 @@ def tell_map(
     if (shares := shares_of_ends(dataset)) is not None:
         texts = [f"{format_percent(share)} {name}" for name, share in shares.items() if share]
         return Answer(f"{cells}: {', '.join(texts) or 'none valid'}", "", {"shares": shares})
-    return _best_cell(
-        dataset, f"{cells}, {format_count(dataset['shots'].values.max(), 'shot')} each"
-    )
+    cells += f", {format_count(dataset['shots'].values.max(), 'shot')} each"
+    return _best_cell(dataset, cells, context.engine)
 
 
-def _best_cell(dataset: xr.Dataset, cells: str) -> Answer:
+def _best_cell(dataset: xr.Dataset, cells: str, engine: Engine) -> Answer:
     best = best_cell(dataset)
     if best is None:
         return Answer("no cell can be simulated", f"{cells}.", {"best": None})
@@ -73,7 +72,7 @@ def _best_cell(dataset: xr.Dataset, cells: str) -> Answer:
     )
     line = f"at best {format_percent(made)} made ({format_interval(low, high)}), at {where}"
     note = "The best of many cells is a little too good, and its interval is that of one cell."
-    return Answer(line, f"{cells}. {note}{_of_a_map(dataset)}", in_units({"best": best}))
+    return Answer(line, f"{cells}. {note}{_of_a_map(dataset)}", in_units({"best": best}, engine))
 
 
 def _of_a_map(dataset: xr.Dataset) -> str:
@@ -100,7 +99,7 @@ def tell_optimum(
     off = ", off the board" if best.is_bank else ""
     ends = f"{format_interval(best.low, best.high)}{of_sample}"
     line = f"{format_percent(best.probability)} ({ends}) from {there}{off}"
-    return Answer(line, fenced(best), in_units(best.as_dict()))
+    return Answer(line, fenced(best), in_units(best.as_dict(), context.engine))
 
 
 @dataclass(frozen=True)
@@ -199,7 +198,7 @@ def _wanted(context: Context) -> dict[str, Any]:
 
 def ask_aim(context: Context, question: AimQuestion, **work: Any) -> Mapping[str, Any]:
     """Aim from each distance."""
-    check_article("aim", context.engine)
+    check_hoop("aim", context.engine)
     wanted, parameters = _wanted(context), context.setting.parameters
     return aim_table(
         wanted.pop("distance"), **wanted, parameters=parameters, scene=context.engine, **work
@@ -222,7 +221,7 @@ def tell_aim(
     line = f"{format_count(len(rows), 'distance')}, {good} of them with a release that goes in"
     table = _table([*_AIMED, *(f"goes in with {name}" for name in TOLERANCES)], rows)
     numbers = {name: column.tolist() for name, column in columns.items()}
-    return Answer(line, table, in_units(numbers))
+    return Answer(line, table, in_units(numbers, context.engine))
 
 
 _AIMED = ("distance", "speed", "elevation")

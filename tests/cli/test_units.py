@@ -246,6 +246,27 @@ def test_keys_say_the_units_of_the_numbers_below() -> None:
     assert parameters_named(in_units(dict(hoopgen.NBA))) == dict(hoopgen.NBA)
 
 
+def test_keys_say_the_units_of_a_scenes_own_parameters() -> None:
+    values = dict(hoopgen.NBA_COURT)
+    record = in_units({"parameters": values}, hoopgen.COURT)["parameters"]
+    assert {"board_thickness_m", "bridge_depth_m", "restitution_speed_m_s"} < record.keys()
+    assert parameters_named(record, hoopgen.COURT) == values
+    words = [
+        "--over",
+        "elevation",
+        "--speed",
+        "7.2",
+        "--height",
+        "7ft",
+        "--distance",
+        "13.75ft",
+        "--scatter",
+    ]
+    words += ["speed=0.07", "--scene", "court", "--preset", "nba", "--shots", "50", "--json"]
+    found = json.loads(output("optimum", *words))
+    assert found["parameters"].keys() == record.keys()
+
+
 def test_a_map_is_a_table_of_releases(tmp_path: Path) -> None:
     cells, results = tmp_path / "map.csv", tmp_path / "results.parquet"
     over = ["--over", "elevation=48deg:56deg:4", "--over", "speed=7.0,7.2"]

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 from hoopgen.core.plotting import plotting_module
 from hoopgen.core.units import DEGREE, FOOT, INCH, UNITS
 from hoopgen.hoop.court_places import Place
+from hoopgen.hoop.variables import VARIABLES
 from hoopgen.scene.lookup import SceneLike
 from hoopgen.study.models.scatter import Scatter
 from hoopgen.study.result import Result
@@ -118,8 +119,8 @@ class Coaching(Result):
             "made": {"value": self.made, "low": self.low, "high": self.high},
             "place": None if self.place is None else vars(self.place),
             "player": self.player.identity(),
-            "spreads": [vars(one) for one in self.spreads],
-            "habits": [vars(one) for one in self.habits],
+            "spreads": [_record(one) for one in self.spreads],
+            "habits": [_record(one) for one in self.habits],
             "advice": self.advice,
             "confidence": self.confidence,
             "provenance": self.provenance,
@@ -182,6 +183,10 @@ class Coaching(Result):
             self.provenance,
         ]
         return "\n".join(lines)
+
+
+def _record(one: Advice) -> dict[str, Any]:
+    return vars(one) | {"unit": VARIABLES[one.variable].unit}
 
 
 def _points(one: Advice) -> str:
