@@ -74,6 +74,13 @@ class Shape:
         return dict(self.sizes)[argument]
 
 
+UNBOUNDED = (
+    "its points of contact are no linear function of the ball's centre; "
+    "a plane, a sphere, a cylinder and a Surface have bounds"
+)
+"""The reason why tori, boxes and cones take no bounds."""
+
+
 @dataclass(frozen=True)
 class ParsedScene:
     """A scene whose arguments are formulas."""
@@ -296,7 +303,7 @@ def _body(
     else:
         raise reader.inputs.wrong(owner, "", f"no such body: {type(body).__name__}")
     if there is None and body.within:
-        raise reader.inputs.wrong(owner, "within", f"a {kind} has no bounds")
+        raise reader.inputs.wrong(owner, "within", f"a {kind} has no bounds: {UNBOUNDED}")
     extra = shape.bounds + bounds(reader.inputs, owner, body.within, there)
     own = shape.kind or kind
     return Shape(body.name, own, shape.sizes, shape.axis, shape.inside, law, extra, shape.condition)
