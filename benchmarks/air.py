@@ -22,7 +22,7 @@ from benchmarks.families import seeded
 from benchmarks.peers import EVERYBODY, Peer, taking_part
 from benchmarks.timing import Rates, Spread, rounds
 from benchmarks.workloads import States, Workload, free_throw
-from hoopgen import AIR, PAPER, PAPER_AIR
+from hoopgen import PAPER, PAPER_AIR
 from hoopgen.judge import certify
 
 Floats = NDArray[np.float64]
@@ -81,7 +81,7 @@ def _airless(states: States, **arguments: Any) -> object:
 def contenders(peers: Sequence[Peer], batch: int) -> tuple[Contender, ...]:
     """Return who flies: hoopgen, first with all its results, its airless engine, and peers."""
     one: dict[str, Any] = {"backend": "c", "threads": 1, "max_contacts": MAX_CONTACTS}
-    fly = partial(hoopgen.simulate, parameters=PAPER_AIR, scene=AIR)
+    fly = partial(hoopgen.simulate, parameters=PAPER_AIR, scene=hoopgen.AIR)
     return (
         Contender(
             "hoopgen", "hoopgen C, 1 thread, all fields", "hoopgen", partial(fly, **one), batch
@@ -118,7 +118,7 @@ class Grazes:
 
 
 def _meets_ring(states: States) -> Bools:
-    shots = AIR.simulate(states, PAPER_AIR, max_contacts=1, fields=("first",))
+    shots = hoopgen.AIR.simulate(states, PAPER_AIR, max_contacts=1, fields=("first",))
     return np.asarray(shots.first == RING)
 
 
@@ -130,7 +130,7 @@ def _at(states: States, factor: Floats) -> States:
 
 def _is_graze(states: States) -> Bools:
     """Return a mask of the throws that come to the ring almost along it."""
-    shots = AIR.simulate(states, PAPER_AIR, max_contacts=1, record=True)
+    shots = hoopgen.AIR.simulate(states, PAPER_AIR, max_contacts=1, record=True)
     rows = shots.events[shots.events["surface"] == RING]
     x, y, z, vx, vy, vz = rows["before"][:, :6].T
     out = np.hypot(x, y)
@@ -165,7 +165,7 @@ def grazes(n: int) -> Grazes:
     )
     good = _is_graze(near)
     kept = random.permutation(np.flatnonzero(good))[:n]
-    time = AIR.simulate(near[kept], PAPER_AIR, max_contacts=1, fields=("time",)).time
+    time = hoopgen.AIR.simulate(near[kept], PAPER_AIR, max_contacts=1, fields=("time",)).time
     return Grazes(near[kept], beyond[kept], time)
 
 
@@ -185,7 +185,7 @@ Look = Callable[[States], tuple[NDArray[np.int8], Floats, Bools]]
 
 
 def _by_hoopgen(states: States) -> tuple[NDArray[np.int8], Floats, Bools]:
-    shots = AIR.simulate(states, PAPER_AIR, max_contacts=1)
+    shots = hoopgen.AIR.simulate(states, PAPER_AIR, max_contacts=1)
     return shots.first, shots.time, shots.uncertain
 
 
@@ -213,7 +213,7 @@ def proved(found: Grazes) -> Bools:
     """Return which of the grazes are proved to touch, or to pass, as they should, (2, n)."""
     known = []
     for states, should in ((found.touching, True), (found.passing, False)):
-        proof = certify(states, PAPER_AIR, scene=AIR, max_contacts=1)
+        proof = certify(states, PAPER_AIR, scene=hoopgen.AIR, max_contacts=1)
         time = np.where(proof.decided, proof.time, np.inf)
         touches = (proof.first == RING) & (np.abs(time - found.time) < WINDOW)
         known.append(proof.decided & (touches == should))
@@ -251,16 +251,16 @@ def run(quick: bool) -> Results:
     workload = Workload("air", "free throws in air", throws, size.batch)
     rates = rounds(field, workload, size.batch, size.rounds, size.budget)
     contacts = (
-        float(AIR.simulate(states, PAPER_AIR, max_contacts=MAX_CONTACTS).contacts.mean()),
+        float(hoopgen.AIR.simulate(states, PAPER_AIR, max_contacts=MAX_CONTACTS).contacts.mean()),
         float(hoopgen.simulate(free_throw(size.batch), PAPER).contacts.mean()),
     )
     print("errors", flush=True)
     states = throws(size.compared)
     right, certain = (
-        judge(states[: size.proved], PAPER_AIR, AIR),
-        by_certain(states, PAPER_AIR, AIR),
+        judge(states[: size.proved], PAPER_AIR, hoopgen.AIR),
+        by_certain(states, PAPER_AIR, hoopgen.AIR),
     )
-    own = by_hoopgen(states[: size.proved], PAPER_AIR, AIR)
+    own = by_hoopgen(states[: size.proved], PAPER_AIR, hoopgen.AIR)
     correct, compared = {"hoopgen": compare(own, right)}, {}
     for peer in peers:
         flown = peer.fly(states, PAPER_AIR, record=True)

@@ -129,8 +129,14 @@ def _spent(call: Callable[[], object]) -> float:
     return process_time() - start
 
 
-def _made(scene: Scene) -> tuple[float, float, float]:
-    """Return seconds to derive and to compile a scene, and the KB of its C."""
+def making_costs(scene: Scene) -> tuple[float, float, float]:
+    """Return seconds to derive and to compile a scene, and the kB of its C.
+
+    Raises
+    ------
+    RuntimeError
+        If there is no C compiler, or it fails.
+    """
     files: dict[str, str] = {}
     derived = _busy(lambda: files.update(render_scene(scene.derive(), page=False)))
     files = {name[2:]: text for name, text in files.items() if name.startswith("c/")}
@@ -142,8 +148,12 @@ def _made(scene: Scene) -> tuple[float, float, float]:
         folder = Path(name)
         for file, text in files.items():
             (folder / file).write_text(text, encoding="utf-8")
-        width = compilers.processor_width()
-        return derived, _busy(lambda: compiler.run(folder, scene.name, width)), size
+        only = f"-D{scene.name.upper()}_ONLY={compilers.processor_width()}"
+        said: list[str] = []
+        compiled = _busy(lambda: said.append(compiler.run(folder, f"{scene.name}.c", [only])[0]))
+    if any(said):
+        raise RuntimeError(f"bodies: {compiler.name} does not compile {scene.name}: {said[0]}")
+    return derived, compiled, size
 
 
 def costs(shots: int, rounds: int) -> list[Cost]:
@@ -151,7 +161,7 @@ def costs(shots: int, rounds: int) -> list[Cost]:
     far = [0, 0, 0, *FAR_AWAY, 0]
     away = [spheres(NEAR + count, count) for count in FAR_AWAY]
     scenes = [spheres(NEAR), spheres(10), spheres(40), *away, mixed()]
-    made = [(0.0, 0.0, 0.0), *map(_made, scenes)]
+    made = [(0.0, 0.0, 0.0), *map(making_costs, scenes)]
     engines = [hoopgen.compile(None), *map(hoopgen.compile, scenes)]
     near = [len(s.bodies) - f for s, f in zip(scenes, far, strict=True)]
     states = [free_throw(shots), *(dropped(shots, count) for count in near)]

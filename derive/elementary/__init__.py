@@ -8,9 +8,12 @@ gives the same releases, and the same shots, wherever hoopgen runs.
 from __future__ import annotations
 
 from .angles import arc_tangent, hypotenuse, sine_cosine, tangent
-from .normal import normal_quantile
+from .normal import normal_quantile, normal_quantile_parts
 
-__all__ = ["KERNELS"]
+__all__ = ["KERNELS", "PARTS"]
 
 KERNELS = (sine_cosine(), tangent(), arc_tangent(), hypotenuse(), normal_quantile())
 """The elementary functions, each a kernel of no scene."""
+
+PARTS = normal_quantile_parts()
+"""Parts of the last one, for targets that compute each for those numbers alone that need it."""

@@ -40,6 +40,14 @@ def _inflation(surface: Surface) -> sp.Expr:
     return RELATIVE_INFLATION * minimum(*known) if known else sp.Integer(0)
 
 
+def _linear(shape: sp.Expr) -> list[sp.Expr] | None:
+    """Return the slopes of an expression that is linear in the position, else None."""
+    along = sp.expand(release(shape))
+    if not along.is_polynomial(*POSITION) or sp.Poly(along, *POSITION).total_degree() != 1:
+        return None
+    return [along.coeff(place) for place in POSITION]
+
+
 def piece_windows(surface: Surface, flight: AirFlight) -> list[Window]:
     """Return the window of a piece: all of it, if it may come into the surface's box."""
     inflation, high = _inflation(surface), horizon
@@ -133,20 +141,32 @@ class AirRootFinder(PolynomialRootFinder):
     def clear(self) -> sp.Expr:
         """Positive if no window opens, or the gap keeps its sign, before the horizon.
 
-        |F| changes by at most |F'| T + C T²/2. Errors of the state may add no more than the largest
-        budget of a search does (`over_budget`). A plane is also missed where the ball stays outside
-        of a bound.
+        A linear F keeps its sign if the path's box is on one side of the surface; any other changes
+        by at most |F'| T + C T²/2. Errors of the state may add no more than the largest budget of a
+        search does (`over_budget`). A plane is also missed where the ball stays outside of a bound.
         """
         if self._boxed:
             return clear(self.windows, self.lost)
-        start = dict(zip(POSITION, self._offsets, strict=True))
-        gap, rate = (barrier(e.xreplace(start)) for e in (self.surface.shape, self._rate))
-        change = barrier(absolute(rate) + barrier(self.ceiling * horizon / 2))
         error = rounding(self.surface.shape, self._budgeted()).error
-        least = barrier(absolute(gap) - barrier(horizon * change) * (1 + BUDGET))
-        kept = barrier(least - 4 * error)
+        kept = barrier(barrier(self._least_gap) - 4 * error)
         outside = self._outside
         return kept if outside is None else barrier(maximum(kept, outside))
+
+    @property
+    def _least_gap(self) -> sp.Expr:
+        """A bound below |F| until the horizon, without errors; negative if F may become zero."""
+        linear = _linear(self.surface.shape)
+        if linear is None:
+            start = dict(zip(POSITION, self._offsets, strict=True))
+            gap, rate = (barrier(e.xreplace(start)) for e in (self.surface.shape, self._rate))
+            change = barrier(absolute(rate) + barrier(self.ceiling * horizon / 2))
+            return barrier(absolute(gap) - barrier(horizon * change) * (1 + BUDGET))
+        box = self.flight.enclosure(horizon)
+        offsets = zip(POSITION, box, self.surface.reference_point, strict=True)
+        middle = {place: barrier(centre - own) for place, (centre, _), own in offsets}
+        reach = sum(sp.Abs(c) * half for c, (_, half) in zip(linear, box, strict=True))
+        gap = barrier(self.surface.shape.xreplace(middle))
+        return barrier(absolute(gap) - barrier(reach) * (1 + BUDGET))
 
     @property
     def _outside(self) -> sp.Expr | None:
@@ -158,10 +178,10 @@ class AirRootFinder(PolynomialRootFinder):
         onto = dict(zip(POSITION, position - plane.distance * plane.normal, strict=True))
         found = []
         for bound in plane.bounds:
-            along = sp.expand(release(bound).xreplace(onto))
-            if not along.is_polynomial(*POSITION) or sp.Poly(along, *POSITION).total_degree() != 1:
+            along = release(bound).xreplace(onto)
+            slopes = _linear(along)
+            if slopes is None:
                 continue
-            slopes = [along.coeff(place) for place in POSITION]
             middle = along.xreplace({p: m for p, (m, _) in zip(POSITION, box, strict=True)})
             reach = sum(abs(c) * half for c, (_, half) in zip(slopes, box, strict=True))
             error = rounding(along, dict.fromkeys(POSITION, there)).error

@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 
 from ..symbolic.symbols import variable
 from .kernel import Kernel, Kind
@@ -47,12 +48,12 @@ class Call:
         for unknown in set(self.outputs) - set(self.kernel.output_names):
             raise ValueError(f"kernel {self.kernel.name} has no output {unknown}")
 
-    @property
+    @cached_property
     def arguments(self) -> tuple[Value, ...]:
         """The values of the kernel's arguments, in calling order."""
         return tuple(self.inputs.get(a, a) for a in map(variable, self.kernel.arguments))
 
-    @property
+    @cached_property
     def assigned(self) -> dict[str, str]:
         """The variable of each output that is used."""
         return {
@@ -60,6 +61,12 @@ class Call:
             for name in self.kernel.output_names
             if self.wanted is None or name in self.wanted
         }
+
+    @cached_property
+    def kinds(self) -> dict[str, Kind]:
+        """The kind of each variable that is assigned."""
+        kinds = dict(zip(self.kernel.output_names, self.kernel.kinds, strict=True))
+        return {variable: kinds[output] for output, variable in self.assigned.items()}
 
 
 @dataclass(frozen=True)
@@ -194,11 +201,9 @@ def writes(nodes: Iterable[Node]) -> dict[str, Kind]:
     found: dict[str, Kind] = {}
     for node in walk(nodes):
         if isinstance(node, Call):
-            kinds = dict(zip(node.kernel.output_names, node.kernel.kinds, strict=True))
-            for output, variable in node.assigned.items():
-                found.setdefault(variable, kinds[output])
-                if found[variable] != kinds[output]:
-                    raise ValueError(f"{variable} is both {found[variable]} and {kinds[output]}")
+            for variable, kind in node.kinds.items():
+                if found.setdefault(variable, kind) != kind:
+                    raise ValueError(f"{variable} is both {found[variable]} and {kind}")
     return found
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from functools import cached_property
 
 from ..ir.event_tree import Call, ForEach, Node, check, live_before, needed, walk, without, writes
 from ..ir.kernel import Kind as VariableKind
@@ -44,7 +45,7 @@ class Loop:
         """True if contacts are counted by body where they happen, and not in fields of a shot."""
         return all(field.name != "count_0" for field in self.fields)
 
-    @property
+    @cached_property
     def kinds(self) -> dict[str, VariableKind]:
         """The type of each field."""
         written = writes(node for stage in self.stages.values() for node in stage)

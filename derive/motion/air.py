@@ -27,10 +27,13 @@ for roundings. With A_k = |V_k|₁ h^k, B_k = |σ_k| h^k and suffix sums S, on [
     |v_n' - f(v_n)| <= d = k_d (Σ_k B_k S^A_{P-k} + (D/s) S^A_0) + |Ω|₁ A_P + ρ'.
 
 Within `TUBE` of v_n the derivative of f is at most L = 2 k_d (S^B_0 + D/s + `TUBE`) + |Ω|₁, so by
-Gronwall's lemma an error E of the velocity at the start is at most G (E + d h) with the growth
-G = 1 / (1 - L h) >= exp(L h) at the end; that is proved if it does not exceed `TUBE`. The position
-is off by h times that. ρ and ρ' are what roundings leave of the two equations: those of a sum of
-k + 1 products, and at most so many more as `SQUARE_ROUNDINGS` and the constants after it say.
+Gronwall's lemma an error E of the velocity at the start is at most G (E + ∫ d) with the growth
+G = 1 / (1 - L h) >= exp(L h) at the end; that is proved if it does not exceed `TUBE`. What is left
+out of the equations, without ρ and ρ', is of order P and more in t. So the integral over the piece
+is h/(P+1) times this part of d, and h times the rest, and the position is off by the second
+integral, h²/((P+1)(P+2)) and h²/2 times these, besides h G E. ρ and ρ' are what roundings leave of
+the two equations: those of a sum of k + 1 products, and at most so many more as `SQUARE_ROUNDINGS`
+and the constants after it say.
 """
 
 from __future__ import annotations
@@ -63,11 +66,11 @@ ORDER = 15
 TOLERANCE = sp.Rational(1, 2**50)
 """m/s: a piece is so long that about this much of the velocity is left out."""
 
-SAFETY = sp.Rational(27, 32)
-"""Share of the estimated length that a piece has."""
+MAX_RADIUS = sp.Integer(3)
+"""Largest radius of convergence that the length of a piece is chosen for, s."""
 
-LONGEST = sp.Integer(1)
-"""Longest piece, s."""
+LONGEST = sp.Rational(1, 3)
+"""Length of the longest piece by the radius of convergence."""
 
 SHORTEST = sp.Rational(1, 2**10)
 """Shortest piece, s."""
@@ -227,6 +230,13 @@ def _suffix_sums(sizes: Sequence[sp.Expr]) -> list[sp.Expr]:
 
 def _sum(terms: Sequence[sp.Expr]) -> sp.Expr:
     return barrier(sp.Add(*terms))
+
+
+def _integrals(truncated: sp.Expr, unrounded: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
+    """Return the integrals over t/h from 0 to 1 of a defect (t/h)^P and a constant, and twice."""
+    order = ORDER + 1
+    once = barrier(truncated / order + unrounded)
+    return once, barrier(truncated / (order * (order + 1)) + unrounded / 2)
 
 
 @dataclass(frozen=True)
@@ -480,20 +490,16 @@ class AirFlight(Flight):
     def _length(self) -> sp.Expr:
         """The length of the piece that the series is good for, s, a multiple of `PIECE_UNIT`."""
         weight = _norm(self.fall)
-        radius = barrier(
-            IfLess(0, weight, AIRSPEEDS[0] / barrier(IfLess(0, weight, weight, 1)), sp.oo)
-        )
+        fallen = barrier(AIRSPEEDS[0] / barrier(IfLess(0, weight, weight, 1)))
         # Without drag the velocity's series says nothing of that of σ, whose radius is about this.
-        longest: sp.Expr = barrier(minimum(LONGEST, radius / 4)) ** 16
-        for k in (ORDER - 1, ORDER):
-            size = _norm(VELOCITIES[k])
-            reach = barrier(TOLERANCE * barrier(radius ** (ORDER + 1 - k)))
-            longest = minimum(longest, IfLess(0, size, barrier(reach / size), sp.oo))
+        radius = barrier(IfLess(0, weight, minimum(MAX_RADIUS, fallen), MAX_RADIUS))
+        before, last = (_norm(VELOCITIES[k]) for k in (ORDER - 1, ORDER))
+        size = barrier(maximum(before, barrier(last * radius)) * barrier(radius ** (ORDER - 1)))
+        share = minimum(LONGEST**16, IfLess(0, size, barrier(TOLERANCE / size), sp.oo))
         for _ in range(4):
-            longest = barrier(sp.sqrt(longest))
-        return barrier(
-            maximum(barrier(barrier(SAFETY * longest + PIECE_GRAIN) - PIECE_GRAIN), SHORTEST)
-        )
+            share = barrier(sp.sqrt(share))
+        length = barrier(radius * share)
+        return barrier(maximum(barrier(barrier(length + PIECE_GRAIN) - PIECE_GRAIN), SHORTEST))
 
     def piece(self) -> dict[str, sp.Expr]:
         """Return the length of the piece, and bounds that hold somewhat beyond it.
@@ -522,10 +528,14 @@ class AirFlight(Flight):
         least = barrier(barrier((1 - CANCELLATION) * b[0]) - sums_b[1])
         sums = barrier(sums_a[0] * counted_a + sums_b[0] * counted_b)
         rounded = barrier(UNIT_ROUNDOFF * barrier(SQUARE_ROUNDINGS * squares + sums))
-        off = barrier(barrier(square + ROUNDING_SLACK * rounded) / least)
+        per_least = barrier(1 / least)
+        off_left_out = barrier(square * per_least)
+        off_rounded = barrier(barrier(ROUNDING_SLACK * rounded) * per_least)
+        off = barrier(off_left_out + off_rounded)
         turning = _norm(magnus_rate)
         left_out = _sum([barrier(b[k] * sums_a[last - k]) for k in range(last + 1)])
-        dragged = barrier(drag_rate * barrier(left_out + barrier(off * sums_a[0])))
+        dragged = barrier(drag_rate * barrier(left_out + barrier(off_left_out * sums_a[0])))
+        truncated = barrier(dragged + barrier(turning * a[last]))
         products = barrier(sums_b[0] * counted_a + sums_a[0] * counted_b)
         drags = barrier(
             drag_rate * barrier(DRAG_ROUNDINGS * barrier(sums_b[0] * sums_a[0]) + products)
@@ -534,20 +544,23 @@ class AirFlight(Flight):
         weight = barrier(barrier(sum(gravity)) * barrier(1 + of.buoyancy))
         lifts = barrier(MAGNUS_ROUNDINGS * barrier(turning * sums_a[0]))
         terms = barrier(barrier(drags + lifts) + WEIGHT_ROUNDINGS * weight)
-        defect = barrier(
-            barrier(dragged + barrier(turning * a[last]))
+        unrounded = barrier(
+            barrier(drag_rate * barrier(off_rounded * sums_a[0]))
             + ROUNDING_SLACK * barrier(UNIT_ROUNDOFF * terms)
             + UNDERFLOW
         )
+        defect = barrier(truncated + unrounded)
         widest = barrier(barrier(sums_b[0] + off) + TUBE)
         slope = barrier(barrier(2 * drag_rate * widest) + turning)
         room = barrier((1 - CANCELLATION) - barrier(time * slope))
         grown = barrier(ROUNDING_SLACK / room)
-        exact = barrier(grown * barrier(defect * time))
+        once, twice = _integrals(truncated, unrounded)
+        exact = barrier(grown * barrier(once * time))
+        moved = barrier(barrier(grown * barrier(twice * time)) * time)
         proved = all_of(Less(0, least), Less(0, room), Less(exact, TUBE / 2))
         path = barrier(8 * barrier(time * sums_a[0]) + extent)
         rolled = barrier(ROUNDING_SLACK * barrier(barrier(2 * _sum(sums_a[1:])) + sums_a[0]))
-        place_error = barrier(ROUNDING_SLACK * barrier(time * exact + UNIT_ROUNDOFF * path))
+        place_error = barrier(ROUNDING_SLACK * barrier(moved + UNIT_ROUNDOFF * path))
         speed_error = barrier(exact + UNIT_ROUNDOFF * rolled)
         per_time = barrier(1 / time)
         # The true velocity is within the tube, and its rate differs by the slope and the defect.

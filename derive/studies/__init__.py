@@ -8,13 +8,18 @@ from ..ir.kernel import Kernel, kernel
 from ..motion.parabola import Parabola
 from ..scenes.scene import Scene
 from ..surfaces import Ring
-from . import aiming, measures, release, share
+from . import aiming, measures, noise, release, share
 
-__all__ = ["ARGUMENTS", "SCENELESS", "aiming", "measures", "study_kernels"]
+__all__ = ["ARGUMENTS", "DRAWING", "SCENELESS", "aiming", "measures", "study_kernels"]
 
 ARGUMENTS = (*aiming.ARGUMENTS, *measures.ARGUMENTS)
 
-SCENELESS = (*release.kernels(), share.wilson_interval())
+_HEADING, _STATE, _JACOBIAN = release.kernels()
+
+DRAWING = (*noise.kernels(), _HEADING, _STATE)
+"""The kernels that draw releases, beside the elementary functions."""
+
+SCENELESS = (*DRAWING, _JACOBIAN, share.wilson_interval())
 """The kernels of studies that need no scene."""
 
 

@@ -1,4 +1,4 @@
-/* Elementary functions of arrays, at the widths that the processor has.
+/* Elementary functions of arrays, and the drawing of releases, at the widths that the processor has.
 
    Generated from templates/c/elementary.c.j2, the same for every scene, with
    Jinja2 3.1.6. Do not edit: change templates/ and run `make generate`.
@@ -23,8 +23,21 @@
 #define WIDE_PASTE(name, width) WIDE_PASTE_(name, width)
 #define WIDE(name) WIDE_PASTE(name, WIDTH)
 
+#if defined(__GNUC__)
+#define APART __attribute__((noinline))
+#else
+#define APART
+#endif
+
+/* Numbers that are computed at a time: what lies between two functions stays in the nearest cache. */
+#define TILE 128
+_Static_assert(TILE % 8 == 0, "a tile is whole vectors");
+
+#include "philox.h"
+
 #define WIDTH 2
 #include "elementary_functions.h"
+#include "drawing.h"
 #undef WIDTH
 
 #if defined(__GNUC__) && defined(__x86_64__)
@@ -36,6 +49,7 @@
 #endif
 #define WIDTH 4
 #include "elementary_functions.h"
+#include "drawing.h"
 #undef WIDTH
 #ifdef __clang__
 #pragma clang attribute pop
@@ -47,6 +61,7 @@
 #endif
 #define WIDTH 8
 #include "elementary_functions.h"
+#include "drawing.h"
 #undef WIDTH
 #ifdef __clang__
 #pragma clang attribute pop
@@ -73,33 +88,52 @@ static int widest(void)
     return 2;
 }
 
-/* Compute a function, by its place in the list, of `count` numbers for each argument, in the default environment.
-   `width` is the number of doubles in a vector, 0 for the widest. Return the width, or -1 if there is no such
-   function or width. */
+#if defined(__GNUC__) && defined(__x86_64__)
+#define EACH_WIDTH(function, ...) \
+    case 2: function##_w2(__VA_ARGS__); break; \
+    case 4: function##_w4(__VA_ARGS__); break; \
+    case 8: function##_w8(__VA_ARGS__); break;
+#else
+#define EACH_WIDTH(function, ...) \
+    case 2: function##_w2(__VA_ARGS__); break;
+#endif
+
+/* Call a function for vectors of `width` doubles, of the widest for 0, in the default environment; return the
+   width, or -1 if there is no such one. */
+#define CALL(function, ...) \
+    uint64_t before[ENVIRONMENT_WORDS]; \
+    const int most = widest(); \
+    if (width == 0) \
+        width = most; \
+    if (width > most) \
+        return -1; \
+    environment_enter(before); \
+    switch (width) { \
+    EACH_WIDTH(function, __VA_ARGS__) \
+    default: width = -1; \
+    } \
+    environment_leave(before); \
+    return width;
+
+/* Compute a function, by its place in the list, of `count` numbers for each argument. Return the number of doubles
+   in a vector, or -1 if there is no such function or width. */
 int elementary_compute(int function, size_t count, const double *const *arguments, double *const *results, int width)
 {
-    const int most = widest();
-    uint64_t before[ENVIRONMENT_WORDS];
-    if (width == 0)
-        width = most;
-    if (function < 0 || function >= 5 || width > most)
+    if (function < 0 || function >= 5)
         return -1;
-    environment_enter(before);
-    switch (width) {
-    case 2:
-        compute_w2(function, count, arguments, results);
-        break;
-#if defined(__GNUC__) && defined(__x86_64__)
-    case 4:
-        compute_w4(function, count, arguments, results);
-        break;
-    case 8:
-        compute_w8(function, count, arguments, results);
-        break;
-#endif
-    default:
-        width = -1;
-    }
-    environment_leave(before);
-    return width;
+    CALL(compute, function, count, arguments, results)
+}
+
+/* Write the noise of shots; return as `elementary_compute` does. */
+int elementary_noise(size_t variables, const uint64_t *streams, const double *weights, const double *deviations, uint64_t seed, uint64_t start, size_t count, double *const *noise, int width)
+{
+    CALL(noise, variables, streams, weights, deviations, seed, start, count, noise)
+}
+
+/* Write the states of releases, given their arguments
+   speed, elevation, azimuth, backspin, sidespin, height, distance, angle;
+   return as `elementary_compute` does. */
+int elementary_release_states(size_t count, const double *const *arguments, const int64_t *strides, double ring_height, double *states, int width)
+{
+    CALL(release_states, count, arguments, strides, ring_height, states)
 }

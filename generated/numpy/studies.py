@@ -15,12 +15,48 @@ from numpy import sqrt as _sqrt
 from numpy import where as _where
 
 RESULTS: dict[str, tuple[str, ...]] = {
+    "uniform_number": ("uniform",),
+    "first_term": ("total",),
+    "next_term": ("total",),
+    "deviation_of_sum": ("noise",),
     "release_heading": ("heading",),
     "release_state": ("x", "y", "z", "vx", "vy", "vz", "wx", "wy", "wz",),
     "release_jacobian": ("vx_by_speed", "vy_by_speed", "vz_by_speed", "vx_by_elevation", "vy_by_elevation", "vz_by_elevation", "vx_by_azimuth", "vy_by_azimuth", "wx_by_azimuth", "wy_by_azimuth", "wx_by_backspin", "wy_by_backspin", "wz_by_sidespin", "z_by_height", "x_by_distance", "y_by_distance", "x_by_angle", "y_by_angle", "vx_by_angle", "vy_by_angle", "wx_by_angle", "wy_by_angle",),
     "wilson_interval": ("low", "high",),
 }
 """The names of the results of each function."""
+
+
+def uniform_number(bits: Any) -> tuple[Any, ...]:
+    """Uniform number in the open interval (0, 1), an odd multiple of 2^-53.
+
+    the middle of an interval of width 2^-52. 2 operations: 1 addition, 1 multiplication.
+    """
+    return (1.1102230246251565e-16 + (2.220446049250313e-16 * bits),)
+
+
+def first_term(weight: Any, normal: Any) -> tuple[Any, ...]:
+    """First term of a sum of weighted normal numbers.
+
+    the product of the correlations' factor with normal numbers. 1 operation: 1 multiplication.
+    """
+    return (weight * normal,)
+
+
+def next_term(total: Any, weight: Any, normal: Any) -> tuple[Any, ...]:
+    """Sum of weighted normal numbers with one more term.
+
+    the product of the correlations' factor with normal numbers. 2 operations: 1 addition, 1 multiplication.
+    """
+    return (total + (weight * normal),)
+
+
+def deviation_of_sum(total: Any, deviation: Any) -> tuple[Any, ...]:
+    """Noise of a variable.
+
+    the deviation times a sum with variance 1. 1 operation: 1 multiplication.
+    """
+    return (total * deviation,)
 
 
 def release_heading(azimuth: Any, angle: Any) -> tuple[Any, ...]:

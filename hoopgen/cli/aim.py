@@ -15,6 +15,7 @@ from hoopgen.hoop.flights import is_in_air
 from hoopgen.hoop.variables import ARGUMENTS, VARIABLES
 from hoopgen.report.provenance import describe_scene
 from hoopgen.report.quantities import format_launch, format_variable
+from hoopgen.scene.lookup import check_hoop
 from hoopgen.study.questions.specification import TOLERANCES, AimQuestion
 from hoopgen.text.numbers import format_count
 from hoopgen.text.shorten import brief, join_names
@@ -25,7 +26,7 @@ from .messages import examples, shown
 from .options import UNITS_IN_WORDS, picture_option, scene_options, units_option, variable_option
 from .place_option import place_option
 from .question_options import question_options
-from .scene_option import article_scene_option, engine_of
+from .scene_option import engine_of, scene_option
 from .types import OUT, Parsed, number_cell
 
 if TYPE_CHECKING:
@@ -96,7 +97,7 @@ def _range(first: str, last: str, by: str) -> tuple[float, ...]:
 @variable_option("backspin", default=0.0)
 @variable_option("sidespin", default=0.0)
 @place_option
-@article_scene_option
+@scene_option
 @scene_options
 @click.option("--csv", "file", type=OUT, help="Write the table: m, m/s, degrees, Hz, s.")
 @picture_option("shot; of several distances the table, with what each release forgives")
@@ -118,7 +119,7 @@ def aim(
     The slowest one, or one with a wanted entry angle, elevation or speed. Its flight leads through
     a point of the ring's plane, and no other can be aimed at; the ring and the board may be met
     before, which is said. How far off each of speed, elevation and azimuth alone may be is found by
-    simulation. With --scene air the flight is through air, where the spins matter, too.
+    simulation. With --scene air or court-air the flight is through air, where spins matter, too.
     """
     from hoopgen.study.questions.aim import aim as aimed
     from hoopgen.study.questions.aim import flight_in_words, met_before
@@ -126,6 +127,7 @@ def aim(
 
     spins = {name: wanted.pop(name) for name in ("backspin", "sidespin")}
     engine = engine_of()
+    check_hoop("hoopgen aim", engine)
     if len(distance) == 1:
         # A single number gives the error that says why there is no such release.
         spun = spins if is_in_air(engine.parameters) else {}

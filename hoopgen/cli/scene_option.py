@@ -156,24 +156,6 @@ no_scene_option = click.option(
 """``--scene`` of a command whose question is a hoop's: it says so."""
 
 
-def _read_article(ctx: click.Context, param: click.Parameter, text: str | None) -> None:
-    if text == "air":
-        _read(ctx, param, text)
-    else:
-        _refuse(ctx, param, text)
-
-
-article_scene_option = click.option(
-    "--scene",
-    metavar="hoop|air",
-    is_eager=True,
-    expose_value=False,
-    callback=_read_article,
-    help="The article's hoop, by default, or that in air.",
-)
-"""``--scene`` of a command whose question is that of the article's hoop, with or without air."""
-
-
 def _vector(kind: Kind, unit: str) -> Parsed[tuple[float, float, float]]:
     def read(text: str) -> tuple[float, float, float]:
         parts = text.split(",")

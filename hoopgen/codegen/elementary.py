@@ -4,8 +4,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
-from hoopgen.derive.elementary import KERNELS
+from hoopgen.derive.elementary import KERNELS, PARTS
 from hoopgen.derive.scenes import SCENES
+from hoopgen.derive.studies import DRAWING
+from hoopgen.derive.studies.noise import RANDOM_BITS
+from hoopgen.derive.studies.release import ARGUMENTS
+from hoopgen.derive.symbolic.symbols import STATE
 
 from .backend import KernelView
 from .c.spelling import SCALARS
@@ -19,6 +23,8 @@ from .straight_line import PrintedBody, print_body, straight_line
 FILES = {
     "numpy/elementary.py.j2": "numpy/elementary.py",
     "c/elementary_functions.h.j2": "c/elementary_functions.h",
+    "c/philox.h.j2": "c/philox.h",
+    "c/drawing.h.j2": "c/drawing.h",
     "c/elementary.c.j2": "c/elementary.c",
 }
 """By template, the file that it makes below generated/."""
@@ -47,8 +53,17 @@ class ElementaryFunction(KernelView):
 def elementary_context(template: str) -> dict[str, object]:
     """Return the variables of a template of the elementary functions."""
     lowered = [lower(kernel) for kernel in KERNELS]
+    parts, drawing = (
+        {kernel.name: ElementaryFunction(lower(kernel)) for kernel in own}
+        for own in (PARTS, DRAWING)
+    )
     return {
         "kernels": [ElementaryFunction(program) for program in lowered],
+        "parts": parts,
+        "drawing": drawing,
+        "random_bits": RANDOM_BITS,
+        "release_arguments": [symbol.name for symbol in ARGUMENTS],
+        "state": [symbol.name for symbol in STATE],
         "derivation": derivation_hash(lowered),
         "stamp": shared_stamp_of(template, SCENES[0]),
     }

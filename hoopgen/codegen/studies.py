@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from hoopgen.derive.scenes import SCENES
-from hoopgen.derive.studies import SCENELESS
+from hoopgen.derive.studies import SCENELESS, noise
 
 from .elementary import ElementaryFunction
 from .js import JsKernel
@@ -13,7 +13,7 @@ from .stamp import shared_stamp_of
 FILES = {"numpy/studies.py.j2": "numpy/studies.py", "js/studies.js.j2": "js/studies.js"}
 """By template, the file that it makes below generated/."""
 
-_NOT_IN_PAGES = ("release_jacobian",)
+_NOT_IN_PAGES = ("release_jacobian", *(one.name for one in noise.kernels()))
 
 
 def studies_context(template: str) -> dict[str, object]:

@@ -111,15 +111,6 @@ class CompiledScene:
         """True for the article's scene, for which some questions have closed formulas."""
         return self.kernels is hoop
 
-    @property
-    def is_hoop_in_air(self) -> bool:
-        """True for the bodies and parameters of the article's scene, in air."""
-        return (
-            self.has_hoop
-            and bool(self.kernels.PIECES)
-            and hoop.PARAMETERS.keys() <= self.table.defaults.keys()
-        )
-
     @cached_property
     def identity(self) -> dict[str, str]:
         """Name and digest of the scene: the same in every process, another for any other scene."""

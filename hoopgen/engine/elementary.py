@@ -8,10 +8,11 @@ else in NumPy. What draws or aims releases uses them, so that a seed has the sam
 from __future__ import annotations
 
 import ctypes
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from functools import cache
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -67,6 +68,16 @@ class Library:
             ctypes.c_void_p,
             ctypes.c_int,
         ]
+        self._noise, self._states = library.elementary_noise, library.elementary_release_states
+        self._noise.restype = self._states.restype = ctypes.c_int
+        self._noise.argtypes = [
+            *(ctypes.c_size_t, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p),
+            *(ctypes.c_uint64, ctypes.c_uint64, ctypes.c_size_t, ctypes.c_void_p, ctypes.c_int),
+        ]
+        self._states.argtypes = [
+            *(ctypes.c_size_t, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_double),
+            *(ctypes.c_void_p, ctypes.c_int),
+        ]
         library.elementary_sources.restype = ctypes.c_char_p
         self.sources: str = library.elementary_sources().decode()
         self._enter, self._leave = library.elementary_enter, library.elementary_leave
@@ -100,12 +111,64 @@ class Library:
         int
             The width; -1 if the processor or the build lacks it, and nothing is written.
         """
-
-        def places(arrays: Sequence[Floats]) -> ctypes.Array[ctypes.c_void_p]:
-            return (ctypes.c_void_p * len(arrays))(*(array.ctypes.data for array in arrays))
-
         number, count = _FUNCTIONS.index(name), len(results[0])
-        return int(self._compute(number, count, places(arguments), places(results), width))
+        return int(self._compute(number, count, _places(arguments), _places(results), width))
+
+    def noise(
+        self,
+        streams: NDArray[np.uint64],
+        factor: Floats,
+        deviations: Floats,
+        seed: int,
+        start: int,
+        noise: Floats,
+        width: int = 0,
+    ) -> int:
+        """Write the noise of variables, and return as `compute` does.
+
+        Parameters
+        ----------
+        streams, factor, deviations
+            (k,), (k, k) and (k,), as of `hoopgen.engine.draws.Noise`.
+        seed
+            From 0 to 2^64 - 1.
+        start
+            The first shot; the last one is below 2^64.
+        noise
+            (k, shots), contiguous.
+        width
+            As of `compute`.
+        """
+        count = noise.shape[1]
+        given = [np.ascontiguousarray(one) for one in (streams, factor, deviations)]
+        places = [one.ctypes.data for one in given]
+        return int(self._noise(len(noise), *places, seed, start, count, _places(noise), width))
+
+    def release_states(
+        self, arguments: Sequence[Floats], ring: float, states: Floats, width: int = 0
+    ) -> int:
+        """Write the states of releases, and return as `compute` does.
+
+        Parameters
+        ----------
+        arguments
+            `hoopgen.engine.draws.ARGUMENTS`: (n,), contiguous, or one number.
+        ring
+            The height of the ring above the floor, m.
+        states
+            (n, 9), contiguous.
+        width
+            As of `compute`.
+        """
+        strides = (ctypes.c_int64 * len(arguments))(*(one.size != 1 for one in arguments))
+        place = states.ctypes.data
+        return int(self._states(len(states), _places(arguments), strides, ring, place, width))
+
+
+def _places(arrays: Iterable[NDArray[Any]]) -> ctypes.Array[ctypes.c_void_p]:
+    """Return where the values of arrays begin."""
+    places = [array.ctypes.data for array in arrays]
+    return (ctypes.c_void_p * len(places))(*places)
 
 
 @cache

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from types import MappingProxyType
-from typing import Any, Literal, overload
+from typing import Literal, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from hoopgen.core.jacobian import Jacobian
 from hoopgen.core.validation import as_doubles, check_angles, check_spins
 from hoopgen.core.variables import STATE
-from hoopgen.engine.elementary import sine_cosine
+from hoopgen.engine.draws import release_states, turns
 from hoopgen.generated.numpy import studies
 
 RING_HEIGHT = 3.048
@@ -25,9 +25,8 @@ not a measurement: a tall player who stands reaches about so high, one who jumps
 _ANGLES = ("elevation", "azimuth", "angle")
 _SPINS = ("backspin", "sidespin")
 
-_OF_STATE = ("speed", "backspin", "sidespin", "height", "distance")
 _OF_JACOBIAN = ("speed", "backspin", "distance")
-"""The arguments of the kernels of releases, beside angles."""
+"""The arguments of the kernel of the derivatives, beside angles."""
 
 FROM_ZERO: Mapping[str, str] = MappingProxyType({"speed": "m/s", "distance": "m"})
 """Arguments of `release` that are never negative, and their units; an angle gives the direction."""
@@ -181,57 +180,13 @@ def states_of(arrays: Mapping[str, NDArray[np.float64]]) -> NDArray[np.float64]:
         shapes = ", ".join(f"{name} {array.shape}" for name, array in arrays.items() if array.ndim)
         raise ValueError(f"release: the shapes do not broadcast: {shapes}") from None
     arrays = {**arrays, **{name: from_zero(name, arrays[name]) for name in FROM_ZERO}}
-    with np.errstate(over="ignore", invalid="ignore"):  # what is not finite is an invalid shot
-        return evaluate_states(arrays, shape)
-
-
-def evaluate_states(
-    arrays: Mapping[str, NDArray[Any]],
-    shape: tuple[int, ...],
-    sine_cosine: Callable[[Any], tuple[Any, Any]] = sine_cosine,
-) -> NDArray[Any]:
-    """Return the states of releases whose arguments broadcast to a shape, without any check.
-
-    Parameters
-    ----------
-    arrays
-        All arguments of `release`; of doubles, or of objects that add and multiply, such as balls.
-    shape
-        Their common shape.
-    sine_cosine
-        Function that returns the sine and the cosine of an array of such objects.
-    """
-    # Nothing is broadcast before it is stored: what all shots share is computed once.
-    found = studies.release_state(
-        **{name: arrays[name] for name in _OF_STATE},
-        ring_height=RING_HEIGHT,
-        **_turns(arrays, sine_cosine),
-    )
-    state = np.empty((*shape, len(found)), np.result_type(*arrays.values()))
-    for component, values in enumerate(found):
-        state[..., component] = values
-    state += 0.0  # no negative zeros
-    return state
-
-
-def _turns(
-    arrays: Mapping[str, NDArray[Any]],
-    sine_cosine: Callable[[Any], tuple[Any, Any]] = sine_cosine,
-) -> dict[str, Any]:
-    """Return the sine and the cosine of each angle of releases, by their names in kernels."""
-    (heading,) = studies.release_heading(arrays["azimuth"], arrays["angle"])
-    angles = {"heading": heading, "elevation": arrays["elevation"], "angle": arrays["angle"]}
-    return {
-        f"{name}_{angle}": value
-        for angle, values in angles.items()
-        for name, value in zip(("sin", "cos"), sine_cosine(values), strict=True)
-    }
+    return release_states(arrays, shape, RING_HEIGHT)
 
 
 def _jacobian(arrays: Mapping[str, NDArray[np.float64]], shape: tuple[int, ...]) -> Jacobian:
-    """Return the derivatives of `evaluate_states` by the arguments of releases."""
+    """Return the derivatives of states by the arguments of releases."""
     found = studies.release_jacobian(
-        **{name: arrays[name] for name in _OF_JACOBIAN}, **_turns(arrays)
+        **{name: arrays[name] for name in _OF_JACOBIAN}, **turns(arrays)
     )
     by = {name: np.zeros((*shape, len(STATE))) for name in arrays}
     for entry, values in zip(studies.RESULTS["release_jacobian"], found, strict=True):

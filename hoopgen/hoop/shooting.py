@@ -15,12 +15,13 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from hoopgen.engine.draws import release_states
 from hoopgen.engine.elementary import arc_tangent, hypotenuse, sine_cosine
 from hoopgen.generated.numpy import hoop
 
 from .flights import Flights
 from .parabolas import Arc, Floats, Values, parabola_through
-from .releases import RING_HEIGHT, evaluate_states
+from .releases import RING_HEIGHT
 
 __all__ = ["MAX_LANDING_ERROR", "ShootingProblem"]
 
@@ -79,7 +80,7 @@ class ShootingProblem:
             "distance": self.point[:, 0],
         }
         shape = np.broadcast_shapes(*(value.shape for value in arguments.values()))
-        states = evaluate_states(arguments, shape)
+        states = release_states(arguments, shape, RING_HEIGHT)
         states[..., 3:5] -= self.moving  # from a place on +x, ahead is -x and the left is -y
         return self.flights.fly(np.broadcast_to(release["time"], shape), states)
 

@@ -22,7 +22,8 @@ from hoopgen.core.plotting import plotting_module
 from hoopgen.core.validation import check_contacts, check_count, check_time_limit
 from hoopgen.core.variables import STATE, check_names
 from hoopgen.derive.scenes.scene import Scene
-from hoopgen.hoop.releases import evaluate_states
+from hoopgen.engine.draws import states_in_numpy
+from hoopgen.hoop.releases import RING_HEIGHT
 from hoopgen.hoop.variables import ARGUMENTS
 from hoopgen.scene.definition import default_max_contacts, default_time_limit, definition, table_of
 from hoopgen.scene.lookup import SceneLike
@@ -296,7 +297,7 @@ class _Pilot:
         if tuple(balls) == STATE:
             return [balls[name] for name in STATE]
         arrays = {name: np.array(ball, object) for name, ball in balls.items()}
-        state = evaluate_states(arrays, (), _sine_cosine).tolist()
+        state = states_in_numpy(arrays, (), RING_HEIGHT, _sine_cosine).tolist()
         sizes = (max(float(c.abs_upper()), 1.0) * (c != 0) for c in state)
         return [
             component + arb(0, ROUNDINGS * size)

@@ -6,12 +6,13 @@ most 0. The search asks it of the ball's centre, which is a linear map away.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from types import MappingProxyType
 
 from hoopgen.text.shorten import brief
 
-from .formulas import ONE, POSITION, ZERO, Formula, FormulaError
+from .formulas import ONE, POSITION, ZERO, Formula, FormulaError, constant, name
 from .inputs import Inputs
 from .polynomials import Polynomial, polynomial, product, total
 
@@ -98,7 +99,12 @@ def bounds(
 
 
 def terms(
-    inputs: Inputs, owner: str, argument: str, given: object, there: Map | LinearMap | None = None
+    inputs: Inputs,
+    owner: str,
+    argument: str,
+    given: object,
+    there: Map | LinearMap | None = None,
+    also: Mapping[str, Formula] = MappingProxyType({}),
 ) -> Terms:
     """Return a polynomial of the ball's centre, from one of the point of contact.
 
@@ -114,14 +120,21 @@ def terms(
         The polynomial as the author wrote it.
     there
         The map from the ball's centre to the point of contact; None for the centre itself.
+    also
+        What other names stand for. A parameter of such a name comes first.
 
     Raises
     ------
     SceneError
         If it is not a polynomial in x, y and z.
     """
-    formula = inputs.read(owner, argument, given, POSITION)
+    others = {other: value for other, value in also.items() if other not in inputs.declared}
+    formula = inputs.read(owner, argument, given, (*POSITION, *others))
     try:
+        if formula.names & others.keys():
+            formula = formula.fold(
+                {own: name(own) for own in formula.names} | others, constant, Formula.sqrt
+            )
         found = polynomial(formula)
         if not any(map(any, found)):
             raise FormulaError(f"{formula} has none of x, y, z")

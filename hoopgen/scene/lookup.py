@@ -23,7 +23,6 @@ __all__ = [
     "HOOP_VARIABLES",
     "STATES",
     "SceneLike",
-    "check_article",
     "check_hoop",
     "outcomes_of",
     "variables_of",
@@ -165,25 +164,3 @@ def check_hoop(what: str, scene: Any) -> None:
         f"{what}: its question is a hoop's, and {said} has none; estimate, compare, map, optimum, "
         "batch, simulate, certify, plot and view take any scene"
     )
-
-
-def check_article(what: str, scene: Any) -> None:
-    """Refuse any scene but the article's hoop, with or without air.
-
-    Parameters
-    ----------
-    what, scene
-        As for `check_hoop`.
-
-    Raises
-    ------
-    ValueError
-        If it is another scene, with or without a hoop.
-    """
-    check_hoop(what, scene)
-    if scene is not None and not (scene.is_hoop or scene.is_hoop_in_air):
-        raise ValueError(
-            f"{what}: it is computed for HOOP, the article's hoop, or AIR, and not for the scene "
-            f"{scene.name}; estimate, compare, map, optimum, batch, simulate, certify, plot and "
-            "view take that"
-        )

@@ -270,7 +270,7 @@ class Surface(Body):
     ----------
     condition
         A polynomial in x, y and z of the *ball's centre*: positive where the ball is free, zero
-        where it touches. Its gradient must not vanish there.
+        where it touches. Its gradient must not vanish there. `ball_radius` is the ball's radius.
     """
 
     _: KW_ONLY

@@ -292,7 +292,7 @@ def _body(
     elif isinstance(body, pieces.Box):
         shape, there = _box(reader, owner, body), None
     elif isinstance(body, pieces.Surface):
-        shape, there = _surface(reader, owner, body), Map()
+        shape, there = _surface(reader, owner, body, ball), Map()
     else:
         raise reader.inputs.wrong(owner, "", f"no such body: {type(body).__name__}")
     if there is None and body.within:
@@ -375,8 +375,9 @@ def _box(reader: _Reader, owner: str, body: pieces.Box) -> Shape:
     return Shape(body.name, "", tuple(sizes.items()))
 
 
-def _surface(reader: _Reader, owner: str, body: pieces.Surface) -> Shape:
-    condition = terms(reader.inputs, owner, "condition", body.condition)
+def _surface(reader: _Reader, owner: str, body: pieces.Surface, ball: Formula) -> Shape:
+    named = {"ball_radius": ball}
+    condition = terms(reader.inputs, owner, "condition", body.condition, also=named)
     return Shape(body.name, "", (), condition=condition)
 
 

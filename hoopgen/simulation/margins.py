@@ -21,6 +21,7 @@ from hoopgen.core.variables import STATE
 from hoopgen.engine.compiled_scene import CompiledScene
 from hoopgen.engine.flight_pieces import FlownPieces
 
+from .surface_changes import NORMAL, ROUNDING, VELOCITY, unit_normal, without_rounding
 from .variations import SHOTS_AT_ONCE, VARIATION, VariedPath
 
 __all__ = ["change_distance", "decision_names"]
@@ -41,8 +42,6 @@ duration of the shot; the others are further on, at equal ratios, up to that dur
 
 HALVINGS = 60
 """Bisections, after which a time of a smallest distance is as good as a double is."""
-
-_NORMAL, _VELOCITY = ("nx", "ny", "nz"), STATE[3:6]
 
 
 def decision_names(scene: CompiledScene) -> tuple[str, ...]:
@@ -193,10 +192,13 @@ class _Margins:
             if body == own:
                 continue
             for other in faces:
-                given = dict(found) | dict.fromkeys(_NORMAL, 0.0)
-                given |= self.path.call(f"{other}_normal", given)
+                given = dict(found) | dict.fromkeys(NORMAL, 0.0)
+                given |= unit_normal(self.path, other, given)
                 varied = self.path.call(f"{other}_vary", given)
-                approach = sum(given[n] * given[v] for n, v in zip(_NORMAL, _VELOCITY, strict=True))
+                varied["gap_change"] = without_rounding(
+                    varied["gap_change"], given, [*arrival[:3]], found["contact_delay"]
+                )
+                approach = sum(given[n] * given[v] for n, v in zip(NORMAL, VELOCITY, strict=True))
                 nears = (np.asarray(varied["gap"]) > 0.0) & (approach < 0.0)
                 self._miss(f"{body}_miss", rows, varied, nears, bounded=body != "end")
 
@@ -214,6 +216,8 @@ class _Margins:
         variables = self.spread.shape[1]
         gradient = np.broadcast_to(change, (variables, len(rows)))
         moved = np.einsum("kj,jki->ji", gradient, self.spread[rows])
+        size = np.einsum("kj,jki->ji", np.abs(gradient), np.abs(self.spread[rows]))
+        moved = np.where(np.abs(moved) <= ROUNDING * size, 0.0, moved)
         return np.asarray(np.abs(margin) / np.sqrt((moved**2).sum(axis=1)))
 
     def _violated(self, rows: Rows, varied: Mapping[str, Any]) -> Floats:
@@ -309,6 +313,8 @@ class _Margins:
             middle = (low + high) / 2
             falls = self._looks(face, rows, middle[:, np.newaxis])[1][:, 0] < 0.0
             low, high = np.where(falls, middle, low), np.where(falls, high, middle)
+        rises = self._looks(face, rows, high[:, np.newaxis])[1][:, 0] >= 0.0  # not into the core
+        rows, start, low = rows[rises], start[..., rises], low[rises]
         varied = self._varied(face, rows, start, low)
         if inside:
             self._note(column, rows, varied["gap"], varied["gap_change"])
@@ -320,8 +326,10 @@ class _Margins:
         given = self.path.given(rows) | dict(zip(VARIATION, start, strict=True)) | {"t": times}
         given |= self.path.fly(rows, times, given)
         given |= self._given(rows, times, varied=given)
-        given |= self.path.call(f"{face}_normal", given)
-        return self.path.call(f"{face}_vary", given)
+        given |= unit_normal(self.path, face, given)
+        found = self.path.call(f"{face}_vary", given)
+        moved = [given[name] for name in VARIATION[:3]]
+        return found | {"gap_change": without_rounding(found["gap_change"], given, moved)}
 
     def _looks(self, face: str, rows: Rows, times: Floats) -> tuple[Floats, Floats]:
         """Return the distances from a face at times of flights, and their rates, (j, times)."""
@@ -331,10 +339,13 @@ class _Margins:
     def _seen(
         self, face: str, given: Mapping[str, Any], shape: tuple[int, ...]
     ) -> tuple[Floats, Floats]:
-        """Return distances from a face and their rates, given the arguments of kernels."""
+        """Return distances from a face and their rates, given the arguments of kernels.
+
+        In the core of a body, where there is no normal, the rate is NaN.
+        """
         gap = self.path.call(f"{face}_vary", dict(given))["gap"]
-        turned = self.path.call(f"{face}_normal", dict(given))
-        rate = sum(turned[n] * given[v] for n, v in zip(_NORMAL, _VELOCITY, strict=True))
+        turned = unit_normal(self.path, face, given)
+        rate = sum(turned[n] * given[v] for n, v in zip(NORMAL, VELOCITY, strict=True))
         gap, rate = (np.broadcast_to(found, int(np.prod(shape))) for found in (gap, rate))
         return gap.reshape(shape), rate.reshape(shape)
 
@@ -349,7 +360,7 @@ class _Margins:
             given |= flown.at(np.searchsorted(shots, rows), times)
         else:
             given |= self.path.call("flight", given)
-        given |= self.path.forces(given) | dict.fromkeys(_NORMAL, 0.0)
+        given |= self.path.forces(given) | dict.fromkeys(NORMAL, 0.0)
         return given if varied is None else given | {n: varied[n] for n in VARIATION}
 
 

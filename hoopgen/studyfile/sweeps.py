@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from hoopgen import plots
 from hoopgen.core.files import write
 from hoopgen.report.quantities import format_launch, format_range, format_variable
-from hoopgen.scene.lookup import check_article, check_hoop
+from hoopgen.scene.lookup import check_hoop
 from hoopgen.simulation.engine import Engine
 from hoopgen.simulation.hoop import HOOP
 from hoopgen.study.jobs.chunks import preparing, run
@@ -198,7 +198,7 @@ def _wanted(context: Context) -> dict[str, Any]:
 
 def ask_aim(context: Context, question: AimQuestion, **work: Any) -> Mapping[str, Any]:
     """Aim from each distance."""
-    check_article("aim", context.engine)
+    check_hoop("aim", context.engine)
     wanted, parameters = _wanted(context), context.setting.parameters
     return aim_table(
         wanted.pop("distance"), **wanted, parameters=parameters, scene=context.engine, **work

@@ -220,10 +220,11 @@
       make("b", { textContent: said(Words.capital(shot.outcome)) }),
       make("span", { textContent: `${words.kind(shot)}, ${words.outcome(shot)}` }),
     );
-    if (shot.uncertain) {
-      const why = ". Uncertain: some decision is within the bound on its rounding error.";
-      $("outcome").append(make("span", { textContent: why }));
-    }
+    const more = [
+      shot.uncertain && "Uncertain: some decision is within the bound on its rounding error.",
+      shot.airless && "While the ball rolls, no air acts along the surface.",
+    ].filter(Boolean);
+    if (more.length) $("outcome").append(make("span", { textContent: `. ${more.join(" ")}` }));
     fill($("release"), words.release(shot));
   }
 

@@ -249,6 +249,7 @@ def _shot(
         surfaces = (*(f"body-{k}" for k in range(len(shots.surfaces))), "end")
         own = flight_parameters(shots, values, row)
     fall = _fall(shots, row, trajectory)
+    airless = "airless_rolls" in shots.scene.layout.results and bool(shots.airless_rolls[row])
     return {
         "label": label,
         "outcome": shots.scene.outcomes(int(shots.outcome[row])).name.lower(),
@@ -258,6 +259,7 @@ def _shot(
         "flights": np.column_stack([starts, turn_vectors(shots, values, states)]).tolist(),
         "rolls": np.flatnonzero(np.diff(rolling, prepend=False)).reshape(-1, 2).tolist(),
         **({} if fall is None else {"floor_time": fall}),
+        **({"airless": True} if airless else {}),
         "events": [
             {
                 "number": number or 0,

@@ -26,6 +26,7 @@ def test_the_closed_form_is_the_slope_of_its_own_height(one: Ball, time: float) 
 
 
 @pytest.mark.parametrize(("one", "times"), [(BALL, TIMES), (SPRING_BALL, SPRING_TIMES)])
+@pytest.mark.sampled(1)
 def test_bouncing_balls_have_the_derivatives_of_the_closed_form(
     one: Ball, times: tuple[float, ...]
 ) -> None:

@@ -38,7 +38,12 @@ def given(name: str, count: int) -> list[np.ndarray]:
     for _ in generated.FUNCTIONS[name][0]:
         values = random.normal(size=count) * 10.0 ** random.uniform(-12.0, 7.0, count)
         if name == "normal_quantile":
-            values = (random.integers(0, 2**52, count) + 0.5) * 2.0**-52
+            # Half of them have any number of leading zeros or ones: tails of all lengths.
+            whole = random.integers(0, 2**52, count) >> random.integers(0, 53, count) * (
+                random.random(count) < 0.5
+            )
+            values = (whole + 0.5) * 2.0**-52
+            values = np.where(random.random(count) < 0.5, values, 1.0 - values)
         values[random.random(count) < 0.01] = np.nan
         arguments.append(values)
     return arguments

@@ -105,6 +105,7 @@ def test_the_slowest_release_through_air_is_slower_than_its_neighbours() -> None
     np.testing.assert_allclose(beside[0], beside[1], rtol=1e-8, atol=0.0)
 
 
+@pytest.mark.slow
 def test_a_speed_has_a_high_and_a_low_flight_through_air() -> None:
     given, _ = rows(6)
     least = aimed({}, **given, parameters=AIR)

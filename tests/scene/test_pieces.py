@@ -212,6 +212,24 @@ def test_a_refusal_names_the_body_and_the_argument(body: Any, said: str) -> None
     assert said in str(refusal.value)
 
 
+@pytest.mark.parametrize("radius", [0.05, "ball", "ball + width/100"])
+def test_a_condition_names_the_ball_s_radius(radius: float | str) -> None:
+    """It means what the scene gives, as if that were written there."""
+    named, written = (
+        scene(Surface("ramp", condition=f"z - x**2/4 - ({said})"), ball_radius=radius)
+        for said in ("ball_radius", radius)
+    )
+    assert named.read == written.read
+
+
+def test_a_parameter_called_ball_radius_is_that_parameter_in_a_condition() -> None:
+    made = scene(
+        Surface("ramp", condition="z - ball_radius"),
+        parameters=(*PARAMETERS, Parameter("ball_radius", 0.3)),
+    )
+    assert [one.default for one in made.inputs if not one.own and "ramp" in one.name] == [-0.3]
+
+
 # Files
 
 FILE = """

@@ -180,6 +180,7 @@ def test_derivatives_chain_with_those_of_a_release() -> None:
         np.testing.assert_allclose(chained["state"][0, :, column], expected, rtol=1e-5, atol=1e-5)
 
 
+@pytest.mark.slow
 def test_distances_to_changes_are_those_of_bisection() -> None:
     for values, known in beside_changes(hoopgen.AIR, {}, throws(30, speed=7.5), 1e-7):
         shots, distance = distances(hoopgen.AIR, {}, values)

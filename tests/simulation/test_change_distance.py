@@ -111,6 +111,40 @@ def test_the_rim_of_the_end_is_a_decision() -> None:
     np.testing.assert_allclose(halved, found / 2, rtol=1e-12)
 
 
+def test_the_distance_of_a_miss_is_that_of_the_ball_however_far_it_is() -> None:
+    """A ball that falls straight down passes the ring where it is as high as the ring."""
+    state = np.array([1.0, 0.0, 0.5, 0.0, 0.0, -1.0, 0.0, 0.0, 0.0])
+    for engine in (hoopgen.HOOP, hoopgen.COURT):
+        shots = engine.simulate(state, derivatives=("x",), record=True)
+        own = engine.parameters
+        expected = 1.0 - own["ring_radius"] - own["wire_radius"] - own["ball_radius"]
+        found = shots.change_distance()[0, shots.decisions.index("ring_miss")]
+        np.testing.assert_allclose(found, expected, rtol=1e-12)
+
+
+def test_the_end_is_no_decision_at_a_contact_with_a_plane_parallel_to_it() -> None:
+    """On the bridge the ball is always as high above the end's plane."""
+    states = np.array([[-0.25, -0.2, 0.4, 0.02, 1.0, -1.0, 0.0, 0.0, 0.0]])
+    for engine in (hoopgen.HOOP, hoopgen.COURT):
+        shots = engine.simulate(states, derivatives=STATE, record=True)
+        assert shots.first[0] == shots.surfaces.index("bridge")
+        assert shots.differentiable[0]
+        distance = shots.change_distance()[0]
+        assert distance[np.isfinite(distance)].max() < 1e3
+
+
+def test_no_distance_is_that_of_a_rounding_error() -> None:
+    values = throws(trials(300), speed=7.5)
+    for engine in (hoopgen.HOOP, hoopgen.COURT):
+        shots, distance = distances(engine, {}, values)
+        met = shots.differentiable & (shots.first == shots.surfaces.index("backboard"))
+        assert met.sum() >= occurrences(20), met.sum()
+        finite = distance[shots.differentiable]
+        assert finite[np.isfinite(finite)].max() < 1e9
+    # The core of the board, which the ball's centre reaches 12 cm behind its front, has no normal.
+    assert np.isinf(distance[met, shots.decisions.index("backboard_touch")]).any()
+
+
 @pytest.mark.slow
 def test_grip_and_slip_are_a_decision_where_there_is_friction() -> None:
     values = throws(trials(200, at_least=40))

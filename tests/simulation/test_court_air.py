@@ -10,7 +10,7 @@ import pytest
 from numpy.typing import NDArray
 
 import hoopgen
-from hoopgen import COURT, COURT_AIR, NBA_COURT_AIR, PAPER_COURT, PAPER_COURT_AIR, Event
+from hoopgen import COURT, NBA_COURT_AIR, PAPER_COURT, PAPER_COURT_AIR, Event
 from hoopgen.engine.verification import even_numbers
 from hoopgen.scene import End, Plane, Scene
 from hoopgen.simulation.court import _KINDS as KINDS
@@ -23,7 +23,7 @@ Floats = NDArray[np.float64]
 
 WANTED = ("outcome", "contacts", "first", "rolls", "slip_left", "time", "state", "uncertain")
 CLAIMED = (*WANTED, "time_error", "state_error")
-SOFT = {f"{body}_restitution": 0.3 for body in COURT_AIR.surfaces}
+SOFT = {f"{body}_restitution": 0.3 for body in COURT.surfaces}
 
 
 def free_throws(count: int, seed: int) -> Floats:
@@ -62,7 +62,9 @@ def carried(parameters: Any) -> float:
 def test_without_air_it_is_the_hoop_of_a_gym(more: dict[str, float]) -> None:
     states = thrown(trials(20_000, at_least=2_000))
     plain = COURT.simulate(states, PAPER_COURT | more, fields=CLAIMED)
-    own = COURT_AIR.simulate(states, PAPER_COURT_AIR | more | {"air_density": 0.0}, fields=CLAIMED)
+    own = hoopgen.COURT_AIR.simulate(
+        states, PAPER_COURT_AIR | more | {"air_density": 0.0}, fields=CLAIMED
+    )
     sure = ~plain.uncertain & ~own.uncertain
     assert sure.mean() > 0.97
     for name in ("outcome", "contacts", "first", "rolls", "slip_left"):
@@ -79,9 +81,9 @@ def test_without_air_it_is_the_hoop_of_a_gym(more: dict[str, float]) -> None:
 @pytest.mark.parametrize("parameters", [PAPER_COURT_AIR | SOFT, NBA_COURT_AIR])
 def test_numpy_and_c_give_the_same_bits(parameters: Any) -> None:
     states = thrown(trials(4_000, at_least=400), seed=2)
-    every = tuple(COURT_AIR.layout.results)
-    by_c = COURT_AIR.simulate(states, parameters, fields=every)
-    by_numpy = COURT_AIR.simulate(states, parameters, fields=every, backend="numpy")
+    every = tuple(hoopgen.COURT_AIR.layout.results)
+    by_c = hoopgen.COURT_AIR.simulate(states, parameters, fields=every)
+    by_numpy = hoopgen.COURT_AIR.simulate(states, parameters, fields=every, backend="numpy")
     for name in every:
         assert np.array_equal(getattr(by_c, name), getattr(by_numpy, name), equal_nan=True), name
 
@@ -89,16 +91,20 @@ def test_numpy_and_c_give_the_same_bits(parameters: Any) -> None:
 def test_proofs_agree_as_far_as_they_go() -> None:
     states = np.concatenate([thrown(trials(24, at_least=10), seed=3)])
     for parameters in (PAPER_COURT_AIR | SOFT, NBA_COURT_AIR):
-        flown = COURT_AIR.simulate(states, parameters, max_contacts=24, record=True, fields=CLAIMED)
+        flown = hoopgen.COURT_AIR.simulate(
+            states, parameters, max_contacts=24, record=True, fields=CLAIMED
+        )
         proof = hoopgen.certify(
-            states, parameters, scene=COURT_AIR, max_contacts=24, max_bits=1024, processes=1
+            states, parameters, scene=hoopgen.COURT_AIR, max_contacts=24, max_bits=1024, processes=1
         )
         assert (proof.decided | proof.accumulates).mean() > 0.95
         assert proof.agrees(flown).all()
 
 
 def test_a_shot_says_that_it_rolled_without_air() -> None:
-    shots = COURT_AIR.simulate(free_throws(trials(2_000, at_least=500), 4), PAPER_COURT_AIR | SOFT)
+    shots = hoopgen.COURT_AIR.simulate(
+        free_throws(trials(2_000, at_least=500), 4), PAPER_COURT_AIR | SOFT
+    )
     assert shots.airless_rolls.any()
     assert (shots.airless_rolls == (shots.rolls > 0)).all()
     assert "airless_rolls" not in COURT.layout.results
@@ -109,7 +115,7 @@ def test_energy_never_grows() -> None:
     """In flights less buoyancy, at impacts, and in rolls, which no air slows."""
     parameters = PAPER_COURT_AIR | SOFT
     states = free_throws(trials(400, at_least=100), 5)
-    shots = COURT_AIR.simulate(states, parameters, record=True)
+    shots = hoopgen.COURT_AIR.simulate(states, parameters, record=True)
     share, rolled = carried(parameters), 0
     for row in range(len(shots)):
         path = shots.trajectory(row)
@@ -128,7 +134,7 @@ def test_energy_never_grows() -> None:
 
 def test_a_ball_leaves_where_air_takes_it_away() -> None:
     """A flight after a roll does not come back to the ring for a while."""
-    shots = COURT_AIR.simulate(
+    shots = hoopgen.COURT_AIR.simulate(
         free_throws(trials(2_000, at_least=500), 6), PAPER_COURT_AIR | SOFT, record=True
     )
     events = shots.events

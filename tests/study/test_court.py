@@ -8,7 +8,6 @@ import math
 import subprocess
 import sys
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
@@ -131,15 +130,25 @@ def test_studies_refuse_what_may_not_be_infinite() -> None:
         hoopgen.estimate(MODEL, {"gravity": INF}, shots=10)
 
 
-def test_questions_of_the_article_s_hoop_say_so_in_a_line() -> None:
-    assert "its question is a hoop's, the article's" in failure("aim", "--scene", "court")
-    asked: list[tuple[str, Any]] = [
-        ("aim", lambda: hoopgen.aim(height=2.1, distance=4.2, scene=COURT)),
-        ("margins", lambda: hoopgen.margins(MODEL, scene=COURT)),
-    ]
-    for name, ask in asked:
-        with pytest.raises(ValueError, match=rf"^{name}: it is computed for HOOP.* scene court"):
-            ask()
+def test_the_article_s_questions_say_so_in_a_line() -> None:
+    assert "its question is a hoop's, the article's" in failure("paper", "--scene", "court")
+
+
+def test_a_release_is_aimed_at_the_whole_hoop_and_its_margins_end_where_it_says() -> None:
+    found = hoopgen.aim(height=2.1, distance=4.2, entry=0.8, scene=COURT)
+    vacuum = hoopgen.aim(height=2.1, distance=4.2, entry=0.8)
+    assert (found.speed, found.elevation) == (vacuum.speed, vacuum.elevation)
+    centre = {name: float(value) for name, value in found.arguments.items()}
+    margin = hoopgen.margins(Scatter(centre), scene=COURT, names=["speed"])["speed"]
+    ends = np.array([margin.low, margin.high])
+    around = np.concatenate([ends, ends + [-1e-6, 1e-6]])
+    states = hoopgen.release(**(centre | {"speed": around}))
+    made = hoopgen.simulate(states, scene=COURT).made
+    assert made.tolist() == [True, True, False, False]
+    words = ("--distance", "4.2m", "--height", "2.1m", "--entry", "0.8rad", "--scene", "court")
+    said = output("aim", *words)
+    assert f"{found.speed:.3f} m/s" in said
+    assert "scene   court, PAPER" in said
 
 
 def test_bank_shots_on_the_whole_hoop_have_the_shares_of_estimates() -> None:
@@ -274,7 +283,7 @@ def test_a_table_may_have_an_infinite_friction_and_results_are_read_again(
     again = output("estimate", "--from", out, "--scene", "court", "--shots", 100, "--json")
     found = json.loads(again)
     assert found["made"] > 0
-    assert found["setting"]["parameters"]["restitution_speed"] == "inf"
+    assert found["setting"]["parameters"]["restitution_speed_m_s"] == "inf"
 
 
 def test_a_column_that_may_not_be_infinite_makes_invalid_rows_alone(tmp_path: Path) -> None:
@@ -381,12 +390,14 @@ def test_a_study_says_the_line_of_what_is_not_allowed(tmp_path: Path, more: str,
     assert f"whole.toml:{len((STUDY + asked).splitlines())}:" in str(refused.value)
 
 
-def test_a_study_of_the_article_s_questions_says_so_in_a_line(tmp_path: Path) -> None:
+def test_a_study_aims_at_the_whole_hoop(tmp_path: Path) -> None:
     file = tmp_path / "whole.toml"
     asked = '\n[[question]]\nkind = "aim"\nname = "one"\ndistance = 4.2\n'
     file.write_text(STUDY + asked, encoding="utf-8")
-    with pytest.raises(StudyError, match="aim: it is computed for HOOP"):
-        run_study(file, tmp_path / "out")
+    run_study(file, tmp_path / "out")
+    (line,) = csv.DictReader((tmp_path / "out" / "one" / "table.csv").read_text().splitlines())
+    found = hoopgen.aim(height=7 * 0.3048, distance=4.2, scene=COURT)
+    np.testing.assert_allclose(float(line["speed_m_s"]), found.speed, rtol=1e-9)
 
 
 # -- Infinite numbers

@@ -386,6 +386,7 @@ def test_a_table_without_states_says_what_is_needed(scene: Engine, tmp_path: Pat
 
 # ---------------------------------------------------------------------------------- command line
 
+AIMED = ("--distance", "4m", "--height", "2m")
 RELEASED = ("--position=50cm,0,30cm", "--velocity=1,0,0")
 
 
@@ -427,7 +428,7 @@ def test_the_command_line_runs_studies_of_a_scene(file: Path, tmp_path: Path) ->
 @pytest.mark.parametrize(
     ("arguments", "said"),
     [
-        (("aim", "--scene", "FILE"), "hoopgen aim: its question is a hoop's, the article's"),
+        (("aim", *AIMED, "--scene", "FILE"), "hoopgen aim: its question is a hoop's, and the"),
         (("paper", "--scene", "FILE"), "hoopgen paper: its question is a hoop's"),
         (("estimate", *RELEASED), "--position is of a shot in a --scene"),
         (("estimate", "--scene", "x.txt"), "hoop, court, air, court-air, or a scene file, .toml"),

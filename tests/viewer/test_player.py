@@ -201,6 +201,22 @@ def test_a_contact_and_the_roll_at_the_same_time_are_both_named(show: Show) -> N
     ]
 
 
+def test_a_roll_in_air_is_said_to_be_without_it(show: Show) -> None:
+    """The sentence is that of shots that roll, in a scene in air, and of no others."""
+    pytest.importorskip("sympy")  # which derives the hoop of a gym in air
+    states = [[0.2, 0.13, 0.3, 0, 0, 0, 0, 0, 0], [0, 0, 0.3, 0, 0, 0, 0, 0, 0]]
+    said = "While the ball rolls, no air acts along the surface."
+    for scene, rolled in ((COURT, False), (hoopgen.COURT_AIR, True)):
+        shots = hoopgen.simulate(states, SOFT, scene=scene, record=True)
+        assert shots.rolls.tolist() == [1, 0]
+        tab = show(page(shots, SOFT))
+        assert (said in tab.text("#outcome")) == rolled
+        tab.run("document.getElementById('shot').value = 1")
+        tab.run("document.getElementById('shot').dispatchEvent(new Event('change'))")
+        assert "made" in tab.text("#outcome").lower()
+        assert said not in tab.text("#outcome")
+
+
 # By night
 
 

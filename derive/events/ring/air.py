@@ -153,7 +153,7 @@ class AirRingRootFinder(RootFinder):
         """Return the time for which rho is certainly at least half of R_H - R."""
         _, _, rho, _, _ = self._now()
         room = barrier(maximum(0, barrier(rho - self._nearest)))
-        return barrier(barrier(room * (1 - sp.Rational(1, 2**10))) / piece_speed)
+        return barrier(barrier(room * (1 - sp.Rational(1, 2**10))) * barrier(1 / piece_speed))
 
     def curvature(self, width: sp.Expr) -> sp.Expr:
         """Return the bound on -F'' as above."""
@@ -186,8 +186,8 @@ class AirRingRootFinder(RootFinder):
         """Return the time in which the ball comes no nearer than to the ring, if that is longer."""
         (_, _, z), _, _, depth, _ = self._now()
         away = barrier(sp.sqrt(barrier(depth**2 + z**2)) - self.ring.reach)
-        sure = barrier(away - margin / self.ring.reach)
-        time = barrier(barrier(sure * (1 - sp.Rational(1, 2**10))) / piece_speed)
+        sure = barrier(away - margin * barrier(1 / self.ring.reach))
+        time = barrier(barrier(sure * (1 - sp.Rational(1, 2**10))) * barrier(1 / piece_speed))
         longer = barrier(minimum(barrier(end - t), IfLess(0, leaving, 0, time)))
         stride = barrier(maximum(stride, longer))
         return barrier(maximum(stride, self._opening())) if self.flight.departs else stride

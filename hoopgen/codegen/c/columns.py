@@ -82,13 +82,21 @@ MACROS: dict[str, Callable[[Any, str], Statement]] = {
 PAIRS = frozenset(("SELECT", "SELECT_MASK", "SELECT_SINGLE", "RETURN"))
 """The macros that are given two names once."""
 
+_CLASSES = {
+    macro: type(make(("of", "of") if macro in PAIRS else "of", "x"))
+    for macro, make in MACROS.items()
+}
+"""By name, the class of the statement that a macro stands for."""
+
 
 def alike(statement: Statement) -> tuple[str, str, str] | None:
     """Return the macro, what it is given once and the variable, if one stands for a statement."""
     of, name = _parts(statement)
     if name:
         for macro, make in MACROS.items():
-            if (macro in PAIRS) == isinstance(of, tuple) and make(of, name) == statement:
+            possible = _CLASSES[macro] is type(statement)
+            possible &= (macro in PAIRS) == isinstance(of, tuple)
+            if possible and make(of, name) == statement:
                 return macro, of if isinstance(of, str) else f"({', '.join(of)})", name
     return None
 

@@ -41,6 +41,7 @@ from .spelling import (
     offset,
     store,
 )
+from .transfers import MIN_COPIED
 from .turns import TurnLoop
 
 
@@ -270,6 +271,7 @@ class CompactedLoop(TurnLoop):
         inside = {name for names in self.inner.values() for name in names}
         need -= {name for names in self.inner.values() for name, loaded in names.items() if loaded}
         own = GroupContext(f"{frame.prefix}{cut.truth}_" if cut else "", {})
+        copied: list[str] = []
         self.frame = frame
         self.named.clear()
         begin, self.beside = self.beside, []
@@ -287,7 +289,10 @@ class CompactedLoop(TurnLoop):
                 body.append(store(kind, at(frame.column(name), "i"), Name(name)))
             frame.known[name] = kind
         if cut:
-            body += self._pack(cut, frame, own, takes, known)
+            homes = set(stored) | set(frame.known) - set(written)
+            copied = [] if frame.prefix else [n for n in takes if n in homes and n != cut.truth]
+            copied = copied if len(copied) >= MIN_COPIED else []
+            body += self._pack(cut, frame, own, takes, known, copied)
         read = visitors.live_before(body)
         body[:0] = [
             Declare(name, "V", self._parameter(frame, name), constant=True)
@@ -299,7 +304,7 @@ class CompactedLoop(TurnLoop):
         if cut:
             found += [Declare(own.count, "size_t", Scalar(0)), *self._parameter_numbers(own, takes)]
         found.append(frame.over([*begin, *body]))
-        found += [self._fill(own, takes)] if cut else []
+        found += [self._fill(own, takes), *self._copy(frame, own, copied)] if cut else []
         return own
 
     def _set_inner(self, nodes: Sequence[Node], columns: set[str], shared: set[str]) -> None:

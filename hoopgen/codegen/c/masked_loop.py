@@ -157,15 +157,15 @@ class MaskedLoop(Lowering):
         values = [*columns, *(self._given(value, known, single) for value in arguments)]
         given, result = self.hoisted.given(node, values), self.local(node.kernel.name)
         yield Call(f"{self.prefix}_{node.kernel.name}", tuple(given), (result,))
-        kinds = dict(zip(node.kernel.output_names, node.kernel.kinds, strict=True))
         for output, variable in node.assigned.items():
             value: Expression = Member(Name(result), output)
+            kind = node.kinds[variable]
             if variable not in known:
-                known[variable] = kinds[output]
-                yield Declare(variable, TYPES[kinds[output]], value)
+                known[variable] = kind
+                yield Declare(variable, TYPES[kind], value)
                 continue
             if variable in outer:
-                value = choose(kinds[output], Name(mask), value, Name(variable))
+                value = choose(kind, Name(mask), value, Name(variable))
             yield Assign(Name(variable), value)
 
     def _given(self, value: str | float, known: Mapping[str, Kind], single: bool) -> Expression:

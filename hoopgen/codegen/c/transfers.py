@@ -43,6 +43,10 @@ from .spelling import (
     zeros,
 )
 
+MIN_COPIED = 34
+"""Least number of columns that are copied to a list shot by shot. Packing costs each row of lanes
+the same however few of its shots go to the list; a copy costs each of these."""
+
 
 @dataclass
 class TransferLoop(OutlinedLoop):
@@ -98,8 +102,23 @@ class TransferLoop(OutlinedLoop):
         own: GroupContext,
         takes: Sequence[str],
         known: Mapping[str, Kind],
+        copied: Sequence[str],
     ) -> Statements:
-        """Return the statement that appends the shots of a guarded body to its list."""
+        """Return the statement that appends the shots of a guarded body to its list.
+
+        Parameters
+        ----------
+        cut
+            The node of the guarded body.
+        frame, own
+            The list at hand, and that of the body.
+        takes
+            The variables that the body takes.
+        known
+            The kinds of variables.
+        copied
+            The variables that `_copy` takes to the list.
+        """
         packed = Name("packed")
         number = Operate("add", (Apply("iota"), Apply("K", (Cast("double", Name("i")),))))
         moves = [pack("double", at(own.column("row"), own.count), packed, number)]
@@ -117,11 +136,29 @@ class TransferLoop(OutlinedLoop):
                 if not is_parameter(name):
                     rare.append(pack("double", place, packed, self._parameter(frame, name)))
             elif not (isinstance(cut, ir.While) and name == cut.truth):
-                moves.append(pack(known[name], place, packed, Name(name)))
                 own.known[name] = known[name]
+                if name not in copied:
+                    moves.append(pack(known[name], place, packed, Name(name)))
         moves += [If(seldom("varying"), tuple(rare))] if rare else []
         mask = Declare("packed", "M", both(Name("rows"), Name(cut.truth)), constant=True)
         return [mask, Compact(own.count, packed, tuple(moves))]
+
+    def _copy(
+        self, frame: GroupContext, own: GroupContext, copied: Sequence[str]
+    ) -> list[Statement]:
+        """Return the statements that copy columns of the shots of a list from those at hand."""
+        if not copied:
+            return []
+        moves = (
+            Assign(
+                Item(Column(own.column(name)), Name("row")),
+                Item(Column(frame.column(name)), Name("k")),
+            )
+            for name in copied
+        )
+        source = Cast("size_t", Item(Column(own.column("row")), Name("row")))
+        k = Declare("k", "size_t", source, constant=True)
+        return [For("row", Name(own.count), (k, *moves))]
 
     def _fill(self, own: GroupContext, takes: Sequence[str]) -> Statement:
         """Return the statement that clears the lanes behind a list's end."""

@@ -266,7 +266,7 @@ def _constants() -> dict[str, str]:
         "watched": friction_limit.NEWTON_STEPS,
         "room": validity.CERTAIN_DISTANCE_FACTOR,
         "piece_order": air.ORDER,
-        "piece_safety": air.SAFETY,
+        "longest_radius": air.MAX_RADIUS,
         "piece_unit": air.PIECE_UNIT,
         "longest_piece": air.LONGEST,
         "shortest_piece": air.SHORTEST,

@@ -131,8 +131,7 @@ class NumPyLoop(Lowering):
         for variable in node.assigned.values():
             names[variable] = local(variable, depth)
         if kernel.single:
-            kinds = dict(zip(kernel.output_names, kernel.kinds, strict=True))
-            self.short |= {v for o, v in node.assigned.items() if kinds[o] == "single"}
+            self.short |= {v for v, kind in node.kinds.items() if kind == "single"}
         targets = [
             names[node.assigned[o]] if o in node.assigned else "_" for o in kernel.output_names
         ]

@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from hoopgen.core.parameters import ParameterValues
 from hoopgen.core.validation import as_doubles
 from hoopgen.core.variables import STATE, Releases, check_names, is_state
+from hoopgen.engine.draws import Noise
 from hoopgen.hoop.presets import NAMES, PAPER
 from hoopgen.hoop.releases import states_of
 from hoopgen.hoop.variables import (
@@ -26,7 +27,7 @@ from hoopgen.text.shorten import brief
 
 from .fitted_scatter import FittedScatter, FittedScatters
 from .measured_columns import Measured, measured_columns, measured_groups, measuring_noise
-from .random import factor, normals
+from .random import check_seed, factor
 from .release_model import (
     Floats,
     Given,
@@ -119,14 +120,10 @@ class Scatter:
         """
         check_drawn(start, stop)
         names = self._scattered()
-        draws = [normals(seed, _stream(name), start, stop) for name in names]
-        mixed = {}
-        for name, row in zip(names, self._mix(), strict=True):
-            # A sum in a fixed order: a matrix product's could depend on the number of shots.
-            parts = [weight * z for weight, z in zip(row, draws, strict=False) if weight]
-            with np.errstate(over="ignore"):  # it is an invalid shot
-                mixed[name] = self.sd[name] * sum(parts[1:], parts[0])
-        return mixed
+        streams = tuple(_stream(name) for name in names)
+        deviations = np.array([self.sd[name] for name in names], np.float64)
+        noise = Noise(streams, self._mix(), deviations).draw(check_seed(seed), start, stop)
+        return dict(zip(names, noise, strict=True))
 
     def draw(
         self, start: int, stop: int, seed: int = 0, parameters: ParameterValues = PAPER
@@ -218,7 +215,8 @@ class Scatter:
 
         The noise of a variable is its deviation times its row times standard normal numbers.
         """
-        return dict(zip(self._scattered(), self._mix(), strict=True))
+        rows = enumerate(self._mix(), 1)
+        return {name: row[:own] for name, (own, row) in zip(self._scattered(), rows, strict=True)}
 
     @property
     def centre(self) -> dict[str, float]:
@@ -281,8 +279,8 @@ class Scatter:
         others = sorted(name for name in self.sd if name not in known)
         return [name for name in (*known, *others) if self.sd.get(name)]
 
-    def _mix(self) -> list[NDArray[np.float64]]:
-        """Return the rows of the lower triangular factor of the correlation matrix."""
+    def _mix(self) -> NDArray[np.float64]:
+        """Return the lower triangular factor of the correlation matrix."""
         names = self._scattered()
         matrix = np.eye(len(names))
         for (a, b), value in self.correlation.items():
@@ -298,9 +296,8 @@ class Scatter:
                 i, j = names.index(a), names.index(b)
                 matrix[i, j] = matrix[j, i] = value
         try:
-            lower = factor(matrix)
+            return factor(matrix)
         except np.linalg.LinAlgError:
             raise ValueError(
                 f"correlation: no distribution has all of these: {brief(dict(self.correlation))}"
             ) from None
-        return [row[: i + 1] for i, row in enumerate(lower)]

@@ -22,7 +22,7 @@ from hoopgen.hoop.presets import PAPER
 from hoopgen.hoop.releases import from_zero, release
 from hoopgen.report.quantities import format_variable
 from hoopgen.results.shots import Shots
-from hoopgen.scene.lookup import SceneLike, check_article
+from hoopgen.scene.lookup import SceneLike, check_hoop
 from hoopgen.simulation.engine import Engine
 from hoopgen.simulation.hoop import HOOP
 from hoopgen.simulation.lookup import engine_of
@@ -215,7 +215,7 @@ def aim(
     backspin: ArrayLike | None = None,
     sidespin: ArrayLike | None = None,
     moving: ArrayLike | None = None,
-    parameters: ParameterValues = PAPER,
+    parameters: ParameterValues | None = None,
     scene: SceneLike = None,
 ) -> Aim:
     """Return the release whose flight comes down through a point.
@@ -254,9 +254,9 @@ def aim(
         Velocity of the place over the floor in the scene's x and y, m/s, (..., 2), such as that of
         a robot that shoots while it drives. Speed, elevation and azimuth are relative to it.
     parameters
-        Of the scene; gravity matters, and in air the ball and the air.
+        Of the scene; gravity matters, and in air the ball and the air. None: the usual ones.
     scene
-        `hoopgen.HOOP` or `hoopgen.AIR`; None: `HOOP`.
+        A hoop: `hoopgen.HOOP`, `COURT`, `AIR` or `COURT_AIR`; None: `HOOP`.
 
     Returns
     -------
@@ -269,9 +269,10 @@ def aim(
         If an argument is not numbers.
     ValueError
         If more than one of the three is given, or `depth` with `target`, shapes do not broadcast,
-        angles are degrees, or, where all arguments are numbers, no release does it.
+        angles are degrees, the scene has no hoop, or, where all arguments are numbers, no release
+        does it.
     """
-    check_article("aim", scene)
+    check_hoop("aim", scene)
     engine = engine_of(scene)
     if arc not in ("high", "low"):
         raise ValueError(f"arc: expected 'high' or 'low', got {brief(arc)}")

@@ -19,7 +19,7 @@ from hoopgen.core.validation import as_doubles, check_spins
 from hoopgen.hoop.flights import is_in_air
 from hoopgen.hoop.parabolas import Arc
 from hoopgen.hoop.presets import PAPER
-from hoopgen.scene.lookup import SceneLike, check_article
+from hoopgen.scene.lookup import SceneLike, check_hoop
 from hoopgen.simulation.engine import Engine
 from hoopgen.simulation.hoop import HOOP
 from hoopgen.simulation.lookup import engine_of
@@ -61,7 +61,7 @@ def aim_table(
     backspin: ArrayLike = 0.0,
     sidespin: ArrayLike = 0.0,
     by: By = "any",
-    parameters: Mapping[str, Any] = PAPER,
+    parameters: Mapping[str, Any] | None = None,
     scene: SceneLike = None,
     threads: int | None = None,
     folder: str | os.PathLike[str] | None = None,
@@ -81,7 +81,7 @@ def aim_table(
     by
         What counts: "any" shot made, "direct" if the board is not touched first, "bank" if it is.
     parameters
-        Of the scene, one number each.
+        Of the scene, one number each; None: the usual ones.
     scene
         As for `aim`.
     threads, folder, scheduler, progress
@@ -104,7 +104,7 @@ def aim_table(
     places = np.atleast_1d(as_doubles("distances", distances))
     if places.ndim != 1:
         raise ValueError(f"distances: expected shape (n,), got {places.shape}")
-    check_article("aim", scene)
+    check_hoop("aim", scene)
     engine = engine_of(scene)
     columns = {
         "backspin": as_doubles("backspin", backspin),

@@ -14,11 +14,10 @@ from numpy.typing import ArrayLike, NDArray
 from hoopgen.core.parameters import ParameterValues
 from hoopgen.core.validation import check_count
 from hoopgen.core.variables import check_names
-from hoopgen.hoop.presets import PAPER
 from hoopgen.hoop.search_range import search_range
 from hoopgen.report.provenance import describe_scene
 from hoopgen.report.quantities import for_json, format_range, format_variable
-from hoopgen.scene.lookup import SceneLike, check_article, variables_of
+from hoopgen.scene.lookup import SceneLike, check_hoop, variables_of
 from hoopgen.simulation.lookup import engine_of
 from hoopgen.study.jobs.monte_carlo import scene_identity
 from hoopgen.study.jobs.objective import Bounds, By, Player, arguments_of, one_each
@@ -29,7 +28,7 @@ from hoopgen.study.models.resample import Resample
 from hoopgen.study.models.scatter import Scatter
 from hoopgen.study.models.smoothed import smoothed
 from hoopgen.study.result import Result
-from hoopgen.study.statistics.tally import check_share
+from hoopgen.study.statistics.tally import check_scene, check_share
 from hoopgen.text.numbers import format_count
 
 from .specification import MARGINS
@@ -114,7 +113,7 @@ class Margin(Result):
 
 def margins(
     model: Scatter | Resample,
-    parameters: ParameterValues = PAPER,
+    parameters: ParameterValues | None = None,
     *,
     scene: SceneLike = None,
     names: Sequence[str] = MARGINS,
@@ -136,9 +135,9 @@ def margins(
         release is the mean of its columns. With `aim` in the release it is the speed that stays as
         it is when another variable is off, unless that is `aim` or `entry`.
     parameters
-        Of the scene, one number each.
+        Of the scene, one number each; None: the usual ones.
     scene
-        `hoopgen.HOOP` or `hoopgen.AIR`; None: `HOOP`.
+        A hoop: `hoopgen.HOOP`, `COURT`, `AIR` or `COURT_AIR`; None: `HOOP`.
     names
         Variables that are off.
     by
@@ -159,14 +158,15 @@ def margins(
     TypeError, ValueError
         If an argument is not as described.
     """
-    check_article("margins", scene)
+    check_hoop("margins", scene)
     engine = engine_of(scene)
     names = check_names("names", names, variables_of(engine))
     check_count("shots", shots)
     check_seed(seed)
     check_share("tolerance", tolerance)
     given = one_each("release", check_model(model, ()).centre, variables_of(engine))
-    player = Player(model.apart()[1], parameters, by, scene=engine).at(given)
+    of_scene = check_scene(parameters, engine)
+    player = Player(model.apart()[1], of_scene, by, scene=engine).at(given)
     if isinstance(model, Resample):
         player = replace(player, model=smoothed(model, seed))
     for name in names:

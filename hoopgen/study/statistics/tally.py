@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from hoopgen.core.parameters import ParameterValues, resolve
 from hoopgen.core.validation import check_contacts, is_whole
 from hoopgen.engine.compiled_scene import CompiledScene
-from hoopgen.hoop.kinds import Kind, kinds
+from hoopgen.hoop.kinds import TOUCHES, Kind, sum_by_kind, touches
 from hoopgen.results.shots import Shots
 from hoopgen.simulation.hoop import HOOP
 from hoopgen.simulation.invalid_shots import allowed, not_allowed, out_of_range
@@ -96,13 +96,15 @@ class Tally:
             The number of settings.
         """
         scene = shots.scene
-        shape = _shape(scene)
-        cell = shots.outcome.astype(np.intp)
+        rows, columns = TOUCHES if scene.has_hoop else 1, len(scene.outcomes)
+        cell = shots.outcome
         if scene.has_hoop:
-            cell += kinds(shots.outcome, shots.counts, shots.first).astype(np.intp) * shape[1]
-        cells = prod(shape)
-        cell.reshape(settings, -1)[:] += np.arange(0, settings * cells, cells)[:, None]
-        counted = np.bincount(cell, minlength=settings * cells)
+            cell = touches(shots.counts, shots.first) * np.uint8(columns) + cell
+        if settings > 1:
+            cell = cell.astype(np.intp)
+            cell.reshape(settings, -1)[:] += np.arange(settings)[:, None] * (rows * columns)
+        counted = np.bincount(cell, minlength=settings * rows * columns)
+        counted = counted.reshape(settings, rows, columns)
         doubt = shots.uncertain.reshape(settings, -1)
         capped = (shots.outcome == scene.outcomes["CAPPED"]).reshape(settings, -1)
         counts = {
@@ -112,7 +114,7 @@ class Tally:
             for result in scene.layout.counted_results
         }
         return cls(
-            counted.reshape(settings, *shape),
+            sum_by_kind(counted) if scene.has_hoop else counted,
             np.count_nonzero(doubt, axis=1),
             np.count_nonzero(doubt & capped, axis=1),
             counts,

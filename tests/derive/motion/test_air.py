@@ -9,7 +9,10 @@ from operator import add, mul, sub, truediv
 from typing import Any
 
 import numpy as np
+import pytest
+import sympy as sp
 from hoopgen.derive.events.event_polynomials import horizon
+from hoopgen.derive.motion import air
 from hoopgen.derive.motion.air import SERIES_KERNELS
 from hoopgen.derive.scenes.air import AIR, AIR_PARAMETERS
 from mpmath import mp, mpf, odefun, sqrt
@@ -123,6 +126,28 @@ def test_the_error_of_a_piece_is_within_its_bound_and_the_bound_is_not_useless()
     assert np.median(ratios) < 300.0
 
 
+def test_the_bound_holds_where_far_more_is_left_out_than_roundings(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(air, "TOLERANCE", sp.Rational(1, 2**24))
+    programs.cache_clear()
+    random = np.random.default_rng(6)
+    ratios = []
+    for _ in range(trials(12, at_least=4)):
+        state = random.normal(size=9) * np.repeat([2.0, 5.0, 20.0], 3)
+        known = begin(state)
+        found = evaluate("flight", known | {"t": known["piece"]})
+        with mp.workdps(40):
+            exact = reference(state, known["piece"])
+            off = [abs(mpf(found[n]) - e) for n, e in zip(NAMES, exact, strict=True)]
+            place, speed = mp.norm(off[:3]), mp.norm(off[3:])
+        assert place <= known["piece_place_error"]
+        assert speed <= known["piece_speed_error"]
+        ratios.append(float(known["piece_speed_error"] / speed))
+    programs.cache_clear()
+    assert np.median(ratios) < 100.0
+
+
 def test_velocity_and_acceleration_are_within_their_bounds_all_along_a_piece() -> None:
     random = np.random.default_rng(6)
     for _ in range(trials(40, at_least=10)):
@@ -196,6 +221,23 @@ def test_a_piece_that_is_outside_of_a_plane_s_bounds_is_clear_of_it_and_no_other
         cleared += clear
         assert not (clear and inside.any())
     assert cleared >= 0.6 * crossing > 20
+
+
+def test_a_piece_that_stays_on_one_side_of_the_end_s_plane_is_clear_of_it_and_no_other_is() -> None:
+    random = np.random.default_rng(10)
+    beside, cleared = 0, 0
+    for _ in range(trials(400, at_least=120)):
+        level = -DEFAULTS["end_depth"] + random.normal(0.0, 0.05)
+        climb = random.uniform(-2.0, 2.0)
+        state = np.array([0.1, 0.2, level, 1.0, -0.5, climb, 0.0, 10.0, 0.0])
+        known = begin(state)
+        clear = run(program_of("end_clear"), known | {"horizon": known["piece"]})["clear"] > 0.0
+        above = path_of(known, known["piece"], 65)[:, 2] > -DEFAULTS["end_depth"]
+        crosses = above.any() and not above.all()
+        beside += not crosses
+        cleared += clear
+        assert not (clear and crosses)
+    assert cleared >= 0.8 * beside > 20
 
 
 def test_a_flight_has_the_check_value_without_spin_and_smoothing() -> None:

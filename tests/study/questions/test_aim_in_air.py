@@ -9,19 +9,20 @@ import pytest
 
 import hoopgen
 from hoopgen import PAPER_AIR, Resample, Scatter, aim
-from hoopgen.simulation.engine import Engine
+from hoopgen.simulation.lookup import BUILT_IN
 from hoopgen.study.questions.aim_table import aim_table
 from tests.helpers.commands import output
 
 pytest.importorskip("sympy")  # which derives the scene in air
 
-AIR: Engine = hoopgen.AIR
+pytestmark = pytest.mark.xdist_group("air")
+
 HERE: dict[str, Any] = {"height": 2.1, "distance": 4.191}
 LANDING = 1e-9
 """m, promised of every aim."""
 
 
-@pytest.mark.parametrize("scene", [hoopgen.HOOP, AIR], ids=["hoop", "air"])
+@pytest.mark.parametrize("scene", ["hoop", "air"])
 @pytest.mark.parametrize(
     "more",
     [
@@ -36,14 +37,13 @@ LANDING = 1e-9
     ],
     ids=lambda one: "-".join(one) or "slowest",
 )
-def test_the_simulated_ball_is_at_the_point_at_the_time(
-    scene: Engine, more: dict[str, Any]
-) -> None:
-    found = aim(**(HERE | more), scene=scene)
+def test_the_simulated_ball_is_at_the_point_at_the_time(scene: str, more: dict[str, Any]) -> None:
+    engine = BUILT_IN[scene]()
+    found = aim(**(HERE | more), scene=engine)
     assert found.landing_error < LANDING
     depth, angle = more.get("depth", 0.0), more.get("angle", 0.0)
     point = more.get("target", (-depth * np.cos(angle), -depth * np.sin(angle), 0.0))
-    (state,) = scene.fly(np.array([found.time]), found.states()[None], dict(found.parameters))
+    (state,) = engine.fly(np.array([found.time]), found.states()[None], dict(found.parameters))
     np.testing.assert_allclose(state[:3], point, rtol=0.0, atol=LANDING)
     assert state[5] < 0.0
     velocity = found.states()[3:6] - np.array([*more.get("moving", (0.0, 0.0)), 0.0])
@@ -55,8 +55,8 @@ def test_the_simulated_ball_is_at_the_point_at_the_time(
 def test_a_certified_shot_goes_through_the_point_that_was_aimed_at() -> None:
     flint = pytest.importorskip("flint")
     assert flint
-    found = aim(**HERE, elevation=0.9, backspin=18.0, depth=0.02, scene=AIR)
-    proof = AIR.certify(found.states(), PAPER_AIR)
+    found = aim(**HERE, elevation=0.9, backspin=18.0, depth=0.02, scene=hoopgen.AIR)
+    proof = hoopgen.AIR.certify(found.states(), PAPER_AIR)
     assert proof.outcome[0] == hoopgen.Outcome.MADE
     assert not proof.contacts[0]
     # The end plane lies below the ring's: the proved end leads back to the point.
@@ -68,15 +68,15 @@ def test_a_certified_shot_goes_through_the_point_that_was_aimed_at() -> None:
 
 
 def test_sidespin_turns_the_ball_aside_and_the_azimuth_corrects_it() -> None:
-    left, right = (aim(**HERE, elevation=0.9, sidespin=s, scene=AIR) for s in (20.0, -20.0))
+    left, right = (aim(**HERE, elevation=0.9, sidespin=s, scene=hoopgen.AIR) for s in (20.0, -20.0))
     assert left.azimuth < -0.01
     np.testing.assert_allclose(left.azimuth, -right.azimuth, rtol=1e-12, atol=0.0)
     assert aim(**HERE, elevation=0.9, sidespin=20.0).azimuth == 0.0  # without air
 
 
 def test_what_a_flight_meets_before_the_point_is_said() -> None:
-    assert "touches the ring" in str(aim(**HERE, speed=7.5, arc="low", scene=AIR))
-    assert "made without a contact" in str(aim(**HERE, elevation=0.9, scene=AIR))
+    assert "touches the ring" in str(aim(**HERE, speed=7.5, arc="low", scene=hoopgen.AIR))
+    assert "made without a contact" in str(aim(**HERE, elevation=0.9, scene=hoopgen.AIR))
 
 
 @pytest.mark.parametrize(
@@ -95,23 +95,63 @@ def test_what_a_flight_meets_before_the_point_is_said() -> None:
 )
 def test_what_cannot_be_aimed_is_said(more: dict[str, Any], said: str) -> None:
     with pytest.raises(ValueError, match=said):
-        aim(**(HERE | more), scene=AIR)
+        aim(**(HERE | more), scene=hoopgen.AIR)
 
 
 def test_rows_without_a_release_are_invalid() -> None:
-    found = aim(height=2.1, distance=[4.191, 400.0], elevation=0.9, scene=AIR)
+    found = aim(height=2.1, distance=[4.191, 400.0], elevation=0.9, scene=hoopgen.AIR)
     np.testing.assert_array_equal(np.isfinite(found.speed), [True, False])
     shots = found.simulate()
     assert shots.outcome.tolist() == [hoopgen.Outcome.MADE, hoopgen.Outcome.INVALID]
 
 
-def test_other_scenes_are_refused() -> None:
-    with pytest.raises(ValueError, match=r"aim: it is computed for HOOP.* or AIR"):
-        aim(**HERE, scene=hoopgen.COURT)
+@pytest.mark.parametrize(
+    ("scene", "article"),
+    [
+        ("court", "hoop"),
+        pytest.param(
+            "court-air",
+            "air",
+            marks=[pytest.mark.slow, pytest.mark.xdist_group("court_air")],  # compiled in minutes
+        ),
+    ],
+)
+def test_a_release_at_the_hoop_of_a_gym_is_that_at_the_article_s(scene: str, article: str) -> None:
+    wanted = {"entry": 0.8, "backspin": 18.0, "sidespin": 6.0}
+    gym, plain = BUILT_IN[scene](), BUILT_IN[article]()
+    found, same = (aim(**HERE, **wanted, scene=one) for one in (gym, plain))
+    assert found.landing_error < LANDING
+    # The flight is the same up to the rounding of two programs of it.
+    np.testing.assert_allclose(found.states(), same.states(), rtol=0.0, atol=1e-12)
+    assert "made without a contact" in str(found)
+    centre = {name: float(value) for name, value in found.arguments.items()}
+    margin = hoopgen.margins(Scatter(centre), scene=gym, names=["azimuth"])["azimuth"]
+    alike = hoopgen.margins(Scatter(centre), scene=plain, names=["azimuth"])["azimuth"]
+    # To the sides only the inside of the ring ends the margin, which both hoops have.
+    assert margin.low < margin.value < margin.high
+    np.testing.assert_allclose(margin.searched, alike.searched, rtol=0.0, atol=0.0)
 
 
+def test_a_scene_without_a_hoop_is_refused() -> None:
+    floor = hoopgen.Scene(
+        "floor",
+        bodies=[hoopgen.scene.Plane("floor", at=0)],
+        ball_radius=0.1,
+        gravity=9.81,
+        restitution=0.5,
+        ends={"side": hoopgen.scene.End(axis="x", at=10)},
+        air=True,
+    )
+    for name in ("aim", "margins"):
+        with pytest.raises(ValueError, match=rf"^{name}: its question is a hoop's, and the scene"):
+            getattr(hoopgen, name)(**(HERE if name == "aim" else {"model": None}), scene=floor)
+
+
+@pytest.mark.slow
 def test_a_table_in_air_hits_with_its_spin() -> None:
-    table = aim_table([3.0, 5.0], height=2.1, entry=0.85, sidespin=8.0, backspin=12.0, scene=AIR)
+    table = aim_table(
+        [3.0, 5.0], height=2.1, entry=0.85, sidespin=8.0, backspin=12.0, scene=hoopgen.AIR
+    )
     assert np.all(table["azimuth"] < 0.0)
     assert np.all(table["low_speed"] < table["speed"])
     assert np.all(table["speed"] < table["high_speed"])
@@ -122,7 +162,7 @@ def test_a_table_in_air_hits_with_its_spin() -> None:
 @pytest.mark.parametrize("by", [{"aim": 0.05, "elevation": 0.9}, {"aim": 0.05, "entry": 0.8}])
 def test_releases_by_aim_and_entry_go_through_the_point_in_air(by: dict[str, float]) -> None:
     wanted = {name: value for name, value in by.items() if name != "aim"}
-    found = aim(**HERE, depth=0.05, backspin=18.0, **wanted, scene=AIR)
+    found = aim(**HERE, depth=0.05, backspin=18.0, **wanted, scene=hoopgen.AIR)
     given = {**HERE, **by, "backspin": 18.0}
     drawn = Scatter(given).draw(0, 1, 0, PAPER_AIR)
     np.testing.assert_allclose(drawn.states[0], found.states(), rtol=1e-12, atol=1e-13)
@@ -131,20 +171,21 @@ def test_releases_by_aim_and_entry_go_through_the_point_in_air(by: dict[str, flo
     np.testing.assert_array_equal(sampled.states, np.repeat(drawn.states, 2, axis=0))
 
 
+@pytest.mark.slow
 def test_an_estimate_of_releases_by_entry_in_air_says_what_that_of_its_speed_says() -> None:
     sd = {"speed": 0.05, "elevation": 0.01}
     by_entry = Scatter({**HERE, "entry": 0.8, "backspin": 18.0}, sd)
-    found = aim(**HERE, entry=0.8, backspin=18.0, scene=AIR)
+    found = aim(**HERE, entry=0.8, backspin=18.0, scene=hoopgen.AIR)
     given = {n: float(v) for n, v in found.arguments.items()}
     first, second = (
-        hoopgen.estimate(one, PAPER_AIR, scene=AIR, shots=2000)
+        hoopgen.estimate(one, PAPER_AIR, scene=hoopgen.AIR, shots=2000)
         for one in (by_entry, Scatter(given, sd))
     )
     assert first.made == second.made
     # A release of the parabola's is short, and goes in less often.
     vacuum = aim(**HERE, entry=0.8)
     short = given | {"speed": float(vacuum.speed), "elevation": float(vacuum.elevation)}
-    third = hoopgen.estimate(Scatter(short, sd), PAPER_AIR, scene=AIR, shots=2000)
+    third = hoopgen.estimate(Scatter(short, sd), PAPER_AIR, scene=hoopgen.AIR, shots=2000)
     assert third.probability < first.probability / 2
 
 
@@ -163,7 +204,7 @@ def test_the_command_aims_through_air() -> None:
     ]
     said = output("aim", *words, "--scene", "air")
     spins = {"backspin": 6.0 * np.pi, "sidespin": 4.0 * np.pi}
-    found = aim(**HERE, entry=np.radians(46.0), **spins, scene=AIR)
+    found = aim(**HERE, entry=np.radians(46.0), **spins, scene=hoopgen.AIR)
     assert f"{found.speed:.3f} m/s" in said
     assert f"azimuth {np.degrees(found.azimuth):.1f}°" in said
     assert "scene   air, PAPER" in said

@@ -118,6 +118,7 @@ def test_where_nothing_chaotic_happens_the_change_is_exact() -> None:
         assert found.outcome == "far"
 
 
+@pytest.mark.slow
 def test_another_end_can_count() -> None:
     engine = hoopgen.compile(WALL)
     shots = engine.simulate([0.25, 0, 0, 0, 0, 0, 0, 0, 0])

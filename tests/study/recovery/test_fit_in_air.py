@@ -14,7 +14,7 @@ pytest.importorskip("sympy")
 from scipy.stats import binomtest
 
 import hoopgen
-from hoopgen import AIR, NBA_AIR, fit_release
+from hoopgen import NBA_AIR, fit_release
 from hoopgen.study.recovery.bends import FlightsInAir
 from hoopgen.study.recovery.estimator import EFFICIENCY
 from hoopgen.study.recovery.fit_release import UNSETTLED
@@ -40,18 +40,20 @@ def throws(count: int, seed: int) -> tuple[Floats, Floats]:
         height=2.1336,
         distance=4.191,
     )
-    shots = hoopgen.simulate(states, NBA_AIR, scene=AIR, max_contacts=1)
+    shots = hoopgen.simulate(states, NBA_AIR, scene=hoopgen.AIR, max_contacts=1)
     return states, shots.time
 
 
 def tracks(states: Floats, contact: Floats, times: Floats) -> Floats:
     """Return positions before the first contacts, (n, m, 3), NaN afterwards."""
-    found = AIR.follow(np.broadcast_to(times, (len(states), len(times))), states, NBA_AIR)
+    found = hoopgen.AIR.follow(np.broadcast_to(times, (len(states), len(times))), states, NBA_AIR)
     return np.where((times < contact[:, None])[..., None], found, np.nan)
 
 
 def fit(times: Floats, positions: Floats, **options: object) -> hoopgen.FittedReleases:
-    return fit_release(times, positions, scene=AIR, parameters=NBA_AIR, backspin=SPIN, **options)
+    return fit_release(
+        times, positions, scene=hoopgen.AIR, parameters=NBA_AIR, backspin=SPIN, **options
+    )
 
 
 def bounds(states: Floats, contact: Floats, times: Floats, noise: float) -> Floats:
@@ -62,7 +64,7 @@ def bounds(states: Floats, contact: Floats, times: Floats, noise: float) -> Floa
         moved[:, np.arange(6), np.arange(6)] += sign * step
         rows = moved.reshape(-1, 9)
         every = np.broadcast_to(times, (len(rows), len(times)))
-        ends.append(AIR.follow(every, rows, NBA_AIR).reshape(len(states), 6, len(times), 3))
+        ends.append(hoopgen.AIR.follow(every, rows, NBA_AIR).reshape(len(states), 6, len(times), 3))
     design = (ends[0] - ends[1]) / (2.0 * step)
     inside = (times < contact[:, None])[:, None, :, None]
     information = np.einsum("npmk,nqmk->npq", design * inside, design)
@@ -114,7 +116,9 @@ def test_a_release_before_the_first_frame_or_within_the_track_is_that_of_the_fli
     before = fit(times, positions, noise=0.01, release_time=0.0)
     np.testing.assert_allclose(before.states, states, rtol=0, atol=1e-5)
     late = fit(times, positions, noise=0.01, release_time=0.3)
-    np.testing.assert_allclose(late.states, AIR.fly(0.3, states, NBA_AIR), rtol=0, atol=1e-5)
+    np.testing.assert_allclose(
+        late.states, hoopgen.AIR.fly(0.3, states, NBA_AIR), rtol=0, atol=1e-5
+    )
     # What is known later is the same, carried there by the flight.
     size = np.sqrt(np.diagonal(late.covariance, axis1=1, axis2=2))
     assert np.all(size[:, :3] < np.sqrt(np.diagonal(before.covariance, axis1=1, axis2=2))[:, :3])
