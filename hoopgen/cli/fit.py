@@ -33,6 +33,8 @@ A column of another name is read with --column time_ms=Timestamp. Rows need no o
         "hoopgen fit tracks.csv --out releases.csv --preset nba",
         "hoopgen fit tracks.csv --out releases.csv --preset nba --noise 2cm --track shot \\",
         "    --release-time detect --keep player --backspin 3Hz",
+        "hoopgen fit tracks.csv --out releases.csv --scene court --preset nba --backspin 3Hz \\",
+        "    --backspin-sd 1Hz",
         "hoopgen batch releases.csv --out results.csv",
     )
 )
@@ -58,7 +60,7 @@ def fit(
     """Fit the releases of a table of tracks, positions of the ball by time.
 
     FILE is CSV, Parquet, Arrow or .xlsx. Each track is the flight of a ball from its release to
-    its first contact; frames after that are left out. The positions do not determine the spin.
+    its first contact; frames after that are left out, unless --backspin-sd asks for the backspin.
     """
     from hoopgen.study.named_units import in_units
     from hoopgen.study.recovery.table import fit_table

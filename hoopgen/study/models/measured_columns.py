@@ -10,7 +10,6 @@ from numpy.typing import ArrayLike, NDArray
 
 from hoopgen.core.validation import as_doubles
 from hoopgen.core.variables import STATE, check_names, is_state
-from hoopgen.hoop.arguments import FLIGHT_ARGUMENTS
 from hoopgen.hoop.variables import ARGUMENTS, STANDS_FOR, check_angles
 from hoopgen.text.shorten import brief, join_names
 
@@ -24,16 +23,13 @@ class WithErrors(Protocol):
     """Releases whose measuring errors are known, such as `FittedReleases`."""
 
     credible: NDArray[np.bool_]
-    backspin: Floats | None
 
     @property
-    def variables(self) -> Mapping[str, Floats]:
-        """Return `FLIGHT_ARGUMENTS`, (n,) each."""
-        ...
+    def measured(self) -> tuple[Mapping[str, Floats], Floats]:
+        """Return the arguments of the release, (n,) each, and the covariance of the first k.
 
-    @property
-    def variables_covariance(self) -> Floats:
-        """Return the covariance of their errors, (n, 6, 6)."""
+        The covariance, (n, k, k), is that of the errors.
+        """
         ...
 
 
@@ -55,11 +51,9 @@ def measured_columns(
     if isinstance(table, WithErrors):
         if isinstance(group, str):
             raise ValueError(f"group: fitted releases have no column {brief(group)}; give labels")
-        columns = {name: np.array(one) for name, one in table.variables.items()}
+        columns = {name: np.array(one) for name, one in table.measured[0].items()}
         for one in columns.values():
             one[~table.credible] = np.nan
-        if table.backspin is not None:
-            columns["backspin"] = np.asarray(table.backspin, np.float64)
         return columns, group
     if isinstance(table, Resample):
         if isinstance(group, str):
@@ -136,9 +130,10 @@ def measuring_noise(
     found: dict[tuple[str, str], Floats] = {}
     if given is None:
         if isinstance(table, WithErrors):
-            covariance = table.variables_covariance
-            for i, a in enumerate(FLIGHT_ARGUMENTS):
-                for j, b in enumerate(FLIGHT_ARGUMENTS[: i + 1]):
+            values, covariance = table.measured
+            names = tuple(values)[: covariance.shape[1]]
+            for i, a in enumerate(names):
+                for j, b in enumerate(names[: i + 1]):
                     found[a, b] = covariance[:, i, j]
         return found
     for key, value in given.items():

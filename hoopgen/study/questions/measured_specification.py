@@ -66,7 +66,13 @@ class FitQuestion:
         None,
     )
     backspin: float | None = setting(
-        "Backspin of all releases, to write with them; positions do not determine it.",
+        "Backspin of all releases; the flight to the first contact does not determine it.",
+        Quantity("spin"),
+        None,
+    )
+    backspin_sd: float | None = setting(
+        "How uncertain the backspin is, as a standard deviation: then it is fitted, too, by the "
+        "flight after the first contact, and in air by all of the flight.",
         Quantity("spin"),
         None,
     )

@@ -20,6 +20,7 @@ from hoopgen.text.shorten import brief
 from .axes_check import above_floor, unit_of
 from .bends import bends_of
 from .estimator import ROUGH, TOLERANCE, Flags, Floats
+from .fitted_backspin import LEVEL, with_backspin
 from .fitted_releases import FittedReleases
 from .frames import (
     MAX_OUTLIERS,
@@ -33,9 +34,6 @@ from .frames import (
 )
 from .spins import Spins, spins_of
 from .tracks import Tracks, as_tracks
-
-LEVEL = 0.001
-"""Share of good tracks whose residuals are called too large."""
 
 _FREE_ROUNDS = 4
 """Rounds after which the flight only becomes shorter, so that a frame at the contact cannot come
@@ -66,6 +64,7 @@ def fit_release(
     release_time: ArrayLike | Literal["detect"] | None = None,
     spin: ArrayLike | None = None,
     backspin: ArrayLike | None = None,
+    backspin_sd: ArrayLike | None = None,
     rounds: int = 10,
 ) -> FittedReleases:
     """Fit the releases of measured tracks, each the flight of a ball to its first contact.
@@ -106,6 +105,12 @@ def fit_release(
         without air do not determine the spin.
     backspin
         rad/s about the horizontal axis across the fitted flight, one or (n,), in place of `spin`.
+    backspin_sd
+        Standard deviation of what is known of the backspin before the track, rad/s, one or (n,).
+        With it the backspin is fitted, too: by the flight after the first contact, which is in the
+        fit then, and in air by the force on the spinning ball. `math.inf` for no knowledge, where
+        `backspin` may be missing. The contact is that of the scene, whose restitutions, frictions
+        and places of bodies are taken to be known. None: the backspin is known exactly.
     rounds
         Most times that the cut at the first contact is made.
 
@@ -124,7 +129,7 @@ def fit_release(
     measured = as_tracks(times, positions, tracks)
     values = resolve(parameters, len(measured), engine.table)
     given = _noise(noise)
-    spins = spins_of(spin, backspin, len(measured))
+    spins = spins_of(spin, backspin, backspin_sd, len(measured))
     start, detect = _release_times(release_time, measured)
     problem = _Problem(engine, values, measured, given, start, detect, spins)
     problem.settle(check_count("rounds", rounds))
@@ -274,7 +279,7 @@ class _Problem:
         reasons = self._reasons(fitted, off, outliers, kept)
         residuals = np.moveaxis(part.positions - self.lines.at(part.times), 0, -1)
         residuals[~self.frames] = np.nan
-        return FittedReleases(
+        found = FittedReleases(
             states=states,
             covariance=covariance,
             time=np.where(fitted, self.release + tracks.first, np.nan),
@@ -292,6 +297,14 @@ class _Problem:
             parameters=self.values,
             scene=self.engine,
         )
+        if self.spins.precision is None:
+            return found
+        frames = self.there, self.frames
+        fall, misfits = self.bends.fall, (TOO_LARGE, TWO_FLIGHTS, IN_HAND)
+        # In air a wrong backspin bends the first flight otherwise, too.
+        doubtful = np.array([one in misfits for one in reasons], np.bool_)
+        doubtful &= bool(self.engine.kernels.PIECES)
+        return with_backspin(found, tracks, frames, self.release, fall, self.spins, doubtful)
 
     def _reasons(self, fitted: Flags, off: Floats, outliers: Flags, kept: Flags) -> tuple[str, ...]:
         """Return why each track is not credible, "" for one that is."""

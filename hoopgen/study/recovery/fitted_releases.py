@@ -6,12 +6,12 @@ from collections import Counter
 from collections.abc import Hashable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
-from math import floor, inf, isinf, log10
+from math import inf, isinf
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.special import chdtri, stdtrit
+from scipy.special import stdtrit
 
 from hoopgen.core.extras import require
 from hoopgen.core.parameters import Value
@@ -22,7 +22,6 @@ from hoopgen.hoop.arguments import FLIGHT_ARGUMENTS, arguments_jacobian, argumen
 from hoopgen.hoop.variables import ARGUMENTS
 from hoopgen.simulation.engine import Engine
 from hoopgen.simulation.simulate import simulate
-from hoopgen.study.models.random import POSTERIOR, normals, uniforms
 from hoopgen.study.named_units import unit_in
 from hoopgen.study.result import Result
 from hoopgen.study.statistics.intervals import wilson_interval
@@ -32,7 +31,9 @@ from hoopgen.text.numbers import format_count
 from hoopgen.text.tables import table
 
 from .backspin import states_with_backspin
+from .fitted_text import first_cells
 from .made import MadeGivenTrack
+from .posterior import draw_errors, without_prior
 
 if TYPE_CHECKING:
     from pandas import DataFrame
@@ -44,15 +45,6 @@ Flags = NDArray[np.bool_]
 _SHOTS = 1 << 18
 """Shots that are simulated together."""
 
-_SHOWN = 10
-"""Releases that are listed in text."""
-
-
-def _decimals(errors: Floats) -> int:
-    """Return the decimals that show one or two digits of standard errors."""
-    known = errors[np.isfinite(errors) & (errors > 0.0)]
-    return int(np.clip(1 - floor(log10(np.median(known))), 2, 9)) if len(known) else 2
-
 
 @dataclass(frozen=True, eq=False, repr=False)
 class FittedReleases(Result):
@@ -62,11 +54,12 @@ class FittedReleases(Result):
     ----------
     states
         At the release, (n, 9): x y z (m), vx vy vz (m/s), wx wy wz (rad/s). The spin is what was
-        given, 0 if nothing was: positions do not determine it.
+        given, 0 if nothing was, or the fitted backspin.
     covariance
         Of position and velocity, (n, 6, 6), SI: right if the errors are normal and independent.
         Outliers are not counted as frames in it; that they move the fit a little is not in it, nor
-        that parameters and, in air, the spin are not known exactly.
+        that parameters and, in air, the spin are not known exactly. With a fitted backspin, which
+        is the last variable then, (n, 7, 7).
     time
         Of the release, (n,), s, on the clock of the frames.
     residuals
@@ -77,8 +70,9 @@ class FittedReleases(Result):
     degrees
         Degrees of freedom of each estimate of the noise; infinite if it was given.
     frames
-        Which frames lie between the release and the first contact, in the shape of the times: they
-        are in the fit, outliers with their small weight.
+        Which frames lie between the release and the first contact, in the shape of the times, and
+        if the backspin is fitted those of the flight after it: they are in the fit, outliers with
+        their small weight.
     outliers
         Which of them are outliers: residuals that one frame of 10,000 has by chance.
     counts
@@ -91,17 +85,20 @@ class FittedReleases(Result):
         lie on another parabola), frames before the flight begins (the first two are outliers),
         the fit or its cut at the first contact does not settle, the estimated noise is larger than
         the ball (all tracks at a hoop are called so; their unit or clock is another one), or the
-        fitted release cannot be simulated. "" for a credible one.
+        fitted release cannot be simulated. Of a fitted backspin: the frames after the first contact
+        do not fit it, or nothing shows the backspin. "" for a credible one.
     labels
         Of the tracks, as given; else their numbers from 0.
     backspin
-        rad/s, (n,), if that was given; else None.
+        rad/s, (n,), if that was given or fitted; else None.
     spin_given
         Whether the spin was given in any way.
     parameters
         Of the scene: one number each, or (n,).
     scene
         In which the first contacts were found.
+    backspin_before
+        Of a fitted backspin the mean and the inverse variance before the track, (n,) each.
     """
 
     states: Floats
@@ -120,6 +117,7 @@ class FittedReleases(Result):
     spin_given: bool
     parameters: Mapping[str, Value]
     scene: Engine
+    backspin_before: tuple[Floats, Floats] | None = None
 
     def __len__(self) -> int:
         return len(self.states)
@@ -132,11 +130,32 @@ class FittedReleases(Result):
 
     @cached_property
     def variables_covariance(self) -> Floats:
-        """Return the covariance of the errors of `variables`, (n, 6, 6), of first order."""
-        jacobian = arguments_jacobian(self.states)
+        """Return the covariance of the errors of `variables`, (n, 6, 6), of first order.
+
+        If the backspin is fitted, it is the last variable, (n, 7, 7).
+        """
+        jacobian = np.zeros(self.covariance.shape)
+        jacobian[:, :6, :6] = arguments_jacobian(self.states)
+        jacobian[:, 6:, 6:] = 1.0
         with np.errstate(invalid="ignore"):
             found = np.einsum("nij,njk,nlk->nil", jacobian, self.covariance, jacobian)
         return np.asarray(found)
+
+    @cached_property
+    def measured(self) -> tuple[dict[str, Floats], Floats]:
+        """Return what the tracks alone say: `variables` with the spin, and their covariance.
+
+        A fitted backspin is here without what was known of it before the track, as `Scatter.fit`
+        needs it, which finds out how a player's backspins differ.
+        """
+        found = dict(self.variables)
+        if self.backspin is not None:
+            found["backspin"] = np.asarray(self.backspin)
+        if self.backspin_before is None:
+            return found, self.variables_covariance
+        stacked = np.stack([*found.values()], axis=1)
+        alone, covariance = without_prior(stacked, self.variables_covariance, *self.backspin_before)
+        return dict(zip(found, alone.T, strict=True)), covariance
 
     @cached_property
     def standard_errors(self) -> Mapping[str, Floats]:
@@ -147,8 +166,14 @@ class FittedReleases(Result):
         with np.errstate(invalid="ignore"):
             found = np.sqrt(np.diagonal(self.variables_covariance, axis1=1, axis2=2))
             own = np.sqrt(np.diagonal(self.covariance, axis1=1, axis2=2))
-        named = dict(zip(FLIGHT_ARGUMENTS, found.T, strict=True))
-        return named | dict(zip(STATE[:6], own.T, strict=True))
+        names = (*FLIGHT_ARGUMENTS, *self.fitted_spin)
+        named = dict(zip(names, found.T, strict=True))
+        return named | dict(zip(STATE[:6], own.T[:6], strict=True))
+
+    @property
+    def fitted_spin(self) -> tuple[str, ...]:
+        """The name of the spin if that is fitted, else none."""
+        return ("backspin",) if self.covariance.shape[1] > 6 else ()
 
     def intervals(self, confidence: float = 0.95) -> dict[str, tuple[Floats, Floats]]:
         """Return the ends of confidence intervals, (n,) each, of what has a standard error.
@@ -164,6 +189,8 @@ class FittedReleases(Result):
         # The t distribution with 1e9 degrees of freedom is the normal one to nine digits.
         times = float(stdtrit(min(max(self.degrees, 1.0), 1e9), 0.5 + 0.5 * confidence))
         values = {**self.variables, **dict(zip(STATE[:6], self.states.T[:6], strict=True))}
+        if self.fitted_spin:
+            values["backspin"] = np.asarray(self.backspin)
         return {
             name: (values[name] - times * error, values[name] + times * error)
             for name, error in self.standard_errors.items()
@@ -172,8 +199,9 @@ class FittedReleases(Result):
     def draw(self, shots: int, seed: int = 0) -> Floats:
         """Return releases from the distribution of each fit.
 
-        Position and velocity are normal with the covariance; of Student's t if the noise was
-        estimated. The spin is as given, a backspin across the flight that is drawn.
+        Position, velocity and a fitted backspin are normal with the covariance; of Student's t if
+        the noise was estimated. A spin that is given is as it is, a backspin across the flight
+        that is drawn.
 
         Parameters
         ----------
@@ -191,28 +219,14 @@ class FittedReleases(Result):
 
     def _drawn(self, shots: int, seed: int, first: int, last: int) -> Floats:
         """Return the draws of tracks `first` to `last` - 1."""
-        part, begin, end = slice(first, last), first * shots, last * shots
-        drawn = np.empty((last - first, shots, 6))
-        for axis in range(3):
-            block = self.covariance[part, axis::3, axis::3]
-            with np.errstate(invalid="ignore", divide="ignore"):
-                root = np.sqrt(block[:, 0, 0])
-                slant = block[:, 0, 1] / root
-                rest = np.sqrt(np.maximum(block[:, 1, 1] - slant * slant, 0.0))
-            one, two = (
-                normals(seed, POSTERIOR + 3 * axis + k, begin, end).reshape(-1, shots)
-                for k in range(2)
-            )
-            if not isinf(self.degrees):
-                chances = uniforms(seed, POSTERIOR + 3 * axis + 2, begin, end).reshape(-1, shots)
-                free = max(self.degrees, 1.0)
-                wide = np.sqrt(free / chdtri(free, chances))
-                one, two = one * wide, two * wide
-            drawn[:, :, axis] = root[:, None] * one
-            drawn[:, :, axis + 3] = slant[:, None] * one + rest[:, None] * two
-        drawn += self.states[part, None, :6]
+        part = slice(first, last)
+        errors = draw_errors(self.covariance[part], self.degrees, shots, seed, (first, last))
+        drawn = self.states[part, None, :6] + errors[..., :6]
         if self.backspin is not None:
-            return states_with_backspin(drawn[..., :3], drawn[..., 3:], self.backspin[part, None])
+            backspin = self.backspin[part, None]
+            if self.fitted_spin:
+                backspin = backspin + errors[..., 6]
+            return states_with_backspin(drawn[..., :3], drawn[..., 3:], backspin)
         spins = np.broadcast_to(self.states[part, None, 6:], (*drawn.shape[:2], 3))
         return np.concatenate([drawn, spins], axis=2)
 
@@ -366,31 +380,12 @@ class FittedReleases(Result):
         lines += [f"not credible: {count:,} {reason}" for reason, count in causes]
         return "\n".join(lines)
 
-    def _cells(self) -> tuple[list[str], list[list[str]]]:
-        """Return the headings and the rows of the first releases."""
-        names = FLIGHT_ARGUMENTS if self.scene.has_hoop else STATE[:6]
-        states = dict(zip(STATE, self.states.T, strict=True))
-        values = self.variables if self.scene.has_hoop else states
-        heads, rows = ["track"], [[str(one)] for one in self.labels[:_SHOWN]]
-        for name in names:
-            unit = display_unit(ARGUMENTS[name].kind) if name in ARGUMENTS else None
-            size = unit.size if unit else 1.0
-            heads.append(f"{name} ({unit.symbol if unit else unit_in(name, self.scene)})")
-            errors = self.standard_errors[name] / size
-            digits = _decimals(errors)
-            for row, value, error in zip(rows, values[name] / size, errors, strict=False):
-                text = f"{value:.{digits}f} ± {error:.{digits}f}"
-                row.append(text if value == value else "-")
-        for row, reason in zip(rows, self.reason, strict=False):
-            row.append(reason or "yes")
-        return [*heads, "credible"], rows
-
     def __str__(self) -> str:
-        heads, rows = self._cells()
+        heads, rows = first_cells(self)
         text = f"{self.summary}\n\n{table(heads, rows)}" if rows else self.summary
         more = len(self) - len(rows)
         return text + (f"\nand {more:,} more" if more > 0 else "")
 
     def _repr_html_(self) -> str:
-        heads, rows = self._cells()
+        heads, rows = first_cells(self)
         return rendered(self.summary.replace("\n", "; "), heads, rows)

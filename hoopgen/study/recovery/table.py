@@ -77,6 +77,7 @@ def fit_table(
     noise: float | None = None,
     release_time: float | str | None = None,
     backspin: float | None = None,
+    backspin_sd: float | None = None,
     track: str | None = None,
     keep: Sequence[str] = (),
     format: str | None = None,
@@ -98,7 +99,7 @@ def fit_table(
         Parquet or CSV: the releases, one row a track, with standard errors, as
         `FittedReleases.columns` says. `batch` and `estimate --from` read it; its metadata say the
         scene.
-    parameters, scene, noise, release_time, backspin
+    parameters, scene, noise, release_time, backspin, backspin_sd
         As for `hoopgen.fit_release`; the release time may be text.
     track
         Column of the tracks' labels; by default "track". Without it all rows are one track.
@@ -144,6 +145,7 @@ def fit_table(
             noise=noise,
             release_time=time,
             backspin=backspin,
+            backspin_sd=backspin_sd,
         )
         if target is not None:
             _write(fitted, target, label or TRACK, frames, units, table)

@@ -63,6 +63,23 @@ class Tracks:
         found[self._places[there]] = values[there]
         return found.reshape(*self._shape, *rest)
 
+    def in_order(self, values: NDArray[Any], missing: Any) -> NDArray[Any]:
+        """Return values of frames in the shape of the caller's arrays, (n, m) or (n, m, 3).
+
+        Parameters
+        ----------
+        values
+            As `as_given` returns them.
+        missing
+            The value of frames that a track does not have.
+        """
+        rest = values.shape[len(self._shape) :]
+        flat = values.reshape(-1, *rest)
+        found = np.full((*self._places.shape, *rest), missing, values.dtype)
+        there = self._places >= 0
+        found[there] = flat[self._places[there]]
+        return found
+
 
 def as_tracks(times: ArrayLike, positions: ArrayLike, labels: Iterable[Hashable] | None) -> Tracks:
     """Return tracks from a caller's arrays.
