@@ -32,7 +32,7 @@ ARGUMENTS = (
 """The arguments of a release, in the order of the C library."""
 
 _OF_STATE = ("speed", "backspin", "sidespin", "height", "distance")
-"""Those of the kernel of states, beside angles."""
+"""Arguments of the kernel of states, beside angles."""
 
 _WORDS = 4
 """64-bit words that one step of Philox's counter gives."""

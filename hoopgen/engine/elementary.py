@@ -166,7 +166,7 @@ class Library:
 
 
 def _places(arrays: Iterable[NDArray[Any]]) -> ctypes.Array[ctypes.c_void_p]:
-    """Return where the values of arrays begin."""
+    """Return the addresses of the first values of arrays."""
     places = [array.ctypes.data for array in arrays]
     return (ctypes.c_void_p * len(places))(*places)
 

@@ -214,7 +214,7 @@ def test_a_refusal_names_the_body_and_the_argument(body: Any, said: str) -> None
 
 @pytest.mark.parametrize("radius", [0.05, "ball", "ball + width/100"])
 def test_a_condition_names_the_ball_s_radius(radius: float | str) -> None:
-    """It means what the scene gives, as if that were written there."""
+    """The name means the radius of the scene, as if that were written there."""
     named, written = (
         scene(Surface("ramp", condition=f"z - x**2/4 - ({said})"), ball_radius=radius)
         for said in ("ball_radius", radius)

@@ -143,7 +143,7 @@ class FittedReleases(Result):
 
     @cached_property
     def measured(self) -> tuple[dict[str, Floats], Floats]:
-        """Return what the tracks alone say: `variables` with the spin, and their covariance.
+        """Return the arguments that the tracks alone give, the spin among them, and their covariance.
 
         A fitted backspin is here without what was known of it before the track, as `Scatter.fit`
         needs it, which finds out how a player's backspins differ.
