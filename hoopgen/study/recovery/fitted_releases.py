@@ -143,7 +143,7 @@ class FittedReleases(Result):
 
     @cached_property
     def measured(self) -> tuple[dict[str, Floats], Floats]:
-        """Return the arguments that the tracks alone give, the spin among them, and their covariance.
+        """Return the arguments that the tracks alone give, with the spin, and their covariance.
 
         A fitted backspin is here without what was known of it before the track, as `Scatter.fit`
         needs it, which finds out how a player's backspins differ.
@@ -380,12 +380,21 @@ class FittedReleases(Result):
         lines += [f"not credible: {count:,} {reason}" for reason, count in causes]
         return "\n".join(lines)
 
+    def _cells(self) -> tuple[list[str], list[list[str]]]:
+        """Return the headings and the rows of the first releases."""
+        every = {**dict(zip(STATE, self.states.T, strict=True)), **self.variables}
+        if self.backspin is not None:
+            every["backspin"] = self.backspin
+        names = (*(FLIGHT_ARGUMENTS if self.scene.has_hoop else STATE[:6]), *self.fitted_spin)
+        shown = {name: every[name] for name in names}
+        return first_cells(shown, self.standard_errors, self.labels, self.reason, self.scene)
+
     def __str__(self) -> str:
-        heads, rows = first_cells(self)
+        heads, rows = self._cells()
         text = f"{self.summary}\n\n{table(heads, rows)}" if rows else self.summary
         more = len(self) - len(rows)
         return text + (f"\nand {more:,} more" if more > 0 else "")
 
     def _repr_html_(self) -> str:
-        heads, rows = first_cells(self)
+        heads, rows = self._cells()
         return rendered(self.summary.replace("\n", "; "), heads, rows)
