@@ -24,8 +24,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 import hoopgen
-from hoopgen import COURT, NBA, NBA_COURT
+from hoopgen import COURT, NBA, NBA_COURT, NBA_COURT_AIR
 from hoopgen.core.units import DEGREE, FOOT, INCH, TURN
+from hoopgen.hoop.aiming import aimed
 from hoopgen.text.numbers import MINUS
 
 Floats = NDArray[np.float64]
@@ -62,6 +63,8 @@ class Throws:
         (n,).
     fall
         Vertical acceleration of the frames after the hand, (n,), m/s²; NaN of fewer than five.
+    times, frames
+        The frames from the release on, by throw, s and m, padded with NaN, (n, m) and (n, m, 3).
     """
 
     release: Floats
@@ -69,6 +72,8 @@ class Throws:
     entry: Floats
     made: NDArray[np.bool_]
     fall: Floats
+    times: Floats
+    frames: Floats
 
 
 def read(folder: Path) -> Throws:
@@ -77,6 +82,7 @@ def read(folder: Path) -> Throws:
     if not files:
         raise SystemExit(f"{folder}: no files BB_FT_P…_T….json; give a copy of SPL-Open-Data")
     release, landing, entry, made, fall = [], [], [], [], []
+    times, frames = [], []
     for file in files:
         trial = json.loads(file.read_text(encoding="utf-8"))
         ball, hand = (
@@ -92,17 +98,51 @@ def read(folder: Path) -> Throws:
         landing.append((NBA["ring_radius"] - trial["landing_y"] * INCH, trial["landing_x"] * INCH))
         entry.append(trial["entry_angle"] * DEGREE)
         made.append(trial["result"] == "made")
+        times.append([0.001 * one["time"] for one in trial["tracking"][held[-1] :]])
+        frames.append(np.array([RING, 0.0, -10.0 * FOOT]) + ball[held[-1] :] * [-1.0, -1.0, 1.0])
         after = np.arange(len(ball)) > held[-1] + 1
         after &= np.isfinite(ball).all(axis=1)
         time = np.array([one["time"] for one in trial["tracking"]])[after] / 1000.0
         height = ball[after, 2]
         bend = np.polyfit(time - time[0], height, 2)[0] if len(time) >= 5 else np.nan
         fall.append(2.0 * bend)
-    return Throws(*map(np.array, (release, landing, entry, made, fall)))  # type: ignore[arg-type]
+    most = max(map(len, times))
+    clock, path = np.full((len(times), most), np.nan), np.full((len(times), most, 3), np.nan)
+    for row, (t, x) in enumerate(zip(times, frames, strict=True)):
+        clock[row, : len(t)], path[row, : len(t)] = t, x
+    columns = map(np.array, (release, landing, entry, made, fall))
+    return Throws(*columns, clock, path)  # type: ignore[arg-type]
 
 
-def states(throws: Throws, draws: int, backspin: float, size: float = 1.0) -> Floats:
-    """Return releases with the assumed errors, times `size`, (n, draws, 9)."""
+def fitted(throws: Throws) -> tuple[int, int, int, float, float]:
+    """Return what fits of the tracks give where they come down to the ring's height.
+
+    The releases are found by `hoopgen.fit_release`.
+
+    Returns
+    -------
+    tuple
+        The number of credible fits, of those that come down, and of these the number within 4 in
+        of the measured place; the median distance from it, m; and the median speed, m/s.
+    """
+    found = hoopgen.fit_release(throws.times, throws.frames, parameters=NBA, release_time="detect")
+    _, end = hoopgen.HOOP.fall(found.states, 0.0, {**hoopgen.HOOP.parameters, **NBA})
+    off = np.hypot(*(end[:, :2] - throws.landing).T)
+    good = found.credible & np.isfinite(off)
+    speed = np.linalg.norm(found.states[good, 3:6], axis=1)
+    near = int((off[good] < 4.0 * INCH).sum())
+    middle = float(np.median(off[good])), float(np.median(speed))
+    return int(found.credible.sum()), int(good.sum()), near, *middle
+
+
+def states(
+    throws: Throws, draws: int, backspin: float, size: float = 1.0, air: bool = False
+) -> Floats:
+    """Return releases with the assumed errors, times `size`, (n, draws, 9).
+
+    Without air they are the parabolas of the head of this file; in air `hoopgen.hoop.aiming`
+    finds the flights with that place and angle at the ring.
+    """
     random = np.random.default_rng(0)
     n = len(throws.made)
 
@@ -116,9 +156,14 @@ def states(throws: Throws, draws: int, backspin: float, size: float = 1.0) -> Fl
     length = np.hypot(*np.moveaxis(way, -1, 0))
     rise = -start[..., 2]
     level = np.sqrt(NBA["gravity"] * length / (2.0 * rise / length + 2.0 * slope))
+    up = level * (2.0 * rise / length + slope)
+    if air:
+        turning = np.full(length.shape, backspin)
+        wanted = {"entry": np.arctan(slope)}
+        flown = aimed(wanted, length, rise, NBA_COURT_AIR, backspin=turning)
+        level, up = (flown["speed"] * part(flown["elevation"]) for part in (np.cos, np.sin))
     ahead = way / length[..., None]
     spin = np.stack([backspin * ahead[..., 1], -backspin * ahead[..., 0], 0 * level], axis=-1)
-    up = level * (2.0 * rise / length + slope)
     velocity = np.concatenate([ahead * level[..., None], up[..., None]], axis=-1)
     return np.concatenate([start, velocity, spin], axis=-1)
 
