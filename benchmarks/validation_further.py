@@ -53,6 +53,9 @@ _SD = (0.05, 0.13)
 SOURCES = (
     "Noah Basketball, The art and science of 45/11, https://noahbasketball.com/blog/"
     "the-art-and-science-of-45/11; The three measurements of the Noah Shooting System (2017).",
+    "North Carolina State University (2011), Take your best shot, "
+    "https://news.ncsu.edu/2011/03/take-your-best-shot/; Inside Science (2011), Dissecting the "
+    "bank shot, http://www.insidescience.org/content/dissecting-bank-shot/1089.",
     "H. Okubo and M. Hubbard (2010), Basketball free-throw rebound motions, *Procedia Engineering* "
     "(text at sportdocbox.com/Pro_Basketball/69132651).",
     "J. McGrath and others (2025), Commanding the foul shot: a new ensemble of free throw metrics, "
@@ -232,14 +235,14 @@ def section(found: Further) -> list[str]:
         ],
         [
             "Silverberg's figure 8",
-            "said to show that the direct shot is better beyond 12 ft; we could not see the "
-            "figure. The text that we could read says that the bank shot is better in "
-            "intermediate ranges towards the sides, by as much as 20 points",
+            "the map of where which shot is better; we could not see it. Their university's "
+            "account of it: the bank shot can be better by 20% at many angles up to about 12 ft and "
+            "is better from the wings; straight-on shots from farther than 12 ft are not as well "
+            "suited to it. No place is further than 15 ft",
             f"straight in front {_leads_in_words(straight)}; at 45° {_leads_in_words(aside)}",
-            f"In front the direct shot is better only at {_better(straight)}, at 45° at "
-            f"{_better(aside)}: towards the sides there is no such limit here. The player's errors "
-            "to the side, the friction and the restitutions decide it (sections above), and theirs "
-            "are not known.",
+            f"Agrees where theirs goes: in front the direct shot is better at {_better(straight)}, "
+            f"at 45° at {_better(aside)}. The size does not: the player's errors to the side, the "
+            "friction and the restitutions decide it (sections above), and theirs are not known.",
         ],
         [
             "Okubo and Hubbard's first contacts",
