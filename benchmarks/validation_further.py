@@ -236,7 +236,7 @@ def section(found: Further) -> list[str]:
         [
             "Silverberg's figure 8",
             "the map of where which shot is better; we could not see it. Their university's "
-            "account of it: the bank shot can be better by 20% at many angles up to about 12 ft and "
+            "account: the bank shot can be better by 20% at many angles up to about 12 ft and "
             "is better from the wings; straight-on shots from farther than 12 ft are not as well "
             "suited to it. No place is further than 15 ft",
             f"straight in front {_leads_in_words(straight)}; at 45° {_leads_in_words(aside)}",
