@@ -92,9 +92,14 @@ _AS_DOUBLES: dict[Kind, str] = {
 
 
 def compiles(*arguments: str | Path) -> None:
-    """Run the compiler; fail with what it says."""
+    """Run the compiler; fail with what it says, whatever locale a test before has left."""
     result = subprocess.run(
-        [*COMPILER, *arguments], capture_output=True, text=True, check=False, timeout=900
+        [*COMPILER, *arguments],
+        capture_output=True,
+        encoding="utf-8",
+        errors="replace",
+        check=False,
+        timeout=900,
     )
     assert result.returncode == 0, result.stderr
 

@@ -235,10 +235,10 @@ def test_an_optimum_and_its_rival_are_of_the_same_scene() -> None:
     text = output("optimum", *THROWN, "--preset", "nba", *over, "--json")
     said = json.loads(text)
     assert said["scene"] == "court, NBA"
-    assert said["parameters"]["restitution_speed"] == 40.0
+    assert said["parameters"]["restitution_speed_m_s"] == 40.0
     rival = json.loads(output("optimum", *THROWN, *over, "--versus", "direct", "--json"))["versus"]
     assert rival["scene"] == "court, PAPER"
-    assert rival["parameters"]["restitution_speed"] == "inf"
+    assert rival["parameters"]["restitution_speed_m_s"] == "inf"
 
 
 def test_measures_are_those_of_its_own_flights() -> None:
