@@ -115,7 +115,7 @@ def read(folder: Path) -> Throws:
 
 
 def fitted(throws: Throws) -> tuple[int, int, int, float, float]:
-    """Return what fits of the tracks give where they come down to the ring's height.
+    """Return the results of fits of the tracks at the ring's height, where they come down to it.
 
     The releases are found by `hoopgen.fit_release`.
 
