@@ -61,10 +61,9 @@ class Shots:
     first
         int8 (n,), first surface touched, -1 for none; int16 among more than 128 bodies.
     time
-        float64 (n,), s: time at the end plane; of a capped or short shot, at the last contact, of a
-        short one in air the beginning of the piece of the flight in which that is known. A ball
-        that left a body without speed, as it does after an impact with restitution 0, is
-        certainly in the air again up to 2^-7 s later: that is then the time.
+        float64 (n,), s: time at the end plane; of a capped or short shot, at the last contact, in
+        air of a short one at the piece in which that is known. A ball that left a body without
+        speed, as after restitution 0, is in the air again up to 2^-7 s later: then that time.
     state
         float64 (n, 9), state at that time.
     rolls
