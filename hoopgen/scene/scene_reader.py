@@ -76,7 +76,7 @@ class Shape:
 
 UNBOUNDED = (
     "its points of contact are no linear function of the ball's centre; "
-    "a plane, a sphere, a cylinder and a Surface have bounds"
+    "a plane, a disc, a sphere, a cylinder and a Surface have bounds"
 )
 """The reason why tori, boxes and cones take no bounds."""
 

@@ -19,22 +19,11 @@ from hoopgen.engine.elementary import Library
 from tests.helpers import ROOT
 from tests.helpers.compiled import COMPILER, WARNINGS, needs_compiler
 from tests.helpers.effort import trials
+from tests.helpers.engines import elementary_library
 
 WIDTHS = (0, 2, 4, 8)
 FACTOR = np.array([[1.0, 0, 0, 0], [-0.6, 0.8, 0, 0], [0, 0, 1.0, 0], [0.1, 0, -0.7, 0.7]])
 NOISE = Noise((0, 7, 2**63 + 9, 2**64 - 1), FACTOR, np.array([0.1, 1e-300, 2.0, 1e306]))
-
-
-@pytest.fixture
-def without_c(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(elementary, "library", lambda: None)
-
-
-def compiled() -> Library:
-    found = elementary.library()
-    if found is None:
-        pytest.skip("the C library was not built")
-    return found
 
 
 def bits(array: np.ndarray) -> Any:
@@ -47,7 +36,7 @@ def test_c_of_every_width_draws_the_noise_of_numpy(width: int, start: int) -> No
     shape = (len(NOISE.streams), trials(30_001, at_least=10_001))
     noise, expected = np.empty((2, *shape))
     given = (np.array(NOISE.streams, np.uint64), NOISE.factor, NOISE.deviations)
-    if compiled().noise(*given, 2**64 - 1, start, noise, width) < 0:
+    if elementary_library().noise(*given, 2**64 - 1, start, noise, width) < 0:
         pytest.skip(f"this processor has no vectors of {width} doubles")
     NOISE.draw_in_numpy(2**64 - 1, start, expected)
     assert np.isinf(noise[3]).any() == np.isinf(expected[3]).any()
@@ -110,7 +99,7 @@ def test_c_of_every_width_makes_the_states_of_numpy(width: int, shared: tuple[st
     given = releases(1001, shared)
     states = np.empty((1001, 9))
     columns = [given[name] for name in ARGUMENTS]
-    if compiled().release_states(columns, 3.048, states, width) < 0:
+    if elementary_library().release_states(columns, 3.048, states, width) < 0:
         pytest.skip(f"this processor has no vectors of {width} doubles")
     with np.errstate(all="ignore"):
         expected = draws.states_in_numpy(given, (1001,), 3.048)
@@ -119,7 +108,7 @@ def test_c_of_every_width_makes_the_states_of_numpy(width: int, shared: tuple[st
 
 
 def test_a_width_that_there_is_not_writes_nothing() -> None:
-    library, states, noise = compiled(), np.full((1, 9), 7.0), np.full((1, 3), 7.0)
+    library, states, noise = elementary_library(), np.full((1, 9), 7.0), np.full((1, 3), 7.0)
     assert library.release_states([np.zeros(1)] * len(ARGUMENTS), 3.0, states, 3) == -1
     assert library.noise(np.zeros(1, np.uint64), np.eye(1), np.ones(1), 0, 0, noise, 3) == -1
     assert (states == 7.0).all()
@@ -143,14 +132,14 @@ def test_releases_of_any_shape_are_those_of_numpy(monkeypatch: pytest.MonkeyPatc
 
 def test_the_library_that_draws_serves_where_it_was_built() -> None:
     """Otherwise releases are drawn in NumPy, which takes longer and nobody would notice."""
-    compiled()
+    elementary_library()
     assert draws._library() is not None
 
 
 def test_a_library_that_draws_something_else_does_not_serve(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    library = compiled()
+    library = elementary_library()
 
     class Another(Library):
         def __init__(self) -> None:

@@ -15,20 +15,9 @@ from hoopgen.engine import elementary
 from hoopgen.engine.elementary import Library
 from tests.helpers import ROOT
 from tests.helpers.effort import trials
+from tests.helpers.engines import elementary_library
 
 NAMES = list(generated.FUNCTIONS)
-
-
-@pytest.fixture
-def without_c(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(elementary, "library", lambda: None)
-
-
-def compiled() -> Library:
-    found = elementary.library()
-    if found is None:
-        pytest.skip("the C library was not built")
-    return found
 
 
 def given(name: str, count: int) -> list[np.ndarray]:
@@ -65,7 +54,7 @@ def test_c_of_every_width_gives_the_bits_of_numpy(name: str, width: int, without
 
 def test_a_width_that_there_is_not_writes_nothing() -> None:
     result = np.full(3, 7.0)
-    assert compiled().compute("tangent", [np.zeros(3)], [result], 3) == -1
+    assert elementary_library().compute("tangent", [np.zeros(3)], [result], 3) == -1
     assert (result == 7.0).all()
 
 
@@ -77,7 +66,7 @@ def test_the_library_serves_where_it_was_built() -> None:
 
 
 def test_a_library_of_other_sources_does_not_serve(tmp_path: Path) -> None:
-    compiled()
+    elementary_library()
     sources = tmp_path / "c"
     shutil.copytree(ROOT / "generated" / "c", sources)
     (sources / "elementary.c").write_text("/* another */", encoding="utf-8")

@@ -12,7 +12,7 @@ import pytest
 
 import hoopgen
 from hoopgen.core.validation import RUNTIME_BACKENDS
-from hoopgen.engine import native
+from hoopgen.engine import elementary, native
 from hoopgen.simulation.hoop import HOOP
 from tests.helpers.host_cuda import HostCuPy, has_compiler, on_host
 
@@ -76,3 +76,11 @@ def engines_here() -> dict[str, Simulate]:
         with contextlib.suppress(pytest.skip.Exception):
             there[engine] = simulate_on(engine)
     return there
+
+
+def elementary_library() -> elementary.Library:
+    """Return the C library of the elementary functions; skip the test if it was not built."""
+    found = elementary.library()
+    if found is None:
+        pytest.skip("the C library was not built")
+    return found

@@ -45,7 +45,8 @@ from .spelling import (
 
 MIN_COPIED = 34
 """Least number of columns that are copied to a list shot by shot. Packing costs each row of lanes
-the same however few of its shots go to the list; a copy costs each of these."""
+the same however few of its shots go to the list; a copy costs each of these. It is
+chosen, and no result depends on it; the lists of HOOP and COURT are shorter."""
 
 
 @dataclass

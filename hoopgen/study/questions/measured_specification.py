@@ -66,7 +66,7 @@ class FitQuestion:
         None,
     )
     backspin: float | None = setting(
-        "Backspin of all releases; the flight to the first contact does not determine it.",
+        "Backspin of all releases; without air the flight to the first contact does not show it.",
         Quantity("spin"),
         None,
     )
