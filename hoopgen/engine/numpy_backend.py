@@ -72,7 +72,10 @@ class Flights:
         self._kept = (*self._starts, *kernels.VARIABLES.values())
         self._state, self._results = kernels.STATE, kernels.RESULTS
         self._invalid = float(kernels.Outcome.INVALID)
-        self._event, self._end = kernels.Event, len(kernels.BODIES)
+        # Plain integers: of an enumeration's members NumPy asks for attributes in Python code, and
+        # drops what is raised there, which may be the KeyboardInterrupt of Ctrl-C.
+        self._kinds = {kind.name: int(kind) for kind in kernels.Event}
+        self._end = len(kernels.BODIES)
         self._tallies = [result.name for result in kernels.RESULTS if result.is_counted]
         self._job, self._bounds = job, bounds
         self._room = Room(kernels, min(most, BLOCK_SIZE))
@@ -167,8 +170,8 @@ class Flights:
         rows = (row, out.event_counts[row])
         body, end = columns["body"][happened].astype(np.int64), self._end
         staying = body - end - 1
-        kinds = np.where(staying % 2, self._event.LEAVE, self._event.ROLL)
-        kinds[body < end], kinds[body == end] = self._event.IMPACT, self._event.END
+        kinds = np.where(staying % 2, self._kinds["LEAVE"], self._kinds["ROLL"])
+        kinds[body < end], kinds[body == end] = self._kinds["IMPACT"], self._kinds["END"]
         out.events["shot"][rows] = row
         out.events["surface"][rows] = np.where(staying < 0, body, staying // 2)
         out.events["kind"][rows] = kinds

@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+import enum
 import os
 import signal
 import subprocess
 import sys
+from types import FrameType
+from typing import Any
 
 import pytest
 
+import hoopgen
 from hoopgen.simulation.court import COURT
 from hoopgen.simulation.hoop import HOOP
 
@@ -43,6 +47,9 @@ except KeyboardInterrupt:
     print("stopped", flush=True)
 """
 
+FLYING = ("advance", "_record", "_states", "_ended", "_finish")
+"""Functions of the driver in NumPy that run at every event."""
+
 needs_signals = pytest.mark.skipif(
     os.name == "nt", reason="no SIGINT can be sent to another process"
 )
@@ -70,6 +77,29 @@ def test_ctrl_c_stops_a_few_shots_that_roll(
     if backend == "c" and COURT.library is None:
         pytest.skip("the C engine was not built")
     assert_stops(ROLLING % (shots, backend, threads, record))
+
+
+@pytest.mark.parametrize("record", [False, True])
+def test_no_code_of_an_enumeration_runs_between_events_in_numpy(record: bool) -> None:
+    # NumPy asks an enumeration's member for attributes and drops any error that this raises, and
+    # so would lose a Ctrl-C that arrives in the enumeration's own Python code.
+    called = []
+
+    def note(frame: FrameType, event: str, _: Any) -> None:
+        if event == "call" and frame.f_code.co_filename == enum.__file__:
+            caller = frame.f_back
+            if caller is not None and caller.f_code.co_name in FLYING:
+                called.append((caller.f_code.co_name, frame.f_code.co_name))
+
+    state = [[-0.3, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]]  # above the bridge
+    hoopgen.simulate(state, backend="numpy", record=record)
+    sys.setprofile(note)
+    try:
+        shots = hoopgen.simulate(state, backend="numpy", record=record)
+    finally:
+        sys.setprofile(None)
+    assert shots.contacts[0] > 0
+    assert called == []
 
 
 def assert_stops(script: str) -> None:

@@ -113,6 +113,7 @@
       redraw(play);
       return;
     }
+    document.body.dataset.asked = ++asked; // what is shown is of another scene
     Study.start(Study.specOf(page, scene), modules).then((study) => {
       studies[scene] = study;
       if (now.scene === scene) redraw(play);
