@@ -13,6 +13,7 @@ import pytest
 
 import hoopgen
 from hoopgen.engine import web_assembly
+from hoopgen.engine.draws import ARGUMENTS
 from hoopgen.viewer.playground_page import playground
 from tests.helpers.commands import failure, succeed
 from tests.viewer.test_page import Browser, Tab
@@ -28,6 +29,12 @@ document.body.dataset.answered && document.body.dataset.answered === document.bo
 @pytest.fixture(scope="module")
 def text() -> str:
     return playground().text
+
+
+def page_spec_of(text: str) -> dict[str, Any]:
+    """Return what the scripts of a page know of hoopgen."""
+    (spec,) = re.findall(r'<script type="application/json" id="spec">(.*?)</script>', text, re.S)
+    return dict(json.loads(spec))
 
 
 def answered(tab: Tab) -> Tab:
@@ -60,12 +67,22 @@ def test_the_page_is_small_and_names_no_place_in_a_network(text: str) -> None:
 
 
 def test_the_page_has_python_s_digests(text: str) -> None:
-    (spec,) = re.findall(r'<script type="application/json" id="spec">(.*?)</script>', text, re.S)
-    for name, scene in json.loads(spec)["scenes"].items():
+    for name, scene in page_spec_of(text)["scenes"].items():
         assert scene["fixed"]["sha256"] == GOLDEN[name]
 
 
 # In a browser
+
+
+def with_one_build(text: str, build: str) -> str:
+    """Return the page without the other module of a module's scene."""
+    scene, _ = web_assembly.MODULES[build]
+    (other,) = (
+        name for name, (own, _) in web_assembly.MODULES.items() if own == scene and name != build
+    )
+    only = re.sub(rf'\{{"name":"{re.escape(other)}","lanes":\d\}},?', "", text)
+    assert len(only) < len(text)
+    return only.replace("},]", "}]")
 
 
 @pytest.mark.slow
@@ -75,17 +92,49 @@ def test_every_build_has_the_golden_hash_in_a_browser(
 ) -> None:
     """Results are the bits of `hoopgen hash`, computed by that build alone."""
     scene, _ = web_assembly.MODULES[build]
-    (other,) = (
-        name for name, (own, _) in web_assembly.MODULES.items() if own == scene and name != build
-    )
-    only = re.sub(rf'\{{"name":"{re.escape(other)}","lanes":\d\}},?', "", text)
-    only = only.replace("},]", "}]")
-    assert len(only) < len(text)
-    tab = show(only, at=f"#scene={scene}")
+    tab = show(with_one_build(text, build), at=f"#scene={scene}")
     tab.until("document.getElementById('verdict').textContent")
     assert tab.text("#hash-command") == f"hoopgen hash {scene}"
     assert tab.text("#hash") == GOLDEN[scene]
     assert tab.text("#verdict").startswith("✓")
+
+
+DRAWN = """
+(async () => {
+  const page = JSON.parse(document.getElementById("spec").textContent);
+  const spec = Study.specOf(page, "%s");
+  const modules = {};
+  for (const { name } of spec.modules) {
+    modules[name] = await Engine.bytesOf(document.getElementById(name).textContent);
+  }
+  const study = await Study.start(spec, modules);
+  const release = Object.fromEntries(spec.layout.arguments.map((name) => [name, page.start[name]]));
+  const deviations = { speed: 0.07, elevation: 0.02, azimuth: 0.01 };
+  return [study.engine.name, [...study.drawn({ release, deviations, seed: 5, count: 700 })]];
+})()
+"""
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("build", web_assembly.MODULES)
+def test_every_build_draws_the_releases_of_python_in_a_browser(
+    show: Callable[..., Tab], text: str, build: str
+) -> None:
+    """They are those of a `Scatter` to the bit, and as many go in as in an `estimate`."""
+    pytest.importorskip("scipy")
+    scene, _ = web_assembly.MODULES[build]
+    link = f"#scene={scene}&sd_speed=0.07&sd_elevation=0.02&sd_azimuth=0.01&seed=5"
+    tab = answered(show(with_one_build(text, build), at=link))
+    name, found = tab.run(DRAWN % scene)
+    assert name == build
+    start = page_spec_of(text)["start"]
+    engine = {"hoop": hoopgen.HOOP, "court": hoopgen.COURT}[scene]
+    sd = {"speed": 0.07, "elevation": 0.02, "azimuth": 0.01}
+    model = hoopgen.Scatter({name: start[name] for name in ARGUMENTS}, sd)
+    np.testing.assert_array_equal(np.reshape(found, (700, 9)), model.draw(0, 700, 5).states)
+    parameters = engine.presets["nba"]
+    wanted = hoopgen.estimate(model, parameters, scene=engine, shots=10_000, seed=5)
+    assert f"{wanted.made:,} of {wanted.shots - wanted.invalid:,}" in tab.text("#share")
 
 
 @pytest.mark.slow

@@ -31,7 +31,7 @@
   }
 
   function release() {
-    return Object.fromEntries(Release.ARGUMENTS.map((name) => [name, now[name]]));
+    return Object.fromEntries(spec.layout.arguments.map((name) => [name, now[name]]));
   }
 
   function parameters() {

@@ -32,7 +32,7 @@ const Results = (() => {
     const digits = share < 0.01 || share > 0.99 ? 2 : 1; // no interval is said to be a point
     const [low, high] = found.interval.map((end) => percent(end, digits));
     big.textContent = found.count ? percent(share, digits) : "–";
-    small.textContent = `made, ${low} to ${high} (95%, Wilson)`;
+    small.textContent = `made: ${count(found.made)} of ${count(found.count)}, ${low} to ${high} (95%, Wilson)`;
     const there = classes(spec).map((one) => ({ ...one, number: found.tally[one.kind][one.row] }));
     const seen = there.filter(({ number }) => number);
     $("bar").replaceChildren(
