@@ -247,13 +247,13 @@ def test_a_link_carries_the_scene_and_old_links_have_none(
 
 
 @pytest.mark.slow
-def test_a_link_with_nonsense_is_the_shot_of_the_start(show: Callable[..., Tab], text: str) -> None:
-    tab = answered(
-        show(
-            text,
-            at="#speed=fast&preset=__proto__&scene=constructor&elevation=&x=<b>&height=Infinity",
-        )
-    )
+@pytest.mark.parametrize("seed", ["0.5", "-1", "1e99"])
+def test_a_link_with_nonsense_is_the_shot_of_the_start(
+    show: Callable[..., Tab], text: str, seed: str
+) -> None:
+    nonsense = "#speed=fast&preset=__proto__&scene=constructor&elevation=&x=<b>&height=Infinity"
+    tab = answered(show(text, at=f"{nonsense}&seed={seed}"))
+    assert "(seed 0)" in tab.text("#throws-note")
     assert tab.data["outcome"] == "missed"
     assert tab.run("document.getElementById('set-speed').value") == "7.25"
 

@@ -13,10 +13,10 @@ const Release = (() => {
   /** Return the kind of each shot, by the table of hoopgen.hoop.kinds. */
   function kinds({ outcome, counts, first }, { table, bodies }) {
     const [ring, board, bridge] = ["ring", "backboard", "bridge"].map((name) => bodies.indexOf(name));
+    const touched = (row, body) => counts[bodies.length * row + body] > 0;
     return outcome.map((end, row) => {
-      const touched = (body) => counts[bodies.length * row + body] > 0;
-      const frame = touched(ring) || touched(bridge);
-      return table[touched(board) * 1 + frame * 2 + (first[row] === board) * 4][end];
+      const frame = touched(row, ring) || touched(row, bridge);
+      return table[touched(row, board) * 1 + frame * 2 + (first[row] === board) * 4][end];
     });
   }
 

@@ -67,9 +67,11 @@ const Results = (() => {
   }
 
   function inks(spec) {
-    const rgb = (colour) => [1, 3, 5].map((at) => Number.parseInt(colour.slice(at, at + 2), 16));
-    const table = new Map(classes(spec).map(({ end, kind, colour }) => [`${end} ${kind}`, rgb(colour)]));
-    return (outcome, kind) => table.get(`${spec.outcomes[outcome]} ${kind}`) ?? rgb(spec.colours.other);
+    const rgb = (colour) => [...[1, 3, 5].map((at) => Number.parseInt(colour.slice(at, at + 2), 16)), 255];
+    const other = rgb(spec.colours.other);
+    const table = spec.outcomes.map(() => spec.kinds.names.map(() => other));
+    for (const { end, kind, colour } of classes(spec)) table[spec.outcomes.indexOf(end)][kind] = rgb(colour);
+    return (outcome, kind) => table[outcome][kind];
   }
 
   function drawMap(found, { now, spec, words }) {

@@ -102,24 +102,37 @@ const Study = (() => {
         ...{ count: valid, made: total, invalid: count - valid, tally },
         interval: wilson_interval(total, valid, spec.z),
         ...{ outcome: found.outcome, kinds },
-        ...entries(thrown, parameters, found.outcome),
+        ...entries(thrown, parameters),
         landings: landings(found, parameters),
       };
     }
 
+    /** Return where balls come down to a height above the ring as if they touched nothing, x and y
+     * of each row that is wanted, and NaN of others; `tell` is given the velocity there. */
+    function arrivals(states, height, gravity, wanted, tell = () => {}) {
+      const places = new Float32Array((2 * states.length) / 9).fill(NaN);
+      for (let row = 0, at = 0; at < states.length; row++, at += 9) {
+        if (!wanted(row)) continue;
+        const [z, vx, vy, vz] = [states[at + 2], states[at + 3], states[at + 4], states[at + 5]];
+        const [time, down] = hoop_descent(z, vz, height, gravity);
+        if (!(time > 0)) continue;
+        const there = hoop_flight(time, states[at], states[at + 1], z, vx, vy, vz, gravity);
+        [places[2 * row], places[2 * row + 1]] = there;
+        tell(vx, vy, down);
+      }
+      return places;
+    }
+
     /** Return where flights come down through the ring's plane as if they touched nothing, and the
      * mean and the deviation of their angles there. */
-    function entries(thrown, { gravity }, outcome) {
-      const places = new Float32Array(2 * outcome.length).fill(NaN);
+    function entries(thrown, { gravity }) {
       let [number, sum, squares] = [0, 0, 0];
-      for (let row = 0; row < outcome.length; row++) {
-        const [x, y, z, vx, vy, vz] = thrown.subarray(9 * row, 9 * row + 6);
-        const [time, down] = hoop_descent(z, vz, 0, gravity);
-        if (!(time > 0)) continue;
-        places.set(hoop_flight(time, x, y, z, vx, vy, vz, gravity).slice(0, 2), 2 * row);
+      const places = arrivals(thrown, 0, gravity, () => true, (vx, vy, down) => {
         const angle = Math.atan2(-down, Math.hypot(vx, vy));
-        [number, sum, squares] = [number + 1, sum + angle, squares + angle * angle];
-      }
+        number += 1;
+        sum += angle;
+        squares += angle * angle;
+      });
       const mean = sum / number;
       return { entries: places, angle: [mean, Math.sqrt(Math.max(squares / number - mean * mean, 0))] };
     }
@@ -127,14 +140,7 @@ const Study = (() => {
     /** Return where misses come down to the height at which rebounds are caught. */
     function landings({ outcome, state }, { gravity }) {
       const missed = spec.outcomes.indexOf("missed");
-      const places = new Float32Array(2 * outcome.length).fill(NaN);
-      for (let row = 0; row < outcome.length; row++) {
-        if (outcome[row] !== missed) continue;
-        const [x, y, z, vx, vy, vz] = state.subarray(9 * row, 9 * row + 6);
-        const [time] = hoop_descent(z, vz, spec.catching_height - ringHeight, gravity);
-        if (time > 0) places.set(hoop_flight(time, x, y, z, vx, vy, vz, gravity).slice(0, 2), 2 * row);
-      }
-      return places;
+      return arrivals(state, spec.catching_height - ringHeight, gravity, (row) => outcome[row] === missed);
     }
 
     /** Return the classes of shots over speed (across) and elevation (up), about a release. */
