@@ -277,6 +277,31 @@ def test_a_field_and_a_slider_change_the_shot(show: Callable[..., Tab], text: st
 
 
 @pytest.mark.slow
+def test_no_program_of_the_picture_is_compiled_again(show: Callable[..., Tab], text: str) -> None:
+    """Compiling one keeps the page from answering, on some machines for half a second."""
+    tab = answered(show(text, at="#scene=court"))
+    count = """
+    (() => {
+      const { linkProgram, drawArrays } = WebGL2RenderingContext.prototype;
+      window.calls = { linked: 0, drawn: 0 };
+      Object.assign(WebGL2RenderingContext.prototype, {
+        linkProgram(...given) { calls.linked++; return linkProgram.apply(this, given); },
+        drawArrays(...given) { calls.drawn++; return drawArrays.apply(this, given); },
+      });
+      return 0;
+    })()
+    """
+    tab.run(count)
+    for speed in (7.1, 7.31, 6.9, 7.42):
+        field = "document.getElementById('set-speed')"
+        tab.run(f"(Object.assign({field}, {{ value: {speed} }}).onchange(), 0)")
+        tab.settle()
+    answered(tab)
+    assert tab.run("calls.drawn") > 0
+    assert tab.run("calls.linked") == 0
+
+
+@pytest.mark.slow
 def test_units_change_with_the_page(show: Callable[..., Tab], text: str) -> None:
     tab = answered(show(text))
     tab.click("#units")

@@ -101,7 +101,7 @@ const Charts = (() => {
     for (const drawn of court) {
       line(context, drawn.map(([x, y]) => seen.project(x, y)), style("--floor-line"), 1.25);
     }
-    dots(context, places, seen, style("--ink-1"), [2.5, 0.35]);
+    dots(context, places, seen, style("--ink-1"), [2, 0.35]);
     hoop(context, seen, sizes, 2);
     circle(context, seen.project(...shooter), 5, style("--path"), 2.5);
   }

@@ -32,7 +32,8 @@ const Results = (() => {
     const digits = share < 0.01 || share > 0.99 ? 2 : 1; // no interval is said to be a point
     const [low, high] = found.interval.map((end) => percent(end, digits));
     big.textContent = found.count ? percent(share, digits) : "–";
-    small.textContent = `made: ${count(found.made)} of ${count(found.count)}, ${low} to ${high} (95%, Wilson)`;
+    const interval = make("span", { textContent: `${low} to ${high} (95%, Wilson)` });
+    small.replaceChildren(`made: ${count(found.made)} of ${count(found.count)}`, " ", interval);
     const there = classes(spec).map((one) => ({ ...one, number: found.tally[one.kind][one.row] }));
     const seen = there.filter(({ number }) => number);
     $("bar").replaceChildren(
