@@ -10,7 +10,7 @@ const Charts = (() => {
     const [width, height] = [canvas.clientWidth, canvas.clientHeight];
     const dense = Math.min(window.devicePixelRatio || 1, 2);
     [canvas.width, canvas.height] = [Math.round(width * dense), Math.round(height * dense)];
-    const context = canvas.getContext("2d");
+    const context = canvas.getContext("2d", { willReadFrequently: true }); // pixels are put there
     context.setTransform(dense, 0, 0, dense, 0, 0);
     context.font = "12px system-ui, sans-serif";
     return { context, width, height };
@@ -32,35 +32,34 @@ const Charts = (() => {
     context.stroke();
   }
 
-  /** Draw a square for each place that is wanted by its row, see-through by a share: many on each
-   * other are dense. They are drawn as one image, since thousands of shapes keep a browser busy. */
-  function dots(context, places, { x: xOf, y: yOf }, colour, [size, share], wanted = () => true) {
+  /** Put squares at places onto an empty canvas, layer over layer, see-through by a share: many on
+   * each other are dense. A layer is {colour, wanted}, and `wanted` is told the place's row. They are
+   * put as pixels, since thousands of shapes keep a browser busy. */
+  function dots(context, places, { x: xOf, y: yOf }, size, share, layers) {
     const { width, height } = context.canvas;
     const { a: dense } = context.getTransform();
     const side = Math.round(size * dense);
+    if (!width || !height) return; // it is not seen
     const image = new ImageData(width, height);
-    const ink = colour.match(/[\da-f]{2}/gi).map((digits) => Number.parseInt(digits, 16));
-    for (let row = 0; row < places.length / 2; row++) {
-      if (Number.isNaN(places[2 * row]) || !wanted(row)) continue;
-      const left = Math.round(dense * xOf(places[2 * row + 1]) - side / 2);
-      const top = Math.round(dense * yOf(places[2 * row]) - side / 2);
-      for (let y = Math.max(top, 0); y < Math.min(top + side, height); y++) {
-        for (let x = Math.max(left, 0); x < Math.min(left + side, width); x++) {
-          const at = 4 * (y * width + x);
-          const before = image.data[at + 3];
-          if (!before) image.data.set(ink, at);
-          image.data[at + 3] = before + share * (255 - before);
+    const { data } = image;
+    for (const { colour, wanted } of layers) {
+      const ink = colour.match(/[\da-f]{2}/gi).map((digits) => Number.parseInt(digits, 16));
+      for (let row = 0; row < places.length / 2; row++) {
+        if (Number.isNaN(places[2 * row]) || !wanted(row)) continue;
+        const left = Math.round(dense * xOf(places[2 * row + 1]) - side / 2);
+        const top = Math.round(dense * yOf(places[2 * row]) - side / 2);
+        for (let y = Math.max(top, 0); y < Math.min(top + side, height); y++) {
+          for (let x = Math.max(left, 0); x < Math.min(left + side, width); x++) {
+            const at = 4 * (y * width + x);
+            const rest = (1 - share) * data[at + 3];
+            const whole = 255 * share + rest;
+            for (let k = 0; k < 3; k++) data[at + k] = (255 * share * ink[k] + rest * data[at + k]) / whole;
+            data[at + 3] = whole;
+          }
         }
       }
     }
-    context.drawImage(canvasOf(image), 0, 0, width / dense, height / dense);
-  }
-
-  function canvasOf(image) {
-    const canvas = document.createElement("canvas");
-    [canvas.width, canvas.height] = [image.width, image.height];
-    canvas.getContext("2d").putImageData(image, 0, 0);
-    return canvas;
+    context.putImageData(image, 0, 0);
   }
 
   /** Return a view from above with the board at the top: x, y in m to px, to scale. */
@@ -88,9 +87,10 @@ const Charts = (() => {
     const { context, width, height } = begin(canvas);
     const reach = Math.max(2.2 * sizes.ring_radius, reachOf(places));
     const seen = above(width, height, [-reach, reach]);
-    const [ink, other] = [style("--ink-0"), style("--ink-1")];
-    dots(context, places, seen, other, [2, 0.5], (row) => outcome[row] !== made);
-    dots(context, places, seen, ink, [2, 0.5], (row) => outcome[row] === made);
+    dots(context, places, seen, 2, 0.5, [
+      { colour: style("--ink-1"), wanted: (row) => outcome[row] !== made },
+      { colour: style("--ink-0"), wanted: (row) => outcome[row] === made },
+    ]);
     hoop(context, seen, sizes, 2.5);
   }
 
@@ -98,10 +98,10 @@ const Charts = (() => {
   function landings(canvas, { landings: places }, sizes, shooter, court) {
     const { context, width, height } = begin(canvas);
     const seen = above(width, height, [-1.6, 4.4]);
+    dots(context, places, seen, 2, 0.35, [{ colour: style("--ink-1"), wanted: () => true }]);
     for (const drawn of court) {
       line(context, drawn.map(([x, y]) => seen.project(x, y)), style("--floor-line"), 1.25);
     }
-    dots(context, places, seen, style("--ink-1"), [2, 0.35]);
     hoop(context, seen, sizes, 2);
     circle(context, seen.project(...shooter), 5, style("--path"), 2.5);
   }
@@ -117,9 +117,12 @@ const Charts = (() => {
       const up = high - 1 - Math.floor(row / wide);
       image.data.set(inkOf(end, kinds[row]), 4 * (up * wide + (row % wide)));
     });
+    const cells = document.createElement("canvas");
+    [cells.width, cells.height] = [wide, high];
+    cells.getContext("2d").putImageData(image, 0, 0);
     const box = [PAD.left, PAD.top, width - PAD.left - PAD.right, height - PAD.top - PAD.bottom];
     context.imageSmoothingEnabled = false;
-    context.drawImage(canvasOf(image), ...box);
+    context.drawImage(cells, ...box);
     ticks(context, window, axes, box);
     const [x, y] = at.map((value, k) => {
       const share = (value - window[k][0]) / (window[k][1] - window[k][0]);
