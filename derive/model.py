@@ -119,7 +119,8 @@ def build(scene: Scene) -> Model:
         [variable(symbol) for symbol in scene.symbols],
         scene.open_ended,
     )
-    common |= {name: kernel for name, kernel in optional.items() if name in loop.called}
+    called = loop.called | {call.kernel.name for call in loop.shortcuts}
+    common |= {name: kernel for name, kernel in optional.items() if name in called}
     lacking = {NO_ROLLING} if not scene.rolls else set()
     if not scene.rolls or scene.air is None:
         lacking.add(NO_ROLLING_IN_AIR)

@@ -139,6 +139,7 @@ KERNELS = {
             {"when": Choose(_sooner, time, when), "which": Choose(_sooner, index, which)},
             "Time and surface of the earliest arrival, with this one.",
         ),
+        decision("missed", {"clear": 1}, "Start value: the surface is certainly missed."),
         decision(
             "opens",
             {"open": Not(Less(0, clear))},

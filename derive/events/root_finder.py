@@ -102,6 +102,11 @@ class RootFinder(ABC):
         return None
 
     @property
+    def drops_through(self) -> sp.Basic | None:
+        """A cheaper condition under which there is certainly no contact; None: there is none."""
+        return None
+
+    @property
     def reach_test(self) -> dict[str, sp.Basic]:
         """Test whether the boxes of a flight may meet the surface's; empty if there is none."""
         return {}

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import sympy as sp
 
 from ..errors.propagation import normal_error, root_rounding
-from ..ir.event_tree import Call, If, Node, Value, While
+from ..ir.event_tree import UNPROVED, Call, If, Node, Value, While
 from ..ir.kernel import Kernel, decision
 from ..symbolic.conditionals import Not, false
 from ..symbolic.symbols import variable
@@ -121,11 +121,30 @@ class RootSearch(Search):
     @property
     def decisions(self) -> dict[str, Kernel]:
         """The decisions of the next window, and of the bounds."""
-        return edges(self.surface) | {
-            "enter": decision(
-                f"{self.surface.name}_enter",
-                enter(opening(len(self.root_finder.windows))),
-                "First window that ends later than a time, from then on.",
+        return (
+            edges(self.surface)
+            | self._shortcut
+            | {
+                "enter": decision(
+                    f"{self.surface.name}_enter",
+                    enter(opening(len(self.root_finder.windows))),
+                    "First window that ends later than a time, from then on.",
+                )
+            }
+        )
+
+    @property
+    def _shortcut(self) -> dict[str, Kernel]:
+        """The condition that takes the place of `clear` where it holds, if there is one."""
+        missed = self.root_finder.drops_through
+        if missed is None:
+            return {}
+        return {
+            "drops_through": decision(
+                f"{self.surface.name}_drops_through",
+                {UNPROVED: Not(missed)},
+                "Whether the ball may do other than rise and drop through the hole.",
+                single=True,
             )
         }
 
@@ -162,7 +181,11 @@ class RootSearch(Search):
         if "clear" not in own:
             yield from searched
             return
-        yield given(own["clear"], horizon="until")
+        cleared = given(own["clear"], horizon="until")
+        if "drops_through" in own:
+            dropped = given(own["drops_through"], horizon="until")
+            cleared = replace(cleared, shortcut=(Call(KERNELS["missed"]), dropped))
+        yield cleared
         yield Call(common.get("opens_in_flight", KERNELS["opens"]))
         yield If("open", searched)
 

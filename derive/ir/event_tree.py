@@ -20,6 +20,10 @@ Value = str | float
 """An input of a kernel: a variable, or a number."""
 
 
+UNPROVED = "unproved"
+"""The variable that is true where the shortcut of an evaluation does not suffice."""
+
+
 @dataclass(frozen=True)
 class Call:
     """The evaluation of a kernel.
@@ -34,12 +38,16 @@ class Call:
         The variables that outputs are assigned to, where those have other names.
     wanted
         The outputs that are assigned; None: all. The others are not used.
+    shortcut
+        Cheaper evaluations that assign the same variables, and `UNPROVED`. A target may put them
+        before this one, which is then for the shots for which `UNPROVED` is true.
     """
 
     kernel: Kernel
     inputs: Mapping[str, Value] = field(default_factory=dict)
     outputs: Mapping[str, str] = field(default_factory=dict)
     wanted: frozenset[str] | None = None
+    shortcut: tuple[Call, ...] = ()
 
     def __post_init__(self) -> None:
         names = set(map(variable, self.kernel.arguments))
@@ -268,7 +276,8 @@ def given_as(node: Call, values: Mapping[str, Value]) -> Call:
         name: values.get(value, value) if isinstance(value, str) else value
         for name, value in zip(names, node.arguments, strict=True)
     }
-    return replace(node, inputs=inputs)
+    shortcut = tuple(given_as(call, values) for call in node.shortcut)
+    return replace(node, inputs=inputs, shortcut=shortcut)
 
 
 def without(nodes: Iterable[Node], fixed: Mapping[str, float]) -> tuple[Node, ...]:

@@ -60,6 +60,12 @@ class Loop:
         return frozenset(node.kernel.name for node in (*nodes, *tests) if isinstance(node, Call))
 
     @property
+    def shortcuts(self) -> tuple[Call, ...]:
+        """The evaluations of kernels that a target may put before others."""
+        nodes = (node for stage in self.stages.values() for node in walk(stage))
+        return tuple(call for n in nodes if isinstance(n, Call) for call in n.shortcut)
+
+    @property
     def tables(self) -> tuple[ForEach, ...]:
         """The nodes that are executed for each row of a table."""
         nodes = (node for stage in self.stages.values() for node in walk(stage))

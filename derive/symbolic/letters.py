@@ -41,6 +41,7 @@ FLIGHTS = {
     "root": Entry("t_N", "Newton's value of the root"),
     "clearance": Entry(r"\chi", "positive if a root is certain"),
     "clear": Entry(r"\chi_0", "positive if a surface is certainly missed"),
+    "unproved": Entry(r"\text{unproved}", "a cheaper test does not show it"),
     "arrival": Entry("t_r", "root that a search has found; infinite: none"),
     "refined": Entry("t_R", "root after one more step of Newton's method"),
     "candidate": Entry("t_p", "root that counts if it is within the bounds"),

@@ -1,6 +1,6 @@
 /* Kernels of the scene court, in C.
 
-   Generated from templates/c/kernels.h.j2, scene court, derivation 619087e8f0f74905,
+   Generated from templates/c/kernels.h.j2, scene court, derivation 214aafa785e1c47c,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -627,6 +627,18 @@ LANES(court_earliest)(V index, V time, V when, V which, M arrives)
 {
     const M _s0 = lanes_both(arrives, lanes_less(time, when));
     return (LANES(court_earliest_out)){ lanes_select(_s0, time, when), lanes_select(_s0, index, which) };
+}
+
+/* Start value: the surface is certainly missed.
+   Table 1. No operations. */
+typedef struct {
+    V clear;
+} LANES(court_missed_out);
+
+LANES_INLINE LANES(court_missed_out)
+LANES(court_missed)(void)
+{
+    return (LANES(court_missed_out)){ K(1.0) };
 }
 
 /* Start values of a search: its error budget, and no arrival.
@@ -3623,6 +3635,37 @@ LANES(court_ring_round_11)(V per_reach, V turn_rate_0, V turn_rate_1, V turn_rat
     const V _s16 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_0, _s5), lanes_mul(cosine_1, around_10)), lanes_mul(cosine_2, around_9)), lanes_mul(cosine_3, around_8)), lanes_mul(cosine_4, around_7)), lanes_mul(cosine_5, around_6));
     const V _s17 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s16, lanes_mul(cosine_6, around_5)), lanes_mul(cosine_7, around_4)), lanes_mul(cosine_8, around_3)), lanes_mul(cosine_9, around_2)), lanes_mul(cosine_10, around_1));
     return (LANES(court_ring_round_11_out)){ _s2, _s5, lanes_neg(lanes_mul(K(0.08333333333333333), lanes_add(_s7, lanes_mul(climb_11, sine_0)))), lanes_mul(K(0.08333333333333333), lanes_add(_s9, lanes_mul(climb_11, cosine_0))), lanes_neg(lanes_mul(lanes_mul(K(0.08333333333333333), per_reach), lanes_add(lanes_mul(lanes_mul(_c0, cosine_11), _c2), lanes_add(_s11, lanes_mul(tilted_0, _s2))))), lanes_mul(K(0.08333333333333333), lanes_sub(lanes_mul(_c1, lanes_add(_s13, lanes_mul(sine_11, around_0))), lanes_mul(_c3, lanes_add(_s15, lanes_mul(turn_rate_11, climb_0))))), lanes_mul(_c4, _s5), lanes_mul(K(0.08333333333333333), lanes_add(lanes_mul(_c5, lanes_add(_s17, lanes_mul(cosine_11, around_0))), lanes_mul(_c1, _s5))) };
+}
+
+/* Whether the ball may do other than rise and drop through the hole.
+   Table 1. 79 operations: 20 additions, 5 subtractions, 30 multiplications, 12 comparisons, 11 conjunctions, 1 complement. */
+typedef struct {
+    M unproved;
+} LANES(court_ring_drops_through_out);
+
+LANES_INLINE LANES(court_ring_drops_through_out)
+LANES(court_ring_drops_through)(S x, S y, S z, S vx, S vy, S vz, S horizon, S extent, S speed, S position_error, S velocity_error, S _c0, S _c1, S _c2, S _c3, S _c4, S _c5, S _c6, S _c7, S _c8, S _c9)
+{
+    const S _s0 = singles_mul(vz, _c2);
+    const S _s1 = singles_add(x, singles_mul(vx, _s0));
+    const S _s2 = singles_add(y, singles_mul(vy, _s0));
+    const S _s3 = singles_mul(KS(0.125), singles_sub(horizon, _s0));
+    const S _s4 = singles_sub(horizon, _s3);
+    const S _s5 = singles_add(z, singles_mul(singles_sub(vz, singles_mul(_c4, _s4)), _s4));
+    const Q _s6 = singles_both(singles_both(singles_both(singles_less(KS(0.0), vz), singles_less(_c1, singles_add(singles_mul(_s1, _s1), singles_mul(_s2, _s2)))), singles_less(singles_add(singles_mul(vx, _s1), singles_mul(vy, _s2)), KS(0.0))), singles_less(_c3, _s5));
+    const S _s7 = singles_add(x, singles_mul(vx, _s4));
+    const S _s8 = singles_add(y, singles_mul(vy, _s4));
+    const S _s9 = singles_add(_s5, _c5);
+    const S _s10 = singles_sub(horizon, singles_mul(KS(0.25), _s3));
+    const S _s11 = singles_add(x, singles_mul(vx, _s10));
+    const S _s12 = singles_add(y, singles_mul(vy, _s10));
+    const S _s13 = singles_add(singles_mul(_s11, _s11), singles_mul(_s12, _s12));
+    const S _s14 = singles_add(singles_add(z, singles_mul(singles_sub(vz, singles_mul(_c4, _s10)), _s10)), _c5);
+    const Q _s15 = singles_both(singles_both(singles_both(_s6, singles_less(singles_add(singles_mul(_s7, _s7), singles_mul(_s8, _s8)), singles_mul(_s9, _s9))), singles_less(_s13, singles_mul(_s14, _s14))), singles_less(KS(0.0), _s14));
+    const S _s16 = singles_add(x, singles_mul(vx, horizon));
+    const S _s17 = singles_add(y, singles_mul(vy, horizon));
+    const Q _s18 = singles_both(singles_both(singles_both(singles_both(_s15, singles_less(_s13, _c7)), singles_less(singles_add(singles_mul(_s16, _s16), singles_mul(_s17, _s17)), _c7)), singles_less(KS(0.0), _c6)), singles_less(singles_add(extent, singles_mul(horizon, singles_add(speed, singles_mul(_c0, horizon)))), _c8));
+    return (LANES(court_ring_drops_through_out)){ singles_truth(singles_not(singles_both(_s18, singles_less(singles_add(position_error, singles_mul(horizon, velocity_error)), _c9)))) };
 }
 
 /* First window that ends later than a time, from then on.

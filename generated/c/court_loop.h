@@ -1,6 +1,6 @@
 /* The event loop of the scene court, with or without bounds on errors.
 
-   Generated from templates/c/loop.h.j2, scene court, derivation 619087e8f0f74905,
+   Generated from templates/c/loop.h.j2, scene court, derivation 214aafa785e1c47c,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by court_engine.h twice, BOUNDED being 1 where errors are bounded, else 0. The path is
@@ -858,6 +858,9 @@ static void LOOP(fix)(LOOP(worklist) *worklist)
         const S _s23 = singles_div(_s6, _s16);
         const S _s24 = singles_max(KS(1.0), _s23);
         const S _s31 = singles_div(KS(1.0), _s16);
+        const S _s59 = singles_mul(KS(1.00048828125), _s11);
+        const S _s62 = singles_mul(KS(0.00048828125), _s11);
+        const S _s68 = singles_sub(_s13, _s62);
         FIX_SINGLE(0, _p_gravity); FIX_SINGLE(1, _s7);
         FIX_SINGLE(2, singles_mul(KS(2.0), _p_gravity));
         FIX_SINGLE(3, singles_div(KS(1.0), _p_gravity)); FIX_SINGLE(4, _s11);
@@ -876,6 +879,11 @@ static void LOOP(fix)(LOOP(worklist) *worklist)
         FIX_SINGLE(23, singles_add(singles_mul(KS(0.0001220703125), _p_ball_radius), singles_mul(KS(0.0001220703125), _p_wire_radius)));
         FIX_SINGLE(24, singles_mul(KS(9.5367431640625e-07), _s11));
         FIX_SINGLE(25, singles_add(singles_mul(KS(0.000244140625), _p_ball_radius), singles_mul(KS(0.000244140625), _p_wire_radius)));
+        FIX_SINGLE(26, singles_mul(_s59, _s59)); FIX_SINGLE(27, singles_add(_s7, _s62));
+        FIX_SINGLE(28, singles_sub(singles_sub(_p_ring_radius, singles_mul(KS(1.4143014047294855), _s6)), _s62));
+        FIX_SINGLE(29, _s68); FIX_SINGLE(30, singles_mul(_s68, _s68));
+        FIX_SINGLE(31, singles_mul(KS(128.0), _s11));
+        FIX_SINGLE(32, singles_mul(KS(1.52587890625e-05), _s11));
     }
 }
 
@@ -3180,8 +3188,19 @@ static size_t LOOP(launch)(LOOP(worklist) *worklist, const court_job *job, size_
         }
         CALL(court_horizon, _horizon_1)(when, speed, FIXED(20));
         V until = _horizon_1.horizon;
-        CALL(court_ring_clear, _ring_clear_1)(until, x, y, z, vx, vy, vz, extent, speed, OR_ZERO(position_error), OR_ZERO(velocity_error), FIXED(7), FIXED(21), FIXED(27), FIXED(28), FIXED(29), FIXED(30), FIXED(31), FIXED(32), FIXED(22), FIXED(20), FIXED(33), FIXED(14), FIXED(34), FIXED(35), FIXED(36), FIXED(37), FIXED(38), FIXED(39), FIXED(40), FIXED(41));
-        EACH(GET, _ring_clear_1, clear)
+        CALL(court_missed, _missed_1)();
+        EACH(GET, _missed_1, clear)
+#if BOUNDED
+        CALL(court_ring_drops_through, _ring_drops_through_1)(lanes_narrow(x), lanes_narrow(y), lanes_narrow(z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(vz), lanes_narrow(until), lanes_narrow(extent), lanes_narrow(speed), lanes_narrow(position_error), lanes_narrow(velocity_error), FIXED_SINGLE(0), FIXED_SINGLE(26), FIXED_SINGLE(3), FIXED_SINGLE(27), FIXED_SINGLE(20), FIXED_SINGLE(28), FIXED_SINGLE(29), FIXED_SINGLE(30), FIXED_SINGLE(31), FIXED_SINGLE(32));
+#else
+        CALL(court_ring_drops_through, _ring_drops_through_1)(lanes_narrow(x), lanes_narrow(y), lanes_narrow(z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(vz), lanes_narrow(until), lanes_narrow(extent), lanes_narrow(speed), KS(0.0), KS(0.0), FIXED_SINGLE(0), FIXED_SINGLE(26), FIXED_SINGLE(3), FIXED_SINGLE(27), FIXED_SINGLE(20), FIXED_SINGLE(28), FIXED_SINGLE(29), FIXED_SINGLE(30), FIXED_SINGLE(31), FIXED_SINGLE(32));
+#endif
+        EACH(GET_MASK, _ring_drops_through_1, unproved)
+        const M _if_unproved_1 = unproved;
+        if (lanes_any(_if_unproved_1)) {
+            CALL(court_ring_clear, _ring_clear_1)(until, x, y, z, vx, vy, vz, extent, speed, OR_ZERO(position_error), OR_ZERO(velocity_error), FIXED(7), FIXED(21), FIXED(27), FIXED(28), FIXED(29), FIXED(30), FIXED(31), FIXED(32), FIXED(22), FIXED(20), FIXED(33), FIXED(14), FIXED(34), FIXED(35), FIXED(36), FIXED(37), FIXED(38), FIXED(39), FIXED(40), FIXED(41));
+            EACH(SELECT, (_if_unproved_1, _ring_clear_1), clear)
+        }
         CALL(court_opens_in_flight, _opens_in_flight_1)(clear, in_contact);
         EACH(GET_MASK, _opens_in_flight_1, open)
         refused = lanes_either(refused, open);

@@ -1,6 +1,6 @@
 /* Kernels of the scene hoop, in C.
 
-   Generated from templates/c/kernels.h.j2, scene hoop, derivation 2c9762ba8a585e11,
+   Generated from templates/c/kernels.h.j2, scene hoop, derivation b8cd2f66933e66f6,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -457,6 +457,18 @@ LANES(hoop_earliest)(V index, V time, V when, V which, M arrives)
 {
     const M _s0 = lanes_both(arrives, lanes_less(time, when));
     return (LANES(hoop_earliest_out)){ lanes_select(_s0, time, when), lanes_select(_s0, index, which) };
+}
+
+/* Start value: the surface is certainly missed.
+   Table 1. No operations. */
+typedef struct {
+    V clear;
+} LANES(hoop_missed_out);
+
+LANES_INLINE LANES(hoop_missed_out)
+LANES(hoop_missed)(void)
+{
+    return (LANES(hoop_missed_out)){ K(1.0) };
 }
 
 /* Whether the flight may hit a surface.
@@ -1484,6 +1496,37 @@ LANES(hoop_ring_budget_exceeded)(V horizon, V extent, V speed, V position_error,
     const V _s0 = lanes_add(lanes_mul(_c1, lanes_sqrt(lanes_mul(_c2, lanes_add(_c3, extent)))), lanes_mul(lanes_mul(K(2.0), speed), _c2));
     const V _s1 = lanes_sub(lanes_sub(lanes_add(position_error, lanes_mul(velocity_error, lanes_min(_s0, horizon))), _c4), _c5);
     return (LANES(hoop_ring_budget_exceeded_out)){ lanes_max(_c0, _s1) };
+}
+
+/* Whether the ball may do other than rise and drop through the hole.
+   Table 1. 79 operations: 20 additions, 5 subtractions, 30 multiplications, 12 comparisons, 11 conjunctions, 1 complement. */
+typedef struct {
+    M unproved;
+} LANES(hoop_ring_drops_through_out);
+
+LANES_INLINE LANES(hoop_ring_drops_through_out)
+LANES(hoop_ring_drops_through)(S x, S y, S z, S vx, S vy, S vz, S horizon, S extent, S speed, S position_error, S velocity_error, S _c0, S _c1, S _c2, S _c3, S _c4, S _c5, S _c6, S _c7, S _c8, S _c9)
+{
+    const S _s0 = singles_mul(vz, _c2);
+    const S _s1 = singles_add(x, singles_mul(vx, _s0));
+    const S _s2 = singles_add(y, singles_mul(vy, _s0));
+    const S _s3 = singles_mul(KS(0.125), singles_sub(horizon, _s0));
+    const S _s4 = singles_sub(horizon, _s3);
+    const S _s5 = singles_add(z, singles_mul(singles_sub(vz, singles_mul(_c4, _s4)), _s4));
+    const Q _s6 = singles_both(singles_both(singles_both(singles_less(KS(0.0), vz), singles_less(_c1, singles_add(singles_mul(_s1, _s1), singles_mul(_s2, _s2)))), singles_less(singles_add(singles_mul(vx, _s1), singles_mul(vy, _s2)), KS(0.0))), singles_less(_c3, _s5));
+    const S _s7 = singles_add(x, singles_mul(vx, _s4));
+    const S _s8 = singles_add(y, singles_mul(vy, _s4));
+    const S _s9 = singles_add(_s5, _c5);
+    const S _s10 = singles_sub(horizon, singles_mul(KS(0.25), _s3));
+    const S _s11 = singles_add(x, singles_mul(vx, _s10));
+    const S _s12 = singles_add(y, singles_mul(vy, _s10));
+    const S _s13 = singles_add(singles_mul(_s11, _s11), singles_mul(_s12, _s12));
+    const S _s14 = singles_add(singles_add(z, singles_mul(singles_sub(vz, singles_mul(_c4, _s10)), _s10)), _c5);
+    const Q _s15 = singles_both(singles_both(singles_both(_s6, singles_less(singles_add(singles_mul(_s7, _s7), singles_mul(_s8, _s8)), singles_mul(_s9, _s9))), singles_less(_s13, singles_mul(_s14, _s14))), singles_less(KS(0.0), _s14));
+    const S _s16 = singles_add(x, singles_mul(vx, horizon));
+    const S _s17 = singles_add(y, singles_mul(vy, horizon));
+    const Q _s18 = singles_both(singles_both(singles_both(singles_both(_s15, singles_less(_s13, _c7)), singles_less(singles_add(singles_mul(_s16, _s16), singles_mul(_s17, _s17)), _c7)), singles_less(KS(0.0), _c6)), singles_less(singles_add(extent, singles_mul(horizon, singles_add(speed, singles_mul(_c0, horizon)))), _c8));
+    return (LANES(hoop_ring_drops_through_out)){ singles_truth(singles_not(singles_both(_s18, singles_less(singles_add(position_error, singles_mul(horizon, velocity_error)), _c9)))) };
 }
 
 /* First window that ends later than a time, from then on.

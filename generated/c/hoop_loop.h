@@ -1,6 +1,6 @@
 /* The event loop of the scene hoop, with or without bounds on errors.
 
-   Generated from templates/c/loop.h.j2, scene hoop, derivation 2c9762ba8a585e11,
+   Generated from templates/c/loop.h.j2, scene hoop, derivation b8cd2f66933e66f6,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by hoop_engine.h twice, BOUNDED being 1 where errors are bounded, else 0. The path is
@@ -463,6 +463,9 @@ static void LOOP(fix)(LOOP(worklist) *worklist)
         const S _s24 = singles_max(KS(1.0), _s23);
         const S _s31 = singles_div(KS(1.0), _s16);
         const S _s60 = singles_sub(singles_sub(_p_ring_radius, _p_ball_radius), _p_wire_radius);
+        const S _s70 = singles_mul(KS(1.00048828125), _s11);
+        const S _s73 = singles_mul(KS(0.00048828125), _s11);
+        const S _s79 = singles_sub(_s13, _s73);
         FIX_SINGLE(0, _p_gravity); FIX_SINGLE(1, _s7);
         FIX_SINGLE(2, singles_mul(KS(2.0), _p_gravity));
         FIX_SINGLE(3, singles_div(KS(1.0), _p_gravity)); FIX_SINGLE(4, _s11);
@@ -486,6 +489,11 @@ static void LOOP(fix)(LOOP(worklist) *worklist)
         FIX_SINGLE(28, _p_ball_radius); FIX_SINGLE(29, _p_restitution);
         FIX_SINGLE(30, singles_mul(KS(0.4), _p_ball_radius));
         FIX_SINGLE(31, singles_div(KS(1.0), _p_ball_radius)); FIX_SINGLE(32, singles_abs(KS(0.0)));
+        FIX_SINGLE(33, singles_mul(_s70, _s70)); FIX_SINGLE(34, singles_add(_s7, _s73));
+        FIX_SINGLE(35, singles_sub(singles_sub(_p_ring_radius, singles_mul(KS(1.4143014047294855), _s6)), _s73));
+        FIX_SINGLE(36, _s79); FIX_SINGLE(37, singles_mul(_s79, _s79));
+        FIX_SINGLE(38, singles_mul(KS(128.0), _s11));
+        FIX_SINGLE(39, singles_mul(KS(1.52587890625e-05), _s11));
     }
 }
 
@@ -907,12 +915,23 @@ static size_t LOOP(launch)(LOOP(worklist) *worklist, const hoop_job *job, size_t
         refused = lanes_either(refused, reachable);
         CALL(hoop_horizon, _horizon_2)(when, speed, FIXED(14));
         V until = _horizon_2.horizon;
+        CALL(hoop_missed, _missed_1)();
+        EACH(GET, _missed_1, clear)
 #if BOUNDED
-        CALL(hoop_ring_clear, _ring_clear_1)(until, x, y, z, vx, vy, vz, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), FIXED(5), FIXED(15), FIXED(28), FIXED(29), FIXED(30), FIXED(31), FIXED(32), FIXED(33), FIXED(17), FIXED(14), FIXED(25), FIXED(11), FIXED(34), FIXED(35), FIXED(36), FIXED(37), FIXED(38), FIXED(39), FIXED(40), FIXED(41));
+        CALL(hoop_ring_drops_through, _ring_drops_through_1)(lanes_narrow(x), lanes_narrow(y), lanes_narrow(z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(vz), lanes_narrow(until), lanes_narrow(extent), lanes_narrow(speed), position_error, velocity_error, FIXED_SINGLE(0), FIXED_SINGLE(33), FIXED_SINGLE(3), FIXED_SINGLE(34), FIXED_SINGLE(20), FIXED_SINGLE(35), FIXED_SINGLE(36), FIXED_SINGLE(37), FIXED_SINGLE(38), FIXED_SINGLE(39));
 #else
-        CALL(hoop_ring_clear, _ring_clear_1)(until, x, y, z, vx, vy, vz, extent, speed, K(0.0), K(0.0), FIXED(5), FIXED(15), FIXED(28), FIXED(29), FIXED(30), FIXED(31), FIXED(32), FIXED(33), FIXED(17), FIXED(14), FIXED(25), FIXED(11), FIXED(34), FIXED(35), FIXED(36), FIXED(37), FIXED(38), FIXED(39), FIXED(40), FIXED(41));
+        CALL(hoop_ring_drops_through, _ring_drops_through_1)(lanes_narrow(x), lanes_narrow(y), lanes_narrow(z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(vz), lanes_narrow(until), lanes_narrow(extent), lanes_narrow(speed), KS(0.0), KS(0.0), FIXED_SINGLE(0), FIXED_SINGLE(33), FIXED_SINGLE(3), FIXED_SINGLE(34), FIXED_SINGLE(20), FIXED_SINGLE(35), FIXED_SINGLE(36), FIXED_SINGLE(37), FIXED_SINGLE(38), FIXED_SINGLE(39));
 #endif
-        EACH(GET, _ring_clear_1, clear)
+        EACH(GET_MASK, _ring_drops_through_1, unproved)
+        const M _if_unproved_1 = unproved;
+        if (lanes_any(_if_unproved_1)) {
+#if BOUNDED
+            CALL(hoop_ring_clear, _ring_clear_1)(until, x, y, z, vx, vy, vz, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), FIXED(5), FIXED(15), FIXED(28), FIXED(29), FIXED(30), FIXED(31), FIXED(32), FIXED(33), FIXED(17), FIXED(14), FIXED(25), FIXED(11), FIXED(34), FIXED(35), FIXED(36), FIXED(37), FIXED(38), FIXED(39), FIXED(40), FIXED(41));
+#else
+            CALL(hoop_ring_clear, _ring_clear_1)(until, x, y, z, vx, vy, vz, extent, speed, K(0.0), K(0.0), FIXED(5), FIXED(15), FIXED(28), FIXED(29), FIXED(30), FIXED(31), FIXED(32), FIXED(33), FIXED(17), FIXED(14), FIXED(25), FIXED(11), FIXED(34), FIXED(35), FIXED(36), FIXED(37), FIXED(38), FIXED(39), FIXED(40), FIXED(41));
+#endif
+            EACH(SELECT, (_if_unproved_1, _ring_clear_1), clear)
+        }
         CALL(hoop_opens, _opens_1)(clear);
         EACH(GET_MASK, _opens_1, open)
         refused = lanes_either(refused, open);

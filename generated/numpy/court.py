@@ -1,6 +1,6 @@
 """NumPy kernels of the scene court.
 
-Generated from templates/numpy/kernels.py.j2, scene court, derivation 619087e8f0f74905,
+Generated from templates/numpy/kernels.py.j2, scene court, derivation 214aafa785e1c47c,
 with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
 and run `make generate`.
 Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
@@ -345,6 +345,7 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "crossing_undecided": ("undecided_time",),
     "tie_undecided": ("undecided_time", "earliest_delay",),
     "earliest": ("when", "which",),
+    "missed": ("clear",),
     "beginning": ("share", "arrival", "certain",),
     "out_of_budget": ("undecided_time",),
     "out_of_budget_in_windows": ("undecided_time",),
@@ -492,6 +493,7 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "ring_round_9": ("omega_9", "around_9", "cosine_10", "sine_10", "climb_10", "along_10", "turn_rate_10", "tilted_10",),
     "ring_round_10": ("omega_10", "around_10", "cosine_11", "sine_11", "climb_11", "along_11", "turn_rate_11", "tilted_11",),
     "ring_round_11": ("omega_11", "around_11", "cosine_12", "sine_12", "climb_12", "along_12", "turn_rate_12", "tilted_12",),
+    "ring_drops_through": ("unproved",),
     "ring_enter": ("t", "end", "searching",),
     "backboard_normal": ("nx", "ny", "nz",),
     "backboard_curvature": ("curvature",),
@@ -804,25 +806,31 @@ _k211 = _float64(9.0)
 _k212 = _scalar(512.0)
 _k213 = _float64(0.00390625)
 _k214 = _float64(512.0)
-_k215 = _float64(6.103515625e-05)
-_k216 = _float64(1.25)
-_k217 = _scalar(3.3306690738754696e-16)
-_k218 = _scalar(1.3335686721571705e-15)
-_k219 = _scalar(4.00390625)
-_k220 = _scalar(2.001953125)
-_k221 = _float64(5.55653613398821e-16)
-_k222 = _float64(2.001953125)
-_k223 = _float64(3.3306690738754696e-16)
-_k224 = _float64(1.3335686721571705e-15)
-_k225 = _float64(6.667843360785852e-15)
-_k226 = _float64(12.01171875)
-_k227 = _float64(4.00390625)
-_k228 = _float64(2.667137344314341e-15)
-_k229 = _float64(6.005859375)
-_k230 = _float64(5.551115123125783e-16)
-_k231 = _scalar(2.222614453595284e-16)
-_k232 = _float64(6.667843360785852e-16)
-_k233 = _float64(2.222614453595284e-16)
+_k215 = _float32(1.00048828125)
+_k216 = _float32(0.00048828125)
+_k217 = _float32(0.125)
+_k218 = _float32(1.4143014047294855)
+_k219 = _float32(0.25)
+_k220 = _float32(1.52587890625e-05)
+_k221 = _float64(6.103515625e-05)
+_k222 = _float64(1.25)
+_k223 = _scalar(3.3306690738754696e-16)
+_k224 = _scalar(1.3335686721571705e-15)
+_k225 = _scalar(4.00390625)
+_k226 = _scalar(2.001953125)
+_k227 = _float64(5.55653613398821e-16)
+_k228 = _float64(2.001953125)
+_k229 = _float64(3.3306690738754696e-16)
+_k230 = _float64(1.3335686721571705e-15)
+_k231 = _float64(6.667843360785852e-15)
+_k232 = _float64(12.01171875)
+_k233 = _float64(4.00390625)
+_k234 = _float64(2.667137344314341e-15)
+_k235 = _float64(6.005859375)
+_k236 = _float64(5.551115123125783e-16)
+_k237 = _scalar(2.222614453595284e-16)
+_k238 = _float64(6.667843360785852e-16)
+_k239 = _float64(2.222614453595284e-16)
 
 
 def _bits(value: Any, row: Any) -> Any:
@@ -1435,6 +1443,14 @@ def earliest(index: Any, time: Any, when: Any, which: Any, arrives: Any) -> tupl
     """
     _s0 = _logical_and(arrives, (time < when))
     return _where(_s0, time, when), _where(_s0, index, which)
+
+
+def missed() -> tuple[Any, ...]:
+    """Start value: the surface is certainly missed.
+
+    Table 1. No operations.
+    """
+    return 1.0,
 
 
 def beginning() -> tuple[Any, ...]:
@@ -4162,6 +4178,43 @@ def ring_round_11(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ring_rad
     return _s3, _s6, -_multiply(_k180, _add(_s8, _multiply(climb_11, sine_0, _r6), _r6), _r6), _k180 * _add(_s10, _multiply(climb_11, cosine_0, _r6), _r6), -_multiply(_multiply(_k180, per_reach, _r6), _add(_multiply(_multiply(p_gravity, cosine_11, _r0), _s11, _r0), _add(_s13, _multiply(tilted_0, _s3, _r1), _r1), _r1), _r6), _k180 * _subtract(_multiply(_s0, _add(_s15, _multiply(sine_11, around_0, _r6), _r6), _r6), _multiply(p_inertia * _s11, _add(_s17, _multiply(turn_rate_11, climb_0, _r3), _r3), _r3), _r3), (0.08333333333333333 * p_ring_radius) * _s6, _k180 * _add(_multiply(p_ring_radius * _s11, _add(_s19, _multiply(cosine_11, around_0, _r3), _r3), _r3), _multiply(_s0, _s6, _r5), _r5)
 
 
+def ring_drops_through(p_ball_radius: Any, p_gravity: Any, p_ring_radius: Any, p_wire_radius: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any) -> tuple[Any, ...]:
+    """Whether the ball may do other than rise and drop through the hole.
+
+    Table 1. 96 operations: 23 additions, 9 subtractions, 39 multiplications, 1 division, 12 comparisons, 11 conjunctions, 1 complement.
+    """
+    p_ball_radius, p_gravity, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz, horizon, extent, speed, position_error, velocity_error, = [_single(value) for value in (p_ball_radius, p_gravity, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz, horizon, extent, speed, position_error, velocity_error,)]
+    _s0 = p_ball_radius + p_wire_radius
+    _s1 = _float32(1.00006103515625) * _s0
+    _s2 = p_ring_radius + _s1
+    _s3 = _float32(1.00048828125) * _s2
+    _s4 = vz * (_float32(1.0) / p_gravity)
+    _s5 = x + (vx * _s4)
+    _s6 = y + (vy * _s4)
+    _s7 = _float32(0.00048828125) * _s2
+    _s8 = _float32(0.125) * (horizon - _s4)
+    _s9 = horizon - _s8
+    _s10 = _float32(0.5) * p_gravity
+    _s11 = z + ((vz - (_s10 * _s9)) * _s9)
+    _s12 = _logical_and(_logical_and(_logical_and((_float32(0.0) < vz), ((_s3 * _s3) < ((_s5 * _s5) + (_s6 * _s6)))), (((vx * _s5) + (vy * _s6)) < _float32(0.0))), ((_s1 + _s7) < _s11))
+    _s13 = x + (vx * _s9)
+    _s14 = y + (vy * _s9)
+    _s15 = (p_ring_radius - (_float32(1.4143014047294855) * _s0)) - _s7
+    _s16 = _s11 + _s15
+    _s17 = horizon - (_float32(0.25) * _s8)
+    _s18 = x + (vx * _s17)
+    _s19 = y + (vy * _s17)
+    _s20 = (_s18 * _s18) + (_s19 * _s19)
+    _s21 = (z + ((vz - (_s10 * _s17)) * _s17)) + _s15
+    _s22 = _logical_and(_logical_and(_logical_and(_s12, (((_s13 * _s13) + (_s14 * _s14)) < (_s16 * _s16))), (_s20 < (_s21 * _s21))), (_float32(0.0) < _s21))
+    _s23 = (p_ring_radius - _s1) - _s7
+    _s24 = _s23 * _s23
+    _s25 = x + (vx * horizon)
+    _s26 = y + (vy * horizon)
+    _s27 = _logical_and(_logical_and(_logical_and(_logical_and(_s22, (_s20 < _s24)), (((_s25 * _s25) + (_s26 * _s26)) < _s24)), (_float32(0.0) < _s23)), ((extent + (horizon * (speed + (p_gravity * horizon)))) < (_float32(128.0) * _s2)))
+    return _logical_not(_logical_and(_s27, ((position_error + (horizon * velocity_error)) < (_float32(1.52587890625e-05) * _s2)))),
+
+
 def ring_enter(t: Any, end: Any, after: Any, low0: Any, low1: Any, low2: Any, high0: Any, high1: Any, high2: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """First window that ends later than a time, from then on.
 
@@ -4330,12 +4383,12 @@ def backboard_margins(horizon: Any, extent: Any, speed: Any, position_error: Any
     _s8 = _multiply(_k20, _add(_add(position_error, _multiply(horizon, velocity_error, _r3), _r3), _multiply(_k14, _s6, _r4), _r4), _r4)
     _s9 = _add(_add(3.3306690738754696e-16 * p_board_half_width, _s7, _r3), _s8, _r3)
     _s10 = 2.001953125 * _s4
-    _s11 = _add(_add((3.3306690738754696e-16 * p_board_distance) + (2.220446049250313e-16 * p_board_thickness), _multiply(_k217, _s6, _r1), _r1), _s8, _r1)
+    _s11 = _add(_add((3.3306690738754696e-16 * p_board_distance) + (2.220446049250313e-16 * p_board_thickness), _multiply(_k223, _s6, _r1), _r1), _s8, _r1)
     _s12 = _add(_add((2.220446049250313e-16 * _absolute(p_board_bottom)) + (2.220446049250313e-16 * _absolute(p_board_top)), _s7, _r2), _s8, _r2)
-    _s13 = _add(_add(_add(_add(5.55653613398821e-16 * (p_ball_radius * p_ball_radius), _multiply(_s10, _s9, _r4), _r4), _multiply(_s10, _s11, _r5), _r5), _multiply(_s10, _s12, _r4), _r4), _multiply(_multiply(_multiply(_k218, horizon, _r5), _s4, _r5), _s5, _r5), _r5)
-    _s14 = _multiply(_k219, _s5, _r4)
-    _s15 = _add(_add(_add(_multiply(6.667843360785852e-15 * _s4, _s5, _r6), _multiply(12.01171875 * _s4, _add(velocity_error, _multiply(_k217, _s5, _r7), _r7), _r7), _r7), _multiply(_s14, _s9, _r6), _r6), _multiply(_s14, _s11, _r7), _r7)
-    _s16 = _multiply(_k220, _s5, _r6)
+    _s13 = _add(_add(_add(_add(5.55653613398821e-16 * (p_ball_radius * p_ball_radius), _multiply(_s10, _s9, _r4), _r4), _multiply(_s10, _s11, _r5), _r5), _multiply(_s10, _s12, _r4), _r4), _multiply(_multiply(_multiply(_k224, horizon, _r5), _s4, _r5), _s5, _r5), _r5)
+    _s14 = _multiply(_k225, _s5, _r4)
+    _s15 = _add(_add(_add(_multiply(6.667843360785852e-15 * _s4, _s5, _r6), _multiply(12.01171875 * _s4, _add(velocity_error, _multiply(_k223, _s5, _r7), _r7), _r7), _r7), _multiply(_s14, _s9, _r6), _r6), _multiply(_s14, _s11, _r7), _r7)
+    _s16 = _multiply(_k226, _s5, _r6)
     _s17 = _add(_add(_add(_multiply(2.667137344314341e-15 * _s4, _s5, _r8), _multiply(6.005859375 * _s4, _add(velocity_error, _multiply(_k34, _s5, _r0), _r0), _r0), _r0), _multiply(_s16, _s9, _r3), _r3), _multiply(_s16, _s11, _r1), _r1)
     return _s13 + (1.3335686721571705e-15 * (_s4 * _s4)), _s15 + _multiply(_s14, _s12, _r4), _s17 + _multiply(_s16, _s12, _r6)
 
@@ -4866,11 +4919,11 @@ def bridge_margins(horizon: Any, extent: Any, speed: Any, position_error: Any, v
     _s9 = _add(_add(3.3306690738754696e-16 * p_bridge_half_width, _s7, _r3), _s8, _r3)
     _s10 = 2.001953125 * _s4
     _s11 = _add(_add((1.1102230246251565e-16 * p_ring_radius) + (1.1102230246251565e-16 * p_board_distance), _s7, _r2), _s8, _r2)
-    _s12 = _add(_add((5.551115123125783e-16 * p_wire_radius) + (2.220446049250313e-16 * p_bridge_depth), _multiply(_k217, _s6, _r1), _r1), _s8, _r1)
-    _s13 = _add(_add(_add(_add(5.55653613398821e-16 * (p_ball_radius * p_ball_radius), _multiply(_s10, _s9, _r4), _r4), _multiply(_s10, _s11, _r5), _r5), _multiply(_s10, _s12, _r4), _r4), _multiply(_multiply(_multiply(_k218, horizon, _r5), _s4, _r5), _s5, _r5), _r5)
-    _s14 = _multiply(_k219, _s5, _r4)
-    _s15 = _add(_add(_add(_multiply(6.667843360785852e-15 * _s4, _s5, _r6), _multiply(12.01171875 * _s4, _add(velocity_error, _multiply(_k217, _s5, _r7), _r7), _r7), _r7), _multiply(_s14, _s9, _r6), _r6), _multiply(_s14, _s11, _r7), _r7)
-    _s16 = _multiply(_k220, _s5, _r6)
+    _s12 = _add(_add((5.551115123125783e-16 * p_wire_radius) + (2.220446049250313e-16 * p_bridge_depth), _multiply(_k223, _s6, _r1), _r1), _s8, _r1)
+    _s13 = _add(_add(_add(_add(5.55653613398821e-16 * (p_ball_radius * p_ball_radius), _multiply(_s10, _s9, _r4), _r4), _multiply(_s10, _s11, _r5), _r5), _multiply(_s10, _s12, _r4), _r4), _multiply(_multiply(_multiply(_k224, horizon, _r5), _s4, _r5), _s5, _r5), _r5)
+    _s14 = _multiply(_k225, _s5, _r4)
+    _s15 = _add(_add(_add(_multiply(6.667843360785852e-15 * _s4, _s5, _r6), _multiply(12.01171875 * _s4, _add(velocity_error, _multiply(_k223, _s5, _r7), _r7), _r7), _r7), _multiply(_s14, _s9, _r6), _r6), _multiply(_s14, _s11, _r7), _r7)
+    _s16 = _multiply(_k226, _s5, _r6)
     _s17 = _add(_add(_add(_multiply(2.667137344314341e-15 * _s4, _s5, _r8), _multiply(6.005859375 * _s4, _add(velocity_error, _multiply(_k34, _s5, _r0), _r0), _r0), _r0), _multiply(_s16, _s9, _r3), _r3), _multiply(_s16, _s11, _r2), _r2)
     return _s13 + (1.3335686721571705e-15 * (_s4 * _s4)), _s15 + _multiply(_s14, _s12, _r4), _s17 + _multiply(_s16, _s12, _r6)
 
@@ -5315,7 +5368,7 @@ def end_margin(horizon: Any, extent: Any, speed: Any, position_error: Any, veloc
     """
     _r0, _r1, _r2 = _room[:3]
     _s0 = _add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r0), _r0), _r0), _r0)
-    return _add(6.667843360785852e-16 * p_end_depth, _multiply(_k231, _s0, _r1), _r1) + _multiply(_k220, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(_k14, _s0, _r0), _r0), _r0),
+    return _add(6.667843360785852e-16 * p_end_depth, _multiply(_k237, _s0, _r1), _r1) + _multiply(_k226, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(_k14, _s0, _r0), _r0), _r0),
 
 
 def end_place(x: Any, y: Any, p_end_depth: Any) -> tuple[Any, ...]:
@@ -7293,7 +7346,7 @@ def _backboard_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: 
     _s7 = p_ball_radius + p_board_half_width
     _s8 = _s7 if _s7 < _s2 else _s2
     _s9 = _s6 if _s6 < _s8 else _s8
-    _s10 = _k215 * _s9
+    _s10 = _k221 * _s9
     _s11 = _s2 + _s10
     _s12 = p_board_distance + _s1
     _s13 = _s12 + x
@@ -7332,7 +7385,7 @@ def _backboard_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: 
     _s46 = _s44 if _s45 < _s44 else _s45
     _s47 = _s46 if _s46 < horizon else horizon
     _s48 = speed + (p_gravity * _s47)
-    _s49 = _k28 * (((_k216 * abs((-p_gravity))) * (p_ball_radius + (_k115 * _s9))) + (_k60 * (_s48 * _s48)))
+    _s49 = _k28 * (((_k222 * abs((-p_gravity))) * (p_ball_radius + (_k115 * _s9))) + (_k60 * (_s48 * _s48)))
     _s50 = _s7 if _s2 < _s7 else _s2
     _s51 = ((_s12 + extent) + abs((_s5 + _s3))) + (_s6 if _s50 < _s6 else _s50)
     _s52 = (_root(_k28) * _root((_s27 * (_s51 + _s9)))) + ((_k28 * speed) * _s27)
@@ -7350,16 +7403,16 @@ def _backboard_margins_alone(horizon: Any, extent: Any, speed: Any, position_err
     _s6 = extent + (horizon * _s5)
     _s7 = _k35 * _s6
     _s8 = _k28 * ((position_error + (horizon * velocity_error)) + (_k18 * _s6))
-    _s9 = ((_k223 * p_board_half_width) + _s7) + _s8
-    _s10 = _k222 * _s4
-    _s11 = (((_k223 * p_board_distance) + (_k35 * p_board_thickness)) + (_k223 * _s6)) + _s8
+    _s9 = ((_k229 * p_board_half_width) + _s7) + _s8
+    _s10 = _k228 * _s4
+    _s11 = (((_k229 * p_board_distance) + (_k35 * p_board_thickness)) + (_k229 * _s6)) + _s8
     _s12 = (((_k35 * abs(p_board_bottom)) + (_k35 * abs(p_board_top))) + _s7) + _s8
-    _s13 = ((((_k221 * (p_ball_radius * p_ball_radius)) + (_s10 * _s9)) + (_s10 * _s11)) + (_s10 * _s12)) + (((_k224 * horizon) * _s4) * _s5)
-    _s14 = _k227 * _s5
-    _s15 = ((((_k225 * _s4) * _s5) + ((_k226 * _s4) * (velocity_error + (_k223 * _s5)))) + (_s14 * _s9)) + (_s14 * _s11)
-    _s16 = _k222 * _s5
-    _s17 = ((((_k228 * _s4) * _s5) + ((_k229 * _s4) * (velocity_error + (_k35 * _s5)))) + (_s16 * _s9)) + (_s16 * _s11)
-    return _s13 + (_k224 * (_s4 * _s4)), _s15 + (_s14 * _s12), _s17 + (_s16 * _s12)
+    _s13 = ((((_k227 * (p_ball_radius * p_ball_radius)) + (_s10 * _s9)) + (_s10 * _s11)) + (_s10 * _s12)) + (((_k230 * horizon) * _s4) * _s5)
+    _s14 = _k233 * _s5
+    _s15 = ((((_k231 * _s4) * _s5) + ((_k232 * _s4) * (velocity_error + (_k229 * _s5)))) + (_s14 * _s9)) + (_s14 * _s11)
+    _s16 = _k228 * _s5
+    _s17 = ((((_k234 * _s4) * _s5) + ((_k235 * _s4) * (velocity_error + (_k35 * _s5)))) + (_s16 * _s9)) + (_s16 * _s11)
+    return _s13 + (_k230 * (_s4 * _s4)), _s15 + (_s14 * _s12), _s17 + (_s16 * _s12)
 
 
 def _backboard_refine_alone(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_ball_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_board_thickness: Any, p_gravity: Any) -> tuple[Any, ...]:
@@ -7612,7 +7665,7 @@ def _bridge_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any
     _s7 = _s2 - _s6
     _s8 = _s5 if _s5 < _s7 else _s7
     _s9 = _s4 if _s4 < _s8 else _s8
-    _s10 = _k215 * _s9
+    _s10 = _k221 * _s9
     _s11 = (_s2 + _s10) - _s6
     _s12 = _s6 + _s1
     _s13 = _s12 + x
@@ -7651,7 +7704,7 @@ def _bridge_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any
     _s46 = _s44 if _s45 < _s44 else _s45
     _s47 = _s46 if _s46 < horizon else horizon
     _s48 = speed + (p_gravity * _s47)
-    _s49 = _k28 * (((_k216 * abs((-p_gravity))) * (p_ball_radius + (_k115 * _s9))) + (_k60 * (_s48 * _s48)))
+    _s49 = _k28 * (((_k222 * abs((-p_gravity))) * (p_ball_radius + (_k115 * _s9))) + (_k60 * (_s48 * _s48)))
     _s50 = _s5 if _s7 < _s5 else _s7
     _s51 = ((_s12 + extent) + abs((_s3 - p_wire_radius))) + (_s4 if _s50 < _s4 else _s50)
     _s52 = (_root(_k28) * _root((_s27 * (_s51 + _s9)))) + ((_k28 * speed) * _s27)
@@ -7669,16 +7722,16 @@ def _bridge_margins_alone(horizon: Any, extent: Any, speed: Any, position_error:
     _s6 = extent + (horizon * _s5)
     _s7 = _k35 * _s6
     _s8 = _k28 * ((position_error + (horizon * velocity_error)) + (_k18 * _s6))
-    _s9 = ((_k223 * p_bridge_half_width) + _s7) + _s8
-    _s10 = _k222 * _s4
+    _s9 = ((_k229 * p_bridge_half_width) + _s7) + _s8
+    _s10 = _k228 * _s4
     _s11 = (((_k30 * p_ring_radius) + (_k30 * p_board_distance)) + _s7) + _s8
-    _s12 = (((_k230 * p_wire_radius) + (_k35 * p_bridge_depth)) + (_k223 * _s6)) + _s8
-    _s13 = ((((_k221 * (p_ball_radius * p_ball_radius)) + (_s10 * _s9)) + (_s10 * _s11)) + (_s10 * _s12)) + (((_k224 * horizon) * _s4) * _s5)
-    _s14 = _k227 * _s5
-    _s15 = ((((_k225 * _s4) * _s5) + ((_k226 * _s4) * (velocity_error + (_k223 * _s5)))) + (_s14 * _s9)) + (_s14 * _s11)
-    _s16 = _k222 * _s5
-    _s17 = ((((_k228 * _s4) * _s5) + ((_k229 * _s4) * (velocity_error + (_k35 * _s5)))) + (_s16 * _s9)) + (_s16 * _s11)
-    return _s13 + (_k224 * (_s4 * _s4)), _s15 + (_s14 * _s12), _s17 + (_s16 * _s12)
+    _s12 = (((_k236 * p_wire_radius) + (_k35 * p_bridge_depth)) + (_k229 * _s6)) + _s8
+    _s13 = ((((_k227 * (p_ball_radius * p_ball_radius)) + (_s10 * _s9)) + (_s10 * _s11)) + (_s10 * _s12)) + (((_k230 * horizon) * _s4) * _s5)
+    _s14 = _k233 * _s5
+    _s15 = ((((_k231 * _s4) * _s5) + ((_k232 * _s4) * (velocity_error + (_k229 * _s5)))) + (_s14 * _s9)) + (_s14 * _s11)
+    _s16 = _k228 * _s5
+    _s17 = ((((_k234 * _s4) * _s5) + ((_k235 * _s4) * (velocity_error + (_k35 * _s5)))) + (_s16 * _s9)) + (_s16 * _s11)
+    return _s13 + (_k230 * (_s4 * _s4)), _s15 + (_s14 * _s12), _s17 + (_s16 * _s12)
 
 
 def _bridge_refine_alone(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_bridge_half_width: Any, p_bridge_depth: Any, p_gravity: Any) -> tuple[Any, ...]:

@@ -1,6 +1,6 @@
 """NumPy kernels of the scene hoop.
 
-Generated from templates/numpy/kernels.py.j2, scene hoop, derivation 2c9762ba8a585e11,
+Generated from templates/numpy/kernels.py.j2, scene hoop, derivation b8cd2f66933e66f6,
 with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
 and run `make generate`.
 Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
@@ -294,6 +294,7 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "crossing_undecided": ("undecided_time",),
     "tie_undecided": ("undecided_time", "earliest_delay",),
     "earliest": ("when", "which",),
+    "missed": ("clear",),
     "opens": ("open",),
     "beginning": ("share", "arrival", "certain",),
     "out_of_budget": ("undecided_time",),
@@ -352,6 +353,7 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "ring_step": ("t", "end", "certain", "stepping",),
     "ring_started": ("rho_start", "start_rate", "rho_rate",),
     "ring_budget_exceeded": ("budget_exceeded",),
+    "ring_drops_through": ("unproved",),
     "ring_enter": ("t", "end", "searching",),
     "backboard_coefficients": ("c0", "c1",),
     "backboard_deflated": ("c0",),
@@ -560,13 +562,19 @@ _k138 = _scalar(_float32(3.0))
 _k139 = _scalar(_float32(0.000244140625))
 _k140 = _float32(3.814697265625e-06)
 _k141 = _float32(3.0)
-_k142 = _scalar(2.222614453595284e-16)
-_k143 = _scalar(2.001953125)
-_k144 = _float64(6.667843360785852e-16)
-_k145 = _float64(8.890457814381136e-16)
-_k146 = _float64(2.222614453595284e-16)
-_k147 = _float64(2.001953125)
-_k148 = _float64(7.105427357601002e-15)
+_k142 = _float32(1.00048828125)
+_k143 = _float32(0.00048828125)
+_k144 = _float32(0.125)
+_k145 = _float32(1.4143014047294855)
+_k146 = _float32(0.25)
+_k147 = _float32(1.52587890625e-05)
+_k148 = _scalar(2.222614453595284e-16)
+_k149 = _scalar(2.001953125)
+_k150 = _float64(6.667843360785852e-16)
+_k151 = _float64(8.890457814381136e-16)
+_k152 = _float64(2.222614453595284e-16)
+_k153 = _float64(2.001953125)
+_k154 = _float64(7.105427357601002e-15)
 
 
 def _bits(value: Any, row: Any) -> Any:
@@ -1051,6 +1059,14 @@ def earliest(index: Any, time: Any, when: Any, which: Any, arrives: Any) -> tupl
     """
     _s0 = _logical_and(arrives, (time < when))
     return _where(_s0, time, when), _where(_s0, index, which)
+
+
+def missed() -> tuple[Any, ...]:
+    """Start value: the surface is certainly missed.
+
+    Table 1. No operations.
+    """
+    return 1.0,
 
 
 def opens(clear: Any) -> tuple[Any, ...]:
@@ -2045,6 +2061,43 @@ def ring_budget_exceeded(horizon: Any, extent: Any, speed: Any, position_error: 
     return _result(_s0 < _s4, _s4, _s0, _r0),
 
 
+def ring_drops_through(p_ball_radius: Any, p_gravity: Any, p_ring_radius: Any, p_wire_radius: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any) -> tuple[Any, ...]:
+    """Whether the ball may do other than rise and drop through the hole.
+
+    Table 1. 96 operations: 23 additions, 9 subtractions, 39 multiplications, 1 division, 12 comparisons, 11 conjunctions, 1 complement.
+    """
+    p_ball_radius, p_gravity, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz, horizon, extent, speed, position_error, velocity_error, = [_single(value) for value in (p_ball_radius, p_gravity, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz, horizon, extent, speed, position_error, velocity_error,)]
+    _s0 = p_ball_radius + p_wire_radius
+    _s1 = _float32(1.00006103515625) * _s0
+    _s2 = p_ring_radius + _s1
+    _s3 = _float32(1.00048828125) * _s2
+    _s4 = vz * (_float32(1.0) / p_gravity)
+    _s5 = x + (vx * _s4)
+    _s6 = y + (vy * _s4)
+    _s7 = _float32(0.00048828125) * _s2
+    _s8 = _float32(0.125) * (horizon - _s4)
+    _s9 = horizon - _s8
+    _s10 = _float32(0.5) * p_gravity
+    _s11 = z + ((vz - (_s10 * _s9)) * _s9)
+    _s12 = _logical_and(_logical_and(_logical_and((_float32(0.0) < vz), ((_s3 * _s3) < ((_s5 * _s5) + (_s6 * _s6)))), (((vx * _s5) + (vy * _s6)) < _float32(0.0))), ((_s1 + _s7) < _s11))
+    _s13 = x + (vx * _s9)
+    _s14 = y + (vy * _s9)
+    _s15 = (p_ring_radius - (_float32(1.4143014047294855) * _s0)) - _s7
+    _s16 = _s11 + _s15
+    _s17 = horizon - (_float32(0.25) * _s8)
+    _s18 = x + (vx * _s17)
+    _s19 = y + (vy * _s17)
+    _s20 = (_s18 * _s18) + (_s19 * _s19)
+    _s21 = (z + ((vz - (_s10 * _s17)) * _s17)) + _s15
+    _s22 = _logical_and(_logical_and(_logical_and(_s12, (((_s13 * _s13) + (_s14 * _s14)) < (_s16 * _s16))), (_s20 < (_s21 * _s21))), (_float32(0.0) < _s21))
+    _s23 = (p_ring_radius - _s1) - _s7
+    _s24 = _s23 * _s23
+    _s25 = x + (vx * horizon)
+    _s26 = y + (vy * horizon)
+    _s27 = _logical_and(_logical_and(_logical_and(_logical_and(_s22, (_s20 < _s24)), (((_s25 * _s25) + (_s26 * _s26)) < _s24)), (_float32(0.0) < _s23)), ((extent + (horizon * (speed + (p_gravity * horizon)))) < (_float32(128.0) * _s2)))
+    return _logical_not(_logical_and(_s27, ((position_error + (horizon * velocity_error)) < (_float32(1.52587890625e-05) * _s2)))),
+
+
 def ring_enter(t: Any, end: Any, after: Any, low0: Any, low1: Any, low2: Any, high0: Any, high1: Any, high2: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """First window that ends later than a time, from then on.
 
@@ -2128,7 +2181,7 @@ def backboard_margin(horizon: Any, extent: Any, speed: Any, position_error: Any,
     """
     _r0, _r1, _r2 = _room[:3]
     _s0 = _add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r0), _r0), _r0), _r0)
-    return _add((6.667843360785852e-16 * p_ball_radius) + (8.890457814381136e-16 * p_board_distance), _multiply(_k142, _s0, _r1), _r1) + _multiply(_k143, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(_k17, _s0, _r0), _r0), _r0),
+    return _add((6.667843360785852e-16 * p_ball_radius) + (8.890457814381136e-16 * p_board_distance), _multiply(_k148, _s0, _r1), _r1) + _multiply(_k149, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(_k17, _s0, _r0), _r0), _r0),
 
 
 def backboard_place(y: Any, z: Any, p_ball_radius: Any, p_board_distance: Any) -> tuple[Any, ...]:
@@ -2234,7 +2287,7 @@ def bridge_margin(horizon: Any, extent: Any, speed: Any, position_error: Any, ve
     """
     _r0, _r1, _r2 = _room[:3]
     _s0 = _add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r0), _r0), _r0), _r0)
-    return _add((6.667843360785852e-16 * p_ball_radius) + (6.667843360785852e-16 * p_wire_radius), _multiply(_k142, _s0, _r1), _r1) + _multiply(_k143, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(_k17, _s0, _r0), _r0), _r0),
+    return _add((6.667843360785852e-16 * p_ball_radius) + (6.667843360785852e-16 * p_wire_radius), _multiply(_k148, _s0, _r1), _r1) + _multiply(_k149, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(_k17, _s0, _r0), _r0), _r0),
 
 
 def bridge_place(x: Any, y: Any, p_ball_radius: Any, p_wire_radius: Any) -> tuple[Any, ...]:
@@ -2332,7 +2385,7 @@ def end_margin(horizon: Any, extent: Any, speed: Any, position_error: Any, veloc
     """
     _r0, _r1, _r2 = _room[:3]
     _s0 = _add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r0), _r0), _r0), _r0)
-    return _add(6.667843360785852e-16 * p_end_depth, _multiply(_k142, _s0, _r1), _r1) + _multiply(_k143, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(_k17, _s0, _r0), _r0), _r0),
+    return _add(6.667843360785852e-16 * p_end_depth, _multiply(_k148, _s0, _r1), _r1) + _multiply(_k149, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(_k17, _s0, _r0), _r0), _r0),
 
 
 def end_place(x: Any, y: Any, p_end_depth: Any) -> tuple[Any, ...]:

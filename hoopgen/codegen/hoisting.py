@@ -64,7 +64,8 @@ def _shared(loops: Sequence[Loop]) -> dict[str, set[int]]:
         for table in loop.tables:
             if table.groups is not None:
                 elsewhere |= {table.groups.box.kernel.name, table.groups.near.kernel.name}
-        for do in (n for s in loop.stages.values() for n in walk(s) if isinstance(n, ir.Call)):
+        calls = (n for s in loop.stages.values() for n in walk(s) if isinstance(n, ir.Call))
+        for do in (*calls, *loop.shortcuts):
             places = {k for k, value in enumerate(do.arguments) if value in loop.parameters}
             found[do.kernel.name] = found.get(do.kernel.name, places) & places
     return {name: places for name, places in found.items() if name not in elsewhere}

@@ -473,6 +473,26 @@ def leaping_columns(seed: int, rows: int) -> dict[str, Floats]:
     return columns
 
 
+def dropping_columns(seed: int, rows: int) -> dict[str, Floats]:
+    """Return columns of which most are a swish's but for one number."""
+    rng = np.random.default_rng((seed, 4))
+    columns = random_columns(seed, rows)
+    swish = {"x": 4.191, "y": 0.01, "z": -0.6096, "vx": -4.4, "vy": 0.0, "vz": 5.31}
+    swish |= {"horizon": 0.9583, "extent": 4.8106, "speed": 9.71}
+    swish |= {"position_error": 0.0, "velocity_error": 0.0}
+    own = rng.integers(0, 2 * len(swish), rows)
+    for k, (name, value) in enumerate(swish.items()):
+        usual = value * (1 + 0.001 * rng.uniform(-1, 1, rows))
+        usual = np.where(own == k, value * rng.uniform(0.5, 1.5, rows), usual)
+        columns[name][1::2] = usual[1::2]
+    for name, (default, _, _) in hoop.PARAMETERS.items():
+        columns[name][1::2] = default
+    columns["position_error"][5::40] = 1e-4
+    columns["extent"][7::40] = 100.0
+    columns["ring_radius"][9::40] = 0.1
+    return columns
+
+
 def extreme_columns(seed: int, rows: int) -> dict[str, Floats]:
     """Return columns of extreme values, with ordinary ones between them."""
     rng = np.random.default_rng(seed)
@@ -542,7 +562,8 @@ def test_numpy_is_as_near_to_fifty_digits_as_its_roundings_allow(name: str) -> N
 
     An infinite or undefined value is the same one. The bound is rigorous, so there is no factor.
     """
-    columns = (leaping_columns if name == "ring_step" else random_columns)(1, ROWS)
+    special = {"ring_step": leaping_columns, "ring_drops_through": dropping_columns}
+    columns = special.get(name, random_columns)(1, ROWS)
     if name in UNBOUNDED:
         for k, argument in enumerate(arguments(getattr(hoop, name))):
             columns[argument][3 + k] = np.inf

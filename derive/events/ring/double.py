@@ -23,7 +23,7 @@ from ...symbolic.conditionals import absolute, barrier, maximum, minimum
 from ...symbolic.rounding import ROUNDING_SLACK, Rounded
 from ...symbolic.symbols import POSITION, UNIT_ROUNDOFF, VELOCITY, t
 from ..event_polynomials import horizon, time_rounding
-from .miss_filter import clear
+from .miss_filter import clear, drops_through
 from .polar import energy2, moment2, rho_start
 from .windows import RingWindows
 
@@ -127,6 +127,11 @@ class RingRootFinder(RingWindows):
     def clear(self) -> sp.Expr:
         """Positive if the ball certainly misses the ring before the horizon (`miss_filter.py`)."""
         return clear(self)
+
+    @property
+    def drops_through(self) -> sp.Basic:
+        """Condition that the ball rises and then drops through the hole (`miss_filter.py`)."""
+        return drops_through(self)
 
     @property
     def ceiling(self) -> sp.Expr:

@@ -1,10 +1,10 @@
-"""A test that a ball certainly misses the ring, by one evaluation."""
+"""Tests that a ball certainly misses the ring: by one evaluation, and without roots."""
 
 from __future__ import annotations
 
 import sympy as sp
 
-from ...symbolic.conditionals import IfLess, barrier, barrier_all
+from ...symbolic.conditionals import IfLess, Less, all_of, barrier, barrier_all
 from ...symbolic.rounding import extent, position_error, speed, velocity_error
 from ...symbolic.symbols import POSITION, VELOCITY
 from ..event_polynomials import horizon
@@ -66,3 +66,70 @@ def clear(search: PolarRootFinder) -> sp.Expr:
     verdict = IfLess(furthest, 2**16 * outermost, verdict, 0)
     verdict = IfLess(carried, sp.Rational(1, 2**34) * outermost, verdict, 0)
     return IfLess(0, search.lost_by(horizon), 0, verdict)
+
+
+def drops_through(search: PolarRootFinder) -> sp.Basic:
+    """Return a condition that the ball rises and then drops through the hole, without roots.
+
+    Four times stand for the flight: that of its apex b, those of the last eighth a and the last
+    32nd m of the descent, and the horizon T. With the inflated R, and s a slack, the ball misses
+
+    - until b, if it approaches the axis at b, and rho(b) > R_H + R + s: rho² is convex in time, and
+      falls until then;
+    - from b to a, if z(a) > R + s: it sinks from the apex on;
+    - from a to m, if rho - z < R_H - sqrt(2) R - s at both times: so it is between them, since rho
+      and -z are convex. The tangent plane of the ball's reach with the normal (-1, 1)/sqrt(2), in
+      rho and z, then separates the ball from the wire;
+    - from m to T, if rho < R_H - R - s at both times, by the convexity of rho.
+
+    The first of these conditions contradicts the last if b is after T. A ball that does not rise is
+    refused, as b would be before the flight. Else it only matters to the roundings where b, a and m
+    lie: the ball is never lower between b and a than at one of them, z being concave.
+
+    All of this is in single precision. A flight of less than 2^7 times the annulus's outer radius
+    rounds a coordinate by eight times 2^-24 of its size at most, which is 2^-14 of that radius, and
+    carries less. That holds at b, too, since V b <= 2 rho(0) if the ball still approaches the axis
+    there. The slack is 2^-11 of the radius: more than the roundings of rho and z together.
+    """
+    g, radius = search.gravity, search.ring.ring_radius
+    reach = search.reach
+    _, outermost = search.radii()
+    x, y, z = POSITION
+    vx, vy, vz = VELOCITY
+    slack = sp.Rational(1, 2**11) * outermost
+    apex = barrier(vz * barrier(1 / g))
+    eighth = barrier(barrier(horizon - apex) / 8)
+    begin = barrier(horizon - eighth)
+    middle = barrier(horizon - barrier(eighth / 4))
+
+    def sideways(time: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
+        return barrier(x + vx * time), barrier(y + vy * time)
+
+    def height(time: sp.Expr) -> sp.Expr:
+        return barrier(z + barrier(vz - g / 2 * time) * time)
+
+    there_x, there_y = sideways(apex)
+    squares = [
+        barrier(there[0] ** 2 + there[1] ** 2) for there in map(sideways, (begin, middle, horizon))
+    ]
+    beyond = barrier(outermost + slack)
+    inside = barrier(radius - reach - slack)
+    below = barrier(radius - sp.Rational(46341, 2**15) * reach - slack)
+    first, second = (barrier(height(time) + below) for time in (begin, middle))
+    hole = barrier(inside**2)
+    furthest = barrier(extent + horizon * barrier(speed + g * horizon))
+    carried = barrier(position_error + velocity_error * horizon)
+    return all_of(
+        Less(0, vz),
+        Less(barrier(beyond**2), barrier(there_x**2 + there_y**2)),
+        Less(barrier(there_x * vx + there_y * vy), 0),
+        Less(barrier(reach + slack), height(begin)),
+        Less(squares[0], barrier(first**2)),
+        Less(squares[1], barrier(second**2)),
+        Less(0, second),
+        Less(squares[1], hole),
+        Less(squares[2], hole),
+        Less(0, inside),
+        Less(furthest, 2**7 * outermost),
+        Less(carried, sp.Rational(1, 2**16) * outermost),
+    )

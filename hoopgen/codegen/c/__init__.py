@@ -45,7 +45,8 @@ class CBackend:
     def kernels(self, lowered: LoweredScene) -> Mapping[str, Any]:
         """Return the kernels that the event loop evaluates: the library serves its engine alone."""
         own = lowered.partial_evaluations
-        called = [p for p in lowered.programs if p.kernel.name in lowered.called]
+        names = lowered.called | {call.kernel.name for call in lowered.model.loop.shortcuts}
+        called = [p for p in lowered.programs if p.kernel.name in names]
         by_columns = parameter_kernels(lowered.model.loop)
         symbols = lowered.model.scene.symbols
         numbers = {identifier(symbol): k for k, symbol in enumerate(symbols)}

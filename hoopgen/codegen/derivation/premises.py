@@ -125,7 +125,7 @@ PREMISES: dict[str, Premise] = {
         CHOICE,
         "end and error budget of a search",
         _kernels(
-            "common.opens common.allowance common.beginning common.gap_closes "
+            "common.missed common.opens common.allowance common.beginning common.gap_closes "
             "common.gap_closes_or_stalls common.smaller_budget common.budget_undecided "
             "common.advanced common.outside common.gap_closes_bounded common.passed"
         ),
@@ -139,7 +139,9 @@ PREMISES: dict[str, Premise] = {
         LEMMA, "bounds on the second derivative within a window", _kernels("ring.advance")
     ),
     "ring_margins": Premise(LEMMA, "the ring's margins", _kernels("ring.margins")),
-    "ring_clear": Premise(LEMMA, "a certain miss of the ring", _kernels("ring.clear")),
+    "ring_clear": Premise(
+        LEMMA, "a certain miss of the ring", _kernels("ring.clear ring.drops_through")
+    ),
     "single": Premise(
         CHOICE,
         "the ring's search in single precision",
