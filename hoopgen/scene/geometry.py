@@ -213,6 +213,7 @@ class SceneGeometry:
             "torus": self._torus,
             "oblique torus": self._torus,
             "box": self._box,
+            "oblique box": self._oblique_box,
             "surface": self._surface,
         }[shape.kind](shape, room)
         lines = np.empty((0, 2, 3))
