@@ -18,7 +18,7 @@ from ..symbolic.error_terms import curving
 from ..symbolic.rounding import Rounded, rounding
 from ..symbolic.symbols import POSITION, UNIT_ROUNDOFF, VELOCITY
 from .air import AirBoxRootFinder
-from .bounding_boxes import may_reach
+from .bounding_boxes import may_reach_in_halves
 from .box import EXCESS, BoxRootFinder
 from .event_polynomials import horizon
 
@@ -117,8 +117,8 @@ class ObliqueBoxRootFinder(_Turned):
 
     @property
     def reach_test(self) -> dict[str, sp.Basic]:
-        """Compare the box of the flight with that of the turned box along the scene's axes."""
-        return may_reach(self.box)
+        """Compare the boxes of both halves of the flight with one that the turned box is in."""
+        return may_reach_in_halves(self.box)
 
 
 @dataclass(frozen=True)
