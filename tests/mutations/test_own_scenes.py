@@ -420,7 +420,12 @@ FAULTS = (
     ),
     Planted(
         "the second derivative of a box is that of its coordinates beyond a face alone",
-        in_text(BoxRootFinder, "ceiling", "2 * barrier(3 * fastest**2", "barrier(fastest**2 / 8"),
+        in_text(
+            BoxRootFinder,
+            "ceiling",
+            "2 * barrier(3 * self._fastest**2",
+            "barrier(self._fastest**2 / 8",
+        ),
         boxes,
     ),
     Planted(
