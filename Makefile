@@ -64,7 +64,7 @@ validate: $(VENV)/with-study $(VENV)/with-certify ## results beside those of the
 	$(BIN)/python -m benchmarks.validation $(ARGS)
 
 clean: ## remove all that these targets made, .venv too
-	rm -rf $(VENV) build dist hoopgen.egg-info paper-figures attack-findings
+	rm -rf $(VENV) build dist hoopgen/shipped hoopgen.egg-info paper-figures attack-findings
 	rm -rf docs/_build docs/gallery docs/notebooks
 	rm -rf .bench .hypothesis .mypy_cache .pytest_cache .ruff_cache
 	rm -f hoopgen/engine/_*.so hoopgen/engine/_*.pyd

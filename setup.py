@@ -1,6 +1,8 @@
 """Settings beyond pyproject.toml: three folders become sub-packages, and C is built for ctypes."""
 
+import gzip
 import hashlib
+import json
 import os
 import shutil
 import subprocess
@@ -20,12 +22,16 @@ SCENES = sorted(file.stem for file in SOURCES.glob("*.c"))
 ROOMS = ("derive", "templates", "generated")
 
 # Of long kernels in straight lines -O3 makes no faster code than -O1 does in half the time.
-LEVEL = {"court": ["-O1"]}
+LEVEL = {"court": ["-O1"], "air": ["-O1"], "court_air": ["-O1"]}
 
 # HOOPGEN_WIDTHS=all compiles every vector width, for any processor, as wheels that are given away
 # need. Else the one of this processor is compiled, and one lane, with which others can serve too.
 ALL_WIDTHS = os.environ.get("HOOPGEN_WIDTHS", "native") == "all"
 FEATURES = {16: ("AVX512F", "AVX512DQ", "AVX512VL"), 8: ("AVX2",), 4: ()}
+
+# Scenes that `python -m hoopgen.simulation.printed_scenes` has printed for a wheel to bring along.
+SHIPPED = sorted(Path("hoopgen/shipped").glob("*.json.gz")) if ALL_WIDTHS else []
+SHIPPED_SOURCES = Path("build/shipped")
 
 MSVC_FLAGS = ["/O2", "/std:c11", "/fp:precise"]
 
@@ -43,11 +49,14 @@ class BuildPlainLibrary(build_ext):
 
     def build_extension(self, ext: Extension) -> None:
         msvc = self.compiler.compiler_type == "msvc"
-        scene = Path(ext.sources[0]).stem
+        source = Path(ext.sources[0])
+        scene = source.stem
         ext.extra_compile_args = MSVC_FLAGS if msvc else [*BUILD["FLAGS"], *LEVEL.get(scene, [])]
         # Linking with fast-math makes subnormals zero in every process that loads the library.
         ext.extra_link_args = [] if msvc else BUILD["FLAGS"]
-        ext.define_macros = [(f"{scene.upper()}_SOURCES", BUILD["source_digest"](SOURCES, scene))]
+        ext.define_macros = [
+            (f"{scene.upper()}_SOURCES", BUILD["source_digest"](source.parent, scene))
+        ]
         width = 0 if msvc or ALL_WIDTHS else self._native_width()
         if width:
             ext.define_macros.append((f"{scene.upper()}_NATIVE", str(width)))
@@ -62,7 +71,7 @@ class BuildPlainLibrary(build_ext):
             shutil.copy2(compiled, library)
             return
         widths = f"{width} lanes and one" if width else "all widths"
-        place = f"{1 + SCENES.index(scene)} of {len(SCENES)}"
+        place = f"{1 + self.extensions.index(ext)} of {len(self.extensions)}"
         print(f"compiling the C library {scene}, {place}: {widths}", file=sys.stderr, flush=True)
         super().build_extension(ext)
         compiled.parent.mkdir(parents=True, exist_ok=True)
@@ -139,21 +148,34 @@ def packages(folder: str) -> list[str]:
     return find_namespace_packages(include=[folder, f"{folder}.*"], exclude=["*__pycache__*"])
 
 
+def library(package: str, source: Path) -> Extension:
+    headers = BUILD["source_files"](source.parent, source.stem)
+    return Extension(
+        f"{package}._{source.stem}",
+        sources=[source.as_posix()],
+        depends=["setup.py", "hoopgen/engine/c_build.py", *(file.as_posix() for file in headers)],
+        optional=True,  # without a compiler NumPy serves
+    )
+
+
+def unpacked(shipped: Path) -> Path:
+    """Write the C files of a printed scene, and return the one to compile."""
+    name = shipped.name.removesuffix(".json.gz")
+    files = json.loads(gzip.decompress(shipped.read_bytes()))["files"]
+    for path, text in files.items():
+        if path.startswith("c/"):
+            file = SHIPPED_SOURCES / name / path
+            file.parent.mkdir(parents=True, exist_ok=True)
+            file.write_text(text, encoding="utf-8", newline="\n")
+    return SHIPPED_SOURCES / name / "c" / f"{name}.c"
+
+
 setup(
     packages=packages("hoopgen") + [f"hoopgen.{name}" for room in ROOMS for name in packages(room)],
     package_dir={f"hoopgen.{room}": room for room in ROOMS},
     ext_modules=[
-        Extension(
-            f"hoopgen.engine._{scene}",
-            sources=[f"generated/c/{scene}.c"],
-            depends=[
-                "setup.py",
-                "hoopgen/engine/c_build.py",
-                *map(str, BUILD["source_files"](SOURCES, scene)),
-            ],
-            optional=True,  # without a compiler NumPy serves
-        )
-        for scene in SCENES
+        *(library("hoopgen.engine", SOURCES / f"{scene}.c") for scene in SCENES),
+        *(library("hoopgen.shipped", unpacked(shipped)) for shipped in SHIPPED),
     ],
     cmdclass={"build_ext": BuildPlainLibrary, "bdist_wheel": WheelForAnyPython},
 )

@@ -10,7 +10,7 @@ from ..scenes.scene import Scene
 from ..surfaces import Ring
 from . import aiming, measures, noise, release, share
 
-__all__ = ["ARGUMENTS", "DRAWING", "SCENELESS", "aiming", "measures", "study_kernels"]
+__all__ = ["ARGUMENTS", "DRAWING", "INTERVALS", "SCENELESS", "aiming", "measures", "study_kernels"]
 
 ARGUMENTS = (*aiming.ARGUMENTS, *measures.ARGUMENTS)
 
@@ -19,7 +19,10 @@ _HEADING, _STATE, _JACOBIAN = release.kernels()
 DRAWING = (*noise.kernels(), _HEADING, _STATE)
 """The kernels that draw releases, beside the elementary functions."""
 
-SCENELESS = (*DRAWING, _JACOBIAN, share.wilson_interval())
+INTERVALS = (share.wilson_interval(),)
+"""The kernels of intervals, which pages need, too."""
+
+SCENELESS = (*DRAWING, _JACOBIAN, *INTERVALS)
 """The kernels of studies that need no scene."""
 
 

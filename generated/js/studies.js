@@ -1,32 +1,9 @@
-/* Formulas of studies that need no scene: releases, and the interval of a share.
+/* The interval of a share.
 
    Generated from templates/js/studies.js.j2, the same for every scene, with
    Jinja2 3.1.6. Do not edit: change templates/ and run `make generate`.
    Numbers in, an array of numbers out; SI units. */
 "use strict";
-
-/**
- * Direction from the ring's centre opposite to which the ball is sent.
- *
- * h = azimuth + angle. 1 operation: 1 addition.
- * Returns heading.
- */
-function release_heading(azimuth, angle) {
-  return [azimuth + angle];
-}
-
-/**
- * State of a release, given the sine and the cosine of its angles.
- *
- * ahead = -(cos h, sin h). 12 operations: 1 subtraction, 8 multiplications, 3 negations.
- * Returns x, y, z, vx, vy, vz, wx, wy, wz.
- */
-function release_state(speed, backspin, sidespin, height, distance, ring_height, sin_heading, cos_heading, sin_elevation, cos_elevation, sin_angle, cos_angle) {
-  const _s0 = -cos_heading;
-  const _s1 = speed * cos_elevation;
-  const _s2 = -sin_heading;
-  return [distance * cos_angle, distance * sin_angle, height - ring_height, _s0 * _s1, _s2 * _s1, speed * sin_elevation, backspin * _s2, -(backspin * _s0), sidespin];
-}
 
 /**
  * Ends of the score interval of a share.

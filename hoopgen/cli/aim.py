@@ -1,21 +1,22 @@
-"""``hoopgen aim``: the release that comes down through the ring's centre, and what it forgives."""
+"""``hoopgen aim``: the release that comes down through a point, and what it forgives."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
 import hoopgen
-from hoopgen.core.units import display_unit, parse_quantity
+from hoopgen.core.units import Kind, display_unit, parse_quantity
 from hoopgen.hoop.flights import is_in_air
 from hoopgen.hoop.variables import ARGUMENTS, VARIABLES
 from hoopgen.report.provenance import describe_scene
 from hoopgen.report.quantities import format_launch, format_variable
 from hoopgen.scene.lookup import check_hoop
+from hoopgen.study.questions.settings import ASKED, RELEASE
 from hoopgen.study.questions.specification import TOLERANCES, AimQuestion
 from hoopgen.text.numbers import format_count
 from hoopgen.text.shorten import brief, join_names
@@ -25,7 +26,7 @@ from .command import command
 from .messages import examples, shown
 from .options import UNITS_IN_WORDS, picture_option, scene_options, units_option, variable_option
 from .place_option import place_option
-from .question_options import question_options
+from .question_options import SettingOption, question_options
 from .scene_option import engine_of, scene_option
 from .types import OUT, Parsed, number_cell
 
@@ -76,6 +77,18 @@ def _range(first: str, last: str, by: str) -> tuple[float, ...]:
     return tuple(low + k * step for k in range(count))
 
 
+def _vector(components: str, kind: Kind) -> Parsed[tuple[float, ...]]:
+    """Return the type of a vector whose components are written with commas between."""
+
+    def read(text: str) -> tuple[float, ...]:
+        parts = text.split(",")
+        if len(parts) != len(components.split(",")):
+            raise ValueError(f"{brief(text)} is not {components}")
+        return tuple(parse_quantity(part, kind) for part in parts)
+
+    return Parsed(read, f"{components} [{display_unit(kind).symbol}]")
+
+
 @command(
     needs=lambda typed: [] if "distance" in typed else ["--distance (or --place)"],
     epilog=UNITS_IN_WORDS
@@ -84,7 +97,7 @@ def _range(first: str, last: str, by: str) -> tuple[float, ...]:
         "hoopgen aim --distance 13.75ft --height 7ft --entry 45deg --backspin 3Hz --depth 2in",
         "hoopgen aim --distance 1m:7m:0.5m --height 0.6m --speed 9.5 --csv table.csv \\",
         "    --picture table.svg",
-        "hoopgen aim --distance 12ft --height 7ft --elevation 55deg --set ball_radius=11.9cm",
+        "hoopgen aim --distance 4m --height 1.2m --entry 50deg --moving=-0.5,1.5 --scene air",
     ),
 )
 @question_options(
@@ -97,6 +110,20 @@ def _range(first: str, last: str, by: str) -> tuple[float, ...]:
 @variable_option("backspin", default=0.0)
 @variable_option("sidespin", default=0.0)
 @place_option
+@click.option(
+    "--target",
+    cls=SettingOption,
+    heading=ASKED,
+    type=_vector("X,Y,Z", "length"),
+    help="Point that the ball comes down through, from the ring's centre; it replaces --depth.",
+)
+@click.option(
+    "--moving",
+    cls=SettingOption,
+    heading=RELEASE,
+    type=_vector("VX,VY", "speed"),
+    help="Velocity of the place over the floor; speed and angles are relative to it.",
+)
 @scene_option
 @scene_options
 @click.option("--csv", "file", type=OUT, help="Write the table: m, m/s, degrees, Hz, s.")
@@ -106,6 +133,8 @@ def aim(
     distance: tuple[float, ...],
     arc: Arc,
     by: By,
+    target: tuple[float, ...] | None,
+    moving: tuple[float, ...] | None,
     parameters: Mapping[str, float],
     file: Path | None,
     picture: Path | None,
@@ -117,10 +146,16 @@ def aim(
     """Aim: the release that comes down through the centre of the ring, and how far it may be off.
 
     The slowest one, or one with a wanted entry angle, elevation or speed. Its flight leads through
-    a point of the ring's plane, and no other can be aimed at; the ring and the board may be met
-    before, which is said. How far off each of speed, elevation and azimuth alone may be is found by
-    simulation. With --scene air or court-air the flight is through air, where spins matter, too.
+    the ring's centre, --depth past it, or any --target; the ring and the board may be met before,
+    which is said. How far off each of speed, elevation and azimuth alone may be, so that the ball
+    still goes in, is found by simulation. With --scene air or court-air the flight is through air,
+    where spins matter, too.
     """
+    if file is not None and moving is not None:
+        raise click.UsageError(
+            "--csv writes releases from places at rest, as hoopgen batch flies them; "
+            "leave --moving or --csv"
+        )
     from hoopgen.study.questions.aim import aim as aimed
     from hoopgen.study.questions.aim import flight_in_words, met_before
     from hoopgen.study.questions.aim_table import aim_table, write_csv
@@ -131,22 +166,26 @@ def aim(
     if len(distance) == 1:
         # A single number gives the error that says why there is no such release.
         spun = spins if is_in_air(engine.parameters) else {}
-        one = {**wanted, **spun}
+        one = {**wanted, **spun, "target": target, "moving": moving}
         aimed(distance=distance[0], arc=arc, parameters=parameters, scene=engine, **one)
     computation: dict[str, Any] = {"threads": threads, "folder": folder, "scheduler": scheduler}
     with shown() as progress:
         options = {**spins, **wanted, **computation, "progress": progress}
+        options |= {"target": target, "moving": moving}
         columns = aim_table(
             distance, arc=arc, by=by, parameters=parameters, scene=engine, **options
         )
     release = {name: columns[name] for name in ARGUMENTS if name in columns}
     states = hoopgen.release(**release)
+    if moving is not None:
+        states[..., 3:5] += moving
     shots = hoopgen.simulate(states, parameters, scene=engine, record=True)
     times = columns["time"].tolist()
     if len(distance) == 1:
         release_values = {name: float(column[0]) for name, column in columns.items()}
         path = flight_in_words(shots, 0, times[0])
-        click.echo(_one(release_values, wanted["depth"], by, path))
+        point = _centre(wanted["depth"]) if target is None else _point(target)
+        click.echo(_one(release_values, point, by, path))
     else:
         click.echo(_many(columns))
         early = [row for row, time in enumerate(times) if met_before(shots, row, time)]
@@ -174,19 +213,30 @@ def aim(
         plots.save(drawn, picture)
 
 
-def _one(release: Mapping[str, float], depth: float, by: str, path: str) -> str:
-    """Describe one release, what it does and what it forgives."""
+def _centre(depth: float) -> str:
+    """Say where the ring's plane is met; `depth` is past its centre, m."""
+    side = "past" if depth > 0 else "short of"
+    where = f"{format_variable('aim', abs(depth))} {side} its centre" if depth else "at its centre"
+    return f"the ring's plane {where}"
+
+
+def _point(target: Sequence[float]) -> str:
+    unit = display_unit("length")
+    place = ", ".join(f"{length / unit.size:.3f}" for length in target)
+    return f"({place}) {unit.symbol} from the ring's centre"
+
+
+def _one(release: Mapping[str, float], point: str, by: str, path: str) -> str:
+    """Describe one release, where it comes down, what it does and what it forgives."""
     spins = [
         f"{name} {format_variable(name, release[name])}"
         for name in ("azimuth", "backspin", "sidespin")
         if release[name]
     ]
-    side = "past" if depth > 0 else "short of"
-    where = f"{format_variable('aim', abs(depth))} {side} its centre" if depth else "at its centre"
     lines = [
         ", ".join([f"shoot   {format_launch(release)}", *spins]),
-        f"flight  comes down through the ring's plane after {release['time']:.3f} s at "
-        f"{format_variable('entry', release['entry_angle'])}, {where}",
+        f"flight  comes down through {point}, after {release['time']:.3f} s at "
+        f"{format_variable('entry', release['entry_angle'])}",
         f"flown   {path}",
     ]
     if math.isnan(release["low_speed"]):
@@ -210,16 +260,21 @@ def _signed(name: str, value: float) -> str:
 def _many(columns: Columns) -> str:
     """Return a table of releases as text."""
     kinds = {"distance": "distance", "speed": "speed", "elevation": "elevation"}
-    kinds |= {"entry_angle": "entry"}
+    length, speed, angle = (display_unit(kind).symbol for kind in ("length", "speed", "angle"))
+    head = [f"dist. ({length})", f"speed ({speed})", f"elev. ({angle})"]
+    if any(azimuth and not math.isnan(azimuth) for azimuth in columns["azimuth"].tolist()):
+        kinds["azimuth"] = "azimuth"
+        head.append(f"azim. ({angle})")
+    kinds["entry_angle"] = "entry"
+    head.append(f"entry ({angle})")
+    own = len(head)
     kinds |= {f"{end}_{name}": name for name in TOLERANCES for end in ("low", "high")}
     rows = [
         [number_cell(kind, columns[name][row]) for name, kind in kinds.items()]
         for row in range(len(columns["distance"]))
     ]
-    length, speed, angle = (display_unit(kind).symbol for kind in ("length", "speed", "angle"))
     symbols = {"speed": speed, "angle": angle}
-    head = [f"dist. ({length})", f"speed ({speed})", f"elev. ({angle})", f"entry ({angle})"]
     for name in TOLERANCES:
         head += [f"from ({symbols[VARIABLES[name].kind]})", "to"]
-    groups = [(4 + 2 * k, 5 + 2 * k, name) for k, name in enumerate(TOLERANCES)]
+    groups = [(own + 2 * k, own + 1 + 2 * k, name) for k, name in enumerate(TOLERANCES)]
     return table(head, rows, right=range(len(head)), groups=groups)

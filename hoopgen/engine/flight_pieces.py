@@ -243,8 +243,8 @@ def _begin(
     """
     values = {**inputs, **dict(zip(kernels.STATE, states.T, strict=True))}
     for name in kernels.PIECES:
-        found = _evaluate(kernels, name, values)
-        values.update({key: np.broadcast_to(one, len(states)) for key, one in found.items()})
+        for key, one in _evaluate(kernels, name, values).items():
+            values[key] = one if np.ndim(one) else np.broadcast_to(one, len(states))
         if varied and f"vary_{name}" in kernels.ARGUMENTS:
             values.update(_evaluate(kernels, f"vary_{name}", values))
     return values

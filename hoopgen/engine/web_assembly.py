@@ -1,5 +1,7 @@
 """The C engines of the two hoops as WebAssembly, for pages: how they are compiled, and from what.
 
+Each module has the engine of its scene and the drawing of releases, both as they run in Python.
+
 The modules are committed in generated/wasm/, so that who has no compiler can make a page. Each
 contains a digest of the sources, the options and the compiler that it was made with: with others
 it is stale, and is not used.
@@ -46,14 +48,15 @@ _VECTORS = {1: (), 4: ("-msimd128",)}
 
 
 def _libraries(scene: str) -> tuple[str, ...]:
-    """Return the engine, and the functions with which pages make releases, as Python does."""
+    """Return the engine, and the library that draws releases."""
     return scene, "elementary"
 
 
 def _options(name: str) -> tuple[str, ...]:
     """Return the compiler's options for a module, but for the digest."""
     scene, lanes = MODULES[name]
-    exported = (f"{scene}_simulate", "elementary_compute", "malloc", "free", f"{scene}_sources")
+    drawing = ("elementary_noise", "elementary_release_states")
+    exported = (f"{scene}_simulate", *drawing, "malloc", "free", f"{scene}_sources")
     return (
         *_OPTIONS,
         *(f"-Wl,--export={function}" for function in exported),

@@ -9,14 +9,13 @@ from __future__ import annotations
 
 import builtins
 import gzip
-import hashlib
 import importlib.util
 import json
 import marshal
 import shutil
 import sys
-from collections.abc import Callable, Mapping
-from functools import cache, partial
+from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from sysconfig import get_platform
 from types import ModuleType
@@ -24,7 +23,6 @@ from typing import Any
 
 import numpy as np
 
-from hoopgen.core.validation import RUNTIME_BACKENDS
 from hoopgen.engine import native, verification
 from hoopgen.engine.loading import load
 from hoopgen.scene import compilers
@@ -43,6 +41,7 @@ from hoopgen.scene.trial_shots import trial_shots
 
 from .engine import Engine
 from .hoop import HOOP
+from .printed_scenes import Printed, generate_scene, shipped_scene, source_digest
 
 __all__ = ["compile", "engine", "find_entry", "scene_store"]
 
@@ -145,30 +144,23 @@ def find_entry(scene: Callable[[], Any], known: str, there: SceneStore) -> Entry
         As of `compile`.
     """
     tools = _Tools()
-    name = digest(f"{tools.identity} {_source_digest()} {known}".encode()) if known else ""
+    name = digest(f"{tools.identity} {source_digest()} {known}".encode()) if known else ""
     entry = there.pointed(name) if name else None
     if entry is None:
         with HOOP.exact_arithmetic():
-            entry = _generate_files(scene(), tools, there)
+            entry = _build_entry(shipped_scene(known) or generate_scene(scene()), tools, there)
         if name:
             there.point(name, entry.record["key"])
     return entry
 
 
-def _generate_files(scene: Any, tools: _Tools, there: SceneStore) -> Entry:
-    """Return a scene's files, newly generated."""
-    try:
-        # Here, and not above: what has been compiled needs neither SymPy nor Jinja2.
-        from hoopgen.codegen.render import render_scene
-        from hoopgen.scene.definition import definition
-    except ImportError as error:
-        from hoopgen.core import extras
-
-        raise extras.explain_import_error(error, "hoopgen.compile") from None
-    derived = definition(scene)
-    files = render_scene(derived, page=False, targets=RUNTIME_BACKENDS)
-    key = digest(json.dumps([files, tools.whole], sort_keys=True).encode())
-    build = partial(_build, key, derived.name, files, tools)
+def _build_entry(printed: Printed, tools: _Tools, there: SceneStore) -> Entry:
+    """Return the entry of a printed scene, which is built unless it is there."""
+    made_of: list[Any] = [printed.files, tools.whole]
+    if printed.library is not None:
+        made_of.append(digest(printed.library))
+    key = digest(json.dumps(made_of, sort_keys=True).encode())
+    build = partial(_build, key, printed, tools)
     found = there.entry(key)
     if found is not None:
         return found
@@ -214,20 +206,24 @@ class _Tools:
         return f"{compiler}; {compilers.FLAGS}; {self.width} lanes, {get_platform()}; {versions}"
 
 
-def _build(
-    key: str, scene: str, files: Mapping[str, str], tools: _Tools, folder: Path | str
-) -> Entry:
+def _build(key: str, printed: Printed, tools: _Tools, folder: Path | str) -> Entry:
     """Return the entry of a scene, compiled in a folder; without C if that fails, with the reason.
+
+    A library that came with hoopgen is taken as it is, if it gives NumPy's results.
 
     Parameters
     ----------
     folder
         An empty one that nobody else can change; or why there is no such folder.
     """
+    scene, files = printed.scene, printed.files
     code = _compile_source(files[f"numpy/{scene}.py"], scene)
     packed = gzip.compress(json.dumps(files).encode(), 6, mtime=0)
     made = {MODULE: marshal.dumps(code), SOURCES: packed}
     record: dict[str, Any] = {"key": key, "scene": scene, "refused": None}
+    if printed.library is not None and not _differences(printed.library, _module(code, scene)):
+        record |= {"compiler": "wheel", "width": tools.width}
+        return Entry(record, made | {compilers.library_name(): printed.library})
     without = record | {"compiler": "", "width": 0}
     if tools.compiler is None:
         why = f"of the scene {scene} was not compiled: no C compiler was found"
@@ -335,19 +331,3 @@ def _module(code: Any, scene: str) -> ModuleType:
     module = ModuleType(f"hoopgen_scene_{scene}")
     exec(code, module.__dict__)  # printed by hoopgen, and the digest is the one on record
     return module
-
-
-@cache
-def _source_digest() -> str:
-    """Return a digest of what generates a scene's sources: hoopgen's version and edited files."""
-    total = hashlib.sha256()
-    package = Path(__file__).resolve().parent.parent
-    rooms = [package / name for name in ("codegen", "scene", "engine", "simulation")]
-    for name in ("derive", "templates"):
-        found = importlib.util.find_spec(f"hoopgen.{name}")
-        rooms += [Path(folder) for folder in (found and found.submodule_search_locations) or ()]
-    for room in rooms:
-        for file in sorted(room.rglob("*")):
-            if file.suffix in (".py", ".j2"):
-                total.update(file.name.encode() + digest(file.read_bytes()).encode())
-    return total.hexdigest()

@@ -44,6 +44,7 @@ const Picture = (() => {
     let beat = Scene.beatOf(shots);
     const paths = shots.map((shot) => Flight.pathOf(shot, scenery ? Math.min(0.02, shot.duration / 150) : 0.02));
     const things = {}; // what is in the scene, by what it is
+    const gone = []; // what was there when it was last drawn
     let chosen = shots[0];
     let shown = shots.map((_, k) => k);
     let view = scenery ? scenery.views[0] : "3D";
@@ -54,8 +55,14 @@ const Picture = (() => {
     let marks = []; // of the chosen shot
     let marked = false; // where they are now
 
+    /** Put objects into the scene in place of those of this name. What the old ones hold on the
+     * graphics card is freed after the next picture: a program that nothing uses is thrown away, and
+     * to compile it again takes half a second on some machines. */
     function put(name, ...objects) {
-      if (things[name]) Scene.dispose(things[name]);
+      if (things[name]) {
+        things[name].removeFromParent();
+        gone.push(things[name]);
+      }
       things[name] = new THREE.Group();
       for (const object of objects) things[name].add(object);
       scene.add(things[name]);
@@ -252,6 +259,7 @@ const Picture = (() => {
       camera.far = controls.getDistance() + 100 * Math.max(1, size / 3);
       camera.updateProjectionMatrix();
       renderer.render(scene, camera);
+      gone.splice(0).forEach(Scene.dispose);
       canvas.dataset.triangles = renderer.info.render.triangles;
       if (marked) return;
       marked = true;

@@ -19,8 +19,8 @@ from hoopgen.core.files import PAGES, check_output, write
 from hoopgen.core.units import DEGREE, DISPLAY_UNITS, FOOT, TURN, UNITS
 from hoopgen.core.validation import BackendName
 from hoopgen.engine import web_assembly
+from hoopgen.engine.draws import ARGUMENTS
 from hoopgen.engine.verification import first_primes
-from hoopgen.generated.numpy import elementary
 from hoopgen.hoop.kinds import Kind, kind_table
 from hoopgen.hoop.presets import PRESETS
 from hoopgen.hoop.releases import CATCHING_HEIGHT, FROM_ZERO, RING_HEIGHT, release
@@ -261,7 +261,7 @@ def _scene_spec(scene: _PageScene, backend: BackendName) -> dict[str, Any]:
         "suffix": scene.suffix,
         "layout": {
             "scene": engine.name,
-            "functions": {name: results for name, (_, results) in elementary.FUNCTIONS.items()},
+            "arguments": list(ARGUMENTS),
             "state": state,
             "log_rows": layout.rows,
             "events": [event.name.lower() for event in Event],

@@ -350,7 +350,6 @@ const Scene = (() => {
       part.material?.map?.dispose();
       part.material?.dispose();
     });
-    object.removeFromParent();
   }
 
   return {

@@ -52,6 +52,7 @@ FUNCTIONS = {
 NOT_SETTINGS = {
     *("model", "first", "second", "parameters", "scene", "source", "out", "release", "places"),
     *("distances", "height", "angle", "backspin", "sidespin"),  # the release of a table of aim
+    *("target", "moving"),  # the point that it is aimed at, and its place's velocity
     *("override", "rows", "progress", "report"),
     *("i", "errors", "player"),
 }

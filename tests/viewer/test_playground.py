@@ -13,6 +13,7 @@ import pytest
 
 import hoopgen
 from hoopgen.engine import web_assembly
+from hoopgen.engine.draws import ARGUMENTS
 from hoopgen.viewer.playground_page import playground
 from tests.helpers.commands import failure, succeed
 from tests.viewer.test_page import Browser, Tab
@@ -28,6 +29,12 @@ document.body.dataset.answered && document.body.dataset.answered === document.bo
 @pytest.fixture(scope="module")
 def text() -> str:
     return playground().text
+
+
+def page_spec_of(text: str) -> dict[str, Any]:
+    """Return what the scripts of a page know of hoopgen."""
+    (spec,) = re.findall(r'<script type="application/json" id="spec">(.*?)</script>', text, re.S)
+    return dict(json.loads(spec))
 
 
 def answered(tab: Tab) -> Tab:
@@ -60,12 +67,22 @@ def test_the_page_is_small_and_names_no_place_in_a_network(text: str) -> None:
 
 
 def test_the_page_has_python_s_digests(text: str) -> None:
-    (spec,) = re.findall(r'<script type="application/json" id="spec">(.*?)</script>', text, re.S)
-    for name, scene in json.loads(spec)["scenes"].items():
+    for name, scene in page_spec_of(text)["scenes"].items():
         assert scene["fixed"]["sha256"] == GOLDEN[name]
 
 
 # In a browser
+
+
+def with_one_build(text: str, build: str) -> str:
+    """Return the page without the other module of a module's scene."""
+    scene, _ = web_assembly.MODULES[build]
+    (other,) = (
+        name for name, (own, _) in web_assembly.MODULES.items() if own == scene and name != build
+    )
+    only = re.sub(rf'\{{"name":"{re.escape(other)}","lanes":\d\}},?', "", text)
+    assert len(only) < len(text)
+    return only.replace("},]", "}]")
 
 
 @pytest.mark.slow
@@ -75,17 +92,49 @@ def test_every_build_has_the_golden_hash_in_a_browser(
 ) -> None:
     """Results are the bits of `hoopgen hash`, computed by that build alone."""
     scene, _ = web_assembly.MODULES[build]
-    (other,) = (
-        name for name, (own, _) in web_assembly.MODULES.items() if own == scene and name != build
-    )
-    only = re.sub(rf'\{{"name":"{re.escape(other)}","lanes":\d\}},?', "", text)
-    only = only.replace("},]", "}]")
-    assert len(only) < len(text)
-    tab = show(only, at=f"#scene={scene}")
+    tab = show(with_one_build(text, build), at=f"#scene={scene}")
     tab.until("document.getElementById('verdict').textContent")
     assert tab.text("#hash-command") == f"hoopgen hash {scene}"
     assert tab.text("#hash") == GOLDEN[scene]
     assert tab.text("#verdict").startswith("✓")
+
+
+DRAWN = """
+(async () => {
+  const page = JSON.parse(document.getElementById("spec").textContent);
+  const spec = Study.specOf(page, "%s");
+  const modules = {};
+  for (const { name } of spec.modules) {
+    modules[name] = await Engine.bytesOf(document.getElementById(name).textContent);
+  }
+  const study = await Study.start(spec, modules);
+  const release = Object.fromEntries(spec.layout.arguments.map((name) => [name, page.start[name]]));
+  const deviations = { speed: 0.07, elevation: 0.02, azimuth: 0.01 };
+  return [study.engine.name, [...study.drawn({ release, deviations, seed: 5, count: 700 })]];
+})()
+"""
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("build", web_assembly.MODULES)
+def test_every_build_draws_the_releases_of_python_in_a_browser(
+    show: Callable[..., Tab], text: str, build: str
+) -> None:
+    """They are those of a `Scatter` to the bit, and as many go in as in an `estimate`."""
+    pytest.importorskip("scipy")
+    scene, _ = web_assembly.MODULES[build]
+    link = f"#scene={scene}&sd_speed=0.07&sd_elevation=0.02&sd_azimuth=0.01&seed=5"
+    tab = answered(show(with_one_build(text, build), at=link))
+    name, found = tab.run(DRAWN % scene)
+    assert name == build
+    start = page_spec_of(text)["start"]
+    engine = {"hoop": hoopgen.HOOP, "court": hoopgen.COURT}[scene]
+    sd = {"speed": 0.07, "elevation": 0.02, "azimuth": 0.01}
+    model = hoopgen.Scatter({name: start[name] for name in ARGUMENTS}, sd)
+    np.testing.assert_array_equal(np.reshape(found, (700, 9)), model.draw(0, 700, 5).states)
+    parameters = engine.presets["nba"]
+    wanted = hoopgen.estimate(model, parameters, scene=engine, shots=10_000, seed=5)
+    assert f"{wanted.made:,} of {wanted.shots - wanted.invalid:,}" in tab.text("#share")
 
 
 @pytest.mark.slow
@@ -198,13 +247,13 @@ def test_a_link_carries_the_scene_and_old_links_have_none(
 
 
 @pytest.mark.slow
-def test_a_link_with_nonsense_is_the_shot_of_the_start(show: Callable[..., Tab], text: str) -> None:
-    tab = answered(
-        show(
-            text,
-            at="#speed=fast&preset=__proto__&scene=constructor&elevation=&x=<b>&height=Infinity",
-        )
-    )
+@pytest.mark.parametrize("seed", ["0.5", "-1", "1e99"])
+def test_a_link_with_nonsense_is_the_shot_of_the_start(
+    show: Callable[..., Tab], text: str, seed: str
+) -> None:
+    nonsense = "#speed=fast&preset=__proto__&scene=constructor&elevation=&x=<b>&height=Infinity"
+    tab = answered(show(text, at=f"{nonsense}&seed={seed}"))
+    assert "(seed 0)" in tab.text("#throws-note")
     assert tab.data["outcome"] == "missed"
     assert tab.run("document.getElementById('set-speed').value") == "7.25"
 
@@ -225,6 +274,31 @@ def test_a_field_and_a_slider_change_the_shot(show: Callable[..., Tab], text: st
     answered(tab)
     assert tab.data["outcome"] == "missed"
     assert tab.run("document.getElementById('set-speed').value") == "6.5"
+
+
+@pytest.mark.slow
+def test_no_program_of_the_picture_is_compiled_again(show: Callable[..., Tab], text: str) -> None:
+    """Compiling one keeps the page from answering, on some machines for half a second."""
+    tab = answered(show(text, at="#scene=court"))
+    count = """
+    (() => {
+      const { linkProgram, drawArrays } = WebGL2RenderingContext.prototype;
+      window.calls = { linked: 0, drawn: 0 };
+      Object.assign(WebGL2RenderingContext.prototype, {
+        linkProgram(...given) { calls.linked++; return linkProgram.apply(this, given); },
+        drawArrays(...given) { calls.drawn++; return drawArrays.apply(this, given); },
+      });
+      return 0;
+    })()
+    """
+    tab.run(count)
+    for speed in (7.1, 7.31, 6.9, 7.42):
+        field = "document.getElementById('set-speed')"
+        tab.run(f"(Object.assign({field}, {{ value: {speed} }}).onchange(), 0)")
+        tab.settle()
+    answered(tab)
+    assert tab.run("calls.drawn") > 0
+    assert tab.run("calls.linked") == 0
 
 
 @pytest.mark.slow

@@ -66,10 +66,13 @@ def random_releases(count: int) -> list[dict[str, float]]:
 
 
 def test_releases_of_the_page_are_those_of_python_to_the_bit() -> None:
-    """The formula is generated for both; sine and cosine are those of WebAssembly."""
+    """They are made by the same C."""
     releases = random_releases(trials(10_000)) + [random_releases(1)[0] | {"distance": -1.0}]
     columns = {name: [one[name] for one in releases] for name in releases[0]}
-    script = "[...Release.states({}, given, given.speed.length, engine, spec)]"
+    script = """
+    [...engine.releases(
+      Release.checked(given, spec.from_zero), given.speed.length, spec.ring_height)]
+    """
     found = np.array(computed(script, columns), float).reshape(-1, 9)  # null is NaN
     wanted = hoopgen.release(**{name: np.array(column) for name, column in columns.items()})
     assert np.isnan(wanted[-1, :2]).all()
@@ -158,21 +161,42 @@ def test_wilson_s_interval_is_that_of_python_to_the_bit() -> None:
     np.testing.assert_allclose(found, ends, rtol=0, atol=8 * EPS)
 
 
-@pytest.mark.parametrize("seed", [0, 7, 2**53 - 1])
-def test_the_draws_are_those_of_a_scatter_in_python(seed: int) -> None:
-    normals = pytest.importorskip("hoopgen.study.models.random").normals
-    for stream, count in ((0, 1001), (2, 3)):
-        found = computed(f"[...Release.normals({count}, {seed}, {stream}, engine)]")
-        assert found == normals(seed, stream, 0, count).tolist()
+def throws_of(scene: str, *, seed: int = 0, count: int) -> tuple[dict[str, Any], hoopgen.Scatter]:
+    """Return the question about throws at the start of a page, and the player in Python.
+
+    The release has all eight arguments, and speed, elevation and azimuth scatter independently.
+    """
+    start = spec()["start"]
+    mean = {name: start[name] for name in hoopgen_arguments()}
+    sd = {name: start[f"sd_{name}"] for name in spec()["scattered"]}
+    assert list(sd) == ["speed", "elevation", "azimuth"]
+    parameters = ENGINES[scene].presets["nba"]
+    asked = {"release": mean, "deviations": sd, "parameters": dict(parameters)}
+    return {**asked, "seed": seed, "count": count}, hoopgen.Scatter(mean, sd)
+
+
+@pytest.mark.parametrize(("scene", "lanes"), [("hoop", 1), ("hoop", 4), ("court", 1), ("court", 4)])
+def test_releases_are_drawn_as_a_scatter_in_python_draws_them(scene: str, lanes: int) -> None:
+    for seed, count in ((0, 1001), (7, 3), (2**53 - 1, 130)):
+        asked, model = throws_of(scene, seed=seed, count=count)
+        found = computed("[...study.drawn(given)]", asked, lanes, scene)
+        wanted = model.draw(0, count, seed, ENGINES[scene].presets["nba"]).states
+        np.testing.assert_array_equal(np.reshape(found, (count, 9)), wanted)
+
+
+def test_what_does_not_scatter_draws_no_random_numbers() -> None:
+    asked, model = throws_of("hoop", seed=3, count=40)
+    asked["deviations"] = {"speed": 0.0, "elevation": 0.0, "azimuth": 0.02}
+    wanted = hoopgen.Scatter(model.release, asked["deviations"]).draw(0, 40, 3).states
+    assert computed("[...study.drawn(given)]", asked) == wanted.ravel().tolist()
+    asked["deviations"] = {"speed": 0.0}
+    wanted = np.broadcast_to(hoopgen.release(**model.release), (40, 9))
+    assert computed("[...study.drawn(given)]", asked) == wanted.ravel().tolist()
 
 
 SCATTER = """
 (() => {
-  const { start, presets, throws } = spec;
-  const deviations = Object.fromEntries(spec.scattered.map((name) => [name, start[`sd_${name}`]]));
-  const release = Object.fromEntries(Release.ARGUMENTS.map((name) => [name, start[name]]));
-  const asked = { release, parameters: presets.nba, deviations, seed: 0, count: throws };
-  const found = study.scatter(asked);
+  const found = study.scatter(given);
   const { made, count, invalid, interval, tally, angle, landings, entries } = found;
   const missed = found.outcome.filter((end) => spec.outcomes[end] === "missed").length;
   const places = { landings: [...landings], entries: [...entries] };
@@ -183,33 +207,29 @@ SCATTER = """
 
 @pytest.fixture(scope="module")
 def scatter() -> Any:
-    return computed(SCATTER)
+    asked, _ = throws_of("hoop", count=spec()["throws"])
+    return computed(SCATTER, asked)
 
 
-def test_the_share_is_that_of_an_estimate_in_python(scatter: Any) -> None:
+@pytest.mark.parametrize(("scene", "lanes"), [("hoop", 1), ("hoop", 4), ("court", 1), ("court", 4)])
+def test_made_throws_are_as_many_as_those_of_an_estimate_in_python(scene: str, lanes: int) -> None:
+    """Here the three deviations alone scatter; the share is that of valid throws."""
     pytest.importorskip("scipy")
-    start = spec()["start"]
-    mean = {name: start[name] for name in hoopgen_arguments()}
-    sd = {name: start[f"sd_{name}"] for name in spec()["scattered"]}
-    throws = spec()["throws"]
-    found = hoopgen.estimate(hoopgen.Scatter(mean, sd), hoopgen.NBA, shots=throws)
-    share = scatter["made"] / scatter["count"]
-    assert share == found.probability
-    assert scatter["interval"][0] < share < scatter["interval"][1]
-    assert sum(map(sum, scatter["tally"])) == scatter["count"] == 10_000 - scatter["invalid"]
-    assert sum(made for made, _ in scatter["tally"]) == scatter["made"]
-
-
-def test_the_real_ball_s_share_is_that_of_an_estimate_in_python() -> None:
-    pytest.importorskip("scipy")
-    start = spec()["start"]
-    mean = {name: start[name] for name in hoopgen_arguments()}
-    sd = {name: start[f"sd_{name}"] for name in spec()["scattered"]}
-    model, parameters = hoopgen.Scatter(mean, sd), hoopgen.NBA_COURT
-    found = hoopgen.estimate(model, parameters, scene=hoopgen.COURT, shots=spec()["throws"])
-    scatter = computed(SCATTER, scene="court")
-    assert scatter["made"] / scatter["count"] == found.probability
-    assert sum(map(sum, scatter["tally"])) == scatter["count"]
+    engine, throws = ENGINES[scene], 10_000
+    for seed in (0, 12345):
+        asked, model = throws_of(scene, seed=seed, count=throws)
+        given = {"scene": engine, "shots": throws, "seed": seed}
+        wanted = hoopgen.estimate(model, engine.presets["nba"], **given)
+        found = computed(SCATTER, asked, lanes, scene)
+        assert (found["made"], found["invalid"]) == (wanted.made, wanted.invalid)
+        assert found["made"] / found["count"] == wanted.probability
+        names = spec()["kinds"]["names"]
+        by_kind = dict(zip(names, map(sum, found["tally"]), strict=True))
+        made_by_kind = {name: made for name, (made, _) in zip(names, found["tally"], strict=True)}
+        assert by_kind == {name: wanted.kinds.get(name, 0) for name in names}
+        assert made_by_kind == {name: wanted.kinds_made.get(name, 0) for name in names}
+        low, high = found["interval"]
+        assert low < wanted.probability < high
 
 
 def hoopgen_arguments() -> list[str]:
@@ -332,17 +352,16 @@ def test_the_nearest_change_of_the_real_ball_is_that_of_counterfactual() -> None
 def test_the_map_has_python_s_outcomes() -> None:
     script = """
     (() => {
-      const release = Object.fromEntries(Release.ARGUMENTS.map((name) => [name, spec.start[name]]));
       const over = { window: [[6, 9], [0.7, 1.2]], size: [12, 9] };
-      const { outcome, kinds } = study.map({ release, parameters: spec.presets.nba, ...over });
+      const { outcome, kinds } = study.map({ ...given, parameters: spec.presets.nba, ...over });
       return [[...outcome], [...kinds]];
     })()
     """
-    outcome, kind = computed(script)
     start = spec()["start"]
     speed = 6 + 3 * (np.arange(12) + 0.5) / 12
     elevation = 0.7 + 0.5 * (np.arange(9) + 0.5) / 9
     base = {name: start[name] for name in hoopgen_arguments()}
+    outcome, kind = computed(script, {"release": base})
     states = hoopgen.release(
         **{**base, "speed": speed[None, :], "elevation": elevation[:, None]}
     ).reshape(-1, 9)

@@ -91,6 +91,8 @@ class Player:
         Runs the tasks that simulate.
     scene
         The scene itself.
+    moving
+        Velocity of the place of the releases in the scene's x and y, m/s, added to theirs.
 
     Raises
     ------
@@ -103,6 +105,7 @@ class Player:
     by: str = "any"
     runner: TaskRunner = field(default=run_serially, compare=False)
     scene: Engine = HOOP
+    moving: tuple[float, float] | None = None
 
     def __post_init__(self) -> None:
         if not self.scene.has_hoop:
@@ -233,8 +236,11 @@ class Player:
             self.parameters,
             stop - start,
         )
+        states = releases.states
+        if self.moving is not None:
+            states = states + np.array([0.0, 0.0, 0.0, *self.moving, 0.0, 0.0, 0.0, 0.0])
         return simulate(
-            releases.states,
+            states,
             releases.parameters,
             scene=self.scene,
             threads=1,

@@ -5,7 +5,7 @@ from __future__ import annotations
 import csv
 import os
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import ceil
 from typing import Any
 
@@ -58,8 +58,10 @@ def aim_table(
     speed: ArrayLike | None = None,
     arc: Arc = "high",
     depth: ArrayLike = 0.0,
+    target: ArrayLike | None = None,
     backspin: ArrayLike = 0.0,
     sidespin: ArrayLike = 0.0,
+    moving: ArrayLike | None = None,
     by: By = "any",
     parameters: Mapping[str, Any] | None = None,
     scene: SceneLike = None,
@@ -76,8 +78,12 @@ def aim_table(
         From the ring's centre on the floor plan, m, (n,).
     height, angle, entry, elevation, speed, arc, depth
         As for `aim`: one number, or (n,).
+    target
+        As for `aim`: one point, (3,), or (n, 3).
     backspin, sidespin
         rad/s: one number, or (n,).
+    moving
+        As for `aim`: one velocity, (2,), or (n, 2).
     by
         What counts: "any" shot made, "direct" if the board is not touched first, "bank" if it is.
     parameters
@@ -120,6 +126,8 @@ def aim_table(
         speed=speed,
         arc=arc,
         depth=depth,
+        target=target,
+        moving=moving,
         parameters=parameters,
         scene=engine,
         **(columns if is_in_air(engine.parameters) else {}),
@@ -136,7 +144,11 @@ def aim_table(
     Player(parameters=checked, by=by, scene=engine)  # what is wrong shows before a folder is made
     rows = np.flatnonzero(np.isfinite(table["speed"]))
     names = dict.fromkeys((*found.arguments, *_SPINS))
-    job = _TableJob({name: table[name][rows] for name in names}, checked, by, engine)
+    velocity = None
+    if found.moving is not None:
+        velocity = np.broadcast_to(found.moving, (count, 2))[rows]
+    releases = {name: table[name][rows] for name in names}
+    job = _TableJob(releases, checked, by, engine, velocity)
     done = run(job, folder, scheduler=scheduler, threads=threads, progress=progress)
     for chunk, ends in enumerate(done):
         some = rows[chunk * ROWS : (chunk + 1) * ROWS]
@@ -157,6 +169,7 @@ class _TableJob:
     parameters: Mapping[str, float]
     by: By
     scene: Engine = HOOP
+    moving: NDArray[np.float64] | None = None
 
     @property
     def chunks(self) -> int:
@@ -168,6 +181,8 @@ class _TableJob:
         releases = {name: column.tolist() for name, column in self.releases.items()}
         parameters = dict(self.parameters)
         identity = {"aim": releases, "parameters": parameters, "by": self.by}
+        if self.moving is not None:
+            identity["moving"] = self.moving.tolist()
         return identity | scene_identity(self.scene)
 
     def compute(self, chunk: int) -> pa.Table:
@@ -179,6 +194,9 @@ class _TableJob:
         player = Player(parameters=self.parameters, by=self.by, scene=self.scene)
         for row in range(len(some["speed"])):
             aimed = {name: column[row].item() for name, column in some.items()}
+            if self.moving is not None:
+                along, across = self.moving[start + row].tolist()
+                player = replace(player, moving=(along, across))
             for name, margin in margins_about(aimed, TOLERANCES, player, 1, 0, 0.5).items():
                 ends[f"low_{name}"].append(margin.low)
                 ends[f"high_{name}"].append(margin.high)

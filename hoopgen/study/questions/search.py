@@ -120,7 +120,7 @@ def search(
     # Shots go in directly or off the board: two hills, too alike for few shots to choose between.
     ways: Sequence[str] = ("direct", "bank") if player.by == "any" else (player.by,)
     hills = [replace(surface, player=replace(player, by=way)).hill(shots) for way in ways]
-    tops = [surface.top(hill, _some(shots, 8), 0.03) for hill in hills if hill is not None]
+    tops = [surface.top(hill, _some(shots, 2), 0.05) for hill in hills if hill is not None]
     if not tops:
         return None
     highest = tops[int(surface.failures(np.array(tops).T, shots).argmin())]

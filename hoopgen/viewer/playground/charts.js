@@ -10,7 +10,7 @@ const Charts = (() => {
     const [width, height] = [canvas.clientWidth, canvas.clientHeight];
     const dense = Math.min(window.devicePixelRatio || 1, 2);
     [canvas.width, canvas.height] = [Math.round(width * dense), Math.round(height * dense)];
-    const context = canvas.getContext("2d");
+    const context = canvas.getContext("2d", { willReadFrequently: true }); // pixels are put there
     context.setTransform(dense, 0, 0, dense, 0, 0);
     context.font = "12px system-ui, sans-serif";
     return { context, width, height };
@@ -32,22 +32,42 @@ const Charts = (() => {
     context.stroke();
   }
 
-  /** Draw a dot for each place; `inkOf(row)` is its colour, null for none. */
-  function dots(context, places, project, inkOf, size) {
-    for (let row = 0; row < places.length / 2; row++) {
-      const ink = Number.isNaN(places[2 * row]) ? null : inkOf(row);
-      if (!ink) continue;
-      const [x, y] = project(places[2 * row], places[2 * row + 1]);
-      context.fillStyle = ink;
-      context.fillRect(x - size / 2, y - size / 2, size, size);
+  /** Put squares at places onto an empty canvas, layer over layer, see-through by a share: many on
+   * each other are dense. A layer is {colour, wanted}, and `wanted` is told the place's row. They are
+   * put as pixels, since thousands of shapes keep a browser busy. */
+  function dots(context, places, { x: xOf, y: yOf }, size, share, layers) {
+    const { width, height } = context.canvas;
+    const { a: dense } = context.getTransform();
+    const side = Math.round(size * dense);
+    if (!width || !height) return; // it is not seen
+    const image = new ImageData(width, height);
+    const { data } = image;
+    for (const { colour, wanted } of layers) {
+      const ink = colour.match(/[\da-f]{2}/gi).map((digits) => Number.parseInt(digits, 16));
+      for (let row = 0; row < places.length / 2; row++) {
+        if (Number.isNaN(places[2 * row]) || !wanted(row)) continue;
+        const left = Math.round(dense * xOf(places[2 * row + 1]) - side / 2);
+        const top = Math.round(dense * yOf(places[2 * row]) - side / 2);
+        for (let y = Math.max(top, 0); y < Math.min(top + side, height); y++) {
+          for (let x = Math.max(left, 0); x < Math.min(left + side, width); x++) {
+            const at = 4 * (y * width + x);
+            const rest = (1 - share) * data[at + 3];
+            const whole = 255 * share + rest;
+            for (let k = 0; k < 3; k++) data[at + k] = (255 * share * ink[k] + rest * data[at + k]) / whole;
+            data[at + 3] = whole;
+          }
+        }
+      }
     }
+    context.putImageData(image, 0, 0);
   }
 
   /** Return a view from above with the board at the top: x, y in m to px, to scale. */
   function above(width, height, [low, high]) {
     const scale = Math.min(height / (high - low), width / (high - low));
     const top = (height - scale * (high - low)) / 2;
-    return { scale, project: (x, y) => [width / 2 + scale * y, top + scale * (x - low)] };
+    const [xOf, yOf] = [(y) => width / 2 + scale * y, (x) => top + scale * (x - low)];
+    return { scale, x: xOf, y: yOf, project: (x, y) => [xOf(y), yOf(x)] };
   }
 
   function hoop(context, { project, scale }, sizes, sight) {
@@ -58,7 +78,7 @@ const Charts = (() => {
 
   /** Return how far from the ring's centre nearly all places are, m, or a bound on what is drawn. */
   function reachOf(places) {
-    const away = Float32Array.from(places.filter((value) => !Number.isNaN(value)), Math.abs).sort();
+    const away = places.filter((value) => !Number.isNaN(value)).map(Math.abs).sort();
     return Math.min(1.1 * (away[Math.floor(0.99 * away.length)] ?? 0), 4);
   }
 
@@ -67,11 +87,10 @@ const Charts = (() => {
     const { context, width, height } = begin(canvas);
     const reach = Math.max(2.2 * sizes.ring_radius, reachOf(places));
     const seen = above(width, height, [-reach, reach]);
-    const [ink, other] = [style("--ink-0"), style("--ink-1")];
-    context.globalAlpha = 0.5;
-    dots(context, places, seen.project, (row) => (outcome[row] === made ? null : other), 2);
-    dots(context, places, seen.project, (row) => (outcome[row] === made ? ink : null), 2);
-    context.globalAlpha = 1;
+    dots(context, places, seen, 2, 0.5, [
+      { colour: style("--ink-1"), wanted: (row) => outcome[row] !== made },
+      { colour: style("--ink-0"), wanted: (row) => outcome[row] === made },
+    ]);
     hoop(context, seen, sizes, 2.5);
   }
 
@@ -79,26 +98,24 @@ const Charts = (() => {
   function landings(canvas, { landings: places }, sizes, shooter, court) {
     const { context, width, height } = begin(canvas);
     const seen = above(width, height, [-1.6, 4.4]);
+    dots(context, places, seen, 2, 0.35, [{ colour: style("--ink-1"), wanted: () => true }]);
     for (const drawn of court) {
       line(context, drawn.map(([x, y]) => seen.project(x, y)), style("--floor-line"), 1.25);
     }
-    context.globalAlpha = 0.35;
-    dots(context, places, seen.project, () => style("--ink-1"), 2.5);
-    context.globalAlpha = 1;
     hoop(context, seen, sizes, 2);
     circle(context, seen.project(...shooter), 5, style("--path"), 2.5);
   }
 
   const PAD = { left: 46, right: 10, top: 8, bottom: 38 }; // px about the map
 
-  /** Draw a map of classes; `inkOf(outcome, kind)` is [r, g, b], `at` the shot's speed and
+  /** Draw a map of classes; `inkOf(outcome, kind)` is [r, g, b, 255], `at` the shot's speed and
    * elevation, and `axes` have {name, symbol, size} for each axis. */
   function map(canvas, { window, size: [wide, high], outcome, kinds }, inkOf, at, axes) {
     const { context, width, height } = begin(canvas);
     const image = new ImageData(wide, high);
     outcome.forEach((end, row) => {
       const up = high - 1 - Math.floor(row / wide);
-      image.data.set([...inkOf(end, kinds[row]), 255], 4 * (up * wide + (row % wide)));
+      image.data.set(inkOf(end, kinds[row]), 4 * (up * wide + (row % wide)));
     });
     const cells = document.createElement("canvas");
     [cells.width, cells.height] = [wide, high];

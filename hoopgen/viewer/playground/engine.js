@@ -1,4 +1,5 @@
-// The C engine as WebAssembly: arrays of releases in, arrays of results out, as hoop.h says.
+// The C engine and the drawing of releases as WebAssembly: arrays in, arrays out, as hoop.h and
+// elementary.c say.
 "use strict";
 
 const Engine = (() => {
@@ -20,7 +21,7 @@ const Engine = (() => {
 
   /**
    * Start the first of a scene's modules that this browser takes. `modules` are {name, lanes,
-   * bytes}; `layout` names the scene, and the parameters and the results in the order of C.
+   * bytes}; `layout` names the scene, and arguments, parameters and results in the order of C.
    */
   async function start(modules, layout) {
     for (const { name, lanes, bytes } of modules) {
@@ -35,11 +36,30 @@ const Engine = (() => {
   function of(c, layout, about) {
     const view = (type, at, size) => new type(c.memory.buffer, at, size);
 
-    /** Return where an array begins that C is given; `call` frees it. */
+    /** Return what work gives; it puts the arrays that C is given, and these are freed. */
+    function using(work) {
+      const held = [];
+      try {
+        return work(held);
+      } finally {
+        held.forEach(c.free);
+      }
+    }
+
+    /** Return where an array begins that C is given. */
     function put(held, array) {
       const at = room(held, array.byteLength);
       view(array.constructor, at, array.length).set(array);
       return at;
+    }
+
+    /** Return where C finds values, each a number for all or an array of one for each, and how far
+     * it goes on from one to the next. */
+    function columns(held, values) {
+      const alone = values.map((value) => typeof value === "number");
+      const places = values.map((value, k) => put(held, Float64Array.from(alone[k] ? [value] : value)));
+      const strides = BigInt64Array.from(alone, (one) => (one ? 0n : 1n));
+      return [put(held, Uint32Array.from(places)), put(held, strides)];
     }
 
     function room(held, bytes) {
@@ -54,19 +74,11 @@ const Engine = (() => {
      * each shot. Returns the wanted results by name, and with `record` the event log.
      */
     function simulate(states, parameters, { most, limit = Infinity, results, record = false }) {
-      const held = [];
-      try {
-        return run(held, states, parameters, { most, limit, results, record });
-      } finally {
-        held.forEach(c.free);
-      }
+      return using((held) => run(held, states, parameters, { most, limit, results, record }));
     }
 
     function run(held, states, parameters, { most, limit, results, record }) {
       const shots = states.length / layout.state;
-      const given = layout.parameters.map((name) => parameters[name]);
-      const values = given.map((value) => put(held, Float64Array.from([value].flat())));
-      const steps = given.map((value) => BigInt(Array.isArray(value)));
       const places = layout.results.map(([name, type, width]) =>
         results.includes(name) ? room(held, shots * width * NUMBERS[type].BYTES_PER_ELEMENT) : 0,
       );
@@ -76,8 +88,7 @@ const Engine = (() => {
       const code = c[`${layout.scene}_simulate`](
         shots,
         put(held, states),
-        put(held, Uint32Array.from(values)),
-        put(held, BigInt64Array.from(steps)),
+        ...columns(held, layout.parameters.map((name) => parameters[name])),
         0, // the ball leaves no surface
         most,
         limit,
@@ -111,23 +122,32 @@ const Engine = (() => {
       });
     }
 
-    /** Return the results of an elementary function of arrays: the bits of Python. */
-    function compute(name, ...columns) {
-      const held = [];
-      try {
-        const size = columns[0].length;
-        const given = columns.map((column) => put(held, Float64Array.from(column)));
-        const results = layout.functions[name].map(() => room(held, 8 * size));
-        const [from, to] = [given, results].map((places) => put(held, Uint32Array.from(places)));
-        const number = Object.keys(layout.functions).indexOf(name);
-        if (c.elementary_compute(number, size, from, to, 0) < 0) throw new Error(`no ${name}`);
-        return results.map((place) => view(Float64Array, place, size).slice());
-      } finally {
-        held.forEach(c.free);
-      }
+    /** Return the noise of independent variables, an array each, of shots from the first one on:
+     * deviations times normal numbers of the variables' streams. */
+    function noise(streams, deviations, seed, count) {
+      return using((held) => {
+        const factor = deviations.flatMap((_, row) => deviations.map((_, k) => Number(k === row)));
+        const arrays = [BigUint64Array.from(streams, BigInt), ...[factor, deviations].map((one) => Float64Array.from(one))];
+        const rows = deviations.map(() => room(held, 8 * count));
+        const given = arrays.map((array) => put(held, array));
+        const places = put(held, Uint32Array.from(rows));
+        c.elementary_noise(rows.length, ...given, BigInt(seed), 0n, count, places, 0);
+        return rows.map((row) => view(Float64Array, row, count).slice());
+      });
     }
 
-    return { ...about, simulate, compute };
+    /** Return the states of releases. `given` has by name a number, or one for each. */
+    function releases(given, count, ringHeight) {
+      return using((held) => {
+        const size = layout.state * count;
+        const states = room(held, 8 * size);
+        const places = columns(held, layout.arguments.map((name) => given[name]));
+        c.elementary_release_states(count, ...places, ringHeight, states, 0);
+        return view(Float64Array, states, size).slice();
+      });
+    }
+
+    return { ...about, noise, releases, simulate };
   }
 
   return { bytesOf, start };

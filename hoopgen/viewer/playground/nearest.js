@@ -6,7 +6,7 @@
 const Nearest = (() => {
   const TRIALS = 2000; // values of the first look to each side
   const ROUNDS = 3; // in which gaps between values with different contacts are split
-  const BLOCK = 250; // values that are tried before the other side's
+  const BLOCK = 25; // values that are tried before the other side's: those beyond a change are few
   const SPLIT = 8;
   const MAX_SPLIT = 400; // gaps of a round
   const SECTIONS = 64; // into which a gap is divided, again and again

@@ -31,7 +31,7 @@
   }
 
   function release() {
-    return Object.fromEntries(Release.ARGUMENTS.map((name) => [name, now[name]]));
+    return Object.fromEntries(spec.layout.arguments.map((name) => [name, now[name]]));
   }
 
   function parameters() {
@@ -127,8 +127,8 @@
     $("preset").value = now.preset;
     const [x, y] = [now.distance * Math.cos(now.angle), now.distance * Math.sin(now.angle)];
     plan.draw([x, y], now.azimuth + now.angle, parameters(), spec.courts[now.preset].lines);
+    ask(); // first: the worker answers while the page draws
     fly(play);
-    ask();
     verify();
   }
 
@@ -167,10 +167,13 @@
     const preset = named(there.presets, "preset", page.start.preset);
     const next = { ...page.start, scene, preset, ...ownSizes(there, preset) };
     const infinite = there.variables.scene.filter((one) => one.infinite).map(({ name }) => name);
-    for (const name of [...namesOf(there), "seed"]) {
-      const value = given.has(name) && given.get(name) !== "" ? Number(given.get(name)) : NaN;
+    const number = (name) => (given.has(name) && given.get(name) !== "" ? Number(given.get(name)) : NaN);
+    for (const name of namesOf(there)) {
+      const value = number(name);
       if (Number.isFinite(value) || (value === Infinity && infinite.includes(name))) next[name] = value;
     }
+    const seed = number("seed");
+    if (Number.isSafeInteger(seed) && seed >= 0) next.seed = seed;
     now = next;
     update();
   }

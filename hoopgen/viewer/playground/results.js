@@ -32,7 +32,8 @@ const Results = (() => {
     const digits = share < 0.01 || share > 0.99 ? 2 : 1; // no interval is said to be a point
     const [low, high] = found.interval.map((end) => percent(end, digits));
     big.textContent = found.count ? percent(share, digits) : "–";
-    small.textContent = `made, ${low} to ${high} (95%, Wilson)`;
+    const interval = make("span", { textContent: `${low} to ${high} (95%, Wilson)` });
+    small.replaceChildren(`made: ${count(found.made)} of ${count(found.count)}`, " ", interval);
     const there = classes(spec).map((one) => ({ ...one, number: found.tally[one.kind][one.row] }));
     const seen = there.filter(({ number }) => number);
     $("bar").replaceChildren(
@@ -67,9 +68,11 @@ const Results = (() => {
   }
 
   function inks(spec) {
-    const rgb = (colour) => [1, 3, 5].map((at) => Number.parseInt(colour.slice(at, at + 2), 16));
-    const table = new Map(classes(spec).map(({ end, kind, colour }) => [`${end} ${kind}`, rgb(colour)]));
-    return (outcome, kind) => table.get(`${spec.outcomes[outcome]} ${kind}`) ?? rgb(spec.colours.other);
+    const rgb = (colour) => [...[1, 3, 5].map((at) => Number.parseInt(colour.slice(at, at + 2), 16)), 255];
+    const other = rgb(spec.colours.other);
+    const table = spec.outcomes.map(() => spec.kinds.names.map(() => other));
+    for (const { end, kind, colour } of classes(spec)) table[spec.outcomes.indexOf(end)][kind] = rgb(colour);
+    return (outcome, kind) => table[outcome][kind];
   }
 
   function drawMap(found, { now, spec, words }) {

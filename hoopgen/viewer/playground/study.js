@@ -33,7 +33,6 @@ const Study = (() => {
   /** Return the studies of one engine; `spec` is that of its scene. */
   function of(engine, spec) {
     const { ring_height: ringHeight, most, limit } = spec;
-    const drawn = {}; // by argument, count and seed
     const made = spec.outcomes.indexOf("made");
     const invalid = spec.outcomes.indexOf("invalid");
 
@@ -41,18 +40,23 @@ const Study = (() => {
       return engine.simulate(states, parameters, { most, limit, results, record });
     }
 
+    /** Return the states of releases; an argument is one number, or a column. */
+    function states(given, count) {
+      return engine.releases(Release.checked(given, spec.from_zero), count, ringHeight);
+    }
+
     /** Return one shot with its event log, all results, its release, and its rolls. */
     function shot({ release, parameters }) {
-      const states = Release.states(release, {}, 1, engine, spec);
+      const thrown = states(release, 1);
       const results = spec.layout.results.map(([name]) => name);
-      const found = simulate(states, parameters, results, true);
-      const rolls = rollsOf(found.events[0], states, parameters);
-      return { ...found, kind: Release.kinds(found, spec.kinds)[0], release: [...states], rolls };
+      const found = simulate(thrown, parameters, results, true);
+      const rolls = rollsOf(found.events[0], thrown, parameters);
+      return { ...found, kind: Release.kinds(found, spec.kinds)[0], release: [...thrown], rolls };
     }
 
     /** Return the rolls of a shot: the row of the event log with which each begins, and states
      * along it. The engine ends the shot at a time, and its state there is that of the ball. */
-    function rollsOf(events, states, parameters) {
+    function rollsOf(events, thrown, parameters) {
       const begun = events.flatMap(({ kind }, row) => {
         return spec.layout.events[kind] === "roll" && row + 1 < events.length ? [row] : [];
       });
@@ -64,28 +68,28 @@ const Study = (() => {
         const pieces = [];
         for (let k = 1; k < count; k++) {
           const time = events[row].time + (lasts(row) * k) / count;
-          const { state } = engine.simulate(states, parameters, { most, limit: time, results: ["state"] });
+          const { state } = engine.simulate(thrown, parameters, { most, limit: time, results: ["state"] });
           pieces.push([time, ...state]);
         }
         return { row, pieces };
       });
     }
 
-    /** Return the standard normal numbers of an argument, which all changes of a page share. */
-    function standard(name, count, seed) {
-      const key = [name, count, seed].join();
-      drawn[key] ??= Release.normals(count, seed, Release.ARGUMENTS.indexOf(name), engine);
-      return drawn[key];
+    /** Return releases about one, as `hoopgen.Scatter` draws them: each argument with a deviation
+     * is normal, independently of the others. */
+    function drawn({ release, deviations, seed, count }) {
+      const names = spec.layout.arguments.filter((name) => deviations[name]);
+      const streams = names.map((name) => spec.layout.arguments.indexOf(name));
+      const noise = engine.noise(streams, names.map((name) => deviations[name]), seed, count);
+      const columns = names.map((name, k) => [name, noise[k].map((away) => release[name] + away)]);
+      return states({ ...release, ...Object.fromEntries(columns) }, count);
     }
 
-    /** Return throws about a release: each argument with a deviation is normal, independently. */
-    function scatter({ release, parameters, deviations, seed, count }) {
-      const columns = spec.scattered.map((name) => {
-        const draws = standard(name, count, seed);
-        return [name, draws.map((draw) => release[name] + deviations[name] * draw)];
-      });
-      const states = Release.states(release, Object.fromEntries(columns), count, engine, spec);
-      const found = simulate(states, parameters, RESULTS);
+    /** Return throws about a release. */
+    function scatter(question) {
+      const { parameters, count } = question;
+      const thrown = drawn(question);
+      const found = simulate(thrown, parameters, RESULTS);
       const kinds = Release.kinds(found, spec.kinds);
       const tally = spec.kinds.names.map(() => [0, 0]); // made, and not
       let [valid, total] = [0, 0];
@@ -98,24 +102,37 @@ const Study = (() => {
         ...{ count: valid, made: total, invalid: count - valid, tally },
         interval: wilson_interval(total, valid, spec.z),
         ...{ outcome: found.outcome, kinds },
-        ...entries(states, parameters, found.outcome),
+        ...entries(thrown, parameters),
         landings: landings(found, parameters),
       };
     }
 
+    /** Return where balls come down to a height above the ring as if they touched nothing, x and y
+     * of each row that is wanted, and NaN of others; `tell` is given the velocity there. */
+    function arrivals(states, height, gravity, wanted, tell = () => {}) {
+      const places = new Float32Array((2 * states.length) / 9).fill(NaN);
+      for (let row = 0, at = 0; at < states.length; row++, at += 9) {
+        if (!wanted(row)) continue;
+        const [z, vx, vy, vz] = [states[at + 2], states[at + 3], states[at + 4], states[at + 5]];
+        const [time, down] = hoop_descent(z, vz, height, gravity);
+        if (!(time > 0)) continue;
+        const there = hoop_flight(time, states[at], states[at + 1], z, vx, vy, vz, gravity);
+        [places[2 * row], places[2 * row + 1]] = there;
+        tell(vx, vy, down);
+      }
+      return places;
+    }
+
     /** Return where flights come down through the ring's plane as if they touched nothing, and the
      * mean and the deviation of their angles there. */
-    function entries(states, { gravity }, outcome) {
-      const places = new Float32Array(2 * outcome.length).fill(NaN);
+    function entries(thrown, { gravity }) {
       let [number, sum, squares] = [0, 0, 0];
-      for (let row = 0; row < outcome.length; row++) {
-        const [x, y, z, vx, vy, vz] = states.subarray(9 * row, 9 * row + 6);
-        const [time, down] = hoop_descent(z, vz, 0, gravity);
-        if (!(time > 0)) continue;
-        places.set(hoop_flight(time, x, y, z, vx, vy, vz, gravity).slice(0, 2), 2 * row);
+      const places = arrivals(thrown, 0, gravity, () => true, (vx, vy, down) => {
         const angle = Math.atan2(-down, Math.hypot(vx, vy));
-        [number, sum, squares] = [number + 1, sum + angle, squares + angle * angle];
-      }
+        number += 1;
+        sum += angle;
+        squares += angle * angle;
+      });
       const mean = sum / number;
       return { entries: places, angle: [mean, Math.sqrt(Math.max(squares / number - mean * mean, 0))] };
     }
@@ -123,14 +140,7 @@ const Study = (() => {
     /** Return where misses come down to the height at which rebounds are caught. */
     function landings({ outcome, state }, { gravity }) {
       const missed = spec.outcomes.indexOf("missed");
-      const places = new Float32Array(2 * outcome.length).fill(NaN);
-      for (let row = 0; row < outcome.length; row++) {
-        if (outcome[row] !== missed) continue;
-        const [x, y, z, vx, vy, vz] = state.subarray(9 * row, 9 * row + 6);
-        const [time] = hoop_descent(z, vz, spec.catching_height - ringHeight, gravity);
-        if (time > 0) places.set(hoop_flight(time, x, y, z, vx, vy, vz, gravity).slice(0, 2), 2 * row);
-      }
-      return places;
+      return arrivals(state, spec.catching_height - ringHeight, gravity, (row) => outcome[row] === missed);
     }
 
     /** Return the classes of shots over speed (across) and elevation (up), about a release. */
@@ -143,8 +153,8 @@ const Study = (() => {
         speed[row] = between(across, row % wide, wide);
         elevation[row] = between(up, Math.floor(row / wide), high);
       }
-      const states = Release.states(release, { speed, elevation }, count, engine, spec);
-      const found = simulate(states, parameters, RESULTS.slice(0, 3));
+      const thrown = states({ ...release, speed, elevation }, count);
+      const found = simulate(thrown, parameters, RESULTS.slice(0, 3));
       return { window: [across, up], size: [wide, high], outcome: found.outcome, kinds: Release.kinds(found, spec.kinds) };
     }
 
@@ -154,10 +164,10 @@ const Study = (() => {
       const bodies = spec.kinds.bodies.length;
       const some = (values) => {
         const own = spec.parameters.includes(name);
-        const columns = own ? {} : { [name]: values };
-        const states = Release.states(release, columns, values.length, engine, spec);
-        const given = own ? { ...parameters, [name]: values } : parameters;
-        const found = simulate(states, given, Nearest.RESULTS);
+        const column = Float64Array.from(values);
+        const thrown = states({ ...release, ...(own ? {} : { [name]: column }) }, values.length);
+        const given = own ? { ...parameters, [name]: column } : parameters;
+        const found = simulate(thrown, given, Nearest.RESULTS);
         const { outcome, contacts, first, counts, uncertain } = found;
         const marks = values.map((_, k) => {
           if (uncertain[k] || outcome[k] === invalid) return ""; // not decided
@@ -184,7 +194,7 @@ const Study = (() => {
       yield yield* Nearest.change(name, value, itself, run, spec.ranges, { late });
     }
 
-    return { change, map, scatter, shot };
+    return { change, drawn, map, scatter, shot };
   }
 
   return { PATIENCE, of, specOf, start };

@@ -402,7 +402,7 @@ def test_the_command_says_one_aim_and_what_it_forgives() -> None:
     result = _run("--distance", "13.75ft", "--entry", "45deg", "--backspin", "3Hz")
     assert result.exit_code == 0, result.output
     assert "7.190 m/s at 55.2°, backspin 3.00 Hz" in result.stdout
-    assert "after 1.020 s at 45.0°, at its centre" in result.stdout
+    assert "the ring's plane at its centre, after 1.020 s at 45.0°" in result.stdout
     limits = aim_table([13.75 * FOOT], height=7 * FOOT, entry=45 * DEGREE, backspin=6 * np.pi)
     for limit in (limits["low_speed"], limits["high_speed"]):
         assert f"{limit.item():.3f} m/s" in result.stdout
@@ -412,6 +412,52 @@ def test_the_command_says_where_past_the_centre() -> None:
     result = _run("--distance", "13.75ft", "--depth", "2in", "--elevation", "52deg")
     assert "5.1 cm past its centre" in result.stdout
     assert "2.0 cm short of its centre" in _run("--distance", "4m", "--depth", "-2cm").stdout
+
+
+def test_the_command_aims_at_any_point_from_a_place_that_moves() -> None:
+    place = {"height": 7 * FOOT, "distance": 4.0, "entry": 50 * DEGREE}
+    words = ("--distance", "4m", "--entry", "50deg")
+    result = _run(*words, "--target", "30cm,0,-0.2", "--moving=-0.5,5ft/s")
+    assert result.exit_code == 0, result.output
+    found = aim(**place, target=(0.3, 0.0, -0.2), moving=(-0.5, 5 * FOOT))
+    assert f"{found.speed:.3f} m/s at {np.degrees(found.elevation):.1f}°" in result.stdout
+    assert f"azimuth {np.degrees(found.azimuth):.1f}°" in result.stdout
+    assert "through (0.300, 0.000, -0.200) m from the ring's centre" in result.stdout
+    assert "result  does not go in" in result.stdout
+    many = _run("--distance", "4m,5m", "--entry", "50deg", "--moving", "0,1.5")
+    assert "azim. (°)" in many.stdout
+
+
+@pytest.mark.parametrize(
+    ("more", "message"),
+    [
+        (["--target", "0,1"], "'0,1' is not X,Y,Z"),
+        (["--moving", "1,2,3"], "'1,2,3' is not VX,VY"),
+        (["--moving", "1m,2"], "'m' is not a unit of speed"),
+        (["--target", "0,0,0", "--depth", "3cm"], "expected depth or target; got both"),
+        (["--moving", "1,2", "--csv", "aim.csv"], "leave --moving or --csv"),
+    ],
+)
+def test_what_is_no_target_or_velocity_is_an_error(more: list[str], message: str) -> None:
+    result = _run("--distance", "4m", *more)
+    assert result.exit_code == 2
+    assert message in result.stderr
+
+
+def test_what_a_release_from_a_moving_place_forgives_is_where_it_still_goes_in() -> None:
+    velocity = (-0.7, 1.1)
+    place = {"height": 2.0, "distance": 4.0, "entry": 0.85, "moving": velocity}
+    table = aim_table([4.0], **{n: v for n, v in place.items() if n != "distance"})
+    found = aim(**place)
+    for name in ("speed", "elevation", "azimuth"):
+        low, high = table[f"low_{name}"].item(), table[f"high_{name}"].item()
+        value = getattr(found, name)
+        assert low < value < high
+        edge = 1e-9 * (high - low)
+        ends = np.array([low - edge, low + edge, value, high - edge, high + edge])
+        states = hoopgen.release(**{**found.arguments, name: ends})
+        states[:, 3:5] += velocity
+        assert hoopgen.simulate(states).made.tolist() == [False, True, True, True, False], name
 
 
 @pytest.mark.slow
