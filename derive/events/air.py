@@ -272,23 +272,24 @@ class AirBoxRootFinder(BoxRootFinder):
         """Positive if errors come near to the inflation of the windows."""
         return piece_lost(self.box, self.flight)
 
-    def _accelerations(self) -> list[sp.Expr]:
+    def _pulls(self) -> list[sp.Expr]:
         return self.flight.acceleration_at()
 
     def curvature(self, width: sp.Expr) -> sp.Expr:
         """Return 2 Σ |e a| with the largest e and a; one far away stays within the windows."""
         sums = []
         for e, v, _ in self._moving():
-            drift = barrier(absolute(v) + piece_acceleration * width / 2) * width
+            drift = barrier(absolute(v) + self._pull * width / 2) * width
             sums.append(minimum(barrier(absolute(e) + drift), self._reach))
-        return (
-            2 * barrier(piece_acceleration * barrier(sp.Add(*sums)))
-            + sp.Rational(1, 2**40) * ceiling
-        )
+        return 2 * barrier(self._pull * barrier(sp.Add(*sums))) + sp.Rational(1, 2**40) * ceiling
+
+    @property
+    def _pull(self) -> sp.Expr:
+        """A bound on the acceleration along each axis of the box."""
+        return piece_acceleration
 
     @property
     def ceiling(self) -> sp.Expr:
         """The sum of the largest sizes of the terms of F''."""
-        _, fastest = self.flight.size(horizon)
-        pulled = barrier(CEILING_BOX_FACTOR * self._reach * piece_acceleration)
-        return 2 * barrier(3 * fastest**2 + 3 * pulled)
+        pulled = barrier(CEILING_BOX_FACTOR * self._reach * self._pull)
+        return 2 * barrier(3 * self._fastest**2 + 3 * pulled)

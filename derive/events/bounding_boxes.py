@@ -30,6 +30,8 @@ is a q²/16 off that of the chord, and its half size is |v q + a q²/2| / 2 + |a
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import sympy as sp
 
 from ..motion.air import AirFlight
@@ -159,11 +161,25 @@ def _sides(surface: Surface) -> list[tuple[int, sp.Expr, sp.Expr]]:
 
 def may_reach(surface: Surface) -> dict[str, sp.Basic]:
     """Return the test whether a flight may reach a surface; nothing if the surface has no box."""
-    apart = [
-        Less(wide + HALF_SIZES[k], absolute(centre - BOX_CENTRES[k]))
+    apart = _apart(surface, BOX_CENTRES, HALF_SIZES)
+    return {"near": Not(any_of(*apart))} if apart else {}
+
+
+def may_reach_in_halves(surface: Surface) -> dict[str, sp.Basic]:
+    """Return the test whether either half of a flight may reach a surface, which has a box."""
+    first = _apart(surface, BOX_CENTRES, HALF_SIZES)
+    later = _apart(surface, LATER_BOX_CENTRES, LATER_HALF_SIZES)
+    return {"near": Not(all_of(any_of(*first), any_of(*later)))}
+
+
+def _apart(
+    surface: Surface, middles: Sequence[sp.Symbol], reaches: Sequence[sp.Symbol]
+) -> list[sp.Basic]:
+    """Return whether the boxes of a flight and of a surface are apart along each axis."""
+    return [
+        Less(wide + reaches[k], absolute(centre - middles[k]))
         for k, centre, wide in _sides(surface)
     ]
-    return {"near": Not(any_of(*apart))} if apart else {}
 
 
 def may_reach_box(box: Box) -> dict[str, sp.Basic]:

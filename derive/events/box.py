@@ -70,15 +70,17 @@ class BoxRootFinder(RootFinder):
         there, moving = self.flight.named()
         now = dict(zip(POSITION, there, strict=True))
         excess = [e.xreplace(now) for e in self.box.excess]
-        return list(zip(excess, moving, self._accelerations(), strict=True))
+        moved = zip(self.box.turned(list(moving)), self.box.turned(self._pulls()), strict=True)
+        return [(e, v, a) for e, (v, a) in zip(excess, moved, strict=True)]
 
-    def _accelerations(self) -> Sequence[sp.Expr]:
+    def _pulls(self) -> Sequence[sp.Expr]:
+        """Return the acceleration at time t along the scene's axes."""
         return self.flight.acceleration
 
     @property
     def gap(self) -> sp.Expr:
         """F at the position at time t."""
-        return sp.Add(*(e**2 for e, _, _ in self._moving()), -(self.box.radius**2))
+        return sp.Add(*(e**2 for e, _, _ in self._moving()), -(self.box.scaled_radius**2))
 
     @property
     def leaving_gap(self) -> sp.Expr:
@@ -89,7 +91,7 @@ class BoxRootFinder(RootFinder):
         the ball has flown, and as exact as a product with t.
         """
         changes = []
-        means = self.flight.mean_velocity()
+        means = self.box.turned(self.flight.mean_velocity())
         for (e, _, _), start, mean in zip(self._moving(), self.box.excess, means, strict=True):
             product = t * barrier(barrier(mean) * barrier(e + start))
             changes.append(
@@ -121,17 +123,20 @@ class BoxRootFinder(RootFinder):
     @property
     def ceiling(self) -> sp.Expr:
         """The sum of the largest sizes of the terms of F''."""
-        _, fastest = self.flight.size(horizon)
         falls = (
             CEILING_BOX_FACTOR * self._reach * absolute(a)
-            for a in self.flight.acceleration
+            for a in self.box.turned(self.flight.acceleration)
             if a != 0
         )
-        return 2 * barrier(3 * fastest**2 + sp.Add(*falls))
+        return 2 * barrier(3 * self._fastest**2 + sp.Add(*falls))
 
     @property
-    def margins(self) -> dict[str, sp.Expr]:
-        """Bounds by running error analysis; e is off by its coordinate's error and one sum."""
+    def _fastest(self) -> sp.Expr:
+        """The largest velocity along an axis, in the unit of length of the box's faces."""
+        return self.flight.size(horizon)[1]
+
+    def _roundings(self) -> tuple[dict[sp.Expr, Rounded], dict[sp.Expr, Rounded]]:
+        """Return bounds on e and the velocity, and on e and the mean velocity."""
         there, moved = self.flight.rounding(horizon)
         mean = self.flight.mean_rounding(horizon)
         now: dict[sp.Expr, Rounded] = dict.fromkeys(VELOCITY, moved)
@@ -140,11 +145,17 @@ class BoxRootFinder(RootFinder):
             off = rounding(place - low, {place: there}).error
             off = off + rounding(place - high, {place: there}).error
             now[e] = Rounded(self._reach, barrier(off))
-        gap = rounding(sp.Add(*(e**2 for e in EXCESS), -(self.box.radius**2)), now)
+        return now, now | dict.fromkeys(VELOCITY, mean)
+
+    @property
+    def margins(self) -> dict[str, sp.Expr]:
+        """Bounds by running error analysis; e is off by its coordinate's error and one sum."""
+        now, since = self._roundings()
+        gap = rounding(sp.Add(*(e**2 for e in EXCESS), -(self.box.scaled_radius**2)), now)
         terms = [e * v for e, v in zip(EXCESS, VELOCITY, strict=True)]
         rate = rounding(2 * sp.Add(*terms), now)
         # F/t has the same bound with the mean velocity, for e now and at the start.
-        change = rounding(2 * sp.Add(*terms), now | dict.fromkeys(VELOCITY, mean))
+        change = rounding(2 * sp.Add(*terms), since)
         return {
             "margin": ROUNDING_SLACK * (gap.error + time_rounding(rate) * horizon),
             "leaving_margin": ROUNDING_SLACK * (2 * change.error + time_rounding(rate)),

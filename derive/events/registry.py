@@ -13,6 +13,7 @@ from ..surfaces import (
     Cone,
     EndPlane,
     InclinedPlane,
+    ObliqueBox,
     ObliqueCylinder,
     Plane,
     Ring,
@@ -21,6 +22,7 @@ from ..surfaces import (
 from .air import AirBoxRootFinder, AirRootFinder
 from .box import BoxRootFinder
 from .end_plane import EndPlaneRootSearch, EndPlaneSearch
+from .oblique_box import AirObliqueBoxRootFinder, ObliqueBoxRootFinder
 from .plane import PlaneSearch
 from .polynomial import PolynomialRootFinder
 from .ring.air import AirRingRootFinder
@@ -46,6 +48,10 @@ def _box(surface: Box, flight: Parabola) -> Search:
     return RootSearch(surface, flight, BoxRootFinder(flight, surface))
 
 
+def _oblique_box(surface: ObliqueBox, flight: Parabola) -> Search:
+    return RootSearch(surface, flight, ObliqueBoxRootFinder(flight, surface))
+
+
 def _oblique(surface: Surface, flight: Parabola) -> Search:
     return RootSearch(surface, flight, PolynomialRootFinder(flight, surface, two_sided=True))
 
@@ -55,6 +61,8 @@ def _in_air(surface: Surface, flight: AirFlight) -> Search:
         return PlaneRootSearch(surface, flight, AirRootFinder(flight, surface, two_sided=True))
     if isinstance(surface, Ring):
         return RootSearch(surface, flight, AirRingRootFinder(flight, surface))
+    if isinstance(surface, ObliqueBox):
+        return RootSearch(surface, flight, AirObliqueBoxRootFinder(flight, surface))
     if isinstance(surface, Box):
         return RootSearch(surface, flight, AirBoxRootFinder(flight, surface))
     return RootSearch(surface, flight, AirRootFinder(flight, surface, two_sided=True))
@@ -77,6 +85,7 @@ SEARCHES: tuple[tuple[type[Surface], type[Flight], SearchFactory], ...] = (
     (Surface, AirFlight, _in_air),
     (Plane, Parabola, PlaneSearch),
     (Ring, Parabola, _ring),
+    (ObliqueBox, Parabola, _oblique_box),
     (Box, Parabola, _box),
     (InclinedPlane, Parabola, _oblique),
     (ObliqueCylinder, Parabola, _oblique),

@@ -10,6 +10,7 @@ from .cylinder import Cylinder
 from .end_plane import EndPlane
 from .implicit import ImplicitSurface
 from .inclined_plane import InclinedPlane
+from .oblique_box import ObliqueBox
 from .oblique_cylinder import ObliqueCylinder
 from .oblique_torus import ObliqueTorus
 from .plane import Plane
@@ -25,6 +26,7 @@ __all__ = [
     "Cylinder",
     "ImplicitSurface",
     "InclinedPlane",
+    "ObliqueBox",
     "ObliqueCylinder",
     "ObliqueTorus",
     "EndPlane",

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import sympy as sp
@@ -38,15 +39,28 @@ class Box(Surface):
         return False
 
     @property
+    def faces(self) -> list[tuple[sp.Expr, sp.Expr, sp.Expr]]:
+        """Each coordinate of the ball's centre, and those of the two faces across it."""
+        return list(zip(POSITION, self.low, self.high, strict=True))
+
+    @property
+    def scaled_radius(self) -> sp.Expr:
+        """R_B in the unit of length of `faces`."""
+        return self.radius
+
+    def turned(self, vector: Sequence[sp.Expr]) -> list[sp.Expr]:
+        """Return the components of a vector along the box's axes, in the unit of `faces`."""
+        return list(vector)
+
+    @property
     def excess(self) -> list[sp.Expr]:
         """Distance of each coordinate beyond a face, negative beyond the lower one."""
-        faces = zip(POSITION, self.low, self.high, strict=True)
         return [
             barrier(
                 barrier(maximum(barrier(place - high), 0))
                 - barrier(maximum(barrier(low - place), 0))
             )
-            for place, low, high in faces
+            for place, low, high in self.faces
         ]
 
     @property
@@ -55,7 +69,7 @@ class Box(Surface):
         return sp.sqrt(barrier(sp.Add(*(e**2 for e in self.excess)))) - self.radius
 
     @property
-    def azimuth_free_distance(self) -> sp.Expr:
+    def azimuth_free_distance(self) -> sp.Expr | None:
         """The distance from the box to the circle about the z axis through the ball's centre.
 
         In the plan view the box begins at some distance from the axis, and the circle ends at
@@ -103,7 +117,7 @@ class Box(Surface):
         return 1 / self.radius
 
     @property
-    def rolling_surface(self) -> RollingSurface:
+    def rolling_surface(self) -> RollingSurface | None:
         """The face, edge or corner that the ball is on or moves onto.
 
         At a seam, within a few roundings, the direction of the velocity decides.

@@ -1,15 +1,18 @@
 """The parts of a box for the judge: faces, edges and corners, each with its bounds.
 
-The engines search a box as one surface. That both find the same is what the judge is for.
+The engines search a box as one surface. That both find the same is what the judge is for. The parts
+of a turned box are those of one along the axes, seen from its centre along its own axes.
 """
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from itertools import product
 
 import sympy as sp
 
-from hoopgen.derive.surfaces import Box, Cylinder, Plane, Sphere, Surface
+from hoopgen.derive.surfaces import Box, Cylinder, ObliqueBox, Plane, Sphere, Surface
+from hoopgen.derive.surfaces.rotation import scaled_rotation, squared_norm, times, transposed
 from hoopgen.derive.symbolic.symbols import POSITION
 
 
@@ -17,6 +20,8 @@ def box_parts(surface: Surface) -> tuple[Surface, ...]:
     """Return the parts of a box, each with one polynomial; of any other surface, itself."""
     if not isinstance(surface, Box):
         return (surface,)
+    if isinstance(surface, ObliqueBox):
+        return tuple(_TurnedPart(surface.name, part, surface) for part in box_parts(_own(surface)))
     # For each coordinate: beyond the lower face, between both, or beyond the upper one.
     sides = [side for side in product((-1, 0, 1), repeat=3) if any(side)]
     return tuple(_part(surface, side) for side in sides)
@@ -43,8 +48,69 @@ def _part(box: Box, side: tuple[int, ...]) -> Surface:
     return Plane(box.name, (towards[0], towards[1], towards[2]), offset, box.radius, inner)
 
 
+def _own(box: ObliqueBox) -> Box:
+    """Return the box along its own axes, in the coordinates of `_turned`."""
+    scale = squared_norm(box.orientation)
+    corners = (tuple(scale * length for length in end) for end in (box.low, box.high))
+    low, high = ((x, y, z) for x, y, z in corners)
+    return Box(box.name, low, high, scale * box.radius)
+
+
+def _turned(formula: sp.Expr, box: ObliqueBox) -> sp.Expr:
+    """Return a formula in the coordinates along a box's axes as one of the scene's."""
+    offsets = [place - own for place, own in zip(POSITION, box.centre, strict=True)]
+    turned = times(transposed(scaled_rotation(box.orientation)), offsets)
+    return formula.xreplace(dict(zip(POSITION, turned, strict=True)))
+
+
+@dataclass(frozen=True)
+class _TurnedPart(Surface):
+    """A part of a turned box.
+
+    Attributes
+    ----------
+    part
+        The part of the box along its own axes.
+    box
+        The box.
+    """
+
+    part: Surface
+    box: ObliqueBox
+
+    @property
+    def condition(self) -> sp.Expr:
+        """The part's condition, turned."""
+        return _turned(self.part.condition, self.box)
+
+    @property
+    def distance(self) -> sp.Expr:
+        """The part's distance, in metres."""
+        return _turned(self.part.distance, self.box) / squared_norm(self.box.orientation)
+
+    @property
+    def bounds(self) -> tuple[sp.Expr, ...]:
+        """The part's bounds, turned."""
+        return tuple(_turned(bound, self.box) for bound in self.part.bounds)
+
+    @property
+    def normal(self) -> sp.Matrix:
+        """The part's normal, turned back."""
+        there = [_turned(component, self.box) for component in self.part.normal]
+        back = times(scaled_rotation(self.box.orientation), there)
+        return sp.Matrix(back) / squared_norm(self.box.orientation)
+
+    @property
+    def inside(self) -> tuple[sp.Expr, ...]:
+        """What the part is negative inside of, turned."""
+        return tuple(_turned(expression, self.box) for expression in self.part.inside)
+
+
 def box_solid(box: Box) -> tuple[sp.Expr]:
     """Return the squared distance from a box less R_B², negative if the ball overlaps it."""
+    if isinstance(box, ObliqueBox):
+        (own,) = box_solid(_own(box))
+        return (_turned(own, box),)
     squares = []
     for place, low, high in zip(POSITION, box.low, box.high, strict=True):
         # The larger of q and 0 is (q + |q|)/2, which balls can say; only one of the two is not 0.

@@ -22,6 +22,7 @@ from hoopgen.derive.surfaces import (
     Cylinder,
     ImplicitSurface,
     InclinedPlane,
+    ObliqueBox,
     ObliqueCylinder,
     ObliqueTorus,
     Plane,
@@ -33,6 +34,7 @@ from hoopgen.derive.surfaces.directions import along, squared_distance, squared_
 from hoopgen.derive.symbolic.symbols import POSITION
 
 from .bounds import Terms
+from .boxes import PARTS
 from .contact_laws import Contact
 from .formulas import Formula
 from .inputs import SceneError
@@ -130,6 +132,7 @@ class _Builder:
             "cylinder": self._cylinder,
             "torus": self._torus,
             "box": self._box,
+            "oblique box": self._oblique_box,
             "surface": self._surface,
             "inclined plane": self._inclined_plane,
             "disc": self._disc,
@@ -199,6 +202,12 @@ class _Builder:
         )
         self._requirements += [b - a for a, b in zip(low, high, strict=True)]
         return (Box(shape.name, (low[0], low[1], low[2]), (high[0], high[1], high[2]), self._ball),)
+
+    def _oblique_box(self, shape: Shape) -> tuple[Surface, ...]:
+        high, centre = self._vector(shape, "half"), self._centre(shape)
+        low = (-high[0], -high[1], -high[2])
+        w, x, y, z = (self._sympy(shape[f"orientation {part}"]) for part in PARTS)
+        return (ObliqueBox(shape.name, low, high, self._ball, centre, (w, x, y, z)),)
 
     def _surface(self, shape: Shape) -> tuple[Surface, ...]:
         condition = self._polynomial(shape.condition)

@@ -14,6 +14,7 @@ from hoopgen.core.parameters import means
 from hoopgen.engine.compiled_scene import CompiledScene
 
 from .bounds import Terms, is_along, linear_powers
+from .box_geometry import BOXES, box_extent, box_mesh
 from .engine_pieces import scene_pieces
 from .formulas import Formula
 from .meshes import Bound, Box, Floats, Mesh, contact_mesh, cut, flat, grid, join, level_set, walls
@@ -213,6 +214,7 @@ class SceneGeometry:
             "torus": self._torus,
             "oblique torus": self._torus,
             "box": self._box,
+            "oblique box": self._box,
             "surface": self._surface,
         }[shape.kind](shape, room)
         lines = np.empty((0, 2, 3))
@@ -332,15 +334,7 @@ class SceneGeometry:
         return np.eye(3)[[(axis + 1) % 3, (axis + 2) % 3, axis]]
 
     def _box(self, shape: Shape, room: Box) -> Mesh:
-        low, high = (np.array(side) for side in self._extent(shape))
-        ball, nothing = self.ball_radius, ()
-        faces = [
-            flat(axis, way, float((high if way > 0 else low)[axis]), (low, high), ball, nothing)
-            for axis in range(3)
-            for way in (-1, 1)
-        ]
-        whole = Mesh.from_corners(np.concatenate([face.corners for face in faces]))
-        return cut(whole, (), walls(room))
+        return cut(box_mesh(shape, self._number, self.ball_radius), (), walls(room))
 
     def _surface(self, shape: Shape, room: Box) -> Mesh:
         condition = self._bounds([shape.condition])[0]
@@ -365,10 +359,8 @@ class SceneGeometry:
 
     def _extent(self, shape: Shape) -> tuple[list[float], list[float]]:
         """Return the corners of the box that contains a body."""
-        if shape.kind == "box":
-            return tuple(  # type: ignore[return-value]
-                [self._number(shape[f"{end} {axis}"]) for axis in "xyz"] for end in ("from", "to")
-            )
+        if shape.kind in BOXES:
+            return box_extent(shape, self._number)
         if shape.kind in OBLIQUE:
             return oblique_extent(shape, self._number)
         if shape.kind in ("plane", "surface"):

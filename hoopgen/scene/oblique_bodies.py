@@ -382,6 +382,9 @@ def why_not_rolling(kind: str, sizes: Mapping[str, Formula], bounded: bool) -> t
     if kind == "oblique cylinder":
         said = "on a cylinder along a vector no ball is known to roll; expected x, y or z"
         return "axis", f"{said} where rolls is true"
+    if kind == "oblique box":
+        said = "on a turned box no ball is known to roll; expected none where rolls is true"
+        return "orientation", said
     if kind in ("disc", "cone"):
         reason = "it ends at its rim" if kind == "disc" else "its curvature changes along its side"
         said = f"on a {kind} no ball is known to roll, since {reason}"

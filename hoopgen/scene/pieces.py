@@ -51,6 +51,16 @@ floor plan to which the vector leans, from x towards y.
 """
 
 
+Orientation = tuple[Size, Size, Size, Size] | Mapping[str, object]
+"""A rotation: a quaternion w, x, y, z of any length but 0, or a mapping.
+
+``{"axis": "z", "angle": "30deg"}`` turns by an angle about an axis, counterclockwise as seen from
+where it points; the axis may be any direction. ``{"yaw": "30deg", "pitch": "10deg", "roll":
+"5deg"}`` turns by `yaw` about the z axis, then by `pitch` about the y axis of what is turned, then
+by `roll` about its x axis; what is left out is 0deg.
+"""
+
+
 @dataclass(frozen=True)
 class Parameter:
     """A number of the scene; each shot may have its own value.
@@ -247,19 +257,22 @@ class Torus(Body):
 
 @dataclass(frozen=True)
 class Box(Body):
-    """A box along the axes, touched from outside: faces, edges and corners.
+    """A box, touched from outside: faces, edges and corners.
 
     Attributes
     ----------
     size
-        Its three lengths.
+        Its three lengths, along its own axes.
     centre
         The middle of it.
+    orientation
+        How it is turned about its centre; None: it stands along the scene's axes.
     """
 
     _: KW_ONLY
     size: Point
     centre: Point = (0.0, 0.0, 0.0)
+    orientation: Orientation | None = None
 
 
 @dataclass(frozen=True)

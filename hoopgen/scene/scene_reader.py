@@ -13,6 +13,7 @@ from hoopgen.text.shorten import brief, join_names
 from . import pieces
 from .air import added_parameters, check_switches
 from .bounds import LinearMap, Map, Terms, bounds, terms
+from .boxes import read_box
 from .contact_laws import Contact, contact, is_infinite
 from .directions import Vector
 from .formulas import ONE, POSITION, ZERO, Formula, constant, name
@@ -297,7 +298,8 @@ def _body(
         turned, sizes, axis = read_torus(reader, owner, body, ball)
         shape, there = Shape(body.name, turned, sizes, axis), None
     elif isinstance(body, pieces.Box):
-        shape, there = _box(reader, owner, body), None
+        turned, sizes = read_box(reader, owner, body)
+        shape, there = Shape(body.name, turned, sizes), None
     elif isinstance(body, pieces.Surface):
         shape, there = _surface(reader, owner, body, ball), Map()
     else:
@@ -367,19 +369,6 @@ def _span(reader: _Reader, owner: str, given: object, axis: int) -> tuple[Terms,
         powers = tuple(int(k == axis) for k in range(3))
         found.append((((powers[0], powers[1], powers[2]), constant(way)), ((0, 0, 0), offset)))
     return tuple(found)
-
-
-def _box(reader: _Reader, owner: str, body: pieces.Box) -> Shape:
-    size = reader.point(owner, "size", body.size)
-    centre = reader.point(owner, "centre", body.centre)
-    sizes: dict[str, Formula] = {}
-    for (argument, length), middle in zip(size.items(), centre.values(), strict=True):
-        if reader.inputs.number(owner, argument, length) <= 0:
-            raise reader.inputs.wrong(owner, argument, "expected a number above 0")
-        half = length / constant(2)
-        axis = argument.rpartition(" ")[2]
-        sizes |= reader.add(owner, {f"from {axis}": middle - half, f"to {axis}": middle + half})
-    return Shape(body.name, "", tuple(sizes.items()))
 
 
 def _surface(reader: _Reader, owner: str, body: pieces.Surface, ball: Formula) -> Shape:

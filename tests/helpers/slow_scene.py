@@ -124,8 +124,10 @@ class Slow:
             return (lambda p: p @ unit - at - ball), (lambda p: p - (p @ unit - at) * unit)
         if isinstance(body, Box):
             middle, size = (np.array([*map(self._size, v)]) for v in (body.centre, body.size))
-            low, high = middle - size / 2, middle + size / 2
-            nearest = lambda p: np.clip(p, low, high)  # noqa: E731
+            turn = _rotation(body.orientation and self._vector(body.orientation))
+            nearest = lambda p: (  # noqa: E731
+                middle + turn @ np.clip(turn.T @ (p - middle), -size / 2, size / 2)
+            )
             return (lambda p: np.linalg.norm(p - nearest(p)) - ball), nearest
         if isinstance(body, Cone):
             return self._cone(body)
@@ -303,3 +305,14 @@ class Slow:
 
 def _axis(written: str) -> tuple[int, int]:
     return "xyz".index(written[-1]), -1 if written[0] == "-" else 1
+
+
+def _rotation(quaternion: Vector | None) -> Vector:
+    """Return the rotation by a quaternion: of each axis v, q v q* over |q|²."""
+    if quaternion is None:
+        return np.eye(3)
+    real, vector = quaternion[0], quaternion[1:]
+    axes = np.eye(3)
+    across = 2 * np.cross(vector, axes)
+    square = quaternion @ quaternion
+    return np.asarray((axes + (real * across + np.cross(vector, across)) / square).T)

@@ -22,7 +22,7 @@ from hoopgen.derive.loop import stages
 from hoopgen.derive.rolling import contact_phase, events, friction_limit, settling
 from hoopgen.derive.rolling import stages as contact_stages
 from hoopgen.derive.scenes.scene import Scene as DerivedScene
-from hoopgen.derive.surfaces import Box, ObliqueTorus
+from hoopgen.derive.surfaces import Box, ObliqueBox, ObliqueTorus
 from numpy.typing import NDArray
 
 pytest.importorskip("flint")
@@ -70,6 +70,18 @@ CRATE = Scene(
 )
 """Two boxes."""
 
+TURNED_CRATE = Scene(
+    "turned_crate",
+    bodies=[
+        BoxPiece("crate", size=(0.4, 0.3, 0.2), orientation={"axis": (1, 2, 3), "angle": "70deg"})
+    ],
+    ball_radius=0.1,
+    gravity=9.81,
+    restitution=0.7,
+    ends={"down": End(at=-1)},
+)
+"""A turned box."""
+
 POSTS = Scene(
     "posts_in_rows",
     bodies=[
@@ -111,7 +123,11 @@ def among_posts(rows: int = 250) -> NDArray[np.float64]:
     return states
 
 
-BATCHES = {"crate": (CRATE, against_a_crate), "posts_in_rows": (POSTS, among_posts)}
+BATCHES = {
+    "crate": (CRATE, against_a_crate),
+    "turned_crate": (TURNED_CRATE, against_a_crate),
+    "posts_in_rows": (POSTS, among_posts),
+}
 
 
 @cache
@@ -165,6 +181,7 @@ boxes_left = OfFormulas(
     test_own_surfaces.test_the_gap_since_a_start_on_the_surface_is_within_its_margin,
     ((test_own_surfaces.KINDS["box"],),),
 )
+turned_crate = OfEngine(the_judge_agrees, scene=TURNED_CRATE)
 windows_hold = OfFormulas(
     test_own_surfaces.test_windows_hold_every_time_within_the_box,
     (((0, 0, -1), False), ((-1, 0, -2), False), ((1, 0, 0), True)),
@@ -420,7 +437,12 @@ FAULTS = (
     ),
     Planted(
         "the second derivative of a box is that of its coordinates beyond a face alone",
-        in_text(BoxRootFinder, "ceiling", "2 * barrier(3 * fastest**2", "barrier(fastest**2 / 8"),
+        in_text(
+            BoxRootFinder,
+            "ceiling",
+            "2 * barrier(3 * self._fastest**2",
+            "barrier(self._fastest**2 / 8",
+        ),
         boxes,
     ),
     Planted(
@@ -432,6 +454,16 @@ FAULTS = (
         "a box has no lower faces",
         in_text(Box, "excess", "barrier(maximum(barrier(low - place), 0))", "sp.Integer(0)"),
         crate,
+    ),
+    Planted(
+        "a box is turned the other way",
+        in_text(ObliqueBox, "turned", "transposed(self.rotation)", "self.rotation"),
+        turned_crate,
+    ),
+    Planted(
+        "the normal of a turned box is not turned back",
+        in_text(ObliqueBox, "normal", "times(self.rotation, self.excess)", "self.excess"),
+        turned_crate,
     ),
     Planted(
         "windows end at the apex",

@@ -59,6 +59,7 @@ KINDS = [
     Sphere("ball", radius=0.2, centre=(0.1, 0, 0)),
     Sphere("bowl", radius=0.3, inside=True, within=["z"]),
     Box("crate", size=(0.1, 0.2, 0.3)),
+    Box("crate_turned", size=(0.1, 0.2, 0.3), orientation=(1, 2, 3, 4)),
     Surface("ramp", condition="z - x**2 - y/4"),
     *(Torus(f"ring_{a}", radius=0.3, wire=0.02, axis=a) for a in ALL_AXES),
     Torus("ring_leaning", radius=0.3, wire=0.02, axis=(1, -2, 2)),
@@ -113,6 +114,22 @@ def test_a_leaning_ring_is_drawn_about_its_axis() -> None:
     (edge,) = seen(Torus("edge", radius=0.25, axis=(1, -2, 2))).bodies(ROOM)
     assert np.linalg.norm(edge.lines, axis=-1) == pytest.approx(0.25, rel=1e-12)
     assert edge.lines @ unit == pytest.approx(0.0, abs=1e-12)
+
+
+def test_a_turned_box_is_drawn_turned_within_its_extent() -> None:
+    """By 30 degrees about z: its corners are those of a rectangle that leans."""
+    turn = {"axis": "z", "angle": "30deg"}
+    made = seen(Box("crate", size=(0.4, 0.2, 0.1), centre=(0.1, 0, 0.05), orientation=turn))
+    (one,) = made.bodies(ROOM)
+    corners = one.mesh.corners[..., :3]
+    assert area(one.mesh.corners) == pytest.approx(2 * (0.08 + 0.04 + 0.02), rel=1e-12)
+    long, wide = np.array([0.75**0.5, 0.5, 0.0]), np.array([-0.5, 0.75**0.5, 0.0])
+    off = corners - [0.1, 0, 0.05]
+    assert abs(off @ long) == pytest.approx(0.2, rel=1e-12)
+    assert abs(off @ wide) == pytest.approx(0.1, rel=1e-12)
+    low, high = made._extent(made.scene.read.bodies[0])
+    assert low == pytest.approx(corners.min(axis=(0, 1)), abs=1e-15)
+    assert high == pytest.approx(corners.max(axis=(0, 1)), abs=1e-15)
 
 
 def test_a_plane_with_a_round_hole_has_that_hole() -> None:

@@ -160,6 +160,12 @@ def aimed(made: Scene, count: int, seed: int) -> Floats:
 
 def check_against_the_judge(engine: Engine, made: Scene, count: int, seed: int) -> None:
     states, values = aimed(made, count, seed), turned_at_random(made, count, seed)
+    check_shots(engine, states, values)
+
+
+def check_shots(engine: Engine, states: Floats, values: Mapping[str, Any]) -> None:
+    """Compare both engines with each other and the judge; every body is met."""
+    count = len(states)
     names = ("outcome", "uncertain", "counts", "time", "state", "time_error", "state_error")
     shots = engine.simulate(states, values, max_contacts=MOST, record=True, fields=names)
     twice = engine.simulate(states, values, max_contacts=MOST, backend="numpy", fields=names)

@@ -31,7 +31,7 @@ from hoopgen.derive.motion import air, ring_rolling_series, rolling_series
 from hoopgen.derive.motion.parabola import Parabola
 from hoopgen.derive.rolling import friction_limit, neighbour
 from hoopgen.derive.scenes import sinking, validity
-from hoopgen.derive.surfaces import Plane
+from hoopgen.derive.surfaces import ObliqueBox, Plane
 from hoopgen.derive.symbolic import error_terms, rounding
 from hoopgen.derive.symbolic.letters import AXES, FLIGHTS, LOOP, RESULTS, SERIES, STUDIES, Entry
 from hoopgen.derive.symbolic.notation import (
@@ -93,6 +93,8 @@ class PageData:
         The name of the scene whose page this one does not repeat; "" if it repeats all.
     falls
         True if gravity cannot be zero along its axis.
+    turned
+        True if a box is turned.
     air
         The air that the ball flies through; None: there is none, and no flight has pieces.
     """
@@ -122,6 +124,7 @@ class PageData:
     premises: Mapping[str, PremiseText]
     series: tuple[SymbolText, ...]
     falls: bool
+    turned: bool
     air: AirText | None
 
     @property
@@ -377,5 +380,6 @@ def derivation_context(model: Model, reference: PageData | None = None) -> PageD
         premises=premises,
         series=_series(model),
         falls=flight.falls,
+        turned=any(isinstance(surface, ObliqueBox) for surface in scene.surfaces),
         air=_air(flight, notation) if isinstance(flight, air.AirFlight) else None,
     )

@@ -339,3 +339,14 @@ def test_tests_that_the_pages_name_exist() -> None:
         text = (root / "generated" / name).read_text(encoding="utf-8")
         for found in set(re.findall(r"`((?:tests|derive)/[\w/]+\.py)`", text)):
             assert (root / found).exists(), found
+
+
+def test_a_turned_box_is_explained() -> None:
+    """The matrix of its quaternion stands on the page, and on no page without such a box."""
+    turned = Box("step", size=(0.5, 0.5, 0.5), orientation={"axis": (1, 2, 3), "angle": "30deg"})
+    given: dict[str, Any] = {"ball_radius": 0.05, "gravity": 9.81, "restitution": 0.6}
+    text = Scene("turned", bodies=[turned], ends={"out": End(at=-2)}, **given).explain()
+    said = r"$\mathcal{R} \mathcal{R}^T = \lvert \mathbf{q} \rvert^4$ exactly"
+    assert said in text
+    assert "orientation" in text
+    assert said not in page()

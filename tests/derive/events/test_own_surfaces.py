@@ -19,7 +19,17 @@ from hoopgen.derive.motion.parabola import Parabola
 from hoopgen.derive.scenes import validity
 from hoopgen.derive.scenes.ends import End
 from hoopgen.derive.scenes.scene import Scene, parameter
-from hoopgen.derive.surfaces import Box, Cylinder, ObliqueTorus, Plane, Sphere, Surface, Torus, body
+from hoopgen.derive.surfaces import (
+    Box,
+    Cylinder,
+    ObliqueBox,
+    ObliqueTorus,
+    Plane,
+    Sphere,
+    Surface,
+    Torus,
+    body,
+)
 from hoopgen.derive.symbolic.conditionals import release
 from hoopgen.derive.symbolic.polynomials import mean_rate
 from hoopgen.derive.symbolic.symbols import POSITION, VELOCITY, t
@@ -158,6 +168,7 @@ def test_the_mean_rate_times_the_time_is_the_change(power: int) -> None:
 R, S = sp.symbols("wide thin", positive=True)
 CENTRE = (sp.Rational(1, 3), sp.Integer(-2), sp.Rational(1, 7))
 LEAN = (sp.Rational(2, 3), sp.Rational(-1, 3), sp.Rational(2, 3))
+TURN = (sp.Integer(1), sp.Rational(1, 2), sp.Rational(-1, 4), sp.Rational(1, 3))
 KINDS: dict[str, Surface] = {
     "sphere": Sphere("sphere", CENTRE, R),
     "inside": Sphere("inside", CENTRE, R, inward=True),
@@ -168,6 +179,7 @@ KINDS: dict[str, Surface] = {
     "leaning": Torus("leaning", CENTRE, LEAN, R, S),
     "turned": ObliqueTorus("turned", CENTRE, (sp.Integer(1), sp.Integer(-2), sp.Integer(2)), R, S),
     "box": Box("box", CENTRE, tuple(c + R for c in CENTRE), S),
+    "turned box": ObliqueBox("turned", (-R / 2,) * 3, (R / 2, R / 2, R / 2), S, CENTRE, TURN),
 }
 kinds = pytest.mark.parametrize("surface", KINDS.values(), ids=list(KINDS))
 NO_ERRORS = {"position_error": 0.0, "velocity_error": 0.0}

@@ -1,0 +1,133 @@
+"""The search for a turned box: that of a box, with places and velocities turned at every time.
+
+Along the axes of the box, in its unit of length (`surfaces/oblique_box.py`), the formulas are those
+of `events/box.py`. Windows are those of a box along the scene's axes that holds every contact; what
+bounds F'' within them is as far as its corner. Turning adds roundings, which margins contain.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import sympy as sp
+
+from ..motion.flight import Flight
+from ..surfaces import ObliqueBox
+from ..symbolic.conditionals import IfLess, absolute, barrier
+from ..symbolic.error_terms import curving
+from ..symbolic.rounding import Rounded, rounding
+from ..symbolic.symbols import POSITION, UNIT_ROUNDOFF, VELOCITY
+from .air import AirBoxRootFinder
+from .bounding_boxes import may_reach_in_halves
+from .box import EXCESS, BoxRootFinder
+from .event_polynomials import horizon
+
+TURN_ROUNDINGS = 8
+"""Most roundings of a turned component: four of an entry, as a share of |q|², one of the vector,
+one of a product and two of their sum."""
+
+DIAGONAL = sp.Rational(7, 4)
+"""More than sqrt(3): the length of a vector by its largest component."""
+
+
+class _Turned(BoxRootFinder):
+    """The parts of the search that are the same along any flight."""
+
+    flight: Flight
+    box: ObliqueBox
+
+    @property
+    def _reach(self) -> sp.Expr:
+        """Bound on every coordinate along the box's axes within the windows."""
+        square = barrier(sp.Add(*(half**2 for half in self.box.half_sizes if half is not None)))
+        corner = barrier(sp.sqrt(square))
+        return barrier(barrier(self.box.scale * corner) * (1 + sp.Rational(1, 2**10)))
+
+    @property
+    def _fastest(self) -> sp.Expr:
+        """The largest velocity along an axis of the scene, in the box's unit of length.
+
+        Its three squares are, in sum, those along the axes of the box.
+        """
+        return barrier(self.box.scale * self.flight.size(horizon)[1])
+
+    def _excess_errors(self, known: dict[sp.Expr, Rounded]) -> list[sp.Expr]:
+        """Return bounds on the error of each e, given those of the offsets from the centre."""
+        return [
+            barrier(rounding(place - low, known).error + rounding(place - high, known).error)
+            for place, low, high in self.box.faces
+        ]
+
+    def _roundings(self) -> tuple[dict[sp.Expr, Rounded], dict[sp.Expr, Rounded]]:
+        """Return bounds on e and the velocity, and on e and the mean velocity.
+
+        The velocities are those along the axes of the box.
+        """
+        there, moved = self.flight.rounding(horizon)
+        mean = self.flight.mean_rounding(horizon)
+        box, known = self.box, {}
+        places = zip(box.offsets, POSITION, box.centre, box.half_sizes, strict=True)
+        for offset, place, own, half in places:
+            off = rounding(place - own, {place: there}).error
+            known[offset] = Rounded(barrier(sp.Rational(9, 8) * half), barrier(off))
+        errors = zip(EXCESS, self._excess_errors(known), strict=True)
+        excess: dict[sp.Expr, Rounded] = {e: Rounded(self._reach, error) for e, error in errors}
+        return excess | self._velocities(moved), excess | self._velocities(mean)
+
+    def _velocities(self, given: Rounded) -> dict[sp.Expr, Rounded]:
+        """Return bounds on the velocity along the axes of the box from those along the scene's."""
+        found: dict[sp.Expr, Rounded] = {}
+        for v, along in zip(VELOCITY, self.box.turned(VELOCITY), strict=True):
+            turned = rounding(along, dict.fromkeys(VELOCITY, given))
+            found[v] = Rounded(barrier(turned.magnitude), barrier(turned.error))
+        return found
+
+    @property
+    def root_delay(self) -> sp.Expr | None:
+        """The rounding of F, of F/t on return, over F', at the state and time t of the contact."""
+        box = self.box
+        held = {d: Rounded(barrier(absolute(d)), UNIT_ROUNDOFF * absolute(d)) for d in box.offsets}
+        errors = self._excess_errors(held)
+        moving = list(zip(EXCESS, box.excess, errors, strict=True))
+        now: dict[sp.Expr, Rounded] = {
+            symbol: Rounded(barrier(absolute(e)), error) for symbol, e, error in moving
+        }
+        first = rounding(sp.Add(*(e**2 for e in EXCESS), -(box.scaled_radius**2)), now).error
+        # On return, F/t times t is a sum of products of changes and of sums of e.
+        lengths = self.flight.path_lengths()
+        since: dict[sp.Expr, Rounded] = {}
+        for k, (symbol, e, error) in enumerate(moving):
+            ways = (absolute(box.rotation[j][k]) * lengths[j] for j in range(3))
+            way = barrier(sp.Add(*ways))
+            turned = barrier(TURN_ROUNDINGS * UNIT_ROUNDOFF * way)
+            since[symbol] = Rounded(barrier(absolute(e) + way), barrier(error + turned))
+            since[VELOCITY[k]] = Rounded(way, turned)
+        changes = (e * way for e, way in zip(EXCESS, VELOCITY, strict=True))
+        again = rounding(2 * sp.Add(*changes), since).error
+        along = zip(box.excess, box.turned(VELOCITY), strict=True)
+        rate = barrier(2 * barrier(sp.Add(*(e * v for e, v in along))))
+        return barrier(IfLess(curving, sp.oo, barrier(again), barrier(first))) / absolute(rate)
+
+
+@dataclass(frozen=True)
+class ObliqueBoxRootFinder(_Turned):
+    """The root finder for a turned box."""
+
+    box: ObliqueBox
+
+    @property
+    def reach_test(self) -> dict[str, sp.Basic]:
+        """Compare the boxes of both halves of the flight with one that the turned box is in."""
+        return may_reach_in_halves(self.box)
+
+
+@dataclass(frozen=True)
+class AirObliqueBoxRootFinder(_Turned, AirBoxRootFinder):
+    """The root finder for a turned box along a piece of a flight through air."""
+
+    box: ObliqueBox
+
+    @property
+    def _pull(self) -> sp.Expr:
+        """A bound on the acceleration along each axis of the box."""
+        return barrier(DIAGONAL * self.box.scale * super()._pull)

@@ -1,0 +1,113 @@
+"""A box that is turned by a quaternion, whose components are parameters."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import sympy as sp
+
+from ..symbolic.conditionals import absolute, barrier
+from ..symbolic.symbols import POSITION
+from .box import Box
+from .rotation import Matrix, Quaternion, scaled_rotation, squared_norm, times, transposed
+from .surface import Point
+
+
+@dataclass(frozen=True)
+class ObliqueBox(Box):
+    """A box along any three directions at right angles, touched from outside.
+
+    It is a `Box` in the coordinates Rᵀ d with the offset d from its centre and the matrix R of
+    `rotation`. They are |q|² times as long as the scene's, and so are its corners and R_B there.
+
+    Attributes
+    ----------
+    low, high
+        Its corners with the smallest and the largest coordinates, seen from its centre along its
+        own axes.
+    radius
+        R_B.
+    centre
+        The centre of the box.
+    orientation
+        The quaternion that turns the scene's axes onto those of the box, about of length 1.
+    """
+
+    centre: Point
+    orientation: Quaternion
+
+    @property
+    def scale(self) -> sp.Expr:
+        """|q|²."""
+        return barrier(squared_norm(self.orientation))
+
+    @property
+    def rotation(self) -> Matrix:
+        """R, each entry held."""
+        return [[barrier(entry) for entry in row] for row in scaled_rotation(self.orientation)]
+
+    @property
+    def offsets(self) -> list[sp.Expr]:
+        """The place of the ball's centre as seen from that of the box."""
+        return [barrier(place - own) for place, own in zip(POSITION, self.centre, strict=True)]
+
+    @property
+    def faces(self) -> list[tuple[sp.Expr, sp.Expr, sp.Expr]]:
+        """The coordinates along the box's axes, and its corners there."""
+        corners = ([barrier(self.scale * c) for c in end] for end in (self.low, self.high))
+        return list(zip(self.turned(self.offsets), *corners, strict=True))
+
+    @property
+    def scaled_radius(self) -> sp.Expr:
+        """|q|² R_B."""
+        return barrier(self.scale * self.radius)
+
+    def turned(self, vector: Sequence[sp.Expr]) -> list[sp.Expr]:
+        """Return Rᵀ times a vector."""
+        return [barrier(part) for part in times(transposed(self.rotation), vector)]
+
+    @property
+    def distance(self) -> sp.Expr:
+        """The distance from the box less R_B; at least -R_B within it."""
+        away = barrier(sp.sqrt(barrier(sp.Add(*(e**2 for e in self.excess)))))
+        return barrier(away * barrier(1 / self.scale)) - self.radius
+
+    @property
+    def azimuth_free_distance(self) -> sp.Expr | None:
+        """None."""
+        return None
+
+    @property
+    def condition(self) -> sp.Expr:
+        """The squared distance from the box less R_B², times |q|⁴."""
+        return sp.Add(*(e**2 for e in self.excess), -(self.scaled_radius**2))
+
+    @property
+    def reference_point(self) -> Point:
+        """The centre."""
+        return self.centre
+
+    @property
+    def half_sizes(self) -> tuple[sp.Expr | None, ...]:
+        """Those of the box along the scene's axes that the turned one is in, plus R_B."""
+        halves = [(high - low) / 2 for low, high in zip(self.low, self.high, strict=True)]
+        per_scale = barrier(1 / self.scale)
+        sizes = times([[absolute(entry) for entry in row] for row in self.rotation], halves)
+        return tuple(barrier(barrier(size) * per_scale) + self.radius for size in sizes)
+
+    @property
+    def steepness(self) -> sp.Expr:
+        """2: its gradient is 1, but the turning adds as many roundings again."""
+        return sp.Integer(2)
+
+    @property
+    def normal(self) -> sp.Matrix:
+        """The direction from the nearest point of the box, turned back."""
+        per = barrier(1 / barrier(self.scale * self.scaled_radius))
+        return sp.Matrix([part * per for part in times(self.rotation, self.excess)])
+
+    @property
+    def rolling_surface(self) -> None:
+        """None: no ball is known to roll on a turned box."""
+        return None

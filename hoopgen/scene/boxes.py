@@ -1,0 +1,187 @@
+"""Reading of boxes, along the axes or turned, and of the ways to write how one is turned."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from fractions import Fraction
+from typing import Any, Protocol
+
+from hoopgen.text.shorten import brief, join_names
+
+from . import pieces
+from .directions import Vector, angle, direction
+from .formulas import ZERO, Formula, constant
+from .inputs import Inputs
+
+__all__ = ["PARTS", "read_box"]
+
+PARTS = ("w", "x", "y", "z")
+"""The components of a quaternion, the real part first."""
+
+_ANGLES = ("yaw", "pitch", "roll")
+_DIGITS = 15
+"""Decimals of the components that angles give: one fewer than a double has, so that they are the
+same on every machine."""
+
+_QUARTERS = ((1.0, 0.0), (math.sqrt(0.5), math.sqrt(0.5)), (0.0, 1.0))
+"""Cosine and sine of half of so many quarter turns; the sign of a quaternion does not matter."""
+
+_EXPECTED = "four sizes w, x, y, z of a quaternion, or axis and angle, or yaw, pitch and roll"
+
+Half = tuple[float, float]
+"""Cosine and sine of half of an angle."""
+
+
+class _Reader(Protocol):
+    """A reader of arguments as formulas, with the inputs of a scene."""
+
+    @property
+    def inputs(self) -> Inputs:
+        """The inputs."""
+
+    def point(self, owner: str, argument: str, given: object) -> dict[str, Formula]:
+        """Return three sizes as formulas, by name."""
+
+    def add(self, owner: str, formulas: Mapping[str, Formula]) -> dict[str, Formula]:
+        """Return formulas as inputs."""
+
+    def axis(self, owner: str, argument: str, given: object) -> tuple[int, int]:
+        """Return coordinate and direction."""
+
+
+def read_box(
+    reader: _Reader, owner: str, body: pieces.Box
+) -> tuple[str, tuple[tuple[str, Formula], ...]]:
+    """Return a box: the kind of its shape, "" along the axes, and its sizes.
+
+    Parameters
+    ----------
+    reader
+        The reader of the scene's arguments.
+    owner
+        The body, for error messages.
+    body
+        The body as its author wrote it.
+
+    Raises
+    ------
+    SceneError
+        If a size is not allowed, or the orientation is none.
+    """
+    inputs = reader.inputs
+    size = reader.point(owner, "size", body.size)
+    centre = reader.point(owner, "centre", body.centre)
+    turn = None if body.orientation is None else _quaternion(reader, owner, body.orientation)
+    sizes: dict[str, Formula] = {}
+    for (argument, length), middle in zip(size.items(), centre.values(), strict=True):
+        if inputs.number(owner, argument, length) <= 0:
+            raise inputs.wrong(owner, argument, "expected a number above 0")
+        half = length / constant(2)
+        axis = argument.rpartition(" ")[2]
+        if turn is None:
+            sizes |= reader.add(owner, {f"from {axis}": middle - half, f"to {axis}": middle + half})
+        else:
+            own = f"half {axis}"
+            sizes[own] = inputs.add(owner, own, half, sign="positive")
+    if turn is None:
+        return "", tuple(sizes.items())
+    sizes |= reader.add(owner, centre)
+    for name, part in zip(PARTS, turn, strict=True):
+        own = f"orientation {name}"
+        sizes[own] = inputs.add(owner, own, part, unit="1")
+    return "oblique box", tuple(sizes.items())
+
+
+def _quaternion(reader: _Reader, owner: str, given: object) -> tuple[Formula, ...] | None:
+    """Return a quaternion of length 1; None for one that turns nothing."""
+    if isinstance(given, Mapping):
+        parts = _from_angles(reader, owner, given)
+    elif isinstance(given, str) or not isinstance(given, Sequence) or len(given) != len(PARTS):
+        said = f"expected {_EXPECTED}; got {brief(given)}"
+        raise reader.inputs.wrong(owner, "orientation", said)
+    else:
+        parts = _from_sizes(reader.inputs, owner, given)
+    return None if parts[1:] == [ZERO] * 3 else tuple(parts)
+
+
+def _from_sizes(inputs: Inputs, owner: str, given: Sequence[Any]) -> list[Formula]:
+    """Return four sizes over their length."""
+    named = [f"orientation {name}" for name in PARTS]
+    parts = [inputs.read(owner, own, part) for own, part in zip(named, given, strict=True)]
+    numbers = [inputs.number(owner, own, part) for own, part in zip(named, parts, strict=True)]
+    fixed = all(part.number is not None for part in parts)
+    if not any(numbers):
+        said = "is no rotation: all four sizes are 0"
+        raise inputs.wrong(owner, "orientation", said if fixed else f"{said} at the defaults")
+    if fixed:
+        return _fixed_unit([part.number or Fraction(0) for part in parts])
+    length = sum((part**2 for part in parts), ZERO).sqrt()
+    return [part if part == ZERO else part / length for part in parts]
+
+
+def _fixed_unit(sizes: Sequence[Fraction]) -> list[Formula]:
+    """Return numbers over their length, as doubles; along an axis, whole numbers."""
+    largest = max(map(abs, sizes))
+    shares = [size / largest for size in sizes]
+    if sum(map(bool, shares)) == 1:
+        return [constant(share) for share in shares]
+    length = math.sqrt(float(sum(share**2 for share in shares)))
+    return [constant(Fraction(repr(float(share) / length))) for share in shares]
+
+
+def _from_angles(reader: _Reader, owner: str, given: Mapping[Any, Any]) -> list[Formula]:
+    """Return the quaternion of an axis and an angle, or of yaw, pitch and roll."""
+    inputs = reader.inputs
+    known = ("axis", "angle") if {"axis", "angle"} & set(given) else _ANGLES
+    strange = [name for name in given if name not in known]
+    if strange or not given:
+        said = f"unknown {join_names(strange)}. " if strange else ""
+        raise inputs.wrong(owner, "orientation", f"{said}expected {_EXPECTED}")
+    if known == _ANGLES:
+        halves = [
+            _of_half(angle(inputs, owner, f"orientation {name}", given.get(name, "0deg")))
+            for name in _ANGLES
+        ]
+        return _rounded(_turned_three_times(*halves))
+    for name in known:
+        if name not in given:
+            raise inputs.wrong(owner, f"orientation {name}", "missing")
+    half = _of_half(angle(inputs, owner, "orientation angle", given["angle"]))
+    axis = _axis(reader, owner, given["axis"])
+    real, imaginary = _rounded(half)
+    return [real, *(part * imaginary for part in axis)]
+
+
+def _axis(reader: _Reader, owner: str, given: object) -> Vector:
+    if isinstance(given, str):
+        axis, way = reader.axis(owner, "orientation axis", given)
+        x, y, z = (constant(way * (k == axis)) for k in range(3))
+        return x, y, z
+    return direction(reader.inputs, owner, "orientation axis", given)
+
+
+def _rounded(numbers: Sequence[float]) -> list[Formula]:
+    return [constant(Fraction(repr(round(number, _DIGITS)))) for number in numbers]
+
+
+def _of_half(turn: float) -> Half:
+    """Return cosine and sine of half of an angle, which are equal for a quarter turn."""
+    quarters = round(turn / (math.pi / 2))
+    if abs(turn - quarters * (math.pi / 2)) <= 2.0**-50 * abs(turn):
+        # Three quarters forwards are one back.
+        back = quarters % 4 == 3
+        cosine, sine = _QUARTERS[1 if back else quarters % 4]
+        return cosine, -sine if back else sine
+    return math.cos(turn / 2), math.sin(turn / 2)
+
+
+def _turned_three_times(yaw: Half, pitch: Half, roll: Half) -> list[float]:
+    """Return the quaternion of turns about z, then the new y, then the new x."""
+    (cz, sz), (cy, sy), (cx, sx) = yaw, pitch, roll
+    return [
+        cz * cy * cx + sz * sy * sx,
+        cz * cy * sx - sz * sy * cx,
+        cz * sy * cx + sz * cy * sx,
+        sz * cy * cx - cz * sy * sx,
+    ]
