@@ -52,6 +52,7 @@ def test_hoopgen_agrees_with_the_proofs() -> None:
     assert found.time_95 < 1e-10
 
 
+@pytest.mark.slow
 def test_grazes_are_proved_and_hoopgen_is_never_wrong_without_saying_so() -> None:
     found = air.grazes(6)
     known = air.proved(found)

@@ -13,6 +13,7 @@ from hoopgen.scene import compilers  # noqa: E402
 pytestmark = pytest.mark.skipif(compilers.compiler() is None, reason="no C compiler")
 
 
+@pytest.mark.slow
 def test_a_scene_is_derived_and_compiled() -> None:
     derived, compiled, size = bodies.making_costs(bodies.spheres(1))
     assert derived > 0

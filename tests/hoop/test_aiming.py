@@ -154,6 +154,7 @@ def test_a_release_from_a_place_that_moves_has_the_velocity_of_one_at_rest(
     np.testing.assert_allclose(still["speed"], np.hypot(up, ahead), rtol=1e-10, atol=0.0)
 
 
+@pytest.mark.slow
 def test_what_cannot_be_reached_is_nan_and_ends() -> None:
     wanted = {"elevation": np.array([0.1, -1.0, 1.5, np.nan, 0.9, 0.9])}
     reach = np.array([4.0, 4.0, 4.0, 4.0, -1.0, 400.0])

@@ -43,6 +43,7 @@ def _derived_anew() -> Iterator[None]:
         cached.cache_clear()
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("name", FAULTS)
 def test_a_fault_trips_its_check(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     fault, check = FAULTS[name]

@@ -107,6 +107,7 @@ def bounce(velocity: Floats, spin: Floats, normal: Floats) -> tuple[Floats, Floa
     return velocity + change - 1.7 * (velocity @ normal) * normal, turned
 
 
+@pytest.mark.slow
 def test_shots_are_those_of_an_independent_integrator() -> None:
     states = throws(trials(60, at_least=8))
     shots = hoopgen.simulate(states, scene=drop(), max_contacts=3, record=True, fields="all")

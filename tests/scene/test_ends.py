@@ -251,6 +251,7 @@ def test_of_ends_on_one_plane_the_first_counts(engines: Mapping[str, Engines]) -
     assert edges.uncertain.all()
 
 
+@pytest.mark.slow
 def test_the_edge_of_an_end_within_another_is_certain(tmp_path: Path) -> None:
     """A ball that an earlier end has surely taken is not in doubt."""
     own = symbols(CAPS)

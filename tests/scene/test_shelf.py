@@ -20,7 +20,7 @@ from hoopgen.scene import Box, End, Parameter, Plane, Scene
 from hoopgen.simulation.engine import Engine
 from tests.scene.test_example_scenes import numpy_engine
 
-pytestmark = pytest.mark.xdist_group("shelf")
+pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("shelf")]
 
 GRAVITY, BALL = 9.81, 0.05
 EDGE, WALL, SIDE, DOWN = 0.5, -0.4, 0.35, -1.0
@@ -318,7 +318,6 @@ def test_in_the_corner_a_ball_is_wedged(shelf: Engine) -> None:
         assert bool(shots.uncertain[0]) is uncertain
 
 
-@pytest.mark.slow
 def test_both_engines_do_the_same() -> None:
     engine = hoopgen.compile(SHELF)
     if engine.backend != "c":

@@ -77,6 +77,7 @@ def yard_throws(shots: int, seed: int = 1) -> Any:
     return mean + spread * random.normal(size=(shots, 9))
 
 
+@pytest.mark.slow
 def test_derivatives_are_those_of_35_digits() -> None:
     names = (*STATE, *OF_AIR, "restitution", "ball_radius", "gravity", "ring_radius")
     states = free_throws(30)

@@ -126,6 +126,7 @@ def test_the_error_of_a_piece_is_within_its_bound_and_the_bound_is_not_useless()
     assert np.median(ratios) < 300.0
 
 
+@pytest.mark.slow
 def test_the_bound_holds_where_far_more_is_left_out_than_roundings(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
@@ -202,6 +203,7 @@ def test_the_path_is_within_its_box_which_is_hardly_larger() -> None:
     assert np.median(ratios) < 1.1
 
 
+@pytest.mark.slow
 def test_a_piece_that_is_outside_of_a_plane_s_bounds_is_clear_of_it_and_no_other_is() -> None:
     random = np.random.default_rng(9)
     offset = DEFAULTS["ball_radius"] + DEFAULTS["wire_radius"]
@@ -223,6 +225,7 @@ def test_a_piece_that_is_outside_of_a_plane_s_bounds_is_clear_of_it_and_no_other
     assert cleared >= 0.6 * crossing > 20
 
 
+@pytest.mark.slow
 def test_a_piece_that_stays_on_one_side_of_the_end_s_plane_is_clear_of_it_and_no_other_is() -> None:
     random = np.random.default_rng(10)
     beside, cleared = 0, 0

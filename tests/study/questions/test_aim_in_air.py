@@ -98,6 +98,7 @@ def test_what_cannot_be_aimed_is_said(more: dict[str, Any], said: str) -> None:
         aim(**(HERE | more), scene=hoopgen.AIR)
 
 
+@pytest.mark.slow
 def test_rows_without_a_release_are_invalid() -> None:
     found = aim(height=2.1, distance=[4.191, 400.0], elevation=0.9, scene=hoopgen.AIR)
     np.testing.assert_array_equal(np.isfinite(found.speed), [True, False])
@@ -189,6 +190,7 @@ def test_an_estimate_of_releases_by_entry_in_air_says_what_that_of_its_speed_say
     assert third.probability < first.probability / 2
 
 
+@pytest.mark.slow
 def test_the_command_aims_through_air() -> None:
     words = [
         "--distance",

@@ -57,6 +57,7 @@ def test_places_are_within_the_lines_and_mirror_each_other() -> None:
         assert {(a, -b) for a, b in zip(x, y, strict=True)} == set(zip(x, y, strict=True))
 
 
+@pytest.mark.slow
 def test_each_share_is_that_of_the_release(found: Any) -> None:
     """Shares with other random numbers, of any way in, are within the errors of both."""
     for row in range(0, found.sizes["place"], 4):
@@ -171,6 +172,7 @@ def test_the_second_search_chooses_the_way(found: Any) -> None:
     assert (found["probability"].values[rows] == shares).all()
 
 
+@pytest.mark.slow
 def test_a_place_on_the_whole_hoop(monkeypatch: pytest.MonkeyPatch) -> None:
     """The share is that of the release in `COURT`, whose friction and edges change the shot."""
     pytest.importorskip("matplotlib")

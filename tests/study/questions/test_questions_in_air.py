@@ -23,6 +23,7 @@ def made(release: dict[str, float], name: str, value: float) -> bool:
     return bool(hoopgen.AIR.simulate(states, PAPER_AIR).made[0])
 
 
+@pytest.mark.slow
 def test_a_margin_in_air_ends_where_the_shot_no_longer_goes_in() -> None:
     found = hoopgen.aim(
         height=2.13, distance=4.191, elevation=0.9, backspin=18.0, scene=hoopgen.AIR
@@ -76,6 +77,7 @@ def test_bank_or_direct_takes_a_scene_in_air() -> None:
         np.testing.assert_allclose(speed, aimed.speed, rtol=1e-12, atol=0.0)
 
 
+@pytest.mark.slow
 def test_a_coach_in_air_moves_the_point_that_a_measured_player_aims_at() -> None:
     """In air the point is where the flight through air comes down, not the parabola's."""
     found = hoopgen.aim(

@@ -86,6 +86,7 @@ def test_exact_paths_give_exact_backspins() -> None:
     np.testing.assert_allclose(found.states[sharp], thrown.states[sharp], rtol=0, atol=0.03)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("rate", "noise"), [(60, 0.01), (240, 0.02)])
 def test_intervals_hold_as_often_as_they_say(rate: int, noise: float) -> None:
     thrown, backspin = throws(trials(1200, 300), rate)
@@ -107,6 +108,7 @@ def test_intervals_hold_as_often_as_they_say(rate: int, noise: float) -> None:
     np.testing.assert_allclose(spread[swish & ~bounced, 6], SPREAD, rtol=1e-6, atol=0)
 
 
+@pytest.mark.slow
 def test_the_spread_of_a_players_backspin_is_found_without_what_was_assumed() -> None:
     thrown, backspin = throws(300, 5)
     times = np.arange(0.0, 1.5, 1 / 60)

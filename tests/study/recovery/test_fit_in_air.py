@@ -124,6 +124,7 @@ def test_a_release_before_the_first_frame_or_within_the_track_is_that_of_the_fli
     assert np.all(size[:, :3] < np.sqrt(np.diagonal(before.covariance, axis1=1, axis2=2))[:, :3])
 
 
+@pytest.mark.slow
 def test_a_release_is_detected_after_frames_in_the_hand() -> None:
     states, contact = throws(20, 4)
     after = np.arange(0.0, LONGEST, 1 / 60)
