@@ -90,7 +90,7 @@ class ObliqueBox(Box):
 
     @property
     def half_sizes(self) -> tuple[sp.Expr | None, ...]:
-        """Those of the box along the scene's axes that the turned one is in, plus R_B."""
+        """Half sizes, plus R_B, of the box along the scene's axes that the turned one is in."""
         halves = [(high - low) / 2 for low, high in zip(self.low, self.high, strict=True)]
         per_scale = barrier(1 / self.scale)
         sizes = times([[absolute(entry) for entry in row] for row in self.rotation], halves)

@@ -102,7 +102,7 @@ class _TurnedPart(Surface):
 
     @property
     def inside(self) -> tuple[sp.Expr, ...]:
-        """What the part is negative inside of, turned."""
+        """Expressions that are negative inside of the part, turned."""
         return tuple(_turned(expression, self.box) for expression in self.part.inside)
 
 

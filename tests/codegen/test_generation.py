@@ -753,7 +753,8 @@ def test_each_function_states_equation_and_operations(files: dict[str, str]) -> 
             files["c/hoop_kernels.h"],
         )
     }
-    called = model().loop.called
+    shortcuts = {call.kernel.name for call in model().loop.shortcuts}
+    called = model().loop.called | shortcuts
     loops = (model().loop.plain(), model().loop)
     for made in model().kernels:
         document = ast.get_docstring(functions[made.name])

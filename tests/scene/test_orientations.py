@@ -1,4 +1,4 @@
-"""How the rotations of boxes are written, in Python and in files."""
+"""Rotations of boxes, as they are written in Python and in files."""
 
 from __future__ import annotations
 
