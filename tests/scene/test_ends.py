@@ -144,8 +144,14 @@ def judged(scene: Scene, states: NDArray[np.float64], limit: float) -> Certifica
 
 @pytest.fixture(scope="module")
 def engines(tmp_path_factory: pytest.TempPathFactory) -> Mapping[str, Engines]:
-    """Render each scene into a folder of its own and compile it there, without a warning."""
-    return {name: made(scene, tmp_path_factory.mktemp(name)) for name, scene in SCENES.items()}
+    """Render a scene that is asked for into a folder of its own; compile it without a warning."""
+
+    class Made(dict[str, Engines]):
+        def __missing__(self, name: str) -> Engines:
+            self[name] = made(SCENES[name], tmp_path_factory.mktemp(name))
+            return self[name]
+
+    return Made()
 
 
 def made(scene: Scene, folder: Path, widest: int = 4) -> Engines:
