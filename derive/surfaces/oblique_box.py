@@ -93,7 +93,11 @@ class ObliqueBox(Box):
         """Half sizes, plus R_B, of the box along the scene's axes that the turned one is in."""
         halves = [(high - low) / 2 for low, high in zip(self.low, self.high, strict=True)]
         per_scale = barrier(1 / self.scale)
-        sizes = times([[absolute(entry) for entry in row] for row in self.rotation], halves)
+        # The absolute value of 0 would stay as written, and have no digits.
+        shares = [
+            [absolute(entry) if entry != 0 else entry for entry in row] for row in self.rotation
+        ]
+        sizes = times(shares, halves)
         return tuple(barrier(barrier(size) * per_scale) + self.radius for size in sizes)
 
     @property

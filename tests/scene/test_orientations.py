@@ -8,9 +8,11 @@ from typing import Any
 
 import numpy as np
 import pytest
+from hoopgen.derive.scenes.check import check
 from numpy.typing import NDArray
 
 from hoopgen.scene import Box, Parameter, Scene, SceneError
+from hoopgen.scene.definition import definition
 from hoopgen.scene.files import parse_scene
 from tests.scene.test_turned_boxes import BALL, GRAVITY, product
 
@@ -148,3 +150,16 @@ orientation = [1, "lean", 0, 0]
 """
     made = parse_scene(text.encode())
     assert [shape.kind for shape in made.read.bodies] == ["oblique box"] * 3
+
+
+@pytest.mark.parametrize("free", [1, 2, 3])
+def test_a_parameter_may_turn_a_box_about_one_of_its_axes(free: int) -> None:
+    """Entries of its rotation are 0 then, and the scene's check computes with them."""
+    quaternion = [1, 0, 0, 0]
+    orientation = [*quaternion[:free], "lean", *quaternion[free + 1 :]]
+    lean = Parameter("lean", 0.2, "1", sign="any")
+    body = Box("crate", size=(0.5, 0.3, 0.2), orientation=orientation)
+    scene = Scene(
+        "leaning", parameters=[lean], bodies=[body], ball_radius=0.1, gravity=9.81, restitution=0.5
+    )
+    check(definition(scene))
