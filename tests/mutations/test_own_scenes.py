@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 import pytest
 from hoopgen.derive.contact import friction
-from hoopgen.derive.events import bounding_boxes, box_windows, root_search
+from hoopgen.derive.events import bounding_boxes, box_windows, oblique_box, root_search
 from hoopgen.derive.events.box import BoxRootFinder
 from hoopgen.derive.events.polynomial import PolynomialRootFinder
 from hoopgen.derive.events.root_search import RootSearch
@@ -463,6 +463,11 @@ FAULTS = (
     Planted(
         "the normal of a turned box is not turned back",
         in_text(ObliqueBox, "normal", "times(self.rotation, self.excess)", "self.excess"),
+        turned_crate,
+    ),
+    Planted(
+        "only the first half of a flight is held against a turned box",
+        lambda patch: patch.setattr(oblique_box, "may_reach_in_halves", bounding_boxes.may_reach),
         turned_crate,
     ),
     Planted(
