@@ -125,6 +125,6 @@ def bounced(
             if not abs(off) < 2.0**-300:
                 raise ValueError(f"no contact at {row['time']} s: the ball is off by {off} m")
         there = impacts[-1]["after"]
-        off = [abs(float(a - arb(float(b)))) for a, b in zip(ball.state, there, strict=True)]
+        offs = [abs(float(a - arb(float(b)))) for a, b in zip(ball.state, there, strict=True)]
         late = abs(float(ball.clock - arb(float(impacts[-1]["time"]))))
-        return np.array([max(off[k : k + 3]) for k in (0, 3, 6)]), late
+        return np.array([max(offs[k : k + 3]) for k in (0, 3, 6)]), late

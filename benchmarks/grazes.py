@@ -18,6 +18,7 @@ from benchmarks.families import REACH, RING, TURN, Floats, back, seeded, spins, 
 from benchmarks.peers import PEERS, Peer
 from benchmarks.workloads import States
 from hoopgen import PAPER
+from hoopgen.core.validation import BackendName
 from hoopgen.judge import certify
 
 Bools = NDArray[np.bool_]
@@ -180,7 +181,7 @@ Look = Callable[[Kind, Grazes], Seen]
 
 
 def _touching(kind: Kind, grazes: Grazes, first: NDArray[np.int8], time: Floats) -> Bools:
-    return (first == kind.surface) & (np.abs(time - grazes.time) < WINDOW)
+    return np.asarray((first == kind.surface) & (np.abs(time - grazes.time) < WINDOW))
 
 
 def judged(kind: Kind, grazes: Grazes, parameters: Mapping[str, Any] = PAPER) -> Seen:
@@ -190,7 +191,7 @@ def judged(kind: Kind, grazes: Grazes, parameters: Mapping[str, Any] = PAPER) ->
     return Seen(_touching(kind, grazes, proved.first, time), ~proved.decided)
 
 
-def _by_hoopgen(backend: str) -> Look:
+def _by_hoopgen(backend: BackendName) -> Look:
     def look(kind: Kind, grazes: Grazes) -> Seen:
         shots = hoopgen.simulate(grazes.states, PAPER, max_contacts=1, backend=backend)
         return Seen(_touching(kind, grazes, shots.first, shots.time), shots.uncertain)

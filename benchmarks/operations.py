@@ -104,6 +104,8 @@ def operations(states: States) -> Counts | None:
     is not counted, but how many of them are busy is, at the widest."""
     if not GENERATED.is_dir():
         return None
-    alone = [count / len(states) for count in _counted(states, 1, _in_kernels)]
+    first, second, third, fourth, *_ = (
+        count / len(states) for count in _counted(states, 1, _in_kernels)
+    )
     *_, busy, lanes = _counted(states, 0, _in_search)
-    return Counts(*alone[:4], busy=busy / lanes if lanes else float("nan"))
+    return Counts(first, second, third, fourth, busy / lanes if lanes else float("nan"))

@@ -85,10 +85,10 @@ def read(folder: Path) -> Throws:
     times, frames = [], []
     for file in files:
         trial = json.loads(file.read_text(encoding="utf-8"))
-        ball, hand = (
-            np.array([pick(one["data"]) for one in trial["tracking"]], dtype=np.float64) * FOOT
-            for pick in (lambda data: data["ball"], lambda data: data["player"]["R_1STFINGER"])
-        )
+        seen = [one["data"] for one in trial["tracking"]]
+        ball = np.array([data["ball"] for data in seen], dtype=np.float64) * FOOT
+        finger = [data["player"]["R_1STFINGER"] for data in seen]
+        hand = np.array(finger, dtype=np.float64) * FOOT
         near = np.linalg.norm(ball - hand, axis=1) < HAND
         held = np.flatnonzero(near & (ball[:, 2] > 5.5 * FOOT))
         if not len(held):
@@ -110,8 +110,15 @@ def read(folder: Path) -> Throws:
     clock, path = np.full((len(times), most), np.nan), np.full((len(times), most, 3), np.nan)
     for row, (t, x) in enumerate(zip(times, frames, strict=True)):
         clock[row, : len(t)], path[row, : len(t)] = t, x
-    columns = map(np.array, (release, landing, entry, made, fall))
-    return Throws(*columns, clock, path)  # type: ignore[arg-type]
+    return Throws(
+        np.array(release),
+        np.array(landing),
+        np.array(entry),
+        np.array(made),
+        np.array(fall),
+        clock,
+        path,
+    )
 
 
 def fitted(throws: Throws) -> tuple[int, int, int, float, float]:

@@ -210,7 +210,7 @@ class Roll:
 
 
 def _values(row: list[arb], t: Floats) -> Floats:
-    return np.polynomial.polynomial.polyval(t, np.array([float(c) for c in row]))
+    return np.asarray(np.polynomial.polynomial.polyval(t, np.array([float(c) for c in row])))
 
 
 def boxes(scene: Mapping[str, float]) -> Iterator[tuple[Floats, Floats]]:
@@ -231,7 +231,7 @@ def boxes(scene: Mapping[str, float]) -> Iterator[tuple[Floats, Floats]]:
 def _away(there: Floats, box: tuple[Floats, Floats]) -> Floats:
     low, high = (corner[:, None] for corner in box)
     off = np.maximum(np.maximum(low - there, there - high), 0)
-    return np.sqrt(np.sum(off**2, axis=0))
+    return np.asarray(np.sqrt(np.sum(off**2, axis=0)))
 
 
 def fall(state: list[arb], scene: Mapping[str, float]) -> tuple[arb, list[arb]]:

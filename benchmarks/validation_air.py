@@ -10,10 +10,12 @@ import numpy as np
 
 import hoopgen
 from benchmarks.report import table
-from benchmarks.validation_results import DEGREE, FOOT, HERTZ, SEVENTY
+from benchmarks.validation_results import DEGREE, HERTZ, SEVENTY
 from hoopgen import HOOP, PAPER, PAPER_AIR, Scatter
+from hoopgen.core.units import FOOT
 from hoopgen.simulation.engine import Engine
 from hoopgen.study.questions.aim import Aim
+from hoopgen.study.questions.estimate_result import Estimate
 from hoopgen.text.numbers import format_percent
 
 HEADING = "## What air changes"
@@ -71,7 +73,7 @@ def flights(shots: int, feet: Sequence[float] = FEET) -> list[Flight]:
 
 
 def _flight(feet: float, shots: int) -> Flight:
-    from_there = {"height": HEIGHT, "distance": feet * FOOT}
+    from_there: dict[str, Any] = {"height": HEIGHT, "distance": feet * FOOT}
     scenes = ((HOOP, PAPER), (hoopgen.AIR, PAPER_AIR))
     slowest = [hoopgen.aim(**from_there, backspin=SPIN, scene=scene) for scene, _ in scenes]
     parabola = hoopgen.aim(**from_there)
@@ -81,18 +83,13 @@ def _flight(feet: float, shots: int) -> Flight:
     _, ends = hoopgen.AIR.fall(states, 0.0, PAPER_AIR)
     best = []
     for scene, parameters in scenes:
-        shares = [
-            hoopgen.estimate(
-                Scatter(
-                    {**from_there, "backspin": SPIN, "aim": DEPTH, "elevation": angle * DEGREE},
-                    SEVENTY,
-                ),
-                parameters,
-                scene=scene,
-                shots=shots,
-            ).probability
-            for angle in ANGLES
-        ]
+        shares = []
+        for angle in ANGLES:
+            there = {**from_there, "backspin": SPIN, "aim": DEPTH, "elevation": angle * DEGREE}
+            player = Scatter(there, SEVENTY)
+            found = hoopgen.estimate(player, parameters, scene=scene, shots=shots)
+            assert isinstance(found, Estimate)
+            shares.append(found.probability)
         best.append((max(shares), ANGLES[int(np.argmax(shares))]))
     return Flight(
         feet=feet,

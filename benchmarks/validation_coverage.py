@@ -210,7 +210,7 @@ def measured(repetition: int, groups: bool) -> Resample:
     start = repetition * ROWS
     if not groups:
         drawn = PLAYER.draw(start, start + ROWS, _DATA)
-        return Resample({n: np.asarray(drawn.columns[n]) for n in AT} | LINE)
+        return Resample({**{n: np.asarray(drawn.columns[n]) for n in AT}, **LINE})
     within = Scatter({**LINE, **AT}, SD | {"speed": SD["speed"] * math.sqrt(2 / 3)})
     drawn = within.draw(start, start + ROWS, _DATA)
     group = np.arange(ROWS) % GROUPS
@@ -262,7 +262,7 @@ def _compared_rows(groups: bool) -> Callable[[int], Interval]:
 def _compared_apart(repetition: int) -> Interval:
     """Two players' releases, of one fewer rows than of the other: nothing pairs."""
     drawn = STEADIER.draw(repetition * ROWS, (repetition + 1) * ROWS - 1, _DATA + 1)
-    second = Resample({n: np.asarray(drawn.columns[n]) for n in AT} | LINE)
+    second = Resample({**{n: np.asarray(drawn.columns[n]) for n in AT}, **LINE})
     found = hoopgen.compare(measured(repetition, False), second, shots=1, threads=1).sample
     assert found is not None
     return Interval(found.low, found.high, *_lead("steadier"))

@@ -14,7 +14,6 @@ from benchmarks.report import table
 from benchmarks.validation_contacts import PICTURE, Contacts, first_contacts
 from benchmarks.validation_results import (
     DEGREE,
-    FOOT,
     INCH,
     LINE,
     SEVENTY,
@@ -22,6 +21,7 @@ from benchmarks.validation_results import (
     THEIR_GAP,
 )
 from hoopgen import NBA, PAPER, Scatter
+from hoopgen.core.units import FOOT
 from hoopgen.study.questions.bank import bank_or_direct
 from hoopgen.text.numbers import format_percent
 

@@ -12,7 +12,6 @@ from benchmarks.validation_further import SOURCES as FURTHER_SOURCES
 from benchmarks.validation_results import (
     ANGLES,
     DEGREE,
-    FOOT,
     HERTZ,
     INCH,
     LINE,
@@ -30,6 +29,7 @@ from benchmarks.validation_results import (
     rounded,
 )
 from hoopgen import PAPER
+from hoopgen.core.units import FOOT
 from hoopgen.plots.style import COLOURS, PAGE, style
 from hoopgen.study.questions.optimum_result import Optimum
 from hoopgen.text.numbers import format_percent

@@ -3,6 +3,7 @@
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -115,8 +116,8 @@ def smallest_entries() -> list[Smallest]:
             name,
             math.asin(p["ball_radius"] / (p["ring_radius"] - p["wire_radius"])),
             math.asin((p["ball_radius"] + p["wire_radius"]) / p["ring_radius"]),
-            smallest(lambda entry, p=p: _straight(entry, p)),
-            smallest(lambda entry, p=p: _thrown(entry, p)),
+            smallest(partial(_straight, parameters=p)),
+            smallest(partial(_thrown, parameters=p)),
         )
         for name, p in (("PAPER", PAPER), ("NBA", NBA), ("FIBA", FIBA))
     ]
@@ -142,7 +143,7 @@ def _straight(entry: float, parameters: Parameters) -> bool:
     towards = np.array([-math.cos(entry), 0.0, -math.sin(entry)])
     state = np.concatenate([-away * towards, speed * towards, np.zeros(3)])
     # It falls by 2e-11 m on the way.
-    return _swish(state, parameters | {"gravity": 1e-9})
+    return _swish(state, {**parameters, "gravity": 1e-9})
 
 
 def _thrown(entry: float, parameters: Parameters) -> bool:

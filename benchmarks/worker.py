@@ -37,7 +37,7 @@ def _import(home: str) -> Any:
             if not getattr(finder, "__module__", "").startswith("__editable__")
         ]
     hoopgen = importlib.import_module("hoopgen")
-    if home and not Path(hoopgen.__file__).is_relative_to(home):
+    if home and not Path(str(hoopgen.__file__)).is_relative_to(home):
         raise ImportError(f"hoopgen: expected it in {home}, found {hoopgen.__file__}")
     return hoopgen
 
@@ -51,7 +51,8 @@ def _of_width() -> list[tuple[type, Callable[..., Any]]]:
         for cls in vars(module).values()
         if isinstance(cls, type) and inspect.isfunction(vars(cls).get("run"))
     }
-    return [(cls, cls.run) for cls in classes if "width" in inspect.signature(cls.run).parameters]
+    runs = [(cls, vars(cls)["run"]) for cls in classes]
+    return [(cls, run) for cls, run in runs if "width" in inspect.signature(run).parameters]
 
 
 def _held(run: Callable[..., Any], width: int) -> Callable[..., Any]:

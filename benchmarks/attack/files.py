@@ -144,11 +144,11 @@ class Files:
     def attempt(self, random: np.random.Generator, folder: Path) -> Result:
         """Damage one file, and read it."""
         (folder / "work").mkdir()
-        kind = random.choice([self._table, self._study, self._goes_on], p=[0.6, 0.15, 0.25])
-        return kind(random, folder)
+        kinds = (self._table, self._study, self._goes_on)
+        return kinds[int(random.choice(3, p=[0.6, 0.15, 0.25]))](random, folder)
 
     def _table(self, random: np.random.Generator, folder: Path) -> Result:
-        whole = self.tables[random.integers(len(self.tables))]
+        whole = self.tables[int(random.integers(len(self.tables)))]
         content = whole.read_bytes()
         file = folder / "work" / whole.name
         file.write_bytes(damaged(random, content, range(len(content))))
@@ -157,7 +157,8 @@ class Files:
         return self._result(folder, [part.replace("{}", file.name) for part in reader])
 
     def _study(self, random: np.random.Generator, folder: Path) -> Result:
-        content, places, start = STUDY.encode(), [], 0
+        content, start = STUDY.encode(), 0
+        places: list[int] = []
         for line in STUDY.splitlines(keepends=True):
             if not any(size in line for size in SIZES):
                 places += range(start, start + len(line))
@@ -168,7 +169,7 @@ class Files:
         return self._result(folder, ["study", "study.toml", *["--check"] * only_check])
 
     def _goes_on(self, random: np.random.Generator, folder: Path) -> Result:
-        which = random.integers(len(KEPT))
+        which = int(random.integers(len(KEPT)))
         command, (whole, wanted) = KEPT[which], self.kept[which]
         shutil.copytree(whole / "work", folder / "work", dirs_exist_ok=True)
         there = sorted((folder / "work" / "kept").rglob("*"))

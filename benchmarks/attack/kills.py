@@ -58,7 +58,7 @@ class Kills:
 
     def attempt(self, random: np.random.Generator, folder: Path) -> Result:
         """Kill a command, up to three times, and let it end; each time with some threads."""
-        whole = self.wholes[random.integers(len(self.wholes))]
+        whole = self.wholes[int(random.integers(len(self.wholes)))]
         moments = random.uniform(0, 1.1 * whole.seconds, random.integers(1, KILLS + 1)).tolist()
         shutil.copytree(self.given, folder / "work")
         after = ", ".join(f"{moment:.2f}" for moment in moments)

@@ -15,7 +15,7 @@ from hoopgen.hoop.variables import VARIABLES
 
 from .cases import Attack, Attempt, Result
 from .files import STUDY, table
-from .processes import Entry, hoopgen, run, said, wrong
+from .processes import SECONDS, Entry, hoopgen, run, said, wrong
 
 SHOT = {"--speed": "7.17", "--elevation": "51deg", "--height": "7ft", "--distance": "13.75ft"}
 PLAYER = {**SHOT, "--scatter": "speed=0.07", "--shots": "200"}
@@ -220,12 +220,8 @@ class _Lines:
             content = study(random).encode(errors="surrogateescape")
             (folder / "work" / "study.toml").write_bytes(content)
             asked = True
-        ended = run(
-            words,
-            folder,
-            entry=self.entry,
-            **({"seconds": PATIENCE, "last": signal.SIGINT} if asked else {}),
-        )
+        seconds, last = (PATIENCE, signal.SIGINT) if asked else (SECONDS, signal.SIGKILL)
+        ended = run(words, folder, entry=self.entry, seconds=seconds, last=last)
         return Result(
             wrong(ended, may_take_long=asked), said(words), unforeseen=int(ended.unforeseen)
         )

@@ -100,6 +100,7 @@ def run(
     (folder / "work").mkdir(exist_ok=True)
     process = _CONTEXT.Process(target=_begin, args=(entry, list(arguments), folder))
     process.start()
+    assert process.pid is not None  # it was started
     try:
         process.join(seconds)
         late = process.is_alive()
@@ -111,6 +112,7 @@ def run(
         process.kill()
         process.join()
     out, err = (_read(folder / name) for name in ("stdout", "stderr"))
+    assert process.exitcode is not None  # it was joined
     return Ended(process.exitcode, out, err.decode(errors="replace"), late)
 
 

@@ -87,7 +87,7 @@ def _held(library: native.Library, width: int) -> Iterator[None]:
 
     class Held:
         def run(self, *arguments: Any, **options: Any) -> None:
-            library.run(*arguments, **options, width=width)
+            library.run(*arguments, **{**options, "width": width})
 
     with patch.object(HOOP, "found", Held()):
         yield

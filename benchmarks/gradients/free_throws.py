@@ -94,7 +94,8 @@ def error(found: Floats, right: Floats) -> float:
 
 def by_hoopgen(throw: Throw) -> Floats:
     """Return hoopgen's derivatives, (9, 2)."""
-    return hoopgen.simulate(throw.state, derivatives=NAMES).jacobian["state"][0]
+    shots = hoopgen.simulate(throw.state, derivatives=NAMES)
+    return np.asarray(shots.jacobian["state"][0])
 
 
 def by_differences(throw: Throw) -> Floats:
