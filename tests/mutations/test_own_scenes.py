@@ -508,7 +508,7 @@ FAULTS = (
     ),
     Planted(
         "the flight's size does not count before a single body",
-        in_text(bounding_boxes, "may_reach", "wide + HALF_SIZES[k]", "wide"),
+        in_text(bounding_boxes, "_apart", "wide + reaches[k]", "wide"),
         posts,
     ),
     # Roots on flat and on large bodies.
