@@ -224,7 +224,7 @@ def same_bits(left: object, right: object) -> NDArray[np.bool_]:
     IEEE 754 leaves the sign and payload of a NaN open, and compilers swap operands.
     """
     a, b = (np.asarray(side, dtype=np.float64) for side in (left, right))
-    return (a.view(np.int64) == b.view(np.int64)) | (np.isnan(a) & np.isnan(b))
+    return np.asarray((a.view(np.int64) == b.view(np.int64)) | (np.isnan(a) & np.isnan(b)))
 
 
 def all_results(module: ModuleType, shots: int, max_contacts: int) -> ResultArrays:
