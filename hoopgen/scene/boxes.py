@@ -3,16 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
-from fractions import Fraction
-from typing import Any, Protocol
+from collections.abc import Mapping
+from typing import Any
 
-from hoopgen.text.shorten import brief, join_names
+from hoopgen.text.shorten import join_names
 
 from . import pieces
-from .directions import Vector, angle, direction
+from .directions import Reader, angle, axis_or_direction, rounded, unit_sizes
 from .formulas import ZERO, Formula, constant
-from .inputs import Inputs
 
 __all__ = ["PARTS", "read_box"]
 
@@ -20,10 +18,6 @@ PARTS = ("w", "x", "y", "z")
 """The components of a quaternion, the real part first."""
 
 _ANGLES = ("yaw", "pitch", "roll")
-_DIGITS = 15
-"""Decimals of the components that angles give: one fewer than a double has, so that they are the
-same on every machine."""
-
 _QUARTERS = ((1.0, 0.0), (math.sqrt(0.5), math.sqrt(0.5)), (0.0, 1.0))
 """Cosine and sine of half of so many quarter turns; the sign of a quaternion does not matter."""
 
@@ -33,25 +27,8 @@ Half = tuple[float, float]
 """Cosine and sine of half of an angle."""
 
 
-class _Reader(Protocol):
-    """A reader of arguments as formulas, with the inputs of a scene."""
-
-    @property
-    def inputs(self) -> Inputs:
-        """The inputs."""
-
-    def point(self, owner: str, argument: str, given: object) -> dict[str, Formula]:
-        """Return three sizes as formulas, by name."""
-
-    def add(self, owner: str, formulas: Mapping[str, Formula]) -> dict[str, Formula]:
-        """Return formulas as inputs."""
-
-    def axis(self, owner: str, argument: str, given: object) -> tuple[int, int]:
-        """Return coordinate and direction."""
-
-
 def read_box(
-    reader: _Reader, owner: str, body: pieces.Box
+    reader: Reader, owner: str, body: pieces.Box
 ) -> tuple[str, tuple[tuple[str, Formula], ...]]:
     """Return a box: the kind of its shape, "" along the axes, and its sizes.
 
@@ -93,44 +70,17 @@ def read_box(
     return "oblique box", tuple(sizes.items())
 
 
-def _quaternion(reader: _Reader, owner: str, given: object) -> tuple[Formula, ...] | None:
+def _quaternion(reader: Reader, owner: str, given: object) -> tuple[Formula, ...] | None:
     """Return a quaternion of length 1; None for one that turns nothing."""
     if isinstance(given, Mapping):
         parts = _from_angles(reader, owner, given)
-    elif isinstance(given, str) or not isinstance(given, Sequence) or len(given) != len(PARTS):
-        said = f"expected {_EXPECTED}; got {brief(given)}"
-        raise reader.inputs.wrong(owner, "orientation", said)
     else:
-        parts = _from_sizes(reader.inputs, owner, given)
+        none = "is no rotation: all four sizes are 0"
+        parts = unit_sizes(reader.inputs, owner, "orientation", given, PARTS, _EXPECTED, none)
     return None if parts[1:] == [ZERO] * 3 else tuple(parts)
 
 
-def _from_sizes(inputs: Inputs, owner: str, given: Sequence[Any]) -> list[Formula]:
-    """Return four sizes over their length."""
-    named = [f"orientation {name}" for name in PARTS]
-    parts = [inputs.read(owner, own, part) for own, part in zip(named, given, strict=True)]
-    numbers = [inputs.number(owner, own, part) for own, part in zip(named, parts, strict=True)]
-    fixed = all(part.number is not None for part in parts)
-    if not any(numbers):
-        said = "is no rotation: all four sizes are 0"
-        raise inputs.wrong(owner, "orientation", said if fixed else f"{said} at the defaults")
-    if fixed:
-        return _fixed_unit([part.number or Fraction(0) for part in parts])
-    length = sum((part**2 for part in parts), ZERO).sqrt()
-    return [part if part == ZERO else part / length for part in parts]
-
-
-def _fixed_unit(sizes: Sequence[Fraction]) -> list[Formula]:
-    """Return numbers over their length, as doubles; along an axis, whole numbers."""
-    largest = max(map(abs, sizes))
-    shares = [size / largest for size in sizes]
-    if sum(map(bool, shares)) == 1:
-        return [constant(share) for share in shares]
-    length = math.sqrt(float(sum(share**2 for share in shares)))
-    return [constant(Fraction(repr(float(share) / length))) for share in shares]
-
-
-def _from_angles(reader: _Reader, owner: str, given: Mapping[Any, Any]) -> list[Formula]:
+def _from_angles(reader: Reader, owner: str, given: Mapping[Any, Any]) -> list[Formula]:
     """Return the quaternion of an axis and an angle, or of yaw, pitch and roll."""
     inputs = reader.inputs
     known = ("axis", "angle") if {"axis", "angle"} & set(given) else _ANGLES
@@ -143,26 +93,14 @@ def _from_angles(reader: _Reader, owner: str, given: Mapping[Any, Any]) -> list[
             _of_half(angle(inputs, owner, f"orientation {name}", given.get(name, "0deg")))
             for name in _ANGLES
         ]
-        return _rounded(_turned_three_times(*halves))
+        return rounded(_turned_three_times(*halves))
     for name in known:
         if name not in given:
             raise inputs.wrong(owner, f"orientation {name}", "missing")
     half = _of_half(angle(inputs, owner, "orientation angle", given["angle"]))
-    axis = _axis(reader, owner, given["axis"])
-    real, imaginary = _rounded(half)
+    axis = axis_or_direction(reader, owner, "orientation axis", given["axis"])
+    real, imaginary = rounded(half)
     return [real, *(part * imaginary for part in axis)]
-
-
-def _axis(reader: _Reader, owner: str, given: object) -> Vector:
-    if isinstance(given, str):
-        axis, way = reader.axis(owner, "orientation axis", given)
-        x, y, z = (constant(way * (k == axis)) for k in range(3))
-        return x, y, z
-    return direction(reader.inputs, owner, "orientation axis", given)
-
-
-def _rounded(numbers: Sequence[float]) -> list[Formula]:
-    return [constant(Fraction(repr(round(number, _DIGITS)))) for number in numbers]
 
 
 def _of_half(turn: float) -> Half:

@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
-from typing import Any
+from typing import Any, Protocol
 
 from hoopgen.core.units import parse_quantity
 from hoopgen.text.shorten import brief, join_names
@@ -17,14 +17,52 @@ from hoopgen.text.shorten import brief, join_names
 from .formulas import ONE, POSITION, ZERO, Formula, constant
 from .inputs import Inputs
 
-__all__ = ["Vector", "aligned", "angle", "direction", "dot", "settled", "vector_inputs"]
+__all__ = [
+    "Reader",
+    "Vector",
+    "aligned",
+    "angle",
+    "axis_or_direction",
+    "direction",
+    "dot",
+    "rounded",
+    "settled",
+    "unit_sizes",
+    "vector_inputs",
+]
 
 Vector = tuple[Formula, Formula, Formula]
 
 _ANGLES = ("tilt", "towards")
 _DIGITS = 15
-"""Decimals of the components of a direction that angles give: one fewer than a double has, so that
-30deg is 0.5 on every machine and 90deg is exactly horizontal."""
+"""Decimals of the components that angles give: one fewer than a double has, so that those of 30deg
+are the same on every machine and 90deg is exactly horizontal."""
+
+
+class Reader(Protocol):
+    """A reader of arguments as formulas, with the inputs of a scene."""
+
+    @property
+    def inputs(self) -> Inputs:
+        """The inputs."""
+
+    def formula(self, owner: str, argument: str, given: object) -> Formula:
+        """Return a size as a formula of the parameters."""
+
+    def size(self, owner: str, argument: str, given: object, **allowed: Any) -> Formula:
+        """Return a size as an input."""
+
+    def point(self, owner: str, argument: str, given: object) -> dict[str, Formula]:
+        """Return three sizes as formulas, by name."""
+
+    def add(self, owner: str, formulas: Mapping[str, Formula]) -> dict[str, Formula]:
+        """Return formulas as inputs."""
+
+    def axis(self, owner: str, argument: str, given: object) -> tuple[int, int]:
+        """Return coordinate and direction."""
+
+    def flag(self, owner: str, argument: str, given: object) -> bool:
+        """Return a truth value, checked."""
 
 
 def direction(inputs: Inputs, owner: str, argument: str, given: object) -> Vector:
@@ -48,26 +86,75 @@ def direction(inputs: Inputs, owner: str, argument: str, given: object) -> Vecto
     """
     if isinstance(given, Mapping):
         return _tilted(inputs, owner, argument, given)
-    if isinstance(given, str) or not isinstance(given, Sequence) or len(given) != 3:
-        said = f"expected three sizes, or tilt and towards; got {brief(given)}"
-        raise inputs.wrong(owner, argument, said)
-    parts = [
-        inputs.read(owner, f"{argument} {axis}", part)
-        for axis, part in zip(POSITION, given, strict=True)
-    ]
-    numbers = [
-        inputs.number(owner, f"{argument} {axis}", part)
-        for axis, part in zip(POSITION, parts, strict=True)
-    ]
-    if not any(numbers):
-        said = "has no direction: all three sizes are 0"
-        raise inputs.wrong(owner, argument, said if _fixed(parts) else f"{said} at the defaults")
-    x, y, z = _fixed_unit(parts) if _fixed(parts) else _unit(parts)
+    none = "has no direction: all three sizes are 0"
+    said = "three sizes, or tilt and towards"
+    x, y, z = unit_sizes(inputs, owner, argument, given, POSITION, said, none)
     return x, y, z
 
 
-def _fixed(parts: Sequence[Formula]) -> bool:
-    return all(part.number is not None for part in parts)
+def axis_or_direction(reader: Reader, owner: str, argument: str, given: object) -> Vector:
+    """Return the direction of an axis by its name, or of a vector.
+
+    Parameters
+    ----------
+    reader
+        The reader of the scene's arguments.
+    owner, argument
+        As for `direction`.
+    given
+        The name of an axis, such as ``"-z"``, or what `direction` takes.
+
+    Raises
+    ------
+    SceneError
+        If it is neither.
+    """
+    if isinstance(given, str):
+        axis, way = reader.axis(owner, argument, given)
+        x, y, z = (constant(way * (k == axis)) for k in range(3))
+        return x, y, z
+    return direction(reader.inputs, owner, argument, given)
+
+
+def unit_sizes(
+    inputs: Inputs,
+    owner: str,
+    argument: str,
+    given: object,
+    names: Sequence[str],
+    expected: str,
+    none: str,
+) -> list[Formula]:
+    """Return sizes over the root of the sum of their squares.
+
+    Parameters
+    ----------
+    inputs, owner, argument
+        As for `direction`.
+    given
+        The sizes as the author wrote them.
+    names
+        The name of each size.
+    expected, none
+        What an error says if they are not so many sizes, and if all of them are 0.
+
+    Raises
+    ------
+    SceneError
+        If they are not so many sizes, or all are 0 at the parameters' defaults.
+    """
+    if isinstance(given, str) or not isinstance(given, Sequence) or len(given) != len(names):
+        raise inputs.wrong(owner, argument, f"expected {expected}; got {brief(given)}")
+    named = [f"{argument} {name}" for name in names]
+    parts = [inputs.read(owner, own, part) for own, part in zip(named, given, strict=True)]
+    numbers = [inputs.number(owner, own, part) for own, part in zip(named, parts, strict=True)]
+    fixed = all(part.number is not None for part in parts)
+    if not any(numbers):
+        raise inputs.wrong(owner, argument, none if fixed else f"{none} at the defaults")
+    if fixed:
+        return _fixed_unit(parts)
+    length = sum((part**2 for part in parts), ZERO).sqrt()
+    return [part if part == ZERO else part / length for part in parts]
 
 
 def _fixed_unit(parts: Sequence[Formula]) -> list[Formula]:
@@ -81,9 +168,9 @@ def _fixed_unit(parts: Sequence[Formula]) -> list[Formula]:
     return [constant(Fraction(repr(float(share) / length))) for share in shares]
 
 
-def _unit(parts: Sequence[Formula]) -> list[Formula]:
-    length = sum((part**2 for part in parts), ZERO).sqrt()
-    return [part if part == ZERO else part / length for part in parts]
+def rounded(numbers: Sequence[float]) -> list[Formula]:
+    """Return numbers that were computed of angles as decimals, the same on every machine."""
+    return [constant(Fraction(repr(round(number, _DIGITS)))) for number in numbers]
 
 
 def _tilted(inputs: Inputs, owner: str, argument: str, given: Mapping[Any, Any]) -> Vector:
@@ -102,8 +189,7 @@ def _tilted(inputs: Inputs, owner: str, argument: str, given: Mapping[Any, Any])
         math.sin(tilt) * math.sin(towards),
         math.cos(tilt),
     )
-    rounded = [constant(Fraction(repr(round(part, _DIGITS)))) for part in parts]
-    x, y, z = _fixed_unit(rounded)
+    x, y, z = _fixed_unit(rounded(parts))
     return x, y, z
 
 

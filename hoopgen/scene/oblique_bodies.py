@@ -10,15 +10,23 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any, Protocol
 
 from hoopgen.text.shorten import brief
 
 from . import pieces
 from .bounds import LinearMap, Map
-from .directions import Vector, aligned, angle, direction, dot, settled, vector_inputs
+from .directions import (
+    Reader,
+    Vector,
+    aligned,
+    angle,
+    axis_or_direction,
+    direction,
+    dot,
+    settled,
+    vector_inputs,
+)
 from .formulas import ONE, ZERO, Formula, constant
-from .inputs import Inputs
 from .polynomials import Polynomial
 
 __all__ = [
@@ -32,32 +40,6 @@ __all__ = [
     "read_torus",
     "why_not_rolling",
 ]
-
-
-class _Reader(Protocol):
-    """A reader of arguments as formulas, with the inputs of a scene."""
-
-    @property
-    def inputs(self) -> Inputs:
-        """The inputs."""
-
-    def formula(self, owner: str, argument: str, given: object) -> Formula:
-        """Return a size as a formula of the parameters."""
-
-    def size(self, owner: str, argument: str, given: object, **allowed: Any) -> Formula:
-        """Return a size as an input."""
-
-    def point(self, owner: str, argument: str, given: object) -> dict[str, Formula]:
-        """Return three sizes as formulas, by name."""
-
-    def add(self, owner: str, formulas: Mapping[str, Formula]) -> dict[str, Formula]:
-        """Return formulas as inputs."""
-
-    def axis(self, owner: str, argument: str, given: object) -> tuple[int, int]:
-        """Return coordinate and direction."""
-
-    def flag(self, owner: str, argument: str, given: object) -> bool:
-        """Return a truth value, checked."""
 
 
 @dataclass(frozen=True)
@@ -82,20 +64,11 @@ class ObliqueBody:
     there: Map | LinearMap | None = None
 
 
-def _any_direction(reader: _Reader, owner: str, argument: str, given: object) -> Vector:
-    """Return the direction of an axis by its name, or of a vector."""
-    if isinstance(given, str):
-        axis, way = reader.axis(owner, argument, given)
-        x, y, z = (constant(way * (k == axis)) for k in range(3))
-        return x, y, z
-    return direction(reader.inputs, owner, argument, given)
-
-
 # Planes
 
 
 def read_plane_normal(
-    reader: _Reader, owner: str, body: pieces.Plane
+    reader: Reader, owner: str, body: pieces.Plane
 ) -> tuple[tuple[int, int] | None, Vector, Formula]:
     """Return a plane's axis, None if it is oblique, its direction, and its offset along it.
 
@@ -114,7 +87,7 @@ def read_plane_normal(
     if body.normal is None:
         given = "z" if body.axis is None else body.axis
         axis: tuple[int, int] | None = reader.axis(owner, "axis", given)
-        vector = _any_direction(reader, owner, "axis", given)
+        vector = axis_or_direction(reader, owner, "axis", given)
     else:
         vector = direction(reader.inputs, owner, "normal", body.normal)
         axis = aligned(vector)
@@ -127,7 +100,7 @@ def read_plane_normal(
 
 
 def read_inclined_plane(
-    reader: _Reader, owner: str, vector: Vector, at: Formula, ball: Formula
+    reader: Reader, owner: str, vector: Vector, at: Formula, ball: Formula
 ) -> ObliqueBody:
     """Return a plane whose normal is along no axis.
 
@@ -148,7 +121,7 @@ def _beneath(vector: Vector, ball: Formula) -> Map:
     return Map(shift=(x, y, z))
 
 
-def read_disc(reader: _Reader, owner: str, body: pieces.Disc, ball: Formula) -> ObliqueBody:
+def read_disc(reader: Reader, owner: str, body: pieces.Disc, ball: Formula) -> ObliqueBody:
     """Return a disc: the plane through its centre, within its radius of it.
 
     Parameters
@@ -162,7 +135,7 @@ def read_disc(reader: _Reader, owner: str, body: pieces.Disc, ball: Formula) -> 
     ball
         The ball's radius.
     """
-    vector = _any_direction(reader, owner, "axis", body.axis)
+    vector = axis_or_direction(reader, owner, "axis", body.axis)
     centre = reader.point(owner, "centre", body.centre)
     sizes = vector_inputs(reader.inputs, owner, "direction", vector, "1")
     sizes |= {"radius": reader.size(owner, "radius", body.radius, sign="positive")}
@@ -176,7 +149,7 @@ def read_disc(reader: _Reader, owner: str, body: pieces.Disc, ball: Formula) -> 
 
 
 def read_oblique_cylinder(
-    reader: _Reader, owner: str, body: pieces.Cylinder, ball: Formula
+    reader: Reader, owner: str, body: pieces.Cylinder, ball: Formula
 ) -> ObliqueBody:
     """Return a cylinder along any direction; its span begins at its centre.
 
@@ -191,7 +164,7 @@ def read_oblique_cylinder(
         If a size is not allowed.
     """
     inputs = reader.inputs
-    vector = _any_direction(reader, owner, "axis", body.axis)
+    vector = axis_or_direction(reader, owner, "axis", body.axis)
     radius = reader.formula(owner, "radius", body.radius)
     centre = reader.point(owner, "centre", body.centre)
     inside = reader.flag(owner, "inside", body.inside)
@@ -231,7 +204,7 @@ def _towards_axis(vector: Vector, centre: Sequence[Formula], factor: Formula) ->
     return LinearMap((rows[0], rows[1], rows[2]))
 
 
-def read_span(reader: _Reader, owner: str, given: object) -> dict[str, Formula]:
+def read_span(reader: Reader, owner: str, given: object) -> dict[str, Formula]:
     """Return the ends of a span along an axis as formulas: "span from" and "span to".
 
     Parameters
@@ -263,7 +236,7 @@ def read_span(reader: _Reader, owner: str, given: object) -> dict[str, Formula]:
 # Cones
 
 
-def read_cone(reader: _Reader, owner: str, body: pieces.Cone, ball: Formula) -> ObliqueBody:
+def read_cone(reader: Reader, owner: str, body: pieces.Cone, ball: Formula) -> ObliqueBody:
     """Return a cone; its span begins at its apex.
 
     Parameters
@@ -277,7 +250,7 @@ def read_cone(reader: _Reader, owner: str, body: pieces.Cone, ball: Formula) -> 
         If a size is not allowed, or the ball does not reach the part of a cone that it is inside.
     """
     inputs = reader.inputs
-    vector = _any_direction(reader, owner, "axis", body.axis)
+    vector = axis_or_direction(reader, owner, "axis", body.axis)
     slope = _slope(reader, owner, body)
     named = inputs.add(owner, "slope", slope, sign="positive", unit="1")
     apex = reader.point(owner, "apex", body.apex)
@@ -315,7 +288,7 @@ def read_cone(reader: _Reader, owner: str, body: pieces.Cone, ball: Formula) -> 
 
 
 def read_torus(
-    reader: _Reader, owner: str, body: pieces.Torus, ball: Formula
+    reader: Reader, owner: str, body: pieces.Torus, ball: Formula
 ) -> tuple[str, tuple[tuple[str, Formula], ...], tuple[int, int]]:
     """Return a torus: the kind of its shape, "" along an axis; its sizes; and that axis.
 
@@ -339,7 +312,7 @@ def read_torus(
     }
     if inputs.number(owner, "radius", room[0] - room[1] - ball) <= 0:
         raise inputs.wrong(owner, "radius", "the ball does not fit through")
-    vector = _any_direction(reader, owner, "axis", body.axis)
+    vector = axis_or_direction(reader, owner, "axis", body.axis)
     axis = aligned(vector)
     if axis is None:
         sizes |= vector_inputs(inputs, owner, "direction", vector, "1")
@@ -347,7 +320,7 @@ def read_torus(
     return "" if axis else "oblique torus", tuple(sizes.items()), axis or (2, 1)
 
 
-def _slope(reader: _Reader, owner: str, body: pieces.Cone) -> Formula:
+def _slope(reader: Reader, owner: str, body: pieces.Cone) -> Formula:
     """Return the tangent of the half-angle, of whichever of the two is given."""
     if (body.slope is None) == (body.half_angle is None):
         got = "neither" if body.slope is None else "both"
