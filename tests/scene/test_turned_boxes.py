@@ -17,8 +17,7 @@ from hoopgen.scene import Box, End, Parameter, Plane, Scene
 from hoopgen.simulation.engine import Engine
 from tests.helpers.derived import engine_of
 from tests.helpers.effort import exceptions, occurrences, trials
-from tests.helpers.slow_scene import Slow
-from tests.scene.test_oblique_bodies import check_shots
+from tests.scene.test_oblique_bodies import aimed_at, check_integrator, check_shots
 
 # One worker: each scene is compiled once.
 pytestmark = pytest.mark.xdist_group("turned_boxes")
@@ -90,16 +89,7 @@ def turns(count: int, seed: int) -> dict[str, Any]:
 
 def aimed(count: int, seed: int, bodies: tuple[str, ...] = tuple(SIZES)) -> Floats:
     """Return shots that fly near the boxes; many slow ones graze edges and corners."""
-    chance = np.random.default_rng(seed)
-    goal = np.array([CENTRES[name] for name in bodies])[chance.integers(0, len(bodies), count)]
-    goal = goal + chance.normal(0, 0.15, (count, 3))
-    states = np.zeros((count, 9))
-    states[:, :3] = goal + chance.normal(0, 0.7, (count, 3))
-    time = chance.uniform(0.1, 0.7, (count, 1))
-    states[:, 3:6] = (goal - states[:, :3]) / time
-    states[:, 5] += GRAVITY * time[:, 0] / 2
-    states[:, 6:] = chance.normal(0, 10, (count, 3))
-    return states
+    return aimed_at([CENTRES[name] for name in bodies], count, seed)
 
 
 def rotation(quaternion: Floats) -> Floats:
@@ -136,19 +126,7 @@ def test_boxes_turn_at_random(boxes: Engine) -> None:
 def test_turned_boxes_are_met_where_an_independent_integrator_meets_them(boxes: Engine) -> None:
     count = trials(200, at_least=40)
     states, values = aimed(count, 2), turns(count, 2)
-    shots = boxes.simulate(states, values, max_contacts=3, record=True, time_limit=3.0)
-    compared = np.zeros(3, int)
-    for row in np.flatnonzero(shots.outcome != boxes.outcomes["INVALID"]):
-        slow = Slow(BOXES, {name: float(v[row]) for name, v in values.items()})
-        flown = slow.fly(states[row], 3, 3.0)
-        if flown.close or shots.uncertain[row]:
-            continue
-        events = shots.events[(shots.events["shot"] == row) & (shots.events["surface"] < 3)]
-        assert events["surface"].tolist() == [body for body, _ in flown.contacts], row
-        times = [time for _, time in flown.contacts]
-        np.testing.assert_allclose(events["time"], times, rtol=0, atol=1e-8)
-        compared += np.bincount(events["surface"], minlength=3)
-    assert (compared > occurrences(count // 20)).all()
+    check_integrator(boxes, BOXES, states, values, {})
 
 
 QUARTERS = {

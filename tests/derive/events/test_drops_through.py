@@ -9,6 +9,7 @@ from benchmarks.workloads import WORKLOADS
 from hoopgen import PAPER
 from tests.codegen.test_kernels import evaluate_numpy
 from tests.helpers.effort import occurrences, trials
+from tests.helpers.kernel_arguments import of_flight
 
 Floats = NDArray[np.float64]
 GRAVITY, RADIUS = PAPER["gravity"], PAPER["ring_radius"]
@@ -19,16 +20,7 @@ def drops(
     states: Floats, until: Floats | float, off: float = 0.0, **others: float
 ) -> NDArray[np.bool_]:
     """Return where flights from such states certainly drop through the ring, of other sizes."""
-    x, y, z, vx, vy, vz = states.T[:6]
-    taken: dict[str, Floats] = {
-        **{name: np.array([value]) for name, value in (PAPER | others).items()},
-        **dict(zip(("x", "y", "z", "vx", "vy", "vz"), states.T, strict=False)),
-        "extent": abs(x) + abs(y) + abs(z),
-        "speed": abs(vx) + abs(vy) + abs(vz),
-        "horizon": np.asarray(until, float),
-        "position_error": np.array([off]),
-        "velocity_error": np.zeros(1),
-    }
+    taken = of_flight(states, PAPER | others, until, off)
     (unproved,) = evaluate_numpy("ring_drops_through", taken, len(states))
     return ~np.asarray(unproved, bool)
 

@@ -25,6 +25,7 @@ from hoopgen.engine.result_arrays import Layout
 from tests.codegen.test_kernels import evaluate_numpy
 from tests.helpers.compiled import load_module
 from tests.helpers.effort import occurrences, trials
+from tests.helpers.kernel_arguments import of_flight
 
 Floats = NDArray[np.float64]
 GRAVITY = PAPER["gravity"]
@@ -35,15 +36,7 @@ def told(
     states: Floats, until: Floats | float, off: float = 0.0, late: float = 0.0
 ) -> NDArray[np.bool_]:
     """Return where flights from such states may come to board or bridge."""
-    x, y, z, vx, vy, vz = states.T[:6]
-    taken: dict[str, Floats] = {
-        **{name: np.array([value]) for name, value in PAPER.items()},
-        **dict(zip(("x", "y", "z", "vx", "vy", "vz"), states.T, strict=False)),
-        "extent": abs(x) + abs(y) + abs(z),
-        "speed": abs(vx) + abs(vy) + abs(vz),
-        "horizon": np.asarray(until, float),
-        "position_error": np.array([off]),
-        "velocity_error": np.zeros(1),
+    taken = of_flight(states, PAPER, until, off) | {
         "pad": np.array([1e-6]),
         "earliest_delay": np.array([late]),
     }
