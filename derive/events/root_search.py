@@ -304,8 +304,8 @@ def _allowing(common: Parts, own: Parts) -> Iterator[Node]:
     yield Call(margins.kernel, margins.inputs, renamed)
 
 
-def _step(common: Parts, own: Parts, index: Value, closes: str) -> Iterator[Node]:
-    """Step as far as there can be no root, or take the root, as a decision says."""
+def _decided_advance(common: Parts, own: Parts, index: Value, closes: str) -> Iterator[Node]:
+    """Step, and decide whether there is a root; one that is not certain has a smaller budget."""
     yield Call(KERNELS["nearby"], {"index": index})
     yield given(own["advance"], rate_margin="rate_slack")
     yield Call(KERNELS[closes], {"rate_margin": "rate_slack"})
@@ -316,6 +316,11 @@ def _step(common: Parts, own: Parts, index: Value, closes: str) -> Iterator[Node
         Call(KERNELS["budget_undecided"]),
     )
     yield If("needs_refinement", finer)
+
+
+def _step(common: Parts, own: Parts, index: Value, closes: str) -> Iterator[Node]:
+    """Step as far as there can be no root, or take the root, as a decision says."""
+    yield from _decided_advance(common, own, index, closes)
     yield Call(KERNELS["advanced"])
     yield If("exhausted", (Call(own["enter"], {"after": "end"}),))
 
@@ -324,15 +329,7 @@ def _passing_step(
     common: Parts, own: Parts, index: Value, counted: tuple[Node, ...]
 ) -> Iterator[Node]:
     """Step as `_step` does; pass a root that does not count, and the way out behind it."""
-    yield Call(KERNELS["nearby"], {"index": index})
-    yield given(own["advance"], rate_margin="rate_slack")
-    yield Call(KERNELS["gap_closes_bounded"], {"rate_margin": "rate_slack"})
-    finer = (
-        Call(KERNELS["smaller_budget"]),
-        *_allowing(common, own),
-        Call(KERNELS["budget_undecided"]),
-    )
-    yield If("needs_refinement", finer)
+    yield from _decided_advance(common, own, index, "gap_closes_bounded")
     yield Call(KERNELS["candidate"])
     polish = (
         Call(own["refine"], {"t": "candidate"}, {"time": "refined"}, frozenset({"time"})),

@@ -8,14 +8,13 @@ import sympy as sp
 
 from ..symbolic.conditionals import barrier
 from ..symbolic.symbols import POSITION
-from .bounds import as_length
 from .directions import Direction, along, per_length
-from .rolling_surface import RollingSurface
-from .surface import Surface, overlap
+from .plane import Flat
+from .surface import overlap
 
 
 @dataclass(frozen=True)
-class InclinedPlane(Surface):
+class InclinedPlane(Flat):
     """A flat surface, touched from the side that its normal points to.
 
     Its contact plane is d·p = offset for the vector d as it is, of length 1 or not: the condition,
@@ -49,20 +48,9 @@ class InclinedPlane(Surface):
         return sp.Add(along(self.direction, POSITION), -self.offset)
 
     @property
-    def bounds(self) -> tuple[sp.Expr, ...]:
-        """The bounds of the plate as lengths."""
-        return tuple(map(as_length, self.limits))
-
-    @property
     def normal(self) -> sp.Matrix:
         """The constant unit normal d/|d|."""
         return sp.Matrix([u * per_length(self.direction) for u in self.direction])
-
-    @property
-    def rolling_surface(self) -> RollingSurface | None:
-        """The plane itself, if it has no bounds."""
-        zero = sp.Integer(0)
-        return None if self.limits else RollingSurface((zero, zero, zero), zero)
 
     @property
     def inside(self) -> tuple[sp.Expr, ...]:

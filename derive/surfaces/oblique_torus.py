@@ -17,11 +17,12 @@ from .directions import (
     squared_distance,
     squared_length,
 )
-from .surface import Point, Surface, overlap, translated
+from .surface import Point, overlap
+from .torus import Toroidal
 
 
 @dataclass(frozen=True)
-class ObliqueTorus(Surface):
+class ObliqueTorus(Toroidal):
     """A torus, touched from outside its tube.
 
     With d from the centre of the torus to the ball's centre and the vector u along its axis, of
@@ -65,11 +66,6 @@ class ObliqueTorus(Surface):
         return sp.sqrt(barrier(depth**2 + self._height**2)) - self.reach
 
     @property
-    def reference_point(self) -> Point:
-        """The centre."""
-        return self.centre
-
-    @property
     def shape(self) -> sp.Expr:
         """|u|² (x² + y² + z² + R² - r²)² - 4 R² |d × u|²."""
         squared = sp.Add(*(c**2 for c in POSITION), self.ring_radius**2 - self.reach**2)
@@ -80,16 +76,6 @@ class ObliqueTorus(Surface):
     def half_sizes(self) -> tuple[sp.Expr | None, ...]:
         """R + r along every axis."""
         return (self.ring_radius + self.reach,) * 3
-
-    @property
-    def enclosed(self) -> bool:
-        """True: a torus is bounded."""
-        return True
-
-    @property
-    def condition(self) -> sp.Expr:
-        """The shape, seen from the origin."""
-        return translated(self.shape, self.centre)
 
     @property
     def normal(self) -> sp.Matrix:

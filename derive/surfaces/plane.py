@@ -13,8 +13,25 @@ from .rolling_surface import RollingSurface
 from .surface import Surface, overlap
 
 
+class Flat(Surface):
+    """A flat surface, or the part of one within bounds, which stand in each kind."""
+
+    limits: tuple[sp.Expr, ...]
+
+    @property
+    def bounds(self) -> tuple[sp.Expr, ...]:
+        """The bounds of the plate as lengths."""
+        return tuple(map(as_length, self.limits))
+
+    @property
+    def rolling_surface(self) -> RollingSurface | None:
+        """The plane itself, if it has no bounds."""
+        zero = sp.Integer(0)
+        return None if self.limits else RollingSurface((zero, zero, zero), zero)
+
+
 @dataclass(frozen=True)
-class Plane(Surface):
+class Plane(Flat):
     """A flat surface, touched from the side that its normal points to.
 
     Attributes
@@ -53,20 +70,9 @@ class Plane(Surface):
         return None if any(self.direction[:2]) else self.distance
 
     @property
-    def bounds(self) -> tuple[sp.Expr, ...]:
-        """The bounds of the plate as lengths."""
-        return tuple(map(as_length, self.limits))
-
-    @property
     def normal(self) -> sp.Matrix:
         """The constant unit normal."""
         return sp.Matrix(self.direction)
-
-    @property
-    def rolling_surface(self) -> RollingSurface | None:
-        """The plane itself, if it has no bounds."""
-        zero = sp.Integer(0)
-        return None if self.limits else RollingSurface((zero, zero, zero), zero)
 
     @property
     def inside(self) -> tuple[sp.Expr, ...]:

@@ -14,8 +14,29 @@ from .ring import Ring
 from .surface import Point, Surface, overlap, translated
 
 
+class Toroidal(Surface):
+    """A torus about any axis; the centre stands in each kind."""
+
+    centre: Point
+
+    @property
+    def reference_point(self) -> Point:
+        """The centre."""
+        return self.centre
+
+    @property
+    def enclosed(self) -> bool:
+        """True: a torus is bounded."""
+        return True
+
+    @property
+    def condition(self) -> sp.Expr:
+        """The shape, seen from the origin."""
+        return translated(self.shape, self.centre)
+
+
 @dataclass(frozen=True)
-class Torus(Surface):
+class Torus(Toroidal):
     """A torus, touched from outside its tube.
 
     Attributes
@@ -68,11 +89,6 @@ class Torus(Surface):
         return translated(sp.sqrt(depth**2 + self._along**2) - self.reach, self.centre)
 
     @property
-    def reference_point(self) -> Point:
-        """The centre."""
-        return self.centre
-
-    @property
     def shape(self) -> sp.Expr:
         """(x² + y² + z² + R² - r²)² - 4 R² rho²."""
         squared = sp.Add(*(c**2 for c in POSITION), self.ring_radius**2 - self.reach**2)
@@ -84,16 +100,6 @@ class Torus(Surface):
         """R + r across the axis, r along it; R + r throughout if the axis is oblique."""
         widest = self.ring_radius + self.reach
         return tuple(self.reach if abs(u) == 1 else widest for u in self.direction)
-
-    @property
-    def enclosed(self) -> bool:
-        """True: a torus is bounded."""
-        return True
-
-    @property
-    def condition(self) -> sp.Expr:
-        """The shape, seen from the origin."""
-        return translated(self.shape, self.centre)
 
     @property
     def normal(self) -> sp.Matrix:
