@@ -239,11 +239,8 @@ def line_covariance(times: Floats, frames: Flags) -> Floats:
     ndarray
         (n, 2, 2); NaN where no two frames have different times.
     """
-    counts = frames.astype(np.float64)
     with np.errstate(divide="ignore", invalid="ignore"):
-        total = counts.sum(axis=1)
-        centre = np.einsum("nm,nm->n", counts, times) / total
-        since = (times - centre[:, None]) * counts
+        _, total, centre, since = _about_their_mean(times, frames)
         slope = 1.0 / np.einsum("nm,nm->n", since, since)
         found = np.empty((len(times), 2, 2))
         found[:, 0, 0] = 1.0 / total + centre * centre * slope
@@ -251,6 +248,14 @@ def line_covariance(times: Floats, frames: Flags) -> Floats:
         found[:, 1, 1] = slope
     found[~np.isfinite(found).all(axis=(1, 2))] = np.nan
     return found / EFFICIENCY
+
+
+def _about_their_mean(times: Floats, frames: Flags) -> tuple[Floats, Floats, Floats, Floats]:
+    """Return whether frames count as 0 and 1, how many do, their mean time, and times since it."""
+    counts = frames.astype(np.float64)
+    total = counts.sum(axis=1)
+    centre = np.einsum("nm,nm->n", counts, times) / total
+    return counts, total, centre, (times - centre[:, None]) * counts
 
 
 def leverages(times: Floats, frames: Flags) -> Floats:
@@ -263,11 +268,8 @@ def leverages(times: Floats, frames: Flags) -> Floats:
     frames
         Whether each frame counts, (n, m).
     """
-    counts = frames.astype(np.float64)
     with np.errstate(divide="ignore", invalid="ignore"):
-        total = counts.sum(axis=1)
-        centre = np.einsum("nm,nm->n", counts, times) / total
-        since = (times - centre[:, None]) * counts
+        counts, total, _, since = _about_their_mean(times, frames)
         spread = np.einsum("nm,nm->n", since, since)
         found = counts / total[:, None] + since**2 / spread[:, None]
     return np.where(frames & np.isfinite(found), np.minimum(found, 0.95), 0.0)
