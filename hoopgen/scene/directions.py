@@ -47,22 +47,32 @@ class Reader(Protocol):
         """The inputs."""
 
     def formula(self, owner: str, argument: str, given: object) -> Formula:
-        """Return a size as a formula of the parameters."""
+        """Return a size as a formula of the parameters.
+
+        Parameters
+        ----------
+        owner
+            The body, for error messages.
+        argument
+            The argument, for error messages.
+        given
+            The size as the author wrote it.
+        """
 
     def size(self, owner: str, argument: str, given: object, **allowed: Any) -> Formula:
-        """Return a size as an input."""
+        """Return a size as an input; arguments as for `formula`, and what an input allows."""
 
     def point(self, owner: str, argument: str, given: object) -> dict[str, Formula]:
-        """Return three sizes as formulas, by name."""
+        """Return three sizes as formulas, by name; arguments as for `formula`."""
 
     def add(self, owner: str, formulas: Mapping[str, Formula]) -> dict[str, Formula]:
-        """Return formulas as inputs."""
+        """Return formulas, by argument, as inputs of a body; `owner` as for `formula`."""
 
     def axis(self, owner: str, argument: str, given: object) -> tuple[int, int]:
-        """Return coordinate and direction."""
+        """Return coordinate and direction of an axis; arguments as for `formula`."""
 
     def flag(self, owner: str, argument: str, given: object) -> bool:
-        """Return a truth value, checked."""
+        """Return a truth value, checked; arguments as for `formula`."""
 
 
 def direction(inputs: Inputs, owner: str, argument: str, given: object) -> Vector:

@@ -11,7 +11,7 @@ from typing import Any
 
 from hoopgen.core.regular_files import FileSizeError, read_regular
 from hoopgen.text.escape import printable
-from hoopgen.text.shorten import brief, join_names
+from hoopgen.text.shorten import brief, cut, join_names
 
 from . import pieces
 from .inputs import SceneError, wrong
@@ -90,7 +90,8 @@ def parse_scene(content: bytes) -> Scene:
         raise SceneError(f"this is not TOML: {error}") from None
     except (RecursionError, ValueError):  # nested too deep; a whole number of too many digits
         raise SceneError("this is not TOML that can be read") from None
-    own = brief(document.get("name", ""))
+    given_name = document.get("name", "")
+    own = given_name if isinstance(given_name, str) else brief(given_name)
     given: dict[str, Any] = dict(document)
     given["parameters"] = [
         _build_piece(own, pieces.Parameter, f"parameter {name}", table, name)
@@ -140,7 +141,9 @@ def _build_piece(scene: str, kind: type, owner: str, table: object, name: str | 
     allowed = [f.name for f in fields(kind) if f.init and f.name not in hidden]
     strange = [argument for argument in arguments if argument not in allowed]
     if strange:
-        said = f"unknown {join_names(strange)}. There are {join_names(allowed)}"
+        table = not owner and isinstance(arguments[strange[0]], Mapping)
+        what = f"table [{cut(strange[0])}]" if table else join_names(strange)
+        said = f"unknown {what}. There are {join_names(allowed)}"
         raise wrong(scene, owner, "", said)
     if name is not None:
         arguments["name"] = name

@@ -255,7 +255,7 @@ def wrong(scene: str, owner: str, argument: str, said: object) -> SceneError:
     Parameters
     ----------
     scene
-        The scene's name.
+        The scene's name, empty if it has none yet.
     owner
         The body or end, empty for the scene itself.
     argument
@@ -263,8 +263,8 @@ def wrong(scene: str, owner: str, argument: str, said: object) -> SceneError:
     said
         The rest of the message.
     """
-    where = ": ".join(filter(None, (f"scene {brief(scene)}", owner, argument)))
-    return SceneError(f"{where}: {said}")
+    where = ": ".join(filter(None, (scene and f"scene {brief(scene)}", owner, argument)))
+    return SceneError(f"{where}: {said}" if where else str(said))
 
 
 def _stricter(own: Input, asked: Input) -> Input:

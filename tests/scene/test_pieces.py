@@ -280,6 +280,12 @@ def test_a_file_says_what_a_scene_says(tmp_path: Any) -> None:
         ('name = "own"', "name = 3", "name: expected a small letter"),
         ("gravity = 9.81\n", "", "gravity: missing"),
         ("gravity", "gravitas", "unknown gravitas. There are name, parameters, bodies"),
+        (
+            "[ends.out]",
+            "[scene]\ninertia = 1\n[ends.out]",
+            "'own': unknown table [scene]. There are",
+        ),
+        ('name = "own"', "[scene]\nname = 'own'", "own.toml: unknown table [scene]. There are"),
         ('kind = "plane"', 'kind = "plan"', "body floor: kind: expected one of plane, sphere"),
         ('kind = "plane"\n', "", "body floor: kind: expected one of"),
         ("radius = 0.1\n", "", "body post: radius: missing"),
