@@ -104,9 +104,9 @@ def cache(show: bool, clear: bool) -> None:
 def hash_(scenes: tuple[str, ...], backend: BackendName, as_json: bool) -> None:
     """Print the SHA-256 of the results of 100,000 fixed shots in each scene.
 
-    SCENES are hoop, court or scene files; by default hoop and court. Every installation should
-    print the same digits, on any processor, with any compiler and backend. Other digits mean that
-    some bit of some result differs.
+    SCENES are hoop, court, air, court-air or scene files; by default those four. Every
+    installation should print the same digits, on any processor, with any compiler and backend.
+    Other digits mean that some bit of some result differs.
     """
     from hoopgen.simulation.fingerprint import fingerprint
     from hoopgen.simulation.lookup import BUILT_IN, scene_from
