@@ -43,7 +43,7 @@ __all__ = [
     "unit_symbol",
 ]
 
-Kind = Literal["length", "speed", "angle", "spin", "acceleration", "number"]
+Kind = Literal["length", "speed", "angle", "spin", "acceleration", "mass", "density", "number"]
 
 FOOT = 0.3048
 """Metres in a foot, by definition."""
@@ -77,6 +77,8 @@ UNITS: Mapping[Kind, Mapping[str, float]] = MappingProxyType(
             {"rad/s": 1.0, "deg/s": DEGREE, "Hz": TURN, "rev/s": TURN, "rpm": TURN / 60.0}
         ),
         "acceleration": MappingProxyType({"m/s2": 1.0, "ft/s2": FOOT}),
+        "mass": MappingProxyType({"kg": 1.0, "g": 0.001}),
+        "density": MappingProxyType({"kg/m3": 1.0}),
         "number": MappingProxyType({"": 1.0}),
     }
 )
@@ -103,6 +105,9 @@ _SPELLED = {
     "rev": "revolution revolutions turn turns",
     "hz": "hertz",
     "s2": "s^2 s\u00b2",
+    "m3": "m^3 m\u00b3",
+    "kg": "kilogram kilograms kilogramme kilogrammes",
+    "g": "gram grams gramme grammes",
     "mph": "mi/h",
     "km/h": "kph kmh",
     "rpm": "rev/min",
@@ -117,8 +122,8 @@ _SIZES: Mapping[Kind, Mapping[str, float]] = {
 
 _NUMBER = r"(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?"
 _WORD = r"[^\s\d.+/-]+"
-_UNIT = (  # only a square ends in a digit: 6ft2in is feet, inches
-    rf"{_WORD}(?:(?:\s*/\s*|\s+[pP][eE][rR]\s+){_WORD}(?:(?<=/s)2|(?<=\^)2)?)?"
+_UNIT = (  # only a square or a cube ends in a digit: 6ft2in is feet, inches
+    rf"{_WORD}(?:(?:\s*/\s*|\s+[pP][eE][rR]\s+){_WORD}(?:(?<=/s)2|(?<=/m)3|(?<=\^)[23])?)?"
 )
 _PART = re.compile(rf"\s*({_NUMBER})\s*({_UNIT})?", re.ASCII)
 _INFINITE = re.compile(r"\s*[+-]?inf(?:inity)?\s*", re.ASCII | re.IGNORECASE)
@@ -336,6 +341,8 @@ DISPLAY_UNITS: Mapping[System, Mapping[str, DisplayUnit]] = MappingProxyType(
             "angle": DisplayUnit("\u00b0", DEGREE, 1),
             "spin": DisplayUnit("Hz", TURN, 2),
             "acceleration": DisplayUnit("m/s\u00b2", 1.0, 3),
+            "mass": DisplayUnit("kg", 1.0, 3),
+            "density": DisplayUnit("kg/m\u00b3", 1.0, 3),
             "number": DisplayUnit("", 1.0, 3),
             "short": DisplayUnit("cm", 0.01, 1),
         },
@@ -345,6 +352,8 @@ DISPLAY_UNITS: Mapping[System, Mapping[str, DisplayUnit]] = MappingProxyType(
             "angle": DisplayUnit("\u00b0", DEGREE, 1),
             "spin": DisplayUnit("Hz", TURN, 2),
             "acceleration": DisplayUnit("ft/s\u00b2", FOOT, 2),
+            "mass": DisplayUnit("kg", 1.0, 3),
+            "density": DisplayUnit("kg/m\u00b3", 1.0, 3),
             "number": DisplayUnit("", 1.0, 3),
             "short": DisplayUnit("in", INCH, 2),
         },

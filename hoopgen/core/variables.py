@@ -15,7 +15,7 @@ from hoopgen.text.shorten import join_names
 
 from .units import UNITS, Kind
 
-__all__ = ["STATE", "STATE_UNITS", "Releases", "Variable", "check_names", "is_state"]
+__all__ = ["KIND_OF", "STATE", "STATE_UNITS", "Releases", "Variable", "check_names", "is_state"]
 
 
 @dataclass(frozen=True)
@@ -44,6 +44,19 @@ class Variable:
         """SI unit; empty for a plain number."""
         return next(iter(UNITS[self.kind]))
 
+
+KIND_OF: Mapping[str, Kind] = MappingProxyType(
+    {
+        "m": "length",
+        "m/s": "speed",
+        "m/s\u00b2": "acceleration",
+        "m/s2": "acceleration",
+        "kg": "mass",
+        "kg/m\u00b3": "density",
+        "kg/m3": "density",
+    }
+)
+"""The kind of a parameter by its unit; a parameter with any other unit is a plain number."""
 
 STATE = hoop.STATE
 """Components of a state, in order."""

@@ -9,10 +9,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from hoopgen.core.units import Kind
 from hoopgen.core.validation import as_doubles, check_spins
 from hoopgen.core.validation import check_angles as check_radians
-from hoopgen.core.variables import STATE, Releases, Variable, check_names
+from hoopgen.core.variables import KIND_OF, STATE, Releases, Variable, check_names
 from hoopgen.engine.elementary import arc_tangent, hypotenuse
 from hoopgen.generated.numpy import hoop
 from hoopgen.text.shorten import join_names
@@ -71,13 +70,9 @@ STANDS_FOR: Mapping[str, tuple[str, ...]] = MappingProxyType(
 )
 """The arguments that each of them replaces."""
 
-_KINDS: Mapping[str, Kind] = MappingProxyType(
-    {"m": "length", "m/s²": "acceleration", "1": "number"}
-)
-
 _PARAMETERS = _listed(
     *(
-        Variable(name, _KINDS[unit], name.replace("_", " "))
+        Variable(name, KIND_OF.get(unit, "number"), name.replace("_", " "))
         for name, (_, unit, _) in hoop.PARAMETERS.items()
     )
 )

@@ -8,7 +8,7 @@ from types import MappingProxyType, ModuleType
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 from hoopgen.core.units import Kind
-from hoopgen.core.variables import STATE, STATE_UNITS, Variable
+from hoopgen.core.variables import KIND_OF, STATE, STATE_UNITS, Variable
 from hoopgen.engine.compiled_scene import CompiledScene, infinite_parameters
 from hoopgen.hoop.variables import ALTERNATIVE_VARIABLES, ARGUMENTS, VARIABLES
 from hoopgen.text.shorten import brief, join_names
@@ -38,11 +38,6 @@ def outcomes_of(scene: CompiledScene) -> tuple[str, ...]:
 
 
 # ---------------------------------------------------------------------------------------- variables
-
-_KINDS: Mapping[str, Kind] = MappingProxyType(
-    {"m": "length", "m/s": "speed", "m/s²": "acceleration", "m/s2": "acceleration"}
-)
-"""The kind of a parameter by its unit; a parameter with any other unit is a plain number."""
 
 _MOVING: Mapping[str, Kind] = MappingProxyType({"m": "length", "m/s": "speed", "rad/s": "spin"})
 
@@ -105,7 +100,7 @@ def _with_states(own: Mapping[str, Variable]) -> Mapping[str, Variable]:
 
 
 def _parameter(name: str, unit: str, infinite: bool) -> Variable:
-    return Variable(name, _KINDS.get(unit, "number"), name.replace("_", " "), infinite)
+    return Variable(name, KIND_OF.get(unit, "number"), name.replace("_", " "), infinite)
 
 
 class _HoopVariables(Mapping[str, Variable]):

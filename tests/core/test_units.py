@@ -127,6 +127,21 @@ def test_nothing_needs_no_unit(kind: Kind, text: str) -> None:
     assert parse_quantity(text, kind) == 0.0
 
 
+@pytest.mark.parametrize(
+    ("text", "kind", "value"),
+    [
+        ("595 g", "mass", 0.595),
+        ("0.624kg", "mass", 0.624),
+        ("1.2 kg/m3", "density", 1.2),
+        ("1.2 kg/m\u00b3", "density", 1.2),
+        ("1.2 kg per m^3", "density", 1.2),
+        ("0.624", "mass", 0.624),
+    ],
+)
+def test_masses_and_densities_have_units(text: str, kind: Kind, value: float) -> None:
+    assert parse_quantity(text, kind) == pytest.approx(value, rel=1e-15, abs=0)
+
+
 def test_text_is_shown_in_other_units_as_long_as_is_asked() -> None:
     assert display_unit("length").symbol == "m"
     with use_units("us"):
@@ -140,6 +155,8 @@ def test_text_is_shown_in_other_units_as_long_as_is_asked() -> None:
         "angle": "\u00b0",
         "spin": "Hz",
         "acceleration": "ft/s\u00b2",
+        "mass": "kg",
+        "density": "kg/m\u00b3",
         "number": "",
     }
     assert display_unit("speed").symbol == "m/s"

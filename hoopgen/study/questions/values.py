@@ -25,6 +25,8 @@ EXAMPLES: Mapping[Kind, tuple[str, str]] = {
     "angle": ('"45 deg"', '"60 deg"'),
     "spin": ('"1 Hz"', '"3 Hz"'),
     "acceleration": ('"9.79 m/s2"', '"9.83 m/s2"'),
+    "mass": ('"595 g"', '"0.624 kg"'),
+    "density": ('"1.15 kg/m3"', '"1.2 kg/m3"'),
     "number": ("0.65", "0.75"),
 }
 """Examples of quantities of each kind, as a study file writes them."""
