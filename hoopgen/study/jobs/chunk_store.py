@@ -175,7 +175,15 @@ def check_folder(path: str | os.PathLike[str]) -> None:
 
 
 def trim(folder: Path, chunks: int) -> None:
-    """Remove all but the first chunks: how many were computed ahead depends on the threads."""
+    """Remove all but the first chunks: how many were computed ahead depends on the threads.
+
+    Parameters
+    ----------
+    folder
+        The folder of the chunks; without one nothing is done.
+    chunks
+        The number of chunks that are kept.
+    """
     store = find_store(folder, _PURPOSE)
     if store is not None:
         found = [name for name in store.present() if fnmatchcase(name, _CHUNKS)]
@@ -206,7 +214,20 @@ def read_record(file: Path) -> dict[str, Any]:
 
 
 def differences(there: Mapping[str, str], here: Mapping[str, str]) -> list[str]:
-    """Return the differences between two identities as of `flat`, as text."""
+    """Return the differences between two identities as of `flat`, as text.
+
+    Parameters
+    ----------
+    there
+        The identity of the work in the folder.
+    here
+        The identity of the work that is asked for.
+
+    Returns
+    -------
+    list of str
+        A sentence for each name whose values differ; empty if the folder is of the same work.
+    """
     return [
         f"{name} is {_short(there.get(name))} there and {_short(here.get(name))} here"
         for name in dict.fromkeys((*here, *there))
@@ -221,7 +242,15 @@ def in_short(found: Sequence[str]) -> str:
 
 
 def flat(values: Mapping[str, Any], prefix: str = "") -> dict[str, str]:
-    """Return the leaves of nested mappings as JSON, by dotted names."""
+    """Return the leaves of nested mappings as JSON, by dotted names.
+
+    Parameters
+    ----------
+    values
+        Numbers, texts and mappings by name.
+    prefix
+        The text before each name, with its dot.
+    """
     leaves: dict[str, str] = {}
     for name, value in values.items():
         if isinstance(value, Mapping):
@@ -239,7 +268,20 @@ def _short(text: str | None) -> str:
 
 @contextlib.contextmanager
 def written(path: Path, temporary: Path) -> Iterator[IO[bytes]]:
-    """Write a file of long work as `atomic_file` does; an error says what is not lost."""
+    """Write a file of long work as `atomic_file` does; an error says what is not lost.
+
+    Parameters
+    ----------
+    path
+        The file.
+    temporary
+        The file that is written first and takes its place when it is complete.
+
+    Raises
+    ------
+    OSError
+        If the file cannot be written; the message says that the work so far is kept.
+    """
     try:
         with files.atomic_file(path, temporary) as file:
             yield file

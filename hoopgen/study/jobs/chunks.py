@@ -101,14 +101,37 @@ class ShotsJob(ABC):
     def counted(
         self, chunk: int, start: int, stop: int, before: pa.Table | None = None
     ) -> pa.Table:
-        """Return the numbers of some shots of a chunk, and of those before them."""
+        """Return the numbers of some shots of a chunk, and of those before them.
+
+        Parameters
+        ----------
+        chunk
+            The number of the chunk.
+        start, stop
+            The number of the first shot, and of the one after the last.
+        before
+            What is stored of the earlier shots of this chunk; None: nothing.
+
+        Returns
+        -------
+        Table
+            The numbers of all these shots.
+        """
 
     def compute(self, chunk: int) -> pa.Table:
         """Return the numbers of a chunk."""
         return self.counted(chunk, *self.shots_of(chunk))
 
     def rest(self, chunk: int, kept: pa.Table) -> Rest | None:
-        """Return the task for a stored chunk; None if it is the requested one."""
+        """Return the task for a stored chunk; None if it is the requested one.
+
+        Parameters
+        ----------
+        chunk
+            The number of the chunk.
+        kept
+            The chunk as it is stored, with fewer or more shots.
+        """
         start, stop = self.shots_of(chunk)
         there = start + self.shots_in(kept)
         if there == stop:

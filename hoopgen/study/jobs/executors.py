@@ -58,7 +58,20 @@ class Workers:
 
 
 def check_workers(scheduler: str | None, threads: int | None) -> None:
-    """Raise an error for impossible arguments before any work, without a connection."""
+    """Raise an error for impossible arguments before any work, without a connection.
+
+    Parameters
+    ----------
+    scheduler
+        The address of a Dask scheduler; None: threads of this process compute.
+    threads
+        The number of threads; None: all cores. With a scheduler it must be None.
+
+    Raises
+    ------
+    ValueError
+        If both are given, or either is not allowed.
+    """
     if scheduler is None:
         check_threads(threads)
         return

@@ -300,7 +300,24 @@ def tally_of(total: NDArray[np.int64], which: int, scene: Engine) -> Tally:
 def setting_of(
     model: ReleaseModel, parameters: ParameterValues | None, scene: SceneLike = None
 ) -> ResolvedSetting:
-    """Return a setting; refuse a model that does not draw at random, or not in this scene."""
+    """Return a setting; refuse a model that does not draw at random, or not in this scene.
+
+    Parameters
+    ----------
+    model
+        The model of the releases.
+    parameters
+        Those that differ from the defaults of the scene; None for none.
+    scene
+        As for `hoopgen.estimate`.
+
+    Raises
+    ------
+    TypeError
+        If the model does not draw at random.
+    ValueError
+        If its releases are those of a hoop and the scene has none, or a parameter is not allowed.
+    """
     if isinstance(model, Grid) or not isinstance(model, ReleaseModel):
         raise TypeError(
             "model: expected a Scatter, a Resample, or what else draws at random (it has draw and "
@@ -344,7 +361,25 @@ def outcome_by(scene: Engine, by: str | None) -> int:
 def most_shots(
     shots: int | None, precision: float | None, level: float, *, paired: bool = False
 ) -> int:
-    """Return the number of shots, or the most of them."""
+    """Return the number of shots, or the most of them.
+
+    Parameters
+    ----------
+    shots
+        The number that the caller gave; None for the default.
+    precision
+        The half width of the interval that is asked for; None for a fixed number of shots.
+    level
+        The confidence of the interval.
+    paired
+        True if the answer is a difference of two settings with common random numbers.
+
+    Raises
+    ------
+    ValueError
+        If an argument is out of range, or the precision takes more shots than are simulated unless
+        `shots` says so.
+    """
     if precision is not None:
         check_share("precision", precision)
     if shots is not None:

@@ -159,13 +159,38 @@ class Player:
     def count(
         self, values: Mapping[str, NDArray[np.float64]], start: int, stop: int, seed: int
     ) -> pa.Table:
-        """Return successes and valid shots among shots `start` to `stop` - 1 of candidates (m,)."""
+        """Return successes and valid shots among shots `start` to `stop` - 1 of candidates (m,).
+
+        Parameters
+        ----------
+        values
+            The variables of the candidates, (m,) each.
+        start, stop
+            The number of the first shot, and of the one after the last.
+        seed
+            The seed of the random numbers, common to all candidates.
+
+        Returns
+        -------
+        Table
+            A row for each candidate, with the columns "made" and "valid".
+        """
         made, valid = self._judged(self._simulated(values, start, stop, seed))
         counts = [one.reshape(-1, stop - start).sum(axis=-1) for one in (made, valid)]
         return pa.table(dict(zip(("made", "valid"), counts, strict=True)))
 
     def scored(self, values: Mapping[str, float], shots: int = 1, seed: int = 0) -> Successes:
-        """Return which shots of one candidate succeed, which are valid, their kinds, (shots,)."""
+        """Return which shots of one candidate succeed, which are valid, their kinds, (shots,).
+
+        Parameters
+        ----------
+        values
+            The variables of the candidate, one number each.
+        shots
+            The number of shots; of measured releases at most all of them.
+        seed
+            The seed of the random numbers.
+        """
         shots = self._at_most(shots)
         blocks = [
             self._scored(values, start, min(start + TASK, shots), seed)
@@ -180,6 +205,16 @@ class Player:
         """Return the numbers of one candidate's successes, valid shots, and successes by kind.
 
         The ways are those of `ways_of`; there are none without a hoop.
+
+        Parameters
+        ----------
+        values, shots, seed
+            As for `scored`.
+
+        Returns
+        -------
+        tuple
+            The two numbers, and the numbers of successes by the names of the ways.
         """
         worker, shots = replace(self, runner=run_serially), self._at_most(shots)
         starts = range(0, shots, TASK)
@@ -267,6 +302,18 @@ def paired(mine: Successes, others: Successes, confidence: float) -> tuple[float
     """Return by how much the share of the first shots is above that of the second, and interval.
 
     Of the pairs in which both are valid; the difference is NaN if there are none.
+
+    Parameters
+    ----------
+    mine, others
+        The results of the same random numbers, shot by shot, as of `Player.scored`.
+    confidence
+        The confidence of the interval.
+
+    Returns
+    -------
+    tuple
+        The difference of the shares, and the lower and upper end of its interval (Newcombe).
     """
     valid = mine.valid & others.valid
     first, second = mine.made[valid], others.made[valid]
@@ -308,6 +355,13 @@ def arguments_of(
     """Return variables of one release as arguments of `hoopgen.release`.
 
     The parameters of the scene are not taken from the values; see `Player.at`.
+
+    Parameters
+    ----------
+    values
+        The variables, such as `aim` and `entry`, by name.
+    parameters
+        Those of the scene, on which the speed for an aim depends.
     """
     own = (*NAMES, *parameters)
     given = {name: as_doubles(name, value) for name, value in values.items() if name not in own}

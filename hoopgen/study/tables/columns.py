@@ -169,7 +169,15 @@ def _mapped(
 
 
 def unit_at_end(column: str, kind: Kind) -> float | None:
-    """Return the size in SI of the unit at the end of a column's name; None where there is none."""
+    """Return the size in SI of the unit at the end of a column's name; None where there is none.
+
+    Parameters
+    ----------
+    column
+        The name of the column.
+    kind
+        The kind of quantity that the unit is looked for in.
+    """
     sizes = (unit_size(unit, kind) for _, unit in stems(column) if unit)
     return next((size for size in sizes if size is not None), None)
 
@@ -178,6 +186,24 @@ def variable_of(column: str, scene: CompiledScene = HOOP) -> tuple[str, float | 
     """Return the variable that a column's name says, or none, and the size of its unit in SI.
 
     There is no size where there is no variable, or the unit is needed and not there.
+
+    Parameters
+    ----------
+    column
+        The name of the column, ``speed_mph``.
+    scene
+        The scene whose variables are looked for.
+
+    Returns
+    -------
+    tuple
+        The name of the variable, empty for none; and the size of the unit, None where there is no
+        variable or the needed unit is missing.
+
+    Raises
+    ------
+    ValueError
+        If the name is that of a variable and what follows is no unit of it.
     """
     kinds = _kinds(scene)
     plain = column.strip()
@@ -323,7 +349,22 @@ def _plausible(found: NDArray[np.float64], column: Column) -> NDArray[np.float64
 
 
 def numbers(table: pa.Table, column: Column, comma: bool = False) -> NDArray[np.float64]:
-    """Return the numbers of a column as `values` does, implausible ones too."""
+    """Return the numbers of a column as `values` does, implausible ones too.
+
+    Parameters
+    ----------
+    table
+        A part of the table.
+    column
+        The column, with the size of its unit in SI.
+    comma
+        True if numbers have a decimal comma.
+
+    Returns
+    -------
+    ndarray
+        (n,), in SI; NaN where a cell is no number.
+    """
     cells = table[column.name]
     if not pa.types.is_dictionary(cells.type):
         return _read(cells, column, comma)

@@ -291,7 +291,17 @@ def survey(batches: Iterable[pa.RecordBatch], names: Iterable[str], comma: bool)
 
 
 def parsed(cells: Any, kind: Any, comma: bool) -> Any:
-    """Return text as of a type that `survey` gave, or as numbers; null where it is none."""
+    """Return text as of a type that `survey` gave, or as numbers; null where it is none.
+
+    Parameters
+    ----------
+    cells
+        The cells of one column, as text.
+    kind
+        The type that the column gets.
+    comma
+        True if numbers have a decimal comma.
+    """
     if pa.types.is_string(kind):
         return cells
     cells = _pointed(cells, comma)

@@ -18,7 +18,15 @@ _NUMBERS = (pa.field("row", pa.int64()), pa.field("event", pa.int64()))
 
 
 def events_by_row(shots: Shots, units: System) -> pa.ListArray:
-    """Return the event log as a list of each shot's events."""
+    """Return the event log as a list of each shot's events.
+
+    Parameters
+    ----------
+    shots
+        Shots that were simulated with ``record=True``.
+    units
+        The system of units, "si" or "us".
+    """
     log = shots.events
     columns = event_columns(log, shots.scene, units)
     cells = [_cells(column) for column in columns.values()]

@@ -68,7 +68,20 @@ def _parsed(text: str) -> Condition:
 
 
 def check_columns(conditions: Iterable[Condition], names: Sequence[str]) -> None:
-    """Refuse conditions on columns that a table does not have."""
+    """Refuse conditions on columns that a table does not have.
+
+    Parameters
+    ----------
+    conditions
+        The conditions on rows.
+    names
+        The names of the columns that there are.
+
+    Raises
+    ------
+    ValueError
+        If a condition is on another column.
+    """
     known = set(names)
     for condition in conditions:
         if condition.column not in known:

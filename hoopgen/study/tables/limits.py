@@ -32,7 +32,20 @@ _PACKED = 1000
 
 
 def check_pages(file: pq.ParquetFile, memory: int) -> None:
-    """Refuse a file of Parquet with pages that are small in the file alone."""
+    """Refuse a file of Parquet with pages that are small in the file alone.
+
+    Parameters
+    ----------
+    file
+        The file, opened.
+    memory
+        The largest size of a batch, bytes.
+
+    Raises
+    ------
+    ValueError
+        If the pages of a column unpack to more than that, and to many times their size.
+    """
     about = file.metadata
     for group in map(about.row_group, range(about.num_row_groups)):
         if group.total_byte_size <= memory:
@@ -97,7 +110,20 @@ Opened = Iterator[Read]
 
 @contextmanager
 def read_parquet(path: Path, memory: int) -> Opened:
-    """Yield the schema of a Parquet file and its batches, none larger than `memory` in bytes."""
+    """Yield the schema of a Parquet file and its batches, none larger than `memory` in bytes.
+
+    Parameters
+    ----------
+    path
+        The file.
+    memory
+        The largest size of a batch, bytes.
+
+    Raises
+    ------
+    ValueError
+        If a page or a batch takes more.
+    """
     # Else a row group's pages are all read at once, and it may be all the file.
     options: dict[str, Any] = {"buffer_size": _BLOCK, "pre_buffer": False}
     with pq.ParquetFile(path, **options) as file:
@@ -131,6 +157,13 @@ def validated(batch: pa.RecordBatch, memory: int) -> pa.RecordBatch:
     """Return the rows that were read, all of whose offsets and indices lie within them.
 
     Arrow takes those of a file as they are, and follows them wherever they lead.
+
+    Parameters
+    ----------
+    batch
+        Rows as Arrow read them.
+    memory
+        The largest size of the rows, bytes.
     """
     batch.validate(full=True)
     check_laid_out(batch, memory)
@@ -140,7 +173,18 @@ def validated(batch: pa.RecordBatch, memory: int) -> pa.RecordBatch:
 def regrouped(
     schema: pa.Schema, batches: Iterable[pa.RecordBatch], rows: int
 ) -> Iterator[pa.Table]:
-    """Give tables of so many rows, whatever the batches have."""
+    """Give tables of so many rows, whatever the batches have.
+
+    Parameters
+    ----------
+    schema
+        The schema of all batches.
+    batches
+        The rows in order.
+    rows
+        The number of rows of each table but the last, which may have fewer. Without any row there
+        is one empty table.
+    """
     held: list[pa.RecordBatch] = []
     count, first = 0, True
     for batch in batches:

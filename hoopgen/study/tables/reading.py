@@ -63,7 +63,15 @@ class ReadingOptions:
         return cls(**given)
 
     def source(self, path: Path, label: str = "") -> Source:
-        """Return a file as a table."""
+        """Return a file as a table.
+
+        Parameters
+        ----------
+        path
+            The file.
+        label
+            Its name in messages; by default the path.
+        """
         return Source(path, self.format, self.delimiter, label, self.where, self.memory)
 
     def interpreted(
@@ -76,7 +84,24 @@ class ReadingOptions:
         override: bool = False,
         scene: CompiledScene = HOOP,
     ) -> Interpreted:
-        """Return the meaning of a table's columns, and its origin as of `resolve_origin`."""
+        """Return the meaning of a table's columns, and its origin as of `resolve_origin`.
+
+        Parameters
+        ----------
+        table
+            The table, of which the names of columns and the metadata are read.
+        parameters, release, max_contacts
+            What holds for all shots, besides what the file says; None: nothing.
+        override
+            True if these replace what the file says.
+        scene
+            The scene in which the shots are simulated.
+
+        Raises
+        ------
+        ValueError
+            If a column cannot be understood, or contradicts what is given.
+        """
         asked: dict[str, Any] = {"override": override, "scene": scene, "columns": self.columns}
         origin = resolve_origin(table, parameters, release, max_contacts, self.own, **asked)
         columns = table.columns(
@@ -141,6 +166,20 @@ def error_variances(
 
     They are the squares of columns ``sd_speed_m_s``, as `hoopgen fit` writes them, of some
     variables.
+
+    Parameters
+    ----------
+    table
+        The table.
+    variables
+        The names of the variables.
+    scene
+        The scene whose variables they are.
+
+    Returns
+    -------
+    dict
+        (n,) each, in squares of the SI unit; only variables with such a column.
     """
     found = {}
     for name in table.schema().names:

@@ -44,6 +44,13 @@ def near_variable(column: str, kinds: Mapping[str, Kind]) -> str:
     """Return the variable that a column is likely meant for, or nothing.
 
     The whole name has to be near, but for a unit at its end; what is measured is no variable.
+
+    Parameters
+    ----------
+    column
+        The name of the column.
+    kinds
+        The kind of each variable, by name.
     """
     plain = _plain(column)
     if any(f"{plain}_".startswith(f"{measure}_") for measure in MEASURES):
