@@ -45,16 +45,39 @@ class Law(ABC):
     def after(
         self, normal: sp.Matrix, velocity: sp.Matrix, spin: sp.Matrix, ball: Ball
     ) -> tuple[sp.Matrix, sp.Matrix]:
-        """Return velocity and spin after a contact, frame-free."""
+        """Return velocity and spin after a contact, frame-free.
+
+        Parameters
+        ----------
+        normal
+            The outward unit normal at the contact, (3,).
+        velocity, spin
+            The velocity of the ball's centre and its angular velocity before the contact, (3,)
+            each.
+        ball
+            The radius and the inertia of the ball.
+        """
 
     def undecided(
         self, normal: sp.Matrix, velocity: sp.Matrix, spin: sp.Matrix, ball: Ball
     ) -> sp.Basic | None:
-        """Return the condition that a decision in the contact is undecided; None: no decision."""
+        """Return the condition that a decision in the contact is undecided; None: no decision.
+
+        Parameters
+        ----------
+        normal, velocity, spin, ball
+            As for `after`.
+        """
         return None
 
     def grip_margin(
         self, normal: sp.Matrix, velocity: sp.Matrix, spin: sp.Matrix, ball: Ball
     ) -> sp.Expr | None:
-        """Return by how much a contact grips, m/s; negative: it slips; None: it always does one."""
+        """Return by how much a contact grips, m/s; negative: it slips; None: it always does one.
+
+        Parameters
+        ----------
+        normal, velocity, spin, ball
+            As for `after`.
+        """
         return None

@@ -28,6 +28,13 @@ def impact_equations(ball: Ball, restitution: sp.Expr) -> list[sp.Expr]:
     They follow from Eq. 11 (linear impulse), Eq. 12 (angular impulse about the centre, with
     r = -R_B n3), Eq. 13 (velocity of the contact point) and Eq. 14 (no slip, restitution) by
     eliminating the tangential impulse and the mass.
+
+    Parameters
+    ----------
+    ball
+        The radius and the inertia of the ball.
+    restitution
+        e of the normal velocity.
     """
     v_before, w_before = sp.Matrix(BEFORE[:3]), sp.Matrix(BEFORE[3:])
     v_after, w_after = sp.Matrix(AFTER[:3]), sp.Matrix(AFTER[3:])
@@ -65,7 +72,24 @@ def impact_through_frame(
     ball: Ball,
     restitution: sp.Expr,
 ) -> tuple[sp.Matrix, sp.Matrix]:
-    """Return velocity and spin after the contact: into the frame, Eq. 17, and back (Eq. 10)."""
+    """Return velocity and spin after the contact: into the frame, Eq. 17, and back (Eq. 10).
+
+    Parameters
+    ----------
+    frame
+        R = [n1 n2 n3], (3, 3), as of `frame_from_axis`.
+    velocity, spin
+        Before the contact, (3,) each.
+    ball
+        The radius and the inertia of the ball.
+    restitution
+        e of the normal velocity.
+
+    Returns
+    -------
+    tuple
+        Velocity and spin, (3,) each.
+    """
     _, right = impact_system(ball, restitution)
     into = list(frame.T * velocity) + list(frame.T * spin)
     solution = impact_inverse(ball) * right
@@ -86,6 +110,22 @@ def impact(
     w+ = (n × v_t+) / R_B + (w·n) n.
 
     The tangential law is isotropic, so the choice of n1 cancels from Eq. 17.
+
+    Parameters
+    ----------
+    normal
+        The outward unit normal, (3,).
+    velocity, spin
+        Before the contact, (3,) each.
+    ball
+        The radius and the inertia of the ball.
+    restitution
+        e of the normal velocity.
+
+    Returns
+    -------
+    tuple
+        Velocity and spin, (3,) each.
     """
     approach = barrier(velocity.dot(normal))
     tangential = barrier_all(velocity - approach * normal)

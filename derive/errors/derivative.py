@@ -24,6 +24,13 @@ from ..symbolic.symbols import POSITION, normal, spin, velocity
 def directional(expression: sp.Expr, tangents: dict[sp.Symbol, sp.Expr]) -> sp.Expr:
     """Return the derivative of `expression` along `tangents`, held where the expression is held.
 
+    Parameters
+    ----------
+    expression
+        An expression, in which parts may be held against reassociation.
+    tangents
+        The change of each symbol; other symbols do not change.
+
     Raises
     ------
     TypeError

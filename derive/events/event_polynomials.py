@@ -46,6 +46,13 @@ def event_coefficients(surface: Surface, flight: Flight) -> Coefficients:
     """Return the surface's condition along the flight: coefficients in time, constant first.
 
     Degree 1 for the backboard, 2 for the bridge and the end plane, 8 for the ring.
+
+    Parameters
+    ----------
+    surface
+        The surface.
+    flight
+        A flight along which the position is a polynomial in time.
     """
     coefficients = compose(surface.condition, flight.path)
     while len(coefficients) > 1 and coefficients[-1] == 0:
@@ -57,6 +64,11 @@ def deflated_coefficients(surface: Surface, flight: Flight) -> Coefficients:
     """Return the coefficients of F(t)/t after a contact at t = 0.
 
     The constant term of F is zero there by construction: it is dropped, never tested.
+
+    Parameters
+    ----------
+    surface, flight
+        As for `event_coefficients`.
     """
     return event_coefficients(surface, flight)[1:]
 

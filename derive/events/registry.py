@@ -98,6 +98,13 @@ SEARCHES: tuple[tuple[type[Surface], type[Flight], SearchFactory], ...] = (
 def search_for(surface: Surface, flight: Flight) -> Search:
     """Return the search of a surface along a flight.
 
+    Parameters
+    ----------
+    surface
+        The surface.
+    flight
+        The motion between contacts.
+
     Raises
     ------
     TypeError

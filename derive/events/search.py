@@ -78,7 +78,18 @@ class Search(ABC):
 
     @abstractmethod
     def nodes(self, common: Parts, own: Parts, index: Value) -> Iterator[Node]:
-        """Propose the first arrival on the surface of that index."""
+        """Propose the first arrival on the surface of that index.
+
+        Parameters
+        ----------
+        common
+            The kernels that all surfaces share, by part.
+        own
+            The kernels of this surface, by part.
+        index
+            The index of the surface in the event log: a number, or the name of a variable that
+            holds it.
+        """
 
 
 def proposed(index: Value) -> Iterator[Node]:
@@ -133,7 +144,15 @@ def nearly(patch: Sequence[sp.Symbol]) -> sp.Basic:
 
 
 def bounded(common: Parts, own: Parts, time: str, **inputs: float) -> Iterator[Node]:
-    """Test whether a contact at a time lies within the bounds."""
+    """Test whether a contact at a time lies within the bounds.
+
+    Parameters
+    ----------
+    common, own
+        As for `Search.nodes`.
+    time
+        The variable that holds the time.
+    """
     there = {name: f"there_{name}" for name in "xyz"}
     yield Call(common["flight"], {"t": time}, there, frozenset(there))
     yield given(own["bounds"], **there)

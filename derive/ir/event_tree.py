@@ -216,7 +216,15 @@ def writes(nodes: Iterable[Node]) -> dict[str, Kind]:
 
 
 def live_before(nodes: Sequence[Node], after: Iterable[str]) -> set[str]:
-    """Return the variables that are live before the nodes, given those that are live after them."""
+    """Return the variables that are live before the nodes, given those that are live after them.
+
+    Parameters
+    ----------
+    nodes
+        A sequence of nodes, which is evaluated in order.
+    after
+        The variables that are read later.
+    """
     live = set(after)
     for node in reversed(nodes):
         if isinstance(node, Call):
@@ -228,7 +236,15 @@ def live_before(nodes: Sequence[Node], after: Iterable[str]) -> set[str]:
 
 
 def live_in_body(node: If | While | ForEach, after: Iterable[str]) -> set[str]:
-    """Return the variables that are live where a body begins, without the node's own names."""
+    """Return the variables that are live where a body begins, without the node's own names.
+
+    Parameters
+    ----------
+    node
+        The node with the body.
+    after
+        The variables that are live after the node.
+    """
     live = live_before(node.body, after)
     while isinstance(node, While | ForEach):
         more = live_before(node.body, live | set(after) | _own_reads(node))
@@ -250,6 +266,13 @@ def check(nodes: Iterable[Node], known: Iterable[str]) -> set[str]:
 
     A variable that is first assigned in a body is known in that body alone.
 
+    Parameters
+    ----------
+    nodes
+        The nodes, in order.
+    known
+        The variables that have a value before them.
+
     Raises
     ------
     ValueError
@@ -270,7 +293,15 @@ def check(nodes: Iterable[Node], known: Iterable[str]) -> set[str]:
 
 
 def given_as(node: Call, values: Mapping[str, Value]) -> Call:
-    """Return the evaluation of the same kernel with some variables read as others or as numbers."""
+    """Return the evaluation of the same kernel with some variables read as others or as numbers.
+
+    Parameters
+    ----------
+    node
+        The evaluation.
+    values
+        What is read in the place of a variable: the name of another one, or a number.
+    """
     names = map(variable, node.kernel.arguments)
     inputs = {
         name: values.get(value, value) if isinstance(value, str) else value
@@ -281,7 +312,15 @@ def given_as(node: Call, values: Mapping[str, Value]) -> Call:
 
 
 def without(nodes: Iterable[Node], fixed: Mapping[str, float]) -> tuple[Node, ...]:
-    """Return the tree with some variables replaced by numbers, and never assigned."""
+    """Return the tree with some variables replaced by numbers, and never assigned.
+
+    Parameters
+    ----------
+    nodes
+        The tree.
+    fixed
+        The numbers, by the names of the variables.
+    """
     changed: list[Node] = []
     for node in nodes:
         if isinstance(node, Call):
@@ -293,7 +332,15 @@ def without(nodes: Iterable[Node], fixed: Mapping[str, float]) -> tuple[Node, ..
 
 
 def needed(nodes: Iterable[Node], wanted: Iterable[str]) -> tuple[Node, ...]:
-    """Return the tree without the evaluations that the wanted variables do not depend on."""
+    """Return the tree without the evaluations that the wanted variables do not depend on.
+
+    Parameters
+    ----------
+    nodes
+        The tree.
+    wanted
+        The variables that are read after it.
+    """
     return _needed(tuple(nodes), set(wanted))[0]
 
 

@@ -92,7 +92,23 @@ def kernel(
     equation: str,
     single: bool = False,
 ) -> Kernel:
-    """Return the kernel whose arguments are those symbols of `order` that its outputs use."""
+    """Return the kernel whose arguments are those symbols of `order` that its outputs use.
+
+    Parameters
+    ----------
+    name
+        The name of the function in every target.
+    outputs
+        The expressions by name, in returning order.
+    order
+        All symbols that there may be, in calling order.
+    summary
+        One line: the meaning of the outputs.
+    equation
+        The equation of the article, or the source.
+    single
+        True if the kernel is rounded to single precision.
+    """
     sympified = {key: sp.sympify(value) for key, value in outputs.items()}
     free = symbols_in(sympified.values())
     arguments = tuple(symbol for symbol in order if symbol in free)
@@ -106,7 +122,13 @@ def loop_kernel(
     equation: str,
     single: bool = False,
 ) -> Kernel:
-    """Return a kernel of the event loop, whose arguments are sorted by their declaration."""
+    """Return a kernel of the event loop, whose arguments are sorted by their declaration.
+
+    Parameters
+    ----------
+    name, outputs, summary, equation, single
+        As for `kernel`.
+    """
     sympified = {key: sp.sympify(value) for key, value in outputs.items()}
     free = symbols_in(sympified.values())
     return Kernel(name, in_order(free), tuple(sympified.items()), summary, equation, single)
@@ -115,5 +137,11 @@ def loop_kernel(
 def decision(
     name: str, outputs: Mapping[str, sp.Basic], summary: str, single: bool = False
 ) -> Kernel:
-    """Return a kernel of the event loop that decides or counts (Table 1)."""
+    """Return a kernel of the event loop that decides or counts (Table 1).
+
+    Parameters
+    ----------
+    name, outputs, summary, single
+        As for `kernel`.
+    """
     return loop_kernel(name, outputs, summary, "Table 1", single)

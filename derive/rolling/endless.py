@@ -59,7 +59,17 @@ circles = Boolean("circling")
 
 
 def ring_kernels(surface: Surface, flight: Flight, ball: Ball) -> dict[str, Kernel]:
-    """Return the kernels of rolling on a ring, by part; none if the surface is not a ring."""
+    """Return the kernels of rolling on a ring, by part; none if the surface is not a ring.
+
+    Parameters
+    ----------
+    surface
+        The surface on which the ball rolls.
+    flight
+        The motion between contacts; a ring is rolled on where gravity is along the z axis.
+    ball
+        The radius and the inertia of the ball.
+    """
     found = surface.rolling_surface
     if found is None or found.ring == 0 or not flight.upright:
         return {}

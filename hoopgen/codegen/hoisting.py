@@ -42,7 +42,15 @@ class PartialEvaluation:
 def partial_evaluations(
     programs: Iterable[Program], loops: Sequence[Loop]
 ) -> dict[str, PartialEvaluation]:
-    """Return, by name, the kernels of event loops that have something loop invariant."""
+    """Return, by name, the kernels of event loops that have something loop invariant.
+
+    Parameters
+    ----------
+    programs
+        The kernels, lowered, by name.
+    loops
+        The variants of the event loop.
+    """
     found = {}
     shared = _shared(loops)
     for program in programs:
@@ -72,7 +80,15 @@ def _shared(loops: Sequence[Loop]) -> dict[str, set[int]]:
 
 
 def partial_evaluation(program: Program, places: Collection[int]) -> PartialEvaluation:
-    """Return a kernel without what depends on the arguments in some places alone."""
+    """Return a kernel without what depends on the arguments in some places alone.
+
+    Parameters
+    ----------
+    program
+        The kernel, lowered.
+    places
+        The places of the arguments that are the same in every iteration.
+    """
     names = [identifier(symbol) for symbol in program.kernel.arguments]
     operations = program.operations
     invariant = _invariant(operations, {names[k] for k in places})

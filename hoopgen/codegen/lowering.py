@@ -32,6 +32,13 @@ def carried(node: ir.ForEach, after: Iterable[str]) -> set[str]:
     """Return the variables that are live where a body for each row ends: after it, or in the next.
 
     What it assigns of that is the same variable from row to row.
+
+    Parameters
+    ----------
+    node
+        The node that has the body.
+    after
+        The variables that are live after the node.
     """
     return set(after) | live_in_body(node, after)
 
@@ -42,7 +49,15 @@ def repeats(node: Node) -> bool:
 
 
 def scope(node: ir.If | ir.While, after: Iterable[str]) -> Scope:
-    """Return the scope of a guarded body, given the variables that are live after it."""
+    """Return the scope of a guarded body, given the variables that are live after it.
+
+    Parameters
+    ----------
+    node
+        The node that has the body.
+    after
+        The variables that are live after the node.
+    """
     assigned = set(writes(node.body))
     gives = assigned & set(after)
     takes = live_in_body(node, gives)

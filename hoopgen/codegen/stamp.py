@@ -10,7 +10,17 @@ from hoopgen.derive.scenes.scene import Scene
 
 
 def stamp_of(template: str, scene: Scene, derivation: str) -> Callable[[str], str]:
-    """Return the stamp of a generated file, for a scene of hoopgen or of a user."""
+    """Return the stamp of a generated file, for a scene of hoopgen or of a user.
+
+    Parameters
+    ----------
+    template
+        The path of the template below templates/.
+    scene
+        The scene, of derive/ or of a user.
+    derivation
+        The hash of what the file is derived from.
+    """
     tools = f"with SymPy {version('sympy')} and Jinja2 {version('jinja2')}."
     source = f"templates/{template}, scene {scene.name}, derivation {derivation},"
     if scene in SCENES:
