@@ -28,6 +28,9 @@ the precision, decides what can be proved."""
 _NEWTON_STEPS = 4
 """Each step of Newton's method about halves what is not linear in an enclosure, at first."""
 
+_REACHES = (1.25, 2.0, 4.0)
+"""Intervals about a root that are tried, in shares of the estimate of how far it moves in a box."""
+
 Polynomial: TypeAlias = arb_poly | TaylorModel
 """A polynomial in the time, with balls or with models."""
 
@@ -210,17 +213,21 @@ def _first_of_box(condition: TaylorModel, end: arb) -> Arrival | None:
         local = condition(arb_poly([middle, 1]))
         step = ball(local).coeffs()[0] / ball(local.derivative()).coeffs()[0]
         reach = step.abs_upper() if step.is_finite() else middle
-        for _ in range(3):
-            reach = 2 * reach
-            if not reach < middle:
-                break
-            low, width = (middle - reach).mid(), (2 * reach).mid()
-            if sign_variations(condition, degree, low, width) != (1, 1):
+        for factor in _REACHES:
+            low = (middle - factor * reach).mid().max(arb(0))
+            high = (middle + factor * reach).mid()
+            if not _falls_once(local, low - middle, high - middle):
                 continue
-            if _first(condition, degree, low, _NARROWEST_OF_BOX) is None:
-                time = _newton(local, middle, low, (low + width).mid())
+            if low.is_zero() or _first(condition, degree, low, _NARROWEST_OF_BOX) is None:
+                time = _newton(local, middle, low, high)
                 return possible_from(low) if time is None else Arrival(time)
     return _first(condition, degree, end, _NARROWEST_OF_BOX)
+
+
+def _falls_once(local: TaylorModel, low: arb, high: arb) -> bool:
+    """Return whether a polynomial falls all the way from a positive to a negative value."""
+    slope = local.derivative()(low.union(high))
+    return bool(slope < 0 and local(low) > 0 and local(high) < 0)
 
 
 def _newton(local: TaylorModel, middle: arb, low: arb, high: arb) -> TaylorModel | None:

@@ -63,6 +63,18 @@ def sequences(engine: Engine, values: Mapping[str, Any]) -> list[tuple[int, ...]
         pytest.param(hoopgen.COURT, {}, {"speed": 1e-3, "elevation": 1e-3}, id="court"),
         pytest.param(hoopgen.HOOP, {"speed": 7.3}, {"speed": 1e-7, "elevation": 1e-7}, id="board"),
         pytest.param(hoopgen.HOOP, {"speed": 7.0}, {"speed": 1e-7, "azimuth": 1e-7}, id="ring"),
+        pytest.param(
+            hoopgen.HOOP, {"speed": 7.0}, {"speed": 5e-3, "elevation": 1e-3}, id="ring-wide"
+        ),
+        pytest.param(
+            hoopgen.COURT, {"speed": 7.0}, {"speed": 1e-3, "elevation": 2e-4}, id="court-ring-wide"
+        ),
+        pytest.param(
+            hoopgen.COURT,
+            {"speed": 7.25},
+            {"speed": 2e-3, "elevation": 2e-4, "azimuth": 2e-4},
+            id="court-through-the-ring",
+        ),
     ],
 )
 def test_all_releases_of_a_proved_box_end_alike(
