@@ -1,8 +1,9 @@
-"""`certify_box`: a proof that all releases in a box end alike, by subdivision in ball arithmetic.
+"""`certify_box`: a proof that all releases in a box end alike, by Taylor models and subdivision.
 
-The state of a whole box of releases is a vector of balls, and the judge flies it as it flies a
-single shot: what it proves holds for every release in the box. A box that it cannot decide is split
-in two across its widest side, in shares of the whole.
+The state of a whole box of releases is a vector of Taylor models of order one (`taylor_model.py`),
+through air of balls, and the judge flies it as it flies a single shot: what it proves holds for
+every release in the box. A box that it cannot decide is split in two across its widest side, in
+shares of the whole.
 """
 
 from __future__ import annotations
