@@ -25,7 +25,7 @@ Ring: TypeAlias = Any
 """Either arb or arb_poly, which have the same operators."""
 
 Number: TypeAlias = Any
-"""What the judge calculates with: an arb or a `TaylorModel`, which have the same operators."""
+"""A number of the judge: an arb or a `TaylorModel`, which have the same operators."""
 
 
 class TaylorModel:
