@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from flint import arb, arb_poly, ctx
 
 from .expressions import Function
 from .formulas import Formulas, SurfaceFormulas
 from .pieces import Piece
 from .roots import Arrival, descent, first_arrival, possible_from, root_bound, sign
+from .taylor_model import Number, ball, polynomial
 
 
-def holds(bounds: Function, state: list[arb], values: list[arb]) -> bool | None:
+def holds(bounds: Function, state: Sequence[Number], values: list[arb]) -> bool | None:
     """Return whether no bound is positive; None if that is not certain.
 
     Parameters
@@ -86,7 +89,7 @@ def _first(
     surface: SurfaceFormulas,
     piece: Piece,
     values: list[arb],
-    coefficients: list[arb],
+    coefficients: list[Number],
     inside: bool,
     latest: arb,
 ) -> Arrival | None:
@@ -104,7 +107,7 @@ def _first(
     end = (end * (1 + arb(2) ** -20)).upper()
     start = arb(0)
     while start < end:
-        local = arb_poly(coefficients)(arb_poly([start, 1])).coeffs()
+        local = polynomial(coefficients)(arb_poly([start, 1])).coeffs()
         root = first_arrival([-c for c in local] if inside else local, end - start)
         if root is None:
             return None
@@ -115,22 +118,22 @@ def _first(
             arrival = _check_bounds(surface, piece, values, found)
             if arrival is not None:
                 return arrival
-        behind = _behind(coefficients, found.time, inside)
+        behind = _behind(coefficients, ball(found.time), inside)
         if behind is None:
             return possible_from(found.time)
         inside, start = not inside, behind
     return None
 
 
-def _behind(coefficients: list[arb], root: arb, inside: bool) -> arb | None:
+def _behind(coefficients: list[Number], root: arb, inside: bool) -> arb | None:
     """Return a time behind a simple root, before the next one; None if none can be shown."""
-    polynomial, wanted = arb_poly(coefficients), 1 if inside else -1
-    slope = polynomial.derivative()
+    condition, wanted = polynomial(coefficients), 1 if inside else -1
+    slope = condition.derivative()
     width = root.rad() + abs(root).upper() * arb(2) ** -(ctx.prec // 2)
     for _ in range(ctx.prec // 4):
         time = (root.upper() + width).mid()
         # Monotone up to there: no other root lies between.
-        if sign(slope(root.union(time))) == wanted and sign(polynomial(time)) == wanted:
+        if sign(slope(root.union(time))) == wanted and sign(condition(time)) == wanted:
             return time
         width = width * 2
     return None

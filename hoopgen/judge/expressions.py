@@ -24,6 +24,8 @@ from hoopgen.derive.symbolic.conditionals import (
     Or,
 )
 
+from .taylor_model import TaylorModel
+
 Function = Callable[..., list[Any]]
 
 
@@ -59,9 +61,14 @@ def compile_expressions(
 
 
 def _choose(holds: bool, fails: bool, then: Any, other: Any) -> Any:
-    """Return the branch that a comparison chooses; NaN if it is undecided."""
+    """Return the branch that a comparison chooses.
+
+    If it is undecided, NaN; of a box of releases both branches at once.
+    """
     if holds or fails:
         return then if holds else other
+    if isinstance(then, TaylorModel):
+        return then.hull(other)
     return arb.nan()
 
 

@@ -19,9 +19,11 @@ from hoopgen.derive.scenes.passage import FALLEN
 from . import passage
 from .accumulation import Hops
 from .arrivals import arrival_at, holds
+from .error_set import condensed
 from .formulas import Formulas, SurfaceFormulas
 from .pieces import Piece, meets_nothing, next_piece
 from .roots import Arrival, Undecided
+from .taylor_model import Number, TaylorModel, as_model, ball
 from .validity import valid
 
 _NEVER = arb.pos_inf()
@@ -32,9 +34,9 @@ class Event:
     """A contact or the end: surface, time since the release, states (9,) before and after."""
 
     surface: int
-    time: arb
-    before: list[arb]
-    after: list[arb]
+    time: Number
+    before: list[Number]
+    after: list[Number]
 
 
 @dataclass
@@ -49,15 +51,15 @@ class ProvedFlight:
     """
 
     outcome: int
-    time: arb
-    state: list[arb]
+    time: Number
+    state: list[Number]
     events: list[Event] = field(default_factory=list)
     hops: int = -1
 
 
 def fly(
     formulas: Formulas,
-    state: Sequence[float] | Sequence[arb],
+    state: Sequence[float] | Sequence[Number],
     parameters: Sequence[float],
     max_contacts: int,
     leaving: int = -1,
@@ -72,7 +74,8 @@ def fly(
     formulas
         The formulas of the scene.
     state
-        The release: nine exact numbers, or balls; a proof holds for all numbers in them.
+        The release: nine exact numbers, or balls; a proof holds for all numbers in them. With
+        models of a box of releases it holds for all of the box.
     parameters
         The kernels' inputs, exact numbers.
     max_contacts
@@ -88,7 +91,7 @@ def fly(
         If some decision cannot be made; its `args[1]` is the shot as far as it is proved.
     """
     values = [arb(value) for value in parameters]
-    now = [arb(component) for component in state]
+    now: list[Number] = [c if isinstance(c, TaylorModel) else arb(c) for c in state]
     flown = ProvedFlight(formulas.outcomes["short"], arb(0), now)
     try:
         if not valid(formulas, now, values, leaving):
@@ -109,6 +112,7 @@ def _follow(
 ) -> None:
     """Add event after event."""
     last = left_by(formulas, flown.state, values, leaving)
+    variables = max(len(as_model(component).slopes) for component in flown.state)
     own = formulas.passage
     sizes = None if own is None else own(values)
     hops = None if formulas.hop is None else Hops(formulas.hop)
@@ -136,7 +140,7 @@ def _follow(
                 flown.outcome = _crossing_outcome(formulas.surfaces[last], before, values, through)
             return
         after = _bounce(formulas.surfaces[last], before, values)
-        flown.state = after
+        flown.state = condensed(after, variables) if variables else after
         flown.events.append(Event(formulas.surfaces[last].body, flown.time, before, after))
         full = len(flown.events) >= max_contacts
         if hops is not None:
@@ -148,10 +152,12 @@ def _follow(
         if full:
             flown.outcome = formulas.outcomes["capped"]
             return
+        if variables:
+            flown.time = ball(flown.time)  # models of before know another error set
 
 
 def _through(
-    through: int, sizes: Sequence[arb], legs: Sequence[tuple[Piece, arb]], end: list[arb]
+    through: int, sizes: Sequence[arb], legs: Sequence[tuple[Piece, Number]], end: list[Number]
 ) -> int | None:
     """Return the state of passage after the pieces of a flight, None if undecided."""
     found: int | None = through
@@ -165,7 +171,7 @@ def _through(
     return found
 
 
-def left_by(formulas: Formulas, state: list[arb], values: list[arb], leaving: int) -> int:
+def left_by(formulas: Formulas, state: list[Number], values: list[arb], leaving: int) -> int:
     """Return the surface that the ball leaves: of several parts, the nearest in its bounds.
 
     Parameters
@@ -197,16 +203,17 @@ def _stops(surface: SurfaceFormulas, flown: ProvedFlight, values: list[arb]) -> 
     return bool(_restitution(surface, flown.events[-1].before, values).is_zero())
 
 
-def _restitution(surface: SurfaceFormulas, before: list[arb], values: list[arb]) -> arb:
+def _restitution(surface: SurfaceFormulas, before: list[Number], values: list[arb]) -> Number:
     """Return the restitution of a contact, from the state before it."""
     assert surface.restitution is not None
     normal = surface.normal(before, values)
     speed = -sum((v * n for v, n in zip(before[3:6], normal, strict=True)), arb(0))
-    return arb(surface.restitution(values, (speed,))[0])
+    found = surface.restitution(values, (speed,))[0]
+    return found if isinstance(found, TaylorModel) else arb(found)
 
 
 def _crossing_outcome(
-    plane: SurfaceFormulas, state: list[arb], values: list[arb], through: int | None
+    plane: SurfaceFormulas, state: list[Number], values: list[arb], through: int | None
 ) -> int:
     """Return the outcome of a crossing that counts: the first end whose bounds hold."""
     for name, outcome, bounds, passed in plane.ends:
@@ -224,18 +231,18 @@ def _crossing_outcome(
 
 def _next(
     formulas: Formulas,
-    state: list[arb],
+    state: list[Number],
     values: list[arb],
     last: int,
     vanishing: int,
-    remaining: arb | None,
-) -> tuple[int, arb, list[arb], list[tuple[Piece, arb]]] | None:
+    remaining: Number | None,
+) -> tuple[int, Number, list[Number], list[tuple[Piece, Number]]] | None:
     """Return surface, time and state of the certainly earliest arrival, and the pieces until then.
 
     None if there is none. The time limit, `remaining` from now, counts as the last surface.
     """
     time = arb(0)
-    legs: list[tuple[Piece, arb]] = []
+    legs: list[tuple[Piece, Number]] = []
     while not meets_nothing(formulas, state, values):
         piece = next_piece(formulas, state, values)
         left = None if remaining is None else remaining - time
@@ -257,8 +264,8 @@ def _next_on(
     values: list[arb],
     last: int,
     vanishing: int,
-    remaining: arb | None,
-) -> tuple[int, arb] | None:
+    remaining: Number | None,
+) -> tuple[int, Number] | None:
     """Return surface and time of the certainly earliest arrival on a piece; None without one.
 
     The time limit counts where something else is met too: what meets nothing any more can reach no
@@ -275,7 +282,13 @@ def _next_on(
         arrivals[limit], latest = Arrival(remaining), latest.min(remaining.upper())
     for k in formulas.order:
         zeros = vanishing if k == last else 0
-        arrival = arrival_at(formulas, k, piece, values, zeros, latest)
+        arrival = arrival_at(formulas, k, piece.in_balls, values, zeros, latest)
+        if arrival is not None and piece.has_models:
+            # What balls rule out is ruled out; what they do not, models may.
+            closer = arrival_at(formulas, k, piece, values, zeros, latest)
+            arrival = (
+                arrival if closer is not None and not closer.certain and arrival.certain else closer
+            )
         if arrival is not None:
             arrivals[k] = arrival
             if arrival.certain and arrival.time < latest:
@@ -304,7 +317,7 @@ def _seam(formulas: Formulas, one: int, other: int) -> bool:
     return formulas.surfaces[one].face == formulas.surfaces[other].face
 
 
-def _bounce(surface: SurfaceFormulas, before: list[arb], values: list[arb]) -> list[arb]:
+def _bounce(surface: SurfaceFormulas, before: list[Number], values: list[arb]) -> list[Number]:
     """Return the state after a contact, with exact components kept exact."""
     assert surface.impact is not None
     after = before[:3] + surface.impact(before, values, surface.normal(before, values))

@@ -11,12 +11,14 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Any
 
 from flint import arb, arb_poly
 
 from .air import OVERLAP, proved_piece
 from .formulas import Formulas, SurfaceFormulas
 from .roots import sign
+from .taylor_model import Number, TaylorModel, as_model, ball
 
 _PARTS = 8
 """Parts of a piece whose boxes are compared with a surface before its polynomial is."""
@@ -29,15 +31,15 @@ class Piece:
     Attributes
     ----------
     start
-        The state, nine balls.
+        The state, nine balls or models.
     path
-        The polynomials of the position.
+        The polynomials of the position, of balls or of models.
     span
         How long they hold, s; infinite if the flight is one parabola.
     """
 
-    start: Sequence[arb]
-    path: list[arb_poly]
+    start: Sequence[Number]
+    path: list[Any]
     span: arb
 
     @property
@@ -45,10 +47,26 @@ class Piece:
         """True if the flight is a parabola."""
         return not self.span.is_finite()
 
-    def at(self, time: arb) -> list[arb]:
-        """Return the state after a time, nine balls."""
+    @cached_property
+    def in_balls(self) -> Piece:
+        """The piece in plain balls."""
+        if not self.has_models:
+            return self
+        start, path = ([ball(one) for one in own] for own in (self.start, self.path))
+        return Piece(start, path, self.span)
+
+    @property
+    def has_models(self) -> bool:
+        """True if the path depends on the release through models."""
+        return any(isinstance(coordinate, TaylorModel) for coordinate in self.path)
+
+    def at(self, time: Number) -> list[Any]:
+        """Return the state after a time, nine balls or models."""
         moving = (coordinate.derivative() for coordinate in self.path)
-        return [polynomial(time) for polynomial in (*self.path, *moving)] + list(self.start[6:])
+        there: list[Any] = [*self.path, *moving]
+        if isinstance(time, TaylorModel):
+            there = [as_model(polynomial) for polynomial in there]
+        return [polynomial(time) for polynomial in there] + list(self.start[6:])
 
     @cached_property
     def boxes(self) -> list[list[arb]]:
@@ -73,7 +91,7 @@ class Piece:
         return len(sides) == 1 and not sides & {None, 0}
 
 
-def next_piece(formulas: Formulas, state: Sequence[arb], values: list[arb]) -> Piece:
+def next_piece(formulas: Formulas, state: Sequence[Number], values: list[arb]) -> Piece:
     """Return the piece of a flight that begins with a state.
 
     Parameters
@@ -97,7 +115,7 @@ def next_piece(formulas: Formulas, state: Sequence[arb], values: list[arb]) -> P
     return Piece(state, path, arb.pos_inf())
 
 
-def meets_nothing(formulas: Formulas, state: Sequence[arb], values: list[arb]) -> bool:
+def meets_nothing(formulas: Formulas, state: Sequence[Number], values: list[arb]) -> bool:
     """Return True if the ball flies through air and certainly meets nothing again.
 
     Parameters

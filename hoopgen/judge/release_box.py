@@ -1,8 +1,9 @@
-"""`certify_box`: a proof that all releases in a box end alike, by subdivision in ball arithmetic.
+"""`certify_box`: a proof that all releases in a box end alike, by Taylor models and subdivision.
 
-The state of a whole box of releases is a vector of balls, and the judge flies it as it flies a
-single shot: what it proves holds for every release in the box. A box that it cannot decide is split
-in two across its widest side, in shares of the whole.
+The state of a whole box of releases is a vector of Taylor models of order one (`taylor_model.py`),
+through air of balls, and the judge flies it as it flies a single shot: what it proves holds for
+every release in the box. A box that it cannot decide is split in two across its widest side, in
+shares of the whole.
 """
 
 from __future__ import annotations
@@ -36,6 +37,7 @@ from .flight import fly
 from .formulas import formulas
 from .pieces import next_piece
 from .roots import Undecided
+from .taylor_model import Number, TaylorModel, ball
 
 if TYPE_CHECKING:
     from hoopgen.results.drawing import Drawn
@@ -274,9 +276,10 @@ class _Pilot:
     def ending(self, box: Bounds, bits: int) -> tuple[Ending | None, str]:
         """Return the common end of all releases in a box, or None and the reason for no proof."""
         with ctx.workprec(bits):
-            state = self._state(box)
             own = formulas(self.scene)
-            later = clear_until(own, state, self.parameters, self.first)
+            state = self._state(box, models=own.air is None)
+            start = [ball(component) for component in state]
+            later = clear_until(own, start, self.parameters, self.first)
             if later > 0.0:
                 values = [arb(p) for p in self.parameters]
                 state = next_piece(own, state, values).at(arb(later))
@@ -289,16 +292,23 @@ class _Pilot:
             return None, "the ball rolls, which the judge does not follow"
         return (flown.outcome, tuple(event.surface for event in flown.events)), ""
 
-    def _state(self, box: Bounds) -> list[arb]:
-        """Return the state of all releases of a box, and of what doubles make of them."""
-        balls = {name: arb(value) for name, value in self.middle.items()}
-        for name, (low, high) in box.items():
-            balls[name] = arb(low).union(arb(high))
-        if tuple(balls) == STATE:
-            return [balls[name] for name in STATE]
-        arrays = {name: np.array(ball, object) for name, ball in balls.items()}
+    def _state(self, box: Bounds, models: bool = False) -> list[Number]:
+        """Return the state of all releases of a box, and of what doubles make of them.
+
+        In models of the box's variables or in balls.
+        """
+        numbers: dict[str, Number] = {name: arb(value) for name, value in self.middle.items()}
+        for index, (name, (low, high)) in enumerate(box.items()):
+            ends = arb(low), arb(high)
+            if models and low < high:
+                numbers[name] = TaylorModel.variable(*ends, index)
+            else:
+                numbers[name] = ends[0].union(ends[1])
+        if tuple(numbers) == STATE:
+            return [numbers[name] for name in STATE]
+        arrays = {name: np.array(number, object) for name, number in numbers.items()}
         state = states_in_numpy(arrays, (), RING_HEIGHT, _sine_cosine).tolist()
-        sizes = (max(float(c.abs_upper()), 1.0) * (c != 0) for c in state)
+        sizes = (max(float(c.abs_upper()), 1.0) * (not c.is_zero()) for c in map(ball, state))
         return [
             component + arb(0, ROUNDINGS * size)
             for component, size in zip(state, sizes, strict=True)

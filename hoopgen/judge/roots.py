@@ -10,13 +10,29 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from typing import TypeAlias
 
 from flint import arb, arb_poly, ctx
+
+from .taylor_model import Number, TaylorModel, ball, polynomial
 
 _SPLIT_POINT = 0.48828125
 """Share of a box at which it is split: roots of simple shots fall on the middle, none does here."""
 
 _MAP = arb_poly([1, 1])
+
+_NARROWEST_OF_BOX = arb(2) ** -12
+"""Share of a time interval below which it is not split for a box of releases: the box's width, not
+the precision, decides what can be proved."""
+
+_NEWTON_STEPS = 4
+"""Each step of Newton's method about halves what is not linear in an enclosure, at first."""
+
+_REACHES = (1.25, 2.0, 4.0)
+"""Intervals about a root that are tried, in shares of the estimate of how far it moves in a box."""
+
+Polynomial: TypeAlias = arb_poly | TaylorModel
+"""A polynomial in the time, with balls or with models."""
 
 
 class Undecided(Exception):
@@ -30,7 +46,7 @@ class Arrival:
     `onwards`: or at any later time.
     """
 
-    time: arb
+    time: Number
     certain: bool = True
     onwards: bool = False
 
@@ -40,17 +56,18 @@ def possible_from(time: arb) -> Arrival:
     return Arrival(time, certain=False, onwards=True)
 
 
-def sign(ball: arb) -> int | None:
+def sign(number: Number) -> int | None:
     """Return 1, 0 or -1, or None if it is undecided."""
-    if ball > 0:
+    if number > 0:
         return 1
-    if ball < 0:
+    if number < 0:
         return -1
-    return 0 if ball.is_zero() else None
+    return 0 if number.is_zero() else None
 
 
-def root_bound(coefficients: Sequence[arb]) -> arb | None:
+def root_bound(coefficients: Sequence[Number]) -> arb | None:
     """Return Fujiwara's bound on the size of all roots; None if the degree is not certain."""
+    coefficients = [ball(coefficient) for coefficient in coefficients]
     leading = coefficients[-1]
     if not (leading > 0 or leading < 0):
         return None
@@ -62,7 +79,7 @@ def root_bound(coefficients: Sequence[arb]) -> arb | None:
     return (2 * largest + 1).upper()
 
 
-def descent(coefficients: list[arb], moving: int | None) -> Arrival | None:
+def descent(coefficients: Sequence[Number], moving: int | None) -> Arrival | None:
     """Return the arrival of a plane, in t > 0: the root where the polynomial falls.
 
     For degree two, the root of a t² + b t + c with the negative slope -sqrt(D) is
@@ -92,7 +109,7 @@ def descent(coefficients: list[arb], moving: int | None) -> Arrival | None:
         if certain in (0, -1):
             return None
         if certain is None:
-            nearby = _apex(b, a, discriminant)
+            nearby = _apex(ball(b), ball(a), ball(discriminant))
             return None if nearby < 0 else Arrival(nearby, False)
         root = discriminant.sqrt()
         time = 2 * c / (root - b) if b < 0 else -(b + root) / (2 * a)
@@ -107,7 +124,7 @@ def _apex(b: arb, a: arb, discriminant: arb) -> arb:
     return -b / (2 * a) + arb(0, reach.abs_upper())
 
 
-def first_arrival(coefficients: Sequence[arb], end: arb) -> Arrival | None:
+def first_arrival(coefficients: Sequence[Number], end: arb) -> Arrival | None:
     """Return the first root in (0, end) of a polynomial that is certainly positive at 0.
 
     There it goes from positive to negative. None is a proof that there is no root.
@@ -119,25 +136,30 @@ def first_arrival(coefficients: Sequence[arb], end: arb) -> Arrival | None:
     end
         The end of the interval.
     """
-    polynomial = arb_poly(coefficients)
-    degree = len(coefficients) - 1
-    narrowest = end * arb(2) ** -(ctx.prec // 2)
+    condition = polynomial(coefficients)
+    if isinstance(condition, TaylorModel):
+        return _first_of_box(condition, end)
+    return _first(condition, len(coefficients) - 1, end, arb(2) ** -(ctx.prec // 2))
+
+
+def _first(condition: Polynomial, degree: int, end: arb, narrowest: arb) -> Arrival | None:
+    """Return the first root; boxes of time are not split below a share of the whole."""
     boxes = [(arb(0), end)]
     while boxes:
         low, high = boxes.pop()
-        fewest, most = sign_variations(polynomial, degree, low, high - low)
+        fewest, most = sign_variations(condition, degree, low, high - low)
         if most == 0:
             continue
         if fewest == most == 1:
-            return _enclose_root(polynomial, low, high)
-        if not high - low > narrowest:
+            return _enclose_root(condition, low, high)
+        if not high - low > narrowest * end:
             return possible_from(low)
         split = (low + (high - low) * _SPLIT_POINT).mid()
         boxes += [(split, high), (low, split)]
     return None
 
 
-def sign_variations(polynomial: arb_poly, degree: int, low: arb, width: arb) -> tuple[int, int]:
+def sign_variations(condition: Polynomial, degree: int, low: arb, width: arb) -> tuple[int, int]:
     """Return the fewest and the most sign changes of the polynomial mapped from the box.
 
     No root lies in the open box if there is none, exactly one if there is exactly one. With none
@@ -145,12 +167,12 @@ def sign_variations(polynomial: arb_poly, degree: int, low: arb, width: arb) -> 
 
     Parameters
     ----------
-    polynomial, degree
-        The polynomial and its degree.
+    condition, degree
+        The polynomial, of balls or of models, and its degree.
     low, width
         The lower end of the box and its width.
     """
-    local = polynomial(arb_poly([low, width])).coeffs()
+    local = ball(condition(arb_poly([low, width]))).coeffs()
     local += [arb(0)] * (degree + 1 - len(local))
     mapped = arb_poly(local[::-1])(_MAP).coeffs()
     # Its constant is the value at the box's right end, its leading coefficient that at the left.
@@ -177,11 +199,73 @@ def sign_changes(signs: Iterable[int | None]) -> tuple[int, int]:
     return fewest, most + unknown
 
 
-def _enclose_root(polynomial: arb_poly, low: arb, high: arb) -> Arrival:
+def _first_of_box(condition: TaylorModel, end: arb) -> Arrival | None:
+    """Return the first root for all releases of a box.
+
+    A root for the middle of the box guides the search. Then it is proved that no release has one
+    before an interval about it, and that each has exactly one in there.
+    """
+    coefficients = condition.coeffs()
+    degree = len(coefficients) - 1
+    guide = first_arrival([coefficient.mid() for coefficient in coefficients], end)
+    if guide is not None and guide.certain:
+        middle = guide.time.mid()
+        local = condition(arb_poly([middle, 1]))
+        step = ball(local).coeffs()[0] / ball(local.derivative()).coeffs()[0]
+        reach = step.abs_upper() if step.is_finite() else middle
+        for factor in _REACHES:
+            low = (middle - factor * reach).mid().max(arb(0))
+            high = (middle + factor * reach).mid()
+            if not _falls_once(local, low - middle, high - middle):
+                continue
+            if low.is_zero() or _first(condition, degree, low, _NARROWEST_OF_BOX) is None:
+                time = _newton(local, middle, low, high)
+                return possible_from(low) if time is None else Arrival(time)
+    return _first(condition, degree, end, _NARROWEST_OF_BOX)
+
+
+def _falls_once(local: TaylorModel, low: arb, high: arb) -> bool:
+    """Return whether a polynomial falls all the way from a positive to a negative value."""
+    slope = local.derivative()(low.union(high))
+    return bool(slope < 0 and local(low) > 0 and local(high) < 0)
+
+
+def _newton(local: TaylorModel, middle: arb, low: arb, high: arb) -> TaylorModel | None:
+    """Return the root in an interval that has exactly one, as a model; None if it finds none.
+
+    By the mean value theorem t = m - p(m)/p'(ξ) with ξ between t and m (interval Newton). The
+    first factor has the root's dependence on the release, as the implicit function theorem says.
+
+    Parameters
+    ----------
+    local
+        The polynomial, expanded about the middle.
+    middle
+        Where it is expanded.
+    low, high
+        The ends of the interval.
+    """
+    residue, slope = local.coeffs()[0], local.derivative()
+    since = (low - middle).union(high - middle)
+    found = None
+    for _ in range(_NEWTON_STEPS):
+        offset = -(residue / slope(since))
+        if not offset.is_finite():
+            break
+        since = since.intersection(offset.range).union(arb(0))
+        found = offset + middle
+    return found
+
+
+def _enclose_root(condition: Polynomial, low: arb, high: arb) -> Arrival:
     """Return an enclosure of the only root in the box; without one, an uncertain arrival."""
-    slope = polynomial.derivative()
-    middle = _approximate(polynomial, slope, low, high)
-    residue = polynomial(middle)
+    if isinstance(condition, TaylorModel):
+        middle = ((low + high) / 2).mid()
+        found = _newton(condition(arb_poly([middle, 1])), middle, low, high)
+        return possible_from(low) if found is None else Arrival(found)
+    slope = condition.derivative()
+    middle = _approximate(condition, slope, low, high)
+    residue = condition(middle)
     step = residue / slope(middle)
     if step.is_finite():
         room = middle + arb(0, (2 * step.abs_upper()) + arb(2) ** -(2 * ctx.prec))
