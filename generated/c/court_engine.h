@@ -155,6 +155,7 @@ static int LANES(court_run)(const court_job *job)
 #undef lanes_columns
 #undef lanes_size
 #undef lanes_rows
+#undef lanes_stream
 #undef lanes_bits
 #undef lanes_of
 #undef popcount

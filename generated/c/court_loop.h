@@ -436,8 +436,11 @@ LANES_INLINE void LOOP(finish_all)(const LOOP(worklist) *worklist, size_t shots,
                 worklist->wz + k,
             };
             const size_t some = shots - k < LANES_WIDTH ? shots - k : LANES_WIDTH;
+            double *const to = out->state + COURT_STATE * (start + k);
+            if (some == LANES_WIDTH && lanes_stream(to, columns, COURT_STATE))
+                continue;
             lanes_rows(rows, columns, COURT_STATE);
-            stream(out->state + COURT_STATE * (start + k), rows, COURT_STATE * some);
+            stream(to, rows, COURT_STATE * some);
         }
     }
     if (out->rolls) {

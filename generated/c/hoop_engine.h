@@ -146,6 +146,7 @@ static int LANES(hoop_run)(const hoop_job *job)
 #undef lanes_columns
 #undef lanes_size
 #undef lanes_rows
+#undef lanes_stream
 #undef lanes_bits
 #undef lanes_of
 #undef popcount

@@ -263,8 +263,11 @@ LANES_INLINE void LOOP(finish_all)(const LOOP(worklist) *worklist, size_t shots,
                 worklist->wz + k,
             };
             const size_t some = shots - k < LANES_WIDTH ? shots - k : LANES_WIDTH;
+            double *const to = out->state + HOOP_STATE * (start + k);
+            if (some == LANES_WIDTH && lanes_stream(to, columns, HOOP_STATE))
+                continue;
             lanes_rows(rows, columns, HOOP_STATE);
-            stream(out->state + HOOP_STATE * (start + k), rows, HOOP_STATE * some);
+            stream(to, rows, HOOP_STATE * some);
         }
     }
 #if BOUNDED

@@ -189,6 +189,7 @@ static const uint8_t EXPANDED[16][8] = {
 #define lanes_columns LANES(columns)
 #define lanes_size LANES(size)
 #define lanes_rows LANES(rows)
+#define lanes_stream LANES(stream)
 #define lanes_bits LANES(bits)
 #define lanes_of LANES(of)
 #define popcount LANES(popcount)
@@ -268,6 +269,11 @@ LANES_INLINE void lanes_rows(double *rows, const double *const *from, int count)
 {
     for (int column = 0; column < count; column++)
         rows[column] = *from[column];
+}
+LANES_INLINE int lanes_stream(double *rows, const double *const *from, int count)
+{
+    (void)rows, (void)from, (void)count;
+    return 0;
 }
 LANES_INLINE unsigned lanes_bits(M m) { return (unsigned)m; }
 LANES_INLINE M lanes_of(unsigned bits) { return (M)bits; }
@@ -641,6 +647,39 @@ LANES_INLINE void lanes_rows(double *rows, const double *const *from, int count)
             for (int k = 0; k < NATIVE; k++)
                 rows[k * count + column] = from[column][NATIVE * half + k];
     }
+}
+/* The same past the caches, where a row has one number more than a native vector, and begins with a
+   line of the caches. Return whether it is done. Each line is put together in registers: from a copy
+   in memory it would be read in parts that several stores wrote, and each waits for all stores before. */
+LANES_INLINE int lanes_stream(double *rows, const double *const *from, int count)
+{
+#if defined(__x86_64__) && NATIVE == 8
+    /* What follows the end of a row is of the next row, from 8 on; the end itself is blended in. */
+    static const int64_t order[NATIVE][NATIVE] = {
+        {0, 8, 9, 10, 11, 12, 13, 14}, {7, 0, 8, 9, 10, 11, 12, 13}, {6, 7, 0, 8, 9, 10, 11, 12},
+        {5, 6, 7, 0, 8, 9, 10, 11},    {4, 5, 6, 7, 0, 8, 9, 10},    {3, 4, 5, 6, 7, 0, 8, 9},
+        {2, 3, 4, 5, 6, 7, 0, 8},      {1, 2, 3, 4, 5, 6, 7, 0},
+    };
+    if (count != NATIVE + 1 || (uintptr_t)rows % sizeof(N) != 0)
+        return 0;
+    for (int half = 0; half < 2; half++, rows += NATIVE * count) {
+        const N ends = n_load(from[NATIVE] + NATIVE * half);
+        N square[NATIVE];
+        for (int k = 0; k < NATIVE; k++)
+            square[k] = n_load(from[k] + NATIVE * half);
+        n_square(square);
+        _mm512_stream_pd(rows, square[0]);
+        for (int k = 0; k < NATIVE; k++) {
+            const N next = square[(k + 1) % NATIVE];
+            const N line = _mm512_permutex2var_pd(square[k], _mm512_loadu_si512(order[k]), next);
+            _mm512_stream_pd(rows + NATIVE * (k + 1), n_select(n_of(1U << k), ends, line));
+        }
+    }
+    return 1;
+#else
+    (void)rows, (void)from, (void)count;
+    return 0;
+#endif
 }
 LANES_INLINE int lanes_any(M m) { return n_bits(n_either(m.lo, m.hi)) != 0; }
 LANES_INLINE V iota(void)

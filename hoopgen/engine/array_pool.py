@@ -25,6 +25,10 @@ BLOCK_SIZE_STEP = 1 << 16
 MAX_IDLE_BYTES = 1 << 27
 """Most bytes that are kept while nobody uses them."""
 
+LINE = 64
+"""Bytes of a line of the caches. Each block begins with one, because C then writes rows of states
+past the caches in whole lines."""
+
 _FREE: dict[int, list[NDArray[np.uint8]]] = {}
 """Blocks that no array uses, by size; reading and changing it needs `_LOCK`."""
 
@@ -52,7 +56,9 @@ def empty(shape: tuple[int, ...], dtype: np.dtype[Any]) -> NDArray[Any]:
     size = -(-wanted // BLOCK_SIZE_STEP) * BLOCK_SIZE_STEP
     block = _take(size)
     if block is None:
-        block = np.empty(size, np.uint8)
+        room = np.empty(size + LINE, np.uint8)
+        begin = -room.ctypes.data % LINE
+        block = room[begin : begin + size]
     # Of arrays on arrays NumPy keeps the lowest alone: what lies between may be no array.
     lent: Any = (ctypes.c_char * size).from_buffer(block)  # type: ignore[arg-type]
     weakref.finalize(lent, _return, block).atexit = False

@@ -4,7 +4,7 @@ import gc
 import os
 import sys
 import threading
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from types import FrameType
 from typing import Any
 
@@ -13,6 +13,7 @@ import pytest
 from numpy.typing import NDArray
 
 import hoopgen
+from benchmarks import workloads
 from hoopgen.engine import array_pool
 from tests.helpers.effort import trials
 
@@ -45,6 +46,29 @@ def test_memory_of_an_array_that_is_gone_is_used_again() -> None:
     del first
     assert kept() >= 8 * np.prod(LARGE)
     assert place(array_pool.empty(LARGE, DOUBLE)) == where
+
+
+def test_blocks_begin_with_a_line_of_the_caches() -> None:
+    arrays = [array_pool.empty((LARGE[0] + more, 3), DOUBLE) for more in (0, 5, 7000)]
+    assert [place(array) % array_pool.LINE for array in arrays] == [0, 0, 0]
+
+
+@pytest.mark.parametrize("make", [workloads.swish, workloads.free_throw])
+def test_states_written_in_whole_lines_are_those_of_numpy(
+    make: Callable[[int], workloads.States],
+) -> None:
+    """Rows past a block's end, and batches without a block, are written in another way."""
+    states = make(array_pool.MIN_BLOCK_SIZE // 72 + 37)
+    states[:, 6:] += np.random.default_rng(11).normal(0.0, 1.0, (len(states), 3))
+    expected = hoopgen.simulate(states, backend="numpy", fields=("state",)).state
+    at_once = hoopgen.simulate(states, backend="c", fields=("state",)).state
+    assert place(at_once) % array_pool.LINE == 0
+    parts = [
+        hoopgen.simulate(part, backend="c", fields=("state",)).state
+        for part in np.array_split(states, 7)
+    ]
+    assert (at_once == expected).all()
+    assert (np.concatenate(parts) == expected).all()
 
 
 def test_memory_that_is_still_looked_at_is_not() -> None:
