@@ -162,7 +162,7 @@ def test_a_limit_can_be_raised_and_lowered(tmp_path: Path) -> None:
 def test_no_file_raises_its_own_limits(tmp_path: Path) -> None:
     path = tmp_path / "own.toml"
     path.write_text(f"limits = {{ parameters = 500 }}\n{parameters(300)}", encoding="utf-8")
-    with pytest.raises(SceneError, match=r"unknown limits\. There are name, parameters"):
+    with pytest.raises(SceneError, match=r"unknown table \[limits\]\. There are name, parameters"):
         load_scene(path)
 
 
