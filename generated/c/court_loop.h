@@ -437,10 +437,10 @@ LANES_INLINE void LOOP(finish_all)(const LOOP(worklist) *worklist, size_t shots,
             };
             const size_t some = shots - k < LANES_WIDTH ? shots - k : LANES_WIDTH;
             double *const to = out->state + COURT_STATE * (start + k);
-            if (some == LANES_WIDTH && lanes_stream(to, columns, COURT_STATE))
-                continue;
-            lanes_rows(rows, columns, COURT_STATE);
-            stream(to, rows, COURT_STATE * some);
+            if (some < LANES_WIDTH || !lanes_stream(to, columns, COURT_STATE)) {
+                lanes_rows(rows, columns, COURT_STATE);
+                stream(to, rows, COURT_STATE * some);
+            }
         }
     }
     if (out->rolls) {

@@ -264,10 +264,10 @@ LANES_INLINE void LOOP(finish_all)(const LOOP(worklist) *worklist, size_t shots,
             };
             const size_t some = shots - k < LANES_WIDTH ? shots - k : LANES_WIDTH;
             double *const to = out->state + HOOP_STATE * (start + k);
-            if (some == LANES_WIDTH && lanes_stream(to, columns, HOOP_STATE))
-                continue;
-            lanes_rows(rows, columns, HOOP_STATE);
-            stream(to, rows, HOOP_STATE * some);
+            if (some < LANES_WIDTH || !lanes_stream(to, columns, HOOP_STATE)) {
+                lanes_rows(rows, columns, HOOP_STATE);
+                stream(to, rows, HOOP_STATE * some);
+            }
         }
     }
 #if BOUNDED
