@@ -115,12 +115,8 @@ def impact(
     ----------
     normal
         The outward unit normal, (3,).
-    velocity, spin
-        Before the contact, (3,) each.
-    ball
-        The radius and the inertia of the ball.
-    restitution
-        e of the normal velocity.
+    velocity, spin, ball, restitution
+        As for `impact_through_frame`.
 
     Returns
     -------

@@ -9,6 +9,7 @@ from flint import arb, arb_poly
 from hoopgen.derive.scenes.passage import FALLEN, NEITHER, RISEN
 
 from .roots import sign
+from .taylor_model import Number
 
 Sizes = Sequence[arb]
 """Radius and depth of the passage, and gravity."""
@@ -19,11 +20,11 @@ MAX_DIVISIONS = 40
 SPLIT_POINT = 0.48828125
 """Share of a part at which it is divided; passings of simple shots are elsewhere."""
 
-Passing = tuple[bool | None, arb]
+Passing = tuple[bool | None, Number]
 """A passage of the plane: True if upwards, None if undecided, and its time."""
 
 
-def at_start(sizes: Sizes, state: Sequence[arb], leaving: int) -> int | None:
+def at_start(sizes: Sizes, state: Sequence[Number], leaving: int) -> int | None:
     """Return the state of passage at the start, None if undecided; `leaving` as for `fly`.
 
     Parameters
@@ -31,7 +32,7 @@ def at_start(sizes: Sizes, state: Sequence[arb], leaving: int) -> int | None:
     sizes
         Radius and depth of the passage, and gravity.
     state
-        The state, nine balls.
+        The state, nine balls or models.
     leaving
         The surface that the ball leaves, or -1.
     """
@@ -46,7 +47,7 @@ def at_start(sizes: Sizes, state: Sequence[arb], leaving: int) -> int | None:
 
 
 def after(
-    through: int, sizes: Sizes, start: Sequence[arb], end: Sequence[arb], time: arb
+    through: int, sizes: Sizes, start: Sequence[Number], end: Sequence[Number], time: Number
 ) -> int | None:
     """Return the state of passage after a flight from that before it, None if undecided.
 
@@ -59,7 +60,7 @@ def after(
     sizes
         Radius and depth of the passage, and gravity.
     start, end
-        The states at the flight's start and end, nine balls each.
+        The states at the flight's start and end, nine balls or models each.
     time
         The duration of the flight, s.
     """
@@ -126,7 +127,9 @@ def _next_passage(through: int, upwards: bool) -> int:
     return FALLEN if through == NEITHER else through
 
 
-def _passings(gravity: arb, start: Sequence[arb], end: Sequence[arb], time: arb) -> list[Passing]:
+def _passings(
+    gravity: arb, start: Sequence[Number], end: Sequence[Number], time: Number
+) -> list[Passing]:
     """Return the passings of a flight, in order.
 
     On the plane itself is above it. What may be on either side is taken to be: a passing there is
@@ -150,11 +153,11 @@ def _passings(gravity: arb, start: Sequence[arb], end: Sequence[arb], time: arb)
     return [rising] * (not before) + [falling] * (not behind)
 
 
-def _above(height: arb) -> bool | None:
+def _above(height: Number) -> bool | None:
     side = sign(height)
     return None if side is None else side >= 0
 
 
-def _within(x: arb, y: arb, radius: arb) -> bool | None:
+def _within(x: Number, y: Number, radius: arb) -> bool | None:
     side = sign(radius * radius - x * x - y * y)
     return None if side is None else side > 0

@@ -141,8 +141,8 @@ def _build_piece(scene: str, kind: type, owner: str, table: object, name: str | 
     allowed = [f.name for f in fields(kind) if f.init and f.name not in hidden]
     strange = [argument for argument in arguments if argument not in allowed]
     if strange:
-        table = not owner and isinstance(arguments[strange[0]], Mapping)
-        what = f"table [{cut(strange[0])}]" if table else join_names(strange)
+        a_table = not owner and len(strange) == 1 and isinstance(arguments[strange[0]], Mapping)
+        what = f"table [{cut(strange[0])}]" if a_table else join_names(strange)
         said = f"unknown {what}. There are {join_names(allowed)}"
         raise wrong(scene, owner, "", said)
     if name is not None:

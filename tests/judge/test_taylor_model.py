@@ -22,14 +22,7 @@ from hoopgen.judge.flight import ProvedFlight, fly
 from hoopgen.judge.formulas import formulas
 from hoopgen.judge.roots import Undecided
 from hoopgen.judge.taylor_model import TaylorModel, as_model
-
-THROW = {
-    "speed": 7.17,
-    "elevation": float(np.radians(52)),
-    "backspin": 18.85,
-    "height": 2.1336,
-    "distance": 4.191,
-}
+from tests.judge.test_release_box import THROW
 
 VARIABLES = (1, 3, 5, 7)
 """The components y, vx, vz and wy have a width."""
