@@ -160,7 +160,7 @@ units_option = click.option(
     show_default=True,
     expose_value=False,
     callback=_use_units,
-    help="Units of text and pictures: metres and m/s, or feet, inches and mph; not of files.",
+    help="Units of text and pictures, not of files: metres, m/s, kg; or feet, inches, mph, ounces.",
 )
 """``--units``; it holds for as long as the command runs."""
 

@@ -21,6 +21,20 @@ from typing import Literal
 
 from hoopgen.text.shorten import brief
 
+from .unit_table import (
+    DEGREE,
+    FOOT,
+    INCH,
+    MILE_PER_HOUR,
+    OUNCE,
+    POUND_PER_CUBIC_FOOT,
+    SYMBOLS,
+    TURN,
+    UNIT_REQUIRED,
+    UNITS,
+    Kind,
+)
+
 __all__ = [
     "DEGREE",
     "FOOT",
@@ -43,79 +57,6 @@ __all__ = [
     "unit_symbol",
 ]
 
-Kind = Literal["length", "speed", "angle", "spin", "acceleration", "mass", "density", "number"]
-
-FOOT = 0.3048
-"""Metres in a foot, by definition."""
-
-INCH = 0.0254
-"""Metres in an inch, by definition."""
-
-_MILE = 1609.344
-_HOUR = 3600.0
-
-DEGREE = math.pi / 180.0
-"""Radians in a degree."""
-
-TURN = 2.0 * math.pi
-"""Radians in a turn."""
-
-UNITS: Mapping[Kind, Mapping[str, float]] = MappingProxyType(
-    {
-        "length": MappingProxyType({"m": 1.0, "cm": 0.01, "mm": 0.001, "ft": FOOT, "in": INCH}),
-        "speed": MappingProxyType(
-            {
-                "m/s": 1.0,
-                "cm/s": 0.01,
-                "ft/s": FOOT,
-                "km/h": 1000.0 / _HOUR,
-                "mph": _MILE / _HOUR,
-            }
-        ),
-        "angle": MappingProxyType({"rad": 1.0, "deg": DEGREE}),
-        "spin": MappingProxyType(
-            {"rad/s": 1.0, "deg/s": DEGREE, "Hz": TURN, "rev/s": TURN, "rpm": TURN / 60.0}
-        ),
-        "acceleration": MappingProxyType({"m/s2": 1.0, "ft/s2": FOOT}),
-        "mass": MappingProxyType({"kg": 1.0, "g": 0.001}),
-        "density": MappingProxyType({"kg/m3": 1.0}),
-        "number": MappingProxyType({"": 1.0}),
-    }
-)
-"""Each kind of quantity, its units and their size in SI. The first unit of a kind is the SI one."""
-
-UNIT_REQUIRED: Mapping[Kind, tuple[str, ...]] = MappingProxyType(
-    {"angle": ("deg", "rad"), "spin": ("Hz", "rpm", "rad/s", "deg/s")}
-)
-"""Kinds that must have their unit, and the units that a bare number may have been meant in."""
-
-_SPELLED = {
-    "m": "metre metres meter meters",
-    "cm": "centimetre centimetres centimeter centimeters",
-    "mm": "millimetre millimetres millimeter millimeters",
-    "km": "kilometre kilometres kilometer kilometers",
-    "ft": "foot feet ' \u2032",
-    "in": 'inch inches " \u2033',
-    "mi": "mile miles",
-    "s": "sec second seconds",
-    "min": "minute minutes",
-    "h": "hr hour hours",
-    "rad": "radian radians",
-    "deg": "degree degrees \u00b0",
-    "rev": "revolution revolutions turn turns",
-    "hz": "hertz",
-    "s2": "s^2 s\u00b2",
-    "m3": "m^3 m\u00b3",
-    "kg": "kilogram kilograms kilogramme kilogrammes",
-    "g": "gram grams gramme grammes",
-    "mph": "mi/h",
-    "km/h": "kph kmh",
-    "rpm": "rev/min",
-}
-"""Other spellings, of units and of their parts."""
-
-_SYMBOLS = {word: symbol for symbol, words in _SPELLED.items() for word in words.split()}
-
 _SIZES: Mapping[Kind, Mapping[str, float]] = {
     kind: {unit.lower(): size for unit, size in units.items()} for kind, units in UNITS.items()
 }
@@ -123,7 +64,7 @@ _SIZES: Mapping[Kind, Mapping[str, float]] = {
 _NUMBER = r"(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?"
 _WORD = r"[^\s\d.+/-]+"
 _UNIT = (  # only a square or a cube ends in a digit: 6ft2in is feet, inches
-    rf"{_WORD}(?:(?:\s*/\s*|\s+[pP][eE][rR]\s+){_WORD}(?:(?<=/s)2|(?<=/m)3|(?<=\^)[23])?)?"
+    rf"{_WORD}(?:(?:\s*/\s*|\s+[pP][eE][rR]\s+){_WORD}(?:(?<=/s)2|(?<=/m)3|(?<=/ft)3|(?<=\^)[23])?)?"
 )
 _PART = re.compile(rf"\s*({_NUMBER})\s*({_UNIT})?", re.ASCII)
 _INFINITE = re.compile(r"\s*[+-]?inf(?:inity)?\s*", re.ASCII | re.IGNORECASE)
@@ -147,8 +88,8 @@ def unit_size(unit: str, kind: Kind) -> float | None:
         The kind of quantity.
     """
     parts = re.split(r"\s*/\s*|\s+per\s+", unit.strip().lower())
-    symbol = "/".join(_SYMBOLS.get(part, part) for part in parts)
-    return _SIZES[kind].get(_SYMBOLS.get(symbol, symbol))
+    symbol = "/".join(SYMBOLS.get(part, part) for part in parts)
+    return _SIZES[kind].get(SYMBOLS.get(symbol, symbol))
 
 
 def unit_symbol(size: float, kind: Kind) -> str:
@@ -274,7 +215,7 @@ def column_name(name: str, unit: str) -> str:
     unit
         The unit; empty for a plain number.
     """
-    plain = unit.lower().replace("\u00b2", "2").replace("/", "_")
+    plain = unit.lower().replace("\u00b2", "2").replace("\u00b3", "3").replace("/", "_")
     return name if plain in ("", "1") else f"{name}_{plain}"
 
 
@@ -284,6 +225,8 @@ _US_FILE_UNITS: Mapping[str, str] = {
     "m": "ft",
     "m/s": "mph",
     "m/s2": "ft/s2",
+    "kg": "oz",
+    "kg/m3": "lb/ft3",
     "rad": "deg",
     "rad/s": "Hz",
 }
@@ -298,7 +241,7 @@ def file_unit(unit: str, system: System) -> tuple[str, float]:
     unit
         In SI.
     system
-        "si" for that; "us" for feet and mph, and degrees and Hz.
+        "si" for that; "us" for feet, mph, ounces and lb/ft3, and degrees and Hz.
 
     Raises
     ------
@@ -348,12 +291,12 @@ DISPLAY_UNITS: Mapping[System, Mapping[str, DisplayUnit]] = MappingProxyType(
         },
         "us": {
             "length": DisplayUnit("ft", FOOT, 2),
-            "speed": DisplayUnit("mph", _MILE / _HOUR, 2),
+            "speed": DisplayUnit("mph", MILE_PER_HOUR, 2),
             "angle": DisplayUnit("\u00b0", DEGREE, 1),
             "spin": DisplayUnit("Hz", TURN, 2),
             "acceleration": DisplayUnit("ft/s\u00b2", FOOT, 2),
-            "mass": DisplayUnit("kg", 1.0, 3),
-            "density": DisplayUnit("kg/m\u00b3", 1.0, 3),
+            "mass": DisplayUnit("oz", OUNCE, 2),
+            "density": DisplayUnit("lb/ft\u00b3", POUND_PER_CUBIC_FOOT, 4),
             "number": DisplayUnit("", 1.0, 3),
             "short": DisplayUnit("in", INCH, 2),
         },
@@ -371,8 +314,8 @@ def use_units(system: System) -> Iterator[None]:
     Parameters
     ----------
     system
-        "si", metres and m/s; or "us", feet, inches and mph. Degrees and Hz in both. Numbers that
-        functions take and return, and files, are not touched.
+        "si", metres, m/s and kg; or "us", feet, inches, mph and ounces. Degrees and Hz in both.
+        Numbers that functions take and return, and files, are not touched.
 
     Raises
     ------

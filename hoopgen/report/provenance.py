@@ -100,8 +100,12 @@ def describe_scene(
         if name in differing:
             parts.append(f"{name} by row")
         elif not np.all(value == default):
-            low, high = (f"{end(value):.{_MIN_DIGITS}g}" for end in (np.min, np.max))
-            parts.append(f"{name} {low if low == high else f'{low} to {high}'}")
+            # At a hoop parameters have the display units; in any other scene they are bare SI.
+            unit = quantity(name) if scene.has_hoop else Quantity(name, "")
+            column = unit.convert(value)
+            low, high = (f"{end(column):.{_MIN_DIGITS}g}" for end in (np.min, np.max))
+            ends = low if low == high else f"{low} to {high}"
+            parts.append(f"{name} {ends} {unit.unit}".rstrip())
     return ", ".join(parts)
 
 

@@ -26,9 +26,11 @@ import pyarrow.parquet as pq  # noqa: E402
 import hoopgen  # noqa: E402
 from hoopgen import plots  # noqa: E402
 from hoopgen.cli import main  # noqa: E402
+from hoopgen.core.unit_table import OUNCE  # noqa: E402
 from hoopgen.core.units import DISPLAY_UNITS, FOOT, display_unit, use_units  # noqa: E402
 from hoopgen.core.variables import STATE  # noqa: E402
 from hoopgen.hoop.variables import VARIABLES  # noqa: E402
+from hoopgen.report.provenance import describe_scene  # noqa: E402
 from hoopgen.report.quantities import format_variable, quantity  # noqa: E402
 from hoopgen.study.named_units import in_units, named, parameters_named  # noqa: E402
 from hoopgen.study.questions.aim_table import aim_table  # noqa: E402
@@ -370,8 +372,25 @@ def test_values_are_said_in_the_units_shown() -> None:
         assert format_variable("elevation", 52 * DEGREE) == "52.0°"
         assert format_variable("backspin", 6 * np.pi) == "3.00 Hz"
         assert quantity("gravity").label == "gravity (ft/s²)"
+        assert format_variable("ball_mass", 22 * OUNCE) == "22.00 oz"
+        assert format_variable("air_density", 1.2) == "0.0749 lb/ft³"
         assert quantity("aim").label == "aim past the ring's centre (in)"
     assert format_variable("aim", 0.05) == "5.0 cm"
+    assert format_variable("ball_mass", 0.624) == "0.624 kg"
+
+
+def test_the_scene_is_described_in_the_units_shown() -> None:
+    pytest.importorskip("sympy")  # of the scene in air
+    own = {"ball_mass": 20 * OUNCE, "gravity": 9.8, "restitution": 0.6}
+    parameters = hoopgen.PAPER_AIR | own
+    assert describe_scene(hoopgen.AIR, parameters) == (
+        "air, PAPER, restitution 0.6, gravity 9.8 m/s², ball_mass 0.56699 kg"
+    )
+    with use_units("us"):
+        assert describe_scene(hoopgen.AIR, parameters | {"ring_radius": [9 * INCH, 10 * INCH]}) == (
+            "air, PAPER, ring_radius 9 to 10 in, restitution 0.6, gravity 32.1522 ft/s², "
+            "ball_mass 20 oz"
+        )
 
 
 def _fan() -> Any:

@@ -12,7 +12,9 @@ from hoopgen.core.units import (
     Kind,
     column_name,
     display_unit,
+    file_unit,
     parse_quantity,
+    unit_symbol,
     use_units,
 )
 
@@ -136,6 +138,13 @@ def test_nothing_needs_no_unit(kind: Kind, text: str) -> None:
         ("1.2 kg/m\u00b3", "density", 1.2),
         ("1.2 kg per m^3", "density", 1.2),
         ("0.624", "mass", 0.624),
+        ("22oz", "mass", 0.62368950875),  # 16 oz are a pound, 0.45359237 kg by definition
+        ("22 Ounces", "mass", 0.62368950875),
+        ("1.375 lb", "mass", 0.62368950875),
+        ("2 pounds", "mass", 0.90718474),
+        ("0.075lb/ft3", "density", 0.075 * 0.45359237 / 0.028316846592),
+        ("0.075 pounds per ft^3", "density", 0.075 * 0.45359237 / 0.028316846592),
+        ("0.075 lb/ft\u00b3", "density", 0.075 * 0.45359237 / 0.028316846592),
     ],
 )
 def test_masses_and_densities_have_units(text: str, kind: Kind, value: float) -> None:
@@ -155,8 +164,8 @@ def test_text_is_shown_in_other_units_as_long_as_is_asked() -> None:
         "angle": "\u00b0",
         "spin": "Hz",
         "acceleration": "ft/s\u00b2",
-        "mass": "kg",
-        "density": "kg/m\u00b3",
+        "mass": "oz",
+        "density": "lb/ft\u00b3",
         "number": "",
     }
     assert display_unit("speed").symbol == "m/s"
@@ -174,12 +183,24 @@ def test_text_is_shown_in_other_units_as_long_as_is_asked() -> None:
         ("gravity", "m/s\u00b2", "gravity_m_s2"),
         ("wy", "rad/s", "wy_rad_s"),
         ("backspin", "Hz", "backspin_hz"),
+        ("air_density", "lb/ft\u00b3", "air_density_lb_ft3"),
         ("restitution", "", "restitution"),
         ("probability", "1", "probability"),
     ],
 )
 def test_columns_have_their_units_in_their_names(name: str, unit: str, column: str) -> None:
     assert column_name(name, unit) == column
+
+
+@pytest.mark.parametrize("kind", [one for one in UNITS if one not in ("angle", "spin", "number")])
+def test_us_units_are_no_si_units_in_text_or_files(kind: Kind) -> None:
+    si = next(iter(UNITS[kind]))
+    with use_units("us"):
+        shown = display_unit(kind)
+    unit, size = file_unit(si, "us")
+    assert (size, size) == (shown.size, UNITS[kind][unit])
+    assert unit == shown.symbol.replace("\u00b2", "2").replace("\u00b3", "3") != si
+    assert unit_symbol(shown.size, kind) == unit
 
 
 @pytest.mark.parametrize("kind", list(UNITS))
