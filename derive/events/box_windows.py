@@ -117,7 +117,7 @@ def lost(
 def _lost_with_any_gravity(
     far: sp.Expr, half: sp.Expr, halves: Sequence[sp.Expr | None], acceleration: Sequence[sp.Expr]
 ) -> sp.Expr:
-    """Return the result of `lost` for an acceleration that may be zero.
+    """Return the result of `lost` for an acceleration that may be zero along some axes.
 
     Along an axis without acceleration the ball, and the true one, has left the box after
     T = 2 d / |v|: with errors e_p and e_v T of at most w, |p + v t| is from then on at least
@@ -125,10 +125,11 @@ def _lost_with_any_gravity(
 
     The roots of `_crossings` are off by a few roundings of themselves. On the way to -2 q / w that
     is as much of q, and so is what cancels in D = v² + 2 g q, since then v² <= 4 g |q|. At w / g it
-    is as much of v²/g, or of (v + g T) T with the horizon T, after which no root counts.
+    is as much of v²/g, or of (v + g T) T, with the T of the first axis: no later root counts. So a
+    component of gravity that is a rounding error, whose own roots come after aeons, loses nothing.
     """
     latest: sp.Expr = horizon
-    flown: sp.Expr = sp.Integer(0)
+    strengths: list[tuple[sp.Expr, sp.Expr]] = []
     for v, a, own in zip(VELOCITY, acceleration, halves, strict=True):
         if own is None:
             continue
@@ -136,12 +137,15 @@ def _lost_with_any_gravity(
         if a != 0:
             g = barrier(absolute(a))
             per_g = barrier(1 / divisor(g))
-            longest = barrier(barrier(speed + g * horizon) * horizon)
-            high = barrier(minimum(barrier(speed**2 * per_g), longest))
-            flown = barrier(maximum(flown, IfLess(0, g, high, 0)))
+            strengths.append((g, per_g))
             falling = barrier(time_to_leave(barrier(far + half), per_g))
             leaving = IfLess(0, g, falling, leaving)
         latest = barrier(minimum(latest, leaving))
+    flown: sp.Expr = sp.Integer(0)
+    for g, per_g in strengths:
+        longest = barrier(barrier(speed + g * latest) * latest)
+        high = barrier(minimum(barrier(speed**2 * per_g), longest))
+        flown = barrier(maximum(flown, IfLess(0, g, high, 0)))
     moved = barrier(position_error + velocity_error * latest)
     rounded = barrier(far + flown) * sp.Rational(1, 2**48)
     return barrier(moved + rounded) - RELATIVE_INFLATION / 4 * half

@@ -229,6 +229,40 @@ def test_a_scene_turned_with_its_gravity_gives_the_turned_shots() -> None:
     assert (away <= found.state_error + turned.state_error)[sure].all()
 
 
+BRICK = surroundings(
+    "bricked",
+    parameters=[PULL, *WAYS],
+    gravity="pull",
+    down=DOWN,
+    bodies=[Box("brick", size=(0.6, 0.5, 0.4))],
+    ends={},
+)
+
+
+def test_a_pull_to_the_side_that_is_a_rounding_error_makes_no_shot_uncertain() -> None:
+    """Without an end or a time limit, the sideways roots of a box come after 1e16 s."""
+    engine = hoopgen.compile(BRICK)
+    states = thrown(300, 11)
+    states[:, :3] *= (0.3, 0.3, 0.2)
+    states[:, 2] += 0.7  # above the box
+    given: dict[str, Any] = {"time_limit": math.inf, "max_contacts": MOST}
+    pulls = {"pull": 9.75, "way_1": 6e-17}
+    straight, aslant = (
+        engine.simulate(states, pulls | own, record=True, **given) for own in ({"way_1": 0}, {})
+    )
+    capped = (
+        straight.outcome == engine.outcomes["CAPPED"]
+    )  # after many bounces the errors are large
+    assert capped.sum() < 10
+    assert not straight.uncertain[~capped].any()
+    assert not aslant.uncertain[~capped].any()
+    np.testing.assert_array_equal(aslant.counts[~capped], straight.counts[~capped])
+    assert aslant.contacts.sum() > 50
+    proofs = hoopgen.certify(states, pulls, scene=engine, **given)
+    assert proofs.agrees(aslant)[proofs.decided].all()
+    assert proofs.decided.mean() > 0.9
+
+
 CORRIDOR = Scene(
     "corridor",
     parameters=[PULL],
