@@ -288,11 +288,6 @@ LANES_INLINE V lanes_expand(const double *from, M m, V old) { return m ? *from :
 typedef float S;
 typedef int Q;
 LANES_INLINE S singles_all(float c) { return c; }
-LANES_INLINE S singles_add(S a, S b) { return a + b; }
-LANES_INLINE S singles_sub(S a, S b) { return a - b; }
-LANES_INLINE S singles_mul(S a, S b) { return a * b; }
-LANES_INLINE S singles_div(S a, S b) { return a / b; }
-LANES_INLINE S singles_neg(S a) { return -a; }
 LANES_INLINE S singles_sqrt(S a) { return sqrtf(a); }
 LANES_INLINE S singles_abs(S a) { return fabsf(a); }
 LANES_INLINE Q singles_less(S a, S b) { return a < b; }
@@ -301,7 +296,6 @@ LANES_INLINE Q singles_equal(S a, S b) { return a == b; }
 LANES_INLINE Q singles_both(Q a, Q b) { return a & b; }
 LANES_INLINE Q singles_either(Q a, Q b) { return a | b; }
 LANES_INLINE Q singles_not(Q a) { return !a; }
-LANES_INLINE Q singles_mask_none(void) { return 0; }
 LANES_INLINE S singles_select(Q m, S a, S b) { return m ? a : b; }
 LANES_INLINE S singles_max(S a, S b) { return a < b ? b : a; }
 LANES_INLINE S singles_min(S a, S b) { return a < b ? a : b; }
@@ -897,16 +891,6 @@ LANES_INLINE S singles_expand(const float *from, M m, S old)
 
 #endif
 
-LANES_INLINE S singles_add(S a, S b) { return a + b; }
-LANES_INLINE S singles_sub(S a, S b) { return a - b; }
-LANES_INLINE S singles_mul(S a, S b) { return a * b; }
-LANES_INLINE S singles_div(S a, S b) { return a / b; }
-LANES_INLINE S singles_neg(S a) { return -a; }
-LANES_INLINE Q singles_mask_none(void)
-{
-    const S zero = singles_all(0.0f);
-    return singles_less(zero, zero);
-}
 typedef S LANES(singles_anywhere) __attribute__((aligned(4), may_alias));
 LANES_INLINE S singles_load(const float *row) { return *(const LANES(singles_anywhere) *)row; }
 LANES_INLINE void singles_store(float *row, S a) { *(LANES(singles_anywhere) *)row = a; }
@@ -936,6 +920,17 @@ LANES_INLINE void singles_store(float *row, S a) { *(LANES(singles_anywhere) *)r
 #undef n_expand
 
 #endif
+
+LANES_INLINE S singles_add(S a, S b) { return a + b; }
+LANES_INLINE S singles_sub(S a, S b) { return a - b; }
+LANES_INLINE S singles_mul(S a, S b) { return a * b; }
+LANES_INLINE S singles_div(S a, S b) { return a / b; }
+LANES_INLINE S singles_neg(S a) { return -a; }
+LANES_INLINE Q singles_mask_none(void)
+{
+    const S zero = singles_all(0.0f);
+    return singles_less(zero, zero);
+}
 
 /* Where one truth holds instead of another. */
 LANES_INLINE M lanes_choose(M m, M a, M b)
