@@ -14,7 +14,7 @@ from hoopgen.core.units import DEGREE, column_name, display_unit
 from hoopgen.report.quantities import for_json
 from hoopgen.study.questions.measured_specification import BestQuestion
 from hoopgen.study.questions.settings import TableSettings
-from hoopgen.text.numbers import format_interval, format_percent
+from hoopgen.text.numbers import format_interval, format_percent, format_points
 from hoopgen.text.tables import table
 
 from .command import command
@@ -86,11 +86,12 @@ def _text(found: xr.Dataset) -> str:
 
     length, speed = display_unit("length"), display_unit("speed")
     heads = [f"x ({length.symbol})", f"y ({length.symbol})", "way", "made", "interval"]
-    heads += [f"speed ({speed.symbol})", "angle"]
+    heads += ["lead (points)", f"speed ({speed.symbol})", "angle"]
     rows = []
     for k in range(found.sizes["place"]):
         one = {name: found[name].values[k] for name in ("x", "y", *found.data_vars)}
         way = "bank" if one["bank"] else "direct"
+        lead = (format_points(float(one[f"lead_{end}"])) for end in ("low", "high"))
         rows.append(
             [
                 f"{one['x'] / length.size:.1f}",
@@ -98,14 +99,16 @@ def _text(found: xr.Dataset) -> str:
                 way if one["decided"] else f"{way}?",
                 format_percent(float(one["probability"])),
                 format_interval(float(one["low"]), float(one["high"])),
+                " to ".join(lead),
                 f"{one['speed'] / speed.size:.2f}",
                 f"{one['elevation'] / DEGREE:.1f}\N{DEGREE SIGN}",
             ]
         )
-    note = "way?: bank and direct shot are not told apart there."
-    return "\n".join(
-        [table(heads, rows, right=(0, 1, 3, 4, 5, 6)), "", note, describe_best_shots(found)]
-    )
+    notes = ["lead: by how much more often it goes in than the best shot of the other way."]
+    if not found["decided"].values.all():
+        notes.append("way?: that may be 0, or less.")
+    columns = table(heads, rows, right=(0, 1, 3, 4, 5, 6, 7))
+    return "\n".join([columns, "", " ".join(notes), describe_best_shots(found)])
 
 
 def _record(found: xr.Dataset, engine: Engine) -> dict[str, Any]:

@@ -37,7 +37,7 @@ def plot_best_shots(dataset: xr.Dataset, *, title: str = "", ax: Drawn | None = 
     """Draw the half court with the best shot from each place.
 
     In each square stand the share made, the angle and the speed of the best shot; *bank* is a shot
-    off the board, and a question mark a place where bank and direct shot are not told apart.
+    off the board, and a question mark a place where the other way may be as good, or better.
 
     Parameters
     ----------

@@ -44,7 +44,10 @@ _NEAREST, _FURTHEST = 1.2, 9.2
 _HELD = ("height", "backspin", "sidespin")
 _LABELS = {
     "bank": "whether the best shot is off the board",
-    "decided": "whether bank and direct shot are told apart",
+    "decided": "whether the lead is certain to be above 0",
+    "lead": "probability, less that of the other of bank and direct",
+    "lead_low": "lower end of its interval",
+    "lead_high": "upper end of its interval",
     "probability": "probability of a made shot",
     "low": "lower end of its interval",
     "high": "upper end of its interval",
@@ -92,10 +95,13 @@ def best_shots(
     xarray.Dataset
         Over ``place``, with `x` and `y` on the floor: `bank`, whether the best shot is off the
         board; its `speed`, `elevation`, `azimuth`, `aim` and `probability`, with the interval `low`
-        and `high` of fresh shots; and `decided`, whether the interval of the difference between
-        bank and direct shot has no 0 in it. All is searched a second time with another seed, which
-        chooses between bank and direct, so that the choice does not raise the share:
-        `speed_change`, `elevation_change` and `probability_change` are the second result less the
+        and `high` of fresh shots; `lead`, by how much it is more than that of the other way, with
+        the interval `lead_low` and `lead_high` of the same shots; and `decided`, whether
+        `lead_low` is above 0. All is searched a second time with another seed, which chooses
+        between bank and direct, so that the choice does not raise the share or the lead. With few
+        shots it may choose the worse way: where `decided` is False the shots do not tell, and
+        where `lead_high` is below 0 they speak against the choice. `speed_change`,
+        `elevation_change`, `probability_change` and `lead_change` are the second result less the
         first, for a place whose way is the same, else NaN. Where the share hardly depends on the
         angle, the two angles may differ by degrees.
 
@@ -143,7 +149,7 @@ def best_shots(
     first, second = (_best(of_one, of_other) for of_one, of_other in (searches, searches[::-1]))
     same = first["bank"] == second["bank"]
     columns = dict(first)
-    for name in ("speed", "elevation", "probability"):
+    for name in ("speed", "elevation", "probability", "lead"):
         columns[f"{name}_change"] = np.where(same, second[name] - first[name], np.nan)
     if even:
         columns = _mirrored(columns, searched, spots)
@@ -212,9 +218,15 @@ def _best(dataset: xr.Dataset, chosen: xr.Dataset) -> dict[str, Floats]:
     which = np.argmax(chosen["probability"].values, axis=0)
     names = ("speed", "elevation", "azimuth", "aim", "probability", "low", "high")
     columns = {n: np.take_along_axis(dataset[n].values, which[None], axis=0)[0] for n in names}
-    low, high = dataset["difference_low"].values, dataset["difference_high"].values
     bank = which == WAYS.index("bank")
-    return columns | {"bank": bank, "decided": (low > 0.0) | (high < 0.0)}
+    lead, low, high = (dataset[f"difference{end}"].values for end in ("", "_low", "_high"))
+    return columns | {
+        "bank": bank,
+        "lead": np.where(bank, lead, -lead),
+        "lead_low": (least := np.where(bank, low, -high)),
+        "lead_high": np.where(bank, high, -low),
+        "decided": least > 0.0,
+    }
 
 
 def _mirrored(columns: dict[str, Floats], searched: Floats, spots: Floats) -> dict[str, Floats]:

@@ -39,7 +39,28 @@ def describe_best_shots(dataset: xr.Dataset) -> str:
             f"and {100.0 * moved['probability']:.1f} points; the way of "
             f"{int(np.isnan(dataset['speed_change']).sum())} of {dataset.sizes['place']} changes."
         )
+    if doubt := undecided(dataset):
+        lines.append(doubt)
     return " ".join(lines)
+
+
+def undecided(dataset: xr.Dataset) -> str:
+    """Return a warning of places where the shots do not say that the way is the better one.
+
+    It is empty if there are none.
+    """
+    unsure = ~dataset["decided"].values
+    if not unsure.any():
+        return ""
+    wrong = int((dataset["lead_high"].values < 0.0).sum())
+    low, high = (dataset[name].values[unsure] for name in ("lead_low", "lead_high"))
+    widest = 50.0 * float((high - low).max())
+    against = f", and at {wrong} of them they speak for the other" if wrong else ""
+    return (
+        f"At {int(unsure.sum())} of {len(unsure)} places the shots do not tell whether bank or "
+        f"direct is better{against}: the lead of one over the other is known to ±{widest:.1f} "
+        "points. More shots narrow this."
+    )
 
 
 def _player(dataset: xr.Dataset) -> str:

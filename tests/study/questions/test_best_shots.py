@@ -13,6 +13,8 @@ import pytest
 for _library in ("pyarrow", "scipy", "xarray"):
     pytest.importorskip(_library)
 
+import xarray as xr  # noqa: E402
+
 import hoopgen  # noqa: E402
 from hoopgen import NBA, Scatter  # noqa: E402
 from hoopgen.core.units import DEGREE  # noqa: E402
@@ -148,6 +150,7 @@ def test_the_command_prints_and_draws(tmp_path: Path, monkeypatch: pytest.Monkey
     assert said in text
     assert "Scene: NBA." in text
     assert "speed (mph)" in text
+    assert "lead (points)" in text
     assert (tmp_path / "best.svg").stat().st_size > 10_000
     record = json.loads(output(*words, "--json"))
     assert len(record["places"]["speed_m_s"]) == len(places) == len(record["places"]["x_m"])
@@ -170,6 +173,47 @@ def test_the_second_search_chooses_the_way(found: Any) -> None:
     way = np.argmax(other["probability"].values, axis=0)
     shares = first["probability"].values[way, np.arange(len(rows))]
     assert (found["probability"].values[rows] == shares).all()
+    lead = first["difference"].values * np.where(way, 1, -1)
+    assert (found["lead"].values[rows] == lead).all()
+    ends = np.array([first[f"difference_{end}"].values for end in ("low", "high")])
+    low, high = np.where(way, ends, -ends[::-1])
+    assert (found["lead_low"].values[rows] == low).all()
+    assert (found["lead_high"].values[rows] == high).all()
+    assert (found["decided"].values[rows] == (low > 0)).all()
+
+
+def searched(differences: list[float], half: float) -> Any:
+    """Return results of `bank_or_direct` with these differences, bank less direct."""
+    lead = np.array(differences)
+    shares = np.stack([0.6 - lead / 2, 0.6 + lead / 2])
+    names = ("speed", "elevation", "azimuth", "aim", "probability", "low", "high")
+    return xr.Dataset(
+        dict.fromkeys(names, (("way", "place"), shares))
+        | {"difference": ("place", lead)}
+        | {"difference_low": ("place", lead - half), "difference_high": ("place", lead + half)}
+    )
+
+
+def test_a_way_that_the_shots_do_not_tell_or_speak_against_is_not_decided(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """The second search chooses bank, bank, direct and direct."""
+    answers = iter([searched([0.2, 0.01, 0.2, -0.2], 0.05), searched([0.1, 0.1, -0.1, -0.1], 0.3)])
+    module = "hoopgen.study.questions.best_shots."
+    monkeypatch.setattr(f"{module}bank_or_direct", lambda *_, **__: next(answers))
+    monkeypatch.setattr(f"{module}court_places", lambda *_: np.arange(8.0).reshape(4, 2))
+    found = hoopgen.best_shots(PLAYER, NBA)
+    assert found["bank"].values.tolist() == [True, True, False, False]
+    assert found["decided"].values.tolist() == [True, False, False, True]
+    np.testing.assert_allclose(found["lead"], [0.2, 0.01, -0.2, 0.2], rtol=0, atol=1e-15)
+    np.testing.assert_allclose(found["lead_low"], [0.15, -0.04, -0.25, 0.15], rtol=0, atol=1e-15)
+    np.testing.assert_allclose(found["lead_high"], [0.25, 0.06, -0.15, 0.25], rtol=0, atol=1e-15)
+    np.testing.assert_allclose(found["lead_change"], [-0.1, 0.09, np.nan, -0.1], rtol=0, atol=1e-15)
+    assert (
+        "At 2 of 4 places the shots do not tell whether bank or direct is better, and at 1 of them "
+        "they speak for the other: the lead of one over the other is known to ±5.0 points."
+    ) in describe_best_shots(found)
+    assert "do not tell" not in describe_best_shots(found.isel(place=[0, 3]))
 
 
 @pytest.mark.slow
