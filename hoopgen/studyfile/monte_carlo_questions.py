@@ -9,7 +9,7 @@ from hoopgen.report.provenance import describe_setting, sentences
 from hoopgen.scene.lookup import check_hoop
 from hoopgen.simulation.run import check_log
 from hoopgen.simulation.simulate import simulate
-from hoopgen.study.jobs.monte_carlo import most_shots
+from hoopgen.study.jobs.stopping import most_shots
 from hoopgen.study.named_units import in_units
 from hoopgen.study.questions.batch import batch
 from hoopgen.study.questions.compare import Comparison, compare

@@ -34,11 +34,13 @@ WITH_PARAMETERS = (
     "hoopgen/results",
     "hoopgen/scene",
     "hoopgen/simulation",
+    "hoopgen/study/jobs",
     "hoopgen/study/measures",
     "hoopgen/study/models",
     "hoopgen/study/questions",
     "hoopgen/study/recovery",
     "hoopgen/study/statistics",
+    "hoopgen/study/tables",
     "hoopgen/text",
     "hoopgen/viewer",
 )

@@ -83,7 +83,20 @@ class ChunkStore:
         return pa.ipc.open_stream(pa.py_buffer(stream)).read_all()
 
     def write(self, chunk: int, table: pa.Table) -> None:
-        """Keep a chunk; it is there wholly or not at all, whatever happens."""
+        """Keep a chunk; it is there wholly or not at all, whatever happens.
+
+        Parameters
+        ----------
+        chunk
+            The number of the chunk, from 0.
+        table
+            Its numbers, as the job computes them.
+
+        Raises
+        ------
+        OSError
+            If the file cannot be written, as on a full disk; then no part of it stays.
+        """
         sink = pa.BufferOutputStream()
         with pa.ipc.new_stream(sink, table.schema) as writer:
             writer.write_table(table)

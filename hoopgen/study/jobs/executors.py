@@ -120,7 +120,28 @@ def _credentials(address: str, scheme: str) -> dict[str, Any]:
 def make_workers(
     scheduler: str | None, threads: int | None, report: Callable[[str], None]
 ) -> contextlib.AbstractContextManager[Workers]:
-    """Return those who compute; arguments and errors as of `hoopgen.study.jobs.chunks.run`."""
+    """Return those who compute; arguments and errors as of `hoopgen.study.jobs.chunks.run`.
+
+    Parameters
+    ----------
+    scheduler
+        The address of a Dask scheduler, such as ``tcp://host:8786``; None for threads of this
+        process.
+    threads
+        The number of threads; None for one per processor. It must be None with a scheduler.
+    report
+        A function that is called with each line that tells the user of the cluster's state.
+
+    Returns
+    -------
+    context manager
+        It yields the workers, and closes the connection to a cluster at its end.
+
+    Raises
+    ------
+    ValueError
+        If both are given, or one of them is not as described.
+    """
     check_workers(scheduler, threads)
     if scheduler is None:
         return contextlib.nullcontext(Workers(check_threads(threads), lambda task: task()))

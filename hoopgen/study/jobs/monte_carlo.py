@@ -1,21 +1,17 @@
-"""Shots in one setting or in two, counted in chunks up to a number or a precision."""
+"""Shots in one setting or in two, counted in chunks."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from contextlib import closing
 from dataclasses import dataclass, replace
-from math import ceil, sqrt
-from os import PathLike
 from typing import Any, TypeAlias
 
 import numpy as np
 import pyarrow as pa
 from numpy.typing import NDArray
 
-from hoopgen.core.memory import format_whole
 from hoopgen.core.parameters import ParameterValues
-from hoopgen.core.validation import BackendName, check_count
+from hoopgen.core.validation import BackendName
 from hoopgen.core.variables import STATE, Releases, is_state
 from hoopgen.engine.compiled_scene import CompiledScene
 from hoopgen.results.shots import Outcome, Shots
@@ -32,19 +28,17 @@ from hoopgen.study.models.resample import Resample
 from hoopgen.study.models.scatter import Scatter
 from hoopgen.study.models.scores import score_sums
 from hoopgen.study.statistics.distributions import counts_of
-from hoopgen.study.statistics.intervals import least_shots
 from hoopgen.study.statistics.sample import Rows, sampled_rows
 from hoopgen.study.statistics.tally import (
     Tally,
     blocks,
     check_scene,
-    check_share,
     fields_of,
     width_of,
 )
 from hoopgen.text.shorten import brief
 
-from .chunks import ShotsJob, run
+from .chunks import ShotsJob
 from .differences import difference_counts
 
 CHUNK = 1 << 17
@@ -52,9 +46,6 @@ CHUNK = 1 << 17
 
 SHOTS = 100_000
 """Without a precision."""
-
-MAX_SHOTS = 1_000_000_000
-"""Largest number of shots of an estimate that runs to a precision."""
 
 SettingLike: TypeAlias = ReleaseModel | tuple[ReleaseModel, ParameterValues]
 """A release model in the article's scene, or with parameters of its own."""
@@ -141,13 +132,40 @@ class MonteCarloJob(ShotsJob):
     def counted(
         self, chunk: int, start: int, stop: int, before: pa.Table | None = None
     ) -> pa.Table:
-        """Return the numbers of some shots, one row, and of those before them."""
+        """Return the numbers of some shots, one row, and of those before them.
+
+        Parameters
+        ----------
+        chunk
+            The number of the chunk, from 0; the numbers do not depend on it.
+        start, stop
+            The first shot to simulate and the one after the last.
+        before
+            The row of the chunk's earlier shots, which were stored; None if there are none.
+
+        Returns
+        -------
+        pyarrow.Table
+            One row with the column ``numbers``, a list of counts; see `numbers_of`.
+        """
         counts = [self.count(*block) for block in blocks(start, stop)]
         counts += [] if before is None else [numbers_of(before)]
         return pa.table({"numbers": pa.array([np.sum(counts, axis=0)], pa.list_(pa.int64()))})
 
     def count(self, start: int, stop: int) -> NDArray[np.int64]:
-        """Return the tally of each setting, and of two the pairs, of some shots."""
+        """Return the tally of each setting, and of two the pairs, of some shots.
+
+        Parameters
+        ----------
+        start, stop
+            The first shot and the one after the last.
+
+        Returns
+        -------
+        array of int64
+            The counts, one after the other: each setting's tally, the four of pairs, and those of
+            measures, scores and differences, where they are asked for.
+        """
         sampled = [self._simulate(setting, start, stop) for setting in self.settings]
         results = [shots for _, shots in sampled]
         rows = [Tally.from_shots(shots, 1).row()[0] for shots in results]
@@ -184,7 +202,20 @@ class MonteCarloJob(ShotsJob):
         return difference_counts(moved, setting.parameters[name], self.by, invalid)
 
     def rows(self, which: int, threads: int | None) -> Rows | None:
-        """Return the result of each measured release of a setting; None for another model."""
+        """Return the result of each measured release of a setting; None for another model.
+
+        Parameters
+        ----------
+        which
+            The number of the setting, 0 or 1.
+        threads
+            The number of threads; None for one per processor.
+
+        Returns
+        -------
+        Rows or None
+            One entry for each row of the measured releases, each simulated once.
+        """
         setting = self.settings[which]
         if not isinstance(setting.model, Resample):
             return None
@@ -228,7 +259,26 @@ def simulated(
     scene: Engine,
     measures: Sequence[str] = (),
 ) -> Shots:
-    """Simulate releases, as far as a tally and measures need it; the chunks have the threads."""
+    """Simulate releases, as far as a tally and measures need it; the chunks have the threads.
+
+    Parameters
+    ----------
+    releases
+        The states (n, 9) and parameters of the shots.
+    max_contacts
+        The number of contacts after which a shot is capped.
+    backend
+        The engine, ``"auto"``, ``"c"``, ``"numpy"`` …
+    scene
+        The scene that the shots are flown in.
+    measures
+        Names of measures whose fields are needed, too.
+
+    Returns
+    -------
+    Shots
+        Of n shots, with these fields alone.
+    """
     needed = {*fields_of(scene), *(field for name in measures for field in MEASURES[name].fields)}
     return simulate(
         releases.states,
@@ -241,58 +291,23 @@ def simulated(
     )
 
 
-@dataclass(frozen=True)
-class StoppingRule:
-    """The rule that sums chunks in their order until a precision is reached."""
-
-    precision: float | None
-    half_width: Callable[[NDArray[np.int64]], float]
-    progress: Progress | None
-
-    def total(
-        self,
-        work: MonteCarloJob,
-        folder: str | PathLike[str] | None,
-        scheduler: str | None,
-        threads: int | None,
-    ) -> NDArray[np.int64]:
-        """Return the sum of as many chunks as it takes."""
-        total = work.count(0, 1) * 0  # what is wrong shows before a folder is made
-        note = self.progress or (lambda done, of: None)
-        note(0, None if self.precision else work.chunks)
-        tables = run(work, folder, scheduler=scheduler, threads=threads)
-        with closing(tables):
-            for done, table in enumerate(tables, 1):
-                total += numbers_of(table)
-                needed = self._needed(done, total, work)
-                note(done, needed)
-                if done == needed:
-                    break
-        return total
-
-    def _needed(self, done: int, total: NDArray[np.int64], work: MonteCarloJob) -> int:
-        """Return the expected number of chunks."""
-        most = work.chunks
-        if self.precision is None:
-            return most
-        tallies = (tally_of(total, which, work.scene) for which in range(len(work.settings)))
-        if done == 1 and not all(tally.valid for tally in tallies):
-            raise ValueError(
-                f"model: none of the first {CHUNK:,} shots is valid, so no precision is reached: "
-                "they are not finite, start inside a surface, or have parameters out of range"
-            )
-        # The width falls with the square root of the shots.
-        half_width = self.half_width(total)
-        if half_width <= self.precision:
-            return min(most, done)
-        # More than all: the quotient of doubles may be larger than any.
-        if half_width >= self.precision * sqrt(most / done):
-            return most
-        return min(most, max(done + 1, ceil(done * (half_width / self.precision) ** 2)))
-
-
 def tally_of(total: NDArray[np.int64], which: int, scene: Engine) -> Tally:
-    """Return the tally of one setting."""
+    """Return the tally of one setting.
+
+    Parameters
+    ----------
+    total
+        Sums of the numbers of chunks, one tally of the scene's width after the other.
+    which
+        The number of the setting, 0 or 1.
+    scene
+        The scene, which decides how many numbers a tally has.
+
+    Returns
+    -------
+    Tally
+        The counts by outcome and kind of that setting.
+    """
     columns = width_of(scene)
     return Tally.read(total[which * columns : (which + 1) * columns], scene)
 
@@ -347,7 +362,25 @@ def check_states(model: Any, scene: Engine, over: Iterable[str] = ()) -> None:
 
 
 def outcome_by(scene: Engine, by: str | None) -> int:
-    """Return the outcome that counts: made, or in a scene of one's own an end, the first one."""
+    """Return the outcome that counts: made, or in a scene of one's own an end, the first one.
+
+    Parameters
+    ----------
+    scene
+        The scene that the shots are flown in.
+    by
+        The name of the end that counts; None for the first one, at a hoop a made shot.
+
+    Returns
+    -------
+    int
+        The code of the outcome, from 0.
+
+    Raises
+    ------
+    ValueError
+        If the scene has no end of this name, or none at all.
+    """
     ends: tuple[str, ...] = scene.kernels.ENDS
     if not ends:
         raise ValueError(f"by: the scene {scene.name} has no ends, so none can count")
@@ -356,40 +389,3 @@ def outcome_by(scene: Engine, by: str | None) -> int:
     if by not in ends:
         raise ValueError(f"by: expected {' or '.join(ends)}, got {brief(by)}")
     return ends.index(by)
-
-
-def most_shots(
-    shots: int | None, precision: float | None, level: float, *, paired: bool = False
-) -> int:
-    """Return the number of shots, or the most of them.
-
-    Parameters
-    ----------
-    shots
-        The number that the caller gave; None for the default.
-    precision
-        The half width of the interval that is asked for; None for a fixed number of shots.
-    level
-        The confidence of the interval.
-    paired
-        True if the answer is a difference of two settings with common random numbers.
-
-    Raises
-    ------
-    ValueError
-        If an argument is out of range, or the precision takes more shots than are simulated unless
-        `shots` says so.
-    """
-    if precision is not None:
-        check_share("precision", precision)
-    if shots is not None:
-        return check_count("shots", shots)
-    if precision is None:
-        return SHOTS
-    if (least := least_shots(precision, level, paired=paired)) > MAX_SHOTS:
-        raise ValueError(
-            f"precision: {precision} takes {format_whole(least)} shots at least, whatever "
-            "becomes of "
-            f"them, and at most {format_whole(MAX_SHOTS)} are simulated unless shots says so"
-        )
-    return MAX_SHOTS

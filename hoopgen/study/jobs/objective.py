@@ -227,7 +227,23 @@ class Player:
         return successes, sums
 
     def count_task(self, values: Mapping[str, float], start: int, stop: int, seed: int) -> pa.Table:
-        """Return the row of a table of what `tally` counts of shots `start` to `stop` - 1."""
+        """Return the row of a table of what `tally` counts of shots `start` to `stop` - 1.
+
+        Parameters
+        ----------
+        values
+            The variables that are searched over and their values, SI.
+        start, stop
+            The first shot and the one after the last.
+        seed
+            The seed of the random numbers.
+
+        Returns
+        -------
+        pyarrow.Table
+            One row: the numbers of shots that succeed and that are valid, and at a hoop those made
+            by each way in.
+        """
         one = self._scored(values, start, stop, seed)
         found = {"made": int(one.made.sum()), "valid": int(one.valid.sum())}
         found |= ways_of(one.made, one.kind) if self.scene.has_hoop else {}

@@ -18,11 +18,10 @@ from hoopgen.study.jobs.monte_carlo import (
     MonteCarloJob,
     Progress,
     SettingLike,
-    StoppingRule,
-    most_shots,
     outcome_by,
     setting_of,
 )
+from hoopgen.study.jobs.stopping import StoppingRule, most_shots
 from hoopgen.study.models.random import check_seed
 from hoopgen.study.models.release_model import is_still
 from hoopgen.study.models.resample import Resample

@@ -15,10 +15,9 @@ from hoopgen.simulation.engine import Engine
 from hoopgen.study.jobs.monte_carlo import (
     MonteCarloJob,
     Progress,
-    StoppingRule,
-    most_shots,
     setting_of,
 )
+from hoopgen.study.jobs.stopping import StoppingRule, most_shots
 from hoopgen.study.measures.measures import MEASURES, measures_of
 from hoopgen.study.measures.rebounds import CATCHING_HEIGHT, check_height
 from hoopgen.study.models.fitted_scatter import FittedScatter

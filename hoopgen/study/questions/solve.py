@@ -28,7 +28,6 @@ from hoopgen.simulation.engine import Engine
 from hoopgen.study.jobs.monte_carlo import (
     MonteCarloJob,
     Progress,
-    most_shots,
     numbers_of,
     outcome_by,
     scene_identity,
@@ -36,6 +35,7 @@ from hoopgen.study.jobs.monte_carlo import (
     tally_of,
 )
 from hoopgen.study.jobs.process_pool import TaskRunner, task_runner
+from hoopgen.study.jobs.stopping import most_shots
 from hoopgen.study.models.random import check_two_seeds
 from hoopgen.study.models.requirements import scaled
 from hoopgen.study.models.resample import Resample

@@ -61,7 +61,20 @@ class GroupCounts:
         self._counts: dict[str, NDArray[np.int64]] = {}
 
     def add(self, cells: pa.ChunkedArray, codes: NDArray[np.int64]) -> None:
-        """Count the shots of some rows."""
+        """Count the shots of some rows.
+
+        Parameters
+        ----------
+        cells
+            The column that groups the rows, (n,), of any type that has a text.
+        codes
+            The outcome of each row, (n,).
+
+        Raises
+        ------
+        ValueError
+            If cells of this type name no group, such as lists.
+        """
         if pa.types.is_dictionary(cells.type):
             cells = cells.cast(cells.type.value_type)
         try:
@@ -97,7 +110,20 @@ class GroupCounts:
 
 
 def groups_text(column: str, groups: Mapping[str, Group]) -> str:
-    """Return a table of groups as text."""
+    """Return a table of groups as text.
+
+    Parameters
+    ----------
+    column
+        The name of the column that groups the rows.
+    groups
+        The counts of each group, by its value in that column.
+
+    Returns
+    -------
+    str
+        A table with the shots by outcome, the share of the first outcome and its interval.
+    """
     names = [name for name in next(iter(groups.values())).shots if name] if groups else []
     there = [name for name in names if any(group.shots[name] for group in groups.values())]
     first = names[0] if names else ""

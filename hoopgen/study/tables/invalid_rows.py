@@ -40,7 +40,15 @@ class InvalidRows:
     causes: Counter[str] = field(default_factory=Counter)
 
     def add(self, numbers: Sequence[int], why: Sequence[str]) -> None:
-        """Note rows and their reasons."""
+        """Note rows and their reasons.
+
+        Parameters
+        ----------
+        numbers
+            The numbers of the rows in the table, from 1.
+        why
+            The reason of each, as `shot_reason` gives it.
+        """
         more = zip(numbers, why, strict=True)
         self.first += list(islice(more, max(0, SHOWN - len(self.first))))
         self.causes.update(map(cause, why))
@@ -126,7 +134,22 @@ def _cell(column: str, cell: Any) -> str:
 
 
 def shot_reason(releases: Releases, row: int, scene: CompiledScene) -> str:
-    """Return the reason why a shot is invalid although all of its cells are numbers."""
+    """Return the reason why a shot is invalid although all of its cells are numbers.
+
+    Parameters
+    ----------
+    releases
+        The releases of all rows, with their parameters.
+    row
+        The number of the invalid one among them, from 0.
+    scene
+        The scene that the shots were flown in.
+
+    Returns
+    -------
+    str
+        The cause in words, such as a speed that does not exist or a ball that starts inside a body.
+    """
     own = {
         name: np.float64(np.broadcast_to(value, len(releases))[row])
         for name, value in releases.parameters.items()

@@ -64,7 +64,20 @@ def text_columns(file: pq.ParquetFile) -> list[str]:
 
 
 def check_laid_out(batch: pa.RecordBatch, memory: int) -> None:
-    """Refuse rows that take more memory than allowed when each has its own text."""
+    """Refuse rows that take more memory than allowed when each has its own text.
+
+    Parameters
+    ----------
+    batch
+        Rows as they were read, in which a dictionary's text stands once.
+    memory
+        The largest number of bytes.
+
+    Raises
+    ------
+    ValueError
+        If they take more when each row has its own text; the message names the column.
+    """
     if batch.nbytes > memory:
         raise _too_large(None, batch.nbytes, memory)
     for name, column in zip(batch.schema.names, batch.columns, strict=True):
@@ -141,7 +154,20 @@ def _checked_batch(batch: pa.RecordBatch, schema: pa.Schema, memory: int) -> pa.
 
 @contextmanager
 def read_arrow(path: Path, memory: int) -> Opened:
-    """Yield the schema of an Arrow file or stream and its batches, as they were written."""
+    """Yield the schema of an Arrow file or stream and its batches, as they were written.
+
+    Parameters
+    ----------
+    path
+        The file.
+    memory
+        The largest number of bytes of a batch; Arrow's own reader does not need it.
+
+    Raises
+    ------
+    pyarrow.ArrowException
+        If it is neither.
+    """
     # No memory map: a file that becomes shorter while it is read would end the process.
     with pa.OSFile(str(path)) as file:
         if file.read(len(_ARROW_FILE)) != _ARROW_FILE:

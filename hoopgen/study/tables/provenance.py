@@ -132,7 +132,20 @@ def _check_made_in(table: Source, said: Mapping[str, Any], scene: CompiledScene)
 
 
 def names_hoop(table: Source, own: Iterable[str] = ()) -> bool:
-    """Return whether a file says all of the article's scene, in columns or in its metadata."""
+    """Return whether a file says all of the article's scene, in columns or in its metadata.
+
+    Parameters
+    ----------
+    table
+        The table, of which only the schema is read.
+    own
+        Columns of the user's that are named like parameters and are not read as such.
+
+    Returns
+    -------
+    bool
+        True if no parameter is left to a preset.
+    """
     left = set(own)
     said = {variable_of(name, HOOP)[0] for name in table.schema().names if name not in left}
     return said.issuperset(HOOP.table.defaults) or origin_of(table) is not None

@@ -210,7 +210,22 @@ class ArrowTable(Protocol):
 def sourced(
     source: str | os.PathLike[str] | ArrowTable, reading: ReadingOptions
 ) -> Iterator[Source]:
-    """Give a table to be read from a file, also one in memory."""
+    """Give a table to be read from a file, also one in memory.
+
+    Parameters
+    ----------
+    source
+        The name of a file, or a table in memory that has Arrow's C stream.
+    reading
+        The format, the columns, the rows and the memory that were asked for.
+
+    Raises
+    ------
+    TypeError
+        If it is neither.
+    ValueError
+        If a table in memory is given a format or a delimiter.
+    """
     if isinstance(source, str | os.PathLike):
         yield reading.source(Path(source))
         return

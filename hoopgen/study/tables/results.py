@@ -180,7 +180,22 @@ Sink: TypeAlias = Callable[[pa.Table], None]
 
 
 def check_sink(format: str, schema: pa.Schema, source: object) -> None:
-    """Raise an error for columns that a format cannot have, before the work if possible."""
+    """Raise an error for columns that a format cannot have, before the work if possible.
+
+    Parameters
+    ----------
+    format
+        The suffix of the file: ``".csv"``, ``".tsv"``, ``".parquet"``, ``".arrow"``.
+    schema
+        The names and types of the columns of results.
+    source
+        The table that is read, whose name the message has.
+
+    Raises
+    ------
+    ValueError
+        If a column has a type that text cannot hold, such as a list.
+    """
     if format in _DELIMITERS:
         with _refused(source, "CSV"):
             pa.csv.write_csv(_plain(schema).empty_table(), io.BytesIO())

@@ -165,7 +165,25 @@ class Source:
             return values(table, columns, self.comma, check=check)
 
     def labels(self, table: pa.Table, name: str) -> list[str | None]:
-        """Return a column of any type as text, None where a cell is empty."""
+        """Return a column of any type as text, None where a cell is empty.
+
+        Parameters
+        ----------
+        table
+            A part of the rows, as they were read.
+        name
+            The name of the column that names the groups.
+
+        Returns
+        -------
+        list of str or None
+            One text for each row.
+
+        Raises
+        ------
+        ValueError
+            If there is no such column.
+        """
         if name not in table.column_names:
             raise ValueError(
                 f"{self}: there is no column {brief(name)} of groups; there are "
@@ -223,7 +241,25 @@ class Source:
             return pa.schema([(name, types.get(name, pa.float64())) for name in schema.names])
 
     def cast(self, table: pa.Table, schema: pa.Schema) -> pa.Table:
-        """Return a part of the table with the types of `typed`; no number is null."""
+        """Return a part of the table with the types of `typed`; no number is null.
+
+        Parameters
+        ----------
+        table
+            A part of the rows; of CSV and .xlsx its cells are text.
+        schema
+            The names and types that `typed` gave.
+
+        Returns
+        -------
+        pyarrow.Table
+            The same rows; an empty cell of numbers is NaN.
+
+        Raises
+        ------
+        ValueError
+            If a cell is no number where one is needed; the message names the column and the row.
+        """
         if not self.is_text:
             return table
         with self._naming():

@@ -76,6 +76,20 @@ def likely_variable(column: str, kinds: Mapping[str, Kind], absent: Container[st
     """Return the variable that a column with a unit may be meant for, or nothing.
 
     That is less than `near_variable` asks for: ``side_angle_deg`` may be the azimuth.
+
+    Parameters
+    ----------
+    column
+        The name of the column, with a unit at its end.
+    kinds
+        The kind of quantity of each variable of the scene.
+    absent
+        Variables that no column is read as.
+
+    Returns
+    -------
+    str
+        The name of the variable; empty if none is meant.
     """
     if any(f"{_plain(column)}_".startswith(f"{measure}_") for measure in MEASURES):
         return ""
