@@ -34,7 +34,25 @@ def check(context: Context) -> None:
 
 
 def answer(context: Context, work: Workplace) -> Answer:
-    """Answer a question, its tables and figures written into the folder of the work."""
+    """Answer a question, its tables and figures written into the folder of the work.
+
+    Parameters
+    ----------
+    context
+        The question, and the study around it.
+    work
+        The folder for the answer's files and chunks, and the threads or the cluster that compute.
+
+    Returns
+    -------
+    Answer
+        A line, a text in Markdown and the numbers.
+
+    Raises
+    ------
+    ValueError
+        If the question cannot be asked; the message names the key.
+    """
     ask, tell = _KINDS[context.question.kind]
     place = (
         {"out": work.file("results.parquet")}

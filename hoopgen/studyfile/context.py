@@ -161,7 +161,17 @@ class Context:
         return identity
 
     def draw(self, work: Workplace, name: str, figure: Any) -> None:
-        """Write a figure in the formats wanted."""
+        """Write a figure in the formats wanted.
+
+        Parameters
+        ----------
+        work
+            The place of the answer's files.
+        name
+            The name of the file, without a suffix.
+        figure
+            A figure of matplotlib.
+        """
         for format in self.study.formats:
             plots.save(figure, work.file(f"{name}.{format}"))
 

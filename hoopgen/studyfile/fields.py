@@ -34,7 +34,20 @@ from .lines import Path
 
 
 def error_at(said: str, where: Path) -> InitErrorDetails:
-    """Return an error of a key below the table at hand."""
+    """Return an error of a key below the table at hand.
+
+    Parameters
+    ----------
+    said
+        The error in words, without the key.
+    where
+        The keys and positions that lead from the table at hand to the wrong value.
+
+    Returns
+    -------
+    InitErrorDetails
+        An error for `pydantic_core.ValidationError.from_exception_data`.
+    """
     error = PydanticCustomError("said", "{said}", {"said": said})
     return {"type": error, "loc": where, "input": None}
 

@@ -44,19 +44,47 @@ _LANDINGS = 200_000
 
 
 def ask_solve(context: Context, question: SolveQuestion, **work: Any) -> Solution:
-    """Find the factor times the scatter."""
+    """Find the factor times the scatter.
+
+    Arguments as for `ask_estimate`.
+    """
     return solve(context.setting.model(), **context.options, **work)
 
 
 def tell_solve(
     context: Context, question: SolveQuestion, found: Solution, work: Workplace
 ) -> Answer:
-    """Return the factor times the scatter."""
+    """Return the factor times the scatter.
+
+    Arguments as for `tell_estimate`.
+    """
     return Answer(found.line, fenced(found), in_units(found.as_dict(), context.engine))
 
 
 def ask_estimate(context: Context, question: EstimateQuestion, **work: Any) -> Estimate | Shares:
-    """Estimate how shots end, once the scene has what the figures show."""
+    """Estimate how shots end, once the scene has what the figures show.
+
+    Parameters
+    ----------
+    context
+        The study around the question, with its scene and the source of shots.
+    question
+        The question itself, as the study file has it.
+    **work
+        The keywords of the library's function that say who works, and where its chunks lie:
+        `threads`, `scheduler`, `progress` and `folder` (of a batch `out`).
+
+    Returns
+    -------
+    object
+        The result of the library's function.
+
+    Raises
+    ------
+    ValueError
+        If the question cannot be answered in this scene, or its figures need more memory than there
+        is.
+    """
     for name in {"landings", "rebounds"} & set(question.figures):
         check_hoop(name, context.engine)
     if "fan" in question.figures:
@@ -71,7 +99,24 @@ def ask_estimate(context: Context, question: EstimateQuestion, **work: Any) -> E
 def tell_estimate(
     context: Context, question: EstimateQuestion, found: Any, work: Workplace
 ) -> Answer:
-    """Return an estimate, and draw its figures."""
+    """Return an estimate, and draw its figures.
+
+    Parameters
+    ----------
+    context
+        The study around the question.
+    question
+        The question itself, which says what figures are wanted.
+    found
+        The result of the function that asked.
+    work
+        The place for the figures and tables of the answer.
+
+    Returns
+    -------
+    Answer
+        The answer in a line, in a text and in numbers, SI.
+    """
     work.keep(found.shots)
     figures = {name: _figure(context, question, name, found.shots) for name in question.figures}
     for name, figure in figures.items():
@@ -152,7 +197,10 @@ def _figure(context: Context, question: EstimateQuestion, name: str, shots: int)
 
 
 def ask_compare(context: Context, question: CompareQuestion, **work: Any) -> Comparison:
-    """Compare two settings."""
+    """Compare two settings.
+
+    Arguments as for `ask_estimate`.
+    """
     settings = context.setting, context.changed(question.versus)
     first, second = ((one.model(), one.parameters) for one in settings)
     return compare(first, second, scene=context.engine, **context.arguments, **work)
@@ -161,7 +209,10 @@ def ask_compare(context: Context, question: CompareQuestion, **work: Any) -> Com
 def tell_compare(
     context: Context, question: CompareQuestion, found: Comparison, work: Workplace
 ) -> Answer:
-    """Return a comparison."""
+    """Return a comparison.
+
+    Arguments as for `tell_estimate`.
+    """
     work.keep(found.first.shots)
     digits = percent_decimals(found.half_width)
     ends = f"{format_points(found.low, digits)} to {format_points(found.high, digits)}"
@@ -178,7 +229,10 @@ def tell_compare(
 
 
 def ask_batch(context: Context, question: BatchQuestion, **work: Any) -> Batch:
-    """Simulate the shots of a table."""
+    """Simulate the shots of a table.
+
+    Arguments as for `ask_estimate`.
+    """
     return batch(
         context.source.path,
         parameters=context.setting.parameters_of(context.source),
@@ -191,6 +245,9 @@ def ask_batch(context: Context, question: BatchQuestion, **work: Any) -> Batch:
 
 
 def tell_batch(context: Context, question: BatchQuestion, counts: Batch, work: Workplace) -> Answer:
-    """Return the outcomes of a table's shots, as in the table of results."""
+    """Return the outcomes of a table's shots, as in the table of results.
+
+    Arguments as for `tell_estimate`.
+    """
     text = ", ".join(f"{count:,} {name}" for name, count in counts.items() if count)
     return Answer(f"{format_count(sum(counts.values()), 'shot')}: {text or 'none'}", "", counts)

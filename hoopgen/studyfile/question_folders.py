@@ -61,7 +61,23 @@ def _question_folders(folder: Path) -> Iterator[Store]:
 def check_questions(
     folder: Path, identities: Mapping[str, Mapping[str, Any]], questions: Sequence[Context]
 ) -> None:
-    """Compare the questions in the folder with those of the study."""
+    """Compare the questions in the folder with those of the study.
+
+    Parameters
+    ----------
+    folder
+        The folder of a study, with one folder for each question.
+    identities
+        All that each answer depends on, by the name of the question.
+    questions
+        The questions of the study file.
+
+    Raises
+    ------
+    ValueError
+        If an answer in the folder is to another question of the same name, or to none of these; the
+        message names each difference.
+    """
     found = []
     contexts = {one.question.name: one for one in questions}
     for store in _question_folders(folder):
@@ -201,7 +217,22 @@ def _sync_files(store: Store) -> None:
 
 
 def write_file(store: Store, name: str, content: bytes) -> None:
-    """Write a file that hoopgen owns in a folder; an error says what is not lost."""
+    """Write a file that hoopgen owns in a folder; an error says what is not lost.
+
+    Parameters
+    ----------
+    store
+        The folder, which notes that the file is hoopgen's.
+    name
+        The name of the file in it.
+    content
+        All bytes of the file.
+
+    Raises
+    ------
+    OSError
+        If the file cannot be written; an earlier one of that name then stays whole.
+    """
     store.claim(name)
     with written(store.path / name, store.temporary()) as out:
         out.write(content)

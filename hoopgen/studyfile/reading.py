@@ -107,7 +107,22 @@ def _scene(document: Mapping[str, Any], text: str, file: Path) -> Engine:
 
 
 def complain(file: Path, text: str, found: Iterable[tuple[lines.Path, str]]) -> StudyError:
-    """Return the error that says what is wrong with keys, in the order of their lines."""
+    """Return the error that says what is wrong with keys, in the order of their lines.
+
+    Parameters
+    ----------
+    file
+        The study file, for the message.
+    text
+        Its content, in which the line of each key is looked for.
+    found
+        The path of each wrong key, and the words on what is wrong with it.
+
+    Returns
+    -------
+    StudyError
+        One line for each, with file, line and key.
+    """
     placed = sorted((lines.line_of(text, path), _key(path), said) for path, said in found)
     return StudyError(f"{file}:{line}: {key}: {said}" for line, key, said in placed)
 
@@ -154,7 +169,20 @@ def _error_text(wrong: Mapping[str, Any]) -> str:
 
 
 def scene_file(file: Path, document: Mapping[str, Any]) -> Path | None:
-    """Return the scene file that a study names, if it names one."""
+    """Return the scene file that a study names, if it names one.
+
+    Parameters
+    ----------
+    file
+        The study file, whose folder relative names begin at.
+    document
+        Its tables, as TOML gives them.
+
+    Returns
+    -------
+    Path or None
+        None if the scene is one of hoopgen's own, or none is named.
+    """
     named = named_by(document)
     return None if named is None or is_built_in(named) else file.parent / named
 
@@ -175,7 +203,17 @@ def data_files(study: StudyFile) -> Iterator[tuple[lines.Path, str]]:
 
 
 def read_files(file: Path, study: Given, document: Mapping[str, Any]) -> Iterator[Path]:
-    """Yield all files that a study reads."""
+    """Yield all files that a study reads.
+
+    Parameters
+    ----------
+    file
+        The study file, which is yielded first.
+    study
+        The study, whose tables name files of releases and shots.
+    document
+        The tables of the study file, as TOML gives them.
+    """
     yield file
     if isinstance(study, StudyFile):
         yield from (file.parent / name for _, name in data_files(study))

@@ -56,7 +56,27 @@ class ShotSource:
 
     @classmethod
     def from_tables(cls, given: Iterable[Given], folder: Path, engine: Engine) -> ShotSource:
-        """Return the source of shots of merged tables; each key replaces the earlier ones."""
+        """Return the source of shots of merged tables; each key replaces the earlier ones.
+
+        Parameters
+        ----------
+        given
+            The tables, the outermost first, such as those of the study and then of the question.
+        folder
+            The folder at which relative names of files begin.
+        engine
+            The scene of the study.
+
+        Returns
+        -------
+        ShotSource
+            Its release, scatter, measured releases and parameters, SI.
+
+        Raises
+        ------
+        ValueError
+            If keys contradict each other; the message names them.
+        """
         return reduce(ShotSource._changed, given, cls({}, {}, {}, {}, {}, None, folder, engine))
 
     def _changed(self, given: Given) -> ShotSource:
@@ -112,7 +132,7 @@ class ShotSource:
     def model(self, over: Iterable[str] = ()) -> Scatter | Resample:
         """Return the release model, without numbers that some variables take the place of."""
         if self.releases is None:
-            release = given_without(self.release, over)
+            release = _given_without(self.release, over)
             return (
                 Scatter(release, self.sd, self.correlation) if self.scatters else Scatter(release)
             )
@@ -125,10 +145,10 @@ class ShotSource:
             raise ValueError("releases.instrument: it is of fitted = true; leave it out, or both")
         if self.releases.fitted:
             fitted = self.fit(self.releases).model
-            return replace(fitted, release=given_without(fitted.release, over))
+            return replace(fitted, release=_given_without(fitted.release, over))
         groups, measured = self._groups(self.releases), self._measured(self.releases)
         alike = {name: value for name, value in measured.items() if not np.ndim(value)}
-        left = given_without(alike, over)
+        left = _given_without(alike, over)
         columns = {n: v for n, v in measured.items() if n not in alike or n in left}
         return Resample(columns, groups)
 
@@ -174,7 +194,7 @@ class ShotSource:
         passed = [name for name, one in said.items() if one in here or one not in kept]
         state = is_state(said.values())
         given = {
-            **({} if state else given_without(above, kept)),
+            **({} if state else _given_without(above, kept)),
             **{name: value for name, value in shared.items() if name in kept},
             **here,
         }
@@ -215,7 +235,25 @@ def _change(release: Mapping[str, float], changes: Mapping[str, Any]) -> dict[st
 
 
 def placed(release: Mapping[str, Any], parameters: Mapping[str, Any]) -> dict[str, Any]:
-    """Return variables with the distance and the angle of a place of the court that is named."""
+    """Return variables with the distance and the angle of a place of the court that is named.
+
+    Parameters
+    ----------
+    release
+        Variables of a release and their values, SI; ``place`` may be the name of a place.
+    parameters
+        Parameters of the scene, whose court has the places.
+
+    Returns
+    -------
+    dict
+        The variables by name; without ``place``.
+
+    Raises
+    ------
+    ValueError
+        If there is no such place, or distance, angle, x or y are given beside it.
+    """
     others = {name: value for name, value in release.items() if name != "place"}
     if "place" not in release:
         return others
@@ -224,8 +262,21 @@ def placed(release: Mapping[str, Any], parameters: Mapping[str, Any]) -> dict[st
     return {**others, **find_place(release["place"], parameters).variables}
 
 
-def given_without(release: Mapping[str, float], names: Iterable[str]) -> dict[str, float]:
-    """Return variables without some, and without what says the same as those in another way."""
+def _given_without(release: Mapping[str, float], names: Iterable[str]) -> dict[str, float]:
+    """Return variables without some, and without what says the same as those in another way.
+
+    Parameters
+    ----------
+    release
+        Variables and their values, SI.
+    names
+        The variables to leave out; of alternatives, such as aim and speed, the other goes, too.
+
+    Returns
+    -------
+    dict
+        The others, by name.
+    """
     names = tuple(names)
     left = _change(release, dict.fromkeys(names))
     return {name: value for name, value in left.items() if name not in names}

@@ -43,14 +43,20 @@ from .context import Answer, Context, Workplace, fenced
 
 
 def ask_map(context: Context, question: MapQuestion, **work: Any) -> xr.Dataset:
-    """Map a shot over some of its variables."""
+    """Map a shot over some of its variables.
+
+    Arguments as for `hoopgen.studyfile.monte_carlo_questions.ask_estimate`.
+    """
     return mapped(context.setting.model(question.over), **context.options, **work)
 
 
 def tell_map(
     context: Context, question: MapQuestion, dataset: xr.Dataset, work: Workplace
 ) -> Answer:
-    """Return the best cell, or the share of each outcome; keep the map."""
+    """Return the best cell, or the share of each outcome; keep the map.
+
+    Arguments as for `hoopgen.studyfile.monte_carlo_questions.tell_estimate`.
+    """
     write(work.file("map.nc"), bytes(dataset.to_netcdf(engine="scipy")))
     for name in question.figures:
         context.draw(work, name, plots.plot_map(dataset, title=context.question.title))
@@ -82,14 +88,20 @@ def _of_a_map(dataset: xr.Dataset) -> str:
 
 
 def ask_optimum(context: Context, question: OptimumQuestion, **work: Any) -> Optimum:
-    """Search the best release."""
+    """Search the best release.
+
+    Arguments as for `ask_map`.
+    """
     return optimum(context.setting.model(question.over), **context.options, **work)
 
 
 def tell_optimum(
     context: Context, question: OptimumQuestion, best: Optimum, work: Workplace
 ) -> Answer:
-    """Return the best release."""
+    """Return the best release.
+
+    Arguments as for `tell_map`.
+    """
     given = best.arguments
     if context.engine.has_hoop:
         there = format_launch(given)
@@ -136,7 +148,10 @@ class _Places:
 
 
 def ask_bank(context: Context, question: BankQuestion, **work: Any) -> xr.Dataset:
-    """Compare bank and direct shots, a chunk each place."""
+    """Compare bank and direct shots, a chunk each place.
+
+    Arguments as for `ask_map`.
+    """
     check_hoop("bank", context.engine)
     model = context.setting.model((*question.over, "distance", "angle", "x", "y"))
     places = tuple((x, y) for x, y in places_of(question.places).tolist())
@@ -152,7 +167,10 @@ def ask_bank(context: Context, question: BankQuestion, **work: Any) -> xr.Datase
 def tell_bank(
     context: Context, question: BankQuestion, dataset: xr.Dataset, work: Workplace
 ) -> Answer:
-    """Return from which places the bank shot is better; keep all numbers."""
+    """Return from which places the bank shot is better; keep all numbers.
+
+    Arguments as for `tell_map`.
+    """
     write(work.file("bank.nc"), bytes(dataset.to_netcdf(engine="scipy")))
     for name in question.figures:
         hoop, title = context.setting.parameters, context.question.title
@@ -197,7 +215,10 @@ def _wanted(context: Context) -> dict[str, Any]:
 
 
 def ask_aim(context: Context, question: AimQuestion, **work: Any) -> Mapping[str, Any]:
-    """Aim from each distance."""
+    """Aim from each distance.
+
+    Arguments as for `ask_map`.
+    """
     check_hoop("aim", context.engine)
     wanted, parameters = _wanted(context), context.setting.parameters
     return aim_table(
@@ -208,7 +229,10 @@ def ask_aim(context: Context, question: AimQuestion, **work: Any) -> Mapping[str
 def tell_aim(
     context: Context, question: AimQuestion, columns: Mapping[str, Any], work: Workplace
 ) -> Answer:
-    """Return a table of aim, and keep it."""
+    """Return a table of aim, and keep it.
+
+    Arguments as for `tell_map`.
+    """
     write_csv(work.file("table.csv"), columns, context.setting.parameters)
     rows = [
         [

@@ -41,6 +41,7 @@ WITH_PARAMETERS = (
     "hoopgen/study/recovery",
     "hoopgen/study/statistics",
     "hoopgen/study/tables",
+    "hoopgen/studyfile",
     "hoopgen/text",
     "hoopgen/viewer",
 )
