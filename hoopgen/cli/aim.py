@@ -25,10 +25,11 @@ from hoopgen.text.tables import table
 from .command import command
 from .messages import examples, shown
 from .options import UNITS_IN_WORDS, picture_option, scene_options, units_option, variable_option
+from .path_types import OUT
 from .place_option import place_option
 from .question_options import SettingOption, question_options
 from .scene_option import engine_of, scene_option
-from .types import OUT, Parsed, number_cell
+from .types import Parsed, number_cell
 
 if TYPE_CHECKING:
     import numpy as np

@@ -15,8 +15,8 @@ from hoopgen.text.numbers import format_count
 from .command import command
 from .messages import echo_lines, examples, shown
 from .options import table_options
+from .path_types import OUT
 from .question_options import check_caught, question_options
-from .types import OUT
 
 _COLUMNS = """\b
 Columns are named like variables, with the unit after them. A length or a speed without is SI, m or

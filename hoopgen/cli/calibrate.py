@@ -14,9 +14,10 @@ from hoopgen.study.questions.measured_specification import CalibrateQuestion
 from .command import command
 from .messages import echo_json, echo_lines, examples
 from .options import json_option, picture_option, preset_options
+from .path_types import FILE
 from .question_options import question_options
 from .scene_option import engine_of, parameters_of, scene_option
-from .types import DEVIATION, FILE, once
+from .types import DEVIATION, once
 
 _COLUMNS = """\b
 One row is a shot: its release, as for hoopgen batch, and what was seen of its end:

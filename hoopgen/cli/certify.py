@@ -18,6 +18,7 @@ from hoopgen.text.tables import table
 from .command import command
 from .messages import examples
 from .options import UNITS_IN_WORDS, argument_options, json_option, preset_options
+from .path_types import FILE
 from .question_options import setting_options
 from .scene_option import (
     NEEDED,
@@ -28,7 +29,7 @@ from .scene_option import (
     shot_needs,
 )
 from .shot_report import surface_name
-from .types import FILE, whole
+from .types import whole
 
 if TYPE_CHECKING:
     from hoopgen.judge import Proof

@@ -16,11 +16,11 @@ from hoopgen.study.questions.settings import TableSettings
 from .command import command
 from .messages import echo_json, echo_lines, examples
 from .options import json_option, picture_option, preset_options
+from .path_types import OUT
 from .place_option import PlaceName
 from .player_option import fitted_player, from_table
 from .question_options import question_options, setting_options
 from .scene_option import engine_of, parameters_of, scene_option
-from .types import OUT
 
 
 @command(

@@ -54,6 +54,8 @@ class Command(click.Command):
 
         What the options had begun, such as other units, is ended if one of them is refused: click
         itself ends it only after a command that was run.
+
+        Arguments as for `click.Command.parse_args`.
         """
         words = list(args)
         ctx.meta[ARGUMENTS] = words
@@ -123,7 +125,10 @@ class Command(click.Command):
         return rest if argument in _WITHOUT_OPTION else text
 
     def format_options(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
-        """Write the options, many of them in groups with headings."""
+        """Write the options, many of them in groups with headings.
+
+        Arguments as for `click.Command.format_options`.
+        """
         records: dict[str, list[tuple[str, str]]] = {heading: [] for heading in (*GROUPS, _OTHERS)}
         for param in self.get_params(ctx):
             record = param.get_help_record(ctx)
@@ -146,18 +151,42 @@ def command(name: str | None = None, **attributes: Any) -> Callable[[Callable[..
 
 
 def defer(ctx: click.Context, call: Callable[[click.Context], None]) -> None:
-    """Call a function when all options of a command are read, and none is missing."""
+    """Call a function when all options of a command are read, and none is missing.
+
+    Parameters
+    ----------
+    ctx
+        The context of the command.
+    call
+        A function of that context, such as one that checks options against each other.
+    """
     ctx.meta.setdefault(_DEFERRED, []).append(call)
 
 
 def note_input(ctx: click.Context | None, param: click.Parameter | None, path: Path) -> None:
-    """Note in the context that an option or argument names a file that is read."""
+    """Note in the context that an option or argument names a file that is read.
+
+    Parameters
+    ----------
+    ctx, param
+        The command's context and the option or argument; nothing is noted if one is None.
+    path
+        The file, which no option of the command may write over.
+    """
     if ctx is not None and param is not None:
         ctx.meta.setdefault(_READ, []).append((param, path))
 
 
 def note_output(ctx: click.Context | None, param: click.Parameter | None, path: Path) -> None:
-    """Note in the context that an option names a file that is written."""
+    """Note in the context that an option names a file that is written.
+
+    Parameters
+    ----------
+    ctx, param
+        The command's context and the option; nothing is noted if one is None.
+    path
+        The file, which is none of those that the command reads.
+    """
     if ctx is not None and param is not None:
         ctx.meta.setdefault(_WRITTEN, []).append((param, path))
 

@@ -21,9 +21,9 @@ from .options import (
     preset_options,
     units_option,
 )
+from .path_types import PICTURE
 from .question_options import question_options
 from .scene_option import engine_of, own_options, parameters_of, release_state, shot_needs
-from .types import PICTURE
 
 
 @command(

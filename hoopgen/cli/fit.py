@@ -13,9 +13,9 @@ from hoopgen.study.questions.measured_specification import FitQuestion
 from .command import command
 from .messages import echo_json, echo_lines, examples
 from .options import json_option, preset_options
+from .path_types import FILE, OUT
 from .question_options import question_options
 from .scene_option import engine_of, parameters_of, scene_option
-from .types import FILE, OUT
 
 _COLUMNS = """\b
 One row is a frame; the columns, with their units after them (SI without):

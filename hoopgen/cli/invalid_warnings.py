@@ -24,7 +24,21 @@ MAX_SHOTS = 1000
 def warn_invalid(
     model: Any, parameters: Mapping[str, Any], scene: Engine, invalid: int, total: int, seed: int
 ) -> None:
-    """Print on stderr why shots that a model draws with a seed are invalid, where some are."""
+    """Print on stderr why shots that a model draws with a seed are invalid, where some are.
+
+    Parameters
+    ----------
+    model
+        The release model of the shots.
+    parameters
+        Parameters of the scene, SI.
+    scene
+        The scene that they were flown in.
+    invalid, total
+        The numbers of invalid shots and of all; without invalid ones nothing is printed.
+    seed
+        The seed of the shots, of which the first are drawn again to find the causes.
+    """
     if invalid:
         released = model.draw(0, min(total, MAX_SHOTS), seed, parameters)
         shots = hoopgen.simulate(

@@ -23,9 +23,9 @@ from hoopgen.text.numbers import format_count, format_interval, format_percent
 from .command import command
 from .messages import examples, shown
 from .options import UNITS_IN_WORDS, picture_option, units_option
+from .path_types import MAP
 from .question_options import question_options
 from .release_options import Releasing, from_option, release_needs, release_options
-from .types import MAP
 
 if TYPE_CHECKING:
     import xarray as xr

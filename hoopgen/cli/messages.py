@@ -54,7 +54,15 @@ def examples(*lines: str) -> str:
 
 
 def echo_lines(text: str, *, err: bool = False) -> None:
-    """Print lines, some of which may be in the words of a file."""
+    """Print lines, some of which may be in the words of a file.
+
+    Parameters
+    ----------
+    text
+        The lines; characters that steer a terminal are printed as escapes.
+    err
+        True to print on stderr.
+    """
     for line in text.splitlines():
         click.echo(printable(line), err=err)
 

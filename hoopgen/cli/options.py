@@ -13,11 +13,12 @@ from hoopgen.hoop.presets import PRESETS
 from hoopgen.hoop.variables import VARIABLES
 from hoopgen.study.questions.settings import Parsing, TableSettings
 
+from .path_types import FILE, PICTURE
 from .place_option import place_option
 from .question_options import setting_options, together
 from .scene_option import NEEDED, engine_of, parameters_of, scene_option
 from .shot_files import reading_of, simulation_options
-from .types import ASSIGNMENT, FILE, PICTURE, SETTING, once, quantity
+from .types import ASSIGNMENT, SETTING, once, quantity
 
 Decorator = Callable[[Any], Any]
 

@@ -19,10 +19,10 @@ from hoopgen.text.tables import NO_BREAK, table
 
 from .command import command
 from .messages import examples, shown
+from .path_types import FOLDER
 from .question_options import setting_options
 from .scene_option import no_scene_option
 from .shot_report import event_table, story
-from .types import FOLDER
 
 if TYPE_CHECKING:
     from hoopgen.simulation.article import ArticleResult

@@ -28,7 +28,10 @@ class PlaceName(Type[str]):
     name = "NAME"
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> str:
-        """Return the name, once it is one of a place."""
+        """Return the name, once it is one of a place.
+
+        Arguments as for `click.ParamType.convert`.
+        """
         try:
             find_place(value)
         except ValueError as error:
@@ -38,7 +41,10 @@ class PlaceName(Type[str]):
     def shell_complete(
         self, ctx: click.Context, param: click.Parameter, incomplete: str
     ) -> list[CompletionItem]:
-        """Complete the name."""
+        """Complete the name.
+
+        Arguments as for `click.ParamType.shell_complete`.
+        """
         return [CompletionItem(name) for name in PLACES if name.startswith(incomplete.lower())]
 
 

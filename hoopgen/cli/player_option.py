@@ -7,7 +7,7 @@ from typing import Any
 
 import click
 
-from .types import FILE
+from .path_types import FILE
 
 from_table = click.option(
     "--from",
@@ -22,7 +22,29 @@ from_table = click.option(
 def fitted_player(
     file: Path, where: tuple[str, ...], parameters: Any, engine: Any
 ) -> tuple[Any, str]:
-    """Return the player fitted to a table, and how it was read."""
+    """Return the player fitted to a table, and how it was read.
+
+    Parameters
+    ----------
+    file
+        A table of measured releases: CSV, Parquet, Arrow or .xlsx.
+    where
+        Conditions such as ``player == Ann``, all of which a row has to meet.
+    parameters
+        Parameters of the scene, SI.
+    engine
+        The scene.
+
+    Returns
+    -------
+    tuple
+        What `Scatter.fit` gives, and lines that say how each column was read.
+
+    Raises
+    ------
+    ValueError
+        If the table cannot be read, or has too few rows to fit a player to.
+    """
     from hoopgen.study.models.scatter import Scatter
     from hoopgen.study.tables.reading import ReadingOptions
 

@@ -12,8 +12,8 @@ from hoopgen.text.escape import printable
 
 from .command import command
 from .messages import examples
+from .path_types import PAGE
 from .question_options import setting_options
-from .types import PAGE
 
 
 @command(

@@ -13,21 +13,9 @@ from hoopgen.study.questions import values
 from hoopgen.study.questions.settings import Setting, settings
 from hoopgen.study.questions.values import Value
 
+from .path_types import FOLDER, OUT
 from .scene_option import given
-from .types import (
-    ASSIGNMENT,
-    AXIS,
-    BOUNDS,
-    COLUMN,
-    FOLDER,
-    MEMORY,
-    OUT,
-    SCENE,
-    Choice,
-    Parsed,
-    once,
-    quantity,
-)
+from .types import ASSIGNMENT, AXIS, BOUNDS, COLUMN, MEMORY, SCENE, Choice, Parsed, once, quantity
 
 Decorator = Callable[[Any], Any]
 
@@ -99,7 +87,24 @@ def question_options(
 def setting_options(
     *specifications: Any, only: str = "", optional: Iterable[str] = (), **changes: Any
 ) -> Decorator:
-    """Return the options of settings, of each name the first; or `only` one."""
+    """Return the options of settings, of each name the first; or `only` one.
+
+    Parameters
+    ----------
+    *specifications
+        Specifications of questions, classes whose fields are settings.
+    only
+        The name of the only setting that is wanted; empty for all.
+    optional
+        Names of settings without a default that may be left out.
+    **changes
+        Defaults in place of those of the specification, by the name of the setting.
+
+    Returns
+    -------
+    decorator
+        It gives a command these options, in the order of the fields.
+    """
     options: dict[str, Decorator] = {}
     for specification in specifications:
         for name, _, setting, default in settings(specification):

@@ -25,6 +25,7 @@ from .options import (
     scene_options,
     variable_option,
 )
+from .path_types import FILE
 from .place_option import PLACE, place_option
 from .question_options import setting_options, together
 from .scene_option import (
@@ -36,7 +37,7 @@ from .scene_option import (
     state_is_given,
 )
 from .shot_files import READING, reading_of, simulation_options
-from .types import CORRELATION, DEVIATION, FILE, once
+from .types import CORRELATION, DEVIATION, once
 
 if TYPE_CHECKING:
     from hoopgen.simulation.engine import Engine
@@ -116,6 +117,24 @@ class Releasing:
 
         `changes` may hold variables and parameters of the scene. The components of a state that
         vary `over` some values are left out.
+
+        Parameters
+        ----------
+        changes
+            Variables and parameters of the scene in place of those of the options, SI.
+        over
+            Names of variables that a map or a search varies; components of a state among them are
+            left out of the model.
+
+        Returns
+        -------
+        tuple
+            The model, and the parameters of the scene by name.
+
+        Raises
+        ------
+        click.UsageError
+            If options contradict each other or one is missing.
         """
         from hoopgen.study.models.fitted_scatter import FittedScatters
         from hoopgen.study.models.resample import Resample
@@ -158,6 +177,31 @@ class Releasing:
         """Return this with the values of a file, its interpretation, and its invalid rows.
 
         The column `group` has the labels of the rows' groups.
+
+        Parameters
+        ----------
+        file
+            The table of measured releases.
+        reading
+            The format, columns and rows that the options ask for.
+        asked
+            `parameters` and `max_contacts`, as `simulation_options` gives them.
+        override
+            True if options may contradict the file.
+        group
+            The name of the column with the labels of the rows' groups; None for no groups.
+
+        Returns
+        -------
+        tuple
+            The values with those of the file, its interpretation, and its invalid rows.
+
+        Raises
+        ------
+        click.UsageError
+            If ``--scatter`` is given, too.
+        ValueError
+            If the table cannot be read as releases; the message names the column.
         """
         if self.sd:
             raise click.UsageError(

@@ -15,7 +15,8 @@ from hoopgen.hoop.variables import ALTERNATIVE_VARIABLES, ARGUMENTS
 from hoopgen.simulation.lookup import BUILT_IN, SUFFIX
 from hoopgen.text.shorten import brief
 
-from .types import COUNT, FILE, SCENE, Parsed, Type, once
+from .path_types import FILE
+from .types import COUNT, SCENE, Parsed, Type, once
 
 if TYPE_CHECKING:
     from hoopgen.engine.compiled_scene import CompiledScene
@@ -37,7 +38,10 @@ class SceneName(Type[str]):
     name = "|".join((*BUILT_IN, "FILE.toml"))
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
-        """Return the text, once it names a scene that there is."""
+        """Return the text, once it names a scene that there is.
+
+        Arguments as for `click.ParamType.convert`.
+        """
         from hoopgen.simulation.lookup import is_built_in
 
         try:
@@ -46,13 +50,19 @@ class SceneName(Type[str]):
             self.fail(str(error), param, ctx)
 
     def get_metavar(self, param: click.Parameter, ctx: click.Context | None = None) -> str:
-        """Show it as it is."""
+        """Show it as it is.
+
+        Arguments as for `click.ParamType.get_metavar`.
+        """
         return self.name
 
     def shell_complete(
         self, ctx: click.Context, param: click.Parameter, incomplete: str
     ) -> list[CompletionItem]:
-        """Complete the names of scenes, and scene files with the folders on the way to them."""
+        """Complete the names of scenes, and scene files with the folders on the way to them.
+
+        Arguments as for `click.ParamType.shell_complete`.
+        """
         found = [CompletionItem(name) for name in BUILT_IN if name.startswith(incomplete)]
         folder, _, begun = incomplete.rpartition("/")
         there = Path(folder or ("/" if incomplete.startswith("/") else ".")).expanduser()
@@ -238,7 +248,27 @@ def engine_of() -> Engine:
 def parameters_of(
     engine: CompiledScene, preset: str, settings: Mapping[str, float]
 ) -> Mapping[str, Any]:
-    """Return the parameters of a scene: those of a preset, or its usual ones, and what is set."""
+    """Return the parameters of a scene: those of a preset, or its usual ones, and what is set.
+
+    Parameters
+    ----------
+    engine
+        The scene.
+    preset
+        The name of a preset, of which a scene without presets takes none.
+    settings
+        Values of ``--set`` by name, SI.
+
+    Returns
+    -------
+    Mapping
+        Every parameter by name, SI.
+
+    Raises
+    ------
+    click.UsageError
+        If a preset is given for a scene that has none.
+    """
     presets = engine.presets
     if preset in presets:
         return presets[preset] | dict(settings)

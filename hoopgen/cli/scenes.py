@@ -14,9 +14,9 @@ from hoopgen.text.tables import table
 from .command import command
 from .messages import examples
 from .options import json_option
+from .path_types import OUT
 from .question_options import setting_options
 from .scene_option import SceneName, limit_option
-from .types import OUT
 
 
 @command(

@@ -30,10 +30,10 @@ from .options import (
     preset_options,
     units_option,
 )
+from .path_types import PAGE, PICTURE_OR_FILM
 from .question_options import setting_options
 from .scene_option import engine_of, own_options, parameters_of, release_state, shot_needs
 from .shot_report import event_table, surface_name
-from .types import PAGE, PICTURE_OR_FILM
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

@@ -28,6 +28,27 @@ def simulation_options(
 
     ``--set`` changes the scene of ``--preset``, or else that of the file. Where nobody names one,
     a line says which is assumed, for stderr when the work is done; else it is empty.
+
+    Parameters
+    ----------
+    engine
+        The scene of the command.
+    file
+        The table of shots, for messages.
+    reading
+        The format and the columns that the options ask for.
+
+    Returns
+    -------
+    tuple
+        The two keywords of the library's functions, and the line.
+
+    Raises
+    ------
+    click.UsageError
+        If an option says what a column of the table says.
+    OtherScene
+        If the file is of another scene.
     """
     from hoopgen.report.provenance import describe_scene
     from hoopgen.study.tables.provenance import OtherScene, names_hoop, origin_of

@@ -18,7 +18,20 @@ _MAX_LISTED_EVENTS = 3  # in a row on one surface, each with its own time
 
 
 def surface_name(index: int, surfaces: Sequence[str] = hoopgen.SURFACES) -> str:
-    """Name a surface of the event log; the plane after the last is the end."""
+    """Name a surface of the event log; the plane after the last is the end.
+
+    Parameters
+    ----------
+    index
+        The number of the surface in the event log, from 0.
+    surfaces
+        The names of the scene's surfaces, in order.
+
+    Returns
+    -------
+    str
+        The name of the surface, or "end".
+    """
     return surfaces[index] if index < len(surfaces) else "end"
 
 
@@ -46,7 +59,22 @@ def event_table(
     events: NDArray[Any],
     surfaces: Sequence[str] = hoopgen.SURFACES,
 ) -> str:
-    """Lay out a shot's events, the release first, with times in s."""
+    """Lay out a shot's events, the release first, with times in s.
+
+    Parameters
+    ----------
+    release
+        The state at release, (9,), SI.
+    events
+        The records of the shot's events, in order of time.
+    surfaces
+        The names of the scene's surfaces, in order.
+
+    Returns
+    -------
+    str
+        A row for each event, with positions and velocities in the units that are shown.
+    """
     unit, speed = display_unit("length"), display_unit("speed")
 
     def places(state: NDArray[np.float64]) -> list[str]:

@@ -17,9 +17,9 @@ from hoopgen.text.numbers import format_count
 from .command import command
 from .messages import OwnError, error_text, examples, is_expected, shown
 from .options import units_option
+from .path_types import FILE, FOLDER, PAGE
 from .question_options import setting_options
 from .scene_option import limit_option
-from .types import FILE, FOLDER, PAGE
 
 
 def _print_reference(ctx: click.Context, _: click.Parameter, wanted: bool) -> None:

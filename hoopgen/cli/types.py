@@ -1,10 +1,9 @@
-"""Types of options: values read from text, quantities, variables with their values, paths."""
+"""Types of options: values read from text, quantities, variables with their values."""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Mapping, Sequence
-from pathlib import Path
+from collections.abc import Callable, Iterable, Mapping
 from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
 import click
@@ -12,7 +11,6 @@ import numpy as np
 from click.shell_completion import CompletionItem
 from numpy.typing import NDArray
 
-from hoopgen.core.files import FILMS, MAPS, PAGES, PICTURES, check_folder, check_output
 from hoopgen.core.memory import even_values
 from hoopgen.core.units import Kind, parse_quantity
 from hoopgen.core.variables import STATE, Variable
@@ -22,8 +20,6 @@ from hoopgen.report.quantities import format_variable
 from hoopgen.scene.lookup import variables_of
 from hoopgen.study.questions.values import Quantity, Whole
 from hoopgen.text.shorten import brief
-
-from .command import note_input, note_output
 
 Value = TypeVar("Value")
 
@@ -58,7 +54,10 @@ class Parsed(Type[Value]):
     def convert(
         self, value: str | Value, param: click.Parameter | None, ctx: click.Context | None
     ) -> Value:
-        """Read the text; a default that is none already stands."""
+        """Read the text; a default that is none already stands.
+
+        Arguments as for `click.ParamType.convert`.
+        """
         if not isinstance(value, str):
             return value
         try:
@@ -67,39 +66,29 @@ class Parsed(Type[Value]):
             self.fail(str(error), param, ctx)
 
     def get_metavar(self, param: click.Parameter, ctx: click.Context | None = None) -> str:
-        """Return the text of the help."""
+        """Return the text of the help.
+
+        Arguments as for `click.ParamType.get_metavar`.
+        """
         return self.name
 
 
-class Checked(Type[Path]):
-    """A path that a function checks before any work, with a ValueError or OSError."""
-
-    def __init__(self, check: Callable[[Path], Path], path: click.Path) -> None:
-        self.check, self.path = check, path
-        self.name = path.name
-
-    def convert(
-        self, value: str | Path, param: click.Parameter | None, ctx: click.Context | None
-    ) -> Path:
-        """Return the path, if it can be written."""
-        try:
-            path = self.check(Path(str(self.path.convert(value, param, ctx))))
-        except OSError as error:
-            self.fail(f"{error.filename}: {error.strerror}", param, ctx)
-        except ValueError as error:
-            self.fail(str(error), param, ctx)
-        note_output(ctx, param, path)
-        return path
-
-
 def number_cell(name: str, value: float) -> str:
-    """Return the value of a variable for a table, without its unit; "-" for NaN."""
+    """Return the value of a variable for a table, without its unit; "-" for NaN.
+
+    Parameters
+    ----------
+    name
+        The name of a variable at a hoop.
+    value
+        Its value, SI; NaN where there is none.
+
+    Returns
+    -------
+    str
+        The number in the unit that is shown.
+    """
     return "-" if np.isnan(value) else format_variable(name, value, unit=False)
-
-
-def _ending(suffixes: Sequence[str]) -> Checked:
-    """Return the type of a file to be written whose name ends in one of these."""
-    return Checked(lambda path: check_output(path, suffixes), _Path(dir_okay=False, path_type=Path))
 
 
 def quantity(kind: Kind, name: str = "") -> Parsed[float]:
@@ -146,7 +135,10 @@ class OfScene(Parsed[Value]):
     def shell_complete(
         self, ctx: click.Context, param: click.Parameter, incomplete: str
     ) -> list[CompletionItem]:
-        """Complete the name of a variable, and the equals sign after it."""
+        """Complete the name of a variable, and the equals sign after it.
+
+        Arguments as for `click.ParamType.shell_complete`.
+        """
         scene = ctx.meta.get(SCENE)
         known = self.among(VARIABLES if scene is None else variables_of(scene))
         return [
@@ -158,7 +150,10 @@ class OfScene(Parsed[Value]):
     def convert(
         self, value: str | Value, param: click.Parameter | None, ctx: click.Context | None
     ) -> Value:
-        """Read the text."""
+        """Read the text.
+
+        Arguments as for `click.ParamType.convert`.
+        """
         scene = None if ctx is None else ctx.meta.get(SCENE)
         if scene is None or not isinstance(value, str):
             return super().convert(value, param, ctx)
@@ -237,12 +232,43 @@ def _correlation(text: str) -> tuple[tuple[str, str], float]:
 
 
 def whole(least: int = 1, most: int = 2**63 - 1) -> Parsed[int]:
-    """Return the type of a whole number from `least` to `most`; ``1e6`` is one, too."""
+    """Return the type of a whole number from `least` to `most`; ``1e6`` is one, too.
+
+    Parameters
+    ----------
+    least, most
+        The smallest and the largest number that is accepted; an error names them.
+
+    Returns
+    -------
+    Parsed
+        A type for `click.option`.
+    """
     return Parsed(Whole(least, most).parse, "COUNT")
 
 
 def once(ctx: click.Context, option: click.Parameter, given: Iterable[tuple[Any, Value]]) -> Any:
-    """Return the values of a repeated option by name; each name may be given once."""
+    """Return the values of a repeated option by name; each name may be given once.
+
+    Parameters
+    ----------
+    ctx
+        The context of the command.
+    option
+        The option, whose name an error has.
+    given
+        Names, or pairs of names, with their values.
+
+    Returns
+    -------
+    dict
+        The values by name, in the order in which they were given.
+
+    Raises
+    ------
+    click.BadParameter
+        If a name is given twice.
+    """
     values: dict[Any, Value] = {}
     for name, value in given:
         if name in values:
@@ -313,45 +339,3 @@ MEMORY = Parsed(_memory, "SIZE")
 
 COUNT = whole()
 """A whole number from 1, ``1e6`` too."""
-
-
-class _Path(click.Path):
-    """A path; one without a name would be the folder that the command is given in."""
-
-    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
-        """Return the path."""
-        if value == "":
-            self.fail("expected a name, got ''", param, ctx)
-        return super().convert(value, param, ctx)
-
-
-class _Input(_Path):
-    """A file to be read, which no option of the command writes."""
-
-    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
-        """Return the path."""
-        path = super().convert(value, param, ctx)
-        note_input(ctx, param, path)
-        return path
-
-
-FILE = _Input(exists=True, dir_okay=False, path_type=Path)
-"""A file to be read."""
-
-OUT = Checked(check_output, _Path(dir_okay=False, path_type=Path))
-"""A file to be written."""
-
-PICTURE = _ending(PICTURES)
-"""A picture to be written."""
-
-PICTURE_OR_FILM = _ending((*PICTURES, *FILMS))
-"""A picture to be written, or what it shows in motion."""
-
-PAGE = _ending(PAGES)
-"""A page to be written."""
-
-MAP = _ending(MAPS)
-"""A map to be written."""
-
-FOLDER = Checked(check_folder, _Path(file_okay=False, path_type=Path))
-"""A folder to be written."""

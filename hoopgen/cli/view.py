@@ -14,8 +14,9 @@ from hoopgen.text.escape import printable
 from .command import command
 from .messages import echo_lines, examples
 from .options import reading_options, table_options, units_option
+from .path_types import PAGE
 from .question_options import setting_options
-from .types import PAGE, whole
+from .types import whole
 
 
 @command(
