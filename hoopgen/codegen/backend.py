@@ -180,4 +180,17 @@ class Backend(Protocol):
         """Return the templates' variables for the kernels, by key."""
 
     def loop(self, lowered: LoweredScene, kernels: Mapping[str, Any]) -> Mapping[str, Any]:
-        """Return the templates' variables for the event loop, given the result of `kernels`."""
+        """Return the templates' variables for the event loop, given the result of `kernels`.
+
+        Parameters
+        ----------
+        lowered
+            The scene with the operations of its kernels and the variants of its event loop.
+        kernels
+            The variables that `kernels` returned for it.
+
+        Returns
+        -------
+        Mapping
+            The variables by name, beside those of the kernels.
+        """

@@ -84,5 +84,13 @@ class CSyntax(Formatter):
         return [head, *own] if len(own) == 1 and len(body) == 1 else [f"{head} {{", *own, "}"]
 
     def braces(self, head: str, body: tuple[Statement, ...]) -> list[str]:
-        """Return a head and its body, with braces around the body."""
+        """Return a head and its body, with braces around the body.
+
+        Parameters
+        ----------
+        head
+            The text before the opening brace; it may be empty.
+        body
+            The statements between the braces, which are indented.
+        """
         return [f"{head} {{".lstrip(), *self.body(body), "}"]

@@ -132,7 +132,20 @@ def _rest(operations: Sequence[Operation], invariant: Collection[int]) -> Iterat
 
 
 def needed_by(operations: Operations, wanted: Iterable[int]) -> list[int]:
-    """Return operations and all operations that they need, in order."""
+    """Return operations and all operations that they need, in order.
+
+    Parameters
+    ----------
+    operations
+        A program in order: an operation stands after its operands.
+    wanted
+        The numbers of the operations, from 0.
+
+    Returns
+    -------
+    list of int
+        Their numbers, in order.
+    """
     found = set(wanted)
     for k in reversed(range(len(operations.operations))):
         if k in found:

@@ -145,7 +145,20 @@ def render_studies() -> dict[str, str]:
 
 
 def render_target(lowered: LoweredScene, target: str) -> dict[str, str]:
-    """Return the files of one target: path below generated/, and text."""
+    """Return the files of one target: path below generated/, and text.
+
+    Parameters
+    ----------
+    lowered
+        The scene with the operations of its kernels and the variants of its event loop.
+    target
+        The name of the target: "c", "numpy", "js" or "cuda".
+
+    Raises
+    ------
+    KeyError
+        If there is no such target.
+    """
     backend, scene = BACKENDS[target], lowered.model.scene
     environment = _environment(backend)
     kernels = backend.kernels(lowered)

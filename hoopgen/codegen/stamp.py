@@ -41,7 +41,20 @@ def stamp_of(template: str, scene: Scene, derivation: str) -> Callable[[str], st
 
 
 def shared_stamp_of(template: str, scene: Scene) -> Callable[[str], str]:
-    """Return the stamp of a generated file that is the same for every scene."""
+    """Return the stamp of a generated file that is the same for every scene.
+
+    Parameters
+    ----------
+    template
+        The path of the template below templates/.
+    scene
+        The scene that is generated; those of hoopgen itself name `make generate`.
+
+    Returns
+    -------
+    function
+        It takes the indentation of the lines after the first, and returns the stamp.
+    """
     source = f"templates/{template}, the same for every scene, with"
     tool = f"Jinja2 {version('jinja2')}."
     if scene in SCENES:

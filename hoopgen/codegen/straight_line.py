@@ -29,7 +29,15 @@ class PrintedBody:
 
 
 def print_body(body: Body, formatter: Formatter) -> PrintedBody:
-    """Return the text of a body."""
+    """Return the text of a body.
+
+    Parameters
+    ----------
+    body
+        Statements and outputs.
+    formatter
+        The formatter of the target's language.
+    """
     outputs = [formatter.expression(output) for output in body.outputs]
     return PrintedBody(formatter.lines(body.statements), outputs, body.rows)
 
@@ -44,6 +52,17 @@ def straight_line(
 
     What is used once is written inside its user; `number` says how numbers are, if not as they are.
     Names are numbered in order, or have the number that `numbers` gives each operation.
+
+    Parameters
+    ----------
+    program
+        The operations of a kernel, in order.
+    spelling
+        How the target writes operations, and the types of its variables.
+    number
+        A function that gives the expression of a number; None for literals.
+    numbers
+        The number in the name of each operation's variable; empty for 0, 1, 2 …
     """
     named = program.named()
     values: list[Expression] = []

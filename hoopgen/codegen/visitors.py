@@ -150,7 +150,15 @@ def writes(statements: Iterable[Statement]) -> set[str]:
 
 
 def live_before(statements: Sequence[Statement], after: Iterable[str] = ()) -> set[str]:
-    """Return the variables whose values are needed before statements, given those needed after."""
+    """Return the variables whose values are needed before statements, given those needed after.
+
+    Parameters
+    ----------
+    statements
+        The statements, in order.
+    after
+        The variables that are read afterwards.
+    """
     live = set(after)
     for statement in reversed(statements):
         if not bodies(statement):

@@ -25,6 +25,7 @@ WITH_SENTENCES = tuple(path for path in EVERYWHERE if path != "benchmarks")
 
 WITH_PARAMETERS = (
     "hoopgen/cli",
+    "hoopgen/codegen",
     "hoopgen/core",
     "hoopgen/engine",
     "hoopgen/hoop",

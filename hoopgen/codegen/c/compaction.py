@@ -58,14 +58,14 @@ class Insertion:
         return visitors.reads(self.statements)
 
 
-def within(inserted: Insertion | None, start: int, end: int) -> Insertion | None:
+def _within(inserted: Insertion | None, start: int, end: int) -> Insertion | None:
     """Return the insertion for a run of the nodes, if it belongs there."""
     if inserted is None or not start <= inserted.index <= end:
         return None
     return replace(inserted, index=inserted.index - start)
 
 
-def written_within(
+def _written_within(
     node: ir.If, nodes: Iterable[Node], columns: Set[str], shared: Set[str]
 ) -> dict[str, bool]:
     """Return the columns that one guarded body alone writes of those nodes, which are stored there.
@@ -117,13 +117,30 @@ class CompactedLoop(TurnLoop):
         after: set[str],
         inserted: Insertion | None = None,
     ) -> Statements:
-        """Return the statements of nodes for all shots of a list, given what is needed after."""
+        """Return the statements of nodes for all shots of a list, given what is needed after.
+
+        Parameters
+        ----------
+        nodes
+            The nodes, in order.
+        frame
+            The variables of the list at hand, and the columns in which they lie.
+        after
+            The variables that are read after the nodes; no other one is stored.
+        inserted
+            Statements to put before one of the nodes; None for none.
+
+        Returns
+        -------
+        list of Statement
+            Passes over the list's lanes, one for each run of nodes between two lists.
+        """
         start, found = 0, Statements()
         for index, node in enumerate(nodes):
             if isinstance(node, ir.Call) or not self._listed(node):
                 continue
             later = live_before(nodes[index + 1 :], after)
-            before, own = within(inserted, start, index), Statements()
+            before, own = _within(inserted, start, index), Statements()
             if isinstance(node, ir.ForEach):
                 if start < index or before:
                     needed = live_before(nodes[index:], after)
@@ -136,7 +153,7 @@ class CompactedLoop(TurnLoop):
             found.append(Block(tuple(own), flush=True))
             start = index + 1
         if start < len(nodes):
-            last = within(inserted, start, len(nodes))
+            last = _within(inserted, start, len(nodes))
             self._pass(found, nodes[start:], frame, after, None, last)
         return found
 
@@ -185,6 +202,13 @@ class CompactedLoop(TurnLoop):
     ) -> tuple[Statements, dict[str, Expression], dict[str, Expression]]:
         """Return a table.
 
+        Parameters
+        ----------
+        node
+            The loop over surfaces of one kind.
+        row
+            The name of the variable that counts its rows.
+
         Returns
         -------
         tuple
@@ -218,7 +242,10 @@ class CompactedLoop(TurnLoop):
         return Choose(Name("varying"), numbered_column(self.frame.prefix, number), shared)
 
     def row(self, node: ir.ForEach, mask: str) -> tuple[Around, dict[str, Expression]]:
-        """Return the same for the rows of lanes of a pass, and the values of the row at hand."""
+        """Return the same for the rows of lanes of a pass, and the values of the row at hand.
+
+        Arguments as for `hoopgen.codegen.c.masked_loop.MaskedLoop.row`.
+        """
         row = self.fresh("k")
         if node.groups is None:
             made, bases, numbers = self.table(node, row)
@@ -310,10 +337,13 @@ class CompactedLoop(TurnLoop):
     def _set_inner(self, nodes: Sequence[Node], columns: set[str], shared: set[str]) -> None:
         """Note which columns the guarded bodies of a pass store, and which they load."""
         guards = [node for node in nodes if isinstance(node, ir.If) and not self.cheap(node)]
-        self.inner = {id(node): written_within(node, nodes, columns, shared) for node in guards}
+        self.inner = {id(node): _written_within(node, nodes, columns, shared) for node in guards}
 
     def beside_body(self, node: ir.If, known: dict[str, Kind]) -> tuple[Statements, Statements]:
-        """Load and store what the body alone writes."""
+        """Load and store what the body alone writes.
+
+        Arguments as for `hoopgen.codegen.c.masked_loop.MaskedLoop.beside_body`.
+        """
         begin, finish = Statements(), Statements()
         for name, loaded in self.inner.get(id(node), {}).items():
             kind = self.frame.known[name]

@@ -89,7 +89,10 @@ class GroupedLoop(MaskedLoop):
     def table(
         self, node: ir.ForEach, row: str
     ) -> tuple[Statements, dict[str, Expression], dict[str, Expression]]:
-        """Return a table; and what is of the row at hand: arrays, and numbers."""
+        """Return a table; and what is of the row at hand: arrays, and numbers.
+
+        Arguments as for `hoopgen.codegen.c.compaction.CompactedLoop.table`.
+        """
         raise NotImplementedError
 
     def _boxes(

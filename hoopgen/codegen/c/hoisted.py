@@ -75,7 +75,20 @@ class Hoisted:
     )
 
     def given(self, node: ir.Call, given: Sequence[Expression]) -> list[Expression]:
-        """Return the arguments of the rest of a kernel, given those of the whole kernel."""
+        """Return the arguments of the rest of a kernel, given those of the whole kernel.
+
+        Parameters
+        ----------
+        node
+            The call of the kernel.
+        given
+            The expressions of all of the kernel's arguments, in calling order.
+
+        Returns
+        -------
+        list of Expression
+            Those that the rest still needs, then the loop invariant results.
+        """
         own = self.evaluations.get(node.kernel.name)
         if own is None:
             return list(given)

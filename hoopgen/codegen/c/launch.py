@@ -34,7 +34,15 @@ class LaunchLoop(MaskedLoop):
         return super()._guarded(node, known, mask, later)
 
     def entering(self, mask: str, truth: str) -> Expression:
-        """Return the lanes that enter a guarded body, of all lanes if there is no mask."""
+        """Return the lanes that enter a guarded body, of all lanes if there is no mask.
+
+        Parameters
+        ----------
+        mask
+            The name of the mask; empty for all lanes.
+        truth
+            The name of the condition of the body.
+        """
         return super().entering(mask, truth) if mask else Name(truth)
 
     def launch(

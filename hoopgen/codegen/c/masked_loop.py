@@ -82,6 +82,24 @@ class MaskedLoop(Lowering):
         """Return the statements of nodes for the lanes of a mask; `known` gets what they declare.
 
         What they assign of `outer` is selected by the mask.
+
+        Parameters
+        ----------
+        nodes
+            The nodes, in order.
+        known
+            The kinds of the variables that are declared so far, by name.
+        outer
+            The variables that are declared outside of this body.
+        mask
+            The name of the mask of the lanes that take part.
+        after
+            The variables that are read after the nodes.
+
+        Returns
+        -------
+        list of Statement
+            The statements of the nodes, in order.
         """
         found: Statements = []
         for index, node in enumerate(nodes):
@@ -116,11 +134,32 @@ class MaskedLoop(Lowering):
         return [asked, If(enters, tuple(body))]
 
     def entering(self, mask: str, truth: str) -> Expression:
-        """Return the lanes of a mask that enter a guarded body."""
+        """Return the lanes of a mask that enter a guarded body.
+
+        Parameters
+        ----------
+        mask
+            The name of the mask around the body.
+        truth
+            The name of the condition of the body.
+        """
         return both(Name(mask), Name(truth))
 
     def beside_body(self, node: ir.If, known: dict[str, Kind]) -> tuple[Statements, Statements]:
-        """Return the statements at the begin and at the end of a guarded body."""
+        """Return the statements at the begin and at the end of a guarded body.
+
+        Parameters
+        ----------
+        node
+            The guard, whose body is meant.
+        known
+            The kinds of the variables that are declared so far; those that are loaded join them.
+
+        Returns
+        -------
+        tuple
+            The statements before the body, and those after it.
+        """
         return [], []
 
     def _each(
@@ -142,7 +181,21 @@ class MaskedLoop(Lowering):
         return [Block(tuple(around([*own, *body])))]
 
     def row(self, node: ir.ForEach, mask: str) -> tuple[Around, dict[str, Expression]]:
-        """Return the wrapper of a loop over the rows of a table, and the values of a row."""
+        """Return the wrapper of a loop over the rows of a table, and the values of a row.
+
+        Parameters
+        ----------
+        node
+            The loop over surfaces of one kind.
+        mask
+            The name of the mask of the lanes that take part.
+
+        Returns
+        -------
+        tuple
+            A function that puts statements into the loop, and the expressions of the row's numbers
+            and names, by variable.
+        """
         raise NotImplementedError
 
     def _call(

@@ -69,7 +69,13 @@ ZERO, ONE = Number(0.0), Number(1.0)
 
 
 def both(one: Expression, other: Expression) -> Operate:
-    """Return the lanes that two masks have in common."""
+    """Return the lanes that two masks have in common.
+
+    Parameters
+    ----------
+    one, other
+        Masks.
+    """
     return Operate("both", (one, other))
 
 
@@ -79,12 +85,26 @@ def complement(mask: Expression) -> Operate:
 
 
 def less(one: Expression, other: Expression) -> Operate:
-    """Return the lanes in which one value is less than another."""
+    """Return the lanes in which one value is less than another.
+
+    Parameters
+    ----------
+    one, other
+        Lanes of doubles; a NaN is in no lane less.
+    """
     return Operate("less", (one, other))
 
 
 def select(mask: Expression, then: Expression, other: Expression) -> Operate:
-    """Return one value in the lanes of a mask, and another elsewhere."""
+    """Return one value in the lanes of a mask, and another elsewhere.
+
+    Parameters
+    ----------
+    mask
+        The lanes that take the first value.
+    then, other
+        Lanes of doubles.
+    """
     return Operate("select", (mask, then, other))
 
 
@@ -104,7 +124,15 @@ def seldom(asked: str) -> Apply:
 
 
 def offset(array: Expression, index: Expression) -> Infix:
-    """Return an array from an index on."""
+    """Return an array from an index on.
+
+    Parameters
+    ----------
+    array
+        A pointer to doubles or singles.
+    index
+        The number of elements to skip.
+    """
     return Infix("+", array, index)
 
 
@@ -114,17 +142,46 @@ def is_parameter(name: str) -> bool:
 
 
 def column_of(prefix: str, name: str) -> str:
-    """Return the name of the column of a variable in the list of a prefix."""
+    """Return the name of the column of a variable in the list of a prefix.
+
+    Parameters
+    ----------
+    prefix
+        The text before the fields of the list, such as ``worklist->``.
+    name
+        The name of the variable, or of a parameter.
+
+    Returns
+    -------
+    str
+        An expression of C, which is an array.
+    """
     return f"{prefix}parameters.{name}" if is_parameter(name) else f"{prefix}{name}"
 
 
 def numbered_column(prefix: str, number: Expression) -> Expression:
-    """Return the column of a parameter in the list of a prefix, by the parameter's number."""
+    """Return the column of a parameter in the list of a prefix, by the parameter's number.
+
+    Parameters
+    ----------
+    prefix
+        As for `column_of`.
+    number
+        The number of the parameter in calling order.
+    """
     return Item(Column(f"{prefix}parameters.columns"), number)
 
 
 def at(column: str, index: str) -> Infix:
-    """Return a column from an index on."""
+    """Return a column from an index on.
+
+    Parameters
+    ----------
+    column
+        The expression of the column, as `column_of` gives it.
+    index
+        The name of the variable that holds the index.
+    """
     return offset(Column(column), Name(index))
 
 
@@ -146,28 +203,78 @@ def _loaded(kind: Kind, value: Expression) -> Expression:
 
 
 def load(kind: Kind, place: Expression) -> Expression:
-    """Return the lanes of a column from a place on."""
+    """Return the lanes of a column from a place on.
+
+    Parameters
+    ----------
+    kind
+        The kind of the variable: "double", "single" or "truth", which is stored as a double.
+    place
+        The address of the first lane.
+    """
     return _loaded(kind, Apply(f"{_PREFIX[kind]}_load", (place,)))
 
 
 def expand(kind: Kind, place: Expression, mask: Expression, old: Expression) -> Expression:
-    """Return old values, the lanes of a mask from a place of a column on."""
+    """Return old values, the lanes of a mask from a place of a column on.
+
+    Parameters
+    ----------
+    kind
+        As for `load`.
+    place
+        The address of the first element; the elements are taken without gaps.
+    mask
+        The lanes that take one.
+    old
+        The value of the other lanes.
+    """
     given = (place, mask, _stored(kind, old))
     return _loaded(kind, Apply(f"{_PREFIX[kind]}_expand", given))
 
 
 def store(kind: Kind, place: Expression, value: Expression) -> Statement:
-    """Store lanes in a column from a place on."""
+    """Store lanes in a column from a place on.
+
+    Parameters
+    ----------
+    kind
+        As for `load`.
+    place
+        The address of the first lane.
+    value
+        The lanes.
+    """
     return Execute(Apply(f"{_PREFIX[kind]}_store", (place, _stored(kind, value))))
 
 
 def pack(kind: Kind, place: Expression, mask: Expression, value: Expression) -> Statement:
-    """Store the lanes of a mask one behind the other, from a place of a column on."""
+    """Store the lanes of a mask one behind the other, from a place of a column on.
+
+    Parameters
+    ----------
+    kind
+        As for `load`.
+    place
+        The address of the first element; a whole vector from there on may be written.
+    mask
+        The lanes that are stored.
+    value
+        The lanes.
+    """
     return Execute(Apply(f"{_PREFIX[kind]}_pack", (place, mask, _stored(kind, value))))
 
 
 def zeros(kind: Kind, place: Expression) -> Statement:
-    """Store zeros in a column from a place on."""
+    """Store zeros in a column from a place on.
+
+    Parameters
+    ----------
+    kind
+        As for `load`.
+    place
+        The address of the first lane.
+    """
     single = kind == "single"
     return Execute(Apply(f"{_PREFIX[kind]}_store", (place, Number(0.0, single))))
 
@@ -178,7 +285,17 @@ def nothing(kind: Kind) -> Expression:
 
 
 def choose(kind: Kind, mask: Expression, then: Expression, other: Expression) -> Expression:
-    """Return the value of a variable that takes a new value in some lanes."""
+    """Return the value of a variable that takes a new value in some lanes.
+
+    Parameters
+    ----------
+    kind
+        As for `load`.
+    mask
+        The lanes that take the new value.
+    then, other
+        The new value and the old one, of that kind.
+    """
     if kind == "truth":
         return Apply("lanes_choose", (mask, then, other))
     own = Apply("singles_of", (mask,)) if kind == "single" else mask

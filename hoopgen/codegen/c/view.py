@@ -171,7 +171,24 @@ def loop_view(
     options: Options,
     hoisted: Hoisted,
 ) -> CVariant:
-    """Return a variant of the event loop in C; its loop invariant results join those `hoisted`."""
+    """Return a variant of the event loop in C; its loop invariant results join those `hoisted`.
+
+    Parameters
+    ----------
+    lowered
+        The scene with the operations of its kernels.
+    variant
+        The event loop with bounds on errors or without, and its stages.
+    options
+        The thresholds by which C chooses between ways of writing the same.
+    hoisted
+        The loop invariant results so far, of all variants; it is changed.
+
+    Returns
+    -------
+    CVariant
+        The statements of each stage, and the fields of the lists.
+    """
     loop, stages = variant.loop, variant.stages
     common: dict[str, Any] = {
         "prefix": lowered.prefix,

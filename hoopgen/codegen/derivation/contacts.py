@@ -210,7 +210,20 @@ def _friction(ball: Ball, notation: SceneNotation) -> FrictionText:
 
 
 def contact_text(scene: Scene, notation: SceneNotation) -> ContactText:
-    """Return the contacts of a scene for the page."""
+    """Return the contacts of a scene for the page.
+
+    Parameters
+    ----------
+    scene
+        The scene, whose bodies have the laws.
+    notation
+        The letters of its parameters.
+
+    Returns
+    -------
+    ContactText
+        The law of each body, and each law once as mathematics.
+    """
     kinds: Iterable[type[Law]] = {type(law) for law in scene.laws}
     return ContactText(
         show(scene.inertia, None, notation),

@@ -262,7 +262,17 @@ def _used(where: list[_Named], written: Iterable[sp.Basic]) -> list[_Named]:
 def plainly(
     outputs: Outputs, given: Names | None = None, notation: SceneNotation | None = None
 ) -> Formulas:
-    """Return the outputs as equations in which only the names that the reader knows are held."""
+    """Return the outputs as equations in which only the names that the reader knows are held.
+
+    Parameters
+    ----------
+    outputs
+        Expressions by the LaTeX of their left sides.
+    given
+        The LaTeX of expressions that the reader knows; they are not written out.
+    notation
+        The letters of the parameters; None for words.
+    """
     known = dict(given or {})
     symbols = {e: sp.Symbol(f"known{k}", real=True) for k, e in enumerate(known)}
     printer = Printer(

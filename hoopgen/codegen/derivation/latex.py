@@ -206,5 +206,15 @@ def show(
     names: Names | None = None,
     notation: SceneNotation | None = None,
 ) -> str:
-    """Return the LaTeX of an expression with nothing held."""
+    """Return the LaTeX of an expression with nothing held.
+
+    Parameters
+    ----------
+    expression
+        A SymPy expression or matrix; barriers in it are left out.
+    names
+        The LaTeX of some of its parts, which stand for them; None for none.
+    notation
+        The letters of the parameters; None for words.
+    """
     return str(Printer(names or {}, notation or SceneNotation()).doprint(release(expression)))

@@ -103,7 +103,15 @@ class Abbreviations:
         return show(self(release(expression)), self.names, self.notation)
 
     def line(self, left: str, expression: sp.Expr) -> Line:
-        """Return an equation in abbreviations."""
+        """Return an equation in abbreviations.
+
+        Parameters
+        ----------
+        left
+            The LaTeX of the left side.
+        expression
+            The right side.
+        """
         return Line(left, (self.show(expression),), expression)
 
 
@@ -157,7 +165,22 @@ def _polynomial(
 
 
 def surface_text(surface: Surface, flight: Flight, brief: Abbreviations) -> SurfaceText:
-    """Return the text of a surface."""
+    """Return the text of a surface.
+
+    Parameters
+    ----------
+    surface
+        A surface of a body, or an end plane.
+    flight
+        The motion of the ball between contacts.
+    brief
+        The abbreviations of the page so far; new ones join them.
+
+    Returns
+    -------
+    SurfaceText
+        The condition of contact, its polynomial in time and, of a plane, the arrival.
+    """
     polynomials, inner, coefficients = _polynomial(surface, flight, brief)
     arrival = Formulas(())
     if isinstance(surface, Plane) and isinstance(flight, Parabola):
@@ -199,6 +222,20 @@ def search_text(alike: Sequence[Surface], flight: Flight, notation: SceneNotatio
     """Return the text of the search of a curved surface and of others of its kind.
 
     The series of a piece of a flight stand on the page once, not with each search.
+
+    Parameters
+    ----------
+    alike
+        Surfaces of one kind; the first one's formulas are shown.
+    flight
+        The motion of the ball between contacts.
+    notation
+        The letters of the scene's parameters.
+
+    Returns
+    -------
+    SearchText
+        The gap, its derivatives, their bounds and the steps of the search.
     """
     surface, *others = alike
     search: RootFinder = root_finder_for(surface, flight)

@@ -107,7 +107,15 @@ class ShotText:
 
 
 def decimal(value: sp.Expr, places: int = 4) -> str:
-    """Return a number rounded to so many decimals; never minus zero."""
+    """Return a number rounded to so many decimals; never minus zero.
+
+    Parameters
+    ----------
+    value
+        A number.
+    places
+        The number of decimals.
+    """
     text = f"{float(value):.{places}f}"
     return text.lstrip("-") if float(text) == 0 else text
 
@@ -148,7 +156,24 @@ class Arrival:
 
 
 def arrival(surface: Surface, flight: Parabola, numbers: Numbers, leaving: bool) -> Arrival:
-    """Return the arrival of a flight on a surface, from all roots of its polynomial."""
+    """Return the arrival of a flight on a surface, from all roots of its polynomial.
+
+    Parameters
+    ----------
+    surface
+        The surface that the ball comes to.
+    flight
+        The flight, a parabola.
+    numbers
+        The state and the parameters, SI, as exact numbers of SymPy.
+    leaving
+        True if the flight starts on this surface; the root 0 is then divided out.
+
+    Returns
+    -------
+    Arrival
+        The time, s, infinite without an arrival; and the polynomial.
+    """
     made = deflated_coefficients if leaving else event_coefficients
     coefficients = [_value(c, numbers) for c in made(surface, flight)]
     polynomial = sp.Poly(coefficients[::-1], time)
@@ -168,7 +193,22 @@ def _inside(surface: Surface, flight: Parabola, numbers: Numbers, at: sp.Expr) -
 
 
 def moved(flight: Parabola, numbers: Numbers, at: sp.Expr) -> dict[sp.Basic, sp.Expr]:
-    """Return the numbers after a flight of that duration."""
+    """Return the numbers after a flight of that duration.
+
+    Parameters
+    ----------
+    flight
+        The flight, a parabola.
+    numbers
+        The state at its start and the parameters, SI.
+    at
+        The duration, s.
+
+    Returns
+    -------
+    dict
+        The same with the state at its end.
+    """
     place, motion = flight.at()
     now = {**numbers, time: at}
     names = (*POSITION, *VELOCITY)

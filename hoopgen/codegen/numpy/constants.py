@@ -18,7 +18,22 @@ class Constants:
         self._names: dict[Expression, str] = {}
 
     def number(self, program: Operations, value: float, meets_rows: bool) -> Expression:
-        """Return a number of a program."""
+        """Return a number of a program.
+
+        Parameters
+        ----------
+        program
+            The program, in single or double precision.
+        value
+            The number.
+        meets_rows
+            True if an operation with rows to write into takes it, for which NumPy needs an array.
+
+        Returns
+        -------
+        Expression
+            The name of a constant of the module.
+        """
         single = [number_type(program.single)] if program.single else []
         return self.name(value, *["_scalar"] * meets_rows, *single)
 

@@ -69,7 +69,17 @@ class NumPyLoop(Lowering):
         count: str = "shots",
         depth: int = 0,
     ) -> Statements:
-        """Return the statements of nodes, given the names of what is known; these are changed."""
+        """Return the statements of nodes, given the names of what is known; these are changed.
+
+        Parameters
+        ----------
+        nodes, after
+            The nodes in order, and the variables that are read after them.
+        names
+            The name in NumPy of each variable that is known; it is changed.
+        count, depth
+            The name of the number of shots at hand, and the number of bodies around them.
+        """
         found: Statements = []
         if self._given_rows(nodes):
             found.append(_assign(_room(depth), "room", Name(count)))
@@ -378,5 +388,11 @@ def _room(depth: int) -> str:
 
 
 def local(name: str, depth: int) -> str:
-    """Return a variable as a name in a stage in NumPy, so many bodies deep."""
+    """Return a variable as a name in a stage in NumPy, so many bodies deep.
+
+    Parameters
+    ----------
+    name, depth
+        The variable, and the number of bodies around it, 0 in the stage itself.
+    """
     return f"_{name}_{depth}"

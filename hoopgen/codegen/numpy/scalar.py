@@ -65,6 +65,17 @@ class ScalarKernel:
         """Lower a body for a shot that needs it; return the name of the function.
 
         What is in single precision, a name of `short`, stays so.
+
+        Parameters
+        ----------
+        node
+            The guard or the repetition that owns the body.
+        takes
+            The variables that the body reads.
+        gives
+            The variables that it assigns and that are read afterwards.
+        short
+            The names of variables in single precision.
         """
         name = f"_alone{len(self.functions)}"
         given = [(_name(variable), "Any") for variable in takes]

@@ -31,7 +31,22 @@ SELECTING = ("max", "min", "select")
 
 
 def in_rows(program: Program, constants: Constants, least: int) -> Body | None:
-    """Return a kernel that writes into rows; None if it has fewer operations to put there."""
+    """Return a kernel that writes into rows; None if it has fewer operations to put there.
+
+    Parameters
+    ----------
+    program
+        The operations of the kernel.
+    constants
+        The constants of the module; new ones join them.
+    least
+        The smallest number of operations for which rows pay.
+
+    Returns
+    -------
+    Body or None
+        Its statements, and the number of rows that they need.
+    """
     of_shot = _of_shot(program)
     into = {*INTO, *SELECTING}
     own = {k for k in of_shot if program.operations[k].name in into}
