@@ -13,7 +13,20 @@ from ..symbolic.symbols import NORMAL
 
 
 def frame_from_axis(normal: sp.Matrix, axis: int) -> sp.Matrix:
-    """Return R = [n1 n2 n3] (Eqs. 8-10) built from the coordinate axis `axis` (0, 1 or 2)."""
+    """Return R = [n1 n2 n3] (Eqs. 8-10) built from the coordinate axis `axis` (0, 1 or 2).
+
+    Parameters
+    ----------
+    normal
+        The unit normal, (3,).
+    axis
+        The number of a coordinate axis to which the normal is not parallel.
+
+    Returns
+    -------
+    Matrix
+        (3, 3), whose columns are orthonormal; the last one is the normal.
+    """
     unit = sp.Matrix([sp.Integer(i == axis) for i in range(3)])
     tangent = unit - normal.dot(unit) * normal
     # |n1'|² = 1 - n_axis² for a unit normal: written so, it is exact when n_axis is 0.

@@ -57,7 +57,20 @@ def impulse_response(ball: Ball) -> sp.Matrix:
 
 
 def contact_velocity(motion: sp.Matrix, ball: Ball) -> sp.Matrix:
-    """Return the velocity of the contact point (Eq. 13) of a motion (6,) in the contact frame."""
+    """Return the velocity of the contact point (Eq. 13) of a motion (6,) in the contact frame.
+
+    Parameters
+    ----------
+    motion
+        The velocity of the ball's centre, then its angular velocity, in the contact frame.
+    ball
+        The radius and the inertia of the ball.
+
+    Returns
+    -------
+    Matrix
+        (3,); along the surface it is the slip.
+    """
     velocity, spin = motion[:3, :], motion[3:, :]
     return velocity + spin.cross(sp.Matrix([0, 0, -ball.radius]))
 
@@ -73,6 +86,13 @@ def grip_share(ball: Ball, tangential: sp.Expr) -> sp.Expr:
     """Return the share of the slip that a contact which grips takes from the velocity.
 
     The impulse is -share times the slip u, after which the slip is -e_t u.
+
+    Parameters
+    ----------
+    ball
+        The radius and the inertia of the ball.
+    tangential
+        e_t, the coefficient of restitution along the surface.
     """
     share = sp.Symbol("share", real=True)
     left = 1 - slip_response(ball)[0, 0] * share

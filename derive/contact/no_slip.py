@@ -53,7 +53,15 @@ def impact_equations(ball: Ball, restitution: sp.Expr) -> list[sp.Expr]:
 
 
 def impact_system(ball: Ball, restitution: sp.Expr) -> tuple[sp.Matrix, sp.Matrix]:
-    """Return A (6, 6) and b (6,) of Eq. 17: A u+ = b(u-)."""
+    """Return A (6, 6) and b (6,) of Eq. 17: A u+ = b(u-).
+
+    Parameters
+    ----------
+    ball
+        The radius and the inertia of the ball.
+    restitution
+        e, along the normal.
+    """
     matrix, right = sp.linear_eq_to_matrix(impact_equations(ball, restitution), AFTER)
     return matrix, right
 

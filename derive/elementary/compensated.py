@@ -20,7 +20,13 @@ SPLITTER = sp.Integer(2) ** 27 + 1
 
 
 def two_sum(first: sp.Expr, second: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
-    """Return the rounded sum of two numbers and its error, which is exact (Knuth)."""
+    """Return the rounded sum of two numbers and its error, which is exact (Knuth).
+
+    Parameters
+    ----------
+    first, second
+        The numbers, of any sizes.
+    """
     total = barrier(first + second)
     of_second = barrier(total - first)
     of_first = barrier(total - of_second)
@@ -42,7 +48,20 @@ def square(value: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
 
 
 def horner(coefficients: Sequence[sp.Rational], variable: sp.Expr) -> sp.Expr:
-    """Return a polynomial with the lowest coefficient first, by Horner's rule."""
+    """Return a polynomial with the lowest coefficient first, by Horner's rule.
+
+    Parameters
+    ----------
+    coefficients
+        Rational numbers, each of which is rounded to a double where it is used.
+    variable
+        The variable of the polynomial.
+
+    Returns
+    -------
+    Expr
+        The polynomial, in which each product and each sum is rounded on its own.
+    """
     *rest, value = coefficients
     for coefficient in reversed(rest):
         value = barrier(coefficient + barrier(variable * value))
@@ -50,7 +69,15 @@ def horner(coefficients: Sequence[sp.Rational], variable: sp.Expr) -> sp.Expr:
 
 
 def truncated(value: sp.Expr, bits: int) -> sp.Rational:
-    """Return a positive constant, cut to a multiple of 2^-bits."""
+    """Return a positive constant, cut to a multiple of 2^-bits.
+
+    Parameters
+    ----------
+    value
+        A constant such as pi/2, of which SymPy knows every digit.
+    bits
+        The number of binary digits after the point.
+    """
     return sp.Rational(int(sp.floor(value.evalf(DIGITS) * 2**bits)), 2**bits)
 
 

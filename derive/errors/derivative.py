@@ -87,12 +87,33 @@ def contact_delay(offset: sp.Expr) -> sp.Expr:
 
 
 def at_contact(moved: Sequence[sp.Expr], delay: sp.Expr) -> list[sp.Expr]:
-    """Return the change of the position at the delayed contact: it lies in the surface."""
+    """Return the change of the position at the delayed contact: it lies in the surface.
+
+    Parameters
+    ----------
+    moved
+        The change of the position at the time of the undisturbed contact, (3,).
+    delay
+        The change of the time of the contact.
+    """
     return [barrier(value) for value in sp.Matrix(moved) + delay * velocity]
 
 
 def velocity_change(flight: Flight, delay: sp.Expr) -> list[sp.Expr]:
-    """Return the change of the velocity during the delay."""
+    """Return the change of the velocity during the delay.
+
+    Parameters
+    ----------
+    flight
+        The motion before the contact.
+    delay
+        The change of the time of the contact.
+
+    Returns
+    -------
+    list of Expr
+        (3,).
+    """
     return [acceleration * delay for acceleration in flight.present_acceleration]
 
 

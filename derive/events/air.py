@@ -49,7 +49,20 @@ def _linear(shape: sp.Expr) -> list[sp.Expr] | None:
 
 
 def piece_windows(surface: Surface, flight: AirFlight) -> list[Window]:
-    """Return the window of a piece: all of it, if it may come into the surface's box."""
+    """Return the window of a piece: all of it, if it may come into the surface's box.
+
+    Parameters
+    ----------
+    surface
+        A curved surface, whose box may be infinite along some axes.
+    flight
+        A piece of a flight, a series with a bound on its remainder.
+
+    Returns
+    -------
+    list of Window
+        One window from 0 to the horizon; it ends at -1 if the ball stays out of the box.
+    """
     inflation, high = _inflation(surface), horizon
     axes = zip(flight.enclosure(horizon), surface.reference_point, surface.half_sizes, strict=True)
     for (middle, reach), centre, half in axes:
@@ -67,7 +80,20 @@ def over_budget(flight: AirFlight) -> sp.Expr:
 
 
 def piece_lost(surface: Surface, flight: AirFlight) -> sp.Expr:
-    """Return a quantity that is positive if errors come near to the inflation of the box."""
+    """Return a quantity that is positive if errors come near to the inflation of the box.
+
+    Parameters
+    ----------
+    surface
+        A curved surface, whose box may be infinite along some axes.
+    flight
+        A piece of a flight, a series with a bound on its remainder.
+
+    Returns
+    -------
+    Expr
+        A length; if it is positive the windows of `piece_windows` are unreliable.
+    """
     known = [half for half in surface.half_sizes if half is not None]
     there, _ = flight.rounding(horizon)
     if not known:

@@ -77,6 +77,18 @@ def windows(axes: Sequence[Axis], halves: Sequence[sp.Expr | None]) -> list[Wind
     Windows are in order of time, so far as they are not empty: if the first interval of one axis
     meets the second one of another, their other two intervals do not meet. Two intervals of an axis
     are not joined, since bounds on F'' hold only within the box.
+
+    Parameters
+    ----------
+    axes
+        For each coordinate its place relative to the box's centre, velocity and acceleration.
+    halves
+        Half the size of the box along each coordinate; None is infinite.
+
+    Returns
+    -------
+    list of Window
+        Begin and end of each window, s; two for each falling coordinate.
     """
     known = [(axis, half) for axis, half in zip(axes, halves, strict=True) if half is not None]
     wider = RELATIVE_INFLATION * minimum(*(half for _, half in known))
@@ -98,6 +110,20 @@ def lost(
 
     Without an event errors grow for ever, but they count only while the true ball may be in the
     box, until `time_to_leave` at the latest.
+
+    Parameters
+    ----------
+    centre
+        The centre of the box, (3,), m.
+    halves
+        Half the size of the box along each coordinate; None is infinite.
+    acceleration
+        That of the free ball, (3,), m/s²; components may be 0.
+
+    Returns
+    -------
+    Expr
+        A length; if it is positive the windows are unreliable.
     """
     known = [half for half in halves if half is not None]
     half, widest = minimum(*known), maximum(*known)
@@ -162,6 +188,18 @@ def time_to_leave(far: sp.Expr, per_g: sp.Expr) -> sp.Expr:
     for one sign of p, with errors of position and velocity that are not lost, e_p + e_v T <= w with
     w a tiny part of that half size. Then f(T) <= d - half + w - v sqrt(2 d / g) - d < 0, and f
     falls from T on: f'(T) = e_v - v - g sqrt(2 d / g), where e_v <= w / T < sqrt(2 d g).
+
+    Parameters
+    ----------
+    far
+        d, a distance within which the ball is and the box ends, m.
+    per_g
+        1/g, of the acceleration along the axis.
+
+    Returns
+    -------
+    Expr
+        T, s.
     """
     return 2 * speed * per_g + sp.sqrt(2 * far * per_g)
 
@@ -170,6 +208,13 @@ def clear(found: Sequence[Window], lost: sp.Expr) -> sp.Expr:
     """Return a quantity that is positive if no window opens before the horizon.
 
     It is not positive if the windows are unreliable.
+
+    Parameters
+    ----------
+    found
+        The windows, in order.
+    lost
+        The result of `lost`.
     """
     verdict: sp.Expr = sp.Integer(1)
     for low, high in found:

@@ -38,7 +38,13 @@ ERROR_BUDGET_LEVELS = [sp.Rational(1, 2**k) for k in (25, 30, 35, 40, 45)]
 
 
 def intersection(left: Window, right: Window) -> Window:
-    """Return the part that two windows have in common; without any it ends before it begins."""
+    """Return the part that two windows have in common; without any it ends before it begins.
+
+    Parameters
+    ----------
+    left, right
+        Begin and end of each window, s.
+    """
     return maximum(left[0], right[0]), minimum(left[1], right[1])
 
 
@@ -93,6 +99,18 @@ def displacement(flight: Flight, lengths: Sequence[sp.Expr]) -> sp.Expr:
 
     Each is a length with a gradient of at most 1. Its error is that of the position, plus the way
     flown during the delay, plus the roundings of sums with the scene's lengths.
+
+    Parameters
+    ----------
+    flight
+        The motion between contacts.
+    lengths
+        The lengths of the scene that the bound or the target contains.
+
+    Returns
+    -------
+    Expr
+        m.
     """
     there, moving = flight.rounding(horizon)
     size = there.magnitude + total_length(lengths)

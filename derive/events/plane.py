@@ -31,6 +31,18 @@ def plane_arrival(plane: Plane, flight: Parabola) -> dict[str, sp.Expr]:
     With D = b² - 4 a c the arrival is where F' = -sqrt(D): t = 2 c / (sqrt(D) - b), the same as
     -(b + sqrt(D)) / (2 a); each loses no digits for one sign of b. Without an arrival the rate is
     not negative, or NaN.
+
+    Parameters
+    ----------
+    plane
+        The surface, whose bounds are not looked at.
+    flight
+        The motion between contacts.
+
+    Returns
+    -------
+    dict
+        `time`, s; `rate`, F' there; `bend`, F''; `apex`, s; and `height`, the gap at it, m.
     """
     coefficients = event_coefficients(plane, flight)
     c = barrier(IfLess(0, leaving, 0, barrier(coefficients[0])), "c")
@@ -64,7 +76,20 @@ def plane_arrival(plane: Plane, flight: Parabola) -> dict[str, sp.Expr]:
 
 
 def plane_margin(plane: Plane, flight: Parabola) -> sp.Expr:
-    """Return a bound on the rounding error of the plane's gap up to the time `horizon`."""
+    """Return a bound on the rounding error of the plane's gap up to the time `horizon`.
+
+    Parameters
+    ----------
+    plane
+        The surface.
+    flight
+        The motion between contacts.
+
+    Returns
+    -------
+    Expr
+        m.
+    """
     there, _ = flight.rounding(horizon)
     # Twice: once for the gap at the computed time, once for the root's own arithmetic.
     return 2 * ROUNDING_SLACK * rounding(plane.distance, dict.fromkeys(POSITION, there)).error

@@ -30,7 +30,15 @@ Spans = Mapping[sp.Symbol, tuple[sp.Expr, sp.Expr]]
 
 
 def apart(plane: Plane, flight: Parabola) -> tuple[sp.Basic, ...]:
-    """Return conditions, each of which implies that a flight does not come to a plate."""
+    """Return conditions, each of which implies that a flight does not come to a plate.
+
+    Parameters
+    ----------
+    plane
+        A surface with bounds.
+    flight
+        The motion between contacts.
+    """
     return tuple(_apart(plane, _spans(flight), path_slack(flight)))
 
 

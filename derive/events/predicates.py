@@ -56,7 +56,15 @@ sunk = Boolean("sunk")
 
 
 def earlier(condition: sp.Basic, at: sp.Expr) -> sp.Expr:
-    """Return the earliest undecided time, given one at which a condition holds."""
+    """Return the earliest undecided time, given one at which a condition holds.
+
+    Parameters
+    ----------
+    condition
+        The condition of an undecided decision.
+    at
+        The time of that decision since the last contact, s.
+    """
     return Choose(all_of(condition, Less(at, undecided_time)), at, undecided_time)
 
 

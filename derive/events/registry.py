@@ -124,6 +124,13 @@ def search_for(surface: Surface, flight: Flight) -> Search:
 def root_finder_for(surface: Surface, flight: Flight) -> RootFinder:
     """Return the root finder of a curved surface along a flight.
 
+    Parameters
+    ----------
+    surface
+        A surface whose condition has no closed form of a root.
+    flight
+        The motion between contacts.
+
     Raises
     ------
     TypeError

@@ -214,7 +214,19 @@ class RootFinder(ABC):
     def steepest(
         self, width: sp.Expr, curvature: sp.Expr, fall: sp.Expr, reach: sp.Expr
     ) -> sp.Expr:
-        """Return C, given the window, M on it, the least -F', and the reach it must suffice for."""
+        """Return C, given the window, M on it, the least -F', and the reach it must suffice for.
+
+        Parameters
+        ----------
+        width
+            The length of the window, s.
+        curvature
+            M, a bound on -F'' within it.
+        fall
+            The smallest -F' within it.
+        reach
+            The result of `headroom`, a gap: C must hold as far as a fall by it.
+        """
         del width, curvature, fall, reach
         return ceiling
 
@@ -223,6 +235,13 @@ class RootFinder(ABC):
 
         With k = 2 Newton's method converges; with 2^5 three steps, of which the first is done here,
         find the root.
+
+        Parameters
+        ----------
+        low_gap
+            F - m, the gap less its margin.
+        turned
+            True if the root may be out of bounds; then the step itself gives Newton's first.
         """
         return (2**5 if turned else 2) * low_gap + self.allowed
 
@@ -236,6 +255,20 @@ def first_root(gap: sp.Expr, slope: sp.Expr, curvature: sp.Expr) -> sp.Expr:
     """Return the first root s >= 0 of gap + slope s - curvature s²/2, infinite if none.
 
     Of the two forms of the root, the one whose sums do not cancel is used.
+
+    Parameters
+    ----------
+    gap
+        The gap at s = 0; it is not negative.
+    slope
+        The rate of the gap there.
+    curvature
+        A bound on -F'', so that the gap stays above the parabola.
+
+    Returns
+    -------
+    Expr
+        A time before which the gap is not zero, s.
     """
     discriminant = barrier(slope**2 + 2 * curvature * gap)
     root = sp.sqrt(discriminant)

@@ -190,7 +190,15 @@ class RootSearch(Search):
         yield If("open", searched)
 
     def counted(self, common: Parts, own: Parts) -> Iterator[Node]:
-        """Test whether a root that the ball may pass counts."""
+        """Test whether a root that the ball may pass counts.
+
+        Parameters
+        ----------
+        common
+            The kernels that all surfaces share, by part.
+        own
+            The kernels of this surface, by part.
+        """
         return bounded(common, own, "candidate", delay=0.0, clearance=1.0)
 
     def _step(self, common: Parts, own: Parts, index: Value) -> Iterator[Node]:
@@ -218,7 +226,10 @@ class PlaneRootSearch(RootSearch):
         return super().decisions | ({} if self.surface.bounds else {"crossed": _CROSSED})
 
     def counted(self, common: Parts, own: Parts) -> Iterator[Node]:
-        """Test whether a crossing is within the bounds, if there are any."""
+        """Test whether a crossing is within the bounds, if there are any.
+
+        Arguments as for `RootSearch.counted`.
+        """
         return super().counted(common, own) if self.surface.bounds else iter([Call(own["crossed"])])
 
 

@@ -22,7 +22,22 @@ from .variation import law_variation
 def law_kernels(
     scene: Scene, likes: Sequence[Isomorphism], order: tuple[sp.Symbol, ...]
 ) -> dict[Law, dict[str, Kernel]]:
-    """Return the kernels of each law by part, given the law that each is isomorphic to."""
+    """Return the kernels of each law by part, given the law that each is isomorphic to.
+
+    Parameters
+    ----------
+    scene
+        The scene, with its laws in the order of its bodies.
+    likes
+        For each law the first law of the same form, and the symbols that take the place of its own.
+    order
+        The symbols in the order of arguments.
+
+    Returns
+    -------
+    dict
+        By law and part; isomorphic laws share their kernels.
+    """
     found: dict[Law, dict[str, Kernel]] = {}
     for law, like in zip(scene.laws, likes, strict=True):
         first = scene.laws[like.first]

@@ -53,7 +53,20 @@ def scene_kernels(
 
 
 def flight_boxes(scene: Scene, order: tuple[sp.Symbol, ...]) -> dict[str, Kernel]:
-    """Return the kernels of the boxes that a flight is in."""
+    """Return the kernels of the boxes that a flight is in.
+
+    Parameters
+    ----------
+    scene
+        The scene, whose flight is a parabola or a series in air.
+    order
+        The symbols in the order of arguments.
+
+    Returns
+    -------
+    dict
+        The kernels by name; a box is a centre and half sizes, m.
+    """
     if isinstance(scene.flight, AirFlight):
         return {
             "swept": kernel(

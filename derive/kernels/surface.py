@@ -51,7 +51,23 @@ class SurfaceKernels:
 def all_surface_kernels(
     scene: Scene, likes: Sequence[Isomorphism], order: tuple[sp.Symbol, ...]
 ) -> tuple[SurfaceKernels, ...]:
-    """Return the kernels of each surface, given the surface that each is isomorphic to."""
+    """Return the kernels of each surface, given the surface that each is isomorphic to.
+
+    Parameters
+    ----------
+    scene
+        The scene, with the faces of its bodies in order.
+    likes
+        For each surface the first one of the same form, and the symbols that take the place of its
+        own.
+    order
+        The symbols in the order of arguments.
+
+    Returns
+    -------
+    tuple
+        One entry for each surface; isomorphic surfaces share their kernels.
+    """
     found: list[SurfaceKernels] = []
     counts = Counter(like.first for like in likes)
     differing: dict[int, set[sp.Symbol]] = {}

@@ -65,6 +65,13 @@ def piece_variations(scene: Scene, order: tuple[sp.Symbol, ...]) -> tuple[Kernel
     """Return the variations of a piece's series, if the flight has pieces.
 
     Each is named after the kernel of which it is the derivative.
+
+    Parameters
+    ----------
+    scene
+        The scene.
+    order
+        The symbols in the order of arguments.
     """
     flight = scene.flight
     if not isinstance(flight, AirFlight):
@@ -85,7 +92,15 @@ def piece_variations(scene: Scene, order: tuple[sp.Symbol, ...]) -> tuple[Kernel
 
 
 def scene_variations(scene: Scene, order: tuple[sp.Symbol, ...]) -> tuple[Kernel, ...]:
-    """Return the variations of a flight, and of the flight that begins at a varied contact."""
+    """Return the variations of a flight, and of the flight that begins at a varied contact.
+
+    Parameters
+    ----------
+    scene
+        The scene.
+    order
+        The symbols in the order of arguments.
+    """
     start = dict(zip((*POSITION, *VELOCITY), (*dx, *dv), strict=True))
     start |= _series_changes(scene) | _changes(scene)
     moved = [
@@ -122,6 +137,18 @@ def contact_variation(surface: Surface, scene: Scene) -> Formula:
     dt = -(n·dx + the change of d by the parameters) / (n·v); there the position varies by dx + v dt
     and the velocity by dv + a dt. The change of d at the time itself, and the bounds g of Eq. 2
     with their changes at the contact, tell how far decisions are from being others.
+
+    Parameters
+    ----------
+    surface
+        The surface that is touched.
+    scene
+        The scene, whose parameters vary, too.
+
+    Returns
+    -------
+    Formula
+        Its outputs, its summary and its source.
     """
     changes = _changes(scene)
     offset = normal.dot(sp.Matrix(dx)) + derivative.directional(surface.distance, changes)
@@ -148,7 +175,17 @@ def contact_variation(surface: Surface, scene: Scene) -> Formula:
 
 
 def law_variation(law: Law, scene: Scene, order: tuple[sp.Symbol, ...]) -> Kernel:
-    """Return the variations of velocity and spin after a contact, from those before it."""
+    """Return the variations of velocity and spin after a contact, from those before it.
+
+    Parameters
+    ----------
+    law
+        The contact law.
+    scene
+        The scene, whose parameters vary, too.
+    order
+        The symbols in the order of arguments.
+    """
     velocities, spins = derivative.along_impact(law, scene.ball, _changes(scene))
     names = [symbol.name for symbol in (*dv, *dw)]
     formulas = dict(zip(names, (*velocities, *spins), strict=True))

@@ -63,7 +63,15 @@ _bounded = all_of(Less(position_error, sp.oo), Less(velocity_error, sp.oo), AtMo
 
 
 def body_of(faces: Sequence[int], end_planes: int) -> sp.Expr:
-    """Return the body that a surface belongs to; an end plane has the index after the last body."""
+    """Return the body that a surface belongs to; an end plane has the index after the last body.
+
+    Parameters
+    ----------
+    faces
+        For each surface the index of its body.
+    end_planes
+        The number of end planes, whose indices follow those of the surfaces.
+    """
     if list(faces) == list(range(len(faces))) and end_planes < 2:
         return which
     found: sp.Expr = sp.Integer(max(faces, default=-1) + 1)

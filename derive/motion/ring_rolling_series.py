@@ -260,7 +260,26 @@ class RingRolling:
     def max_force_bend(
         self, step: sp.Expr, climb: sp.Expr, rises: sp.Expr, omega: sp.Expr, turns: sp.Expr
     ) -> sp.Expr:
-        """Return the largest size of N'', by those of A, Omega and their rates within the step."""
+        """Return the largest size of N'', by those of A, Omega and their rates within the step.
+
+        Parameters
+        ----------
+        step
+            The length of the step, s.
+        climb
+            The largest size of A within the step, 1/s.
+        rises
+            The largest size of A', 1/s².
+        omega
+            The largest size of Omega, 1/s.
+        turns
+            The largest size of Omega', 1/s².
+
+        Returns
+        -------
+        Expr
+            m/s⁴.
+        """
         falls, swirls = self._weights(omega)
         moved = barrier(step * climb)
         cosine, sine = (barrier(absolute(term(name, 0)) + moved) for name in ("cosine", "sine"))

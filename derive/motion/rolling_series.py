@@ -51,7 +51,15 @@ WITHIN = ("lift", "tx", "ty", "tz")
 
 
 def term(name: str, order: int) -> sp.Symbol:
-    """Return the symbol of a coefficient of a series."""
+    """Return the symbol of a coefficient of a series.
+
+    Parameters
+    ----------
+    name
+        The name of the quantity.
+    order
+        The power of the time, from 0.
+    """
     return sp.Symbol(f"{name}_{order}", real=True)
 
 
@@ -64,7 +72,13 @@ def _rows(names: Sequence[str], order: int) -> list[list[sp.Symbol]]:
 
 
 def product(left: Sequence[sp.Expr], right: Sequence[sp.Expr]) -> sp.Expr:
-    """Return the coefficient of the highest common order in the product of two series."""
+    """Return the coefficient of the highest common order in the product of two series.
+
+    Parameters
+    ----------
+    left, right
+        The coefficients of both series, the constant first; as many of each.
+    """
     pairs = zip(left, reversed(right), strict=True)
     return barrier(sp.Add(*(a * b for a, b in pairs)))
 
@@ -77,7 +91,22 @@ def start(ball: Ball) -> dict[str, sp.Expr]:
 
 
 def next_terms(order: int, acceleration: Sequence[sp.Expr], ball: Ball) -> dict[str, sp.Expr]:
-    """Return the coefficients of the next order, given those up to this one."""
+    """Return the coefficients of the next order, given those up to this one.
+
+    Parameters
+    ----------
+    order
+        The order of the coefficients that are known.
+    acceleration
+        That of the free ball, (3,), m/s².
+    ball
+        The radius and the inertia of the ball.
+
+    Returns
+    -------
+    dict
+        The coefficients of `order` + 1, by the names of their symbols.
+    """
     v, n = _rows(SERIES[:3], order), _rows(SERIES[3:6], order)
     s = _row(SERIES[6], order)
     turned = [barrier(b * own[order] * per_reach) for b, own in zip(bent, v, strict=True)]
@@ -168,6 +197,22 @@ def step(
     The first term that is left out is about the last one times the step over the time in which the
     motion changes: at most an eighth. If the last term happens to be small, the one before it
     counts.
+
+    Parameters
+    ----------
+    acceleration
+        That of the free ball, (3,), m/s².
+    strength
+        The size of the acceleration, m/s².
+    ball
+        The radius and the inertia of the ball.
+    besides
+        The force that presses the ball onto its surface besides its weight.
+
+    Returns
+    -------
+    dict
+        The length of the step, s, and the bounds, by the names of their symbols.
     """
     rows = [[*(term(name, k) for name in (*SERIES[:3], "turn_rate"))] for k in range(ORDER + 1)]
     sizes = [barrier(sp.Add(*map(absolute, row))) for row in rows]

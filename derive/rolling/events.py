@@ -57,7 +57,19 @@ _BELOW = "a parabola below the distance"
 def step_events(
     strength: sp.Expr, ball_radius: sp.Expr, codes: EventCodes, besides: SurfaceForce
 ) -> tuple[Kernel, ...]:
-    """Return the kernels that shorten a step to the first possible event, and name that event."""
+    """Return the kernels that shorten a step to the first possible event, and name that event.
+
+    Parameters
+    ----------
+    strength
+        The size of the free ball's acceleration, m/s².
+    ball_radius
+        The radius of the ball, m.
+    codes
+        The codes of events in the event log.
+    besides
+        The force that presses the ball onto its surface besides its weight.
+    """
     return (
         _leaving_force(strength, ball_radius, codes, besides),
         *_other_surfaces(ball_radius),

@@ -40,7 +40,15 @@ NEWTON_STEPS = 4
 
 
 def kernels(acceleration: Sequence[sp.Expr], ball: Ball) -> tuple[Kernel, ...]:
-    """Return the kernels of the friction limit that all surfaces share."""
+    """Return the kernels of the friction limit that all surfaces share.
+
+    Parameters
+    ----------
+    acceleration
+        That of the free ball, (3,), m/s².
+    ball
+        The radius and the inertia of the ball.
+    """
     n, turned = ([term(f"n{axis}", k) for axis in "xyz"] for k in (0, 1))
     m, twisted = ([term(f"t{axis}", k) for axis in "xyz"] for k in (0, 1))
     s, spun = term("turn_rate", 0), term("turn_rate", 1)

@@ -70,6 +70,13 @@ def small_hop(strength: sp.Expr, ball_radius: sp.Expr) -> tuple[sp.Expr, sp.Expr
 
     They are the squared speed off the surface, and twice the tolerance times a bound on the force
     per unit mass that can press the ball onto the surface.
+
+    Parameters
+    ----------
+    strength
+        The size of the free ball's acceleration, m/s².
+    ball_radius
+        The radius of the ball, m.
     """
     off = barrier(velocity.dot(normal))
     quick = barrier(velocity.dot(velocity)) / ball_radius
@@ -89,6 +96,15 @@ def settling(law: Law, ball: Ball, flight: Flight) -> Kernel:
     The ball settles if the bounces end before anything else can happen; it lodges if it is then
     wedged; it slides if slip is left that friction cannot stop; it parts if no force presses it
     onto the surface.
+
+    Parameters
+    ----------
+    law
+        The contact law of the surface.
+    ball
+        The radius and the inertia of the ball.
+    flight
+        The motion between contacts.
     """
     e = law.restitution_at(sp.Integer(0))
     left = barrier(1 - e)
@@ -182,7 +198,17 @@ def settling(law: Law, ball: Ball, flight: Flight) -> Kernel:
 
 
 def settling_kernels(flight: Flight, strength: sp.Expr, ball: Ball) -> tuple[Kernel, ...]:
-    """Return the kernels that prepare the decision of `settling`, the same for all surfaces."""
+    """Return the kernels that prepare the decision of `settling`, the same for all surfaces.
+
+    Parameters
+    ----------
+    flight
+        The motion between contacts.
+    strength
+        The size of the free ball's acceleration, m/s².
+    ball
+        The radius and the inertia of the ball.
+    """
     return (
         loop_kernel(
             "roll_turn_rate",

@@ -27,7 +27,17 @@ _NEIGHBOUR = {s.name: f"far_{s.name}" for s in (*STATE, *normal)} | {"gap": "far
 def in_contact(
     common: Parts, contacts: Sequence[LoopSurface], end_planes: Sequence[LoopSurface]
 ) -> Iterator[Node]:
-    """Yield the nodes that find the next event of balls in contact, and move the balls there."""
+    """Yield the nodes that find the next event of balls in contact, and move the balls there.
+
+    Parameters
+    ----------
+    common
+        The kernels that all surfaces share, by part.
+    contacts
+        The surfaces of bodies, each with its kernels.
+    end_planes
+        The planes whose crossing ends a shot.
+    """
     holders = [surface for surface in contacts if "rolling_surface" in surface.parts]
     rings = [surface for surface in holders if "round_start" in surface.parts]
     others = [surface for surface in holders if surface not in rings]
@@ -68,7 +78,17 @@ def in_contact(
 def settled(
     common: Parts, contacts: Sequence[LoopSurface], end_planes: Sequence[LoopSurface]
 ) -> Iterator[Node]:
-    """Yield the nodes that decide whether a ball that hardly leaves a surface stays on it."""
+    """Yield the nodes that decide whether a ball that hardly leaves a surface stays on it.
+
+    Parameters
+    ----------
+    common
+        The kernels that all surfaces share, by part.
+    contacts
+        The surfaces of bodies, each with its kernels.
+    end_planes
+        The planes whose crossing ends a shot.
+    """
     holders = [surface for surface in contacts if "rolling_surface" in surface.parts]
     if not holders:
         return

@@ -18,13 +18,28 @@ def allows_rolling(surface: Surface, flight: Flight) -> bool:
     """Return True if a ball can stay in contact with the surface; else it bounces on.
 
     On a ring the motion is known only if gravity acts along the ring's axis.
+
+    Parameters
+    ----------
+    surface
+        The surface.
+    flight
+        The motion between contacts, whose gravity may be `upright`, along -z.
     """
     found = surface.rolling_surface
     return found is not None and (found.ring == 0 or flight.upright)
 
 
 def contact_phase_kernels(surface: Surface, flight: Flight) -> dict[str, Kernel]:
-    """Return the kernels of one surface by part: all have those beside it, some those on it."""
+    """Return the kernels of one surface by part: all have those beside it, some those on it.
+
+    Parameters
+    ----------
+    surface
+        The surface.
+    flight
+        The motion between contacts.
+    """
     kernels = _beside(surface)
     if not allows_rolling(surface, flight):
         return kernels

@@ -96,5 +96,13 @@ class EventCodes:
         self.bodies = bodies
 
     def log_row(self, body: sp.Expr, leaves: bool) -> sp.Expr:
-        """Return the code in the event log of a contact with a body that begins or ends."""
+        """Return the code in the event log of a contact with a body that begins or ends.
+
+        Parameters
+        ----------
+        body
+            The index of the body.
+        leaves
+            True for the end of a contact, False for its beginning.
+        """
         return self.bodies + 1 + 2 * body + int(leaves)

@@ -41,6 +41,19 @@ def with_air(scene: Scene, air_parameters: Sequence[Parameter] = AIR_PARAMETERS)
     """Return the scene in air, with the parameters of the air that it lacks after its own.
 
     A ball must be heavier than the air that it displaces.
+
+    Parameters
+    ----------
+    scene
+        The scene without air.
+    air_parameters
+        The mass, the density of the air, the coefficients of drag and lift, and the speed below
+        which drag is linear, in this order.
+
+    Returns
+    -------
+    Scene
+        The same bodies, in which flights are pieces of series.
     """
     own = {p.name: p for p in scene.parameters}
     added = tuple(p for p in air_parameters if p.name not in own)

@@ -73,6 +73,13 @@ def end_planes(ends: Sequence[End]) -> tuple[EndPlane, ...]:
 def check_reached(scene: str, ends: Sequence[End]) -> None:
     """Check that no end is behind another one that takes the whole plane.
 
+    Parameters
+    ----------
+    scene
+        The name of the scene, for the message.
+    ends
+        Its ends, in order: the first whose part of a plane the ball crosses counts.
+
     Raises
     ------
     ValueError
@@ -91,6 +98,15 @@ def check_reached(scene: str, ends: Sequence[End]) -> None:
 
 def check_passed(scene: str, ends: Sequence[End], passage: bool) -> None:
     """Check that ends for balls that have passed the ring have bounds, and the scene a passage.
+
+    Parameters
+    ----------
+    scene
+        The name of the scene, for the message.
+    ends
+        Its ends, in order.
+    passage
+        True if the scene has a ring that a ball can fall through.
 
     Raises
     ------

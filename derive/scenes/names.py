@@ -94,6 +94,13 @@ def check(
 def check_kernels(scene: str, names: Iterable[str]) -> None:
     """Refuse surfaces and laws whose kernels would have the name of another kernel.
 
+    Parameters
+    ----------
+    scene
+        The name of the scene, for the message.
+    names
+        The names of all its kernels.
+
     Raises
     ------
     ValueError

@@ -71,7 +71,17 @@ class Passage:
 
 
 def next_state(before: sp.Expr, rises: sp.Basic, falls: sp.Basic) -> sp.Expr:
-    """Return `through` after the ball has risen through the disc, fallen, or both."""
+    """Return `through` after the ball has risen through the disc, fallen, or both.
+
+    Parameters
+    ----------
+    before
+        `through` before the flight.
+    rises
+        The condition that the ball rises through the disc during it.
+    falls
+        The condition that it falls through the disc, after any rise.
+    """
     up = Choose(rises, Choose(Equal(before, FALLEN), NEITHER, RISEN), before)
     return Choose(And(falls, Equal(up, NEITHER)), FALLEN, up)
 
@@ -213,7 +223,27 @@ def _in_flight(
 def passage_kernels(
     passage: Passage, flight: Flight, order: Iterable[sp.Symbol]
 ) -> dict[str, Kernel]:
-    """Return the kernels of a scene with a passage."""
+    """Return the kernels of a scene with a passage.
+
+    Parameters
+    ----------
+    passage
+        The ring whose disc is passed, and its radius.
+    flight
+        The motion between contacts.
+    order
+        The symbols of the scene in the order of arguments.
+
+    Returns
+    -------
+    dict
+        The kernels by name.
+
+    Raises
+    ------
+    ValueError
+        If free fall is not along -z.
+    """
     if not flight.upright:
         raise ValueError("a ball passes a ring's disc where free fall is down, along -z")
     symbols = (last, outcome, uncertain, through, *order, *passage_in_air.SYMBOLS)

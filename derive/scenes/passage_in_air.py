@@ -199,7 +199,15 @@ def _improved(flight: AirFlight, time: sp.Expr) -> sp.Expr:
 
 
 def undecided(flight: AirFlight, radius: sp.Expr) -> sp.Basic:
-    """Return the condition that the passings of a disc of that radius are undecided."""
+    """Return the condition that the passings of a disc of that radius are undecided.
+
+    Parameters
+    ----------
+    flight
+        The motion between contacts, in pieces.
+    radius
+        The radius of the disc, m.
+    """
     error = _error(flight)
     _, moving = flight.rounding(t)
     weight = barrier(absolute(flight.fall[2]))

@@ -259,7 +259,27 @@ def parameter(
     lower: float | None = None,
     infinite: bool = False,
 ) -> Parameter:
-    """Return a parameter with a symbol of its name, assumed to be of the allowed sign."""
+    """Return a parameter with a symbol of its name, assumed to be of the allowed sign.
+
+    Parameters
+    ----------
+    name
+        The name of the parameter and of its symbol.
+    unit
+        Its SI unit, such as "m" or "1".
+    summary
+        Its meaning in words.
+    default
+        Its value if none is given.
+    sign
+        "positive", "nonnegative" or "any".
+    upper, lower
+        The largest and the smallest value; None for no limit but that of the sign.
+    latex
+        Its letter on the pages of the derivation; empty for its name.
+    infinite
+        True if it may be infinite.
+    """
     assumption = {"positive": "positive", "nonnegative": "nonnegative", "any": "real"}[sign]
     symbol = ParameterSymbol(name, **{assumption: True})
     return Parameter(symbol, unit, summary, default, sign, upper, latex, lower, infinite)

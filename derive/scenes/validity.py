@@ -60,6 +60,18 @@ def valid(scene: Scene, tabled: Set[int]) -> dict[str, sp.Expr]:
 
     The surfaces with the indices `tabled`, which the loop goes over (`surface_start`), are left
     out, too. For them the outputs contain the rounding, and the distance within which it matters.
+
+    Parameters
+    ----------
+    scene
+        The scene, with its surfaces in order.
+    tabled
+        Indices of surfaces.
+
+    Returns
+    -------
+    dict
+        `valid` and `undecided_time`, each 1 or 0; for tabled surfaces the two lengths, too, m.
     """
     slack = _slack([measured] if tabled else _sizes(scene))
     verdict: sp.Expr = sp.Integer(1)
@@ -149,7 +161,20 @@ def allowed(scene: Scene) -> dict[str, sp.Expr]:
 
 
 def size_limits(scene: Scene, parameter: Parameter) -> tuple[sp.Expr, sp.Expr]:
-    """Return the smallest and the largest size of a parameter (`symbolic/number_range.py`)."""
+    """Return the smallest and the largest size of a parameter (`symbolic/number_range.py`).
+
+    Parameters
+    ----------
+    scene
+        The scene, whose radius of the ball and gravity cannot be arbitrarily small.
+    parameter
+        One of its parameters.
+
+    Returns
+    -------
+    tuple
+        Both in the parameter's unit; a value of 0 is allowed if the sign allows it.
+    """
     falls = parameter.symbol == scene.gravity and scene.flight.falls
     scales = falls or parameter.symbol == scene.ball_radius
     if parameter.infinite:

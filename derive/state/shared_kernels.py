@@ -106,7 +106,17 @@ class SurfaceKind:
         )
 
     def evaluate(self, common: Parts, part: str, *more: Node) -> Iterator[Node]:
-        """Evaluate a part, if the kind has it, if the event is on a surface of the kind."""
+        """Evaluate a part, if the kind has it, if the event is on a surface of the kind.
+
+        Parameters
+        ----------
+        common
+            The kernels that all surfaces share, by part.
+        part
+            The name of the part, such as "normal".
+        *more
+            Nodes to execute after it, under the same condition.
+        """
         kernel = self.first.parts.get(part)
         if kernel is None:
             return
@@ -133,7 +143,15 @@ class SurfaceKind:
 
 
 def parameter_variables(kernel: Kernel, suffix: str) -> dict[str, str]:
-    """Return the variable of each parameter that a kernel loads, by that of the first surface."""
+    """Return the variable of each parameter that a kernel loads, by that of the first surface.
+
+    Parameters
+    ----------
+    kernel
+        The kernel that loads the parameters of a surface.
+    suffix
+        The end of the variables' names, which tells kinds of surfaces apart.
+    """
     names = [f"{name}_{suffix}" for name in kernel.output_names[1:]]
     return dict(zip(map(variable, kernel.arguments), names, strict=True))
 
@@ -141,7 +159,21 @@ def parameter_variables(kernel: Kernel, suffix: str) -> dict[str, str]:
 def take_parameters(
     common: Parts, alike: Sequence[LoopSurface], kernel: Kernel, mine: str, its: Mapping[str, str]
 ) -> Iterator[Node]:
-    """Load the parameters of the surface that the event is on, and whether it is any of these."""
+    """Load the parameters of the surface that the event is on, and whether it is any of these.
+
+    Parameters
+    ----------
+    common
+        The kernels that all surfaces share, by part.
+    alike
+        The surfaces of a kind.
+    kernel
+        The kernel that loads the parameters of one of them.
+    mine
+        The name of the variable that says whether the event is on any of them.
+    its
+        The variables that get the parameters, by those of the first surface.
+    """
     outputs = {
         "of_this_kind": mine,
         **dict(zip(kernel.output_names[1:], its.values(), strict=True)),
@@ -173,7 +205,19 @@ def _grouped(
 
 
 def on_surface(common: Parts, index: Value, *body: Node, rare: bool = False) -> Iterator[Node]:
-    """Execute nodes if the event is on the surface of an index."""
+    """Execute nodes if the event is on the surface of an index.
+
+    Parameters
+    ----------
+    common
+        The kernels that all surfaces share, by part.
+    index
+        The index of the surface: a number, or the name of a variable.
+    *body
+        The nodes.
+    rare
+        True if few shots need them, so that they are worth collecting.
+    """
     yield Call(common["here"], {"index": index})
     yield If("here", body, rare)
 

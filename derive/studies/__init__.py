@@ -30,6 +30,13 @@ def study_kernels(scene: Scene, order: tuple[sp.Symbol, ...]) -> list[Kernel]:
     """Return the kernels of studies: releases through a point, and measures of a flight.
 
     There are none unless gravity acts along -z: they speak of heights and a floor plan.
+
+    Parameters
+    ----------
+    scene
+        The scene; measures of a ring are of its only ring.
+    order
+        The symbols of the scene in the order of arguments.
     """
     flight, gravity, source = scene.flight, scene.gravity, "Eq. 3 without its time"
     if not isinstance(flight, Parabola) or not flight.upright:

@@ -68,6 +68,18 @@ def nearness(ring: Ring, flight: Parabola) -> dict[str, sp.Expr]:
 
     `gap` is the distance, `rate` G', `lower` a bound on the distance but for `resolution`, and
     `concavity` M, infinite if the interval comes within rounding of the axis.
+
+    Parameters
+    ----------
+    ring
+        The ring whose wire is meant.
+    flight
+        The motion between contacts, a parabola along -z.
+
+    Returns
+    -------
+    dict
+        `gap`, m; `rate`, m/s; `lower`, m; `concavity`, m/s²; and `resolution`, m.
     """
     x, y, z = POSITION
     vx, vy, vz = VELOCITY

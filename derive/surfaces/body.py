@@ -28,5 +28,13 @@ class Body:
 
 
 def body(face: Surface, law: Law) -> Body:
-    """Return a body with one surface and that surface's name."""
+    """Return a body with one surface and that surface's name.
+
+    Parameters
+    ----------
+    face
+        The only surface of the body.
+    law
+        The contact law.
+    """
     return Body(face.name, (face,), law)

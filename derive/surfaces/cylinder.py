@@ -94,6 +94,13 @@ def perpendicular_part(direction: sp.Matrix) -> sp.Matrix:
 def check_direction(name: str, direction: tuple[sp.Rational | int, ...]) -> None:
     """Check that a direction is a unit vector of rational numbers.
 
+    Parameters
+    ----------
+    name
+        The name of the surface, for the message.
+    direction
+        Its components along x, y and z.
+
     Raises
     ------
     ValueError

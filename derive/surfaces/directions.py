@@ -20,7 +20,13 @@ Direction = tuple[sp.Expr, sp.Expr, sp.Expr]
 
 
 def along(direction: Sequence[sp.Expr], vector: Sequence[sp.Expr]) -> sp.Expr:
-    """Return the scalar product of a direction and a vector."""
+    """Return the scalar product of a direction and a vector.
+
+    Parameters
+    ----------
+    direction, vector
+        (3,) each.
+    """
     return sp.Add(*(u * c for u, c in zip(direction, vector, strict=True)))
 
 
@@ -38,24 +44,56 @@ def per_length(direction: Sequence[sp.Expr]) -> sp.Expr:
 
 
 def across(direction: Sequence[sp.Expr], vector: Sequence[sp.Expr]) -> list[sp.Expr]:
-    """Return d × u, as long as the component of d across u if |u| is 1."""
+    """Return d × u, as long as the component of d across u if |u| is 1.
+
+    Parameters
+    ----------
+    direction
+        u, (3,).
+    vector
+        d, (3,).
+    """
     (a, b, c), (u, v, w) = vector, direction
     return [b * w - c * v, c * u - a * w, a * v - b * u]
 
 
 def squared_distance(direction: Sequence[sp.Expr], vector: Sequence[sp.Expr]) -> sp.Expr:
-    """Return |d × u|² = rho² |u|²."""
+    """Return |d × u|² = rho² |u|².
+
+    Parameters
+    ----------
+    direction
+        u, (3,), of any length but 0.
+    vector
+        d, (3,), from a point of the axis.
+    """
     return sp.Add(*(part**2 for part in across(direction, vector)))
 
 
 def perpendicular(direction: Sequence[sp.Expr], vector: Sequence[sp.Expr]) -> list[sp.Expr]:
-    """Return d - u (d·u)/|u|², the component of d across u."""
+    """Return d - u (d·u)/|u|², the component of d across u.
+
+    Parameters
+    ----------
+    direction
+        u, (3,), of any length but 0.
+    vector
+        d, (3,).
+    """
     share = barrier(barrier(along(direction, vector)) / barrier(squared_length(direction)))
     return [barrier(c - u * share) for u, c in zip(direction, vector, strict=True)]
 
 
 def distance_from_axis(direction: Sequence[sp.Expr], vector: Sequence[sp.Expr]) -> sp.Expr:
-    """Return rho = |d × u|/|u|."""
+    """Return rho = |d × u|/|u|.
+
+    Parameters
+    ----------
+    direction
+        u, (3,), of any length but 0.
+    vector
+        d, (3,), from a point of the axis, m.
+    """
     parts = [barrier(part) for part in across(direction, vector)]
     length = barrier(sp.sqrt(barrier(sp.Add(*(part**2 for part in parts)))))
     return barrier(length * per_length(direction))

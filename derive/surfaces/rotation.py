@@ -36,7 +36,15 @@ def scaled_rotation(quaternion: Quaternion) -> Matrix:
 
 
 def times(matrix: Matrix, vector: Sequence[sp.Expr]) -> list[sp.Expr]:
-    """Return the product of a matrix and a vector."""
+    """Return the product of a matrix and a vector.
+
+    Parameters
+    ----------
+    matrix
+        Rows of three components each.
+    vector
+        (3,).
+    """
     return [sp.Add(*(m * v for m, v in zip(row, vector, strict=True))) for row in matrix]
 
 

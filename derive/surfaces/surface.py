@@ -24,7 +24,15 @@ _ORIGIN = (sp.Integer(0), sp.Integer(0), sp.Integer(0))
 
 
 def translated(shape: sp.Expr, centre: Point) -> sp.Expr:
-    """Return a formula in x, y, z as one of the position relative to a centre."""
+    """Return a formula in x, y, z as one of the position relative to a centre.
+
+    Parameters
+    ----------
+    shape
+        The formula.
+    centre
+        The centre, (3,), m.
+    """
     offsets = (place - own for place, own in zip(POSITION, centre, strict=True))
     return shape.xreplace(dict(zip(POSITION, offsets, strict=True)))
 
@@ -35,6 +43,15 @@ def overlap(
     """Return expressions that are all negative if a ball overlaps a surface within its bounds.
 
     With a reach the surface is thin, and there is free space behind it; else all behind it is body.
+
+    Parameters
+    ----------
+    distance
+        The distance of the ball's surface from the surface, m; negative inside.
+    limits
+        The bounds g of Eq. 2, which are negative within the surface's edges.
+    reach
+        The ball's radius where the surface is thin, m; else None.
     """
     behind = () if reach is None else (-distance - 2 * reach,)
     return (distance, *behind, *map(as_length, limits))
@@ -106,6 +123,13 @@ class Surface(ABC):
         """Distances that grow along an axis, to one side: if one is positive, the ball is past.
 
         A ball that is past the surface, and moves on to that side, never touches it.
+
+        Parameters
+        ----------
+        axis
+            The number of the coordinate axis, 0 to 2.
+        side
+            1 for the side of larger coordinates, -1 for the other.
         """
         place, half = POSITION[axis], self.half_sizes[axis]
         if self.enclosed and half is not None:

@@ -128,7 +128,21 @@ def torus(
     ring_radius: sp.Expr,
     reach: sp.Expr,
 ) -> Surface:
-    """Return a torus; about the origin and the z axis it is a `Ring`, whose search is faster."""
+    """Return a torus; about the origin and the z axis it is a `Ring`, whose search is faster.
+
+    Parameters
+    ----------
+    name
+        The name of the surface.
+    centre
+        Its centre, (3,), m.
+    direction
+        The unit vector along its axis; its components are rational numbers.
+    ring_radius
+        The radius of the wire's centre circle, m.
+    reach
+        The radius of the wire and of the ball together, m.
+    """
     if all(sp.sympify(c) == 0 for c in (*centre, *direction[:2])):
         return Ring(name, ring_radius, reach)
     return Torus(name, centre, direction, ring_radius, reach)

@@ -174,7 +174,15 @@ def barrier(quantity: sp.Expr, name: str = "") -> sp.Expr:
 
 
 def barrier_all(vector: sp.Matrix, names: Sequence[str] = ()) -> sp.Matrix:
-    """Return the vector with each component held."""
+    """Return the vector with each component held.
+
+    Parameters
+    ----------
+    vector
+        A matrix of any shape.
+    names
+        The letter of each component on the pages of the derivation; empty for none.
+    """
     given = names or [""] * len(vector)
     held = [barrier(quantity, name) for quantity, name in zip(vector, given, strict=True)]
     return vector._new(*vector.shape, held)

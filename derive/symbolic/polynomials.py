@@ -17,14 +17,26 @@ Coefficients = list[sp.Expr]
 
 
 def add(left: Sequence[sp.Expr], right: Sequence[sp.Expr]) -> Coefficients:
-    """Return the coefficients of the sum."""
+    """Return the coefficients of the sum.
+
+    Parameters
+    ----------
+    left, right
+        The coefficients of both polynomials, the constant first; the degrees may differ.
+    """
     length = max(len(left), len(right))
     padded = [list(c) + [sp.Integer(0)] * (length - len(c)) for c in (left, right)]
     return [a + b for a, b in zip(*padded, strict=True)]
 
 
 def multiply(left: Sequence[sp.Expr], right: Sequence[sp.Expr]) -> Coefficients:
-    """Return the coefficients of the product."""
+    """Return the coefficients of the product.
+
+    Parameters
+    ----------
+    left, right
+        The coefficients of both polynomials, the constant first; neither is empty.
+    """
     product = [sp.Integer(0)] * (len(left) + len(right) - 1)
     for i, a in enumerate(left):
         for j, b in enumerate(right):
@@ -65,7 +77,15 @@ def compose(
 
 
 def horner(coefficients: Sequence[sp.Expr], variable: sp.Expr) -> sp.Expr:
-    """Return the polynomial in nested form (Horner's rule)."""
+    """Return the polynomial in nested form (Horner's rule).
+
+    Parameters
+    ----------
+    coefficients
+        The constant first.
+    variable
+        The variable of the polynomial.
+    """
     result: sp.Expr = sp.Integer(0)
     for coefficient in reversed(coefficients):
         result = coefficient + variable * result
@@ -78,7 +98,15 @@ def derivative(coefficients: Sequence[sp.Expr]) -> Coefficients:
 
 
 def bernstein(coefficients: Sequence[sp.Expr], width: sp.Expr) -> Coefficients:
-    """Return the Bernstein coefficients on [0, width]; the polynomial lies in their range."""
+    """Return the Bernstein coefficients on [0, width]; the polynomial lies in their range.
+
+    Parameters
+    ----------
+    coefficients
+        The constant first.
+    width
+        The length of the interval.
+    """
     degree = len(coefficients) - 1
     return [
         sum(

@@ -24,28 +24,8 @@ WITH_SENTENCES = tuple(path for path in EVERYWHERE if path != "benchmarks")
 """Sources whose docstrings of modules, classes and functions have a sentence as first line."""
 
 WITH_PARAMETERS = (
-    "hoopgen/cli",
-    "hoopgen/codegen",
-    "hoopgen/core",
-    "hoopgen/engine",
-    "hoopgen/hoop",
-    "hoopgen/interop",
-    "hoopgen/judge",
-    "hoopgen/plots",
-    "hoopgen/report",
-    "hoopgen/results",
-    "hoopgen/scene",
-    "hoopgen/simulation",
-    "hoopgen/study/jobs",
-    "hoopgen/study/measures",
-    "hoopgen/study/models",
-    "hoopgen/study/questions",
-    "hoopgen/study/recovery",
-    "hoopgen/study/statistics",
-    "hoopgen/study/tables",
-    "hoopgen/studyfile",
-    "hoopgen/text",
-    "hoopgen/viewer",
+    "derive",
+    *(f"hoopgen/{one.parent.name}" for one in sorted((ROOT / "hoopgen").glob("*/__init__.py"))),
 )
 """Packages whose public functions with two or more arguments have a section Parameters."""
 
@@ -107,12 +87,12 @@ def public_functions(folder: str) -> Iterator[tuple[str, ast.FunctionDef]]:
 
 
 def implemented(folder: str) -> set[str]:
-    """Return the names of the methods that a protocol of the package documents."""
+    """Return the names of the methods that a protocol or an abstract class documents."""
     return {
         method.name
         for file in sources(folder)
         for one in parsed(file).body
-        if isinstance(one, ast.ClassDef) and "Protocol" in map(ast.unparse, one.bases)
+        if isinstance(one, ast.ClassDef) and {"ABC", "Protocol"} & set(map(ast.unparse, one.bases))
         for method in one.body
         if isinstance(method, ast.FunctionDef)
         and "Parameters\n" in (ast.get_docstring(method) or "")
