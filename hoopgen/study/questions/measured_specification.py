@@ -84,14 +84,14 @@ class FitQuestion:
     )
     keep: Sequence[str] = setting(
         "Column to copy to the releases, such as a player: the first cell of each track.",
-        Listed(Text(words="a column's name", metavar="COLUMN")),
+        Listed(Text(words="a column name", metavar="COLUMN")),
         (),
         heading=RESULTS,
     )
     format: str | None = of.table_format()
     columns: Mapping[str, str] | None = setting(
         "Columns to read as time, x, y or z, whatever they are called.",
-        Each(Text(words="a column's name")),
+        Each(Text(words="a column name")),
         None,
         option="column",
         heading=MEASURED,

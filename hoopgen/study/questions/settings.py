@@ -289,13 +289,13 @@ class TableSettings:
     format: str | None = table_format()
     own: Sequence[str] = setting(
         "Column not to be read although it is named like a variable.",
-        Listed(Text(words="a column's name", metavar="COLUMN")),
+        Listed(Text(words="a column name", metavar="COLUMN")),
         (),
         heading=MEASURED,
     )
     columns: Mapping[str, str] | None = setting(
         "Column of any name to read as a variable,",
-        Each(Text(words="a column's name")),
+        Each(Text(words="a column name")),
         None,
         option="column",
         heading=MEASURED,

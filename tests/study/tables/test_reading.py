@@ -876,7 +876,7 @@ def test_a_study_reads_tables_alike(thrown: Path, tmp_path: Path) -> None:
     ("line", "said"),
     [
         ('where = ["player"]', "where: expected a column, one of"),
-        ('columns = ["speed"]', "expected a table, a column's name each"),
+        ('columns = ["speed"]', "expected a table, a column name each"),
         ('implausible = "yes"', "expected true or false"),
         ('columns = { speed = "nope" }', "columns: speed=nope: no column nope"),
     ],
