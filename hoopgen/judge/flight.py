@@ -19,6 +19,7 @@ from hoopgen.derive.scenes.passage import FALLEN
 from . import passage
 from .accumulation import Hops
 from .arrivals import arrival_at, holds
+from .clear_flight import clear_until, misses_body
 from .error_set import condensed
 from .formulas import Formulas, SurfaceFormulas
 from .pieces import Piece, meets_nothing, next_piece
@@ -27,6 +28,12 @@ from .taylor_model import Number, TaylorModel, as_model, ball
 from .validity import valid
 
 _NEVER = arb.pos_inf()
+
+_SKIPPED = 0.9375
+"""Share of a time without events that is skipped."""
+
+_RESTARTS = 4
+"""Times that a box of flights is followed from a later state on, before it is undecided."""
 
 
 @dataclass(frozen=True)
@@ -161,11 +168,12 @@ def _through(
 ) -> int | None:
     """Return the state of passage after the pieces of a flight, None if undecided."""
     found: int | None = through
-    for piece, time in legs:
+    for k, (piece, time) in enumerate(legs):
         if found is None:
             return None
         if piece.exact:
-            found = passage.after(found, sizes, piece.start, end, time)
+            there = end if k == len(legs) - 1 else piece.at(time)
+            found = passage.after(found, sizes, piece.start, there, time)
         else:
             found = passage.after_piece(found, sizes, piece.path, time)
     return found
@@ -243,10 +251,18 @@ def _next(
     """
     time = arb(0)
     legs: list[tuple[Piece, Number]] = []
+    restarts = 0
     while not meets_nothing(formulas, state, values):
         piece = next_piece(formulas, state, values)
         left = None if remaining is None else remaining - time
-        found = _next_on(formulas, piece, values, last, vanishing, left)
+        skipped = arb(0)
+        if piece.has_models and last < 0 and not legs:
+            skipped = _skipped(formulas, piece, values, 0.0, left)
+        if skipped > 0:
+            found: tuple[int, Number] | None = len(formulas.surfaces) + 1, skipped
+        else:
+            found = _next_on(formulas, piece, values, last, vanishing, left, restarts < _RESTARTS)
+            restarts += 1
         if found is None:
             return None
         place, after = found
@@ -258,6 +274,23 @@ def _next(
     return None
 
 
+def _skipped(
+    formulas: Formulas,
+    piece: Piece,
+    values: list[arb],
+    begin: float,
+    latest: Number | None,
+) -> arb:
+    """Return a time after `begin` until which a box of flights meets nothing; 0 if none is found.
+
+    A box of flights that cannot be decided from its start perhaps can be from there.
+    """
+    end = math.inf if latest is None else float(ball(latest).lower())
+    reached = clear_until(formulas, piece, values, begin, end)
+    # Where some of the box already touch something, it is not certain that all of it have not yet.
+    return arb(begin + _SKIPPED * (reached - begin)) if reached > begin else arb(0)
+
+
 def _next_on(
     formulas: Formulas,
     piece: Piece,
@@ -265,12 +298,14 @@ def _next_on(
     last: int,
     vanishing: int,
     remaining: Number | None,
+    may_stop: bool,
 ) -> tuple[int, Number] | None:
     """Return surface and time of the certainly earliest arrival on a piece; None without one.
 
     The time limit counts where something else is met too: what meets nothing any more can reach no
     end. Where there are no ends, or where a flight has pieces, it always counts. The end of the
-    piece counts as a surface beyond that.
+    piece counts as a surface beyond that. If `may_stop`, a box of flights that cannot be decided
+    ends its piece at a time until which it meets nothing.
     """
     arrivals: dict[int, Arrival] = {}
     latest = _NEVER
@@ -300,6 +335,45 @@ def _next_on(
         arrivals[limit] = Arrival(remaining)
         certain.append(limit)
     best = min(certain, key=lambda k: float(arrivals[k].time.mid()), default=-1)
+    if best >= 0 and piece.has_models:
+        _drop_missed(formulas, piece, values, arrivals, best)
+    try:
+        _check_earliest(formulas, arrivals, best, names)
+    except Undecided:
+        begin = min(float(ball(arrival.time).lower()) for arrival in arrivals.values())
+        if not (may_stop and piece.has_models and begin > 0.0):
+            raise
+        skipped = _skipped(formulas, piece, values, begin, remaining)
+        if not skipped > 0:
+            raise
+        return end, skipped
+    return best, arrivals[best].time
+
+
+def _drop_missed(
+    formulas: Formulas,
+    piece: Piece,
+    values: list[arb],
+    arrivals: dict[int, Arrival],
+    best: int,
+) -> None:
+    """Drop arrivals that are not certain, at bodies that are certainly missed until `best`."""
+    until = float(ball(arrivals[best].time).upper())
+    bodies: dict[int, list[int]] = {}
+    for k, arrival in arrivals.items():
+        if k < formulas.faces and not arrival.certain:
+            bodies.setdefault(formulas.surfaces[k].face, []).append(k)
+    for found in bodies.values():
+        begin = max(0.0, min(float(ball(arrivals[k].time).lower()) for k in found))
+        if misses_body(formulas, found[0], piece, values, begin, until):
+            for k in found:
+                del arrivals[k]
+
+
+def _check_earliest(
+    formulas: Formulas, arrivals: dict[int, Arrival], best: int, names: Sequence[str]
+) -> None:
+    """Raise Undecided unless an arrival, `best`, certainly comes before all others."""
     for k, arrival in arrivals.items():
         if k != best and not (best >= 0 and arrivals[best].time < arrival.time):
             if arrival.certain and _seam(formulas, k, best):
@@ -307,7 +381,6 @@ def _next_on(
             if not arrival.certain:
                 raise Undecided(f"whether the ball meets the {names[k]}")
             raise Undecided(f"whether the {names[k]} or the {names[best]} comes first")
-    return best, arrivals[best].time
 
 
 def _seam(formulas: Formulas, one: int, other: int) -> bool:

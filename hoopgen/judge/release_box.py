@@ -11,7 +11,7 @@ from __future__ import annotations
 import math
 from collections import deque
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
@@ -32,12 +32,10 @@ from hoopgen.text.numbers import format_count, format_percent
 from hoopgen.text.shorten import brief
 
 from .certificate import UNDECIDED
-from .clear_flight import clear_until
 from .flight import fly
 from .formulas import formulas
-from .pieces import next_piece
 from .roots import Undecided
-from .taylor_model import Number, TaylorModel, ball
+from .taylor_model import Number, TaylorModel, as_model, ball
 
 if TYPE_CHECKING:
     from hoopgen.results.drawing import Drawn
@@ -190,7 +188,6 @@ def certify_box(
     most = default_max_contacts(derived) if max_contacts is None else check_contacts(max_contacts)
     limit = default_time_limit(derived) if time_limit is None else check_time_limit(time_limit)
     pilot = _Pilot(derived, values, most, limit, middle)
-    pilot = replace(pilot, first=pilot.first_event())
     return _prove(pilot, widths, check_count("max_parts", max_parts), survey)
 
 
@@ -251,8 +248,6 @@ class _Pilot:
         As for `flight.fly`.
     middle
         All variables of the release in the middle.
-    first
-        Time of its first event, s; 0 if that is not proved.
     """
 
     scene: Scene
@@ -260,32 +255,15 @@ class _Pilot:
     max_contacts: int
     time_limit: float
     middle: Mapping[str, float]
-    first: float = 0.0
-
-    def first_event(self) -> float:
-        """Return the time of the first event of the middle, s; 0 if none is proved."""
-        with ctx.workprec(POINT_BITS):
-            state = [arb(float(component)) for component in self._state({})]
-            try:
-                most, limit = self.max_contacts, self.time_limit
-                flown = fly(formulas(self.scene), state, self.parameters, most, time_limit=limit)
-            except Undecided as undecided:
-                flown = undecided.args[1]
-            return float(flown.events[0].time) if flown.events else 0.0
 
     def ending(self, box: Bounds, bits: int) -> tuple[Ending | None, str]:
         """Return the common end of all releases in a box, or None and the reason for no proof."""
         with ctx.workprec(bits):
             own = formulas(self.scene)
             state = self._state(box, models=own.air is None)
-            start = [ball(component) for component in state]
-            later = clear_until(own, start, self.parameters, self.first)
-            if later > 0.0:
-                values = [arb(p) for p in self.parameters]
-                state = next_piece(own, state, values).at(arb(later))
-            left = (arb(self.time_limit) - later).lower() if later else self.time_limit
+            most, limit = self.max_contacts, self.time_limit
             try:
-                flown = fly(own, state, self.parameters, self.max_contacts, time_limit=float(left))
+                flown = fly(own, state, self.parameters, most, time_limit=limit)
             except Undecided as undecided:
                 return None, str(undecided.args[0])
         if flown.hops >= 0:
@@ -309,10 +287,11 @@ class _Pilot:
         arrays = {name: np.array(number, object) for name, number in numbers.items()}
         state = states_in_numpy(arrays, (), RING_HEIGHT, _sine_cosine).tolist()
         sizes = (max(float(c.abs_upper()), 1.0) * (not c.is_zero()) for c in map(ball, state))
-        return [
+        widened = [
             component + arb(0, ROUNDINGS * size)
             for component, size in zip(state, sizes, strict=True)
         ]
+        return [as_model(component) for component in widened] if models else widened
 
 
 def _prove(pilot: _Pilot, box: Bounds, most: int, survey: bool) -> BoxProof:

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -18,8 +20,9 @@ pytest.importorskip("sympy")
 from flint import arb
 
 from hoopgen.judge.certificate import UNDECIDED
-from hoopgen.judge.clear_flight import clear_until
+from hoopgen.judge.clear_flight import clear_until, misses_body
 from hoopgen.judge.formulas import formulas
+from hoopgen.judge.pieces import next_piece
 
 THROW = {
     "speed": 7.17,
@@ -28,6 +31,11 @@ THROW = {
     "height": 2.1336,
     "distance": 4.191,
 }
+
+
+def inputs(engine: Engine) -> list[arb]:
+    """Return the kernels' inputs for a scene's own parameters."""
+    return [arb(float(np.ravel(v)[0])) for v in engine.table.inputs(dict(engine.parameters))]
 
 
 def in_box(
@@ -68,6 +76,12 @@ def sequences(engine: Engine, values: Mapping[str, Any]) -> list[tuple[int, ...]
         ),
         pytest.param(
             hoopgen.COURT, {"speed": 7.0}, {"speed": 1e-3, "elevation": 2e-4}, id="court-ring-wide"
+        ),
+        pytest.param(
+            hoopgen.COURT,
+            {"speed": 7.0964, "elevation": 0.8873, "azimuth": -0.0084, "backspin": 0.0},
+            {"speed": 2e-3, "elevation": 2e-4, "azimuth": 1e-4},
+            id="court-ring-and-board",
         ),
         pytest.param(
             hoopgen.COURT,
@@ -175,14 +189,39 @@ def test_a_ball_that_starts_in_a_body_or_rolls_is_not_proved_to_be_anything_else
 @pytest.mark.parametrize("engine", [hoopgen.HOOP, hoopgen.COURT], ids=["hoop", "court"])
 def test_a_flight_is_clear_until_shortly_before_its_first_event_alone(engine: Engine) -> None:
     random = np.random.default_rng(4)
-    own, values = formulas(engine.scene), engine.table.inputs(dict(engine.parameters))
+    own, values = formulas(engine.scene), inputs(engine)
     for speed in random.uniform(6.5, 7.6, trials(50)):
         state = hoopgen.release(**THROW | {"speed": speed})
         shots = engine.simulate(state, record=True)
         first = float(shots.events["time"][0])
-        for end in (first, 2 * first):
-            reached = clear_until(own, [arb(c) for c in state.tolist()], values, end)
+        piece = next_piece(own, [arb(c) for c in state.tolist()], values)
+        for begin, end in ((0.0, first), (0.0, math.inf), (first / 2, 2 * first)):
+            reached = clear_until(own, piece, values, begin, end)
             assert 0.9 * first < reached <= first
+        assert clear_until(own, piece, values, 0.0, first / 3) == first / 3
+
+
+def test_a_flight_after_a_contact_misses_each_body_but_the_next() -> None:
+    random = np.random.default_rng(5)
+    own, values = formulas(hoopgen.COURT.scene), inputs(hoopgen.COURT)
+    missed = passed = met = 0
+    for speed in random.uniform(6.9, 7.4, trials(100)):
+        state = hoopgen.release(**THROW | {"speed": speed})
+        events = hoopgen.COURT.simulate(state, record=True, max_contacts=4).events
+        for now, then in pairwise(events):
+            piece = next_piece(own, [arb(c) for c in now["after"].tolist()], values)
+            flight = float(then["time"] - now["time"])
+            for k in range(own.faces):
+                body = own.surfaces[k].body
+                misses = misses_body(own, k, piece, values, flight / 8, 1.001 * flight)
+                if body == then["surface"]:
+                    assert not misses
+                    met += 1
+                elif body != now["surface"]:
+                    missed += misses
+                    passed += 1
+    assert met > 10
+    assert missed > passed / 2
 
 
 @pytest.mark.parametrize(
