@@ -10,12 +10,24 @@ from functools import partial
 from pathlib import Path
 
 import pytest
+from hoopgen.derive.errors import propagation
+from hoopgen.derive.events import bounding_boxes, plane_filter
+from hoopgen.derive.events.box import BoxRootFinder
 from hoopgen.derive.rolling import events, settling
 
 pytest.importorskip("flint")
 
+from tests.derive.events import test_margins_of_filters as filters
+from tests.derive.events import test_near_plates, test_own_surfaces
 from tests.derive.rolling import test_margins_in_contact as contact
-from tests.helpers.checked_faults import OfFormulas, OfKernels, Planted, checks_of, noticed, passes
+from tests.helpers.checked_faults import (
+    OfFormulas,
+    OfKernels,
+    Planted,
+    checks_of,
+    noticed,
+    passes,
+)
 from tests.helpers.mutants import in_text
 
 pytestmark = [pytest.mark.xdist_group("margin_mutations")]
@@ -50,6 +62,25 @@ force = OfKernels(
 grazing = OfKernels(contact.test_a_surface_that_a_rolling_ball_may_graze_is_in_doubt, EACH_KERNEL)
 delay = OfKernels(contact.test_the_delay_of_a_meeting_holds_the_error_of_the_place, EACH_KERNEL)
 at_once = OfKernels(contact.test_two_events_of_a_rolling_ball_at_once_are_in_doubt, EACH_KERNEL)
+
+plate_filter = OfFormulas(
+    filters.test_a_ball_that_errors_bring_to_a_plate_is_not_apart_from_it,
+    (((1e-3, 0.0),), ((0.0, 2e-3),)),
+)
+slow_beside_a_box = OfFormulas(
+    filters.test_the_gap_of_a_slow_ball_beside_a_box_bends_as_free_fall_bends_it
+)
+turned_normal = OfKernels(
+    filters.test_errors_after_an_impact_hold_a_share_of_what_the_normal_s_turn_makes
+)
+near_plates = OfKernels(
+    test_near_plates.test_a_plate_that_a_flight_grazes_is_near,
+    (("backboard", 0.0), ("bridge", 0.0), ("backboard", 1e-3), ("bridge", 1e-3)),
+)
+windows = OfFormulas(
+    test_own_surfaces.test_errors_are_small_whenever_the_true_ball_is_in_the_box,
+    (((0, 0, -1), False), ((1, 0, 0), True)),
+)
 
 in_settling = partial(in_text, settling, "settling")
 in_surfaces = partial(in_text, events, "_other_surfaces")
@@ -157,6 +188,61 @@ FAULTS = (
         "of two events of a rolling ball the first one looked at is sure",
         in_surfaces("any_of(grazes, all_of(arrives, Not(_NO_EVENT)))", "grazes"),
         at_once,
+    ),
+    # Filters, windows, and bounds of curvature.
+    Planted(
+        "a plate is as far as the computed ball has it",
+        in_text(plane_filter, "_apart", "yield Less(slack, (low", "yield Less(0, (low"),
+        plate_filter,
+    ),
+    Planted(
+        "the circle that a plate leaves out is as wide as for a ball without errors",
+        in_text(plane_filter, "_inside", "barrier(radius - 2 * slack)", "barrier(radius)"),
+        plate_filter,
+    ),
+    Planted(
+        "the velocity's error does not widen a flight's boxes",
+        in_text(bounding_boxes, "path_slack", " + velocity_error * horizon", ""),
+        near_plates,
+    ),
+    Planted(
+        "the boxes of a flight's halves have the size of their chords",
+        in_text(bounding_boxes, "half_flight_boxes", " + absolute(bulge)", ""),
+        near_plates,
+    ),
+    Planted(
+        "errors may be as large as the inflation of the windows",
+        in_text(
+            test_own_surfaces, "lost", "RELATIVE_INFLATION / 4 * half", "RELATIVE_INFLATION * half"
+        ),
+        windows,
+    ),
+    Planted(
+        "the velocity's error counts for a sixteenth of the time in the windows",
+        in_text(
+            test_own_surfaces, "lost", "velocity_error * latest", "velocity_error * latest / 16"
+        ),
+        windows,
+    ),
+    Planted(
+        "free fall bends the gap of a box by a quarter",
+        in_text(
+            BoxRootFinder,
+            "curvature",
+            "most.append(absolute(a) * minimum",
+            "most.append(absolute(a) / 4 * minimum",
+        ),
+        slow_beside_a_box,
+    ),
+    Planted(
+        "an error of the normal changes no velocity in the worst case",
+        in_text(
+            propagation,
+            "before_impact",
+            "ball_radius * greatest(dw) + speed * turn",
+            "ball_radius * greatest(dw)",
+        ),
+        turned_normal,
     ),
 )
 
