@@ -23,7 +23,7 @@ import hoopgen
 from benchmarks.families import FAMILIES, Family
 from benchmarks.machine import facts
 from benchmarks.penetration import deepest
-from benchmarks.report import number, table
+from benchmarks.report import number, section_of, table
 from hoopgen.core.files import write
 from hoopgen.judge import Certificate, Proof, certify
 from hoopgen.simulation.hoop import HOOP
@@ -32,6 +32,9 @@ from hoopgen.text.numbers import format_percent
 ERRORS = ("time", "position", "velocity", "spin")
 MAX_CONTACTS = 40
 EXAMPLES = 5
+HEADING = "## What is proved of the bounds"
+"""A section of the page that is written by hand, and kept."""
+
 CHUNK = 4096
 
 Bools = NDArray[np.bool_]
@@ -271,8 +274,9 @@ def _depths(tallies: Sequence[Tally]) -> list[str]:
     return table(head, rows)
 
 
-def as_markdown(tallies: Sequence[Tally]) -> str:
-    """Return the report."""
+def as_markdown(tallies: Sequence[Tally], before: str = "") -> str:
+    """Return the report; of the page as it was before, the section written by hand is kept."""
+    by_hand = section_of(before, HEADING) if f"{HEADING}\n" in before else []
     shots, wrong = sum(t.shots for t in tallies), sum(t.wrong for t in tallies)
     seconds = sum(t.seconds for t in tallies)
     lines = [
@@ -303,6 +307,7 @@ def as_markdown(tallies: Sequence[Tally]) -> str:
         "above 1 would break this promise.",
         "",
         *_numbers(tallies),
+        *by_hand,
         "## The ball never enters a surface",
         "",
         "The table covers recorded flights of shots that are not flagged, from each recorded "
@@ -343,7 +348,9 @@ def main() -> None:
         print(f"{last.label}: {last.shots} shots, {last.wrong} wrong, {last.seconds:.0f} s")
     numbers = json.dumps([asdict(t) for t in tallies], indent=1)
     write(arguments.out / "exactness.json", numbers + "\n")
-    write(arguments.out / "exactness.md", as_markdown(tallies))
+    page = arguments.out / "exactness.md"
+    before = page.read_text("utf-8") if page.exists() else ""
+    write(page, as_markdown(tallies, before))
     sys.exit(any(t.wrong or t.unseen or max(t.ratios) > 1 for t in tallies))
 
 

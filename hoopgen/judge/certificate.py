@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -20,6 +21,17 @@ if TYPE_CHECKING:
 
 UNDECIDED = 255
 """Value of `Certificate.outcome` where no outcome was proved."""
+
+EVENT_ERRORS = np.dtype(
+    [
+        ("shot", np.int64),
+        ("surface", np.int64),
+        ("time_error", np.float64),
+        ("before_error", np.float64, 3),
+        ("after_error", np.float64, 3),
+    ]
+)
+"""A row of bounds; those of states are on position, velocity and spin."""
 
 
 class Enclosure(NamedTuple):
@@ -216,10 +228,7 @@ class Certificate:
         AttributeError
             If they have no event log, or were simulated without "outcome" or "uncertain".
         """
-        if len(shots) != len(self):
-            raise ValueError(
-                f"shots: expected {len(self)}, as many as were proved; got {len(shots)}"
-            )
+        self._check_as_many(shots)
         ends = np.searchsorted(shots.events["shot"], np.arange(1, len(self)))
         found = np.split(shots.events, ends) if len(self) else []
         proved = [proof.surfaces for proof in self.proofs]
@@ -236,6 +245,44 @@ class Certificate:
                 until = min(int(begun[0]) if len(begun) else len(one), len(own))
                 right[shot] = list(one["surface"][:until]) == own[:until]
         return np.asarray(right | shots.uncertain)
+
+    def event_errors(self, shots: Shots) -> NDArray[np.void]:
+        """Return proved bounds on the errors of each recorded event of simulated shots.
+
+        This is a theorem for each row whose bounds are numbers: the exact shot from the given
+        doubles has met the same surfaces in the same order up to this event, and its time and its
+        states at this event differ from the recorded ones by no more than the bounds. Nothing is
+        estimated, and the flag `uncertain` plays no part.
+
+        Parameters
+        ----------
+        shots
+            Of the same releases; with their event log, ``record=True``.
+
+        Returns
+        -------
+        ndarray
+            Structured, a row for each row of ``shots.events``, in its order: "shot", "surface",
+            "time_error" (s), and "before_error" and "after_error", the largest error of any
+            component of position (m), velocity (m/s) and spin (rad/s), (3,) each. They are NaN in
+            rows of which nothing is proved: from the first event on that is not as proved, after
+            the proof ends, and from a roll on.
+
+        Raises
+        ------
+        ValueError
+            If they are not as many, or if the proofs are without ``record=True``.
+        AttributeError
+            If the shots have no event log.
+        """
+        self._check_as_many(shots)
+        return _event_errors(self.proofs, shots.events)
+
+    def _check_as_many(self, shots: Shots) -> None:
+        if len(shots) != len(self):
+            raise ValueError(
+                f"shots: expected {len(self)}, as many as were proved; got {len(shots)}"
+            )
 
     @property
     def uncertain(self) -> NDArray[np.bool_]:
@@ -264,3 +311,67 @@ class Certificate:
         until_rolling = f", {rolling:,} until they roll" if rolling else ""
         decided = f"{int(self.decided.sum()):,} decided"
         return f"Certificate({format_count(len(self), 'shot')}, {decided}{until_rolling})"
+
+
+def _event_errors(proofs: Sequence[Proof], events: NDArray[np.void]) -> NDArray[np.void]:
+    """Return proved bounds on the errors of each row of an event log.
+
+    A bound is the upper end of a ball that holds the difference between the recorded number, an
+    exact double, and the proved enclosure of the true one. It is rounded up to a double.
+
+    Parameters
+    ----------
+    proofs
+        Of the same shots, with their events.
+    events
+        The log, sorted by shot.
+
+    Returns
+    -------
+    ndarray
+        `EVENT_ERRORS`, a row for each row of the log; NaN where nothing is proved of it.
+
+    Raises
+    ------
+    ValueError
+        If the proofs have no events.
+    """
+    if any(proof.surfaces and not proof.events for proof in proofs):
+        raise ValueError("event_errors needs the proved events: certify(..., record=True)")
+    found = np.zeros(len(events), EVENT_ERRORS)
+    found["shot"], found["surface"] = events["shot"], events["surface"]
+    for name in ("time_error", "before_error", "after_error"):
+        found[name] = math.nan
+    ends = np.searchsorted(events["shot"], np.arange(len(proofs) + 1))
+    for proof, (start, end) in zip(proofs, pairwise(ends.tolist()), strict=True):
+        _bound(proof, events[start:end], found[start:end])
+    return found
+
+
+def _bound(proof: Proof, events: NDArray[np.void], found: NDArray[np.void]) -> None:
+    """Write the bounds of one shot, as far as its events are those that are proved.
+
+    Rows of a roll end the comparison: the judge follows impacts.
+    """
+    with ctx.workprec(4 * proof.bits):  # no digit of an enclosure is lost
+        for row, proved, bounds in zip(events, proof.events, found, strict=False):
+            if row["surface"] != proved.surface or row["kind"] not in (Event.IMPACT, Event.END):
+                return
+            bounds["time_error"] = _largest(proved, "time", [float(row["time"])])
+            for name in ("before", "after"):
+                state = row[name].tolist()
+                bounds[f"{name}_error"] = [
+                    _largest(proved, name, state[k : k + 3], k) for k in (0, 3, 6)
+                ]
+
+
+def _largest(proved: ProvedEvent, name: str, numbers: Sequence[float], first: int = 0) -> float:
+    """Return a bound on the distance of each number from its enclosure."""
+    value = getattr(proved, name)
+    enclosures = [value] if name == "time" else value[first : first + len(numbers)]
+    away = [
+        abs(one.ball - arb(number)).upper() for one, number in zip(enclosures, numbers, strict=True)
+    ]
+    largest = max(away)
+    # The conversion rounds to nearest, at worst half a unit down.
+    return 0.0 if largest == 0 else math.nextafter(float(largest), math.inf)

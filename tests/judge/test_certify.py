@@ -31,6 +31,7 @@ import hoopgen
 from benchmarks import exactness
 from benchmarks.families import FAMILIES
 from benchmarks.penetration import deepest
+from benchmarks.report import section_of
 from benchmarks.workloads import TABLE_3, WORKLOADS
 from hoopgen.cli.certify import certify as command
 from hoopgen.judge import UNDECIDED, Enclosure, Proof, certify
@@ -42,6 +43,7 @@ from hoopgen.judge.formulas import formulas
 from hoopgen.judge.pieces import next_piece
 from hoopgen.judge.roots import Arrival, first_arrival, sign_changes
 from hoopgen.judge.settle import settle
+from tests.helpers import ROOT
 from tests.helpers.hoop_shots import Batch
 from tests.helpers.march import Flown
 
@@ -691,6 +693,17 @@ def test_the_report_finds_nothing_wrong_with_the_engine() -> None:
     text = exactness.as_markdown(tallies)
     assert "**0** have a wrong result" in text
     assert all(family.label in text for family in FAMILIES[:6])
+
+
+def test_the_section_written_by_hand_is_kept_where_it_is() -> None:
+    page = (ROOT / "docs" / "exactness.md").read_text("utf-8")
+    lines = section_of(page, exactness.HEADING)
+    tallies = [exactness.Tally("some")]
+    text = exactness.as_markdown(tallies, page)
+    assert section_of(text, exactness.HEADING) == lines
+    assert text.replace("\n".join(lines) + "\n", "") == exactness.as_markdown(tallies)
+    headings = [line for line in page.split("\n") if line.startswith("## ")]
+    assert [line for line in text.split("\n") if line.startswith("## ")] == headings
 
 
 def test_the_report_would_find_a_wrong_engine(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -1,0 +1,302 @@
+"""The roundings of the kernels that move a ball: proved bounds, and those that are carried.
+
+Three kernels of the article's hoop make a new state: the flight (Eq. 3), the ring's normal (Table
+2) and the impact (Eq. 17). For each there is a bound on its rounding error, for exact inputs, with
+its proof, to first order in u times `ROUNDING_SLACK`. Random inputs are held against it with 200
+bits. Errors are carried with simpler terms, which the tests compare with the proved bounds.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import cache
+from typing import Any
+
+import numpy as np
+import pytest
+import sympy as sp
+from hoopgen.derive.errors import propagation
+from hoopgen.derive.scenes import HOOP
+from hoopgen.derive.symbolic.conditionals import Barrier
+from hoopgen.derive.symbolic.error_terms import DECISION_FACTOR, ERRORS, dn
+from hoopgen.derive.symbolic.rounding import ROUNDING_SLACK, Rounded, rounding
+from hoopgen.derive.symbolic.symbols import POSITION, UNIT_ROUNDOFF, normal, spin, velocity
+from hoopgen.generated.numpy import hoop
+from numpy.typing import NDArray
+
+from hoopgen import PAPER
+from tests.helpers.effort import trials
+
+flint = pytest.importorskip("flint")
+
+Floats = NDArray[np.float64]
+U = float(UNIT_ROUNDOFF)
+SLACK = float(ROUNDING_SLACK)
+ROWS = 100_000
+SIZES = {f"p_{name}": float(value) for name, value in PAPER.items()}
+RADIUS, WIRE, CIRCLE = (SIZES[f"p_{n}"] for n in ("ball_radius", "wire_radius", "ring_radius"))
+GRAVITY, RESTITUTION = SIZES["p_gravity"], SIZES["p_restitution"]
+NORMALS = tuple(normal)
+EXACT = np.vectorize(lambda number: flint.arb(float(number)), otypes=[object])
+
+
+def called(name: str, **arguments: Any) -> Floats:
+    """Return what a kernel of the hoop computes in doubles, a column a row."""
+    names = hoop.ARGUMENTS[name]
+    given = SIZES | arguments
+    return np.array(getattr(hoop, name)(*(given[n] for n in names)), float)
+
+
+def off_by(computed: Floats, true: Callable[[], list[Any]]) -> Floats:
+    """Return the errors of doubles, from the exact formula evaluated with 200 bits."""
+    with flint.ctx.workprec(200):
+        exact = np.array(true(), object)
+        return np.abs(np.array(exact - EXACT(computed), float))
+
+
+def evaluated(expression: sp.Expr, values: dict[str, Any]) -> Any:
+    """Return the value of a formula in doubles."""
+    plain = expression.replace(lambda e: isinstance(e, Barrier), lambda e: e.args[0])
+    symbols = sorted(plain.free_symbols, key=lambda s: s.name)
+    return sp.lambdify(symbols, plain, "numpy")(*(values[s.name] for s in symbols))
+
+
+# ------------------------------------------------------------------------------------- the flight
+
+
+def flights() -> dict[str, Floats]:
+    """Return starts and times of flights.
+
+    A third of them end near zero, and another third have hardly any mean speed upwards: there a
+    sum cancels, and each term of the bound matters.
+    """
+    random, rows = np.random.default_rng(1), trials(ROWS)
+    time = 2.0 ** random.uniform(-12, 1, rows)
+    place, speed = random.uniform(-4, 4, (3, rows)), random.uniform(-9, 9, (3, rows))
+    third = rows // 3
+    half_fall = 0.5 * GRAVITY * time
+    speed[2, :third] = half_fall[:third] * (1 + random.normal(0, 1e-3, third))
+    place[:, :third] *= 2.0**-12
+    mean = speed - np.array([[0], [0], [1]]) * half_fall
+    place[:, third : 2 * third] = -(time * mean)[:, third : 2 * third]
+    names = ("x", "y", "z", "vx", "vy", "vz")
+    return {"t": time} | dict(zip(names, (*place, *speed), strict=True))
+
+
+@cache
+def flown() -> tuple[dict[str, Floats], Floats, Floats]:
+    """Return flights, their computed ends and the errors of these."""
+    start = flights()
+    ends = called("flight", **start)
+
+    def true() -> list[Any]:
+        own = {name: EXACT(value) for name, value in start.items()}
+        g, time = flint.arb(GRAVITY), own["t"]
+        pulls = (0 * g, 0 * g, -g)
+        places = [
+            own[p] + own["v" + p] * time + time * time * a / 2
+            for p, a in zip("xyz", pulls, strict=True)
+        ]
+        return [*places, *(own["v" + p] + a * time for p, a in zip("xyz", pulls, strict=True))]
+
+    return start, ends, off_by(ends, true)
+
+
+def flight_terms() -> list[Floats]:
+    """Return the terms of the bound on the rounding of a position, given the end of the flight.
+
+    Eq. 3 is evaluated as x + t (v + t a/2). Its two sums and two products are each off by at most
+    u times their value (a/2 is exact): u (|x'| + 2 t |m| + t² |a|/2), m = v + t a/2 the mean
+    velocity. At the end the velocity is v', and |m| = |v' - t a/2| <= |v'| + t |a|/2.
+    """
+    start, ends, _ = flown()
+    pull = np.array([[0.0], [0.0], [GRAVITY]])
+    return [
+        U * np.abs(ends[:3]),
+        U * 2 * start["t"] * np.abs(ends[3:]),
+        U * pull * start["t"] ** 2,
+        U * pull * start["t"] ** 2 / 2,
+    ]
+
+
+def test_a_flight_s_roundings_are_within_their_proved_bound() -> None:
+    start, ends, errors = flown()
+    assert np.all(errors[:3] <= SLACK * sum(flight_terms()))
+    # A velocity has one product and one sum.
+    falls = np.array([[0.0], [0.0], [GRAVITY]]) * start["t"]
+    assert np.all(errors[3:] <= SLACK * U * (np.abs(ends[3:]) + falls))
+
+
+@pytest.mark.parametrize("left_out", [(0,), (1,), (2, 3)])
+def test_no_term_of_a_flight_s_bound_may_be_left_out(left_out: tuple[int, ...]) -> None:
+    _, _, errors = flown()
+    rest = sum(term for k, term in enumerate(flight_terms()) if k not in left_out)
+    assert np.any(errors[:3] > SLACK * rest)
+
+
+def test_what_is_carried_for_a_flight_is_two_thirds_of_the_bound_at_least() -> None:
+    """The path's length has |a| t² where the proof has one and a half of it."""
+    start, ends, _ = flown()
+    given = {"t": start["t"], "gravity": GRAVITY}
+    given |= dict(zip(map(str, (*POSITION, *velocity)), ends, strict=True))
+    carried = [evaluated(e, given) for e in propagation._flight_roundings(HOOP.flight)]
+    share = np.array(carried) / sum(flight_terms())
+    assert share.min() * (1 + 1e-12) >= 2 / 3
+    assert share.min() < 0.75
+
+
+# ------------------------------------------------------------------------------ the ring's normal
+
+
+@cache
+def normals() -> tuple[Floats, Floats, Floats]:
+    """Return places on the ring, many above the wire, computed normals and their errors."""
+    random, rows = np.random.default_rng(2), trials(ROWS)
+    around, over = random.uniform(-np.pi, np.pi, (2, rows))
+    over[: rows // 3] = np.pi / 2 + random.normal(0, 1e-3, rows // 3)
+    rho = CIRCLE + (RADIUS + WIRE) * np.cos(over)
+    height = (RADIUS + WIRE) * np.sin(over)
+    places = np.array([rho * np.cos(around), rho * np.sin(around), height])
+    found = called("ring_normal", **dict(zip("xyz", places, strict=True)))
+
+    return places, found, off_by(found, lambda: exact_normal(places))
+
+
+def exact_normal(places: Floats) -> list[Any]:
+    """Return the exact normals of the ring (Table 2), in balls."""
+    x, y, z = EXACT(places)
+    reach = flint.arb(RADIUS) + flint.arb(WIRE)
+    far = np.array([(a * a + b * b).sqrt() for a, b in zip(x, y, strict=True)], object)
+    out = (far - flint.arb(CIRCLE)) / far / reach
+    return [x * out, y * out, z / reach]
+
+
+def normal_terms() -> list[Floats]:
+    """Return the terms of the bound on the rounding of the ring's normal.
+
+    The distance ρ from the axis is a root of a sum of squares, off by 2 u ρ. Hence ρ - R_H is off
+    by 2 u ρ and its own rounding; 1/R, with R a sum, by 2 u of it; 1/ρ by 3 u of it; and there are
+    three products: |x| (2 u/R) + 9 u |n_x|. Of z/R there are 3 u.
+    """
+    places, found, _ = normals()
+    across = 2 * U / (RADIUS + WIRE) * np.abs(places) * np.array([[1.0], [1.0], [0.0]])
+    return [across, U * np.array([[9.0], [9.0], [3.0]]) * np.abs(found)]
+
+
+def test_the_roundings_of_the_ring_s_normal_are_within_their_proved_bound() -> None:
+    _, _, errors = normals()
+    assert np.all(errors <= SLACK * sum(normal_terms()))
+
+
+@pytest.mark.parametrize("left_out", [0, 1])
+def test_no_term_of_the_normal_s_bound_may_be_left_out(left_out: int) -> None:
+    _, _, errors = normals()
+    assert np.any(errors > SLACK * normal_terms()[1 - left_out])
+
+
+# ------------------------------------------------------------------------------------- the impact
+
+
+@cache
+def impacts() -> tuple[dict[str, Any], Floats, Floats]:
+    """Return motions before contacts with the ring, computed motions after, and their errors.
+
+    The normal is exact here; half of the motions roll, so that the tangential velocity is small.
+    """
+    random = np.random.default_rng(3)
+    _, found, _ = normals()
+    rows = found.shape[1]
+    moving, turning = random.normal(0, 3, (3, rows)), random.normal(0, 25, (3, rows))
+    half = rows // 2
+    moving[:, :half] = found[:, :half] * random.uniform(-3, 0, half)
+    turning[:, :half] *= 2.0**-20
+    names = ("vx", "vy", "vz", "wx", "wy", "wz", "nx", "ny", "nz")
+    given = dict(zip(names, (*moving, *turning, *found), strict=True))
+    after = called("impact", **given)
+    return given, after, off_by(after, lambda: after_impact(given, EXACT(found)))
+
+
+def after_impact(given: dict[str, Any], n: NDArray[Any]) -> list[Any]:
+    """Return the exact motion after contacts of a thin shell with a normal (Eq. 17), in balls."""
+    v, w = (np.array([EXACT(given[a + p]) for p in "xyz"]) for a in "vw")
+    radius, e = flint.arb(RADIUS), flint.arb(RESTITUTION)
+    onto, own = (v * n).sum(axis=0), (w * n).sum(axis=0)
+    slid = [3 * (v[k] - onto * n[k]) + 2 * radius * part for k, part in enumerate(cross(w, n))]
+    rolling = [part / flint.arb(5) for part in slid]
+    turned = [part / radius for part in cross(n, rolling)]
+    return [
+        *(rolling[k] - e * onto * n[k] for k in range(3)),
+        *(turned[k] + own * n[k] for k in range(3)),
+    ]
+
+
+def cross(a: Any, b: Any) -> list[Any]:
+    """Return the product a × b."""
+    return [a[k - 2] * b[k - 1] - a[k - 1] * b[k - 2] for k in range(3)]
+
+
+def impact_bounds(normal_error: list[Any] | None = None) -> Floats:
+    """Return the running error bounds of the impact (Higham, sections 3.1 and 4.2).
+
+    Parameters
+    ----------
+    normal_error
+        Bounds on the error of the normal's components; none by default.
+    """
+    law, ball = HOOP.bodies[0].law, HOOP.ball
+    offs = sp.symbols("off_x off_y off_z", nonnegative=True)
+    known = {
+        n: Rounded(sp.Abs(n), off if normal_error is not None else sp.Integer(0))
+        for n, off in zip(NORMALS, offs, strict=True)
+    }
+    given, _, _ = impacts()
+    values = given | {"ball_radius": RADIUS, "restitution": RESTITUTION}
+    if normal_error is not None:
+        values |= dict(zip(map(str, offs), normal_error, strict=True))
+    after = law.after(normal, velocity, spin, ball)
+    return np.array(
+        [
+            evaluated(rounding(component, known).error, values)
+            for part in after
+            for component in part
+        ]
+    )
+
+
+def carried_for_impacts() -> Floats:
+    """Return the roundings that the engine carries on from an impact without errors before it."""
+    given, _, _ = impacts()
+    none = dict.fromkeys(("contacts", "turn", *map(str, (*ERRORS, *dn))), 0.0)
+    return np.abs(called("carry_impact", **given, **none))
+
+
+def test_an_impact_s_roundings_are_within_their_proved_bound() -> None:
+    _, _, errors = impacts()
+    bounds = impact_bounds()
+    assert np.all(errors <= SLACK * bounds)
+    assert np.any(errors > bounds / 8)
+
+
+def test_normal_and_impact_together_are_within_their_proved_bound() -> None:
+    """The normal's error is carried through the impact, and the impact's roundings are added."""
+    errors, bounds = together()
+    assert np.all(errors <= SLACK * bounds)
+    assert np.any(errors > SLACK * impact_bounds())  # the normal's error must not be left out
+
+
+def test_what_is_carried_is_less_than_roundings_and_the_factors_make_up_for_it() -> None:
+    """A contact's roundings are up to five times those that are carried; proved is 26 times."""
+    errors, bounds = together()
+    carried = carried_for_impacts()
+    assert np.all(carried > 0)
+    assert 1 < (errors / carried).max() < DECISION_FACTOR / 2
+    assert DECISION_FACTOR < (bounds / carried).max() < propagation.REPORTED_FACTOR / 2
+
+
+@cache
+def together() -> tuple[Floats, Floats]:
+    """Return the errors after contacts by the roundings of normal and impact, and their bounds."""
+    given, after, _ = impacts()
+    places, _, _ = normals()
+    errors = off_by(after, lambda: after_impact(given, np.array(exact_normal(places))))
+    return errors, impact_bounds(list(SLACK * sum(normal_terms())))

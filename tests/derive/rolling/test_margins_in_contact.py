@@ -1,0 +1,196 @@
+"""Decisions in contact whose margins keep errors from turning them: each margin by itself.
+
+The kernels are called with numbers of which one at a time is at its limit: how bounces end
+(`settling`), where the normal force vanishes, and another surface beside a rolling ball.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import pytest
+from hoopgen.derive.rolling import settling
+from hoopgen.generated.numpy import court
+
+NONE = -1.0
+RADIUS, GRAVITY, RESTITUTION, FRICTION = 0.12, 9.81, 0.7, 0.5
+TOLERANCE = float(settling.tolerance(RADIUS))
+LEFT = 1 - RESTITUTION
+LOSS = LEFT * (1 + RESTITUTION)
+
+
+def called(kernel: str, values: dict[str, Any], **changed: Any) -> dict[str, Any]:
+    """Return what a kernel computes of the values, with some of them changed."""
+    given = values | changed
+    arguments = [float(given[name]) for name in court.ARGUMENTS[kernel]]
+    return dict(zip(court.OUTPUTS[kernel], getattr(court, kernel)(*arguments), strict=True))
+
+
+# --------------------------------------------------------------------------- how the bounces end
+
+BOUNCING = {
+    "p_ball_radius": RADIUS,
+    "p_inertia": 2 / 3,
+    "p_ring_friction": FRICTION,
+    "p_ring_restitution": RESTITUTION,
+    "velocity_error": 0.0,
+    **dict.fromkeys(("wx", "wy", "wz", "rolled_y", "rolled_z", "turning_y", "turning_z"), 0.0),
+    "rolled_x": 0.1,
+    "turning_x": 0.5,
+    "slip": 0.0,
+    "bounce": 5e-10,
+    "nearest": math.inf,
+    "second_contact_gap": math.inf,
+    "press": GRAVITY,
+    "weight": -GRAVITY,
+    "rolling_friction": 1.0,
+    "lift": -GRAVITY,
+}
+"""A ball that is pressed onto the ring, whose hops are far below the tolerance; nothing is near."""
+
+
+def ended(**changed: Any) -> dict[str, Any]:
+    return called("ring_impact_settling", BOUNCING, **changed)
+
+
+def test_a_ball_that_hardly_bounces_settles_without_a_question() -> None:
+    found = ended()
+    assert found["settles"]
+    assert found["assured"] == 1
+    assert not found["undecided"]
+
+
+def test_bounces_end_for_certain_only_if_the_force_is_steady_until_they_do() -> None:
+    """A hop lasts 2 bounce / press; meanwhile the force turns with the surface."""
+    assert ended(bounce=1e-3)["assured"] == 1
+    assert ended(bounce=0.2)["assured"] == 0
+    assert ended(bounce=0.2, turning_x=0.0)["assured"] == 1
+
+
+def test_bounces_end_for_certain_only_if_no_body_is_near_until_they_do() -> None:
+    way = 16 * 1e-3 / GRAVITY * 0.1 / LEFT
+    assert ended(bounce=1e-3, nearest=way / 2)["assured"] == 0
+    assert ended(bounce=1e-3, nearest=way * 1.01)["assured"] == 1
+
+
+def test_beside_a_body_that_is_nearer_than_the_bounces_go_a_ball_is_undecided() -> None:
+    beside = ended(nearest=1e-10)
+    assert beside["settles"]
+    assert beside["undecided"]
+    assert not ended(nearest=1e-8)["undecided"]
+
+
+def test_a_pressing_force_is_in_doubt_within_the_error_of_the_velocity() -> None:
+    assert ended(press=1e-9, velocity_error=1e-6)["undecided"]
+    assert ended(press=-1e-9, velocity_error=1e-6)["undecided"]
+    assert not ended(press=1e-9)["undecided"]
+
+
+def test_the_last_bounce_is_in_doubt_within_the_error_of_the_velocity() -> None:
+    """The limit is left by bounce² (4 F / (loss N²) + 1 / 2 N)."""
+    limit = math.sqrt(TOLERANCE / (4 / (LOSS * GRAVITY**2) + 1 / (2 * GRAVITY)))
+    assert ended(bounce=limit * (1 - 1e-6))["settles"]
+    assert not ended(bounce=limit * (1 + 1e-6))["settles"]
+    for bounce in (limit * (1 - 1e-6), limit * (1 + 1e-6)):
+        assert ended(bounce=bounce, velocity_error=1e-5 * limit)["undecided"]
+        assert not ended(bounce=bounce, velocity_error=1e-8 * limit)["undecided"]
+
+
+def test_slip_that_the_bounces_may_stop_is_in_doubt_within_the_error_of_the_velocity() -> None:
+    """They take 2 (mu (1 + e) bounce + 2 F bounce / N) / (share (1 - e)), and a rounding."""
+    bounce, quick = 1e-7, 0.1 + math.sqrt(GRAVITY * RADIUS)
+    takes = FRICTION * (1 + RESTITUTION) * bounce + 2 * bounce / GRAVITY
+    stopped = 2 * takes / (0.4 * LEFT) + 2.0**-36 * quick
+    for part in (1 - 1e-3, 1 + 1e-3):
+        sure = ended(bounce=bounce, slip=stopped * part)
+        assert sure["slides"] == (part > 1)
+        assert not sure["undecided"]
+        assert ended(bounce=bounce, slip=stopped * part, velocity_error=1e-4 * stopped)["undecided"]
+
+
+def test_whether_friction_suffices_is_in_doubt_within_the_error_of_the_velocity() -> None:
+    enough = FRICTION * (1 + RESTITUTION) * GRAVITY / 2
+    for part in (1 - 1e-9, 1 + 1e-9):
+        # No slip is left, and the last bounce is far from the limit.
+        given = {"bounce": 5e-7, "rolling_friction": enough * part}
+        sure = ended(**given)
+        assert sure["slides"] == (part > 1)
+        assert not sure["undecided"]
+        assert ended(**given, velocity_error=1e-8)["undecided"]
+
+
+# ------------------------------------------------------------------------------- the normal force
+
+PRESSED = {
+    "p_ball_radius": RADIUS,
+    "p_gravity": GRAVITY,
+    **dict.fromkeys(("vx_1", "vy", "vy_1", "vz", "vz_1", "friction_force_rate"), 0.0),
+    "vx": 1.0,
+    "which": NONE,
+    "undecided_time": math.inf,
+    "position_error": 0.0,
+    "velocity_error": 0.0,
+    "per_reach": 4.0,
+    "force": 1e-9,
+    "force_rate": 0.0,
+    "force_bend": 1.0,
+    "stride": 1.0,
+    "fastest": 1.0,
+}
+"""A rolling ball that is hardly pressed on."""
+
+
+@pytest.mark.parametrize("name", ["position_error", "velocity_error"])
+def test_a_force_near_zero_is_in_doubt_within_the_errors_of_the_state(name: str) -> None:
+    assert called("leaving_force", PRESSED)["undecided_time"] == math.inf
+    assert called("leaving_force", PRESSED, **{name: 1e-10})["undecided_time"] == 0
+    # Where it passes zero quickly it does so in any case.
+    passing = PRESSED | {"force_rate": -1.0}
+    assert called("leaving_force", passing, **{name: 1e-10})["undecided_time"] == math.inf
+
+
+# ---------------------------------------------------------------------------- surfaces beside it
+
+BESIDE = {
+    "p_ball_radius": RADIUS,
+    "x": 0.2,
+    "y": 0.0,
+    "z": 0.1,
+    "gap": 1e-10,
+    "index": 1.0,
+    "which": NONE,
+    "earliest_delay": 0.0,
+    "undecided_time": math.inf,
+    "position_error": 0.0,
+    "nearing": -1e-9,
+    "gap_curvature": 1.0,
+    "stride": 1.0,
+    "strongest": 1.0,
+    "fastest": 1.0,
+}
+"""A rolling ball that a body or an end plane is beside."""
+
+EACH_KERNEL = pytest.mark.parametrize("kernel", ["beside_body", "beside_end_plane"])
+
+
+@EACH_KERNEL
+def test_a_surface_that_a_rolling_ball_may_graze_is_in_doubt(kernel: str) -> None:
+    assert called(kernel, BESIDE)["undecided_time"] == math.inf
+    assert called(kernel, BESIDE, position_error=1e-9)["undecided_time"] == 0
+    coming = BESIDE | {"nearing": -1.0}
+    assert called(kernel, coming, position_error=1e-9)["undecided_time"] == math.inf
+
+
+@EACH_KERNEL
+def test_the_delay_of_a_meeting_holds_the_error_of_the_place(kernel: str) -> None:
+    meets = called(kernel, BESIDE, gap=0.0, nearing=-0.5, position_error=1e-9)
+    assert meets["which"] == 1
+    assert meets["earliest_delay"] >= 1e-9 / 0.5
+
+
+@EACH_KERNEL
+def test_two_events_of_a_rolling_ball_at_once_are_in_doubt(kernel: str) -> None:
+    second = called(kernel, BESIDE, gap=0.0, nearing=-0.5, which=0.0)
+    assert second["which"] == 0
+    assert second["undecided_time"] == 0

@@ -1,0 +1,261 @@
+"""Deliberate faults in margins and guards: each trips a test that names it.
+
+A margin keeps an error from turning a decision, and without it results are wrong so rarely that
+shots do not show it. The tests call the kernels with numbers at the limit.
+"""
+
+from __future__ import annotations
+
+from functools import partial
+from pathlib import Path
+
+import pytest
+from hoopgen.derive.errors import propagation
+from hoopgen.derive.events import bounding_boxes, plane_filter
+from hoopgen.derive.events.box import BoxRootFinder
+from hoopgen.derive.rolling import events, settling
+
+pytest.importorskip("flint")
+
+from tests.derive.events import test_margins_of_filters as filters
+from tests.derive.events import test_near_plates, test_own_surfaces
+from tests.derive.rolling import test_margins_in_contact as contact
+from tests.helpers.checked_faults import (
+    OfFormulas,
+    OfKernels,
+    Planted,
+    checks_of,
+    noticed,
+    passes,
+)
+from tests.helpers.mutants import in_text
+
+pytestmark = [pytest.mark.xdist_group("margin_mutations")]
+
+EACH_KERNEL = (("beside_body",), ("beside_end_plane",))
+EACH_ERROR = (("position_error",), ("velocity_error",))
+
+steady = OfKernels(
+    contact.test_bounces_end_for_certain_only_if_the_force_is_steady_until_they_do,
+)
+clearance = OfKernels(
+    contact.test_bounces_end_for_certain_only_if_no_body_is_near_until_they_do,
+)
+beside = OfKernels(
+    contact.test_beside_a_body_that_is_nearer_than_the_bounces_go_a_ball_is_undecided,
+)
+pressing = OfKernels(
+    contact.test_a_pressing_force_is_in_doubt_within_the_error_of_the_velocity,
+)
+last_bounce = OfKernels(
+    contact.test_the_last_bounce_is_in_doubt_within_the_error_of_the_velocity,
+)
+slip = OfKernels(
+    contact.test_slip_that_the_bounces_may_stop_is_in_doubt_within_the_error_of_the_velocity,
+)
+friction = OfKernels(
+    contact.test_whether_friction_suffices_is_in_doubt_within_the_error_of_the_velocity,
+)
+force = OfKernels(
+    contact.test_a_force_near_zero_is_in_doubt_within_the_errors_of_the_state, EACH_ERROR
+)
+grazing = OfKernels(contact.test_a_surface_that_a_rolling_ball_may_graze_is_in_doubt, EACH_KERNEL)
+delay = OfKernels(contact.test_the_delay_of_a_meeting_holds_the_error_of_the_place, EACH_KERNEL)
+at_once = OfKernels(contact.test_two_events_of_a_rolling_ball_at_once_are_in_doubt, EACH_KERNEL)
+
+plate_filter = OfFormulas(
+    filters.test_a_ball_that_errors_bring_to_a_plate_is_not_apart_from_it,
+    (((1e-3, 0.0),), ((0.0, 2e-3),)),
+)
+slow_beside_a_box = OfFormulas(
+    filters.test_the_gap_of_a_slow_ball_beside_a_box_bends_as_free_fall_bends_it
+)
+turned_normal = OfKernels(
+    filters.test_errors_after_an_impact_hold_a_share_of_what_the_normal_s_turn_makes
+)
+near_plates = OfKernels(
+    test_near_plates.test_a_plate_that_a_flight_grazes_is_near,
+    (("backboard", 0.0), ("bridge", 0.0), ("backboard", 1e-3), ("bridge", 1e-3)),
+)
+windows = OfFormulas(
+    test_own_surfaces.test_errors_are_small_whenever_the_true_ball_is_in_the_box,
+    (((0, 0, -1), False), ((1, 0, 0), True)),
+)
+
+in_settling = partial(in_text, settling, "settling")
+in_surfaces = partial(in_text, events, "_other_surfaces")
+
+FAULTS = (
+    # How the bounces end.
+    Planted(
+        "a force that presses is steady however long the bounces last",
+        in_settling(
+            "constant_force = Less(barrier(3 * hop * force_change), barrier(press * left**2))",
+            "constant_force = Less(0, 1)",
+        ),
+        steady,
+    ),
+    Planted(
+        "the force on a ball that slips is steady however long the bounces last",
+        in_settling(
+            "        Less(barrier(3 * skip * force_change), barrier(firm * left**2)),\n", ""
+        ),
+        steady,
+    ),
+    Planted(
+        "no body is near while the bounces last",
+        in_settling("isolated = Less(barrier(way + narrow), nearest)", "isolated = Less(0, 1)"),
+        clearance,
+    ),
+    Planted(
+        "no body is near while a ball that slips bounces",
+        in_settling(
+            "        Less(barrier(barrier(16 * skip * speed / left) + narrow), nearest),\n", ""
+        ),
+        clearance,
+    ),
+    Planted(
+        "which surface a ball touches first at the end of its bounces is sure",
+        in_settling("                all_of(stays, still, Not(isolated)),\n", ""),
+        beside,
+    ),
+    Planted(
+        "a force that hardly presses is sure",
+        in_settling("                undecided_press,\n", ""),
+        pressing,
+    ),
+    Planted(
+        "the last bounce is sure",
+        in_settling("                undecided_bounce,\n", ""),
+        last_bounce,
+    ),
+    Planted(
+        "the slip that is left is sure",
+        in_settling("Less(absolute(slip - stopped), slip_error)", "false"),
+        slip,
+    ),
+    Planted(
+        "whether friction suffices is sure",
+        in_settling("barrier(barrier(turns + share * turns) * slip_error)", "0"),
+        friction,
+    ),
+    # Rolling.
+    Planted(
+        "a force near zero has no error of the place",
+        in_text(events, "_leaving_force", "barrier(pull * position_error + ", "barrier("),
+        force,
+    ),
+    Planted(
+        "a force near zero has no error of the velocity",
+        in_text(
+            events,
+            "_leaving_force",
+            "pull * position_error + fastest * velocity_error)",
+            "pull * position_error)",
+        ),
+        force,
+    ),
+    Planted(
+        "a force that passes zero quickly is in doubt",
+        in_text(
+            events,
+            "_leaving_force",
+            "Not(Less(barrier(8 * bends * force_error), force_rate**2))",
+            "Less(0, 1)",
+        ),
+        force,
+    ),
+    Planted(
+        "a body that a rolling ball grazes is sure",
+        in_surfaces(
+            "any_of(grazes, all_of(arrives, Not(_NO_EVENT)))", "all_of(arrives, Not(_NO_EVENT))"
+        ),
+        grazing,
+    ),
+    Planted(
+        "every body that a rolling ball comes to is grazed",
+        in_surfaces(
+            "        Not(Less(barrier(8 * bends * near_enough), barrier(nearing**2))),\n", ""
+        ),
+        grazing,
+    ),
+    Planted(
+        "a rolling ball meets a body without delay",
+        in_surfaces("barrier(2 * near_enough / barrier(absolute(nearing)))", "sp.Integer(0)"),
+        delay,
+    ),
+    Planted(
+        "of two events of a rolling ball the first one looked at is sure",
+        in_surfaces("any_of(grazes, all_of(arrives, Not(_NO_EVENT)))", "grazes"),
+        at_once,
+    ),
+    # Filters, windows, and bounds of curvature.
+    Planted(
+        "a plate is as far as the computed ball has it",
+        in_text(plane_filter, "_apart", "yield Less(slack, (low", "yield Less(0, (low"),
+        plate_filter,
+    ),
+    Planted(
+        "the circle that a plate leaves out is as wide as for a ball without errors",
+        in_text(plane_filter, "_inside", "barrier(radius - 2 * slack)", "barrier(radius)"),
+        plate_filter,
+    ),
+    Planted(
+        "the velocity's error does not widen a flight's boxes",
+        in_text(bounding_boxes, "path_slack", " + velocity_error * horizon", ""),
+        near_plates,
+    ),
+    Planted(
+        "the boxes of a flight's halves have the size of their chords",
+        in_text(bounding_boxes, "half_flight_boxes", " + absolute(bulge)", ""),
+        near_plates,
+    ),
+    Planted(
+        "errors may be as large as the inflation of the windows",
+        in_text(
+            test_own_surfaces, "lost", "RELATIVE_INFLATION / 4 * half", "RELATIVE_INFLATION * half"
+        ),
+        windows,
+    ),
+    Planted(
+        "the velocity's error counts for a sixteenth of the time in the windows",
+        in_text(
+            test_own_surfaces, "lost", "velocity_error * latest", "velocity_error * latest / 16"
+        ),
+        windows,
+    ),
+    Planted(
+        "free fall bends the gap of a box by a quarter",
+        in_text(
+            BoxRootFinder,
+            "curvature",
+            "most.append(absolute(a) * minimum",
+            "most.append(absolute(a) / 4 * minimum",
+        ),
+        slow_beside_a_box,
+    ),
+    Planted(
+        "an error of the normal changes no velocity in the worst case",
+        in_text(
+            propagation,
+            "before_impact",
+            "ball_radius * greatest(dw) + speed * turn",
+            "ball_radius * greatest(dw)",
+        ),
+        turned_normal,
+    ),
+)
+
+CHECKS = checks_of(FAULTS)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("check", CHECKS, ids=lambda check: check.name)
+def test_without_a_fault_every_check_passes(check: OfFormulas, tmp_path: Path) -> None:
+    passes(check, tmp_path)
+
+
+@pytest.mark.parametrize("fault", FAULTS, ids=lambda fault: f"{fault.name} ({fault.check.name})")
+@pytest.mark.sampled(1)
+def test_a_fault_trips_its_check(fault: Planted, tmp_path: Path) -> None:
+    noticed(fault, tmp_path)
