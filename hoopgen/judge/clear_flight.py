@@ -19,7 +19,7 @@ from .taylor_model import Number
 _FIRST_STEP = 2.0**-6
 """The part of a flight that is tried first, s."""
 
-_FINEST = 2.0**-7
+_FINEST = 2.0**-10
 """Share of the time since the start below which a part is not made shorter."""
 
 _STEPS = 400

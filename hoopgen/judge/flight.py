@@ -18,19 +18,14 @@ from hoopgen.derive.scenes.passage import FALLEN
 
 from . import passage
 from .accumulation import Hops
-from .arrivals import arrival_at, holds
-from .clear_flight import clear_until, misses_body
+from .arrivals import holds
+from .earliest import clear_time, first_on_piece
 from .error_set import condensed
 from .formulas import Formulas, SurfaceFormulas
 from .pieces import Piece, meets_nothing, next_piece
-from .roots import Arrival, Undecided
+from .roots import Undecided
 from .taylor_model import Number, TaylorModel, as_model, ball
 from .validity import valid
-
-_NEVER = arb.pos_inf()
-
-_SKIPPED = 0.9375
-"""Share of a time without events that is skipped."""
 
 _RESTARTS = 4
 """Times that a box of flights is followed from a later state on, before it is undecided."""
@@ -257,11 +252,13 @@ def _next(
         left = None if remaining is None else remaining - time
         skipped = arb(0)
         if piece.has_models and last < 0 and not legs:
-            skipped = _skipped(formulas, piece, values, 0.0, left)
+            skipped = clear_time(formulas, piece, values, 0.0, left)
         if skipped > 0:
             found: tuple[int, Number] | None = len(formulas.surfaces) + 1, skipped
         else:
-            found = _next_on(formulas, piece, values, last, vanishing, left, restarts < _RESTARTS)
+            found = first_on_piece(
+                formulas, piece, values, last, vanishing, left, restarts < _RESTARTS
+            )
             restarts += 1
         if found is None:
             return None
@@ -272,122 +269,6 @@ def _next(
             return place, time, state, legs
         last = -1
     return None
-
-
-def _skipped(
-    formulas: Formulas,
-    piece: Piece,
-    values: list[arb],
-    begin: float,
-    latest: Number | None,
-) -> arb:
-    """Return a time after `begin` until which a box of flights meets nothing; 0 if none is found.
-
-    A box of flights that cannot be decided from its start perhaps can be from there.
-    """
-    end = math.inf if latest is None else float(ball(latest).lower())
-    reached = clear_until(formulas, piece, values, begin, end)
-    # Where some of the box already touch something, it is not certain that all of it have not yet.
-    return arb(begin + _SKIPPED * (reached - begin)) if reached > begin else arb(0)
-
-
-def _next_on(
-    formulas: Formulas,
-    piece: Piece,
-    values: list[arb],
-    last: int,
-    vanishing: int,
-    remaining: Number | None,
-    may_stop: bool,
-) -> tuple[int, Number] | None:
-    """Return surface and time of the certainly earliest arrival on a piece; None without one.
-
-    The time limit counts where something else is met too: what meets nothing any more can reach no
-    end. Where there are no ends, or where a flight has pieces, it always counts. The end of the
-    piece counts as a surface beyond that. If `may_stop`, a box of flights that cannot be decided
-    ends its piece at a time until which it meets nothing.
-    """
-    arrivals: dict[int, Arrival] = {}
-    latest = _NEVER
-    names = [*(surface.name for surface in formulas.surfaces), "time limit", "end of a piece"]
-    limit, end, open_ended = len(names) - 2, len(names) - 1, formulas.open_ended
-    if piece.span.is_finite():
-        arrivals[end], latest = Arrival(piece.span), piece.span
-    if remaining is not None and open_ended:
-        arrivals[limit], latest = Arrival(remaining), latest.min(remaining.upper())
-    for k in formulas.order:
-        zeros = vanishing if k == last else 0
-        arrival = arrival_at(formulas, k, piece.in_balls, values, zeros, latest)
-        if arrival is not None and piece.has_models:
-            # What balls rule out is ruled out; what they do not, models may.
-            closer = arrival_at(formulas, k, piece, values, zeros, latest)
-            arrival = (
-                arrival if closer is not None and not closer.certain and arrival.certain else closer
-            )
-        if arrival is not None:
-            arrivals[k] = arrival
-            if arrival.certain and arrival.time < latest:
-                latest = arrival.time.upper()
-    if not arrivals:
-        return None
-    certain = [k for k, arrival in arrivals.items() if arrival.certain]
-    if remaining is not None and certain and not open_ended:
-        arrivals[limit] = Arrival(remaining)
-        certain.append(limit)
-    best = min(certain, key=lambda k: float(arrivals[k].time.mid()), default=-1)
-    if best >= 0 and piece.has_models:
-        _drop_missed(formulas, piece, values, arrivals, best)
-    try:
-        _check_earliest(formulas, arrivals, best, names)
-    except Undecided:
-        begin = min(float(ball(arrival.time).lower()) for arrival in arrivals.values())
-        if not (may_stop and piece.has_models and begin > 0.0):
-            raise
-        skipped = _skipped(formulas, piece, values, begin, remaining)
-        if not skipped > 0:
-            raise
-        return end, skipped
-    return best, arrivals[best].time
-
-
-def _drop_missed(
-    formulas: Formulas,
-    piece: Piece,
-    values: list[arb],
-    arrivals: dict[int, Arrival],
-    best: int,
-) -> None:
-    """Drop arrivals that are not certain, at bodies that are certainly missed until `best`."""
-    until = float(ball(arrivals[best].time).upper())
-    bodies: dict[int, list[int]] = {}
-    for k, arrival in arrivals.items():
-        if k < formulas.faces and not arrival.certain:
-            bodies.setdefault(formulas.surfaces[k].face, []).append(k)
-    for found in bodies.values():
-        begin = max(0.0, min(float(ball(arrivals[k].time).lower()) for k in found))
-        if misses_body(formulas, found[0], piece, values, begin, until):
-            for k in found:
-                del arrivals[k]
-
-
-def _check_earliest(
-    formulas: Formulas, arrivals: dict[int, Arrival], best: int, names: Sequence[str]
-) -> None:
-    """Raise Undecided unless an arrival, `best`, certainly comes before all others."""
-    for k, arrival in arrivals.items():
-        if k != best and not (best >= 0 and arrivals[best].time < arrival.time):
-            if arrival.certain and _seam(formulas, k, best):
-                continue
-            if not arrival.certain:
-                raise Undecided(f"whether the ball meets the {names[k]}")
-            raise Undecided(f"whether the {names[k]} or the {names[best]} comes first")
-
-
-def _seam(formulas: Formulas, one: int, other: int) -> bool:
-    """Return whether both are parts of one surface, which is smooth where they meet."""
-    if max(one, other) >= len(formulas.surfaces):  # the time limit, or the end of a piece
-        return False
-    return formulas.surfaces[one].face == formulas.surfaces[other].face
 
 
 def _bounce(surface: SurfaceFormulas, before: list[Number], values: list[arb]) -> list[Number]:
