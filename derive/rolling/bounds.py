@@ -246,7 +246,7 @@ def bounds_kernels(ball_radius: sp.Expr) -> tuple[Kernel, ...]:
     """
     return (
         decision(
-            "no_bounds",
+            "unbounded",
             {str(outside_time): 0, str(outside_distance): -sp.oo, str(on_bound): false},
             "Start values: the ball is within all bounds of a surface.",
         ),

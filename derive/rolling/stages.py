@@ -207,7 +207,7 @@ def _beside(common: Parts, surface: LoopSurface, edged: bool = False) -> Iterato
     yield from _outside(common, surface, "outside_bound")
     if edged:
         yield If("near_edge", (_part(surface, "facing"),), rare=True)
-        yield from () if bounded else (Call(common["no_bounds"]),)
+        yield from () if bounded else (Call(common["unbounded"]),)
     elif bounded:  # on a ring, which has no edge
         yield Call(common["near_edge"])
     event = "beside_body_at_edge" if edged else "beside_body"
@@ -229,7 +229,7 @@ def _bounds(surface: LoopSurface) -> list[str]:
 def _outside(common: Parts, surface: LoopSurface, decision: str) -> Iterator[Node]:
     """Evaluate a decision for each bound of a surface beside the ball, if it has any."""
     if bounds := _bounds(surface):
-        yield Call(common["no_bounds"])
+        yield Call(common["unbounded"])
     for part in bounds:
         yield _part(surface, part)
         yield Call(common[decision])
@@ -251,7 +251,7 @@ def _past_edge(common: Parts, holders: Sequence[LoopSurface]) -> Iterator[Node]:
         takes = (
             _part(surface, "beside"),
             _part(surface, "facing"),
-            *([] if _bounds(surface) else [Call(common["no_bounds"])]),
+            *([] if _bounds(surface) else [Call(common["unbounded"])]),
             *_outside(common, surface, "outside_bound_in_flight"),
             Call(common["succeeds"], {"index": surface.index}),
         )

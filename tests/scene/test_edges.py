@@ -77,6 +77,7 @@ TABLE = Scene(
         Plane("floor", at=-0.5),
         Plane("table", within=["x - 0.3", "-x - 0.3", "y - 0.3", "-y - 0.3"]),
         Plane("wall", axis="-x", at=-1.5, within=["1 - y"], restitution=0.5),
+        Plane("step", at=-1e-4, within=["0.3 - x", "x - 0.4", "y + 0.1", "-y - 0.3"]),
     ],
     ball_radius=BALL,
     gravity=GRAVITY,
@@ -84,7 +85,7 @@ TABLE = Scene(
     rolls=True,
     ends={"past": End(axis="-x", at=-2), "back": End(axis="x", at=-2)},
 )
-"""A table without thickness over a floor, beside a wall that begins at y = 1."""
+"""A table without thickness over a floor, beside a wall that begins at y = 1, and above a step."""
 
 
 @pytest.fixture(scope="module")
@@ -289,16 +290,17 @@ def test_a_ball_rolls_straight_on_from_plane_to_plane() -> None:
 
 
 def test_a_ball_passes_a_plate_outside_its_bounds(table: Engine) -> None:
-    """Balls roll under the table, off it, past the wall's plane and against the wall."""
-    states = np.zeros((3, 9))
-    states[:, 0], states[:, 2], states[:, 3] = (-1, 0, 0), (-0.4, 0.1, -0.4), (1, 0.8, 1)
-    states[:, 1] = 0, 0, 1.2
+    """Balls roll under the table, off it, past the wall's plane, against it, and onto the step."""
+    states = np.zeros((4, 9))
+    states[:, 0], states[:, 1] = (-1, 0, 0, 0), (0, 0, 1.2, -0.2)
+    states[:, 2], states[:, 3] = (-0.4, 0.1, -0.4, 0.1), (1, 0.8, 1, 0.8)
     shots = table.simulate(states, time_limit=20, record=True)
     assert not shots.uncertain.any()
     assert list(shots.outcome[:2]) == [table.outcomes["PAST"]] * 2
     assert list(shots.rolls[:2]) == [1, 2]
     assert shots.state[:2, 2] == pytest.approx(BALL - 0.5, abs=1e-15)
-    assert shots.counts[:, 2].tolist() == [0, 0, 1]
+    assert shots.counts[:, 2].tolist() == [0, 0, 1, 0]
+    assert shots.counts[:, 3].tolist() == [0, 0, 0, 1]
     struck = shots.events["after"][shots.events["after"][:, 0] > 1.4]
     struck = struck[np.argmax(struck[:, 1] > 1)]
     assert struck[:2] == pytest.approx([1.5 - BALL, 1.2], abs=1e-14)

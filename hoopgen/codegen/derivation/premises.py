@@ -289,7 +289,7 @@ PREMISES: dict[str, Premise] = {
         "edges",
         _kernels(
             "*.rim* *.facing common.no_edge common.near_edge common.reaches_edge "
-            "common.no_bounds common.outside_* common.at_edge common.succeeds common.edge_errors"
+            "common.unbounded common.outside_* common.at_edge common.succeeds common.edge_errors"
         ),
     ),
     "neighbour": Premise(
