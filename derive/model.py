@@ -158,7 +158,7 @@ def _optional_kernels(
     )
     if scene.rolls:
         codes = EventCodes(len(scene.surfaces) + end_planes, len(scene.bodies))
-        contact = (scene.flight, scene.ball, scene.faces, codes, scene.outcomes)
+        contact = (scene.flight, scene.ball, scene.faces, codes, scene.outcomes, scene.has_edges)
         friction = friction_limit.kernels(scene.flight.acceleration, scene.ball)
         kernels |= endless.kernels(codes) | contact_phase.kernels(*contact)
         kernels |= {kernel.name: kernel for kernel in friction}

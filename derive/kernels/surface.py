@@ -136,7 +136,9 @@ def one_surface_kernels(
             "Table 2",
         )
     if scene.rolls:
-        kernels |= surface_kernels.contact_phase_kernels(surface, scene.flight)
+        kernels |= surface_kernels.contact_phase_kernels(
+            surface, scene.flight, scene.ball_radius, scene.has_edges
+        )
         kernels |= endless.ring_kernels(surface, scene.flight, scene.ball)
         kernels |= endless.azimuth_free_kernels(surface)
     return SurfaceKernels(surface, search, kernels | search.decisions)

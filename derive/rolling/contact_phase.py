@@ -29,15 +29,18 @@ from ..symbolic.conditionals import (
     barrier,
     false,
 )
-from ..symbolic.error_terms import clock, earliest_delay, left_normal
+from ..symbolic.error_terms import clock, contacts, earliest_delay, left_normal
 from ..symbolic.rounding import position_error, velocity_error
 from ..symbolic.symbols import normal
+from .bounds import bounds_kernels
 from .departure import departure_kernels
+from .edges import edge_kernels, falls_off, successor
 from .events import step_events
 from .neighbour import neighbour_kernels
 from .settling import settling_kernels
 from .symbols import (
     BEGINS,
+    FALLS_OFF,
     LEAVES,
     ROLLS,
     EventCodes,
@@ -54,6 +57,7 @@ from .symbols import (
     lift,
     lodges,
     mode,
+    most_contacts,
     nearly,
     outcome,
     reached,
@@ -73,6 +77,7 @@ def kernels(
     faces: Sequence[int],
     codes: EventCodes,
     outcomes: Mapping[str, int],
+    edges: bool = False,
 ) -> dict[str, Kernel]:
     """Return the kernels of the contact phase that all surfaces share.
 
@@ -88,17 +93,21 @@ def kernels(
         The indices of events in contact.
     outcomes
         The number of each outcome, by name.
+    edges
+        True if a ball may roll off an edge of a surface.
     """
     strength = barrier(flight.strength)
     every_kernel = (
         *_series(flight, ball, strength),
         *settling_kernels(flight, strength, ball),
         *step_events(strength, ball.radius, codes, flight.surface_force),
-        *departure_kernels(flight, strength, ball),
+        *departure_kernels(flight, strength, ball, edges),
+        *bounds_kernels(ball.radius),
+        *edge_kernels(flight, ball, codes),
         *neighbour_kernels(ball.radius),
-        *_flight_decisions(),
-        *_contact_decisions(codes),
-        *_results(faces, codes, outcomes),
+        *_flight_decisions(edges),
+        *_contact_decisions(codes, edges),
+        *_results(faces, codes, outcomes, edges),
     )
     return {kernel.name: kernel for kernel in every_kernel}
 
@@ -152,7 +161,7 @@ def _series(flight: Flight, ball: Ball, strength: sp.Expr) -> tuple[Kernel, ...]
     )
 
 
-def _flight_decisions() -> tuple[Kernel, ...]:
+def _flight_decisions(edges: bool) -> tuple[Kernel, ...]:
     """Return the decisions that keep balls in contact out of the searches of flights."""
     return (
         decision(
@@ -163,6 +172,7 @@ def _flight_decisions() -> tuple[Kernel, ...]:
                 "rests": false,
                 "rolling": false,
                 "began": 0,
+                **({str(successor): NONE} if edges else {}),
             },
             "Whether the ball is in contact, and has no flight to search.",
         ),
@@ -179,9 +189,11 @@ def _flight_decisions() -> tuple[Kernel, ...]:
     )
 
 
-def _contact_decisions(codes: EventCodes) -> tuple[Kernel, ...]:
+def _contact_decisions(codes: EventCodes, edges: bool) -> tuple[Kernel, ...]:
     """Return the decisions that open a turn in contact and tell which surface holds the ball."""
     bounded = all_of(Less(position_error, sp.oo), Less(velocity_error, sp.oo))
+    leaves, falls = Equal(mode, LEAVES), Equal(mode, FALLS_OFF)
+    ending = {"leaves": Or(leaves, falls), str(falls_off): falls} if edges else {"leaves": leaves}
     return (
         decision(
             "resumed",
@@ -192,7 +204,7 @@ def _contact_decisions(codes: EventCodes) -> tuple[Kernel, ...]:
                 "undecided_time": Choose(bounded, sp.oo, 0),
                 "begins": Equal(mode, BEGINS),
                 "rolling": Equal(mode, ROLLS),
-                "leaves": Equal(mode, LEAVES),
+                **ending,
                 **{
                     str(s): 0
                     for s in (*normal, gap, *rolling_series.bent, lift, gap_jerk, gap_snap)
@@ -243,7 +255,7 @@ def _contact_decisions(codes: EventCodes) -> tuple[Kernel, ...]:
 
 
 def _results(
-    faces: Sequence[int], codes: EventCodes, outcomes: Mapping[str, int]
+    faces: Sequence[int], codes: EventCodes, outcomes: Mapping[str, int], edges: bool
 ) -> tuple[Kernel, ...]:
     """Return the decisions that record what has happened to a ball in contact."""
     lodged, capped = outcomes["lodged"], outcomes["capped"]
@@ -253,8 +265,23 @@ def _results(
     begins, leaves, hops = (Equal(which, code) for code in (codes.begins, codes.leaves, codes.hops))
     beyond, endless = Less(codes.time, which), Equal(which, codes.endless)
     stuck = all_of(goes_on, AtMost(clock - began, sp.Rational(1, 2**24)))
-    following = Choose(Or(begins, goes_on), ROLLS, Choose(leaves, LEAVES, 0))
-    stays = any_of(begins, leaves, goes_on)
+    ending = Choose(leaves, LEAVES, 0)
+    holds = Choose(any_of(begins, leaves, goes_on), held, NONE)
+    released = leaves
+    counts: dict[str, sp.Basic] = {}
+    if edges:
+        past = Equal(which, codes.over_edge)
+        taken = all_of(past, Not(Less(successor, 0)))
+        ending = Choose(past, Choose(Less(successor, 0), FALLS_OFF, BEGINS), ending)
+        holds = Choose(taken, successor, Choose(any_of(begins, leaves, past, goes_on), held, NONE))
+        released = Or(leaves, past)
+        # A ball may pass on from surface to surface for ever: that counts as contacts do.
+        counts = {"contacts": Choose(taken, contacts + 1, contacts)}
+        spent = all_of(taken, AtMost(most_contacts, contacts + 1))
+    following = Choose(Or(begins, goes_on), ROLLS, ending)
+    ongoing = Choose(Or(beyond, goes_on), IN_FLIGHT, reached)
+    if edges:
+        ongoing = Choose(spent, capped, ongoing)
     return (
         decision(
             "stay_in_contact",
@@ -263,7 +290,7 @@ def _results(
                     begins,
                     codes.log_row(own, False),
                     Choose(
-                        leaves,
+                        released,
                         codes.log_row(own, True),
                         Choose(hops, NONE, Choose(endless, codes.bodies, body)),
                     ),
@@ -274,7 +301,7 @@ def _results(
                     Choose(
                         endless,
                         outcomes["endless"],
-                        Choose(rests, lodged, Choose(Or(beyond, goes_on), IN_FLIGHT, reached)),
+                        Choose(rests, lodged, ongoing),
                     ),
                 ),
                 "undecided_time": Choose(stuck, 0, undecided_time),
@@ -282,7 +309,8 @@ def _results(
                 "hopped": hops,
                 "last": Choose(hops, NONE, last),
                 "mode": following,
-                "held": Choose(stays, held, NONE),
+                "held": holds,
+                **counts,
                 "rolls": Choose(begins, rolls + 1, rolls),
             },
             "Log entry, outcome and mode of a ball in contact after a turn.",

@@ -20,6 +20,7 @@ from ..symbolic.conditionals import (
     AtMost,
     Choose,
     Less,
+    Not,
     absolute,
     all_of,
     any_of,
@@ -29,10 +30,25 @@ from ..symbolic.conditionals import (
 )
 from ..symbolic.rounding import position_error, velocity_error
 from ..symbolic.symbols import spin, velocity
-from .symbols import free_time, gap, gap_curvature, gap_jerk, gap_snap, lift, near, nearing
+from .bounds import outside, until_met
+from .edges import falls_off
+from .settling import tolerance
+from .symbols import (
+    free_time,
+    gap,
+    gap_curvature,
+    gap_jerk,
+    gap_snap,
+    lift,
+    near,
+    nearing,
+    outside_time,
+)
 
 
-def departure_kernels(flight: Flight, gravity: sp.Expr, ball: Ball) -> tuple[Kernel, ...]:
+def departure_kernels(
+    flight: Flight, gravity: sp.Expr, ball: Ball, edges: bool = False
+) -> tuple[Kernel, ...]:
     """Return the kernels of the first moment of flight after a tangential departure.
 
     Parameters
@@ -43,6 +59,8 @@ def departure_kernels(flight: Flight, gravity: sp.Expr, ball: Ball) -> tuple[Ker
         The size of free fall, m/s².
     ball
         The ball.
+    edges
+        True if a ball may also come off an edge of the surface.
     """
     per = barrier(absolute(rolling_series.per_reach))
     longest = sp.Rational(1, 2**7)
@@ -66,13 +84,16 @@ def departure_kernels(flight: Flight, gravity: sp.Expr, ball: Ball) -> tuple[Ker
     opening = minimum(
         barrier(gap_jerk / (2 * fourth)), barrier(sp.sqrt(barrier(gap_jerk / (2 * bends))))
     )
-    push = barrier(maximum(0, lift))
+    # Off an edge the gap closes instead: the ball is behind the surface at once.
+    off = Choose(falls_off, -lift, lift) if edges else lift
+    push = barrier(maximum(0, off))
     thrown_off = minimum(
         barrier(push / barrier(4 * absolute(gap_jerk) + bends * sp.Rational(1, 2**30))),
         barrier(sp.sqrt(barrier(push / (2 * fourth)))),
         barrier(sp.sqrt(barrier(push / (bends * longest)))),
     )
-    away = barrier(Choose(Less(0, gap_jerk), opening, thrown_off))
+    opens_late = all_of(Less(0, gap_jerk), Not(falls_off)) if edges else Less(0, gap_jerk)
+    away = barrier(Choose(opens_late, opening, thrown_off))
     hop = barrier(minimum(longest, away, barrier(free_time / 4)))
     if not flight.exact:
         hop = barrier(minimum(hop, flight.span))
@@ -83,6 +104,12 @@ def departure_kernels(flight: Flight, gravity: sp.Expr, ball: Ball) -> tuple[Ker
         + sp.Rational(1, 2**44) * strength
     )
     opens = any_of(Less(barrier(lift_error * rate), gap_jerk), Less(lift_error, lift))
+    if edges:
+        behind = all_of(
+            Less(lift_error, off),
+            Less(barrier(8 * (tolerance(ball.radius) + position_error)), barrier(off * hop**2)),
+        )
+        opens = any_of(all_of(falls_off, behind), all_of(Not(falls_off), opens))
     if not flight.exact:
         opens = all_of(opens, AtMost(excess, 0))
     return (
@@ -92,6 +119,23 @@ def departure_kernels(flight: Flight, gravity: sp.Expr, ball: Ball) -> tuple[Ker
             {"free_time": unmet},
             "Time for which a ball that leaves certainly meets no other body.",
             "a parabola below the distance",
+        ),
+        outside(
+            ball.radius,
+            "outside_bound_in_flight",
+            strength,
+            speed,
+            "Time for which a ball that leaves certainly stays outside the bounds of a surface.",
+        ),
+        loop_kernel(
+            "bounded_neighbour_free_time",
+            {
+                "free_time": minimum(
+                    free_time, maximum(outside_time, barrier(minimum(sp.oo, until_met(dipping))))
+                )
+            },
+            "Time for which a ball that leaves certainly meets no other body within its bounds.",
+            "parabolas below the distances",
         ),
         loop_kernel(
             "end_plane_free_time",

@@ -43,6 +43,7 @@ from .symbols import (
     nearest,
     nearing,
     normal_cosine,
+    outside_distance,
     press,
     rolled,
     rolling_acceleration,
@@ -53,6 +54,8 @@ from .symbols import (
     turning,
     weight,
 )
+
+_ZERO = sp.Integer(0)
 
 
 def tolerance(ball_radius: sp.Expr) -> sp.Expr:
@@ -293,6 +296,11 @@ def _bounce_kernels(strength: sp.Expr, ball: Ball) -> tuple[Kernel, ...]:
             "Distance to a body beside a rolling ball, and whether it holds the ball, too.",
         ),
         decision(
+            "near_bounded_body",
+            _beside_contact(outside_distance, wedge_width(ball.radius)),
+            "Distance to a body with bounds beside a rolling ball, and whether it holds it, too.",
+        ),
+        decision(
             "near_end_plane",
             {"nearest": minimum(nearest, absolute(gap))},
             "Distance to an end plane beside the ball.",
@@ -320,8 +328,15 @@ def _jump_errors(ball_radius: sp.Expr) -> dict[str, sp.Expr]:
     return errors
 
 
-def _beside_contact() -> dict[str, sp.Basic]:
+def _beside_contact(outside: sp.Expr | None = None, width: sp.Expr = _ZERO) -> dict[str, sp.Basic]:
     """Return the distance to a body beside a rolling ball, and how far the ball gets from it.
+
+    Parameters
+    ----------
+    outside
+        The distance of the ball from the bounds of the body; None if it has none.
+    width
+        The largest such distance at which the body may still hold the ball.
 
     The body holds the ball, too, if the ball is pressed onto it: then the top of the hop bounds the
     distance. It does not if the ball rolls away from it, or touches it with the same normal, as
@@ -333,8 +348,10 @@ def _beside_contact() -> dict[str, sp.Basic]:
     holds = all_of(
         Less(rolling_gap_acceleration, sp.Rational(1, 2**40) * press),
         Less(normal_cosine, 1 - sp.Rational(1, 2**20)),
+        *(() if outside is None else (AtMost(outside, width),)),
     )
+    away = absolute(gap) if outside is None else barrier(maximum(absolute(gap), outside))
     return {
-        "nearest": minimum(nearest, absolute(gap)),
+        "nearest": minimum(nearest, away),
         "second_contact_gap": minimum(second_contact_gap, Choose(holds, top, sp.oo)),
     }

@@ -42,6 +42,9 @@ def in_contact(
     rings = [surface for surface in holders if "round_start" in surface.parts]
     others = [surface for surface in holders if surface not in rings]
     yield Call(common["resumed"])
+    edged = any(map(_bounds, holders))
+    if edged:
+        yield Call(common["no_edge"])
     begin = (
         *_on_held(common, holders, "normal"),
         Call(common["roll_turn_rate"]),
@@ -64,6 +67,9 @@ def in_contact(
         step = tuple(_ring_step(common, ring, contacts, end_planes))
         yield While("circling", MAX_STEPS_PER_TURN, step)
         yield Call(common["still_in_contact"])
+    if edged:
+        yield Call(common["at_edge"])
+        yield If("over_edge", tuple(_past_edge(common, holders)), rare=True)
     depart = (
         Call(common["error_bounds"]),
         *_on_held(common, holders, "rolling_surface", "separation"),
@@ -125,7 +131,7 @@ def _free_time(
     yield Call(common["no_contact"])
     for surface in contacts:
         yield Call(common["beside"], {"index": surface.index})
-        yield If("beside", (_part(surface, "beside"), Call(common["neighbour_free_time"])))
+        yield If("beside", tuple(_beside_in_flight(common, surface)))
     for end_plane in end_planes:
         yield _part(end_plane, "beside")
         yield Call(common["end_plane_free_time"])
@@ -139,7 +145,12 @@ def _nearest(
     for surface in contacts:
         if surface.index != index:
             yield _part(surface, "closing")
-            yield Call(common["near_body"])
+            yield from _outside(common, surface, "outside_by")
+            yield Call(common["near_bounded_body" if _bounds(surface) else "near_body"])
+        else:
+            for part in _bounds(surface):
+                yield _part(surface, part)
+                yield Call(common["beside_edge"])
     for end_plane in end_planes:
         beside = Call(end_plane.parts["beside"], wanted=frozenset({"gap"}))
         yield given_as(beside, end_plane.sizes)
@@ -160,9 +171,14 @@ def _step(
     yield Call(common["roll_step"])
     yield from _friction_limit(common, tuple(_friction(common, holders)))
     yield Call(common["leaving_force"])
+    edged = any(map(_bounds, holders))
+    if edged:
+        yield Call(common["no_edge"])
+        yield from _at_edges(common, holders)
+        yield Call(common["near_edge"])
     for surface in contacts:
         yield Call(common["beside"], {"index": surface.index})
-        yield If("beside", tuple(_beside(common, surface)))
+        yield If("beside", tuple(_beside(common, surface, edged)))
     yield from _beside_end_planes(common, end_planes)
     yield from _at_seams(common, holders, "beside_seam")
     yield Call(common["beside_time"])
@@ -204,9 +220,65 @@ def _friction(common: Parts, holders: Sequence[LoopSurface]) -> Iterator[Node]:
         yield If("here", (given_as(Call(surface.law["grip_deficit"]), surface.law_sizes),))
 
 
-def _beside(common: Parts, surface: LoopSurface) -> Iterator[Node]:
+def _beside(common: Parts, surface: LoopSurface, edged: bool = False) -> Iterator[Node]:
+    """Detect where the ball meets another surface; edged is true where it may reach an edge."""
+    bounded = bool(_bounds(surface))
     yield _part(surface, "beside")
-    yield Call(common["beside_body"], {"index": surface.index})
+    yield from _outside(common, surface, "outside_bound")
+    if edged:
+        yield If("near_edge", (_part(surface, "facing"),), rare=True)
+        yield from () if bounded else (Call(common["unbounded"]),)
+    elif bounded:  # on a ring, which has no edge
+        yield Call(common["near_edge"])
+    event = "beside_body_at_edge" if edged else "beside_body"
+    yield Call(common["beside_bounded_body" if bounded else event], {"index": surface.index})
+
+
+def _beside_in_flight(common: Parts, surface: LoopSurface) -> Iterator[Node]:
+    yield _part(surface, "beside")
+    yield from _outside(common, surface, "outside_bound_in_flight")
+    bounded = bool(_bounds(surface))
+    yield Call(common["bounded_neighbour_free_time" if bounded else "neighbour_free_time"])
+
+
+def _bounds(surface: LoopSurface) -> list[str]:
+    """Return the parts of a surface's kernels that are its bounds."""
+    return [part for part in surface.parts if part.startswith("rim")]
+
+
+def _outside(common: Parts, surface: LoopSurface, decision: str) -> Iterator[Node]:
+    """Evaluate a decision for each bound of a surface beside the ball, if it has any."""
+    if bounds := _bounds(surface):
+        yield Call(common["unbounded"])
+    for part in bounds:
+        yield _part(surface, part)
+        yield Call(common[decision])
+
+
+def _at_edges(common: Parts, holders: Sequence[LoopSurface]) -> Iterator[Node]:
+    """Detect where the ball is past an edge of the surface that it is on."""
+    for surface in holders:
+        if bounds := _bounds(surface):
+            each = (n for b in bounds for n in (_part(surface, b), Call(common["reaches_edge"])))
+            yield Call(common["holding"], {"index": surface.index})
+            yield If("here", tuple(each))
+
+
+def _past_edge(common: Parts, holders: Sequence[LoopSurface]) -> Iterator[Node]:
+    """Find the surface that takes the ball over at an edge, and add the errors of that time."""
+    yield Call(common["error_bounds"])
+    for surface in holders:
+        takes = (
+            _part(surface, "beside"),
+            _part(surface, "facing"),
+            *([] if _bounds(surface) else [Call(common["unbounded"])]),
+            *_outside(common, surface, "outside_bound_in_flight"),
+            Call(common["succeeds"], {"index": surface.index}),
+        )
+        yield Call(common["beside"], {"index": surface.index})
+        yield If("beside", takes)
+    yield from _on_held(common, holders, "rolling_surface")
+    yield Call(common["edge_errors"])
 
 
 def _beside_end_planes(common: Parts, end_planes: Sequence[LoopSurface]) -> Iterator[Node]:

@@ -11,6 +11,7 @@ from ..motion.flight import Flight
 from ..surfaces import Surface
 from ..symbolic.conditionals import barrier
 from ..symbolic.symbols import POSITION, VELOCITY, normal
+from .bounds import bound_kernels
 from .symbols import rolled, rolling_acceleration, turning
 
 
@@ -30,7 +31,9 @@ def allows_rolling(surface: Surface, flight: Flight) -> bool:
     return found is not None and (found.ring == 0 or flight.upright)
 
 
-def contact_phase_kernels(surface: Surface, flight: Flight) -> dict[str, Kernel]:
+def contact_phase_kernels(
+    surface: Surface, flight: Flight, ball_radius: sp.Expr, edges: bool
+) -> dict[str, Kernel]:
     """Return the kernels of one surface by part: all have those beside it, some those on it.
 
     Parameters
@@ -39,8 +42,14 @@ def contact_phase_kernels(surface: Surface, flight: Flight) -> dict[str, Kernel]
         The surface.
     flight
         The motion between contacts.
+    ball_radius
+        R_B.
+    edges
+        True if the scene has surfaces with bounds.
     """
     kernels = _beside(surface)
+    if edges:
+        kernels |= bound_kernels(surface, ball_radius) | {"facing": _facing(surface)}
     if not allows_rolling(surface, flight):
         return kernels
     return kernels | _under(surface, flight)
@@ -77,6 +86,18 @@ def _beside(surface: Surface) -> dict[str, Kernel]:
             "derivatives of Table 2's distance",
         ),
     }
+
+
+def _facing(surface: Surface) -> Kernel:
+    """Return the kernel of the angle between the normals of the surface and of the one below."""
+    facing_on = dict(zip(POSITION, normal, strict=True))
+    cosine = directional(_hold_all_parts(surface.distance), facing_on)
+    return loop_kernel(
+        f"{surface.name}_facing",
+        {"normal_cosine": cosine},
+        "Cosine of the angle between the normals of two surfaces.",
+        "derivative of Table 2's distance",
+    )
 
 
 def _under(surface: Surface, flight: Flight) -> dict[str, Kernel]:

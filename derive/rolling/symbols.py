@@ -6,8 +6,9 @@ import sympy as sp
 
 from ..symbolic.conditionals import Boolean
 
-BEGINS, ROLLS, LEAVES = 1, 2, 3
-"""Values of `mode`: the contact begins, goes on, or ends in the next turn; 0 is flight."""
+BEGINS, ROLLS, LEAVES, FALLS_OFF = 1, 2, 3, 4
+"""Values of `mode`: the contact begins, goes on, or ends in the next turn, by itself or at an edge
+of the surface; 0 is flight."""
 
 held, mode = sp.symbols("held mode", real=True)
 """Index of the surface that the ball stays in contact with, and the state of that contact."""
@@ -58,11 +59,14 @@ rolling_gap_acceleration, normal_cosine = sp.symbols(
 """Second derivative of the distance to another surface while the ball rolls, and its rate along the
 normal of the surface under the ball: the cosine of the angle between both normals."""
 
+outside_time, outside_distance = sp.symbols("outside_time outside_distance", real=True)
+"""Time for which the ball certainly stays outside the bounds of a surface; distance from them."""
+
 second_contact_gap = sp.Symbol("second_contact_gap", real=True)
 """Largest distance that the ball gets from a second surface that also presses on it, m."""
 
-body, reached, outcome, uncertain, assured, time_limit, began, rolls = sp.symbols(
-    "body reached outcome uncertain assured time_limit began rolls", real=True
+body, reached, outcome, uncertain, assured, time_limit, began, rolls, most_contacts = sp.symbols(
+    "body reached outcome uncertain assured time_limit began rolls most_contacts", real=True
 )
 
 settles, lodges, slides, unpressed = map(Boolean, ("settles", "lodges", "slides", "unpressed"))
@@ -93,6 +97,7 @@ class EventCodes:
         self.begins, self.leaves, self.hops = surfaces + 1, surfaces + 2, surfaces + 3
         self.endless = surfaces + 4
         self.piece_end = surfaces + 5
+        self.over_edge = surfaces + 6
         self.bodies = bodies
 
     def log_row(self, body: sp.Expr, leaves: bool) -> sp.Expr:

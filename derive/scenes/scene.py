@@ -13,6 +13,7 @@ from ..motion.air import AirConstants, AirFlight
 from ..motion.flight import Acceleration, Flight
 from ..motion.parabola import Parabola
 from ..surfaces import Body, EndPlane, Plane, Surface
+from ..surfaces.plane import Flat
 from ..symbolic.conditionals import release
 from ..symbolic.symbols import ParameterSymbol
 from . import names
@@ -100,7 +101,7 @@ class Scene:
         The acceleration of free fall where it may be zero or is not along that axis; None: gravity
         along it.
     rolls
-        True if a ball whose bounces accumulate rolls on; then no surface has bounds.
+        True if a ball whose bounces accumulate rolls on; then only planes have bounds.
     air
         The parameters of the air that the ball flies through; None: there is none.
     passage
@@ -144,10 +145,14 @@ class Scene:
                 f"scene {self.name}: rolls: expected gravity along an axis, not zero; got "
                 f"{self.flight.acceleration}"
             )
-        bounded = [surface.name for surface in self.surfaces if surface.bounds]
+        bounded = [
+            surface.name
+            for surface in self.surfaces
+            if surface.bounds and not isinstance(surface, Flat)
+        ]
         if self.rolls and bounded:
             raise ValueError(
-                f"scene {self.name}: rolls: expected surfaces without bounds, got "
+                f"scene {self.name}: rolls: expected no bounds but those of planes, got "
                 f"{', '.join(bounded)} with some"
             )
 
@@ -165,6 +170,11 @@ class Scene:
             for s in self.surfaces
         )
         return not self.rolls and not flat
+
+    @property
+    def has_edges(self) -> bool:
+        """True if a surface has bounds, over which a rolling ball comes to an edge."""
+        return any(surface.bounds for surface in self.surfaces)
 
     @property
     def ball(self) -> Ball:

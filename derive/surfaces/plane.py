@@ -25,9 +25,9 @@ class Flat(Surface):
 
     @property
     def rolling_surface(self) -> RollingSurface | None:
-        """The plane itself, if it has no bounds."""
+        """The plane itself; it ends where its bounds do."""
         zero = sp.Integer(0)
-        return None if self.limits else RollingSurface((zero, zero, zero), zero)
+        return RollingSurface((zero, zero, zero), zero)
 
 
 @dataclass(frozen=True)

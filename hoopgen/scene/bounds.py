@@ -16,7 +16,16 @@ from .formulas import ONE, POSITION, ZERO, Formula, FormulaError, constant, name
 from .inputs import Inputs
 from .polynomials import Polynomial, polynomial, product, total
 
-__all__ = ["LinearMap", "Map", "Terms", "bounds", "is_along", "linear_powers", "terms"]
+__all__ = [
+    "LinearMap",
+    "Map",
+    "Terms",
+    "bounds",
+    "degrees",
+    "is_along",
+    "linear_powers",
+    "terms",
+]
 
 Powers = tuple[int, int, int]
 
@@ -165,6 +174,11 @@ def _axis(axis: int) -> Powers:
 
 def _format_powers(powers: Iterable[int]) -> str:
     return "".join(axis * power for axis, power in zip(POSITION, powers, strict=True))
+
+
+def degrees(bounds: Iterable[Terms]) -> tuple[int, ...]:
+    """Return the degree of each bound."""
+    return tuple(max(sum(powers) for powers, _ in bound) for bound in bounds)
 
 
 def linear_powers(axis: int) -> Powers:

@@ -59,7 +59,7 @@ def check_rolling(
     inputs: Inputs,
     size: Formula,
     down: tuple[int, int] | Vector,
-    bodies: Iterable[tuple[str, str, Mapping[str, Formula], bool]],
+    bodies: Iterable[tuple[str, str, Mapping[str, Formula], tuple[int, ...]]],
 ) -> None:
     """Raise if a ball cannot roll in a scene: with its gravity, or on one of its bodies.
 
@@ -70,15 +70,15 @@ def check_rolling(
     size, down
         Gravity, as `read_gravity` returns it.
     bodies
-        The name, kind and sizes of each body, and whether it has bounds.
+        The name, kind and sizes of each body, and the degree of each of its bounds.
 
     Raises
     ------
     SceneError
         With the reason.
     """
-    for own, kind, sizes, bounded in bodies:
-        argument, said = why_not_rolling(kind, sizes, bounded)
+    for own, kind, sizes, degrees in bodies:
+        argument, said = why_not_rolling(kind, sizes, degrees)
         if said:
             raise inputs.wrong(f"body {own}", argument, said)
     if len(down) == 3:

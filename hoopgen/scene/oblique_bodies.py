@@ -338,19 +338,37 @@ def _slope(reader: Reader, owner: str, body: pieces.Cone) -> Formula:
 # Rolling
 
 
-def why_not_rolling(kind: str, sizes: Mapping[str, Formula], bounded: bool) -> tuple[str, str]:
+MAX_DEGREE = 2
+"""Highest degree of a bound of a plane over whose edge a ball rolls, `derive/rolling/edges.py`."""
+
+
+def why_not_rolling(
+    kind: str, sizes: Mapping[str, Formula], degrees: Sequence[int]
+) -> tuple[str, str]:
     """Return the argument of a body on which no ball is known to roll, and why; "" if one is.
 
     Parameters
     ----------
     kind, sizes
         The kind of its shape, and its sizes by argument.
-    bounded
-        Whether it has bounds.
+    degrees
+        The degree of each of its bounds.
     """
-    if bounded or not {"span from", "span to"}.isdisjoint(sizes):
+    if kind in ("plane", "inclined plane", "disc"):
+        for number, degree in enumerate(degrees, start=1):
+            if degree > MAX_DEGREE:
+                said = (
+                    f"no ball is known to roll up to an edge of degree {degree}; expected a degree "
+                    f"of at most {MAX_DEGREE} where rolls is true"
+                )
+                return f"within {number}", said
+        return "", ""
+    if degrees or not {"span from", "span to"}.isdisjoint(sizes):
         spanned = kind in ("cylinder", "oblique cylinder", "cone")
-        said = "on a body with bounds no ball is known to roll; expected none where rolls is true"
+        said = (
+            f"on a {kind.removeprefix('oblique ')} with bounds no ball is known to roll, only on "
+            "planes and discs; expected none where rolls is true"
+        )
         return "span" if spanned else "within", said
     if kind == "oblique cylinder":
         said = "on a cylinder along a vector no ball is known to roll; expected x, y or z"
@@ -358,8 +376,7 @@ def why_not_rolling(kind: str, sizes: Mapping[str, Formula], bounded: bool) -> t
     if kind == "oblique box":
         said = "on a turned box no ball is known to roll; expected none where rolls is true"
         return "orientation", said
-    if kind in ("disc", "cone"):
-        reason = "it ends at its rim" if kind == "disc" else "its curvature changes along its side"
-        said = f"on a {kind} no ball is known to roll, since {reason}"
+    if kind == "cone":
+        said = "on a cone no ball is known to roll, since its curvature changes along its side"
         return "", f"{said}; expected none where rolls is true"
     return "", ""

@@ -12,7 +12,7 @@ from hoopgen.text.shorten import brief, join_names
 
 from . import pieces
 from .air import added_parameters, check_switches
-from .bounds import LinearMap, Map, Terms, bounds, terms
+from .bounds import LinearMap, Map, Terms, bounds, degrees, terms
 from .boxes import read_box
 from .contact_laws import Contact, contact, is_infinite
 from .directions import Vector
@@ -154,7 +154,7 @@ def read_scene(
     radius = reader.formula("", "ball_radius", ball_radius)
     shapes = tuple(_body(reader, body, radius, contacts) for body in bodies)
     if rolls:
-        asked = ((one.name, one.kind, dict(one.sizes), bool(one.bounds)) for one in shapes)
+        asked = ((one.name, one.kind, dict(one.sizes), degrees(one.bounds)) for one in shapes)
         check_rolling(inputs, fall, way, asked)
     finished = tuple(_end(reader, own, end) for own, end in zip(ends, finishes, strict=True))
     return ParsedScene(scene, inputs.all, ball, fall, turning, way, rolls, air, shapes, finished)

@@ -218,9 +218,8 @@ PREMISES: dict[str, Premise] = {
         "propagation of errors through a flight and a contact",
         _kernels(
             "common.carry_flight *.root_delay *.carry_root *.carry_normal law.carry "
-            "common.carry_time "
-            "common.clock_error_sum common.no_normal_error common.elsewhere common.again "
-            "common.returned common.started common.other_start_surface *.curvature"
+            "common.carry_time common.clock_error_sum common.no_normal_error common.elsewhere "
+            "common.again common.returned common.started common.other_start_surface *.curvature"
         ),
     ),
     "piece_errors": Premise(
@@ -246,6 +245,7 @@ PREMISES: dict[str, Premise] = {
         _kernels(
             "law.settling common.leaves_slowly common.no_slow_contact common.nearly common.gripped "
             "common.pressed_on common.isolated common.near_end_plane common.near_body *.turning "
+            "common.near_bounded_body "
             "*.closing *.separation common.settled common.jump_errors common.beginning_contact"
         ),
     ),
@@ -254,8 +254,7 @@ PREMISES: dict[str, Premise] = {
         "rolling as a power series",
         _kernels(
             "common.roll_turn_rate common.roll_start common.roll_* common.roll_step "
-            "*.rolling_surface "
-            "*.distance common.roll_moved common.roll_placed"
+            "*.rolling_surface *.distance common.roll_moved common.roll_placed"
         ),
     ),
     "round": Premise(
@@ -281,8 +280,16 @@ PREMISES: dict[str, Premise] = {
         "tangential departure",
         _kernels(
             "common.no_contact common.neighbour_free_time common.end_plane_free_time "
-            "common.seam_free_time common.separated common.detachment "
-            "common.carry_hop"
+            "common.seam_free_time common.separated common.detachment common.carry_hop "
+            "common.bounded_neighbour_free_time"
+        ),
+    ),
+    "edges": Premise(
+        LEMMA,
+        "edges",
+        _kernels(
+            "*.rim* *.facing common.no_edge common.near_edge common.reaches_edge "
+            "common.unbounded common.outside_* common.at_edge common.succeeds common.edge_errors"
         ),
     ),
     "neighbour": Premise(
@@ -295,8 +302,7 @@ PREMISES: dict[str, Premise] = {
         "the limit of friction",
         _kernels(
             "common.ring_friction common.forget_grip_deficit common.exceeds_grip "
-            "common.grip_lost_time common.remember_grip_deficit "
-            "law.grip_deficit"
+            "common.grip_lost_time common.remember_grip_deficit law.grip_deficit"
         ),
     ),
     # Definitions
@@ -308,8 +314,7 @@ PREMISES: dict[str, Premise] = {
             "common.limited common.event_clock common.meeting common.here common.counted "
             "common.touched common.ends_by_time_limit common.in_contact common.opens_in_flight "
             "common.reachable_in_flight common.contact_undecided common.no_departure "
-            "common.stays_put "
-            "common.stay_in_contact"
+            "common.stays_put common.stay_in_contact"
         ),
     ),
     "pieces": Premise(

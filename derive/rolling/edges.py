@@ -1,0 +1,203 @@
+"""The edges of a surface with bounds, which a ball in contact rolls over, and its bounds beside it.
+
+A body does not exist outside its bounds. A ball that rolls on it is off it as soon as its point of
+contact is past a bound g. At that instant another body takes it over if the ball touches that body
+and does not move off it or into it, as a body does whose contact surface continues this one.
+Otherwise the ball flies. It was pressed onto the surface by N, so the flight takes it behind the
+surface, where the gap is -N t²/2 and nothing of this surface is met. An edge itself is no body: a
+scene that wants a slow ball to pivot about it has a body there, or uses a box.
+"""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from ..contact.ball import Ball
+from ..events.predicates import index, undecided_time, which
+from ..events.root_finder import first_root
+from ..ir.kernel import Kernel, decision, loop_kernel
+from ..motion import rolling_series
+from ..motion.flight import Flight
+from ..state.fields import NONE
+from ..symbolic.conditionals import (
+    AtMost,
+    Boolean,
+    Choose,
+    Equal,
+    IfLess,
+    Less,
+    Not,
+    Or,
+    absolute,
+    all_of,
+    any_of,
+    barrier,
+    maximum,
+    minimum,
+)
+from ..symbolic.error_terms import dv, dw, dx, earliest_delay, greatest
+from ..symbolic.rounding import velocity_error
+from ..symbolic.symbols import spin, velocity
+from .bounds import bound_curvature, bound_distance, bound_rate, longest, near_edge, roundings
+from .settling import tolerance
+from .symbols import (
+    EventCodes,
+    fastest,
+    gap,
+    nearest,
+    nearing,
+    normal_cosine,
+    outside_time,
+    stride,
+    strongest,
+)
+
+edge_distance, edge_delay, successor = sp.symbols("edge_distance edge_delay successor", real=True)
+"""Distance from the nearest edge, m; bound on the error of the time at which the ball reaches it,
+s; index of the surface that takes the ball over there."""
+
+over_edge, falls_off = map(Boolean, ("over_edge", "falls_off"))
+"""True of a ball that is past an edge of the surface below; of one that flies off an edge."""
+
+_NO_EVENT = Equal(which, NONE)
+
+
+def _reaches(ball_radius: sp.Expr, codes: EventCodes) -> Kernel:
+    """Return the kernel that detects where a rolling ball reaches an edge of its surface."""
+    landing, near_enough = roundings(ball_radius)
+    bends = barrier(2 * strongest + bound_curvature * fastest**2)
+    arrives = all_of(AtMost(bound_distance, landing), Less(bound_rate, 0))
+    first = all_of(arrives, _NO_EVENT)
+    grazes = all_of(
+        AtMost(absolute(bound_distance), near_enough),
+        Not(Less(barrier(8 * bends * near_enough), barrier(bound_rate**2))),
+    )
+    clear = barrier(Choose(AtMost(bound_distance, landing), tolerance(ball_radius), bound_distance))
+    root = minimum(stride, longest(fastest), first_root(clear, bound_rate, bends))
+    own = barrier(barrier(4 * greatest(dx) + landing) / absolute(bound_rate))
+    return loop_kernel(
+        "reaches_edge",
+        {
+            "stride": Choose(arrives, 0, root),
+            "which": Choose(first, codes.over_edge, which),
+            "undecided_time": Choose(
+                any_of(
+                    grazes,
+                    all_of(arrives, Not(Or(_NO_EVENT, Equal(which, codes.over_edge)))),
+                ),
+                0,
+                undecided_time,
+            ),
+            "earliest_delay": Choose(
+                first, barrier(2 * near_enough / absolute(bound_rate)), earliest_delay
+            ),
+            str(edge_distance): minimum(edge_distance, bound_distance),
+            str(edge_delay): Choose(arrives, maximum(edge_delay, own), edge_delay),
+        },
+        "Whether a rolling ball is past an edge of its surface; else a time for which it is not.",
+        "a parabola below the distance",
+    )
+
+
+def _successor(ball_radius: sp.Expr) -> Kernel:
+    """Return the kernel that lets a surface take over a ball at the edge of another one.
+
+    The place of an edge has no error, so that the gap there has roundings alone. The speed off the
+    surface has an error as small as the angle between the normals.
+    """
+    landing, _ = roundings(ball_radius)
+    allowed = barrier(tolerance(ball_radius))
+    # The errors grow by as much when a ball begins to roll (`settling.jump_errors`).
+    size = barrier(sum(map(absolute, velocity)))
+    slow = barrier(allowed * barrier(1 + size / ball_radius))
+    angle = barrier(sp.sqrt(barrier(absolute(1 - normal_cosine))))
+    speed_error = barrier(
+        barrier(4 * angle + sp.Rational(1, 2**22)) * velocity_error + sp.Rational(1, 2**47) * size
+    )
+
+    def fits_within(gap_change: sp.Expr | int, speed_change: sp.Expr | int) -> sp.Basic:
+        return all_of(
+            Less(1 - sp.Rational(1, 2**20), normal_cosine),
+            AtMost(absolute(gap), barrier(allowed + gap_change)),
+            AtMost(absolute(nearing), barrier(slow + speed_change)),
+            AtMost(outside_time, 0),
+        )
+
+    fits = fits_within(0, 0)
+    unclear = all_of(fits_within(landing, speed_error), Not(fits_within(-landing, -speed_error)))
+    taken = Not(Less(successor, 0))
+    return loop_kernel(
+        "succeeds",
+        {
+            str(successor): Choose(all_of(fits, Not(taken)), index, successor),
+            "undecided_time": Choose(Or(unclear, all_of(fits, taken)), 0, undecided_time),
+        },
+        "Whether a surface takes over a ball at the edge of another one.",
+        "both contact surfaces touch there, with one normal",
+    )
+
+
+def _edge_errors(flight: Flight, ball: Ball) -> Kernel:
+    """Return the errors after an edge, at which the forces change at an uncertain time."""
+    per = barrier(absolute(rolling_series.per_reach))
+    speed = barrier(sum(map(absolute, velocity)) + ball.radius * barrier(sum(map(absolute, spin))))
+    disturbance, _ = flight.disturbance(speed)
+    pressed = barrier(2 * barrier(flight.strength) + 2 * speed**2 * per + 2 * disturbance)
+    unit = barrier(edge_delay * pressed)
+    units = (
+        (barrier(edge_delay * unit),) * 3
+        + (unit,) * 3
+        + (barrier(unit / barrier(ball.inertia * ball.radius)),) * 3
+    )
+    errors = {
+        str(d): d + IfLess(d, 0, -own, own) for d, own in zip((*dx, *dv, *dw), units, strict=True)
+    }
+    return loop_kernel(
+        "edge_errors",
+        errors,
+        "Errors with those of the time at which the ball is at the edge.",
+        "the change of the forces times the delay",
+    )
+
+
+def edge_kernels(flight: Flight, ball: Ball, codes: EventCodes) -> tuple[Kernel, ...]:
+    """Return the kernels of edges and bounds that all surfaces share.
+
+    Parameters
+    ----------
+    flight
+        The motion between contacts.
+    ball
+        The ball.
+    codes
+        The indices of events in contact.
+    """
+    return (
+        decision(
+            "no_edge",
+            {str(edge_delay): 0, str(edge_distance): sp.oo},
+            "Start values: the ball is at no edge.",
+        ),
+        decision(
+            "near_edge",
+            {
+                str(near_edge): AtMost(edge_distance, sp.Rational(1, 2**9) * ball.radius),
+                "normal_cosine": -1,
+            },
+            "Whether a rolling ball is near an edge of its surface.",
+        ),
+        _reaches(ball.radius, codes),
+        loop_kernel(
+            "beside_edge",
+            {"nearest": minimum(nearest, absolute(bound_distance))},
+            "Distance to the nearest edge of the surface that the ball bounces on.",
+            "Eq. 2",
+        ),
+        decision(
+            "at_edge",
+            {str(over_edge): Equal(which, codes.over_edge)},
+            "Whether a rolling ball is past an edge of its surface.",
+        ),
+        _successor(ball.radius),
+        _edge_errors(flight, ball),
+    )
