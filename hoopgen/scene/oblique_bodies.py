@@ -358,8 +358,12 @@ def why_not_rolling(kind: str, sizes: Mapping[str, Formula], bounded: bool) -> t
     if kind == "oblique box":
         said = "on a turned box no ball is known to roll; expected none where rolls is true"
         return "orientation", said
-    if kind in ("disc", "cone"):
-        reason = "it ends at its rim" if kind == "disc" else "its curvature changes along its side"
+    if kind in ("disc", "cone", "revolution"):
+        reason = {
+            "disc": "it ends at its rim",
+            "cone": "its curvature changes along its side",
+            "revolution": "its pieces end at edges",
+        }[kind]
         said = f"on a {kind} no ball is known to roll, since {reason}"
         return "", f"{said}; expected none where rolls is true"
     return "", ""
