@@ -185,6 +185,12 @@ class RootFinder(ABC):
         if turned:
             curvature = IfLess(0, side, barrier(curvature), self.turned_curvature(width))
         step = first_root(low_gap, slope, barrier(curvature, "M"))
+        if turned:
+            # At first a gap within its margin may have either sign: nothing says that the ball is
+            # outside. Later the search knows on which side it is.
+            unknown = IfAtMost(t, 0, barrier(gap - self.allowed), low_gap)
+            least = barrier(IfLess(0, slope, unknown, low_gap))
+            step = IfLess(least, 0, _last_root(least, slope, barrier(curvature)), step)
         stride = self.lengthened(minimum(width, step))
         least_fall = barrier(-rate - self.rate_allowed)
         reach = barrier(self.headroom(low_gap, turned))
@@ -249,6 +255,17 @@ class RootFinder(ABC):
 def _positive(quantity: sp.Expr) -> sp.Expr:
     """Return the quantity if it is positive, else +0; -0 is a divisor of another sign."""
     return IfLess(0, quantity, quantity, 0)
+
+
+def _last_root(gap: sp.Expr, slope: sp.Expr, curvature: sp.Expr) -> sp.Expr:
+    """Return up to where a gap that rises, and may be as low as that, does not fall through zero.
+
+    That is the second root of gap + slope s - curvature s²/2, or its apex if it stays below zero:
+    until the first root, and until the apex, F' is positive.
+    """
+    discriminant = barrier(slope**2 + 2 * curvature * gap)
+    root = sp.sqrt(barrier(maximum(discriminant, 0)))
+    return barrier(slope + root) / _positive(curvature)
 
 
 def first_root(gap: sp.Expr, slope: sp.Expr, curvature: sp.Expr) -> sp.Expr:

@@ -111,7 +111,8 @@ def _places(surface: Surface, scene: Scene) -> None:
             for place, bound in enumerate(bounds):
                 _check_bound(place, surface, bound, start)
             point = _touching(condition, start)
-            if point is not None:
+            if point is not None and not any(abs(bound(*point)[0]) < _NEAR for bound in bounds):
+                # A torus that meets its axis is zero on its inner part, too; a bound ends there.
                 _check_contact(condition, there, point)
 
 

@@ -1,4 +1,4 @@
-"""A torus about any direction, whose components are parameters."""
+"""A torus about any direction, whose components are parameters, or the part within bounds."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ import sympy as sp
 
 from ..symbolic.conditionals import barrier
 from ..symbolic.symbols import POSITION
+from .bounds import as_length
 from .directions import (
     Direction,
     along,
@@ -37,13 +38,22 @@ class ObliqueTorus(Toroidal):
     ring_radius
         R, radius of the tube's centre circle.
     reach
-        r, the sum of the radii of ball and tube; less than R.
+        r, the sum of the radii of ball and tube. If that is more than R, the bounds must exclude
+        the parts about the axis: no ball can touch them.
+    limits
+        The bounds (Eq. 2).
     """
 
     centre: Point
     direction: Direction
     ring_radius: sp.Expr
     reach: sp.Expr
+    limits: tuple[sp.Expr, ...] = ()
+
+    @property
+    def bounds(self) -> tuple[sp.Expr, ...]:
+        """The bounds as lengths."""
+        return tuple(map(as_length, self.limits))
 
     @property
     def _offset(self) -> list[sp.Expr]:
@@ -93,5 +103,5 @@ class ObliqueTorus(Toroidal):
 
     @property
     def inside(self) -> tuple[sp.Expr, ...]:
-        """The distance."""
-        return overlap(self.distance, (), None)
+        """The distance, and the bounds."""
+        return overlap(self.distance, self.limits, None)

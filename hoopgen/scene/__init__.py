@@ -5,7 +5,19 @@ from __future__ import annotations
 from .files import load_scene
 from .inputs import SceneError
 from .limits import Limits
-from .pieces import Box, Cone, Cylinder, Disc, End, Parameter, Plane, Sphere, Surface, Torus
+from .pieces import (
+    Box,
+    Cone,
+    Cylinder,
+    Disc,
+    End,
+    Parameter,
+    Plane,
+    Revolution,
+    Sphere,
+    Surface,
+    Torus,
+)
 from .scene import Scene
 
 __all__ = [
@@ -17,6 +29,7 @@ __all__ = [
     "Limits",
     "Parameter",
     "Plane",
+    "Revolution",
     "Scene",
     "SceneError",
     "Sphere",

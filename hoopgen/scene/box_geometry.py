@@ -9,7 +9,7 @@ import numpy as np
 from .boxes import PARTS
 from .formulas import Formula
 from .meshes import Floats, Mesh, flat
-from .scene_reader import Shape
+from .shapes import Shape
 
 __all__ = ["BOXES", "box_extent", "box_mesh"]
 

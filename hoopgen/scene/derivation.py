@@ -38,7 +38,9 @@ from .boxes import PARTS
 from .contact_laws import Contact
 from .formulas import Formula
 from .inputs import SceneError
-from .scene_reader import ParsedScene, Shape
+from .revolution_faces import revolution_faces
+from .scene_reader import ParsedScene
+from .shapes import RevolvedShape, Shape
 
 __all__ = ["derivation_scene"]
 
@@ -139,6 +141,7 @@ class _Builder:
             "oblique cylinder": self._oblique_cylinder,
             "oblique torus": self._oblique_torus,
             "cone": self._cone,
+            "revolution": self._revolution,
         }
         return Body(shape.name, make[shape.kind](shape), self._law(shape))
 
@@ -253,6 +256,12 @@ class _Builder:
         if shape.inside or "span from" in dict(shape.sizes):
             return (side,)
         return (side, Sphere(f"{shape.name}_apex", apex, self._ball, (-bounds[0],)))
+
+    def _revolution(self, shape: Shape) -> tuple[Surface, ...]:
+        assert isinstance(shape, RevolvedShape)
+        faces, required = revolution_faces(shape, self._sympy, self._ball)
+        self._requirements += required
+        return faces
 
     def _span(self, shape: Shape, origin: str, low: str, high: str) -> tuple[sp.Expr, ...]:
         """Return the bounds of a span along a direction, from a point."""

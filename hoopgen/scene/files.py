@@ -30,6 +30,7 @@ KINDS = {
         pieces.Disc,
         pieces.Torus,
         pieces.Box,
+        pieces.Revolution,
         pieces.Surface,
     )
 }

@@ -20,8 +20,9 @@ from .formulas import Formula
 from .meshes import Bound, Box, Floats, Mesh, contact_mesh, cut, flat, grid, join, level_set, walls
 from .oblique_geometry import FLAT, OBLIQUE, oblique_axes, oblique_extent, oblique_mesh
 from .polynomials import derivative, evaluate
+from .revolution_geometry import is_hollow, revolution_extent, revolution_mesh
 from .scene import Scene
-from .scene_reader import Shape
+from .shapes import RevolvedShape, Shape
 from .upright import acceleration, upright
 
 __all__ = ["Body", "SceneGeometry"]
@@ -203,6 +204,9 @@ class SceneGeometry:
     # One body
 
     def _body(self, shape: Shape, room: Box) -> Body:
+        if isinstance(shape, RevolvedShape):
+            mesh = revolution_mesh(shape, self._number, room, self.ball_radius)
+            return Body(shape.name, mesh, is_hollow(shape), np.empty((0, 2, 3)))
         if shape.kind in OBLIQUE:
             bounds = self._bounds(shape.bounds)
             mesh = oblique_mesh(shape, self._number, bounds, room, self.ball_radius)
@@ -359,6 +363,8 @@ class SceneGeometry:
 
     def _extent(self, shape: Shape) -> tuple[list[float], list[float]]:
         """Return the corners of the box that contains a body."""
+        if isinstance(shape, RevolvedShape):
+            return revolution_extent(shape, self._number)
         if shape.kind in BOXES:
             return box_extent(shape, self._number)
         if shape.kind in OBLIQUE:

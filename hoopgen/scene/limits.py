@@ -28,6 +28,8 @@ class Limits:
         Bodies and ends of a scene.
     bounds
         Formulas in `within`, of all bodies and ends together.
+    profile_points
+        Points of a profile.
     sizes
         Numbers that the kernels get for each shot: the parameters, and sizes computed from them.
     formula_length
@@ -50,6 +52,7 @@ class Limits:
     bodies: int = 200
     ends: int = 50
     bounds: int = 100
+    profile_points: int = 50
     sizes: int = 2_000
     formula_length: int = 300
     formula_depth: int = 30
@@ -90,6 +93,7 @@ _NOUNS = {
     "formula_degree": "factors in a product, powers multiplied out",
     "polynomial_terms": "terms, multiplied out",
     "sizes": "parameters and sizes computed from them",
+    "profile_points": "points of a profile",
     "bounds": "formulas in `within`, of all bodies and ends together",
 } | {name: name for name in ("parameters", "bodies", "ends")}
 

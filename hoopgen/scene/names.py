@@ -17,7 +17,7 @@ from hoopgen.text.shorten import brief
 
 from .formulas import POSITION
 from .inputs import wrong
-from .pieces import Body, Cone
+from .pieces import Body, Cone, Revolution
 
 __all__ = [
     "MAX_NAME_LENGTH",
@@ -34,6 +34,9 @@ PUBLIC = re.compile(r"[a-z][a-z0-9_]*", re.ASCII)
 
 MAX_NAME_LENGTH = 100
 """Longest name, in letters: files are called like the scene, and file systems allow 255 in all."""
+
+_FACE = re.compile(r"(?P<body>.+)_(outside|inside|above|below|edge|tip)_[0-9]+", re.ASCII)
+"""Pattern of the names of faces of surfaces of revolution."""
 
 _EVERY_RESULT = (*hoop.RESULTS, *hoop.ABSENT_RESULTS)
 
@@ -176,7 +179,9 @@ def check_apart(
 
 
 def check_faces(scene: str, bodies: Iterable[Body]) -> None:
-    """Raise an error if a body is named like the apex of a cone, which is a face of its own.
+    """Raise an error if a body is named like a face of another one.
+
+    These are the apex of a cone and the faces of a surface of revolution.
 
     Parameters
     ----------
@@ -192,7 +197,12 @@ def check_faces(scene: str, bodies: Iterable[Body]) -> None:
     """
     given = list(bodies)
     apexes = {f"{body.name}_apex": body.name for body in given if isinstance(body, Cone)}
+    revolved = {body.name for body in given if isinstance(body, Revolution)}
     for body in given:
         if body.name in apexes:
             said = f"{body.name} is what the apex of the cone {apexes[body.name]} is called"
+            raise wrong(scene, f"body {body.name}", "name", f"{said}; expected another name")
+        found = _FACE.fullmatch(body.name)
+        if found and found["body"] in revolved:
+            said = f"{body.name} is what a face of the revolution {found['body']} is called"
             raise wrong(scene, f"body {body.name}", "name", f"{said}; expected another name")

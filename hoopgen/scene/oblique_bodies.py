@@ -376,7 +376,11 @@ def why_not_rolling(
     if kind == "oblique box":
         said = "on a turned box no ball is known to roll; expected none where rolls is true"
         return "orientation", said
-    if kind == "cone":
-        said = "on a cone no ball is known to roll, since its curvature changes along its side"
+    if kind in ("cone", "revolution"):
+        reason = {
+            "cone": "its curvature changes along its side",
+            "revolution": "its pieces end at edges",
+        }[kind]
+        said = f"on a {kind} no ball is known to roll, since {reason}"
         return "", f"{said}; expected none where rolls is true"
     return "", ""

@@ -9,7 +9,7 @@ import numpy as np
 
 from .formulas import Formula
 from .meshes import Bound, Box, Floats, Mesh, contact_mesh, cut, flat, grid, join, walls
-from .scene_reader import Shape
+from .shapes import Shape
 
 __all__ = ["FLAT", "OBLIQUE", "oblique_axes", "oblique_extent", "oblique_mesh"]
 

@@ -20,6 +20,7 @@ __all__ = [
     "End",
     "Parameter",
     "Plane",
+    "Revolution",
     "Sphere",
     "Surface",
     "Torus",
@@ -273,6 +274,26 @@ class Box(Body):
     size: Point
     centre: Point = (0.0, 0.0, 0.0)
     orientation: Orientation | None = None
+
+
+@dataclass(frozen=True)
+class Revolution(Body):
+    """A thin wall that is a line turned about an axis, touched from both sides and at its edges.
+
+    Attributes
+    ----------
+    profile
+        The line: points with their radius and their height along the axis, joined by straight
+        pieces. The first and the last one may lie on the axis, or may be the same point.
+    centre, axis
+        The point of the axis at the height 0, and "x", "y", "z", one of them with a minus, or any
+        direction.
+    """
+
+    _: KW_ONLY
+    profile: Sequence[tuple[Size, Size]]
+    centre: Point = (0.0, 0.0, 0.0)
+    axis: str | Direction = "z"
 
 
 @dataclass(frozen=True)

@@ -31,6 +31,8 @@ from .oblique_bodies import (
     read_span,
     read_torus,
 )
+from .revolution import read_revolution
+from .shapes import RevolvedShape, Shape
 
 SIGNS = ("positive", "nonnegative", "any")
 
@@ -40,46 +42,11 @@ AXES = {
 """Number of the coordinate and sign of the direction, by the name of an axis."""
 
 
-@dataclass(frozen=True)
-class Shape:
-    """A body or an end as formulas: each is zero, a whole number or the name of an input.
-
-    Attributes
-    ----------
-    name, kind
-        Its own, and that of its class in small letters.
-    sizes
-        By argument.
-    axis
-        Coordinate and direction of its axis.
-    inside
-        Whether it is touched from inside.
-    law
-        Of its contacts; None of an end.
-    bounds
-        Where it is there, asked of the ball's centre.
-    condition
-        Of a surface of one's own.
-    """
-
-    name: str
-    kind: str
-    sizes: tuple[tuple[str, Formula], ...]
-    axis: tuple[int, int] = (2, 1)
-    inside: bool = False
-    law: Contact | None = None
-    bounds: tuple[Terms, ...] = ()
-    condition: Terms = ()
-
-    def __getitem__(self, argument: str) -> Formula:
-        return dict(self.sizes)[argument]
-
-
 UNBOUNDED = (
     "its points of contact are no linear function of the ball's centre; "
     "a plane, a disc, a sphere, a cylinder and a Surface have bounds"
 )
-"""The reason why tori, boxes and cones take no bounds."""
+"""The reason why tori, boxes, cones and surfaces of revolution take no bounds."""
 
 
 @dataclass(frozen=True)
@@ -166,7 +133,7 @@ def _check_list(scene: str, argument: str, given: Any, kind: type) -> list[Any]:
     found = _check_count(scene, argument, given)
     for one in found:
         if not isinstance(one, kind) or type(one) is pieces.Body:
-            expected = "Plane, Sphere, Cylinder, Cone, Disc, Torus, Box or Surface"
+            expected = "Plane, Sphere, Cylinder, Cone, Disc, Torus, Box, Revolution or Surface"
             expected = "End" if kind is pieces.End else expected
             raise wrong(scene, "", argument, f"expected {expected}, got {brief(one)}")
     return found
@@ -300,6 +267,8 @@ def _body(
     elif isinstance(body, pieces.Box):
         turned, sizes = read_box(reader, owner, body)
         shape, there = Shape(body.name, turned, sizes), None
+    elif isinstance(body, pieces.Revolution):
+        return _revolution(reader, owner, body, ball, law)
     elif isinstance(body, pieces.Surface):
         shape, there = _surface(reader, owner, body, ball), Map()
     else:
@@ -309,6 +278,15 @@ def _body(
     extra = shape.bounds + bounds(reader.inputs, owner, body.within, there)
     own = shape.kind or kind
     return Shape(body.name, own, shape.sizes, shape.axis, shape.inside, law, extra, shape.condition)
+
+
+def _revolution(
+    reader: _Reader, owner: str, body: pieces.Revolution, ball: Formula, law: Contact
+) -> Shape:
+    if body.within:
+        raise reader.inputs.wrong(owner, "within", f"a revolution has no bounds: {UNBOUNDED}")
+    sizes, profile = read_revolution(reader, owner, body, ball)
+    return RevolvedShape(body.name, "revolution", sizes, law=law, profile=profile)
 
 
 def _oblique(own: str, found: ObliqueBody) -> tuple[Shape, Map | LinearMap | None]:

@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import brentq
 
-from hoopgen.scene import Box, Cone, Cylinder, Disc, End, Plane, Scene, Sphere, Torus
+from hoopgen.scene import Box, Cone, Cylinder, Disc, End, Plane, Revolution, Scene, Sphere, Torus
 from hoopgen.scene.pieces import Body
 
 Vector = NDArray[np.float64]
@@ -131,6 +131,8 @@ class Slow:
             return (lambda p: np.linalg.norm(p - nearest(p)) - ball), nearest
         if isinstance(body, Cone):
             return self._cone(body)
+        if isinstance(body, Revolution):
+            return self._revolution(body)
         if isinstance(body, Cylinder) and not isinstance(body.axis, str):
             return self._cylinder(body)
         assert isinstance(body, Sphere | Cylinder | Torus)
@@ -215,6 +217,25 @@ class Slow:
             return (away if outside else -away) * side - ball
 
         return distance, on_side
+
+    def _revolution(
+        self, body: Revolution
+    ) -> tuple[Callable[[Vector], float], Callable[[Vector], Vector]]:
+        """Return distance and nearest point of a thin wall: of all its pieces, in a half-plane."""
+        unit, centre, ball = self._unit(body.axis), self._vector(body.centre), self._ball
+        points = np.array([[self._size(one) for one in point] for point in body.profile])
+
+        def nearest(p: Vector) -> Vector:
+            height = (p - centre) @ unit
+            across = p - centre - height * unit
+            place = np.array([np.linalg.norm(across), height])
+            starts, ways = points[:-1], np.diff(points, axis=0)
+            share = np.sum((place - starts) * ways, axis=1) / np.sum(ways**2, axis=1)
+            found = starts + np.clip(share, 0.0, 1.0)[:, None] * ways
+            radius, there = found[np.argmin(np.linalg.norm(found - place, axis=1))]
+            return np.asarray(centre + there * unit + radius * across / place[0])
+
+        return (lambda p: np.linalg.norm(p - nearest(p)) - ball), nearest
 
     def _end(self, end: End) -> tuple[Callable[[Vector], float], Callable[[Vector], float]]:
         axis, way = _axis(end.axis)

@@ -1,0 +1,174 @@
+"""Faces of surfaces of revolution for derivation: sides of cones and cylinders, rings, edges, tips.
+
+With `hoopgen.scene.derivation` the only module of this package that imports SymPy itself.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+
+import sympy as sp
+
+from hoopgen.derive.surfaces import (
+    Cone,
+    Cylinder,
+    InclinedPlane,
+    ObliqueCylinder,
+    ObliqueTorus,
+    Plane,
+    Sphere,
+    Surface,
+    Torus,
+)
+from hoopgen.derive.surfaces.directions import along, distance_from_axis, per_length
+from hoopgen.derive.symbolic.conditionals import barrier
+from hoopgen.derive.symbolic.symbols import POSITION
+
+from .formulas import Formula
+from .revolution import Line
+from .shapes import RevolvedShape
+
+__all__ = ["revolution_faces"]
+
+Point = tuple[sp.Expr, sp.Expr, sp.Expr]
+Bounds = tuple[sp.Expr, ...]
+
+
+def revolution_faces(
+    shape: RevolvedShape, sympy: Callable[[Formula], sp.Expr], ball: sp.Expr
+) -> tuple[tuple[Surface, ...], list[sp.Expr]]:
+    """Return the faces of a surface of revolution, and formulas that must be positive for them.
+
+    Parameters
+    ----------
+    shape
+        The surface.
+    sympy
+        The function from a size to its symbol.
+    ball
+        The ball's radius.
+    """
+    faces = _Faces(shape, sympy, ball)
+    return (*faces.sides(), *faces.edges()), list(faces.requirements())
+
+
+class _Faces:
+    def __init__(
+        self, shape: RevolvedShape, sympy: Callable[[Formula], sp.Expr], ball: sp.Expr
+    ) -> None:
+        self._name, self._profile, self._sympy, self._ball = shape.name, shape.profile, sympy, ball
+        self._sizes = {argument: sympy(size) for argument, size in shape.sizes}
+        self._direction = self._vector(self._sizes, "direction")
+        self._fixed = all(part.is_Integer for part in self._direction)
+        centre = self._vector(self._sizes, "centre")
+        offset = [place - own for place, own in zip(POSITION, centre, strict=True)]
+        self._rho = distance_from_axis(self._direction, offset)
+        height = barrier(along(self._direction, offset))
+        self._height = height if self._fixed else barrier(height * per_length(self._direction))
+        self._vertices = [(sympy(v.radius), sympy(v.height)) for v in self._profile.vertices]
+
+    @staticmethod
+    def _vector(sizes: dict[str, sp.Expr], argument: str) -> Point:
+        x, y, z = (sizes.get(f"{argument} {axis}", sp.Integer(0)) for axis in "xyz")
+        return x, y, z
+
+    def _beyond(self, line: Line, vertex: int) -> sp.Expr:
+        """Return the way of the ball along a piece beyond one of its points, a length."""
+        radius, height = self._vertices[vertex]
+        c, s = map(self._sympy, line.along)
+        across = c * barrier(self._rho - radius) if c != 0 else sp.Integer(0)
+        return across + (s * barrier(self._height - height) if s != 0 else 0)
+
+    def sides(self) -> Iterator[Surface]:
+        """Yield both sides of each piece, that which the ball does not reach left out."""
+        make = {"cone": self._cone, "cylinder": self._cylinder, "disc": self._disc}
+        for number, line in enumerate(self._profile.lines, start=1):
+            tip = self._profile.vertices[line.start].radius.number == 0
+            low = self._beyond(line, line.start)
+            high = self._beyond(line, line.end)
+            # Of a flat piece that reaches the axis nothing is beyond that end.
+            flat = line.kind == "disc"
+            bounds = () if flat and tip else (-low,)
+            if not (flat and self._profile.vertices[line.end].radius.number == 0):
+                bounds += (high,)
+            yield from make[line.kind](number, line, bounds)
+
+    def _cone(self, number: int, line: Line, bounds: Bounds) -> Iterator[Surface]:
+        sizes = {argument: self._sympy(size) for argument, size in line.sizes}
+        way = line.signs[0] * line.signs[1]
+        x, y, z = (way * part for part in self._direction)
+        for side, inward in self._round(line):
+            apex = self._vector(sizes, f"{side} apex")
+            name = f"{self._name}_{side}_{number}"
+            yield Cone(name, apex, (x, y, z), sizes["slope"], bounds, inward, self._ball)
+
+    def _round(self, line: Line) -> list[tuple[str, bool]]:
+        return [("outside", False), ("inside", True)][: 2 if line.inner else 1]
+
+    def _cylinder(self, number: int, line: Line, bounds: Bounds) -> Iterator[Surface]:
+        sizes = {argument: self._sympy(size) for argument, size in line.sizes}
+        kind = Cylinder if self._fixed else ObliqueCylinder
+        for side, inward in self._round(line):
+            name, radius = f"{self._name}_{side}_{number}", sizes["radius"]
+            reach = radius - self._ball if inward else radius + self._ball
+            axis = self._vector(sizes, "axis")
+            yield kind(name, axis, self._direction, reach, bounds, inward, self._ball)
+
+    def _disc(self, number: int, line: Line, bounds: Bounds) -> Iterator[Surface]:
+        at = dict(line.sizes)["at"]
+        for side, way in (("above", 1), ("below", -1)):
+            name = f"{self._name}_{side}_{number}"
+            offset = way * self._sympy(at) + self._ball
+            x, y, z = (way * part for part in self._direction)
+            if self._fixed:
+                whole = (int(x), int(y), int(z))
+                yield Plane(name, whole, offset, self._ball, bounds)
+            else:
+                yield InclinedPlane(name, (x, y, z), offset, self._ball, bounds)
+
+    def edges(self) -> Iterator[Surface]:
+        """Yield the circle that each point sweeps, and the tips of cones on the axis."""
+        for number, vertex in enumerate(self._profile.vertices):
+            lines = [one for one in self._profile.lines if number in (one.start, one.end)]
+            bounds = tuple(
+                -self._beyond(one, number) if one.end == number else self._beyond(one, number)
+                for one in lines
+            )
+            radius = self._vertices[number][0]
+            x, y, z = map(self._sympy, vertex.place)
+            if radius == 0:
+                if lines[0].kind != "disc":
+                    name = f"{self._name}_tip_{number + 1}"
+                    yield Sphere(name, (x, y, z), self._ball, bounds)
+                continue
+            if vertex.narrow:
+                bounds += (self._hole(number),)
+            name = f"{self._name}_edge_{number + 1}"
+            kind = Torus if self._fixed else ObliqueTorus
+            yield kind(name, (x, y, z), self._direction, radius, self._ball, bounds)
+
+    def _hole(self, vertex: int) -> sp.Expr:
+        """Return a bound that excludes the inner part of a torus that meets its axis.
+
+        There the far side of the circle is at the ball's radius, and the near side is closer.
+        """
+        radius, height = self._vertices[vertex]
+        far, above = barrier(self._rho + radius), barrier(self._height - height)
+        return self._ball - barrier(sp.sqrt(barrier(far**2 + above**2)))
+
+    def requirements(self) -> Iterator[sp.Expr]:
+        """Yield formulas that must be positive: else other faces would be needed."""
+        for line in self._profile.lines:
+            (first, low), (last, high) = (self._vertices[k] for k in (line.start, line.end))
+            widest = last if line.signs[0] > 0 else first
+            upright = line.signs[1] * self._sympy(line.along[1])
+            if line.kind == "cylinder" and line.inner:
+                yield widest - self._ball
+            if self._profile.fixed:
+                continue
+            if not line.inner:
+                yield self._ball * upright - widest
+            if line.signs[0]:
+                yield line.signs[0] * (last - first)
+            if line.signs[1]:
+                yield line.signs[1] * (high - low)
