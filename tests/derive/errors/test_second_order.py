@@ -21,6 +21,10 @@ from numpy.typing import NDArray
 from hoopgen import PAPER
 from tests.helpers.effort import trials
 
+pytestmark = pytest.mark.skipif(
+    np.finfo(np.longdouble).nmant < 63, reason="needs more digits than doubles have"
+)
+
 Floats = NDArray[np.floating[Any]]
 Wide = np.longdouble
 ROWS = 200_000
