@@ -11,7 +11,7 @@ from .symbols import spin, velocity
 
 DECISION_FACTOR = 16
 """Decisions allow for this many times the carried errors. Where errors have grown beyond single
-roundings, true errors were up to seven times as large, and every decision allows for more than
+roundings, true errors were up to eleven times as large, and every decision allows for more than
 twice its errors besides. Near single roundings, which have bounds of their own, glancing contacts
 make true errors up to fifty times the carried ones."""
 
