@@ -148,7 +148,17 @@ def longest(speed: sp.Expr) -> sp.Expr:
 def outside(
     ball_radius: sp.Expr, name: str, acceleration: sp.Expr, speed: sp.Expr, summary: str
 ) -> Kernel:
-    """Return the kernel that bounds the time for which the ball stays outside a bound."""
+    """Return the kernel that bounds the time for which the ball stays outside a bound.
+
+    Parameters
+    ----------
+    ball_radius
+        R_B.
+    name, summary
+        The kernel's name, and what it says.
+    acceleration, speed
+        Bounds on those of the ball while its distance from the bound is extrapolated.
+    """
     landing, near_enough = roundings(ball_radius)
     bends = barrier(2 * acceleration + bound_curvature * speed**2)
     past, outward = barrier(-bound_distance), barrier(-bound_rate)
