@@ -74,8 +74,19 @@ def dropped(count: int, seed: int) -> Floats:
     return states(count, seed, (-0.3, -0.3, 0.8), (0.3, 0.3, 1.2), 0.7)
 
 
+def poured(count: int, seed: int) -> Floats:
+    """Return balls that fly into the funnel, or over its rim."""
+    return states(count, seed, (-0.25, -0.25, 0.3), (0.25, 0.25, 0.5), 0.5)
+
+
 FILES: Mapping[str, Callable[[int, int], Floats]] = MappingProxyType(
-    {"netball.toml": thrown, "golf.toml": putted, "bowl.toml": inside, "bumpers.py": dropped}
+    {
+        "netball.toml": thrown,
+        "golf.toml": putted,
+        "bowl.toml": inside,
+        "bumpers.py": dropped,
+        "funnel.toml": poured,
+    }
 )
 """The examples, and shots for each."""
 

@@ -294,7 +294,7 @@ def _contact_points(shots: Shots, values: Mapping[str, Value]) -> NDArray[np.flo
     """Return the point of contact at each event, (m, 3); at the end, the ball's centre."""
     events, scene = shots.events, shots.scene
     centres = np.array(events["before"][:, :3])
-    for index, name in enumerate(scene.surfaces):
+    for index in range(len(scene.surfaces)):
         rows = np.flatnonzero(events["surface"] == index)
         shot = events["shot"][rows]
         inputs = scene.table.inputs(values)
@@ -304,12 +304,29 @@ def _contact_points(shots: Shots, values: Mapping[str, Value]) -> NDArray[np.flo
             for n, v in zip(variables, inputs, strict=True)
         }
         columns |= dict(zip("xyz", centres[rows].T, strict=True))
-        kernel = getattr(scene.kernels, f"{name}_normal")
-        normal = kernel(*[columns[n] for n in scene.kernels.ARGUMENTS[f"{name}_normal"]])
-        ball = _ball(shots, values, shot)
-        for axis, component in enumerate(normal):
-            centres[rows, axis] -= ball * component
+        ball = np.broadcast_to(_ball(shots, values, shot), len(rows))
+        faces = scene.kernels.FACES[index]
+        touched = _touched(scene.kernels, faces, columns, len(rows))
+        for number, face in enumerate(faces):
+            kernel, wanted = (getattr(scene.kernels, f"{face}_normal"), touched == number)
+            normal = kernel(*[columns[n] for n in scene.kernels.ARGUMENTS[f"{face}_normal"]])
+            for axis, component in enumerate(normal):
+                centres[rows[wanted], axis] -= (ball * component)[wanted]
     return turn_vectors(shots, values, centres)
+
+
+def _touched(
+    kernels: Any, faces: tuple[str, ...], columns: Mapping[str, Any], count: int
+) -> NDArray[np.intp]:
+    """Return which of a body's faces the ball touches at each of so many places, (count,)."""
+    gaps = []
+    for face in faces if len(faces) > 1 else ():
+        given = [np.float64(columns.get(n, 0.0)) for n in kernels.ARGUMENTS[f"{face}_vary"]]
+        with np.errstate(divide="ignore", invalid="ignore"):
+            found = getattr(kernels, f"{face}_vary")(*given)
+        gap = np.abs(found[kernels.OUTPUTS[f"{face}_vary"].index("gap")])
+        gaps.append(np.broadcast_to(gap, count))
+    return np.argmin(np.nan_to_num(gaps, nan=np.inf), 0) if gaps else np.zeros(count, np.intp)
 
 
 def _ball(shots: Shots, values: Mapping[str, Value], rows: NDArray[np.intp]) -> Any:

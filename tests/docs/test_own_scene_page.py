@@ -22,7 +22,7 @@ def blocks(language: str) -> list[str]:
     return re.findall(rf"^```{language}(?: \S+)?\n(.*?)^```", PAGE, re.MULTILINE | re.DOTALL)
 
 
-HOLE, SLIDE, CABIN, FRICTION = blocks("toml")
+HOLE, SLIDE, HOURGLASS, CABIN, FRICTION = blocks("toml")
 
 
 @pytest.fixture
@@ -80,6 +80,13 @@ def test_what_the_page_says_of_friction_is_a_scene() -> None:
     named = {i.name: i.default for i in made.inputs}
     assert [named[symbol.name] for symbol in said] == [0.8, 0.4, 0.1, 40.0]
     assert made.values({"mu": float("inf")})[0] == float("inf")
+
+
+def test_the_page_s_surfaces_of_revolution_are_a_scene() -> None:
+    derived = parse_scene(HOURGLASS.encode()).derive()
+    names = {surface.name for surface in derived.surfaces}
+    assert [body.name for body in derived.bodies] == ["glass", "cup"]
+    assert {"glass_inside_2", "glass_edge_3", "cup_outside_1"} <= names
 
 
 def test_the_page_s_inclined_bodies_are_a_scene(tmp_path: Path) -> None:

@@ -77,12 +77,21 @@ def condition(text: str) -> str:
     return f'{HEAD}[bodies.floor]\nkind = "surface"\ncondition = "{text}"\n{DOWN}'
 
 
+def profile(count: int) -> str:
+    points = ", ".join(f"[1, {k}]" for k in range(count))
+    return f'{HEAD}[bodies.tube]\nkind = "revolution"\nprofile = [{points}]\n{DOWN}'
+
+
 LARGE = {
     "parameters": (parameters(20_000), "parameters: expected at most 200 parameters, got 20,000"),
     "bounds": (bounds(2_000), "within: expected at most 100 formulas in `within`, of all bodies"),
     "bodies": (bodies(5_000), "bodies: expected at most 200 bodies, got 5,000"),
     "ends": (ends(500), "ends: expected at most 50 ends, got 500"),
     "sizes": (sizes(90), "expected at most 2,000 parameters and sizes computed from them, got"),
+    "profile_points": (
+        profile(2_000),
+        "profile: expected at most 50 points of a profile, got 2,000",
+    ),
     "formula_length": (formula("1" + "+1" * 400), "at: expected at most 300 characters, got 801"),
     "formula_depth": (formula("-" * 40 + "1"), "at most 30 operations within one another, got"),
     "formula_degree": (condition("x**9999999 - z"), "at most 8 factors in a product, powers mul"),

@@ -17,6 +17,7 @@ pytest.importorskip("flint")
 import hoopgen
 from hoopgen.scene import Cone, End, Parameter, Plane, Revolution, Scene, Torus, revolution_faces
 from hoopgen.simulation.engine import Engine
+from hoopgen.viewer.page import _contact_points as contact_points
 from tests.helpers.derived import engine_of
 from tests.helpers.effort import exceptions, occurrences, trials
 from tests.helpers.slow_scene import Slow
@@ -264,6 +265,19 @@ def test_a_row_with_another_kind_of_profile_is_invalid_and_the_others_are_not(
     shots = leaning.simulate(states, values, max_contacts=1)
     invalid = shots.outcome == leaning.outcomes["INVALID"]
     assert invalid.tolist() == [False, True, True, True]
+
+
+def test_the_page_marks_the_points_that_are_touched(upright: Engine) -> None:
+    """Each is on the profile, at the ball's radius from its centre."""
+    states, _ = shots_for(UPRIGHT, 100, 5)
+    shots = upright.simulate(states, max_contacts=2, record=True)
+    assert "peg" in hoopgen.view(shots).text
+    marked = contact_points(shots, {"wide": 0.35})
+    slow = Slow(UPRIGHT)
+    for point, event in zip(marked, shots.events, strict=True):
+        if event["surface"] < 2:
+            nearest = slow._faces[event["surface"]].nearest(event["before"][:3])
+            np.testing.assert_allclose(point, nearest, rtol=0, atol=1e-9)
 
 
 def _each(made: Scene) -> Iterator[str]:
