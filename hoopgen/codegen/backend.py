@@ -142,6 +142,11 @@ class ResultView:
         """Its type."""
         return self.types.get(self.result.dtype, "double")
 
+    @property
+    def tests_count(self) -> bool:
+        """True if it says whether a field that counts is not zero."""
+        return self.result.dtype == "bool" and self.result.columns[0] != self.result.name
+
 
 class Backend(Protocol):
     """A target: how kernels and the event loop are written, and into which files.

@@ -318,6 +318,31 @@ def test_errors_grow_by_the_time_that_an_edge_is_uncertain_by(table: Engine) -> 
     assert after[1] - before[1] >= GRAVITY * before[0] / speed
 
 
+@pytest.mark.slow
+def test_both_engines_say_alike_that_a_ball_has_rolled_in_air() -> None:
+    """Two rolls are a truth value as one is; a value of 2 would be no NumPy bool."""
+    windy = Scene(
+        "windy_table",
+        bodies=[Plane("floor", at=-0.5), Plane("table", within=["x**2 + y**2 - 0.09"])],
+        ball_radius=BALL,
+        gravity=GRAVITY,
+        restitution=0,
+        rolls=True,
+        air=True,
+        ends={"past": End(axis="-x", at=-2)},
+    )
+    state = np.array([0, 0, 0.1, 0.8, 0, 0, 0, 0, 0])
+    engine = hoopgen.compile(windy)
+    fields = (*FIELDS, "airless_rolls")
+    made = [
+        engine.simulate(state, time_limit=20, fields=fields, backend=backend)
+        for backend in ("c", "numpy")
+    ]
+    assert made[0].rolls[0] == 2
+    for field in fields:
+        assert getattr(made[0], field).tobytes() == getattr(made[1], field).tobytes(), field
+
+
 @pytest.mark.parametrize(
     ("body", "said"),
     [
