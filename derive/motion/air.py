@@ -343,9 +343,9 @@ class AirFlight(Flight):
         names = (rf"\bar v_{axis}" for axis in "xyz")
         return [barrier(horner(row, time), name) for row, name in zip(rows, names, strict=True)]
 
-    def acceleration_at(self, time: sp.Expr = t) -> list[sp.Expr]:
-        """Return the acceleration on the series."""
-        rows = (derivative([v[axis] for v in VELOCITIES]) for axis in range(3))
+    def acceleration_at(self, time: sp.Expr = t, terms: int | None = None) -> list[sp.Expr]:
+        """Return the acceleration on the series, or by its first terms."""
+        rows = (derivative([v[axis] for v in VELOCITIES])[:terms] for axis in range(3))
         names = (rf"\ddot {axis}_t" for axis in "xyz")
         return [barrier(horner(row, time), name) for row, name in zip(rows, names, strict=True)]
 

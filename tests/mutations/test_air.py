@@ -7,8 +7,10 @@ from collections.abc import Callable, Iterator
 import pytest
 from hoopgen.derive import model
 from hoopgen.derive.events.air import AirRootFinder
+from hoopgen.derive.events.ring.air import AirRingRootFinder
 from hoopgen.derive.motion import air
 
+from tests.derive.events import test_ring_in_air
 from tests.derive.motion import test_air
 from tests.helpers.mutants import Patch, in_text
 
@@ -28,6 +30,32 @@ FAULTS: dict[str, tuple[Patch, Callable[[], None]]] = {
     "the box of a path has no size where it is held against a plane": (
         in_text(AirRootFinder, "_least_gap", "barrier(reach) * (1 + BUDGET)", "0"),
         test_air.test_a_piece_that_stays_on_one_side_of_the_end_s_plane_is_clear_of_it_and_no_other_is,
+    ),
+    "a ball near the ring keeps its moment about the axis": (
+        in_text(AirRingRootFinder, "moment", "+ turning", ""),
+        test_ring_in_air.test_moment_and_distance_from_the_axis_are_within_their_bounds,
+    ),
+    "a ball near the ring comes no nearer to the axis": (
+        in_text(AirRingRootFinder, "least_distance", "- barrier(inward * width)", ""),
+        test_ring_in_air.test_moment_and_distance_from_the_axis_are_within_their_bounds,
+    ),
+    "a ball near the ring keeps its speed": (
+        in_text(AirRingRootFinder, "_quickened", "barrier(piece_acceleration * width)", "0"),
+        test_ring_in_air.test_the_curvature_bounds_how_much_the_gap_of_a_ball_bends_down_that_slows_down,
+    ),
+    "a ball near the ring is pulled by nothing": (
+        in_text(AirRingRootFinder, "_pulled", "* piece_acceleration)", "* 0)"),
+        test_ring_in_air.test_the_curvature_bounds_how_much_the_gap_bends_down_and_is_near_to_that,
+    ),
+    "the ring's gap bends up no more than at the start of a window": (
+        in_text(AirRingRootFinder, "steepest", "+ self._quickened(width)", ""),
+        test_ring_in_air.test_the_largest_bend_of_a_window_is_bounded_and_the_bound_is_not_the_ceiling,
+    ),
+    "the ring's bend counts on half of the way to Newton's root": (
+        in_text(
+            AirRingRootFinder, "steepest", "barrier(width * fall)", "barrier(2 * width * fall)"
+        ),
+        test_ring_in_air.test_on_a_window_shorter_than_twice_newton_s_step_the_ceiling_counts,
     ),
 }
 """Faults by name, each with the test that must notice it."""

@@ -6,13 +6,22 @@ are
     F' = 2 (d rho' + z v_z),   F'' = 2 (rho'² + d rho'' + v_z² + z a_z),
     rho' = (x v_x + y v_y) / rho,   rho'' = (v_x² + v_y² - rho'² + x a_x + y a_y) / rho.
 
-So -A <= rho'' <= A + v²/rho for a ball no faster than v whose acceleration is at most A, and within
-a time w, in which rho stays above r, the largest of -F'' is at most
+With the speed v, L = x v_y - y v_x, the distance D from the wire's circle, D² = d² + z², and the
+radial acceleration a_r that is
 
-    2 (|d| + v w + |z| + v w) A + 2 max(0, v w - d) v² / r.
+    F''/2 = v² - R_H L²/rho³ + d a_r + z a_z.
+
+The bounds on it within a time w follow from the largest speed V and acceleration A of the piece:
+
+    |v² - v_t²| <= 2 V A w,   D <= D_t + V w,   |L| <= |L_t| + (rho_t + V w) A w,
+    rho >= rho_t + min(0, rho'_t) w - A w²/2,
+
+the last since rho'' = L²/rho³ + a_r >= -A. They are those of the series' path. The true path is
+off by what a search allows for, a share of 2^-25 of the place and the velocity, so D, rho and L
+count as off by B = 2^-20 (|x| + V T), B and B V up to the end T of the window, and v² by 2^-20 V².
 
 These bounds are used where rho is at least half of R_H - R; no contact is nearer to the axis. Where
-it may be less, the ball is as far from the ring as it is, and flies there no faster than v.
+it may be less, the ball is as far from the ring as it is, and flies there no faster than V.
 """
 
 from __future__ import annotations
@@ -30,13 +39,19 @@ from ...motion.air import (
     piece_speed_error,
 )
 from ...surfaces import Ring
-from ...symbolic.conditionals import IfLess, absolute, barrier, maximum, minimum
-from ...symbolic.rounding import ROUNDING_SLACK, velocity_error
+from ...symbolic.conditionals import Choose, IfLess, Less, absolute, barrier, maximum, minimum
+from ...symbolic.rounding import ROUNDING_SLACK, extent, velocity_error
 from ...symbolic.symbols import POSITION, UNIT_ROUNDOFF, t
 from ..air import opening_time, piece_lost, piece_windows
 from ..box_windows import clear
 from ..event_polynomials import Window, ceiling, end, horizon, leaving, margin
 from ..root_finder import RootFinder
+
+OFF = sp.Rational(1, 2**20)
+"""Share of place and velocity that covers errors a search allows for, and roundings."""
+
+BEND_TERMS = 6
+"""So many terms of the acceleration give F'' where nothing but a guess depends on it."""
 
 STEEP = sp.Integer(2) ** 80
 """A bound on -F'' with which a step is as short as none, where none is known."""
@@ -133,39 +148,75 @@ class AirRingRootFinder(RootFinder):
 
     @property
     def bend(self) -> sp.Expr:
-        """F'' at time t."""
+        """F'' at time t; the width of a window is guessed from it, which needs few terms."""
         (x, y, z), (vx, vy, vz), rho, depth, outward = self._now()
-        ax, ay, az = self.flight.acceleration_at()
+        terms = None if self.flight.departs else BEND_TERMS
+        ax, ay, az = self.flight.acceleration_at(terms=terms)
         along = barrier(vx**2 + vy**2 + x * ax + y * ay - outward**2)
         turned = barrier(along / barrier(IfLess(0, rho, rho, 1)))
         return 2 * barrier(outward**2 + vz**2 + barrier(depth * turned) + z * az)
 
-    def _least_distance(self, width: sp.Expr) -> sp.Expr:
+    def _off(self) -> sp.Expr:
+        """Return B, by which places are off at most."""
+        return barrier(OFF * barrier(extent + end * piece_speed))
+
+    def _inward(self) -> sp.Expr:
+        """Return a bound on the size of a negative rho', without that by the acceleration."""
+        *_, outward = self._now()
+        return barrier(maximum(0, -outward) + OFF * piece_speed)
+
+    def least_distance(self, width: sp.Expr) -> sp.Expr:
         """Return a bound below rho within the width."""
         _, _, rho, _, _ = self._now()
-        return barrier(rho - barrier(piece_speed * width) * (1 + sp.Rational(1, 2**20)))
+        inward = barrier(self._inward() + piece_acceleration * width)
+        return barrier(barrier(rho - self._off()) - barrier(inward * width))
 
     def narrowed(self, width: sp.Expr) -> sp.Expr:
         """Return the part of the window in which rho is at least half of R_H - R."""
-        return barrier(minimum(width, self._known()), "w_1")
+        return barrier(minimum(width, self._known(width)), "w_1")
 
-    def _known(self) -> sp.Expr:
-        """Return the time for which rho is certainly at least half of R_H - R."""
+    def _known(self, width: sp.Expr) -> sp.Expr:
+        """Return a time for which rho is certainly at least half of R_H - R, at most the width."""
         _, _, rho, _, _ = self._now()
-        room = barrier(maximum(0, barrier(rho - self._nearest)))
-        return barrier(barrier(room * (1 - sp.Rational(1, 2**10))) * barrier(1 / piece_speed))
+        room = barrier(maximum(0, barrier(rho - self._nearest) - 2 * self._off()))
+        inward = barrier(self._inward() + piece_acceleration * width)
+        return barrier(barrier(room * (1 - sp.Rational(1, 2**10))) / inward)
+
+    def _distance_from_wire(self) -> sp.Expr:
+        """Return D."""
+        (_, _, z), _, _, depth, _ = self._now()
+        return barrier(sp.sqrt(barrier(depth**2 + z**2)), "D_t")
+
+    def _pulled(self, width: sp.Expr) -> sp.Expr:
+        """Return a bound on the size of d a_r + z a_z within the width."""
+        away = barrier(self._distance_from_wire() + piece_speed * width)
+        return barrier(barrier(away + self._off()) * piece_acceleration)
+
+    def _square(self) -> sp.Expr:
+        _, (vx, vy, vz), *_ = self._now()
+        return barrier(vx**2 + vy**2 + vz**2)
+
+    def _quickened(self, width: sp.Expr) -> sp.Expr:
+        """Return a bound on the change of v² within the width, and on what it is off by."""
+        gained = barrier(2 * barrier(piece_acceleration * width) + OFF * piece_speed)
+        return barrier(gained * piece_speed)
+
+    def moment(self, width: sp.Expr) -> sp.Expr:
+        """Return a bound on |L| within the width."""
+        (x, y, _), (vx, vy, _), rho, _, _ = self._now()
+        wide = barrier(barrier(rho + piece_speed * width) + self._off())
+        turning = barrier(wide * barrier(piece_acceleration * width) + self._off() * piece_speed)
+        return barrier(absolute(barrier(x * vy - y * vx)) + turning)
 
     def curvature(self, width: sp.Expr) -> sp.Expr:
         """Return the bound on -F'' as above."""
-        (_, _, z), _, _, depth, _ = self._now()
-        way = barrier(piece_speed * width)
-        least = self._least_distance(width)
+        least = self.least_distance(width)
         known = barrier(IfLess(self._nearest, least, least, self._nearest))
-        inside = barrier(maximum(0, barrier(way - depth)))
-        pulled = barrier(absolute(depth) + absolute(z) + 2 * way) * piece_acceleration
-        turned = barrier(inside * barrier(piece_speed**2)) / known
-        bound = 2 * ROUNDING_SLACK * barrier(barrier(pulled) + barrier(turned))
-        return IfLess(self._nearest, least, barrier(bound), STEEP)
+        square = barrier(self.moment(width) ** 2)
+        turned = barrier(self.ring.ring_radius * square) / barrier(barrier(known**2) * known)
+        least_square = barrier(self._square() - ROUNDING_SLACK * self._quickened(width))
+        bound = barrier(ROUNDING_SLACK * barrier(barrier(turned) + self._pulled(width)))
+        return IfLess(self._nearest, least, barrier(2 * barrier(bound - least_square)), STEEP)
 
     @property
     def ceiling(self) -> sp.Expr:
@@ -175,17 +226,27 @@ class AirRingRootFinder(RootFinder):
         pulled = barrier(self._widest * turned) + barrier(self._widest * piece_acceleration)
         return 2 * ROUNDING_SLACK * barrier(2 * square + barrier(pulled))
 
+    def beyond(self, low_gap: sp.Expr) -> sp.Expr:
+        """Return a gap whose local line ends behind the root."""
+        return low_gap + 4 * margin
+
     def steepest(
         self, width: sp.Expr, curvature: sp.Expr, fall: sp.Expr, reach: sp.Expr
     ) -> sp.Expr:
-        """Return the ceiling where it is known to hold, else a number that proves nothing."""
-        del curvature, fall, reach
-        return barrier(IfLess(self._nearest, self._least_distance(width), ceiling, STEEP))
+        """Return C on that window, if it is twice as long as the first step of Newton's method.
+
+        F itself is at most F - m + 2 m. On a shorter window the ceiling counts, where it is known
+        to hold; else a number that proves nothing.
+        """
+        fastest = barrier(self._square() + self._quickened(width))
+        upper = barrier(2 * ROUNDING_SLACK * barrier(fastest + self._pulled(width)))
+        within = Less(barrier(reach + 3 * margin), barrier(width * fall))
+        found = Choose(within, maximum(curvature, upper), ceiling)
+        return barrier(IfLess(self._nearest, self.least_distance(width), found, STEEP))
 
     def lengthened(self, stride: sp.Expr) -> sp.Expr:
         """Return the time in which the ball comes no nearer than to the ring, if that is longer."""
-        (_, _, z), _, _, depth, _ = self._now()
-        away = barrier(sp.sqrt(barrier(depth**2 + z**2)) - self.ring.reach)
+        away = barrier(self._distance_from_wire() - self.ring.reach)
         sure = barrier(away - margin * barrier(1 / self.ring.reach))
         time = barrier(barrier(sure * (1 - sp.Rational(1, 2**10))) * barrier(1 / piece_speed))
         longer = barrier(minimum(barrier(end - t), IfLess(0, leaving, 0, time)))
@@ -198,7 +259,8 @@ class AirRingRootFinder(RootFinder):
         With |rho''| <= A + v²/r, the third derivative of rho is at most 3 v (|rho''| + A)/r + j.
         """
         (_, _, z), _, _, depth, _ = self._now()
-        known = barrier(minimum(barrier(end - t), self._known()))
+        left = barrier(end - t)
+        known = barrier(minimum(left, self._known(left)))
         way, square = barrier(piece_speed * known), barrier(piece_speed**2)
         turned = barrier(piece_acceleration + square / self._nearest)
         quick = barrier(3 * piece_speed * barrier(turned + piece_acceleration))
