@@ -268,6 +268,7 @@ IN_CONTACT = {
     "unpressed": Entry(r"\text{unpressed}", "no force presses the ball onto the surface"),
     "loses": Entry(r"\text{loses}", "friction exceeds its limit for the first time"),
     "in_contact": Entry(r"\text{in contact}", "the ball is in contact"),
+    "moves": Entry(r"\text{moves}", "the ball flies to an event"),
     "rolling": Entry(r"\text{rolling}", "the ball goes on in contact"),
     "began": Entry("t_b", "begin of a turn in contact, time since the release"),
     "over": Entry(r"\text{over}", "the ball is not below the ring's disc"),

@@ -187,6 +187,13 @@ def test_parameters_have_letters_of_their_own(scene: Any) -> None:
     assert not ours & set(own.values())
 
 
+@pytest.mark.slow
+def test_rolls_in_air_and_over_edges_are_explained() -> None:
+    floor = Plane("floor", at=-0.5, within=["x"])
+    given = {"bodies": [floor], "ball_radius": 0.05, "gravity": 9.81, "restitution": 0.3}
+    assert ": edges\n" in Scene("windy_floor", **given, rolls=True, air=True).explain()
+
+
 def test_a_letter_that_is_ours_is_not_a_parameter_s() -> None:
     scene = Scene(
         "pit",
