@@ -344,7 +344,15 @@ class AirFlight(Flight):
         return [barrier(horner(row, time), name) for row, name in zip(rows, names, strict=True)]
 
     def acceleration_at(self, time: sp.Expr = t, terms: int | None = None) -> list[sp.Expr]:
-        """Return the acceleration on the series, or by its first terms."""
+        """Return the acceleration on the series, or by its first terms.
+
+        Parameters
+        ----------
+        time
+            Time since the start of the piece.
+        terms
+            Number of terms from the lowest order on; None for all.
+        """
         rows = (derivative([v[axis] for v in VELOCITIES])[:terms] for axis in range(3))
         names = (rf"\ddot {axis}_t" for axis in "xyz")
         return [barrier(horner(row, time), name) for row, name in zip(rows, names, strict=True)]

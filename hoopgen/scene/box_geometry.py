@@ -9,7 +9,7 @@ import numpy as np
 from .boxes import PARTS
 from .formulas import Formula
 from .meshes import Floats, Mesh, flat
-from .shapes import Shape
+from .parsed_shapes import Shape
 
 __all__ = ["BOXES", "box_extent", "box_mesh"]
 

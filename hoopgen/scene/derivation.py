@@ -38,9 +38,9 @@ from .boxes import PARTS
 from .contact_laws import Contact
 from .formulas import Formula
 from .inputs import SceneError
+from .parsed_shapes import RevolvedShape, Shape
 from .revolution_faces import revolution_faces
 from .scene_reader import ParsedScene
-from .shapes import RevolvedShape, Shape
 
 __all__ = ["derivation_scene"]
 

@@ -19,10 +19,10 @@ from .engine_pieces import scene_pieces
 from .formulas import Formula
 from .meshes import Bound, Box, Floats, Mesh, contact_mesh, cut, flat, grid, join, level_set, walls
 from .oblique_geometry import FLAT, OBLIQUE, oblique_axes, oblique_extent, oblique_mesh
+from .parsed_shapes import RevolvedShape, Shape
 from .polynomials import derivative, evaluate
 from .revolution_geometry import is_hollow, revolution_extent, revolution_mesh
 from .scene import Scene
-from .shapes import RevolvedShape, Shape
 from .upright import acceleration, upright
 
 __all__ = ["Body", "SceneGeometry"]

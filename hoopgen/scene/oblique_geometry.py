@@ -9,7 +9,7 @@ import numpy as np
 
 from .formulas import Formula
 from .meshes import Bound, Box, Floats, Mesh, contact_mesh, cut, flat, grid, join, walls
-from .shapes import Shape
+from .parsed_shapes import Shape
 
 __all__ = ["FLAT", "OBLIQUE", "oblique_axes", "oblique_extent", "oblique_mesh"]
 

@@ -25,8 +25,8 @@ from hoopgen.derive.symbolic.conditionals import barrier
 from hoopgen.derive.symbolic.symbols import POSITION
 
 from .formulas import Formula
+from .parsed_shapes import RevolvedShape
 from .revolution import Line
-from .shapes import RevolvedShape
 
 __all__ = ["revolution_faces"]
 

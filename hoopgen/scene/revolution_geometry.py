@@ -9,7 +9,7 @@ import numpy as np
 from .formulas import Formula
 from .meshes import Box, Floats, Mesh, contact_mesh, cut, grid, join, walls
 from .oblique_geometry import oblique_axes
-from .shapes import RevolvedShape
+from .parsed_shapes import RevolvedShape
 
 __all__ = ["is_hollow", "revolution_extent", "revolution_mesh"]
 

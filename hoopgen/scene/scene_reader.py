@@ -31,8 +31,8 @@ from .oblique_bodies import (
     read_span,
     read_torus,
 )
+from .parsed_shapes import RevolvedShape, Shape
 from .revolution import read_revolution
-from .shapes import RevolvedShape, Shape
 
 SIGNS = ("positive", "nonnegative", "any")
 

@@ -142,11 +142,12 @@ def test_moment_and_distance_from_the_axis_are_within_their_bounds() -> None:
 
 
 def test_the_largest_bend_of_a_window_is_bounded_and_the_bound_is_not_the_ceiling() -> None:
-    for one in windows(4, trials(200, at_least=60)):
+    for one in windows(4, trials(300, at_least=200)):
         bends = one.both("bend")
         steepest = one.found["steepest"]
         assert steepest >= np.abs(bends).max()
-        assert steepest < 1e9
+        # On a window of less than six margins the ceiling counts.
+        assert steepest < 1e9 or one.width < 6.1e-7
 
 
 def test_on_a_window_shorter_than_twice_newton_s_step_the_ceiling_counts() -> None:
