@@ -28,6 +28,7 @@ from ..symbolic.conditionals import (
     maximum,
     minimum,
 )
+from ..symbolic.error_terms import clock
 from ..symbolic.rounding import position_error, velocity_error
 from ..symbolic.symbols import spin, velocity
 from .bounds import outside, until_met
@@ -43,6 +44,7 @@ from .symbols import (
     near,
     nearing,
     outside_time,
+    time_limit,
 )
 
 
@@ -162,7 +164,11 @@ def departure_kernels(
         ),
         loop_kernel(
             "separated",
-            {"when": maximum(0, hop), "undecided_time": Choose(opens, undecided_time, 0)},
+            {
+                # The flight begins after that time, and the time limit may come before.
+                "when": maximum(0, minimum(hop, barrier(time_limit - clock))),
+                "undecided_time": Choose(opens, undecided_time, 0),
+            },
             "Time for which a ball that leaves a surface certainly meets neither it nor another.",
             "Taylor's theorem of the gap",
         ),

@@ -48,10 +48,12 @@ class Torus(Toroidal):
     ring_radius
         R, radius of the tube's centre circle.
     reach
-        r, the sum of the radii of ball and tube. If that is more than R, the bounds must exclude
-        the parts about the axis: no ball can touch them.
+        r, the sum of the radii of ball and tube. If that is more than R, `contact_limits` must
+        exclude the part about the axis: no ball can touch it.
     limits
         The bounds (Eq. 2).
+    contact_limits
+        More bounds, of contacts alone: a ball past them may overlap the tube all the same.
     """
 
     centre: Point
@@ -59,6 +61,7 @@ class Torus(Toroidal):
     ring_radius: sp.Expr
     reach: sp.Expr
     limits: tuple[sp.Expr, ...] = ()
+    contact_limits: tuple[sp.Expr, ...] = ()
 
     def __post_init__(self) -> None:
         check_direction(self.name, self.direction)
@@ -66,7 +69,7 @@ class Torus(Toroidal):
     @property
     def bounds(self) -> tuple[sp.Expr, ...]:
         """The bounds as lengths."""
-        return tuple(map(as_length, self.limits))
+        return tuple(map(as_length, (*self.limits, *self.contact_limits)))
 
     @property
     def _along(self) -> sp.Expr:

@@ -1,6 +1,6 @@
 /* Kernels of the scene court, in C.
 
-   Generated from templates/c/kernels.h.j2, scene court, derivation 214aafa785e1c47c,
+   Generated from templates/c/kernels.h.j2, scene court, derivation c7e11144c55ec89d,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -2009,35 +2009,37 @@ LANES(court_seam_free_time)(V gap, V free_time, V near, V nearing, V _c0, V _c1)
 }
 
 /* Time for which a ball that leaves a surface certainly meets neither it nor another.
-   Taylor's theorem of the gap. 64 operations: 10 additions, 19 multiplications, 5 divisions, 4 square roots, 6 absolute values, 10 comparisons, 1 disjunction, 9 selections. */
+   Taylor's theorem of the gap. 67 operations: 10 additions, 1 subtraction, 19 multiplications, 5 divisions, 4 square roots, 6 absolute values, 11 comparisons, 1 disjunction, 10 selections. */
 typedef struct {
     V when, undecided_time;
 } LANES(court_separated_out);
 
 LANES_INLINE LANES(court_separated_out)
-LANES(court_separated)(V vx, V vy, V vz, V undecided_time, V position_error, V velocity_error, V per_reach, V free_time, V lift, V gap_jerk, V gap_snap, V _c0, V _c1, V _c2)
+LANES(court_separated)(V vx, V vy, V vz, V undecided_time, V position_error, V velocity_error, V clock, V time_limit, V per_reach, V free_time, V lift, V gap_jerk, V gap_snap, V _c0, V _c1, V _c2)
 {
-    const V _s0 = lanes_mul(K(0.25), free_time);
-    const V _s1 = lanes_add(lanes_add(lanes_add(_c1, lanes_abs(vx)), lanes_abs(vy)), lanes_abs(vz));
-    const V _s2 = lanes_abs(per_reach);
-    const V _s3 = lanes_add(_c0, lanes_mul(lanes_mul(_s1, _s1), _s2));
-    const V _s4 = lanes_add(lanes_add(K(1.0), lanes_mul(_s1, _s2)), lanes_sqrt(lanes_mul(_c0, _s2)));
-    const V _s5 = lanes_mul(lanes_mul(K(64.0), _s3), lanes_mul(_s4, lanes_mul(_s4, _s4)));
-    const V _s6 = lanes_mul(K(0.5), gap_jerk);
-    const V _s7 = lanes_sqrt(lanes_div(_s6, _s5));
-    const V _s8 = lanes_mul(K(9.313225746154785e-10), _s5);
-    const V _s9 = lanes_add(lanes_abs(gap_snap), _s8);
-    const V _s10 = lanes_div(_s6, _s9);
-    const V _s11 = lanes_max(K(0.0), lift);
-    const V _s12 = lanes_sqrt(lanes_div(lanes_mul(K(128.0), _s11), _s5));
-    const V _s13 = lanes_sqrt(lanes_div(lanes_mul(K(0.5), _s11), _s9));
-    const V _s14 = lanes_div(_s11, lanes_add(lanes_mul(K(4.0), lanes_abs(gap_jerk)), _s8));
-    const V _s15 = lanes_min(_s13, _s14);
-    const V _s16 = lanes_select(lanes_less(K(0.0), gap_jerk), lanes_min(_s7, _s10), lanes_min(_s12, _s15));
-    const V _s17 = lanes_min(_s16, K(0.0078125));
-    const V _s18 = lanes_min(_s0, _s17);
-    const V _s19 = lanes_add(_c2, lanes_mul(lanes_mul(K(16.0), lanes_add(lanes_mul(position_error, _s3), lanes_mul(velocity_error, _s1))), _s2));
-    return (LANES(court_separated_out)){ lanes_max(K(0.0), _s18), lanes_select(lanes_either(lanes_less(lanes_mul(_s19, _s4), gap_jerk), lanes_less(_s19, lift)), undecided_time, K(0.0)) };
+    const V _s0 = lanes_sub(time_limit, clock);
+    const V _s1 = lanes_mul(K(0.25), free_time);
+    const V _s2 = lanes_add(lanes_add(lanes_add(_c1, lanes_abs(vx)), lanes_abs(vy)), lanes_abs(vz));
+    const V _s3 = lanes_abs(per_reach);
+    const V _s4 = lanes_add(_c0, lanes_mul(lanes_mul(_s2, _s2), _s3));
+    const V _s5 = lanes_add(lanes_add(K(1.0), lanes_mul(_s2, _s3)), lanes_sqrt(lanes_mul(_c0, _s3)));
+    const V _s6 = lanes_mul(lanes_mul(K(64.0), _s4), lanes_mul(_s5, lanes_mul(_s5, _s5)));
+    const V _s7 = lanes_mul(K(0.5), gap_jerk);
+    const V _s8 = lanes_sqrt(lanes_div(_s7, _s6));
+    const V _s9 = lanes_mul(K(9.313225746154785e-10), _s6);
+    const V _s10 = lanes_add(lanes_abs(gap_snap), _s9);
+    const V _s11 = lanes_div(_s7, _s10);
+    const V _s12 = lanes_max(K(0.0), lift);
+    const V _s13 = lanes_sqrt(lanes_div(lanes_mul(K(128.0), _s12), _s6));
+    const V _s14 = lanes_sqrt(lanes_div(lanes_mul(K(0.5), _s12), _s10));
+    const V _s15 = lanes_div(_s12, lanes_add(lanes_mul(K(4.0), lanes_abs(gap_jerk)), _s9));
+    const V _s16 = lanes_min(_s14, _s15);
+    const V _s17 = lanes_select(lanes_less(K(0.0), gap_jerk), lanes_min(_s8, _s11), lanes_min(_s13, _s16));
+    const V _s18 = lanes_min(_s17, K(0.0078125));
+    const V _s19 = lanes_min(_s1, _s18);
+    const V _s20 = lanes_min(_s0, _s19);
+    const V _s21 = lanes_add(_c2, lanes_mul(lanes_mul(K(16.0), lanes_add(lanes_mul(position_error, _s4), lanes_mul(velocity_error, _s2))), _s3));
+    return (LANES(court_separated_out)){ lanes_max(K(0.0), _s20), lanes_select(lanes_either(lanes_less(lanes_mul(_s21, _s5), gap_jerk), lanes_less(_s21, lift)), undecided_time, K(0.0)) };
 }
 
 /* Scale from the errors to the neighbouring motion.

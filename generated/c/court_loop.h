@@ -1,6 +1,6 @@
 /* The event loop of the scene court, with or without bounds on errors.
 
-   Generated from templates/c/loop.h.j2, scene court, derivation 214aafa785e1c47c,
+   Generated from templates/c/loop.h.j2, scene court, derivation c7e11144c55ec89d,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by court_engine.h twice, BOUNDED being 1 where errors are bounded, else 0. The path is
@@ -131,12 +131,12 @@ typedef struct {
         in_contact_circling_wx, in_contact_circling_wy, in_contact_circling_wz,
         in_contact_circling_x, in_contact_circling_y, in_contact_circling_z, in_contact_clock,
         in_contact_gap_jerk, in_contact_gap_snap, in_contact_held, in_contact_leaves,
-        in_contact_leaves_gap_jerk, in_contact_leaves_gap_snap, in_contact_leaves_held,
-        in_contact_leaves_lift, in_contact_leaves_per_reach, in_contact_leaves_row,
-        in_contact_leaves_vx, in_contact_leaves_vy, in_contact_leaves_vz, in_contact_leaves_when,
-        in_contact_leaves_which, in_contact_leaves_x, in_contact_leaves_y, in_contact_leaves_z,
-        in_contact_lift, in_contact_mode, in_contact_per_reach, in_contact_rests,
-        in_contact_rolling, in_contact_rolling_bent_x, in_contact_rolling_bent_y,
+        in_contact_leaves_clock, in_contact_leaves_gap_jerk, in_contact_leaves_gap_snap,
+        in_contact_leaves_held, in_contact_leaves_lift, in_contact_leaves_per_reach,
+        in_contact_leaves_row, in_contact_leaves_vx, in_contact_leaves_vy, in_contact_leaves_vz,
+        in_contact_leaves_when, in_contact_leaves_which, in_contact_leaves_x, in_contact_leaves_y,
+        in_contact_leaves_z, in_contact_lift, in_contact_mode, in_contact_per_reach,
+        in_contact_rests, in_contact_rolling, in_contact_rolling_bent_x, in_contact_rolling_bent_y,
         in_contact_rolling_bent_z, in_contact_rolling_clock, in_contact_rolling_ended_clock,
         in_contact_rolling_ended_per_reach, in_contact_rolling_ended_rests,
         in_contact_rolling_ended_rolling, in_contact_rolling_ended_row,
@@ -1586,14 +1586,14 @@ LANES_APART void LOOP(fix_in_contact_leaves_rows_1)(LOOP(worklist) *worklist, si
     }
 }
 
-LANES_APART void LOOP(leaves)(LOOP(worklist) *worklist, size_t in_contact_leaves_shots, size_t varying)
+LANES_APART void LOOP(leaves)(LOOP(worklist) *worklist, size_t in_contact_leaves_shots, size_t varying, V time_limit)
 {
     for (size_t i = 0; i < in_contact_leaves_shots; i += LANES_WIDTH) {
         const M rows = mask_first_n(in_contact_leaves_shots - i);
         if (LANES_SELDOM(varying))
             LOOP(fix_in_contact_leaves_rows_1)(worklist, i);
-        EACH(LOAD, in_contact_leaves_, gap_jerk, gap_snap, held, lift, per_reach, vx, vy, vz, x, y)
-        EACH(LOAD, in_contact_leaves_, z)
+        EACH(LOAD, in_contact_leaves_, clock, gap_jerk, gap_snap, held, lift, per_reach, vx, vy, vz)
+        EACH(LOAD, in_contact_leaves_, x, y, z)
 #if BOUNDED
         EACH(LOAD, in_contact_leaves_, clock_error, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz)
         EACH(LOAD, in_contact_leaves_, undecided_time)
@@ -1719,7 +1719,7 @@ LANES_APART void LOOP(leaves)(LOOP(worklist) *worklist, size_t in_contact_leaves
             CALL(court_seam_free_time, _seam_free_time_12)(gap, free_time, near, nearing, FIXED(22), FIXED(162));
             EACH(SELECT, (_if_here_5, _seam_free_time_12), free_time)
         }
-        CALL(court_separated, _separated_1)(vx, vy, vz, OR_INFINITE(undecided_time), OR_ZERO(position_error), OR_ZERO(velocity_error), per_reach, free_time, lift, gap_jerk, gap_snap, FIXED(21), FIXED(161), FIXED(132));
+        CALL(court_separated, _separated_1)(vx, vy, vz, OR_INFINITE(undecided_time), OR_ZERO(position_error), OR_ZERO(velocity_error), clock, time_limit, per_reach, free_time, lift, gap_jerk, gap_snap, FIXED(21), FIXED(161), FIXED(132));
         EACH(GET, _separated_1, when)
         BOUNDS(EACH(SET, _separated_1, undecided_time))
         CALL(court_detachment, _detachment_1)();
@@ -2785,7 +2785,8 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
     for (size_t i = 0; i < in_contact_shots; i += LANES_WIDTH) {
         const M rows = mask_first_n(in_contact_shots - i);
         EACH(LOAD_MASK, in_contact_, circling, leaves, rolling)
-        EACH(LOAD, in_contact_, gap_jerk, gap_snap, held, lift, per_reach, vx, vy, vz, x, y, z)
+        EACH(LOAD, in_contact_, clock, gap_jerk, gap_snap, held, lift, per_reach, vx, vy, vz, x, y)
+        EACH(LOAD, in_contact_, z)
         BOUNDS(EACH(LOAD, in_contact_, clock_error, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz))
         BOUNDS(EACH(LOAD, in_contact_, undecided_time))
         CALL(court_still_in_contact, _still_in_contact_1)(rolling, circling);
@@ -2794,8 +2795,8 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
         const M packed = lanes_both(rows, leaves);
         if (lanes_any(packed)) {
             lanes_pack(worklist->in_contact_leaves_row + in_contact_leaves_shots, packed, lanes_add(iota(), K((double)i)));
-            EACH(PACK, in_contact_leaves_, gap_jerk, gap_snap, held, lift, per_reach, vx, vy, vz, x)
-            EACH(PACK, in_contact_leaves_, y, z)
+            EACH(PACK, in_contact_leaves_, clock, gap_jerk, gap_snap, held, lift, per_reach, vx, vy)
+            EACH(PACK, in_contact_leaves_, vz, x, y, z)
             BOUNDS(EACH(PACK, in_contact_leaves_, clock_error, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz))
             BOUNDS(EACH(PACK, in_contact_leaves_, undecided_time))
             if (LANES_SELDOM(varying)) {
@@ -2807,8 +2808,8 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
         }
     }
     if (in_contact_leaves_shots) {
-        EACH(CLEAR, in_contact_leaves_, row, gap_jerk, gap_snap, held, lift, per_reach, vx, vy, vz)
-        EACH(CLEAR, in_contact_leaves_, x, y, z)
+        EACH(CLEAR, in_contact_leaves_, row, clock, gap_jerk, gap_snap, held, lift, per_reach, vx)
+        EACH(CLEAR, in_contact_leaves_, vy, vz, x, y, z)
         BOUNDS(EACH(CLEAR, in_contact_leaves_, clock_error, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz))
         BOUNDS(EACH(CLEAR, in_contact_leaves_, undecided_time))
         if (LANES_SELDOM(varying)) {
@@ -2818,7 +2819,7 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
         }
     }
     if (in_contact_leaves_shots)
-        LOOP(leaves)(worklist, in_contact_leaves_shots, varying);
+        LOOP(leaves)(worklist, in_contact_leaves_shots, varying, time_limit);
     for (size_t k = 0; k < in_contact_leaves_shots; k++) {
         const size_t row = (size_t)worklist->in_contact_leaves_row[k];
         EACH(RETURN, (in_contact_, in_contact_leaves_), when, which)

@@ -1,6 +1,6 @@
 /* The event loop of the scene court in CUDA: a thread takes one shot from its release to its end.
 
-   Generated from templates/cuda/scene.cu.j2, scene court, derivation 214aafa785e1c47c,
+   Generated from templates/cuda/scene.cu.j2, scene court, derivation c7e11144c55ec89d,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    It needs no header. To give the bits of NumPy and C it is compiled with --fmad=false, --ftz=false,
@@ -2017,34 +2017,36 @@ static __device__ __forceinline__ kernel_seam_free_time_out kernel_seam_free_tim
 }
 
 /* Time for which a ball that leaves a surface certainly meets neither it nor another.
-   Taylor's theorem of the gap. 66 operations: 10 additions, 21 multiplications, 5 divisions, 4 square roots, 6 absolute values, 10 comparisons, 1 disjunction, 9 selections. */
+   Taylor's theorem of the gap. 69 operations: 10 additions, 1 subtraction, 21 multiplications, 5 divisions, 4 square roots, 6 absolute values, 11 comparisons, 1 disjunction, 10 selections. */
 struct kernel_separated_out {
     double when, undecided_time;
 };
 
-static __device__ __forceinline__ kernel_separated_out kernel_separated(double p_gravity, double vx, double vy, double vz, double undecided_time, double position_error, double velocity_error, double per_reach, double free_time, double lift, double gap_jerk, double gap_snap)
+static __device__ __forceinline__ kernel_separated_out kernel_separated(double p_gravity, double vx, double vy, double vz, double undecided_time, double position_error, double velocity_error, double clock, double time_limit, double per_reach, double free_time, double lift, double gap_jerk, double gap_snap)
 {
-    const double _s0 = 0.25 * free_time;
-    const double _s1 = (((0.0078125 * p_gravity) + fabs(vx)) + fabs(vy)) + fabs(vz);
-    const double _s2 = fabs(per_reach);
-    const double _s3 = p_gravity + ((_s1 * _s1) * _s2);
-    const double _s4 = (1.0 + (_s1 * _s2)) + sqrt((p_gravity * _s2));
-    const double _s5 = (64.0 * _s3) * (_s4 * (_s4 * _s4));
-    const double _s6 = 0.5 * gap_jerk;
-    const double _s7 = sqrt((_s6 / _s5));
-    const double _s8 = 9.313225746154785e-10 * _s5;
-    const double _s9 = fabs(gap_snap) + _s8;
-    const double _s10 = _s6 / _s9;
-    const double _s11 = larger(0.0, lift);
-    const double _s12 = sqrt(((128.0 * _s11) / _s5));
-    const double _s13 = sqrt(((0.5 * _s11) / _s9));
-    const double _s14 = _s11 / ((4.0 * fabs(gap_jerk)) + _s8);
-    const double _s15 = smaller(_s13, _s14);
-    const double _s16 = choose((0.0 < gap_jerk), smaller(_s7, _s10), smaller(_s12, _s15));
-    const double _s17 = smaller(_s16, 0.0078125);
-    const double _s18 = smaller(_s0, _s17);
-    const double _s19 = (5.684341886080802e-14 * p_gravity) + ((16.0 * ((position_error * _s3) + (velocity_error * _s1))) * _s2);
-    return {larger(0.0, _s18), choose((((_s19 * _s4) < gap_jerk) || (_s19 < lift)), undecided_time, 0.0)};
+    const double _s0 = time_limit - clock;
+    const double _s1 = 0.25 * free_time;
+    const double _s2 = (((0.0078125 * p_gravity) + fabs(vx)) + fabs(vy)) + fabs(vz);
+    const double _s3 = fabs(per_reach);
+    const double _s4 = p_gravity + ((_s2 * _s2) * _s3);
+    const double _s5 = (1.0 + (_s2 * _s3)) + sqrt((p_gravity * _s3));
+    const double _s6 = (64.0 * _s4) * (_s5 * (_s5 * _s5));
+    const double _s7 = 0.5 * gap_jerk;
+    const double _s8 = sqrt((_s7 / _s6));
+    const double _s9 = 9.313225746154785e-10 * _s6;
+    const double _s10 = fabs(gap_snap) + _s9;
+    const double _s11 = _s7 / _s10;
+    const double _s12 = larger(0.0, lift);
+    const double _s13 = sqrt(((128.0 * _s12) / _s6));
+    const double _s14 = sqrt(((0.5 * _s12) / _s10));
+    const double _s15 = _s12 / ((4.0 * fabs(gap_jerk)) + _s9);
+    const double _s16 = smaller(_s14, _s15);
+    const double _s17 = choose((0.0 < gap_jerk), smaller(_s8, _s11), smaller(_s13, _s16));
+    const double _s18 = smaller(_s17, 0.0078125);
+    const double _s19 = smaller(_s1, _s18);
+    const double _s20 = smaller(_s0, _s19);
+    const double _s21 = (5.684341886080802e-14 * p_gravity) + ((16.0 * ((position_error * _s4) + (velocity_error * _s2))) * _s3);
+    return {larger(0.0, _s20), choose((((_s21 * _s5) < gap_jerk) || (_s21 < lift)), undecided_time, 0.0)};
 }
 
 /* Scale from the errors to the neighbouring motion.
@@ -7092,7 +7094,7 @@ static __device__ __forceinline__ void court_loop(
                     const kernel_seam_free_time_out _o402 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
                     free_time = _o402.free_time;
                 }
-                const kernel_separated_out _o403 = kernel_separated(p_gravity, vx, vy, vz, undecided_time, position_error, velocity_error, per_reach, free_time, lift, gap_jerk, gap_snap);
+                const kernel_separated_out _o403 = kernel_separated(p_gravity, vx, vy, vz, undecided_time, position_error, velocity_error, clock, time_limit, per_reach, free_time, lift, gap_jerk, gap_snap);
                 when = _o403.when;
                 if (BOUNDS)
                     undecided_time = _o403.undecided_time;

@@ -1,6 +1,6 @@
 """NumPy kernels of the scene court.
 
-Generated from templates/numpy/kernels.py.j2, scene court, derivation 214aafa785e1c47c,
+Generated from templates/numpy/kernels.py.j2, scene court, derivation c7e11144c55ec89d,
 with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
 and run `make generate`.
 Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
@@ -2534,33 +2534,35 @@ def seam_free_time(p_gravity: Any, gap: Any, free_time: Any, near: Any, nearing:
     return _result(_s0 <= near, free_time, _select(_s5 < free_time, _s5, free_time, _r0), _r0),
 
 
-def separated(p_gravity: Any, vx: Any, vy: Any, vz: Any, undecided_time: Any, position_error: Any, velocity_error: Any, per_reach: Any, free_time: Any, lift: Any, gap_jerk: Any, gap_snap: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+def separated(p_gravity: Any, vx: Any, vy: Any, vz: Any, undecided_time: Any, position_error: Any, velocity_error: Any, clock: Any, time_limit: Any, per_reach: Any, free_time: Any, lift: Any, gap_jerk: Any, gap_snap: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Time for which a ball that leaves a surface certainly meets neither it nor another.
 
-    Taylor's theorem of the gap. 66 operations: 10 additions, 21 multiplications, 5 divisions, 4 square roots, 6 absolute values, 10 comparisons, 1 disjunction, 9 selections.
+    Taylor's theorem of the gap. 69 operations: 10 additions, 1 subtraction, 21 multiplications, 5 divisions, 4 square roots, 6 absolute values, 11 comparisons, 1 disjunction, 10 selections.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15 = _room[:16]
-    _s0 = _multiply(_k24, free_time, _r0)
-    _s1 = _add(_add(_add(0.0078125 * p_gravity, _absolute(vx, _r1), _r1), _absolute(vy, _r2), _r2), _absolute(vz, _r1), _r1)
-    _s2 = _absolute(per_reach, _r2)
-    _s3 = _add(p_gravity, _multiply(_multiply(_s1, _s1, _r3), _s2, _r3), _r3)
-    _s4 = _add(_add(_k19, _multiply(_s1, _s2, _r4), _r4), _sqrt(_multiply(p_gravity, _s2, _r5), _r5), _r5)
-    _s5 = _multiply(_multiply(_k38, _s3, _r4), _multiply(_s4, _multiply(_s4, _s4, _r6), _r6), _r4)
-    _s6 = _multiply(_k45, gap_jerk, _r6)
-    _s7 = _sqrt(_divide(_s6, _s5, _r7), _r7)
-    _s8 = _multiply(_k52, _s5, _r8)
-    _s9 = _add(_absolute(gap_snap, _r9), _s8, _r9)
-    _s10 = _divide(_s6, _s9, _r6)
-    _s11 = _select(_k4 < lift, lift, _k4, _r10)
-    _s12 = _sqrt(_divide(_multiply(_k102, _s11, _r11), _s5, _r11), _r11)
-    _s13 = _sqrt(_divide(_multiply(_k45, _s11, _r4), _s9, _r4), _r4)
-    _s14 = _divide(_s11, _add(_multiply(_k64, _absolute(gap_jerk, _r9), _r9), _s8, _r9), _r9)
-    _s15 = _select(_s13 < _s14, _s13, _s14, _r10)
-    _s16 = _select(_k4 < gap_jerk, _select(_s7 < _s10, _s7, _s10, _r8), _select(_s12 < _s15, _s12, _s15, _r12), _r13)
-    _s17 = _select(_s16 < _k101, _s16, _k101, _r14)
-    _s18 = _select(_s0 < _s17, _s0, _s17, _r15)
-    _s19 = _add(5.684341886080802e-14 * p_gravity, _multiply(_multiply(_k36, _add(_multiply(position_error, _s3, _r3), _multiply(velocity_error, _s1, _r1), _r1), _r1), _s2, _r1), _r1)
-    return _result(_k4 < _s18, _s18, _k4, _r0), _result(_logical_or((_multiply(_s19, _s4, _r5) < gap_jerk), (_s19 < lift)), undecided_time, _k4, _r0)
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17 = _room[:18]
+    _s0 = _subtract(time_limit, clock, _r0)
+    _s1 = _multiply(_k24, free_time, _r1)
+    _s2 = _add(_add(_add(0.0078125 * p_gravity, _absolute(vx, _r2), _r2), _absolute(vy, _r3), _r3), _absolute(vz, _r2), _r2)
+    _s3 = _absolute(per_reach, _r3)
+    _s4 = _add(p_gravity, _multiply(_multiply(_s2, _s2, _r4), _s3, _r4), _r4)
+    _s5 = _add(_add(_k19, _multiply(_s2, _s3, _r5), _r5), _sqrt(_multiply(p_gravity, _s3, _r6), _r6), _r6)
+    _s6 = _multiply(_multiply(_k38, _s4, _r5), _multiply(_s5, _multiply(_s5, _s5, _r7), _r7), _r5)
+    _s7 = _multiply(_k45, gap_jerk, _r7)
+    _s8 = _sqrt(_divide(_s7, _s6, _r8), _r8)
+    _s9 = _multiply(_k52, _s6, _r9)
+    _s10 = _add(_absolute(gap_snap, _r10), _s9, _r10)
+    _s11 = _divide(_s7, _s10, _r7)
+    _s12 = _select(_k4 < lift, lift, _k4, _r11)
+    _s13 = _sqrt(_divide(_multiply(_k102, _s12, _r12), _s6, _r12), _r12)
+    _s14 = _sqrt(_divide(_multiply(_k45, _s12, _r5), _s10, _r5), _r5)
+    _s15 = _divide(_s12, _add(_multiply(_k64, _absolute(gap_jerk, _r10), _r10), _s9, _r10), _r10)
+    _s16 = _select(_s14 < _s15, _s14, _s15, _r11)
+    _s17 = _select(_k4 < gap_jerk, _select(_s8 < _s11, _s8, _s11, _r9), _select(_s13 < _s16, _s13, _s16, _r13), _r14)
+    _s18 = _select(_s17 < _k101, _s17, _k101, _r15)
+    _s19 = _select(_s1 < _s18, _s1, _s18, _r16)
+    _s20 = _select(_s0 < _s19, _s0, _s19, _r17)
+    _s21 = _add(5.684341886080802e-14 * p_gravity, _multiply(_multiply(_k36, _add(_multiply(position_error, _s4, _r4), _multiply(velocity_error, _s2, _r2), _r2), _r2), _s3, _r2), _r2)
+    return _result(_k4 < _s20, _s20, _k4, _r0), _result(_logical_or((_multiply(_s21, _s5, _r6) < gap_jerk), (_s21 < lift)), undecided_time, _k4, _r0)
 
 
 def neighbour_scale(p_ball_radius: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, dwz: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -6394,28 +6396,30 @@ def _seam_free_time_alone(p_gravity: Any, gap: Any, free_time: Any, near: Any, n
     return free_time if (_s0 <= near) else (_s5 if _s5 < free_time else free_time),
 
 
-def _separated_alone(p_gravity: Any, vx: Any, vy: Any, vz: Any, undecided_time: Any, position_error: Any, velocity_error: Any, per_reach: Any, free_time: Any, lift: Any, gap_jerk: Any, gap_snap: Any) -> tuple[Any, ...]:
-    _s0 = _k27 * free_time
-    _s1 = (((_k100 * p_gravity) + abs(vx)) + abs(vy)) + abs(vz)
-    _s2 = abs(per_reach)
-    _s3 = p_gravity + ((_s1 * _s1) * _s2)
-    _s4 = (_k1 + (_s1 * _s2)) + _root((p_gravity * _s2))
-    _s5 = (_k39 * _s3) * (_s4 * (_s4 * _s4))
-    _s6 = _k0 * gap_jerk
-    _s7 = _root((_s6 / _s5))
-    _s8 = _k43 * _s5
-    _s9 = abs(gap_snap) + _s8
-    _s10 = _s6 / _s9
-    _s11 = lift if _k2 < lift else _k2
-    _s12 = _root(((_k103 * _s11) / _s5))
-    _s13 = _root(((_k0 * _s11) / _s9))
-    _s14 = _s11 / ((_k47 * abs(gap_jerk)) + _s8)
-    _s15 = _s13 if _s13 < _s14 else _s14
-    _s16 = (_s7 if _s7 < _s10 else _s10) if (_k2 < gap_jerk) else (_s12 if _s12 < _s15 else _s15)
-    _s17 = _s16 if _s16 < _k100 else _k100
-    _s18 = _s0 if _s0 < _s17 else _s17
-    _s19 = (_k97 * p_gravity) + ((_k37 * ((position_error * _s3) + (velocity_error * _s1))) * _s2)
-    return _s18 if _k2 < _s18 else _k2, undecided_time if (((_s19 * _s4) < gap_jerk) or (_s19 < lift)) else _k2
+def _separated_alone(p_gravity: Any, vx: Any, vy: Any, vz: Any, undecided_time: Any, position_error: Any, velocity_error: Any, clock: Any, time_limit: Any, per_reach: Any, free_time: Any, lift: Any, gap_jerk: Any, gap_snap: Any) -> tuple[Any, ...]:
+    _s0 = time_limit - clock
+    _s1 = _k27 * free_time
+    _s2 = (((_k100 * p_gravity) + abs(vx)) + abs(vy)) + abs(vz)
+    _s3 = abs(per_reach)
+    _s4 = p_gravity + ((_s2 * _s2) * _s3)
+    _s5 = (_k1 + (_s2 * _s3)) + _root((p_gravity * _s3))
+    _s6 = (_k39 * _s4) * (_s5 * (_s5 * _s5))
+    _s7 = _k0 * gap_jerk
+    _s8 = _root((_s7 / _s6))
+    _s9 = _k43 * _s6
+    _s10 = abs(gap_snap) + _s9
+    _s11 = _s7 / _s10
+    _s12 = lift if _k2 < lift else _k2
+    _s13 = _root(((_k103 * _s12) / _s6))
+    _s14 = _root(((_k0 * _s12) / _s10))
+    _s15 = _s12 / ((_k47 * abs(gap_jerk)) + _s9)
+    _s16 = _s14 if _s14 < _s15 else _s15
+    _s17 = (_s8 if _s8 < _s11 else _s11) if (_k2 < gap_jerk) else (_s13 if _s13 < _s16 else _s16)
+    _s18 = _s17 if _s17 < _k100 else _k100
+    _s19 = _s1 if _s1 < _s18 else _s18
+    _s20 = _s0 if _s0 < _s19 else _s19
+    _s21 = (_k97 * p_gravity) + ((_k37 * ((position_error * _s4) + (velocity_error * _s2))) * _s3)
+    return _s20 if _k2 < _s20 else _k2, undecided_time if (((_s21 * _s5) < gap_jerk) or (_s21 < lift)) else _k2
 
 
 def _neighbour_scale_alone(p_ball_radius: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, dwz: Any) -> tuple[Any, ...]:
@@ -8446,7 +8450,7 @@ def _alone11(_circled_: Any, _clock_: Any, _held_: Any, _mode_: Any, _p_ball_rad
             _free_time_, = _seam_free_time_alone(_p_gravity_, _gap_, _free_time_, _near_, _nearing_)
             _gap_, _nearing_, _near_ = _bridge_seam5_alone(_p_ball_radius_, _p_bridge_depth_, _p_wire_radius_, _z_, _vz_)
             _free_time_, = _seam_free_time_alone(_p_gravity_, _gap_, _free_time_, _near_, _nearing_)
-        _when_, _ = _separated_alone(_p_gravity_, _vx_, _vy_, _vz_, _k7, _k2, _k2, _per_reach_, _free_time_, _lift_, _gap_jerk_, _gap_snap_)
+        _when_, _ = _separated_alone(_p_gravity_, _vx_, _vy_, _vz_, _k7, _k2, _k2, _clock_, _time_limit_, _per_reach_, _free_time_, _lift_, _gap_jerk_, _gap_snap_)
         _which_, = _detachment_alone()
     return (_began_, _circled_, _clock_, _rests_, _rolling_, _through_, _vx_, _vy_, _vz_, _when_, _which_, _wx_, _wy_, _wz_, _x_, _y_, _z_,)
 
@@ -9171,7 +9175,7 @@ def _alone25(_circled_: Any, _clock_: Any, _clock_error_: Any, _dvx_: Any, _dvy_
             _free_time_, = _seam_free_time_alone(_p_gravity_, _gap_, _free_time_, _near_, _nearing_)
             _gap_, _nearing_, _near_ = _bridge_seam5_alone(_p_ball_radius_, _p_bridge_depth_, _p_wire_radius_, _z_, _vz_)
             _free_time_, = _seam_free_time_alone(_p_gravity_, _gap_, _free_time_, _near_, _nearing_)
-        _when_, _undecided_time_ = _separated_alone(_p_gravity_, _vx_, _vy_, _vz_, _undecided_time_, _position_error_, _velocity_error_, _per_reach_, _free_time_, _lift_, _gap_jerk_, _gap_snap_)
+        _when_, _undecided_time_ = _separated_alone(_p_gravity_, _vx_, _vy_, _vz_, _undecided_time_, _position_error_, _velocity_error_, _clock_, _time_limit_, _per_reach_, _free_time_, _lift_, _gap_jerk_, _gap_snap_)
         _which_, = _detachment_alone()
     return (_began_, _circled_, _clock_, _dvx_, _dvy_, _dvz_, _dwx_, _dwy_, _dwz_, _dx_, _dy_, _dz_, _earliest_delay_, _grip_lost_, _last_grip_clock_, _last_grip_deficit_, _last_grip_deficit_rate_, _position_error_, _rests_, _rolling_, _through_, _undecided_time_, _velocity_error_, _vx_, _vy_, _vz_, _when_, _which_, _wx_, _wy_, _wz_, _x_, _y_, _z_,)
 
@@ -10093,7 +10097,7 @@ def detect_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
         _rolling_1, = still_in_contact(_rolling_1, _circling_1)
         _rows103, _count104 = _rows(_leaves_1, _count74)
         if _count104:
-            _gap_jerk_2, _gap_snap_2, _held_2, _lift_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_end_depth_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _per_reach_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows103, _gap_jerk_1, _gap_snap_1, _held_1, _lift_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_end_depth_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _per_reach_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
+            _clock_2, _gap_jerk_2, _gap_snap_2, _held_2, _lift_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_end_depth_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _per_reach_2, _time_limit_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows103, _clock_1, _gap_jerk_1, _gap_snap_1, _held_1, _lift_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_end_depth_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _per_reach_1, _time_limit_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
             _room_2 = room(_count104)
             _here_2, = holding(0.0, _held_2)
             _rows105, _count106 = _most(_here_2, _count104)
@@ -10182,7 +10186,7 @@ def detect_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
                 _gap_3, _nearing_3, _near_3 = bridge_seam5(_p_ball_radius_3, _p_bridge_depth_3, _p_wire_radius_3, _z_3, _vz_3)
                 _free_time_3, = seam_free_time(_p_gravity_3, _gap_3, _free_time_3, _near_3, _nearing_3, _room_3)
                 _free_time_2, = _put(_rows119, _count104, (_free_time_2,), (_free_time_3,), _here_2)
-            _when_2, *_ = separated(_p_gravity_2, _vx_2, _vy_2, _vz_2, _inf, 0.0, 0.0, _per_reach_2, _free_time_2, _lift_2, _gap_jerk_2, _gap_snap_2, _room_2)
+            _when_2, *_ = separated(_p_gravity_2, _vx_2, _vy_2, _vz_2, _inf, 0.0, 0.0, _clock_2, _time_limit_2, _per_reach_2, _free_time_2, _lift_2, _gap_jerk_2, _gap_snap_2, _room_2)
             _which_2, = detachment()
             _when_1, _which_1 = _put(_rows103, _count74, (_when_1, _which_1,), (_when_2, _which_2,))
         _began_0, _circled_0, _clock_0, _rests_0, _rolling_0, _through_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0 = _put(_rows73, shots, (_began_0, _circled_0, _clock_0, _rests_0, _rolling_0, _through_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0,), (_began_1, _circled_1, _clock_1, _rests_1, _rolling_1, _through_1, _vx_1, _vy_1, _vz_1, _when_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,))
@@ -11194,7 +11198,7 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _rolling_1, = still_in_contact(_rolling_1, _circling_1)
         _rows119, _count120 = _rows(_leaves_1, _count74)
         if _count120:
-            _clock_error_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _gap_jerk_2, _gap_snap_2, _held_2, _lift_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_end_depth_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _per_reach_2, _undecided_time_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows119, _clock_error_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _gap_jerk_1, _gap_snap_1, _held_1, _lift_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_end_depth_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _per_reach_1, _undecided_time_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
+            _clock_2, _clock_error_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _gap_jerk_2, _gap_snap_2, _held_2, _lift_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_end_depth_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _per_reach_2, _time_limit_2, _undecided_time_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows119, _clock_1, _clock_error_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _gap_jerk_1, _gap_snap_1, _held_1, _lift_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_end_depth_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _per_reach_1, _time_limit_1, _undecided_time_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
             _room_2 = room(_count120)
             _position_error_2, _velocity_error_2, *_ = error_bounds(_clock_error_2, _dx_2, _dy_2, _dz_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _room_2)
             _here_2, = holding(0.0, _held_2)
@@ -11284,7 +11288,7 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                 _gap_3, _nearing_3, _near_3 = bridge_seam5(_p_ball_radius_3, _p_bridge_depth_3, _p_wire_radius_3, _z_3, _vz_3)
                 _free_time_3, = seam_free_time(_p_gravity_3, _gap_3, _free_time_3, _near_3, _nearing_3, _room_3)
                 _free_time_2, = _put(_rows135, _count120, (_free_time_2,), (_free_time_3,), _here_2)
-            _when_2, _undecided_time_2 = separated(_p_gravity_2, _vx_2, _vy_2, _vz_2, _undecided_time_2, _position_error_2, _velocity_error_2, _per_reach_2, _free_time_2, _lift_2, _gap_jerk_2, _gap_snap_2, _room_2)
+            _when_2, _undecided_time_2 = separated(_p_gravity_2, _vx_2, _vy_2, _vz_2, _undecided_time_2, _position_error_2, _velocity_error_2, _clock_2, _time_limit_2, _per_reach_2, _free_time_2, _lift_2, _gap_jerk_2, _gap_snap_2, _room_2)
             _which_2, = detachment()
             _position_error_1, _undecided_time_1, _velocity_error_1, _when_1, _which_1 = _put(_rows119, _count74, (_position_error_1, _undecided_time_1, _velocity_error_1, _when_1, _which_1,), (_position_error_2, _undecided_time_2, _velocity_error_2, _when_2, _which_2,))
         _began_0, _circled_0, _clock_0, _dvx_0, _dvy_0, _dvz_0, _dwx_0, _dwy_0, _dwz_0, _dx_0, _dy_0, _dz_0, _earliest_delay_0, _grip_lost_0, _last_grip_clock_0, _last_grip_deficit_0, _last_grip_deficit_rate_0, _position_error_0, _rests_0, _rolling_0, _through_0, _undecided_time_0, _velocity_error_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0 = _put(_rows73, shots, (_began_0, _circled_0, _clock_0, _dvx_0, _dvy_0, _dvz_0, _dwx_0, _dwy_0, _dwz_0, _dx_0, _dy_0, _dz_0, _earliest_delay_0, _grip_lost_0, _last_grip_clock_0, _last_grip_deficit_0, _last_grip_deficit_rate_0, _position_error_0, _rests_0, _rolling_0, _through_0, _undecided_time_0, _velocity_error_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0,), (_began_1, _circled_1, _clock_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _position_error_1, _rests_1, _rolling_1, _through_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _when_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,))

@@ -154,7 +154,8 @@ def prove(
             # Of other threads' locks held at the fork; what the forked processes do takes none.
             warnings.simplefilter("ignore", DeprecationWarning)
             parts = list(pool.map(task, chunks))
-    return Certificate([proof for part in parts for proof in part], len(scene.bodies))
+    proofs = [proof for part in parts for proof in part]
+    return Certificate(proofs, len(scene.bodies), states, scene.name)
 
 
 def _processes(processes: int | None) -> int:

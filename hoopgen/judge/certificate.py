@@ -178,8 +178,11 @@ class Certificate:
     slip_left: NDArray[np.bool_]
     grip_lost: NDArray[np.float64]
 
-    def __init__(self, proofs: Sequence[Proof], bodies: int) -> None:
+    def __init__(
+        self, proofs: Sequence[Proof], bodies: int, releases: NDArray[np.float64], scene: str
+    ) -> None:
         self.proofs = tuple(proofs)
+        self._releases, self._scene = releases, scene
         shots = len(proofs)
         outcome = np.array([p.outcome for p in proofs], np.uint8)
         self.outcome: NDArray[np.uint8] = outcome
@@ -257,7 +260,7 @@ class Certificate:
         Parameters
         ----------
         shots
-            Of the same releases; with their event log, ``record=True``.
+            Of the same releases and parameters; with their event log, ``record=True``.
 
         Returns
         -------
@@ -271,11 +274,23 @@ class Certificate:
         Raises
         ------
         ValueError
-            If they are not as many, or if the proofs are without ``record=True``.
+            If they are not as many, are of another scene or of other releases, or if the proofs are
+            without ``record=True``.
         AttributeError
             If the shots have no event log.
         """
         self._check_as_many(shots)
+        if shots.scene.name != self._scene:
+            raise ValueError(
+                f"shots: expected shots in the scene {self._scene}, which was proved; got some in "
+                f"{shots.scene.name}"
+            )
+        same = (shots.releases == self._releases) | np.isnan(self._releases)
+        if not same.all():
+            row = int(np.flatnonzero(~same.all(axis=1))[0])
+            raise ValueError(
+                f"shots: expected the releases that were proved; that of shot {row} is another"
+            )
         return _event_errors(self.proofs, shots.events)
 
     def _check_as_many(self, shots: Shots) -> None:

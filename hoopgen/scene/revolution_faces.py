@@ -141,11 +141,10 @@ class _Faces:
                     name = f"{self._name}_tip_{number + 1}"
                     yield Sphere(name, (x, y, z), self._ball, bounds)
                 continue
-            if vertex.narrow:
-                bounds += (self._hole(number),)
+            hole = (self._hole(number),) if vertex.narrow else ()
             name = f"{self._name}_edge_{number + 1}"
             kind = Torus if self._fixed else ObliqueTorus
-            yield kind(name, (x, y, z), self._direction, radius, self._ball, bounds)
+            yield kind(name, (x, y, z), self._direction, radius, self._ball, bounds, hole)
 
     def _hole(self, vertex: int) -> sp.Expr:
         """Return a bound that excludes the inner part of a torus that meets its axis.

@@ -23,14 +23,14 @@ from tests.judge.test_certify import ONTO_THE_BRIDGE, SMALL_BALL, SQUARE, on_cou
 ERRORS = ("time_error", "before_error", "after_error")
 
 
-def logged(events: NDArray[np.void]) -> Any:
-    """Return what `event_errors` reads of shots."""
+def logged(shots: hoopgen.Shots, events: NDArray[np.void]) -> Any:
+    """Return what `event_errors` reads of shots, with another event log."""
 
     class Log(SimpleNamespace):
         def __len__(self) -> int:
-            return len(np.unique(events["shot"]))
+            return len(shots)
 
-    return Log(events=events)
+    return Log(events=events, scene=shots.scene, releases=shots.releases)
 
 
 def columns(rows: NDArray[np.void]) -> NDArray[np.float64]:
@@ -107,7 +107,7 @@ def test_where_doubles_are_exact_the_errors_are_zero_and_a_planted_one_is_seen()
     events["time"][0] += 2.0**-40
     events["before"][0, 4] -= 2.0**-30
     events["after"][0, 8] += 2.0**-20
-    planted = proofs.event_errors(logged(events))[0]
+    planted = proofs.event_errors(logged(shots, events))[0]
     assert 2.0**-40 <= planted["time_error"] <= 2.0**-40 * (1 + 2.0**-25)
     assert planted["before_error"][0] == planted["before_error"][2] == 0.0
     assert 2.0**-30 <= planted["before_error"][1] <= 2.0**-30 * (1 + 2.0**-25)
@@ -119,7 +119,7 @@ def test_from_the_first_event_that_is_not_as_proved_on_nothing_is_said() -> None
     events = shots.events.copy()
     assert events["surface"].tolist() == [0, 1, 2, 3, 0, 1, 3]
     events["surface"][1] = 2
-    found = np.isfinite(columns(proofs.event_errors(logged(events))))
+    found = np.isfinite(columns(proofs.event_errors(logged(shots, events))))
     assert found.all(axis=1).tolist() == [True, False, False, False, True, True, True]
     assert not found[1:4].any()
 
@@ -155,3 +155,9 @@ def test_a_wrong_argument_is_said() -> None:
     with pytest.raises(ValueError, match=r"certify\(\.\.\., record=True\)"):
         bare.event_errors(hoopgen.simulate(TABLE_3["7"], record=True))
     assert len(proofs.event_errors(shots)) == 6
+    other = hoopgen.simulate([TABLE_3["7"], TABLE_3["5a"]], record=True)
+    with pytest.raises(ValueError, match="releases that were proved; that of shot 1 is another"):
+        proofs.event_errors(other)
+    court = hoopgen.simulate([TABLE_3["7"]] * 2, scene=hoopgen.COURT, record=True)
+    with pytest.raises(ValueError, match="in the scene hoop, which was proved; got some in court"):
+        proofs.event_errors(court)

@@ -121,6 +121,32 @@ def test_profiles_give_what_is_proved(which: str, request: pytest.FixtureRequest
     check_proofs(request.getfixturevalue(which), SCENES[which], count, seed=1)
 
 
+def test_a_ball_inside_a_hole_that_is_too_narrow_for_it_is_invalid(tmp_path: Path) -> None:
+    """About the axis it overlaps all of the rim, without being able to touch it."""
+    rim, ball = 0.02, 0.03
+    engine = engine_of(
+        Scene(
+            "narrow_hole",
+            bodies=[Revolution("cup", profile=[(rim, 0), (0.1, 0.1)])],
+            ball_radius=ball,
+            gravity=GRAVITY,
+            restitution=0.5,
+            ends={"gone": End(at=-1)},
+        ),
+        tmp_path,
+    )
+    random = np.random.default_rng(0)
+    states = np.zeros((500, 9))
+    states[:, :2] = random.uniform(-0.006, 0.006, (500, 2))
+    states[:, 2] = random.uniform(-0.02, 0.02, 500)
+    farthest = np.hypot(np.hypot(states[:, 0], states[:, 1]) + rim, states[:, 2])
+    states = states[farthest < 0.97 * ball]
+    assert len(states) > 100
+    assert (engine.simulate(states).outcome == engine.outcomes["INVALID"]).all()
+    proofs = hoopgen.certify(states[:10], scene=engine)
+    assert (proofs.outcome == engine.outcomes["INVALID"]).all()
+
+
 @pytest.mark.slow
 def test_both_engines_turn_all_profiles_at_random() -> None:
     """10,000 shots, each with its own axes: the same bits, and the sequences proved, or flagged."""

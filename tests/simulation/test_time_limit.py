@@ -160,3 +160,36 @@ def test_what_errors_grow_to_after_a_ball_has_left_for_good_is_no_doubt() -> Non
     short = (shots.outcome == hoopgen.Outcome.SHORT) & (shots.contacts > 0)
     assert short.sum() > 100
     assert not shots.uncertain[short].any()
+
+
+@pytest.mark.parametrize("backend", ["c", "numpy"])
+def test_a_limit_shortly_after_a_departure_is_on_the_flight(backend: Any) -> None:
+    """A ball comes off the ring for up to 2^-7 s before its flight is searched."""
+    random, count = np.random.default_rng(1), 300
+    angle = random.uniform(-1.5, 1.5, count)
+    states = np.zeros((count, 9))
+    states[:, 0], states[:, 1] = 0.2286 * np.cos(angle), 0.2286 * np.sin(angle)
+    states[:, 2] = 0.135
+    states[:, 3:5] = random.normal(0, 0.4, (count, 2))
+    states[:, 6:] = random.normal(0, 5, (count, 3))
+    parameters = hoopgen.PAPER_COURT | {
+        f"{name}_restitution": 0.0 for name in hoopgen.COURT.surfaces
+    }
+    options: dict[str, Any] = {"scene": hoopgen.COURT, "backend": backend}
+    shots = hoopgen.simulate(states, parameters, record=True, **options)
+    leaves = shots.events[shots.events["kind"] == hoopgen.Event.LEAVE]
+    leaves = leaves[~shots.uncertain[leaves["shot"]]][:40]
+    assert len(leaves) > 20
+    for leave in leaves:
+        for later in (1e-5, 5e-4, 4e-3):
+            limit = float(leave["time"]) + later
+            cut = hoopgen.simulate(
+                states[leave["shot"]], parameters, time_limit=limit, fields=EVERY, **options
+            )
+            if cut.uncertain[0] or cut.outcome[0] != Outcome.ENDLESS:
+                continue
+            place, speed = leave["after"][:3], leave["after"][3:6]
+            fall = np.array([0, 0, -0.5 * hoopgen.PAPER["gravity"] * later**2])
+            there = place + speed * later + fall
+            assert cut.time[0] == limit
+            np.testing.assert_allclose(cut.state[0, :3], there, rtol=0, atol=1e-9)
