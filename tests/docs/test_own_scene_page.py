@@ -38,7 +38,7 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 @pytest.mark.filterwarnings("ignore:hoopgen")
 def test_the_page_s_code_runs_from_the_first_line_to_the_proof(folder: Path) -> None:
     found: dict[str, object] = {}
-    first, second, study = blocks("python")
+    first, second, study, edges = blocks("python")
     exec(first, found)
     holed = found["holed"]
     assert 0 < holed.sum() < holed.size  # type: ignore[attr-defined]
@@ -46,6 +46,8 @@ def test_the_page_s_code_runs_from_the_first_line_to_the_proof(folder: Path) -> 
     exec(second, found)
     assert found["scene"].key == load_scene("hole.toml").key  # type: ignore[attr-defined]
     exec(study, found)
+    exec(edges, found)
+    assert not found["shot"].uncertain.any()  # type: ignore[attr-defined]
     assert 0 < found["found"].shares["holed"] < 1  # type: ignore[attr-defined]
 
 
