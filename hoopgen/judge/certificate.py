@@ -285,7 +285,8 @@ class Certificate:
                 f"shots: expected shots in the scene {self._scene}, which was proved; got some in "
                 f"{shots.scene.name}"
             )
-        same = (shots.releases == self._releases) | np.isnan(self._releases)
+        own, given = self._releases, shots.releases
+        same = (given == own) | (np.isnan(given) & np.isnan(own))
         if not same.all():
             row = int(np.flatnonzero(~same.all(axis=1))[0])
             raise ValueError(

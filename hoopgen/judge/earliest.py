@@ -42,7 +42,7 @@ def clear_time(
     """
     end = math.inf if latest is None else _float_below(latest)
     reached = clear_until(formulas, piece, values, begin, end)
-    # Where some of the box already touch something, it is not certain that all of it have not yet.
+    # Right before an event of some of the flights it is hard to tell that no other one had its own.
     return arb(begin + _SKIPPED * (reached - begin)) if reached > begin else arb(0)
 
 

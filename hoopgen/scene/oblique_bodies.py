@@ -339,7 +339,7 @@ def _slope(reader: Reader, owner: str, body: pieces.Cone) -> Formula:
 
 
 MAX_DEGREE = 2
-"""Highest degree of a bound of a plane over whose edge a ball rolls, `derive/rolling/edges.py`."""
+"""Highest degree of a bound of a plane over whose edge a ball rolls: `derive/rolling/bounds.py`."""
 
 
 def why_not_rolling(

@@ -128,7 +128,8 @@ def read_revolution(
     Raises
     ------
     SceneError
-        If the profile is none, crosses the axis or itself, or has a piece that cannot be.
+        If the profile is not a list of points, crosses the axis or itself, or has a piece that is
+        nearly a cylinder or nearly flat.
     """
     inputs = reader.inputs
     points = _points(reader, owner, body.profile)

@@ -12,6 +12,8 @@ from numpy.typing import NDArray
 
 pytest.importorskip("flint")
 
+from hoopgen.derive.rolling import bounds
+
 import hoopgen
 from hoopgen import Event
 from hoopgen.judge import certify
@@ -27,6 +29,7 @@ from hoopgen.scene import (
     SceneError,
     Sphere,
     Torus,
+    oblique_bodies,
 )
 from hoopgen.simulation.engine import Engine
 from tests.helpers.effort import trials
@@ -371,3 +374,8 @@ def test_a_disc_has_an_edge_to_roll_over() -> None:
         rolls=True,
     )
     assert scene.derive().has_edges
+
+
+def test_scenes_allow_bounds_of_the_degree_that_the_derivation_does() -> None:
+    """Scenes are read without SymPy, so that the number stands twice."""
+    assert oblique_bodies.MAX_DEGREE == bounds.MAX_DEGREE
