@@ -174,24 +174,52 @@ def exact_normal(places: Floats) -> list[Any]:
 def normal_terms() -> list[Floats]:
     """Return the terms of the bound on the rounding of the ring's normal.
 
-    The distance ρ from the axis is a root of a sum of squares, off by 2 u ρ. Hence ρ - R_H is off
-    by 2 u ρ and its own rounding; 1/R, with R a sum, by 2 u of it; 1/ρ by 3 u of it; and there are
-    three products: |x| (2 u/R) + 9 u |n_x|. Of z/R there are 3 u.
+    The distance ρ from the axis is a root of a sum of squares, off by 2 u ρ. It enters
+    n_x = x f, f = (ρ - R_H)/(R ρ) = 1/R - R_H/(R ρ), through R_H/(R ρ) alone: what it changes in
+    ρ - R_H and in 1/ρ is one error, 2 u |x| R_H/(R ρ). Beside it f has six roundings relative to
+    its value: two of 1/R, with R a sum, and one each of ρ - R_H, of 1/ρ and of two products. The
+    product with x is the seventh. Of z/R there are three.
     """
     places, found, _ = normals()
-    across = 2 * U / (RADIUS + WIRE) * np.abs(places) * np.array([[1.0], [1.0], [0.0]])
-    return [across, U * np.array([[9.0], [9.0], [3.0]]) * np.abs(found)]
+    far = np.hypot(places[0], places[1])
+    across = 2 * U * CIRCLE / ((RADIUS + WIRE) * far) * np.abs(places)
+    return [
+        across * np.array([[1.0], [1.0], [0.0]]),
+        U * np.array([[7.0], [7.0], [3.0]]) * np.abs(found),
+    ]
 
 
 def test_the_roundings_of_the_ring_s_normal_are_within_their_proved_bound() -> None:
     _, _, errors = normals()
-    assert np.all(errors <= SLACK * sum(normal_terms()))
+    bounds = sum(normal_terms())
+    assert np.all(errors <= SLACK * bounds)
+    assert np.any(errors > bounds / 2)
 
 
 @pytest.mark.parametrize("left_out", [0, 1])
 def test_no_term_of_the_normal_s_bound_may_be_left_out(left_out: int) -> None:
     _, _, errors = normals()
     assert np.any(errors > SLACK * normal_terms()[1 - left_out])
+
+
+def turned_aside(factors: tuple[Any, Any] = (1, 1)) -> Floats:
+    """Return the part of the error of n across (x, y), times ρ, of normals times given factors."""
+    places, found, _ = normals()
+
+    def aside(x: Any, y: Any, nx: Any, ny: Any) -> Any:
+        return x * (ny * factors[1]) - y * (nx * factors[0])
+
+    with flint.ctx.workprec(200):
+        return np.abs(np.array(aside(*EXACT(places[:2]), *EXACT(found[:2])), float))
+
+
+def test_the_normal_s_error_lies_along_the_radius_but_for_the_last_products() -> None:
+    """n_x and n_y are x and y times the same computed f; only these products are off by u each."""
+    (x, y, _), (nx, ny, _), _ = normals()
+    bound = SLACK * U * (np.abs(x * ny) + np.abs(y * nx))
+    assert np.all(turned_aside() <= bound)
+    assert np.any(turned_aside() > bound / 2)
+    assert np.any(turned_aside((1 + 2 * U, 1)) > bound)  # a last place is noticed
 
 
 # ------------------------------------------------------------------------------------- the impact
@@ -285,7 +313,7 @@ def test_normal_and_impact_together_are_within_their_proved_bound() -> None:
 
 
 def test_what_is_carried_is_less_than_roundings_and_the_factors_make_up_for_it() -> None:
-    """A contact's roundings are up to five times those that are carried; proved is 26 times."""
+    """A contact's roundings are up to five times those that are carried; proved is 21 times."""
     errors, bounds = together()
     carried = carried_for_impacts()
     assert np.all(carried > 0)
