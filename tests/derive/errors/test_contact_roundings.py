@@ -11,13 +11,14 @@ from typing import Any
 
 import numpy as np
 import pytest
+from hoopgen.derive.symbolic.error_terms import DECISION_FACTOR
 from hoopgen.generated.numpy import hoop
 from numpy.typing import NDArray
 
 import hoopgen
 from benchmarks.workloads import WORKLOADS
-from tests.derive.errors.test_kernel_roundings import SIZES, Floats, off_by
-from tests.derive.errors.test_plane_roots import Arrival
+from tests.derive.errors.test_kernel_roundings import SIZES, SLACK, Floats, U, off_by
+from tests.derive.errors.test_plane_roots import LEVELS, Arrival
 from tests.derive.errors.test_root_roundings import (
     STATE,
     TERMS,
@@ -29,33 +30,42 @@ from tests.derive.errors.test_root_roundings import (
 from tests.helpers.effort import trials
 
 RING, PLANES = 0, {1: "backboard", 2: "bridge", 3: "end"}
+AXES = {1: 0, 2: 2}
 SHOTS = {1: 500, 2: 500, 3: 100}
 """Numbers of free throws, of shots that bounce often, and of those that swirl in the ring."""
+
+
+CARRIED = ("clock_error", "dx", "dy", "dz")
 
 
 def flights_of(states: Floats) -> dict[str, Any]:
     """Return all flights of shots: start, `t`, end, `which` surface they meet, and the `last` one.
 
-    The engine's log has sums of times. The times themselves are what the NumPy engine adds.
+    `CARRIED` are the errors that the engine carries on from there. Its log has sums of times. The
+    times themselves are what the NumPy engine adds.
     """
     turns: list[dict[str, Any]] = []
     times: list[Floats] = []
-    detect, add = hoop.detect_plain, hoop.event_clock
+    detect, resolve, add = hoop.detect_bounded, hoop.resolve_bounded, hoop.event_clock
 
     def event_clock(when: Floats, clock: Floats) -> Any:
         times.append(when.copy())
         return add(when, clock)
 
-    def detect_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
+    def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         own = {name: columns[name].copy() for name in (*STATE, "last")}
         detect(columns, shots, room)
         ends = {f"end_{name}": columns[name].copy() for name in STATE}
         turns.append(own | ends | {"t": times.pop(), "which": columns["which"].copy()})
 
+    def resolve_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
+        resolve(columns, shots, room)
+        turns[-1] |= {name: columns[name].copy() for name in CARRIED}
+
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(hoop, "event_clock", event_clock)
-        patch.setattr(hoop, "detect_plain", detect_plain)
-        hoopgen.simulate(states, backend="numpy", threads=1, fields=("outcome",))
+        for new in (event_clock, detect_bounded, resolve_bounded):
+            patch.setattr(hoop, new.__name__, new)
+        hoopgen.simulate(states, backend="numpy", threads=1)
     return {name: np.concatenate([turn[name] for turn in turns]) for name in turns[0]}
 
 
@@ -133,3 +143,29 @@ def test_first_contacts_are_off_the_judge_s_by_no_more_than_proved(workload: int
         assert np.all(proved["time_error"] <= late)
         assert np.all(proved["before_error"][:, 0] <= place.max(axis=0))
         assert np.any(proved["before_error"][:, 0] > place.max(axis=0) / 50)
+        if which in AXES:  # the ball is put on the plane, whose place has a rounding
+            place[AXES[which]] = SLACK * U * abs(LEVELS[PLANES[which]](SIZES))
+        assert np.all(proved["after_error"][:, 0] <= place.max(axis=0))
+
+
+@pytest.mark.parametrize("workload", SHOTS)
+def test_first_contacts_carry_the_bound_of_their_time_but_not_that_of_their_place(
+    workload: int,
+) -> None:
+    """The time has more than its bound; the place a 16th to a half, and the factors the rest.
+
+    True errors are more than what the vector of errors has, too.
+    """
+    own = flights(workload)
+    first = {name: values[own["last"] < 0] for name, values in own.items()}
+    beside = []
+    for which in np.unique(first["which"][first["which"] < 3]).astype(int).tolist():
+        late, place = bounds(first, which)
+        clock, *vector = (first[name][first["which"] == which] for name in CARRIED)
+        assert (clock / late).min() > 3
+        carried = np.abs(vector).max(axis=0)
+        share = carried / place.max(axis=0)
+        assert 1 / 16 < share.min() < share.max() < 1 / 2
+        _, true = errors(first, which)
+        beside.append((true.max(axis=0) / carried).max())
+    assert 1 < max(beside) < DECISION_FACTOR / 4

@@ -312,7 +312,7 @@ def place_terms(start: dict[str, Any], ends: Floats, late: Floats) -> list[Float
     """Return the terms of the bound on what the place of a contact is off by, (3, n) each.
 
     The flight's rounding p, and the way in the time S = `late` that the contact is off by:
-    |x_i - x_i(t*)| <= p_i + |v_i| S + |a_i| S²/2. All but p of it lies along v.
+    |x_i - x_i(t*)| <= p_i + |v_i| S + |a_i| S²/2. What is linear in S lies along v.
     """
     pull = np.array([0.0, 0.0, 1.0])[:, None] * start["p_gravity"]
     path = sum(flight_terms(start, ends, start["p_gravity"]))
