@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 from tests.derive.errors.test_kernel_roundings import EXACT, SLACK, Floats, U, called, off_by
-from tests.derive.errors.test_root_roundings import ROOT, ROWS
+from tests.derive.errors.test_ring_condition import ROOT, ROWS
 from tests.helpers.effort import trials
 
 
@@ -51,7 +51,7 @@ class Arrival:
     Attributes
     ----------
     time, bound
-        The computed time, s, and the bound on what it is off by, infinite where none is proved.
+        The computed time, s, and the bound on its error, infinite where none is proved.
     approach, terms
         V, and the terms of V times the bound.
     """
@@ -85,7 +85,7 @@ class Arrival:
 
     @cached_property
     def error(self) -> Floats:
-        """What the computed times are off by."""
+        """The errors of the computed times, s."""
         return off_by(self.time, self.root)
 
 

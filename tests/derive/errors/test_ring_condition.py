@@ -1,9 +1,8 @@
-"""The rounding of the time and the place at which the ball meets the ring: proved bounds.
+"""The roundings of the ring's condition F, of F less its value at the start, and of F'.
 
-At the time that Newton's method ended with, the kernel `ring_refine` gives computed values of F and
-F'. Their roundings are bounded to first order in u, times `ROUNDING_SLACK`; so is then what the
-time is off by. Each bound is held against 200 bits at random inputs. `test_plane_roots.py` has the
-planes, `test_contact_roundings.py` the contacts of shots.
+The kernel `ring_refine` computes them. For each there is a bound on its rounding error, for an
+exact start, with its proof, to first order in u times `ROUNDING_SLACK`. Random inputs are held
+against it with 200 bits. `test_ring_roots.py` makes a bound on the root's error of them.
 """
 
 from __future__ import annotations
@@ -13,9 +12,6 @@ from typing import Any
 
 import numpy as np
 import pytest
-import sympy as sp
-from hoopgen.derive.errors.second_order import STRETCH, second_order
-from hoopgen.derive.scenes import HOOP
 from numpy.typing import NDArray
 
 from tests.derive.errors.test_kernel_roundings import (
@@ -24,16 +20,13 @@ from tests.derive.errors.test_kernel_roundings import (
     Floats,
     U,
     called,
-    evaluated,
     flight_terms,
-    flint,
     off_by,
 )
 from tests.helpers.effort import trials
 
 ROWS = 100_000
 STATE = ("x", "y", "z", "vx", "vy", "vz")
-# ------------------------------------------------------------------------------- the ring's F, F'
 
 
 class Meeting:
@@ -256,138 +249,3 @@ def test_no_term_of_the_condition_s_bound_may_be_left_out(
     errors, terms = random_errors(name)
     rest = sum(term for k, term in enumerate(terms) if k not in left_out)
     assert np.any(errors > SLACK * rest)
-
-
-# ------------------------------------------------------------------------- the root on the ring
-
-
-def root_bound(at: Meeting, leaving: NDArray[np.bool_]) -> Floats:
-    """Return the bound on what the computed time of a contact with the ring is off by.
-
-    The start is exact. At the computed time t the exact ball is at the distance D from the wire's
-    circle and moves with v; F = D² - R², F' = 2 D (n·v). With φ, the computed |F| and its rounding,
-    and φ', the computed |F'| less its own, it is off the surface by A = φ/(2 R) and nears it with
-    V = φ'/(2 R), but for a factor within `ROUNDING_SLACK`. The ball at the nearest point of the
-    surface with the same velocity is the first ball of the lemma in `second_order`, the exact one
-    the other, with E = 0: there is exactly one root t* within
-
-        |t - t*| <= S = 1.1 φ/φ'.
-
-    On a return to the ring F is less its value at the start; all this then holds for the root at
-    which D is that of the start, D(0), and for A = |D - D(0)|.
-
-    Parameters
-    ----------
-    at
-        The flights until their contacts.
-    leaving
-        True for a return that was found with F less its value at the start, (n,).
-
-    Returns
-    -------
-    ndarray
-        S, (n,), s, infinite where the lemma's conditions do not hold.
-    """
-    low = [SLACK * sum(TERMS[name](at)) for name in ("gap", "deflated", "rate")]
-    size = np.where(leaving, np.abs(at.deflated) + low[1], np.abs(at.gap) + low[0])
-    slope = np.abs(at.rate) - low[2]
-    proved = (slope > 0) & (size <= at.reach**2 / 2**10)
-    slope = np.where(proved, slope, 1)
-    values = {
-        "place_bound": SLACK * size / (2 * at.reach),
-        "velocity_bound": 0.0,
-        "speed": SLACK * np.sqrt((at.ends[3:] ** 2).sum(axis=0)),
-        "approach": slope / (2 * at.reach) / SLACK,
-        "pull": at.given["p_gravity"],
-        "curvature": 1 / np.minimum(at.reach, at.given["p_ring_radius"] - at.reach),
-    }
-    proved = np.all([proved, *(evaluated(one, values) <= 0 for one in CONDITIONS)], axis=0)
-    return np.where(proved, float(STRETCH) * SLACK * size / slope, np.inf)
-
-
-CONDITIONS = second_order(HOOP.ball, sp.Integer(0)).valid
-
-
-def place_terms(start: dict[str, Any], ends: Floats, late: Floats) -> list[Floats]:
-    """Return the terms of the bound on what the place of a contact is off by, (3, n) each.
-
-    The flight's rounding p, and the way in the time S = `late` that the contact is off by:
-    |x_i - x_i(t*)| <= p_i + |v_i| S + |a_i| S²/2. What is linear in S lies along v.
-    """
-    pull = np.array([0.0, 0.0, 1.0])[:, None] * start["p_gravity"]
-    path = sum(flight_terms(start, ends, start["p_gravity"]))
-    return [SLACK * path, SLACK * np.abs(ends[3:]) * late, SLACK * pull * late**2 / 2]
-
-
-def root_errors(at: Meeting, leaving: NDArray[np.bool_]) -> tuple[Floats, Floats]:
-    """Return what computed times and places are off by, from the root that Newton's method finds.
-
-    It starts at the computed time, and has 200 bits.
-    """
-    with flint.ctx.workprec(200):
-        time = EXACT(at.given["t"])
-        for _ in range(7):
-            found = at.exact(time)
-            step = np.where(leaving, found["deflated"], found["gap"]) / found["rate"]
-            time = MIDDLE(time - step)
-        assert np.all(np.abs(np.array(step, float)) < 1e-40)
-        place = np.array(at.path(time)[0])
-    return off_by(at.given["t"], lambda: list(time)), off_by(at.ends[:3], lambda: list(place))
-
-
-MIDDLE = np.vectorize(lambda ball: ball.mid(), otypes=[object])
-
-
-def no_returns(at: Meeting) -> NDArray[np.bool_]:
-    return np.zeros(at.rho.shape, bool)
-
-
-@cache
-def met_roots() -> Meeting:
-    """Return random flights to the ring that end near a root, some by more than roundings."""
-    at = random_meetings()
-    random = np.random.default_rng(7)
-    near = (np.abs(at.gap) < 1e-9) & (at.rate < 0)
-    given = {name: values[near] for name, values in at.given.items()}
-    rows = len(given["t"])
-    shift = random.choice([0, 0, 1, -1], rows) * 2.0 ** random.uniform(-52, -10, rows)
-    given["t"] = given["t"] * (1 + shift)
-    at = Meeting(given)
-    kept = np.isfinite(root_bound(at, no_returns(at)))
-    assert np.mean(kept) > 0.8
-    return Meeting({name: values[kept] for name, values in given.items()})
-
-
-@cache
-def errors_of_roots() -> tuple[Floats, Floats]:
-    at = met_roots()
-    return root_errors(at, no_returns(at))
-
-
-def test_what_a_root_on_the_ring_is_off_by_is_within_its_proved_bound() -> None:
-    at = met_roots()
-    late = root_bound(at, no_returns(at))
-    place = place_terms(at.given, at.ends, late)
-    time_errors, place_errors = errors_of_roots()
-    assert np.all(time_errors <= late)
-    assert np.all(place_errors <= sum(place))
-    assert np.median(time_errors / late) > 0.05
-
-
-@pytest.mark.parametrize("left_out", range(3))
-def test_no_term_of_a_place_s_bound_may_be_left_out(left_out: int) -> None:
-    """These are the flight's rounding, the way during the delay, and the fall during it."""
-    at = met_roots()
-    place = place_terms(at.given, at.ends, root_bound(at, no_returns(at)))
-    rest = sum(term for k, term in enumerate(place) if k != left_out)
-    assert np.any(errors_of_roots()[1] > rest)
-
-
-def test_neither_the_computed_condition_nor_its_rounding_may_be_left_out() -> None:
-    at = met_roots()
-    slope = np.abs(at.rate) - SLACK * sum(rate_terms(at))
-    for size in (np.abs(at.gap), SLACK * sum(gap_terms(at))):
-        assert np.any(errors_of_roots()[0] > float(STRETCH) * SLACK * size / slope)
-    # Nor may the stretch: the speed towards the ring falls during the delay.
-    size = np.abs(at.gap) + SLACK * sum(gap_terms(at))
-    assert np.any(errors_of_roots()[0] > SLACK * size / slope)
