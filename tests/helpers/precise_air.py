@@ -10,48 +10,44 @@ from collections.abc import Sequence
 from operator import mul
 from typing import Any
 
-import mpmath
-from flint import arb, ctx
+from flint import arb
 
-from .precise_path import PreciseScene, Vector
+from .precise_path import PreciseScene, Vector, middle
 
-DIGITS = 35
+DIGITS = 39
+"""Digits of the numbers; flights leave out what makes about 35 of them right."""
+
 DEGREE = 28
-_BITS = 130
 _LEFT_OUT = 1e-32
 
 
 class PreciseAir(PreciseScene):
-    """The formulas of a scene in air as functions of numbers of mpmath."""
+    """The formulas of a scene in air as functions of numbers of many digits."""
 
     digits = DIGITS
-    step = mpmath.mpf(10) ** -12
+    step = 1e-12
 
     def fly(self, duration: Any, now: Vector, inputs: Vector) -> list[Any]:
         """Return position and velocity after a flight of some duration."""
         if self._flown is None or self._flown[0] != (now, inputs):
-            before, ctx.prec = ctx.prec, _BITS
-            try:
-                self._flown = ((now, inputs), self._pieces(now, inputs, 1.01 * float(duration)))
-            finally:
-                ctx.prec = before
+            self._flown = ((now, inputs), self._pieces(now, inputs, 1.01 * float(duration)))
         pieces = self._flown[1]
         begun, places, speeds = next(
             (piece for piece in reversed(pieces) if piece[0] <= duration), pieces[0]
         )
-        return [mpmath.polyval(row, duration - begun) for row in (*places, *speeds)]
+        return [_at(row, duration - begun) for row in (*places, *speeds)]
 
     _flown: tuple[Any, list[Any]] | None = None
 
     def _pieces(self, now: Vector, inputs: Vector, until: float) -> list[Any]:
         """Return where the pieces of a flight begin, with polynomials of places and velocities."""
-        of = dict(zip(self.names, map(_ball, inputs), strict=True))
+        of = dict(zip(self.names, inputs, strict=True))
         radius, mass, density = of["ball_radius"], of["ball_mass"], of["air_density"]
         half = density * arb.pi() * radius**2 / (2 * mass)
         drag = half * of["drag_coefficient"]
-        turn = [half * radius * of["lift_coefficient"] * _ball(w) for w in now[6:]]
+        turn = [half * radius * of["lift_coefficient"] * w for w in now[6:]]
         fall = -of["gravity"] * (1 - density * 4 * arb.pi() * radius**3 / (3 * mass))
-        state, begun, pieces = [_ball(c) for c in now[:6]], arb(0), []
+        state, begun, pieces = now[:6], arb(0), []
         while float(begun) <= until:
             v = _series(state[3:], drag, turn, fall, of["drag_smoothing_speed"])
             x = [
@@ -60,9 +56,9 @@ class PreciseAir(PreciseScene):
             ]
             size = max(float(abs(row[k])) ** (1 / k) for row in v for k in (DEGREE - 1, DEGREE))
             step = arb(_LEFT_OUT ** (1 / DEGREE) / size)
-            pieces.append((_number(begun), *([_numbers(row) for row in rows] for rows in (x, v))))
-            state = [_at(row, step).mid() for row in (*x, *v)]
-            begun = (begun + step).mid()
+            pieces.append((begun, *([list(map(middle, row)) for row in rows] for rows in (x, v))))
+            state = [middle(_at(row, step)) for row in (*x, *v)]
+            begun = middle(begun + step)
         return pieces
 
 
@@ -97,19 +93,3 @@ def _at(coefficients: Sequence[arb], time: arb) -> arb:
     for one in reversed(coefficients):
         value = value * time + one
     return value
-
-
-def _ball(value: Any) -> arb:
-    """Return a number of mpmath, exactly."""
-    sign, mantissa, exponent, _ = mpmath.mpf(value)._mpf_
-    return arb(-mantissa if sign else mantissa) * arb(2) ** exponent
-
-
-def _number(value: arb) -> Any:
-    mantissa, exponent = value.mid().man_exp()
-    return mpmath.mpf((int(mantissa), int(exponent)))
-
-
-def _numbers(coefficients: Sequence[arb]) -> list[Any]:
-    """Return coefficients as numbers of mpmath, the highest first."""
-    return [_number(one) for one in reversed(coefficients)]

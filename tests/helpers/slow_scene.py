@@ -11,6 +11,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -223,19 +224,29 @@ class Slow:
     ) -> tuple[Callable[[Vector], float], Callable[[Vector], Vector]]:
         """Return distance and nearest point of a thin wall: of all its pieces, in a half-plane."""
         unit, centre, ball = self._unit(body.axis), self._vector(body.centre), self._ball
-        points = np.array([[self._size(one) for one in point] for point in body.profile])
+        points = [[self._size(one) for one in point] for point in body.profile]
+        pieces = [
+            (*start, stop[0] - start[0], stop[1] - start[1]) for start, stop in pairwise(points)
+        ]
+
+        def beside(p: Vector) -> tuple[float, Vector, float, float]:
+            """Return how far the wall is, the way off the axis, and radius and height there."""
+            height = float((p - centre) @ unit)
+            across = p - centre - height * unit
+            out = math.sqrt(across @ across)
+            places = []
+            for radius, at, wider, higher in pieces:
+                share = (out - radius) * wider + (height - at) * higher
+                share = min(max(share / (wider * wider + higher * higher), 0.0), 1.0)
+                places.append((radius + share * wider, at + share * higher))
+            radius, at = min(places, key=lambda place: math.dist(place, (out, height)))
+            return math.dist((radius, at), (out, height)), across / out, radius, at
 
         def nearest(p: Vector) -> Vector:
-            height = (p - centre) @ unit
-            across = p - centre - height * unit
-            place = np.array([np.linalg.norm(across), height])
-            starts, ways = points[:-1], np.diff(points, axis=0)
-            share = np.sum((place - starts) * ways, axis=1) / np.sum(ways**2, axis=1)
-            found = starts + np.clip(share, 0.0, 1.0)[:, None] * ways
-            radius, there = found[np.argmin(np.linalg.norm(found - place, axis=1))]
-            return np.asarray(centre + there * unit + radius * across / place[0])
+            _, way, radius, at = beside(p)
+            return np.asarray(centre + at * unit + radius * way)
 
-        return (lambda p: np.linalg.norm(p - nearest(p)) - ball), nearest
+        return (lambda p: beside(p)[0] - ball), nearest
 
     def _end(self, end: End) -> tuple[Callable[[Vector], float], Callable[[Vector], float]]:
         axis, way = _axis(end.axis)

@@ -18,6 +18,7 @@ from tests.helpers.effort import trials
 
 pytest.importorskip("sympy")
 pytest.importorskip("mpmath")
+pytest.importorskip("flint")
 
 import mpmath
 
