@@ -82,6 +82,9 @@ _TOKEN = re.compile(
 )
 
 
+_WITH_UNIT = re.compile(r"[-+]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?\s*[A-Za-z°%]+")
+"""A number with a unit, as in "30cm": never a formula."""
+
 _MARK = "name_"
 """Before each name in what Python's parser reads."""
 
@@ -108,6 +111,10 @@ def parse(text: str, names: Collection[str], decimal: bool = False) -> Formula:
     text = text.strip(" \t")
     if text in names:
         return name(text)  # whatever Python makes of it
+    if _WITH_UNIT.fullmatch(text):
+        raise FormulaError(
+            f"expected a number without a unit (lengths in m), or a formula; got {brief(text)}"
+        )
     place = 0
     parts: list[str] = []
     while place < len(text):

@@ -238,3 +238,11 @@ def test_a_polynomial_has_its_like_terms_together() -> None:
 def test_what_is_not_polynomial_is_refused(text: str, said: str) -> None:
     with pytest.raises(FormulaError, match=said):
         polynomial(parse(text, NAMES))
+
+
+@pytest.mark.parametrize("text", ["30cm", "2 m", "-0.5 ft", "45°", "1e2mm"])
+def test_a_number_with_a_unit_is_told_what_is_allowed(text: str) -> None:
+    with pytest.raises(FormulaError) as error:
+        parse(text, ("m", "width"))
+    expected = "expected a number without a unit (lengths in m), or a formula"
+    assert str(error.value) == f"{expected}; got {text!r}"
