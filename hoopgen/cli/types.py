@@ -19,7 +19,7 @@ from hoopgen.hoop.variables import ALTERNATIVE_VARIABLES, ARGUMENTS, VARIABLES
 from hoopgen.report.quantities import format_variable
 from hoopgen.scene.lookup import variables_of
 from hoopgen.study.questions.values import Quantity, Whole
-from hoopgen.text.shorten import brief
+from hoopgen.text.shorten import brief, suggestion
 
 Value = TypeVar("Value")
 
@@ -173,7 +173,8 @@ def _read(text: str, variable: Variable) -> float:
 
 def _known(name: str, allowed: Variables) -> Variable:
     if name not in allowed:
-        raise ValueError(f"{brief(name)} is none of {', '.join(allowed)}")
+        meant = suggestion(name, allowed)
+        raise ValueError(f"{brief(name)} is none of {', '.join(allowed)}{meant}")
     return allowed[name]
 
 

@@ -10,9 +10,9 @@ from typing import Protocol, TypeVar
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from hoopgen.text.shorten import brief, join_names
+from hoopgen.text.shorten import join_names, suggestion
 
-from .validation import as_doubles
+from .validation import as_doubles, check_mapping
 
 Value = float | NDArray[np.float64]
 
@@ -182,15 +182,15 @@ def complete(parameters: ParameterValues | None, table: Table) -> ParameterValue
     """
     if parameters is None:
         return table.defaults
-    if not isinstance(parameters, Mapping):
-        raise TypeError(
-            f"parameters: expected a mapping of names to values, got {brief(parameters)}"
-        )
+    check_mapping("parameters", parameters)
     values = {**table.defaults, **parameters}
     if len(values) > len(table.defaults):
-        named = join_names(name for name in values if name not in table.defaults)
+        unknown = [name for name in values if name not in table.defaults]
+        meant = suggestion(unknown[0], table.defaults) if len(unknown) == 1 else ""
         names = ", ".join(table.defaults) or "none"
-        raise ValueError(f"parameters: unknown {named}. The names are {names}")
+        raise ValueError(
+            f"parameters: unknown {join_names(unknown)}{meant or '.'} The names are {names}"
+        )
     return values
 
 

@@ -68,6 +68,8 @@ _UNIT = (  # only a square or a cube ends in a digit: 6ft2in is feet, inches
 )
 _PART = re.compile(rf"\s*({_NUMBER})\s*({_UNIT})?", re.ASCII)
 _INFINITE = re.compile(r"\s*[+-]?inf(?:inity)?\s*", re.ASCII | re.IGNORECASE)
+_DECIMAL_COMMA = re.compile(r"\s*[+-]?\d+,\d")
+
 _SIGN = re.compile(r"\s*([+-]?)", re.ASCII)
 
 
@@ -185,9 +187,10 @@ def _split(text: str, kind: Kind) -> tuple[str, list[tuple[str, str]]]:
 
 
 def _complaint(text: str, kind: Kind) -> str:
+    hint = "; decimals stand after a point" if _DECIMAL_COMMA.match(text) else ""
     if kind == "number":
-        return f"{brief(text)} is not a number"
-    return f"{brief(text)} is not a number with a unit of {kind} ({_join_units(kind)})"
+        return f"{brief(text)} is not a number{hint}"
+    return f"{brief(text)} is not a number with a unit of {kind} ({_join_units(kind)}){hint}"
 
 
 def _wrong_unit(text: str, unit: str, kind: Kind) -> str:

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hoopgen.generated.numpy import hoop
-from hoopgen.text.shorten import join_names
+from hoopgen.text.shorten import brief, join_names, suggestion
 
 from .units import UNITS, Kind
 
@@ -108,12 +108,18 @@ def check_names(name: str, given: Iterable[str], allowed: Iterable[str]) -> tupl
 
     Raises
     ------
+    TypeError
+        If a text is given, whose letters are no names, or what has no names at all.
     ValueError
         The message begins with `name` and lists what is allowed.
     """
+    if isinstance(given, str) or not isinstance(given, Iterable):
+        raise TypeError(f"{name}: expected names in a list or a mapping, got {brief(given)}")
     names = tuple(given)
     known = allowed if isinstance(allowed, Mapping) else tuple(allowed)
     unknown = [key for key in names if key not in known]
     if unknown:
-        raise ValueError(f"{name}: unknown {join_names(unknown)}. One of {', '.join(known)}")
+        meant = suggestion(unknown[0], known) if len(unknown) == 1 else ""
+        listed = ", ".join(known)
+        raise ValueError(f"{name}: unknown {join_names(unknown)}{meant or '.'} One of {listed}")
     return names

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from difflib import get_close_matches
 from math import atan2, hypot, sqrt
 from types import MappingProxyType
 from typing import Any
@@ -17,7 +16,7 @@ from typing import Any
 from hoopgen.core.parameters import ParameterValues
 from hoopgen.core.units import INCH
 from hoopgen.core.validation import as_doubles
-from hoopgen.text.shorten import brief
+from hoopgen.text.shorten import brief, suggestion
 
 from .court_lines import COURTS, Court, court_of
 from .presets import FIBA, PAPER
@@ -188,12 +187,10 @@ def find_place(
         side, rest = "", words
     plain = _ALIASES.get(rest, rest)
     if plain not in PLACES or (side and not PLACES[plain].sides):
-        close = get_close_matches(rest, [*PLACES, *_ALIASES], n=1)
-        meant = f"; is {_ALIASES.get(close[0], close[0])} meant?" if close else ""
         two = ", ".join(one for one, rule in PLACES.items() if rule.sides)
         raise ValueError(
             f"place: expected one of {', '.join(PLACES)}, with left or right before {two}; "
-            f"got {brief(name)}{meant}"
+            f"got {brief(name)}{suggestion(rest, [*PLACES, *_ALIASES])}"
         )
     book = court_of(hoop) if court is None else court
     if book not in COURTS:

@@ -20,12 +20,18 @@ from numpy.typing import NDArray
 
 from hoopgen.core.parameters import ParameterValues, resolve
 from hoopgen.core.plotting import plotting_module
-from hoopgen.core.validation import check_contacts, check_count, check_time_limit
+from hoopgen.core.validation import (
+    check_contacts,
+    check_count,
+    check_flag,
+    check_mapping,
+    check_time_limit,
+)
 from hoopgen.core.variables import STATE, check_names
 from hoopgen.derive.scenes.scene import Scene
 from hoopgen.engine.draws import states_in_numpy
 from hoopgen.hoop.releases import RING_HEIGHT
-from hoopgen.hoop.variables import ARGUMENTS
+from hoopgen.hoop.variables import ARGUMENTS, check_angles
 from hoopgen.scene.definition import default_max_contacts, default_time_limit, definition, table_of
 from hoopgen.scene.lookup import SceneLike
 from hoopgen.text.numbers import format_count, format_percent
@@ -188,13 +194,13 @@ def certify_box(
     most = default_max_contacts(derived) if max_contacts is None else check_contacts(max_contacts)
     limit = default_time_limit(derived) if time_limit is None else check_time_limit(time_limit)
     pilot = _Pilot(derived, values, most, limit, middle)
-    return _prove(pilot, widths, check_count("max_parts", max_parts), survey)
+    parts = check_count("max_parts", max_parts)
+    return _prove(pilot, widths, parts, check_flag("survey", survey))
 
 
 def _checked_release(release: Mapping[str, float]) -> dict[str, float]:
     """Return all variables of the middle of a box, of one kind."""
-    if not isinstance(release, Mapping):
-        raise TypeError(f"release: expected a mapping from names to numbers, got {brief(release)}")
+    check_mapping("release", release)
     by_state = set(release) <= set(STATE)
     names = STATE if by_state else tuple(ARGUMENTS)
     check_names("release", tuple(release), names)
@@ -202,18 +208,20 @@ def _checked_release(release: Mapping[str, float]) -> dict[str, float]:
     if missing:
         raise ValueError(f"release: {', '.join(missing)} missing")
     given = {name: _number(f"release[{name!r}]", value) for name, value in release.items()}
+    if not by_state:
+        check_angles("release", given)
     return dict.fromkeys(names, 0.0) | given
 
 
 def _checked_widths(half_widths: Mapping[str, float], middle: Mapping[str, float]) -> Bounds:
     """Return the ends of the box of each variable with a width."""
-    if not isinstance(half_widths, Mapping):
-        given = brief(half_widths)
-        raise TypeError(f"half_widths: expected a mapping from names to numbers, got {given}")
+    check_mapping("half_widths", half_widths)
     check_names("half_widths", tuple(half_widths), tuple(middle))
+    widths = {name: _number(f"half_widths[{name!r}]", one) for name, one in half_widths.items()}
+    if set(middle) != set(STATE):
+        check_angles("half_widths", widths)
     found = {}
-    for name, value in half_widths.items():
-        width = _number(f"half_widths[{name!r}]", value)
+    for name, width in widths.items():
         if width < 0.0:
             raise ValueError(f"half_widths[{name!r}]: expected 0 or more, got {width}")
         if name in ("speed", "distance") and middle[name] - width < 0.0:

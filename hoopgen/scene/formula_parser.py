@@ -18,6 +18,7 @@ from typing import Any
 
 import numpy as np
 
+from hoopgen.core.units import unit_size
 from hoopgen.text.shorten import brief, join_names
 
 from .formulas import ONE, Formula, FormulaError, constant, name
@@ -82,6 +83,9 @@ _TOKEN = re.compile(
 )
 
 
+_WITH_UNIT = re.compile(r"[-+]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?\s*([A-Za-z°%]+)")
+"""A number with a unit, as in "30cm": never a formula."""
+
 _MARK = "name_"
 """Before each name in what Python's parser reads."""
 
@@ -108,6 +112,11 @@ def parse(text: str, names: Collection[str], decimal: bool = False) -> Formula:
     text = text.strip(" \t")
     if text in names:
         return name(text)  # whatever Python makes of it
+    if quantity := _WITH_UNIT.fullmatch(text):
+        metres = " (lengths in m)" if unit_size(quantity[1], "length") is not None else ""
+        raise FormulaError(
+            f"expected a number without a unit{metres}, or a formula; got {brief(text)}"
+        )
     place = 0
     parts: list[str] = []
     while place < len(text):

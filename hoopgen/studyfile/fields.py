@@ -27,8 +27,8 @@ from hoopgen.study.questions.values import (
     Value,
     Whole,
     show,
-    suggestion,
 )
+from hoopgen.text.shorten import suggestion
 
 from .lines import Path
 

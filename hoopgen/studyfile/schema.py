@@ -30,9 +30,9 @@ from hoopgen.study.questions.values import (
     Text,
     Value,
     show,
-    suggestion,
 )
 from hoopgen.study.tables.reading import ReadingOptions
+from hoopgen.text.shorten import suggestion
 
 from .fields import Named, Table, error_at
 from .scene import (

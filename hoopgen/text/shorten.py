@@ -3,16 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from difflib import get_close_matches
 from itertools import islice
 from reprlib import Repr
 
-__all__ = ["brief", "cut", "join_names"]
+__all__ = ["brief", "cut", "join_alternatives", "join_names", "suggestion"]
 
 MAX_LENGTH = 60
 """Characters of what was given that a message shows."""
 
 MAX_NAMES = 20
 """Names that a list in a message has."""
+
+_ALIKE = 0.65
+"""Least similarity by difflib of a word and the one that was perhaps meant: aim is no azimuth."""
 
 _REPR = Repr()
 _REPR.maxstring = _REPR.maxother = _REPR.maxlong = 2 * MAX_LENGTH
@@ -56,3 +60,17 @@ def join_names(names: Iterable[object]) -> str:
     shown = [cut(str(name)) for name in islice(left, MAX_NAMES)]
     more = sum(1 for _ in left)
     return ", ".join([*shown, f"and {more} more"] if more else shown)
+
+
+def suggestion(given: object, allowed: Iterable[str]) -> str:
+    """Return a question for the word that was perhaps meant; nothing if none is close.
+
+    Parameters
+    ----------
+    given
+        The word that was given.
+    allowed
+        The words that are allowed.
+    """
+    close = get_close_matches(str(given).lower(), list(allowed), n=1, cutoff=_ALIKE)
+    return f"; is {close[0]} meant?" if close else ""

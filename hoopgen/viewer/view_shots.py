@@ -75,6 +75,8 @@ def view(
 
     Raises
     ------
+    TypeError
+        If `shots` is neither shots nor a file.
     ValueError
         If the path ends in something else, there is no valid shot or too many, or the labels or
         parameters are not as described; or the scene cannot be drawn: of those of one's own, those
@@ -85,6 +87,8 @@ def view(
         If the file cannot be written; what was there before stays.
     """
     target = None if path is None else check_output(path, PAGES)
+    if not isinstance(shots, Shots | str | os.PathLike):
+        raise TypeError(f"shots: expected the Shots of simulate, or a file; got {brief(shots)}")
     if not isinstance(shots, Shots):
         from .view_table import view_table  # reads by pyarrow, which shots do without
 

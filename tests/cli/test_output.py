@@ -287,6 +287,8 @@ def test_shot_draws_its_picture(tmp_path: Path, suffix: str) -> None:
         ([*SHOT, "--azimuth", "-1"], "'-1' has no unit: write -1deg or -1rad"),
         ([*SHOT, "--backspin", "3"], "'3' has no unit: write 3Hz, 3rpm, 3rad/s or 3deg/s"),
         ([*SHOT, "--speed", "nan"], "'nan' is not a number"),
+        ([*SHOT, "--speed", "7,2"], "decimals stand after a point"),
+        ([*SHOT, "--set", "restituton=0.7"], "; is restitution meant?"),
         ([*SHOT, "--set", "bounce=0.7"], "'bounce' is none of ball_radius"),
         ([*SHOT, "--set", "restitution"], "'restitution' is not name=value"),
         ([*SHOT, "--set", "restitution=0.7m"], "a plain number is wanted"),

@@ -236,6 +236,10 @@ def test_a_flight_after_a_contact_misses_each_body_but_the_next() -> None:
         (THROW | {"speed": "7"}, {}, TypeError, r"release\['speed'\]: expected a number, got '7'"),
         ([7.0], {}, TypeError, "release: expected a mapping"),
         (THROW, 0.1, TypeError, "half_widths: expected a mapping"),
+        (THROW | {"elevation": 52.0}, {}, ValueError, "release: elevation is in radians"),
+        (THROW, {"elevation": 10.0}, ValueError, "half_widths: elevation is in radians"),
+        (THROW, {"elevation": "10"}, TypeError, r"half_widths\['elevation'\]: expected a number"),
+        (THROW | {"sped": 7.0}, {}, ValueError, "release: unknown sped; is speed meant?"),
     ],
 )
 def test_bad_boxes_are_refused(
@@ -243,3 +247,8 @@ def test_bad_boxes_are_refused(
 ) -> None:
     with pytest.raises(error, match=text):
         hoopgen.certify_box(release, widths)
+
+
+def test_a_survey_is_true_or_false() -> None:
+    with pytest.raises(TypeError, match=r"^survey: expected True or False, got 'yes'$"):
+        hoopgen.certify_box(THROW, {}, survey="yes")  # type: ignore[arg-type]

@@ -238,3 +238,14 @@ def test_a_polynomial_has_its_like_terms_together() -> None:
 def test_what_is_not_polynomial_is_refused(text: str, said: str) -> None:
     with pytest.raises(FormulaError, match=said):
         polynomial(parse(text, NAMES))
+
+
+@pytest.mark.parametrize(
+    ("text", "metres"),
+    [("30cm", True), ("2 m", True), ("-0.5 ft", True), ("1e2mm", True), ("45°", False)],
+)
+def test_a_number_with_a_unit_is_told_what_is_allowed(text: str, metres: bool) -> None:
+    with pytest.raises(FormulaError) as error:
+        parse(text, ("m", "width"))
+    expected = f"expected a number without a unit{' (lengths in m)' * metres}, or a formula"
+    assert str(error.value) == f"{expected}; got {text!r}"

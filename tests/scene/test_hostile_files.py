@@ -175,6 +175,18 @@ def test_no_file_raises_its_own_limits(tmp_path: Path) -> None:
         load_scene(path)
 
 
+@pytest.mark.parametrize(("size", "hint"), [("30cm", " (lengths in m)"), ("45°", "")])
+def test_a_size_with_a_unit_is_refused_with_its_place(size: str, hint: str, tmp_path: Path) -> None:
+    path = tmp_path / "own.toml"
+    path.write_text(formula(size), encoding="utf-8")
+    with pytest.raises(SceneError) as refusal:
+        load_scene(path)
+    said = f"expected a number without a unit{hint}, or a formula; got {size!r}"
+    assert said in str(refusal.value)
+    assert "floor" in str(refusal.value)
+    assert "at" in str(refusal.value)
+
+
 @pytest.mark.parametrize(
     ("limits", "kind", "said"),
     [

@@ -26,6 +26,7 @@ from hoopgen.hoop.presets import PAPER
 from hoopgen.hoop.releases import RING_HEIGHT
 from hoopgen.results.shots import SURFACES, Outcome, Shots
 from hoopgen.scene.lookup import check_hoop
+from hoopgen.text.shorten import brief
 
 from .measure_context import Block, Floats, rows_of
 from .rebounds import CATCHING_HEIGHT, check_height, delay, rebound
@@ -71,6 +72,8 @@ def measure(
     AttributeError
         If `shots` lacks a field.
     """
+    if not isinstance(shots, Shots):
+        raise TypeError(f"shots: expected the Shots of simulate, got {brief(shots)}")
     check_hoop("measure", shots.scene)
     there = measures_of(shots.scene)
     wanted = check_names("names", there if names is None else names, there)

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hoopgen.core.parameters import ParameterValues
-from hoopgen.core.validation import as_doubles
+from hoopgen.core.validation import as_doubles, check_mapping
 from hoopgen.core.variables import Releases, is_state
 from hoopgen.hoop.presets import PAPER
 from hoopgen.text.shorten import brief
@@ -41,6 +41,8 @@ class Grid:
     fixed: Mapping[str, float] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
+        check_mapping("axes", self.axes)
+        check_mapping("fixed", self.fixed)
         twice = [name for name in self.axes if name in self.fixed]
         if twice:
             raise ValueError(f"fixed: {', '.join(twice)} already among the axes")

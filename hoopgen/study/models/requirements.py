@@ -7,6 +7,7 @@ from collections.abc import Iterable
 import numpy as np
 
 from hoopgen.scene.lookup import HOOP_VARIABLES
+from hoopgen.text.shorten import brief
 
 from .resample import Resample
 from .scatter import Scatter
@@ -23,7 +24,7 @@ def check_model(model: object, over: Iterable[str]) -> Scatter | Resample:
         The variables whose means are varied.
     """
     if not isinstance(model, Scatter | Resample):
-        raise TypeError(f"model: expected a Scatter or a Resample, got {model!r}")
+        raise TypeError(f"model: expected a Scatter or a Resample, got {brief(model)}")
     twice = [name for name in over if isinstance(model, Scatter) and name in model.release]
     if twice:
         raise ValueError(f"release: {', '.join(twice)} already in over; leave out of one")

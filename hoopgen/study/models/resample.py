@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from hoopgen.core.parameters import ParameterValues
-from hoopgen.core.validation import as_doubles
+from hoopgen.core.validation import as_doubles, check_mapping
 from hoopgen.core.variables import STATE, Releases, is_state
 from hoopgen.hoop.presets import PAPER
 from hoopgen.hoop.releases import states_of
@@ -62,12 +62,15 @@ class Resample:
     group: Iterable[object] | None = None
 
     def __post_init__(self) -> None:
-        given = {name: as_doubles(name, column) for name, column in self.columns.items()}
+        check_mapping("columns", self.columns)
+        given = {
+            name: as_doubles(f"columns[{name!r}]", column) for name, column in self.columns.items()
+        }
         shapes = {column.shape for column in given.values() if column.ndim}
         if len(shapes) != 1 or len(next(iter(shapes))) != 1 or not next(iter(shapes))[0]:
             raise ValueError(
                 "columns: expected columns of one length and at least one row, got shapes "
-                + ", ".join(f"{name} {column.shape}" for name, column in given.items())
+                + (", ".join(f"{name} {one.shape}" for name, one in given.items()) or "none")
             )
         check_turns("columns", given, given)
         object.__setattr__(self, "columns", given)

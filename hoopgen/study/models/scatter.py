@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from hoopgen.core.parameters import ParameterValues
-from hoopgen.core.validation import as_doubles
+from hoopgen.core.validation import as_doubles, check_mapping
 from hoopgen.core.variables import STATE, Releases, check_names, is_state
 from hoopgen.engine.draws import Noise
 from hoopgen.hoop.presets import NAMES, PAPER
@@ -87,6 +87,8 @@ class Scatter:
     correlation: Mapping[tuple[str, str], float] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
+        for argument in ("release", "sd", "correlation"):
+            check_mapping(argument, getattr(self, argument))
         check_known("release", self.release, self._names)
         # Of a scatter alone it is not known what it is about: perhaps a state.
         hooped = self.release or any(
@@ -283,7 +285,10 @@ class Scatter:
         """Return the lower triangular factor of the correlation matrix."""
         names = self._scattered()
         matrix = np.eye(len(names))
-        for (a, b), value in self.correlation.items():
+        for pair_of, value in self.correlation.items():
+            if not isinstance(pair_of, tuple) or len(pair_of) != 2:
+                raise TypeError(f"correlation: expected pairs of names, got {brief(pair_of)}")
+            a, b = pair_of
             if a == b or a not in self.sd or b not in self.sd:
                 known = ", ".join(self.sd) or "none"
                 raise ValueError(f"correlation: ({brief(a)}, {brief(b)}) is no pair of {known}")

@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 from hoopgen.core.files import check_output, resolve_link, temporary_beside
 from hoopgen.core.parameters import ParameterValues, complete, resolve
 from hoopgen.core.units import System, file_unit
-from hoopgen.core.validation import as_doubles, check_count
+from hoopgen.core.validation import as_doubles, check_count, check_flag
 from hoopgen.core.variables import check_names
 from hoopgen.hoop.releases import FROM_ZERO, from_zero
 from hoopgen.report.provenance import describe_scene
@@ -179,6 +179,8 @@ def batch(
     check_turns("release", release, release)
     if measures:
         check_hoop("measures", engine)
+    for name, flag in {"override": override, "implausible": implausible, "reason": reason}.items():
+        check_flag(name, flag)
     height = check_height(catching_height)
     file_unit("m", units)  # none but them
     check_workers(scheduler, threads)

@@ -8,7 +8,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from hoopgen.core.validation import is_whole
+from hoopgen.core.validation import check_flag, is_whole
 from hoopgen.results.shots import Shots
 from hoopgen.simulation.engine import Engine
 from hoopgen.simulation.invalid_shots import why_invalid
@@ -79,7 +79,8 @@ def counterfactual(
     if not (isinstance(steady, int | float) and 0.0 <= steady < math.inf):
         raise ValueError(f"steady: expected a number from 0 up, got {brief(steady)}")
     if not isinstance(shots, Shots):
-        raise TypeError(f"shots: expected the Shots of simulate, got a {type(shots).__name__}")
+        raise TypeError(f"shots: expected the Shots of simulate, got {brief(shots)}")
+    check_flag("prove", prove)
     if not is_whole(i):
         raise TypeError(f"i: expected a whole number, got {brief(i)}")
     if not -len(shots) <= i < len(shots):

@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from hoopgen.core.memory import check_room
 from hoopgen.core.parameters import ParameterValues
-from hoopgen.core.validation import BackendName, as_doubles, check_count
+from hoopgen.core.validation import BackendName, as_doubles, check_count, check_mapping
 from hoopgen.core.variables import Variable, check_names
 from hoopgen.hoop.variables import check_angles
 from hoopgen.scene.lookup import STATES, SceneLike, variables_of
@@ -106,6 +106,7 @@ def map(
     TypeError, ValueError
         If an argument is not as described.
     """
+    check_mapping("over", over)
     scatters = check_model(model, over).scatters
     if shots is not None and not scatters:
         raise ValueError("shots: without scatter all shots of a cell are one; leave out")

@@ -9,15 +9,14 @@ from __future__ import annotations
 import json
 import math
 import re
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from decimal import Decimal, InvalidOperation
-from difflib import get_close_matches
 from typing import Annotated, Any
 
 from hoopgen.core.units import UNIT_REQUIRED, UNITS, Kind, parse_quantity, readings
 from hoopgen.text.escape import printable
-from hoopgen.text.shorten import brief, cut
+from hoopgen.text.shorten import brief, cut, suggestion
 
 EXAMPLES: Mapping[Kind, tuple[str, str]] = {
     "length": ('"7 ft"', '"8 ft"'),
@@ -35,20 +34,6 @@ EXAMPLES: Mapping[Kind, tuple[str, str]] = {
 def show(given: Any) -> str:
     """Return a value about as it is written in a study file."""
     return cut(json.dumps(given, ensure_ascii=False, default=str))
-
-
-def suggestion(given: Any, allowed: Iterable[str]) -> str:
-    """Return a question for the word that was perhaps meant; nothing if none is close.
-
-    Parameters
-    ----------
-    given
-        The word that was given.
-    allowed
-        The words that are allowed.
-    """
-    close = get_close_matches(str(given).lower(), list(allowed), n=1)
-    return f"; is {close[0]} meant?" if close else ""
 
 
 class Value:

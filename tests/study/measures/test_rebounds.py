@@ -328,7 +328,7 @@ def test_a_catching_height_that_is_none_is_refused(
 
 
 def test_measures_that_there_are_not_are_refused() -> None:
-    with pytest.raises(ValueError, match=r"measures: unknown rebound\. One of entry_angle, "):
+    with pytest.raises(ValueError, match=r"measures: unknown rebound; is rebound_y meant\? One of"):
         hoopgen.estimate(PLAYER, shots=10, measures=["rebound"])
     with pytest.raises(ValueError, match="measures: unknown clearance"):
         hoopgen.estimate(PLAYER, shots=10, scene=hoopgen.COURT, measures=["clearance"])

@@ -411,7 +411,7 @@ def test_correlated_noise_keeps_the_numbers_of_the_first_name_in_order() -> None
 @pytest.mark.parametrize(
     ("mean", "sd", "correlation", "message"),
     [
-        ({"sped": 7}, {}, {}, "release: unknown sped. One of speed"),
+        ({"sped": 7}, {}, {}, r"release: unknown sped; is speed meant\? One of speed"),
         ({"speed": [7, 8]}, {}, {}, r"release\['speed'\]: expected one number, got \[7, 8\]"),
         ({}, {"aim": 0.1}, {}, "sd: unknown aim. One of speed"),
         ({}, {"speed": -0.1}, {}, r"sd\['speed'\]: expected a number from 0, got -0.1"),

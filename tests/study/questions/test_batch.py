@@ -412,9 +412,9 @@ def test_a_full_disk_is_told_and_the_old_file_stays(
     ("options", "said"),
     [
         ({"release": {"height": 2.1}}, r"throws\.parquet: variables: missing distance"),
-        ({"release": {"hight": 2.1}}, "release: unknown hight. One of speed, "),
+        ({"release": {"hight": 2.1}}, r"release: unknown hight; is height meant\? One of speed, "),
         ({"release": PLACE | {"aim": [0.1]}}, r"release\['aim'\]: expected one number"),
-        ({"measures": ["deep"]}, "measures: unknown deep. One of entry_angle, "),
+        ({"measures": ["deep"]}, r"measures: unknown deep; is depth meant\? One of entry_angle, "),
         ({"max_contacts": 0}, "max_contacts: expected a whole number from 1, got 0"),
         ({"max_contacts": 2.5}, "max_contacts: expected a whole number from 1, got 2.5"),
         ({"rows": 0}, "rows: expected a whole number from 1, got 0"),
