@@ -14,11 +14,11 @@ from ..motion.parabola import Parabola
 from ..surfaces import Plane
 from ..symbolic.conditionals import IfAtMost, IfLess, absolute, barrier
 from ..symbolic.rounding import ROUNDING_SLACK, rounding
-from ..symbolic.symbols import POSITION, position
+from ..symbolic.symbols import POSITION, VELOCITY, position, velocity
 from .event_polynomials import event_coefficients, horizon, leaving
 from .plane_filter import apart
 from .predicates import KERNELS
-from .search import Formula, Parts, Search, bounded, edges, proposed
+from .search import Formula, Parts, Search, bounded, edges, given, proposed
 
 
 def plane_arrival(plane: Plane, flight: Parabola) -> dict[str, sp.Expr]:
@@ -95,6 +95,31 @@ def plane_margin(plane: Plane, flight: Parabola) -> sp.Expr:
     return 2 * ROUNDING_SLACK * rounding(plane.distance, dict.fromkeys(POSITION, there)).error
 
 
+def returning_margin(plane: Plane, flight: Parabola) -> sp.Expr:
+    """Return a bound on the error of the gap of a ball that left this plane, up to `horizon`.
+
+    The ball began on the plane, and so did the true one: both gaps are t times the mean velocity
+    off the plane, w = n·(v + a t/2). The errors of the position do not count, and with the bound
+    e(t) on the error of a mean velocity that of the gap is |w - w'| t <= e(t) t. It bounds the
+    computed gap, too, whose constant term is exactly zero. For small bounces t goes to zero, and
+    the margin of `plane_margin` would exceed the height of the hop.
+
+    Parameters
+    ----------
+    plane, flight
+        As for `plane_margin`.
+
+    Returns
+    -------
+    Expr
+        m.
+    """
+    mean = flight.mean_rounding(horizon)
+    off = rounding(plane.normal.dot(velocity), dict.fromkeys(VELOCITY, mean))
+    # Twice, as in `plane_margin`.
+    return 2 * ROUNDING_SLACK * barrier(off.error * horizon)
+
+
 @dataclass(frozen=True)
 class PlaneSearch(Search):
     """The search on a plane; a contact counts within its bounds (Eq. 2)."""
@@ -108,9 +133,17 @@ class PlaneSearch(Search):
         return True
 
     @property
+    def returns(self) -> bool:
+        """True if bounces on the plane can become ever smaller until the ball rolls."""
+        return self.flight.departs
+
+    @property
     def formulas(self) -> dict[str, Formula]:
         """Arrival, margin, and the place of a contact."""
         plane = self.surface
+        margin = plane_margin(plane, self.flight)
+        if self.returns:
+            margin = IfLess(0, leaving, returning_margin(plane, self.flight), margin)
         place = position - plane.distance * plane.normal
         return {
             "arrival": (
@@ -119,7 +152,7 @@ class PlaneSearch(Search):
                 "Eq. 3 in Table 2, solved",
             ),
             "margin": (
-                {"margin": plane_margin(plane, self.flight)},
+                {"margin": margin},
                 "Rounding-error bound of the gap up to the horizon.",
                 "running error analysis",
             ),
@@ -149,8 +182,37 @@ class PlaneSearch(Search):
         yield Call(own["margin"], {"horizon": "nearest"})
         yield Call(common["crossing"], {"rate_margin": 0.0})
         yield Call(KERNELS["within_time"])
-        yield Call(KERNELS["graze_undecided"])
         if not self.surface.bounds:
+            yield Call(KERNELS["graze_undecided"])
             yield If("possible", (Call(KERNELS["crossing_undecided"]), *proposed(index)))
             return
+        if self.returns:
+            yield from _graze_within_bounds(common, own)
+        else:
+            yield Call(KERNELS["graze_undecided"])
         yield If("possible", (*bounded(common, own, "time"), *proposed(index)))
+
+
+def _graze_within_bounds(common: Parts, own: Parts) -> Iterator[Node]:
+    """Test whether an apex is undecided, where the bounds may hold.
+
+    On a floor of several planes each hop of a ball that begins to roll, and each departure, has its
+    apex at the height of all of them. With the computed gap F(t) = H + F'' (t - A)²/2, whose error
+    until a contact is at most the margin m, a contact has |F| <= m. If |H| <= m, it is at most
+    2 sqrt(m/|F''|) away from the computed apex A. The bounds are evaluated at A, and their errors
+    contain the way flown in the time of 3 sqrt(m/|F''|). Without F'' the gap stays zero.
+
+    Arguments as for `Search.nodes`.
+    """
+    there = {name: f"there_{name}" for name in "xyz"}
+    slackened = given(common["displacement"], horizon="graze_end", delay="graze_delay")
+    yield Call(KERNELS["graze_delay"])
+    tested = (
+        Call(common["flight"], {"t": "apex"}, there, frozenset(there)),
+        given(own["bounds"], **there),
+        Call(slackened.kernel, slackened.inputs, {"margin": "slack"}),
+        # A graze is never a certain crossing: what may be within the bounds is undecided.
+        given(own["edges"], clearance=0.0),
+        given(KERNELS["predicate_undecided"], time="apex"),
+    )
+    yield If("grazes", tested, rare=True)

@@ -13,12 +13,14 @@ from ..symbolic.conditionals import (
     Boolean,
     Choose,
     Equal,
+    IfLess,
     Less,
     Not,
     Or,
     absolute,
     all_of,
     any_of,
+    barrier,
     false,
 )
 from ..symbolic.error_terms import earliest_delay
@@ -79,6 +81,8 @@ _falling = any_of(Less(rate, 0), all_of(AtMost(rate, rate_margin), Less(bend, 0)
 _clears = all_of(_falling, Less(0, clearance))
 _strikes = all_of(_falling, any_of(AtMost(gap - margin, margin), Less(0, clearance)))
 _unclear = all_of(_strikes, Not(_clears), Less(0, share))
+_grazes = all_of(AtMost(0, apex), AtMost(absolute(height), margin))
+_graze_delay = 3 * sp.sqrt(barrier(margin / barrier(IfLess(0, absolute(bend), absolute(bend), 1))))
 _still = all_of(Less(t, end), Not(Less(t, following)))
 _sunk = Less(gap, -margin)
 _lands = all_of(met, arrives)
@@ -116,11 +120,19 @@ KERNELS = {
         decision(
             "graze_undecided",
             {
-                "undecided_time": earlier(
-                    all_of(AtMost(0, apex), AtMost(absolute(height), margin)), apex
-                )
+                "undecided_time": earlier(_grazes, apex),
             },
             "Earliest undecided time, with that of an apex whose gap is zero within its error.",
+        ),
+        decision(
+            "graze_delay",
+            {
+                "grazes": all_of(_grazes, Less(0, absolute(bend))),
+                "graze_delay": _graze_delay,
+                "graze_end": apex + _graze_delay,
+                "undecided_time": earlier(all_of(_grazes, AtMost(absolute(bend), 0)), apex),
+            },
+            "Whether the gap at an apex is zero within its error, and how far a contact may be.",
         ),
         decision(
             "predicate_undecided",

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import sympy as sp
 
@@ -16,7 +16,15 @@ from .flight import Flight
 
 @dataclass(frozen=True)
 class Parabola(Flight):
-    """Eq. 3, with an acceleration in any direction, which may be zero."""
+    """Eq. 3, with an acceleration in any direction, which may be zero.
+
+    Attributes
+    ----------
+    departs
+        True if a ball may leave a surface tangentially, as one that has rolled there does.
+    """
+
+    departs: bool = field(default=False, kw_only=True)
 
     @property
     def source(self) -> str:

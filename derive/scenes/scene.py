@@ -207,7 +207,7 @@ class Scene:
         """
         if self.air is not None:
             raise TypeError(f"scene {self.name}: in air no flight is a parabola")
-        return Parabola(self.free_fall)
+        return Parabola(self.free_fall, departs=self.rolls)
 
     @property
     def open_ended(self) -> bool:

@@ -3,12 +3,14 @@ A scene of your own
 ===================
 
 A netball bounces off the top of its post and off the ring, a golf ball hops into the hole, and a
-ball falls through a funnel into a bottle. The scenes are short files in ``examples/scenes``.
+ball falls through a funnel into a bottle. These scenes are short files in ``examples/scenes``. The
+last one is described in Python: a ball rolls off a table, lands on the floor, and rolls on.
 """
 
 from pathlib import Path
 
 import hoopgen
+from hoopgen.scene import Disc, End, Plane, Scene
 
 scenes = Path("../scenes")  # from the folder of this script
 
@@ -30,3 +32,18 @@ funnel = hoopgen.load_scene(scenes / "funnel.toml")
 state = [-0.21, -0.038, 0.413, 0.718, -0.072, 0.201, 0, 0, 0]
 shots = hoopgen.simulate(state, scene=funnel, record=True)
 shots.trajectory(0).plot(title="Funnel", three_d=True)
+
+# %%
+
+table = Scene(
+    "table",
+    bodies=[Plane("floor"), Disc("table", radius=0.4, centre=(0, 0, 0.75))],
+    ball_radius=0.1,
+    gravity=9.81,
+    restitution=0.6,
+    rolls=True,
+    ends={"past": End(axis="-x", at=-2.5)},
+)
+state = [-0.3, 0.1, 0.95, 1.2, -0.2, 0, 0, 0, 0]
+shots = hoopgen.simulate(state, scene=table, record=True)
+shots.trajectory(0).plot(title="Off a table", three_d=True)

@@ -6,14 +6,23 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from hoopgen.derive.events import plane, predicates
 from hoopgen.derive.ir.event_tree import Call
 from hoopgen.derive.rolling import bounds, edges
 
 pytest.importorskip("flint")
 
-from tests.helpers.checked_faults import OfEngine, Planted, checks_of, noticed, passes
-from tests.helpers.mutants import in_text, in_tree
-from tests.scene import test_edges
+from tests.helpers.checked_faults import (
+    Check,
+    OfEngine,
+    OfFormulas,
+    Planted,
+    checks_of,
+    noticed,
+    passes,
+)
+from tests.helpers.mutants import in_decisions, in_text, in_tree
+from tests.scene import test_edges, test_tiles
 
 pytestmark = [pytest.mark.xdist_group("edge_mutations"), pytest.mark.slow]
 
@@ -29,6 +38,16 @@ on_table = OfEngine(
 )
 errors_grow = OfEngine(
     test_edges.test_errors_grow_by_the_time_that_an_edge_is_uncertain_by, scene=test_edges.TABLE
+)
+on_tiles = OfEngine(
+    test_tiles.test_balls_that_roll_off_a_table_onto_tiles_are_rarely_uncertain,
+    scene=test_tiles.TILES,
+)
+at_apexes = OfEngine(
+    test_tiles.test_apexes_beside_an_edge_are_those_proved_or_flagged, scene=test_tiles.GAP
+)
+on_return = OfFormulas(
+    test_tiles.test_the_delay_of_a_return_holds_for_every_velocity_within_its_error
 )
 
 
@@ -93,13 +112,33 @@ FAULTS = (
         ),
         few_uncertain,
     ),
+    Planted(
+        "an apex is undecided beyond the bounds, too",
+        in_text(plane.PlaneSearch, "nodes", "if self.returns:", "if False:"),
+        on_tiles,
+    ),
+    Planted(
+        "a contact is at the apex itself",
+        in_decisions(predicates, "_graze_delay = 3 * sp.sqrt(", "_graze_delay = 0 * sp.sqrt("),
+        at_apexes,
+    ),
+    Planted(
+        "a return has the margin of any other arrival",
+        in_text(plane.PlaneSearch, "formulas", "if self.returns:", "if False:"),
+        on_tiles,
+    ),
+    Planted(
+        "the margin of a return is a sixty-fourth",
+        in_text(plane, "returning_margin", "off.error * horizon", "off.error * horizon / 64"),
+        on_return,
+    ),
 )
 
 CHECKS = checks_of(FAULTS)
 
 
 @pytest.mark.parametrize("check", CHECKS, ids=lambda check: f"{check.name}")
-def test_without_a_fault_every_check_passes(check: OfEngine, tmp_path: Path) -> None:
+def test_without_a_fault_every_check_passes(check: Check, tmp_path: Path) -> None:
     passes(check, tmp_path)
 
 

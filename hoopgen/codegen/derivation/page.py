@@ -21,7 +21,7 @@ from hoopgen.derive.events import (
     root_search,
     search_for,
 )
-from hoopgen.derive.events.plane import plane_margin
+from hoopgen.derive.events.plane import PlaneSearch, plane_margin
 from hoopgen.derive.events.ring import air as ring_in_air
 from hoopgen.derive.events.ring import double, polar, single
 from hoopgen.derive.events.root_search import RootSearch
@@ -95,6 +95,8 @@ class PageData:
         True if gravity cannot be zero along its axis.
     turned
         True if a box is turned.
+    returns
+        True if bounces on a plane can become ever smaller until the ball rolls.
     air
         The air that the ball flies through; None: there is none, and no flight has pieces.
     """
@@ -118,6 +120,7 @@ class PageData:
     searches: tuple[SearchText, ...]
     flight_rounding: Formulas
     plane_margins: Formulas
+    returns: bool
     displacement: Formulas
     outline: str
     kernels: Mapping[str, KernelText]
@@ -372,6 +375,7 @@ def derivation_context(model: Model, reference: PageData | None = None) -> PageD
             notation,
         ),
         plane_margins=explain(margins, {}, notation),
+        returns=any(isinstance(s.search, PlaneSearch) and s.search.returns for s in model.surfaces),
         displacement=explain(
             {r"\epsilon": event_polynomials.displacement(flight, lengths)}, {}, notation
         ),

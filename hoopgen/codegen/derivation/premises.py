@@ -82,7 +82,7 @@ PREMISES: dict[str, Premise] = {
     "plane_first": Premise(
         LEMMA,
         "the only arrival on a plane",
-        _kernels("plane.arrival end.arrival common.plane_root common.graze_undecided"),
+        _kernels("plane.arrival end.arrival common.plane_root common.graze_*"),
     ),
     "impact": Premise(
         DEFINITION,
