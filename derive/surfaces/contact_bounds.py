@@ -47,5 +47,7 @@ def at_contact(
         for place, component in zip(POSITION, surface.normal, strict=True)
     )
     there = dict(zip(POSITION, touched, strict=True))
-    stretch = barrier(ROUNDINGS * barrier(1 + barrier(ball_radius * surface.curvature)))
+    # R (1/R + kappa): the number 1 in a sum would count as a length of the scene.
+    bend = barrier(barrier(1 / ball_radius) + barrier(surface.curvature))
+    stretch = barrier(barrier(ROUNDINGS * ball_radius) * bend)
     return tuple(barrier(as_length(bound).xreplace(there)) / stretch for bound in bounds)

@@ -3,12 +3,16 @@
 from __future__ import annotations
 
 import math
-from pathlib import Path
+from collections.abc import Callable
+from functools import cache
 from typing import Any
 
 import numpy as np
 import pytest
 import sympy as sp
+from hoopgen.derive.events.box import BoxRootFinder
+from hoopgen.derive.ir.kernel import kernel
+from hoopgen.derive.surfaces import Box as DerivedBox
 from hoopgen.derive.surfaces import Cone as DerivedCone
 from hoopgen.derive.surfaces import ObliqueTorus, at_contact
 from hoopgen.derive.symbolic.conditionals import release
@@ -20,7 +24,7 @@ pytest.importorskip("flint")
 import hoopgen
 from hoopgen.scene import Box, Cone, End, Parameter, Revolution, Scene, Torus
 from hoopgen.simulation.engine import Engine
-from tests.helpers.derived import engine_of
+from tests.helpers.derived import engine_of, evaluation
 from tests.helpers.effort import exceptions, occurrences, trials
 from tests.helpers.slow_scene import Slow
 from tests.scene.test_oblique_bodies import aimed_at, rotated
@@ -82,10 +86,19 @@ def shots_for(count: int, seed: int) -> tuple[Floats, dict[str, Any]]:
     return aimed_at([(0, 0, 0)], count, seed), values | {"wide": chance.uniform(0.15, 0.5, count)}
 
 
+@pytest.fixture(scope="module")
+def engine(tmp_path_factory: pytest.TempPathFactory) -> Callable[[str], Engine]:
+    """Return the function from the name of a scene to its engine, printed once."""
+    return cache(lambda which: engine_of(SCENES[which], tmp_path_factory.mktemp(which)))
+
+
+Engines = Callable[[str], Engine]
+
+
 @pytest.mark.parametrize("which", SCENES)
-def test_shots_at_bodies_with_bounds_are_as_proved(which: str, tmp_path: Path) -> None:
+def test_shots_at_bodies_with_bounds_are_as_proved(which: str, engine: Engines) -> None:
     """10,000 shots in all, each with its own directions and bounds."""
-    check_proofs(engine_of(SCENES[which], tmp_path), trials(1500, at_least=400))
+    check_proofs(engine(which), trials(1500, at_least=400))
 
 
 def check_proofs(engine: Engine, count: int = 400) -> None:
@@ -104,8 +117,8 @@ def check_proofs(engine: Engine, count: int = 400) -> None:
 
 
 @pytest.mark.parametrize("which", SCENES)
-def test_an_independent_integrator_meets_the_same_parts(which: str, tmp_path: Path) -> None:
-    check_integrator(engine_of(SCENES[which], tmp_path), SCENES[which])
+def test_an_independent_integrator_meets_the_same_parts(which: str, engine: Engines) -> None:
+    check_integrator(engine(which), SCENES[which])
 
 
 def check_integrator(engine: Engine, made: Scene) -> None:
@@ -126,8 +139,15 @@ def check_integrator(engine: Engine, made: Scene) -> None:
     assert compared > 8
 
 
-def test_a_scene_turned_about_the_vertical_gives_the_turned_shots(tmp_path: Path) -> None:
-    engine, count = engine_of(SCENES["hoop"], tmp_path), trials(1000, at_least=300)
+@pytest.mark.parametrize("which", ["hoop", "cup", "paddle"])
+def test_a_scene_turned_about_the_vertical_gives_the_turned_shots(
+    which: str, engine: Engines
+) -> None:
+    check_turned(engine(which), trials(1000, at_least=300))
+
+
+def check_turned(engine: Engine, count: int) -> None:
+    """Turn shots, directions and bounds alike."""
     (states, values), angle = shots_for(count, 3), np.random.default_rng(4).uniform(-3, 3, count)
     turn = np.zeros((count, 3, 3))
     turn[:, 0, 0] = turn[:, 1, 1] = np.cos(angle)
@@ -147,6 +167,81 @@ def test_a_scene_turned_about_the_vertical_gives_the_turned_shots(tmp_path: Path
     assert (one.counts == other.counts)[sure].all()
     away = np.abs(turned(one.state) - other.state).reshape(-1, 3, 3).max(axis=2)
     assert (away <= one.state_error + other.state_error)[sure].all()
+
+
+@pytest.mark.parametrize("which", ["ring", "crate"])
+def test_few_shots_through_parts_that_are_not_there_are_uncertain(
+    which: str, engine: Engines
+) -> None:
+    check_few_uncertain(engine(which))
+
+
+def check_few_uncertain(engine: Engine) -> None:
+    """Steps to the way out of a body are long enough: no search gives up."""
+    states, values = shots_for(2000, 7)
+    shots = engine.simulate(states, values, max_contacts=MOST, fields=("outcome", "uncertain"))
+    valid = shots.outcome != engine.outcomes["INVALID"]
+    assert np.sum(shots.uncertain & valid) < 3
+
+
+def test_the_gap_of_a_ball_on_its_way_out_of_a_box_bends_no_more_than_its_bound() -> None:
+    """Nor is the bound that of the whole flight."""
+    derived, width, count = SCENES["crate"].derive(), sp.Symbol("width", positive=True), 1000
+    box = derived.bodies[0].faces[0]
+    assert isinstance(box, DerivedBox)
+    finder, chance = BoxRootFinder(derived.flight, box), np.random.default_rng(10)
+    outputs = {"C": finder.ceiling, "M": finder.turned_curvature(width), "bend": finder.bend}
+    symbols = set().union(*(e.free_symbols for e in outputs.values()))
+    values = {p.name: np.full(count, p.default) for p in derived.parameters}
+    values |= {f"v{axis}": chance.normal(0, 3, count) for axis in "xyz"}
+    half = np.array([0.25, 0.15, 0.1]) + BALL
+    start = half[:, None] * chance.uniform(-1, 1, (3, count))
+    values |= dict(zip("xyz", start, strict=True))
+    values |= {"t": np.zeros(count), "width": 10 ** chance.uniform(-3, -1, count)}
+    values |= {str(symbol): np.zeros(count) for symbol in symbols if str(symbol) not in values}
+    values["horizon"] = np.full(count, 10.0)
+    found = {name: one_of({name: formula}) for name, formula in outputs.items()}
+    values["ceiling"] = most = found["C"](values)
+    bound, met = found["M"](values), 0
+    for share in np.linspace(0, 1, 9):
+        time = share * values["width"]
+        there = start + time * np.array([values[f"v{axis}"] for axis in "xyz"])
+        there[2] -= 9.81 / 2 * time**2
+        near = (abs(there) <= half[:, None]).all(axis=0)
+        met += near.sum()
+        assert (found["bend"](values | {"t": time}) <= bound)[near].all()
+    assert met > 3 * count
+    assert (bound < most / 4).mean() > 0.9
+
+
+def one_of(output: dict[str, sp.Expr]) -> Callable[[dict[str, Floats]], Floats]:
+    """Return the function from values by name to one formula, in doubles."""
+    (formula,) = output.values()
+    order = sorted(formula.free_symbols, key=str)
+    run = evaluation(kernel("sample", output, order, "A sample.", "Eq. 2"), tuple(order))
+    return lambda values: np.asarray(run(*(values[str(symbol)] for symbol in order))[0])
+
+
+@pytest.mark.parametrize("which", ["crate", "paddle"])
+def test_a_ball_may_start_where_a_box_is_not_there(which: str, engine: Engines) -> None:
+    check_starts(engine(which), SCENES[which])
+
+
+def check_starts(engine: Engine, made: Scene) -> None:
+    """Compare starts with geometry that shares no code."""
+    states, values = shots_for(300, 8)
+    states[:, :3] = np.random.default_rng(9).uniform(-0.2, 0.2, (300, 3))
+    shots = engine.simulate(states, values, max_contacts=1, fields=("outcome",))
+    valid = shots.outcome != engine.outcomes["INVALID"]
+    overlaps = np.zeros((2, 300))
+    for row, state in enumerate(states):
+        slow = Slow(made, {name: float(value[row]) for name, value in values.items()})
+        overlaps[:, row] = slow.overlap(state[:3])
+    away, side = overlaps
+    clear = np.minimum(abs(away), abs(side)) > 1e-7
+    assert (valid == ((away > 0) | (side > 0)))[clear].all()
+    assert (valid & (away < 0)).sum() > 30
+    assert (~valid).sum() > 30
 
 
 def test_c_and_numpy_give_the_same_bits() -> None:
