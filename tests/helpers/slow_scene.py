@@ -115,17 +115,9 @@ class Slow:
                 across = p - centre - height * unit
                 return np.asarray(centre + there * unit + across * (radius / flat(p)[0]))
 
-            def within(p: Vector) -> float:
-                return max(beyond(flat(p)), whole.within(nearest(p)))
-
-            return Face(
-                index,
-                lambda p: float(np.linalg.norm(foot(flat(p)) - flat(p))) - self._ball,
-                nearest,
-                within,
-                whole.restitution,
-                of_centre=True,
-            )
+            away = lambda p: np.linalg.norm(foot(flat(p)) - flat(p)) - self._ball  # noqa: E731
+            within = lambda p: max(beyond(flat(p)), whole.within(nearest(p)))  # noqa: E731
+            return Face(index, away, nearest, within, whole.restitution, of_centre=True)
 
         faces = [
             face(

@@ -161,6 +161,11 @@ def check_turned(engine: Engine, count: int) -> None:
 
     one = engine.simulate(states, values, max_contacts=MOST, fields=CLAIMS)
     after = rotated(values, angle)
+    # The quaternion of a turn about z by that angle, times that of the body.
+    cosine, sine = np.cos(angle / 2), np.sin(angle / 2)
+    w, i, j, k = (values[name] for name in named("turn", 4))
+    parts = (cosine * w - sine * k, cosine * i - sine * j, cosine * j + sine * i)
+    after |= dict(zip(named("turn", 4), (*parts, cosine * k + sine * w), strict=True))
     other = engine.simulate(turned(states), after, max_contacts=MOST, fields=CLAIMS)
     sure = (one.outcome != engine.outcomes["INVALID"]) & ~one.uncertain & ~other.uncertain
     assert sure.mean() > 0.9
@@ -244,8 +249,9 @@ def check_starts(engine: Engine, made: Scene) -> None:
     assert (~valid).sum() > 30
 
 
-def test_c_and_numpy_give_the_same_bits() -> None:
-    engine = hoopgen.compile(SCENES["paddle"])
+@pytest.mark.parametrize("which", ["hoop", "cup", "paddle", "funnel"])
+def test_c_and_numpy_give_the_same_bits(which: str) -> None:
+    engine = hoopgen.compile(SCENES[which])
     states, values = shots_for(trials(1000, at_least=300), 5)
     one = engine.simulate(states, values, max_contacts=MOST, fields=CLAIMS)
     other = engine.simulate(states, values, max_contacts=MOST, backend="numpy", fields=CLAIMS)
