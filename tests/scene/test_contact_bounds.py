@@ -261,7 +261,7 @@ def test_c_and_numpy_give_the_same_bits(which: str) -> None:
 
 
 def test_a_bound_of_contacts_is_a_length() -> None:
-    """It changes by at most the way of the centre, and hardly by the roundings of its formula.
+    """A bound changes by at most the way of the centre, and hardly by the roundings of its formula.
 
     On tori near the axis and in narrow cones points of contact move much faster than the centre.
     """
