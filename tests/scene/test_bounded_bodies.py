@@ -1,4 +1,4 @@
-"""Tori and boxes with bounds in air, and bodies with bounds that hostile values make absurd."""
+"""Tori with bounds in air, and bodies with bounds that hostile values make absurd."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from tests.scene.test_contact_bounds import CLAIMS, CUT, SCENES, named, shots_fo
 pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("bounded_bodies")]
 
 
-@pytest.mark.parametrize("which", ["ring", "crate"])
+@pytest.mark.parametrize("which", ["ring"])
 def test_shots_in_air_are_as_proved(which: str, tmp_path: Path) -> None:
     engine = engine_of(replace(SCENES[which], name=f"{which}_in_air", air=True), tmp_path)
     count = trials(200, at_least=60)
@@ -34,7 +34,7 @@ def test_shots_in_air_are_as_proved(which: str, tmp_path: Path) -> None:
     assert shots.counts[valid].sum() > occurrences(count // 20)
 
 
-@pytest.mark.parametrize("which", ["hoop", "paddle"])
+@pytest.mark.parametrize("which", ["hoop"])
 @pytest.mark.filterwarnings("ignore::RuntimeWarning")
 def test_absurd_values_harm_their_own_rows_alone(which: str, tmp_path: Path) -> None:
     engine, count = engine_of(SCENES[which], tmp_path), 200

@@ -249,7 +249,7 @@ def check_starts(engine: Engine, made: Scene) -> None:
     assert (~valid).sum() > 30
 
 
-@pytest.mark.parametrize("which", ["hoop", "cup", "paddle", "funnel"])
+@pytest.mark.parametrize("which", ["paddle"])
 def test_c_and_numpy_give_the_same_bits(which: str) -> None:
     engine = hoopgen.compile(SCENES[which])
     states, values = shots_for(trials(1000, at_least=300), 5)
