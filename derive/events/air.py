@@ -309,6 +309,10 @@ class AirBoxRootFinder(BoxRootFinder):
             sums.append(minimum(barrier(absolute(e) + drift), self._reach))
         return 2 * barrier(self._pull * barrier(sp.Add(*sums))) + sp.Rational(1, 2**40) * ceiling
 
+    def _fastest_within(self, width: sp.Expr) -> list[sp.Expr]:
+        """Return a bound on the size of each velocity within a window."""
+        return [absolute(v) + self._pull * width for _, v, _ in self._moving()]
+
     @property
     def _pull(self) -> sp.Expr:
         """A bound on the acceleration along each axis of the box."""

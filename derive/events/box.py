@@ -120,6 +120,15 @@ class BoxRootFinder(RootFinder):
         slack = sp.Rational(1, 2**40) * ceiling
         return 2 * barrier(sp.Add(*most)) + slack
 
+    def turned_curvature(self, width: sp.Expr) -> sp.Expr:
+        """Return 2 Σ (v² + |e a|) with the largest v and e."""
+        squares = (barrier(fastest) ** 2 for fastest in self._fastest_within(width))
+        return barrier(self.curvature(width) + 2 * barrier(sp.Add(*squares)))
+
+    def _fastest_within(self, width: sp.Expr) -> list[sp.Expr]:
+        """Return a bound on the size of each velocity within a window."""
+        return [absolute(v) + absolute(a) * width for _, v, a in self._moving()]
+
     @property
     def ceiling(self) -> sp.Expr:
         """The sum of the largest sizes of the terms of F''."""

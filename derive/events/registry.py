@@ -19,6 +19,7 @@ from ..surfaces import (
     Ring,
     Surface,
 )
+from ..surfaces.torus import Toroidal
 from .air import AirBoxRootFinder, AirRootFinder
 from .box import BoxRootFinder
 from .end_plane import EndPlaneRootSearch, EndPlaneSearch
@@ -76,7 +77,9 @@ def _general(surface: Surface, flight: Flight) -> Search | None:
     # The polynomial in time is that of the path, which must be the flight itself.
     if not flight.exact:
         return None
-    return RootSearch(surface, flight, PolynomialRootFinder(flight, surface))
+    # The way out of the part of a tube that is not there bends much less than the largest |F''|.
+    two_sided = isinstance(surface, Toroidal) and bool(surface.bounds)
+    return RootSearch(surface, flight, PolynomialRootFinder(flight, surface, two_sided=two_sided))
 
 
 SEARCHES: tuple[tuple[type[Surface], type[Flight], SearchFactory], ...] = (

@@ -6,6 +6,7 @@ from .body import Body, body
 from .bounds import as_length
 from .box import Box
 from .cone import Cone
+from .contact_bounds import at_contact
 from .cylinder import Cylinder
 from .end_plane import EndPlane
 from .implicit import ImplicitSurface
@@ -37,5 +38,6 @@ __all__ = [
     "Torus",
     "body",
     "as_length",
+    "at_contact",
     "torus",
 ]

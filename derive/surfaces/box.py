@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import sympy as sp
 
 from ..symbolic.conditionals import And, Choose, Less, Or, barrier, maximum
 from ..symbolic.symbols import POSITION, VELOCITY
+from .contact_bounds import at_contact
 from .rolling_surface import RollingSurface
 from .surface import Point, Surface, overlap
 
@@ -27,11 +28,14 @@ class Box(Surface):
         Its corners with the smallest and the largest coordinates.
     radius
         R_B.
+    contact_bounds
+        Bounds (Eq. 2) of the point of contact: polynomials in its coordinates.
     """
 
     low: Point
     high: Point
     radius: sp.Expr
+    contact_bounds: tuple[sp.Expr, ...] = field(default=(), kw_only=True)
 
     @property
     def polynomial(self) -> bool:
@@ -134,9 +138,14 @@ class Box(Surface):
         return RollingSurface((x, y, z), 1 / self.radius, seams=tuple(seams))
 
     @property
+    def bounds(self) -> tuple[sp.Expr, ...]:
+        """The bounds of the point of contact, the nearest point of the box."""
+        return at_contact(self.contact_bounds, self, self.radius)
+
+    @property
     def inside(self) -> tuple[sp.Expr, ...]:
-        """The distance itself."""
-        return overlap(self.distance, (), None)
+        """The distance itself, and the bounds."""
+        return overlap(self.distance, self.bounds, None)
 
 
 def seam_width(*lengths: sp.Expr) -> sp.Expr:

@@ -32,6 +32,8 @@ class ObliqueBox(Box):
         The centre of the box.
     orientation
         The quaternion that turns the scene's axes onto those of the box, about of length 1.
+    contact_bounds
+        Bounds (Eq. 2) of the point of contact: polynomials in its coordinates, those of the scene.
     """
 
     centre: Point

@@ -6,13 +6,22 @@ of a turned box are those of one along the axes, seen from its centre along its 
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import product
 
 import sympy as sp
 
-from hoopgen.derive.surfaces import Box, Cylinder, ObliqueBox, Plane, Sphere, Surface
+from hoopgen.derive.surfaces import (
+    Box,
+    Cylinder,
+    ObliqueBox,
+    Plane,
+    Sphere,
+    Surface,
+    at_contact,
+)
 from hoopgen.derive.surfaces.rotation import scaled_rotation, squared_norm, times, transposed
+from hoopgen.derive.symbolic.conditionals import release
 from hoopgen.derive.symbolic.symbols import POSITION
 
 
@@ -37,15 +46,23 @@ def _part(box: Box, side: tuple[int, ...]) -> Surface:
     centre, bounds = (corner[0], corner[1], corner[2]), tuple(limits)
     touching = [k for k, beyond in enumerate(side) if beyond]
     if len(touching) == 3:
-        return Sphere(box.name, centre, box.radius, bounds)
+        corner_part = Sphere(box.name, centre, box.radius, bounds)
+        return replace(corner_part, limits=(*bounds, *_within(box, corner_part)))
     if len(touching) == 2:
         along = tuple(int(k not in touching) for k in range(3))
-        return Cylinder(box.name, centre, along, box.radius, bounds)
+        edge = Cylinder(box.name, centre, along, box.radius, bounds)
+        return replace(edge, limits=(*bounds, *_within(box, edge)))
     (axis,) = touching
     towards = tuple(int(k == axis) * side[axis] for k in range(3))
     offset = side[axis] * corner[axis] + box.radius
     inner = tuple(bound for bound in bounds if POSITION[axis] not in bound.free_symbols)
-    return Plane(box.name, (towards[0], towards[1], towards[2]), offset, box.radius, inner)
+    face = Plane(box.name, (towards[0], towards[1], towards[2]), offset, box.radius, inner)
+    return replace(face, limits=(*inner, *_within(box, face)))
+
+
+def _within(box: Box, part: Surface) -> tuple[sp.Expr, ...]:
+    """Return the bounds of the box where the ball touches a part of it."""
+    return at_contact(box.contact_bounds, part, box.radius)
 
 
 def _own(box: ObliqueBox) -> Box:
@@ -90,8 +107,9 @@ class _TurnedPart(Surface):
 
     @property
     def bounds(self) -> tuple[sp.Expr, ...]:
-        """The part's bounds, turned."""
-        return tuple(_turned(bound, self.box) for bound in self.part.bounds)
+        """The part's bounds, turned, and those of the box."""
+        own = (_turned(bound, self.box) for bound in self.part.bounds)
+        return (*own, *_within(self.box, self))
 
     @property
     def normal(self) -> sp.Matrix:
@@ -106,14 +124,23 @@ class _TurnedPart(Surface):
         return tuple(_turned(expression, self.box) for expression in self.part.inside)
 
 
-def box_solid(box: Box) -> tuple[sp.Expr]:
-    """Return the squared distance from a box less R_B², negative if the ball overlaps it."""
-    if isinstance(box, ObliqueBox):
-        (own,) = box_solid(_own(box))
-        return (_turned(own, box),)
-    squares = []
-    for place, low, high in zip(POSITION, box.low, box.high, strict=True):
+def box_solid(box: Box) -> tuple[sp.Expr, ...]:
+    """Return the squared distance from a box less R_B², and the bounds at its nearest point.
+
+    All are negative if the ball overlaps the box where it exists.
+    """
+    own = _own(box) if isinstance(box, ObliqueBox) else box
+    beyond, squares = [], []
+    for place, low, high in zip(POSITION, own.low, own.high, strict=True):
         # The larger of q and 0 is (q + |q|)/2, which balls can say; only one of the two is not 0.
         above, below = ((q + sp.Abs(q)) / 2 for q in (place - high, low - place))
         squares += [above**2, below**2]
-    return (sp.Add(*squares, -(box.radius**2)),)
+        beyond.append(above - below)
+    away = sp.Add(*squares, -(own.radius**2))
+    if isinstance(box, ObliqueBox):
+        away, turned = _turned(away, box), [_turned(part, box) for part in beyond]
+        back = times(scaled_rotation(box.orientation), turned)
+        beyond = [part / squared_norm(box.orientation) ** 2 for part in back]
+    nearest = (place - part for place, part in zip(POSITION, beyond, strict=True))
+    there = dict(zip(POSITION, nearest, strict=True))
+    return (away, *(release(bound).xreplace(there) for bound in box.contact_bounds))

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 import numpy as np
 
 from .boxes import PARTS
 from .formulas import Formula
-from .meshes import Floats, Mesh, flat
+from .meshes import Bound, Floats, Mesh, flat, join
 from .parsed_shapes import Shape
 
 __all__ = ["BOXES", "box_extent", "box_mesh"]
@@ -20,7 +20,7 @@ Number = Callable[[Formula], float]
 """The value of a size of the scene."""
 
 
-def box_mesh(shape: Shape, number: Number, ball: float) -> Mesh:
+def box_mesh(shape: Shape, number: Number, bounds: Sequence[Bound], ball: float) -> Mesh:
     """Return the triangles of the six faces of a box.
 
     Parameters
@@ -29,19 +29,31 @@ def box_mesh(shape: Shape, number: Number, ball: float) -> Mesh:
         The box.
     number
         The value of its sizes.
+    bounds
+        Its bounds, functions of its points.
     ball
         The ball's radius, m.
     """
     low, high, axes, centre = _placed(shape, number)
-    faces = [
-        flat(axis, way, float((high if way > 0 else low)[axis]), (low, high), ball, ()).corners
-        for axis in range(3)
-        for way in (-1, 1)
-    ]
-    corners = np.concatenate(faces)
-    if shape.kind == "oblique box":
-        corners = (corners.reshape(-1, 3, 2, 3) @ axes + centre).reshape(corners.shape)
-    return Mesh.from_corners(corners)
+
+    def turned(points: Floats) -> Floats:
+        return points if shape.kind == "box" else np.asarray(points @ axes + centre)
+
+    def placed(bound: Bound) -> Bound:
+        return lambda points: bound(turned(points))
+
+    own = [placed(bound) for bound in bounds]
+    faces = []
+    for axis in range(3):
+        for way in (-1, 1):
+            at = float((high if way > 0 else low)[axis])
+            face = flat(axis, way, at, (low, high), 0.0, own)
+            face.corners[..., 3 + axis] += way * ball
+            faces.append(face)
+    whole = join(*faces)
+    corners = whole.corners.reshape(-1, 3, 2, 3)
+    parts = np.zeros(len(corners), np.int64)
+    return Mesh(turned(corners).reshape(-1, 3, 6), turned(whole.rims), parts)
 
 
 def box_extent(shape: Shape, number: Number) -> tuple[list[float], list[float]]:

@@ -6,6 +6,7 @@ The only module of this package that imports SymPy itself.
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 
 import sympy as sp
 
@@ -28,6 +29,8 @@ from hoopgen.derive.surfaces import (
     Plane,
     Sphere,
     Surface,
+    Torus,
+    at_contact,
     torus,
 )
 from hoopgen.derive.surfaces.directions import along, squared_distance, squared_length
@@ -186,12 +189,24 @@ class _Builder:
         return bounds, radius - self._ball, self._ball if bounds else None
 
     def _torus(self, shape: Shape) -> tuple[Surface, ...]:
-        radius, reach = self._tube(shape)
-        return (torus(shape.name, self._centre(shape), _direction(shape.axis), radius, reach),)
+        kind = Torus if shape.bounds else torus
+        made = kind(shape.name, self._centre(shape), _direction(shape.axis), *self._tube(shape))
+        return self._within(shape, made)
 
     def _oblique_torus(self, shape: Shape) -> tuple[Surface, ...]:
         direction = self._vector(shape, "direction")
-        return (ObliqueTorus(shape.name, self._centre(shape), direction, *self._tube(shape)),)
+        made = ObliqueTorus(shape.name, self._centre(shape), direction, *self._tube(shape))
+        return self._within(shape, made)
+
+    def _within(self, shape: Shape, *faces: Surface) -> tuple[Surface, ...]:
+        """Return the faces of a body where its points of contact are within its bounds."""
+        given = self._bounds(shape)
+        if not given:
+            return faces
+        return tuple(
+            replace(face, limits=(*face.limits, *at_contact(given, face, self._ball)))  # type: ignore[attr-defined, call-arg]
+            for face in faces
+        )
 
     def _tube(self, shape: Shape) -> tuple[sp.Expr, sp.Expr]:
         """Return the radius of a torus, and the reach of its tube, which leaves a hole."""
@@ -204,13 +219,17 @@ class _Builder:
             tuple(self._sympy(shape[f"{end} {axis}"]) for axis in "xyz") for end in ("from", "to")
         )
         self._requirements += [b - a for a, b in zip(low, high, strict=True)]
-        return (Box(shape.name, (low[0], low[1], low[2]), (high[0], high[1], high[2]), self._ball),)
+        low, high = ((x, y, z) for x, y, z in (low, high))
+        bounds = self._bounds(shape)
+        return (Box(shape.name, low, high, self._ball, contact_bounds=bounds),)
 
     def _oblique_box(self, shape: Shape) -> tuple[Surface, ...]:
         high, centre = self._vector(shape, "half"), self._centre(shape)
         low = (-high[0], -high[1], -high[2])
         w, x, y, z = (self._sympy(shape[f"orientation {part}"]) for part in PARTS)
-        return (ObliqueBox(shape.name, low, high, self._ball, centre, (w, x, y, z)),)
+        turn, bounds = (w, x, y, z), self._bounds(shape)
+        made = ObliqueBox(shape.name, low, high, self._ball, centre, turn, contact_bounds=bounds)
+        return (made,)
 
     def _surface(self, shape: Shape) -> tuple[Surface, ...]:
         condition = self._polynomial(shape.condition)
@@ -243,7 +262,7 @@ class _Builder:
         """Return the side of a cone, and, if the ball can touch it, its apex."""
         bounds = self._span(shape, "apex", "contact from", "contact to")
         apex, direction = self._vector(shape, "apex"), self._vector(shape, "direction")
-        shell = self._ball if shape.inside and bounds else None
+        shell = self._ball if shape.inside and (bounds or shape.bounds) else None
         side = Cone(
             shape.name,
             self._vector(shape, "contact apex"),
@@ -254,14 +273,15 @@ class _Builder:
             shell,
         )
         if shape.inside or "span from" in dict(shape.sizes):
-            return (side,)
-        return (side, Sphere(f"{shape.name}_apex", apex, self._ball, (-bounds[0],)))
+            return self._within(shape, side)
+        tip = Sphere(f"{shape.name}_apex", apex, self._ball, (-bounds[0],))
+        return self._within(shape, side, tip)
 
     def _revolution(self, shape: Shape) -> tuple[Surface, ...]:
         assert isinstance(shape, RevolvedShape)
         faces, required = revolution_faces(shape, self._sympy, self._ball)
         self._requirements += required
-        return faces
+        return self._within(shape, *faces)
 
     def _span(self, shape: Shape, origin: str, low: str, high: str) -> tuple[sp.Expr, ...]:
         """Return the bounds of a span along a direction, from a point."""

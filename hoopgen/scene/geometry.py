@@ -17,18 +17,31 @@ from .bounds import Terms, is_along, linear_powers
 from .box_geometry import BOXES, box_extent, box_mesh
 from .engine_pieces import scene_pieces
 from .formulas import Formula
-from .meshes import Bound, Box, Floats, Mesh, contact_mesh, cut, flat, grid, join, level_set, walls
-from .oblique_geometry import FLAT, OBLIQUE, oblique_axes, oblique_extent, oblique_mesh
+from .meshes import (
+    Bound,
+    Box,
+    Floats,
+    Mesh,
+    contact_mesh,
+    cut,
+    flat,
+    grid,
+    join,
+    level_set,
+    walls,
+)
+from .oblique_geometry import FLAT, OBLIQUE, oblique_extent, oblique_mesh
 from .parsed_shapes import RevolvedShape, Shape
 from .polynomials import derivative, evaluate
 from .revolution_geometry import is_hollow, revolution_extent, revolution_mesh
 from .scene import Scene
+from .torus_geometry import torus_extent, torus_lines, torus_mesh
 from .upright import acceleration, upright
 
 __all__ = ["Body", "SceneGeometry"]
 
-_TURN_PIECES, _HALF_TURN_PIECES, _WIRE_PIECES, _SECTOR_PIECES = 48, 24, 12, 4
-"""Pieces of a turn, of a half one, of a wire's, and of a ring's that are drawn together."""
+_TURN_PIECES, _HALF_TURN_PIECES = 48, 24
+"""Pieces of a turn and of a half one."""
 
 _PATH_MARGIN = 1.25  # visible room around a path, ball radii
 
@@ -205,7 +218,8 @@ class SceneGeometry:
 
     def _body(self, shape: Shape, room: Box) -> Body:
         if isinstance(shape, RevolvedShape):
-            mesh = revolution_mesh(shape, self._number, room, self.ball_radius)
+            bounds = self._bounds(shape.bounds)
+            mesh = revolution_mesh(shape, self._number, bounds, room, self.ball_radius)
             return Body(shape.name, mesh, is_hollow(shape), np.empty((0, 2, 3)))
         if shape.kind in OBLIQUE:
             bounds = self._bounds(shape.bounds)
@@ -222,9 +236,8 @@ class SceneGeometry:
             "surface": self._surface,
         }[shape.kind](shape, room)
         lines = np.empty((0, 2, 3))
-        if shape.kind.endswith("torus") and self._number(shape["wire"]) == 0.0:
-            line = self._circle(shape)
-            lines = np.stack([line, np.roll(line, -1, axis=0)], 1)
+        if shape.kind.endswith("torus"):
+            lines = torus_lines(shape, self._number, self._bounds(shape.bounds))
         return Body(shape.name, made, shape.kind == "plane" or shape.inside, lines)
 
     def _plane(self, shape: Shape, room: Box) -> Mesh:
@@ -309,36 +322,12 @@ class SceneGeometry:
         return cut(whole, self._bounds(shape.bounds), walls(room))
 
     def _torus(self, shape: Shape, room: Box) -> Mesh:
-        wire = self._number(shape["wire"])
-        if wire == 0.0:
-            return Mesh.from_corners(np.empty((0, 3, 6)))
-        circle, centre = self._circle(shape), self._centre(shape)
-        out = (circle - centre) / self._number(shape["radius"])
-        along = self._axes(shape)[2]
-        v = np.linspace(0.0, 2.0 * np.pi, _WIRE_PIECES, endpoint=False)
-        unit = np.cos(v)[:, None] * out[:, None] + np.sin(v)[:, None] * along
-        corners = grid(
-            contact_mesh(circle[:, None] + wire * unit, unit, self.ball_radius), (True, True)
-        )
-        parts = np.arange(len(corners)) // (2 * _WIRE_PIECES * _SECTOR_PIECES)
-        return cut(Mesh.from_corners(corners, parts), (), walls(room))
-
-    def _circle(self, shape: Shape) -> Floats:
-        first, second, _ = self._axes(shape)
-        u = np.linspace(0.0, 2.0 * np.pi, 2 * _TURN_PIECES, endpoint=False)[:, None]
-        unit = np.cos(u) * first + np.sin(u) * second
-        around: Floats = self._centre(shape) + self._number(shape["radius"]) * unit
-        return around
-
-    def _axes(self, shape: Shape) -> Floats:
-        """Return the axes of a torus, of which the third is its own, in rows, (3, 3)."""
-        if shape.kind == "oblique torus":
-            return oblique_axes(shape, self._number)
-        axis = shape.axis[0]
-        return np.eye(3)[[(axis + 1) % 3, (axis + 2) % 3, axis]]
+        bounds = self._bounds(shape.bounds)
+        return torus_mesh(shape, self._number, bounds, room, self.ball_radius)
 
     def _box(self, shape: Shape, room: Box) -> Mesh:
-        return cut(box_mesh(shape, self._number, self.ball_radius), (), walls(room))
+        bounds = self._bounds(shape.bounds)
+        return cut(box_mesh(shape, self._number, bounds, self.ball_radius), (), walls(room))
 
     def _surface(self, shape: Shape, room: Box) -> Mesh:
         condition = self._bounds([shape.condition])[0]
@@ -369,12 +358,11 @@ class SceneGeometry:
             return box_extent(shape, self._number)
         if shape.kind in OBLIQUE:
             return oblique_extent(shape, self._number)
+        if shape.kind.endswith("torus"):
+            return torus_extent(shape, self._number)
         if shape.kind in ("plane", "surface"):
             return [-np.inf] * 3, [np.inf] * 3
         centre, reach = self._centre(shape), np.full(3, self._number(shape["radius"]))
-        if shape.kind.endswith("torus"):
-            reach *= np.sqrt(np.maximum(1.0 - self._axes(shape)[2] ** 2, 0.0))
-            reach += self._number(shape["wire"])
         low, high = centre - reach, centre + reach
         if shape.kind == "cylinder":
             axis = shape.axis[0]

@@ -123,7 +123,9 @@ def _cut(inner: Floats, outer: Floats, low: Floats, high: Floats) -> Floats:
     return np.where(share == 1.0, outer, inner + share * (outer - inner))
 
 
-def cut(mesh: Mesh, bounds: Sequence[Bound], room: Sequence[Bound] = ()) -> Mesh:
+def cut(
+    mesh: Mesh, bounds: Sequence[Bound], room: Sequence[Bound] = (), *, touched: bool = False
+) -> Mesh:
     """Return the part of a mesh within bounds and within a room, whose walls leave no rims.
 
     Parameters
@@ -134,13 +136,15 @@ def cut(mesh: Mesh, bounds: Sequence[Bound], room: Sequence[Bound] = ()) -> Mesh
         Functions of points (..., 3), at most 0 on the surface.
     room
         The same for the walls of the room.
+    touched
+        Whether the bounds are those of points of the surface, not of the ball's centre.
     """
     corners, rims, parts = mesh.corners, mesh.rims, mesh.parts
     for bound, real in [*((b, True) for b in bounds), *((b, False) for b in room)]:
-        place = slice(3, 6) if real else slice(0, 3)
+        place = slice(3, 6) if real and not touched else slice(0, 3)
         corners, cuts, rows = clip(corners, bound(corners[..., place]))
         parts = parts[rows]
-        rims = _drop_outside(rims, bound) if len(rims) and not real else rims
+        rims = drop_outside(rims, bound) if len(rims) and not real else rims
         if real:
             rims = np.concatenate([rims, cuts[..., :3]])
     return Mesh(corners, rims, parts)
@@ -168,9 +172,11 @@ def walls(room: Box) -> list[Bound]:
     return [wall(axis, way) for axis in range(3) for way in (-1, 1)]
 
 
-def _drop_outside(segments: Floats, bound: Bound) -> Floats:
-    """Return the segments whose two ends are within a bound."""
-    return segments[(bound(segments) <= 0.0).all(axis=1)]
+def drop_outside(segments: Floats, *bounds: Bound) -> Floats:
+    """Return the segments (k, 2, 3) whose two ends are within bounds."""
+    for bound in bounds:
+        segments = segments[(bound(segments) <= 0.0).all(axis=1)]
+    return segments
 
 
 def grid(points: Floats, around: tuple[bool, bool]) -> Floats:

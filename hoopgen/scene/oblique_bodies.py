@@ -55,7 +55,8 @@ class ObliqueBody:
     inside
         Whether it is touched from inside.
     there
-        From the ball's centre to the point of contact; None where it takes no `within`.
+        From the ball's centre to the point of contact; None where it is not linear, and bounds are
+        kept as those of that point.
     """
 
     kind: str

@@ -8,7 +8,19 @@ from dataclasses import dataclass
 import numpy as np
 
 from .formulas import Formula
-from .meshes import Bound, Box, Floats, Mesh, contact_mesh, cut, flat, grid, join, walls
+from .meshes import (
+    Bound,
+    Box,
+    Floats,
+    Mesh,
+    contact_mesh,
+    cut,
+    drop_outside,
+    flat,
+    grid,
+    join,
+    walls,
+)
 from .parsed_shapes import Shape
 
 __all__ = ["FLAT", "OBLIQUE", "oblique_axes", "oblique_extent", "oblique_mesh"]
@@ -73,7 +85,7 @@ def oblique_mesh(
     number
         The value of its sizes.
     bounds
-        Its bounds, besides its circle or its span.
+        Its bounds, besides its circle or its span; of a cone they are functions of its points.
     room
         The lowest and the highest corner.
     ball
@@ -81,7 +93,7 @@ def oblique_mesh(
     """
     direction = _vector(shape, number, "direction")
     if shape.kind == "cone":
-        return _cone(shape, number, room, ball)
+        return _cone(shape, number, bounds, room, ball)
     if shape.kind == "oblique cylinder":
         return _cylinder(shape, number, bounds, room, ball)
     length = float(np.linalg.norm(direction))
@@ -155,7 +167,7 @@ def _cylinder(
     side = _revolved(shape, frame, heights, rows, np.array([1.0, 0.0]), ball)
     side = cut(side, bounds)
     if shape.inside:
-        return _with_rims(cut(side, (), walls(room)), frame, heights, rows, ends, room)
+        return _with_rims(cut(side, (), walls(room)), frame, heights, rows, ends, walls(room))
     # Bounds hold for a ball beside the rim.
     caps = [
         _cap(frame, at, radius, way, ball, ball, bounds)
@@ -164,7 +176,7 @@ def _cylinder(
     return cut(join(side, *caps), (), walls(room))
 
 
-def _cone(shape: Shape, number: Number, room: Box, ball: float) -> Mesh:
+def _cone(shape: Shape, number: Number, bounds: Sequence[Bound], room: Box, ball: float) -> Mesh:
     frame = _Frame.along(_vector(shape, number, "direction"), _vector(shape, number, "apex"))
     slope, ends = number(shape["slope"]), _ends(shape, number)
     high = min(float(frame.box(room)[1][2]), ends[1])
@@ -175,11 +187,11 @@ def _cone(shape: Shape, number: Number, room: Box, ball: float) -> Mesh:
     rows = slope * heights
     cosine = 1.0 / np.sqrt(1.0 + slope**2)
     side = _revolved(shape, frame, heights, rows, np.array([cosine, -slope * cosine]), ball)
-    side = cut(side, (), walls(room))
+    side = cut(side, bounds, walls(room), touched=True)
     if shape.inside:
-        return _with_rims(side, frame, heights, rows, ends, room)
+        return _with_rims(side, frame, heights, rows, ends, [*bounds, *walls(room)])
     caps = [
-        cut(_cap(frame, at, slope * at, way, ball, 0.0, ()), (), walls(room))
+        cut(_cap(frame, at, slope * at, way, ball, 0.0, ()), bounds, walls(room), touched=True)
         for way, at in ((-1, low), (1, high))
         if at in ends and at > 0.0
     ]
@@ -267,18 +279,15 @@ def _with_rims(
     heights: Floats,
     radii: Floats,
     ends: tuple[float, float],
-    room: Box,
+    bounds: Sequence[Bound],
 ) -> Mesh:
-    """Return a thin shell with the lines of its ends, as far as they are in the room."""
+    """Return a thin shell with the lines of its ends, as far as they are within bounds."""
     found = [mesh.rims]
     for at, radius in ((heights[0], radii[0]), (heights[-1], radii[-1])):
         if at in ends and radius > 0.0 and len(mesh.corners):
             line = _circle(frame, float(at), float(radius))
             segments = np.stack([line, np.roll(line, -1, axis=0)], 1)
-            kept = np.ones(len(segments), np.bool_)
-            for wall in walls(room):
-                kept &= (wall(segments) <= 0.0).all(axis=1)
-            found.append(segments[kept])
+            found.append(drop_outside(segments, *bounds))
     return Mesh(mesh.corners, np.concatenate(found), mesh.parts)
 
 

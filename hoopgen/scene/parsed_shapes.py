@@ -29,7 +29,8 @@ class Shape:
     law
         Of its contacts; None of an end.
     bounds
-        Where it is there, asked of the ball's centre.
+        Where it is there, asked of the ball's centre; of a torus, a box, a cone and a surface of
+        revolution asked of the point of contact.
     condition
         Of a surface of one's own.
     """

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 import numpy as np
 
 from .formulas import Formula
-from .meshes import Box, Floats, Mesh, contact_mesh, cut, grid, join, walls
+from .meshes import Bound, Box, Floats, Mesh, contact_mesh, cut, drop_outside, grid, join, walls
 from .oblique_geometry import oblique_axes
 from .parsed_shapes import RevolvedShape
 
@@ -24,7 +24,9 @@ def is_hollow(shape: RevolvedShape) -> bool:
     return any(line.inner and line.kind != "disc" for line in shape.profile.lines)
 
 
-def revolution_mesh(shape: RevolvedShape, number: Number, room: Box, ball: float) -> Mesh:
+def revolution_mesh(
+    shape: RevolvedShape, number: Number, bounds: Sequence[Bound], room: Box, ball: float
+) -> Mesh:
     """Return the triangles of one side of a surface of revolution, cut to a room.
 
     Parameters
@@ -33,6 +35,8 @@ def revolution_mesh(shape: RevolvedShape, number: Number, room: Box, ball: float
         The surface.
     number
         The value of its sizes.
+    bounds
+        Its bounds, functions of its points.
     room
         The lowest and the highest corner.
     ball
@@ -60,17 +64,15 @@ def revolution_mesh(shape: RevolvedShape, number: Number, room: Box, ball: float
         parts = np.arange(len(corners)) // (2 * _TURN_PIECES)
         real = np.linalg.norm(across, axis=1) > 0.0
         meshes.append(Mesh.from_corners(corners[real], parts[real]))
-    whole = cut(join(*meshes), (), walls(room))
+    whole = cut(join(*meshes), bounds, walls(room), touched=True)
     rims = [
         np.stack([circle, np.roll(circle, -1, axis=0)], 1)
         for radius, height in profile[_ends(shape)]
         if radius > 0.0
         for circle in [centre + radius * out + height * axes[2]]
     ]
-    lines = np.concatenate([np.empty((0, 2, 3)), *rims])
-    for wall in walls(room):
-        lines = lines[(wall(lines) <= 0.0).all(axis=1)]
-    return Mesh(whole.corners, lines, whole.parts)
+    lines = drop_outside(np.concatenate([np.empty((0, 2, 3)), *rims]), *bounds, *walls(room))
+    return Mesh(whole.corners, np.concatenate([whole.rims, lines]), whole.parts)
 
 
 def _ends(shape: RevolvedShape) -> list[int]:

@@ -42,13 +42,6 @@ AXES = {
 """Number of the coordinate and sign of the direction, by the name of an axis."""
 
 
-UNBOUNDED = (
-    "its points of contact are no linear function of the ball's centre; "
-    "a plane, a disc, a sphere, a cylinder and a Surface have bounds"
-)
-"""The reason why tori, boxes, cones and surfaces of revolution take no bounds."""
-
-
 @dataclass(frozen=True)
 class ParsedScene:
     """A scene whose arguments are formulas."""
@@ -252,7 +245,7 @@ def _body(
 ) -> Shape:
     owner, kind = f"body {body.name}", type(body).__name__.lower()
     law = contact(reader.inputs, owner, body, contacts)
-    there: Map | LinearMap | None
+    there: Map | LinearMap | None = None
     if isinstance(body, pieces.Plane):
         shape, there = _plane(reader, owner, body, ball)
     elif isinstance(body, pieces.Disc):
@@ -263,18 +256,16 @@ def _body(
         shape, there = _curved(reader, owner, body, ball)
     elif isinstance(body, pieces.Torus):
         turned, sizes, axis = read_torus(reader, owner, body, ball)
-        shape, there = Shape(body.name, turned, sizes, axis), None
+        shape = Shape(body.name, turned, sizes, axis)
     elif isinstance(body, pieces.Box):
         turned, sizes = read_box(reader, owner, body)
-        shape, there = Shape(body.name, turned, sizes), None
+        shape = Shape(body.name, turned, sizes)
     elif isinstance(body, pieces.Revolution):
         return _revolution(reader, owner, body, ball, law)
     elif isinstance(body, pieces.Surface):
         shape, there = _surface(reader, owner, body, ball), Map()
     else:
         raise reader.inputs.wrong(owner, "", f"no such body: {type(body).__name__}")
-    if there is None and body.within:
-        raise reader.inputs.wrong(owner, "within", f"a {kind} has no bounds: {UNBOUNDED}")
     extra = shape.bounds + bounds(reader.inputs, owner, body.within, there)
     own = shape.kind or kind
     return Shape(body.name, own, shape.sizes, shape.axis, shape.inside, law, extra, shape.condition)
@@ -283,10 +274,9 @@ def _body(
 def _revolution(
     reader: _Reader, owner: str, body: pieces.Revolution, ball: Formula, law: Contact
 ) -> Shape:
-    if body.within:
-        raise reader.inputs.wrong(owner, "within", f"a revolution has no bounds: {UNBOUNDED}")
     sizes, profile = read_revolution(reader, owner, body, ball)
-    return RevolvedShape(body.name, "revolution", sizes, law=law, profile=profile)
+    found = bounds(reader.inputs, owner, body.within)
+    return RevolvedShape(body.name, "revolution", sizes, law=law, bounds=found, profile=profile)
 
 
 def _oblique(own: str, found: ObliqueBody) -> tuple[Shape, Map | LinearMap | None]:

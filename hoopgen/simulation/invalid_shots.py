@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -15,6 +15,9 @@ from hoopgen.scene.lookup import SceneLike
 from hoopgen.simulation.lookup import engine_of
 
 from .run import run
+
+if TYPE_CHECKING:
+    from hoopgen.derive.surfaces import Surface
 
 __all__ = ["allowed", "not_allowed", "out_of_range", "reason", "why_invalid"]
 
@@ -96,7 +99,9 @@ def reason(
         return f"not finite: {', '.join(wrong)}"
     if not allowed(scene, parameters):
         names = not_allowed(scene, parameters)
-        named = ", ".join(f"{name} {parameters[name]:g}" for name in names) or "several"
+        together = names or _not_allowed_together(scene, parameters)
+        named = ", ".join(f"{name} {parameters[name]:g}" for name in together)
+        named += "" if names else ", together"
         positive = {name for name in names if parameters[name] > 0}
         fits = not (scene.has_hoop and names and positive == set(names) <= RADII)
         return (
@@ -127,7 +132,9 @@ def reason(
     )
     left = np.flatnonzero(shots.outcome != scene.outcomes["INVALID"])
     inside = [scene.surfaces[index] for index in left if index != leaving]
-    return f"inside the {inside[0]}" if len(inside) == 1 else "inside several surfaces"
+    if len(inside) != 1:
+        inside = _overlapped(scene, state, parameters)
+    return f"inside the {' and the '.join(inside)}" if inside else "inside several surfaces"
 
 
 def allowed(scene: CompiledScene, parameters: Mapping[str, float]) -> bool:
@@ -156,6 +163,44 @@ def not_allowed(scene: CompiledScene, parameters: Mapping[str, float]) -> list[s
     """
     usual = scene.table.defaults
     return [n for n in parameters if allowed(scene, {**parameters, n: np.float64(usual[n])})]
+
+
+def _not_allowed_together(scene: CompiledScene, parameters: Mapping[str, float]) -> list[str]:
+    """Return parameters that are not allowed with the others, though none of them by itself.
+
+    In order, each is taken if it is allowed with those taken before, and with the defaults of the
+    rest.
+    """
+    usual = {name: np.float64(scene.table.defaults[name]) for name in parameters}
+    found = []
+    for name, value in parameters.items():
+        if allowed(scene, usual | {name: value}):
+            usual[name] = np.float64(value)
+        else:
+            found.append(name)
+    return found
+
+
+def _overlapped(
+    scene: CompiledScene, state: NDArray[np.float64], parameters: Mapping[str, float]
+) -> list[str]:
+    """Return the bodies that the ball overlaps, by the formulas of their faces.
+
+    A ball in a thin wall overlaps several faces of one body. Without SymPy none is named.
+    """
+    try:
+        from hoopgen.derive.symbolic.conditionals import release
+        from hoopgen.derive.symbolic.symbols import POSITION
+    except ModuleNotFoundError:  # a shipped scene runs without SymPy
+        return []
+    derived = scene.scene
+    numbers = [*state[:3].tolist(), *map(float, scene.table.inputs(parameters))]
+    values = dict(zip((*POSITION, *derived.symbols), numbers, strict=True))
+
+    def overlaps(face: Surface) -> bool:
+        return all(float(release(e).subs(values)) < 0.0 for e in face.inside)
+
+    return [body.name for body in derived.bodies if any(map(overlaps, body.faces))]
 
 
 def out_of_range(scene: CompiledScene, parameters: Mapping[str, float]) -> list[str]:

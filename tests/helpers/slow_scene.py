@@ -44,13 +44,17 @@ class Flown:
 
 @dataclass(frozen=True)
 class Face:
-    """Distance from the ball to a whole surface, the point of it that is nearest, its bounds."""
+    """Distance from the ball to a whole surface, the point of it that is nearest, its bounds.
+
+    The bounds are those of that point, or, with `of_centre`, functions of the ball's centre.
+    """
 
     index: int
     distance: Callable[[Vector], float]
     nearest: Callable[[Vector], Vector]
     within: Callable[[Vector], float]
     restitution: float
+    of_centre: bool = False
 
 
 class Slow:
@@ -70,7 +74,9 @@ class Slow:
         self._ball, self._inertia = self._size(scene.ball_radius), self._size(scene.inertia)
         self._fall = self._unit(scene.down) * self._size(scene.gravity)
         self._scene = scene
-        self._faces = [self._face(k, body) for k, body in enumerate(scene.bodies)]
+        self._faces = [
+            face for k, body in enumerate(scene.bodies) for face in self._faces_of(k, body)
+        ]
         self._ends = [(name, *self._end(end)) for name, end in scene.ends.items()]
 
     def _size(self, written: Any, **place: float) -> float:
@@ -85,6 +91,52 @@ class Slow:
             return max((self._size(one, **place) for one in written), default=-math.inf)
 
         return worst
+
+    def _faces_of(self, index: int, body: Body) -> list[Face]:
+        """Return the faces of a body: of a wall that is partly not there, each piece and edge.
+
+        A ball that passes through a part that is not there, and so is nearest to it, still meets
+        the pieces that are.
+        """
+        whole = self._face(index, body)
+        if not isinstance(body, Revolution) or not body.within:
+            return [whole]
+        unit, centre = self._unit(body.axis), self._vector(body.centre)
+        points = np.array([[self._size(one) for one in point] for point in body.profile])
+        ways = np.diff(points, axis=0)
+        ways /= np.linalg.norm(ways, axis=1)[:, None]
+
+        def flat(p: Vector) -> Vector:
+            height = (p - centre) @ unit
+            return np.array([np.linalg.norm(p - centre - height * unit), height])
+
+        def face(foot: Callable[[Vector], Vector], beyond: Callable[[Vector], float]) -> Face:
+            def nearest(p: Vector) -> Vector:
+                height, (radius, there) = (p - centre) @ unit, foot(flat(p))
+                across = p - centre - height * unit
+                return np.asarray(centre + there * unit + across * (radius / flat(p)[0]))
+
+            away = lambda p: np.linalg.norm(foot(flat(p)) - flat(p)) - self._ball  # noqa: E731
+            within = lambda p: max(beyond(flat(p)), whole.within(nearest(p)))  # noqa: E731
+            return Face(index, away, nearest, within, whole.restitution, of_centre=True)
+
+        faces = [
+            face(
+                lambda c, a=a, way=way: a + ((c - a) @ way) * way,
+                lambda c, a=a, b=b, way=way: max((a - c) @ way, (c - b) @ way),
+            )
+            for a, b, way in zip(points[:-1], points[1:], ways, strict=True)
+        ]
+        for k, point in enumerate(points):
+            ends = [-ways[k]] if k < len(ways) else []
+            ends += [ways[k - 1]] if k > 0 else []
+            faces.append(
+                face(
+                    lambda c, point=point: point,
+                    lambda c, point=point, ends=ends: max((point - c) @ end for end in ends),
+                )
+            )
+        return faces
 
     def _face(self, index: int, body: Body) -> Face:
         distance, nearest = self._geometry(body)
@@ -270,10 +322,15 @@ class Slow:
                 flown.outcome = what
                 return flown
             last = what
-            flown.contacts.append((what, flown.time))
+            flown.contacts.append((self._faces[what].index, flown.time))
             v, w = self._bounce(self._faces[what], x, v, w)
         flown.state = [*x, *v, *w]
         return flown
+
+    def overlap(self, place: Vector) -> tuple[float, float]:
+        """Return the distance from the first body, and the largest of its bounds there."""
+        face = self._faces[0]
+        return face.distance(place), face.within(face.nearest(place))
 
     def _there(self, t: float, x: Vector, v: Vector) -> tuple[Vector, Vector]:
         return x + v * t + self._fall * (t * t / 2), v + self._fall * t
@@ -315,7 +372,8 @@ class Slow:
         for place, (time, k) in enumerate(found):
             there, velocity = self._there(time, x, v)
             ends = k >= len(self._faces)
-            point = there if ends else self._faces[k].nearest(there)
+            whole = ends or self._faces[k].of_centre
+            point = there if whole else self._faces[k].nearest(there)
             within = self._ends[k - len(self._faces)][2] if ends else self._faces[k].within
             side = within(point)
             # A bound that is square changes faster than a length, or slower.

@@ -98,7 +98,7 @@ def direction(made: Scene, body: str = "a") -> list[float]:
             Cone("a", slope=1, span=(0, 0.04), inside=True),
             "body a: span to: the ball does not fit so far inside",
         ),
-        (Cone("a", slope=1, within=["x"]), "body a: within: a cone has no bounds"),
+        (Cone("a", slope=1, within=["1"]), "body a: within 1: 1 has none of x, y, z"),
     ],
 )
 def test_what_is_wrong_with_a_body_is_said(body: Any, said: str) -> None:

@@ -63,8 +63,8 @@ def test_what_is_wrong_with_a_profile_is_said(profile: Any, said: str) -> None:
 
 def test_what_else_is_refused_is_said() -> None:
     cup = Revolution("cup", profile=[(1, 0), (2, 1)])
-    with pytest.raises(SceneError, match="body cup: within: a revolution has no bounds"):
-        scene(Revolution("cup", profile=[(1, 0), (2, 1)], within=["x"]))
+    with pytest.raises(SceneError, match="body cup: within 1: 'q': unknown name 'q'"):
+        scene(Revolution("cup", profile=[(1, 0), (2, 1)], within=["q"]))
     with pytest.raises(SceneError, match="body cup: on a revolution no ball is known to roll"):
         scene(cup, rolls=True)
     with pytest.raises(SceneError, match="what a face of the revolution cup is called"):

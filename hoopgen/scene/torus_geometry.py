@@ -1,0 +1,100 @@
+"""Triangles, lines and extents of tori, along an axis or any direction."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+import numpy as np
+
+from .formulas import Formula
+from .meshes import Bound, Box, Floats, Mesh, contact_mesh, cut, drop_outside, grid, walls
+from .oblique_geometry import oblique_axes
+from .parsed_shapes import Shape
+
+__all__ = ["torus_extent", "torus_lines", "torus_mesh"]
+
+_TURN_PIECES, _WIRE_PIECES, _SECTOR_PIECES = 96, 12, 4
+"""Pieces of a turn, of a wire's, and of a ring's that are drawn together."""
+
+Number = Callable[[Formula], float]
+"""The value of a size of the scene."""
+
+
+def torus_mesh(
+    shape: Shape, number: Number, bounds: Sequence[Bound], room: Box, ball: float
+) -> Mesh:
+    """Return the triangles of a torus; none without a wire radius.
+
+    Parameters
+    ----------
+    shape
+        The torus.
+    number
+        The value of its sizes.
+    bounds
+        Its bounds, functions of its points.
+    room
+        The lowest and the highest corner.
+    ball
+        The ball's radius, m.
+    """
+    wire = number(shape["wire"])
+    if wire == 0.0:
+        return Mesh.from_corners(np.empty((0, 3, 6)))
+    circle = _circle(shape, number)
+    out = (circle - _centre(shape, number)) / number(shape["radius"])
+    v = np.linspace(0.0, 2.0 * np.pi, _WIRE_PIECES, endpoint=False)
+    unit = np.cos(v)[:, None] * out[:, None] + np.sin(v)[:, None] * _axes(shape, number)[2]
+    corners = grid(contact_mesh(circle[:, None] + wire * unit, unit, ball), (True, True))
+    parts = np.arange(len(corners)) // (2 * _WIRE_PIECES * _SECTOR_PIECES)
+    return cut(Mesh.from_corners(corners, parts), bounds, walls(room), touched=True)
+
+
+def torus_lines(shape: Shape, number: Number, bounds: Sequence[Bound]) -> Floats:
+    """Return the circle of a torus without a wire radius within its bounds, (k, 2, 3).
+
+    Parameters
+    ----------
+    shape, number, bounds
+        As for `torus_mesh`.
+    """
+    if number(shape["wire"]) != 0.0:
+        return np.empty((0, 2, 3))
+    line = _circle(shape, number)
+    return drop_outside(np.stack([line, np.roll(line, -1, axis=0)], 1), *bounds)
+
+
+def torus_extent(shape: Shape, number: Number) -> tuple[list[float], list[float]]:
+    """Return the corners of the box along the axes that contains a torus.
+
+    Parameters
+    ----------
+    shape, number
+        As for `torus_mesh`.
+    """
+    reach = number(shape["radius"]) * np.sqrt(np.maximum(1.0 - _axes(shape, number)[2] ** 2, 0.0))
+    reach += number(shape["wire"])
+    centre = _centre(shape, number)
+    return (centre - reach).tolist(), (centre + reach).tolist()
+
+
+def _circle(shape: Shape, number: Number) -> Floats:
+    first, second, _ = _axes(shape, number)
+    u = np.linspace(0.0, 2.0 * np.pi, _TURN_PIECES, endpoint=False)[:, None]
+    unit = np.cos(u) * first + np.sin(u) * second
+    around: Floats = _centre(shape, number) + number(shape["radius"]) * unit
+    return around
+
+
+def _axes(shape: Shape, number: Number) -> Floats:
+    """Return the axes of a torus, of which the third is its own, in rows, (3, 3)."""
+    if shape.kind == "oblique torus":
+        return oblique_axes(shape, number)
+    axis = shape.axis[0]
+    return np.eye(3)[[(axis + 1) % 3, (axis + 2) % 3, axis]]
+
+
+def _centre(shape: Shape, number: Number) -> Floats:
+    sizes = dict(shape.sizes)
+    own = (sizes.get(f"centre {axis}") for axis in "xyz")
+    return np.array([0.0 if size is None else number(size) for size in own])
