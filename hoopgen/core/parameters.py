@@ -12,7 +12,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from hoopgen.text.shorten import join_names, suggestion
 
-from .validation import as_doubles, check_mapping
+from .argument_types import check_mapping
+from .validation import as_doubles
 
 Value = float | NDArray[np.float64]
 

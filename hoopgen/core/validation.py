@@ -23,9 +23,7 @@ __all__ = [
     "check_deviations",
     "check_contacts",
     "check_count",
-    "check_flag",
     "check_leaving",
-    "check_mapping",
     "check_spins",
     "check_states",
     "check_threads",
@@ -246,45 +244,6 @@ def check_deviations(name: str, deviations: Mapping[str, ArrayLike]) -> None:
 
 MAX_DEVIATION = 0.5
 """rad. Standard deviations of the angle of a release are below; see `check_deviations`."""
-
-
-def check_mapping(name: str, value: object) -> None:
-    """Raise an error if what should give values by name is no mapping, nor a table of columns.
-
-    Parameters
-    ----------
-    name
-        The argument, for the error message.
-    value
-        The caller's value.
-
-    Raises
-    ------
-    TypeError
-        The message begins with `name`.
-    """
-    if not hasattr(value, "items"):
-        raise TypeError(f"{name}: expected a mapping of names to values, got {brief(value)}")
-
-
-def check_flag(name: str, value: object) -> bool:
-    """Return a truth value; text such as "no", which is true for Python, is refused.
-
-    Parameters
-    ----------
-    name
-        The argument, for the error message.
-    value
-        The caller's value.
-
-    Raises
-    ------
-    TypeError
-        The message begins with `name`.
-    """
-    if not isinstance(value, bool | np.bool_):
-        raise TypeError(f"{name}: expected True or False, got {brief(value)}")
-    return bool(value)
 
 
 def check_states(states: ArrayLike) -> NDArray[np.float64]:

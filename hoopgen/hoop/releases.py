@@ -9,8 +9,9 @@ from typing import Literal, overload
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from hoopgen.core.argument_types import check_flag
 from hoopgen.core.jacobian import Jacobian
-from hoopgen.core.validation import as_doubles, check_angles, check_flag, check_spins
+from hoopgen.core.validation import as_doubles, check_angles, check_spins
 from hoopgen.core.variables import STATE
 from hoopgen.engine.draws import release_states, turns
 from hoopgen.generated.numpy import studies
@@ -153,11 +154,9 @@ def release(
     check_angles("release", {name: arrays[name] for name in _ANGLES})
     check_spins("release", {name: arrays[name] for name in _SPINS})
     states = states_of(arrays)
-    return (
-        (states, _jacobian(arrays, states.shape[:-1]))
-        if check_flag("jacobian", jacobian)
-        else states
-    )
+    if not check_flag("jacobian", jacobian):
+        return states
+    return states, _jacobian(arrays, states.shape[:-1])
 
 
 def states_of(arrays: Mapping[str, NDArray[np.float64]]) -> NDArray[np.float64]:

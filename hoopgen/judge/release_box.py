@@ -18,15 +18,10 @@ import numpy as np
 from flint import arb, ctx
 from numpy.typing import NDArray
 
+from hoopgen.core.argument_types import check_flag, check_mapping
 from hoopgen.core.parameters import ParameterValues, resolve
 from hoopgen.core.plotting import plotting_module
-from hoopgen.core.validation import (
-    check_contacts,
-    check_count,
-    check_flag,
-    check_mapping,
-    check_time_limit,
-)
+from hoopgen.core.validation import check_contacts, check_count, check_time_limit
 from hoopgen.core.variables import STATE, check_names
 from hoopgen.derive.scenes.scene import Scene
 from hoopgen.engine.draws import states_in_numpy

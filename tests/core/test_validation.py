@@ -205,7 +205,7 @@ def test_studies_say_so_too() -> None:
         "correlation: speed and elevation": lambda: hoopgen.Scatter(
             placed, {"speed": 0.1, "elevation": 0.1}, {("speed", "elevation"): huge}
         ),
-        "speed": lambda: hoopgen.Resample({**placed, "speed": [huge]}),
+        r"columns\['speed'\]": lambda: hoopgen.Resample({**placed, "speed": [huge]}),
         r"axes\['speed'\]": lambda: hoopgen.Grid({"speed": [huge]}),
         "shots": lambda: hoopgen.estimate(player, shots=huge),
         "seed": lambda: hoopgen.estimate(player, shots=10, seed=huge),

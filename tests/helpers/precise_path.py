@@ -57,7 +57,7 @@ _FUNCTIONS = {
     "mpf": arb,
     "sqrt": lambda value: arb(value).sqrt(),
 }
-"""What SymPy prints for mpmath, in arb."""
+"""Functions for the names that SymPy prints for mpmath."""
 
 
 class PreciseScene:

@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-for _library in ("flint", "mpmath", "scipy", "sympy"):
+for _library in ("flint", "scipy", "sympy"):
     pytest.importorskip(_library)
 
-import mpmath  # noqa: E402
+import flint  # noqa: E402
 from hoopgen.derive.scenes.air import AIR as SCENE  # noqa: E402
 
 import hoopgen  # noqa: E402
@@ -62,12 +62,12 @@ def share_of_claims(states: Floats, truth: Floats) -> float:
 def test_flights_are_those_of_35_digits_within_their_bounds(count: int) -> None:
     states = throws(trials(count, at_least=5), 1)
     precise = PreciseAir(SCENE)
-    inputs = [mpmath.mpf(value) for value in hoopgen.AIR.table.inputs(dict(PAPER_AIR))]
+    inputs = [flint.arb(float(value)) for value in hoopgen.AIR.table.inputs(dict(PAPER_AIR))]
     truth = states.copy()
-    with mpmath.workdps(precise.digits):
+    with flint.ctx.workdps(precise.digits):
         for row, state in enumerate(states):
-            now = [mpmath.mpf(one) for one in state.tolist()]
-            truth[row, :6] = [float(x) for x in precise.fly(mpmath.mpf(DURATION), now, inputs)[:6]]
+            now = [flint.arb(one) for one in state.tolist()]
+            truth[row, :6] = [float(x) for x in precise.fly(flint.arb(DURATION), now, inputs)[:6]]
     assert share_of_claims(states, truth) < 1.0
 
 

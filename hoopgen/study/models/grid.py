@@ -9,8 +9,9 @@ from math import prod
 import numpy as np
 from numpy.typing import NDArray
 
+from hoopgen.core.argument_types import check_mapping
 from hoopgen.core.parameters import ParameterValues
-from hoopgen.core.validation import as_doubles, check_mapping
+from hoopgen.core.validation import as_doubles
 from hoopgen.core.variables import Releases, is_state
 from hoopgen.hoop.presets import PAPER
 from hoopgen.text.shorten import brief

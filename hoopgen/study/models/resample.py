@@ -12,8 +12,9 @@ from typing import Any, ClassVar
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from hoopgen.core.argument_types import check_mapping
 from hoopgen.core.parameters import ParameterValues
-from hoopgen.core.validation import as_doubles, check_mapping
+from hoopgen.core.validation import as_doubles
 from hoopgen.core.variables import STATE, Releases, is_state
 from hoopgen.hoop.presets import PAPER
 from hoopgen.hoop.releases import states_of

@@ -10,8 +10,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from hoopgen.core.argument_types import check_mapping
 from hoopgen.core.parameters import ParameterValues
-from hoopgen.core.validation import as_doubles, check_mapping
+from hoopgen.core.validation import as_doubles
 from hoopgen.core.variables import STATE, Releases, check_names, is_state
 from hoopgen.engine.draws import Noise
 from hoopgen.hoop.presets import NAMES, PAPER

@@ -17,10 +17,11 @@ import numpy as np
 import pyarrow as pa
 from numpy.typing import NDArray
 
+from hoopgen.core.argument_types import check_flag
 from hoopgen.core.files import check_output, resolve_link, temporary_beside
 from hoopgen.core.parameters import ParameterValues, complete, resolve
 from hoopgen.core.units import System, file_unit
-from hoopgen.core.validation import as_doubles, check_count, check_flag
+from hoopgen.core.validation import as_doubles, check_count
 from hoopgen.core.variables import check_names
 from hoopgen.hoop.releases import FROM_ZERO, from_zero
 from hoopgen.report.provenance import describe_scene

@@ -8,7 +8,8 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from hoopgen.core.validation import check_flag, is_whole
+from hoopgen.core.argument_types import check_flag
+from hoopgen.core.validation import is_whole
 from hoopgen.results.shots import Shots
 from hoopgen.simulation.engine import Engine
 from hoopgen.simulation.invalid_shots import why_invalid
