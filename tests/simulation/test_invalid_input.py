@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import sys
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -487,3 +488,12 @@ def test_a_width_that_is_not_there_is_an_error() -> None:
     stop = np.zeros(1, np.int32)
     with pytest.raises(ValueError, match=r"^width 3: this processor or build does not have it"):
         library.run(states, values, None, 40, HOOP.layout.allocate(1, ()), stop, width=3)
+
+
+def test_the_reason_names_all_bodies_that_a_ball_is_inside(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Their formulas need SymPy, without which a built-in scene runs all the same."""
+    pytest.importorskip("sympy")
+    state = [-0.37, 0.0, 0.01, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
+    assert hoopgen.why_invalid(state) == ["inside the backboard and the bridge"]
+    monkeypatch.setitem(sys.modules, "hoopgen.derive.symbolic.conditionals", None)
+    assert hoopgen.why_invalid(state) == ["inside several surfaces"]
