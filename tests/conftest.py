@@ -7,7 +7,6 @@ import signal
 from collections import defaultdict
 from collections.abc import Callable, Mapping, Sequence
 from decimal import localcontext
-from functools import wraps
 from pathlib import Path
 
 import numpy as np
@@ -17,32 +16,26 @@ from numpy.typing import NDArray
 import hoopgen
 from hoopgen.scene import compilers
 from tests.helpers import hoop_shots
-from tests.helpers.effort import EFFORT, scaled_names, trials
+from tests.helpers.effort import scaled_names, trials
 from tests.helpers.engines import ENGINES, Simulate, simulate_on
 from tests.helpers.hoop_shots import Batch
 from tests.helpers.march import Flown, March
+from tests.helpers.widths import one_lane
 
 if signal.getsignal(signal.SIGINT) == signal.SIG_IGN:
     # A shell's job in the background ignores Ctrl-C, and so would what tests start and stop.
     signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
-@wraps(compilers.processor_width)
-def one_lane() -> int:
-    """Return the least width."""
-    return 1
-
-
 def pytest_sessionstart() -> None:
-    """Look for garbage seldom, and below effort 1 compile scenes of one's own one lane wide.
+    """Look for garbage seldom, and compile scenes of one's own one lane wide.
 
-    Both save time: SymPy's expressions and all test modules are much to look through, and a scene
-    takes half as long to compile. `tests/scene/test_compile.py` compiles one for the width of the
-    processor.
+    Both save time: SymPy's expressions and all test modules are much to look through, and at 16
+    lanes a scene takes more than twice as long to compile. `tests.helpers.widths` is for tests that
+    compare lanes; scenes that come with hoopgen are compiled for all widths.
     """
     gc.set_threshold(50_000, 20, 50)
-    if EFFORT < 1:
-        compilers.processor_width = one_lane
+    compilers.processor_width = one_lane
 
 
 def pytest_collection_finish() -> None:

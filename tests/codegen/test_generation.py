@@ -73,9 +73,6 @@ pytestmark = pytest.mark.xdist_group("codegen")
 
 a, b, c, d = ARGUMENTS = sp.symbols("a b c d", real=True)
 
-SEEDS = ("0", "4711")
-"""Seeds of Python's hashes; this process has another."""
-
 
 # The zoo: every operation of the printers, and every shape that an expression takes
 
@@ -401,14 +398,8 @@ def test_a_kernel_takes_nothing_that_it_does_not_use() -> None:
 
 
 @pytest.fixture(scope="module")
-def rendered() -> dict[str, str]:
-    """The files of all scenes that come with hoopgen, rendered once."""
-    return committed.render_all()
-
-
-@pytest.fixture(scope="module")
 def files() -> dict[str, str]:
-    """The files as they are committed; they are those of `rendered`, or a test fails."""
+    """The files as they are committed."""
     root = ROOT / "generated"
     names = [*json.loads((root / MARKER).read_bytes())["files"], MARKER]
     there = {name: root / name for name in names if "*" not in name}
@@ -430,15 +421,6 @@ def checkout(tmp_path: Path, files: dict[str, str], monkeypatch: pytest.MonkeyPa
     return tmp_path
 
 
-@pytest.mark.slow
-def test_the_repository_is_up_to_date(
-    rendered: dict[str, str], monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """Otherwise: `make generate`."""
-    monkeypatch.setattr(committed, "render_all", lambda: dict(rendered))
-    assert committed.check(ROOT) == []
-
-
 def test_the_hoop_s_sources_are_up_to_date(files: dict[str, str]) -> None:
     """Otherwise: `make generate`; pages and other scenes take longer to render."""
     again = render.render_scene(HOOP, page=False)
@@ -454,32 +436,25 @@ def test_what_is_generated_is_what_is_committed_and_nothing_else(files: dict[str
     assert all(text.endswith("\n") and "\r" not in text for text in files.values())
 
 
-_GENERATE_TWICE = """
+_GENERATE = """
 import sys
 from pathlib import Path
 from hoopgen import codegen
-for folder in map(Path, sys.argv[1:]):
-    codegen.generate(folder)
+codegen.generate(Path(sys.argv[1]))
 """
 
 
 @pytest.mark.slow
-def test_generation_gives_the_same_bytes_in_every_process(
-    tmp_path: Path, rendered: dict[str, str]
+def test_generation_gives_the_committed_bytes_whatever_the_order_of_python_s_sets(
+    tmp_path: Path, files: dict[str, str]
 ) -> None:
-    """Whatever the order of Python's sets, and the second time in one process."""
-    runs = []
-    for seed in SEEDS:
-        folders = [tmp_path / seed / which for which in ("first", "second")]
-        command = [sys.executable, "-c", _GENERATE_TWICE, *map(str, folders)]
-        environment = os.environ | {"PYTHONHASHSEED": seed}
-        runs.append((subprocess.Popen(command, env=environment), folders))
-    ended = [process.wait(timeout=300) for process, _ in runs]
-    assert not any(ended)
-    expected = {name: text.encode() for name, text in rendered.items()}
-    for root in (folder / "generated" for _, folders in runs for folder in folders):
-        written = [path for path in root.rglob("*") if path.is_file()]
-        assert {p.relative_to(root).as_posix(): p.read_bytes() for p in written} == expected
+    """With Python's sets in one order; `make check` has another in each process."""
+    environment = os.environ | {"PYTHONHASHSEED": "4711"}
+    subprocess.run([sys.executable, "-c", _GENERATE, str(tmp_path)], env=environment, check=True)
+    root = tmp_path / "generated"
+    written = [path for path in root.rglob("*") if path.is_file()]
+    expected = {name: text.encode() for name, text in files.items()}
+    assert {p.relative_to(root).as_posix(): p.read_bytes() for p in written} == expected
 
 
 _GENERATE_ANEW = """
@@ -642,12 +617,14 @@ def test_the_templates_ask_for_the_keys_that_are_supplied_and_no_other() -> None
 
 @needs_compiler
 @pytest.mark.parametrize(
-    "how", [["-fsyntax-only"], pytest.param(["-c"], marks=pytest.mark.slow)], ids="".join
+    "how",
+    [["-fsyntax-only"], pytest.param(["-c", "-DHOOP_ONLY=4"], marks=pytest.mark.slow)],
+    ids=["all_widths", "optimised"],
 )
 def test_the_c_compiles_without_a_warning(
     tmp_path: Path, files: dict[str, str], how: list[str]
 ) -> None:
-    """C11, all widths, alone and with the optimisation that some warnings need."""
+    """C11 of all widths, and four lanes with the optimisation that some warnings need."""
     for name, text in files.items():
         (tmp_path / Path(name).name).write_text(text, encoding="utf-8")
     compiles(*FLAGS, *WARNINGS, "-std=c11", *how, tmp_path / "hoop.c", "-o", tmp_path / "o")

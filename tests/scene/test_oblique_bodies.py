@@ -18,6 +18,7 @@ from hoopgen.simulation.engine import Engine
 from tests.helpers.derived import engine_of
 from tests.helpers.effort import exceptions, occurrences, trials
 from tests.helpers.slow_scene import Slow
+from tests.helpers.widths import compiled_as_for_users
 
 # One worker: each scene is compiled once.
 pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("oblique_bodies")]
@@ -128,7 +129,7 @@ def straight() -> Engine:
 
 @pytest.fixture(scope="module")
 def round_bodies() -> Engine:
-    return hoopgen.compile(ROUND)
+    return compiled_as_for_users(ROUND)
 
 
 def turned_at_random(made: Scene, count: int, seed: int) -> dict[str, Any]:
