@@ -2,6 +2,7 @@
 
 import re
 import shutil
+from functools import cache
 from itertools import pairwise
 
 import numpy as np
@@ -17,7 +18,7 @@ from matplotlib.text import Text
 import hoopgen
 from benchmarks import peers, picture, workloads
 from benchmarks.contenders import contenders
-from benchmarks.errors import judge
+from benchmarks.errors import Verdict, judge
 from benchmarks.operations import operations
 from benchmarks.peers import model, native
 from benchmarks.run import Settings
@@ -86,12 +87,19 @@ def test_a_workload_begins_with_every_smaller_one(workload: workloads.Workload) 
     assert workload.make(3).shape == (3, 9)
 
 
+@cache
+def judged(workload: workloads.Workload, count: int) -> Verdict:
+    """Return the judge's verdict, once for all peers."""
+    return judge(workload.make(count))
+
+
 @pytest.mark.sampled(4)
 @pytest.mark.parametrize("workload", workloads.WORKLOADS, ids=lambda workload: workload.key)
 @pytest.mark.parametrize("peer", peers.PEERS, ids=lambda peer: peer.key)
 def test_peers_agree_with_the_judge(peer: peers.Peer, workload: workloads.Workload) -> None:
-    states = workload.make(10 if peer.key == "solve_ivp_events" else 40)
-    verdict = judge(states)
+    count = 10 if peer.key == "solve_ivp_events" else 40
+    states = workload.make(count)
+    verdict = judged(workload, count)
     right, known = verdict.right, verdict.known
     flown = peer.fly(states, PAPER, record=True)
     # Long swirls amplify each method's error; the others must agree shot by shot.

@@ -29,7 +29,7 @@ from tests.helpers.effort import trials
 # One worker: the driver is compiled once.
 pytestmark = [pytest.mark.slow, needs_compiler, pytest.mark.xdist_group("sanitizers")]
 
-ROWS = trials(1_000_000, at_least=100_000)
+ROWS = trials(300_000, at_least=100_000)
 """Rows that every width flies."""
 
 LOGGED = 0.05
@@ -270,7 +270,7 @@ def runs(driver: Path) -> dict[int, Run]:
 
 
 @pytest.mark.parametrize("width", native.WIDTHS)
-def test_no_row_of_a_million_makes_a_sanitizer_speak(runs: dict[int, Run], width: int) -> None:
+def test_no_row_makes_a_sanitizer_speak(runs: dict[int, Run], width: int) -> None:
     run = runs[width]
     if run.status == NOT_THERE:
         pytest.skip("this processor does not have the width")
