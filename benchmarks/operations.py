@@ -15,6 +15,7 @@ from benchmarks.peers.native import COMPILER, OUR_FLAGS
 from benchmarks.workloads import States
 from hoopgen.engine import native
 from hoopgen.engine.c_build import source_files
+from hoopgen.engine.verification import available_widths
 from hoopgen.simulation.hoop import HOOP
 
 GENERATED = Path(__file__).parents[1] / "generated" / "c"
@@ -88,7 +89,9 @@ def _counted(states: States, width: int, change: Callable[[str, str], str]) -> l
                 text = f"double hoop_count[6];\n{text}"
             (Path(folder) / source.name).write_text(text, encoding="utf-8")
         target = Path(folder) / "counting.so"
-        command = [*COMPILER, *OUR_FLAGS, "-w", "-shared", "-fPIC", f"{folder}/hoop.c"]
+        # Counts do not depend on the optimisation, and the compiler is soon done without.
+        options = ["-O1", "-w", f"-DHOOP_ONLY={width}", "-shared", "-fPIC"]
+        command = [*COMPILER, *OUR_FLAGS, *options, f"{folder}/hoop.c"]
         subprocess.run([*command, "-o", str(target), "-lm"], check=True)
         counting = OfWidth(target, HOOP.kernels)
         counting.width = width
@@ -107,5 +110,6 @@ def operations(states: States) -> Counts | None:
     first, second, third, fourth, *_ = (
         count / len(states) for count in _counted(states, 1, _in_kernels)
     )
-    *_, busy, lanes = _counted(states, 0, _in_search)
+    widest = available_widths(HOOP.found, HOOP.kernels)[-1]
+    *_, busy, lanes = _counted(states, widest, _in_search)
     return Counts(first, second, third, fourth, busy / lanes if lanes else float("nan"))
