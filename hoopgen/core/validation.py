@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 import os
-from collections.abc import Iterator, Mapping
 from typing import Any, Literal, get_args
 
 import numpy as np
@@ -18,17 +17,15 @@ __all__ = [
     "BACKEND_NAMES",
     "RUNTIME_BACKENDS",
     "MAX_CONTACTS",
-    "MAX_SPIN",
-    "check_angles",
-    "check_deviations",
     "check_contacts",
     "check_count",
     "check_leaving",
-    "check_spins",
     "check_states",
+    "check_index",
     "check_threads",
     "check_time_limit",
     "as_doubles",
+    "as_number",
     "host_array",
     "is_whole",
 ]
@@ -84,6 +81,29 @@ def as_doubles(name: str, value: ArrayLike, expected: str = "numbers") -> NDArra
         traced = type(value).__module__.startswith("jax.")
         hint = "; what JAX traces, hoopgen.jax.simulate takes" if traced else ""
         raise TypeError(f"{name}: expected {expected}, got {brief(value)}{hint}") from None
+
+
+def as_number(name: str, value: Any, expected: str) -> float:
+    """Return one number; truth values, text and arrays are refused.
+
+    Parameters
+    ----------
+    name
+        The argument, for the error message.
+    value
+        The caller's value.
+    expected
+        A description of the expected number, for the error message.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If it is none; the message begins with `name`.
+    """
+    number = as_doubles(name, value, expected)
+    if isinstance(value, bool | np.bool_) or number.ndim:
+        raise ValueError(f"{name}: expected {expected}, got {brief(value)}")
+    return float(number)
 
 
 _HOST_DEVICES = (1, 3, 11)
@@ -149,101 +169,6 @@ def _as_double(value: Any) -> float:
 def is_whole(value: Any) -> bool:
     """Return whether `value` is a whole number; NumPy's spans of time are none."""
     return isinstance(value, int | np.integer) and not isinstance(value, np.timedelta64)
-
-
-MAX_SPIN = 100.0
-"""rad/s, sixteen turns a second: by it the surface of a basketball is faster than its flight."""
-
-
-def check_angles(name: str, angles: Mapping[str, ArrayLike]) -> None:
-    """Raise an error if angles are degrees by their median: radians are within a turn.
-
-    Parameters
-    ----------
-    name
-        The argument, for the error message.
-    angles
-        Angles by name, rad.
-
-    Raises
-    ------
-    ValueError
-        The message begins with `name`.
-    """
-    for angle, median in _medians_above(2 * np.pi, angles):
-        raise ValueError(
-            f"{name}: {angle} is in radians, and these are more than a turn: {median:.6g}. Degrees "
-            f"would be np.radians(...), or in a table a column {angle}_deg"
-        )
-
-
-def check_spins(name: str, spins: Mapping[str, ArrayLike]) -> None:
-    """Raise an error if spins are rpm or degrees a second by their median.
-
-    Parameters
-    ----------
-    name
-        The argument, for the error message.
-    spins
-        Spins by name, rad/s.
-
-    Raises
-    ------
-    ValueError
-        The message begins with `name`.
-    """
-    for spin, median in _medians_above(MAX_SPIN, spins):
-        raise ValueError(
-            f"{name}: {spin} is in rad/s, and these are more than {MAX_SPIN:g}, "
-            f"{MAX_SPIN / (2 * np.pi):.0f} turns a second: {median:.6g}. In rpm they would be "
-            f"2*np.pi/60 times that, in degrees a second np.radians(...); in a table a column "
-            f"{spin}_rpm or {spin}_deg_s"
-        )
-
-
-def _medians_above(
-    limit: float, given: Mapping[str, ArrayLike]
-) -> Iterator[tuple[str, np.float64]]:
-    """Yield the variables whose median size exceeds a limit, with that median."""
-    for name, value in given.items():
-        sizes = np.abs(np.asarray(value, dtype=np.float64))
-        if not np.any(sizes > limit):
-            continue
-        sizes = sizes[np.isfinite(sizes)]
-        if sizes.size and np.median(sizes) > limit:
-            yield name, np.median(sizes)
-
-
-def check_deviations(name: str, deviations: Mapping[str, ArrayLike]) -> None:
-    """Raise an error if standard deviations of angles are degrees: half a radian or more.
-
-    With 0.5 rad, 28.6 degrees, every third throw would be off by more than that, and a twentieth by
-    twice as much. The smallest deviation that is measured of players is half a degree.
-
-    Parameters
-    ----------
-    name
-        The argument, for the error message.
-    deviations
-        Standard deviations of angles by name, rad.
-
-    Raises
-    ------
-    ValueError
-        The message begins with `name`.
-    """
-    for angle, given in deviations.items():
-        value = float(np.asarray(given))
-        if value >= MAX_DEVIATION:
-            raise ValueError(
-                f"{name}: {angle} is in radians, and {value:.6g} is a standard deviation of "
-                f"{np.degrees(value):.3g} degrees; expected less than {MAX_DEVIATION}. Degrees "
-                f"would be np.radians({value:.6g})"
-            )
-
-
-MAX_DEVIATION = 0.5
-"""rad. Standard deviations of the angle of a release are below; see `check_deviations`."""
 
 
 def check_states(states: ArrayLike) -> NDArray[np.float64]:
@@ -319,14 +244,41 @@ def check_time_limit(time_limit: Any) -> float:
     if time_limit is None:
         return math.inf
     expected = "a positive number of seconds, or None"
-    limit = as_doubles("time_limit", time_limit, expected)
-    if isinstance(time_limit, bool | np.bool_) or limit.ndim or not limit > 0:
+    limit = as_number("time_limit", time_limit, expected)
+    if not limit > 0:
         raise ValueError(f"time_limit: expected {expected}, got {brief(time_limit)}")
     if hoop.MAX_TIME < limit < math.inf:
         raise ValueError(
             f"time_limit: expected at most {hoop.MAX_TIME:g} seconds, or None; got {limit:g}"
         )
-    return float(limit)
+    return limit
+
+
+def check_index(name: str, value: Any, length: int) -> int:
+    """Return the index of a shot, from 0, for one that may count from the end.
+
+    Parameters
+    ----------
+    name
+        The argument, for the error message.
+    value
+        The caller's value.
+    length
+        The number of shots.
+
+    Raises
+    ------
+    TypeError
+        If it is no whole number.
+    IndexError
+        If there is no such shot.
+    """
+    if not is_whole(value):
+        raise TypeError(f"{name}: expected a whole number, got {brief(value)}")
+    if not -length <= value < length:
+        allowed = f"from {-length} to {length - 1}" if length else "of none"
+        raise IndexError(f"{name}: expected a shot {allowed}, got {brief(value)}")
+    return int(value) % length
 
 
 def check_count(

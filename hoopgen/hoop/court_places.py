@@ -13,6 +13,7 @@ from math import atan2, hypot, sqrt
 from types import MappingProxyType
 from typing import Any
 
+from hoopgen.core.argument_types import check_mapping
 from hoopgen.core.parameters import ParameterValues
 from hoopgen.core.units import INCH
 from hoopgen.core.validation import as_doubles
@@ -176,9 +177,12 @@ def find_place(
     TypeError, ValueError
         If there is no such place or court.
     """
+    if not (court is None or (isinstance(court, str) and court in COURTS)):
+        raise ValueError(f"court: expected {' or '.join(COURTS)}, got {brief(court)}")
     hoop = parameters
     if hoop is None:
         hoop = FIBA if court == "FIBA" else PAPER
+    check_mapping("parameters", hoop)
     if not isinstance(name, str):
         raise TypeError(f"place: expected the name of a place, got {brief(name)}")
     words = _plain(name)
@@ -193,8 +197,6 @@ def find_place(
             f"got {brief(name)}{suggestion(rest, [*PLACES, *_ALIASES])}"
         )
     book = court_of(hoop) if court is None else court
-    if book not in COURTS:
-        raise ValueError(f"court: expected {' or '.join(COURTS)}, got {brief(court)}")
     measures, rule = COURTS[book], PLACES[plain]
     given = hoop.get("board_distance", PAPER["board_distance"])
     board = as_doubles("parameters['board_distance']", given)

@@ -24,7 +24,9 @@ from matplotlib.patches import Circle
 from numpy.typing import NDArray
 from PIL import Image
 
+from hoopgen.core.argument_types import check_arguments
 from hoopgen.core.files import FILMS, check_output, write
+from hoopgen.core.validation import as_number
 from hoopgen.text.shorten import brief
 
 from .contact_marks import LEGEND_ROW, Mark, draw_badges, draw_mark_legend, mark_legend_rows
@@ -32,7 +34,7 @@ from .hoop import drawing_order
 from .page import stack_views
 from .panels import Drawing, add_panel, label_flat_view, thin_rows
 from .shot_text import LEFT, LINE, describe_shot, dot_times, draw_title, wrap_lines
-from .shot_text import Path as Trajectory
+from .shot_text import FlightPath as Trajectory
 from .style import COLOURS, PAGE, style
 from .trajectory import build_drawing, flat_limits, path_times
 from .views import Panel, Points
@@ -78,6 +80,7 @@ def check_film(path: str | Path) -> Path:
     return target
 
 
+@check_arguments
 def save_film(
     trajectory: Trajectory,
     parameters: Mapping[str, float],
@@ -118,7 +121,7 @@ def save_film(
         The file cannot be written; what was there before stays.
     """
     target = check_film(path)
-    if speed is not None and not 0.0 < speed < np.inf:
+    if speed is not None and not 0.0 < as_number("speed", speed, "a number above 0") < np.inf:
         raise ValueError(f"speed: expected a number above 0, got {brief(speed)}")
     with style():
         film = Film(trajectory, parameters, outcome, title, speed)

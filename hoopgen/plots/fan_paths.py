@@ -9,7 +9,7 @@ import numpy as np
 from matplotlib.path import Path
 from numpy.typing import NDArray
 
-from hoopgen.core.parameters import ParameterValues, means
+from hoopgen.core.parameters import ParameterValues, means, of_scene
 from hoopgen.hoop.kinds import kinds
 from hoopgen.results.shots import Shots
 from hoopgen.results.trajectory import Trajectory
@@ -103,7 +103,9 @@ def gather_fan(shots: Shots, parameters: ParameterValues, drawn: Iterable[int]) 
     if not flown:
         raise ValueError("shots: expected one at least that touches something or ends, got none")
     curves = [bezier(trajectory) for trajectory in flown.values()]
-    own = means(parameters, shots.outcome != shots.scene.outcomes["INVALID"])
+    own = means(
+        of_scene(parameters, shots.scene.table), shots.outcome != shots.scene.outcomes["INVALID"]
+    )
     hoop = None
     if shots.scene.is_hoop:
         hoop = own

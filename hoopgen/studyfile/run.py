@@ -19,6 +19,7 @@ from importlib import metadata
 from pathlib import Path
 from typing import Any
 
+from hoopgen.core.argument_types import check_arguments
 from hoopgen.core.extras import version
 from hoopgen.core.files import PAGES, check_not_read, check_output, write
 from hoopgen.core.owned_folders import locked_store
@@ -82,6 +83,7 @@ def check_study(
         return _read(Path(path))[1]
 
 
+@check_arguments
 def run_study(
     path: str | os.PathLike[str],
     out: str | os.PathLike[str] | None = None,

@@ -13,6 +13,7 @@ import numpy as np
 import xarray as xr
 from numpy.typing import ArrayLike, NDArray
 
+from hoopgen.core.argument_types import check_arguments
 from hoopgen.core.extras import version
 from hoopgen.core.memory import check_room
 from hoopgen.core.parameters import ParameterValues
@@ -68,13 +69,14 @@ _SHOT = 48
 Floats = NDArray[np.float64]
 
 
+@check_arguments
 def bank_or_direct(
     model: Scatter | Resample,
     places: ArrayLike,
     parameters: ParameterValues | None = None,
     *,
     scene: SceneLike = None,
-    over: Mapping[str, Bounds | None] | Sequence[str] = _OVER,
+    over: Mapping[str, Bounds | None] | Sequence[str] | str = _OVER,
     shots: int = 20_000,
     seed: int = 0,
     confidence: float = 0.95,

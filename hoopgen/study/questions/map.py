@@ -12,7 +12,7 @@ import pyarrow as pa
 import xarray as xr
 from numpy.typing import ArrayLike, NDArray
 
-from hoopgen.core.argument_types import check_mapping
+from hoopgen.core.argument_types import check_arguments
 from hoopgen.core.memory import check_room
 from hoopgen.core.parameters import ParameterValues
 from hoopgen.core.validation import BackendName, as_doubles, check_count
@@ -47,6 +47,7 @@ _CELL, _TALLIED = 48, 720
 Floats: TypeAlias = NDArray[np.float64]
 
 
+@check_arguments
 def map(
     model: Scatter | Resample,
     over: Mapping[str, ArrayLike],
@@ -107,7 +108,6 @@ def map(
     TypeError, ValueError
         If an argument is not as described.
     """
-    check_mapping("over", over)
     scatters = check_model(model, over).scatters
     if shots is not None and not scatters:
         raise ValueError("shots: without scatter all shots of a cell are one; leave out")
@@ -153,6 +153,8 @@ def _axes(over: Mapping[str, ArrayLike], model: Any, scene: Engine) -> dict[str,
     for name, values in axes.items():
         if values.ndim != 1 or not values.size:
             raise ValueError(f"over[{name!r}]: expected a list of numbers, got {brief(over[name])}")
+        if np.isnan(values).any():
+            raise ValueError(f"over[{name!r}]: expected numbers, got NaN among {brief(over[name])}")
     if not model.is_state:
         check_angles("over", axes)
     return axes
