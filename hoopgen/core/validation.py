@@ -26,7 +26,6 @@ __all__ = [
     "check_time_limit",
     "as_doubles",
     "as_number",
-    "host_array",
     "is_whole",
 ]
 
@@ -66,7 +65,7 @@ def as_doubles(name: str, value: ArrayLike, expected: str = "numbers") -> NDArra
     ValueError
         If a whole number is too large for a double, or an array is in the memory of a GPU.
     """
-    value = host_array(name, value)
+    value = _host_array(name, value)
     try:
         array = np.asarray(_fill_masked(value))
         if array.dtype == object:
@@ -111,24 +110,10 @@ _HOST_DEVICES = (1, 3, 11)
 CUDA or ROCm have pinned."""
 
 
-def host_array(name: str, value: Any) -> Any:
+def _host_array(name: str, value: Any) -> Any:
     """Return an array of another library, such as PyTorch, as one of NumPy with the same memory.
 
     Anything that is not an array in DLPack's way is returned as it is.
-
-    Parameters
-    ----------
-    name
-        The argument, for the error message.
-    value
-        The caller's value.
-
-    Raises
-    ------
-    TypeError
-        If its library does not give its memory away, with the reason.
-    ValueError
-        If it is in the memory of a GPU.
     """
     if isinstance(value, float | np.ndarray) or not hasattr(value, "__dlpack_device__"):
         return value
@@ -207,7 +192,7 @@ def check_leaving(
     """
     if leaving is None:
         return None
-    leaving = host_array("leaving", leaving)
+    leaving = _host_array("leaving", leaving)
     try:
         array = np.asarray(leaving)
     except ValueError:  # rows of different lengths

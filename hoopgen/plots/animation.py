@@ -39,7 +39,7 @@ from .style import COLOURS, PAGE, style
 from .trajectory import build_drawing, flat_limits, path_times
 from .views import Panel, Points
 
-__all__ = ["FRAME_RATE", "Film", "check_film", "save_film"]
+__all__ = ["FRAME_RATE", "Film", "save_film"]
 
 FRAME_RATE = 25
 """Frames a second: a GIF counts in hundredths of one."""
@@ -57,27 +57,6 @@ _MAX_OBSTACLES = 2_000
 _RIGHT, _GAP, _BELOW, _ABOVE = 0.15, 0.72, 0.5, 0.62
 _MAX_HEIGHT = 4.2
 _MIN_WIDTH = 5.3
-
-
-def check_film(path: str | Path) -> Path:
-    """Check the path of a film before the work, as far as is possible.
-
-    Raises
-    ------
-    ValueError
-        If its name ends in none of `hoopgen.core.files.FILMS`.
-    RuntimeError
-        If it is an MP4 and there is no ffmpeg.
-    OSError
-        If it cannot be written.
-    """
-    target = check_output(path, FILMS)
-    if target.suffix.lower() == ".mp4" and not FFMpegWriter.isAvailable():
-        raise RuntimeError(
-            f"{target.name}: an MP4 needs the program ffmpeg, and there is none on the PATH; "
-            "install it, or write a .gif"
-        )
-    return target
 
 
 @check_arguments
@@ -120,7 +99,12 @@ def save_film(
     OSError
         The file cannot be written; what was there before stays.
     """
-    target = check_film(path)
+    target = check_output(path, FILMS)
+    if target.suffix.lower() == ".mp4" and not FFMpegWriter.isAvailable():
+        raise RuntimeError(
+            f"{target.name}: an MP4 needs the program ffmpeg, and there is none on the PATH; "
+            "install it, or write a .gif"
+        )
     if speed is not None and not 0.0 < as_number("speed", speed, "a number above 0") < np.inf:
         raise ValueError(f"speed: expected a number above 0, got {brief(speed)}")
     with style():

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sized
+from collections.abc import Callable, Iterable, Mapping
 from math import prod
 from os import PathLike
 from typing import Any, TypeAlias
@@ -124,25 +124,11 @@ def map(
         scene=engine,
     )
     level = check_share("confidence", confidence)
-    check_cells(work.axes, scatters=scatters)
+    check_room("over", prod(work.shape), "cells", _TALLIED if scatters else _CELL)
     work.simulate(0, 1, 1, model.noise(0, 1, seed))  # what is wrong shows before a folder is made
     tables = run(work, folder, scheduler=scheduler, threads=threads, progress=progress)
     columns = width_of(engine) if scatters else SINGLE
     return dataset(work, _gathered(work, tables, columns), level)
-
-
-def check_cells(over: Mapping[str, Sized], *, scatters: bool) -> None:
-    """Refuse a map of more cells than there is memory for.
-
-    Parameters
-    ----------
-    over
-        The values of each axis by the variable's name.
-    scatters
-        Whether a cell has shots that scatter.
-    """
-    cells = prod(len(values) for values in over.values())
-    check_room("over", cells, "cells", _TALLIED if scatters else _CELL)
 
 
 def _axes(over: Mapping[str, ArrayLike], model: Any, scene: Engine) -> dict[str, Floats]:
