@@ -1,241 +1,295 @@
-"""Real free throws beside the model: `python -m benchmarks.real_shots FOLDER [--write]`.
+"""The page docs/real-shots.md: `python -m benchmarks.real_shots FOLDER [--write]`.
 
-FOLDER is a copy of SPL-Open-Data of Maple Leaf Sports & Entertainment (CC BY-NC-SA 4.0), which is
-not part of hoopgen: `git clone https://github.com/mlsedigital/SPL-Open-Data.git`. The numbers of
-docs/real-shots.md are made here; nothing of the data is kept.
-
-Of each throw the data give the place and the angle at which the ball comes down through the plane
-of the ring, and its result. The track of the ball ends near the hand. With the place where the ball
-leaves the hand these determine a parabola: with the horizontal way L and the rise h to the plane,
-and the slope m = tan(entry), the slope at release is 2 h / L + m, and the square of the horizontal
-speed g L / (2 h / L + 2 m).
+FOLDER is a copy of SPL-Open-Data; see `benchmarks.real_throws`.
 """
 
 from __future__ import annotations
 
 import argparse
-import json
-from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import replace
 from pathlib import Path
-from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 import hoopgen
-from hoopgen import COURT, NBA, NBA_COURT, NBA_COURT_AIR
-from hoopgen.core.units import DEGREE, FOOT, INCH, TURN
-from hoopgen.hoop.aiming import aimed
-from hoopgen.text.numbers import MINUS
+from hoopgen import COURT, COURT_AIR, HOOP, NBA, NBA_COURT, NBA_COURT_AIR
+from hoopgen.core.units import DEGREE, INCH, TURN
+from hoopgen.text.numbers import format_interval
 
-Floats = NDArray[np.float64]
+from .real_throws import (
+    BACKSPIN,
+    DRAWS,
+    ERRORS,
+    RESTITUTIONS,
+    Throws,
+    always,
+    fitted,
+    interval,
+    log_terms,
+    logistic,
+    profile,
+    read,
+    row,
+    shares,
+    states,
+)
 
 PAGE = Path(__file__).parents[1] / "docs" / "real-shots.md"
 
-RING = 41.75 * FOOT
-"""Distance of the ring's centre from the middle of an NBA court, m."""
+_HEAD = (
+    "|  | right | predicted to be made | log-likelihood | Brier score |\n"
+    "| --- | ---: | ---: | ---: | ---: |"
+)
 
-HAND = 0.45 * FOOT
-"""The ball is in the hand while its centre is so near to the base of the thumb."""
-
-ERRORS = {"landing": 0.5 * INCH, "entry": 1.0 * DEGREE, "release": 2.0 * INCH}
-"""Standard errors that are assumed of the data, which say none."""
-
-BACKSPIN = 2.0 * TURN
-DRAWS = 400
-RESTITUTIONS = np.arange(0.30, 0.951, 0.025)
+_FRICTIONS = np.arange(0.1, 1.01, 0.1)
 
 
-@dataclass(frozen=True)
-class Throws:
-    """Throws of a folder, in hoopgen's axes.
-
-    Attributes
-    ----------
-    release
-        Where the ball leaves the hand, (n, 3), m.
-    landing
-        Where its centre comes through the plane of the ring, x and y, (n, 2), m.
-    entry
-        Angle below the horizontal there, (n,), rad.
-    made
-        (n,).
-    fall
-        Vertical acceleration of the frames after the hand, (n,), m/s²; NaN of fewer than five.
-    times, frames
-        The frames from the release on, by throw, s and m, padded with NaN, (n, m) and (n, m, 3).
-    """
-
-    release: Floats
-    landing: Floats
-    entry: Floats
-    made: NDArray[np.bool_]
-    fall: Floats
-    times: Floats
-    frames: Floats
+def _moved(throws: Throws, by: float) -> Throws:
+    """Return the throws with the places at the ring moved away from the board."""
+    return replace(throws, landing=throws.landing + np.array([by, 0.0]))
 
 
-def read(folder: Path) -> Throws:
-    """Return the throws of a copy of the data."""
-    files = sorted(folder.glob("**/BB_FT_P*_T*.json"))
-    if not files:
-        raise SystemExit(f"{folder}: no files BB_FT_P…_T….json; give a copy of SPL-Open-Data")
-    release, landing, entry, made, fall = [], [], [], [], []
-    times, frames = [], []
-    for file in files:
-        trial = json.loads(file.read_text(encoding="utf-8"))
-        seen = [one["data"] for one in trial["tracking"]]
-        ball = np.array([data["ball"] for data in seen], dtype=np.float64) * FOOT
-        finger = [data["player"]["R_1STFINGER"] for data in seen]
-        hand = np.array(finger, dtype=np.float64) * FOOT
-        near = np.linalg.norm(ball - hand, axis=1) < HAND
-        held = np.flatnonzero(near & (ball[:, 2] > 5.5 * FOOT))
-        if not len(held):
-            continue
-        x, y, z = ball[held[-1]]
-        release.append((RING - x, -y, z - 10.0 * FOOT))
-        landing.append((NBA["ring_radius"] - trial["landing_y"] * INCH, trial["landing_x"] * INCH))
-        entry.append(trial["entry_angle"] * DEGREE)
-        made.append(trial["result"] == "made")
-        times.append([0.001 * one["time"] for one in trial["tracking"][held[-1] :]])
-        frames.append(np.array([RING, 0.0, -10.0 * FOOT]) + ball[held[-1] :] * [-1.0, -1.0, 1.0])
-        after = np.arange(len(ball)) > held[-1] + 1
-        after &= np.isfinite(ball).all(axis=1)
-        time = np.array([one["time"] for one in trial["tracking"]])[after] / 1000.0
-        height = ball[after, 2]
-        bend = np.polyfit(time - time[0], height, 2)[0] if len(time) >= 5 else np.nan
-        fall.append(2.0 * bend)
-    most = max(map(len, times))
-    clock, path = np.full((len(times), most), np.nan), np.full((len(times), most, 3), np.nan)
-    for row, (t, x) in enumerate(zip(times, frames, strict=True)):
-        clock[row, : len(t)], path[row, : len(t)] = t, x
-    return Throws(
-        np.array(release),
-        np.array(landing),
-        np.array(entry),
-        np.array(made),
-        np.array(fall),
-        clock,
-        path,
+_SPINS = np.arange(0.0, 5.01, 0.5)
+_JOINT = np.arange(0.40, 0.851, 0.05)
+_BOTH = 3.0
+"""Half the 95% quantile of the chi-square distribution with two degrees of freedom."""
+
+
+def _by_hand(throws: Throws) -> list[str]:
+    """Return right predictions of single shots without errors, by the origin and the height."""
+    rows = []
+    for label, by in (("outer edge", 1.0), ("middle", 0.0), ("inner edge", -1.0)):
+        moved = _moved(throws, by * NBA["wire_radius"])
+        level = np.array(moved.release)
+        level[:, 2] = 2.2 - 3.048
+        cells = []
+        for one in (moved, replace(moved, release=level)):
+            start = states(one, 1, BACKSPIN, 0.0)[:, 0]
+            for values, scene in ((NBA_COURT, COURT), (NBA, HOOP)):
+                made = hoopgen.simulate(start, values, scene=scene).made
+                cells.append(f"{int((made == throws.made).sum())}")
+        rows.append(f"| {label} | {' | '.join(cells)} |")
+    return rows
+
+
+def _joint(throws: Throws) -> str:
+    """Return in words the likeliest backspin and restitution of the ring, together."""
+    found, made = [], []
+    for hertz in _SPINS:
+        released = states(throws, DRAWS, hertz * TURN)
+        for value in _JOINT:
+            own = {"ring_restitution": float(value), "bridge_restitution": float(value)}
+            p = shares(released, NBA_COURT | own, COURT)
+            found.append(float(log_terms(p, throws.made).sum()))
+            made.append(float(p.sum()))
+    whole, count = np.array(found), len(_JOINT)
+    best = int(np.argmax(whole))
+    near = np.flatnonzero(whole >= whole[best] - _BOTH)
+    spins, values = _SPINS[near // count], _JOINT[near % count]
+    some = np.array(made)[near]
+    return (
+        f"Together the likeliest are {_SPINS[best // count]:g} Hz and a restitution of the ring of "
+        f"{_JOINT[best % count]:.2g}, with {made[best]:.1f} made throws and a log-likelihood of "
+        f"−{-whole[best]:.1f}. The pairs in the 95% region, on a grid of 0.5 Hz and 0.05, go from "
+        f"{spins.min():g} to {spins.max():g} Hz and from {values.min():.2g} to {values.max():.2g}: "
+        "more backspin makes up for a livelier ring. They predict "
+        f"{some.min():.1f} to {some.max():.1f} made throws."
     )
 
 
-def fitted(throws: Throws) -> tuple[int, int, int, float, float]:
-    """Return the results of fits of the tracks at the ring's height, where they come down to it.
-
-    The releases are found by `hoopgen.fit_release`.
-
-    Returns
-    -------
-    tuple
-        The number of credible fits, of those that come down, and of these the number within 4 in
-        of the measured place; the median distance from it, m; and the median speed, m/s.
-    """
-    found = hoopgen.fit_release(throws.times, throws.frames, parameters=NBA, release_time="detect")
-    _, end = hoopgen.HOOP.fall(found.states, 0.0, {**hoopgen.HOOP.parameters, **NBA})
-    off = np.hypot(*(end[:, :2] - throws.landing).T)
-    good = found.credible & np.isfinite(off)
-    speed = np.linalg.norm(found.states[good, 3:6], axis=1)
-    near = int((off[good] < 4.0 * INCH).sum())
-    middle = float(np.median(off[good])), float(np.median(speed))
-    return int(found.credible.sum()), int(good.sum()), near, *middle
-
-
-def states(
-    throws: Throws, draws: int, backspin: float, size: float = 1.0, air: bool = False
-) -> Floats:
-    """Return releases with the assumed errors, times `size`, (n, draws, 9).
-
-    Without air they are the parabolas of the head of this file; in air `hoopgen.hoop.aiming`
-    finds the flights with that place and angle at the ring.
-    """
-    random = np.random.default_rng(0)
-    n = len(throws.made)
-
-    def noise(name: str, *more: int) -> Floats:
-        return size * ERRORS[name] * random.normal(size=(n, draws, *more))
-
-    start = throws.release[:, None] + noise("release", 3)
-    end = throws.landing[:, None] + noise("landing", 2)
-    slope = np.tan(throws.entry[:, None] + noise("entry"))
-    way = end - start[..., :2]
-    length = np.hypot(*np.moveaxis(way, -1, 0))
-    rise = -start[..., 2]
-    level = np.sqrt(NBA["gravity"] * length / (2.0 * rise / length + 2.0 * slope))
-    up = level * (2.0 * rise / length + slope)
-    if air:
-        turning = np.full(length.shape, backspin)
-        wanted = {"entry": np.arctan(slope)}
-        flown = aimed(wanted, length, rise, NBA_COURT_AIR, backspin=turning)
-        level, up = (flown["speed"] * part(flown["elevation"]) for part in (np.cos, np.sin))
-    ahead = way / length[..., None]
-    spin = np.stack([backspin * ahead[..., 1], -backspin * ahead[..., 0], 0 * level], axis=-1)
-    velocity = np.concatenate([ahead * level[..., None], up[..., None]], axis=-1)
-    return np.concatenate([start, velocity, spin], axis=-1)
-
-
-def shares(released: Floats, parameters: Mapping[str, Any], scene: Any) -> Floats:
-    """Return the share of the draws of each throw that is made, never 0 or 1."""
-    n, draws = released.shape[:2]
-    shots = hoopgen.simulate(released.reshape(-1, 9), parameters, scene=scene, fields=("outcome",))
-    return np.asarray((shots.made.reshape(n, draws).sum(axis=1) + 0.5) / (draws + 1.0))
-
-
-def log_terms(p: Floats, made: NDArray[np.bool_]) -> Floats:
-    """Return the logarithms of the probabilities of what happened."""
-    return np.asarray(np.log(np.where(made, p, 1.0 - p)))
-
-
-def logistic(throws: Throws) -> Floats:
-    """Return probabilities by a logistic regression that never saw the throw itself.
-
-    Of the squares of how far left or right, and past a best depth, the ball comes down.
-    """
-    x, y = throws.landing.T / INCH
-    design = np.stack([np.ones_like(x), x, x * x, y * y], axis=1)
-    design[:, 1:] /= design[:, 1:].std(axis=0)
-    found = np.empty(len(x))
-    for out in range(len(x)):
-        rows = np.arange(len(x)) != out
-        a, b = design[rows], throws.made[rows]
-        beta = np.zeros(4)
-        for _ in range(50):
-            p = 1.0 / (1.0 + np.exp(-a @ beta))
-            hessian = (a * (p * (1.0 - p))[:, None]).T @ a + 0.01 * np.eye(4)
-            beta += np.linalg.solve(hessian, a.T @ (b - p) - 0.01 * beta)
-        found[out] = 1.0 / (1.0 + np.exp(-design[out] @ beta))
-    return found
-
-
-def always(throws: Throws) -> Floats:
-    """Return for each throw the share made among the others."""
-    made = throws.made
-    return np.asarray((made.sum() - made + 0.5) / len(made))
-
-
-def profile(throws: Throws, name: str, values: Floats, released: Floats) -> tuple[Floats, Floats]:
-    """Return the log-likelihood at values of a parameter of COURT, and the terms, (k, n)."""
-    terms = []
-    for value in values:
-        own = {name: float(value)} | (
-            {"bridge_restitution": float(value)} if name == "ring_restitution" else {}
+def page(throws: Throws) -> str:
+    """Return the page, Markdown."""
+    made, count = throws.made, len(throws.made)
+    released = states(throws, DRAWS, BACKSPIN)
+    court = shares(released, NBA_COURT, COURT)
+    rings, terms = profile(throws, "ring_restitution", RESTITUTIONS, released)
+    boards, _ = profile(throws, "backboard_restitution", RESTITUTIONS, released)
+    grips, _ = profile(throws, "ring_friction", _FRICTIONS, released)
+    # For each throw the restitution that is likeliest for the others.
+    held_out = np.array(
+        [terms[int(np.argmax(terms.sum(axis=1) - terms[:, out])), out] for out in range(count)]
+    )
+    in_air = shares(states(throws, DRAWS, BACKSPIN, air=True), NBA_COURT_AIR, COURT_AIR)
+    tables = {
+        "first": [
+            row("`COURT`, `NBA_COURT`", court, made),
+            row("`COURT_AIR`, `NBA_COURT_AIR`", in_air, made),
+            row("`HOOP`, `NBA`", shares(released, NBA, HOOP), made),
+            row("logistic regression, leave-one-out", logistic(throws), made),
+            row("the same share for all, leave-one-out", always(throws), made),
+        ],
+        "spin": [
+            row(f"{hertz} Hz", shares(states(throws, DRAWS, hertz * TURN), NBA_COURT, COURT), made)
+            for hertz in (0, 1, 2, 3, 4)
+        ],
+        "errors": [
+            row(
+                f"{size:g} times",
+                shares(states(throws, DRAWS, BACKSPIN, size), NBA_COURT, COURT),
+                made,
+            )
+            for size in (0.5, 1.0, 2.0)
+        ],
+        "origin": [
+            row(
+                label,
+                shares(
+                    states(_moved(throws, by * NBA["wire_radius"]), DRAWS, BACKSPIN),
+                    NBA_COURT,
+                    COURT,
+                ),
+                made,
+            )
+            for label, by in (("outer edge", 1.0), ("middle", 0.0), ("inner edge", -1.0))
+        ],
+    }
+    found = hoopgen.assess(court, made)
+    bins = "\n".join(
+        f"| {one.predicted / one.shots:.2f} | {one.shots} | {one.predicted:.1f} "
+        f"({one.low}–{one.high}) | {one.made} | "
+        f"{format_interval(one.share_low, one.share_high, 0)} |"
+        for one in found.bins
+    )
+    three = hoopgen.assess(shares(states(throws, DRAWS, 3.0 * TURN), NBA_COURT, COURT), made)
+    verdict, verdict3 = ("within" if one.total.agrees else "outside" for one in (found, three))
+    predicted, low, high = found.total.predicted, found.total.low, found.total.high
+    plain, others = float(log_terms(court, made).sum()), float(held_out.sum())
+    first, spin, errors, origin = (f"{_HEAD}\n" + "\n".join(rows) for rows in tables.values())
+    parameters = "\n".join(
+        f"| {name} | {interval(grid, likelihood)} | {NBA_COURT[key]:g} |"
+        for name, key, grid, likelihood in (
+            ("ring restitution (and the bridge's)", "ring_restitution", RESTITUTIONS, rings),
+            ("backboard restitution", "backboard_restitution", RESTITUTIONS, boards),
+            ("ring friction", "ring_friction", _FRICTIONS, grips),
         )
-        terms.append(log_terms(shares(released, NBA_COURT | own, COURT), throws.made))
-    stacked = np.array(terms)
-    return stacked.sum(axis=1), stacked
+    )
+    hits, hertz = int(made.sum()), BACKSPIN / TURN
+    landing, release, entry = (
+        ERRORS[name] / size
+        for name, size in (("landing", INCH), ("release", INCH), ("entry", DEGREE))
+    )
+    quarter, three_quarters = np.nanpercentile(throws.fall, [25.0, 75.0])
+    credible, down, near, off, speed = fitted(throws)
+    needed = float(np.median(np.linalg.norm(states(throws, 1, BACKSPIN, 0.0)[:, 0, 3:6], axis=1)))
+    flown = hoopgen.assess(in_air, made).total
+    flown_verdict = "within" if flown.agrees else "outside"
+    by_hand = "\n".join(_by_hand(throws))
+    return f"""# Real shots
 
+This page compares hoopgen with {count} free throws of one player, of which {hits} were made.
+The data are [SPL-Open-Data](https://github.com/mlsedigital/SPL-Open-Data) of Maple Leaf Sports
+& Entertainment, licensed CC BY-NC-SA 4.0. They are not part of hoopgen. To compute the numbers
+anew, get a copy and give its folder:
 
-def interval(values: Floats, likelihood: Floats, drop: float = 1.92) -> str:
-    """Return the likeliest value and the ends of its 95% interval as text.
+```text
+git clone https://github.com/mlsedigital/SPL-Open-Data.git
+python -m benchmarks.real_shots SPL-Open-Data --write
+```
 
-    The ends are those of the grid just outside of the interval, which is no narrower than it.
-    """
-    inside = np.flatnonzero(likelihood >= likelihood.max() - drop)
-    first, last = int(inside[0]), int(inside[-1])
-    low = f"{values[first - 1]:.3g}" if first else f"below {values[0]:.3g}"
-    high = f"{values[last + 1]:.3g}" if last + 1 < len(values) else f"above {values[-1]:.3g}"
-    return f"{values[int(np.argmax(likelihood))]:.3g} ({low} to {high})"
+## What the data say, and what is assumed
+
+For each throw the data give the place and the angle at which the ball comes down through the
+plane of the ring, and the result. The track of the ball ends shortly after the hand, and the
+authors call it noisy there. Its vertical acceleration should be −9.81 m/s²; in half of the
+throws it is between −{-quarter:.1f} and −{-three_quarters:.1f} m/s². `hoopgen.fit_release` with
+`release_time="detect"` calls {credible} of the {count} tracks credible flights, but they are not
+these throws: {down} of the {credible} come up to the ring's height,
+{near} of them come down within 4 in of the measured place, and in the median
+they miss it by {off:.1f} m. Their median speed is {speed:.1f} m/s, where {needed:.1f} m/s are
+needed. A short piece of a smoothed track may look like a parabola of the wrong speed, which only
+something other than the track can show. So the tracks are not used. The last frame in the hand
+gives the place of the release. With it the place and the angle at the ring determine the flight,
+without air a parabola: its speed is extrapolated from the ring to the hand.
+
+Some things are not in the data, and are **assumed**:
+
+- the errors of the measurement: {landing:g} in for the place at the ring, {entry:g}° for the
+  angle, {release:g} in for the release;
+- the backspin, {hertz:g} Hz;
+- the origin of the place at the ring, "the front of the hoop", as the middle of the wire;
+- the hoop: sizes of the NBA, and the restitutions and the friction of the presets, which were
+  not chosen by these throws.
+
+Each throw is simulated {DRAWS} times with the assumed errors. The share made is the probability
+of the throw. No number of the model was fitted to these throws in the first table.
+
+## Predictions
+
+*Right* counts throws whose result was predicted with more than half. The predicted number of
+made throws has the 95% interval of a sum of independent throws. A larger log-likelihood is
+better, a smaller Brier score is better. The logistic regression has four coefficients, of the
+place at the ring, and is fitted to the other {count - 1} throws each time.
+
+{first}
+
+`COURT` predicts {predicted:.1f} made throws; {hits} were made, which is {verdict} its interval
+of {low} to {high}. In air (`COURT_AIR`) the flight with the same place and angle at the ring is
+slower there, and more throws go in: {flown.predicted:.1f} ({flown.low} to {flown.high});
+{hits} is {flown_verdict} that interval. The likelihood of the single throws is about the same.
+The calibration of `COURT`, in bins with about as many throws each:
+
+| mean probability | throws | predicted to be made | made | 95% interval of the share made |
+| ---: | ---: | ---: | ---: | ---: |
+{bins}
+
+## What the result depends on
+
+The backspin, with `COURT`:
+
+{spin}
+
+The errors of the measurement, as multiples of those assumed:
+
+{errors}
+
+The origin of the place at the ring, moved from the middle of the wire by the radius of the
+wire:
+
+{origin}
+
+Each throw as a single shot without errors, as one would try by hand, with {hertz:g} Hz: the number
+of right predictions, with the measured release and with all from 2.2 m above the floor.
+
+| origin | `COURT` | `HOOP` | `COURT`, 2.2 m | `HOOP`, 2.2 m |
+| --- | ---: | ---: | ---: | ---: |
+{by_hand}
+
+Which origin is meant matters as much as errors and height together. The inner edge is the
+likeliest of the three; the middle is kept above because the results did not choose it.
+
+One parameter of `NBA_COURT` at a time, by the likelihood of the results, with its 95% interval.
+A parameter without a bound on one side is only bounded on the other. The intervals hold if all
+else is as assumed, which it is not exactly: they leave out the uncertainty of the backspin and
+of the errors above.
+
+| parameter | likeliest (95%) | in `NBA_COURT` |
+| --- | ---: | ---: |
+{parameters}
+
+The backspin and the restitution of the ring do not have the same effect, but partly make up for
+each other. {_joint(throws)}
+
+With the ring's restitution that is likeliest for the other throws, the log-likelihood of the
+throws left out is −{-others:.1f}; with the preset it is −{-plain:.1f}.
+
+## What would refute the model
+
+- A number of made throws outside the interval for every plausible backspin. With {hertz:g} Hz,
+  which the results prefer, {hits} is {verdict} the interval; with 3 Hz, as in the literature of
+  the page on validation, it is {verdict3}. So the model with the assumptions above does not
+  pass unscathed: it loses throws near the edge of the ring that went in. With air, which there
+  is in any gym, {hits} is {flown_verdict} the interval. A net and a ring that yields, which both
+  leave out, may keep such balls in, too; an error of the assumed origin, or in the
+  release, would change the number. A measured backspin would decide.
+- A regression on the place at the ring that predicts much better than the model. It has no
+  physics, and the model has no fitted number, so equal likelihoods are the least that the model
+  must reach.
+- A likeliest restitution of the ring far from the 0.5 to 0.65 that the presets guess from tests
+  of rims.
+
+One player with one hoop cannot test distances, bank shots or other balls. The throws do not say
+the contacts, so restitutions and friction are known only through results.
+"""
 
 
 def main() -> None:
@@ -244,24 +298,11 @@ def main() -> None:
     parser.add_argument("folder", type=Path)
     parser.add_argument("--write", action="store_true", help=f"write {PAGE.name}")
     options = parser.parse_args()
-    from .real_shots_page import page
-
     text = page(read(options.folder))
     if options.write:
         PAGE.write_text(text, encoding="utf-8")
     else:
         print(text)
-
-
-def row(label: str, p: Floats, made: NDArray[np.bool_]) -> str:
-    """Return a row of the table of predictions."""
-    found = hoopgen.assess(p, made)
-    right = int(np.sum((p > 0.5) == made))
-    total = found.total
-    return (
-        f"| {label} | {right} | {total.predicted:.1f} ({total.low}–{total.high}) | "
-        f"{MINUS}{-found.log_likelihood:.1f} | {found.brier:.3f} |"
-    )
 
 
 if __name__ == "__main__":

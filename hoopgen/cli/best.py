@@ -7,8 +7,6 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-import click
-
 import hoopgen
 from hoopgen.core.units import DEGREE, column_name, display_unit
 from hoopgen.report.quantities import for_json
@@ -63,12 +61,7 @@ def best(
     """
     engine = engine_of()
     parameters = parameters_of(engine, preset, settings)
-    player: Any = None
-    read = ""
-    if file is not None:
-        player, read = fitted_player(file, where, parameters, engine)
-    elif where:
-        raise click.UsageError("--where: there is no table; give --from")
+    player, read = fitted_player(file, where, parameters, engine)
     with shown() as progress:
         found = hoopgen.best_shots(player, parameters, scene=engine, progress=progress, **options)
     if picture is not None:

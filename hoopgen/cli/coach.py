@@ -61,14 +61,9 @@ def coach(
 
     engine = engine_of()
     parameters = parameters_of(engine, preset, settings)
-    player: Any = None
-    read = ""
-    if file is not None:
-        if options["makes"] is not None or place is not None:
-            raise click.UsageError("--from has the player's releases; leave out --makes, --place")
-        player, read = fitted_player(file, where, parameters, engine)
-    elif where:
-        raise click.UsageError("--where: there is no table; give --from")
+    if file is not None and (options["makes"] is not None or place is not None):
+        raise click.UsageError("--from has the player's releases; leave out --makes, --place")
+    player, read = fitted_player(file, where, parameters, engine)
     found = hoopgen.coach(player, place=place, parameters=parameters, scene=engine, **options)
     if picture is not None:
         hoopgen.plots.save(found.plot(), picture)

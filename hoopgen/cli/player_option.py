@@ -20,9 +20,9 @@ from_table = click.option(
 
 
 def fitted_player(
-    file: Path, where: tuple[str, ...], parameters: Any, engine: Any
+    file: Path | None, where: tuple[str, ...], parameters: Any, engine: Any
 ) -> tuple[Any, str]:
-    """Return the player fitted to a table, and how it was read.
+    """Return the player fitted to a table, and how it was read; None and "" without a table.
 
     Parameters
     ----------
@@ -45,6 +45,10 @@ def fitted_player(
     ValueError
         If the table cannot be read, or has too few rows to fit a player to.
     """
+    if file is None:
+        if where:
+            raise click.UsageError("--where: there is no table; give --from")
+        return None, ""
     from hoopgen.study.models.scatter import Scatter
     from hoopgen.study.tables.reading import ReadingOptions
 

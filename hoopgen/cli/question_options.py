@@ -147,8 +147,6 @@ def _type(name: str, value: Value) -> Any:
         return kind(list(value.allowed), case_sensitive=False)
     if isinstance(value, values.Quantity):
         return quantity(value.kind, name)
-    if isinstance(value, values.Share) and not value.percent:
-        return click.FloatRange(0, 1, min_open=True, max_open=True)
     return _TYPES.get(value) or Parsed(value.parse, value.metavar)
 
 

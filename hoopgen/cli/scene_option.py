@@ -16,7 +16,7 @@ from hoopgen.simulation.lookup import BUILT_IN, SUFFIX
 from hoopgen.text.shorten import brief
 
 from .path_types import FILE
-from .types import COUNT, SCENE, Parsed, Type, once
+from .types import COUNT, SCENE, Parsed, once
 
 if TYPE_CHECKING:
     from hoopgen.engine.compiled_scene import CompiledScene
@@ -32,10 +32,11 @@ _STATE = ("position", "velocity", "spin")
 _COMPONENTS = (("x", "y", "z"), ("vx", "vy", "vz"), ("wx", "wy", "wz"))
 
 
-class SceneName(Type[str]):
+class SceneName(Parsed[str]):
     """A scene by its name, or a scene file."""
 
-    name = "|".join((*BUILT_IN, "FILE.toml"))
+    def __init__(self) -> None:
+        super().__init__(str, "|".join((*BUILT_IN, "FILE.toml")))
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
         """Return the text, once it names a scene that there is.
@@ -48,13 +49,6 @@ class SceneName(Type[str]):
             return value if is_built_in(value) else str(FILE.convert(value, param, ctx))
         except ValueError as error:
             self.fail(str(error), param, ctx)
-
-    def get_metavar(self, param: click.Parameter, ctx: click.Context | None = None) -> str:
-        """Show it as it is.
-
-        Arguments as for `click.ParamType.get_metavar`.
-        """
-        return self.name
 
     def shell_complete(
         self, ctx: click.Context, param: click.Parameter, incomplete: str

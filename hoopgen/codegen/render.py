@@ -120,7 +120,7 @@ def render_scene(
     lowered = derive(scene)
     files: dict[str, str] = {}
     for target in BACKENDS if targets is None else targets:
-        files |= render_target(lowered, target)
+        files |= _render_target(lowered, target)
     for name, text in _pages(lowered) if page else ():
         files[name] = text
     return files
@@ -144,21 +144,8 @@ def render_studies() -> dict[str, str]:
     }
 
 
-def render_target(lowered: LoweredScene, target: str) -> dict[str, str]:
-    """Return the files of one target: path below generated/, and text.
-
-    Parameters
-    ----------
-    lowered
-        The scene with the operations of its kernels and the variants of its event loop.
-    target
-        The name of the target: "c", "numpy", "js" or "cuda".
-
-    Raises
-    ------
-    KeyError
-        If there is no such target.
-    """
+def _render_target(lowered: LoweredScene, target: str) -> dict[str, str]:
+    """Return the files of one target: path below generated/, and text."""
     backend, scene = BACKENDS[target], lowered.model.scene
     environment = _environment(backend)
     kernels = backend.kernels(lowered)

@@ -195,6 +195,12 @@ def complete(parameters: ParameterValues | None, table: Table) -> ParameterValue
     return values
 
 
+def of_scene(parameters: ParameterValues, table: Table) -> ParameterValues:
+    """Return all parameters of a scene as `complete` does, of some that have to be given."""
+    check_mapping("parameters", parameters)
+    return complete(parameters, table)
+
+
 def resolve(parameters: ParameterValues | None, shots: int, table: Table) -> dict[str, Value]:
     """Return the parameters by name in calling order, each a number or of shape (shots,).
 
@@ -247,7 +253,7 @@ def means(
     """
     found = {}
     for name, value in parameters.items():
-        own = np.asarray(value, dtype=np.float64)
+        own = as_doubles(f"parameters[{name!r}]", value)
         if own.ndim:
             counted = np.isfinite(own) if valid is None else np.isfinite(own) & valid
             own = own[counted] if counted.any() else own

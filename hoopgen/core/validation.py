@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 import os
-from collections.abc import Iterator, Mapping
 from typing import Any, Literal, get_args
 
 import numpy as np
@@ -18,18 +17,15 @@ __all__ = [
     "BACKEND_NAMES",
     "RUNTIME_BACKENDS",
     "MAX_CONTACTS",
-    "MAX_SPIN",
-    "check_angles",
-    "check_deviations",
     "check_contacts",
     "check_count",
     "check_leaving",
-    "check_spins",
     "check_states",
+    "check_index",
     "check_threads",
     "check_time_limit",
     "as_doubles",
-    "host_array",
+    "as_number",
     "is_whole",
 ]
 
@@ -69,7 +65,7 @@ def as_doubles(name: str, value: ArrayLike, expected: str = "numbers") -> NDArra
     ValueError
         If a whole number is too large for a double, or an array is in the memory of a GPU.
     """
-    value = host_array(name, value)
+    value = _host_array(name, value)
     try:
         array = np.asarray(_fill_masked(value))
         if array.dtype == object:
@@ -86,15 +82,8 @@ def as_doubles(name: str, value: ArrayLike, expected: str = "numbers") -> NDArra
         raise TypeError(f"{name}: expected {expected}, got {brief(value)}{hint}") from None
 
 
-_HOST_DEVICES = (1, 3, 11)
-"""Types of devices, as DLPack numbers them, whose memory the processor reads: its own, and what
-CUDA or ROCm have pinned."""
-
-
-def host_array(name: str, value: Any) -> Any:
-    """Return an array of another library, such as PyTorch, as one of NumPy with the same memory.
-
-    Anything that is not an array in DLPack's way is returned as it is.
+def as_number(name: str, value: Any, expected: str) -> float:
+    """Return one number; truth values, text and arrays are refused.
 
     Parameters
     ----------
@@ -102,13 +91,29 @@ def host_array(name: str, value: Any) -> Any:
         The argument, for the error message.
     value
         The caller's value.
+    expected
+        A description of the expected number, for the error message.
 
     Raises
     ------
-    TypeError
-        If its library does not give its memory away, with the reason.
-    ValueError
-        If it is in the memory of a GPU.
+    TypeError, ValueError
+        If it is none; the message begins with `name`.
+    """
+    number = as_doubles(name, value, expected)
+    if isinstance(value, bool | np.bool_) or number.ndim:
+        raise ValueError(f"{name}: expected {expected}, got {brief(value)}")
+    return float(number)
+
+
+_HOST_DEVICES = (1, 3, 11)
+"""Types of devices, as DLPack numbers them, whose memory the processor reads: its own, and what
+CUDA or ROCm have pinned."""
+
+
+def _host_array(name: str, value: Any) -> Any:
+    """Return an array of another library, such as PyTorch, as one of NumPy with the same memory.
+
+    Anything that is not an array in DLPack's way is returned as it is.
     """
     if isinstance(value, float | np.ndarray) or not hasattr(value, "__dlpack_device__"):
         return value
@@ -151,101 +156,6 @@ def is_whole(value: Any) -> bool:
     return isinstance(value, int | np.integer) and not isinstance(value, np.timedelta64)
 
 
-MAX_SPIN = 100.0
-"""rad/s, sixteen turns a second: by it the surface of a basketball is faster than its flight."""
-
-
-def check_angles(name: str, angles: Mapping[str, ArrayLike]) -> None:
-    """Raise an error if angles are degrees by their median: radians are within a turn.
-
-    Parameters
-    ----------
-    name
-        The argument, for the error message.
-    angles
-        Angles by name, rad.
-
-    Raises
-    ------
-    ValueError
-        The message begins with `name`.
-    """
-    for angle, median in _medians_above(2 * np.pi, angles):
-        raise ValueError(
-            f"{name}: {angle} is in radians, and these are more than a turn: {median:.6g}. Degrees "
-            f"would be np.radians(...), or in a table a column {angle}_deg"
-        )
-
-
-def check_spins(name: str, spins: Mapping[str, ArrayLike]) -> None:
-    """Raise an error if spins are rpm or degrees a second by their median.
-
-    Parameters
-    ----------
-    name
-        The argument, for the error message.
-    spins
-        Spins by name, rad/s.
-
-    Raises
-    ------
-    ValueError
-        The message begins with `name`.
-    """
-    for spin, median in _medians_above(MAX_SPIN, spins):
-        raise ValueError(
-            f"{name}: {spin} is in rad/s, and these are more than {MAX_SPIN:g}, "
-            f"{MAX_SPIN / (2 * np.pi):.0f} turns a second: {median:.6g}. In rpm they would be "
-            f"2*np.pi/60 times that, in degrees a second np.radians(...); in a table a column "
-            f"{spin}_rpm or {spin}_deg_s"
-        )
-
-
-def _medians_above(
-    limit: float, given: Mapping[str, ArrayLike]
-) -> Iterator[tuple[str, np.float64]]:
-    """Yield the variables whose median size exceeds a limit, with that median."""
-    for name, value in given.items():
-        sizes = np.abs(np.asarray(value, dtype=np.float64))
-        if not np.any(sizes > limit):
-            continue
-        sizes = sizes[np.isfinite(sizes)]
-        if sizes.size and np.median(sizes) > limit:
-            yield name, np.median(sizes)
-
-
-def check_deviations(name: str, deviations: Mapping[str, ArrayLike]) -> None:
-    """Raise an error if standard deviations of angles are degrees: half a radian or more.
-
-    With 0.5 rad, 28.6 degrees, every third throw would be off by more than that, and a twentieth by
-    twice as much. The smallest deviation that is measured of players is half a degree.
-
-    Parameters
-    ----------
-    name
-        The argument, for the error message.
-    deviations
-        Standard deviations of angles by name, rad.
-
-    Raises
-    ------
-    ValueError
-        The message begins with `name`.
-    """
-    for angle, given in deviations.items():
-        value = float(np.asarray(given))
-        if value >= MAX_DEVIATION:
-            raise ValueError(
-                f"{name}: {angle} is in radians, and {value:.6g} is a standard deviation of "
-                f"{np.degrees(value):.3g} degrees; expected less than {MAX_DEVIATION}. Degrees "
-                f"would be np.radians({value:.6g})"
-            )
-
-
-MAX_DEVIATION = 0.5
-"""rad. Standard deviations of the angle of a release are below; see `check_deviations`."""
-
-
 def check_states(states: ArrayLike) -> NDArray[np.float64]:
     """Return releases as float64 (n, 9), contiguous by row.
 
@@ -282,7 +192,7 @@ def check_leaving(
     """
     if leaving is None:
         return None
-    leaving = host_array("leaving", leaving)
+    leaving = _host_array("leaving", leaving)
     try:
         array = np.asarray(leaving)
     except ValueError:  # rows of different lengths
@@ -319,14 +229,41 @@ def check_time_limit(time_limit: Any) -> float:
     if time_limit is None:
         return math.inf
     expected = "a positive number of seconds, or None"
-    limit = as_doubles("time_limit", time_limit, expected)
-    if isinstance(time_limit, bool | np.bool_) or limit.ndim or not limit > 0:
+    limit = as_number("time_limit", time_limit, expected)
+    if not limit > 0:
         raise ValueError(f"time_limit: expected {expected}, got {brief(time_limit)}")
     if hoop.MAX_TIME < limit < math.inf:
         raise ValueError(
             f"time_limit: expected at most {hoop.MAX_TIME:g} seconds, or None; got {limit:g}"
         )
-    return float(limit)
+    return limit
+
+
+def check_index(name: str, value: Any, length: int) -> int:
+    """Return the index of a shot, from 0, for one that may count from the end.
+
+    Parameters
+    ----------
+    name
+        The argument, for the error message.
+    value
+        The caller's value.
+    length
+        The number of shots.
+
+    Raises
+    ------
+    TypeError
+        If it is no whole number.
+    IndexError
+        If there is no such shot.
+    """
+    if not is_whole(value):
+        raise TypeError(f"{name}: expected a whole number, got {brief(value)}")
+    if not -length <= value < length:
+        allowed = f"from {-length} to {length - 1}" if length else "of none"
+        raise IndexError(f"{name}: expected a shot {allowed}, got {brief(value)}")
+    return int(value) % length
 
 
 def check_count(

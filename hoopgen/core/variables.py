@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from hoopgen.generated.numpy import hoop
 from hoopgen.text.shorten import brief, join_names, suggestion
 
+from .argument_types import is_names
 from .units import UNITS, Kind
 
 __all__ = ["KIND_OF", "STATE", "STATE_UNITS", "Releases", "Variable", "check_names", "is_state"]
@@ -113,7 +114,7 @@ def check_names(name: str, given: Iterable[str], allowed: Iterable[str]) -> tupl
     ValueError
         The message begins with `name` and lists what is allowed.
     """
-    if isinstance(given, str) or not isinstance(given, Iterable):
+    if not is_names(given):
         raise TypeError(f"{name}: expected names in a list or a mapping, got {brief(given)}")
     names = tuple(given)
     known = allowed if isinstance(allowed, Mapping) else tuple(allowed)

@@ -7,12 +7,12 @@ are as the shooter sees them who faces the basket; a place without a side is tha
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from math import atan2, hypot, sqrt
 from types import MappingProxyType
-from typing import Any
 
+from hoopgen.core.argument_types import check_mapping
 from hoopgen.core.parameters import ParameterValues
 from hoopgen.core.units import INCH
 from hoopgen.core.validation import as_doubles
@@ -62,71 +62,50 @@ class Place:
         return {"distance": self.distance, "angle": self.angle}
 
 
-def _free_throw(court: Court, board: float) -> tuple[float, float]:
-    return court.free_throw - board, 0.0
-
-
-def _top_of_key(court: Court, board: float) -> tuple[float, float]:
-    return court.free_throw - board + court.circle, 0.0
-
-
-def _elbow(court: Court, board: float) -> tuple[float, float]:
-    return court.free_throw - board, 0.5 * court.lane
-
-
-def _top_three(court: Court, board: float) -> tuple[float, float]:
-    return court.arc, 0.0
-
-
-def _wing_three(court: Court, board: float) -> tuple[float, float]:
-    return court.arc * sqrt(0.5), court.arc * sqrt(0.5)
-
-
-def _corner_three(court: Court, board: float) -> tuple[float, float]:
-    return 0.0, court.corner
-
-
-def _half_court(court: Court, board: float) -> tuple[float, float]:
-    return court.half_length - court.baseline - board, 0.0
-
-
 @dataclass(frozen=True)
 class _Rule:
-    """A function from the measures of a court to a place, and the words of the rule book."""
+    """A place by the measures of a court and its board's distance, in the rule book's words."""
 
-    at: Any
+    at: Callable[[Court, float], tuple[float, float]]
     source: str
     sides: bool = False
 
 
 PLACES: Mapping[str, _Rule] = MappingProxyType(
     {
-        "free throw": _Rule(_free_throw, "the free-throw line, {free_throw} from the board"),
+        "free throw": _Rule(
+            lambda court, board: (court.free_throw - board, 0.0),
+            "the free-throw line, {free_throw} from the board",
+        ),
         "top of the key": _Rule(
-            _top_of_key,
+            lambda court, board: (court.free_throw - board + court.circle, 0.0),
             "where the free-throw circle ends, {circle} beyond the free-throw line, which is "
             "{free_throw} from the board",
         ),
         "elbow": _Rule(
-            _elbow,
+            lambda court, board: (court.free_throw - board, 0.5 * court.lane),
             "where the free-throw line, {free_throw} from the board, meets the side of the lane, "
             "{lane} wide",
             True,
         ),
-        "top three": _Rule(_top_three, "the three-point line, {arc} from the ring's centre"),
+        "top three": _Rule(
+            lambda court, board: (court.arc, 0.0),
+            "the three-point line, {arc} from the ring's centre",
+        ),
         "wing three": _Rule(
-            _wing_three,
+            lambda court, board: (court.arc * sqrt(0.5), court.arc * sqrt(0.5)),
             "the three-point line, {arc} from the ring's centre, 45 degrees to the side",
             True,
         ),
         "corner three": _Rule(
-            _corner_three,
+            lambda court, board: (0.0, court.corner),
             "the three-point line in the corner, {corner} from the middle of the court, level with "
             "the ring's centre",
             True,
         ),
         "half court": _Rule(
-            _half_court, "the middle of the division line, {half_length} from the baseline"
+            lambda court, board: (court.half_length - court.baseline - board, 0.0),
+            "the middle of the division line, {half_length} from the baseline",
         ),
     }
 )
@@ -176,9 +155,12 @@ def find_place(
     TypeError, ValueError
         If there is no such place or court.
     """
+    if not (court is None or (isinstance(court, str) and court in COURTS)):
+        raise ValueError(f"court: expected {' or '.join(COURTS)}, got {brief(court)}")
     hoop = parameters
     if hoop is None:
         hoop = FIBA if court == "FIBA" else PAPER
+    check_mapping("parameters", hoop)
     if not isinstance(name, str):
         raise TypeError(f"place: expected the name of a place, got {brief(name)}")
     words = _plain(name)
@@ -193,8 +175,6 @@ def find_place(
             f"got {brief(name)}{suggestion(rest, [*PLACES, *_ALIASES])}"
         )
     book = court_of(hoop) if court is None else court
-    if book not in COURTS:
-        raise ValueError(f"court: expected {' or '.join(COURTS)}, got {brief(court)}")
     measures, rule = COURTS[book], PLACES[plain]
     given = hoop.get("board_distance", PAPER["board_distance"])
     board = as_doubles("parameters['board_distance']", given)

@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from hoopgen.core.argument_types import check_mapping
 from hoopgen.core.parameters import Parameters, Table
 from hoopgen.generated.numpy import hoop
 
@@ -84,6 +85,7 @@ def nearest_preset(
     tuple
         A key of `presets`, the first one of several; and the names and values that differ.
     """
+    check_mapping("parameters", parameters)
 
     def apart(preset: Mapping[str, Any]) -> dict[str, Any]:
         return {

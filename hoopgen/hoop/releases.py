@@ -11,7 +11,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from hoopgen.core.argument_types import check_flag
 from hoopgen.core.jacobian import Jacobian
-from hoopgen.core.validation import as_doubles, check_angles, check_spins
+from hoopgen.core.si_checks import check_angles, check_lengths, check_spins
+from hoopgen.core.validation import as_doubles
 from hoopgen.core.variables import STATE
 from hoopgen.engine.draws import release_states, turns
 from hoopgen.generated.numpy import studies
@@ -137,8 +138,9 @@ def release(
     TypeError
         If an argument cannot become float64.
     ValueError
-        If the shapes do not broadcast, the one speed or distance of all is negative, angles are
-        degrees (by their median, more than a turn), or spins are no rad/s (more than `MAX_SPIN`).
+        If the shapes do not broadcast, the one speed or distance of all is negative, or units are
+        others by the median: angles of more than a turn, spins above `MAX_SPIN`, lengths above
+        `MAX_LENGTH`.
     """
     arguments = {
         "speed": speed,
@@ -151,6 +153,7 @@ def release(
         "angle": angle,
     }
     arrays = {name: as_doubles(name, value) for name, value in arguments.items()}
+    check_lengths("release", {name: arrays[name] for name in ("height", "distance")})
     check_angles("release", {name: arrays[name] for name in _ANGLES})
     check_spins("release", {name: arrays[name] for name in _SPINS})
     states = states_of(arrays)
@@ -160,7 +163,7 @@ def release(
 
 
 def states_of(arrays: Mapping[str, NDArray[np.float64]]) -> NDArray[np.float64]:
-    """Return states as `release` does, without its checks of angles and spins.
+    """Return states as `release` does, without its checks of units.
 
     Parameters
     ----------

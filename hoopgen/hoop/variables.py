@@ -9,8 +9,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from hoopgen.core.validation import as_doubles, check_spins
-from hoopgen.core.validation import check_angles as check_radians
+from hoopgen.core.si_checks import check_angles as check_radians
+from hoopgen.core.si_checks import check_lengths, check_spins
+from hoopgen.core.validation import as_doubles
 from hoopgen.core.variables import KIND_OF, STATE, Releases, Variable, check_names
 from hoopgen.engine.elementary import arc_tangent, hypotenuse
 from hoopgen.generated.numpy import hoop
@@ -84,7 +85,7 @@ VARIABLES: Mapping[str, Variable] = MappingProxyType(
 
 
 def check_angles(name: str, values: Mapping[str, ArrayLike]) -> None:
-    """Refuse angles that seem to be in degrees, and spins that seem not to be in rad/s.
+    """Refuse lengths, angles and spins that seem not to be in m, rad and rad/s.
 
     The limits are those of `hoopgen.core.validation`.
 
@@ -93,14 +94,14 @@ def check_angles(name: str, values: Mapping[str, ArrayLike]) -> None:
     name
         The argument that errors name.
     values
-        Values of variables by name, rad and rad/s.
+        Values of variables by name, SI.
 
     Raises
     ------
     ValueError
         The message begins with `name`.
     """
-    for kind, check in (("angle", check_radians), ("spin", check_spins)):
+    for kind, check in (("length", check_lengths), ("angle", check_radians), ("spin", check_spins)):
         names = (one for one in values if one in VARIABLES and VARIABLES[one].kind == kind)
         check(name, {one: values[one] for one in names})
 

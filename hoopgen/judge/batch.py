@@ -16,6 +16,7 @@ import numpy as np
 from flint import arb, ctx
 from numpy.typing import ArrayLike, NDArray
 
+from hoopgen.core.argument_types import check_arguments
 from hoopgen.core.parameters import ParameterValues, resolve
 from hoopgen.core.validation import (
     check_contacts,
@@ -56,6 +57,7 @@ class CertificationOptions(TypedDict, total=False):
     processes: int | None
 
 
+@check_arguments
 def certify(
     states: ArrayLike,
     parameters: ParameterValues | None = None,

@@ -12,6 +12,7 @@ import numpy as np
 from flint import arb, ctx
 from numpy.typing import NDArray
 
+from hoopgen.core.argument_types import check_arguments
 from hoopgen.core.event_log import Event
 from hoopgen.generated.numpy import hoop
 from hoopgen.text.numbers import format_count
@@ -206,6 +207,7 @@ class Certificate:
         states = [p.state for p in proofs], [p.state_radii for p in proofs]
         self.state, self.state_radius = (np.array(s, float).reshape(shots, 9) for s in states)
 
+    @check_arguments
     def agrees(self, shots: Shots) -> NDArray[np.bool_]:
         """Return a mask of the shots that are as proved, or are marked as uncertain.
 
@@ -249,6 +251,7 @@ class Certificate:
                 right[shot] = list(one["surface"][:until]) == own[:until]
         return np.asarray(right | shots.uncertain)
 
+    @check_arguments
     def event_errors(self, shots: Shots) -> NDArray[np.void]:
         """Return proved bounds on the errors of each recorded event of simulated shots.
 

@@ -183,18 +183,10 @@ def _surface(surface: Surface, face: int, body: int, scene: Scene) -> SurfaceFor
         impact,
         restitution,
         tuple(ends),
-        _rolls_on(scene, face),
+        scene.rolls
+        and face < len(scene.surfaces)
+        and allows_rolling(scene.surfaces[face], scene.flight),
     )
-
-
-def _rolls_on(scene: Scene, face: int) -> bool:
-    if not scene.rolls or face >= len(scene.surfaces):
-        return False
-    return allows_rolling(scene.surfaces[face], scene.flight)
-
-
-def _solid(surface: Surface) -> tuple[sp.Expr, ...]:
-    return box_solid(surface) if isinstance(surface, Box) else surface.inside
 
 
 def _parabola(scene: Scene) -> Function | None:
@@ -230,7 +222,11 @@ def formulas(scene: Scene = HOOP) -> Formulas:
     return Formulas(
         surfaces,
         tuple(
-            compile_expressions(_solid(s), (*POSITION, *VELOCITY), parameters)
+            compile_expressions(
+                box_solid(s) if isinstance(s, Box) else s.inside,
+                (*POSITION, *VELOCITY),
+                parameters,
+            )
             for s in scene.surfaces
         ),
         len(touched),

@@ -18,7 +18,7 @@ import numpy as np
 from flint import arb, ctx
 from numpy.typing import NDArray
 
-from hoopgen.core.argument_types import check_flag, check_mapping
+from hoopgen.core.argument_types import check_arguments
 from hoopgen.core.parameters import ParameterValues, resolve
 from hoopgen.core.plotting import plotting_module
 from hoopgen.core.validation import check_contacts, check_count, check_time_limit
@@ -136,6 +136,7 @@ class BoxProof:
         return drawn
 
 
+@check_arguments
 def certify_box(
     release: Mapping[str, float],
     half_widths: Mapping[str, float],
@@ -190,12 +191,11 @@ def certify_box(
     limit = default_time_limit(derived) if time_limit is None else check_time_limit(time_limit)
     pilot = _Pilot(derived, values, most, limit, middle)
     parts = check_count("max_parts", max_parts)
-    return _prove(pilot, widths, parts, check_flag("survey", survey))
+    return _prove(pilot, widths, parts, survey)
 
 
 def _checked_release(release: Mapping[str, float]) -> dict[str, float]:
     """Return all variables of the middle of a box, of one kind."""
-    check_mapping("release", release)
     by_state = set(release) <= set(STATE)
     names = STATE if by_state else tuple(ARGUMENTS)
     check_names("release", tuple(release), names)
@@ -210,7 +210,6 @@ def _checked_release(release: Mapping[str, float]) -> dict[str, float]:
 
 def _checked_widths(half_widths: Mapping[str, float], middle: Mapping[str, float]) -> Bounds:
     """Return the ends of the box of each variable with a width."""
-    check_mapping("half_widths", half_widths)
     check_names("half_widths", tuple(half_widths), tuple(middle))
     widths = {name: _number(f"half_widths[{name!r}]", one) for name, one in half_widths.items()}
     if set(middle) != set(STATE):

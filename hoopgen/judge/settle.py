@@ -28,8 +28,6 @@ def settle(
     scene: CompiledScene,
     leaving: ArrayLike | None = None,
     time_limit: float | None = None,
-    max_bits: int = SETTLING_BITS,
-    processes: int | None = None,
 ) -> NDArray[np.int64]:
     """Replace the results of uncertain shots by proved ones; undecidable shots stay.
 
@@ -40,8 +38,6 @@ def settle(
         place; "events", if there, is replaced by a new log.
     states, parameters, max_contacts, scene, leaving, time_limit
         Of the simulation that the results are from.
-    max_bits, processes
-        As in `certify`.
 
     Returns
     -------
@@ -57,11 +53,10 @@ def settle(
         own,
         scene=scene,
         max_contacts=max_contacts,
-        max_bits=max_bits,
+        max_bits=SETTLING_BITS,
         record="events" in fields,
         leaving=None if leaving is None else _rows(leaving, rows),
         time_limit=time_limit,
-        processes=processes,
     )
     proved = certificate.decided
     settled = rows[proved]

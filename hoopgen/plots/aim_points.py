@@ -17,8 +17,10 @@ from matplotlib.patches import Rectangle
 from matplotlib.patheffects import withStroke
 from numpy.typing import NDArray
 
+from hoopgen.core.argument_types import check_arguments
 from hoopgen.hoop.court_lines import Court, find_court
 from hoopgen.hoop.places import Square, on_board, say_on_board, say_on_ring
+from hoopgen.hoop.presets import PAPER
 from hoopgen.report.provenance import describe_dataset, describe_hoop, sentences
 
 from .figure import add_key, add_title, draw_picture, fit_view
@@ -26,7 +28,7 @@ from .floor_plan import FLOOR, add_floor, on_floor
 from .hoop import draw_hoop, scene_corners
 from .label_placement import Box, place_labels
 from .page import ABOVE, BELOW, add_view, lay_pair, new_page
-from .style import DARK, PAGE, letter
+from .style import DARK, PAGE, Inches, letter
 from .views import Limits, Panel, View, limits_around
 
 if TYPE_CHECKING:
@@ -68,6 +70,7 @@ _MARGIN = 0.1  # m
 _FLOOR_MARGIN = 0.25  # m, around the places
 
 
+@check_arguments
 def plot_aim_points(
     dataset: xr.Dataset,
     parameters: Mapping[str, float],
@@ -75,7 +78,7 @@ def plot_aim_points(
     court: str | None = None,
     title: str = "",
     note: str | None = None,
-    width: float = PAGE,
+    width: Inches = PAGE,
     ax: Drawn | None = None,
 ) -> Drawn:
     """Draw where on the board the best bank shots touch it, and the places they come from.
@@ -121,6 +124,7 @@ def plot_aim_points(
     missing = [name for name in _REQUIRED if name not in dataset]
     if missing:
         raise ValueError(f"dataset: expected that of bank_or_direct; {', '.join(missing)} missing")
+    parameters = {**PAPER, **parameters}
     lines = find_court(court, parameters)
     columns = {name: np.asarray(dataset[name], dtype=np.float64) for name in _REQUIRED}
     there = np.isfinite(columns["touch_y"])

@@ -10,13 +10,14 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
+from hoopgen.core.argument_types import check_arguments, check_mapping
 from hoopgen.core.parameters import ParameterValues
 from hoopgen.report.provenance import describe_hoop, describe_release, sentences
 from hoopgen.report.quantities import quantity
 
 from .figure import add_title, draw_picture
 from .page import new_page
-from .style import COLOURS, DARK, GRID, NARROW_PAGE, PAGE
+from .style import COLOURS, DARK, GRID, NARROW_PAGE, PAGE, Inches
 
 if TYPE_CHECKING:
     from hoopgen.results.drawing import Drawn
@@ -42,13 +43,14 @@ _BAND_NOTE = (
 )
 
 
+@check_arguments
 def plot_aim(
     table: Table,
     parameters: ParameterValues,
     *,
     title: str = "",
     note: str | None = None,
-    width: float = PAGE,
+    width: Inches = PAGE,
     ax: Drawn | None = None,
 ) -> Drawn:
     """Draw a table of releases over the distance, with what each of them forgives.
@@ -80,6 +82,8 @@ def plot_aim(
     ValueError
         If a column is missing, or no row has a release.
     """
+    check_mapping("table", table)
+    check_mapping("parameters", parameters)
     missing = [name for name in _NEEDED if name not in table]
     if missing:
         raise ValueError(f"table: expected that of aim_table; {', '.join(missing)} missing")

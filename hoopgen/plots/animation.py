@@ -24,7 +24,9 @@ from matplotlib.patches import Circle
 from numpy.typing import NDArray
 from PIL import Image
 
+from hoopgen.core.argument_types import check_arguments
 from hoopgen.core.files import FILMS, check_output, write
+from hoopgen.core.validation import as_number
 from hoopgen.text.shorten import brief
 
 from .contact_marks import LEGEND_ROW, Mark, draw_badges, draw_mark_legend, mark_legend_rows
@@ -32,12 +34,12 @@ from .hoop import drawing_order
 from .page import stack_views
 from .panels import Drawing, add_panel, label_flat_view, thin_rows
 from .shot_text import LEFT, LINE, describe_shot, dot_times, draw_title, wrap_lines
-from .shot_text import Path as Trajectory
+from .shot_text import FlightPath as Trajectory
 from .style import COLOURS, PAGE, style
 from .trajectory import build_drawing, flat_limits, path_times
 from .views import Panel, Points
 
-__all__ = ["FRAME_RATE", "Film", "check_film", "save_film"]
+__all__ = ["FRAME_RATE", "Film", "save_film"]
 
 FRAME_RATE = 25
 """Frames a second: a GIF counts in hundredths of one."""
@@ -57,27 +59,7 @@ _MAX_HEIGHT = 4.2
 _MIN_WIDTH = 5.3
 
 
-def check_film(path: str | Path) -> Path:
-    """Check the path of a film before the work, as far as is possible.
-
-    Raises
-    ------
-    ValueError
-        If its name ends in none of `hoopgen.core.files.FILMS`.
-    RuntimeError
-        If it is an MP4 and there is no ffmpeg.
-    OSError
-        If it cannot be written.
-    """
-    target = check_output(path, FILMS)
-    if target.suffix.lower() == ".mp4" and not FFMpegWriter.isAvailable():
-        raise RuntimeError(
-            f"{target.name}: an MP4 needs the program ffmpeg, and there is none on the PATH; "
-            "install it, or write a .gif"
-        )
-    return target
-
-
+@check_arguments
 def save_film(
     trajectory: Trajectory,
     parameters: Mapping[str, float],
@@ -117,8 +99,13 @@ def save_film(
     OSError
         The file cannot be written; what was there before stays.
     """
-    target = check_film(path)
-    if speed is not None and not 0.0 < speed < np.inf:
+    target = check_output(path, FILMS)
+    if target.suffix.lower() == ".mp4" and not FFMpegWriter.isAvailable():
+        raise RuntimeError(
+            f"{target.name}: an MP4 needs the program ffmpeg, and there is none on the PATH; "
+            "install it, or write a .gif"
+        )
+    if speed is not None and not 0.0 < as_number("speed", speed, "a number above 0") < np.inf:
         raise ValueError(f"speed: expected a number above 0, got {brief(speed)}")
     with style():
         film = Film(trajectory, parameters, outcome, title, speed)

@@ -11,6 +11,7 @@ from matplotlib.axes import Axes
 from matplotlib.colors import Normalize
 from matplotlib.patches import Rectangle
 
+from hoopgen.core.argument_types import check_arguments
 from hoopgen.core.units import DEGREE, display_unit
 from hoopgen.hoop.court_lines import find_court
 from hoopgen.study.questions.best_shots_result import describe_best_shots
@@ -33,6 +34,7 @@ _HEIGHT = 6.9
 _MARGIN = 0.25  # m
 
 
+@check_arguments
 def plot_best_shots(dataset: xr.Dataset, *, title: str = "", ax: Drawn | None = None) -> Drawn:
     """Draw the half court with the best shot from each place.
 

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from matplotlib.axes import Axes
 
+from hoopgen.core.argument_types import check_arguments
 from hoopgen.text.numbers import format_percent
 
 from .figure import draw_picture
@@ -18,6 +19,7 @@ if TYPE_CHECKING:
 __all__ = ["plot_calibration"]
 
 
+@check_arguments
 def plot_calibration(found: Assessment, *, title: str = "", ax: Drawn | None = None) -> Drawn:
     """Draw the share made of shots with similar probabilities against the predicted share.
 

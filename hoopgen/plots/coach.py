@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from matplotlib.axes import Axes
 
+from hoopgen.core.argument_types import check_arguments
 from hoopgen.study.questions.coach_result import Advice, Coaching, say
 from hoopgen.text.numbers import format_percent
 
@@ -18,6 +19,7 @@ if TYPE_CHECKING:
 __all__ = ["plot_coach"]
 
 
+@check_arguments
 def plot_coach(found: Coaching, *, title: str = "", ax: Drawn | None = None) -> Drawn:
     """Draw how many more of a hundred shots go in with each change, with the intervals.
 

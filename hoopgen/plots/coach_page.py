@@ -17,6 +17,7 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Circle
 from numpy.typing import NDArray
 
+from hoopgen.core.argument_types import check_arguments
 from hoopgen.core.files import check_output, write
 from hoopgen.core.units import INCH
 from hoopgen.simulation.simulate import simulate
@@ -39,6 +40,7 @@ _SHORT = {"speed": "speed", "elevation": "arc", "azimuth": "left-right", "backsp
 _REACH = 17.0  # inches from the ring's centre
 
 
+@check_arguments
 def plot_coach_shots(found: Coaching, *, title: str = "") -> Figure:
     """Draw where shots come down at the ring: now, and with half the spread of each part.
 
@@ -97,6 +99,7 @@ def _shots(player: Scatter, found: Coaching) -> tuple[Any, Any, NDArray[np.bool_
     return where["depth"] / INCH, -where["left_right"] / INCH, np.asarray(shots.made)
 
 
+@check_arguments
 def write_coach_page(found: Coaching, path: str | os.PathLike[str], *, read: str = "") -> Path:
     """Write a page for players, one file that needs no other.
 

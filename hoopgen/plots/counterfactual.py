@@ -8,13 +8,14 @@ from typing import TYPE_CHECKING
 
 from matplotlib.lines import Line2D
 
+from hoopgen.core.argument_types import check_arguments
 from hoopgen.study.questions.counterfactual_result import Counterfactual
 
 from .class_legend import Class
 from .fan import draw_fan_on, draw_fan_page
 from .fan_paths import gather_fan
 from .figure import draw_picture
-from .style import INK, LINES, PAGE
+from .style import INK, LINES, PAGE, Inches
 
 if TYPE_CHECKING:
     from hoopgen.results.drawing import Drawn
@@ -27,8 +28,9 @@ _COLOURS = (INK, LINES["missed"]["airball"], *[*LINES["made"].values()][1:])
 """Colours of the shot itself, then of the changed ones: none is that of a part of the hoop."""
 
 
+@check_arguments
 def plot_counterfactual(
-    answer: Counterfactual, *, title: str = "", width: float = PAGE, ax: Drawn | None = None
+    answer: Counterfactual, *, title: str = "", width: Inches = PAGE, ax: Drawn | None = None
 ) -> Drawn:
     """Draw the path of a shot and its paths with the smallest changes, from the side, to scale.
 

@@ -11,6 +11,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
+from hoopgen.core.argument_types import check_arguments
 from hoopgen.core.colours import outcome_colours
 from hoopgen.report.provenance import describe_setting, sentences
 from hoopgen.text.numbers import (
@@ -34,6 +35,7 @@ from .style import (
     NOTE_SIZE,
     OTHER_OUTCOME_COLOURS,
     PAGE,
+    Inches,
 )
 from .ticks import number
 
@@ -57,12 +59,13 @@ _BAR_HEIGHT = 0.62  # of a row
 _PLAIN_COLOUR = "#E2E2E2"
 
 
+@check_arguments
 def plot_estimate(
     found: Estimate | Shares | Comparison | Solution,
     *,
     title: str = "",
     note: str | None = None,
-    width: float = PAGE,
+    width: Inches = PAGE,
     ax: Drawn | None = None,
 ) -> Drawn:
     """Draw how shots end: the share of each outcome and, at a hoop, of what they touched.

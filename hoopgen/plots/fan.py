@@ -12,7 +12,9 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Rectangle
 
+from hoopgen.core.argument_types import check_arguments
 from hoopgen.core.parameters import ParameterValues
+from hoopgen.core.validation import check_count
 from hoopgen.report.provenance import describe_scene
 from hoopgen.results.shots import Outcome, Shots
 from hoopgen.text.numbers import format_count, format_percent
@@ -32,7 +34,7 @@ from .small_multiples import (
     group_by_name,
     lay_grid,
 )
-from .style import COLOURS, EDGES, GRID, PAGE
+from .style import COLOURS, EDGES, GRID, PAGE, Inches
 from .ticks import few_ticks
 from .views import Limits, Panel
 
@@ -54,6 +56,7 @@ _MAX_HEIGHT_ABOVE, _MAX_HEIGHT_PART = 2.4, 1.7  # all paths above small multiple
 _LINE, _WIDE_LINE = 0.45, 0.75  # points, of many paths and of those of a small panel
 
 
+@check_arguments
 def plot_fan(
     shots: Shots,
     parameters: ParameterValues,
@@ -62,7 +65,7 @@ def plot_fan(
     by: str = "auto",
     title: str = "",
     note: str = "",
-    width: float = PAGE,
+    width: Inches = PAGE,
     ax: Drawn | None = None,
 ) -> Drawn:
     """Draw the paths of many shots from the side, to scale.
@@ -107,8 +110,7 @@ def plot_fan(
         If none of them has a path, `paths` is not above 0, `by` is none of those, or there are to
         be several panels on `ax`.
     """
-    if paths < 1:
-        raise ValueError(f"paths: expected a number above 0, got {brief(paths)}")
+    check_count("paths", paths)
     if ax is not None:
         by = _check_single_panel(by)
     fan = gather_fan(shots, parameters, range(min(paths, len(shots))))

@@ -9,14 +9,14 @@ import numpy as np
 from matplotlib.path import Path
 from numpy.typing import NDArray
 
-from hoopgen.core.parameters import ParameterValues, means
+from hoopgen.core.parameters import ParameterValues, means, of_scene
 from hoopgen.hoop.kinds import kinds
 from hoopgen.results.shots import Shots
 from hoopgen.results.trajectory import Trajectory
 
 from .class_legend import CLASSES, Class, classify, outcome_classes
 from .scenery import Scenery, scenery_of
-from .views import Limits, Points, View, limits_around
+from .views import Limits, View, limits_around
 
 __all__ = ["Fan", "bezier", "classes_of", "gather_fan"]
 
@@ -103,7 +103,9 @@ def gather_fan(shots: Shots, parameters: ParameterValues, drawn: Iterable[int]) 
     if not flown:
         raise ValueError("shots: expected one at least that touches something or ends, got none")
     curves = [bezier(trajectory) for trajectory in flown.values()]
-    own = means(parameters, shots.outcome != shots.scene.outcomes["INVALID"])
+    own = means(
+        of_scene(parameters, shots.scene.table), shots.outcome != shots.scene.outcomes["INVALID"]
+    )
     hoop = None
     if shots.scene.is_hoop:
         hoop = own
@@ -115,7 +117,10 @@ def gather_fan(shots: Shots, parameters: ParameterValues, drawn: Iterable[int]) 
         view = scenery.look(scenery.views(scenery.upright(points))[0])
     classes, codes = classes_of(shots)
     return Fan(
-        [_project(scenery.upright(curve), view) for curve in curves],
+        [
+            Path(view.flatten(scenery.upright(c)), [Path.MOVETO, *[Path.CURVE3] * (len(c) - 1)])
+            for c in curves
+        ],
         [*flown],
         [classes[codes[shot]] for shot in flown],
         classes,
@@ -124,11 +129,6 @@ def gather_fan(shots: Shots, parameters: ParameterValues, drawn: Iterable[int]) 
         hoop,
         [_elevation(release) for release in releases],
     )
-
-
-def _project(points: Points, view: View) -> Path:
-    """Return the projection of Bézier curves."""
-    return Path(view.flatten(points), [Path.MOVETO, *[Path.CURVE3] * (len(points) - 1)])
 
 
 def _side_view(releases: list[NDArray[np.float64]]) -> View:

@@ -15,7 +15,8 @@ from matplotlib.patheffects import withStroke
 from matplotlib.ticker import MaxNLocator
 from numpy.typing import ArrayLike
 
-from hoopgen.core.parameters import ParameterValues, means
+from hoopgen.core.argument_types import check_arguments
+from hoopgen.core.parameters import ParameterValues, means, of_scene
 from hoopgen.core.units import display_unit
 from hoopgen.core.validation import as_doubles
 from hoopgen.engine.compiled_scene import CompiledScene
@@ -23,12 +24,13 @@ from hoopgen.hoop.court_lines import Court, find_court
 from hoopgen.report.provenance import describe_scene
 from hoopgen.simulation.hoop import HOOP
 from hoopgen.text.numbers import format_percent
+from hoopgen.text.shorten import brief
 
 from .figure import add_title, draw_picture, fit_view
 from .floor_plan import FLOOR, add_floor, draw_floor, on_floor
 from .page import ABOVE, BELOW, LEFT, add_axes, new_page
 from .sectors import at_height, draw_sectors
-from .style import COLOURS, DARK, PAGE, SHARE_COLOURS
+from .style import COLOURS, DARK, PAGE, SHARE_COLOURS, Inches
 from .views import Limits, Panel, Points
 
 if TYPE_CHECKING:
@@ -65,6 +67,7 @@ def _share(height: float | None) -> str:
     return f"balls that {what} (% per {display_unit('length').symbol}²)"
 
 
+@check_arguments
 def plot_landings(
     x: ArrayLike,
     y: ArrayLike,
@@ -76,7 +79,7 @@ def plot_landings(
     scene: CompiledScene = HOOP,
     title: str = "",
     note: str = "",
-    width: float = PAGE,
+    width: Inches = PAGE,
     ax: Drawn | None = None,
 ) -> Drawn:
     """Draw how densely balls reach the floor around the basket, to scale.
@@ -122,8 +125,11 @@ def plot_landings(
     ValueError
         If x and y are not (n,) both, none is a number, or there is no such court.
     """
+    parameters = of_scene(parameters, scene.table)
     lines = find_court(court, parameters)
     points, misses = _points(x, y)
+    if place is not None and as_doubles("place", place, "x and y").shape != (2,):
+        raise ValueError(f"place: expected x and y, got {brief(place)}")
     hoop = means(parameters)
     circles = {share: float(np.quantile(np.hypot(*points.T), share)) for share in _CIRCLE_SHARES}
     caught = at_height(height, sectors=place is not None)

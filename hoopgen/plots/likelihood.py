@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from hoopgen.core.argument_types import check_arguments
 from hoopgen.text.numbers import format_percent
 
 from .figure import Picture, draw_picture
@@ -22,6 +23,7 @@ _DEEPEST = 8.0
 """Log-likelihood below the maximum that is drawn."""
 
 
+@check_arguments
 def plot_likelihood(found: CalibratedScene, *, title: str = "", ax: Drawn | None = None) -> Drawn:
     """Draw the profile of the log-likelihood of each calibrated parameter, and its interval.
 

@@ -16,6 +16,7 @@ from matplotlib.path import Path
 from matplotlib.ticker import FuncFormatter, MaxNLocator
 from numpy.typing import NDArray
 
+from hoopgen.core.argument_types import check_arguments
 from hoopgen.hoop.court_lines import Court, find_court
 from hoopgen.text.numbers import format_percent
 
@@ -26,7 +27,7 @@ from .floor_plan import FLOOR, draw_floor, on_floor
 from .map_cells import Cells, read_cells
 from .page import LEFT, RIGHT, add_axes, new_page
 from .small_multiples import FOOT, draw_grid, lay_grid
-from .style import COLOURS, DARK, EDGES, GRID, NARROW_PAGE, NOTE_SIZE, PAGE, SHARE_COLOURS
+from .style import COLOURS, DARK, EDGES, GRID, NARROW_PAGE, NOTE_SIZE, PAGE, SHARE_COLOURS, Inches
 from .views import Limits, limits_around
 
 if TYPE_CHECKING:
@@ -58,6 +59,7 @@ _FLOOR_MARGIN = 0.25  # m, around what a floor plan shows
 _HATCH_NOTE = "Hatched: no such flight."
 
 
+@check_arguments
 def plot_map(
     dataset: xr.Dataset,
     *,
@@ -65,7 +67,7 @@ def plot_map(
     title: str = "",
     note: str | None = None,
     court: str | None = None,
-    width: float = PAGE,
+    width: Inches = PAGE,
     ax: Drawn | None = None,
 ) -> Drawn:
     """Draw a map of `hoopgen.map`.

@@ -137,7 +137,8 @@ def draw_view(axes: Axes, panel: Panel, drawing: Drawing) -> None:
         if mark.label:
             ghost = mark.kind == "release"
             draw_ball(axes, view, mark.position, radius, drawing.scenery.ball, ghost=ghost)
-    _draw_dots(axes, view, drawing)
+    _dots(axes, view.flatten(drawing.beats), 2.2, COLOURS["path"])
+    _dots(axes, view.flatten(drawing.dots), 2.6, COLOURS["backboard"])
     lines = np.vstack([thin_rows(drawing.path, _MAX_OBSTACLES), drawing.scenery.points()])
     obstacles = np.vstack([view.flatten(lines), *written])
     draw_badges(axes, view, drawing.marks, obstacles, panel.limits, radius, panel.scale)
@@ -192,11 +193,6 @@ def label_flat_view(axes: Axes, panel: Panel, drawing: Drawing) -> None:
     axes.grid(color=GRID, lw=0.5)
     axes.set_axisbelow(True)
     drawing.scenery.draw_ends(axes, view)
-
-
-def _draw_dots(axes: Axes, view: View, drawing: Drawing) -> None:
-    _dots(axes, view.flatten(drawing.beats), 2.2, COLOURS["path"])
-    _dots(axes, view.flatten(drawing.dots), 2.6, COLOURS["backboard"])
 
 
 def _dots(axes: Axes, at: Points, size: float, colour: str) -> None:

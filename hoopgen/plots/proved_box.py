@@ -10,6 +10,7 @@ from matplotlib.collections import PolyCollection
 from matplotlib.patches import Patch
 from numpy.typing import NDArray
 
+from hoopgen.core.argument_types import check_arguments
 from hoopgen.core.variables import STATE_UNITS
 from hoopgen.hoop.variables import VARIABLES
 from hoopgen.report.quantities import quantity
@@ -17,7 +18,7 @@ from hoopgen.text.numbers import format_count, format_percent
 
 from .class_legend import outcome_classes
 from .figure import add_key, add_title, draw_picture
-from .style import EDGES, GRID, PAGE
+from .style import EDGES, GRID, PAGE, Inches
 
 if TYPE_CHECKING:
     from hoopgen.judge import BoxProof
@@ -33,8 +34,9 @@ _ASPECT = 0.62
 _NOT_PROVED = "not proved"
 
 
+@check_arguments
 def plot_box(
-    proof: BoxProof, *, title: str = "", width: float = PAGE, ax: Drawn | None = None
+    proof: BoxProof, *, title: str = "", width: Inches = PAGE, ax: Drawn | None = None
 ) -> Drawn:
     """Draw the parts of a box of releases, each in the colour of how all of it is proved to end.
 

@@ -33,7 +33,7 @@ DOT_INTERVAL = 0.1
 _MAX_DOTS = 100
 
 
-class Path(Protocol):
+class FlightPath(Protocol):
     """The part of `Trajectory` that pictures need."""
 
     @property
@@ -71,7 +71,7 @@ def wrap_lines(description: Sequence[str], width: float) -> list[str]:
     return [line for text in description for line in wrap(text, width - LEFT, NOTE_SIZE)]
 
 
-def describe_shot(trajectory: Path, parameters: Mapping[str, float]) -> tuple[str, str]:
+def describe_shot(trajectory: FlightPath, parameters: Mapping[str, float]) -> tuple[str, str]:
     """Describe the release and the scene of a shot.
 
     Parameters

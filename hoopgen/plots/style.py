@@ -8,13 +8,15 @@ from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
 from types import MappingProxyType
-from typing import Any
+from typing import Any, TypeAlias
 
 import matplotlib
 from matplotlib.figure import Figure
 
+from hoopgen.core.argument_types import check_arguments
 from hoopgen.core.colours import COLOURS, MADE, MISSED, OTHER_OUTCOME_COLOURS
 from hoopgen.core.files import PICTURES, atomic_file, check_output
+from hoopgen.core.validation import check_count
 
 __all__ = [
     "COLOURS",
@@ -25,6 +27,7 @@ __all__ = [
     "FRAME",
     "GRID",
     "INK",
+    "Inches",
     "LINES",
     "MADE",
     "MISSED",
@@ -39,6 +42,8 @@ __all__ = [
     "style",
     "wrap",
 ]
+
+Inches: TypeAlias = float
 
 COLUMN, PAGE = 3.5, 7.1
 """Widths of a journal's column and of its page, inches."""
@@ -151,6 +156,7 @@ def style() -> Iterator[None]:
         yield
 
 
+@check_arguments
 def save(figure: Figure, path: str | Path, *, dpi: int = 300) -> Path:
     """Write a picture; the same figure gives the same bytes.
 
@@ -175,6 +181,7 @@ def save(figure: Figure, path: str | Path, *, dpi: int = 300) -> Path:
     OSError
         The file cannot be written; what was there before stays.
     """
+    check_count("dpi", dpi, least=20, most=10_000)
     target = check_output(path, PICTURES)
     suffix = target.suffix.lower().lstrip(".")
     with style(), atomic_file(target) as file:

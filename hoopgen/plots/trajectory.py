@@ -14,12 +14,15 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from numpy.typing import NDArray
 
+from hoopgen.core.argument_types import check_arguments
+from hoopgen.core.parameters import means, of_scene
+
 from .contact_marks import LEGEND_ROW, Mark, collect_marks, draw_mark_legend, mark_legend_rows
 from .figure import Picture, add_key, add_title, draw_picture, fit_view
 from .page import stack_views
 from .panels import Drawing, Room, draw_panel, draw_view, thin_rows
 from .scenery import Scenery, scenery_of
-from .shot_text import LEFT, LINE, Path, describe_shot, dot_times, draw_title, wrap_lines
+from .shot_text import LEFT, LINE, FlightPath, describe_shot, dot_times, draw_title, wrap_lines
 from .style import PAGE
 from .views import Limits, Panel, Points, View, oblique
 
@@ -60,8 +63,9 @@ _AZIMUTH_LONG, _AZIMUTH_WIDE = np.radians(62.0), np.radians(36.0)  # of a long a
 _SHADOW_NOTE = "Grey in the 3D view: the path straight below on its floor, and lines down to it."
 
 
+@check_arguments
 def plot_trajectory(
-    trajectory: Path,
+    trajectory: FlightPath,
     parameters: Mapping[str, float],
     *,
     outcome: IntEnum | None = None,
@@ -146,7 +150,7 @@ def _legend_text(mark: Mark) -> Line2D:
 
 
 def build_drawing(
-    trajectory: Path, parameters: Mapping[str, float], outcome: IntEnum | None
+    trajectory: FlightPath, parameters: Mapping[str, float], outcome: IntEnum | None
 ) -> Drawing:
     """Return the content that all views of a shot share; arguments as for `plot_trajectory`.
 
@@ -159,6 +163,7 @@ def build_drawing(
     outcome
         The outcome; None if it is not known.
     """
+    parameters = means(of_scene(parameters, trajectory.scene.table))
     events, duration = trajectory.events, trajectory.duration
     path = trajectory.at(path_times(events["time"], duration))[:, :3]
     scenery = scenery_of(trajectory.scene, parameters, path)

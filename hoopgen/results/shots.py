@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from hoopgen.core.jacobian import Jacobian
 from hoopgen.core.parameters import Value
 from hoopgen.core.plotting import plotting_module
+from hoopgen.core.validation import check_index
 from hoopgen.engine.compiled_scene import CompiledScene
 from hoopgen.generated.numpy.hoop import BODIES
 from hoopgen.generated.numpy.hoop import Outcome as Outcome
@@ -384,12 +385,10 @@ class Shots:
 
         Raises
         ------
-        IndexError
-            If there is no such shot.
+        TypeError, IndexError
+            If it is no whole number, or there is no such shot.
         """
-        if not -len(self) <= shot < len(self):
-            raise IndexError(f"shot {shot}: there are {len(self)}")
-        index = shot % len(self)
+        index = check_index("shot", shot, len(self))
         low, high = np.searchsorted(self.events["shot"], [index, index + 1])
         own = {
             name: float(value if np.ndim(value) == 0 else np.asarray(value)[index])

@@ -33,6 +33,9 @@ FLIGHT_PIECE_DURATION = 0.01
 """s: so short a piece of a flight through air differs from a parabola by less than 0.1 mm."""
 
 
+_MAX_ROLL_PIECES = 2000
+
+
 @dataclass(frozen=True)
 class Trajectory:
     """The path of one shot from its release to its end.
@@ -104,7 +107,7 @@ class Trajectory:
         return rolls(self.events)
 
     def pieces(
-        self, step: float, most: int = 2000
+        self, step: float
     ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.bool_]]:
         """Divide the path into its flights, and its rolls into pieces, for pictures.
 
@@ -113,9 +116,7 @@ class Trajectory:
         Parameters
         ----------
         step
-            Longest piece of a roll, s.
-        most
-            Largest number of pieces of one roll; a long roll has longer pieces.
+            Longest piece of a roll, s; a long roll has 2000 longer ones.
 
         Returns
         -------
@@ -139,7 +140,7 @@ class Trajectory:
             there.append(states[row + 1 : row + 2])
             rolling.append(np.array([row in lasting]))
             if row in lasting:
-                parts = max(1, min(most, int(np.ceil(lasting[row] / step))))
+                parts = max(1, min(_MAX_ROLL_PIECES, int(np.ceil(lasting[row] / step))))
                 since = lasting[row] * np.arange(1, parts + 1) / parts
                 # The end of the roll too, in the state before the event that ends it.
                 times.append(np.append(starts[row + 1] + since[:-1], starts[row + 2]))

@@ -32,9 +32,21 @@ def definition(scene: SceneLike) -> Scene:
     derived = derive() if callable(derive) and not isinstance(scene, type) else scene
     if not isinstance(derived, Scene):
         raise TypeError(
-            f"scene: expected None, a scene, or what hoopgen.compile returns; got {brief(scene)}"
+            "scene: expected None, a scene, or what hoopgen.compile returns; got "
+            f"{brief(scene)}{_hint(scene)}"
         )
     return derived
+
+
+def _hint(scene: object) -> str:
+    """Return the way to name a scene, for a text that was given for one."""
+    if not isinstance(scene, str):
+        return ""
+    if scene.endswith(".toml"):
+        return "; hoopgen.load_scene reads a file"
+    return (
+        "; scenes are hoopgen.HOOP, COURT, AIR, COURT_AIR; parameters=hoopgen.NBA or FIBA is a hoop"
+    )
 
 
 def table_of(scene: SceneLike, derived: Scene) -> Table:

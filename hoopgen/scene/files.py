@@ -9,6 +9,7 @@ from os import PathLike
 from pathlib import Path
 from typing import Any
 
+from hoopgen.core.argument_types import check_arguments
 from hoopgen.core.regular_files import FileSizeError, read_regular
 from hoopgen.text.escape import printable
 from hoopgen.text.shorten import brief, cut, join_names
@@ -37,6 +38,7 @@ KINDS = {
 """Bodies, by what files call them."""
 
 
+@check_arguments
 def load_scene(
     file: str | PathLike[str], *, limits: Limits | Mapping[str, int] | None = None
 ) -> Scene:

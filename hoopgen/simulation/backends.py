@@ -8,11 +8,10 @@ from functools import cache
 from typing import Any
 
 from hoopgen.core.parameters import ParameterValues
+from hoopgen.core.validation import BackendName
 from hoopgen.engine import native
 from hoopgen.engine.compiled_scene import CompiledScene
 from hoopgen.engine.cuda import CudaEngine, to_host
-
-from .checks import check_backend
 
 __all__ = ["Library", "device_states", "find_library", "host_parameters"]
 
@@ -20,7 +19,7 @@ Library = native.Library | CudaEngine
 """An engine that a compiler has made; the other one is NumPy."""
 
 
-def find_library(backend: str, scene: CompiledScene) -> Library | None:
+def find_library(backend: BackendName, scene: CompiledScene) -> Library | None:
     """Return the engine of a backend; None is NumPy.
 
     Parameters
@@ -32,14 +31,11 @@ def find_library(backend: str, scene: CompiledScene) -> Library | None:
 
     Raises
     ------
-    ValueError
-        If there is no such backend.
     RuntimeError
         If the backend is asked for by name, and is not there or cannot be trusted.
     ImportError
         If it is "cuda" and CuPy is missing: what brings it.
     """
-    check_backend(backend)
     if backend == "numpy":
         return None
     if backend == "cuda":

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable
 
+from hoopgen.core.argument_types import is_names
 from hoopgen.core.validation import BACKEND_NAMES, BackendName, check_time_limit
 from hoopgen.engine.compiled_scene import CompiledScene
 from hoopgen.text.shorten import brief, join_alternatives, join_names
@@ -21,7 +22,7 @@ def check_backend(backend: str) -> BackendName:
         If it is none.
     """
     for name in BACKEND_NAMES:
-        if backend == name:
+        if isinstance(backend, str) and backend == name:
             return name
     names = join_alternatives(map(repr, BACKEND_NAMES))
     raise ValueError(f"backend: expected {names}, got {brief(backend)}")
@@ -46,7 +47,7 @@ def check_fields(fields: str | Iterable[str], scene: CompiledScene) -> tuple[str
         if fields == "all":
             return scene.layout.fields
         fields = (fields,)
-    if not isinstance(fields, Iterable):
+    if not is_names(fields):
         raise TypeError(f"fields: expected 'all' or names, got {brief(fields)}")
     wanted = tuple(fields)  # once: they may be an iterator
     unknown = [name for name in wanted if name not in scene.layout.results]

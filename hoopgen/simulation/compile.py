@@ -92,12 +92,13 @@ def compile(scene: SceneLike) -> Engine:
     if isinstance(scene, Engine):
         return scene
     shipped = sys.modules.get("hoopgen.derive.scenes")  # imported already, if it is one of these
-    if shipped is not None and scene == shipped.HOOP:
-        return HOOP
-    if shipped is not None and scene == shipped.COURT:
-        from .court import COURT  # whose kernels are many
+    if shipped is not None and isinstance(scene, type(shipped.HOOP)):
+        if scene == shipped.HOOP:
+            return HOOP
+        if scene == shipped.COURT:
+            from .court import COURT  # whose kernels are many
 
-        return COURT
+            return COURT
     known, found = _KEY_BY_IDENTITY.get(id(scene), (None, None))
     if found is None or known is not scene:
         found = _find_engine(scene)

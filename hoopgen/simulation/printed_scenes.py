@@ -101,23 +101,17 @@ def shipped_scene(name: str, folder: Path = SHIPPED_FOLDER) -> Printed | None:
     return Printed(stem, record["files"], library.read_bytes() if library.is_file() else None)
 
 
-def write_shipped_scenes(folder: Path = SHIPPED_FOLDER) -> None:
-    """Print the scenes that a wheel brings along into a folder.
-
-    Parameters
-    ----------
-    folder
-        The folder; the same files are replaced.
-    """
+def write_shipped_scenes() -> None:
+    """Print the scenes that a wheel brings along; the same files are replaced."""
     from hoopgen.derive.scenes import air
 
-    folder.mkdir(exist_ok=True)
+    SHIPPED_FOLDER.mkdir(exist_ok=True)
     for name in SHIPPED_SCENES:
         printed = generate_scene(getattr(air, name.rpartition(".")[2]))
         record = {"source_digest": source_digest(), "files": printed.files}
         packed = gzip.compress(json.dumps(record).encode(), mtime=0)
-        (folder / f"{_stem(name)}.json.gz").write_bytes(packed)
-        print(f"printed {name} into {folder}", flush=True)
+        (SHIPPED_FOLDER / f"{_stem(name)}.json.gz").write_bytes(packed)
+        print(f"printed {name} into {SHIPPED_FOLDER}", flush=True)
 
 
 def _stem(name: str) -> str:

@@ -13,6 +13,7 @@ from typing import Any, Concatenate, Literal, ParamSpec, TypedDict
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from hoopgen.core.argument_types import check_flag
 from hoopgen.core.memory import check_room
 from hoopgen.core.parameters import ParameterValues, Value, resolve
 from hoopgen.core.validation import (
@@ -30,7 +31,7 @@ from hoopgen.engine.result_arrays import ResultArrays
 from hoopgen.results.shots import Shots
 
 from .backends import Library, device_states, find_library, host_parameters
-from .checks import check_fields, check_limit
+from .checks import check_backend, check_fields, check_limit
 from .shot_variations import Variations
 from .variations import NEEDED, check_derivatives
 from .variations import derivatives as find_derivatives
@@ -190,6 +191,9 @@ def run(
     derivatives: Iterable[str] | None = None,
 ) -> Shots:
     """Simulate shots in a compiled scene; all else as for `hoopgen.simulate`."""
+    check_flag("record", record)
+    check_flag("settle", settle)
+    backend = check_backend(backend)
     stays = backend == "cuda" and is_device_array(states)
     if stays:
         asked = {"record": record, "settle": settle, "derivatives": derivatives is not None}

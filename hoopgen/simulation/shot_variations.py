@@ -16,7 +16,7 @@ from hoopgen.engine.compiled_scene import CompiledScene
 from .event_variations import event_derivatives
 from .margins import change_distance, decision_names
 
-__all__ = ["Variations", "root_of_covariance"]
+__all__ = ["Variations"]
 
 Floats = NDArray[np.float64]
 
@@ -78,7 +78,7 @@ class Variations:
                 "state"
             ]
         if covariance is not None:
-            root = root_of_covariance(covariance, spread.shape[2], len(self.releases))
+            root = _root_of_covariance(covariance, spread.shape[2], len(self.releases))
             spread = spread @ root
         return change_distance(
             self.scene,
@@ -91,23 +91,8 @@ class Variations:
         )
 
 
-def root_of_covariance(given: ArrayLike, variables: int, shots: int) -> Floats:
-    """Return L of a covariance L L', (1 or n, j, j).
-
-    Parameters
-    ----------
-    given
-        The covariance, (j, j) or (n, j, j).
-    variables
-        j, the number of variables.
-    shots
-        n, the number of shots.
-
-    Raises
-    ------
-    ValueError
-        If the shape is another, or the matrix is not symmetric or has a negative variance.
-    """
+def _root_of_covariance(given: ArrayLike, variables: int, shots: int) -> Floats:
+    """Return L of a covariance L L', (1 or n, j, j), or raise an error if it is none."""
     matrix = as_doubles("covariance", given)
     shapes = ((variables, variables), (shots, variables, variables))
     if matrix.shape not in shapes:

@@ -8,7 +8,7 @@ from typing import Unpack
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from hoopgen.core.parameters import ParameterValues
+from hoopgen.core.parameters import ParameterValues, complete
 from hoopgen.core.validation import as_doubles
 from hoopgen.core.variables import STATE
 from hoopgen.results.shots import Shots
@@ -109,7 +109,7 @@ def vjp(
         what = ", ".join(map(repr, unknown)) or "none"
         raise ValueError(f"cotangents: expected 'state', 'time' or both, got {what}")
     engine = engine_of(scene)
-    given = dict(engine.parameters) | dict(parameters or {})
+    given = complete(parameters, engine.table)
     finite = (name for name in engine.parameters if np.all(np.isfinite(given[name])))
     options["derivatives"] = (*STATE, *finite)
     shots = run(engine, states, parameters, **options)

@@ -57,10 +57,7 @@ def check_derivatives(
     ValueError
         If a name is unknown, or there twice, or there is none.
     """
-    if isinstance(names, str):
-        raise TypeError(f"{argument}: expected a list of names, got the text {names!r}")
-    found = tuple(names)
-    check_names(argument, found, (*STATE, *scene.parameters))
+    found = check_names(argument, names, (*STATE, *scene.parameters))
     twice = sorted({name for name in found if found.count(name) > 1})
     if twice or not found:
         what = f"{', '.join(twice)} twice" if twice else "no name"

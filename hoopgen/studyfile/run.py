@@ -19,6 +19,7 @@ from importlib import metadata
 from pathlib import Path
 from typing import Any
 
+from hoopgen.core.argument_types import check_arguments
 from hoopgen.core.extras import version
 from hoopgen.core.files import PAGES, check_not_read, check_output, write
 from hoopgen.core.owned_folders import locked_store
@@ -53,17 +54,13 @@ _VERSIONS, _REPORT = ("versions.json", "report.md")
 _MADE_WITH = ("numpy", "scipy", "pyarrow", "xarray", "matplotlib", "pydantic")
 
 
-def check_study(
-    path: str | os.PathLike[str], *, limits: Limits | Mapping[str, int] | None = None
-) -> list[Context]:
+def check_study(path: str | os.PathLike[str]) -> list[Context]:
     """Read a study file and look for what is wrong, without any work.
 
     Parameters
     ----------
     path
         The file.
-    limits
-        How large the file and its scene may be, as for `hoopgen.load_scene`.
 
     Returns
     -------
@@ -78,10 +75,10 @@ def check_study(
     OSError
         If it cannot be read.
     """
-    with use_limits(check_limits(limits)):
-        return _read(Path(path))[1]
+    return _read(Path(path))[1]
 
 
+@check_arguments
 def run_study(
     path: str | os.PathLike[str],
     out: str | os.PathLike[str] | None = None,
@@ -149,7 +146,9 @@ def run_study(
         read = read_files(file, questions[0].given, document)
         check_not_read("report", target, "the study", read)
     folder = Path(out) if out is not None else file.with_name(f"{file.stem}-results")
-    identities = {context.question.name: _identity(context) for context in questions}
+    identities = {
+        context.question.name: {**versions(), **context.identity()} for context in questions
+    }
     with locked_store(folder, _PURPOSE) as store:
         publish_finished(folder)
         check_questions(folder, identities, questions)
@@ -219,10 +218,6 @@ def _scenes(study: StudyFile) -> Iterator[tuple[lines.Path, Mapping[str, Any]]]:
         yield ("question", place, "scene"), question.scene
         if isinstance(question, CompareQuestion):
             yield ("question", place, "versus", "scene"), question.versus.scene
-
-
-def _identity(context: Context) -> dict[str, Any]:
-    return {**versions(), **context.identity()}
 
 
 # ------------------------------------------------------------------------------------- what is said

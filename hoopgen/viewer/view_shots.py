@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
+from hoopgen.core.argument_types import check_arguments
 from hoopgen.core.files import PAGES, check_not_read, check_output
 from hoopgen.core.parameters import ParameterValues
 from hoopgen.results.shots import Shots
@@ -20,6 +21,7 @@ from .page_file import Page
 __all__ = ["view"]
 
 
+@check_arguments
 def view(
     shots: Shots | str | os.PathLike[str],
     parameters: ParameterValues | None = None,
@@ -87,8 +89,6 @@ def view(
         If the file cannot be written; what was there before stays.
     """
     target = None if path is None else check_output(path, PAGES)
-    if not isinstance(shots, Shots | str | os.PathLike):
-        raise TypeError(f"shots: expected the Shots of simulate, or a file; got {brief(shots)}")
     if not isinstance(shots, Shots):
         from .view_table import view_table  # reads by pyarrow, which shots do without
 

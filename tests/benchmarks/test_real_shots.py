@@ -11,7 +11,7 @@ import pytest
 pytest.importorskip("scipy")
 
 import hoopgen
-from benchmarks.real_shots import RING, always, interval, logistic, read, states
+from benchmarks.real_throws import RING, always, interval, logistic, read, states
 from hoopgen import NBA
 from hoopgen.core.units import DEGREE, FOOT, INCH, TURN
 

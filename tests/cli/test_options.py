@@ -173,6 +173,8 @@ def test_a_report_is_not_written_over_the_study_in_python_either(folder: Path) -
         ("estimate --solve 1", "'--solve': '1' is no share above 0% and below 100%: expected one"),
         ("estimate --solve 100", "'--solve': '100' is no share"),
         ("estimate --solve 0", "'--solve': '0' is no share"),
+        ("estimate --precision 70", "'--precision': '70' is no share above 0% and below 100%"),
+        (f"{SHOT} --distance 420m", "distance is in m, and these are more than 100: 420. "),
     ],
 )
 def test_what_is_surely_wrong_is_refused_by_the_name_of_its_option(
@@ -185,6 +187,11 @@ def test_what_is_surely_wrong_is_refused_by_the_name_of_its_option(
 def test_a_share_may_be_written_in_percent_without_its_sign(share: str) -> None:
     option = next(one for one in main.commands["estimate"].params if "--solve" in one.opts)
     assert option.type.convert(share, option, None) == pytest.approx(0.7, abs=1e-15)
+
+
+def test_a_precision_may_be_written_in_percent() -> None:
+    option = next(one for one in main.commands["estimate"].params if "--precision" in one.opts)
+    assert option.type.convert("0.5%", option, None) == 0.005
 
 
 def test_solve_without_a_scatter_shows_a_whole_command() -> None:

@@ -106,7 +106,8 @@ TOO_MUCH: dict[str, tuple[Callable[[], Any], str]] = {
     ),
     "grid": (
         lambda: hoopgen.Grid(
-            {"speed": np.arange(1e6), "distance": np.arange(1e6)}, {"height": 2.0, "elevation": 0.9}
+            {"speed": np.arange(1e6), "backspin": np.arange(1e6) * 1e-5},
+            {"height": 2.0, "elevation": 0.9, "distance": 4.0},
         ).draw(0, 10**12),
         "stop: 1e+12 shots drawn at once would take",
     ),

@@ -620,7 +620,7 @@ def test_paths_are_parted_by_what_there_is_on_a_page_of_its_own() -> None:
 
 def test_a_fan_of_nothing_is_refused() -> None:
     shots = shots_of(2)
-    with pytest.raises(ValueError, match="paths: expected a number above 0, got 0"):
+    with pytest.raises(ValueError, match="paths: expected a whole number from 1, got 0"):
         plot_fan(shots, SCENE, paths=0)
     short = hoopgen.release([3.0], np.radians(52.0), height=2.1336, distance=4.191)
     with pytest.raises(ValueError, match="shots: expected one at least"):

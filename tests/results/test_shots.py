@@ -366,7 +366,7 @@ def test_rows_count_from_the_end_too_and_stop_at_the_last(shots: hoopgen.Shots) 
     np.testing.assert_array_equal(shots.trajectory(-2).events, shots.trajectory(3).events)
     np.testing.assert_array_equal(shots.trajectory(np.int64(1)).release, FIGURE_7)
     for row in (5, -6, 100):
-        with pytest.raises(IndexError, match=f"^shot {row}: there are 5"):
+        with pytest.raises(IndexError, match=f"^shot: expected a shot from -5 to 4, got {row}"):
             shots.trajectory(row)
 
 

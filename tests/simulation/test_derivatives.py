@@ -365,7 +365,7 @@ def test_nothing_else_changes_with_derivatives() -> None:
 @pytest.mark.parametrize(
     ("names", "error", "text"),
     [
-        ("vx", TypeError, "derivatives: expected a list of names, got the text 'vx'"),
+        ("vx", TypeError, "derivatives: expected names in a list or a mapping, got 'vx'"),
         ([], ValueError, "derivatives: no name; expected each name once"),
         (["vx", "vx"], ValueError, "derivatives: vx twice"),
         (["speed"], ValueError, "derivatives: .*speed"),

@@ -363,14 +363,8 @@ def parts(model: Model) -> Iterator[tuple[str, str]]:
         yield kernel.name, f"study.{kernel.name}"
 
 
-def premise_of(part: str) -> str:
-    """Return the key of the premise that a kernel rests on.
-
-    Raises
-    ------
-    ValueError
-        If no premise names it.
-    """
+def _premise_of(part: str) -> str:
+    """Return the key of the premise that a kernel rests on."""
     _, _, own = part.partition(".")
     for wanted in (part, f"*.{own}"):
         for key, premise in PREMISES.items():
@@ -390,7 +384,7 @@ def stated(model: Model) -> dict[str, tuple[str, ...]]:
     found: dict[str, list[str]] = {}
     keys = dict(parts(model))
     for kernel in model.kernels:
-        found.setdefault(premise_of(keys[kernel.name]), []).append(kernel.name)
+        found.setdefault(_premise_of(keys[kernel.name]), []).append(kernel.name)
     shown = {
         key
         for key, premise in PREMISES.items()

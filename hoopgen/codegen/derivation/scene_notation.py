@@ -43,16 +43,8 @@ def _subscripted(letter: str, words: list[str]) -> str:
     return rf"{letter}_{{\mathrm{{" + r"\,".join(words) + "}}" if words else letter
 
 
-def parameter_letter(name: str, usual: str = "") -> str:
-    r"""Return a letter for a parameter without LaTeX, with other words as a subscript.
-
-    Parameters
-    ----------
-    name
-        The parameter's name, such as ``hole_radius``: $R_{\mathrm{hole}}$.
-    usual
-        The letter if no word of the name determines the kind.
-    """
+def _parameter_letter(name: str, usual: str = "") -> str:
+    r"""Return a letter for a parameter without LaTeX, with other words as a subscript."""
     for end, letter in ENDS.items():
         if name.endswith(f"_{end}"):
             return _subscripted(letter, name.removesuffix(f"_{end}").split("_"))
@@ -97,7 +89,7 @@ def parameter_letters(scene: Scene) -> dict[str, str]:
             continue
         usual = roles.get(p.name, "c" if p.unit == "1" else "a")
         whole = _subscripted(usual, p.name.split("_"))
-        choices = [parameter_letter(p.name, usual), whole]
+        choices = [_parameter_letter(p.name, usual), whole]
         if p.name in own:
             choices.insert(0, own[p.name])
         letter = next((c for c in choices if c not in taken), rf"{{{whole}}}'")

@@ -106,17 +106,9 @@ class ShotText:
     events: tuple[EventText, ...]
 
 
-def decimal(value: sp.Expr, places: int = 4) -> str:
-    """Return a number rounded to so many decimals; never minus zero.
-
-    Parameters
-    ----------
-    value
-        A number.
-    places
-        The number of decimals.
-    """
-    text = f"{float(value):.{places}f}"
+def decimal(value: sp.Expr) -> str:
+    """Return a number rounded to four decimals; never minus zero."""
+    text = f"{float(value):.4f}"
     return text.lstrip("-") if float(text) == 0 else text
 
 

@@ -208,7 +208,8 @@ def run(
     OSError
         If the folder cannot be made or a chunk not be written. Those before it are kept.
     """
-    note, report = progress or _ignore, report or _say
+    note = progress or (lambda done, total: None)
+    report = report or (lambda line: print(f"hoopgen: {printable(line)}", file=sys.stderr))
     check_workers(scheduler, threads)  # before a folder is made
     begin_work()
     with contextlib.ExitStack() as stack:
@@ -225,14 +226,6 @@ def run(
             yield table
             done += 1
             note(done, total)
-
-
-def _ignore(done: int, total: int | None) -> None:
-    pass
-
-
-def _say(line: str) -> None:
-    print(f"hoopgen: {printable(line)}", file=sys.stderr)
 
 
 @dataclass(frozen=True)

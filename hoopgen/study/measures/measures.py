@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from hoopgen.core.argument_types import check_arguments
 from hoopgen.core.extras import require
 from hoopgen.core.parameters import ParameterValues, Value, resolve
 from hoopgen.core.validation import check_states
@@ -26,7 +27,6 @@ from hoopgen.hoop.presets import PAPER
 from hoopgen.hoop.releases import RING_HEIGHT
 from hoopgen.results.shots import SURFACES, Outcome, Shots
 from hoopgen.scene.lookup import check_hoop
-from hoopgen.text.shorten import brief
 
 from .measure_context import Block, Floats, rows_of
 from .rebounds import CATCHING_HEIGHT, check_height, delay, rebound
@@ -37,6 +37,7 @@ BLOCK = 1 << 14
 """Shots measured at a time; their columns fit a processor's cache."""
 
 
+@check_arguments
 def measure(
     states: ArrayLike,
     shots: Shots,
@@ -72,8 +73,6 @@ def measure(
     AttributeError
         If `shots` lacks a field.
     """
-    if not isinstance(shots, Shots):
-        raise TypeError(f"shots: expected the Shots of simulate, got {brief(shots)}")
     check_hoop("measure", shots.scene)
     there = measures_of(shots.scene)
     wanted = check_names("names", there if names is None else names, there)

@@ -14,7 +14,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from hoopgen.core.si_checks import MAX_LENGTH
 from hoopgen.core.units import DEGREE
+from hoopgen.core.validation import as_number
 from hoopgen.engine.elementary import arc_tangent, hypotenuse
 from hoopgen.generated.numpy import hoop
 from hoopgen.hoop.releases import CATCHING_HEIGHT as CATCHING_HEIGHT
@@ -51,17 +53,13 @@ def check_height(height: Any) -> float:
     TypeError, ValueError
         If it is not one number above 0.
     """
-    if isinstance(height, bool | np.bool_) or not isinstance(
-        height, int | float | np.integer | np.floating
-    ):
-        raise TypeError(
-            f"catching_height: expected a number, m above the floor, got {brief(height)}"
-        )
-    if not (np.isfinite(height) and height > 0):
+    found = as_number("catching_height", height, "a number, m above the floor")
+    if not 0.0 < found <= MAX_LENGTH:
         raise ValueError(
-            f"catching_height: expected m above the floor, more than 0, got {brief(height)}"
+            f"catching_height: expected m above the floor, more than 0 and at most {MAX_LENGTH:g}, "
+            f"got {brief(height)}"
         )
-    return float(height)
+    return found
 
 
 def caught_at(measures: Iterable[str], height: float) -> dict[str, float]:

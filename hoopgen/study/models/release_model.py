@@ -10,7 +10,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from hoopgen.core.memory import check_room
 from hoopgen.core.parameters import ParameterValues
-from hoopgen.core.validation import as_doubles, check_deviations
+from hoopgen.core.si_checks import check_deviations
+from hoopgen.core.validation import as_doubles
 from hoopgen.core.variables import STATE, Releases, check_names, is_state
 from hoopgen.hoop.presets import NAMES, PAPER
 from hoopgen.hoop.variables import (

@@ -19,6 +19,7 @@ from hoopgen.core.variables import STATE, Releases, is_state
 from hoopgen.hoop.presets import PAPER
 from hoopgen.hoop.releases import states_of
 from hoopgen.hoop.variables import STANDS_FOR, change_variables, release_arguments
+from hoopgen.text.shorten import brief
 
 from .random import ORDER_OF_ROWS, ROW_OF_RELEASES, uniforms
 from .release_model import (
@@ -308,6 +309,8 @@ class EachRow(Resample):
 
 def _labels(group: Iterable[object], rows: int) -> tuple[str, ...]:
     """Return the labels of the rows' groups as text."""
+    if isinstance(group, str) or not isinstance(group, Iterable):
+        raise TypeError(f"group: expected a label for each row, got {brief(group)}")
     labels = ["" if one is None or _is_nan(one) else str(one) for one in group]
     if len(labels) != rows:
         raise ValueError(f"group: expected a label for each of {rows} rows, got {len(labels)}")

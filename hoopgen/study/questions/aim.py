@@ -13,9 +13,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from hoopgen.core.argument_types import check_arguments
 from hoopgen.core.extras import require
 from hoopgen.core.parameters import ParameterValues, complete
-from hoopgen.core.validation import as_doubles, check_angles, check_spins
+from hoopgen.core.si_checks import check_angles, check_lengths, check_spins
+from hoopgen.core.validation import as_doubles
 from hoopgen.hoop.flights import is_in_air
 from hoopgen.hoop.parabolas import Arc
 from hoopgen.hoop.presets import PAPER
@@ -201,6 +203,7 @@ class Aim:
         return table("", head, zip(*(c.tolist() for c in shown), strict=True), gap=gap)
 
 
+@check_arguments
 def aim(
     *,
     height: ArrayLike,
@@ -288,6 +291,7 @@ def aim(
     given |= {name: value for name, value in optional.items() if value is not None}
     arrays = {name: as_doubles(name, value) for name, value in given.items()}
     arrays["distance"] = from_zero("distance", arrays["distance"])
+    check_lengths("aim", {name: arrays[name] for name in ("height", "distance", "depth")})
     angles = ("angle", "entry", "elevation")
     check_angles("aim", {name: arrays[name] for name in angles if name in arrays})
     spins: dict[str, NDArray[np.float64]] = {

@@ -14,8 +14,9 @@ import pyarrow as pa
 from numpy.typing import ArrayLike, NDArray
 
 from hoopgen.core.files import atomic_text_file
+from hoopgen.core.si_checks import check_spins
 from hoopgen.core.units import DEGREE, TURN, column_name
-from hoopgen.core.validation import as_doubles, check_spins
+from hoopgen.core.validation import as_doubles
 from hoopgen.hoop.flights import is_in_air
 from hoopgen.hoop.parabolas import Arc
 from hoopgen.hoop.presets import PAPER

@@ -9,9 +9,10 @@ from typing import TYPE_CHECKING, Any, Protocol, runtime_checkable
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from hoopgen.core.argument_types import check_arguments
 from hoopgen.core.plotting import plotting_module
 from hoopgen.core.units import use_units
-from hoopgen.core.validation import as_doubles
+from hoopgen.core.validation import as_doubles, check_count
 from hoopgen.study.models.fitted_scatter import FittedScatter
 from hoopgen.study.models.measured_columns import Measured
 from hoopgen.study.models.scatter import Scatter
@@ -198,6 +199,7 @@ class SimulatedProbabilities(Protocol):
         ...
 
 
+@check_arguments
 def assess(
     probability: ArrayLike | SimulatedProbabilities,
     made: ArrayLike,
@@ -241,9 +243,13 @@ def assess(
     if isinstance(probability, SimulatedProbabilities):
         shots = int(np.max(probability.shots, initial=0)) if shots is None else shots
         probability = probability.probability
+    elif shots is not None:
+        check_count("shots", shots)
     p = as_doubles("probability", probability)
     hit = np.asarray(made)
-    if p.ndim != 1 or hit.shape != p.shape:
+    if p.ndim != 1:
+        raise ValueError(f"probability: expected one for each shot, (n,), got {brief(probability)}")
+    if hit.shape != p.shape:
         raise ValueError(
             f"made: expected a value for each of {p.shape} probabilities, got {hit.shape}"
         )

@@ -13,6 +13,7 @@ import numpy as np
 import xarray as xr
 from numpy.typing import ArrayLike, NDArray
 
+from hoopgen.core.argument_types import check_arguments
 from hoopgen.core.extras import version
 from hoopgen.core.memory import check_room
 from hoopgen.core.parameters import ParameterValues
@@ -68,13 +69,14 @@ _SHOT = 48
 Floats = NDArray[np.float64]
 
 
+@check_arguments
 def bank_or_direct(
     model: Scatter | Resample,
     places: ArrayLike,
     parameters: ParameterValues | None = None,
     *,
     scene: SceneLike = None,
-    over: Mapping[str, Bounds | None] | Sequence[str] = _OVER,
+    over: Mapping[str, Bounds | None] | Sequence[str] | str = _OVER,
     shots: int = 20_000,
     seed: int = 0,
     confidence: float = 0.95,
@@ -125,7 +127,8 @@ def bank_or_direct(
     if spots.ndim != 2 or spots.shape[1] != 2 or not len(spots):
         raise ValueError(f"places: expected x and y, shape (n, 2), got shape {spots.shape}")
     check_two_seeds(seed)
-    check_kept(shots)
+    # The end of each is kept, to pair them.
+    check_room("shots", check_count("shots", shots), "shots", _SHOT)
     over = over if isinstance(over, Mapping) else (over,) if isinstance(over, str) else tuple(over)
     players = [scattering(model, over, parameters, way, engine) for way in WAYS]
     if isinstance(model, Resample):
@@ -186,11 +189,6 @@ def verdict(dataset: xr.Dataset) -> tuple[NDArray[np.bool_], NDArray[np.bool_], 
         f"one from {worse.sum()}, {undecided} undecided"
     )
     return better, worse, line
-
-
-def check_kept(shots: int) -> None:
-    """Refuse more shots than there is memory for: what became of each is kept, to pair them."""
-    check_room("shots", check_count("shots", shots), "shots", _SHOT)
 
 
 @dataclass(frozen=True)

@@ -17,7 +17,7 @@ import numpy as np
 import pyarrow as pa
 from numpy.typing import NDArray
 
-from hoopgen.core.argument_types import check_flag
+from hoopgen.core.argument_types import check_arguments, is_names
 from hoopgen.core.files import check_output, resolve_link, temporary_beside
 from hoopgen.core.parameters import ParameterValues, complete, resolve
 from hoopgen.core.units import System, file_unit
@@ -40,11 +40,13 @@ from hoopgen.study.tables.limits import MEMORY
 from hoopgen.study.tables.reading import ArrowTable, ReadingOptions, sourced
 from hoopgen.study.tables.results import RESULTS, Results, check_sink, sink
 from hoopgen.study.tables.source import Source, Stamp
+from hoopgen.text.shorten import brief
 
 ROWS = 1 << 16
 """Rows in a chunk: a small part of a second, and few megabytes."""
 
 
+@check_arguments
 def batch(
     source: str | os.PathLike[str] | ArrowTable,
     out: str | os.PathLike[str] | None = None,
@@ -178,10 +180,10 @@ def batch(
     check_names("release", release or {}, variables_of(engine))
     release = _numbers("release", release or {})
     check_turns("release", release, release)
-    if measures:
+    if len(measures):
         check_hoop("measures", engine)
-    for name, flag in {"override": override, "implausible": implausible, "reason": reason}.items():
-        check_flag(name, flag)
+    if not is_names((columns or {}).values()):
+        raise TypeError(f"columns: expected names of the table's columns, got {brief(columns)}")
     height = check_height(catching_height)
     file_unit("m", units)  # none but them
     check_workers(scheduler, threads)

@@ -15,8 +15,9 @@ import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
 
+from hoopgen.core.argument_types import check_arguments
 from hoopgen.core.parameters import ParameterValues
-from hoopgen.core.validation import as_doubles, check_count
+from hoopgen.core.validation import as_number, check_count
 from hoopgen.engine.elementary import hypotenuse
 from hoopgen.hoop.court_lines import find_court
 from hoopgen.hoop.releases import release
@@ -55,6 +56,7 @@ _LABELS = {
 _UNEVEN = ("azimuth", "sidespin", "angle", "y")
 
 
+@check_arguments
 def best_shots(
     player: Scatter | FittedScatter[Scatter] | None = None,
     parameters: ParameterValues | None = None,
@@ -193,7 +195,7 @@ def court_places(step: float, parameters: ParameterValues) -> Floats:
     ValueError
         If the step is not from 0.5 to 3 m.
     """
-    apart = float(np.asarray(as_doubles("step", step)))
+    apart = as_number("step", step, "a distance from 0.5 to 3 m")
     if not 0.5 <= apart <= 3.0:
         raise ValueError(f"step: expected a distance from 0.5 to 3 m, got {step}")
     court = find_court(None, parameters)

@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from hoopgen.core.argument_types import check_arguments
 from hoopgen.core.parameters import ParameterValues
 from hoopgen.core.units import DEGREE, FOOT, INCH, TURN, UNITS
 from hoopgen.hoop.aiming import flown_distance
@@ -56,6 +57,7 @@ _MODELS, _TOGETHER = 100, 25
 _RPM = UNITS["spin"]["rpm"]
 
 
+@check_arguments
 def coach(
     player: Scatter | FittedScatter[Scatter] | None = None,
     *,

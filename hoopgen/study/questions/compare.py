@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from hoopgen.core.argument_types import check_arguments
 from hoopgen.core.validation import BackendName
 from hoopgen.report.provenance import footer
 from hoopgen.report.quantities import for_json
@@ -130,6 +131,7 @@ class Comparison(SharesOfShots):
         )
 
 
+@check_arguments
 def compare(
     first: SettingLike,
     second: SettingLike,

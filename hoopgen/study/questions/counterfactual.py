@@ -8,14 +8,13 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from hoopgen.core.argument_types import check_flag
-from hoopgen.core.validation import is_whole
+from hoopgen.core.argument_types import check_arguments
+from hoopgen.core.validation import as_number, check_index
 from hoopgen.results.shots import Shots
 from hoopgen.simulation.engine import Engine
 from hoopgen.simulation.invalid_shots import why_invalid
 from hoopgen.simulation.simulate import simulate
 from hoopgen.study.jobs.monte_carlo import outcome_by
-from hoopgen.text.shorten import brief
 
 from .counterfactual_result import Change, Counterfactual
 from .one_variable import OneShot, variables_of_shot
@@ -25,6 +24,7 @@ _FURTHER = (0.0, *np.geomspace(1e-7, 0.03, 12).tolist())
 there may be so many contacts that a ball rolls, which the judge does not follow."""
 
 
+@check_arguments
 def counterfactual(
     shots: Shots,
     i: int = 0,
@@ -77,19 +77,13 @@ def counterfactual(
     ImportError
         If a proof is wanted, and what it needs is missing.
     """
-    if not (isinstance(steady, int | float) and 0.0 <= steady < math.inf):
-        raise ValueError(f"steady: expected a number from 0 up, got {brief(steady)}")
-    if not isinstance(shots, Shots):
-        raise TypeError(f"shots: expected the Shots of simulate, got {brief(shots)}")
-    check_flag("prove", prove)
-    if not is_whole(i):
-        raise TypeError(f"i: expected a whole number, got {brief(i)}")
-    if not -len(shots) <= i < len(shots):
-        raise IndexError(f"i: expected a shot from {-len(shots)} to {len(shots) - 1}, got {i}")
+    steady = as_number("steady", steady, "a number from 0 up")
+    if not 0.0 <= steady < math.inf:
+        raise ValueError(f"steady: expected a number from 0 up, got {steady}")
     scene = shots.scene
     if not isinstance(scene, Engine):
         raise TypeError("shots: expected the Shots of simulate, which know their engine")
-    index = i % len(shots)
+    index = check_index("i", i, len(shots))
     one = OneShot(
         scene,
         np.array(shots.releases[index]),

@@ -7,6 +7,7 @@ from dataclasses import replace
 from os import PathLike
 from typing import TypedDict, Unpack, overload
 
+from hoopgen.core.argument_types import check_arguments
 from hoopgen.core.parameters import ParameterValues
 from hoopgen.core.validation import BackendName
 from hoopgen.core.variables import check_names
@@ -68,6 +69,7 @@ def estimate(
 ) -> Estimate | Shares: ...
 
 
+@check_arguments
 def estimate(
     model: ReleaseModel | FittedScatter[Scatter],
     parameters: ParameterValues | None = None,

@@ -105,8 +105,6 @@ def check_gradient(names: Sequence[str], setting: ResolvedSetting) -> tuple[str,
     ValueError
         If a name is unknown, there twice, or does not scatter.
     """
-    if isinstance(names, str):
-        raise TypeError(f"gradient: expected a list of names, got the text {names!r}")
     found = tuple(names)
     if len(set(found)) < len(found):
         raise ValueError(f"gradient: expected each name once, got {', '.join(found)}")

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sized
+from collections.abc import Callable, Iterable, Mapping
 from math import prod
 from os import PathLike
 from typing import Any, TypeAlias
@@ -12,7 +12,7 @@ import pyarrow as pa
 import xarray as xr
 from numpy.typing import ArrayLike, NDArray
 
-from hoopgen.core.argument_types import check_mapping
+from hoopgen.core.argument_types import check_arguments
 from hoopgen.core.memory import check_room
 from hoopgen.core.parameters import ParameterValues
 from hoopgen.core.validation import BackendName, as_doubles, check_count
@@ -47,6 +47,7 @@ _CELL, _TALLIED = 48, 720
 Floats: TypeAlias = NDArray[np.float64]
 
 
+@check_arguments
 def map(
     model: Scatter | Resample,
     over: Mapping[str, ArrayLike],
@@ -107,7 +108,6 @@ def map(
     TypeError, ValueError
         If an argument is not as described.
     """
-    check_mapping("over", over)
     scatters = check_model(model, over).scatters
     if shots is not None and not scatters:
         raise ValueError("shots: without scatter all shots of a cell are one; leave out")
@@ -124,25 +124,11 @@ def map(
         scene=engine,
     )
     level = check_share("confidence", confidence)
-    check_cells(work.axes, scatters=scatters)
+    check_room("over", prod(work.shape), "cells", _TALLIED if scatters else _CELL)
     work.simulate(0, 1, 1, model.noise(0, 1, seed))  # what is wrong shows before a folder is made
     tables = run(work, folder, scheduler=scheduler, threads=threads, progress=progress)
     columns = width_of(engine) if scatters else SINGLE
     return dataset(work, _gathered(work, tables, columns), level)
-
-
-def check_cells(over: Mapping[str, Sized], *, scatters: bool) -> None:
-    """Refuse a map of more cells than there is memory for.
-
-    Parameters
-    ----------
-    over
-        The values of each axis by the variable's name.
-    scatters
-        Whether a cell has shots that scatter.
-    """
-    cells = prod(len(values) for values in over.values())
-    check_room("over", cells, "cells", _TALLIED if scatters else _CELL)
 
 
 def _axes(over: Mapping[str, ArrayLike], model: Any, scene: Engine) -> dict[str, Floats]:
@@ -153,6 +139,8 @@ def _axes(over: Mapping[str, ArrayLike], model: Any, scene: Engine) -> dict[str,
     for name, values in axes.items():
         if values.ndim != 1 or not values.size:
             raise ValueError(f"over[{name!r}]: expected a list of numbers, got {brief(over[name])}")
+        if np.isnan(values).any():
+            raise ValueError(f"over[{name!r}]: expected numbers, got NaN among {brief(over[name])}")
     if not model.is_state:
         check_angles("over", axes)
     return axes

@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from hoopgen.core.argument_types import check_arguments
 from hoopgen.core.parameters import ParameterValues
 from hoopgen.core.validation import check_count
 from hoopgen.core.variables import check_names
@@ -111,6 +112,7 @@ class Margin(Result):
         return format_range(self.name, low, high)
 
 
+@check_arguments
 def margins(
     model: Scatter | Resample,
     parameters: ParameterValues | None = None,

@@ -55,8 +55,6 @@ def variables_of_shot(vary: Iterable[str] | None, scene: Engine) -> tuple[str, .
     release = tuple(ARGUMENTS) if scene.has_hoop else STATE
     if vary is None:
         return ("speed", "elevation", "azimuth") if scene.has_hoop else STATE[3:6]
-    if isinstance(vary, str):
-        raise TypeError(f"vary: expected a list of names, got the text {vary!r}")
     names = check_names("vary", vary, (*release, *scene.parameters))
     if not names:
         raise ValueError("vary: expected at least one name")

@@ -12,6 +12,7 @@ from dataclasses import replace
 from math import nan
 from os import PathLike
 
+from hoopgen.core.argument_types import check_arguments
 from hoopgen.core.parameters import ParameterValues
 from hoopgen.core.validation import check_count
 from hoopgen.core.variables import check_names
@@ -40,9 +41,10 @@ from .search import bounds_of, flat_about, search
 from .specification import MARGINS
 
 
+@check_arguments
 def optimum(
     model: Scatter | Resample,
-    over: Mapping[str, Bounds | None] | Sequence[str],
+    over: Mapping[str, Bounds | None] | Sequence[str] | str,
     parameters: ParameterValues | None = None,
     *,
     scene: SceneLike = None,
@@ -114,10 +116,10 @@ def optimum(
     check_share("confidence", confidence)
     check_share("tolerance", tolerance)
     check_two_seeds(seed)
-    if margins:
+    wanted = (MARGINS if hoop else ()) if margins is None else tuple(margins)
+    if wanted:
         check_hoop("margins", engine)
-    wanted = (MARGINS if hoop else ()) if margins is None else margins
-    margins = check_names("names", wanted, variables_of(engine))
+    margins = check_names("margins", wanted, variables_of(engine))
     if isinstance(model, Resample):
         check_folds(model)
     lowest = {name: low for name, (low, _) in bounds.items()}

@@ -20,6 +20,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import brentq
 
+from hoopgen.core.argument_types import check_arguments
 from hoopgen.core.parameters import ParameterValues
 from hoopgen.core.validation import BackendName
 from hoopgen.report.quantities import for_json
@@ -144,6 +145,7 @@ def _exactly(share: float) -> str:
     return f"{100.0 * share:.12g}%"
 
 
+@check_arguments
 def solve(
     model: Scatter | Resample,
     share: float,

@@ -186,7 +186,7 @@ class Whole(Value):
 class Share(Value):
     """A number above 0 and below 1."""
 
-    percent: bool = False  # true if text may say it in percent, 70% or 70
+    percent: bool = False  # true if 70 is 70% in a text; with its sign every percentage is
 
     words = "a number above 0 and below 1"
     metavar = "SHARE"
@@ -196,7 +196,7 @@ class Share(Value):
         number, percent, rest = text.strip().partition("%")
         value = parse_quantity(number, "number")
         # No share is above 1, so that 70 can only mean 70%; 1 may mean 1% or 100%.
-        value /= 100.0 if percent or value > 1.0 else 1.0
+        value /= 100.0 if percent or (self.percent and value > 1.0) else 1.0
         if rest or not 0.0 < value < 1.0:
             raise ValueError(
                 f"{brief(text)} is no share above 0% and below 100%: expected one such as 70% or "

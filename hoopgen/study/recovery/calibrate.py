@@ -20,6 +20,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.special import chdtri
 
+from hoopgen.core.argument_types import check_arguments
 from hoopgen.core.parameters import ParameterValues, resolve
 from hoopgen.core.validation import as_doubles, check_count
 from hoopgen.core.variables import check_names
@@ -47,6 +48,7 @@ _TOGETHER = 1 << 19  # shots that are simulated together
 _USUAL = {"restitution": (0.3, 0.95), "friction": (0.0, 1.2), "tangential_restitution": (0.0, 0.6)}
 
 
+@check_arguments
 def calibrate(
     table: Mapping[str, ArrayLike] | FittedReleases,
     vary: Sequence[str] | Mapping[str, tuple[float, float] | None],

@@ -113,7 +113,7 @@ def calibrate_table(
         variances = read.error_variances(table)
         ends = _outcomes(table, found)
     good = np.isfinite(np.stack(list(measured.values()))).all(axis=0)
-    known = np.array([one in (0.0, 1.0) for one in ends["made"]])
+    known = np.isin(ends["made"], (0.0, 1.0))
     rows = good & known
     if not rows.any():
         raise ValueError("source: no row has both a release and an outcome")

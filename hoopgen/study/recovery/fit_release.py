@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.special import chdtrc, fdtrc
 
+from hoopgen.core.argument_types import check_arguments
 from hoopgen.core.parameters import ParameterValues, Value, resolve
 from hoopgen.core.validation import as_doubles, check_count
 from hoopgen.scene.lookup import SceneLike
@@ -53,6 +54,7 @@ OTHER_UNIT = "it falls as if the positions were in {unit}"
 ABOVE_FLOOR = "released far above the ring: are these heights above the floor?"
 
 
+@check_arguments
 def fit_release(
     times: ArrayLike,
     positions: ArrayLike,

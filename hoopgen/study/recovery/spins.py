@@ -8,7 +8,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from hoopgen.core.validation import as_doubles, check_spins
+from hoopgen.core.si_checks import check_spins
+from hoopgen.core.validation import as_doubles
 from hoopgen.text.shorten import brief
 
 from .backspin import states_with_backspin

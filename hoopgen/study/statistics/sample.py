@@ -101,16 +101,8 @@ def say_difference(found: SampleInterval, confidence: float) -> str:
     return f"{ends} ({format_percent(confidence, None)} interval of the sample, {found.words})"
 
 
-def totals_by_group(counts: NDArray[Any], cluster: NDArray[np.intp] | None) -> NDArray[np.int64]:
-    """Return the sums of the rows' numbers by group, (g,); of independent rows themselves.
-
-    Parameters
-    ----------
-    counts
-        One number of each row, (n,).
-    cluster
-        The group of each row, (n,), from 0; None if rows are independent.
-    """
+def _totals_by_group(counts: NDArray[Any], cluster: NDArray[np.intp] | None) -> NDArray[np.int64]:
+    """Return the sums of the rows' numbers by group, (g,); of independent rows themselves."""
     if cluster is None:
         return np.asarray(counts, np.int64)
     return np.bincount(cluster, counts).astype(np.int64)
@@ -132,7 +124,7 @@ def share_of_rows(
     if cluster is None:
         low, high = map(float, wilson_interval(good, trials, confidence))
     else:
-        by_group = [totals_by_group(one, cluster) for one in (made & valid, valid)]
+        by_group = [_totals_by_group(one, cluster) for one in (made & valid, valid)]
         low, high = grouped_wilson(by_group[0], by_group[1], confidence)
     return SampleInterval(good / trials if trials else nan, low, high, len(made), _many(cluster))
 
@@ -157,7 +149,7 @@ def difference_of_rows(
         both, only_first, only_second, neither = (int(pair.sum()) for pair in pairs)
         low, high = newcombe_interval(both, only_first, only_second, neither, level)
     else:
-        by_group = [totals_by_group(some, cluster) for some in (one, other, valid)]
+        by_group = [_totals_by_group(some, cluster) for some in (one, other, valid)]
         low, high = grouped_difference(by_group[0], by_group[1], by_group[2], level)
     return SampleInterval(difference, low, high, len(first), _many(cluster))
 
@@ -221,7 +213,7 @@ class Rows:
         else:
             middle = np.quantile(values, level) if len(values) else 0.0
             below = there & (self.measured[name] <= middle)
-            by_group = [totals_by_group(one, self.cluster) for one in (below, there)]
+            by_group = [_totals_by_group(one, self.cluster) for one in (below, there)]
             ends = grouped_wilson(by_group[0], by_group[1], confidence)
             low, high = int(np.floor(ends[0] * len(values))), int(np.ceil(ends[1] * len(values)))
         bounded = np.concatenate([[-inf], values, [inf]])

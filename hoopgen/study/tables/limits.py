@@ -31,21 +31,8 @@ _PACKED = 1000
 """Times that pages may be larger than in the file, where a column is larger than the limit."""
 
 
-def check_pages(file: pq.ParquetFile, memory: int) -> None:
-    """Refuse a file of Parquet with pages that are small in the file alone.
-
-    Parameters
-    ----------
-    file
-        The file, opened.
-    memory
-        The largest size of a batch, bytes.
-
-    Raises
-    ------
-    ValueError
-        If the pages of a column unpack to more than that, and to many times their size.
-    """
+def _check_pages(file: pq.ParquetFile, memory: int) -> None:
+    """Refuse a file with pages that are small in the file alone, many times larger in memory."""
     about = file.metadata
     for group in map(about.row_group, range(about.num_row_groups)):
         if group.total_byte_size <= memory:
@@ -56,28 +43,15 @@ def check_pages(file: pq.ParquetFile, memory: int) -> None:
                 raise _too_large(column.path_in_schema, size, memory)
 
 
-def text_columns(file: pq.ParquetFile) -> list[str]:
+def _text_columns(file: pq.ParquetFile) -> list[str]:
     """Return the columns of text: those to be read with each different text held once."""
     about = file.metadata.schema
     columns = (about.column(index) for index in range(len(about)))
     return [one.path for one in columns if one.physical_type == "BYTE_ARRAY"]
 
 
-def check_laid_out(batch: pa.RecordBatch, memory: int) -> None:
-    """Refuse rows that take more memory than allowed when each has its own text.
-
-    Parameters
-    ----------
-    batch
-        Rows as they were read, in which a dictionary's text stands once.
-    memory
-        The largest number of bytes.
-
-    Raises
-    ------
-    ValueError
-        If they take more when each row has its own text; the message names the column.
-    """
+def _check_laid_out(batch: pa.RecordBatch, memory: int) -> None:
+    """Refuse rows that take more memory than allowed when each has its own text."""
     if batch.nbytes > memory:
         raise _too_large(None, batch.nbytes, memory)
     for name, column in zip(batch.schema.names, batch.columns, strict=True):
@@ -140,15 +114,15 @@ def read_parquet(path: Path, memory: int) -> Opened:
     # Else a row group's pages are all read at once, and it may be all the file.
     options: dict[str, Any] = {"buffer_size": _BLOCK, "pre_buffer": False}
     with pq.ParquetFile(path, **options) as file:
-        check_pages(file, memory)
-        schema, text = file.schema_arrow, text_columns(file)
+        _check_pages(file, memory)
+        schema, text = file.schema_arrow, _text_columns(file)
     # A text that many rows share is held once until its size is known.
     with pq.ParquetFile(path, read_dictionary=text, **options) as file:
         yield schema, (_checked_batch(batch, schema, memory) for batch in file.iter_batches())
 
 
 def _checked_batch(batch: pa.RecordBatch, schema: pa.Schema, memory: int) -> pa.RecordBatch:
-    check_laid_out(batch, memory)
+    _check_laid_out(batch, memory)
     return batch if batch.schema.equals(schema) else batch.cast(schema)
 
 
@@ -192,7 +166,7 @@ def validated(batch: pa.RecordBatch, memory: int) -> pa.RecordBatch:
         The largest size of the rows, bytes.
     """
     batch.validate(full=True)
-    check_laid_out(batch, memory)
+    _check_laid_out(batch, memory)
     return batch
 
 

@@ -26,6 +26,7 @@ import pyarrow.ipc
 import pyarrow.parquet as pq
 from numpy.typing import NDArray
 
+from hoopgen.core.validation import check_count
 from hoopgen.engine.compiled_scene import CompiledScene
 from hoopgen.simulation.hoop import HOOP
 from hoopgen.text.shorten import brief, cut, join_names
@@ -112,10 +113,8 @@ class Source:
             object.__setattr__(self, "delimiter", check_delimiter(self.delimiter))
         elif self.path.suffix.lower() == ".tsv":
             object.__setattr__(self, "delimiter", "\t")
-        if self.memory < LEAST_MEMORY:
-            raise ValueError(
-                f"memory: expected at least {LEAST_MEMORY:,} bytes, got {self.memory:,}"
-            )
+        expected = f"at least {LEAST_MEMORY:,} bytes"
+        check_count("memory", self.memory, least=LEAST_MEMORY, expected=expected)
         object.__setattr__(self, "conditions", parse_conditions(self.where))
 
     @cached_property

@@ -165,7 +165,7 @@ def test_the_answer_in_words_numbers_and_a_picture() -> None:
     ("arguments", "error", "said"),
     [
         ({"vary": ["loft"]}, ValueError, "vary: unknown loft. One of speed, "),
-        ({"vary": "speed"}, TypeError, "vary: expected a list of names, got the text 'speed'"),
+        ({"vary": "speed"}, TypeError, "vary: expected names in a list or a mapping or None, got"),
         ({"vary": []}, ValueError, "vary: expected at least one name"),
         ({"i": 3}, IndexError, "i: expected a shot from -1 to 0, got 3"),
         ({"i": 0.0}, TypeError, "i: expected a whole number, got 0.0"),

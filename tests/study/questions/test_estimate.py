@@ -718,7 +718,7 @@ def test_the_folder_is_passed_on(tmp_path: Path) -> None:
         (["--shots", "0"], "'0' is not a whole number from 1"),
         (["--shots", "many"], "'many' is not a whole number from 1"),
         (["--shots", "inf"], "'inf' is not a whole number from 1"),
-        (["--precision", "1"], "is not in the range 0<x<1"),
+        (["--precision", "1"], "'1' is no share above 0% and below 100%"),
         ([*OPTIONS[1:], "--aim", "5cm"], "aim takes the place of speed; got both"),
     ],
 )

@@ -287,7 +287,7 @@ def test_what_is_not_a_number_is_none_in_json(best: Optimum) -> None:
         ({"shots": 0}, "shots: expected a whole number from 1"),
         ({"seed": 2**64 - 1}, "seed: expected"),
         ({"confidence": 95}, "confidence: expected a number within 0 and 1"),
-        ({"margins": ["wind"]}, "names: unknown wind"),
+        ({"margins": ["wind"]}, "margins: unknown wind"),
         ({"parameters": hoopgen.PAPER | {"mass": 0.6}}, "parameters: unknown mass"),
     ],
 )
