@@ -38,23 +38,31 @@ from ..symbolic.conditionals import (
 from ..symbolic.error_terms import dv, dw, dx, earliest_delay, greatest
 from ..symbolic.rounding import velocity_error
 from ..symbolic.symbols import spin, velocity
-from .bounds import bound_curvature, bound_distance, bound_rate, longest, near_edge, roundings
+from .bounds import (
+    bound_curvature,
+    bound_distance,
+    bound_rate,
+    continues_contact,
+    edge_delay,
+    longest,
+    near_edge,
+    roundings,
+)
 from .settling import tolerance
 from .symbols import (
     EventCodes,
     fastest,
-    gap,
     nearest,
-    nearing,
     normal_cosine,
-    outside_time,
     stride,
     strongest,
 )
 
-edge_distance, edge_delay, successor = sp.symbols("edge_distance edge_delay successor", real=True)
-"""Distance from the nearest edge, m; bound on the error of the time at which the ball reaches it,
-s; index of the surface that takes the ball over there."""
+edge_distance, successor = sp.symbols("edge_distance successor", real=True)
+"""Distance from the nearest edge, m; index of the surface that takes the ball over there."""
+
+successor_bend = sp.Symbol("successor_bend", nonnegative=True)
+"""Curvature of the surface that takes the ball over at an edge, 1/m; 0: none does."""
 
 over_edge, falls_off = map(Boolean, ("over_edge", "falls_off"))
 """True of a ball that is past an edge of the surface below; of one that flies off an edge."""
@@ -106,30 +114,24 @@ def _successor(ball_radius: sp.Expr) -> Kernel:
     surface has an error as small as the angle between the normals.
     """
     landing, _ = roundings(ball_radius)
-    allowed = barrier(tolerance(ball_radius))
-    # The errors grow by as much when a ball begins to roll (`settling.jump_errors`).
     size = barrier(sum(map(absolute, velocity)))
-    slow = barrier(allowed * barrier(1 + size / ball_radius))
     angle = barrier(sp.sqrt(barrier(absolute(1 - normal_cosine))))
     speed_error = barrier(
         barrier(4 * angle + sp.Rational(1, 2**22)) * velocity_error + sp.Rational(1, 2**47) * size
     )
-
-    def fits_within(gap_change: sp.Expr | int, speed_change: sp.Expr | int) -> sp.Basic:
-        return all_of(
-            Less(1 - sp.Rational(1, 2**20), normal_cosine),
-            AtMost(absolute(gap), barrier(allowed + gap_change)),
-            AtMost(absolute(nearing), barrier(slow + speed_change)),
-            AtMost(outside_time, 0),
-        )
-
-    fits = fits_within(0, 0)
-    unclear = all_of(fits_within(landing, speed_error), Not(fits_within(-landing, -speed_error)))
+    fits = continues_contact(ball_radius)
+    unclear = all_of(
+        continues_contact(ball_radius, landing, speed_error),
+        Not(continues_contact(ball_radius, -landing, -speed_error)),
+    )
     taken = Not(Less(successor, 0))
     return loop_kernel(
         "succeeds",
         {
             str(successor): Choose(all_of(fits, Not(taken)), index, successor),
+            str(successor_bend): maximum(
+                successor_bend, Choose(fits, barrier(absolute(rolling_series.per_reach)), 0)
+            ),
             "undecided_time": Choose(Or(unclear, all_of(fits, taken)), 0, undecided_time),
         },
         "Whether a surface takes over a ball at the edge of another one.",
@@ -138,11 +140,24 @@ def _successor(ball_radius: sp.Expr) -> Kernel:
 
 
 def _edge_errors(flight: Flight, ball: Ball) -> Kernel:
-    """Return the errors after an edge, at which the forces change at an uncertain time."""
-    per = barrier(absolute(rolling_series.per_reach))
-    speed = barrier(sum(map(absolute, velocity)) + ball.radius * barrier(sum(map(absolute, spin))))
-    disturbance, _ = flight.disturbance(speed)
-    pressed = barrier(2 * barrier(flight.strength) + 2 * speed**2 * per + 2 * disturbance)
+    """Return the errors after an edge, at which the forces change at an uncertain time.
+
+    A surface of curvature k presses a rolling ball on by -a·n - v·n' <= |a_n| + k v², and takes the
+    friction beta (-a_t + s n × n') for that. Where another surface takes the ball over, both have
+    one normal, but for 2^-9, so that the parts of -a are the same: the forces differ by as much as
+    their curvatures make. Off an edge the ball loses all.
+    """
+    bends = barrier(absolute(rolling_series.per_reach) + successor_bend)
+    turned = barrier(ball.radius * barrier(sum(map(absolute, spin))))
+    squared = barrier(velocity.dot(velocity))
+    size = barrier(sum(map(absolute, velocity)))
+    disturbance, _ = flight.disturbance(barrier(size + turned))
+    fall = barrier(2 * barrier(flight.strength) + 2 * disturbance)
+    continues = Not(Less(successor, 0))
+    pressed = barrier(
+        Choose(continues, sp.Rational(1, 2**8) * fall, fall)
+        + barrier(squared + ball.friction_share * barrier(size * turned)) * bends
+    )
     unit = barrier(edge_delay * pressed)
     units = (
         (barrier(edge_delay * unit),) * 3
@@ -175,7 +190,7 @@ def edge_kernels(flight: Flight, ball: Ball, codes: EventCodes) -> tuple[Kernel,
     return (
         decision(
             "no_edge",
-            {str(edge_delay): 0, str(edge_distance): sp.oo},
+            {str(edge_delay): 0, str(edge_distance): sp.oo, str(successor_bend): 0},
             "Start values: the ball is at no edge.",
         ),
         decision(
