@@ -16,7 +16,6 @@ from ..contact.ball import Ball
 from ..events.predicates import index, undecided_time, which
 from ..events.root_finder import first_root
 from ..ir.kernel import Kernel, decision, loop_kernel
-from ..motion import rolling_series
 from ..motion.flight import Flight
 from ..state.fields import NONE
 from ..symbolic.conditionals import (
@@ -35,25 +34,18 @@ from ..symbolic.conditionals import (
     maximum,
     minimum,
 )
-from ..symbolic.error_terms import dv, dw, dx, earliest_delay, greatest
+from ..symbolic.error_terms import dv, dw, earliest_delay, greatest
 from ..symbolic.rounding import velocity_error
-from ..symbolic.symbols import spin, velocity
-from .bounds import (
-    bound_curvature,
-    bound_distance,
-    bound_rate,
-    continues_contact,
-    edge_delay,
-    longest,
-    near_edge,
-    roundings,
-)
+from ..symbolic.symbols import normal, spin, velocity
+from .bounds import bound_curvature, bound_distance, bound_rate, longest, near_edge, roundings
+from .meeting import bound_shift, continues_contact, edge_delay, edge_delay_of, edge_shift
 from .settling import tolerance
 from .symbols import (
     EventCodes,
     fastest,
     nearest,
     normal_cosine,
+    press,
     stride,
     strongest,
 )
@@ -61,8 +53,9 @@ from .symbols import (
 edge_distance, successor = sp.symbols("edge_distance successor", real=True)
 """Distance from the nearest edge, m; index of the surface that takes the ball over there."""
 
-successor_bend = sp.Symbol("successor_bend", nonnegative=True)
-"""Curvature of the surface that takes the ball over at an edge, 1/m; 0: none does."""
+before = sp.Matrix(sp.symbols("before_x before_y before_z", real=True))
+after = sp.Matrix(sp.symbols("after_x after_y after_z", real=True))
+"""Acceleration of the ball before an edge; on the surface that takes it over there."""
 
 over_edge, falls_off = map(Boolean, ("over_edge", "falls_off"))
 """True of a ball that is past an edge of the surface below; of one that flies off an edge."""
@@ -82,7 +75,7 @@ def _reaches(ball_radius: sp.Expr, codes: EventCodes) -> Kernel:
     )
     clear = barrier(Choose(AtMost(bound_distance, landing), tolerance(ball_radius), bound_distance))
     root = minimum(stride, longest(fastest), first_root(clear, bound_rate, bends))
-    own = barrier(barrier(4 * greatest(dx) + landing) / absolute(bound_rate))
+    own = edge_delay_of(landing)
     return loop_kernel(
         "reaches_edge",
         {
@@ -101,6 +94,7 @@ def _reaches(ball_radius: sp.Expr, codes: EventCodes) -> Kernel:
             ),
             str(edge_distance): minimum(edge_distance, bound_distance),
             str(edge_delay): Choose(arrives, maximum(edge_delay, own), edge_delay),
+            str(edge_shift): Choose(first, -bound_shift / bound_rate, edge_shift),
         },
         "Whether a rolling ball is past an edge of its surface; else a time for which it is not.",
         "a parabola below the distance",
@@ -129,9 +123,6 @@ def _successor(ball_radius: sp.Expr) -> Kernel:
         "succeeds",
         {
             str(successor): Choose(all_of(fits, Not(taken)), index, successor),
-            str(successor_bend): maximum(
-                successor_bend, Choose(fits, barrier(absolute(rolling_series.per_reach)), 0)
-            ),
             "undecided_time": Choose(Or(unclear, all_of(fits, taken)), 0, undecided_time),
         },
         "Whether a surface takes over a ball at the edge of another one.",
@@ -142,34 +133,36 @@ def _successor(ball_radius: sp.Expr) -> Kernel:
 def _edge_errors(flight: Flight, ball: Ball) -> Kernel:
     """Return the errors after an edge, at which the forces change at an uncertain time.
 
-    A surface of curvature k presses a rolling ball on by -a·n - v·n' <= |a_n| + k v², and takes the
-    friction beta (-a_t + s n × n') for that. Where another surface takes the ball over, both have
-    one normal, but for 2^-9, so that the parts of -a are the same: the forces differ by as much as
-    their curvatures make. Off an edge the ball loses all.
+    A ball that is there dt later has the acceleration a of before for so long in the place of the
+    one a' of after: its velocity is off by (a - a') dt more, and its spin as friction changes. It
+    flies if no surface takes it over, or one that does not press it on. An error along the path is
+    a delay alone, and remains one: dx = v dt, dv = a' dt. What the vector of errors does not
+    contain counts with a sixteenth of what it could be.
     """
-    bends = barrier(absolute(rolling_series.per_reach) + successor_bend)
-    turned = barrier(ball.radius * barrier(sum(map(absolute, spin))))
-    squared = barrier(velocity.dot(velocity))
-    size = barrier(sum(map(absolute, velocity)))
-    disturbance, _ = flight.disturbance(barrier(size + turned))
-    fall = barrier(2 * barrier(flight.strength) + 2 * disturbance)
-    continues = Not(Less(successor, 0))
-    pressed = barrier(
-        Choose(continues, sp.Rational(1, 2**8) * fall, fall)
-        + barrier(squared + ball.friction_share * barrier(size * turned)) * bends
-    )
-    unit = barrier(edge_delay * pressed)
-    units = (
-        (barrier(edge_delay * unit),) * 3
-        + (unit,) * 3
-        + (barrier(unit / barrier(ball.inertia * ball.radius)),) * 3
-    )
-    errors = {
-        str(d): d + IfLess(d, 0, -own, own) for d, own in zip((*dx, *dv, *dw), units, strict=True)
-    }
+    down = sp.Matrix(list(flight.acceleration))
+    flies = Or(Less(successor, 0), AtMost(press, 0))
+    change = [
+        barrier(a - Choose(flies, fall, b)) for a, fall, b in zip(before, down, after, strict=True)
+    ]
+    per = barrier(1 / barrier(ball.inertia * ball.radius))
+    twists = [barrier(-c) * per for c in normal.cross(sp.Matrix(change))]
+    speed = barrier(sum(map(absolute, velocity)) + ball.radius * barrier(sum(map(absolute, spin))))
+    disturbance, _ = flight.disturbance(speed)
+    disturbed = barrier(2 * disturbance)
+    size = barrier(greatest(change) + disturbed)
+    late = barrier(edge_delay / 16)
+    unit = barrier(size * late + disturbed * edge_delay)
+    outputs: dict[str, sp.Expr] = {}
+    for errors, rates, rounding in (
+        (dv, change, unit),
+        (dw, twists, barrier(unit * per)),
+    ):
+        for error, rate in zip(errors, rates, strict=True):
+            moved = barrier(error + rate * edge_shift)
+            outputs[str(error)] = moved + IfLess(moved, 0, -rounding, rounding)
     return loop_kernel(
         "edge_errors",
-        errors,
+        outputs,
         "Errors with those of the time at which the ball is at the edge.",
         "the change of the forces times the delay",
     )
@@ -190,7 +183,13 @@ def edge_kernels(flight: Flight, ball: Ball, codes: EventCodes) -> tuple[Kernel,
     return (
         decision(
             "no_edge",
-            {str(edge_delay): 0, str(edge_distance): sp.oo, str(successor_bend): 0},
+            {
+                str(edge_delay): 0,
+                str(edge_shift): 0,
+                str(edge_distance): sp.oo,
+                "press": 0,
+                **{str(a): 0 for a in (*before, *after)},
+            },
             "Start values: the ball is at no edge.",
         ),
         decision(
@@ -212,6 +211,11 @@ def edge_kernels(flight: Flight, ball: Ball, codes: EventCodes) -> tuple[Kernel,
             "at_edge",
             {str(over_edge): Equal(which, codes.over_edge)},
             "Whether a rolling ball is past an edge of its surface.",
+        ),
+        decision(
+            "taking_over",
+            {"here": Equal(successor, index)},
+            "Whether a surface is the one that takes the ball over.",
         ),
         _successor(ball.radius),
         _edge_errors(flight, ball),

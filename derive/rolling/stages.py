@@ -14,7 +14,16 @@ from ..ir.event_tree import Call, If, Node, While, given_as
 from ..motion import ring_rolling_series, rolling_series
 from ..state.shared_kernels import LoopSurface, on_surface
 from ..symbolic.symbols import STATE, normal
-from .surface_nodes import bounds_of, on_held, outside, part_call, renamed
+from .surface_nodes import (
+    accelerated,
+    at_seams,
+    bounds_of,
+    on_held,
+    outside,
+    part_call,
+    renamed,
+    shifted_bound,
+)
 
 MAX_STEPS_PER_TURN = 1 << 4
 """Steps of a ball in contact in one turn of the loop; it goes on in the next turn. Balls that roll
@@ -75,7 +84,7 @@ def in_contact(
         Call(common["error_bounds"]),
         *on_held(common, holders, "rolling_surface", "separation"),
         *_free_time(common, contacts, end_planes),
-        *_at_seams(common, holders, "seam_free_time"),
+        *at_seams(common, holders, "seam_free_time"),
         Call(common["separated"]),
         Call(common["detachment"]),
     )
@@ -190,7 +199,7 @@ def _step(
         yield Call(common["beside"], {"index": surface.index})
         yield If("beside", tuple(_beside(common, surface, edged)))
     yield from _beside_end_planes(common, end_planes)
-    yield from _at_seams(common, holders, "beside_seam")
+    yield from at_seams(common, holders, "beside_seam")
     yield Call(common["beside_time"])
     yield Call(common["neighbour_scale"])
     yield Call(common["neighbour"])
@@ -202,16 +211,6 @@ def _step(
     yield from _moved_neighbour(common, holders)
     yield Call(common["compared"])
     yield Call(common["rolled_on"])
-
-
-def _at_seams(common: Parts, holders: Sequence[LoopSurface], decision: str) -> Iterator[Node]:
-    """Evaluate a decision for each seam of the surface that the ball is on."""
-    for surface in holders:
-        seams = [part for part in surface.parts if part.startswith("seam")]
-        if seams:
-            each = (n for s in seams for n in (part_call(surface, s), Call(common[decision])))
-            yield Call(common["holding"], {"index": surface.index})
-            yield If("here", tuple(each))
 
 
 def _friction_limit(common: Parts, friction: Sequence[Node]) -> Iterator[Node]:
@@ -269,7 +268,13 @@ def _at_edges(common: Parts, holders: Sequence[LoopSurface]) -> Iterator[Node]:
     for surface in holders:
         if bounds := bounds_of(surface):
             each = (
-                n for b in bounds for n in (part_call(surface, b), Call(common["reaches_edge"]))
+                node
+                for part in bounds
+                for node in (
+                    part_call(surface, part),
+                    shifted_bound(surface, part),
+                    Call(common["reaches_edge"]),
+                )
             )
             yield Call(common["holding"], {"index": surface.index})
             yield If("here", tuple(each))
@@ -282,14 +287,19 @@ def _past_edge(common: Parts, holders: Sequence[LoopSurface]) -> Iterator[Node]:
         takes = (
             part_call(surface, "beside"),
             part_call(surface, "facing"),
-            part_call(surface, "rolling_surface"),
             *([] if bounds_of(surface) else [Call(common["unbounded"])]),
             *outside(common, surface, "outside_bound_in_flight"),
             Call(common["succeeds"], {"index": surface.index}),
         )
         yield Call(common["beside"], {"index": surface.index})
         yield If("beside", takes)
-    yield from on_held(common, holders, "rolling_surface")
+    yield Call(common["no_bounce"])
+    for surface in holders:
+        yield Call(common["holding"], {"index": surface.index})
+        yield If("here", tuple(accelerated(common, surface, "before")))
+    for surface in holders:
+        yield Call(common["taking_over"], {"index": surface.index})
+        yield If("here", tuple(accelerated(common, surface, "after")))
     yield Call(common["edge_errors"])
 
 

@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 from hoopgen.derive.events import plane, predicates
 from hoopgen.derive.ir.event_tree import Call
-from hoopgen.derive.rolling import bounds, contact_phase, edges, events, jump
+from hoopgen.derive.rolling import bounds, contact_phase, edges, events, jump, meeting
 
 pytest.importorskip("flint")
 
@@ -48,10 +48,6 @@ at_apexes = OfEngine(
     test_tiles.test_apexes_beside_an_edge_are_those_proved_or_flagged, scene=test_tiles.GAP
 )
 few_chips = OfEngine(test_green.test_few_chips_are_uncertain, scene=test_edges.GREEN)
-on_wire = OfEngine(
-    test_green.test_errors_grow_where_the_wire_takes_a_ball_over_and_gives_it_back,
-    scene=test_edges.GREEN,
-)
 over_wire = OfEngine(
     test_green.test_a_ball_that_the_wire_does_not_press_on_flies_over_it, scene=test_edges.GREEN
 )
@@ -59,6 +55,10 @@ comes_up = OfEngine(
     test_green.test_a_ball_that_comes_up_again_goes_back_where_it_came_from,
     scene=test_edges.GREEN,
 )
+on_edge = OfFormulas(
+    test_jump.test_at_an_edge_the_velocity_is_off_by_the_change_of_the_force_times_the_delay,
+)
+on_entry = OfFormulas(test_jump.test_a_ball_comes_over_a_bound_as_late_as_its_errors_say)
 on_jump = OfFormulas(
     test_jump.test_what_the_jump_leaves_out_is_within_the_errors_that_it_adds,
 )
@@ -108,7 +108,7 @@ FAULTS = (
     ),
     Planted(
         "a body that continues the surface is met before the edge",
-        in_text(bounds, "_meets", "defers = all_of(continues", "defers = all_of(false, continues"),
+        in_text(meeting, "_meets", "defers = all_of(continues", "defers = all_of(false, continues"),
         on_green,
     ),
     Planted(
@@ -190,13 +190,35 @@ FAULTS = (
     ),
     Planted(
         "a surface that takes a ball over presses it on as the one before",
-        in_text(edges, "_edge_errors", "+ successor_bend)", ")"),
-        on_wire,
+        in_text(edges, "_edge_errors", "Choose(flies, fall, b)", "Choose(flies, fall, a)"),
+        on_edge,
     ),
     Planted(
-        "the time at which a ball comes over a bound has no error",
-        in_text(bounds, "entering", "barrier(4 * greatest(dx) + landing)", "barrier(0 * landing)"),
-        on_wire,
+        "a ball that comes over a bound is there in time",
+        in_text(meeting, "entering", "-bound_shift / bound_rate", "0 * bound_rate"),
+        on_entry,
+    ),
+    Planted(
+        "a ball that is late at an edge has the velocity of one that is not",
+        in_text(edges, "_edge_errors", "error + rate * edge_shift", "error"),
+        on_edge,
+    ),
+    Planted(
+        "a ball that is late at an edge is so in the direction of the errors alone",
+        in_text(edges, "_edge_errors", "edge_delay / 16", "0 * edge_delay"),
+        on_edge,
+    ),
+    Planted(
+        "a ball that moves along a bound comes in over it for certain",
+        in_text(meeting, "entering", "AtMost(size, near_enough), Not(steep)", "false, Not(steep)"),
+        on_entry,
+    ),
+    Planted(
+        "a surface that does not press a ball on keeps it",
+        in_text(
+            edges, "_edge_errors", "Or(Less(successor, 0), AtMost(press, 0))", "Less(successor, 0)"
+        ),
+        on_edge,
     ),
     Planted(
         "a ball on a ring comes in over no bound",

@@ -6,6 +6,8 @@ it, with one normal, and neither stops it.
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 from numpy.typing import NDArray
@@ -13,9 +15,11 @@ from scipy.integrate import solve_ivp
 
 import hoopgen
 from hoopgen import Event
+from hoopgen.scene import Cylinder, End, Scene
 from hoopgen.simulation.engine import Engine
+from tests.helpers.derived import engine_of
 from tests.helpers.effort import exceptions, trials
-from tests.scene.test_edges import FIELDS, GRAVITY, GREEN, HOLE, HOLE_BALL, putts
+from tests.scene.test_edges import GRAVITY, GREEN, HOLE, HOLE_BALL, putts
 
 pytestmark = pytest.mark.xdist_group("edges")  # the scene is compiled once
 
@@ -133,25 +137,6 @@ def test_a_ball_that_comes_up_again_goes_back_where_it_came_from(green: Engine) 
     assert again[2]["after"][3:6] == pytest.approx(-rolls[1]["after"][3:6], abs=1e-10)
 
 
-def test_errors_grow_where_the_wire_takes_a_ball_over_and_gives_it_back(green: Engine) -> None:
-    """The force changes by v²/R within the time by which that is uncertain."""
-    state = lip_out()
-    events = green.simulate(state, time_limit=20, record=True).events
-    rolls = events[events["kind"] == Event.ROLL]
-    for event in rolls[1:3]:
-        before, after = (
-            green.simulate(
-                state, time_limit=float(event["time"]) + wait, fields=FIELDS
-            ).state_error[0]
-            for wait in (-1e-7, 1e-7)
-        )
-        place, velocity = event["after"][:3], event["after"][3:6]
-        across = abs(place[:2] @ velocity[:2]) / HOLE
-        # The ball turns about the wire as fast as it moves across it, and around the hole besides.
-        change = across**2 / HOLE_BALL
-        assert after[1] - before[1] >= change * before[0] / np.linalg.norm(velocity)
-
-
 def test_a_ball_that_the_wire_does_not_press_on_flies_over_it(green: Engine) -> None:
     """The force is N = g - v²/R and grows while the ball crosses the wire at a slant."""
     state = chips(600)[91]
@@ -163,3 +148,46 @@ def test_a_ball_that_the_wire_does_not_press_on_flies_over_it(green: Engine) -> 
     assert force < -1
     assert events[on_wire + 1]["kind"] == Event.LEAVE
     assert events[on_wire + 1]["time"] == events[on_wire]["time"]
+
+
+TROUGH = Scene(
+    "trough",
+    bodies=[Cylinder("trough", radius=0.3, axis="x", inside=True, span=(-1, 0.5))],
+    ball_radius=HOLE_BALL,
+    gravity=GRAVITY,
+    restitution=0.3,
+    inertia="2/5",
+    rolls=True,
+    ends={"down": End(at=-1)},
+)
+"""A half pipe and its other half, which end in the air."""
+
+
+def test_a_ball_rolls_along_a_trough_and_off_its_end(tmp_path: Path) -> None:
+    """It swings from side to side, keeps its energy, and flies from where the trough ends."""
+    engine = engine_of(TROUGH, tmp_path)
+    random = np.random.default_rng(6)
+    states = np.zeros((20, 9))
+    states[:, 1] = random.uniform(-0.1, 0.1, 20)
+    states[:, 2] = -0.2
+    states[:, 3] = random.uniform(0.5, 1.5, 20)
+    states[:, 6:] = random.normal(0, 5, (20, 3))
+    shots = engine.simulate(states, time_limit=20, record=True)
+    assert np.count_nonzero(shots.uncertain) <= 1
+    events, left = shots.events, 0
+
+    def energy(state: Floats) -> float:
+        turning = HOLE_BALL**2 * (state[6:] @ state[6:])
+        return float(state[3:6] @ state[3:6] / 2 + turning / 5 + GRAVITY * state[2])
+
+    for k in np.flatnonzero(events["kind"] == Event.LEAVE):
+        begin, end, last = events[k - 1 : k + 2]
+        assert abs(end["after"][0] - 0.5) <= 2.0**-47  # where an event has come
+        assert energy(end["after"]) == pytest.approx(energy(begin["after"]), rel=1e-12)
+        assert last["kind"] == Event.END
+        lasting = last["time"] - end["time"]
+        there = end["after"][:3] + lasting * end["after"][3:6]
+        there[2] -= GRAVITY * lasting**2 / 2
+        assert last["after"][:3] == pytest.approx(there, abs=1e-13)
+        left += 1
+    assert left > 10

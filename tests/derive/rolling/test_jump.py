@@ -1,4 +1,4 @@
-"""Bounds on what the jump from the last bounce to rolling leaves out, from bounces to 60 digits.
+"""Errors where a ball begins to roll, from bounces to 60 digits, and where it comes to an edge.
 
 The ball bounces on a plane or a sphere until nothing is left, and rolls for the same time: the two
 states differ by no more than the errors that `jump_errors` adds, and by not much less.
@@ -16,6 +16,7 @@ from mpmath import matrix, mp, mpf
 
 from hoopgen.scene import Plane, Scene
 from tests.helpers.derived import DerivedKernels
+from tests.scene.test_edges import GREEN
 
 BALL, INERTIA, GRAVITY, RESTITUTION = 0.02, 0.4, 9.81, 0.5
 
@@ -227,3 +228,39 @@ def test_on_a_level_plane_a_jump_without_slip_adds_roundings_alone() -> None:
     assert max(errors[:2]) < 2.0**-50
     assert errors[2] == pytest.approx((2e-6) ** 2 / GRAVITY, rel=1e-2, abs=0)
     assert max(errors[3:6]) < 2.0**-48
+
+
+def called(scene: Scene, kernel: str, **changed: float) -> dict[str, float]:
+    """Return what a kernel of a scene computes; arguments that are not given are zero."""
+    kernels = DerivedKernels.from_scene(scene.derive())
+    sizes = {p.name: float(value) for p, value in zip(scene.inputs, scene.values(), strict=True)}
+    given = dict.fromkeys(kernels.ARGUMENTS[kernel], 0.0)
+    given |= {kernels.VARIABLES[name]: value for name, value in sizes.items()} | changed
+    found = getattr(kernels, kernel)(*(given[name] for name in kernels.ARGUMENTS[kernel]))
+    return dict(zip(kernels.OUTPUTS[kernel], map(float, found), strict=True))
+
+
+def test_at_an_edge_the_velocity_is_off_by_the_change_of_the_force_times_the_delay() -> None:
+    """Off a level plane the ball loses N = g, so much earlier or later as its errors say."""
+    for shift in (0.0, 1e-11):
+        given = {"nz": 1.0, "vx": -0.3, "edge_delay": 1.6e-11, "edge_shift": shift}
+        flown = called(ROOM, "edge_errors", successor=-1.0, **given)
+        # The delay that the errors may have besides counts with a sixteenth.
+        assert flown["dvz"] == pytest.approx(GRAVITY * (shift + 1e-12), rel=1e-12)
+        pulled = {"after_z": -3.0, "after_y": 2.0}
+        taken = called(ROOM, "edge_errors", successor=1.0, press=6.0, **pulled, **given)
+        assert taken["dvz"] == pytest.approx(3 * (shift + 1e-12), rel=1e-12)
+        assert abs(taken["dwx"]) == pytest.approx((2 * shift + 3e-12) / (INERTIA * BALL), rel=1e-12)
+        let_go = called(ROOM, "edge_errors", successor=1.0, press=-1.0, **pulled, **given)
+        assert let_go["dvz"] == flown["dvz"]
+
+
+def test_a_ball_comes_over_a_bound_as_late_as_its_errors_say() -> None:
+    given = {"dx": 1e-12, "bound_rate": 0.5, "bound_shift": 1e-12, "bound_distance": -1e-17}
+    found = called(GREEN, "entering_bound", x=0.1, fastest=1.0, strongest=10.0, **given)
+    assert found["enters"]
+    assert not found["lingers"]
+    assert found["entry_shift"] == -2e-12
+    assert found["entry_delay"] >= 8e-12
+    slow = given | {"bound_rate": 1e-6, "position_error": 1e-12}
+    assert called(GREEN, "entering_bound", x=0.1, fastest=1.0, strongest=10.0, **slow)["lingers"]
