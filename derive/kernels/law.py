@@ -9,7 +9,7 @@ import sympy as sp
 from ..contact.law import Law
 from ..errors import propagation
 from ..ir.kernel import Kernel, kernel
-from ..rolling import friction_limit, settling
+from ..rolling import friction_limit, jump, settling
 from ..scenes.scene import Scene
 from ..state import shared_kernels
 from ..symbolic.isomorphism import Isomorphism
@@ -74,6 +74,8 @@ def _kernels(
         )
     if scene.rolls:
         kernels["settling"] = settling.settling(law, scene.ball, scene.flight)
+        if scene.has_edges and scene.flight.exact:
+            kernels["rebound"] = jump.rebound_kernel(law)
         kernels["grip_deficit"] = friction_limit.friction_excess(law)
     return kernels | {
         "impact": kernel(

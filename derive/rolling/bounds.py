@@ -9,10 +9,8 @@ from __future__ import annotations
 
 import sympy as sp
 
-from ..events.predicates import index, undecided_time, which
 from ..events.root_finder import first_root
 from ..ir.kernel import Kernel, decision, loop_kernel
-from ..state.fields import NONE
 from ..surfaces import Surface
 from ..surfaces.plane import Flat
 from ..surfaces.two_sided import TwoSided
@@ -20,32 +18,25 @@ from ..symbolic.conditionals import (
     AtMost,
     Boolean,
     Choose,
-    Equal,
     Less,
     Not,
     Or,
     absolute,
     all_of,
-    any_of,
     barrier,
     false,
     maximum,
     minimum,
     release,
 )
-from ..symbolic.error_terms import earliest_delay
 from ..symbolic.rounding import position_error
 from ..symbolic.symbols import POSITION, VELOCITY, position
-from .settling import tolerance
 from .symbols import (
     fastest,
     gap,
-    gap_curvature,
     nearing,
-    normal_cosine,
     outside_distance,
     outside_time,
-    stride,
     strongest,
 )
 
@@ -59,8 +50,6 @@ bound_distance, bound_rate, bound_curvature = sp.symbols(
 
 on_bound, near_edge = map(Boolean, ("on_bound", "near_edge"))
 """True if a bound is undecided; of a ball near an edge of the surface below."""
-
-_NO_EVENT = Equal(which, NONE)
 
 
 def limits(surface: Surface) -> tuple[sp.Expr, ...]:
@@ -199,53 +188,6 @@ def until_met(bends: sp.Expr) -> sp.Expr:
     return Choose(Less(gap, 0), barrier(returns), first_root(gap, nearing, bends))
 
 
-def _meets(ball_radius: sp.Expr, bounded: bool) -> Kernel:
-    """Return the kernel that detects where a ball that rolls near an edge meets another surface.
-
-    A surface whose normal is about that of the surface under the ball, and which the ball all but
-    touches at the edge, is not met before: it may take the ball over there.
-    """
-    landing, near_enough = roundings(ball_radius)
-    bends = barrier(strongest + gap_curvature * fastest**2)
-    touches = AtMost(absolute(gap) if bounded else gap, landing)
-    continues = all_of(near_edge, Less(1 - sp.Rational(1, 2**20), normal_cosine))
-    sunk = barrier(-tolerance(ball_radius))
-    shallow = AtMost(gap, barrier(sp.Rational(1, 2**18) * ball_radius))
-    defers = all_of(continues, shallow, AtMost(sunk, gap))
-    misfits = all_of(continues, Less(gap, sunk), AtMost(barrier(64 * sunk), gap))
-    inside = (AtMost(outside_time, 0), Not(defers))
-    meets = all_of(touches, Less(nearing, 0), *inside)
-    grazes = all_of(
-        AtMost(absolute(gap), near_enough),
-        Not(Less(barrier(8 * bends * near_enough), barrier(nearing**2))),
-        *inside,
-        *((Less(nearing, 0),) if bounded else ()),
-    )
-    met = until_met(bends) if bounded else first_root(gap, nearing, bends)
-    root = barrier(Choose(touches, first_root(tolerance(ball_radius), nearing, bends), met))
-    # `maximum` would keep a parabola that is zero throughout, which limits no step.
-    later = maximum(outside_time, Choose(defers, sp.oo, barrier(minimum(sp.oo, root))))
-    first = all_of(meets, _NO_EVENT)
-    return loop_kernel(
-        "beside_bounded_body" if bounded else "beside_body_at_edge",
-        {
-            "stride": Choose(meets, 0, minimum(stride, later)),
-            "which": Choose(first, index, which),
-            "undecided_time": Choose(
-                any_of(grazes, misfits, all_of(meets, Or(on_bound, Not(_NO_EVENT)))),
-                0,
-                undecided_time,
-            ),
-            "earliest_delay": Choose(
-                first, barrier(2 * near_enough / absolute(nearing)), earliest_delay
-            ),
-        },
-        "Whether a rolling ball meets a surface within its bounds; else a time for which it "
-        "cannot.",
-        "parabolas below the distances",
-    )
-
-
 def bounds_kernels(ball_radius: sp.Expr) -> tuple[Kernel, ...]:
     """Return the kernels of bounds that all surfaces share.
 
@@ -272,6 +214,4 @@ def bounds_kernels(ball_radius: sp.Expr) -> tuple[Kernel, ...]:
             {str(outside_distance): maximum(outside_distance, -bound_distance)},
             "Distance of the ball from the bounds of a surface.",
         ),
-        _meets(ball_radius, True),
-        _meets(ball_radius, False),
     )

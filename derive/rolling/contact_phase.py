@@ -36,6 +36,8 @@ from .bounds import bounds_kernels
 from .departure import departure_kernels
 from .edges import edge_kernels, falls_off, successor
 from .events import step_events
+from .jump import jump_kernels
+from .meeting import meeting_kernels
 from .neighbour import neighbour_kernels
 from .settling import settling_kernels
 from .symbols import (
@@ -100,9 +102,11 @@ def kernels(
     every_kernel = (
         *_series(flight, ball, strength),
         *settling_kernels(flight, strength, ball),
-        *step_events(strength, ball.radius, codes, flight.surface_force),
+        *jump_kernels(flight, ball, edges),
+        *step_events(strength, ball.radius, codes, flight.surface_force, edges),
         *departure_kernels(flight, strength, ball, edges),
         *bounds_kernels(ball.radius),
+        *meeting_kernels(ball.radius, codes),
         *edge_kernels(flight, ball, codes),
         *neighbour_kernels(ball.radius),
         *_flight_decisions(edges),

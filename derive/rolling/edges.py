@@ -16,7 +16,6 @@ from ..contact.ball import Ball
 from ..events.predicates import index, undecided_time, which
 from ..events.root_finder import first_root
 from ..ir.kernel import Kernel, decision, loop_kernel
-from ..motion import rolling_series
 from ..motion.flight import Flight
 from ..state.fields import NONE
 from ..symbolic.conditionals import (
@@ -35,26 +34,28 @@ from ..symbolic.conditionals import (
     maximum,
     minimum,
 )
-from ..symbolic.error_terms import dv, dw, dx, earliest_delay, greatest
+from ..symbolic.error_terms import dv, dw, earliest_delay, greatest
 from ..symbolic.rounding import velocity_error
-from ..symbolic.symbols import spin, velocity
+from ..symbolic.symbols import normal, spin, velocity
 from .bounds import bound_curvature, bound_distance, bound_rate, longest, near_edge, roundings
+from .meeting import bound_shift, continues_contact, edge_delay, edge_delay_of, edge_shift
 from .settling import tolerance
 from .symbols import (
     EventCodes,
     fastest,
-    gap,
     nearest,
-    nearing,
     normal_cosine,
-    outside_time,
+    press,
     stride,
     strongest,
 )
 
-edge_distance, edge_delay, successor = sp.symbols("edge_distance edge_delay successor", real=True)
-"""Distance from the nearest edge, m; bound on the error of the time at which the ball reaches it,
-s; index of the surface that takes the ball over there."""
+edge_distance, successor = sp.symbols("edge_distance successor", real=True)
+"""Distance from the nearest edge, m; index of the surface that takes the ball over there."""
+
+before = sp.Matrix(sp.symbols("before_x before_y before_z", real=True))
+after = sp.Matrix(sp.symbols("after_x after_y after_z", real=True))
+"""Acceleration of the ball before an edge; on the surface that takes it over there."""
 
 over_edge, falls_off = map(Boolean, ("over_edge", "falls_off"))
 """True of a ball that is past an edge of the surface below; of one that flies off an edge."""
@@ -74,7 +75,7 @@ def _reaches(ball_radius: sp.Expr, codes: EventCodes) -> Kernel:
     )
     clear = barrier(Choose(AtMost(bound_distance, landing), tolerance(ball_radius), bound_distance))
     root = minimum(stride, longest(fastest), first_root(clear, bound_rate, bends))
-    own = barrier(barrier(4 * greatest(dx) + landing) / absolute(bound_rate))
+    own = edge_delay_of(landing)
     return loop_kernel(
         "reaches_edge",
         {
@@ -93,6 +94,7 @@ def _reaches(ball_radius: sp.Expr, codes: EventCodes) -> Kernel:
             ),
             str(edge_distance): minimum(edge_distance, bound_distance),
             str(edge_delay): Choose(arrives, maximum(edge_delay, own), edge_delay),
+            str(edge_shift): Choose(first, -bound_shift / bound_rate, edge_shift),
         },
         "Whether a rolling ball is past an edge of its surface; else a time for which it is not.",
         "a parabola below the distance",
@@ -106,25 +108,16 @@ def _successor(ball_radius: sp.Expr) -> Kernel:
     surface has an error as small as the angle between the normals.
     """
     landing, _ = roundings(ball_radius)
-    allowed = barrier(tolerance(ball_radius))
-    # The errors grow by as much when a ball begins to roll (`settling.jump_errors`).
     size = barrier(sum(map(absolute, velocity)))
-    slow = barrier(allowed * barrier(1 + size / ball_radius))
     angle = barrier(sp.sqrt(barrier(absolute(1 - normal_cosine))))
     speed_error = barrier(
         barrier(4 * angle + sp.Rational(1, 2**22)) * velocity_error + sp.Rational(1, 2**47) * size
     )
-
-    def fits_within(gap_change: sp.Expr | int, speed_change: sp.Expr | int) -> sp.Basic:
-        return all_of(
-            Less(1 - sp.Rational(1, 2**20), normal_cosine),
-            AtMost(absolute(gap), barrier(allowed + gap_change)),
-            AtMost(absolute(nearing), barrier(slow + speed_change)),
-            AtMost(outside_time, 0),
-        )
-
-    fits = fits_within(0, 0)
-    unclear = all_of(fits_within(landing, speed_error), Not(fits_within(-landing, -speed_error)))
+    fits = continues_contact(ball_radius)
+    unclear = all_of(
+        continues_contact(ball_radius, landing, speed_error),
+        Not(continues_contact(ball_radius, -landing, -speed_error)),
+    )
     taken = Not(Less(successor, 0))
     return loop_kernel(
         "succeeds",
@@ -138,23 +131,38 @@ def _successor(ball_radius: sp.Expr) -> Kernel:
 
 
 def _edge_errors(flight: Flight, ball: Ball) -> Kernel:
-    """Return the errors after an edge, at which the forces change at an uncertain time."""
-    per = barrier(absolute(rolling_series.per_reach))
+    """Return the errors after an edge, at which the forces change at an uncertain time.
+
+    A ball that is there dt later has the acceleration a of before for so long in the place of the
+    one a' of after: its velocity is off by (a - a') dt more, and its spin as friction changes. It
+    flies if no surface takes it over, or one that does not press it on. An error along the path is
+    a delay alone, and remains one: dx = v dt, dv = a' dt. What the vector of errors does not
+    contain counts with a sixteenth of what it could be.
+    """
+    down = sp.Matrix(list(flight.acceleration))
+    flies = Or(Less(successor, 0), AtMost(press, 0))
+    change = [
+        barrier(a - Choose(flies, fall, b)) for a, fall, b in zip(before, down, after, strict=True)
+    ]
+    per = barrier(1 / barrier(ball.inertia * ball.radius))
+    twists = [barrier(-c) * per for c in normal.cross(sp.Matrix(change))]
     speed = barrier(sum(map(absolute, velocity)) + ball.radius * barrier(sum(map(absolute, spin))))
     disturbance, _ = flight.disturbance(speed)
-    pressed = barrier(2 * barrier(flight.strength) + 2 * speed**2 * per + 2 * disturbance)
-    unit = barrier(edge_delay * pressed)
-    units = (
-        (barrier(edge_delay * unit),) * 3
-        + (unit,) * 3
-        + (barrier(unit / barrier(ball.inertia * ball.radius)),) * 3
-    )
-    errors = {
-        str(d): d + IfLess(d, 0, -own, own) for d, own in zip((*dx, *dv, *dw), units, strict=True)
-    }
+    disturbed = barrier(2 * disturbance)
+    size = barrier(greatest(change) + disturbed)
+    late = barrier(edge_delay / 16)
+    unit = barrier(size * late + disturbed * edge_delay)
+    outputs: dict[str, sp.Expr] = {}
+    for errors, rates, rounding in (
+        (dv, change, unit),
+        (dw, twists, barrier(unit * per)),
+    ):
+        for error, rate in zip(errors, rates, strict=True):
+            moved = barrier(error + rate * edge_shift)
+            outputs[str(error)] = moved + IfLess(moved, 0, -rounding, rounding)
     return loop_kernel(
         "edge_errors",
-        errors,
+        outputs,
         "Errors with those of the time at which the ball is at the edge.",
         "the change of the forces times the delay",
     )
@@ -175,7 +183,13 @@ def edge_kernels(flight: Flight, ball: Ball, codes: EventCodes) -> tuple[Kernel,
     return (
         decision(
             "no_edge",
-            {str(edge_delay): 0, str(edge_distance): sp.oo},
+            {
+                str(edge_delay): 0,
+                str(edge_shift): 0,
+                str(edge_distance): sp.oo,
+                "press": 0,
+                **{str(a): 0 for a in (*before, *after)},
+            },
             "Start values: the ball is at no edge.",
         ),
         decision(
@@ -197,6 +211,11 @@ def edge_kernels(flight: Flight, ball: Ball, codes: EventCodes) -> tuple[Kernel,
             "at_edge",
             {str(over_edge): Equal(which, codes.over_edge)},
             "Whether a rolling ball is past an edge of its surface.",
+        ),
+        decision(
+            "taking_over",
+            {"here": Equal(successor, index)},
+            "Whether a surface is the one that takes the ball over.",
         ),
         _successor(ball.radius),
         _edge_errors(flight, ball),

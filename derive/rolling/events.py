@@ -55,7 +55,11 @@ _BELOW = "a parabola below the distance"
 
 
 def step_events(
-    strength: sp.Expr, ball_radius: sp.Expr, codes: EventCodes, besides: SurfaceForce
+    strength: sp.Expr,
+    ball_radius: sp.Expr,
+    codes: EventCodes,
+    besides: SurfaceForce,
+    edges: bool = False,
 ) -> tuple[Kernel, ...]:
     """Return the kernels that shorten a step to the first possible event, and name that event.
 
@@ -69,9 +73,11 @@ def step_events(
         The codes of events in the event log.
     besides
         The force that presses the ball onto its surface besides its weight.
+    edges
+        True if a surface may take over a ball that it does not press on.
     """
     return (
-        _leaving_force(strength, ball_radius, codes, besides),
+        _leaving_force(strength, ball_radius, codes, besides, edges),
         *_other_surfaces(ball_radius),
         loop_kernel(
             "beside_seam",
@@ -119,7 +125,11 @@ def _shortened(condition: sp.Basic, root: sp.Expr) -> sp.Expr:
 
 
 def _leaving_force(
-    strength: sp.Expr, ball_radius: sp.Expr, codes: EventCodes, besides: SurfaceForce
+    strength: sp.Expr,
+    ball_radius: sp.Expr,
+    codes: EventCodes,
+    besides: SurfaceForce,
+    edges: bool,
 ) -> Kernel:
     """Return the kernel that detects where the normal force vanishes, or the ball is at rest."""
     per = rolling_series.per_reach
@@ -138,6 +148,10 @@ def _leaving_force(
     quickness = barrier(absolute(per) * barrier(fastest**2 * absolute(per) + strength))
     held_by = barrier(IfLess(opening, 0, opening**2 / barrier(strength * quickness), 0))
     holds = all_of(spent, Less(small, barrier(force + held_by)))
+    if edges:
+        # A ball that is taken over with a force off the surface has not come there through N = 0:
+        # its gap opens as -N t²/2 at once.
+        holds = all_of(holds, Less(sp.Rational(-1, 2**10) * pull, force))
     leaves = all_of(spent, Not(holds))
     still = sp.Rational(1, 2**44)
     pulled = sum(absolute(rolling_series.term(v, 1)) for v in rolling_series.SERIES[:3])

@@ -33,7 +33,6 @@ from ..symbolic.conditionals import (
     maximum,
     minimum,
 )
-from ..symbolic.error_terms import dv, dw, dx
 from ..symbolic.rounding import position_error, velocity_error
 from ..symbolic.symbols import UNIT_ROUNDOFF, normal, spin, velocity
 from .symbols import (
@@ -305,27 +304,7 @@ def _bounce_kernels(strength: sp.Expr, ball: Ball) -> tuple[Kernel, ...]:
             {"nearest": minimum(nearest, absolute(gap))},
             "Distance to an end plane beside the ball.",
         ),
-        loop_kernel(
-            "jump_errors",
-            _jump_errors(ball.radius),
-            "Errors with those of the jump to the end of the bounces.",
-            "its bound",
-        ),
     )
-
-
-def _jump_errors(ball_radius: sp.Expr) -> dict[str, sp.Expr]:
-    """Return the errors after the jump to the limit of the bounces, which is off by `tolerance`."""
-    grown = tolerance(ball_radius)
-    rate = barrier(sum(map(absolute, velocity)) / ball_radius)
-    errors: dict[str, sp.Expr] = {}
-    for names, unit in (
-        (dx, grown),
-        (dv, barrier(grown * 4 * (1 + rate))),
-        (dw, barrier(grown * 4 * (1 + rate)) / ball_radius),
-    ):
-        errors |= {str(d): d + IfLess(d, 0, -unit, unit) for d in names}
-    return errors
 
 
 def _beside_contact(outside: sp.Expr | None = None, width: sp.Expr = _ZERO) -> dict[str, sp.Basic]:

@@ -8,13 +8,22 @@ flies for a moment in which it certainly meets nothing; then it is in flight lik
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from types import MappingProxyType
 
 from ..events.search import Parts
 from ..ir.event_tree import Call, If, Node, While, given_as
 from ..motion import ring_rolling_series, rolling_series
 from ..state.shared_kernels import LoopSurface, on_surface
 from ..symbolic.symbols import STATE, normal
+from .surface_nodes import (
+    accelerated,
+    at_seams,
+    bounds_of,
+    on_held,
+    outside,
+    part_call,
+    renamed,
+    shifted_bound,
+)
 
 MAX_STEPS_PER_TURN = 1 << 4
 """Steps of a ball in contact in one turn of the loop; it goes on in the next turn. Balls that roll
@@ -42,14 +51,15 @@ def in_contact(
     rings = [surface for surface in holders if "round_start" in surface.parts]
     others = [surface for surface in holders if surface not in rings]
     yield Call(common["resumed"])
-    edged = any(map(_bounds, holders))
+    edged = any(map(bounds_of, holders))
     if edged:
         yield Call(common["no_edge"])
     begin = (
-        *_on_held(common, holders, "normal"),
+        *on_held(common, holders, "normal"),
         Call(common["roll_turn_rate"]),
         Call(common["gripped"]),
-        *_on_held(common, holders, "distance"),
+        *on_held(common, holders, "distance"),
+        *_last_bounce(common, holders),
         Call(
             common["roll_placed"],
             {f"v{axis}": f"rolled_{axis}" for axis in "xyz"},
@@ -72,13 +82,29 @@ def in_contact(
         yield If("over_edge", tuple(_past_edge(common, holders)), rare=True)
     depart = (
         Call(common["error_bounds"]),
-        *_on_held(common, holders, "rolling_surface", "separation"),
+        *on_held(common, holders, "rolling_surface", "separation"),
         *_free_time(common, contacts, end_planes),
-        *_at_seams(common, holders, "seam_free_time"),
+        *at_seams(common, holders, "seam_free_time"),
         Call(common["separated"]),
         Call(common["detachment"]),
     )
     yield If("leaves", depart, rare=True)
+
+
+def _last_bounce(common: Parts, holders: Sequence[LoopSurface]) -> Iterator[Node]:
+    """Evaluate what presses the ball on, where the errors of the jump depend on it."""
+    if not any("rebound" in surface.law for surface in holders):
+        return
+    yield Call(common["no_bounce"])
+    for surface in holders:
+        yield Call(common["holding"], {"index": surface.index})
+        own = (
+            given_as(Call(surface.law["rebound"]), surface.law_sizes),
+            part_call(surface, "rolling_surface"),
+            part_call(surface, "turning"),
+        )
+        yield If("here", own)
+    yield Call(common["pressed_on"])
 
 
 def settled(
@@ -98,15 +124,15 @@ def settled(
     holders = [surface for surface in contacts if "rolling_surface" in surface.parts]
     if not holders:
         return
-    nodes: list[Node] = [_part(holders[0], "normal")]
+    nodes: list[Node] = [part_call(holders[0], "normal")]
     for surface in holders[1:]:
-        nodes += on_surface(common, surface.index, _part(surface, "normal"))
+        nodes += on_surface(common, surface.index, part_call(surface, "normal"))
     nodes += [Call(common["nearly"]), Call(common["gripped"])]
     if "air_rates" in common:  # by the spin after the contact
         nodes.append(Call(common["air_rates"]))
     for surface in holders:
         own = (
-            _part(surface, "turning"),
+            part_call(surface, "turning"),
             Call(common["pressed_on"]),
             *_nearest(common, contacts, end_planes, surface.index),
             given_as(Call(surface.parts["separation"], wanted=frozenset({"lift"})), surface.sizes),
@@ -115,13 +141,6 @@ def settled(
         )
         nodes += on_surface(common, surface.index, *own)
     yield If("slow", tuple(nodes), rare=True)
-
-
-def _on_held(common: Parts, surfaces: Sequence[LoopSurface], *parts: str) -> Iterator[Node]:
-    """Evaluate kernels of the surface that the ball stays on."""
-    for surface in surfaces:
-        yield Call(common["holding"], {"index": surface.index})
-        yield If("here", tuple(_part(surface, part) for part in parts))
 
 
 def _free_time(
@@ -133,7 +152,7 @@ def _free_time(
         yield Call(common["beside"], {"index": surface.index})
         yield If("beside", tuple(_beside_in_flight(common, surface)))
     for end_plane in end_planes:
-        yield _part(end_plane, "beside")
+        yield part_call(end_plane, "beside")
         yield Call(common["end_plane_free_time"])
 
 
@@ -144,12 +163,12 @@ def _nearest(
     yield Call(common["isolated"])
     for surface in contacts:
         if surface.index != index:
-            yield _part(surface, "closing")
-            yield from _outside(common, surface, "outside_by")
-            yield Call(common["near_bounded_body" if _bounds(surface) else "near_body"])
+            yield part_call(surface, "closing")
+            yield from outside(common, surface, "outside_by")
+            yield Call(common["near_bounded_body" if bounds_of(surface) else "near_body"])
         else:
-            for part in _bounds(surface):
-                yield _part(surface, part)
+            for part in bounds_of(surface):
+                yield part_call(surface, part)
                 yield Call(common["beside_edge"])
     for end_plane in end_planes:
         beside = Call(end_plane.parts["beside"], wanted=frozenset({"gap"}))
@@ -165,13 +184,13 @@ def _step(
 ) -> Iterator[Node]:
     """Take a step on any surface but a ring."""
     yield Call(common["error_bounds"])
-    yield from _on_held(common, holders, "normal", "rolling_surface")
+    yield from on_held(common, holders, "normal", "rolling_surface")
     yield Call(common["roll_start"])
     yield from _series(common)
     yield Call(common["roll_step"])
     yield from _friction_limit(common, tuple(_friction(common, holders)))
     yield Call(common["leaving_force"])
-    edged = any(map(_bounds, holders))
+    edged = any(map(bounds_of, holders))
     if edged:
         yield Call(common["no_edge"])
         yield from _at_edges(common, holders)
@@ -180,7 +199,7 @@ def _step(
         yield Call(common["beside"], {"index": surface.index})
         yield If("beside", tuple(_beside(common, surface, edged)))
     yield from _beside_end_planes(common, end_planes)
-    yield from _at_seams(common, holders, "beside_seam")
+    yield from at_seams(common, holders, "beside_seam")
     yield Call(common["beside_time"])
     yield Call(common["neighbour_scale"])
     yield Call(common["neighbour"])
@@ -192,16 +211,6 @@ def _step(
     yield from _moved_neighbour(common, holders)
     yield Call(common["compared"])
     yield Call(common["rolled_on"])
-
-
-def _at_seams(common: Parts, holders: Sequence[LoopSurface], decision: str) -> Iterator[Node]:
-    """Evaluate a decision for each seam of the surface that the ball is on."""
-    for surface in holders:
-        seams = [part for part in surface.parts if part.startswith("seam")]
-        if seams:
-            each = (n for s in seams for n in (_part(surface, s), Call(common[decision])))
-            yield Call(common["holding"], {"index": surface.index})
-            yield If("here", tuple(each))
 
 
 def _friction_limit(common: Parts, friction: Sequence[Node]) -> Iterator[Node]:
@@ -220,13 +229,26 @@ def _friction(common: Parts, holders: Sequence[LoopSurface]) -> Iterator[Node]:
         yield If("here", (given_as(Call(surface.law["grip_deficit"]), surface.law_sizes),))
 
 
+def _beside_ring(common: Parts, surface: LoopSurface) -> Iterator[Node]:
+    """Detect where a ball on a ring meets another surface, or is taken over by it at a bound."""
+    if not bounds_of(surface) or "rolling_surface" not in surface.parts:
+        yield from _beside(common, surface)
+        return
+    yield part_call(surface, "beside")
+    yield Call(common["no_entry"])
+    yield from outside(common, surface, "outside_bound", "entering_bound")
+    yield Call(common["near_edge"])
+    yield part_call(surface, "facing")
+    yield Call(common["beside_entered_body"], {"index": surface.index})
+
+
 def _beside(common: Parts, surface: LoopSurface, edged: bool = False) -> Iterator[Node]:
     """Detect where the ball meets another surface; edged is true where it may reach an edge."""
-    bounded = bool(_bounds(surface))
-    yield _part(surface, "beside")
-    yield from _outside(common, surface, "outside_bound")
+    bounded = bool(bounds_of(surface))
+    yield part_call(surface, "beside")
+    yield from outside(common, surface, "outside_bound")
     if edged:
-        yield If("near_edge", (_part(surface, "facing"),), rare=True)
+        yield If("near_edge", (part_call(surface, "facing"),), rare=True)
         yield from () if bounded else (Call(common["unbounded"]),)
     elif bounded:  # on a ring, which has no edge
         yield Call(common["near_edge"])
@@ -235,31 +257,25 @@ def _beside(common: Parts, surface: LoopSurface, edged: bool = False) -> Iterato
 
 
 def _beside_in_flight(common: Parts, surface: LoopSurface) -> Iterator[Node]:
-    yield _part(surface, "beside")
-    yield from _outside(common, surface, "outside_bound_in_flight")
-    bounded = bool(_bounds(surface))
+    yield part_call(surface, "beside")
+    yield from outside(common, surface, "outside_bound_in_flight")
+    bounded = bool(bounds_of(surface))
     yield Call(common["bounded_neighbour_free_time" if bounded else "neighbour_free_time"])
-
-
-def _bounds(surface: LoopSurface) -> list[str]:
-    """Return the parts of a surface's kernels that are its bounds."""
-    return [part for part in surface.parts if part.startswith("rim")]
-
-
-def _outside(common: Parts, surface: LoopSurface, decision: str) -> Iterator[Node]:
-    """Evaluate a decision for each bound of a surface beside the ball, if it has any."""
-    if bounds := _bounds(surface):
-        yield Call(common["unbounded"])
-    for part in bounds:
-        yield _part(surface, part)
-        yield Call(common[decision])
 
 
 def _at_edges(common: Parts, holders: Sequence[LoopSurface]) -> Iterator[Node]:
     """Detect where the ball is past an edge of the surface that it is on."""
     for surface in holders:
-        if bounds := _bounds(surface):
-            each = (n for b in bounds for n in (_part(surface, b), Call(common["reaches_edge"])))
+        if bounds := bounds_of(surface):
+            each = (
+                node
+                for part in bounds
+                for node in (
+                    part_call(surface, part),
+                    shifted_bound(surface, part),
+                    Call(common["reaches_edge"]),
+                )
+            )
             yield Call(common["holding"], {"index": surface.index})
             yield If("here", tuple(each))
 
@@ -269,21 +285,27 @@ def _past_edge(common: Parts, holders: Sequence[LoopSurface]) -> Iterator[Node]:
     yield Call(common["error_bounds"])
     for surface in holders:
         takes = (
-            _part(surface, "beside"),
-            _part(surface, "facing"),
-            *([] if _bounds(surface) else [Call(common["unbounded"])]),
-            *_outside(common, surface, "outside_bound_in_flight"),
+            part_call(surface, "beside"),
+            part_call(surface, "facing"),
+            *([] if bounds_of(surface) else [Call(common["unbounded"])]),
+            *outside(common, surface, "outside_bound_in_flight"),
             Call(common["succeeds"], {"index": surface.index}),
         )
         yield Call(common["beside"], {"index": surface.index})
         yield If("beside", takes)
-    yield from _on_held(common, holders, "rolling_surface")
+    yield Call(common["no_bounce"])
+    for surface in holders:
+        yield Call(common["holding"], {"index": surface.index})
+        yield If("here", tuple(accelerated(common, surface, "before")))
+    for surface in holders:
+        yield Call(common["taking_over"], {"index": surface.index})
+        yield If("here", tuple(accelerated(common, surface, "after")))
     yield Call(common["edge_errors"])
 
 
 def _beside_end_planes(common: Parts, end_planes: Sequence[LoopSurface]) -> Iterator[Node]:
     for end_plane in end_planes:
-        yield _part(end_plane, "beside")
+        yield part_call(end_plane, "beside")
         yield Call(common["beside_end_plane"], {"index": end_plane.index})
 
 
@@ -299,24 +321,26 @@ def _ring_step(
     bounded = len(around) == len(others) + len(end_planes)
 
     def series(names: Mapping[str, str]) -> Iterator[Node]:
-        yield _part(ring, "round_start", names)
+        yield part_call(ring, "round_start", names)
         for k in range(ring_rolling_series.ORDER):
-            yield _part(ring, f"round_{k}", names)
+            yield part_call(ring, f"round_{k}", names)
 
     def clearance(half_step: str) -> Iterator[Node]:
         for surface in around:
-            yield _part(surface, "around")
+            yield part_call(surface, "around")
             yield Call(common["clearance_at_any_azimuth"], {"half_step": half_step})
 
     yield Call(common["error_bounds"])
-    yield _part(ring, "rolling_surface")
+    yield part_call(ring, "rolling_surface")
     yield from series({})
-    yield _part(ring, "round_step")
+    yield part_call(ring, "round_step")
     friction_excess = given_as(Call(ring.law["grip_deficit"]), ring.law_sizes)
-    yield from _friction_limit(common, (_part(ring, "round_pulled"), friction_excess))
+    yield from _friction_limit(common, (part_call(ring, "round_pulled"), friction_excess))
     yield Call(common["leaving_force"])
+    if any(map(bounds_of, others)):
+        yield part_call(ring, "normal")
     for surface in others:
-        yield from _beside(common, surface)
+        yield from _beside_ring(common, surface)
     yield from _beside_end_planes(common, end_planes)
     yield Call(common["beside_time"])
     yield Call(common["neighbour_scale"])
@@ -327,15 +351,15 @@ def _ring_step(
         yield Call(common["isolated"], {}, {"nearest": "azimuth_clearance"})
         yield Call(common["half_steps"])
         yield from clearance("forth")
-    yield given_as(_part(ring, "round_moved"), {"t": "stride"})
+    yield given_as(part_call(ring, "round_moved"), {"t": "stride"})
     if "passing" in common:
         yield Call(common["passing_in_contact"])
     if bounded:
         yield from clearance("back")
-        yield _part(ring, "swung")
+        yield part_call(ring, "swung")
         yield Call(common["rolls_for_ever"])
     yield from series(_NEIGHBOUR)
-    yield given_as(_part(ring, "round_moved", _NEIGHBOUR), {"t": "stride"})
+    yield given_as(part_call(ring, "round_moved", _NEIGHBOUR), {"t": "stride"})
     yield Call(common["compared"])
     yield Call(common["rolled_on"], {}, {"rolling": "circling"})
 
@@ -349,7 +373,7 @@ def _moved(
     common: Parts, holders: Sequence[LoopSurface], names: Mapping[str, str]
 ) -> Iterator[Node]:
     """Move a ball along its series, and put it back onto the surface."""
-    yield _renamed(Call(common["roll_moved"], {"t": "stride"}), names)
+    yield renamed(Call(common["roll_moved"], {"t": "stride"}), names)
     yield from _put_back(common, holders, names)
 
 
@@ -357,10 +381,10 @@ def _moved_neighbour(common: Parts, holders: Sequence[LoopSurface]) -> Iterator[
     """Move the neighbouring motion, which begins on the surface, too."""
     for surface in holders:
         yield Call(common["holding"], {"index": surface.index})
-        yield If("here", (_part(surface, "normal", _NEIGHBOUR),))
-    yield _renamed(Call(common["roll_turn_rate"]), _NEIGHBOUR)
+        yield If("here", (part_call(surface, "normal", _NEIGHBOUR),))
+    yield renamed(Call(common["roll_turn_rate"]), _NEIGHBOUR)
     yield from _put_back(common, holders, _NEIGHBOUR)
-    yield _renamed(Call(common["roll_start"]), _NEIGHBOUR)
+    yield renamed(Call(common["roll_start"]), _NEIGHBOUR)
     yield from _series(common)
     yield from _moved(common, holders, _NEIGHBOUR)
 
@@ -370,19 +394,6 @@ def _put_back(
 ) -> Iterator[Node]:
     for surface in holders:
         yield Call(common["holding"], {"index": surface.index})
-        parts = (_part(surface, part, names) for part in ("normal", "distance"))
+        parts = (part_call(surface, part, names) for part in ("normal", "distance"))
         yield If("here", tuple(parts))
-    yield _renamed(Call(common["roll_placed"]), names)
-
-
-def _part(surface: LoopSurface, part: str, names: Mapping[str, str] = MappingProxyType({})) -> Call:
-    """Return the evaluation of a kernel of a surface, for a motion whose state has such names."""
-    return given_as(_renamed(Call(surface.parts[part]), names), surface.sizes)
-
-
-def _renamed(node: Call, names: Mapping[str, str]) -> Call:
-    """Return the evaluation for a motion whose state has other names."""
-    arguments = {str(symbol) for symbol in node.kernel.arguments}
-    inputs = {name: own for name, own in names.items() if name in arguments}
-    outputs = {name: own for name, own in names.items() if name in node.kernel.output_names}
-    return Call(node.kernel, {**inputs, **node.inputs}, outputs)
+    yield renamed(Call(common["roll_placed"]), names)

@@ -45,6 +45,9 @@ rolled = sp.Matrix(sp.symbols("rolled_x rolled_y rolled_z", real=True))
 slip, bounce = sp.symbols("slip bounce", real=True)
 """Speed of the contact point along the surface, and speed of the ball off it."""
 
+rebound = sp.Symbol("rebound", nonnegative=True)
+"""Restitution of the surface for bounces without speed."""
+
 press, weight, rolling_friction = sp.symbols("press weight rolling_friction", real=True)
 """Normal force, free fall along the normal and friction of a rolling ball, per unit mass."""
 

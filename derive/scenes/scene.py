@@ -12,7 +12,7 @@ from ..contact.law import Law
 from ..motion.air import AirConstants, AirFlight
 from ..motion.flight import Acceleration, Flight
 from ..motion.parabola import Parabola
-from ..surfaces import Body, EndPlane, Plane, Surface
+from ..surfaces import Body, Cylinder, EndPlane, Plane, Surface
 from ..surfaces.plane import Flat
 from ..symbolic.conditionals import release
 from ..symbolic.symbols import ParameterSymbol
@@ -148,12 +148,14 @@ class Scene:
         bounded = [
             surface.name
             for surface in self.surfaces
-            if surface.bounds and not isinstance(surface, Flat)
+            if surface.bounds
+            and not isinstance(surface, Flat)
+            and not (isinstance(surface, Cylinder) and surface.rolling_surface)
         ]
         if self.rolls and bounded:
             raise ValueError(
-                f"scene {self.name}: rolls: expected no bounds but those of planes, got "
-                f"{', '.join(bounded)} with some"
+                f"scene {self.name}: rolls: expected no bounds but those of planes and the ends of "
+                f"cylinders, got {', '.join(bounded)} with some"
             )
 
     @property

@@ -243,6 +243,21 @@ IN_CONTACT = {
     "edge_distance": Entry(r"\ell_1", "distance from the nearest edge of the surface below"),
     "edge_delay": Entry(r"\delta_g", "error of the time at which the ball reaches an edge"),
     "successor": Entry("j_e", "surface that takes the ball over at an edge"),
+    "bound_shift": Entry(r"\delta\ell_g", "what the carried errors add to that distance"),
+    "edge_shift": Entry("s_g", "what they add to the time at which the ball reaches an edge"),
+    "entry_shift": Entry("s_e", "what they add to the time at which it comes over a bound"),
+    **{
+        f"before_{axis}": Entry(rf"a^-_{axis}", f"acceleration along {axis} before an edge")
+        for axis in AXES
+    },
+    **{
+        f"after_{axis}": Entry(rf"a^+_{axis}", f"acceleration along {axis} after an edge")
+        for axis in AXES
+    },
+    "entry_delay": Entry(r"\delta_e", "error of the time at which the ball comes over a bound"),
+    "enters": Entry(r"\text{enters}", "the ball comes in over a bound"),
+    "lingers": Entry(r"\text{lingers}", "the ball moves along a bound"),
+    "rebound": Entry("e_0", "restitution of the surface for bounces without speed"),
     "on_bound": Entry(r"\text{on bound}", "a bound lies within its error"),
     "near_edge": Entry(r"\text{near edge}", "the ball is near an edge of the surface below"),
     "over_edge": Entry(r"\text{over edge}", "the ball is past an edge of the surface below"),

@@ -2,9 +2,10 @@
 A scene of your own
 ===================
 
-A netball bounces off the top of its post and off the ring, a golf ball hops into the hole, and a
-ball falls through a funnel into a bottle. These scenes are short files in ``examples/scenes``. The
-last one is described in Python: a ball rolls off a table, lands on the floor, and rolls on.
+A netball bounces off the top of its post and off the ring, a putt rolls over the edge of its hole
+and around the cup, and a ball falls through a funnel into a bottle. These scenes are short files in
+``examples/scenes``. The last one is described in Python: a ball rolls off a table, lands on the
+floor, and rolls on.
 """
 
 from pathlib import Path
@@ -22,7 +23,7 @@ shots.trajectory(0).plot(title="Netball", three_d=True)
 # %%
 
 golf = hoopgen.load_scene(scenes / "golf.toml")
-state = [-0.55, -0.037, 0.12, 1.57, 0.156, 0.706, 0, 30, 0]
+state = [-0.4, 0.028, 0.0214, 1.1, 0, 0, 0, 52, 0]
 shots = hoopgen.simulate(state, scene=golf, record=True)
 shots.trajectory(0).plot(title="Golf", three_d=True)
 

@@ -344,7 +344,7 @@ MAX_DEGREE = 2
 
 
 def why_not_rolling(
-    kind: str, sizes: Mapping[str, Formula], degrees: Sequence[int]
+    kind: str, sizes: Mapping[str, Formula], degrees: Sequence[int], ends: bool
 ) -> tuple[str, str]:
     """Return the argument of a body on which no ball is known to roll, and why; "" if one is.
 
@@ -354,7 +354,11 @@ def why_not_rolling(
         The kind of its shape, and its sizes by argument.
     degrees
         The degree of each of its bounds.
+    ends
+        True if its bounds are those of a span: by the coordinate along its axis alone.
     """
+    if kind == "cylinder" and ends:
+        return "", ""
     if kind in ("plane", "inclined plane", "disc"):
         for number, degree in enumerate(degrees, start=1):
             if degree > MAX_DEGREE:
@@ -365,10 +369,11 @@ def why_not_rolling(
                 return f"within {number}", said
         return "", ""
     if degrees or not {"span from", "span to"}.isdisjoint(sizes):
-        spanned = kind in ("cylinder", "oblique cylinder", "cone")
+        spanned = kind in ("oblique cylinder", "cone")
         said = (
             f"on a {kind.removeprefix('oblique ')} with bounds no ball is known to roll, only on "
-            "planes and discs; expected none where rolls is true"
+            "planes, discs, and cylinders along x, y or z with a span; expected none where rolls "
+            "is true"
         )
         return "span" if spanned else "within", said
     if kind == "oblique cylinder":

@@ -8,10 +8,11 @@ from typing import Any
 import pytest
 from hoopgen.derive.events import plane, predicates
 from hoopgen.derive.ir.event_tree import Call
-from hoopgen.derive.rolling import bounds, edges
+from hoopgen.derive.rolling import bounds, contact_phase, edges, events, jump, meeting
 
 pytest.importorskip("flint")
 
+from tests.derive.rolling import test_jump
 from tests.helpers.checked_faults import (
     Check,
     OfEngine,
@@ -22,7 +23,7 @@ from tests.helpers.checked_faults import (
     passes,
 )
 from tests.helpers.mutants import in_decisions, in_text, in_tree
-from tests.scene import test_edges, test_tiles
+from tests.scene import test_edges, test_green, test_tiles
 
 pytestmark = [pytest.mark.xdist_group("edge_mutations"), pytest.mark.slow]
 
@@ -45,6 +46,24 @@ on_tiles = OfEngine(
 )
 at_apexes = OfEngine(
     test_tiles.test_apexes_beside_an_edge_are_those_proved_or_flagged, scene=test_tiles.GAP
+)
+few_chips = OfEngine(test_green.test_few_chips_are_uncertain, scene=test_edges.GREEN)
+over_wire = OfEngine(
+    test_green.test_a_ball_that_the_wire_does_not_press_on_flies_over_it, scene=test_edges.GREEN
+)
+comes_up = OfEngine(
+    test_green.test_a_ball_that_comes_up_again_goes_back_where_it_came_from,
+    scene=test_edges.GREEN,
+)
+on_edge = OfFormulas(
+    test_jump.test_at_an_edge_the_velocity_is_off_by_the_change_of_the_force_times_the_delay,
+)
+on_entry = OfFormulas(test_jump.test_a_ball_comes_over_a_bound_as_late_as_its_errors_say)
+on_jump = OfFormulas(
+    test_jump.test_what_the_jump_leaves_out_is_within_the_errors_that_it_adds,
+)
+on_level_jump = OfFormulas(
+    test_jump.test_on_a_level_plane_a_jump_without_slip_adds_roundings_alone,
 )
 on_return = OfFormulas(
     test_tiles.test_the_delay_of_a_return_holds_for_every_velocity_within_its_error
@@ -89,7 +108,7 @@ FAULTS = (
     ),
     Planted(
         "a body that continues the surface is met before the edge",
-        in_text(bounds, "_meets", "defers = all_of(continues", "defers = all_of(false, continues"),
+        in_text(meeting, "_meets", "defers = all_of(continues", "defers = all_of(false, continues"),
         on_green,
     ),
     Planted(
@@ -131,6 +150,85 @@ FAULTS = (
         "the margin of a return is a sixty-fourth",
         in_text(plane, "returning_margin", "off.error * horizon", "off.error * horizon / 64"),
         on_return,
+    ),
+    Planted(
+        "a ball does not lag behind while it slips in its last bounces",
+        in_text(jump, "_errors_of_bounces", "4 * rolling_friction * hop**2", "0 * hop**2"),
+        on_jump,
+    ),
+    Planted(
+        "a slip that is left makes no lag",
+        in_text(
+            jump,
+            "_errors_of_bounces",
+            "4 * barrier(ball.friction_share * slip) * hop",
+            "0 * slip * hop",
+        ),
+        on_jump,
+    ),
+    Planted(
+        "a ball that lags rolls on at the same velocity",
+        in_text(jump, "_errors_of_bounces", "4 * turns * lag", "0 * turns * lag"),
+        on_jump,
+    ),
+    Planted(
+        "the height of the last bounces changes no velocity",
+        in_text(
+            jump, "_errors_of_bounces", "barrier(2 * pulls + 4 * turns**2)", "barrier(0 * turns)"
+        ),
+        on_jump,
+    ),
+    Planted(
+        "the height of the last bounces is no error",
+        in_text(jump, "_errors_of_bounces", "place + height * absolute(n)", "place"),
+        on_level_jump,
+    ),
+    Planted(
+        "the jump is off by the tolerance, whatever the last bounce",
+        in_text(contact_phase, "jump_kernels", "if tight else", "if False else"),
+        few_chips,
+    ),
+    Planted(
+        "a surface that takes a ball over presses it on as the one before",
+        in_text(edges, "_edge_errors", "Choose(flies, fall, b)", "Choose(flies, fall, a)"),
+        on_edge,
+    ),
+    Planted(
+        "a ball that comes over a bound is there in time",
+        in_text(meeting, "entering", "-bound_shift / bound_rate", "0 * bound_rate"),
+        on_entry,
+    ),
+    Planted(
+        "a ball that is late at an edge has the velocity of one that is not",
+        in_text(edges, "_edge_errors", "error + rate * edge_shift", "error"),
+        on_edge,
+    ),
+    Planted(
+        "a ball that is late at an edge is so in the direction of the errors alone",
+        in_text(edges, "_edge_errors", "edge_delay / 16", "0 * edge_delay"),
+        on_edge,
+    ),
+    Planted(
+        "a ball that moves along a bound comes in over it for certain",
+        in_text(meeting, "entering", "AtMost(size, near_enough), Not(steep)", "false, Not(steep)"),
+        on_entry,
+    ),
+    Planted(
+        "a surface that does not press a ball on keeps it",
+        in_text(
+            edges, "_edge_errors", "Or(Less(successor, 0), AtMost(press, 0))", "Less(successor, 0)"
+        ),
+        on_edge,
+    ),
+    Planted(
+        "a ball on a ring comes in over no bound",
+        without("entering_bound"),
+        comes_up,
+    ),
+    Planted(
+        "a ball holds on to a wire that does not press it on",
+        in_text(events, "_leaving_force", "if edges:", "if False:"),
+        over_wire,
     ),
 )
 

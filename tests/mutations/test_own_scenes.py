@@ -19,7 +19,7 @@ from hoopgen.derive.events.polynomial import PolynomialRootFinder
 from hoopgen.derive.events.root_search import RootSearch
 from hoopgen.derive.ir.event_tree import Call
 from hoopgen.derive.loop import stages
-from hoopgen.derive.rolling import contact_phase, events, friction_limit, settling
+from hoopgen.derive.rolling import contact_phase, events, friction_limit, jump, settling
 from hoopgen.derive.rolling import stages as contact_stages
 from hoopgen.derive.scenes.scene import Scene as DerivedScene
 from hoopgen.derive.surfaces import Box, ObliqueBox, ObliqueTorus
@@ -242,8 +242,8 @@ FAULTS = (
     Planted(
         "what the jump to the end of the bounces is off by is no error",
         in_text(
-            settling,
-            "_jump_errors",
+            jump,
+            "_errors_of_tolerance",
             "grown = tolerance(ball_radius)",
             "grown = tolerance(ball_radius) / 2**60",
         ),

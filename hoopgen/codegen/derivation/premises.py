@@ -243,9 +243,9 @@ PREMISES: dict[str, Premise] = {
         LEMMA,
         "Zeno accumulation of bounces",
         _kernels(
-            "law.settling common.leaves_slowly common.no_slow_contact common.nearly common.gripped "
-            "common.pressed_on common.isolated common.near_end_plane common.near_body *.turning "
-            "common.near_bounded_body "
+            "law.settling law.rebound common.leaves_slowly common.no_slow_contact common.nearly "
+            "common.no_bounce common.gripped common.pressed_on common.isolated "
+            "common.near_end_plane common.near_body *.turning common.near_bounded_body "
             "*.closing *.separation common.settled common.jump_errors common.beginning_contact"
         ),
     ),
