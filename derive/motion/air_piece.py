@@ -144,7 +144,7 @@ def _late(sizes: Sequence[sp.Expr], sums: Sequence[sp.Expr], others: Sequence[sp
 def late_roundings(
     a: Sequence[sp.Expr], b: Sequence[sp.Expr], drag: sp.Expr, turning: sp.Expr
 ) -> tuple[sp.Expr, sp.Expr]:
-    """Return what roundings leave at the end of a piece of the orders in single precision.
+    """Return bounds on the roundings of the orders in single precision at the end of a piece.
 
     Parameters
     ----------
