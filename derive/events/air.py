@@ -14,7 +14,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from ..motion.air import AirFlight, piece_acceleration, piece_jerk
+from ..motion.air import TUBE, VELOCITIES, AirFlight, piece_acceleration, piece_jerk, piece_speed
 from ..surfaces import Plane, Surface
 from ..symbolic.conditionals import IfLess, absolute, barrier, maximum, minimum, release
 from ..symbolic.polynomials import Coefficients, compose
@@ -169,14 +169,15 @@ class AirRootFinder(PolynomialRootFinder):
 
         A linear F keeps its sign if the path's box is on one side of the surface; any other changes
         by at most |F'| T + C T²/2. Errors of the state may add no more than the largest budget of a
-        search does (`over_budget`). A plane is also missed where the ball stays outside of a bound.
+        search does (`over_budget`). A plane is also missed where the ball stays outside of a bound,
+        or moves away all the time.
         """
         if self._boxed:
             return clear(self.windows, self.lost)
         error = rounding(self.surface.shape, self._budgeted()).error
         kept = barrier(barrier(self._least_gap) - 4 * error)
-        outside = self._outside
-        return kept if outside is None else barrier(maximum(kept, outside))
+        others = (found for found in (self._outside, self._least_rate) if found is not None)
+        return barrier(maximum(kept, *others))
 
     @property
     def _least_gap(self) -> sp.Expr:
@@ -213,6 +214,25 @@ class AirRootFinder(PolynomialRootFinder):
             error = rounding(along, dict.fromkeys(POSITION, there)).error
             found.append(barrier(barrier(barrier(middle) - barrier(reach)) - 4 * error))
         return maximum(*found) if found else None
+
+    @property
+    def _least_rate(self) -> sp.Expr | None:
+        """A bound below F' until the horizon, errors included; None for a curved surface.
+
+        The velocity differs by at most j T²/2 from v + V_1 t, and by `TUBE` from the true one.
+        """
+        linear = _linear(self.surface.shape)
+        if linear is None:
+            return None
+        now, change = (
+            barrier(sum(c * one for c, one in zip(linear, vector, strict=True) if c != 0))
+            for vector in VELOCITIES[:2]
+        )
+        bent = barrier(piece_jerk * barrier(horizon**2) / 2)
+        rounded = barrier(sp.Rational(1, 2**48) * piece_speed)
+        off = barrier(sum(map(sp.Abs, linear)) * barrier(barrier(bent + TUBE) + rounded))
+        falling = barrier(horizon * minimum(0, change))
+        return barrier(barrier(now + falling) - (1 + BUDGET) * off)
 
     @property
     def _offsets(self) -> list[sp.Expr]:

@@ -13,7 +13,8 @@ from ..events import bounding_boxes, event_polynomials
 from ..events.air import over_budget
 from ..events.predicates import excess
 from ..ir.kernel import Kernel, decision, kernel
-from ..motion.air import ORDER, AirFlight
+from ..motion.air import FIRST_SINGLE, ORDER, SHORT, SINGLE_SERIES, AirFlight
+from ..motion.air_piece import piece
 from ..scenes import sinking, validity
 from ..scenes.scene import Scene
 from ..symbolic import error_terms
@@ -183,27 +184,40 @@ def _pieces(scene: Scene, order: tuple[sp.Symbol, ...]) -> tuple[Kernel, ...]:
         "Rates of drag and Magnus force, and gravity less buoyancy.",
         "equations of motion",
     )
-    orders = (
+    orders = [
         kernel(
             f"air_order_{k}",
-            flight.order(k),
+            flight.order(k, SINGLE_SERIES) if k >= FIRST_SINGLE else flight.order(k),
             order,
             f"Coefficients of order {k} of the speed through the air, and the next of the velocity."
             if k < ORDER
             else f"Coefficient of order {k} of the speed through the air.",
             source,
+            k >= FIRST_SINGLE,
         )
         for k in range(ORDER + 1)
-    )
+    ]
+    short = {symbol.name: given for given, symbol in SHORT.items()}
     return (
         rates,
-        *orders,
+        *orders[:FIRST_SINGLE],
+        kernel("air_short", short, order, "The same in single precision.", source, single=True),
+        *orders[FIRST_SINGLE:],
+        kernel(
+            "air_tail",
+            flight.tail(),
+            order,
+            "The coefficients in single precision, zero where they do not fit into it.",
+            source,
+            single=True,
+        ),
         kernel(
             "piece",
-            flight.piece(),
+            piece(flight),
             order,
             "Length of a piece, what it adds to errors, and bounds on its motion.",
             f"{source}, Gronwall's lemma",
+            single=True,
         ),
         kernel(
             "piece_excess",

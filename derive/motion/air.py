@@ -1,4 +1,4 @@
-"""Flight through air: Taylor series of its pieces, and a proved bound on what they leave out.
+"""Flight through air: Taylor series of its pieces.
 
 The forces on a ball of mass m, radius R and constant spin w are gravity less buoyancy, drag and the
 Magnus force. Per unit mass, with the density ϱ of the air and the area A = π R² of the ball,
@@ -15,104 +15,47 @@ follow from those before:
 where Σ' leaves out the first and the last term. Each order is a kernel of its own, since the
 expression of one in terms of the state alone would be exponentially long.
 
-A flight is a sequence of pieces, each with its own series. A piece is so long that about
-`TOLERANCE` of the velocity is left out, and no shorter than `SHORTEST`: where the series is not
-good for as long as that, no bound is proved, and the shot is uncertain.
+The terms of high order are small, and so are their roundings: from the order `FIRST_SINGLE` on the
+coefficients are computed in single precision.
 
-The bound. The polynomials v_n and σ_n of degree P fulfil both equations up to their degree, except
-for roundings. With A_k = |V_k|₁ h^k, B_k = |σ_k| h^k and suffix sums S, on [0, h]
-
-    |q_n - σ_n²| <= D = Σ_k (A_k S^A_{P+1-k} + B_k S^B_{P+1-k}) + ρ,
-    |σ(v_n) - σ_n| <= D / s,   s = B_0 - S^B_1,
-    |v_n' - f(v_n)| <= d = k_d (Σ_k B_k S^A_{P-k} + (D/s) S^A_0) + |Ω|₁ A_P + ρ'.
-
-Within `TUBE` of v_n the derivative of f is at most L = 2 k_d (S^B_0 + D/s + `TUBE`) + |Ω|₁, so by
-Gronwall's lemma an error E of the velocity at the start is at most G (E + ∫ d) with the growth
-G = 1 / (1 - L h) >= exp(L h) at the end; that is proved if it does not exceed `TUBE`. What is left
-out of the equations, without ρ and ρ', is of order P and more in t. So the integral over the piece
-is h/(P+1) times this part of d, and h times the rest, and the position is off by the second
-integral, h²/((P+1)(P+2)) and h²/2 times these, besides h G E. ρ and ρ' are what roundings leave of
-the two equations: those of a sum of k + 1 products, and at most so many more as `SQUARE_ROUNDINGS`
-and the constants after it say.
+A flight is a sequence of pieces, each with its own series. `air_piece` has their length, and the
+proved bound on what they leave out.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from typing import NamedTuple
 
 import sympy as sp
 
 from ..symbolic.conditionals import (
     Choose,
-    IfLess,
     Less,
     absolute,
-    all_of,
     barrier,
     barrier_all,
-    maximum,
-    minimum,
 )
 from ..symbolic.error_terms import dv, dw, dx
 from ..symbolic.polynomials import Coefficients, derivative, horner
-from ..symbolic.rounding import ROUNDING_SLACK, Rounded, extent, position_error, velocity_error
-from ..symbolic.symbols import POSITION, UNIT_ROUNDOFF, VELOCITY, spin, t, velocity
+from ..symbolic.rounding import Rounded, extent, position_error, velocity_error
+from ..symbolic.symbols import POSITION, VELOCITY, spin, t, velocity
 from .flight import Flight, SurfaceForce
 
 ORDER = 15
 """Degree of the velocity in time. The piece's root is then of degree 16: four square roots."""
 
-TOLERANCE = sp.Rational(1, 2**50)
-"""m/s: a piece is so long that about this much of the velocity is left out."""
-
-MAX_RADIUS = sp.Integer(3)
-"""Largest radius of convergence that the length of a piece is chosen for, s."""
-
-LONGEST = sp.Rational(1, 3)
-"""Length of the longest piece by the radius of convergence."""
-
-SHORTEST = sp.Rational(1, 2**10)
-"""Shortest piece, s."""
-
-PIECE_UNIT = sp.Rational(1, 2**26)
-"""Lengths of pieces are multiples of this, s, so that sums and differences of them are exact."""
-
-PIECE_GRAIN = sp.Rational(3, 2) * PIECE_UNIT / (2 * UNIT_ROUNDOFF)
-"""A number to which a shorter time is added as a multiple of `PIECE_UNIT`."""
-
-OVERLAP = sp.Rational(1, 2**10)
-"""Share of a piece for which its bounds hold beyond its end."""
+FIRST_SINGLE = 9
+"""The first order of which the coefficients of σ, and the next of the velocity, are computed in
+single precision."""
 
 TUBE = sp.Rational(1, 2**10)
 """Largest error of the velocity for which the bound is proved, m/s."""
 
-SQUARE_ROUNDINGS = 8
-"""At most so many roundings of σ_k² besides those of its sum: at k = 0 three of v·v, one of v_s²,
-one of the sum and two of the root; later three of a product of vectors, one of a product, one of
-the difference and one of the quotient."""
-
-DRAG_ROUNDINGS = 12
-"""At most so many roundings of k_d σ v besides those of its sum: seven of k_d, one of a product in
-the sum, one of the product with k_d, and two of the sum of forces and the quotient."""
-
-MAGNUS_ROUNDINGS = 14
-"""At most so many roundings of Ω × v: nine of Ω, two of a product of vectors, and two of the sum of
-forces and the quotient."""
-
-WEIGHT_ROUNDINGS = 8
-"""At most so many roundings of g_e, relative to g (1 + b) where the air carries the share b < 1:
-nine of b, relative to g b, and one each of the difference, the product and the sum of forces."""
-
 CARRIED_SHARE = sp.Rational(1, 4)
 """Share of a piece's errors that is carried. They are proved bounds, unlike roundings that are
 carried with the sign that makes errors grow, and decisions allow for 16 times what is carried."""
-
-CANCELLATION = sp.Rational(1, 2**40)
-"""Share of a positive quantity that covers the roundings of what is subtracted from it."""
-
-UNDERFLOW = sp.Rational(1, 2**600)
-"""m/s²: far more than what is lost of the defect where coefficients underflow."""
 
 PI = sp.floor(sp.pi * 2**51) / sp.Integer(2) ** 51
 """The greatest double below π, within 2 u of it."""
@@ -150,6 +93,45 @@ VELOCITIES = (
 )
 """V_0 to V_P."""
 
+TAIL = (
+    *AIRSPEEDS[FIRST_SINGLE:],
+    *(v for vector in VELOCITIES[FIRST_SINGLE + 1 :] for v in vector),
+)
+"""The coefficients that are computed in single precision."""
+
+SHORT: dict[sp.Symbol, sp.Symbol] = {
+    symbol: sp.Symbol(f"short_{symbol.name}", real=True)
+    for symbol in (
+        *(v for vector in VELOCITIES[: FIRST_SINGLE + 1] for v in vector),
+        *(*AIRSPEEDS[:FIRST_SINGLE], drag_rate, *magnus_rate),
+    )
+}
+"""By the other coefficients and the rates, the symbols of these in single precision."""
+
+
+class Series(NamedTuple):
+    """The symbols of the coefficients of a piece by order, and those of the rates."""
+
+    velocities: tuple[sp.Matrix, ...]
+    airspeeds: tuple[sp.Symbol, ...]
+    drag_rate: sp.Symbol
+    magnus_rate: sp.Matrix
+
+
+DOUBLE_SERIES = Series(VELOCITIES, AIRSPEEDS, drag_rate, magnus_rate)
+"""Coefficients and rates as they are computed."""
+
+SINGLE_SERIES = Series(
+    tuple(vector.applyfunc(lambda s: SHORT.get(s, s)) for vector in VELOCITIES),
+    tuple(SHORT.get(s, s) for s in AIRSPEEDS),
+    SHORT[drag_rate],
+    magnus_rate.applyfunc(lambda s: SHORT[s]),
+)
+"""All of them in single precision."""
+
+tail_lost = sp.Symbol("tail_lost", nonnegative=True)
+"""Infinite if a coefficient does not fit into single precision, else zero."""
+
 BOUNDS = (
     *(piece, growth, piece_place_error, piece_speed_error, unproved),
     *(piece_speed, piece_acceleration, piece_jerk),
@@ -158,7 +140,10 @@ BOUNDS = (
 
 _RATES = (drag_rate, *magnus_rate, *free_fall)
 
-SERIES_KERNELS = ("air_rates", *(f"air_order_{k}" for k in range(ORDER + 1)), "piece")
+SERIES_KERNELS = (
+    *("air_rates", *(f"air_order_{k}" for k in range(FIRST_SINGLE)), "air_short"),
+    *(*(f"air_order_{k}" for k in range(FIRST_SINGLE, ORDER + 1)), "air_tail", "piece"),
+)
 """The names of the kernels of a piece's series, in order."""
 
 PIECE_KERNELS = (*SERIES_KERNELS, "piece_excess")
@@ -215,28 +200,9 @@ class AirConstants:
         return barrier(barrier(self.ball_radius * self._half_column) * self.lift_coefficient)
 
 
-def _norm(vector: Sequence[sp.Expr]) -> sp.Expr:
-    """Return the sum of the sizes of the components."""
-    return barrier(sum(absolute(c) for c in vector if c != 0))
-
-
-def _suffix_sums(sizes: Sequence[sp.Expr]) -> list[sp.Expr]:
-    """Return the sums of all sizes from each one on."""
-    found = [sizes[-1]]
-    for size in reversed(sizes[:-1]):
-        found.append(barrier(size + found[-1]))
-    return found[::-1]
-
-
-def _sum(terms: Sequence[sp.Expr]) -> sp.Expr:
+def total(terms: Sequence[sp.Expr]) -> sp.Expr:
+    """Return the sum of terms, which are all computed before."""
     return barrier(sp.Add(*terms))
-
-
-def _integrals(truncated: sp.Expr, unrounded: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
-    """Return the integrals over t/h from 0 to 1 of a defect (t/h)^P and a constant, and twice."""
-    order = ORDER + 1
-    once = barrier(truncated / order + unrounded)
-    return once, barrier(truncated / (order * (order + 1)) + unrounded / 2)
 
 
 @dataclass(frozen=True)
@@ -263,7 +229,7 @@ class AirFlight(Flight):
     def symbols(self) -> tuple[sp.Symbol, ...]:
         """The coefficients of a piece, its length and bounds, and the rates of the forces."""
         series, rates = self.coefficients[: -len(_RATES)], self.coefficients[-len(_RATES) :]
-        return (*series, *BOUNDS, *rates)
+        return (*series, *BOUNDS, *rates, *SHORT.values(), tail_lost)
 
     @property
     def coefficients(self) -> tuple[sp.Symbol, ...]:
@@ -366,7 +332,7 @@ class AirFlight(Flight):
     @property
     def present_acceleration(self) -> tuple[sp.Expr, ...]:
         """The force per unit mass at the present velocity."""
-        size = barrier(sp.sqrt(barrier(velocity.dot(velocity) + self._smoothing)))
+        size = barrier(sp.sqrt(barrier(velocity.dot(velocity) + self.smoothing)))
         braking = barrier(drag_rate * size)
         turned = magnus_rate.cross(velocity)
         return tuple(
@@ -375,7 +341,8 @@ class AirFlight(Flight):
         )
 
     @property
-    def _smoothing(self) -> sp.Expr:
+    def smoothing(self) -> sp.Expr:
+        """v_s², m²/s²."""
         return barrier(self.constants.smoothing_speed**2)
 
     def along(self) -> tuple[list[sp.Expr], list[sp.Expr]]:
@@ -383,7 +350,7 @@ class AirFlight(Flight):
 
         The force's derivative is that at the end: to first order in its growth within a piece.
         """
-        size = barrier(sp.sqrt(barrier(velocity.dot(velocity) + self._smoothing)))
+        size = barrier(sp.sqrt(barrier(velocity.dot(velocity) + self.smoothing)))
         stretch = barrier(barrier(velocity.dot(sp.Matrix(dv))) / size)
         magnus, spun = magnus_rate.cross(sp.Matrix(dv)), sp.Matrix(dw).cross(velocity)
         places, moving = [], []
@@ -458,133 +425,59 @@ class AirFlight(Flight):
             **{s.name: barrier(a * lightened) for s, a in falls if a != 0},
         }
 
-    def order(self, k: int) -> dict[str, sp.Expr]:
-        """Return σ_k and V_{k+1} from the orders before; of σ_P no velocity follows."""
-        square = self._convolved(k)
+    def order(self, k: int, of: Series = DOUBLE_SERIES) -> dict[str, sp.Expr]:
+        """Return σ_k and V_{k+1} from the orders before; of σ_P no velocity follows.
+
+        Parameters
+        ----------
+        k
+            The order.
+        of
+            The symbols of the orders before, and of the rates.
+        """
+        square = self._convolved(k, of.velocities)
         if k == 0:
-            size = barrier(sp.sqrt(barrier(square + self._smoothing)))
+            size = barrier(sp.sqrt(barrier(square + self.smoothing)))
         else:
-            inner = [barrier(2 * AIRSPEEDS[i] * AIRSPEEDS[k - i]) for i in range(1, (k + 1) // 2)]
-            middle = [barrier(AIRSPEEDS[k // 2] ** 2)] if k % 2 == 0 else []
-            rest = barrier(square - _sum([*inner, *middle])) if inner or middle else square
-            size = barrier(rest / barrier(2 * AIRSPEEDS[0]))
+            sizes = of.airspeeds
+            inner = [barrier(2 * sizes[i] * sizes[k - i]) for i in range(1, (k + 1) // 2)]
+            middle = [barrier(sizes[k // 2] ** 2)] if k % 2 == 0 else []
+            rest = barrier(square - total([*inner, *middle])) if inner or middle else square
+            size = barrier(rest / barrier(2 * sizes[0]))
         outputs = {AIRSPEEDS[k].name: size}
         if k < ORDER:
-            sizes = [*AIRSPEEDS[:k], size]
-            outputs |= dict(zip(map(str, VELOCITIES[k + 1]), self._next(k, sizes), strict=True))
+            found = self._next(k, [*of.airspeeds[:k], size], of)
+            outputs |= dict(zip(map(str, VELOCITIES[k + 1]), found, strict=True))
         return outputs
 
+    def tail(self) -> dict[str, sp.Expr]:
+        """Return the coefficients in single precision, or zeros if one of them does not fit.
+
+        An infinite coefficient makes all that follow infinite or no numbers.
+        """
+        last = (AIRSPEEDS[ORDER], *VELOCITIES[ORDER])
+        fits = Less(barrier(sum(map(absolute, last))), sp.oo)
+        kept = {symbol.name: Choose(fits, symbol, 0) for symbol in TAIL}
+        return kept | {tail_lost.name: Choose(fits, 0, sp.oo)}
+
     @staticmethod
-    def _convolved(k: int) -> sp.Expr:
+    def _convolved(k: int, of: Sequence[sp.Matrix]) -> sp.Expr:
         """Return the k-th coefficient of v·v; of equal products it computes one."""
-        of = VELOCITIES
         pairs = [barrier(2 * barrier(of[i].dot(of[k - i]))) for i in range((k + 1) // 2)]
         middle = [barrier(of[k // 2].dot(of[k // 2]))] if k % 2 == 0 else []
-        return _sum([*pairs, *middle])
+        return total([*pairs, *middle])
 
-    def _next(self, k: int, sizes: Sequence[sp.Expr]) -> list[sp.Expr]:
+    def _next(self, k: int, sizes: Sequence[sp.Expr], of: Series) -> list[sp.Expr]:
         """Return V_{k+1}."""
-        turned = magnus_rate.cross(VELOCITIES[k])
+        turned = of.magnus_rate.cross(of.velocities[k])
         found = []
         for axis in range(3):
-            braked = _sum([barrier(sizes[i] * VELOCITIES[k - i][axis]) for i in range(k + 1)])
-            force = barrier(barrier(turned[axis]) - barrier(drag_rate * braked))
+            braked = total([barrier(sizes[i] * of.velocities[k - i][axis]) for i in range(k + 1)])
+            force = barrier(barrier(turned[axis]) - barrier(of.drag_rate * braked))
             if k == 0 and self.fall[axis] != 0:
                 force = barrier(force + self.fall[axis])
             found.append(barrier(force / (k + 1)))
         return found
-
-    @property
-    def _length(self) -> sp.Expr:
-        """The length of the piece that the series is good for, s, a multiple of `PIECE_UNIT`."""
-        weight = _norm(self.fall)
-        fallen = barrier(AIRSPEEDS[0] / barrier(IfLess(0, weight, weight, 1)))
-        # Without drag the velocity's series says nothing of that of σ, whose radius is about this.
-        radius = barrier(IfLess(0, weight, minimum(MAX_RADIUS, fallen), MAX_RADIUS))
-        before, last = (_norm(VELOCITIES[k]) for k in (ORDER - 1, ORDER))
-        size = barrier(maximum(before, barrier(last * radius)) * barrier(radius ** (ORDER - 1)))
-        share = minimum(LONGEST**16, IfLess(0, size, barrier(TOLERANCE / size), sp.oo))
-        for _ in range(4):
-            share = barrier(sp.sqrt(share))
-        length = barrier(radius * share)
-        return barrier(maximum(barrier(barrier(length + PIECE_GRAIN) - PIECE_GRAIN), SHORTEST))
-
-    def piece(self) -> dict[str, sp.Expr]:
-        """Return the length of the piece, and bounds that hold somewhat beyond it.
-
-        The errors are what the piece adds to those at its start, in Euclidean norm.
-        """
-        of, last = self.constants, ORDER
-        length = self._length
-        time = barrier(length + OVERLAP * length)
-        powers = [sp.Integer(1)]
-        for _ in range(last):
-            powers.append(barrier(powers[-1] * time))
-        a = [barrier(_norm(v) * power) for v, power in zip(VELOCITIES, powers, strict=True)]
-        b = [barrier(absolute(s) * power) for s, power in zip(AIRSPEEDS, powers, strict=True)]
-        sums_a, sums_b = _suffix_sums(a), _suffix_sums(b)
-        # Σ k A_k and Σ k B_k: a sum of k + 1 products has k roundings more than one product.
-        counted_a = _sum([k * a[k] for k in range(1, last + 1)])
-        counted_b = _sum([k * b[k] for k in range(1, last + 1)])
-        square = _sum(
-            [
-                barrier(barrier(a[k] * sums_a[last + 1 - k]) + barrier(b[k] * sums_b[last + 1 - k]))
-                for k in range(1, last + 1)
-            ]
-        )
-        squares = barrier(barrier(sums_a[0] ** 2) + barrier(sums_b[0] ** 2) + self._smoothing)
-        least = barrier(barrier((1 - CANCELLATION) * b[0]) - sums_b[1])
-        sums = barrier(sums_a[0] * counted_a + sums_b[0] * counted_b)
-        rounded = barrier(UNIT_ROUNDOFF * barrier(SQUARE_ROUNDINGS * squares + sums))
-        per_least = barrier(1 / least)
-        off_left_out = barrier(square * per_least)
-        off_rounded = barrier(barrier(ROUNDING_SLACK * rounded) * per_least)
-        off = barrier(off_left_out + off_rounded)
-        turning = _norm(magnus_rate)
-        left_out = _sum([barrier(b[k] * sums_a[last - k]) for k in range(last + 1)])
-        dragged = barrier(drag_rate * barrier(left_out + barrier(off_left_out * sums_a[0])))
-        truncated = barrier(dragged + barrier(turning * a[last]))
-        products = barrier(sums_b[0] * counted_a + sums_a[0] * counted_b)
-        drags = barrier(
-            drag_rate * barrier(DRAG_ROUNDINGS * barrier(sums_b[0] * sums_a[0]) + products)
-        )
-        gravity = [sp.Abs(component) for component in self.acceleration if component != 0]
-        weight = barrier(barrier(sum(gravity)) * barrier(1 + of.buoyancy))
-        lifts = barrier(MAGNUS_ROUNDINGS * barrier(turning * sums_a[0]))
-        terms = barrier(barrier(drags + lifts) + WEIGHT_ROUNDINGS * weight)
-        unrounded = barrier(
-            barrier(drag_rate * barrier(off_rounded * sums_a[0]))
-            + ROUNDING_SLACK * barrier(UNIT_ROUNDOFF * terms)
-            + UNDERFLOW
-        )
-        defect = barrier(truncated + unrounded)
-        widest = barrier(barrier(sums_b[0] + off) + TUBE)
-        slope = barrier(barrier(2 * drag_rate * widest) + turning)
-        room = barrier((1 - CANCELLATION) - barrier(time * slope))
-        grown = barrier(ROUNDING_SLACK / room)
-        once, twice = _integrals(truncated, unrounded)
-        exact = barrier(grown * barrier(once * time))
-        moved = barrier(barrier(grown * barrier(twice * time)) * time)
-        proved = all_of(Less(0, least), Less(0, room), Less(exact, TUBE / 2))
-        path = barrier(8 * barrier(time * sums_a[0]) + extent)
-        rolled = barrier(ROUNDING_SLACK * barrier(barrier(2 * _sum(sums_a[1:])) + sums_a[0]))
-        place_error = barrier(ROUNDING_SLACK * barrier(moved + UNIT_ROUNDOFF * path))
-        speed_error = barrier(exact + UNIT_ROUNDOFF * rolled)
-        per_time = barrier(1 / time)
-        # The true velocity is within the tube, and its rate differs by the slope and the defect.
-        beside = barrier(barrier(slope * TUBE) + defect)
-        first = barrier(counted_a * per_time)
-        second = barrier(_sum([k * (k - 1) * a[k] for k in range(2, last + 1)]) * per_time**2)
-        return {
-            piece.name: length,
-            growth.name: Choose(proved, grown, 1),
-            piece_place_error.name: Choose(proved, place_error, 0),
-            piece_speed_error.name: Choose(proved, speed_error, 0),
-            unproved.name: Choose(proved, 0, sp.oo),
-            piece_speed.name: barrier(ROUNDING_SLACK * sums_a[0] + TUBE),
-            piece_acceleration.name: barrier(ROUNDING_SLACK * barrier(first + beside)),
-            piece_jerk.name: barrier(ROUNDING_SLACK * second),
-        }
 
     def excess(self) -> sp.Expr:
         """Return by how much errors of the velocity exceed those for which growth is proved."""

@@ -314,6 +314,20 @@ IN_AIR = {
         )
         for axis in AXES
     },
+    **{
+        f"short_v{axis}": Entry(rf"\acute v_{axis}", f"$v_{axis}$ in single precision")
+        for axis in AXES
+    },
+    "short_drag_rate": Entry(r"\acute k_d", "$k_d$ in single precision"),
+    **{
+        f"short_magnus_rate_{axis}": Entry(
+            rf"\acute \Omega_{axis}", rf"$\Omega_{axis}$ in single precision"
+        )
+        for axis in AXES
+    },
+    "tail_lost": Entry(
+        r"\epsilon_{24}", "infinite if a coefficient does not fit into single precision, else 0"
+    ),
     "piece": Entry("h_p", "length of a piece"),
     "growth": Entry("G_p", "bound on the growth of an error of the velocity within a piece"),
     "piece_place_error": Entry("E_r", "what a piece adds to the error of the position"),
@@ -361,6 +375,11 @@ SERIES = {
     "airspeed": Entry(
         r"\breve v", r"$\sqrt{\mathbf{v} \cdot \mathbf{v} + v_s^2}$, as drag takes it"
     ),
+    **{
+        f"short_v{axis}": Entry(rf"\acute v_{axis}", f"$v_{axis}$ in single precision")
+        for axis in AXES
+    },
+    "short_airspeed": Entry(r"\acute v", r"$\breve v$ in single precision"),
 }
 """Series of a rolling ball, and of a flight through air; a coefficient has its order as a
 superscript in brackets."""

@@ -244,7 +244,8 @@ def _begin(
     values = {**inputs, **dict(zip(kernels.STATE, states.T, strict=True))}
     for name in kernels.PIECES:
         for key, one in _evaluate(kernels, name, values).items():
-            values[key] = one if np.ndim(one) else np.broadcast_to(one, len(states))
+            column = np.asarray(one, np.float64)  # some kernels are in single precision
+            values[key] = column if column.ndim else np.broadcast_to(column, len(states))
         if varied and f"vary_{name}" in kernels.ARGUMENTS:
             values.update(_evaluate(kernels, f"vary_{name}", values))
     return values

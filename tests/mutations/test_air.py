@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from functools import partial
 
 import pytest
 from hoopgen.derive import model
 from hoopgen.derive.events.air import AirRootFinder
 from hoopgen.derive.events.ring.air import AirRingRootFinder
-from hoopgen.derive.motion import air
+from hoopgen.derive.kernels import scene
+from hoopgen.derive.motion import air_piece
 
 from tests.derive.events import test_ring_in_air
 from tests.derive.motion import test_air
@@ -22,14 +24,39 @@ def _of_bound() -> None:
         test_air.test_the_bound_holds_where_far_more_is_left_out_than_roundings(patch)
 
 
+_of_rate = test_air.test_a_plane_s_gap_opens_no_slower_than_its_bound_which_is_not_useless
+_of_roundings = (
+    test_air.test_roundings_of_single_precision_are_within_their_bounds_which_are_not_useless
+)
+
 FAULTS: dict[str, tuple[Patch, Callable[[], None]]] = {
     "the velocity that a piece leaves out is integrated twice too often": (
-        in_text(air, "_integrals", "truncated / order +", "truncated / order**3 +"),
+        in_text(air_piece, "_integrals", "c / (k + 1) for", "c / (k + 1) ** 3 for"),
         _of_bound,
     ),
     "the box of a path has no size where it is held against a plane": (
         in_text(AirRootFinder, "_least_gap", "barrier(reach) * (1 + BUDGET)", "0"),
         test_air.test_a_piece_that_stays_on_one_side_of_the_end_s_plane_is_clear_of_it_and_no_other_is,
+    ),
+    "a ball that moves away from a plane does not turn round": (
+        in_text(AirRootFinder, "_least_rate", "now + falling", "now"),
+        partial(_of_rate, 1.2),
+    ),
+    "the force on a ball that moves away from a plane does not change": (
+        in_text(AirRootFinder, "_least_rate", "bent + TUBE", "TUBE"),
+        partial(_of_rate, 60.0),
+    ),
+    "single precision rounds what the speed's equation leaves as double precision does": (
+        in_text(air_piece, "late_roundings", "SINGLE_ROUNDOFF * (", "SINGLE_ROUNDOFF**2 * ("),
+        partial(_of_roundings, 1.2),
+    ),
+    "single precision rounds the drag and the Magnus force as double precision does": (
+        in_text(air_piece, "late_roundings", "SINGLE_ROUNDOFF * b", "SINGLE_ROUNDOFF**2 * b"),
+        partial(_of_roundings, 1.2),
+    ),
+    "coefficients that do not fit into single precision are zero": (
+        in_text(scene, "piece", "Less(tail_lost, 1)", "Less(0, 1)"),
+        test_air.test_nothing_is_proved_of_coefficients_that_do_not_fit_into_single_precision,
     ),
     "a ball near the ring keeps its moment about the axis": (
         in_text(AirRingRootFinder, "moment", "+ turning", ""),
@@ -64,11 +91,12 @@ FAULTS: dict[str, tuple[Patch, Callable[[], None]]] = {
 @pytest.fixture(autouse=True)
 def _derived_anew() -> Iterator[None]:
     """Derive the kernels with the fault, and after it without."""
-    for cached in (test_air.programs, test_air.program_of):
-        cached.cache_clear()
+    cached = (test_air.programs, test_air.program_of, test_air.least_rate)
+    for one in cached:
+        one.cache_clear()
     yield
-    for cached in (test_air.programs, test_air.program_of):
-        cached.cache_clear()
+    for one in cached:
+        one.cache_clear()
 
 
 @pytest.mark.sampled(2)

@@ -27,7 +27,7 @@ from hoopgen.derive.events.ring import double, polar, single
 from hoopgen.derive.events.root_search import RootSearch
 from hoopgen.derive.ir.kernel import Kernel
 from hoopgen.derive.model import Model
-from hoopgen.derive.motion import air, ring_rolling_series, rolling_series
+from hoopgen.derive.motion import air, air_piece, ring_rolling_series, rolling_series
 from hoopgen.derive.motion.parabola import Parabola
 from hoopgen.derive.rolling import friction_limit, neighbour
 from hoopgen.derive.scenes import sinking, validity
@@ -272,25 +272,27 @@ def _constants() -> dict[str, str]:
         "watched": friction_limit.NEWTON_STEPS,
         "room": validity.CERTAIN_DISTANCE_FACTOR,
         "piece_order": air.ORDER,
-        "longest_radius": air.MAX_RADIUS,
-        "piece_unit": air.PIECE_UNIT,
-        "longest_piece": air.LONGEST,
-        "shortest_piece": air.SHORTEST,
-        "piece_overlap": air.OVERLAP,
+        "first_single": air.FIRST_SINGLE,
+        "longest_radius": air_piece.MAX_RADIUS,
+        "piece_unit": air_piece.PIECE_UNIT,
+        "longest_piece": air_piece.LONGEST,
+        "shortest_piece": air_piece.SHORTEST,
+        "piece_overlap": air_piece.OVERLAP,
         "piece_tube": air.TUBE,
-        "square_roundings": air.SQUARE_ROUNDINGS,
-        "drag_roundings": air.DRAG_ROUNDINGS,
-        "magnus_roundings": air.MAGNUS_ROUNDINGS,
-        "weight_roundings": air.WEIGHT_ROUNDINGS,
+        "single_roundoff": air_piece.SINGLE_ROUNDOFF,
+        "square_roundings": air_piece.SQUARE_ROUNDINGS,
+        "drag_roundings": air_piece.DRAG_ROUNDINGS,
+        "magnus_roundings": air_piece.MAGNUS_ROUNDINGS,
+        "weight_roundings": air_piece.WEIGHT_ROUNDINGS,
         "carried_share": air.CARRIED_SHARE,
-        "cancellation": air.CANCELLATION,
-        "underflow": air.UNDERFLOW,
+        "cancellation": air_piece.CANCELLATION,
+        "underflow": air_piece.UNDERFLOW,
         "past": sinking.ROOM,
         "steep": ring_in_air.STEEP,
         "budget": air_search.BUDGET,
     }
     values = {name: sp.Rational(value) for name, value in found.items()}
-    tolerance = f"2^{{{int(sp.log(air.TOLERANCE, 2))}}}"
+    tolerance = f"2^{{{int(sp.log(air_piece.TOLERANCE, 2))}}}"
     return {name: number(value) or show(value) for name, value in values.items()} | {
         "piece_tolerance": tolerance
     }

@@ -55,7 +55,7 @@ PREMISES: dict[str, Premise] = {
     "air_motion": Premise(
         DEFINITION,
         "motion through air, and its series",
-        _kernels("common.air_rates common.air_order_*"),
+        _kernels("common.air_rates common.air_order_* common.air_short common.air_tail"),
     ),
     "piece_length": Premise(CHOICE, "length of a piece", beside="piece_remainder"),
     "piece_remainder": Premise(

@@ -1,4 +1,4 @@
-"""Flight through air: the error of a piece is within its proved bound, by 40 digits."""
+"""Flight through air: the error of a piece is within its proved bound, by 40 digits and more."""
 
 from __future__ import annotations
 
@@ -11,10 +11,14 @@ from typing import Any
 import numpy as np
 import pytest
 import sympy as sp
+from hoopgen.derive.events import search_for
 from hoopgen.derive.events.event_polynomials import horizon
-from hoopgen.derive.motion import air
-from hoopgen.derive.motion.air import SERIES_KERNELS
+from hoopgen.derive.ir.kernel import kernel
+from hoopgen.derive.kernels.arguments import argument_order
+from hoopgen.derive.motion import air_piece
+from hoopgen.derive.motion.air import FIRST_SINGLE, ORDER, SERIES_KERNELS, TAIL
 from hoopgen.derive.scenes.air import AIR, AIR_PARAMETERS
+from hoopgen.derive.symbolic.conditionals import release
 from mpmath import mp, mpf, odefun, sqrt
 
 from hoopgen.codegen.program import Program, lower
@@ -33,7 +37,7 @@ _OPERATIONS: dict[str, Callable[..., Any]] = {
     "mul": mul,
     "div": truediv,
     "neg": lambda a: -a,
-    "sqrt": math.sqrt,
+    "sqrt": np.sqrt,
     "abs": abs,
     "max": max,
     "min": min,
@@ -54,22 +58,25 @@ def programs() -> dict[str, Program]:
 
 
 def evaluate(name: str, values: Values) -> Values:
-    """Return the results of a kernel, each operation rounded to double precision."""
+    """Return the results of a kernel, each operation rounded to its precision."""
     return run(programs()[name], values)
 
 
 def run(program: Program, values: Values) -> Values:
-    """Return the results of a program, each operation rounded to double precision."""
-    done: list[float] = []
-    for operation in program.operations:
-        if operation.name == "argument":
-            done.append(values[operation.symbol.removeprefix("p_")])
-        elif operation.name == "constant":
-            done.append(operation.value)
-        else:
-            operands = (done[k] for k in operation.operands)
-            done.append(_OPERATIONS[operation.name](*operands))
-    return dict(zip(program.kernel.output_names, (done[k] for k in program.outputs), strict=True))
+    """Return the results of a program, each operation rounded to the program's precision."""
+    rounded: Any = np.float32 if program.single else np.float64
+    done: list[Any] = []
+    with np.errstate(all="ignore"):
+        for operation in program.operations:
+            if operation.name == "argument":
+                done.append(rounded(values[operation.symbol.removeprefix("p_")]))
+            elif operation.name == "constant":
+                done.append(rounded(operation.value))
+            else:
+                operands = (done[k] for k in operation.operands)
+                done.append(_OPERATIONS[operation.name](*operands))
+    found = (float(done[k]) for k in program.outputs)
+    return dict(zip(program.kernel.output_names, found, strict=True))
 
 
 def begin(state: np.ndarray, **parameters: float) -> Values:
@@ -130,7 +137,7 @@ def test_the_error_of_a_piece_is_within_its_bound_and_the_bound_is_not_useless()
 def test_the_bound_holds_where_far_more_is_left_out_than_roundings(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    monkeypatch.setattr(air, "TOLERANCE", sp.Rational(1, 2**24))
+    monkeypatch.setattr(air_piece, "TOLERANCE", sp.Rational(1, 2**24))
     programs.cache_clear()
     random = np.random.default_rng(6)
     ratios = []
@@ -147,6 +154,59 @@ def test_the_bound_holds_where_far_more_is_left_out_than_roundings(
         ratios.append(float(known["piece_speed_error"] / speed))
     programs.cache_clear()
     assert np.median(ratios) < 100.0
+
+
+def coefficients(known: Values) -> tuple[list[list[mpf]], list[mpf]]:
+    """Return the coefficients of the velocity and of the speed through the air, by order."""
+    names = ([f"{axis}_{k}" if k else axis for axis in NAMES[3:]] for k in range(ORDER + 1))
+    velocities = [[mpf(known[name]) for name in own] for own in names]
+    return velocities, [mpf(known[f"airspeed_{k}"]) for k in range(ORDER + 1)]
+
+
+def left(known: Values, k: int) -> tuple[mpf, mpf]:
+    """Return what the coefficients leave of the equation of the speed and of the velocity."""
+    v, s = coefficients(known)
+    pairs = range(k + 1)
+    square = sum(mp.fdot(v[i], v[k - i]) - s[i] * s[k - i] for i in pairs)
+    if k == ORDER:
+        return abs(square), mpf(0)
+    drag = mpf(known["drag_rate"])
+    w = [mpf(known[f"magnus_rate_{axis}"]) for axis in "xyz"]
+    rest = []
+    for a in range(3):
+        b, c = (a + 1) % 3, (a + 2) % 3
+        turned = w[b] * v[k][c] - w[c] * v[k][b]
+        braked = drag * sum(s[i] * v[k - i][a] for i in pairs)
+        rest.append((k + 1) * v[k + 1][a] - turned + braked)
+    return abs(square), mp.norm(rest)
+
+
+@pytest.mark.parametrize("density", [1.2, 60.0, 1e-35])
+def test_roundings_of_single_precision_are_within_their_bounds_which_are_not_useless(
+    density: float,
+) -> None:
+    random = np.random.default_rng(12)
+    ratios = []
+    for _ in range(trials(10, at_least=4)):
+        state = random.normal(size=9) * np.repeat([2.0, 5.0, 20.0], 3)
+        known = begin(state, air_density=density)
+        h = known["piece"]
+        with mp.workdps(50):
+            v, s = coefficients(known)
+            a = [sp.Float(float(mp.norm(one, 1)) * h**k) for k, one in enumerate(v)]
+            b = [sp.Float(float(abs(one)) * h**k) for k, one in enumerate(s)]
+            turning = sum(abs(known[f"magnus_rate_{axis}"]) for axis in "xyz")
+            drag = known["drag_rate"]
+            bounds = air_piece.late_roundings(a, b, sp.Float(drag), sp.Float(turning))
+            found = [left(known, k) for k in range(FIRST_SINGLE, ORDER + 1)]
+            orders = [h**k for k in range(FIRST_SINGLE, ORDER + 1)]
+            sums = [mp.fdot(column, orders) for column in zip(*found, strict=True)]
+        for rest, bound in zip(sums, map(release, bounds), strict=True):
+            # What underflows is relative to the other factors of a product, or to 1.
+            assert rest <= bound + 2.0**-100
+            if density > 1.0:
+                ratios.append(float(bound / rest))
+    assert density < 1.0 or np.median(ratios) < 300.0
 
 
 def test_velocity_and_acceleration_are_within_their_bounds_all_along_a_piece() -> None:
@@ -167,8 +227,6 @@ def test_velocity_and_acceleration_are_within_their_bounds_all_along_a_piece() -
 @cache
 def program_of(name: str) -> Program:
     """Return the box of a path up to the horizon, or a kernel of the scene, as a program."""
-    from hoopgen.derive.ir.kernel import kernel
-    from hoopgen.derive.kernels.arguments import argument_order
     from hoopgen.derive.model import build
 
     if name != "enclosure":
@@ -236,11 +294,36 @@ def test_a_piece_that_stays_on_one_side_of_the_end_s_plane_is_clear_of_it_and_no
         known = begin(state)
         clear = run(program_of("end_clear"), known | {"horizon": known["piece"]})["clear"] > 0.0
         above = path_of(known, known["piece"], 65)[:, 2] > -DEFAULTS["end_depth"]
-        crosses = above.any() and not above.all()
+        crosses = (above[:-1] & ~above[1:]).any()  # downwards
         beside += not crosses
         cleared += clear
         assert not (clear and crosses)
     assert cleared >= 0.8 * beside > 20
+
+
+@cache
+def least_rate() -> Program:
+    """Return the bound below the rate of the end's gap as a program."""
+    (end,) = AIR.end_planes
+    finder = search_for(end, AIR.flight).root_finder  # type: ignore[attr-defined]
+    outputs = {"least": finder._least_rate}
+    made = kernel("least_rate", outputs, argument_order(AIR), "A rate.", "Taylor")
+    return lower(made, AIR.symbols)
+
+
+@pytest.mark.parametrize("density", [1.2, 60.0])
+def test_a_plane_s_gap_opens_no_slower_than_its_bound_which_is_not_useless(density: float) -> None:
+    random = np.random.default_rng(11)
+    beside = []
+    for _ in range(trials(60, at_least=20)):
+        state = random.normal(size=9) * np.repeat([2.0, 5.0, 20.0], 3)
+        known = begin(state, air_density=density)
+        least = run(least_rate(), known | {"horizon": known["piece"]})["least"]
+        times = np.linspace(0.0, known["piece"], 17)
+        rates = [evaluate("flight", known | {"t": float(t)})["vz"] for t in times]
+        assert least <= min(rates)
+        beside.append(min(rates) - least)
+    assert np.median(beside) < 0.05 * density**0.5
 
 
 def test_a_flight_has_the_check_value_without_spin_and_smoothing() -> None:
@@ -268,7 +351,17 @@ def test_nothing_is_proved_of_a_piece_that_is_longer_than_its_series() -> None:
     known = begin(state, drag_smoothing_speed=1e-6)
     assert known["piece"] == 2.0**-10
     assert known["unproved"] == math.inf
+    assert known["tail_lost"] == math.inf
+    assert all(known[symbol.name] == 0.0 for symbol in TAIL)
     assert begin(state)["unproved"] == 0.0
+    assert begin(state)["tail_lost"] == 0.0
+
+
+def test_nothing_is_proved_of_coefficients_that_do_not_fit_into_single_precision() -> None:
+    """The speed's coefficients are too large, and the drag is so small that all else is proved."""
+    state = np.array([0.0, 0.0, 1.0, 4e6, 0.0, 4e5, 0.0, 0.0, 0.0])
+    known = begin(state, gravity=1e9, air_density=1e-12)
+    assert known["tail_lost"] == known["unproved"] == math.inf
 
 
 def test_the_defaults_are_the_same_where_they_are_read_without_sympy() -> None:
