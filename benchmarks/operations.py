@@ -110,6 +110,6 @@ def operations(states: States) -> Counts | None:
     first, second, third, fourth, *_ = (
         count / len(states) for count in _counted(states, 1, _in_kernels)
     )
-    widest = available_widths(HOOP.found, HOOP.kernels)[-1]
+    widest = available_widths(HOOP.library, HOOP.kernels)[-1] if HOOP.library else 1
     *_, busy, lanes = _counted(states, widest, _in_search)
     return Counts(first, second, third, fourth, busy / lanes if lanes else float("nan"))

@@ -57,8 +57,9 @@ class Scene:
     rolls
         Whether a ball whose bounces become ever smaller rolls on, instead of bouncing until it is
         given up. Then only planes, discs and cylinders, by their span, have bounds, off whose
-        edges a ball flies, unless another body takes it over there. Such a shot may end LODGED, at rest or wedged, or
-        ENDLESS, still rolling at the time limit. It makes kernels some times as long to compile.
+        edges a ball flies, unless another body takes it over there. Such a shot may end LODGED, at
+        rest or wedged, or ENDLESS, still rolling at the time limit. It makes kernels some times as
+        long to compile.
     air
         Whether the ball flies through air, with drag, buoyancy and the Magnus force of its spin.
         Then the scene has five parameters more, which it may declare itself to give other defaults:

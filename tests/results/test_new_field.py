@@ -200,7 +200,7 @@ def test_shots_have_the_types_of_the_record_and_describe_each_result() -> None:
 
 @pytest.mark.slow
 def test_a_new_field_is_seen_wherever_results_are(changed_copy: Path, tmp_path: Path) -> None:
-    _run(changed_copy, _READ, tmp_path, ROOT / "examples/scenes/golf.toml")
+    _run(changed_copy, _READ, tmp_path, ROOT / "examples/scenes/netball.toml")
     knowing = {
         path.relative_to(changed_copy).as_posix()
         for folder in ("hoopgen", "derive", "templates")
