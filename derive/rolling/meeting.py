@@ -60,7 +60,7 @@ edge_delay, entry_delay = sp.symbols("edge_delay entry_delay", nonnegative=True)
 a bound of the surface beside it, s."""
 
 bound_shift, edge_shift, entry_shift = sp.symbols("bound_shift edge_shift entry_shift", real=True)
-"""What the carried errors add to the distance within a bound, m, and to those times, s."""
+"""Shares of the carried errors in the distance within a bound, m, and in those times, s."""
 
 _NO_EVENT = Equal(which, NONE)
 

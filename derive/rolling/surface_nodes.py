@@ -13,12 +13,30 @@ from ..state.shared_kernels import LoopSurface
 def part_call(
     surface: LoopSurface, part: str, names: Mapping[str, str] = MappingProxyType({})
 ) -> Call:
-    """Return the evaluation of a kernel of a surface, for a motion whose state has such names."""
+    """Return the evaluation of a kernel of a surface.
+
+    Parameters
+    ----------
+    surface
+        The surface.
+    part
+        The kernel, by its name among the parts of the surface.
+    names
+        The names that a motion has for the state, by the kernel's own.
+    """
     return given_as(renamed(Call(surface.parts[part]), names), surface.sizes)
 
 
 def renamed(node: Call, names: Mapping[str, str]) -> Call:
-    """Return the evaluation for a motion whose state has other names."""
+    """Return the evaluation for a motion whose state has other names.
+
+    Parameters
+    ----------
+    node
+        The evaluation of a kernel.
+    names
+        The other names, by the kernel's own.
+    """
     arguments = {str(symbol) for symbol in node.kernel.arguments}
     inputs = {name: own for name, own in names.items() if name in arguments}
     outputs = {name: own for name, own in names.items() if name in node.kernel.output_names}
@@ -26,19 +44,43 @@ def renamed(node: Call, names: Mapping[str, str]) -> Call:
 
 
 def on_held(common: Parts, surfaces: Sequence[LoopSurface], *parts: str) -> Iterator[Node]:
-    """Evaluate kernels of the surface that the ball stays on."""
+    """Yield nodes that evaluate kernels of the surface that the ball stays on.
+
+    Parameters
+    ----------
+    common
+        The kernels that all surfaces share, by name.
+    surfaces
+        The surfaces that a ball may stay on.
+    parts
+        The kernels, by their names among the parts of a surface.
+    """
     for surface in surfaces:
         yield Call(common["holding"], {"index": surface.index})
         yield If("here", tuple(part_call(surface, part) for part in parts))
 
 
 def bounds_of(surface: LoopSurface) -> list[str]:
-    """Return the parts of a surface's kernels that are its bounds."""
+    """Return the parts of a surface's kernels that are its bounds.
+
+    Parameters
+    ----------
+    surface
+        The surface.
+    """
     return [part for part in surface.parts if part.startswith("rim")]
 
 
 def shifted_bound(surface: LoopSurface, part: str) -> Call:
-    """Return the evaluation of what the carried errors add to the distance within a bound."""
+    """Return the evaluation of what the carried errors add to the distance within a bound.
+
+    Parameters
+    ----------
+    surface
+        The surface.
+    part
+        The kernel of the bound, by its name among the parts of the surface.
+    """
     moved = {f"v{axis}": f"d{axis}" for axis in "xyz"}
     node = Call(surface.parts[part], wanted=frozenset({"bound_rate"}))
     arguments = {str(symbol) for symbol in node.kernel.arguments}
@@ -48,7 +90,17 @@ def shifted_bound(surface: LoopSurface, part: str) -> Call:
 
 
 def outside(common: Parts, surface: LoopSurface, *decisions: str) -> Iterator[Node]:
-    """Evaluate decisions for each bound of a surface beside the ball, if it has any."""
+    """Yield nodes that decide for each bound of a surface beside the ball, if it has any.
+
+    Parameters
+    ----------
+    common
+        The kernels that all surfaces share, by name.
+    surface
+        The surface beside the ball.
+    decisions
+        The names of the decisions.
+    """
     if bounds := bounds_of(surface):
         yield Call(common["unbounded"])
     for part in bounds:
@@ -59,7 +111,17 @@ def outside(common: Parts, surface: LoopSurface, *decisions: str) -> Iterator[No
 
 
 def accelerated(common: Parts, surface: LoopSurface, when: str) -> Iterator[Node]:
-    """Evaluate the acceleration of a ball that rolls on a surface where it is."""
+    """Yield nodes that evaluate the acceleration of a ball that rolls on a surface where it is.
+
+    Parameters
+    ----------
+    common
+        The kernels that all surfaces share, by name.
+    surface
+        The surface.
+    when
+        The word with which the names of the result begin: "before" or "after" an edge.
+    """
     rolls = {f"rolled_{axis}": f"v{axis}" for axis in "xyz"}
     yield part_call(surface, "normal")
     yield Call(common["roll_turn_rate"])
@@ -77,7 +139,17 @@ def _only(node: Call, names: Mapping[str, str]) -> dict[str, str]:
 
 
 def at_seams(common: Parts, holders: Sequence[LoopSurface], decision: str) -> Iterator[Node]:
-    """Evaluate a decision for each seam of the surface that the ball is on."""
+    """Yield nodes that decide for each seam of the surface that the ball is on.
+
+    Parameters
+    ----------
+    common
+        The kernels that all surfaces share, by name.
+    holders
+        The surfaces that a ball may roll on.
+    decision
+        The name of the decision.
+    """
     for surface in holders:
         seams = [part for part in surface.parts if part.startswith("seam")]
         if seams:

@@ -257,7 +257,7 @@ IN_CONTACT = {
     "entry_delay": Entry(r"\delta_e", "error of the time at which the ball comes over a bound"),
     "enters": Entry(r"\text{enters}", "the ball comes in over a bound"),
     "lingers": Entry(r"\text{lingers}", "the ball moves along a bound"),
-    "rebound": Entry("e_0", "restitution of the surface for bounces without speed"),
+    "rebound": Entry(r"e_\infty", "restitution of the surface for bounces without speed"),
     "on_bound": Entry(r"\text{on bound}", "a bound lies within its error"),
     "near_edge": Entry(r"\text{near edge}", "the ball is near an edge of the surface below"),
     "over_edge": Entry(r"\text{over edge}", "the ball is past an edge of the surface below"),

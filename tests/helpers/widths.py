@@ -10,7 +10,6 @@ import pytest
 import hoopgen
 from hoopgen.scene import compilers
 from hoopgen.simulation.engine import Engine
-from tests.helpers.effort import EFFORT
 
 
 @wraps(compilers.processor_width)
@@ -20,7 +19,7 @@ def one_lane() -> int:
 
 
 def compiled_as_for_users(scene: hoopgen.Scene) -> Engine:
-    """Compile a scene for the processor's width; below effort 1 for one lane.
+    """Compile a scene for the processor's width.
 
     Parameters
     ----------
@@ -28,7 +27,5 @@ def compiled_as_for_users(scene: hoopgen.Scene) -> Engine:
         A scene whose C engine is compared with something else.
     """
     with pytest.MonkeyPatch.context() as patch:
-        if EFFORT >= 1:
-            width = inspect.unwrap(compilers.processor_width)
-            patch.setattr(compilers, "processor_width", width)
+        patch.setattr(compilers, "processor_width", inspect.unwrap(compilers.processor_width))
         return hoopgen.compile(scene)

@@ -33,7 +33,6 @@ from hoopgen.scene import (
 )
 from hoopgen.simulation.engine import Engine
 from tests.helpers.effort import trials
-from tests.helpers.widths import compiled_as_for_users
 
 pytestmark = pytest.mark.xdist_group("edges")  # each scene is compiled once
 
@@ -94,7 +93,7 @@ TABLE = Scene(
 
 @pytest.fixture(scope="module")
 def table() -> Engine:
-    return compiled_as_for_users(TABLE)
+    return hoopgen.compile(TABLE)
 
 
 @pytest.fixture(scope="module")

@@ -164,7 +164,7 @@ TROUGH = Scene(
 
 
 def test_a_ball_rolls_along_a_trough_and_off_its_end(tmp_path: Path) -> None:
-    """It swings from side to side, keeps its energy, and flies from where the trough ends."""
+    """The ball swings from side to side, keeps its energy, and flies from where the trough ends."""
     engine = engine_of(TROUGH, tmp_path)
     random = np.random.default_rng(6)
     states = np.zeros((20, 9))
