@@ -96,6 +96,10 @@ _RULES: dict[str, _Rule] = {
     "Mapping": ("a mapping of names to values", lambda value: hasattr(value, "items")),
     "Iterable": ("a list", _is_list),
     "Iterable[str]": ("names in a list or a mapping", is_names),
+    "Shots": (
+        "the Shots of simulate",
+        lambda value: hasattr(value, "outcome") or hasattr(value, "events"),
+    ),
     **dict.fromkeys(("FlightPath", "Trajectory"), _FLIGHT),
     **dict.fromkeys(("str", "Arc", "BackendName", "By", "System"), _TEXT),
 }
@@ -110,7 +114,6 @@ _RECORDS = {
     "BoxProof": "what certify_box returns",
     "Dataset": "an xarray Dataset",
     "Figure": "a Figure of matplotlib",
-    "Shots": "the Shots of simulate",
 }
 """The source of objects by the name of their class: the classes themselves need the extras."""
 

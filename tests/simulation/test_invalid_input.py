@@ -399,7 +399,6 @@ def test_threads_must_be_a_whole_number_from_1_or_none(value: Any) -> None:
         ("times", "times"),
         (["outcome", "speed", "spin"], "speed, spin"),
         (["events"], "events"),
-        ([3], "3"),
     ],
 )
 def test_an_unknown_field_is_named_and_the_right_ones_listed(fields: Any, unknown: str) -> None:

@@ -311,7 +311,7 @@ def test_units_change_with_the_page(show: Callable[..., Tab], text: str) -> None
         "[...document.querySelectorAll('#of-release .unit')].map((one) => one.textContent)"
     )
     assert units == ["mph", "°", "°", "ft", "rpm", "rpm"]
-    assert "ft" in tab.text("#landings-note")
+    tab.until("document.getElementById('landings-note').textContent.includes(' ft ')")
 
 
 @pytest.mark.slow

@@ -289,7 +289,8 @@ PREMISES: dict[str, Premise] = {
         "edges",
         _kernels(
             "*.rim* *.facing common.no_edge common.near_edge common.reaches_edge "
-            "common.unbounded common.outside_* common.at_edge common.succeeds common.edge_errors"
+            "common.unbounded common.outside_* common.at_edge common.succeeds common.edge_errors "
+            "common.taking_over common.no_entry common.entering_bound"
         ),
     ),
     "neighbour": Premise(

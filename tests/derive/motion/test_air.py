@@ -323,7 +323,7 @@ def test_a_plane_s_gap_opens_no_slower_than_its_bound_which_is_not_useless(densi
         rates = [evaluate("flight", known | {"t": float(t)})["vz"] for t in times]
         assert least <= min(rates)
         beside.append(min(rates) - least)
-    assert np.median(beside) < 0.05 * density**0.5
+    assert np.median(beside) < 0.1 * density**0.5
 
 
 def test_a_flight_has_the_check_value_without_spin_and_smoothing() -> None:
