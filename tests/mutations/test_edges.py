@@ -41,13 +41,11 @@ errors_grow = OfEngine(
     test_edges.test_errors_grow_by_the_time_that_an_edge_is_uncertain_by, scene=test_edges.TABLE
 )
 on_tiles = OfEngine(
-    test_tiles.test_balls_that_roll_off_a_table_onto_tiles_are_rarely_uncertain,
-    scene=test_tiles.TILES,
+    test_tiles.test_hops_beside_edges_of_tiles_are_rarely_uncertain, scene=test_tiles.TILES
 )
 at_apexes = OfEngine(
     test_tiles.test_apexes_beside_an_edge_are_those_proved_or_flagged, scene=test_tiles.GAP
 )
-few_chips = OfEngine(test_green.test_few_chips_are_uncertain, scene=test_edges.GREEN)
 over_wire = OfEngine(
     test_green.test_a_ball_that_the_wire_does_not_press_on_flies_over_it, scene=test_edges.GREEN
 )
@@ -186,7 +184,7 @@ FAULTS = (
     Planted(
         "the jump is off by the tolerance, whatever the last bounce",
         in_text(contact_phase, "jump_kernels", "if tight else", "if False else"),
-        few_chips,
+        on_level_jump,
     ),
     Planted(
         "a surface that takes a ball over presses it on as the one before",

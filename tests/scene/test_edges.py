@@ -155,6 +155,7 @@ def edge_rows(shots: hoopgen.Shots) -> list[tuple[Any, Any]]:
     """Return each begin of a roll with the end of that contact."""
     events = shots.events
     rolls = np.flatnonzero(events["kind"] == Event.ROLL)
+    assert rolls[-1] + 1 < len(events), "the last roll has no end"
     return [(events[k], events[k + 1]) for k in rolls]
 
 
