@@ -28,7 +28,7 @@ WARNINGS = ("-Wall", "-Wextra", "-Wconversion", "-Werror")
 # Of -fsanitize=undefined GCC leaves out the conversion of a double that no integer holds.
 SANITIZERS = (
     "-O1",
-    "-g",
+    "-g1",
     "-fsanitize=address,undefined,float-cast-overflow",
     "-fno-sanitize-recover=all",
 )
