@@ -48,7 +48,8 @@ def test_shots_one_by_one_have_the_bits_of_those_in_rows(
     monkeypatch: pytest.MonkeyPatch, module: ModuleType, bounds: bool
 ) -> None:
     """None, as many as by default, and all of them, in what repeats and from a turn of it on."""
-    states = hoops(trials(60)) if module is hoop else all_kinds(trials(60))
+    count = trials(60, at_least=30)
+    states = hoops(count) if module is hoop else all_kinds(count)
     usual = module.ALONE
     in_rows = flown(monkeypatch, module, states, bounds, 0)
     assert in_rows.contacts is not None

@@ -177,7 +177,7 @@ def random_meetings() -> Meeting:
     or to its top (1), up and down almost alone (3, 8, 9, 10), chords inside the ring (4), flights
     far outside a small ring (5), over the top of the wire (6), along tangents (7, 11).
     """
-    random, rows = np.random.default_rng(6), trials(ROWS)
+    random, rows = np.random.default_rng(6), trials(ROWS, at_least=ROWS // 2)
     kind = np.arange(rows) % 12
     radius, wire = random.uniform(0.05, 0.2, rows), random.uniform(0.002, 0.02, rows)
     reach = radius + wire
