@@ -191,10 +191,13 @@ def test_what_is_wanted_is_what_comes_back(how: str) -> None:
 
 
 def test_the_slowest_is_slower_than_its_neighbours() -> None:
+    """From close below the ring a neighbour may be none: the ball would not come from above."""
     places = _places(trials(200), seed=25)
     found = aim(**places)
     for away in (-1e-3, 1e-3):
-        assert np.all(aim(**places, elevation=found.elevation + away).speed > found.speed)
+        speeds = aim(**places, elevation=found.elevation + away).speed
+        assert not np.any(speeds <= found.speed)
+        assert np.count_nonzero(np.isnan(speeds)) <= exceptions(0.01, len(speeds))
 
 
 @pytest.mark.parametrize("how", HOW)
