@@ -28,7 +28,7 @@ from hoopgen.study.questions.aim_table import TABLE, aim_table, write_csv
 from hoopgen.text.numbers import format_count
 from tests.helpers.commands import run
 from tests.helpers.derived import decided
-from tests.helpers.effort import occurrences, trials
+from tests.helpers.effort import exceptions, occurrences, trials
 
 Floats = NDArray[np.float64]
 EPS = float(np.finfo(np.float64).eps)
