@@ -171,6 +171,12 @@ def test_with_shots_said_any_precision_ends() -> None:
     assert hoopgen.estimate(scatter(), shots=200_000, precision=1e-300).shots == 200_000
 
 
+def test_a_precision_may_be_a_number_of_numpy() -> None:
+    intervals = pytest.importorskip("hoopgen.study.statistics.intervals")
+    width = np.float32(0.02)
+    assert intervals.least_shots(width, 0.95) == intervals.least_shots(float(width), 0.95)
+
+
 def test_no_interval_is_narrower_than_its_least_shots_allow() -> None:
     intervals = pytest.importorskip("hoopgen.study.statistics.intervals")
     random = np.random.default_rng(1)

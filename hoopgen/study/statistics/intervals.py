@@ -269,4 +269,4 @@ def least_shots(precision: float, confidence: float, *, paired: bool = False) ->
     if paired:
         return int((square / sqrt(2.0)) ** (2 / 3) * precision ** (-2 / 3) - square)
     # Exactly: the quotient may be larger than any double.
-    return int(Fraction(square) / Fraction(2.0 * precision) - Fraction(square))
+    return int(Fraction(square) / Fraction(2.0 * float(precision)) - Fraction(square))
