@@ -385,8 +385,7 @@ def test_landings_are_a_hoops_and_paths_any_scenes(tmp_path: Path) -> None:
     assert "its question is a hoop's, and the scene golf has none" in result.stderr
     out = tmp_path / "putts.svg"
     result = succeed("fan", *PUTT, "--scatter", "vy=0.05", "--shots", "20", "--picture", str(out))
-    # It bounces ever lower, and no end of it is known.
-    assert result.stdout.startswith("shots    20: 100.0% capped, 20 uncertain")
+    assert result.stdout.startswith("shots    20: 100.0% holed")
     assert out.exists()
 
 
