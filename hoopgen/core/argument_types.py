@@ -98,7 +98,7 @@ _RULES: dict[str, _Rule] = {
     "Iterable[str]": ("names in a list or a mapping", is_names),
     "Shots": (
         "the Shots of simulate",
-        lambda value: hasattr(value, "outcome") or hasattr(value, "events"),
+        lambda value: hasattr(value, "scene") and hasattr(value, "releases"),
     ),
     **dict.fromkeys(("FlightPath", "Trajectory"), _FLIGHT),
     **dict.fromkeys(("str", "Arc", "BackendName", "By", "System"), _TEXT),

@@ -846,14 +846,17 @@ def test_a_proof_agrees_with_shots_as_far_as_it_goes() -> None:
     assert certificate.accumulates.all()
     assert certificate.agrees(shots).all()
     # Nothing is compared beyond the proof, and everything before it.
-    fields = {name: getattr(shots, name) for name in ("outcome", "rolls", "slip_left")}
+    fields = {
+        name: getattr(shots, name)
+        for name in ("outcome", "rolls", "slip_left", "releases", "scene")
+    }
     for changed, agrees in ((0, False), (5, False), (None, True)):
         events = shots.events.copy()
         rows = np.flatnonzero(events["shot"] == 0)
         if changed is not None:
             events["surface"][rows[changed]] = BOARD
         uncertain = np.zeros(2, np.bool_)
-        own = SimpleNamespace(**fields, events=events, uncertain=uncertain, scene=shots.scene)
+        own = SimpleNamespace(**fields, events=events, uncertain=uncertain)
         assert certificate.agrees(Copy(own))[0] == agrees
 
 

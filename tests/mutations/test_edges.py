@@ -1,4 +1,4 @@
-"""Deliberate faults in what lets a ball roll over edges of planes: each trips a test by name."""
+"""Deliberate faults in what lets a ball roll over edges: each trips a test by name."""
 
 from __future__ import annotations
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from inspect import isfunction
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -178,6 +179,11 @@ WRONG: dict[str, tuple[Callable[[], Any], type[Exception], str]] = {
         TypeError,
         "scene: expected None, a scene, or what hoopgen.compile returns; got 'own.toml'; "
         "hoopgen.load_scene reads a file",
+    ),
+    "results without a scene for shots": (
+        lambda: hoopgen.measure(STATE, SimpleNamespace(outcome=[0], events=[])),  # type: ignore[arg-type]
+        TypeError,
+        "shots: expected the Shots of simulate, got namespace(",
     ),
     "a number for fields": (
         lambda: hoopgen.simulate(STATE, fields=[np.zeros(2)]),  # type: ignore[list-item]
