@@ -219,7 +219,8 @@ class AirRootFinder(PolynomialRootFinder):
     def _least_rate(self) -> sp.Expr | None:
         """A bound below F' until the horizon, errors included; None for a curved surface.
 
-        The velocity differs by at most j T²/2 from v + V_1 t, and by `TUBE` from the true one.
+        The velocity differs by at most j T²/2 from v + V_1 t, and by `TUBE` from the true one. The
+        roundings of v + V_1 t are fewer than the 32 units that 2^-48 has.
         """
         linear = _linear(self.surface.shape)
         if linear is None:
