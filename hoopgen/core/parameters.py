@@ -190,9 +190,44 @@ def complete(parameters: ParameterValues | None, table: Table) -> ParameterValue
         meant = suggestion(unknown[0], table.defaults) if len(unknown) == 1 else ""
         names = ", ".join(table.defaults) or "none"
         raise ValueError(
-            f"parameters: unknown {join_names(unknown)}{meant or '.'} The names are {names}"
+            f"parameters: unknown {join_names(unknown)}{meant or _scene_of(unknown, table)} "
+            f"The names are {names}"
         )
     return values
+
+
+OF_AIR = (
+    "ball_mass",
+    "air_density",
+    "drag_coefficient",
+    "lift_coefficient",
+    "drag_smoothing_speed",
+)
+"""Parameters that every scene in air has."""
+
+OF_COURT = (
+    "board_thickness",
+    "bridge_depth",
+    "ring_restitution",
+    "backboard_restitution",
+    "bridge_restitution",
+    "ring_friction",
+    "backboard_friction",
+    "bridge_friction",
+    "tangential_restitution",
+    "restitution_speed",
+)
+"""Parameters that `COURT` has and the article's hoop has not."""
+
+
+def _scene_of(unknown: Sequence[str], table: Table) -> str:
+    """Return which scene of a hoop has parameters that another one has not; "." for none."""
+    air, court = (not set(names).isdisjoint(unknown) for names in (OF_AIR, OF_COURT))
+    if "ring_radius" not in table.defaults or not (air or court):
+        return "."
+    if air and court:
+        return "; give scene=hoopgen.COURT_AIR for these."
+    return f"; give scene=hoopgen.{'AIR' if air else 'COURT'}, or COURT_AIR, for these."
 
 
 def of_scene(parameters: ParameterValues, table: Table) -> ParameterValues:

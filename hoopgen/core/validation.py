@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import math
 import os
+from collections.abc import Mapping
 from typing import Any, Literal, get_args
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from hoopgen.generated.numpy import hoop
-from hoopgen.text.shorten import brief
+from hoopgen.text.shorten import brief, join_names
 
 __all__ = [
     "BackendName",
@@ -159,12 +160,18 @@ def is_whole(value: Any) -> bool:
 def check_states(states: ArrayLike) -> NDArray[np.float64]:
     """Return releases as float64 (n, 9), contiguous by row.
 
+    Parameters
+    ----------
+    states
+        Numbers of shape (n, 9) or (9,); or a table with columns x, y, z, vx, vy, vz, wx, wy and wz
+        in any order, such as a DataFrame of pandas or polars, or a mapping of names to columns.
+
     Raises
     ------
     TypeError, ValueError
-        If they are not numbers of shape (n, 9) or (9,).
+        If they are neither.
     """
-    array = as_doubles("states", states, "numbers of shape (n, 9) or (9,)")
+    array = as_doubles("states", _columns_of(states), "numbers of shape (n, 9) or (9,)")
     if array.ndim == 1:
         array = array[None]
     if array.ndim != 2 or array.shape[1] != len(hoop.STATE):
@@ -173,6 +180,26 @@ def check_states(states: ArrayLike) -> NDArray[np.float64]:
             "a row is x y z vx vy vz wx wy wz"
         )
     return np.ascontiguousarray(array)
+
+
+def _columns_of(states: Any) -> Any:
+    """Return the columns of a table of states in order, (n, 9); anything else as it is."""
+    names = states if isinstance(states, Mapping) else getattr(states, "columns", ())
+    names = getattr(states, "column_names", names)  # of pyarrow, whose columns have no names
+    if not any(isinstance(name, str) for name in names):
+        return states  # pandas numbers the columns of an array
+    missing = [name for name in hoop.STATE if name not in names]
+    if missing:
+        raise ValueError(
+            f"states: expected columns {' '.join(hoop.STATE)}; {join_names(missing)} "
+            f"{'is' if len(missing) == 1 else 'are'} missing"
+        )
+    columns = [as_doubles(f"states: {name}", states[name]) for name in hoop.STATE]
+    try:
+        return np.stack(columns, axis=-1)
+    except ValueError:
+        shapes = join_names(sorted({str(column.shape) for column in columns}))
+        raise ValueError(f"states: expected columns of one length, got shapes {shapes}") from None
 
 
 def check_leaving(

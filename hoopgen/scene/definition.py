@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
+from os import PathLike
 
 from hoopgen.core.parameters import Table
 from hoopgen.derive.scenes import HOOP
@@ -39,11 +41,13 @@ def definition(scene: SceneLike) -> Scene:
 
 
 def _hint(scene: object) -> str:
-    """Return the way to name a scene, for a text that was given for one."""
+    """Return the way to give a scene, for a text, a path or parameters given in its place."""
+    if isinstance(scene, Mapping):
+        return "; give parameters, such as hoopgen.NBA, as parameters="
+    if isinstance(scene, PathLike) or (isinstance(scene, str) and scene.endswith(".toml")):
+        return "; hoopgen.load_scene reads a file"
     if not isinstance(scene, str):
         return ""
-    if scene.endswith(".toml"):
-        return "; hoopgen.load_scene reads a file"
     return (
         "; scenes are hoopgen.HOOP, COURT, AIR, COURT_AIR; parameters=hoopgen.NBA or FIBA is a hoop"
     )

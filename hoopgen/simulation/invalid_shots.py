@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import math
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -17,6 +18,7 @@ from hoopgen.simulation.lookup import engine_of
 from .run import run
 
 if TYPE_CHECKING:
+    from hoopgen.derive.scenes.scene import Parameter
     from hoopgen.derive.surfaces import Surface
 
 __all__ = ["allowed", "not_allowed", "out_of_range", "reason", "why_invalid"]
@@ -102,11 +104,7 @@ def reason(
         together = names or _not_allowed_together(scene, parameters)
         named = ", ".join(f"{name} {parameters[name]:g}" for name in together)
         named += "" if names else ", together"
-        positive = {name for name in names if parameters[name] > 0}
-        fits = not (scene.has_hoop and names and positive == set(names) <= RADII)
-        return (
-            f"parameter not allowed: {named}{'' if fits else '; the ball is too big for the ring'}"
-        )
+        return f"parameter not allowed: {named}{_why_not_allowed(scene, parameters, names)}"
     if sizes := out_of_range(scene, parameters):
         return f"out of range: {'; '.join(sizes)}"
     if not np.isfinite(state).all():
@@ -179,6 +177,52 @@ def _not_allowed_together(scene: CompiledScene, parameters: Mapping[str, float])
         else:
             found.append(name)
     return found
+
+
+def _why_not_allowed(
+    scene: CompiledScene, parameters: Mapping[str, float], names: Sequence[str]
+) -> str:
+    """Return the condition that parameters break, to be put after them.
+
+    Parameters
+    ----------
+    scene
+        The scene.
+    parameters
+        All of its parameters in order, one number each, SI units.
+    names
+        Those that are not allowed by themselves.
+    """
+    positive = {name for name in names if parameters[name] > 0}
+    if scene.has_hoop and names and positive == set(names) <= RADII:
+        return "; the ball is too big for the ring"
+    try:
+        derived = scene.scene
+    except ModuleNotFoundError:  # a shipped scene runs without SymPy
+        return ""
+    values = dict(zip(derived.symbols, map(float, scene.table.inputs(parameters)), strict=True))
+    for one in derived.parameters:
+        if said := _broken_limit(one, values[one.symbol]):
+            owner = "" if one.name in parameters else "the scene's "
+            return f"; {owner}{one.name} has to be {said}"
+    for requirement in derived.requirements:
+        if not float(requirement.subs(values)) > 0.0:
+            terms = requirement.as_ordered_terms()
+            less = [-term for term in terms if term.could_extract_minus_sign()]
+            more = [term for term in terms if not term.could_extract_minus_sign()]
+            return f"; {sum(less)} has to be less than {sum(more)}"
+    return ""
+
+
+def _broken_limit(parameter: Parameter, value: float) -> str:
+    """Return what a parameter has to be by its own limits, "" if this number is."""
+    least, most = parameter.least, math.inf if parameter.upper is None else parameter.upper
+    positive = parameter.sign == "positive" and parameter.lower is None
+    if least <= value <= most and not (positive and value == 0.0):
+        return ""
+    if most == math.inf:
+        return f"above {least:g}" if positive else f"at least {least:g}"
+    return f"above {least:g} and at most {most:g}" if positive else f"from {least:g} to {most:g}"
 
 
 def _overlapped(

@@ -75,8 +75,9 @@ def test_the_reason_for_an_invalid_shot_names_bodies_and_parameters(tmp_path: Pa
         given = {"cut_1": 0.0, "cut_2": 0.0, "cut_3": 0.0, "wide": 9.0, **values}
         return hoopgen.why_invalid([*place, *[0.0] * 6], given, scene=engine)
 
-    assert reasons((0, 0, 1), neck=0.25) == ["parameter not allowed: neck 0.25"]
-    said = ["parameter not allowed: open 0.09, neck 0.3, together"]
+    slope = "the scene's glass_piece_2_slope has to be above 0"
+    assert reasons((0, 0, 1), neck=0.25) == [f"parameter not allowed: neck 0.25; {slope}"]
+    said = [f"parameter not allowed: open 0.09, neck 0.3, together; {slope}"]
     assert reasons((0, 0, 1), open=0.09, neck=0.3) == said
     assert reasons((0.15, 0, -0.3)) == ["inside the glass"]
     assert reasons((0.15, 0, -0.3), cut_1=1.0) == [""]

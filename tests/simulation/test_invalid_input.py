@@ -9,10 +9,13 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+import pandas as pd
+import pyarrow as pa
 import pytest
 
 import hoopgen
 from hoopgen import PAPER, Outcome
+from hoopgen.core.parameters import OF_AIR, OF_COURT
 from hoopgen.engine import native
 from hoopgen.simulation import backends
 from hoopgen.simulation.hoop import HOOP, hoop_library
@@ -307,6 +310,59 @@ def test_an_unknown_parameter_is_named_and_the_right_ones_listed(
     with pytest.raises(ValueError, match=f"^parameters: {said}") as error:
         hoopgen.simulate(FREE_THROW, PAPER | change)
     assert f"The names are {', '.join(NAMES)}" in str(error.value)
+
+
+@pytest.mark.parametrize(
+    ("parameters", "scene", "said"),
+    [
+        (hoopgen.NBA_AIR, hoopgen.HOOP, "; give scene=hoopgen.AIR, or COURT_AIR, for these. "),
+        (hoopgen.NBA_COURT, hoopgen.AIR, "; give scene=hoopgen.COURT, or COURT_AIR, for these. "),
+        (hoopgen.NBA_COURT_AIR, hoopgen.HOOP, "; give scene=hoopgen.COURT_AIR for these. "),
+    ],
+)
+def test_parameters_of_another_hoop_name_the_scene_that_has_them(
+    parameters: Any, scene: Any, said: str
+) -> None:
+    with pytest.raises(ValueError, match=r"^parameters: unknown ") as error:
+        hoopgen.simulate(FREE_THROW, parameters, scene=scene)
+    assert said in str(error.value)
+
+
+def test_the_names_in_that_hint_are_those_that_the_scenes_add() -> None:
+    own = set(NAMES)
+    assert {*OF_AIR} == set(hoopgen.NBA_AIR) - own
+    assert {*OF_COURT, "inertia"} == set(hoopgen.NBA_COURT) - own
+
+
+@pytest.mark.parametrize(
+    ("scene", "said"),
+    [
+        (hoopgen.NBA, "parameters="),
+        (Path("golf.toml"), "hoopgen.load_scene reads a file"),
+        ("golf.toml", "hoopgen.load_scene reads a file"),
+        ("NBA", "scenes are hoopgen.HOOP"),
+    ],
+)
+def test_what_is_no_scene_gets_a_hint_of_what_was_meant(scene: Any, said: str) -> None:
+    with pytest.raises(TypeError, match=r"^scene: expected None, a scene") as error:
+        hoopgen.simulate(FREE_THROW, scene=scene)
+    assert said in str(error.value)
+
+
+def test_a_table_of_states_is_read_by_the_names_of_its_columns() -> None:
+    states = neighbours(40).states
+    columns = {name: states[:, index] for index, name in enumerate(STATE)}
+    swapped = {"shooter": list("ab") * 20} | {name: columns[name] for name in sorted(STATE)}
+    wanted = hoopgen.simulate(states).state.tobytes()
+    frames = [swapped, pd.DataFrame(swapped), pa.table(swapped), pd.DataFrame(states)]
+    for frame in frames:
+        assert hoopgen.simulate(frame).state.tobytes() == wanted
+    with pytest.raises(ValueError, match=r"^states: expected columns x .*; vx, wx are missing$"):
+        hoopgen.simulate(pd.DataFrame(swapped).drop(columns=["wx", "vx"]))
+    with pytest.raises(ValueError, match=r"^states: expected columns of one length"):
+        hoopgen.simulate(columns | {"x": [1.0]})
+    with pytest.raises(TypeError, match=r"^states: wx: expected numbers, got "):
+        hoopgen.simulate(columns | {"wx": ["fast"] * 40})
 
 
 def test_a_parameter_left_out_has_the_usual_value_and_an_unknown_one_is_an_error_still() -> None:

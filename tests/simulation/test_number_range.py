@@ -327,6 +327,27 @@ def test_the_limits_themselves_are_in_range() -> None:
             ]
 
 
+@pytest.mark.parametrize(
+    ("change", "said"),
+    [
+        ({"board_bottom": 3.0}, "board_bottom 3; board_bottom has to be less than board_top"),
+        ({"inertia": 0.0}, "inertia 0; inertia has to be from 0.015625 to 1"),
+        ({"ball_radius": 0.0}, "ball_radius 0; ball_radius has to be above 0"),
+        ({"ring_radius": 0.1}, "ring_radius 0.1; the ball is too big for the ring"),
+        (
+            {"ring_radius": 0.1, "board_bottom": 3.0},
+            "ring_radius 0.1, board_bottom 3, together; "
+            "ball_radius + wire_radius has to be less than ring_radius",
+        ),
+    ],
+)
+def test_the_condition_that_a_parameter_breaks_is_told(change: Any, said: str) -> None:
+    state = [0, 0, 1, 0, 0, 0, 0, 0, 0]
+    given = {name: np.array([value]) for name, value in change.items()}
+    found = hoopgen.why_invalid(state, given, scene=hoopgen.COURT)
+    assert found == [f"parameter not allowed: {said}"]
+
+
 def test_other_reasons_are_told_as_well() -> None:
     states = np.zeros((4, 9))
     states[:, 2] = 1.0
@@ -337,7 +358,7 @@ def test_other_reasons_are_told_as_well() -> None:
         "",
         "not finite: the release",
         "inside the ring",
-        "parameter not allowed: restitution 1.5",
+        "parameter not allowed: restitution 1.5; restitution has to be from 0 to 1",
     ]
 
 

@@ -459,7 +459,9 @@ WRONG = {
     "7.1,52,0.7,2.1\n": "",
     "fast,,0.7,2.1\n": "no number in speed: 'fast'; no value in elevation_deg",
     "inf,52,0.7,2.1\n": "not finite: speed",
-    "7.1,52,1.5,2.1\n": "parameter not allowed: restitution 1.5",
+    "7.1,52,1.5,2.1\n": (
+        "parameter not allowed: restitution 1.5; restitution has to be from 0 to 1"
+    ),
     "7.1,52,0.7,3.048\n": "inside the ring",
     "7.1,52,,2.1\n": "no value in restitution",
     "1e308,52,0.7,1e308\n": "",
