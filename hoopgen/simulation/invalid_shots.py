@@ -215,7 +215,7 @@ def _why_not_allowed(
 
 
 def _broken_limit(parameter: Parameter, value: float) -> str:
-    """Return what a parameter has to be by its own limits, "" if this number is."""
+    """Return the range of a parameter that a number is out of, "" if it is within."""
     least, most = parameter.least, math.inf if parameter.upper is None else parameter.upper
     positive = parameter.sign == "positive" and parameter.lower is None
     if least <= value <= most and not (positive and value == 0.0):

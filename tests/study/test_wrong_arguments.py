@@ -115,6 +115,16 @@ WRONG: dict[str, tuple[Callable[[], Any], type[Exception], str]] = {
         TypeError,
         "model: expected a Scatter or a Resample, got {'distance': 4.2",
     ),
+    "a release for a setting": (
+        lambda: hoopgen.compare(model(), THROW),  # type: ignore[arg-type]
+        TypeError,
+        "second: expected a Scatter, a Resample, or what else draws at random",
+    ),
+    "three things for a setting": (
+        lambda: hoopgen.compare((model(), {}, None), model()),  # type: ignore[arg-type]
+        TypeError,
+        "first: expected a release model or a pair of it and parameters, got (",
+    ),
     "text for a derivative": (
         lambda: hoopgen.release(**THROW, jacobian="no"),  # type: ignore[call-overload]
         TypeError,

@@ -313,7 +313,10 @@ def tally_of(total: NDArray[np.int64], which: int, scene: Engine) -> Tally:
 
 
 def setting_of(
-    model: ReleaseModel, parameters: ParameterValues | None, scene: SceneLike = None
+    model: ReleaseModel,
+    parameters: ParameterValues | None,
+    scene: SceneLike = None,
+    argument: str = "model",
 ) -> ResolvedSetting:
     """Return a setting; refuse a model that does not draw at random, or not in this scene.
 
@@ -325,6 +328,8 @@ def setting_of(
         Those that differ from the defaults of the scene; None for none.
     scene
         As for `hoopgen.estimate`.
+    argument
+        The argument of the model, for the error message.
 
     Raises
     ------
@@ -335,8 +340,8 @@ def setting_of(
     """
     if isinstance(model, Grid) or not isinstance(model, ReleaseModel):
         raise TypeError(
-            "model: expected a Scatter, a Resample, or what else draws at random (it has draw and "
-            f"identity), got {brief(model)}"
+            f"{argument}: expected a Scatter, a Resample, or what else draws at random (it has "
+            f"draw and identity), got {brief(model)}"
         )
     engine = engine_of(scene)
     check_states(model, engine)

@@ -18,6 +18,7 @@ from hoopgen.scene.lookup import SceneLike
 from hoopgen.study.jobs.monte_carlo import (
     MonteCarloJob,
     Progress,
+    ResolvedSetting,
     SettingLike,
     outcome_by,
     setting_of,
@@ -32,6 +33,7 @@ from hoopgen.study.statistics.sample import Rows, SampleInterval, difference_of_
 from hoopgen.study.statistics.shares import Shares
 from hoopgen.study.statistics.tally import check_share, contacts_of, width_of
 from hoopgen.text.numbers import format_percent, format_points, percent_decimals
+from hoopgen.text.shorten import brief
 
 from .estimate_result import NAMES, STILL, Estimate, describe_estimate, estimated
 
@@ -175,8 +177,7 @@ def compare(
         If an argument is not as described.
     """
     settings = tuple(
-        setting_of(*one, scene) if isinstance(one, tuple) else setting_of(one, None, scene)
-        for one in (first, second)
+        _setting(name, one, scene) for name, one in (("first", first), ("second", second))
     )
     level = check_share("confidence", confidence)
     engine = settings[0].scene
@@ -188,6 +189,17 @@ def compare(
     )
     total = rule.total(job, folder, scheduler, threads)
     return _with_sample(_comparison(job, total, level), job, threads)
+
+
+def _setting(argument: str, given: Any, scene: SceneLike) -> ResolvedSetting:
+    """Return a setting of a comparison, a model or a pair of it and parameters."""
+    pair = given if isinstance(given, tuple) else (given, None)
+    if len(pair) != 2:
+        raise TypeError(
+            f"{argument}: expected a release model or a pair of it and parameters, "
+            f"got {brief(given)}"
+        )
+    return setting_of(*pair, scene, argument)
 
 
 def _with_sample(found: Comparison, job: MonteCarloJob, threads: int | None) -> Comparison:
