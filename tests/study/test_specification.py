@@ -42,7 +42,6 @@ FUNCTIONS = {
     specification.BankQuestion: bank_or_direct,
     specification.AimQuestion: aim_table,
     specification.BatchQuestion: hoopgen.batch,
-    specification.MarginsQuestion: hoopgen.margins,
     measured_specification.BestQuestion: hoopgen.best_shots,
     measured_specification.FitQuestion: fit_table,
     measured_specification.CalibrateQuestion: calibrate_table,

@@ -300,19 +300,6 @@ class LandingsQuestion:
     max_contacts: int | None = of.max_contacts()
 
 
-@dataclass(frozen=True, kw_only=True)
-class MarginsQuestion:
-    """The range of each variable of a release in which it is made, the others fixed."""
-
-    shared: ClassVar = (of.Seeded, of.Computation)
-    names: Sequence[str] = setting(
-        "Variables that are off.", Listed(Choice(tuple(VARIABLES))), MARGINS
-    )
-    by: str = of.success()
-    shots: int = setting("Number of shots of each trial.", Whole(), 10_000)
-    tolerance: float = of.tolerance()
-
-
 QUESTIONS: Mapping[str, Any] = {
     "estimate": EstimateQuestion,
     "compare": CompareQuestion,
