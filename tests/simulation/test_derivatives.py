@@ -158,6 +158,23 @@ def test_derivatives_in_a_scene_of_formulas_are_those_of_70_digits() -> None:
 
 
 @pytest.mark.slow
+def test_derivatives_through_surfaces_of_revolution_are_those_of_70_digits() -> None:
+    """In the funnel and the bottle of the examples, also by the size of their profile."""
+    engine = hoopgen.compile(hoopgen.load_scene(ROOT / "examples" / "scenes" / "funnel.toml"))
+    random = np.random.default_rng(1)
+    states = np.zeros((300, 9))
+    states[:, :2] = random.uniform(-0.3, 0.3, (300, 2))
+    states[:, 2] = random.uniform(0.3, 0.8, 300)
+    states[:, 3:6] = random.normal(0, 0.5, (300, 3))
+    states[:, 6:] = random.normal(0, 5, (300, 3))
+    met = engine.simulate(states, fields=["contacts"]).contacts
+    contacts = check_against_truth(
+        engine, states[met > 0], {}, (*STATE, *engine.parameters), trials(60, at_least=20)
+    )
+    assert contacts.max() >= 5
+
+
+@pytest.mark.slow
 def test_derivatives_among_leaning_bodies_are_those_of_70_digits() -> None:
     engine = hoopgen.compile(LEANING)
     random = np.random.default_rng(3)
