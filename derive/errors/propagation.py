@@ -244,7 +244,17 @@ def errors_at_time(flight: Flight) -> dict[str, sp.Expr]:
 def normal_error(surface: Surface) -> dict[str, sp.Expr]:
     """Return the error of a surface's normal that an error of the position causes."""
     outputs = dict(zip(map(str, dn), derivative.along_normal(surface), strict=True))
-    return outputs | {"turn": shift * barrier(surface.curvature)}
+    reach = [barrier(DECISION_FACTOR * shift)] * 3
+    return outputs | {"turn": shift * barrier(surface.curvature_within(reach))}
+
+
+def curving_along(surface: Surface, flight: Flight) -> sp.Expr:
+    """Return a bound on the rate at which the normal turns along a flight back to the surface.
+
+    The flight has the time t, and begins and ends on the surface. It is the curvature of the part
+    of the surface that is within the flight's way along each axis.
+    """
+    return surface.curvature_within(flight.path_lengths())
 
 
 def root_rounding(flight: Flight) -> dict[str, sp.Expr]:

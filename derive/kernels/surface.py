@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 
 import sympy as sp
 
+from ..errors import propagation
 from ..events import bounding_boxes, event_polynomials, grouping, search_for
 from ..events.search import Formula, Search
 from ..ir.kernel import Kernel, kernel
@@ -167,7 +168,7 @@ def _geometry(surface: Surface, scene: Scene) -> dict[str, Formula]:
             "Table 2",
         ),
         "curvature": (
-            {"curvature": surface.curvature},
+            {"curvature": propagation.curving_along(surface, scene.flight)},
             "Bound on the rate at which the normal turns along the contact surface.",
             "Table 2",
         ),

@@ -129,7 +129,9 @@ class SurfaceKind:
     def normal_change(self, common: Parts) -> Iterator[Node]:
         """Bound the rotation of the normal along a flight back to the surface where it began."""
         parts = self.first.parts
-        nodes = [Call(parts["curvature"], {}, {"curvature": "curving"})]
+        turning = parts["curvature"]
+        along = {"t": "when"} if "t" in map(variable, turning.arguments) else {}
+        nodes = [Call(turning, along, {"curvature": "curving"})]
         if "started" in common:
             arguments = set(map(variable, parts["normal"].arguments))
             place = {axis: name for axis, name in FROM.items() if axis in arguments}

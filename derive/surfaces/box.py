@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 
 import sympy as sp
 
-from ..symbolic.conditionals import And, Choose, Less, Or, barrier, maximum
+from ..symbolic.conditionals import And, Choose, IfLess, Less, Or, barrier, maximum, minimum
 from ..symbolic.symbols import POSITION, VELOCITY
 from .contact_bounds import at_contact
 from .rolling_surface import RollingSurface
@@ -111,14 +111,42 @@ class Box(Surface):
 
     @property
     def normal(self) -> sp.Matrix:
-        """The direction from the nearest point of the box."""
-        per = barrier(1 / self.radius)
-        return sp.Matrix([e * per for e in self.excess])
+        """The direction from the nearest point of the box: on a face exactly that of an axis."""
+        return sp.Matrix([e / self._length for e in self.excess])
+
+    @property
+    def _length(self) -> sp.Expr:
+        """The distance from the box, and half of R_B where the ball overlaps it by more."""
+        away = barrier(sp.sqrt(barrier(sp.Add(*(e**2 for e in self.excess)))))
+        return barrier(maximum(away, self.scaled_radius / 2))
 
     @property
     def curvature(self) -> sp.Expr:
         """The curvature of edges and corners, 1/R_B."""
         return 1 / self.radius
+
+    def curvature_within(self, reach: Sequence[sp.Expr]) -> sp.Expr:
+        """Return 0 where the ball stays on one face within that distance, else 1/R_B.
+
+        On a face two coordinates are between those of its edges. Within that distance the ball does
+        not get around the box to the opposite face.
+        """
+        x, y, z = (
+            barrier(maximum(barrier(place - high), barrier(low - place)) + way)
+            for (place, low, high), way in zip(self.faces, self.turned_sizes(reach), strict=True)
+        )
+        pairs = (barrier(maximum(*pair)) for pair in ((x, y), (y, z), (z, x)))
+        return IfLess(barrier(minimum(*pairs)), 0, 0, self.curvature)
+
+    def turned_sizes(self, sizes: Sequence[sp.Expr]) -> list[sp.Expr]:
+        """Return bounds on the components of a vector along the box's axes, in the unit of `faces`.
+
+        Parameters
+        ----------
+        sizes
+            The sizes of its components along the scene's axes.
+        """
+        return list(sizes)
 
     @property
     def rolling_surface(self) -> RollingSurface | None:

@@ -69,6 +69,17 @@ class ObliqueBox(Box):
         """Return Rᵀ times a vector."""
         return [barrier(part) for part in times(transposed(self.rotation), vector)]
 
+    def turned_sizes(self, sizes: Sequence[sp.Expr]) -> list[sp.Expr]:
+        """Return |Rᵀ| times the sizes, with each entry's absolute value."""
+        return [barrier(part) for part in times(transposed(self._shares), sizes)]
+
+    @property
+    def _shares(self) -> Matrix:
+        """The sizes of the entries of R; 0 stays as it is, whose absolute value has no digits."""
+        return [
+            [absolute(entry) if entry != 0 else entry for entry in row] for row in self.rotation
+        ]
+
     @property
     def distance(self) -> sp.Expr:
         """The distance from the box less R_B; at least -R_B within it."""
@@ -95,11 +106,7 @@ class ObliqueBox(Box):
         """Half sizes, plus R_B, of the box along the scene's axes that the turned one is in."""
         halves = [(high - low) / 2 for low, high in zip(self.low, self.high, strict=True)]
         per_scale = barrier(1 / self.scale)
-        # The absolute value of 0 would stay as written, and have no digits.
-        shares = [
-            [absolute(entry) if entry != 0 else entry for entry in row] for row in self.rotation
-        ]
-        sizes = times(shares, halves)
+        sizes = times(self._shares, halves)
         return tuple(barrier(barrier(size) * per_scale) + self.radius for size in sizes)
 
     @property
@@ -110,8 +117,9 @@ class ObliqueBox(Box):
     @property
     def normal(self) -> sp.Matrix:
         """The direction from the nearest point of the box, turned back."""
-        per = barrier(1 / barrier(self.scale * self.scaled_radius))
-        return sp.Matrix([part * per for part in times(self.rotation, self.excess)])
+        per = barrier(1 / self.scale)
+        directions = [barrier(e / self._length) for e in self.excess]
+        return sp.Matrix([part * per for part in times(self.rotation, directions)])
 
     @property
     def rolling_surface(self) -> None:

@@ -157,6 +157,17 @@ class Surface(ABC):
         """Bound on the rate (1/m) at which the normal turns along the contact surface."""
         return sp.Integer(0)
 
+    def curvature_within(self, reach: Sequence[sp.Expr]) -> sp.Expr:
+        """Return a bound on that rate along the part of the surface that is near the ball's place.
+
+        Parameters
+        ----------
+        reach
+            How far that part extends along each axis from the ball's centre on the surface, m.
+        """
+        del reach
+        return self.curvature
+
     @property
     def rolling_surface(self) -> RollingSurface | None:
         """The surface under a ball that stays in contact; None: rolling is not supported."""

@@ -1,6 +1,6 @@
 /* Kernels of the scene court, in C.
 
-   Generated from templates/c/kernels.h.j2, scene court, derivation c7e11144c55ec89d,
+   Generated from templates/c/kernels.h.j2, scene court, derivation 495f8c37fe49c7e5,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -3690,7 +3690,7 @@ LANES(court_ring_enter)(V t, V end, V after, V low0, V low1, V low2, V high0, V 
 }
 
 /* Outward unit normal n3 at a contact.
-   Table 2. 26 operations: 3 additions, 6 subtractions, 3 multiplications, 2 negations, 6 comparisons, 6 selections. */
+   Table 2. 34 operations: 5 additions, 6 subtractions, 3 multiplications, 3 divisions, 1 square root, 2 negations, 7 comparisons, 7 selections. */
 typedef struct {
     V nx, ny, nz;
 } LANES(court_backboard_normal_out);
@@ -3699,38 +3699,80 @@ LANES_INLINE LANES(court_backboard_normal_out)
 LANES(court_backboard_normal)(V x, V y, V z, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5)
 {
     const V _s0 = lanes_add(_c0, x);
-    const V _s1 = lanes_neg(lanes_add(_c5, x));
-    const V _s2 = lanes_sub(y, _c1);
-    const V _s3 = lanes_neg(lanes_add(_c1, y));
-    const V _s4 = lanes_sub(z, _c3);
-    const V _s5 = lanes_sub(_c2, z);
-    return (LANES(court_backboard_normal_out)){ lanes_mul(_c4, lanes_sub(lanes_max(_s0, K(0.0)), lanes_max(_s1, K(0.0)))), lanes_mul(_c4, lanes_sub(lanes_max(_s2, K(0.0)), lanes_max(_s3, K(0.0)))), lanes_mul(_c4, lanes_sub(lanes_max(_s4, K(0.0)), lanes_max(_s5, K(0.0)))) };
+    const V _s1 = lanes_neg(lanes_add(_c4, x));
+    const V _s2 = lanes_sub(lanes_max(_s0, K(0.0)), lanes_max(_s1, K(0.0)));
+    const V _s3 = lanes_sub(y, _c1);
+    const V _s4 = lanes_neg(lanes_add(_c1, y));
+    const V _s5 = lanes_sub(lanes_max(_s3, K(0.0)), lanes_max(_s4, K(0.0)));
+    const V _s6 = lanes_sub(z, _c3);
+    const V _s7 = lanes_sub(_c2, z);
+    const V _s8 = lanes_sub(lanes_max(_s6, K(0.0)), lanes_max(_s7, K(0.0)));
+    const V _s9 = lanes_sqrt(lanes_add(lanes_add(lanes_mul(_s2, _s2), lanes_mul(_s5, _s5)), lanes_mul(_s8, _s8)));
+    const V _s10 = lanes_max(_s9, _c5);
+    return (LANES(court_backboard_normal_out)){ lanes_div(_s2, _s10), lanes_div(_s5, _s10), lanes_div(_s8, _s10) };
 }
 
 /* Bound on the rate at which the normal turns along the contact surface.
-   Table 2. No operations. */
+   Table 2. 39 operations: 7 additions, 3 subtractions, 6 multiplications, 2 negations, 3 absolute values, 9 comparisons, 9 selections. */
 typedef struct {
     V curvature;
 } LANES(court_backboard_curvature_out);
 
 LANES_INLINE LANES(court_backboard_curvature_out)
-LANES(court_backboard_curvature)(V _c0)
+LANES(court_backboard_curvature)(V t, V x, V y, V z, V vx, V vy, V vz, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5, V _c6)
 {
-    return (LANES(court_backboard_curvature_out)){ _c0 };
+    const V _s0 = lanes_mul(K(2.0), t);
+    const V _s1 = lanes_sub(z, _c3);
+    const V _s2 = lanes_sub(_c2, z);
+    const V _s3 = lanes_add(lanes_add(lanes_mul(_c4, lanes_mul(t, t)), lanes_mul(_s0, lanes_abs(vz))), lanes_max(_s1, _s2));
+    const V _s4 = lanes_add(_c0, x);
+    const V _s5 = lanes_neg(lanes_add(_c5, x));
+    const V _s6 = lanes_add(lanes_mul(_s0, lanes_abs(vx)), lanes_max(_s4, _s5));
+    const V _s7 = lanes_max(_s3, _s6);
+    const V _s8 = lanes_sub(y, _c1);
+    const V _s9 = lanes_neg(lanes_add(_c1, y));
+    const V _s10 = lanes_add(lanes_mul(_s0, lanes_abs(vy)), lanes_max(_s8, _s9));
+    const V _s11 = lanes_max(_s10, _s3);
+    const V _s12 = lanes_max(_s6, _s10);
+    const V _s13 = lanes_min(_s11, _s12);
+    return (LANES(court_backboard_curvature_out)){ lanes_select(lanes_less(lanes_min(_s7, _s13), K(0.0)), K(0.0), _c6) };
 }
 
 /* Error of the normal, from that of the position.
-   derivative of Table 2's normal. 30 operations: 3 additions, 6 subtractions, 4 multiplications, 5 negations, 6 comparisons, 6 selections. */
+   derivative of Table 2's normal. 98 operations: 10 additions, 12 subtractions, 17 multiplications, 7 divisions, 1 square root, 5 negations, 23 comparisons, 23 selections. */
 typedef struct {
     V dnx, dny, dnz, turn;
 } LANES(court_backboard_carry_normal_out);
 
 LANES_INLINE LANES(court_backboard_carry_normal_out)
-LANES(court_backboard_carry_normal)(V x, V y, V z, V dx, V dy, V dz, V shift, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5)
+LANES(court_backboard_carry_normal)(V x, V y, V z, V dx, V dy, V dz, V shift, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5, V _c6)
 {
-    const V _s0 = lanes_mul(_c4, lanes_sub(lanes_select(lanes_less(lanes_add(_c0, x), K(0.0)), K(0.0), dx), lanes_select(lanes_less(lanes_neg(lanes_add(_c5, x)), K(0.0)), K(0.0), lanes_neg(dx))));
-    const V _s1 = lanes_mul(_c4, lanes_sub(lanes_select(lanes_less(lanes_sub(y, _c1), K(0.0)), K(0.0), dy), lanes_select(lanes_less(lanes_neg(lanes_add(_c1, y)), K(0.0)), K(0.0), lanes_neg(dy))));
-    return (LANES(court_backboard_carry_normal_out)){ _s0, _s1, lanes_mul(_c4, lanes_sub(lanes_select(lanes_less(lanes_sub(z, _c3), K(0.0)), K(0.0), dz), lanes_select(lanes_less(lanes_sub(_c2, z), K(0.0)), K(0.0), lanes_neg(dz)))), lanes_mul(shift, _c4) };
+    const V _s0 = lanes_add(_c0, x);
+    const V _s1 = lanes_neg(lanes_add(_c4, x));
+    const V _s2 = lanes_sub(lanes_select(lanes_less(_s0, K(0.0)), K(0.0), dx), lanes_select(lanes_less(_s1, K(0.0)), K(0.0), lanes_neg(dx)));
+    const V _s3 = lanes_sub(lanes_max(_s0, K(0.0)), lanes_max(_s1, K(0.0)));
+    const V _s4 = lanes_sub(y, _c1);
+    const V _s5 = lanes_neg(lanes_add(_c1, y));
+    const V _s6 = lanes_sub(lanes_max(_s4, K(0.0)), lanes_max(_s5, K(0.0)));
+    const V _s7 = lanes_sub(z, _c3);
+    const V _s8 = lanes_sub(_c2, z);
+    const V _s9 = lanes_sub(lanes_max(_s7, K(0.0)), lanes_max(_s8, K(0.0)));
+    const V _s10 = lanes_sqrt(lanes_add(lanes_add(lanes_mul(_s3, _s3), lanes_mul(_s6, _s6)), lanes_mul(_s9, _s9)));
+    const V _s11 = lanes_max(_s10, _c5);
+    const V _s12 = lanes_sub(lanes_select(lanes_less(_s4, K(0.0)), K(0.0), dy), lanes_select(lanes_less(_s5, K(0.0)), K(0.0), lanes_neg(dy)));
+    const V _s13 = lanes_sub(lanes_select(lanes_less(_s7, K(0.0)), K(0.0), dz), lanes_select(lanes_less(_s8, K(0.0)), K(0.0), lanes_neg(dz)));
+    const V _s14 = lanes_mul(lanes_mul(K(0.5), lanes_add(lanes_add(lanes_mul(lanes_mul(K(2.0), _s2), _s3), lanes_mul(lanes_mul(K(2.0), _s12), _s6)), lanes_mul(lanes_mul(K(2.0), _s13), _s9))), lanes_div(K(1.0), _s10));
+    const V _s15 = lanes_select(lanes_less(_s10, _c5), K(0.0), _s14);
+    const V _s16 = lanes_mul(_s11, _s11);
+    const V _s17 = lanes_mul(K(16.0), shift);
+    const V _s18 = lanes_add(_s17, lanes_max(_s7, _s8));
+    const V _s19 = lanes_add(_s17, lanes_max(_s0, _s1));
+    const V _s20 = lanes_max(_s18, _s19);
+    const V _s21 = lanes_add(_s17, lanes_max(_s4, _s5));
+    const V _s22 = lanes_max(_s21, _s18);
+    const V _s23 = lanes_max(_s19, _s21);
+    const V _s24 = lanes_min(_s22, _s23);
+    return (LANES(court_backboard_carry_normal_out)){ lanes_sub(lanes_div(_s2, _s11), lanes_div(lanes_mul(_s3, _s15), _s16)), lanes_sub(lanes_div(_s12, _s11), lanes_div(lanes_mul(_s6, _s15), _s16)), lanes_sub(lanes_div(_s13, _s11), lanes_div(lanes_mul(_s9, _s15), _s16)), lanes_mul(shift, lanes_select(lanes_less(lanes_min(_s20, _s24), K(0.0)), K(0.0), _c6)) };
 }
 
 /* Constants and windows of the search along a flight, and its error budget.
@@ -4036,7 +4078,7 @@ LANES(court_backboard_rolling_surface)(V x, V y, V z, V vx, V vy, V vz, V _c0, V
 }
 
 /* Rate of the normal.
-   derivative of Table 2's normal. 29 operations: 3 additions, 6 subtractions, 3 multiplications, 5 negations, 6 comparisons, 6 selections. */
+   derivative of Table 2's normal. 75 operations: 7 additions, 12 subtractions, 15 multiplications, 7 divisions, 1 square root, 5 negations, 14 comparisons, 14 selections. */
 typedef struct {
     V turning_x, turning_y, turning_z;
 } LANES(court_backboard_turning_out);
@@ -4044,9 +4086,24 @@ typedef struct {
 LANES_INLINE LANES(court_backboard_turning_out)
 LANES(court_backboard_turning)(V x, V y, V z, V rolled_x, V rolled_y, V rolled_z, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5)
 {
-    const V _s0 = lanes_mul(_c4, lanes_sub(lanes_select(lanes_less(lanes_add(_c1, x), K(0.0)), K(0.0), rolled_x), lanes_select(lanes_less(lanes_neg(lanes_add(_c5, x)), K(0.0)), K(0.0), lanes_neg(rolled_x))));
-    const V _s1 = lanes_mul(_c4, lanes_sub(lanes_select(lanes_less(lanes_sub(y, _c2), K(0.0)), K(0.0), rolled_y), lanes_select(lanes_less(lanes_neg(lanes_add(_c2, y)), K(0.0)), K(0.0), lanes_neg(rolled_y))));
-    return (LANES(court_backboard_turning_out)){ _s0, _s1, lanes_mul(_c4, lanes_sub(lanes_select(lanes_less(lanes_sub(z, _c3), K(0.0)), K(0.0), rolled_z), lanes_select(lanes_less(lanes_sub(_c0, z), K(0.0)), K(0.0), lanes_neg(rolled_z)))) };
+    const V _s0 = lanes_add(_c1, x);
+    const V _s1 = lanes_neg(lanes_add(_c4, x));
+    const V _s2 = lanes_sub(lanes_select(lanes_less(_s0, K(0.0)), K(0.0), rolled_x), lanes_select(lanes_less(_s1, K(0.0)), K(0.0), lanes_neg(rolled_x)));
+    const V _s3 = lanes_sub(lanes_max(_s0, K(0.0)), lanes_max(_s1, K(0.0)));
+    const V _s4 = lanes_sub(y, _c2);
+    const V _s5 = lanes_neg(lanes_add(_c2, y));
+    const V _s6 = lanes_sub(lanes_max(_s4, K(0.0)), lanes_max(_s5, K(0.0)));
+    const V _s7 = lanes_sub(z, _c3);
+    const V _s8 = lanes_sub(_c0, z);
+    const V _s9 = lanes_sub(lanes_max(_s7, K(0.0)), lanes_max(_s8, K(0.0)));
+    const V _s10 = lanes_sqrt(lanes_add(lanes_add(lanes_mul(_s3, _s3), lanes_mul(_s6, _s6)), lanes_mul(_s9, _s9)));
+    const V _s11 = lanes_max(_s10, _c5);
+    const V _s12 = lanes_sub(lanes_select(lanes_less(_s4, K(0.0)), K(0.0), rolled_y), lanes_select(lanes_less(_s5, K(0.0)), K(0.0), lanes_neg(rolled_y)));
+    const V _s13 = lanes_sub(lanes_select(lanes_less(_s7, K(0.0)), K(0.0), rolled_z), lanes_select(lanes_less(_s8, K(0.0)), K(0.0), lanes_neg(rolled_z)));
+    const V _s14 = lanes_mul(lanes_mul(K(0.5), lanes_add(lanes_add(lanes_mul(lanes_mul(K(2.0), _s2), _s3), lanes_mul(lanes_mul(K(2.0), _s12), _s6)), lanes_mul(lanes_mul(K(2.0), _s13), _s9))), lanes_div(K(1.0), _s10));
+    const V _s15 = lanes_select(lanes_less(_s10, _c5), K(0.0), _s14);
+    const V _s16 = lanes_mul(_s11, _s11);
+    return (LANES(court_backboard_turning_out)){ lanes_sub(lanes_div(_s2, _s11), lanes_div(lanes_mul(_s3, _s15), _s16)), lanes_sub(lanes_div(_s12, _s11), lanes_div(lanes_mul(_s6, _s15), _s16)), lanes_sub(lanes_div(_s13, _s11), lanes_div(lanes_mul(_s9, _s15), _s16)) };
 }
 
 /* Second to fourth derivative of the distance along a flight.
@@ -4205,7 +4262,7 @@ LANES(court_backboard_enter)(V t, V end, V after, V low0, V low1, V high0, V hig
 }
 
 /* Outward unit normal n3 at a contact.
-   Table 2. 26 operations: 3 additions, 6 subtractions, 3 multiplications, 2 negations, 6 comparisons, 6 selections. */
+   Table 2. 34 operations: 5 additions, 6 subtractions, 3 multiplications, 3 divisions, 1 square root, 2 negations, 7 comparisons, 7 selections. */
 typedef struct {
     V nx, ny, nz;
 } LANES(court_bridge_normal_out);
@@ -4215,37 +4272,79 @@ LANES(court_bridge_normal)(V x, V y, V z, V _c0, V _c1, V _c2, V _c3, V _c4, V _
 {
     const V _s0 = lanes_add(_c0, x);
     const V _s1 = lanes_neg(lanes_add(_c2, x));
-    const V _s2 = lanes_sub(y, _c3);
-    const V _s3 = lanes_neg(lanes_add(_c3, y));
-    const V _s4 = lanes_sub(z, _c1);
-    const V _s5 = lanes_sub(_c5, z);
-    return (LANES(court_bridge_normal_out)){ lanes_mul(_c4, lanes_sub(lanes_max(_s0, K(0.0)), lanes_max(_s1, K(0.0)))), lanes_mul(_c4, lanes_sub(lanes_max(_s2, K(0.0)), lanes_max(_s3, K(0.0)))), lanes_mul(_c4, lanes_sub(lanes_max(_s4, K(0.0)), lanes_max(_s5, K(0.0)))) };
+    const V _s2 = lanes_sub(lanes_max(_s0, K(0.0)), lanes_max(_s1, K(0.0)));
+    const V _s3 = lanes_sub(z, _c1);
+    const V _s4 = lanes_sub(_c4, z);
+    const V _s5 = lanes_sub(lanes_max(_s3, K(0.0)), lanes_max(_s4, K(0.0)));
+    const V _s6 = lanes_sub(y, _c3);
+    const V _s7 = lanes_neg(lanes_add(_c3, y));
+    const V _s8 = lanes_sub(lanes_max(_s6, K(0.0)), lanes_max(_s7, K(0.0)));
+    const V _s9 = lanes_sqrt(lanes_add(lanes_add(lanes_mul(_s2, _s2), lanes_mul(_s5, _s5)), lanes_mul(_s8, _s8)));
+    const V _s10 = lanes_max(_s9, _c5);
+    return (LANES(court_bridge_normal_out)){ lanes_div(_s2, _s10), lanes_div(_s8, _s10), lanes_div(_s5, _s10) };
 }
 
 /* Bound on the rate at which the normal turns along the contact surface.
-   Table 2. No operations. */
+   Table 2. 39 operations: 7 additions, 3 subtractions, 6 multiplications, 2 negations, 3 absolute values, 9 comparisons, 9 selections. */
 typedef struct {
     V curvature;
 } LANES(court_bridge_curvature_out);
 
 LANES_INLINE LANES(court_bridge_curvature_out)
-LANES(court_bridge_curvature)(V _c0)
+LANES(court_bridge_curvature)(V t, V x, V y, V z, V vx, V vy, V vz, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5, V _c6)
 {
-    return (LANES(court_bridge_curvature_out)){ _c0 };
+    const V _s0 = lanes_mul(K(2.0), t);
+    const V _s1 = lanes_sub(z, _c1);
+    const V _s2 = lanes_sub(_c5, z);
+    const V _s3 = lanes_add(lanes_add(lanes_mul(_c4, lanes_mul(t, t)), lanes_mul(_s0, lanes_abs(vz))), lanes_max(_s1, _s2));
+    const V _s4 = lanes_add(_c0, x);
+    const V _s5 = lanes_neg(lanes_add(_c2, x));
+    const V _s6 = lanes_add(lanes_mul(_s0, lanes_abs(vx)), lanes_max(_s4, _s5));
+    const V _s7 = lanes_max(_s3, _s6);
+    const V _s8 = lanes_sub(y, _c3);
+    const V _s9 = lanes_neg(lanes_add(_c3, y));
+    const V _s10 = lanes_add(lanes_mul(_s0, lanes_abs(vy)), lanes_max(_s8, _s9));
+    const V _s11 = lanes_max(_s10, _s3);
+    const V _s12 = lanes_max(_s6, _s10);
+    const V _s13 = lanes_min(_s11, _s12);
+    return (LANES(court_bridge_curvature_out)){ lanes_select(lanes_less(lanes_min(_s7, _s13), K(0.0)), K(0.0), _c6) };
 }
 
 /* Error of the normal, from that of the position.
-   derivative of Table 2's normal. 30 operations: 3 additions, 6 subtractions, 4 multiplications, 5 negations, 6 comparisons, 6 selections. */
+   derivative of Table 2's normal. 98 operations: 10 additions, 12 subtractions, 17 multiplications, 7 divisions, 1 square root, 5 negations, 23 comparisons, 23 selections. */
 typedef struct {
     V dnx, dny, dnz, turn;
 } LANES(court_bridge_carry_normal_out);
 
 LANES_INLINE LANES(court_bridge_carry_normal_out)
-LANES(court_bridge_carry_normal)(V x, V y, V z, V dx, V dy, V dz, V shift, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5)
+LANES(court_bridge_carry_normal)(V x, V y, V z, V dx, V dy, V dz, V shift, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5, V _c6)
 {
-    const V _s0 = lanes_mul(_c4, lanes_sub(lanes_select(lanes_less(lanes_add(_c0, x), K(0.0)), K(0.0), dx), lanes_select(lanes_less(lanes_neg(lanes_add(_c2, x)), K(0.0)), K(0.0), lanes_neg(dx))));
-    const V _s1 = lanes_mul(_c4, lanes_sub(lanes_select(lanes_less(lanes_sub(y, _c3), K(0.0)), K(0.0), dy), lanes_select(lanes_less(lanes_neg(lanes_add(_c3, y)), K(0.0)), K(0.0), lanes_neg(dy))));
-    return (LANES(court_bridge_carry_normal_out)){ _s0, _s1, lanes_mul(_c4, lanes_sub(lanes_select(lanes_less(lanes_sub(z, _c1), K(0.0)), K(0.0), dz), lanes_select(lanes_less(lanes_sub(_c5, z), K(0.0)), K(0.0), lanes_neg(dz)))), lanes_mul(shift, _c4) };
+    const V _s0 = lanes_add(_c0, x);
+    const V _s1 = lanes_neg(lanes_add(_c2, x));
+    const V _s2 = lanes_sub(lanes_select(lanes_less(_s0, K(0.0)), K(0.0), dx), lanes_select(lanes_less(_s1, K(0.0)), K(0.0), lanes_neg(dx)));
+    const V _s3 = lanes_sub(lanes_max(_s0, K(0.0)), lanes_max(_s1, K(0.0)));
+    const V _s4 = lanes_sub(z, _c1);
+    const V _s5 = lanes_sub(_c4, z);
+    const V _s6 = lanes_sub(lanes_max(_s4, K(0.0)), lanes_max(_s5, K(0.0)));
+    const V _s7 = lanes_sub(y, _c3);
+    const V _s8 = lanes_neg(lanes_add(_c3, y));
+    const V _s9 = lanes_sub(lanes_max(_s7, K(0.0)), lanes_max(_s8, K(0.0)));
+    const V _s10 = lanes_sqrt(lanes_add(lanes_add(lanes_mul(_s3, _s3), lanes_mul(_s6, _s6)), lanes_mul(_s9, _s9)));
+    const V _s11 = lanes_max(_s10, _c5);
+    const V _s12 = lanes_sub(lanes_select(lanes_less(_s4, K(0.0)), K(0.0), dz), lanes_select(lanes_less(_s5, K(0.0)), K(0.0), lanes_neg(dz)));
+    const V _s13 = lanes_sub(lanes_select(lanes_less(_s7, K(0.0)), K(0.0), dy), lanes_select(lanes_less(_s8, K(0.0)), K(0.0), lanes_neg(dy)));
+    const V _s14 = lanes_mul(lanes_mul(K(0.5), lanes_add(lanes_add(lanes_mul(lanes_mul(K(2.0), _s2), _s3), lanes_mul(lanes_mul(K(2.0), _s12), _s6)), lanes_mul(lanes_mul(K(2.0), _s13), _s9))), lanes_div(K(1.0), _s10));
+    const V _s15 = lanes_select(lanes_less(_s10, _c5), K(0.0), _s14);
+    const V _s16 = lanes_mul(_s11, _s11);
+    const V _s17 = lanes_mul(K(16.0), shift);
+    const V _s18 = lanes_add(_s17, lanes_max(_s4, _s5));
+    const V _s19 = lanes_add(_s17, lanes_max(_s0, _s1));
+    const V _s20 = lanes_max(_s18, _s19);
+    const V _s21 = lanes_add(_s17, lanes_max(_s7, _s8));
+    const V _s22 = lanes_max(_s21, _s18);
+    const V _s23 = lanes_max(_s19, _s21);
+    const V _s24 = lanes_min(_s22, _s23);
+    return (LANES(court_bridge_carry_normal_out)){ lanes_sub(lanes_div(_s2, _s11), lanes_div(lanes_mul(_s3, _s15), _s16)), lanes_sub(lanes_div(_s13, _s11), lanes_div(lanes_mul(_s9, _s15), _s16)), lanes_sub(lanes_div(_s12, _s11), lanes_div(lanes_mul(_s6, _s15), _s16)), lanes_mul(shift, lanes_select(lanes_less(lanes_min(_s20, _s24), K(0.0)), K(0.0), _c6)) };
 }
 
 /* Constants and windows of the search along a flight, and its error budget.
@@ -4551,7 +4650,7 @@ LANES(court_bridge_rolling_surface)(V x, V y, V z, V vx, V vy, V vz, V _c0, V _c
 }
 
 /* Rate of the normal.
-   derivative of Table 2's normal. 29 operations: 3 additions, 6 subtractions, 3 multiplications, 5 negations, 6 comparisons, 6 selections. */
+   derivative of Table 2's normal. 75 operations: 7 additions, 12 subtractions, 15 multiplications, 7 divisions, 1 square root, 5 negations, 14 comparisons, 14 selections. */
 typedef struct {
     V turning_x, turning_y, turning_z;
 } LANES(court_bridge_turning_out);
@@ -4559,9 +4658,24 @@ typedef struct {
 LANES_INLINE LANES(court_bridge_turning_out)
 LANES(court_bridge_turning)(V x, V y, V z, V rolled_x, V rolled_y, V rolled_z, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5)
 {
-    const V _s0 = lanes_mul(_c4, lanes_sub(lanes_select(lanes_less(lanes_add(_c2, x), K(0.0)), K(0.0), rolled_x), lanes_select(lanes_less(lanes_neg(lanes_add(_c0, x)), K(0.0)), K(0.0), lanes_neg(rolled_x))));
-    const V _s1 = lanes_mul(_c4, lanes_sub(lanes_select(lanes_less(lanes_sub(y, _c1), K(0.0)), K(0.0), rolled_y), lanes_select(lanes_less(lanes_neg(lanes_add(_c1, y)), K(0.0)), K(0.0), lanes_neg(rolled_y))));
-    return (LANES(court_bridge_turning_out)){ _s0, _s1, lanes_mul(_c4, lanes_sub(lanes_select(lanes_less(lanes_sub(z, _c3), K(0.0)), K(0.0), rolled_z), lanes_select(lanes_less(lanes_sub(_c5, z), K(0.0)), K(0.0), lanes_neg(rolled_z)))) };
+    const V _s0 = lanes_add(_c2, x);
+    const V _s1 = lanes_neg(lanes_add(_c0, x));
+    const V _s2 = lanes_sub(lanes_select(lanes_less(_s0, K(0.0)), K(0.0), rolled_x), lanes_select(lanes_less(_s1, K(0.0)), K(0.0), lanes_neg(rolled_x)));
+    const V _s3 = lanes_sub(lanes_max(_s0, K(0.0)), lanes_max(_s1, K(0.0)));
+    const V _s4 = lanes_sub(z, _c3);
+    const V _s5 = lanes_sub(_c4, z);
+    const V _s6 = lanes_sub(lanes_max(_s4, K(0.0)), lanes_max(_s5, K(0.0)));
+    const V _s7 = lanes_sub(y, _c1);
+    const V _s8 = lanes_neg(lanes_add(_c1, y));
+    const V _s9 = lanes_sub(lanes_max(_s7, K(0.0)), lanes_max(_s8, K(0.0)));
+    const V _s10 = lanes_sqrt(lanes_add(lanes_add(lanes_mul(_s3, _s3), lanes_mul(_s6, _s6)), lanes_mul(_s9, _s9)));
+    const V _s11 = lanes_max(_s10, _c5);
+    const V _s12 = lanes_sub(lanes_select(lanes_less(_s4, K(0.0)), K(0.0), rolled_z), lanes_select(lanes_less(_s5, K(0.0)), K(0.0), lanes_neg(rolled_z)));
+    const V _s13 = lanes_sub(lanes_select(lanes_less(_s7, K(0.0)), K(0.0), rolled_y), lanes_select(lanes_less(_s8, K(0.0)), K(0.0), lanes_neg(rolled_y)));
+    const V _s14 = lanes_mul(lanes_mul(K(0.5), lanes_add(lanes_add(lanes_mul(lanes_mul(K(2.0), _s2), _s3), lanes_mul(lanes_mul(K(2.0), _s12), _s6)), lanes_mul(lanes_mul(K(2.0), _s13), _s9))), lanes_div(K(1.0), _s10));
+    const V _s15 = lanes_select(lanes_less(_s10, _c5), K(0.0), _s14);
+    const V _s16 = lanes_mul(_s11, _s11);
+    return (LANES(court_bridge_turning_out)){ lanes_sub(lanes_div(_s2, _s11), lanes_div(lanes_mul(_s3, _s15), _s16)), lanes_sub(lanes_div(_s13, _s11), lanes_div(lanes_mul(_s9, _s15), _s16)), lanes_sub(lanes_div(_s12, _s11), lanes_div(lanes_mul(_s6, _s15), _s16)) };
 }
 
 /* Second to fourth derivative of the distance along a flight.

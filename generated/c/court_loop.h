@@ -1,6 +1,6 @@
 /* The event loop of the scene court, with or without bounds on errors.
 
-   Generated from templates/c/loop.h.j2, scene court, derivation c7e11144c55ec89d,
+   Generated from templates/c/loop.h.j2, scene court, derivation 495f8c37fe49c7e5,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by court_engine.h twice, BOUNDED being 1 where errors are bounded, else 0. The path is
@@ -709,36 +709,36 @@ static void LOOP(fix)(LOOP(worklist) *worklist)
         const V _s215 = lanes_add(K(1.0), p_inertia);
         const V _s216 = lanes_div(K(1.0), _s215);
         const V _s217 = lanes_mul(p_inertia, _s216);
-        const V _s219 = lanes_mul(K(3.637978807091713e-12), p_ball_radius);
-        const V _s224 = lanes_mul(K(1.4210854715202004e-14), p_ball_radius);
-        const V _s229 = lanes_add(lanes_add(_s224, lanes_mul(K(2.842170943040401e-14), p_board_distance)), lanes_mul(K(1.4210854715202004e-14), p_board_thickness));
-        const V _s232 = lanes_add(_s224, lanes_mul(K(2.842170943040401e-14), p_board_half_width));
-        const V _s237 = lanes_add(lanes_add(_s224, lanes_mul(K(1.4210854715202004e-14), _s11)), lanes_mul(K(1.4210854715202004e-14), _s12));
-        const V _s242 = lanes_add(lanes_add(_s224, lanes_mul(K(1.4210854715202004e-14), p_ring_radius)), lanes_mul(K(1.4210854715202004e-14), p_board_distance));
-        const V _s245 = lanes_add(_s224, lanes_mul(K(2.842170943040401e-14), p_bridge_half_width));
-        const V _s252 = lanes_add(lanes_add(_s224, lanes_mul(K(1.4210854715202004e-14), p_wire_radius)), lanes_mul(K(1.4210854715202004e-14), lanes_abs(lanes_sub(p_bridge_depth, p_wire_radius))));
-        const V _s299 = lanes_neg(p_board_half_width);
-        const V _s300 = lanes_max(K(0.0), _s299);
-        const V _s301 = lanes_max(_s300, _s299);
-        const V _s303 = lanes_neg(_s47);
-        const V _s304 = lanes_max(K(0.0), _s303);
-        const V _s305 = lanes_max(_s304, p_board_distance);
-        const V _s309 = lanes_neg(p_board_distance);
-        const V _s310 = lanes_max(K(0.0), _s309);
-        const V _s311 = lanes_max(_s310, p_ring_radius);
-        const V _s313 = lanes_neg(p_bridge_half_width);
-        const V _s314 = lanes_max(K(0.0), _s313);
-        const V _s315 = lanes_max(_s314, _s313);
-        const V _s322 = lanes_mul(p_gravity, p_gravity);
-        const V _s338 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s33, p_board_distance), p_board_half_width), p_board_thickness), p_bridge_half_width), p_bridge_depth), p_end_depth);
-        const V _s342 = lanes_sub(lanes_sub(p_ring_radius, p_ball_radius), p_wire_radius);
-        const V _s349 = lanes_div(lanes_mul(p_inertia, lanes_add(K(1.0), p_tangential_restitution)), _s215);
-        const V _s357 = lanes_sub(K(1.0), p_ring_restitution);
-        const V _s359 = lanes_add(K(1.0), p_ring_restitution);
-        const V _s366 = lanes_sub(K(1.0), p_backboard_restitution);
-        const V _s368 = lanes_add(K(1.0), p_backboard_restitution);
-        const V _s373 = lanes_sub(K(1.0), p_bridge_restitution);
-        const V _s375 = lanes_add(K(1.0), p_bridge_restitution);
+        const V _s220 = lanes_mul(K(3.637978807091713e-12), p_ball_radius);
+        const V _s225 = lanes_mul(K(1.4210854715202004e-14), p_ball_radius);
+        const V _s230 = lanes_add(lanes_add(_s225, lanes_mul(K(2.842170943040401e-14), p_board_distance)), lanes_mul(K(1.4210854715202004e-14), p_board_thickness));
+        const V _s233 = lanes_add(_s225, lanes_mul(K(2.842170943040401e-14), p_board_half_width));
+        const V _s238 = lanes_add(lanes_add(_s225, lanes_mul(K(1.4210854715202004e-14), _s11)), lanes_mul(K(1.4210854715202004e-14), _s12));
+        const V _s243 = lanes_add(lanes_add(_s225, lanes_mul(K(1.4210854715202004e-14), p_ring_radius)), lanes_mul(K(1.4210854715202004e-14), p_board_distance));
+        const V _s246 = lanes_add(_s225, lanes_mul(K(2.842170943040401e-14), p_bridge_half_width));
+        const V _s253 = lanes_add(lanes_add(_s225, lanes_mul(K(1.4210854715202004e-14), p_wire_radius)), lanes_mul(K(1.4210854715202004e-14), lanes_abs(lanes_sub(p_bridge_depth, p_wire_radius))));
+        const V _s300 = lanes_neg(p_board_half_width);
+        const V _s301 = lanes_max(K(0.0), _s300);
+        const V _s302 = lanes_max(_s301, _s300);
+        const V _s304 = lanes_neg(_s47);
+        const V _s305 = lanes_max(K(0.0), _s304);
+        const V _s306 = lanes_max(_s305, p_board_distance);
+        const V _s310 = lanes_neg(p_board_distance);
+        const V _s311 = lanes_max(K(0.0), _s310);
+        const V _s312 = lanes_max(_s311, p_ring_radius);
+        const V _s314 = lanes_neg(p_bridge_half_width);
+        const V _s315 = lanes_max(K(0.0), _s314);
+        const V _s316 = lanes_max(_s315, _s314);
+        const V _s323 = lanes_mul(p_gravity, p_gravity);
+        const V _s339 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s33, p_board_distance), p_board_half_width), p_board_thickness), p_bridge_half_width), p_bridge_depth), p_end_depth);
+        const V _s343 = lanes_sub(lanes_sub(p_ring_radius, p_ball_radius), p_wire_radius);
+        const V _s350 = lanes_div(lanes_mul(p_inertia, lanes_add(K(1.0), p_tangential_restitution)), _s215);
+        const V _s358 = lanes_sub(K(1.0), p_ring_restitution);
+        const V _s360 = lanes_add(K(1.0), p_ring_restitution);
+        const V _s367 = lanes_sub(K(1.0), p_backboard_restitution);
+        const V _s369 = lanes_add(K(1.0), p_backboard_restitution);
+        const V _s374 = lanes_sub(K(1.0), p_bridge_restitution);
+        const V _s376 = lanes_add(K(1.0), p_bridge_restitution);
         FIX(0, lanes_add(lanes_add(lanes_add(lanes_add(_s23, lanes_abs(p_board_thickness)), lanes_abs(p_bridge_half_width)), lanes_abs(p_bridge_depth)), lanes_abs(p_end_depth)));
         FIX(1, _s33); FIX(2, lanes_neg(_s36)); FIX(3, _s38); FIX(4, lanes_neg(_s41)); FIX(5, _s44);
         FIX(6, p_ball_radius); FIX(7, p_ring_radius); FIX(8, p_wire_radius);
@@ -799,53 +799,53 @@ static void LOOP(fix)(LOOP(worklist) *worklist)
         FIX(105, lanes_mul(K(12.01171875), _s189));
         FIX(106, lanes_mul(K(2.667137344314341e-15), _s189));
         FIX(107, lanes_mul(K(6.005859375), _s189)); FIX(108, lanes_div(K(1.0), _s45));
-        FIX(109, lanes_div(K(1.0), p_ball_radius)); FIX(110, _s217); FIX(111, _s219);
-        FIX(112, lanes_neg(_s219)); FIX(113, lanes_mul(K(1.4551915228366852e-11), p_ball_radius));
-        FIX(114, _s229); FIX(115, lanes_neg(_s229)); FIX(116, _s232); FIX(117, lanes_neg(_s232));
-        FIX(118, _s237); FIX(119, lanes_neg(_s237)); FIX(120, _s242); FIX(121, lanes_neg(_s242));
-        FIX(122, _s245); FIX(123, lanes_neg(_s245)); FIX(124, _s252); FIX(125, lanes_neg(_s252));
-        FIX(126, _s216); FIX(127, lanes_mul(p_gravity, _s216));
-        FIX(128, lanes_mul(K(0.015625), p_gravity));
-        FIX(129, lanes_mul(p_backboard_friction, p_backboard_friction));
-        FIX(130, lanes_mul(p_bridge_friction, p_bridge_friction));
-        FIX(131, lanes_mul(K(5.684341886080802e-14), lanes_sqrt(lanes_mul(p_ball_radius, p_gravity))));
-        FIX(132, lanes_mul(K(5.684341886080802e-14), p_gravity)); FIX(133, _s45);
-        FIX(134, p_bridge_depth); FIX(135, lanes_mul(K(1.1102230246251565e-16), p_ball_radius));
-        FIX(136, lanes_mul(K(2.384185791015625e-07), p_ball_radius));
-        FIX(137, lanes_mul(p_ring_radius, _s216)); FIX(138, _s39);
-        FIX(139, lanes_mul(K(0.3333333333333333), p_ring_radius));
-        FIX(140, lanes_mul(K(0.25), p_ring_radius)); FIX(141, lanes_mul(K(0.2), p_ring_radius));
-        FIX(142, lanes_mul(K(0.16666666666666666), p_ring_radius));
-        FIX(143, lanes_mul(K(0.14285714285714285), p_ring_radius));
-        FIX(144, lanes_mul(K(0.125), p_ring_radius));
-        FIX(145, lanes_mul(K(0.1111111111111111), p_ring_radius));
-        FIX(146, lanes_mul(K(0.1), p_ring_radius));
-        FIX(147, lanes_mul(K(0.09090909090909091), p_ring_radius));
-        FIX(148, lanes_mul(K(0.08333333333333333), p_ring_radius));
-        FIX(149, lanes_mul(p_gravity, lanes_sub(K(3.0), lanes_mul(K(2.0), _s217))));
-        FIX(150, lanes_mul(K(3.0), p_ring_radius)); FIX(151, lanes_mul(K(6.0), p_ring_radius));
-        FIX(152, lanes_mul(_s59, _s217)); FIX(153, lanes_mul(p_ring_friction, p_ring_friction));
-        FIX(154, lanes_sqrt(lanes_add(lanes_mul(_s301, _s301), lanes_mul(_s305, _s305))));
-        FIX(155, lanes_sqrt(lanes_add(lanes_mul(_s311, _s311), lanes_mul(_s315, _s315))));
-        FIX(156, lanes_mul(K(0.000244140625), _s45)); FIX(157, lanes_mul(K(0.00390625), p_gravity));
-        FIX(158, lanes_mul(lanes_mul(K(0.000244140625), _s322), _s45));
-        FIX(159, lanes_mul(K(3.0), p_gravity));
-        FIX(160, lanes_mul(K(2.0), lanes_mul(K(3.0), _s322)));
-        FIX(161, lanes_mul(K(0.0078125), p_gravity)); FIX(162, lanes_max(K(0.0), p_gravity));
-        FIX(163, lanes_mul(K(8.0), _s57)); FIX(164, lanes_add(lanes_add(_s338, _s11), _s12));
-        FIX(165, lanes_div(K(1.0), lanes_min(_s342, _s45))); FIX(166, p_restitution_speed);
-        FIX(167, _s349); FIX(168, lanes_mul(_s349, _s349));
-        FIX(169, lanes_mul(p_ball_radius, p_inertia));
-        FIX(170, lanes_mul(K(7.275957614183426e-12), p_ball_radius));
-        FIX(171, lanes_mul(K(1.1920928955078125e-07), p_ball_radius)); FIX(172, _s357);
-        FIX(173, lanes_mul(_s357, _s357)); FIX(174, lanes_mul(p_ring_friction, _s359));
-        FIX(175, lanes_mul(_s359, _s357));
-        FIX(176, lanes_mul(K(3.725290298461914e-09), p_ball_radius));
-        FIX(177, lanes_mul(_s217, _s357)); FIX(178, _s366); FIX(179, lanes_mul(_s366, _s366));
-        FIX(180, lanes_mul(p_backboard_friction, _s368)); FIX(181, lanes_mul(_s368, _s366));
-        FIX(182, lanes_mul(_s217, _s366)); FIX(183, _s373); FIX(184, lanes_mul(_s373, _s373));
-        FIX(185, lanes_mul(p_bridge_friction, _s375)); FIX(186, lanes_mul(_s375, _s373));
-        FIX(187, lanes_mul(_s217, _s373));
+        FIX(109, lanes_mul(K(0.5), p_ball_radius)); FIX(110, _s217);
+        FIX(111, lanes_div(K(1.0), p_ball_radius)); FIX(112, _s220); FIX(113, lanes_neg(_s220));
+        FIX(114, lanes_mul(K(1.4551915228366852e-11), p_ball_radius)); FIX(115, _s230);
+        FIX(116, lanes_neg(_s230)); FIX(117, _s233); FIX(118, lanes_neg(_s233)); FIX(119, _s238);
+        FIX(120, lanes_neg(_s238)); FIX(121, _s243); FIX(122, lanes_neg(_s243)); FIX(123, _s246);
+        FIX(124, lanes_neg(_s246)); FIX(125, _s253); FIX(126, lanes_neg(_s253)); FIX(127, _s216);
+        FIX(128, lanes_mul(p_gravity, _s216)); FIX(129, lanes_mul(K(0.015625), p_gravity));
+        FIX(130, lanes_mul(p_backboard_friction, p_backboard_friction));
+        FIX(131, lanes_mul(p_bridge_friction, p_bridge_friction));
+        FIX(132, lanes_mul(K(5.684341886080802e-14), lanes_sqrt(lanes_mul(p_ball_radius, p_gravity))));
+        FIX(133, lanes_mul(K(5.684341886080802e-14), p_gravity)); FIX(134, _s45);
+        FIX(135, p_bridge_depth); FIX(136, lanes_mul(K(1.1102230246251565e-16), p_ball_radius));
+        FIX(137, lanes_mul(K(2.384185791015625e-07), p_ball_radius));
+        FIX(138, lanes_mul(p_ring_radius, _s216)); FIX(139, _s39);
+        FIX(140, lanes_mul(K(0.3333333333333333), p_ring_radius));
+        FIX(141, lanes_mul(K(0.25), p_ring_radius)); FIX(142, lanes_mul(K(0.2), p_ring_radius));
+        FIX(143, lanes_mul(K(0.16666666666666666), p_ring_radius));
+        FIX(144, lanes_mul(K(0.14285714285714285), p_ring_radius));
+        FIX(145, lanes_mul(K(0.125), p_ring_radius));
+        FIX(146, lanes_mul(K(0.1111111111111111), p_ring_radius));
+        FIX(147, lanes_mul(K(0.1), p_ring_radius));
+        FIX(148, lanes_mul(K(0.09090909090909091), p_ring_radius));
+        FIX(149, lanes_mul(K(0.08333333333333333), p_ring_radius));
+        FIX(150, lanes_mul(p_gravity, lanes_sub(K(3.0), lanes_mul(K(2.0), _s217))));
+        FIX(151, lanes_mul(K(3.0), p_ring_radius)); FIX(152, lanes_mul(K(6.0), p_ring_radius));
+        FIX(153, lanes_mul(_s59, _s217)); FIX(154, lanes_mul(p_ring_friction, p_ring_friction));
+        FIX(155, lanes_sqrt(lanes_add(lanes_mul(_s302, _s302), lanes_mul(_s306, _s306))));
+        FIX(156, lanes_sqrt(lanes_add(lanes_mul(_s312, _s312), lanes_mul(_s316, _s316))));
+        FIX(157, lanes_mul(K(0.000244140625), _s45)); FIX(158, lanes_mul(K(0.00390625), p_gravity));
+        FIX(159, lanes_mul(lanes_mul(K(0.000244140625), _s323), _s45));
+        FIX(160, lanes_mul(K(3.0), p_gravity));
+        FIX(161, lanes_mul(K(2.0), lanes_mul(K(3.0), _s323)));
+        FIX(162, lanes_mul(K(0.0078125), p_gravity)); FIX(163, lanes_max(K(0.0), p_gravity));
+        FIX(164, lanes_mul(K(8.0), _s57)); FIX(165, lanes_add(lanes_add(_s339, _s11), _s12));
+        FIX(166, lanes_div(K(1.0), lanes_min(_s343, _s45))); FIX(167, p_restitution_speed);
+        FIX(168, _s350); FIX(169, lanes_mul(_s350, _s350));
+        FIX(170, lanes_mul(p_ball_radius, p_inertia));
+        FIX(171, lanes_mul(K(7.275957614183426e-12), p_ball_radius));
+        FIX(172, lanes_mul(K(1.1920928955078125e-07), p_ball_radius)); FIX(173, _s358);
+        FIX(174, lanes_mul(_s358, _s358)); FIX(175, lanes_mul(p_ring_friction, _s360));
+        FIX(176, lanes_mul(_s360, _s358));
+        FIX(177, lanes_mul(K(3.725290298461914e-09), p_ball_radius));
+        FIX(178, lanes_mul(_s217, _s358)); FIX(179, _s367); FIX(180, lanes_mul(_s367, _s367));
+        FIX(181, lanes_mul(p_backboard_friction, _s369)); FIX(182, lanes_mul(_s369, _s367));
+        FIX(183, lanes_mul(_s217, _s367)); FIX(184, _s374); FIX(185, lanes_mul(_s374, _s374));
+        FIX(186, lanes_mul(p_bridge_friction, _s376)); FIX(187, lanes_mul(_s376, _s374));
+        FIX(188, lanes_mul(_s217, _s374));
     }
     {
         const S _p_ball_radius = lanes_narrow(p_ball_radius);
@@ -1424,7 +1424,7 @@ LANES_APART void LOOP(fix_in_contact_rows_1)(LOOP(worklist) *worklist, size_t i)
     EACH(PARAMETER, in_contact_, p_bridge_half_width, p_inertia, p_ring_radius, p_wire_radius)
     {
 #if BOUNDED
-        const V _s219 = lanes_mul(K(3.637978807091713e-12), p_ball_radius);
+        const V _s220 = lanes_mul(K(3.637978807091713e-12), p_ball_radius);
 #endif
         FIX(6, p_ball_radius); FIX(7, p_ring_radius); FIX(8, p_wire_radius);
         FIX(9, p_board_distance); FIX(10, p_board_half_width); FIX(11, p_board_bottom);
@@ -1432,11 +1432,12 @@ LANES_APART void LOOP(fix_in_contact_rows_1)(LOOP(worklist) *worklist, size_t i)
         FIX(15, lanes_add(p_board_distance, p_board_thickness));
         FIX(16, lanes_sub(p_wire_radius, p_bridge_depth));
         FIX(108, lanes_div(K(1.0), lanes_add(p_ball_radius, p_wire_radius)));
-        FIX(109, lanes_div(K(1.0), p_ball_radius));
+        FIX(109, lanes_mul(K(0.5), p_ball_radius));
         FIX(110, lanes_mul(p_inertia, lanes_div(K(1.0), lanes_add(K(1.0), p_inertia))));
+        FIX(111, lanes_div(K(1.0), p_ball_radius));
 #if BOUNDED
-        FIX(111, _s219); FIX(112, lanes_neg(_s219));
-        FIX(113, lanes_mul(K(1.4551915228366852e-11), p_ball_radius));
+        FIX(112, _s220); FIX(113, lanes_neg(_s220));
+        FIX(114, lanes_mul(K(1.4551915228366852e-11), p_ball_radius));
 #endif
     }
 }
@@ -1454,36 +1455,36 @@ LANES_APART void LOOP(fix_in_contact_rolling_rows_1)(LOOP(worklist) *worklist, s
     BOUNDS(EACH(TURNING, turning_, p_backboard_friction, p_bridge_friction))
     {
         const V _s216 = lanes_div(K(1.0), lanes_add(K(1.0), p_inertia));
-        const V _s224 = lanes_mul(K(1.4210854715202004e-14), p_ball_radius);
-        const V _s229 = lanes_add(lanes_add(_s224, lanes_mul(K(2.842170943040401e-14), p_board_distance)), lanes_mul(K(1.4210854715202004e-14), p_board_thickness));
-        const V _s232 = lanes_add(_s224, lanes_mul(K(2.842170943040401e-14), p_board_half_width));
-        const V _s237 = lanes_add(lanes_add(_s224, lanes_mul(K(1.4210854715202004e-14), lanes_abs(p_board_bottom))), lanes_mul(K(1.4210854715202004e-14), lanes_abs(p_board_top)));
-        const V _s242 = lanes_add(lanes_add(_s224, lanes_mul(K(1.4210854715202004e-14), p_ring_radius)), lanes_mul(K(1.4210854715202004e-14), p_board_distance));
-        const V _s245 = lanes_add(_s224, lanes_mul(K(2.842170943040401e-14), p_bridge_half_width));
-        const V _s252 = lanes_add(lanes_add(_s224, lanes_mul(K(1.4210854715202004e-14), p_wire_radius)), lanes_mul(K(1.4210854715202004e-14), lanes_abs(lanes_sub(p_bridge_depth, p_wire_radius))));
+        const V _s225 = lanes_mul(K(1.4210854715202004e-14), p_ball_radius);
+        const V _s230 = lanes_add(lanes_add(_s225, lanes_mul(K(2.842170943040401e-14), p_board_distance)), lanes_mul(K(1.4210854715202004e-14), p_board_thickness));
+        const V _s233 = lanes_add(_s225, lanes_mul(K(2.842170943040401e-14), p_board_half_width));
+        const V _s238 = lanes_add(lanes_add(_s225, lanes_mul(K(1.4210854715202004e-14), lanes_abs(p_board_bottom))), lanes_mul(K(1.4210854715202004e-14), lanes_abs(p_board_top)));
+        const V _s243 = lanes_add(lanes_add(_s225, lanes_mul(K(1.4210854715202004e-14), p_ring_radius)), lanes_mul(K(1.4210854715202004e-14), p_board_distance));
+        const V _s246 = lanes_add(_s225, lanes_mul(K(2.842170943040401e-14), p_bridge_half_width));
+        const V _s253 = lanes_add(lanes_add(_s225, lanes_mul(K(1.4210854715202004e-14), p_wire_radius)), lanes_mul(K(1.4210854715202004e-14), lanes_abs(lanes_sub(p_bridge_depth, p_wire_radius))));
         FIX(6, p_ball_radius); FIX(7, p_ring_radius); FIX(8, p_wire_radius);
         FIX(9, p_board_distance); FIX(10, p_board_half_width); FIX(11, p_board_bottom);
         FIX(12, p_board_top); FIX(13, p_bridge_half_width);
         FIX(15, lanes_add(p_board_distance, p_board_thickness));
         FIX(16, lanes_sub(p_wire_radius, p_bridge_depth)); FIX(18, lanes_neg(p_end_depth));
         FIX(19, lanes_mul(p_ring_radius, p_ring_radius)); FIX(21, p_gravity);
-        FIX(40, lanes_mul(K(2.0), p_ring_radius)); FIX(109, lanes_div(K(1.0), p_ball_radius));
-        FIX(110, lanes_mul(p_inertia, _s216));
-        FIX(111, lanes_mul(K(3.637978807091713e-12), p_ball_radius)); FIX(114, _s229);
-        FIX(115, lanes_neg(_s229)); FIX(116, _s232); FIX(117, lanes_neg(_s232)); FIX(118, _s237);
-        FIX(119, lanes_neg(_s237)); FIX(120, _s242); FIX(121, lanes_neg(_s242)); FIX(122, _s245);
-        FIX(123, lanes_neg(_s245)); FIX(124, _s252); FIX(125, lanes_neg(_s252)); FIX(126, _s216);
-        FIX(127, lanes_mul(p_gravity, _s216)); FIX(128, lanes_mul(K(0.015625), p_gravity));
+        FIX(40, lanes_mul(K(2.0), p_ring_radius)); FIX(109, lanes_mul(K(0.5), p_ball_radius));
+        FIX(110, lanes_mul(p_inertia, _s216)); FIX(111, lanes_div(K(1.0), p_ball_radius));
+        FIX(112, lanes_mul(K(3.637978807091713e-12), p_ball_radius)); FIX(115, _s230);
+        FIX(116, lanes_neg(_s230)); FIX(117, _s233); FIX(118, lanes_neg(_s233)); FIX(119, _s238);
+        FIX(120, lanes_neg(_s238)); FIX(121, _s243); FIX(122, lanes_neg(_s243)); FIX(123, _s246);
+        FIX(124, lanes_neg(_s246)); FIX(125, _s253); FIX(126, lanes_neg(_s253)); FIX(127, _s216);
+        FIX(128, lanes_mul(p_gravity, _s216)); FIX(129, lanes_mul(K(0.015625), p_gravity));
 #if BOUNDED
-        FIX(129, lanes_mul(p_backboard_friction, p_backboard_friction));
-        FIX(130, lanes_mul(p_bridge_friction, p_bridge_friction));
+        FIX(130, lanes_mul(p_backboard_friction, p_backboard_friction));
+        FIX(131, lanes_mul(p_bridge_friction, p_bridge_friction));
 #endif
-        FIX(131, lanes_mul(K(5.684341886080802e-14), lanes_sqrt(lanes_mul(p_ball_radius, p_gravity))));
-        FIX(132, lanes_mul(K(5.684341886080802e-14), p_gravity));
-        FIX(133, lanes_add(p_ball_radius, p_wire_radius)); FIX(134, p_bridge_depth);
+        FIX(132, lanes_mul(K(5.684341886080802e-14), lanes_sqrt(lanes_mul(p_ball_radius, p_gravity))));
+        FIX(133, lanes_mul(K(5.684341886080802e-14), p_gravity));
+        FIX(134, lanes_add(p_ball_radius, p_wire_radius)); FIX(135, p_bridge_depth);
 #if BOUNDED
-        FIX(135, lanes_mul(K(1.1102230246251565e-16), p_ball_radius));
-        FIX(136, lanes_mul(K(2.384185791015625e-07), p_ball_radius));
+        FIX(136, lanes_mul(K(1.1102230246251565e-16), p_ball_radius));
+        FIX(137, lanes_mul(K(2.384185791015625e-07), p_ball_radius));
 #endif
     }
 }
@@ -1504,52 +1505,53 @@ LANES_APART void LOOP(fix_in_contact_circling_rows_1)(LOOP(worklist) *worklist, 
         const V _s47 = lanes_add(p_board_distance, p_board_thickness);
         const V _s216 = lanes_div(K(1.0), lanes_add(K(1.0), p_inertia));
         const V _s217 = lanes_mul(p_inertia, _s216);
-        const V _s299 = lanes_neg(p_board_half_width);
-        const V _s300 = lanes_max(K(0.0), _s299);
-        const V _s301 = lanes_max(_s300, _s299);
-        const V _s303 = lanes_neg(_s47);
-        const V _s304 = lanes_max(K(0.0), _s303);
-        const V _s305 = lanes_max(_s304, p_board_distance);
-        const V _s309 = lanes_neg(p_board_distance);
-        const V _s310 = lanes_max(K(0.0), _s309);
-        const V _s311 = lanes_max(_s310, p_ring_radius);
-        const V _s313 = lanes_neg(p_bridge_half_width);
-        const V _s314 = lanes_max(K(0.0), _s313);
-        const V _s315 = lanes_max(_s314, _s313);
+        const V _s300 = lanes_neg(p_board_half_width);
+        const V _s301 = lanes_max(K(0.0), _s300);
+        const V _s302 = lanes_max(_s301, _s300);
+        const V _s304 = lanes_neg(_s47);
+        const V _s305 = lanes_max(K(0.0), _s304);
+        const V _s306 = lanes_max(_s305, p_board_distance);
+        const V _s310 = lanes_neg(p_board_distance);
+        const V _s311 = lanes_max(K(0.0), _s310);
+        const V _s312 = lanes_max(_s311, p_ring_radius);
+        const V _s314 = lanes_neg(p_bridge_half_width);
+        const V _s315 = lanes_max(K(0.0), _s314);
+        const V _s316 = lanes_max(_s315, _s314);
         FIX(6, p_ball_radius); FIX(7, p_ring_radius); FIX(8, p_wire_radius);
         FIX(9, p_board_distance); FIX(10, p_board_half_width); FIX(11, p_board_bottom);
         FIX(12, p_board_top); FIX(13, p_bridge_half_width); FIX(15, _s47);
         FIX(16, lanes_sub(p_wire_radius, p_bridge_depth)); FIX(18, lanes_neg(p_end_depth));
         FIX(19, lanes_mul(p_ring_radius, p_ring_radius)); FIX(21, p_gravity);
-        FIX(108, lanes_div(K(1.0), _s45)); FIX(109, lanes_div(K(1.0), p_ball_radius));
-        FIX(110, _s217); FIX(111, lanes_mul(K(3.637978807091713e-12), p_ball_radius));
-        FIX(126, _s216); FIX(128, lanes_mul(K(0.015625), p_gravity));
-        FIX(131, lanes_mul(K(5.684341886080802e-14), lanes_sqrt(lanes_mul(p_ball_radius, p_gravity))));
-        FIX(132, lanes_mul(K(5.684341886080802e-14), p_gravity)); FIX(133, _s45);
+        FIX(108, lanes_div(K(1.0), _s45)); FIX(110, _s217);
+        FIX(111, lanes_div(K(1.0), p_ball_radius));
+        FIX(112, lanes_mul(K(3.637978807091713e-12), p_ball_radius)); FIX(127, _s216);
+        FIX(129, lanes_mul(K(0.015625), p_gravity));
+        FIX(132, lanes_mul(K(5.684341886080802e-14), lanes_sqrt(lanes_mul(p_ball_radius, p_gravity))));
+        FIX(133, lanes_mul(K(5.684341886080802e-14), p_gravity)); FIX(134, _s45);
 #if BOUNDED
-        FIX(135, lanes_mul(K(1.1102230246251565e-16), p_ball_radius));
-        FIX(136, lanes_mul(K(2.384185791015625e-07), p_ball_radius));
+        FIX(136, lanes_mul(K(1.1102230246251565e-16), p_ball_radius));
+        FIX(137, lanes_mul(K(2.384185791015625e-07), p_ball_radius));
 #endif
-        FIX(137, lanes_mul(p_ring_radius, _s216)); FIX(138, lanes_mul(K(0.5), p_ring_radius));
-        FIX(139, lanes_mul(K(0.3333333333333333), p_ring_radius));
-        FIX(140, lanes_mul(K(0.25), p_ring_radius)); FIX(141, lanes_mul(K(0.2), p_ring_radius));
-        FIX(142, lanes_mul(K(0.16666666666666666), p_ring_radius));
-        FIX(143, lanes_mul(K(0.14285714285714285), p_ring_radius));
-        FIX(144, lanes_mul(K(0.125), p_ring_radius));
-        FIX(145, lanes_mul(K(0.1111111111111111), p_ring_radius));
-        FIX(146, lanes_mul(K(0.1), p_ring_radius));
-        FIX(147, lanes_mul(K(0.09090909090909091), p_ring_radius));
-        FIX(148, lanes_mul(K(0.08333333333333333), p_ring_radius));
-        FIX(149, lanes_mul(p_gravity, lanes_sub(K(3.0), lanes_mul(K(2.0), _s217))));
-        FIX(150, lanes_mul(K(3.0), p_ring_radius)); FIX(151, lanes_mul(K(6.0), p_ring_radius));
-        FIX(152, lanes_mul(lanes_mul(K(2.0), p_gravity), _s217));
+        FIX(138, lanes_mul(p_ring_radius, _s216)); FIX(139, lanes_mul(K(0.5), p_ring_radius));
+        FIX(140, lanes_mul(K(0.3333333333333333), p_ring_radius));
+        FIX(141, lanes_mul(K(0.25), p_ring_radius)); FIX(142, lanes_mul(K(0.2), p_ring_radius));
+        FIX(143, lanes_mul(K(0.16666666666666666), p_ring_radius));
+        FIX(144, lanes_mul(K(0.14285714285714285), p_ring_radius));
+        FIX(145, lanes_mul(K(0.125), p_ring_radius));
+        FIX(146, lanes_mul(K(0.1111111111111111), p_ring_radius));
+        FIX(147, lanes_mul(K(0.1), p_ring_radius));
+        FIX(148, lanes_mul(K(0.09090909090909091), p_ring_radius));
+        FIX(149, lanes_mul(K(0.08333333333333333), p_ring_radius));
+        FIX(150, lanes_mul(p_gravity, lanes_sub(K(3.0), lanes_mul(K(2.0), _s217))));
+        FIX(151, lanes_mul(K(3.0), p_ring_radius)); FIX(152, lanes_mul(K(6.0), p_ring_radius));
+        FIX(153, lanes_mul(lanes_mul(K(2.0), p_gravity), _s217));
 #if BOUNDED
-        FIX(153, lanes_mul(p_ring_friction, p_ring_friction));
+        FIX(154, lanes_mul(p_ring_friction, p_ring_friction));
 #endif
-        FIX(154, lanes_sqrt(lanes_add(lanes_mul(_s301, _s301), lanes_mul(_s305, _s305))));
-        FIX(155, lanes_sqrt(lanes_add(lanes_mul(_s311, _s311), lanes_mul(_s315, _s315))));
-        FIX(156, lanes_mul(K(0.000244140625), _s45)); FIX(157, lanes_mul(K(0.00390625), p_gravity));
-        FIX(158, lanes_mul(lanes_mul(K(0.000244140625), lanes_mul(p_gravity, p_gravity)), _s45));
+        FIX(155, lanes_sqrt(lanes_add(lanes_mul(_s302, _s302), lanes_mul(_s306, _s306))));
+        FIX(156, lanes_sqrt(lanes_add(lanes_mul(_s312, _s312), lanes_mul(_s316, _s316))));
+        FIX(157, lanes_mul(K(0.000244140625), _s45)); FIX(158, lanes_mul(K(0.00390625), p_gravity));
+        FIX(159, lanes_mul(lanes_mul(K(0.000244140625), lanes_mul(p_gravity, p_gravity)), _s45));
     }
 }
 
@@ -1561,13 +1563,13 @@ LANES_APART void LOOP(fix_in_contact_leaves_rows_1)(LOOP(worklist) *worklist, si
     EACH(PARAMETER, in_contact_leaves_, p_ring_radius, p_wire_radius)
     {
         const V _s45 = lanes_add(p_ball_radius, p_wire_radius);
-        const V _s224 = lanes_mul(K(1.4210854715202004e-14), p_ball_radius);
-        const V _s229 = lanes_add(lanes_add(_s224, lanes_mul(K(2.842170943040401e-14), p_board_distance)), lanes_mul(K(1.4210854715202004e-14), p_board_thickness));
-        const V _s232 = lanes_add(_s224, lanes_mul(K(2.842170943040401e-14), p_board_half_width));
-        const V _s237 = lanes_add(lanes_add(_s224, lanes_mul(K(1.4210854715202004e-14), lanes_abs(p_board_bottom))), lanes_mul(K(1.4210854715202004e-14), lanes_abs(p_board_top)));
-        const V _s242 = lanes_add(lanes_add(_s224, lanes_mul(K(1.4210854715202004e-14), p_ring_radius)), lanes_mul(K(1.4210854715202004e-14), p_board_distance));
-        const V _s245 = lanes_add(_s224, lanes_mul(K(2.842170943040401e-14), p_bridge_half_width));
-        const V _s252 = lanes_add(lanes_add(_s224, lanes_mul(K(1.4210854715202004e-14), p_wire_radius)), lanes_mul(K(1.4210854715202004e-14), lanes_abs(lanes_sub(p_bridge_depth, p_wire_radius))));
+        const V _s225 = lanes_mul(K(1.4210854715202004e-14), p_ball_radius);
+        const V _s230 = lanes_add(lanes_add(_s225, lanes_mul(K(2.842170943040401e-14), p_board_distance)), lanes_mul(K(1.4210854715202004e-14), p_board_thickness));
+        const V _s233 = lanes_add(_s225, lanes_mul(K(2.842170943040401e-14), p_board_half_width));
+        const V _s238 = lanes_add(lanes_add(_s225, lanes_mul(K(1.4210854715202004e-14), lanes_abs(p_board_bottom))), lanes_mul(K(1.4210854715202004e-14), lanes_abs(p_board_top)));
+        const V _s243 = lanes_add(lanes_add(_s225, lanes_mul(K(1.4210854715202004e-14), p_ring_radius)), lanes_mul(K(1.4210854715202004e-14), p_board_distance));
+        const V _s246 = lanes_add(_s225, lanes_mul(K(2.842170943040401e-14), p_bridge_half_width));
+        const V _s253 = lanes_add(lanes_add(_s225, lanes_mul(K(1.4210854715202004e-14), p_wire_radius)), lanes_mul(K(1.4210854715202004e-14), lanes_abs(lanes_sub(p_bridge_depth, p_wire_radius))));
         FIX(6, p_ball_radius); FIX(7, p_ring_radius); FIX(8, p_wire_radius);
         FIX(9, p_board_distance); FIX(10, p_board_half_width); FIX(11, p_board_bottom);
         FIX(12, p_board_top); FIX(13, p_bridge_half_width);
@@ -1575,14 +1577,14 @@ LANES_APART void LOOP(fix_in_contact_leaves_rows_1)(LOOP(worklist) *worklist, si
         FIX(16, lanes_sub(p_wire_radius, p_bridge_depth)); FIX(18, lanes_neg(p_end_depth));
         FIX(21, p_gravity); FIX(22, lanes_mul(K(2.0), p_gravity)); FIX(23, lanes_neg(p_gravity));
         FIX(40, lanes_mul(K(2.0), p_ring_radius)); FIX(108, lanes_div(K(1.0), _s45));
-        FIX(109, lanes_div(K(1.0), p_ball_radius)); FIX(114, _s229); FIX(115, lanes_neg(_s229));
-        FIX(116, _s232); FIX(117, lanes_neg(_s232)); FIX(118, _s237); FIX(119, lanes_neg(_s237));
-        FIX(120, _s242); FIX(121, lanes_neg(_s242)); FIX(122, _s245); FIX(123, lanes_neg(_s245));
-        FIX(124, _s252); FIX(125, lanes_neg(_s252));
-        FIX(132, lanes_mul(K(5.684341886080802e-14), p_gravity)); FIX(133, _s45);
-        FIX(134, p_bridge_depth); FIX(159, lanes_mul(K(3.0), p_gravity));
-        FIX(160, lanes_mul(K(2.0), lanes_mul(K(3.0), lanes_mul(p_gravity, p_gravity))));
-        FIX(161, lanes_mul(K(0.0078125), p_gravity)); FIX(162, lanes_max(K(0.0), p_gravity));
+        FIX(111, lanes_div(K(1.0), p_ball_radius)); FIX(115, _s230); FIX(116, lanes_neg(_s230));
+        FIX(117, _s233); FIX(118, lanes_neg(_s233)); FIX(119, _s238); FIX(120, lanes_neg(_s238));
+        FIX(121, _s243); FIX(122, lanes_neg(_s243)); FIX(123, _s246); FIX(124, lanes_neg(_s246));
+        FIX(125, _s253); FIX(126, lanes_neg(_s253));
+        FIX(133, lanes_mul(K(5.684341886080802e-14), p_gravity)); FIX(134, _s45);
+        FIX(135, p_bridge_depth); FIX(160, lanes_mul(K(3.0), p_gravity));
+        FIX(161, lanes_mul(K(2.0), lanes_mul(K(3.0), lanes_mul(p_gravity, p_gravity))));
+        FIX(162, lanes_mul(K(0.0078125), p_gravity)); FIX(163, lanes_max(K(0.0), p_gravity));
     }
 }
 
@@ -1606,14 +1608,14 @@ LANES_APART void LOOP(leaves)(LOOP(worklist) *worklist, size_t in_contact_leaves
         if (lanes_any(_if_here_1)) {
             CALL(court_ring_rolling_surface, _ring_rolling_surface_1)(FIXED(108));
             EACH(SELECT, (_if_here_1, _ring_rolling_surface_1), per_reach)
-            CALL(court_ring_separation, _ring_separation_1)(x, y, z, vx, vy, vz, FIXED(21), FIXED(7), FIXED(159), FIXED(160));
+            CALL(court_ring_separation, _ring_separation_1)(x, y, z, vx, vy, vz, FIXED(21), FIXED(7), FIXED(160), FIXED(161));
             EACH(SELECT, (_if_here_1, _ring_separation_1), lift, gap_jerk, gap_snap)
         }
         CALL(court_holding, _holding_2)(K(1.0), held);
         EACH(SET, _holding_2, here)
         const M _if_here_2 = lanes_both(rows, here);
         if (lanes_any(_if_here_2)) {
-            CALL(court_backboard_rolling_surface, _backboard_rolling_surface_1)(x, y, z, vx, vy, vz, FIXED(11), FIXED(9), FIXED(10), FIXED(12), FIXED(114), FIXED(115), FIXED(15), FIXED(116), FIXED(117), FIXED(118), FIXED(119), FIXED(109));
+            CALL(court_backboard_rolling_surface, _backboard_rolling_surface_1)(x, y, z, vx, vy, vz, FIXED(11), FIXED(9), FIXED(10), FIXED(12), FIXED(115), FIXED(116), FIXED(15), FIXED(117), FIXED(118), FIXED(119), FIXED(120), FIXED(111));
             EACH(SELECT, (_if_here_2, _backboard_rolling_surface_1), per_reach)
             CALL(court_backboard_separation, _backboard_separation_1)(x, y, z, vx, vy, vz, FIXED(11), FIXED(9), FIXED(10), FIXED(12), FIXED(21), FIXED(15), FIXED(23));
             EACH(SELECT, (_if_here_2, _backboard_separation_1), lift, gap_jerk, gap_snap)
@@ -1622,7 +1624,7 @@ LANES_APART void LOOP(leaves)(LOOP(worklist) *worklist, size_t in_contact_leaves
         EACH(SET, _holding_3, here)
         const M _if_here_3 = lanes_both(rows, here);
         if (lanes_any(_if_here_3)) {
-            CALL(court_bridge_rolling_surface, _bridge_rolling_surface_1)(x, y, z, vx, vy, vz, FIXED(9), FIXED(13), FIXED(7), FIXED(8), FIXED(120), FIXED(121), FIXED(122), FIXED(123), FIXED(124), FIXED(125), FIXED(16), FIXED(109));
+            CALL(court_bridge_rolling_surface, _bridge_rolling_surface_1)(x, y, z, vx, vy, vz, FIXED(9), FIXED(13), FIXED(7), FIXED(8), FIXED(121), FIXED(122), FIXED(123), FIXED(124), FIXED(125), FIXED(126), FIXED(16), FIXED(111));
             EACH(SELECT, (_if_here_3, _bridge_rolling_surface_1), per_reach)
             CALL(court_bridge_separation, _bridge_separation_1)(x, y, z, vx, vy, vz, FIXED(9), FIXED(13), FIXED(21), FIXED(7), FIXED(8), FIXED(16), FIXED(23));
             EACH(SELECT, (_if_here_3, _bridge_separation_1), lift, gap_jerk, gap_snap)
@@ -1633,9 +1635,9 @@ LANES_APART void LOOP(leaves)(LOOP(worklist) *worklist, size_t in_contact_leaves
         EACH(GET_MASK, _beside_1, beside)
         const M _if_beside_1 = lanes_both(rows, beside);
         if (lanes_any(_if_beside_1)) {
-            CALL(court_ring_beside, _ring_beside_1)(x, y, z, vx, vy, vz, FIXED(6), FIXED(7), FIXED(8), FIXED(40), FIXED(133));
+            CALL(court_ring_beside, _ring_beside_1)(x, y, z, vx, vy, vz, FIXED(6), FIXED(7), FIXED(8), FIXED(40), FIXED(134));
             EACH(GET, _ring_beside_1, gap, nearing, gap_curvature)
-            CALL(court_neighbour_free_time, _neighbour_free_time_1)(vx, vy, vz, gap, free_time, nearing, gap_curvature, FIXED(21), FIXED(161));
+            CALL(court_neighbour_free_time, _neighbour_free_time_1)(vx, vy, vz, gap, free_time, nearing, gap_curvature, FIXED(21), FIXED(162));
             EACH(SELECT, (_if_beside_1, _neighbour_free_time_1), free_time)
         }
         CALL(court_beside, _beside_2)(K(1.0), held);
@@ -1644,7 +1646,7 @@ LANES_APART void LOOP(leaves)(LOOP(worklist) *worklist, size_t in_contact_leaves
         if (lanes_any(_if_beside_2)) {
             CALL(court_backboard_beside, _backboard_beside_1)(x, y, z, vx, vy, vz, FIXED(6), FIXED(11), FIXED(9), FIXED(10), FIXED(12), FIXED(15));
             EACH(GET, _backboard_beside_1, gap, nearing, gap_curvature)
-            CALL(court_neighbour_free_time, _neighbour_free_time_2)(vx, vy, vz, gap, free_time, nearing, gap_curvature, FIXED(21), FIXED(161));
+            CALL(court_neighbour_free_time, _neighbour_free_time_2)(vx, vy, vz, gap, free_time, nearing, gap_curvature, FIXED(21), FIXED(162));
             EACH(SELECT, (_if_beside_2, _neighbour_free_time_2), free_time)
         }
         CALL(court_beside, _beside_3)(K(2.0), held);
@@ -1653,73 +1655,73 @@ LANES_APART void LOOP(leaves)(LOOP(worklist) *worklist, size_t in_contact_leaves
         if (lanes_any(_if_beside_3)) {
             CALL(court_bridge_beside, _bridge_beside_1)(x, y, z, vx, vy, vz, FIXED(6), FIXED(9), FIXED(13), FIXED(7), FIXED(8), FIXED(16));
             EACH(GET, _bridge_beside_1, gap, nearing, gap_curvature)
-            CALL(court_neighbour_free_time, _neighbour_free_time_3)(vx, vy, vz, gap, free_time, nearing, gap_curvature, FIXED(21), FIXED(161));
+            CALL(court_neighbour_free_time, _neighbour_free_time_3)(vx, vy, vz, gap, free_time, nearing, gap_curvature, FIXED(21), FIXED(162));
             EACH(SELECT, (_if_beside_3, _neighbour_free_time_3), free_time)
         }
         CALL(court_end_beside, _end_beside_1)(z, vz, FIXED(18));
         EACH(GET, _end_beside_1, gap, nearing, gap_curvature)
-        CALL(court_end_plane_free_time, _end_plane_free_time_1)(vx, vy, vz, gap, OR_INFINITE(undecided_time), free_time, nearing, gap_curvature, FIXED(21), FIXED(161));
+        CALL(court_end_plane_free_time, _end_plane_free_time_1)(vx, vy, vz, gap, OR_INFINITE(undecided_time), free_time, nearing, gap_curvature, FIXED(21), FIXED(162));
         EACH(SET, _end_plane_free_time_1, free_time)
         BOUNDS(EACH(SET, _end_plane_free_time_1, undecided_time))
         CALL(court_holding, _holding_4)(K(1.0), held);
         EACH(SET, _holding_4, here)
         const M _if_here_4 = lanes_both(rows, here);
         if (lanes_any(_if_here_4)) {
-            CALL(court_backboard_seam0, _backboard_seam0_1)(x, vx, FIXED(15), FIXED(114));
+            CALL(court_backboard_seam0, _backboard_seam0_1)(x, vx, FIXED(15), FIXED(115));
             EACH(GET, _backboard_seam0_1, gap, nearing, near)
-            CALL(court_seam_free_time, _seam_free_time_1)(gap, free_time, near, nearing, FIXED(22), FIXED(162));
+            CALL(court_seam_free_time, _seam_free_time_1)(gap, free_time, near, nearing, FIXED(22), FIXED(163));
             EACH(SELECT, (_if_here_4, _seam_free_time_1), free_time)
-            CALL(court_backboard_seam1, _backboard_seam1_1)(x, vx, FIXED(9), FIXED(114));
+            CALL(court_backboard_seam1, _backboard_seam1_1)(x, vx, FIXED(9), FIXED(115));
             EACH(SET, _backboard_seam1_1, gap, nearing, near)
-            CALL(court_seam_free_time, _seam_free_time_2)(gap, free_time, near, nearing, FIXED(22), FIXED(162));
+            CALL(court_seam_free_time, _seam_free_time_2)(gap, free_time, near, nearing, FIXED(22), FIXED(163));
             EACH(SELECT, (_if_here_4, _seam_free_time_2), free_time)
-            CALL(court_backboard_seam2, _backboard_seam2_1)(y, vy, FIXED(10), FIXED(116));
+            CALL(court_backboard_seam2, _backboard_seam2_1)(y, vy, FIXED(10), FIXED(117));
             EACH(SET, _backboard_seam2_1, gap, nearing, near)
-            CALL(court_seam_free_time, _seam_free_time_3)(gap, free_time, near, nearing, FIXED(22), FIXED(162));
+            CALL(court_seam_free_time, _seam_free_time_3)(gap, free_time, near, nearing, FIXED(22), FIXED(163));
             EACH(SELECT, (_if_here_4, _seam_free_time_3), free_time)
-            CALL(court_backboard_seam3, _backboard_seam3_1)(y, vy, FIXED(10), FIXED(116));
+            CALL(court_backboard_seam3, _backboard_seam3_1)(y, vy, FIXED(10), FIXED(117));
             EACH(SET, _backboard_seam3_1, gap, nearing, near)
-            CALL(court_seam_free_time, _seam_free_time_4)(gap, free_time, near, nearing, FIXED(22), FIXED(162));
+            CALL(court_seam_free_time, _seam_free_time_4)(gap, free_time, near, nearing, FIXED(22), FIXED(163));
             EACH(SELECT, (_if_here_4, _seam_free_time_4), free_time)
-            CALL(court_backboard_seam4, _backboard_seam4_1)(z, vz, FIXED(11), FIXED(118));
+            CALL(court_backboard_seam4, _backboard_seam4_1)(z, vz, FIXED(11), FIXED(119));
             EACH(SET, _backboard_seam4_1, gap, nearing, near)
-            CALL(court_seam_free_time, _seam_free_time_5)(gap, free_time, near, nearing, FIXED(22), FIXED(162));
+            CALL(court_seam_free_time, _seam_free_time_5)(gap, free_time, near, nearing, FIXED(22), FIXED(163));
             EACH(SELECT, (_if_here_4, _seam_free_time_5), free_time)
-            CALL(court_backboard_seam5, _backboard_seam5_1)(z, vz, FIXED(12), FIXED(118));
+            CALL(court_backboard_seam5, _backboard_seam5_1)(z, vz, FIXED(12), FIXED(119));
             EACH(SET, _backboard_seam5_1, gap, nearing, near)
-            CALL(court_seam_free_time, _seam_free_time_6)(gap, free_time, near, nearing, FIXED(22), FIXED(162));
+            CALL(court_seam_free_time, _seam_free_time_6)(gap, free_time, near, nearing, FIXED(22), FIXED(163));
             EACH(SELECT, (_if_here_4, _seam_free_time_6), free_time)
         }
         CALL(court_holding, _holding_5)(K(2.0), held);
         EACH(SET, _holding_5, here)
         const M _if_here_5 = lanes_both(rows, here);
         if (lanes_any(_if_here_5)) {
-            CALL(court_bridge_seam0, _bridge_seam0_1)(x, vx, FIXED(9), FIXED(120));
+            CALL(court_bridge_seam0, _bridge_seam0_1)(x, vx, FIXED(9), FIXED(121));
             EACH(GET, _bridge_seam0_1, gap, nearing, near)
-            CALL(court_seam_free_time, _seam_free_time_7)(gap, free_time, near, nearing, FIXED(22), FIXED(162));
+            CALL(court_seam_free_time, _seam_free_time_7)(gap, free_time, near, nearing, FIXED(22), FIXED(163));
             EACH(SELECT, (_if_here_5, _seam_free_time_7), free_time)
-            CALL(court_bridge_seam1, _bridge_seam1_1)(x, vx, FIXED(7), FIXED(120));
+            CALL(court_bridge_seam1, _bridge_seam1_1)(x, vx, FIXED(7), FIXED(121));
             EACH(SET, _bridge_seam1_1, gap, nearing, near)
-            CALL(court_seam_free_time, _seam_free_time_8)(gap, free_time, near, nearing, FIXED(22), FIXED(162));
+            CALL(court_seam_free_time, _seam_free_time_8)(gap, free_time, near, nearing, FIXED(22), FIXED(163));
             EACH(SELECT, (_if_here_5, _seam_free_time_8), free_time)
-            CALL(court_bridge_seam2, _bridge_seam2_1)(y, vy, FIXED(13), FIXED(122));
+            CALL(court_bridge_seam2, _bridge_seam2_1)(y, vy, FIXED(13), FIXED(123));
             EACH(SET, _bridge_seam2_1, gap, nearing, near)
-            CALL(court_seam_free_time, _seam_free_time_9)(gap, free_time, near, nearing, FIXED(22), FIXED(162));
+            CALL(court_seam_free_time, _seam_free_time_9)(gap, free_time, near, nearing, FIXED(22), FIXED(163));
             EACH(SELECT, (_if_here_5, _seam_free_time_9), free_time)
-            CALL(court_bridge_seam3, _bridge_seam3_1)(y, vy, FIXED(13), FIXED(122));
+            CALL(court_bridge_seam3, _bridge_seam3_1)(y, vy, FIXED(13), FIXED(123));
             EACH(SET, _bridge_seam3_1, gap, nearing, near)
-            CALL(court_seam_free_time, _seam_free_time_10)(gap, free_time, near, nearing, FIXED(22), FIXED(162));
+            CALL(court_seam_free_time, _seam_free_time_10)(gap, free_time, near, nearing, FIXED(22), FIXED(163));
             EACH(SELECT, (_if_here_5, _seam_free_time_10), free_time)
-            CALL(court_bridge_seam4, _bridge_seam4_1)(z, vz, FIXED(134), FIXED(8), FIXED(124));
+            CALL(court_bridge_seam4, _bridge_seam4_1)(z, vz, FIXED(135), FIXED(8), FIXED(125));
             EACH(SET, _bridge_seam4_1, gap, nearing, near)
-            CALL(court_seam_free_time, _seam_free_time_11)(gap, free_time, near, nearing, FIXED(22), FIXED(162));
+            CALL(court_seam_free_time, _seam_free_time_11)(gap, free_time, near, nearing, FIXED(22), FIXED(163));
             EACH(SELECT, (_if_here_5, _seam_free_time_11), free_time)
-            CALL(court_bridge_seam5, _bridge_seam5_1)(z, vz, FIXED(8), FIXED(124));
+            CALL(court_bridge_seam5, _bridge_seam5_1)(z, vz, FIXED(8), FIXED(125));
             EACH(SET, _bridge_seam5_1, gap, nearing, near)
-            CALL(court_seam_free_time, _seam_free_time_12)(gap, free_time, near, nearing, FIXED(22), FIXED(162));
+            CALL(court_seam_free_time, _seam_free_time_12)(gap, free_time, near, nearing, FIXED(22), FIXED(163));
             EACH(SELECT, (_if_here_5, _seam_free_time_12), free_time)
         }
-        CALL(court_separated, _separated_1)(vx, vy, vz, OR_INFINITE(undecided_time), OR_ZERO(position_error), OR_ZERO(velocity_error), clock, time_limit, per_reach, free_time, lift, gap_jerk, gap_snap, FIXED(21), FIXED(161), FIXED(132));
+        CALL(court_separated, _separated_1)(vx, vy, vz, OR_INFINITE(undecided_time), OR_ZERO(position_error), OR_ZERO(velocity_error), clock, time_limit, per_reach, free_time, lift, gap_jerk, gap_snap, FIXED(21), FIXED(162), FIXED(133));
         EACH(GET, _separated_1, when)
         BOUNDS(EACH(SET, _separated_1, undecided_time))
         CALL(court_detachment, _detachment_1)();
@@ -1768,15 +1770,15 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
             CALL(court_holding, _holding_2)(K(1.0), held);
             EACH(SET, _holding_2, here)
             const M _if_here_2 = lanes_both(_if_begins_1, here);
-            {
-                CALL(court_backboard_normal, _backboard_normal_1)(x, y, z, FIXED(9), FIXED(10), FIXED(11), FIXED(12), FIXED(109), FIXED(15));
+            if (lanes_any(_if_here_2)) {
+                CALL(court_backboard_normal, _backboard_normal_1)(x, y, z, FIXED(9), FIXED(10), FIXED(11), FIXED(12), FIXED(15), FIXED(109));
                 EACH(SELECT, (_if_here_2, _backboard_normal_1), nx, ny, nz)
             }
             CALL(court_holding, _holding_3)(K(2.0), held);
             EACH(SET, _holding_3, here)
             const M _if_here_3 = lanes_both(_if_begins_1, here);
-            {
-                CALL(court_bridge_normal, _bridge_normal_1)(x, y, z, FIXED(7), FIXED(8), FIXED(9), FIXED(13), FIXED(109), FIXED(16));
+            if (lanes_any(_if_here_3)) {
+                CALL(court_bridge_normal, _bridge_normal_1)(x, y, z, FIXED(7), FIXED(8), FIXED(9), FIXED(13), FIXED(16), FIXED(109));
                 EACH(SELECT, (_if_here_3, _bridge_normal_1), nx, ny, nz)
             }
             CALL(court_roll_turn_rate, _roll_turn_rate_1)(nx, ny, nz, wx, wy, wz, FIXED(6));
@@ -1804,10 +1806,10 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
                 CALL(court_bridge_distance, _bridge_distance_1)(x, y, z, FIXED(6), FIXED(9), FIXED(13), FIXED(7), FIXED(8), FIXED(16));
                 EACH(SELECT, (_if_here_6, _bridge_distance_1), gap)
             }
-            CALL(court_roll_placed, _roll_placed_1)(x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, gap, turn_rate, FIXED(109));
+            CALL(court_roll_placed, _roll_placed_1)(x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, gap, turn_rate, FIXED(111));
             EACH(SELECT, (_if_begins_1, _roll_placed_1), x, y, z, vx, vy, vz, wx, wy, wz)
 #if BOUNDED
-            CALL(court_jump_errors, _jump_errors_1)(vx, vy, vz, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz, FIXED(6), FIXED(111), FIXED(112), FIXED(113));
+            CALL(court_jump_errors, _jump_errors_1)(vx, vy, vz, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz, FIXED(6), FIXED(112), FIXED(113), FIXED(114));
             EACH(SELECT, (_if_begins_1, _jump_errors_1), dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz)
             CALL(court_forget_grip_deficit, _forget_grip_deficit_1)();
             EACH(SELECT, (_if_begins_1, _forget_grip_deficit_1), last_grip_deficit)
@@ -1901,9 +1903,9 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
             EACH(GET_MASK, _holding_1, here)
             const M _if_here_1 = lanes_both(active, here);
             if (lanes_any(_if_here_1)) {
-                CALL(court_backboard_normal, _backboard_normal_1)(x, y, z, FIXED(9), FIXED(10), FIXED(11), FIXED(12), FIXED(109), FIXED(15));
+                CALL(court_backboard_normal, _backboard_normal_1)(x, y, z, FIXED(9), FIXED(10), FIXED(11), FIXED(12), FIXED(15), FIXED(109));
                 EACH(SELECT, (_if_here_1, _backboard_normal_1), nx, ny, nz)
-                CALL(court_backboard_rolling_surface, _backboard_rolling_surface_1)(x, y, z, vx, vy, vz, FIXED(11), FIXED(9), FIXED(10), FIXED(12), FIXED(114), FIXED(115), FIXED(15), FIXED(116), FIXED(117), FIXED(118), FIXED(119), FIXED(109));
+                CALL(court_backboard_rolling_surface, _backboard_rolling_surface_1)(x, y, z, vx, vy, vz, FIXED(11), FIXED(9), FIXED(10), FIXED(12), FIXED(115), FIXED(116), FIXED(15), FIXED(117), FIXED(118), FIXED(119), FIXED(120), FIXED(111));
                 EACH(SELECT, (_if_here_1, _backboard_rolling_surface_1), bent_x, bent_y, bent_z)
                 EACH(SELECT, (_if_here_1, _backboard_rolling_surface_1), per_reach)
             }
@@ -1911,38 +1913,38 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
             EACH(SET, _holding_2, here)
             const M _if_here_2 = lanes_both(active, here);
             if (lanes_any(_if_here_2)) {
-                CALL(court_bridge_normal, _bridge_normal_1)(x, y, z, FIXED(7), FIXED(8), FIXED(9), FIXED(13), FIXED(109), FIXED(16));
+                CALL(court_bridge_normal, _bridge_normal_1)(x, y, z, FIXED(7), FIXED(8), FIXED(9), FIXED(13), FIXED(16), FIXED(109));
                 EACH(SELECT, (_if_here_2, _bridge_normal_1), nx, ny, nz)
-                CALL(court_bridge_rolling_surface, _bridge_rolling_surface_1)(x, y, z, vx, vy, vz, FIXED(9), FIXED(13), FIXED(7), FIXED(8), FIXED(120), FIXED(121), FIXED(122), FIXED(123), FIXED(124), FIXED(125), FIXED(16), FIXED(109));
+                CALL(court_bridge_rolling_surface, _bridge_rolling_surface_1)(x, y, z, vx, vy, vz, FIXED(9), FIXED(13), FIXED(7), FIXED(8), FIXED(121), FIXED(122), FIXED(123), FIXED(124), FIXED(125), FIXED(126), FIXED(16), FIXED(111));
                 EACH(SELECT, (_if_here_2, _bridge_rolling_surface_1), bent_x, bent_y, bent_z)
                 EACH(SELECT, (_if_here_2, _bridge_rolling_surface_1), per_reach)
             }
             CALL(court_roll_start, _roll_start_1)(nx, ny, nz, vx, vy, vz, wx, wy, wz, FIXED(6));
             EACH(GET, _roll_start_1, vx_0, vy_0, vz_0, nx_0, ny_0, nz_0, turn_rate_0)
-            CALL(court_roll_0, _roll_0_1)(nx_0, ny_0, nz_0, vx_0, vy_0, vz_0, bent_x, bent_y, bent_z, per_reach, turn_rate_0, FIXED(21), FIXED(126), FIXED(110), FIXED(127));
+            CALL(court_roll_0, _roll_0_1)(nx_0, ny_0, nz_0, vx_0, vy_0, vz_0, bent_x, bent_y, bent_z, per_reach, turn_rate_0, FIXED(21), FIXED(127), FIXED(110), FIXED(128));
             EACH(GET, _roll_0_1, lift_0, tx_0, ty_0, tz_0, vx_1, vy_1, vz_1, nx_1, ny_1, nz_1)
             EACH(GET, _roll_0_1, turn_rate_1)
-            CALL(court_roll_1, _roll_1_1)(nx_0, nx_1, ny_0, ny_1, nz_0, nz_1, vx_0, vx_1, vy_0, vy_1, vz_0, vz_1, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, lift_0, tx_0, ty_0, tz_0, FIXED(21), FIXED(126), FIXED(110));
+            CALL(court_roll_1, _roll_1_1)(nx_0, nx_1, ny_0, ny_1, nz_0, nz_1, vx_0, vx_1, vy_0, vy_1, vz_0, vz_1, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, lift_0, tx_0, ty_0, tz_0, FIXED(21), FIXED(127), FIXED(110));
             EACH(GET, _roll_1_1, lift_1, tx_1, ty_1, tz_1, vx_2, vy_2, vz_2, nx_2, ny_2, nz_2)
             EACH(GET, _roll_1_1, turn_rate_2)
-            CALL(court_roll_2, _roll_2_1)(nx_0, nx_1, nx_2, ny_0, ny_1, ny_2, nz_0, nz_1, nz_2, vx_0, vx_1, vx_2, vy_0, vy_1, vy_2, vz_0, vz_1, vz_2, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, lift_0, lift_1, tx_0, tx_1, ty_0, ty_1, tz_0, tz_1, FIXED(21), FIXED(126), FIXED(110));
+            CALL(court_roll_2, _roll_2_1)(nx_0, nx_1, nx_2, ny_0, ny_1, ny_2, nz_0, nz_1, nz_2, vx_0, vx_1, vx_2, vy_0, vy_1, vy_2, vz_0, vz_1, vz_2, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, lift_0, lift_1, tx_0, tx_1, ty_0, ty_1, tz_0, tz_1, FIXED(21), FIXED(127), FIXED(110));
             EACH(GET, _roll_2_1, lift_2, tx_2, ty_2, tz_2, vx_3, vy_3, vz_3, nx_3, ny_3, nz_3)
             EACH(GET, _roll_2_1, turn_rate_3)
-            CALL(court_roll_3, _roll_3_1)(nx_0, nx_1, nx_2, nx_3, ny_0, ny_1, ny_2, ny_3, nz_0, nz_1, nz_2, nz_3, vx_0, vx_1, vx_2, vx_3, vy_0, vy_1, vy_2, vy_3, vz_0, vz_1, vz_2, vz_3, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, lift_0, lift_1, lift_2, tx_0, tx_1, tx_2, ty_0, ty_1, ty_2, tz_0, tz_1, tz_2, FIXED(21), FIXED(126), FIXED(110));
+            CALL(court_roll_3, _roll_3_1)(nx_0, nx_1, nx_2, nx_3, ny_0, ny_1, ny_2, ny_3, nz_0, nz_1, nz_2, nz_3, vx_0, vx_1, vx_2, vx_3, vy_0, vy_1, vy_2, vy_3, vz_0, vz_1, vz_2, vz_3, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, lift_0, lift_1, lift_2, tx_0, tx_1, tx_2, ty_0, ty_1, ty_2, tz_0, tz_1, tz_2, FIXED(21), FIXED(127), FIXED(110));
             EACH(GET, _roll_3_1, lift_3, tx_3, ty_3, tz_3, vx_4, vy_4, vz_4, nx_4, ny_4, nz_4)
             EACH(GET, _roll_3_1, turn_rate_4)
-            CALL(court_roll_4, _roll_4_1)(nx_0, nx_1, nx_2, nx_3, nx_4, ny_0, ny_1, ny_2, ny_3, ny_4, nz_0, nz_1, nz_2, nz_3, nz_4, vx_0, vx_1, vx_2, vx_3, vx_4, vy_0, vy_1, vy_2, vy_3, vy_4, vz_0, vz_1, vz_2, vz_3, vz_4, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, lift_0, lift_1, lift_2, lift_3, tx_0, tx_1, tx_2, tx_3, ty_0, ty_1, ty_2, ty_3, tz_0, tz_1, tz_2, tz_3, FIXED(21), FIXED(126), FIXED(110));
+            CALL(court_roll_4, _roll_4_1)(nx_0, nx_1, nx_2, nx_3, nx_4, ny_0, ny_1, ny_2, ny_3, ny_4, nz_0, nz_1, nz_2, nz_3, nz_4, vx_0, vx_1, vx_2, vx_3, vx_4, vy_0, vy_1, vy_2, vy_3, vy_4, vz_0, vz_1, vz_2, vz_3, vz_4, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, lift_0, lift_1, lift_2, lift_3, tx_0, tx_1, tx_2, tx_3, ty_0, ty_1, ty_2, ty_3, tz_0, tz_1, tz_2, tz_3, FIXED(21), FIXED(127), FIXED(110));
             EACH(GET, _roll_4_1, lift_4, tx_4, ty_4, tz_4, vx_5, vy_5, vz_5, nx_5, ny_5, nz_5)
             EACH(GET, _roll_4_1, turn_rate_5)
-            CALL(court_roll_5, _roll_5_1)(nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, lift_0, lift_1, lift_2, lift_3, lift_4, tx_0, tx_1, tx_2, tx_3, tx_4, ty_0, ty_1, ty_2, ty_3, ty_4, tz_0, tz_1, tz_2, tz_3, tz_4, FIXED(21), FIXED(126), FIXED(110));
+            CALL(court_roll_5, _roll_5_1)(nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, lift_0, lift_1, lift_2, lift_3, lift_4, tx_0, tx_1, tx_2, tx_3, tx_4, ty_0, ty_1, ty_2, ty_3, ty_4, tz_0, tz_1, tz_2, tz_3, tz_4, FIXED(21), FIXED(127), FIXED(110));
             EACH(GET, _roll_5_1, lift_5, tx_5, ty_5, tz_5, vx_6, vy_6, vz_6, nx_6, ny_6, nz_6)
             EACH(GET, _roll_5_1, turn_rate_6)
-            CALL(court_roll_6, _roll_6_1)(nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, FIXED(21), FIXED(126), FIXED(110));
+            CALL(court_roll_6, _roll_6_1)(nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, FIXED(21), FIXED(127), FIXED(110));
             EACH(GET, _roll_6_1, lift_6, tx_6, ty_6, tz_6, vx_7, vy_7, vz_7, nx_7, ny_7, nz_7)
             EACH(GET, _roll_6_1, turn_rate_7)
-            CALL(court_roll_7, _roll_7_1)(nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, nx_7, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, ny_7, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, nz_7, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, lift_6, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, tx_6, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, ty_6, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, tz_6, FIXED(21), FIXED(126), FIXED(110));
+            CALL(court_roll_7, _roll_7_1)(nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, nx_7, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, ny_7, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, nz_7, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, lift_6, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, tx_6, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, ty_6, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, tz_6, FIXED(21), FIXED(127), FIXED(110));
             EACH(GET, _roll_7_1, lift_7, vx_8, vy_8, vz_8, nx_8, ny_8, nz_8, turn_rate_8)
-            CALL(court_roll_step, _roll_step_1)(nx_8, ny_8, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, nz_7, nz_8, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vx_8, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vy_8, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, vz_8, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, lift_6, lift_7, FIXED(21), FIXED(128), FIXED(110));
+            CALL(court_roll_step, _roll_step_1)(nx_8, ny_8, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, nz_7, nz_8, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vx_8, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vy_8, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, vz_8, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, lift_6, lift_7, FIXED(21), FIXED(129), FIXED(110));
             EACH(GET, _roll_step_1, stride, strongest, fastest, force, force_rate, force_bend)
             EACH(GET, _roll_step_1, friction_force_rate)
 #if BOUNDED
@@ -1954,7 +1956,7 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
             EACH(SET, _holding_3, here)
             const M _if_here_3 = lanes_both(active, here);
             {
-                CALL(court_ring_impact_grip_deficit, _ring_impact_grip_deficit_1)(rolling_friction, rolling_friction_rate, force, force_rate, FIXED(129));
+                CALL(court_ring_impact_grip_deficit, _ring_impact_grip_deficit_1)(rolling_friction, rolling_friction_rate, force, force_rate, FIXED(130));
                 EACH(SELECT, (_if_here_3, _ring_impact_grip_deficit_1), grip_deficit)
                 EACH(SELECT, (_if_here_3, _ring_impact_grip_deficit_1), grip_deficit_rate)
             }
@@ -1962,7 +1964,7 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
             EACH(SET, _holding_4, here)
             const M _if_here_4 = lanes_both(active, here);
             {
-                CALL(court_ring_impact_grip_deficit, _ring_impact_grip_deficit_2)(rolling_friction, rolling_friction_rate, force, force_rate, FIXED(130));
+                CALL(court_ring_impact_grip_deficit, _ring_impact_grip_deficit_2)(rolling_friction, rolling_friction_rate, force, force_rate, FIXED(131));
                 EACH(SELECT, (_if_here_4, _ring_impact_grip_deficit_2), grip_deficit)
                 EACH(SELECT, (_if_here_4, _ring_impact_grip_deficit_2), grip_deficit_rate)
             }
@@ -1977,7 +1979,7 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
             EACH(SET, _remember_grip_deficit_1, last_grip_deficit, last_grip_deficit_rate)
             EACH(SET, _remember_grip_deficit_1, last_grip_clock)
 #endif
-            CALL(court_leaving_force, _leaving_force_1)(vx, vx_1, vy, vy_1, vz, vz_1, which, OR_INFINITE(undecided_time), OR_ZERO(position_error), OR_ZERO(velocity_error), per_reach, force, force_rate, force_bend, friction_force_rate, stride, fastest, FIXED(21), FIXED(131), FIXED(132));
+            CALL(court_leaving_force, _leaving_force_1)(vx, vx_1, vy, vy_1, vz, vz_1, which, OR_INFINITE(undecided_time), OR_ZERO(position_error), OR_ZERO(velocity_error), per_reach, force, force_rate, force_bend, friction_force_rate, stride, fastest, FIXED(21), FIXED(132), FIXED(133));
             EACH(SET, _leaving_force_1, stride, which)
             EACH(GET_MASK, _leaving_force_1, rests)
             BOUNDS(EACH(SET, _leaving_force_1, undecided_time))
@@ -1985,9 +1987,9 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
             EACH(GET_MASK, _beside_1, beside)
             const M _if_beside_1 = lanes_both(active, beside);
             if (lanes_any(_if_beside_1)) {
-                CALL(court_ring_beside, _ring_beside_1)(x, y, z, vx, vy, vz, FIXED(6), FIXED(7), FIXED(8), FIXED(40), FIXED(133));
+                CALL(court_ring_beside, _ring_beside_1)(x, y, z, vx, vy, vz, FIXED(6), FIXED(7), FIXED(8), FIXED(40), FIXED(134));
                 EACH(GET, _ring_beside_1, gap, nearing, gap_curvature)
-                CALL(court_beside_body, _beside_body_1)(x, y, z, gap, K(0.0), which, OR_ZERO(earliest_delay), OR_INFINITE(undecided_time), OR_ZERO(position_error), nearing, gap_curvature, stride, strongest, fastest, FIXED(6), FIXED(111));
+                CALL(court_beside_body, _beside_body_1)(x, y, z, gap, K(0.0), which, OR_ZERO(earliest_delay), OR_INFINITE(undecided_time), OR_ZERO(position_error), nearing, gap_curvature, stride, strongest, fastest, FIXED(6), FIXED(112));
                 EACH(SELECT, (_if_beside_1, _beside_body_1), stride, which)
                 BOUNDS(EACH(SELECT, (_if_beside_1, _beside_body_1), undecided_time, earliest_delay))
             }
@@ -1997,7 +1999,7 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
             if (lanes_any(_if_beside_2)) {
                 CALL(court_backboard_beside, _backboard_beside_1)(x, y, z, vx, vy, vz, FIXED(6), FIXED(11), FIXED(9), FIXED(10), FIXED(12), FIXED(15));
                 EACH(GET, _backboard_beside_1, gap, nearing, gap_curvature)
-                CALL(court_beside_body, _beside_body_2)(x, y, z, gap, K(1.0), which, OR_ZERO(earliest_delay), OR_INFINITE(undecided_time), OR_ZERO(position_error), nearing, gap_curvature, stride, strongest, fastest, FIXED(6), FIXED(111));
+                CALL(court_beside_body, _beside_body_2)(x, y, z, gap, K(1.0), which, OR_ZERO(earliest_delay), OR_INFINITE(undecided_time), OR_ZERO(position_error), nearing, gap_curvature, stride, strongest, fastest, FIXED(6), FIXED(112));
                 EACH(SELECT, (_if_beside_2, _beside_body_2), stride, which)
                 BOUNDS(EACH(SELECT, (_if_beside_2, _beside_body_2), undecided_time, earliest_delay))
             }
@@ -2007,7 +2009,7 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
             if (lanes_any(_if_beside_3)) {
                 CALL(court_bridge_beside, _bridge_beside_1)(x, y, z, vx, vy, vz, FIXED(6), FIXED(9), FIXED(13), FIXED(7), FIXED(8), FIXED(16));
                 EACH(GET, _bridge_beside_1, gap, nearing, gap_curvature)
-                CALL(court_beside_body, _beside_body_3)(x, y, z, gap, K(2.0), which, OR_ZERO(earliest_delay), OR_INFINITE(undecided_time), OR_ZERO(position_error), nearing, gap_curvature, stride, strongest, fastest, FIXED(6), FIXED(111));
+                CALL(court_beside_body, _beside_body_3)(x, y, z, gap, K(2.0), which, OR_ZERO(earliest_delay), OR_INFINITE(undecided_time), OR_ZERO(position_error), nearing, gap_curvature, stride, strongest, fastest, FIXED(6), FIXED(112));
                 EACH(SELECT, (_if_beside_3, _beside_body_3), stride, which)
                 BOUNDS(EACH(SELECT, (_if_beside_3, _beside_body_3), undecided_time, earliest_delay))
             }
@@ -2027,7 +2029,7 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
             const M _if_here_3 = lanes_both(active, here);
             if (lanes_any(_if_here_3)) {
 #endif
-                CALL(court_backboard_seam0, _backboard_seam0_1)(x, vx, FIXED(15), FIXED(114));
+                CALL(court_backboard_seam0, _backboard_seam0_1)(x, vx, FIXED(15), FIXED(115));
 #if BOUNDED
                 EACH(SELECT, (_if_here_5, _backboard_seam0_1), gap)
 #else
@@ -2040,7 +2042,7 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
 #else
                 EACH(SELECT, (_if_here_3, _beside_seam_1), stride)
 #endif
-                CALL(court_backboard_seam1, _backboard_seam1_1)(x, vx, FIXED(9), FIXED(114));
+                CALL(court_backboard_seam1, _backboard_seam1_1)(x, vx, FIXED(9), FIXED(115));
 #if BOUNDED
                 EACH(SELECT, (_if_here_5, _backboard_seam1_1), gap)
 #else
@@ -2053,7 +2055,7 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
 #else
                 EACH(SELECT, (_if_here_3, _beside_seam_2), stride)
 #endif
-                CALL(court_backboard_seam2, _backboard_seam2_1)(y, vy, FIXED(10), FIXED(116));
+                CALL(court_backboard_seam2, _backboard_seam2_1)(y, vy, FIXED(10), FIXED(117));
 #if BOUNDED
                 EACH(SELECT, (_if_here_5, _backboard_seam2_1), gap)
 #else
@@ -2066,7 +2068,7 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
 #else
                 EACH(SELECT, (_if_here_3, _beside_seam_3), stride)
 #endif
-                CALL(court_backboard_seam3, _backboard_seam3_1)(y, vy, FIXED(10), FIXED(116));
+                CALL(court_backboard_seam3, _backboard_seam3_1)(y, vy, FIXED(10), FIXED(117));
 #if BOUNDED
                 EACH(SELECT, (_if_here_5, _backboard_seam3_1), gap)
 #else
@@ -2079,7 +2081,7 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
 #else
                 EACH(SELECT, (_if_here_3, _beside_seam_4), stride)
 #endif
-                CALL(court_backboard_seam4, _backboard_seam4_1)(z, vz, FIXED(11), FIXED(118));
+                CALL(court_backboard_seam4, _backboard_seam4_1)(z, vz, FIXED(11), FIXED(119));
 #if BOUNDED
                 EACH(SELECT, (_if_here_5, _backboard_seam4_1), gap)
 #else
@@ -2092,7 +2094,7 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
 #else
                 EACH(SELECT, (_if_here_3, _beside_seam_5), stride)
 #endif
-                CALL(court_backboard_seam5, _backboard_seam5_1)(z, vz, FIXED(12), FIXED(118));
+                CALL(court_backboard_seam5, _backboard_seam5_1)(z, vz, FIXED(12), FIXED(119));
 #if BOUNDED
                 EACH(SELECT, (_if_here_5, _backboard_seam5_1), gap)
 #else
@@ -2117,7 +2119,7 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
             const M _if_here_4 = lanes_both(active, here);
             if (lanes_any(_if_here_4)) {
 #endif
-                CALL(court_bridge_seam0, _bridge_seam0_1)(x, vx, FIXED(9), FIXED(120));
+                CALL(court_bridge_seam0, _bridge_seam0_1)(x, vx, FIXED(9), FIXED(121));
 #if BOUNDED
                 EACH(SELECT, (_if_here_6, _bridge_seam0_1), gap)
 #else
@@ -2130,7 +2132,7 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
 #else
                 EACH(SELECT, (_if_here_4, _beside_seam_7), stride)
 #endif
-                CALL(court_bridge_seam1, _bridge_seam1_1)(x, vx, FIXED(7), FIXED(120));
+                CALL(court_bridge_seam1, _bridge_seam1_1)(x, vx, FIXED(7), FIXED(121));
 #if BOUNDED
                 EACH(SELECT, (_if_here_6, _bridge_seam1_1), gap)
 #else
@@ -2143,7 +2145,7 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
 #else
                 EACH(SELECT, (_if_here_4, _beside_seam_8), stride)
 #endif
-                CALL(court_bridge_seam2, _bridge_seam2_1)(y, vy, FIXED(13), FIXED(122));
+                CALL(court_bridge_seam2, _bridge_seam2_1)(y, vy, FIXED(13), FIXED(123));
 #if BOUNDED
                 EACH(SELECT, (_if_here_6, _bridge_seam2_1), gap)
 #else
@@ -2156,7 +2158,7 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
 #else
                 EACH(SELECT, (_if_here_4, _beside_seam_9), stride)
 #endif
-                CALL(court_bridge_seam3, _bridge_seam3_1)(y, vy, FIXED(13), FIXED(122));
+                CALL(court_bridge_seam3, _bridge_seam3_1)(y, vy, FIXED(13), FIXED(123));
 #if BOUNDED
                 EACH(SELECT, (_if_here_6, _bridge_seam3_1), gap)
 #else
@@ -2169,7 +2171,7 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
 #else
                 EACH(SELECT, (_if_here_4, _beside_seam_10), stride)
 #endif
-                CALL(court_bridge_seam4, _bridge_seam4_1)(z, vz, FIXED(134), FIXED(8), FIXED(124));
+                CALL(court_bridge_seam4, _bridge_seam4_1)(z, vz, FIXED(135), FIXED(8), FIXED(125));
 #if BOUNDED
                 EACH(SELECT, (_if_here_6, _bridge_seam4_1), gap)
 #else
@@ -2182,7 +2184,7 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
 #else
                 EACH(SELECT, (_if_here_4, _beside_seam_11), stride)
 #endif
-                CALL(court_bridge_seam5, _bridge_seam5_1)(z, vz, FIXED(8), FIXED(124));
+                CALL(court_bridge_seam5, _bridge_seam5_1)(z, vz, FIXED(8), FIXED(125));
 #if BOUNDED
                 EACH(SELECT, (_if_here_6, _bridge_seam5_1), gap)
 #else
@@ -2199,7 +2201,7 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
             CALL(court_beside_time, _beside_time_1)(which, clock, time_limit, stride);
             EACH(SET, _beside_time_1, stride, which)
 #if BOUNDED
-            CALL(court_neighbour_scale, _neighbour_scale_1)(dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz, FIXED(6), FIXED(135), FIXED(136));
+            CALL(court_neighbour_scale, _neighbour_scale_1)(dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz, FIXED(6), FIXED(136), FIXED(137));
             EACH(GET, _neighbour_scale_1, neighbour_scale)
             CALL(court_neighbour, _neighbour_1)(x, y, z, vx, vy, vz, wx, wy, wz, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz, neighbour_scale);
             EACH(GET, _neighbour_1, far_x, far_y, far_z, far_vx, far_vy, far_vz, far_wx, far_wy)
@@ -2221,7 +2223,7 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
             const M _if_here_5 = lanes_both(active, here);
             if (lanes_any(_if_here_5)) {
 #endif
-                CALL(court_backboard_normal, _backboard_normal_2)(x, y, z, FIXED(9), FIXED(10), FIXED(11), FIXED(12), FIXED(109), FIXED(15));
+                CALL(court_backboard_normal, _backboard_normal_2)(x, y, z, FIXED(9), FIXED(10), FIXED(11), FIXED(12), FIXED(15), FIXED(109));
 #if BOUNDED
                 EACH(SELECT, (_if_here_7, _backboard_normal_2), nx, ny, nz)
 #else
@@ -2245,7 +2247,7 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
             const M _if_here_6 = lanes_both(active, here);
             if (lanes_any(_if_here_6)) {
 #endif
-                CALL(court_bridge_normal, _bridge_normal_2)(x, y, z, FIXED(7), FIXED(8), FIXED(9), FIXED(13), FIXED(109), FIXED(16));
+                CALL(court_bridge_normal, _bridge_normal_2)(x, y, z, FIXED(7), FIXED(8), FIXED(9), FIXED(13), FIXED(16), FIXED(109));
 #if BOUNDED
                 EACH(SELECT, (_if_here_8, _bridge_normal_2), nx, ny, nz)
 #else
@@ -2258,7 +2260,7 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
                 EACH(SELECT, (_if_here_6, _bridge_distance_1), gap)
 #endif
             }
-            CALL(court_roll_placed, _roll_placed_1)(x, y, z, nx, ny, nz, vx, vy, vz, gap, turn_rate, FIXED(109));
+            CALL(court_roll_placed, _roll_placed_1)(x, y, z, nx, ny, nz, vx, vy, vz, gap, turn_rate, FIXED(111));
             EACH(SET, _roll_placed_1, x, y, z, vx, vy, vz, wx, wy, wz)
             CALL(court_passing_in_contact, _passing_in_contact_1)(x, y, z, through, over, FIXED(19));
             EACH(SET, _passing_in_contact_1, through)
@@ -2266,8 +2268,8 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
             CALL(court_holding, _holding_9)(K(1.0), held);
             EACH(SET, _holding_9, here)
             const M _if_here_9 = lanes_both(active, here);
-            {
-                CALL(court_backboard_normal, _backboard_normal_3)(far_x, far_y, far_z, FIXED(9), FIXED(10), FIXED(11), FIXED(12), FIXED(109), FIXED(15));
+            if (lanes_any(_if_here_9)) {
+                CALL(court_backboard_normal, _backboard_normal_3)(far_x, far_y, far_z, FIXED(9), FIXED(10), FIXED(11), FIXED(12), FIXED(15), FIXED(109));
                 far_nx = lanes_select(_if_here_9, _backboard_normal_3.nx, far_nx);
                 far_ny = lanes_select(_if_here_9, _backboard_normal_3.ny, far_ny);
                 far_nz = lanes_select(_if_here_9, _backboard_normal_3.nz, far_nz);
@@ -2275,8 +2277,8 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
             CALL(court_holding, _holding_10)(K(2.0), held);
             EACH(SET, _holding_10, here)
             const M _if_here_10 = lanes_both(active, here);
-            {
-                CALL(court_bridge_normal, _bridge_normal_3)(far_x, far_y, far_z, FIXED(7), FIXED(8), FIXED(9), FIXED(13), FIXED(109), FIXED(16));
+            if (lanes_any(_if_here_10)) {
+                CALL(court_bridge_normal, _bridge_normal_3)(far_x, far_y, far_z, FIXED(7), FIXED(8), FIXED(9), FIXED(13), FIXED(16), FIXED(109));
                 far_nx = lanes_select(_if_here_10, _bridge_normal_3.nx, far_nx);
                 far_ny = lanes_select(_if_here_10, _bridge_normal_3.ny, far_ny);
                 far_nz = lanes_select(_if_here_10, _bridge_normal_3.nz, far_nz);
@@ -2287,7 +2289,7 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
             EACH(SET, _holding_11, here)
             const M _if_here_11 = lanes_both(active, here);
             if (lanes_any(_if_here_11)) {
-                CALL(court_backboard_normal, _backboard_normal_4)(far_x, far_y, far_z, FIXED(9), FIXED(10), FIXED(11), FIXED(12), FIXED(109), FIXED(15));
+                CALL(court_backboard_normal, _backboard_normal_4)(far_x, far_y, far_z, FIXED(9), FIXED(10), FIXED(11), FIXED(12), FIXED(15), FIXED(109));
                 far_nx = lanes_select(_if_here_11, _backboard_normal_4.nx, far_nx);
                 far_ny = lanes_select(_if_here_11, _backboard_normal_4.ny, far_ny);
                 far_nz = lanes_select(_if_here_11, _backboard_normal_4.nz, far_nz);
@@ -2298,14 +2300,14 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
             EACH(SET, _holding_12, here)
             const M _if_here_12 = lanes_both(active, here);
             if (lanes_any(_if_here_12)) {
-                CALL(court_bridge_normal, _bridge_normal_4)(far_x, far_y, far_z, FIXED(7), FIXED(8), FIXED(9), FIXED(13), FIXED(109), FIXED(16));
+                CALL(court_bridge_normal, _bridge_normal_4)(far_x, far_y, far_z, FIXED(7), FIXED(8), FIXED(9), FIXED(13), FIXED(16), FIXED(109));
                 far_nx = lanes_select(_if_here_12, _bridge_normal_4.nx, far_nx);
                 far_ny = lanes_select(_if_here_12, _bridge_normal_4.ny, far_ny);
                 far_nz = lanes_select(_if_here_12, _bridge_normal_4.nz, far_nz);
                 CALL(court_bridge_distance, _bridge_distance_2)(far_x, far_y, far_z, FIXED(6), FIXED(9), FIXED(13), FIXED(7), FIXED(8), FIXED(16));
                 far_gap = lanes_select(_if_here_12, _bridge_distance_2.gap, far_gap);
             }
-            CALL(court_roll_placed, _roll_placed_2)(far_x, far_y, far_z, far_nx, far_ny, far_nz, far_vx, far_vy, far_vz, far_gap, turn_rate, FIXED(109));
+            CALL(court_roll_placed, _roll_placed_2)(far_x, far_y, far_z, far_nx, far_ny, far_nz, far_vx, far_vy, far_vz, far_gap, turn_rate, FIXED(111));
             far_x = _roll_placed_2.x;
             far_y = _roll_placed_2.y;
             far_z = _roll_placed_2.z;
@@ -2317,28 +2319,28 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
             far_wz = _roll_placed_2.wz;
             CALL(court_roll_start, _roll_start_2)(far_nx, far_ny, far_nz, far_vx, far_vy, far_vz, far_wx, far_wy, far_wz, FIXED(6));
             EACH(SET, _roll_start_2, vx_0, vy_0, vz_0, nx_0, ny_0, nz_0, turn_rate_0)
-            CALL(court_roll_0, _roll_0_2)(nx_0, ny_0, nz_0, vx_0, vy_0, vz_0, bent_x, bent_y, bent_z, per_reach, turn_rate_0, FIXED(21), FIXED(126), FIXED(110), FIXED(127));
+            CALL(court_roll_0, _roll_0_2)(nx_0, ny_0, nz_0, vx_0, vy_0, vz_0, bent_x, bent_y, bent_z, per_reach, turn_rate_0, FIXED(21), FIXED(127), FIXED(110), FIXED(128));
             EACH(SET, _roll_0_2, lift_0, tx_0, ty_0, tz_0, vx_1, vy_1, vz_1, nx_1, ny_1, nz_1)
             EACH(SET, _roll_0_2, turn_rate_1)
-            CALL(court_roll_1, _roll_1_2)(nx_0, nx_1, ny_0, ny_1, nz_0, nz_1, vx_0, vx_1, vy_0, vy_1, vz_0, vz_1, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, lift_0, tx_0, ty_0, tz_0, FIXED(21), FIXED(126), FIXED(110));
+            CALL(court_roll_1, _roll_1_2)(nx_0, nx_1, ny_0, ny_1, nz_0, nz_1, vx_0, vx_1, vy_0, vy_1, vz_0, vz_1, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, lift_0, tx_0, ty_0, tz_0, FIXED(21), FIXED(127), FIXED(110));
             EACH(SET, _roll_1_2, lift_1, tx_1, ty_1, tz_1, vx_2, vy_2, vz_2, nx_2, ny_2, nz_2)
             EACH(SET, _roll_1_2, turn_rate_2)
-            CALL(court_roll_2, _roll_2_2)(nx_0, nx_1, nx_2, ny_0, ny_1, ny_2, nz_0, nz_1, nz_2, vx_0, vx_1, vx_2, vy_0, vy_1, vy_2, vz_0, vz_1, vz_2, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, lift_0, lift_1, tx_0, tx_1, ty_0, ty_1, tz_0, tz_1, FIXED(21), FIXED(126), FIXED(110));
+            CALL(court_roll_2, _roll_2_2)(nx_0, nx_1, nx_2, ny_0, ny_1, ny_2, nz_0, nz_1, nz_2, vx_0, vx_1, vx_2, vy_0, vy_1, vy_2, vz_0, vz_1, vz_2, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, lift_0, lift_1, tx_0, tx_1, ty_0, ty_1, tz_0, tz_1, FIXED(21), FIXED(127), FIXED(110));
             EACH(SET, _roll_2_2, lift_2, tx_2, ty_2, tz_2, vx_3, vy_3, vz_3, nx_3, ny_3, nz_3)
             EACH(SET, _roll_2_2, turn_rate_3)
-            CALL(court_roll_3, _roll_3_2)(nx_0, nx_1, nx_2, nx_3, ny_0, ny_1, ny_2, ny_3, nz_0, nz_1, nz_2, nz_3, vx_0, vx_1, vx_2, vx_3, vy_0, vy_1, vy_2, vy_3, vz_0, vz_1, vz_2, vz_3, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, lift_0, lift_1, lift_2, tx_0, tx_1, tx_2, ty_0, ty_1, ty_2, tz_0, tz_1, tz_2, FIXED(21), FIXED(126), FIXED(110));
+            CALL(court_roll_3, _roll_3_2)(nx_0, nx_1, nx_2, nx_3, ny_0, ny_1, ny_2, ny_3, nz_0, nz_1, nz_2, nz_3, vx_0, vx_1, vx_2, vx_3, vy_0, vy_1, vy_2, vy_3, vz_0, vz_1, vz_2, vz_3, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, lift_0, lift_1, lift_2, tx_0, tx_1, tx_2, ty_0, ty_1, ty_2, tz_0, tz_1, tz_2, FIXED(21), FIXED(127), FIXED(110));
             EACH(SET, _roll_3_2, lift_3, tx_3, ty_3, tz_3, vx_4, vy_4, vz_4, nx_4, ny_4, nz_4)
             EACH(SET, _roll_3_2, turn_rate_4)
-            CALL(court_roll_4, _roll_4_2)(nx_0, nx_1, nx_2, nx_3, nx_4, ny_0, ny_1, ny_2, ny_3, ny_4, nz_0, nz_1, nz_2, nz_3, nz_4, vx_0, vx_1, vx_2, vx_3, vx_4, vy_0, vy_1, vy_2, vy_3, vy_4, vz_0, vz_1, vz_2, vz_3, vz_4, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, lift_0, lift_1, lift_2, lift_3, tx_0, tx_1, tx_2, tx_3, ty_0, ty_1, ty_2, ty_3, tz_0, tz_1, tz_2, tz_3, FIXED(21), FIXED(126), FIXED(110));
+            CALL(court_roll_4, _roll_4_2)(nx_0, nx_1, nx_2, nx_3, nx_4, ny_0, ny_1, ny_2, ny_3, ny_4, nz_0, nz_1, nz_2, nz_3, nz_4, vx_0, vx_1, vx_2, vx_3, vx_4, vy_0, vy_1, vy_2, vy_3, vy_4, vz_0, vz_1, vz_2, vz_3, vz_4, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, lift_0, lift_1, lift_2, lift_3, tx_0, tx_1, tx_2, tx_3, ty_0, ty_1, ty_2, ty_3, tz_0, tz_1, tz_2, tz_3, FIXED(21), FIXED(127), FIXED(110));
             EACH(SET, _roll_4_2, lift_4, tx_4, ty_4, tz_4, vx_5, vy_5, vz_5, nx_5, ny_5, nz_5)
             EACH(SET, _roll_4_2, turn_rate_5)
-            CALL(court_roll_5, _roll_5_2)(nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, lift_0, lift_1, lift_2, lift_3, lift_4, tx_0, tx_1, tx_2, tx_3, tx_4, ty_0, ty_1, ty_2, ty_3, ty_4, tz_0, tz_1, tz_2, tz_3, tz_4, FIXED(21), FIXED(126), FIXED(110));
+            CALL(court_roll_5, _roll_5_2)(nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, lift_0, lift_1, lift_2, lift_3, lift_4, tx_0, tx_1, tx_2, tx_3, tx_4, ty_0, ty_1, ty_2, ty_3, ty_4, tz_0, tz_1, tz_2, tz_3, tz_4, FIXED(21), FIXED(127), FIXED(110));
             EACH(SET, _roll_5_2, lift_5, tx_5, ty_5, tz_5, vx_6, vy_6, vz_6, nx_6, ny_6, nz_6)
             EACH(SET, _roll_5_2, turn_rate_6)
-            CALL(court_roll_6, _roll_6_2)(nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, FIXED(21), FIXED(126), FIXED(110));
+            CALL(court_roll_6, _roll_6_2)(nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, FIXED(21), FIXED(127), FIXED(110));
             EACH(SET, _roll_6_2, lift_6, tx_6, ty_6, tz_6, vx_7, vy_7, vz_7, nx_7, ny_7, nz_7)
             EACH(SET, _roll_6_2, turn_rate_7)
-            CALL(court_roll_7, _roll_7_2)(nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, nx_7, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, ny_7, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, nz_7, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, lift_6, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, tx_6, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, ty_6, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, tz_6, FIXED(21), FIXED(126), FIXED(110));
+            CALL(court_roll_7, _roll_7_2)(nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, nx_7, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, ny_7, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, nz_7, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, lift_6, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, tx_6, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, ty_6, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, tz_6, FIXED(21), FIXED(127), FIXED(110));
             EACH(SET, _roll_7_2, vx_8, vy_8, vz_8, turn_rate_8)
             CALL(court_roll_moved, _roll_moved_2)(far_x, far_y, far_z, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vx_8, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vy_8, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, vz_8, stride, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8);
             far_x = _roll_moved_2.x;
@@ -2352,7 +2354,7 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
             EACH(SET, _holding_13, here)
             const M _if_here_13 = lanes_both(active, here);
             if (lanes_any(_if_here_13)) {
-                CALL(court_backboard_normal, _backboard_normal_5)(far_x, far_y, far_z, FIXED(9), FIXED(10), FIXED(11), FIXED(12), FIXED(109), FIXED(15));
+                CALL(court_backboard_normal, _backboard_normal_5)(far_x, far_y, far_z, FIXED(9), FIXED(10), FIXED(11), FIXED(12), FIXED(15), FIXED(109));
                 far_nx = lanes_select(_if_here_13, _backboard_normal_5.nx, far_nx);
                 far_ny = lanes_select(_if_here_13, _backboard_normal_5.ny, far_ny);
                 far_nz = lanes_select(_if_here_13, _backboard_normal_5.nz, far_nz);
@@ -2363,14 +2365,14 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
             EACH(SET, _holding_14, here)
             const M _if_here_14 = lanes_both(active, here);
             if (lanes_any(_if_here_14)) {
-                CALL(court_bridge_normal, _bridge_normal_5)(far_x, far_y, far_z, FIXED(7), FIXED(8), FIXED(9), FIXED(13), FIXED(109), FIXED(16));
+                CALL(court_bridge_normal, _bridge_normal_5)(far_x, far_y, far_z, FIXED(7), FIXED(8), FIXED(9), FIXED(13), FIXED(16), FIXED(109));
                 far_nx = lanes_select(_if_here_14, _bridge_normal_5.nx, far_nx);
                 far_ny = lanes_select(_if_here_14, _bridge_normal_5.ny, far_ny);
                 far_nz = lanes_select(_if_here_14, _bridge_normal_5.nz, far_nz);
                 CALL(court_bridge_distance, _bridge_distance_3)(far_x, far_y, far_z, FIXED(6), FIXED(9), FIXED(13), FIXED(7), FIXED(8), FIXED(16));
                 far_gap = lanes_select(_if_here_14, _bridge_distance_3.gap, far_gap);
             }
-            CALL(court_roll_placed, _roll_placed_3)(far_x, far_y, far_z, far_nx, far_ny, far_nz, far_vx, far_vy, far_vz, far_gap, turn_rate, FIXED(109));
+            CALL(court_roll_placed, _roll_placed_3)(far_x, far_y, far_z, far_nx, far_ny, far_nz, far_vx, far_vy, far_vz, far_gap, turn_rate, FIXED(111));
             far_x = _roll_placed_3.x;
             far_y = _roll_placed_3.y;
             far_z = _roll_placed_3.z;
@@ -2532,46 +2534,46 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
 #endif
             CALL(court_ring_rolling_surface, _ring_rolling_surface_1)(FIXED(108));
             EACH(GET, _ring_rolling_surface_1, per_reach)
-            CALL(court_ring_round_start, _ring_round_start_1)(x, y, z, vx, vy, vz, wx, wy, wz, per_reach, FIXED(6), FIXED(7), FIXED(110), FIXED(133));
+            CALL(court_ring_round_start, _ring_round_start_1)(x, y, z, vx, vy, vz, wx, wy, wz, per_reach, FIXED(6), FIXED(7), FIXED(110), FIXED(134));
             EACH(GET, _ring_round_start_1, cosine_0, sine_0, climb_0, along_0, turn_rate_0, cos_0)
             EACH(GET, _ring_round_start_1, sin_0, tilted_0, near_0)
-            CALL(court_ring_round_0, _ring_round_0_1)(per_reach, turn_rate_0, near_0, climb_0, cosine_0, sine_0, along_0, tilted_0, FIXED(21), FIXED(7), FIXED(126), FIXED(133), FIXED(110), FIXED(137));
+            CALL(court_ring_round_0, _ring_round_0_1)(per_reach, turn_rate_0, near_0, climb_0, cosine_0, sine_0, along_0, tilted_0, FIXED(21), FIXED(7), FIXED(127), FIXED(134), FIXED(110), FIXED(138));
             EACH(GET, _ring_round_0_1, omega_0, around_0, cosine_1, sine_1, climb_1, along_1)
             EACH(GET, _ring_round_0_1, turn_rate_1, tilted_1)
-            CALL(court_ring_round_1, _ring_round_1_1)(per_reach, turn_rate_0, turn_rate_1, near_0, climb_0, climb_1, cosine_0, cosine_1, sine_0, sine_1, along_1, omega_0, around_0, tilted_0, tilted_1, FIXED(21), FIXED(133), FIXED(126), FIXED(110), FIXED(138), FIXED(137));
+            CALL(court_ring_round_1, _ring_round_1_1)(per_reach, turn_rate_0, turn_rate_1, near_0, climb_0, climb_1, cosine_0, cosine_1, sine_0, sine_1, along_1, omega_0, around_0, tilted_0, tilted_1, FIXED(21), FIXED(134), FIXED(127), FIXED(110), FIXED(139), FIXED(138));
             EACH(GET, _ring_round_1_1, omega_1, around_1, cosine_2, sine_2, climb_2, along_2)
             EACH(GET, _ring_round_1_1, turn_rate_2, tilted_2)
-            CALL(court_ring_round_2, _ring_round_2_1)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, near_0, climb_0, climb_1, climb_2, cosine_0, cosine_1, cosine_2, sine_0, sine_1, sine_2, along_2, omega_0, omega_1, around_0, around_1, tilted_0, tilted_1, tilted_2, FIXED(21), FIXED(133), FIXED(126), FIXED(110), FIXED(139), FIXED(137));
+            CALL(court_ring_round_2, _ring_round_2_1)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, near_0, climb_0, climb_1, climb_2, cosine_0, cosine_1, cosine_2, sine_0, sine_1, sine_2, along_2, omega_0, omega_1, around_0, around_1, tilted_0, tilted_1, tilted_2, FIXED(21), FIXED(134), FIXED(127), FIXED(110), FIXED(140), FIXED(138));
             EACH(GET, _ring_round_2_1, omega_2, around_2, cosine_3, sine_3, climb_3, along_3)
             EACH(GET, _ring_round_2_1, turn_rate_3, tilted_3)
-            CALL(court_ring_round_3, _ring_round_3_1)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, near_0, climb_0, climb_1, climb_2, climb_3, cosine_0, cosine_1, cosine_2, cosine_3, sine_0, sine_1, sine_2, sine_3, along_3, omega_0, omega_1, omega_2, around_0, around_1, around_2, tilted_0, tilted_1, tilted_2, tilted_3, FIXED(21), FIXED(133), FIXED(126), FIXED(110), FIXED(140), FIXED(137));
+            CALL(court_ring_round_3, _ring_round_3_1)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, near_0, climb_0, climb_1, climb_2, climb_3, cosine_0, cosine_1, cosine_2, cosine_3, sine_0, sine_1, sine_2, sine_3, along_3, omega_0, omega_1, omega_2, around_0, around_1, around_2, tilted_0, tilted_1, tilted_2, tilted_3, FIXED(21), FIXED(134), FIXED(127), FIXED(110), FIXED(141), FIXED(138));
             EACH(GET, _ring_round_3_1, omega_3, around_3, cosine_4, sine_4, climb_4, along_4)
             EACH(GET, _ring_round_3_1, turn_rate_4, tilted_4)
-            CALL(court_ring_round_4, _ring_round_4_1)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, sine_0, sine_1, sine_2, sine_3, sine_4, along_4, omega_0, omega_1, omega_2, omega_3, around_0, around_1, around_2, around_3, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, FIXED(21), FIXED(133), FIXED(126), FIXED(110), FIXED(141), FIXED(137));
+            CALL(court_ring_round_4, _ring_round_4_1)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, sine_0, sine_1, sine_2, sine_3, sine_4, along_4, omega_0, omega_1, omega_2, omega_3, around_0, around_1, around_2, around_3, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, FIXED(21), FIXED(134), FIXED(127), FIXED(110), FIXED(142), FIXED(138));
             EACH(GET, _ring_round_4_1, omega_4, around_4, cosine_5, sine_5, climb_5, along_5)
             EACH(GET, _ring_round_4_1, turn_rate_5, tilted_5)
-            CALL(court_ring_round_5, _ring_round_5_1)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, along_5, omega_0, omega_1, omega_2, omega_3, omega_4, around_0, around_1, around_2, around_3, around_4, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, FIXED(21), FIXED(133), FIXED(126), FIXED(110), FIXED(142), FIXED(137));
+            CALL(court_ring_round_5, _ring_round_5_1)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, along_5, omega_0, omega_1, omega_2, omega_3, omega_4, around_0, around_1, around_2, around_3, around_4, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, FIXED(21), FIXED(134), FIXED(127), FIXED(110), FIXED(143), FIXED(138));
             EACH(GET, _ring_round_5_1, omega_5, around_5, cosine_6, sine_6, climb_6, along_6)
             EACH(GET, _ring_round_5_1, turn_rate_6, tilted_6)
-            CALL(court_ring_round_6, _ring_round_6_1)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, along_6, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, around_0, around_1, around_2, around_3, around_4, around_5, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, FIXED(21), FIXED(133), FIXED(126), FIXED(110), FIXED(143), FIXED(137));
+            CALL(court_ring_round_6, _ring_round_6_1)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, along_6, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, around_0, around_1, around_2, around_3, around_4, around_5, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, FIXED(21), FIXED(134), FIXED(127), FIXED(110), FIXED(144), FIXED(138));
             EACH(GET, _ring_round_6_1, omega_6, around_6, cosine_7, sine_7, climb_7, along_7)
             EACH(GET, _ring_round_6_1, turn_rate_7, tilted_7)
-            CALL(court_ring_round_7, _ring_round_7_1)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, along_7, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, around_0, around_1, around_2, around_3, around_4, around_5, around_6, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, FIXED(21), FIXED(133), FIXED(126), FIXED(110), FIXED(144), FIXED(137));
+            CALL(court_ring_round_7, _ring_round_7_1)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, along_7, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, around_0, around_1, around_2, around_3, around_4, around_5, around_6, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, FIXED(21), FIXED(134), FIXED(127), FIXED(110), FIXED(145), FIXED(138));
             EACH(GET, _ring_round_7_1, omega_7, around_7, cosine_8, sine_8, climb_8, along_8)
             EACH(GET, _ring_round_7_1, turn_rate_8, tilted_8)
-            CALL(court_ring_round_8, _ring_round_8_1)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, along_8, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, FIXED(21), FIXED(133), FIXED(126), FIXED(110), FIXED(145), FIXED(137));
+            CALL(court_ring_round_8, _ring_round_8_1)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, along_8, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, FIXED(21), FIXED(134), FIXED(127), FIXED(110), FIXED(146), FIXED(138));
             EACH(GET, _ring_round_8_1, omega_8, around_8, cosine_9, sine_9, climb_9, along_9)
             EACH(GET, _ring_round_8_1, turn_rate_9, tilted_9)
-            CALL(court_ring_round_9, _ring_round_9_1)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, along_9, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, FIXED(21), FIXED(133), FIXED(126), FIXED(110), FIXED(146), FIXED(137));
+            CALL(court_ring_round_9, _ring_round_9_1)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, along_9, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, FIXED(21), FIXED(134), FIXED(127), FIXED(110), FIXED(147), FIXED(138));
             EACH(GET, _ring_round_9_1, omega_9, around_9, cosine_10, sine_10, climb_10, along_10)
             EACH(GET, _ring_round_9_1, turn_rate_10, tilted_10)
-            CALL(court_ring_round_10, _ring_round_10_1)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, turn_rate_10, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, cosine_10, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, sine_10, along_10, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, tilted_10, FIXED(21), FIXED(133), FIXED(126), FIXED(110), FIXED(147), FIXED(137));
+            CALL(court_ring_round_10, _ring_round_10_1)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, turn_rate_10, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, cosine_10, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, sine_10, along_10, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, tilted_10, FIXED(21), FIXED(134), FIXED(127), FIXED(110), FIXED(148), FIXED(138));
             EACH(GET, _ring_round_10_1, omega_10, around_10, cosine_11, sine_11, climb_11, along_11)
             EACH(GET, _ring_round_10_1, turn_rate_11, tilted_11)
-            CALL(court_ring_round_11, _ring_round_11_1)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, turn_rate_10, turn_rate_11, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, climb_11, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, cosine_10, cosine_11, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, sine_10, sine_11, along_11, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, omega_10, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, around_10, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, tilted_10, tilted_11, FIXED(21), FIXED(133), FIXED(126), FIXED(110), FIXED(148), FIXED(137));
+            CALL(court_ring_round_11, _ring_round_11_1)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, turn_rate_10, turn_rate_11, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, climb_11, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, cosine_10, cosine_11, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, sine_10, sine_11, along_11, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, omega_10, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, around_10, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, tilted_10, tilted_11, FIXED(21), FIXED(134), FIXED(127), FIXED(110), FIXED(149), FIXED(138));
             EACH(GET, _ring_round_11_1, omega_11, cosine_12, sine_12, climb_12, along_12)
             EACH(GET, _ring_round_11_1, turn_rate_12)
-            CALL(court_ring_round_step, _ring_round_step_1)(per_reach, turn_rate_0, turn_rate_11, turn_rate_12, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, climb_11, climb_12, cosine_0, cosine_12, sine_0, sine_12, along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, along_10, along_11, along_12, cos_0, sin_0, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, omega_10, omega_11, FIXED(21), FIXED(128), FIXED(133), FIXED(149), FIXED(150), FIXED(151), FIXED(152));
+            CALL(court_ring_round_step, _ring_round_step_1)(per_reach, turn_rate_0, turn_rate_11, turn_rate_12, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, climb_11, climb_12, cosine_0, cosine_12, sine_0, sine_12, along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, along_10, along_11, along_12, cos_0, sin_0, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, omega_10, omega_11, FIXED(21), FIXED(129), FIXED(134), FIXED(150), FIXED(151), FIXED(152), FIXED(153));
             EACH(GET, _ring_round_step_1, stride, strongest, fastest, section_acceleration, force)
             EACH(GET, _ring_round_step_1, force_rate, force_bend, friction_force_rate, vx_1, vy_1)
             EACH(GET, _ring_round_step_1, vz_1)
@@ -2579,7 +2581,7 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
             EACH(GET, _ring_round_step_1, missed)
             CALL(court_ring_round_pulled, _ring_round_pulled_1)(turn_rate_0, turn_rate_1, climb_0, climb_1, cosine_0, cosine_1, omega_0, omega_1, FIXED(21), FIXED(110));
             EACH(GET, _ring_round_pulled_1, rolling_friction, rolling_friction_rate)
-            CALL(court_ring_impact_grip_deficit, _ring_impact_grip_deficit_1)(rolling_friction, rolling_friction_rate, force, force_rate, FIXED(153));
+            CALL(court_ring_impact_grip_deficit, _ring_impact_grip_deficit_1)(rolling_friction, rolling_friction_rate, force, force_rate, FIXED(154));
             EACH(GET, _ring_impact_grip_deficit_1, grip_deficit, grip_deficit_rate)
             CALL(court_exceeds_grip, _exceeds_grip_1)(grip_deficit, grip_lost);
             EACH(GET_MASK, _exceeds_grip_1, loses)
@@ -2592,18 +2594,18 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
             EACH(SET, _remember_grip_deficit_1, last_grip_deficit, last_grip_deficit_rate)
             EACH(SET, _remember_grip_deficit_1, last_grip_clock)
 #endif
-            CALL(court_leaving_force, _leaving_force_1)(vx, vx_1, vy, vy_1, vz, vz_1, which, OR_INFINITE(undecided_time), OR_ZERO(position_error), OR_ZERO(velocity_error), per_reach, force, force_rate, force_bend, friction_force_rate, stride, fastest, FIXED(21), FIXED(131), FIXED(132));
+            CALL(court_leaving_force, _leaving_force_1)(vx, vx_1, vy, vy_1, vz, vz_1, which, OR_INFINITE(undecided_time), OR_ZERO(position_error), OR_ZERO(velocity_error), per_reach, force, force_rate, force_bend, friction_force_rate, stride, fastest, FIXED(21), FIXED(132), FIXED(133));
             EACH(SET, _leaving_force_1, stride, which)
             EACH(GET_MASK, _leaving_force_1, rests)
             BOUNDS(EACH(SET, _leaving_force_1, undecided_time))
             CALL(court_backboard_beside, _backboard_beside_1)(x, y, z, vx, vy, vz, FIXED(6), FIXED(11), FIXED(9), FIXED(10), FIXED(12), FIXED(15));
             EACH(GET, _backboard_beside_1, gap, nearing, gap_curvature)
-            CALL(court_beside_body, _beside_body_1)(x, y, z, gap, K(1.0), which, OR_ZERO(earliest_delay), OR_INFINITE(undecided_time), OR_ZERO(position_error), nearing, gap_curvature, stride, strongest, fastest, FIXED(6), FIXED(111));
+            CALL(court_beside_body, _beside_body_1)(x, y, z, gap, K(1.0), which, OR_ZERO(earliest_delay), OR_INFINITE(undecided_time), OR_ZERO(position_error), nearing, gap_curvature, stride, strongest, fastest, FIXED(6), FIXED(112));
             EACH(SET, _beside_body_1, stride, which)
             BOUNDS(EACH(SET, _beside_body_1, undecided_time, earliest_delay))
             CALL(court_bridge_beside, _bridge_beside_1)(x, y, z, vx, vy, vz, FIXED(6), FIXED(9), FIXED(13), FIXED(7), FIXED(8), FIXED(16));
             EACH(SET, _bridge_beside_1, gap, nearing, gap_curvature)
-            CALL(court_beside_body, _beside_body_2)(x, y, z, gap, K(2.0), which, OR_ZERO(earliest_delay), OR_INFINITE(undecided_time), OR_ZERO(position_error), nearing, gap_curvature, stride, strongest, fastest, FIXED(6), FIXED(111));
+            CALL(court_beside_body, _beside_body_2)(x, y, z, gap, K(2.0), which, OR_ZERO(earliest_delay), OR_INFINITE(undecided_time), OR_ZERO(position_error), nearing, gap_curvature, stride, strongest, fastest, FIXED(6), FIXED(112));
             EACH(SET, _beside_body_2, stride, which)
             BOUNDS(EACH(SET, _beside_body_2, undecided_time, earliest_delay))
             CALL(court_end_beside, _end_beside_1)(z, vz, FIXED(18));
@@ -2614,7 +2616,7 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
             CALL(court_beside_time, _beside_time_1)(which, clock, time_limit, stride);
             EACH(SET, _beside_time_1, stride, which)
 #if BOUNDED
-            CALL(court_neighbour_scale, _neighbour_scale_1)(dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz, FIXED(6), FIXED(135), FIXED(136));
+            CALL(court_neighbour_scale, _neighbour_scale_1)(dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz, FIXED(6), FIXED(136), FIXED(137));
             EACH(GET, _neighbour_scale_1, neighbour_scale)
             CALL(court_neighbour, _neighbour_1)(x, y, z, vx, vy, vz, wx, wy, wz, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz, neighbour_scale);
             EACH(GET, _neighbour_1, far_x, far_y, far_z, far_vx, far_vy, far_vz, far_wx, far_wy)
@@ -2626,11 +2628,11 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
             V azimuth_clearance = _isolated_1.nearest;
             CALL(court_half_steps, _half_steps_1)(stride);
             EACH(GET, _half_steps_1, forth, back)
-            CALL(court_backboard_around, _backboard_around_1)(x, y, z, vx, vy, vz, FIXED(6), FIXED(11), FIXED(12), FIXED(154));
+            CALL(court_backboard_around, _backboard_around_1)(x, y, z, vx, vy, vz, FIXED(6), FIXED(11), FIXED(12), FIXED(155));
             EACH(SET, _backboard_around_1, gap, nearing)
             CALL(court_clearance_at_any_azimuth, _clearance_at_any_azimuth_1)(gap, nearing, forth, azimuth_clearance);
             EACH(SET, _clearance_at_any_azimuth_1, azimuth_clearance)
-            CALL(court_bridge_around, _bridge_around_1)(x, y, z, vx, vy, vz, FIXED(6), FIXED(8), FIXED(16), FIXED(155));
+            CALL(court_bridge_around, _bridge_around_1)(x, y, z, vx, vy, vz, FIXED(6), FIXED(8), FIXED(16), FIXED(156));
             EACH(SET, _bridge_around_1, gap, nearing)
             CALL(court_clearance_at_any_azimuth, _clearance_at_any_azimuth_2)(gap, nearing, forth, azimuth_clearance);
             EACH(SET, _clearance_at_any_azimuth_2, azimuth_clearance)
@@ -2638,16 +2640,16 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
             EACH(SET, _end_around_1, gap, nearing)
             CALL(court_clearance_at_any_azimuth, _clearance_at_any_azimuth_3)(gap, nearing, forth, azimuth_clearance);
             EACH(SET, _clearance_at_any_azimuth_3, azimuth_clearance)
-            CALL(court_ring_round_moved, _ring_round_moved_1)(stride, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, turn_rate_10, turn_rate_11, turn_rate_12, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, climb_11, climb_12, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, cosine_10, cosine_11, cosine_12, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, sine_10, sine_11, sine_12, along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, along_10, along_11, along_12, cos_0, sin_0, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, omega_10, omega_11, FIXED(7), FIXED(133), FIXED(109));
+            CALL(court_ring_round_moved, _ring_round_moved_1)(stride, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, turn_rate_10, turn_rate_11, turn_rate_12, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, climb_11, climb_12, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, cosine_10, cosine_11, cosine_12, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, sine_10, sine_11, sine_12, along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, along_10, along_11, along_12, cos_0, sin_0, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, omega_10, omega_11, FIXED(7), FIXED(134), FIXED(111));
             EACH(SET, _ring_round_moved_1, x, y, z, vx, vy, vz, wx, wy, wz)
             EACH(GET, _ring_round_moved_1, climb)
             CALL(court_passing_in_contact, _passing_in_contact_1)(x, y, z, through, over, FIXED(19));
             EACH(SET, _passing_in_contact_1, through)
-            CALL(court_backboard_around, _backboard_around_2)(x, y, z, vx, vy, vz, FIXED(6), FIXED(11), FIXED(12), FIXED(154));
+            CALL(court_backboard_around, _backboard_around_2)(x, y, z, vx, vy, vz, FIXED(6), FIXED(11), FIXED(12), FIXED(155));
             EACH(SET, _backboard_around_2, gap, nearing)
             CALL(court_clearance_at_any_azimuth, _clearance_at_any_azimuth_4)(gap, nearing, back, azimuth_clearance);
             EACH(SET, _clearance_at_any_azimuth_4, azimuth_clearance)
-            CALL(court_bridge_around, _bridge_around_2)(x, y, z, vx, vy, vz, FIXED(6), FIXED(8), FIXED(16), FIXED(155));
+            CALL(court_bridge_around, _bridge_around_2)(x, y, z, vx, vy, vz, FIXED(6), FIXED(8), FIXED(16), FIXED(156));
             EACH(SET, _bridge_around_2, gap, nearing)
             CALL(court_clearance_at_any_azimuth, _clearance_at_any_azimuth_5)(gap, nearing, back, azimuth_clearance);
             EACH(SET, _clearance_at_any_azimuth_5, azimuth_clearance)
@@ -2655,53 +2657,53 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
             EACH(SET, _end_around_2, gap, nearing)
             CALL(court_clearance_at_any_azimuth, _clearance_at_any_azimuth_6)(gap, nearing, back, azimuth_clearance);
             EACH(SET, _clearance_at_any_azimuth_6, azimuth_clearance)
-            CALL(court_ring_swung, _ring_swung_1)(which, OR_INFINITE(undecided_time), OR_ZERO(position_error), OR_ZERO(velocity_error), force, force_rate, force_bend, stride, fastest, circled, climb, climb_0, section_acceleration, azimuth_clearance, FIXED(21), FIXED(133), FIXED(156), FIXED(157), FIXED(128), FIXED(108), FIXED(158));
+            CALL(court_ring_swung, _ring_swung_1)(which, OR_INFINITE(undecided_time), OR_ZERO(position_error), OR_ZERO(velocity_error), force, force_rate, force_bend, stride, fastest, circled, climb, climb_0, section_acceleration, azimuth_clearance, FIXED(21), FIXED(134), FIXED(157), FIXED(158), FIXED(129), FIXED(108), FIXED(159));
             EACH(SET, _ring_swung_1, circled)
             EACH(GET_MASK, _ring_swung_1, endless)
             BOUNDS(EACH(SET, _ring_swung_1, undecided_time))
             CALL(court_rolls_for_ever, _rolls_for_ever_1)(which, endless);
             EACH(SET, _rolls_for_ever_1, which)
 #if BOUNDED
-            CALL(court_ring_round_start, _ring_round_start_2)(far_x, far_y, far_z, far_vx, far_vy, far_vz, far_wx, far_wy, far_wz, per_reach, FIXED(6), FIXED(7), FIXED(110), FIXED(133));
+            CALL(court_ring_round_start, _ring_round_start_2)(far_x, far_y, far_z, far_vx, far_vy, far_vz, far_wx, far_wy, far_wz, per_reach, FIXED(6), FIXED(7), FIXED(110), FIXED(134));
             EACH(SET, _ring_round_start_2, cosine_0, sine_0, climb_0, along_0, turn_rate_0, cos_0)
             EACH(SET, _ring_round_start_2, sin_0, tilted_0, near_0)
-            CALL(court_ring_round_0, _ring_round_0_2)(per_reach, turn_rate_0, near_0, climb_0, cosine_0, sine_0, along_0, tilted_0, FIXED(21), FIXED(7), FIXED(126), FIXED(133), FIXED(110), FIXED(137));
+            CALL(court_ring_round_0, _ring_round_0_2)(per_reach, turn_rate_0, near_0, climb_0, cosine_0, sine_0, along_0, tilted_0, FIXED(21), FIXED(7), FIXED(127), FIXED(134), FIXED(110), FIXED(138));
             EACH(SET, _ring_round_0_2, omega_0, around_0, cosine_1, sine_1, climb_1, along_1)
             EACH(SET, _ring_round_0_2, turn_rate_1, tilted_1)
-            CALL(court_ring_round_1, _ring_round_1_2)(per_reach, turn_rate_0, turn_rate_1, near_0, climb_0, climb_1, cosine_0, cosine_1, sine_0, sine_1, along_1, omega_0, around_0, tilted_0, tilted_1, FIXED(21), FIXED(133), FIXED(126), FIXED(110), FIXED(138), FIXED(137));
+            CALL(court_ring_round_1, _ring_round_1_2)(per_reach, turn_rate_0, turn_rate_1, near_0, climb_0, climb_1, cosine_0, cosine_1, sine_0, sine_1, along_1, omega_0, around_0, tilted_0, tilted_1, FIXED(21), FIXED(134), FIXED(127), FIXED(110), FIXED(139), FIXED(138));
             EACH(SET, _ring_round_1_2, omega_1, around_1, cosine_2, sine_2, climb_2, along_2)
             EACH(SET, _ring_round_1_2, turn_rate_2, tilted_2)
-            CALL(court_ring_round_2, _ring_round_2_2)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, near_0, climb_0, climb_1, climb_2, cosine_0, cosine_1, cosine_2, sine_0, sine_1, sine_2, along_2, omega_0, omega_1, around_0, around_1, tilted_0, tilted_1, tilted_2, FIXED(21), FIXED(133), FIXED(126), FIXED(110), FIXED(139), FIXED(137));
+            CALL(court_ring_round_2, _ring_round_2_2)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, near_0, climb_0, climb_1, climb_2, cosine_0, cosine_1, cosine_2, sine_0, sine_1, sine_2, along_2, omega_0, omega_1, around_0, around_1, tilted_0, tilted_1, tilted_2, FIXED(21), FIXED(134), FIXED(127), FIXED(110), FIXED(140), FIXED(138));
             EACH(SET, _ring_round_2_2, omega_2, around_2, cosine_3, sine_3, climb_3, along_3)
             EACH(SET, _ring_round_2_2, turn_rate_3, tilted_3)
-            CALL(court_ring_round_3, _ring_round_3_2)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, near_0, climb_0, climb_1, climb_2, climb_3, cosine_0, cosine_1, cosine_2, cosine_3, sine_0, sine_1, sine_2, sine_3, along_3, omega_0, omega_1, omega_2, around_0, around_1, around_2, tilted_0, tilted_1, tilted_2, tilted_3, FIXED(21), FIXED(133), FIXED(126), FIXED(110), FIXED(140), FIXED(137));
+            CALL(court_ring_round_3, _ring_round_3_2)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, near_0, climb_0, climb_1, climb_2, climb_3, cosine_0, cosine_1, cosine_2, cosine_3, sine_0, sine_1, sine_2, sine_3, along_3, omega_0, omega_1, omega_2, around_0, around_1, around_2, tilted_0, tilted_1, tilted_2, tilted_3, FIXED(21), FIXED(134), FIXED(127), FIXED(110), FIXED(141), FIXED(138));
             EACH(SET, _ring_round_3_2, omega_3, around_3, cosine_4, sine_4, climb_4, along_4)
             EACH(SET, _ring_round_3_2, turn_rate_4, tilted_4)
-            CALL(court_ring_round_4, _ring_round_4_2)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, sine_0, sine_1, sine_2, sine_3, sine_4, along_4, omega_0, omega_1, omega_2, omega_3, around_0, around_1, around_2, around_3, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, FIXED(21), FIXED(133), FIXED(126), FIXED(110), FIXED(141), FIXED(137));
+            CALL(court_ring_round_4, _ring_round_4_2)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, sine_0, sine_1, sine_2, sine_3, sine_4, along_4, omega_0, omega_1, omega_2, omega_3, around_0, around_1, around_2, around_3, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, FIXED(21), FIXED(134), FIXED(127), FIXED(110), FIXED(142), FIXED(138));
             EACH(SET, _ring_round_4_2, omega_4, around_4, cosine_5, sine_5, climb_5, along_5)
             EACH(SET, _ring_round_4_2, turn_rate_5, tilted_5)
-            CALL(court_ring_round_5, _ring_round_5_2)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, along_5, omega_0, omega_1, omega_2, omega_3, omega_4, around_0, around_1, around_2, around_3, around_4, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, FIXED(21), FIXED(133), FIXED(126), FIXED(110), FIXED(142), FIXED(137));
+            CALL(court_ring_round_5, _ring_round_5_2)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, along_5, omega_0, omega_1, omega_2, omega_3, omega_4, around_0, around_1, around_2, around_3, around_4, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, FIXED(21), FIXED(134), FIXED(127), FIXED(110), FIXED(143), FIXED(138));
             EACH(SET, _ring_round_5_2, omega_5, around_5, cosine_6, sine_6, climb_6, along_6)
             EACH(SET, _ring_round_5_2, turn_rate_6, tilted_6)
-            CALL(court_ring_round_6, _ring_round_6_2)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, along_6, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, around_0, around_1, around_2, around_3, around_4, around_5, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, FIXED(21), FIXED(133), FIXED(126), FIXED(110), FIXED(143), FIXED(137));
+            CALL(court_ring_round_6, _ring_round_6_2)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, along_6, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, around_0, around_1, around_2, around_3, around_4, around_5, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, FIXED(21), FIXED(134), FIXED(127), FIXED(110), FIXED(144), FIXED(138));
             EACH(SET, _ring_round_6_2, omega_6, around_6, cosine_7, sine_7, climb_7, along_7)
             EACH(SET, _ring_round_6_2, turn_rate_7, tilted_7)
-            CALL(court_ring_round_7, _ring_round_7_2)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, along_7, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, around_0, around_1, around_2, around_3, around_4, around_5, around_6, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, FIXED(21), FIXED(133), FIXED(126), FIXED(110), FIXED(144), FIXED(137));
+            CALL(court_ring_round_7, _ring_round_7_2)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, along_7, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, around_0, around_1, around_2, around_3, around_4, around_5, around_6, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, FIXED(21), FIXED(134), FIXED(127), FIXED(110), FIXED(145), FIXED(138));
             EACH(SET, _ring_round_7_2, omega_7, around_7, cosine_8, sine_8, climb_8, along_8)
             EACH(SET, _ring_round_7_2, turn_rate_8, tilted_8)
-            CALL(court_ring_round_8, _ring_round_8_2)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, along_8, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, FIXED(21), FIXED(133), FIXED(126), FIXED(110), FIXED(145), FIXED(137));
+            CALL(court_ring_round_8, _ring_round_8_2)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, along_8, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, FIXED(21), FIXED(134), FIXED(127), FIXED(110), FIXED(146), FIXED(138));
             EACH(SET, _ring_round_8_2, omega_8, around_8, cosine_9, sine_9, climb_9, along_9)
             EACH(SET, _ring_round_8_2, turn_rate_9, tilted_9)
-            CALL(court_ring_round_9, _ring_round_9_2)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, along_9, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, FIXED(21), FIXED(133), FIXED(126), FIXED(110), FIXED(146), FIXED(137));
+            CALL(court_ring_round_9, _ring_round_9_2)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, along_9, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, FIXED(21), FIXED(134), FIXED(127), FIXED(110), FIXED(147), FIXED(138));
             EACH(SET, _ring_round_9_2, omega_9, around_9, cosine_10, sine_10, climb_10, along_10)
             EACH(SET, _ring_round_9_2, turn_rate_10, tilted_10)
-            CALL(court_ring_round_10, _ring_round_10_2)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, turn_rate_10, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, cosine_10, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, sine_10, along_10, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, tilted_10, FIXED(21), FIXED(133), FIXED(126), FIXED(110), FIXED(147), FIXED(137));
+            CALL(court_ring_round_10, _ring_round_10_2)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, turn_rate_10, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, cosine_10, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, sine_10, along_10, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, tilted_10, FIXED(21), FIXED(134), FIXED(127), FIXED(110), FIXED(148), FIXED(138));
             EACH(SET, _ring_round_10_2, omega_10, around_10, cosine_11, sine_11, climb_11, along_11)
             EACH(SET, _ring_round_10_2, turn_rate_11, tilted_11)
-            CALL(court_ring_round_11, _ring_round_11_2)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, turn_rate_10, turn_rate_11, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, climb_11, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, cosine_10, cosine_11, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, sine_10, sine_11, along_11, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, omega_10, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, around_10, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, tilted_10, tilted_11, FIXED(21), FIXED(133), FIXED(126), FIXED(110), FIXED(148), FIXED(137));
+            CALL(court_ring_round_11, _ring_round_11_2)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, turn_rate_10, turn_rate_11, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, climb_11, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, cosine_10, cosine_11, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, sine_10, sine_11, along_11, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, omega_10, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, around_10, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, tilted_10, tilted_11, FIXED(21), FIXED(134), FIXED(127), FIXED(110), FIXED(149), FIXED(138));
             EACH(SET, _ring_round_11_2, omega_11, cosine_12, sine_12, climb_12, along_12)
             EACH(SET, _ring_round_11_2, turn_rate_12)
-            CALL(court_ring_round_moved, _ring_round_moved_2)(stride, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, turn_rate_10, turn_rate_11, turn_rate_12, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, climb_11, climb_12, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, cosine_10, cosine_11, cosine_12, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, sine_10, sine_11, sine_12, along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, along_10, along_11, along_12, cos_0, sin_0, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, omega_10, omega_11, FIXED(7), FIXED(133), FIXED(109));
+            CALL(court_ring_round_moved, _ring_round_moved_2)(stride, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, turn_rate_10, turn_rate_11, turn_rate_12, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, climb_11, climb_12, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, cosine_10, cosine_11, cosine_12, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, sine_10, sine_11, sine_12, along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, along_10, along_11, along_12, cos_0, sin_0, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, omega_10, omega_11, FIXED(7), FIXED(134), FIXED(111));
             far_x = _ring_round_moved_2.x;
             far_y = _ring_round_moved_2.y;
             far_z = _ring_round_moved_2.z;
@@ -2840,10 +2842,10 @@ LANES_APART void LOOP(fix_rows_5)(LOOP(worklist) *worklist, size_t i)
 #if BOUNDED
         const V _s45 = lanes_add(p_ball_radius, p_wire_radius);
         const V _s57 = lanes_div(K(1.0), p_gravity);
-        const V _s336 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(p_ball_radius, p_ring_radius), p_wire_radius), p_board_distance), p_board_half_width), p_board_thickness), p_bridge_half_width);
-        const V _s342 = lanes_sub(lanes_sub(p_ring_radius, p_ball_radius), p_wire_radius);
+        const V _s337 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(p_ball_radius, p_ring_radius), p_wire_radius), p_board_distance), p_board_half_width), p_board_thickness), p_bridge_half_width);
+        const V _s343 = lanes_sub(lanes_sub(p_ring_radius, p_ball_radius), p_wire_radius);
 #endif
-        const V _s349 = lanes_div(lanes_mul(p_inertia, lanes_add(K(1.0), p_tangential_restitution)), lanes_add(K(1.0), p_inertia));
+        const V _s350 = lanes_div(lanes_mul(p_inertia, lanes_add(K(1.0), p_tangential_restitution)), lanes_add(K(1.0), p_inertia));
         FIX(6, p_ball_radius); FIX(7, p_ring_radius); FIX(8, p_wire_radius);
         FIX(9, p_board_distance); FIX(10, p_board_half_width); FIX(11, p_board_bottom);
         FIX(12, p_board_top); FIX(13, p_bridge_half_width);
@@ -2862,16 +2864,16 @@ LANES_APART void LOOP(fix_rows_5)(LOOP(worklist) *worklist, size_t i)
 #else
         FIX(108, lanes_div(K(1.0), lanes_add(p_ball_radius, p_wire_radius)));
 #endif
-        FIX(109, lanes_div(K(1.0), p_ball_radius));
+        FIX(109, lanes_mul(K(0.5), p_ball_radius));
 #if BOUNDED
-        FIX(163, lanes_mul(K(8.0), _s57));
-        FIX(164, lanes_add(lanes_add(lanes_add(lanes_add(_s336, p_bridge_depth), p_end_depth), lanes_abs(p_board_bottom)), lanes_abs(p_board_top)));
-        FIX(165, lanes_div(K(1.0), lanes_min(_s342, _s45)));
+        FIX(111, lanes_div(K(1.0), p_ball_radius)); FIX(164, lanes_mul(K(8.0), _s57));
+        FIX(165, lanes_add(lanes_add(lanes_add(lanes_add(_s337, p_bridge_depth), p_end_depth), lanes_abs(p_board_bottom)), lanes_abs(p_board_top)));
+        FIX(166, lanes_div(K(1.0), lanes_min(_s343, _s45)));
 #endif
-        FIX(166, p_restitution_speed); FIX(167, _s349); FIX(168, lanes_mul(_s349, _s349));
-        FIX(169, lanes_mul(p_ball_radius, p_inertia));
-        FIX(170, lanes_mul(K(7.275957614183426e-12), p_ball_radius));
-        FIX(171, lanes_mul(K(1.1920928955078125e-07), p_ball_radius));
+        FIX(167, p_restitution_speed); FIX(168, _s350); FIX(169, lanes_mul(_s350, _s350));
+        FIX(170, lanes_mul(p_ball_radius, p_inertia));
+        FIX(171, lanes_mul(K(7.275957614183426e-12), p_ball_radius));
+        FIX(172, lanes_mul(K(1.1920928955078125e-07), p_ball_radius));
     }
 }
 
@@ -2884,12 +2886,12 @@ LANES_APART void LOOP(fix_slow_rows_1)(LOOP(worklist) *worklist, size_t i)
     EACH(PARAMETER, slow_, p_ring_radius, p_ring_restitution, p_wire_radius)
     {
         const V _s217 = lanes_mul(p_inertia, lanes_div(K(1.0), lanes_add(K(1.0), p_inertia)));
-        const V _s357 = lanes_sub(K(1.0), p_ring_restitution);
-        const V _s359 = lanes_add(K(1.0), p_ring_restitution);
-        const V _s366 = lanes_sub(K(1.0), p_backboard_restitution);
-        const V _s368 = lanes_add(K(1.0), p_backboard_restitution);
-        const V _s373 = lanes_sub(K(1.0), p_bridge_restitution);
-        const V _s375 = lanes_add(K(1.0), p_bridge_restitution);
+        const V _s358 = lanes_sub(K(1.0), p_ring_restitution);
+        const V _s360 = lanes_add(K(1.0), p_ring_restitution);
+        const V _s367 = lanes_sub(K(1.0), p_backboard_restitution);
+        const V _s369 = lanes_add(K(1.0), p_backboard_restitution);
+        const V _s374 = lanes_sub(K(1.0), p_bridge_restitution);
+        const V _s376 = lanes_add(K(1.0), p_bridge_restitution);
         FIX(6, p_ball_radius); FIX(7, p_ring_radius); FIX(8, p_wire_radius);
         FIX(9, p_board_distance); FIX(10, p_board_half_width); FIX(11, p_board_bottom);
         FIX(12, p_board_top); FIX(13, p_bridge_half_width);
@@ -2897,19 +2899,19 @@ LANES_APART void LOOP(fix_slow_rows_1)(LOOP(worklist) *worklist, size_t i)
         FIX(16, lanes_sub(p_wire_radius, p_bridge_depth)); FIX(18, lanes_neg(p_end_depth));
         FIX(21, p_gravity); FIX(23, lanes_neg(p_gravity));
         FIX(108, lanes_div(K(1.0), lanes_add(p_ball_radius, p_wire_radius)));
-        FIX(109, lanes_div(K(1.0), p_ball_radius)); FIX(110, _s217);
-        FIX(111, lanes_mul(K(3.637978807091713e-12), p_ball_radius));
-        FIX(159, lanes_mul(K(3.0), p_gravity));
-        FIX(160, lanes_mul(K(2.0), lanes_mul(K(3.0), lanes_mul(p_gravity, p_gravity))));
-        FIX(170, lanes_mul(K(7.275957614183426e-12), p_ball_radius)); FIX(172, _s357);
-        FIX(173, lanes_mul(_s357, _s357)); FIX(174, lanes_mul(p_ring_friction, _s359));
-        FIX(175, lanes_mul(_s359, _s357));
-        FIX(176, lanes_mul(K(3.725290298461914e-09), p_ball_radius));
-        FIX(177, lanes_mul(_s217, _s357)); FIX(178, _s366); FIX(179, lanes_mul(_s366, _s366));
-        FIX(180, lanes_mul(p_backboard_friction, _s368)); FIX(181, lanes_mul(_s368, _s366));
-        FIX(182, lanes_mul(_s217, _s366)); FIX(183, _s373); FIX(184, lanes_mul(_s373, _s373));
-        FIX(185, lanes_mul(p_bridge_friction, _s375)); FIX(186, lanes_mul(_s375, _s373));
-        FIX(187, lanes_mul(_s217, _s373));
+        FIX(109, lanes_mul(K(0.5), p_ball_radius)); FIX(110, _s217);
+        FIX(112, lanes_mul(K(3.637978807091713e-12), p_ball_radius));
+        FIX(160, lanes_mul(K(3.0), p_gravity));
+        FIX(161, lanes_mul(K(2.0), lanes_mul(K(3.0), lanes_mul(p_gravity, p_gravity))));
+        FIX(171, lanes_mul(K(7.275957614183426e-12), p_ball_radius)); FIX(173, _s358);
+        FIX(174, lanes_mul(_s358, _s358)); FIX(175, lanes_mul(p_ring_friction, _s360));
+        FIX(176, lanes_mul(_s360, _s358));
+        FIX(177, lanes_mul(K(3.725290298461914e-09), p_ball_radius));
+        FIX(178, lanes_mul(_s217, _s358)); FIX(179, _s367); FIX(180, lanes_mul(_s367, _s367));
+        FIX(181, lanes_mul(p_backboard_friction, _s369)); FIX(182, lanes_mul(_s369, _s367));
+        FIX(183, lanes_mul(_s217, _s367)); FIX(184, _s374); FIX(185, lanes_mul(_s374, _s374));
+        FIX(186, lanes_mul(p_bridge_friction, _s376)); FIX(187, lanes_mul(_s376, _s374));
+        FIX(188, lanes_mul(_s217, _s374));
     }
 }
 
@@ -2926,18 +2928,18 @@ LANES_APART void LOOP(slow)(LOOP(worklist) *worklist, size_t slow_shots, size_t 
         CALL(court_here, _here_1)(K(1.0), which);
         EACH(GET_MASK, _here_1, here)
         const M _if_here_1 = lanes_both(rows, here);
-        {
-            CALL(court_backboard_normal, _backboard_normal_1)(x, y, z, FIXED(9), FIXED(10), FIXED(11), FIXED(12), FIXED(109), FIXED(15));
+        if (lanes_any(_if_here_1)) {
+            CALL(court_backboard_normal, _backboard_normal_1)(x, y, z, FIXED(9), FIXED(10), FIXED(11), FIXED(12), FIXED(15), FIXED(109));
             EACH(SELECT, (_if_here_1, _backboard_normal_1), nx, ny, nz)
         }
         CALL(court_here, _here_2)(K(2.0), which);
         EACH(SET, _here_2, here)
         const M _if_here_2 = lanes_both(rows, here);
-        {
-            CALL(court_bridge_normal, _bridge_normal_1)(x, y, z, FIXED(7), FIXED(8), FIXED(9), FIXED(13), FIXED(109), FIXED(16));
+        if (lanes_any(_if_here_2)) {
+            CALL(court_bridge_normal, _bridge_normal_1)(x, y, z, FIXED(7), FIXED(8), FIXED(9), FIXED(13), FIXED(16), FIXED(109));
             EACH(SELECT, (_if_here_2, _bridge_normal_1), nx, ny, nz)
         }
-        CALL(court_nearly, _nearly_1)(nx, ny, nz, vx, vy, vz, FIXED(6), FIXED(21), FIXED(170));
+        CALL(court_nearly, _nearly_1)(nx, ny, nz, vx, vy, vz, FIXED(6), FIXED(21), FIXED(171));
         EACH(GET_MASK, _nearly_1, nearly)
         CALL(court_gripped, _gripped_1)(nx, ny, nz, vx, vy, vz, wx, wy, wz, FIXED(6), FIXED(110));
         EACH(GET, _gripped_1, rolled_x, rolled_y, rolled_z, slip, bounce)
@@ -2964,9 +2966,9 @@ LANES_APART void LOOP(slow)(LOOP(worklist) *worklist, size_t slow_shots, size_t 
             EACH(SET, _end_beside_1, gap)
             CALL(court_near_end_plane, _near_end_plane_1)(gap, nearest);
             EACH(SET, _near_end_plane_1, nearest)
-            CALL(court_ring_separation, _ring_separation_1)(x, y, z, vx, vy, vz, FIXED(21), FIXED(7), FIXED(159), FIXED(160));
+            CALL(court_ring_separation, _ring_separation_1)(x, y, z, vx, vy, vz, FIXED(21), FIXED(7), FIXED(160), FIXED(161));
             EACH(GET, _ring_separation_1, lift)
-            CALL(court_ring_impact_settling, _ring_impact_settling_1)(wx, wy, wz, OR_ZERO(velocity_error), rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, slip, bounce, nearest, second_contact_gap, press, weight, rolling_friction, lift, FIXED(6), FIXED(172), FIXED(173), FIXED(174), FIXED(175), FIXED(110), FIXED(111), FIXED(176), FIXED(177));
+            CALL(court_ring_impact_settling, _ring_impact_settling_1)(wx, wy, wz, OR_ZERO(velocity_error), rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, slip, bounce, nearest, second_contact_gap, press, weight, rolling_friction, lift, FIXED(6), FIXED(173), FIXED(174), FIXED(175), FIXED(176), FIXED(110), FIXED(112), FIXED(177), FIXED(178));
             EACH(GET_MASK, _ring_impact_settling_1, settles, lodges, slides, unpressed)
             BOUNDS(EACH(SELECT, (_if_here_3, _ring_impact_settling_1), assured))
             EACH(GET_MASK, _ring_impact_settling_1, undecided)
@@ -2978,7 +2980,7 @@ LANES_APART void LOOP(slow)(LOOP(worklist) *worklist, size_t slow_shots, size_t 
         EACH(SET, _here_4, here)
         const M _if_here_4 = lanes_both(rows, here);
         if (lanes_any(_if_here_4)) {
-            CALL(court_backboard_turning, _backboard_turning_1)(x, y, z, rolled_x, rolled_y, rolled_z, FIXED(11), FIXED(9), FIXED(10), FIXED(12), FIXED(109), FIXED(15));
+            CALL(court_backboard_turning, _backboard_turning_1)(x, y, z, rolled_x, rolled_y, rolled_z, FIXED(11), FIXED(9), FIXED(10), FIXED(12), FIXED(15), FIXED(109));
             EACH(GET, _backboard_turning_1, turning_x, turning_y, turning_z)
             CALL(court_pressed_on, _pressed_on_2)(nx, ny, nz, wx, wy, wz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, FIXED(6), FIXED(21), FIXED(110));
             EACH(GET, _pressed_on_2, press, weight, rolling_friction, rolling_acceleration_x)
@@ -2999,7 +3001,7 @@ LANES_APART void LOOP(slow)(LOOP(worklist) *worklist, size_t slow_shots, size_t 
             EACH(SET, _near_end_plane_2, nearest)
             CALL(court_backboard_separation, _backboard_separation_1)(x, y, z, vx, vy, vz, FIXED(11), FIXED(9), FIXED(10), FIXED(12), FIXED(21), FIXED(15), FIXED(23));
             EACH(GET, _backboard_separation_1, lift)
-            CALL(court_ring_impact_settling, _ring_impact_settling_2)(wx, wy, wz, OR_ZERO(velocity_error), rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, slip, bounce, nearest, second_contact_gap, press, weight, rolling_friction, lift, FIXED(6), FIXED(178), FIXED(179), FIXED(180), FIXED(181), FIXED(110), FIXED(111), FIXED(176), FIXED(182));
+            CALL(court_ring_impact_settling, _ring_impact_settling_2)(wx, wy, wz, OR_ZERO(velocity_error), rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, slip, bounce, nearest, second_contact_gap, press, weight, rolling_friction, lift, FIXED(6), FIXED(179), FIXED(180), FIXED(181), FIXED(182), FIXED(110), FIXED(112), FIXED(177), FIXED(183));
             EACH(GET_MASK, _ring_impact_settling_2, settles, lodges, slides, unpressed)
             BOUNDS(EACH(SELECT, (_if_here_4, _ring_impact_settling_2), assured))
             EACH(GET_MASK, _ring_impact_settling_2, undecided)
@@ -3011,7 +3013,7 @@ LANES_APART void LOOP(slow)(LOOP(worklist) *worklist, size_t slow_shots, size_t 
         EACH(SET, _here_5, here)
         const M _if_here_5 = lanes_both(rows, here);
         if (lanes_any(_if_here_5)) {
-            CALL(court_bridge_turning, _bridge_turning_1)(x, y, z, rolled_x, rolled_y, rolled_z, FIXED(9), FIXED(13), FIXED(7), FIXED(8), FIXED(109), FIXED(16));
+            CALL(court_bridge_turning, _bridge_turning_1)(x, y, z, rolled_x, rolled_y, rolled_z, FIXED(9), FIXED(13), FIXED(7), FIXED(8), FIXED(16), FIXED(109));
             EACH(GET, _bridge_turning_1, turning_x, turning_y, turning_z)
             CALL(court_pressed_on, _pressed_on_3)(nx, ny, nz, wx, wy, wz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, FIXED(6), FIXED(21), FIXED(110));
             EACH(GET, _pressed_on_3, press, weight, rolling_friction, rolling_acceleration_x)
@@ -3032,7 +3034,7 @@ LANES_APART void LOOP(slow)(LOOP(worklist) *worklist, size_t slow_shots, size_t 
             EACH(SET, _near_end_plane_3, nearest)
             CALL(court_bridge_separation, _bridge_separation_1)(x, y, z, vx, vy, vz, FIXED(9), FIXED(13), FIXED(21), FIXED(7), FIXED(8), FIXED(16), FIXED(23));
             EACH(GET, _bridge_separation_1, lift)
-            CALL(court_ring_impact_settling, _ring_impact_settling_3)(wx, wy, wz, OR_ZERO(velocity_error), rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, slip, bounce, nearest, second_contact_gap, press, weight, rolling_friction, lift, FIXED(6), FIXED(183), FIXED(184), FIXED(185), FIXED(186), FIXED(110), FIXED(111), FIXED(176), FIXED(187));
+            CALL(court_ring_impact_settling, _ring_impact_settling_3)(wx, wy, wz, OR_ZERO(velocity_error), rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, slip, bounce, nearest, second_contact_gap, press, weight, rolling_friction, lift, FIXED(6), FIXED(184), FIXED(185), FIXED(186), FIXED(187), FIXED(110), FIXED(112), FIXED(177), FIXED(188));
             EACH(GET_MASK, _ring_impact_settling_3, settles, lodges, slides, unpressed)
             BOUNDS(EACH(SELECT, (_if_here_5, _ring_impact_settling_3), assured))
             EACH(GET_MASK, _ring_impact_settling_3, undecided)
@@ -3256,7 +3258,7 @@ static size_t LOOP(launch)(LOOP(worklist) *worklist, const court_job *job, size_
         const M _if_moves_1 = moves;
         if (lanes_any(_if_moves_1)) {
 #if BOUNDED
-            CALL(court_passing_undecided, _passing_undecided_1)(when, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, FIXED(7), FIXED(21), FIXED(33), FIXED(20), FIXED(22), FIXED(36), FIXED(163));
+            CALL(court_passing_undecided, _passing_undecided_1)(when, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, FIXED(7), FIXED(21), FIXED(33), FIXED(20), FIXED(22), FIXED(36), FIXED(164));
             EACH(GET_MASK, _passing_undecided_1, undecided)
             CALL(court_undecided, _undecided_1)(uncertain, undecided);
             EACH(SELECT, (_if_moves_1, _undecided_1), uncertain)
@@ -3280,7 +3282,7 @@ static size_t LOOP(launch)(LOOP(worklist) *worklist, const court_job *job, size_
 #endif
         refused = lanes_either(refused, in_contact);
 #if BOUNDED
-        CALL(court_displacement, _displacement_1)(earliest_delay, when, extent, speed, position_error, velocity_error, FIXED(21), FIXED(164));
+        CALL(court_displacement, _displacement_1)(earliest_delay, when, extent, speed, position_error, velocity_error, FIXED(21), FIXED(165));
         V slack = _displacement_1.margin;
 #endif
         CALL(court_here, _here_1)(K(3.0), which);
@@ -4946,7 +4948,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             const M _if_moves_1 = lanes_both(rows, moves);
             if (lanes_any(_if_moves_1)) {
 #if BOUNDED
-                CALL(court_passing_undecided, _passing_undecided_1)(when, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, FIXED(7), FIXED(21), FIXED(33), FIXED(20), FIXED(22), FIXED(36), FIXED(163));
+                CALL(court_passing_undecided, _passing_undecided_1)(when, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, FIXED(7), FIXED(21), FIXED(33), FIXED(20), FIXED(22), FIXED(36), FIXED(164));
                 EACH(GET_MASK, _passing_undecided_1, undecided)
                 CALL(court_undecided, _undecided_1)(uncertain, undecided);
                 EACH(SELECT, (_if_moves_1, _undecided_1), uncertain)
@@ -4978,7 +4980,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                 BOUNDS(EACH(SELECT_MASK, (_if_in_contact_1, _stay_in_contact_1), hopped))
             }
 #if BOUNDED
-            CALL(court_displacement, _displacement_1)(earliest_delay, when, extent, speed, position_error, velocity_error, FIXED(21), FIXED(164));
+            CALL(court_displacement, _displacement_1)(earliest_delay, when, extent, speed, position_error, velocity_error, FIXED(21), FIXED(165));
             V slack = _displacement_1.margin;
 #endif
             CALL(court_here, _here_1)(K(3.0), which);
@@ -5037,8 +5039,8 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                 CALL(court_here, _here_3)(K(1.0), which);
                 EACH(SET, _here_3, here)
                 const M _if_here_3 = lanes_both(_if_meeting_1, here);
-                {
-                    CALL(court_backboard_normal, _backboard_normal_1)(x, y, z, FIXED(9), FIXED(10), FIXED(11), FIXED(12), FIXED(109), FIXED(15));
+                if (lanes_any(_if_here_3)) {
+                    CALL(court_backboard_normal, _backboard_normal_1)(x, y, z, FIXED(9), FIXED(10), FIXED(11), FIXED(12), FIXED(15), FIXED(109));
                     EACH(SELECT, (_if_here_3, _backboard_normal_1), nx, ny, nz)
                     CALL(court_counted, _counted_2)(count_1);
                     count_1 = lanes_select(_if_here_3, _counted_2.count, count_1);
@@ -5046,8 +5048,8 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                 CALL(court_here, _here_4)(K(2.0), which);
                 EACH(SET, _here_4, here)
                 const M _if_here_4 = lanes_both(_if_meeting_1, here);
-                {
-                    CALL(court_bridge_normal, _bridge_normal_1)(x, y, z, FIXED(7), FIXED(8), FIXED(9), FIXED(13), FIXED(109), FIXED(16));
+                if (lanes_any(_if_here_4)) {
+                    CALL(court_bridge_normal, _bridge_normal_1)(x, y, z, FIXED(7), FIXED(8), FIXED(9), FIXED(13), FIXED(16), FIXED(109));
                     EACH(SELECT, (_if_here_4, _bridge_normal_1), nx, ny, nz)
                     CALL(court_counted, _counted_3)(count_2);
                     count_2 = lanes_select(_if_here_4, _counted_3.count, count_2);
@@ -5061,7 +5063,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                 EACH(GET_MASK, _again_1, again)
                 const M _if_again_1 = lanes_both(_if_meeting_1, again);
                 if (lanes_any(_if_again_1)) {
-                    CALL(court_ring_curvature, _ring_curvature_1)(FIXED(165));
+                    CALL(court_ring_curvature, _ring_curvature_1)(FIXED(166));
                     curving = lanes_select(_if_again_1, _ring_curvature_1.curvature, curving);
                     CALL(court_started, _started_1)(x, y, z, vx, vy, vz, when, FIXED(33));
                     EACH(GET, _started_1, from_x, from_y, from_z)
@@ -5074,11 +5076,11 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                 EACH(SET, _again_2, again)
                 const M _if_again_2 = lanes_both(_if_meeting_1, again);
                 if (lanes_any(_if_again_2)) {
-                    CALL(court_backboard_curvature, _backboard_curvature_1)(FIXED(109));
+                    CALL(court_backboard_curvature, _backboard_curvature_1)(when, x, y, z, vx, vy, vz, FIXED(9), FIXED(10), FIXED(11), FIXED(12), FIXED(21), FIXED(15), FIXED(111));
                     curving = lanes_select(_if_again_2, _backboard_curvature_1.curvature, curving);
                     CALL(court_started, _started_2)(x, y, z, vx, vy, vz, when, FIXED(33));
                     EACH(GET, _started_2, from_x, from_y, from_z)
-                    CALL(court_backboard_normal, _backboard_normal_2)(from_x, from_y, from_z, FIXED(9), FIXED(10), FIXED(11), FIXED(12), FIXED(109), FIXED(15));
+                    CALL(court_backboard_normal, _backboard_normal_2)(from_x, from_y, from_z, FIXED(9), FIXED(10), FIXED(11), FIXED(12), FIXED(15), FIXED(109));
                     left_nx = lanes_select(_if_again_2, _backboard_normal_2.nx, left_nx);
                     left_ny = lanes_select(_if_again_2, _backboard_normal_2.ny, left_ny);
                     left_nz = lanes_select(_if_again_2, _backboard_normal_2.nz, left_nz);
@@ -5087,11 +5089,11 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                 EACH(SET, _again_3, again)
                 const M _if_again_3 = lanes_both(_if_meeting_1, again);
                 if (lanes_any(_if_again_3)) {
-                    CALL(court_bridge_curvature, _bridge_curvature_1)(FIXED(109));
+                    CALL(court_bridge_curvature, _bridge_curvature_1)(when, x, y, z, vx, vy, vz, FIXED(7), FIXED(8), FIXED(9), FIXED(13), FIXED(21), FIXED(16), FIXED(111));
                     curving = lanes_select(_if_again_3, _bridge_curvature_1.curvature, curving);
                     CALL(court_started, _started_3)(x, y, z, vx, vy, vz, when, FIXED(33));
                     EACH(GET, _started_3, from_x, from_y, from_z)
-                    CALL(court_bridge_normal, _bridge_normal_2)(from_x, from_y, from_z, FIXED(7), FIXED(8), FIXED(9), FIXED(13), FIXED(109), FIXED(16));
+                    CALL(court_bridge_normal, _bridge_normal_2)(from_x, from_y, from_z, FIXED(7), FIXED(8), FIXED(9), FIXED(13), FIXED(16), FIXED(109));
                     left_nx = lanes_select(_if_again_3, _bridge_normal_2.nx, left_nx);
                     left_ny = lanes_select(_if_again_3, _bridge_normal_2.ny, left_ny);
                     left_nz = lanes_select(_if_again_3, _bridge_normal_2.nz, left_nz);
@@ -5115,21 +5117,21 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                 EACH(SET, _here_5, here)
                 const M _if_here_5 = lanes_both(_if_meeting_1, here);
                 if (lanes_any(_if_here_5)) {
-                    CALL(court_ring_carry_normal, _ring_carry_normal_1)(x, y, dx, dy, dz, shift, FIXED(7), FIXED(108), FIXED(165));
+                    CALL(court_ring_carry_normal, _ring_carry_normal_1)(x, y, dx, dy, dz, shift, FIXED(7), FIXED(108), FIXED(166));
                     EACH(SELECT, (_if_here_5, _ring_carry_normal_1), dnx, dny, dnz, turn)
                 }
                 CALL(court_here, _here_6)(K(1.0), which);
                 EACH(SET, _here_6, here)
                 const M _if_here_6 = lanes_both(_if_meeting_1, here);
-                {
-                    CALL(court_backboard_carry_normal, _backboard_carry_normal_1)(x, y, z, dx, dy, dz, shift, FIXED(9), FIXED(10), FIXED(11), FIXED(12), FIXED(109), FIXED(15));
+                if (lanes_any(_if_here_6)) {
+                    CALL(court_backboard_carry_normal, _backboard_carry_normal_1)(x, y, z, dx, dy, dz, shift, FIXED(9), FIXED(10), FIXED(11), FIXED(12), FIXED(15), FIXED(109), FIXED(111));
                     EACH(SELECT, (_if_here_6, _backboard_carry_normal_1), dnx, dny, dnz, turn)
                 }
                 CALL(court_here, _here_7)(K(2.0), which);
                 EACH(SET, _here_7, here)
                 const M _if_here_7 = lanes_both(_if_meeting_1, here);
-                {
-                    CALL(court_bridge_carry_normal, _bridge_carry_normal_1)(x, y, z, dx, dy, dz, shift, FIXED(7), FIXED(8), FIXED(9), FIXED(13), FIXED(109), FIXED(16));
+                if (lanes_any(_if_here_7)) {
+                    CALL(court_bridge_carry_normal, _bridge_carry_normal_1)(x, y, z, dx, dy, dz, shift, FIXED(7), FIXED(8), FIXED(9), FIXED(13), FIXED(16), FIXED(109), FIXED(111));
                     EACH(SELECT, (_if_here_7, _bridge_carry_normal_1), dnx, dny, dnz, turn)
                 }
 #endif
@@ -5180,22 +5182,22 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                 const M _if_struck_0_1 = lanes_both(_if_meeting_1, struck_0);
                 if (lanes_any(_if_struck_0_1)) {
 #if BOUNDED
-                    CALL(court_ring_impact_undecided, _ring_impact_undecided_1)(vx, vy, vz, wx, wy, wz, nx, ny, nz, dvx, dvy, dvz, dwx, dwy, dwz, turn, its_0_ring_impact, its_1_ring_impact, FIXED(6), FIXED(166), FIXED(167));
+                    CALL(court_ring_impact_undecided, _ring_impact_undecided_1)(vx, vy, vz, wx, wy, wz, nx, ny, nz, dvx, dvy, dvz, dwx, dwy, dwz, turn, its_0_ring_impact, its_1_ring_impact, FIXED(6), FIXED(167), FIXED(168));
                     EACH(GET_MASK, _ring_impact_undecided_1, undecided)
                     CALL(court_undecided, _undecided_2)(uncertain, undecided);
                     EACH(SELECT, (_if_struck_0_1, _undecided_2), uncertain)
-                    CALL(court_carry_ring_impact, _carry_ring_impact_1)(vx, vy, vz, wx, wy, wz, nx, ny, nz, dvx, dvy, dvz, dwx, dwy, dwz, dnx, dny, dnz, turn, lifting, its_0_ring_impact, its_1_ring_impact, FIXED(6), FIXED(166), FIXED(167), FIXED(168), FIXED(169), FIXED(109));
+                    CALL(court_carry_ring_impact, _carry_ring_impact_1)(vx, vy, vz, wx, wy, wz, nx, ny, nz, dvx, dvy, dvz, dwx, dwy, dwz, dnx, dny, dnz, turn, lifting, its_0_ring_impact, its_1_ring_impact, FIXED(6), FIXED(167), FIXED(168), FIXED(169), FIXED(170), FIXED(111));
                     EACH(SELECT, (_if_struck_0_1, _carry_ring_impact_1), dvx, dvy, dvz, dwx, dwy)
                     EACH(SELECT, (_if_struck_0_1, _carry_ring_impact_1), dwz)
 #endif
-                    CALL(court_ring_impact, _ring_impact_1)(vx, vy, vz, wx, wy, wz, nx, ny, nz, its_0_ring_impact, its_1_ring_impact, FIXED(6), FIXED(166), FIXED(167), FIXED(168), FIXED(169));
+                    CALL(court_ring_impact, _ring_impact_1)(vx, vy, vz, wx, wy, wz, nx, ny, nz, its_0_ring_impact, its_1_ring_impact, FIXED(6), FIXED(167), FIXED(168), FIXED(169), FIXED(170));
                     EACH(SELECT, (_if_struck_0_1, _ring_impact_1), vx, vy, vz, wx, wy, wz)
                 }
                 const M _if_touches_1 = lanes_both(_if_meeting_1, touches);
                 {
                     CALL(court_touched, _touched_1)(which, body, first);
                     EACH(SELECT, (_if_touches_1, _touched_1), first, last)
-                    CALL(court_leaves_slowly, _leaves_slowly_1)(nx, ny, nz, vx, vy, vz, OR_ZERO(position_error), FIXED(6), FIXED(21), FIXED(170), FIXED(171));
+                    CALL(court_leaves_slowly, _leaves_slowly_1)(nx, ny, nz, vx, vy, vz, OR_ZERO(position_error), FIXED(6), FIXED(21), FIXED(171), FIXED(172));
                     EACH(SELECT_MASK, (_if_touches_1, _leaves_slowly_1), slow)
                     BOUNDS(EACH(SELECT, (_if_touches_1, _leaves_slowly_1), assured))
                 }

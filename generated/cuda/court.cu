@@ -1,6 +1,6 @@
 /* The event loop of the scene court in CUDA: a thread takes one shot from its release to its end.
 
-   Generated from templates/cuda/scene.cu.j2, scene court, derivation c7e11144c55ec89d,
+   Generated from templates/cuda/scene.cu.j2, scene court, derivation 495f8c37fe49c7e5,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    It needs no header. To give the bits of NumPy and C it is compiled with --fmad=false, --ftz=false,
@@ -3724,46 +3724,88 @@ static __device__ __forceinline__ kernel_ring_enter_out kernel_ring_enter(double
 }
 
 /* Outward unit normal n3 at a contact.
-   Table 2. 28 operations: 4 additions, 6 subtractions, 3 multiplications, 1 division, 2 negations, 6 comparisons, 6 selections. */
+   Table 2. 36 operations: 6 additions, 6 subtractions, 4 multiplications, 3 divisions, 1 square root, 2 negations, 7 comparisons, 7 selections. */
 struct kernel_backboard_normal_out {
     double nx, ny, nz;
 };
 
 static __device__ __forceinline__ kernel_backboard_normal_out kernel_backboard_normal(double x, double y, double z, double p_ball_radius, double p_board_distance, double p_board_half_width, double p_board_bottom, double p_board_top, double p_board_thickness)
 {
-    const double _s0 = 1.0 / p_ball_radius;
-    const double _s1 = p_board_distance + x;
-    const double _s2 = -((p_board_distance + p_board_thickness) + x);
+    const double _s0 = p_board_distance + x;
+    const double _s1 = -((p_board_distance + p_board_thickness) + x);
+    const double _s2 = larger(_s0, 0.0) - larger(_s1, 0.0);
     const double _s3 = y - p_board_half_width;
     const double _s4 = -(p_board_half_width + y);
-    const double _s5 = z - p_board_top;
-    const double _s6 = p_board_bottom - z;
-    return {_s0 * (larger(_s1, 0.0) - larger(_s2, 0.0)), _s0 * (larger(_s3, 0.0) - larger(_s4, 0.0)), _s0 * (larger(_s5, 0.0) - larger(_s6, 0.0))};
+    const double _s5 = larger(_s3, 0.0) - larger(_s4, 0.0);
+    const double _s6 = z - p_board_top;
+    const double _s7 = p_board_bottom - z;
+    const double _s8 = larger(_s6, 0.0) - larger(_s7, 0.0);
+    const double _s9 = sqrt((((_s2 * _s2) + (_s5 * _s5)) + (_s8 * _s8)));
+    const double _s10 = 0.5 * p_ball_radius;
+    const double _s11 = larger(_s9, _s10);
+    return {_s2 / _s11, _s5 / _s11, _s8 / _s11};
 }
 
 /* Bound on the rate at which the normal turns along the contact surface.
-   Table 2. 1 operation: 1 division. */
+   Table 2. 41 operations: 8 additions, 3 subtractions, 6 multiplications, 1 division, 2 negations, 3 absolute values, 9 comparisons, 9 selections. */
 struct kernel_backboard_curvature_out {
     double curvature;
 };
 
-static __device__ __forceinline__ kernel_backboard_curvature_out kernel_backboard_curvature(double p_ball_radius)
+static __device__ __forceinline__ kernel_backboard_curvature_out kernel_backboard_curvature(double t, double x, double y, double z, double vx, double vy, double vz, double p_ball_radius, double p_board_distance, double p_board_half_width, double p_board_bottom, double p_board_top, double p_board_thickness, double p_gravity)
 {
-    return {1.0 / p_ball_radius};
+    const double _s0 = 2.0 * t;
+    const double _s1 = z - p_board_top;
+    const double _s2 = p_board_bottom - z;
+    const double _s3 = ((p_gravity * (t * t)) + (_s0 * fabs(vz))) + larger(_s1, _s2);
+    const double _s4 = p_board_distance + x;
+    const double _s5 = -((p_board_distance + p_board_thickness) + x);
+    const double _s6 = (_s0 * fabs(vx)) + larger(_s4, _s5);
+    const double _s7 = larger(_s3, _s6);
+    const double _s8 = y - p_board_half_width;
+    const double _s9 = -(p_board_half_width + y);
+    const double _s10 = (_s0 * fabs(vy)) + larger(_s8, _s9);
+    const double _s11 = larger(_s10, _s3);
+    const double _s12 = larger(_s6, _s10);
+    const double _s13 = smaller(_s11, _s12);
+    return {choose((smaller(_s7, _s13) < 0.0), 0.0, (1.0 / p_ball_radius))};
 }
 
 /* Error of the normal, from that of the position.
-   derivative of Table 2's normal. 32 operations: 4 additions, 6 subtractions, 4 multiplications, 1 division, 5 negations, 6 comparisons, 6 selections. */
+   derivative of Table 2's normal. 101 operations: 11 additions, 12 subtractions, 18 multiplications, 8 divisions, 1 square root, 5 negations, 23 comparisons, 23 selections. */
 struct kernel_backboard_carry_normal_out {
     double dnx, dny, dnz, turn;
 };
 
 static __device__ __forceinline__ kernel_backboard_carry_normal_out kernel_backboard_carry_normal(double x, double y, double z, double dx, double dy, double dz, double shift, double p_ball_radius, double p_board_distance, double p_board_half_width, double p_board_bottom, double p_board_top, double p_board_thickness)
 {
-    const double _s0 = 1.0 / p_ball_radius;
-    const double _s1 = choose(((p_board_distance + x) < 0.0), 0.0, dx) - choose(((-((p_board_distance + p_board_thickness) + x)) < 0.0), 0.0, (-dx));
-    const double _s2 = _s0 * (choose(((y - p_board_half_width) < 0.0), 0.0, dy) - choose(((-(p_board_half_width + y)) < 0.0), 0.0, (-dy)));
-    return {_s0 * _s1, _s2, _s0 * (choose(((z - p_board_top) < 0.0), 0.0, dz) - choose(((p_board_bottom - z) < 0.0), 0.0, (-dz))), shift * _s0};
+    const double _s0 = p_board_distance + x;
+    const double _s1 = -((p_board_distance + p_board_thickness) + x);
+    const double _s2 = choose((_s0 < 0.0), 0.0, dx) - choose((_s1 < 0.0), 0.0, (-dx));
+    const double _s3 = larger(_s0, 0.0) - larger(_s1, 0.0);
+    const double _s4 = y - p_board_half_width;
+    const double _s5 = -(p_board_half_width + y);
+    const double _s6 = larger(_s4, 0.0) - larger(_s5, 0.0);
+    const double _s7 = z - p_board_top;
+    const double _s8 = p_board_bottom - z;
+    const double _s9 = larger(_s7, 0.0) - larger(_s8, 0.0);
+    const double _s10 = sqrt((((_s3 * _s3) + (_s6 * _s6)) + (_s9 * _s9)));
+    const double _s11 = 0.5 * p_ball_radius;
+    const double _s12 = larger(_s10, _s11);
+    const double _s13 = choose((_s4 < 0.0), 0.0, dy) - choose((_s5 < 0.0), 0.0, (-dy));
+    const double _s14 = choose((_s7 < 0.0), 0.0, dz) - choose((_s8 < 0.0), 0.0, (-dz));
+    const double _s15 = (0.5 * ((((2.0 * _s2) * _s3) + ((2.0 * _s13) * _s6)) + ((2.0 * _s14) * _s9))) * (1.0 / _s10);
+    const double _s16 = choose((_s10 < _s11), 0.0, _s15);
+    const double _s17 = _s12 * _s12;
+    const double _s18 = 16.0 * shift;
+    const double _s19 = _s18 + larger(_s7, _s8);
+    const double _s20 = _s18 + larger(_s0, _s1);
+    const double _s21 = larger(_s19, _s20);
+    const double _s22 = _s18 + larger(_s4, _s5);
+    const double _s23 = larger(_s22, _s19);
+    const double _s24 = larger(_s20, _s22);
+    const double _s25 = smaller(_s23, _s24);
+    return {(_s2 / _s12) - ((_s3 * _s16) / _s17), (_s13 / _s12) - ((_s6 * _s16) / _s17), (_s14 / _s12) - ((_s9 * _s16) / _s17), shift * choose((smaller(_s21, _s25) < 0.0), 0.0, (1.0 / p_ball_radius))};
 }
 
 /* Constants and windows of the search along a flight, and its error budget.
@@ -4108,17 +4150,32 @@ static __device__ __forceinline__ kernel_backboard_rolling_surface_out kernel_ba
 }
 
 /* Rate of the normal.
-   derivative of Table 2's normal. 31 operations: 4 additions, 6 subtractions, 3 multiplications, 1 division, 5 negations, 6 comparisons, 6 selections. */
+   derivative of Table 2's normal. 77 operations: 8 additions, 12 subtractions, 16 multiplications, 7 divisions, 1 square root, 5 negations, 14 comparisons, 14 selections. */
 struct kernel_backboard_turning_out {
     double turning_x, turning_y, turning_z;
 };
 
 static __device__ __forceinline__ kernel_backboard_turning_out kernel_backboard_turning(double p_ball_radius, double p_board_bottom, double p_board_distance, double p_board_half_width, double p_board_thickness, double p_board_top, double x, double y, double z, double rolled_x, double rolled_y, double rolled_z)
 {
-    const double _s0 = 1.0 / p_ball_radius;
-    const double _s1 = choose(((p_board_distance + x) < 0.0), 0.0, rolled_x) - choose(((-((p_board_distance + p_board_thickness) + x)) < 0.0), 0.0, (-rolled_x));
-    const double _s2 = _s0 * (choose(((y - p_board_half_width) < 0.0), 0.0, rolled_y) - choose(((-(p_board_half_width + y)) < 0.0), 0.0, (-rolled_y)));
-    return {_s0 * _s1, _s2, _s0 * (choose(((z - p_board_top) < 0.0), 0.0, rolled_z) - choose(((p_board_bottom - z) < 0.0), 0.0, (-rolled_z)))};
+    const double _s0 = p_board_distance + x;
+    const double _s1 = -((p_board_distance + p_board_thickness) + x);
+    const double _s2 = choose((_s0 < 0.0), 0.0, rolled_x) - choose((_s1 < 0.0), 0.0, (-rolled_x));
+    const double _s3 = larger(_s0, 0.0) - larger(_s1, 0.0);
+    const double _s4 = y - p_board_half_width;
+    const double _s5 = -(p_board_half_width + y);
+    const double _s6 = larger(_s4, 0.0) - larger(_s5, 0.0);
+    const double _s7 = z - p_board_top;
+    const double _s8 = p_board_bottom - z;
+    const double _s9 = larger(_s7, 0.0) - larger(_s8, 0.0);
+    const double _s10 = sqrt((((_s3 * _s3) + (_s6 * _s6)) + (_s9 * _s9)));
+    const double _s11 = 0.5 * p_ball_radius;
+    const double _s12 = larger(_s10, _s11);
+    const double _s13 = choose((_s4 < 0.0), 0.0, rolled_y) - choose((_s5 < 0.0), 0.0, (-rolled_y));
+    const double _s14 = choose((_s7 < 0.0), 0.0, rolled_z) - choose((_s8 < 0.0), 0.0, (-rolled_z));
+    const double _s15 = (0.5 * ((((2.0 * _s2) * _s3) + ((2.0 * _s13) * _s6)) + ((2.0 * _s14) * _s9))) * (1.0 / _s10);
+    const double _s16 = choose((_s10 < _s11), 0.0, _s15);
+    const double _s17 = _s12 * _s12;
+    return {(_s2 / _s12) - ((_s3 * _s16) / _s17), (_s13 / _s12) - ((_s6 * _s16) / _s17), (_s14 / _s12) - ((_s9 * _s16) / _s17)};
 }
 
 /* Second to fourth derivative of the distance along a flight.
@@ -4274,47 +4331,88 @@ static __device__ __forceinline__ kernel_backboard_enter_out kernel_backboard_en
 }
 
 /* Outward unit normal n3 at a contact.
-   Table 2. 28 operations: 3 additions, 7 subtractions, 3 multiplications, 1 division, 2 negations, 6 comparisons, 6 selections. */
+   Table 2. 36 operations: 5 additions, 7 subtractions, 4 multiplications, 3 divisions, 1 square root, 2 negations, 7 comparisons, 7 selections. */
 struct kernel_bridge_normal_out {
     double nx, ny, nz;
 };
 
 static __device__ __forceinline__ kernel_bridge_normal_out kernel_bridge_normal(double x, double y, double z, double p_ball_radius, double p_ring_radius, double p_wire_radius, double p_board_distance, double p_bridge_half_width, double p_bridge_depth)
 {
-    const double _s0 = 1.0 / p_ball_radius;
-    const double _s1 = p_ring_radius + x;
-    const double _s2 = -(p_board_distance + x);
-    const double _s3 = y - p_bridge_half_width;
-    const double _s4 = -(p_bridge_half_width + y);
-    const double _s5 = z - p_wire_radius;
-    const double _s6 = (p_wire_radius - p_bridge_depth) - z;
-    return {_s0 * (larger(_s1, 0.0) - larger(_s2, 0.0)), _s0 * (larger(_s3, 0.0) - larger(_s4, 0.0)), _s0 * (larger(_s5, 0.0) - larger(_s6, 0.0))};
+    const double _s0 = p_ring_radius + x;
+    const double _s1 = -(p_board_distance + x);
+    const double _s2 = larger(_s0, 0.0) - larger(_s1, 0.0);
+    const double _s3 = z - p_wire_radius;
+    const double _s4 = (p_wire_radius - p_bridge_depth) - z;
+    const double _s5 = larger(_s3, 0.0) - larger(_s4, 0.0);
+    const double _s6 = y - p_bridge_half_width;
+    const double _s7 = -(p_bridge_half_width + y);
+    const double _s8 = larger(_s6, 0.0) - larger(_s7, 0.0);
+    const double _s9 = sqrt((((_s2 * _s2) + (_s5 * _s5)) + (_s8 * _s8)));
+    const double _s10 = 0.5 * p_ball_radius;
+    const double _s11 = larger(_s9, _s10);
+    return {_s2 / _s11, _s8 / _s11, _s5 / _s11};
 }
 
 /* Bound on the rate at which the normal turns along the contact surface.
-   Table 2. 1 operation: 1 division. */
+   Table 2. 41 operations: 7 additions, 4 subtractions, 6 multiplications, 1 division, 2 negations, 3 absolute values, 9 comparisons, 9 selections. */
 struct kernel_bridge_curvature_out {
     double curvature;
 };
 
-static __device__ __forceinline__ kernel_bridge_curvature_out kernel_bridge_curvature(double p_ball_radius)
+static __device__ __forceinline__ kernel_bridge_curvature_out kernel_bridge_curvature(double t, double x, double y, double z, double vx, double vy, double vz, double p_ball_radius, double p_ring_radius, double p_wire_radius, double p_board_distance, double p_bridge_half_width, double p_bridge_depth, double p_gravity)
 {
-    return {1.0 / p_ball_radius};
+    const double _s0 = 2.0 * t;
+    const double _s1 = z - p_wire_radius;
+    const double _s2 = (p_wire_radius - p_bridge_depth) - z;
+    const double _s3 = ((p_gravity * (t * t)) + (_s0 * fabs(vz))) + larger(_s1, _s2);
+    const double _s4 = p_ring_radius + x;
+    const double _s5 = -(p_board_distance + x);
+    const double _s6 = (_s0 * fabs(vx)) + larger(_s4, _s5);
+    const double _s7 = larger(_s3, _s6);
+    const double _s8 = y - p_bridge_half_width;
+    const double _s9 = -(p_bridge_half_width + y);
+    const double _s10 = (_s0 * fabs(vy)) + larger(_s8, _s9);
+    const double _s11 = larger(_s10, _s3);
+    const double _s12 = larger(_s6, _s10);
+    const double _s13 = smaller(_s11, _s12);
+    return {choose((smaller(_s7, _s13) < 0.0), 0.0, (1.0 / p_ball_radius))};
 }
 
 /* Error of the normal, from that of the position.
-   derivative of Table 2's normal. 32 operations: 3 additions, 7 subtractions, 4 multiplications, 1 division, 5 negations, 6 comparisons, 6 selections. */
+   derivative of Table 2's normal. 101 operations: 10 additions, 13 subtractions, 18 multiplications, 8 divisions, 1 square root, 5 negations, 23 comparisons, 23 selections. */
 struct kernel_bridge_carry_normal_out {
     double dnx, dny, dnz, turn;
 };
 
 static __device__ __forceinline__ kernel_bridge_carry_normal_out kernel_bridge_carry_normal(double x, double y, double z, double dx, double dy, double dz, double shift, double p_ball_radius, double p_ring_radius, double p_wire_radius, double p_board_distance, double p_bridge_half_width, double p_bridge_depth)
 {
-    const double _s0 = 1.0 / p_ball_radius;
-    const double _s1 = _s0 * (choose(((p_ring_radius + x) < 0.0), 0.0, dx) - choose(((-(p_board_distance + x)) < 0.0), 0.0, (-dx)));
-    const double _s2 = _s0 * (choose(((y - p_bridge_half_width) < 0.0), 0.0, dy) - choose(((-(p_bridge_half_width + y)) < 0.0), 0.0, (-dy)));
-    const double _s3 = _s0 * (choose(((z - p_wire_radius) < 0.0), 0.0, dz) - choose((((p_wire_radius - p_bridge_depth) - z) < 0.0), 0.0, (-dz)));
-    return {_s1, _s2, _s3, shift * _s0};
+    const double _s0 = p_ring_radius + x;
+    const double _s1 = -(p_board_distance + x);
+    const double _s2 = choose((_s0 < 0.0), 0.0, dx) - choose((_s1 < 0.0), 0.0, (-dx));
+    const double _s3 = larger(_s0, 0.0) - larger(_s1, 0.0);
+    const double _s4 = z - p_wire_radius;
+    const double _s5 = (p_wire_radius - p_bridge_depth) - z;
+    const double _s6 = larger(_s4, 0.0) - larger(_s5, 0.0);
+    const double _s7 = y - p_bridge_half_width;
+    const double _s8 = -(p_bridge_half_width + y);
+    const double _s9 = larger(_s7, 0.0) - larger(_s8, 0.0);
+    const double _s10 = sqrt((((_s3 * _s3) + (_s6 * _s6)) + (_s9 * _s9)));
+    const double _s11 = 0.5 * p_ball_radius;
+    const double _s12 = larger(_s10, _s11);
+    const double _s13 = choose((_s4 < 0.0), 0.0, dz) - choose((_s5 < 0.0), 0.0, (-dz));
+    const double _s14 = choose((_s7 < 0.0), 0.0, dy) - choose((_s8 < 0.0), 0.0, (-dy));
+    const double _s15 = (0.5 * ((((2.0 * _s2) * _s3) + ((2.0 * _s13) * _s6)) + ((2.0 * _s14) * _s9))) * (1.0 / _s10);
+    const double _s16 = choose((_s10 < _s11), 0.0, _s15);
+    const double _s17 = _s12 * _s12;
+    const double _s18 = 16.0 * shift;
+    const double _s19 = _s18 + larger(_s4, _s5);
+    const double _s20 = _s18 + larger(_s0, _s1);
+    const double _s21 = larger(_s19, _s20);
+    const double _s22 = _s18 + larger(_s7, _s8);
+    const double _s23 = larger(_s22, _s19);
+    const double _s24 = larger(_s20, _s22);
+    const double _s25 = smaller(_s23, _s24);
+    return {(_s2 / _s12) - ((_s3 * _s16) / _s17), (_s14 / _s12) - ((_s9 * _s16) / _s17), (_s13 / _s12) - ((_s6 * _s16) / _s17), shift * choose((smaller(_s21, _s25) < 0.0), 0.0, (1.0 / p_ball_radius))};
 }
 
 /* Constants and windows of the search along a flight, and its error budget.
@@ -4659,18 +4757,32 @@ static __device__ __forceinline__ kernel_bridge_rolling_surface_out kernel_bridg
 }
 
 /* Rate of the normal.
-   derivative of Table 2's normal. 31 operations: 3 additions, 7 subtractions, 3 multiplications, 1 division, 5 negations, 6 comparisons, 6 selections. */
+   derivative of Table 2's normal. 77 operations: 7 additions, 13 subtractions, 16 multiplications, 7 divisions, 1 square root, 5 negations, 14 comparisons, 14 selections. */
 struct kernel_bridge_turning_out {
     double turning_x, turning_y, turning_z;
 };
 
 static __device__ __forceinline__ kernel_bridge_turning_out kernel_bridge_turning(double p_ball_radius, double p_board_distance, double p_bridge_depth, double p_bridge_half_width, double p_ring_radius, double p_wire_radius, double x, double y, double z, double rolled_x, double rolled_y, double rolled_z)
 {
-    const double _s0 = 1.0 / p_ball_radius;
-    const double _s1 = _s0 * (choose(((p_ring_radius + x) < 0.0), 0.0, rolled_x) - choose(((-(p_board_distance + x)) < 0.0), 0.0, (-rolled_x)));
-    const double _s2 = _s0 * (choose(((y - p_bridge_half_width) < 0.0), 0.0, rolled_y) - choose(((-(p_bridge_half_width + y)) < 0.0), 0.0, (-rolled_y)));
-    const double _s3 = _s0 * (choose(((z - p_wire_radius) < 0.0), 0.0, rolled_z) - choose((((p_wire_radius - p_bridge_depth) - z) < 0.0), 0.0, (-rolled_z)));
-    return {_s1, _s2, _s3};
+    const double _s0 = p_ring_radius + x;
+    const double _s1 = -(p_board_distance + x);
+    const double _s2 = choose((_s0 < 0.0), 0.0, rolled_x) - choose((_s1 < 0.0), 0.0, (-rolled_x));
+    const double _s3 = larger(_s0, 0.0) - larger(_s1, 0.0);
+    const double _s4 = z - p_wire_radius;
+    const double _s5 = (p_wire_radius - p_bridge_depth) - z;
+    const double _s6 = larger(_s4, 0.0) - larger(_s5, 0.0);
+    const double _s7 = y - p_bridge_half_width;
+    const double _s8 = -(p_bridge_half_width + y);
+    const double _s9 = larger(_s7, 0.0) - larger(_s8, 0.0);
+    const double _s10 = sqrt((((_s3 * _s3) + (_s6 * _s6)) + (_s9 * _s9)));
+    const double _s11 = 0.5 * p_ball_radius;
+    const double _s12 = larger(_s10, _s11);
+    const double _s13 = choose((_s4 < 0.0), 0.0, rolled_z) - choose((_s5 < 0.0), 0.0, (-rolled_z));
+    const double _s14 = choose((_s7 < 0.0), 0.0, rolled_y) - choose((_s8 < 0.0), 0.0, (-rolled_y));
+    const double _s15 = (0.5 * ((((2.0 * _s2) * _s3) + ((2.0 * _s13) * _s6)) + ((2.0 * _s14) * _s9))) * (1.0 / _s10);
+    const double _s16 = choose((_s10 < _s11), 0.0, _s15);
+    const double _s17 = _s12 * _s12;
+    return {(_s2 / _s12) - ((_s3 * _s16) / _s17), (_s14 / _s12) - ((_s9 * _s16) / _s17), (_s13 / _s12) - ((_s6 * _s16) / _s17)};
 }
 
 /* Second to fourth derivative of the distance along a flight.
@@ -7245,7 +7357,7 @@ static __device__ __forceinline__ void court_loop(
                 const kernel_again_out _o440 = kernel_again(1.0, last, which);
                 again = _o440.again;
                 if (again) {
-                    const kernel_backboard_curvature_out _o441 = kernel_backboard_curvature(p_ball_radius);
+                    const kernel_backboard_curvature_out _o441 = kernel_backboard_curvature(when, x, y, z, vx, vy, vz, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
                     curving = _o441.curvature;
                     const kernel_started_out _o442 = kernel_started(p_gravity, x, y, z, vx, vy, vz, when);
                     from_x = _o442.from_x;
@@ -7259,7 +7371,7 @@ static __device__ __forceinline__ void court_loop(
                 const kernel_again_out _o444 = kernel_again(2.0, last, which);
                 again = _o444.again;
                 if (again) {
-                    const kernel_bridge_curvature_out _o445 = kernel_bridge_curvature(p_ball_radius);
+                    const kernel_bridge_curvature_out _o445 = kernel_bridge_curvature(when, x, y, z, vx, vy, vz, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
                     curving = _o445.curvature;
                     const kernel_started_out _o446 = kernel_started(p_gravity, x, y, z, vx, vy, vz, when);
                     from_x = _o446.from_x;

@@ -1,6 +1,6 @@
 """NumPy kernels of the scene court.
 
-Generated from templates/numpy/kernels.py.j2, scene court, derivation c7e11144c55ec89d,
+Generated from templates/numpy/kernels.py.j2, scene court, derivation 495f8c37fe49c7e5,
 with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
 and run `make generate`.
 Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
@@ -4235,31 +4235,51 @@ def ring_enter(t: Any, end: Any, after: Any, low0: Any, low1: Any, low2: Any, hi
 def backboard_normal(x: Any, y: Any, z: Any, p_ball_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_board_thickness: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Outward unit normal n3 at a contact.
 
-    Table 2. 28 operations: 4 additions, 6 subtractions, 3 multiplications, 1 division, 2 negations, 6 comparisons, 6 selections.
+    Table 2. 36 operations: 6 additions, 6 subtractions, 4 multiplications, 3 divisions, 1 square root, 2 negations, 7 comparisons, 7 selections.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7 = _room[:8]
-    _s0 = 1.0 / p_ball_radius
-    _s1 = _add(p_board_distance, x, _r0)
-    _s2 = _negative(_add(p_board_distance + p_board_thickness, x, _r1), _r1)
-    _s3 = _subtract(y, p_board_half_width, _r2)
-    _s4 = _negative(_add(p_board_half_width, y, _r3), _r3)
-    _s5 = _subtract(z, p_board_top, _r4)
-    _s6 = _subtract(p_board_bottom, z, _r5)
-    return _s0 * _subtract(_select(_s1 < _k4, _k4, _s1, _r6), _select(_s2 < _k4, _k4, _s2, _r7), _r7), _s0 * _subtract(_select(_s3 < _k4, _k4, _s3, _r7), _select(_s4 < _k4, _k4, _s4, _r1), _r1), _s0 * _subtract(_select(_s5 < _k4, _k4, _s5, _r1), _select(_s6 < _k4, _k4, _s6, _r3), _r3)
+    _r0, _r1, _r2, _r3, _r4, _r5 = _room[:6]
+    _s0 = _add(p_board_distance, x, _r0)
+    _s1 = _negative(_add(p_board_distance + p_board_thickness, x, _r1), _r1)
+    _s2 = _subtract(_select(_s0 < _k4, _k4, _s0, _r2), _select(_s1 < _k4, _k4, _s1, _r3), _r3)
+    _s3 = _subtract(y, p_board_half_width, _r1)
+    _s4 = _negative(_add(p_board_half_width, y, _r2), _r2)
+    _s5 = _subtract(_select(_s3 < _k4, _k4, _s3, _r0), _select(_s4 < _k4, _k4, _s4, _r4), _r4)
+    _s6 = _subtract(z, p_board_top, _r2)
+    _s7 = _subtract(p_board_bottom, z, _r0)
+    _s8 = _subtract(_select(_s6 < _k4, _k4, _s6, _r1), _select(_s7 < _k4, _k4, _s7, _r5), _r5)
+    _s9 = _sqrt(_add(_add(_multiply(_s2, _s2, _r0), _multiply(_s5, _s5, _r1), _r1), _multiply(_s8, _s8, _r0), _r0), _r0)
+    _s10 = 0.5 * p_ball_radius
+    _s11 = _select(_s9 < _s10, _s10, _s9, _r1)
+    return _s2 / _s11, _s5 / _s11, _s8 / _s11
 
 
-def backboard_curvature(p_ball_radius: Any) -> tuple[Any, ...]:
+def backboard_curvature(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_ball_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_board_thickness: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Bound on the rate at which the normal turns along the contact surface.
 
-    Table 2. 1 operation: 1 division.
+    Table 2. 41 operations: 8 additions, 3 subtractions, 6 multiplications, 1 division, 2 negations, 3 absolute values, 9 comparisons, 9 selections.
     """
-    return 1.0 / p_ball_radius,
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7 = _room[:8]
+    _s0 = _multiply(_k20, t, _r0)
+    _s1 = _subtract(z, p_board_top, _r1)
+    _s2 = _subtract(p_board_bottom, z, _r2)
+    _s3 = _add(_add(_multiply(p_gravity, _multiply(t, t, _r3), _r3), _multiply(_s0, _absolute(vz, _r4), _r4), _r4), _select(_s1 < _s2, _s2, _s1, _r3), _r3)
+    _s4 = _add(p_board_distance, x, _r2)
+    _s5 = _negative(_add(p_board_distance + p_board_thickness, x, _r1), _r1)
+    _s6 = _add(_multiply(_s0, _absolute(vx, _r4), _r4), _select(_s4 < _s5, _s5, _s4, _r5), _r5)
+    _s7 = _select(_s3 < _s6, _s6, _s3, _r1)
+    _s8 = _subtract(y, p_board_half_width, _r2)
+    _s9 = _negative(_add(p_board_half_width, y, _r4), _r4)
+    _s10 = _add(_multiply(_s0, _absolute(vy, _r6), _r6), _select(_s8 < _s9, _s9, _s8, _r0), _r0)
+    _s11 = _select(_s10 < _s3, _s3, _s10, _r4)
+    _s12 = _select(_s6 < _s10, _s10, _s6, _r2)
+    _s13 = _select(_s11 < _s12, _s11, _s12, _r6)
+    return _result(_select(_s7 < _s13, _s7, _s13, _r7) < _k4, _k4, 1.0 / p_ball_radius, _r0),
 
 
 def backboard_vary(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: Any, ny: Any, nz: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, p_ball_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_board_thickness: Any, p_gravity: Any, change_ball_radius: Any, change_board_distance: Any, change_board_half_width: Any, change_board_bottom: Any, change_board_top: Any, change_board_thickness: Any) -> tuple[Any, ...]:
     """Delay of a contact, distance there, and variations of position, velocity and normal; the change of the distance at a fixed time, and bounds with their changes at the contact.
 
-    derivatives of the distance, of Eq. 3, of the normal and of Eq. 2. 113 operations: 23 additions, 18 subtractions, 29 multiplications, 3 divisions, 1 square root, 9 negations, 12 comparisons, 18 selections.
+    derivatives of the distance, of Eq. 3, of the normal and of Eq. 2. 130 operations: 22 additions, 21 subtractions, 35 multiplications, 9 divisions, 1 square root, 8 negations, 14 comparisons, 20 selections.
     """
     _s0 = p_board_distance + x
     _s1 = _s0 < 0.0
@@ -4286,23 +4306,50 @@ def backboard_vary(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: Any, n
     _s22 = dx + (vx * _s21)
     _s23 = dy + (vy * _s21)
     _s24 = dz + (vz * _s21)
-    _s25 = 1.0 / p_ball_radius
-    _s26 = -(change_ball_radius * (_s25 * _s25))
-    _s27 = (_s25 * (_where(_s1, 0.0, (change_board_distance + _s22)) - _where(_s4, 0.0, (-(_s3 + _s22))))) + (_s26 * _s5)
-    _s28 = (_s25 * (_where(_s8, 0.0, (_s23 - change_board_half_width)) - _where(_s10, 0.0, (-(change_board_half_width + _s23))))) + (_s26 * _s11)
-    return _s21, _s19 - p_ball_radius, _s20, _s22, _s23, _s24, dvx, dvy, dvz - (p_gravity * _s21), _s27, _s28, (_s25 * (_where(_s14, 0.0, (_s24 - change_board_top)) - _where(_s16, 0.0, (change_board_bottom - _s24)))) + (_s26 * _s17)
+    _s25 = _where(_s1, 0.0, (change_board_distance + _s22)) - _where(_s4, 0.0, (-(_s3 + _s22)))
+    _s26 = 0.5 * p_ball_radius
+    _s27 = _where(_s19 < _s26, _s26, _s19)
+    _s28 = _s27 * _s27
+    _s29 = _where(_s8, 0.0, (_s23 - change_board_half_width)) - _where(_s10, 0.0, (-(change_board_half_width + _s23)))
+    _s30 = _where(_s14, 0.0, (_s24 - change_board_top)) - _where(_s16, 0.0, (change_board_bottom - _s24))
+    _s31 = (0.5 * ((((2.0 * _s5) * _s25) + ((2.0 * _s11) * _s29)) + ((2.0 * _s17) * _s30))) * (1.0 / _s19)
+    _s32 = _where((_s19 < _s26), (0.5 * change_ball_radius), _s31)
+    return _s21, _s19 - p_ball_radius, _s20, _s22, _s23, _s24, dvx, dvy, dvz - (p_gravity * _s21), (_s25 / _s27) - ((_s5 * _s32) / _s28), (_s29 / _s27) - ((_s11 * _s32) / _s28), (_s30 / _s27) - ((_s17 * _s32) / _s28)
 
 
 def backboard_carry_normal(x: Any, y: Any, z: Any, dx: Any, dy: Any, dz: Any, shift: Any, p_ball_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_board_thickness: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Error of the normal, from that of the position.
 
-    derivative of Table 2's normal. 32 operations: 4 additions, 6 subtractions, 4 multiplications, 1 division, 5 negations, 6 comparisons, 6 selections.
+    derivative of Table 2's normal. 101 operations: 11 additions, 12 subtractions, 18 multiplications, 8 divisions, 1 square root, 5 negations, 23 comparisons, 23 selections.
     """
-    _r0, _r1, _r2, _r3 = _room[:4]
-    _s0 = 1.0 / p_ball_radius
-    _s1 = _subtract(_select(_add(p_board_distance, x, _r0) < _k4, _k4, dx, _r0), _select(_negative(_add(p_board_distance + p_board_thickness, x, _r1), _r1) < _k4, _k4, _negative(dx, _r1), _r2), _r2)
-    _s2 = _s0 * _subtract(_select(_subtract(y, p_board_half_width, _r1) < _k4, _k4, dy, _r1), _select(_negative(_add(p_board_half_width, y, _r0), _r0) < _k4, _k4, _negative(dy, _r0), _r3), _r3)
-    return _s0 * _s1, _s2, _s0 * _subtract(_select(_subtract(z, p_board_top, _r2) < _k4, _k4, dz, _r2), _select(_subtract(p_board_bottom, z, _r3) < _k4, _k4, _negative(dz, _r3), _r0), _r0), shift * _s0
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18 = _room[:19]
+    _s0 = _add(p_board_distance, x, _r0)
+    _s1 = _negative(_add(p_board_distance + p_board_thickness, x, _r1), _r1)
+    _s2 = _subtract(_select(_s0 < _k4, _k4, dx, _r2), _select(_s1 < _k4, _k4, _negative(dx, _r3), _r4), _r4)
+    _s3 = _subtract(_select(_s0 < _k4, _k4, _s0, _r3), _select(_s1 < _k4, _k4, _s1, _r2), _r2)
+    _s4 = _subtract(y, p_board_half_width, _r3)
+    _s5 = _negative(_add(p_board_half_width, y, _r5), _r5)
+    _s6 = _subtract(_select(_s4 < _k4, _k4, _s4, _r6), _select(_s5 < _k4, _k4, _s5, _r7), _r7)
+    _s7 = _subtract(z, p_board_top, _r6)
+    _s8 = _subtract(p_board_bottom, z, _r8)
+    _s9 = _subtract(_select(_s7 < _k4, _k4, _s7, _r9), _select(_s8 < _k4, _k4, _s8, _r10), _r10)
+    _s10 = _sqrt(_add(_add(_multiply(_s3, _s3, _r9), _multiply(_s6, _s6, _r11), _r11), _multiply(_s9, _s9, _r9), _r9), _r9)
+    _s11 = 0.5 * p_ball_radius
+    _s12 = _select(_s10 < _s11, _s11, _s10, _r11)
+    _s13 = _subtract(_select(_s4 < _k4, _k4, dy, _r12), _select(_s5 < _k4, _k4, _negative(dy, _r13), _r14), _r14)
+    _s14 = _subtract(_select(_s7 < _k4, _k4, dz, _r13), _select(_s8 < _k4, _k4, _negative(dz, _r12), _r15), _r15)
+    _s15 = _multiply(_multiply(_k45, _add(_add(_multiply(_multiply(_k20, _s2, _r12), _s3, _r12), _multiply(_multiply(_k20, _s13, _r13), _s6, _r13), _r13), _multiply(_multiply(_k20, _s14, _r12), _s9, _r12), _r12), _r12), _divide(_k19, _s10, _r13), _r12)
+    _s16 = _select(_s10 < _s11, _k4, _s15, _r13)
+    _s17 = _multiply(_s12, _s12, _r16)
+    _s18 = _multiply(_k36, shift, _r17)
+    _s19 = _add(_s18, _select(_s7 < _s8, _s8, _s7, _r18), _r18)
+    _s20 = _add(_s18, _select(_s0 < _s1, _s1, _s0, _r8), _r8)
+    _s21 = _select(_s19 < _s20, _s20, _s19, _r1)
+    _s22 = _add(_s18, _select(_s4 < _s5, _s5, _s4, _r0), _r0)
+    _s23 = _select(_s22 < _s19, _s19, _s22, _r17)
+    _s24 = _select(_s20 < _s22, _s22, _s20, _r5)
+    _s25 = _select(_s23 < _s24, _s23, _s24, _r3)
+    return _divide(_s2, _s12, _r4) - _divide(_multiply(_s3, _s16, _r2), _s17, _r2), _divide(_s13, _s12, _r14) - _divide(_multiply(_s6, _s16, _r7), _s17, _r7), _divide(_s14, _s12, _r15) - _divide(_multiply(_s9, _s16, _r13), _s17, _r13), shift * _select(_select(_s21 < _s25, _s21, _s25, _r13) < _k4, _k4, 1.0 / p_ball_radius, _r13)
 
 
 def backboard_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_board_thickness: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -4631,13 +4678,28 @@ def backboard_rolling_surface(p_ball_radius: Any, p_board_bottom: Any, p_board_d
 def backboard_turning(p_ball_radius: Any, p_board_bottom: Any, p_board_distance: Any, p_board_half_width: Any, p_board_thickness: Any, p_board_top: Any, x: Any, y: Any, z: Any, rolled_x: Any, rolled_y: Any, rolled_z: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Rate of the normal.
 
-    derivative of Table 2's normal. 31 operations: 4 additions, 6 subtractions, 3 multiplications, 1 division, 5 negations, 6 comparisons, 6 selections.
+    derivative of Table 2's normal. 77 operations: 8 additions, 12 subtractions, 16 multiplications, 7 divisions, 1 square root, 5 negations, 14 comparisons, 14 selections.
     """
-    _r0, _r1, _r2, _r3 = _room[:4]
-    _s0 = 1.0 / p_ball_radius
-    _s1 = _subtract(_select(_add(p_board_distance, x, _r0) < _k4, _k4, rolled_x, _r0), _select(_negative(_add(p_board_distance + p_board_thickness, x, _r1), _r1) < _k4, _k4, _negative(rolled_x, _r1), _r2), _r2)
-    _s2 = _s0 * _subtract(_select(_subtract(y, p_board_half_width, _r1) < _k4, _k4, rolled_y, _r1), _select(_negative(_add(p_board_half_width, y, _r0), _r0) < _k4, _k4, _negative(rolled_y, _r0), _r3), _r3)
-    return _s0 * _s1, _s2, _s0 * _subtract(_select(_subtract(z, p_board_top, _r2) < _k4, _k4, rolled_z, _r2), _select(_subtract(p_board_bottom, z, _r3) < _k4, _k4, _negative(rolled_z, _r3), _r0), _r0)
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10 = _room[:11]
+    _s0 = _add(p_board_distance, x, _r0)
+    _s1 = _negative(_add(p_board_distance + p_board_thickness, x, _r1), _r1)
+    _s2 = _subtract(_select(_s0 < _k4, _k4, rolled_x, _r2), _select(_s1 < _k4, _k4, _negative(rolled_x, _r3), _r4), _r4)
+    _s3 = _subtract(_select(_s0 < _k4, _k4, _s0, _r3), _select(_s1 < _k4, _k4, _s1, _r2), _r2)
+    _s4 = _subtract(y, p_board_half_width, _r3)
+    _s5 = _negative(_add(p_board_half_width, y, _r1), _r1)
+    _s6 = _subtract(_select(_s4 < _k4, _k4, _s4, _r0), _select(_s5 < _k4, _k4, _s5, _r5), _r5)
+    _s7 = _subtract(z, p_board_top, _r0)
+    _s8 = _subtract(p_board_bottom, z, _r6)
+    _s9 = _subtract(_select(_s7 < _k4, _k4, _s7, _r7), _select(_s8 < _k4, _k4, _s8, _r8), _r8)
+    _s10 = _sqrt(_add(_add(_multiply(_s3, _s3, _r7), _multiply(_s6, _s6, _r9), _r9), _multiply(_s9, _s9, _r7), _r7), _r7)
+    _s11 = 0.5 * p_ball_radius
+    _s12 = _select(_s10 < _s11, _s11, _s10, _r9)
+    _s13 = _subtract(_select(_s4 < _k4, _k4, rolled_y, _r3), _select(_s5 < _k4, _k4, _negative(rolled_y, _r1), _r10), _r10)
+    _s14 = _subtract(_select(_s7 < _k4, _k4, rolled_z, _r0), _select(_s8 < _k4, _k4, _negative(rolled_z, _r6), _r1), _r1)
+    _s15 = _multiply(_multiply(_k45, _add(_add(_multiply(_multiply(_k20, _s2, _r6), _s3, _r6), _multiply(_multiply(_k20, _s13, _r0), _s6, _r0), _r0), _multiply(_multiply(_k20, _s14, _r6), _s9, _r6), _r6), _r6), _divide(_k19, _s10, _r0), _r6)
+    _s16 = _select(_s10 < _s11, _k4, _s15, _r0)
+    _s17 = _multiply(_s12, _s12, _r3)
+    return _divide(_s2, _s12, _r4) - _divide(_multiply(_s3, _s16, _r2), _s17, _r2), _divide(_s13, _s12, _r10) - _divide(_multiply(_s6, _s16, _r5), _s17, _r5), _divide(_s14, _s12, _r1) - _divide(_multiply(_s9, _s16, _r0), _s17, _r0)
 
 
 def backboard_separation(p_board_bottom: Any, p_board_distance: Any, p_board_half_width: Any, p_board_thickness: Any, p_board_top: Any, p_gravity: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -4769,31 +4831,51 @@ def backboard_enter(t: Any, end: Any, after: Any, low0: Any, low1: Any, high0: A
 def bridge_normal(x: Any, y: Any, z: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_bridge_half_width: Any, p_bridge_depth: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Outward unit normal n3 at a contact.
 
-    Table 2. 28 operations: 3 additions, 7 subtractions, 3 multiplications, 1 division, 2 negations, 6 comparisons, 6 selections.
+    Table 2. 36 operations: 5 additions, 7 subtractions, 4 multiplications, 3 divisions, 1 square root, 2 negations, 7 comparisons, 7 selections.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7 = _room[:8]
-    _s0 = 1.0 / p_ball_radius
-    _s1 = _add(p_ring_radius, x, _r0)
-    _s2 = _negative(_add(p_board_distance, x, _r1), _r1)
-    _s3 = _subtract(y, p_bridge_half_width, _r2)
-    _s4 = _negative(_add(p_bridge_half_width, y, _r3), _r3)
-    _s5 = _subtract(z, p_wire_radius, _r4)
-    _s6 = _subtract(p_wire_radius - p_bridge_depth, z, _r5)
-    return _s0 * _subtract(_select(_s1 < _k4, _k4, _s1, _r6), _select(_s2 < _k4, _k4, _s2, _r7), _r7), _s0 * _subtract(_select(_s3 < _k4, _k4, _s3, _r7), _select(_s4 < _k4, _k4, _s4, _r1), _r1), _s0 * _subtract(_select(_s5 < _k4, _k4, _s5, _r1), _select(_s6 < _k4, _k4, _s6, _r3), _r3)
+    _r0, _r1, _r2, _r3, _r4, _r5 = _room[:6]
+    _s0 = _add(p_ring_radius, x, _r0)
+    _s1 = _negative(_add(p_board_distance, x, _r1), _r1)
+    _s2 = _subtract(_select(_s0 < _k4, _k4, _s0, _r2), _select(_s1 < _k4, _k4, _s1, _r3), _r3)
+    _s3 = _subtract(z, p_wire_radius, _r1)
+    _s4 = _subtract(p_wire_radius - p_bridge_depth, z, _r2)
+    _s5 = _subtract(_select(_s3 < _k4, _k4, _s3, _r0), _select(_s4 < _k4, _k4, _s4, _r4), _r4)
+    _s6 = _subtract(y, p_bridge_half_width, _r2)
+    _s7 = _negative(_add(p_bridge_half_width, y, _r0), _r0)
+    _s8 = _subtract(_select(_s6 < _k4, _k4, _s6, _r1), _select(_s7 < _k4, _k4, _s7, _r5), _r5)
+    _s9 = _sqrt(_add(_add(_multiply(_s2, _s2, _r0), _multiply(_s5, _s5, _r1), _r1), _multiply(_s8, _s8, _r0), _r0), _r0)
+    _s10 = 0.5 * p_ball_radius
+    _s11 = _select(_s9 < _s10, _s10, _s9, _r1)
+    return _s2 / _s11, _s8 / _s11, _s5 / _s11
 
 
-def bridge_curvature(p_ball_radius: Any) -> tuple[Any, ...]:
+def bridge_curvature(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_bridge_half_width: Any, p_bridge_depth: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Bound on the rate at which the normal turns along the contact surface.
 
-    Table 2. 1 operation: 1 division.
+    Table 2. 41 operations: 7 additions, 4 subtractions, 6 multiplications, 1 division, 2 negations, 3 absolute values, 9 comparisons, 9 selections.
     """
-    return 1.0 / p_ball_radius,
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7 = _room[:8]
+    _s0 = _multiply(_k20, t, _r0)
+    _s1 = _subtract(z, p_wire_radius, _r1)
+    _s2 = _subtract(p_wire_radius - p_bridge_depth, z, _r2)
+    _s3 = _add(_add(_multiply(p_gravity, _multiply(t, t, _r3), _r3), _multiply(_s0, _absolute(vz, _r4), _r4), _r4), _select(_s1 < _s2, _s2, _s1, _r3), _r3)
+    _s4 = _add(p_ring_radius, x, _r2)
+    _s5 = _negative(_add(p_board_distance, x, _r1), _r1)
+    _s6 = _add(_multiply(_s0, _absolute(vx, _r4), _r4), _select(_s4 < _s5, _s5, _s4, _r5), _r5)
+    _s7 = _select(_s3 < _s6, _s6, _s3, _r1)
+    _s8 = _subtract(y, p_bridge_half_width, _r2)
+    _s9 = _negative(_add(p_bridge_half_width, y, _r4), _r4)
+    _s10 = _add(_multiply(_s0, _absolute(vy, _r6), _r6), _select(_s8 < _s9, _s9, _s8, _r0), _r0)
+    _s11 = _select(_s10 < _s3, _s3, _s10, _r4)
+    _s12 = _select(_s6 < _s10, _s10, _s6, _r2)
+    _s13 = _select(_s11 < _s12, _s11, _s12, _r6)
+    return _result(_select(_s7 < _s13, _s7, _s13, _r7) < _k4, _k4, 1.0 / p_ball_radius, _r0),
 
 
 def bridge_vary(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: Any, ny: Any, nz: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_bridge_half_width: Any, p_bridge_depth: Any, p_gravity: Any, change_ball_radius: Any, change_ring_radius: Any, change_wire_radius: Any, change_board_distance: Any, change_bridge_half_width: Any, change_bridge_depth: Any) -> tuple[Any, ...]:
     """Delay of a contact, distance there, and variations of position, velocity and normal; the change of the distance at a fixed time, and bounds with their changes at the contact.
 
-    derivatives of the distance, of Eq. 3, of the normal and of Eq. 2. 113 operations: 21 additions, 20 subtractions, 29 multiplications, 3 divisions, 1 square root, 9 negations, 12 comparisons, 18 selections.
+    derivatives of the distance, of Eq. 3, of the normal and of Eq. 2. 130 operations: 20 additions, 23 subtractions, 35 multiplications, 9 divisions, 1 square root, 8 negations, 14 comparisons, 20 selections.
     """
     _s0 = p_ring_radius + x
     _s1 = _s0 < 0.0
@@ -4820,24 +4902,50 @@ def bridge_vary(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: Any, ny: 
     _s22 = dx + (vx * _s21)
     _s23 = dy + (vy * _s21)
     _s24 = dz + (vz * _s21)
-    _s25 = 1.0 / p_ball_radius
-    _s26 = -(change_ball_radius * (_s25 * _s25))
-    _s27 = (_s25 * (_where(_s1, 0.0, (change_ring_radius + _s22)) - _where(_s3, 0.0, (-(change_board_distance + _s22))))) + (_s26 * _s4)
-    _s28 = (_s25 * (_where(_s14, 0.0, (_s23 - change_bridge_half_width)) - _where(_s16, 0.0, (-(change_bridge_half_width + _s23))))) + (_s26 * _s17)
-    return _s21, _s18 - p_ball_radius, _s20, _s22, _s23, _s24, dvx, dvy, dvz - (p_gravity * _s21), _s27, _s28, (_s25 * (_where(_s6, 0.0, (_s24 - change_wire_radius)) - _where(_s9, 0.0, (_s8 - _s24)))) + (_s26 * _s10)
+    _s25 = _where(_s1, 0.0, (change_ring_radius + _s22)) - _where(_s3, 0.0, (-(change_board_distance + _s22)))
+    _s26 = 0.5 * p_ball_radius
+    _s27 = _where(_s18 < _s26, _s26, _s18)
+    _s28 = _s27 * _s27
+    _s29 = _where(_s6, 0.0, (_s24 - change_wire_radius)) - _where(_s9, 0.0, (_s8 - _s24))
+    _s30 = _where(_s14, 0.0, (_s23 - change_bridge_half_width)) - _where(_s16, 0.0, (-(change_bridge_half_width + _s23)))
+    _s31 = (0.5 * ((((2.0 * _s4) * _s25) + ((2.0 * _s10) * _s29)) + ((2.0 * _s17) * _s30))) * (1.0 / _s18)
+    _s32 = _where((_s18 < _s26), (0.5 * change_ball_radius), _s31)
+    return _s21, _s18 - p_ball_radius, _s20, _s22, _s23, _s24, dvx, dvy, dvz - (p_gravity * _s21), (_s25 / _s27) - ((_s4 * _s32) / _s28), (_s30 / _s27) - ((_s17 * _s32) / _s28), (_s29 / _s27) - ((_s10 * _s32) / _s28)
 
 
 def bridge_carry_normal(x: Any, y: Any, z: Any, dx: Any, dy: Any, dz: Any, shift: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_bridge_half_width: Any, p_bridge_depth: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Error of the normal, from that of the position.
 
-    derivative of Table 2's normal. 32 operations: 3 additions, 7 subtractions, 4 multiplications, 1 division, 5 negations, 6 comparisons, 6 selections.
+    derivative of Table 2's normal. 101 operations: 10 additions, 13 subtractions, 18 multiplications, 8 divisions, 1 square root, 5 negations, 23 comparisons, 23 selections.
     """
-    _r0, _r1, _r2 = _room[:3]
-    _s0 = 1.0 / p_ball_radius
-    _s1 = _s0 * _subtract(_select(_add(p_ring_radius, x, _r0) < _k4, _k4, dx, _r0), _select(_negative(_add(p_board_distance, x, _r1), _r1) < _k4, _k4, _negative(dx, _r1), _r2), _r2)
-    _s2 = _s0 * _subtract(_select(_subtract(y, p_bridge_half_width, _r2) < _k4, _k4, dy, _r2), _select(_negative(_add(p_bridge_half_width, y, _r1), _r1) < _k4, _k4, _negative(dy, _r1), _r0), _r0)
-    _s3 = _s0 * _subtract(_select(_subtract(z, p_wire_radius, _r0) < _k4, _k4, dz, _r0), _select(_subtract(p_wire_radius - p_bridge_depth, z, _r1) < _k4, _k4, _negative(dz, _r1), _r2), _r2)
-    return _s1, _s2, _s3, shift * _s0
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18 = _room[:19]
+    _s0 = _add(p_ring_radius, x, _r0)
+    _s1 = _negative(_add(p_board_distance, x, _r1), _r1)
+    _s2 = _subtract(_select(_s0 < _k4, _k4, dx, _r2), _select(_s1 < _k4, _k4, _negative(dx, _r3), _r4), _r4)
+    _s3 = _subtract(_select(_s0 < _k4, _k4, _s0, _r3), _select(_s1 < _k4, _k4, _s1, _r2), _r2)
+    _s4 = _subtract(z, p_wire_radius, _r3)
+    _s5 = _subtract(p_wire_radius - p_bridge_depth, z, _r5)
+    _s6 = _subtract(_select(_s4 < _k4, _k4, _s4, _r6), _select(_s5 < _k4, _k4, _s5, _r7), _r7)
+    _s7 = _subtract(y, p_bridge_half_width, _r6)
+    _s8 = _negative(_add(p_bridge_half_width, y, _r8), _r8)
+    _s9 = _subtract(_select(_s7 < _k4, _k4, _s7, _r9), _select(_s8 < _k4, _k4, _s8, _r10), _r10)
+    _s10 = _sqrt(_add(_add(_multiply(_s3, _s3, _r9), _multiply(_s6, _s6, _r11), _r11), _multiply(_s9, _s9, _r9), _r9), _r9)
+    _s11 = 0.5 * p_ball_radius
+    _s12 = _select(_s10 < _s11, _s11, _s10, _r11)
+    _s13 = _subtract(_select(_s4 < _k4, _k4, dz, _r12), _select(_s5 < _k4, _k4, _negative(dz, _r13), _r14), _r14)
+    _s14 = _subtract(_select(_s7 < _k4, _k4, dy, _r13), _select(_s8 < _k4, _k4, _negative(dy, _r12), _r15), _r15)
+    _s15 = _multiply(_multiply(_k45, _add(_add(_multiply(_multiply(_k20, _s2, _r12), _s3, _r12), _multiply(_multiply(_k20, _s13, _r13), _s6, _r13), _r13), _multiply(_multiply(_k20, _s14, _r12), _s9, _r12), _r12), _r12), _divide(_k19, _s10, _r13), _r12)
+    _s16 = _select(_s10 < _s11, _k4, _s15, _r13)
+    _s17 = _multiply(_s12, _s12, _r16)
+    _s18 = _multiply(_k36, shift, _r17)
+    _s19 = _add(_s18, _select(_s4 < _s5, _s5, _s4, _r18), _r18)
+    _s20 = _add(_s18, _select(_s0 < _s1, _s1, _s0, _r5), _r5)
+    _s21 = _select(_s19 < _s20, _s20, _s19, _r1)
+    _s22 = _add(_s18, _select(_s7 < _s8, _s8, _s7, _r0), _r0)
+    _s23 = _select(_s22 < _s19, _s19, _s22, _r17)
+    _s24 = _select(_s20 < _s22, _s22, _s20, _r8)
+    _s25 = _select(_s23 < _s24, _s23, _s24, _r6)
+    return _divide(_s2, _s12, _r4) - _divide(_multiply(_s3, _s16, _r2), _s17, _r2), _divide(_s14, _s12, _r15) - _divide(_multiply(_s9, _s16, _r10), _s17, _r10), _divide(_s13, _s12, _r14) - _divide(_multiply(_s6, _s16, _r13), _s17, _r13), shift * _select(_select(_s21 < _s25, _s21, _s25, _r13) < _k4, _k4, 1.0 / p_ball_radius, _r13)
 
 
 def bridge_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_bridge_half_width: Any, p_bridge_depth: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -5166,14 +5274,28 @@ def bridge_rolling_surface(p_ball_radius: Any, p_board_distance: Any, p_bridge_d
 def bridge_turning(p_ball_radius: Any, p_board_distance: Any, p_bridge_depth: Any, p_bridge_half_width: Any, p_ring_radius: Any, p_wire_radius: Any, x: Any, y: Any, z: Any, rolled_x: Any, rolled_y: Any, rolled_z: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Rate of the normal.
 
-    derivative of Table 2's normal. 31 operations: 3 additions, 7 subtractions, 3 multiplications, 1 division, 5 negations, 6 comparisons, 6 selections.
+    derivative of Table 2's normal. 77 operations: 7 additions, 13 subtractions, 16 multiplications, 7 divisions, 1 square root, 5 negations, 14 comparisons, 14 selections.
     """
-    _r0, _r1, _r2 = _room[:3]
-    _s0 = 1.0 / p_ball_radius
-    _s1 = _s0 * _subtract(_select(_add(p_ring_radius, x, _r0) < _k4, _k4, rolled_x, _r0), _select(_negative(_add(p_board_distance, x, _r1), _r1) < _k4, _k4, _negative(rolled_x, _r1), _r2), _r2)
-    _s2 = _s0 * _subtract(_select(_subtract(y, p_bridge_half_width, _r2) < _k4, _k4, rolled_y, _r2), _select(_negative(_add(p_bridge_half_width, y, _r1), _r1) < _k4, _k4, _negative(rolled_y, _r1), _r0), _r0)
-    _s3 = _s0 * _subtract(_select(_subtract(z, p_wire_radius, _r0) < _k4, _k4, rolled_z, _r0), _select(_subtract(p_wire_radius - p_bridge_depth, z, _r1) < _k4, _k4, _negative(rolled_z, _r1), _r2), _r2)
-    return _s1, _s2, _s3
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10 = _room[:11]
+    _s0 = _add(p_ring_radius, x, _r0)
+    _s1 = _negative(_add(p_board_distance, x, _r1), _r1)
+    _s2 = _subtract(_select(_s0 < _k4, _k4, rolled_x, _r2), _select(_s1 < _k4, _k4, _negative(rolled_x, _r3), _r4), _r4)
+    _s3 = _subtract(_select(_s0 < _k4, _k4, _s0, _r3), _select(_s1 < _k4, _k4, _s1, _r2), _r2)
+    _s4 = _subtract(z, p_wire_radius, _r3)
+    _s5 = _subtract(p_wire_radius - p_bridge_depth, z, _r1)
+    _s6 = _subtract(_select(_s4 < _k4, _k4, _s4, _r0), _select(_s5 < _k4, _k4, _s5, _r5), _r5)
+    _s7 = _subtract(y, p_bridge_half_width, _r0)
+    _s8 = _negative(_add(p_bridge_half_width, y, _r6), _r6)
+    _s9 = _subtract(_select(_s7 < _k4, _k4, _s7, _r7), _select(_s8 < _k4, _k4, _s8, _r8), _r8)
+    _s10 = _sqrt(_add(_add(_multiply(_s3, _s3, _r7), _multiply(_s6, _s6, _r9), _r9), _multiply(_s9, _s9, _r7), _r7), _r7)
+    _s11 = 0.5 * p_ball_radius
+    _s12 = _select(_s10 < _s11, _s11, _s10, _r9)
+    _s13 = _subtract(_select(_s4 < _k4, _k4, rolled_z, _r3), _select(_s5 < _k4, _k4, _negative(rolled_z, _r1), _r10), _r10)
+    _s14 = _subtract(_select(_s7 < _k4, _k4, rolled_y, _r0), _select(_s8 < _k4, _k4, _negative(rolled_y, _r6), _r1), _r1)
+    _s15 = _multiply(_multiply(_k45, _add(_add(_multiply(_multiply(_k20, _s2, _r6), _s3, _r6), _multiply(_multiply(_k20, _s13, _r0), _s6, _r0), _r0), _multiply(_multiply(_k20, _s14, _r6), _s9, _r6), _r6), _r6), _divide(_k19, _s10, _r0), _r6)
+    _s16 = _select(_s10 < _s11, _k4, _s15, _r0)
+    _s17 = _multiply(_s12, _s12, _r3)
+    return _divide(_s2, _s12, _r4) - _divide(_multiply(_s3, _s16, _r2), _s17, _r2), _divide(_s14, _s12, _r1) - _divide(_multiply(_s9, _s16, _r8), _s17, _r8), _divide(_s13, _s12, _r10) - _divide(_multiply(_s6, _s16, _r0), _s17, _r0)
 
 
 def bridge_separation(p_board_distance: Any, p_bridge_depth: Any, p_bridge_half_width: Any, p_gravity: Any, p_ring_radius: Any, p_wire_radius: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -7329,14 +7451,19 @@ def _ring_enter_alone(t: Any, end: Any, after: Any, low0: Any, low1: Any, low2: 
 
 
 def _backboard_normal_alone(x: Any, y: Any, z: Any, p_ball_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_board_thickness: Any) -> tuple[Any, ...]:
-    _s0 = _k1 / p_ball_radius
-    _s1 = p_board_distance + x
-    _s2 = -((p_board_distance + p_board_thickness) + x)
+    _s0 = p_board_distance + x
+    _s1 = -((p_board_distance + p_board_thickness) + x)
+    _s2 = (_k2 if _s0 < _k2 else _s0) - (_k2 if _s1 < _k2 else _s1)
     _s3 = y - p_board_half_width
     _s4 = -(p_board_half_width + y)
-    _s5 = z - p_board_top
-    _s6 = p_board_bottom - z
-    return _s0 * ((_k2 if _s1 < _k2 else _s1) - (_k2 if _s2 < _k2 else _s2)), _s0 * ((_k2 if _s3 < _k2 else _s3) - (_k2 if _s4 < _k2 else _s4)), _s0 * ((_k2 if _s5 < _k2 else _s5) - (_k2 if _s6 < _k2 else _s6))
+    _s5 = (_k2 if _s3 < _k2 else _s3) - (_k2 if _s4 < _k2 else _s4)
+    _s6 = z - p_board_top
+    _s7 = p_board_bottom - z
+    _s8 = (_k2 if _s6 < _k2 else _s6) - (_k2 if _s7 < _k2 else _s7)
+    _s9 = _root((((_s2 * _s2) + (_s5 * _s5)) + (_s8 * _s8)))
+    _s10 = _k0 * p_ball_radius
+    _s11 = _s10 if _s9 < _s10 else _s9
+    return _s2 / _s11, _s5 / _s11, _s8 / _s11
 
 
 def _backboard_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_board_thickness: Any, p_gravity: Any) -> tuple[Any, ...]:
@@ -7648,14 +7775,19 @@ def _backboard_enter_alone(t: Any, end: Any, after: Any, low0: Any, low1: Any, h
 
 
 def _bridge_normal_alone(x: Any, y: Any, z: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_bridge_half_width: Any, p_bridge_depth: Any) -> tuple[Any, ...]:
-    _s0 = _k1 / p_ball_radius
-    _s1 = p_ring_radius + x
-    _s2 = -(p_board_distance + x)
-    _s3 = y - p_bridge_half_width
-    _s4 = -(p_bridge_half_width + y)
-    _s5 = z - p_wire_radius
-    _s6 = (p_wire_radius - p_bridge_depth) - z
-    return _s0 * ((_k2 if _s1 < _k2 else _s1) - (_k2 if _s2 < _k2 else _s2)), _s0 * ((_k2 if _s3 < _k2 else _s3) - (_k2 if _s4 < _k2 else _s4)), _s0 * ((_k2 if _s5 < _k2 else _s5) - (_k2 if _s6 < _k2 else _s6))
+    _s0 = p_ring_radius + x
+    _s1 = -(p_board_distance + x)
+    _s2 = (_k2 if _s0 < _k2 else _s0) - (_k2 if _s1 < _k2 else _s1)
+    _s3 = z - p_wire_radius
+    _s4 = (p_wire_radius - p_bridge_depth) - z
+    _s5 = (_k2 if _s3 < _k2 else _s3) - (_k2 if _s4 < _k2 else _s4)
+    _s6 = y - p_bridge_half_width
+    _s7 = -(p_bridge_half_width + y)
+    _s8 = (_k2 if _s6 < _k2 else _s6) - (_k2 if _s7 < _k2 else _s7)
+    _s9 = _root((((_s2 * _s2) + (_s5 * _s5)) + (_s8 * _s8)))
+    _s10 = _k0 * p_ball_radius
+    _s11 = _s10 if _s9 < _s10 else _s9
+    return _s2 / _s11, _s8 / _s11, _s5 / _s11
 
 
 def _bridge_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_bridge_half_width: Any, p_bridge_depth: Any, p_gravity: Any) -> tuple[Any, ...]:
@@ -9854,11 +9986,19 @@ def detect_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
             _nx_3, _ny_3, _nz_3 = ring_normal(_x_2, _y_2, _z_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _room_2)
             _nx_2, _ny_2, _nz_2 = _choose(_here_2, (_nx_3, _ny_3, _nz_3,), (_nx_2, _ny_2, _nz_2,))
             _here_2, = holding(1.0, _held_2)
-            _nx_3, _ny_3, _nz_3 = backboard_normal(_x_2, _y_2, _z_2, _p_ball_radius_2, _p_board_distance_2, _p_board_half_width_2, _p_board_bottom_2, _p_board_top_2, _p_board_thickness_2, _room_2)
-            _nx_2, _ny_2, _nz_2 = _choose(_here_2, (_nx_3, _ny_3, _nz_3,), (_nx_2, _ny_2, _nz_2,))
+            _rows77, _count78 = _most(_here_2, _count76)
+            if _count78:
+                _p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _x_3, _y_3, _z_3 = _taken(_rows77, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _x_2, _y_2, _z_2)
+                _room_3 = room(_count78)
+                _nx_3, _ny_3, _nz_3 = backboard_normal(_x_3, _y_3, _z_3, _p_ball_radius_3, _p_board_distance_3, _p_board_half_width_3, _p_board_bottom_3, _p_board_top_3, _p_board_thickness_3, _room_3)
+                _nx_2, _ny_2, _nz_2 = _put(_rows77, _count76, (_nx_2, _ny_2, _nz_2,), (_nx_3, _ny_3, _nz_3,), _here_2)
             _here_2, = holding(2.0, _held_2)
-            _nx_3, _ny_3, _nz_3 = bridge_normal(_x_2, _y_2, _z_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_board_distance_2, _p_bridge_half_width_2, _p_bridge_depth_2, _room_2)
-            _nx_2, _ny_2, _nz_2 = _choose(_here_2, (_nx_3, _ny_3, _nz_3,), (_nx_2, _ny_2, _nz_2,))
+            _rows79, _count80 = _most(_here_2, _count76)
+            if _count80:
+                _p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_ring_radius_3, _p_wire_radius_3, _x_3, _y_3, _z_3 = _taken(_rows79, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_ring_radius_2, _p_wire_radius_2, _x_2, _y_2, _z_2)
+                _room_3 = room(_count80)
+                _nx_3, _ny_3, _nz_3 = bridge_normal(_x_3, _y_3, _z_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _p_board_distance_3, _p_bridge_half_width_3, _p_bridge_depth_3, _room_3)
+                _nx_2, _ny_2, _nz_2 = _put(_rows79, _count76, (_nx_2, _ny_2, _nz_2,), (_nx_3, _ny_3, _nz_3,), _here_2)
             _turn_rate_2, = roll_turn_rate(_p_ball_radius_2, _nx_2, _ny_2, _nz_2, _wx_2, _wy_2, _wz_2)
             _rolled_x_2, _rolled_y_2, _rolled_z_2, *_ = gripped(_p_ball_radius_2, _p_inertia_2, _nx_2, _ny_2, _nz_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _room_2)
             _here_2, = holding(0.0, _held_2)
@@ -9874,35 +10014,35 @@ def detect_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
             _which_2, _circled_2 = beginning_contact()
             _circled_1, _nx_1, _ny_1, _nz_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1 = _put(_rows75, _count74, (_circled_1, _nx_1, _ny_1, _nz_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,), (_circled_2, _nx_2, _ny_2, _nz_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2,))
         _circling_1, _rolling_1 = circles(0.0, _held_1, _rolling_1)
-        _rows77, _count78 = _rows(_rolling_1, _count74)
-        if (0 < _count78) and (_count78 <= ALONE):
+        _rows81, _count82 = _rows(_rolling_1, _count74)
+        if (0 < _count82) and (_count82 <= ALONE):
             _clock_1, _per_reach_1, _rests_1, _rolling_1, _through_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1 = _copies(_count74, _clock_1, _per_reach_1, _rests_1, _rolling_1, _through_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
-            _one_by_one(_alone12, _rows77, _rows77, (_bent_x_1, _bent_y_1, _bent_z_1, _clock_1, _held_1, _nx_1, _ny_1, _nz_1, _p_ball_radius_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_radius_1, _per_reach_1, _rests_1, _rolling_1, _through_1, _time_limit_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_wire_radius_1,), (), (_clock_1, _per_reach_1, _rests_1, _rolling_1, _through_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,), 16)
-        elif _count78:
-            _bent_x_2, _bent_y_2, _bent_z_2, _clock_2, _held_2, _nx_2, _ny_2, _nz_2, _p_ball_radius_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_radius_2, _per_reach_2, _rolling_2, _through_2, _time_limit_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_rows77, _bent_x_1, _bent_y_1, _bent_z_1, _clock_1, _held_1, _nx_1, _ny_1, _nz_1, _p_ball_radius_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_radius_1, _per_reach_1, _rolling_1, _through_1, _time_limit_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
+            _one_by_one(_alone12, _rows81, _rows81, (_bent_x_1, _bent_y_1, _bent_z_1, _clock_1, _held_1, _nx_1, _ny_1, _nz_1, _p_ball_radius_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_radius_1, _per_reach_1, _rests_1, _rolling_1, _through_1, _time_limit_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_wire_radius_1,), (), (_clock_1, _per_reach_1, _rests_1, _rolling_1, _through_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,), 16)
+        elif _count82:
+            _bent_x_2, _bent_y_2, _bent_z_2, _clock_2, _held_2, _nx_2, _ny_2, _nz_2, _p_ball_radius_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_radius_2, _per_reach_2, _rolling_2, _through_2, _time_limit_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_rows81, _bent_x_1, _bent_y_1, _bent_z_1, _clock_1, _held_1, _nx_1, _ny_1, _nz_1, _p_ball_radius_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_radius_1, _per_reach_1, _rolling_1, _through_1, _time_limit_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
             _clock_1, _per_reach_1, _rests_1, _rolling_1, _through_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1 = _copies(_count74, _clock_1, _per_reach_1, _rests_1, _rolling_1, _through_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
-            for _turn79 in range(16):
-                _room_2 = room(_count78)
+            for _turn83 in range(16):
+                _room_2 = room(_count82)
                 _here_2, = holding(1.0, _held_2)
-                _rows80, _count81 = _most(_here_2, _count78)
-                if _count81:
-                    _far = _of(_rows77, _rows80)
+                _rows84, _count85 = _most(_here_2, _count82)
+                if _count85:
+                    _far = _of(_rows81, _rows84)
                     _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3 = _taken(_far, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1)
-                    _p_ball_radius_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_rows80, _p_ball_radius_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
-                    _room_3 = room(_count81)
+                    _p_ball_radius_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_rows84, _p_ball_radius_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
+                    _room_3 = room(_count85)
                     _nx_3, _ny_3, _nz_3 = backboard_normal(_x_3, _y_3, _z_3, _p_ball_radius_3, _p_board_distance_3, _p_board_half_width_3, _p_board_bottom_3, _p_board_top_3, _p_board_thickness_3, _room_3)
                     _bent_x_3, _bent_y_3, _bent_z_3, _per_reach_3 = backboard_rolling_surface(_p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _x_3, _y_3, _z_3, _vx_3, _vy_3, _vz_3, _room_3)
-                    _bent_x_2, _bent_y_2, _bent_z_2, _nx_2, _ny_2, _nz_2, _per_reach_2 = _put(_rows80, _count78, (_bent_x_2, _bent_y_2, _bent_z_2, _nx_2, _ny_2, _nz_2, _per_reach_2,), (_bent_x_3, _bent_y_3, _bent_z_3, _nx_3, _ny_3, _nz_3, _per_reach_3,), _here_2)
+                    _bent_x_2, _bent_y_2, _bent_z_2, _nx_2, _ny_2, _nz_2, _per_reach_2 = _put(_rows84, _count82, (_bent_x_2, _bent_y_2, _bent_z_2, _nx_2, _ny_2, _nz_2, _per_reach_2,), (_bent_x_3, _bent_y_3, _bent_z_3, _nx_3, _ny_3, _nz_3, _per_reach_3,), _here_2)
                 _here_2, = holding(2.0, _held_2)
-                _rows82, _count83 = _most(_here_2, _count78)
-                if _count83:
-                    _far = _of(_rows77, _rows82)
+                _rows86, _count87 = _most(_here_2, _count82)
+                if _count87:
+                    _far = _of(_rows81, _rows86)
                     _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_wire_radius_3 = _taken(_far, _p_board_distance_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_wire_radius_1)
-                    _p_ball_radius_3, _p_ring_radius_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_rows82, _p_ball_radius_2, _p_ring_radius_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
-                    _room_3 = room(_count83)
+                    _p_ball_radius_3, _p_ring_radius_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_rows86, _p_ball_radius_2, _p_ring_radius_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
+                    _room_3 = room(_count87)
                     _nx_3, _ny_3, _nz_3 = bridge_normal(_x_3, _y_3, _z_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _p_board_distance_3, _p_bridge_half_width_3, _p_bridge_depth_3, _room_3)
                     _bent_x_3, _bent_y_3, _bent_z_3, _per_reach_3 = bridge_rolling_surface(_p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_ring_radius_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _vx_3, _vy_3, _vz_3, _room_3)
-                    _bent_x_2, _bent_y_2, _bent_z_2, _nx_2, _ny_2, _nz_2, _per_reach_2 = _put(_rows82, _count78, (_bent_x_2, _bent_y_2, _bent_z_2, _nx_2, _ny_2, _nz_2, _per_reach_2,), (_bent_x_3, _bent_y_3, _bent_z_3, _nx_3, _ny_3, _nz_3, _per_reach_3,), _here_2)
+                    _bent_x_2, _bent_y_2, _bent_z_2, _nx_2, _ny_2, _nz_2, _per_reach_2 = _put(_rows86, _count82, (_bent_x_2, _bent_y_2, _bent_z_2, _nx_2, _ny_2, _nz_2, _per_reach_2,), (_bent_x_3, _bent_y_3, _bent_z_3, _nx_3, _ny_3, _nz_3, _per_reach_3,), _here_2)
                 _vx_0_2, _vy_0_2, _vz_0_2, _nx_0_2, _ny_0_2, _nz_0_2, _turn_rate_0_2 = roll_start(_p_ball_radius_2, _nx_2, _ny_2, _nz_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2)
                 _lift_0_2, _tx_0_2, _ty_0_2, _tz_0_2, _vx_1_2, _vy_1_2, _vz_1_2, _nx_1_2, _ny_1_2, _nz_1_2, _turn_rate_1_2 = roll_0(_p_gravity_2, _p_inertia_2, _nx_0_2, _ny_0_2, _nz_0_2, _vx_0_2, _vy_0_2, _vz_0_2, _bent_x_2, _bent_y_2, _bent_z_2, _per_reach_2, _turn_rate_0_2, _room_2)
                 _lift_1_2, _tx_1_2, _ty_1_2, _tz_1_2, _vx_2_2, _vy_2_2, _vz_2_2, _nx_2_2, _ny_2_2, _nz_2_2, _turn_rate_2_2 = roll_1(_p_gravity_2, _p_inertia_2, _nx_0_2, _nx_1_2, _ny_0_2, _ny_1_2, _nz_0_2, _nz_1_2, _vx_0_2, _vx_1_2, _vy_0_2, _vy_1_2, _vz_0_2, _vz_1_2, _bent_x_2, _bent_y_2, _bent_z_2, _per_reach_2, _turn_rate_0_2, _turn_rate_1_2, _lift_0_2, _tx_0_2, _ty_0_2, _tz_0_2, _room_2)
@@ -9915,44 +10055,44 @@ def detect_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
                 _stride_2, _, _strongest_2, _fastest_2, _force_2, _force_rate_2, _force_bend_2, _friction_force_rate_2 = roll_step(_p_gravity_2, _p_inertia_2, _nx_8_2, _ny_8_2, _nz_0_2, _nz_1_2, _nz_2_2, _nz_3_2, _nz_4_2, _nz_5_2, _nz_6_2, _nz_7_2, _nz_8_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vx_4_2, _vx_5_2, _vx_6_2, _vx_7_2, _vx_8_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vy_4_2, _vy_5_2, _vy_6_2, _vy_7_2, _vy_8_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _vz_4_2, _vz_5_2, _vz_6_2, _vz_7_2, _vz_8_2, _per_reach_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _turn_rate_8_2, _lift_0_2, _lift_1_2, _lift_2_2, _lift_3_2, _lift_4_2, _lift_5_2, _lift_6_2, _lift_7_2, _room_2)
                 _stride_2, _which_2, _rests_2, *_ = leaving_force(_p_ball_radius_2, _p_gravity_2, _vx_2, _vx_1_2, _vy_2, _vy_1_2, _vz_2, _vz_1_2, _which_2, _inf, 0.0, 0.0, _per_reach_2, _force_2, _force_rate_2, _force_bend_2, _friction_force_rate_2, _stride_2, _fastest_2, _room_2)
                 _beside_2, = beside(0.0, _held_2)
-                _rows84, _count85 = _most(_beside_2, _count78)
-                if _count85:
-                    _far = _of(_rows77, _rows84)
-                    _p_wire_radius_3, = _taken(_far, _p_wire_radius_1)
-                    _fastest_3, _p_ball_radius_3, _p_ring_radius_3, _stride_3, _strongest_3, _vx_3, _vy_3, _vz_3, _which_3, _x_3, _y_3, _z_3 = _taken(_rows84, _fastest_2, _p_ball_radius_2, _p_ring_radius_2, _stride_2, _strongest_2, _vx_2, _vy_2, _vz_2, _which_2, _x_2, _y_2, _z_2)
-                    _room_3 = room(_count85)
-                    _gap_3, _nearing_3, _gap_curvature_3 = ring_beside(_p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _vx_3, _vy_3, _vz_3, _room_3)
-                    _stride_3, _which_3, *_ = beside_body(_p_ball_radius_3, _x_3, _y_3, _z_3, _gap_3, 0.0, _which_3, 0.0, _inf, 0.0, _nearing_3, _gap_curvature_3, _stride_3, _strongest_3, _fastest_3, _room_3)
-                    _stride_2, _which_2 = _put(_rows84, _count78, (_stride_2, _which_2,), (_stride_3, _which_3,), _beside_2)
-                _beside_2, = beside(1.0, _held_2)
-                _rows86, _count87 = _most(_beside_2, _count78)
-                if _count87:
-                    _far = _of(_rows77, _rows86)
-                    _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3 = _taken(_far, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1)
-                    _fastest_3, _p_ball_radius_3, _stride_3, _strongest_3, _vx_3, _vy_3, _vz_3, _which_3, _x_3, _y_3, _z_3 = _taken(_rows86, _fastest_2, _p_ball_radius_2, _stride_2, _strongest_2, _vx_2, _vy_2, _vz_2, _which_2, _x_2, _y_2, _z_2)
-                    _room_3 = room(_count87)
-                    _gap_3, _nearing_3, _gap_curvature_3 = backboard_beside(_p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _x_3, _y_3, _z_3, _vx_3, _vy_3, _vz_3, _room_3)
-                    _stride_3, _which_3, *_ = beside_body(_p_ball_radius_3, _x_3, _y_3, _z_3, _gap_3, 1.0, _which_3, 0.0, _inf, 0.0, _nearing_3, _gap_curvature_3, _stride_3, _strongest_3, _fastest_3, _room_3)
-                    _stride_2, _which_2 = _put(_rows86, _count78, (_stride_2, _which_2,), (_stride_3, _which_3,), _beside_2)
-                _beside_2, = beside(2.0, _held_2)
-                _rows88, _count89 = _most(_beside_2, _count78)
+                _rows88, _count89 = _most(_beside_2, _count82)
                 if _count89:
-                    _far = _of(_rows77, _rows88)
-                    _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_wire_radius_3 = _taken(_far, _p_board_distance_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_wire_radius_1)
+                    _far = _of(_rows81, _rows88)
+                    _p_wire_radius_3, = _taken(_far, _p_wire_radius_1)
                     _fastest_3, _p_ball_radius_3, _p_ring_radius_3, _stride_3, _strongest_3, _vx_3, _vy_3, _vz_3, _which_3, _x_3, _y_3, _z_3 = _taken(_rows88, _fastest_2, _p_ball_radius_2, _p_ring_radius_2, _stride_2, _strongest_2, _vx_2, _vy_2, _vz_2, _which_2, _x_2, _y_2, _z_2)
                     _room_3 = room(_count89)
+                    _gap_3, _nearing_3, _gap_curvature_3 = ring_beside(_p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _vx_3, _vy_3, _vz_3, _room_3)
+                    _stride_3, _which_3, *_ = beside_body(_p_ball_radius_3, _x_3, _y_3, _z_3, _gap_3, 0.0, _which_3, 0.0, _inf, 0.0, _nearing_3, _gap_curvature_3, _stride_3, _strongest_3, _fastest_3, _room_3)
+                    _stride_2, _which_2 = _put(_rows88, _count82, (_stride_2, _which_2,), (_stride_3, _which_3,), _beside_2)
+                _beside_2, = beside(1.0, _held_2)
+                _rows90, _count91 = _most(_beside_2, _count82)
+                if _count91:
+                    _far = _of(_rows81, _rows90)
+                    _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3 = _taken(_far, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1)
+                    _fastest_3, _p_ball_radius_3, _stride_3, _strongest_3, _vx_3, _vy_3, _vz_3, _which_3, _x_3, _y_3, _z_3 = _taken(_rows90, _fastest_2, _p_ball_radius_2, _stride_2, _strongest_2, _vx_2, _vy_2, _vz_2, _which_2, _x_2, _y_2, _z_2)
+                    _room_3 = room(_count91)
+                    _gap_3, _nearing_3, _gap_curvature_3 = backboard_beside(_p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _x_3, _y_3, _z_3, _vx_3, _vy_3, _vz_3, _room_3)
+                    _stride_3, _which_3, *_ = beside_body(_p_ball_radius_3, _x_3, _y_3, _z_3, _gap_3, 1.0, _which_3, 0.0, _inf, 0.0, _nearing_3, _gap_curvature_3, _stride_3, _strongest_3, _fastest_3, _room_3)
+                    _stride_2, _which_2 = _put(_rows90, _count82, (_stride_2, _which_2,), (_stride_3, _which_3,), _beside_2)
+                _beside_2, = beside(2.0, _held_2)
+                _rows92, _count93 = _most(_beside_2, _count82)
+                if _count93:
+                    _far = _of(_rows81, _rows92)
+                    _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_wire_radius_3 = _taken(_far, _p_board_distance_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_wire_radius_1)
+                    _fastest_3, _p_ball_radius_3, _p_ring_radius_3, _stride_3, _strongest_3, _vx_3, _vy_3, _vz_3, _which_3, _x_3, _y_3, _z_3 = _taken(_rows92, _fastest_2, _p_ball_radius_2, _p_ring_radius_2, _stride_2, _strongest_2, _vx_2, _vy_2, _vz_2, _which_2, _x_2, _y_2, _z_2)
+                    _room_3 = room(_count93)
                     _gap_3, _nearing_3, _gap_curvature_3 = bridge_beside(_p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_ring_radius_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _vx_3, _vy_3, _vz_3, _room_3)
                     _stride_3, _which_3, *_ = beside_body(_p_ball_radius_3, _x_3, _y_3, _z_3, _gap_3, 2.0, _which_3, 0.0, _inf, 0.0, _nearing_3, _gap_curvature_3, _stride_3, _strongest_3, _fastest_3, _room_3)
-                    _stride_2, _which_2 = _put(_rows88, _count78, (_stride_2, _which_2,), (_stride_3, _which_3,), _beside_2)
+                    _stride_2, _which_2 = _put(_rows92, _count82, (_stride_2, _which_2,), (_stride_3, _which_3,), _beside_2)
                 _gap_2, _nearing_2, _gap_curvature_2 = end_beside(_p_end_depth_2, _z_2, _vz_2)
                 _stride_2, _which_2, *_ = beside_end_plane(_p_ball_radius_2, _x_2, _y_2, _z_2, _gap_2, 3.0, _which_2, 0.0, _inf, 0.0, _nearing_2, _gap_curvature_2, _stride_2, _strongest_2, _fastest_2, _room_2)
                 _here_2, = holding(1.0, _held_2)
-                _rows90, _count91 = _most(_here_2, _count78)
-                if _count91:
-                    _far = _of(_rows77, _rows90)
+                _rows94, _count95 = _most(_here_2, _count82)
+                if _count95:
+                    _far = _of(_rows81, _rows94)
                     _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3 = _taken(_far, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1)
-                    _fastest_3, _p_ball_radius_3, _stride_3, _strongest_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_rows90, _fastest_2, _p_ball_radius_2, _stride_2, _strongest_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
-                    _room_3 = room(_count91)
+                    _fastest_3, _p_ball_radius_3, _stride_3, _strongest_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_rows94, _fastest_2, _p_ball_radius_2, _stride_2, _strongest_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
+                    _room_3 = room(_count95)
                     _gap_3, _nearing_3, _near_3 = backboard_seam0(_p_ball_radius_3, _p_board_distance_3, _p_board_thickness_3, _x_3, _vx_3)
                     _stride_3, = beside_seam(_gap_3, _near_3, _nearing_3, _stride_3, _strongest_3, _fastest_3, _room_3)
                     _gap_3, _nearing_3, _near_3 = backboard_seam1(_p_ball_radius_3, _p_board_distance_3, _p_board_thickness_3, _x_3, _vx_3)
@@ -9965,14 +10105,14 @@ def detect_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
                     _stride_3, = beside_seam(_gap_3, _near_3, _nearing_3, _stride_3, _strongest_3, _fastest_3, _room_3)
                     _gap_3, _nearing_3, _near_3 = backboard_seam5(_p_ball_radius_3, _p_board_bottom_3, _p_board_top_3, _z_3, _vz_3)
                     _stride_3, = beside_seam(_gap_3, _near_3, _nearing_3, _stride_3, _strongest_3, _fastest_3, _room_3)
-                    _gap_2, _stride_2 = _put(_rows90, _count78, (_gap_2, _stride_2,), (_gap_3, _stride_3,), _here_2)
+                    _gap_2, _stride_2 = _put(_rows94, _count82, (_gap_2, _stride_2,), (_gap_3, _stride_3,), _here_2)
                 _here_2, = holding(2.0, _held_2)
-                _rows92, _count93 = _most(_here_2, _count78)
-                if _count93:
-                    _far = _of(_rows77, _rows92)
+                _rows96, _count97 = _most(_here_2, _count82)
+                if _count97:
+                    _far = _of(_rows81, _rows96)
                     _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_wire_radius_3 = _taken(_far, _p_board_distance_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_wire_radius_1)
-                    _fastest_3, _p_ball_radius_3, _p_ring_radius_3, _stride_3, _strongest_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_rows92, _fastest_2, _p_ball_radius_2, _p_ring_radius_2, _stride_2, _strongest_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
-                    _room_3 = room(_count93)
+                    _fastest_3, _p_ball_radius_3, _p_ring_radius_3, _stride_3, _strongest_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_rows96, _fastest_2, _p_ball_radius_2, _p_ring_radius_2, _stride_2, _strongest_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
+                    _room_3 = room(_count97)
                     _gap_3, _nearing_3, _near_3 = bridge_seam0(_p_ball_radius_3, _p_board_distance_3, _p_ring_radius_3, _x_3, _vx_3)
                     _stride_3, = beside_seam(_gap_3, _near_3, _nearing_3, _stride_3, _strongest_3, _fastest_3, _room_3)
                     _gap_3, _nearing_3, _near_3 = bridge_seam1(_p_ball_radius_3, _p_board_distance_3, _p_ring_radius_3, _x_3, _vx_3)
@@ -9985,57 +10125,57 @@ def detect_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
                     _stride_3, = beside_seam(_gap_3, _near_3, _nearing_3, _stride_3, _strongest_3, _fastest_3, _room_3)
                     _gap_3, _nearing_3, _near_3 = bridge_seam5(_p_ball_radius_3, _p_bridge_depth_3, _p_wire_radius_3, _z_3, _vz_3)
                     _stride_3, = beside_seam(_gap_3, _near_3, _nearing_3, _stride_3, _strongest_3, _fastest_3, _room_3)
-                    _gap_2, _stride_2 = _put(_rows92, _count78, (_gap_2, _stride_2,), (_gap_3, _stride_3,), _here_2)
+                    _gap_2, _stride_2 = _put(_rows96, _count82, (_gap_2, _stride_2,), (_gap_3, _stride_3,), _here_2)
                 _stride_2, _which_2 = beside_time(_which_2, _clock_2, _time_limit_2, _stride_2)
                 _over_2, = passing_from(_z_2)
                 _x_2, _vx_2, _y_2, _vy_2, _z_2, _vz_2, _turn_rate_2 = roll_moved(_x_2, _y_2, _z_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vx_4_2, _vx_5_2, _vx_6_2, _vx_7_2, _vx_8_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vy_4_2, _vy_5_2, _vy_6_2, _vy_7_2, _vy_8_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _vz_4_2, _vz_5_2, _vz_6_2, _vz_7_2, _vz_8_2, _stride_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _turn_rate_8_2, _room_2)
                 _here_2, = holding(1.0, _held_2)
-                _rows94, _count95 = _most(_here_2, _count78)
-                if _count95:
-                    _far = _of(_rows77, _rows94)
+                _rows98, _count99 = _most(_here_2, _count82)
+                if _count99:
+                    _far = _of(_rows81, _rows98)
                     _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3 = _taken(_far, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1)
-                    _p_ball_radius_3, _x_3, _y_3, _z_3 = _taken(_rows94, _p_ball_radius_2, _x_2, _y_2, _z_2)
-                    _room_3 = room(_count95)
+                    _p_ball_radius_3, _x_3, _y_3, _z_3 = _taken(_rows98, _p_ball_radius_2, _x_2, _y_2, _z_2)
+                    _room_3 = room(_count99)
                     _nx_3, _ny_3, _nz_3 = backboard_normal(_x_3, _y_3, _z_3, _p_ball_radius_3, _p_board_distance_3, _p_board_half_width_3, _p_board_bottom_3, _p_board_top_3, _p_board_thickness_3, _room_3)
                     _gap_3, = backboard_distance(_p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _x_3, _y_3, _z_3, _room_3)
-                    _gap_2, _nx_2, _ny_2, _nz_2 = _put(_rows94, _count78, (_gap_2, _nx_2, _ny_2, _nz_2,), (_gap_3, _nx_3, _ny_3, _nz_3,), _here_2)
+                    _gap_2, _nx_2, _ny_2, _nz_2 = _put(_rows98, _count82, (_gap_2, _nx_2, _ny_2, _nz_2,), (_gap_3, _nx_3, _ny_3, _nz_3,), _here_2)
                 _here_2, = holding(2.0, _held_2)
-                _rows96, _count97 = _most(_here_2, _count78)
-                if _count97:
-                    _far = _of(_rows77, _rows96)
+                _rows100, _count101 = _most(_here_2, _count82)
+                if _count101:
+                    _far = _of(_rows81, _rows100)
                     _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_wire_radius_3 = _taken(_far, _p_board_distance_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_wire_radius_1)
-                    _p_ball_radius_3, _p_ring_radius_3, _x_3, _y_3, _z_3 = _taken(_rows96, _p_ball_radius_2, _p_ring_radius_2, _x_2, _y_2, _z_2)
-                    _room_3 = room(_count97)
+                    _p_ball_radius_3, _p_ring_radius_3, _x_3, _y_3, _z_3 = _taken(_rows100, _p_ball_radius_2, _p_ring_radius_2, _x_2, _y_2, _z_2)
+                    _room_3 = room(_count101)
                     _nx_3, _ny_3, _nz_3 = bridge_normal(_x_3, _y_3, _z_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _p_board_distance_3, _p_bridge_half_width_3, _p_bridge_depth_3, _room_3)
                     _gap_3, = bridge_distance(_p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_ring_radius_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _room_3)
-                    _gap_2, _nx_2, _ny_2, _nz_2 = _put(_rows96, _count78, (_gap_2, _nx_2, _ny_2, _nz_2,), (_gap_3, _nx_3, _ny_3, _nz_3,), _here_2)
+                    _gap_2, _nx_2, _ny_2, _nz_2 = _put(_rows100, _count82, (_gap_2, _nx_2, _ny_2, _nz_2,), (_gap_3, _nx_3, _ny_3, _nz_3,), _here_2)
                 _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2 = roll_placed(_p_ball_radius_2, _x_2, _y_2, _z_2, _nx_2, _ny_2, _nz_2, _vx_2, _vy_2, _vz_2, _gap_2, _turn_rate_2, _room_2)
                 _through_2, = passing_in_contact(_p_ring_radius_2, _x_2, _y_2, _z_2, _through_2, _over_2)
                 _clock_2, _rolling_2 = rolled_on(_which_2, _clock_2, _stride_2, _rests_2)
-                _going98 = _where_true(_rolling_2)
-                if len(_going98) == _count78:
+                _going102 = _where_true(_rolling_2)
+                if len(_going102) == _count82:
                     continue
                 _done = _where_true(_logical_not(_rolling_2))
-                _store((_clock_1, _per_reach_1, _rests_1, _rolling_1, _through_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,), _of(_rows77, _done), (_clock_2, _per_reach_2, _rests_2, _rolling_2, _through_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2,), _done)
-                _rows77 = _of(_rows77, _going98)
-                _count78 = len(_going98)
-                if _count78 == 0:
+                _store((_clock_1, _per_reach_1, _rests_1, _rolling_1, _through_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,), _of(_rows81, _done), (_clock_2, _per_reach_2, _rests_2, _rolling_2, _through_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2,), _done)
+                _rows81 = _of(_rows81, _going102)
+                _count82 = len(_going102)
+                if _count82 == 0:
                     break
-                if _count78 <= ALONE:
-                    _one_by_one(_alone12, _rows77, _going98, (_bent_x_2, _bent_y_2, _bent_z_2, _clock_2, _held_2, _nx_2, _ny_2, _nz_2, _p_ball_radius_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_radius_2, _per_reach_2, _rests_2, _rolling_2, _through_2, _time_limit_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2,), (_p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_wire_radius_1,), (_clock_1, _per_reach_1, _rests_1, _rolling_1, _through_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,), 15 - _turn79)
+                if _count82 <= ALONE:
+                    _one_by_one(_alone12, _rows81, _going102, (_bent_x_2, _bent_y_2, _bent_z_2, _clock_2, _held_2, _nx_2, _ny_2, _nz_2, _p_ball_radius_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_radius_2, _per_reach_2, _rests_2, _rolling_2, _through_2, _time_limit_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2,), (_p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_wire_radius_1,), (_clock_1, _per_reach_1, _rests_1, _rolling_1, _through_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,), 15 - _turn83)
                     break
-                _bent_x_2, _bent_y_2, _bent_z_2, _clock_2, _held_2, _nx_2, _ny_2, _nz_2, _p_ball_radius_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_radius_2, _per_reach_2, _rests_2, _rolling_2, _through_2, _time_limit_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_going98, _bent_x_2, _bent_y_2, _bent_z_2, _clock_2, _held_2, _nx_2, _ny_2, _nz_2, _p_ball_radius_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_radius_2, _per_reach_2, _rests_2, _rolling_2, _through_2, _time_limit_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2)
+                _bent_x_2, _bent_y_2, _bent_z_2, _clock_2, _held_2, _nx_2, _ny_2, _nz_2, _p_ball_radius_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_radius_2, _per_reach_2, _rests_2, _rolling_2, _through_2, _time_limit_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_going102, _bent_x_2, _bent_y_2, _bent_z_2, _clock_2, _held_2, _nx_2, _ny_2, _nz_2, _p_ball_radius_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_radius_2, _per_reach_2, _rests_2, _rolling_2, _through_2, _time_limit_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2)
             else:
-                _store((_clock_1, _per_reach_1, _rests_1, _rolling_1, _through_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,), _rows77, (_clock_2, _per_reach_2, _rests_2, _rolling_2, _through_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2,), None)
-        _rows99, _count100 = _rows(_circling_1, _count74)
-        if (0 < _count100) and (_count100 <= ALONE):
+                _store((_clock_1, _per_reach_1, _rests_1, _rolling_1, _through_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,), _rows81, (_clock_2, _per_reach_2, _rests_2, _rolling_2, _through_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2,), None)
+        _rows103, _count104 = _rows(_circling_1, _count74)
+        if (0 < _count104) and (_count104 <= ALONE):
             _circled_1, _circling_1, _clock_1, _per_reach_1, _rests_1, _through_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1 = _copies(_count74, _circled_1, _circling_1, _clock_1, _per_reach_1, _rests_1, _through_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
-            _one_by_one(_alone13, _rows99, _rows99, (_circled_1, _circling_1, _clock_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_radius_1, _p_wire_radius_1, _per_reach_1, _rests_1, _through_1, _time_limit_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,), (), (_circled_1, _circling_1, _clock_1, _per_reach_1, _rests_1, _through_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,), 16)
-        elif _count100:
-            _circled_2, _circling_2, _clock_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_radius_2, _p_wire_radius_2, _through_2, _time_limit_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_rows99, _circled_1, _circling_1, _clock_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_radius_1, _p_wire_radius_1, _through_1, _time_limit_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
+            _one_by_one(_alone13, _rows103, _rows103, (_circled_1, _circling_1, _clock_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_radius_1, _p_wire_radius_1, _per_reach_1, _rests_1, _through_1, _time_limit_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,), (), (_circled_1, _circling_1, _clock_1, _per_reach_1, _rests_1, _through_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,), 16)
+        elif _count104:
+            _circled_2, _circling_2, _clock_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_radius_2, _p_wire_radius_2, _through_2, _time_limit_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_rows103, _circled_1, _circling_1, _clock_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_radius_1, _p_wire_radius_1, _through_1, _time_limit_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
             _circled_1, _circling_1, _clock_1, _per_reach_1, _rests_1, _through_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1 = _copies(_count74, _circled_1, _circling_1, _clock_1, _per_reach_1, _rests_1, _through_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
-            for _turn101 in range(16):
-                _room_2 = room(_count100)
+            for _turn105 in range(16):
+                _room_2 = room(_count104)
                 _, _, _, _per_reach_2 = ring_rolling_surface(_p_ball_radius_2, _p_wire_radius_2)
                 _cosine_0_2, _sine_0_2, _climb_0_2, _along_0_2, _turn_rate_0_2, _cos_0_2, _sin_0_2, _tilted_0_2, _near_0_2 = ring_round_start(_p_ball_radius_2, _p_inertia_2, _p_ring_radius_2, _p_wire_radius_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _per_reach_2, _room_2)
                 _omega_0_2, _around_0_2, _cosine_1_2, _sine_1_2, _climb_1_2, _along_1_2, _turn_rate_1_2, _tilted_1_2 = ring_round_0(_p_ball_radius_2, _p_gravity_2, _p_inertia_2, _p_ring_radius_2, _p_wire_radius_2, _per_reach_2, _turn_rate_0_2, _near_0_2, _climb_0_2, _cosine_0_2, _sine_0_2, _along_0_2, _tilted_0_2, _room_2)
@@ -10079,82 +10219,82 @@ def detect_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
                 _circled_2, _endless_2, *_ = ring_swung(_p_ball_radius_2, _p_gravity_2, _p_wire_radius_2, _which_2, _inf, 0.0, 0.0, _force_2, _force_rate_2, _force_bend_2, _stride_2, _fastest_2, _circled_2, _climb_2, _climb_0_2, _section_acceleration_2, _azimuth_clearance_2, _room_2)
                 _which_2, = rolls_for_ever(_which_2, _endless_2)
                 _clock_2, _circling_2 = rolled_on(_which_2, _clock_2, _stride_2, _rests_2)
-                _going102 = _where_true(_circling_2)
-                if len(_going102) == _count100:
+                _going106 = _where_true(_circling_2)
+                if len(_going106) == _count104:
                     continue
                 _done = _where_true(_logical_not(_circling_2))
-                _store((_circled_1, _circling_1, _clock_1, _per_reach_1, _rests_1, _through_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,), _of(_rows99, _done), (_circled_2, _circling_2, _clock_2, _per_reach_2, _rests_2, _through_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2,), _done)
-                _rows99 = _of(_rows99, _going102)
-                _count100 = len(_going102)
-                if _count100 == 0:
+                _store((_circled_1, _circling_1, _clock_1, _per_reach_1, _rests_1, _through_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,), _of(_rows103, _done), (_circled_2, _circling_2, _clock_2, _per_reach_2, _rests_2, _through_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2,), _done)
+                _rows103 = _of(_rows103, _going106)
+                _count104 = len(_going106)
+                if _count104 == 0:
                     break
-                if _count100 <= ALONE:
-                    _one_by_one(_alone13, _rows99, _going102, (_circled_2, _circling_2, _clock_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_radius_2, _p_wire_radius_2, _per_reach_2, _rests_2, _through_2, _time_limit_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2,), (), (_circled_1, _circling_1, _clock_1, _per_reach_1, _rests_1, _through_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,), 15 - _turn101)
+                if _count104 <= ALONE:
+                    _one_by_one(_alone13, _rows103, _going106, (_circled_2, _circling_2, _clock_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_radius_2, _p_wire_radius_2, _per_reach_2, _rests_2, _through_2, _time_limit_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2,), (), (_circled_1, _circling_1, _clock_1, _per_reach_1, _rests_1, _through_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,), 15 - _turn105)
                     break
-                _circled_2, _circling_2, _clock_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_radius_2, _p_wire_radius_2, _per_reach_2, _rests_2, _through_2, _time_limit_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_going102, _circled_2, _circling_2, _clock_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_radius_2, _p_wire_radius_2, _per_reach_2, _rests_2, _through_2, _time_limit_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2)
+                _circled_2, _circling_2, _clock_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_radius_2, _p_wire_radius_2, _per_reach_2, _rests_2, _through_2, _time_limit_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_going106, _circled_2, _circling_2, _clock_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_radius_2, _p_wire_radius_2, _per_reach_2, _rests_2, _through_2, _time_limit_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2)
             else:
-                _store((_circled_1, _circling_1, _clock_1, _per_reach_1, _rests_1, _through_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,), _rows99, (_circled_2, _circling_2, _clock_2, _per_reach_2, _rests_2, _through_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2,), None)
+                _store((_circled_1, _circling_1, _clock_1, _per_reach_1, _rests_1, _through_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,), _rows103, (_circled_2, _circling_2, _clock_2, _per_reach_2, _rests_2, _through_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2,), None)
         _rolling_1, = still_in_contact(_rolling_1, _circling_1)
-        _rows103, _count104 = _rows(_leaves_1, _count74)
-        if _count104:
-            _clock_2, _gap_jerk_2, _gap_snap_2, _held_2, _lift_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_end_depth_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _per_reach_2, _time_limit_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows103, _clock_1, _gap_jerk_1, _gap_snap_1, _held_1, _lift_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_end_depth_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _per_reach_1, _time_limit_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
-            _room_2 = room(_count104)
+        _rows107, _count108 = _rows(_leaves_1, _count74)
+        if _count108:
+            _clock_2, _gap_jerk_2, _gap_snap_2, _held_2, _lift_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_end_depth_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _per_reach_2, _time_limit_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows107, _clock_1, _gap_jerk_1, _gap_snap_1, _held_1, _lift_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_end_depth_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _per_reach_1, _time_limit_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
+            _room_2 = room(_count108)
             _here_2, = holding(0.0, _held_2)
-            _rows105, _count106 = _most(_here_2, _count104)
-            if _count106:
-                _p_ball_radius_3, _p_gravity_3, _p_ring_radius_3, _p_wire_radius_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_rows105, _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
-                _room_3 = room(_count106)
+            _rows109, _count110 = _most(_here_2, _count108)
+            if _count110:
+                _p_ball_radius_3, _p_gravity_3, _p_ring_radius_3, _p_wire_radius_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_rows109, _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
+                _room_3 = room(_count110)
                 _, _, _, _per_reach_3 = ring_rolling_surface(_p_ball_radius_3, _p_wire_radius_3)
                 _lift_3, _gap_jerk_3, _gap_snap_3 = ring_separation(_p_gravity_3, _p_ring_radius_3, _x_3, _y_3, _z_3, _vx_3, _vy_3, _vz_3, _room_3)
-                _gap_jerk_2, _gap_snap_2, _lift_2, _per_reach_2 = _put(_rows105, _count104, (_gap_jerk_2, _gap_snap_2, _lift_2, _per_reach_2,), (_gap_jerk_3, _gap_snap_3, _lift_3, _per_reach_3,), _here_2)
+                _gap_jerk_2, _gap_snap_2, _lift_2, _per_reach_2 = _put(_rows109, _count108, (_gap_jerk_2, _gap_snap_2, _lift_2, _per_reach_2,), (_gap_jerk_3, _gap_snap_3, _lift_3, _per_reach_3,), _here_2)
             _here_2, = holding(1.0, _held_2)
-            _rows107, _count108 = _most(_here_2, _count104)
-            if _count108:
-                _p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _p_gravity_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_rows107, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
-                _room_3 = room(_count108)
+            _rows111, _count112 = _most(_here_2, _count108)
+            if _count112:
+                _p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _p_gravity_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_rows111, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
+                _room_3 = room(_count112)
                 _, _, _, _per_reach_3 = backboard_rolling_surface(_p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _x_3, _y_3, _z_3, _vx_3, _vy_3, _vz_3, _room_3)
                 _lift_3, _gap_jerk_3, _gap_snap_3 = backboard_separation(_p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _p_gravity_3, _x_3, _y_3, _z_3, _vx_3, _vy_3, _vz_3, _room_3)
-                _gap_jerk_2, _gap_snap_2, _lift_2, _per_reach_2 = _put(_rows107, _count104, (_gap_jerk_2, _gap_snap_2, _lift_2, _per_reach_2,), (_gap_jerk_3, _gap_snap_3, _lift_3, _per_reach_3,), _here_2)
+                _gap_jerk_2, _gap_snap_2, _lift_2, _per_reach_2 = _put(_rows111, _count108, (_gap_jerk_2, _gap_snap_2, _lift_2, _per_reach_2,), (_gap_jerk_3, _gap_snap_3, _lift_3, _per_reach_3,), _here_2)
             _here_2, = holding(2.0, _held_2)
-            _rows109, _count110 = _most(_here_2, _count104)
-            if _count110:
-                _p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_gravity_3, _p_ring_radius_3, _p_wire_radius_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_rows109, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
-                _room_3 = room(_count110)
+            _rows113, _count114 = _most(_here_2, _count108)
+            if _count114:
+                _p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_gravity_3, _p_ring_radius_3, _p_wire_radius_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_rows113, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
+                _room_3 = room(_count114)
                 _, _, _, _per_reach_3 = bridge_rolling_surface(_p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_ring_radius_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _vx_3, _vy_3, _vz_3, _room_3)
                 _lift_3, _gap_jerk_3, _gap_snap_3 = bridge_separation(_p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_gravity_3, _p_ring_radius_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _vx_3, _vy_3, _vz_3, _room_3)
-                _gap_jerk_2, _gap_snap_2, _lift_2, _per_reach_2 = _put(_rows109, _count104, (_gap_jerk_2, _gap_snap_2, _lift_2, _per_reach_2,), (_gap_jerk_3, _gap_snap_3, _lift_3, _per_reach_3,), _here_2)
+                _gap_jerk_2, _gap_snap_2, _lift_2, _per_reach_2 = _put(_rows113, _count108, (_gap_jerk_2, _gap_snap_2, _lift_2, _per_reach_2,), (_gap_jerk_3, _gap_snap_3, _lift_3, _per_reach_3,), _here_2)
             _free_time_2, = no_contact()
             _beside_2, = beside(0.0, _held_2)
-            _rows111, _count112 = _most(_beside_2, _count104)
-            if _count112:
-                _free_time_3, _p_ball_radius_3, _p_gravity_3, _p_ring_radius_3, _p_wire_radius_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_rows111, _free_time_2, _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
-                _room_3 = room(_count112)
+            _rows115, _count116 = _most(_beside_2, _count108)
+            if _count116:
+                _free_time_3, _p_ball_radius_3, _p_gravity_3, _p_ring_radius_3, _p_wire_radius_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_rows115, _free_time_2, _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
+                _room_3 = room(_count116)
                 _gap_3, _nearing_3, _gap_curvature_3 = ring_beside(_p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _vx_3, _vy_3, _vz_3, _room_3)
                 _free_time_3, = neighbour_free_time(_p_gravity_3, _vx_3, _vy_3, _vz_3, _gap_3, _free_time_3, _nearing_3, _gap_curvature_3, _room_3)
-                _free_time_2, = _put(_rows111, _count104, (_free_time_2,), (_free_time_3,), _beside_2)
+                _free_time_2, = _put(_rows115, _count108, (_free_time_2,), (_free_time_3,), _beside_2)
             _beside_2, = beside(1.0, _held_2)
-            _rows113, _count114 = _most(_beside_2, _count104)
-            if _count114:
-                _free_time_3, _p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _p_gravity_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_rows113, _free_time_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
-                _room_3 = room(_count114)
-                _gap_3, _nearing_3, _gap_curvature_3 = backboard_beside(_p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _x_3, _y_3, _z_3, _vx_3, _vy_3, _vz_3, _room_3)
-                _free_time_3, = neighbour_free_time(_p_gravity_3, _vx_3, _vy_3, _vz_3, _gap_3, _free_time_3, _nearing_3, _gap_curvature_3, _room_3)
-                _free_time_2, = _put(_rows113, _count104, (_free_time_2,), (_free_time_3,), _beside_2)
-            _beside_2, = beside(2.0, _held_2)
-            _rows115, _count116 = _most(_beside_2, _count104)
-            if _count116:
-                _free_time_3, _p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_gravity_3, _p_ring_radius_3, _p_wire_radius_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_rows115, _free_time_2, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
-                _room_3 = room(_count116)
-                _gap_3, _nearing_3, _gap_curvature_3 = bridge_beside(_p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_ring_radius_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _vx_3, _vy_3, _vz_3, _room_3)
-                _free_time_3, = neighbour_free_time(_p_gravity_3, _vx_3, _vy_3, _vz_3, _gap_3, _free_time_3, _nearing_3, _gap_curvature_3, _room_3)
-                _free_time_2, = _put(_rows115, _count104, (_free_time_2,), (_free_time_3,), _beside_2)
-            _gap_2, _nearing_2, _gap_curvature_2 = end_beside(_p_end_depth_2, _z_2, _vz_2)
-            _free_time_2, *_ = end_plane_free_time(_p_gravity_2, _vx_2, _vy_2, _vz_2, _gap_2, _inf, _free_time_2, _nearing_2, _gap_curvature_2, _room_2)
-            _here_2, = holding(1.0, _held_2)
-            _rows117, _count118 = _most(_here_2, _count104)
+            _rows117, _count118 = _most(_beside_2, _count108)
             if _count118:
                 _free_time_3, _p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _p_gravity_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_rows117, _free_time_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
                 _room_3 = room(_count118)
+                _gap_3, _nearing_3, _gap_curvature_3 = backboard_beside(_p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _x_3, _y_3, _z_3, _vx_3, _vy_3, _vz_3, _room_3)
+                _free_time_3, = neighbour_free_time(_p_gravity_3, _vx_3, _vy_3, _vz_3, _gap_3, _free_time_3, _nearing_3, _gap_curvature_3, _room_3)
+                _free_time_2, = _put(_rows117, _count108, (_free_time_2,), (_free_time_3,), _beside_2)
+            _beside_2, = beside(2.0, _held_2)
+            _rows119, _count120 = _most(_beside_2, _count108)
+            if _count120:
+                _free_time_3, _p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_gravity_3, _p_ring_radius_3, _p_wire_radius_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_rows119, _free_time_2, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
+                _room_3 = room(_count120)
+                _gap_3, _nearing_3, _gap_curvature_3 = bridge_beside(_p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_ring_radius_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _vx_3, _vy_3, _vz_3, _room_3)
+                _free_time_3, = neighbour_free_time(_p_gravity_3, _vx_3, _vy_3, _vz_3, _gap_3, _free_time_3, _nearing_3, _gap_curvature_3, _room_3)
+                _free_time_2, = _put(_rows119, _count108, (_free_time_2,), (_free_time_3,), _beside_2)
+            _gap_2, _nearing_2, _gap_curvature_2 = end_beside(_p_end_depth_2, _z_2, _vz_2)
+            _free_time_2, *_ = end_plane_free_time(_p_gravity_2, _vx_2, _vy_2, _vz_2, _gap_2, _inf, _free_time_2, _nearing_2, _gap_curvature_2, _room_2)
+            _here_2, = holding(1.0, _held_2)
+            _rows121, _count122 = _most(_here_2, _count108)
+            if _count122:
+                _free_time_3, _p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _p_gravity_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_rows121, _free_time_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
+                _room_3 = room(_count122)
                 _gap_3, _nearing_3, _near_3 = backboard_seam0(_p_ball_radius_3, _p_board_distance_3, _p_board_thickness_3, _x_3, _vx_3)
                 _free_time_3, = seam_free_time(_p_gravity_3, _gap_3, _free_time_3, _near_3, _nearing_3, _room_3)
                 _gap_3, _nearing_3, _near_3 = backboard_seam1(_p_ball_radius_3, _p_board_distance_3, _p_board_thickness_3, _x_3, _vx_3)
@@ -10167,12 +10307,12 @@ def detect_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
                 _free_time_3, = seam_free_time(_p_gravity_3, _gap_3, _free_time_3, _near_3, _nearing_3, _room_3)
                 _gap_3, _nearing_3, _near_3 = backboard_seam5(_p_ball_radius_3, _p_board_bottom_3, _p_board_top_3, _z_3, _vz_3)
                 _free_time_3, = seam_free_time(_p_gravity_3, _gap_3, _free_time_3, _near_3, _nearing_3, _room_3)
-                _free_time_2, = _put(_rows117, _count104, (_free_time_2,), (_free_time_3,), _here_2)
+                _free_time_2, = _put(_rows121, _count108, (_free_time_2,), (_free_time_3,), _here_2)
             _here_2, = holding(2.0, _held_2)
-            _rows119, _count120 = _most(_here_2, _count104)
-            if _count120:
-                _free_time_3, _p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_gravity_3, _p_ring_radius_3, _p_wire_radius_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_rows119, _free_time_2, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
-                _room_3 = room(_count120)
+            _rows123, _count124 = _most(_here_2, _count108)
+            if _count124:
+                _free_time_3, _p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_gravity_3, _p_ring_radius_3, _p_wire_radius_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_rows123, _free_time_2, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
+                _room_3 = room(_count124)
                 _gap_3, _nearing_3, _near_3 = bridge_seam0(_p_ball_radius_3, _p_board_distance_3, _p_ring_radius_3, _x_3, _vx_3)
                 _free_time_3, = seam_free_time(_p_gravity_3, _gap_3, _free_time_3, _near_3, _nearing_3, _room_3)
                 _gap_3, _nearing_3, _near_3 = bridge_seam1(_p_ball_radius_3, _p_board_distance_3, _p_ring_radius_3, _x_3, _vx_3)
@@ -10185,32 +10325,32 @@ def detect_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
                 _free_time_3, = seam_free_time(_p_gravity_3, _gap_3, _free_time_3, _near_3, _nearing_3, _room_3)
                 _gap_3, _nearing_3, _near_3 = bridge_seam5(_p_ball_radius_3, _p_bridge_depth_3, _p_wire_radius_3, _z_3, _vz_3)
                 _free_time_3, = seam_free_time(_p_gravity_3, _gap_3, _free_time_3, _near_3, _nearing_3, _room_3)
-                _free_time_2, = _put(_rows119, _count104, (_free_time_2,), (_free_time_3,), _here_2)
+                _free_time_2, = _put(_rows123, _count108, (_free_time_2,), (_free_time_3,), _here_2)
             _when_2, *_ = separated(_p_gravity_2, _vx_2, _vy_2, _vz_2, _inf, 0.0, 0.0, _clock_2, _time_limit_2, _per_reach_2, _free_time_2, _lift_2, _gap_jerk_2, _gap_snap_2, _room_2)
             _which_2, = detachment()
-            _when_1, _which_1 = _put(_rows103, _count74, (_when_1, _which_1,), (_when_2, _which_2,))
+            _when_1, _which_1 = _put(_rows107, _count74, (_when_1, _which_1,), (_when_2, _which_2,))
         _began_0, _circled_0, _clock_0, _rests_0, _rolling_0, _through_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0 = _put(_rows73, shots, (_began_0, _circled_0, _clock_0, _rests_0, _rolling_0, _through_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0,), (_began_1, _circled_1, _clock_1, _rests_1, _rolling_1, _through_1, _vx_1, _vy_1, _vz_1, _when_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,))
     _, _moves_0, _ends_0, _touches_0, _reached_0, *_ = departed(3.0, _which_0)
     _body_0, = body_of(_which_0)
-    _rows121, _count122 = _most(_moves_0, shots)
-    if _count122:
-        _clock_1, _p_gravity_1, _p_ring_radius_1, _through_1, _vx_1, _vy_1, _vz_1, _when_1, _x_1, _y_1, _z_1 = _taken(_rows121, _clock_0, _p_gravity_0, _p_ring_radius_0, _through_0, _vx_0, _vy_0, _vz_0, _when_0, _x_0, _y_0, _z_0)
-        _room_1 = room(_count122)
+    _rows125, _count126 = _most(_moves_0, shots)
+    if _count126:
+        _clock_1, _p_gravity_1, _p_ring_radius_1, _through_1, _vx_1, _vy_1, _vz_1, _when_1, _x_1, _y_1, _z_1 = _taken(_rows125, _clock_0, _p_gravity_0, _p_ring_radius_0, _through_0, _vx_0, _vy_0, _vz_0, _when_0, _x_0, _y_0, _z_0)
+        _room_1 = room(_count126)
         _through_1, = passing(_through_1, _when_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _p_ring_radius_1, _p_gravity_1, _room_1)
         _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1 = flight(_when_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _p_gravity_1, _room_1)
         _clock_1, = event_clock(_when_1, _clock_1)
-        _clock_0, _through_0, _vx_0, _vy_0, _vz_0, _x_0, _y_0, _z_0 = _put(_rows121, shots, (_clock_0, _through_0, _vx_0, _vy_0, _vz_0, _x_0, _y_0, _z_0,), (_clock_1, _through_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1,), _moves_0)
-    _rows123, _count124 = _most(_limited_0, shots)
-    if _count124:
-        _body_1, _clock_1, _ends_1, _reached_1, _time_limit_1, _which_1 = _taken(_rows123, _body_0, _clock_0, _ends_0, _reached_0, _time_limit_0, _which_0)
+        _clock_0, _through_0, _vx_0, _vy_0, _vz_0, _x_0, _y_0, _z_0 = _put(_rows125, shots, (_clock_0, _through_0, _vx_0, _vy_0, _vz_0, _x_0, _y_0, _z_0,), (_clock_1, _through_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1,), _moves_0)
+    _rows127, _count128 = _most(_limited_0, shots)
+    if _count128:
+        _body_1, _clock_1, _ends_1, _reached_1, _time_limit_1, _which_1 = _taken(_rows127, _body_0, _clock_0, _ends_0, _reached_0, _time_limit_0, _which_0)
         _clock_1, _body_1, _reached_1, _ends_1 = expired(4.0, _which_1, _body_1, _clock_1, _reached_1, _time_limit_1, _ends_1)
-        _body_0, _clock_0, _ends_0, _reached_0 = _put(_rows123, shots, (_body_0, _clock_0, _ends_0, _reached_0,), (_body_1, _clock_1, _ends_1, _reached_1,), _limited_0)
-    _rows125, _count126 = _most(_in_contact_0, shots)
-    if _count126:
-        _began_1, _body_1, _clock_1, _ends_1, _held_1, _last_1, _reached_1, _rests_1, _rolling_1, _rolls_1, _which_1 = _taken(_rows125, _began_0, _body_0, _clock_0, _ends_0, _held_0, _last_0, _reached_0, _rests_0, _rolling_0, _rolls_0, _which_0)
-        _room_1 = room(_count126)
+        _body_0, _clock_0, _ends_0, _reached_0 = _put(_rows127, shots, (_body_0, _clock_0, _ends_0, _reached_0,), (_body_1, _clock_1, _ends_1, _reached_1,), _limited_0)
+    _rows129, _count130 = _most(_in_contact_0, shots)
+    if _count130:
+        _began_1, _body_1, _clock_1, _ends_1, _held_1, _last_1, _reached_1, _rests_1, _rolling_1, _rolls_1, _which_1 = _taken(_rows129, _began_0, _body_0, _clock_0, _ends_0, _held_0, _last_0, _reached_0, _rests_0, _rolling_0, _rolls_0, _which_0)
+        _room_1 = room(_count130)
         _body_1, _reached_1, _, _ends_1, _, _last_1, _mode_1, _held_1, _rolls_1 = stay_in_contact(_last_1, _which_1, _inf, _body_1, _clock_1, _reached_1, _ends_1, _held_1, _rolls_1, _rolling_1, _began_1, _rests_1, _room_1)
-        _body_0, _ends_0, _held_0, _last_0, _mode_0, _reached_0, _rolls_0 = _put(_rows125, shots, (_body_0, _ends_0, _held_0, _last_0, _mode_0, _reached_0, _rolls_0,), (_body_1, _ends_1, _held_1, _last_1, _mode_1, _reached_1, _rolls_1,), _in_contact_0)
+        _body_0, _ends_0, _held_0, _last_0, _mode_0, _reached_0, _rolls_0 = _put(_rows129, shots, (_body_0, _ends_0, _held_0, _last_0, _mode_0, _reached_0, _rolls_0,), (_body_1, _ends_1, _held_1, _last_1, _mode_1, _reached_1, _rolls_1,), _in_contact_0)
     _here_0, = here(3.0, _which_0)
     _g0_1, = end_bounds(_x_0, _y_0, _p_ring_radius_0)
     _reached_1, = end_reached(_through_0, _g0_1)
@@ -10234,13 +10374,21 @@ def resolve_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
         _count_0_2, = counted(_count_0_1)
         _count_0_1, _nx_1, _ny_1, _nz_1 = _choose(_here_1, (_count_0_2, _nx_2, _ny_2, _nz_2,), (_count_0_1, _nx_1, _ny_1, _nz_1,))
         _here_1, = here(1.0, _which_1)
-        _nx_2, _ny_2, _nz_2 = backboard_normal(_x_1, _y_1, _z_1, _p_ball_radius_1, _p_board_distance_1, _p_board_half_width_1, _p_board_bottom_1, _p_board_top_1, _p_board_thickness_1, _room_1)
-        _count_1_2, = counted(_count_1_1)
-        _count_1_1, _nx_1, _ny_1, _nz_1 = _choose(_here_1, (_count_1_2, _nx_2, _ny_2, _nz_2,), (_count_1_1, _nx_1, _ny_1, _nz_1,))
+        _rows3, _count4 = _most(_here_1, _count2)
+        if _count4:
+            _count_1_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _x_2, _y_2, _z_2 = _taken(_rows3, _count_1_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _x_1, _y_1, _z_1)
+            _room_2 = room(_count4)
+            _nx_2, _ny_2, _nz_2 = backboard_normal(_x_2, _y_2, _z_2, _p_ball_radius_2, _p_board_distance_2, _p_board_half_width_2, _p_board_bottom_2, _p_board_top_2, _p_board_thickness_2, _room_2)
+            _count_1_2, = counted(_count_1_2)
+            _count_1_1, _nx_1, _ny_1, _nz_1 = _put(_rows3, _count2, (_count_1_1, _nx_1, _ny_1, _nz_1,), (_count_1_2, _nx_2, _ny_2, _nz_2,), _here_1)
         _here_1, = here(2.0, _which_1)
-        _nx_2, _ny_2, _nz_2 = bridge_normal(_x_1, _y_1, _z_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_board_distance_1, _p_bridge_half_width_1, _p_bridge_depth_1, _room_1)
-        _count_2_2, = counted(_count_2_1)
-        _count_2_1, _nx_1, _ny_1, _nz_1 = _choose(_here_1, (_count_2_2, _nx_2, _ny_2, _nz_2,), (_count_2_1, _nx_1, _ny_1, _nz_1,))
+        _rows5, _count6 = _most(_here_1, _count2)
+        if _count6:
+            _count_2_2, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_ring_radius_2, _p_wire_radius_2, _x_2, _y_2, _z_2 = _taken(_rows5, _count_2_1, _p_ball_radius_1, _p_board_distance_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_ring_radius_1, _p_wire_radius_1, _x_1, _y_1, _z_1)
+            _room_2 = room(_count6)
+            _nx_2, _ny_2, _nz_2 = bridge_normal(_x_2, _y_2, _z_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_board_distance_2, _p_bridge_half_width_2, _p_bridge_depth_2, _room_2)
+            _count_2_2, = counted(_count_2_2)
+            _count_2_1, _nx_1, _ny_1, _nz_1 = _put(_rows5, _count2, (_count_2_1, _nx_1, _ny_1, _nz_1,), (_count_2_2, _nx_2, _ny_2, _nz_2,), _here_1)
         _struck_0_1, = other_kind()
         _, _its_0_ring_impact_1, _its_1_ring_impact_1 = ring_impact_taken(_p_ring_restitution_1, _p_ring_friction_1)
         for _own_index_1, _own_1_1, _own_2_1, in (
@@ -10249,39 +10397,47 @@ def resolve_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
             (2.0, _p_bridge_friction_1, _p_bridge_restitution_1,),
         ):
             _here_1, = here(_own_index_1, _which_1)
-            _rows3, _count4 = _most(_here_1, _count2)
-            if _count4:
-                _own_1_2, _own_2_2 = _taken(_rows3, _own_1_1, _own_2_1)
+            _rows7, _count8 = _most(_here_1, _count2)
+            if _count8:
+                _own_1_2, _own_2_2 = _taken(_rows7, _own_1_1, _own_2_1)
                 _struck_0_2, _its_0_ring_impact_2, _its_1_ring_impact_2 = ring_impact_taken(_own_2_2, _own_1_2)
-                _its_0_ring_impact_1, _its_1_ring_impact_1, _struck_0_1 = _put(_rows3, _count2, (_its_0_ring_impact_1, _its_1_ring_impact_1, _struck_0_1,), (_its_0_ring_impact_2, _its_1_ring_impact_2, _struck_0_2,), _here_1)
-        _rows5, _count6 = _most(_struck_0_1, _count2)
-        if _count6:
-            _its_0_ring_impact_2, _its_1_ring_impact_2, _nx_2, _ny_2, _nz_2, _p_ball_radius_2, _p_inertia_2, _p_restitution_speed_2, _p_tangential_restitution_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2 = _taken(_rows5, _its_0_ring_impact_1, _its_1_ring_impact_1, _nx_1, _ny_1, _nz_1, _p_ball_radius_1, _p_inertia_1, _p_restitution_speed_1, _p_tangential_restitution_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1)
-            _room_2 = room(_count6)
+                _its_0_ring_impact_1, _its_1_ring_impact_1, _struck_0_1 = _put(_rows7, _count2, (_its_0_ring_impact_1, _its_1_ring_impact_1, _struck_0_1,), (_its_0_ring_impact_2, _its_1_ring_impact_2, _struck_0_2,), _here_1)
+        _rows9, _count10 = _most(_struck_0_1, _count2)
+        if _count10:
+            _its_0_ring_impact_2, _its_1_ring_impact_2, _nx_2, _ny_2, _nz_2, _p_ball_radius_2, _p_inertia_2, _p_restitution_speed_2, _p_tangential_restitution_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2 = _taken(_rows9, _its_0_ring_impact_1, _its_1_ring_impact_1, _nx_1, _ny_1, _nz_1, _p_ball_radius_1, _p_inertia_1, _p_restitution_speed_1, _p_tangential_restitution_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1)
+            _room_2 = room(_count10)
             _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2 = ring_impact(_vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _nx_2, _ny_2, _nz_2, _p_ball_radius_2, _its_0_ring_impact_2, _its_1_ring_impact_2, _p_inertia_2, _p_tangential_restitution_2, _p_restitution_speed_2, _room_2)
-            _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1 = _put(_rows5, _count2, (_vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1,), (_vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2,), _struck_0_1)
+            _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1 = _put(_rows9, _count2, (_vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1,), (_vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2,), _struck_0_1)
         _first_2, _last_2 = touched(_which_1, _body_1, _first_1)
         _slow_2, *_ = leaves_slowly(_p_ball_radius_1, _p_gravity_1, _nx_1, _ny_1, _nz_1, _vx_1, _vy_1, _vz_1, 0.0, _room_1)
         _first_1, _last_1, _slow_1 = _choose(_touches_1, (_first_2, _last_2, _slow_2,), (_first_1, _last_1, _slow_1,))
         _count_0_0, _count_1_0, _count_2_0, _first_0, _last_0, _slow_0, _vx_0, _vy_0, _vz_0, _wx_0, _wy_0, _wz_0 = _put(_rows1, shots, (_count_0_0, _count_1_0, _count_2_0, _first_0, _last_0, _slow_0, _vx_0, _vy_0, _vz_0, _wx_0, _wy_0, _wz_0,), (_count_0_1, _count_1_1, _count_2_1, _first_1, _last_1, _slow_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1,))
-    _rows7, _count8 = _rows(_slow_0, shots)
-    if _count8:
-        _held_1, _mode_1, _outcome_1, _p_backboard_friction_1, _p_backboard_restitution_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_friction_1, _p_bridge_half_width_1, _p_bridge_restitution_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_friction_1, _p_ring_radius_1, _p_ring_restitution_1, _p_wire_radius_1, _slip_left_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1 = _taken(_rows7, _held_0, _mode_0, _outcome_0, _p_backboard_friction_0, _p_backboard_restitution_0, _p_ball_radius_0, _p_board_bottom_0, _p_board_distance_0, _p_board_half_width_0, _p_board_thickness_0, _p_board_top_0, _p_bridge_depth_0, _p_bridge_friction_0, _p_bridge_half_width_0, _p_bridge_restitution_0, _p_end_depth_0, _p_gravity_0, _p_inertia_0, _p_ring_friction_0, _p_ring_radius_0, _p_ring_restitution_0, _p_wire_radius_0, _slip_left_0, _vx_0, _vy_0, _vz_0, _which_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0)
-        _room_1 = room(_count8)
+    _rows11, _count12 = _rows(_slow_0, shots)
+    if _count12:
+        _held_1, _mode_1, _outcome_1, _p_backboard_friction_1, _p_backboard_restitution_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_friction_1, _p_bridge_half_width_1, _p_bridge_restitution_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_friction_1, _p_ring_radius_1, _p_ring_restitution_1, _p_wire_radius_1, _slip_left_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1 = _taken(_rows11, _held_0, _mode_0, _outcome_0, _p_backboard_friction_0, _p_backboard_restitution_0, _p_ball_radius_0, _p_board_bottom_0, _p_board_distance_0, _p_board_half_width_0, _p_board_thickness_0, _p_board_top_0, _p_bridge_depth_0, _p_bridge_friction_0, _p_bridge_half_width_0, _p_bridge_restitution_0, _p_end_depth_0, _p_gravity_0, _p_inertia_0, _p_ring_friction_0, _p_ring_radius_0, _p_ring_restitution_0, _p_wire_radius_0, _slip_left_0, _vx_0, _vy_0, _vz_0, _which_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0)
+        _room_1 = room(_count12)
         _nx_1, _ny_1, _nz_1 = ring_normal(_x_1, _y_1, _z_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _room_1)
         _here_1, = here(1.0, _which_1)
-        _nx_2, _ny_2, _nz_2 = backboard_normal(_x_1, _y_1, _z_1, _p_ball_radius_1, _p_board_distance_1, _p_board_half_width_1, _p_board_bottom_1, _p_board_top_1, _p_board_thickness_1, _room_1)
-        _nx_1, _ny_1, _nz_1 = _choose(_here_1, (_nx_2, _ny_2, _nz_2,), (_nx_1, _ny_1, _nz_1,))
+        _rows13, _count14 = _most(_here_1, _count12)
+        if _count14:
+            _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _x_2, _y_2, _z_2 = _taken(_rows13, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _x_1, _y_1, _z_1)
+            _room_2 = room(_count14)
+            _nx_2, _ny_2, _nz_2 = backboard_normal(_x_2, _y_2, _z_2, _p_ball_radius_2, _p_board_distance_2, _p_board_half_width_2, _p_board_bottom_2, _p_board_top_2, _p_board_thickness_2, _room_2)
+            _nx_1, _ny_1, _nz_1 = _put(_rows13, _count12, (_nx_1, _ny_1, _nz_1,), (_nx_2, _ny_2, _nz_2,), _here_1)
         _here_1, = here(2.0, _which_1)
-        _nx_2, _ny_2, _nz_2 = bridge_normal(_x_1, _y_1, _z_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_board_distance_1, _p_bridge_half_width_1, _p_bridge_depth_1, _room_1)
-        _nx_1, _ny_1, _nz_1 = _choose(_here_1, (_nx_2, _ny_2, _nz_2,), (_nx_1, _ny_1, _nz_1,))
+        _rows15, _count16 = _most(_here_1, _count12)
+        if _count16:
+            _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_ring_radius_2, _p_wire_radius_2, _x_2, _y_2, _z_2 = _taken(_rows15, _p_ball_radius_1, _p_board_distance_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_ring_radius_1, _p_wire_radius_1, _x_1, _y_1, _z_1)
+            _room_2 = room(_count16)
+            _nx_2, _ny_2, _nz_2 = bridge_normal(_x_2, _y_2, _z_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_board_distance_2, _p_bridge_half_width_2, _p_bridge_depth_2, _room_2)
+            _nx_1, _ny_1, _nz_1 = _put(_rows15, _count12, (_nx_1, _ny_1, _nz_1,), (_nx_2, _ny_2, _nz_2,), _here_1)
         _nearly_1, = nearly(_p_ball_radius_1, _p_gravity_1, _nx_1, _ny_1, _nz_1, _vx_1, _vy_1, _vz_1, _room_1)
         _rolled_x_1, _rolled_y_1, _rolled_z_1, _slip_1, _bounce_1 = gripped(_p_ball_radius_1, _p_inertia_1, _nx_1, _ny_1, _nz_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1, _room_1)
         _here_1, = here(0.0, _which_1)
-        _rows9, _count10 = _most(_here_1, _count8)
-        if _count10:
-            _bounce_2, _nearly_2, _nx_2, _ny_2, _nz_2, _outcome_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_friction_2, _p_ring_radius_2, _p_ring_restitution_2, _p_wire_radius_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _slip_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_rows9, _bounce_1, _nearly_1, _nx_1, _ny_1, _nz_1, _outcome_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_friction_1, _p_ring_radius_1, _p_ring_restitution_1, _p_wire_radius_1, _rolled_x_1, _rolled_y_1, _rolled_z_1, _slip_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
-            _room_2 = room(_count10)
+        _rows17, _count18 = _most(_here_1, _count12)
+        if _count18:
+            _bounce_2, _nearly_2, _nx_2, _ny_2, _nz_2, _outcome_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_friction_2, _p_ring_radius_2, _p_ring_restitution_2, _p_wire_radius_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _slip_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_rows17, _bounce_1, _nearly_1, _nx_1, _ny_1, _nz_1, _outcome_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_friction_1, _p_ring_radius_1, _p_ring_restitution_1, _p_wire_radius_1, _rolled_x_1, _rolled_y_1, _rolled_z_1, _slip_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
+            _room_2 = room(_count18)
             _turning_x_2, _turning_y_2, _turning_z_2 = ring_turning(_p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _x_2, _y_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _room_2)
             _press_2, _weight_2, _rolling_friction_2, _rolling_acceleration_x_2, _rolling_acceleration_y_2, _rolling_acceleration_z_2 = pressed_on(_p_ball_radius_2, _p_gravity_2, _p_inertia_2, _nx_2, _ny_2, _nz_2, _wx_2, _wy_2, _wz_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _turning_x_2, _turning_y_2, _turning_z_2, _room_2)
             _nearest_2, _second_contact_gap_2 = isolated()
@@ -10294,12 +10450,12 @@ def resolve_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
             _lift_2, *_ = ring_separation(_p_gravity_2, _p_ring_radius_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _room_2)
             _settles_2, _lodges_2, _slides_2, _unpressed_2, _, _undecided_2 = ring_impact_settling(_p_ball_radius_2, _p_inertia_2, _p_ring_friction_2, _p_ring_restitution_2, _wx_2, _wy_2, _wz_2, 0.0, _rolled_x_2, _rolled_y_2, _rolled_z_2, _turning_x_2, _turning_y_2, _turning_z_2, _slip_2, _bounce_2, _nearest_2, _second_contact_gap_2, _press_2, _weight_2, _rolling_friction_2, _lift_2, _room_2)
             _mode_2, _held_2, _outcome_2, _slip_left_2, *_ = settled(0.0, _outcome_2, 0.0, _undecided_2, _settles_2, _nearly_2, _lodges_2, _slides_2, _unpressed_2)
-            _held_1, _mode_1, _outcome_1, _slip_left_1 = _put(_rows9, _count8, (_held_1, _mode_1, _outcome_1, _slip_left_1,), (_held_2, _mode_2, _outcome_2, _slip_left_2,), _here_1)
+            _held_1, _mode_1, _outcome_1, _slip_left_1 = _put(_rows17, _count12, (_held_1, _mode_1, _outcome_1, _slip_left_1,), (_held_2, _mode_2, _outcome_2, _slip_left_2,), _here_1)
         _here_1, = here(1.0, _which_1)
-        _rows11, _count12 = _most(_here_1, _count8)
-        if _count12:
-            _bounce_2, _nearly_2, _nx_2, _ny_2, _nz_2, _outcome_2, _p_backboard_friction_2, _p_backboard_restitution_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_radius_2, _p_wire_radius_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _slip_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_rows11, _bounce_1, _nearly_1, _nx_1, _ny_1, _nz_1, _outcome_1, _p_backboard_friction_1, _p_backboard_restitution_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_radius_1, _p_wire_radius_1, _rolled_x_1, _rolled_y_1, _rolled_z_1, _slip_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
-            _room_2 = room(_count12)
+        _rows19, _count20 = _most(_here_1, _count12)
+        if _count20:
+            _bounce_2, _nearly_2, _nx_2, _ny_2, _nz_2, _outcome_2, _p_backboard_friction_2, _p_backboard_restitution_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_radius_2, _p_wire_radius_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _slip_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_rows19, _bounce_1, _nearly_1, _nx_1, _ny_1, _nz_1, _outcome_1, _p_backboard_friction_1, _p_backboard_restitution_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_radius_1, _p_wire_radius_1, _rolled_x_1, _rolled_y_1, _rolled_z_1, _slip_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
+            _room_2 = room(_count20)
             _turning_x_2, _turning_y_2, _turning_z_2 = backboard_turning(_p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _x_2, _y_2, _z_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _room_2)
             _press_2, _weight_2, _rolling_friction_2, _rolling_acceleration_x_2, _rolling_acceleration_y_2, _rolling_acceleration_z_2 = pressed_on(_p_ball_radius_2, _p_gravity_2, _p_inertia_2, _nx_2, _ny_2, _nz_2, _wx_2, _wy_2, _wz_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _turning_x_2, _turning_y_2, _turning_z_2, _room_2)
             _nearest_2, _second_contact_gap_2 = isolated()
@@ -10312,12 +10468,12 @@ def resolve_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
             _lift_2, *_ = backboard_separation(_p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _room_2)
             _settles_2, _lodges_2, _slides_2, _unpressed_2, _, _undecided_2 = ring_impact_settling(_p_ball_radius_2, _p_inertia_2, _p_backboard_friction_2, _p_backboard_restitution_2, _wx_2, _wy_2, _wz_2, 0.0, _rolled_x_2, _rolled_y_2, _rolled_z_2, _turning_x_2, _turning_y_2, _turning_z_2, _slip_2, _bounce_2, _nearest_2, _second_contact_gap_2, _press_2, _weight_2, _rolling_friction_2, _lift_2, _room_2)
             _mode_2, _held_2, _outcome_2, _slip_left_2, *_ = settled(1.0, _outcome_2, 0.0, _undecided_2, _settles_2, _nearly_2, _lodges_2, _slides_2, _unpressed_2)
-            _held_1, _mode_1, _outcome_1, _slip_left_1 = _put(_rows11, _count8, (_held_1, _mode_1, _outcome_1, _slip_left_1,), (_held_2, _mode_2, _outcome_2, _slip_left_2,), _here_1)
+            _held_1, _mode_1, _outcome_1, _slip_left_1 = _put(_rows19, _count12, (_held_1, _mode_1, _outcome_1, _slip_left_1,), (_held_2, _mode_2, _outcome_2, _slip_left_2,), _here_1)
         _here_1, = here(2.0, _which_1)
-        _rows13, _count14 = _most(_here_1, _count8)
-        if _count14:
-            _bounce_2, _nearly_2, _nx_2, _ny_2, _nz_2, _outcome_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_friction_2, _p_bridge_half_width_2, _p_bridge_restitution_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_radius_2, _p_wire_radius_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _slip_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_rows13, _bounce_1, _nearly_1, _nx_1, _ny_1, _nz_1, _outcome_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_friction_1, _p_bridge_half_width_1, _p_bridge_restitution_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_radius_1, _p_wire_radius_1, _rolled_x_1, _rolled_y_1, _rolled_z_1, _slip_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
-            _room_2 = room(_count14)
+        _rows21, _count22 = _most(_here_1, _count12)
+        if _count22:
+            _bounce_2, _nearly_2, _nx_2, _ny_2, _nz_2, _outcome_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_friction_2, _p_bridge_half_width_2, _p_bridge_restitution_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_radius_2, _p_wire_radius_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _slip_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_rows21, _bounce_1, _nearly_1, _nx_1, _ny_1, _nz_1, _outcome_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_friction_1, _p_bridge_half_width_1, _p_bridge_restitution_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_radius_1, _p_wire_radius_1, _rolled_x_1, _rolled_y_1, _rolled_z_1, _slip_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
+            _room_2 = room(_count22)
             _turning_x_2, _turning_y_2, _turning_z_2 = bridge_turning(_p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_ring_radius_2, _p_wire_radius_2, _x_2, _y_2, _z_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _room_2)
             _press_2, _weight_2, _rolling_friction_2, _rolling_acceleration_x_2, _rolling_acceleration_y_2, _rolling_acceleration_z_2 = pressed_on(_p_ball_radius_2, _p_gravity_2, _p_inertia_2, _nx_2, _ny_2, _nz_2, _wx_2, _wy_2, _wz_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _turning_x_2, _turning_y_2, _turning_z_2, _room_2)
             _nearest_2, _second_contact_gap_2 = isolated()
@@ -10330,8 +10486,8 @@ def resolve_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
             _lift_2, *_ = bridge_separation(_p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _room_2)
             _settles_2, _lodges_2, _slides_2, _unpressed_2, _, _undecided_2 = ring_impact_settling(_p_ball_radius_2, _p_inertia_2, _p_bridge_friction_2, _p_bridge_restitution_2, _wx_2, _wy_2, _wz_2, 0.0, _rolled_x_2, _rolled_y_2, _rolled_z_2, _turning_x_2, _turning_y_2, _turning_z_2, _slip_2, _bounce_2, _nearest_2, _second_contact_gap_2, _press_2, _weight_2, _rolling_friction_2, _lift_2, _room_2)
             _mode_2, _held_2, _outcome_2, _slip_left_2, *_ = settled(2.0, _outcome_2, 0.0, _undecided_2, _settles_2, _nearly_2, _lodges_2, _slides_2, _unpressed_2)
-            _held_1, _mode_1, _outcome_1, _slip_left_1 = _put(_rows13, _count8, (_held_1, _mode_1, _outcome_1, _slip_left_1,), (_held_2, _mode_2, _outcome_2, _slip_left_2,), _here_1)
-        _held_0, _mode_0, _outcome_0, _slip_left_0 = _put(_rows7, shots, (_held_0, _mode_0, _outcome_0, _slip_left_0,), (_held_1, _mode_1, _outcome_1, _slip_left_1,))
+            _held_1, _mode_1, _outcome_1, _slip_left_1 = _put(_rows21, _count12, (_held_1, _mode_1, _outcome_1, _slip_left_1,), (_held_2, _mode_2, _outcome_2, _slip_left_2,), _here_1)
+        _held_0, _mode_0, _outcome_0, _slip_left_0 = _put(_rows11, shots, (_held_0, _mode_0, _outcome_0, _slip_left_0,), (_held_1, _mode_1, _outcome_1, _slip_left_1,))
     columns |= {"count_0": _count_0_0, "count_1": _count_1_0, "count_2": _count_2_0, "first": _first_0, "held": _held_0, "last": _last_0, "mode": _mode_0, "outcome": _outcome_0, "slip_left": _slip_left_0, "vx": _vx_0, "vy": _vy_0, "vz": _vz_0, "wx": _wx_0, "wy": _wy_0, "wz": _wz_0, }
 
 
@@ -10835,11 +10991,19 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             _nx_3, _ny_3, _nz_3 = ring_normal(_x_2, _y_2, _z_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _room_2)
             _nx_2, _ny_2, _nz_2 = _choose(_here_2, (_nx_3, _ny_3, _nz_3,), (_nx_2, _ny_2, _nz_2,))
             _here_2, = holding(1.0, _held_2)
-            _nx_3, _ny_3, _nz_3 = backboard_normal(_x_2, _y_2, _z_2, _p_ball_radius_2, _p_board_distance_2, _p_board_half_width_2, _p_board_bottom_2, _p_board_top_2, _p_board_thickness_2, _room_2)
-            _nx_2, _ny_2, _nz_2 = _choose(_here_2, (_nx_3, _ny_3, _nz_3,), (_nx_2, _ny_2, _nz_2,))
+            _rows77, _count78 = _most(_here_2, _count76)
+            if _count78:
+                _p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _x_3, _y_3, _z_3 = _taken(_rows77, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _x_2, _y_2, _z_2)
+                _room_3 = room(_count78)
+                _nx_3, _ny_3, _nz_3 = backboard_normal(_x_3, _y_3, _z_3, _p_ball_radius_3, _p_board_distance_3, _p_board_half_width_3, _p_board_bottom_3, _p_board_top_3, _p_board_thickness_3, _room_3)
+                _nx_2, _ny_2, _nz_2 = _put(_rows77, _count76, (_nx_2, _ny_2, _nz_2,), (_nx_3, _ny_3, _nz_3,), _here_2)
             _here_2, = holding(2.0, _held_2)
-            _nx_3, _ny_3, _nz_3 = bridge_normal(_x_2, _y_2, _z_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_board_distance_2, _p_bridge_half_width_2, _p_bridge_depth_2, _room_2)
-            _nx_2, _ny_2, _nz_2 = _choose(_here_2, (_nx_3, _ny_3, _nz_3,), (_nx_2, _ny_2, _nz_2,))
+            _rows79, _count80 = _most(_here_2, _count76)
+            if _count80:
+                _p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_ring_radius_3, _p_wire_radius_3, _x_3, _y_3, _z_3 = _taken(_rows79, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_ring_radius_2, _p_wire_radius_2, _x_2, _y_2, _z_2)
+                _room_3 = room(_count80)
+                _nx_3, _ny_3, _nz_3 = bridge_normal(_x_3, _y_3, _z_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _p_board_distance_3, _p_bridge_half_width_3, _p_bridge_depth_3, _room_3)
+                _nx_2, _ny_2, _nz_2 = _put(_rows79, _count76, (_nx_2, _ny_2, _nz_2,), (_nx_3, _ny_3, _nz_3,), _here_2)
             _turn_rate_2, = roll_turn_rate(_p_ball_radius_2, _nx_2, _ny_2, _nz_2, _wx_2, _wy_2, _wz_2)
             _rolled_x_2, _rolled_y_2, _rolled_z_2, *_ = gripped(_p_ball_radius_2, _p_inertia_2, _nx_2, _ny_2, _nz_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _room_2)
             _here_2, = holding(0.0, _held_2)
@@ -10857,36 +11021,36 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             _which_2, _circled_2 = beginning_contact()
             _circled_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _last_grip_deficit_1, _nx_1, _ny_1, _nz_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1 = _put(_rows75, _count74, (_circled_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _last_grip_deficit_1, _nx_1, _ny_1, _nz_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,), (_circled_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _last_grip_deficit_2, _nx_2, _ny_2, _nz_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2,))
         _circling_1, _rolling_1 = circles(0.0, _held_1, _rolling_1)
-        _rows77, _count78 = _rows(_rolling_1, _count74)
-        if (0 < _count78) and (_count78 <= ALONE):
+        _rows81, _count82 = _rows(_rolling_1, _count74)
+        if (0 < _count82) and (_count82 <= ALONE):
             _clock_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _per_reach_1, _position_error_1, _rests_1, _rolling_1, _through_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1 = _copies(_count74, _clock_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _per_reach_1, _position_error_1, _rests_1, _rolling_1, _through_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
-            _one_by_one(_alone26, _rows77, _rows77, (_bent_x_1, _bent_y_1, _bent_z_1, _clock_1, _clock_error_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _held_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _nx_1, _ny_1, _nz_1, _p_backboard_friction_1, _p_ball_radius_1, _p_bridge_friction_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_radius_1, _per_reach_1, _position_error_1, _rests_1, _rolling_1, _through_1, _time_limit_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_wire_radius_1,), (), (_clock_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _per_reach_1, _position_error_1, _rests_1, _rolling_1, _through_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,), 16)
-        elif _count78:
-            _bent_x_2, _bent_y_2, _bent_z_2, _clock_2, _clock_error_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _earliest_delay_2, _grip_lost_2, _held_2, _last_grip_clock_2, _last_grip_deficit_2, _last_grip_deficit_rate_2, _nx_2, _ny_2, _nz_2, _p_backboard_friction_2, _p_ball_radius_2, _p_bridge_friction_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_radius_2, _per_reach_2, _rolling_2, _through_2, _time_limit_2, _undecided_time_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_rows77, _bent_x_1, _bent_y_1, _bent_z_1, _clock_1, _clock_error_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _held_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _nx_1, _ny_1, _nz_1, _p_backboard_friction_1, _p_ball_radius_1, _p_bridge_friction_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_radius_1, _per_reach_1, _rolling_1, _through_1, _time_limit_1, _undecided_time_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
+            _one_by_one(_alone26, _rows81, _rows81, (_bent_x_1, _bent_y_1, _bent_z_1, _clock_1, _clock_error_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _held_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _nx_1, _ny_1, _nz_1, _p_backboard_friction_1, _p_ball_radius_1, _p_bridge_friction_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_radius_1, _per_reach_1, _position_error_1, _rests_1, _rolling_1, _through_1, _time_limit_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_wire_radius_1,), (), (_clock_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _per_reach_1, _position_error_1, _rests_1, _rolling_1, _through_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,), 16)
+        elif _count82:
+            _bent_x_2, _bent_y_2, _bent_z_2, _clock_2, _clock_error_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _earliest_delay_2, _grip_lost_2, _held_2, _last_grip_clock_2, _last_grip_deficit_2, _last_grip_deficit_rate_2, _nx_2, _ny_2, _nz_2, _p_backboard_friction_2, _p_ball_radius_2, _p_bridge_friction_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_radius_2, _per_reach_2, _rolling_2, _through_2, _time_limit_2, _undecided_time_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_rows81, _bent_x_1, _bent_y_1, _bent_z_1, _clock_1, _clock_error_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _held_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _nx_1, _ny_1, _nz_1, _p_backboard_friction_1, _p_ball_radius_1, _p_bridge_friction_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_radius_1, _per_reach_1, _rolling_1, _through_1, _time_limit_1, _undecided_time_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
             _clock_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _per_reach_1, _position_error_1, _rests_1, _rolling_1, _through_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1 = _copies(_count74, _clock_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _per_reach_1, _position_error_1, _rests_1, _rolling_1, _through_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
-            for _turn79 in range(16):
-                _room_2 = room(_count78)
+            for _turn83 in range(16):
+                _room_2 = room(_count82)
                 _position_error_2, _velocity_error_2, *_ = error_bounds(_clock_error_2, _dx_2, _dy_2, _dz_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _room_2)
                 _here_2, = holding(1.0, _held_2)
-                _rows80, _count81 = _most(_here_2, _count78)
-                if _count81:
-                    _far = _of(_rows77, _rows80)
+                _rows84, _count85 = _most(_here_2, _count82)
+                if _count85:
+                    _far = _of(_rows81, _rows84)
                     _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3 = _taken(_far, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1)
-                    _p_ball_radius_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_rows80, _p_ball_radius_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
-                    _room_3 = room(_count81)
+                    _p_ball_radius_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_rows84, _p_ball_radius_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
+                    _room_3 = room(_count85)
                     _nx_3, _ny_3, _nz_3 = backboard_normal(_x_3, _y_3, _z_3, _p_ball_radius_3, _p_board_distance_3, _p_board_half_width_3, _p_board_bottom_3, _p_board_top_3, _p_board_thickness_3, _room_3)
                     _bent_x_3, _bent_y_3, _bent_z_3, _per_reach_3 = backboard_rolling_surface(_p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _x_3, _y_3, _z_3, _vx_3, _vy_3, _vz_3, _room_3)
-                    _bent_x_2, _bent_y_2, _bent_z_2, _nx_2, _ny_2, _nz_2, _per_reach_2 = _put(_rows80, _count78, (_bent_x_2, _bent_y_2, _bent_z_2, _nx_2, _ny_2, _nz_2, _per_reach_2,), (_bent_x_3, _bent_y_3, _bent_z_3, _nx_3, _ny_3, _nz_3, _per_reach_3,), _here_2)
+                    _bent_x_2, _bent_y_2, _bent_z_2, _nx_2, _ny_2, _nz_2, _per_reach_2 = _put(_rows84, _count82, (_bent_x_2, _bent_y_2, _bent_z_2, _nx_2, _ny_2, _nz_2, _per_reach_2,), (_bent_x_3, _bent_y_3, _bent_z_3, _nx_3, _ny_3, _nz_3, _per_reach_3,), _here_2)
                 _here_2, = holding(2.0, _held_2)
-                _rows82, _count83 = _most(_here_2, _count78)
-                if _count83:
-                    _far = _of(_rows77, _rows82)
+                _rows86, _count87 = _most(_here_2, _count82)
+                if _count87:
+                    _far = _of(_rows81, _rows86)
                     _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_wire_radius_3 = _taken(_far, _p_board_distance_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_wire_radius_1)
-                    _p_ball_radius_3, _p_ring_radius_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_rows82, _p_ball_radius_2, _p_ring_radius_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
-                    _room_3 = room(_count83)
+                    _p_ball_radius_3, _p_ring_radius_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_rows86, _p_ball_radius_2, _p_ring_radius_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
+                    _room_3 = room(_count87)
                     _nx_3, _ny_3, _nz_3 = bridge_normal(_x_3, _y_3, _z_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _p_board_distance_3, _p_bridge_half_width_3, _p_bridge_depth_3, _room_3)
                     _bent_x_3, _bent_y_3, _bent_z_3, _per_reach_3 = bridge_rolling_surface(_p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_ring_radius_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _vx_3, _vy_3, _vz_3, _room_3)
-                    _bent_x_2, _bent_y_2, _bent_z_2, _nx_2, _ny_2, _nz_2, _per_reach_2 = _put(_rows82, _count78, (_bent_x_2, _bent_y_2, _bent_z_2, _nx_2, _ny_2, _nz_2, _per_reach_2,), (_bent_x_3, _bent_y_3, _bent_z_3, _nx_3, _ny_3, _nz_3, _per_reach_3,), _here_2)
+                    _bent_x_2, _bent_y_2, _bent_z_2, _nx_2, _ny_2, _nz_2, _per_reach_2 = _put(_rows86, _count82, (_bent_x_2, _bent_y_2, _bent_z_2, _nx_2, _ny_2, _nz_2, _per_reach_2,), (_bent_x_3, _bent_y_3, _bent_z_3, _nx_3, _ny_3, _nz_3, _per_reach_3,), _here_2)
                 _vx_0_2, _vy_0_2, _vz_0_2, _nx_0_2, _ny_0_2, _nz_0_2, _turn_rate_0_2 = roll_start(_p_ball_radius_2, _nx_2, _ny_2, _nz_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2)
                 _lift_0_2, _tx_0_2, _ty_0_2, _tz_0_2, _vx_1_2, _vy_1_2, _vz_1_2, _nx_1_2, _ny_1_2, _nz_1_2, _turn_rate_1_2 = roll_0(_p_gravity_2, _p_inertia_2, _nx_0_2, _ny_0_2, _nz_0_2, _vx_0_2, _vy_0_2, _vz_0_2, _bent_x_2, _bent_y_2, _bent_z_2, _per_reach_2, _turn_rate_0_2, _room_2)
                 _lift_1_2, _tx_1_2, _ty_1_2, _tz_1_2, _vx_2_2, _vy_2_2, _vz_2_2, _nx_2_2, _ny_2_2, _nz_2_2, _turn_rate_2_2 = roll_1(_p_gravity_2, _p_inertia_2, _nx_0_2, _nx_1_2, _ny_0_2, _ny_1_2, _nz_0_2, _nz_1_2, _vx_0_2, _vx_1_2, _vy_0_2, _vy_1_2, _vz_0_2, _vz_1_2, _bent_x_2, _bent_y_2, _bent_z_2, _per_reach_2, _turn_rate_0_2, _turn_rate_1_2, _lift_0_2, _tx_0_2, _ty_0_2, _tz_0_2, _room_2)
@@ -10905,53 +11069,53 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                 _grip_deficit_3, _grip_deficit_rate_3 = ring_impact_grip_deficit(_p_bridge_friction_2, _rolling_friction_2, _rolling_friction_rate_2, _force_2, _force_rate_2)
                 _grip_deficit_2, _grip_deficit_rate_2 = _choose(_here_2, (_grip_deficit_3, _grip_deficit_rate_3,), (_grip_deficit_2, _grip_deficit_rate_2,))
                 _loses_2, = exceeds_grip(_grip_deficit_2, _grip_lost_2)
-                _rows84, _count85 = _most(_loses_2, _count78)
-                if _count85:
-                    _clock_3, _grip_deficit_3, _grip_deficit_rate_3, _last_grip_clock_3, _last_grip_deficit_3, _last_grip_deficit_rate_3 = _taken(_rows84, _clock_2, _grip_deficit_2, _grip_deficit_rate_2, _last_grip_clock_2, _last_grip_deficit_2, _last_grip_deficit_rate_2)
-                    _room_3 = room(_count85)
+                _rows88, _count89 = _most(_loses_2, _count82)
+                if _count89:
+                    _clock_3, _grip_deficit_3, _grip_deficit_rate_3, _last_grip_clock_3, _last_grip_deficit_3, _last_grip_deficit_rate_3 = _taken(_rows88, _clock_2, _grip_deficit_2, _grip_deficit_rate_2, _last_grip_clock_2, _last_grip_deficit_2, _last_grip_deficit_rate_2)
+                    _room_3 = room(_count89)
                     _grip_lost_3, = grip_lost_time(_clock_3, _grip_deficit_3, _grip_deficit_rate_3, _last_grip_deficit_3, _last_grip_deficit_rate_3, _last_grip_clock_3, _room_3)
-                    _grip_lost_2, = _put(_rows84, _count78, (_grip_lost_2,), (_grip_lost_3,), _loses_2)
+                    _grip_lost_2, = _put(_rows88, _count82, (_grip_lost_2,), (_grip_lost_3,), _loses_2)
                 _last_grip_deficit_2, _last_grip_deficit_rate_2, _last_grip_clock_2 = remember_grip_deficit(_clock_2, _grip_deficit_2, _grip_deficit_rate_2)
                 _stride_2, _which_2, _rests_2, _undecided_time_2 = leaving_force(_p_ball_radius_2, _p_gravity_2, _vx_2, _vx_1_2, _vy_2, _vy_1_2, _vz_2, _vz_1_2, _which_2, _undecided_time_2, _position_error_2, _velocity_error_2, _per_reach_2, _force_2, _force_rate_2, _force_bend_2, _friction_force_rate_2, _stride_2, _fastest_2, _room_2)
                 _beside_2, = beside(0.0, _held_2)
-                _rows86, _count87 = _most(_beside_2, _count78)
-                if _count87:
-                    _far = _of(_rows77, _rows86)
-                    _p_wire_radius_3, = _taken(_far, _p_wire_radius_1)
-                    _earliest_delay_3, _fastest_3, _p_ball_radius_3, _p_ring_radius_3, _position_error_3, _stride_3, _strongest_3, _undecided_time_3, _vx_3, _vy_3, _vz_3, _which_3, _x_3, _y_3, _z_3 = _taken(_rows86, _earliest_delay_2, _fastest_2, _p_ball_radius_2, _p_ring_radius_2, _position_error_2, _stride_2, _strongest_2, _undecided_time_2, _vx_2, _vy_2, _vz_2, _which_2, _x_2, _y_2, _z_2)
-                    _room_3 = room(_count87)
-                    _gap_3, _nearing_3, _gap_curvature_3 = ring_beside(_p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _vx_3, _vy_3, _vz_3, _room_3)
-                    _stride_3, _which_3, _undecided_time_3, _earliest_delay_3 = beside_body(_p_ball_radius_3, _x_3, _y_3, _z_3, _gap_3, 0.0, _which_3, _earliest_delay_3, _undecided_time_3, _position_error_3, _nearing_3, _gap_curvature_3, _stride_3, _strongest_3, _fastest_3, _room_3)
-                    _earliest_delay_2, _stride_2, _undecided_time_2, _which_2 = _put(_rows86, _count78, (_earliest_delay_2, _stride_2, _undecided_time_2, _which_2,), (_earliest_delay_3, _stride_3, _undecided_time_3, _which_3,), _beside_2)
-                _beside_2, = beside(1.0, _held_2)
-                _rows88, _count89 = _most(_beside_2, _count78)
-                if _count89:
-                    _far = _of(_rows77, _rows88)
-                    _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3 = _taken(_far, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1)
-                    _earliest_delay_3, _fastest_3, _p_ball_radius_3, _position_error_3, _stride_3, _strongest_3, _undecided_time_3, _vx_3, _vy_3, _vz_3, _which_3, _x_3, _y_3, _z_3 = _taken(_rows88, _earliest_delay_2, _fastest_2, _p_ball_radius_2, _position_error_2, _stride_2, _strongest_2, _undecided_time_2, _vx_2, _vy_2, _vz_2, _which_2, _x_2, _y_2, _z_2)
-                    _room_3 = room(_count89)
-                    _gap_3, _nearing_3, _gap_curvature_3 = backboard_beside(_p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _x_3, _y_3, _z_3, _vx_3, _vy_3, _vz_3, _room_3)
-                    _stride_3, _which_3, _undecided_time_3, _earliest_delay_3 = beside_body(_p_ball_radius_3, _x_3, _y_3, _z_3, _gap_3, 1.0, _which_3, _earliest_delay_3, _undecided_time_3, _position_error_3, _nearing_3, _gap_curvature_3, _stride_3, _strongest_3, _fastest_3, _room_3)
-                    _earliest_delay_2, _stride_2, _undecided_time_2, _which_2 = _put(_rows88, _count78, (_earliest_delay_2, _stride_2, _undecided_time_2, _which_2,), (_earliest_delay_3, _stride_3, _undecided_time_3, _which_3,), _beside_2)
-                _beside_2, = beside(2.0, _held_2)
-                _rows90, _count91 = _most(_beside_2, _count78)
+                _rows90, _count91 = _most(_beside_2, _count82)
                 if _count91:
-                    _far = _of(_rows77, _rows90)
-                    _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_wire_radius_3 = _taken(_far, _p_board_distance_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_wire_radius_1)
+                    _far = _of(_rows81, _rows90)
+                    _p_wire_radius_3, = _taken(_far, _p_wire_radius_1)
                     _earliest_delay_3, _fastest_3, _p_ball_radius_3, _p_ring_radius_3, _position_error_3, _stride_3, _strongest_3, _undecided_time_3, _vx_3, _vy_3, _vz_3, _which_3, _x_3, _y_3, _z_3 = _taken(_rows90, _earliest_delay_2, _fastest_2, _p_ball_radius_2, _p_ring_radius_2, _position_error_2, _stride_2, _strongest_2, _undecided_time_2, _vx_2, _vy_2, _vz_2, _which_2, _x_2, _y_2, _z_2)
                     _room_3 = room(_count91)
+                    _gap_3, _nearing_3, _gap_curvature_3 = ring_beside(_p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _vx_3, _vy_3, _vz_3, _room_3)
+                    _stride_3, _which_3, _undecided_time_3, _earliest_delay_3 = beside_body(_p_ball_radius_3, _x_3, _y_3, _z_3, _gap_3, 0.0, _which_3, _earliest_delay_3, _undecided_time_3, _position_error_3, _nearing_3, _gap_curvature_3, _stride_3, _strongest_3, _fastest_3, _room_3)
+                    _earliest_delay_2, _stride_2, _undecided_time_2, _which_2 = _put(_rows90, _count82, (_earliest_delay_2, _stride_2, _undecided_time_2, _which_2,), (_earliest_delay_3, _stride_3, _undecided_time_3, _which_3,), _beside_2)
+                _beside_2, = beside(1.0, _held_2)
+                _rows92, _count93 = _most(_beside_2, _count82)
+                if _count93:
+                    _far = _of(_rows81, _rows92)
+                    _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3 = _taken(_far, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1)
+                    _earliest_delay_3, _fastest_3, _p_ball_radius_3, _position_error_3, _stride_3, _strongest_3, _undecided_time_3, _vx_3, _vy_3, _vz_3, _which_3, _x_3, _y_3, _z_3 = _taken(_rows92, _earliest_delay_2, _fastest_2, _p_ball_radius_2, _position_error_2, _stride_2, _strongest_2, _undecided_time_2, _vx_2, _vy_2, _vz_2, _which_2, _x_2, _y_2, _z_2)
+                    _room_3 = room(_count93)
+                    _gap_3, _nearing_3, _gap_curvature_3 = backboard_beside(_p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _x_3, _y_3, _z_3, _vx_3, _vy_3, _vz_3, _room_3)
+                    _stride_3, _which_3, _undecided_time_3, _earliest_delay_3 = beside_body(_p_ball_radius_3, _x_3, _y_3, _z_3, _gap_3, 1.0, _which_3, _earliest_delay_3, _undecided_time_3, _position_error_3, _nearing_3, _gap_curvature_3, _stride_3, _strongest_3, _fastest_3, _room_3)
+                    _earliest_delay_2, _stride_2, _undecided_time_2, _which_2 = _put(_rows92, _count82, (_earliest_delay_2, _stride_2, _undecided_time_2, _which_2,), (_earliest_delay_3, _stride_3, _undecided_time_3, _which_3,), _beside_2)
+                _beside_2, = beside(2.0, _held_2)
+                _rows94, _count95 = _most(_beside_2, _count82)
+                if _count95:
+                    _far = _of(_rows81, _rows94)
+                    _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_wire_radius_3 = _taken(_far, _p_board_distance_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_wire_radius_1)
+                    _earliest_delay_3, _fastest_3, _p_ball_radius_3, _p_ring_radius_3, _position_error_3, _stride_3, _strongest_3, _undecided_time_3, _vx_3, _vy_3, _vz_3, _which_3, _x_3, _y_3, _z_3 = _taken(_rows94, _earliest_delay_2, _fastest_2, _p_ball_radius_2, _p_ring_radius_2, _position_error_2, _stride_2, _strongest_2, _undecided_time_2, _vx_2, _vy_2, _vz_2, _which_2, _x_2, _y_2, _z_2)
+                    _room_3 = room(_count95)
                     _gap_3, _nearing_3, _gap_curvature_3 = bridge_beside(_p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_ring_radius_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _vx_3, _vy_3, _vz_3, _room_3)
                     _stride_3, _which_3, _undecided_time_3, _earliest_delay_3 = beside_body(_p_ball_radius_3, _x_3, _y_3, _z_3, _gap_3, 2.0, _which_3, _earliest_delay_3, _undecided_time_3, _position_error_3, _nearing_3, _gap_curvature_3, _stride_3, _strongest_3, _fastest_3, _room_3)
-                    _earliest_delay_2, _stride_2, _undecided_time_2, _which_2 = _put(_rows90, _count78, (_earliest_delay_2, _stride_2, _undecided_time_2, _which_2,), (_earliest_delay_3, _stride_3, _undecided_time_3, _which_3,), _beside_2)
+                    _earliest_delay_2, _stride_2, _undecided_time_2, _which_2 = _put(_rows94, _count82, (_earliest_delay_2, _stride_2, _undecided_time_2, _which_2,), (_earliest_delay_3, _stride_3, _undecided_time_3, _which_3,), _beside_2)
                 _gap_2, _nearing_2, _gap_curvature_2 = end_beside(_p_end_depth_2, _z_2, _vz_2)
                 _stride_2, _which_2, _undecided_time_2, _earliest_delay_2 = beside_end_plane(_p_ball_radius_2, _x_2, _y_2, _z_2, _gap_2, 3.0, _which_2, _earliest_delay_2, _undecided_time_2, _position_error_2, _nearing_2, _gap_curvature_2, _stride_2, _strongest_2, _fastest_2, _room_2)
                 _here_2, = holding(1.0, _held_2)
-                _rows92, _count93 = _most(_here_2, _count78)
-                if _count93:
-                    _far = _of(_rows77, _rows92)
+                _rows96, _count97 = _most(_here_2, _count82)
+                if _count97:
+                    _far = _of(_rows81, _rows96)
                     _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3 = _taken(_far, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1)
-                    _fastest_3, _p_ball_radius_3, _stride_3, _strongest_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_rows92, _fastest_2, _p_ball_radius_2, _stride_2, _strongest_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
-                    _room_3 = room(_count93)
+                    _fastest_3, _p_ball_radius_3, _stride_3, _strongest_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_rows96, _fastest_2, _p_ball_radius_2, _stride_2, _strongest_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
+                    _room_3 = room(_count97)
                     _gap_3, _nearing_3, _near_3 = backboard_seam0(_p_ball_radius_3, _p_board_distance_3, _p_board_thickness_3, _x_3, _vx_3)
                     _stride_3, = beside_seam(_gap_3, _near_3, _nearing_3, _stride_3, _strongest_3, _fastest_3, _room_3)
                     _gap_3, _nearing_3, _near_3 = backboard_seam1(_p_ball_radius_3, _p_board_distance_3, _p_board_thickness_3, _x_3, _vx_3)
@@ -10964,14 +11128,14 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                     _stride_3, = beside_seam(_gap_3, _near_3, _nearing_3, _stride_3, _strongest_3, _fastest_3, _room_3)
                     _gap_3, _nearing_3, _near_3 = backboard_seam5(_p_ball_radius_3, _p_board_bottom_3, _p_board_top_3, _z_3, _vz_3)
                     _stride_3, = beside_seam(_gap_3, _near_3, _nearing_3, _stride_3, _strongest_3, _fastest_3, _room_3)
-                    _gap_2, _stride_2 = _put(_rows92, _count78, (_gap_2, _stride_2,), (_gap_3, _stride_3,), _here_2)
+                    _gap_2, _stride_2 = _put(_rows96, _count82, (_gap_2, _stride_2,), (_gap_3, _stride_3,), _here_2)
                 _here_2, = holding(2.0, _held_2)
-                _rows94, _count95 = _most(_here_2, _count78)
-                if _count95:
-                    _far = _of(_rows77, _rows94)
+                _rows98, _count99 = _most(_here_2, _count82)
+                if _count99:
+                    _far = _of(_rows81, _rows98)
                     _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_wire_radius_3 = _taken(_far, _p_board_distance_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_wire_radius_1)
-                    _fastest_3, _p_ball_radius_3, _p_ring_radius_3, _stride_3, _strongest_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_rows94, _fastest_2, _p_ball_radius_2, _p_ring_radius_2, _stride_2, _strongest_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
-                    _room_3 = room(_count95)
+                    _fastest_3, _p_ball_radius_3, _p_ring_radius_3, _stride_3, _strongest_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_rows98, _fastest_2, _p_ball_radius_2, _p_ring_radius_2, _stride_2, _strongest_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
+                    _room_3 = room(_count99)
                     _gap_3, _nearing_3, _near_3 = bridge_seam0(_p_ball_radius_3, _p_board_distance_3, _p_ring_radius_3, _x_3, _vx_3)
                     _stride_3, = beside_seam(_gap_3, _near_3, _nearing_3, _stride_3, _strongest_3, _fastest_3, _room_3)
                     _gap_3, _nearing_3, _near_3 = bridge_seam1(_p_ball_radius_3, _p_board_distance_3, _p_ring_radius_3, _x_3, _vx_3)
@@ -10984,73 +11148,73 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                     _stride_3, = beside_seam(_gap_3, _near_3, _nearing_3, _stride_3, _strongest_3, _fastest_3, _room_3)
                     _gap_3, _nearing_3, _near_3 = bridge_seam5(_p_ball_radius_3, _p_bridge_depth_3, _p_wire_radius_3, _z_3, _vz_3)
                     _stride_3, = beside_seam(_gap_3, _near_3, _nearing_3, _stride_3, _strongest_3, _fastest_3, _room_3)
-                    _gap_2, _stride_2 = _put(_rows94, _count78, (_gap_2, _stride_2,), (_gap_3, _stride_3,), _here_2)
+                    _gap_2, _stride_2 = _put(_rows98, _count82, (_gap_2, _stride_2,), (_gap_3, _stride_3,), _here_2)
                 _stride_2, _which_2 = beside_time(_which_2, _clock_2, _time_limit_2, _stride_2)
                 _neighbour_scale_2, = neighbour_scale(_p_ball_radius_2, _dx_2, _dy_2, _dz_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _room_2)
                 _far_x_2, _far_y_2, _far_z_2, _far_vx_2, _far_vy_2, _far_vz_2, _far_wx_2, _far_wy_2, _far_wz_2, _far_nx_2, _far_ny_2, _far_nz_2, _far_gap_2 = neighbour(_x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _dx_2, _dy_2, _dz_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _neighbour_scale_2, _room_2)
                 _over_2, = passing_from(_z_2)
                 _x_2, _vx_2, _y_2, _vy_2, _z_2, _vz_2, _turn_rate_2 = roll_moved(_x_2, _y_2, _z_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vx_4_2, _vx_5_2, _vx_6_2, _vx_7_2, _vx_8_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vy_4_2, _vy_5_2, _vy_6_2, _vy_7_2, _vy_8_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _vz_4_2, _vz_5_2, _vz_6_2, _vz_7_2, _vz_8_2, _stride_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _turn_rate_8_2, _room_2)
                 _here_2, = holding(1.0, _held_2)
-                _rows96, _count97 = _most(_here_2, _count78)
-                if _count97:
-                    _far = _of(_rows77, _rows96)
+                _rows100, _count101 = _most(_here_2, _count82)
+                if _count101:
+                    _far = _of(_rows81, _rows100)
                     _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3 = _taken(_far, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1)
-                    _p_ball_radius_3, _x_3, _y_3, _z_3 = _taken(_rows96, _p_ball_radius_2, _x_2, _y_2, _z_2)
-                    _room_3 = room(_count97)
+                    _p_ball_radius_3, _x_3, _y_3, _z_3 = _taken(_rows100, _p_ball_radius_2, _x_2, _y_2, _z_2)
+                    _room_3 = room(_count101)
                     _nx_3, _ny_3, _nz_3 = backboard_normal(_x_3, _y_3, _z_3, _p_ball_radius_3, _p_board_distance_3, _p_board_half_width_3, _p_board_bottom_3, _p_board_top_3, _p_board_thickness_3, _room_3)
                     _gap_3, = backboard_distance(_p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _x_3, _y_3, _z_3, _room_3)
-                    _gap_2, _nx_2, _ny_2, _nz_2 = _put(_rows96, _count78, (_gap_2, _nx_2, _ny_2, _nz_2,), (_gap_3, _nx_3, _ny_3, _nz_3,), _here_2)
+                    _gap_2, _nx_2, _ny_2, _nz_2 = _put(_rows100, _count82, (_gap_2, _nx_2, _ny_2, _nz_2,), (_gap_3, _nx_3, _ny_3, _nz_3,), _here_2)
                 _here_2, = holding(2.0, _held_2)
-                _rows98, _count99 = _most(_here_2, _count78)
-                if _count99:
-                    _far = _of(_rows77, _rows98)
+                _rows102, _count103 = _most(_here_2, _count82)
+                if _count103:
+                    _far = _of(_rows81, _rows102)
                     _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_wire_radius_3 = _taken(_far, _p_board_distance_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_wire_radius_1)
-                    _p_ball_radius_3, _p_ring_radius_3, _x_3, _y_3, _z_3 = _taken(_rows98, _p_ball_radius_2, _p_ring_radius_2, _x_2, _y_2, _z_2)
-                    _room_3 = room(_count99)
+                    _p_ball_radius_3, _p_ring_radius_3, _x_3, _y_3, _z_3 = _taken(_rows102, _p_ball_radius_2, _p_ring_radius_2, _x_2, _y_2, _z_2)
+                    _room_3 = room(_count103)
                     _nx_3, _ny_3, _nz_3 = bridge_normal(_x_3, _y_3, _z_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _p_board_distance_3, _p_bridge_half_width_3, _p_bridge_depth_3, _room_3)
                     _gap_3, = bridge_distance(_p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_ring_radius_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _room_3)
-                    _gap_2, _nx_2, _ny_2, _nz_2 = _put(_rows98, _count78, (_gap_2, _nx_2, _ny_2, _nz_2,), (_gap_3, _nx_3, _ny_3, _nz_3,), _here_2)
+                    _gap_2, _nx_2, _ny_2, _nz_2 = _put(_rows102, _count82, (_gap_2, _nx_2, _ny_2, _nz_2,), (_gap_3, _nx_3, _ny_3, _nz_3,), _here_2)
                 _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2 = roll_placed(_p_ball_radius_2, _x_2, _y_2, _z_2, _nx_2, _ny_2, _nz_2, _vx_2, _vy_2, _vz_2, _gap_2, _turn_rate_2, _room_2)
                 _through_2, = passing_in_contact(_p_ring_radius_2, _x_2, _y_2, _z_2, _through_2, _over_2)
                 _here_2, = holding(1.0, _held_2)
-                _rows100, _count101 = _most(_here_2, _count78)
-                if _count101:
-                    _far = _of(_rows77, _rows100)
-                    _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3 = _taken(_far, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1)
-                    _far_x_3, _far_y_3, _far_z_3, _p_ball_radius_3 = _taken(_rows100, _far_x_2, _far_y_2, _far_z_2, _p_ball_radius_2)
-                    _room_3 = room(_count101)
-                    _far_nx_3, _far_ny_3, _far_nz_3 = backboard_normal(_far_x_3, _far_y_3, _far_z_3, _p_ball_radius_3, _p_board_distance_3, _p_board_half_width_3, _p_board_bottom_3, _p_board_top_3, _p_board_thickness_3, _room_3)
-                    _far_nx_2, _far_ny_2, _far_nz_2 = _put(_rows100, _count78, (_far_nx_2, _far_ny_2, _far_nz_2,), (_far_nx_3, _far_ny_3, _far_nz_3,), _here_2)
-                _here_2, = holding(2.0, _held_2)
-                _rows102, _count103 = _most(_here_2, _count78)
-                if _count103:
-                    _far = _of(_rows77, _rows102)
-                    _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_wire_radius_3 = _taken(_far, _p_board_distance_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_wire_radius_1)
-                    _far_x_3, _far_y_3, _far_z_3, _p_ball_radius_3, _p_ring_radius_3 = _taken(_rows102, _far_x_2, _far_y_2, _far_z_2, _p_ball_radius_2, _p_ring_radius_2)
-                    _room_3 = room(_count103)
-                    _far_nx_3, _far_ny_3, _far_nz_3 = bridge_normal(_far_x_3, _far_y_3, _far_z_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _p_board_distance_3, _p_bridge_half_width_3, _p_bridge_depth_3, _room_3)
-                    _far_nx_2, _far_ny_2, _far_nz_2 = _put(_rows102, _count78, (_far_nx_2, _far_ny_2, _far_nz_2,), (_far_nx_3, _far_ny_3, _far_nz_3,), _here_2)
-                _turn_rate_2, = roll_turn_rate(_p_ball_radius_2, _far_nx_2, _far_ny_2, _far_nz_2, _far_wx_2, _far_wy_2, _far_wz_2)
-                _here_2, = holding(1.0, _held_2)
-                _rows104, _count105 = _most(_here_2, _count78)
+                _rows104, _count105 = _most(_here_2, _count82)
                 if _count105:
-                    _far = _of(_rows77, _rows104)
+                    _far = _of(_rows81, _rows104)
                     _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3 = _taken(_far, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1)
                     _far_x_3, _far_y_3, _far_z_3, _p_ball_radius_3 = _taken(_rows104, _far_x_2, _far_y_2, _far_z_2, _p_ball_radius_2)
                     _room_3 = room(_count105)
                     _far_nx_3, _far_ny_3, _far_nz_3 = backboard_normal(_far_x_3, _far_y_3, _far_z_3, _p_ball_radius_3, _p_board_distance_3, _p_board_half_width_3, _p_board_bottom_3, _p_board_top_3, _p_board_thickness_3, _room_3)
-                    _far_gap_3, = backboard_distance(_p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _far_x_3, _far_y_3, _far_z_3, _room_3)
-                    _far_gap_2, _far_nx_2, _far_ny_2, _far_nz_2 = _put(_rows104, _count78, (_far_gap_2, _far_nx_2, _far_ny_2, _far_nz_2,), (_far_gap_3, _far_nx_3, _far_ny_3, _far_nz_3,), _here_2)
+                    _far_nx_2, _far_ny_2, _far_nz_2 = _put(_rows104, _count82, (_far_nx_2, _far_ny_2, _far_nz_2,), (_far_nx_3, _far_ny_3, _far_nz_3,), _here_2)
                 _here_2, = holding(2.0, _held_2)
-                _rows106, _count107 = _most(_here_2, _count78)
+                _rows106, _count107 = _most(_here_2, _count82)
                 if _count107:
-                    _far = _of(_rows77, _rows106)
+                    _far = _of(_rows81, _rows106)
                     _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_wire_radius_3 = _taken(_far, _p_board_distance_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_wire_radius_1)
                     _far_x_3, _far_y_3, _far_z_3, _p_ball_radius_3, _p_ring_radius_3 = _taken(_rows106, _far_x_2, _far_y_2, _far_z_2, _p_ball_radius_2, _p_ring_radius_2)
                     _room_3 = room(_count107)
                     _far_nx_3, _far_ny_3, _far_nz_3 = bridge_normal(_far_x_3, _far_y_3, _far_z_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _p_board_distance_3, _p_bridge_half_width_3, _p_bridge_depth_3, _room_3)
+                    _far_nx_2, _far_ny_2, _far_nz_2 = _put(_rows106, _count82, (_far_nx_2, _far_ny_2, _far_nz_2,), (_far_nx_3, _far_ny_3, _far_nz_3,), _here_2)
+                _turn_rate_2, = roll_turn_rate(_p_ball_radius_2, _far_nx_2, _far_ny_2, _far_nz_2, _far_wx_2, _far_wy_2, _far_wz_2)
+                _here_2, = holding(1.0, _held_2)
+                _rows108, _count109 = _most(_here_2, _count82)
+                if _count109:
+                    _far = _of(_rows81, _rows108)
+                    _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3 = _taken(_far, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1)
+                    _far_x_3, _far_y_3, _far_z_3, _p_ball_radius_3 = _taken(_rows108, _far_x_2, _far_y_2, _far_z_2, _p_ball_radius_2)
+                    _room_3 = room(_count109)
+                    _far_nx_3, _far_ny_3, _far_nz_3 = backboard_normal(_far_x_3, _far_y_3, _far_z_3, _p_ball_radius_3, _p_board_distance_3, _p_board_half_width_3, _p_board_bottom_3, _p_board_top_3, _p_board_thickness_3, _room_3)
+                    _far_gap_3, = backboard_distance(_p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _far_x_3, _far_y_3, _far_z_3, _room_3)
+                    _far_gap_2, _far_nx_2, _far_ny_2, _far_nz_2 = _put(_rows108, _count82, (_far_gap_2, _far_nx_2, _far_ny_2, _far_nz_2,), (_far_gap_3, _far_nx_3, _far_ny_3, _far_nz_3,), _here_2)
+                _here_2, = holding(2.0, _held_2)
+                _rows110, _count111 = _most(_here_2, _count82)
+                if _count111:
+                    _far = _of(_rows81, _rows110)
+                    _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_wire_radius_3 = _taken(_far, _p_board_distance_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_wire_radius_1)
+                    _far_x_3, _far_y_3, _far_z_3, _p_ball_radius_3, _p_ring_radius_3 = _taken(_rows110, _far_x_2, _far_y_2, _far_z_2, _p_ball_radius_2, _p_ring_radius_2)
+                    _room_3 = room(_count111)
+                    _far_nx_3, _far_ny_3, _far_nz_3 = bridge_normal(_far_x_3, _far_y_3, _far_z_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _p_board_distance_3, _p_bridge_half_width_3, _p_bridge_depth_3, _room_3)
                     _far_gap_3, = bridge_distance(_p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_ring_radius_3, _p_wire_radius_3, _far_x_3, _far_y_3, _far_z_3, _room_3)
-                    _far_gap_2, _far_nx_2, _far_ny_2, _far_nz_2 = _put(_rows106, _count78, (_far_gap_2, _far_nx_2, _far_ny_2, _far_nz_2,), (_far_gap_3, _far_nx_3, _far_ny_3, _far_nz_3,), _here_2)
+                    _far_gap_2, _far_nx_2, _far_ny_2, _far_nz_2 = _put(_rows110, _count82, (_far_gap_2, _far_nx_2, _far_ny_2, _far_nz_2,), (_far_gap_3, _far_nx_3, _far_ny_3, _far_nz_3,), _here_2)
                 _far_x_2, _far_y_2, _far_z_2, _far_vx_2, _far_vy_2, _far_vz_2, _far_wx_2, _far_wy_2, _far_wz_2 = roll_placed(_p_ball_radius_2, _far_x_2, _far_y_2, _far_z_2, _far_nx_2, _far_ny_2, _far_nz_2, _far_vx_2, _far_vy_2, _far_vz_2, _far_gap_2, _turn_rate_2, _room_2)
                 _vx_0_2, _vy_0_2, _vz_0_2, _nx_0_2, _ny_0_2, _nz_0_2, _turn_rate_0_2 = roll_start(_p_ball_radius_2, _far_nx_2, _far_ny_2, _far_nz_2, _far_vx_2, _far_vy_2, _far_vz_2, _far_wx_2, _far_wy_2, _far_wz_2)
                 _lift_0_2, _tx_0_2, _ty_0_2, _tz_0_2, _vx_1_2, _vy_1_2, _vz_1_2, _nx_1_2, _ny_1_2, _nz_1_2, _turn_rate_1_2 = roll_0(_p_gravity_2, _p_inertia_2, _nx_0_2, _ny_0_2, _nz_0_2, _vx_0_2, _vy_0_2, _vz_0_2, _bent_x_2, _bent_y_2, _bent_z_2, _per_reach_2, _turn_rate_0_2, _room_2)
@@ -11063,52 +11227,52 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                 _, _, _, _, _vx_8_2, _vy_8_2, _vz_8_2, _, _, _, _turn_rate_8_2 = roll_7(_p_gravity_2, _p_inertia_2, _nx_0_2, _nx_1_2, _nx_2_2, _nx_3_2, _nx_4_2, _nx_5_2, _nx_6_2, _nx_7_2, _ny_0_2, _ny_1_2, _ny_2_2, _ny_3_2, _ny_4_2, _ny_5_2, _ny_6_2, _ny_7_2, _nz_0_2, _nz_1_2, _nz_2_2, _nz_3_2, _nz_4_2, _nz_5_2, _nz_6_2, _nz_7_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vx_4_2, _vx_5_2, _vx_6_2, _vx_7_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vy_4_2, _vy_5_2, _vy_6_2, _vy_7_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _vz_4_2, _vz_5_2, _vz_6_2, _vz_7_2, _bent_x_2, _bent_y_2, _bent_z_2, _per_reach_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _lift_0_2, _lift_1_2, _lift_2_2, _lift_3_2, _lift_4_2, _lift_5_2, _lift_6_2, _tx_0_2, _tx_1_2, _tx_2_2, _tx_3_2, _tx_4_2, _tx_5_2, _tx_6_2, _ty_0_2, _ty_1_2, _ty_2_2, _ty_3_2, _ty_4_2, _ty_5_2, _ty_6_2, _tz_0_2, _tz_1_2, _tz_2_2, _tz_3_2, _tz_4_2, _tz_5_2, _tz_6_2, _room_2)
                 _far_x_2, _far_vx_2, _far_y_2, _far_vy_2, _far_z_2, _far_vz_2, _turn_rate_2 = roll_moved(_far_x_2, _far_y_2, _far_z_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vx_4_2, _vx_5_2, _vx_6_2, _vx_7_2, _vx_8_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vy_4_2, _vy_5_2, _vy_6_2, _vy_7_2, _vy_8_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _vz_4_2, _vz_5_2, _vz_6_2, _vz_7_2, _vz_8_2, _stride_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _turn_rate_8_2, _room_2)
                 _here_2, = holding(1.0, _held_2)
-                _rows108, _count109 = _most(_here_2, _count78)
-                if _count109:
-                    _far = _of(_rows77, _rows108)
+                _rows112, _count113 = _most(_here_2, _count82)
+                if _count113:
+                    _far = _of(_rows81, _rows112)
                     _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3 = _taken(_far, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1)
-                    _far_x_3, _far_y_3, _far_z_3, _p_ball_radius_3 = _taken(_rows108, _far_x_2, _far_y_2, _far_z_2, _p_ball_radius_2)
-                    _room_3 = room(_count109)
+                    _far_x_3, _far_y_3, _far_z_3, _p_ball_radius_3 = _taken(_rows112, _far_x_2, _far_y_2, _far_z_2, _p_ball_radius_2)
+                    _room_3 = room(_count113)
                     _far_nx_3, _far_ny_3, _far_nz_3 = backboard_normal(_far_x_3, _far_y_3, _far_z_3, _p_ball_radius_3, _p_board_distance_3, _p_board_half_width_3, _p_board_bottom_3, _p_board_top_3, _p_board_thickness_3, _room_3)
                     _far_gap_3, = backboard_distance(_p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _far_x_3, _far_y_3, _far_z_3, _room_3)
-                    _far_gap_2, _far_nx_2, _far_ny_2, _far_nz_2 = _put(_rows108, _count78, (_far_gap_2, _far_nx_2, _far_ny_2, _far_nz_2,), (_far_gap_3, _far_nx_3, _far_ny_3, _far_nz_3,), _here_2)
+                    _far_gap_2, _far_nx_2, _far_ny_2, _far_nz_2 = _put(_rows112, _count82, (_far_gap_2, _far_nx_2, _far_ny_2, _far_nz_2,), (_far_gap_3, _far_nx_3, _far_ny_3, _far_nz_3,), _here_2)
                 _here_2, = holding(2.0, _held_2)
-                _rows110, _count111 = _most(_here_2, _count78)
-                if _count111:
-                    _far = _of(_rows77, _rows110)
+                _rows114, _count115 = _most(_here_2, _count82)
+                if _count115:
+                    _far = _of(_rows81, _rows114)
                     _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_wire_radius_3 = _taken(_far, _p_board_distance_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_wire_radius_1)
-                    _far_x_3, _far_y_3, _far_z_3, _p_ball_radius_3, _p_ring_radius_3 = _taken(_rows110, _far_x_2, _far_y_2, _far_z_2, _p_ball_radius_2, _p_ring_radius_2)
-                    _room_3 = room(_count111)
+                    _far_x_3, _far_y_3, _far_z_3, _p_ball_radius_3, _p_ring_radius_3 = _taken(_rows114, _far_x_2, _far_y_2, _far_z_2, _p_ball_radius_2, _p_ring_radius_2)
+                    _room_3 = room(_count115)
                     _far_nx_3, _far_ny_3, _far_nz_3 = bridge_normal(_far_x_3, _far_y_3, _far_z_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _p_board_distance_3, _p_bridge_half_width_3, _p_bridge_depth_3, _room_3)
                     _far_gap_3, = bridge_distance(_p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_ring_radius_3, _p_wire_radius_3, _far_x_3, _far_y_3, _far_z_3, _room_3)
-                    _far_gap_2, _far_nx_2, _far_ny_2, _far_nz_2 = _put(_rows110, _count78, (_far_gap_2, _far_nx_2, _far_ny_2, _far_nz_2,), (_far_gap_3, _far_nx_3, _far_ny_3, _far_nz_3,), _here_2)
+                    _far_gap_2, _far_nx_2, _far_ny_2, _far_nz_2 = _put(_rows114, _count82, (_far_gap_2, _far_nx_2, _far_ny_2, _far_nz_2,), (_far_gap_3, _far_nx_3, _far_ny_3, _far_nz_3,), _here_2)
                 _far_x_2, _far_y_2, _far_z_2, _far_vx_2, _far_vy_2, _far_vz_2, _far_wx_2, _far_wy_2, _far_wz_2 = roll_placed(_p_ball_radius_2, _far_x_2, _far_y_2, _far_z_2, _far_nx_2, _far_ny_2, _far_nz_2, _far_vx_2, _far_vy_2, _far_vz_2, _far_gap_2, _turn_rate_2, _room_2)
                 _dx_2, _dy_2, _dz_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2 = compared(_p_ball_radius_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _far_x_2, _far_y_2, _far_z_2, _far_vx_2, _far_vy_2, _far_vz_2, _far_wx_2, _far_wy_2, _far_wz_2, _stride_2, _missed_2, _neighbour_scale_2, _room_2)
                 _clock_2, _rolling_2 = rolled_on(_which_2, _clock_2, _stride_2, _rests_2)
-                _going112 = _where_true(_rolling_2)
-                if len(_going112) == _count78:
+                _going116 = _where_true(_rolling_2)
+                if len(_going116) == _count82:
                     continue
                 _done = _where_true(_logical_not(_rolling_2))
-                _store((_clock_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _per_reach_1, _position_error_1, _rests_1, _rolling_1, _through_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,), _of(_rows77, _done), (_clock_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _earliest_delay_2, _grip_lost_2, _last_grip_clock_2, _last_grip_deficit_2, _last_grip_deficit_rate_2, _per_reach_2, _position_error_2, _rests_2, _rolling_2, _through_2, _undecided_time_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2,), _done)
-                _rows77 = _of(_rows77, _going112)
-                _count78 = len(_going112)
-                if _count78 == 0:
+                _store((_clock_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _per_reach_1, _position_error_1, _rests_1, _rolling_1, _through_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,), _of(_rows81, _done), (_clock_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _earliest_delay_2, _grip_lost_2, _last_grip_clock_2, _last_grip_deficit_2, _last_grip_deficit_rate_2, _per_reach_2, _position_error_2, _rests_2, _rolling_2, _through_2, _undecided_time_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2,), _done)
+                _rows81 = _of(_rows81, _going116)
+                _count82 = len(_going116)
+                if _count82 == 0:
                     break
-                if _count78 <= ALONE:
-                    _one_by_one(_alone26, _rows77, _going112, (_bent_x_2, _bent_y_2, _bent_z_2, _clock_2, _clock_error_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _earliest_delay_2, _grip_lost_2, _held_2, _last_grip_clock_2, _last_grip_deficit_2, _last_grip_deficit_rate_2, _nx_2, _ny_2, _nz_2, _p_backboard_friction_2, _p_ball_radius_2, _p_bridge_friction_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_radius_2, _per_reach_2, _position_error_2, _rests_2, _rolling_2, _through_2, _time_limit_2, _undecided_time_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2,), (_p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_wire_radius_1,), (_clock_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _per_reach_1, _position_error_1, _rests_1, _rolling_1, _through_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,), 15 - _turn79)
+                if _count82 <= ALONE:
+                    _one_by_one(_alone26, _rows81, _going116, (_bent_x_2, _bent_y_2, _bent_z_2, _clock_2, _clock_error_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _earliest_delay_2, _grip_lost_2, _held_2, _last_grip_clock_2, _last_grip_deficit_2, _last_grip_deficit_rate_2, _nx_2, _ny_2, _nz_2, _p_backboard_friction_2, _p_ball_radius_2, _p_bridge_friction_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_radius_2, _per_reach_2, _position_error_2, _rests_2, _rolling_2, _through_2, _time_limit_2, _undecided_time_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2,), (_p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_wire_radius_1,), (_clock_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _per_reach_1, _position_error_1, _rests_1, _rolling_1, _through_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,), 15 - _turn83)
                     break
-                _bent_x_2, _bent_y_2, _bent_z_2, _clock_2, _clock_error_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _earliest_delay_2, _grip_lost_2, _held_2, _last_grip_clock_2, _last_grip_deficit_2, _last_grip_deficit_rate_2, _nx_2, _ny_2, _nz_2, _p_backboard_friction_2, _p_ball_radius_2, _p_bridge_friction_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_radius_2, _per_reach_2, _position_error_2, _rests_2, _rolling_2, _through_2, _time_limit_2, _undecided_time_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_going112, _bent_x_2, _bent_y_2, _bent_z_2, _clock_2, _clock_error_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _earliest_delay_2, _grip_lost_2, _held_2, _last_grip_clock_2, _last_grip_deficit_2, _last_grip_deficit_rate_2, _nx_2, _ny_2, _nz_2, _p_backboard_friction_2, _p_ball_radius_2, _p_bridge_friction_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_radius_2, _per_reach_2, _position_error_2, _rests_2, _rolling_2, _through_2, _time_limit_2, _undecided_time_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2)
+                _bent_x_2, _bent_y_2, _bent_z_2, _clock_2, _clock_error_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _earliest_delay_2, _grip_lost_2, _held_2, _last_grip_clock_2, _last_grip_deficit_2, _last_grip_deficit_rate_2, _nx_2, _ny_2, _nz_2, _p_backboard_friction_2, _p_ball_radius_2, _p_bridge_friction_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_radius_2, _per_reach_2, _position_error_2, _rests_2, _rolling_2, _through_2, _time_limit_2, _undecided_time_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_going116, _bent_x_2, _bent_y_2, _bent_z_2, _clock_2, _clock_error_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _earliest_delay_2, _grip_lost_2, _held_2, _last_grip_clock_2, _last_grip_deficit_2, _last_grip_deficit_rate_2, _nx_2, _ny_2, _nz_2, _p_backboard_friction_2, _p_ball_radius_2, _p_bridge_friction_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_radius_2, _per_reach_2, _position_error_2, _rests_2, _rolling_2, _through_2, _time_limit_2, _undecided_time_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2)
             else:
-                _store((_clock_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _per_reach_1, _position_error_1, _rests_1, _rolling_1, _through_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,), _rows77, (_clock_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _earliest_delay_2, _grip_lost_2, _last_grip_clock_2, _last_grip_deficit_2, _last_grip_deficit_rate_2, _per_reach_2, _position_error_2, _rests_2, _rolling_2, _through_2, _undecided_time_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2,), None)
-        _rows113, _count114 = _rows(_circling_1, _count74)
-        if (0 < _count114) and (_count114 <= ALONE):
+                _store((_clock_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _per_reach_1, _position_error_1, _rests_1, _rolling_1, _through_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,), _rows81, (_clock_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _earliest_delay_2, _grip_lost_2, _last_grip_clock_2, _last_grip_deficit_2, _last_grip_deficit_rate_2, _per_reach_2, _position_error_2, _rests_2, _rolling_2, _through_2, _undecided_time_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2,), None)
+        _rows117, _count118 = _rows(_circling_1, _count74)
+        if (0 < _count118) and (_count118 <= ALONE):
             _circled_1, _circling_1, _clock_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _per_reach_1, _position_error_1, _rests_1, _through_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1 = _copies(_count74, _circled_1, _circling_1, _clock_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _per_reach_1, _position_error_1, _rests_1, _through_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
-            _one_by_one(_alone27, _rows113, _rows113, (_circled_1, _circling_1, _clock_1, _clock_error_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_friction_1, _p_ring_radius_1, _p_wire_radius_1, _per_reach_1, _position_error_1, _rests_1, _through_1, _time_limit_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,), (), (_circled_1, _circling_1, _clock_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _per_reach_1, _position_error_1, _rests_1, _through_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,), 16)
-        elif _count114:
-            _circled_2, _circling_2, _clock_2, _clock_error_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _earliest_delay_2, _grip_lost_2, _last_grip_clock_2, _last_grip_deficit_2, _last_grip_deficit_rate_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_friction_2, _p_ring_radius_2, _p_wire_radius_2, _through_2, _time_limit_2, _undecided_time_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_rows113, _circled_1, _circling_1, _clock_1, _clock_error_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_friction_1, _p_ring_radius_1, _p_wire_radius_1, _through_1, _time_limit_1, _undecided_time_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
+            _one_by_one(_alone27, _rows117, _rows117, (_circled_1, _circling_1, _clock_1, _clock_error_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_friction_1, _p_ring_radius_1, _p_wire_radius_1, _per_reach_1, _position_error_1, _rests_1, _through_1, _time_limit_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,), (), (_circled_1, _circling_1, _clock_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _per_reach_1, _position_error_1, _rests_1, _through_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,), 16)
+        elif _count118:
+            _circled_2, _circling_2, _clock_2, _clock_error_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _earliest_delay_2, _grip_lost_2, _last_grip_clock_2, _last_grip_deficit_2, _last_grip_deficit_rate_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_friction_2, _p_ring_radius_2, _p_wire_radius_2, _through_2, _time_limit_2, _undecided_time_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_rows117, _circled_1, _circling_1, _clock_1, _clock_error_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_friction_1, _p_ring_radius_1, _p_wire_radius_1, _through_1, _time_limit_1, _undecided_time_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
             _circled_1, _circling_1, _clock_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _per_reach_1, _position_error_1, _rests_1, _through_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1 = _copies(_count74, _circled_1, _circling_1, _clock_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _per_reach_1, _position_error_1, _rests_1, _through_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
-            for _turn115 in range(16):
-                _room_2 = room(_count114)
+            for _turn119 in range(16):
+                _room_2 = room(_count118)
                 _position_error_2, _velocity_error_2, *_ = error_bounds(_clock_error_2, _dx_2, _dy_2, _dz_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _room_2)
                 _, _, _, _per_reach_2 = ring_rolling_surface(_p_ball_radius_2, _p_wire_radius_2)
                 _cosine_0_2, _sine_0_2, _climb_0_2, _along_0_2, _turn_rate_0_2, _cos_0_2, _sin_0_2, _tilted_0_2, _near_0_2 = ring_round_start(_p_ball_radius_2, _p_inertia_2, _p_ring_radius_2, _p_wire_radius_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _per_reach_2, _room_2)
@@ -11128,12 +11292,12 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                 _rolling_friction_2, _rolling_friction_rate_2, *_ = ring_round_pulled(_p_gravity_2, _p_inertia_2, _turn_rate_0_2, _turn_rate_1_2, _climb_0_2, _climb_1_2, _cosine_0_2, _cosine_1_2, _omega_0_2, _omega_1_2, _room_2)
                 _grip_deficit_2, _grip_deficit_rate_2 = ring_impact_grip_deficit(_p_ring_friction_2, _rolling_friction_2, _rolling_friction_rate_2, _force_2, _force_rate_2)
                 _loses_2, = exceeds_grip(_grip_deficit_2, _grip_lost_2)
-                _rows116, _count117 = _most(_loses_2, _count114)
-                if _count117:
-                    _clock_3, _grip_deficit_3, _grip_deficit_rate_3, _last_grip_clock_3, _last_grip_deficit_3, _last_grip_deficit_rate_3 = _taken(_rows116, _clock_2, _grip_deficit_2, _grip_deficit_rate_2, _last_grip_clock_2, _last_grip_deficit_2, _last_grip_deficit_rate_2)
-                    _room_3 = room(_count117)
+                _rows120, _count121 = _most(_loses_2, _count118)
+                if _count121:
+                    _clock_3, _grip_deficit_3, _grip_deficit_rate_3, _last_grip_clock_3, _last_grip_deficit_3, _last_grip_deficit_rate_3 = _taken(_rows120, _clock_2, _grip_deficit_2, _grip_deficit_rate_2, _last_grip_clock_2, _last_grip_deficit_2, _last_grip_deficit_rate_2)
+                    _room_3 = room(_count121)
                     _grip_lost_3, = grip_lost_time(_clock_3, _grip_deficit_3, _grip_deficit_rate_3, _last_grip_deficit_3, _last_grip_deficit_rate_3, _last_grip_clock_3, _room_3)
-                    _grip_lost_2, = _put(_rows116, _count114, (_grip_lost_2,), (_grip_lost_3,), _loses_2)
+                    _grip_lost_2, = _put(_rows120, _count118, (_grip_lost_2,), (_grip_lost_3,), _loses_2)
                 _last_grip_deficit_2, _last_grip_deficit_rate_2, _last_grip_clock_2 = remember_grip_deficit(_clock_2, _grip_deficit_2, _grip_deficit_rate_2)
                 _stride_2, _which_2, _rests_2, _undecided_time_2 = leaving_force(_p_ball_radius_2, _p_gravity_2, _vx_2, _vx_1_2, _vy_2, _vy_1_2, _vz_2, _vz_1_2, _which_2, _undecided_time_2, _position_error_2, _velocity_error_2, _per_reach_2, _force_2, _force_rate_2, _force_bend_2, _friction_force_rate_2, _stride_2, _fastest_2, _room_2)
                 _gap_2, _nearing_2, _gap_curvature_2 = backboard_beside(_p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _room_2)
@@ -11180,83 +11344,83 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                 _far_x_2, _far_y_2, _far_z_2, _far_vx_2, _far_vy_2, _far_vz_2, _far_wx_2, _far_wy_2, _far_wz_2, *_ = ring_round_moved(_p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _stride_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _turn_rate_8_2, _turn_rate_9_2, _turn_rate_10_2, _turn_rate_11_2, _turn_rate_12_2, _climb_0_2, _climb_1_2, _climb_2_2, _climb_3_2, _climb_4_2, _climb_5_2, _climb_6_2, _climb_7_2, _climb_8_2, _climb_9_2, _climb_10_2, _climb_11_2, _climb_12_2, _cosine_0_2, _cosine_1_2, _cosine_2_2, _cosine_3_2, _cosine_4_2, _cosine_5_2, _cosine_6_2, _cosine_7_2, _cosine_8_2, _cosine_9_2, _cosine_10_2, _cosine_11_2, _cosine_12_2, _sine_0_2, _sine_1_2, _sine_2_2, _sine_3_2, _sine_4_2, _sine_5_2, _sine_6_2, _sine_7_2, _sine_8_2, _sine_9_2, _sine_10_2, _sine_11_2, _sine_12_2, _along_0_2, _along_1_2, _along_2_2, _along_3_2, _along_4_2, _along_5_2, _along_6_2, _along_7_2, _along_8_2, _along_9_2, _along_10_2, _along_11_2, _along_12_2, _cos_0_2, _sin_0_2, _omega_0_2, _omega_1_2, _omega_2_2, _omega_3_2, _omega_4_2, _omega_5_2, _omega_6_2, _omega_7_2, _omega_8_2, _omega_9_2, _omega_10_2, _omega_11_2, _room_2)
                 _dx_2, _dy_2, _dz_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2 = compared(_p_ball_radius_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _far_x_2, _far_y_2, _far_z_2, _far_vx_2, _far_vy_2, _far_vz_2, _far_wx_2, _far_wy_2, _far_wz_2, _stride_2, _missed_2, _neighbour_scale_2, _room_2)
                 _clock_2, _circling_2 = rolled_on(_which_2, _clock_2, _stride_2, _rests_2)
-                _going118 = _where_true(_circling_2)
-                if len(_going118) == _count114:
+                _going122 = _where_true(_circling_2)
+                if len(_going122) == _count118:
                     continue
                 _done = _where_true(_logical_not(_circling_2))
-                _store((_circled_1, _circling_1, _clock_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _per_reach_1, _position_error_1, _rests_1, _through_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,), _of(_rows113, _done), (_circled_2, _circling_2, _clock_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _earliest_delay_2, _grip_lost_2, _last_grip_clock_2, _last_grip_deficit_2, _last_grip_deficit_rate_2, _per_reach_2, _position_error_2, _rests_2, _through_2, _undecided_time_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2,), _done)
-                _rows113 = _of(_rows113, _going118)
-                _count114 = len(_going118)
-                if _count114 == 0:
+                _store((_circled_1, _circling_1, _clock_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _per_reach_1, _position_error_1, _rests_1, _through_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,), _of(_rows117, _done), (_circled_2, _circling_2, _clock_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _earliest_delay_2, _grip_lost_2, _last_grip_clock_2, _last_grip_deficit_2, _last_grip_deficit_rate_2, _per_reach_2, _position_error_2, _rests_2, _through_2, _undecided_time_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2,), _done)
+                _rows117 = _of(_rows117, _going122)
+                _count118 = len(_going122)
+                if _count118 == 0:
                     break
-                if _count114 <= ALONE:
-                    _one_by_one(_alone27, _rows113, _going118, (_circled_2, _circling_2, _clock_2, _clock_error_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _earliest_delay_2, _grip_lost_2, _last_grip_clock_2, _last_grip_deficit_2, _last_grip_deficit_rate_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_friction_2, _p_ring_radius_2, _p_wire_radius_2, _per_reach_2, _position_error_2, _rests_2, _through_2, _time_limit_2, _undecided_time_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2,), (), (_circled_1, _circling_1, _clock_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _per_reach_1, _position_error_1, _rests_1, _through_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,), 15 - _turn115)
+                if _count118 <= ALONE:
+                    _one_by_one(_alone27, _rows117, _going122, (_circled_2, _circling_2, _clock_2, _clock_error_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _earliest_delay_2, _grip_lost_2, _last_grip_clock_2, _last_grip_deficit_2, _last_grip_deficit_rate_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_friction_2, _p_ring_radius_2, _p_wire_radius_2, _per_reach_2, _position_error_2, _rests_2, _through_2, _time_limit_2, _undecided_time_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2,), (), (_circled_1, _circling_1, _clock_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _per_reach_1, _position_error_1, _rests_1, _through_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,), 15 - _turn119)
                     break
-                _circled_2, _circling_2, _clock_2, _clock_error_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _earliest_delay_2, _grip_lost_2, _last_grip_clock_2, _last_grip_deficit_2, _last_grip_deficit_rate_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_friction_2, _p_ring_radius_2, _p_wire_radius_2, _per_reach_2, _position_error_2, _rests_2, _through_2, _time_limit_2, _undecided_time_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_going118, _circled_2, _circling_2, _clock_2, _clock_error_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _earliest_delay_2, _grip_lost_2, _last_grip_clock_2, _last_grip_deficit_2, _last_grip_deficit_rate_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_friction_2, _p_ring_radius_2, _p_wire_radius_2, _per_reach_2, _position_error_2, _rests_2, _through_2, _time_limit_2, _undecided_time_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2)
+                _circled_2, _circling_2, _clock_2, _clock_error_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _earliest_delay_2, _grip_lost_2, _last_grip_clock_2, _last_grip_deficit_2, _last_grip_deficit_rate_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_friction_2, _p_ring_radius_2, _p_wire_radius_2, _per_reach_2, _position_error_2, _rests_2, _through_2, _time_limit_2, _undecided_time_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_going122, _circled_2, _circling_2, _clock_2, _clock_error_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _earliest_delay_2, _grip_lost_2, _last_grip_clock_2, _last_grip_deficit_2, _last_grip_deficit_rate_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_friction_2, _p_ring_radius_2, _p_wire_radius_2, _per_reach_2, _position_error_2, _rests_2, _through_2, _time_limit_2, _undecided_time_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2)
             else:
-                _store((_circled_1, _circling_1, _clock_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _per_reach_1, _position_error_1, _rests_1, _through_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,), _rows113, (_circled_2, _circling_2, _clock_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _earliest_delay_2, _grip_lost_2, _last_grip_clock_2, _last_grip_deficit_2, _last_grip_deficit_rate_2, _per_reach_2, _position_error_2, _rests_2, _through_2, _undecided_time_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2,), None)
+                _store((_circled_1, _circling_1, _clock_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _per_reach_1, _position_error_1, _rests_1, _through_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,), _rows117, (_circled_2, _circling_2, _clock_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _earliest_delay_2, _grip_lost_2, _last_grip_clock_2, _last_grip_deficit_2, _last_grip_deficit_rate_2, _per_reach_2, _position_error_2, _rests_2, _through_2, _undecided_time_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2,), None)
         _rolling_1, = still_in_contact(_rolling_1, _circling_1)
-        _rows119, _count120 = _rows(_leaves_1, _count74)
-        if _count120:
-            _clock_2, _clock_error_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _gap_jerk_2, _gap_snap_2, _held_2, _lift_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_end_depth_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _per_reach_2, _time_limit_2, _undecided_time_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows119, _clock_1, _clock_error_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _gap_jerk_1, _gap_snap_1, _held_1, _lift_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_end_depth_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _per_reach_1, _time_limit_1, _undecided_time_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
-            _room_2 = room(_count120)
+        _rows123, _count124 = _rows(_leaves_1, _count74)
+        if _count124:
+            _clock_2, _clock_error_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _gap_jerk_2, _gap_snap_2, _held_2, _lift_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_end_depth_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _per_reach_2, _time_limit_2, _undecided_time_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows123, _clock_1, _clock_error_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _gap_jerk_1, _gap_snap_1, _held_1, _lift_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_end_depth_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _per_reach_1, _time_limit_1, _undecided_time_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
+            _room_2 = room(_count124)
             _position_error_2, _velocity_error_2, *_ = error_bounds(_clock_error_2, _dx_2, _dy_2, _dz_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _room_2)
             _here_2, = holding(0.0, _held_2)
-            _rows121, _count122 = _most(_here_2, _count120)
-            if _count122:
-                _p_ball_radius_3, _p_gravity_3, _p_ring_radius_3, _p_wire_radius_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_rows121, _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
-                _room_3 = room(_count122)
+            _rows125, _count126 = _most(_here_2, _count124)
+            if _count126:
+                _p_ball_radius_3, _p_gravity_3, _p_ring_radius_3, _p_wire_radius_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_rows125, _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
+                _room_3 = room(_count126)
                 _, _, _, _per_reach_3 = ring_rolling_surface(_p_ball_radius_3, _p_wire_radius_3)
                 _lift_3, _gap_jerk_3, _gap_snap_3 = ring_separation(_p_gravity_3, _p_ring_radius_3, _x_3, _y_3, _z_3, _vx_3, _vy_3, _vz_3, _room_3)
-                _gap_jerk_2, _gap_snap_2, _lift_2, _per_reach_2 = _put(_rows121, _count120, (_gap_jerk_2, _gap_snap_2, _lift_2, _per_reach_2,), (_gap_jerk_3, _gap_snap_3, _lift_3, _per_reach_3,), _here_2)
+                _gap_jerk_2, _gap_snap_2, _lift_2, _per_reach_2 = _put(_rows125, _count124, (_gap_jerk_2, _gap_snap_2, _lift_2, _per_reach_2,), (_gap_jerk_3, _gap_snap_3, _lift_3, _per_reach_3,), _here_2)
             _here_2, = holding(1.0, _held_2)
-            _rows123, _count124 = _most(_here_2, _count120)
-            if _count124:
-                _p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _p_gravity_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_rows123, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
-                _room_3 = room(_count124)
+            _rows127, _count128 = _most(_here_2, _count124)
+            if _count128:
+                _p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _p_gravity_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_rows127, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
+                _room_3 = room(_count128)
                 _, _, _, _per_reach_3 = backboard_rolling_surface(_p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _x_3, _y_3, _z_3, _vx_3, _vy_3, _vz_3, _room_3)
                 _lift_3, _gap_jerk_3, _gap_snap_3 = backboard_separation(_p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _p_gravity_3, _x_3, _y_3, _z_3, _vx_3, _vy_3, _vz_3, _room_3)
-                _gap_jerk_2, _gap_snap_2, _lift_2, _per_reach_2 = _put(_rows123, _count120, (_gap_jerk_2, _gap_snap_2, _lift_2, _per_reach_2,), (_gap_jerk_3, _gap_snap_3, _lift_3, _per_reach_3,), _here_2)
+                _gap_jerk_2, _gap_snap_2, _lift_2, _per_reach_2 = _put(_rows127, _count124, (_gap_jerk_2, _gap_snap_2, _lift_2, _per_reach_2,), (_gap_jerk_3, _gap_snap_3, _lift_3, _per_reach_3,), _here_2)
             _here_2, = holding(2.0, _held_2)
-            _rows125, _count126 = _most(_here_2, _count120)
-            if _count126:
-                _p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_gravity_3, _p_ring_radius_3, _p_wire_radius_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_rows125, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
-                _room_3 = room(_count126)
+            _rows129, _count130 = _most(_here_2, _count124)
+            if _count130:
+                _p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_gravity_3, _p_ring_radius_3, _p_wire_radius_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_rows129, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
+                _room_3 = room(_count130)
                 _, _, _, _per_reach_3 = bridge_rolling_surface(_p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_ring_radius_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _vx_3, _vy_3, _vz_3, _room_3)
                 _lift_3, _gap_jerk_3, _gap_snap_3 = bridge_separation(_p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_gravity_3, _p_ring_radius_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _vx_3, _vy_3, _vz_3, _room_3)
-                _gap_jerk_2, _gap_snap_2, _lift_2, _per_reach_2 = _put(_rows125, _count120, (_gap_jerk_2, _gap_snap_2, _lift_2, _per_reach_2,), (_gap_jerk_3, _gap_snap_3, _lift_3, _per_reach_3,), _here_2)
+                _gap_jerk_2, _gap_snap_2, _lift_2, _per_reach_2 = _put(_rows129, _count124, (_gap_jerk_2, _gap_snap_2, _lift_2, _per_reach_2,), (_gap_jerk_3, _gap_snap_3, _lift_3, _per_reach_3,), _here_2)
             _free_time_2, = no_contact()
             _beside_2, = beside(0.0, _held_2)
-            _rows127, _count128 = _most(_beside_2, _count120)
-            if _count128:
-                _free_time_3, _p_ball_radius_3, _p_gravity_3, _p_ring_radius_3, _p_wire_radius_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_rows127, _free_time_2, _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
-                _room_3 = room(_count128)
+            _rows131, _count132 = _most(_beside_2, _count124)
+            if _count132:
+                _free_time_3, _p_ball_radius_3, _p_gravity_3, _p_ring_radius_3, _p_wire_radius_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_rows131, _free_time_2, _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
+                _room_3 = room(_count132)
                 _gap_3, _nearing_3, _gap_curvature_3 = ring_beside(_p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _vx_3, _vy_3, _vz_3, _room_3)
                 _free_time_3, = neighbour_free_time(_p_gravity_3, _vx_3, _vy_3, _vz_3, _gap_3, _free_time_3, _nearing_3, _gap_curvature_3, _room_3)
-                _free_time_2, = _put(_rows127, _count120, (_free_time_2,), (_free_time_3,), _beside_2)
+                _free_time_2, = _put(_rows131, _count124, (_free_time_2,), (_free_time_3,), _beside_2)
             _beside_2, = beside(1.0, _held_2)
-            _rows129, _count130 = _most(_beside_2, _count120)
-            if _count130:
-                _free_time_3, _p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _p_gravity_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_rows129, _free_time_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
-                _room_3 = room(_count130)
-                _gap_3, _nearing_3, _gap_curvature_3 = backboard_beside(_p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _x_3, _y_3, _z_3, _vx_3, _vy_3, _vz_3, _room_3)
-                _free_time_3, = neighbour_free_time(_p_gravity_3, _vx_3, _vy_3, _vz_3, _gap_3, _free_time_3, _nearing_3, _gap_curvature_3, _room_3)
-                _free_time_2, = _put(_rows129, _count120, (_free_time_2,), (_free_time_3,), _beside_2)
-            _beside_2, = beside(2.0, _held_2)
-            _rows131, _count132 = _most(_beside_2, _count120)
-            if _count132:
-                _free_time_3, _p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_gravity_3, _p_ring_radius_3, _p_wire_radius_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_rows131, _free_time_2, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
-                _room_3 = room(_count132)
-                _gap_3, _nearing_3, _gap_curvature_3 = bridge_beside(_p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_ring_radius_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _vx_3, _vy_3, _vz_3, _room_3)
-                _free_time_3, = neighbour_free_time(_p_gravity_3, _vx_3, _vy_3, _vz_3, _gap_3, _free_time_3, _nearing_3, _gap_curvature_3, _room_3)
-                _free_time_2, = _put(_rows131, _count120, (_free_time_2,), (_free_time_3,), _beside_2)
-            _gap_2, _nearing_2, _gap_curvature_2 = end_beside(_p_end_depth_2, _z_2, _vz_2)
-            _free_time_2, _undecided_time_2 = end_plane_free_time(_p_gravity_2, _vx_2, _vy_2, _vz_2, _gap_2, _undecided_time_2, _free_time_2, _nearing_2, _gap_curvature_2, _room_2)
-            _here_2, = holding(1.0, _held_2)
-            _rows133, _count134 = _most(_here_2, _count120)
+            _rows133, _count134 = _most(_beside_2, _count124)
             if _count134:
                 _free_time_3, _p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _p_gravity_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_rows133, _free_time_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
                 _room_3 = room(_count134)
+                _gap_3, _nearing_3, _gap_curvature_3 = backboard_beside(_p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _x_3, _y_3, _z_3, _vx_3, _vy_3, _vz_3, _room_3)
+                _free_time_3, = neighbour_free_time(_p_gravity_3, _vx_3, _vy_3, _vz_3, _gap_3, _free_time_3, _nearing_3, _gap_curvature_3, _room_3)
+                _free_time_2, = _put(_rows133, _count124, (_free_time_2,), (_free_time_3,), _beside_2)
+            _beside_2, = beside(2.0, _held_2)
+            _rows135, _count136 = _most(_beside_2, _count124)
+            if _count136:
+                _free_time_3, _p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_gravity_3, _p_ring_radius_3, _p_wire_radius_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_rows135, _free_time_2, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
+                _room_3 = room(_count136)
+                _gap_3, _nearing_3, _gap_curvature_3 = bridge_beside(_p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_ring_radius_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _vx_3, _vy_3, _vz_3, _room_3)
+                _free_time_3, = neighbour_free_time(_p_gravity_3, _vx_3, _vy_3, _vz_3, _gap_3, _free_time_3, _nearing_3, _gap_curvature_3, _room_3)
+                _free_time_2, = _put(_rows135, _count124, (_free_time_2,), (_free_time_3,), _beside_2)
+            _gap_2, _nearing_2, _gap_curvature_2 = end_beside(_p_end_depth_2, _z_2, _vz_2)
+            _free_time_2, _undecided_time_2 = end_plane_free_time(_p_gravity_2, _vx_2, _vy_2, _vz_2, _gap_2, _undecided_time_2, _free_time_2, _nearing_2, _gap_curvature_2, _room_2)
+            _here_2, = holding(1.0, _held_2)
+            _rows137, _count138 = _most(_here_2, _count124)
+            if _count138:
+                _free_time_3, _p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _p_gravity_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_rows137, _free_time_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
+                _room_3 = room(_count138)
                 _gap_3, _nearing_3, _near_3 = backboard_seam0(_p_ball_radius_3, _p_board_distance_3, _p_board_thickness_3, _x_3, _vx_3)
                 _free_time_3, = seam_free_time(_p_gravity_3, _gap_3, _free_time_3, _near_3, _nearing_3, _room_3)
                 _gap_3, _nearing_3, _near_3 = backboard_seam1(_p_ball_radius_3, _p_board_distance_3, _p_board_thickness_3, _x_3, _vx_3)
@@ -11269,12 +11433,12 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                 _free_time_3, = seam_free_time(_p_gravity_3, _gap_3, _free_time_3, _near_3, _nearing_3, _room_3)
                 _gap_3, _nearing_3, _near_3 = backboard_seam5(_p_ball_radius_3, _p_board_bottom_3, _p_board_top_3, _z_3, _vz_3)
                 _free_time_3, = seam_free_time(_p_gravity_3, _gap_3, _free_time_3, _near_3, _nearing_3, _room_3)
-                _free_time_2, = _put(_rows133, _count120, (_free_time_2,), (_free_time_3,), _here_2)
+                _free_time_2, = _put(_rows137, _count124, (_free_time_2,), (_free_time_3,), _here_2)
             _here_2, = holding(2.0, _held_2)
-            _rows135, _count136 = _most(_here_2, _count120)
-            if _count136:
-                _free_time_3, _p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_gravity_3, _p_ring_radius_3, _p_wire_radius_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_rows135, _free_time_2, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
-                _room_3 = room(_count136)
+            _rows139, _count140 = _most(_here_2, _count124)
+            if _count140:
+                _free_time_3, _p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_gravity_3, _p_ring_radius_3, _p_wire_radius_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_rows139, _free_time_2, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
+                _room_3 = room(_count140)
                 _gap_3, _nearing_3, _near_3 = bridge_seam0(_p_ball_radius_3, _p_board_distance_3, _p_ring_radius_3, _x_3, _vx_3)
                 _free_time_3, = seam_free_time(_p_gravity_3, _gap_3, _free_time_3, _near_3, _nearing_3, _room_3)
                 _gap_3, _nearing_3, _near_3 = bridge_seam1(_p_ball_radius_3, _p_board_distance_3, _p_ring_radius_3, _x_3, _vx_3)
@@ -11287,35 +11451,35 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                 _free_time_3, = seam_free_time(_p_gravity_3, _gap_3, _free_time_3, _near_3, _nearing_3, _room_3)
                 _gap_3, _nearing_3, _near_3 = bridge_seam5(_p_ball_radius_3, _p_bridge_depth_3, _p_wire_radius_3, _z_3, _vz_3)
                 _free_time_3, = seam_free_time(_p_gravity_3, _gap_3, _free_time_3, _near_3, _nearing_3, _room_3)
-                _free_time_2, = _put(_rows135, _count120, (_free_time_2,), (_free_time_3,), _here_2)
+                _free_time_2, = _put(_rows139, _count124, (_free_time_2,), (_free_time_3,), _here_2)
             _when_2, _undecided_time_2 = separated(_p_gravity_2, _vx_2, _vy_2, _vz_2, _undecided_time_2, _position_error_2, _velocity_error_2, _clock_2, _time_limit_2, _per_reach_2, _free_time_2, _lift_2, _gap_jerk_2, _gap_snap_2, _room_2)
             _which_2, = detachment()
-            _position_error_1, _undecided_time_1, _velocity_error_1, _when_1, _which_1 = _put(_rows119, _count74, (_position_error_1, _undecided_time_1, _velocity_error_1, _when_1, _which_1,), (_position_error_2, _undecided_time_2, _velocity_error_2, _when_2, _which_2,))
+            _position_error_1, _undecided_time_1, _velocity_error_1, _when_1, _which_1 = _put(_rows123, _count74, (_position_error_1, _undecided_time_1, _velocity_error_1, _when_1, _which_1,), (_position_error_2, _undecided_time_2, _velocity_error_2, _when_2, _which_2,))
         _began_0, _circled_0, _clock_0, _dvx_0, _dvy_0, _dvz_0, _dwx_0, _dwy_0, _dwz_0, _dx_0, _dy_0, _dz_0, _earliest_delay_0, _grip_lost_0, _last_grip_clock_0, _last_grip_deficit_0, _last_grip_deficit_rate_0, _position_error_0, _rests_0, _rolling_0, _through_0, _undecided_time_0, _velocity_error_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0 = _put(_rows73, shots, (_began_0, _circled_0, _clock_0, _dvx_0, _dvy_0, _dvz_0, _dwx_0, _dwy_0, _dwz_0, _dx_0, _dy_0, _dz_0, _earliest_delay_0, _grip_lost_0, _last_grip_clock_0, _last_grip_deficit_0, _last_grip_deficit_rate_0, _position_error_0, _rests_0, _rolling_0, _through_0, _undecided_time_0, _velocity_error_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0,), (_began_1, _circled_1, _clock_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _position_error_1, _rests_1, _rolling_1, _through_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _when_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,))
     _, _moves_0, _ends_0, _touches_0, _reached_0, _edge_0 = departed(3.0, _which_0)
     _body_0, = body_of(_which_0)
-    _rows137, _count138 = _most(_moves_0, shots)
-    if _count138:
-        _clock_1, _extent_1, _p_gravity_1, _p_ring_radius_1, _position_error_1, _speed_1, _through_1, _uncertain_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _when_1, _x_1, _y_1, _z_1 = _taken(_rows137, _clock_0, _extent_0, _p_gravity_0, _p_ring_radius_0, _position_error_0, _speed_0, _through_0, _uncertain_0, _velocity_error_0, _vx_0, _vy_0, _vz_0, _when_0, _x_0, _y_0, _z_0)
-        _room_1 = room(_count138)
+    _rows141, _count142 = _most(_moves_0, shots)
+    if _count142:
+        _clock_1, _extent_1, _p_gravity_1, _p_ring_radius_1, _position_error_1, _speed_1, _through_1, _uncertain_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _when_1, _x_1, _y_1, _z_1 = _taken(_rows141, _clock_0, _extent_0, _p_gravity_0, _p_ring_radius_0, _position_error_0, _speed_0, _through_0, _uncertain_0, _velocity_error_0, _vx_0, _vy_0, _vz_0, _when_0, _x_0, _y_0, _z_0)
+        _room_1 = room(_count142)
         _undecided_1, = passing_undecided(_when_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _extent_1, _speed_1, _position_error_1, _velocity_error_1, _p_ring_radius_1, _p_gravity_1, _room_1)
         _uncertain_1, = undecided(_uncertain_1, _undecided_1)
         _through_1, = passing(_through_1, _when_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _p_ring_radius_1, _p_gravity_1, _room_1)
         _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1 = flight(_when_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _p_gravity_1, _room_1)
         _clock_1, = event_clock(_when_1, _clock_1)
-        _clock_0, _through_0, _uncertain_0, _vx_0, _vy_0, _vz_0, _x_0, _y_0, _z_0 = _put(_rows137, shots, (_clock_0, _through_0, _uncertain_0, _vx_0, _vy_0, _vz_0, _x_0, _y_0, _z_0,), (_clock_1, _through_1, _uncertain_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1,), _moves_0)
-    _rows139, _count140 = _most(_limited_0, shots)
-    if _count140:
-        _body_1, _clock_1, _ends_1, _reached_1, _time_limit_1, _which_1 = _taken(_rows139, _body_0, _clock_0, _ends_0, _reached_0, _time_limit_0, _which_0)
+        _clock_0, _through_0, _uncertain_0, _vx_0, _vy_0, _vz_0, _x_0, _y_0, _z_0 = _put(_rows141, shots, (_clock_0, _through_0, _uncertain_0, _vx_0, _vy_0, _vz_0, _x_0, _y_0, _z_0,), (_clock_1, _through_1, _uncertain_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1,), _moves_0)
+    _rows143, _count144 = _most(_limited_0, shots)
+    if _count144:
+        _body_1, _clock_1, _ends_1, _reached_1, _time_limit_1, _which_1 = _taken(_rows143, _body_0, _clock_0, _ends_0, _reached_0, _time_limit_0, _which_0)
         _clock_1, _body_1, _reached_1, _ends_1 = expired(4.0, _which_1, _body_1, _clock_1, _reached_1, _time_limit_1, _ends_1)
-        _body_0, _clock_0, _ends_0, _reached_0 = _put(_rows139, shots, (_body_0, _clock_0, _ends_0, _reached_0,), (_body_1, _clock_1, _ends_1, _reached_1,), _limited_0)
+        _body_0, _clock_0, _ends_0, _reached_0 = _put(_rows143, shots, (_body_0, _clock_0, _ends_0, _reached_0,), (_body_1, _clock_1, _ends_1, _reached_1,), _limited_0)
     _hopped_0, = no_departure()
-    _rows141, _count142 = _most(_in_contact_0, shots)
-    if _count142:
-        _began_1, _body_1, _clock_1, _ends_1, _held_1, _last_1, _reached_1, _rests_1, _rolling_1, _rolls_1, _undecided_time_1, _which_1 = _taken(_rows141, _began_0, _body_0, _clock_0, _ends_0, _held_0, _last_0, _reached_0, _rests_0, _rolling_0, _rolls_0, _undecided_time_0, _which_0)
-        _room_1 = room(_count142)
+    _rows145, _count146 = _most(_in_contact_0, shots)
+    if _count146:
+        _began_1, _body_1, _clock_1, _ends_1, _held_1, _last_1, _reached_1, _rests_1, _rolling_1, _rolls_1, _undecided_time_1, _which_1 = _taken(_rows145, _began_0, _body_0, _clock_0, _ends_0, _held_0, _last_0, _reached_0, _rests_0, _rolling_0, _rolls_0, _undecided_time_0, _which_0)
+        _room_1 = room(_count146)
         _body_1, _reached_1, _undecided_time_1, _ends_1, _hopped_1, _last_1, _mode_1, _held_1, _rolls_1 = stay_in_contact(_last_1, _which_1, _undecided_time_1, _body_1, _clock_1, _reached_1, _ends_1, _held_1, _rolls_1, _rolling_1, _began_1, _rests_1, _room_1)
-        _body_0, _ends_0, _held_0, _hopped_0, _last_0, _mode_0, _reached_0, _rolls_0, _undecided_time_0 = _put(_rows141, shots, (_body_0, _ends_0, _held_0, _hopped_0, _last_0, _mode_0, _reached_0, _rolls_0, _undecided_time_0,), (_body_1, _ends_1, _held_1, _hopped_1, _last_1, _mode_1, _reached_1, _rolls_1, _undecided_time_1,), _in_contact_0)
+        _body_0, _ends_0, _held_0, _hopped_0, _last_0, _mode_0, _reached_0, _rolls_0, _undecided_time_0 = _put(_rows145, shots, (_body_0, _ends_0, _held_0, _hopped_0, _last_0, _mode_0, _reached_0, _rolls_0, _undecided_time_0,), (_body_1, _ends_1, _held_1, _hopped_1, _last_1, _mode_1, _reached_1, _rolls_1, _undecided_time_1,), _in_contact_0)
     _slack_0, = displacement(_earliest_delay_0, _when_0, _extent_0, _speed_0, _position_error_0, _velocity_error_0, _p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_board_distance_0, _p_board_half_width_0, _p_board_bottom_0, _p_board_top_0, _p_board_thickness_0, _p_bridge_half_width_0, _p_bridge_depth_0, _p_gravity_0, _p_end_depth_0, _room_0)
     _here_0, = here(3.0, _which_0)
     _g0_1, = end_bounds(_x_0, _y_0, _p_ring_radius_0)
@@ -11342,60 +11506,76 @@ def resolve_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _count_0_2, = counted(_count_0_1)
         _count_0_1, _nx_1, _ny_1, _nz_1 = _choose(_here_1, (_count_0_2, _nx_2, _ny_2, _nz_2,), (_count_0_1, _nx_1, _ny_1, _nz_1,))
         _here_1, = here(1.0, _which_1)
-        _nx_2, _ny_2, _nz_2 = backboard_normal(_x_1, _y_1, _z_1, _p_ball_radius_1, _p_board_distance_1, _p_board_half_width_1, _p_board_bottom_1, _p_board_top_1, _p_board_thickness_1, _room_1)
-        _count_1_2, = counted(_count_1_1)
-        _count_1_1, _nx_1, _ny_1, _nz_1 = _choose(_here_1, (_count_1_2, _nx_2, _ny_2, _nz_2,), (_count_1_1, _nx_1, _ny_1, _nz_1,))
+        _rows3, _count4 = _most(_here_1, _count2)
+        if _count4:
+            _count_1_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _x_2, _y_2, _z_2 = _taken(_rows3, _count_1_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _x_1, _y_1, _z_1)
+            _room_2 = room(_count4)
+            _nx_2, _ny_2, _nz_2 = backboard_normal(_x_2, _y_2, _z_2, _p_ball_radius_2, _p_board_distance_2, _p_board_half_width_2, _p_board_bottom_2, _p_board_top_2, _p_board_thickness_2, _room_2)
+            _count_1_2, = counted(_count_1_2)
+            _count_1_1, _nx_1, _ny_1, _nz_1 = _put(_rows3, _count2, (_count_1_1, _nx_1, _ny_1, _nz_1,), (_count_1_2, _nx_2, _ny_2, _nz_2,), _here_1)
         _here_1, = here(2.0, _which_1)
-        _nx_2, _ny_2, _nz_2 = bridge_normal(_x_1, _y_1, _z_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_board_distance_1, _p_bridge_half_width_1, _p_bridge_depth_1, _room_1)
-        _count_2_2, = counted(_count_2_1)
-        _count_2_1, _nx_1, _ny_1, _nz_1 = _choose(_here_1, (_count_2_2, _nx_2, _ny_2, _nz_2,), (_count_2_1, _nx_1, _ny_1, _nz_1,))
+        _rows5, _count6 = _most(_here_1, _count2)
+        if _count6:
+            _count_2_2, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_ring_radius_2, _p_wire_radius_2, _x_2, _y_2, _z_2 = _taken(_rows5, _count_2_1, _p_ball_radius_1, _p_board_distance_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_ring_radius_1, _p_wire_radius_1, _x_1, _y_1, _z_1)
+            _room_2 = room(_count6)
+            _nx_2, _ny_2, _nz_2 = bridge_normal(_x_2, _y_2, _z_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_board_distance_2, _p_bridge_half_width_2, _p_bridge_depth_2, _room_2)
+            _count_2_2, = counted(_count_2_2)
+            _count_2_1, _nx_1, _ny_1, _nz_1 = _put(_rows5, _count2, (_count_2_1, _nx_1, _ny_1, _nz_1,), (_count_2_2, _nx_2, _ny_2, _nz_2,), _here_1)
         _curving_1, = elsewhere()
         _left_nx_1, _left_ny_1, _left_nz_1 = other_start_surface()
         _again_1, = again(0.0, _last_1, _which_1)
-        _rows3, _count4 = _most(_again_1, _count2)
-        if _count4:
-            _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _vx_2, _vy_2, _vz_2, _when_2, _x_2, _y_2, _z_2 = _taken(_rows3, _p_ball_radius_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _vx_1, _vy_1, _vz_1, _when_1, _x_1, _y_1, _z_1)
-            _room_2 = room(_count4)
+        _rows7, _count8 = _most(_again_1, _count2)
+        if _count8:
+            _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _vx_2, _vy_2, _vz_2, _when_2, _x_2, _y_2, _z_2 = _taken(_rows7, _p_ball_radius_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _vx_1, _vy_1, _vz_1, _when_1, _x_1, _y_1, _z_1)
+            _room_2 = room(_count8)
             _curving_2, = ring_curvature(_p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2)
             _from_x_2, _from_y_2, _from_z_2 = started(_p_gravity_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _when_2)
             _left_nx_2, _left_ny_2, _left_nz_2 = ring_normal(_from_x_2, _from_y_2, _from_z_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _room_2)
-            _curving_1, _left_nx_1, _left_ny_1, _left_nz_1 = _put(_rows3, _count2, (_curving_1, _left_nx_1, _left_ny_1, _left_nz_1,), (_curving_2, _left_nx_2, _left_ny_2, _left_nz_2,), _again_1)
+            _curving_1, _left_nx_1, _left_ny_1, _left_nz_1 = _put(_rows7, _count2, (_curving_1, _left_nx_1, _left_ny_1, _left_nz_1,), (_curving_2, _left_nx_2, _left_ny_2, _left_nz_2,), _again_1)
         _again_1, = again(1.0, _last_1, _which_1)
-        _rows5, _count6 = _most(_again_1, _count2)
-        if _count6:
-            _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _vx_2, _vy_2, _vz_2, _when_2, _x_2, _y_2, _z_2 = _taken(_rows5, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_gravity_1, _vx_1, _vy_1, _vz_1, _when_1, _x_1, _y_1, _z_1)
-            _room_2 = room(_count6)
-            _curving_2, = backboard_curvature(_p_ball_radius_2)
+        _rows9, _count10 = _most(_again_1, _count2)
+        if _count10:
+            _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _vx_2, _vy_2, _vz_2, _when_2, _x_2, _y_2, _z_2 = _taken(_rows9, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_gravity_1, _vx_1, _vy_1, _vz_1, _when_1, _x_1, _y_1, _z_1)
+            _room_2 = room(_count10)
+            _curving_2, = backboard_curvature(_when_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _p_ball_radius_2, _p_board_distance_2, _p_board_half_width_2, _p_board_bottom_2, _p_board_top_2, _p_board_thickness_2, _p_gravity_2, _room_2)
             _from_x_2, _from_y_2, _from_z_2 = started(_p_gravity_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _when_2)
             _left_nx_2, _left_ny_2, _left_nz_2 = backboard_normal(_from_x_2, _from_y_2, _from_z_2, _p_ball_radius_2, _p_board_distance_2, _p_board_half_width_2, _p_board_bottom_2, _p_board_top_2, _p_board_thickness_2, _room_2)
-            _curving_1, _left_nx_1, _left_ny_1, _left_nz_1 = _put(_rows5, _count2, (_curving_1, _left_nx_1, _left_ny_1, _left_nz_1,), (_curving_2, _left_nx_2, _left_ny_2, _left_nz_2,), _again_1)
+            _curving_1, _left_nx_1, _left_ny_1, _left_nz_1 = _put(_rows9, _count2, (_curving_1, _left_nx_1, _left_ny_1, _left_nz_1,), (_curving_2, _left_nx_2, _left_ny_2, _left_nz_2,), _again_1)
         _again_1, = again(2.0, _last_1, _which_1)
-        _rows7, _count8 = _most(_again_1, _count2)
-        if _count8:
-            _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _vx_2, _vy_2, _vz_2, _when_2, _x_2, _y_2, _z_2 = _taken(_rows7, _p_ball_radius_1, _p_board_distance_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _vx_1, _vy_1, _vz_1, _when_1, _x_1, _y_1, _z_1)
-            _room_2 = room(_count8)
-            _curving_2, = bridge_curvature(_p_ball_radius_2)
+        _rows11, _count12 = _most(_again_1, _count2)
+        if _count12:
+            _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _vx_2, _vy_2, _vz_2, _when_2, _x_2, _y_2, _z_2 = _taken(_rows11, _p_ball_radius_1, _p_board_distance_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _vx_1, _vy_1, _vz_1, _when_1, _x_1, _y_1, _z_1)
+            _room_2 = room(_count12)
+            _curving_2, = bridge_curvature(_when_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_board_distance_2, _p_bridge_half_width_2, _p_bridge_depth_2, _p_gravity_2, _room_2)
             _from_x_2, _from_y_2, _from_z_2 = started(_p_gravity_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _when_2)
             _left_nx_2, _left_ny_2, _left_nz_2 = bridge_normal(_from_x_2, _from_y_2, _from_z_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_board_distance_2, _p_bridge_half_width_2, _p_bridge_depth_2, _room_2)
-            _curving_1, _left_nx_1, _left_ny_1, _left_nz_1 = _put(_rows7, _count2, (_curving_1, _left_nx_1, _left_ny_1, _left_nz_1,), (_curving_2, _left_nx_2, _left_ny_2, _left_nz_2,), _again_1)
+            _curving_1, _left_nx_1, _left_ny_1, _left_nz_1 = _put(_rows11, _count2, (_curving_1, _left_nx_1, _left_ny_1, _left_nz_1,), (_curving_2, _left_nx_2, _left_ny_2, _left_nz_2,), _again_1)
         _dx_1, _dy_1, _dz_1, _lifting_1, _dvx_1, _dvy_1, _dvz_1, _belated_1, _shift_1 = carry_flight(_when_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _nx_1, _ny_1, _nz_1, _clock_1, _contacts_1, _earliest_delay_1, _dx_1, _dy_1, _dz_1, _dvx_1, _dvy_1, _dvz_1, _left_nx_1, _left_ny_1, _left_nz_1, _curving_1, _p_gravity_1, _room_1)
         _clock_error_1, = clock_error_sum(_belated_1, _clock_error_1)
         _dx_2, _dy_2, _dz_2 = error_floor(_dx_1, _dy_1, _dz_1, _shift_1)
         _dx_1, _dy_1, _dz_1 = _choose(_ends_1, (_dx_2, _dy_2, _dz_2,), (_dx_1, _dy_1, _dz_1,))
         _dnx_1, _dny_1, _dnz_1, _turn_1 = no_normal_error()
         _here_1, = here(0.0, _which_1)
-        _rows9, _count10 = _most(_here_1, _count2)
-        if _count10:
-            _dx_2, _dy_2, _dz_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _shift_2, _x_2, _y_2 = _taken(_rows9, _dx_1, _dy_1, _dz_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _shift_1, _x_1, _y_1)
-            _room_2 = room(_count10)
+        _rows13, _count14 = _most(_here_1, _count2)
+        if _count14:
+            _dx_2, _dy_2, _dz_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _shift_2, _x_2, _y_2 = _taken(_rows13, _dx_1, _dy_1, _dz_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _shift_1, _x_1, _y_1)
+            _room_2 = room(_count14)
             _dnx_2, _dny_2, _dnz_2, _turn_2 = ring_carry_normal(_x_2, _y_2, _dx_2, _dy_2, _dz_2, _shift_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _room_2)
-            _dnx_1, _dny_1, _dnz_1, _turn_1 = _put(_rows9, _count2, (_dnx_1, _dny_1, _dnz_1, _turn_1,), (_dnx_2, _dny_2, _dnz_2, _turn_2,), _here_1)
+            _dnx_1, _dny_1, _dnz_1, _turn_1 = _put(_rows13, _count2, (_dnx_1, _dny_1, _dnz_1, _turn_1,), (_dnx_2, _dny_2, _dnz_2, _turn_2,), _here_1)
         _here_1, = here(1.0, _which_1)
-        _dnx_2, _dny_2, _dnz_2, _turn_2 = backboard_carry_normal(_x_1, _y_1, _z_1, _dx_1, _dy_1, _dz_1, _shift_1, _p_ball_radius_1, _p_board_distance_1, _p_board_half_width_1, _p_board_bottom_1, _p_board_top_1, _p_board_thickness_1, _room_1)
-        _dnx_1, _dny_1, _dnz_1, _turn_1 = _choose(_here_1, (_dnx_2, _dny_2, _dnz_2, _turn_2,), (_dnx_1, _dny_1, _dnz_1, _turn_1,))
+        _rows15, _count16 = _most(_here_1, _count2)
+        if _count16:
+            _dx_2, _dy_2, _dz_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _shift_2, _x_2, _y_2, _z_2 = _taken(_rows15, _dx_1, _dy_1, _dz_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _shift_1, _x_1, _y_1, _z_1)
+            _room_2 = room(_count16)
+            _dnx_2, _dny_2, _dnz_2, _turn_2 = backboard_carry_normal(_x_2, _y_2, _z_2, _dx_2, _dy_2, _dz_2, _shift_2, _p_ball_radius_2, _p_board_distance_2, _p_board_half_width_2, _p_board_bottom_2, _p_board_top_2, _p_board_thickness_2, _room_2)
+            _dnx_1, _dny_1, _dnz_1, _turn_1 = _put(_rows15, _count2, (_dnx_1, _dny_1, _dnz_1, _turn_1,), (_dnx_2, _dny_2, _dnz_2, _turn_2,), _here_1)
         _here_1, = here(2.0, _which_1)
-        _dnx_2, _dny_2, _dnz_2, _turn_2 = bridge_carry_normal(_x_1, _y_1, _z_1, _dx_1, _dy_1, _dz_1, _shift_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_board_distance_1, _p_bridge_half_width_1, _p_bridge_depth_1, _room_1)
-        _dnx_1, _dny_1, _dnz_1, _turn_1 = _choose(_here_1, (_dnx_2, _dny_2, _dnz_2, _turn_2,), (_dnx_1, _dny_1, _dnz_1, _turn_1,))
+        _rows17, _count18 = _most(_here_1, _count2)
+        if _count18:
+            _dx_2, _dy_2, _dz_2, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_ring_radius_2, _p_wire_radius_2, _shift_2, _x_2, _y_2, _z_2 = _taken(_rows17, _dx_1, _dy_1, _dz_1, _p_ball_radius_1, _p_board_distance_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_ring_radius_1, _p_wire_radius_1, _shift_1, _x_1, _y_1, _z_1)
+            _room_2 = room(_count18)
+            _dnx_2, _dny_2, _dnz_2, _turn_2 = bridge_carry_normal(_x_2, _y_2, _z_2, _dx_2, _dy_2, _dz_2, _shift_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_board_distance_2, _p_bridge_half_width_2, _p_bridge_depth_2, _room_2)
+            _dnx_1, _dny_1, _dnz_1, _turn_1 = _put(_rows17, _count2, (_dnx_1, _dny_1, _dnz_1, _turn_1,), (_dnx_2, _dny_2, _dnz_2, _turn_2,), _here_1)
         _struck_0_1, = other_kind()
         _, _its_0_ring_impact_1, _its_1_ring_impact_1 = ring_impact_taken(_p_ring_restitution_1, _p_ring_friction_1)
         for _own_index_1, _own_1_1, _own_2_1, in (
@@ -11404,42 +11584,50 @@ def resolve_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             (2.0, _p_bridge_friction_1, _p_bridge_restitution_1,),
         ):
             _here_1, = here(_own_index_1, _which_1)
-            _rows11, _count12 = _most(_here_1, _count2)
-            if _count12:
-                _own_1_2, _own_2_2 = _taken(_rows11, _own_1_1, _own_2_1)
+            _rows19, _count20 = _most(_here_1, _count2)
+            if _count20:
+                _own_1_2, _own_2_2 = _taken(_rows19, _own_1_1, _own_2_1)
                 _struck_0_2, _its_0_ring_impact_2, _its_1_ring_impact_2 = ring_impact_taken(_own_2_2, _own_1_2)
-                _its_0_ring_impact_1, _its_1_ring_impact_1, _struck_0_1 = _put(_rows11, _count2, (_its_0_ring_impact_1, _its_1_ring_impact_1, _struck_0_1,), (_its_0_ring_impact_2, _its_1_ring_impact_2, _struck_0_2,), _here_1)
-        _rows13, _count14 = _most(_struck_0_1, _count2)
-        if _count14:
-            _dnx_2, _dny_2, _dnz_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _its_0_ring_impact_2, _its_1_ring_impact_2, _lifting_2, _nx_2, _ny_2, _nz_2, _p_ball_radius_2, _p_inertia_2, _p_restitution_speed_2, _p_tangential_restitution_2, _turn_2, _uncertain_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2 = _taken(_rows13, _dnx_1, _dny_1, _dnz_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _its_0_ring_impact_1, _its_1_ring_impact_1, _lifting_1, _nx_1, _ny_1, _nz_1, _p_ball_radius_1, _p_inertia_1, _p_restitution_speed_1, _p_tangential_restitution_1, _turn_1, _uncertain_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1)
-            _room_2 = room(_count14)
+                _its_0_ring_impact_1, _its_1_ring_impact_1, _struck_0_1 = _put(_rows19, _count2, (_its_0_ring_impact_1, _its_1_ring_impact_1, _struck_0_1,), (_its_0_ring_impact_2, _its_1_ring_impact_2, _struck_0_2,), _here_1)
+        _rows21, _count22 = _most(_struck_0_1, _count2)
+        if _count22:
+            _dnx_2, _dny_2, _dnz_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _its_0_ring_impact_2, _its_1_ring_impact_2, _lifting_2, _nx_2, _ny_2, _nz_2, _p_ball_radius_2, _p_inertia_2, _p_restitution_speed_2, _p_tangential_restitution_2, _turn_2, _uncertain_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2 = _taken(_rows21, _dnx_1, _dny_1, _dnz_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _its_0_ring_impact_1, _its_1_ring_impact_1, _lifting_1, _nx_1, _ny_1, _nz_1, _p_ball_radius_1, _p_inertia_1, _p_restitution_speed_1, _p_tangential_restitution_1, _turn_1, _uncertain_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1)
+            _room_2 = room(_count22)
             _undecided_2, = ring_impact_undecided(_vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _nx_2, _ny_2, _nz_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _turn_2, _p_ball_radius_2, _its_0_ring_impact_2, _its_1_ring_impact_2, _p_inertia_2, _p_tangential_restitution_2, _p_restitution_speed_2, _room_2)
             _uncertain_2, = undecided(_uncertain_2, _undecided_2)
             _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2 = carry_ring_impact(_vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _nx_2, _ny_2, _nz_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dnx_2, _dny_2, _dnz_2, _turn_2, _lifting_2, _p_ball_radius_2, _its_0_ring_impact_2, _its_1_ring_impact_2, _p_inertia_2, _p_tangential_restitution_2, _p_restitution_speed_2, _room_2)
             _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2 = ring_impact(_vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _nx_2, _ny_2, _nz_2, _p_ball_radius_2, _its_0_ring_impact_2, _its_1_ring_impact_2, _p_inertia_2, _p_tangential_restitution_2, _p_restitution_speed_2, _room_2)
-            _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _uncertain_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1 = _put(_rows13, _count2, (_dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _uncertain_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1,), (_dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _uncertain_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2,), _struck_0_1)
+            _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _uncertain_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1 = _put(_rows21, _count2, (_dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _uncertain_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1,), (_dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _uncertain_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2,), _struck_0_1)
         _first_2, _last_2 = touched(_which_1, _body_1, _first_1)
         _slow_2, _assured_2 = leaves_slowly(_p_ball_radius_1, _p_gravity_1, _nx_1, _ny_1, _nz_1, _vx_1, _vy_1, _vz_1, _position_error_1, _room_1)
         _assured_1, _first_1, _last_1, _slow_1 = _choose(_touches_1, (_assured_2, _first_2, _last_2, _slow_2,), (_assured_1, _first_1, _last_1, _slow_1,))
         _assured_0, _clock_error_0, _count_0_0, _count_1_0, _count_2_0, _dvx_0, _dvy_0, _dvz_0, _dwx_0, _dwy_0, _dwz_0, _dx_0, _dy_0, _dz_0, _first_0, _last_0, _slow_0, _uncertain_0, _vx_0, _vy_0, _vz_0, _wx_0, _wy_0, _wz_0 = _put(_rows1, shots, (_assured_0, _clock_error_0, _count_0_0, _count_1_0, _count_2_0, _dvx_0, _dvy_0, _dvz_0, _dwx_0, _dwy_0, _dwz_0, _dx_0, _dy_0, _dz_0, _first_0, _last_0, _slow_0, _uncertain_0, _vx_0, _vy_0, _vz_0, _wx_0, _wy_0, _wz_0,), (_assured_1, _clock_error_1, _count_0_1, _count_1_1, _count_2_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _first_1, _last_1, _slow_1, _uncertain_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1,))
-    _rows15, _count16 = _rows(_slow_0, shots)
-    if _count16:
-        _assured_1, _held_1, _mode_1, _outcome_1, _p_backboard_friction_1, _p_backboard_restitution_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_friction_1, _p_bridge_half_width_1, _p_bridge_restitution_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_friction_1, _p_ring_radius_1, _p_ring_restitution_1, _p_wire_radius_1, _slip_left_1, _uncertain_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1 = _taken(_rows15, _assured_0, _held_0, _mode_0, _outcome_0, _p_backboard_friction_0, _p_backboard_restitution_0, _p_ball_radius_0, _p_board_bottom_0, _p_board_distance_0, _p_board_half_width_0, _p_board_thickness_0, _p_board_top_0, _p_bridge_depth_0, _p_bridge_friction_0, _p_bridge_half_width_0, _p_bridge_restitution_0, _p_end_depth_0, _p_gravity_0, _p_inertia_0, _p_ring_friction_0, _p_ring_radius_0, _p_ring_restitution_0, _p_wire_radius_0, _slip_left_0, _uncertain_0, _velocity_error_0, _vx_0, _vy_0, _vz_0, _which_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0)
-        _room_1 = room(_count16)
+    _rows23, _count24 = _rows(_slow_0, shots)
+    if _count24:
+        _assured_1, _held_1, _mode_1, _outcome_1, _p_backboard_friction_1, _p_backboard_restitution_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_friction_1, _p_bridge_half_width_1, _p_bridge_restitution_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_friction_1, _p_ring_radius_1, _p_ring_restitution_1, _p_wire_radius_1, _slip_left_1, _uncertain_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1 = _taken(_rows23, _assured_0, _held_0, _mode_0, _outcome_0, _p_backboard_friction_0, _p_backboard_restitution_0, _p_ball_radius_0, _p_board_bottom_0, _p_board_distance_0, _p_board_half_width_0, _p_board_thickness_0, _p_board_top_0, _p_bridge_depth_0, _p_bridge_friction_0, _p_bridge_half_width_0, _p_bridge_restitution_0, _p_end_depth_0, _p_gravity_0, _p_inertia_0, _p_ring_friction_0, _p_ring_radius_0, _p_ring_restitution_0, _p_wire_radius_0, _slip_left_0, _uncertain_0, _velocity_error_0, _vx_0, _vy_0, _vz_0, _which_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0)
+        _room_1 = room(_count24)
         _nx_1, _ny_1, _nz_1 = ring_normal(_x_1, _y_1, _z_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _room_1)
         _here_1, = here(1.0, _which_1)
-        _nx_2, _ny_2, _nz_2 = backboard_normal(_x_1, _y_1, _z_1, _p_ball_radius_1, _p_board_distance_1, _p_board_half_width_1, _p_board_bottom_1, _p_board_top_1, _p_board_thickness_1, _room_1)
-        _nx_1, _ny_1, _nz_1 = _choose(_here_1, (_nx_2, _ny_2, _nz_2,), (_nx_1, _ny_1, _nz_1,))
+        _rows25, _count26 = _most(_here_1, _count24)
+        if _count26:
+            _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _x_2, _y_2, _z_2 = _taken(_rows25, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _x_1, _y_1, _z_1)
+            _room_2 = room(_count26)
+            _nx_2, _ny_2, _nz_2 = backboard_normal(_x_2, _y_2, _z_2, _p_ball_radius_2, _p_board_distance_2, _p_board_half_width_2, _p_board_bottom_2, _p_board_top_2, _p_board_thickness_2, _room_2)
+            _nx_1, _ny_1, _nz_1 = _put(_rows25, _count24, (_nx_1, _ny_1, _nz_1,), (_nx_2, _ny_2, _nz_2,), _here_1)
         _here_1, = here(2.0, _which_1)
-        _nx_2, _ny_2, _nz_2 = bridge_normal(_x_1, _y_1, _z_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_board_distance_1, _p_bridge_half_width_1, _p_bridge_depth_1, _room_1)
-        _nx_1, _ny_1, _nz_1 = _choose(_here_1, (_nx_2, _ny_2, _nz_2,), (_nx_1, _ny_1, _nz_1,))
+        _rows27, _count28 = _most(_here_1, _count24)
+        if _count28:
+            _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_ring_radius_2, _p_wire_radius_2, _x_2, _y_2, _z_2 = _taken(_rows27, _p_ball_radius_1, _p_board_distance_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_ring_radius_1, _p_wire_radius_1, _x_1, _y_1, _z_1)
+            _room_2 = room(_count28)
+            _nx_2, _ny_2, _nz_2 = bridge_normal(_x_2, _y_2, _z_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_board_distance_2, _p_bridge_half_width_2, _p_bridge_depth_2, _room_2)
+            _nx_1, _ny_1, _nz_1 = _put(_rows27, _count24, (_nx_1, _ny_1, _nz_1,), (_nx_2, _ny_2, _nz_2,), _here_1)
         _nearly_1, = nearly(_p_ball_radius_1, _p_gravity_1, _nx_1, _ny_1, _nz_1, _vx_1, _vy_1, _vz_1, _room_1)
         _rolled_x_1, _rolled_y_1, _rolled_z_1, _slip_1, _bounce_1 = gripped(_p_ball_radius_1, _p_inertia_1, _nx_1, _ny_1, _nz_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1, _room_1)
         _here_1, = here(0.0, _which_1)
-        _rows17, _count18 = _most(_here_1, _count16)
-        if _count18:
-            _bounce_2, _nearly_2, _nx_2, _ny_2, _nz_2, _outcome_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_friction_2, _p_ring_radius_2, _p_ring_restitution_2, _p_wire_radius_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _slip_2, _uncertain_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_rows17, _bounce_1, _nearly_1, _nx_1, _ny_1, _nz_1, _outcome_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_friction_1, _p_ring_radius_1, _p_ring_restitution_1, _p_wire_radius_1, _rolled_x_1, _rolled_y_1, _rolled_z_1, _slip_1, _uncertain_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
-            _room_2 = room(_count18)
+        _rows29, _count30 = _most(_here_1, _count24)
+        if _count30:
+            _bounce_2, _nearly_2, _nx_2, _ny_2, _nz_2, _outcome_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_friction_2, _p_ring_radius_2, _p_ring_restitution_2, _p_wire_radius_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _slip_2, _uncertain_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_rows29, _bounce_1, _nearly_1, _nx_1, _ny_1, _nz_1, _outcome_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_friction_1, _p_ring_radius_1, _p_ring_restitution_1, _p_wire_radius_1, _rolled_x_1, _rolled_y_1, _rolled_z_1, _slip_1, _uncertain_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
+            _room_2 = room(_count30)
             _turning_x_2, _turning_y_2, _turning_z_2 = ring_turning(_p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _x_2, _y_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _room_2)
             _press_2, _weight_2, _rolling_friction_2, _rolling_acceleration_x_2, _rolling_acceleration_y_2, _rolling_acceleration_z_2 = pressed_on(_p_ball_radius_2, _p_gravity_2, _p_inertia_2, _nx_2, _ny_2, _nz_2, _wx_2, _wy_2, _wz_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _turning_x_2, _turning_y_2, _turning_z_2, _room_2)
             _nearest_2, _second_contact_gap_2 = isolated()
@@ -11452,12 +11640,12 @@ def resolve_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             _lift_2, *_ = ring_separation(_p_gravity_2, _p_ring_radius_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _room_2)
             _settles_2, _lodges_2, _slides_2, _unpressed_2, _assured_2, _undecided_2 = ring_impact_settling(_p_ball_radius_2, _p_inertia_2, _p_ring_friction_2, _p_ring_restitution_2, _wx_2, _wy_2, _wz_2, _velocity_error_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _turning_x_2, _turning_y_2, _turning_z_2, _slip_2, _bounce_2, _nearest_2, _second_contact_gap_2, _press_2, _weight_2, _rolling_friction_2, _lift_2, _room_2)
             _mode_2, _held_2, _outcome_2, _slip_left_2, _uncertain_2 = settled(0.0, _outcome_2, _uncertain_2, _undecided_2, _settles_2, _nearly_2, _lodges_2, _slides_2, _unpressed_2)
-            _assured_1, _held_1, _mode_1, _outcome_1, _slip_left_1, _uncertain_1 = _put(_rows17, _count16, (_assured_1, _held_1, _mode_1, _outcome_1, _slip_left_1, _uncertain_1,), (_assured_2, _held_2, _mode_2, _outcome_2, _slip_left_2, _uncertain_2,), _here_1)
+            _assured_1, _held_1, _mode_1, _outcome_1, _slip_left_1, _uncertain_1 = _put(_rows29, _count24, (_assured_1, _held_1, _mode_1, _outcome_1, _slip_left_1, _uncertain_1,), (_assured_2, _held_2, _mode_2, _outcome_2, _slip_left_2, _uncertain_2,), _here_1)
         _here_1, = here(1.0, _which_1)
-        _rows19, _count20 = _most(_here_1, _count16)
-        if _count20:
-            _bounce_2, _nearly_2, _nx_2, _ny_2, _nz_2, _outcome_2, _p_backboard_friction_2, _p_backboard_restitution_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_radius_2, _p_wire_radius_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _slip_2, _uncertain_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_rows19, _bounce_1, _nearly_1, _nx_1, _ny_1, _nz_1, _outcome_1, _p_backboard_friction_1, _p_backboard_restitution_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_radius_1, _p_wire_radius_1, _rolled_x_1, _rolled_y_1, _rolled_z_1, _slip_1, _uncertain_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
-            _room_2 = room(_count20)
+        _rows31, _count32 = _most(_here_1, _count24)
+        if _count32:
+            _bounce_2, _nearly_2, _nx_2, _ny_2, _nz_2, _outcome_2, _p_backboard_friction_2, _p_backboard_restitution_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_radius_2, _p_wire_radius_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _slip_2, _uncertain_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_rows31, _bounce_1, _nearly_1, _nx_1, _ny_1, _nz_1, _outcome_1, _p_backboard_friction_1, _p_backboard_restitution_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_radius_1, _p_wire_radius_1, _rolled_x_1, _rolled_y_1, _rolled_z_1, _slip_1, _uncertain_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
+            _room_2 = room(_count32)
             _turning_x_2, _turning_y_2, _turning_z_2 = backboard_turning(_p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _x_2, _y_2, _z_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _room_2)
             _press_2, _weight_2, _rolling_friction_2, _rolling_acceleration_x_2, _rolling_acceleration_y_2, _rolling_acceleration_z_2 = pressed_on(_p_ball_radius_2, _p_gravity_2, _p_inertia_2, _nx_2, _ny_2, _nz_2, _wx_2, _wy_2, _wz_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _turning_x_2, _turning_y_2, _turning_z_2, _room_2)
             _nearest_2, _second_contact_gap_2 = isolated()
@@ -11470,12 +11658,12 @@ def resolve_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             _lift_2, *_ = backboard_separation(_p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _room_2)
             _settles_2, _lodges_2, _slides_2, _unpressed_2, _assured_2, _undecided_2 = ring_impact_settling(_p_ball_radius_2, _p_inertia_2, _p_backboard_friction_2, _p_backboard_restitution_2, _wx_2, _wy_2, _wz_2, _velocity_error_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _turning_x_2, _turning_y_2, _turning_z_2, _slip_2, _bounce_2, _nearest_2, _second_contact_gap_2, _press_2, _weight_2, _rolling_friction_2, _lift_2, _room_2)
             _mode_2, _held_2, _outcome_2, _slip_left_2, _uncertain_2 = settled(1.0, _outcome_2, _uncertain_2, _undecided_2, _settles_2, _nearly_2, _lodges_2, _slides_2, _unpressed_2)
-            _assured_1, _held_1, _mode_1, _outcome_1, _slip_left_1, _uncertain_1 = _put(_rows19, _count16, (_assured_1, _held_1, _mode_1, _outcome_1, _slip_left_1, _uncertain_1,), (_assured_2, _held_2, _mode_2, _outcome_2, _slip_left_2, _uncertain_2,), _here_1)
+            _assured_1, _held_1, _mode_1, _outcome_1, _slip_left_1, _uncertain_1 = _put(_rows31, _count24, (_assured_1, _held_1, _mode_1, _outcome_1, _slip_left_1, _uncertain_1,), (_assured_2, _held_2, _mode_2, _outcome_2, _slip_left_2, _uncertain_2,), _here_1)
         _here_1, = here(2.0, _which_1)
-        _rows21, _count22 = _most(_here_1, _count16)
-        if _count22:
-            _bounce_2, _nearly_2, _nx_2, _ny_2, _nz_2, _outcome_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_friction_2, _p_bridge_half_width_2, _p_bridge_restitution_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_radius_2, _p_wire_radius_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _slip_2, _uncertain_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_rows21, _bounce_1, _nearly_1, _nx_1, _ny_1, _nz_1, _outcome_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_friction_1, _p_bridge_half_width_1, _p_bridge_restitution_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_radius_1, _p_wire_radius_1, _rolled_x_1, _rolled_y_1, _rolled_z_1, _slip_1, _uncertain_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
-            _room_2 = room(_count22)
+        _rows33, _count34 = _most(_here_1, _count24)
+        if _count34:
+            _bounce_2, _nearly_2, _nx_2, _ny_2, _nz_2, _outcome_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_friction_2, _p_bridge_half_width_2, _p_bridge_restitution_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_radius_2, _p_wire_radius_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _slip_2, _uncertain_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_rows33, _bounce_1, _nearly_1, _nx_1, _ny_1, _nz_1, _outcome_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_friction_1, _p_bridge_half_width_1, _p_bridge_restitution_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_radius_1, _p_wire_radius_1, _rolled_x_1, _rolled_y_1, _rolled_z_1, _slip_1, _uncertain_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
+            _room_2 = room(_count34)
             _turning_x_2, _turning_y_2, _turning_z_2 = bridge_turning(_p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_ring_radius_2, _p_wire_radius_2, _x_2, _y_2, _z_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _room_2)
             _press_2, _weight_2, _rolling_friction_2, _rolling_acceleration_x_2, _rolling_acceleration_y_2, _rolling_acceleration_z_2 = pressed_on(_p_ball_radius_2, _p_gravity_2, _p_inertia_2, _nx_2, _ny_2, _nz_2, _wx_2, _wy_2, _wz_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _turning_x_2, _turning_y_2, _turning_z_2, _room_2)
             _nearest_2, _second_contact_gap_2 = isolated()
@@ -11488,30 +11676,30 @@ def resolve_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             _lift_2, *_ = bridge_separation(_p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _room_2)
             _settles_2, _lodges_2, _slides_2, _unpressed_2, _assured_2, _undecided_2 = ring_impact_settling(_p_ball_radius_2, _p_inertia_2, _p_bridge_friction_2, _p_bridge_restitution_2, _wx_2, _wy_2, _wz_2, _velocity_error_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _turning_x_2, _turning_y_2, _turning_z_2, _slip_2, _bounce_2, _nearest_2, _second_contact_gap_2, _press_2, _weight_2, _rolling_friction_2, _lift_2, _room_2)
             _mode_2, _held_2, _outcome_2, _slip_left_2, _uncertain_2 = settled(2.0, _outcome_2, _uncertain_2, _undecided_2, _settles_2, _nearly_2, _lodges_2, _slides_2, _unpressed_2)
-            _assured_1, _held_1, _mode_1, _outcome_1, _slip_left_1, _uncertain_1 = _put(_rows21, _count16, (_assured_1, _held_1, _mode_1, _outcome_1, _slip_left_1, _uncertain_1,), (_assured_2, _held_2, _mode_2, _outcome_2, _slip_left_2, _uncertain_2,), _here_1)
-        _assured_0, _held_0, _mode_0, _outcome_0, _slip_left_0, _uncertain_0 = _put(_rows15, shots, (_assured_0, _held_0, _mode_0, _outcome_0, _slip_left_0, _uncertain_0,), (_assured_1, _held_1, _mode_1, _outcome_1, _slip_left_1, _uncertain_1,))
-    _rows23, _count24 = _rows(_limited_0, shots)
-    if _count24:
-        _claims_1, _clock_1, _clock_error_1, _dvx_1, _dvy_1, _dvz_1, _dx_1, _dy_1, _dz_1, _p_gravity_1, _vx_1, _vy_1, _vz_1, _when_1, _which_1, _x_1, _y_1, _z_1 = _taken(_rows23, _claims_0, _clock_0, _clock_error_0, _dvx_0, _dvy_0, _dvz_0, _dx_0, _dy_0, _dz_0, _p_gravity_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _x_0, _y_0, _z_0)
+            _assured_1, _held_1, _mode_1, _outcome_1, _slip_left_1, _uncertain_1 = _put(_rows33, _count24, (_assured_1, _held_1, _mode_1, _outcome_1, _slip_left_1, _uncertain_1,), (_assured_2, _held_2, _mode_2, _outcome_2, _slip_left_2, _uncertain_2,), _here_1)
+        _assured_0, _held_0, _mode_0, _outcome_0, _slip_left_0, _uncertain_0 = _put(_rows23, shots, (_assured_0, _held_0, _mode_0, _outcome_0, _slip_left_0, _uncertain_0,), (_assured_1, _held_1, _mode_1, _outcome_1, _slip_left_1, _uncertain_1,))
+    _rows35, _count36 = _rows(_limited_0, shots)
+    if _count36:
+        _claims_1, _clock_1, _clock_error_1, _dvx_1, _dvy_1, _dvz_1, _dx_1, _dy_1, _dz_1, _p_gravity_1, _vx_1, _vy_1, _vz_1, _when_1, _which_1, _x_1, _y_1, _z_1 = _taken(_rows35, _claims_0, _clock_0, _clock_error_0, _dvx_0, _dvy_0, _dvz_0, _dx_0, _dy_0, _dz_0, _p_gravity_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _x_0, _y_0, _z_0)
         _ends_by_time_limit_1, = ends_by_time_limit(4.0, _which_1, _claims_1)
-        _rows25, _count26 = _most(_ends_by_time_limit_1, _count24)
-        if _count26:
-            _clock_2, _clock_error_2, _dvx_2, _dvy_2, _dvz_2, _dx_2, _dy_2, _dz_2, _p_gravity_2, _vx_2, _vy_2, _vz_2, _when_2, _x_2, _y_2, _z_2 = _taken(_rows25, _clock_1, _clock_error_1, _dvx_1, _dvy_1, _dvz_1, _dx_1, _dy_1, _dz_1, _p_gravity_1, _vx_1, _vy_1, _vz_1, _when_1, _x_1, _y_1, _z_1)
-            _room_2 = room(_count26)
+        _rows37, _count38 = _most(_ends_by_time_limit_1, _count36)
+        if _count38:
+            _clock_2, _clock_error_2, _dvx_2, _dvy_2, _dvz_2, _dx_2, _dy_2, _dz_2, _p_gravity_2, _vx_2, _vy_2, _vz_2, _when_2, _x_2, _y_2, _z_2 = _taken(_rows37, _clock_1, _clock_error_1, _dvx_1, _dvy_1, _dvz_1, _dx_1, _dy_1, _dz_1, _p_gravity_1, _vx_1, _vy_1, _vz_1, _when_1, _x_1, _y_1, _z_1)
+            _room_2 = room(_count38)
             _dx_2, _dy_2, _dz_2, _dvx_2, _dvy_2, _dvz_2, _clock_error_2 = carry_time(_when_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _clock_2, _clock_error_2, _dx_2, _dy_2, _dz_2, _dvx_2, _dvy_2, _dvz_2, _p_gravity_2, _room_2)
-            _clock_error_1, _dvx_1, _dvy_1, _dvz_1, _dx_1, _dy_1, _dz_1 = _put(_rows25, _count24, (_clock_error_1, _dvx_1, _dvy_1, _dvz_1, _dx_1, _dy_1, _dz_1,), (_clock_error_2, _dvx_2, _dvy_2, _dvz_2, _dx_2, _dy_2, _dz_2,), _ends_by_time_limit_1)
-        _clock_error_0, _dvx_0, _dvy_0, _dvz_0, _dx_0, _dy_0, _dz_0 = _put(_rows23, shots, (_clock_error_0, _dvx_0, _dvy_0, _dvz_0, _dx_0, _dy_0, _dz_0,), (_clock_error_1, _dvx_1, _dvy_1, _dvz_1, _dx_1, _dy_1, _dz_1,))
-    _rows27, _count28 = _most(_hopped_0, shots)
-    if _count28:
-        _dvx_1, _dvy_1, _dvz_1, _dx_1, _dy_1, _dz_1, _vx_1, _vy_1, _vz_1, _when_1, _x_1, _y_1, _z_1 = _taken(_rows27, _dvx_0, _dvy_0, _dvz_0, _dx_0, _dy_0, _dz_0, _vx_0, _vy_0, _vz_0, _when_0, _x_0, _y_0, _z_0)
-        _room_1 = room(_count28)
+            _clock_error_1, _dvx_1, _dvy_1, _dvz_1, _dx_1, _dy_1, _dz_1 = _put(_rows37, _count36, (_clock_error_1, _dvx_1, _dvy_1, _dvz_1, _dx_1, _dy_1, _dz_1,), (_clock_error_2, _dvx_2, _dvy_2, _dvz_2, _dx_2, _dy_2, _dz_2,), _ends_by_time_limit_1)
+        _clock_error_0, _dvx_0, _dvy_0, _dvz_0, _dx_0, _dy_0, _dz_0 = _put(_rows35, shots, (_clock_error_0, _dvx_0, _dvy_0, _dvz_0, _dx_0, _dy_0, _dz_0,), (_clock_error_1, _dvx_1, _dvy_1, _dvz_1, _dx_1, _dy_1, _dz_1,))
+    _rows39, _count40 = _most(_hopped_0, shots)
+    if _count40:
+        _dvx_1, _dvy_1, _dvz_1, _dx_1, _dy_1, _dz_1, _vx_1, _vy_1, _vz_1, _when_1, _x_1, _y_1, _z_1 = _taken(_rows39, _dvx_0, _dvy_0, _dvz_0, _dx_0, _dy_0, _dz_0, _vx_0, _vy_0, _vz_0, _when_0, _x_0, _y_0, _z_0)
+        _room_1 = room(_count40)
         _dx_1, _dy_1, _dz_1 = carry_hop(_x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _dx_1, _dy_1, _dz_1, _dvx_1, _dvy_1, _dvz_1, _when_1, _room_1)
-        _dx_0, _dy_0, _dz_0 = _put(_rows27, shots, (_dx_0, _dy_0, _dz_0,), (_dx_1, _dy_1, _dz_1,), _hopped_0)
+        _dx_0, _dy_0, _dz_0 = _put(_rows39, shots, (_dx_0, _dy_0, _dz_0,), (_dx_1, _dy_1, _dz_1,), _hopped_0)
     _closed_0, _position_claim_0, _velocity_claim_0, _spin_claim_0, _time_claim_0 = closing(_outcome_0, _claims_0)
-    _rows29, _count30 = _most(_closed_0, shots)
-    if _count30:
-        _clock_error_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1 = _taken(_rows29, _clock_error_0, _dvx_0, _dvy_0, _dvz_0, _dwx_0, _dwy_0, _dwz_0, _dx_0, _dy_0, _dz_0)
-        _room_1 = room(_count30)
+    _rows41, _count42 = _most(_closed_0, shots)
+    if _count42:
+        _clock_error_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1 = _taken(_rows41, _clock_error_0, _dvx_0, _dvy_0, _dvz_0, _dwx_0, _dwy_0, _dwz_0, _dx_0, _dy_0, _dz_0)
+        _room_1 = room(_count42)
         _position_claim_1, _velocity_claim_1, _spin_claim_1, _time_claim_1 = claimed_errors(_clock_error_1, _dx_1, _dy_1, _dz_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _room_1)
-        _position_claim_0, _spin_claim_0, _time_claim_0, _velocity_claim_0 = _put(_rows29, shots, (_position_claim_0, _spin_claim_0, _time_claim_0, _velocity_claim_0,), (_position_claim_1, _spin_claim_1, _time_claim_1, _velocity_claim_1,), _closed_0)
+        _position_claim_0, _spin_claim_0, _time_claim_0, _velocity_claim_0 = _put(_rows41, shots, (_position_claim_0, _spin_claim_0, _time_claim_0, _velocity_claim_0,), (_position_claim_1, _spin_claim_1, _time_claim_1, _velocity_claim_1,), _closed_0)
     columns |= {"assured": _assured_0, "clock_error": _clock_error_0, "count_0": _count_0_0, "count_1": _count_1_0, "count_2": _count_2_0, "dvx": _dvx_0, "dvy": _dvy_0, "dvz": _dvz_0, "dwx": _dwx_0, "dwy": _dwy_0, "dwz": _dwz_0, "dx": _dx_0, "dy": _dy_0, "dz": _dz_0, "first": _first_0, "held": _held_0, "last": _last_0, "mode": _mode_0, "outcome": _outcome_0, "position_claim": _position_claim_0, "slip_left": _slip_left_0, "spin_claim": _spin_claim_0, "time_claim": _time_claim_0, "uncertain": _uncertain_0, "velocity_claim": _velocity_claim_0, "vx": _vx_0, "vy": _vy_0, "vz": _vz_0, "wx": _wx_0, "wy": _wy_0, "wz": _wz_0, }

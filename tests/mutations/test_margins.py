@@ -14,12 +14,15 @@ from hoopgen.derive.errors import propagation
 from hoopgen.derive.events import bounding_boxes, plane_filter
 from hoopgen.derive.events.box import BoxRootFinder
 from hoopgen.derive.rolling import events, settling
+from hoopgen.derive.surfaces import Box
+from hoopgen.derive.surfaces.oblique_box import ObliqueBox
 
 pytest.importorskip("flint")
 
 from tests.derive.events import test_margins_of_filters as filters
 from tests.derive.events import test_near_plates, test_own_surfaces
 from tests.derive.rolling import test_margins_in_contact as contact
+from tests.derive.surfaces import test_boxes
 from tests.helpers.checked_faults import (
     OfFormulas,
     OfKernels,
@@ -32,6 +35,7 @@ from tests.helpers.mutants import in_text
 
 pytestmark = [pytest.mark.xdist_group("margin_mutations")]
 
+EACH_BOX = ((False,), (True,))
 EACH_KERNEL = (("beside_body",), ("beside_end_plane",))
 EACH_ERROR = (("position_error",), ("velocity_error",))
 
@@ -84,6 +88,20 @@ windows = OfFormulas(
 
 in_settling = partial(in_text, settling, "settling")
 in_surfaces = partial(in_text, events, "_other_surfaces")
+
+turned_within = OfFormulas(
+    test_boxes.test_within_a_distance_the_normal_of_a_box_turns_no_more_than_its_bound, EACH_BOX
+)
+turned_by_error = OfFormulas(
+    test_boxes.test_an_error_of_the_place_turns_the_normal_of_a_box_no_more_than_is_carried,
+    EACH_BOX,
+)
+turned_by_flight = OfFormulas(
+    test_boxes.test_a_flight_back_to_a_box_turns_the_normal_no_more_than_its_bound, EACH_BOX
+)
+face_normal = OfFormulas(
+    test_boxes.test_on_a_face_the_normal_of_a_box_is_an_axis_whatever_the_rounding_of_the_place
+)
 
 FAULTS = (
     # How the bounces end.
@@ -243,6 +261,32 @@ FAULTS = (
             "ball_radius * greatest(dw)",
         ),
         turned_normal,
+    ),
+    # The turn of a box's normal.
+    Planted(
+        "an error does not turn the normal of a box at an edge",
+        in_text(Box, "curvature", "1 / self.radius", "0 / self.radius"),
+        turned_by_error,
+    ),
+    Planted(
+        "an error beside the edge of a face does not reach over it",
+        in_text(propagation, "normal_error", "DECISION_FACTOR * shift", "0 * shift"),
+        turned_by_error,
+    ),
+    Planted(
+        "a ball is on the face of a box wherever its flight began",
+        in_text(propagation, "curving_along", "flight.path_lengths()", "[0, 0, 0]"),
+        turned_by_flight,
+    ),
+    Planted(
+        "a turned box's face goes as far as its largest projection",
+        in_text(ObliqueBox, "_shares", "absolute(entry)", "entry"),
+        turned_within,
+    ),
+    Planted(
+        "the normal of a face is as long as the ball's distance from it",
+        in_text(Box, "_length", "barrier(maximum(away, self.scaled_radius / 2))", "self.radius"),
+        face_normal,
     ),
 )
 

@@ -447,7 +447,7 @@ FAULTS = (
     ),
     Planted(
         "a box is touched from its centre",
-        in_text(Box, "normal", "barrier(1 / self.radius)", "barrier(-1 / self.radius)"),
+        in_text(Box, "normal", "e / self._length", "-e / self._length"),
         crate,
     ),
     Planted(
@@ -462,7 +462,7 @@ FAULTS = (
     ),
     Planted(
         "the normal of a turned box is not turned back",
-        in_text(ObliqueBox, "normal", "times(self.rotation, self.excess)", "self.excess"),
+        in_text(ObliqueBox, "normal", "times(self.rotation, directions)", "directions"),
         turned_crate,
     ),
     Planted(

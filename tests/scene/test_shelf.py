@@ -18,6 +18,7 @@ import hoopgen
 from hoopgen import Event
 from hoopgen.scene import Box, End, Parameter, Plane, Scene
 from hoopgen.simulation.engine import Engine
+from tests.helpers.effort import trials
 from tests.scene.test_example_scenes import numpy_engine
 
 pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("shelf")]
@@ -83,6 +84,25 @@ def within_claims(shots: hoopgen.Shots, time: float, state: Any) -> None:
     # Rolling begins half a picometre off at most; claims are 64 times that, and what it grows to.
     assert shots.time_error[0] < 2e-8
     assert np.all(shots.state_error[0] < [2e-8, 1e-7, 1e-6])
+
+
+def dropped(count: int) -> NDArray[np.float64]:
+    """Return balls that fall onto the shelf, with any spin."""
+    random = np.random.default_rng(8)
+    states = np.zeros((count, 9))
+    states[:, 0], states[:, 1] = random.uniform(-0.2, 0.3, count), random.uniform(-0.2, 0.2, count)
+    states[:, 2] = random.uniform(0.1, 0.4, count)
+    states[:, 3:5] = random.normal(0, 0.2, (count, 2))
+    states[:, 6:] = random.normal(0, 5, (count, 3))
+    return states
+
+
+def test_errors_hardly_grow_on_a_face(shelf: Engine) -> None:
+    """Balls bounce ever lower and roll; on a face no error of their place turns the normal."""
+    shots = shelf.simulate(dropped(trials(400, 100)), {}, fields=(*ALL, "rolls"), time_limit=3)
+    assert (shots.rolls > 0).mean() > 0.9
+    assert shots.uncertain.mean() < 0.25
+    assert np.all(np.median(shots.state_error, axis=0) < [5e-9, 5e-8, 5e-8])
 
 
 FALL = math.sqrt(2 * 1e-9 / GRAVITY)
