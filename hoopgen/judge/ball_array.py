@@ -120,11 +120,11 @@ class BallArray:
     # -------------------------------------------------------------------------------- decisions
 
     def positive(self) -> Bools:
-        """Return where all numbers of a ball are positive."""
+        """Return a mask of the balls whose numbers are all positive."""
         return np.asarray(self.middle > self.radius)
 
     def negative(self) -> Bools:
-        """Return where all numbers of a ball are negative."""
+        """Return a mask of the balls whose numbers are all negative."""
         return np.asarray(-self.middle > self.radius)
 
     def size(self) -> Floats:
@@ -170,7 +170,15 @@ def exact_integer(number: int) -> Floats:
 
 
 def where(condition: Bools, one: BallArray, other: BallArray) -> BallArray:
-    """Return balls of one array where a condition holds, of the other elsewhere."""
+    """Return balls of one array where a condition holds, of the other elsewhere.
+
+    Parameters
+    ----------
+    condition
+        (n,).
+    one, other
+        Balls, by shot or one for all shots.
+    """
     return BallArray(
         np.where(condition, one.middle, other.middle),
         np.where(condition, one.radius, other.radius),

@@ -82,6 +82,13 @@ def certify(
     touch or an exact edge is undecidable at any precision and reported as such. In a scene where
     balls roll, impacts are proved until bounces accumulate: no outcome is proved of such a shot.
 
+    Most shots of a batch of 128 or more are proved at once, with NumPy, on `HOOP` and other scenes
+    of rings and planes without air, slip and rolling, if `record` is false and the ball starts on
+    no body. Their `bits` are 106. Their final time is then known to 2^-55 of its size, and place,
+    velocity and spin to 2^-55 of their largest component, beside the rounding to the nearest
+    double; a component that is much smaller than the others may have fewer digits than a double.
+    All others are proved one by one, as in smaller batches, where each component has all digits.
+
     Parameters
     ----------
     states, parameters, scene, max_contacts
@@ -89,7 +96,8 @@ def certify(
     max_bits
         Where to give up; at least 128.
     record
-        Whether to keep every event's time and states with all digits.
+        Whether to keep every event's time and states with all digits. Then no shots are proved at
+        once.
     leaving, time_limit
         As in `simulate`.
     processes
@@ -170,7 +178,7 @@ def _write(
 def _mapped(
     task: Callable[[Any], Sequence[Proof | None]], chunks: Sequence[Any], workers: int
 ) -> list[Sequence[Proof | None]]:
-    """Return what a task makes of each chunk, in several processes if there are several chunks."""
+    """Return the results of a task by chunk, from several processes if there are several chunks."""
     workers = min(workers, len(chunks))
     if workers < 2:
         return [task(chunk) for chunk in chunks]

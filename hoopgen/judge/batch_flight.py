@@ -42,14 +42,14 @@ WIDTH = 4096
 MIN_SHOTS = 8
 """Fewer shots are not worth NumPy's calls."""
 
-LARGEST_ERROR = 2.0**-57
+LARGEST_ERROR = 2.0**-55
 """Errors of a place, in m, from which on a shot is left to others: its end cannot be known well
 enough."""
 
 
 @dataclass
 class Flown:
-    """What is proved of a batch of n shots.
+    """Proved results of a batch of n shots.
 
     Attributes
     ----------
@@ -87,7 +87,7 @@ def is_supported(formulas: Formulas) -> bool:
 def fly_batch(
     formulas: Formulas, states: Floats, parameters: Floats, max_contacts: int, time_limit: float
 ) -> Flown:
-    """Return what is proved of shots that do not begin on a body.
+    """Return the proved results of shots that do not begin on a body.
 
     Parameters
     ----------

@@ -14,12 +14,12 @@ from .formulas import formulas
 from .proof_task import ProofTask
 
 BITS = 106
-"""Those of a double-double number."""
+"""The bits of a double-double number."""
 
 MIN_BATCH = 128
 """Fewer shots are proved one by one; that takes less time."""
 
-KNOWN = 2.0**-57
+KNOWN = 2.0**-55
 """An error of the final time, place, velocity or spin, as a share of its size, above which a shot
 is proved anew with more bits."""
 
@@ -37,7 +37,7 @@ class BatchTask(ProofTask):
 
 
 def _well_known(flown: Flown) -> Bools:
-    """Return where the final times and states are known to more than a double's digits."""
+    """Return a mask of the shots whose final time and state are known better than by a double."""
     sizes = np.abs(flown.numbers)
     for k in (1, 4, 7):
         sizes[k : k + 3] = sizes[k : k + 3].max(axis=0)

@@ -44,7 +44,7 @@ from .model_array import ModelArray, exact_sum
 
 @dataclass(frozen=True)
 class _Candidates:
-    """What flights seem to meet first, and when.
+    """The surfaces that flights seem to meet first, and when.
 
     Attributes
     ----------
@@ -174,7 +174,7 @@ def _event_time(
 def holds(
     patches: Sequence[Function], state: Sequence[BallArray], values: list[BallArray], shots: int
 ) -> tuple[Bools, Bools]:
-    """Return where all bounds of a patch certainly hold, and where some of each do not.
+    """Return masks of the shots within all bounds of a patch, and of those out of every patch.
 
     Parameters
     ----------

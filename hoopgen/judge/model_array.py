@@ -56,7 +56,13 @@ _NONE = np.zeros(1)
 
 
 def exact_sum(a: Floats, b: Floats) -> tuple[Floats, Floats]:
-    """Return the rounded sum and its error (Knuth), exactly."""
+    """Return the rounded sum of two arrays of doubles and its error (Knuth), exactly.
+
+    Parameters
+    ----------
+    a, b
+        In any relation of their sizes.
+    """
     s = a + b
     c = s - a
     return s, (a - (s - c)) + (b - c)
@@ -136,7 +142,15 @@ class ModelArray:
         return np.asarray((self.spread + self.radius) * OUTWARDS)
 
     def put(self, rows: Rows, other: ModelArray) -> None:
-        """Write models in place of some."""
+        """Write models in place of some.
+
+        Parameters
+        ----------
+        rows
+            The places.
+        other
+            As many models, or one for all places.
+        """
         for own, more in zip(self.arrays(), other.arrays(), strict=True):
             own[rows] = more
         if self.slopes is None and other.slopes is not None:

@@ -1,4 +1,4 @@
-"""What is to be proved of shots: the same for all of a batch."""
+"""The part of a question to the judge that is the same for all shots of a batch."""
 
 from __future__ import annotations
 
