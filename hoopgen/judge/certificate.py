@@ -94,7 +94,8 @@ class Proof:
     outcome
         Its number among the scene's outcomes (`Outcome`), or `UNDECIDED`.
     bits
-        The precision at which every decision was proved; if undecided, the last one tried.
+        The precision at which every decision was proved, 106 for shots proved at once; if
+        undecided, the last one tried.
     question
         Why the proof ends before the shot does: what could not be decided, or that bounces
         accumulate and the ball rolls from there. Empty if every decision was proved.

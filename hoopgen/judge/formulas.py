@@ -8,12 +8,14 @@ from functools import cache
 
 import sympy as sp
 
+from hoopgen.derive.contact.no_slip import NoSlip
 from hoopgen.derive.rolling.settling import small_hop
 from hoopgen.derive.rolling.surface_kernels import allows_rolling
 from hoopgen.derive.scenes import HOOP
 from hoopgen.derive.scenes.scene import Scene
 from hoopgen.derive.scenes.validity import condition_scales, size_limits, without_assumptions
-from hoopgen.derive.surfaces import Box, EndPlane, Plane, Surface
+from hoopgen.derive.surfaces import Box, EndPlane, Plane, Ring, Surface
+from hoopgen.derive.symbolic.conditionals import release
 from hoopgen.derive.symbolic.symbols import (
     NORMAL,
     POSITION,
@@ -51,6 +53,8 @@ class SurfaceFormulas:
         Expressions that are all negative exactly when the ball overlaps it.
     distance
         Signed distance, as a list of one.
+    rate
+        Its derivative by the time along a path, as a list of one; None but for rings and planes.
     face, body
         The surface of the scene that it is, or is a part of, and the body that it belongs to.
     bounded
@@ -76,6 +80,7 @@ class SurfaceFormulas:
     normal: Function
     inside: Function
     distance: Function
+    rate: Function | None
     face: int
     body: int
     bounded: bool
@@ -102,6 +107,9 @@ class Formulas:
         How many of the surfaces can be touched, and how many bodies there are.
     open_ended
         True if the time limit ends every shot, also one that meets nothing any more.
+    without_slip
+        True if no ball slips at a contact, so that its motion after it is a polynomial in the
+        motion before it and the normal.
     outcomes
         The number of each outcome by name.
     order
@@ -129,6 +137,7 @@ class Formulas:
     faces: int
     bodies: int
     open_ended: bool
+    without_slip: bool
     outcomes: dict[str, int]
     order: tuple[int, ...]
     flight: Function | None
@@ -175,6 +184,7 @@ def _surface(surface: Surface, face: int, body: int, scene: Scene) -> SurfaceFor
         by_state(list(surface.normal)),
         by_state(surface.inside),
         by_state([surface.distance]),
+        by_state([_rate(surface.distance)]) if isinstance(surface, Plane | Ring) else None,
         face,
         body,
         bool(surface.bounds),
@@ -187,6 +197,12 @@ def _surface(surface: Surface, face: int, body: int, scene: Scene) -> SurfaceFor
         and face < len(scene.surfaces)
         and allows_rolling(scene.surfaces[face], scene.flight),
     )
+
+
+def _rate(distance: sp.Expr) -> sp.Expr:
+    """Return the derivative of a function of the place by the time."""
+    place = zip(POSITION, VELOCITY, strict=True)
+    return sp.Add(*(sp.diff(release(distance), at) * speed for at, speed in place))
 
 
 def _parabola(scene: Scene) -> Function | None:
@@ -232,6 +248,7 @@ def formulas(scene: Scene = HOOP) -> Formulas:
         len(touched),
         len(scene.bodies),
         scene.open_ended,
+        all(isinstance(body.law, NoSlip) for body in scene.bodies),
         scene.outcomes,
         tuple(sorted(range(len(surfaces)), key=lambda k: surfaces[k].axis < 0)),
         _parabola(scene),

@@ -1,11 +1,13 @@
-"""Proof in balls that a shot is valid: its parameters, its sizes and its start."""
+"""Proofs in balls that shots are valid: their parameters, their sizes and their start."""
 
 from __future__ import annotations
 
+import numpy as np
 from flint import arb
 
 from hoopgen.derive.symbolic.number_range import MAX_COEFFICIENT, MAX_SIZE
 
+from .ball_array import BallArray, Bools, Floats
 from .formulas import Formulas
 from .roots import Undecided, sign
 
@@ -61,3 +63,37 @@ def _overlaps(formulas: Formulas, face: int, state: list[arb], values: list[arb]
         name = next(surface.name for surface in formulas.surfaces if surface.face == face)
         raise Undecided(f"the ball starts on the edge of the {name}")
     return True
+
+
+def surely_valid(formulas: Formulas, states: Floats, parameters: Floats) -> Bools:
+    """Return which shots are certainly valid and begin on no body.
+
+    Parameters
+    ----------
+    formulas
+        The formulas of the scene.
+    states
+        The releases, exact, (n, 9).
+    parameters
+        The kernels' inputs, exact, (n, p). Those that may be zero must be positive here.
+    """
+    sure = (np.abs(states) <= float(MAX_SIZE)).all(axis=1)
+    state = [BallArray.exact(c) for c in np.ascontiguousarray(states.T)]
+    values = [BallArray.exact(c) for c in np.ascontiguousarray(parameters.T)]
+    limits = zip(
+        formulas.sizes, formulas.signs, formulas.lowers, formulas.uppers, values, strict=True
+    )
+    for (least, most), allowed, lower, upper, value in limits:
+        own = value.middle
+        sure &= (np.abs(own) >= least) & (np.abs(own) <= most)
+        sure &= (own > 0) | (allowed == "any")
+        sure &= own >= (-np.inf if lower is None else lower)
+        sure &= own <= (np.inf if upper is None else upper)
+    scale = BallArray.exact(np.array([1 / float(MAX_COEFFICIENT)]))
+    for size in formulas.scales(values):
+        sure &= (size - scale).positive()
+    for requirement in formulas.requirements(values):
+        sure &= requirement.positive()
+    for solid in formulas.solids:
+        sure &= np.any([part.positive() for part in solid(state, values)], axis=0)
+    return np.asarray(sure)
