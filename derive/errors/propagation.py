@@ -253,6 +253,13 @@ def curving_along(surface: Surface, flight: Flight) -> sp.Expr:
 
     The flight has the time t, and begins and ends on the surface. It is the curvature of the part
     of the surface that is within the flight's way along each axis.
+
+    Parameters
+    ----------
+    surface
+        The surface.
+    flight
+        The motion between contacts.
     """
     return surface.curvature_within(flight.path_lengths())
 
