@@ -44,12 +44,14 @@ from .air import (
     FIRST_SINGLE,
     ORDER,
     SINGLE_SERIES,
+    SKETCH_TERMS,
     TUBE,
     AirFlight,
     growth,
     piece_acceleration,
     piece_jerk,
     piece_place_error,
+    piece_rest,
     piece_speed,
     piece_speed_error,
     tail_lost,
@@ -58,7 +60,7 @@ from .air import (
 )
 from .air import piece as piece_length
 
-TOLERANCE = sp.Rational(1, 2**50)
+TOLERANCE = sp.Rational(1, 2**47)
 """m/s: a piece is so long that about this much of the velocity is left out."""
 
 MAX_RADIUS = sp.Integer(3)
@@ -291,4 +293,5 @@ def piece(flight: AirFlight) -> dict[str, sp.Expr]:
         piece_speed.name: barrier(ROUNDING_SLACK * sums_a[0] + TUBE),
         piece_acceleration.name: barrier(ROUNDING_SLACK * barrier(first + beside)),
         piece_jerk.name: barrier(ROUNDING_SLACK * second),
+        piece_rest.name: barrier(ROUNDING_SLACK * sums_a[SKETCH_TERMS]),
     }
