@@ -90,8 +90,8 @@ OVERLAP = sp.Rational(1, 2**10)
 SQUARE_ROUNDINGS = 8
 """At most so many roundings of σ_k² besides those of its sum: at k = 0 three of v·v, one of v_s²,
 one of the sum and two of the root; later three of a product of vectors, one of a product, one of
-the difference and one of the quotient. In single precision there are three at most of numbers that
-are taken from double precision, and none of v_s."""
+the difference, one of 1/σ_0 and one of the product with it. In single precision three at most are
+of numbers that are taken from double precision: the factors of a product, and 1/σ_0."""
 
 DRAG_ROUNDINGS = 12
 """At most so many roundings of k_d σ v besides those of its sum: seven of k_d, one of a product in
