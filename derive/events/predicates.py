@@ -53,6 +53,13 @@ searching, representable, fits, single_precision = map(
     Boolean, ("searching", "representable", "fits", "single_precision")
 )
 
+misses, open_ = Boolean("misses"), Boolean("open")
+"""True of a flight that certainly misses a surface, or comes near it."""
+landed, lands = sp.symbols("landed lands", real=True)
+"""1 if a sketch of the path certainly meets a surface, in single and in double precision."""
+onset = sp.Symbol("onset", real=True)
+"""Time up to which a sketch of the path proves that there is no contact, s."""
+
 sunk = Boolean("sunk")
 """True of a ball that flies through air and can never meet anything again."""
 
@@ -164,6 +171,25 @@ KERNELS = {
             "opens",
             {"open": Not(Less(0, clear))},
             "Whether the flight may hit a surface.",
+        ),
+        decision(
+            "unsketched",
+            {"unsettled": open_, "onset": 0, "lands": 0},
+            "Whether a flight comes near a surface, and the begin of a search.",
+        ),
+        decision(
+            "sketched",
+            {"unsettled": Not(misses), "onset": t, "lands": landed},
+            "Whether a search along a sketch of the path leaves something, and from when on.",
+        ),
+        decision(
+            "landing",
+            {
+                "arrival": Choose(Less(0, lands), onset, arrival),
+                "certain": Or(certain, Less(0, lands)),
+                "searching": all_of(searching, AtMost(lands, 0)),
+            },
+            "Root from a search along a sketch of the path, and whether the search goes on.",
         ),
         decision(
             "beginning",

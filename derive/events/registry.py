@@ -27,6 +27,7 @@ from .oblique_box import AirObliqueBoxRootFinder, ObliqueBoxRootFinder
 from .plane import PlaneSearch
 from .polynomial import PolynomialRootFinder
 from .ring.air import AirRingRootFinder
+from .ring.air_sketch import AirRingSketch
 from .ring.double import RingRootFinder
 from .ring.single import SinglePrecisionRing
 from .root_finder import RootFinder
@@ -61,7 +62,8 @@ def _in_air(surface: Surface, flight: AirFlight) -> Search:
     if isinstance(surface, Plane):
         return PlaneRootSearch(surface, flight, AirRootFinder(flight, surface, two_sided=True))
     if isinstance(surface, Ring):
-        return RootSearch(surface, flight, AirRingRootFinder(flight, surface))
+        sketch = AirRingSketch.of(flight, surface)
+        return RootSearch(surface, flight, AirRingRootFinder(flight, surface), sketch=sketch)
     if isinstance(surface, ObliqueBox):
         return RootSearch(surface, flight, AirObliqueBoxRootFinder(flight, surface))
     if isinstance(surface, Box):

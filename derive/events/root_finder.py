@@ -174,7 +174,7 @@ class RootFinder(ABC):
         gap, rate, bend = self._searched(), self.rate, self.bend
         if turned:
             gap, rate, bend = barrier(side * gap), barrier(side * rate), barrier(side * bend)
-        low_gap = barrier(maximum(barrier(gap - self.allowed), 0))
+        low_gap = self._low_gap(gap)
         slope = barrier(barrier(rate, "" if turned else "F'") - self.rate_allowed)
         numerator = IfLess(slope, 0, 2 * self.beyond(low_gap), 4 * slope)
         denominator = IfLess(slope, 0, -slope, _positive(barrier(-bend)))
@@ -204,6 +204,10 @@ class RootFinder(ABC):
             **({"root": t - gap / rate} if turned else {}),
             "clearance": IfLess(0, least_fall, enough, least_fall),
         }
+
+    def _low_gap(self, gap: sp.Expr) -> sp.Expr:
+        """Return a bound below F."""
+        return barrier(maximum(barrier(gap - self.allowed), 0))
 
     def narrowed(self, width: sp.Expr) -> sp.Expr:
         """Return the window on which the curvature is bounded, or the part where that is known."""

@@ -13,7 +13,9 @@ from ..ir.kernel import Kernel, decision
 from ..symbolic.conditionals import Not, false
 from ..symbolic.symbols import variable
 from .box_windows import enter, opening
-from .predicates import KERNELS, side
+from .predicates import KERNELS, landed, side
+from .ring.air_sketch import MAX_STEPS as MAX_SKETCH_STEPS
+from .ring.air_sketch import AirRingSketch, sketch_size
 from .ring.single import MAX_STEPS, SinglePrecisionRing
 from .root_finder import RootFinder
 from .search import Formula, Parts, Search, bounded, edges, given, proposed
@@ -37,10 +39,13 @@ class RootSearch(Search):
         The properties of the surface along the flight.
     coarse
         The same in single precision, if that serves.
+    sketch
+        The same along a sketch of the path, if there is one.
     """
 
     root_finder: RootFinder
     coarse: SinglePrecisionRing | None = None
+    sketch: AirRingSketch | None = None
 
     @property
     def passes(self) -> bool:
@@ -52,7 +57,8 @@ class RootSearch(Search):
         """Quantities that are constant along the flight, and the state of the search."""
         if self.passes:
             return (*self.root_finder.symbols, side)
-        return (*self.root_finder.symbols, *(self.coarse.passed if self.coarse else ()))
+        sketched = () if self.sketch is None else (sketch_size, landed)
+        return (*self.root_finder.symbols, *(self.coarse.passed if self.coarse else ()), *sketched)
 
     @property
     def formulas(self) -> dict[str, Formula]:
@@ -87,6 +93,7 @@ class RootSearch(Search):
                 "Newton from the left under a curvature bound",
             ),
             **({} if self.coarse is None else _coarse(self.coarse)),
+            **({} if self.sketch is None else _sketch(self.sketch)),
         }
 
     @property
@@ -116,7 +123,7 @@ class RootSearch(Search):
     @property
     def single(self) -> frozenset[str]:
         """The parts of the search that are computed in single precision."""
-        return frozenset({"opened", "resolution", "step"})
+        return frozenset({"opened", "resolution", "step", "sketched", "sketch"})
 
     @property
     def decisions(self) -> dict[str, Kernel]:
@@ -159,10 +166,12 @@ class RootSearch(Search):
             Call(KERNELS["predicate_undecided"], {"undecided": "searching", "time": "t"}),
         )
         if self.coarse is None:
-            first = Call(own["enter"], {"after": 0.0, "t": 0.0, "end": 0.0})
+            onset: Value = 0.0 if self.sketch is None else "onset"
+            first = Call(own["enter"], {"after": onset, "t": 0.0, "end": 0.0})
             begun = (prepared, Call(KERNELS["beginning"]), *allowing, Call(KERNELS["outside"]))
             if "clear" in own:
-                begun = (*begun, Call(KERNELS["out_of_budget"]), first)
+                landing = () if self.sketch is None else (Call(KERNELS["landing"]),)
+                begun = (*begun, Call(KERNELS["out_of_budget"]), first, *landing)
             else:
                 # Most searches end with the first step, so lanes are not compacted for it.
                 begun = (
@@ -187,7 +196,12 @@ class RootSearch(Search):
             cleared = replace(cleared, shortcut=(Call(KERNELS["missed"]), dropped))
         yield cleared
         yield Call(common.get("opens_in_flight", KERNELS["opens"]))
-        yield If("open", searched)
+        if self.sketch is None:
+            yield If("open", searched)
+            return
+        yield Call(KERNELS["unsketched"])
+        yield If("open", tuple(_sketched(own, index)))
+        yield If("unsettled", searched)
 
     def counted(self, common: Parts, own: Parts) -> Iterator[Node]:
         """Test whether a root that the ball may pass counts.
@@ -268,6 +282,35 @@ def _coarse(coarse: SinglePrecisionRing) -> dict[str, Formula]:
             _BOUNDS,
         ),
     }
+
+
+def _sketch(sketch: AirRingSketch) -> dict[str, Formula]:
+    """Return the kernels of the search along a sketch of the path."""
+    return {
+        "sketched": (
+            sketch.begin(),
+            "Begin of the search along a sketch of the path, and whether there is one.",
+            _BOUNDS,
+        ),
+        "sketch": (
+            sketch.step(),
+            "Time of that search after a step, whether it goes on, and whether there is no root.",
+            "Newton from the left under a curvature bound",
+        ),
+    }
+
+
+def _sketched(own: Parts, index: Value) -> Iterator[Node]:
+    """Search along the sketch of the path as far as there can be no root."""
+    yield Call(KERNELS["left"], {"index": index})
+    begin = given(own["sketched"], horizon="until")
+    short = {name: f"short_{name}" for name in ("x", "y", "z", "end")}
+    yield Call(begin.kernel, begin.inputs, {**short, "t": "short_t"})
+    step = Call(own["sketch"], short | {"t": "short_t"}, {"t": "short_t"})
+    # Most searches take more than one step, so lanes are not compacted for the first.
+    yield If("sketching", (step,), usual=True)
+    yield While("sketching", MAX_SKETCH_STEPS, (step,))
+    yield Call(KERNELS["sketched"], {"t": "short_t"})
 
 
 def _leaping(common: Parts, own: Parts, index: Value) -> Iterator[Node]:

@@ -19,7 +19,7 @@ from ..contact.law import Law
 from ..errors import derivative
 from ..events.search import Formula
 from ..ir.kernel import Kernel, kernel
-from ..motion.air import ORDER, AirFlight
+from ..motion.air import ORDER, PLAIN_SERIES, AirFlight
 from ..scenes.scene import Scene
 from ..surfaces import EndPlane, Surface
 from ..symbolic.conditionals import barrier
@@ -87,7 +87,10 @@ def piece_variations(scene: Scene, order: tuple[sp.Symbol, ...]) -> tuple[Kernel
     terms = "Variations of the coefficients of order {} of a piece's series."
     return (
         varied("air_rates", flight.rates(), rates),
-        *(varied(f"air_order_{k}", flight.order(k), terms.format(k)) for k in range(ORDER + 1)),
+        *(
+            varied(f"air_order_{k}", flight.order(k, PLAIN_SERIES), terms.format(k))
+            for k in range(ORDER + 1)
+        ),
     )
 
 

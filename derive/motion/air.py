@@ -50,6 +50,9 @@ FIRST_SINGLE = 9
 """The first order of which the coefficients of σ, and the next of the velocity, are computed in
 single precision."""
 
+SKETCH_TERMS = 5
+"""Number of the terms of the velocity in a sketch of the path."""
+
 TUBE = sp.Rational(1, 2**10)
 """Largest error of the velocity for which the bound is proved, m/s."""
 
@@ -84,6 +87,8 @@ the second derivative of the velocity's series."""
 
 AIRSPEEDS = sp.symbols(f"airspeed_0:{ORDER + 1}", real=True)
 """σ_0 to σ_P."""
+inverse_airspeed = sp.Symbol("inverse_airspeed", nonnegative=True)
+"""1/σ_0, s/m."""
 VELOCITIES = (
     velocity,
     *(
@@ -103,7 +108,7 @@ SHORT: dict[sp.Symbol, sp.Symbol] = {
     symbol: sp.Symbol(f"short_{symbol.name}", real=True)
     for symbol in (
         *(v for vector in VELOCITIES[: FIRST_SINGLE + 1] for v in vector),
-        *(*AIRSPEEDS[:FIRST_SINGLE], drag_rate, *magnus_rate),
+        *(*AIRSPEEDS[:FIRST_SINGLE], inverse_airspeed, drag_rate, *magnus_rate),
     )
 }
 """By the other coefficients and the rates, the symbols of these in single precision."""
@@ -116,25 +121,34 @@ class Series(NamedTuple):
     airspeeds: tuple[sp.Symbol, ...]
     drag_rate: sp.Symbol
     magnus_rate: sp.Matrix
+    inverse: sp.Expr
+    """1/σ_0."""
 
 
-DOUBLE_SERIES = Series(VELOCITIES, AIRSPEEDS, drag_rate, magnus_rate)
+DOUBLE_SERIES = Series(VELOCITIES, AIRSPEEDS, drag_rate, magnus_rate, inverse_airspeed)
 """Coefficients and rates as they are computed."""
+
+PLAIN_SERIES = DOUBLE_SERIES._replace(inverse=1 / AIRSPEEDS[0])
+"""The same, and 1/σ_0 as a function of σ_0."""
 
 SINGLE_SERIES = Series(
     tuple(vector.applyfunc(lambda s: SHORT.get(s, s)) for vector in VELOCITIES),
     tuple(SHORT.get(s, s) for s in AIRSPEEDS),
     SHORT[drag_rate],
     magnus_rate.applyfunc(lambda s: SHORT[s]),
+    SHORT[inverse_airspeed],
 )
 """All of them in single precision."""
 
 tail_lost = sp.Symbol("tail_lost", nonnegative=True)
 """Infinite if a coefficient does not fit into single precision, else zero."""
 
+piece_rest = sp.Symbol("piece_rest", nonnegative=True)
+"""Bound on the size of all terms of the velocity from the order `SKETCH_TERMS` on, m/s."""
+
 BOUNDS = (
     *(piece, growth, piece_place_error, piece_speed_error, unproved),
-    *(piece_speed, piece_acceleration, piece_jerk),
+    *(piece_speed, piece_acceleration, piece_jerk, piece_rest),
 )
 """The length of a piece, and bounds within it."""
 
@@ -205,6 +219,19 @@ def total(terms: Sequence[sp.Expr]) -> sp.Expr:
     return barrier(sp.Add(*terms))
 
 
+def latest_last(known: Sequence[sp.Expr], latest: sp.Expr) -> sp.Expr:
+    """Return the sum of terms of which one is known later than the others, and is added last.
+
+    Parameters
+    ----------
+    known
+        The others.
+    latest
+        The term that is known last.
+    """
+    return barrier(total(known) + latest) if known else latest
+
+
 @dataclass(frozen=True)
 class AirFlight(Flight):
     """The flight through air, in pieces that each have a series of their own.
@@ -229,12 +256,17 @@ class AirFlight(Flight):
     def symbols(self) -> tuple[sp.Symbol, ...]:
         """The coefficients of a piece, its length and bounds, and the rates of the forces."""
         series, rates = self.coefficients[: -len(_RATES)], self.coefficients[-len(_RATES) :]
-        return (*series, *BOUNDS, *rates, *SHORT.values(), tail_lost)
+        return (*series, inverse_airspeed, *BOUNDS, *rates, *SHORT.values(), tail_lost)
 
     @property
     def coefficients(self) -> tuple[sp.Symbol, ...]:
         """The coefficients of a piece's series, and the rates of the forces."""
         return (*(v for vector in VELOCITIES[1:] for v in vector), *AIRSPEEDS, *_RATES)
+
+    @property
+    def velocities(self) -> tuple[sp.Matrix, ...]:
+        """The coefficients of the velocity, by order."""
+        return VELOCITIES
 
     @property
     def fall(self) -> sp.Matrix:
@@ -245,7 +277,7 @@ class AirFlight(Flight):
     @property
     def path(self) -> dict[sp.Symbol, Coefficients]:
         """The Taylor polynomials of position, of degree P + 1."""
-        rows = ([v[axis] for v in VELOCITIES] for axis in range(3))
+        rows = ([v[axis] for v in self.velocities] for axis in range(3))
         return {
             place: [place, *(v / (k + 1) for k, v in enumerate(row))]
             for place, row in zip(POSITION, rows, strict=True)
@@ -300,12 +332,12 @@ class AirFlight(Flight):
         """Return position and velocity on the series, `time` after the state, in Horner form."""
         means = self.mean_velocity(time)
         places = [start + barrier(time * mean) for start, mean in zip(POSITION, means, strict=True)]
-        rows = ([v[axis] for v in VELOCITIES] for axis in range(3))
+        rows = ([v[axis] for v in self.velocities] for axis in range(3))
         return sp.Matrix(places), sp.Matrix([horner(row, time) for row in rows])
 
     def mean_velocity(self, time: sp.Expr = t) -> list[sp.Expr]:
         """Return the displacement over the time."""
-        rows = ([v[axis] / (k + 1) for k, v in enumerate(VELOCITIES)] for axis in range(3))
+        rows = ([v[axis] / (k + 1) for k, v in enumerate(self.velocities)] for axis in range(3))
         names = (rf"\bar v_{axis}" for axis in "xyz")
         return [barrier(horner(row, time), name) for row, name in zip(rows, names, strict=True)]
 
@@ -319,7 +351,7 @@ class AirFlight(Flight):
         terms
             Number of terms from the lowest order on; None for all.
         """
-        rows = (derivative([v[axis] for v in VELOCITIES])[:terms] for axis in range(3))
+        rows = (derivative([v[axis] for v in self.velocities])[:terms] for axis in range(3))
         names = (rf"\ddot {axis}_t" for axis in "xyz")
         return [barrier(horner(row, time), name) for row, name in zip(rows, names, strict=True)]
 
@@ -435,16 +467,14 @@ class AirFlight(Flight):
         of
             The symbols of the orders before, and of the rates.
         """
-        square = self._convolved(k, of.velocities)
         if k == 0:
+            square = total([barrier(of.velocities[0].dot(of.velocities[0]))])
             size = barrier(sp.sqrt(barrier(square + self.smoothing)))
         else:
-            sizes = of.airspeeds
-            inner = [barrier(2 * sizes[i] * sizes[k - i]) for i in range(1, (k + 1) // 2)]
-            middle = [barrier(sizes[k // 2] ** 2)] if k % 2 == 0 else []
-            rest = barrier(square - total([*inner, *middle])) if inner or middle else square
-            size = barrier(rest / barrier(2 * sizes[0]))
+            size = barrier(self._half_square(k, of) * of.inverse)
         outputs = {AIRSPEEDS[k].name: size}
+        if k == 0:
+            outputs[inverse_airspeed.name] = barrier(1 / size)
         if k < ORDER:
             found = self._next(k, [*of.airspeeds[:k], size], of)
             outputs |= dict(zip(map(str, VELOCITIES[k + 1]), found, strict=True))
@@ -461,18 +491,25 @@ class AirFlight(Flight):
         return kept | {tail_lost.name: Choose(fits, 0, sp.oo)}
 
     @staticmethod
-    def _convolved(k: int, of: Sequence[sp.Matrix]) -> sp.Expr:
-        """Return the k-th coefficient of v·v; of equal products it computes one."""
-        pairs = [barrier(2 * barrier(of[i].dot(of[k - i]))) for i in range((k + 1) // 2)]
-        middle = [barrier(of[k // 2].dot(of[k // 2]))] if k % 2 == 0 else []
-        return total([*pairs, *middle])
+    def _half_square(k: int, of: Series) -> sp.Expr:
+        """Return half of q_k less Σ' σ_i σ_{k-i}; of equal products it computes one."""
+        dots = [barrier(of.velocities[i].dot(of.velocities[k - i])) for i in range((k + 1) // 2)]
+        inner = [barrier(of.airspeeds[i] * of.airspeeds[k - i]) for i in range(1, (k + 1) // 2)]
+        middle = of.velocities[k // 2], of.airspeeds[k // 2]
+        if k % 2:
+            square = latest_last(dots[1:], dots[0])
+        else:
+            square = latest_last([*dots[1:], barrier(middle[0].dot(middle[0])) / 2], dots[0])
+            inner.append(barrier(middle[1] ** 2) / 2)
+        return barrier(square - latest_last(inner[1:], inner[0])) if inner else square
 
     def _next(self, k: int, sizes: Sequence[sp.Expr], of: Series) -> list[sp.Expr]:
         """Return V_{k+1}."""
         turned = of.magnus_rate.cross(of.velocities[k])
         found = []
         for axis in range(3):
-            braked = total([barrier(sizes[i] * of.velocities[k - i][axis]) for i in range(k + 1)])
+            terms = [barrier(sizes[i] * of.velocities[k - i][axis]) for i in range(k + 1)]
+            braked = latest_last(terms[:k], terms[k])
             force = barrier(barrier(turned[axis]) - barrier(of.drag_rate * braked))
             if k == 0 and self.fall[axis] != 0:
                 force = barrier(force + self.fall[axis])
@@ -482,3 +519,13 @@ class AirFlight(Flight):
     def excess(self) -> sp.Expr:
         """Return by how much errors of the velocity exceed those for which growth is proved."""
         return barrier(barrier(growth * velocity_error + piece_speed_error) - TUBE) + unproved
+
+
+@dataclass(frozen=True)
+class AirSketch(AirFlight):
+    """The flight through air by the first terms of a piece's series, in single precision."""
+
+    @property
+    def velocities(self) -> tuple[sp.Matrix, ...]:
+        """The first coefficients of the velocity, by order."""
+        return SINGLE_SERIES.velocities[:SKETCH_TERMS]

@@ -44,12 +44,14 @@ from .air import (
     FIRST_SINGLE,
     ORDER,
     SINGLE_SERIES,
+    SKETCH_TERMS,
     TUBE,
     AirFlight,
     growth,
     piece_acceleration,
     piece_jerk,
     piece_place_error,
+    piece_rest,
     piece_speed,
     piece_speed_error,
     tail_lost,
@@ -58,7 +60,7 @@ from .air import (
 )
 from .air import piece as piece_length
 
-TOLERANCE = sp.Rational(1, 2**50)
+TOLERANCE = sp.Rational(1, 2**47)
 """m/s: a piece is so long that about this much of the velocity is left out."""
 
 MAX_RADIUS = sp.Integer(3)
@@ -88,8 +90,8 @@ OVERLAP = sp.Rational(1, 2**10)
 SQUARE_ROUNDINGS = 8
 """At most so many roundings of σ_k² besides those of its sum: at k = 0 three of v·v, one of v_s²,
 one of the sum and two of the root; later three of a product of vectors, one of a product, one of
-the difference and one of the quotient. In single precision there are three at most of numbers that
-are taken from double precision, and none of v_s."""
+the difference, one of 1/σ_0 and one of the product with it. In single precision three at most are
+of numbers that are taken from double precision: the factors of a product, and 1/σ_0."""
 
 DRAG_ROUNDINGS = 12
 """At most so many roundings of k_d σ v besides those of its sum: seven of k_d, one of a product in
@@ -291,4 +293,5 @@ def piece(flight: AirFlight) -> dict[str, sp.Expr]:
         piece_speed.name: barrier(ROUNDING_SLACK * sums_a[0] + TUBE),
         piece_acceleration.name: barrier(ROUNDING_SLACK * barrier(first + beside)),
         piece_jerk.name: barrier(ROUNDING_SLACK * second),
+        piece_rest.name: barrier(ROUNDING_SLACK * sums_a[SKETCH_TERMS]),
     }

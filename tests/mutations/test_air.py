@@ -9,10 +9,11 @@ import pytest
 from hoopgen.derive import model
 from hoopgen.derive.events.air import AirRootFinder
 from hoopgen.derive.events.ring.air import AirRingRootFinder
+from hoopgen.derive.events.ring.air_sketch import AirRingSketch
 from hoopgen.derive.kernels import scene
 from hoopgen.derive.motion import air_piece
 
-from tests.derive.events import test_ring_in_air
+from tests.derive.events import test_ring_in_air, test_ring_sketch_in_air
 from tests.derive.motion import test_air
 from tests.helpers.mutants import Patch, in_text
 
@@ -75,7 +76,7 @@ FAULTS: dict[str, tuple[Patch, Callable[[], None]]] = {
         test_ring_in_air.test_the_curvature_bounds_how_much_the_gap_bends_down_and_is_near_to_that,
     ),
     "the ring's gap bends up no more than at the start of a window": (
-        in_text(AirRingRootFinder, "steepest", "+ self._quickened(width)", ""),
+        in_text(AirRingRootFinder, "_largest", "+ self._quickened(width)", ""),
         test_ring_in_air.test_the_largest_bend_of_a_window_is_bounded_and_the_bound_is_not_the_ceiling,
     ),
     "the ring's bend counts on half of the way to Newton's root": (
@@ -84,6 +85,26 @@ FAULTS: dict[str, tuple[Patch, Callable[[], None]]] = {
         ),
         test_ring_in_air.test_on_a_window_shorter_than_twice_newton_s_step_the_ceiling_counts,
     ),
+    "a sketch's gap is as exact as its last digit": (
+        in_text(AirRingSketch, "allowed", "2**14", "2**24"),
+        test_ring_sketch_in_air.test_gap_and_rate_of_a_sketch_are_within_their_margins_which_are_not_useless,
+    ),
+    "the rate of a sketch's gap is as exact as its last digit": (
+        in_text(AirRingSketch, "rate_allowed", "2**13", "2**26"),
+        test_ring_sketch_in_air.test_gap_and_rate_of_a_sketch_are_within_their_margins_which_are_not_useless,
+    ),
+    "a sketch may leave out much of the velocity": (
+        in_text(AirRingSketch, "begin", "2**18", "2**6"),
+        test_ring_sketch_in_air.test_a_sketch_serves_no_piece_of_which_it_leaves_out_too_much,
+    ),
+    "along a sketch every gap that closes has a root": (
+        in_text(AirRingSketch, "headroom", "2 * barrier(low_gap", "0 * barrier(low_gap"),
+        test_ring_sketch_in_air.test_a_sketch_proves_only_misses_and_contacts_that_the_series_has,
+    ),
+    "a ball on the ring that leaves it has no gap that bends down": (
+        in_text(AirRingRootFinder, "curvature", "barrier(turned) + ", "0 * barrier(turned) + "),
+        test_ring_sketch_in_air.test_a_sketch_proves_of_balls_that_leave_the_ring_only_what_is_true,
+    ),
 }
 """Faults by name, each with the test that must notice it."""
 
@@ -91,7 +112,10 @@ FAULTS: dict[str, tuple[Patch, Callable[[], None]]] = {
 @pytest.fixture(autouse=True)
 def _derived_anew() -> Iterator[None]:
     """Derive the kernels with the fault, and after it without."""
-    cached = (test_air.programs, test_air.program_of, test_air.least_rate)
+    cached = (
+        *(test_air.programs, test_air.program_of, test_air.least_rate),
+        test_ring_sketch_in_air.programs,
+    )
     for one in cached:
         one.cache_clear()
     yield

@@ -27,6 +27,7 @@ it may be less, the ball is as far from the ring as it is, and flies there no fa
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import ClassVar
 
 import sympy as sp
 
@@ -65,6 +66,7 @@ class AirRingRootFinder(RootFinder):
 
     flight: AirFlight
     ring: Ring
+    off: ClassVar[sp.Expr] = OFF
 
     @property
     def constants(self) -> dict[str, sp.Expr]:
@@ -158,12 +160,16 @@ class AirRingRootFinder(RootFinder):
 
     def _off(self) -> sp.Expr:
         """Return B, by which places are off at most."""
-        return barrier(OFF * barrier(extent + end * piece_speed))
+        return barrier(self.off * self._size())
+
+    def _size(self) -> sp.Expr:
+        """Return |x| + V T."""
+        return barrier(extent + end * piece_speed)
 
     def _inward(self) -> sp.Expr:
         """Return a bound on the size of a negative rho', without that by the acceleration."""
         *_, outward = self._now()
-        return barrier(maximum(0, -outward) + OFF * piece_speed)
+        return barrier(maximum(0, -outward) + self.off * piece_speed)
 
     def least_distance(self, width: sp.Expr) -> sp.Expr:
         """Return a bound below rho within the width."""
@@ -198,7 +204,7 @@ class AirRingRootFinder(RootFinder):
 
     def _quickened(self, width: sp.Expr) -> sp.Expr:
         """Return a bound on the change of v² within the width, and on what it is off by."""
-        gained = barrier(2 * barrier(piece_acceleration * width) + OFF * piece_speed)
+        gained = barrier(2 * barrier(piece_acceleration * width) + self.off * piece_speed)
         return barrier(gained * piece_speed)
 
     def moment(self, width: sp.Expr) -> sp.Expr:
@@ -238,20 +244,27 @@ class AirRingRootFinder(RootFinder):
         F itself is at most F - m + 2 m. On a shorter window the ceiling counts, where it is known
         to hold; else a number that proves nothing.
         """
+        within = Less(barrier(reach + 3 * margin), barrier(width * fall))
+        found = Choose(within, self._largest(width, curvature), ceiling)
+        return barrier(IfLess(self._nearest, self.least_distance(width), found, STEEP))
+
+    def _largest(self, width: sp.Expr, curvature: sp.Expr) -> sp.Expr:
+        """Return a bound on |F''| within the width, given M there."""
         fastest = barrier(self._square() + self._quickened(width))
         upper = barrier(2 * ROUNDING_SLACK * barrier(fastest + self._pulled(width)))
-        within = Less(barrier(reach + 3 * margin), barrier(width * fall))
-        found = Choose(within, maximum(curvature, upper), ceiling)
-        return barrier(IfLess(self._nearest, self.least_distance(width), found, STEEP))
+        return maximum(curvature, upper)
 
     def lengthened(self, stride: sp.Expr) -> sp.Expr:
         """Return the time in which the ball comes no nearer than to the ring, if that is longer."""
-        away = barrier(self._distance_from_wire() - self.ring.reach)
-        sure = barrier(away - margin * barrier(1 / self.ring.reach))
-        time = barrier(barrier(sure * (1 - sp.Rational(1, 2**10))) * barrier(1 / piece_speed))
-        longer = barrier(minimum(barrier(end - t), IfLess(0, leaving, 0, time)))
+        longer = barrier(minimum(barrier(end - t), IfLess(0, leaving, 0, self._approach())))
         stride = barrier(maximum(stride, longer))
         return barrier(maximum(stride, self._opening())) if self.flight.departs else stride
+
+    def _approach(self) -> sp.Expr:
+        """Return the least time in which the ball comes to the ring."""
+        away = barrier(self._distance_from_wire() - self.ring.reach)
+        sure = barrier(away - self.allowed * barrier(1 / self.ring.reach))
+        return barrier(barrier(sure * (1 - sp.Rational(1, 2**10))) * barrier(1 / piece_speed))
 
     def _opening(self) -> sp.Expr:
         """Return a time in which the gap of a ball that has rolled certainly opens.

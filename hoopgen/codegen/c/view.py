@@ -216,9 +216,7 @@ def loop_view(
     admit = admitting.passes(stages["start"][0], fresh, fields, _permission(bool(measuring)))
     (reach, _), (meet, _) = stages["detect"], stages["resolve"]
     following = CompactedLoop(**common, used=admitting.used, once=admitting.once)
-    begun = Infix("+", Name("begun"), Name("i"))
-    ahead = Apply(function(f"{lowered.prefix}_ahead"), (Name("job"), begun, Name("streams")))
-    following.beside = [Execute(ahead)]
+    following.beside = [_ahead(lowered)]
     record = _record(len(reach), loop)
     follow = following.passes((*reach, *meet), GroupContext("", dict(loop.kinds)), fields, record)
     beside: dict[str, Kind] = {"body": "double", **admitting.columns, **following.columns}
@@ -247,6 +245,18 @@ def loop_view(
         [p for p in {**admitting.parameter_lists, **following.parameter_lists} if p],
         [*admitting.functions, *following.functions],
     )
+
+
+def _ahead(lowered: LoweredScene) -> Statement:
+    """Return the prefetch of the shots to come, for the row of lanes at hand.
+
+    Where a shot has many pieces few rows are new in a turn, and only these prefetch.
+    """
+    pieces = not lowered.model.scene.flight.exact
+    row = Infix("-", Name("i"), Name("fresh")) if pieces else Name("i")
+    given = (Name("job"), Infix("+", Name("begun"), row), Name("streams"))
+    ahead = Execute(Apply(function(f"{lowered.prefix}_ahead"), given))
+    return If(Infix("<=", Name("fresh"), Name("i")), (ahead,)) if pieces else ahead
 
 
 def _permission(measured: bool) -> Insertion:

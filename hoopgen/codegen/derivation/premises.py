@@ -181,6 +181,11 @@ PREMISES: dict[str, Premise] = {
         "second derivative of the ring's gap along a piece",
         _kernels("air_ring.advance air_ring.margins"),
     ),
+    "piece_sketch": Premise(
+        CHOICE,
+        "the ring's search along a sketch of a piece",
+        _kernels("*.sketch* common.unsketched common.landing"),
+    ),
     # The first event
     "within": Premise(
         LEMMA,

@@ -44,6 +44,9 @@ _OPERATIONS: dict[str, Callable[..., Any]] = {
     "less": lambda a, b: a < b,
     "at_most": lambda a, b: a <= b,
     "both": lambda a, b: a and b,
+    "either": lambda a, b: a or b,
+    "not": lambda a: not a,
+    "nowhere": lambda: False,
     "select": lambda truth, a, b: a if truth else b,
 }
 
