@@ -95,7 +95,10 @@ def departure_kernels(
         barrier(sp.sqrt(barrier(push / (bends * longest)))),
     )
     opens_late = all_of(Less(0, gap_jerk), Not(falls_off)) if edges else Less(0, gap_jerk)
-    away = barrier(Choose(opens_late, opening, thrown_off))
+    # A body that takes a ball over may throw it off with a third derivative of roundings alone:
+    # both bounds hold, and the longer one counts.
+    late = maximum(opening, thrown_off) if edges else opening
+    away = barrier(Choose(opens_late, late, thrown_off))
     hop = barrier(minimum(longest, away, barrier(free_time / 4)))
     if not flight.exact:
         hop = barrier(minimum(hop, flight.span))
