@@ -7,9 +7,10 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from ..symbolic.conditionals import absolute, barrier
-from ..symbolic.symbols import POSITION
-from .box import Box
+from ..symbolic.conditionals import And, Choose, Less, Or, absolute, barrier
+from ..symbolic.symbols import POSITION, VELOCITY
+from .box import Box, past_faces, seam_width
+from .rolling_surface import RollingSurface
 from .rotation import Matrix, Quaternion, scaled_rotation, squared_norm, times, transposed
 from .surface import Point
 
@@ -109,11 +110,90 @@ class ObliqueBox(Box):
 
     @property
     def normal(self) -> sp.Matrix:
-        """The direction from the nearest point of the box, turned back."""
-        per = barrier(1 / barrier(self.scale * self.scaled_radius))
-        return sp.Matrix([part * per for part in times(self.rotation, self.excess)])
+        """The direction from the nearest point of the box, turned back.
+
+        It is divided by its own length: on a face an error of the place then does not change it.
+        """
+        away = barrier(sp.sqrt(barrier(sp.Add(*(e**2 for e in self.excess)))))
+        per = barrier(1 / barrier(self.scale * away))
+        return sp.Matrix([barrier(part) * per for part in times(self.rotation, self.excess)])
 
     @property
-    def rolling_surface(self) -> None:
-        """None: no ball is known to roll on a turned box."""
-        return None
+    def curvature(self) -> sp.Expr:
+        """1/R_B, and 0 where the ball is clearly beyond one face alone.
+
+        That is R_B/2^8 within all others: where errors are larger, nothing is certain.
+        """
+        within = barrier(sp.Rational(1, 2**8) * self.scaled_radius)
+        beyond = [
+            Choose(And(Less(place, high - within), Less(low + within, place)), 0, 1)
+            for place, low, high in self.faces
+        ]
+        return Choose(Less(1, barrier(sp.Add(*beyond))), 1 / self.radius, 0)
+
+    @property
+    def _unit_axes(self) -> Matrix:
+        """The rotation itself, in rows."""
+        per_scale = barrier(1 / self.scale)
+        return [[barrier(entry * per_scale) for entry in row] for row in self.rotation]
+
+    @property
+    def _sides(self) -> list[tuple[sp.Expr, sp.Expr, sp.Expr]]:
+        """The ball's coordinates along the axes of the box, their rates, half widths of seams."""
+        turned = transposed(self._unit_axes)
+        away = barrier(sp.Add(*map(sp.Abs, self.offsets)))
+        return [
+            (
+                barrier(place),
+                barrier(rate),
+                barrier(seam_width(high, low, self.radius, away, *self.centre)),
+            )
+            for place, rate, low, high in zip(
+                times(turned, self.offsets),
+                times(turned, VELOCITY),
+                self.low,
+                self.high,
+                strict=True,
+            )
+        ]
+
+    @property
+    def _past_faces(self) -> list[tuple[sp.Basic, sp.Basic]]:
+        """Whether the ball is or moves past the upper face across each axis, and the lower one."""
+        return [
+            past_faces(place, rate, low, high, near)
+            for (place, rate, near), low, high in zip(self._sides, self.low, self.high, strict=True)
+        ]
+
+    @property
+    def distance_ahead(self) -> sp.Expr:
+        """The distance from the part of the box that the ball is on or moves onto."""
+        beyond = [
+            Choose(above, barrier(place - high), Choose(below, barrier(place - low), 0))
+            for (place, _, _), (above, below), low, high in zip(
+                self._sides, self._past_faces, self.low, self.high, strict=True
+            )
+        ]
+        return sp.sqrt(barrier(sp.Add(*(barrier(e) ** 2 for e in beyond)))) - self.radius
+
+    @property
+    def rolling_surface(self) -> RollingSurface | None:
+        """The face, edge or corner that the ball is on or moves onto.
+
+        Along the axes of the box it is that of `Box`, and the projection P is turned back.
+        """
+        axes, sides = self._unit_axes, self._sides
+        bent, seams = [], []
+        for (place, _, near), past, low, high in zip(
+            sides, self._past_faces, self.low, self.high, strict=True
+        ):
+            bent.append(barrier(Choose(Or(*past), 1, 0)))
+            seams += [(place, low, near), (place, high, near)]
+        across = [
+            [
+                sp.Add(*(barrier(a * b) * own for a, b, own in zip(one, other, bent, strict=True)))
+                for other in axes
+            ]
+            for one in axes
+        ]
+        return RollingSurface(None, 1 / self.radius, seams=tuple(seams), across=across)

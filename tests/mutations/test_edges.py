@@ -237,7 +237,7 @@ FAULTS = (
         in_text(
             contact_phase,
             "departure_kernels",
-            "maximum(opening, thrown_off) if edges else opening",
+            "maximum(opening, thrown_off) if edges or oblique else opening",
             "opening",
         ),
         straight,
