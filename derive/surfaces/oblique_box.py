@@ -159,7 +159,7 @@ class ObliqueBox(Box):
 
     @property
     def _past_faces(self) -> list[tuple[sp.Basic, sp.Basic]]:
-        """Whether the ball is or moves past the upper face across each axis, and the lower one."""
+        """For each axis, if the ball is or moves past the upper face, and the lower one."""
         return [
             past_faces(place, rate, low, high, near)
             for (place, rate, near), low, high in zip(self._sides, self.low, self.high, strict=True)

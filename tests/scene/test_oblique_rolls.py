@@ -334,7 +334,7 @@ def test_contacts_before_a_roll_on_round_bodies_are_proved_or_flagged(
 
 
 def test_a_ball_behind_a_round_body_meets_it_no_sooner_than_its_bound_says() -> None:
-    """It flies past the middle of the body, where the distance bends up as it does nowhere else."""
+    """Past the middle of the body the distance bends up as it does nowhere else."""
     kernels = DerivedKernels(build(ROUND.derive()))
     chance = np.random.default_rng(4)
     given: dict[str, Any] = {
