@@ -158,9 +158,11 @@ def _optional_kernels(
     )
     if scene.rolls:
         codes = EventCodes(len(scene.surfaces) + end_planes, len(scene.bodies))
-        contact = (scene.flight, scene.ball, scene.faces, codes, scene.outcomes, scene.has_edges)
+        contact = (scene.flight, scene.ball, scene.faces, codes, scene.outcomes)
         friction = friction_limit.kernels(scene.flight.acceleration, scene.ball)
-        kernels |= endless.kernels(codes) | contact_phase.kernels(*contact)
+        kernels |= endless.kernels(codes) | contact_phase.kernels(
+            *contact, edges=scene.has_edges, oblique=scene.rolls_obliquely
+        )
         kernels |= {kernel.name: kernel for kernel in friction}
     filters = [s.search.apart for k, s in enumerate(surfaces) if k not in tabled]
     if any(filters):

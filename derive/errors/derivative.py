@@ -16,7 +16,7 @@ from ..contact.ball import Ball
 from ..contact.law import Law
 from ..motion.flight import Flight
 from ..surfaces import Surface
-from ..symbolic.conditionals import Barrier, IfAtMost, IfLess, barrier
+from ..symbolic.conditionals import Barrier, Choose, IfAtMost, IfLess, barrier
 from ..symbolic.error_terms import dn, dv, dw, dx
 from ..symbolic.symbols import POSITION, normal, spin, velocity
 
@@ -67,6 +67,8 @@ def directional(expression: sp.Expr, tangents: dict[sp.Symbol, sp.Expr]) -> sp.E
             return IfLess(quantity, 0, -derive(quantity), derive(quantity))
         if isinstance(e, IfLess | IfAtMost):
             return e.func(e.args[0], e.args[1], derive(e.args[2]), derive(e.args[3]))
+        if isinstance(e, Choose):
+            return Choose(e.args[0], derive(e.args[1]), derive(e.args[2]))
         raise TypeError(f"no derivative rule for {type(e).__name__}")
 
     return derive(expression)

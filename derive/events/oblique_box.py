@@ -7,13 +7,14 @@ bounds F'' within them is as far as its corner. Turning adds roundings, which ma
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import sympy as sp
 
 from ..motion.flight import Flight
 from ..surfaces import ObliqueBox
-from ..symbolic.conditionals import IfLess, absolute, barrier
+from ..symbolic.conditionals import And, Choose, IfLess, Less, absolute, all_of, barrier
 from ..symbolic.error_terms import curving
 from ..symbolic.rounding import Rounded, rounding
 from ..symbolic.symbols import POSITION, UNIT_ROUNDOFF, VELOCITY
@@ -84,29 +85,51 @@ class _Turned(BoxRootFinder):
 
     @property
     def root_delay(self) -> sp.Expr | None:
-        """The rounding of F, of F/t on return, over F', at the state and time t of the contact."""
+        """The rounding of F, of F/t on return, over F', at the state and time t of the contact.
+
+        Along an axis along which the ball is certainly between the faces, e is 0 without an error.
+        """
         box = self.box
+        starts = [barrier(place) for place in self.flight.start()]
         held = {d: Rounded(barrier(absolute(d)), UNIT_ROUNDOFF * absolute(d)) for d in box.offsets}
-        errors = self._excess_errors(held)
-        moving = list(zip(EXCESS, box.excess, errors, strict=True))
-        now: dict[sp.Expr, Rounded] = {
-            symbol: Rounded(barrier(absolute(e)), error) for symbol, e, error in moving
-        }
-        first = rounding(sp.Add(*(e**2 for e in EXCESS), -(box.scaled_radius**2)), now).error
-        # On return, F/t times t is a sum of products of changes and of sums of e.
+        errors = [barrier(error) for error in self._excess_errors(held)]
         lengths = self.flight.path_lengths()
+        now: dict[sp.Expr, Rounded] = {}
+        # On return, F/t times t is a sum of products of changes and of sums of e.
         since: dict[sp.Expr, Rounded] = {}
-        for k, (symbol, e, error) in enumerate(moving):
-            ways = (absolute(box.rotation[j][k]) * lengths[j] for j in range(3))
-            way = barrier(sp.Add(*ways))
+        for k, (symbol, e, error) in enumerate(zip(EXCESS, box.excess, errors, strict=True)):
+            way = barrier(sp.Add(*(absolute(box.rotation[j][k]) * lengths[j] for j in range(3))))
             turned = barrier(TURN_ROUNDINGS * UNIT_ROUNDOFF * way)
-            since[symbol] = Rounded(barrier(absolute(e) + way), barrier(error + turned))
-            since[VELOCITY[k]] = Rounded(way, turned)
+            off = barrier(error + turned)
+            free = all_of(self._is_between(k, POSITION, off), self._is_between(k, starts, off))
+            there = barrier(Choose(self._is_between(k, POSITION, off), 0, error))
+            now[symbol] = Rounded(barrier(absolute(e)), there)
+            moved, off, turned = (barrier(Choose(free, 0, size)) for size in (way, off, turned))
+            since[symbol] = Rounded(barrier(absolute(e) + moved), off)
+            since[VELOCITY[k]] = Rounded(moved, turned)
+        first = rounding(sp.Add(*(e**2 for e in EXCESS), -(box.scaled_radius**2)), now).error
         changes = (e * way for e, way in zip(EXCESS, VELOCITY, strict=True))
         again = rounding(2 * sp.Add(*changes), since).error
         along = zip(box.excess, box.turned(VELOCITY), strict=True)
         rate = barrier(2 * barrier(sp.Add(*(e * v for e, v in along))))
         return barrier(IfLess(curving, sp.oo, barrier(again), barrier(first))) / absolute(rate)
+
+    def _is_between(self, axis: int, places: Sequence[sp.Expr], room: sp.Expr) -> sp.Basic:
+        """Return whether a place is between two faces, with that much room to both.
+
+        Parameters
+        ----------
+        axis
+            The axis of the box across which the faces are.
+        places
+            The place, (3,), m.
+        room
+            A length in the box's unit.
+        """
+        _, low, high = self.box.faces[axis]
+        offsets = [barrier(place - own) for place, own in zip(places, self.box.centre, strict=True)]
+        place = self.box.turned(offsets)[axis]
+        return And(Less(barrier(place + room), high), Less(low, barrier(place - room)))
 
 
 @dataclass(frozen=True)

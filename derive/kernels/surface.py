@@ -138,7 +138,7 @@ def one_surface_kernels(
         )
     if scene.rolls:
         kernels |= surface_kernels.contact_phase_kernels(
-            surface, scene.flight, scene.ball_radius, scene.has_edges
+            surface, scene.flight, scene.ball_radius, scene.has_edges, scene.rolls_obliquely
         )
         kernels |= endless.ring_kernels(surface, scene.flight, scene.ball)
         kernels |= endless.azimuth_free_kernels(surface)

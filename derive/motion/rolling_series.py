@@ -39,6 +39,9 @@ LAST_TERM_TOLERANCE = sp.Rational(1, 2**46)
 
 bent = sp.symbols("bent_x bent_y bent_z", real=True)
 """1 along the axes across which the surface is curved, else 0."""
+across = tuple(tuple(sp.Symbol(f"across_{i}{j}", real=True) for j in "xyz") for i in "xyz")
+"""P, the projection onto the directions across which the surface is curved, in rows: in scenes with
+a tube that lies along no axis."""
 per_reach = sp.Symbol("per_reach", real=True)
 """1/R of the tube, negative on its inside, 0 of a plane."""
 gap = sp.Symbol("gap", real=True)
@@ -90,7 +93,9 @@ def start(ball: Ball) -> dict[str, sp.Expr]:
     return {f"{name}_0": value for name, value in outputs.items()}
 
 
-def next_terms(order: int, acceleration: Sequence[sp.Expr], ball: Ball) -> dict[str, sp.Expr]:
+def next_terms(
+    order: int, acceleration: Sequence[sp.Expr], ball: Ball, oblique: bool = False
+) -> dict[str, sp.Expr]:
     """Return the coefficients of the next order, given those up to this one.
 
     Parameters
@@ -101,6 +106,8 @@ def next_terms(order: int, acceleration: Sequence[sp.Expr], ball: Ball) -> dict[
         That of the free ball, (3,), m/s².
     ball
         The radius and the inertia of the ball.
+    oblique
+        True if a surface of the scene is a tube that lies along no axis.
 
     Returns
     -------
@@ -109,7 +116,12 @@ def next_terms(order: int, acceleration: Sequence[sp.Expr], ball: Ball) -> dict[
     """
     v, n = _rows(SERIES[:3], order), _rows(SERIES[3:6], order)
     s = _row(SERIES[6], order)
-    turned = [barrier(b * own[order] * per_reach) for b, own in zip(bent, v, strict=True)]
+    now = [own[order] for own in v]
+    if oblique:
+        parts = [sp.Add(*(p * own for p, own in zip(row, now, strict=True))) for row in across]
+        turned = [barrier(barrier(part) * per_reach) for part in parts]
+    else:
+        turned = [barrier(b * own * per_reach) for b, own in zip(bent, now, strict=True)]
     turning = [
         [*(k * n_i[k] for k in range(1, order + 1)), new]
         for n_i, new in zip(n, turned, strict=True)

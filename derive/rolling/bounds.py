@@ -34,6 +34,8 @@ from ..symbolic.symbols import POSITION, VELOCITY, position
 from .symbols import (
     fastest,
     gap,
+    gap_convexity,
+    gap_curvature,
     nearing,
     outside_distance,
     outside_time,
@@ -171,21 +173,28 @@ def outside(
     )
 
 
-def until_met(bends: sp.Expr) -> sp.Expr:
-    """Return a time for which a thin surface is certainly not met from its front.
+def until_met(acceleration: sp.Expr, speed: sp.Expr) -> sp.Expr:
+    """Return a time for which a surface with bounds is certainly not met from its front.
+
+    A ball behind it meets it only after it has come to its front and turned round. From behind the
+    gap bends up by `gap_convexity` times the squared speed at most, as long as the distance from
+    the middle of a round body is at least half of what it is now.
 
     Parameters
     ----------
-    bends
-        A bound on the second derivative of the gap.
+    acceleration, speed
+        Bounds on those of the ball.
     """
-    # A ball behind a plate meets it only after it has come to its front and turned round.
+    bends = barrier(acceleration + gap_curvature * speed**2)
+    rises = barrier(bends + gap_convexity * speed**2)
     returns = maximum(
         0,
-        barrier(minimum(sp.oo, first_root(barrier(-gap), -nearing, bends))),
-        barrier(minimum(sp.oo, absolute(nearing) / bends)),
+        barrier(minimum(sp.oo, first_root(barrier(-gap), -nearing, rises))),
+        barrier(minimum(sp.oo, absolute(nearing) / rises)),
     )
-    return Choose(Less(gap, 0), barrier(returns), first_root(gap, nearing, bends))
+    known = barrier(1 / barrier(gap_convexity * speed))
+    behind = barrier(minimum(known, barrier(returns)))
+    return Choose(Less(gap, 0), behind, first_root(gap, nearing, bends))
 
 
 def bounds_kernels(ball_radius: sp.Expr) -> tuple[Kernel, ...]:

@@ -80,6 +80,7 @@ def kernels(
     codes: EventCodes,
     outcomes: Mapping[str, int],
     edges: bool = False,
+    oblique: bool = False,
 ) -> dict[str, Kernel]:
     """Return the kernels of the contact phase that all surfaces share.
 
@@ -97,32 +98,34 @@ def kernels(
         The number of each outcome, by name.
     edges
         True if a ball may roll off an edge of a surface.
+    oblique
+        True if a ball may roll on a tube that lies along no axis.
     """
     strength = barrier(flight.strength)
     every_kernel = (
-        *_series(flight, ball, strength),
-        *settling_kernels(flight, strength, ball),
+        *_series(flight, ball, strength, oblique),
+        *settling_kernels(flight, strength, ball, oblique),
         *jump_kernels(flight, ball, edges),
         *step_events(strength, ball.radius, codes, flight.surface_force, edges),
-        *departure_kernels(flight, strength, ball, edges),
+        *departure_kernels(flight, strength, ball, edges, oblique),
         *bounds_kernels(ball.radius),
         *meeting_kernels(ball.radius, codes),
         *edge_kernels(flight, ball, codes),
         *neighbour_kernels(ball.radius),
         *_flight_decisions(edges),
-        *_contact_decisions(codes, edges),
+        *_contact_decisions(codes, edges, oblique),
         *_results(faces, codes, outcomes, edges),
     )
     return {kernel.name: kernel for kernel in every_kernel}
 
 
-def _series(flight: Flight, ball: Ball, strength: sp.Expr) -> tuple[Kernel, ...]:
+def _series(flight: Flight, ball: Ball, strength: sp.Expr, oblique: bool) -> tuple[Kernel, ...]:
     """Return the kernels of the power series of rolling."""
     acceleration = flight.acceleration
     orders = (
         loop_kernel(
             f"roll_{k}",
-            rolling_series.next_terms(k, acceleration, ball),
+            rolling_series.next_terms(k, acceleration, ball, oblique),
             f"Coefficients of order {k + 1} of a rolling ball, from those of lower order.",
             "Newton, Euler and rolling without slip",
         )
@@ -193,11 +196,12 @@ def _flight_decisions(edges: bool) -> tuple[Kernel, ...]:
     )
 
 
-def _contact_decisions(codes: EventCodes, edges: bool) -> tuple[Kernel, ...]:
+def _contact_decisions(codes: EventCodes, edges: bool, oblique: bool) -> tuple[Kernel, ...]:
     """Return the decisions that open a turn in contact and tell which surface holds the ball."""
     bounded = all_of(Less(position_error, sp.oo), Less(velocity_error, sp.oo))
     leaves, falls = Equal(mode, LEAVES), Equal(mode, FALLS_OFF)
     ending = {"leaves": Or(leaves, falls), str(falls_off): falls} if edges else {"leaves": leaves}
+    curved = sum(rolling_series.across, ()) if oblique else rolling_series.bent
     return (
         decision(
             "resumed",
@@ -209,10 +213,7 @@ def _contact_decisions(codes: EventCodes, edges: bool) -> tuple[Kernel, ...]:
                 "begins": Equal(mode, BEGINS),
                 "rolling": Equal(mode, ROLLS),
                 **ending,
-                **{
-                    str(s): 0
-                    for s in (*normal, gap, *rolling_series.bent, lift, gap_jerk, gap_snap)
-                },
+                **{str(s): 0 for s in (*normal, gap, *curved, lift, gap_jerk, gap_snap)},
                 str(rolling_series.per_reach): 0,
             },
             "Start values of a turn in contact: no event yet.",

@@ -49,7 +49,7 @@ from .symbols import (
 
 
 def departure_kernels(
-    flight: Flight, gravity: sp.Expr, ball: Ball, edges: bool = False
+    flight: Flight, gravity: sp.Expr, ball: Ball, edges: bool = False, oblique: bool = False
 ) -> tuple[Kernel, ...]:
     """Return the kernels of the first moment of flight after a tangential departure.
 
@@ -63,6 +63,8 @@ def departure_kernels(
         The ball.
     edges
         True if a ball may also come off an edge of the surface.
+    oblique
+        True if a ball may roll on a tube that lies along no axis.
     """
     per = barrier(absolute(rolling_series.per_reach))
     longest = sp.Rational(1, 2**7)
@@ -95,7 +97,10 @@ def departure_kernels(
         barrier(sp.sqrt(barrier(push / (bends * longest)))),
     )
     opens_late = all_of(Less(0, gap_jerk), Not(falls_off)) if edges else Less(0, gap_jerk)
-    away = barrier(Choose(opens_late, opening, thrown_off))
+    # A body that takes a ball over, or the edge of a turned box, may throw it off with a third
+    # derivative of roundings alone: both bounds hold, and the longer one counts.
+    late = maximum(opening, thrown_off) if edges or oblique else opening
+    away = barrier(Choose(opens_late, late, thrown_off))
     hop = barrier(minimum(longest, away, barrier(free_time / 4)))
     if not flight.exact:
         hop = barrier(minimum(hop, flight.span))
@@ -133,7 +138,8 @@ def departure_kernels(
             "bounded_neighbour_free_time",
             {
                 "free_time": minimum(
-                    free_time, maximum(outside_time, barrier(minimum(sp.oo, until_met(dipping))))
+                    free_time,
+                    maximum(outside_time, barrier(minimum(sp.oo, until_met(strength, speed)))),
                 )
             },
             "Time for which a ball that leaves certainly meets no other body within its bounds.",

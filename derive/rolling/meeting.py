@@ -176,7 +176,7 @@ def _meets(ball_radius: sp.Expr, bounded: bool, codes: EventCodes, entered: bool
         *inside,
         *((Less(nearing, 0),) if bounded else ()),
     )
-    met = until_met(bends) if bounded else first_root(gap, nearing, bends)
+    met = until_met(strongest, fastest) if bounded else first_root(gap, nearing, bends)
     root = barrier(Choose(touches, first_root(tolerance(ball_radius), nearing, bends), met))
     if entered:
         # Out of bounds the ball may touch the plane of a surface, but not the surface.

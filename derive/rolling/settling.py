@@ -199,7 +199,9 @@ def settling(law: Law, ball: Ball, flight: Flight) -> Kernel:
     )
 
 
-def settling_kernels(flight: Flight, strength: sp.Expr, ball: Ball) -> tuple[Kernel, ...]:
+def settling_kernels(
+    flight: Flight, strength: sp.Expr, ball: Ball, oblique: bool = False
+) -> tuple[Kernel, ...]:
     """Return the kernels that prepare the decision of `settling`, the same for all surfaces.
 
     Parameters
@@ -210,8 +212,17 @@ def settling_kernels(flight: Flight, strength: sp.Expr, ball: Ball) -> tuple[Ker
         The size of the free ball's acceleration, m/s².
     ball
         The radius and the inertia of the ball.
+    oblique
+        True if a ball may roll on a tube that lies along no axis. Bounces on a turned box, whose
+        condition has more roundings, then are known earlier to end there, unless a seam is near.
     """
+    seams = decision(
+        "near_seam",
+        {"nearest": minimum(nearest, absolute(gap))},
+        "Distance to a seam of the surface that the ball is on.",
+    )
     return (
+        *((seams,) if oblique else ()),
         loop_kernel(
             "roll_turn_rate",
             {"turn_rate": ball.radius * barrier(spin.dot(normal))},
@@ -219,7 +230,7 @@ def settling_kernels(flight: Flight, strength: sp.Expr, ball: Ball) -> tuple[Ker
             "s = R_B (w·n)",
         ),
         _pressed_on(flight, ball),
-        *_bounce_kernels(strength, ball),
+        *_bounce_kernels(strength, ball, oblique),
     )
 
 
@@ -250,12 +261,13 @@ def _pressed_on(flight: Flight, ball: Ball) -> Kernel:
     )
 
 
-def _bounce_kernels(strength: sp.Expr, ball: Ball) -> tuple[Kernel, ...]:
+def _bounce_kernels(strength: sp.Expr, ball: Ball, oblique: bool) -> tuple[Kernel, ...]:
     off = barrier(velocity.dot(normal))
     # The ball settles if half a hop is lower than the tolerance, whatever presses it on. Error
     # propagation needs to know much earlier whether its bounces end on this surface.
     small = Less(*small_hop(strength, ball.radius))
-    slow = Less(barrier(off**2), sp.Rational(1, 2**23) * ball.radius)
+    early = sp.Rational(1, 2**14 if oblique else 2**23)
+    slow = Less(barrier(off**2), early * ball.radius)
     tangential = barrier_all(velocity - off * normal)
     sliding = barrier_all(tangential - ball.radius * spin.cross(normal))
     gripped = [

@@ -18,6 +18,7 @@ from .surface_nodes import (
     accelerated,
     at_seams,
     bounds_of,
+    nearest_others,
     on_held,
     outside,
     part_call,
@@ -134,7 +135,7 @@ def settled(
         own = (
             part_call(surface, "turning"),
             Call(common["pressed_on"]),
-            *_nearest(common, contacts, end_planes, surface.index),
+            *nearest_others(common, contacts, end_planes, surface.index),
             given_as(Call(surface.parts["separation"], wanted=frozenset({"lift"})), surface.sizes),
             given_as(Call(surface.law["settling"]), surface.law_sizes),
             Call(common["settled"], {"index": surface.index}),
@@ -154,26 +155,6 @@ def _free_time(
     for end_plane in end_planes:
         yield part_call(end_plane, "beside")
         yield Call(common["end_plane_free_time"])
-
-
-def _nearest(
-    common: Parts, contacts: Sequence[LoopSurface], end_planes: Sequence[LoopSurface], index: int
-) -> Iterator[Node]:
-    """Evaluate the distance from the nearest other surface."""
-    yield Call(common["isolated"])
-    for surface in contacts:
-        if surface.index != index:
-            yield part_call(surface, "closing")
-            yield from outside(common, surface, "outside_by")
-            yield Call(common["near_bounded_body" if bounds_of(surface) else "near_body"])
-        else:
-            for part in bounds_of(surface):
-                yield part_call(surface, part)
-                yield Call(common["beside_edge"])
-    for end_plane in end_planes:
-        beside = Call(end_plane.parts["beside"], wanted=frozenset({"gap"}))
-        yield given_as(beside, end_plane.sizes)
-        yield Call(common["near_end_plane"])
 
 
 def _step(

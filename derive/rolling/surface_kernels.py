@@ -11,8 +11,8 @@ from ..motion.flight import Flight
 from ..surfaces import Surface
 from ..symbolic.conditionals import barrier
 from ..symbolic.symbols import POSITION, VELOCITY, normal
-from .bounds import bound_kernels
-from .symbols import rolled, rolling_acceleration, turning
+from .bounds import bound_kernels, limits
+from .symbols import gap_convexity, rolled, rolling_acceleration, turning
 
 
 def allows_rolling(surface: Surface, flight: Flight) -> bool:
@@ -32,7 +32,7 @@ def allows_rolling(surface: Surface, flight: Flight) -> bool:
 
 
 def contact_phase_kernels(
-    surface: Surface, flight: Flight, ball_radius: sp.Expr, edges: bool
+    surface: Surface, flight: Flight, ball_radius: sp.Expr, edges: bool, oblique: bool
 ) -> dict[str, Kernel]:
     """Return the kernels of one surface by part: all have those beside it, some those on it.
 
@@ -46,17 +46,20 @@ def contact_phase_kernels(
         R_B.
     edges
         True if the scene has surfaces with bounds.
+    oblique
+        True if a ball may roll on a tube of the scene that lies along no axis.
     """
-    kernels = _beside(surface)
+    kernels = _beside(surface, edges)
     if edges:
         kernels |= bound_kernels(surface, ball_radius) | {"facing": _facing(surface)}
     if not allows_rolling(surface, flight):
         return kernels
-    return kernels | _under(surface, flight)
+    return kernels | _under(surface, flight, oblique)
 
 
-def _beside(surface: Surface) -> dict[str, Kernel]:
+def _beside(surface: Surface, edges: bool) -> dict[str, Kernel]:
     """Return the distance to the surface of a ball that rolls on another one, and its rates."""
+    behind = {str(gap_convexity): surface.max_convexity} if edges and limits(surface) else {}
     along = dict(zip(POSITION, VELOCITY, strict=True))
     turns = dict(zip(POSITION, rolled, strict=True))
     pushed = dict(zip(rolled, rolling_acceleration, strict=True))
@@ -70,6 +73,7 @@ def _beside(surface: Surface) -> dict[str, Kernel]:
                 "gap": barrier(surface.distance),
                 "nearing": directional(surface.distance, along),
                 "gap_curvature": surface.max_concavity,
+                **behind,
             },
             "Distance, its rate, and a bound on how fast it bends down, by the squared speed.",
             "Table 2",
@@ -100,18 +104,25 @@ def _facing(surface: Surface) -> Kernel:
     )
 
 
-def _under(surface: Surface, flight: Flight) -> dict[str, Kernel]:
+def _under(surface: Surface, flight: Flight, oblique: bool) -> dict[str, Kernel]:
     """Return the kernels from which the motion on the surface is computed."""
     name, rolling_surface = surface.name, surface.rolling_surface
     assert rolling_surface is not None
     along = dict(zip(POSITION, VELOCITY, strict=True))
     rates = along | dict(zip(VELOCITY, flight.present_acceleration, strict=True))
     turns = dict(zip(POSITION, rolled, strict=True))
-    derivatives = [_hold_all_parts(surface.distance)]
+    derivatives = [_hold_all_parts(surface.distance_ahead)]
     for _ in range(4):
         derivatives.append(directional(derivatives[-1], rates))
     named = zip(turning, surface.normal, strict=True)
-    curved = dict(zip(map(str, rolling_series.bent), rolling_surface.curved, strict=True))
+    curved: dict[str, sp.Expr] = {}
+    if oblique:
+        rows = zip(rolling_series.across, rolling_surface.projection, strict=True)
+        for symbols, row in rows:
+            curved |= dict(zip(map(str, symbols), row, strict=True))
+    else:
+        assert rolling_surface.curved is not None
+        curved = dict(zip(map(str, rolling_series.bent), rolling_surface.curved, strict=True))
     kernels = {
         "distance": loop_kernel(
             f"{name}_distance", {"gap": surface.distance}, "Distance from the surface.", "Table 2"
@@ -138,7 +149,7 @@ def _under(surface: Surface, flight: Flight) -> dict[str, Kernel]:
     seams = {
         f"seam{k}": loop_kernel(
             f"{name}_seam{k}",
-            {"gap": barrier(place - value), "nearing": along[place], "near": width},
+            {"gap": barrier(place - value), "nearing": directional(place, along), "near": width},
             "Distance of the ball from a seam of the surface, its rate, and half the seam's width.",
             "Table 2",
         )

@@ -71,6 +71,17 @@ def bounds_of(surface: LoopSurface) -> list[str]:
     return [part for part in surface.parts if part.startswith("rim")]
 
 
+def seams_of(surface: LoopSurface) -> list[str]:
+    """Return the parts of a surface's kernels that are its seams.
+
+    Parameters
+    ----------
+    surface
+        The surface.
+    """
+    return [part for part in surface.parts if part.startswith("seam")]
+
+
 def shifted_bound(surface: LoopSurface, part: str) -> Call:
     """Return the evaluation of what the carried errors add to the distance within a bound.
 
@@ -151,8 +162,43 @@ def at_seams(common: Parts, holders: Sequence[LoopSurface], decision: str) -> It
         The name of the decision.
     """
     for surface in holders:
-        seams = [part for part in surface.parts if part.startswith("seam")]
-        if seams:
+        if seams := seams_of(surface):
             each = (n for s in seams for n in (part_call(surface, s), Call(common[decision])))
             yield Call(common["holding"], {"index": surface.index})
             yield If("here", tuple(each))
+
+
+def nearest_others(
+    common: Parts, contacts: Sequence[LoopSurface], end_planes: Sequence[LoopSurface], index: int
+) -> Iterator[Node]:
+    """Yield nodes that evaluate how far a ball is from all but the part of the surface it is on.
+
+    Parameters
+    ----------
+    common
+        The kernels that all surfaces share, by name.
+    contacts
+        The surfaces of bodies.
+    end_planes
+        The planes whose crossing ends a shot.
+    index
+        The surface that the ball is on.
+    """
+    yield Call(common["isolated"])
+    for surface in contacts:
+        if surface.index != index:
+            yield part_call(surface, "closing")
+            yield from outside(common, surface, "outside_by")
+            yield Call(common["near_bounded_body" if bounds_of(surface) else "near_body"])
+            continue
+        for part in bounds_of(surface):
+            yield part_call(surface, part)
+            yield Call(common["beside_edge"])
+        if "near_seam" in common:
+            for part in seams_of(surface):
+                yield part_call(surface, part)
+                yield Call(common["near_seam"])
+    for end_plane in end_planes:
+        beside = Call(end_plane.parts["beside"], wanted=frozenset({"gap"}))
+        yield given_as(beside, end_plane.sizes)
+        yield Call(common["near_end_plane"])

@@ -30,8 +30,10 @@ force, force_rate, force_bend, friction_force_rate = sp.symbols(
 free_time = sp.Symbol("free_time", nonnegative=True)
 """Time for which a ball that leaves a surface certainly meets no other one, s."""
 
-gap, nearing, gap_curvature = sp.symbols("gap nearing gap_curvature", real=True)
-"""Distance to a surface, its rate, and a bound on its downward curvature, 1/m."""
+gap, nearing, gap_curvature, gap_convexity = sp.symbols(
+    "gap nearing gap_curvature gap_convexity", real=True
+)
+"""Distance to a surface, its rate, and bounds on its downward and its upward curvature, 1/m."""
 
 lift, gap_jerk, gap_snap = sp.symbols("lift gap_jerk gap_snap", real=True)
 """Second, third and fourth derivative of the distance along a flight."""

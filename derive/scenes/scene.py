@@ -12,8 +12,9 @@ from ..contact.law import Law
 from ..motion.air import AirConstants, AirFlight
 from ..motion.flight import Acceleration, Flight
 from ..motion.parabola import Parabola
-from ..surfaces import Body, Cylinder, EndPlane, Plane, Surface
+from ..surfaces import Body, EndPlane, Plane, Surface
 from ..surfaces.plane import Flat
+from ..surfaces.two_sided import Round
 from ..symbolic.conditionals import release
 from ..symbolic.symbols import ParameterSymbol
 from . import names
@@ -101,7 +102,8 @@ class Scene:
         The acceleration of free fall where it may be zero or is not along that axis; None: gravity
         along it.
     rolls
-        True if a ball whose bounces accumulate rolls on; then only planes have bounds.
+        True if a ball whose bounces accumulate rolls on; then only planes, spheres and
+        cylinders have bounds.
     air
         The parameters of the air that the ball flies through; None: there is none.
     passage
@@ -148,13 +150,11 @@ class Scene:
         bounded = [
             surface.name
             for surface in self.surfaces
-            if surface.bounds
-            and not isinstance(surface, Flat)
-            and not (isinstance(surface, Cylinder) and surface.rolling_surface)
+            if surface.bounds and not isinstance(surface, Flat | Round)
         ]
         if self.rolls and bounded:
             raise ValueError(
-                f"scene {self.name}: rolls: expected no bounds but those of planes and the ends of "
+                f"scene {self.name}: rolls: expected no bounds but those of planes, spheres and "
                 f"cylinders, got {', '.join(bounded)} with some"
             )
 
@@ -177,6 +177,12 @@ class Scene:
     def has_edges(self) -> bool:
         """True if a surface has bounds, over which a rolling ball comes to an edge."""
         return any(surface.bounds for surface in self.surfaces)
+
+    @property
+    def rolls_obliquely(self) -> bool:
+        """True if a ball may roll on a tube that lies along no axis."""
+        tubes = (surface.rolling_surface for surface in self.surfaces)
+        return self.rolls and any(tube and tube.across is not None for tube in tubes)
 
     @property
     def ball(self) -> Ball:

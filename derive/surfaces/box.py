@@ -158,9 +158,7 @@ class Box(Surface):
         seams = []
         for place, v, low, high in zip(POSITION, VELOCITY, self.low, self.high, strict=True):
             near = barrier(seam_width(high, low, self.radius))
-            above, below = barrier(place - high), barrier(low - place)
-            on = Or(_onto(above, v, near), _onto(below, -v, near))
-            bent.append(Choose(on, 1, 0))
+            bent.append(Choose(Or(*past_faces(place, v, low, high, near)), 1, 0))
             seams += [(place, low, near), (place, high, near)]
         x, y, z = bent
         return RollingSurface((x, y, z), 1 / self.radius, seams=tuple(seams))
@@ -174,6 +172,24 @@ class Box(Surface):
     def inside(self) -> tuple[sp.Expr, ...]:
         """The distance itself, and the bounds."""
         return overlap(self.distance, self.bounds, None)
+
+
+def past_faces(
+    place: sp.Expr, rate: sp.Expr, low: sp.Expr, high: sp.Expr, near: sp.Expr
+) -> tuple[sp.Basic, sp.Basic]:
+    """Return whether a ball is or moves past the upper face across an axis, and the lower one.
+
+    Parameters
+    ----------
+    place, rate
+        The coordinate of the ball's centre along that axis, and its rate.
+    low, high
+        Those of the faces.
+    near
+        Half the width of a seam.
+    """
+    above, below = barrier(place - high), barrier(low - place)
+    return _onto(above, rate, near), _onto(below, -rate, near)
 
 
 def seam_width(*lengths: sp.Expr) -> sp.Expr:

@@ -79,15 +79,8 @@ class Cylinder(Round):
 
     @property
     def rolling_surface(self) -> RollingSurface | None:
-        """The tube about its axis, if that is along a coordinate axis and only its ends bound it.
-
-        A bound by the coordinate along the axis is the same for the ball's centre and for the point
-        of contact.
-        """
+        """The tube about its axis, if that is along a coordinate axis."""
         if 1 not in map(abs, self.direction):
-            return None
-        along = {place for place, u in zip(POSITION, self.direction, strict=True) if u}
-        if any(limit.free_symbols & set(POSITION) - along for limit in self.limits):
             return None
         x, y, z = (sp.Integer(not u) for u in self.direction)
         return RollingSurface((x, y, z), self._side / self.radius)

@@ -7,9 +7,10 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from ..symbolic.conditionals import absolute, barrier
-from ..symbolic.symbols import POSITION
-from .box import Box
+from ..symbolic.conditionals import Choose, Or, absolute, barrier
+from ..symbolic.symbols import POSITION, VELOCITY
+from .box import Box, past_faces, seam_width
+from .rolling_surface import RollingSurface
 from .rotation import Matrix, Quaternion, scaled_rotation, squared_norm, times, transposed
 from .surface import Point
 
@@ -122,6 +123,68 @@ class ObliqueBox(Box):
         return sp.Matrix([part * per for part in times(self.rotation, directions)])
 
     @property
-    def rolling_surface(self) -> None:
-        """None: no ball is known to roll on a turned box."""
-        return None
+    def _unit_axes(self) -> Matrix:
+        """The rotation itself, in rows."""
+        per_scale = barrier(1 / self.scale)
+        return [[barrier(entry * per_scale) for entry in row] for row in self.rotation]
+
+    @property
+    def _sides(self) -> list[tuple[sp.Expr, sp.Expr, sp.Expr]]:
+        """The ball's coordinates along the axes of the box, their rates, half widths of seams."""
+        turned = transposed(self._unit_axes)
+        away = barrier(sp.Add(*map(sp.Abs, self.offsets)))
+        return [
+            (
+                barrier(place),
+                barrier(rate),
+                barrier(seam_width(high, low, self.radius, away, *self.centre)),
+            )
+            for place, rate, low, high in zip(
+                times(turned, self.offsets),
+                times(turned, VELOCITY),
+                self.low,
+                self.high,
+                strict=True,
+            )
+        ]
+
+    @property
+    def _past_faces(self) -> list[tuple[sp.Basic, sp.Basic]]:
+        """For each axis, if the ball is or moves past the upper face, and the lower one."""
+        return [
+            past_faces(place, rate, low, high, near)
+            for (place, rate, near), low, high in zip(self._sides, self.low, self.high, strict=True)
+        ]
+
+    @property
+    def distance_ahead(self) -> sp.Expr:
+        """The distance from the part of the box that the ball is on or moves onto."""
+        beyond = [
+            Choose(above, barrier(place - high), Choose(below, barrier(place - low), 0))
+            for (place, _, _), (above, below), low, high in zip(
+                self._sides, self._past_faces, self.low, self.high, strict=True
+            )
+        ]
+        return sp.sqrt(barrier(sp.Add(*(barrier(e) ** 2 for e in beyond)))) - self.radius
+
+    @property
+    def rolling_surface(self) -> RollingSurface | None:
+        """The face, edge or corner that the ball is on or moves onto.
+
+        Along the axes of the box it is that of `Box`, and the projection P is turned back.
+        """
+        axes, sides = self._unit_axes, self._sides
+        bent, seams = [], []
+        for (place, _, near), past, low, high in zip(
+            sides, self._past_faces, self.low, self.high, strict=True
+        ):
+            bent.append(barrier(Choose(Or(*past), 1, 0)))
+            seams += [(place, low, near), (place, high, near)]
+        across = [
+            [
+                sp.Add(*(barrier(a * b) * own for a, b, own in zip(one, other, bent, strict=True)))
+                for other in axes
+            ]
+            for one in axes
+        ]
+        return RollingSurface(None, 1 / self.radius, seams=tuple(seams), across=across)

@@ -11,10 +11,12 @@ from ..symbolic.symbols import POSITION
 from .directions import (
     Direction,
     distance_from_axis,
+    per_length,
     perpendicular,
     squared_distance,
     squared_length,
 )
+from .rolling_surface import RollingSurface
 from .surface import Point
 from .two_sided import Round
 
@@ -69,3 +71,14 @@ class ObliqueCylinder(Round):
         """The direction from the axis; the distance from it is r at a contact."""
         per_radius = barrier(self._side / self.radius)
         return sp.Matrix([c * per_radius for c in perpendicular(self.direction, self._offset)])
+
+    @property
+    def rolling_surface(self) -> RollingSurface | None:
+        """The tube about its axis: the projection is 1 - u uᵀ/|u|²."""
+        per = per_length(self.direction)
+        unit = [barrier(u * per) for u in self.direction]
+        across = [
+            [sp.Integer(i == j) - barrier(a * b) for j, b in enumerate(unit)]
+            for i, a in enumerate(unit)
+        ]
+        return RollingSurface(None, self._side / self.radius, across=across)

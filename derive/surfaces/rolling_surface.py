@@ -2,16 +2,46 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 import sympy as sp
 
+Seam = tuple[sp.Expr, sp.Expr, sp.Expr]
+
 
 @dataclass(frozen=True)
 class RollingSurface:
-    """A tube about a point, a line along an axis or a circle around z; or a plane."""
+    """A tube about a point, a line or a circle around z; or a plane.
 
-    curved: tuple[sp.Expr, sp.Expr, sp.Expr]
+    Attributes
+    ----------
+    curved
+        1 along the axes across which the surface is curved, else 0; of a tube that lies along no
+        axis None.
+    per_reach
+        1/R of the tube, negative on its inside, 0 of a plane.
+    ring
+        The radius of the circle.
+    seams
+        The coordinates at which the surface bends differently: a length as a function of the
+        ball's centre, its value at the seam, and half the seam's width.
+    across
+        P, the projection of vectors onto the directions across which a tube in any direction is
+        curved, in rows.
+    """
+
+    curved: tuple[sp.Expr, sp.Expr, sp.Expr] | None
     per_reach: sp.Expr
     ring: sp.Expr = sp.Integer(0)
-    seams: tuple[tuple[sp.Expr, sp.Expr, sp.Expr], ...] = field(default=())
+    seams: tuple[Seam, ...] = field(default=())
+    across: Sequence[Sequence[sp.Expr]] | None = None
+
+    @property
+    def projection(self) -> list[list[sp.Expr]]:
+        """P, also of a tube along an axis."""
+        if self.across is not None:
+            return [list(row) for row in self.across]
+        assert self.curved is not None
+        zero = sp.Integer(0)
+        return [[own if i == j else zero for j in range(3)] for i, own in enumerate(self.curved)]

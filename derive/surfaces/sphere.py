@@ -67,6 +67,6 @@ class Sphere(Round):
 
     @property
     def rolling_surface(self) -> RollingSurface | None:
-        """The tube about its centre, if there are no bounds."""
+        """The tube about its centre."""
         one = sp.Integer(1)
-        return None if self.limits else RollingSurface((one, one, one), self._side / self.radius)
+        return RollingSurface((one, one, one), self._side / self.radius)

@@ -174,8 +174,18 @@ class Surface(ABC):
         return None
 
     @property
+    def distance_ahead(self) -> sp.Expr:
+        """The distance where the ball moves to, where the surface changes its form at a seam."""
+        return self.distance
+
+    @property
     def max_concavity(self) -> sp.Expr:
         """Bound on the downward curvature of the distance (1/m); 0 if the body is convex."""
+        return sp.Integer(0)
+
+    @property
+    def max_convexity(self) -> sp.Expr:
+        """Bound on the upward curvature of the distance (1/m) down to half of that radius."""
         return sp.Integer(0)
 
     @property

@@ -70,3 +70,8 @@ class Round(TwoSided):
     def max_concavity(self) -> sp.Expr:
         """Zero outside; inside a bound on 1/rho down to half of rho."""
         return 2 / self._rho if self.inward else sp.Integer(0)
+
+    @property
+    def max_convexity(self) -> sp.Expr:
+        """A bound on 1/rho down to half of rho; zero inside."""
+        return sp.Integer(0) if self.inward else 2 / self._rho

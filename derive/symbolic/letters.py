@@ -192,6 +192,14 @@ IN_CONTACT = {
     "bent_x": Entry("b_x", "1 if the surface is curved across x, else 0"),
     "bent_y": Entry("b_y", "1 if the surface is curved across y, else 0"),
     "bent_z": Entry("b_z", "1 if the surface is curved across z, else 0"),
+    **{
+        f"across_{i}{j}": Entry(
+            rf"P_{{{i}{j}}}",
+            f"{i}{j} of the projection onto the directions across which the surface is curved",
+        )
+        for i in AXES
+        for j in AXES
+    },
     "per_reach": Entry(
         r"\kappa_T",
         "inverse radius of the tube that the centre stays on, negative on its inside",
@@ -235,6 +243,7 @@ IN_CONTACT = {
     "near": Entry(r"\epsilon_s", "half the width of a seam"),
     "nearing": Entry(r"\dot d", "rate of the distance from a surface"),
     "gap_curvature": Entry(r"\kappa_d", "bound on the downward curvature of the distance"),
+    "gap_convexity": Entry(r"\kappa_u", "bound on the upward curvature of the distance"),
     "bound_distance": Entry(r"\ell_g", "distance of the ball within a bound, negative past it"),
     "bound_rate": Entry(r"\dot\ell_g", "rate of that distance"),
     "bound_curvature": Entry(r"\kappa_g", "how fast the gradient of that distance may change"),

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 
 from .directions import Vector, aligned, direction, settled, vector_inputs
 from .formulas import ZERO, Formula
@@ -59,7 +59,7 @@ def check_rolling(
     inputs: Inputs,
     size: Formula,
     down: tuple[int, int] | Vector,
-    bodies: Iterable[tuple[str, str, Mapping[str, Formula], tuple[int, ...], bool]],
+    bodies: Iterable[tuple[str, str, tuple[int, ...]]],
 ) -> None:
     """Raise if a ball cannot roll in a scene: with its gravity, or on one of its bodies.
 
@@ -70,16 +70,15 @@ def check_rolling(
     size, down
         Gravity, as `read_gravity` returns it.
     bodies
-        The name, kind and sizes of each body, the degree of each of its bounds, and whether they
-        are those of a span.
+        The name and kind of each body, and the degree of each of its bounds.
 
     Raises
     ------
     SceneError
         With the reason.
     """
-    for own, kind, sizes, degrees, ends in bodies:
-        argument, said = why_not_rolling(kind, sizes, degrees, ends)
+    for own, kind, degrees in bodies:
+        argument, said = why_not_rolling(kind, degrees)
         if said:
             raise inputs.wrong(f"body {own}", argument, said)
     if len(down) == 3:

@@ -7,7 +7,7 @@ of the surface on which the ball's centre is at a contact (`derive/surfaces`).
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
@@ -340,26 +340,31 @@ def _slope(reader: Reader, owner: str, body: pieces.Cone) -> Formula:
 
 
 MAX_DEGREE = 2
-"""Highest degree of a bound of a plane over whose edge a ball rolls: `derive/rolling/bounds.py`."""
+"""Highest degree of a bound of a body over whose edge a ball rolls: `derive/rolling/bounds.py`."""
+
+_WITH_EDGES = ("plane", "inclined plane", "disc", "sphere", "cylinder", "oblique cylinder")
+"""Kinds of bodies with bounds up to which a ball rolls."""
 
 
-def why_not_rolling(
-    kind: str, sizes: Mapping[str, Formula], degrees: Sequence[int], ends: bool
-) -> tuple[str, str]:
+def why_not_rolling(kind: str, degrees: Sequence[int]) -> tuple[str, str]:
     """Return the argument of a body on which no ball is known to roll, and why; "" if one is.
 
     Parameters
     ----------
-    kind, sizes
-        The kind of its shape, and its sizes by argument.
+    kind
+        The kind of its shape.
     degrees
         The degree of each of its bounds.
-    ends
-        True if its bounds are those of a span: by the coordinate along its axis alone.
     """
-    if kind == "cylinder" and ends:
-        return "", ""
-    if kind in ("plane", "inclined plane", "disc"):
+    named = kind.removeprefix("oblique ") or "surface"
+    if kind in ("cone", "revolution"):
+        reason = {
+            "cone": "its curvature changes along its side",
+            "revolution": "its pieces end at edges",
+        }[kind]
+        said = f"on a {named} no ball is known to roll, since {reason}"
+        return "", f"{said}; expected none where rolls is true"
+    if kind in _WITH_EDGES:
         for number, degree in enumerate(degrees, start=1):
             if degree > MAX_DEGREE:
                 said = (
@@ -368,25 +373,10 @@ def why_not_rolling(
                 )
                 return f"within {number}", said
         return "", ""
-    if degrees or not {"span from", "span to"}.isdisjoint(sizes):
-        spanned = kind in ("oblique cylinder", "cone")
+    if degrees:
         said = (
-            f"on a {kind.removeprefix('oblique ')} with bounds no ball is known to roll, only on "
-            "planes, discs, and cylinders along x, y or z with a span; expected none where rolls "
-            "is true"
+            f"on a {named} with bounds no ball is known to roll, only on planes, discs, spheres "
+            "and cylinders; expected none where rolls is true"
         )
-        return "span" if spanned else "within", said
-    if kind == "oblique cylinder":
-        said = "on a cylinder along a vector no ball is known to roll; expected x, y or z"
-        return "axis", f"{said} where rolls is true"
-    if kind == "oblique box":
-        said = "on a turned box no ball is known to roll; expected none where rolls is true"
-        return "orientation", said
-    if kind in ("cone", "revolution"):
-        reason = {
-            "cone": "its curvature changes along its side",
-            "revolution": "its pieces end at edges",
-        }[kind]
-        said = f"on a {kind} no ball is known to roll, since {reason}"
-        return "", f"{said}; expected none where rolls is true"
+        return "within", said
     return "", ""

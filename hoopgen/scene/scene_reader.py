@@ -114,10 +114,7 @@ def read_scene(
     radius = reader.formula("", "ball_radius", ball_radius)
     shapes = tuple(_body(reader, body, radius, contacts) for body in bodies)
     if rolls:
-        asked = (
-            (one.name, one.kind, dict(one.sizes), degrees(one.bounds), _ends_alone(one))
-            for one in shapes
-        )
+        asked = ((one.name, one.kind, degrees(one.bounds)) for one in shapes)
         check_rolling(inputs, fall, way, asked)
     finished = tuple(_end(reader, own, end) for own, end in zip(ends, finishes, strict=True))
     return ParsedScene(scene, inputs.all, ball, fall, turning, way, rolls, air, shapes, finished)
@@ -340,16 +337,6 @@ def _span(reader: _Reader, owner: str, given: object, axis: int) -> tuple[Terms,
         powers = tuple(int(k == axis) for k in range(3))
         found.append((((powers[0], powers[1], powers[2]), constant(way)), ((0, 0, 0), offset)))
     return tuple(found)
-
-
-def _ends_alone(shape: Shape) -> bool:
-    """Return True if all bounds of a body are by the coordinate along its axis."""
-    return all(
-        not power or k == shape.axis[0]
-        for bound in shape.bounds
-        for powers, _ in bound
-        for k, power in enumerate(powers)
-    )
 
 
 def _surface(reader: _Reader, owner: str, body: pieces.Surface, ball: Formula) -> Shape:

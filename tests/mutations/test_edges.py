@@ -53,6 +53,10 @@ comes_up = OfEngine(
     test_green.test_a_ball_that_comes_up_again_goes_back_where_it_came_from,
     scene=test_edges.GREEN,
 )
+straight = OfEngine(
+    test_green.test_straight_putts_leave_the_wire_as_those_a_micrometre_aside,
+    scene=test_edges.GREEN,
+)
 on_edge = OfFormulas(
     test_jump.test_at_an_edge_the_velocity_is_off_by_the_change_of_the_force_times_the_delay,
 )
@@ -227,6 +231,16 @@ FAULTS = (
         "a ball holds on to a wire that does not press it on",
         in_text(events, "_leaving_force", "if edges:", "if False:"),
         over_wire,
+    ),
+    Planted(
+        "a ball that a wire throws off is free for as long as its third derivative alone says",
+        in_text(
+            contact_phase,
+            "departure_kernels",
+            "maximum(opening, thrown_off) if edges or oblique else opening",
+            "opening",
+        ),
+        straight,
     ),
 )
 

@@ -22,7 +22,7 @@ from hoopgen.derive.loop import stages
 from hoopgen.derive.rolling import contact_phase, events, friction_limit, jump, settling
 from hoopgen.derive.rolling import stages as contact_stages
 from hoopgen.derive.scenes.scene import Scene as DerivedScene
-from hoopgen.derive.surfaces import Box, ObliqueBox, ObliqueTorus
+from hoopgen.derive.surfaces import Box, ObliqueBox, ObliqueTorus, box
 from numpy.typing import NDArray
 
 pytest.importorskip("flint")
@@ -331,7 +331,7 @@ FAULTS = (
     ),
     Planted(
         "at a seam the velocity does not decide",
-        in_text(Box, "rolling_surface", "_onto(above, v, near)", "_onto(above, -v, near)"),
+        in_text(box, "past_faces", "_onto(above, rate, near)", "_onto(above, -rate, near)"),
         on_shelf["a_ball_rolls_over_the_edge_and_leaves_it"],
     ),
     Planted(

@@ -19,6 +19,7 @@ from hoopgen.scene import Cylinder, End, Scene
 from hoopgen.simulation.engine import Engine
 from tests.helpers.derived import engine_of
 from tests.helpers.effort import exceptions, trials
+from tests.helpers.slow_scene import Slow
 from tests.scene.test_edges import GRAVITY, GREEN, HOLE, HOLE_BALL, putts
 
 pytestmark = pytest.mark.xdist_group("edges")  # the scene is compiled once
@@ -148,6 +149,46 @@ def test_a_ball_that_the_wire_does_not_press_on_flies_over_it(green: Engine) -> 
     assert force < -1
     assert events[on_wire + 1]["kind"] == Event.LEAVE
     assert events[on_wire + 1]["time"] == events[on_wire]["time"]
+
+
+def test_straight_putts_leave_the_wire_as_those_a_micrometre_aside(green: Engine) -> None:
+    """The wire takes them over exactly at the bound of the green, and throws the faster ones off.
+
+    Those fly on from there: the first body that they touch, and when, are those of a slow search.
+    """
+    straight = putts(np.linspace(0.3, 1.6, trials(400, 80)))
+    aside = straight.copy()
+    aside[:, 1] = 1e-6
+    shots, others = (green.simulate(s, time_limit=20, record=True) for s in (straight, aside))
+    assert not np.count_nonzero(shots.outcome == green.outcomes["CAPPED"])
+    assert np.count_nonzero(shots.uncertain) <= np.count_nonzero(others.uncertain)
+    sure = ~shots.uncertain & ~others.uncertain
+    assert np.count_nonzero(sure) > 0.9 * len(straight)
+    assert np.array_equal(shots.outcome[sure], others.outcome[sure])
+    assert np.array_equal(shots.rolls[sure], others.rolls[sure])
+    slow, thrown = Slow(GREEN), 0
+    for row in np.flatnonzero(sure):
+        events = shots.events[shots.events["shot"] == row]
+        last = int(np.flatnonzero(events["kind"] == Event.ROLL)[1]) + 1
+        assert events["kind"][last] == Event.LEAVE
+        if events["time"][last] != events["time"][last - 1]:
+            continue
+        state, following = events["after"][last].copy(), events[last + 1]
+        assert state[3] ** 2 > GRAVITY * HOLE_BALL
+        wait = 2.0**-8  # clear of the wire
+        state[:3] += wait * state[3:6]
+        state[2] -= GRAVITY * wait**2 / 2
+        state[5] -= GRAVITY * wait
+        found = slow.fly(state, 1)
+        if found.close:
+            continue
+        thrown += 1
+        at, kind = (
+            (found.contacts[0][1], Event.IMPACT) if found.contacts else (found.time, Event.END)
+        )
+        assert following["kind"] == kind
+        assert following["time"] - events["time"][last] == pytest.approx(wait + at, abs=1e-9)
+    assert thrown > len(straight) / 2
 
 
 TROUGH = Scene(

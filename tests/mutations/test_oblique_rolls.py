@@ -1,0 +1,81 @@
+"""Deliberate faults in rolls on turned and round bodies with edges: each trips a test by name."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from hoopgen.derive.rolling import bounds, surface_kernels
+from hoopgen.derive.surfaces import ObliqueBox, ObliqueCylinder
+from hoopgen.derive.surfaces.two_sided import Round
+
+pytest.importorskip("flint")
+
+from tests.helpers.checked_faults import (
+    Check,
+    OfEngine,
+    OfFormulas,
+    Planted,
+    checks_of,
+    noticed,
+    passes,
+)
+from tests.helpers.mutants import in_text
+from tests.scene import test_oblique_rolls
+
+pytestmark = [pytest.mark.xdist_group("oblique_roll_mutations"), pytest.mark.slow]
+
+on_box = OfEngine(
+    test_oblique_rolls.test_rolls_on_a_turned_box_are_those_of_a_second_formulation,
+    scene=test_oblique_rolls.CRATE,
+)
+on_round = OfEngine(
+    test_oblique_rolls.test_rolls_up_to_edges_are_those_of_a_second_formulation,
+    scene=test_oblique_rolls.ROUND,
+)
+behind = OfFormulas(
+    test_oblique_rolls.test_a_ball_behind_a_round_body_meets_it_no_sooner_than_its_bound_says
+)
+
+FAULTS = (
+    Planted(
+        "the edges of a turned box bend the path along the axes of the scene",
+        in_text(ObliqueBox, "rolling_surface", "for one in axes", "for one in transposed(axes)"),
+        on_box,
+    ),
+    Planted(
+        "an edge of a turned box throws a ball off as the face before it does",
+        in_text(surface_kernels, "_under", "surface.distance_ahead", "surface.distance"),
+        on_box,
+    ),
+    Planted(
+        "a slanted cylinder is curved along its axis, too",
+        in_text(ObliqueCylinder, "rolling_surface", " - barrier(a * b)", ""),
+        on_round,
+    ),
+    Planted(
+        "round bodies have no edges",
+        in_text(bounds, "limits", "Flat | TwoSided", "Flat"),
+        on_round,
+    ),
+    Planted(
+        "behind a round body its distance bends as that of a plane",
+        in_text(Round, "max_convexity", "2 / self._rho", "sp.Integer(0)"),
+        behind,
+    ),
+)
+
+CHECKS = checks_of(FAULTS)
+
+
+@pytest.mark.parametrize("check", CHECKS, ids=lambda check: f"{check.name}")
+def test_without_a_fault_every_check_passes(check: Check, tmp_path: Path) -> None:
+    passes(check, tmp_path)
+
+
+@pytest.mark.parametrize(
+    "fault", [pytest.param(fault, id=f"{fault.name} ({fault.check.name})") for fault in FAULTS]
+)
+@pytest.mark.sampled(1)
+def test_a_fault_trips_its_check(fault: Planted, tmp_path: Path) -> None:
+    noticed(fault, tmp_path)
