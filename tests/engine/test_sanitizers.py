@@ -24,13 +24,16 @@ from hoopgen.engine.c_build import FLAGS
 from tests.helpers import ROOT
 from tests.helpers.compiled import SANITIZERS, WIDTHS, compiles, needs_compiler
 from tests.helpers.court_shots import all_kinds
-from tests.helpers.effort import trials
+from tests.helpers.effort import EFFORT, trials
 
 # One worker: the driver is compiled once.
 pytestmark = [pytest.mark.slow, needs_compiler, pytest.mark.xdist_group("sanitizers")]
 
 ROWS = trials(300_000, at_least=100_000)
 """Rows that every width flies."""
+
+SANITIZED = native.WIDTHS if EFFORT >= 1 else (1, WIDTHS[-1])
+"""Widths that are compiled with AddressSanitizer, which takes long: all, or those of users here."""
 
 LOGGED = 0.05
 """Share of the calls that keep the event log, whose buffers are large."""
@@ -233,7 +236,8 @@ def driver(tmp_path_factory: pytest.TempPathFactory) -> Path:
     source.write_text(DRIVER, encoding="utf-8")
     scene = ROOT / "generated" / "c"
     flags = (*FLAGS, *SANITIZERS, "-Wno-psabi", f"-I{scene}")
-    compiles(*flags, source, scene / "hoop.c", "-o", program, "-lm")
+    some = () if SANITIZED == native.WIDTHS else (f"-DHOOP_NATIVE={SANITIZED[-1]}",)
+    compiles(*flags, *some, source, scene / "hoop.c", "-o", program, "-lm")
     return program
 
 
@@ -248,14 +252,14 @@ class Run:
 
 @pytest.fixture(scope="module")
 def runs(driver: Path) -> dict[int, Run]:
-    """The driver's runs, at once; all widths fly the same rows."""
+    """The driver's runs, at once; the widths fly the same rows."""
     releases = driver.with_name("releases")
     releases.write_bytes(np.concatenate([w.make(2000) for w in WORKLOADS]).tobytes())
     values = [repr(value) for value in PAPER.values()]
     # Where a debugger is not allowed, the search for leaks fails.
     environment = os.environ | {"ASAN_OPTIONS": "detect_leaks=0"}
     started = {}
-    for width in native.WIDTHS:
+    for width in SANITIZED:
         with releases.open("rb") as file:
             started[width] = subprocess.Popen(
                 [driver, str(width), str(ROWS), str(LOGGED), *values],
@@ -269,7 +273,7 @@ def runs(driver: Path) -> dict[int, Run]:
     return {width: Run(p.returncode, *said[width]) for width, p in started.items()}
 
 
-@pytest.mark.parametrize("width", native.WIDTHS)
+@pytest.mark.parametrize("width", SANITIZED)
 def test_no_row_makes_a_sanitizer_speak(runs: dict[int, Run], width: int) -> None:
     run = runs[width]
     if run.status == NOT_THERE:
@@ -387,7 +391,7 @@ CLANG = shutil.which("clang")
 
 def sanitized(sanitizer: str) -> list[str]:
     """Return Clang and its flags for a sanitizer."""
-    return [CLANG or "clang", "-O1", "-g", "-w", f"-fsanitize={sanitizer}", "-pthread"]
+    return [CLANG or "clang", "-O1", "-g1", "-w", f"-fsanitize={sanitizer}", "-pthread"]
 
 
 @pytest.fixture(scope="module", params=["thread", "memory"])
