@@ -387,7 +387,7 @@ CLANG = shutil.which("clang")
 
 def sanitized(sanitizer: str) -> list[str]:
     """Return Clang and its flags for a sanitizer."""
-    return [CLANG or "clang", "-O1", "-g", "-w", f"-fsanitize={sanitizer}", "-pthread"]
+    return [CLANG or "clang", "-O1", "-g1", "-w", f"-fsanitize={sanitizer}", "-pthread"]
 
 
 @pytest.fixture(scope="module", params=["thread", "memory"])

@@ -7,7 +7,7 @@ derivation that has the fault.
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Hashable, Sequence
 from contextlib import ExitStack
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -18,10 +18,14 @@ from hoopgen.derive import model
 from hoopgen.derive.scenes.court import COURT
 
 from hoopgen.scene import Scene
+from hoopgen.simulation.engine import Engine
 from tests.helpers.derived import DerivedKernels, engine_of
 from tests.helpers.mutants import Patch
 
 Prepared = Callable[[], None]
+
+_DERIVED: dict[Hashable, Any] = {}
+"""The derivations that checks without a fault need, by their origin."""
 
 
 @dataclass(frozen=True)
@@ -44,26 +48,59 @@ class Check:
         """The module and the name of the test."""
         return f"{self.test.__module__.removeprefix('tests.')}.{self.test.__name__}"
 
-    def prepare(self, folder: Path, patch: ExitStack) -> Prepared:
-        """Derive what the test needs, while the fault is there; return what runs it."""
+    @property
+    def in_the_suite(self) -> bool:
+        """Whether pytest runs the test with these very arguments, and with nothing derived anew."""
+        return False
+
+    @property
+    def origin(self) -> Hashable:
+        """The identity of the derivation that the test needs."""
+        return None
+
+    def derive(self, folder: Path) -> Any:
+        """Derive what the test needs."""
+        return None
+
+    def run(self, derived: Any) -> None:
+        """Run the test with what was derived."""
         raise NotImplementedError
+
+    def prepare(self, folder: Path, patch: ExitStack) -> Prepared:
+        """Derive what the test needs, while the fault is there; return what runs it without."""
+        derived = self.derive(folder)
+        patch.close()
+        return lambda: self.run(derived)
+
+    def _call(self, *first: Any) -> None:
+        for arguments in self.given:
+            self.test(*first, *arguments)
 
 
 @dataclass(frozen=True)
 class OfFormulas(Check):
     """A test that evaluates the derivation itself; the fault stays while it runs."""
 
+    @property
+    def in_the_suite(self) -> bool:
+        """Whether pytest runs the test with these very arguments."""
+        marks = [m for m in vars(self.test).get("pytestmark", ()) if m.name == "parametrize"]
+        if len(marks) > 1 or not self.test.__name__.startswith("test_"):
+            return False
+        every = cases(self.test) if marks else ((),)
+        return all(given in every for given in self.given)
+
+    def run(self, derived: Any) -> None:
+        """Run the test."""
+        self._call()
+
     def prepare(self, folder: Path, patch: ExitStack) -> Prepared:
         """Return what runs the test."""
-        return lambda: self._run(())
-
-    def _run(self, first: tuple[Any, ...]) -> None:
-        for arguments in self.given:
-            self.test(*first, *arguments)
+        return lambda: self.run(None)
 
 
 @dataclass(frozen=True)
-class OfKernels(OfFormulas):
+class OfKernels(Check):
     """A test that calls the kernels of the court.
 
     Attributes
@@ -74,33 +111,43 @@ class OfKernels(OfFormulas):
 
     named: tuple[tuple[str, str], ...] = ()
 
-    def prepare(self, folder: Path, patch: ExitStack) -> Prepared:
-        """Derive the court; return what runs the test with its kernels."""
-        kernels = DerivedKernels.from_scene(COURT)
-        patch.close()
+    @property
+    def origin(self) -> Hashable:
+        """The court's kernels."""
+        return DerivedKernels
 
-        def run() -> None:
-            with pytest.MonkeyPatch.context() as there:
-                for module, name in self.named or ((self.test.__module__, "court"),):
-                    there.setattr(sys.modules[module], name, kernels)
-                self._run(())
+    def derive(self, folder: Path) -> DerivedKernels:
+        """Derive the court."""
+        return DerivedKernels.from_scene(COURT)
 
-        return run
+    def run(self, derived: Any) -> None:
+        """Run the test with kernels of the court in place of the generated ones."""
+        with pytest.MonkeyPatch.context() as there:
+            for module, name in self.named or ((self.test.__module__, "court"),):
+                there.setattr(sys.modules[module], name, derived)
+            self._call()
 
 
 @dataclass(frozen=True)
-class WithKernels(OfFormulas):
+class WithKernels(Check):
     """A test whose first argument is the kernels of the court."""
 
-    def prepare(self, folder: Path, patch: ExitStack) -> Prepared:
-        """Derive the court; return what runs the test with its kernels."""
-        kernels = DerivedKernels.from_scene(COURT)
-        patch.close()
-        return lambda: self._run((kernels,))
+    @property
+    def origin(self) -> Hashable:
+        """The court's kernels."""
+        return DerivedKernels
+
+    def derive(self, folder: Path) -> DerivedKernels:
+        """Derive the court."""
+        return DerivedKernels.from_scene(COURT)
+
+    def run(self, derived: Any) -> None:
+        """Run the test with kernels of the court."""
+        self._call(derived)
 
 
 @dataclass(frozen=True, kw_only=True)
-class OfEngine(OfFormulas):
+class OfEngine(Check):
     """A test whose first argument is the engine of a scene.
 
     Attributes
@@ -111,11 +158,18 @@ class OfEngine(OfFormulas):
 
     scene: Scene | Any = field(repr=False)
 
-    def prepare(self, folder: Path, patch: ExitStack) -> Prepared:
-        """Derive and print the scene; return what runs the test with its engine."""
-        engine = engine_of(self.scene, folder)
-        patch.close()
-        return lambda: self._run((engine,))
+    @property
+    def origin(self) -> Hashable:
+        """The scene."""
+        return id(self.scene)
+
+    def derive(self, folder: Path) -> Engine:
+        """Derive and print the scene."""
+        return engine_of(self.scene, folder)
+
+    def run(self, derived: Any) -> None:
+        """Run the test with the engine."""
+        self._call(derived)
 
 
 @dataclass(frozen=True)
@@ -139,17 +193,20 @@ def noticed(planted: Planted, folder: Path) -> None:
 
 
 def passes(check: Check, folder: Path) -> None:
-    """Run a check on the derivation as it is."""
-    with ExitStack() as stack:
-        check.prepare(folder, stack)()
+    """Run a check on the derivation as it is, which is made once for all checks that need it."""
+    if check.origin not in _DERIVED:
+        _DERIVED[check.origin] = check.derive(folder)
+    check.run(_DERIVED[check.origin])
 
 
 def checks_of(faults: Sequence[Planted]) -> list[Check]:
-    """Return the checks of some faults, each once."""
-    return list({id(fault.check): fault.check for fault in faults}.values())
+    """Return the checks of some faults, each once, but for tests that pytest runs alike."""
+    checks = {id(fault.check): fault.check for fault in faults}.values()
+    return [check for check in checks if not check.in_the_suite]
 
 
 def cases(test: Callable[..., None]) -> tuple[tuple[Any, ...], ...]:
     """Return the arguments of each case of a test that is parametrized once."""
     (mark,) = (mark for mark in vars(test)["pytestmark"] if mark.name == "parametrize")
-    return tuple(tuple(getattr(case, "values", case)) for case in mark.args[1])
+    given = (getattr(case, "values", case) for case in mark.args[1])
+    return tuple(case if isinstance(case, tuple) else (case,) for case in given)

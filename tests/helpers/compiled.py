@@ -166,7 +166,9 @@ class CKernels:
         source.write_text("".join(parts), encoding="utf-8")
         # Vectors wider than the processor's go through memory: an ABI of this library's own.
         self._library = ctypes.CDLL(
-            str(shared_library(source, *(f"-m{one}" for one in TARGETS[width]), "-Wno-psabi"))
+            str(
+                shared_library(source, "-O1", *(f"-m{one}" for one in TARGETS[width]), "-Wno-psabi")
+            )
         )
 
     def _function(self, kernel: Kernel, scene: str) -> str:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import functools
-import inspect
 import os
 import pickle
 import shutil
@@ -35,6 +34,7 @@ from hoopgen.text.shorten import brief
 from tests.helpers import ROOT
 from tests.helpers.compiled import needs_compiler
 from tests.helpers.environment import FLAGS, MODES, control, in_a_thread, linux_on_x86, set_control
+from tests.helpers.own_scenes import compiling_as_for_users
 from tests.helpers.scenes.table import TABLE
 
 # One worker: what is compiled once serves them all.
@@ -59,9 +59,6 @@ DOME = Scene(
 )
 PLANK = replace(DOME, name="plank", bodies=DOME.bodies[:1])
 """The least that there is to compile."""
-
-OWN_WIDTH, OWN_FLAGS = inspect.unwrap(compilers.processor_width), compilers.FLAGS
-"""The width and the flags that users have, before fixtures of tests replace them."""
 
 FILE = """\
 name = "post"
@@ -91,11 +88,9 @@ def drops(count: int, seed: int = 1) -> NDArray[np.float64]:
 
 
 @pytest.fixture(scope="module", autouse=True)
-def quick() -> Iterator[None]:
-    """Compile one lane, hardly optimized: what is asked here does not depend on that."""
+def printed_once(soonest: None) -> Iterator[None]:
+    """Print each scene once."""
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(compilers, "processor_width", lambda: 1)
-        patch.setattr(compilers, "FLAGS", ["-O0", *compilers.FLAGS[1:]])
         patch.setattr(render, "render_scene", functools.cache(render.render_scene))
         yield
 
@@ -168,11 +163,10 @@ def entry_of(home: Path) -> Path:
 PROCESS = """
 import sys
 sys.path.insert(0, {tests!r})
-from hoopgen.scene import cache, compilers
-compilers.processor_width = lambda: 1
-compilers.FLAGS = ["-O0", *compilers.FLAGS[1:]]
+from tests.helpers.own_scenes import compiling_soonest
 import hoopgen, test_scene_of_processes as own
-engine = hoopgen.compile(own.DOME)
+with compiling_soonest():
+    engine = hoopgen.compile(own.DOME)
 print(engine.backend, engine.simulate(own.STATES).state.tobytes().hex(), "sympy" in sys.modules)
 """
 
@@ -606,14 +600,12 @@ def test_where_nothing_can_be_written_a_process_compiles_for_itself(
 
 
 @pytest.mark.slow
-def test_c_as_wide_as_the_processor_gives_numpys_bits(
-    home: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """Compiled as for a user, who has no test's flags and widths."""
-    monkeypatch.setattr(compilers, "processor_width", OWN_WIDTH)
-    monkeypatch.setattr(compilers, "FLAGS", OWN_FLAGS)
-    assert OWN_WIDTH() > 1
-    assert_c_gives_numpys_bits(hoopgen.compile(PLANK))
+def test_c_as_wide_as_the_processor_gives_numpys_bits(home: Path) -> None:
+    """Compiled as for a user, who has no test's compiler, flags and width."""
+    with compiling_as_for_users():
+        assert compilers.processor_width() > 1
+        assert "-O1" in compilers.FLAGS
+        assert_c_gives_numpys_bits(hoopgen.compile(PLANK))
 
 
 @posix

@@ -17,8 +17,8 @@ from hoopgen.scene import Cone, Cylinder, Disc, End, Parameter, Plane, Scene, To
 from hoopgen.simulation.engine import Engine
 from tests.helpers.derived import engine_of
 from tests.helpers.effort import exceptions, occurrences, trials
+from tests.helpers.own_scenes import compiled_as_for_users
 from tests.helpers.slow_scene import Slow
-from tests.helpers.widths import compiled_as_for_users
 
 # One worker: each scene is compiled once.
 pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("oblique_bodies")]

@@ -24,7 +24,7 @@ from tests.helpers.slow_scene import Slow
 from tests.scene.test_oblique_bodies import aimed_at, rotated
 
 # One worker: each scene is derived once.
-pytestmark = pytest.mark.xdist_group("revolutions")
+pytestmark = [pytest.mark.xdist_group("revolutions"), pytest.mark.usefixtures("soonest")]
 
 Floats = NDArray[np.float64]
 

@@ -38,7 +38,11 @@ from tests.helpers.scenes.rings import RINGS
 from tests.helpers.slow_path import Floats, Slow, Wall, everywhere
 
 # One worker: each scene is rendered once.
-pytestmark = [pytest.mark.sampled(1), pytest.mark.xdist_group("own_surfaces")]
+pytestmark = [
+    pytest.mark.sampled(1),
+    pytest.mark.xdist_group("own_surfaces"),
+    pytest.mark.usefixtures("soonest"),
+]
 
 MOST = 30
 

@@ -7,7 +7,7 @@ shot is the same in a scaled hoop, or hoopgen says that it does not know.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -21,14 +21,18 @@ import hoopgen
 from benchmarks.families import FAMILIES
 from hoopgen.core.validation import check_time_limit
 from hoopgen.judge import certify
-from hoopgen.scene import Box, End, Parameter, Plane, Scene, Sphere, Surface, Torus, compilers
+from hoopgen.scene import Box, End, Parameter, Plane, Scene, Sphere, Surface, Torus
 from hoopgen.simulation.engine import Engine
 from tests.helpers.compiled import needs_compiler
 from tests.helpers.court_shots import all_kinds
 from tests.helpers.effort import trials
 from tests.scene.test_example_scenes import numpy_engine
 
-pytestmark = [pytest.mark.sampled(1), pytest.mark.xdist_group("number_range")]
+pytestmark = [
+    pytest.mark.sampled(1),
+    pytest.mark.xdist_group("number_range"),
+    pytest.mark.usefixtures("soonest"),
+]
 
 Floats = NDArray[np.float64]
 Dimension = tuple[int, int]
@@ -142,16 +146,6 @@ def own_states(count: int) -> Floats:
 def usual(scene: Engine) -> dict[str, float]:
     """Return the parameters of a scene, those that may be infinite finite."""
     return {n: 0.5 if n in scene.infinite else v for n, v in scene.parameters.items()}
-
-
-@pytest.fixture(scope="module", autouse=True)
-def quick(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
-    """Compile one lane, hardly optimized, in a folder of its own: no bit depends on that."""
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setenv("XDG_CACHE_HOME", str(tmp_path_factory.mktemp("cache")))
-        patch.setattr(compilers, "processor_width", lambda: 1)
-        patch.setattr(compilers, "FLAGS", ["-O0", *compilers.FLAGS[1:]])
-        yield
 
 
 @pytest.fixture(
