@@ -11,7 +11,8 @@ except ImportError as error:
     raise explain_import_error(error, "certify", extra="certify") from None
 
 from .batch import MAX_BITS, CertificationOptions, certify
-from .certificate import UNDECIDED, Certificate, Enclosure, Proof
+from .certificate import Certificate
+from .proof import UNDECIDED, Enclosure, Proof
 from .release_box import BoxProof, certify_box
 
 __all__ = [

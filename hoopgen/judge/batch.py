@@ -32,9 +32,10 @@ from hoopgen.scene.lookup import SceneLike
 
 from .batch_flight import WIDTH, is_supported
 from .batch_proofs import MIN_BATCH, BatchTask
-from .certificate import UNDECIDED, Certificate, Proof, ProvedEvent, doubles, enclosure
+from .certificate import Certificate
 from .flight import ProvedFlight, fly
 from .formulas import formulas
+from .proof import UNDECIDED, Proof, ProvedEvent, doubles, enclosure
 from .proof_task import ProofTask
 from .roots import Undecided
 
@@ -164,7 +165,7 @@ def prove(
     single = _SingleTask(scene, max_contacts, time_limit, max_bits, record)
     _write(proofs, rows, _mapped(single, chunks, workers))
     found = [proof for proof in proofs if proof is not None]
-    return Certificate(found, len(scene.bodies), states, scene.name)
+    return Certificate(found, len(scene.bodies), states, values, scene.name)
 
 
 def _write(

@@ -11,11 +11,11 @@ and at the end are numbers of the models.
 
 *Proof*, by induction over the events. At the release the models are the doubles themselves, and no
 body is overlapped (`surely_valid`). Let e be the errors for which the models of the state after an
-event are the exact state (`error_sets.py` turns these into such of another e). The path and the
-coefficients of the event polynomials are in their balls, so that the lemmas of `first_roots.py` and
-`first_events.py` hold for the exact flight: the event is its first, and the time of it is of its
-model for the same e. Then so are the state before it (Eq. 3), the normal there (Table 2), and the
-state after the impact (Eq. 17), by the lemma of `model_array.py`. At an end the bounds of each
+event are the exact state (`error_set_array.py` turns these into such of another e). The path and
+the coefficients of the event polynomials are in their balls, so that the lemmas of `first_roots.py`
+and `first_events.py` hold for the exact flight: the event is its first, and the time of it is of
+its model for the same e. Then so are the state before it (Eq. 3), the normal there (Table 2), and
+the state after the impact (Eq. 17), by the lemma of `model_array.py`. At an end the bounds of each
 outcome are decided in balls. What cannot be decided leaves the shot without an outcome. ∎
 
 So a true tie, an exact touch and an exact edge are never proved here. Neither is a shot that begins
@@ -29,7 +29,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from .ball_array import BallArray, Bools, Floats, Rows
-from .error_sets import condensed
+from .error_set_array import condensed
 from .first_events import first_events, holds
 from .flights import Flights, joined, shared_columns
 from .formulas import Formulas, SurfaceFormulas

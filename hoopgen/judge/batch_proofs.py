@@ -9,8 +9,8 @@ import numpy as np
 
 from .ball_array import Bools, Floats
 from .batch_flight import Flown, fly_batch
-from .certificate import Proof
 from .formulas import formulas
+from .proof import Proof
 from .proof_task import ProofTask
 
 BITS = 106

@@ -2,14 +2,10 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
-from dataclasses import dataclass
-from itertools import pairwise
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 import numpy as np
-from flint import arb, ctx
 from numpy.typing import NDArray
 
 from hoopgen.core.argument_types import check_arguments
@@ -17,129 +13,11 @@ from hoopgen.core.event_log import Event
 from hoopgen.generated.numpy import hoop
 from hoopgen.text.numbers import format_count
 
+from .event_errors import event_errors
+from .proof import UNDECIDED, Proof
+
 if TYPE_CHECKING:
     from hoopgen.results.shots import Shots
-
-UNDECIDED = 255
-"""Value of `Certificate.outcome` where no outcome was proved."""
-
-EVENT_ERRORS = np.dtype(
-    [
-        ("shot", np.int64),
-        ("surface", np.int64),
-        ("time_error", np.float64),
-        ("before_error", np.float64, 3),
-        ("after_error", np.float64, 3),
-    ]
-)
-"""A row of bounds; those of states are on position, velocity and spin."""
-
-
-class Enclosure(NamedTuple):
-    """A real number proved to be within (middle ± radius) 2^exponent; all three whole numbers."""
-
-    middle: int
-    radius: int
-    exponent: int
-
-    @property
-    def ball(self) -> arb:
-        """The enclosure as an Arb ball."""
-        with ctx.workprec(max(64, self.middle.bit_length())):
-            scale = arb(2) ** self.exponent
-            return arb(self.middle) * scale + arb(0, arb(self.radius) * scale)
-
-    def __float__(self) -> float:
-        return float(self.ball)
-
-    def __str__(self) -> str:
-        """Return the decimal digits that are proved, at most 40."""
-        text: str = self.ball.str(40, radius=False)
-        return text
-
-
-def enclosure(ball: arb) -> Enclosure:
-    """Return a finite ball as an enclosure."""
-    middle, place = map(int, ball.mid().man_exp())
-    radius, radius_place = map(int, ball.rad().man_exp())
-    if not radius:
-        return Enclosure(middle, 0, place)
-    exponent = min(place, radius_place)
-    return Enclosure(middle << (place - exponent), radius << (radius_place - exponent), exponent)
-
-
-def doubles(balls: Sequence[arb]) -> tuple[list[float], list[float]]:
-    """Return the doubles nearest to the balls' middles, and bounds on their errors."""
-    nearest = [float(ball) for ball in balls]
-    away = [(ball - arb(n)).abs_upper() for ball, n in zip(balls, nearest, strict=True)]
-    # An upper bound, rounded to nearest and then up once.
-    return nearest, [0.0 if a.is_zero() else math.nextafter(float(a), math.inf) for a in away]
-
-
-class ProvedEvent(NamedTuple):
-    """A contact or the end: surface, time since the release, states before and after, (9,)."""
-
-    surface: int
-    time: Enclosure
-    before: tuple[Enclosure, ...]
-    after: tuple[Enclosure, ...]
-
-
-@dataclass(frozen=True)
-class Proof:
-    """The proof of one shot.
-
-    Attributes
-    ----------
-    outcome
-        Its number among the scene's outcomes (`Outcome`), or `UNDECIDED`.
-    bits
-        The precision at which every decision was proved, 106 for shots proved at once; if
-        undecided, the last one tried.
-    question
-        Why the proof ends before the shot does: what could not be decided, or that bounces
-        accumulate and the ball rolls from there. Empty if every decision was proved.
-    surfaces, times, time_radii
-        Of the events, as far as they are proved, the end included: index of the surface, the
-        double nearest to the time (s), and how far the truth can be from that.
-    time, time_radius
-        As `Shots.time`, and how far the truth can be from it; NaN if undecided or invalid.
-    state, state_radii
-        As `Shots.state`, likewise.
-    events
-        With record: the events with all digits.
-    hops
-        Where bounces accumulate: the index of the first event of a run of hops that are too small
-        to be told from rolling; else -1.
-    """
-
-    outcome: int
-    bits: int
-    question: str
-    surfaces: list[int]
-    times: list[float]
-    time_radii: list[float]
-    time: float
-    time_radius: float
-    state: list[float]
-    state_radii: list[float]
-    events: tuple[ProvedEvent, ...]
-    hops: int = -1
-
-    @property
-    def decided(self) -> bool:
-        """True if every decision was proved, and so is the outcome."""
-        return self.outcome != UNDECIDED
-
-    @property
-    def accumulates(self) -> bool:
-        """True if the proof ends because bounces accumulate: from there the ball rolls."""
-        return self.hops >= 0
-
-    @property
-    def until(self) -> float:
-        """The time of the last event that is proved, s since the release; 0 if there is none."""
-        return self.times[-1] if self.times else 0.0
 
 
 class Certificate:
@@ -181,10 +59,15 @@ class Certificate:
     grip_lost: NDArray[np.float64]
 
     def __init__(
-        self, proofs: Sequence[Proof], bodies: int, releases: NDArray[np.float64], scene: str
+        self,
+        proofs: Sequence[Proof],
+        bodies: int,
+        releases: NDArray[np.float64],
+        inputs: NDArray[np.float64],
+        scene: str,
     ) -> None:
         self.proofs = tuple(proofs)
-        self._releases, self._scene = releases, scene
+        self._releases, self._inputs, self._scene = releases, inputs, scene
         shots = len(proofs)
         outcome = np.array([p.outcome for p in proofs], np.uint8)
         self.outcome: NDArray[np.uint8] = outcome
@@ -278,8 +161,8 @@ class Certificate:
         Raises
         ------
         ValueError
-            If they are not as many, are of another scene or of other releases, or if the proofs are
-            without ``record=True``.
+            If they are not as many, are of another scene, of other releases or of other parameters,
+            or if the proofs are without ``record=True``.
         AttributeError
             If the shots have no event log.
         """
@@ -289,14 +172,11 @@ class Certificate:
                 f"shots: expected shots in the scene {self._scene}, which was proved; got some in "
                 f"{shots.scene.name}"
             )
-        own, given = self._releases, shots.releases
-        same = (given == own) | (np.isnan(given) & np.isnan(own))
-        if not same.all():
-            row = int(np.flatnonzero(~same.all(axis=1))[0])
-            raise ValueError(
-                f"shots: expected the releases that were proved; that of shot {row} is another"
-            )
-        return _event_errors(self.proofs, shots.events)
+        inputs = shots.scene.table.inputs(shots.parameters)
+        columns = [np.broadcast_to(one, len(self)) for one in inputs]
+        _check_same("releases", self._releases, shots.releases)
+        _check_same("parameters", self._inputs, np.stack(columns, axis=-1))
+        return event_errors(self.proofs, shots.events)
 
     def _check_as_many(self, shots: Shots) -> None:
         if len(shots) != len(self):
@@ -333,65 +213,9 @@ class Certificate:
         return f"Certificate({format_count(len(self), 'shot')}, {decided}{until_rolling})"
 
 
-def _event_errors(proofs: Sequence[Proof], events: NDArray[np.void]) -> NDArray[np.void]:
-    """Return proved bounds on the errors of each row of an event log.
-
-    A bound is the upper end of a ball that holds the difference between the recorded number, an
-    exact double, and the proved enclosure of the true one. It is rounded up to a double.
-
-    Parameters
-    ----------
-    proofs
-        Of the same shots, with their events.
-    events
-        The log, sorted by shot.
-
-    Returns
-    -------
-    ndarray
-        `EVENT_ERRORS`, a row for each row of the log; NaN where nothing is proved of it.
-
-    Raises
-    ------
-    ValueError
-        If the proofs have no events.
-    """
-    if any(proof.surfaces and not proof.events for proof in proofs):
-        raise ValueError("event_errors needs the proved events: certify(..., record=True)")
-    found = np.zeros(len(events), EVENT_ERRORS)
-    found["shot"], found["surface"] = events["shot"], events["surface"]
-    for name in ("time_error", "before_error", "after_error"):
-        found[name] = math.nan
-    ends = np.searchsorted(events["shot"], np.arange(len(proofs) + 1))
-    for proof, (start, end) in zip(proofs, pairwise(ends.tolist()), strict=True):
-        _bound(proof, events[start:end], found[start:end])
-    return found
-
-
-def _bound(proof: Proof, events: NDArray[np.void], found: NDArray[np.void]) -> None:
-    """Write the bounds of one shot, as far as its events are those that are proved.
-
-    Rows of a roll end the comparison: the judge follows impacts.
-    """
-    with ctx.workprec(4 * proof.bits):  # no digit of an enclosure is lost
-        for row, proved, bounds in zip(events, proof.events, found, strict=False):
-            if row["surface"] != proved.surface or row["kind"] not in (Event.IMPACT, Event.END):
-                return
-            bounds["time_error"] = _largest(proved, "time", [float(row["time"])])
-            for name in ("before", "after"):
-                state = row[name].tolist()
-                bounds[f"{name}_error"] = [
-                    _largest(proved, name, state[k : k + 3], k) for k in (0, 3, 6)
-                ]
-
-
-def _largest(proved: ProvedEvent, name: str, numbers: Sequence[float], first: int = 0) -> float:
-    """Return a bound on the distance of each number from its enclosure."""
-    value = getattr(proved, name)
-    enclosures = [value] if name == "time" else value[first : first + len(numbers)]
-    away = [
-        abs(one.ball - arb(number)).upper() for one, number in zip(enclosures, numbers, strict=True)
-    ]
-    largest = max(away)
-    # The conversion rounds to nearest, at worst half a unit down.
-    return 0.0 if largest == 0 else math.nextafter(float(largest), math.inf)
+def _check_same(what: str, proved: NDArray[np.float64], given: NDArray[np.float64]) -> None:
+    """Refuse shots of which something is not as it was proved; NaN is the same as NaN."""
+    other = ~((given == proved) | (np.isnan(given) & np.isnan(proved))).all(axis=1)
+    if other.any():
+        row = int(np.flatnonzero(other)[0])
+        raise ValueError(f"shots: expected the {what} that were proved; those of shot {row} differ")

@@ -32,9 +32,9 @@ from hoopgen.scene.lookup import SceneLike
 from hoopgen.text.numbers import format_count, format_percent
 from hoopgen.text.shorten import brief
 
-from .certificate import UNDECIDED
 from .flight import fly
 from .formulas import formulas
+from .proof import UNDECIDED
 from .roots import Undecided
 from .taylor_model import Number, TaylorModel, as_model, ball
 

@@ -36,11 +36,11 @@ from benchmarks.workloads import TABLE_3, WORKLOADS
 from hoopgen.cli.certify import certify as command
 from hoopgen.judge import UNDECIDED, Enclosure, Proof, certify
 from hoopgen.judge.arrivals import arrival_at
-from hoopgen.judge.certificate import doubles, enclosure
 from hoopgen.judge.expressions import compile_expressions
 from hoopgen.judge.flight import fly as fly_in_balls
 from hoopgen.judge.formulas import formulas
 from hoopgen.judge.pieces import next_piece
+from hoopgen.judge.proof import doubles, enclosure
 from hoopgen.judge.roots import Arrival, first_arrival, sign_changes
 from hoopgen.judge.settle import settle
 from tests.helpers import ROOT

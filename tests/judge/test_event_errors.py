@@ -30,7 +30,8 @@ def logged(shots: hoopgen.Shots, events: NDArray[np.void]) -> Any:
         def __len__(self) -> int:
             return len(shots)
 
-    return Log(events=events, scene=shots.scene, releases=shots.releases)
+    given = {"releases": shots.releases, "parameters": shots.parameters}
+    return Log(events=events, scene=shots.scene, **given)
 
 
 def columns(rows: NDArray[np.void]) -> NDArray[np.float64]:
@@ -156,8 +157,11 @@ def test_a_wrong_argument_is_said() -> None:
         bare.event_errors(hoopgen.simulate(TABLE_3["7"], record=True))
     assert len(proofs.event_errors(shots)) == 6
     other = hoopgen.simulate([TABLE_3["7"], TABLE_3["5a"]], record=True)
-    with pytest.raises(ValueError, match="releases that were proved; that of shot 1 is another"):
+    with pytest.raises(ValueError, match="releases that were proved; those of shot 1 differ"):
         proofs.event_errors(other)
+    bouncier = hoopgen.simulate([TABLE_3["7"]] * 2, {"restitution": [0.7, 0.71]}, record=True)
+    with pytest.raises(ValueError, match="parameters that were proved; those of shot 1 differ"):
+        proofs.event_errors(bouncier)
     court = hoopgen.simulate([TABLE_3["7"]] * 2, scene=hoopgen.COURT, record=True)
     with pytest.raises(ValueError, match="in the scene hoop, which was proved; got some in court"):
         proofs.event_errors(court)

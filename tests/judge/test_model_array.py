@@ -15,7 +15,7 @@ pytest.importorskip("flint")
 
 import flint
 
-from hoopgen.judge import error_sets
+from hoopgen.judge import error_set_array
 from hoopgen.judge.ball_array import Floats
 from hoopgen.judge.model_array import SLOPES, ModelArray, as_models
 from tests.judge.test_ball_array import OPERATIONS, numbers
@@ -189,15 +189,15 @@ def check_error_sets(skew: float = 0.0) -> None:
         model.slopes = random.normal(size=(SLOPES, rows)) * size
         model.slopes[:, ::3] *= k % 4 == 0
         model.radius = np.abs(random.normal(size=rows)) * size * (np.arange(rows) % 2)
-    usual = error_sets._sides
+    usual = error_set_array._sides
 
     def skewed(slopes: Floats, radii: Floats) -> Floats:
         return usual(slopes, radii) * (1 - skew * np.tri(9)[:, :, None])
 
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(error_sets, "_sides", skewed)
-        found = error_sets.condensed(state)
-    sizes, reached = error_sets.SCALES[:, 0], 0.0
+        patch.setattr(error_set_array, "_sides", skewed)
+        found = error_set_array.condensed(state)
+    sizes, reached = error_set_array.SCALES[:, 0], 0.0
     for row in range(rows):
         own = np.array([m.slopes[:, row] for m in found]) / sizes[:, None]  # type: ignore[index]
         inverse = np.linalg.inv(own)

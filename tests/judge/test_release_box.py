@@ -19,10 +19,10 @@ pytest.importorskip("sympy")
 
 from flint import arb
 
-from hoopgen.judge.certificate import UNDECIDED
 from hoopgen.judge.clear_flight import clear_until, misses_body
 from hoopgen.judge.formulas import formulas
 from hoopgen.judge.pieces import next_piece
+from hoopgen.judge.proof import UNDECIDED
 
 THROW = {
     "speed": 7.17,

@@ -14,7 +14,7 @@ from hoopgen.judge import (
     ball_array,
     batch_flight,
     batch_proofs,
-    error_sets,
+    error_set_array,
     first_events,
     first_roots,
     model_array,
@@ -259,19 +259,22 @@ FAULTS = (
     ),
     Planted(
         "an error set has no slopes",
-        in_text(error_sets, "condensed", "lengths = onto + ", "lengths = "),
+        in_text(error_set_array, "condensed", "lengths = onto + ", "lengths = "),
         error_set,
     ),
     Planted(
         "an error set has no radii",
         in_text(
-            error_sets, "condensed", 'onto + np.einsum("kin,kn->in", np.abs(sides), radii)', "onto"
+            error_set_array,
+            "condensed",
+            'onto + np.einsum("kin,kn->in", np.abs(sides), radii)',
+            "onto",
         ),
         error_set,
     ),
     Planted(
         "the sides of an error set are orthogonal",
-        in_text(error_sets, "condensed", "2 * skew", "0.0 * skew"),
+        in_text(error_set_array, "condensed", "2 * skew", "0.0 * skew"),
         skewed,
     ),
     Planted(
