@@ -106,6 +106,10 @@ def shot(
         click.echo(f"scene      {describe_scene(shots.scene, parameters)}")
 
 
+_ROLLING = {"hoop": "--scene court", "air": "--scene court-air"}
+"""The scene of the same hoop in which a ball rolls, by the name of that in which none does."""
+
+
 def _summary(shots: hoopgen.Shots, state: NDArray[np.float64]) -> str:
     counts = zip(shots.surfaces, shots.counts[0], strict=True)
     by_surface = ", ".join(f"{name} {count}" for name, count in counts)
@@ -120,9 +124,23 @@ def _summary(shots: hoopgen.Shots, state: NDArray[np.float64]) -> str:
     for row, start, stop in path.rolls:
         name = shots.surfaces[int(path.events["surface"][row])]
         lines.append(f"rolls      on the {name} from {start:.3f} to {stop:.3f} s{airless}")
+    if _bounces_out(shots, path.events["time"]):
+        rolling = _ROLLING.get(shots.scene.name, "rolls = true in the scene")
+        lines.append(
+            f"hint       the bounces become ever smaller; with {rolling} the ball then rolls"
+        )
     if shots.uncertain[0]:
         lines.append("uncertain  yes: some decision is within the bound on its rounding error")
     return "\n".join(lines)
+
+
+def _bounces_out(shots: hoopgen.Shots, times: NDArray[np.float64]) -> bool:
+    """Return whether a shot is capped amid bounces of less than a millisecond each."""
+    capped = shots.outcome[0] == shots.scene.outcomes["CAPPED"]
+    few = 10
+    return bool(
+        capped and not shots.scene.rolls and len(times) > few and times[-1] - times[-few] < 1e-3
+    )
 
 
 def _outcome_text(shots: hoopgen.Shots) -> str:

@@ -258,6 +258,17 @@ def test_a_capped_shot_is_told() -> None:
     assert "outcome    capped: 1 contact, and" in told.stdout
 
 
+def test_a_shot_whose_bounces_end_gets_a_hint_of_the_scene_in_which_it_rolls() -> None:
+    onto_the_bridge = ["--speed", "0.001", "--elevation=-89deg", "--distance", "0.25"]
+    place = ["--angle", "180deg", "--height", "3.2"]
+    told = succeed("shot", *onto_the_bridge, *place)
+    assert "hint       the bounces become ever smaller; with --scene court the ball" in told.stdout
+    rolls = succeed("shot", *onto_the_bridge, *place, "--scene", "court")
+    assert "rolls      on the bridge from" in rolls.stdout
+    assert "hint" not in rolls.stdout
+    assert "hint" not in succeed(*FIGURE_7, "--max-contacts", "1").stdout
+
+
 def test_a_short_shot_is_told_and_is_no_error() -> None:
     arguments = ["shot", "--speed", "3", "--elevation", "40deg", "--distance", "4", "--height", "2"]
     assert "short: the ball never comes down" in run(*arguments).stdout
