@@ -350,7 +350,7 @@ IN_AIR = {
     ),
     "inverse_airspeed": Entry(r"\breve s", r"one over the initial speed $\breve v$"),
     "short_inverse_airspeed": Entry(r"\acute s", r"$\breve s$ in single precision"),
-    "sketch_size": Entry("W", "no less than any length of a search along a sketch"),
+    "sketch_size": Entry("W_s", "no less than any length of a search along a sketch"),
     "sketching": Entry(r"\text{sketching}", "the search along a sketch goes on"),
     "misses": Entry(r"\text{misses}", "the sketch shows that there is no contact"),
     "landed": Entry("k_s", "1 if the sketch shows that one root follows, else 0"),

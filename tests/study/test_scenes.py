@@ -331,7 +331,7 @@ def test_a_table_of_states_is_flown_and_read_again(
     assert [reason for _, reason in found.invalid] == [
         "inside the floor",
         "no value in vx",
-        "parameter not allowed: reach -1",
+        "parameter not allowed: reach -1; reach has to be above 0",
     ]
     rows = pq.read_table(out)
     states = np.zeros((3, 9))
