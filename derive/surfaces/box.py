@@ -120,6 +120,11 @@ class Box(Surface):
         away = barrier(sp.sqrt(barrier(sp.Add(*(e**2 for e in self.excess)))))
         return barrier(maximum(away, self.scaled_radius / 2))
 
+    def nearest_point(self, ball_radius: sp.Expr) -> list[sp.Expr]:
+        """Return the nearest point of the box, also of a ball that overlaps it."""
+        del ball_radius
+        return [barrier(place - e) for place, e in zip(POSITION, self.excess, strict=True)]
+
     @property
     def curvature(self) -> sp.Expr:
         """The curvature of edges and corners, 1/R_B."""

@@ -42,11 +42,7 @@ def at_contact(
     ball_radius
         R, m.
     """
-    touched = (
-        barrier(place - barrier(ball_radius * component))
-        for place, component in zip(POSITION, surface.normal, strict=True)
-    )
-    there = dict(zip(POSITION, touched, strict=True))
+    there = dict(zip(POSITION, surface.nearest_point(ball_radius), strict=True))
     # R (1/R + kappa): the number 1 in a sum would count as a length of the scene.
     bend = barrier(barrier(1 / ball_radius) + barrier(surface.curvature))
     stretch = barrier(barrier(ROUNDINGS * ball_radius) * bend)

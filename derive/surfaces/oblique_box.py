@@ -122,6 +122,13 @@ class ObliqueBox(Box):
         directions = [barrier(e / self._length) for e in self.excess]
         return sp.Matrix([part * per for part in times(self.rotation, directions)])
 
+    def nearest_point(self, ball_radius: sp.Expr) -> list[sp.Expr]:
+        """Return the nearest point of the box, also of a ball that overlaps it."""
+        del ball_radius
+        per = barrier(1 / barrier(self.scale * self.scale))
+        away = (barrier(barrier(part) * per) for part in times(self.rotation, self.excess))
+        return [barrier(place - e) for place, e in zip(POSITION, away, strict=True)]
+
     @property
     def _unit_axes(self) -> Matrix:
         """The rotation itself, in rows."""

@@ -157,6 +157,19 @@ class Surface(ABC):
         """Bound on the rate (1/m) at which the normal turns along the contact surface."""
         return sp.Integer(0)
 
+    def nearest_point(self, ball_radius: sp.Expr) -> list[sp.Expr]:
+        """Return the point of the body that a ball touches, each coordinate held.
+
+        Parameters
+        ----------
+        ball_radius
+            R_B, m.
+        """
+        return [
+            barrier(place - barrier(ball_radius * component))
+            for place, component in zip(POSITION, self.normal, strict=True)
+        ]
+
     def curvature_within(self, reach: Sequence[sp.Expr]) -> sp.Expr:
         """Return a bound on that rate along the part of the surface that is near the ball's place.
 

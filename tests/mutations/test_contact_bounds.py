@@ -7,11 +7,10 @@ from pathlib import Path
 import pytest
 from hoopgen.derive.events import registry
 from hoopgen.derive.events.box import BoxRootFinder
-from hoopgen.derive.surfaces import Box
+from hoopgen.derive.surfaces import Box, Surface
 
 pytest.importorskip("flint")
 
-from hoopgen.scene import derivation
 from tests.helpers.checked_faults import (
     Check,
     OfEngine,
@@ -69,7 +68,7 @@ FAULTS = (
     ),
     Planted(
         "the bounds of a torus are those of the ball's centre",
-        in_text(derivation, "at_contact", "place - barrier(ball_radius * component)", "place"),
+        in_text(Surface, "nearest_point", "place - barrier(ball_radius * component)", "place"),
         ring,
     ),
     Planted(
