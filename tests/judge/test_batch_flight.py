@@ -89,7 +89,9 @@ def test_nearly_all_free_throws_are_proved_at_once() -> None:
 
 
 def test_final_times_and_states_are_known_to_more_than_a_double_s_digits() -> None:
-    found = certify(np.concatenate([free_throws(), WORKLOADS[3].make(trials(200))]), processes=1)
+    found = certify(
+        np.concatenate([free_throws(), WORKLOADS[3].make(trials(200, at_least=200))]), processes=1
+    )
     size = np.abs(found.state).reshape(-1, 3, 3).max(axis=2).repeat(3, axis=1)
     rounding = np.spacing(np.abs(found.state)) / 2
     assert np.all(

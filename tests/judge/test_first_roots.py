@@ -97,7 +97,7 @@ def test_the_first_of_several_roots_is_isolated() -> None:
 
 def test_roots_that_are_too_close_are_left_open_and_none_is_missed() -> None:
     """Two roots a tiny way apart lie below the roundings; a simple root comes behind them."""
-    rows = trials(ROWS)
+    rows = ROWS
     for exponent in (10, 20, 26, 30, 45):
         roots = [
             [Fraction(k + 1, 3 * rows), Fraction(k + 1, 3 * rows) + Fraction(1, 2**exponent)]
