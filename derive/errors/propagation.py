@@ -252,7 +252,7 @@ def curving_along(surface: Surface, flight: Flight) -> sp.Expr:
     """Return a bound on the rate at which the normal turns along a flight back to the surface.
 
     The flight has the time t, and begins and ends on the surface. It is the curvature of the part
-    of the surface that is within the flight's way along each axis.
+    of the surface that is within the flight's way along each axis and the errors of the place.
 
     Parameters
     ----------
@@ -261,7 +261,8 @@ def curving_along(surface: Surface, flight: Flight) -> sp.Expr:
     flight
         The motion between contacts.
     """
-    return surface.curvature_within(flight.path_lengths())
+    off = barrier(DECISION_FACTOR * barrier(greatest(dx) + greatest(dv) * t))
+    return surface.curvature_within([barrier(way + off) for way in flight.path_lengths()])
 
 
 def root_rounding(flight: Flight) -> dict[str, sp.Expr]:

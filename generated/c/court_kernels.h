@@ -1,6 +1,6 @@
 /* Kernels of the scene court, in C.
 
-   Generated from templates/c/kernels.h.j2, scene court, derivation 495f8c37fe49c7e5,
+   Generated from templates/c/kernels.h.j2, scene court, derivation a4e6a8d51c910057,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -3713,29 +3713,38 @@ LANES(court_backboard_normal)(V x, V y, V z, V _c0, V _c1, V _c2, V _c3, V _c4, 
 }
 
 /* Bound on the rate at which the normal turns along the contact surface.
-   Table 2. 39 operations: 7 additions, 3 subtractions, 6 multiplications, 2 negations, 3 absolute values, 9 comparisons, 9 selections. */
+   Table 2. 59 operations: 11 additions, 3 subtractions, 8 multiplications, 2 negations, 9 absolute values, 13 comparisons, 13 selections. */
 typedef struct {
     V curvature;
 } LANES(court_backboard_curvature_out);
 
 LANES_INLINE LANES(court_backboard_curvature_out)
-LANES(court_backboard_curvature)(V t, V x, V y, V z, V vx, V vy, V vz, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5, V _c6)
+LANES(court_backboard_curvature)(V t, V x, V y, V z, V vx, V vy, V vz, V dx, V dy, V dz, V dvx, V dvy, V dvz, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5, V _c6)
 {
     const V _s0 = lanes_mul(K(2.0), t);
-    const V _s1 = lanes_sub(z, _c3);
-    const V _s2 = lanes_sub(_c2, z);
-    const V _s3 = lanes_add(lanes_add(lanes_mul(_c4, lanes_mul(t, t)), lanes_mul(_s0, lanes_abs(vz))), lanes_max(_s1, _s2));
-    const V _s4 = lanes_add(_c0, x);
-    const V _s5 = lanes_neg(lanes_add(_c5, x));
-    const V _s6 = lanes_add(lanes_mul(_s0, lanes_abs(vx)), lanes_max(_s4, _s5));
-    const V _s7 = lanes_max(_s3, _s6);
-    const V _s8 = lanes_sub(y, _c1);
-    const V _s9 = lanes_neg(lanes_add(_c1, y));
-    const V _s10 = lanes_add(lanes_mul(_s0, lanes_abs(vy)), lanes_max(_s8, _s9));
-    const V _s11 = lanes_max(_s10, _s3);
-    const V _s12 = lanes_max(_s6, _s10);
-    const V _s13 = lanes_min(_s11, _s12);
-    return (LANES(court_backboard_curvature_out)){ lanes_select(lanes_less(lanes_min(_s7, _s13), K(0.0)), K(0.0), _c6) };
+    const V _s1 = lanes_abs(dvx);
+    const V _s2 = lanes_abs(dvy);
+    const V _s3 = lanes_max(_s1, _s2);
+    const V _s4 = lanes_abs(dvz);
+    const V _s5 = lanes_abs(dx);
+    const V _s6 = lanes_abs(dy);
+    const V _s7 = lanes_max(_s5, _s6);
+    const V _s8 = lanes_abs(dz);
+    const V _s9 = lanes_mul(K(16.0), lanes_add(lanes_mul(t, lanes_max(_s3, _s4)), lanes_max(_s7, _s8)));
+    const V _s10 = lanes_sub(z, _c3);
+    const V _s11 = lanes_sub(_c2, z);
+    const V _s12 = lanes_add(lanes_add(lanes_add(lanes_mul(_c4, lanes_mul(t, t)), lanes_mul(_s0, lanes_abs(vz))), _s9), lanes_max(_s10, _s11));
+    const V _s13 = lanes_add(_c0, x);
+    const V _s14 = lanes_neg(lanes_add(_c5, x));
+    const V _s15 = lanes_add(lanes_add(lanes_mul(_s0, lanes_abs(vx)), _s9), lanes_max(_s13, _s14));
+    const V _s16 = lanes_max(_s12, _s15);
+    const V _s17 = lanes_sub(y, _c1);
+    const V _s18 = lanes_neg(lanes_add(_c1, y));
+    const V _s19 = lanes_add(lanes_add(lanes_mul(_s0, lanes_abs(vy)), _s9), lanes_max(_s17, _s18));
+    const V _s20 = lanes_max(_s19, _s12);
+    const V _s21 = lanes_max(_s15, _s19);
+    const V _s22 = lanes_min(_s20, _s21);
+    return (LANES(court_backboard_curvature_out)){ lanes_select(lanes_less(lanes_min(_s16, _s22), K(0.0)), K(0.0), _c6) };
 }
 
 /* Error of the normal, from that of the position.
@@ -4285,29 +4294,38 @@ LANES(court_bridge_normal)(V x, V y, V z, V _c0, V _c1, V _c2, V _c3, V _c4, V _
 }
 
 /* Bound on the rate at which the normal turns along the contact surface.
-   Table 2. 39 operations: 7 additions, 3 subtractions, 6 multiplications, 2 negations, 3 absolute values, 9 comparisons, 9 selections. */
+   Table 2. 59 operations: 11 additions, 3 subtractions, 8 multiplications, 2 negations, 9 absolute values, 13 comparisons, 13 selections. */
 typedef struct {
     V curvature;
 } LANES(court_bridge_curvature_out);
 
 LANES_INLINE LANES(court_bridge_curvature_out)
-LANES(court_bridge_curvature)(V t, V x, V y, V z, V vx, V vy, V vz, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5, V _c6)
+LANES(court_bridge_curvature)(V t, V x, V y, V z, V vx, V vy, V vz, V dx, V dy, V dz, V dvx, V dvy, V dvz, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5, V _c6)
 {
     const V _s0 = lanes_mul(K(2.0), t);
-    const V _s1 = lanes_sub(z, _c1);
-    const V _s2 = lanes_sub(_c5, z);
-    const V _s3 = lanes_add(lanes_add(lanes_mul(_c4, lanes_mul(t, t)), lanes_mul(_s0, lanes_abs(vz))), lanes_max(_s1, _s2));
-    const V _s4 = lanes_add(_c0, x);
-    const V _s5 = lanes_neg(lanes_add(_c2, x));
-    const V _s6 = lanes_add(lanes_mul(_s0, lanes_abs(vx)), lanes_max(_s4, _s5));
-    const V _s7 = lanes_max(_s3, _s6);
-    const V _s8 = lanes_sub(y, _c3);
-    const V _s9 = lanes_neg(lanes_add(_c3, y));
-    const V _s10 = lanes_add(lanes_mul(_s0, lanes_abs(vy)), lanes_max(_s8, _s9));
-    const V _s11 = lanes_max(_s10, _s3);
-    const V _s12 = lanes_max(_s6, _s10);
-    const V _s13 = lanes_min(_s11, _s12);
-    return (LANES(court_bridge_curvature_out)){ lanes_select(lanes_less(lanes_min(_s7, _s13), K(0.0)), K(0.0), _c6) };
+    const V _s1 = lanes_abs(dvx);
+    const V _s2 = lanes_abs(dvy);
+    const V _s3 = lanes_max(_s1, _s2);
+    const V _s4 = lanes_abs(dvz);
+    const V _s5 = lanes_abs(dx);
+    const V _s6 = lanes_abs(dy);
+    const V _s7 = lanes_max(_s5, _s6);
+    const V _s8 = lanes_abs(dz);
+    const V _s9 = lanes_mul(K(16.0), lanes_add(lanes_mul(t, lanes_max(_s3, _s4)), lanes_max(_s7, _s8)));
+    const V _s10 = lanes_sub(z, _c1);
+    const V _s11 = lanes_sub(_c5, z);
+    const V _s12 = lanes_add(lanes_add(lanes_add(lanes_mul(_c4, lanes_mul(t, t)), lanes_mul(_s0, lanes_abs(vz))), _s9), lanes_max(_s10, _s11));
+    const V _s13 = lanes_add(_c0, x);
+    const V _s14 = lanes_neg(lanes_add(_c2, x));
+    const V _s15 = lanes_add(lanes_add(lanes_mul(_s0, lanes_abs(vx)), _s9), lanes_max(_s13, _s14));
+    const V _s16 = lanes_max(_s12, _s15);
+    const V _s17 = lanes_sub(y, _c3);
+    const V _s18 = lanes_neg(lanes_add(_c3, y));
+    const V _s19 = lanes_add(lanes_add(lanes_mul(_s0, lanes_abs(vy)), _s9), lanes_max(_s17, _s18));
+    const V _s20 = lanes_max(_s19, _s12);
+    const V _s21 = lanes_max(_s15, _s19);
+    const V _s22 = lanes_min(_s20, _s21);
+    return (LANES(court_bridge_curvature_out)){ lanes_select(lanes_less(lanes_min(_s16, _s22), K(0.0)), K(0.0), _c6) };
 }
 
 /* Error of the normal, from that of the position.

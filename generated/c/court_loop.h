@@ -1,6 +1,6 @@
 /* The event loop of the scene court, with or without bounds on errors.
 
-   Generated from templates/c/loop.h.j2, scene court, derivation 495f8c37fe49c7e5,
+   Generated from templates/c/loop.h.j2, scene court, derivation a4e6a8d51c910057,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by court_engine.h twice, BOUNDED being 1 where errors are bounded, else 0. The path is
@@ -5076,7 +5076,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                 EACH(SET, _again_2, again)
                 const M _if_again_2 = lanes_both(_if_meeting_1, again);
                 if (lanes_any(_if_again_2)) {
-                    CALL(court_backboard_curvature, _backboard_curvature_1)(when, x, y, z, vx, vy, vz, FIXED(9), FIXED(10), FIXED(11), FIXED(12), FIXED(21), FIXED(15), FIXED(111));
+                    CALL(court_backboard_curvature, _backboard_curvature_1)(when, x, y, z, vx, vy, vz, dx, dy, dz, dvx, dvy, dvz, FIXED(9), FIXED(10), FIXED(11), FIXED(12), FIXED(21), FIXED(15), FIXED(111));
                     curving = lanes_select(_if_again_2, _backboard_curvature_1.curvature, curving);
                     CALL(court_started, _started_2)(x, y, z, vx, vy, vz, when, FIXED(33));
                     EACH(GET, _started_2, from_x, from_y, from_z)
@@ -5089,7 +5089,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                 EACH(SET, _again_3, again)
                 const M _if_again_3 = lanes_both(_if_meeting_1, again);
                 if (lanes_any(_if_again_3)) {
-                    CALL(court_bridge_curvature, _bridge_curvature_1)(when, x, y, z, vx, vy, vz, FIXED(7), FIXED(8), FIXED(9), FIXED(13), FIXED(21), FIXED(16), FIXED(111));
+                    CALL(court_bridge_curvature, _bridge_curvature_1)(when, x, y, z, vx, vy, vz, dx, dy, dz, dvx, dvy, dvz, FIXED(7), FIXED(8), FIXED(9), FIXED(13), FIXED(21), FIXED(16), FIXED(111));
                     curving = lanes_select(_if_again_3, _bridge_curvature_1.curvature, curving);
                     CALL(court_started, _started_3)(x, y, z, vx, vy, vz, when, FIXED(33));
                     EACH(GET, _started_3, from_x, from_y, from_z)

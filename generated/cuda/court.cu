@@ -1,6 +1,6 @@
 /* The event loop of the scene court in CUDA: a thread takes one shot from its release to its end.
 
-   Generated from templates/cuda/scene.cu.j2, scene court, derivation 495f8c37fe49c7e5,
+   Generated from templates/cuda/scene.cu.j2, scene court, derivation a4e6a8d51c910057,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    It needs no header. To give the bits of NumPy and C it is compiled with --fmad=false, --ftz=false,
@@ -3747,28 +3747,37 @@ static __device__ __forceinline__ kernel_backboard_normal_out kernel_backboard_n
 }
 
 /* Bound on the rate at which the normal turns along the contact surface.
-   Table 2. 41 operations: 8 additions, 3 subtractions, 6 multiplications, 1 division, 2 negations, 3 absolute values, 9 comparisons, 9 selections. */
+   Table 2. 61 operations: 12 additions, 3 subtractions, 8 multiplications, 1 division, 2 negations, 9 absolute values, 13 comparisons, 13 selections. */
 struct kernel_backboard_curvature_out {
     double curvature;
 };
 
-static __device__ __forceinline__ kernel_backboard_curvature_out kernel_backboard_curvature(double t, double x, double y, double z, double vx, double vy, double vz, double p_ball_radius, double p_board_distance, double p_board_half_width, double p_board_bottom, double p_board_top, double p_board_thickness, double p_gravity)
+static __device__ __forceinline__ kernel_backboard_curvature_out kernel_backboard_curvature(double t, double x, double y, double z, double vx, double vy, double vz, double dx, double dy, double dz, double dvx, double dvy, double dvz, double p_ball_radius, double p_board_distance, double p_board_half_width, double p_board_bottom, double p_board_top, double p_board_thickness, double p_gravity)
 {
     const double _s0 = 2.0 * t;
-    const double _s1 = z - p_board_top;
-    const double _s2 = p_board_bottom - z;
-    const double _s3 = ((p_gravity * (t * t)) + (_s0 * fabs(vz))) + larger(_s1, _s2);
-    const double _s4 = p_board_distance + x;
-    const double _s5 = -((p_board_distance + p_board_thickness) + x);
-    const double _s6 = (_s0 * fabs(vx)) + larger(_s4, _s5);
-    const double _s7 = larger(_s3, _s6);
-    const double _s8 = y - p_board_half_width;
-    const double _s9 = -(p_board_half_width + y);
-    const double _s10 = (_s0 * fabs(vy)) + larger(_s8, _s9);
-    const double _s11 = larger(_s10, _s3);
-    const double _s12 = larger(_s6, _s10);
-    const double _s13 = smaller(_s11, _s12);
-    return {choose((smaller(_s7, _s13) < 0.0), 0.0, (1.0 / p_ball_radius))};
+    const double _s1 = fabs(dvx);
+    const double _s2 = fabs(dvy);
+    const double _s3 = larger(_s1, _s2);
+    const double _s4 = fabs(dvz);
+    const double _s5 = fabs(dx);
+    const double _s6 = fabs(dy);
+    const double _s7 = larger(_s5, _s6);
+    const double _s8 = fabs(dz);
+    const double _s9 = 16.0 * ((t * larger(_s3, _s4)) + larger(_s7, _s8));
+    const double _s10 = z - p_board_top;
+    const double _s11 = p_board_bottom - z;
+    const double _s12 = (((p_gravity * (t * t)) + (_s0 * fabs(vz))) + _s9) + larger(_s10, _s11);
+    const double _s13 = p_board_distance + x;
+    const double _s14 = -((p_board_distance + p_board_thickness) + x);
+    const double _s15 = ((_s0 * fabs(vx)) + _s9) + larger(_s13, _s14);
+    const double _s16 = larger(_s12, _s15);
+    const double _s17 = y - p_board_half_width;
+    const double _s18 = -(p_board_half_width + y);
+    const double _s19 = ((_s0 * fabs(vy)) + _s9) + larger(_s17, _s18);
+    const double _s20 = larger(_s19, _s12);
+    const double _s21 = larger(_s15, _s19);
+    const double _s22 = smaller(_s20, _s21);
+    return {choose((smaller(_s16, _s22) < 0.0), 0.0, (1.0 / p_ball_radius))};
 }
 
 /* Error of the normal, from that of the position.
@@ -4354,28 +4363,37 @@ static __device__ __forceinline__ kernel_bridge_normal_out kernel_bridge_normal(
 }
 
 /* Bound on the rate at which the normal turns along the contact surface.
-   Table 2. 41 operations: 7 additions, 4 subtractions, 6 multiplications, 1 division, 2 negations, 3 absolute values, 9 comparisons, 9 selections. */
+   Table 2. 61 operations: 11 additions, 4 subtractions, 8 multiplications, 1 division, 2 negations, 9 absolute values, 13 comparisons, 13 selections. */
 struct kernel_bridge_curvature_out {
     double curvature;
 };
 
-static __device__ __forceinline__ kernel_bridge_curvature_out kernel_bridge_curvature(double t, double x, double y, double z, double vx, double vy, double vz, double p_ball_radius, double p_ring_radius, double p_wire_radius, double p_board_distance, double p_bridge_half_width, double p_bridge_depth, double p_gravity)
+static __device__ __forceinline__ kernel_bridge_curvature_out kernel_bridge_curvature(double t, double x, double y, double z, double vx, double vy, double vz, double dx, double dy, double dz, double dvx, double dvy, double dvz, double p_ball_radius, double p_ring_radius, double p_wire_radius, double p_board_distance, double p_bridge_half_width, double p_bridge_depth, double p_gravity)
 {
     const double _s0 = 2.0 * t;
-    const double _s1 = z - p_wire_radius;
-    const double _s2 = (p_wire_radius - p_bridge_depth) - z;
-    const double _s3 = ((p_gravity * (t * t)) + (_s0 * fabs(vz))) + larger(_s1, _s2);
-    const double _s4 = p_ring_radius + x;
-    const double _s5 = -(p_board_distance + x);
-    const double _s6 = (_s0 * fabs(vx)) + larger(_s4, _s5);
-    const double _s7 = larger(_s3, _s6);
-    const double _s8 = y - p_bridge_half_width;
-    const double _s9 = -(p_bridge_half_width + y);
-    const double _s10 = (_s0 * fabs(vy)) + larger(_s8, _s9);
-    const double _s11 = larger(_s10, _s3);
-    const double _s12 = larger(_s6, _s10);
-    const double _s13 = smaller(_s11, _s12);
-    return {choose((smaller(_s7, _s13) < 0.0), 0.0, (1.0 / p_ball_radius))};
+    const double _s1 = fabs(dvx);
+    const double _s2 = fabs(dvy);
+    const double _s3 = larger(_s1, _s2);
+    const double _s4 = fabs(dvz);
+    const double _s5 = fabs(dx);
+    const double _s6 = fabs(dy);
+    const double _s7 = larger(_s5, _s6);
+    const double _s8 = fabs(dz);
+    const double _s9 = 16.0 * ((t * larger(_s3, _s4)) + larger(_s7, _s8));
+    const double _s10 = z - p_wire_radius;
+    const double _s11 = (p_wire_radius - p_bridge_depth) - z;
+    const double _s12 = (((p_gravity * (t * t)) + (_s0 * fabs(vz))) + _s9) + larger(_s10, _s11);
+    const double _s13 = p_ring_radius + x;
+    const double _s14 = -(p_board_distance + x);
+    const double _s15 = ((_s0 * fabs(vx)) + _s9) + larger(_s13, _s14);
+    const double _s16 = larger(_s12, _s15);
+    const double _s17 = y - p_bridge_half_width;
+    const double _s18 = -(p_bridge_half_width + y);
+    const double _s19 = ((_s0 * fabs(vy)) + _s9) + larger(_s17, _s18);
+    const double _s20 = larger(_s19, _s12);
+    const double _s21 = larger(_s15, _s19);
+    const double _s22 = smaller(_s20, _s21);
+    return {choose((smaller(_s16, _s22) < 0.0), 0.0, (1.0 / p_ball_radius))};
 }
 
 /* Error of the normal, from that of the position.
@@ -7357,7 +7375,7 @@ static __device__ __forceinline__ void court_loop(
                 const kernel_again_out _o440 = kernel_again(1.0, last, which);
                 again = _o440.again;
                 if (again) {
-                    const kernel_backboard_curvature_out _o441 = kernel_backboard_curvature(when, x, y, z, vx, vy, vz, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
+                    const kernel_backboard_curvature_out _o441 = kernel_backboard_curvature(when, x, y, z, vx, vy, vz, dx, dy, dz, dvx, dvy, dvz, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
                     curving = _o441.curvature;
                     const kernel_started_out _o442 = kernel_started(p_gravity, x, y, z, vx, vy, vz, when);
                     from_x = _o442.from_x;
@@ -7371,7 +7389,7 @@ static __device__ __forceinline__ void court_loop(
                 const kernel_again_out _o444 = kernel_again(2.0, last, which);
                 again = _o444.again;
                 if (again) {
-                    const kernel_bridge_curvature_out _o445 = kernel_bridge_curvature(when, x, y, z, vx, vy, vz, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
+                    const kernel_bridge_curvature_out _o445 = kernel_bridge_curvature(when, x, y, z, vx, vy, vz, dx, dy, dz, dvx, dvy, dvz, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
                     curving = _o445.curvature;
                     const kernel_started_out _o446 = kernel_started(p_gravity, x, y, z, vx, vy, vz, when);
                     from_x = _o446.from_x;

@@ -1,6 +1,6 @@
 """NumPy kernels of the scene court.
 
-Generated from templates/numpy/kernels.py.j2, scene court, derivation 495f8c37fe49c7e5,
+Generated from templates/numpy/kernels.py.j2, scene court, derivation a4e6a8d51c910057,
 with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
 and run `make generate`.
 Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
@@ -4253,27 +4253,36 @@ def backboard_normal(x: Any, y: Any, z: Any, p_ball_radius: Any, p_board_distanc
     return _s2 / _s11, _s5 / _s11, _s8 / _s11
 
 
-def backboard_curvature(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_ball_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_board_thickness: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+def backboard_curvature(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, p_ball_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_board_thickness: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Bound on the rate at which the normal turns along the contact surface.
 
-    Table 2. 41 operations: 8 additions, 3 subtractions, 6 multiplications, 1 division, 2 negations, 3 absolute values, 9 comparisons, 9 selections.
+    Table 2. 61 operations: 12 additions, 3 subtractions, 8 multiplications, 1 division, 2 negations, 9 absolute values, 13 comparisons, 13 selections.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7 = _room[:8]
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9 = _room[:10]
     _s0 = _multiply(_k20, t, _r0)
-    _s1 = _subtract(z, p_board_top, _r1)
-    _s2 = _subtract(p_board_bottom, z, _r2)
-    _s3 = _add(_add(_multiply(p_gravity, _multiply(t, t, _r3), _r3), _multiply(_s0, _absolute(vz, _r4), _r4), _r4), _select(_s1 < _s2, _s2, _s1, _r3), _r3)
-    _s4 = _add(p_board_distance, x, _r2)
-    _s5 = _negative(_add(p_board_distance + p_board_thickness, x, _r1), _r1)
-    _s6 = _add(_multiply(_s0, _absolute(vx, _r4), _r4), _select(_s4 < _s5, _s5, _s4, _r5), _r5)
-    _s7 = _select(_s3 < _s6, _s6, _s3, _r1)
-    _s8 = _subtract(y, p_board_half_width, _r2)
-    _s9 = _negative(_add(p_board_half_width, y, _r4), _r4)
-    _s10 = _add(_multiply(_s0, _absolute(vy, _r6), _r6), _select(_s8 < _s9, _s9, _s8, _r0), _r0)
-    _s11 = _select(_s10 < _s3, _s3, _s10, _r4)
-    _s12 = _select(_s6 < _s10, _s10, _s6, _r2)
-    _s13 = _select(_s11 < _s12, _s11, _s12, _r6)
-    return _result(_select(_s7 < _s13, _s7, _s13, _r7) < _k4, _k4, 1.0 / p_ball_radius, _r0),
+    _s1 = _absolute(dvx, _r1)
+    _s2 = _absolute(dvy, _r2)
+    _s3 = _select(_s1 < _s2, _s2, _s1, _r3)
+    _s4 = _absolute(dvz, _r4)
+    _s5 = _absolute(dx, _r5)
+    _s6 = _absolute(dy, _r6)
+    _s7 = _select(_s5 < _s6, _s6, _s5, _r7)
+    _s8 = _absolute(dz, _r8)
+    _s9 = _multiply(_k36, _add(_multiply(t, _select(_s3 < _s4, _s4, _s3, _r9), _r9), _select(_s7 < _s8, _s8, _s7, _r4), _r4), _r4)
+    _s10 = _subtract(z, p_board_top, _r8)
+    _s11 = _subtract(p_board_bottom, z, _r7)
+    _s12 = _add(_add(_add(_multiply(p_gravity, _multiply(t, t, _r6), _r6), _multiply(_s0, _absolute(vz, _r5), _r5), _r5), _s9, _r5), _select(_s10 < _s11, _s11, _s10, _r6), _r6)
+    _s13 = _add(p_board_distance, x, _r7)
+    _s14 = _negative(_add(p_board_distance + p_board_thickness, x, _r8), _r8)
+    _s15 = _add(_add(_multiply(_s0, _absolute(vx, _r5), _r5), _s9, _r5), _select(_s13 < _s14, _s14, _s13, _r9), _r9)
+    _s16 = _select(_s12 < _s15, _s15, _s12, _r8)
+    _s17 = _subtract(y, p_board_half_width, _r7)
+    _s18 = _negative(_add(p_board_half_width, y, _r5), _r5)
+    _s19 = _add(_add(_multiply(_s0, _absolute(vy, _r3), _r3), _s9, _r3), _select(_s17 < _s18, _s18, _s17, _r4), _r4)
+    _s20 = _select(_s19 < _s12, _s12, _s19, _r5)
+    _s21 = _select(_s15 < _s19, _s19, _s15, _r7)
+    _s22 = _select(_s20 < _s21, _s20, _s21, _r3)
+    return _result(_select(_s16 < _s22, _s16, _s22, _r0) < _k4, _k4, 1.0 / p_ball_radius, _r0),
 
 
 def backboard_vary(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: Any, ny: Any, nz: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, p_ball_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_board_thickness: Any, p_gravity: Any, change_ball_radius: Any, change_board_distance: Any, change_board_half_width: Any, change_board_bottom: Any, change_board_top: Any, change_board_thickness: Any) -> tuple[Any, ...]:
@@ -4849,27 +4858,36 @@ def bridge_normal(x: Any, y: Any, z: Any, p_ball_radius: Any, p_ring_radius: Any
     return _s2 / _s11, _s8 / _s11, _s5 / _s11
 
 
-def bridge_curvature(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_bridge_half_width: Any, p_bridge_depth: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+def bridge_curvature(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_bridge_half_width: Any, p_bridge_depth: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Bound on the rate at which the normal turns along the contact surface.
 
-    Table 2. 41 operations: 7 additions, 4 subtractions, 6 multiplications, 1 division, 2 negations, 3 absolute values, 9 comparisons, 9 selections.
+    Table 2. 61 operations: 11 additions, 4 subtractions, 8 multiplications, 1 division, 2 negations, 9 absolute values, 13 comparisons, 13 selections.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7 = _room[:8]
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9 = _room[:10]
     _s0 = _multiply(_k20, t, _r0)
-    _s1 = _subtract(z, p_wire_radius, _r1)
-    _s2 = _subtract(p_wire_radius - p_bridge_depth, z, _r2)
-    _s3 = _add(_add(_multiply(p_gravity, _multiply(t, t, _r3), _r3), _multiply(_s0, _absolute(vz, _r4), _r4), _r4), _select(_s1 < _s2, _s2, _s1, _r3), _r3)
-    _s4 = _add(p_ring_radius, x, _r2)
-    _s5 = _negative(_add(p_board_distance, x, _r1), _r1)
-    _s6 = _add(_multiply(_s0, _absolute(vx, _r4), _r4), _select(_s4 < _s5, _s5, _s4, _r5), _r5)
-    _s7 = _select(_s3 < _s6, _s6, _s3, _r1)
-    _s8 = _subtract(y, p_bridge_half_width, _r2)
-    _s9 = _negative(_add(p_bridge_half_width, y, _r4), _r4)
-    _s10 = _add(_multiply(_s0, _absolute(vy, _r6), _r6), _select(_s8 < _s9, _s9, _s8, _r0), _r0)
-    _s11 = _select(_s10 < _s3, _s3, _s10, _r4)
-    _s12 = _select(_s6 < _s10, _s10, _s6, _r2)
-    _s13 = _select(_s11 < _s12, _s11, _s12, _r6)
-    return _result(_select(_s7 < _s13, _s7, _s13, _r7) < _k4, _k4, 1.0 / p_ball_radius, _r0),
+    _s1 = _absolute(dvx, _r1)
+    _s2 = _absolute(dvy, _r2)
+    _s3 = _select(_s1 < _s2, _s2, _s1, _r3)
+    _s4 = _absolute(dvz, _r4)
+    _s5 = _absolute(dx, _r5)
+    _s6 = _absolute(dy, _r6)
+    _s7 = _select(_s5 < _s6, _s6, _s5, _r7)
+    _s8 = _absolute(dz, _r8)
+    _s9 = _multiply(_k36, _add(_multiply(t, _select(_s3 < _s4, _s4, _s3, _r9), _r9), _select(_s7 < _s8, _s8, _s7, _r4), _r4), _r4)
+    _s10 = _subtract(z, p_wire_radius, _r8)
+    _s11 = _subtract(p_wire_radius - p_bridge_depth, z, _r7)
+    _s12 = _add(_add(_add(_multiply(p_gravity, _multiply(t, t, _r6), _r6), _multiply(_s0, _absolute(vz, _r5), _r5), _r5), _s9, _r5), _select(_s10 < _s11, _s11, _s10, _r6), _r6)
+    _s13 = _add(p_ring_radius, x, _r7)
+    _s14 = _negative(_add(p_board_distance, x, _r8), _r8)
+    _s15 = _add(_add(_multiply(_s0, _absolute(vx, _r5), _r5), _s9, _r5), _select(_s13 < _s14, _s14, _s13, _r9), _r9)
+    _s16 = _select(_s12 < _s15, _s15, _s12, _r8)
+    _s17 = _subtract(y, p_bridge_half_width, _r7)
+    _s18 = _negative(_add(p_bridge_half_width, y, _r5), _r5)
+    _s19 = _add(_add(_multiply(_s0, _absolute(vy, _r3), _r3), _s9, _r3), _select(_s17 < _s18, _s18, _s17, _r4), _r4)
+    _s20 = _select(_s19 < _s12, _s12, _s19, _r5)
+    _s21 = _select(_s15 < _s19, _s19, _s15, _r7)
+    _s22 = _select(_s20 < _s21, _s20, _s21, _r3)
+    return _result(_select(_s16 < _s22, _s16, _s22, _r0) < _k4, _k4, 1.0 / p_ball_radius, _r0),
 
 
 def bridge_vary(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: Any, ny: Any, nz: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_bridge_half_width: Any, p_bridge_depth: Any, p_gravity: Any, change_ball_radius: Any, change_ring_radius: Any, change_wire_radius: Any, change_board_distance: Any, change_bridge_half_width: Any, change_bridge_depth: Any) -> tuple[Any, ...]:
@@ -11535,18 +11553,18 @@ def resolve_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _again_1, = again(1.0, _last_1, _which_1)
         _rows9, _count10 = _most(_again_1, _count2)
         if _count10:
-            _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _vx_2, _vy_2, _vz_2, _when_2, _x_2, _y_2, _z_2 = _taken(_rows9, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_gravity_1, _vx_1, _vy_1, _vz_1, _when_1, _x_1, _y_1, _z_1)
+            _dvx_2, _dvy_2, _dvz_2, _dx_2, _dy_2, _dz_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _vx_2, _vy_2, _vz_2, _when_2, _x_2, _y_2, _z_2 = _taken(_rows9, _dvx_1, _dvy_1, _dvz_1, _dx_1, _dy_1, _dz_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_gravity_1, _vx_1, _vy_1, _vz_1, _when_1, _x_1, _y_1, _z_1)
             _room_2 = room(_count10)
-            _curving_2, = backboard_curvature(_when_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _p_ball_radius_2, _p_board_distance_2, _p_board_half_width_2, _p_board_bottom_2, _p_board_top_2, _p_board_thickness_2, _p_gravity_2, _room_2)
+            _curving_2, = backboard_curvature(_when_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _dx_2, _dy_2, _dz_2, _dvx_2, _dvy_2, _dvz_2, _p_ball_radius_2, _p_board_distance_2, _p_board_half_width_2, _p_board_bottom_2, _p_board_top_2, _p_board_thickness_2, _p_gravity_2, _room_2)
             _from_x_2, _from_y_2, _from_z_2 = started(_p_gravity_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _when_2)
             _left_nx_2, _left_ny_2, _left_nz_2 = backboard_normal(_from_x_2, _from_y_2, _from_z_2, _p_ball_radius_2, _p_board_distance_2, _p_board_half_width_2, _p_board_bottom_2, _p_board_top_2, _p_board_thickness_2, _room_2)
             _curving_1, _left_nx_1, _left_ny_1, _left_nz_1 = _put(_rows9, _count2, (_curving_1, _left_nx_1, _left_ny_1, _left_nz_1,), (_curving_2, _left_nx_2, _left_ny_2, _left_nz_2,), _again_1)
         _again_1, = again(2.0, _last_1, _which_1)
         _rows11, _count12 = _most(_again_1, _count2)
         if _count12:
-            _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _vx_2, _vy_2, _vz_2, _when_2, _x_2, _y_2, _z_2 = _taken(_rows11, _p_ball_radius_1, _p_board_distance_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _vx_1, _vy_1, _vz_1, _when_1, _x_1, _y_1, _z_1)
+            _dvx_2, _dvy_2, _dvz_2, _dx_2, _dy_2, _dz_2, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _vx_2, _vy_2, _vz_2, _when_2, _x_2, _y_2, _z_2 = _taken(_rows11, _dvx_1, _dvy_1, _dvz_1, _dx_1, _dy_1, _dz_1, _p_ball_radius_1, _p_board_distance_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _vx_1, _vy_1, _vz_1, _when_1, _x_1, _y_1, _z_1)
             _room_2 = room(_count12)
-            _curving_2, = bridge_curvature(_when_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_board_distance_2, _p_bridge_half_width_2, _p_bridge_depth_2, _p_gravity_2, _room_2)
+            _curving_2, = bridge_curvature(_when_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _dx_2, _dy_2, _dz_2, _dvx_2, _dvy_2, _dvz_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_board_distance_2, _p_bridge_half_width_2, _p_bridge_depth_2, _p_gravity_2, _room_2)
             _from_x_2, _from_y_2, _from_z_2 = started(_p_gravity_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _when_2)
             _left_nx_2, _left_ny_2, _left_nz_2 = bridge_normal(_from_x_2, _from_y_2, _from_z_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_board_distance_2, _p_bridge_half_width_2, _p_bridge_depth_2, _room_2)
             _curving_1, _left_nx_1, _left_ny_1, _left_nz_1 = _put(_rows11, _count2, (_curving_1, _left_nx_1, _left_ny_1, _left_nz_1,), (_curving_2, _left_nx_2, _left_ny_2, _left_nz_2,), _again_1)

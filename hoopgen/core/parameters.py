@@ -20,6 +20,29 @@ Value = float | NDArray[np.float64]
 ParameterValues = Mapping[str, ArrayLike]
 """Parameters of a scene as callers give them: names and values, one number each or (n,)."""
 
+OF_AIR = (
+    "ball_mass",
+    "air_density",
+    "drag_coefficient",
+    "lift_coefficient",
+    "drag_smoothing_speed",
+)
+"""Parameters that every scene in air has beside its own; a test compares them."""
+
+OF_COURT = (
+    "board_thickness",
+    "bridge_depth",
+    "ring_restitution",
+    "backboard_restitution",
+    "bridge_restitution",
+    "ring_friction",
+    "backboard_friction",
+    "bridge_friction",
+    "tangential_restitution",
+    "restitution_speed",
+)
+"""Parameters that `COURT` has and the article's hoop has not; a test compares them."""
+
 
 Held = TypeVar("Held", bound=Value, covariant=True)
 Other = TypeVar("Other", bound=Value)
@@ -194,30 +217,6 @@ def complete(parameters: ParameterValues | None, table: Table) -> ParameterValue
             f"The names are {names}"
         )
     return values
-
-
-OF_AIR = (
-    "ball_mass",
-    "air_density",
-    "drag_coefficient",
-    "lift_coefficient",
-    "drag_smoothing_speed",
-)
-"""Parameters that every scene in air has."""
-
-OF_COURT = (
-    "board_thickness",
-    "bridge_depth",
-    "ring_restitution",
-    "backboard_restitution",
-    "bridge_restitution",
-    "ring_friction",
-    "backboard_friction",
-    "bridge_friction",
-    "tangential_restitution",
-    "restitution_speed",
-)
-"""Parameters that `COURT` has and the article's hoop has not."""
 
 
 def _scene_of(unknown: Sequence[str], table: Table) -> str:

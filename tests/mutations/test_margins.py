@@ -279,6 +279,11 @@ FAULTS = (
         turned_by_flight,
     ),
     Planted(
+        "a ball whose place is off is on the face of a box where it seems to be",
+        in_text(propagation, "curving_along", "way + off", "way"),
+        turned_by_flight,
+    ),
+    Planted(
         "a turned box's face goes as far as its largest projection",
         in_text(ObliqueBox, "_shares", "absolute(entry)", "entry"),
         turned_within,

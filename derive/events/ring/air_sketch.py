@@ -8,7 +8,8 @@ W = |x| + V T + R_H is no less than any coordinate up to the end T of the window
 2^-18 V together, so they move the place by at most 2^-18 W. With v = 2^-24, the unit roundoff of
 single precision, the roundings of a place are at most 16 v W: one each of x and the coefficients,
 ten of Horner's rule relative to T V, that of the last sum, and two of times; those of a velocity
-are at most 16 v V. What a search allows for is a share of 2^-25. So
+are at most 16 v V. Errors of the state, those of the velocity over the whole piece included,
+move the place by at most 2^-25 W: a piece in which they are larger is uncertain (`over_budget`). So
 
     e = 2^-17 W    and    e' = 2^-17 V
 

@@ -14,7 +14,7 @@ from hoopgen.derive.motion.parabola import Parabola
 from hoopgen.derive.surfaces import Box
 from hoopgen.derive.surfaces.oblique_box import ObliqueBox
 from hoopgen.derive.symbolic.conditionals import Barrier, IfLess
-from hoopgen.derive.symbolic.error_terms import dx
+from hoopgen.derive.symbolic.error_terms import dv, dx
 from hoopgen.derive.symbolic.symbols import POSITION, VELOCITY
 from numpy.typing import NDArray
 
@@ -157,10 +157,14 @@ def test_an_error_of_the_place_turns_the_normal_of_a_box_no_more_than_is_carried
 @each_box
 def test_a_flight_back_to_a_box_turns_the_normal_no_more_than_its_bound(turned: bool) -> None:
     first, normal, second, other = neighbours(turned)
-    time = 10.0 ** np.random.default_rng(4).uniform(-3, 0, (len(first), 1))
+    random = np.random.default_rng(4)
+    time = 10.0 ** random.uniform(-3, 0, (len(first), 1))
+    # Places and velocities are off, and the bound holds for those where the ball truly is.
+    off = random.normal(0, 1, first.shape) * 10.0 ** random.uniform(-7, -2, (len(first), 1))
     arriving = (second - first) / time - 0.5 * time * [0, 0, GRAVITY]
     bound = propagation.curving_along(made(turned), FLIGHT)
-    given = by_axis(POSITION, second) | by_axis(VELOCITY, arriving) | {"t": time[:, 0]}
+    given = by_axis(POSITION, second + off) | by_axis(VELOCITY, arriving) | {"t": time[:, 0]}
+    given |= by_axis(dx, off) | by_axis(dv, np.zeros_like(off))
     found = evaluated(bound, **given)
     check_turn(found, np.linalg.norm(second - first, axis=1), (normal, other))
 
