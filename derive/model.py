@@ -161,7 +161,10 @@ def _optional_kernels(
         contact = (scene.flight, scene.ball, scene.faces, codes, scene.outcomes)
         friction = friction_limit.kernels(scene.flight.acceleration, scene.ball)
         kernels |= endless.kernels(codes) | contact_phase.kernels(
-            *contact, edges=scene.has_edges, oblique=scene.rolls_obliquely
+            *contact,
+            holders=[k for k, surface in enumerate(scene.surfaces) if surface.rolling_surface],
+            edges=scene.has_edges,
+            oblique=scene.rolls_obliquely,
         )
         kernels |= {kernel.name: kernel for kernel in friction}
     filters = [s.search.apart for k, s in enumerate(surfaces) if k not in tabled]

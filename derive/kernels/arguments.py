@@ -70,6 +70,7 @@ def argument_order(scene: Scene) -> tuple[sp.Symbol, ...]:
 def unchecked_argument_order(scene: Scene) -> tuple[sp.Symbol, ...]:
     """Return the symbols of kernels that run before the parameters are known to be valid."""
     so_far = (
+        *(validity.left_middle, validity.left_reach),
         *(validity.index, validity.blur, validity.measured),
         *(validity.valid_so_far, validity.undecided_so_far),
     )

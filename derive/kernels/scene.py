@@ -18,7 +18,7 @@ from ..motion.air_piece import piece
 from ..scenes import sinking, validity
 from ..scenes.scene import Scene
 from ..symbolic import error_terms
-from ..symbolic.conditionals import barrier, maximum
+from ..symbolic.conditionals import AtMost, barrier, maximum
 from ..symbolic.number_range import MAX_FLIGHT, MAX_SPEED
 from ..symbolic.symbols import POSITION, SPIN, VELOCITY, spin, velocity
 from .arguments import FRAME, RESTITUTION, components, unchecked_argument_order
@@ -322,6 +322,23 @@ def _validity(scene: Scene, tabled: Set[int]) -> tuple[Kernel, ...]:
     size_of_shot = decision(
         "begun_with", {"lengths": validity.measured}, "The scene's lengths, as a field of the shot."
     )
+    left = validity.left_surface(scene)
+    left_surface = kernel(
+        "left_surface",
+        left,
+        order,
+        "The surface that a ball leaves at its start, by its body.",
+        "the surface that the ball touches",
+    )
+    on_body = decision(
+        "starts_on_body",
+        {
+            "on_body": AtMost(0, validity.last),
+            str(validity.left_middle): -1,
+            str(validity.left_reach): sp.Rational(1, 2),
+        },
+        "Whether the ball leaves a body at its start; start values: it leaves none.",
+    )
     return (
         kernel(
             "allowed",
@@ -345,5 +362,6 @@ def _validity(scene: Scene, tabled: Set[int]) -> tuple[Kernel, ...]:
             "Table 2",
         ),
         *([near_kernel] if near else []),
+        *([on_body, left_surface] if left else []),
         *([size, size_of_shot] if tabled else []),
     )

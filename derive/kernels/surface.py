@@ -131,7 +131,7 @@ def one_surface_kernels(
     if differing is not None:
         kernels["start"] = kernel(
             f"{surface.name}_start",
-            validity.surface_start(surface),
+            validity.surface_start(surface, scene),
             unchecked_argument_order(scene),
             "1 if the ball overlaps no surface up to this one; 1 if that is undecided.",
             "Table 2",

@@ -68,15 +68,25 @@ def event_loop(
             ),
             "start": (
                 *([Call(common["begun_with"])] if "begun_with" in common else []),
-                *(Call(common["state_in_range"]), *_valid(common)),
+                Call(common["state_in_range"]),
+                *_left_surface(common),
+                *_valid(common),
                 *(node for kind in by_kind(contacts) for node in _starting(kind)),
                 Call(common["admitted"]),
+                *([Call(common["started_on_surface"])] if "in_contact" in common else []),
                 *([Call(common["passing_start"])] if "passing" in common else []),
             ),
             "detect": tuple(_reach(common, contacts, end_planes, open_ended)),
             "resolve": tuple(_meet(common, contacts, end_planes, {field.name for field in fields})),
         },
     )
+
+
+def _left_surface(common: Parts) -> Iterator[Node]:
+    """Find the surface that the ball leaves, where a body has several."""
+    if "left_surface" in common:
+        yield Call(common["starts_on_body"])
+        yield If("on_body", (Call(common["left_surface"]),), rare=True)
 
 
 def _valid(common: Parts) -> Iterator[Node]:
@@ -149,9 +159,10 @@ def _reach(
     yield Call(common["body_of"])
     if "piece_end" in common:
         yield Call(common[GOES_ON], {"index": piece_end})
-    if "piece_end" in common and "in_contact" in common:
-        # The series of rolling stands in the variables of the flight's.
-        yield If("in_contact", (Call(common["stays_put"]),), rare=True)
+    if "in_contact" in common:
+        # In air the series of rolling stands in the variables of the flight's.
+        put = [Call(common["stays_put"])] if "piece_end" in common else []
+        yield If("in_contact", (Call(common["nothing_happens_yet"]), *put), rare=True)
     flown = (Call(common["flight"], {"t": "when"}), Call(common["event_clock"]))
     yield If("moves", (*_passing(common), *flown))
     yield If("limited", (Call(common["expired"], {"index": time}),), rare=True)
@@ -231,7 +242,7 @@ def _meet(
         yield If(GOES_ON, (Call(common["carry_piece"], {"t": "when"}), Call(common["aloft"])))
     yield Call(common["meeting"])
     if "in_contact" in common:
-        yield Call(common["no_slow_contact"])
+        yield Call(common["slow_at_start"])
     yield If("meeting", tuple(_contact(common, contacts, end_planes, fields)))
     if "in_contact" in common:
         yield from contact_stages.settled(common, contacts, end_planes)

@@ -45,6 +45,7 @@ from .symbols import (
     FALLS_OFF,
     LEAVES,
     ROLLS,
+    STARTS,
     EventCodes,
     assured,
     began,
@@ -79,6 +80,7 @@ def kernels(
     faces: Sequence[int],
     codes: EventCodes,
     outcomes: Mapping[str, int],
+    holders: Sequence[int],
     edges: bool = False,
     oblique: bool = False,
 ) -> dict[str, Kernel]:
@@ -96,6 +98,8 @@ def kernels(
         The indices of events in contact.
     outcomes
         The number of each outcome, by name.
+    holders
+        The indices of the surfaces that a ball can roll on, in order.
     edges
         True if a ball may roll off an edge of a surface.
     oblique
@@ -112,6 +116,7 @@ def kernels(
         *meeting_kernels(ball.radius, codes),
         *edge_kernels(flight, ball, codes),
         *neighbour_kernels(ball.radius),
+        *_start_decisions(holders),
         *_flight_decisions(edges),
         *_contact_decisions(codes, edges, oblique),
         *_results(faces, codes, outcomes, edges),
@@ -168,6 +173,43 @@ def _series(flight: Flight, ball: Ball, strength: sp.Expr, oblique: bool) -> tup
     )
 
 
+def _start_decisions(holders: Sequence[int]) -> tuple[Kernel, ...]:
+    """Return the decisions about a ball that starts on a surface.
+
+    In its first turn nothing moves, and no contact happens: the turn only decides, as after a
+    bounce, whether the ball stays on the surface.
+    """
+    runs: list[list[int]] = []
+    for holder in holders:
+        if runs and runs[-1][-1] == holder - 1:
+            runs[-1][1:] = [holder]
+        else:
+            runs.append([holder])
+    on_holder = any_of(*(all_of(AtMost(run[0], last), AtMost(last, run[-1])) for run in runs))
+    starts = Equal(mode, STARTS)
+    return (
+        decision(
+            "started_on_surface",
+            {"mode": Choose(on_holder, STARTS, 0)},
+            "Whether the ball starts on a surface that it can roll on.",
+        ),
+        decision(
+            "nothing_happens_yet",
+            {
+                "moves": all_of(Boolean("moves"), Not(starts)),
+                "touches": all_of(Boolean("touches"), Not(starts)),
+                "body": Choose(starts, NONE, body),
+            },
+            "Start on a surface: no event, whatever surface the turn is about.",
+        ),
+        decision(
+            "slow_at_start",
+            {"slow": starts},
+            "Start value for a ball without a contact: whether it may stay where it starts.",
+        ),
+    )
+
+
 def _flight_decisions(edges: bool) -> tuple[Kernel, ...]:
     """Return the decisions that keep balls in contact out of the searches of flights."""
     return (
@@ -206,7 +248,7 @@ def _contact_decisions(codes: EventCodes, edges: bool, oblique: bool) -> tuple[K
         decision(
             "resumed",
             {
-                "which": NONE,
+                "which": Choose(Equal(mode, STARTS), last, NONE),
                 "earliest_delay": 0,
                 "began": clock,
                 "undecided_time": Choose(bounded, sp.oo, 0),
@@ -216,7 +258,7 @@ def _contact_decisions(codes: EventCodes, edges: bool, oblique: bool) -> tuple[K
                 **{str(s): 0 for s in (*normal, gap, *curved, lift, gap_jerk, gap_snap)},
                 str(rolling_series.per_reach): 0,
             },
-            "Start values of a turn in contact: no event yet.",
+            "Start values of a turn in contact: no event yet, and the surface that the ball is on.",
         ),
         decision(
             "contact_undecided",
@@ -283,8 +325,10 @@ def _results(
         # A ball may pass on from surface to surface for ever: that counts as contacts do.
         counts = {"contacts": Choose(taken, contacts + 1, contacts)}
         spent = all_of(taken, AtMost(most_contacts, contacts + 1))
-    following = Choose(Or(begins, goes_on), ROLLS, ending)
-    ongoing = Choose(Or(beyond, goes_on), IN_FLIGHT, reached)
+    starts = Equal(mode, STARTS)
+    asked = Or(nearly, Not(starts))  # a ball that starts with a speed off the surface flies
+    following = Choose(Or(begins, goes_on), ROLLS, Choose(starts, STARTS, ending))
+    ongoing = Choose(any_of(beyond, goes_on, starts), IN_FLIGHT, reached)
     if edges:
         ongoing = Choose(spent, capped, ongoing)
     return (
@@ -331,7 +375,7 @@ def _results(
                     outcome,
                 ),
                 "slip_left": Choose(all_of(nearly, slides), 1, 0),
-                "uncertain": Choose(Or(lodges, undecided), 1, uncertain),
+                "uncertain": Choose(Or(lodges, all_of(undecided, asked)), 1, uncertain),
             },
             "Whether the ball stays on the surface, slides, leaves, or is wedged.",
         ),

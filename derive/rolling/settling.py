@@ -279,7 +279,6 @@ def _bounce_kernels(strength: sp.Expr, ball: Ball, oblique: bool) -> tuple[Kerne
             {"slow": any_of(small, all_of(slow, Less(0, position_error))), "assured": 0},
             "Whether a ball leaves so slowly that its bounces may end here.",
         ),
-        decision("no_slow_contact", {"slow": false}, "Start value for a ball without a contact."),
         loop_kernel(
             "nearly",
             {"nearly": small},

@@ -6,9 +6,10 @@ import sympy as sp
 
 from ..symbolic.conditionals import Boolean
 
-BEGINS, ROLLS, LEAVES, FALLS_OFF = 1, 2, 3, 4
+BEGINS, ROLLS, LEAVES, FALLS_OFF, STARTS = 1, 2, 3, 4, 5
 """Values of `mode`: the contact begins, goes on, or ends in the next turn, by itself or at an edge
-of the surface; 0 is flight."""
+of the surface; or the shot starts on a surface, and this turn decides whether the ball stays there.
+0 is flight."""
 
 held, mode = sp.symbols("held mode", real=True)
 """Index of the surface that the ball stays in contact with, and the state of that contact."""

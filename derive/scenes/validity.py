@@ -18,6 +18,7 @@ from ..symbolic.conditionals import (
     any_of,
     barrier,
     maximum,
+    minimum,
     release,
 )
 from ..symbolic.number_range import MAX_COEFFICIENT, MAX_SIZE, MIN_SIZE
@@ -25,7 +26,11 @@ from ..symbolic.symbols import POSITION, UNIT_ROUNDOFF
 from .scene import Parameter, Scene
 
 last = sp.Symbol("last", real=True)
-"""Index of the surface that the ball touched last, -1 for none."""
+"""Index of the surface that the ball touched last, -1 for none; at first, that of its body."""
+
+left_middle, left_reach = sp.symbols("left_middle left_reach", real=True)
+"""The middle of the indices of the surfaces of the body that the ball leaves, and half their
+number."""
 
 permission = sp.Symbol("allowed", real=True)
 """Positive if the parameters are allowed."""
@@ -74,13 +79,71 @@ def valid(scene: Scene, tabled: Set[int]) -> dict[str, sp.Expr]:
         `valid` and `undecided_time`, each 1 or 0; for tabled surfaces the two lengths, too, m.
     """
     slack = _slack([measured] if tabled else _sizes(scene))
+    several = _have_several_surfaces(scene)
     verdict: sp.Expr = sp.Integer(1)
     undecided: sp.Expr = sp.Integer(0)
     for index, surface in enumerate(scene.surfaces):
         if index not in tabled:
-            verdict, undecided = _with_surface(surface, index, verdict, undecided, slack)
+            so_far = (verdict, undecided)
+            verdict, undecided = _with_surface(surface, index, *so_far, slack, several)
     found = {"valid": verdict, "undecided_time": undecided}
     return found | ({"blur": slack, "leeway": CERTAIN_DISTANCE_FACTOR * slack} if tabled else {})
+
+
+def left_surface(scene: Scene) -> dict[str, sp.Expr]:
+    """Return the surface that the ball leaves, where callers name the body and some have several.
+
+    Of the surfaces of the body it is the one that the ball neither overlaps nor is away from: whose
+    largest `inside` is nearest to zero. The ball is on that one, and inside none of the others: the
+    walls of a thin body, and an edge where they end, are touched together.
+
+    Parameters
+    ----------
+    scene
+        The scene, with its surfaces in order.
+
+    Returns
+    -------
+    dict
+        `last`, `left_middle` and `left_reach`; nothing if each body is one surface.
+    """
+    if not _have_several_surfaces(scene):
+        return {}
+    faces: list[list[int]] = [[] for _ in scene.bodies]
+    for face, body in enumerate(scene.faces):
+        faces[body].append(face)
+    surface: sp.Expr = last
+    middle: sp.Expr = last
+    reach: sp.Expr = sp.Rational(1, 2)
+    offset = 0
+    for body, own in enumerate(faces):
+        if own[0] - body != offset:  # the body before has several
+            offset = own[0] - body
+            surface = IfLess(last, body, surface, last + offset)
+            middle = IfLess(last, body, middle, last + offset)
+            reach = IfLess(last, body, reach, sp.Rational(1, 2))
+        if len(own) > 1:
+            surface = IfLess(last, body, surface, _nearest(scene, own))
+            middle = IfLess(last, body, middle, sp.Rational(own[0] + own[-1], 2))
+            reach = IfLess(last, body, reach, sp.Rational(len(own), 2))
+    return {"last": surface, "left_middle": middle, "left_reach": reach}
+
+
+def _have_several_surfaces(scene: Scene) -> bool:
+    return len(scene.faces) > len(scene.bodies)
+
+
+def _nearest(scene: Scene, faces: Sequence[int]) -> sp.Expr:
+    nearest: sp.Expr = sp.Integer(faces[0])
+    least: sp.Expr = sp.oo
+    for face in faces:
+        inside = map(without_assumptions, scene.surfaces[face].inside)
+        away = barrier(absolute(barrier(maximum(*inside))))
+        if face == faces[0]:
+            least = away
+            continue
+        nearest, least = IfLess(away, least, face, nearest), barrier(minimum(away, least))
+    return nearest
 
 
 def scene_size(scene: Scene) -> dict[str, sp.Expr]:
@@ -115,9 +178,24 @@ def near_surface(scene: Scene) -> dict[str, sp.Basic]:
     return {}
 
 
-def surface_start(surface: Surface) -> dict[str, sp.Expr]:
-    """Return the validity of the start with one surface more, the one that the loop is at."""
-    verdict, undecided = _with_surface(surface, index, valid_so_far, undecided_so_far, blur)
+def surface_start(surface: Surface, scene: Scene) -> dict[str, sp.Expr]:
+    """Return the validity of the start with one surface more, the one that the loop is at.
+
+    Parameters
+    ----------
+    surface
+        The surface.
+    scene
+        Its scene.
+
+    Returns
+    -------
+    dict
+        As `valid`.
+    """
+    so_far = (valid_so_far, undecided_so_far)
+    several = _have_several_surfaces(scene)
+    verdict, undecided = _with_surface(surface, index, *so_far, blur, several)
     return {"valid": verdict, "undecided_time": undecided}
 
 
@@ -127,9 +205,11 @@ def _with_surface(
     verdict: sp.Expr,
     undecided: sp.Expr,
     slack: sp.Expr,
+    several: bool,
 ) -> tuple[sp.Expr, sp.Expr]:
     overlap = barrier(maximum(*map(without_assumptions, surface.inside)))
-    left = barrier(absolute(last - index))
+    left = barrier(absolute((left_middle if several else last) - index))
+    own = left_reach if several else sp.Rational(1, 2)
     near = IfAtMost(
         absolute(overlap),
         barrier(without_assumptions(surface.steepness)) * slack,
@@ -137,8 +217,8 @@ def _with_surface(
         undecided,
     )
     return (
-        IfLess(left, sp.Rational(1, 2), verdict, IfAtMost(0, overlap, verdict, 0)),
-        IfLess(left, sp.Rational(1, 2), undecided, near),
+        IfLess(left, own, verdict, IfAtMost(0, overlap, verdict, 0)),
+        IfLess(left, own, undecided, near),
     )
 
 

@@ -175,7 +175,7 @@ def fields(
     """
     rolling = (
         Field("held", NONE, "surface that it stays in contact with, -1: none"),
-        Field("mode", 0.0, "0: in flight; 1, 2, 3: contact begins, goes on, ends"),
+        Field("mode", 0.0, "0: in flight; 1 to 5: begins, goes on, ends, ends at an edge, starts"),
         Field("circled", 0.0, "1: it rolls on a ring, and does not leave since a turning point"),
         Field("assured", 0.0, "1: its bounces on the surface it touched last end there", True),
         Field("rolls", 0.0, "how many times it began to roll"),

@@ -102,6 +102,8 @@ FLIGHTS = {
 
 LOOP = {
     "index": Entry("j", "index of the surface that is searched"),
+    "left_middle": Entry(r"\bar\jmath_\ell", "middle of the indices of the left body's surfaces"),
+    "left_reach": Entry(r"J_\ell", "half the number of the left body's surfaces"),
     "last": Entry(r"j_\ell", "index of the surface touched last, -1: none"),
     "time": Entry("t_j", "time of an arrival on a surface"),
     "when": Entry(r"t^\ast", "time of the earliest arrival so far"),

@@ -1,6 +1,6 @@
 /* Kernels of the scene court, in C.
 
-   Generated from templates/c/kernels.h.j2, scene court, derivation a4e6a8d51c910057,
+   Generated from templates/c/kernels.h.j2, scene court, derivation eea43ff8c4fce087,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -1697,18 +1697,6 @@ LANES(court_leaves_slowly)(V nx, V ny, V nz, V vx, V vy, V vz, V position_error,
     return (LANES(court_leaves_slowly_out)){ lanes_either(lanes_less(_s1, _s2), lanes_both(lanes_less(_s1, _c3), lanes_less(K(0.0), position_error))), K(0.0) };
 }
 
-/* Start value for a ball without a contact.
-   Table 1. No operations. */
-typedef struct {
-    M slow;
-} LANES(court_no_slow_contact_out);
-
-LANES_INLINE LANES(court_no_slow_contact_out)
-LANES(court_no_slow_contact)(void)
-{
-    return (LANES(court_no_slow_contact_out)){ mask_none() };
-}
-
 /* Whether this bounce is so small that it may be the last.
    half a hop's height. 15 operations: 5 additions, 8 multiplications, 1 division, 1 comparison. */
 typedef struct {
@@ -2126,6 +2114,45 @@ LANES(court_carry_hop)(V x, V y, V z, V vx, V vy, V vz, V dx, V dy, V dz, V dvx,
     return (LANES(court_carry_hop_out)){ lanes_add(_s0, lanes_select(lanes_less(_s0, K(0.0)), lanes_neg(_s2), _s2)), lanes_add(_s3, lanes_select(lanes_less(_s3, K(0.0)), lanes_neg(_s4), _s4)), lanes_add(_s5, lanes_select(lanes_less(_s5, K(0.0)), lanes_neg(_s6), _s6)) };
 }
 
+/* Whether the ball starts on a surface that it can roll on.
+   Table 1. 4 operations: 2 comparisons, 1 conjunction, 1 selection. */
+typedef struct {
+    V mode;
+} LANES(court_started_on_surface_out);
+
+LANES_INLINE LANES(court_started_on_surface_out)
+LANES(court_started_on_surface)(V last)
+{
+    return (LANES(court_started_on_surface_out)){ lanes_select(lanes_both(lanes_at_most(K(0.0), last), lanes_at_most(last, K(2.0))), K(5.0), K(0.0)) };
+}
+
+/* Start on a surface: no event, whatever surface the turn is about.
+   Table 1. 5 operations: 1 comparison, 2 conjunctions, 1 complement, 1 selection. */
+typedef struct {
+    M moves, touches;
+    V body;
+} LANES(court_nothing_happens_yet_out);
+
+LANES_INLINE LANES(court_nothing_happens_yet_out)
+LANES(court_nothing_happens_yet)(V body, M touches, V mode, M moves)
+{
+    const M _s0 = lanes_equal(mode, K(5.0));
+    const M _s1 = lanes_not(_s0);
+    return (LANES(court_nothing_happens_yet_out)){ lanes_both(moves, _s1), lanes_both(touches, _s1), lanes_select(_s0, K(-1.0), body) };
+}
+
+/* Start value for a ball without a contact: whether it may stay where it starts.
+   Table 1. 1 operation: 1 comparison. */
+typedef struct {
+    M slow;
+} LANES(court_slow_at_start_out);
+
+LANES_INLINE LANES(court_slow_at_start_out)
+LANES(court_slow_at_start)(V mode)
+{
+    return (LANES(court_slow_at_start_out)){ lanes_equal(mode, K(5.0)) };
+}
+
 /* Whether the ball is in contact, and has no flight to search.
    Table 1. 2 operations: 1 comparison, 1 selection. */
 typedef struct {
@@ -2166,8 +2193,8 @@ LANES(court_reachable_in_flight)(M reachable, M in_contact)
     return (LANES(court_reachable_in_flight_out)){ lanes_both(reachable, lanes_not(in_contact)) };
 }
 
-/* Start values of a turn in contact: no event yet.
-   Table 1. 7 operations: 5 comparisons, 1 conjunction, 1 selection. */
+/* Start values of a turn in contact: no event yet, and the surface that the ball is on.
+   Table 1. 9 operations: 6 comparisons, 1 conjunction, 2 selections. */
 typedef struct {
     V which, earliest_delay, began, undecided_time;
     M begins, rolling, leaves;
@@ -2175,9 +2202,9 @@ typedef struct {
 } LANES(court_resumed_out);
 
 LANES_INLINE LANES(court_resumed_out)
-LANES(court_resumed)(V position_error, V velocity_error, V clock, V mode)
+LANES(court_resumed)(V last, V position_error, V velocity_error, V clock, V mode)
 {
-    return (LANES(court_resumed_out)){ K(-1.0), K(0.0), clock, lanes_select(lanes_both(lanes_less(position_error, K(INFINITY)), lanes_less(velocity_error, K(INFINITY))), K(INFINITY), K(0.0)), lanes_equal(mode, K(1.0)), lanes_equal(mode, K(2.0)), lanes_equal(mode, K(3.0)), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0) };
+    return (LANES(court_resumed_out)){ lanes_select(lanes_equal(mode, K(5.0)), last, K(-1.0)), K(0.0), clock, lanes_select(lanes_both(lanes_less(position_error, K(INFINITY)), lanes_less(velocity_error, K(INFINITY))), K(INFINITY), K(0.0)), lanes_equal(mode, K(1.0)), lanes_equal(mode, K(2.0)), lanes_equal(mode, K(3.0)), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0) };
 }
 
 /* 1 if a decision lies within its error, unless it only delays bounces on one surface.
@@ -2254,7 +2281,7 @@ LANES(court_detachment)(void)
 }
 
 /* Log entry, outcome and mode of a ball in contact after a turn.
-   Table 1. 38 operations: 3 additions, 1 subtraction, 1 multiplication, 9 comparisons, 2 conjunctions, 4 disjunctions, 1 complement, 17 selections. */
+   Table 1. 41 operations: 3 additions, 1 subtraction, 1 multiplication, 10 comparisons, 2 conjunctions, 5 disjunctions, 1 complement, 18 selections. */
 typedef struct {
     V body, reached, undecided_time;
     M ends, hopped;
@@ -2262,7 +2289,7 @@ typedef struct {
 } LANES(court_stay_in_contact_out);
 
 LANES_INLINE LANES(court_stay_in_contact_out)
-LANES(court_stay_in_contact)(V last, V which, V undecided_time, V body, V clock, V reached, M ends, V held, V rolls, M rolling, V began, M rests)
+LANES(court_stay_in_contact)(V last, V which, V undecided_time, V body, V clock, V reached, M ends, V held, V mode, V rolls, M rolling, V began, M rests)
 {
     const M _s0 = lanes_equal(which, K(5.0));
     const V _s1 = lanes_mul(K(2.0), lanes_select(lanes_equal(held, K(2.0)), K(2.0), lanes_select(lanes_equal(held, K(1.0)), K(1.0), lanes_select(lanes_equal(held, K(0.0)), K(0.0), K(-1.0)))));
@@ -2271,19 +2298,22 @@ LANES(court_stay_in_contact)(V last, V which, V undecided_time, V body, V clock,
     const M _s4 = lanes_equal(which, K(8.0));
     const M _s5 = lanes_both(rolling, lanes_at_most(lanes_sub(clock, began), K(5.960464477539063e-08)));
     const M _s6 = lanes_less(K(4.0), which);
-    return (LANES(court_stay_in_contact_out)){ lanes_select(_s0, lanes_add(K(4.0), _s1), lanes_select(_s2, lanes_add(K(5.0), _s1), lanes_select(_s3, K(-1.0), lanes_select(_s4, K(3.0), body)))), lanes_select(_s5, K(2.0), lanes_select(_s4, K(6.0), lanes_select(rests, K(5.0), lanes_select(lanes_either(_s6, rolling), K(-1.0), reached)))), lanes_select(_s5, K(0.0), undecided_time), lanes_both(ends, lanes_not(_s6)), _s3, lanes_select(_s3, K(-1.0), last), lanes_select(lanes_either(_s0, rolling), K(2.0), lanes_select(_s2, K(3.0), K(0.0))), lanes_select(lanes_either(lanes_either(_s0, _s2), rolling), held, K(-1.0)), lanes_select(_s0, lanes_add(K(1.0), rolls), rolls) };
+    const M _s7 = lanes_equal(mode, K(5.0));
+    const V _s8 = lanes_select(_s5, K(2.0), lanes_select(_s4, K(6.0), lanes_select(rests, K(5.0), lanes_select(lanes_either(lanes_either(_s6, rolling), _s7), K(-1.0), reached))));
+    return (LANES(court_stay_in_contact_out)){ lanes_select(_s0, lanes_add(K(4.0), _s1), lanes_select(_s2, lanes_add(K(5.0), _s1), lanes_select(_s3, K(-1.0), lanes_select(_s4, K(3.0), body)))), _s8, lanes_select(_s5, K(0.0), undecided_time), lanes_both(ends, lanes_not(_s6)), _s3, lanes_select(_s3, K(-1.0), last), lanes_select(lanes_either(_s0, rolling), K(2.0), lanes_select(_s7, K(5.0), lanes_select(_s2, K(3.0), K(0.0)))), lanes_select(lanes_either(lanes_either(_s0, _s2), rolling), held, K(-1.0)), lanes_select(_s0, lanes_add(K(1.0), rolls), rolls) };
 }
 
 /* Whether the ball stays on the surface, slides, leaves, or is wedged.
-   Table 1. 16 operations: 1 comparison, 4 conjunctions, 3 disjunctions, 8 selections. */
+   Table 1. 20 operations: 2 comparisons, 5 conjunctions, 4 disjunctions, 1 complement, 8 selections. */
 typedef struct {
     V mode, held, outcome, slip_left, uncertain;
 } LANES(court_settled_out);
 
 LANES_INLINE LANES(court_settled_out)
-LANES(court_settled)(V index, V outcome, V uncertain, M undecided, M settles, M nearly, M lodges, M slides, M unpressed)
+LANES(court_settled)(V index, V outcome, V uncertain, M undecided, V mode, M settles, M nearly, M lodges, M slides, M unpressed)
 {
-    return (LANES(court_settled_out)){ lanes_select(nearly, lanes_select(settles, K(1.0), lanes_select(unpressed, K(3.0), K(0.0))), K(0.0)), lanes_select(lanes_both(nearly, lanes_either(settles, unpressed)), index, K(-1.0)), lanes_select(lanes_both(lanes_both(nearly, lanes_either(lodges, slides)), lanes_less(outcome, K(0.0))), lanes_select(lodges, K(5.0), K(2.0)), outcome), lanes_select(lanes_both(nearly, slides), K(1.0), K(0.0)), lanes_select(lanes_either(lodges, undecided), K(1.0), uncertain) };
+    const V _s0 = lanes_select(lanes_either(lodges, lanes_both(undecided, lanes_either(nearly, lanes_not(lanes_equal(mode, K(5.0)))))), K(1.0), uncertain);
+    return (LANES(court_settled_out)){ lanes_select(nearly, lanes_select(settles, K(1.0), lanes_select(unpressed, K(3.0), K(0.0))), K(0.0)), lanes_select(lanes_both(nearly, lanes_either(settles, unpressed)), index, K(-1.0)), lanes_select(lanes_both(lanes_both(nearly, lanes_either(lodges, slides)), lanes_less(outcome, K(0.0))), lanes_select(lodges, K(5.0), K(2.0)), outcome), lanes_select(lanes_both(nearly, slides), K(1.0), K(0.0)), _s0 };
 }
 
 /* Square of the friction that rolling takes, per unit mass, and its rate.

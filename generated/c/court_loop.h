@@ -1,6 +1,6 @@
 /* The event loop of the scene court, with or without bounds on errors.
 
-   Generated from templates/c/loop.h.j2, scene court, derivation a4e6a8d51c910057,
+   Generated from templates/c/loop.h.j2, scene court, derivation eea43ff8c4fce087,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by court_engine.h twice, BOUNDED being 1 where errors are bounded, else 0. The path is
@@ -40,7 +40,7 @@ typedef struct {
     LANES(column) count_1; /* contacts with backboard */
     LANES(column) count_2; /* contacts with bridge */
     LANES(column) held; /* surface that it stays in contact with, -1: none */
-    LANES(column) mode; /* 0: in flight; 1, 2, 3: contact begins, goes on, ends */
+    LANES(column) mode; /* 0: in flight; 1 to 5: begins, goes on, ends, ends at an edge, starts */
     LANES(column) circled; /* 1: it rolls on a ring, and does not leave since a turning point */
 #if BOUNDED
     LANES(column) assured; /* 1: its bounces on the surface it touched last end there */
@@ -130,14 +130,15 @@ typedef struct {
         in_contact_circling_vy, in_contact_circling_vz, in_contact_circling_which,
         in_contact_circling_wx, in_contact_circling_wy, in_contact_circling_wz,
         in_contact_circling_x, in_contact_circling_y, in_contact_circling_z, in_contact_clock,
-        in_contact_gap_jerk, in_contact_gap_snap, in_contact_held, in_contact_leaves,
-        in_contact_leaves_clock, in_contact_leaves_gap_jerk, in_contact_leaves_gap_snap,
-        in_contact_leaves_held, in_contact_leaves_lift, in_contact_leaves_per_reach,
-        in_contact_leaves_row, in_contact_leaves_vx, in_contact_leaves_vy, in_contact_leaves_vz,
-        in_contact_leaves_when, in_contact_leaves_which, in_contact_leaves_x, in_contact_leaves_y,
-        in_contact_leaves_z, in_contact_lift, in_contact_mode, in_contact_per_reach,
-        in_contact_rests, in_contact_rolling, in_contact_rolling_bent_x, in_contact_rolling_bent_y,
-        in_contact_rolling_bent_z, in_contact_rolling_clock, in_contact_rolling_ended_clock,
+        in_contact_gap_jerk, in_contact_gap_snap, in_contact_held, in_contact_last,
+        in_contact_leaves, in_contact_leaves_clock, in_contact_leaves_gap_jerk,
+        in_contact_leaves_gap_snap, in_contact_leaves_held, in_contact_leaves_lift,
+        in_contact_leaves_per_reach, in_contact_leaves_row, in_contact_leaves_vx,
+        in_contact_leaves_vy, in_contact_leaves_vz, in_contact_leaves_when, in_contact_leaves_which,
+        in_contact_leaves_x, in_contact_leaves_y, in_contact_leaves_z, in_contact_lift,
+        in_contact_mode, in_contact_per_reach, in_contact_rests, in_contact_rolling,
+        in_contact_rolling_bent_x, in_contact_rolling_bent_y, in_contact_rolling_bent_z,
+        in_contact_rolling_clock, in_contact_rolling_ended_clock,
         in_contact_rolling_ended_per_reach, in_contact_rolling_ended_rests,
         in_contact_rolling_ended_rolling, in_contact_rolling_ended_row,
         in_contact_rolling_ended_through, in_contact_rolling_ended_vx, in_contact_rolling_ended_vy,
@@ -1744,16 +1745,12 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
         const M rows = mask_first_n(in_contact_shots - i);
         if (LANES_SELDOM(varying))
             LOOP(fix_in_contact_rows_1)(worklist, i);
-        EACH(LOAD, in_contact_, circled, clock, held, mode, through, vx, vy, vz, wx, wy, wz, x, y)
-        EACH(LOAD, in_contact_, z)
-#if BOUNDED
-        EACH(LOAD, in_contact_, clock_error, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz, grip_lost)
-        EACH(LOAD, in_contact_, last_grip_clock, last_grip_deficit, last_grip_deficit_rate)
-        EACH(LOAD, in_contact_, position_error, velocity_error)
-        CALL(court_resumed, _resumed_1)(position_error, velocity_error, clock, mode);
-#else
-        CALL(court_resumed, _resumed_1)(K(0.0), K(0.0), clock, mode);
-#endif
+        EACH(LOAD, in_contact_, circled, clock, held, last, mode, through, vx, vy, vz, wx, wy, wz)
+        EACH(LOAD, in_contact_, x, y, z)
+        BOUNDS(EACH(LOAD, in_contact_, clock_error, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz, grip_lost))
+        BOUNDS(EACH(LOAD, in_contact_, last_grip_clock, last_grip_deficit, last_grip_deficit_rate))
+        BOUNDS(EACH(LOAD, in_contact_, position_error, velocity_error))
+        CALL(court_resumed, _resumed_1)(last, OR_ZERO(position_error), OR_ZERO(velocity_error), clock, mode);
         EACH(GET, _resumed_1, which, began, nx, ny, nz, gap, bent_x, bent_y, bent_z, lift, gap_jerk)
         EACH(GET, _resumed_1, gap_snap, per_reach)
         EACH(GET_MASK, _resumed_1, begins, rolling, leaves)
@@ -2972,7 +2969,7 @@ LANES_APART void LOOP(slow)(LOOP(worklist) *worklist, size_t slow_shots, size_t 
             EACH(GET_MASK, _ring_impact_settling_1, settles, lodges, slides, unpressed)
             BOUNDS(EACH(SELECT, (_if_here_3, _ring_impact_settling_1), assured))
             EACH(GET_MASK, _ring_impact_settling_1, undecided)
-            CALL(court_settled, _settled_1)(K(0.0), outcome, OR_ZERO(uncertain), undecided, settles, nearly, lodges, slides, unpressed);
+            CALL(court_settled, _settled_1)(K(0.0), outcome, OR_ZERO(uncertain), undecided, mode, settles, nearly, lodges, slides, unpressed);
             EACH(SELECT, (_if_here_3, _settled_1), mode, held, outcome, slip_left)
             BOUNDS(EACH(SELECT, (_if_here_3, _settled_1), uncertain))
         }
@@ -3005,7 +3002,7 @@ LANES_APART void LOOP(slow)(LOOP(worklist) *worklist, size_t slow_shots, size_t 
             EACH(GET_MASK, _ring_impact_settling_2, settles, lodges, slides, unpressed)
             BOUNDS(EACH(SELECT, (_if_here_4, _ring_impact_settling_2), assured))
             EACH(GET_MASK, _ring_impact_settling_2, undecided)
-            CALL(court_settled, _settled_2)(K(1.0), outcome, OR_ZERO(uncertain), undecided, settles, nearly, lodges, slides, unpressed);
+            CALL(court_settled, _settled_2)(K(1.0), outcome, OR_ZERO(uncertain), undecided, mode, settles, nearly, lodges, slides, unpressed);
             EACH(SELECT, (_if_here_4, _settled_2), mode, held, outcome, slip_left)
             BOUNDS(EACH(SELECT, (_if_here_4, _settled_2), uncertain))
         }
@@ -3038,7 +3035,7 @@ LANES_APART void LOOP(slow)(LOOP(worklist) *worklist, size_t slow_shots, size_t 
             EACH(GET_MASK, _ring_impact_settling_3, settles, lodges, slides, unpressed)
             BOUNDS(EACH(SELECT, (_if_here_5, _ring_impact_settling_3), assured))
             EACH(GET_MASK, _ring_impact_settling_3, undecided)
-            CALL(court_settled, _settled_3)(K(2.0), outcome, OR_ZERO(uncertain), undecided, settles, nearly, lodges, slides, unpressed);
+            CALL(court_settled, _settled_3)(K(2.0), outcome, OR_ZERO(uncertain), undecided, mode, settles, nearly, lodges, slides, unpressed);
             EACH(SELECT, (_if_here_5, _settled_3), mode, held, outcome, slip_left)
             BOUNDS(EACH(SELECT, (_if_here_5, _settled_3), uncertain))
         }
@@ -3098,7 +3095,6 @@ static size_t LOOP(launch)(LOOP(worklist) *worklist, const court_job *job, size_
     EACH(TURNING, , grip_lost)
 #endif
     const V last = K(-1.0);
-    const V mode = K(0.0);
     const M permitted = lanes_less(K(0.0), lanes_load(worklist->permitted));
     const V rolls = K(0.0);
     EACH(TURNING, , rolls)
@@ -3139,6 +3135,8 @@ static size_t LOOP(launch)(LOOP(worklist) *worklist, const court_job *job, size_
 #endif
         EACH(GET, _admitted_1, outcome)
         BOUNDS(EACH(GET, _admitted_1, uncertain))
+        CALL(court_started_on_surface, _started_on_surface_1)(last);
+        EACH(GET, _started_on_surface_1, mode)
         CALL(court_passing_start, _passing_start_1)(last, outcome, OR_ZERO(uncertain), x, y, z, FIXED(18), FIXED(19));
         EACH(GET, _passing_start_1, through)
         BOUNDS(EACH(SET, _passing_start_1, uncertain))
@@ -3255,6 +3253,7 @@ static size_t LOOP(launch)(LOOP(worklist) *worklist, const court_job *job, size_
         BOUNDS(EACH(GET_MASK, _departed_1, edge))
         CALL(court_body_of, _body_of_1)(which);
         EACH(GET, _body_of_1, body)
+        refused = lanes_either(refused, in_contact);
         const M _if_moves_1 = moves;
         if (lanes_any(_if_moves_1)) {
 #if BOUNDED
@@ -3310,8 +3309,8 @@ static size_t LOOP(launch)(LOOP(worklist) *worklist, const court_job *job, size_
         CALL(court_meeting, _meeting_1)(K(0.0), ends, touches);
 #endif
         EACH(GET_MASK, _meeting_1, meeting)
-        CALL(court_no_slow_contact, _no_slow_contact_1)();
-        EACH(GET_MASK, _no_slow_contact_1, slow)
+        CALL(court_slow_at_start, _slow_at_start_1)(mode);
+        EACH(GET_MASK, _slow_at_start_1, slow)
         refused = lanes_either(refused, meeting);
         refused = lanes_either(refused, slow);
 #if BOUNDED
@@ -3421,10 +3420,12 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
 #endif
             EACH(GET, _admitted_1, outcome)
             BOUNDS(EACH(GET, _admitted_1, uncertain))
+            CALL(court_started_on_surface, _started_on_surface_1)(last);
+            EACH(GET, _started_on_surface_1, mode)
             CALL(court_passing_start, _passing_start_1)(last, outcome, OR_ZERO(uncertain), x, y, z, FIXED(18), FIXED(19));
             EACH(GET, _passing_start_1, through)
             BOUNDS(EACH(SET, _passing_start_1, uncertain))
-            EACH(STORE, , outcome, through)
+            EACH(STORE, , mode, outcome, through)
             BOUNDS(EACH(STORE, , uncertain))
         }
 
@@ -4853,8 +4854,8 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
 #endif
         for (size_t i = 0; i < shots; i += LANES_WIDTH) {
             const M rows = mask_first_n(shots - i);
-            EACH(LOAD, , circled, clock, held, mode, through, time_error, vx, vy, vz, when, which)
-            EACH(LOAD, , wx, wy, wz, x, y, z)
+            EACH(LOAD, , circled, clock, held, last, mode, through, time_error, vx, vy, vz, when)
+            EACH(LOAD, , which, wx, wy, wz, x, y, z)
             EACH(LOAD_MASK, , in_contact, limited, rests)
             BOUNDS(EACH(LOAD, , clock_error, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz, earliest_delay))
             BOUNDS(EACH(LOAD, , grip_lost, last_grip_clock, last_grip_deficit, last_grip_deficit_rate))
@@ -4878,8 +4879,8 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             const M packed = lanes_both(rows, in_contact);
             if (lanes_any(packed)) {
                 lanes_pack(worklist->in_contact_row + in_contact_shots, packed, lanes_add(iota(), K((double)i)));
-                EACH(PACK, in_contact_, circled, clock, held, mode, through, vx, vy, vz, when, wx)
-                EACH(PACK, in_contact_, wy, wz, x, y, z)
+                EACH(PACK, in_contact_, circled, clock, held, last, mode, through, vx, vy, vz, when)
+                EACH(PACK, in_contact_, wx, wy, wz, x, y, z)
                 EACH(PACK_MASK, in_contact_, rests)
                 BOUNDS(EACH(PACK, in_contact_, clock_error, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz))
                 BOUNDS(EACH(PACK, in_contact_, grip_lost, last_grip_clock, last_grip_deficit))
@@ -4897,8 +4898,8 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             }
         }
         if (in_contact_shots) {
-            EACH(CLEAR, in_contact_, row, circled, clock, held, mode, rests, through, vx, vy, vz)
-            EACH(CLEAR, in_contact_, when, wx, wy, wz, x, y, z)
+            EACH(CLEAR, in_contact_, row, circled, clock, held, last, mode, rests, through, vx, vy)
+            EACH(CLEAR, in_contact_, vz, when, wx, wy, wz, x, y, z)
             BOUNDS(EACH(CLEAR, in_contact_, clock_error, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz))
             BOUNDS(EACH(CLEAR, in_contact_, grip_lost, last_grip_clock, last_grip_deficit))
             BOUNDS(EACH(CLEAR, in_contact_, last_grip_deficit_rate, position_error, velocity_error))
@@ -4945,6 +4946,12 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             BOUNDS(EACH(GET_MASK, _departed_1, edge))
             CALL(court_body_of, _body_of_1)(which);
             EACH(GET, _body_of_1, body)
+            const M _if_in_contact_1 = lanes_both(rows, in_contact);
+            if (lanes_any(_if_in_contact_1)) {
+                CALL(court_nothing_happens_yet, _nothing_happens_yet_1)(body, touches, mode, moves);
+                EACH(SELECT_MASK, (_if_in_contact_1, _nothing_happens_yet_1), moves, touches)
+                EACH(SELECT, (_if_in_contact_1, _nothing_happens_yet_1), body)
+            }
             const M _if_moves_1 = lanes_both(rows, moves);
             if (lanes_any(_if_moves_1)) {
 #if BOUNDED
@@ -4970,14 +4977,14 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             CALL(court_no_departure, _no_departure_1)();
             EACH(GET_MASK, _no_departure_1, hopped)
 #endif
-            const M _if_in_contact_1 = lanes_both(rows, in_contact);
-            if (lanes_any(_if_in_contact_1)) {
-                CALL(court_stay_in_contact, _stay_in_contact_1)(last, which, OR_INFINITE(undecided_time), body, clock, reached, ends, held, rolls, rolling, began, rests);
-                EACH(SELECT, (_if_in_contact_1, _stay_in_contact_1), body, reached, last, mode)
-                EACH(SELECT, (_if_in_contact_1, _stay_in_contact_1), held, rolls)
-                EACH(SELECT_MASK, (_if_in_contact_1, _stay_in_contact_1), ends)
-                BOUNDS(EACH(SELECT, (_if_in_contact_1, _stay_in_contact_1), undecided_time))
-                BOUNDS(EACH(SELECT_MASK, (_if_in_contact_1, _stay_in_contact_1), hopped))
+            const M _if_in_contact_2 = lanes_both(rows, in_contact);
+            if (lanes_any(_if_in_contact_2)) {
+                CALL(court_stay_in_contact, _stay_in_contact_1)(last, which, OR_INFINITE(undecided_time), body, clock, reached, ends, held, mode, rolls, rolling, began, rests);
+                EACH(SELECT, (_if_in_contact_2, _stay_in_contact_1), body, reached, last, mode)
+                EACH(SELECT, (_if_in_contact_2, _stay_in_contact_1), held, rolls)
+                EACH(SELECT_MASK, (_if_in_contact_2, _stay_in_contact_1), ends)
+                BOUNDS(EACH(SELECT, (_if_in_contact_2, _stay_in_contact_1), undecided_time))
+                BOUNDS(EACH(SELECT_MASK, (_if_in_contact_2, _stay_in_contact_1), hopped))
             }
 #if BOUNDED
             CALL(court_displacement, _displacement_1)(earliest_delay, when, extent, speed, position_error, velocity_error, FIXED(21), FIXED(165));
@@ -5021,8 +5028,8 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             CALL(court_meeting, _meeting_1)(K(0.0), ends, touches);
 #endif
             EACH(GET_MASK, _meeting_1, meeting)
-            CALL(court_no_slow_contact, _no_slow_contact_1)();
-            EACH(GET_MASK, _no_slow_contact_1, slow)
+            CALL(court_slow_at_start, _slow_at_start_1)(mode);
+            EACH(GET_MASK, _slow_at_start_1, slow)
             const M _if_meeting_1 = lanes_both(rows, meeting);
             if (lanes_any(_if_meeting_1)) {
                 CALL(court_end_normal, _end_normal_1)();

@@ -1,6 +1,6 @@
 """NumPy kernels of the scene court.
 
-Generated from templates/numpy/kernels.py.j2, scene court, derivation a4e6a8d51c910057,
+Generated from templates/numpy/kernels.py.j2, scene court, derivation eea43ff8c4fce087,
 with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
 and run `make generate`.
 Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
@@ -408,7 +408,6 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "roll_turn_rate": ("turn_rate",),
     "pressed_on": ("press", "weight", "rolling_friction", "rolling_acceleration_x", "rolling_acceleration_y", "rolling_acceleration_z",),
     "leaves_slowly": ("slow", "assured",),
-    "no_slow_contact": ("slow",),
     "nearly": ("nearly",),
     "gripped": ("rolled_x", "rolled_y", "rolled_z", "slip", "bounce",),
     "isolated": ("nearest", "second_contact_gap",),
@@ -430,6 +429,9 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "neighbour": ("far_x", "far_y", "far_z", "far_vx", "far_vy", "far_vz", "far_wx", "far_wy", "far_wz", "far_nx", "far_ny", "far_nz", "far_gap",),
     "compared": ("dx", "dy", "dz", "dvx", "dvy", "dvz", "dwx", "dwy", "dwz",),
     "carry_hop": ("dx", "dy", "dz",),
+    "started_on_surface": ("mode",),
+    "nothing_happens_yet": ("moves", "touches", "body",),
+    "slow_at_start": ("slow",),
     "in_contact": ("in_contact", "when", "rests", "rolling", "began",),
     "opens_in_flight": ("open",),
     "reachable_in_flight": ("reachable",),
@@ -2280,14 +2282,6 @@ def leaves_slowly(p_ball_radius: Any, p_gravity: Any, nx: Any, ny: Any, nz: Any,
     return _logical_or((_s1 < _s2), _logical_and((_s1 < (1.1920928955078125e-07 * p_ball_radius)), (_k4 < position_error))), 0.0
 
 
-def no_slow_contact() -> tuple[Any, ...]:
-    """Start value for a ball without a contact.
-
-    Table 1. No operations.
-    """
-    return False,
-
-
 def nearly(p_ball_radius: Any, p_gravity: Any, nx: Any, ny: Any, nz: Any, vx: Any, vy: Any, vz: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Whether this bounce is so small that it may be the last.
 
@@ -2637,6 +2631,32 @@ def carry_hop(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, dx: Any, dy: An
     return _s0 + _select(_s0 < _k4, _negative(_s2, _r6), _s2, _r7), _s3 + _select(_s3 < _k4, _negative(_s4, _r7), _s4, _r6), _s5 + _select(_s5 < _k4, _negative(_s6, _r6), _s6, _r7)
 
 
+def started_on_surface(last: Any) -> tuple[Any, ...]:
+    """Whether the ball starts on a surface that it can roll on.
+
+    Table 1. 4 operations: 2 comparisons, 1 conjunction, 1 selection.
+    """
+    return _where(_logical_and((0.0 <= last), (last <= 2.0)), 5.0, 0.0),
+
+
+def nothing_happens_yet(body: Any, touches: Any, mode: Any, moves: Any) -> tuple[Any, ...]:
+    """Start on a surface: no event, whatever surface the turn is about.
+
+    Table 1. 5 operations: 1 comparison, 2 conjunctions, 1 complement, 1 selection.
+    """
+    _s0 = mode == 5.0
+    _s1 = _logical_not(_s0)
+    return _logical_and(moves, _s1), _logical_and(touches, _s1), _where(_s0, -1.0, body)
+
+
+def slow_at_start(mode: Any) -> tuple[Any, ...]:
+    """Start value for a ball without a contact: whether it may stay where it starts.
+
+    Table 1. 1 operation: 1 comparison.
+    """
+    return mode == 5.0,
+
+
 def in_contact(when: Any, mode: Any) -> tuple[Any, ...]:
     """Whether the ball is in contact, and has no flight to search.
 
@@ -2662,12 +2682,12 @@ def reachable_in_flight(reachable: Any, in_contact: Any) -> tuple[Any, ...]:
     return _logical_and(reachable, _logical_not(in_contact)),
 
 
-def resumed(position_error: Any, velocity_error: Any, clock: Any, mode: Any) -> tuple[Any, ...]:
-    """Start values of a turn in contact: no event yet.
+def resumed(last: Any, position_error: Any, velocity_error: Any, clock: Any, mode: Any) -> tuple[Any, ...]:
+    """Start values of a turn in contact: no event yet, and the surface that the ball is on.
 
-    Table 1. 7 operations: 5 comparisons, 1 conjunction, 1 selection.
+    Table 1. 9 operations: 6 comparisons, 1 conjunction, 2 selections.
     """
-    return -1.0, 0.0, clock, _where(_logical_and((position_error < _inf), (velocity_error < _inf)), _inf, 0.0), mode == 1.0, mode == 2.0, mode == 3.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
+    return _where((mode == 5.0), last, -1.0), 0.0, clock, _where(_logical_and((position_error < _inf), (velocity_error < _inf)), _inf, 0.0), mode == 1.0, mode == 2.0, mode == 3.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
 
 
 def contact_undecided(last: Any, when: Any, which: Any, earliest_delay: Any, undecided_time: Any, uncertain: Any, edge: Any, assured: Any) -> tuple[Any, ...]:
@@ -2719,10 +2739,10 @@ def detachment() -> tuple[Any, ...]:
     return 7.0,
 
 
-def stay_in_contact(last: Any, which: Any, undecided_time: Any, body: Any, clock: Any, reached: Any, ends: Any, held: Any, rolls: Any, rolling: Any, began: Any, rests: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+def stay_in_contact(last: Any, which: Any, undecided_time: Any, body: Any, clock: Any, reached: Any, ends: Any, held: Any, mode: Any, rolls: Any, rolling: Any, began: Any, rests: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Log entry, outcome and mode of a ball in contact after a turn.
 
-    Table 1. 38 operations: 3 additions, 1 subtraction, 1 multiplication, 9 comparisons, 2 conjunctions, 4 disjunctions, 1 complement, 17 selections.
+    Table 1. 41 operations: 3 additions, 1 subtraction, 1 multiplication, 10 comparisons, 2 conjunctions, 5 disjunctions, 1 complement, 18 selections.
     """
     _r0, _r1, _r2, _r3, _r4 = _room[:5]
     _s0 = which == _k67
@@ -2732,15 +2752,18 @@ def stay_in_contact(last: Any, which: Any, undecided_time: Any, body: Any, clock
     _s4 = which == _k23
     _s5 = _logical_and(rolling, (_subtract(clock, began, _r1) <= _k105))
     _s6 = _k64 < which
-    return _result(_s0, _add(_k64, _s1, _r1), _select(_s2, _add(_k67, _s1, _r2), _select(_s3, _k51, _select(_s4, _k63, body, _r0), _r3), _r4), _r0), _result(_s5, _k20, _select(_s4, _k3, _select(rests, _k67, _select(_logical_or(_s6, rolling), _k51, reached, _r4), _r3), _r0), _r0), _result(_s5, _k4, undecided_time, _r0), _logical_and(ends, _logical_not(_s6)), _s3, _result(_s3, _k51, last, _r0), _result(_logical_or(_s0, rolling), _k20, _select(_s2, _k63, _k4, _r0), _r0), _result(_logical_or(_logical_or(_s0, _s2), rolling), held, _k51, _r0), _result(_s0, _add(_k19, rolls, _r0), rolls, _r0)
+    _s7 = mode == _k67
+    _s8 = _result(_s5, _k20, _select(_s4, _k3, _select(rests, _k67, _select(_logical_or(_logical_or(_s6, rolling), _s7), _k51, reached, _r1), _r0), _r3), _r0)
+    return _result(_s0, _add(_k64, _s1, _r3), _select(_s2, _add(_k67, _s1, _r2), _select(_s3, _k51, _select(_s4, _k63, body, _r0), _r1), _r4), _r0), _s8, _result(_s5, _k4, undecided_time, _r0), _logical_and(ends, _logical_not(_s6)), _s3, _result(_s3, _k51, last, _r0), _result(_logical_or(_s0, rolling), _k20, _select(_s7, _k67, _select(_s2, _k63, _k4, _r4), _r1), _r0), _result(_logical_or(_logical_or(_s0, _s2), rolling), held, _k51, _r0), _result(_s0, _add(_k19, rolls, _r1), rolls, _r0)
 
 
-def settled(index: Any, outcome: Any, uncertain: Any, undecided: Any, settles: Any, nearly: Any, lodges: Any, slides: Any, unpressed: Any) -> tuple[Any, ...]:
+def settled(index: Any, outcome: Any, uncertain: Any, undecided: Any, mode: Any, settles: Any, nearly: Any, lodges: Any, slides: Any, unpressed: Any) -> tuple[Any, ...]:
     """Whether the ball stays on the surface, slides, leaves, or is wedged.
 
-    Table 1. 16 operations: 1 comparison, 4 conjunctions, 3 disjunctions, 8 selections.
+    Table 1. 20 operations: 2 comparisons, 5 conjunctions, 4 disjunctions, 1 complement, 8 selections.
     """
-    return _where(nearly, _where(settles, 1.0, _where(unpressed, 3.0, 0.0)), 0.0), _where(_logical_and(nearly, _logical_or(settles, unpressed)), index, -1.0), _where(_logical_and(_logical_and(nearly, _logical_or(lodges, slides)), (outcome < 0.0)), _where(lodges, 5.0, 2.0), outcome), _where(_logical_and(nearly, slides), 1.0, 0.0), _where(_logical_or(lodges, undecided), 1.0, uncertain)
+    _s0 = _where(_logical_or(lodges, _logical_and(undecided, _logical_or(nearly, _logical_not((mode == 5.0))))), 1.0, uncertain)
+    return _where(nearly, _where(settles, 1.0, _where(unpressed, 3.0, 0.0)), 0.0), _where(_logical_and(nearly, _logical_or(settles, unpressed)), index, -1.0), _where(_logical_and(_logical_and(nearly, _logical_or(lodges, slides)), (outcome < 0.0)), _where(lodges, 5.0, 2.0), outcome), _where(_logical_and(nearly, slides), 1.0, 0.0), _s0
 
 
 def ring_friction(p_gravity: Any, p_inertia: Any, nx_0: Any, nx_1: Any, ny_0: Any, ny_1: Any, nz_0: Any, nz_1: Any, turn_rate_0: Any, turn_rate_1: Any, tx_0: Any, tx_1: Any, ty_0: Any, ty_1: Any, tz_0: Any, tz_1: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -6603,8 +6626,8 @@ def _compared_alone(p_ball_radius: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any
     return _s0 + (_s2 if (_s0 < _k2) else _s1), _s3 + (_s2 if (_s3 < _k2) else _s1), _s4 + (_s2 if (_s4 < _k2) else _s1), _s5 + (_s8 if (_s5 < _k2) else _s7), _s9 + (_s8 if (_s9 < _k2) else _s7), _s10 + (_s8 if (_s10 < _k2) else _s7), _s11 + (_s13 if (_s11 < _k2) else _s12), _s14 + (_s13 if (_s14 < _k2) else _s12), _s15 + (_s13 if (_s15 < _k2) else _s12)
 
 
-def _resumed_alone(position_error: Any, velocity_error: Any, clock: Any, mode: Any) -> tuple[Any, ...]:
-    return _k40, _k2, clock, _k7 if ((position_error < _k7) and (velocity_error < _k7)) else _k2, mode == _k1, mode == _k28, mode == _k60, _k2, _k2, _k2, _k2, _k2, _k2, _k2, _k2, _k2, _k2, _k2
+def _resumed_alone(last: Any, position_error: Any, velocity_error: Any, clock: Any, mode: Any) -> tuple[Any, ...]:
+    return last if (mode == _k69) else _k40, _k2, clock, _k7 if ((position_error < _k7) and (velocity_error < _k7)) else _k2, mode == _k1, mode == _k28, mode == _k60, _k2, _k2, _k2, _k2, _k2, _k2, _k2, _k2, _k2, _k2, _k2
 
 
 def _holding_alone(index: Any, held: Any) -> tuple[Any, ...]:
@@ -8392,9 +8415,9 @@ def _alone10(_arrival_: Any, _ceiling_: Any, _certain_: Any, _leaving_: Any, _p_
     return (_arrival_,)
 
 
-def _alone11(_circled_: Any, _clock_: Any, _held_: Any, _mode_: Any, _p_ball_radius_: Any, _p_board_bottom_: Any, _p_board_distance_: Any, _p_board_half_width_: Any, _p_board_thickness_: Any, _p_board_top_: Any, _p_bridge_depth_: Any, _p_bridge_half_width_: Any, _p_end_depth_: Any, _p_gravity_: Any, _p_inertia_: Any, _p_ring_radius_: Any, _p_wire_radius_: Any, _rests_: Any, _through_: Any, _time_limit_: Any, _vx_: Any, _vy_: Any, _vz_: Any, _when_: Any, _wx_: Any, _wy_: Any, _wz_: Any, _x_: Any, _y_: Any, _z_: Any) -> tuple[Any, ...]:
+def _alone11(_circled_: Any, _clock_: Any, _held_: Any, _last_: Any, _mode_: Any, _p_ball_radius_: Any, _p_board_bottom_: Any, _p_board_distance_: Any, _p_board_half_width_: Any, _p_board_thickness_: Any, _p_board_top_: Any, _p_bridge_depth_: Any, _p_bridge_half_width_: Any, _p_end_depth_: Any, _p_gravity_: Any, _p_inertia_: Any, _p_ring_radius_: Any, _p_wire_radius_: Any, _rests_: Any, _through_: Any, _time_limit_: Any, _vx_: Any, _vy_: Any, _vz_: Any, _when_: Any, _wx_: Any, _wy_: Any, _wz_: Any, _x_: Any, _y_: Any, _z_: Any) -> tuple[Any, ...]:
     """Do the body of `in_contact` for one shot."""
-    _which_, _, _began_, _, _begins_, _rolling_, _leaves_, _nx_, _ny_, _nz_, _gap_, _bent_x_, _bent_y_, _bent_z_, _lift_, _gap_jerk_, _gap_snap_, _per_reach_ = _resumed_alone(_k2, _k2, _clock_, _mode_)
+    _which_, _, _began_, _, _begins_, _rolling_, _leaves_, _nx_, _ny_, _nz_, _gap_, _bent_x_, _bent_y_, _bent_z_, _lift_, _gap_jerk_, _gap_snap_, _per_reach_ = _resumed_alone(_last_, _k2, _k2, _clock_, _mode_)
     if _begins_:
         _here_, = _holding_alone(_k2, _held_)
         if _here_:
@@ -9040,9 +9063,9 @@ def _alone24(_arrival_: Any, _ceiling_: Any, _certain_: Any, _leaving_: Any, _p_
     return (_arrival_, _rate_,)
 
 
-def _alone25(_circled_: Any, _clock_: Any, _clock_error_: Any, _dvx_: Any, _dvy_: Any, _dvz_: Any, _dwx_: Any, _dwy_: Any, _dwz_: Any, _dx_: Any, _dy_: Any, _dz_: Any, _grip_lost_: Any, _held_: Any, _last_grip_clock_: Any, _last_grip_deficit_: Any, _last_grip_deficit_rate_: Any, _mode_: Any, _p_backboard_friction_: Any, _p_ball_radius_: Any, _p_board_bottom_: Any, _p_board_distance_: Any, _p_board_half_width_: Any, _p_board_thickness_: Any, _p_board_top_: Any, _p_bridge_depth_: Any, _p_bridge_friction_: Any, _p_bridge_half_width_: Any, _p_end_depth_: Any, _p_gravity_: Any, _p_inertia_: Any, _p_ring_friction_: Any, _p_ring_radius_: Any, _p_wire_radius_: Any, _position_error_: Any, _rests_: Any, _through_: Any, _time_limit_: Any, _velocity_error_: Any, _vx_: Any, _vy_: Any, _vz_: Any, _when_: Any, _wx_: Any, _wy_: Any, _wz_: Any, _x_: Any, _y_: Any, _z_: Any) -> tuple[Any, ...]:
+def _alone25(_circled_: Any, _clock_: Any, _clock_error_: Any, _dvx_: Any, _dvy_: Any, _dvz_: Any, _dwx_: Any, _dwy_: Any, _dwz_: Any, _dx_: Any, _dy_: Any, _dz_: Any, _grip_lost_: Any, _held_: Any, _last_: Any, _last_grip_clock_: Any, _last_grip_deficit_: Any, _last_grip_deficit_rate_: Any, _mode_: Any, _p_backboard_friction_: Any, _p_ball_radius_: Any, _p_board_bottom_: Any, _p_board_distance_: Any, _p_board_half_width_: Any, _p_board_thickness_: Any, _p_board_top_: Any, _p_bridge_depth_: Any, _p_bridge_friction_: Any, _p_bridge_half_width_: Any, _p_end_depth_: Any, _p_gravity_: Any, _p_inertia_: Any, _p_ring_friction_: Any, _p_ring_radius_: Any, _p_wire_radius_: Any, _position_error_: Any, _rests_: Any, _through_: Any, _time_limit_: Any, _velocity_error_: Any, _vx_: Any, _vy_: Any, _vz_: Any, _when_: Any, _wx_: Any, _wy_: Any, _wz_: Any, _x_: Any, _y_: Any, _z_: Any) -> tuple[Any, ...]:
     """Do the body of `in_contact` for one shot."""
-    _which_, _earliest_delay_, _began_, _undecided_time_, _begins_, _rolling_, _leaves_, _nx_, _ny_, _nz_, _gap_, _bent_x_, _bent_y_, _bent_z_, _lift_, _gap_jerk_, _gap_snap_, _per_reach_ = _resumed_alone(_position_error_, _velocity_error_, _clock_, _mode_)
+    _which_, _earliest_delay_, _began_, _undecided_time_, _begins_, _rolling_, _leaves_, _nx_, _ny_, _nz_, _gap_, _bent_x_, _bent_y_, _bent_z_, _lift_, _gap_jerk_, _gap_snap_, _per_reach_ = _resumed_alone(_last_, _position_error_, _velocity_error_, _clock_, _mode_)
     if _begins_:
         _here_, = _holding_alone(_k2, _held_)
         if _here_:
@@ -9559,8 +9582,9 @@ def start_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
         _valid_1, *_ = valid(_last_1, _x_1, _y_1, _z_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_board_distance_1, _p_board_half_width_1, _p_board_bottom_1, _p_board_top_1, _p_board_thickness_1, _p_bridge_half_width_1, _p_bridge_depth_1, _p_end_depth_1, _room_1)
         _valid_0, = _put(_rows1, shots, (_valid_0,), (_valid_1,), _close_0)
     _outcome_0, *_ = admitted(_inf, _valid_0, _permitted_0, _in_range_0)
+    _mode_0, = started_on_surface(_last_0)
     _through_0, *_ = passing_start(_last_0, _outcome_0, 0.0, _x_0, _y_0, _z_0, _p_ring_radius_0, _p_end_depth_0, _room_0)
-    columns |= {"outcome": _outcome_0, "through": _through_0, }
+    columns |= {"mode": _mode_0, "outcome": _outcome_0, "through": _through_0, }
 
 
 def detect_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
@@ -9992,10 +10016,10 @@ def detect_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
     _rows73, _count74 = _rows(_in_contact_0, shots)
     if (0 < _count74) and (_count74 <= ALONE):
         _began_0, _circled_0, _clock_0, _rests_0, _rolling_0, _through_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0 = _copies(shots, _began_0, _circled_0, _clock_0, _rests_0, _rolling_0, _through_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0)
-        _one_by_one(_alone11, _rows73, _rows73, (_circled_0, _clock_0, _held_0, _mode_0, _p_ball_radius_0, _p_board_bottom_0, _p_board_distance_0, _p_board_half_width_0, _p_board_thickness_0, _p_board_top_0, _p_bridge_depth_0, _p_bridge_half_width_0, _p_end_depth_0, _p_gravity_0, _p_inertia_0, _p_ring_radius_0, _p_wire_radius_0, _rests_0, _through_0, _time_limit_0, _vx_0, _vy_0, _vz_0, _when_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0,), (), (_began_0, _circled_0, _clock_0, _rests_0, _rolling_0, _through_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0,))
+        _one_by_one(_alone11, _rows73, _rows73, (_circled_0, _clock_0, _held_0, _last_0, _mode_0, _p_ball_radius_0, _p_board_bottom_0, _p_board_distance_0, _p_board_half_width_0, _p_board_thickness_0, _p_board_top_0, _p_bridge_depth_0, _p_bridge_half_width_0, _p_end_depth_0, _p_gravity_0, _p_inertia_0, _p_ring_radius_0, _p_wire_radius_0, _rests_0, _through_0, _time_limit_0, _vx_0, _vy_0, _vz_0, _when_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0,), (), (_began_0, _circled_0, _clock_0, _rests_0, _rolling_0, _through_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0,))
     elif _count74:
-        _circled_1, _clock_1, _held_1, _mode_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_radius_1, _p_wire_radius_1, _rests_1, _through_1, _time_limit_1, _vx_1, _vy_1, _vz_1, _when_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1 = _taken(_rows73, _circled_0, _clock_0, _held_0, _mode_0, _p_ball_radius_0, _p_board_bottom_0, _p_board_distance_0, _p_board_half_width_0, _p_board_thickness_0, _p_board_top_0, _p_bridge_depth_0, _p_bridge_half_width_0, _p_end_depth_0, _p_gravity_0, _p_inertia_0, _p_ring_radius_0, _p_wire_radius_0, _rests_0, _through_0, _time_limit_0, _vx_0, _vy_0, _vz_0, _when_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0)
-        _which_1, _, _began_1, _, _begins_1, _rolling_1, _leaves_1, _nx_1, _ny_1, _nz_1, _gap_1, _bent_x_1, _bent_y_1, _bent_z_1, _lift_1, _gap_jerk_1, _gap_snap_1, _per_reach_1 = resumed(0.0, 0.0, _clock_1, _mode_1)
+        _circled_1, _clock_1, _held_1, _last_1, _mode_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_radius_1, _p_wire_radius_1, _rests_1, _through_1, _time_limit_1, _vx_1, _vy_1, _vz_1, _when_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1 = _taken(_rows73, _circled_0, _clock_0, _held_0, _last_0, _mode_0, _p_ball_radius_0, _p_board_bottom_0, _p_board_distance_0, _p_board_half_width_0, _p_board_thickness_0, _p_board_top_0, _p_bridge_depth_0, _p_bridge_half_width_0, _p_end_depth_0, _p_gravity_0, _p_inertia_0, _p_ring_radius_0, _p_wire_radius_0, _rests_0, _through_0, _time_limit_0, _vx_0, _vy_0, _vz_0, _when_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0)
+        _which_1, _, _began_1, _, _begins_1, _rolling_1, _leaves_1, _nx_1, _ny_1, _nz_1, _gap_1, _bent_x_1, _bent_y_1, _bent_z_1, _lift_1, _gap_jerk_1, _gap_snap_1, _per_reach_1 = resumed(_last_1, 0.0, 0.0, _clock_1, _mode_1)
         _rows75, _count76 = _rows(_begins_1, _count74)
         if _count76:
             _gap_2, _held_2, _nx_2, _ny_2, _nz_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_inertia_2, _p_ring_radius_2, _p_wire_radius_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_rows75, _gap_1, _held_1, _nx_1, _ny_1, _nz_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_inertia_1, _p_ring_radius_1, _p_wire_radius_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
@@ -10350,25 +10374,30 @@ def detect_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
         _began_0, _circled_0, _clock_0, _rests_0, _rolling_0, _through_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0 = _put(_rows73, shots, (_began_0, _circled_0, _clock_0, _rests_0, _rolling_0, _through_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0,), (_began_1, _circled_1, _clock_1, _rests_1, _rolling_1, _through_1, _vx_1, _vy_1, _vz_1, _when_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,))
     _, _moves_0, _ends_0, _touches_0, _reached_0, *_ = departed(3.0, _which_0)
     _body_0, = body_of(_which_0)
-    _rows125, _count126 = _most(_moves_0, shots)
+    _rows125, _count126 = _most(_in_contact_0, shots)
     if _count126:
-        _clock_1, _p_gravity_1, _p_ring_radius_1, _through_1, _vx_1, _vy_1, _vz_1, _when_1, _x_1, _y_1, _z_1 = _taken(_rows125, _clock_0, _p_gravity_0, _p_ring_radius_0, _through_0, _vx_0, _vy_0, _vz_0, _when_0, _x_0, _y_0, _z_0)
-        _room_1 = room(_count126)
+        _body_1, _mode_1, _moves_1, _touches_1 = _taken(_rows125, _body_0, _mode_0, _moves_0, _touches_0)
+        _moves_1, _touches_1, _body_1 = nothing_happens_yet(_body_1, _touches_1, _mode_1, _moves_1)
+        _body_0, _moves_0, _touches_0 = _put(_rows125, shots, (_body_0, _moves_0, _touches_0,), (_body_1, _moves_1, _touches_1,), _in_contact_0)
+    _rows127, _count128 = _most(_moves_0, shots)
+    if _count128:
+        _clock_1, _p_gravity_1, _p_ring_radius_1, _through_1, _vx_1, _vy_1, _vz_1, _when_1, _x_1, _y_1, _z_1 = _taken(_rows127, _clock_0, _p_gravity_0, _p_ring_radius_0, _through_0, _vx_0, _vy_0, _vz_0, _when_0, _x_0, _y_0, _z_0)
+        _room_1 = room(_count128)
         _through_1, = passing(_through_1, _when_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _p_ring_radius_1, _p_gravity_1, _room_1)
         _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1 = flight(_when_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _p_gravity_1, _room_1)
         _clock_1, = event_clock(_when_1, _clock_1)
-        _clock_0, _through_0, _vx_0, _vy_0, _vz_0, _x_0, _y_0, _z_0 = _put(_rows125, shots, (_clock_0, _through_0, _vx_0, _vy_0, _vz_0, _x_0, _y_0, _z_0,), (_clock_1, _through_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1,), _moves_0)
-    _rows127, _count128 = _most(_limited_0, shots)
-    if _count128:
-        _body_1, _clock_1, _ends_1, _reached_1, _time_limit_1, _which_1 = _taken(_rows127, _body_0, _clock_0, _ends_0, _reached_0, _time_limit_0, _which_0)
-        _clock_1, _body_1, _reached_1, _ends_1 = expired(4.0, _which_1, _body_1, _clock_1, _reached_1, _time_limit_1, _ends_1)
-        _body_0, _clock_0, _ends_0, _reached_0 = _put(_rows127, shots, (_body_0, _clock_0, _ends_0, _reached_0,), (_body_1, _clock_1, _ends_1, _reached_1,), _limited_0)
-    _rows129, _count130 = _most(_in_contact_0, shots)
+        _clock_0, _through_0, _vx_0, _vy_0, _vz_0, _x_0, _y_0, _z_0 = _put(_rows127, shots, (_clock_0, _through_0, _vx_0, _vy_0, _vz_0, _x_0, _y_0, _z_0,), (_clock_1, _through_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1,), _moves_0)
+    _rows129, _count130 = _most(_limited_0, shots)
     if _count130:
-        _began_1, _body_1, _clock_1, _ends_1, _held_1, _last_1, _reached_1, _rests_1, _rolling_1, _rolls_1, _which_1 = _taken(_rows129, _began_0, _body_0, _clock_0, _ends_0, _held_0, _last_0, _reached_0, _rests_0, _rolling_0, _rolls_0, _which_0)
-        _room_1 = room(_count130)
-        _body_1, _reached_1, _, _ends_1, _, _last_1, _mode_1, _held_1, _rolls_1 = stay_in_contact(_last_1, _which_1, _inf, _body_1, _clock_1, _reached_1, _ends_1, _held_1, _rolls_1, _rolling_1, _began_1, _rests_1, _room_1)
-        _body_0, _ends_0, _held_0, _last_0, _mode_0, _reached_0, _rolls_0 = _put(_rows129, shots, (_body_0, _ends_0, _held_0, _last_0, _mode_0, _reached_0, _rolls_0,), (_body_1, _ends_1, _held_1, _last_1, _mode_1, _reached_1, _rolls_1,), _in_contact_0)
+        _body_1, _clock_1, _ends_1, _reached_1, _time_limit_1, _which_1 = _taken(_rows129, _body_0, _clock_0, _ends_0, _reached_0, _time_limit_0, _which_0)
+        _clock_1, _body_1, _reached_1, _ends_1 = expired(4.0, _which_1, _body_1, _clock_1, _reached_1, _time_limit_1, _ends_1)
+        _body_0, _clock_0, _ends_0, _reached_0 = _put(_rows129, shots, (_body_0, _clock_0, _ends_0, _reached_0,), (_body_1, _clock_1, _ends_1, _reached_1,), _limited_0)
+    _rows131, _count132 = _most(_in_contact_0, shots)
+    if _count132:
+        _began_1, _body_1, _clock_1, _ends_1, _held_1, _last_1, _mode_1, _reached_1, _rests_1, _rolling_1, _rolls_1, _which_1 = _taken(_rows131, _began_0, _body_0, _clock_0, _ends_0, _held_0, _last_0, _mode_0, _reached_0, _rests_0, _rolling_0, _rolls_0, _which_0)
+        _room_1 = room(_count132)
+        _body_1, _reached_1, _, _ends_1, _, _last_1, _mode_1, _held_1, _rolls_1 = stay_in_contact(_last_1, _which_1, _inf, _body_1, _clock_1, _reached_1, _ends_1, _held_1, _mode_1, _rolls_1, _rolling_1, _began_1, _rests_1, _room_1)
+        _body_0, _ends_0, _held_0, _last_0, _mode_0, _reached_0, _rolls_0 = _put(_rows131, shots, (_body_0, _ends_0, _held_0, _last_0, _mode_0, _reached_0, _rolls_0,), (_body_1, _ends_1, _held_1, _last_1, _mode_1, _reached_1, _rolls_1,), _in_contact_0)
     _here_0, = here(3.0, _which_0)
     _g0_1, = end_bounds(_x_0, _y_0, _p_ring_radius_0)
     _reached_1, = end_reached(_through_0, _g0_1)
@@ -10381,7 +10410,7 @@ def resolve_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
     """Stage resolve of the event loop, the path alone."""
     _body_0, _count_0_0, _count_1_0, _count_2_0, _ends_0, _first_0, _held_0, _last_0, _mode_0, _outcome_0, _p_backboard_friction_0, _p_backboard_restitution_0, _p_ball_radius_0, _p_board_bottom_0, _p_board_distance_0, _p_board_half_width_0, _p_board_thickness_0, _p_board_top_0, _p_bridge_depth_0, _p_bridge_friction_0, _p_bridge_half_width_0, _p_bridge_restitution_0, _p_end_depth_0, _p_gravity_0, _p_inertia_0, _p_restitution_speed_0, _p_ring_friction_0, _p_ring_radius_0, _p_ring_restitution_0, _p_tangential_restitution_0, _p_wire_radius_0, _slip_left_0, _touches_0, _vx_0, _vy_0, _vz_0, _which_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0, = map(columns.__getitem__, ("body", "count_0", "count_1", "count_2", "ends", "first", "held", "last", "mode", "outcome", "p_backboard_friction", "p_backboard_restitution", "p_ball_radius", "p_board_bottom", "p_board_distance", "p_board_half_width", "p_board_thickness", "p_board_top", "p_bridge_depth", "p_bridge_friction", "p_bridge_half_width", "p_bridge_restitution", "p_end_depth", "p_gravity", "p_inertia", "p_restitution_speed", "p_ring_friction", "p_ring_radius", "p_ring_restitution", "p_tangential_restitution", "p_wire_radius", "slip_left", "touches", "vx", "vy", "vz", "which", "wx", "wy", "wz", "x", "y", "z",))
     _meeting_0, = meeting(0.0, _ends_0, _touches_0)
-    _slow_0, = no_slow_contact()
+    _slow_0, = slow_at_start(_mode_0)
     _rows1, _count2 = _rows(_meeting_0, shots)
     if _count2:
         _body_1, _count_0_1, _count_1_1, _count_2_1, _first_1, _last_1, _p_backboard_friction_1, _p_backboard_restitution_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_friction_1, _p_bridge_half_width_1, _p_bridge_restitution_1, _p_gravity_1, _p_inertia_1, _p_restitution_speed_1, _p_ring_friction_1, _p_ring_radius_1, _p_ring_restitution_1, _p_tangential_restitution_1, _p_wire_radius_1, _slow_1, _touches_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1 = _taken(_rows1, _body_0, _count_0_0, _count_1_0, _count_2_0, _first_0, _last_0, _p_backboard_friction_0, _p_backboard_restitution_0, _p_ball_radius_0, _p_board_bottom_0, _p_board_distance_0, _p_board_half_width_0, _p_board_thickness_0, _p_board_top_0, _p_bridge_depth_0, _p_bridge_friction_0, _p_bridge_half_width_0, _p_bridge_restitution_0, _p_gravity_0, _p_inertia_0, _p_restitution_speed_0, _p_ring_friction_0, _p_ring_radius_0, _p_ring_restitution_0, _p_tangential_restitution_0, _p_wire_radius_0, _slow_0, _touches_0, _vx_0, _vy_0, _vz_0, _which_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0)
@@ -10454,7 +10483,7 @@ def resolve_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
         _here_1, = here(0.0, _which_1)
         _rows17, _count18 = _most(_here_1, _count12)
         if _count18:
-            _bounce_2, _nearly_2, _nx_2, _ny_2, _nz_2, _outcome_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_friction_2, _p_ring_radius_2, _p_ring_restitution_2, _p_wire_radius_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _slip_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_rows17, _bounce_1, _nearly_1, _nx_1, _ny_1, _nz_1, _outcome_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_friction_1, _p_ring_radius_1, _p_ring_restitution_1, _p_wire_radius_1, _rolled_x_1, _rolled_y_1, _rolled_z_1, _slip_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
+            _bounce_2, _mode_2, _nearly_2, _nx_2, _ny_2, _nz_2, _outcome_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_friction_2, _p_ring_radius_2, _p_ring_restitution_2, _p_wire_radius_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _slip_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_rows17, _bounce_1, _mode_1, _nearly_1, _nx_1, _ny_1, _nz_1, _outcome_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_friction_1, _p_ring_radius_1, _p_ring_restitution_1, _p_wire_radius_1, _rolled_x_1, _rolled_y_1, _rolled_z_1, _slip_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
             _room_2 = room(_count18)
             _turning_x_2, _turning_y_2, _turning_z_2 = ring_turning(_p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _x_2, _y_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _room_2)
             _press_2, _weight_2, _rolling_friction_2, _rolling_acceleration_x_2, _rolling_acceleration_y_2, _rolling_acceleration_z_2 = pressed_on(_p_ball_radius_2, _p_gravity_2, _p_inertia_2, _nx_2, _ny_2, _nz_2, _wx_2, _wy_2, _wz_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _turning_x_2, _turning_y_2, _turning_z_2, _room_2)
@@ -10467,12 +10496,12 @@ def resolve_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
             _nearest_2, = near_end_plane(_gap_2, _nearest_2)
             _lift_2, *_ = ring_separation(_p_gravity_2, _p_ring_radius_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _room_2)
             _settles_2, _lodges_2, _slides_2, _unpressed_2, _, _undecided_2 = ring_impact_settling(_p_ball_radius_2, _p_inertia_2, _p_ring_friction_2, _p_ring_restitution_2, _wx_2, _wy_2, _wz_2, 0.0, _rolled_x_2, _rolled_y_2, _rolled_z_2, _turning_x_2, _turning_y_2, _turning_z_2, _slip_2, _bounce_2, _nearest_2, _second_contact_gap_2, _press_2, _weight_2, _rolling_friction_2, _lift_2, _room_2)
-            _mode_2, _held_2, _outcome_2, _slip_left_2, *_ = settled(0.0, _outcome_2, 0.0, _undecided_2, _settles_2, _nearly_2, _lodges_2, _slides_2, _unpressed_2)
+            _mode_2, _held_2, _outcome_2, _slip_left_2, *_ = settled(0.0, _outcome_2, 0.0, _undecided_2, _mode_2, _settles_2, _nearly_2, _lodges_2, _slides_2, _unpressed_2)
             _held_1, _mode_1, _outcome_1, _slip_left_1 = _put(_rows17, _count12, (_held_1, _mode_1, _outcome_1, _slip_left_1,), (_held_2, _mode_2, _outcome_2, _slip_left_2,), _here_1)
         _here_1, = here(1.0, _which_1)
         _rows19, _count20 = _most(_here_1, _count12)
         if _count20:
-            _bounce_2, _nearly_2, _nx_2, _ny_2, _nz_2, _outcome_2, _p_backboard_friction_2, _p_backboard_restitution_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_radius_2, _p_wire_radius_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _slip_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_rows19, _bounce_1, _nearly_1, _nx_1, _ny_1, _nz_1, _outcome_1, _p_backboard_friction_1, _p_backboard_restitution_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_radius_1, _p_wire_radius_1, _rolled_x_1, _rolled_y_1, _rolled_z_1, _slip_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
+            _bounce_2, _mode_2, _nearly_2, _nx_2, _ny_2, _nz_2, _outcome_2, _p_backboard_friction_2, _p_backboard_restitution_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_radius_2, _p_wire_radius_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _slip_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_rows19, _bounce_1, _mode_1, _nearly_1, _nx_1, _ny_1, _nz_1, _outcome_1, _p_backboard_friction_1, _p_backboard_restitution_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_radius_1, _p_wire_radius_1, _rolled_x_1, _rolled_y_1, _rolled_z_1, _slip_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
             _room_2 = room(_count20)
             _turning_x_2, _turning_y_2, _turning_z_2 = backboard_turning(_p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _x_2, _y_2, _z_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _room_2)
             _press_2, _weight_2, _rolling_friction_2, _rolling_acceleration_x_2, _rolling_acceleration_y_2, _rolling_acceleration_z_2 = pressed_on(_p_ball_radius_2, _p_gravity_2, _p_inertia_2, _nx_2, _ny_2, _nz_2, _wx_2, _wy_2, _wz_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _turning_x_2, _turning_y_2, _turning_z_2, _room_2)
@@ -10485,12 +10514,12 @@ def resolve_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
             _nearest_2, = near_end_plane(_gap_2, _nearest_2)
             _lift_2, *_ = backboard_separation(_p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _room_2)
             _settles_2, _lodges_2, _slides_2, _unpressed_2, _, _undecided_2 = ring_impact_settling(_p_ball_radius_2, _p_inertia_2, _p_backboard_friction_2, _p_backboard_restitution_2, _wx_2, _wy_2, _wz_2, 0.0, _rolled_x_2, _rolled_y_2, _rolled_z_2, _turning_x_2, _turning_y_2, _turning_z_2, _slip_2, _bounce_2, _nearest_2, _second_contact_gap_2, _press_2, _weight_2, _rolling_friction_2, _lift_2, _room_2)
-            _mode_2, _held_2, _outcome_2, _slip_left_2, *_ = settled(1.0, _outcome_2, 0.0, _undecided_2, _settles_2, _nearly_2, _lodges_2, _slides_2, _unpressed_2)
+            _mode_2, _held_2, _outcome_2, _slip_left_2, *_ = settled(1.0, _outcome_2, 0.0, _undecided_2, _mode_2, _settles_2, _nearly_2, _lodges_2, _slides_2, _unpressed_2)
             _held_1, _mode_1, _outcome_1, _slip_left_1 = _put(_rows19, _count12, (_held_1, _mode_1, _outcome_1, _slip_left_1,), (_held_2, _mode_2, _outcome_2, _slip_left_2,), _here_1)
         _here_1, = here(2.0, _which_1)
         _rows21, _count22 = _most(_here_1, _count12)
         if _count22:
-            _bounce_2, _nearly_2, _nx_2, _ny_2, _nz_2, _outcome_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_friction_2, _p_bridge_half_width_2, _p_bridge_restitution_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_radius_2, _p_wire_radius_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _slip_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_rows21, _bounce_1, _nearly_1, _nx_1, _ny_1, _nz_1, _outcome_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_friction_1, _p_bridge_half_width_1, _p_bridge_restitution_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_radius_1, _p_wire_radius_1, _rolled_x_1, _rolled_y_1, _rolled_z_1, _slip_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
+            _bounce_2, _mode_2, _nearly_2, _nx_2, _ny_2, _nz_2, _outcome_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_friction_2, _p_bridge_half_width_2, _p_bridge_restitution_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_radius_2, _p_wire_radius_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _slip_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_rows21, _bounce_1, _mode_1, _nearly_1, _nx_1, _ny_1, _nz_1, _outcome_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_friction_1, _p_bridge_half_width_1, _p_bridge_restitution_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_radius_1, _p_wire_radius_1, _rolled_x_1, _rolled_y_1, _rolled_z_1, _slip_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
             _room_2 = room(_count22)
             _turning_x_2, _turning_y_2, _turning_z_2 = bridge_turning(_p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_ring_radius_2, _p_wire_radius_2, _x_2, _y_2, _z_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _room_2)
             _press_2, _weight_2, _rolling_friction_2, _rolling_acceleration_x_2, _rolling_acceleration_y_2, _rolling_acceleration_z_2 = pressed_on(_p_ball_radius_2, _p_gravity_2, _p_inertia_2, _nx_2, _ny_2, _nz_2, _wx_2, _wy_2, _wz_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _turning_x_2, _turning_y_2, _turning_z_2, _room_2)
@@ -10503,7 +10532,7 @@ def resolve_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
             _nearest_2, = near_end_plane(_gap_2, _nearest_2)
             _lift_2, *_ = bridge_separation(_p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _room_2)
             _settles_2, _lodges_2, _slides_2, _unpressed_2, _, _undecided_2 = ring_impact_settling(_p_ball_radius_2, _p_inertia_2, _p_bridge_friction_2, _p_bridge_restitution_2, _wx_2, _wy_2, _wz_2, 0.0, _rolled_x_2, _rolled_y_2, _rolled_z_2, _turning_x_2, _turning_y_2, _turning_z_2, _slip_2, _bounce_2, _nearest_2, _second_contact_gap_2, _press_2, _weight_2, _rolling_friction_2, _lift_2, _room_2)
-            _mode_2, _held_2, _outcome_2, _slip_left_2, *_ = settled(2.0, _outcome_2, 0.0, _undecided_2, _settles_2, _nearly_2, _lodges_2, _slides_2, _unpressed_2)
+            _mode_2, _held_2, _outcome_2, _slip_left_2, *_ = settled(2.0, _outcome_2, 0.0, _undecided_2, _mode_2, _settles_2, _nearly_2, _lodges_2, _slides_2, _unpressed_2)
             _held_1, _mode_1, _outcome_1, _slip_left_1 = _put(_rows21, _count12, (_held_1, _mode_1, _outcome_1, _slip_left_1,), (_held_2, _mode_2, _outcome_2, _slip_left_2,), _here_1)
         _held_0, _mode_0, _outcome_0, _slip_left_0 = _put(_rows11, shots, (_held_0, _mode_0, _outcome_0, _slip_left_0,), (_held_1, _mode_1, _outcome_1, _slip_left_1,))
     columns |= {"count_0": _count_0_0, "count_1": _count_1_0, "count_2": _count_2_0, "first": _first_0, "held": _held_0, "last": _last_0, "mode": _mode_0, "outcome": _outcome_0, "slip_left": _slip_left_0, "vx": _vx_0, "vy": _vy_0, "vz": _vz_0, "wx": _wx_0, "wy": _wy_0, "wz": _wz_0, }
@@ -10530,8 +10559,9 @@ def start_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _valid_1, _undecided_time_1 = valid(_last_1, _x_1, _y_1, _z_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_board_distance_1, _p_board_half_width_1, _p_board_bottom_1, _p_board_top_1, _p_board_thickness_1, _p_bridge_half_width_1, _p_bridge_depth_1, _p_end_depth_1, _room_1)
         _undecided_time_0, _valid_0 = _put(_rows1, shots, (_undecided_time_0, _valid_0,), (_undecided_time_1, _valid_1,), _close_0)
     _outcome_0, _uncertain_0 = admitted(_undecided_time_0, _valid_0, _permitted_0, _in_range_0)
+    _mode_0, = started_on_surface(_last_0)
     _through_0, _uncertain_0 = passing_start(_last_0, _outcome_0, _uncertain_0, _x_0, _y_0, _z_0, _p_ring_radius_0, _p_end_depth_0, _room_0)
-    columns |= {"outcome": _outcome_0, "through": _through_0, "uncertain": _uncertain_0, }
+    columns |= {"mode": _mode_0, "outcome": _outcome_0, "through": _through_0, "uncertain": _uncertain_0, }
 
 
 def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
@@ -10997,10 +11027,10 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
     _rows73, _count74 = _rows(_in_contact_0, shots)
     if (0 < _count74) and (_count74 <= ALONE):
         _began_0, _circled_0, _clock_0, _dvx_0, _dvy_0, _dvz_0, _dwx_0, _dwy_0, _dwz_0, _dx_0, _dy_0, _dz_0, _earliest_delay_0, _grip_lost_0, _last_grip_clock_0, _last_grip_deficit_0, _last_grip_deficit_rate_0, _position_error_0, _rests_0, _rolling_0, _through_0, _undecided_time_0, _velocity_error_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0 = _copies(shots, _began_0, _circled_0, _clock_0, _dvx_0, _dvy_0, _dvz_0, _dwx_0, _dwy_0, _dwz_0, _dx_0, _dy_0, _dz_0, _earliest_delay_0, _grip_lost_0, _last_grip_clock_0, _last_grip_deficit_0, _last_grip_deficit_rate_0, _position_error_0, _rests_0, _rolling_0, _through_0, _undecided_time_0, _velocity_error_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0)
-        _one_by_one(_alone25, _rows73, _rows73, (_circled_0, _clock_0, _clock_error_0, _dvx_0, _dvy_0, _dvz_0, _dwx_0, _dwy_0, _dwz_0, _dx_0, _dy_0, _dz_0, _grip_lost_0, _held_0, _last_grip_clock_0, _last_grip_deficit_0, _last_grip_deficit_rate_0, _mode_0, _p_backboard_friction_0, _p_ball_radius_0, _p_board_bottom_0, _p_board_distance_0, _p_board_half_width_0, _p_board_thickness_0, _p_board_top_0, _p_bridge_depth_0, _p_bridge_friction_0, _p_bridge_half_width_0, _p_end_depth_0, _p_gravity_0, _p_inertia_0, _p_ring_friction_0, _p_ring_radius_0, _p_wire_radius_0, _position_error_0, _rests_0, _through_0, _time_limit_0, _velocity_error_0, _vx_0, _vy_0, _vz_0, _when_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0,), (), (_began_0, _circled_0, _clock_0, _dvx_0, _dvy_0, _dvz_0, _dwx_0, _dwy_0, _dwz_0, _dx_0, _dy_0, _dz_0, _earliest_delay_0, _grip_lost_0, _last_grip_clock_0, _last_grip_deficit_0, _last_grip_deficit_rate_0, _position_error_0, _rests_0, _rolling_0, _through_0, _undecided_time_0, _velocity_error_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0,))
+        _one_by_one(_alone25, _rows73, _rows73, (_circled_0, _clock_0, _clock_error_0, _dvx_0, _dvy_0, _dvz_0, _dwx_0, _dwy_0, _dwz_0, _dx_0, _dy_0, _dz_0, _grip_lost_0, _held_0, _last_0, _last_grip_clock_0, _last_grip_deficit_0, _last_grip_deficit_rate_0, _mode_0, _p_backboard_friction_0, _p_ball_radius_0, _p_board_bottom_0, _p_board_distance_0, _p_board_half_width_0, _p_board_thickness_0, _p_board_top_0, _p_bridge_depth_0, _p_bridge_friction_0, _p_bridge_half_width_0, _p_end_depth_0, _p_gravity_0, _p_inertia_0, _p_ring_friction_0, _p_ring_radius_0, _p_wire_radius_0, _position_error_0, _rests_0, _through_0, _time_limit_0, _velocity_error_0, _vx_0, _vy_0, _vz_0, _when_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0,), (), (_began_0, _circled_0, _clock_0, _dvx_0, _dvy_0, _dvz_0, _dwx_0, _dwy_0, _dwz_0, _dx_0, _dy_0, _dz_0, _earliest_delay_0, _grip_lost_0, _last_grip_clock_0, _last_grip_deficit_0, _last_grip_deficit_rate_0, _position_error_0, _rests_0, _rolling_0, _through_0, _undecided_time_0, _velocity_error_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0,))
     elif _count74:
-        _circled_1, _clock_1, _clock_error_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _grip_lost_1, _held_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _mode_1, _p_backboard_friction_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_friction_1, _p_bridge_half_width_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_friction_1, _p_ring_radius_1, _p_wire_radius_1, _position_error_1, _rests_1, _through_1, _time_limit_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _when_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1 = _taken(_rows73, _circled_0, _clock_0, _clock_error_0, _dvx_0, _dvy_0, _dvz_0, _dwx_0, _dwy_0, _dwz_0, _dx_0, _dy_0, _dz_0, _grip_lost_0, _held_0, _last_grip_clock_0, _last_grip_deficit_0, _last_grip_deficit_rate_0, _mode_0, _p_backboard_friction_0, _p_ball_radius_0, _p_board_bottom_0, _p_board_distance_0, _p_board_half_width_0, _p_board_thickness_0, _p_board_top_0, _p_bridge_depth_0, _p_bridge_friction_0, _p_bridge_half_width_0, _p_end_depth_0, _p_gravity_0, _p_inertia_0, _p_ring_friction_0, _p_ring_radius_0, _p_wire_radius_0, _position_error_0, _rests_0, _through_0, _time_limit_0, _velocity_error_0, _vx_0, _vy_0, _vz_0, _when_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0)
-        _which_1, _earliest_delay_1, _began_1, _undecided_time_1, _begins_1, _rolling_1, _leaves_1, _nx_1, _ny_1, _nz_1, _gap_1, _bent_x_1, _bent_y_1, _bent_z_1, _lift_1, _gap_jerk_1, _gap_snap_1, _per_reach_1 = resumed(_position_error_1, _velocity_error_1, _clock_1, _mode_1)
+        _circled_1, _clock_1, _clock_error_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _grip_lost_1, _held_1, _last_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _mode_1, _p_backboard_friction_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_friction_1, _p_bridge_half_width_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_friction_1, _p_ring_radius_1, _p_wire_radius_1, _position_error_1, _rests_1, _through_1, _time_limit_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _when_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1 = _taken(_rows73, _circled_0, _clock_0, _clock_error_0, _dvx_0, _dvy_0, _dvz_0, _dwx_0, _dwy_0, _dwz_0, _dx_0, _dy_0, _dz_0, _grip_lost_0, _held_0, _last_0, _last_grip_clock_0, _last_grip_deficit_0, _last_grip_deficit_rate_0, _mode_0, _p_backboard_friction_0, _p_ball_radius_0, _p_board_bottom_0, _p_board_distance_0, _p_board_half_width_0, _p_board_thickness_0, _p_board_top_0, _p_bridge_depth_0, _p_bridge_friction_0, _p_bridge_half_width_0, _p_end_depth_0, _p_gravity_0, _p_inertia_0, _p_ring_friction_0, _p_ring_radius_0, _p_wire_radius_0, _position_error_0, _rests_0, _through_0, _time_limit_0, _velocity_error_0, _vx_0, _vy_0, _vz_0, _when_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0)
+        _which_1, _earliest_delay_1, _began_1, _undecided_time_1, _begins_1, _rolling_1, _leaves_1, _nx_1, _ny_1, _nz_1, _gap_1, _bent_x_1, _bent_y_1, _bent_z_1, _lift_1, _gap_jerk_1, _gap_snap_1, _per_reach_1 = resumed(_last_1, _position_error_1, _velocity_error_1, _clock_1, _mode_1)
         _rows75, _count76 = _rows(_begins_1, _count74)
         if _count76:
             _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _gap_2, _held_2, _nx_2, _ny_2, _nz_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_inertia_2, _p_ring_radius_2, _p_wire_radius_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_rows75, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _gap_1, _held_1, _nx_1, _ny_1, _nz_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_inertia_1, _p_ring_radius_1, _p_wire_radius_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
@@ -11476,28 +11506,33 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _began_0, _circled_0, _clock_0, _dvx_0, _dvy_0, _dvz_0, _dwx_0, _dwy_0, _dwz_0, _dx_0, _dy_0, _dz_0, _earliest_delay_0, _grip_lost_0, _last_grip_clock_0, _last_grip_deficit_0, _last_grip_deficit_rate_0, _position_error_0, _rests_0, _rolling_0, _through_0, _undecided_time_0, _velocity_error_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0 = _put(_rows73, shots, (_began_0, _circled_0, _clock_0, _dvx_0, _dvy_0, _dvz_0, _dwx_0, _dwy_0, _dwz_0, _dx_0, _dy_0, _dz_0, _earliest_delay_0, _grip_lost_0, _last_grip_clock_0, _last_grip_deficit_0, _last_grip_deficit_rate_0, _position_error_0, _rests_0, _rolling_0, _through_0, _undecided_time_0, _velocity_error_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0,), (_began_1, _circled_1, _clock_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _position_error_1, _rests_1, _rolling_1, _through_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _when_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,))
     _, _moves_0, _ends_0, _touches_0, _reached_0, _edge_0 = departed(3.0, _which_0)
     _body_0, = body_of(_which_0)
-    _rows141, _count142 = _most(_moves_0, shots)
+    _rows141, _count142 = _most(_in_contact_0, shots)
     if _count142:
-        _clock_1, _extent_1, _p_gravity_1, _p_ring_radius_1, _position_error_1, _speed_1, _through_1, _uncertain_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _when_1, _x_1, _y_1, _z_1 = _taken(_rows141, _clock_0, _extent_0, _p_gravity_0, _p_ring_radius_0, _position_error_0, _speed_0, _through_0, _uncertain_0, _velocity_error_0, _vx_0, _vy_0, _vz_0, _when_0, _x_0, _y_0, _z_0)
-        _room_1 = room(_count142)
+        _body_1, _mode_1, _moves_1, _touches_1 = _taken(_rows141, _body_0, _mode_0, _moves_0, _touches_0)
+        _moves_1, _touches_1, _body_1 = nothing_happens_yet(_body_1, _touches_1, _mode_1, _moves_1)
+        _body_0, _moves_0, _touches_0 = _put(_rows141, shots, (_body_0, _moves_0, _touches_0,), (_body_1, _moves_1, _touches_1,), _in_contact_0)
+    _rows143, _count144 = _most(_moves_0, shots)
+    if _count144:
+        _clock_1, _extent_1, _p_gravity_1, _p_ring_radius_1, _position_error_1, _speed_1, _through_1, _uncertain_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _when_1, _x_1, _y_1, _z_1 = _taken(_rows143, _clock_0, _extent_0, _p_gravity_0, _p_ring_radius_0, _position_error_0, _speed_0, _through_0, _uncertain_0, _velocity_error_0, _vx_0, _vy_0, _vz_0, _when_0, _x_0, _y_0, _z_0)
+        _room_1 = room(_count144)
         _undecided_1, = passing_undecided(_when_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _extent_1, _speed_1, _position_error_1, _velocity_error_1, _p_ring_radius_1, _p_gravity_1, _room_1)
         _uncertain_1, = undecided(_uncertain_1, _undecided_1)
         _through_1, = passing(_through_1, _when_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _p_ring_radius_1, _p_gravity_1, _room_1)
         _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1 = flight(_when_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _p_gravity_1, _room_1)
         _clock_1, = event_clock(_when_1, _clock_1)
-        _clock_0, _through_0, _uncertain_0, _vx_0, _vy_0, _vz_0, _x_0, _y_0, _z_0 = _put(_rows141, shots, (_clock_0, _through_0, _uncertain_0, _vx_0, _vy_0, _vz_0, _x_0, _y_0, _z_0,), (_clock_1, _through_1, _uncertain_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1,), _moves_0)
-    _rows143, _count144 = _most(_limited_0, shots)
-    if _count144:
-        _body_1, _clock_1, _ends_1, _reached_1, _time_limit_1, _which_1 = _taken(_rows143, _body_0, _clock_0, _ends_0, _reached_0, _time_limit_0, _which_0)
-        _clock_1, _body_1, _reached_1, _ends_1 = expired(4.0, _which_1, _body_1, _clock_1, _reached_1, _time_limit_1, _ends_1)
-        _body_0, _clock_0, _ends_0, _reached_0 = _put(_rows143, shots, (_body_0, _clock_0, _ends_0, _reached_0,), (_body_1, _clock_1, _ends_1, _reached_1,), _limited_0)
-    _hopped_0, = no_departure()
-    _rows145, _count146 = _most(_in_contact_0, shots)
+        _clock_0, _through_0, _uncertain_0, _vx_0, _vy_0, _vz_0, _x_0, _y_0, _z_0 = _put(_rows143, shots, (_clock_0, _through_0, _uncertain_0, _vx_0, _vy_0, _vz_0, _x_0, _y_0, _z_0,), (_clock_1, _through_1, _uncertain_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1,), _moves_0)
+    _rows145, _count146 = _most(_limited_0, shots)
     if _count146:
-        _began_1, _body_1, _clock_1, _ends_1, _held_1, _last_1, _reached_1, _rests_1, _rolling_1, _rolls_1, _undecided_time_1, _which_1 = _taken(_rows145, _began_0, _body_0, _clock_0, _ends_0, _held_0, _last_0, _reached_0, _rests_0, _rolling_0, _rolls_0, _undecided_time_0, _which_0)
-        _room_1 = room(_count146)
-        _body_1, _reached_1, _undecided_time_1, _ends_1, _hopped_1, _last_1, _mode_1, _held_1, _rolls_1 = stay_in_contact(_last_1, _which_1, _undecided_time_1, _body_1, _clock_1, _reached_1, _ends_1, _held_1, _rolls_1, _rolling_1, _began_1, _rests_1, _room_1)
-        _body_0, _ends_0, _held_0, _hopped_0, _last_0, _mode_0, _reached_0, _rolls_0, _undecided_time_0 = _put(_rows145, shots, (_body_0, _ends_0, _held_0, _hopped_0, _last_0, _mode_0, _reached_0, _rolls_0, _undecided_time_0,), (_body_1, _ends_1, _held_1, _hopped_1, _last_1, _mode_1, _reached_1, _rolls_1, _undecided_time_1,), _in_contact_0)
+        _body_1, _clock_1, _ends_1, _reached_1, _time_limit_1, _which_1 = _taken(_rows145, _body_0, _clock_0, _ends_0, _reached_0, _time_limit_0, _which_0)
+        _clock_1, _body_1, _reached_1, _ends_1 = expired(4.0, _which_1, _body_1, _clock_1, _reached_1, _time_limit_1, _ends_1)
+        _body_0, _clock_0, _ends_0, _reached_0 = _put(_rows145, shots, (_body_0, _clock_0, _ends_0, _reached_0,), (_body_1, _clock_1, _ends_1, _reached_1,), _limited_0)
+    _hopped_0, = no_departure()
+    _rows147, _count148 = _most(_in_contact_0, shots)
+    if _count148:
+        _began_1, _body_1, _clock_1, _ends_1, _held_1, _last_1, _mode_1, _reached_1, _rests_1, _rolling_1, _rolls_1, _undecided_time_1, _which_1 = _taken(_rows147, _began_0, _body_0, _clock_0, _ends_0, _held_0, _last_0, _mode_0, _reached_0, _rests_0, _rolling_0, _rolls_0, _undecided_time_0, _which_0)
+        _room_1 = room(_count148)
+        _body_1, _reached_1, _undecided_time_1, _ends_1, _hopped_1, _last_1, _mode_1, _held_1, _rolls_1 = stay_in_contact(_last_1, _which_1, _undecided_time_1, _body_1, _clock_1, _reached_1, _ends_1, _held_1, _mode_1, _rolls_1, _rolling_1, _began_1, _rests_1, _room_1)
+        _body_0, _ends_0, _held_0, _hopped_0, _last_0, _mode_0, _reached_0, _rolls_0, _undecided_time_0 = _put(_rows147, shots, (_body_0, _ends_0, _held_0, _hopped_0, _last_0, _mode_0, _reached_0, _rolls_0, _undecided_time_0,), (_body_1, _ends_1, _held_1, _hopped_1, _last_1, _mode_1, _reached_1, _rolls_1, _undecided_time_1,), _in_contact_0)
     _slack_0, = displacement(_earliest_delay_0, _when_0, _extent_0, _speed_0, _position_error_0, _velocity_error_0, _p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_board_distance_0, _p_board_half_width_0, _p_board_bottom_0, _p_board_top_0, _p_board_thickness_0, _p_bridge_half_width_0, _p_bridge_depth_0, _p_gravity_0, _p_end_depth_0, _room_0)
     _here_0, = here(3.0, _which_0)
     _g0_1, = end_bounds(_x_0, _y_0, _p_ring_radius_0)
@@ -11513,7 +11548,7 @@ def resolve_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
     """Stage resolve of the event loop, with bounds on errors."""
     _assured_0, _body_0, _claims_0, _clock_0, _clock_error_0, _contacts_0, _count_0_0, _count_1_0, _count_2_0, _dvx_0, _dvy_0, _dvz_0, _dwx_0, _dwy_0, _dwz_0, _dx_0, _dy_0, _dz_0, _earliest_delay_0, _ends_0, _first_0, _held_0, _hopped_0, _last_0, _limited_0, _mode_0, _outcome_0, _p_backboard_friction_0, _p_backboard_restitution_0, _p_ball_radius_0, _p_board_bottom_0, _p_board_distance_0, _p_board_half_width_0, _p_board_thickness_0, _p_board_top_0, _p_bridge_depth_0, _p_bridge_friction_0, _p_bridge_half_width_0, _p_bridge_restitution_0, _p_end_depth_0, _p_gravity_0, _p_inertia_0, _p_restitution_speed_0, _p_ring_friction_0, _p_ring_radius_0, _p_ring_restitution_0, _p_tangential_restitution_0, _p_wire_radius_0, _position_error_0, _slip_left_0, _touches_0, _uncertain_0, _velocity_error_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0, = map(columns.__getitem__, ("assured", "body", "claims", "clock", "clock_error", "contacts", "count_0", "count_1", "count_2", "dvx", "dvy", "dvz", "dwx", "dwy", "dwz", "dx", "dy", "dz", "earliest_delay", "ends", "first", "held", "hopped", "last", "limited", "mode", "outcome", "p_backboard_friction", "p_backboard_restitution", "p_ball_radius", "p_board_bottom", "p_board_distance", "p_board_half_width", "p_board_thickness", "p_board_top", "p_bridge_depth", "p_bridge_friction", "p_bridge_half_width", "p_bridge_restitution", "p_end_depth", "p_gravity", "p_inertia", "p_restitution_speed", "p_ring_friction", "p_ring_radius", "p_ring_restitution", "p_tangential_restitution", "p_wire_radius", "position_error", "slip_left", "touches", "uncertain", "velocity_error", "vx", "vy", "vz", "when", "which", "wx", "wy", "wz", "x", "y", "z",))
     _meeting_0, = meeting(_claims_0, _ends_0, _touches_0)
-    _slow_0, = no_slow_contact()
+    _slow_0, = slow_at_start(_mode_0)
     _rows1, _count2 = _rows(_meeting_0, shots)
     if _count2:
         _assured_1, _body_1, _clock_1, _clock_error_1, _contacts_1, _count_0_1, _count_1_1, _count_2_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _ends_1, _first_1, _last_1, _p_backboard_friction_1, _p_backboard_restitution_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_friction_1, _p_bridge_half_width_1, _p_bridge_restitution_1, _p_gravity_1, _p_inertia_1, _p_restitution_speed_1, _p_ring_friction_1, _p_ring_radius_1, _p_ring_restitution_1, _p_tangential_restitution_1, _p_wire_radius_1, _position_error_1, _slow_1, _touches_1, _uncertain_1, _vx_1, _vy_1, _vz_1, _when_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1 = _taken(_rows1, _assured_0, _body_0, _clock_0, _clock_error_0, _contacts_0, _count_0_0, _count_1_0, _count_2_0, _dvx_0, _dvy_0, _dvz_0, _dwx_0, _dwy_0, _dwz_0, _dx_0, _dy_0, _dz_0, _earliest_delay_0, _ends_0, _first_0, _last_0, _p_backboard_friction_0, _p_backboard_restitution_0, _p_ball_radius_0, _p_board_bottom_0, _p_board_distance_0, _p_board_half_width_0, _p_board_thickness_0, _p_board_top_0, _p_bridge_depth_0, _p_bridge_friction_0, _p_bridge_half_width_0, _p_bridge_restitution_0, _p_gravity_0, _p_inertia_0, _p_restitution_speed_0, _p_ring_friction_0, _p_ring_radius_0, _p_ring_restitution_0, _p_tangential_restitution_0, _p_wire_radius_0, _position_error_0, _slow_0, _touches_0, _uncertain_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0)
@@ -11644,7 +11679,7 @@ def resolve_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _here_1, = here(0.0, _which_1)
         _rows29, _count30 = _most(_here_1, _count24)
         if _count30:
-            _bounce_2, _nearly_2, _nx_2, _ny_2, _nz_2, _outcome_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_friction_2, _p_ring_radius_2, _p_ring_restitution_2, _p_wire_radius_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _slip_2, _uncertain_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_rows29, _bounce_1, _nearly_1, _nx_1, _ny_1, _nz_1, _outcome_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_friction_1, _p_ring_radius_1, _p_ring_restitution_1, _p_wire_radius_1, _rolled_x_1, _rolled_y_1, _rolled_z_1, _slip_1, _uncertain_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
+            _bounce_2, _mode_2, _nearly_2, _nx_2, _ny_2, _nz_2, _outcome_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_friction_2, _p_ring_radius_2, _p_ring_restitution_2, _p_wire_radius_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _slip_2, _uncertain_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_rows29, _bounce_1, _mode_1, _nearly_1, _nx_1, _ny_1, _nz_1, _outcome_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_friction_1, _p_ring_radius_1, _p_ring_restitution_1, _p_wire_radius_1, _rolled_x_1, _rolled_y_1, _rolled_z_1, _slip_1, _uncertain_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
             _room_2 = room(_count30)
             _turning_x_2, _turning_y_2, _turning_z_2 = ring_turning(_p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _x_2, _y_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _room_2)
             _press_2, _weight_2, _rolling_friction_2, _rolling_acceleration_x_2, _rolling_acceleration_y_2, _rolling_acceleration_z_2 = pressed_on(_p_ball_radius_2, _p_gravity_2, _p_inertia_2, _nx_2, _ny_2, _nz_2, _wx_2, _wy_2, _wz_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _turning_x_2, _turning_y_2, _turning_z_2, _room_2)
@@ -11657,12 +11692,12 @@ def resolve_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             _nearest_2, = near_end_plane(_gap_2, _nearest_2)
             _lift_2, *_ = ring_separation(_p_gravity_2, _p_ring_radius_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _room_2)
             _settles_2, _lodges_2, _slides_2, _unpressed_2, _assured_2, _undecided_2 = ring_impact_settling(_p_ball_radius_2, _p_inertia_2, _p_ring_friction_2, _p_ring_restitution_2, _wx_2, _wy_2, _wz_2, _velocity_error_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _turning_x_2, _turning_y_2, _turning_z_2, _slip_2, _bounce_2, _nearest_2, _second_contact_gap_2, _press_2, _weight_2, _rolling_friction_2, _lift_2, _room_2)
-            _mode_2, _held_2, _outcome_2, _slip_left_2, _uncertain_2 = settled(0.0, _outcome_2, _uncertain_2, _undecided_2, _settles_2, _nearly_2, _lodges_2, _slides_2, _unpressed_2)
+            _mode_2, _held_2, _outcome_2, _slip_left_2, _uncertain_2 = settled(0.0, _outcome_2, _uncertain_2, _undecided_2, _mode_2, _settles_2, _nearly_2, _lodges_2, _slides_2, _unpressed_2)
             _assured_1, _held_1, _mode_1, _outcome_1, _slip_left_1, _uncertain_1 = _put(_rows29, _count24, (_assured_1, _held_1, _mode_1, _outcome_1, _slip_left_1, _uncertain_1,), (_assured_2, _held_2, _mode_2, _outcome_2, _slip_left_2, _uncertain_2,), _here_1)
         _here_1, = here(1.0, _which_1)
         _rows31, _count32 = _most(_here_1, _count24)
         if _count32:
-            _bounce_2, _nearly_2, _nx_2, _ny_2, _nz_2, _outcome_2, _p_backboard_friction_2, _p_backboard_restitution_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_radius_2, _p_wire_radius_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _slip_2, _uncertain_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_rows31, _bounce_1, _nearly_1, _nx_1, _ny_1, _nz_1, _outcome_1, _p_backboard_friction_1, _p_backboard_restitution_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_radius_1, _p_wire_radius_1, _rolled_x_1, _rolled_y_1, _rolled_z_1, _slip_1, _uncertain_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
+            _bounce_2, _mode_2, _nearly_2, _nx_2, _ny_2, _nz_2, _outcome_2, _p_backboard_friction_2, _p_backboard_restitution_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_radius_2, _p_wire_radius_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _slip_2, _uncertain_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_rows31, _bounce_1, _mode_1, _nearly_1, _nx_1, _ny_1, _nz_1, _outcome_1, _p_backboard_friction_1, _p_backboard_restitution_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_radius_1, _p_wire_radius_1, _rolled_x_1, _rolled_y_1, _rolled_z_1, _slip_1, _uncertain_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
             _room_2 = room(_count32)
             _turning_x_2, _turning_y_2, _turning_z_2 = backboard_turning(_p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _x_2, _y_2, _z_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _room_2)
             _press_2, _weight_2, _rolling_friction_2, _rolling_acceleration_x_2, _rolling_acceleration_y_2, _rolling_acceleration_z_2 = pressed_on(_p_ball_radius_2, _p_gravity_2, _p_inertia_2, _nx_2, _ny_2, _nz_2, _wx_2, _wy_2, _wz_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _turning_x_2, _turning_y_2, _turning_z_2, _room_2)
@@ -11675,12 +11710,12 @@ def resolve_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             _nearest_2, = near_end_plane(_gap_2, _nearest_2)
             _lift_2, *_ = backboard_separation(_p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _room_2)
             _settles_2, _lodges_2, _slides_2, _unpressed_2, _assured_2, _undecided_2 = ring_impact_settling(_p_ball_radius_2, _p_inertia_2, _p_backboard_friction_2, _p_backboard_restitution_2, _wx_2, _wy_2, _wz_2, _velocity_error_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _turning_x_2, _turning_y_2, _turning_z_2, _slip_2, _bounce_2, _nearest_2, _second_contact_gap_2, _press_2, _weight_2, _rolling_friction_2, _lift_2, _room_2)
-            _mode_2, _held_2, _outcome_2, _slip_left_2, _uncertain_2 = settled(1.0, _outcome_2, _uncertain_2, _undecided_2, _settles_2, _nearly_2, _lodges_2, _slides_2, _unpressed_2)
+            _mode_2, _held_2, _outcome_2, _slip_left_2, _uncertain_2 = settled(1.0, _outcome_2, _uncertain_2, _undecided_2, _mode_2, _settles_2, _nearly_2, _lodges_2, _slides_2, _unpressed_2)
             _assured_1, _held_1, _mode_1, _outcome_1, _slip_left_1, _uncertain_1 = _put(_rows31, _count24, (_assured_1, _held_1, _mode_1, _outcome_1, _slip_left_1, _uncertain_1,), (_assured_2, _held_2, _mode_2, _outcome_2, _slip_left_2, _uncertain_2,), _here_1)
         _here_1, = here(2.0, _which_1)
         _rows33, _count34 = _most(_here_1, _count24)
         if _count34:
-            _bounce_2, _nearly_2, _nx_2, _ny_2, _nz_2, _outcome_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_friction_2, _p_bridge_half_width_2, _p_bridge_restitution_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_radius_2, _p_wire_radius_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _slip_2, _uncertain_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_rows33, _bounce_1, _nearly_1, _nx_1, _ny_1, _nz_1, _outcome_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_friction_1, _p_bridge_half_width_1, _p_bridge_restitution_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_radius_1, _p_wire_radius_1, _rolled_x_1, _rolled_y_1, _rolled_z_1, _slip_1, _uncertain_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
+            _bounce_2, _mode_2, _nearly_2, _nx_2, _ny_2, _nz_2, _outcome_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_friction_2, _p_bridge_half_width_2, _p_bridge_restitution_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_radius_2, _p_wire_radius_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _slip_2, _uncertain_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_rows33, _bounce_1, _mode_1, _nearly_1, _nx_1, _ny_1, _nz_1, _outcome_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_friction_1, _p_bridge_half_width_1, _p_bridge_restitution_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_radius_1, _p_wire_radius_1, _rolled_x_1, _rolled_y_1, _rolled_z_1, _slip_1, _uncertain_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
             _room_2 = room(_count34)
             _turning_x_2, _turning_y_2, _turning_z_2 = bridge_turning(_p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_ring_radius_2, _p_wire_radius_2, _x_2, _y_2, _z_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _room_2)
             _press_2, _weight_2, _rolling_friction_2, _rolling_acceleration_x_2, _rolling_acceleration_y_2, _rolling_acceleration_z_2 = pressed_on(_p_ball_radius_2, _p_gravity_2, _p_inertia_2, _nx_2, _ny_2, _nz_2, _wx_2, _wy_2, _wz_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _turning_x_2, _turning_y_2, _turning_z_2, _room_2)
@@ -11693,7 +11728,7 @@ def resolve_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             _nearest_2, = near_end_plane(_gap_2, _nearest_2)
             _lift_2, *_ = bridge_separation(_p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _room_2)
             _settles_2, _lodges_2, _slides_2, _unpressed_2, _assured_2, _undecided_2 = ring_impact_settling(_p_ball_radius_2, _p_inertia_2, _p_bridge_friction_2, _p_bridge_restitution_2, _wx_2, _wy_2, _wz_2, _velocity_error_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _turning_x_2, _turning_y_2, _turning_z_2, _slip_2, _bounce_2, _nearest_2, _second_contact_gap_2, _press_2, _weight_2, _rolling_friction_2, _lift_2, _room_2)
-            _mode_2, _held_2, _outcome_2, _slip_left_2, _uncertain_2 = settled(2.0, _outcome_2, _uncertain_2, _undecided_2, _settles_2, _nearly_2, _lodges_2, _slides_2, _unpressed_2)
+            _mode_2, _held_2, _outcome_2, _slip_left_2, _uncertain_2 = settled(2.0, _outcome_2, _uncertain_2, _undecided_2, _mode_2, _settles_2, _nearly_2, _lodges_2, _slides_2, _unpressed_2)
             _assured_1, _held_1, _mode_1, _outcome_1, _slip_left_1, _uncertain_1 = _put(_rows33, _count24, (_assured_1, _held_1, _mode_1, _outcome_1, _slip_left_1, _uncertain_1,), (_assured_2, _held_2, _mode_2, _outcome_2, _slip_left_2, _uncertain_2,), _here_1)
         _assured_0, _held_0, _mode_0, _outcome_0, _slip_left_0, _uncertain_0 = _put(_rows23, shots, (_assured_0, _held_0, _mode_0, _outcome_0, _slip_left_0, _uncertain_0,), (_assured_1, _held_1, _mode_1, _outcome_1, _slip_left_1, _uncertain_1,))
     _rows35, _count36 = _rows(_limited_0, shots)

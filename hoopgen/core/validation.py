@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import math
 import os
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any, Literal, get_args
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from hoopgen.generated.numpy import hoop
-from hoopgen.text.shorten import brief, join_names
+from hoopgen.text.shorten import brief, join_names, suggestion
 
 __all__ = [
     "BackendName",
@@ -203,19 +203,23 @@ def _columns_of(states: Any) -> Any:
 
 
 def check_leaving(
-    leaving: ArrayLike | None, shots: int, surfaces: int = len(hoop.BODIES)
+    leaving: ArrayLike | None, shots: int, surfaces: Sequence[str] = hoop.BODIES
 ) -> NDArray[np.int8] | None:
     """Return the surface that each shot leaves at the start, (shots,); None if none is given.
 
     Parameters
     ----------
+    leaving
+        Indices of surfaces, or their names.
+    shots
+        How many shots there are.
     surfaces
-        How many the scene has.
+        The names of the scene's surfaces.
 
     Raises
     ------
     ValueError
-        If they are not indices into the surfaces or -1, one or so many.
+        If they are not names, indices into the surfaces or -1, one or so many.
     """
     if leaving is None:
         return None
@@ -224,14 +228,32 @@ def check_leaving(
         array = np.asarray(leaving)
     except ValueError:  # rows of different lengths
         array = np.empty((0, 0))
+    if array.dtype.kind in "UTO" and array.size and not np.ma.is_masked(leaving):
+        array = _by_name(array, surfaces)
     whole = array.dtype.kind in "iu" and not np.ma.is_masked(leaving)
     if not whole or array.shape not in ((), (shots,)):
-        raise ValueError(f"leaving: expected whole numbers, one or {shots}, got {brief(leaving)}")
-    known = min(surfaces, np.iinfo(np.int8).max + 1)
+        raise ValueError(
+            f"leaving: expected whole numbers or names, one or {shots}, got {brief(leaving)}"
+        )
+    known = min(len(surfaces), np.iinfo(np.int8).max + 1)
     if np.any((array < -1) | (array >= known)):
-        of = f" of {surfaces} surfaces" if known < surfaces else ""
+        of = f" of {len(surfaces)} surfaces" if known < len(surfaces) else ""
         raise ValueError(f"leaving: expected -1 to {known - 1}{of}, got {brief(leaving)}")
     return np.ascontiguousarray(np.broadcast_to(array, shots), dtype=np.int8)
+
+
+def _by_name(given: NDArray[Any], surfaces: Sequence[str]) -> NDArray[Any]:
+    """Return the indices of surfaces that are given by name; what is no text stays."""
+    if not all(isinstance(name, str) for name in given.flat):
+        return given
+    for name in given.flat:
+        if name not in surfaces:
+            raise ValueError(
+                f"leaving: expected {join_names(surfaces)}, got "
+                f"{brief(str(name))}{suggestion(str(name), surfaces)}"
+            )
+    order = {name: index for index, name in enumerate(surfaces)}
+    return np.array([order[name] for name in given.flat]).reshape(given.shape)
 
 
 def check_contacts(max_contacts: Any) -> int:

@@ -119,7 +119,7 @@ def certify(
     table = table_of(scene, derived)
     own = resolve(parameters, len(releases), table)
     values = table.inputs(own)
-    left = check_leaving(leaving, len(releases), len(derived.bodies))
+    left = check_leaving(leaving, len(releases), [body.name for body in derived.bodies])
     most = default_max_contacts(derived) if max_contacts is None else check_contacts(max_contacts)
     bits = check_count("max_bits", max_bits, least=FIRST_BITS)
     limit = default_time_limit(derived) if time_limit is None else check_time_limit(time_limit)

@@ -59,7 +59,7 @@ def why_invalid(
     """
     releases = check_states(states)
     engine = engine_of(scene)
-    left = check_leaving(leaving, len(releases), len(engine.surfaces))
+    left = check_leaving(leaving, len(releases), engine.surfaces)
     shots = run(engine, releases, parameters, leaving=leaving, max_contacts=1, fields=("outcome",))
     values = resolve(parameters, len(releases), engine.table)
     texts = [""] * len(releases)

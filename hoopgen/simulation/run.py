@@ -215,7 +215,7 @@ def run(
         engine,
         releases,
         engine.table.inputs(named),
-        check_leaving(leaving, shots, len(engine.surfaces)),
+        check_leaving(leaving, shots, engine.surfaces),
         most,
         check_limit(time_limit, engine),
         find_library(backend, engine),

@@ -68,8 +68,9 @@ def simulate(
     record
         Whether to keep the event log, which `Shots.trajectory` needs.
     leaving
-        To go on from recorded `after` states: the surface that each shot touches at the start and
-        leaves, an index into `Shots.surfaces` or -1 for none; one for all or (n,).
+        The surface that each shot touches at the start, whatever the last digits of its position
+        say: a name in `Shots.surfaces`, its index, or -1 for none; one for all or (n,). To begin
+        on a body, where the ball rolls at once if it can, or to go on from recorded `after` states.
     settle
         Whether to let `certify` decide the uncertain shots, which then are not; needs the extra
         "certify". A true tie, an exact touch or an exact edge stays uncertain.

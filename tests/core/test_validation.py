@@ -140,9 +140,13 @@ def test_a_masked_time_is_not_on_the_path() -> None:
 
 def test_leaving_has_no_value_for_what_is_missing() -> None:
     masked = np.ma.array([0, 0, 0], mask=[False, True, False])
-    with pytest.raises(ValueError, match=r"^leaving: expected whole numbers, one or 3, got "):
+    with pytest.raises(
+        ValueError, match=r"^leaving: expected whole numbers or names, one or 3, got "
+    ):
         check_leaving(masked, 3)
-    with pytest.raises(ValueError, match=r"^leaving: expected whole numbers, one or 3, got "):
+    with pytest.raises(
+        ValueError, match=r"^leaving: expected whole numbers or names, one or 3, got "
+    ):
         check_leaving([[0], [1, 2]], 3)
     kept = check_leaving(np.ma.array([0, 1, -1]), 3)
     assert kept is not None

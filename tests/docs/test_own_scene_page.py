@@ -38,7 +38,7 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 @pytest.mark.filterwarnings("ignore:hoopgen")
 def test_the_page_s_code_runs_from_the_first_line_to_the_proof(folder: Path) -> None:
     found: dict[str, object] = {}
-    first, second, study, edges = blocks("python")
+    first, second, study, edges, on_table = blocks("python")
     exec(first, found)
     holed = found["holed"]
     assert 0 < holed.sum() < holed.size  # type: ignore[attr-defined]
@@ -48,6 +48,7 @@ def test_the_page_s_code_runs_from_the_first_line_to_the_proof(folder: Path) -> 
     exec(study, found)
     exec(edges, found)
     assert not found["shot"].uncertain.any()  # type: ignore[attr-defined]
+    exec(on_table, found)
     assert 0 < found["found"].shares["holed"] < 1  # type: ignore[attr-defined]
 
 

@@ -9,6 +9,7 @@ import pytest
 from hoopgen.derive.events import plane, predicates
 from hoopgen.derive.ir.event_tree import Call
 from hoopgen.derive.rolling import bounds, contact_phase, edges, events, jump, meeting
+from hoopgen.derive.scenes import validity
 
 pytest.importorskip("flint")
 
@@ -23,7 +24,7 @@ from tests.helpers.checked_faults import (
     passes,
 )
 from tests.helpers.mutants import in_decisions, in_text, in_tree
-from tests.scene import test_edges, test_green, test_tiles
+from tests.scene import test_edges, test_green, test_starts_on_bodies, test_tiles
 
 pytestmark = [pytest.mark.xdist_group("edge_mutations"), pytest.mark.slow]
 
@@ -57,6 +58,31 @@ straight = OfEngine(
     test_green.test_straight_putts_leave_the_wire_as_those_a_micrometre_aside,
     scene=test_edges.GREEN,
 )
+starts = {
+    test.__name__.removeprefix("test_"): OfEngine(test, given, scene=scene)
+    for test, scene, given in (
+        (
+            test_starts_on_bodies.test_a_ball_that_starts_on_a_body_rolls_at_once,
+            test_starts_on_bodies.TABLE,
+            ((),),
+        ),
+        (
+            test_starts_on_bodies.test_a_ball_that_starts_from_a_wall_is_certain,
+            test_starts_on_bodies.TABLE,
+            ((),),
+        ),
+        (
+            test_starts_on_bodies.test_a_small_hop_from_a_body_lasts_as_long_wherever_it_starts,
+            test_starts_on_bodies.FUNNEL,
+            ((-1e-13,), (1e-13,)),
+        ),
+        (
+            test_starts_on_bodies.test_a_ball_leaves_the_surface_of_a_body_that_it_touches,
+            test_starts_on_bodies.FUNNEL,
+            (("outside",), ("inside",), ("edge",)),
+        ),
+    )
+}
 on_edge = OfFormulas(
     test_jump.test_at_an_edge_the_velocity_is_off_by_the_change_of_the_force_times_the_delay,
 )
@@ -241,6 +267,41 @@ FAULTS = (
             "opening",
         ),
         straight,
+    ),
+    Planted(
+        "a ball that starts on a body is in flight",
+        without("started_on_surface"),
+        starts["a_ball_that_starts_on_a_body_rolls_at_once"],
+    ),
+    Planted(
+        "a start on a body is a contact with it",
+        in_text(
+            contact_phase,
+            "_start_decisions",
+            'all_of(Boolean("touches"), Not(starts))',
+            'Boolean("touches")',
+        ),
+        starts["a_ball_that_starts_on_a_body_rolls_at_once"],
+    ),
+    Planted(
+        "a ball that starts with a speed off a body is in doubt about its weight on it",
+        in_text(contact_phase, "_results", "Or(nearly, Not(starts))", "Or(nearly, Not(false))"),
+        starts["a_ball_that_starts_from_a_wall_is_certain"],
+    ),
+    Planted(
+        "a body has as many surfaces as those before it",
+        in_text(validity, "left_surface", "surface, last + offset", "surface, last"),
+        starts["a_small_hop_from_a_body_lasts_as_long_wherever_it_starts"],
+    ),
+    Planted(
+        "a ball leaves the first surface of a body, whichever it touches",
+        in_text(validity, "_nearest", "IfLess(away, least, face, nearest)", "nearest"),
+        starts["a_ball_leaves_the_surface_of_a_body_that_it_touches"],
+    ),
+    Planted(
+        "a ball may be inside other surfaces of the body that it leaves",
+        in_text(validity, "left_surface", "sp.Rational(len(own), 2)", "sp.Rational(1, 2)"),
+        starts["a_ball_leaves_the_surface_of_a_body_that_it_touches"],
     ),
 )
 

@@ -471,8 +471,8 @@ def test_one_field_may_be_asked_for_in_any_way(fields: Any) -> None:
     assert shots.time.shape == (1,)
 
 
-@pytest.mark.parametrize("value", [1.0, "ring", [0, 1], 3, -2])
-def test_leaving_must_be_a_surface_s_index_or_minus_1(value: Any) -> None:
+@pytest.mark.parametrize("value", [1.0, "rim", ["ring", "rim"], [0, 1], 3, -2])
+def test_leaving_must_be_a_surface_s_name_its_index_or_minus_1(value: Any) -> None:
     with pytest.raises(ValueError, match=r"^leaving: expected"):
         hoopgen.simulate(FREE_THROW, leaving=value)
 

@@ -76,7 +76,7 @@ PREMISES: dict[str, Premise] = {
         "which shots can start",
         _kernels(
             "common.allowed common.parameters_in_range common.state_in_range common.valid "
-            "common.aside *.start common.admitted"
+            "common.aside *.start common.admitted common.starts_on_body common.left_surface"
         ),
     ),
     "plane_first": Premise(
@@ -248,7 +248,7 @@ PREMISES: dict[str, Premise] = {
         LEMMA,
         "Zeno accumulation of bounces",
         _kernels(
-            "law.settling law.rebound common.leaves_slowly common.no_slow_contact common.nearly "
+            "law.settling law.rebound common.leaves_slowly common.nearly "
             "common.no_bounce common.gripped common.pressed_on common.isolated "
             "common.near_end_plane common.near_body *.turning common.near_bounded_body "
             "*.closing *.separation common.settled common.jump_errors common.beginning_contact"
@@ -320,7 +320,8 @@ PREMISES: dict[str, Premise] = {
             "common.limited common.event_clock common.meeting common.here common.counted "
             "common.touched common.ends_by_time_limit common.in_contact common.opens_in_flight "
             "common.reachable_in_flight common.contact_undecided common.no_departure "
-            "common.stays_put common.stay_in_contact"
+            "common.stays_put common.stay_in_contact common.started_on_surface "
+            "common.nothing_happens_yet common.slow_at_start"
         ),
     ),
     "pieces": Premise(

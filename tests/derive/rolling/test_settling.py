@@ -68,7 +68,7 @@ def test_every_scene_allows_the_same_inertia() -> None:
 def test_a_ball_begins_to_roll_as_the_article_s_contact_without_restitution_leaves_it(
     ball: Ball,
 ) -> None:
-    made = kernels(COURT.flight, ball, (0,), EventCodes(1, 1), COURT.outcomes)
+    made = kernels(COURT.flight, ball, (0,), EventCodes(1, 1), COURT.outcomes, (0,))
     gripped = dict(made["gripped"].outputs)
     rolled = [valued(gripped[f"rolled_{axis}"]) for axis in "xyz"]
     after, turned = impact(NORMAL, *STATE, ball, sp.Integer(0))

@@ -1,0 +1,220 @@
+"""Shots that start on a body, named by `leaving`: the ball stays there, or flies off at once."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+pytest.importorskip("flint")
+
+import hoopgen
+from hoopgen import Event
+from hoopgen.judge import certify
+from hoopgen.scene import End, Plane, Revolution, Scene, Sphere
+from hoopgen.simulation.engine import Engine
+from tests.helpers.effort import trials
+
+pytestmark = pytest.mark.xdist_group("starts_on_bodies")  # each scene is compiled once
+
+GRAVITY, BALL, RADIUS = 9.81, 0.05, 0.2
+ROLLING = 7 / 5
+"""Kinetic energy of a rolling solid ball by that of its velocity."""
+
+TABLE = Scene(
+    "table_with_sphere",
+    bodies=[
+        Plane("floor", at=-0.7),
+        Sphere("dome", centre=(2, 0, 0), radius=RADIUS),
+        Plane("table", normal=[1, 0.5, 4], within=["x - 0.3", "-x - 0.3"]),
+        Plane("wall", axis="y", at=-5),
+    ],
+    ball_radius=BALL,
+    gravity=GRAVITY,
+    restitution=0.4,
+    inertia="2/5",
+    rolls=True,
+    ends={"past": End(axis="-x", at=-4), "back": End(axis="x", at=-4)},
+)
+"""A table that leans, a sphere, and a wall."""
+
+FUNNEL = Scene(
+    "funnel_below_ceiling",
+    bodies=[
+        Revolution("funnel", profile=[[0.05, 0], [0.1, 0.2]]),
+        Plane("ceiling", at=-3, axis="-z"),
+        Plane("floor", at=-0.8),
+    ],
+    ball_radius=0.02,
+    gravity=GRAVITY,
+    restitution=0.5,
+    ends={"past": End(axis="-x", at=-2)},
+)
+"""A body of four surfaces before others of one."""
+
+
+@pytest.fixture(scope="module")
+def table() -> Engine:
+    """The table and the sphere, compiled."""
+    return hoopgen.compile(TABLE)
+
+
+@pytest.fixture(scope="module")
+def funnel() -> Engine:
+    """The funnel below a ceiling, compiled."""
+    return hoopgen.compile(FUNNEL)
+
+
+def rolling_on_table(count: int) -> NDArray[np.float64]:
+    """Return states of balls that roll on the table."""
+    rng = np.random.default_rng(41)
+    normal = np.array([1, 0.5, 4]) / math.sqrt(17.25)
+    v = rng.uniform(-1, 1, (count, 3))
+    v -= (v @ normal)[:, None] * normal
+    states = np.empty((count, 9))
+    x, y = rng.uniform(-0.15, 0.15, (2, count))
+    states[:, :3] = np.stack([x, y, -(x + 0.5 * y) / 4], 1) + BALL * normal
+    states[:, 3:6] = v
+    states[:, 6:] = np.cross(normal, v) / BALL + rng.uniform(-9, 9, (count, 1)) * normal
+    return states
+
+
+def test_a_ball_that_starts_on_a_body_rolls_at_once(table: Engine) -> None:
+    states = rolling_on_table(trials(200))
+    shots = hoopgen.simulate(states, scene=table, leaving="table", record=True)
+    events = shots.events[np.searchsorted(shots.events["shot"], np.arange(len(states)))]
+    assert np.all(events["kind"] == Event.ROLL)
+    assert np.all(events["time"] == 0)
+    assert np.mean(shots.uncertain) < 0.03
+    np.testing.assert_allclose(events["after"], states, rtol=0, atol=1e-12)
+
+
+def test_a_ball_that_starts_on_a_body_reaches_its_edge_as_the_closed_form_says(
+    table: Engine,
+) -> None:
+    states = rolling_on_table(trials(200))
+    shots = hoopgen.simulate(states, scene=table, leaving="table", record=True)
+    leave = shots.events[shots.events["kind"] == Event.LEAVE]
+    _, first = np.unique(leave["shot"], return_index=True)
+    time, after = leave["time"][first], leave["after"][first]
+    own = states[leave["shot"][first]]
+    normal = np.array([1, 0.5, 4]) / math.sqrt(17.25)
+    down = np.array([0, 0, -GRAVITY]) + GRAVITY * normal[2] * normal
+    there = own[:, :3] + own[:, 3:6] * time[:, None] + down * (time**2 / 2 / ROLLING)[:, None]
+    assert len(first) > 0.9 * len(states)
+    np.testing.assert_allclose(after[:, :3], there, rtol=0, atol=1e-12)
+
+
+@pytest.mark.parametrize(("share", "rolls"), [(0.3, 1), (0.7, 1), (1.01, 0), (1.5, 0)])
+def test_a_ball_on_top_of_a_sphere_rolls_unless_it_is_too_fast(
+    table: Engine, share: float, rolls: int
+) -> None:
+    top = RADIUS + BALL
+    speed = share * math.sqrt(GRAVITY * top)
+    start = [2, 0, top, speed, 0, 0, 0, speed / BALL, 0]
+    shot = hoopgen.simulate(start, scene=table, leaving="dome", record=True)
+    assert shot.rolls[0] >= rolls
+    first = shot.events[0]
+    assert (first["kind"] == Event.ROLL) == bool(rolls)
+    if rolls:
+        leave = shot.events[shot.events["kind"] == Event.LEAVE][0]
+        # The force ends where m v²/r = m g cos, with the energy of 7/5 m v²/2.
+        cosine = (10 + 7 * share**2) / 17
+        assert abs(leave["after"][2] - top * cosine) < 1e-12
+    assert not shot.uncertain[0] or shot.contacts[0] > 2  # later bounces may be ties
+
+
+def test_a_ball_that_starts_with_a_speed_off_the_body_flies(table: Engine) -> None:
+    states = rolling_on_table(trials(200))
+    states[:, 3:6] += 2 * np.array([1, 0.5, 4]) / math.sqrt(17.25)
+    shots = hoopgen.simulate(states, scene=table, leaving="table", record=True, max_contacts=1)
+    assert not shots.uncertain.any()
+    assert np.all(shots.rolls == 0)
+    assert np.all(shots.events["time"] > 0.1)
+    certificate = certify(states, scene=TABLE, leaving="table", max_contacts=1)
+    assert certificate.decided.all()
+    assert np.all(np.abs(shots.time - certificate.time) < 1e-12)
+
+
+def test_a_ball_that_starts_from_a_wall_is_certain(table: Engine) -> None:
+    states = rolling_on_table(trials(50))
+    states[:, 1], states[:, 4] = -5 + BALL, 1
+    shots = hoopgen.simulate(states, scene=table, leaving="wall", max_contacts=1)
+    assert not shots.uncertain.any()
+
+
+def test_both_engines_start_on_bodies_with_the_same_bits(table: Engine) -> None:
+    states = rolling_on_table(trials(40))
+    given: dict[str, Any] = {"scene": table, "leaving": ["table", "floor"] * (len(states) // 2)}
+    there, here = (
+        hoopgen.simulate(states[: len(given["leaving"])], backend=backend, **given)
+        for backend in ("c", "numpy")
+    )
+    for name in ("outcome", "contacts", "rolls", "time", "state", "uncertain"):
+        assert np.array_equal(getattr(there, name), getattr(here, name), equal_nan=True)
+
+
+@pytest.mark.parametrize("kind", [Event.IMPACT, Event.ROLL])
+def test_a_shot_goes_on_from_every_recorded_event(table: Engine, kind: Event) -> None:
+    rng = np.random.default_rng(43)
+    states = np.concatenate(
+        [rng.uniform([-0.2, -0.2, 0.2], [0.2, 0.2, 0.5], (300, 3)), rng.normal(0, 1, (300, 6))], 1
+    )
+    shots = hoopgen.simulate(states, scene=table, record=True)
+    events = shots.events
+    wanted = (events["kind"] == kind) & ~shots.uncertain[events["shot"]]
+    ended = [table.outcomes["PAST"], table.outcomes["BACK"]]
+    events = events[wanted & np.isin(shots.outcome[events["shot"]], ended)]
+    assert len(events) > 50
+    on = hoopgen.simulate(events["after"], scene=table, leaving=events["surface"])
+    sure = ~on.uncertain
+    assert np.mean(sure) > 0.95
+    late = on.time + events["time"] - shots.time[events["shot"]]
+    assert np.all(np.abs(late[sure]) < 1e-9)
+
+
+def test_leaving_names_a_body_also_behind_one_of_several_surfaces(funnel: Engine) -> None:
+    up = [0, 0, 1, 0.5, 0, 12, 0, 0, 0]
+    shot = hoopgen.simulate(up, scene=funnel, record=True, max_contacts=2)
+    after = shot.events["after"][0]
+    assert funnel.surfaces[shot.events["surface"][0]] == "ceiling"
+    for leaving in ("ceiling", 1, ["ceiling"], np.array(["ceiling"])):
+        on = hoopgen.simulate(after, scene=funnel, leaving=leaving, max_contacts=1)
+        assert not on.uncertain[0]
+        assert on.outcome[0] == funnel.outcomes["CAPPED"]
+        assert abs(on.time[0] + shot.events["time"][0] - shot.time[0]) < 1e-12
+    proved = certify(after, scene=FUNNEL, leaving="ceiling", max_contacts=1)
+    assert proved.decided[0]
+    assert hoopgen.why_invalid(after, scene=funnel, leaving="ceiling") == [""]
+
+
+@pytest.mark.parametrize("off", [-1e-13, 0, 1e-13])
+def test_a_small_hop_from_a_body_lasts_as_long_wherever_it_starts(
+    funnel: Engine, off: float
+) -> None:
+    start = [1, 0, -0.78 + off, 0, 0, 1e-6, 0, 0, 0]
+    shot = hoopgen.simulate(start, scene=funnel, leaving="floor", max_contacts=1)
+    assert abs(shot.time[0] / (2e-6 / GRAVITY) - 1) < 1e-9
+
+
+@pytest.mark.parametrize("side", ["outside", "inside", "edge"])
+def test_a_ball_leaves_the_surface_of_a_body_that_it_touches(funnel: Engine, side: str) -> None:
+    speed = {"outside": [-2, 0, 1], "inside": [-2, 0.1, 0], "edge": [0.04, 0, -3]}[side]
+    place = {"outside": [0.5, 0, 0.1], "inside": [0.02, 0, 0.12], "edge": [0.07, 0, 1]}[side]
+    start = [*place, *speed, 0, 0, 0]
+    shot = hoopgen.simulate(start, scene=funnel, record=True, max_contacts=2)
+    first, second = shot.events[:2]
+    assert funnel.surfaces[first["surface"]] == "funnel"
+    on = hoopgen.simulate(first["after"], scene=funnel, leaving="funnel", max_contacts=1)
+    assert not on.uncertain[0]
+    assert abs(on.time[0] + first["time"] - second["time"]) < 1e-12
+
+
+def test_an_unknown_body_is_refused_with_the_names(funnel: Engine) -> None:
+    with pytest.raises(
+        ValueError, match=r"^leaving: expected funnel, ceiling, floor, got 'cieling'"
+    ):
+        hoopgen.simulate([0] * 9, scene=funnel, leaving="cieling")
