@@ -165,6 +165,7 @@ def _optional_kernels(
             holders=[k for k, surface in enumerate(scene.surfaces) if surface.rolling_surface],
             edges=scene.has_edges,
             oblique=scene.rolls_obliquely,
+            conical=scene.rolls_on_cones,
         )
         kernels |= {kernel.name: kernel for kernel in friction}
     filters = [s.search.apart for k, s in enumerate(surfaces) if k not in tabled]

@@ -138,7 +138,12 @@ def one_surface_kernels(
         )
     if scene.rolls:
         kernels |= surface_kernels.contact_phase_kernels(
-            surface, scene.flight, scene.ball_radius, scene.has_edges, scene.rolls_obliquely
+            surface,
+            scene.flight,
+            scene.ball_radius,
+            scene.has_edges,
+            scene.rolls_obliquely,
+            scene.rolls_on_cones,
         )
         kernels |= endless.ring_kernels(surface, scene.flight, scene.ball)
         kernels |= endless.azimuth_free_kernels(surface)

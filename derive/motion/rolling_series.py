@@ -16,6 +16,16 @@ it by sums of products. The surface is a tube about a point or a line (see
 `surfaces/rolling_surface.py`), or a plane: n' = v/R across its line. Rings have coordinates of
 their own (`ring_rolling_series.py`). Each step expands the series anew, and puts position, velocity
 and spin back onto the surface: the differential equation alone would leave it exponentially.
+
+On a cone with the unit vector u along its axis, the half-angle alpha and k = tan(alpha) the normal
+turns about the axis, by the rate Omega of the azimuth. Outside u × n is as long as cos(alpha), and
+points along the circle around the axis; inside it points the other way. At the distance rho from
+the axis that is
+
+    n' = Omega (u × n),   rho Omega cos(alpha) = ±v·(u × n),   rho' = k v·u,
+
+quadratic in the unknowns, too, but for the quotient by rho: its term of each order is what the
+product rho Omega lacks.
 """
 
 from __future__ import annotations
@@ -43,7 +53,11 @@ across = tuple(tuple(sp.Symbol(f"across_{i}{j}", real=True) for j in "xyz") for 
 """P, the projection onto the directions across which the surface is curved, in rows: in scenes with
 a tube that lies along no axis."""
 per_reach = sp.Symbol("per_reach", real=True)
-"""1/R of the tube, negative on its inside, 0 of a plane."""
+"""1/R of the tube, negative on its inside, 0 of a plane; of a cone 1/rho, as a bound."""
+axis = sp.symbols("axis_x axis_y axis_z", real=True)
+"""u, along the axis of a cone, 0 of any other surface: in scenes with a cone to roll on."""
+CONE = cone_slope, per_cosine, per_width = sp.symbols("cone_slope per_cosine per_width", real=True)
+"""k, ±1/cos(alpha) and 1/rho of a cone, 0 of any other surface."""
 gap = sp.Symbol("gap", real=True)
 """Distance of the ball from the surface, m."""
 
@@ -51,6 +65,8 @@ SERIES = ("vx", "vy", "vz", "nx", "ny", "nz", "turn_rate")
 """The unknowns: velocity, normal, s."""
 WITHIN = ("lift", "tx", "ty", "tz")
 """The auxiliary series: L, and n × n'."""
+AROUND = ("cx", "cy", "cz")
+"""The auxiliary series on a cone: u × n. Those of Omega and rho are `azimuth_rate` and `width`."""
 
 
 def term(name: str, order: int) -> sp.Symbol:
@@ -94,7 +110,11 @@ def start(ball: Ball) -> dict[str, sp.Expr]:
 
 
 def next_terms(
-    order: int, acceleration: Sequence[sp.Expr], ball: Ball, oblique: bool = False
+    order: int,
+    acceleration: Sequence[sp.Expr],
+    ball: Ball,
+    oblique: bool = False,
+    conical: bool = False,
 ) -> dict[str, sp.Expr]:
     """Return the coefficients of the next order, given those up to this one.
 
@@ -108,6 +128,8 @@ def next_terms(
         The radius and the inertia of the ball.
     oblique
         True if a surface of the scene is a tube that lies along no axis.
+    conical
+        True if a surface of the scene is a cone.
 
     Returns
     -------
@@ -122,6 +144,10 @@ def next_terms(
         turned = [barrier(barrier(part) * per_reach) for part in parts]
     else:
         turned = [barrier(b * own * per_reach) for b, own in zip(bent, now, strict=True)]
+    outputs: dict[str, sp.Expr] = {}
+    if conical:
+        outputs, swept = _around_axis(order)
+        turned = [barrier(own + round_) for own, round_ in zip(turned, swept, strict=True)]
     turning = [
         [*(k * n_i[k] for k in range(1, order + 1)), new]
         for n_i, new in zip(n, turned, strict=True)
@@ -138,7 +164,7 @@ def next_terms(
         [*_row(name, order)[:-1], new] for name, new in zip(("tx", "ty", "tz"), twists, strict=True)
     ]
     scale = sp.Rational(1, order + 1)
-    outputs: dict[str, sp.Expr] = {f"lift_{order}": own}
+    outputs |= {f"lift_{order}": own}
     outputs |= {f"{w}_{order}": new for w, new in zip(WITHIN[1:], twists, strict=True)}
     for name, a, n_i, m_i in zip(SERIES[:3], acceleration, n, twisted, strict=True):
         pushed = product(lifts, n_i) + ball.friction_share * product(s, m_i)
@@ -149,6 +175,28 @@ def next_terms(
     spun = sum(product(a, b) for a, b in zip(v, twisted, strict=True))
     outputs[f"turn_rate_{order + 1}"] = -barrier(spun) * scale
     return outputs
+
+
+def _around_axis(order: int) -> tuple[dict[str, sp.Expr], list[sp.Expr]]:
+    """Return the coefficients of the series on a cone, and those of Omega (u × n)."""
+    v = _rows(SERIES[:3], order)
+    n = [term(name, order) for name in SERIES[3:6]]
+    crossed = []
+    for i in range(3):
+        j, k = (i + 1) % 3, (i + 2) % 3
+        crossed.append(barrier(axis[j] * n[k] - axis[k] * n[j]))
+    rows = [[*_row(name, order)[:-1], new] for name, new in zip(AROUND, crossed, strict=True)]
+    along = barrier(sum(product(a, b) for a, b in zip(v, rows, strict=True)))
+    rates, widths = _row("azimuth_rate", order)[:-1], _row("width", order)[1:]
+    known = product(widths, rates) if order else sp.Integer(0)
+    rate = barrier(barrier(per_cosine * along - known) * per_width)
+    rising = barrier(sum(u * own[order] for u, own in zip(axis, v, strict=True)))
+    outputs = {f"{name}_{order}": new for name, new in zip(AROUND, crossed, strict=True)}
+    outputs |= {
+        f"azimuth_rate_{order}": rate,
+        f"width_{order + 1}": cone_slope * rising * sp.Rational(1, order + 1),
+    }
+    return outputs, [product([*rates, rate], row) for row in rows]
 
 
 def moved() -> dict[str, sp.Expr]:
@@ -203,6 +251,7 @@ def step(
     strength: sp.Expr,
     ball: Ball,
     besides: SurfaceForce = NO_FORCE,
+    conical: bool = False,
 ) -> dict[str, sp.Expr]:
     """Return a step in which the series is as good as rounded, and bounds on the motion in it.
 
@@ -220,6 +269,9 @@ def step(
         The radius and the inertia of the ball.
     besides
         The force that presses the ball onto its surface besides its weight.
+    conical
+        True if a surface of the scene is a cone. A step there is at most an eighth of the time in
+        which the motion changes: the distance from the axis changes by less than a quarter.
 
     Returns
     -------
@@ -244,6 +296,9 @@ def step(
     for _ in range(ORDER.bit_length() - 1):
         root = barrier(sp.sqrt(root))
     step = barrier(minimum(most, root))
+    if conical:
+        swift = barrier(speed * per_width + sp.sqrt(barrier(strength * per_width)))
+        step = barrier(minimum(step, barrier(sp.Rational(1, 8) / swift)))
     powers = [step**k for k in range(ORDER)]
     strongest = barrier(sum((k + 1) * sizes[k + 1] * powers[k] for k in range(ORDER)))
     forces = force(acceleration, ball, besides)

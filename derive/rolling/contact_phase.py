@@ -32,6 +32,7 @@ from ..symbolic.conditionals import (
 from ..symbolic.error_terms import clock, contacts, earliest_delay, left_normal
 from ..symbolic.rounding import position_error, velocity_error
 from ..symbolic.symbols import normal
+from .apex import apex_kernels
 from .bounds import bounds_kernels
 from .departure import departure_kernels
 from .edges import edge_kernels, falls_off, successor
@@ -40,6 +41,7 @@ from .jump import jump_kernels
 from .meeting import meeting_kernels
 from .neighbour import neighbour_kernels
 from .settling import settling_kernels
+from .start import start_decisions
 from .symbols import (
     BEGINS,
     FALLS_OFF,
@@ -83,6 +85,7 @@ def kernels(
     holders: Sequence[int],
     edges: bool = False,
     oblique: bool = False,
+    conical: bool = False,
 ) -> dict[str, Kernel]:
     """Return the kernels of the contact phase that all surfaces share.
 
@@ -104,33 +107,38 @@ def kernels(
         True if a ball may roll off an edge of a surface.
     oblique
         True if a ball may roll on a tube that lies along no axis.
+    conical
+        True if a ball may roll on a cone.
     """
     strength = barrier(flight.strength)
     every_kernel = (
-        *_series(flight, ball, strength, oblique),
+        *_series(flight, ball, strength, oblique, conical),
         *settling_kernels(flight, strength, ball, oblique),
-        *jump_kernels(flight, ball, edges),
+        *jump_kernels(flight, ball, edges, conical),
         *step_events(strength, ball.radius, codes, flight.surface_force, edges),
         *departure_kernels(flight, strength, ball, edges, oblique),
         *bounds_kernels(ball.radius),
         *meeting_kernels(ball.radius, codes),
         *edge_kernels(flight, ball, codes),
-        *neighbour_kernels(ball.radius),
-        *_start_decisions(holders),
+        *(apex_kernels(ball.radius, codes) if conical else ()),
+        *neighbour_kernels(ball.radius, conical),
+        *start_decisions(holders),
         *_flight_decisions(edges),
-        *_contact_decisions(codes, edges, oblique),
-        *_results(faces, codes, outcomes, edges),
+        *_contact_decisions(codes, edges, oblique, conical),
+        *_results(faces, codes, outcomes, edges, conical),
     )
     return {kernel.name: kernel for kernel in every_kernel}
 
 
-def _series(flight: Flight, ball: Ball, strength: sp.Expr, oblique: bool) -> tuple[Kernel, ...]:
+def _series(
+    flight: Flight, ball: Ball, strength: sp.Expr, oblique: bool, conical: bool
+) -> tuple[Kernel, ...]:
     """Return the kernels of the power series of rolling."""
     acceleration = flight.acceleration
     orders = (
         loop_kernel(
             f"roll_{k}",
-            rolling_series.next_terms(k, acceleration, ball, oblique),
+            rolling_series.next_terms(k, acceleration, ball, oblique, conical),
             f"Coefficients of order {k + 1} of a rolling ball, from those of lower order.",
             "Newton, Euler and rolling without slip",
         )
@@ -166,46 +174,9 @@ def _series(flight: Flight, ball: Ball, strength: sp.Expr, oblique: bool) -> tup
         ),
         loop_kernel(
             "roll_step",
-            rolling_series.step(acceleration, strength, ball, flight.surface_force),
+            rolling_series.step(acceleration, strength, ball, flight.surface_force, conical),
             "Length of a step of the series, bounds of the motion in it, and the normal force.",
             "the last terms of the series",
-        ),
-    )
-
-
-def _start_decisions(holders: Sequence[int]) -> tuple[Kernel, ...]:
-    """Return the decisions about a ball that starts on a surface.
-
-    In its first turn nothing moves, and no contact happens: the turn only decides, as after a
-    bounce, whether the ball stays on the surface.
-    """
-    runs: list[list[int]] = []
-    for holder in holders:
-        if runs and runs[-1][-1] == holder - 1:
-            runs[-1][1:] = [holder]
-        else:
-            runs.append([holder])
-    on_holder = any_of(*(all_of(AtMost(run[0], last), AtMost(last, run[-1])) for run in runs))
-    starts = Equal(mode, STARTS)
-    return (
-        decision(
-            "started_on_surface",
-            {"mode": Choose(on_holder, STARTS, 0)},
-            "Whether the ball starts on a surface that it can roll on.",
-        ),
-        decision(
-            "nothing_happens_yet",
-            {
-                "moves": all_of(Boolean("moves"), Not(starts)),
-                "touches": all_of(Boolean("touches"), Not(starts)),
-                "body": Choose(starts, NONE, body),
-            },
-            "Start on a surface: no event, whatever surface the turn is about.",
-        ),
-        decision(
-            "slow_at_start",
-            {"slow": starts},
-            "Start value for a ball without a contact: whether it may stay where it starts.",
         ),
     )
 
@@ -238,12 +209,16 @@ def _flight_decisions(edges: bool) -> tuple[Kernel, ...]:
     )
 
 
-def _contact_decisions(codes: EventCodes, edges: bool, oblique: bool) -> tuple[Kernel, ...]:
+def _contact_decisions(
+    codes: EventCodes, edges: bool, oblique: bool, conical: bool
+) -> tuple[Kernel, ...]:
     """Return the decisions that open a turn in contact and tell which surface holds the ball."""
     bounded = all_of(Less(position_error, sp.oo), Less(velocity_error, sp.oo))
     leaves, falls = Equal(mode, LEAVES), Equal(mode, FALLS_OFF)
     ending = {"leaves": Or(leaves, falls), str(falls_off): falls} if edges else {"leaves": leaves}
     curved = sum(rolling_series.across, ()) if oblique else rolling_series.bent
+    if conical:
+        curved += (*rolling_series.axis, *rolling_series.CONE)
     return (
         decision(
             "resumed",
@@ -302,7 +277,11 @@ def _contact_decisions(codes: EventCodes, edges: bool, oblique: bool) -> tuple[K
 
 
 def _results(
-    faces: Sequence[int], codes: EventCodes, outcomes: Mapping[str, int], edges: bool
+    faces: Sequence[int],
+    codes: EventCodes,
+    outcomes: Mapping[str, int],
+    edges: bool,
+    conical: bool,
 ) -> tuple[Kernel, ...]:
     """Return the decisions that record what has happened to a ball in contact."""
     lodged, capped = outcomes["lodged"], outcomes["capped"]
@@ -312,6 +291,10 @@ def _results(
     begins, leaves, hops = (Equal(which, code) for code in (codes.begins, codes.leaves, codes.hops))
     beyond, endless = Less(codes.time, which), Equal(which, codes.endless)
     stuck = all_of(goes_on, AtMost(clock - began, sp.Rational(1, 2**24)))
+    given_up: sp.Basic = endless
+    if conical:
+        at_apex = Equal(which, codes.apex)
+        stuck, given_up = Or(stuck, at_apex), Or(endless, at_apex)
     ending = Choose(leaves, LEAVES, 0)
     holds = Choose(any_of(begins, leaves, goes_on), held, NONE)
     released = leaves
@@ -341,7 +324,7 @@ def _results(
                     Choose(
                         released,
                         codes.log_row(own, True),
-                        Choose(hops, NONE, Choose(endless, codes.bodies, body)),
+                        Choose(hops, NONE, Choose(given_up, codes.bodies, body)),
                     ),
                 ),
                 "reached": Choose(

@@ -20,7 +20,8 @@ ball and of its surface about its centre that makes at most
     d k U + h T (k |a| + 2 k² U²) + d T k |a|,   and   d + h T k U
 
 for the path. All of it counts twice at least, and with it the roundings. The height counts along
-the normal: it is gone when the bounces are.
+the normal: it is gone when the bounces are. On a cone k is 1/rho: with it the bounds hold although
+the curvature, which is less, changes along the cone.
 """
 
 from __future__ import annotations
@@ -43,7 +44,9 @@ _LEAST_LOSS = sp.Rational(1, 2**20)
 over, with no more speed off the surface than roundings make."""
 
 
-def jump_kernels(flight: Flight, ball: Ball, edges: bool) -> tuple[Kernel, ...]:
+def jump_kernels(
+    flight: Flight, ball: Ball, edges: bool, conical: bool = False
+) -> tuple[Kernel, ...]:
     """Return the kernels of the errors after the jump to the limit of the bounces.
 
     Parameters
@@ -56,6 +59,9 @@ def jump_kernels(flight: Flight, ball: Ball, edges: bool) -> tuple[Kernel, ...]:
         True if a ball may roll over edges of a surface. The time at which it reaches one is as
         uncertain as its place, and the forces change there, so that its errors are those of the
         jump itself. Elsewhere, and in air, each counts as `tolerance`.
+    conical
+        True if a ball may roll on a cone, near whose apex even small errors of the place turn the
+        normal far.
     """
     tight = edges and flight.exact
     return (
@@ -66,7 +72,9 @@ def jump_kernels(flight: Flight, ball: Ball, edges: bool) -> tuple[Kernel, ...]:
         ),
         loop_kernel(
             "jump_errors",
-            _errors_of_bounces(flight, ball) if tight else _errors_of_tolerance(ball.radius),
+            _errors_of_bounces(flight, ball)
+            if tight
+            else _errors_of_tolerance(ball.radius, conical),
             "Errors with those of the jump to the end of the bounces.",
             "its bound",
         ),
@@ -89,10 +97,13 @@ def rebound_kernel(law: Law) -> Kernel:
     )
 
 
-def _errors_of_tolerance(ball_radius: sp.Expr) -> dict[str, sp.Expr]:
+def _errors_of_tolerance(ball_radius: sp.Expr, conical: bool) -> dict[str, sp.Expr]:
     """Return the errors after the jump to the limit of the bounces, which is off by `tolerance`."""
     grown = tolerance(ball_radius)
-    rate = barrier(sum(map(absolute, velocity)) / ball_radius)
+    speed = sum(map(absolute, velocity))
+    rate = barrier(speed / ball_radius)
+    if conical:
+        rate = barrier(rate + barrier(speed) * barrier(absolute(rolling_series.per_reach)))
     off = barrier(grown * 4 * (1 + rate))
     return _with((grown,) * 3, (off,) * 3, off / ball_radius)
 

@@ -10,6 +10,7 @@ import sympy as sp
 
 from ..events.predicates import when
 from ..ir.kernel import Kernel, decision, loop_kernel
+from ..motion.rolling_series import per_width
 from ..symbolic.conditionals import IfLess, absolute, barrier
 from ..symbolic.error_terms import dv, dw, dx, greatest
 from ..symbolic.symbols import UNIT_ROUNDOFF, normal, position, spin, velocity
@@ -22,8 +23,17 @@ _STATES = (*position, *velocity, *spin)
 _ERRORS = (*dx, *dv, *dw)
 
 
-def neighbour_kernels(ball_radius: sp.Expr) -> tuple[Kernel, ...]:
-    """Return the kernels that propagate errors through a step in contact and a departure."""
+def neighbour_kernels(ball_radius: sp.Expr, conical: bool = False) -> tuple[Kernel, ...]:
+    """Return the kernels that propagate errors through a step in contact and a departure.
+
+    Parameters
+    ----------
+    ball_radius
+        R_B, m.
+    conical
+        True if a ball may roll on a cone, from whose axis the neighbouring motion has a distance of
+        its own.
+    """
     worst = barrier(
         greatest(dx)
         + sp.Rational(1, 8) * barrier(greatest(dv) + ball_radius * greatest(dw))
@@ -32,6 +42,8 @@ def neighbour_kernels(ball_radius: sp.Expr) -> tuple[Kernel, ...]:
     scale = sp.Symbol("neighbour_scale", positive=True)
     far = {f"far_{s}": s + scale * d for s, d in zip(_STATES, _ERRORS, strict=True)}
     far |= {f"far_{s}": sp.Integer(0) for s in (*normal, gap)}
+    if conical:
+        far[f"far_{per_width}"] = sp.Integer(0)
     return (
         loop_kernel(
             "neighbour_scale",

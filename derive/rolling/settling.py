@@ -17,6 +17,7 @@ from ..contact.ball import Ball
 from ..contact.law import Law
 from ..ir.kernel import Kernel, decision, loop_kernel
 from ..motion.flight import Flight
+from ..motion.rolling_series import per_width
 from ..symbolic.conditionals import (
     AtMost,
     Choose,
@@ -90,7 +91,7 @@ def wedge_width(ball_radius: sp.Expr) -> sp.Expr:
     return sp.Rational(1, 2**28) * ball_radius
 
 
-def settling(law: Law, ball: Ball, flight: Flight) -> Kernel:
+def settling(law: Law, ball: Ball, flight: Flight, conical: bool = False) -> Kernel:
     """Return the kernel that decides how the bounces on a surface end.
 
     A force besides gravity turns with the surface, and changes by its slope times the acceleration.
@@ -107,6 +108,9 @@ def settling(law: Law, ball: Ball, flight: Flight) -> Kernel:
         The radius and the inertia of the ball.
     flight
         The motion between contacts.
+    conical
+        True if a ball may roll on a cone. Its curvature changes by the speed over the distance from
+        the axis, also along a straight line, on which the normal does not turn.
     """
     e = law.restitution_at(sp.Integer(0))
     left = barrier(1 - e)
@@ -121,6 +125,8 @@ def settling(law: Law, ball: Ball, flight: Flight) -> Kernel:
     allowed = barrier(tolerance(ball.radius))
     quick = barrier(speed + sp.sqrt(barrier(absolute(weight) * ball.radius)))
     turns = barrier(barrier(sp.Add(*map(absolute, turning))) + 4 * UNIT_ROUNDOFF)
+    if conical:
+        turns = barrier(turns + 2 * speed * per_width)
     disturbance, slope = flight.disturbance(speed)
     disturbed = disturbance * turns + slope * barrier(flight.strength + disturbance)
     force_change = barrier(8 * barrier(absolute(weight) + speed * turns) * turns + 8 * disturbed)

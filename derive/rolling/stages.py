@@ -8,6 +8,7 @@ flies for a moment in which it certainly meets nothing; then it is in flight lik
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from types import MappingProxyType
 
 from ..events.search import Parts
 from ..ir.event_tree import Call, If, Node, While, given_as
@@ -30,7 +31,8 @@ MAX_STEPS_PER_TURN = 1 << 4
 """Steps of a ball in contact in one turn of the loop; it goes on in the next turn. Balls that roll
 longer than most wait for others that do, so that the lanes stay busy."""
 
-_NEIGHBOUR = {s.name: f"far_{s.name}" for s in (*STATE, *normal)} | {"gap": "far_gap"}
+_NEIGHBOUR = {s.name: f"far_{s.name}" for s in (*STATE, *normal, rolling_series.per_width)}
+_NEIGHBOUR |= {"gap": "far_gap"}
 """Variables of the neighbouring motion; it has its own, so that neither waits for the other."""
 
 
@@ -95,6 +97,8 @@ def in_contact(
 def _last_bounce(common: Parts, holders: Sequence[LoopSurface]) -> Iterator[Node]:
     """Evaluate what presses the ball on, where the errors of the jump depend on it."""
     if not any("rebound" in surface.law for surface in holders):
+        if "reaches_apex" in common:
+            yield from on_held(common, holders, "rolling_surface")
         return
     yield Call(common["no_bounce"])
     for surface in holders:
@@ -133,6 +137,7 @@ def settled(
         nodes.append(Call(common["air_rates"]))
     for surface in holders:
         own = (
+            *([part_call(surface, "rolling_surface")] if "near_apex" in common else []),
             part_call(surface, "turning"),
             Call(common["pressed_on"]),
             *nearest_others(common, contacts, end_planes, surface.index),
@@ -169,6 +174,8 @@ def _step(
     yield Call(common["roll_start"])
     yield from _series(common)
     yield Call(common["roll_step"])
+    if "reaches_apex" in common:
+        yield Call(common["reaches_apex"])
     yield from _friction_limit(common, tuple(_friction(common, holders)))
     yield Call(common["leaving_force"])
     edged = any(map(bounds_of, holders))
@@ -345,9 +352,10 @@ def _ring_step(
     yield Call(common["rolled_on"], {}, {"rolling": "circling"})
 
 
-def _series(common: Parts) -> Iterator[Node]:
+def _series(common: Parts, names: Mapping[str, str] = MappingProxyType({})) -> Iterator[Node]:
+    own = {name: names[name] for name in ("per_width",) if name in names}
     for k in range(rolling_series.ORDER):
-        yield Call(common[f"roll_{k}"])
+        yield renamed(Call(common[f"roll_{k}"]), own)
 
 
 def _moved(
@@ -365,8 +373,12 @@ def _moved_neighbour(common: Parts, holders: Sequence[LoopSurface]) -> Iterator[
         yield If("here", (part_call(surface, "normal", _NEIGHBOUR),))
     yield renamed(Call(common["roll_turn_rate"]), _NEIGHBOUR)
     yield from _put_back(common, holders, _NEIGHBOUR)
+    for surface in holders:
+        if "width" in surface.parts:
+            yield Call(common["holding"], {"index": surface.index})
+            yield If("here", (part_call(surface, "width", _NEIGHBOUR),))
     yield renamed(Call(common["roll_start"]), _NEIGHBOUR)
-    yield from _series(common)
+    yield from _series(common, _NEIGHBOUR)
     yield from _moved(common, holders, _NEIGHBOUR)
 
 

@@ -9,6 +9,7 @@ from ..ir.kernel import Kernel, loop_kernel
 from ..motion import rolling_series
 from ..motion.flight import Flight
 from ..surfaces import Surface
+from ..surfaces.rolling_surface import RollingSurface
 from ..symbolic.conditionals import barrier
 from ..symbolic.symbols import POSITION, VELOCITY, normal
 from .bounds import bound_kernels, limits
@@ -32,7 +33,12 @@ def allows_rolling(surface: Surface, flight: Flight) -> bool:
 
 
 def contact_phase_kernels(
-    surface: Surface, flight: Flight, ball_radius: sp.Expr, edges: bool, oblique: bool
+    surface: Surface,
+    flight: Flight,
+    ball_radius: sp.Expr,
+    edges: bool,
+    oblique: bool,
+    conical: bool,
 ) -> dict[str, Kernel]:
     """Return the kernels of one surface by part: all have those beside it, some those on it.
 
@@ -48,13 +54,15 @@ def contact_phase_kernels(
         True if the scene has surfaces with bounds.
     oblique
         True if a ball may roll on a tube of the scene that lies along no axis.
+    conical
+        True if a ball may roll on a cone of the scene.
     """
     kernels = _beside(surface, edges)
     if edges:
         kernels |= bound_kernels(surface, ball_radius) | {"facing": _facing(surface)}
     if not allows_rolling(surface, flight):
         return kernels
-    return kernels | _under(surface, flight, oblique)
+    return kernels | _under(surface, flight, oblique, conical)
 
 
 def _beside(surface: Surface, edges: bool) -> dict[str, Kernel]:
@@ -64,14 +72,14 @@ def _beside(surface: Surface, edges: bool) -> dict[str, Kernel]:
     turns = dict(zip(POSITION, rolled, strict=True))
     pushed = dict(zip(rolled, rolling_acceleration, strict=True))
     facing_on = dict(zip(POSITION, normal, strict=True))
-    held = _hold_all_parts(surface.distance)
+    held = _hold_all_parts(surface.own_distance)
     rate = directional(held, turns)
     return {
         "beside": loop_kernel(
             f"{surface.name}_beside",
             {
-                "gap": barrier(surface.distance),
-                "nearing": directional(surface.distance, along),
+                "gap": barrier(surface.own_distance),
+                "nearing": directional(surface.own_distance, along),
                 "gap_curvature": surface.max_concavity,
                 **behind,
             },
@@ -81,7 +89,7 @@ def _beside(surface: Surface, edges: bool) -> dict[str, Kernel]:
         "closing": loop_kernel(
             f"{surface.name}_closing",
             {
-                "gap": barrier(surface.distance),
+                "gap": barrier(surface.own_distance),
                 "nearing": rate,
                 "rolling_gap_acceleration": directional(rate, turns | pushed),
                 "normal_cosine": directional(held, facing_on),
@@ -95,7 +103,7 @@ def _beside(surface: Surface, edges: bool) -> dict[str, Kernel]:
 def _facing(surface: Surface) -> Kernel:
     """Return the kernel of the angle between the normals of the surface and of the one below."""
     facing_on = dict(zip(POSITION, normal, strict=True))
-    cosine = directional(_hold_all_parts(surface.distance), facing_on)
+    cosine = directional(_hold_all_parts(surface.own_distance), facing_on)
     return loop_kernel(
         f"{surface.name}_facing",
         {"normal_cosine": cosine},
@@ -104,7 +112,7 @@ def _facing(surface: Surface) -> Kernel:
     )
 
 
-def _under(surface: Surface, flight: Flight, oblique: bool) -> dict[str, Kernel]:
+def _under(surface: Surface, flight: Flight, oblique: bool, conical: bool) -> dict[str, Kernel]:
     """Return the kernels from which the motion on the surface is computed."""
     name, rolling_surface = surface.name, surface.rolling_surface
     assert rolling_surface is not None
@@ -123,9 +131,14 @@ def _under(surface: Surface, flight: Flight, oblique: bool) -> dict[str, Kernel]
     else:
         assert rolling_surface.curved is not None
         curved = dict(zip(map(str, rolling_series.bent), rolling_surface.curved, strict=True))
+    if conical:
+        curved |= _cone(rolling_surface)
     kernels = {
         "distance": loop_kernel(
-            f"{name}_distance", {"gap": surface.distance}, "Distance from the surface.", "Table 2"
+            f"{name}_distance",
+            {"gap": surface.own_distance},
+            "Distance from the surface.",
+            "Table 2",
         ),
         "rolling_surface": loop_kernel(
             f"{name}_rolling_surface",
@@ -146,6 +159,13 @@ def _under(surface: Surface, flight: Flight, oblique: bool) -> dict[str, Kernel]
             "derivatives of Table 2's distance",
         ),
     }
+    if rolling_surface.cone is not None:
+        kernels["width"] = loop_kernel(
+            f"{name}_width",
+            {str(rolling_series.per_width): rolling_surface.cone.per_width},
+            "Inverse distance of the ball from the axis of a cone.",
+            "Table 2",
+        )
     seams = {
         f"seam{k}": loop_kernel(
             f"{name}_seam{k}",
@@ -156,6 +176,14 @@ def _under(surface: Surface, flight: Flight, oblique: bool) -> dict[str, Kernel]
         for k, (place, value, width) in enumerate(rolling_surface.seams)
     }
     return kernels | seams
+
+
+def _cone(rolling_surface: RollingSurface) -> dict[str, sp.Expr]:
+    """Return what the series on a cone needs of a surface: zeros of any other."""
+    zero, cone = sp.Integer(0), rolling_surface.cone
+    names = map(str, (*rolling_series.axis, *rolling_series.CONE))
+    own = (*cone.axis, cone.slope, cone.per_cosine, cone.per_width) if cone else (zero,) * 6
+    return dict(zip(names, own, strict=True))
 
 
 def _hold_all_parts(expression: sp.Expr) -> sp.Expr:

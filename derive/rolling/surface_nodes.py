@@ -198,6 +198,8 @@ def nearest_others(
             for part in seams_of(surface):
                 yield part_call(surface, part)
                 yield Call(common["near_seam"])
+        if "near_apex" in common:
+            yield Call(common["near_apex"])
     for end_plane in end_planes:
         beside = Call(end_plane.parts["beside"], wanted=frozenset({"gap"}))
         yield given_as(beside, end_plane.sizes)

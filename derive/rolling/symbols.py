@@ -104,6 +104,7 @@ class EventCodes:
         self.endless = surfaces + 4
         self.piece_end = surfaces + 5
         self.over_edge = surfaces + 6
+        self.apex = surfaces + 7
         self.bodies = bodies
 
     def log_row(self, body: sp.Expr, leaves: bool) -> sp.Expr:

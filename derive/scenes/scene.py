@@ -12,7 +12,7 @@ from ..contact.law import Law
 from ..motion.air import AirConstants, AirFlight
 from ..motion.flight import Acceleration, Flight
 from ..motion.parabola import Parabola
-from ..surfaces import Body, EndPlane, Plane, Surface
+from ..surfaces import Body, Cone, EndPlane, Plane, Surface
 from ..surfaces.plane import Flat
 from ..surfaces.two_sided import Round
 from ..symbolic.conditionals import release
@@ -102,8 +102,8 @@ class Scene:
         The acceleration of free fall where it may be zero or is not along that axis; None: gravity
         along it.
     rolls
-        True if a ball whose bounces accumulate rolls on; then only planes, spheres and
-        cylinders have bounds.
+        True if a ball whose bounces accumulate rolls on; then only planes, spheres,
+        cylinders and cones have bounds.
     air
         The parameters of the air that the ball flies through; None: there is none.
     passage
@@ -150,12 +150,12 @@ class Scene:
         bounded = [
             surface.name
             for surface in self.surfaces
-            if surface.bounds and not isinstance(surface, Flat | Round)
+            if surface.bounds and not isinstance(surface, Flat | Round | Cone)
         ]
         if self.rolls and bounded:
             raise ValueError(
-                f"scene {self.name}: rolls: expected no bounds but those of planes, spheres and "
-                f"cylinders, got {', '.join(bounded)} with some"
+                f"scene {self.name}: rolls: expected no bounds but those of planes, spheres, "
+                f"cylinders and cones, got {', '.join(bounded)} with some"
             )
 
     @property
@@ -183,6 +183,12 @@ class Scene:
         """True if a ball may roll on a tube that lies along no axis."""
         tubes = (surface.rolling_surface for surface in self.surfaces)
         return self.rolls and any(tube and tube.across is not None for tube in tubes)
+
+    @property
+    def rolls_on_cones(self) -> bool:
+        """True if a ball may roll on a cone."""
+        found = (surface.rolling_surface for surface in self.surfaces)
+        return self.rolls and any(one and one.cone is not None for one in found)
 
     @property
     def ball(self) -> Ball:

@@ -29,6 +29,7 @@ from .directions import (
     perpendicular,
     squared_distance,
 )
+from .rolling_surface import ConicalSurface, RollingSurface
 from .surface import Point, overlap, translated
 from .two_sided import TwoSided
 
@@ -135,8 +136,28 @@ class Cone(TwoSided):
 
     @property
     def max_concavity(self) -> sp.Expr:
-        """Zero outside; inside the bound on the curvature."""
+        """Zero outside; inside the bound on the curvature, from which the path gets at any rho."""
         return self.curvature if self.inward else sp.Integer(0)
+
+    @property
+    def max_convexity(self) -> sp.Expr:
+        """The bound on the curvature outside; zero inside."""
+        return sp.Integer(0) if self.inward else self.curvature
+
+    @property
+    def own_distance(self) -> sp.Expr:
+        """The distance from this nappe alone, which is smooth but on the axis."""
+        return self._away(self._height)
+
+    @property
+    def rolling_surface(self) -> RollingSurface | None:
+        """The cone of the ball's centre."""
+        zero, per = sp.Integer(0), per_length(self.direction)
+        x, y, z = (barrier(u * per) for u in self.direction)
+        per_cosine = self._side * barrier(sp.sqrt(barrier(1 + self.slope**2)))
+        per_width = barrier(1 / distance_from_axis(self.direction, self._offset))
+        cone = ConicalSurface((x, y, z), self.slope, per_cosine, per_width)
+        return RollingSurface((zero, zero, zero), self._side * per_width, cone=cone)
 
     @property
     def inside(self) -> tuple[sp.Expr, ...]:

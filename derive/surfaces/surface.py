@@ -187,9 +187,14 @@ class Surface(ABC):
         return None
 
     @property
+    def own_distance(self) -> sp.Expr:
+        """The distance as rolling balls need it: smooth about the whole of the surface."""
+        return self.distance
+
+    @property
     def distance_ahead(self) -> sp.Expr:
         """The distance where the ball moves to, where the surface changes its form at a seam."""
-        return self.distance
+        return self.own_distance
 
     @property
     def max_concavity(self) -> sp.Expr:

@@ -206,6 +206,14 @@ IN_CONTACT = {
         r"\kappa_T",
         "inverse radius of the tube that the centre stays on, negative on its inside",
     ),
+    **{
+        f"axis_{axis}": Entry(f"u_{axis}", f"unit vector along the axis of a cone, along {axis}")
+        for axis in AXES
+    },
+    "cone_slope": Entry(r"k_\alpha", "tangent of the half-angle of a cone"),
+    "per_cosine": Entry(r"\sigma_\alpha", "inverse of its cosine, negative inside"),
+    "per_width": Entry(r"1/\rho", "inverse distance of the ball from the axis of a cone"),
+    "far_per_width": Entry(r"1/\tilde\rho", "the same of the neighbouring motion"),
     "turn_rate": Entry("s", "spin about the normal, times the ball's radius"),
     "rolled_x": Entry(r"v^\circ_x", "velocity along x after a contact that grips"),
     "rolled_y": Entry(r"v^\circ_y", "velocity along y after a contact that grips"),
@@ -384,6 +392,12 @@ SERIES = {
         f"t{axis}": Entry(f"p_{axis}", rf"$\mathbf{{n}} \times \dot{{\mathbf{{n}}}}$ along {axis}")
         for axis in AXES
     },
+    **{
+        f"c{axis}": Entry(f"q_{axis}", rf"$\mathbf{{u}} \times \mathbf{{n}}$ along {axis}")
+        for axis in AXES
+    },
+    "azimuth_rate": Entry(r"\Omega_u", "rate of the azimuth about the axis of a cone"),
+    "width": Entry(r"\rho", "distance from the axis of a cone"),
     "turn_rate": Entry("s", "spin about the normal, times the ball's radius"),
     "lift": Entry(r"\mathcal{L}", "acceleration along the normal without the part of friction"),
     "cosine": Entry(r"c_\alpha", "cosine of the angle around the wire, from outwards"),

@@ -23,7 +23,7 @@ from hoopgen.text.shorten import join_alternatives
 from . import arithmetic, c_build, cuda, native, verification
 from .flight_pieces import FlownPieces, apex_in_pieces, descend_in_pieces, fly_in_pieces
 from .result_arrays import Layout
-from .rolling import Roll
+from .rolling import Roll, face_below
 
 if TYPE_CHECKING:
     from hoopgen.derive.scenes.scene import Scene
@@ -325,7 +325,8 @@ class CompiledScene:
             The motion, which can be evaluated at any time within the duration.
         """
         own = self._inputs(parameters)
-        return Roll(self.kernels, self.surfaces[surface], state, duration, own)
+        face = face_below(self.kernels, surface, state, own)
+        return Roll(self.kernels, face, state, duration, own)
 
     def _inputs(self, parameters: Mapping[str, Value]) -> dict[str, Any]:
         """Return the inputs of the kernels by the names of their variables."""

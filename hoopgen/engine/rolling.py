@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["Roll"]
+__all__ = ["Roll", "face_below"]
 
 Floats = NDArray[np.float64]
 
@@ -74,6 +74,41 @@ def _scalar_kernel(kernels: ModuleType, name: str) -> Callable[..., tuple[Any, .
     return FunctionType(kernel.__code__, names, name, kernel.__defaults__)
 
 
+def face_below(
+    kernels: ModuleType, body: int, state: Floats, parameters: Mapping[str, float]
+) -> str:
+    """Return the name of the face of a body that a ball rolls on, or that it rolls onto.
+
+    Parameters
+    ----------
+    kernels
+        The scene's generated NumPy module.
+    body
+        Number of the body.
+    state
+        State of the ball, (9,).
+    parameters
+        Parameters of the scene, by the names of the kernels' variables.
+    """
+    faces: tuple[str, ...] = kernels.FACES[body]
+    if len(faces) == 1:
+        return str(kernels.BODIES[body])
+    known = {**parameters, **dict(zip(kernels.STATE, state.tolist(), strict=True))}
+
+    def off(face: str) -> float:
+        """Return how far the ball is from a face, and will be past its bounds in a moment."""
+        names = [name for name in kernels.ARGUMENTS if name.startswith(f"{face}_rim")]
+        found: dict[str, dict[str, float]] = {}
+        for name in (f"{face}_distance", *names):
+            values = getattr(kernels, name)(*(known[given] for given in kernels.ARGUMENTS[name]))
+            found[name] = dict(zip(kernels.OUTPUTS[name], map(float, values), strict=True))
+        within = (found[name] for name in names)
+        past = (-rim["bound_distance"] - rim["bound_rate"] * _MIN_STEP for rim in within)
+        return abs(found[f"{face}_distance"]["gap"]) + max(0.0, *past)
+
+    return min((face for face in faces if f"{face}_distance" in kernels.ARGUMENTS), key=off)
+
+
 class Roll:
     """A ball that rolls on a body without slip.
 
@@ -82,7 +117,7 @@ class Roll:
     kernels
         The scene's generated NumPy module.
     body
-        Name of the body that the ball rolls on.
+        Name of the face that the ball rolls on; that of a body with one face is the body's.
     state
         State at the begin of contact, (9,).
     duration

@@ -357,13 +357,12 @@ def why_not_rolling(kind: str, degrees: Sequence[int]) -> tuple[str, str]:
         The degree of each of its bounds.
     """
     named = kind.removeprefix("oblique ") or "surface"
-    if kind in ("cone", "revolution"):
-        reason = {
-            "cone": "its curvature changes along its side",
-            "revolution": "its pieces end at edges",
-        }[kind]
-        said = f"on a {named} no ball is known to roll, since {reason}"
+    if kind == "revolution":
+        said = "on a revolution no ball is known to roll, since its pieces end at edges"
         return "", f"{said}; expected none where rolls is true"
+    if kind == "cone" and degrees:
+        said = "no ball is known to roll up to the edge of a cone that is no end of its span"
+        return "within", f"{said}; expected none where rolls is true"
     if kind in _WITH_EDGES:
         for number, degree in enumerate(degrees, start=1):
             if degree > MAX_DEGREE:

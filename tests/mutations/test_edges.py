@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 from hoopgen.derive.events import plane, predicates
 from hoopgen.derive.ir.event_tree import Call
-from hoopgen.derive.rolling import bounds, contact_phase, edges, events, jump, meeting
+from hoopgen.derive.rolling import bounds, contact_phase, edges, events, jump, meeting, start
 from hoopgen.derive.scenes import validity
 
 pytest.importorskip("flint")
@@ -276,8 +276,8 @@ FAULTS = (
     Planted(
         "a start on a body is a contact with it",
         in_text(
-            contact_phase,
-            "_start_decisions",
+            start,
+            "start_decisions",
             'all_of(Boolean("touches"), Not(starts))',
             'Boolean("touches")',
         ),

@@ -29,7 +29,7 @@ from hoopgen.derive.ir.kernel import Kernel
 from hoopgen.derive.model import Model
 from hoopgen.derive.motion import air, air_piece, ring_rolling_series, rolling_series
 from hoopgen.derive.motion.parabola import Parabola
-from hoopgen.derive.rolling import friction_limit, neighbour
+from hoopgen.derive.rolling import apex, friction_limit, neighbour
 from hoopgen.derive.scenes import sinking, validity
 from hoopgen.derive.surfaces import ObliqueBox, Plane
 from hoopgen.derive.symbolic import error_terms, rounding
@@ -128,6 +128,7 @@ class PageData:
     series: tuple[SymbolText, ...]
     falls: bool
     turned: bool
+    conical: bool
     air: AirText | None
 
     @property
@@ -269,6 +270,8 @@ def _constants() -> dict[str, str]:
         "order": rolling_series.ORDER,
         "order_round": ring_rolling_series.ORDER,
         "neighbour": neighbour.NEIGHBOUR_DISTANCE,
+        "near_axis": apex.NEAREST_TO_AXIS,
+        "vague_axis": apex.LARGEST_ERROR,
         "watched": friction_limit.NEWTON_STEPS,
         "room": validity.CERTAIN_DISTANCE_FACTOR,
         "piece_order": air.ORDER,
@@ -387,5 +390,6 @@ def derivation_context(model: Model, reference: PageData | None = None) -> PageD
         series=_series(model),
         falls=flight.falls,
         turned=any(isinstance(surface, ObliqueBox) for surface in scene.surfaces),
+        conical=scene.rolls_on_cones,
         air=_air(flight, notation) if isinstance(flight, air.AirFlight) else None,
     )

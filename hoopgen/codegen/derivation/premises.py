@@ -249,7 +249,7 @@ PREMISES: dict[str, Premise] = {
         "Zeno accumulation of bounces",
         _kernels(
             "law.settling law.rebound common.leaves_slowly common.nearly "
-            "common.no_bounce common.gripped common.pressed_on common.isolated "
+            "common.no_bounce common.gripped common.pressed_on common.isolated common.near_apex "
             "common.near_end_plane common.near_body *.turning common.near_bounded_body "
             "*.closing *.separation common.settled common.jump_errors common.beginning_contact"
         ),
@@ -259,7 +259,7 @@ PREMISES: dict[str, Premise] = {
         "rolling as a power series",
         _kernels(
             "common.roll_turn_rate common.roll_start common.roll_* common.roll_step "
-            "*.rolling_surface *.distance common.roll_moved common.roll_placed"
+            "*.rolling_surface *.width *.distance common.roll_moved common.roll_placed"
         ),
     ),
     "round": Premise(
@@ -277,7 +277,7 @@ PREMISES: dict[str, Premise] = {
         "the end of a contact",
         _kernels(
             "common.leaving_force common.beside_* common.beside *.beside *.seam* "
-            "common.rolled_on common.holding common.resumed"
+            "common.rolled_on common.holding common.resumed common.reaches_apex"
         ),
     ),
     "parting": Premise(
