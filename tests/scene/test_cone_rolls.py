@@ -80,9 +80,25 @@ CONES = Scene(
 )
 
 
+POINTED = Scene(
+    "pointed_funnel",
+    bodies=[Cone("funnel", slope=1.2, span=(0, 0.5), inside=True)],
+    ball_radius=BALL,
+    gravity=GRAVITY,
+    restitution=0,
+    rolls=True,
+)
+"""A funnel without a hole."""
+
+
 @pytest.fixture(scope="module")
 def engine() -> Engine:
     return hoopgen.compile(CONES)
+
+
+@pytest.fixture(scope="module")
+def pointed() -> Engine:
+    return hoopgen.compile(POINTED)
 
 
 def dropped(count: int, seed: int) -> Floats:
@@ -206,6 +222,33 @@ def test_a_ball_rolls_over_the_apex_of_a_cone(engine: Engine) -> None:
     tipped = np.array([before_side(SPIKE, row["after"]) > -1e-12 for row in rolls])
     assert np.count_nonzero(tipped[rolls["surface"] == 2]) > count / 2
     assert ends.count(1) > count / 2
+
+
+def test_few_rolls_on_cones_are_uncertain(engine: Engine) -> None:
+    shots = engine.simulate(dropped(trials(400, 200), 9), time_limit=3)
+    assert np.mean(shots.rolls > 0) > 0.8
+    assert np.mean(shots.uncertain) < 0.05
+
+
+def test_a_ball_that_rolls_into_an_apex_ends_flagged_and_one_aside_turns_back(
+    pointed: Engine,
+) -> None:
+    """The distance from the axis is least where the angular momentum about it allows no less."""
+    count = trials(60, 30)
+    chance = np.random.default_rng(8)
+    far, azimuth = chance.uniform(0.2, 0.3, count), chance.uniform(0, 6, count)
+    speed = chance.uniform(0.5, 1, count)
+    straight = on_side(0, far, azimuth, speed, np.zeros(count))
+    shots = hoopgen.simulate(straight, scene=pointed, time_limit=2)
+    into = shots.outcome == pointed.outcomes["CAPPED"]
+    assert np.count_nonzero(into) > count / 2
+    assert np.all(shots.uncertain[into])
+    width = np.linalg.norm(shots.state[into, :2], axis=1)
+    assert np.all((width > BALL / 2**13) & (width < BALL / 2**12))
+    aside = on_side(0, far, azimuth, speed, np.full(count, 0.2))
+    shots = hoopgen.simulate(aside, scene=pointed, time_limit=2)
+    assert np.all(shots.outcome == pointed.outcomes["ENDLESS"])
+    assert np.mean(shots.uncertain) < 0.05
 
 
 def energy(states: Floats, kappa: float) -> Floats:
