@@ -37,7 +37,7 @@ KAPPA = 2 / 3
 Floats = NDArray[np.float64]
 
 FUNNEL = {"apex": (0.0, 0.0, 0.0), "axis": (0.0, 0.0, 1.0), "slope": 1.2, "span": (0.1, 0.5)}
-CHUTE = {"apex": (2.0, 0.1, -0.1), "axis": (0.7, 0.2, 0.3), "slope": 0.8, "span": (0.1, 0.9)}
+CHUTE = {"apex": (2.0, 0.1, -0.1), "axis": (0.7, 0.2, 0.3), "slope": 0.8, "span": (0.0, 0.9)}
 SPIKE = {"apex": (4.0, 0.0, 0.4), "axis": (0.0, 0.0, -1.0), "slope": 1.5, "span": (0.0, 0.5)}
 STUMP = {"apex": (6.3, 0.0, 0.1), "axis": (-1.0, 0.1, -0.2), "slope": 0.4, "span": (0.2, 0.9)}
 GIVEN: tuple[Mapping[str, Any], ...] = (FUNNEL, CHUTE, SPIKE, STUMP)
@@ -80,25 +80,9 @@ CONES = Scene(
 )
 
 
-POINTED = Scene(
-    "pointed_funnel",
-    bodies=[Cone("funnel", slope=1.2, span=(0, 0.5), inside=True)],
-    ball_radius=BALL,
-    gravity=GRAVITY,
-    restitution=0,
-    rolls=True,
-)
-"""A funnel without a hole."""
-
-
 @pytest.fixture(scope="module")
 def engine() -> Engine:
     return hoopgen.compile(CONES)
-
-
-@pytest.fixture(scope="module")
-def pointed() -> Engine:
-    return hoopgen.compile(POINTED)
 
 
 def dropped(count: int, seed: int) -> Floats:
@@ -222,6 +206,9 @@ def test_a_ball_rolls_over_the_apex_of_a_cone(engine: Engine) -> None:
     tipped = np.array([before_side(SPIKE, row["after"]) > -1e-12 for row in rolls])
     assert np.count_nonzero(tipped[rolls["surface"] == 2]) > count / 2
     assert ends.count(1) > count / 2
+    row = rolls[tipped & (rolls["surface"] == 2)][0]
+    path = shots.trajectory(int(row["shot"])).at(row["time"] + np.linspace(0, 1e-2, 5))
+    assert np.linalg.norm(path[:, :3] - SPIKE["apex"], axis=1) == pytest.approx(BALL, abs=1e-12)
 
 
 def test_few_rolls_on_cones_are_uncertain(engine: Engine) -> None:
@@ -230,25 +217,28 @@ def test_few_rolls_on_cones_are_uncertain(engine: Engine) -> None:
     assert np.mean(shots.uncertain) < 0.05
 
 
-def test_a_ball_that_rolls_into_an_apex_ends_flagged_and_one_aside_turns_back(
-    pointed: Engine,
-) -> None:
-    """The distance from the axis is least where the angular momentum about it allows no less."""
-    count = trials(60, 30)
-    chance = np.random.default_rng(8)
-    far, azimuth = chance.uniform(0.2, 0.3, count), chance.uniform(0, 6, count)
-    speed = chance.uniform(0.5, 1, count)
-    straight = on_side(0, far, azimuth, speed, np.zeros(count))
-    shots = hoopgen.simulate(straight, scene=pointed, time_limit=2)
-    into = shots.outcome == pointed.outcomes["CAPPED"]
-    assert np.count_nonzero(into) > count / 2
-    assert np.all(shots.uncertain[into])
-    width = np.linalg.norm(shots.state[into, :2], axis=1)
-    assert np.all((width > BALL / 2**13) & (width < BALL / 2**12))
-    aside = on_side(0, far, azimuth, speed, np.full(count, 0.2))
-    shots = hoopgen.simulate(aside, scene=pointed, time_limit=2)
-    assert np.all(shots.outcome == pointed.outcomes["ENDLESS"])
-    assert np.mean(shots.uncertain) < 0.05
+def test_a_ball_that_rolls_straight_to_the_apex_inside_ends_flagged(engine: Engine) -> None:
+    """On the lowest generator of the chute, on which it stays: nothing turns it aside."""
+    unit = np.array(CHUTE["axis"]) / np.linalg.norm(CHUTE["axis"])
+    turns = np.linspace(0, 2 * np.pi, 20001)
+    still = np.zeros_like(turns)
+    heights = on_side(1, still + 0.3, turns, still, still)[:, 2]
+    count = trials(10, 5)
+    lowest = np.full(count, turns[np.argmin(heights)])
+    speed = np.linspace(1.2, 2, count)
+    states = on_side(1, np.full(count, 0.3), lowest, speed, np.zeros(count))
+    # Where the plane through the axis is vertical.
+    across = np.cross(unit, [0, 0, 1])
+    across /= np.linalg.norm(across)
+    states[:, :3] -= np.outer((states[:, :3] - CHUTE["apex"]) @ across, across)
+    states[:, 3:6] -= np.outer(states[:, 3:6] @ across, across)
+    states[:, 6:] = np.outer(states[:, 6:] @ across, across)
+    shots = engine.simulate(states, time_limit=2)
+    assert np.all(shots.outcome == engine.outcomes["CAPPED"])
+    assert shots.uncertain.all()
+    place = shots.state[:, :3] - CHUTE["apex"]
+    rho = np.linalg.norm(place - np.outer(place @ unit, unit), axis=1)
+    assert np.all((rho < BALL / 4096) & (rho > 0.7 * BALL / 4096))
 
 
 def energy(states: Floats, kappa: float) -> Floats:

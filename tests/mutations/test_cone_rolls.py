@@ -1,0 +1,68 @@
+"""Deliberate faults in rolls on cones: each trips a test by name."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from hoopgen.derive.motion import rolling_series
+from hoopgen.derive.rolling import contact_phase
+from hoopgen.derive.surfaces import Cone
+
+pytest.importorskip("flint")
+
+from tests.helpers.checked_faults import Check, OfEngine, Planted, checks_of, noticed, passes
+from tests.helpers.mutants import in_text
+from tests.scene import test_cone_rolls
+
+pytestmark = [pytest.mark.xdist_group("cone_roll_mutations"), pytest.mark.slow]
+
+on_cone = OfEngine(
+    test_cone_rolls.test_rolls_on_a_cone_are_those_of_a_second_formulation,
+    given=((0,),),
+    scene=test_cone_rolls.CONES,
+)
+to_apex = OfEngine(
+    test_cone_rolls.test_a_ball_that_rolls_straight_to_the_apex_inside_ends_flagged,
+    scene=test_cone_rolls.CONES,
+)
+
+FAULTS = (
+    Planted(
+        "a step on a cone takes the distance from the axis for constant",
+        in_text(rolling_series, "_around_axis", "cone_slope * rising", "0 * rising"),
+        on_cone,
+    ),
+    Planted(
+        "the normal turns as on a cone that is wider",
+        in_text(Cone, "rolling_surface", "1 + self.slope**2", "1 + 2 * self.slope**2"),
+        on_cone,
+    ),
+    Planted(
+        "a step on a cone is as long as its last terms allow, also where they vanish",
+        in_text(rolling_series, "step", "sp.Rational(1, 8) / swift", "sp.oo"),
+        to_apex,
+    ),
+    Planted(
+        "a roll ends nearer to the apex",
+        in_text(
+            contact_phase, "apex_kernels", "NEAREST_TO_AXIS * ball", "NEAREST_TO_AXIS / 8 * ball"
+        ),
+        to_apex,
+    ),
+)
+
+CHECKS = checks_of(FAULTS)
+
+
+@pytest.mark.parametrize("check", CHECKS, ids=lambda check: f"{check.name}")
+def test_without_a_fault_every_check_passes(check: Check, tmp_path: Path) -> None:
+    passes(check, tmp_path)
+
+
+@pytest.mark.parametrize(
+    "fault", [pytest.param(fault, id=f"{fault.name} ({fault.check.name})") for fault in FAULTS]
+)
+@pytest.mark.sampled(1)
+def test_a_fault_trips_its_check(fault: Planted, tmp_path: Path) -> None:
+    noticed(fault, tmp_path)
