@@ -6,13 +6,13 @@ present time: its coefficients are as small as the surface, however long the fli
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import sympy as sp
 
 from ..surfaces import Plane, Surface
-from ..symbolic.conditionals import IfAtMost, IfLess, absolute, barrier, maximum, minimum
+from ..symbolic.conditionals import IfAtMost, IfLess, absolute, barrier, maximum, minimum, release
 from ..symbolic.error_terms import curving
 from ..symbolic.polynomials import Coefficients, bernstein, compose, derivative, mean_rate
 from ..symbolic.rounding import (
@@ -89,7 +89,8 @@ class PolynomialRootFinder(RootFinder):
 
     @property
     def _rate(self) -> sp.Expr:
-        gradient = [sp.diff(self.surface.shape, place) for place in POSITION]
+        shape = release(self.surface.shape)
+        gradient = [sp.diff(shape, place) for place in POSITION]
         return sp.Add(*(g * v for g, v in zip(gradient, VELOCITY, strict=True)))
 
     @property
@@ -192,19 +193,47 @@ class PolynomialRootFinder(RootFinder):
         """
         centre = self.surface.reference_point
         simple = isinstance(self.surface, Plane) or (
-            self._boxed and sp.Poly(self.surface.shape, *POSITION).total_degree() <= 2
+            self._boxed and sp.Poly(release(self.surface.shape), *POSITION).total_degree() <= 2
         )
         if simple and all(c == 0 for c in centre):
             return None
         offsets = [barrier(p - c) for p, c in zip(POSITION, centre, strict=True)]
         sizes = {p: _once_rounded(d) for p, d in zip(POSITION, offsets, strict=True)}
         rate = barrier(self._rate.xreplace(dict(zip(POSITION, offsets, strict=True))))
+        sizes |= self._small(sizes, dict(zip(POSITION, offsets, strict=True)))
         first = barrier(rounding(self.surface.shape, sizes).error)
         starts, means = self._flown(offsets)
         sizes |= {s: _once_rounded(d) for s, d in zip(STARTS, starts, strict=True)}
         sizes |= {v: _once_rounded(mean) for v, mean in zip(VELOCITY, means, strict=True)}
+        begin = dict(zip(POSITION, STARTS, strict=True))
+        sizes |= self._small(sizes, dict(zip(STARTS, starts, strict=True)), begin)
         again = 0 if simple else barrier(rounding(self._change, sizes).error) * t
         return barrier(IfLess(curving, sp.oo, again, first)) / barrier(absolute(rate))
+
+    def _small(
+        self,
+        sizes: Mapping[sp.Expr, Rounded],
+        there: Mapping[sp.Symbol, sp.Expr],
+        named: Mapping[sp.Symbol, sp.Symbol] | None = None,
+    ) -> dict[sp.Expr, Rounded]:
+        """Return the sizes that parts of the shape have at a place, which their terms exceed.
+
+        Parameters
+        ----------
+        sizes
+            Those of the coordinates of the place.
+        there
+            The value of each coordinate.
+        named
+            The names of the coordinates, if they are not those of a position.
+        """
+        found = {}
+        for part in self.surface.small_parts:
+            own = part.xreplace(dict(named or {}))
+            error = barrier(rounding(own, sizes).error)
+            value = barrier(absolute(barrier(own.xreplace(dict(there)))))
+            found[own] = Rounded(barrier(value + error), error)
+        return found
 
     def _flown(self, offsets: Sequence[sp.Expr]) -> tuple[list[sp.Expr], list[sp.Expr]]:
         """Return the sizes of the offset at the start and of the mean velocity.
@@ -252,6 +281,10 @@ class PolynomialRootFinder(RootFinder):
         """|F''| with every term taken positive, up to the horizon and somewhat outside the box."""
         return rounding(2 * self._local[2], self._sizes(CEILING_BOX_FACTOR)).magnitude
 
+    def _gap_rounding(self, now: Mapping[sp.Expr, Rounded]) -> Rounded:
+        """Return size and error of the gap, given those of the coordinates of its place."""
+        return rounding(self.surface.shape, now)
+
     @property
     def margins(self) -> dict[str, sp.Expr]:
         """Bounds by running error analysis of the gap, its mean rate and its rate."""
@@ -264,7 +297,7 @@ class PolynomialRootFinder(RootFinder):
             since[own] = Rounded(
                 now[place].magnitude, barrier(rounding(place - centre, start).error)
             )
-        gap = rounding(self.surface.shape, now)
+        gap = self._gap_rounding(now)
         change = rounding(self._change, since)
         rate = rounding(self._rate, now)
         return {

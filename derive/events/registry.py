@@ -16,11 +16,13 @@ from ..surfaces import (
     ObliqueBox,
     ObliqueCylinder,
     Plane,
+    RevolvedArc,
     Ring,
     Surface,
 )
 from ..surfaces.torus import Toroidal
 from .air import AirBoxRootFinder, AirRootFinder
+from .arc import ArcRootFinder
 from .box import BoxRootFinder
 from .end_plane import EndPlaneRootSearch, EndPlaneSearch
 from .oblique_box import AirObliqueBoxRootFinder, ObliqueBoxRootFinder
@@ -56,6 +58,10 @@ def _oblique_box(surface: ObliqueBox, flight: Parabola) -> Search:
 
 def _oblique(surface: Surface, flight: Parabola) -> Search:
     return RootSearch(surface, flight, PolynomialRootFinder(flight, surface, two_sided=True))
+
+
+def _arc(surface: RevolvedArc, flight: Parabola) -> Search:
+    return RootSearch(surface, flight, ArcRootFinder(flight, surface, two_sided=True))
 
 
 def _in_air(surface: Surface, flight: AirFlight) -> Search:
@@ -95,6 +101,7 @@ SEARCHES: tuple[tuple[type[Surface], type[Flight], SearchFactory], ...] = (
     (InclinedPlane, Parabola, _oblique),
     (ObliqueCylinder, Parabola, _oblique),
     (Cone, Parabola, _oblique),
+    (RevolvedArc, Parabola, _arc),
     (Surface, Flight, _general),
 )
 """Kinds of surface and flight, with their search; the first row that supports both is taken."""

@@ -98,6 +98,7 @@ def _places(surface: Surface, scene: Scene) -> None:
     condition, distance = _function([surface.condition], values), surface.distance
     there = _function([distance, *surface.normal], values)
     bounds = [_function([bound], values) for bound in surface.bounds]
+    images = [_function([image], values) for image in surface.images]
     about = [
         mpmath.mpf(str(sp.N(c.xreplace(values), 20)))
         for c in map(sp.sympify, surface.reference_point)
@@ -111,8 +112,10 @@ def _places(surface: Surface, scene: Scene) -> None:
             for place, bound in enumerate(bounds):
                 _check_bound(place, surface, bound, start)
             point = _touching(condition, start)
-            if point is not None and not any(abs(bound(*point)[0]) < _NEAR for bound in bounds):
+            if point is None or any(abs(bound(*point)[0]) < _NEAR for bound in bounds):
                 # A torus that meets its axis is zero on its inner part, too; a bound ends there.
+                continue
+            if not any(image(*point)[0] > 0 for image in images):
                 _check_contact(condition, there, point)
 
 

@@ -15,6 +15,7 @@ from .oblique_box import ObliqueBox
 from .oblique_cylinder import ObliqueCylinder
 from .oblique_torus import ObliqueTorus
 from .plane import Plane
+from .revolved_arc import RevolvedArc
 from .ring import Ring
 from .sphere import Sphere
 from .surface import Surface
@@ -32,6 +33,7 @@ __all__ = [
     "ObliqueTorus",
     "EndPlane",
     "Plane",
+    "RevolvedArc",
     "Ring",
     "Sphere",
     "Surface",

@@ -95,6 +95,11 @@ class Surface(ABC):
         return self.condition
 
     @property
+    def small_parts(self) -> tuple[sp.Expr, ...]:
+        """Held sums in the shape that are much less at a contact than their terms may be."""
+        return ()
+
+    @property
     def half_sizes(self) -> tuple[sp.Expr | None, ...]:
         """Half sizes of a box about the reference point that holds every contact; None: unknown."""
         return (None, None, None)
@@ -140,6 +145,11 @@ class Surface(ABC):
     @property
     def bounds(self) -> tuple[sp.Expr, ...]:
         """The g of Eq. 2: a contact counts only if none is positive."""
+        return ()
+
+    @property
+    def images(self) -> tuple[sp.Expr, ...]:
+        """Bounds past which the condition is zero on what is no part of the surface."""
         return ()
 
     @property

@@ -11,6 +11,7 @@ from functools import reduce
 
 import sympy as sp
 
+from .conditionals import Barrier
 from .ordering import ordering
 
 Coefficients = list[sp.Expr]
@@ -66,6 +67,8 @@ def compose(
     if not expression.free_symbols & set(substitution):
         return [expression]
     parts = [compose(argument, substitution) for argument in expression.args[:1]]
+    if isinstance(expression, Barrier):
+        return parts[0]
     if expression.is_Pow and expression.exp.is_Integer and expression.exp > 0:
         return reduce(multiply, parts * int(expression.exp))
     parts += [compose(argument, substitution) for argument in expression.args[1:]]
@@ -146,6 +149,8 @@ def mean_rate(
         return rates[expression]
     if not expression.free_symbols & set(rates):
         return sp.Integer(0)
+    if isinstance(expression, Barrier):
+        return mean_rate(expression.args[0], starts, rates)
     if expression.is_Add:
         return sp.Add(*(mean_rate(term, starts, rates) for term in expression.args))
     if expression.is_Pow and expression.exp.is_Integer and expression.exp > 0:

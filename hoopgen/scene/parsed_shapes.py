@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from .bounds import Terms
 from .contact_laws import Contact
 from .formulas import Formula
-from .revolution import Profile
+from .profile import Profile
 
 __all__ = ["RevolvedShape", "Shape"]
 

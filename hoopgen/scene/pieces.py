@@ -284,14 +284,16 @@ class Revolution(Body):
     ----------
     profile
         The line: points with their radius and their height along the axis, joined by straight
-        pieces. The first and the last one may lie on the axis, or may be the same point.
+        pieces. ``{"through": (r, h), "to": (r, h)}`` in place of a point is a circular arc from the
+        point before, through one point to another. The first and the last point may lie on the
+        axis, or may be the same.
     centre, axis
         The point of the axis at the height 0, and "x", "y", "z", one of them with a minus, or any
         direction.
     """
 
     _: KW_ONLY
-    profile: Sequence[tuple[Size, Size]]
+    profile: Sequence[tuple[Size, Size] | Mapping[str, tuple[Size, Size]]]
     centre: Point = (0.0, 0.0, 0.0)
     axis: str | Direction = "z"
 

@@ -1,4 +1,4 @@
-"""Faces of surfaces of revolution for derivation: sides of cones and cylinders, rings, edges, tips.
+"""Faces of surfaces of revolution for derivation: sides of cones, cylinders and arcs, rings, edges.
 
 With `hoopgen.scene.derivation` the only module of this package that imports SymPy itself.
 """
@@ -16,17 +16,19 @@ from hoopgen.derive.surfaces import (
     ObliqueCylinder,
     ObliqueTorus,
     Plane,
+    RevolvedArc,
     Sphere,
     Surface,
     Torus,
 )
 from hoopgen.derive.surfaces.directions import along, distance_from_axis, per_length
-from hoopgen.derive.symbolic.conditionals import barrier
+from hoopgen.derive.symbolic.conditionals import IfLess, absolute, barrier
 from hoopgen.derive.symbolic.symbols import POSITION
 
 from .formulas import Formula
 from .parsed_shapes import RevolvedShape
-from .revolution import Line
+from .profile import Arc, Line
+from .revolution import LEAST_OFFSET, ON_AXIS
 
 __all__ = ["revolution_faces"]
 
@@ -72,26 +74,61 @@ class _Faces:
         x, y, z = (sizes.get(f"{argument} {axis}", sp.Integer(0)) for axis in "xyz")
         return x, y, z
 
-    def _beyond(self, line: Line, vertex: int) -> sp.Expr:
+    def _beyond(self, line: Line | Arc, vertex: int) -> sp.Expr:
         """Return the way of the ball along a piece beyond one of its points, a length."""
         radius, height = self._vertices[vertex]
-        c, s = map(self._sympy, line.along)
+        c, s = map(self._sympy, line.ways[vertex == line.end])
         across = c * barrier(self._rho - radius) if c != 0 else sp.Integer(0)
         return across + (s * barrier(self._height - height) if s != 0 else 0)
 
     def sides(self) -> Iterator[Surface]:
         """Yield both sides of each piece, that which the ball does not reach left out."""
-        make = {"cone": self._cone, "cylinder": self._cylinder, "disc": self._disc}
         for number, line in enumerate(self._profile.lines, start=1):
-            tip = self._profile.vertices[line.start].radius.number == 0
-            low = self._beyond(line, line.start)
-            high = self._beyond(line, line.end)
-            # Of a flat piece that reaches the axis nothing is beyond that end.
-            flat = line.kind == "disc"
-            bounds = () if flat and tip else (-low,)
-            if not (flat and self._profile.vertices[line.end].radius.number == 0):
-                bounds += (high,)
-            yield from make[line.kind](number, line, bounds)
+            bounds = self._ends(line)
+            if isinstance(line, Arc):
+                yield from self._arc(number, line, bounds)
+            else:
+                make = {"cone": self._cone, "cylinder": self._cylinder, "disc": self._disc}
+                yield from make[line.kind](number, line, bounds)
+
+    def _ends(self, line: Line | Arc) -> Bounds:
+        """Return the bounds of a piece at its ends."""
+        low, high = -self._beyond(line, line.start), self._beyond(line, line.end)
+        # Of a flat piece or a sphere that reaches the axis nothing is beyond that end.
+        through = [line.kind in ("disc", "sphere") and self._on_axis(k) for k in _numbers(line)]
+        if isinstance(line, Arc) and all(through):
+            # A bound that holds of every ball: the sphere is a thin wall, and a ball may be behind.
+            return (-self._ball,)
+        if isinstance(line, Arc) and line.long:
+            # The less of the two, without a comparison, which would have to be decided.
+            return (barrier(barrier(low + high) - barrier(absolute(barrier(low - high)))) / 2,)
+        ends = zip((low, high), through, strict=True)
+        return tuple(bound for bound, none in ends if not none)
+
+    def _on_axis(self, vertex: int) -> bool:
+        return self._profile.vertices[vertex].radius.number == 0
+
+    def _arc(self, number: int, line: Arc, bounds: Bounds) -> Iterator[Surface]:
+        sizes = {argument: self._sympy(size) for argument, size in line.sizes}
+        centre, radius = self._vector(sizes, "centre"), sizes["radius"]
+        for side, inward in [("outside", False), ("inside", True)][: 2 if line.hollow else 1]:
+            name = f"{self._name}_{side}_{number}"
+            reach = radius - self._ball if inward else radius + self._ball
+            if line.kind == "sphere":
+                yield Sphere(name, centre, reach, bounds, inward, self._ball)
+                continue
+            yield RevolvedArc(
+                name,
+                centre,
+                self._direction,
+                sizes["offset"],
+                line.offset_sign,
+                reach,
+                line.across[inward],
+                bounds,
+                inward,
+                self._ball,
+            )
 
     def _cone(self, number: int, line: Line, bounds: Bounds) -> Iterator[Surface]:
         sizes = {argument: self._sympy(size) for argument, size in line.sizes}
@@ -129,7 +166,9 @@ class _Faces:
     def edges(self) -> Iterator[Surface]:
         """Yield the circle that each point sweeps, and the tips of cones on the axis."""
         for number, vertex in enumerate(self._profile.vertices):
-            lines = [one for one in self._profile.lines if number in (one.start, one.end)]
+            lines = [one for one in self._profile.lines if number in _numbers(one)]
+            if vertex.smooth:
+                continue
             bounds = tuple(
                 -self._beyond(one, number) if one.end == number else self._beyond(one, number)
                 for one in lines
@@ -137,7 +176,7 @@ class _Faces:
             radius = self._vertices[number][0]
             x, y, z = map(self._sympy, vertex.place)
             if radius == 0:
-                if lines[0].kind != "disc":
+                if lines[0].kind not in ("disc", "sphere"):
                     name = f"{self._name}_tip_{number + 1}"
                     yield Sphere(name, (x, y, z), self._ball, bounds)
                 continue
@@ -158,9 +197,12 @@ class _Faces:
     def requirements(self) -> Iterator[sp.Expr]:
         """Yield formulas that must be positive: else other faces would be needed."""
         for line in self._profile.lines:
+            if isinstance(line, Arc):
+                yield from () if self._profile.fixed else self._arc_requirements(line)
+                continue
             (first, low), (last, high) = (self._vertices[k] for k in (line.start, line.end))
             widest = last if line.signs[0] > 0 else first
-            upright = line.signs[1] * self._sympy(line.along[1])
+            upright = line.signs[1] * self._sympy(line.ways[0][1])
             if line.kind == "cylinder" and line.inner:
                 yield widest - self._ball
             if self._profile.fixed:
@@ -171,3 +213,35 @@ class _Faces:
                 yield line.signs[0] * (last - first)
             if line.signs[1]:
                 yield line.signs[1] * (high - low)
+
+    def _arc_requirements(self, arc: Arc) -> Iterator[sp.Expr]:
+        """Yield formulas that are positive where an arc is as it is at the defaults."""
+        sizes = {argument: self._sympy(size) for argument, size in arc.sizes}
+        radius, offset = sizes["radius"], sizes.get("offset", sp.Integer(0))
+        yield radius - self._ball if arc.hollow else self._ball - radius
+        if "bend" not in sizes:
+            return
+        yield sizes["bend"]
+        (first, low), (last, high) = (self._vertices[k] for k in _numbers(arc))
+        (c, s), (final, _) = (map(self._sympy, way) for way in arc.ways)
+        if arc.offset_sign:
+            yield barrier(arc.offset_sign * offset - _rational(LEAST_OFFSET) * radius)
+        else:
+            yield barrier(_rational(ON_AXIS) * radius - barrier(absolute(offset)))
+        ahead = barrier(c * barrier(last - first) + s * barrier(high - low))
+        slack = _rational(ON_AXIS) * radius
+        yield barrier((-1 if arc.long else 1) * ahead + slack)
+        # Towards the axis at its start and away from it at its end, it is nearest to it between.
+        least = barrier(offset - radius)
+        if arc.long:
+            yield IfLess(c, 0, least, IfLess(0, final, least, radius))
+        else:
+            yield IfLess(c, 0, IfLess(0, final, least, radius), radius)
+
+
+def _numbers(line: Line | Arc) -> tuple[int, int]:
+    return line.start, line.end
+
+
+def _rational(value: float) -> sp.Rational:
+    return sp.Rational(repr(value))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from math import ceil
 
 import numpy as np
 
@@ -10,6 +11,8 @@ from .formulas import Formula
 from .meshes import Bound, Box, Floats, Mesh, contact_mesh, cut, drop_outside, grid, join, walls
 from .oblique_geometry import oblique_axes
 from .parsed_shapes import RevolvedShape
+from .profile import Line
+from .profile_curves import Arc, Curve, Place, Segment
 
 __all__ = ["is_hollow", "revolution_extent", "revolution_mesh"]
 
@@ -42,24 +45,22 @@ def revolution_mesh(
     ball
         The ball's radius, m.
     """
-    axes, centre, profile = _placed(shape, number)
-    steps = [profile[line.end] - profile[line.start] for line in shape.profile.lines]
-    widths = [profile[line.end][0] + profile[line.start][0] for line in shape.profile.lines]
-    rise = sum(step[1] * width for step, width in zip(steps, widths, strict=True))
+    axes, centre, curves = _placed(shape, number)
+    places = [np.array(curve.samples(_rows(curve))) for curve in curves]
+    rise = sum(np.sum(np.diff(p[:, 1]) * (p[1:, 0] + p[:-1, 0])) for p in places)
     side = (1.0 if rise >= 0 else -1.0) * (1.0 if is_hollow(shape) else -1.0)
     u = np.linspace(0.0, 2.0 * np.pi, _TURN_PIECES, endpoint=False)
     out = np.stack([np.cos(u), np.sin(u), np.zeros_like(u)], -1) @ axes
     meshes = []
-    for line, step in zip(shape.profile.lines, steps, strict=True):
-        shares = np.linspace(0.0, 1.0, _ROWS + 1)[:, None]
-        radii, heights = (profile[line.start] + shares * step).T[..., None, None]
+    for curve, profile in zip(curves, places, strict=True):
+        radii, heights = profile.T[..., None, None]
         points = centre + radii * out + heights * axes[2]
-        radial, axial = side * np.array([-step[1], step[0]]) / np.hypot(*step)
+        radial, axial = side * _left(curve, profile).T[..., None, None]
         normals = np.broadcast_to(radial * out + axial * axes[2], points.shape)
         corners = grid(contact_mesh(points, normals, ball), (False, True))
-        places = corners[..., :3]
-        across = np.cross(places[:, 1] - places[:, 0], places[:, 2] - places[:, 0])
-        facing = np.sum(across * (corners[:, 0, 3:] - places[:, 0]), axis=1)
+        flat = corners[..., :3]
+        across = np.cross(flat[:, 1] - flat[:, 0], flat[:, 2] - flat[:, 0])
+        facing = np.sum(across * (corners[:, 0, 3:] - flat[:, 0]), axis=1)
         corners = np.where((facing < 0.0)[:, None, None], corners[:, ::-1], corners)
         parts = np.arange(len(corners)) // (2 * _TURN_PIECES)
         real = np.linalg.norm(across, axis=1) > 0.0
@@ -67,7 +68,7 @@ def revolution_mesh(
     whole = cut(join(*meshes), bounds, walls(room), touched=True)
     rims = [
         np.stack([circle, np.roll(circle, -1, axis=0)], 1)
-        for radius, height in profile[_ends(shape)]
+        for radius, height in _ends(curves)
         if radius > 0.0
         for circle in [centre + radius * out + height * axes[2]]
     ]
@@ -75,19 +76,43 @@ def revolution_mesh(
     return Mesh(whole.corners, np.concatenate([whole.rims, lines]), whole.parts)
 
 
-def _ends(shape: RevolvedShape) -> list[int]:
-    """Return the numbers of the points at which the line ends; none of a closed one."""
-    lines = shape.profile.lines
-    return [] if lines[-1].end == lines[0].start else [lines[0].start, lines[-1].end]
+def _ends(curves: Sequence[Curve]) -> list[Place]:
+    """Return the points at which the line ends; none of a closed one."""
+    first, last = curves[0].start, curves[-1].end
+    return [] if first == last else [first, last]
 
 
-def _placed(shape: RevolvedShape, number: Number) -> tuple[Floats, Floats, Floats]:
-    """Return unit vectors of which the third is the axis, in rows, its origin, and the points."""
+def _rows(curve: Curve) -> int:
+    """Return the number of parts of a piece: on an arc no longer than those of a turn."""
+    if isinstance(curve, Segment):
+        return _ROWS
+    return max(_ROWS, ceil(curve.sweep * _TURN_PIECES / (2.0 * np.pi)))
+
+
+def _left(curve: Curve, points: Floats) -> Floats:
+    """Return the unit vectors to the left of a piece at points of it, (n, 2)."""
+    if isinstance(curve, Segment):
+        c, s = curve.ways[0]
+        return np.broadcast_to([-s, c], points.shape)
+    return (curve.centre - points) * (curve.turn / curve.radius)
+
+
+def _placed(shape: RevolvedShape, number: Number) -> tuple[Floats, Floats, list[Curve]]:
+    """Return unit vectors of which the third is the axis, in rows, its origin, and the pieces."""
     sizes = dict(shape.sizes)
     own = (sizes.get(f"centre {axis}") for axis in "xyz")
     centre = np.array([0.0 if size is None else number(size) for size in own])
-    points = [[number(v.radius), number(v.height)] for v in shape.profile.vertices]
-    return oblique_axes(shape, number), centre, np.array(points)
+    vertices = shape.profile.vertices
+    points = [(number(v.radius), number(v.height)) for v in vertices]
+    curves: list[Curve] = []
+    for line in shape.profile.lines:
+        start, end = points[line.start], points[line.end]
+        if isinstance(line, Line):
+            curves.append(Segment(start, end))
+        else:
+            x, y = map(number, line.middle)
+            curves.append(Arc(start, (x, y), end))
+    return oblique_axes(shape, number), centre, curves
 
 
 def revolution_extent(shape: RevolvedShape, number: Number) -> tuple[list[float], list[float]]:
@@ -98,8 +123,14 @@ def revolution_extent(shape: RevolvedShape, number: Number) -> tuple[list[float]
     shape, number
         As for `revolution_mesh`.
     """
-    axes, centre, profile = _placed(shape, number)
+    axes, centre, curves = _placed(shape, number)
+    profile = np.array([point for curve in curves for point in _extremes(curve)])
     reach = profile[:, :1] * np.sqrt(np.maximum(1.0 - axes[2] ** 2, 0.0))
     middles = centre + profile[:, 1:] * axes[2]
     low, high = (middles - reach).min(axis=0), (middles + reach).max(axis=0)
     return low.tolist(), high.tolist()
+
+
+def _extremes(curve: Curve) -> list[Place]:
+    """Return the ends of a piece, and the points of an arc that are drawn."""
+    return [curve.start, curve.end] if isinstance(curve, Segment) else curve.samples(_rows(curve))

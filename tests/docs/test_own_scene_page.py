@@ -88,8 +88,8 @@ def test_what_the_page_says_of_friction_is_a_scene() -> None:
 def test_the_page_s_surfaces_of_revolution_are_a_scene() -> None:
     derived = parse_scene(HOURGLASS.encode()).derive()
     names = {surface.name for surface in derived.surfaces}
-    assert [body.name for body in derived.bodies] == ["glass", "cup"]
-    assert {"glass_inside_2", "glass_edge_3", "cup_outside_1"} <= names
+    assert [body.name for body in derived.bodies] == ["glass", "cup", "bell"]
+    assert {"glass_inside_2", "glass_edge_3", "cup_outside_1", "bell_inside_1"} <= names
 
 
 def test_the_page_s_inclined_bodies_are_a_scene(tmp_path: Path) -> None:

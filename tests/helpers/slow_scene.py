@@ -11,7 +11,6 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
-from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -55,6 +54,89 @@ class Face:
     within: Callable[[Vector], float]
     restitution: float
     of_centre: bool = False
+
+
+@dataclass(frozen=True)
+class Straight:
+    """A straight piece of a profile, in the half-plane of radius and height."""
+
+    start: Vector
+    end: Vector
+
+    @property
+    def ways(self) -> tuple[Vector, Vector]:
+        """The unit vector along it, twice."""
+        step = self.end - self.start
+        return (step / np.linalg.norm(step),) * 2
+
+    def foot(self, place: Vector) -> Vector:
+        """Return the nearest point of its whole line."""
+        way = self.ways[0]
+        return np.asarray(self.start + ((place - self.start) @ way) * way)
+
+    def beyond(self, place: Vector) -> float:
+        """Return how far a place is beyond its ends, negative between them."""
+        way = self.ways[0]
+        return float(max((self.start - place) @ way, (place - self.end) @ way))
+
+    def nearest(self, radius: float, height: float) -> tuple[float, float]:
+        """Return its nearest point."""
+        (x, y), (a, b) = self.start.tolist(), (self.end - self.start).tolist()
+        share = ((radius - x) * a + (height - y) * b) / (a * a + b * b)
+        share = min(max(share, 0.0), 1.0)
+        return x + share * a, y + share * b
+
+
+@dataclass(frozen=True)
+class Curved:
+    """A circular arc of a profile: its centre, its radius, and its angles, counterclockwise."""
+
+    start: Vector
+    end: Vector
+    centre: Vector
+    radius: float
+    turn: float
+    first: float
+    sweep: float
+
+    @classmethod
+    def through(cls, start: Vector, middle: Vector, end: Vector) -> Curved:
+        """Return the arc from one point through another to a third one."""
+        rows = 2 * np.array([middle - start, end - start])
+        centre = np.linalg.solve(rows, [middle @ middle - start @ start, end @ end - start @ start])
+        angle = [math.atan2(p[1] - centre[1], p[0] - centre[0]) for p in (start, middle, end)]
+        whole = 2 * math.pi
+        turn = 1.0 if (angle[1] - angle[0]) % whole < (angle[2] - angle[0]) % whole else -1.0
+        sweep = (turn * (angle[2] - angle[0])) % whole
+        radius = float(np.linalg.norm(start - centre))
+        return cls(start, end, centre, radius, turn, angle[0], sweep)
+
+    @property
+    def ways(self) -> tuple[Vector, Vector]:
+        """The unit vectors along it at its ends."""
+        first, last = ((p - self.centre) / self.radius for p in (self.start, self.end))
+        return tuple(self.turn * np.array([-v[1], v[0]]) for v in (first, last))  # type: ignore[return-value]
+
+    def foot(self, place: Vector) -> Vector:
+        """Return the nearest point of its whole circle."""
+        offset = place - self.centre
+        return np.asarray(self.centre + offset * (self.radius / np.linalg.norm(offset)))
+
+    def beyond(self, place: Vector) -> float:
+        """Return the angle by which a place is beyond its ends as a length, negative between."""
+        x, y = place - self.centre
+        angle = (self.turn * (math.atan2(y, x) - self.first)) % (2 * math.pi)
+        late = angle - self.sweep
+        gap = 2 * math.pi - angle
+        return self.radius * (min(late, gap) if late > 0 else max(late, -angle))
+
+    def nearest(self, radius: float, height: float) -> tuple[float, float]:
+        """Return its nearest point."""
+        place = np.array([radius, height])
+        inside = self.beyond(place) <= 0
+        points = [self.foot(place)] if inside else [self.start, self.end]
+        x, y = min(points, key=lambda point: math.dist(point, place)).tolist()
+        return x, y
 
 
 class Slow:
@@ -102,9 +184,8 @@ class Slow:
         if not isinstance(body, Revolution) or not body.within:
             return [whole]
         unit, centre = self._unit(body.axis), self._vector(body.centre)
-        points = np.array([[self._size(one) for one in point] for point in body.profile])
-        ways = np.diff(points, axis=0)
-        ways /= np.linalg.norm(ways, axis=1)[:, None]
+        pieces = self._pieces(body)
+        points = np.array([pieces[0].start, *(piece.end for piece in pieces)])
 
         def flat(p: Vector) -> Vector:
             height = (p - centre) @ unit
@@ -120,16 +201,10 @@ class Slow:
             within = lambda p: max(beyond(flat(p)), whole.within(nearest(p)))  # noqa: E731
             return Face(index, away, nearest, within, whole.restitution, of_centre=True)
 
-        faces = [
-            face(
-                lambda c, a=a, way=way: a + ((c - a) @ way) * way,
-                lambda c, a=a, b=b, way=way: max((a - c) @ way, (c - b) @ way),
-            )
-            for a, b, way in zip(points[:-1], points[1:], ways, strict=True)
-        ]
+        faces = [face(piece.foot, piece.beyond) for piece in pieces]
         for k, point in enumerate(points):
-            ends = [-ways[k]] if k < len(ways) else []
-            ends += [ways[k - 1]] if k > 0 else []
+            ends = [-pieces[k].ways[0]] if k < len(pieces) else []
+            ends += [pieces[k - 1].ways[1]] if k > 0 else []
             faces.append(
                 face(
                     lambda c, point=point: point,
@@ -276,21 +351,14 @@ class Slow:
     ) -> tuple[Callable[[Vector], float], Callable[[Vector], Vector]]:
         """Return distance and nearest point of a thin wall: of all its pieces, in a half-plane."""
         unit, centre, ball = self._unit(body.axis), self._vector(body.centre), self._ball
-        points = [[self._size(one) for one in point] for point in body.profile]
-        pieces = [
-            (*start, stop[0] - start[0], stop[1] - start[1]) for start, stop in pairwise(points)
-        ]
+        pieces = self._pieces(body)
 
         def beside(p: Vector) -> tuple[float, Vector, float, float]:
             """Return how far the wall is, the way off the axis, and radius and height there."""
             height = float((p - centre) @ unit)
             across = p - centre - height * unit
             out = math.sqrt(across @ across)
-            places = []
-            for radius, at, wider, higher in pieces:
-                share = (out - radius) * wider + (height - at) * higher
-                share = min(max(share / (wider * wider + higher * higher), 0.0), 1.0)
-                places.append((radius + share * wider, at + share * higher))
+            places = [piece.nearest(out, height) for piece in pieces]
             radius, at = min(places, key=lambda place: math.dist(place, (out, height)))
             return math.dist((radius, at), (out, height)), across / out, radius, at
 
@@ -299,6 +367,22 @@ class Slow:
             return np.asarray(centre + at * unit + radius * way)
 
         return (lambda p: beside(p)[0] - ball), nearest
+
+    def _pieces(self, body: Revolution) -> list[Straight | Curved]:
+        """Return the pieces of a profile: straight ones, and arcs through three points."""
+        found: list[Straight | Curved] = []
+        last = None
+        for point in body.profile:
+            arc = isinstance(point, Mapping)
+            here = self._vector(point["to"] if arc else point)
+            if last is not None:
+                found.append(
+                    Curved.through(last, self._vector(point["through"]), here)
+                    if arc
+                    else Straight(last, here)
+                )
+            last = here
+        return found
 
     def _end(self, end: End) -> tuple[Callable[[Vector], float], Callable[[Vector], float]]:
         axis, way = _axis(end.axis)
