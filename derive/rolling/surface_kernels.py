@@ -179,7 +179,7 @@ def _under(surface: Surface, flight: Flight, oblique: bool, conical: bool) -> di
 
 
 def _cone(rolling_surface: RollingSurface) -> dict[str, sp.Expr]:
-    """Return what the series on a cone needs of a surface: zeros of any other."""
+    """Return the numbers of a cone that its series needs: zeros for any other surface."""
     zero, cone = sp.Integer(0), rolling_surface.cone
     names = map(str, (*rolling_series.axis, *rolling_series.CONE))
     own = (*cone.axis, cone.slope, cone.per_cosine, cone.per_width) if cone else (zero,) * 6

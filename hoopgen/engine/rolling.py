@@ -96,7 +96,7 @@ def face_below(
     known = {**parameters, **dict(zip(kernels.STATE, state.tolist(), strict=True))}
 
     def off(face: str) -> float:
-        """Return how far the ball is from a face, and will be past its bounds in a moment."""
+        """Return the distance from a face, plus that from its bounds in a moment."""
         names = [name for name in kernels.ARGUMENTS if name.startswith(f"{face}_rim")]
         found: dict[str, dict[str, float]] = {}
         for name in (f"{face}_distance", *names):
