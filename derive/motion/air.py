@@ -38,7 +38,7 @@ from ..symbolic.conditionals import (
     barrier_all,
 )
 from ..symbolic.error_terms import dv, dw, dx
-from ..symbolic.polynomials import Coefficients, derivative, horner
+from ..symbolic.polynomials import Coefficients, derivative, horner, nested
 from ..symbolic.rounding import Rounded, extent, position_error, velocity_error
 from ..symbolic.symbols import POSITION, VELOCITY, spin, t, velocity
 from .flight import Flight, SurfaceForce
@@ -336,10 +336,14 @@ class AirFlight(Flight):
         return sp.Matrix(places), sp.Matrix([horner(row, time) for row in rows])
 
     def mean_velocity(self, time: sp.Expr = t) -> list[sp.Expr]:
-        """Return the displacement over the time."""
-        rows = ([v[axis] / (k + 1) for k, v in enumerate(self.velocities)] for axis in range(3))
+        """Return the displacement over the time.
+
+        V_k t^k/(k + 1) is V_k times the products of t j/(j + 1), which all axes share.
+        """
+        shares = [barrier(time * sp.Rational(k, k + 1)) for k in range(1, len(self.velocities))]
+        rows = ([v[axis] for v in self.velocities] for axis in range(3))
         names = (rf"\bar v_{axis}" for axis in "xyz")
-        return [barrier(horner(row, time), name) for row, name in zip(rows, names, strict=True)]
+        return [barrier(nested(row, shares), name) for row, name in zip(rows, names, strict=True)]
 
     def acceleration_at(self, time: sp.Expr = t, terms: int | None = None) -> list[sp.Expr]:
         """Return the acceleration on the series, or by its first terms.

@@ -1,7 +1,7 @@
 """The length of a piece of a flight through air, and a proved bound on what its series leaves out.
 
 The polynomials v_n and σ_n of degree P fulfil both equations up to their degree, except for
-roundings. With A_k = |V_k|₁ h^k, B_k = |σ_k| h^k and suffix sums S, on [0, h]
+roundings. With A_0 = σ_0 >= |V_0|, A_k = |V_k|₁ h^k, B_k = |σ_k| h^k and suffix sums S, on [0, h]
 
     |q_n - σ_n²| <= D = Σ_k (A_k S^A_{P+1-k} + B_k S^B_{P+1-k}) + ρ,
     |σ(v_n) - σ_n| <= D / s,   s = B_0 - S^B_1,
@@ -60,7 +60,7 @@ from .air import (
 )
 from .air import piece as piece_length
 
-TOLERANCE = sp.Rational(1, 2**47)
+TOLERANCE = sp.Rational(5, 2**49)
 """m/s: a piece is so long that about this much of the velocity is left out."""
 
 MAX_RADIUS = sp.Integer(3)
@@ -217,7 +217,9 @@ def piece(flight: AirFlight) -> dict[str, sp.Expr]:
     of, last = flight.constants, ORDER
     length = _length(flight)
     time = barrier(length + OVERLAP * length)
-    a = _sizes([_norm(v) for v in SINGLE_SERIES.velocities], time)
+    # σ_0 is the norm of v, and smaller than the sum of its components' sizes.
+    norms = [SINGLE_SERIES.airspeeds[0], *(_norm(v) for v in SINGLE_SERIES.velocities[1:])]
+    a = _sizes(norms, time)
     b = _sizes([absolute(s) for s in SINGLE_SERIES.airspeeds], time)
     sums_a, sums_b = _suffix_sums(a), _suffix_sums(b)
     # Σ k A_k and Σ k B_k: a sum of k + 1 products has k roundings more than one product.
@@ -275,6 +277,7 @@ def piece(flight: AirFlight) -> dict[str, sp.Expr]:
     exact = barrier(grown * barrier(once * time))
     moved = barrier(barrier(grown * barrier(twice * time)) * time)
     proved = all_of(*(Less(0, least), Less(0, room), Less(exact, TUBE / 2), Less(tail_lost, 1)))
+    # V_k t^(k+1)/(k + 1) has 4 k + 1 roundings in nested form, and that of the product with t.
     path = barrier(8 * barrier(time * sums_a[0]) + extent)
     rolled = barrier(ROUNDING_SLACK * barrier(barrier(2 * total(sums_a[1:])) + sums_a[0]))
     place_error = barrier(ROUNDING_SLACK * barrier(moved + UNIT_ROUNDOFF * path))

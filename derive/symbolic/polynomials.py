@@ -89,9 +89,24 @@ def horner(coefficients: Sequence[sp.Expr], variable: sp.Expr) -> sp.Expr:
     variable
         The variable of the polynomial.
     """
-    result: sp.Expr = sp.Integer(0)
-    for coefficient in reversed(coefficients):
-        result = coefficient + variable * result
+    return nested(coefficients, [variable] * (len(coefficients) - 1))
+
+
+def nested(coefficients: Sequence[sp.Expr], factors: Sequence[sp.Expr]) -> sp.Expr:
+    """Return c_0 + f_1 (c_1 + f_2 (c_2 + ...)).
+
+    Parameters
+    ----------
+    coefficients
+        c, of which there is one more than factors, or none.
+    factors
+        f.
+    """
+    if not coefficients:
+        return sp.Integer(0)
+    *first, result = coefficients
+    for coefficient, factor in zip(reversed(first), reversed(factors), strict=True):
+        result = coefficient + factor * result
     return result
 
 

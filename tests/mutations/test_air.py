@@ -12,6 +12,7 @@ from hoopgen.derive.events.ring.air import AirRingRootFinder
 from hoopgen.derive.events.ring.air_sketch import AirRingSketch
 from hoopgen.derive.kernels import scene
 from hoopgen.derive.motion import air_piece
+from hoopgen.derive.motion.air import AirFlight
 
 from tests.derive.events import test_ring_in_air, test_ring_sketch_in_air
 from tests.derive.motion import test_air
@@ -34,6 +35,16 @@ FAULTS: dict[str, tuple[Patch, Callable[[], None]]] = {
     "the velocity that a piece leaves out is integrated twice too often": (
         in_text(air_piece, "_integrals", "c / (k + 1) for", "c / (k + 1) ** 3 for"),
         _of_bound,
+    ),
+    "the norm of the velocity is less than the speed through the air": (
+        in_text(
+            scene, "piece", "SINGLE_SERIES.airspeeds[0], *(", "SINGLE_SERIES.airspeeds[0] / 8, *("
+        ),
+        test_air.test_velocity_and_acceleration_are_within_their_bounds_all_along_a_piece,
+    ),
+    "terms of the mean velocity are divided by the next higher order": (
+        in_text(AirFlight, "mean_velocity", "sp.Rational(k, k + 1)", "sp.Rational(k, k + 2)"),
+        test_air.test_the_error_of_a_piece_is_within_its_bound_and_the_bound_is_not_useless,
     ),
     "the box of a path has no size where it is held against a plane": (
         in_text(AirRootFinder, "_least_gap", "barrier(reach) * (1 + BUDGET)", "0"),
