@@ -105,6 +105,11 @@ class ObliqueTorus(Toroidal):
         return 1 / self._rho + 1 / self.reach
 
     @property
+    def max_concavity(self) -> sp.Expr:
+        """The rate at which the distance from the axis bends, 1/rho: as of `Torus`."""
+        return 1 / self._rho
+
+    @property
     def inside(self) -> tuple[sp.Expr, ...]:
         """The distance, and the bounds."""
         return overlap(self.distance, self.limits, None)

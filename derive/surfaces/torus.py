@@ -119,6 +119,16 @@ class Torus(Toroidal):
         return translated(1 / self._rho, self.centre) + 1 / self.reach
 
     @property
+    def max_concavity(self) -> sp.Expr:
+        """The rate at which the distance from the axis bends, 1/rho.
+
+        The distance D from the tube's centre circle is a convex function of rho and h, which falls
+        at most by the rise of rho. Along a straight line with the speed v, from the distance rho
+        from the axis on, rho(t) <= rho + rho' t + v² t²/(2 rho), however far it goes.
+        """
+        return translated(1 / self._rho, self.centre)
+
+    @property
     def inside(self) -> tuple[sp.Expr, ...]:
         """The distance, and the bounds."""
         return overlap(self.distance, self.limits, None)

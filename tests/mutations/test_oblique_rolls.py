@@ -6,11 +6,13 @@ from pathlib import Path
 
 import pytest
 from hoopgen.derive.rolling import bounds, surface_kernels
-from hoopgen.derive.surfaces import ObliqueBox, ObliqueCylinder
+from hoopgen.derive.surfaces import ObliqueBox, ObliqueCylinder, ObliqueTorus
+from hoopgen.derive.surfaces.torus import Torus
 from hoopgen.derive.surfaces.two_sided import Round
 
 pytest.importorskip("flint")
 
+from tests.derive.surfaces import test_concavity
 from tests.helpers.checked_faults import (
     Check,
     OfEngine,
@@ -33,11 +35,28 @@ on_round = OfEngine(
     test_oblique_rolls.test_rolls_up_to_edges_are_those_of_a_second_formulation,
     scene=test_oblique_rolls.ROUND,
 )
+beside_torus, beside_oblique_torus = (
+    OfFormulas(
+        test_concavity.test_a_ball_meets_no_surface_sooner_than_its_bound_says,
+        ((next(s for s in test_concavity.SURFACES if s.name == name),),),
+    )
+    for name in ("torus", "oblique_torus")
+)
 behind = OfFormulas(
     test_oblique_rolls.test_a_ball_behind_a_round_body_meets_it_no_sooner_than_its_bound_says
 )
 
 FAULTS = (
+    Planted(
+        "a torus bends down nowhere",
+        in_text(Torus, "max_concavity", "1 / self._rho", "sp.Integer(0)"),
+        beside_torus,
+    ),
+    Planted(
+        "a torus in any direction bends down nowhere",
+        in_text(ObliqueTorus, "max_concavity", "1 / self._rho", "sp.Integer(0)"),
+        beside_oblique_torus,
+    ),
     Planted(
         "the edges of a turned box bend the path along the axes of the scene",
         in_text(ObliqueBox, "rolling_surface", "for one in axes", "for one in transposed(axes)"),
