@@ -49,6 +49,8 @@ GRAVITY = sp.Symbol("g", positive=True)
 DOWN = Parabola((sp.Integer(0), sp.Integer(0), -GRAVITY))
 PLACES = [str(s) for s in (*POSITION, *VELOCITY)]
 ZERO = sp.Integer(0)
+NO_BODY = {"last": -1, "left_middle": -1, "left_reach": 0.5}
+"""A start that leaves no body, of which a scene's bodies have one surface or several."""
 
 
 def numbers(chance: random.Random, names: list[str], size: float = 1.0) -> dict[str, float]:
@@ -325,7 +327,7 @@ def test_a_start_within_rounding_of_a_surface_is_in_doubt_or_right(scene: Scene)
                 place = {n: c - here * slope[n] / steep for n, c in place.items()}
             nudge = chance.choice((0, 1e-16, 1e-15, 1e-14, -1e-14, -1e-15, 1e-12, -1e-12))
             start = {n: float(c + nudge * slope[n]) for n, c in place.items()}
-        found = in_doubles(verdict, defaults | start | {"last": -1})
+        found = in_doubles(verdict, defaults | start | NO_BODY)
         state = [*start.values(), *[0.0] * 6]
         try:
             with ctx.workprec(256):
@@ -358,7 +360,7 @@ def test_beyond_a_wall_that_is_all_around_is_body_and_behind_a_thin_one_is_not()
         (0.3, 0, 0.4): 1,
     }
     for (x, y, z), valid in places.items():
-        found = in_doubles(verdict, defaults | {"x": x, "y": y, "z": z, "last": -1})
+        found = in_doubles(verdict, defaults | {"x": x, "y": y, "z": z} | NO_BODY)
         assert (bool(found["valid"]), bool(found["undecided_time"])) == (bool(valid), False), (
             x,
             y,

@@ -67,7 +67,7 @@ def test_a_ball_meets_no_surface_sooner_than_its_bound_says(surface: Surface) ->
     bound = sp.lambdify(POSITION, release(surface.max_concavity), known)
     chance = np.random.default_rng(21)
     met, step = 0, 1e-7
-    for _ in range(trials(400, 100)):
+    for _ in range(trials(1000, 400)):
         place = np.array(CENTRE, float) + chance.normal(0, 0.4, 3)
         way = chance.normal(0, 1, 3)
         way /= np.linalg.norm(way)
