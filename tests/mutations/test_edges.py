@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 from hoopgen.derive.events import plane, predicates
 from hoopgen.derive.ir.event_tree import Call
-from hoopgen.derive.rolling import bounds, contact_phase, edges, events, jump, meeting, start
+from hoopgen.derive.rolling import bounds, contact_phase, edges, events, jump, meeting
 from hoopgen.derive.scenes import validity
 
 pytest.importorskip("flint")
@@ -213,7 +213,7 @@ FAULTS = (
     ),
     Planted(
         "the jump is off by the tolerance, whatever the last bounce",
-        in_text(contact_phase, "jump_kernels", "if tight else", "if False else"),
+        in_text(contact_phase, "jump_kernels", "if tight", "if False"),
         on_level_jump,
     ),
     Planted(
@@ -276,7 +276,7 @@ FAULTS = (
     Planted(
         "a start on a body is a contact with it",
         in_text(
-            start,
+            contact_phase,
             "start_decisions",
             'all_of(Boolean("touches"), Not(starts))',
             'Boolean("touches")',
