@@ -162,7 +162,7 @@ def _optional_kernels(
         friction = friction_limit.kernels(scene.flight.acceleration, scene.ball)
         kernels |= endless.kernels(codes) | contact_phase.kernels(
             *contact,
-            holders=[k for k, surface in enumerate(scene.surfaces) if surface.rolling_surface],
+            holders=[k for k, s in enumerate(surfaces) if "rolling_surface" in s.kernels],
             edges=scene.has_edges,
             oblique=scene.rolls_obliquely,
             conical=scene.rolls_on_cones,

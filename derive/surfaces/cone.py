@@ -20,11 +20,11 @@ import sympy as sp
 
 from ..symbolic.conditionals import IfLess, absolute, barrier
 from ..symbolic.symbols import POSITION
+from .about_axis import AboutAxis
 from .bounds import as_length
 from .directions import (
     Direction,
     along,
-    distance_from_axis,
     per_length,
     perpendicular,
     squared_distance,
@@ -35,7 +35,7 @@ from .two_sided import TwoSided
 
 
 @dataclass(frozen=True)
-class Cone(TwoSided):
+class Cone(AboutAxis, TwoSided):
     """One nappe of a cone, that to which its axis points.
 
     With d from the apex of the centres' cone to the ball's centre, and the vector u along the axis,
@@ -75,22 +75,12 @@ class Cone(TwoSided):
         return tuple(map(as_length, (self._nappe, *self.limits)))
 
     @property
-    def _offset(self) -> list[sp.Expr]:
-        return [place - own for place, own in zip(POSITION, self.apex, strict=True)]
-
-    @property
-    def _height(self) -> sp.Expr:
-        """The way h along the axis, from the apex of the centres' cone."""
-        return barrier(barrier(along(self.direction, self._offset)) * per_length(self.direction))
-
-    @property
     def _per_side(self) -> sp.Expr:
         """The cosine of the half-angle."""
         return barrier(1 / barrier(sp.sqrt(barrier(1 + self.slope**2))))
 
     def _away(self, height: sp.Expr) -> sp.Expr:
-        rho = distance_from_axis(self.direction, self._offset)
-        return self._side * barrier(rho - self.slope * height) * self._per_side
+        return self._side * barrier(self._rho - self.slope * height) * self._per_side
 
     @property
     def distance(self) -> sp.Expr:
@@ -132,7 +122,7 @@ class Cone(TwoSided):
     @property
     def curvature(self) -> sp.Expr:
         """A bound on cos(alpha)/rho, around the axis, down to half of rho."""
-        return 2 / distance_from_axis(self.direction, self._offset)
+        return 2 / self._rho
 
     @property
     def max_concavity(self) -> sp.Expr:
@@ -155,7 +145,7 @@ class Cone(TwoSided):
         zero, per = sp.Integer(0), per_length(self.direction)
         x, y, z = (barrier(u * per) for u in self.direction)
         per_cosine = self._side * barrier(sp.sqrt(barrier(1 + self.slope**2)))
-        per_width = barrier(1 / distance_from_axis(self.direction, self._offset))
+        per_width = barrier(1 / self._rho)
         cone = ConicalSurface((x, y, z), self.slope, per_cosine, per_width)
         return RollingSurface((zero, zero, zero), self._side * per_width, cone=cone)
 

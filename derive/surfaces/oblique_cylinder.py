@@ -8,9 +8,9 @@ import sympy as sp
 
 from ..symbolic.conditionals import barrier
 from ..symbolic.symbols import POSITION
+from .about_axis import AboutAxis
 from .directions import (
     Direction,
-    distance_from_axis,
     per_length,
     perpendicular,
     squared_distance,
@@ -22,7 +22,7 @@ from .two_sided import Round
 
 
 @dataclass(frozen=True)
-class ObliqueCylinder(Round):
+class ObliqueCylinder(AboutAxis, Round):
     """The side of a cylinder, which ends where its bounds do.
 
     With d from a point of its axis to the ball's centre and the vector u along the axis, of length
@@ -51,14 +51,6 @@ class ObliqueCylinder(Round):
     limits: tuple[sp.Expr, ...] = ()
     inward: bool = False
     reach: sp.Expr | None = None
-
-    @property
-    def _offset(self) -> list[sp.Expr]:
-        return [place - own for place, own in zip(POSITION, self.centre, strict=True)]
-
-    @property
-    def _rho(self) -> sp.Expr:
-        return distance_from_axis(self.direction, self._offset)
 
     @property
     def shape(self) -> sp.Expr:

@@ -8,11 +8,10 @@ import sympy as sp
 
 from ..symbolic.conditionals import barrier
 from ..symbolic.symbols import POSITION
+from .about_axis import AboutAxis
 from .bounds import as_length
 from .directions import (
     Direction,
-    along,
-    distance_from_axis,
     per_length,
     perpendicular,
     squared_distance,
@@ -23,7 +22,7 @@ from .torus import Toroidal
 
 
 @dataclass(frozen=True)
-class ObliqueTorus(Toroidal):
+class ObliqueTorus(AboutAxis, Toroidal):
     """A torus, touched from outside its tube.
 
     With d from the centre of the torus to the ball's centre and the vector u along its axis, of
@@ -57,20 +56,6 @@ class ObliqueTorus(Toroidal):
     def bounds(self) -> tuple[sp.Expr, ...]:
         """The bounds as lengths."""
         return tuple(map(as_length, (*self.limits, *self.contact_limits)))
-
-    @property
-    def _offset(self) -> list[sp.Expr]:
-        return [place - own for place, own in zip(POSITION, self.centre, strict=True)]
-
-    @property
-    def _rho(self) -> sp.Expr:
-        """The distance from the axis."""
-        return distance_from_axis(self.direction, self._offset)
-
-    @property
-    def _height(self) -> sp.Expr:
-        """The way along the axis, from the centre."""
-        return barrier(barrier(along(self.direction, self._offset)) * per_length(self.direction))
 
     @property
     def distance(self) -> sp.Expr:

@@ -20,11 +20,10 @@ import sympy as sp
 
 from ..symbolic.conditionals import barrier
 from ..symbolic.symbols import POSITION
+from .about_axis import AboutAxis
 from .bounds import as_length
 from .directions import (
     Direction,
-    along,
-    distance_from_axis,
     per_length,
     perpendicular,
     squared_distance,
@@ -35,7 +34,7 @@ from .two_sided import TwoSided
 
 
 @dataclass(frozen=True)
-class RevolvedArc(TwoSided):
+class RevolvedArc(AboutAxis, TwoSided):
     """The surface that an arc sweeps, of which the centre is not on the axis.
 
     With d from `centre` to the ball's centre and the vector u along the axis, of length 1 or not,
@@ -89,20 +88,6 @@ class RevolvedArc(TwoSided):
     def bounds(self) -> tuple[sp.Expr, ...]:
         """The bounds as lengths; the circle's mirror image is no part of the surface."""
         return (*self.images, *map(as_length, self.limits))
-
-    @property
-    def _offset(self) -> list[sp.Expr]:
-        return [place - own for place, own in zip(POSITION, self.centre, strict=True)]
-
-    @property
-    def _rho(self) -> sp.Expr:
-        """The distance from the axis."""
-        return distance_from_axis(self.direction, self._offset)
-
-    @property
-    def _height(self) -> sp.Expr:
-        """The way along the axis, from the arc's centre."""
-        return barrier(barrier(along(self.direction, self._offset)) * per_length(self.direction))
 
     @property
     def distance(self) -> sp.Expr:
