@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from ..events.predicates import last
 from ..ir.kernel import Kernel, decision
 from ..state.fields import NONE
-from ..symbolic.conditionals import AtMost, Boolean, Choose, Equal, Not, all_of, any_of
+from ..symbolic.conditionals import AtMost, Boolean, Choose, Equal, Not, all_of, any_of, false
 from .symbols import STARTS, body, mode
 
 __all__ = ["start_decisions"]
@@ -23,7 +23,7 @@ def start_decisions(holders: Sequence[int]) -> tuple[Kernel, ...]:
     Parameters
     ----------
     holders
-        The indices of the surfaces that a ball can roll on, in order.
+        The indices of the surfaces that a ball can roll on, in order; there may be none.
     """
     runs: list[list[int]] = []
     for holder in holders:
@@ -31,7 +31,8 @@ def start_decisions(holders: Sequence[int]) -> tuple[Kernel, ...]:
             runs[-1][1:] = [holder]
         else:
             runs.append([holder])
-    on_holder = any_of(*(all_of(AtMost(run[0], last), AtMost(last, run[-1])) for run in runs))
+    within = [all_of(AtMost(run[0], last), AtMost(last, run[-1])) for run in runs]
+    on_holder = any_of(*within) if within else false
     starts = Equal(mode, STARTS)
     return (
         decision(
