@@ -38,16 +38,20 @@ def directional(expression: sp.Expr, tangents: dict[sp.Symbol, sp.Expr]) -> sp.E
     """
 
     @cache
+    def changes(e: sp.Basic) -> bool:
+        return e in tangents or any(map(changes, e.args))
+
+    @cache
     def derive(e: sp.Expr) -> sp.Expr:
         if e.is_Symbol:
             return tangents.get(e, sp.Integer(0))
-        if not e.args or not e.free_symbols & set(tangents):
+        if not changes(e):
             return sp.Integer(0)
         if e.is_Add:
             return sp.Add(*map(derive, e.args))
         if e.is_Mul:
             # Constant factors stand outside, so that equal products are computed once.
-            moving = [f for f in e.args if f.free_symbols & set(tangents)]
+            moving = [f for f in e.args if changes(f)]
             still = sp.Mul(*(f for f in e.args if f not in moving))
             rest = [sp.Mul(*(f for f in moving if f is not one)) for one in moving]
             turned = sp.Add(*(derive(f) * r for f, r in zip(moving, rest, strict=True)))

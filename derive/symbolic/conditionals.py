@@ -8,10 +8,13 @@ condition is a number; both values are then real, or one of them is infinite.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from functools import cache, reduce
+from functools import cache, lru_cache, reduce
 from typing import Any
 
 import sympy as sp
+
+_KEPT = 2**16
+"""So many of the held quantities that were used last are one object each."""
 
 
 class Boolean(sp.Symbol):  # type: ignore[misc]
@@ -169,6 +172,16 @@ def barrier(quantity: sp.Expr, name: str = "") -> sp.Expr:
         A symbol or a number is returned as it is.
     name
         The quantity's name in LaTeX, for the derivation; it does not change the computation.
+    """
+    return _held(quantity, name)
+
+
+@lru_cache(maxsize=_KEPT)
+def _held(quantity: sp.Expr, name: str) -> sp.Expr:
+    """Return the quantity, held; one object for equal ones.
+
+    SymPy compares expressions that are equal, but not the same object, down to their symbols, and
+    what occurs several times in them as often. So the time would grow exponentially with depth.
     """
     return _barrier(name)(quantity)
 
