@@ -181,8 +181,9 @@ def settling(law: Law, ball: Ball, flight: Flight, conical: bool = False) -> Ker
     still = AtMost(way, narrow)
     undecided_press = AtMost(absolute(press), barrier(4 * (turns + slope) * velocity_error))
     near_limit = barrier(absolute(offset - allowed) * bounce)
+    # Without restitution the speed off the surface is a rounding, and no error before changes it.
     undecided_bounce = all_of(
-        AtMost(near_limit, barrier(2 * allowed * velocity_error)), Less(0, bounce)
+        AtMost(near_limit, barrier(2 * allowed * velocity_error)), Less(0, barrier(e * bounce))
     )
     return loop_kernel(
         f"{law.name}_settling",

@@ -54,6 +54,9 @@ pressing = OfKernels(
 last_bounce = OfKernels(
     contact.test_the_last_bounce_is_in_doubt_within_the_error_of_the_velocity,
 )
+inelastic = OfKernels(
+    contact.test_without_restitution_no_error_of_the_velocity_puts_the_last_bounce_in_doubt,
+)
 slip = OfKernels(
     contact.test_slip_that_the_bounces_may_stop_is_in_doubt_within_the_error_of_the_velocity,
 )
@@ -146,6 +149,11 @@ FAULTS = (
         "the last bounce is sure",
         in_settling("                undecided_bounce,\n", ""),
         last_bounce,
+    ),
+    Planted(
+        "a rounding of the speed off a surface is a bounce, also without restitution",
+        in_settling("Less(0, barrier(e * bounce))", "Less(0, bounce)"),
+        inelastic,
     ),
     Planted(
         "the slip that is left is sure",

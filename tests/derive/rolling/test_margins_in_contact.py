@@ -97,6 +97,16 @@ def test_the_last_bounce_is_in_doubt_within_the_error_of_the_velocity() -> None:
         assert not ended(bounce=bounce, velocity_error=1e-8 * limit)["undecided"]
 
 
+def test_without_restitution_no_error_of_the_velocity_puts_the_last_bounce_in_doubt() -> None:
+    """The speed off a surface across no axis is then a rounding, and not exactly zero."""
+    for error in (1e-15, 1e-9):
+        found = ended(
+            p_ring_restitution=0.0, p_ring_friction=math.inf, bounce=1e-17, velocity_error=error
+        )
+        assert found["settles"]
+        assert not found["undecided"]
+
+
 def test_slip_that_the_bounces_may_stop_is_in_doubt_within_the_error_of_the_velocity() -> None:
     """They take 2 (mu (1 + e) bounce + 2 F bounce / N) / (share (1 - e)), and a rounding."""
     bounce, quick = 1e-7, 0.1 + math.sqrt(GRAVITY * RADIUS)
