@@ -51,9 +51,12 @@ FAULTS = (
         on_torus,
     ),
     Planted(
-        "the normal of a torus turns as if the circle in its middle were half as wide",
+        "the normal of a torus turns as if the circle in its middle were wider by a 64th",
         in_text(
-            oblique_torus, "toroidal", "-ring_radius * per_tube", "-ring_radius * per_tube / 2"
+            oblique_torus,
+            "toroidal",
+            "-ring_radius * per_tube",
+            "-65 * ring_radius * per_tube / 64",
         ),
         on_torus,
     ),
