@@ -165,7 +165,8 @@ def _optional_kernels(
             holders=[k for k, s in enumerate(surfaces) if "rolling_surface" in s.kernels],
             edges=scene.has_edges,
             oblique=scene.rolls_obliquely,
-            conical=scene.rolls_on_cones,
+            revolved=scene.rolls_about_axes,
+            tori=[k for k, s in enumerate(surfaces) if "width" in s.kernels and not s.has_edges],
         )
         kernels |= {kernel.name: kernel for kernel in friction}
     filters = [s.search.apart for k, s in enumerate(surfaces) if k not in tabled]

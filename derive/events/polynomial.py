@@ -12,6 +12,7 @@ from dataclasses import dataclass
 import sympy as sp
 
 from ..surfaces import Plane, Surface
+from ..surfaces.torus import Toroidal
 from ..symbolic.conditionals import IfAtMost, IfLess, absolute, barrier, maximum, minimum, release
 from ..symbolic.error_terms import curving
 from ..symbolic.polynomials import Coefficients, bernstein, compose, derivative, mean_rate
@@ -253,6 +254,19 @@ class PolynomialRootFinder(RootFinder):
         """Return the largest Bernstein coefficient of -F'' on the window, rounding included."""
         upper = maximum(*(-c for c in self._bends(width)))
         return upper + sp.Rational(1, 2**36) * ceiling
+
+    def narrowed(self, width: sp.Expr) -> sp.Expr:
+        """Return a shorter window where the gap of a torus opens more and more, as after a roll.
+
+        There F is about k t³ at first: with the largest -F'' of the whole flight a step would be as
+        short as t², and there would be hundreds of them. A window of 4 F'/F'', here about 2 t, is
+        passed at once where F'' stays positive.
+        """
+        if not (self.flight.departs and isinstance(self.surface, Toroidal)):
+            return width
+        rate, bend = barrier(self.rate), barrier(self.bend)
+        opens = IfLess(0, rate, IfLess(0, bend, 4 * rate / IfLess(0, bend, bend, 1), sp.oo), sp.oo)
+        return barrier(minimum(width, barrier(opens)))
 
     def turned_curvature(self, width: sp.Expr) -> sp.Expr:
         """Return the largest Bernstein coefficient of F'', if that is bounded from both sides."""

@@ -73,7 +73,9 @@ def _kernels(
             "the law's own slack",
         )
     if scene.rolls:
-        kernels["settling"] = settling.settling(law, scene.ball, scene.flight, scene.rolls_on_cones)
+        kernels["settling"] = settling.settling(
+            law, scene.ball, scene.flight, scene.rolls_about_axes
+        )
         if scene.has_edges and scene.flight.exact:
             kernels["rebound"] = jump.rebound_kernel(law)
         kernels["grip_deficit"] = friction_limit.friction_excess(law)

@@ -48,6 +48,11 @@ class SurfaceKernels:
     kernels: dict[str, Kernel] = field(repr=False)
     parameters: Symbols = field(default_factory=dict)
 
+    @property
+    def has_edges(self) -> bool:
+        """True if a ball may roll over an edge of the surface."""
+        return any(part.startswith("rim") for part in self.kernels)
+
 
 def all_surface_kernels(
     scene: Scene, likes: Sequence[Isomorphism], order: tuple[sp.Symbol, ...]
@@ -143,7 +148,7 @@ def one_surface_kernels(
             scene.ball_radius,
             scene.has_edges,
             scene.rolls_obliquely,
-            scene.rolls_on_cones,
+            scene.rolls_about_axes,
         )
         kernels |= endless.ring_kernels(surface, scene.flight, scene.ball)
         kernels |= endless.azimuth_free_kernels(surface)

@@ -240,12 +240,9 @@ class AirFlight(Flight):
     ----------
     constants
         The parameters of the air and the ball.
-    departs
-        True if a ball may leave a surface tangentially, as one that has rolled there does.
     """
 
     constants: AirConstants = field(kw_only=True)
-    departs: bool = field(default=False, kw_only=True)
 
     @property
     def source(self) -> str:

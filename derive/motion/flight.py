@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import sympy as sp
 
@@ -71,9 +71,12 @@ class Flight(ABC):
     ----------
     acceleration
         The acceleration of free fall, m/s², along x, y and z.
+    departs
+        True if a ball may leave a surface tangentially, as one that has rolled there does.
     """
 
     acceleration: Acceleration
+    departs: bool = field(default=False, kw_only=True)
 
     @property
     def source(self) -> str:

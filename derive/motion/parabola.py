@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 import sympy as sp
 
@@ -16,15 +16,7 @@ from .flight import Flight
 
 @dataclass(frozen=True)
 class Parabola(Flight):
-    """Eq. 3, with an acceleration in any direction, which may be zero.
-
-    Attributes
-    ----------
-    departs
-        True if a ball may leave a surface tangentially, as one that has rolled there does.
-    """
-
-    departs: bool = field(default=False, kw_only=True)
+    """Eq. 3, with an acceleration in any direction, which may be zero."""
 
     @property
     def source(self) -> str:

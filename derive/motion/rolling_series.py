@@ -17,15 +17,15 @@ it by sums of products. The surface is a tube about a point or a line (see
 their own (`ring_rolling_series.py`). Each step expands the series anew, and puts position, velocity
 and spin back onto the surface: the differential equation alone would leave it exponentially.
 
-On a cone with the unit vector u along its axis, the half-angle alpha and k = tan(alpha) the normal
-turns about the axis, by the rate Omega of the azimuth. Outside u × n is as long as cos(alpha), and
-points along the circle around the axis; inside it points the other way. At the distance rho from
-the axis that is
+On a surface of revolution with the unit vector u along its axis, the ball's centre is at the
+distance rho from the axis, in the direction of the unit vector e. With the rate Omega of the
+azimuth, and the curvature 1/R of the section, a line of a cone or a circle of a torus,
 
-    n' = Omega (u × n),   rho Omega cos(alpha) = ±v·(u × n),   rho' = k v·u,
+    n' = v/R + c Omega (u × e),   e' = Omega (u × e),   rho Omega = v·(u × e),   rho' = v·e.
 
-quadratic in the unknowns, too, but for the quotient by rho: its term of each order is what the
-product rho Omega lacks.
+On a cone 1/R = 0, and c is the cosine of the half-angle, negative inside. On a torus the centre is
+at R_H e + R n, so that c = -R_H/R. All that is quadratic in the unknowns, too, but for the quotient
+by rho: its term of each order is what the product rho Omega lacks.
 """
 
 from __future__ import annotations
@@ -53,11 +53,15 @@ across = tuple(tuple(sp.Symbol(f"across_{i}{j}", real=True) for j in "xyz") for 
 """P, the projection onto the directions across which the surface is curved, in rows: in scenes with
 a tube that lies along no axis."""
 per_reach = sp.Symbol("per_reach", real=True)
-"""1/R of the tube, negative on its inside, 0 of a plane; of a cone 1/rho, as a bound."""
+"""1/R of the tube, negative on its inside, 0 of a plane; of a cone and a torus a bound."""
 axis = sp.symbols("axis_x axis_y axis_z", real=True)
-"""u, along the axis of a cone, 0 of any other surface: in scenes with a cone to roll on."""
-CONE = cone_slope, per_cosine, per_width = sp.symbols("cone_slope per_cosine per_width", real=True)
-"""k, ±1/cos(alpha) and 1/rho of a cone, 0 of any other surface."""
+"""u, along the axis of a cone or a torus, 0 of any other surface: in scenes with one to roll on."""
+outward = sp.symbols("outward_x outward_y outward_z", real=True)
+"""e, away from that axis, 0 of any other surface."""
+per_tube, swing, per_width = sp.symbols("per_tube swing per_width", real=True)
+"""1/R of the section, c and 1/rho of a cone or a torus, 0 of any other surface."""
+REVOLVED = (*axis, *outward, per_width, per_tube, swing)
+"""All of them, in the order of `surfaces.rolling_surface.RevolvedSurface`."""
 gap = sp.Symbol("gap", real=True)
 """Distance of the ball from the surface, m."""
 
@@ -65,8 +69,10 @@ SERIES = ("vx", "vy", "vz", "nx", "ny", "nz", "turn_rate")
 """The unknowns: velocity, normal, s."""
 WITHIN = ("lift", "tx", "ty", "tz")
 """The auxiliary series: L, and n × n'."""
+OUTWARD = ("ex", "ey", "ez")
+"""The unknowns on a cone or a torus besides: e."""
 AROUND = ("cx", "cy", "cz")
-"""The auxiliary series on a cone: u × n. Those of Omega and rho are `azimuth_rate` and `width`."""
+"""The auxiliary series there: u × e. Those of Omega and rho are `azimuth_rate` and `width`."""
 
 
 def term(name: str, order: int) -> sp.Symbol:
@@ -102,10 +108,20 @@ def product(left: Sequence[sp.Expr], right: Sequence[sp.Expr]) -> sp.Expr:
     return barrier(sp.Add(*(a * b for a, b in pairs)))
 
 
-def start(ball: Ball) -> dict[str, sp.Expr]:
-    """Return the constant terms, for a ball at its place on the surface."""
+def start(ball: Ball, revolved: bool = False) -> dict[str, sp.Expr]:
+    """Return the constant terms, for a ball at its place on the surface.
+
+    Parameters
+    ----------
+    ball
+        The ball.
+    revolved
+        True if a surface of the scene is a cone or a torus.
+    """
     moving = dict(zip(("vx", "vy", "vz", "nx", "ny", "nz"), (*velocity, *normal), strict=True))
     outputs = moving | {"turn_rate": ball.radius * barrier(spin.dot(normal))}
+    if revolved:
+        outputs |= dict(zip(OUTWARD, outward, strict=True))
     return {f"{name}_0": value for name, value in outputs.items()}
 
 
@@ -114,7 +130,7 @@ def next_terms(
     acceleration: Sequence[sp.Expr],
     ball: Ball,
     oblique: bool = False,
-    conical: bool = False,
+    revolved: bool = False,
 ) -> dict[str, sp.Expr]:
     """Return the coefficients of the next order, given those up to this one.
 
@@ -128,8 +144,8 @@ def next_terms(
         The radius and the inertia of the ball.
     oblique
         True if a surface of the scene is a tube that lies along no axis.
-    conical
-        True if a surface of the scene is a cone.
+    revolved
+        True if a surface of the scene is a cone or a torus.
 
     Returns
     -------
@@ -145,7 +161,7 @@ def next_terms(
     else:
         turned = [barrier(b * own * per_reach) for b, own in zip(bent, now, strict=True)]
     outputs: dict[str, sp.Expr] = {}
-    if conical:
+    if revolved:
         outputs, swept = _around_axis(order)
         turned = [barrier(own + round_) for own, round_ in zip(turned, swept, strict=True)]
     turning = [
@@ -178,25 +194,27 @@ def next_terms(
 
 
 def _around_axis(order: int) -> tuple[dict[str, sp.Expr], list[sp.Expr]]:
-    """Return the coefficients of the series on a cone, and those of Omega (u × n)."""
-    v = _rows(SERIES[:3], order)
-    n = [term(name, order) for name in SERIES[3:6]]
+    """Return the coefficients of the series about an axis, and those of v/R + c Omega (u × e)."""
+    v, out = _rows(SERIES[:3], order), _rows(OUTWARD, order)
     crossed = []
     for i in range(3):
         j, k = (i + 1) % 3, (i + 2) % 3
-        crossed.append(barrier(axis[j] * n[k] - axis[k] * n[j]))
+        crossed.append(barrier(axis[j] * out[k][order] - axis[k] * out[j][order]))
     rows = [[*_row(name, order)[:-1], new] for name, new in zip(AROUND, crossed, strict=True)]
     along = barrier(sum(product(a, b) for a, b in zip(v, rows, strict=True)))
     rates, widths = _row("azimuth_rate", order)[:-1], _row("width", order)[1:]
     known = product(widths, rates) if order else sp.Integer(0)
-    rate = barrier(barrier(per_cosine * along - known) * per_width)
-    rising = barrier(sum(u * own[order] for u, own in zip(axis, v, strict=True)))
+    rate = barrier(barrier(along - known) * per_width)
+    rising = barrier(sum(product(a, b) for a, b in zip(v, out, strict=True)))
+    turned = [product([*rates, rate], row) for row in rows]
+    scale = sp.Rational(1, order + 1)
     outputs = {f"{name}_{order}": new for name, new in zip(AROUND, crossed, strict=True)}
+    outputs |= {f"azimuth_rate_{order}": rate, f"width_{order + 1}": rising * scale}
     outputs |= {
-        f"azimuth_rate_{order}": rate,
-        f"width_{order + 1}": cone_slope * rising * sp.Rational(1, order + 1),
+        f"{name}_{order + 1}": new * scale for name, new in zip(OUTWARD, turned, strict=True)
     }
-    return outputs, [product([*rates, rate], row) for row in rows]
+    moved = [barrier(per_tube * own[order]) for own in v]
+    return outputs, [barrier(a + swing * b) for a, b in zip(moved, turned, strict=True)]
 
 
 def moved() -> dict[str, sp.Expr]:
@@ -251,7 +269,7 @@ def step(
     strength: sp.Expr,
     ball: Ball,
     besides: SurfaceForce = NO_FORCE,
-    conical: bool = False,
+    revolved: bool = False,
 ) -> dict[str, sp.Expr]:
     """Return a step in which the series is as good as rounded, and bounds on the motion in it.
 
@@ -269,9 +287,10 @@ def step(
         The radius and the inertia of the ball.
     besides
         The force that presses the ball onto its surface besides its weight.
-    conical
-        True if a surface of the scene is a cone. A step there is at most an eighth of the time in
-        which the motion changes: the distance from the axis changes by less than a quarter.
+    revolved
+        True if a surface of the scene is a cone or a torus. A step there is at most an eighth of
+        the time in which the motion changes: the distance from the axis changes by less than a
+        quarter.
 
     Returns
     -------
@@ -296,7 +315,7 @@ def step(
     for _ in range(ORDER.bit_length() - 1):
         root = barrier(sp.sqrt(root))
     step = barrier(minimum(most, root))
-    if conical:
+    if revolved:
         swift = barrier(speed * per_width + sp.sqrt(barrier(strength * per_width)))
         step = barrier(minimum(step, barrier(sp.Rational(1, 8) / swift)))
     powers = [step**k for k in range(ORDER)]

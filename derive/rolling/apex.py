@@ -1,8 +1,9 @@
-"""The apex of the cone that the centre of a rolling ball stays on.
+"""The apex of the cone that the centre of a rolling ball stays on, and the middle of a torus.
 
 The curvature grows as 1/rho with the distance rho from the axis, without bound towards the apex.
 From inside the ball touches all around there. A roll that comes so near ends, flagged. Outside the
-apex of a cone is a body of its own, a sphere of centres, so that rho is never so small.
+apex of a cone is a body of its own, a sphere of centres, so that rho is never so small. Nor is it
+on a torus, but where the ball all but fills the hole.
 """
 
 from __future__ import annotations
@@ -28,7 +29,7 @@ then a thousandth of it."""
 
 
 def apex_kernels(ball_radius: sp.Expr, codes: EventCodes) -> tuple[Kernel, ...]:
-    """Return the kernels of a ball near the apex of a cone, that of any other surface far away.
+    """Return the kernels of a ball near the axis of a cone or a torus; other surfaces have none.
 
     Parameters
     ----------
@@ -48,12 +49,12 @@ def apex_kernels(ball_radius: sp.Expr, codes: EventCodes) -> tuple[Kernel, ...]:
                 "which": Choose(all_of(arrives, Equal(which, NONE)), codes.apex, which),
                 "undecided_time": Choose(Or(arrives, vague), 0, undecided_time),
             },
-            "Whether a rolling ball comes too near the apex of a cone.",
+            "Whether a rolling ball comes too near the axis of the surface.",
             "rho < R_B/4096",
         ),
         decision(
             "near_apex",
             {"nearest": minimum(nearest, IfLess(0, per_width, half, sp.oo))},
-            "Half the distance from the axis of a cone, within which the curvature hardly changes.",
+            "Half the distance from the axis, within which the curvature hardly changes.",
         ),
     )

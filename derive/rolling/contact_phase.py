@@ -41,7 +41,7 @@ from .jump import jump_kernels
 from .meeting import meeting_kernels
 from .neighbour import neighbour_kernels
 from .settling import settling_kernels
-from .start import start_decisions
+from .start import one_of, start_decisions
 from .symbols import (
     BEGINS,
     FALLS_OFF,
@@ -85,7 +85,8 @@ def kernels(
     holders: Sequence[int],
     edges: bool = False,
     oblique: bool = False,
-    conical: bool = False,
+    revolved: bool = False,
+    tori: Sequence[int] = (),
 ) -> dict[str, Kernel]:
     """Return the kernels of the contact phase that all surfaces share.
 
@@ -107,38 +108,40 @@ def kernels(
         True if a ball may roll off an edge of a surface.
     oblique
         True if a ball may roll on a tube that lies along no axis.
-    conical
-        True if a ball may roll on a cone.
+    revolved
+        True if a ball may roll on a cone or a torus, in the coordinates of the scene.
+    tori
+        The indices of those surfaces among `holders` that are about an axis and have no edge.
     """
     strength = barrier(flight.strength)
     every_kernel = (
-        *_series(flight, ball, strength, oblique, conical),
-        *settling_kernels(flight, strength, ball, oblique),
-        *jump_kernels(flight, ball, edges, conical),
+        *_series(flight, ball, strength, oblique, revolved),
+        *settling_kernels(flight, strength, ball, oblique, revolved),
+        *jump_kernels(flight, ball, edges, revolved),
         *step_events(strength, ball.radius, codes, flight.surface_force, edges),
         *departure_kernels(flight, strength, ball, edges, oblique),
         *bounds_kernels(ball.radius),
         *meeting_kernels(ball.radius, codes),
         *edge_kernels(flight, ball, codes),
-        *(apex_kernels(ball.radius, codes) if conical else ()),
-        *neighbour_kernels(ball.radius, conical),
+        *(apex_kernels(ball.radius, codes) if revolved else ()),
+        *neighbour_kernels(ball.radius, revolved),
         *start_decisions(holders),
         *_flight_decisions(edges),
-        *_contact_decisions(codes, edges, oblique, conical),
-        *_results(faces, codes, outcomes, edges, conical),
+        *_contact_decisions(codes, edges, oblique, revolved, tori),
+        *_results(faces, codes, outcomes, edges, revolved),
     )
     return {kernel.name: kernel for kernel in every_kernel}
 
 
 def _series(
-    flight: Flight, ball: Ball, strength: sp.Expr, oblique: bool, conical: bool
+    flight: Flight, ball: Ball, strength: sp.Expr, oblique: bool, revolved: bool
 ) -> tuple[Kernel, ...]:
     """Return the kernels of the power series of rolling."""
     acceleration = flight.acceleration
     orders = (
         loop_kernel(
             f"roll_{k}",
-            rolling_series.next_terms(k, acceleration, ball, oblique, conical),
+            rolling_series.next_terms(k, acceleration, ball, oblique, revolved),
             f"Coefficients of order {k + 1} of a rolling ball, from those of lower order.",
             "Newton, Euler and rolling without slip",
         )
@@ -156,7 +159,7 @@ def _series(
         ),
         loop_kernel(
             "roll_start",
-            rolling_series.start(ball),
+            rolling_series.start(ball, revolved),
             "Constant terms of the series.",
             "rolling",
         ),
@@ -174,7 +177,7 @@ def _series(
         ),
         loop_kernel(
             "roll_step",
-            rolling_series.step(acceleration, strength, ball, flight.surface_force, conical),
+            rolling_series.step(acceleration, strength, ball, flight.surface_force, revolved),
             "Length of a step of the series, bounds of the motion in it, and the normal force.",
             "the last terms of the series",
         ),
@@ -210,15 +213,15 @@ def _flight_decisions(edges: bool) -> tuple[Kernel, ...]:
 
 
 def _contact_decisions(
-    codes: EventCodes, edges: bool, oblique: bool, conical: bool
+    codes: EventCodes, edges: bool, oblique: bool, revolved: bool, tori: Sequence[int]
 ) -> tuple[Kernel, ...]:
     """Return the decisions that open a turn in contact and tell which surface holds the ball."""
     bounded = all_of(Less(position_error, sp.oo), Less(velocity_error, sp.oo))
     leaves, falls = Equal(mode, LEAVES), Equal(mode, FALLS_OFF)
     ending = {"leaves": Or(leaves, falls), str(falls_off): falls} if edges else {"leaves": leaves}
     curved = sum(rolling_series.across, ()) if oblique else rolling_series.bent
-    if conical:
-        curved += (*rolling_series.axis, *rolling_series.CONE)
+    if revolved:
+        curved += rolling_series.REVOLVED
     return (
         decision(
             "resumed",
@@ -261,6 +264,14 @@ def _contact_decisions(
             {"beside": Not(Equal(held, index))},
             "Whether a surface is another than the one that the ball stays on.",
         ),
+        decision(
+            "beside_edgeless",
+            {
+                "beside": all_of(Not(Equal(held, index)), Not(one_of(held, tori))),
+                "comes_over": all_of(Not(Equal(held, index)), one_of(held, tori)),
+            },
+            "The same, of a ball on a surface that may have edges, and of one on a torus.",
+        ),
         decision("no_departure", {"hopped": false}, "Start value: the ball has not departed."),
         decision(
             "stays_put",
@@ -281,7 +292,7 @@ def _results(
     codes: EventCodes,
     outcomes: Mapping[str, int],
     edges: bool,
-    conical: bool,
+    revolved: bool,
 ) -> tuple[Kernel, ...]:
     """Return the decisions that record what has happened to a ball in contact."""
     lodged, capped = outcomes["lodged"], outcomes["capped"]
@@ -292,7 +303,7 @@ def _results(
     beyond, endless = Less(codes.time, which), Equal(which, codes.endless)
     stuck = all_of(goes_on, AtMost(clock - began, sp.Rational(1, 2**24)))
     given_up: sp.Basic = endless
-    if conical:
+    if revolved:
         at_apex = Equal(which, codes.apex)
         stuck, given_up = Or(stuck, at_apex), Or(endless, at_apex)
     ending = Choose(leaves, LEAVES, 0)

@@ -20,8 +20,8 @@ ball and of its surface about its centre that makes at most
     d k U + h T (k |a| + 2 k² U²) + d T k |a|,   and   d + h T k U
 
 for the path. All of it counts twice at least, and with it the roundings. The height counts along
-the normal: it is gone when the bounces are. On a cone k is 1/rho: with it the bounds hold although
-the curvature, which is less, changes along the cone.
+the normal: it is gone when the bounces are. On a cone k is 1/rho, on a torus 1/R + 1/rho: with it
+the bounds hold although the curvature, which is less, changes along the surface.
 """
 
 from __future__ import annotations
@@ -45,7 +45,7 @@ over, with no more speed off the surface than roundings make."""
 
 
 def jump_kernels(
-    flight: Flight, ball: Ball, edges: bool, conical: bool = False
+    flight: Flight, ball: Ball, edges: bool, revolved: bool = False
 ) -> tuple[Kernel, ...]:
     """Return the kernels of the errors after the jump to the limit of the bounces.
 
@@ -59,9 +59,9 @@ def jump_kernels(
         True if a ball may roll over edges of a surface. The time at which it reaches one is as
         uncertain as its place, and the forces change there, so that its errors are those of the
         jump itself. Elsewhere, and in air, each counts as `tolerance`.
-    conical
+    revolved
         True if a ball may roll on a cone, near whose apex even small errors of the place turn the
-        normal far.
+        normal far, or on a torus.
     """
     tight = edges and flight.exact
     return (
@@ -74,7 +74,7 @@ def jump_kernels(
             "jump_errors",
             _errors_of_bounces(flight, ball)
             if tight
-            else _errors_of_tolerance(ball.radius, conical),
+            else _errors_of_tolerance(ball.radius, revolved),
             "Errors with those of the jump to the end of the bounces.",
             "its bound",
         ),
@@ -97,12 +97,12 @@ def rebound_kernel(law: Law) -> Kernel:
     )
 
 
-def _errors_of_tolerance(ball_radius: sp.Expr, conical: bool) -> dict[str, sp.Expr]:
+def _errors_of_tolerance(ball_radius: sp.Expr, revolved: bool) -> dict[str, sp.Expr]:
     """Return the errors after the jump to the limit of the bounces, which is off by `tolerance`."""
     grown = tolerance(ball_radius)
     speed = sum(map(absolute, velocity))
     rate = barrier(speed / ball_radius)
-    if conical:
+    if revolved:
         rate = barrier(rate + barrier(speed) * barrier(absolute(rolling_series.per_reach)))
     off = barrier(grown * 4 * (1 + rate))
     return _with((grown,) * 3, (off,) * 3, off / ball_radius)

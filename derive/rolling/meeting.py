@@ -218,7 +218,7 @@ def _taken_over(
     misfits: sp.Basic,
     later: sp.Expr,
 ) -> Kernel:
-    """Return the kernel of `_meets` for a surface that may take the ball over from a ring."""
+    """Return the kernel of `_meets` for a surface that may take the ball over from a torus."""
     _, near_enough = roundings(ball_radius)
     taken = all_of(enters, continues_contact(ball_radius))
     strikes = all_of(meets, Not(taken))
@@ -243,7 +243,7 @@ def _taken_over(
             str(edge_delay): Choose(taken, maximum(edge_delay, entry_delay), edge_delay),
             str(edge_shift): Choose(taken, entry_shift, edge_shift),
         },
-        "Whether a ball on a ring meets a surface, or that takes it over at a bound; else a time "
+        "Whether a ball on a torus meets a surface, or that takes it over at a bound; else a time "
         "for which neither can be.",
         "parabolas below the distances",
     )

@@ -10,7 +10,7 @@ import sympy as sp
 
 from ..events.predicates import when
 from ..ir.kernel import Kernel, decision, loop_kernel
-from ..motion.rolling_series import per_width
+from ..motion.rolling_series import outward, per_width
 from ..symbolic.conditionals import IfLess, absolute, barrier
 from ..symbolic.error_terms import dv, dw, dx, greatest
 from ..symbolic.symbols import UNIT_ROUNDOFF, normal, position, spin, velocity
@@ -23,16 +23,16 @@ _STATES = (*position, *velocity, *spin)
 _ERRORS = (*dx, *dv, *dw)
 
 
-def neighbour_kernels(ball_radius: sp.Expr, conical: bool = False) -> tuple[Kernel, ...]:
+def neighbour_kernels(ball_radius: sp.Expr, revolved: bool = False) -> tuple[Kernel, ...]:
     """Return the kernels that propagate errors through a step in contact and a departure.
 
     Parameters
     ----------
     ball_radius
         R_B, m.
-    conical
-        True if a ball may roll on a cone, from whose axis the neighbouring motion has a distance of
-        its own.
+    revolved
+        True if a ball may roll on a cone or a torus, from whose axis the neighbouring motion has a
+        distance and a direction of its own.
     """
     worst = barrier(
         greatest(dx)
@@ -42,8 +42,8 @@ def neighbour_kernels(ball_radius: sp.Expr, conical: bool = False) -> tuple[Kern
     scale = sp.Symbol("neighbour_scale", positive=True)
     far = {f"far_{s}": s + scale * d for s, d in zip(_STATES, _ERRORS, strict=True)}
     far |= {f"far_{s}": sp.Integer(0) for s in (*normal, gap)}
-    if conical:
-        far[f"far_{per_width}"] = sp.Integer(0)
+    if revolved:
+        far |= {f"far_{s}": sp.Integer(0) for s in (per_width, *outward)}
     return (
         loop_kernel(
             "neighbour_scale",

@@ -91,7 +91,7 @@ def wedge_width(ball_radius: sp.Expr) -> sp.Expr:
     return sp.Rational(1, 2**28) * ball_radius
 
 
-def settling(law: Law, ball: Ball, flight: Flight, conical: bool = False) -> Kernel:
+def settling(law: Law, ball: Ball, flight: Flight, revolved: bool = False) -> Kernel:
     """Return the kernel that decides how the bounces on a surface end.
 
     A force besides gravity turns with the surface, and changes by its slope times the acceleration.
@@ -108,9 +108,9 @@ def settling(law: Law, ball: Ball, flight: Flight, conical: bool = False) -> Ker
         The radius and the inertia of the ball.
     flight
         The motion between contacts.
-    conical
-        True if a ball may roll on a cone. Its curvature changes by the speed over the distance from
-        the axis, also along a straight line, on which the normal does not turn.
+    revolved
+        True if a ball may roll on a cone or a torus. The curvature changes by the speed over the
+        distance from the axis, also along a line on which the normal does not turn.
     """
     e = law.restitution_at(sp.Integer(0))
     left = barrier(1 - e)
@@ -125,7 +125,7 @@ def settling(law: Law, ball: Ball, flight: Flight, conical: bool = False) -> Ker
     allowed = barrier(tolerance(ball.radius))
     quick = barrier(speed + sp.sqrt(barrier(absolute(weight) * ball.radius)))
     turns = barrier(barrier(sp.Add(*map(absolute, turning))) + 4 * UNIT_ROUNDOFF)
-    if conical:
+    if revolved:
         turns = barrier(turns + 2 * speed * per_width)
     disturbance, slope = flight.disturbance(speed)
     disturbed = disturbance * turns + slope * barrier(flight.strength + disturbance)
@@ -207,7 +207,7 @@ def settling(law: Law, ball: Ball, flight: Flight, conical: bool = False) -> Ker
 
 
 def settling_kernels(
-    flight: Flight, strength: sp.Expr, ball: Ball, oblique: bool = False
+    flight: Flight, strength: sp.Expr, ball: Ball, oblique: bool = False, revolved: bool = False
 ) -> tuple[Kernel, ...]:
     """Return the kernels that prepare the decision of `settling`, the same for all surfaces.
 
@@ -222,6 +222,8 @@ def settling_kernels(
     oblique
         True if a ball may roll on a tube that lies along no axis. Bounces on a turned box, whose
         condition has more roundings, then are known earlier to end there, unless a seam is near.
+    revolved
+        True if a ball may roll on a cone or a torus, whose conditions have more roundings, too.
     """
     seams = decision(
         "near_seam",
@@ -237,7 +239,7 @@ def settling_kernels(
             "s = R_B (w·n)",
         ),
         _pressed_on(flight, ball),
-        *_bounce_kernels(strength, ball, oblique),
+        *_bounce_kernels(strength, ball, oblique or revolved),
     )
 
 
@@ -268,12 +270,12 @@ def _pressed_on(flight: Flight, ball: Ball) -> Kernel:
     )
 
 
-def _bounce_kernels(strength: sp.Expr, ball: Ball, oblique: bool) -> tuple[Kernel, ...]:
+def _bounce_kernels(strength: sp.Expr, ball: Ball, rounded: bool) -> tuple[Kernel, ...]:
     off = barrier(velocity.dot(normal))
     # The ball settles if half a hop is lower than the tolerance, whatever presses it on. Error
     # propagation needs to know much earlier whether its bounces end on this surface.
     small = Less(*small_hop(strength, ball.radius))
-    early = sp.Rational(1, 2**14 if oblique else 2**23)
+    early = sp.Rational(1, 2**14 if rounded else 2**23)
     slow = Less(barrier(off**2), early * ball.radius)
     tangential = barrier_all(velocity - off * normal)
     sliding = barrier_all(tangential - ball.radius * spin.cross(normal))

@@ -31,7 +31,8 @@ MAX_STEPS_PER_TURN = 1 << 4
 """Steps of a ball in contact in one turn of the loop; it goes on in the next turn. Balls that roll
 longer than most wait for others that do, so that the lanes stay busy."""
 
-_NEIGHBOUR = {s.name: f"far_{s.name}" for s in (*STATE, *normal, rolling_series.per_width)}
+_ABOUT_AXIS = (rolling_series.per_width, *rolling_series.outward)
+_NEIGHBOUR = {s.name: f"far_{s.name}" for s in (*STATE, *normal, *_ABOUT_AXIS)}
 _NEIGHBOUR |= {"gap": "far_gap"}
 """Variables of the neighbouring motion; it has its own, so that neither waits for the other."""
 
@@ -183,8 +184,14 @@ def _step(
         yield Call(common["no_edge"])
         yield from _at_edges(common, holders)
         yield Call(common["near_edge"])
+    tori = [own for own in holders if "width" in own.parts and not bounds_of(own)]
     for surface in contacts:
-        yield Call(common["beside"], {"index": surface.index})
+        own = {"index": surface.index}
+        if tori and bounds_of(surface) and "rolling_surface" in surface.parts:
+            yield Call(common["beside_edgeless"], own)
+            yield If("comes_over", tuple(_beside_ring(common, surface)))
+        else:
+            yield Call(common["beside"], own)
         yield If("beside", tuple(_beside(common, surface, edged)))
     yield from _beside_end_planes(common, end_planes)
     yield from at_seams(common, holders, "beside_seam")
@@ -218,7 +225,7 @@ def _friction(common: Parts, holders: Sequence[LoopSurface]) -> Iterator[Node]:
 
 
 def _beside_ring(common: Parts, surface: LoopSurface) -> Iterator[Node]:
-    """Detect where a ball on a ring meets another surface, or is taken over by it at a bound."""
+    """Detect where a ball on a torus meets another surface, or is taken over by it at a bound."""
     if not bounds_of(surface) or "rolling_surface" not in surface.parts:
         yield from _beside(common, surface)
         return

@@ -8,13 +8,35 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+import sympy as sp
+
 from ..events.predicates import last
 from ..ir.kernel import Kernel, decision
 from ..state.fields import NONE
 from ..symbolic.conditionals import AtMost, Boolean, Choose, Equal, Not, all_of, any_of, false
 from .symbols import STARTS, body, mode
 
-__all__ = ["start_decisions"]
+__all__ = ["one_of", "start_decisions"]
+
+
+def one_of(surface: sp.Expr, indices: Sequence[int]) -> sp.Basic:
+    """Return whether a surface is one of several.
+
+    Parameters
+    ----------
+    surface
+        The index of the surface.
+    indices
+        The indices of the others, in order; there may be none.
+    """
+    runs: list[list[int]] = []
+    for own in indices:
+        if runs and runs[-1][-1] == own - 1:
+            runs[-1][1:] = [own]
+        else:
+            runs.append([own])
+    within = [all_of(AtMost(run[0], surface), AtMost(surface, run[-1])) for run in runs]
+    return any_of(*within) if within else false
 
 
 def start_decisions(holders: Sequence[int]) -> tuple[Kernel, ...]:
@@ -25,14 +47,7 @@ def start_decisions(holders: Sequence[int]) -> tuple[Kernel, ...]:
     holders
         The indices of the surfaces that a ball can roll on, in order; there may be none.
     """
-    runs: list[list[int]] = []
-    for holder in holders:
-        if runs and runs[-1][-1] == holder - 1:
-            runs[-1][1:] = [holder]
-        else:
-            runs.append([holder])
-    within = [all_of(AtMost(run[0], last), AtMost(last, run[-1])) for run in runs]
-    on_holder = any_of(*within) if within else false
+    on_holder = one_of(last, holders)
     starts = Equal(mode, STARTS)
     return (
         decision(

@@ -19,17 +19,14 @@ from .symbols import gap_convexity, rolled, rolling_acceleration, turning
 def allows_rolling(surface: Surface, flight: Flight) -> bool:
     """Return True if a ball can stay in contact with the surface; else it bounces on.
 
-    On a ring the motion is known only if gravity acts along the ring's axis.
-
     Parameters
     ----------
     surface
         The surface.
     flight
-        The motion between contacts, whose gravity may be `upright`, along -z.
+        The motion between contacts.
     """
-    found = surface.rolling_surface
-    return found is not None and (found.ring == 0 or flight.upright)
+    return surface.surface_below(flight.upright) is not None
 
 
 def contact_phase_kernels(
@@ -38,7 +35,7 @@ def contact_phase_kernels(
     ball_radius: sp.Expr,
     edges: bool,
     oblique: bool,
-    conical: bool,
+    revolved: bool,
 ) -> dict[str, Kernel]:
     """Return the kernels of one surface by part: all have those beside it, some those on it.
 
@@ -54,15 +51,15 @@ def contact_phase_kernels(
         True if the scene has surfaces with bounds.
     oblique
         True if a ball may roll on a tube of the scene that lies along no axis.
-    conical
-        True if a ball may roll on a cone of the scene.
+    revolved
+        True if a ball may roll on a cone or a torus of the scene, in the coordinates of the scene.
     """
     kernels = _beside(surface, edges)
     if edges:
         kernels |= bound_kernels(surface, ball_radius) | {"facing": _facing(surface)}
     if not allows_rolling(surface, flight):
         return kernels
-    return kernels | _under(surface, flight, oblique, conical)
+    return kernels | _under(surface, flight, oblique, revolved)
 
 
 def _beside(surface: Surface, edges: bool) -> dict[str, Kernel]:
@@ -112,9 +109,9 @@ def _facing(surface: Surface) -> Kernel:
     )
 
 
-def _under(surface: Surface, flight: Flight, oblique: bool, conical: bool) -> dict[str, Kernel]:
+def _under(surface: Surface, flight: Flight, oblique: bool, revolved: bool) -> dict[str, Kernel]:
     """Return the kernels from which the motion on the surface is computed."""
-    name, rolling_surface = surface.name, surface.rolling_surface
+    name, rolling_surface = surface.name, surface.surface_below(flight.upright)
     assert rolling_surface is not None
     along = dict(zip(POSITION, VELOCITY, strict=True))
     rates = along | dict(zip(VELOCITY, flight.present_acceleration, strict=True))
@@ -131,8 +128,8 @@ def _under(surface: Surface, flight: Flight, oblique: bool, conical: bool) -> di
     else:
         assert rolling_surface.curved is not None
         curved = dict(zip(map(str, rolling_series.bent), rolling_surface.curved, strict=True))
-    if conical:
-        curved |= _cone(rolling_surface)
+    if revolved:
+        curved |= _revolved(rolling_surface)
     kernels = {
         "distance": loop_kernel(
             f"{name}_distance",
@@ -159,11 +156,12 @@ def _under(surface: Surface, flight: Flight, oblique: bool, conical: bool) -> di
             "derivatives of Table 2's distance",
         ),
     }
-    if rolling_surface.cone is not None:
+    if (about := rolling_surface.revolved) is not None:
+        away = (rolling_series.per_width, *rolling_series.outward)
         kernels["width"] = loop_kernel(
             f"{name}_width",
-            {str(rolling_series.per_width): rolling_surface.cone.per_width},
-            "Inverse distance of the ball from the axis of a cone.",
+            dict(zip(map(str, away), (about.per_width, *about.outward), strict=True)),
+            "Inverse distance of the ball from the axis of the surface, and the direction from it.",
             "Table 2",
         )
     seams = {
@@ -178,11 +176,12 @@ def _under(surface: Surface, flight: Flight, oblique: bool, conical: bool) -> di
     return kernels | seams
 
 
-def _cone(rolling_surface: RollingSurface) -> dict[str, sp.Expr]:
-    """Return the numbers of a cone that its series needs: zeros for any other surface."""
-    zero, cone = sp.Integer(0), rolling_surface.cone
-    names = map(str, (*rolling_series.axis, *rolling_series.CONE))
-    own = (*cone.axis, cone.slope, cone.per_cosine, cone.per_width) if cone else (zero,) * 6
+def _revolved(rolling_surface: RollingSurface) -> dict[str, sp.Expr]:
+    """Return the numbers of a cone or a torus for its series: zeros for any other surface."""
+    names, about = list(map(str, rolling_series.REVOLVED)), rolling_surface.revolved
+    if about is None:
+        return dict.fromkeys(names, sp.Integer(0))
+    own = (*about.axis, *about.outward, about.per_width, about.per_tube, about.swing)
     return dict(zip(names, own, strict=True))
 
 

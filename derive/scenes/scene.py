@@ -185,10 +185,10 @@ class Scene:
         return self.rolls and any(tube and tube.across is not None for tube in tubes)
 
     @property
-    def rolls_on_cones(self) -> bool:
-        """True if a ball may roll on a cone."""
-        found = (surface.rolling_surface for surface in self.surfaces)
-        return self.rolls and any(one and one.cone is not None for one in found)
+    def rolls_about_axes(self) -> bool:
+        """True if a ball may roll on a cone or a torus, but in coordinates of a ring."""
+        found = (surface.surface_below(self.flight.upright) for surface in self.surfaces)
+        return self.rolls and any(one and one.revolved is not None for one in found)
 
     @property
     def ball(self) -> Ball:

@@ -6,7 +6,7 @@ import sympy as sp
 
 from ..symbolic.conditionals import barrier
 from ..symbolic.symbols import POSITION
-from .directions import Direction, along, distance_from_axis, per_length
+from .directions import Direction, along, distance_from_axis, per_length, perpendicular
 from .surface import Surface
 
 
@@ -29,3 +29,15 @@ class AboutAxis(Surface):
     def _height(self) -> sp.Expr:
         """The way along the axis, from the reference point."""
         return barrier(barrier(along(self.direction, self._offset)) * per_length(self.direction))
+
+    @property
+    def _axis(self) -> tuple[sp.Expr, sp.Expr, sp.Expr]:
+        """The unit vector along the axis."""
+        per = per_length(self.direction)
+        u, v, w = (barrier(part * per) for part in self.direction)
+        return u, v, w
+
+    @property
+    def _across(self) -> list[sp.Expr]:
+        """The way from the axis to the ball's centre."""
+        return perpendicular(self.direction, self._offset)

@@ -26,10 +26,9 @@ from .directions import (
     Direction,
     along,
     per_length,
-    perpendicular,
     squared_distance,
 )
-from .rolling_surface import ConicalSurface, RollingSurface
+from .rolling_surface import RevolvedSurface, RollingSurface
 from .surface import Point, overlap, translated
 from .two_sided import TwoSided
 
@@ -107,7 +106,7 @@ class Cone(AboutAxis, TwoSided):
     @property
     def normal(self) -> sp.Matrix:
         """cos(alpha) away from the axis, and sin(alpha) against it, or the negative of that."""
-        parts = perpendicular(self.direction, self._offset)
+        parts = self._across
         per_rho = barrier(1 / barrier(sp.sqrt(barrier(sp.Add(*(part**2 for part in parts))))))
         back = barrier(self.slope * per_length(self.direction))
         turned = IfLess(self._height, 0, -back, back)
@@ -142,12 +141,11 @@ class Cone(AboutAxis, TwoSided):
     @property
     def rolling_surface(self) -> RollingSurface | None:
         """The cone of the ball's centre."""
-        zero, per = sp.Integer(0), per_length(self.direction)
-        x, y, z = (barrier(u * per) for u in self.direction)
-        per_cosine = self._side * barrier(sp.sqrt(barrier(1 + self.slope**2)))
-        per_width = barrier(1 / self._rho)
-        cone = ConicalSurface((x, y, z), self.slope, per_cosine, per_width)
-        return RollingSurface((zero, zero, zero), self._side * per_width, cone=cone)
+        zero, per_width = sp.Integer(0), barrier(1 / self._rho)
+        x, y, z = (part * per_width for part in self._across)
+        swing = self._side * self._per_side
+        cone = RevolvedSurface(self._axis, (x, y, z), per_width, zero, swing)
+        return RollingSurface((zero, zero, zero), self._side * per_width, revolved=cone)
 
     @property
     def inside(self) -> tuple[sp.Expr, ...]:

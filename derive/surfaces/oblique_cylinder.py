@@ -11,8 +11,6 @@ from ..symbolic.symbols import POSITION
 from .about_axis import AboutAxis
 from .directions import (
     Direction,
-    per_length,
-    perpendicular,
     squared_distance,
     squared_length,
 )
@@ -62,13 +60,12 @@ class ObliqueCylinder(AboutAxis, Round):
     def normal(self) -> sp.Matrix:
         """The direction from the axis; the distance from it is r at a contact."""
         per_radius = barrier(self._side / self.radius)
-        return sp.Matrix([c * per_radius for c in perpendicular(self.direction, self._offset)])
+        return sp.Matrix([c * per_radius for c in self._across])
 
     @property
     def rolling_surface(self) -> RollingSurface | None:
         """The tube about its axis: the projection is 1 - u uᵀ/|u|²."""
-        per = per_length(self.direction)
-        unit = [barrier(u * per) for u in self.direction]
+        unit = self._axis
         across = [
             [sp.Integer(i == j) - barrier(a * b) for j, b in enumerate(unit)]
             for i, a in enumerate(unit)

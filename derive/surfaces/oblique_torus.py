@@ -13,10 +13,10 @@ from .bounds import as_length
 from .directions import (
     Direction,
     per_length,
-    perpendicular,
     squared_distance,
     squared_length,
 )
+from .rolling_surface import RollingSurface, toroidal
 from .surface import Point, overlap
 from .torus import Toroidal
 
@@ -81,7 +81,7 @@ class ObliqueTorus(AboutAxis, Toroidal):
         per_reach, rho = barrier(1 / self.reach), barrier(self._rho)
         outward = barrier(barrier(rho - self.ring_radius) * per_reach * barrier(1 / rho))
         up = barrier(barrier(self._height * per_length(self.direction)) * per_reach)
-        parts = zip(perpendicular(self.direction, self._offset), self.direction, strict=True)
+        parts = zip(self._across, self.direction, strict=True)
         return sp.Matrix([c * outward + u * up for c, u in parts])
 
     @property
@@ -93,6 +93,11 @@ class ObliqueTorus(AboutAxis, Toroidal):
     def max_concavity(self) -> sp.Expr:
         """The rate at which the distance from the axis bends, 1/rho: as of `Torus`."""
         return 1 / self._rho
+
+    @property
+    def rolling_surface(self) -> RollingSurface:
+        """The torus of the ball's centre."""
+        return toroidal(self._axis, self._across, self._rho, self.ring_radius, self.reach)
 
     @property
     def inside(self) -> tuple[sp.Expr, ...]:

@@ -25,7 +25,6 @@ from .bounds import as_length
 from .directions import (
     Direction,
     per_length,
-    perpendicular,
     squared_distance,
     squared_length,
 )
@@ -142,7 +141,7 @@ class RevolvedArc(AboutAxis, TwoSided):
         per_radius, rho = barrier(self._side / self.radius), barrier(self._rho)
         outward = barrier(barrier(rho - self.offset) * per_radius * barrier(1 / rho))
         up = barrier(barrier(self._height * per_length(self.direction)) * per_radius)
-        parts = zip(perpendicular(self.direction, self._offset), self.direction, strict=True)
+        parts = zip(self._across, self.direction, strict=True)
         return sp.Matrix([c * outward + u * up for c, u in parts])
 
     @property

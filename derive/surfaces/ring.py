@@ -8,7 +8,7 @@ import sympy as sp
 
 from ..symbolic.conditionals import barrier, maximum, minimum
 from ..symbolic.symbols import POSITION
-from .rolling_surface import RollingSurface
+from .rolling_surface import RollingSurface, toroidal
 from .surface import Surface
 
 
@@ -85,6 +85,13 @@ class Ring(Surface):
         """The tube about the wire's centre circle."""
         one = sp.Integer(1)
         return RollingSurface((one, one, one), 1 / self.reach, self.ring_radius)
+
+    @property
+    def rolling_surface_across_gravity(self) -> RollingSurface:
+        """The torus of the ball's centre."""
+        (x, y, _), zero = POSITION, sp.Integer(0)
+        up = (zero, zero, sp.Integer(1))
+        return toroidal(up, (x, y, zero), self.rho, self.ring_radius, self.reach)
 
     @property
     def max_concavity(self) -> sp.Expr:

@@ -197,6 +197,21 @@ class Surface(ABC):
         return None
 
     @property
+    def rolling_surface_across_gravity(self) -> RollingSurface | None:
+        """The same where gravity does not act along -z, and coordinates of a ring are no use."""
+        return self.rolling_surface
+
+    def surface_below(self, upright: bool) -> RollingSurface | None:
+        """Return the surface that the centre of a rolling ball stays on; None: it bounces on.
+
+        Parameters
+        ----------
+        upright
+            True if gravity acts along -z.
+        """
+        return self.rolling_surface if upright else self.rolling_surface_across_gravity
+
+    @property
     def own_distance(self) -> sp.Expr:
         """The distance as rolling balls need it: smooth about the whole of the surface."""
         return self.distance

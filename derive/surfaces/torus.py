@@ -11,6 +11,7 @@ from ..symbolic.symbols import POSITION
 from .bounds import as_length
 from .cylinder import check_direction, perpendicular_part
 from .ring import Ring
+from .rolling_surface import RollingSurface, toroidal
 from .surface import Point, Surface, overlap, translated
 
 
@@ -127,6 +128,14 @@ class Torus(Toroidal):
         from the axis on, rho(t) <= rho + rho' t + v² t²/(2 rho), however far it goes.
         """
         return translated(1 / self._rho, self.centre)
+
+    @property
+    def rolling_surface(self) -> RollingSurface:
+        """The torus of the ball's centre."""
+        across = [barrier(translated(part, self.centre)) for part in self._across]
+        axis = [sp.sympify(u) for u in self.direction]
+        rho = translated(self._rho, self.centre)
+        return toroidal(axis, across, rho, self.ring_radius, self.reach)
 
     @property
     def inside(self) -> tuple[sp.Expr, ...]:

@@ -207,12 +207,20 @@ IN_CONTACT = {
         "inverse radius of the tube that the centre stays on, negative on its inside",
     ),
     **{
-        f"axis_{axis}": Entry(f"u_{axis}", f"unit vector along the axis of a cone, along {axis}")
+        f"axis_{axis}": Entry(f"u_{axis}", f"unit vector of the axis of revolution, along {axis}")
         for axis in AXES
     },
-    "cone_slope": Entry(r"k_\alpha", "tangent of the half-angle of a cone"),
-    "per_cosine": Entry(r"\sigma_\alpha", "inverse of its cosine, negative inside"),
-    "per_width": Entry(r"\varkappa_\rho", "inverse distance of the ball from the axis of a cone"),
+    **{
+        f"outward_{axis}": Entry(f"e_{axis}", f"unit vector away from that axis, along {axis}")
+        for axis in AXES
+    },
+    **{
+        f"far_outward_{axis}": Entry(rf"\tilde e_{axis}", f"$e_{axis}$ of the neighbouring motion")
+        for axis in AXES
+    },
+    "per_tube": Entry(r"\varkappa_m", "curvature of the section through the axis"),
+    "swing": Entry("c_m", r"factor of the rate of the azimuth in that of the normal"),
+    "per_width": Entry(r"\varkappa_\rho", "inverse distance of the ball from the axis"),
     "far_per_width": Entry(r"\tilde\varkappa_\rho", "the same of the neighbouring motion"),
     "turn_rate": Entry("s", "spin about the normal, times the ball's radius"),
     "rolled_x": Entry(r"v^\circ_x", "velocity along x after a contact that grips"),
@@ -393,11 +401,15 @@ SERIES = {
         for axis in AXES
     },
     **{
-        f"c{axis}": Entry(f"q_{axis}", rf"$\mathbf{{u}} \times \mathbf{{n}}$ along {axis}")
+        f"e{axis}": Entry(f"e_{axis}", f"unit vector away from the axis, along {axis}")
         for axis in AXES
     },
-    "azimuth_rate": Entry(r"\Omega_u", "rate of the azimuth about the axis of a cone"),
-    "width": Entry(r"\rho", "distance from the axis of a cone"),
+    **{
+        f"c{axis}": Entry(f"q_{axis}", rf"$\mathbf{{u}} \times \mathbf{{e}}$ along {axis}")
+        for axis in AXES
+    },
+    "azimuth_rate": Entry(r"\Omega_u", "rate of the azimuth about the axis"),
+    "width": Entry(r"\rho", "distance from the axis"),
     "turn_rate": Entry("s", "spin about the normal, times the ball's radius"),
     "lift": Entry(r"\mathcal{L}", "acceleration along the normal without the part of friction"),
     "cosine": Entry(r"c_\alpha", "cosine of the angle around the wire, from outwards"),

@@ -30,12 +30,17 @@ to_apex = OfEngine(
 FAULTS = (
     Planted(
         "a step on a cone takes the distance from the axis for constant",
-        in_text(rolling_series, "_around_axis", "cone_slope * rising", "0 * rising"),
+        in_text(rolling_series, "_around_axis", "rising * scale", "0 * rising"),
         on_cone,
     ),
     Planted(
         "the normal turns as on a cone that is wider",
-        in_text(Cone, "rolling_surface", "1 + self.slope**2", "1 + 2 * self.slope**2"),
+        in_text(
+            Cone,
+            "rolling_surface",
+            "self._side * self._per_side",
+            "self._side * self._per_side / 2",
+        ),
         on_cone,
     ),
     Planted(

@@ -177,12 +177,12 @@ def test_no_bounce_is_too_small_for_a_plane(restitution: float, backend: str) ->
 
 @pytest.mark.slow
 @pytest.mark.parametrize(("down", "up"), [("-z", 1), ("z", -1)])
-def test_on_a_ring_it_rolls_where_gravity_is_down_its_axis(down: str, up: int) -> None:
-    """Elsewhere it bounces on, and is given up; never does it roll as if gravity were another."""
+def test_on_a_ring_it_rolls_whether_gravity_points_down_its_axis_or_up(down: str, up: int) -> None:
+    """Down the axis the series has the ring's own coordinates, elsewhere those of the scene."""
     hoop = Scene(
         "hoop_alone",
         bodies=[Torus("hoop", radius=0.23, wire=0.01)],
-        ends={"below": End(at=-0.5 * up, axis="z" if up > 0 else "-z")},
+        ends={"below": End(at=-0.5, axis="z" if up > 0 else "-z")},
         ball_radius=0.12,
         gravity=GRAVITY,
         down=down,
@@ -196,8 +196,8 @@ def test_on_a_ring_it_rolls_where_gravity_is_down_its_axis(down: str, up: int) -
     states[:, 2], states[:, 3:5] = 0.5 * up, random.normal(0, 0.3, (60, 2))
     made = [engine.simulate(states, time_limit=5, backend=b, record=True) for b in BACKENDS]
     assert made[0].state.tobytes() == made[-1].state.tobytes()
-    rolled = np.count_nonzero(made[0].events["kind"] == Event.ROLL)
-    assert (rolled > 0) == (up > 0)
+    assert np.count_nonzero(made[0].events["kind"] == Event.ROLL) > 3
+    assert not np.any(made[0].outcome == engine.outcomes["CAPPED"])
 
 
 @pytest.mark.slow

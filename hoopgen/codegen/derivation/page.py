@@ -128,7 +128,7 @@ class PageData:
     series: tuple[SymbolText, ...]
     falls: bool
     turned: bool
-    conical: bool
+    revolved: bool
     air: AirText | None
 
     @property
@@ -390,6 +390,6 @@ def derivation_context(model: Model, reference: PageData | None = None) -> PageD
         series=_series(model),
         falls=flight.falls,
         turned=any(isinstance(surface, ObliqueBox) for surface in scene.surfaces),
-        conical=scene.rolls_on_cones,
+        revolved=scene.rolls_about_axes,
         air=_air(flight, notation) if isinstance(flight, air.AirFlight) else None,
     )
