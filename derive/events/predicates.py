@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import sympy as sp
 
-from ..ir.kernel import decision
+from ..ir.kernel import Kernel, decision
 from ..symbolic.conditionals import (
     AtMost,
     Boolean,
@@ -77,6 +77,35 @@ def earlier(condition: sp.Basic, at: sp.Expr) -> sp.Expr:
     return Choose(all_of(condition, Less(at, undecided_time)), at, undecided_time)
 
 
+def out_of_budget(late: sp.Expr) -> tuple[Kernel, Kernel]:
+    """Return the decisions whether errors exceed the budget of a search, or its bounds fail.
+
+    Parameters
+    ----------
+    late
+        The share of its delay by which an arrival may be late. That of a crossing is six times the
+        margin over the slope, of which a third is what `event_polynomials.crossing` proves.
+    """
+    exceeded = any_of(Less(0, excess), Less(pad, late * earliest_delay))
+
+    def undecided_if(condition: sp.Basic) -> dict[str, sp.Basic]:
+        lost = any_of(condition, Less(0, budget_exceeded))
+        return {"undecided_time": Choose(lost, 0, undecided_time)}
+
+    return (
+        decision(
+            "out_of_budget",
+            undecided_if(exceeded),
+            "Undecided time 0 if errors exceed the budget of a search, or its bounds fail.",
+        ),
+        decision(
+            "out_of_budget_in_windows",
+            undecided_if(all_of(searching, exceeded)),
+            "Undecided time 0 if errors exceed the budget of an open window, or its bounds fail.",
+        ),
+    )
+
+
 CONVERGED = sp.Rational(1, 2**24)
 """Newton's method from a smaller h ends with h below 2^-49."""
 
@@ -94,7 +123,6 @@ _still = all_of(Less(t, end), Not(Less(t, following)))
 _sunk = Less(gap, -margin)
 _lands = all_of(met, arrives)
 _near = all_of(Equal(last, index), Less(tilt * t, flat))
-_strays = all_of(searching, any_of(Less(0, excess), Less(pad, earliest_delay)))
 _exhausted = all_of(Not(hit), Not(needs_refinement), AtMost(end - t, step))
 
 KERNELS = {
@@ -196,26 +224,7 @@ KERNELS = {
             {"share": ERROR_BUDGET_LEVELS[0], "arrival": sp.oo, "certain": false},
             "Start values of a search: its error budget, and no arrival.",
         ),
-        decision(
-            "out_of_budget",
-            {
-                "undecided_time": Choose(
-                    any_of(Less(0, excess), Less(0, budget_exceeded), Less(pad, earliest_delay)),
-                    0,
-                    undecided_time,
-                )
-            },
-            "Undecided time 0 if errors exceed the budget of a search, or its bounds fail.",
-        ),
-        decision(
-            "out_of_budget_in_windows",
-            {
-                "undecided_time": Choose(
-                    any_of(_strays, Less(0, budget_exceeded)), 0, undecided_time
-                )
-            },
-            "Undecided time 0 if errors exceed the budget of an open window, or its bounds fail.",
-        ),
+        *out_of_budget(sp.Rational(1, 2)),
         decision(
             "nearby",
             {

@@ -97,6 +97,11 @@ class RootFinder(ABC):
         return sp.Integer(0)
 
     @property
+    def excess(self) -> sp.Expr | None:
+        """Positive if errors of the state exceed a search's budget; None: as in `error_budget`."""
+        return None
+
+    @property
     def clear(self) -> sp.Expr | None:
         """Positive if there is certainly no contact before the horizon; None: there is no test."""
         return None

@@ -71,6 +71,7 @@ class RootSearch(Search):
                 "derivative of Table 2's normal",
             ),
             **self._root_rounding,
+            **({} if approach.excess is None else _excess("excess", approach.excess)),
             **({} if approach.clear is None else _clear(approach.clear)),
             "prepare": (
                 approach.prepare(),
@@ -171,19 +172,21 @@ class RootSearch(Search):
             begun = (prepared, Call(KERNELS["beginning"]), *allowing, Call(KERNELS["outside"]))
             if "clear" in own:
                 landing = () if self.sketch is None else (Call(KERNELS["landing"]),)
-                begun = (*begun, Call(KERNELS["out_of_budget"]), first, *landing)
+                begun = (*begun, Call(common["out_of_budget"]), first, *landing)
             else:
                 # Most searches end with the first step, so lanes are not compacted for it.
                 begun = (
                     *begun,
                     first,
-                    Call(KERNELS["out_of_budget_in_windows"]),
+                    Call(common["out_of_budget_in_windows"]),
                     If("searching", step),
                 )
             search: tuple[Node, ...] = (*begun, *found)
         else:
             entered = Call(own["enter"], {"after": "t", "end": 0.0})
-            again = (prepared, *allowing, entered, *found)
+            # Margins differ from those in single precision.
+            within = Call(KERNELS["budget_undecided"])
+            again = (prepared, *allowing, within, entered, *found)
             leaping = _leaping(common, own, index)
             search = (*leaping, If("searching", again))
         searched = (*search, *_landing(common, own, index), *proposed(index))
@@ -247,6 +250,11 @@ class PlaneRootSearch(RootSearch):
         return super().counted(common, own) if self.surface.bounds else iter([Call(own["crossed"])])
 
 
+def _excess(part: str, excess: sp.Expr) -> dict[str, Formula]:
+    summary = "Positive if errors of the state exceed those that a search allows for."
+    return {part: ({"excess": excess}, summary, "running error analysis")}
+
+
 def _clear(clear: sp.Expr) -> dict[str, Formula]:
     summary = "Positive if there is certainly no contact before the horizon."
     return {"clear": ({"clear": clear}, summary, _BOUNDS)}
@@ -276,6 +284,7 @@ def _coarse(coarse: SinglePrecisionRing) -> dict[str, Formula]:
             "Distance from the axis, its rate and that of the gap, at the start of a flight.",
             "Table 2",
         ),
+        **_excess("coarse_excess", coarse.excess),
         "budget_exceeded": (
             {"budget_exceeded": coarse.lost},
             "Positive if the bounds of the search do not hold.",
@@ -330,11 +339,10 @@ def _leaping(common: Parts, own: Parts, index: Value) -> Iterator[Node]:
     short = {name: f"short_{name}" for name in grain.kernel.output_names if name != "fits"}
     yield Call(grain.kernel, grain.inputs, short)
     yield Call(KERNELS["coarse"], {name: short[name] for name in given_away})
-    allowance = Call(common["allowance"], {"horizon": "latest", "share": "allowing"})
     yield from (
-        allowance,
+        given(own["coarse_excess"], horizon="latest", share="allowing"),
         given(own["budget_exceeded"], horizon="until"),
-        Call(KERNELS["out_of_budget"]),
+        Call(common["out_of_budget"]),
     )
     leap = own["step"]
     inputs = {name: short[name] for name in map(variable, leap.arguments) if name in short}
@@ -347,7 +355,11 @@ def _leaping(common: Parts, own: Parts, index: Value) -> Iterator[Node]:
 
 def _allowing(common: Parts, own: Parts) -> Iterator[Node]:
     """Evaluate the margins for an error budget relative to the flight."""
-    yield Call(common["allowance"], {"horizon": "latest"})
+    allowance = Call(common["allowance"], {"horizon": "latest"})
+    if "excess" in own:
+        allowance = replace(allowance, wanted=frozenset({"position_level", "velocity_level"}))
+        yield given(own["excess"], horizon="latest")
+    yield allowance
     margins = given(
         own["margins"],
         horizon="latest",

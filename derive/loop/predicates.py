@@ -103,6 +103,8 @@ def kernels(
         True if the time limit ends every shot.
     """
     own = (*_of_scene(faces, outcomes, end_planes, open_ended), *_of_errors(single, open_ended))
+    if open_ended:  # the time limit is an arrival, too
+        own = (*own, *searching.out_of_budget(sp.Integer(1)))
     return searching.KERNELS | KERNELS | {kernel.name: kernel for kernel in own}
 
 

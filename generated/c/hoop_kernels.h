@@ -1,6 +1,6 @@
 /* Kernels of the scene hoop, in C.
 
-   Generated from templates/c/kernels.h.j2, scene hoop, derivation b8cd2f66933e66f6,
+   Generated from templates/c/kernels.h.j2, scene hoop, derivation 0b232e662b9cf364,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -497,7 +497,7 @@ LANES(hoop_beginning)(void)
 }
 
 /* Undecided time 0 if errors exceed the budget of a search, or its bounds fail.
-   Table 1. 6 operations: 3 comparisons, 2 disjunctions, 1 selection. */
+   Table 1. 7 operations: 1 multiplication, 3 comparisons, 2 disjunctions, 1 selection. */
 typedef struct {
     V undecided_time;
 } LANES(hoop_out_of_budget_out);
@@ -505,7 +505,7 @@ typedef struct {
 LANES_INLINE LANES(hoop_out_of_budget_out)
 LANES(hoop_out_of_budget)(V pad, V budget_exceeded, V earliest_delay, V undecided_time, V excess)
 {
-    return (LANES(hoop_out_of_budget_out)){ lanes_select(lanes_either(lanes_either(lanes_less(K(0.0), excess), lanes_less(K(0.0), budget_exceeded)), lanes_less(pad, earliest_delay)), K(0.0), undecided_time) };
+    return (LANES(hoop_out_of_budget_out)){ lanes_select(lanes_either(lanes_either(lanes_less(K(0.0), excess), lanes_less(pad, lanes_mul(K(0.5), earliest_delay))), lanes_less(K(0.0), budget_exceeded)), K(0.0), undecided_time) };
 }
 
 /* 1 near the surface that the ball left, where F/t is more exact than F; the margin.
@@ -1100,6 +1100,22 @@ LANES(hoop_ring_carry_normal)(S x, S y, S dx, S dy, S dz, S shift, S _c0, S _c1,
     return (LANES(hoop_ring_carry_normal_out)){ singles_add(singles_mul(x, _s4), singles_mul(dx, _s5)), singles_add(singles_mul(y, _s4), singles_mul(dy, _s5)), singles_mul(dz, _c1), singles_mul(shift, _c2) };
 }
 
+/* Positive if errors of the state exceed those that a search allows for.
+   running error analysis. 17 operations: 5 additions, 2 subtractions, 8 multiplications, 1 comparison, 1 selection. */
+typedef struct {
+    V excess;
+} LANES(hoop_ring_excess_out);
+
+LANES_INLINE LANES(hoop_ring_excess_out)
+LANES(hoop_ring_excess)(V share, V horizon, V extent, V speed, V position_error, V velocity_error, V _c0, V _c1, V _c2)
+{
+    const V _s0 = lanes_add(speed, lanes_mul(_c0, horizon));
+    const V _s1 = lanes_mul(horizon, _s0);
+    const V _s2 = lanes_sub(lanes_add(position_error, lanes_mul(horizon, velocity_error)), lanes_mul(share, lanes_add(_s1, lanes_add(extent, _s1))));
+    const V _s3 = lanes_add(lanes_mul(lanes_mul(_s0, _c2), _s2), lanes_mul(_c1, lanes_sub(velocity_error, lanes_mul(share, _s0))));
+    return (LANES(hoop_ring_excess_out)){ lanes_max(_s2, _s3) };
+}
+
 /* Positive if there is certainly no contact before the horizon.
    bounds of the event condition. 119 operations: 24 additions, 16 subtractions, 49 multiplications, 2 square roots, 14 comparisons, 14 selections. */
 typedef struct {
@@ -1482,6 +1498,23 @@ LANES(hoop_ring_started)(V x, V y, V z, V vx, V vy, V vz, V _c0)
     const V _s0 = lanes_sqrt(lanes_add(lanes_mul(x, x), lanes_mul(y, y)));
     const V _s1 = lanes_div(lanes_add(lanes_mul(x, vx), lanes_mul(y, vy)), _s0);
     return (LANES(hoop_ring_started_out)){ _s0, lanes_mul(K(2.0), lanes_add(lanes_mul(z, vz), lanes_mul(_s1, lanes_sub(_s0, _c0)))), _s1 };
+}
+
+/* Positive if errors of the state exceed those that a search allows for.
+   running error analysis. 23 operations: 5 additions, 4 subtractions, 10 multiplications, 2 comparisons, 2 selections. */
+typedef struct {
+    V excess;
+} LANES(hoop_ring_coarse_excess_out);
+
+LANES_INLINE LANES(hoop_ring_coarse_excess_out)
+LANES(hoop_ring_coarse_excess)(V share, V horizon, V extent, V speed, V position_error, V velocity_error, V _c0, V _c1, V _c2, V _c3)
+{
+    const V _s0 = lanes_add(speed, lanes_mul(_c0, horizon));
+    const V _s1 = lanes_mul(share, lanes_add(extent, lanes_mul(horizon, _s0)));
+    const V _s2 = lanes_sub(lanes_sub(lanes_add(position_error, lanes_mul(horizon, velocity_error)), _s1), _c2);
+    const V _s3 = lanes_sub(lanes_add(position_error, lanes_mul(lanes_mul(K(0.5), horizon), velocity_error)), _s1);
+    const V _s4 = lanes_add(lanes_mul(lanes_mul(_s0, _c3), lanes_max(_s3, _s2)), lanes_mul(_c1, lanes_sub(velocity_error, lanes_mul(share, _s0))));
+    return (LANES(hoop_ring_coarse_excess_out)){ lanes_max(_s2, _s4) };
 }
 
 /* Positive if the bounds of the search do not hold.

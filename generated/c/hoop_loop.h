@@ -1,6 +1,6 @@
 /* The event loop of the scene hoop, with or without bounds on errors.
 
-   Generated from templates/c/loop.h.j2, scene hoop, derivation b8cd2f66933e66f6,
+   Generated from templates/c/loop.h.j2, scene hoop, derivation 0b232e662b9cf364,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by hoop_engine.h twice, BOUNDED being 1 where errors are bounded, else 0. The path is
@@ -416,9 +416,9 @@ static void LOOP(fix)(LOOP(worklist) *worklist)
         const V _s90 = lanes_mul(K(0.0001220703125), p_ring_radius);
         const V _s91 = lanes_max(_s88, _s90);
         const V _s92 = lanes_mul(_s91, _s91);
-        const V _s98 = lanes_div(K(1.0), _s91);
-        const V _s106 = lanes_div(_s76, _s91);
-        const V _s114 = lanes_sub(lanes_sub(p_ring_radius, p_ball_radius), p_wire_radius);
+        const V _s98 = lanes_div(_s76, _s91);
+        const V _s102 = lanes_div(K(1.0), _s91);
+        const V _s116 = lanes_sub(lanes_sub(p_ring_radius, p_ball_radius), p_wire_radius);
         FIX(0, p_board_distance);
         FIX(1, lanes_add(lanes_add(_s21, lanes_abs(p_bridge_half_width)), lanes_abs(p_end_depth)));
         FIX(2, _s27); FIX(3, _s28); FIX(4, lanes_sub(_s28, _s30)); FIX(5, p_ring_radius);
@@ -441,14 +441,15 @@ static void LOOP(fix)(LOOP(worklist) *worklist)
         FIX(34, _s82); FIX(35, _s83); FIX(36, lanes_mul(K(4.0), p_gravity));
         FIX(37, lanes_mul(lanes_mul(K(6.0003662109375), p_gravity), _s32)); FIX(38, _s92);
         FIX(39, lanes_mul(_s91, _s92)); FIX(40, lanes_mul(K(2.0), p_ring_radius));
-        FIX(41, lanes_add(_s83, _s92)); FIX(42, lanes_sqrt(K(2.0))); FIX(43, lanes_add(_s30, _s35));
-        FIX(44, lanes_mul(_s98, lanes_mul(_s98, _s98))); FIX(45, _s77);
-        FIX(46, lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s32), _s77));
-        FIX(47, lanes_mul(K(5.00030517578125), _s32)); FIX(48, lanes_max(K(1.0), _s106));
-        FIX(49, lanes_mul(K(6.0), p_gravity)); FIX(50, lanes_mul(K(9.094947017729282e-13), _s77));
-        FIX(51, _s91); FIX(52, lanes_div(K(1.0), _s32));
-        FIX(53, lanes_div(K(1.0), lanes_min(_s114, _s32))); FIX(54, p_restitution);
-        FIX(55, lanes_mul(K(0.4), p_ball_radius)); FIX(56, lanes_div(K(1.0), p_ball_radius));
+        FIX(41, lanes_add(_s83, _s92)); FIX(42, lanes_mul(K(8.940696716308594e-08), _s77));
+        FIX(43, lanes_max(K(1.0), _s98)); FIX(44, lanes_sqrt(K(2.0)));
+        FIX(45, lanes_add(_s30, _s35)); FIX(46, lanes_mul(_s102, lanes_mul(_s102, _s102)));
+        FIX(47, _s77); FIX(48, lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s32), _s77));
+        FIX(49, lanes_mul(K(5.00030517578125), _s32)); FIX(50, lanes_mul(K(6.0), p_gravity));
+        FIX(51, lanes_mul(K(9.094947017729282e-13), _s77)); FIX(52, _s91);
+        FIX(53, lanes_div(K(1.0), _s32)); FIX(54, lanes_div(K(1.0), lanes_min(_s116, _s32)));
+        FIX(55, p_restitution); FIX(56, lanes_mul(K(0.4), p_ball_radius));
+        FIX(57, lanes_div(K(1.0), p_ball_radius));
     }
     {
         const S _p_ball_radius = lanes_narrow(p_ball_radius);
@@ -577,16 +578,25 @@ LANES_APART void LOOP(fix_open_rows_1)(LOOP(worklist) *worklist, size_t i)
 {
     EACH(PARAMETER, open_, p_ball_radius, p_gravity, p_ring_radius, p_wire_radius)
     {
+#if BOUNDED
+        const V _s32 = lanes_add(p_ball_radius, p_wire_radius);
+        const V _s76 = lanes_mul(K(1.00006103515625), _s32);
+        const V _s88 = lanes_sub(p_ring_radius, _s76);
+        const V _s90 = lanes_mul(K(0.0001220703125), p_ring_radius);
+        const V _s98 = lanes_div(_s76, lanes_max(_s88, _s90));
+#endif
         FIX(5, p_ring_radius);
 #if BOUNDED
         FIX(14, lanes_div(K(1.0), p_gravity));
 #endif
         FIX(15, p_gravity); FIX(25, lanes_mul(K(0.5), p_gravity));
 #if BOUNDED
-        FIX(28, lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), lanes_sub(p_ring_radius, lanes_add(p_ball_radius, p_wire_radius))));
+        FIX(28, lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), lanes_sub(p_ring_radius, _s32)));
         FIX(29, lanes_mul(K(1.52587890625e-05), p_ball_radius));
-        FIX(30, lanes_mul(K(1.52587890625e-05), p_wire_radius)); FIX(42, lanes_sqrt(K(2.0)));
-        FIX(43, lanes_add(lanes_mul(K(2.0), p_ball_radius), lanes_mul(K(2.0), p_wire_radius)));
+        FIX(30, lanes_mul(K(1.52587890625e-05), p_wire_radius)); FIX(31, _s76);
+        FIX(42, lanes_mul(K(8.940696716308594e-08), lanes_add(p_ring_radius, _s76)));
+        FIX(43, lanes_max(K(1.0), _s98)); FIX(44, lanes_sqrt(K(2.0)));
+        FIX(45, lanes_add(lanes_mul(K(2.0), p_ball_radius), lanes_mul(K(2.0), p_wire_radius)));
 #endif
     }
     {
@@ -656,8 +666,8 @@ LANES_APART void LOOP(fix_open_searching_rows_1)(LOOP(worklist) *worklist, size_
         const V _s88 = lanes_sub(p_ring_radius, _s76);
         const V _s90 = lanes_mul(K(0.0001220703125), p_ring_radius);
         const V _s91 = lanes_max(_s88, _s90);
-        const V _s98 = lanes_div(K(1.0), _s91);
-        const V _s106 = lanes_div(_s76, _s91);
+        const V _s98 = lanes_div(_s76, _s91);
+        const V _s102 = lanes_div(K(1.0), _s91);
         FIX(14, lanes_div(K(1.0), p_gravity)); FIX(15, p_gravity);
         FIX(17, lanes_mul(K(2.0), p_gravity));
         FIX(28, lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), lanes_sub(p_ring_radius, _s32)));
@@ -666,11 +676,11 @@ LANES_APART void LOOP(fix_open_searching_rows_1)(LOOP(worklist) *worklist, size_
         FIX(34, lanes_mul(_s77, _s77)); FIX(36, lanes_mul(K(4.0), p_gravity));
         FIX(37, lanes_mul(lanes_mul(K(6.0003662109375), p_gravity), _s32));
         FIX(38, lanes_mul(_s91, _s91)); FIX(40, lanes_mul(K(2.0), p_ring_radius));
-        FIX(42, lanes_sqrt(K(2.0)));
-        FIX(43, lanes_add(lanes_mul(K(2.0), p_ball_radius), lanes_mul(K(2.0), p_wire_radius)));
-        FIX(44, lanes_mul(_s98, lanes_mul(_s98, _s98))); FIX(45, _s77);
-        FIX(46, lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s32), _s77));
-        FIX(47, lanes_mul(K(5.00030517578125), _s32)); FIX(48, lanes_max(K(1.0), _s106));
+        FIX(43, lanes_max(K(1.0), _s98)); FIX(44, lanes_sqrt(K(2.0)));
+        FIX(45, lanes_add(lanes_mul(K(2.0), p_ball_radius), lanes_mul(K(2.0), p_wire_radius)));
+        FIX(46, lanes_mul(_s102, lanes_mul(_s102, _s102))); FIX(47, _s77);
+        FIX(48, lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s32), _s77));
+        FIX(49, lanes_mul(K(5.00030517578125), _s32));
     }
 }
 
@@ -686,13 +696,12 @@ LANES_APART void LOOP(fix_open_searching_searching_rows_1)(LOOP(worklist) *workl
         const V _s88 = lanes_sub(p_ring_radius, _s76);
         const V _s90 = lanes_mul(K(0.0001220703125), p_ring_radius);
         const V _s91 = lanes_max(_s88, _s90);
-        const V _s106 = lanes_div(_s76, _s91);
+        const V _s98 = lanes_div(_s76, _s91);
         FIX(5, p_ring_radius); FIX(11, lanes_mul(_s32, _s32)); FIX(15, p_gravity);
-        FIX(25, lanes_mul(K(0.5), p_gravity)); FIX(31, _s76); FIX(45, _s77);
-        FIX(46, lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s32), _s77));
-        FIX(47, lanes_mul(K(5.00030517578125), _s32)); FIX(48, lanes_max(K(1.0), _s106));
-        FIX(49, lanes_mul(K(6.0), p_gravity)); FIX(50, lanes_mul(K(9.094947017729282e-13), _s77));
-        FIX(51, _s91);
+        FIX(25, lanes_mul(K(0.5), p_gravity)); FIX(31, _s76); FIX(43, lanes_max(K(1.0), _s98));
+        FIX(47, _s77); FIX(48, lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s32), _s77));
+        FIX(49, lanes_mul(K(5.00030517578125), _s32)); FIX(50, lanes_mul(K(6.0), p_gravity));
+        FIX(51, lanes_mul(K(9.094947017729282e-13), _s77)); FIX(52, _s91);
     }
 }
 
@@ -727,10 +736,10 @@ LANES_APART void LOOP(fix_open_rows_3)(LOOP(worklist) *worklist, size_t i)
         const V _s77 = lanes_add(p_ring_radius, _s76);
         const V _s88 = lanes_sub(p_ring_radius, _s76);
         const V _s90 = lanes_mul(K(0.0001220703125), p_ring_radius);
-        const V _s106 = lanes_div(_s76, lanes_max(_s88, _s90));
-        FIX(15, p_gravity); FIX(31, _s76); FIX(45, _s77);
-        FIX(46, lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s32), _s77));
-        FIX(47, lanes_mul(K(5.00030517578125), _s32)); FIX(48, lanes_max(K(1.0), _s106));
+        const V _s98 = lanes_div(_s76, lanes_max(_s88, _s90));
+        FIX(15, p_gravity); FIX(31, _s76); FIX(43, lanes_max(K(1.0), _s98)); FIX(47, _s77);
+        FIX(48, lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s32), _s77));
+        FIX(49, lanes_mul(K(5.00030517578125), _s32));
     }
 }
 
@@ -745,19 +754,19 @@ LANES_APART void LOOP(fix_rows_3)(LOOP(worklist) *worklist, size_t i)
         const V _s32 = lanes_add(p_ball_radius, p_wire_radius);
 #if BOUNDED
         const V _s62 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(p_ball_radius, p_ring_radius), p_wire_radius), p_board_distance), p_board_half_width), p_bridge_half_width), p_end_depth);
-        const V _s114 = lanes_sub(lanes_sub(p_ring_radius, p_ball_radius), p_wire_radius);
+        const V _s116 = lanes_sub(lanes_sub(p_ring_radius, p_ball_radius), p_wire_radius);
 #endif
         FIX(3, lanes_sub(p_ball_radius, p_board_distance)); FIX(5, p_ring_radius); FIX(10, _s32);
         FIX(15, p_gravity); FIX(25, lanes_mul(K(0.5), p_gravity));
 #if BOUNDED
         FIX(26, lanes_add(lanes_add(_s62, lanes_abs(p_board_bottom)), lanes_abs(p_board_top)));
 #endif
-        FIX(52, lanes_div(K(1.0), _s32));
+        FIX(53, lanes_div(K(1.0), _s32));
 #if BOUNDED
-        FIX(53, lanes_div(K(1.0), lanes_min(_s114, _s32)));
+        FIX(54, lanes_div(K(1.0), lanes_min(_s116, _s32)));
 #endif
-        FIX(54, p_restitution); FIX(55, lanes_mul(K(0.4), p_ball_radius));
-        FIX(56, lanes_div(K(1.0), p_ball_radius));
+        FIX(55, p_restitution); FIX(56, lanes_mul(K(0.4), p_ball_radius));
+        FIX(57, lanes_div(K(1.0), p_ball_radius));
 #if BOUNDED
     }
     {
@@ -1396,9 +1405,9 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
             EACH(GET, _coarse_1, ceiling, flat, tilt)
 #if BOUNDED
             EACH(GET, _coarse_1, allowing)
-            CALL(hoop_allowance, _allowance_1)(allowing, latest, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), FIXED(15));
-            EACH(GET, _allowance_1, excess)
-            CALL(hoop_ring_budget_exceeded, _ring_budget_exceeded_1)(until, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), FIXED(28), FIXED(42), FIXED(14), FIXED(43), FIXED(29), FIXED(30));
+            CALL(hoop_ring_coarse_excess, _ring_coarse_excess_1)(allowing, latest, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), FIXED(15), FIXED(31), FIXED(42), FIXED(43));
+            EACH(GET, _ring_coarse_excess_1, excess)
+            CALL(hoop_ring_budget_exceeded, _ring_budget_exceeded_1)(until, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), FIXED(28), FIXED(44), FIXED(14), FIXED(45), FIXED(29), FIXED(30));
             EACH(GET, _ring_budget_exceeded_1, budget_exceeded)
             CALL(hoop_out_of_budget, _out_of_budget_1)(pad, budget_exceeded, earliest_delay, undecided_time, excess);
             EACH(SET, _out_of_budget_1, undecided_time)
@@ -1556,28 +1565,34 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
 #if BOUNDED
             EACH(LOAD, open_searching_, undecided_time)
             EACH(LOAD_SINGLE, open_searching_, position_error, velocity_error)
-            CALL(hoop_ring_prepare, _ring_prepare_1)(until, x, y, z, vx, vy, vz, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), FIXED(36), FIXED(40), FIXED(31), FIXED(17), FIXED(14), FIXED(34), FIXED(38), FIXED(37), FIXED(44), FIXED(28), FIXED(42), FIXED(43), FIXED(29), FIXED(30));
+            CALL(hoop_ring_prepare, _ring_prepare_1)(until, x, y, z, vx, vy, vz, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), FIXED(36), FIXED(40), FIXED(31), FIXED(17), FIXED(14), FIXED(34), FIXED(38), FIXED(37), FIXED(46), FIXED(28), FIXED(44), FIXED(45), FIXED(29), FIXED(30));
 #else
-            CALL(hoop_ring_prepare, _ring_prepare_1)(until, x, y, z, vx, vy, vz, extent, speed, K(0.0), K(0.0), FIXED(36), FIXED(40), FIXED(31), FIXED(17), FIXED(14), FIXED(34), FIXED(38), FIXED(37), FIXED(44), FIXED(28), FIXED(42), FIXED(43), FIXED(29), FIXED(30));
+            CALL(hoop_ring_prepare, _ring_prepare_1)(until, x, y, z, vx, vy, vz, extent, speed, K(0.0), K(0.0), FIXED(36), FIXED(40), FIXED(31), FIXED(17), FIXED(14), FIXED(34), FIXED(38), FIXED(37), FIXED(46), FIXED(28), FIXED(44), FIXED(45), FIXED(29), FIXED(30));
 #endif
             EACH(GET, _ring_prepare_1, energy2, moment2, rho_start, low0, high0, low1, high1, low2)
             EACH(GET, _ring_prepare_1, high2, ceiling, latest)
 #if BOUNDED
+            CALL(hoop_ring_excess, _ring_excess_1)(share, latest, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), FIXED(15), FIXED(31), FIXED(43));
+            EACH(GET, _ring_excess_1, excess)
             CALL(hoop_allowance, _allowance_1)(share, latest, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), FIXED(15));
 #else
             CALL(hoop_allowance, _allowance_1)(share, latest, extent, speed, K(0.0), K(0.0), FIXED(15));
 #endif
             EACH(GET, _allowance_1, position_level, velocity_level)
-            CALL(hoop_ring_margins, _ring_margins_1)(latest, extent, speed, position_level, velocity_level, FIXED(15), FIXED(31), FIXED(45), FIXED(46), FIXED(47), FIXED(48));
+            CALL(hoop_ring_margins, _ring_margins_1)(latest, extent, speed, position_level, velocity_level, FIXED(15), FIXED(31), FIXED(47), FIXED(48), FIXED(49), FIXED(43));
             V flat = _ring_margins_1.margin;
             V tilt = _ring_margins_1.leaving_margin;
             V rate_slack = _ring_margins_1.rate_margin;
+#if BOUNDED
+            CALL(hoop_budget_undecided, _budget_undecided_1)(t, undecided_time, excess);
+            EACH(SET, _budget_undecided_1, undecided_time)
+#endif
             CALL(hoop_ring_enter, _ring_enter_1)(t, K(0.0), t, low0, low1, low2, high0, high1, high2);
             EACH(SET, _ring_enter_1, t)
             EACH(GET, _ring_enter_1, end)
             EACH(GET_MASK, _ring_enter_1, searching)
             EACH(STORE, open_searching_, ceiling, flat, rho_start, tilt)
-            BOUNDS(EACH(STORE, open_searching_, latest, t))
+            BOUNDS(EACH(STORE, open_searching_, latest, t, undecided_time))
             BOUNDS(EACH(STORE_MASK, open_searching_, searching))
             const M packed = lanes_both(rows, searching);
             if (lanes_any(packed)) {
@@ -1645,7 +1660,7 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
                 M searching = active;
                 CALL(hoop_nearby, _nearby_1)(t, flat, tilt, K(0.0), last);
                 EACH(GET, _nearby_1, leaving, margin)
-                CALL(hoop_ring_advance, _ring_advance_1)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, energy2, moment2, rho_start, FIXED(5), FIXED(15), FIXED(25), FIXED(11), FIXED(49), FIXED(31), FIXED(50), FIXED(51));
+                CALL(hoop_ring_advance, _ring_advance_1)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, energy2, moment2, rho_start, FIXED(5), FIXED(15), FIXED(25), FIXED(11), FIXED(50), FIXED(31), FIXED(51), FIXED(52));
                 EACH(GET, _ring_advance_1, gap, rate, bend, step, next, clearance)
                 CALL(hoop_gap_closes, _gap_closes_1)(gap, rate, bend, margin, rate_slack, clearance, share);
                 EACH(GET_MASK, _gap_closes_1, hit, sure, needs_refinement)
@@ -1654,13 +1669,14 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
                     CALL(hoop_smaller_budget, _smaller_budget_1)(share);
                     EACH(SELECT, (_if_needs_refinement_1, _smaller_budget_1), share)
 #if BOUNDED
+                    CALL(hoop_ring_excess, _ring_excess_1)(share, latest, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), FIXED(15), FIXED(31), FIXED(43));
+                    EACH(GET, _ring_excess_1, excess)
                     CALL(hoop_allowance, _allowance_1)(share, latest, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), FIXED(15));
 #else
                     CALL(hoop_allowance, _allowance_1)(share, latest, extent, speed, K(0.0), K(0.0), FIXED(15));
 #endif
                     EACH(GET, _allowance_1, position_level, velocity_level)
-                    BOUNDS(EACH(GET, _allowance_1, excess))
-                    CALL(hoop_ring_margins, _ring_margins_1)(latest, extent, speed, position_level, velocity_level, FIXED(15), FIXED(31), FIXED(45), FIXED(46), FIXED(47), FIXED(48));
+                    CALL(hoop_ring_margins, _ring_margins_1)(latest, extent, speed, position_level, velocity_level, FIXED(15), FIXED(31), FIXED(47), FIXED(48), FIXED(49), FIXED(43));
                     flat = lanes_select(_if_needs_refinement_1, _ring_margins_1.margin, flat);
                     tilt = lanes_select(_if_needs_refinement_1, _ring_margins_1.leaving_margin, tilt);
                     rate_slack = lanes_select(_if_needs_refinement_1, _ring_margins_1.rate_margin, rate_slack);
@@ -1847,7 +1863,7 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
             EACH(LOAD, open_, undecided_time)
             EACH(LOAD_MASK, open_, certain)
             EACH(LOAD_SINGLE, open_, position_error, velocity_error)
-            CALL(hoop_ring_margins, _ring_margins_1)(latest, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), FIXED(15), FIXED(31), FIXED(45), FIXED(46), FIXED(47), FIXED(48));
+            CALL(hoop_ring_margins, _ring_margins_1)(latest, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), FIXED(15), FIXED(31), FIXED(47), FIXED(48), FIXED(49), FIXED(43));
             V flat = _ring_margins_1.margin;
             V tilt = _ring_margins_1.leaving_margin;
             EACH(GET, _ring_margins_1, rate_margin)
@@ -1969,7 +1985,7 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
                 EACH(GET_MASK, _here_2, here)
                 const M _if_here_2 = lanes_both(_if_meeting_1, here);
                 {
-                    CALL(hoop_ring_normal, _ring_normal_1)(x, y, z, FIXED(5), FIXED(52));
+                    CALL(hoop_ring_normal, _ring_normal_1)(x, y, z, FIXED(5), FIXED(53));
                     EACH(SELECT, (_if_here_2, _ring_normal_1), nx, ny, nz)
                     CALL(hoop_counted, _counted_1)(count_0);
                     count_0 = lanes_select(_if_here_2, _counted_1.count, count_0);
@@ -1999,7 +2015,7 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
                 EACH(GET_MASK, _again_1, again)
                 const M _if_again_1 = lanes_both(_if_meeting_1, again);
                 {
-                    CALL(hoop_ring_curvature, _ring_curvature_1)(FIXED(53));
+                    CALL(hoop_ring_curvature, _ring_curvature_1)(FIXED(54));
                     curving = lanes_select(_if_again_1, _ring_curvature_1.curvature, curving);
                 }
                 CALL(hoop_again, _again_2)(K(1.0), last, which);
@@ -2044,7 +2060,7 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
                     EACH(SELECT_SINGLE, (_if_touches_1, _carry_impact_1), dvx, dvy, dvz, dwx, dwy)
                     EACH(SELECT_SINGLE, (_if_touches_1, _carry_impact_1), dwz)
 #endif
-                    CALL(hoop_impact, _impact_1)(vx, vy, vz, wx, wy, wz, nx, ny, nz, FIXED(54), FIXED(55), FIXED(56));
+                    CALL(hoop_impact, _impact_1)(vx, vy, vz, wx, wy, wz, nx, ny, nz, FIXED(55), FIXED(56), FIXED(57));
                     EACH(SELECT, (_if_touches_1, _impact_1), vx, vy, vz, wx, wy, wz)
                 }
 #if !BOUNDED

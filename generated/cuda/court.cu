@@ -1,6 +1,6 @@
 /* The event loop of the scene court in CUDA: a thread takes one shot from its release to its end.
 
-   Generated from templates/cuda/scene.cu.j2, scene court, derivation 7428a0ce6ee8ed52,
+   Generated from templates/cuda/scene.cu.j2, scene court, derivation 5f9112b56eb80909,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    It needs no header. To give the bits of NumPy and C it is compiled with --fmad=false, --ftz=false,
@@ -719,25 +719,26 @@ static __device__ __forceinline__ kernel_beginning_out kernel_beginning()
 }
 
 /* Undecided time 0 if errors exceed the budget of a search, or its bounds fail.
-   Table 1. 6 operations: 3 comparisons, 2 disjunctions, 1 selection. */
+   Table 1. 7 operations: 1 multiplication, 3 comparisons, 2 disjunctions, 1 selection. */
 struct kernel_out_of_budget_out {
     double undecided_time;
 };
 
 static __device__ __forceinline__ kernel_out_of_budget_out kernel_out_of_budget(double pad, double budget_exceeded, double earliest_delay, double undecided_time, double excess)
 {
-    return {choose((((0.0 < excess) || (0.0 < budget_exceeded)) || (pad < earliest_delay)), 0.0, undecided_time)};
+    return {choose((((0.0 < excess) || (pad < (0.5 * earliest_delay))) || (0.0 < budget_exceeded)), 0.0, undecided_time)};
 }
 
 /* Undecided time 0 if errors exceed the budget of an open window, or its bounds fail.
-   Table 1. 7 operations: 3 comparisons, 1 conjunction, 2 disjunctions, 1 selection. */
+   Table 1. 8 operations: 1 multiplication, 3 comparisons, 1 conjunction, 2 disjunctions, 1 selection. */
 struct kernel_out_of_budget_in_windows_out {
     double undecided_time;
 };
 
 static __device__ __forceinline__ kernel_out_of_budget_in_windows_out kernel_out_of_budget_in_windows(double pad, double budget_exceeded, double earliest_delay, double undecided_time, double excess, bool searching)
 {
-    return {choose(((searching && ((0.0 < excess) || (pad < earliest_delay))) || (0.0 < budget_exceeded)), 0.0, undecided_time)};
+    const double _s0 = choose(((searching && ((0.0 < excess) || (pad < (0.5 * earliest_delay)))) || (0.0 < budget_exceeded)), 0.0, undecided_time);
+    return {_s0};
 }
 
 /* 1 near the surface that the ball left, where F/t is more exact than F; the margin.
@@ -2442,7 +2443,7 @@ static __device__ __forceinline__ kernel_ring_impact_undecided_out kernel_ring_i
 }
 
 /* Whether the bounces end in rolling, sliding, a wedge or departure, and whether that is certain.
-   a geometric series of bounces. 156 operations: 21 additions, 4 subtractions, 51 multiplications, 9 divisions, 1 square root, 1 negation, 14 absolute values, 24 comparisons, 19 conjunctions, 7 disjunctions, 2 complements, 3 selections. */
+   a geometric series of bounces. 154 operations: 21 additions, 4 subtractions, 50 multiplications, 9 divisions, 1 square root, 1 negation, 14 absolute values, 23 comparisons, 19 conjunctions, 7 disjunctions, 2 complements, 3 selections. */
 struct kernel_ring_impact_settling_out {
     bool settles, lodges, slides, unpressed;
     double assured;
@@ -2484,11 +2485,12 @@ static __device__ __forceinline__ kernel_ring_impact_settling_out kernel_ring_im
     const double _s30 = bounce / _s29;
     const bool _s31 = (((0.0 < _s29) && _s1) && (((3.0 * _s30) * _s7) < (_s8 * _s29))) && ((_s23 + (((16.0 * _s30) * _s5) / _s0)) < nearest);
     const bool _s32 = _s31 && (((_s16 * _s30) + ((_s18 * (_s30 * _s30)) / _s17)) <= _s21);
-    const double _s33 = ((2.0 * ((_s11 * _s30) + choose((0.0 < bounce), (bounce * _s13), 0.0))) / (_s19 * _s0)) + (1.4551915228366852e-11 * _s9);
-    const bool _s34 = (fabs(press) <= ((4.0 * velocity_error) * _s3)) || (((bounce * fabs((_s20 - _s21))) <= ((2.0 * velocity_error) * _s21)) && (0.0 < (p_ring_restitution * bounce)));
-    const double _s35 = 16.0 * velocity_error;
-    const bool _s36 = _s32 && ((fabs((slip - _s33)) < _s35) || (fabs((_s11 - _s14)) < (_s35 * ((_s13 * _s3) + _s3))));
-    return {(_s22 && (!_s24)) && (_s26 || _s27), _s22 && _s24, _s32 && ((_s33 < slip) || (_s14 < _s11)), (bounce <= _s10) && (0.0 <= lift), choose(((_s15 && _s26) || _s31), 1.0, 0.0), (_s34 || _s36) || ((_s22 && _s27) && (!_s26))};
+    const bool _s33 = 0.0 < bounce;
+    const double _s34 = ((2.0 * ((_s11 * _s30) + choose(_s33, (bounce * _s13), 0.0))) / (_s19 * _s0)) + (1.4551915228366852e-11 * _s9);
+    const bool _s35 = (fabs(press) <= ((4.0 * velocity_error) * _s3)) || (((bounce * fabs((_s20 - _s21))) <= ((2.0 * velocity_error) * _s21)) && _s33);
+    const double _s36 = 16.0 * velocity_error;
+    const bool _s37 = _s32 && ((fabs((slip - _s34)) < _s36) || (fabs((_s11 - _s14)) < (_s36 * ((_s13 * _s3) + _s3))));
+    return {(_s22 && (!_s24)) && (_s26 || _s27), _s22 && _s24, _s32 && ((_s34 < slip) || (_s14 < _s11)), (bounce <= _s10) && (0.0 <= lift), choose(((_s15 && _s26) || _s31), 1.0, 0.0), (_s35 || _s37) || ((_s22 && _s27) && (!_s26))};
 }
 
 /* Excess F² - mu² N² and its rate.
@@ -2652,6 +2654,25 @@ static __device__ __forceinline__ kernel_ring_carry_normal_out kernel_ring_carry
     const double _s7 = (_s1 * _s5) * _s3;
     const double _s8 = (p_ring_radius - p_ball_radius) - p_wire_radius;
     return {(x * _s6) + (dx * _s7), (y * _s6) + (dy * _s7), dz * _s1, shift * (1.0 / smaller(_s8, _s0))};
+}
+
+/* Positive if errors of the state exceed those that a search allows for.
+   running error analysis. 26 operations: 6 additions, 3 subtractions, 10 multiplications, 1 division, 3 comparisons, 3 selections. */
+struct kernel_ring_excess_out {
+    double excess;
+};
+
+static __device__ __forceinline__ kernel_ring_excess_out kernel_ring_excess(double share, double horizon, double extent, double speed, double position_error, double velocity_error, double p_ball_radius, double p_ring_radius, double p_wire_radius, double p_gravity)
+{
+    const double _s0 = speed + (p_gravity * horizon);
+    const double _s1 = horizon * _s0;
+    const double _s2 = (position_error + (horizon * velocity_error)) - (share * (_s1 + (extent + _s1)));
+    const double _s3 = 1.00006103515625 * (p_ball_radius + p_wire_radius);
+    const double _s4 = p_ring_radius - _s3;
+    const double _s5 = 0.0001220703125 * p_ring_radius;
+    const double _s6 = _s3 / larger(_s4, _s5);
+    const double _s7 = ((_s0 * larger(1.0, _s6)) * _s2) + (_s3 * (velocity_error - (share * _s0)));
+    return {larger(_s2, _s7)};
 }
 
 /* Positive if there is certainly no contact before the horizon.
@@ -3091,6 +3112,26 @@ static __device__ __forceinline__ kernel_ring_started_out kernel_ring_started(do
     const double _s0 = sqrt(((x * x) + (y * y)));
     const double _s1 = ((x * vx) + (y * vy)) / _s0;
     return {_s0, 2.0 * ((z * vz) + (_s1 * (_s0 - p_ring_radius))), _s1};
+}
+
+/* Positive if errors of the state exceed those that a search allows for.
+   running error analysis. 34 operations: 7 additions, 5 subtractions, 13 multiplications, 1 division, 4 comparisons, 4 selections. */
+struct kernel_ring_coarse_excess_out {
+    double excess;
+};
+
+static __device__ __forceinline__ kernel_ring_coarse_excess_out kernel_ring_coarse_excess(double share, double horizon, double extent, double speed, double position_error, double velocity_error, double p_ball_radius, double p_ring_radius, double p_wire_radius, double p_gravity)
+{
+    const double _s0 = speed + (p_gravity * horizon);
+    const double _s1 = share * (extent + (horizon * _s0));
+    const double _s2 = 1.00006103515625 * (p_ball_radius + p_wire_radius);
+    const double _s3 = ((position_error + (horizon * velocity_error)) - _s1) - (8.940696716308594e-08 * (p_ring_radius + _s2));
+    const double _s4 = p_ring_radius - _s2;
+    const double _s5 = 0.0001220703125 * p_ring_radius;
+    const double _s6 = _s2 / larger(_s4, _s5);
+    const double _s7 = (position_error + ((0.5 * horizon) * velocity_error)) - _s1;
+    const double _s8 = ((_s0 * larger(1.0, _s6)) * larger(_s7, _s3)) + (_s2 * (velocity_error - (share * _s0)));
+    return {larger(_s3, _s8)};
 }
 
 /* Positive if the bounds of the search do not hold.
@@ -5395,7 +5436,7 @@ static __device__ __forceinline__ void court_loop(
             if (BOUNDS)
                 allowing = _o33.allowing;
             if (BOUNDS) {
-                const kernel_allowance_out _o34 = kernel_allowance(allowing, latest, extent, speed, position_error, velocity_error, p_gravity);
+                const kernel_ring_coarse_excess_out _o34 = kernel_ring_coarse_excess(allowing, latest, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
                 excess = _o34.excess;
                 const kernel_ring_budget_exceeded_out _o35 = kernel_ring_budget_exceeded(until, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
                 budget_exceeded = _o35.budget_exceeded;
@@ -5435,878 +5476,873 @@ static __device__ __forceinline__ void court_loop(
                 high2 = _o40.high2;
                 ceiling = _o40.ceiling;
                 latest = _o40.latest;
-                const kernel_allowance_out _o41 = kernel_allowance(share, latest, extent, speed, position_error, velocity_error, p_gravity);
-                position_level = _o41.position_level;
-                velocity_level = _o41.velocity_level;
-                const kernel_ring_margins_out _o42 = kernel_ring_margins(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                flat = _o42.margin;
-                tilt = _o42.leaving_margin;
-                rate_slack = _o42.rate_margin;
-                const kernel_ring_enter_out _o43 = kernel_ring_enter(t, 0.0, t, low0, low1, low2, high0, high1, high2);
-                t = _o43.t;
-                end = _o43.end;
-                searching = _o43.searching;
+                if (BOUNDS) {
+                    const kernel_ring_excess_out _o41 = kernel_ring_excess(share, latest, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                    excess = _o41.excess;
+                }
+                const kernel_allowance_out _o42 = kernel_allowance(share, latest, extent, speed, position_error, velocity_error, p_gravity);
+                position_level = _o42.position_level;
+                velocity_level = _o42.velocity_level;
+                const kernel_ring_margins_out _o43 = kernel_ring_margins(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                flat = _o43.margin;
+                tilt = _o43.leaving_margin;
+                rate_slack = _o43.rate_margin;
+                if (BOUNDS) {
+                    const kernel_budget_undecided_out _o44 = kernel_budget_undecided(t, undecided_time, excess);
+                    undecided_time = _o44.undecided_time;
+                }
+                const kernel_ring_enter_out _o45 = kernel_ring_enter(t, 0.0, t, low0, low1, low2, high0, high1, high2);
+                t = _o45.t;
+                end = _o45.end;
+                searching = _o45.searching;
                 for (size_t _turn = 0; _turn < 201; _turn++) {
                     if (!searching)
                         break;
-                    const kernel_nearby_out _o44 = kernel_nearby(t, flat, tilt, 0.0, last);
-                    leaving = _o44.leaving;
-                    margin = _o44.margin;
-                    const kernel_ring_advance_out _o45 = kernel_ring_advance(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, energy2, moment2, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                    gap = _o45.gap;
-                    rate = _o45.rate;
-                    bend = _o45.bend;
-                    step = _o45.step;
-                    next = _o45.next;
-                    clearance = _o45.clearance;
-                    const kernel_gap_closes_out _o46 = kernel_gap_closes(gap, rate, bend, margin, rate_slack, clearance, share);
-                    hit = _o46.hit;
-                    sure = _o46.sure;
-                    needs_refinement = _o46.needs_refinement;
+                    const kernel_nearby_out _o46 = kernel_nearby(t, flat, tilt, 0.0, last);
+                    leaving = _o46.leaving;
+                    margin = _o46.margin;
+                    const kernel_ring_advance_out _o47 = kernel_ring_advance(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, energy2, moment2, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                    gap = _o47.gap;
+                    rate = _o47.rate;
+                    bend = _o47.bend;
+                    step = _o47.step;
+                    next = _o47.next;
+                    clearance = _o47.clearance;
+                    const kernel_gap_closes_out _o48 = kernel_gap_closes(gap, rate, bend, margin, rate_slack, clearance, share);
+                    hit = _o48.hit;
+                    sure = _o48.sure;
+                    needs_refinement = _o48.needs_refinement;
                     if (needs_refinement) {
-                        const kernel_smaller_budget_out _o47 = kernel_smaller_budget(share);
-                        share = _o47.share;
-                        const kernel_allowance_out _o48 = kernel_allowance(share, latest, extent, speed, position_error, velocity_error, p_gravity);
-                        position_level = _o48.position_level;
-                        velocity_level = _o48.velocity_level;
-                        if (BOUNDS)
-                            excess = _o48.excess;
-                        const kernel_ring_margins_out _o49 = kernel_ring_margins(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                        flat = _o49.margin;
-                        tilt = _o49.leaving_margin;
-                        rate_slack = _o49.rate_margin;
+                        const kernel_smaller_budget_out _o49 = kernel_smaller_budget(share);
+                        share = _o49.share;
                         if (BOUNDS) {
-                            const kernel_budget_undecided_out _o50 = kernel_budget_undecided(t, undecided_time, excess);
-                            undecided_time = _o50.undecided_time;
+                            const kernel_ring_excess_out _o50 = kernel_ring_excess(share, latest, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                            excess = _o50.excess;
+                        }
+                        const kernel_allowance_out _o51 = kernel_allowance(share, latest, extent, speed, position_error, velocity_error, p_gravity);
+                        position_level = _o51.position_level;
+                        velocity_level = _o51.velocity_level;
+                        const kernel_ring_margins_out _o52 = kernel_ring_margins(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                        flat = _o52.margin;
+                        tilt = _o52.leaving_margin;
+                        rate_slack = _o52.rate_margin;
+                        if (BOUNDS) {
+                            const kernel_budget_undecided_out _o53 = kernel_budget_undecided(t, undecided_time, excess);
+                            undecided_time = _o53.undecided_time;
                         }
                     }
-                    const kernel_advanced_out _o51 = kernel_advanced(t, end, step, next, arrival, hit, sure, needs_refinement, certain);
-                    arrival = _o51.arrival;
-                    certain = _o51.certain;
-                    exhausted = _o51.exhausted;
-                    searching = _o51.searching;
-                    t = _o51.t;
+                    const kernel_advanced_out _o54 = kernel_advanced(t, end, step, next, arrival, hit, sure, needs_refinement, certain);
+                    arrival = _o54.arrival;
+                    certain = _o54.certain;
+                    exhausted = _o54.exhausted;
+                    searching = _o54.searching;
+                    t = _o54.t;
                     if (exhausted) {
-                        const kernel_ring_enter_out _o52 = kernel_ring_enter(t, end, end, low0, low1, low2, high0, high1, high2);
-                        t = _o52.t;
-                        end = _o52.end;
-                        searching = _o52.searching;
+                        const kernel_ring_enter_out _o55 = kernel_ring_enter(t, end, end, low0, low1, low2, high0, high1, high2);
+                        t = _o55.t;
+                        end = _o55.end;
+                        searching = _o55.searching;
                     }
                 }
                 if (BOUNDS) {
-                    const kernel_predicate_undecided_out _o53 = kernel_predicate_undecided(t, undecided_time, searching);
-                    undecided_time = _o53.undecided_time;
+                    const kernel_predicate_undecided_out _o56 = kernel_predicate_undecided(t, undecided_time, searching);
+                    undecided_time = _o56.undecided_time;
                 }
             }
-            const kernel_found_out _o54 = kernel_found(arrival);
-            arrives = _o54.arrives;
-            refining = _o54.refining;
+            const kernel_found_out _o57 = kernel_found(arrival);
+            arrives = _o57.arrives;
+            refining = _o57.refining;
             if (BOUNDS)
-                rate = _o54.rate;
-            const kernel_nearby_out _o55 = kernel_nearby(arrival, flat, tilt, 0.0, last);
-            leaving = _o55.leaving;
+                rate = _o57.rate;
+            const kernel_nearby_out _o58 = kernel_nearby(arrival, flat, tilt, 0.0, last);
+            leaving = _o58.leaving;
             if (refining) {
-                const kernel_ring_refine_out _o56 = kernel_ring_refine(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                refined = _o56.time;
-                gap = _o56.gap;
-                rate = _o56.rate;
-                const kernel_refined_root_out _o57 = kernel_refined_root(gap, rate, ceiling, arrival, refined, certain);
-                arrival = _o57.arrival;
-                refining = _o57.refining;
+                const kernel_ring_refine_out _o59 = kernel_ring_refine(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                refined = _o59.time;
+                gap = _o59.gap;
+                rate = _o59.rate;
+                const kernel_refined_root_out _o60 = kernel_refined_root(gap, rate, ceiling, arrival, refined, certain);
+                arrival = _o60.arrival;
+                refining = _o60.refining;
             }
             if (refining) {
-                const kernel_ring_refine_out _o58 = kernel_ring_refine(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                refined = _o58.time;
-                gap = _o58.gap;
-                rate = _o58.rate;
-                const kernel_refined_root_out _o59 = kernel_refined_root(gap, rate, ceiling, arrival, refined, certain);
-                arrival = _o59.arrival;
-                refining = _o59.refining;
+                const kernel_ring_refine_out _o61 = kernel_ring_refine(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                refined = _o61.time;
+                gap = _o61.gap;
+                rate = _o61.rate;
+                const kernel_refined_root_out _o62 = kernel_refined_root(gap, rate, ceiling, arrival, refined, certain);
+                arrival = _o62.arrival;
+                refining = _o62.refining;
             }
             for (size_t _turn = 0; _turn < 8; _turn++) {
                 if (!refining)
                     break;
-                const kernel_ring_refine_out _o60 = kernel_ring_refine(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                refined = _o60.time;
-                gap = _o60.gap;
-                rate = _o60.rate;
-                const kernel_refined_root_out _o61 = kernel_refined_root(gap, rate, ceiling, arrival, refined, certain);
-                arrival = _o61.arrival;
-                refining = _o61.refining;
+                const kernel_ring_refine_out _o63 = kernel_ring_refine(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                refined = _o63.time;
+                gap = _o63.gap;
+                rate = _o63.rate;
+                const kernel_refined_root_out _o64 = kernel_refined_root(gap, rate, ceiling, arrival, refined, certain);
+                arrival = _o64.arrival;
+                refining = _o64.refining;
             }
             if (BOUNDS) {
-                const kernel_ring_margins_out _o62 = kernel_ring_margins(latest, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                flat = _o62.margin;
-                tilt = _o62.leaving_margin;
-                rate_margin = _o62.rate_margin;
-                const kernel_own_margin_out _o63 = kernel_own_margin(leaving, flat, tilt, arrival);
-                margin = _o63.margin;
-                const kernel_crossing_out _o64 = kernel_crossing(margin, rate_margin, rate, ceiling);
-                clearance = _o64.clearance;
-                delay = _o64.delay;
+                const kernel_ring_margins_out _o65 = kernel_ring_margins(latest, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                flat = _o65.margin;
+                tilt = _o65.leaving_margin;
+                rate_margin = _o65.rate_margin;
+                const kernel_own_margin_out _o66 = kernel_own_margin(leaving, flat, tilt, arrival);
+                margin = _o66.margin;
+                const kernel_crossing_out _o67 = kernel_crossing(margin, rate_margin, rate, ceiling);
+                clearance = _o67.clearance;
+                delay = _o67.delay;
             }
-            const kernel_arrival_time_out _o65 = kernel_arrival_time(arrival);
-            time = _o65.time;
+            const kernel_arrival_time_out _o68 = kernel_arrival_time(arrival);
+            time = _o68.time;
             if (BOUNDS) {
-                const kernel_arrival_certainty_out _o66 = kernel_arrival_certainty(clearance, time, delay, undecided_time, arrives, certain);
-                delay = _o66.delay;
-                undecided_time = _o66.undecided_time;
-                const kernel_tie_undecided_out _o67 = kernel_tie_undecided(time, when, delay, earliest_delay, undecided_time, arrives);
-                undecided_time = _o67.undecided_time;
-                earliest_delay = _o67.earliest_delay;
+                const kernel_arrival_certainty_out _o69 = kernel_arrival_certainty(clearance, time, delay, undecided_time, arrives, certain);
+                delay = _o69.delay;
+                undecided_time = _o69.undecided_time;
+                const kernel_tie_undecided_out _o70 = kernel_tie_undecided(time, when, delay, earliest_delay, undecided_time, arrives);
+                undecided_time = _o70.undecided_time;
+                earliest_delay = _o70.earliest_delay;
             }
-            const kernel_earliest_out _o68 = kernel_earliest(0.0, time, when, which, arrives);
-            when = _o68.when;
-            which = _o68.which;
+            const kernel_earliest_out _o71 = kernel_earliest(0.0, time, when, which, arrives);
+            when = _o71.when;
+            which = _o71.which;
         }
-        const kernel_horizon_out _o69 = kernel_horizon(when, speed, p_gravity);
-        until = _o69.horizon;
-        pad = _o69.pad;
-        const kernel_half_flight_boxes_out _o70 = kernel_half_flight_boxes(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, earliest_delay, pad, p_gravity);
-        middle_x = _o70.middle_x;
-        reach_x = _o70.reach_x;
-        later_middle_x = _o70.later_middle_x;
-        later_reach_x = _o70.later_reach_x;
-        middle_y = _o70.middle_y;
-        reach_y = _o70.reach_y;
-        later_middle_y = _o70.later_middle_y;
-        later_reach_y = _o70.later_reach_y;
-        middle_z = _o70.middle_z;
-        reach_z = _o70.reach_z;
-        later_middle_z = _o70.later_middle_z;
-        later_reach_z = _o70.later_reach_z;
-        const kernel_backboard_near_out _o71 = kernel_backboard_near(middle_x, middle_y, middle_z, reach_x, reach_y, reach_z, later_middle_x, later_middle_y, later_middle_z, later_reach_x, later_reach_y, later_reach_z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-        reachable = _o71.near;
-        const kernel_reachable_in_flight_out _o72 = kernel_reachable_in_flight(reachable, in_contact);
-        reachable = _o72.reachable;
+        const kernel_horizon_out _o72 = kernel_horizon(when, speed, p_gravity);
+        until = _o72.horizon;
+        pad = _o72.pad;
+        const kernel_half_flight_boxes_out _o73 = kernel_half_flight_boxes(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, earliest_delay, pad, p_gravity);
+        middle_x = _o73.middle_x;
+        reach_x = _o73.reach_x;
+        later_middle_x = _o73.later_middle_x;
+        later_reach_x = _o73.later_reach_x;
+        middle_y = _o73.middle_y;
+        reach_y = _o73.reach_y;
+        later_middle_y = _o73.later_middle_y;
+        later_reach_y = _o73.later_reach_y;
+        middle_z = _o73.middle_z;
+        reach_z = _o73.reach_z;
+        later_middle_z = _o73.later_middle_z;
+        later_reach_z = _o73.later_reach_z;
+        const kernel_backboard_near_out _o74 = kernel_backboard_near(middle_x, middle_y, middle_z, reach_x, reach_y, reach_z, later_middle_x, later_middle_y, later_middle_z, later_reach_x, later_reach_y, later_reach_z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
+        reachable = _o74.near;
+        const kernel_reachable_in_flight_out _o75 = kernel_reachable_in_flight(reachable, in_contact);
+        reachable = _o75.reachable;
         if (reachable) {
-            const kernel_horizon_out _o73 = kernel_horizon(when, speed, p_gravity);
-            until = _o73.horizon;
+            const kernel_horizon_out _o76 = kernel_horizon(when, speed, p_gravity);
+            until = _o76.horizon;
             if (BOUNDS)
-                pad = _o73.pad;
-            const kernel_backboard_prepare_out _o74 = kernel_backboard_prepare(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-            low0 = _o74.low0;
-            high0 = _o74.high0;
-            low1 = _o74.low1;
-            high1 = _o74.high1;
-            ceiling = _o74.ceiling;
-            latest = _o74.latest;
+                pad = _o76.pad;
+            const kernel_backboard_prepare_out _o77 = kernel_backboard_prepare(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
+            low0 = _o77.low0;
+            high0 = _o77.high0;
+            low1 = _o77.low1;
+            high1 = _o77.high1;
+            ceiling = _o77.ceiling;
+            latest = _o77.latest;
             if (BOUNDS)
-                budget_exceeded = _o74.budget_exceeded;
-            const kernel_beginning_out _o75 = kernel_beginning();
-            share = _o75.share;
-            arrival = _o75.arrival;
-            certain = _o75.certain;
-            const kernel_allowance_out _o76 = kernel_allowance(share, latest, extent, speed, position_error, velocity_error, p_gravity);
-            position_level = _o76.position_level;
-            velocity_level = _o76.velocity_level;
+                budget_exceeded = _o77.budget_exceeded;
+            const kernel_beginning_out _o78 = kernel_beginning();
+            share = _o78.share;
+            arrival = _o78.arrival;
+            certain = _o78.certain;
+            const kernel_allowance_out _o79 = kernel_allowance(share, latest, extent, speed, position_error, velocity_error, p_gravity);
+            position_level = _o79.position_level;
+            velocity_level = _o79.velocity_level;
             if (BOUNDS)
-                excess = _o76.excess;
-            const kernel_backboard_margins_out _o77 = kernel_backboard_margins(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-            flat = _o77.margin;
-            tilt = _o77.leaving_margin;
-            rate_slack = _o77.rate_margin;
-            const kernel_backboard_enter_out _o78 = kernel_backboard_enter(0.0, 0.0, 0.0, low0, low1, high0, high1);
-            t = _o78.t;
-            end = _o78.end;
-            searching = _o78.searching;
+                excess = _o79.excess;
+            const kernel_backboard_margins_out _o80 = kernel_backboard_margins(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
+            flat = _o80.margin;
+            tilt = _o80.leaving_margin;
+            rate_slack = _o80.rate_margin;
+            const kernel_backboard_enter_out _o81 = kernel_backboard_enter(0.0, 0.0, 0.0, low0, low1, high0, high1);
+            t = _o81.t;
+            end = _o81.end;
+            searching = _o81.searching;
             if (BOUNDS) {
-                const kernel_out_of_budget_in_windows_out _o79 = kernel_out_of_budget_in_windows(pad, budget_exceeded, earliest_delay, undecided_time, excess, searching);
-                undecided_time = _o79.undecided_time;
+                const kernel_out_of_budget_in_windows_out _o82 = kernel_out_of_budget_in_windows(pad, budget_exceeded, earliest_delay, undecided_time, excess, searching);
+                undecided_time = _o82.undecided_time;
             }
             if (searching) {
-                const kernel_nearby_out _o80 = kernel_nearby(t, flat, tilt, 1.0, last);
-                leaving = _o80.leaving;
-                margin = _o80.margin;
-                const kernel_backboard_advance_out _o81 = kernel_backboard_advance(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-                gap = _o81.gap;
-                rate = _o81.rate;
-                bend = _o81.bend;
-                step = _o81.step;
-                next = _o81.next;
-                clearance = _o81.clearance;
-                const kernel_gap_closes_or_stalls_out _o82 = kernel_gap_closes_or_stalls(t, end, gap, rate, bend, margin, rate_slack, next, clearance, share);
-                hit = _o82.hit;
-                sure = _o82.sure;
-                needs_refinement = _o82.needs_refinement;
+                const kernel_nearby_out _o83 = kernel_nearby(t, flat, tilt, 1.0, last);
+                leaving = _o83.leaving;
+                margin = _o83.margin;
+                const kernel_backboard_advance_out _o84 = kernel_backboard_advance(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
+                gap = _o84.gap;
+                rate = _o84.rate;
+                bend = _o84.bend;
+                step = _o84.step;
+                next = _o84.next;
+                clearance = _o84.clearance;
+                const kernel_gap_closes_or_stalls_out _o85 = kernel_gap_closes_or_stalls(t, end, gap, rate, bend, margin, rate_slack, next, clearance, share);
+                hit = _o85.hit;
+                sure = _o85.sure;
+                needs_refinement = _o85.needs_refinement;
                 if (needs_refinement) {
-                    const kernel_smaller_budget_out _o83 = kernel_smaller_budget(share);
-                    share = _o83.share;
-                    const kernel_allowance_out _o84 = kernel_allowance(share, latest, extent, speed, position_error, velocity_error, p_gravity);
-                    position_level = _o84.position_level;
-                    velocity_level = _o84.velocity_level;
+                    const kernel_smaller_budget_out _o86 = kernel_smaller_budget(share);
+                    share = _o86.share;
+                    const kernel_allowance_out _o87 = kernel_allowance(share, latest, extent, speed, position_error, velocity_error, p_gravity);
+                    position_level = _o87.position_level;
+                    velocity_level = _o87.velocity_level;
                     if (BOUNDS)
-                        excess = _o84.excess;
-                    const kernel_backboard_margins_out _o85 = kernel_backboard_margins(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-                    flat = _o85.margin;
-                    tilt = _o85.leaving_margin;
-                    rate_slack = _o85.rate_margin;
+                        excess = _o87.excess;
+                    const kernel_backboard_margins_out _o88 = kernel_backboard_margins(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
+                    flat = _o88.margin;
+                    tilt = _o88.leaving_margin;
+                    rate_slack = _o88.rate_margin;
                     if (BOUNDS) {
-                        const kernel_budget_undecided_out _o86 = kernel_budget_undecided(t, undecided_time, excess);
-                        undecided_time = _o86.undecided_time;
+                        const kernel_budget_undecided_out _o89 = kernel_budget_undecided(t, undecided_time, excess);
+                        undecided_time = _o89.undecided_time;
                     }
                 }
-                const kernel_advanced_out _o87 = kernel_advanced(t, end, step, next, arrival, hit, sure, needs_refinement, certain);
-                arrival = _o87.arrival;
-                certain = _o87.certain;
-                exhausted = _o87.exhausted;
-                searching = _o87.searching;
-                t = _o87.t;
+                const kernel_advanced_out _o90 = kernel_advanced(t, end, step, next, arrival, hit, sure, needs_refinement, certain);
+                arrival = _o90.arrival;
+                certain = _o90.certain;
+                exhausted = _o90.exhausted;
+                searching = _o90.searching;
+                t = _o90.t;
                 if (exhausted) {
-                    const kernel_backboard_enter_out _o88 = kernel_backboard_enter(t, end, end, low0, low1, high0, high1);
-                    t = _o88.t;
-                    end = _o88.end;
-                    searching = _o88.searching;
+                    const kernel_backboard_enter_out _o91 = kernel_backboard_enter(t, end, end, low0, low1, high0, high1);
+                    t = _o91.t;
+                    end = _o91.end;
+                    searching = _o91.searching;
                 }
             }
             for (size_t _turn = 0; _turn < 201; _turn++) {
                 if (!searching)
                     break;
-                const kernel_nearby_out _o89 = kernel_nearby(t, flat, tilt, 1.0, last);
-                leaving = _o89.leaving;
-                margin = _o89.margin;
-                const kernel_backboard_advance_out _o90 = kernel_backboard_advance(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-                gap = _o90.gap;
-                rate = _o90.rate;
-                bend = _o90.bend;
-                step = _o90.step;
-                next = _o90.next;
-                clearance = _o90.clearance;
-                const kernel_gap_closes_or_stalls_out _o91 = kernel_gap_closes_or_stalls(t, end, gap, rate, bend, margin, rate_slack, next, clearance, share);
-                hit = _o91.hit;
-                sure = _o91.sure;
-                needs_refinement = _o91.needs_refinement;
+                const kernel_nearby_out _o92 = kernel_nearby(t, flat, tilt, 1.0, last);
+                leaving = _o92.leaving;
+                margin = _o92.margin;
+                const kernel_backboard_advance_out _o93 = kernel_backboard_advance(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
+                gap = _o93.gap;
+                rate = _o93.rate;
+                bend = _o93.bend;
+                step = _o93.step;
+                next = _o93.next;
+                clearance = _o93.clearance;
+                const kernel_gap_closes_or_stalls_out _o94 = kernel_gap_closes_or_stalls(t, end, gap, rate, bend, margin, rate_slack, next, clearance, share);
+                hit = _o94.hit;
+                sure = _o94.sure;
+                needs_refinement = _o94.needs_refinement;
                 if (needs_refinement) {
-                    const kernel_smaller_budget_out _o92 = kernel_smaller_budget(share);
-                    share = _o92.share;
-                    const kernel_allowance_out _o93 = kernel_allowance(share, latest, extent, speed, position_error, velocity_error, p_gravity);
-                    position_level = _o93.position_level;
-                    velocity_level = _o93.velocity_level;
+                    const kernel_smaller_budget_out _o95 = kernel_smaller_budget(share);
+                    share = _o95.share;
+                    const kernel_allowance_out _o96 = kernel_allowance(share, latest, extent, speed, position_error, velocity_error, p_gravity);
+                    position_level = _o96.position_level;
+                    velocity_level = _o96.velocity_level;
                     if (BOUNDS)
-                        excess = _o93.excess;
-                    const kernel_backboard_margins_out _o94 = kernel_backboard_margins(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-                    flat = _o94.margin;
-                    tilt = _o94.leaving_margin;
-                    rate_slack = _o94.rate_margin;
+                        excess = _o96.excess;
+                    const kernel_backboard_margins_out _o97 = kernel_backboard_margins(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
+                    flat = _o97.margin;
+                    tilt = _o97.leaving_margin;
+                    rate_slack = _o97.rate_margin;
                     if (BOUNDS) {
-                        const kernel_budget_undecided_out _o95 = kernel_budget_undecided(t, undecided_time, excess);
-                        undecided_time = _o95.undecided_time;
+                        const kernel_budget_undecided_out _o98 = kernel_budget_undecided(t, undecided_time, excess);
+                        undecided_time = _o98.undecided_time;
                     }
                 }
-                const kernel_advanced_out _o96 = kernel_advanced(t, end, step, next, arrival, hit, sure, needs_refinement, certain);
-                arrival = _o96.arrival;
-                certain = _o96.certain;
-                exhausted = _o96.exhausted;
-                searching = _o96.searching;
-                t = _o96.t;
+                const kernel_advanced_out _o99 = kernel_advanced(t, end, step, next, arrival, hit, sure, needs_refinement, certain);
+                arrival = _o99.arrival;
+                certain = _o99.certain;
+                exhausted = _o99.exhausted;
+                searching = _o99.searching;
+                t = _o99.t;
                 if (exhausted) {
-                    const kernel_backboard_enter_out _o97 = kernel_backboard_enter(t, end, end, low0, low1, high0, high1);
-                    t = _o97.t;
-                    end = _o97.end;
-                    searching = _o97.searching;
+                    const kernel_backboard_enter_out _o100 = kernel_backboard_enter(t, end, end, low0, low1, high0, high1);
+                    t = _o100.t;
+                    end = _o100.end;
+                    searching = _o100.searching;
                 }
             }
             if (BOUNDS) {
-                const kernel_predicate_undecided_out _o98 = kernel_predicate_undecided(t, undecided_time, searching);
-                undecided_time = _o98.undecided_time;
+                const kernel_predicate_undecided_out _o101 = kernel_predicate_undecided(t, undecided_time, searching);
+                undecided_time = _o101.undecided_time;
             }
-            const kernel_found_out _o99 = kernel_found(arrival);
-            arrives = _o99.arrives;
-            refining = _o99.refining;
+            const kernel_found_out _o102 = kernel_found(arrival);
+            arrives = _o102.arrives;
+            refining = _o102.refining;
             if (BOUNDS)
-                rate = _o99.rate;
-            const kernel_nearby_out _o100 = kernel_nearby(arrival, flat, tilt, 1.0, last);
-            leaving = _o100.leaving;
+                rate = _o102.rate;
+            const kernel_nearby_out _o103 = kernel_nearby(arrival, flat, tilt, 1.0, last);
+            leaving = _o103.leaving;
             if (refining) {
-                const kernel_backboard_refine_out _o101 = kernel_backboard_refine(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-                refined = _o101.time;
-                gap = _o101.gap;
-                rate = _o101.rate;
-                const kernel_refined_root_out _o102 = kernel_refined_root(gap, rate, ceiling, arrival, refined, certain);
-                arrival = _o102.arrival;
-                refining = _o102.refining;
+                const kernel_backboard_refine_out _o104 = kernel_backboard_refine(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
+                refined = _o104.time;
+                gap = _o104.gap;
+                rate = _o104.rate;
+                const kernel_refined_root_out _o105 = kernel_refined_root(gap, rate, ceiling, arrival, refined, certain);
+                arrival = _o105.arrival;
+                refining = _o105.refining;
             }
             if (refining) {
-                const kernel_backboard_refine_out _o103 = kernel_backboard_refine(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-                refined = _o103.time;
-                gap = _o103.gap;
-                rate = _o103.rate;
-                const kernel_refined_root_out _o104 = kernel_refined_root(gap, rate, ceiling, arrival, refined, certain);
-                arrival = _o104.arrival;
-                refining = _o104.refining;
+                const kernel_backboard_refine_out _o106 = kernel_backboard_refine(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
+                refined = _o106.time;
+                gap = _o106.gap;
+                rate = _o106.rate;
+                const kernel_refined_root_out _o107 = kernel_refined_root(gap, rate, ceiling, arrival, refined, certain);
+                arrival = _o107.arrival;
+                refining = _o107.refining;
             }
             for (size_t _turn = 0; _turn < 8; _turn++) {
                 if (!refining)
                     break;
-                const kernel_backboard_refine_out _o105 = kernel_backboard_refine(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-                refined = _o105.time;
-                gap = _o105.gap;
-                rate = _o105.rate;
-                const kernel_refined_root_out _o106 = kernel_refined_root(gap, rate, ceiling, arrival, refined, certain);
-                arrival = _o106.arrival;
-                refining = _o106.refining;
+                const kernel_backboard_refine_out _o108 = kernel_backboard_refine(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
+                refined = _o108.time;
+                gap = _o108.gap;
+                rate = _o108.rate;
+                const kernel_refined_root_out _o109 = kernel_refined_root(gap, rate, ceiling, arrival, refined, certain);
+                arrival = _o109.arrival;
+                refining = _o109.refining;
             }
             if (BOUNDS) {
-                const kernel_backboard_margins_out _o107 = kernel_backboard_margins(latest, extent, speed, position_error, velocity_error, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-                flat = _o107.margin;
-                tilt = _o107.leaving_margin;
-                rate_margin = _o107.rate_margin;
-                const kernel_own_margin_out _o108 = kernel_own_margin(leaving, flat, tilt, arrival);
-                margin = _o108.margin;
-                const kernel_crossing_out _o109 = kernel_crossing(margin, rate_margin, rate, ceiling);
-                clearance = _o109.clearance;
-                delay = _o109.delay;
+                const kernel_backboard_margins_out _o110 = kernel_backboard_margins(latest, extent, speed, position_error, velocity_error, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
+                flat = _o110.margin;
+                tilt = _o110.leaving_margin;
+                rate_margin = _o110.rate_margin;
+                const kernel_own_margin_out _o111 = kernel_own_margin(leaving, flat, tilt, arrival);
+                margin = _o111.margin;
+                const kernel_crossing_out _o112 = kernel_crossing(margin, rate_margin, rate, ceiling);
+                clearance = _o112.clearance;
+                delay = _o112.delay;
             }
-            const kernel_arrival_time_out _o110 = kernel_arrival_time(arrival);
-            time = _o110.time;
+            const kernel_arrival_time_out _o113 = kernel_arrival_time(arrival);
+            time = _o113.time;
             if (BOUNDS) {
-                const kernel_arrival_certainty_out _o111 = kernel_arrival_certainty(clearance, time, delay, undecided_time, arrives, certain);
-                delay = _o111.delay;
-                undecided_time = _o111.undecided_time;
-                const kernel_tie_undecided_out _o112 = kernel_tie_undecided(time, when, delay, earliest_delay, undecided_time, arrives);
-                undecided_time = _o112.undecided_time;
-                earliest_delay = _o112.earliest_delay;
+                const kernel_arrival_certainty_out _o114 = kernel_arrival_certainty(clearance, time, delay, undecided_time, arrives, certain);
+                delay = _o114.delay;
+                undecided_time = _o114.undecided_time;
+                const kernel_tie_undecided_out _o115 = kernel_tie_undecided(time, when, delay, earliest_delay, undecided_time, arrives);
+                undecided_time = _o115.undecided_time;
+                earliest_delay = _o115.earliest_delay;
             }
-            const kernel_earliest_out _o113 = kernel_earliest(1.0, time, when, which, arrives);
-            when = _o113.when;
-            which = _o113.which;
+            const kernel_earliest_out _o116 = kernel_earliest(1.0, time, when, which, arrives);
+            when = _o116.when;
+            which = _o116.which;
         }
-        const kernel_horizon_out _o114 = kernel_horizon(when, speed, p_gravity);
-        until = _o114.horizon;
-        pad = _o114.pad;
-        const kernel_half_flight_boxes_out _o115 = kernel_half_flight_boxes(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, earliest_delay, pad, p_gravity);
-        middle_x = _o115.middle_x;
-        reach_x = _o115.reach_x;
-        later_middle_x = _o115.later_middle_x;
-        later_reach_x = _o115.later_reach_x;
-        middle_y = _o115.middle_y;
-        reach_y = _o115.reach_y;
-        later_middle_y = _o115.later_middle_y;
-        later_reach_y = _o115.later_reach_y;
-        middle_z = _o115.middle_z;
-        reach_z = _o115.reach_z;
-        later_middle_z = _o115.later_middle_z;
-        later_reach_z = _o115.later_reach_z;
-        const kernel_bridge_near_out _o116 = kernel_bridge_near(middle_x, middle_y, middle_z, reach_x, reach_y, reach_z, later_middle_x, later_middle_y, later_middle_z, later_reach_x, later_reach_y, later_reach_z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-        reachable = _o116.near;
-        const kernel_reachable_in_flight_out _o117 = kernel_reachable_in_flight(reachable, in_contact);
-        reachable = _o117.reachable;
+        const kernel_horizon_out _o117 = kernel_horizon(when, speed, p_gravity);
+        until = _o117.horizon;
+        pad = _o117.pad;
+        const kernel_half_flight_boxes_out _o118 = kernel_half_flight_boxes(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, earliest_delay, pad, p_gravity);
+        middle_x = _o118.middle_x;
+        reach_x = _o118.reach_x;
+        later_middle_x = _o118.later_middle_x;
+        later_reach_x = _o118.later_reach_x;
+        middle_y = _o118.middle_y;
+        reach_y = _o118.reach_y;
+        later_middle_y = _o118.later_middle_y;
+        later_reach_y = _o118.later_reach_y;
+        middle_z = _o118.middle_z;
+        reach_z = _o118.reach_z;
+        later_middle_z = _o118.later_middle_z;
+        later_reach_z = _o118.later_reach_z;
+        const kernel_bridge_near_out _o119 = kernel_bridge_near(middle_x, middle_y, middle_z, reach_x, reach_y, reach_z, later_middle_x, later_middle_y, later_middle_z, later_reach_x, later_reach_y, later_reach_z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
+        reachable = _o119.near;
+        const kernel_reachable_in_flight_out _o120 = kernel_reachable_in_flight(reachable, in_contact);
+        reachable = _o120.reachable;
         if (reachable) {
-            const kernel_horizon_out _o118 = kernel_horizon(when, speed, p_gravity);
-            until = _o118.horizon;
+            const kernel_horizon_out _o121 = kernel_horizon(when, speed, p_gravity);
+            until = _o121.horizon;
             if (BOUNDS)
-                pad = _o118.pad;
-            const kernel_bridge_prepare_out _o119 = kernel_bridge_prepare(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-            low0 = _o119.low0;
-            high0 = _o119.high0;
-            low1 = _o119.low1;
-            high1 = _o119.high1;
-            ceiling = _o119.ceiling;
-            latest = _o119.latest;
+                pad = _o121.pad;
+            const kernel_bridge_prepare_out _o122 = kernel_bridge_prepare(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
+            low0 = _o122.low0;
+            high0 = _o122.high0;
+            low1 = _o122.low1;
+            high1 = _o122.high1;
+            ceiling = _o122.ceiling;
+            latest = _o122.latest;
             if (BOUNDS)
-                budget_exceeded = _o119.budget_exceeded;
-            const kernel_beginning_out _o120 = kernel_beginning();
-            share = _o120.share;
-            arrival = _o120.arrival;
-            certain = _o120.certain;
-            const kernel_allowance_out _o121 = kernel_allowance(share, latest, extent, speed, position_error, velocity_error, p_gravity);
-            position_level = _o121.position_level;
-            velocity_level = _o121.velocity_level;
+                budget_exceeded = _o122.budget_exceeded;
+            const kernel_beginning_out _o123 = kernel_beginning();
+            share = _o123.share;
+            arrival = _o123.arrival;
+            certain = _o123.certain;
+            const kernel_allowance_out _o124 = kernel_allowance(share, latest, extent, speed, position_error, velocity_error, p_gravity);
+            position_level = _o124.position_level;
+            velocity_level = _o124.velocity_level;
             if (BOUNDS)
-                excess = _o121.excess;
-            const kernel_bridge_margins_out _o122 = kernel_bridge_margins(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-            flat = _o122.margin;
-            tilt = _o122.leaving_margin;
-            rate_slack = _o122.rate_margin;
-            const kernel_bridge_enter_out _o123 = kernel_bridge_enter(0.0, 0.0, 0.0, low0, low1, high0, high1);
-            t = _o123.t;
-            end = _o123.end;
-            searching = _o123.searching;
+                excess = _o124.excess;
+            const kernel_bridge_margins_out _o125 = kernel_bridge_margins(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
+            flat = _o125.margin;
+            tilt = _o125.leaving_margin;
+            rate_slack = _o125.rate_margin;
+            const kernel_bridge_enter_out _o126 = kernel_bridge_enter(0.0, 0.0, 0.0, low0, low1, high0, high1);
+            t = _o126.t;
+            end = _o126.end;
+            searching = _o126.searching;
             if (BOUNDS) {
-                const kernel_out_of_budget_in_windows_out _o124 = kernel_out_of_budget_in_windows(pad, budget_exceeded, earliest_delay, undecided_time, excess, searching);
-                undecided_time = _o124.undecided_time;
+                const kernel_out_of_budget_in_windows_out _o127 = kernel_out_of_budget_in_windows(pad, budget_exceeded, earliest_delay, undecided_time, excess, searching);
+                undecided_time = _o127.undecided_time;
             }
             if (searching) {
-                const kernel_nearby_out _o125 = kernel_nearby(t, flat, tilt, 2.0, last);
-                leaving = _o125.leaving;
-                margin = _o125.margin;
-                const kernel_bridge_advance_out _o126 = kernel_bridge_advance(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-                gap = _o126.gap;
-                rate = _o126.rate;
-                bend = _o126.bend;
-                step = _o126.step;
-                next = _o126.next;
-                clearance = _o126.clearance;
-                const kernel_gap_closes_or_stalls_out _o127 = kernel_gap_closes_or_stalls(t, end, gap, rate, bend, margin, rate_slack, next, clearance, share);
-                hit = _o127.hit;
-                sure = _o127.sure;
-                needs_refinement = _o127.needs_refinement;
+                const kernel_nearby_out _o128 = kernel_nearby(t, flat, tilt, 2.0, last);
+                leaving = _o128.leaving;
+                margin = _o128.margin;
+                const kernel_bridge_advance_out _o129 = kernel_bridge_advance(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
+                gap = _o129.gap;
+                rate = _o129.rate;
+                bend = _o129.bend;
+                step = _o129.step;
+                next = _o129.next;
+                clearance = _o129.clearance;
+                const kernel_gap_closes_or_stalls_out _o130 = kernel_gap_closes_or_stalls(t, end, gap, rate, bend, margin, rate_slack, next, clearance, share);
+                hit = _o130.hit;
+                sure = _o130.sure;
+                needs_refinement = _o130.needs_refinement;
                 if (needs_refinement) {
-                    const kernel_smaller_budget_out _o128 = kernel_smaller_budget(share);
-                    share = _o128.share;
-                    const kernel_allowance_out _o129 = kernel_allowance(share, latest, extent, speed, position_error, velocity_error, p_gravity);
-                    position_level = _o129.position_level;
-                    velocity_level = _o129.velocity_level;
+                    const kernel_smaller_budget_out _o131 = kernel_smaller_budget(share);
+                    share = _o131.share;
+                    const kernel_allowance_out _o132 = kernel_allowance(share, latest, extent, speed, position_error, velocity_error, p_gravity);
+                    position_level = _o132.position_level;
+                    velocity_level = _o132.velocity_level;
                     if (BOUNDS)
-                        excess = _o129.excess;
-                    const kernel_bridge_margins_out _o130 = kernel_bridge_margins(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-                    flat = _o130.margin;
-                    tilt = _o130.leaving_margin;
-                    rate_slack = _o130.rate_margin;
+                        excess = _o132.excess;
+                    const kernel_bridge_margins_out _o133 = kernel_bridge_margins(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
+                    flat = _o133.margin;
+                    tilt = _o133.leaving_margin;
+                    rate_slack = _o133.rate_margin;
                     if (BOUNDS) {
-                        const kernel_budget_undecided_out _o131 = kernel_budget_undecided(t, undecided_time, excess);
-                        undecided_time = _o131.undecided_time;
+                        const kernel_budget_undecided_out _o134 = kernel_budget_undecided(t, undecided_time, excess);
+                        undecided_time = _o134.undecided_time;
                     }
                 }
-                const kernel_advanced_out _o132 = kernel_advanced(t, end, step, next, arrival, hit, sure, needs_refinement, certain);
-                arrival = _o132.arrival;
-                certain = _o132.certain;
-                exhausted = _o132.exhausted;
-                searching = _o132.searching;
-                t = _o132.t;
+                const kernel_advanced_out _o135 = kernel_advanced(t, end, step, next, arrival, hit, sure, needs_refinement, certain);
+                arrival = _o135.arrival;
+                certain = _o135.certain;
+                exhausted = _o135.exhausted;
+                searching = _o135.searching;
+                t = _o135.t;
                 if (exhausted) {
-                    const kernel_bridge_enter_out _o133 = kernel_bridge_enter(t, end, end, low0, low1, high0, high1);
-                    t = _o133.t;
-                    end = _o133.end;
-                    searching = _o133.searching;
+                    const kernel_bridge_enter_out _o136 = kernel_bridge_enter(t, end, end, low0, low1, high0, high1);
+                    t = _o136.t;
+                    end = _o136.end;
+                    searching = _o136.searching;
                 }
             }
             for (size_t _turn = 0; _turn < 201; _turn++) {
                 if (!searching)
                     break;
-                const kernel_nearby_out _o134 = kernel_nearby(t, flat, tilt, 2.0, last);
-                leaving = _o134.leaving;
-                margin = _o134.margin;
-                const kernel_bridge_advance_out _o135 = kernel_bridge_advance(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-                gap = _o135.gap;
-                rate = _o135.rate;
-                bend = _o135.bend;
-                step = _o135.step;
-                next = _o135.next;
-                clearance = _o135.clearance;
-                const kernel_gap_closes_or_stalls_out _o136 = kernel_gap_closes_or_stalls(t, end, gap, rate, bend, margin, rate_slack, next, clearance, share);
-                hit = _o136.hit;
-                sure = _o136.sure;
-                needs_refinement = _o136.needs_refinement;
+                const kernel_nearby_out _o137 = kernel_nearby(t, flat, tilt, 2.0, last);
+                leaving = _o137.leaving;
+                margin = _o137.margin;
+                const kernel_bridge_advance_out _o138 = kernel_bridge_advance(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
+                gap = _o138.gap;
+                rate = _o138.rate;
+                bend = _o138.bend;
+                step = _o138.step;
+                next = _o138.next;
+                clearance = _o138.clearance;
+                const kernel_gap_closes_or_stalls_out _o139 = kernel_gap_closes_or_stalls(t, end, gap, rate, bend, margin, rate_slack, next, clearance, share);
+                hit = _o139.hit;
+                sure = _o139.sure;
+                needs_refinement = _o139.needs_refinement;
                 if (needs_refinement) {
-                    const kernel_smaller_budget_out _o137 = kernel_smaller_budget(share);
-                    share = _o137.share;
-                    const kernel_allowance_out _o138 = kernel_allowance(share, latest, extent, speed, position_error, velocity_error, p_gravity);
-                    position_level = _o138.position_level;
-                    velocity_level = _o138.velocity_level;
+                    const kernel_smaller_budget_out _o140 = kernel_smaller_budget(share);
+                    share = _o140.share;
+                    const kernel_allowance_out _o141 = kernel_allowance(share, latest, extent, speed, position_error, velocity_error, p_gravity);
+                    position_level = _o141.position_level;
+                    velocity_level = _o141.velocity_level;
                     if (BOUNDS)
-                        excess = _o138.excess;
-                    const kernel_bridge_margins_out _o139 = kernel_bridge_margins(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-                    flat = _o139.margin;
-                    tilt = _o139.leaving_margin;
-                    rate_slack = _o139.rate_margin;
+                        excess = _o141.excess;
+                    const kernel_bridge_margins_out _o142 = kernel_bridge_margins(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
+                    flat = _o142.margin;
+                    tilt = _o142.leaving_margin;
+                    rate_slack = _o142.rate_margin;
                     if (BOUNDS) {
-                        const kernel_budget_undecided_out _o140 = kernel_budget_undecided(t, undecided_time, excess);
-                        undecided_time = _o140.undecided_time;
+                        const kernel_budget_undecided_out _o143 = kernel_budget_undecided(t, undecided_time, excess);
+                        undecided_time = _o143.undecided_time;
                     }
                 }
-                const kernel_advanced_out _o141 = kernel_advanced(t, end, step, next, arrival, hit, sure, needs_refinement, certain);
-                arrival = _o141.arrival;
-                certain = _o141.certain;
-                exhausted = _o141.exhausted;
-                searching = _o141.searching;
-                t = _o141.t;
+                const kernel_advanced_out _o144 = kernel_advanced(t, end, step, next, arrival, hit, sure, needs_refinement, certain);
+                arrival = _o144.arrival;
+                certain = _o144.certain;
+                exhausted = _o144.exhausted;
+                searching = _o144.searching;
+                t = _o144.t;
                 if (exhausted) {
-                    const kernel_bridge_enter_out _o142 = kernel_bridge_enter(t, end, end, low0, low1, high0, high1);
-                    t = _o142.t;
-                    end = _o142.end;
-                    searching = _o142.searching;
+                    const kernel_bridge_enter_out _o145 = kernel_bridge_enter(t, end, end, low0, low1, high0, high1);
+                    t = _o145.t;
+                    end = _o145.end;
+                    searching = _o145.searching;
                 }
             }
             if (BOUNDS) {
-                const kernel_predicate_undecided_out _o143 = kernel_predicate_undecided(t, undecided_time, searching);
-                undecided_time = _o143.undecided_time;
+                const kernel_predicate_undecided_out _o146 = kernel_predicate_undecided(t, undecided_time, searching);
+                undecided_time = _o146.undecided_time;
             }
-            const kernel_found_out _o144 = kernel_found(arrival);
-            arrives = _o144.arrives;
-            refining = _o144.refining;
+            const kernel_found_out _o147 = kernel_found(arrival);
+            arrives = _o147.arrives;
+            refining = _o147.refining;
             if (BOUNDS)
-                rate = _o144.rate;
-            const kernel_nearby_out _o145 = kernel_nearby(arrival, flat, tilt, 2.0, last);
-            leaving = _o145.leaving;
+                rate = _o147.rate;
+            const kernel_nearby_out _o148 = kernel_nearby(arrival, flat, tilt, 2.0, last);
+            leaving = _o148.leaving;
             if (refining) {
-                const kernel_bridge_refine_out _o146 = kernel_bridge_refine(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-                refined = _o146.time;
-                gap = _o146.gap;
-                rate = _o146.rate;
-                const kernel_refined_root_out _o147 = kernel_refined_root(gap, rate, ceiling, arrival, refined, certain);
-                arrival = _o147.arrival;
-                refining = _o147.refining;
+                const kernel_bridge_refine_out _o149 = kernel_bridge_refine(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
+                refined = _o149.time;
+                gap = _o149.gap;
+                rate = _o149.rate;
+                const kernel_refined_root_out _o150 = kernel_refined_root(gap, rate, ceiling, arrival, refined, certain);
+                arrival = _o150.arrival;
+                refining = _o150.refining;
             }
             if (refining) {
-                const kernel_bridge_refine_out _o148 = kernel_bridge_refine(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-                refined = _o148.time;
-                gap = _o148.gap;
-                rate = _o148.rate;
-                const kernel_refined_root_out _o149 = kernel_refined_root(gap, rate, ceiling, arrival, refined, certain);
-                arrival = _o149.arrival;
-                refining = _o149.refining;
+                const kernel_bridge_refine_out _o151 = kernel_bridge_refine(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
+                refined = _o151.time;
+                gap = _o151.gap;
+                rate = _o151.rate;
+                const kernel_refined_root_out _o152 = kernel_refined_root(gap, rate, ceiling, arrival, refined, certain);
+                arrival = _o152.arrival;
+                refining = _o152.refining;
             }
             for (size_t _turn = 0; _turn < 8; _turn++) {
                 if (!refining)
                     break;
-                const kernel_bridge_refine_out _o150 = kernel_bridge_refine(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-                refined = _o150.time;
-                gap = _o150.gap;
-                rate = _o150.rate;
-                const kernel_refined_root_out _o151 = kernel_refined_root(gap, rate, ceiling, arrival, refined, certain);
-                arrival = _o151.arrival;
-                refining = _o151.refining;
+                const kernel_bridge_refine_out _o153 = kernel_bridge_refine(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
+                refined = _o153.time;
+                gap = _o153.gap;
+                rate = _o153.rate;
+                const kernel_refined_root_out _o154 = kernel_refined_root(gap, rate, ceiling, arrival, refined, certain);
+                arrival = _o154.arrival;
+                refining = _o154.refining;
             }
             if (BOUNDS) {
-                const kernel_bridge_margins_out _o152 = kernel_bridge_margins(latest, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-                flat = _o152.margin;
-                tilt = _o152.leaving_margin;
-                rate_margin = _o152.rate_margin;
-                const kernel_own_margin_out _o153 = kernel_own_margin(leaving, flat, tilt, arrival);
-                margin = _o153.margin;
-                const kernel_crossing_out _o154 = kernel_crossing(margin, rate_margin, rate, ceiling);
-                clearance = _o154.clearance;
-                delay = _o154.delay;
+                const kernel_bridge_margins_out _o155 = kernel_bridge_margins(latest, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
+                flat = _o155.margin;
+                tilt = _o155.leaving_margin;
+                rate_margin = _o155.rate_margin;
+                const kernel_own_margin_out _o156 = kernel_own_margin(leaving, flat, tilt, arrival);
+                margin = _o156.margin;
+                const kernel_crossing_out _o157 = kernel_crossing(margin, rate_margin, rate, ceiling);
+                clearance = _o157.clearance;
+                delay = _o157.delay;
             }
-            const kernel_arrival_time_out _o155 = kernel_arrival_time(arrival);
-            time = _o155.time;
+            const kernel_arrival_time_out _o158 = kernel_arrival_time(arrival);
+            time = _o158.time;
             if (BOUNDS) {
-                const kernel_arrival_certainty_out _o156 = kernel_arrival_certainty(clearance, time, delay, undecided_time, arrives, certain);
-                delay = _o156.delay;
-                undecided_time = _o156.undecided_time;
-                const kernel_tie_undecided_out _o157 = kernel_tie_undecided(time, when, delay, earliest_delay, undecided_time, arrives);
-                undecided_time = _o157.undecided_time;
-                earliest_delay = _o157.earliest_delay;
-            }
-            const kernel_earliest_out _o158 = kernel_earliest(2.0, time, when, which, arrives);
-            when = _o158.when;
-            which = _o158.which;
-        }
-        if (limited) {
-            const kernel_expiry_out _o159 = kernel_expiry(when, which, earliest_delay, undecided_time, time_error, clock, time_limit);
-            time = _o159.time;
-            arrives = _o159.arrives;
-            if (BOUNDS) {
+                const kernel_arrival_certainty_out _o159 = kernel_arrival_certainty(clearance, time, delay, undecided_time, arrives, certain);
                 delay = _o159.delay;
                 undecided_time = _o159.undecided_time;
-            }
-            if (BOUNDS) {
                 const kernel_tie_undecided_out _o160 = kernel_tie_undecided(time, when, delay, earliest_delay, undecided_time, arrives);
                 undecided_time = _o160.undecided_time;
                 earliest_delay = _o160.earliest_delay;
             }
-            const kernel_earliest_out _o161 = kernel_earliest(4.0, time, when, which, arrives);
+            const kernel_earliest_out _o161 = kernel_earliest(2.0, time, when, which, arrives);
             when = _o161.when;
             which = _o161.which;
         }
-        if (in_contact) {
-            const kernel_resumed_out _o162 = kernel_resumed(last, position_error, velocity_error, clock, mode);
-            which = _o162.which;
-            began = _o162.began;
-            begins = _o162.begins;
-            rolling = _o162.rolling;
-            leaves = _o162.leaves;
-            nx = _o162.nx;
-            ny = _o162.ny;
-            nz = _o162.nz;
-            gap = _o162.gap;
-            bent_x = _o162.bent_x;
-            bent_y = _o162.bent_y;
-            bent_z = _o162.bent_z;
-            lift = _o162.lift;
-            gap_jerk = _o162.gap_jerk;
-            gap_snap = _o162.gap_snap;
-            per_reach = _o162.per_reach;
+        if (limited) {
+            const kernel_expiry_out _o162 = kernel_expiry(when, which, earliest_delay, undecided_time, time_error, clock, time_limit);
+            time = _o162.time;
+            arrives = _o162.arrives;
             if (BOUNDS) {
-                earliest_delay = _o162.earliest_delay;
+                delay = _o162.delay;
                 undecided_time = _o162.undecided_time;
             }
-            if (begins) {
-                const kernel_holding_out _o163 = kernel_holding(0.0, held);
-                here = _o163.here;
-                if (here) {
-                    const kernel_ring_normal_out _o164 = kernel_ring_normal(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
-                    nx = _o164.nx;
-                    ny = _o164.ny;
-                    nz = _o164.nz;
-                }
-                const kernel_holding_out _o165 = kernel_holding(1.0, held);
-                here = _o165.here;
-                if (here) {
-                    const kernel_backboard_normal_out _o166 = kernel_backboard_normal(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                    nx = _o166.nx;
-                    ny = _o166.ny;
-                    nz = _o166.nz;
-                }
-                const kernel_holding_out _o167 = kernel_holding(2.0, held);
-                here = _o167.here;
-                if (here) {
-                    const kernel_bridge_normal_out _o168 = kernel_bridge_normal(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                    nx = _o168.nx;
-                    ny = _o168.ny;
-                    nz = _o168.nz;
-                }
-                const kernel_roll_turn_rate_out _o169 = kernel_roll_turn_rate(p_ball_radius, nx, ny, nz, wx, wy, wz);
-                turn_rate = _o169.turn_rate;
-                const kernel_gripped_out _o170 = kernel_gripped(p_ball_radius, p_inertia, nx, ny, nz, vx, vy, vz, wx, wy, wz);
-                rolled_x = _o170.rolled_x;
-                rolled_y = _o170.rolled_y;
-                rolled_z = _o170.rolled_z;
-                const kernel_holding_out _o171 = kernel_holding(0.0, held);
-                here = _o171.here;
-                if (here) {
-                    const kernel_ring_distance_out _o172 = kernel_ring_distance(p_ball_radius, p_ring_radius, p_wire_radius, x, y, z);
-                    gap = _o172.gap;
-                }
-                const kernel_holding_out _o173 = kernel_holding(1.0, held);
-                here = _o173.here;
-                if (here) {
-                    const kernel_backboard_distance_out _o174 = kernel_backboard_distance(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z);
-                    gap = _o174.gap;
-                }
-                const kernel_holding_out _o175 = kernel_holding(2.0, held);
-                here = _o175.here;
-                if (here) {
-                    const kernel_bridge_distance_out _o176 = kernel_bridge_distance(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z);
-                    gap = _o176.gap;
-                }
-                const kernel_roll_placed_out _o177 = kernel_roll_placed(p_ball_radius, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, gap, turn_rate);
-                x = _o177.x;
-                y = _o177.y;
-                z = _o177.z;
-                vx = _o177.vx;
-                vy = _o177.vy;
-                vz = _o177.vz;
-                wx = _o177.wx;
-                wy = _o177.wy;
-                wz = _o177.wz;
-                if (BOUNDS) {
-                    const kernel_jump_errors_out _o178 = kernel_jump_errors(p_ball_radius, vx, vy, vz, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
-                    dx = _o178.dx;
-                    dy = _o178.dy;
-                    dz = _o178.dz;
-                    dvx = _o178.dvx;
-                    dvy = _o178.dvy;
-                    dvz = _o178.dvz;
-                    dwx = _o178.dwx;
-                    dwy = _o178.dwy;
-                    dwz = _o178.dwz;
-                    const kernel_forget_grip_deficit_out _o179 = kernel_forget_grip_deficit();
-                    last_grip_deficit = _o179.last_grip_deficit;
-                }
-                const kernel_beginning_contact_out _o180 = kernel_beginning_contact();
-                which = _o180.which;
-                circled = _o180.circled;
+            if (BOUNDS) {
+                const kernel_tie_undecided_out _o163 = kernel_tie_undecided(time, when, delay, earliest_delay, undecided_time, arrives);
+                undecided_time = _o163.undecided_time;
+                earliest_delay = _o163.earliest_delay;
             }
-            const kernel_circles_out _o181 = kernel_circles(0.0, held, rolling);
-            circling = _o181.circling;
-            rolling = _o181.rolling;
+            const kernel_earliest_out _o164 = kernel_earliest(4.0, time, when, which, arrives);
+            when = _o164.when;
+            which = _o164.which;
+        }
+        if (in_contact) {
+            const kernel_resumed_out _o165 = kernel_resumed(last, position_error, velocity_error, clock, mode);
+            which = _o165.which;
+            began = _o165.began;
+            begins = _o165.begins;
+            rolling = _o165.rolling;
+            leaves = _o165.leaves;
+            nx = _o165.nx;
+            ny = _o165.ny;
+            nz = _o165.nz;
+            gap = _o165.gap;
+            bent_x = _o165.bent_x;
+            bent_y = _o165.bent_y;
+            bent_z = _o165.bent_z;
+            lift = _o165.lift;
+            gap_jerk = _o165.gap_jerk;
+            gap_snap = _o165.gap_snap;
+            per_reach = _o165.per_reach;
+            if (BOUNDS) {
+                earliest_delay = _o165.earliest_delay;
+                undecided_time = _o165.undecided_time;
+            }
+            if (begins) {
+                const kernel_holding_out _o166 = kernel_holding(0.0, held);
+                here = _o166.here;
+                if (here) {
+                    const kernel_ring_normal_out _o167 = kernel_ring_normal(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
+                    nx = _o167.nx;
+                    ny = _o167.ny;
+                    nz = _o167.nz;
+                }
+                const kernel_holding_out _o168 = kernel_holding(1.0, held);
+                here = _o168.here;
+                if (here) {
+                    const kernel_backboard_normal_out _o169 = kernel_backboard_normal(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
+                    nx = _o169.nx;
+                    ny = _o169.ny;
+                    nz = _o169.nz;
+                }
+                const kernel_holding_out _o170 = kernel_holding(2.0, held);
+                here = _o170.here;
+                if (here) {
+                    const kernel_bridge_normal_out _o171 = kernel_bridge_normal(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
+                    nx = _o171.nx;
+                    ny = _o171.ny;
+                    nz = _o171.nz;
+                }
+                const kernel_roll_turn_rate_out _o172 = kernel_roll_turn_rate(p_ball_radius, nx, ny, nz, wx, wy, wz);
+                turn_rate = _o172.turn_rate;
+                const kernel_gripped_out _o173 = kernel_gripped(p_ball_radius, p_inertia, nx, ny, nz, vx, vy, vz, wx, wy, wz);
+                rolled_x = _o173.rolled_x;
+                rolled_y = _o173.rolled_y;
+                rolled_z = _o173.rolled_z;
+                const kernel_holding_out _o174 = kernel_holding(0.0, held);
+                here = _o174.here;
+                if (here) {
+                    const kernel_ring_distance_out _o175 = kernel_ring_distance(p_ball_radius, p_ring_radius, p_wire_radius, x, y, z);
+                    gap = _o175.gap;
+                }
+                const kernel_holding_out _o176 = kernel_holding(1.0, held);
+                here = _o176.here;
+                if (here) {
+                    const kernel_backboard_distance_out _o177 = kernel_backboard_distance(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z);
+                    gap = _o177.gap;
+                }
+                const kernel_holding_out _o178 = kernel_holding(2.0, held);
+                here = _o178.here;
+                if (here) {
+                    const kernel_bridge_distance_out _o179 = kernel_bridge_distance(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z);
+                    gap = _o179.gap;
+                }
+                const kernel_roll_placed_out _o180 = kernel_roll_placed(p_ball_radius, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, gap, turn_rate);
+                x = _o180.x;
+                y = _o180.y;
+                z = _o180.z;
+                vx = _o180.vx;
+                vy = _o180.vy;
+                vz = _o180.vz;
+                wx = _o180.wx;
+                wy = _o180.wy;
+                wz = _o180.wz;
+                if (BOUNDS) {
+                    const kernel_jump_errors_out _o181 = kernel_jump_errors(p_ball_radius, vx, vy, vz, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
+                    dx = _o181.dx;
+                    dy = _o181.dy;
+                    dz = _o181.dz;
+                    dvx = _o181.dvx;
+                    dvy = _o181.dvy;
+                    dvz = _o181.dvz;
+                    dwx = _o181.dwx;
+                    dwy = _o181.dwy;
+                    dwz = _o181.dwz;
+                    const kernel_forget_grip_deficit_out _o182 = kernel_forget_grip_deficit();
+                    last_grip_deficit = _o182.last_grip_deficit;
+                }
+                const kernel_beginning_contact_out _o183 = kernel_beginning_contact();
+                which = _o183.which;
+                circled = _o183.circled;
+            }
+            const kernel_circles_out _o184 = kernel_circles(0.0, held, rolling);
+            circling = _o184.circling;
+            rolling = _o184.rolling;
             for (size_t _turn = 0; _turn < 16; _turn++) {
                 if (!rolling)
                     break;
                 if (BOUNDS) {
-                    const kernel_error_bounds_out _o182 = kernel_error_bounds(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
-                    position_error = _o182.position_error;
-                    velocity_error = _o182.velocity_error;
+                    const kernel_error_bounds_out _o185 = kernel_error_bounds(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
+                    position_error = _o185.position_error;
+                    velocity_error = _o185.velocity_error;
                 }
-                const kernel_holding_out _o183 = kernel_holding(1.0, held);
-                here = _o183.here;
-                if (here) {
-                    const kernel_backboard_normal_out _o184 = kernel_backboard_normal(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                    nx = _o184.nx;
-                    ny = _o184.ny;
-                    nz = _o184.nz;
-                    const kernel_backboard_rolling_surface_out _o185 = kernel_backboard_rolling_surface(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, vx, vy, vz);
-                    bent_x = _o185.bent_x;
-                    bent_y = _o185.bent_y;
-                    bent_z = _o185.bent_z;
-                    per_reach = _o185.per_reach;
-                }
-                const kernel_holding_out _o186 = kernel_holding(2.0, held);
+                const kernel_holding_out _o186 = kernel_holding(1.0, held);
                 here = _o186.here;
                 if (here) {
-                    const kernel_bridge_normal_out _o187 = kernel_bridge_normal(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
+                    const kernel_backboard_normal_out _o187 = kernel_backboard_normal(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
                     nx = _o187.nx;
                     ny = _o187.ny;
                     nz = _o187.nz;
-                    const kernel_bridge_rolling_surface_out _o188 = kernel_bridge_rolling_surface(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
+                    const kernel_backboard_rolling_surface_out _o188 = kernel_backboard_rolling_surface(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, vx, vy, vz);
                     bent_x = _o188.bent_x;
                     bent_y = _o188.bent_y;
                     bent_z = _o188.bent_z;
                     per_reach = _o188.per_reach;
                 }
-                const kernel_roll_start_out _o189 = kernel_roll_start(p_ball_radius, nx, ny, nz, vx, vy, vz, wx, wy, wz);
-                vx_0 = _o189.vx_0;
-                vy_0 = _o189.vy_0;
-                vz_0 = _o189.vz_0;
-                nx_0 = _o189.nx_0;
-                ny_0 = _o189.ny_0;
-                nz_0 = _o189.nz_0;
-                turn_rate_0 = _o189.turn_rate_0;
-                const kernel_roll_0_out _o190 = kernel_roll_0(p_gravity, p_inertia, nx_0, ny_0, nz_0, vx_0, vy_0, vz_0, bent_x, bent_y, bent_z, per_reach, turn_rate_0);
-                lift_0 = _o190.lift_0;
-                tx_0 = _o190.tx_0;
-                ty_0 = _o190.ty_0;
-                tz_0 = _o190.tz_0;
-                vx_1 = _o190.vx_1;
-                vy_1 = _o190.vy_1;
-                vz_1 = _o190.vz_1;
-                nx_1 = _o190.nx_1;
-                ny_1 = _o190.ny_1;
-                nz_1 = _o190.nz_1;
-                turn_rate_1 = _o190.turn_rate_1;
-                const kernel_roll_1_out _o191 = kernel_roll_1(p_gravity, p_inertia, nx_0, nx_1, ny_0, ny_1, nz_0, nz_1, vx_0, vx_1, vy_0, vy_1, vz_0, vz_1, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, lift_0, tx_0, ty_0, tz_0);
-                lift_1 = _o191.lift_1;
-                tx_1 = _o191.tx_1;
-                ty_1 = _o191.ty_1;
-                tz_1 = _o191.tz_1;
-                vx_2 = _o191.vx_2;
-                vy_2 = _o191.vy_2;
-                vz_2 = _o191.vz_2;
-                nx_2 = _o191.nx_2;
-                ny_2 = _o191.ny_2;
-                nz_2 = _o191.nz_2;
-                turn_rate_2 = _o191.turn_rate_2;
-                const kernel_roll_2_out _o192 = kernel_roll_2(p_gravity, p_inertia, nx_0, nx_1, nx_2, ny_0, ny_1, ny_2, nz_0, nz_1, nz_2, vx_0, vx_1, vx_2, vy_0, vy_1, vy_2, vz_0, vz_1, vz_2, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, lift_0, lift_1, tx_0, tx_1, ty_0, ty_1, tz_0, tz_1);
-                lift_2 = _o192.lift_2;
-                tx_2 = _o192.tx_2;
-                ty_2 = _o192.ty_2;
-                tz_2 = _o192.tz_2;
-                vx_3 = _o192.vx_3;
-                vy_3 = _o192.vy_3;
-                vz_3 = _o192.vz_3;
-                nx_3 = _o192.nx_3;
-                ny_3 = _o192.ny_3;
-                nz_3 = _o192.nz_3;
-                turn_rate_3 = _o192.turn_rate_3;
-                const kernel_roll_3_out _o193 = kernel_roll_3(p_gravity, p_inertia, nx_0, nx_1, nx_2, nx_3, ny_0, ny_1, ny_2, ny_3, nz_0, nz_1, nz_2, nz_3, vx_0, vx_1, vx_2, vx_3, vy_0, vy_1, vy_2, vy_3, vz_0, vz_1, vz_2, vz_3, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, lift_0, lift_1, lift_2, tx_0, tx_1, tx_2, ty_0, ty_1, ty_2, tz_0, tz_1, tz_2);
-                lift_3 = _o193.lift_3;
-                tx_3 = _o193.tx_3;
-                ty_3 = _o193.ty_3;
-                tz_3 = _o193.tz_3;
-                vx_4 = _o193.vx_4;
-                vy_4 = _o193.vy_4;
-                vz_4 = _o193.vz_4;
-                nx_4 = _o193.nx_4;
-                ny_4 = _o193.ny_4;
-                nz_4 = _o193.nz_4;
-                turn_rate_4 = _o193.turn_rate_4;
-                const kernel_roll_4_out _o194 = kernel_roll_4(p_gravity, p_inertia, nx_0, nx_1, nx_2, nx_3, nx_4, ny_0, ny_1, ny_2, ny_3, ny_4, nz_0, nz_1, nz_2, nz_3, nz_4, vx_0, vx_1, vx_2, vx_3, vx_4, vy_0, vy_1, vy_2, vy_3, vy_4, vz_0, vz_1, vz_2, vz_3, vz_4, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, lift_0, lift_1, lift_2, lift_3, tx_0, tx_1, tx_2, tx_3, ty_0, ty_1, ty_2, ty_3, tz_0, tz_1, tz_2, tz_3);
-                lift_4 = _o194.lift_4;
-                tx_4 = _o194.tx_4;
-                ty_4 = _o194.ty_4;
-                tz_4 = _o194.tz_4;
-                vx_5 = _o194.vx_5;
-                vy_5 = _o194.vy_5;
-                vz_5 = _o194.vz_5;
-                nx_5 = _o194.nx_5;
-                ny_5 = _o194.ny_5;
-                nz_5 = _o194.nz_5;
-                turn_rate_5 = _o194.turn_rate_5;
-                const kernel_roll_5_out _o195 = kernel_roll_5(p_gravity, p_inertia, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, lift_0, lift_1, lift_2, lift_3, lift_4, tx_0, tx_1, tx_2, tx_3, tx_4, ty_0, ty_1, ty_2, ty_3, ty_4, tz_0, tz_1, tz_2, tz_3, tz_4);
-                lift_5 = _o195.lift_5;
-                tx_5 = _o195.tx_5;
-                ty_5 = _o195.ty_5;
-                tz_5 = _o195.tz_5;
-                vx_6 = _o195.vx_6;
-                vy_6 = _o195.vy_6;
-                vz_6 = _o195.vz_6;
-                nx_6 = _o195.nx_6;
-                ny_6 = _o195.ny_6;
-                nz_6 = _o195.nz_6;
-                turn_rate_6 = _o195.turn_rate_6;
-                const kernel_roll_6_out _o196 = kernel_roll_6(p_gravity, p_inertia, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5);
-                lift_6 = _o196.lift_6;
-                tx_6 = _o196.tx_6;
-                ty_6 = _o196.ty_6;
-                tz_6 = _o196.tz_6;
-                vx_7 = _o196.vx_7;
-                vy_7 = _o196.vy_7;
-                vz_7 = _o196.vz_7;
-                nx_7 = _o196.nx_7;
-                ny_7 = _o196.ny_7;
-                nz_7 = _o196.nz_7;
-                turn_rate_7 = _o196.turn_rate_7;
-                const kernel_roll_7_out _o197 = kernel_roll_7(p_gravity, p_inertia, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, nx_7, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, ny_7, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, nz_7, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, lift_6, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, tx_6, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, ty_6, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, tz_6);
-                lift_7 = _o197.lift_7;
-                vx_8 = _o197.vx_8;
-                vy_8 = _o197.vy_8;
-                vz_8 = _o197.vz_8;
-                nx_8 = _o197.nx_8;
-                ny_8 = _o197.ny_8;
-                nz_8 = _o197.nz_8;
-                turn_rate_8 = _o197.turn_rate_8;
-                const kernel_roll_step_out _o198 = kernel_roll_step(p_gravity, p_inertia, nx_8, ny_8, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, nz_7, nz_8, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vx_8, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vy_8, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, vz_8, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, lift_6, lift_7);
-                stride = _o198.stride;
-                strongest = _o198.strongest;
-                fastest = _o198.fastest;
-                force = _o198.force;
-                force_rate = _o198.force_rate;
-                force_bend = _o198.force_bend;
-                friction_force_rate = _o198.friction_force_rate;
+                const kernel_holding_out _o189 = kernel_holding(2.0, held);
+                here = _o189.here;
+                if (here) {
+                    const kernel_bridge_normal_out _o190 = kernel_bridge_normal(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
+                    nx = _o190.nx;
+                    ny = _o190.ny;
+                    nz = _o190.nz;
+                    const kernel_bridge_rolling_surface_out _o191 = kernel_bridge_rolling_surface(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
+                    bent_x = _o191.bent_x;
+                    bent_y = _o191.bent_y;
+                    bent_z = _o191.bent_z;
+                    per_reach = _o191.per_reach;
+                }
+                const kernel_roll_start_out _o192 = kernel_roll_start(p_ball_radius, nx, ny, nz, vx, vy, vz, wx, wy, wz);
+                vx_0 = _o192.vx_0;
+                vy_0 = _o192.vy_0;
+                vz_0 = _o192.vz_0;
+                nx_0 = _o192.nx_0;
+                ny_0 = _o192.ny_0;
+                nz_0 = _o192.nz_0;
+                turn_rate_0 = _o192.turn_rate_0;
+                const kernel_roll_0_out _o193 = kernel_roll_0(p_gravity, p_inertia, nx_0, ny_0, nz_0, vx_0, vy_0, vz_0, bent_x, bent_y, bent_z, per_reach, turn_rate_0);
+                lift_0 = _o193.lift_0;
+                tx_0 = _o193.tx_0;
+                ty_0 = _o193.ty_0;
+                tz_0 = _o193.tz_0;
+                vx_1 = _o193.vx_1;
+                vy_1 = _o193.vy_1;
+                vz_1 = _o193.vz_1;
+                nx_1 = _o193.nx_1;
+                ny_1 = _o193.ny_1;
+                nz_1 = _o193.nz_1;
+                turn_rate_1 = _o193.turn_rate_1;
+                const kernel_roll_1_out _o194 = kernel_roll_1(p_gravity, p_inertia, nx_0, nx_1, ny_0, ny_1, nz_0, nz_1, vx_0, vx_1, vy_0, vy_1, vz_0, vz_1, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, lift_0, tx_0, ty_0, tz_0);
+                lift_1 = _o194.lift_1;
+                tx_1 = _o194.tx_1;
+                ty_1 = _o194.ty_1;
+                tz_1 = _o194.tz_1;
+                vx_2 = _o194.vx_2;
+                vy_2 = _o194.vy_2;
+                vz_2 = _o194.vz_2;
+                nx_2 = _o194.nx_2;
+                ny_2 = _o194.ny_2;
+                nz_2 = _o194.nz_2;
+                turn_rate_2 = _o194.turn_rate_2;
+                const kernel_roll_2_out _o195 = kernel_roll_2(p_gravity, p_inertia, nx_0, nx_1, nx_2, ny_0, ny_1, ny_2, nz_0, nz_1, nz_2, vx_0, vx_1, vx_2, vy_0, vy_1, vy_2, vz_0, vz_1, vz_2, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, lift_0, lift_1, tx_0, tx_1, ty_0, ty_1, tz_0, tz_1);
+                lift_2 = _o195.lift_2;
+                tx_2 = _o195.tx_2;
+                ty_2 = _o195.ty_2;
+                tz_2 = _o195.tz_2;
+                vx_3 = _o195.vx_3;
+                vy_3 = _o195.vy_3;
+                vz_3 = _o195.vz_3;
+                nx_3 = _o195.nx_3;
+                ny_3 = _o195.ny_3;
+                nz_3 = _o195.nz_3;
+                turn_rate_3 = _o195.turn_rate_3;
+                const kernel_roll_3_out _o196 = kernel_roll_3(p_gravity, p_inertia, nx_0, nx_1, nx_2, nx_3, ny_0, ny_1, ny_2, ny_3, nz_0, nz_1, nz_2, nz_3, vx_0, vx_1, vx_2, vx_3, vy_0, vy_1, vy_2, vy_3, vz_0, vz_1, vz_2, vz_3, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, lift_0, lift_1, lift_2, tx_0, tx_1, tx_2, ty_0, ty_1, ty_2, tz_0, tz_1, tz_2);
+                lift_3 = _o196.lift_3;
+                tx_3 = _o196.tx_3;
+                ty_3 = _o196.ty_3;
+                tz_3 = _o196.tz_3;
+                vx_4 = _o196.vx_4;
+                vy_4 = _o196.vy_4;
+                vz_4 = _o196.vz_4;
+                nx_4 = _o196.nx_4;
+                ny_4 = _o196.ny_4;
+                nz_4 = _o196.nz_4;
+                turn_rate_4 = _o196.turn_rate_4;
+                const kernel_roll_4_out _o197 = kernel_roll_4(p_gravity, p_inertia, nx_0, nx_1, nx_2, nx_3, nx_4, ny_0, ny_1, ny_2, ny_3, ny_4, nz_0, nz_1, nz_2, nz_3, nz_4, vx_0, vx_1, vx_2, vx_3, vx_4, vy_0, vy_1, vy_2, vy_3, vy_4, vz_0, vz_1, vz_2, vz_3, vz_4, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, lift_0, lift_1, lift_2, lift_3, tx_0, tx_1, tx_2, tx_3, ty_0, ty_1, ty_2, ty_3, tz_0, tz_1, tz_2, tz_3);
+                lift_4 = _o197.lift_4;
+                tx_4 = _o197.tx_4;
+                ty_4 = _o197.ty_4;
+                tz_4 = _o197.tz_4;
+                vx_5 = _o197.vx_5;
+                vy_5 = _o197.vy_5;
+                vz_5 = _o197.vz_5;
+                nx_5 = _o197.nx_5;
+                ny_5 = _o197.ny_5;
+                nz_5 = _o197.nz_5;
+                turn_rate_5 = _o197.turn_rate_5;
+                const kernel_roll_5_out _o198 = kernel_roll_5(p_gravity, p_inertia, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, lift_0, lift_1, lift_2, lift_3, lift_4, tx_0, tx_1, tx_2, tx_3, tx_4, ty_0, ty_1, ty_2, ty_3, ty_4, tz_0, tz_1, tz_2, tz_3, tz_4);
+                lift_5 = _o198.lift_5;
+                tx_5 = _o198.tx_5;
+                ty_5 = _o198.ty_5;
+                tz_5 = _o198.tz_5;
+                vx_6 = _o198.vx_6;
+                vy_6 = _o198.vy_6;
+                vz_6 = _o198.vz_6;
+                nx_6 = _o198.nx_6;
+                ny_6 = _o198.ny_6;
+                nz_6 = _o198.nz_6;
+                turn_rate_6 = _o198.turn_rate_6;
+                const kernel_roll_6_out _o199 = kernel_roll_6(p_gravity, p_inertia, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5);
+                lift_6 = _o199.lift_6;
+                tx_6 = _o199.tx_6;
+                ty_6 = _o199.ty_6;
+                tz_6 = _o199.tz_6;
+                vx_7 = _o199.vx_7;
+                vy_7 = _o199.vy_7;
+                vz_7 = _o199.vz_7;
+                nx_7 = _o199.nx_7;
+                ny_7 = _o199.ny_7;
+                nz_7 = _o199.nz_7;
+                turn_rate_7 = _o199.turn_rate_7;
+                const kernel_roll_7_out _o200 = kernel_roll_7(p_gravity, p_inertia, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, nx_7, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, ny_7, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, nz_7, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, lift_6, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, tx_6, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, ty_6, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, tz_6);
+                lift_7 = _o200.lift_7;
+                vx_8 = _o200.vx_8;
+                vy_8 = _o200.vy_8;
+                vz_8 = _o200.vz_8;
+                nx_8 = _o200.nx_8;
+                ny_8 = _o200.ny_8;
+                nz_8 = _o200.nz_8;
+                turn_rate_8 = _o200.turn_rate_8;
+                const kernel_roll_step_out _o201 = kernel_roll_step(p_gravity, p_inertia, nx_8, ny_8, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, nz_7, nz_8, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vx_8, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vy_8, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, vz_8, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, lift_6, lift_7);
+                stride = _o201.stride;
+                strongest = _o201.strongest;
+                fastest = _o201.fastest;
+                force = _o201.force;
+                force_rate = _o201.force_rate;
+                force_bend = _o201.force_bend;
+                friction_force_rate = _o201.friction_force_rate;
                 if (BOUNDS)
-                    missed = _o198.missed;
+                    missed = _o201.missed;
                 if (BOUNDS) {
-                    const kernel_ring_friction_out _o199 = kernel_ring_friction(p_gravity, p_inertia, nx_0, nx_1, ny_0, ny_1, nz_0, nz_1, turn_rate_0, turn_rate_1, tx_0, tx_1, ty_0, ty_1, tz_0, tz_1);
-                    rolling_friction = _o199.rolling_friction;
-                    rolling_friction_rate = _o199.rolling_friction_rate;
-                    grip_deficit = _o199.grip_deficit;
-                    grip_deficit_rate = _o199.grip_deficit_rate;
-                    const kernel_holding_out _o200 = kernel_holding(1.0, held);
-                    here = _o200.here;
+                    const kernel_ring_friction_out _o202 = kernel_ring_friction(p_gravity, p_inertia, nx_0, nx_1, ny_0, ny_1, nz_0, nz_1, turn_rate_0, turn_rate_1, tx_0, tx_1, ty_0, ty_1, tz_0, tz_1);
+                    rolling_friction = _o202.rolling_friction;
+                    rolling_friction_rate = _o202.rolling_friction_rate;
+                    grip_deficit = _o202.grip_deficit;
+                    grip_deficit_rate = _o202.grip_deficit_rate;
+                    const kernel_holding_out _o203 = kernel_holding(1.0, held);
+                    here = _o203.here;
                     if (here) {
-                        const kernel_ring_impact_grip_deficit_out _o201 = kernel_ring_impact_grip_deficit(p_backboard_friction, rolling_friction, rolling_friction_rate, force, force_rate);
-                        grip_deficit = _o201.grip_deficit;
-                        grip_deficit_rate = _o201.grip_deficit_rate;
+                        const kernel_ring_impact_grip_deficit_out _o204 = kernel_ring_impact_grip_deficit(p_backboard_friction, rolling_friction, rolling_friction_rate, force, force_rate);
+                        grip_deficit = _o204.grip_deficit;
+                        grip_deficit_rate = _o204.grip_deficit_rate;
                     }
-                    const kernel_holding_out _o202 = kernel_holding(2.0, held);
-                    here = _o202.here;
+                    const kernel_holding_out _o205 = kernel_holding(2.0, held);
+                    here = _o205.here;
                     if (here) {
-                        const kernel_ring_impact_grip_deficit_out _o203 = kernel_ring_impact_grip_deficit(p_bridge_friction, rolling_friction, rolling_friction_rate, force, force_rate);
-                        grip_deficit = _o203.grip_deficit;
-                        grip_deficit_rate = _o203.grip_deficit_rate;
+                        const kernel_ring_impact_grip_deficit_out _o206 = kernel_ring_impact_grip_deficit(p_bridge_friction, rolling_friction, rolling_friction_rate, force, force_rate);
+                        grip_deficit = _o206.grip_deficit;
+                        grip_deficit_rate = _o206.grip_deficit_rate;
                     }
-                    const kernel_exceeds_grip_out _o204 = kernel_exceeds_grip(grip_deficit, grip_lost);
-                    loses = _o204.loses;
+                    const kernel_exceeds_grip_out _o207 = kernel_exceeds_grip(grip_deficit, grip_lost);
+                    loses = _o207.loses;
                     if (loses) {
-                        const kernel_grip_lost_time_out _o205 = kernel_grip_lost_time(clock, grip_deficit, grip_deficit_rate, last_grip_deficit, last_grip_deficit_rate, last_grip_clock);
-                        grip_lost = _o205.grip_lost;
+                        const kernel_grip_lost_time_out _o208 = kernel_grip_lost_time(clock, grip_deficit, grip_deficit_rate, last_grip_deficit, last_grip_deficit_rate, last_grip_clock);
+                        grip_lost = _o208.grip_lost;
                     }
-                    const kernel_remember_grip_deficit_out _o206 = kernel_remember_grip_deficit(clock, grip_deficit, grip_deficit_rate);
-                    last_grip_deficit = _o206.last_grip_deficit;
-                    last_grip_deficit_rate = _o206.last_grip_deficit_rate;
-                    last_grip_clock = _o206.last_grip_clock;
+                    const kernel_remember_grip_deficit_out _o209 = kernel_remember_grip_deficit(clock, grip_deficit, grip_deficit_rate);
+                    last_grip_deficit = _o209.last_grip_deficit;
+                    last_grip_deficit_rate = _o209.last_grip_deficit_rate;
+                    last_grip_clock = _o209.last_grip_clock;
                 }
-                const kernel_leaving_force_out _o207 = kernel_leaving_force(p_ball_radius, p_gravity, vx, vx_1, vy, vy_1, vz, vz_1, which, undecided_time, position_error, velocity_error, per_reach, force, force_rate, force_bend, friction_force_rate, stride, fastest);
-                stride = _o207.stride;
-                which = _o207.which;
-                rests = _o207.rests;
+                const kernel_leaving_force_out _o210 = kernel_leaving_force(p_ball_radius, p_gravity, vx, vx_1, vy, vy_1, vz, vz_1, which, undecided_time, position_error, velocity_error, per_reach, force, force_rate, force_bend, friction_force_rate, stride, fastest);
+                stride = _o210.stride;
+                which = _o210.which;
+                rests = _o210.rests;
                 if (BOUNDS)
-                    undecided_time = _o207.undecided_time;
-                const kernel_beside_out _o208 = kernel_beside(0.0, held);
-                beside = _o208.beside;
-                if (beside) {
-                    const kernel_ring_beside_out _o209 = kernel_ring_beside(p_ball_radius, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
-                    gap = _o209.gap;
-                    nearing = _o209.nearing;
-                    gap_curvature = _o209.gap_curvature;
-                    const kernel_beside_body_out _o210 = kernel_beside_body(p_ball_radius, x, y, z, gap, 0.0, which, earliest_delay, undecided_time, position_error, nearing, gap_curvature, stride, strongest, fastest);
-                    stride = _o210.stride;
-                    which = _o210.which;
-                    if (BOUNDS) {
-                        undecided_time = _o210.undecided_time;
-                        earliest_delay = _o210.earliest_delay;
-                    }
-                }
-                const kernel_beside_out _o211 = kernel_beside(1.0, held);
+                    undecided_time = _o210.undecided_time;
+                const kernel_beside_out _o211 = kernel_beside(0.0, held);
                 beside = _o211.beside;
                 if (beside) {
-                    const kernel_backboard_beside_out _o212 = kernel_backboard_beside(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, vx, vy, vz);
+                    const kernel_ring_beside_out _o212 = kernel_ring_beside(p_ball_radius, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
                     gap = _o212.gap;
                     nearing = _o212.nearing;
                     gap_curvature = _o212.gap_curvature;
-                    const kernel_beside_body_out _o213 = kernel_beside_body(p_ball_radius, x, y, z, gap, 1.0, which, earliest_delay, undecided_time, position_error, nearing, gap_curvature, stride, strongest, fastest);
+                    const kernel_beside_body_out _o213 = kernel_beside_body(p_ball_radius, x, y, z, gap, 0.0, which, earliest_delay, undecided_time, position_error, nearing, gap_curvature, stride, strongest, fastest);
                     stride = _o213.stride;
                     which = _o213.which;
                     if (BOUNDS) {
@@ -6314,14 +6350,14 @@ static __device__ __forceinline__ void court_loop(
                         earliest_delay = _o213.earliest_delay;
                     }
                 }
-                const kernel_beside_out _o214 = kernel_beside(2.0, held);
+                const kernel_beside_out _o214 = kernel_beside(1.0, held);
                 beside = _o214.beside;
                 if (beside) {
-                    const kernel_bridge_beside_out _o215 = kernel_bridge_beside(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
+                    const kernel_backboard_beside_out _o215 = kernel_backboard_beside(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, vx, vy, vz);
                     gap = _o215.gap;
                     nearing = _o215.nearing;
                     gap_curvature = _o215.gap_curvature;
-                    const kernel_beside_body_out _o216 = kernel_beside_body(p_ball_radius, x, y, z, gap, 2.0, which, earliest_delay, undecided_time, position_error, nearing, gap_curvature, stride, strongest, fastest);
+                    const kernel_beside_body_out _o216 = kernel_beside_body(p_ball_radius, x, y, z, gap, 1.0, which, earliest_delay, undecided_time, position_error, nearing, gap_curvature, stride, strongest, fastest);
                     stride = _o216.stride;
                     which = _o216.which;
                     if (BOUNDS) {
@@ -6329,1441 +6365,1456 @@ static __device__ __forceinline__ void court_loop(
                         earliest_delay = _o216.earliest_delay;
                     }
                 }
-                const kernel_end_beside_out _o217 = kernel_end_beside(p_end_depth, z, vz);
-                gap = _o217.gap;
-                nearing = _o217.nearing;
-                gap_curvature = _o217.gap_curvature;
-                const kernel_beside_end_plane_out _o218 = kernel_beside_end_plane(p_ball_radius, x, y, z, gap, 3.0, which, earliest_delay, undecided_time, position_error, nearing, gap_curvature, stride, strongest, fastest);
-                stride = _o218.stride;
-                which = _o218.which;
+                const kernel_beside_out _o217 = kernel_beside(2.0, held);
+                beside = _o217.beside;
+                if (beside) {
+                    const kernel_bridge_beside_out _o218 = kernel_bridge_beside(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
+                    gap = _o218.gap;
+                    nearing = _o218.nearing;
+                    gap_curvature = _o218.gap_curvature;
+                    const kernel_beside_body_out _o219 = kernel_beside_body(p_ball_radius, x, y, z, gap, 2.0, which, earliest_delay, undecided_time, position_error, nearing, gap_curvature, stride, strongest, fastest);
+                    stride = _o219.stride;
+                    which = _o219.which;
+                    if (BOUNDS) {
+                        undecided_time = _o219.undecided_time;
+                        earliest_delay = _o219.earliest_delay;
+                    }
+                }
+                const kernel_end_beside_out _o220 = kernel_end_beside(p_end_depth, z, vz);
+                gap = _o220.gap;
+                nearing = _o220.nearing;
+                gap_curvature = _o220.gap_curvature;
+                const kernel_beside_end_plane_out _o221 = kernel_beside_end_plane(p_ball_radius, x, y, z, gap, 3.0, which, earliest_delay, undecided_time, position_error, nearing, gap_curvature, stride, strongest, fastest);
+                stride = _o221.stride;
+                which = _o221.which;
                 if (BOUNDS) {
-                    undecided_time = _o218.undecided_time;
-                    earliest_delay = _o218.earliest_delay;
+                    undecided_time = _o221.undecided_time;
+                    earliest_delay = _o221.earliest_delay;
                 }
-                const kernel_holding_out _o219 = kernel_holding(1.0, held);
-                here = _o219.here;
+                const kernel_holding_out _o222 = kernel_holding(1.0, held);
+                here = _o222.here;
                 if (here) {
-                    const kernel_backboard_seam0_out _o220 = kernel_backboard_seam0(p_ball_radius, p_board_distance, p_board_thickness, x, vx);
-                    gap = _o220.gap;
-                    nearing = _o220.nearing;
-                    near = _o220.near;
-                    const kernel_beside_seam_out _o221 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
-                    stride = _o221.stride;
-                    const kernel_backboard_seam1_out _o222 = kernel_backboard_seam1(p_ball_radius, p_board_distance, p_board_thickness, x, vx);
-                    gap = _o222.gap;
-                    nearing = _o222.nearing;
-                    near = _o222.near;
-                    const kernel_beside_seam_out _o223 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
-                    stride = _o223.stride;
-                    const kernel_backboard_seam2_out _o224 = kernel_backboard_seam2(p_ball_radius, p_board_half_width, y, vy);
-                    gap = _o224.gap;
-                    nearing = _o224.nearing;
-                    near = _o224.near;
-                    const kernel_beside_seam_out _o225 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
-                    stride = _o225.stride;
-                    const kernel_backboard_seam3_out _o226 = kernel_backboard_seam3(p_ball_radius, p_board_half_width, y, vy);
-                    gap = _o226.gap;
-                    nearing = _o226.nearing;
-                    near = _o226.near;
-                    const kernel_beside_seam_out _o227 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
-                    stride = _o227.stride;
-                    const kernel_backboard_seam4_out _o228 = kernel_backboard_seam4(p_ball_radius, p_board_bottom, p_board_top, z, vz);
-                    gap = _o228.gap;
-                    nearing = _o228.nearing;
-                    near = _o228.near;
-                    const kernel_beside_seam_out _o229 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
-                    stride = _o229.stride;
-                    const kernel_backboard_seam5_out _o230 = kernel_backboard_seam5(p_ball_radius, p_board_bottom, p_board_top, z, vz);
-                    gap = _o230.gap;
-                    nearing = _o230.nearing;
-                    near = _o230.near;
-                    const kernel_beside_seam_out _o231 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
-                    stride = _o231.stride;
-                }
-                const kernel_holding_out _o232 = kernel_holding(2.0, held);
-                here = _o232.here;
-                if (here) {
-                    const kernel_bridge_seam0_out _o233 = kernel_bridge_seam0(p_ball_radius, p_board_distance, p_ring_radius, x, vx);
+                    const kernel_backboard_seam0_out _o223 = kernel_backboard_seam0(p_ball_radius, p_board_distance, p_board_thickness, x, vx);
+                    gap = _o223.gap;
+                    nearing = _o223.nearing;
+                    near = _o223.near;
+                    const kernel_beside_seam_out _o224 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
+                    stride = _o224.stride;
+                    const kernel_backboard_seam1_out _o225 = kernel_backboard_seam1(p_ball_radius, p_board_distance, p_board_thickness, x, vx);
+                    gap = _o225.gap;
+                    nearing = _o225.nearing;
+                    near = _o225.near;
+                    const kernel_beside_seam_out _o226 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
+                    stride = _o226.stride;
+                    const kernel_backboard_seam2_out _o227 = kernel_backboard_seam2(p_ball_radius, p_board_half_width, y, vy);
+                    gap = _o227.gap;
+                    nearing = _o227.nearing;
+                    near = _o227.near;
+                    const kernel_beside_seam_out _o228 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
+                    stride = _o228.stride;
+                    const kernel_backboard_seam3_out _o229 = kernel_backboard_seam3(p_ball_radius, p_board_half_width, y, vy);
+                    gap = _o229.gap;
+                    nearing = _o229.nearing;
+                    near = _o229.near;
+                    const kernel_beside_seam_out _o230 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
+                    stride = _o230.stride;
+                    const kernel_backboard_seam4_out _o231 = kernel_backboard_seam4(p_ball_radius, p_board_bottom, p_board_top, z, vz);
+                    gap = _o231.gap;
+                    nearing = _o231.nearing;
+                    near = _o231.near;
+                    const kernel_beside_seam_out _o232 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
+                    stride = _o232.stride;
+                    const kernel_backboard_seam5_out _o233 = kernel_backboard_seam5(p_ball_radius, p_board_bottom, p_board_top, z, vz);
                     gap = _o233.gap;
                     nearing = _o233.nearing;
                     near = _o233.near;
                     const kernel_beside_seam_out _o234 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
                     stride = _o234.stride;
-                    const kernel_bridge_seam1_out _o235 = kernel_bridge_seam1(p_ball_radius, p_board_distance, p_ring_radius, x, vx);
-                    gap = _o235.gap;
-                    nearing = _o235.nearing;
-                    near = _o235.near;
-                    const kernel_beside_seam_out _o236 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
-                    stride = _o236.stride;
-                    const kernel_bridge_seam2_out _o237 = kernel_bridge_seam2(p_ball_radius, p_bridge_half_width, y, vy);
-                    gap = _o237.gap;
-                    nearing = _o237.nearing;
-                    near = _o237.near;
-                    const kernel_beside_seam_out _o238 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
-                    stride = _o238.stride;
-                    const kernel_bridge_seam3_out _o239 = kernel_bridge_seam3(p_ball_radius, p_bridge_half_width, y, vy);
-                    gap = _o239.gap;
-                    nearing = _o239.nearing;
-                    near = _o239.near;
-                    const kernel_beside_seam_out _o240 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
-                    stride = _o240.stride;
-                    const kernel_bridge_seam4_out _o241 = kernel_bridge_seam4(p_ball_radius, p_bridge_depth, p_wire_radius, z, vz);
-                    gap = _o241.gap;
-                    nearing = _o241.nearing;
-                    near = _o241.near;
-                    const kernel_beside_seam_out _o242 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
-                    stride = _o242.stride;
-                    const kernel_bridge_seam5_out _o243 = kernel_bridge_seam5(p_ball_radius, p_bridge_depth, p_wire_radius, z, vz);
-                    gap = _o243.gap;
-                    nearing = _o243.nearing;
-                    near = _o243.near;
-                    const kernel_beside_seam_out _o244 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
-                    stride = _o244.stride;
                 }
-                const kernel_beside_time_out _o245 = kernel_beside_time(which, clock, time_limit, stride);
-                stride = _o245.stride;
-                which = _o245.which;
-                if (BOUNDS) {
-                    const kernel_neighbour_scale_out _o246 = kernel_neighbour_scale(p_ball_radius, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
-                    neighbour_scale = _o246.neighbour_scale;
-                    const kernel_neighbour_out _o247 = kernel_neighbour(x, y, z, vx, vy, vz, wx, wy, wz, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz, neighbour_scale);
-                    far_x = _o247.far_x;
-                    far_y = _o247.far_y;
-                    far_z = _o247.far_z;
-                    far_vx = _o247.far_vx;
-                    far_vy = _o247.far_vy;
-                    far_vz = _o247.far_vz;
-                    far_wx = _o247.far_wx;
-                    far_wy = _o247.far_wy;
-                    far_wz = _o247.far_wz;
-                    far_nx = _o247.far_nx;
-                    far_ny = _o247.far_ny;
-                    far_nz = _o247.far_nz;
-                    far_gap = _o247.far_gap;
-                }
-                const kernel_passing_from_out _o248 = kernel_passing_from(z);
-                over = _o248.over;
-                const kernel_roll_moved_out _o249 = kernel_roll_moved(x, y, z, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vx_8, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vy_8, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, vz_8, stride, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8);
-                x = _o249.x;
-                vx = _o249.vx;
-                y = _o249.y;
-                vy = _o249.vy;
-                z = _o249.z;
-                vz = _o249.vz;
-                turn_rate = _o249.turn_rate;
-                const kernel_holding_out _o250 = kernel_holding(1.0, held);
-                here = _o250.here;
+                const kernel_holding_out _o235 = kernel_holding(2.0, held);
+                here = _o235.here;
                 if (here) {
-                    const kernel_backboard_normal_out _o251 = kernel_backboard_normal(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                    nx = _o251.nx;
-                    ny = _o251.ny;
-                    nz = _o251.nz;
-                    const kernel_backboard_distance_out _o252 = kernel_backboard_distance(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z);
-                    gap = _o252.gap;
+                    const kernel_bridge_seam0_out _o236 = kernel_bridge_seam0(p_ball_radius, p_board_distance, p_ring_radius, x, vx);
+                    gap = _o236.gap;
+                    nearing = _o236.nearing;
+                    near = _o236.near;
+                    const kernel_beside_seam_out _o237 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
+                    stride = _o237.stride;
+                    const kernel_bridge_seam1_out _o238 = kernel_bridge_seam1(p_ball_radius, p_board_distance, p_ring_radius, x, vx);
+                    gap = _o238.gap;
+                    nearing = _o238.nearing;
+                    near = _o238.near;
+                    const kernel_beside_seam_out _o239 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
+                    stride = _o239.stride;
+                    const kernel_bridge_seam2_out _o240 = kernel_bridge_seam2(p_ball_radius, p_bridge_half_width, y, vy);
+                    gap = _o240.gap;
+                    nearing = _o240.nearing;
+                    near = _o240.near;
+                    const kernel_beside_seam_out _o241 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
+                    stride = _o241.stride;
+                    const kernel_bridge_seam3_out _o242 = kernel_bridge_seam3(p_ball_radius, p_bridge_half_width, y, vy);
+                    gap = _o242.gap;
+                    nearing = _o242.nearing;
+                    near = _o242.near;
+                    const kernel_beside_seam_out _o243 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
+                    stride = _o243.stride;
+                    const kernel_bridge_seam4_out _o244 = kernel_bridge_seam4(p_ball_radius, p_bridge_depth, p_wire_radius, z, vz);
+                    gap = _o244.gap;
+                    nearing = _o244.nearing;
+                    near = _o244.near;
+                    const kernel_beside_seam_out _o245 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
+                    stride = _o245.stride;
+                    const kernel_bridge_seam5_out _o246 = kernel_bridge_seam5(p_ball_radius, p_bridge_depth, p_wire_radius, z, vz);
+                    gap = _o246.gap;
+                    nearing = _o246.nearing;
+                    near = _o246.near;
+                    const kernel_beside_seam_out _o247 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
+                    stride = _o247.stride;
                 }
-                const kernel_holding_out _o253 = kernel_holding(2.0, held);
+                const kernel_beside_time_out _o248 = kernel_beside_time(which, clock, time_limit, stride);
+                stride = _o248.stride;
+                which = _o248.which;
+                if (BOUNDS) {
+                    const kernel_neighbour_scale_out _o249 = kernel_neighbour_scale(p_ball_radius, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
+                    neighbour_scale = _o249.neighbour_scale;
+                    const kernel_neighbour_out _o250 = kernel_neighbour(x, y, z, vx, vy, vz, wx, wy, wz, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz, neighbour_scale);
+                    far_x = _o250.far_x;
+                    far_y = _o250.far_y;
+                    far_z = _o250.far_z;
+                    far_vx = _o250.far_vx;
+                    far_vy = _o250.far_vy;
+                    far_vz = _o250.far_vz;
+                    far_wx = _o250.far_wx;
+                    far_wy = _o250.far_wy;
+                    far_wz = _o250.far_wz;
+                    far_nx = _o250.far_nx;
+                    far_ny = _o250.far_ny;
+                    far_nz = _o250.far_nz;
+                    far_gap = _o250.far_gap;
+                }
+                const kernel_passing_from_out _o251 = kernel_passing_from(z);
+                over = _o251.over;
+                const kernel_roll_moved_out _o252 = kernel_roll_moved(x, y, z, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vx_8, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vy_8, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, vz_8, stride, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8);
+                x = _o252.x;
+                vx = _o252.vx;
+                y = _o252.y;
+                vy = _o252.vy;
+                z = _o252.z;
+                vz = _o252.vz;
+                turn_rate = _o252.turn_rate;
+                const kernel_holding_out _o253 = kernel_holding(1.0, held);
                 here = _o253.here;
                 if (here) {
-                    const kernel_bridge_normal_out _o254 = kernel_bridge_normal(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
+                    const kernel_backboard_normal_out _o254 = kernel_backboard_normal(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
                     nx = _o254.nx;
                     ny = _o254.ny;
                     nz = _o254.nz;
-                    const kernel_bridge_distance_out _o255 = kernel_bridge_distance(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z);
+                    const kernel_backboard_distance_out _o255 = kernel_backboard_distance(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z);
                     gap = _o255.gap;
                 }
-                const kernel_roll_placed_out _o256 = kernel_roll_placed(p_ball_radius, x, y, z, nx, ny, nz, vx, vy, vz, gap, turn_rate);
-                x = _o256.x;
-                y = _o256.y;
-                z = _o256.z;
-                vx = _o256.vx;
-                vy = _o256.vy;
-                vz = _o256.vz;
-                wx = _o256.wx;
-                wy = _o256.wy;
-                wz = _o256.wz;
-                const kernel_passing_in_contact_out _o257 = kernel_passing_in_contact(p_ring_radius, x, y, z, through, over);
-                through = _o257.through;
+                const kernel_holding_out _o256 = kernel_holding(2.0, held);
+                here = _o256.here;
+                if (here) {
+                    const kernel_bridge_normal_out _o257 = kernel_bridge_normal(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
+                    nx = _o257.nx;
+                    ny = _o257.ny;
+                    nz = _o257.nz;
+                    const kernel_bridge_distance_out _o258 = kernel_bridge_distance(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z);
+                    gap = _o258.gap;
+                }
+                const kernel_roll_placed_out _o259 = kernel_roll_placed(p_ball_radius, x, y, z, nx, ny, nz, vx, vy, vz, gap, turn_rate);
+                x = _o259.x;
+                y = _o259.y;
+                z = _o259.z;
+                vx = _o259.vx;
+                vy = _o259.vy;
+                vz = _o259.vz;
+                wx = _o259.wx;
+                wy = _o259.wy;
+                wz = _o259.wz;
+                const kernel_passing_in_contact_out _o260 = kernel_passing_in_contact(p_ring_radius, x, y, z, through, over);
+                through = _o260.through;
                 if (BOUNDS) {
-                    const kernel_holding_out _o258 = kernel_holding(1.0, held);
-                    here = _o258.here;
+                    const kernel_holding_out _o261 = kernel_holding(1.0, held);
+                    here = _o261.here;
                     if (here) {
-                        const kernel_backboard_normal_out _o259 = kernel_backboard_normal(far_x, far_y, far_z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                        far_nx = _o259.nx;
-                        far_ny = _o259.ny;
-                        far_nz = _o259.nz;
+                        const kernel_backboard_normal_out _o262 = kernel_backboard_normal(far_x, far_y, far_z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
+                        far_nx = _o262.nx;
+                        far_ny = _o262.ny;
+                        far_nz = _o262.nz;
                     }
-                    const kernel_holding_out _o260 = kernel_holding(2.0, held);
-                    here = _o260.here;
-                    if (here) {
-                        const kernel_bridge_normal_out _o261 = kernel_bridge_normal(far_x, far_y, far_z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                        far_nx = _o261.nx;
-                        far_ny = _o261.ny;
-                        far_nz = _o261.nz;
-                    }
-                    const kernel_roll_turn_rate_out _o262 = kernel_roll_turn_rate(p_ball_radius, far_nx, far_ny, far_nz, far_wx, far_wy, far_wz);
-                    turn_rate = _o262.turn_rate;
-                    const kernel_holding_out _o263 = kernel_holding(1.0, held);
+                    const kernel_holding_out _o263 = kernel_holding(2.0, held);
                     here = _o263.here;
                     if (here) {
-                        const kernel_backboard_normal_out _o264 = kernel_backboard_normal(far_x, far_y, far_z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
+                        const kernel_bridge_normal_out _o264 = kernel_bridge_normal(far_x, far_y, far_z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
                         far_nx = _o264.nx;
                         far_ny = _o264.ny;
                         far_nz = _o264.nz;
-                        const kernel_backboard_distance_out _o265 = kernel_backboard_distance(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, far_x, far_y, far_z);
-                        far_gap = _o265.gap;
                     }
-                    const kernel_holding_out _o266 = kernel_holding(2.0, held);
+                    const kernel_roll_turn_rate_out _o265 = kernel_roll_turn_rate(p_ball_radius, far_nx, far_ny, far_nz, far_wx, far_wy, far_wz);
+                    turn_rate = _o265.turn_rate;
+                    const kernel_holding_out _o266 = kernel_holding(1.0, held);
                     here = _o266.here;
                     if (here) {
-                        const kernel_bridge_normal_out _o267 = kernel_bridge_normal(far_x, far_y, far_z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
+                        const kernel_backboard_normal_out _o267 = kernel_backboard_normal(far_x, far_y, far_z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
                         far_nx = _o267.nx;
                         far_ny = _o267.ny;
                         far_nz = _o267.nz;
-                        const kernel_bridge_distance_out _o268 = kernel_bridge_distance(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, far_x, far_y, far_z);
+                        const kernel_backboard_distance_out _o268 = kernel_backboard_distance(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, far_x, far_y, far_z);
                         far_gap = _o268.gap;
                     }
-                    const kernel_roll_placed_out _o269 = kernel_roll_placed(p_ball_radius, far_x, far_y, far_z, far_nx, far_ny, far_nz, far_vx, far_vy, far_vz, far_gap, turn_rate);
-                    far_x = _o269.x;
-                    far_y = _o269.y;
-                    far_z = _o269.z;
-                    far_vx = _o269.vx;
-                    far_vy = _o269.vy;
-                    far_vz = _o269.vz;
-                    far_wx = _o269.wx;
-                    far_wy = _o269.wy;
-                    far_wz = _o269.wz;
-                    const kernel_roll_start_out _o270 = kernel_roll_start(p_ball_radius, far_nx, far_ny, far_nz, far_vx, far_vy, far_vz, far_wx, far_wy, far_wz);
-                    vx_0 = _o270.vx_0;
-                    vy_0 = _o270.vy_0;
-                    vz_0 = _o270.vz_0;
-                    nx_0 = _o270.nx_0;
-                    ny_0 = _o270.ny_0;
-                    nz_0 = _o270.nz_0;
-                    turn_rate_0 = _o270.turn_rate_0;
-                    const kernel_roll_0_out _o271 = kernel_roll_0(p_gravity, p_inertia, nx_0, ny_0, nz_0, vx_0, vy_0, vz_0, bent_x, bent_y, bent_z, per_reach, turn_rate_0);
-                    lift_0 = _o271.lift_0;
-                    tx_0 = _o271.tx_0;
-                    ty_0 = _o271.ty_0;
-                    tz_0 = _o271.tz_0;
-                    vx_1 = _o271.vx_1;
-                    vy_1 = _o271.vy_1;
-                    vz_1 = _o271.vz_1;
-                    nx_1 = _o271.nx_1;
-                    ny_1 = _o271.ny_1;
-                    nz_1 = _o271.nz_1;
-                    turn_rate_1 = _o271.turn_rate_1;
-                    const kernel_roll_1_out _o272 = kernel_roll_1(p_gravity, p_inertia, nx_0, nx_1, ny_0, ny_1, nz_0, nz_1, vx_0, vx_1, vy_0, vy_1, vz_0, vz_1, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, lift_0, tx_0, ty_0, tz_0);
-                    lift_1 = _o272.lift_1;
-                    tx_1 = _o272.tx_1;
-                    ty_1 = _o272.ty_1;
-                    tz_1 = _o272.tz_1;
-                    vx_2 = _o272.vx_2;
-                    vy_2 = _o272.vy_2;
-                    vz_2 = _o272.vz_2;
-                    nx_2 = _o272.nx_2;
-                    ny_2 = _o272.ny_2;
-                    nz_2 = _o272.nz_2;
-                    turn_rate_2 = _o272.turn_rate_2;
-                    const kernel_roll_2_out _o273 = kernel_roll_2(p_gravity, p_inertia, nx_0, nx_1, nx_2, ny_0, ny_1, ny_2, nz_0, nz_1, nz_2, vx_0, vx_1, vx_2, vy_0, vy_1, vy_2, vz_0, vz_1, vz_2, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, lift_0, lift_1, tx_0, tx_1, ty_0, ty_1, tz_0, tz_1);
-                    lift_2 = _o273.lift_2;
-                    tx_2 = _o273.tx_2;
-                    ty_2 = _o273.ty_2;
-                    tz_2 = _o273.tz_2;
-                    vx_3 = _o273.vx_3;
-                    vy_3 = _o273.vy_3;
-                    vz_3 = _o273.vz_3;
-                    nx_3 = _o273.nx_3;
-                    ny_3 = _o273.ny_3;
-                    nz_3 = _o273.nz_3;
-                    turn_rate_3 = _o273.turn_rate_3;
-                    const kernel_roll_3_out _o274 = kernel_roll_3(p_gravity, p_inertia, nx_0, nx_1, nx_2, nx_3, ny_0, ny_1, ny_2, ny_3, nz_0, nz_1, nz_2, nz_3, vx_0, vx_1, vx_2, vx_3, vy_0, vy_1, vy_2, vy_3, vz_0, vz_1, vz_2, vz_3, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, lift_0, lift_1, lift_2, tx_0, tx_1, tx_2, ty_0, ty_1, ty_2, tz_0, tz_1, tz_2);
-                    lift_3 = _o274.lift_3;
-                    tx_3 = _o274.tx_3;
-                    ty_3 = _o274.ty_3;
-                    tz_3 = _o274.tz_3;
-                    vx_4 = _o274.vx_4;
-                    vy_4 = _o274.vy_4;
-                    vz_4 = _o274.vz_4;
-                    nx_4 = _o274.nx_4;
-                    ny_4 = _o274.ny_4;
-                    nz_4 = _o274.nz_4;
-                    turn_rate_4 = _o274.turn_rate_4;
-                    const kernel_roll_4_out _o275 = kernel_roll_4(p_gravity, p_inertia, nx_0, nx_1, nx_2, nx_3, nx_4, ny_0, ny_1, ny_2, ny_3, ny_4, nz_0, nz_1, nz_2, nz_3, nz_4, vx_0, vx_1, vx_2, vx_3, vx_4, vy_0, vy_1, vy_2, vy_3, vy_4, vz_0, vz_1, vz_2, vz_3, vz_4, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, lift_0, lift_1, lift_2, lift_3, tx_0, tx_1, tx_2, tx_3, ty_0, ty_1, ty_2, ty_3, tz_0, tz_1, tz_2, tz_3);
-                    lift_4 = _o275.lift_4;
-                    tx_4 = _o275.tx_4;
-                    ty_4 = _o275.ty_4;
-                    tz_4 = _o275.tz_4;
-                    vx_5 = _o275.vx_5;
-                    vy_5 = _o275.vy_5;
-                    vz_5 = _o275.vz_5;
-                    nx_5 = _o275.nx_5;
-                    ny_5 = _o275.ny_5;
-                    nz_5 = _o275.nz_5;
-                    turn_rate_5 = _o275.turn_rate_5;
-                    const kernel_roll_5_out _o276 = kernel_roll_5(p_gravity, p_inertia, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, lift_0, lift_1, lift_2, lift_3, lift_4, tx_0, tx_1, tx_2, tx_3, tx_4, ty_0, ty_1, ty_2, ty_3, ty_4, tz_0, tz_1, tz_2, tz_3, tz_4);
-                    lift_5 = _o276.lift_5;
-                    tx_5 = _o276.tx_5;
-                    ty_5 = _o276.ty_5;
-                    tz_5 = _o276.tz_5;
-                    vx_6 = _o276.vx_6;
-                    vy_6 = _o276.vy_6;
-                    vz_6 = _o276.vz_6;
-                    nx_6 = _o276.nx_6;
-                    ny_6 = _o276.ny_6;
-                    nz_6 = _o276.nz_6;
-                    turn_rate_6 = _o276.turn_rate_6;
-                    const kernel_roll_6_out _o277 = kernel_roll_6(p_gravity, p_inertia, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5);
-                    lift_6 = _o277.lift_6;
-                    tx_6 = _o277.tx_6;
-                    ty_6 = _o277.ty_6;
-                    tz_6 = _o277.tz_6;
-                    vx_7 = _o277.vx_7;
-                    vy_7 = _o277.vy_7;
-                    vz_7 = _o277.vz_7;
-                    nx_7 = _o277.nx_7;
-                    ny_7 = _o277.ny_7;
-                    nz_7 = _o277.nz_7;
-                    turn_rate_7 = _o277.turn_rate_7;
-                    const kernel_roll_7_out _o278 = kernel_roll_7(p_gravity, p_inertia, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, nx_7, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, ny_7, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, nz_7, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, lift_6, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, tx_6, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, ty_6, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, tz_6);
-                    vx_8 = _o278.vx_8;
-                    vy_8 = _o278.vy_8;
-                    vz_8 = _o278.vz_8;
-                    turn_rate_8 = _o278.turn_rate_8;
-                    const kernel_roll_moved_out _o279 = kernel_roll_moved(far_x, far_y, far_z, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vx_8, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vy_8, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, vz_8, stride, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8);
-                    far_x = _o279.x;
-                    far_vx = _o279.vx;
-                    far_y = _o279.y;
-                    far_vy = _o279.vy;
-                    far_z = _o279.z;
-                    far_vz = _o279.vz;
-                    turn_rate = _o279.turn_rate;
-                    const kernel_holding_out _o280 = kernel_holding(1.0, held);
-                    here = _o280.here;
+                    const kernel_holding_out _o269 = kernel_holding(2.0, held);
+                    here = _o269.here;
                     if (here) {
-                        const kernel_backboard_normal_out _o281 = kernel_backboard_normal(far_x, far_y, far_z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                        far_nx = _o281.nx;
-                        far_ny = _o281.ny;
-                        far_nz = _o281.nz;
-                        const kernel_backboard_distance_out _o282 = kernel_backboard_distance(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, far_x, far_y, far_z);
-                        far_gap = _o282.gap;
+                        const kernel_bridge_normal_out _o270 = kernel_bridge_normal(far_x, far_y, far_z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
+                        far_nx = _o270.nx;
+                        far_ny = _o270.ny;
+                        far_nz = _o270.nz;
+                        const kernel_bridge_distance_out _o271 = kernel_bridge_distance(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, far_x, far_y, far_z);
+                        far_gap = _o271.gap;
                     }
-                    const kernel_holding_out _o283 = kernel_holding(2.0, held);
+                    const kernel_roll_placed_out _o272 = kernel_roll_placed(p_ball_radius, far_x, far_y, far_z, far_nx, far_ny, far_nz, far_vx, far_vy, far_vz, far_gap, turn_rate);
+                    far_x = _o272.x;
+                    far_y = _o272.y;
+                    far_z = _o272.z;
+                    far_vx = _o272.vx;
+                    far_vy = _o272.vy;
+                    far_vz = _o272.vz;
+                    far_wx = _o272.wx;
+                    far_wy = _o272.wy;
+                    far_wz = _o272.wz;
+                    const kernel_roll_start_out _o273 = kernel_roll_start(p_ball_radius, far_nx, far_ny, far_nz, far_vx, far_vy, far_vz, far_wx, far_wy, far_wz);
+                    vx_0 = _o273.vx_0;
+                    vy_0 = _o273.vy_0;
+                    vz_0 = _o273.vz_0;
+                    nx_0 = _o273.nx_0;
+                    ny_0 = _o273.ny_0;
+                    nz_0 = _o273.nz_0;
+                    turn_rate_0 = _o273.turn_rate_0;
+                    const kernel_roll_0_out _o274 = kernel_roll_0(p_gravity, p_inertia, nx_0, ny_0, nz_0, vx_0, vy_0, vz_0, bent_x, bent_y, bent_z, per_reach, turn_rate_0);
+                    lift_0 = _o274.lift_0;
+                    tx_0 = _o274.tx_0;
+                    ty_0 = _o274.ty_0;
+                    tz_0 = _o274.tz_0;
+                    vx_1 = _o274.vx_1;
+                    vy_1 = _o274.vy_1;
+                    vz_1 = _o274.vz_1;
+                    nx_1 = _o274.nx_1;
+                    ny_1 = _o274.ny_1;
+                    nz_1 = _o274.nz_1;
+                    turn_rate_1 = _o274.turn_rate_1;
+                    const kernel_roll_1_out _o275 = kernel_roll_1(p_gravity, p_inertia, nx_0, nx_1, ny_0, ny_1, nz_0, nz_1, vx_0, vx_1, vy_0, vy_1, vz_0, vz_1, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, lift_0, tx_0, ty_0, tz_0);
+                    lift_1 = _o275.lift_1;
+                    tx_1 = _o275.tx_1;
+                    ty_1 = _o275.ty_1;
+                    tz_1 = _o275.tz_1;
+                    vx_2 = _o275.vx_2;
+                    vy_2 = _o275.vy_2;
+                    vz_2 = _o275.vz_2;
+                    nx_2 = _o275.nx_2;
+                    ny_2 = _o275.ny_2;
+                    nz_2 = _o275.nz_2;
+                    turn_rate_2 = _o275.turn_rate_2;
+                    const kernel_roll_2_out _o276 = kernel_roll_2(p_gravity, p_inertia, nx_0, nx_1, nx_2, ny_0, ny_1, ny_2, nz_0, nz_1, nz_2, vx_0, vx_1, vx_2, vy_0, vy_1, vy_2, vz_0, vz_1, vz_2, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, lift_0, lift_1, tx_0, tx_1, ty_0, ty_1, tz_0, tz_1);
+                    lift_2 = _o276.lift_2;
+                    tx_2 = _o276.tx_2;
+                    ty_2 = _o276.ty_2;
+                    tz_2 = _o276.tz_2;
+                    vx_3 = _o276.vx_3;
+                    vy_3 = _o276.vy_3;
+                    vz_3 = _o276.vz_3;
+                    nx_3 = _o276.nx_3;
+                    ny_3 = _o276.ny_3;
+                    nz_3 = _o276.nz_3;
+                    turn_rate_3 = _o276.turn_rate_3;
+                    const kernel_roll_3_out _o277 = kernel_roll_3(p_gravity, p_inertia, nx_0, nx_1, nx_2, nx_3, ny_0, ny_1, ny_2, ny_3, nz_0, nz_1, nz_2, nz_3, vx_0, vx_1, vx_2, vx_3, vy_0, vy_1, vy_2, vy_3, vz_0, vz_1, vz_2, vz_3, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, lift_0, lift_1, lift_2, tx_0, tx_1, tx_2, ty_0, ty_1, ty_2, tz_0, tz_1, tz_2);
+                    lift_3 = _o277.lift_3;
+                    tx_3 = _o277.tx_3;
+                    ty_3 = _o277.ty_3;
+                    tz_3 = _o277.tz_3;
+                    vx_4 = _o277.vx_4;
+                    vy_4 = _o277.vy_4;
+                    vz_4 = _o277.vz_4;
+                    nx_4 = _o277.nx_4;
+                    ny_4 = _o277.ny_4;
+                    nz_4 = _o277.nz_4;
+                    turn_rate_4 = _o277.turn_rate_4;
+                    const kernel_roll_4_out _o278 = kernel_roll_4(p_gravity, p_inertia, nx_0, nx_1, nx_2, nx_3, nx_4, ny_0, ny_1, ny_2, ny_3, ny_4, nz_0, nz_1, nz_2, nz_3, nz_4, vx_0, vx_1, vx_2, vx_3, vx_4, vy_0, vy_1, vy_2, vy_3, vy_4, vz_0, vz_1, vz_2, vz_3, vz_4, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, lift_0, lift_1, lift_2, lift_3, tx_0, tx_1, tx_2, tx_3, ty_0, ty_1, ty_2, ty_3, tz_0, tz_1, tz_2, tz_3);
+                    lift_4 = _o278.lift_4;
+                    tx_4 = _o278.tx_4;
+                    ty_4 = _o278.ty_4;
+                    tz_4 = _o278.tz_4;
+                    vx_5 = _o278.vx_5;
+                    vy_5 = _o278.vy_5;
+                    vz_5 = _o278.vz_5;
+                    nx_5 = _o278.nx_5;
+                    ny_5 = _o278.ny_5;
+                    nz_5 = _o278.nz_5;
+                    turn_rate_5 = _o278.turn_rate_5;
+                    const kernel_roll_5_out _o279 = kernel_roll_5(p_gravity, p_inertia, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, lift_0, lift_1, lift_2, lift_3, lift_4, tx_0, tx_1, tx_2, tx_3, tx_4, ty_0, ty_1, ty_2, ty_3, ty_4, tz_0, tz_1, tz_2, tz_3, tz_4);
+                    lift_5 = _o279.lift_5;
+                    tx_5 = _o279.tx_5;
+                    ty_5 = _o279.ty_5;
+                    tz_5 = _o279.tz_5;
+                    vx_6 = _o279.vx_6;
+                    vy_6 = _o279.vy_6;
+                    vz_6 = _o279.vz_6;
+                    nx_6 = _o279.nx_6;
+                    ny_6 = _o279.ny_6;
+                    nz_6 = _o279.nz_6;
+                    turn_rate_6 = _o279.turn_rate_6;
+                    const kernel_roll_6_out _o280 = kernel_roll_6(p_gravity, p_inertia, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5);
+                    lift_6 = _o280.lift_6;
+                    tx_6 = _o280.tx_6;
+                    ty_6 = _o280.ty_6;
+                    tz_6 = _o280.tz_6;
+                    vx_7 = _o280.vx_7;
+                    vy_7 = _o280.vy_7;
+                    vz_7 = _o280.vz_7;
+                    nx_7 = _o280.nx_7;
+                    ny_7 = _o280.ny_7;
+                    nz_7 = _o280.nz_7;
+                    turn_rate_7 = _o280.turn_rate_7;
+                    const kernel_roll_7_out _o281 = kernel_roll_7(p_gravity, p_inertia, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, nx_7, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, ny_7, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, nz_7, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, lift_6, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, tx_6, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, ty_6, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, tz_6);
+                    vx_8 = _o281.vx_8;
+                    vy_8 = _o281.vy_8;
+                    vz_8 = _o281.vz_8;
+                    turn_rate_8 = _o281.turn_rate_8;
+                    const kernel_roll_moved_out _o282 = kernel_roll_moved(far_x, far_y, far_z, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vx_8, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vy_8, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, vz_8, stride, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8);
+                    far_x = _o282.x;
+                    far_vx = _o282.vx;
+                    far_y = _o282.y;
+                    far_vy = _o282.vy;
+                    far_z = _o282.z;
+                    far_vz = _o282.vz;
+                    turn_rate = _o282.turn_rate;
+                    const kernel_holding_out _o283 = kernel_holding(1.0, held);
                     here = _o283.here;
                     if (here) {
-                        const kernel_bridge_normal_out _o284 = kernel_bridge_normal(far_x, far_y, far_z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
+                        const kernel_backboard_normal_out _o284 = kernel_backboard_normal(far_x, far_y, far_z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
                         far_nx = _o284.nx;
                         far_ny = _o284.ny;
                         far_nz = _o284.nz;
-                        const kernel_bridge_distance_out _o285 = kernel_bridge_distance(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, far_x, far_y, far_z);
+                        const kernel_backboard_distance_out _o285 = kernel_backboard_distance(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, far_x, far_y, far_z);
                         far_gap = _o285.gap;
                     }
-                    const kernel_roll_placed_out _o286 = kernel_roll_placed(p_ball_radius, far_x, far_y, far_z, far_nx, far_ny, far_nz, far_vx, far_vy, far_vz, far_gap, turn_rate);
-                    far_x = _o286.x;
-                    far_y = _o286.y;
-                    far_z = _o286.z;
-                    far_vx = _o286.vx;
-                    far_vy = _o286.vy;
-                    far_vz = _o286.vz;
-                    far_wx = _o286.wx;
-                    far_wy = _o286.wy;
-                    far_wz = _o286.wz;
-                    const kernel_compared_out _o287 = kernel_compared(p_ball_radius, x, y, z, vx, vy, vz, wx, wy, wz, far_x, far_y, far_z, far_vx, far_vy, far_vz, far_wx, far_wy, far_wz, stride, missed, neighbour_scale);
-                    dx = _o287.dx;
-                    dy = _o287.dy;
-                    dz = _o287.dz;
-                    dvx = _o287.dvx;
-                    dvy = _o287.dvy;
-                    dvz = _o287.dvz;
-                    dwx = _o287.dwx;
-                    dwy = _o287.dwy;
-                    dwz = _o287.dwz;
+                    const kernel_holding_out _o286 = kernel_holding(2.0, held);
+                    here = _o286.here;
+                    if (here) {
+                        const kernel_bridge_normal_out _o287 = kernel_bridge_normal(far_x, far_y, far_z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
+                        far_nx = _o287.nx;
+                        far_ny = _o287.ny;
+                        far_nz = _o287.nz;
+                        const kernel_bridge_distance_out _o288 = kernel_bridge_distance(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, far_x, far_y, far_z);
+                        far_gap = _o288.gap;
+                    }
+                    const kernel_roll_placed_out _o289 = kernel_roll_placed(p_ball_radius, far_x, far_y, far_z, far_nx, far_ny, far_nz, far_vx, far_vy, far_vz, far_gap, turn_rate);
+                    far_x = _o289.x;
+                    far_y = _o289.y;
+                    far_z = _o289.z;
+                    far_vx = _o289.vx;
+                    far_vy = _o289.vy;
+                    far_vz = _o289.vz;
+                    far_wx = _o289.wx;
+                    far_wy = _o289.wy;
+                    far_wz = _o289.wz;
+                    const kernel_compared_out _o290 = kernel_compared(p_ball_radius, x, y, z, vx, vy, vz, wx, wy, wz, far_x, far_y, far_z, far_vx, far_vy, far_vz, far_wx, far_wy, far_wz, stride, missed, neighbour_scale);
+                    dx = _o290.dx;
+                    dy = _o290.dy;
+                    dz = _o290.dz;
+                    dvx = _o290.dvx;
+                    dvy = _o290.dvy;
+                    dvz = _o290.dvz;
+                    dwx = _o290.dwx;
+                    dwy = _o290.dwy;
+                    dwz = _o290.dwz;
                 }
-                const kernel_rolled_on_out _o288 = kernel_rolled_on(which, clock, stride, rests);
-                clock = _o288.clock;
-                rolling = _o288.rolling;
+                const kernel_rolled_on_out _o291 = kernel_rolled_on(which, clock, stride, rests);
+                clock = _o291.clock;
+                rolling = _o291.rolling;
             }
             for (size_t _turn = 0; _turn < 16; _turn++) {
                 if (!circling)
                     break;
                 if (BOUNDS) {
-                    const kernel_error_bounds_out _o289 = kernel_error_bounds(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
-                    position_error = _o289.position_error;
-                    velocity_error = _o289.velocity_error;
+                    const kernel_error_bounds_out _o292 = kernel_error_bounds(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
+                    position_error = _o292.position_error;
+                    velocity_error = _o292.velocity_error;
                 }
-                const kernel_ring_rolling_surface_out _o290 = kernel_ring_rolling_surface(p_ball_radius, p_wire_radius);
-                per_reach = _o290.per_reach;
-                const kernel_ring_round_start_out _o291 = kernel_ring_round_start(p_ball_radius, p_inertia, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz, wx, wy, wz, per_reach);
-                cosine_0 = _o291.cosine_0;
-                sine_0 = _o291.sine_0;
-                climb_0 = _o291.climb_0;
-                along_0 = _o291.along_0;
-                turn_rate_0 = _o291.turn_rate_0;
-                cos_0 = _o291.cos_0;
-                sin_0 = _o291.sin_0;
-                tilted_0 = _o291.tilted_0;
-                near_0 = _o291.near_0;
-                const kernel_ring_round_0_out _o292 = kernel_ring_round_0(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, near_0, climb_0, cosine_0, sine_0, along_0, tilted_0);
-                omega_0 = _o292.omega_0;
-                around_0 = _o292.around_0;
-                cosine_1 = _o292.cosine_1;
-                sine_1 = _o292.sine_1;
-                climb_1 = _o292.climb_1;
-                along_1 = _o292.along_1;
-                turn_rate_1 = _o292.turn_rate_1;
-                tilted_1 = _o292.tilted_1;
-                const kernel_ring_round_1_out _o293 = kernel_ring_round_1(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, near_0, climb_0, climb_1, cosine_0, cosine_1, sine_0, sine_1, along_1, omega_0, around_0, tilted_0, tilted_1);
-                omega_1 = _o293.omega_1;
-                around_1 = _o293.around_1;
-                cosine_2 = _o293.cosine_2;
-                sine_2 = _o293.sine_2;
-                climb_2 = _o293.climb_2;
-                along_2 = _o293.along_2;
-                turn_rate_2 = _o293.turn_rate_2;
-                tilted_2 = _o293.tilted_2;
-                const kernel_ring_round_2_out _o294 = kernel_ring_round_2(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, near_0, climb_0, climb_1, climb_2, cosine_0, cosine_1, cosine_2, sine_0, sine_1, sine_2, along_2, omega_0, omega_1, around_0, around_1, tilted_0, tilted_1, tilted_2);
-                omega_2 = _o294.omega_2;
-                around_2 = _o294.around_2;
-                cosine_3 = _o294.cosine_3;
-                sine_3 = _o294.sine_3;
-                climb_3 = _o294.climb_3;
-                along_3 = _o294.along_3;
-                turn_rate_3 = _o294.turn_rate_3;
-                tilted_3 = _o294.tilted_3;
-                const kernel_ring_round_3_out _o295 = kernel_ring_round_3(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, near_0, climb_0, climb_1, climb_2, climb_3, cosine_0, cosine_1, cosine_2, cosine_3, sine_0, sine_1, sine_2, sine_3, along_3, omega_0, omega_1, omega_2, around_0, around_1, around_2, tilted_0, tilted_1, tilted_2, tilted_3);
-                omega_3 = _o295.omega_3;
-                around_3 = _o295.around_3;
-                cosine_4 = _o295.cosine_4;
-                sine_4 = _o295.sine_4;
-                climb_4 = _o295.climb_4;
-                along_4 = _o295.along_4;
-                turn_rate_4 = _o295.turn_rate_4;
-                tilted_4 = _o295.tilted_4;
-                const kernel_ring_round_4_out _o296 = kernel_ring_round_4(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, sine_0, sine_1, sine_2, sine_3, sine_4, along_4, omega_0, omega_1, omega_2, omega_3, around_0, around_1, around_2, around_3, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4);
-                omega_4 = _o296.omega_4;
-                around_4 = _o296.around_4;
-                cosine_5 = _o296.cosine_5;
-                sine_5 = _o296.sine_5;
-                climb_5 = _o296.climb_5;
-                along_5 = _o296.along_5;
-                turn_rate_5 = _o296.turn_rate_5;
-                tilted_5 = _o296.tilted_5;
-                const kernel_ring_round_5_out _o297 = kernel_ring_round_5(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, along_5, omega_0, omega_1, omega_2, omega_3, omega_4, around_0, around_1, around_2, around_3, around_4, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5);
-                omega_5 = _o297.omega_5;
-                around_5 = _o297.around_5;
-                cosine_6 = _o297.cosine_6;
-                sine_6 = _o297.sine_6;
-                climb_6 = _o297.climb_6;
-                along_6 = _o297.along_6;
-                turn_rate_6 = _o297.turn_rate_6;
-                tilted_6 = _o297.tilted_6;
-                const kernel_ring_round_6_out _o298 = kernel_ring_round_6(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, along_6, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, around_0, around_1, around_2, around_3, around_4, around_5, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6);
-                omega_6 = _o298.omega_6;
-                around_6 = _o298.around_6;
-                cosine_7 = _o298.cosine_7;
-                sine_7 = _o298.sine_7;
-                climb_7 = _o298.climb_7;
-                along_7 = _o298.along_7;
-                turn_rate_7 = _o298.turn_rate_7;
-                tilted_7 = _o298.tilted_7;
-                const kernel_ring_round_7_out _o299 = kernel_ring_round_7(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, along_7, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, around_0, around_1, around_2, around_3, around_4, around_5, around_6, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7);
-                omega_7 = _o299.omega_7;
-                around_7 = _o299.around_7;
-                cosine_8 = _o299.cosine_8;
-                sine_8 = _o299.sine_8;
-                climb_8 = _o299.climb_8;
-                along_8 = _o299.along_8;
-                turn_rate_8 = _o299.turn_rate_8;
-                tilted_8 = _o299.tilted_8;
-                const kernel_ring_round_8_out _o300 = kernel_ring_round_8(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, along_8, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8);
-                omega_8 = _o300.omega_8;
-                around_8 = _o300.around_8;
-                cosine_9 = _o300.cosine_9;
-                sine_9 = _o300.sine_9;
-                climb_9 = _o300.climb_9;
-                along_9 = _o300.along_9;
-                turn_rate_9 = _o300.turn_rate_9;
-                tilted_9 = _o300.tilted_9;
-                const kernel_ring_round_9_out _o301 = kernel_ring_round_9(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, along_9, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9);
-                omega_9 = _o301.omega_9;
-                around_9 = _o301.around_9;
-                cosine_10 = _o301.cosine_10;
-                sine_10 = _o301.sine_10;
-                climb_10 = _o301.climb_10;
-                along_10 = _o301.along_10;
-                turn_rate_10 = _o301.turn_rate_10;
-                tilted_10 = _o301.tilted_10;
-                const kernel_ring_round_10_out _o302 = kernel_ring_round_10(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, turn_rate_10, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, cosine_10, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, sine_10, along_10, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, tilted_10);
-                omega_10 = _o302.omega_10;
-                around_10 = _o302.around_10;
-                cosine_11 = _o302.cosine_11;
-                sine_11 = _o302.sine_11;
-                climb_11 = _o302.climb_11;
-                along_11 = _o302.along_11;
-                turn_rate_11 = _o302.turn_rate_11;
-                tilted_11 = _o302.tilted_11;
-                const kernel_ring_round_11_out _o303 = kernel_ring_round_11(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, turn_rate_10, turn_rate_11, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, climb_11, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, cosine_10, cosine_11, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, sine_10, sine_11, along_11, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, omega_10, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, around_10, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, tilted_10, tilted_11);
-                omega_11 = _o303.omega_11;
-                cosine_12 = _o303.cosine_12;
-                sine_12 = _o303.sine_12;
-                climb_12 = _o303.climb_12;
-                along_12 = _o303.along_12;
-                turn_rate_12 = _o303.turn_rate_12;
-                const kernel_ring_round_step_out _o304 = kernel_ring_round_step(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_11, turn_rate_12, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, climb_11, climb_12, cosine_0, cosine_12, sine_0, sine_12, along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, along_10, along_11, along_12, cos_0, sin_0, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, omega_10, omega_11);
-                stride = _o304.stride;
-                strongest = _o304.strongest;
-                fastest = _o304.fastest;
-                section_acceleration = _o304.section_acceleration;
-                force = _o304.force;
-                force_rate = _o304.force_rate;
-                force_bend = _o304.force_bend;
-                friction_force_rate = _o304.friction_force_rate;
-                vx_1 = _o304.vx_1;
-                vy_1 = _o304.vy_1;
-                vz_1 = _o304.vz_1;
+                const kernel_ring_rolling_surface_out _o293 = kernel_ring_rolling_surface(p_ball_radius, p_wire_radius);
+                per_reach = _o293.per_reach;
+                const kernel_ring_round_start_out _o294 = kernel_ring_round_start(p_ball_radius, p_inertia, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz, wx, wy, wz, per_reach);
+                cosine_0 = _o294.cosine_0;
+                sine_0 = _o294.sine_0;
+                climb_0 = _o294.climb_0;
+                along_0 = _o294.along_0;
+                turn_rate_0 = _o294.turn_rate_0;
+                cos_0 = _o294.cos_0;
+                sin_0 = _o294.sin_0;
+                tilted_0 = _o294.tilted_0;
+                near_0 = _o294.near_0;
+                const kernel_ring_round_0_out _o295 = kernel_ring_round_0(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, near_0, climb_0, cosine_0, sine_0, along_0, tilted_0);
+                omega_0 = _o295.omega_0;
+                around_0 = _o295.around_0;
+                cosine_1 = _o295.cosine_1;
+                sine_1 = _o295.sine_1;
+                climb_1 = _o295.climb_1;
+                along_1 = _o295.along_1;
+                turn_rate_1 = _o295.turn_rate_1;
+                tilted_1 = _o295.tilted_1;
+                const kernel_ring_round_1_out _o296 = kernel_ring_round_1(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, near_0, climb_0, climb_1, cosine_0, cosine_1, sine_0, sine_1, along_1, omega_0, around_0, tilted_0, tilted_1);
+                omega_1 = _o296.omega_1;
+                around_1 = _o296.around_1;
+                cosine_2 = _o296.cosine_2;
+                sine_2 = _o296.sine_2;
+                climb_2 = _o296.climb_2;
+                along_2 = _o296.along_2;
+                turn_rate_2 = _o296.turn_rate_2;
+                tilted_2 = _o296.tilted_2;
+                const kernel_ring_round_2_out _o297 = kernel_ring_round_2(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, near_0, climb_0, climb_1, climb_2, cosine_0, cosine_1, cosine_2, sine_0, sine_1, sine_2, along_2, omega_0, omega_1, around_0, around_1, tilted_0, tilted_1, tilted_2);
+                omega_2 = _o297.omega_2;
+                around_2 = _o297.around_2;
+                cosine_3 = _o297.cosine_3;
+                sine_3 = _o297.sine_3;
+                climb_3 = _o297.climb_3;
+                along_3 = _o297.along_3;
+                turn_rate_3 = _o297.turn_rate_3;
+                tilted_3 = _o297.tilted_3;
+                const kernel_ring_round_3_out _o298 = kernel_ring_round_3(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, near_0, climb_0, climb_1, climb_2, climb_3, cosine_0, cosine_1, cosine_2, cosine_3, sine_0, sine_1, sine_2, sine_3, along_3, omega_0, omega_1, omega_2, around_0, around_1, around_2, tilted_0, tilted_1, tilted_2, tilted_3);
+                omega_3 = _o298.omega_3;
+                around_3 = _o298.around_3;
+                cosine_4 = _o298.cosine_4;
+                sine_4 = _o298.sine_4;
+                climb_4 = _o298.climb_4;
+                along_4 = _o298.along_4;
+                turn_rate_4 = _o298.turn_rate_4;
+                tilted_4 = _o298.tilted_4;
+                const kernel_ring_round_4_out _o299 = kernel_ring_round_4(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, sine_0, sine_1, sine_2, sine_3, sine_4, along_4, omega_0, omega_1, omega_2, omega_3, around_0, around_1, around_2, around_3, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4);
+                omega_4 = _o299.omega_4;
+                around_4 = _o299.around_4;
+                cosine_5 = _o299.cosine_5;
+                sine_5 = _o299.sine_5;
+                climb_5 = _o299.climb_5;
+                along_5 = _o299.along_5;
+                turn_rate_5 = _o299.turn_rate_5;
+                tilted_5 = _o299.tilted_5;
+                const kernel_ring_round_5_out _o300 = kernel_ring_round_5(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, along_5, omega_0, omega_1, omega_2, omega_3, omega_4, around_0, around_1, around_2, around_3, around_4, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5);
+                omega_5 = _o300.omega_5;
+                around_5 = _o300.around_5;
+                cosine_6 = _o300.cosine_6;
+                sine_6 = _o300.sine_6;
+                climb_6 = _o300.climb_6;
+                along_6 = _o300.along_6;
+                turn_rate_6 = _o300.turn_rate_6;
+                tilted_6 = _o300.tilted_6;
+                const kernel_ring_round_6_out _o301 = kernel_ring_round_6(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, along_6, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, around_0, around_1, around_2, around_3, around_4, around_5, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6);
+                omega_6 = _o301.omega_6;
+                around_6 = _o301.around_6;
+                cosine_7 = _o301.cosine_7;
+                sine_7 = _o301.sine_7;
+                climb_7 = _o301.climb_7;
+                along_7 = _o301.along_7;
+                turn_rate_7 = _o301.turn_rate_7;
+                tilted_7 = _o301.tilted_7;
+                const kernel_ring_round_7_out _o302 = kernel_ring_round_7(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, along_7, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, around_0, around_1, around_2, around_3, around_4, around_5, around_6, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7);
+                omega_7 = _o302.omega_7;
+                around_7 = _o302.around_7;
+                cosine_8 = _o302.cosine_8;
+                sine_8 = _o302.sine_8;
+                climb_8 = _o302.climb_8;
+                along_8 = _o302.along_8;
+                turn_rate_8 = _o302.turn_rate_8;
+                tilted_8 = _o302.tilted_8;
+                const kernel_ring_round_8_out _o303 = kernel_ring_round_8(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, along_8, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8);
+                omega_8 = _o303.omega_8;
+                around_8 = _o303.around_8;
+                cosine_9 = _o303.cosine_9;
+                sine_9 = _o303.sine_9;
+                climb_9 = _o303.climb_9;
+                along_9 = _o303.along_9;
+                turn_rate_9 = _o303.turn_rate_9;
+                tilted_9 = _o303.tilted_9;
+                const kernel_ring_round_9_out _o304 = kernel_ring_round_9(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, along_9, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9);
+                omega_9 = _o304.omega_9;
+                around_9 = _o304.around_9;
+                cosine_10 = _o304.cosine_10;
+                sine_10 = _o304.sine_10;
+                climb_10 = _o304.climb_10;
+                along_10 = _o304.along_10;
+                turn_rate_10 = _o304.turn_rate_10;
+                tilted_10 = _o304.tilted_10;
+                const kernel_ring_round_10_out _o305 = kernel_ring_round_10(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, turn_rate_10, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, cosine_10, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, sine_10, along_10, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, tilted_10);
+                omega_10 = _o305.omega_10;
+                around_10 = _o305.around_10;
+                cosine_11 = _o305.cosine_11;
+                sine_11 = _o305.sine_11;
+                climb_11 = _o305.climb_11;
+                along_11 = _o305.along_11;
+                turn_rate_11 = _o305.turn_rate_11;
+                tilted_11 = _o305.tilted_11;
+                const kernel_ring_round_11_out _o306 = kernel_ring_round_11(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, turn_rate_10, turn_rate_11, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, climb_11, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, cosine_10, cosine_11, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, sine_10, sine_11, along_11, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, omega_10, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, around_10, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, tilted_10, tilted_11);
+                omega_11 = _o306.omega_11;
+                cosine_12 = _o306.cosine_12;
+                sine_12 = _o306.sine_12;
+                climb_12 = _o306.climb_12;
+                along_12 = _o306.along_12;
+                turn_rate_12 = _o306.turn_rate_12;
+                const kernel_ring_round_step_out _o307 = kernel_ring_round_step(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_11, turn_rate_12, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, climb_11, climb_12, cosine_0, cosine_12, sine_0, sine_12, along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, along_10, along_11, along_12, cos_0, sin_0, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, omega_10, omega_11);
+                stride = _o307.stride;
+                strongest = _o307.strongest;
+                fastest = _o307.fastest;
+                section_acceleration = _o307.section_acceleration;
+                force = _o307.force;
+                force_rate = _o307.force_rate;
+                force_bend = _o307.force_bend;
+                friction_force_rate = _o307.friction_force_rate;
+                vx_1 = _o307.vx_1;
+                vy_1 = _o307.vy_1;
+                vz_1 = _o307.vz_1;
                 if (BOUNDS)
-                    missed = _o304.missed;
+                    missed = _o307.missed;
                 if (BOUNDS) {
-                    const kernel_ring_round_pulled_out _o305 = kernel_ring_round_pulled(p_gravity, p_inertia, turn_rate_0, turn_rate_1, climb_0, climb_1, cosine_0, cosine_1, omega_0, omega_1);
-                    rolling_friction = _o305.rolling_friction;
-                    rolling_friction_rate = _o305.rolling_friction_rate;
-                    const kernel_ring_impact_grip_deficit_out _o306 = kernel_ring_impact_grip_deficit(p_ring_friction, rolling_friction, rolling_friction_rate, force, force_rate);
-                    grip_deficit = _o306.grip_deficit;
-                    grip_deficit_rate = _o306.grip_deficit_rate;
-                    const kernel_exceeds_grip_out _o307 = kernel_exceeds_grip(grip_deficit, grip_lost);
-                    loses = _o307.loses;
+                    const kernel_ring_round_pulled_out _o308 = kernel_ring_round_pulled(p_gravity, p_inertia, turn_rate_0, turn_rate_1, climb_0, climb_1, cosine_0, cosine_1, omega_0, omega_1);
+                    rolling_friction = _o308.rolling_friction;
+                    rolling_friction_rate = _o308.rolling_friction_rate;
+                    const kernel_ring_impact_grip_deficit_out _o309 = kernel_ring_impact_grip_deficit(p_ring_friction, rolling_friction, rolling_friction_rate, force, force_rate);
+                    grip_deficit = _o309.grip_deficit;
+                    grip_deficit_rate = _o309.grip_deficit_rate;
+                    const kernel_exceeds_grip_out _o310 = kernel_exceeds_grip(grip_deficit, grip_lost);
+                    loses = _o310.loses;
                     if (loses) {
-                        const kernel_grip_lost_time_out _o308 = kernel_grip_lost_time(clock, grip_deficit, grip_deficit_rate, last_grip_deficit, last_grip_deficit_rate, last_grip_clock);
-                        grip_lost = _o308.grip_lost;
+                        const kernel_grip_lost_time_out _o311 = kernel_grip_lost_time(clock, grip_deficit, grip_deficit_rate, last_grip_deficit, last_grip_deficit_rate, last_grip_clock);
+                        grip_lost = _o311.grip_lost;
                     }
-                    const kernel_remember_grip_deficit_out _o309 = kernel_remember_grip_deficit(clock, grip_deficit, grip_deficit_rate);
-                    last_grip_deficit = _o309.last_grip_deficit;
-                    last_grip_deficit_rate = _o309.last_grip_deficit_rate;
-                    last_grip_clock = _o309.last_grip_clock;
+                    const kernel_remember_grip_deficit_out _o312 = kernel_remember_grip_deficit(clock, grip_deficit, grip_deficit_rate);
+                    last_grip_deficit = _o312.last_grip_deficit;
+                    last_grip_deficit_rate = _o312.last_grip_deficit_rate;
+                    last_grip_clock = _o312.last_grip_clock;
                 }
-                const kernel_leaving_force_out _o310 = kernel_leaving_force(p_ball_radius, p_gravity, vx, vx_1, vy, vy_1, vz, vz_1, which, undecided_time, position_error, velocity_error, per_reach, force, force_rate, force_bend, friction_force_rate, stride, fastest);
-                stride = _o310.stride;
-                which = _o310.which;
-                rests = _o310.rests;
+                const kernel_leaving_force_out _o313 = kernel_leaving_force(p_ball_radius, p_gravity, vx, vx_1, vy, vy_1, vz, vz_1, which, undecided_time, position_error, velocity_error, per_reach, force, force_rate, force_bend, friction_force_rate, stride, fastest);
+                stride = _o313.stride;
+                which = _o313.which;
+                rests = _o313.rests;
                 if (BOUNDS)
-                    undecided_time = _o310.undecided_time;
-                const kernel_backboard_beside_out _o311 = kernel_backboard_beside(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, vx, vy, vz);
-                gap = _o311.gap;
-                nearing = _o311.nearing;
-                gap_curvature = _o311.gap_curvature;
-                const kernel_beside_body_out _o312 = kernel_beside_body(p_ball_radius, x, y, z, gap, 1.0, which, earliest_delay, undecided_time, position_error, nearing, gap_curvature, stride, strongest, fastest);
-                stride = _o312.stride;
-                which = _o312.which;
+                    undecided_time = _o313.undecided_time;
+                const kernel_backboard_beside_out _o314 = kernel_backboard_beside(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, vx, vy, vz);
+                gap = _o314.gap;
+                nearing = _o314.nearing;
+                gap_curvature = _o314.gap_curvature;
+                const kernel_beside_body_out _o315 = kernel_beside_body(p_ball_radius, x, y, z, gap, 1.0, which, earliest_delay, undecided_time, position_error, nearing, gap_curvature, stride, strongest, fastest);
+                stride = _o315.stride;
+                which = _o315.which;
                 if (BOUNDS) {
-                    undecided_time = _o312.undecided_time;
-                    earliest_delay = _o312.earliest_delay;
+                    undecided_time = _o315.undecided_time;
+                    earliest_delay = _o315.earliest_delay;
                 }
-                const kernel_bridge_beside_out _o313 = kernel_bridge_beside(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
-                gap = _o313.gap;
-                nearing = _o313.nearing;
-                gap_curvature = _o313.gap_curvature;
-                const kernel_beside_body_out _o314 = kernel_beside_body(p_ball_radius, x, y, z, gap, 2.0, which, earliest_delay, undecided_time, position_error, nearing, gap_curvature, stride, strongest, fastest);
-                stride = _o314.stride;
-                which = _o314.which;
-                if (BOUNDS) {
-                    undecided_time = _o314.undecided_time;
-                    earliest_delay = _o314.earliest_delay;
-                }
-                const kernel_end_beside_out _o315 = kernel_end_beside(p_end_depth, z, vz);
-                gap = _o315.gap;
-                nearing = _o315.nearing;
-                gap_curvature = _o315.gap_curvature;
-                const kernel_beside_end_plane_out _o316 = kernel_beside_end_plane(p_ball_radius, x, y, z, gap, 3.0, which, earliest_delay, undecided_time, position_error, nearing, gap_curvature, stride, strongest, fastest);
-                stride = _o316.stride;
-                which = _o316.which;
-                if (BOUNDS) {
-                    undecided_time = _o316.undecided_time;
-                    earliest_delay = _o316.earliest_delay;
-                }
-                const kernel_beside_time_out _o317 = kernel_beside_time(which, clock, time_limit, stride);
+                const kernel_bridge_beside_out _o316 = kernel_bridge_beside(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
+                gap = _o316.gap;
+                nearing = _o316.nearing;
+                gap_curvature = _o316.gap_curvature;
+                const kernel_beside_body_out _o317 = kernel_beside_body(p_ball_radius, x, y, z, gap, 2.0, which, earliest_delay, undecided_time, position_error, nearing, gap_curvature, stride, strongest, fastest);
                 stride = _o317.stride;
                 which = _o317.which;
                 if (BOUNDS) {
-                    const kernel_neighbour_scale_out _o318 = kernel_neighbour_scale(p_ball_radius, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
-                    neighbour_scale = _o318.neighbour_scale;
-                    const kernel_neighbour_out _o319 = kernel_neighbour(x, y, z, vx, vy, vz, wx, wy, wz, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz, neighbour_scale);
-                    far_x = _o319.far_x;
-                    far_y = _o319.far_y;
-                    far_z = _o319.far_z;
-                    far_vx = _o319.far_vx;
-                    far_vy = _o319.far_vy;
-                    far_vz = _o319.far_vz;
-                    far_wx = _o319.far_wx;
-                    far_wy = _o319.far_wy;
-                    far_wz = _o319.far_wz;
+                    undecided_time = _o317.undecided_time;
+                    earliest_delay = _o317.earliest_delay;
                 }
-                const kernel_passing_from_out _o320 = kernel_passing_from(z);
-                over = _o320.over;
-                const kernel_isolated_out _o321 = kernel_isolated();
-                azimuth_clearance = _o321.nearest;
-                const kernel_half_steps_out _o322 = kernel_half_steps(stride);
-                forth = _o322.forth;
-                back = _o322.back;
-                const kernel_backboard_around_out _o323 = kernel_backboard_around(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, vx, vy, vz);
-                gap = _o323.gap;
-                nearing = _o323.nearing;
-                const kernel_clearance_at_any_azimuth_out _o324 = kernel_clearance_at_any_azimuth(gap, nearing, forth, azimuth_clearance);
-                azimuth_clearance = _o324.azimuth_clearance;
-                const kernel_bridge_around_out _o325 = kernel_bridge_around(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
-                gap = _o325.gap;
-                nearing = _o325.nearing;
-                const kernel_clearance_at_any_azimuth_out _o326 = kernel_clearance_at_any_azimuth(gap, nearing, forth, azimuth_clearance);
-                azimuth_clearance = _o326.azimuth_clearance;
-                const kernel_end_around_out _o327 = kernel_end_around(p_end_depth, z, vz);
-                gap = _o327.gap;
-                nearing = _o327.nearing;
-                const kernel_clearance_at_any_azimuth_out _o328 = kernel_clearance_at_any_azimuth(gap, nearing, forth, azimuth_clearance);
-                azimuth_clearance = _o328.azimuth_clearance;
-                const kernel_ring_round_moved_out _o329 = kernel_ring_round_moved(p_ball_radius, p_ring_radius, p_wire_radius, stride, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, turn_rate_10, turn_rate_11, turn_rate_12, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, climb_11, climb_12, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, cosine_10, cosine_11, cosine_12, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, sine_10, sine_11, sine_12, along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, along_10, along_11, along_12, cos_0, sin_0, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, omega_10, omega_11);
-                x = _o329.x;
-                y = _o329.y;
-                z = _o329.z;
-                vx = _o329.vx;
-                vy = _o329.vy;
-                vz = _o329.vz;
-                wx = _o329.wx;
-                wy = _o329.wy;
-                wz = _o329.wz;
-                climb = _o329.climb;
-                const kernel_passing_in_contact_out _o330 = kernel_passing_in_contact(p_ring_radius, x, y, z, through, over);
-                through = _o330.through;
-                const kernel_backboard_around_out _o331 = kernel_backboard_around(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, vx, vy, vz);
-                gap = _o331.gap;
-                nearing = _o331.nearing;
-                const kernel_clearance_at_any_azimuth_out _o332 = kernel_clearance_at_any_azimuth(gap, nearing, back, azimuth_clearance);
-                azimuth_clearance = _o332.azimuth_clearance;
-                const kernel_bridge_around_out _o333 = kernel_bridge_around(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
-                gap = _o333.gap;
-                nearing = _o333.nearing;
-                const kernel_clearance_at_any_azimuth_out _o334 = kernel_clearance_at_any_azimuth(gap, nearing, back, azimuth_clearance);
-                azimuth_clearance = _o334.azimuth_clearance;
-                const kernel_end_around_out _o335 = kernel_end_around(p_end_depth, z, vz);
-                gap = _o335.gap;
-                nearing = _o335.nearing;
-                const kernel_clearance_at_any_azimuth_out _o336 = kernel_clearance_at_any_azimuth(gap, nearing, back, azimuth_clearance);
-                azimuth_clearance = _o336.azimuth_clearance;
-                const kernel_ring_swung_out _o337 = kernel_ring_swung(p_ball_radius, p_gravity, p_wire_radius, which, undecided_time, position_error, velocity_error, force, force_rate, force_bend, stride, fastest, circled, climb, climb_0, section_acceleration, azimuth_clearance);
-                circled = _o337.circled;
-                endless = _o337.endless;
-                if (BOUNDS)
-                    undecided_time = _o337.undecided_time;
-                const kernel_rolls_for_ever_out _o338 = kernel_rolls_for_ever(which, endless);
-                which = _o338.which;
+                const kernel_end_beside_out _o318 = kernel_end_beside(p_end_depth, z, vz);
+                gap = _o318.gap;
+                nearing = _o318.nearing;
+                gap_curvature = _o318.gap_curvature;
+                const kernel_beside_end_plane_out _o319 = kernel_beside_end_plane(p_ball_radius, x, y, z, gap, 3.0, which, earliest_delay, undecided_time, position_error, nearing, gap_curvature, stride, strongest, fastest);
+                stride = _o319.stride;
+                which = _o319.which;
                 if (BOUNDS) {
-                    const kernel_ring_round_start_out _o339 = kernel_ring_round_start(p_ball_radius, p_inertia, p_ring_radius, p_wire_radius, far_x, far_y, far_z, far_vx, far_vy, far_vz, far_wx, far_wy, far_wz, per_reach);
-                    cosine_0 = _o339.cosine_0;
-                    sine_0 = _o339.sine_0;
-                    climb_0 = _o339.climb_0;
-                    along_0 = _o339.along_0;
-                    turn_rate_0 = _o339.turn_rate_0;
-                    cos_0 = _o339.cos_0;
-                    sin_0 = _o339.sin_0;
-                    tilted_0 = _o339.tilted_0;
-                    near_0 = _o339.near_0;
-                    const kernel_ring_round_0_out _o340 = kernel_ring_round_0(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, near_0, climb_0, cosine_0, sine_0, along_0, tilted_0);
-                    omega_0 = _o340.omega_0;
-                    around_0 = _o340.around_0;
-                    cosine_1 = _o340.cosine_1;
-                    sine_1 = _o340.sine_1;
-                    climb_1 = _o340.climb_1;
-                    along_1 = _o340.along_1;
-                    turn_rate_1 = _o340.turn_rate_1;
-                    tilted_1 = _o340.tilted_1;
-                    const kernel_ring_round_1_out _o341 = kernel_ring_round_1(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, near_0, climb_0, climb_1, cosine_0, cosine_1, sine_0, sine_1, along_1, omega_0, around_0, tilted_0, tilted_1);
-                    omega_1 = _o341.omega_1;
-                    around_1 = _o341.around_1;
-                    cosine_2 = _o341.cosine_2;
-                    sine_2 = _o341.sine_2;
-                    climb_2 = _o341.climb_2;
-                    along_2 = _o341.along_2;
-                    turn_rate_2 = _o341.turn_rate_2;
-                    tilted_2 = _o341.tilted_2;
-                    const kernel_ring_round_2_out _o342 = kernel_ring_round_2(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, near_0, climb_0, climb_1, climb_2, cosine_0, cosine_1, cosine_2, sine_0, sine_1, sine_2, along_2, omega_0, omega_1, around_0, around_1, tilted_0, tilted_1, tilted_2);
-                    omega_2 = _o342.omega_2;
-                    around_2 = _o342.around_2;
-                    cosine_3 = _o342.cosine_3;
-                    sine_3 = _o342.sine_3;
-                    climb_3 = _o342.climb_3;
-                    along_3 = _o342.along_3;
-                    turn_rate_3 = _o342.turn_rate_3;
-                    tilted_3 = _o342.tilted_3;
-                    const kernel_ring_round_3_out _o343 = kernel_ring_round_3(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, near_0, climb_0, climb_1, climb_2, climb_3, cosine_0, cosine_1, cosine_2, cosine_3, sine_0, sine_1, sine_2, sine_3, along_3, omega_0, omega_1, omega_2, around_0, around_1, around_2, tilted_0, tilted_1, tilted_2, tilted_3);
-                    omega_3 = _o343.omega_3;
-                    around_3 = _o343.around_3;
-                    cosine_4 = _o343.cosine_4;
-                    sine_4 = _o343.sine_4;
-                    climb_4 = _o343.climb_4;
-                    along_4 = _o343.along_4;
-                    turn_rate_4 = _o343.turn_rate_4;
-                    tilted_4 = _o343.tilted_4;
-                    const kernel_ring_round_4_out _o344 = kernel_ring_round_4(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, sine_0, sine_1, sine_2, sine_3, sine_4, along_4, omega_0, omega_1, omega_2, omega_3, around_0, around_1, around_2, around_3, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4);
-                    omega_4 = _o344.omega_4;
-                    around_4 = _o344.around_4;
-                    cosine_5 = _o344.cosine_5;
-                    sine_5 = _o344.sine_5;
-                    climb_5 = _o344.climb_5;
-                    along_5 = _o344.along_5;
-                    turn_rate_5 = _o344.turn_rate_5;
-                    tilted_5 = _o344.tilted_5;
-                    const kernel_ring_round_5_out _o345 = kernel_ring_round_5(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, along_5, omega_0, omega_1, omega_2, omega_3, omega_4, around_0, around_1, around_2, around_3, around_4, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5);
-                    omega_5 = _o345.omega_5;
-                    around_5 = _o345.around_5;
-                    cosine_6 = _o345.cosine_6;
-                    sine_6 = _o345.sine_6;
-                    climb_6 = _o345.climb_6;
-                    along_6 = _o345.along_6;
-                    turn_rate_6 = _o345.turn_rate_6;
-                    tilted_6 = _o345.tilted_6;
-                    const kernel_ring_round_6_out _o346 = kernel_ring_round_6(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, along_6, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, around_0, around_1, around_2, around_3, around_4, around_5, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6);
-                    omega_6 = _o346.omega_6;
-                    around_6 = _o346.around_6;
-                    cosine_7 = _o346.cosine_7;
-                    sine_7 = _o346.sine_7;
-                    climb_7 = _o346.climb_7;
-                    along_7 = _o346.along_7;
-                    turn_rate_7 = _o346.turn_rate_7;
-                    tilted_7 = _o346.tilted_7;
-                    const kernel_ring_round_7_out _o347 = kernel_ring_round_7(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, along_7, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, around_0, around_1, around_2, around_3, around_4, around_5, around_6, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7);
-                    omega_7 = _o347.omega_7;
-                    around_7 = _o347.around_7;
-                    cosine_8 = _o347.cosine_8;
-                    sine_8 = _o347.sine_8;
-                    climb_8 = _o347.climb_8;
-                    along_8 = _o347.along_8;
-                    turn_rate_8 = _o347.turn_rate_8;
-                    tilted_8 = _o347.tilted_8;
-                    const kernel_ring_round_8_out _o348 = kernel_ring_round_8(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, along_8, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8);
-                    omega_8 = _o348.omega_8;
-                    around_8 = _o348.around_8;
-                    cosine_9 = _o348.cosine_9;
-                    sine_9 = _o348.sine_9;
-                    climb_9 = _o348.climb_9;
-                    along_9 = _o348.along_9;
-                    turn_rate_9 = _o348.turn_rate_9;
-                    tilted_9 = _o348.tilted_9;
-                    const kernel_ring_round_9_out _o349 = kernel_ring_round_9(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, along_9, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9);
-                    omega_9 = _o349.omega_9;
-                    around_9 = _o349.around_9;
-                    cosine_10 = _o349.cosine_10;
-                    sine_10 = _o349.sine_10;
-                    climb_10 = _o349.climb_10;
-                    along_10 = _o349.along_10;
-                    turn_rate_10 = _o349.turn_rate_10;
-                    tilted_10 = _o349.tilted_10;
-                    const kernel_ring_round_10_out _o350 = kernel_ring_round_10(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, turn_rate_10, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, cosine_10, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, sine_10, along_10, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, tilted_10);
-                    omega_10 = _o350.omega_10;
-                    around_10 = _o350.around_10;
-                    cosine_11 = _o350.cosine_11;
-                    sine_11 = _o350.sine_11;
-                    climb_11 = _o350.climb_11;
-                    along_11 = _o350.along_11;
-                    turn_rate_11 = _o350.turn_rate_11;
-                    tilted_11 = _o350.tilted_11;
-                    const kernel_ring_round_11_out _o351 = kernel_ring_round_11(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, turn_rate_10, turn_rate_11, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, climb_11, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, cosine_10, cosine_11, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, sine_10, sine_11, along_11, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, omega_10, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, around_10, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, tilted_10, tilted_11);
-                    omega_11 = _o351.omega_11;
-                    cosine_12 = _o351.cosine_12;
-                    sine_12 = _o351.sine_12;
-                    climb_12 = _o351.climb_12;
-                    along_12 = _o351.along_12;
-                    turn_rate_12 = _o351.turn_rate_12;
-                    const kernel_ring_round_moved_out _o352 = kernel_ring_round_moved(p_ball_radius, p_ring_radius, p_wire_radius, stride, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, turn_rate_10, turn_rate_11, turn_rate_12, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, climb_11, climb_12, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, cosine_10, cosine_11, cosine_12, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, sine_10, sine_11, sine_12, along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, along_10, along_11, along_12, cos_0, sin_0, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, omega_10, omega_11);
-                    far_x = _o352.x;
-                    far_y = _o352.y;
-                    far_z = _o352.z;
-                    far_vx = _o352.vx;
-                    far_vy = _o352.vy;
-                    far_vz = _o352.vz;
-                    far_wx = _o352.wx;
-                    far_wy = _o352.wy;
-                    far_wz = _o352.wz;
-                    const kernel_compared_out _o353 = kernel_compared(p_ball_radius, x, y, z, vx, vy, vz, wx, wy, wz, far_x, far_y, far_z, far_vx, far_vy, far_vz, far_wx, far_wy, far_wz, stride, missed, neighbour_scale);
-                    dx = _o353.dx;
-                    dy = _o353.dy;
-                    dz = _o353.dz;
-                    dvx = _o353.dvx;
-                    dvy = _o353.dvy;
-                    dvz = _o353.dvz;
-                    dwx = _o353.dwx;
-                    dwy = _o353.dwy;
-                    dwz = _o353.dwz;
+                    undecided_time = _o319.undecided_time;
+                    earliest_delay = _o319.earliest_delay;
                 }
-                const kernel_rolled_on_out _o354 = kernel_rolled_on(which, clock, stride, rests);
-                clock = _o354.clock;
-                circling = _o354.rolling;
+                const kernel_beside_time_out _o320 = kernel_beside_time(which, clock, time_limit, stride);
+                stride = _o320.stride;
+                which = _o320.which;
+                if (BOUNDS) {
+                    const kernel_neighbour_scale_out _o321 = kernel_neighbour_scale(p_ball_radius, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
+                    neighbour_scale = _o321.neighbour_scale;
+                    const kernel_neighbour_out _o322 = kernel_neighbour(x, y, z, vx, vy, vz, wx, wy, wz, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz, neighbour_scale);
+                    far_x = _o322.far_x;
+                    far_y = _o322.far_y;
+                    far_z = _o322.far_z;
+                    far_vx = _o322.far_vx;
+                    far_vy = _o322.far_vy;
+                    far_vz = _o322.far_vz;
+                    far_wx = _o322.far_wx;
+                    far_wy = _o322.far_wy;
+                    far_wz = _o322.far_wz;
+                }
+                const kernel_passing_from_out _o323 = kernel_passing_from(z);
+                over = _o323.over;
+                const kernel_isolated_out _o324 = kernel_isolated();
+                azimuth_clearance = _o324.nearest;
+                const kernel_half_steps_out _o325 = kernel_half_steps(stride);
+                forth = _o325.forth;
+                back = _o325.back;
+                const kernel_backboard_around_out _o326 = kernel_backboard_around(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, vx, vy, vz);
+                gap = _o326.gap;
+                nearing = _o326.nearing;
+                const kernel_clearance_at_any_azimuth_out _o327 = kernel_clearance_at_any_azimuth(gap, nearing, forth, azimuth_clearance);
+                azimuth_clearance = _o327.azimuth_clearance;
+                const kernel_bridge_around_out _o328 = kernel_bridge_around(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
+                gap = _o328.gap;
+                nearing = _o328.nearing;
+                const kernel_clearance_at_any_azimuth_out _o329 = kernel_clearance_at_any_azimuth(gap, nearing, forth, azimuth_clearance);
+                azimuth_clearance = _o329.azimuth_clearance;
+                const kernel_end_around_out _o330 = kernel_end_around(p_end_depth, z, vz);
+                gap = _o330.gap;
+                nearing = _o330.nearing;
+                const kernel_clearance_at_any_azimuth_out _o331 = kernel_clearance_at_any_azimuth(gap, nearing, forth, azimuth_clearance);
+                azimuth_clearance = _o331.azimuth_clearance;
+                const kernel_ring_round_moved_out _o332 = kernel_ring_round_moved(p_ball_radius, p_ring_radius, p_wire_radius, stride, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, turn_rate_10, turn_rate_11, turn_rate_12, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, climb_11, climb_12, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, cosine_10, cosine_11, cosine_12, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, sine_10, sine_11, sine_12, along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, along_10, along_11, along_12, cos_0, sin_0, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, omega_10, omega_11);
+                x = _o332.x;
+                y = _o332.y;
+                z = _o332.z;
+                vx = _o332.vx;
+                vy = _o332.vy;
+                vz = _o332.vz;
+                wx = _o332.wx;
+                wy = _o332.wy;
+                wz = _o332.wz;
+                climb = _o332.climb;
+                const kernel_passing_in_contact_out _o333 = kernel_passing_in_contact(p_ring_radius, x, y, z, through, over);
+                through = _o333.through;
+                const kernel_backboard_around_out _o334 = kernel_backboard_around(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, vx, vy, vz);
+                gap = _o334.gap;
+                nearing = _o334.nearing;
+                const kernel_clearance_at_any_azimuth_out _o335 = kernel_clearance_at_any_azimuth(gap, nearing, back, azimuth_clearance);
+                azimuth_clearance = _o335.azimuth_clearance;
+                const kernel_bridge_around_out _o336 = kernel_bridge_around(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
+                gap = _o336.gap;
+                nearing = _o336.nearing;
+                const kernel_clearance_at_any_azimuth_out _o337 = kernel_clearance_at_any_azimuth(gap, nearing, back, azimuth_clearance);
+                azimuth_clearance = _o337.azimuth_clearance;
+                const kernel_end_around_out _o338 = kernel_end_around(p_end_depth, z, vz);
+                gap = _o338.gap;
+                nearing = _o338.nearing;
+                const kernel_clearance_at_any_azimuth_out _o339 = kernel_clearance_at_any_azimuth(gap, nearing, back, azimuth_clearance);
+                azimuth_clearance = _o339.azimuth_clearance;
+                const kernel_ring_swung_out _o340 = kernel_ring_swung(p_ball_radius, p_gravity, p_wire_radius, which, undecided_time, position_error, velocity_error, force, force_rate, force_bend, stride, fastest, circled, climb, climb_0, section_acceleration, azimuth_clearance);
+                circled = _o340.circled;
+                endless = _o340.endless;
+                if (BOUNDS)
+                    undecided_time = _o340.undecided_time;
+                const kernel_rolls_for_ever_out _o341 = kernel_rolls_for_ever(which, endless);
+                which = _o341.which;
+                if (BOUNDS) {
+                    const kernel_ring_round_start_out _o342 = kernel_ring_round_start(p_ball_radius, p_inertia, p_ring_radius, p_wire_radius, far_x, far_y, far_z, far_vx, far_vy, far_vz, far_wx, far_wy, far_wz, per_reach);
+                    cosine_0 = _o342.cosine_0;
+                    sine_0 = _o342.sine_0;
+                    climb_0 = _o342.climb_0;
+                    along_0 = _o342.along_0;
+                    turn_rate_0 = _o342.turn_rate_0;
+                    cos_0 = _o342.cos_0;
+                    sin_0 = _o342.sin_0;
+                    tilted_0 = _o342.tilted_0;
+                    near_0 = _o342.near_0;
+                    const kernel_ring_round_0_out _o343 = kernel_ring_round_0(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, near_0, climb_0, cosine_0, sine_0, along_0, tilted_0);
+                    omega_0 = _o343.omega_0;
+                    around_0 = _o343.around_0;
+                    cosine_1 = _o343.cosine_1;
+                    sine_1 = _o343.sine_1;
+                    climb_1 = _o343.climb_1;
+                    along_1 = _o343.along_1;
+                    turn_rate_1 = _o343.turn_rate_1;
+                    tilted_1 = _o343.tilted_1;
+                    const kernel_ring_round_1_out _o344 = kernel_ring_round_1(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, near_0, climb_0, climb_1, cosine_0, cosine_1, sine_0, sine_1, along_1, omega_0, around_0, tilted_0, tilted_1);
+                    omega_1 = _o344.omega_1;
+                    around_1 = _o344.around_1;
+                    cosine_2 = _o344.cosine_2;
+                    sine_2 = _o344.sine_2;
+                    climb_2 = _o344.climb_2;
+                    along_2 = _o344.along_2;
+                    turn_rate_2 = _o344.turn_rate_2;
+                    tilted_2 = _o344.tilted_2;
+                    const kernel_ring_round_2_out _o345 = kernel_ring_round_2(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, near_0, climb_0, climb_1, climb_2, cosine_0, cosine_1, cosine_2, sine_0, sine_1, sine_2, along_2, omega_0, omega_1, around_0, around_1, tilted_0, tilted_1, tilted_2);
+                    omega_2 = _o345.omega_2;
+                    around_2 = _o345.around_2;
+                    cosine_3 = _o345.cosine_3;
+                    sine_3 = _o345.sine_3;
+                    climb_3 = _o345.climb_3;
+                    along_3 = _o345.along_3;
+                    turn_rate_3 = _o345.turn_rate_3;
+                    tilted_3 = _o345.tilted_3;
+                    const kernel_ring_round_3_out _o346 = kernel_ring_round_3(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, near_0, climb_0, climb_1, climb_2, climb_3, cosine_0, cosine_1, cosine_2, cosine_3, sine_0, sine_1, sine_2, sine_3, along_3, omega_0, omega_1, omega_2, around_0, around_1, around_2, tilted_0, tilted_1, tilted_2, tilted_3);
+                    omega_3 = _o346.omega_3;
+                    around_3 = _o346.around_3;
+                    cosine_4 = _o346.cosine_4;
+                    sine_4 = _o346.sine_4;
+                    climb_4 = _o346.climb_4;
+                    along_4 = _o346.along_4;
+                    turn_rate_4 = _o346.turn_rate_4;
+                    tilted_4 = _o346.tilted_4;
+                    const kernel_ring_round_4_out _o347 = kernel_ring_round_4(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, sine_0, sine_1, sine_2, sine_3, sine_4, along_4, omega_0, omega_1, omega_2, omega_3, around_0, around_1, around_2, around_3, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4);
+                    omega_4 = _o347.omega_4;
+                    around_4 = _o347.around_4;
+                    cosine_5 = _o347.cosine_5;
+                    sine_5 = _o347.sine_5;
+                    climb_5 = _o347.climb_5;
+                    along_5 = _o347.along_5;
+                    turn_rate_5 = _o347.turn_rate_5;
+                    tilted_5 = _o347.tilted_5;
+                    const kernel_ring_round_5_out _o348 = kernel_ring_round_5(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, along_5, omega_0, omega_1, omega_2, omega_3, omega_4, around_0, around_1, around_2, around_3, around_4, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5);
+                    omega_5 = _o348.omega_5;
+                    around_5 = _o348.around_5;
+                    cosine_6 = _o348.cosine_6;
+                    sine_6 = _o348.sine_6;
+                    climb_6 = _o348.climb_6;
+                    along_6 = _o348.along_6;
+                    turn_rate_6 = _o348.turn_rate_6;
+                    tilted_6 = _o348.tilted_6;
+                    const kernel_ring_round_6_out _o349 = kernel_ring_round_6(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, along_6, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, around_0, around_1, around_2, around_3, around_4, around_5, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6);
+                    omega_6 = _o349.omega_6;
+                    around_6 = _o349.around_6;
+                    cosine_7 = _o349.cosine_7;
+                    sine_7 = _o349.sine_7;
+                    climb_7 = _o349.climb_7;
+                    along_7 = _o349.along_7;
+                    turn_rate_7 = _o349.turn_rate_7;
+                    tilted_7 = _o349.tilted_7;
+                    const kernel_ring_round_7_out _o350 = kernel_ring_round_7(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, along_7, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, around_0, around_1, around_2, around_3, around_4, around_5, around_6, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7);
+                    omega_7 = _o350.omega_7;
+                    around_7 = _o350.around_7;
+                    cosine_8 = _o350.cosine_8;
+                    sine_8 = _o350.sine_8;
+                    climb_8 = _o350.climb_8;
+                    along_8 = _o350.along_8;
+                    turn_rate_8 = _o350.turn_rate_8;
+                    tilted_8 = _o350.tilted_8;
+                    const kernel_ring_round_8_out _o351 = kernel_ring_round_8(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, along_8, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8);
+                    omega_8 = _o351.omega_8;
+                    around_8 = _o351.around_8;
+                    cosine_9 = _o351.cosine_9;
+                    sine_9 = _o351.sine_9;
+                    climb_9 = _o351.climb_9;
+                    along_9 = _o351.along_9;
+                    turn_rate_9 = _o351.turn_rate_9;
+                    tilted_9 = _o351.tilted_9;
+                    const kernel_ring_round_9_out _o352 = kernel_ring_round_9(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, along_9, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9);
+                    omega_9 = _o352.omega_9;
+                    around_9 = _o352.around_9;
+                    cosine_10 = _o352.cosine_10;
+                    sine_10 = _o352.sine_10;
+                    climb_10 = _o352.climb_10;
+                    along_10 = _o352.along_10;
+                    turn_rate_10 = _o352.turn_rate_10;
+                    tilted_10 = _o352.tilted_10;
+                    const kernel_ring_round_10_out _o353 = kernel_ring_round_10(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, turn_rate_10, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, cosine_10, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, sine_10, along_10, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, tilted_10);
+                    omega_10 = _o353.omega_10;
+                    around_10 = _o353.around_10;
+                    cosine_11 = _o353.cosine_11;
+                    sine_11 = _o353.sine_11;
+                    climb_11 = _o353.climb_11;
+                    along_11 = _o353.along_11;
+                    turn_rate_11 = _o353.turn_rate_11;
+                    tilted_11 = _o353.tilted_11;
+                    const kernel_ring_round_11_out _o354 = kernel_ring_round_11(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, turn_rate_10, turn_rate_11, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, climb_11, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, cosine_10, cosine_11, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, sine_10, sine_11, along_11, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, omega_10, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, around_10, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, tilted_10, tilted_11);
+                    omega_11 = _o354.omega_11;
+                    cosine_12 = _o354.cosine_12;
+                    sine_12 = _o354.sine_12;
+                    climb_12 = _o354.climb_12;
+                    along_12 = _o354.along_12;
+                    turn_rate_12 = _o354.turn_rate_12;
+                    const kernel_ring_round_moved_out _o355 = kernel_ring_round_moved(p_ball_radius, p_ring_radius, p_wire_radius, stride, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, turn_rate_10, turn_rate_11, turn_rate_12, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, climb_11, climb_12, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, cosine_10, cosine_11, cosine_12, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, sine_10, sine_11, sine_12, along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, along_10, along_11, along_12, cos_0, sin_0, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, omega_10, omega_11);
+                    far_x = _o355.x;
+                    far_y = _o355.y;
+                    far_z = _o355.z;
+                    far_vx = _o355.vx;
+                    far_vy = _o355.vy;
+                    far_vz = _o355.vz;
+                    far_wx = _o355.wx;
+                    far_wy = _o355.wy;
+                    far_wz = _o355.wz;
+                    const kernel_compared_out _o356 = kernel_compared(p_ball_radius, x, y, z, vx, vy, vz, wx, wy, wz, far_x, far_y, far_z, far_vx, far_vy, far_vz, far_wx, far_wy, far_wz, stride, missed, neighbour_scale);
+                    dx = _o356.dx;
+                    dy = _o356.dy;
+                    dz = _o356.dz;
+                    dvx = _o356.dvx;
+                    dvy = _o356.dvy;
+                    dvz = _o356.dvz;
+                    dwx = _o356.dwx;
+                    dwy = _o356.dwy;
+                    dwz = _o356.dwz;
+                }
+                const kernel_rolled_on_out _o357 = kernel_rolled_on(which, clock, stride, rests);
+                clock = _o357.clock;
+                circling = _o357.rolling;
             }
-            const kernel_still_in_contact_out _o355 = kernel_still_in_contact(rolling, circling);
-            rolling = _o355.rolling;
+            const kernel_still_in_contact_out _o358 = kernel_still_in_contact(rolling, circling);
+            rolling = _o358.rolling;
             if (leaves) {
                 if (BOUNDS) {
-                    const kernel_error_bounds_out _o356 = kernel_error_bounds(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
-                    position_error = _o356.position_error;
-                    velocity_error = _o356.velocity_error;
+                    const kernel_error_bounds_out _o359 = kernel_error_bounds(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
+                    position_error = _o359.position_error;
+                    velocity_error = _o359.velocity_error;
                 }
-                const kernel_holding_out _o357 = kernel_holding(0.0, held);
-                here = _o357.here;
-                if (here) {
-                    const kernel_ring_rolling_surface_out _o358 = kernel_ring_rolling_surface(p_ball_radius, p_wire_radius);
-                    per_reach = _o358.per_reach;
-                    const kernel_ring_separation_out _o359 = kernel_ring_separation(p_gravity, p_ring_radius, x, y, z, vx, vy, vz);
-                    lift = _o359.lift;
-                    gap_jerk = _o359.gap_jerk;
-                    gap_snap = _o359.gap_snap;
-                }
-                const kernel_holding_out _o360 = kernel_holding(1.0, held);
+                const kernel_holding_out _o360 = kernel_holding(0.0, held);
                 here = _o360.here;
                 if (here) {
-                    const kernel_backboard_rolling_surface_out _o361 = kernel_backboard_rolling_surface(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, vx, vy, vz);
+                    const kernel_ring_rolling_surface_out _o361 = kernel_ring_rolling_surface(p_ball_radius, p_wire_radius);
                     per_reach = _o361.per_reach;
-                    const kernel_backboard_separation_out _o362 = kernel_backboard_separation(p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, p_gravity, x, y, z, vx, vy, vz);
+                    const kernel_ring_separation_out _o362 = kernel_ring_separation(p_gravity, p_ring_radius, x, y, z, vx, vy, vz);
                     lift = _o362.lift;
                     gap_jerk = _o362.gap_jerk;
                     gap_snap = _o362.gap_snap;
                 }
-                const kernel_holding_out _o363 = kernel_holding(2.0, held);
+                const kernel_holding_out _o363 = kernel_holding(1.0, held);
                 here = _o363.here;
                 if (here) {
-                    const kernel_bridge_rolling_surface_out _o364 = kernel_bridge_rolling_surface(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
+                    const kernel_backboard_rolling_surface_out _o364 = kernel_backboard_rolling_surface(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, vx, vy, vz);
                     per_reach = _o364.per_reach;
-                    const kernel_bridge_separation_out _o365 = kernel_bridge_separation(p_board_distance, p_bridge_depth, p_bridge_half_width, p_gravity, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
+                    const kernel_backboard_separation_out _o365 = kernel_backboard_separation(p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, p_gravity, x, y, z, vx, vy, vz);
                     lift = _o365.lift;
                     gap_jerk = _o365.gap_jerk;
                     gap_snap = _o365.gap_snap;
                 }
-                const kernel_no_contact_out _o366 = kernel_no_contact();
-                free_time = _o366.free_time;
-                const kernel_beside_out _o367 = kernel_beside(0.0, held);
-                beside = _o367.beside;
-                if (beside) {
-                    const kernel_ring_beside_out _o368 = kernel_ring_beside(p_ball_radius, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
-                    gap = _o368.gap;
-                    nearing = _o368.nearing;
-                    gap_curvature = _o368.gap_curvature;
-                    const kernel_neighbour_free_time_out _o369 = kernel_neighbour_free_time(p_gravity, vx, vy, vz, gap, free_time, nearing, gap_curvature);
-                    free_time = _o369.free_time;
+                const kernel_holding_out _o366 = kernel_holding(2.0, held);
+                here = _o366.here;
+                if (here) {
+                    const kernel_bridge_rolling_surface_out _o367 = kernel_bridge_rolling_surface(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
+                    per_reach = _o367.per_reach;
+                    const kernel_bridge_separation_out _o368 = kernel_bridge_separation(p_board_distance, p_bridge_depth, p_bridge_half_width, p_gravity, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
+                    lift = _o368.lift;
+                    gap_jerk = _o368.gap_jerk;
+                    gap_snap = _o368.gap_snap;
                 }
-                const kernel_beside_out _o370 = kernel_beside(1.0, held);
+                const kernel_no_contact_out _o369 = kernel_no_contact();
+                free_time = _o369.free_time;
+                const kernel_beside_out _o370 = kernel_beside(0.0, held);
                 beside = _o370.beside;
                 if (beside) {
-                    const kernel_backboard_beside_out _o371 = kernel_backboard_beside(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, vx, vy, vz);
+                    const kernel_ring_beside_out _o371 = kernel_ring_beside(p_ball_radius, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
                     gap = _o371.gap;
                     nearing = _o371.nearing;
                     gap_curvature = _o371.gap_curvature;
                     const kernel_neighbour_free_time_out _o372 = kernel_neighbour_free_time(p_gravity, vx, vy, vz, gap, free_time, nearing, gap_curvature);
                     free_time = _o372.free_time;
                 }
-                const kernel_beside_out _o373 = kernel_beside(2.0, held);
+                const kernel_beside_out _o373 = kernel_beside(1.0, held);
                 beside = _o373.beside;
                 if (beside) {
-                    const kernel_bridge_beside_out _o374 = kernel_bridge_beside(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
+                    const kernel_backboard_beside_out _o374 = kernel_backboard_beside(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, vx, vy, vz);
                     gap = _o374.gap;
                     nearing = _o374.nearing;
                     gap_curvature = _o374.gap_curvature;
                     const kernel_neighbour_free_time_out _o375 = kernel_neighbour_free_time(p_gravity, vx, vy, vz, gap, free_time, nearing, gap_curvature);
                     free_time = _o375.free_time;
                 }
-                const kernel_end_beside_out _o376 = kernel_end_beside(p_end_depth, z, vz);
-                gap = _o376.gap;
-                nearing = _o376.nearing;
-                gap_curvature = _o376.gap_curvature;
-                const kernel_end_plane_free_time_out _o377 = kernel_end_plane_free_time(p_gravity, vx, vy, vz, gap, undecided_time, free_time, nearing, gap_curvature);
-                free_time = _o377.free_time;
-                if (BOUNDS)
-                    undecided_time = _o377.undecided_time;
-                const kernel_holding_out _o378 = kernel_holding(1.0, held);
-                here = _o378.here;
-                if (here) {
-                    const kernel_backboard_seam0_out _o379 = kernel_backboard_seam0(p_ball_radius, p_board_distance, p_board_thickness, x, vx);
-                    gap = _o379.gap;
-                    nearing = _o379.nearing;
-                    near = _o379.near;
-                    const kernel_seam_free_time_out _o380 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
-                    free_time = _o380.free_time;
-                    const kernel_backboard_seam1_out _o381 = kernel_backboard_seam1(p_ball_radius, p_board_distance, p_board_thickness, x, vx);
-                    gap = _o381.gap;
-                    nearing = _o381.nearing;
-                    near = _o381.near;
-                    const kernel_seam_free_time_out _o382 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
-                    free_time = _o382.free_time;
-                    const kernel_backboard_seam2_out _o383 = kernel_backboard_seam2(p_ball_radius, p_board_half_width, y, vy);
-                    gap = _o383.gap;
-                    nearing = _o383.nearing;
-                    near = _o383.near;
-                    const kernel_seam_free_time_out _o384 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
-                    free_time = _o384.free_time;
-                    const kernel_backboard_seam3_out _o385 = kernel_backboard_seam3(p_ball_radius, p_board_half_width, y, vy);
-                    gap = _o385.gap;
-                    nearing = _o385.nearing;
-                    near = _o385.near;
-                    const kernel_seam_free_time_out _o386 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
-                    free_time = _o386.free_time;
-                    const kernel_backboard_seam4_out _o387 = kernel_backboard_seam4(p_ball_radius, p_board_bottom, p_board_top, z, vz);
-                    gap = _o387.gap;
-                    nearing = _o387.nearing;
-                    near = _o387.near;
-                    const kernel_seam_free_time_out _o388 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
-                    free_time = _o388.free_time;
-                    const kernel_backboard_seam5_out _o389 = kernel_backboard_seam5(p_ball_radius, p_board_bottom, p_board_top, z, vz);
-                    gap = _o389.gap;
-                    nearing = _o389.nearing;
-                    near = _o389.near;
-                    const kernel_seam_free_time_out _o390 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
-                    free_time = _o390.free_time;
+                const kernel_beside_out _o376 = kernel_beside(2.0, held);
+                beside = _o376.beside;
+                if (beside) {
+                    const kernel_bridge_beside_out _o377 = kernel_bridge_beside(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
+                    gap = _o377.gap;
+                    nearing = _o377.nearing;
+                    gap_curvature = _o377.gap_curvature;
+                    const kernel_neighbour_free_time_out _o378 = kernel_neighbour_free_time(p_gravity, vx, vy, vz, gap, free_time, nearing, gap_curvature);
+                    free_time = _o378.free_time;
                 }
-                const kernel_holding_out _o391 = kernel_holding(2.0, held);
-                here = _o391.here;
+                const kernel_end_beside_out _o379 = kernel_end_beside(p_end_depth, z, vz);
+                gap = _o379.gap;
+                nearing = _o379.nearing;
+                gap_curvature = _o379.gap_curvature;
+                const kernel_end_plane_free_time_out _o380 = kernel_end_plane_free_time(p_gravity, vx, vy, vz, gap, undecided_time, free_time, nearing, gap_curvature);
+                free_time = _o380.free_time;
+                if (BOUNDS)
+                    undecided_time = _o380.undecided_time;
+                const kernel_holding_out _o381 = kernel_holding(1.0, held);
+                here = _o381.here;
                 if (here) {
-                    const kernel_bridge_seam0_out _o392 = kernel_bridge_seam0(p_ball_radius, p_board_distance, p_ring_radius, x, vx);
+                    const kernel_backboard_seam0_out _o382 = kernel_backboard_seam0(p_ball_radius, p_board_distance, p_board_thickness, x, vx);
+                    gap = _o382.gap;
+                    nearing = _o382.nearing;
+                    near = _o382.near;
+                    const kernel_seam_free_time_out _o383 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
+                    free_time = _o383.free_time;
+                    const kernel_backboard_seam1_out _o384 = kernel_backboard_seam1(p_ball_radius, p_board_distance, p_board_thickness, x, vx);
+                    gap = _o384.gap;
+                    nearing = _o384.nearing;
+                    near = _o384.near;
+                    const kernel_seam_free_time_out _o385 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
+                    free_time = _o385.free_time;
+                    const kernel_backboard_seam2_out _o386 = kernel_backboard_seam2(p_ball_radius, p_board_half_width, y, vy);
+                    gap = _o386.gap;
+                    nearing = _o386.nearing;
+                    near = _o386.near;
+                    const kernel_seam_free_time_out _o387 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
+                    free_time = _o387.free_time;
+                    const kernel_backboard_seam3_out _o388 = kernel_backboard_seam3(p_ball_radius, p_board_half_width, y, vy);
+                    gap = _o388.gap;
+                    nearing = _o388.nearing;
+                    near = _o388.near;
+                    const kernel_seam_free_time_out _o389 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
+                    free_time = _o389.free_time;
+                    const kernel_backboard_seam4_out _o390 = kernel_backboard_seam4(p_ball_radius, p_board_bottom, p_board_top, z, vz);
+                    gap = _o390.gap;
+                    nearing = _o390.nearing;
+                    near = _o390.near;
+                    const kernel_seam_free_time_out _o391 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
+                    free_time = _o391.free_time;
+                    const kernel_backboard_seam5_out _o392 = kernel_backboard_seam5(p_ball_radius, p_board_bottom, p_board_top, z, vz);
                     gap = _o392.gap;
                     nearing = _o392.nearing;
                     near = _o392.near;
                     const kernel_seam_free_time_out _o393 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
                     free_time = _o393.free_time;
-                    const kernel_bridge_seam1_out _o394 = kernel_bridge_seam1(p_ball_radius, p_board_distance, p_ring_radius, x, vx);
-                    gap = _o394.gap;
-                    nearing = _o394.nearing;
-                    near = _o394.near;
-                    const kernel_seam_free_time_out _o395 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
-                    free_time = _o395.free_time;
-                    const kernel_bridge_seam2_out _o396 = kernel_bridge_seam2(p_ball_radius, p_bridge_half_width, y, vy);
-                    gap = _o396.gap;
-                    nearing = _o396.nearing;
-                    near = _o396.near;
-                    const kernel_seam_free_time_out _o397 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
-                    free_time = _o397.free_time;
-                    const kernel_bridge_seam3_out _o398 = kernel_bridge_seam3(p_ball_radius, p_bridge_half_width, y, vy);
-                    gap = _o398.gap;
-                    nearing = _o398.nearing;
-                    near = _o398.near;
-                    const kernel_seam_free_time_out _o399 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
-                    free_time = _o399.free_time;
-                    const kernel_bridge_seam4_out _o400 = kernel_bridge_seam4(p_ball_radius, p_bridge_depth, p_wire_radius, z, vz);
-                    gap = _o400.gap;
-                    nearing = _o400.nearing;
-                    near = _o400.near;
-                    const kernel_seam_free_time_out _o401 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
-                    free_time = _o401.free_time;
-                    const kernel_bridge_seam5_out _o402 = kernel_bridge_seam5(p_ball_radius, p_bridge_depth, p_wire_radius, z, vz);
-                    gap = _o402.gap;
-                    nearing = _o402.nearing;
-                    near = _o402.near;
-                    const kernel_seam_free_time_out _o403 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
-                    free_time = _o403.free_time;
                 }
-                const kernel_separated_out _o404 = kernel_separated(p_gravity, vx, vy, vz, undecided_time, position_error, velocity_error, clock, time_limit, per_reach, free_time, lift, gap_jerk, gap_snap);
-                when = _o404.when;
+                const kernel_holding_out _o394 = kernel_holding(2.0, held);
+                here = _o394.here;
+                if (here) {
+                    const kernel_bridge_seam0_out _o395 = kernel_bridge_seam0(p_ball_radius, p_board_distance, p_ring_radius, x, vx);
+                    gap = _o395.gap;
+                    nearing = _o395.nearing;
+                    near = _o395.near;
+                    const kernel_seam_free_time_out _o396 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
+                    free_time = _o396.free_time;
+                    const kernel_bridge_seam1_out _o397 = kernel_bridge_seam1(p_ball_radius, p_board_distance, p_ring_radius, x, vx);
+                    gap = _o397.gap;
+                    nearing = _o397.nearing;
+                    near = _o397.near;
+                    const kernel_seam_free_time_out _o398 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
+                    free_time = _o398.free_time;
+                    const kernel_bridge_seam2_out _o399 = kernel_bridge_seam2(p_ball_radius, p_bridge_half_width, y, vy);
+                    gap = _o399.gap;
+                    nearing = _o399.nearing;
+                    near = _o399.near;
+                    const kernel_seam_free_time_out _o400 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
+                    free_time = _o400.free_time;
+                    const kernel_bridge_seam3_out _o401 = kernel_bridge_seam3(p_ball_radius, p_bridge_half_width, y, vy);
+                    gap = _o401.gap;
+                    nearing = _o401.nearing;
+                    near = _o401.near;
+                    const kernel_seam_free_time_out _o402 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
+                    free_time = _o402.free_time;
+                    const kernel_bridge_seam4_out _o403 = kernel_bridge_seam4(p_ball_radius, p_bridge_depth, p_wire_radius, z, vz);
+                    gap = _o403.gap;
+                    nearing = _o403.nearing;
+                    near = _o403.near;
+                    const kernel_seam_free_time_out _o404 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
+                    free_time = _o404.free_time;
+                    const kernel_bridge_seam5_out _o405 = kernel_bridge_seam5(p_ball_radius, p_bridge_depth, p_wire_radius, z, vz);
+                    gap = _o405.gap;
+                    nearing = _o405.nearing;
+                    near = _o405.near;
+                    const kernel_seam_free_time_out _o406 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
+                    free_time = _o406.free_time;
+                }
+                const kernel_separated_out _o407 = kernel_separated(p_gravity, vx, vy, vz, undecided_time, position_error, velocity_error, clock, time_limit, per_reach, free_time, lift, gap_jerk, gap_snap);
+                when = _o407.when;
                 if (BOUNDS)
-                    undecided_time = _o404.undecided_time;
-                const kernel_detachment_out _o405 = kernel_detachment();
-                which = _o405.which;
+                    undecided_time = _o407.undecided_time;
+                const kernel_detachment_out _o408 = kernel_detachment();
+                which = _o408.which;
             }
         }
-        const kernel_departed_out _o406 = kernel_departed(3.0, which);
-        moves = _o406.moves;
-        ends = _o406.ends;
-        touches = _o406.touches;
-        reached = _o406.reached;
+        const kernel_departed_out _o409 = kernel_departed(3.0, which);
+        moves = _o409.moves;
+        ends = _o409.ends;
+        touches = _o409.touches;
+        reached = _o409.reached;
         if (BOUNDS)
-            edge = _o406.edge;
-        const kernel_body_of_out _o407 = kernel_body_of(which);
-        body = _o407.body;
+            edge = _o409.edge;
+        const kernel_body_of_out _o410 = kernel_body_of(which);
+        body = _o410.body;
         if (in_contact) {
-            const kernel_nothing_happens_yet_out _o408 = kernel_nothing_happens_yet(body, touches, mode, moves);
-            moves = _o408.moves;
-            touches = _o408.touches;
-            body = _o408.body;
+            const kernel_nothing_happens_yet_out _o411 = kernel_nothing_happens_yet(body, touches, mode, moves);
+            moves = _o411.moves;
+            touches = _o411.touches;
+            body = _o411.body;
         }
         if (moves) {
             if (BOUNDS) {
-                const kernel_passing_undecided_out _o409 = kernel_passing_undecided(when, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, p_ring_radius, p_gravity);
-                undecided = _o409.undecided;
-                const kernel_undecided_out _o410 = kernel_undecided(uncertain, undecided);
-                uncertain = _o410.uncertain;
+                const kernel_passing_undecided_out _o412 = kernel_passing_undecided(when, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, p_ring_radius, p_gravity);
+                undecided = _o412.undecided;
+                const kernel_undecided_out _o413 = kernel_undecided(uncertain, undecided);
+                uncertain = _o413.uncertain;
             }
-            const kernel_passing_out _o411 = kernel_passing(through, when, x, y, z, vx, vy, vz, p_ring_radius, p_gravity);
-            through = _o411.through;
-            const kernel_flight_out _o412 = kernel_flight(when, x, y, z, vx, vy, vz, p_gravity);
-            x = _o412.x;
-            y = _o412.y;
-            z = _o412.z;
-            vx = _o412.vx;
-            vy = _o412.vy;
-            vz = _o412.vz;
-            const kernel_event_clock_out _o413 = kernel_event_clock(when, clock);
-            clock = _o413.clock;
+            const kernel_passing_out _o414 = kernel_passing(through, when, x, y, z, vx, vy, vz, p_ring_radius, p_gravity);
+            through = _o414.through;
+            const kernel_flight_out _o415 = kernel_flight(when, x, y, z, vx, vy, vz, p_gravity);
+            x = _o415.x;
+            y = _o415.y;
+            z = _o415.z;
+            vx = _o415.vx;
+            vy = _o415.vy;
+            vz = _o415.vz;
+            const kernel_event_clock_out _o416 = kernel_event_clock(when, clock);
+            clock = _o416.clock;
         }
         if (limited) {
-            const kernel_expired_out _o414 = kernel_expired(4.0, which, body, clock, reached, time_limit, ends);
-            clock = _o414.clock;
-            body = _o414.body;
-            reached = _o414.reached;
-            ends = _o414.ends;
+            const kernel_expired_out _o417 = kernel_expired(4.0, which, body, clock, reached, time_limit, ends);
+            clock = _o417.clock;
+            body = _o417.body;
+            reached = _o417.reached;
+            ends = _o417.ends;
         }
         if (BOUNDS) {
-            const kernel_no_departure_out _o415 = kernel_no_departure();
-            hopped = _o415.hopped;
+            const kernel_no_departure_out _o418 = kernel_no_departure();
+            hopped = _o418.hopped;
         }
         if (in_contact) {
-            const kernel_stay_in_contact_out _o416 = kernel_stay_in_contact(last, which, undecided_time, body, clock, reached, ends, held, mode, rolls, rolling, began, rests);
-            body = _o416.body;
-            reached = _o416.reached;
-            ends = _o416.ends;
-            last = _o416.last;
-            mode = _o416.mode;
-            held = _o416.held;
-            rolls = _o416.rolls;
+            const kernel_stay_in_contact_out _o419 = kernel_stay_in_contact(last, which, undecided_time, body, clock, reached, ends, held, mode, rolls, rolling, began, rests);
+            body = _o419.body;
+            reached = _o419.reached;
+            ends = _o419.ends;
+            last = _o419.last;
+            mode = _o419.mode;
+            held = _o419.held;
+            rolls = _o419.rolls;
             if (BOUNDS) {
-                undecided_time = _o416.undecided_time;
-                hopped = _o416.hopped;
+                undecided_time = _o419.undecided_time;
+                hopped = _o419.hopped;
             }
         }
         if (BOUNDS) {
-            const kernel_displacement_out _o417 = kernel_displacement(earliest_delay, when, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_bridge_half_width, p_bridge_depth, p_gravity, p_end_depth);
-            slack = _o417.margin;
+            const kernel_displacement_out _o420 = kernel_displacement(earliest_delay, when, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_bridge_half_width, p_bridge_depth, p_gravity, p_end_depth);
+            slack = _o420.margin;
         }
-        const kernel_here_out _o418 = kernel_here(3.0, which);
-        here = _o418.here;
+        const kernel_here_out _o421 = kernel_here(3.0, which);
+        here = _o421.here;
         if (here) {
-            const kernel_end_bounds_out _o419 = kernel_end_bounds(x, y, p_ring_radius);
-            g0 = _o419.g0;
-            const kernel_end_reached_out _o420 = kernel_end_reached(through, g0);
-            reached = _o420.reached;
+            const kernel_end_bounds_out _o422 = kernel_end_bounds(x, y, p_ring_radius);
+            g0 = _o422.g0;
+            const kernel_end_reached_out _o423 = kernel_end_reached(through, g0);
+            reached = _o423.reached;
             if (BOUNDS) {
-                const kernel_end_edge_out _o421 = kernel_end_edge(slack, through, g0);
-                edge = _o421.edge;
+                const kernel_end_edge_out _o424 = kernel_end_edge(slack, through, g0);
+                edge = _o424.edge;
             }
         }
         if (BOUNDS) {
-            const kernel_contact_undecided_out _o422 = kernel_contact_undecided(last, when, which, earliest_delay, undecided_time, uncertain, edge, assured);
-            uncertain = _o422.uncertain;
+            const kernel_contact_undecided_out _o425 = kernel_contact_undecided(last, when, which, earliest_delay, undecided_time, uncertain, edge, assured);
+            uncertain = _o425.uncertain;
         }
-        const kernel_accounted_out _o423 = kernel_accounted(contacts, most_contacts, reached, touches);
-        contacts = _o423.contacts;
-        outcome = _o423.outcome;
+        const kernel_accounted_out _o426 = kernel_accounted(contacts, most_contacts, reached, touches);
+        contacts = _o426.contacts;
+        outcome = _o426.outcome;
 
         const double _before[] = {x, y, z, vx, vy, vz, wx, wy, wz};
 
         /* What it does to the ball. */
-        const kernel_meeting_out _o424 = kernel_meeting(claims, ends, touches);
-        meeting = _o424.meeting;
-        const kernel_slow_at_start_out _o425 = kernel_slow_at_start(mode);
-        slow = _o425.slow;
+        const kernel_meeting_out _o427 = kernel_meeting(claims, ends, touches);
+        meeting = _o427.meeting;
+        const kernel_slow_at_start_out _o428 = kernel_slow_at_start(mode);
+        slow = _o428.slow;
         if (meeting) {
-            const kernel_end_normal_out _o426 = kernel_end_normal();
-            nx = _o426.nx;
-            ny = _o426.ny;
-            nz = _o426.nz;
-            const kernel_here_out _o427 = kernel_here(0.0, which);
-            here = _o427.here;
-            if (here) {
-                const kernel_ring_normal_out _o428 = kernel_ring_normal(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
-                nx = _o428.nx;
-                ny = _o428.ny;
-                nz = _o428.nz;
-                const kernel_counted_out _o429 = kernel_counted(count_0);
-                count_0 = _o429.count;
-            }
-            const kernel_here_out _o430 = kernel_here(1.0, which);
+            const kernel_end_normal_out _o429 = kernel_end_normal();
+            nx = _o429.nx;
+            ny = _o429.ny;
+            nz = _o429.nz;
+            const kernel_here_out _o430 = kernel_here(0.0, which);
             here = _o430.here;
             if (here) {
-                const kernel_backboard_normal_out _o431 = kernel_backboard_normal(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
+                const kernel_ring_normal_out _o431 = kernel_ring_normal(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
                 nx = _o431.nx;
                 ny = _o431.ny;
                 nz = _o431.nz;
-                const kernel_counted_out _o432 = kernel_counted(count_1);
-                count_1 = _o432.count;
+                const kernel_counted_out _o432 = kernel_counted(count_0);
+                count_0 = _o432.count;
             }
-            const kernel_here_out _o433 = kernel_here(2.0, which);
+            const kernel_here_out _o433 = kernel_here(1.0, which);
             here = _o433.here;
             if (here) {
-                const kernel_bridge_normal_out _o434 = kernel_bridge_normal(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
+                const kernel_backboard_normal_out _o434 = kernel_backboard_normal(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
                 nx = _o434.nx;
                 ny = _o434.ny;
                 nz = _o434.nz;
-                const kernel_counted_out _o435 = kernel_counted(count_2);
-                count_2 = _o435.count;
+                const kernel_counted_out _o435 = kernel_counted(count_1);
+                count_1 = _o435.count;
+            }
+            const kernel_here_out _o436 = kernel_here(2.0, which);
+            here = _o436.here;
+            if (here) {
+                const kernel_bridge_normal_out _o437 = kernel_bridge_normal(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
+                nx = _o437.nx;
+                ny = _o437.ny;
+                nz = _o437.nz;
+                const kernel_counted_out _o438 = kernel_counted(count_2);
+                count_2 = _o438.count;
             }
             if (BOUNDS) {
-                const kernel_elsewhere_out _o436 = kernel_elsewhere();
-                curving = _o436.curving;
-                const kernel_other_start_surface_out _o437 = kernel_other_start_surface();
-                left_nx = _o437.left_nx;
-                left_ny = _o437.left_ny;
-                left_nz = _o437.left_nz;
-                const kernel_again_out _o438 = kernel_again(0.0, last, which);
-                again = _o438.again;
+                const kernel_elsewhere_out _o439 = kernel_elsewhere();
+                curving = _o439.curving;
+                const kernel_other_start_surface_out _o440 = kernel_other_start_surface();
+                left_nx = _o440.left_nx;
+                left_ny = _o440.left_ny;
+                left_nz = _o440.left_nz;
+                const kernel_again_out _o441 = kernel_again(0.0, last, which);
+                again = _o441.again;
                 if (again) {
-                    const kernel_ring_curvature_out _o439 = kernel_ring_curvature(p_ball_radius, p_ring_radius, p_wire_radius);
-                    curving = _o439.curvature;
-                    const kernel_started_out _o440 = kernel_started(p_gravity, x, y, z, vx, vy, vz, when);
-                    from_x = _o440.from_x;
-                    from_y = _o440.from_y;
-                    from_z = _o440.from_z;
-                    const kernel_ring_normal_out _o441 = kernel_ring_normal(from_x, from_y, from_z, p_ball_radius, p_ring_radius, p_wire_radius);
-                    left_nx = _o441.nx;
-                    left_ny = _o441.ny;
-                    left_nz = _o441.nz;
+                    const kernel_ring_curvature_out _o442 = kernel_ring_curvature(p_ball_radius, p_ring_radius, p_wire_radius);
+                    curving = _o442.curvature;
+                    const kernel_started_out _o443 = kernel_started(p_gravity, x, y, z, vx, vy, vz, when);
+                    from_x = _o443.from_x;
+                    from_y = _o443.from_y;
+                    from_z = _o443.from_z;
+                    const kernel_ring_normal_out _o444 = kernel_ring_normal(from_x, from_y, from_z, p_ball_radius, p_ring_radius, p_wire_radius);
+                    left_nx = _o444.nx;
+                    left_ny = _o444.ny;
+                    left_nz = _o444.nz;
                 }
-                const kernel_again_out _o442 = kernel_again(1.0, last, which);
-                again = _o442.again;
+                const kernel_again_out _o445 = kernel_again(1.0, last, which);
+                again = _o445.again;
                 if (again) {
-                    const kernel_backboard_curvature_out _o443 = kernel_backboard_curvature(when, x, y, z, vx, vy, vz, dx, dy, dz, dvx, dvy, dvz, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-                    curving = _o443.curvature;
-                    const kernel_started_out _o444 = kernel_started(p_gravity, x, y, z, vx, vy, vz, when);
-                    from_x = _o444.from_x;
-                    from_y = _o444.from_y;
-                    from_z = _o444.from_z;
-                    const kernel_backboard_normal_out _o445 = kernel_backboard_normal(from_x, from_y, from_z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                    left_nx = _o445.nx;
-                    left_ny = _o445.ny;
-                    left_nz = _o445.nz;
+                    const kernel_backboard_curvature_out _o446 = kernel_backboard_curvature(when, x, y, z, vx, vy, vz, dx, dy, dz, dvx, dvy, dvz, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
+                    curving = _o446.curvature;
+                    const kernel_started_out _o447 = kernel_started(p_gravity, x, y, z, vx, vy, vz, when);
+                    from_x = _o447.from_x;
+                    from_y = _o447.from_y;
+                    from_z = _o447.from_z;
+                    const kernel_backboard_normal_out _o448 = kernel_backboard_normal(from_x, from_y, from_z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
+                    left_nx = _o448.nx;
+                    left_ny = _o448.ny;
+                    left_nz = _o448.nz;
                 }
-                const kernel_again_out _o446 = kernel_again(2.0, last, which);
-                again = _o446.again;
+                const kernel_again_out _o449 = kernel_again(2.0, last, which);
+                again = _o449.again;
                 if (again) {
-                    const kernel_bridge_curvature_out _o447 = kernel_bridge_curvature(when, x, y, z, vx, vy, vz, dx, dy, dz, dvx, dvy, dvz, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-                    curving = _o447.curvature;
-                    const kernel_started_out _o448 = kernel_started(p_gravity, x, y, z, vx, vy, vz, when);
-                    from_x = _o448.from_x;
-                    from_y = _o448.from_y;
-                    from_z = _o448.from_z;
-                    const kernel_bridge_normal_out _o449 = kernel_bridge_normal(from_x, from_y, from_z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                    left_nx = _o449.nx;
-                    left_ny = _o449.ny;
-                    left_nz = _o449.nz;
+                    const kernel_bridge_curvature_out _o450 = kernel_bridge_curvature(when, x, y, z, vx, vy, vz, dx, dy, dz, dvx, dvy, dvz, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
+                    curving = _o450.curvature;
+                    const kernel_started_out _o451 = kernel_started(p_gravity, x, y, z, vx, vy, vz, when);
+                    from_x = _o451.from_x;
+                    from_y = _o451.from_y;
+                    from_z = _o451.from_z;
+                    const kernel_bridge_normal_out _o452 = kernel_bridge_normal(from_x, from_y, from_z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
+                    left_nx = _o452.nx;
+                    left_ny = _o452.ny;
+                    left_nz = _o452.nz;
                 }
-                const kernel_carry_flight_out _o450 = kernel_carry_flight(when, x, y, z, vx, vy, vz, nx, ny, nz, clock, contacts, earliest_delay, dx, dy, dz, dvx, dvy, dvz, left_nx, left_ny, left_nz, curving, p_gravity);
-                dx = _o450.dx;
-                dy = _o450.dy;
-                dz = _o450.dz;
-                lifting = _o450.lifting;
-                dvx = _o450.dvx;
-                dvy = _o450.dvy;
-                dvz = _o450.dvz;
-                belated = _o450.delay;
-                shift = _o450.shift;
-                const kernel_clock_error_sum_out _o451 = kernel_clock_error_sum(belated, clock_error);
-                clock_error = _o451.clock_error;
+                const kernel_carry_flight_out _o453 = kernel_carry_flight(when, x, y, z, vx, vy, vz, nx, ny, nz, clock, contacts, earliest_delay, dx, dy, dz, dvx, dvy, dvz, left_nx, left_ny, left_nz, curving, p_gravity);
+                dx = _o453.dx;
+                dy = _o453.dy;
+                dz = _o453.dz;
+                lifting = _o453.lifting;
+                dvx = _o453.dvx;
+                dvy = _o453.dvy;
+                dvz = _o453.dvz;
+                belated = _o453.delay;
+                shift = _o453.shift;
+                const kernel_clock_error_sum_out _o454 = kernel_clock_error_sum(belated, clock_error);
+                clock_error = _o454.clock_error;
                 if (ends) {
-                    const kernel_error_floor_out _o452 = kernel_error_floor(dx, dy, dz, shift);
-                    dx = _o452.dx;
-                    dy = _o452.dy;
-                    dz = _o452.dz;
+                    const kernel_error_floor_out _o455 = kernel_error_floor(dx, dy, dz, shift);
+                    dx = _o455.dx;
+                    dy = _o455.dy;
+                    dz = _o455.dz;
                 }
-                const kernel_no_normal_error_out _o453 = kernel_no_normal_error();
-                dnx = _o453.dnx;
-                dny = _o453.dny;
-                dnz = _o453.dnz;
-                turn = _o453.turn;
-                const kernel_here_out _o454 = kernel_here(0.0, which);
-                here = _o454.here;
+                const kernel_no_normal_error_out _o456 = kernel_no_normal_error();
+                dnx = _o456.dnx;
+                dny = _o456.dny;
+                dnz = _o456.dnz;
+                turn = _o456.turn;
+                const kernel_here_out _o457 = kernel_here(0.0, which);
+                here = _o457.here;
                 if (here) {
-                    const kernel_ring_carry_normal_out _o455 = kernel_ring_carry_normal(x, y, dx, dy, dz, shift, p_ball_radius, p_ring_radius, p_wire_radius);
-                    dnx = _o455.dnx;
-                    dny = _o455.dny;
-                    dnz = _o455.dnz;
-                    turn = _o455.turn;
+                    const kernel_ring_carry_normal_out _o458 = kernel_ring_carry_normal(x, y, dx, dy, dz, shift, p_ball_radius, p_ring_radius, p_wire_radius);
+                    dnx = _o458.dnx;
+                    dny = _o458.dny;
+                    dnz = _o458.dnz;
+                    turn = _o458.turn;
                 }
-                const kernel_here_out _o456 = kernel_here(1.0, which);
-                here = _o456.here;
+                const kernel_here_out _o459 = kernel_here(1.0, which);
+                here = _o459.here;
                 if (here) {
-                    const kernel_backboard_carry_normal_out _o457 = kernel_backboard_carry_normal(x, y, z, dx, dy, dz, shift, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                    dnx = _o457.dnx;
-                    dny = _o457.dny;
-                    dnz = _o457.dnz;
-                    turn = _o457.turn;
+                    const kernel_backboard_carry_normal_out _o460 = kernel_backboard_carry_normal(x, y, z, dx, dy, dz, shift, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
+                    dnx = _o460.dnx;
+                    dny = _o460.dny;
+                    dnz = _o460.dnz;
+                    turn = _o460.turn;
                 }
-                const kernel_here_out _o458 = kernel_here(2.0, which);
-                here = _o458.here;
+                const kernel_here_out _o461 = kernel_here(2.0, which);
+                here = _o461.here;
                 if (here) {
-                    const kernel_bridge_carry_normal_out _o459 = kernel_bridge_carry_normal(x, y, z, dx, dy, dz, shift, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                    dnx = _o459.dnx;
-                    dny = _o459.dny;
-                    dnz = _o459.dnz;
-                    turn = _o459.turn;
+                    const kernel_bridge_carry_normal_out _o462 = kernel_bridge_carry_normal(x, y, z, dx, dy, dz, shift, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
+                    dnx = _o462.dnx;
+                    dny = _o462.dny;
+                    dnz = _o462.dnz;
+                    turn = _o462.turn;
                 }
             }
-            const kernel_other_kind_out _o460 = kernel_other_kind();
-            struck_0 = _o460.of_this_kind;
-            const kernel_ring_impact_taken_out _o461 = kernel_ring_impact_taken(p_ring_restitution, p_ring_friction);
-            its_0_ring_impact = _o461.its_0;
-            its_1_ring_impact = _o461.its_1;
+            const kernel_other_kind_out _o463 = kernel_other_kind();
+            struck_0 = _o463.of_this_kind;
+            const kernel_ring_impact_taken_out _o464 = kernel_ring_impact_taken(p_ring_restitution, p_ring_friction);
+            its_0_ring_impact = _o464.its_0;
+            its_1_ring_impact = _o464.its_1;
             for (size_t _row = 0; _row < 3; _row++) {
                 const double own_1 = parameter(_given, table_0[_row][0]);
                 const double own_2 = parameter(_given, table_0[_row][1]);
                 const double own_index = table_1[_row][0];
-                const kernel_here_out _o462 = kernel_here(own_index, which);
-                here = _o462.here;
+                const kernel_here_out _o465 = kernel_here(own_index, which);
+                here = _o465.here;
                 if (here) {
-                    const kernel_ring_impact_taken_out _o463 = kernel_ring_impact_taken(own_2, own_1);
-                    struck_0 = _o463.of_this_kind;
-                    its_0_ring_impact = _o463.its_0;
-                    its_1_ring_impact = _o463.its_1;
+                    const kernel_ring_impact_taken_out _o466 = kernel_ring_impact_taken(own_2, own_1);
+                    struck_0 = _o466.of_this_kind;
+                    its_0_ring_impact = _o466.its_0;
+                    its_1_ring_impact = _o466.its_1;
                 }
             }
             if (struck_0) {
                 if (BOUNDS) {
-                    const kernel_ring_impact_undecided_out _o464 = kernel_ring_impact_undecided(vx, vy, vz, wx, wy, wz, nx, ny, nz, dvx, dvy, dvz, dwx, dwy, dwz, turn, p_ball_radius, its_0_ring_impact, its_1_ring_impact, p_inertia, p_tangential_restitution, p_restitution_speed);
-                    undecided = _o464.undecided;
-                    const kernel_undecided_out _o465 = kernel_undecided(uncertain, undecided);
-                    uncertain = _o465.uncertain;
-                    const kernel_carry_ring_impact_out _o466 = kernel_carry_ring_impact(vx, vy, vz, wx, wy, wz, nx, ny, nz, dvx, dvy, dvz, dwx, dwy, dwz, dnx, dny, dnz, turn, lifting, p_ball_radius, its_0_ring_impact, its_1_ring_impact, p_inertia, p_tangential_restitution, p_restitution_speed);
-                    dvx = _o466.dvx;
-                    dvy = _o466.dvy;
-                    dvz = _o466.dvz;
-                    dwx = _o466.dwx;
-                    dwy = _o466.dwy;
-                    dwz = _o466.dwz;
+                    const kernel_ring_impact_undecided_out _o467 = kernel_ring_impact_undecided(vx, vy, vz, wx, wy, wz, nx, ny, nz, dvx, dvy, dvz, dwx, dwy, dwz, turn, p_ball_radius, its_0_ring_impact, its_1_ring_impact, p_inertia, p_tangential_restitution, p_restitution_speed);
+                    undecided = _o467.undecided;
+                    const kernel_undecided_out _o468 = kernel_undecided(uncertain, undecided);
+                    uncertain = _o468.uncertain;
+                    const kernel_carry_ring_impact_out _o469 = kernel_carry_ring_impact(vx, vy, vz, wx, wy, wz, nx, ny, nz, dvx, dvy, dvz, dwx, dwy, dwz, dnx, dny, dnz, turn, lifting, p_ball_radius, its_0_ring_impact, its_1_ring_impact, p_inertia, p_tangential_restitution, p_restitution_speed);
+                    dvx = _o469.dvx;
+                    dvy = _o469.dvy;
+                    dvz = _o469.dvz;
+                    dwx = _o469.dwx;
+                    dwy = _o469.dwy;
+                    dwz = _o469.dwz;
                 }
-                const kernel_ring_impact_out _o467 = kernel_ring_impact(vx, vy, vz, wx, wy, wz, nx, ny, nz, p_ball_radius, its_0_ring_impact, its_1_ring_impact, p_inertia, p_tangential_restitution, p_restitution_speed);
-                vx = _o467.vx;
-                vy = _o467.vy;
-                vz = _o467.vz;
-                wx = _o467.wx;
-                wy = _o467.wy;
-                wz = _o467.wz;
+                const kernel_ring_impact_out _o470 = kernel_ring_impact(vx, vy, vz, wx, wy, wz, nx, ny, nz, p_ball_radius, its_0_ring_impact, its_1_ring_impact, p_inertia, p_tangential_restitution, p_restitution_speed);
+                vx = _o470.vx;
+                vy = _o470.vy;
+                vz = _o470.vz;
+                wx = _o470.wx;
+                wy = _o470.wy;
+                wz = _o470.wz;
             }
             if (touches) {
-                const kernel_touched_out _o468 = kernel_touched(which, body, first);
-                first = _o468.first;
-                last = _o468.last;
-                const kernel_leaves_slowly_out _o469 = kernel_leaves_slowly(p_ball_radius, p_gravity, nx, ny, nz, vx, vy, vz, position_error);
-                slow = _o469.slow;
+                const kernel_touched_out _o471 = kernel_touched(which, body, first);
+                first = _o471.first;
+                last = _o471.last;
+                const kernel_leaves_slowly_out _o472 = kernel_leaves_slowly(p_ball_radius, p_gravity, nx, ny, nz, vx, vy, vz, position_error);
+                slow = _o472.slow;
                 if (BOUNDS)
-                    assured = _o469.assured;
+                    assured = _o472.assured;
             }
         }
         if (slow) {
-            const kernel_ring_normal_out _o470 = kernel_ring_normal(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
-            nx = _o470.nx;
-            ny = _o470.ny;
-            nz = _o470.nz;
-            const kernel_here_out _o471 = kernel_here(1.0, which);
-            here = _o471.here;
+            const kernel_ring_normal_out _o473 = kernel_ring_normal(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
+            nx = _o473.nx;
+            ny = _o473.ny;
+            nz = _o473.nz;
+            const kernel_here_out _o474 = kernel_here(1.0, which);
+            here = _o474.here;
             if (here) {
-                const kernel_backboard_normal_out _o472 = kernel_backboard_normal(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                nx = _o472.nx;
-                ny = _o472.ny;
-                nz = _o472.nz;
+                const kernel_backboard_normal_out _o475 = kernel_backboard_normal(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
+                nx = _o475.nx;
+                ny = _o475.ny;
+                nz = _o475.nz;
             }
-            const kernel_here_out _o473 = kernel_here(2.0, which);
-            here = _o473.here;
+            const kernel_here_out _o476 = kernel_here(2.0, which);
+            here = _o476.here;
             if (here) {
-                const kernel_bridge_normal_out _o474 = kernel_bridge_normal(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                nx = _o474.nx;
-                ny = _o474.ny;
-                nz = _o474.nz;
+                const kernel_bridge_normal_out _o477 = kernel_bridge_normal(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
+                nx = _o477.nx;
+                ny = _o477.ny;
+                nz = _o477.nz;
             }
-            const kernel_nearly_out _o475 = kernel_nearly(p_ball_radius, p_gravity, nx, ny, nz, vx, vy, vz);
-            nearly = _o475.nearly;
-            const kernel_gripped_out _o476 = kernel_gripped(p_ball_radius, p_inertia, nx, ny, nz, vx, vy, vz, wx, wy, wz);
-            rolled_x = _o476.rolled_x;
-            rolled_y = _o476.rolled_y;
-            rolled_z = _o476.rolled_z;
-            slip = _o476.slip;
-            bounce = _o476.bounce;
-            const kernel_here_out _o477 = kernel_here(0.0, which);
-            here = _o477.here;
+            const kernel_nearly_out _o478 = kernel_nearly(p_ball_radius, p_gravity, nx, ny, nz, vx, vy, vz);
+            nearly = _o478.nearly;
+            const kernel_gripped_out _o479 = kernel_gripped(p_ball_radius, p_inertia, nx, ny, nz, vx, vy, vz, wx, wy, wz);
+            rolled_x = _o479.rolled_x;
+            rolled_y = _o479.rolled_y;
+            rolled_z = _o479.rolled_z;
+            slip = _o479.slip;
+            bounce = _o479.bounce;
+            const kernel_here_out _o480 = kernel_here(0.0, which);
+            here = _o480.here;
             if (here) {
-                const kernel_ring_turning_out _o478 = kernel_ring_turning(p_ball_radius, p_ring_radius, p_wire_radius, x, y, rolled_x, rolled_y, rolled_z);
-                turning_x = _o478.turning_x;
-                turning_y = _o478.turning_y;
-                turning_z = _o478.turning_z;
-                const kernel_pressed_on_out _o479 = kernel_pressed_on(p_ball_radius, p_gravity, p_inertia, nx, ny, nz, wx, wy, wz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z);
-                press = _o479.press;
-                weight = _o479.weight;
-                rolling_friction = _o479.rolling_friction;
-                rolling_acceleration_x = _o479.rolling_acceleration_x;
-                rolling_acceleration_y = _o479.rolling_acceleration_y;
-                rolling_acceleration_z = _o479.rolling_acceleration_z;
-                const kernel_isolated_out _o480 = kernel_isolated();
-                nearest = _o480.nearest;
-                second_contact_gap = _o480.second_contact_gap;
-                const kernel_backboard_closing_out _o481 = kernel_backboard_closing(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z);
-                gap = _o481.gap;
-                nearing = _o481.nearing;
-                rolling_gap_acceleration = _o481.rolling_gap_acceleration;
-                normal_cosine = _o481.normal_cosine;
-                const kernel_near_body_out _o482 = kernel_near_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
-                nearest = _o482.nearest;
-                second_contact_gap = _o482.second_contact_gap;
-                const kernel_bridge_closing_out _o483 = kernel_bridge_closing(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z);
-                gap = _o483.gap;
-                nearing = _o483.nearing;
-                rolling_gap_acceleration = _o483.rolling_gap_acceleration;
-                normal_cosine = _o483.normal_cosine;
-                const kernel_near_body_out _o484 = kernel_near_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
-                nearest = _o484.nearest;
-                second_contact_gap = _o484.second_contact_gap;
-                const kernel_end_beside_out _o485 = kernel_end_beside(p_end_depth, z, vz);
-                gap = _o485.gap;
-                const kernel_near_end_plane_out _o486 = kernel_near_end_plane(gap, nearest);
-                nearest = _o486.nearest;
-                const kernel_ring_separation_out _o487 = kernel_ring_separation(p_gravity, p_ring_radius, x, y, z, vx, vy, vz);
-                lift = _o487.lift;
-                const kernel_ring_impact_settling_out _o488 = kernel_ring_impact_settling(p_ball_radius, p_inertia, p_ring_friction, p_ring_restitution, wx, wy, wz, velocity_error, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, slip, bounce, nearest, second_contact_gap, press, weight, rolling_friction, lift);
-                settles = _o488.settles;
-                lodges = _o488.lodges;
-                slides = _o488.slides;
-                unpressed = _o488.unpressed;
-                undecided = _o488.undecided;
+                const kernel_ring_turning_out _o481 = kernel_ring_turning(p_ball_radius, p_ring_radius, p_wire_radius, x, y, rolled_x, rolled_y, rolled_z);
+                turning_x = _o481.turning_x;
+                turning_y = _o481.turning_y;
+                turning_z = _o481.turning_z;
+                const kernel_pressed_on_out _o482 = kernel_pressed_on(p_ball_radius, p_gravity, p_inertia, nx, ny, nz, wx, wy, wz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z);
+                press = _o482.press;
+                weight = _o482.weight;
+                rolling_friction = _o482.rolling_friction;
+                rolling_acceleration_x = _o482.rolling_acceleration_x;
+                rolling_acceleration_y = _o482.rolling_acceleration_y;
+                rolling_acceleration_z = _o482.rolling_acceleration_z;
+                const kernel_isolated_out _o483 = kernel_isolated();
+                nearest = _o483.nearest;
+                second_contact_gap = _o483.second_contact_gap;
+                const kernel_backboard_closing_out _o484 = kernel_backboard_closing(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z);
+                gap = _o484.gap;
+                nearing = _o484.nearing;
+                rolling_gap_acceleration = _o484.rolling_gap_acceleration;
+                normal_cosine = _o484.normal_cosine;
+                const kernel_near_body_out _o485 = kernel_near_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
+                nearest = _o485.nearest;
+                second_contact_gap = _o485.second_contact_gap;
+                const kernel_bridge_closing_out _o486 = kernel_bridge_closing(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z);
+                gap = _o486.gap;
+                nearing = _o486.nearing;
+                rolling_gap_acceleration = _o486.rolling_gap_acceleration;
+                normal_cosine = _o486.normal_cosine;
+                const kernel_near_body_out _o487 = kernel_near_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
+                nearest = _o487.nearest;
+                second_contact_gap = _o487.second_contact_gap;
+                const kernel_end_beside_out _o488 = kernel_end_beside(p_end_depth, z, vz);
+                gap = _o488.gap;
+                const kernel_near_end_plane_out _o489 = kernel_near_end_plane(gap, nearest);
+                nearest = _o489.nearest;
+                const kernel_ring_separation_out _o490 = kernel_ring_separation(p_gravity, p_ring_radius, x, y, z, vx, vy, vz);
+                lift = _o490.lift;
+                const kernel_ring_impact_settling_out _o491 = kernel_ring_impact_settling(p_ball_radius, p_inertia, p_ring_friction, p_ring_restitution, wx, wy, wz, velocity_error, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, slip, bounce, nearest, second_contact_gap, press, weight, rolling_friction, lift);
+                settles = _o491.settles;
+                lodges = _o491.lodges;
+                slides = _o491.slides;
+                unpressed = _o491.unpressed;
+                undecided = _o491.undecided;
                 if (BOUNDS)
-                    assured = _o488.assured;
-                const kernel_settled_out _o489 = kernel_settled(0.0, outcome, uncertain, undecided, mode, settles, nearly, lodges, slides, unpressed);
-                mode = _o489.mode;
-                held = _o489.held;
-                outcome = _o489.outcome;
-                slip_left = _o489.slip_left;
+                    assured = _o491.assured;
+                const kernel_settled_out _o492 = kernel_settled(0.0, outcome, uncertain, undecided, mode, settles, nearly, lodges, slides, unpressed);
+                mode = _o492.mode;
+                held = _o492.held;
+                outcome = _o492.outcome;
+                slip_left = _o492.slip_left;
                 if (BOUNDS)
-                    uncertain = _o489.uncertain;
+                    uncertain = _o492.uncertain;
             }
-            const kernel_here_out _o490 = kernel_here(1.0, which);
-            here = _o490.here;
+            const kernel_here_out _o493 = kernel_here(1.0, which);
+            here = _o493.here;
             if (here) {
-                const kernel_backboard_turning_out _o491 = kernel_backboard_turning(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, rolled_x, rolled_y, rolled_z);
-                turning_x = _o491.turning_x;
-                turning_y = _o491.turning_y;
-                turning_z = _o491.turning_z;
-                const kernel_pressed_on_out _o492 = kernel_pressed_on(p_ball_radius, p_gravity, p_inertia, nx, ny, nz, wx, wy, wz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z);
-                press = _o492.press;
-                weight = _o492.weight;
-                rolling_friction = _o492.rolling_friction;
-                rolling_acceleration_x = _o492.rolling_acceleration_x;
-                rolling_acceleration_y = _o492.rolling_acceleration_y;
-                rolling_acceleration_z = _o492.rolling_acceleration_z;
-                const kernel_isolated_out _o493 = kernel_isolated();
-                nearest = _o493.nearest;
-                second_contact_gap = _o493.second_contact_gap;
-                const kernel_ring_closing_out _o494 = kernel_ring_closing(p_ball_radius, p_ring_radius, p_wire_radius, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z);
-                gap = _o494.gap;
-                nearing = _o494.nearing;
-                rolling_gap_acceleration = _o494.rolling_gap_acceleration;
-                normal_cosine = _o494.normal_cosine;
-                const kernel_near_body_out _o495 = kernel_near_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
-                nearest = _o495.nearest;
-                second_contact_gap = _o495.second_contact_gap;
-                const kernel_bridge_closing_out _o496 = kernel_bridge_closing(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z);
-                gap = _o496.gap;
-                nearing = _o496.nearing;
-                rolling_gap_acceleration = _o496.rolling_gap_acceleration;
-                normal_cosine = _o496.normal_cosine;
-                const kernel_near_body_out _o497 = kernel_near_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
-                nearest = _o497.nearest;
-                second_contact_gap = _o497.second_contact_gap;
-                const kernel_end_beside_out _o498 = kernel_end_beside(p_end_depth, z, vz);
-                gap = _o498.gap;
-                const kernel_near_end_plane_out _o499 = kernel_near_end_plane(gap, nearest);
-                nearest = _o499.nearest;
-                const kernel_backboard_separation_out _o500 = kernel_backboard_separation(p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, p_gravity, x, y, z, vx, vy, vz);
-                lift = _o500.lift;
-                const kernel_ring_impact_settling_out _o501 = kernel_ring_impact_settling(p_ball_radius, p_inertia, p_backboard_friction, p_backboard_restitution, wx, wy, wz, velocity_error, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, slip, bounce, nearest, second_contact_gap, press, weight, rolling_friction, lift);
-                settles = _o501.settles;
-                lodges = _o501.lodges;
-                slides = _o501.slides;
-                unpressed = _o501.unpressed;
-                undecided = _o501.undecided;
+                const kernel_backboard_turning_out _o494 = kernel_backboard_turning(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, rolled_x, rolled_y, rolled_z);
+                turning_x = _o494.turning_x;
+                turning_y = _o494.turning_y;
+                turning_z = _o494.turning_z;
+                const kernel_pressed_on_out _o495 = kernel_pressed_on(p_ball_radius, p_gravity, p_inertia, nx, ny, nz, wx, wy, wz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z);
+                press = _o495.press;
+                weight = _o495.weight;
+                rolling_friction = _o495.rolling_friction;
+                rolling_acceleration_x = _o495.rolling_acceleration_x;
+                rolling_acceleration_y = _o495.rolling_acceleration_y;
+                rolling_acceleration_z = _o495.rolling_acceleration_z;
+                const kernel_isolated_out _o496 = kernel_isolated();
+                nearest = _o496.nearest;
+                second_contact_gap = _o496.second_contact_gap;
+                const kernel_ring_closing_out _o497 = kernel_ring_closing(p_ball_radius, p_ring_radius, p_wire_radius, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z);
+                gap = _o497.gap;
+                nearing = _o497.nearing;
+                rolling_gap_acceleration = _o497.rolling_gap_acceleration;
+                normal_cosine = _o497.normal_cosine;
+                const kernel_near_body_out _o498 = kernel_near_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
+                nearest = _o498.nearest;
+                second_contact_gap = _o498.second_contact_gap;
+                const kernel_bridge_closing_out _o499 = kernel_bridge_closing(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z);
+                gap = _o499.gap;
+                nearing = _o499.nearing;
+                rolling_gap_acceleration = _o499.rolling_gap_acceleration;
+                normal_cosine = _o499.normal_cosine;
+                const kernel_near_body_out _o500 = kernel_near_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
+                nearest = _o500.nearest;
+                second_contact_gap = _o500.second_contact_gap;
+                const kernel_end_beside_out _o501 = kernel_end_beside(p_end_depth, z, vz);
+                gap = _o501.gap;
+                const kernel_near_end_plane_out _o502 = kernel_near_end_plane(gap, nearest);
+                nearest = _o502.nearest;
+                const kernel_backboard_separation_out _o503 = kernel_backboard_separation(p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, p_gravity, x, y, z, vx, vy, vz);
+                lift = _o503.lift;
+                const kernel_ring_impact_settling_out _o504 = kernel_ring_impact_settling(p_ball_radius, p_inertia, p_backboard_friction, p_backboard_restitution, wx, wy, wz, velocity_error, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, slip, bounce, nearest, second_contact_gap, press, weight, rolling_friction, lift);
+                settles = _o504.settles;
+                lodges = _o504.lodges;
+                slides = _o504.slides;
+                unpressed = _o504.unpressed;
+                undecided = _o504.undecided;
                 if (BOUNDS)
-                    assured = _o501.assured;
-                const kernel_settled_out _o502 = kernel_settled(1.0, outcome, uncertain, undecided, mode, settles, nearly, lodges, slides, unpressed);
-                mode = _o502.mode;
-                held = _o502.held;
-                outcome = _o502.outcome;
-                slip_left = _o502.slip_left;
+                    assured = _o504.assured;
+                const kernel_settled_out _o505 = kernel_settled(1.0, outcome, uncertain, undecided, mode, settles, nearly, lodges, slides, unpressed);
+                mode = _o505.mode;
+                held = _o505.held;
+                outcome = _o505.outcome;
+                slip_left = _o505.slip_left;
                 if (BOUNDS)
-                    uncertain = _o502.uncertain;
+                    uncertain = _o505.uncertain;
             }
-            const kernel_here_out _o503 = kernel_here(2.0, which);
-            here = _o503.here;
+            const kernel_here_out _o506 = kernel_here(2.0, which);
+            here = _o506.here;
             if (here) {
-                const kernel_bridge_turning_out _o504 = kernel_bridge_turning(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, rolled_x, rolled_y, rolled_z);
-                turning_x = _o504.turning_x;
-                turning_y = _o504.turning_y;
-                turning_z = _o504.turning_z;
-                const kernel_pressed_on_out _o505 = kernel_pressed_on(p_ball_radius, p_gravity, p_inertia, nx, ny, nz, wx, wy, wz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z);
-                press = _o505.press;
-                weight = _o505.weight;
-                rolling_friction = _o505.rolling_friction;
-                rolling_acceleration_x = _o505.rolling_acceleration_x;
-                rolling_acceleration_y = _o505.rolling_acceleration_y;
-                rolling_acceleration_z = _o505.rolling_acceleration_z;
-                const kernel_isolated_out _o506 = kernel_isolated();
-                nearest = _o506.nearest;
-                second_contact_gap = _o506.second_contact_gap;
-                const kernel_ring_closing_out _o507 = kernel_ring_closing(p_ball_radius, p_ring_radius, p_wire_radius, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z);
-                gap = _o507.gap;
-                nearing = _o507.nearing;
-                rolling_gap_acceleration = _o507.rolling_gap_acceleration;
-                normal_cosine = _o507.normal_cosine;
-                const kernel_near_body_out _o508 = kernel_near_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
-                nearest = _o508.nearest;
-                second_contact_gap = _o508.second_contact_gap;
-                const kernel_backboard_closing_out _o509 = kernel_backboard_closing(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z);
-                gap = _o509.gap;
-                nearing = _o509.nearing;
-                rolling_gap_acceleration = _o509.rolling_gap_acceleration;
-                normal_cosine = _o509.normal_cosine;
-                const kernel_near_body_out _o510 = kernel_near_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
-                nearest = _o510.nearest;
-                second_contact_gap = _o510.second_contact_gap;
-                const kernel_end_beside_out _o511 = kernel_end_beside(p_end_depth, z, vz);
-                gap = _o511.gap;
-                const kernel_near_end_plane_out _o512 = kernel_near_end_plane(gap, nearest);
-                nearest = _o512.nearest;
-                const kernel_bridge_separation_out _o513 = kernel_bridge_separation(p_board_distance, p_bridge_depth, p_bridge_half_width, p_gravity, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
-                lift = _o513.lift;
-                const kernel_ring_impact_settling_out _o514 = kernel_ring_impact_settling(p_ball_radius, p_inertia, p_bridge_friction, p_bridge_restitution, wx, wy, wz, velocity_error, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, slip, bounce, nearest, second_contact_gap, press, weight, rolling_friction, lift);
-                settles = _o514.settles;
-                lodges = _o514.lodges;
-                slides = _o514.slides;
-                unpressed = _o514.unpressed;
-                undecided = _o514.undecided;
+                const kernel_bridge_turning_out _o507 = kernel_bridge_turning(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, rolled_x, rolled_y, rolled_z);
+                turning_x = _o507.turning_x;
+                turning_y = _o507.turning_y;
+                turning_z = _o507.turning_z;
+                const kernel_pressed_on_out _o508 = kernel_pressed_on(p_ball_radius, p_gravity, p_inertia, nx, ny, nz, wx, wy, wz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z);
+                press = _o508.press;
+                weight = _o508.weight;
+                rolling_friction = _o508.rolling_friction;
+                rolling_acceleration_x = _o508.rolling_acceleration_x;
+                rolling_acceleration_y = _o508.rolling_acceleration_y;
+                rolling_acceleration_z = _o508.rolling_acceleration_z;
+                const kernel_isolated_out _o509 = kernel_isolated();
+                nearest = _o509.nearest;
+                second_contact_gap = _o509.second_contact_gap;
+                const kernel_ring_closing_out _o510 = kernel_ring_closing(p_ball_radius, p_ring_radius, p_wire_radius, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z);
+                gap = _o510.gap;
+                nearing = _o510.nearing;
+                rolling_gap_acceleration = _o510.rolling_gap_acceleration;
+                normal_cosine = _o510.normal_cosine;
+                const kernel_near_body_out _o511 = kernel_near_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
+                nearest = _o511.nearest;
+                second_contact_gap = _o511.second_contact_gap;
+                const kernel_backboard_closing_out _o512 = kernel_backboard_closing(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z);
+                gap = _o512.gap;
+                nearing = _o512.nearing;
+                rolling_gap_acceleration = _o512.rolling_gap_acceleration;
+                normal_cosine = _o512.normal_cosine;
+                const kernel_near_body_out _o513 = kernel_near_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
+                nearest = _o513.nearest;
+                second_contact_gap = _o513.second_contact_gap;
+                const kernel_end_beside_out _o514 = kernel_end_beside(p_end_depth, z, vz);
+                gap = _o514.gap;
+                const kernel_near_end_plane_out _o515 = kernel_near_end_plane(gap, nearest);
+                nearest = _o515.nearest;
+                const kernel_bridge_separation_out _o516 = kernel_bridge_separation(p_board_distance, p_bridge_depth, p_bridge_half_width, p_gravity, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
+                lift = _o516.lift;
+                const kernel_ring_impact_settling_out _o517 = kernel_ring_impact_settling(p_ball_radius, p_inertia, p_bridge_friction, p_bridge_restitution, wx, wy, wz, velocity_error, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, slip, bounce, nearest, second_contact_gap, press, weight, rolling_friction, lift);
+                settles = _o517.settles;
+                lodges = _o517.lodges;
+                slides = _o517.slides;
+                unpressed = _o517.unpressed;
+                undecided = _o517.undecided;
                 if (BOUNDS)
-                    assured = _o514.assured;
-                const kernel_settled_out _o515 = kernel_settled(2.0, outcome, uncertain, undecided, mode, settles, nearly, lodges, slides, unpressed);
-                mode = _o515.mode;
-                held = _o515.held;
-                outcome = _o515.outcome;
-                slip_left = _o515.slip_left;
+                    assured = _o517.assured;
+                const kernel_settled_out _o518 = kernel_settled(2.0, outcome, uncertain, undecided, mode, settles, nearly, lodges, slides, unpressed);
+                mode = _o518.mode;
+                held = _o518.held;
+                outcome = _o518.outcome;
+                slip_left = _o518.slip_left;
                 if (BOUNDS)
-                    uncertain = _o515.uncertain;
+                    uncertain = _o518.uncertain;
             }
         }
         if (BOUNDS) {
             if (limited) {
-                const kernel_ends_by_time_limit_out _o516 = kernel_ends_by_time_limit(4.0, which, claims);
-                ends_by_time_limit = _o516.ends_by_time_limit;
+                const kernel_ends_by_time_limit_out _o519 = kernel_ends_by_time_limit(4.0, which, claims);
+                ends_by_time_limit = _o519.ends_by_time_limit;
                 if (ends_by_time_limit) {
-                    const kernel_carry_time_out _o517 = kernel_carry_time(when, x, y, z, vx, vy, vz, clock, clock_error, dx, dy, dz, dvx, dvy, dvz, p_gravity);
-                    dx = _o517.dx;
-                    dy = _o517.dy;
-                    dz = _o517.dz;
-                    dvx = _o517.dvx;
-                    dvy = _o517.dvy;
-                    dvz = _o517.dvz;
-                    clock_error = _o517.clock_error;
+                    const kernel_carry_time_out _o520 = kernel_carry_time(when, x, y, z, vx, vy, vz, clock, clock_error, dx, dy, dz, dvx, dvy, dvz, p_gravity);
+                    dx = _o520.dx;
+                    dy = _o520.dy;
+                    dz = _o520.dz;
+                    dvx = _o520.dvx;
+                    dvy = _o520.dvy;
+                    dvz = _o520.dvz;
+                    clock_error = _o520.clock_error;
                 }
             }
             if (hopped) {
-                const kernel_carry_hop_out _o518 = kernel_carry_hop(x, y, z, vx, vy, vz, dx, dy, dz, dvx, dvy, dvz, when);
-                dx = _o518.dx;
-                dy = _o518.dy;
-                dz = _o518.dz;
+                const kernel_carry_hop_out _o521 = kernel_carry_hop(x, y, z, vx, vy, vz, dx, dy, dz, dvx, dvy, dvz, when);
+                dx = _o521.dx;
+                dy = _o521.dy;
+                dz = _o521.dz;
             }
-            const kernel_closing_out _o519 = kernel_closing(outcome, claims);
-            closed = _o519.closed;
-            position_claim = _o519.position_claim;
-            velocity_claim = _o519.velocity_claim;
-            spin_claim = _o519.spin_claim;
-            time_claim = _o519.time_claim;
+            const kernel_closing_out _o522 = kernel_closing(outcome, claims);
+            closed = _o522.closed;
+            position_claim = _o522.position_claim;
+            velocity_claim = _o522.velocity_claim;
+            spin_claim = _o522.spin_claim;
+            time_claim = _o522.time_claim;
             if (closed) {
-                const kernel_claimed_errors_out _o520 = kernel_claimed_errors(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
-                position_claim = _o520.position_error;
-                velocity_claim = _o520.velocity_error;
-                spin_claim = _o520.spin_error;
-                time_claim = _o520.time_error;
+                const kernel_claimed_errors_out _o523 = kernel_claimed_errors(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
+                position_claim = _o523.position_error;
+                velocity_claim = _o523.velocity_error;
+                spin_claim = _o523.spin_error;
+                time_claim = _o523.time_error;
             }
         }
 

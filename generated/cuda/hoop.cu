@@ -1,6 +1,6 @@
 /* The event loop of the scene hoop in CUDA: a thread takes one shot from its release to its end.
 
-   Generated from templates/cuda/scene.cu.j2, scene hoop, derivation b8cd2f66933e66f6,
+   Generated from templates/cuda/scene.cu.j2, scene hoop, derivation 0b232e662b9cf364,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    It needs no header. To give the bits of NumPy and C it is compiled with --fmad=false, --ftz=false,
@@ -548,14 +548,14 @@ static __device__ __forceinline__ kernel_beginning_out kernel_beginning()
 }
 
 /* Undecided time 0 if errors exceed the budget of a search, or its bounds fail.
-   Table 1. 6 operations: 3 comparisons, 2 disjunctions, 1 selection. */
+   Table 1. 7 operations: 1 multiplication, 3 comparisons, 2 disjunctions, 1 selection. */
 struct kernel_out_of_budget_out {
     double undecided_time;
 };
 
 static __device__ __forceinline__ kernel_out_of_budget_out kernel_out_of_budget(double pad, double budget_exceeded, double earliest_delay, double undecided_time, double excess)
 {
-    return {choose((((0.0 < excess) || (0.0 < budget_exceeded)) || (pad < earliest_delay)), 0.0, undecided_time)};
+    return {choose((((0.0 < excess) || (pad < (0.5 * earliest_delay))) || (0.0 < budget_exceeded)), 0.0, undecided_time)};
 }
 
 /* 1 near the surface that the ball left, where F/t is more exact than F; the margin.
@@ -1120,6 +1120,25 @@ static __device__ __forceinline__ kernel_ring_carry_normal_out kernel_ring_carry
     return {(x * _s6) + (dx * _s7), (y * _s6) + (dy * _s7), dz * _s1, shift * (((float)1.0) / smaller(_s8, _s0))};
 }
 
+/* Positive if errors of the state exceed those that a search allows for.
+   running error analysis. 26 operations: 6 additions, 3 subtractions, 10 multiplications, 1 division, 3 comparisons, 3 selections. */
+struct kernel_ring_excess_out {
+    double excess;
+};
+
+static __device__ __forceinline__ kernel_ring_excess_out kernel_ring_excess(double share, double horizon, double extent, double speed, double position_error, double velocity_error, double p_ball_radius, double p_ring_radius, double p_wire_radius, double p_gravity)
+{
+    const double _s0 = speed + (p_gravity * horizon);
+    const double _s1 = horizon * _s0;
+    const double _s2 = (position_error + (horizon * velocity_error)) - (share * (_s1 + (extent + _s1)));
+    const double _s3 = 1.00006103515625 * (p_ball_radius + p_wire_radius);
+    const double _s4 = p_ring_radius - _s3;
+    const double _s5 = 0.0001220703125 * p_ring_radius;
+    const double _s6 = _s3 / larger(_s4, _s5);
+    const double _s7 = ((_s0 * larger(1.0, _s6)) * _s2) + (_s3 * (velocity_error - (share * _s0)));
+    return {larger(_s2, _s7)};
+}
+
 /* Positive if there is certainly no contact before the horizon.
    bounds of the event condition. 146 operations: 27 additions, 19 subtractions, 67 multiplications, 1 division, 2 square roots, 15 comparisons, 15 selections. */
 struct kernel_ring_clear_out {
@@ -1557,6 +1576,26 @@ static __device__ __forceinline__ kernel_ring_started_out kernel_ring_started(do
     const double _s0 = sqrt(((x * x) + (y * y)));
     const double _s1 = ((x * vx) + (y * vy)) / _s0;
     return {_s0, 2.0 * ((z * vz) + (_s1 * (_s0 - p_ring_radius))), _s1};
+}
+
+/* Positive if errors of the state exceed those that a search allows for.
+   running error analysis. 34 operations: 7 additions, 5 subtractions, 13 multiplications, 1 division, 4 comparisons, 4 selections. */
+struct kernel_ring_coarse_excess_out {
+    double excess;
+};
+
+static __device__ __forceinline__ kernel_ring_coarse_excess_out kernel_ring_coarse_excess(double share, double horizon, double extent, double speed, double position_error, double velocity_error, double p_ball_radius, double p_ring_radius, double p_wire_radius, double p_gravity)
+{
+    const double _s0 = speed + (p_gravity * horizon);
+    const double _s1 = share * (extent + (horizon * _s0));
+    const double _s2 = 1.00006103515625 * (p_ball_radius + p_wire_radius);
+    const double _s3 = ((position_error + (horizon * velocity_error)) - _s1) - (8.940696716308594e-08 * (p_ring_radius + _s2));
+    const double _s4 = p_ring_radius - _s2;
+    const double _s5 = 0.0001220703125 * p_ring_radius;
+    const double _s6 = _s2 / larger(_s4, _s5);
+    const double _s7 = (position_error + ((0.5 * horizon) * velocity_error)) - _s1;
+    const double _s8 = ((_s0 * larger(1.0, _s6)) * larger(_s7, _s3)) + (_s2 * (velocity_error - (share * _s0)));
+    return {larger(_s3, _s8)};
 }
 
 /* Positive if the bounds of the search do not hold.
@@ -2228,7 +2267,7 @@ static __device__ __forceinline__ void hoop_loop(
             if (BOUNDS)
                 allowing = _o63.allowing;
             if (BOUNDS) {
-                const kernel_allowance_out _o64 = kernel_allowance(allowing, latest, extent, speed, position_error, velocity_error, p_gravity);
+                const kernel_ring_coarse_excess_out _o64 = kernel_ring_coarse_excess(allowing, latest, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
                 excess = _o64.excess;
                 const kernel_ring_budget_exceeded_out _o65 = kernel_ring_budget_exceeded(until, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
                 budget_exceeded = _o65.budget_exceeded;
@@ -2268,358 +2307,368 @@ static __device__ __forceinline__ void hoop_loop(
                 high2 = _o70.high2;
                 ceiling = _o70.ceiling;
                 latest = _o70.latest;
-                const kernel_allowance_out _o71 = kernel_allowance(share, latest, extent, speed, position_error, velocity_error, p_gravity);
-                position_level = _o71.position_level;
-                velocity_level = _o71.velocity_level;
-                const kernel_ring_margins_out _o72 = kernel_ring_margins(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                flat = _o72.margin;
-                tilt = _o72.leaving_margin;
-                rate_slack = _o72.rate_margin;
-                const kernel_ring_enter_out _o73 = kernel_ring_enter(t, 0.0, t, low0, low1, low2, high0, high1, high2);
-                t = _o73.t;
-                end = _o73.end;
-                searching = _o73.searching;
+                if (BOUNDS) {
+                    const kernel_ring_excess_out _o71 = kernel_ring_excess(share, latest, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                    excess = _o71.excess;
+                }
+                const kernel_allowance_out _o72 = kernel_allowance(share, latest, extent, speed, position_error, velocity_error, p_gravity);
+                position_level = _o72.position_level;
+                velocity_level = _o72.velocity_level;
+                const kernel_ring_margins_out _o73 = kernel_ring_margins(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                flat = _o73.margin;
+                tilt = _o73.leaving_margin;
+                rate_slack = _o73.rate_margin;
+                if (BOUNDS) {
+                    const kernel_budget_undecided_out _o74 = kernel_budget_undecided(t, undecided_time, excess);
+                    undecided_time = _o74.undecided_time;
+                }
+                const kernel_ring_enter_out _o75 = kernel_ring_enter(t, 0.0, t, low0, low1, low2, high0, high1, high2);
+                t = _o75.t;
+                end = _o75.end;
+                searching = _o75.searching;
                 for (size_t _turn = 0; _turn < 201; _turn++) {
                     if (!searching)
                         break;
-                    const kernel_nearby_out _o74 = kernel_nearby(t, flat, tilt, 0.0, last);
-                    leaving = _o74.leaving;
-                    margin = _o74.margin;
-                    const kernel_ring_advance_out _o75 = kernel_ring_advance(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, energy2, moment2, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                    gap = _o75.gap;
-                    rate = _o75.rate;
-                    bend = _o75.bend;
-                    step = _o75.step;
-                    next = _o75.next;
-                    clearance = _o75.clearance;
-                    const kernel_gap_closes_out _o76 = kernel_gap_closes(gap, rate, bend, margin, rate_slack, clearance, share);
-                    hit = _o76.hit;
-                    sure = _o76.sure;
-                    needs_refinement = _o76.needs_refinement;
+                    const kernel_nearby_out _o76 = kernel_nearby(t, flat, tilt, 0.0, last);
+                    leaving = _o76.leaving;
+                    margin = _o76.margin;
+                    const kernel_ring_advance_out _o77 = kernel_ring_advance(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, energy2, moment2, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                    gap = _o77.gap;
+                    rate = _o77.rate;
+                    bend = _o77.bend;
+                    step = _o77.step;
+                    next = _o77.next;
+                    clearance = _o77.clearance;
+                    const kernel_gap_closes_out _o78 = kernel_gap_closes(gap, rate, bend, margin, rate_slack, clearance, share);
+                    hit = _o78.hit;
+                    sure = _o78.sure;
+                    needs_refinement = _o78.needs_refinement;
                     if (needs_refinement) {
-                        const kernel_smaller_budget_out _o77 = kernel_smaller_budget(share);
-                        share = _o77.share;
-                        const kernel_allowance_out _o78 = kernel_allowance(share, latest, extent, speed, position_error, velocity_error, p_gravity);
-                        position_level = _o78.position_level;
-                        velocity_level = _o78.velocity_level;
-                        if (BOUNDS)
-                            excess = _o78.excess;
-                        const kernel_ring_margins_out _o79 = kernel_ring_margins(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                        flat = _o79.margin;
-                        tilt = _o79.leaving_margin;
-                        rate_slack = _o79.rate_margin;
+                        const kernel_smaller_budget_out _o79 = kernel_smaller_budget(share);
+                        share = _o79.share;
                         if (BOUNDS) {
-                            const kernel_budget_undecided_out _o80 = kernel_budget_undecided(t, undecided_time, excess);
-                            undecided_time = _o80.undecided_time;
+                            const kernel_ring_excess_out _o80 = kernel_ring_excess(share, latest, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                            excess = _o80.excess;
+                        }
+                        const kernel_allowance_out _o81 = kernel_allowance(share, latest, extent, speed, position_error, velocity_error, p_gravity);
+                        position_level = _o81.position_level;
+                        velocity_level = _o81.velocity_level;
+                        const kernel_ring_margins_out _o82 = kernel_ring_margins(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                        flat = _o82.margin;
+                        tilt = _o82.leaving_margin;
+                        rate_slack = _o82.rate_margin;
+                        if (BOUNDS) {
+                            const kernel_budget_undecided_out _o83 = kernel_budget_undecided(t, undecided_time, excess);
+                            undecided_time = _o83.undecided_time;
                         }
                     }
-                    const kernel_advanced_out _o81 = kernel_advanced(t, end, step, next, arrival, hit, sure, needs_refinement, certain);
-                    arrival = _o81.arrival;
-                    certain = _o81.certain;
-                    exhausted = _o81.exhausted;
-                    searching = _o81.searching;
-                    t = _o81.t;
+                    const kernel_advanced_out _o84 = kernel_advanced(t, end, step, next, arrival, hit, sure, needs_refinement, certain);
+                    arrival = _o84.arrival;
+                    certain = _o84.certain;
+                    exhausted = _o84.exhausted;
+                    searching = _o84.searching;
+                    t = _o84.t;
                     if (exhausted) {
-                        const kernel_ring_enter_out _o82 = kernel_ring_enter(t, end, end, low0, low1, low2, high0, high1, high2);
-                        t = _o82.t;
-                        end = _o82.end;
-                        searching = _o82.searching;
+                        const kernel_ring_enter_out _o85 = kernel_ring_enter(t, end, end, low0, low1, low2, high0, high1, high2);
+                        t = _o85.t;
+                        end = _o85.end;
+                        searching = _o85.searching;
                     }
                 }
                 if (BOUNDS) {
-                    const kernel_predicate_undecided_out _o83 = kernel_predicate_undecided(t, undecided_time, searching);
-                    undecided_time = _o83.undecided_time;
+                    const kernel_predicate_undecided_out _o86 = kernel_predicate_undecided(t, undecided_time, searching);
+                    undecided_time = _o86.undecided_time;
                 }
             }
-            const kernel_found_out _o84 = kernel_found(arrival);
-            arrives = _o84.arrives;
-            refining = _o84.refining;
+            const kernel_found_out _o87 = kernel_found(arrival);
+            arrives = _o87.arrives;
+            refining = _o87.refining;
             if (BOUNDS)
-                rate = _o84.rate;
-            const kernel_nearby_out _o85 = kernel_nearby(arrival, flat, tilt, 0.0, last);
-            leaving = _o85.leaving;
+                rate = _o87.rate;
+            const kernel_nearby_out _o88 = kernel_nearby(arrival, flat, tilt, 0.0, last);
+            leaving = _o88.leaving;
             if (refining) {
-                const kernel_ring_refine_out _o86 = kernel_ring_refine(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                refined = _o86.time;
-                gap = _o86.gap;
-                rate = _o86.rate;
-                const kernel_refined_root_out _o87 = kernel_refined_root(gap, rate, ceiling, arrival, refined, certain);
-                arrival = _o87.arrival;
-                refining = _o87.refining;
+                const kernel_ring_refine_out _o89 = kernel_ring_refine(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                refined = _o89.time;
+                gap = _o89.gap;
+                rate = _o89.rate;
+                const kernel_refined_root_out _o90 = kernel_refined_root(gap, rate, ceiling, arrival, refined, certain);
+                arrival = _o90.arrival;
+                refining = _o90.refining;
             }
             if (refining) {
-                const kernel_ring_refine_out _o88 = kernel_ring_refine(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                refined = _o88.time;
-                gap = _o88.gap;
-                rate = _o88.rate;
-                const kernel_refined_root_out _o89 = kernel_refined_root(gap, rate, ceiling, arrival, refined, certain);
-                arrival = _o89.arrival;
-                refining = _o89.refining;
+                const kernel_ring_refine_out _o91 = kernel_ring_refine(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                refined = _o91.time;
+                gap = _o91.gap;
+                rate = _o91.rate;
+                const kernel_refined_root_out _o92 = kernel_refined_root(gap, rate, ceiling, arrival, refined, certain);
+                arrival = _o92.arrival;
+                refining = _o92.refining;
             }
             for (size_t _turn = 0; _turn < 8; _turn++) {
                 if (!refining)
                     break;
-                const kernel_ring_refine_out _o90 = kernel_ring_refine(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                refined = _o90.time;
-                gap = _o90.gap;
-                rate = _o90.rate;
-                const kernel_refined_root_out _o91 = kernel_refined_root(gap, rate, ceiling, arrival, refined, certain);
-                arrival = _o91.arrival;
-                refining = _o91.refining;
+                const kernel_ring_refine_out _o93 = kernel_ring_refine(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                refined = _o93.time;
+                gap = _o93.gap;
+                rate = _o93.rate;
+                const kernel_refined_root_out _o94 = kernel_refined_root(gap, rate, ceiling, arrival, refined, certain);
+                arrival = _o94.arrival;
+                refining = _o94.refining;
             }
             if (BOUNDS) {
-                const kernel_ring_margins_out _o92 = kernel_ring_margins(latest, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                flat = _o92.margin;
-                tilt = _o92.leaving_margin;
-                rate_margin = _o92.rate_margin;
-                const kernel_own_margin_out _o93 = kernel_own_margin(leaving, flat, tilt, arrival);
-                margin = _o93.margin;
-                const kernel_crossing_out _o94 = kernel_crossing(margin, rate_margin, rate, ceiling);
-                clearance = _o94.clearance;
-                delay = _o94.delay;
+                const kernel_ring_margins_out _o95 = kernel_ring_margins(latest, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                flat = _o95.margin;
+                tilt = _o95.leaving_margin;
+                rate_margin = _o95.rate_margin;
+                const kernel_own_margin_out _o96 = kernel_own_margin(leaving, flat, tilt, arrival);
+                margin = _o96.margin;
+                const kernel_crossing_out _o97 = kernel_crossing(margin, rate_margin, rate, ceiling);
+                clearance = _o97.clearance;
+                delay = _o97.delay;
             }
-            const kernel_arrival_time_out _o95 = kernel_arrival_time(arrival);
-            time = _o95.time;
+            const kernel_arrival_time_out _o98 = kernel_arrival_time(arrival);
+            time = _o98.time;
             if (BOUNDS) {
-                const kernel_arrival_certainty_out _o96 = kernel_arrival_certainty(clearance, time, delay, undecided_time, arrives, certain);
-                delay = _o96.delay;
-                undecided_time = _o96.undecided_time;
-                const kernel_tie_undecided_out _o97 = kernel_tie_undecided(time, when, delay, earliest_delay, undecided_time, arrives);
-                undecided_time = _o97.undecided_time;
-                earliest_delay = _o97.earliest_delay;
-            }
-            const kernel_earliest_out _o98 = kernel_earliest(0.0, time, when, which, arrives);
-            when = _o98.when;
-            which = _o98.which;
-        }
-        if (limited) {
-            const kernel_expiry_out _o99 = kernel_expiry(when, which, earliest_delay, undecided_time, time_error, clock, time_limit);
-            time = _o99.time;
-            arrives = _o99.arrives;
-            if (BOUNDS) {
+                const kernel_arrival_certainty_out _o99 = kernel_arrival_certainty(clearance, time, delay, undecided_time, arrives, certain);
                 delay = _o99.delay;
                 undecided_time = _o99.undecided_time;
-            }
-            if (BOUNDS) {
                 const kernel_tie_undecided_out _o100 = kernel_tie_undecided(time, when, delay, earliest_delay, undecided_time, arrives);
                 undecided_time = _o100.undecided_time;
                 earliest_delay = _o100.earliest_delay;
             }
-            const kernel_earliest_out _o101 = kernel_earliest(4.0, time, when, which, arrives);
+            const kernel_earliest_out _o101 = kernel_earliest(0.0, time, when, which, arrives);
             when = _o101.when;
             which = _o101.which;
         }
-        const kernel_departed_out _o102 = kernel_departed(3.0, which);
-        moves = _o102.moves;
-        ends = _o102.ends;
-        touches = _o102.touches;
-        reached = _o102.reached;
+        if (limited) {
+            const kernel_expiry_out _o102 = kernel_expiry(when, which, earliest_delay, undecided_time, time_error, clock, time_limit);
+            time = _o102.time;
+            arrives = _o102.arrives;
+            if (BOUNDS) {
+                delay = _o102.delay;
+                undecided_time = _o102.undecided_time;
+            }
+            if (BOUNDS) {
+                const kernel_tie_undecided_out _o103 = kernel_tie_undecided(time, when, delay, earliest_delay, undecided_time, arrives);
+                undecided_time = _o103.undecided_time;
+                earliest_delay = _o103.earliest_delay;
+            }
+            const kernel_earliest_out _o104 = kernel_earliest(4.0, time, when, which, arrives);
+            when = _o104.when;
+            which = _o104.which;
+        }
+        const kernel_departed_out _o105 = kernel_departed(3.0, which);
+        moves = _o105.moves;
+        ends = _o105.ends;
+        touches = _o105.touches;
+        reached = _o105.reached;
         if (BOUNDS)
-            edge = _o102.edge;
-        const kernel_body_of_out _o103 = kernel_body_of(which);
-        body = _o103.body;
+            edge = _o105.edge;
+        const kernel_body_of_out _o106 = kernel_body_of(which);
+        body = _o106.body;
         if (moves) {
-            const kernel_flight_out _o104 = kernel_flight(when, x, y, z, vx, vy, vz, p_gravity);
-            x = _o104.x;
-            y = _o104.y;
-            z = _o104.z;
-            vx = _o104.vx;
-            vy = _o104.vy;
-            vz = _o104.vz;
-            const kernel_event_clock_out _o105 = kernel_event_clock(when, clock);
-            clock = _o105.clock;
+            const kernel_flight_out _o107 = kernel_flight(when, x, y, z, vx, vy, vz, p_gravity);
+            x = _o107.x;
+            y = _o107.y;
+            z = _o107.z;
+            vx = _o107.vx;
+            vy = _o107.vy;
+            vz = _o107.vz;
+            const kernel_event_clock_out _o108 = kernel_event_clock(when, clock);
+            clock = _o108.clock;
         }
         if (limited) {
-            const kernel_expired_out _o106 = kernel_expired(4.0, which, body, clock, reached, time_limit, ends);
-            clock = _o106.clock;
-            body = _o106.body;
-            reached = _o106.reached;
-            ends = _o106.ends;
+            const kernel_expired_out _o109 = kernel_expired(4.0, which, body, clock, reached, time_limit, ends);
+            clock = _o109.clock;
+            body = _o109.body;
+            reached = _o109.reached;
+            ends = _o109.ends;
         }
         if (BOUNDS) {
-            const kernel_displacement_out _o107 = kernel_displacement(earliest_delay, when, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_gravity, p_end_depth);
-            slack = _o107.margin;
+            const kernel_displacement_out _o110 = kernel_displacement(earliest_delay, when, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_gravity, p_end_depth);
+            slack = _o110.margin;
         }
-        const kernel_here_out _o108 = kernel_here(3.0, which);
-        here = _o108.here;
+        const kernel_here_out _o111 = kernel_here(3.0, which);
+        here = _o111.here;
         if (here) {
-            const kernel_end_bounds_out _o109 = kernel_end_bounds(x, y, p_ring_radius);
-            g0 = _o109.g0;
-            const kernel_end_reached_out _o110 = kernel_end_reached(g0);
-            reached = _o110.reached;
+            const kernel_end_bounds_out _o112 = kernel_end_bounds(x, y, p_ring_radius);
+            g0 = _o112.g0;
+            const kernel_end_reached_out _o113 = kernel_end_reached(g0);
+            reached = _o113.reached;
             if (BOUNDS) {
-                const kernel_end_edge_out _o111 = kernel_end_edge(slack, g0);
-                edge = _o111.edge;
+                const kernel_end_edge_out _o114 = kernel_end_edge(slack, g0);
+                edge = _o114.edge;
             }
         }
         if (BOUNDS) {
-            const kernel_flight_undecided_out _o112 = kernel_flight_undecided(when, earliest_delay, undecided_time, uncertain, edge);
-            uncertain = _o112.uncertain;
+            const kernel_flight_undecided_out _o115 = kernel_flight_undecided(when, earliest_delay, undecided_time, uncertain, edge);
+            uncertain = _o115.uncertain;
         }
-        const kernel_accounted_out _o113 = kernel_accounted(contacts, most_contacts, reached, touches);
-        contacts = _o113.contacts;
-        outcome = _o113.outcome;
+        const kernel_accounted_out _o116 = kernel_accounted(contacts, most_contacts, reached, touches);
+        contacts = _o116.contacts;
+        outcome = _o116.outcome;
 
         const double _before[] = {x, y, z, vx, vy, vz, wx, wy, wz};
 
         /* What it does to the ball. */
-        const kernel_meeting_out _o114 = kernel_meeting(claims, ends, touches);
-        meeting = _o114.meeting;
+        const kernel_meeting_out _o117 = kernel_meeting(claims, ends, touches);
+        meeting = _o117.meeting;
         if (meeting) {
-            const kernel_end_normal_out _o115 = kernel_end_normal();
-            nx = _o115.nx;
-            ny = _o115.ny;
-            nz = _o115.nz;
-            const kernel_here_out _o116 = kernel_here(0.0, which);
-            here = _o116.here;
-            if (here) {
-                const kernel_ring_normal_out _o117 = kernel_ring_normal(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
-                nx = _o117.nx;
-                ny = _o117.ny;
-                nz = _o117.nz;
-                const kernel_counted_out _o118 = kernel_counted(count_0);
-                count_0 = _o118.count;
-            }
-            const kernel_here_out _o119 = kernel_here(1.0, which);
+            const kernel_end_normal_out _o118 = kernel_end_normal();
+            nx = _o118.nx;
+            ny = _o118.ny;
+            nz = _o118.nz;
+            const kernel_here_out _o119 = kernel_here(0.0, which);
             here = _o119.here;
             if (here) {
-                const kernel_backboard_normal_out _o120 = kernel_backboard_normal();
+                const kernel_ring_normal_out _o120 = kernel_ring_normal(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
                 nx = _o120.nx;
                 ny = _o120.ny;
                 nz = _o120.nz;
-                const kernel_counted_out _o121 = kernel_counted(count_1);
-                count_1 = _o121.count;
+                const kernel_counted_out _o121 = kernel_counted(count_0);
+                count_0 = _o121.count;
             }
-            const kernel_here_out _o122 = kernel_here(2.0, which);
+            const kernel_here_out _o122 = kernel_here(1.0, which);
             here = _o122.here;
             if (here) {
-                const kernel_bridge_normal_out _o123 = kernel_bridge_normal();
+                const kernel_backboard_normal_out _o123 = kernel_backboard_normal();
                 nx = _o123.nx;
                 ny = _o123.ny;
                 nz = _o123.nz;
-                const kernel_counted_out _o124 = kernel_counted(count_2);
-                count_2 = _o124.count;
+                const kernel_counted_out _o124 = kernel_counted(count_1);
+                count_1 = _o124.count;
+            }
+            const kernel_here_out _o125 = kernel_here(2.0, which);
+            here = _o125.here;
+            if (here) {
+                const kernel_bridge_normal_out _o126 = kernel_bridge_normal();
+                nx = _o126.nx;
+                ny = _o126.ny;
+                nz = _o126.nz;
+                const kernel_counted_out _o127 = kernel_counted(count_2);
+                count_2 = _o127.count;
             }
             if (BOUNDS) {
-                const kernel_elsewhere_out _o125 = kernel_elsewhere();
-                curving = _o125.curving;
-                const kernel_again_out _o126 = kernel_again(0.0, last, which);
-                again = _o126.again;
+                const kernel_elsewhere_out _o128 = kernel_elsewhere();
+                curving = _o128.curving;
+                const kernel_again_out _o129 = kernel_again(0.0, last, which);
+                again = _o129.again;
                 if (again) {
-                    const kernel_ring_curvature_out _o127 = kernel_ring_curvature(p_ball_radius, p_ring_radius, p_wire_radius);
-                    curving = _o127.curvature;
+                    const kernel_ring_curvature_out _o130 = kernel_ring_curvature(p_ball_radius, p_ring_radius, p_wire_radius);
+                    curving = _o130.curvature;
                 }
-                const kernel_again_out _o128 = kernel_again(1.0, last, which);
-                again = _o128.again;
+                const kernel_again_out _o131 = kernel_again(1.0, last, which);
+                again = _o131.again;
                 if (again) {
-                    const kernel_backboard_curvature_out _o129 = kernel_backboard_curvature();
-                    curving = _o129.curvature;
+                    const kernel_backboard_curvature_out _o132 = kernel_backboard_curvature();
+                    curving = _o132.curvature;
                 }
-                const kernel_again_out _o130 = kernel_again(2.0, last, which);
-                again = _o130.again;
+                const kernel_again_out _o133 = kernel_again(2.0, last, which);
+                again = _o133.again;
                 if (again) {
-                    const kernel_bridge_curvature_out _o131 = kernel_bridge_curvature();
-                    curving = _o131.curvature;
+                    const kernel_bridge_curvature_out _o134 = kernel_bridge_curvature();
+                    curving = _o134.curvature;
                 }
-                const kernel_carry_flight_out _o132 = kernel_carry_flight(when, x, y, z, vx, vy, vz, nx, ny, nz, clock, contacts, earliest_delay, dx, dy, dz, dvx, dvy, dvz, curving, p_gravity);
-                dx = _o132.dx;
-                dy = _o132.dy;
-                dz = _o132.dz;
-                dvx = _o132.dvx;
-                dvy = _o132.dvy;
-                dvz = _o132.dvz;
-                belated = _o132.delay;
-                shift = _o132.shift;
-                const kernel_clock_error_sum_out _o133 = kernel_clock_error_sum(belated, clock_error);
-                clock_error = _o133.clock_error;
+                const kernel_carry_flight_out _o135 = kernel_carry_flight(when, x, y, z, vx, vy, vz, nx, ny, nz, clock, contacts, earliest_delay, dx, dy, dz, dvx, dvy, dvz, curving, p_gravity);
+                dx = _o135.dx;
+                dy = _o135.dy;
+                dz = _o135.dz;
+                dvx = _o135.dvx;
+                dvy = _o135.dvy;
+                dvz = _o135.dvz;
+                belated = _o135.delay;
+                shift = _o135.shift;
+                const kernel_clock_error_sum_out _o136 = kernel_clock_error_sum(belated, clock_error);
+                clock_error = _o136.clock_error;
                 if (ends) {
-                    const kernel_error_floor_out _o134 = kernel_error_floor(dx, dy, dz, shift);
-                    dx = _o134.dx;
-                    dy = _o134.dy;
-                    dz = _o134.dz;
+                    const kernel_error_floor_out _o137 = kernel_error_floor(dx, dy, dz, shift);
+                    dx = _o137.dx;
+                    dy = _o137.dy;
+                    dz = _o137.dz;
                 }
-                const kernel_no_normal_error_out _o135 = kernel_no_normal_error();
-                dnx = _o135.dnx;
-                dny = _o135.dny;
-                dnz = _o135.dnz;
-                turn = _o135.turn;
-                const kernel_here_out _o136 = kernel_here(0.0, which);
-                here = _o136.here;
+                const kernel_no_normal_error_out _o138 = kernel_no_normal_error();
+                dnx = _o138.dnx;
+                dny = _o138.dny;
+                dnz = _o138.dnz;
+                turn = _o138.turn;
+                const kernel_here_out _o139 = kernel_here(0.0, which);
+                here = _o139.here;
                 if (here) {
-                    const kernel_ring_carry_normal_out _o137 = kernel_ring_carry_normal(x, y, dx, dy, dz, shift, p_ball_radius, p_ring_radius, p_wire_radius);
-                    dnx = _o137.dnx;
-                    dny = _o137.dny;
-                    dnz = _o137.dnz;
-                    turn = _o137.turn;
+                    const kernel_ring_carry_normal_out _o140 = kernel_ring_carry_normal(x, y, dx, dy, dz, shift, p_ball_radius, p_ring_radius, p_wire_radius);
+                    dnx = _o140.dnx;
+                    dny = _o140.dny;
+                    dnz = _o140.dnz;
+                    turn = _o140.turn;
                 }
             }
             if (touches) {
                 if (BOUNDS) {
-                    const kernel_carry_impact_out _o138 = kernel_carry_impact(vx, vy, vz, wx, wy, wz, nx, ny, nz, contacts, dvx, dvy, dvz, dwx, dwy, dwz, dnx, dny, dnz, turn, p_ball_radius, p_restitution);
-                    dvx = _o138.dvx;
-                    dvy = _o138.dvy;
-                    dvz = _o138.dvz;
-                    dwx = _o138.dwx;
-                    dwy = _o138.dwy;
-                    dwz = _o138.dwz;
+                    const kernel_carry_impact_out _o141 = kernel_carry_impact(vx, vy, vz, wx, wy, wz, nx, ny, nz, contacts, dvx, dvy, dvz, dwx, dwy, dwz, dnx, dny, dnz, turn, p_ball_radius, p_restitution);
+                    dvx = _o141.dvx;
+                    dvy = _o141.dvy;
+                    dvz = _o141.dvz;
+                    dwx = _o141.dwx;
+                    dwy = _o141.dwy;
+                    dwz = _o141.dwz;
                 }
-                const kernel_impact_out _o139 = kernel_impact(vx, vy, vz, wx, wy, wz, nx, ny, nz, p_ball_radius, p_restitution);
-                vx = _o139.vx;
-                vy = _o139.vy;
-                vz = _o139.vz;
-                wx = _o139.wx;
-                wy = _o139.wy;
-                wz = _o139.wz;
+                const kernel_impact_out _o142 = kernel_impact(vx, vy, vz, wx, wy, wz, nx, ny, nz, p_ball_radius, p_restitution);
+                vx = _o142.vx;
+                vy = _o142.vy;
+                vz = _o142.vz;
+                wx = _o142.wx;
+                wy = _o142.wy;
+                wz = _o142.wz;
             }
-            const kernel_here_out _o140 = kernel_here(1.0, which);
-            here = _o140.here;
+            const kernel_here_out _o143 = kernel_here(1.0, which);
+            here = _o143.here;
             if (here) {
-                const kernel_backboard_place_out _o141 = kernel_backboard_place(y, z, p_ball_radius, p_board_distance);
-                x = _o141.x;
-                y = _o141.y;
-                z = _o141.z;
+                const kernel_backboard_place_out _o144 = kernel_backboard_place(y, z, p_ball_radius, p_board_distance);
+                x = _o144.x;
+                y = _o144.y;
+                z = _o144.z;
             }
-            const kernel_here_out _o142 = kernel_here(2.0, which);
-            here = _o142.here;
+            const kernel_here_out _o145 = kernel_here(2.0, which);
+            here = _o145.here;
             if (here) {
-                const kernel_bridge_place_out _o143 = kernel_bridge_place(x, y, p_ball_radius, p_wire_radius);
-                x = _o143.x;
-                y = _o143.y;
-                z = _o143.z;
+                const kernel_bridge_place_out _o146 = kernel_bridge_place(x, y, p_ball_radius, p_wire_radius);
+                x = _o146.x;
+                y = _o146.y;
+                z = _o146.z;
             }
             if (touches) {
-                const kernel_touched_out _o144 = kernel_touched(which, body, first);
-                first = _o144.first;
-                last = _o144.last;
+                const kernel_touched_out _o147 = kernel_touched(which, body, first);
+                first = _o147.first;
+                last = _o147.last;
             }
         }
         if (BOUNDS) {
             if (limited) {
-                const kernel_ends_by_time_limit_out _o145 = kernel_ends_by_time_limit(4.0, which, claims);
-                ends_by_time_limit = _o145.ends_by_time_limit;
+                const kernel_ends_by_time_limit_out _o148 = kernel_ends_by_time_limit(4.0, which, claims);
+                ends_by_time_limit = _o148.ends_by_time_limit;
                 if (ends_by_time_limit) {
-                    const kernel_carry_time_out _o146 = kernel_carry_time(when, x, y, z, vx, vy, vz, clock, clock_error, dx, dy, dz, dvx, dvy, dvz, p_gravity);
-                    dx = _o146.dx;
-                    dy = _o146.dy;
-                    dz = _o146.dz;
-                    dvx = _o146.dvx;
-                    dvy = _o146.dvy;
-                    dvz = _o146.dvz;
-                    clock_error = _o146.clock_error;
+                    const kernel_carry_time_out _o149 = kernel_carry_time(when, x, y, z, vx, vy, vz, clock, clock_error, dx, dy, dz, dvx, dvy, dvz, p_gravity);
+                    dx = _o149.dx;
+                    dy = _o149.dy;
+                    dz = _o149.dz;
+                    dvx = _o149.dvx;
+                    dvy = _o149.dvy;
+                    dvz = _o149.dvz;
+                    clock_error = _o149.clock_error;
                 }
             }
-            const kernel_closing_out _o147 = kernel_closing(outcome, claims);
-            closed = _o147.closed;
-            position_claim = _o147.position_claim;
-            velocity_claim = _o147.velocity_claim;
-            spin_claim = _o147.spin_claim;
-            time_claim = _o147.time_claim;
+            const kernel_closing_out _o150 = kernel_closing(outcome, claims);
+            closed = _o150.closed;
+            position_claim = _o150.position_claim;
+            velocity_claim = _o150.velocity_claim;
+            spin_claim = _o150.spin_claim;
+            time_claim = _o150.time_claim;
             if (closed) {
-                const kernel_claimed_errors_out _o148 = kernel_claimed_errors(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
-                position_claim = _o148.position_error;
-                velocity_claim = _o148.velocity_error;
-                spin_claim = _o148.spin_error;
-                time_claim = _o148.time_error;
+                const kernel_claimed_errors_out _o151 = kernel_claimed_errors(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
+                position_claim = _o151.position_error;
+                velocity_claim = _o151.velocity_error;
+                spin_claim = _o151.spin_error;
+                time_claim = _o151.time_error;
             }
         }
 

@@ -1,6 +1,6 @@
 """NumPy kernels of the scene court.
 
-Generated from templates/numpy/kernels.py.j2, scene court, derivation 7428a0ce6ee8ed52,
+Generated from templates/numpy/kernels.py.j2, scene court, derivation 5f9112b56eb80909,
 with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
 and run `make generate`.
 Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
@@ -462,6 +462,7 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "ring_curvature": ("curvature",),
     "ring_vary": ("contact_delay", "gap", "gap_change", "dx", "dy", "dz", "dvx", "dvy", "dvz", "dnx", "dny", "dnz",),
     "ring_carry_normal": ("dnx", "dny", "dnz", "turn",),
+    "ring_excess": ("excess",),
     "ring_clear": ("clear",),
     "ring_prepare": ("energy2", "moment2", "rho_start", "low0", "high0", "low1", "high1", "low2", "high2", "ceiling", "latest", "budget_exceeded",),
     "ring_margins": ("margin", "leaving_margin", "rate_margin",),
@@ -471,6 +472,7 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "ring_resolution": ("share", "t", "end", "x", "y", "z", "vx", "vy", "vz", "energy2", "moment2", "rho_start", "ceiling", "flat", "tilt", "jerk", "quotient_margin", "start_rate", "rho_rate", "rate_margin", "low1", "high1", "low2", "high2", "fits",),
     "ring_step": ("t", "end", "certain", "stepping",),
     "ring_started": ("rho_start", "start_rate", "rho_rate",),
+    "ring_coarse_excess": ("excess",),
     "ring_budget_exceeded": ("budget_exceeded",),
     "ring_beside": ("gap", "nearing", "gap_curvature",),
     "ring_closing": ("gap", "nearing", "rolling_gap_acceleration", "normal_cosine",),
@@ -702,13 +704,13 @@ _k105 = _scalar(5.960464477539063e-08)
 _k106 = _float64(-_inf)
 _k107 = _scalar(1.4551915228366852e-11)
 _k108 = _float64(3.725290298461914e-09)
-_k109 = _float64(0.000244140625)
-_k110 = _float64(1.52587890625e-05)
-_k111 = _float64(5.820766091346741e-11)
-_k112 = _float64(1.00006103515625)
-_k113 = _float64(65536.0)
-_k114 = _float64(6.0003662109375)
-_k115 = _float64(0.0001220703125)
+_k109 = _float64(1.00006103515625)
+_k110 = _float64(0.0001220703125)
+_k111 = _float64(0.000244140625)
+_k112 = _float64(1.52587890625e-05)
+_k113 = _float64(5.820766091346741e-11)
+_k114 = _float64(65536.0)
+_k115 = _float64(6.0003662109375)
 _k116 = _scalar(2.409919865102884e-181)
 _k117 = _scalar(-_inf)
 _k118 = _float64(2.409919865102884e-181)
@@ -771,68 +773,69 @@ _k174 = _scalar(_float32(0.000244140625))
 _k175 = _float32(8.0)
 _k176 = _float32(3.814697265625e-06)
 _k177 = _float32(3.0)
-_k178 = _scalar(0.1)
-_k179 = _scalar(0.09090909090909091)
-_k180 = _scalar(0.08333333333333333)
-_k181 = _scalar(2.48015873015873e-05)
-_k182 = _scalar(2.08767569878681e-09)
-_k183 = _scalar(2.755731922398589e-07)
-_k184 = _scalar(0.001388888888888889)
-_k185 = _scalar(0.041666666666666664)
-_k186 = _scalar(0.008333333333333333)
-_k187 = _scalar(2.7557319223985893e-06)
-_k188 = _scalar(2.505210838544172e-08)
-_k189 = _scalar(0.0001984126984126984)
-_k190 = _float64(0.041666666666666664)
-_k191 = _float64(2.48015873015873e-05)
-_k192 = _float64(2.08767569878681e-09)
-_k193 = _float64(0.1)
-_k194 = _float64(0.09090909090909091)
-_k195 = _float64(0.08333333333333333)
-_k196 = _float64(2.755731922398589e-07)
-_k197 = _float64(0.001388888888888889)
-_k198 = _float64(0.008333333333333333)
-_k199 = _float64(2.7557319223985893e-06)
-_k200 = _float64(2.505210838544172e-08)
-_k201 = _float64(0.0001984126984126984)
-_k202 = _scalar(4.547473508864641e-13)
-_k203 = _scalar(0.75)
-_k204 = _scalar(11.0)
-_k205 = _scalar(10.0)
-_k206 = _scalar(9.0)
-_k207 = _float64(0.75)
-_k208 = _float64(4.547473508864641e-13)
-_k209 = _float64(11.0)
-_k210 = _float64(10.0)
-_k211 = _float64(9.0)
-_k212 = _scalar(512.0)
-_k213 = _float64(0.00390625)
-_k214 = _float64(512.0)
-_k215 = _float32(1.00048828125)
-_k216 = _float32(0.00048828125)
-_k217 = _float32(0.125)
-_k218 = _float32(1.4143014047294855)
-_k219 = _float32(0.25)
-_k220 = _float32(1.52587890625e-05)
-_k221 = _float64(6.103515625e-05)
-_k222 = _float64(1.25)
-_k223 = _scalar(3.3306690738754696e-16)
-_k224 = _scalar(1.3335686721571705e-15)
-_k225 = _scalar(4.00390625)
-_k226 = _scalar(2.001953125)
-_k227 = _float64(5.55653613398821e-16)
-_k228 = _float64(2.001953125)
-_k229 = _float64(3.3306690738754696e-16)
-_k230 = _float64(1.3335686721571705e-15)
-_k231 = _float64(6.667843360785852e-15)
-_k232 = _float64(12.01171875)
-_k233 = _float64(4.00390625)
-_k234 = _float64(2.667137344314341e-15)
-_k235 = _float64(6.005859375)
-_k236 = _float64(5.551115123125783e-16)
-_k237 = _scalar(2.222614453595284e-16)
-_k238 = _float64(6.667843360785852e-16)
-_k239 = _float64(2.222614453595284e-16)
+_k178 = _float64(8.940696716308594e-08)
+_k179 = _scalar(0.1)
+_k180 = _scalar(0.09090909090909091)
+_k181 = _scalar(0.08333333333333333)
+_k182 = _scalar(2.48015873015873e-05)
+_k183 = _scalar(2.08767569878681e-09)
+_k184 = _scalar(2.755731922398589e-07)
+_k185 = _scalar(0.001388888888888889)
+_k186 = _scalar(0.041666666666666664)
+_k187 = _scalar(0.008333333333333333)
+_k188 = _scalar(2.7557319223985893e-06)
+_k189 = _scalar(2.505210838544172e-08)
+_k190 = _scalar(0.0001984126984126984)
+_k191 = _float64(0.041666666666666664)
+_k192 = _float64(2.48015873015873e-05)
+_k193 = _float64(2.08767569878681e-09)
+_k194 = _float64(0.1)
+_k195 = _float64(0.09090909090909091)
+_k196 = _float64(0.08333333333333333)
+_k197 = _float64(2.755731922398589e-07)
+_k198 = _float64(0.001388888888888889)
+_k199 = _float64(0.008333333333333333)
+_k200 = _float64(2.7557319223985893e-06)
+_k201 = _float64(2.505210838544172e-08)
+_k202 = _float64(0.0001984126984126984)
+_k203 = _scalar(4.547473508864641e-13)
+_k204 = _scalar(0.75)
+_k205 = _scalar(11.0)
+_k206 = _scalar(10.0)
+_k207 = _scalar(9.0)
+_k208 = _float64(0.75)
+_k209 = _float64(4.547473508864641e-13)
+_k210 = _float64(11.0)
+_k211 = _float64(10.0)
+_k212 = _float64(9.0)
+_k213 = _scalar(512.0)
+_k214 = _float64(0.00390625)
+_k215 = _float64(512.0)
+_k216 = _float32(1.00048828125)
+_k217 = _float32(0.00048828125)
+_k218 = _float32(0.125)
+_k219 = _float32(1.4143014047294855)
+_k220 = _float32(0.25)
+_k221 = _float32(1.52587890625e-05)
+_k222 = _float64(6.103515625e-05)
+_k223 = _float64(1.25)
+_k224 = _scalar(3.3306690738754696e-16)
+_k225 = _scalar(1.3335686721571705e-15)
+_k226 = _scalar(4.00390625)
+_k227 = _scalar(2.001953125)
+_k228 = _float64(5.55653613398821e-16)
+_k229 = _float64(2.001953125)
+_k230 = _float64(3.3306690738754696e-16)
+_k231 = _float64(1.3335686721571705e-15)
+_k232 = _float64(6.667843360785852e-15)
+_k233 = _float64(12.01171875)
+_k234 = _float64(4.00390625)
+_k235 = _float64(2.667137344314341e-15)
+_k236 = _float64(6.005859375)
+_k237 = _float64(5.551115123125783e-16)
+_k238 = _scalar(2.222614453595284e-16)
+_k239 = _float64(6.667843360785852e-16)
+_k240 = _float64(2.222614453595284e-16)
 
 
 def _bits(value: Any, row: Any) -> Any:
@@ -1466,17 +1469,18 @@ def beginning() -> tuple[Any, ...]:
 def out_of_budget(pad: Any, budget_exceeded: Any, earliest_delay: Any, undecided_time: Any, excess: Any) -> tuple[Any, ...]:
     """Undecided time 0 if errors exceed the budget of a search, or its bounds fail.
 
-    Table 1. 6 operations: 3 comparisons, 2 disjunctions, 1 selection.
+    Table 1. 7 operations: 1 multiplication, 3 comparisons, 2 disjunctions, 1 selection.
     """
-    return _where(_logical_or(_logical_or((0.0 < excess), (0.0 < budget_exceeded)), (pad < earliest_delay)), 0.0, undecided_time),
+    return _where(_logical_or(_logical_or((0.0 < excess), (pad < (0.5 * earliest_delay))), (0.0 < budget_exceeded)), 0.0, undecided_time),
 
 
 def out_of_budget_in_windows(pad: Any, budget_exceeded: Any, earliest_delay: Any, undecided_time: Any, excess: Any, searching: Any) -> tuple[Any, ...]:
     """Undecided time 0 if errors exceed the budget of an open window, or its bounds fail.
 
-    Table 1. 7 operations: 3 comparisons, 1 conjunction, 2 disjunctions, 1 selection.
+    Table 1. 8 operations: 1 multiplication, 3 comparisons, 1 conjunction, 2 disjunctions, 1 selection.
     """
-    return _where(_logical_or(_logical_and(searching, _logical_or((0.0 < excess), (pad < earliest_delay))), (0.0 < budget_exceeded)), 0.0, undecided_time),
+    _s0 = _where(_logical_or(_logical_and(searching, _logical_or((0.0 < excess), (pad < (0.5 * earliest_delay)))), (0.0 < budget_exceeded)), 0.0, undecided_time)
+    return _s0,
 
 
 def nearby(t: Any, flat: Any, tilt: Any, index: Any, last: Any) -> tuple[Any, ...]:
@@ -2886,7 +2890,7 @@ def ring_impact_undecided(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, 
 def ring_impact_settling(p_ball_radius: Any, p_inertia: Any, p_ring_friction: Any, p_ring_restitution: Any, wx: Any, wy: Any, wz: Any, velocity_error: Any, rolled_x: Any, rolled_y: Any, rolled_z: Any, turning_x: Any, turning_y: Any, turning_z: Any, slip: Any, bounce: Any, nearest: Any, second_contact_gap: Any, press: Any, weight: Any, rolling_friction: Any, lift: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Whether the bounces end in rolling, sliding, a wedge or departure, and whether that is certain.
 
-    a geometric series of bounces. 156 operations: 21 additions, 4 subtractions, 51 multiplications, 9 divisions, 1 square root, 1 negation, 14 absolute values, 24 comparisons, 19 conjunctions, 7 disjunctions, 2 complements, 3 selections.
+    a geometric series of bounces. 154 operations: 21 additions, 4 subtractions, 50 multiplications, 9 divisions, 1 square root, 1 negation, 14 absolute values, 23 comparisons, 19 conjunctions, 7 disjunctions, 2 complements, 3 selections.
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13 = _room[:14]
     _s0 = 1.0 - p_ring_restitution
@@ -2922,11 +2926,12 @@ def ring_impact_settling(p_ball_radius: Any, p_inertia: Any, p_ring_friction: An
     _s30 = _divide(bounce, _s29, _r12)
     _s31 = _logical_and(_logical_and(_logical_and((_k4 < _s29), _s1), (_multiply(_multiply(_k63, _s30, _r13), _s7, _r13) < _multiply(_s8, _s29, _r11))), (_add(_s23, _divide(_multiply(_multiply(_k36, _s30, _r11), _s5, _r11), _s0, _r11), _r11) < nearest))
     _s32 = _logical_and(_s31, (_add(_multiply(_s16, _s30, _r9), _divide(_multiply(_s18, _multiply(_s30, _s30, _r11), _r11), _s17, _r11), _r11) <= _s21))
-    _s33 = _add(_divide(_multiply(_k20, _add(_multiply(_s11, _s30, _r12), _select(_k4 < bounce, _multiply(bounce, _s13, _r11), _k4, _r9), _r9), _r9), _s19 * _s0, _r9), _multiply(_k107, _s9, _r2), _r2)
-    _s34 = _logical_or((_absolute(press, _r9) <= _multiply(_multiply(_k64, velocity_error, _r11), _s3, _r11)), _logical_and((_multiply(bounce, _absolute(_subtract(_s20, _s21, _r10), _r10), _r10) <= _multiply(_multiply(_k20, velocity_error, _r11), _s21, _r11)), (_k4 < _multiply(p_ring_restitution, bounce, _r11))))
-    _s35 = _multiply(_k36, velocity_error, _r11)
-    _s36 = _logical_and(_s32, _logical_or((_absolute(_subtract(slip, _s33, _r10), _r10) < _s35), (_absolute(_subtract(_s11, _s14, _r10), _r10) < _multiply(_s35, _add(_multiply(_s13, _s3, _r9), _s3, _r9), _r9))))
-    return _logical_and(_logical_and(_s22, _logical_not(_s24)), _logical_or(_s26, _s27)), _logical_and(_s22, _s24), _logical_and(_s32, _logical_or((_s33 < slip), (_s14 < _s11))), _logical_and((bounce <= _s10), (_k4 <= lift)), _result(_logical_or(_logical_and(_s15, _s26), _s31), _k19, _k4, _r0), _logical_or(_logical_or(_s34, _s36), _logical_and(_logical_and(_s22, _s27), _logical_not(_s26)))
+    _s33 = _k4 < bounce
+    _s34 = _add(_divide(_multiply(_k20, _add(_multiply(_s11, _s30, _r12), _select(_s33, _multiply(bounce, _s13, _r11), _k4, _r9), _r9), _r9), _s19 * _s0, _r9), _multiply(_k107, _s9, _r2), _r2)
+    _s35 = _logical_or((_absolute(press, _r9) <= _multiply(_multiply(_k64, velocity_error, _r11), _s3, _r11)), _logical_and((_multiply(bounce, _absolute(_subtract(_s20, _s21, _r10), _r10), _r10) <= _multiply(_multiply(_k20, velocity_error, _r11), _s21, _r11)), _s33))
+    _s36 = _multiply(_k36, velocity_error, _r11)
+    _s37 = _logical_and(_s32, _logical_or((_absolute(_subtract(slip, _s34, _r10), _r10) < _s36), (_absolute(_subtract(_s11, _s14, _r10), _r10) < _multiply(_s36, _add(_multiply(_s13, _s3, _r9), _s3, _r9), _r9))))
+    return _logical_and(_logical_and(_s22, _logical_not(_s24)), _logical_or(_s26, _s27)), _logical_and(_s22, _s24), _logical_and(_s32, _logical_or((_s34 < slip), (_s14 < _s11))), _logical_and((bounce <= _s10), (_k4 <= lift)), _result(_logical_or(_logical_and(_s15, _s26), _s31), _k19, _k4, _r0), _logical_or(_logical_or(_s35, _s37), _logical_and(_logical_and(_s22, _s27), _logical_not(_s26)))
 
 
 def ring_impact_grip_deficit(p_ring_friction: Any, rolling_friction: Any, rolling_friction_rate: Any, force: Any, force_rate: Any) -> tuple[Any, ...]:
@@ -3193,6 +3198,23 @@ def ring_carry_normal(x: Any, y: Any, dx: Any, dy: Any, dz: Any, shift: Any, p_b
     _s7 = _multiply(_multiply(_s1, _s5, _r1), _s3, _r1)
     _s8 = (p_ring_radius - p_ball_radius) - p_wire_radius
     return _multiply(x, _s6, _r0) + _multiply(dx, _s7, _r2), _multiply(y, _s6, _r4) + _multiply(dy, _s7, _r1), dz * _s1, shift * (1.0 / _where(_s8 < _s0, _s8, _s0))
+
+
+def ring_excess(share: Any, horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """Positive if errors of the state exceed those that a search allows for.
+
+    running error analysis. 26 operations: 6 additions, 3 subtractions, 10 multiplications, 1 division, 3 comparisons, 3 selections.
+    """
+    _r0, _r1, _r2, _r3 = _room[:4]
+    _s0 = _add(speed, _multiply(p_gravity, horizon, _r0), _r0)
+    _s1 = _multiply(horizon, _s0, _r1)
+    _s2 = _subtract(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(share, _add(_s1, _add(extent, _s1, _r3), _r3), _r3), _r3)
+    _s3 = 1.00006103515625 * (p_ball_radius + p_wire_radius)
+    _s4 = p_ring_radius - _s3
+    _s5 = 0.0001220703125 * p_ring_radius
+    _s6 = _s3 / _where(_s4 < _s5, _s5, _s4)
+    _s7 = _add(_multiply(_multiply(_s0, _where(1.0 < _s6, _s6, 1.0), _r2), _s2, _r2), _multiply(_s3, _subtract(velocity_error, _multiply(share, _s0, _r0), _r0), _r0), _r0)
+    return _result(_s2 < _s7, _s7, _s2, _r0),
 
 
 def ring_clear(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -3614,6 +3636,24 @@ def ring_started(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_ring_radiu
     return _s0, _k20 * _add(_multiply(z, vz, _r0), _multiply(_s1, _subtract(_s0, p_ring_radius, _r1), _r1), _r1), _s1
 
 
+def ring_coarse_excess(share: Any, horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """Positive if errors of the state exceed those that a search allows for.
+
+    running error analysis. 34 operations: 7 additions, 5 subtractions, 13 multiplications, 1 division, 4 comparisons, 4 selections.
+    """
+    _r0, _r1, _r2, _r3, _r4 = _room[:5]
+    _s0 = _add(speed, _multiply(p_gravity, horizon, _r0), _r0)
+    _s1 = _multiply(share, _add(extent, _multiply(horizon, _s0, _r1), _r1), _r1)
+    _s2 = 1.00006103515625 * (p_ball_radius + p_wire_radius)
+    _s3 = _subtract(_subtract(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _s1, _r2), 8.940696716308594e-08 * (p_ring_radius + _s2), _r2)
+    _s4 = p_ring_radius - _s2
+    _s5 = 0.0001220703125 * p_ring_radius
+    _s6 = _s2 / _where(_s4 < _s5, _s5, _s4)
+    _s7 = _subtract(_add(position_error, _multiply(_multiply(_k45, horizon, _r3), velocity_error, _r3), _r3), _s1, _r3)
+    _s8 = _add(_multiply(_multiply(_s0, _where(1.0 < _s6, _s6, 1.0), _r1), _select(_s7 < _s3, _s3, _s7, _r4), _r4), _multiply(_s2, _subtract(velocity_error, _multiply(share, _s0, _r0), _r0), _r0), _r0)
+    return _result(_s3 < _s8, _s8, _s3, _r0),
+
+
 def ring_budget_exceeded(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Positive if the bounds of the search do not hold.
 
@@ -3785,15 +3825,15 @@ def ring_round_moved(p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any,
     _s9 = _multiply(_s3, _s8, _r0)
     _s10 = p_ball_radius + p_wire_radius
     _s11 = _add(p_ring_radius, _multiply(_s9, _s10, _r2), _r2)
-    _s12 = _multiply(t, _add(_multiply(_k178, omega_9, _r4), _multiply(t, _add(_multiply(_k179, omega_10, _r5), _multiply(_multiply(_k180, t, _r6), omega_11, _r6), _r6), _r6), _r6), _r6)
+    _s12 = _multiply(t, _add(_multiply(_k179, omega_9, _r4), _multiply(t, _add(_multiply(_k180, omega_10, _r5), _multiply(_multiply(_k181, t, _r6), omega_11, _r6), _r6), _r6), _r6), _r6)
     _s13 = _add(_multiply(_k71, omega_6, _r4), _multiply(t, _add(_multiply(_k26, omega_7, _r5), _multiply(t, _add(_multiply(_k75, omega_8, _r7), _s12, _r6), _r6), _r6), _r6), _r6)
     _s14 = _add(_multiply(_k24, omega_3, _r4), _multiply(t, _add(_multiply(_k65, omega_4, _r5), _multiply(t, _add(_multiply(_k68, omega_5, _r7), _multiply(t, _s13, _r6), _r6), _r6), _r6), _r6), _r6)
     _s15 = _add(omega_0, _multiply(t, _add(_multiply(_k45, omega_1, _r4), _multiply(t, _add(_multiply(_k61, omega_2, _r5), _multiply(t, _s14, _r6), _r6), _r6), _r6), _r6), _r6)
     _s16 = _multiply(t, _s15, _r6)
     _s17 = _multiply(_s16, _s16, _r4)
-    _s18 = _subtract(_multiply(_add(_k181, _multiply(_subtract(_multiply(_k182, _s17, _r5), _k183, _r5), _s17, _r5), _r5), _s17, _r5), _k184, _r5)
-    _s19 = _add(_k19, _multiply(_subtract(_multiply(_add(_k185, _multiply(_s18, _s17, _r5), _r5), _s17, _r5), _k45, _r5), _s17, _r5), _r5)
-    _s20 = _add(_k186, _multiply(_subtract(_multiply(_subtract(_k187, _multiply(_k188, _s17, _r7), _r7), _s17, _r7), _k189, _r7), _s17, _r7), _r7)
+    _s18 = _subtract(_multiply(_add(_k182, _multiply(_subtract(_multiply(_k183, _s17, _r5), _k184, _r5), _s17, _r5), _r5), _s17, _r5), _k185, _r5)
+    _s19 = _add(_k19, _multiply(_subtract(_multiply(_add(_k186, _multiply(_s18, _s17, _r5), _r5), _s17, _r5), _k45, _r5), _s17, _r5), _r5)
+    _s20 = _add(_k187, _multiply(_subtract(_multiply(_subtract(_k188, _multiply(_k189, _s17, _r7), _r7), _s17, _r7), _k190, _r7), _s17, _r7), _r7)
     _s21 = _multiply(_s16, _add(_k19, _multiply(_subtract(_multiply(_s20, _s17, _r7), _k68, _r7), _s17, _r7), _r7), _r7)
     _s22 = _subtract(_multiply(cos_0, _s19, _r6), _multiply(sin_0, _s21, _r4), _r4)
     _s23 = _add(_multiply(cos_0, _s21, _r7), _multiply(sin_0, _s19, _r5), _r5)
@@ -3837,19 +3877,19 @@ def ring_round_step(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ring_r
     _s11 = _multiply(omega_0, omega_0, _r9)
     _s12 = _multiply(_multiply(_k64, _s10, _r10), _multiply(_k36, _s11, _r11), _r10)
     _s13 = _multiply(_s12, _s12, _r10)
-    _s14 = _multiply(_s4, _add(_add(_absolute(cosine_12, _r11), _absolute(sine_12, _r12), _r12), _multiply(_k202, _multiply(_s13, _s13, _r10), _r10), _r10), _r10)
-    _s15 = _sqrt(_sqrt(_divide(_multiply(_k202, _s4, _r12), _select(_s9 < _s14, _s14, _s9, _r11), _r12), _r12), _r12)
+    _s14 = _multiply(_s4, _add(_add(_absolute(cosine_12, _r11), _absolute(sine_12, _r12), _r12), _multiply(_k203, _multiply(_s13, _s13, _r10), _r10), _r10), _r10)
+    _s15 = _sqrt(_sqrt(_divide(_multiply(_k203, _s4, _r12), _select(_s9 < _s14, _s14, _s9, _r11), _r12), _r12), _r12)
     _s16 = _sqrt(_sqrt(_s15, _r11), _r11)
-    _s17 = _multiply(_multiply(_k203, _s16, _r10), _sqrt(_sqrt(_s16, _r11), _r11), _r10)
+    _s17 = _multiply(_multiply(_k204, _s16, _r10), _sqrt(_sqrt(_s16, _r11), _r11), _r10)
     _s18 = _multiply(_s17, _multiply(_s17, _s17, _r11), _r11)
     _s19 = _multiply(_divide(_add(_s18, _multiply(_k20, _s15, _r3), _r3), _add(_multiply(_k20, _s18, _r11), _s15, _r11), _r11), _s17, _r11)
     _s20 = _result(_s19 < _k25, _s19, _k25, _r0)
     _s21 = _absolute(climb_10, _r10)
-    _s22 = _multiply(_add(_multiply(_add(_multiply(_multiply(_k78, _s7, _r3), _s20, _r3), _multiply(_k204, _s5, _r12), _r12), _s20, _r12), _multiply(_k205, _s21, _r3), _r3), _s20, _r3)
+    _s22 = _multiply(_add(_multiply(_add(_multiply(_multiply(_k78, _s7, _r3), _s20, _r3), _multiply(_k205, _s5, _r12), _r12), _s20, _r12), _multiply(_k206, _s21, _r3), _r3), _s20, _r3)
     _s23 = _absolute(climb_9, _r12)
     _s24 = _absolute(climb_8, _r13)
     _s25 = _absolute(climb_7, _r14)
-    _s26 = _add(_multiply(_add(_multiply(_add(_s22, _multiply(_k206, _s23, _r15), _r15), _s20, _r15), _multiply(_k23, _s24, _r3), _r3), _s20, _r3), _multiply(_k73, _s25, _r15), _r15)
+    _s26 = _add(_multiply(_add(_multiply(_add(_s22, _multiply(_k207, _s23, _r15), _r15), _s20, _r15), _multiply(_k23, _s24, _r3), _r3), _s20, _r3), _multiply(_k73, _s25, _r15), _r15)
     _s27 = _absolute(climb_6, _r3)
     _s28 = _absolute(climb_5, _r16)
     _s29 = _absolute(climb_4, _r17)
@@ -3893,8 +3933,8 @@ def ring_round_step(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ring_r
     _s67 = _absolute(along_1, _r30)
     _s68 = _add(_multiply(_add(_multiply(_add(_multiply(_s65, _s20, _r22), _s66, _r22), _s20, _r22), _s67, _r22), _s20, _r22), _s2, _r22)
     _s69 = _multiply(_s1, _s38, _r1) + _s68
-    _s70 = _multiply(_add(_multiply(_add(_multiply(_multiply(_k78, _s8, _r7), _s20, _r7), _multiply(_k204, _s6, _r5), _r5), _s20, _r5), _multiply(_k205, _s55, _r8), _r8), _s20, _r8)
-    _s71 = _add(_multiply(_add(_multiply(_add(_s70, _multiply(_k206, _s56, _r21), _r21), _s20, _r21), _multiply(_k23, _s58, _r23), _r23), _s20, _r23), _multiply(_k73, _s59, _r24), _r24)
+    _s70 = _multiply(_add(_multiply(_add(_multiply(_multiply(_k78, _s8, _r7), _s20, _r7), _multiply(_k205, _s6, _r5), _r5), _s20, _r5), _multiply(_k206, _s55, _r8), _r8), _s20, _r8)
+    _s71 = _add(_multiply(_add(_multiply(_add(_s70, _multiply(_k207, _s56, _r21), _r21), _s20, _r21), _multiply(_k23, _s58, _r23), _r23), _s20, _r23), _multiply(_k73, _s59, _r24), _r24)
     _s72 = _add(_multiply(_add(_multiply(_add(_multiply(_s71, _s20, _r24), _multiply(_k3, _s60, _r25), _r25), _s20, _r25), _multiply(_k67, _s62, _r26), _r26), _s20, _r26), _multiply(_k64, _s63, _r27), _r27)
     _s73 = _add(_multiply(_add(_multiply(_add(_multiply(_s72, _s20, _r27), _multiply(_k63, _s64, _r28), _r28), _s20, _r28), _multiply(_k20, _s66, _r29), _r29), _s20, _r29), _s67, _r29)
     _s74 = _multiply(_multiply(climb_0, climb_0, _r30), _s1, _r30)
@@ -3902,7 +3942,7 @@ def ring_round_step(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ring_r
     _s76 = p_inertia * (1.0 / (1.0 + p_inertia))
     _s77 = p_gravity * (3.0 - (2.0 * _s76))
     _s78 = 3.0 * p_ring_radius
-    _s79 = _multiply(_add(_multiply(_add(_multiply(_multiply(_k204, _s40, _r0), _s20, _r0), _multiply(_k205, _s41, _r20), _r20), _s20, _r20), _multiply(_k206, _s42, _r19), _r19), _s20, _r19)
+    _s79 = _multiply(_add(_multiply(_add(_multiply(_multiply(_k205, _s40, _r0), _s20, _r0), _multiply(_k206, _s41, _r20), _r20), _s20, _r20), _multiply(_k207, _s42, _r19), _r19), _s20, _r19)
     _s80 = _add(_multiply(_add(_multiply(_add(_s79, _multiply(_k23, _s43, _r15), _r15), _s20, _r15), _multiply(_k73, _s45, _r16), _r16), _s20, _r16), _multiply(_k3, _s46, _r3), _r3)
     _s81 = _add(_multiply(_add(_multiply(_add(_multiply(_s80, _s20, _r3), _multiply(_k67, _s47, _r14), _r14), _s20, _r14), _multiply(_k64, _s49, _r13), _r13), _s20, _r13), _multiply(_k63, _s50, _r12), _r12)
     _s82 = _multiply(_s38, _s20, _r13)
@@ -3944,7 +3984,7 @@ def ring_swung(p_ball_radius: Any, p_gravity: Any, p_wire_radius: Any, which: An
     _s4 = _logical_and((_multiply(climb, climb_0, _r2) < _k4), (_multiply(0.015625 * p_gravity, stride, _r2) < _multiply(_absolute(_subtract(climb, climb_0, _r1), _r1), _s0, _r1)))
     _s5 = _logical_and(_logical_and(_s3, _s4), (_k4 < circled))
     _s6 = _add(p_gravity, _multiply(_multiply(fastest, fastest, _r1), 1.0 / _s0, _r1), _r1)
-    _s7 = _logical_not((_multiply(_s6, _multiply(_k212, _add(_multiply(position_error, _s6, _r2), _multiply(velocity_error, fastest, _r0), _r0), _r0), _r0) < ((0.000244140625 * (p_gravity * p_gravity)) * _s0)))
+    _s7 = _logical_not((_multiply(_s6, _multiply(_k213, _add(_multiply(position_error, _s6, _r2), _multiply(velocity_error, fastest, _r0), _r0), _r0), _r0) < ((0.000244140625 * (p_gravity * p_gravity)) * _s0)))
     return _result(_s3, _select(_s4, _k19, circled, _r0), _k4, _r0), _s5, _result(_logical_and(_s5, _s7), _k4, undecided_time, _r0)
 
 
@@ -4130,9 +4170,9 @@ def ring_round_9(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ring_radi
     _s4 = _add(_add(_add(_add(_add(_multiply(climb_0, _s3, _r0), _multiply(climb_1, omega_8, _r1), _r1), _multiply(climb_2, omega_7, _r0), _r0), _multiply(climb_3, omega_6, _r1), _r1), _multiply(climb_4, omega_5, _r0), _r0), _multiply(climb_5, omega_4, _r1), _r1)
     _s5 = _add(_add(_add(_s4, _multiply(climb_6, omega_3, _r0), _r0), _multiply(climb_7, omega_2, _r1), _r1), _multiply(climb_8, omega_1, _r0), _r0) + _multiply(climb_9, omega_0, _r1)
     _s6 = _add(_add(_add(_add(_add(_multiply(climb_0, sine_9, _r1), _multiply(climb_1, sine_8, _r0), _r0), _multiply(climb_2, sine_7, _r1), _r1), _multiply(climb_3, sine_6, _r0), _r0), _multiply(climb_4, sine_5, _r1), _r1), _multiply(climb_5, sine_4, _r0), _r0)
-    _s7 = _multiply(_k178, _add(_add(_add(_add(_s6, _multiply(climb_6, sine_3, _r1), _r1), _multiply(climb_7, sine_2, _r0), _r0), _multiply(climb_8, sine_1, _r1), _r1), _multiply(climb_9, sine_0, _r0), _r0), _r0)
+    _s7 = _multiply(_k179, _add(_add(_add(_add(_s6, _multiply(climb_6, sine_3, _r1), _r1), _multiply(climb_7, sine_2, _r0), _r0), _multiply(climb_8, sine_1, _r1), _r1), _multiply(climb_9, sine_0, _r0), _r0), _r0)
     _s8 = _add(_add(_add(_add(_add(_multiply(climb_0, cosine_9, _r1), _multiply(climb_1, cosine_8, _r2), _r2), _multiply(climb_2, cosine_7, _r1), _r1), _multiply(climb_3, cosine_6, _r2), _r2), _multiply(climb_4, cosine_5, _r1), _r1), _multiply(climb_5, cosine_4, _r2), _r2)
-    _s9 = _k178 * _add(_add(_add(_add(_s8, _multiply(climb_6, cosine_3, _r1), _r1), _multiply(climb_7, cosine_2, _r2), _r2), _multiply(climb_8, cosine_1, _r1), _r1), _multiply(climb_9, cosine_0, _r2), _r2)
+    _s9 = _k179 * _add(_add(_add(_add(_s8, _multiply(climb_6, cosine_3, _r1), _r1), _multiply(climb_7, cosine_2, _r2), _r2), _multiply(climb_8, cosine_1, _r1), _r1), _multiply(climb_9, cosine_0, _r2), _r2)
     _s10 = 1.0 / (1.0 + p_inertia)
     _s11 = _add(_add(_add(_add(_add(_multiply(omega_0, tilted_9, _r2), _multiply(omega_1, tilted_8, _r1), _r1), _multiply(omega_2, tilted_7, _r2), _r2), _multiply(omega_3, tilted_6, _r1), _r1), _multiply(omega_4, tilted_5, _r2), _r2), _multiply(omega_5, tilted_4, _r1), _r1)
     _s12 = _add(_multiply(_multiply(p_gravity, cosine_9, _r2), _s10, _r2), _add(_add(_add(_add(_s11, _multiply(omega_6, tilted_3, _r3), _r3), _multiply(omega_7, tilted_2, _r1), _r1), _multiply(omega_8, tilted_1, _r3), _r3), _multiply(tilted_0, _s3, _r1), _r1), _r1)
@@ -4142,7 +4182,7 @@ def ring_round_9(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ring_radi
     _s16 = _multiply(p_inertia * _s10, _add(_add(_add(_add(_s15, _multiply(turn_rate_6, climb_3, _r2), _r2), _multiply(turn_rate_7, climb_2, _r4), _r4), _multiply(turn_rate_8, climb_1, _r2), _r2), _multiply(turn_rate_9, climb_0, _r4), _r4), _r4)
     _s17 = _add(_add(_add(_add(_add(_multiply(cosine_0, _s5, _r2), _multiply(cosine_1, around_8, _r5), _r5), _multiply(cosine_2, around_7, _r2), _r2), _multiply(cosine_3, around_6, _r5), _r5), _multiply(cosine_4, around_5, _r2), _r2), _multiply(cosine_5, around_4, _r5), _r5)
     _s18 = _multiply(p_ring_radius * _s10, _add(_add(_add(_add(_s17, _multiply(cosine_6, around_3, _r2), _r2), _multiply(cosine_7, around_2, _r5), _r5), _multiply(cosine_8, around_1, _r2), _r2), _multiply(cosine_9, around_0, _r5), _r5), _r5)
-    return _s3, _s5, -_s7, _s9, -_multiply(_multiply(_k178, per_reach, _r0), _s12, _r0), _k178 * _subtract(_s14, _s16, _r4), (0.1 * p_ring_radius) * _s5, _k178 * _add(_s18, _multiply(_s0, _s5, _r4), _r4)
+    return _s3, _s5, -_s7, _s9, -_multiply(_multiply(_k179, per_reach, _r0), _s12, _r0), _k179 * _subtract(_s14, _s16, _r4), (0.1 * p_ring_radius) * _s5, _k179 * _add(_s18, _multiply(_s0, _s5, _r4), _r4)
 
 
 def ring_round_10(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ring_radius: Any, p_wire_radius: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, turn_rate_8: Any, turn_rate_9: Any, turn_rate_10: Any, near_0: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, climb_7: Any, climb_8: Any, climb_9: Any, climb_10: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, cosine_7: Any, cosine_8: Any, cosine_9: Any, cosine_10: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, sine_7: Any, sine_8: Any, sine_9: Any, sine_10: Any, along_10: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, omega_6: Any, omega_7: Any, omega_8: Any, omega_9: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, around_5: Any, around_6: Any, around_7: Any, around_8: Any, around_9: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, tilted_6: Any, tilted_7: Any, tilted_8: Any, tilted_9: Any, tilted_10: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -4170,7 +4210,7 @@ def ring_round_10(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ring_rad
     _s16 = _add(_add(_add(_add(_add(_s15, _multiply(turn_rate_6, climb_4, _r4), _r4), _multiply(turn_rate_7, climb_3, _r5), _r5), _multiply(turn_rate_8, climb_2, _r4), _r4), _multiply(turn_rate_9, climb_1, _r5), _r5), _multiply(turn_rate_10, climb_0, _r4), _r4)
     _s17 = _add(_add(_add(_add(_add(_multiply(cosine_0, _s5, _r5), _multiply(cosine_1, around_9, _r6), _r6), _multiply(cosine_2, around_8, _r5), _r5), _multiply(cosine_3, around_7, _r6), _r6), _multiply(cosine_4, around_6, _r5), _r5), _multiply(cosine_5, around_5, _r6), _r6)
     _s18 = _add(_add(_add(_add(_add(_s17, _multiply(cosine_6, around_4, _r5), _r5), _multiply(cosine_7, around_3, _r6), _r6), _multiply(cosine_8, around_2, _r5), _r5), _multiply(cosine_9, around_1, _r6), _r6), _multiply(cosine_10, around_0, _r5), _r5)
-    return _s3, _s5, -_multiply(_k179, _s7, _r1), _k179 * _s9, -_multiply(_multiply(_k179, per_reach, _r0), _add(_multiply(_multiply(p_gravity, cosine_10, _r1), _s10, _r1), _s12, _r2), _r0), _k179 * _subtract(_multiply(_s0, _s14, _r3), _multiply(p_inertia * _s10, _s16, _r4), _r4), (0.09090909090909091 * p_ring_radius) * _s5, _k179 * _add(_multiply(p_ring_radius * _s10, _s18, _r5), _multiply(_s0, _s5, _r4), _r4)
+    return _s3, _s5, -_multiply(_k180, _s7, _r1), _k180 * _s9, -_multiply(_multiply(_k180, per_reach, _r0), _add(_multiply(_multiply(p_gravity, cosine_10, _r1), _s10, _r1), _s12, _r2), _r0), _k180 * _subtract(_multiply(_s0, _s14, _r3), _multiply(p_inertia * _s10, _s16, _r4), _r4), (0.09090909090909091 * p_ring_radius) * _s5, _k180 * _add(_multiply(p_ring_radius * _s10, _s18, _r5), _multiply(_s0, _s5, _r4), _r4)
 
 
 def ring_round_11(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ring_radius: Any, p_wire_radius: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, turn_rate_8: Any, turn_rate_9: Any, turn_rate_10: Any, turn_rate_11: Any, near_0: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, climb_7: Any, climb_8: Any, climb_9: Any, climb_10: Any, climb_11: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, cosine_7: Any, cosine_8: Any, cosine_9: Any, cosine_10: Any, cosine_11: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, sine_7: Any, sine_8: Any, sine_9: Any, sine_10: Any, sine_11: Any, along_11: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, omega_6: Any, omega_7: Any, omega_8: Any, omega_9: Any, omega_10: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, around_5: Any, around_6: Any, around_7: Any, around_8: Any, around_9: Any, around_10: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, tilted_6: Any, tilted_7: Any, tilted_8: Any, tilted_9: Any, tilted_10: Any, tilted_11: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -4199,7 +4239,7 @@ def ring_round_11(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ring_rad
     _s17 = _add(_add(_add(_add(_add(_s16, _multiply(turn_rate_6, climb_5, _r4), _r4), _multiply(turn_rate_7, climb_4, _r5), _r5), _multiply(turn_rate_8, climb_3, _r4), _r4), _multiply(turn_rate_9, climb_2, _r5), _r5), _multiply(turn_rate_10, climb_1, _r4), _r4)
     _s18 = _add(_add(_add(_add(_add(_multiply(cosine_0, _s6, _r5), _multiply(cosine_1, around_10, _r6), _r6), _multiply(cosine_2, around_9, _r5), _r5), _multiply(cosine_3, around_8, _r6), _r6), _multiply(cosine_4, around_7, _r5), _r5), _multiply(cosine_5, around_6, _r6), _r6)
     _s19 = _add(_add(_add(_add(_add(_s18, _multiply(cosine_6, around_5, _r5), _r5), _multiply(cosine_7, around_4, _r6), _r6), _multiply(cosine_8, around_3, _r5), _r5), _multiply(cosine_9, around_2, _r6), _r6), _multiply(cosine_10, around_1, _r5), _r5)
-    return _s3, _s6, -_multiply(_k180, _add(_s8, _multiply(climb_11, sine_0, _r6), _r6), _r6), _k180 * _add(_s10, _multiply(climb_11, cosine_0, _r6), _r6), -_multiply(_multiply(_k180, per_reach, _r6), _add(_multiply(_multiply(p_gravity, cosine_11, _r0), _s11, _r0), _add(_s13, _multiply(tilted_0, _s3, _r1), _r1), _r1), _r6), _k180 * _subtract(_multiply(_s0, _add(_s15, _multiply(sine_11, around_0, _r6), _r6), _r6), _multiply(p_inertia * _s11, _add(_s17, _multiply(turn_rate_11, climb_0, _r3), _r3), _r3), _r3), (0.08333333333333333 * p_ring_radius) * _s6, _k180 * _add(_multiply(p_ring_radius * _s11, _add(_s19, _multiply(cosine_11, around_0, _r3), _r3), _r3), _multiply(_s0, _s6, _r5), _r5)
+    return _s3, _s6, -_multiply(_k181, _add(_s8, _multiply(climb_11, sine_0, _r6), _r6), _r6), _k181 * _add(_s10, _multiply(climb_11, cosine_0, _r6), _r6), -_multiply(_multiply(_k181, per_reach, _r6), _add(_multiply(_multiply(p_gravity, cosine_11, _r0), _s11, _r0), _add(_s13, _multiply(tilted_0, _s3, _r1), _r1), _r1), _r6), _k181 * _subtract(_multiply(_s0, _add(_s15, _multiply(sine_11, around_0, _r6), _r6), _r6), _multiply(p_inertia * _s11, _add(_s17, _multiply(turn_rate_11, climb_0, _r3), _r3), _r3), _r3), (0.08333333333333333 * p_ring_radius) * _s6, _k181 * _add(_multiply(p_ring_radius * _s11, _add(_s19, _multiply(cosine_11, around_0, _r3), _r3), _r3), _multiply(_s0, _s6, _r5), _r5)
 
 
 def ring_drops_through(p_ball_radius: Any, p_gravity: Any, p_ring_radius: Any, p_wire_radius: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any) -> tuple[Any, ...]:
@@ -4463,12 +4503,12 @@ def backboard_margins(horizon: Any, extent: Any, speed: Any, position_error: Any
     _s8 = _multiply(_k20, _add(_add(position_error, _multiply(horizon, velocity_error, _r3), _r3), _multiply(_k14, _s6, _r4), _r4), _r4)
     _s9 = _add(_add(3.3306690738754696e-16 * p_board_half_width, _s7, _r3), _s8, _r3)
     _s10 = 2.001953125 * _s4
-    _s11 = _add(_add((3.3306690738754696e-16 * p_board_distance) + (2.220446049250313e-16 * p_board_thickness), _multiply(_k223, _s6, _r1), _r1), _s8, _r1)
+    _s11 = _add(_add((3.3306690738754696e-16 * p_board_distance) + (2.220446049250313e-16 * p_board_thickness), _multiply(_k224, _s6, _r1), _r1), _s8, _r1)
     _s12 = _add(_add((2.220446049250313e-16 * _absolute(p_board_bottom)) + (2.220446049250313e-16 * _absolute(p_board_top)), _s7, _r2), _s8, _r2)
-    _s13 = _add(_add(_add(_add(5.55653613398821e-16 * (p_ball_radius * p_ball_radius), _multiply(_s10, _s9, _r4), _r4), _multiply(_s10, _s11, _r5), _r5), _multiply(_s10, _s12, _r4), _r4), _multiply(_multiply(_multiply(_k224, horizon, _r5), _s4, _r5), _s5, _r5), _r5)
-    _s14 = _multiply(_k225, _s5, _r4)
-    _s15 = _add(_add(_add(_multiply(6.667843360785852e-15 * _s4, _s5, _r6), _multiply(12.01171875 * _s4, _add(velocity_error, _multiply(_k223, _s5, _r7), _r7), _r7), _r7), _multiply(_s14, _s9, _r6), _r6), _multiply(_s14, _s11, _r7), _r7)
-    _s16 = _multiply(_k226, _s5, _r6)
+    _s13 = _add(_add(_add(_add(5.55653613398821e-16 * (p_ball_radius * p_ball_radius), _multiply(_s10, _s9, _r4), _r4), _multiply(_s10, _s11, _r5), _r5), _multiply(_s10, _s12, _r4), _r4), _multiply(_multiply(_multiply(_k225, horizon, _r5), _s4, _r5), _s5, _r5), _r5)
+    _s14 = _multiply(_k226, _s5, _r4)
+    _s15 = _add(_add(_add(_multiply(6.667843360785852e-15 * _s4, _s5, _r6), _multiply(12.01171875 * _s4, _add(velocity_error, _multiply(_k224, _s5, _r7), _r7), _r7), _r7), _multiply(_s14, _s9, _r6), _r6), _multiply(_s14, _s11, _r7), _r7)
+    _s16 = _multiply(_k227, _s5, _r6)
     _s17 = _add(_add(_add(_multiply(2.667137344314341e-15 * _s4, _s5, _r8), _multiply(6.005859375 * _s4, _add(velocity_error, _multiply(_k34, _s5, _r0), _r0), _r0), _r0), _multiply(_s16, _s9, _r3), _r3), _multiply(_s16, _s11, _r1), _r1)
     return _s13 + (1.3335686721571705e-15 * (_s4 * _s4)), _s15 + _multiply(_s14, _s12, _r4), _s17 + _multiply(_s16, _s12, _r6)
 
@@ -5069,11 +5109,11 @@ def bridge_margins(horizon: Any, extent: Any, speed: Any, position_error: Any, v
     _s9 = _add(_add(3.3306690738754696e-16 * p_bridge_half_width, _s7, _r3), _s8, _r3)
     _s10 = 2.001953125 * _s4
     _s11 = _add(_add((1.1102230246251565e-16 * p_ring_radius) + (1.1102230246251565e-16 * p_board_distance), _s7, _r2), _s8, _r2)
-    _s12 = _add(_add((5.551115123125783e-16 * p_wire_radius) + (2.220446049250313e-16 * p_bridge_depth), _multiply(_k223, _s6, _r1), _r1), _s8, _r1)
-    _s13 = _add(_add(_add(_add(5.55653613398821e-16 * (p_ball_radius * p_ball_radius), _multiply(_s10, _s9, _r4), _r4), _multiply(_s10, _s11, _r5), _r5), _multiply(_s10, _s12, _r4), _r4), _multiply(_multiply(_multiply(_k224, horizon, _r5), _s4, _r5), _s5, _r5), _r5)
-    _s14 = _multiply(_k225, _s5, _r4)
-    _s15 = _add(_add(_add(_multiply(6.667843360785852e-15 * _s4, _s5, _r6), _multiply(12.01171875 * _s4, _add(velocity_error, _multiply(_k223, _s5, _r7), _r7), _r7), _r7), _multiply(_s14, _s9, _r6), _r6), _multiply(_s14, _s11, _r7), _r7)
-    _s16 = _multiply(_k226, _s5, _r6)
+    _s12 = _add(_add((5.551115123125783e-16 * p_wire_radius) + (2.220446049250313e-16 * p_bridge_depth), _multiply(_k224, _s6, _r1), _r1), _s8, _r1)
+    _s13 = _add(_add(_add(_add(5.55653613398821e-16 * (p_ball_radius * p_ball_radius), _multiply(_s10, _s9, _r4), _r4), _multiply(_s10, _s11, _r5), _r5), _multiply(_s10, _s12, _r4), _r4), _multiply(_multiply(_multiply(_k225, horizon, _r5), _s4, _r5), _s5, _r5), _r5)
+    _s14 = _multiply(_k226, _s5, _r4)
+    _s15 = _add(_add(_add(_multiply(6.667843360785852e-15 * _s4, _s5, _r6), _multiply(12.01171875 * _s4, _add(velocity_error, _multiply(_k224, _s5, _r7), _r7), _r7), _r7), _multiply(_s14, _s9, _r6), _r6), _multiply(_s14, _s11, _r7), _r7)
+    _s16 = _multiply(_k227, _s5, _r6)
     _s17 = _add(_add(_add(_multiply(2.667137344314341e-15 * _s4, _s5, _r8), _multiply(6.005859375 * _s4, _add(velocity_error, _multiply(_k34, _s5, _r0), _r0), _r0), _r0), _multiply(_s16, _s9, _r3), _r3), _multiply(_s16, _s11, _r2), _r2)
     return _s13 + (1.3335686721571705e-15 * (_s4 * _s4)), _s15 + _multiply(_s14, _s12, _r4), _s17 + _multiply(_s16, _s12, _r6)
 
@@ -5532,7 +5572,7 @@ def end_margin(horizon: Any, extent: Any, speed: Any, position_error: Any, veloc
     """
     _r0, _r1, _r2 = _room[:3]
     _s0 = _add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r0), _r0), _r0), _r0)
-    return _add(6.667843360785852e-16 * p_end_depth, _multiply(_k237, _s0, _r1), _r1) + _multiply(_k226, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(_k14, _s0, _r0), _r0), _r0),
+    return _add(6.667843360785852e-16 * p_end_depth, _multiply(_k238, _s0, _r1), _r1) + _multiply(_k227, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(_k14, _s0, _r0), _r0), _r0),
 
 
 def end_place(x: Any, y: Any, p_end_depth: Any) -> tuple[Any, ...]:
@@ -5972,11 +6012,12 @@ def _beginning_alone() -> tuple[Any, ...]:
 
 
 def _out_of_budget_alone(pad: Any, budget_exceeded: Any, earliest_delay: Any, undecided_time: Any, excess: Any) -> tuple[Any, ...]:
-    return _k2 if (((_k2 < excess) or (_k2 < budget_exceeded)) or (pad < earliest_delay)) else undecided_time,
+    return _k2 if (((_k2 < excess) or (pad < (_k0 * earliest_delay))) or (_k2 < budget_exceeded)) else undecided_time,
 
 
 def _out_of_budget_in_windows_alone(pad: Any, budget_exceeded: Any, earliest_delay: Any, undecided_time: Any, excess: Any, searching: Any) -> tuple[Any, ...]:
-    return _k2 if ((searching and ((_k2 < excess) or (pad < earliest_delay))) or (_k2 < budget_exceeded)) else undecided_time,
+    _s0 = _k2 if ((searching and ((_k2 < excess) or (pad < (_k0 * earliest_delay)))) or (_k2 < budget_exceeded)) else undecided_time
+    return _s0,
 
 
 def _nearby_alone(t: Any, flat: Any, tilt: Any, index: Any, last: Any) -> tuple[Any, ...]:
@@ -6716,6 +6757,18 @@ def _ring_normal_alone(x: Any, y: Any, z: Any, p_ball_radius: Any, p_ring_radius
     return x * _s2, y * _s2, z * _s0
 
 
+def _ring_excess_alone(share: Any, horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
+    _s0 = speed + (p_gravity * horizon)
+    _s1 = horizon * _s0
+    _s2 = (position_error + (horizon * velocity_error)) - (share * (_s1 + (extent + _s1)))
+    _s3 = _k109 * (p_ball_radius + p_wire_radius)
+    _s4 = p_ring_radius - _s3
+    _s5 = _k110 * p_ring_radius
+    _s6 = _s3 / (_s5 if _s4 < _s5 else _s4)
+    _s7 = ((_s0 * (_s6 if _k1 < _s6 else _k1)) * _s2) + (_s3 * (velocity_error - (share * _s0)))
+    return _s7 if _s2 < _s7 else _s2,
+
+
 def _ring_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
     _s0 = vz * vz
     _s1 = (vx * vx) + (vy * vy)
@@ -6725,7 +6778,7 @@ def _ring_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, 
     _s5 = (_k28 * p_ring_radius) * _s4
     _s6 = (x * x) + (y * y)
     _s7 = p_ball_radius + p_wire_radius
-    _s8 = _k112 * _s7
+    _s8 = _k109 * _s7
     _s9 = _k28 * p_gravity
     _s10 = _k50 * (_s0 + (_s9 * (abs(z) + _s8)))
     _s11 = (_s0 + (_s9 * (z + _s8))) + _s10
@@ -6747,7 +6800,7 @@ def _ring_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, 
     _s27 = (((-((_s21 + _s22) + _s23)) * _s24) if _s25 else _k7) if _s26 else _k106
     _s28 = _s27 if _s16 < _s27 else _s16
     _s29 = p_ring_radius - _s8
-    _s30 = _k115 * p_ring_radius
+    _s30 = _k110 * p_ring_radius
     _s31 = _s30 if _s29 < _s30 else _s29
     _s32 = ((_s1 * (_s31 * _s31)) - _s19) - _s4
     _s33 = _root((_k2 if _s32 < _k2 else _s32))
@@ -6775,23 +6828,23 @@ def _ring_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, 
     _s55 = _s42 if _k2 < _s42 else _k2
     _s56 = _s51 if _s55 < _s51 else _s55
     _s57 = _s53 if _s56 < _s53 else _s56
-    _s58 = (_k109 * p_ring_radius) - (p_ring_radius - _s7)
+    _s58 = (_k111 * p_ring_radius) - (p_ring_radius - _s7)
     _s59 = _root(_k28) * _root((_s12 * (((_k28 * p_ball_radius) + (_k28 * p_wire_radius)) + extent)))
     _s60 = _s59 + ((_k28 * speed) * _s12)
-    _s61 = ((position_error + (velocity_error * (_s60 if _s60 < horizon else horizon))) - (_k110 * p_ball_radius)) - (_k110 * p_wire_radius)
-    return _s2, _s5, _root(_s6), _s28 if _k2 < _s28 else _k2, _s42 if _s42 < horizon else horizon, _s50 if _k2 < _s50 else _k2, _s51 if _s51 < horizon else horizon, _s52 if _k2 < _s52 else _k2, _s53 if _s53 < horizon else horizon, (((_k114 * p_gravity) * _s7) + (_s5 * (_s54 * (_s54 * _s54)))) + abs(_s2), _s57 if _s57 < horizon else horizon, _s61 if _s58 < _s61 else _s58
+    _s61 = ((position_error + (velocity_error * (_s60 if _s60 < horizon else horizon))) - (_k112 * p_ball_radius)) - (_k112 * p_wire_radius)
+    return _s2, _s5, _root(_s6), _s28 if _k2 < _s28 else _k2, _s42 if _s42 < horizon else horizon, _s50 if _k2 < _s50 else _k2, _s51 if _s51 < horizon else horizon, _s52 if _k2 < _s52 else _k2, _s53 if _s53 < horizon else horizon, (((_k115 * p_gravity) * _s7) + (_s5 * (_s54 * (_s54 * _s54)))) + abs(_s2), _s57 if _s57 < horizon else horizon, _s61 if _s58 < _s61 else _s58
 
 
 def _ring_margins_alone(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
     _s0 = p_ball_radius + p_wire_radius
     _s1 = speed + (p_gravity * horizon)
-    _s2 = _k112 * _s0
+    _s2 = _k109 * _s0
     _s3 = _s2 * _s1
     _s4 = p_ring_radius + _s2
     _s5 = extent + (horizon * _s1)
     _s6 = (position_error + (horizon * velocity_error)) + (_k18 * _s5)
     _s7 = p_ring_radius - _s2
-    _s8 = _k115 * p_ring_radius
+    _s8 = _k110 * p_ring_radius
     _s9 = _s2 / (_s8 if _s7 < _s8 else _s7)
     _s10 = _s9 if _k1 < _s9 else _k1
     _s11 = _k69 * (((_s1 * _s10) * _s6) + (_s2 * (velocity_error + (_k35 * _s1))))
@@ -6834,7 +6887,7 @@ def _ring_advance_alone(t: Any, end: Any, leaving: Any, margin: Any, rate_margin
     _s15 = _k6 * p_gravity
     _s16 = _s15 * _s8
     _s17 = moment2 * (_s11 * (_s11 * _s11))
-    _s18 = _k112 * _s9
+    _s18 = _k109 * _s9
     _s19 = _k92 * (p_ring_radius + _s18)
     _s20 = _s14 - rate_margin
     _s21 = _s10 - margin
@@ -6849,7 +6902,7 @@ def _ring_advance_alone(t: Any, end: Any, leaving: Any, margin: Any, rate_margin
     _s30 = _s15 * (_s18 if _s18 < _s29 else _s29)
     _s31 = ((_s28 * (_k2 if _k2 < _s12 else _s12)) + _s2) - _s19
     _s32 = p_ring_radius - _s18
-    _s33 = _k115 * p_ring_radius
+    _s33 = _k110 * p_ring_radius
     _s34 = _s33 if _s32 < _s33 else _s32
     _s35 = _k1 / (_s34 if _s31 < _s34 else _s31)
     _s36 = moment2 * (_s35 * (_s35 * _s35))
@@ -7042,12 +7095,25 @@ def _ring_started_alone(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_rin
     return _s0, _k28 * ((z * vz) + (_s1 * (_s0 - p_ring_radius))), _s1
 
 
+def _ring_coarse_excess_alone(share: Any, horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
+    _s0 = speed + (p_gravity * horizon)
+    _s1 = share * (extent + (horizon * _s0))
+    _s2 = _k109 * (p_ball_radius + p_wire_radius)
+    _s3 = ((position_error + (horizon * velocity_error)) - _s1) - (_k178 * (p_ring_radius + _s2))
+    _s4 = p_ring_radius - _s2
+    _s5 = _k110 * p_ring_radius
+    _s6 = _s2 / (_s5 if _s4 < _s5 else _s4)
+    _s7 = (position_error + ((_k0 * horizon) * velocity_error)) - _s1
+    _s8 = ((_s0 * (_s6 if _k1 < _s6 else _k1)) * (_s3 if _s7 < _s3 else _s7)) + (_s2 * (velocity_error - (share * _s0)))
+    return _s8 if _s3 < _s8 else _s3,
+
+
 def _ring_budget_exceeded_alone(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
-    _s0 = (_k109 * p_ring_radius) - (p_ring_radius - (p_ball_radius + p_wire_radius))
+    _s0 = (_k111 * p_ring_radius) - (p_ring_radius - (p_ball_radius + p_wire_radius))
     _s1 = _k1 / p_gravity
     _s2 = _root(_k28) * _root((_s1 * (((_k28 * p_ball_radius) + (_k28 * p_wire_radius)) + extent)))
     _s3 = _s2 + ((_k28 * speed) * _s1)
-    _s4 = ((position_error + (velocity_error * (_s3 if _s3 < horizon else horizon))) - (_k110 * p_ball_radius)) - (_k110 * p_wire_radius)
+    _s4 = ((position_error + (velocity_error * (_s3 if _s3 < horizon else horizon))) - (_k112 * p_ball_radius)) - (_k112 * p_wire_radius)
     return _s4 if _s0 < _s4 else _s0,
 
 
@@ -7138,15 +7204,15 @@ def _ring_round_moved_alone(p_ball_radius: Any, p_ring_radius: Any, p_wire_radiu
     _s9 = _s3 * _s8
     _s10 = p_ball_radius + p_wire_radius
     _s11 = p_ring_radius + (_s9 * _s10)
-    _s12 = t * ((_k193 * omega_9) + (t * ((_k194 * omega_10) + ((_k195 * t) * omega_11))))
+    _s12 = t * ((_k194 * omega_9) + (t * ((_k195 * omega_10) + ((_k196 * t) * omega_11))))
     _s13 = (_k72 * omega_6) + (t * ((_k32 * omega_7) + (t * ((_k76 * omega_8) + _s12))))
     _s14 = (_k27 * omega_3) + (t * ((_k66 * omega_4) + (t * ((_k70 * omega_5) + (t * _s13)))))
     _s15 = omega_0 + (t * ((_k0 * omega_1) + (t * ((_k62 * omega_2) + (t * _s14)))))
     _s16 = t * _s15
     _s17 = _s16 * _s16
-    _s18 = ((_k191 + (((_k192 * _s17) - _k196) * _s17)) * _s17) - _k197
-    _s19 = _k1 + ((((_k190 + (_s18 * _s17)) * _s17) - _k0) * _s17)
-    _s20 = _k198 + ((((_k199 - (_k200 * _s17)) * _s17) - _k201) * _s17)
+    _s18 = ((_k192 + (((_k193 * _s17) - _k197) * _s17)) * _s17) - _k198
+    _s19 = _k1 + ((((_k191 + (_s18 * _s17)) * _s17) - _k0) * _s17)
+    _s20 = _k199 + ((((_k200 - (_k201 * _s17)) * _s17) - _k202) * _s17)
     _s21 = _s16 * (_k1 + (((_s20 * _s17) - _k70) * _s17))
     _s22 = (cos_0 * _s19) - (sin_0 * _s21)
     _s23 = (cos_0 * _s21) + (sin_0 * _s19)
@@ -7185,19 +7251,19 @@ def _ring_round_step_alone(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p
     _s11 = omega_0 * omega_0
     _s12 = (_k47 * _s10) * (_k37 * _s11)
     _s13 = _s12 * _s12
-    _s14 = _s4 * ((abs(cosine_12) + abs(sine_12)) + (_k208 * (_s13 * _s13)))
-    _s15 = _root(_root(((_k208 * _s4) / (_s14 if _s9 < _s14 else _s9))))
+    _s14 = _s4 * ((abs(cosine_12) + abs(sine_12)) + (_k209 * (_s13 * _s13)))
+    _s15 = _root(_root(((_k209 * _s4) / (_s14 if _s9 < _s14 else _s9))))
     _s16 = _root(_root(_s15))
-    _s17 = (_k207 * _s16) * _root(_root(_s16))
+    _s17 = (_k208 * _s16) * _root(_root(_s16))
     _s18 = _s17 * (_s17 * _s17)
     _s19 = ((_s18 + (_k28 * _s15)) / ((_k28 * _s18) + _s15)) * _s17
     _s20 = _s19 if _s19 < _k33 else _k33
     _s21 = abs(climb_10)
-    _s22 = (((((_k83 * _s7) * _s20) + (_k209 * _s5)) * _s20) + (_k210 * _s21)) * _s20
+    _s22 = (((((_k83 * _s7) * _s20) + (_k210 * _s5)) * _s20) + (_k211 * _s21)) * _s20
     _s23 = abs(climb_9)
     _s24 = abs(climb_8)
     _s25 = abs(climb_7)
-    _s26 = ((((_s22 + (_k211 * _s23)) * _s20) + (_k31 * _s24)) * _s20) + (_k74 * _s25)
+    _s26 = ((((_s22 + (_k212 * _s23)) * _s20) + (_k31 * _s24)) * _s20) + (_k74 * _s25)
     _s27 = abs(climb_6)
     _s28 = abs(climb_5)
     _s29 = abs(climb_4)
@@ -7241,8 +7307,8 @@ def _ring_round_step_alone(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p
     _s67 = abs(along_1)
     _s68 = (((((_s65 * _s20) + _s66) * _s20) + _s67) * _s20) + _s2
     _s69 = (_s1 * _s38) + _s68
-    _s70 = (((((_k83 * _s8) * _s20) + (_k209 * _s6)) * _s20) + (_k210 * _s55)) * _s20
-    _s71 = ((((_s70 + (_k211 * _s56)) * _s20) + (_k31 * _s58)) * _s20) + (_k74 * _s59)
+    _s70 = (((((_k83 * _s8) * _s20) + (_k210 * _s6)) * _s20) + (_k211 * _s55)) * _s20
+    _s71 = ((((_s70 + (_k212 * _s56)) * _s20) + (_k31 * _s58)) * _s20) + (_k74 * _s59)
     _s72 = (((((_s71 * _s20) + (_k6 * _s60)) * _s20) + (_k69 * _s62)) * _s20) + (_k47 * _s63)
     _s73 = (((((_s72 * _s20) + (_k60 * _s64)) * _s20) + (_k28 * _s66)) * _s20) + _s67
     _s74 = (climb_0 * climb_0) * _s1
@@ -7250,7 +7316,7 @@ def _ring_round_step_alone(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p
     _s76 = p_inertia * (_k1 / (_k1 + p_inertia))
     _s77 = p_gravity * (_k60 - (_k28 * _s76))
     _s78 = _k60 * p_ring_radius
-    _s79 = (((((_k209 * _s40) * _s20) + (_k210 * _s41)) * _s20) + (_k211 * _s42)) * _s20
+    _s79 = (((((_k210 * _s40) * _s20) + (_k211 * _s41)) * _s20) + (_k212 * _s42)) * _s20
     _s80 = ((((_s79 + (_k31 * _s43)) * _s20) + (_k74 * _s45)) * _s20) + (_k6 * _s46)
     _s81 = (((((_s80 * _s20) + (_k69 * _s47)) * _s20) + (_k47 * _s49)) * _s20) + (_k60 * _s50)
     _s82 = _s38 * _s20
@@ -7277,12 +7343,12 @@ def _ring_round_pulled_alone(p_gravity: Any, p_inertia: Any, turn_rate_0: Any, t
 def _ring_swung_alone(p_ball_radius: Any, p_gravity: Any, p_wire_radius: Any, which: Any, undecided_time: Any, position_error: Any, velocity_error: Any, force: Any, force_rate: Any, force_bend: Any, stride: Any, fastest: Any, circled: Any, climb: Any, climb_0: Any, section_acceleration: Any, azimuth_clearance: Any) -> tuple[Any, ...]:
     _s0 = p_ball_radius + p_wire_radius
     _s1 = stride * stride
-    _s2 = ((_k109 * _s0) < (azimuth_clearance - ((_k32 * section_acceleration) * _s1))) and ((_k213 * p_gravity) < ((force + (stride * (force_rate if force_rate < _k2 else _k2))) - ((_k0 * force_bend) * _s1)))
+    _s2 = ((_k111 * _s0) < (azimuth_clearance - ((_k32 * section_acceleration) * _s1))) and ((_k214 * p_gravity) < ((force + (stride * (force_rate if force_rate < _k2 else _k2))) - ((_k0 * force_bend) * _s1)))
     _s3 = _s2 and (which == _k40)
     _s4 = ((climb * climb_0) < _k2) and (((_k41 * p_gravity) * stride) < (abs((climb - climb_0)) * _s0))
     _s5 = (_s3 and _s4) and (_k2 < circled)
     _s6 = p_gravity + ((fastest * fastest) * (_k1 / _s0))
-    _s7 = not ((_s6 * (_k214 * ((position_error * _s6) + (velocity_error * fastest)))) < ((_k109 * (p_gravity * p_gravity)) * _s0))
+    _s7 = not ((_s6 * (_k215 * ((position_error * _s6) + (velocity_error * fastest)))) < ((_k111 * (p_gravity * p_gravity)) * _s0))
     return (_k1 if _s4 else circled) if _s3 else _k2, _s5, _k2 if (_s5 and _s7) else undecided_time
 
 
@@ -7418,9 +7484,9 @@ def _ring_round_9_alone(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ri
     _s4 = (((((climb_0 * _s3) + (climb_1 * omega_8)) + (climb_2 * omega_7)) + (climb_3 * omega_6)) + (climb_4 * omega_5)) + (climb_5 * omega_4)
     _s5 = (((_s4 + (climb_6 * omega_3)) + (climb_7 * omega_2)) + (climb_8 * omega_1)) + (climb_9 * omega_0)
     _s6 = (((((climb_0 * sine_9) + (climb_1 * sine_8)) + (climb_2 * sine_7)) + (climb_3 * sine_6)) + (climb_4 * sine_5)) + (climb_5 * sine_4)
-    _s7 = _k193 * ((((_s6 + (climb_6 * sine_3)) + (climb_7 * sine_2)) + (climb_8 * sine_1)) + (climb_9 * sine_0))
+    _s7 = _k194 * ((((_s6 + (climb_6 * sine_3)) + (climb_7 * sine_2)) + (climb_8 * sine_1)) + (climb_9 * sine_0))
     _s8 = (((((climb_0 * cosine_9) + (climb_1 * cosine_8)) + (climb_2 * cosine_7)) + (climb_3 * cosine_6)) + (climb_4 * cosine_5)) + (climb_5 * cosine_4)
-    _s9 = _k193 * ((((_s8 + (climb_6 * cosine_3)) + (climb_7 * cosine_2)) + (climb_8 * cosine_1)) + (climb_9 * cosine_0))
+    _s9 = _k194 * ((((_s8 + (climb_6 * cosine_3)) + (climb_7 * cosine_2)) + (climb_8 * cosine_1)) + (climb_9 * cosine_0))
     _s10 = _k1 / (_k1 + p_inertia)
     _s11 = (((((omega_0 * tilted_9) + (omega_1 * tilted_8)) + (omega_2 * tilted_7)) + (omega_3 * tilted_6)) + (omega_4 * tilted_5)) + (omega_5 * tilted_4)
     _s12 = ((p_gravity * cosine_9) * _s10) + ((((_s11 + (omega_6 * tilted_3)) + (omega_7 * tilted_2)) + (omega_8 * tilted_1)) + (tilted_0 * _s3))
@@ -7430,7 +7496,7 @@ def _ring_round_9_alone(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ri
     _s16 = (p_inertia * _s10) * ((((_s15 + (turn_rate_6 * climb_3)) + (turn_rate_7 * climb_2)) + (turn_rate_8 * climb_1)) + (turn_rate_9 * climb_0))
     _s17 = (((((cosine_0 * _s5) + (cosine_1 * around_8)) + (cosine_2 * around_7)) + (cosine_3 * around_6)) + (cosine_4 * around_5)) + (cosine_5 * around_4)
     _s18 = (p_ring_radius * _s10) * ((((_s17 + (cosine_6 * around_3)) + (cosine_7 * around_2)) + (cosine_8 * around_1)) + (cosine_9 * around_0))
-    return _s3, _s5, -_s7, _s9, -((_k193 * per_reach) * _s12), _k193 * (_s14 - _s16), (_k193 * p_ring_radius) * _s5, _k193 * (_s18 + (_s0 * _s5))
+    return _s3, _s5, -_s7, _s9, -((_k194 * per_reach) * _s12), _k194 * (_s14 - _s16), (_k194 * p_ring_radius) * _s5, _k194 * (_s18 + (_s0 * _s5))
 
 
 def _ring_round_10_alone(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ring_radius: Any, p_wire_radius: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, turn_rate_8: Any, turn_rate_9: Any, turn_rate_10: Any, near_0: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, climb_7: Any, climb_8: Any, climb_9: Any, climb_10: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, cosine_7: Any, cosine_8: Any, cosine_9: Any, cosine_10: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, sine_7: Any, sine_8: Any, sine_9: Any, sine_10: Any, along_10: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, omega_6: Any, omega_7: Any, omega_8: Any, omega_9: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, around_5: Any, around_6: Any, around_7: Any, around_8: Any, around_9: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, tilted_6: Any, tilted_7: Any, tilted_8: Any, tilted_9: Any, tilted_10: Any) -> tuple[Any, ...]:
@@ -7453,7 +7519,7 @@ def _ring_round_10_alone(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_r
     _s16 = ((((_s15 + (turn_rate_6 * climb_4)) + (turn_rate_7 * climb_3)) + (turn_rate_8 * climb_2)) + (turn_rate_9 * climb_1)) + (turn_rate_10 * climb_0)
     _s17 = (((((cosine_0 * _s5) + (cosine_1 * around_9)) + (cosine_2 * around_8)) + (cosine_3 * around_7)) + (cosine_4 * around_6)) + (cosine_5 * around_5)
     _s18 = ((((_s17 + (cosine_6 * around_4)) + (cosine_7 * around_3)) + (cosine_8 * around_2)) + (cosine_9 * around_1)) + (cosine_10 * around_0)
-    return _s3, _s5, -(_k194 * _s7), _k194 * _s9, -((_k194 * per_reach) * (((p_gravity * cosine_10) * _s10) + _s12)), _k194 * ((_s0 * _s14) - ((p_inertia * _s10) * _s16)), (_k194 * p_ring_radius) * _s5, _k194 * (((p_ring_radius * _s10) * _s18) + (_s0 * _s5))
+    return _s3, _s5, -(_k195 * _s7), _k195 * _s9, -((_k195 * per_reach) * (((p_gravity * cosine_10) * _s10) + _s12)), _k195 * ((_s0 * _s14) - ((p_inertia * _s10) * _s16)), (_k195 * p_ring_radius) * _s5, _k195 * (((p_ring_radius * _s10) * _s18) + (_s0 * _s5))
 
 
 def _ring_round_11_alone(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ring_radius: Any, p_wire_radius: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, turn_rate_8: Any, turn_rate_9: Any, turn_rate_10: Any, turn_rate_11: Any, near_0: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, climb_7: Any, climb_8: Any, climb_9: Any, climb_10: Any, climb_11: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, cosine_7: Any, cosine_8: Any, cosine_9: Any, cosine_10: Any, cosine_11: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, sine_7: Any, sine_8: Any, sine_9: Any, sine_10: Any, sine_11: Any, along_11: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, omega_6: Any, omega_7: Any, omega_8: Any, omega_9: Any, omega_10: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, around_5: Any, around_6: Any, around_7: Any, around_8: Any, around_9: Any, around_10: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, tilted_6: Any, tilted_7: Any, tilted_8: Any, tilted_9: Any, tilted_10: Any, tilted_11: Any) -> tuple[Any, ...]:
@@ -7477,7 +7543,7 @@ def _ring_round_11_alone(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_r
     _s17 = ((((_s16 + (turn_rate_6 * climb_5)) + (turn_rate_7 * climb_4)) + (turn_rate_8 * climb_3)) + (turn_rate_9 * climb_2)) + (turn_rate_10 * climb_1)
     _s18 = (((((cosine_0 * _s6) + (cosine_1 * around_10)) + (cosine_2 * around_9)) + (cosine_3 * around_8)) + (cosine_4 * around_7)) + (cosine_5 * around_6)
     _s19 = ((((_s18 + (cosine_6 * around_5)) + (cosine_7 * around_4)) + (cosine_8 * around_3)) + (cosine_9 * around_2)) + (cosine_10 * around_1)
-    return _s3, _s6, -(_k195 * (_s8 + (climb_11 * sine_0))), _k195 * (_s10 + (climb_11 * cosine_0)), -((_k195 * per_reach) * (((p_gravity * cosine_11) * _s11) + (_s13 + (tilted_0 * _s3)))), _k195 * ((_s0 * (_s15 + (sine_11 * around_0))) - ((p_inertia * _s11) * (_s17 + (turn_rate_11 * climb_0)))), (_k195 * p_ring_radius) * _s6, _k195 * (((p_ring_radius * _s11) * (_s19 + (cosine_11 * around_0))) + (_s0 * _s6))
+    return _s3, _s6, -(_k196 * (_s8 + (climb_11 * sine_0))), _k196 * (_s10 + (climb_11 * cosine_0)), -((_k196 * per_reach) * (((p_gravity * cosine_11) * _s11) + (_s13 + (tilted_0 * _s3)))), _k196 * ((_s0 * (_s15 + (sine_11 * around_0))) - ((p_inertia * _s11) * (_s17 + (turn_rate_11 * climb_0)))), (_k196 * p_ring_radius) * _s6, _k196 * (((p_ring_radius * _s11) * (_s19 + (cosine_11 * around_0))) + (_s0 * _s6))
 
 
 def _ring_enter_alone(t: Any, end: Any, after: Any, low0: Any, low1: Any, low2: Any, high0: Any, high1: Any, high2: Any) -> tuple[Any, ...]:
@@ -7517,7 +7583,7 @@ def _backboard_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: 
     _s7 = p_ball_radius + p_board_half_width
     _s8 = _s7 if _s7 < _s2 else _s2
     _s9 = _s6 if _s6 < _s8 else _s8
-    _s10 = _k221 * _s9
+    _s10 = _k222 * _s9
     _s11 = _s2 + _s10
     _s12 = p_board_distance + _s1
     _s13 = _s12 + x
@@ -7556,11 +7622,11 @@ def _backboard_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: 
     _s46 = _s44 if _s45 < _s44 else _s45
     _s47 = _s46 if _s46 < horizon else horizon
     _s48 = speed + (p_gravity * _s47)
-    _s49 = _k28 * (((_k222 * abs((-p_gravity))) * (p_ball_radius + (_k115 * _s9))) + (_k60 * (_s48 * _s48)))
+    _s49 = _k28 * (((_k223 * abs((-p_gravity))) * (p_ball_radius + (_k110 * _s9))) + (_k60 * (_s48 * _s48)))
     _s50 = _s7 if _s2 < _s7 else _s2
     _s51 = ((_s12 + extent) + abs((_s5 + _s3))) + (_s6 if _s50 < _s6 else _s50)
     _s52 = (_root(_k28) * _root((_s27 * (_s51 + _s9)))) + ((_k28 * speed) * _s27)
-    _s53 = ((position_error + (velocity_error * (_s52 if _s52 < horizon else horizon))) + (_k122 * (((speed * speed) * _s27) + _s51))) - (_k110 * _s9)
+    _s53 = ((position_error + (velocity_error * (_s52 if _s52 < horizon else horizon))) + (_k122 * (((speed * speed) * _s27) + _s51))) - (_k112 * _s9)
     return _s31 if _k2 < _s31 else _k2, _s41 if _s41 < horizon else horizon, _s43 if _k2 < _s43 else _k2, _s44 if _s44 < horizon else horizon, _s49, _s47, _s53
 
 
@@ -7569,21 +7635,21 @@ def _backboard_margins_alone(horizon: Any, extent: Any, speed: Any, position_err
     _s1 = p_ball_radius + p_board_half_width
     _s2 = p_ball_radius + (_k0 * p_board_thickness)
     _s3 = _s1 if _s1 < _s2 else _s2
-    _s4 = p_ball_radius + (_k115 * (_s0 if _s0 < _s3 else _s3))
+    _s4 = p_ball_radius + (_k110 * (_s0 if _s0 < _s3 else _s3))
     _s5 = speed + (p_gravity * horizon)
     _s6 = extent + (horizon * _s5)
     _s7 = _k35 * _s6
     _s8 = _k28 * ((position_error + (horizon * velocity_error)) + (_k18 * _s6))
-    _s9 = ((_k229 * p_board_half_width) + _s7) + _s8
-    _s10 = _k228 * _s4
-    _s11 = (((_k229 * p_board_distance) + (_k35 * p_board_thickness)) + (_k229 * _s6)) + _s8
+    _s9 = ((_k230 * p_board_half_width) + _s7) + _s8
+    _s10 = _k229 * _s4
+    _s11 = (((_k230 * p_board_distance) + (_k35 * p_board_thickness)) + (_k230 * _s6)) + _s8
     _s12 = (((_k35 * abs(p_board_bottom)) + (_k35 * abs(p_board_top))) + _s7) + _s8
-    _s13 = ((((_k227 * (p_ball_radius * p_ball_radius)) + (_s10 * _s9)) + (_s10 * _s11)) + (_s10 * _s12)) + (((_k230 * horizon) * _s4) * _s5)
-    _s14 = _k233 * _s5
-    _s15 = ((((_k231 * _s4) * _s5) + ((_k232 * _s4) * (velocity_error + (_k229 * _s5)))) + (_s14 * _s9)) + (_s14 * _s11)
-    _s16 = _k228 * _s5
-    _s17 = ((((_k234 * _s4) * _s5) + ((_k235 * _s4) * (velocity_error + (_k35 * _s5)))) + (_s16 * _s9)) + (_s16 * _s11)
-    return _s13 + (_k230 * (_s4 * _s4)), _s15 + (_s14 * _s12), _s17 + (_s16 * _s12)
+    _s13 = ((((_k228 * (p_ball_radius * p_ball_radius)) + (_s10 * _s9)) + (_s10 * _s11)) + (_s10 * _s12)) + (((_k231 * horizon) * _s4) * _s5)
+    _s14 = _k234 * _s5
+    _s15 = ((((_k232 * _s4) * _s5) + ((_k233 * _s4) * (velocity_error + (_k230 * _s5)))) + (_s14 * _s9)) + (_s14 * _s11)
+    _s16 = _k229 * _s5
+    _s17 = ((((_k235 * _s4) * _s5) + ((_k236 * _s4) * (velocity_error + (_k35 * _s5)))) + (_s16 * _s9)) + (_s16 * _s11)
+    return _s13 + (_k231 * (_s4 * _s4)), _s15 + (_s14 * _s12), _s17 + (_s16 * _s12)
 
 
 def _backboard_refine_alone(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_ball_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_board_thickness: Any, p_gravity: Any) -> tuple[Any, ...]:
@@ -7657,7 +7723,7 @@ def _backboard_advance_alone(t: Any, end: Any, leaving: Any, margin: Any, rate_m
     _s34 = p_ball_radius + p_board_half_width
     _s35 = p_ball_radius + (_k0 * p_board_thickness)
     _s36 = _s34 if _s34 < _s35 else _s35
-    _s37 = p_ball_radius + (_k115 * (_s33 if _s33 < _s36 else _s36))
+    _s37 = p_ball_radius + (_k110 * (_s33 if _s33 < _s36 else _s36))
     _s38 = _s29 - rate_margin
     _s39 = _s27 - margin
     _s40 = _k2 if _s39 < _k2 else _s39
@@ -7841,7 +7907,7 @@ def _bridge_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any
     _s7 = _s2 - _s6
     _s8 = _s5 if _s5 < _s7 else _s7
     _s9 = _s4 if _s4 < _s8 else _s8
-    _s10 = _k221 * _s9
+    _s10 = _k222 * _s9
     _s11 = (_s2 + _s10) - _s6
     _s12 = _s6 + _s1
     _s13 = _s12 + x
@@ -7880,11 +7946,11 @@ def _bridge_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any
     _s46 = _s44 if _s45 < _s44 else _s45
     _s47 = _s46 if _s46 < horizon else horizon
     _s48 = speed + (p_gravity * _s47)
-    _s49 = _k28 * (((_k222 * abs((-p_gravity))) * (p_ball_radius + (_k115 * _s9))) + (_k60 * (_s48 * _s48)))
+    _s49 = _k28 * (((_k223 * abs((-p_gravity))) * (p_ball_radius + (_k110 * _s9))) + (_k60 * (_s48 * _s48)))
     _s50 = _s5 if _s7 < _s5 else _s7
     _s51 = ((_s12 + extent) + abs((_s3 - p_wire_radius))) + (_s4 if _s50 < _s4 else _s50)
     _s52 = (_root(_k28) * _root((_s27 * (_s51 + _s9)))) + ((_k28 * speed) * _s27)
-    _s53 = ((position_error + (velocity_error * (_s52 if _s52 < horizon else horizon))) + (_k122 * (((speed * speed) * _s27) + _s51))) - (_k110 * _s9)
+    _s53 = ((position_error + (velocity_error * (_s52 if _s52 < horizon else horizon))) + (_k122 * (((speed * speed) * _s27) + _s51))) - (_k112 * _s9)
     return _s31 if _k2 < _s31 else _k2, _s41 if _s41 < horizon else horizon, _s43 if _k2 < _s43 else _k2, _s44 if _s44 < horizon else horizon, _s49, _s47, _s53
 
 
@@ -7893,21 +7959,21 @@ def _bridge_margins_alone(horizon: Any, extent: Any, speed: Any, position_error:
     _s1 = p_ball_radius + p_bridge_half_width
     _s2 = (p_ball_radius + (_k0 * p_board_distance)) - (_k0 * p_ring_radius)
     _s3 = _s1 if _s1 < _s2 else _s2
-    _s4 = p_ball_radius + (_k115 * (_s0 if _s0 < _s3 else _s3))
+    _s4 = p_ball_radius + (_k110 * (_s0 if _s0 < _s3 else _s3))
     _s5 = speed + (p_gravity * horizon)
     _s6 = extent + (horizon * _s5)
     _s7 = _k35 * _s6
     _s8 = _k28 * ((position_error + (horizon * velocity_error)) + (_k18 * _s6))
-    _s9 = ((_k229 * p_bridge_half_width) + _s7) + _s8
-    _s10 = _k228 * _s4
+    _s9 = ((_k230 * p_bridge_half_width) + _s7) + _s8
+    _s10 = _k229 * _s4
     _s11 = (((_k30 * p_ring_radius) + (_k30 * p_board_distance)) + _s7) + _s8
-    _s12 = (((_k236 * p_wire_radius) + (_k35 * p_bridge_depth)) + (_k229 * _s6)) + _s8
-    _s13 = ((((_k227 * (p_ball_radius * p_ball_radius)) + (_s10 * _s9)) + (_s10 * _s11)) + (_s10 * _s12)) + (((_k230 * horizon) * _s4) * _s5)
-    _s14 = _k233 * _s5
-    _s15 = ((((_k231 * _s4) * _s5) + ((_k232 * _s4) * (velocity_error + (_k229 * _s5)))) + (_s14 * _s9)) + (_s14 * _s11)
-    _s16 = _k228 * _s5
-    _s17 = ((((_k234 * _s4) * _s5) + ((_k235 * _s4) * (velocity_error + (_k35 * _s5)))) + (_s16 * _s9)) + (_s16 * _s11)
-    return _s13 + (_k230 * (_s4 * _s4)), _s15 + (_s14 * _s12), _s17 + (_s16 * _s12)
+    _s12 = (((_k237 * p_wire_radius) + (_k35 * p_bridge_depth)) + (_k230 * _s6)) + _s8
+    _s13 = ((((_k228 * (p_ball_radius * p_ball_radius)) + (_s10 * _s9)) + (_s10 * _s11)) + (_s10 * _s12)) + (((_k231 * horizon) * _s4) * _s5)
+    _s14 = _k234 * _s5
+    _s15 = ((((_k232 * _s4) * _s5) + ((_k233 * _s4) * (velocity_error + (_k230 * _s5)))) + (_s14 * _s9)) + (_s14 * _s11)
+    _s16 = _k229 * _s5
+    _s17 = ((((_k235 * _s4) * _s5) + ((_k236 * _s4) * (velocity_error + (_k35 * _s5)))) + (_s16 * _s9)) + (_s16 * _s11)
+    return _s13 + (_k231 * (_s4 * _s4)), _s15 + (_s14 * _s12), _s17 + (_s16 * _s12)
 
 
 def _bridge_refine_alone(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_bridge_half_width: Any, p_bridge_depth: Any, p_gravity: Any) -> tuple[Any, ...]:
@@ -7981,7 +8047,7 @@ def _bridge_advance_alone(t: Any, end: Any, leaving: Any, margin: Any, rate_marg
     _s34 = p_ball_radius + p_bridge_half_width
     _s35 = (p_ball_radius + (_k0 * p_board_distance)) - (_k0 * p_ring_radius)
     _s36 = _s34 if _s34 < _s35 else _s35
-    _s37 = p_ball_radius + (_k115 * (_s33 if _s33 < _s36 else _s36))
+    _s37 = p_ball_radius + (_k110 * (_s33 if _s33 < _s36 else _s36))
     _s38 = _s29 - rate_margin
     _s39 = _s27 - margin
     _s40 = _k2 if _s39 < _k2 else _s39
@@ -8771,7 +8837,7 @@ def _alone14(_earliest_delay_: Any, _extent_: Any, _last_: Any, _p_ball_radius_:
     _near_x_, _near_y_, _near_z_, _, _, _near_vz_ = _flight_alone(_since_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_gravity_)
     _short_share_, _short_t_, _short_end_, _short_x_, _short_y_, _short_z_, _short_vx_, _short_vy_, _short_vz_, _short_energy2_, _short_moment2_, _short_rho_start_, _short_ceiling_, _short_flat_, _short_tilt_, _short_jerk_, _short_quotient_margin_, _short_start_rate_, _short_rho_rate_, _short_rate_margin_, _short_low1_, _short_high1_, _short_low2_, _short_high2_, _fits_ = _ring_resolution_alone(_onset_, _wide_end_, _float32(_leaving_), _lapsed_, _float32(_near_x_), _float32(_near_y_), _float32(_near_z_), _float32(_vx_), _float32(_vy_), _float32(_near_vz_), _float32(_extent_), _float32(_speed_), _float32(_start_rate_), _float32(_rho_rate_), _wide_low1_, _wide_high1_, _wide_low2_, _wide_high2_, _float32(_p_ball_radius_), _float32(_p_ring_radius_), _float32(_p_wire_radius_), _float32(_p_gravity_))
     _stepping_, _searching_, _single_precision_, _ceiling_, _flat_, _tilt_, _allowing_ = _coarse_alone(_float64(_short_rate_margin_), _float64(_short_flat_), _float64(_short_ceiling_), _float64(_short_share_), _searching_, _representable_, _fits_)
-    _, _, _excess_ = _allowance_alone(_allowing_, _latest_, _extent_, _speed_, _position_error_, _velocity_error_, _p_gravity_)
+    _excess_, = _ring_coarse_excess_alone(_allowing_, _latest_, _extent_, _speed_, _position_error_, _velocity_error_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
     _budget_exceeded_, = _ring_budget_exceeded_alone(_until_, _extent_, _speed_, _position_error_, _velocity_error_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
     _undecided_time_, = _out_of_budget_alone(_pad_, _budget_exceeded_, _earliest_delay_, _undecided_time_, _excess_)
     if _stepping_:
@@ -8783,8 +8849,10 @@ def _alone14(_earliest_delay_: Any, _extent_: Any, _last_: Any, _p_ball_radius_:
     _arrival_, _t_, _searching_ = _stepped_alone(_arrival_, _float64(_short_t_), _searching_, _since_, _single_precision_, _certain_)
     if _searching_:
         _energy2_, _moment2_, _rho_start_, _low0_, _high0_, _low1_, _high1_, _low2_, _high2_, _ceiling_, _latest_, _ = _ring_prepare_alone(_until_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _extent_, _speed_, _position_error_, _velocity_error_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
+        _excess_, = _ring_excess_alone(_share_, _latest_, _extent_, _speed_, _position_error_, _velocity_error_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
         _position_level_, _velocity_level_, _ = _allowance_alone(_share_, _latest_, _extent_, _speed_, _position_error_, _velocity_error_, _p_gravity_)
         _flat_, _tilt_, _rate_slack_ = _ring_margins_alone(_latest_, _extent_, _speed_, _position_level_, _velocity_level_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
+        _undecided_time_, = _budget_undecided_alone(_t_, _undecided_time_, _excess_)
         _t_, _end_, _searching_ = _ring_enter_alone(_t_, _k2, _t_, _low0_, _low1_, _low2_, _high0_, _high1_, _high2_)
         for _ in range(201):
             if not _searching_:
@@ -8794,7 +8862,8 @@ def _alone14(_earliest_delay_: Any, _extent_: Any, _last_: Any, _p_ball_radius_:
             _hit_, _sure_, _needs_refinement_ = _gap_closes_alone(_gap_, _rate_, _bend_, _margin_, _rate_slack_, _clearance_, _share_)
             if _needs_refinement_:
                 _share_, = _smaller_budget_alone(_share_)
-                _position_level_, _velocity_level_, _excess_ = _allowance_alone(_share_, _latest_, _extent_, _speed_, _position_error_, _velocity_error_, _p_gravity_)
+                _excess_, = _ring_excess_alone(_share_, _latest_, _extent_, _speed_, _position_error_, _velocity_error_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
+                _position_level_, _velocity_level_, _ = _allowance_alone(_share_, _latest_, _extent_, _speed_, _position_error_, _velocity_error_, _p_gravity_)
                 _flat_, _tilt_, _rate_slack_ = _ring_margins_alone(_latest_, _extent_, _speed_, _position_level_, _velocity_level_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
                 _undecided_time_, = _budget_undecided_alone(_t_, _undecided_time_, _excess_)
             _arrival_, _certain_, _exhausted_, _searching_, _t_ = _advanced_alone(_t_, _end_, _step_, _next_, _arrival_, _hit_, _sure_, _needs_refinement_, _certain_)
@@ -8836,8 +8905,10 @@ def _alone15(_certain_: Any, _p_ball_radius_: Any, _p_gravity_: Any, _p_ring_rad
 def _alone16(_arrival_: Any, _certain_: Any, _extent_: Any, _last_: Any, _p_ball_radius_: Any, _p_gravity_: Any, _p_ring_radius_: Any, _p_wire_radius_: Any, _position_error_: Any, _share_: Any, _speed_: Any, _t_: Any, _undecided_time_: Any, _until_: Any, _velocity_error_: Any, _vx_: Any, _vy_: Any, _vz_: Any, _x_: Any, _y_: Any, _z_: Any) -> tuple[Any, ...]:
     """Do the body of `searching` for one shot."""
     _energy2_, _moment2_, _rho_start_, _low0_, _high0_, _low1_, _high1_, _low2_, _high2_, _ceiling_, _latest_, _ = _ring_prepare_alone(_until_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _extent_, _speed_, _position_error_, _velocity_error_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
+    _excess_, = _ring_excess_alone(_share_, _latest_, _extent_, _speed_, _position_error_, _velocity_error_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
     _position_level_, _velocity_level_, _ = _allowance_alone(_share_, _latest_, _extent_, _speed_, _position_error_, _velocity_error_, _p_gravity_)
     _flat_, _tilt_, _rate_slack_ = _ring_margins_alone(_latest_, _extent_, _speed_, _position_level_, _velocity_level_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
+    _undecided_time_, = _budget_undecided_alone(_t_, _undecided_time_, _excess_)
     _t_, _end_, _searching_ = _ring_enter_alone(_t_, _k2, _t_, _low0_, _low1_, _low2_, _high0_, _high1_, _high2_)
     for _ in range(201):
         if not _searching_:
@@ -8847,7 +8918,8 @@ def _alone16(_arrival_: Any, _certain_: Any, _extent_: Any, _last_: Any, _p_ball
         _hit_, _sure_, _needs_refinement_ = _gap_closes_alone(_gap_, _rate_, _bend_, _margin_, _rate_slack_, _clearance_, _share_)
         if _needs_refinement_:
             _share_, = _smaller_budget_alone(_share_)
-            _position_level_, _velocity_level_, _excess_ = _allowance_alone(_share_, _latest_, _extent_, _speed_, _position_error_, _velocity_error_, _p_gravity_)
+            _excess_, = _ring_excess_alone(_share_, _latest_, _extent_, _speed_, _position_error_, _velocity_error_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
+            _position_level_, _velocity_level_, _ = _allowance_alone(_share_, _latest_, _extent_, _speed_, _position_error_, _velocity_error_, _p_gravity_)
             _flat_, _tilt_, _rate_slack_ = _ring_margins_alone(_latest_, _extent_, _speed_, _position_level_, _velocity_level_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
             _undecided_time_, = _budget_undecided_alone(_t_, _undecided_time_, _excess_)
         _arrival_, _certain_, _exhausted_, _searching_, _t_ = _advanced_alone(_t_, _end_, _step_, _next_, _arrival_, _hit_, _sure_, _needs_refinement_, _certain_)
@@ -8867,7 +8939,8 @@ def _alone17(_arrival_: Any, _ceiling_: Any, _certain_: Any, _end_: Any, _energy
         _hit_, _sure_, _needs_refinement_ = _gap_closes_alone(_gap_, _rate_, _bend_, _margin_, _rate_slack_, _clearance_, _share_)
         if _needs_refinement_:
             _share_, = _smaller_budget_alone(_share_)
-            _position_level_, _velocity_level_, _excess_ = _allowance_alone(_share_, _latest_, _extent_, _speed_, _position_error_, _velocity_error_, _p_gravity_)
+            _excess_, = _ring_excess_alone(_share_, _latest_, _extent_, _speed_, _position_error_, _velocity_error_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
+            _position_level_, _velocity_level_, _ = _allowance_alone(_share_, _latest_, _extent_, _speed_, _position_error_, _velocity_error_, _p_gravity_)
             _flat_, _tilt_, _rate_slack_ = _ring_margins_alone(_latest_, _extent_, _speed_, _position_level_, _velocity_level_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
             _undecided_time_, = _budget_undecided_alone(_t_, _undecided_time_, _excess_)
         _arrival_, _certain_, _exhausted_, _searching_, _t_ = _advanced_alone(_t_, _end_, _step_, _next_, _arrival_, _hit_, _sure_, _needs_refinement_, _certain_)
@@ -10601,7 +10674,7 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _near_x_1, _near_y_1, _near_z_1, _, _, _near_vz_1 = flight(_since_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _p_gravity_1, _room_1)
         _short_share_1, _short_t_1, _short_end_1, _short_x_1, _short_y_1, _short_z_1, _short_vx_1, _short_vy_1, _short_vz_1, _short_energy2_1, _short_moment2_1, _short_rho_start_1, _short_ceiling_1, _short_flat_1, _short_tilt_1, _short_jerk_1, _short_quotient_margin_1, _short_start_rate_1, _short_rho_rate_1, _short_rate_margin_1, _short_low1_1, _short_high1_1, _short_low2_1, _short_high2_1, _fits_1 = ring_resolution(_onset_1, _wide_end_1, _leaving_1, _lapsed_1, _near_x_1, _near_y_1, _near_z_1, _vx_1, _vy_1, _near_vz_1, _extent_1, _speed_1, _start_rate_1, _rho_rate_1, _wide_low1_1, _wide_high1_1, _wide_low2_1, _wide_high2_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
         _stepping_1, _searching_1, _single_precision_1, _ceiling_1, _flat_1, _tilt_1, _allowing_1 = coarse(_double(_short_rate_margin_1), _double(_short_flat_1), _double(_short_ceiling_1), _double(_short_share_1), _searching_1, _representable_1, _fits_1)
-        _, _, _excess_1 = allowance(_allowing_1, _latest_1, _extent_1, _speed_1, _position_error_1, _velocity_error_1, _p_gravity_1, _room_1)
+        _excess_1, = ring_coarse_excess(_allowing_1, _latest_1, _extent_1, _speed_1, _position_error_1, _velocity_error_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
         _budget_exceeded_1, = ring_budget_exceeded(_until_1, _extent_1, _speed_1, _position_error_1, _velocity_error_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
         _undecided_time_1, = out_of_budget(_pad_1, _budget_exceeded_1, _earliest_delay_1, _undecided_time_1, _excess_1)
         _rows3, _count4 = _most(_stepping_1, _count2)
@@ -10644,8 +10717,10 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             _arrival_2, _certain_2, _extent_2, _last_2, _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _position_error_2, _share_2, _speed_2, _t_2, _undecided_time_2, _until_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows9, _arrival_1, _certain_1, _extent_1, _last_1, _p_ball_radius_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _position_error_1, _share_1, _speed_1, _t_1, _undecided_time_1, _until_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
             _room_2 = room(_count10)
             _energy2_2, _moment2_2, _rho_start_2, _low0_2, _high0_2, _low1_2, _high1_2, _low2_2, _high2_2, _ceiling_2, _latest_2, *_ = ring_prepare(_until_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _extent_2, _speed_2, _position_error_2, _velocity_error_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
+            _excess_2, = ring_excess(_share_2, _latest_2, _extent_2, _speed_2, _position_error_2, _velocity_error_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
             _position_level_2, _velocity_level_2, *_ = allowance(_share_2, _latest_2, _extent_2, _speed_2, _position_error_2, _velocity_error_2, _p_gravity_2, _room_2)
             _flat_2, _tilt_2, _rate_slack_2 = ring_margins(_latest_2, _extent_2, _speed_2, _position_level_2, _velocity_level_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
+            _undecided_time_2, = budget_undecided(_t_2, _undecided_time_2, _excess_2)
             _t_2, _end_2, _searching_2 = ring_enter(_t_2, 0.0, _t_2, _low0_2, _low1_2, _low2_2, _high0_2, _high1_2, _high2_2, _room_2)
             _rows11, _count12 = _rows(_searching_2, _count10)
             if (0 < _count12) and (_count12 <= ALONE):
@@ -10666,7 +10741,8 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                         _p_ball_radius_4, _p_gravity_4, _p_ring_radius_4, _p_wire_radius_4, _share_4, _t_4, _undecided_time_4 = _taken(_rows14, _p_ball_radius_3, _p_gravity_3, _p_ring_radius_3, _p_wire_radius_3, _share_3, _t_3, _undecided_time_3)
                         _room_4 = room(_count15)
                         _share_4, = smaller_budget(_share_4)
-                        _position_level_4, _velocity_level_4, _excess_4 = allowance(_share_4, _latest_4, _extent_4, _speed_4, _position_error_4, _velocity_error_4, _p_gravity_4, _room_4)
+                        _excess_4, = ring_excess(_share_4, _latest_4, _extent_4, _speed_4, _position_error_4, _velocity_error_4, _p_ball_radius_4, _p_ring_radius_4, _p_wire_radius_4, _p_gravity_4, _room_4)
+                        _position_level_4, _velocity_level_4, *_ = allowance(_share_4, _latest_4, _extent_4, _speed_4, _position_error_4, _velocity_error_4, _p_gravity_4, _room_4)
                         _flat_4, _tilt_4, _rate_slack_4 = ring_margins(_latest_4, _extent_4, _speed_4, _position_level_4, _velocity_level_4, _p_ball_radius_4, _p_ring_radius_4, _p_wire_radius_4, _p_gravity_4, _room_4)
                         _undecided_time_4, = budget_undecided(_t_4, _undecided_time_4, _excess_4)
                         _flat_3, _rate_slack_3, _share_3, _tilt_3, _undecided_time_3 = _put(_rows14, _count12, (_flat_3, _rate_slack_3, _share_3, _tilt_3, _undecided_time_3,), (_flat_4, _rate_slack_4, _share_4, _tilt_4, _undecided_time_4,), _needs_refinement_3)

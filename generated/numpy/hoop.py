@@ -1,6 +1,6 @@
 """NumPy kernels of the scene hoop.
 
-Generated from templates/numpy/kernels.py.j2, scene hoop, derivation b8cd2f66933e66f6,
+Generated from templates/numpy/kernels.py.j2, scene hoop, derivation 0b232e662b9cf364,
 with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
 and run `make generate`.
 Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
@@ -343,6 +343,7 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "ring_curvature": ("curvature",),
     "ring_vary": ("contact_delay", "gap", "gap_change", "dx", "dy", "dz", "dvx", "dvy", "dvz", "dnx", "dny", "dnz",),
     "ring_carry_normal": ("dnx", "dny", "dnz", "turn",),
+    "ring_excess": ("excess",),
     "ring_clear": ("clear",),
     "ring_prepare": ("energy2", "moment2", "rho_start", "low0", "high0", "low1", "high1", "low2", "high2", "ceiling", "latest", "budget_exceeded",),
     "ring_margins": ("margin", "leaving_margin", "rate_margin",),
@@ -352,6 +353,7 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "ring_resolution": ("share", "t", "end", "x", "y", "z", "vx", "vy", "vz", "energy2", "moment2", "rho_start", "ceiling", "flat", "tilt", "jerk", "quotient_margin", "start_rate", "rho_rate", "rate_margin", "low1", "high1", "low2", "high2", "fits",),
     "ring_step": ("t", "end", "certain", "stepping",),
     "ring_started": ("rho_start", "start_rate", "rho_rate",),
+    "ring_coarse_excess": ("excess",),
     "ring_budget_exceeded": ("budget_exceeded",),
     "ring_drops_through": ("unproved",),
     "ring_enter": ("t", "end", "searching",),
@@ -491,14 +493,14 @@ _k67 = _float32(0.4)
 _k68 = _scalar(_float32(0.6))
 _k69 = _float32(0.6)
 _k70 = _float64(0.0625)
-_k71 = _scalar(4.0)
-_k72 = _float64(0.000244140625)
-_k73 = _float64(1.52587890625e-05)
-_k74 = _float64(5.820766091346741e-11)
-_k75 = _float64(1.00006103515625)
-_k76 = _float64(65536.0)
-_k77 = _float64(6.0003662109375)
-_k78 = _float64(0.0001220703125)
+_k71 = _float64(1.00006103515625)
+_k72 = _float64(0.0001220703125)
+_k73 = _scalar(4.0)
+_k74 = _float64(0.000244140625)
+_k75 = _float64(1.52587890625e-05)
+_k76 = _float64(5.820766091346741e-11)
+_k77 = _float64(65536.0)
+_k78 = _float64(6.0003662109375)
 _k79 = _scalar(8.881784197001252e-16)
 _k80 = _scalar(2.409919865102884e-181)
 _k81 = _scalar(-_inf)
@@ -562,19 +564,20 @@ _k138 = _scalar(_float32(3.0))
 _k139 = _scalar(_float32(0.000244140625))
 _k140 = _float32(3.814697265625e-06)
 _k141 = _float32(3.0)
-_k142 = _float32(1.00048828125)
-_k143 = _float32(0.00048828125)
-_k144 = _float32(0.125)
-_k145 = _float32(1.4143014047294855)
-_k146 = _float32(0.25)
-_k147 = _float32(1.52587890625e-05)
-_k148 = _scalar(2.222614453595284e-16)
-_k149 = _scalar(2.001953125)
-_k150 = _float64(6.667843360785852e-16)
-_k151 = _float64(8.890457814381136e-16)
-_k152 = _float64(2.222614453595284e-16)
-_k153 = _float64(2.001953125)
-_k154 = _float64(7.105427357601002e-15)
+_k142 = _float64(8.940696716308594e-08)
+_k143 = _float32(1.00048828125)
+_k144 = _float32(0.00048828125)
+_k145 = _float32(0.125)
+_k146 = _float32(1.4143014047294855)
+_k147 = _float32(0.25)
+_k148 = _float32(1.52587890625e-05)
+_k149 = _scalar(2.222614453595284e-16)
+_k150 = _scalar(2.001953125)
+_k151 = _float64(6.667843360785852e-16)
+_k152 = _float64(8.890457814381136e-16)
+_k153 = _float64(2.222614453595284e-16)
+_k154 = _float64(2.001953125)
+_k155 = _float64(7.105427357601002e-15)
 
 
 def _bits(value: Any, row: Any) -> Any:
@@ -1088,9 +1091,9 @@ def beginning() -> tuple[Any, ...]:
 def out_of_budget(pad: Any, budget_exceeded: Any, earliest_delay: Any, undecided_time: Any, excess: Any) -> tuple[Any, ...]:
     """Undecided time 0 if errors exceed the budget of a search, or its bounds fail.
 
-    Table 1. 6 operations: 3 comparisons, 2 disjunctions, 1 selection.
+    Table 1. 7 operations: 1 multiplication, 3 comparisons, 2 disjunctions, 1 selection.
     """
-    return _where(_logical_or(_logical_or((0.0 < excess), (0.0 < budget_exceeded)), (pad < earliest_delay)), 0.0, undecided_time),
+    return _where(_logical_or(_logical_or((0.0 < excess), (pad < (0.5 * earliest_delay))), (0.0 < budget_exceeded)), 0.0, undecided_time),
 
 
 def nearby(t: Any, flat: Any, tilt: Any, index: Any, last: Any) -> tuple[Any, ...]:
@@ -1628,6 +1631,23 @@ def ring_carry_normal(x: Any, y: Any, dx: Any, dy: Any, dz: Any, shift: Any, p_b
     return _multiply(x, _s6, _r0) + _multiply(dx, _s7, _r2), _multiply(y, _s6, _r4) + _multiply(dy, _s7, _r1), dz * _s1, shift * (_k34 / _where(_s8 < _s0, _s8, _s0))
 
 
+def ring_excess(share: Any, horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """Positive if errors of the state exceed those that a search allows for.
+
+    running error analysis. 26 operations: 6 additions, 3 subtractions, 10 multiplications, 1 division, 3 comparisons, 3 selections.
+    """
+    _r0, _r1, _r2, _r3 = _room[:4]
+    _s0 = _add(speed, _multiply(p_gravity, horizon, _r0), _r0)
+    _s1 = _multiply(horizon, _s0, _r1)
+    _s2 = _subtract(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(share, _add(_s1, _add(extent, _s1, _r3), _r3), _r3), _r3)
+    _s3 = 1.00006103515625 * (p_ball_radius + p_wire_radius)
+    _s4 = p_ring_radius - _s3
+    _s5 = 0.0001220703125 * p_ring_radius
+    _s6 = _s3 / _where(_s4 < _s5, _s5, _s4)
+    _s7 = _add(_multiply(_multiply(_s0, _where(1.0 < _s6, _s6, 1.0), _r2), _s2, _r2), _multiply(_s3, _subtract(velocity_error, _multiply(share, _s0, _r0), _r0), _r0), _r0)
+    return _result(_s2 < _s7, _s7, _s2, _r0),
+
+
 def ring_clear(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Positive if there is certainly no contact before the horizon.
 
@@ -1669,7 +1689,7 @@ def ring_clear(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, 
     _s32 = _add(x, _multiply(vx, horizon, _r7), _r7)
     _s33 = _add(y, _multiply(vy, horizon, _r8), _r8)
     _s34 = _select(_subtract(_add(_add(_s19, _multiply(_s32, _s32, _r7), _r7), _multiply(_s33, _s33, _r8), _r8), _s25, _r8) < _k7, _k48, _select(_subtract(_multiply(_s21, _s19 + _s25, _r8), _s29, _r8) < _k7, _k48, _k7, _r8), _r15)
-    _s35 = _select(_subtract(_multiply(_multiply(_k71, _multiply(_s31, _s31, _r10), _r10), _s26, _r10), _multiply(_multiply(_multiply(_k49, _s30, _r7), _s14, _r7), _s20, _r7), _r7) < _k7, _s34, _k7, _r7)
+    _s35 = _select(_subtract(_multiply(_multiply(_k73, _multiply(_s31, _s31, _r10), _r10), _s26, _r10), _multiply(_multiply(_multiply(_k49, _s30, _r7), _s14, _r7), _s20, _r7), _r7) < _k7, _s34, _k7, _r7)
     _s36 = _select(horizon < _subtract(_s11, _multiply(_k63, horizon, _r10), _r10), _k48, _select(_k7 < _s20, _select(_k7 < _s30, _s35, _k7, _r12), _k7, _r13), _r10)
     _s37 = _add(_multiply(x, vx, _r4), _multiply(y, vy, _r9), _r9)
     _s38 = _add(_multiply(_s10, _s21, _r14), _s37, _r14)
@@ -1824,7 +1844,7 @@ def ring_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: Any, 
     _s23 = _subtract(_add(_s16, _s17, _r8), energy2, _r8)
     _s24 = _s20 < _k7
     _s25 = _multiply(_k49, _s22, _r10)
-    _s26 = _select(_k7 < _select(_k7 <= _s20, _s22, _k7, _r11), _k8, _divide(_select(_s24, _s25, _multiply(_k71, _s20, _r11), _r12), _select(_s24, _negative(_s20, _r13), _select(_k7 < _s23, _s23, _k7, _r14), _r15), _r12), _r11)
+    _s26 = _select(_k7 < _select(_k7 <= _s20, _s22, _k7, _r11), _k8, _divide(_select(_s24, _s25, _multiply(_k73, _s20, _r11), _r12), _select(_s24, _negative(_s20, _r13), _select(_k7 < _s23, _s23, _k7, _r14), _r15), _r12), _r11)
     _s27 = _subtract(end, t, _r15)
     _s28 = _select(_s26 < _s27, _s26, _s27, _r14)
     _s29 = _add(_s19, _add(_multiply(_s28, _select(_s13 < _k7, _k7, _s13, _r8), _r8), _s8, _r8), _r8)
@@ -2047,6 +2067,24 @@ def ring_started(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_ring_radiu
     return _s0, _k49 * _add(_multiply(z, vz, _r0), _multiply(_s1, _subtract(_s0, p_ring_radius, _r1), _r1), _r1), _s1
 
 
+def ring_coarse_excess(share: Any, horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """Positive if errors of the state exceed those that a search allows for.
+
+    running error analysis. 34 operations: 7 additions, 5 subtractions, 13 multiplications, 1 division, 4 comparisons, 4 selections.
+    """
+    _r0, _r1, _r2, _r3, _r4 = _room[:5]
+    _s0 = _add(speed, _multiply(p_gravity, horizon, _r0), _r0)
+    _s1 = _multiply(share, _add(extent, _multiply(horizon, _s0, _r1), _r1), _r1)
+    _s2 = 1.00006103515625 * (p_ball_radius + p_wire_radius)
+    _s3 = _subtract(_subtract(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _s1, _r2), 8.940696716308594e-08 * (p_ring_radius + _s2), _r2)
+    _s4 = p_ring_radius - _s2
+    _s5 = 0.0001220703125 * p_ring_radius
+    _s6 = _s2 / _where(_s4 < _s5, _s5, _s4)
+    _s7 = _subtract(_add(position_error, _multiply(_multiply(_k47, horizon, _r3), velocity_error, _r3), _r3), _s1, _r3)
+    _s8 = _add(_multiply(_multiply(_s0, _where(1.0 < _s6, _s6, 1.0), _r1), _select(_s7 < _s3, _s3, _s7, _r4), _r4), _multiply(_s2, _subtract(velocity_error, _multiply(share, _s0, _r0), _r0), _r0), _r0)
+    return _result(_s3 < _s8, _s8, _s3, _r0),
+
+
 def ring_budget_exceeded(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Positive if the bounds of the search do not hold.
 
@@ -2181,7 +2219,7 @@ def backboard_margin(horizon: Any, extent: Any, speed: Any, position_error: Any,
     """
     _r0, _r1, _r2 = _room[:3]
     _s0 = _add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r0), _r0), _r0), _r0)
-    return _add((6.667843360785852e-16 * p_ball_radius) + (8.890457814381136e-16 * p_board_distance), _multiply(_k148, _s0, _r1), _r1) + _multiply(_k149, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(_k17, _s0, _r0), _r0), _r0),
+    return _add((6.667843360785852e-16 * p_ball_radius) + (8.890457814381136e-16 * p_board_distance), _multiply(_k149, _s0, _r1), _r1) + _multiply(_k150, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(_k17, _s0, _r0), _r0), _r0),
 
 
 def backboard_place(y: Any, z: Any, p_ball_radius: Any, p_board_distance: Any) -> tuple[Any, ...]:
@@ -2287,7 +2325,7 @@ def bridge_margin(horizon: Any, extent: Any, speed: Any, position_error: Any, ve
     """
     _r0, _r1, _r2 = _room[:3]
     _s0 = _add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r0), _r0), _r0), _r0)
-    return _add((6.667843360785852e-16 * p_ball_radius) + (6.667843360785852e-16 * p_wire_radius), _multiply(_k148, _s0, _r1), _r1) + _multiply(_k149, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(_k17, _s0, _r0), _r0), _r0),
+    return _add((6.667843360785852e-16 * p_ball_radius) + (6.667843360785852e-16 * p_wire_radius), _multiply(_k149, _s0, _r1), _r1) + _multiply(_k150, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(_k17, _s0, _r0), _r0), _r0),
 
 
 def bridge_place(x: Any, y: Any, p_ball_radius: Any, p_wire_radius: Any) -> tuple[Any, ...]:
@@ -2385,7 +2423,7 @@ def end_margin(horizon: Any, extent: Any, speed: Any, position_error: Any, veloc
     """
     _r0, _r1, _r2 = _room[:3]
     _s0 = _add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r0), _r0), _r0), _r0)
-    return _add(6.667843360785852e-16 * p_end_depth, _multiply(_k148, _s0, _r1), _r1) + _multiply(_k149, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(_k17, _s0, _r0), _r0), _r0),
+    return _add(6.667843360785852e-16 * p_end_depth, _multiply(_k149, _s0, _r1), _r1) + _multiply(_k150, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(_k17, _s0, _r0), _r0), _r0),
 
 
 def end_place(x: Any, y: Any, p_end_depth: Any) -> tuple[Any, ...]:
@@ -2738,7 +2776,7 @@ def _beginning_alone() -> tuple[Any, ...]:
 
 
 def _out_of_budget_alone(pad: Any, budget_exceeded: Any, earliest_delay: Any, undecided_time: Any, excess: Any) -> tuple[Any, ...]:
-    return _k2 if (((_k2 < excess) or (_k2 < budget_exceeded)) or (pad < earliest_delay)) else undecided_time,
+    return _k2 if (((_k2 < excess) or (pad < (_k0 * earliest_delay))) or (_k2 < budget_exceeded)) else undecided_time,
 
 
 def _nearby_alone(t: Any, flat: Any, tilt: Any, index: Any, last: Any) -> tuple[Any, ...]:
@@ -2806,6 +2844,18 @@ def _arrival_certainty_alone(clearance: Any, time: Any, delay: Any, undecided_ti
     return delay if _s0 else _k2, time if ((arrives and (not _s0)) and (time < undecided_time)) else undecided_time
 
 
+def _ring_excess_alone(share: Any, horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
+    _s0 = speed + (p_gravity * horizon)
+    _s1 = horizon * _s0
+    _s2 = (position_error + (horizon * velocity_error)) - (share * (_s1 + (extent + _s1)))
+    _s3 = _k71 * (p_ball_radius + p_wire_radius)
+    _s4 = p_ring_radius - _s3
+    _s5 = _k72 * p_ring_radius
+    _s6 = _s3 / (_s5 if _s4 < _s5 else _s4)
+    _s7 = ((_s0 * (_s6 if _k1 < _s6 else _k1)) * _s2) + (_s3 * (velocity_error - (share * _s0)))
+    return _s7 if _s2 < _s7 else _s2,
+
+
 def _ring_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
     _s0 = vz * vz
     _s1 = (vx * vx) + (vy * vy)
@@ -2815,7 +2865,7 @@ def _ring_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, 
     _s5 = (_k51 * p_ring_radius) * _s4
     _s6 = (x * x) + (y * y)
     _s7 = p_ball_radius + p_wire_radius
-    _s8 = _k75 * _s7
+    _s8 = _k71 * _s7
     _s9 = _k51 * p_gravity
     _s10 = _k82 * (_s0 + (_s9 * (abs(z) + _s8)))
     _s11 = (_s0 + (_s9 * (z + _s8))) + _s10
@@ -2837,7 +2887,7 @@ def _ring_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, 
     _s27 = (((-((_s21 + _s22) + _s23)) * _s24) if _s25 else _k10) if _s26 else _k84
     _s28 = _s27 if _s16 < _s27 else _s16
     _s29 = p_ring_radius - _s8
-    _s30 = _k78 * p_ring_radius
+    _s30 = _k72 * p_ring_radius
     _s31 = _s30 if _s29 < _s30 else _s29
     _s32 = ((_s1 * (_s31 * _s31)) - _s19) - _s4
     _s33 = _root((_k2 if _s32 < _k2 else _s32))
@@ -2865,23 +2915,23 @@ def _ring_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, 
     _s55 = _s42 if _k2 < _s42 else _k2
     _s56 = _s51 if _s55 < _s51 else _s55
     _s57 = _s53 if _s56 < _s53 else _s56
-    _s58 = (_k72 * p_ring_radius) - (p_ring_radius - _s7)
+    _s58 = (_k74 * p_ring_radius) - (p_ring_radius - _s7)
     _s59 = _root(_k51) * _root((_s12 * (((_k51 * p_ball_radius) + (_k51 * p_wire_radius)) + extent)))
     _s60 = _s59 + ((_k51 * speed) * _s12)
-    _s61 = ((position_error + (velocity_error * (_s60 if _s60 < horizon else horizon))) - (_k73 * p_ball_radius)) - (_k73 * p_wire_radius)
-    return _s2, _s5, _root(_s6), _s28 if _k2 < _s28 else _k2, _s42 if _s42 < horizon else horizon, _s50 if _k2 < _s50 else _k2, _s51 if _s51 < horizon else horizon, _s52 if _k2 < _s52 else _k2, _s53 if _s53 < horizon else horizon, (((_k77 * p_gravity) * _s7) + (_s5 * (_s54 * (_s54 * _s54)))) + abs(_s2), _s57 if _s57 < horizon else horizon, _s61 if _s58 < _s61 else _s58
+    _s61 = ((position_error + (velocity_error * (_s60 if _s60 < horizon else horizon))) - (_k75 * p_ball_radius)) - (_k75 * p_wire_radius)
+    return _s2, _s5, _root(_s6), _s28 if _k2 < _s28 else _k2, _s42 if _s42 < horizon else horizon, _s50 if _k2 < _s50 else _k2, _s51 if _s51 < horizon else horizon, _s52 if _k2 < _s52 else _k2, _s53 if _s53 < horizon else horizon, (((_k78 * p_gravity) * _s7) + (_s5 * (_s54 * (_s54 * _s54)))) + abs(_s2), _s57 if _s57 < horizon else horizon, _s61 if _s58 < _s61 else _s58
 
 
 def _ring_margins_alone(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
     _s0 = p_ball_radius + p_wire_radius
     _s1 = speed + (p_gravity * horizon)
-    _s2 = _k75 * _s0
+    _s2 = _k71 * _s0
     _s3 = _s2 * _s1
     _s4 = p_ring_radius + _s2
     _s5 = extent + (horizon * _s1)
     _s6 = (position_error + (horizon * velocity_error)) + (_k21 * _s5)
     _s7 = p_ring_radius - _s2
-    _s8 = _k78 * p_ring_radius
+    _s8 = _k72 * p_ring_radius
     _s9 = _s2 / (_s8 if _s7 < _s8 else _s7)
     _s10 = _s9 if _k1 < _s9 else _k1
     _s11 = _k91 * (((_s1 * _s10) * _s6) + (_s2 * (velocity_error + (_k92 * _s1))))
@@ -2924,7 +2974,7 @@ def _ring_advance_alone(t: Any, end: Any, leaving: Any, margin: Any, rate_margin
     _s15 = _k9 * p_gravity
     _s16 = _s15 * _s8
     _s17 = moment2 * (_s11 * (_s11 * _s11))
-    _s18 = _k75 * _s9
+    _s18 = _k71 * _s9
     _s19 = _k94 * (p_ring_radius + _s18)
     _s20 = _s14 - rate_margin
     _s21 = _s10 - margin
@@ -2939,7 +2989,7 @@ def _ring_advance_alone(t: Any, end: Any, leaving: Any, margin: Any, rate_margin
     _s30 = _s15 * (_s18 if _s18 < _s29 else _s29)
     _s31 = ((_s28 * (_k2 if _k2 < _s12 else _s12)) + _s2) - _s19
     _s32 = p_ring_radius - _s18
-    _s33 = _k78 * p_ring_radius
+    _s33 = _k72 * p_ring_radius
     _s34 = _s33 if _s32 < _s33 else _s32
     _s35 = _k1 / (_s34 if _s31 < _s34 else _s31)
     _s36 = moment2 * (_s35 * (_s35 * _s35))
@@ -3132,12 +3182,25 @@ def _ring_started_alone(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_rin
     return _s0, _k51 * ((z * vz) + (_s1 * (_s0 - p_ring_radius))), _s1
 
 
+def _ring_coarse_excess_alone(share: Any, horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
+    _s0 = speed + (p_gravity * horizon)
+    _s1 = share * (extent + (horizon * _s0))
+    _s2 = _k71 * (p_ball_radius + p_wire_radius)
+    _s3 = ((position_error + (horizon * velocity_error)) - _s1) - (_k142 * (p_ring_radius + _s2))
+    _s4 = p_ring_radius - _s2
+    _s5 = _k72 * p_ring_radius
+    _s6 = _s2 / (_s5 if _s4 < _s5 else _s4)
+    _s7 = (position_error + ((_k0 * horizon) * velocity_error)) - _s1
+    _s8 = ((_s0 * (_s6 if _k1 < _s6 else _k1)) * (_s3 if _s7 < _s3 else _s7)) + (_s2 * (velocity_error - (share * _s0)))
+    return _s8 if _s3 < _s8 else _s3,
+
+
 def _ring_budget_exceeded_alone(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
-    _s0 = (_k72 * p_ring_radius) - (p_ring_radius - (p_ball_radius + p_wire_radius))
+    _s0 = (_k74 * p_ring_radius) - (p_ring_radius - (p_ball_radius + p_wire_radius))
     _s1 = _k1 / p_gravity
     _s2 = _root(_k51) * _root((_s1 * (((_k51 * p_ball_radius) + (_k51 * p_wire_radius)) + extent)))
     _s3 = _s2 + ((_k51 * speed) * _s1)
-    _s4 = ((position_error + (velocity_error * (_s3 if _s3 < horizon else horizon))) - (_k73 * p_ball_radius)) - (_k73 * p_wire_radius)
+    _s4 = ((position_error + (velocity_error * (_s3 if _s3 < horizon else horizon))) - (_k75 * p_ball_radius)) - (_k75 * p_wire_radius)
     return _s4 if _s0 < _s4 else _s0,
 
 
@@ -3273,7 +3336,7 @@ def _alone5(_earliest_delay_: Any, _extent_: Any, _last_: Any, _p_ball_radius_: 
     _near_x_, _near_y_, _near_z_, _, _, _near_vz_ = _flight_alone(_since_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_gravity_)
     _short_share_, _short_t_, _short_end_, _short_x_, _short_y_, _short_z_, _short_vx_, _short_vy_, _short_vz_, _short_energy2_, _short_moment2_, _short_rho_start_, _short_ceiling_, _short_flat_, _short_tilt_, _short_jerk_, _short_quotient_margin_, _short_start_rate_, _short_rho_rate_, _short_rate_margin_, _short_low1_, _short_high1_, _short_low2_, _short_high2_, _fits_ = _ring_resolution_alone(_onset_, _wide_end_, _float32(_leaving_), _lapsed_, _float32(_near_x_), _float32(_near_y_), _float32(_near_z_), _float32(_vx_), _float32(_vy_), _float32(_near_vz_), _float32(_extent_), _float32(_speed_), _float32(_start_rate_), _float32(_rho_rate_), _wide_low1_, _wide_high1_, _wide_low2_, _wide_high2_, _float32(_p_ball_radius_), _float32(_p_ring_radius_), _float32(_p_wire_radius_), _float32(_p_gravity_))
     _stepping_, _searching_, _single_precision_, _ceiling_, _flat_, _tilt_, _allowing_ = _coarse_alone(_float64(_short_rate_margin_), _float64(_short_flat_), _float64(_short_ceiling_), _float64(_short_share_), _searching_, _representable_, _fits_)
-    _, _, _excess_ = _allowance_alone(_allowing_, _latest_, _extent_, _speed_, _float64(_position_error_), _float64(_velocity_error_), _p_gravity_)
+    _excess_, = _ring_coarse_excess_alone(_allowing_, _latest_, _extent_, _speed_, _float64(_position_error_), _float64(_velocity_error_), _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
     _budget_exceeded_, = _ring_budget_exceeded_alone(_until_, _extent_, _speed_, _float64(_position_error_), _float64(_velocity_error_), _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
     _undecided_time_, = _out_of_budget_alone(_pad_, _budget_exceeded_, _earliest_delay_, _undecided_time_, _excess_)
     if _stepping_:
@@ -3285,8 +3348,10 @@ def _alone5(_earliest_delay_: Any, _extent_: Any, _last_: Any, _p_ball_radius_: 
     _arrival_, _t_, _searching_ = _stepped_alone(_arrival_, _float64(_short_t_), _searching_, _since_, _single_precision_, _certain_)
     if _searching_:
         _energy2_, _moment2_, _rho_start_, _low0_, _high0_, _low1_, _high1_, _low2_, _high2_, _ceiling_, _latest_, _ = _ring_prepare_alone(_until_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _extent_, _speed_, _float64(_position_error_), _float64(_velocity_error_), _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
+        _excess_, = _ring_excess_alone(_share_, _latest_, _extent_, _speed_, _float64(_position_error_), _float64(_velocity_error_), _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
         _position_level_, _velocity_level_, _ = _allowance_alone(_share_, _latest_, _extent_, _speed_, _float64(_position_error_), _float64(_velocity_error_), _p_gravity_)
         _flat_, _tilt_, _rate_slack_ = _ring_margins_alone(_latest_, _extent_, _speed_, _position_level_, _velocity_level_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
+        _undecided_time_, = _budget_undecided_alone(_t_, _undecided_time_, _excess_)
         _t_, _end_, _searching_ = _ring_enter_alone(_t_, _k2, _t_, _low0_, _low1_, _low2_, _high0_, _high1_, _high2_)
         for _ in range(201):
             if not _searching_:
@@ -3296,7 +3361,8 @@ def _alone5(_earliest_delay_: Any, _extent_: Any, _last_: Any, _p_ball_radius_: 
             _hit_, _sure_, _needs_refinement_ = _gap_closes_alone(_gap_, _rate_, _bend_, _margin_, _rate_slack_, _clearance_, _share_)
             if _needs_refinement_:
                 _share_, = _smaller_budget_alone(_share_)
-                _position_level_, _velocity_level_, _excess_ = _allowance_alone(_share_, _latest_, _extent_, _speed_, _float64(_position_error_), _float64(_velocity_error_), _p_gravity_)
+                _excess_, = _ring_excess_alone(_share_, _latest_, _extent_, _speed_, _float64(_position_error_), _float64(_velocity_error_), _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
+                _position_level_, _velocity_level_, _ = _allowance_alone(_share_, _latest_, _extent_, _speed_, _float64(_position_error_), _float64(_velocity_error_), _p_gravity_)
                 _flat_, _tilt_, _rate_slack_ = _ring_margins_alone(_latest_, _extent_, _speed_, _position_level_, _velocity_level_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
                 _undecided_time_, = _budget_undecided_alone(_t_, _undecided_time_, _excess_)
             _arrival_, _certain_, _exhausted_, _searching_, _t_ = _advanced_alone(_t_, _end_, _step_, _next_, _arrival_, _hit_, _sure_, _needs_refinement_, _certain_)
@@ -3338,8 +3404,10 @@ def _alone6(_certain_: Any, _p_ball_radius_: Any, _p_gravity_: Any, _p_ring_radi
 def _alone7(_arrival_: Any, _certain_: Any, _extent_: Any, _last_: Any, _p_ball_radius_: Any, _p_gravity_: Any, _p_ring_radius_: Any, _p_wire_radius_: Any, _position_error_: Any, _share_: Any, _speed_: Any, _t_: Any, _undecided_time_: Any, _until_: Any, _velocity_error_: Any, _vx_: Any, _vy_: Any, _vz_: Any, _x_: Any, _y_: Any, _z_: Any) -> tuple[Any, ...]:
     """Do the body of `searching` for one shot."""
     _energy2_, _moment2_, _rho_start_, _low0_, _high0_, _low1_, _high1_, _low2_, _high2_, _ceiling_, _latest_, _ = _ring_prepare_alone(_until_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _extent_, _speed_, _float64(_position_error_), _float64(_velocity_error_), _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
+    _excess_, = _ring_excess_alone(_share_, _latest_, _extent_, _speed_, _float64(_position_error_), _float64(_velocity_error_), _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
     _position_level_, _velocity_level_, _ = _allowance_alone(_share_, _latest_, _extent_, _speed_, _float64(_position_error_), _float64(_velocity_error_), _p_gravity_)
     _flat_, _tilt_, _rate_slack_ = _ring_margins_alone(_latest_, _extent_, _speed_, _position_level_, _velocity_level_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
+    _undecided_time_, = _budget_undecided_alone(_t_, _undecided_time_, _excess_)
     _t_, _end_, _searching_ = _ring_enter_alone(_t_, _k2, _t_, _low0_, _low1_, _low2_, _high0_, _high1_, _high2_)
     for _ in range(201):
         if not _searching_:
@@ -3349,7 +3417,8 @@ def _alone7(_arrival_: Any, _certain_: Any, _extent_: Any, _last_: Any, _p_ball_
         _hit_, _sure_, _needs_refinement_ = _gap_closes_alone(_gap_, _rate_, _bend_, _margin_, _rate_slack_, _clearance_, _share_)
         if _needs_refinement_:
             _share_, = _smaller_budget_alone(_share_)
-            _position_level_, _velocity_level_, _excess_ = _allowance_alone(_share_, _latest_, _extent_, _speed_, _float64(_position_error_), _float64(_velocity_error_), _p_gravity_)
+            _excess_, = _ring_excess_alone(_share_, _latest_, _extent_, _speed_, _float64(_position_error_), _float64(_velocity_error_), _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
+            _position_level_, _velocity_level_, _ = _allowance_alone(_share_, _latest_, _extent_, _speed_, _float64(_position_error_), _float64(_velocity_error_), _p_gravity_)
             _flat_, _tilt_, _rate_slack_ = _ring_margins_alone(_latest_, _extent_, _speed_, _position_level_, _velocity_level_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
             _undecided_time_, = _budget_undecided_alone(_t_, _undecided_time_, _excess_)
         _arrival_, _certain_, _exhausted_, _searching_, _t_ = _advanced_alone(_t_, _end_, _step_, _next_, _arrival_, _hit_, _sure_, _needs_refinement_, _certain_)
@@ -3369,7 +3438,8 @@ def _alone8(_arrival_: Any, _ceiling_: Any, _certain_: Any, _end_: Any, _energy2
         _hit_, _sure_, _needs_refinement_ = _gap_closes_alone(_gap_, _rate_, _bend_, _margin_, _rate_slack_, _clearance_, _share_)
         if _needs_refinement_:
             _share_, = _smaller_budget_alone(_share_)
-            _position_level_, _velocity_level_, _excess_ = _allowance_alone(_share_, _latest_, _extent_, _speed_, _float64(_position_error_), _float64(_velocity_error_), _p_gravity_)
+            _excess_, = _ring_excess_alone(_share_, _latest_, _extent_, _speed_, _float64(_position_error_), _float64(_velocity_error_), _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
+            _position_level_, _velocity_level_, _ = _allowance_alone(_share_, _latest_, _extent_, _speed_, _float64(_position_error_), _float64(_velocity_error_), _p_gravity_)
             _flat_, _tilt_, _rate_slack_ = _ring_margins_alone(_latest_, _extent_, _speed_, _position_level_, _velocity_level_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
             _undecided_time_, = _budget_undecided_alone(_t_, _undecided_time_, _excess_)
         _arrival_, _certain_, _exhausted_, _searching_, _t_ = _advanced_alone(_t_, _end_, _step_, _next_, _arrival_, _hit_, _sure_, _needs_refinement_, _certain_)
@@ -3791,7 +3861,7 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _near_x_1, _near_y_1, _near_z_1, _, _, _near_vz_1 = flight(_since_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _p_gravity_1, _room_1)
         _short_share_1, _short_t_1, _short_end_1, _short_x_1, _short_y_1, _short_z_1, _short_vx_1, _short_vy_1, _short_vz_1, _short_energy2_1, _short_moment2_1, _short_rho_start_1, _short_ceiling_1, _short_flat_1, _short_tilt_1, _short_jerk_1, _short_quotient_margin_1, _short_start_rate_1, _short_rho_rate_1, _short_rate_margin_1, _short_low1_1, _short_high1_1, _short_low2_1, _short_high2_1, _fits_1 = ring_resolution(_onset_1, _wide_end_1, _leaving_1, _lapsed_1, _near_x_1, _near_y_1, _near_z_1, _vx_1, _vy_1, _near_vz_1, _extent_1, _speed_1, _start_rate_1, _rho_rate_1, _wide_low1_1, _wide_high1_1, _wide_low2_1, _wide_high2_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
         _stepping_1, _searching_1, _single_precision_1, _ceiling_1, _flat_1, _tilt_1, _allowing_1 = coarse(_double(_short_rate_margin_1), _double(_short_flat_1), _double(_short_ceiling_1), _double(_short_share_1), _searching_1, _representable_1, _fits_1)
-        _, _, _excess_1 = allowance(_allowing_1, _latest_1, _extent_1, _speed_1, _double(_position_error_1), _double(_velocity_error_1), _p_gravity_1, _room_1)
+        _excess_1, = ring_coarse_excess(_allowing_1, _latest_1, _extent_1, _speed_1, _double(_position_error_1), _double(_velocity_error_1), _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
         _budget_exceeded_1, = ring_budget_exceeded(_until_1, _extent_1, _speed_1, _double(_position_error_1), _double(_velocity_error_1), _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
         _undecided_time_1, = out_of_budget(_pad_1, _budget_exceeded_1, _earliest_delay_1, _undecided_time_1, _excess_1)
         _rows11, _count12 = _most(_stepping_1, _count10)
@@ -3834,8 +3904,10 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             _arrival_2, _certain_2, _extent_2, _last_2, _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _position_error_2, _share_2, _speed_2, _t_2, _undecided_time_2, _until_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows17, _arrival_1, _certain_1, _extent_1, _last_1, _p_ball_radius_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _position_error_1, _share_1, _speed_1, _t_1, _undecided_time_1, _until_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
             _room_2 = room(_count18)
             _energy2_2, _moment2_2, _rho_start_2, _low0_2, _high0_2, _low1_2, _high1_2, _low2_2, _high2_2, _ceiling_2, _latest_2, *_ = ring_prepare(_until_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _extent_2, _speed_2, _double(_position_error_2), _double(_velocity_error_2), _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
+            _excess_2, = ring_excess(_share_2, _latest_2, _extent_2, _speed_2, _double(_position_error_2), _double(_velocity_error_2), _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
             _position_level_2, _velocity_level_2, *_ = allowance(_share_2, _latest_2, _extent_2, _speed_2, _double(_position_error_2), _double(_velocity_error_2), _p_gravity_2, _room_2)
             _flat_2, _tilt_2, _rate_slack_2 = ring_margins(_latest_2, _extent_2, _speed_2, _position_level_2, _velocity_level_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
+            _undecided_time_2, = budget_undecided(_t_2, _undecided_time_2, _excess_2)
             _t_2, _end_2, _searching_2 = ring_enter(_t_2, 0.0, _t_2, _low0_2, _low1_2, _low2_2, _high0_2, _high1_2, _high2_2, _room_2)
             _rows19, _count20 = _rows(_searching_2, _count18)
             if (0 < _count20) and (_count20 <= ALONE):
@@ -3856,7 +3928,8 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                         _p_ball_radius_4, _p_gravity_4, _p_ring_radius_4, _p_wire_radius_4, _share_4, _t_4, _undecided_time_4 = _taken(_rows22, _p_ball_radius_3, _p_gravity_3, _p_ring_radius_3, _p_wire_radius_3, _share_3, _t_3, _undecided_time_3)
                         _room_4 = room(_count23)
                         _share_4, = smaller_budget(_share_4)
-                        _position_level_4, _velocity_level_4, _excess_4 = allowance(_share_4, _latest_4, _extent_4, _speed_4, _double(_position_error_4), _double(_velocity_error_4), _p_gravity_4, _room_4)
+                        _excess_4, = ring_excess(_share_4, _latest_4, _extent_4, _speed_4, _double(_position_error_4), _double(_velocity_error_4), _p_ball_radius_4, _p_ring_radius_4, _p_wire_radius_4, _p_gravity_4, _room_4)
+                        _position_level_4, _velocity_level_4, *_ = allowance(_share_4, _latest_4, _extent_4, _speed_4, _double(_position_error_4), _double(_velocity_error_4), _p_gravity_4, _room_4)
                         _flat_4, _tilt_4, _rate_slack_4 = ring_margins(_latest_4, _extent_4, _speed_4, _position_level_4, _velocity_level_4, _p_ball_radius_4, _p_ring_radius_4, _p_wire_radius_4, _p_gravity_4, _room_4)
                         _undecided_time_4, = budget_undecided(_t_4, _undecided_time_4, _excess_4)
                         _flat_3, _rate_slack_3, _share_3, _tilt_3, _undecided_time_3 = _put(_rows22, _count20, (_flat_3, _rate_slack_3, _share_3, _tilt_3, _undecided_time_3,), (_flat_4, _rate_slack_4, _share_4, _tilt_4, _undecided_time_4,), _needs_refinement_3)

@@ -185,9 +185,27 @@ def known(seed: int, rows: int) -> tuple[Columns, Floats]:
     return shots, first_roots(shots)
 
 
-_EXACT = {"position_error": 0.0, "velocity_error": 0.0}
-_LEVELS = {"position_level": 0.99, "velocity_level": 0.99}
-"""Shares of the allowed errors that the errors have; the levels are those of exact flights."""
+def _error_sizes(kernels: ModuleType, shots: Columns, rng: np.random.Generator) -> list[Floats]:
+    """Return sizes of the errors of place and velocity that a search just allows for.
+
+    Some are errors of the place alone, some of the velocity alone.
+    """
+    rows = len(shots["x"])
+    first = begun(kernels, shots)
+    latest = call(kernels, "ring_opened", shots)["latest"]
+    fastest = shots["speed"] + shots["gravity"] * latest
+    furthest = shots["extent"] + latest * fastest
+    part = np.clip(rng.uniform(-0.5, 1.5, rows), 0.0, 1.0)
+    sizes = part * furthest, (1 - part) * np.maximum(fastest, furthest)
+    low, high = np.zeros(rows), np.ones(rows)
+    for _ in range(50):
+        middle = (low + high) / 2
+        names = ("position_error", "velocity_error")
+        errors = {name: middle * size for name, size in zip(names, sizes, strict=True)}
+        given = {**shots, **errors, "horizon": latest, "share": first["share"]}
+        over = call(kernels, "ring_coarse_excess", given)["excess"] > 0
+        low, high = np.where(over, low, middle), np.where(over, middle, high)
+    return [low * size for size in sizes]
 
 
 def erring(kernels: ModuleType, shots: Columns, roots: Floats, seed: int) -> Columns:
@@ -196,11 +214,7 @@ def erring(kernels: ModuleType, shots: Columns, roots: Floats, seed: int) -> Col
     Half of them are moved and turned away from the ring, so that steps become too long.
     """
     rng = np.random.default_rng((seed, 4))
-    first = begun(kernels, shots)
-    latest = call(kernels, "ring_opened", shots)["latest"]
-    allowed = call(
-        kernels, "allowance", {**shots, "horizon": latest, "share": first["share"]} | _EXACT
-    )
+    sizes = _error_sizes(kernels, shots, rng)
     when = np.where(np.isfinite(roots), roots, 0.0)
     x, y = (shots[name] + shots["v" + name] * when for name in "xy")
     z = shots["z"] + (shots["vz"] - shots["gravity"] * when / 2) * when
@@ -208,7 +222,7 @@ def erring(kernels: ModuleType, shots: Columns, roots: Floats, seed: int) -> Col
     inward = rho - shots["ring_radius"]
     away = np.sign([x * inward, y * inward, z])
     signs = np.where(rng.random(len(x)) < 0.5, away, rng.choice([-1.0, 1.0], (3, len(x))))
-    off = [size * allowed[level] * signs for level, size in _LEVELS.items()]
+    off = [0.99 * size * signs for size in sizes]
     return shots | {n: shots[n] + by for n, by in zip(STATE, (*off[0], *off[1]), strict=True)}
 
 

@@ -6,21 +6,25 @@ shots do not show it. The tests call the kernels with numbers at the limit.
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 
 import pytest
 from hoopgen.derive.errors import propagation
 from hoopgen.derive.events import bounding_boxes, plane_filter
+from hoopgen.derive.events import predicates as searching
 from hoopgen.derive.events.box import BoxRootFinder
+from hoopgen.derive.events.ring.double import RingRootFinder
+from hoopgen.derive.events.ring.single import SinglePrecisionRing
 from hoopgen.derive.rolling import events, settling
 from hoopgen.derive.surfaces import Box
 from hoopgen.derive.surfaces.oblique_box import ObliqueBox
 
 pytest.importorskip("flint")
 
+from tests.derive.events import test_error_budget, test_near_plates, test_own_surfaces
 from tests.derive.events import test_margins_of_filters as filters
-from tests.derive.events import test_near_plates, test_own_surfaces
 from tests.derive.rolling import test_margins_in_contact as contact
 from tests.derive.surfaces import test_boxes
 from tests.helpers.checked_faults import (
@@ -31,7 +35,7 @@ from tests.helpers.checked_faults import (
     noticed,
     passes,
 )
-from tests.helpers.mutants import in_text
+from tests.helpers.mutants import in_decisions, in_text
 
 pytestmark = [pytest.mark.xdist_group("margin_mutations")]
 
@@ -106,7 +110,60 @@ face_normal = OfFormulas(
     test_boxes.test_on_a_face_the_normal_of_a_box_is_an_axis_whatever_the_rounding_of_the_place
 )
 
+in_double = partial(in_text, RingRootFinder)
+budget = OfFormulas(
+    test_error_budget.test_errors_within_the_budget_change_no_gap_by_more_than_its_margin,
+    (("double",), ("single",)),
+)
+budget_in_single = replace(budget, given=(("single",),))
+horizon = OfFormulas(
+    test_error_budget.test_an_arrival_that_may_be_later_than_the_horizon_is_undecided
+)
+
 FAULTS = (
+    # What a search allows for.
+    Planted(
+        "an error of the velocity moves no ball within the budget of a search",
+        in_double("_moved_by_errors", "position_error + velocity_error * time", "position_error"),
+        budget,
+    ),
+    Planted(
+        "an error of the velocity is none of the rate of the gap",
+        in_double("_exceeding", "self.reach * sped + ", ""),
+        budget,
+    ),
+    Planted(
+        "an error of the place counts half in the rate of the gap",
+        in_double("_exceeding", "maximum(1, self.reach / innermost)", "sp.Rational(1, 2)"),
+        budget,
+    ),
+    Planted(
+        "a search allows for twice the place",
+        in_double("excess", "- share * (", "- 2 * share * ("),
+        budget,
+    ),
+    Planted(
+        "a search in single precision allows for twice the place",
+        in_text(SinglePrecisionRing, "excess", "- allowed - SPARE", "- 2 * allowed - SPARE"),
+        budget_in_single,
+    ),
+    Planted(
+        "an error of the velocity is none of the mean rate of the gap",
+        in_text(
+            SinglePrecisionRing,
+            "excess",
+            "maximum(barrier(self._moved",
+            "minimum(barrier(self._moved",
+        ),
+        budget_in_single,
+    ),
+    Planted(
+        "an arrival is no later than the horizon",
+        in_decisions(
+            searching, "out_of_budget(sp.Rational(1, 2))", "out_of_budget(sp.Rational(1, 8))"
+        ),
+        horizon,
+    ),
     # How the bounces end.
     Planted(
         "a force that presses is steady however long the bounces last",

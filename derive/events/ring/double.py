@@ -20,9 +20,9 @@ from typing import ClassVar
 import sympy as sp
 
 from ...symbolic.conditionals import absolute, barrier, maximum, minimum
-from ...symbolic.rounding import ROUNDING_SLACK, Rounded
+from ...symbolic.rounding import ROUNDING_SLACK, Rounded, position_error, velocity_error
 from ...symbolic.symbols import POSITION, UNIT_ROUNDOFF, VELOCITY, t
-from ..event_polynomials import horizon, time_rounding
+from ..event_polynomials import horizon, share, time_rounding
 from .miss_filter import clear, drops_through
 from .polar import energy2, moment2, rho_start
 from .windows import RingWindows
@@ -139,6 +139,41 @@ class RingRootFinder(RingWindows):
         innermost, _ = self.radii()
         turn = self.constants["moment2"] * barrier(1 / innermost) ** 3
         return absolute(self.constants["energy2"]) + 6 * self.gravity * self.reach + turn
+
+    @property
+    def excess(self) -> sp.Expr:
+        """Positive if errors of the state exceed those that the margins of a search contain.
+
+        A search allows for a share s of X = |x| + T V, the size of the flight up to the end T of
+        its windows, and of its speed V. Its margins contain
+
+            5 R s Y of F,    5 (R s V + max(1, R/I) V s Y) of F' and F/t,    Y = X + T V.
+
+        Errors of the position and the velocity, p and v in each coordinate, are at most P = p + T v
+        of any position until T. By the inequalities of `margins` they change F, F' and F/t by no
+        more than that if
+
+            P <= s Y    and    R (v - s V) + max(1, R/I) V (P - s Y) <= 0.
+
+        So v may exceed s V where P is less than s Y, and mostly it is the velocity that is known
+        less well.
+        """
+        furthest, fastest = self.flight.size(horizon)
+        moved = barrier(self._moved_by_errors(horizon) - share * (furthest + horizon * fastest))
+        return self._exceeding(moved, moved)
+
+    @staticmethod
+    def _moved_by_errors(time: sp.Expr) -> sp.Expr:
+        """Return a bound on the error of any coordinate until a time."""
+        return barrier(position_error + velocity_error * time)
+
+    def _exceeding(self, moved: sp.Expr, mean: sp.Expr) -> sp.Expr:
+        """Return the excess, given by how much P exceeds what counts in F, and in F' and F/t."""
+        _, fastest = self.flight.size(horizon)
+        innermost, _ = self.radii()
+        stretch = maximum(1, self.reach / innermost)
+        sped = barrier(velocity_error - share * fastest)
+        return maximum(moved, barrier(self.reach * sped + barrier(stretch * fastest) * mean))
 
     @property
     def margins(self) -> dict[str, sp.Expr]:

@@ -11,7 +11,8 @@ errors of the place and of the velocity,
 the roundings of the place are 6 v A + 7/2 v g D², those of the gap's formula count as 5/2 v A,
 those of times and steps as 6 v A + 5/2 v g D²; and p less the first of these covers the roundings
 of the rate, 32 v A |v|. `RingRootFinder.margins` turns these errors, and those of the state that a
-search allows for, into the margins used here.
+search allows for, into the margins used here. Of 16 v A no more than 29/2 v A are counted; the rest
+is left for errors of the state (`SinglePrecisionRing.excess`).
 
 Just after the ball has left the ring, F and F' are smaller than these margins. There
 
@@ -56,7 +57,15 @@ from ...symbolic.conditionals import (
 from ...symbolic.rounding import ROUNDING_SLACK, extent, speed
 from ...symbolic.symbols import POSITION, VELOCITY, t
 from ..box_windows import enter, opening
-from ..event_polynomials import ERROR_BUDGET_LEVELS, ceiling, end, horizon, leaving, rate_margin
+from ..event_polynomials import (
+    ERROR_BUDGET_LEVELS,
+    ceiling,
+    end,
+    horizon,
+    leaving,
+    rate_margin,
+    share,
+)
 from ..predicates import flat, tilt
 from .double import RingRootFinder
 from .polar import energy2, moment2, rho_start
@@ -86,6 +95,10 @@ _QUICK = all_of(_NEAR, Less(_JERKED, rate_margin))
 """True where F' is more exact from F/t."""
 
 
+SPARE = sp.Rational(3, 2**25)
+"""Share of the annulus's outer radius by which margins of a place exceed the roundings: 3/2 v."""
+
+
 class SinglePrecisionRing(RingRootFinder):
     """The root finder for the ring in single precision."""
 
@@ -104,6 +117,26 @@ class SinglePrecisionRing(RingRootFinder):
             start_rate,
             rho_rate,
             *(edge for window in self._later() for edge in window),
+        )
+
+    @property
+    def excess(self) -> sp.Expr:
+        """Positive if errors of the state exceed those that the margins contain.
+
+        With c = 3/2 v A and the letters of `RingRootFinder.excess` the margins contain
+
+            5 R (s X + c) of F,    5 (R s V + max(1, R/I) V (s X + c)) of F',
+            5 (R s V + max(1, R/I) V s X) of F/t, and twice that of F' where it is 2 F/t - F'_0.
+
+        F/t is the mean of F' since the start, so places count as off by p + T v/2 there; and F' is
+        off by at most twice as much as that would make it.
+        """
+        _, outermost = self.radii()
+        furthest, _ = self.flight.size(horizon)
+        allowed = barrier(share * furthest)
+        moved = barrier(self._moved_by_errors(horizon) - allowed - SPARE * outermost)
+        return self._exceeding(
+            moved, maximum(barrier(self._moved_by_errors(horizon / 2) - allowed), moved)
         )
 
     def _later(self) -> list[tuple[sp.Symbol, sp.Symbol]]:

@@ -138,7 +138,7 @@ PREMISES: dict[str, Premise] = {
     "ring_curvature": Premise(
         LEMMA, "bounds on the second derivative within a window", _kernels("ring.advance")
     ),
-    "ring_margins": Premise(LEMMA, "the ring's margins", _kernels("ring.margins")),
+    "ring_margins": Premise(LEMMA, "the ring's margins", _kernels("ring.margins ring.excess")),
     "ring_clear": Premise(
         LEMMA, "a certain miss of the ring", _kernels("ring.clear ring.drops_through")
     ),
@@ -146,8 +146,8 @@ PREMISES: dict[str, Premise] = {
         CHOICE,
         "the ring's search in single precision",
         _kernels(
-            "ring.opened ring.started ring.resolution ring.step ring.budget_exceeded common.opened "
-            "common.coarse common.stepped"
+            "ring.opened ring.started ring.resolution ring.step ring.budget_exceeded "
+            "ring.coarse_excess common.opened common.coarse common.stepped"
         ),
     ),
     # Boxes and other surfaces
