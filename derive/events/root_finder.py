@@ -102,6 +102,16 @@ class RootFinder(ABC):
         return None
 
     @property
+    def near(self) -> sp.Basic | None:
+        """Whether there may be a contact before the horizon; None: there is no such test."""
+        return None
+
+    @property
+    def near_in_single(self) -> bool:
+        """Whether that test is in single precision."""
+        return False
+
+    @property
     def drops_through(self) -> sp.Basic | None:
         """A cheaper condition under which there is certainly no contact; None: there is none."""
         return None

@@ -49,6 +49,7 @@ from .air import (
     AirFlight,
     growth,
     piece_acceleration,
+    piece_extent,
     piece_jerk,
     piece_place_error,
     piece_rest,
@@ -287,14 +288,16 @@ def piece(flight: AirFlight) -> dict[str, sp.Expr]:
     beside = barrier(barrier(slope * TUBE) + defect)
     first = barrier(counted_a * per_time)
     second = barrier(total([k * (k - 1) * a[k] for k in range(2, last + 1)]) * per_time**2)
+    swift = barrier(ROUNDING_SLACK * sums_a[0] + TUBE)
     return {
         piece_length.name: length,
         growth.name: Choose(proved, grown, 1),
         piece_place_error.name: Choose(proved, place_error, 0),
         piece_speed_error.name: Choose(proved, speed_error, 0),
         unproved.name: Choose(proved, 0, sp.oo),
-        piece_speed.name: barrier(ROUNDING_SLACK * sums_a[0] + TUBE),
+        piece_speed.name: swift,
         piece_acceleration.name: barrier(ROUNDING_SLACK * barrier(first + beside)),
         piece_jerk.name: barrier(ROUNDING_SLACK * second),
         piece_rest.name: barrier(ROUNDING_SLACK * sums_a[SKETCH_TERMS]),
+        piece_extent.name: barrier(ROUNDING_SLACK * barrier(extent + time * swift)),
     }

@@ -202,6 +202,11 @@ def _flight_decisions(edges: bool) -> tuple[Kernel, ...]:
             "Whether a ball in flight may hit a surface.",
         ),
         decision(
+            "open_in_flight",
+            {"open": all_of(Boolean("open"), Not(Boolean("in_contact")))},
+            "Whether a ball in flight may hit a surface.",
+        ),
+        decision(
             "reachable_in_flight",
             {"reachable": all_of(Boolean("reachable"), Not(Boolean("in_contact")))},
             "Whether a ball in flight may reach the box of a surface.",
