@@ -7,15 +7,16 @@ ball moves away all the time. Its true place is off by at most 2^-25 M, with M =
 bound V on the speed: a piece with larger errors is uncertain (`over_budget`).
 
 With u' = 2^-24, the unit roundoff of single precision, T and the coefficients are each off by u' of
-their size. So with |V_1| T <= V a displacement is off by at most 5 u' V T, a coordinate of the box's
-centre by 7 u' M, its half size by 12 u' M and 8 u' of the part j T³/6, and a difference from the
-surface's own numbers by a few u' of the sizes of their terms. `SHARE` of M, of that part and of
-these sizes is more than twice all of it. It is far more than what underflow loses, as V is at least
-`TUBE` and P at least 2^-10 s. Where anything overflows, or is no number, no comparison holds, and
-the piece counts as near.
+their size. So with |v| + |V_1| T <= V half a displacement is off by at most 3 u' V T, a coordinate
+of the box's centre by 4 u' M, its half size by 6 u' M and 11 u' of its part j T³/6, and a
+difference from the surface's own numbers by 2 u' M more and, with at most `OPERATIONS` in these, by
+35 u' of the sizes of their terms. `SHARE`, 64 u', of M, of that part and of these sizes is more
+than all of it. It is far more than what underflow loses, as V is at least `TUBE` and P at least
+2^-10 s. Where anything overflows, or is no number, no comparison holds, and the piece counts as
+near.
 
-Numbers of a surface that are no sums of products have no such bound in single precision; the same
-test is then computed in double precision.
+Other numbers of a surface, as quotients, have no such bound in single precision; the same test is
+then computed in double precision.
 """
 
 from __future__ import annotations
@@ -43,6 +44,9 @@ from .event_polynomials import horizon
 SHARE = sp.Rational(1, 2**18)
 """Share of sizes that covers roundings and errors of the state."""
 
+OPERATIONS = 16
+"""Largest number of operations in a number of a surface, for single precision to serve."""
+
 
 def slopes(shape: sp.Expr) -> list[sp.Expr] | None:
     """Return the slopes of an expression that is linear in the position, else None.
@@ -67,13 +71,13 @@ def _linear_bounds(surface: Surface) -> list[sp.Expr]:
     return [bound for bound in along if slopes(bound) is not None]
 
 
-def _size(number: sp.Expr, place: sp.Expr = sp.Integer(0)) -> sp.Expr:
-    """Return the sum of the sizes of all terms, at places up to a size."""
-    return rounding(number, dict.fromkeys(POSITION, Rounded(place))).magnitude
+def _size(number: sp.Expr) -> sp.Expr:
+    """Return the sum of the sizes of all terms of a number."""
+    return rounding(sp.sympify(number), {}).magnitude
 
 
 def in_single(surface: Surface) -> bool:
-    """Return whether single precision serves: all numbers of the surface are sums of products.
+    """Return whether single precision serves: the surface's numbers are short sums of products.
 
     Parameters
     ----------
@@ -85,12 +89,9 @@ def in_single(surface: Surface) -> bool:
     linear = [slopes(one) for one in own]
     if any(found is None or not all(c.is_Rational for c in found) for found in linear):
         return False
-    try:
-        for number in (*surface.reference_point, *halves, *own):
-            _size(number)
-    except ValueError:
-        return False
-    return True
+    every = (*surface.reference_point, *halves, *own)
+    numbers = [release(sp.sympify(number)) for number in every]
+    return all(n.is_polynomial() is True and n.count_ops() <= OPERATIONS for n in numbers)
 
 
 def _series(surface: Surface) -> Series:
@@ -142,7 +143,9 @@ def near_plane(surface: Surface, flight: AirFlight) -> sp.Basic:
     missed = [Less(_reach(surface.shape, surface.reference_point, box), gap)]
     there = {place: middle for place, (middle, _) in zip(POSITION, box, strict=True)}
     for bound in _linear_bounds(surface):
-        missed.append(Less(_reach(bound, (sp.Integer(0),) * 3, box), barrier(bound.xreplace(there))))
+        missed.append(
+            Less(_reach(bound, (sp.Integer(0),) * 3, box), barrier(bound.xreplace(there)))
+        )
     return Not(any_of(*missed, Less(0, least_rate(surface, of))))
 
 
@@ -152,7 +155,7 @@ def _reach(
     """Return how far a linear expression differs within a box, errors and roundings included."""
     along = slopes(shape)
     assert along is not None
-    sizes = [_size(own) for own in origin]
+    sizes = map(_size, origin)
     known = all(c.is_Rational for c in along)  # then those of the place are in the box
     place = {
         axis: Rounded(size if known else size + piece_extent)
@@ -182,5 +185,7 @@ def least_rate(surface: Surface, of: Series) -> sp.Expr:
         for vector in of.velocities[:2]
     )
     bent = barrier(piece_jerk * barrier(horizon**2) * ((1 + SHARE) / 2))
-    off = barrier(sum(map(abs, along)) * barrier(barrier(bent + TUBE) + barrier(SHARE * piece_speed)))
+    off = barrier(
+        sum(map(abs, along)) * barrier(barrier(bent + TUBE) + barrier(SHARE * piece_speed))
+    )
     return barrier(barrier(now + barrier(horizon * minimum(0, change))) - off)

@@ -421,12 +421,16 @@ class AirFlight(Flight):
         half_time = barrier(latest / 2)
         square = barrier(half_time**2)
         cube = barrier(square * half_time)
-        bent = barrier(wider + piece_jerk * cube * (sp.Rational(4, 3) * (1 + sp.Rational(1, 2**18))))
+        bent = barrier(
+            wider + piece_jerk * cube * (sp.Rational(4, 3) * (1 + sp.Rational(1, 2**18)))
+        )
         found = []
         for place, v, rate in zip(POSITION, *of.velocities[:2], strict=True):
             turn = barrier(rate * square)
             half = barrier(v * half_time + turn)
-            found.append((barrier(place + half), barrier(absolute(half) + absolute(turn) / 2 + bent)))
+            found.append(
+                (barrier(place + half), barrier(absolute(half) + absolute(turn) / 2 + bent))
+            )
         return found
 
     def path_lengths(self) -> list[sp.Expr]:

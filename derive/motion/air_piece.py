@@ -144,7 +144,7 @@ def _late(sizes: Sequence[sp.Expr], sums: Sequence[sp.Expr], others: Sequence[sp
     return total([*early, barrier(sums[first] * others[0])])
 
 
-def _half_of_products(sizes: Sequence[sp.Expr], sums: Sequence[sp.Expr], first: int) -> sp.Expr:
+def half_of_products(sizes: Sequence[sp.Expr], sums: Sequence[sp.Expr], first: int) -> sp.Expr:
     """Return a bound on half the sum of products of two sizes of orders that are `first` together.
 
     It counts products of orders that are together more, too. One of the two orders is more than
@@ -166,7 +166,7 @@ def _half_of_products(sizes: Sequence[sp.Expr], sums: Sequence[sp.Expr], first: 
     return total(halves)
 
 
-def _counted(sums: Sequence[sp.Expr]) -> sp.Expr:
+def counted(sums: Sequence[sp.Expr]) -> sp.Expr:
     """Return a bound on the sum of k times a size of order k: Σ S_j with S_j <= S_4 from there on.
 
     Parameters
@@ -177,7 +177,7 @@ def _counted(sums: Sequence[sp.Expr]) -> sp.Expr:
     return total([*sums[1:4], (ORDER - 3) * sums[4]])
 
 
-def _counted_twice(sums: Sequence[sp.Expr]) -> sp.Expr:
+def counted_twice(sums: Sequence[sp.Expr]) -> sp.Expr:
     """Return a bound on the sum of k (k - 1) times a size of order k: 2 Σ (j - 1) S_j, as above.
 
     Parameters
@@ -208,7 +208,7 @@ def late_roundings(
         Of the equation of the speed, m²/s², and of that of the velocity, m/s².
     """
     sums_a, sums_b = _suffix_sums(a), _suffix_sums(b)
-    halves = (_half_of_products(*one, FIRST_SINGLE) for one in ((a, sums_a), (b, sums_b)))
+    halves = (half_of_products(*one, FIRST_SINGLE) for one in ((a, sums_a), (b, sums_b)))
     drags = barrier((DRAG_ROUNDINGS + ORDER) * barrier(drag * _late(b, sums_b, sums_a)))
     lifts = barrier(MAGNUS_ROUNDINGS * barrier(turning * sums_a[FIRST_SINGLE]))
     return (
@@ -270,8 +270,8 @@ def piece(flight: AirFlight) -> dict[str, sp.Expr]:
     b = _sizes([absolute(s) for s in SINGLE_SERIES.airspeeds], time)
     sums_a, sums_b = _suffix_sums(a), _suffix_sums(b)
     # Σ k A_k and Σ k B_k: a sum of k + 1 products has k roundings more than one product.
-    counted_a, counted_b = _counted(sums_a), _counted(sums_b)
-    halves = (_half_of_products(*one, last + 1) for one in ((a, sums_a), (b, sums_b)))
+    counted_a, counted_b = counted(sums_a), counted(sums_b)
+    halves = (half_of_products(*one, last + 1) for one in ((a, sums_a), (b, sums_b)))
     square = barrier(2 * total([*halves]))
     squares = barrier(barrier(sums_a[0] ** 2) + barrier(sums_b[0] ** 2) + flight.smoothing)
     least = barrier(barrier((1 - CANCELLATION) * b[0]) - sums_b[1])
@@ -328,7 +328,7 @@ def piece(flight: AirFlight) -> dict[str, sp.Expr]:
     # The true velocity is within the tube, and its rate differs by the slope and the defect.
     beside = barrier(barrier(slope * TUBE) + defect)
     first = barrier(counted_a * per_time)
-    second = barrier(_counted_twice(sums_a) * per_time**2)
+    second = barrier(counted_twice(sums_a) * per_time**2)
     swift = barrier(ROUNDING_SLACK * sums_a[0] + TUBE)
     return {
         piece_length.name: length,

@@ -123,7 +123,7 @@ def kernels(
         *(apex_kernels(ball.radius, codes) if conical else ()),
         *neighbour_kernels(ball.radius, conical),
         *start_decisions(holders),
-        *_flight_decisions(edges),
+        *_flight_decisions(edges, not flight.exact),
         *_contact_decisions(codes, edges, oblique, conical),
         *_results(faces, codes, outcomes, edges, conical),
     )
@@ -181,8 +181,11 @@ def _series(
     )
 
 
-def _flight_decisions(edges: bool) -> tuple[Kernel, ...]:
-    """Return the decisions that keep balls in contact out of the searches of flights."""
+def _flight_decisions(edges: bool, tested: bool) -> tuple[Kernel, ...]:
+    """Return the decisions that keep balls in contact out of the searches of flights.
+
+    `tested` is true of a flight whose tests of bodies are truths.
+    """
     return (
         decision(
             "in_contact",
@@ -197,13 +200,12 @@ def _flight_decisions(edges: bool) -> tuple[Kernel, ...]:
             "Whether the ball is in contact, and has no flight to search.",
         ),
         decision(
-            "opens_in_flight",
-            {"open": all_of(Not(Less(0, clear)), Not(Boolean("in_contact")))},
-            "Whether a ball in flight may hit a surface.",
-        ),
-        decision(
-            "open_in_flight",
-            {"open": all_of(Boolean("open"), Not(Boolean("in_contact")))},
+            "open_in_flight" if tested else "opens_in_flight",
+            {
+                "open": all_of(
+                    Boolean("open") if tested else Not(Less(0, clear)), Not(Boolean("in_contact"))
+                )
+            },
             "Whether a ball in flight may hit a surface.",
         ),
         decision(
