@@ -163,7 +163,7 @@ class AirRootFinder(PolynomialRootFinder):
 
     @property
     def near(self) -> sp.Basic:
-        """Whether the piece may come to the surface before the horizon (`air_near`).
+        """The condition that the piece may come to the surface before the horizon (`air_near`).
 
         Without a box F keeps its sign where it is curved, too, if it changes by less than |F|: by
         at most |F'| T + C T²/2. Errors of the state may add no more than the largest budget of a
@@ -178,7 +178,7 @@ class AirRootFinder(PolynomialRootFinder):
 
     @property
     def near_in_single(self) -> bool:
-        """Whether that test is in single precision."""
+        """True if that test is in single precision."""
         return in_single(self.surface)
 
     @property

@@ -1,4 +1,4 @@
-"""Whether a piece of a flight through air comes to a surface at all, in single precision.
+"""The test that a piece of a flight through air comes to a surface at all, in single precision.
 
 Up to a time T of at most the piece's length P and 2^-18 of it, a box contains the path of the
 series (`enclosure`). The ball stays away from a surface's box if both are apart along an axis, and
@@ -152,7 +152,7 @@ def near_plane(surface: Surface, flight: AirFlight) -> sp.Basic:
 def _reach(
     shape: sp.Expr, origin: Iterable[sp.Expr], box: Sequence[tuple[sp.Expr, sp.Expr]]
 ) -> sp.Expr:
-    """Return how far a linear expression differs within a box, errors and roundings included."""
+    """Return the reach of a linear expression within a box, errors and roundings included."""
     along = slopes(shape)
     assert along is not None
     sizes = map(_size, origin)

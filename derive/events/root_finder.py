@@ -103,12 +103,12 @@ class RootFinder(ABC):
 
     @property
     def near(self) -> sp.Basic | None:
-        """Whether there may be a contact before the horizon; None: there is no such test."""
+        """The condition that there may be a contact before the horizon; None: there is no test."""
         return None
 
     @property
     def near_in_single(self) -> bool:
-        """Whether that test is in single precision."""
+        """True if that test is in single precision."""
         return False
 
     @property

@@ -85,12 +85,12 @@ class AirRingRootFinder(RootFinder):
 
     @property
     def near(self) -> sp.Basic:
-        """Whether the piece may come into the ring's box before the horizon."""
+        """The condition that the piece may come into the ring's box before the horizon."""
         return near_box(self.ring, self.flight)
 
     @property
     def near_in_single(self) -> bool:
-        """Whether that test is in single precision."""
+        """True if that test is in single precision."""
         return in_single(self.ring)
 
     @property

@@ -19,7 +19,7 @@ from tests.derive.motion.test_air import DEFAULTS, Values, begin, path_of, run
 from tests.helpers.effort import trials
 
 SHARE = 2.0**-25
-"""What a search allows for, relative to the size of a piece."""
+"""Errors that a search allows for, relative to the size of a piece."""
 
 RING, BACKBOARD, BRIDGE = AIR.surfaces
 (END,) = AIR.end_planes
@@ -27,7 +27,7 @@ RING, BACKBOARD, BRIDGE = AIR.surfaces
 REACH = DEFAULTS["ball_radius"] + DEFAULTS["wire_radius"]
 
 _LEVEL = DEFAULTS["gravity"] ** 2 - 96.1
-"""Where the plane is whose place is a difference, m; another parameter has the other number."""
+"""Place of the plane that is a difference, m; another parameter has the other number."""
 
 
 GRAVITY, OTHER = (
