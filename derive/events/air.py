@@ -14,14 +14,15 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from ..motion.air import TUBE, VELOCITIES, AirFlight, piece_acceleration, piece_jerk, piece_speed
-from ..surfaces import Plane, Surface
-from ..symbolic.conditionals import IfLess, absolute, barrier, maximum, minimum, release
+from ..motion.air import AirFlight, piece_acceleration, piece_jerk
+from ..surfaces import Surface
+from ..symbolic.conditionals import IfLess, Less, Not, absolute, barrier, maximum, minimum
 from ..symbolic.polynomials import Coefficients, compose
 from ..symbolic.rounding import Rounded, rounding
-from ..symbolic.symbols import POSITION, VELOCITY, position, t
+from ..symbolic.symbols import POSITION, VELOCITY, t
+from .air_near import in_single, near_box, near_plane, slopes
 from .box import BoxRootFinder
-from .box_windows import RELATIVE_INFLATION, clear
+from .box_windows import RELATIVE_INFLATION
 from .event_polynomials import ERROR_BUDGET_LEVELS, Window, ceiling, end, horizon
 from .polynomial import CEILING_BOX_FACTOR, PolynomialRootFinder
 
@@ -38,14 +39,6 @@ _JERK = sp.symbols("jerk_x jerk_y jerk_z", real=True)
 def _inflation(surface: Surface) -> sp.Expr:
     known = [half for half in surface.half_sizes if half is not None]
     return RELATIVE_INFLATION * minimum(*known) if known else sp.Integer(0)
-
-
-def _linear(shape: sp.Expr) -> list[sp.Expr] | None:
-    """Return the slopes of an expression that is linear in the position, else None."""
-    along = sp.expand(release(shape))
-    if not along.is_polynomial(*POSITION) or sp.Poly(along, *POSITION).total_degree() != 1:
-        return None
-    return [along.coeff(place) for place in POSITION]
 
 
 def piece_windows(surface: Surface, flight: AirFlight) -> list[Window]:
@@ -164,76 +157,37 @@ class AirRootFinder(PolynomialRootFinder):
         return piece_lost(self.surface, self.flight)
 
     @property
-    def clear(self) -> sp.Expr:
-        """Positive if no window opens, or the gap keeps its sign, before the horizon.
+    def clear(self) -> None:
+        """None: `near` is the test."""
+        return
 
-        A linear F keeps its sign if the path's box is on one side of the surface; any other changes
-        by at most |F'| T + C T²/2. Errors of the state may add no more than the largest budget of a
-        search does (`over_budget`). A plane is also missed where the ball stays outside of a bound,
-        or moves away all the time.
+    @property
+    def near(self) -> sp.Basic:
+        """The condition that the piece may come to the surface before the horizon (`air_near`).
+
+        Without a box F keeps its sign where it is curved, too, if it changes by less than |F|: by
+        at most |F'| T + C T²/2. Errors of the state may add no more than the largest budget of a
+        search does (`over_budget`).
         """
         if self._boxed:
-            return clear(self.windows, self.lost)
+            return near_box(self.surface, self.flight)
+        if slopes(self.surface.shape) is not None:
+            return near_plane(self.surface, self.flight)
         error = rounding(self.surface.shape, self._budgeted()).error
-        kept = barrier(barrier(self._least_gap) - 4 * error)
-        others = (found for found in (self._outside, self._least_rate) if found is not None)
-        return barrier(maximum(kept, *others))
+        return Not(Less(0, barrier(barrier(self._least_gap) - 4 * error)))
+
+    @property
+    def near_in_single(self) -> bool:
+        """True if that test is in single precision."""
+        return in_single(self.surface)
 
     @property
     def _least_gap(self) -> sp.Expr:
         """A bound below |F| until the horizon, without errors; negative if F may become zero."""
-        linear = _linear(self.surface.shape)
-        if linear is None:
-            start = dict(zip(POSITION, self._offsets, strict=True))
-            gap, rate = (barrier(e.xreplace(start)) for e in (self.surface.shape, self._rate))
-            change = barrier(absolute(rate) + barrier(self.ceiling * horizon / 2))
-            return barrier(absolute(gap) - barrier(horizon * change) * (1 + BUDGET))
-        box = self.flight.enclosure(horizon)
-        offsets = zip(POSITION, box, self.surface.reference_point, strict=True)
-        middle = {place: barrier(centre - own) for place, (centre, _), own in offsets}
-        reach = sum(sp.Abs(c) * half for c, (_, half) in zip(linear, box, strict=True))
-        gap = barrier(self.surface.shape.xreplace(middle))
-        return barrier(absolute(gap) - barrier(reach) * (1 + BUDGET))
-
-    @property
-    def _outside(self) -> sp.Expr | None:
-        """Positive if the path's box is outside of a plane's linear bounds; None without any."""
-        if not isinstance(self.surface, Plane):
-            return None
-        plane, box = self.surface, self.flight.enclosure(horizon)
-        there, _ = self.flight.rounding(horizon)
-        onto = dict(zip(POSITION, position - plane.distance * plane.normal, strict=True))
-        found = []
-        for bound in plane.bounds:
-            along = release(bound).xreplace(onto)
-            slopes = _linear(along)
-            if slopes is None:
-                continue
-            middle = along.xreplace({p: m for p, (m, _) in zip(POSITION, box, strict=True)})
-            reach = sum(abs(c) * half for c, (_, half) in zip(slopes, box, strict=True))
-            error = rounding(along, dict.fromkeys(POSITION, there)).error
-            found.append(barrier(barrier(barrier(middle) - barrier(reach)) - 4 * error))
-        return maximum(*found) if found else None
-
-    @property
-    def _least_rate(self) -> sp.Expr | None:
-        """A bound below F' until the horizon, errors included; None for a curved surface.
-
-        The velocity differs by at most j T²/2 from v + V_1 t, and by `TUBE` from the true one. The
-        roundings of v + V_1 t are fewer than the 32 units that 2^-48 has.
-        """
-        linear = _linear(self.surface.shape)
-        if linear is None:
-            return None
-        now, change = (
-            barrier(sum(c * one for c, one in zip(linear, vector, strict=True) if c != 0))
-            for vector in VELOCITIES[:2]
-        )
-        bent = barrier(piece_jerk * barrier(horizon**2) / 2)
-        rounded = barrier(sp.Rational(1, 2**48) * piece_speed)
-        off = barrier(sum(map(sp.Abs, linear)) * barrier(barrier(bent + TUBE) + rounded))
-        falling = barrier(horizon * minimum(0, change))
-        return barrier(barrier(now + falling) - (1 + BUDGET) * off)
+        start = dict(zip(POSITION, self._offsets, strict=True))
+        gap, rate = (barrier(e.xreplace(start)) for e in (self.surface.shape, self._rate))
+        change = barrier(absolute(rate) + barrier(self.ceiling * horizon / 2))
+        return barrier(absolute(gap) - barrier(horizon * change) * (1 + BUDGET))
 
     @property
     def _offsets(self) -> list[sp.Expr]:

@@ -130,7 +130,7 @@ class PolynomialRootFinder(RootFinder):
         return lost(self.surface.reference_point, self.surface.half_sizes, self.flight.acceleration)
 
     @property
-    def clear(self) -> sp.Expr:
+    def clear(self) -> sp.Expr | None:
         """Positive if no window opens before the horizon."""
         if not self._boxed:
             return sp.Integer(0)

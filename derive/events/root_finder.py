@@ -107,6 +107,16 @@ class RootFinder(ABC):
         return None
 
     @property
+    def near(self) -> sp.Basic | None:
+        """The condition that there may be a contact before the horizon; None: there is no test."""
+        return None
+
+    @property
+    def near_in_single(self) -> bool:
+        """True if that test is in single precision."""
+        return False
+
+    @property
     def drops_through(self) -> sp.Basic | None:
         """A cheaper condition under which there is certainly no contact; None: there is none."""
         return None

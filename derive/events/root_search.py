@@ -73,6 +73,7 @@ class RootSearch(Search):
             **self._root_rounding,
             **({} if approach.excess is None else _excess("excess", approach.excess)),
             **({} if approach.clear is None else _clear(approach.clear)),
+            **({} if approach.near is None else _open(approach.near)),
             "prepare": (
                 approach.prepare(),
                 "Constants and windows of the search along a flight, and its error budget.",
@@ -124,7 +125,8 @@ class RootSearch(Search):
     @property
     def single(self) -> frozenset[str]:
         """The parts of the search that are computed in single precision."""
-        return frozenset({"opened", "resolution", "step", "sketched", "sketch"})
+        tested = {"open"} if self.root_finder.near_in_single else set()
+        return frozenset({"opened", "resolution", "step", "sketched", "sketch"} | tested)
 
     @property
     def decisions(self) -> dict[str, Kernel]:
@@ -170,7 +172,7 @@ class RootSearch(Search):
             onset: Value = 0.0 if self.sketch is None else "onset"
             first = Call(own["enter"], {"after": onset, "t": 0.0, "end": 0.0})
             begun = (prepared, Call(KERNELS["beginning"]), *allowing, Call(KERNELS["outside"]))
-            if "clear" in own:
+            if _tested(own):
                 landing = () if self.sketch is None else (Call(KERNELS["landing"]),)
                 begun = (*begun, Call(common["out_of_budget"]), first, *landing)
             else:
@@ -190,21 +192,31 @@ class RootSearch(Search):
             leaping = _leaping(common, own, index)
             search = (*leaping, If("searching", again))
         searched = (*search, *_landing(common, own, index), *proposed(index))
-        if "clear" not in own:
+        if not _tested(own):
             yield from searched
             return
-        cleared = given(own["clear"], horizon="until")
-        if "drops_through" in own:
-            dropped = given(own["drops_through"], horizon="until")
-            cleared = replace(cleared, shortcut=(Call(KERNELS["missed"]), dropped))
-        yield cleared
-        yield Call(common.get("opens_in_flight", KERNELS["opens"]))
+        if "open" in own:
+            yield given(own["open"], horizon="until")
+            if "open_in_flight" in common:
+                yield Call(common["open_in_flight"])
+        else:
+            yield from self._cleared(common, own)
         if self.sketch is None:
             yield If("open", searched)
             return
         yield Call(KERNELS["unsketched"])
         yield If("open", tuple(_sketched(own, index)))
         yield If("unsettled", searched)
+
+    @staticmethod
+    def _cleared(common: Parts, own: Parts) -> Iterator[Node]:
+        """Decide whether the search opens by a quantity that is positive if it does not."""
+        cleared = given(own["clear"], horizon="until")
+        if "drops_through" in own:
+            dropped = given(own["drops_through"], horizon="until")
+            cleared = replace(cleared, shortcut=(Call(KERNELS["missed"]), dropped))
+        yield cleared
+        yield Call(common.get("opens_in_flight", KERNELS["opens"]))
 
     def counted(self, common: Parts, own: Parts) -> Iterator[Node]:
         """Test whether a root that the ball may pass counts.
@@ -258,6 +270,15 @@ def _excess(part: str, excess: sp.Expr) -> dict[str, Formula]:
 def _clear(clear: sp.Expr) -> dict[str, Formula]:
     summary = "Positive if there is certainly no contact before the horizon."
     return {"clear": ({"clear": clear}, summary, _BOUNDS)}
+
+
+def _open(near: sp.Basic) -> dict[str, Formula]:
+    return {"open": ({"open": near}, "Whether there may be a contact before the horizon.", _BOUNDS)}
+
+
+def _tested(own: Parts) -> bool:
+    """Return whether a test comes before the search, so that only some shots take part in it."""
+    return "clear" in own or "open" in own
 
 
 def _coarse(coarse: SinglePrecisionRing) -> dict[str, Formula]:
@@ -415,7 +436,7 @@ def _landing(common: Parts, own: Parts, index: Value) -> Iterator[Node]:
         Call(KERNELS["refined_root"]),
     )
     # Most roots need two steps, so lanes are not compacted for these.
-    usual = "clear" in own
+    usual = _tested(own)
     yield If("refining", newton, usual=usual)
     yield If("refining", newton, usual=usual)
     yield While("refining", NEWTON_LIMIT, newton)

@@ -146,9 +146,12 @@ tail_lost = sp.Symbol("tail_lost", nonnegative=True)
 piece_rest = sp.Symbol("piece_rest", nonnegative=True)
 """Bound on the size of all terms of the velocity from the order `SKETCH_TERMS` on, m/s."""
 
+piece_extent = sp.Symbol("piece_extent", nonnegative=True)
+"""Bound on the sum of the coordinates' sizes within a piece, m."""
+
 BOUNDS = (
     *(piece, growth, piece_place_error, piece_speed_error, unproved),
-    *(piece_speed, piece_acceleration, piece_jerk, piece_rest),
+    *(piece_speed, piece_acceleration, piece_jerk, piece_rest, piece_extent),
 )
 """The length of a piece, and bounds within it."""
 
@@ -395,19 +398,36 @@ class AirFlight(Flight):
             moving.append(barrier(dv[k] + change))
         return places, moving
 
-    def enclosure(self, latest: sp.Expr) -> list[tuple[sp.Expr, sp.Expr]]:
+    def enclosure(
+        self, latest: sp.Expr, of: Series = DOUBLE_SERIES, wider: sp.Expr = sp.Integer(0)
+    ) -> list[tuple[sp.Expr, sp.Expr]]:
         """Return for each axis the centre and the half size of a box of the path, without errors.
 
         Up to a time T the parabola v t + V_1 t²/2 is within |V_1| T²/8 of its chord, and the path
         within j T³/6 of the parabola, with the bound j on the velocity's second derivative.
+
+        Parameters
+        ----------
+        latest
+            T.
+        of
+            The symbols of the coefficients.
+        wider
+            A length by which the box is wider.
         """
-        square = barrier(latest**2)
-        bent = barrier(piece_jerk * barrier(square * latest) / 6)
+        half_time = barrier(latest / 2)
+        square = barrier(half_time**2)
+        cube = barrier(square * half_time)
+        bent = barrier(
+            wider + piece_jerk * cube * (sp.Rational(4, 3) * (1 + sp.Rational(1, 2**18)))
+        )
         found = []
-        for place, v, rate in zip(POSITION, VELOCITY, VELOCITIES[1], strict=True):
-            half = barrier(barrier(v * latest + rate * square / 2) / 2)
-            bow = barrier(absolute(rate) * square / 8)
-            found.append((barrier(place + half), barrier(absolute(half) + bow + bent)))
+        for place, v, rate in zip(POSITION, *of.velocities[:2], strict=True):
+            turn = barrier(rate * square)
+            half = barrier(v * half_time + turn)
+            found.append(
+                (barrier(place + half), barrier(absolute(half) + absolute(turn) / 2 + bent))
+            )
         return found
 
     def path_lengths(self) -> list[sp.Expr]:

@@ -49,6 +49,7 @@ from .air import (
     AirFlight,
     growth,
     piece_acceleration,
+    piece_extent,
     piece_jerk,
     piece_place_error,
     piece_rest,
@@ -81,8 +82,8 @@ PIECE_UNIT = sp.Rational(1, 2**20)
 PIECE_GRAIN = sp.Rational(3, 2) * PIECE_UNIT / (2 * SINGLE_ROUNDOFF)
 """A number to which a shorter time is added as a multiple of `PIECE_UNIT`."""
 
-MAX_POWER = 8
-"""Largest power of a time that is computed: that of `SHORTEST` is 2^-80."""
+MAX_POWER = 12
+"""Largest power of a time that is computed: that of `SHORTEST` is 2^-120."""
 
 OVERLAP = sp.Rational(1, 2**10)
 """Share of a piece for which its bounds hold beyond its end."""
@@ -143,6 +144,52 @@ def _late(sizes: Sequence[sp.Expr], sums: Sequence[sp.Expr], others: Sequence[sp
     return total([*early, barrier(sums[first] * others[0])])
 
 
+def half_of_products(sizes: Sequence[sp.Expr], sums: Sequence[sp.Expr], first: int) -> sp.Expr:
+    """Return a bound on half the sum of products of two sizes of orders that are `first` together.
+
+    It counts products of orders that are together more, too. One of the two orders is more than
+    half of `first`, or both are half of it. The few products of two such orders count twice.
+
+    Parameters
+    ----------
+    sizes, sums
+        The sizes by order, and their suffix sums.
+    first
+        The least sum of the orders.
+    """
+    latest = min(first, len(sizes))
+    halves = [barrier(sizes[k] * sums[first - k]) for k in range(first // 2 + 1, latest)]
+    if first < len(sizes):
+        halves.append(barrier(sums[first] * sums[0]))
+    if first % 2 == 0:
+        halves.append(barrier(sizes[first // 2] ** 2) / 2)
+    return total(halves)
+
+
+def counted(sums: Sequence[sp.Expr]) -> sp.Expr:
+    """Return a bound on the sum of k times a size of order k: Σ S_j with S_j <= S_4 from there on.
+
+    Parameters
+    ----------
+    sums
+        The suffix sums of the sizes.
+    """
+    return total([*sums[1:4], (ORDER - 3) * sums[4]])
+
+
+def counted_twice(sums: Sequence[sp.Expr]) -> sp.Expr:
+    """Return a bound on the sum of k (k - 1) times a size of order k: 2 Σ (j - 1) S_j, as above.
+
+    Parameters
+    ----------
+    sums
+        The suffix sums of the sizes.
+    """
+    known = 6
+    rest = ORDER * (ORDER - 1) - (known - 1) * (known - 2)
+    return total([*(2 * (j - 1) * sums[j] for j in range(2, known)), rest * sums[known]])
+
+
 def late_roundings(
     a: Sequence[sp.Expr], b: Sequence[sp.Expr], drag: sp.Expr, turning: sp.Expr
 ) -> tuple[sp.Expr, sp.Expr]:
@@ -161,11 +208,11 @@ def late_roundings(
         Of the equation of the speed, m²/s², and of that of the velocity, m/s².
     """
     sums_a, sums_b = _suffix_sums(a), _suffix_sums(b)
-    squares = barrier(_late(a, sums_a, sums_a) + _late(b, sums_b, sums_b))
+    halves = (half_of_products(*one, FIRST_SINGLE) for one in ((a, sums_a), (b, sums_b)))
     drags = barrier((DRAG_ROUNDINGS + ORDER) * barrier(drag * _late(b, sums_b, sums_a)))
     lifts = barrier(MAGNUS_ROUNDINGS * barrier(turning * sums_a[FIRST_SINGLE]))
     return (
-        barrier(SINGLE_ROUNDOFF * (SQUARE_ROUNDINGS + ORDER) * squares),
+        barrier(2 * SINGLE_ROUNDOFF * (SQUARE_ROUNDINGS + ORDER) * total([*halves])),
         barrier(SINGLE_ROUNDOFF * barrier(drags + lifts)),
     )
 
@@ -223,14 +270,9 @@ def piece(flight: AirFlight) -> dict[str, sp.Expr]:
     b = _sizes([absolute(s) for s in SINGLE_SERIES.airspeeds], time)
     sums_a, sums_b = _suffix_sums(a), _suffix_sums(b)
     # Σ k A_k and Σ k B_k: a sum of k + 1 products has k roundings more than one product.
-    counted_a = total([k * a[k] for k in range(1, last + 1)])
-    counted_b = total([k * b[k] for k in range(1, last + 1)])
-    square = total(
-        [
-            barrier(barrier(a[k] * sums_a[last + 1 - k]) + barrier(b[k] * sums_b[last + 1 - k]))
-            for k in range(1, last + 1)
-        ]
-    )
+    counted_a, counted_b = counted(sums_a), counted(sums_b)
+    halves = (half_of_products(*one, last + 1) for one in ((a, sums_a), (b, sums_b)))
+    square = barrier(2 * total([*halves]))
     squares = barrier(barrier(sums_a[0] ** 2) + barrier(sums_b[0] ** 2) + flight.smoothing)
     least = barrier(barrier((1 - CANCELLATION) * b[0]) - sums_b[1])
     sums = barrier(sums_a[0] * counted_a + sums_b[0] * counted_b)
@@ -279,22 +321,24 @@ def piece(flight: AirFlight) -> dict[str, sp.Expr]:
     proved = all_of(*(Less(0, least), Less(0, room), Less(exact, TUBE / 2), Less(tail_lost, 1)))
     # V_k t^(k+1)/(k + 1) has 4 k + 1 roundings in nested form, and that of the product with t.
     path = barrier(8 * barrier(time * sums_a[0]) + extent)
-    rolled = barrier(ROUNDING_SLACK * barrier(barrier(2 * total(sums_a[1:])) + sums_a[0]))
+    rolled = barrier(ROUNDING_SLACK * barrier(barrier(2 * counted_a) + sums_a[0]))
     place_error = barrier(ROUNDING_SLACK * barrier(moved + UNIT_ROUNDOFF * path))
     speed_error = barrier(exact + UNIT_ROUNDOFF * rolled)
     per_time = barrier(1 / time)
     # The true velocity is within the tube, and its rate differs by the slope and the defect.
     beside = barrier(barrier(slope * TUBE) + defect)
     first = barrier(counted_a * per_time)
-    second = barrier(total([k * (k - 1) * a[k] for k in range(2, last + 1)]) * per_time**2)
+    second = barrier(counted_twice(sums_a) * per_time**2)
+    swift = barrier(ROUNDING_SLACK * sums_a[0] + TUBE)
     return {
         piece_length.name: length,
         growth.name: Choose(proved, grown, 1),
         piece_place_error.name: Choose(proved, place_error, 0),
         piece_speed_error.name: Choose(proved, speed_error, 0),
         unproved.name: Choose(proved, 0, sp.oo),
-        piece_speed.name: barrier(ROUNDING_SLACK * sums_a[0] + TUBE),
+        piece_speed.name: swift,
         piece_acceleration.name: barrier(ROUNDING_SLACK * barrier(first + beside)),
         piece_jerk.name: barrier(ROUNDING_SLACK * second),
         piece_rest.name: barrier(ROUNDING_SLACK * sums_a[SKETCH_TERMS]),
+        piece_extent.name: barrier(ROUNDING_SLACK * barrier(extent + time * swift)),
     }

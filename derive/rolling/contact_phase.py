@@ -126,7 +126,7 @@ def kernels(
         *(apex_kernels(ball.radius, codes) if revolved else ()),
         *neighbour_kernels(ball.radius, revolved),
         *start_decisions(holders),
-        *_flight_decisions(edges),
+        *_flight_decisions(edges, not flight.exact),
         *_contact_decisions(codes, edges, oblique, revolved, tori),
         *_results(faces, codes, outcomes, edges, revolved),
     )
@@ -184,8 +184,11 @@ def _series(
     )
 
 
-def _flight_decisions(edges: bool) -> tuple[Kernel, ...]:
-    """Return the decisions that keep balls in contact out of the searches of flights."""
+def _flight_decisions(edges: bool, tested: bool) -> tuple[Kernel, ...]:
+    """Return the decisions that keep balls in contact out of the searches of flights.
+
+    `tested` is true of a flight whose tests of bodies are truths.
+    """
     return (
         decision(
             "in_contact",
@@ -200,8 +203,12 @@ def _flight_decisions(edges: bool) -> tuple[Kernel, ...]:
             "Whether the ball is in contact, and has no flight to search.",
         ),
         decision(
-            "opens_in_flight",
-            {"open": all_of(Not(Less(0, clear)), Not(Boolean("in_contact")))},
+            "open_in_flight" if tested else "opens_in_flight",
+            {
+                "open": all_of(
+                    Boolean("open") if tested else Not(Less(0, clear)), Not(Boolean("in_contact"))
+                )
+            },
             "Whether a ball in flight may hit a surface.",
         ),
         decision(

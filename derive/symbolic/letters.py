@@ -366,6 +366,7 @@ IN_AIR = {
     "piece_rest": Entry(
         r"\epsilon_p", "bound on what a sketch of a piece leaves out of the velocity"
     ),
+    "piece_extent": Entry("W_p", "bound on the sum of the coordinates' sizes within a piece"),
     "inverse_airspeed": Entry(r"\breve s", r"one over the initial speed $\breve v$"),
     "short_inverse_airspeed": Entry(r"\acute s", r"$\breve s$ in single precision"),
     "sketch_size": Entry("W_s", "no less than any length of a search along a sketch"),

@@ -7,14 +7,14 @@ from functools import partial
 
 import pytest
 from hoopgen.derive import model
-from hoopgen.derive.events.air import AirRootFinder
+from hoopgen.derive.events import air_near
 from hoopgen.derive.events.ring.air import AirRingRootFinder
 from hoopgen.derive.events.ring.air_sketch import AirRingSketch
 from hoopgen.derive.kernels import scene
 from hoopgen.derive.motion import air_piece
 from hoopgen.derive.motion.air import AirFlight
 
-from tests.derive.events import test_ring_in_air, test_ring_sketch_in_air
+from tests.derive.events import test_near_in_air, test_ring_in_air, test_ring_sketch_in_air
 from tests.derive.motion import test_air
 from tests.helpers.mutants import Patch, in_text
 
@@ -30,6 +30,11 @@ _of_rate = test_air.test_a_plane_s_gap_opens_no_slower_than_its_bound_which_is_n
 _of_roundings = (
     test_air.test_roundings_of_single_precision_are_within_their_bounds_which_are_not_useless
 )
+
+_at_edge = (
+    test_near_in_air.test_a_ball_at_the_edge_of_a_body_is_near_within_all_errors_and_not_far_beyond
+)
+_of_sums = test_air.test_sums_of_a_piece_s_sizes_are_bounded_and_the_bounds_are_near_to_them
 
 FAULTS: dict[str, tuple[Patch, Callable[[], None]]] = {
     "the velocity that a piece leaves out is integrated twice too often": (
@@ -47,15 +52,15 @@ FAULTS: dict[str, tuple[Patch, Callable[[], None]]] = {
         test_air.test_the_error_of_a_piece_is_within_its_bound_and_the_bound_is_not_useless,
     ),
     "the box of a path has no size where it is held against a plane": (
-        in_text(AirRootFinder, "_least_gap", "barrier(reach) * (1 + BUDGET)", "0"),
+        in_text(air_near, "_reach", "abs(c) * half", "0 * half"),
         test_air.test_a_piece_that_stays_on_one_side_of_the_end_s_plane_is_clear_of_it_and_no_other_is,
     ),
     "a ball that moves away from a plane does not turn round": (
-        in_text(AirRootFinder, "_least_rate", "now + falling", "now"),
+        in_text(air_near, "least_rate", "now + barrier(horizon * minimum(0, change))", "now"),
         partial(_of_rate, 1.2),
     ),
     "the force on a ball that moves away from a plane does not change": (
-        in_text(AirRootFinder, "_least_rate", "bent + TUBE", "TUBE"),
+        in_text(air_near, "least_rate", "bent + TUBE", "TUBE"),
         partial(_of_rate, 60.0),
     ),
     "single precision rounds what the speed's equation leaves as double precision does": (
@@ -69,6 +74,34 @@ FAULTS: dict[str, tuple[Patch, Callable[[], None]]] = {
     "coefficients that do not fit into single precision are zero": (
         in_text(scene, "piece", "Less(tail_lost, 1)", "Less(0, 1)"),
         test_air.test_nothing_is_proved_of_coefficients_that_do_not_fit_into_single_precision,
+    ),
+    "single precision and errors do not move a ball beside a body": (
+        in_text(air_near, "_box", "SHARE * piece_extent", "sp.Integer(0)"),
+        partial(_at_edge, "the bridge's front"),
+    ),
+    "single precision does not move a body that is far larger than its distance": (
+        in_text(air_near, "near_box", "SHARE * sizes", "0 * sizes"),
+        partial(_at_edge, "the top of a large sphere"),
+    ),
+    "single precision does not move a plane whose place is a difference": (
+        in_text(air_near, "_reach", "SHARE * rounding", "0 * rounding"),
+        partial(_at_edge, "a plane whose place is a small difference"),
+    ),
+    "the path of a piece is its chord": (
+        in_text(AirFlight, "enclosure", "absolute(turn) / 2", "0"),
+        test_air.test_the_path_is_within_its_box_which_is_hardly_larger,
+    ),
+    "products of the latest order in single precision count for nothing": (
+        in_text(air_piece, "half_of_products", "first // 2 + 1, latest", "first // 2 + 2, latest"),
+        _of_sums,
+    ),
+    "a size of high order counts as one of the third": (
+        in_text(air_piece, "counted", "(ORDER - 3) * sums[4]", "sums[4]"),
+        _of_sums,
+    ),
+    "a size of high order counts twice as one of the fifth": (
+        in_text(air_piece, "counted_twice", "rest * sums", "0 * sums"),
+        _of_sums,
     ),
     "a ball near the ring keeps its moment about the axis": (
         in_text(AirRingRootFinder, "moment", "+ turning", ""),
@@ -125,7 +158,7 @@ def _derived_anew() -> Iterator[None]:
     """Derive the kernels with the fault, and after it without."""
     cached = (
         *(test_air.programs, test_air.program_of, test_air.least_rate),
-        test_ring_sketch_in_air.programs,
+        *(test_ring_sketch_in_air.programs, test_near_in_air.programs),
     )
     for one in cached:
         one.cache_clear()

@@ -44,7 +44,7 @@ from ...symbolic.conditionals import Choose, IfLess, Less, absolute, barrier, ma
 from ...symbolic.rounding import ROUNDING_SLACK, extent, velocity_error
 from ...symbolic.symbols import POSITION, UNIT_ROUNDOFF, t
 from ..air import opening_time, piece_lost, piece_windows
-from ..box_windows import clear
+from ..air_near import in_single, near_box
 from ..event_polynomials import Window, ceiling, end, horizon, leaving, margin
 from ..root_finder import RootFinder
 
@@ -84,9 +84,14 @@ class AirRingRootFinder(RootFinder):
         return piece_lost(self.ring, self.flight)
 
     @property
-    def clear(self) -> sp.Expr:
-        """Positive if no window opens before the horizon."""
-        return clear(self.windows, self.lost)
+    def near(self) -> sp.Basic:
+        """The condition that the piece may come into the ring's box before the horizon."""
+        return near_box(self.ring, self.flight)
+
+    @property
+    def near_in_single(self) -> bool:
+        """True if that test is in single precision."""
+        return in_single(self.ring)
 
     @property
     def _nearest(self) -> sp.Expr:

@@ -13,6 +13,7 @@ from hoopgen.derive.contact.frame import frame_from_axis
 from hoopgen.derive.errors import propagation
 from hoopgen.derive.events import air as air_search
 from hoopgen.derive.events import (
+    air_near,
     bounding_boxes,
     box_windows,
     event_polynomials,
@@ -293,6 +294,7 @@ def _constants() -> dict[str, str]:
         "past": sinking.ROOM,
         "steep": ring_in_air.STEEP,
         "budget": air_search.BUDGET,
+        "near_share": air_near.SHARE,
     }
     values = {name: sp.Rational(value) for name, value in found.items()}
     tolerance = f"2^{{{int(sp.log(air_piece.TOLERANCE, 2))}}}"

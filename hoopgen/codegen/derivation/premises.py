@@ -167,8 +167,8 @@ PREMISES: dict[str, Premise] = {
         LEMMA,
         "pieces that come near a surface",
         _kernels(
-            "air.prepare air.enter air.clear air_box.prepare air_box.enter "
-            "air_ring.prepare air_ring.enter air_ring.clear"
+            "air.prepare air.enter air.open air_box.prepare air_box.enter "
+            "air_ring.prepare air_ring.enter air_ring.open"
         ),
     ),
     "piece_bend": Premise(
@@ -319,8 +319,8 @@ PREMISES: dict[str, Premise] = {
             "common.body_of common.expiry common.departed common.expired common.accounted "
             "common.limited common.event_clock common.meeting common.here common.counted "
             "common.touched common.ends_by_time_limit common.in_contact common.opens_in_flight "
-            "common.reachable_in_flight common.contact_undecided common.no_departure "
-            "common.stays_put common.stay_in_contact common.started_on_surface "
+            "common.open_in_flight common.reachable_in_flight common.contact_undecided "
+            "common.no_departure common.stays_put common.stay_in_contact common.started_on_surface "
             "common.nothing_happens_yet common.slow_at_start"
         ),
     ),

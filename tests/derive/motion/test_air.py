@@ -11,12 +11,12 @@ from typing import Any
 import numpy as np
 import pytest
 import sympy as sp
-from hoopgen.derive.events import search_for
+from hoopgen.derive.events import air_near
 from hoopgen.derive.events.event_polynomials import horizon
 from hoopgen.derive.ir.kernel import kernel
 from hoopgen.derive.kernels.arguments import argument_order
 from hoopgen.derive.motion import air_piece
-from hoopgen.derive.motion.air import FIRST_SINGLE, ORDER, SERIES_KERNELS, TAIL
+from hoopgen.derive.motion.air import FIRST_SINGLE, ORDER, SERIES_KERNELS, SINGLE_SERIES, TAIL
 from hoopgen.derive.scenes.air import AIR, AIR_PARAMETERS
 from hoopgen.derive.symbolic.conditionals import release
 from mpmath import mp, mpf, odefun, sqrt
@@ -275,9 +275,7 @@ def test_a_piece_that_is_outside_of_a_plane_s_bounds_is_clear_of_it_and_no_other
         place = [random.uniform(-0.5, 0.2), random.uniform(-0.25, 0.25), offset + 0.02]
         state = np.array([*place, *random.normal(0.0, 1.0, 2), -2.0, 0.0, 10.0, 0.0])
         known = begin(state)
-        errors = {"position_error": 1e-14, "velocity_error": 1e-14, "speed": 20.0}
-        known |= errors | {"horizon": known["piece"]}
-        clear = run(program_of("bridge_clear"), known)["clear"] > 0.0
+        clear = not run(program_of("bridge_open"), known | {"horizon": known["piece"]})["open"]
         path = path_of(known, known["piece"], 65)
         x, y, _ = path.T
         inside = (np.abs(y) <= half) & (x >= -board) & (x <= 0.0)
@@ -296,7 +294,7 @@ def test_a_piece_that_stays_on_one_side_of_the_end_s_plane_is_clear_of_it_and_no
         climb = random.uniform(-2.0, 2.0)
         state = np.array([0.1, 0.2, level, 1.0, -0.5, climb, 0.0, 10.0, 0.0])
         known = begin(state)
-        clear = run(program_of("end_clear"), known | {"horizon": known["piece"]})["clear"] > 0.0
+        clear = not run(program_of("end_open"), known | {"horizon": known["piece"]})["open"]
         above = path_of(known, known["piece"], 65)[:, 2] > -DEFAULTS["end_depth"]
         crosses = (above[:-1] & ~above[1:]).any()  # downwards
         beside += not crosses
@@ -309,9 +307,8 @@ def test_a_piece_that_stays_on_one_side_of_the_end_s_plane_is_clear_of_it_and_no
 def least_rate() -> Program:
     """Return the bound below the rate of the end's gap as a program."""
     (end,) = AIR.end_planes
-    finder = search_for(end, AIR.flight).root_finder  # type: ignore[attr-defined]
-    outputs = {"least": finder._least_rate}
-    made = kernel("least_rate", outputs, argument_order(AIR), "A rate.", "Taylor")
+    outputs = {"least": air_near.least_rate(end, SINGLE_SERIES)}
+    made = kernel("least_rate", outputs, argument_order(AIR), "A rate.", "Taylor", single=True)
     return lower(made, AIR.symbols)
 
 
@@ -328,6 +325,31 @@ def test_a_plane_s_gap_opens_no_slower_than_its_bound_which_is_not_useless(densi
         assert least <= min(rates)
         beside.append(min(rates) - least)
     assert np.median(beside) < 0.1 * density**0.5
+
+
+def test_sums_of_a_piece_s_sizes_are_bounded_and_the_bounds_are_near_to_them() -> None:
+    random = np.random.default_rng(15)
+    for first in (FIRST_SINGLE, ORDER + 1):
+        for _ in range(10):
+            rate = sp.Rational(1, int(random.integers(5, 12)))
+            sizes = [sp.Rational(int(random.integers(1, 9))) * rate**k for k in range(ORDER + 1)]
+            sums = [sp.Add(*sizes[k:]) for k in range(ORDER + 1)]
+            products = sp.Add(
+                *(
+                    sizes[i] * sizes[j]
+                    for i in range(ORDER + 1)
+                    for j in range(ORDER + 1)
+                    if i + j >= first
+                )
+            )
+            half = release(air_piece.half_of_products(sizes, sums, first))
+            assert products / 2 <= half < products
+            for bound, weights in (
+                (air_piece.counted(sums), range(ORDER + 1)),
+                (air_piece.counted_twice(sums), [k * (k - 1) for k in range(ORDER + 1)]),
+            ):
+                exact = sp.Add(*(w * size for w, size in zip(weights, sizes, strict=True)))
+                assert exact <= release(bound) < sp.Rational(5, 4) * exact
 
 
 def test_a_flight_has_the_check_value_without_spin_and_smoothing() -> None:
