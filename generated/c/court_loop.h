@@ -1,6 +1,6 @@
 /* The event loop of the scene court, with or without bounds on errors.
 
-   Generated from templates/c/loop.h.j2, scene court, derivation 5f9112b56eb80909,
+   Generated from templates/c/loop.h.j2, scene court, derivation 83fca103576a1dd1,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by court_engine.h twice, BOUNDED being 1 where errors are bounded, else 0. The path is
@@ -839,15 +839,16 @@ static void LOOP(fix)(LOOP(worklist) *worklist)
         FIX(169, _s352); FIX(170, lanes_mul(_s352, _s352));
         FIX(171, lanes_mul(p_ball_radius, p_inertia));
         FIX(172, lanes_mul(K(7.275957614183426e-12), p_ball_radius));
-        FIX(173, lanes_mul(K(1.1920928955078125e-07), p_ball_radius)); FIX(174, _s360);
-        FIX(175, lanes_mul(_s360, _s360)); FIX(176, lanes_mul(p_ring_friction, _s362));
-        FIX(177, lanes_mul(_s362, _s360));
-        FIX(178, lanes_mul(K(3.725290298461914e-09), p_ball_radius));
-        FIX(179, lanes_mul(_s219, _s360)); FIX(180, _s369); FIX(181, lanes_mul(_s369, _s369));
-        FIX(182, lanes_mul(p_backboard_friction, _s371)); FIX(183, lanes_mul(_s371, _s369));
-        FIX(184, lanes_mul(_s219, _s369)); FIX(185, _s376); FIX(186, lanes_mul(_s376, _s376));
-        FIX(187, lanes_mul(p_bridge_friction, _s378)); FIX(188, lanes_mul(_s378, _s376));
-        FIX(189, lanes_mul(_s219, _s376));
+        FIX(173, lanes_mul(K(1.1920928955078125e-07), p_ball_radius)); FIX(174, p_ring_restitution);
+        FIX(175, _s360); FIX(176, lanes_mul(_s360, _s360));
+        FIX(177, lanes_mul(p_ring_friction, _s362)); FIX(178, lanes_mul(_s362, _s360));
+        FIX(179, lanes_mul(K(3.725290298461914e-09), p_ball_radius));
+        FIX(180, lanes_mul(_s219, _s360)); FIX(181, p_backboard_restitution); FIX(182, _s369);
+        FIX(183, lanes_mul(_s369, _s369)); FIX(184, lanes_mul(p_backboard_friction, _s371));
+        FIX(185, lanes_mul(_s371, _s369)); FIX(186, lanes_mul(_s219, _s369));
+        FIX(187, p_bridge_restitution); FIX(188, _s376); FIX(189, lanes_mul(_s376, _s376));
+        FIX(190, lanes_mul(p_bridge_friction, _s378)); FIX(191, lanes_mul(_s378, _s376));
+        FIX(192, lanes_mul(_s219, _s376));
     }
     {
         const S _p_ball_radius = lanes_narrow(p_ball_radius);
@@ -2908,15 +2909,16 @@ LANES_APART void LOOP(fix_slow_rows_1)(LOOP(worklist) *worklist, size_t i)
         FIX(113, lanes_mul(K(3.637978807091713e-12), p_ball_radius));
         FIX(161, lanes_mul(K(3.0), p_gravity));
         FIX(162, lanes_mul(K(2.0), lanes_mul(K(3.0), lanes_mul(p_gravity, p_gravity))));
-        FIX(172, lanes_mul(K(7.275957614183426e-12), p_ball_radius)); FIX(174, _s360);
-        FIX(175, lanes_mul(_s360, _s360)); FIX(176, lanes_mul(p_ring_friction, _s362));
-        FIX(177, lanes_mul(_s362, _s360));
-        FIX(178, lanes_mul(K(3.725290298461914e-09), p_ball_radius));
-        FIX(179, lanes_mul(_s219, _s360)); FIX(180, _s369); FIX(181, lanes_mul(_s369, _s369));
-        FIX(182, lanes_mul(p_backboard_friction, _s371)); FIX(183, lanes_mul(_s371, _s369));
-        FIX(184, lanes_mul(_s219, _s369)); FIX(185, _s376); FIX(186, lanes_mul(_s376, _s376));
-        FIX(187, lanes_mul(p_bridge_friction, _s378)); FIX(188, lanes_mul(_s378, _s376));
-        FIX(189, lanes_mul(_s219, _s376));
+        FIX(172, lanes_mul(K(7.275957614183426e-12), p_ball_radius)); FIX(174, p_ring_restitution);
+        FIX(175, _s360); FIX(176, lanes_mul(_s360, _s360));
+        FIX(177, lanes_mul(p_ring_friction, _s362)); FIX(178, lanes_mul(_s362, _s360));
+        FIX(179, lanes_mul(K(3.725290298461914e-09), p_ball_radius));
+        FIX(180, lanes_mul(_s219, _s360)); FIX(181, p_backboard_restitution); FIX(182, _s369);
+        FIX(183, lanes_mul(_s369, _s369)); FIX(184, lanes_mul(p_backboard_friction, _s371));
+        FIX(185, lanes_mul(_s371, _s369)); FIX(186, lanes_mul(_s219, _s369));
+        FIX(187, p_bridge_restitution); FIX(188, _s376); FIX(189, lanes_mul(_s376, _s376));
+        FIX(190, lanes_mul(p_bridge_friction, _s378)); FIX(191, lanes_mul(_s378, _s376));
+        FIX(192, lanes_mul(_s219, _s376));
     }
 }
 
@@ -2973,7 +2975,7 @@ LANES_APART void LOOP(slow)(LOOP(worklist) *worklist, size_t slow_shots, size_t 
             EACH(SET, _near_end_plane_1, nearest)
             CALL(court_ring_separation, _ring_separation_1)(x, y, z, vx, vy, vz, FIXED(21), FIXED(7), FIXED(161), FIXED(162));
             EACH(GET, _ring_separation_1, lift)
-            CALL(court_ring_impact_settling, _ring_impact_settling_1)(wx, wy, wz, OR_ZERO(velocity_error), rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, slip, bounce, nearest, second_contact_gap, press, weight, rolling_friction, lift, FIXED(6), FIXED(174), FIXED(175), FIXED(176), FIXED(177), FIXED(111), FIXED(113), FIXED(178), FIXED(179));
+            CALL(court_ring_impact_settling, _ring_impact_settling_1)(wx, wy, wz, OR_ZERO(velocity_error), rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, slip, bounce, nearest, second_contact_gap, press, weight, rolling_friction, lift, FIXED(6), FIXED(174), FIXED(175), FIXED(176), FIXED(177), FIXED(178), FIXED(111), FIXED(113), FIXED(179), FIXED(180));
             EACH(GET_MASK, _ring_impact_settling_1, settles, lodges, slides, unpressed)
             BOUNDS(EACH(SELECT, (_if_here_3, _ring_impact_settling_1), assured))
             EACH(GET_MASK, _ring_impact_settling_1, undecided)
@@ -3006,7 +3008,7 @@ LANES_APART void LOOP(slow)(LOOP(worklist) *worklist, size_t slow_shots, size_t 
             EACH(SET, _near_end_plane_2, nearest)
             CALL(court_backboard_separation, _backboard_separation_1)(x, y, z, vx, vy, vz, FIXED(11), FIXED(9), FIXED(10), FIXED(12), FIXED(21), FIXED(15), FIXED(23));
             EACH(GET, _backboard_separation_1, lift)
-            CALL(court_ring_impact_settling, _ring_impact_settling_2)(wx, wy, wz, OR_ZERO(velocity_error), rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, slip, bounce, nearest, second_contact_gap, press, weight, rolling_friction, lift, FIXED(6), FIXED(180), FIXED(181), FIXED(182), FIXED(183), FIXED(111), FIXED(113), FIXED(178), FIXED(184));
+            CALL(court_ring_impact_settling, _ring_impact_settling_2)(wx, wy, wz, OR_ZERO(velocity_error), rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, slip, bounce, nearest, second_contact_gap, press, weight, rolling_friction, lift, FIXED(6), FIXED(181), FIXED(182), FIXED(183), FIXED(184), FIXED(185), FIXED(111), FIXED(113), FIXED(179), FIXED(186));
             EACH(GET_MASK, _ring_impact_settling_2, settles, lodges, slides, unpressed)
             BOUNDS(EACH(SELECT, (_if_here_4, _ring_impact_settling_2), assured))
             EACH(GET_MASK, _ring_impact_settling_2, undecided)
@@ -3039,7 +3041,7 @@ LANES_APART void LOOP(slow)(LOOP(worklist) *worklist, size_t slow_shots, size_t 
             EACH(SET, _near_end_plane_3, nearest)
             CALL(court_bridge_separation, _bridge_separation_1)(x, y, z, vx, vy, vz, FIXED(9), FIXED(13), FIXED(21), FIXED(7), FIXED(8), FIXED(16), FIXED(23));
             EACH(GET, _bridge_separation_1, lift)
-            CALL(court_ring_impact_settling, _ring_impact_settling_3)(wx, wy, wz, OR_ZERO(velocity_error), rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, slip, bounce, nearest, second_contact_gap, press, weight, rolling_friction, lift, FIXED(6), FIXED(185), FIXED(186), FIXED(187), FIXED(188), FIXED(111), FIXED(113), FIXED(178), FIXED(189));
+            CALL(court_ring_impact_settling, _ring_impact_settling_3)(wx, wy, wz, OR_ZERO(velocity_error), rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, slip, bounce, nearest, second_contact_gap, press, weight, rolling_friction, lift, FIXED(6), FIXED(187), FIXED(188), FIXED(189), FIXED(190), FIXED(191), FIXED(111), FIXED(113), FIXED(179), FIXED(192));
             EACH(GET_MASK, _ring_impact_settling_3, settles, lodges, slides, unpressed)
             BOUNDS(EACH(SELECT, (_if_here_5, _ring_impact_settling_3), assured))
             EACH(GET_MASK, _ring_impact_settling_3, undecided)

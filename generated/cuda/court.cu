@@ -1,6 +1,6 @@
 /* The event loop of the scene court in CUDA: a thread takes one shot from its release to its end.
 
-   Generated from templates/cuda/scene.cu.j2, scene court, derivation 5f9112b56eb80909,
+   Generated from templates/cuda/scene.cu.j2, scene court, derivation 83fca103576a1dd1,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    It needs no header. To give the bits of NumPy and C it is compiled with --fmad=false, --ftz=false,
@@ -2443,7 +2443,7 @@ static __device__ __forceinline__ kernel_ring_impact_undecided_out kernel_ring_i
 }
 
 /* Whether the bounces end in rolling, sliding, a wedge or departure, and whether that is certain.
-   a geometric series of bounces. 154 operations: 21 additions, 4 subtractions, 50 multiplications, 9 divisions, 1 square root, 1 negation, 14 absolute values, 23 comparisons, 19 conjunctions, 7 disjunctions, 2 complements, 3 selections. */
+   a geometric series of bounces. 156 operations: 21 additions, 4 subtractions, 51 multiplications, 9 divisions, 1 square root, 1 negation, 14 absolute values, 24 comparisons, 19 conjunctions, 7 disjunctions, 2 complements, 3 selections. */
 struct kernel_ring_impact_settling_out {
     bool settles, lodges, slides, unpressed;
     double assured;
@@ -2485,12 +2485,11 @@ static __device__ __forceinline__ kernel_ring_impact_settling_out kernel_ring_im
     const double _s30 = bounce / _s29;
     const bool _s31 = (((0.0 < _s29) && _s1) && (((3.0 * _s30) * _s7) < (_s8 * _s29))) && ((_s23 + (((16.0 * _s30) * _s5) / _s0)) < nearest);
     const bool _s32 = _s31 && (((_s16 * _s30) + ((_s18 * (_s30 * _s30)) / _s17)) <= _s21);
-    const bool _s33 = 0.0 < bounce;
-    const double _s34 = ((2.0 * ((_s11 * _s30) + choose(_s33, (bounce * _s13), 0.0))) / (_s19 * _s0)) + (1.4551915228366852e-11 * _s9);
-    const bool _s35 = (fabs(press) <= ((4.0 * velocity_error) * _s3)) || (((bounce * fabs((_s20 - _s21))) <= ((2.0 * velocity_error) * _s21)) && _s33);
-    const double _s36 = 16.0 * velocity_error;
-    const bool _s37 = _s32 && ((fabs((slip - _s34)) < _s36) || (fabs((_s11 - _s14)) < (_s36 * ((_s13 * _s3) + _s3))));
-    return {(_s22 && (!_s24)) && (_s26 || _s27), _s22 && _s24, _s32 && ((_s34 < slip) || (_s14 < _s11)), (bounce <= _s10) && (0.0 <= lift), choose(((_s15 && _s26) || _s31), 1.0, 0.0), (_s35 || _s37) || ((_s22 && _s27) && (!_s26))};
+    const double _s33 = ((2.0 * ((_s11 * _s30) + choose((0.0 < bounce), (bounce * _s13), 0.0))) / (_s19 * _s0)) + (1.4551915228366852e-11 * _s9);
+    const bool _s34 = (fabs(press) <= ((4.0 * velocity_error) * _s3)) || (((bounce * fabs((_s20 - _s21))) <= ((2.0 * velocity_error) * _s21)) && (0.0 < (p_ring_restitution * bounce)));
+    const double _s35 = 16.0 * velocity_error;
+    const bool _s36 = _s32 && ((fabs((slip - _s33)) < _s35) || (fabs((_s11 - _s14)) < (_s35 * ((_s13 * _s3) + _s3))));
+    return {(_s22 && (!_s24)) && (_s26 || _s27), _s22 && _s24, _s32 && ((_s33 < slip) || (_s14 < _s11)), (bounce <= _s10) && (0.0 <= lift), choose(((_s15 && _s26) || _s31), 1.0, 0.0), (_s34 || _s36) || ((_s22 && _s27) && (!_s26))};
 }
 
 /* Excess F² - mu² N² and its rate.

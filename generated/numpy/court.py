@@ -1,6 +1,6 @@
 """NumPy kernels of the scene court.
 
-Generated from templates/numpy/kernels.py.j2, scene court, derivation 5f9112b56eb80909,
+Generated from templates/numpy/kernels.py.j2, scene court, derivation 83fca103576a1dd1,
 with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
 and run `make generate`.
 Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
@@ -2890,7 +2890,7 @@ def ring_impact_undecided(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, 
 def ring_impact_settling(p_ball_radius: Any, p_inertia: Any, p_ring_friction: Any, p_ring_restitution: Any, wx: Any, wy: Any, wz: Any, velocity_error: Any, rolled_x: Any, rolled_y: Any, rolled_z: Any, turning_x: Any, turning_y: Any, turning_z: Any, slip: Any, bounce: Any, nearest: Any, second_contact_gap: Any, press: Any, weight: Any, rolling_friction: Any, lift: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Whether the bounces end in rolling, sliding, a wedge or departure, and whether that is certain.
 
-    a geometric series of bounces. 154 operations: 21 additions, 4 subtractions, 50 multiplications, 9 divisions, 1 square root, 1 negation, 14 absolute values, 23 comparisons, 19 conjunctions, 7 disjunctions, 2 complements, 3 selections.
+    a geometric series of bounces. 156 operations: 21 additions, 4 subtractions, 51 multiplications, 9 divisions, 1 square root, 1 negation, 14 absolute values, 24 comparisons, 19 conjunctions, 7 disjunctions, 2 complements, 3 selections.
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13 = _room[:14]
     _s0 = 1.0 - p_ring_restitution
@@ -2926,12 +2926,11 @@ def ring_impact_settling(p_ball_radius: Any, p_inertia: Any, p_ring_friction: An
     _s30 = _divide(bounce, _s29, _r12)
     _s31 = _logical_and(_logical_and(_logical_and((_k4 < _s29), _s1), (_multiply(_multiply(_k63, _s30, _r13), _s7, _r13) < _multiply(_s8, _s29, _r11))), (_add(_s23, _divide(_multiply(_multiply(_k36, _s30, _r11), _s5, _r11), _s0, _r11), _r11) < nearest))
     _s32 = _logical_and(_s31, (_add(_multiply(_s16, _s30, _r9), _divide(_multiply(_s18, _multiply(_s30, _s30, _r11), _r11), _s17, _r11), _r11) <= _s21))
-    _s33 = _k4 < bounce
-    _s34 = _add(_divide(_multiply(_k20, _add(_multiply(_s11, _s30, _r12), _select(_s33, _multiply(bounce, _s13, _r11), _k4, _r9), _r9), _r9), _s19 * _s0, _r9), _multiply(_k107, _s9, _r2), _r2)
-    _s35 = _logical_or((_absolute(press, _r9) <= _multiply(_multiply(_k64, velocity_error, _r11), _s3, _r11)), _logical_and((_multiply(bounce, _absolute(_subtract(_s20, _s21, _r10), _r10), _r10) <= _multiply(_multiply(_k20, velocity_error, _r11), _s21, _r11)), _s33))
-    _s36 = _multiply(_k36, velocity_error, _r11)
-    _s37 = _logical_and(_s32, _logical_or((_absolute(_subtract(slip, _s34, _r10), _r10) < _s36), (_absolute(_subtract(_s11, _s14, _r10), _r10) < _multiply(_s36, _add(_multiply(_s13, _s3, _r9), _s3, _r9), _r9))))
-    return _logical_and(_logical_and(_s22, _logical_not(_s24)), _logical_or(_s26, _s27)), _logical_and(_s22, _s24), _logical_and(_s32, _logical_or((_s34 < slip), (_s14 < _s11))), _logical_and((bounce <= _s10), (_k4 <= lift)), _result(_logical_or(_logical_and(_s15, _s26), _s31), _k19, _k4, _r0), _logical_or(_logical_or(_s35, _s37), _logical_and(_logical_and(_s22, _s27), _logical_not(_s26)))
+    _s33 = _add(_divide(_multiply(_k20, _add(_multiply(_s11, _s30, _r12), _select(_k4 < bounce, _multiply(bounce, _s13, _r11), _k4, _r9), _r9), _r9), _s19 * _s0, _r9), _multiply(_k107, _s9, _r2), _r2)
+    _s34 = _logical_or((_absolute(press, _r9) <= _multiply(_multiply(_k64, velocity_error, _r11), _s3, _r11)), _logical_and((_multiply(bounce, _absolute(_subtract(_s20, _s21, _r10), _r10), _r10) <= _multiply(_multiply(_k20, velocity_error, _r11), _s21, _r11)), (_k4 < _multiply(p_ring_restitution, bounce, _r11))))
+    _s35 = _multiply(_k36, velocity_error, _r11)
+    _s36 = _logical_and(_s32, _logical_or((_absolute(_subtract(slip, _s33, _r10), _r10) < _s35), (_absolute(_subtract(_s11, _s14, _r10), _r10) < _multiply(_s35, _add(_multiply(_s13, _s3, _r9), _s3, _r9), _r9))))
+    return _logical_and(_logical_and(_s22, _logical_not(_s24)), _logical_or(_s26, _s27)), _logical_and(_s22, _s24), _logical_and(_s32, _logical_or((_s33 < slip), (_s14 < _s11))), _logical_and((bounce <= _s10), (_k4 <= lift)), _result(_logical_or(_logical_and(_s15, _s26), _s31), _k19, _k4, _r0), _logical_or(_logical_or(_s34, _s36), _logical_and(_logical_and(_s22, _s27), _logical_not(_s26)))
 
 
 def ring_impact_grip_deficit(p_ring_friction: Any, rolling_friction: Any, rolling_friction_rate: Any, force: Any, force_rate: Any) -> tuple[Any, ...]:
