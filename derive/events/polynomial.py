@@ -104,7 +104,9 @@ class PolynomialRootFinder(RootFinder):
         """The times at which the ball is in the surface's box, or up to Cauchy's bound."""
         centre, halves = self.surface.reference_point, self.surface.half_sizes
         if not self._boxed:
-            return [(sp.Integer(0), self._last_root())]
+            last, higher = self._last_sure_root()
+            beyond = IfLess(horizon, sp.oo, sp.oo, last)
+            return [(sp.Integer(0), IfLess(0, higher, beyond, last))]
         offsets = (barrier(p - c) for p, c in zip(POSITION, centre, strict=True))
         found = windows(list(zip(offsets, VELOCITY, self.flight.acceleration, strict=True)), halves)
         if None in halves:
@@ -112,21 +114,46 @@ class PolynomialRootFinder(RootFinder):
             found = [(low, minimum(high, last)) for low, high in found]
         return found
 
-    def _last_root(self) -> sp.Expr:
-        """Cauchy's bound on the roots, infinite where the degree is not certain."""
+    def _sized_coefficients(self) -> list[tuple[sp.Expr, sp.Expr]]:
+        """Return a bound below the size of each coefficient, and one above it, constant first."""
         share = sp.Rational(1, 2**20)  # errors beyond that exceed what a search allows for
         known = {place: Rounded(extent, share * extent) for place in POSITION}
         known |= {v: Rounded(speed, share * speed) for v in VELOCITY}
-        *rest, leading = self._coefficients
-        least = barrier(absolute(leading) - rounding(leading, known).error)
-        most = (c.magnitude + c.error for c in (rounding(c, known) for c in rest))
-        return IfLess(0, least, 1 + barrier(sp.Add(*most)) / least, sp.oo)
+        found = [(c, rounding(c, known)) for c in self._coefficients]
+        return [
+            (barrier(absolute(c) - size.error), barrier(size.magnitude + size.error))
+            for c, size in found
+        ]
+
+    def _last_root(self) -> sp.Expr:
+        """Cauchy's bound on the roots, infinite where the degree is not certain."""
+        *rest, (least, _) = self._sized_coefficients()
+        most = barrier(sp.Add(*(size for _, size in rest)))
+        return IfLess(0, least, 1 + most / least, sp.oo)
+
+    def _last_sure_root(self) -> tuple[sp.Expr, sp.Expr]:
+        """Return Cauchy's bound for the degree that is certain, and 1 if it may be higher, else 0.
+
+        A coefficient of which each term is zero is zero: along an axis on which gravity lies, the
+        ball comes to a cylinder at a constant speed.
+        """
+        last: sp.Expr = sp.Integer(0)
+        higher: sp.Expr = sp.Integer(0)
+        sizes = self._sized_coefficients()
+        for degree, (least, most) in enumerate(sizes[1:], 1):
+            rest = barrier(sp.Add(*(size for _, size in sizes[:degree])))
+            last = IfLess(0, least, 1 + rest / least, last)
+            higher = IfLess(0, least, 0, IfLess(0, most, 1, higher))
+        return last, higher
 
     @property
     def lost(self) -> sp.Expr:
-        """Positive if errors come near to the inflation of the box."""
+        """Positive if errors come near to the inflation of the box, or a last root is not certain.
+
+        Without a box that is so if the degree is not certain, and there is no horizon.
+        """
         if not self._boxed:
-            return sp.Integer(0)
+            return IfLess(horizon, sp.oo, 0, self._last_sure_root()[1])
         return lost(self.surface.reference_point, self.surface.half_sizes, self.flight.acceleration)
 
     @property

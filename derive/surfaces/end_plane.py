@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import sympy as sp
 
 from .plane import Plane
+from .surface import overlap
 
 
 @dataclass(frozen=True)
@@ -42,3 +43,8 @@ class EndPlane(Plane):
     def patches(self) -> tuple[tuple[sp.Expr, ...], ...]:
         """The bounds by end: a crossing counts within the bounds of any."""
         return self.parts if all(self.parts) else ((),)
+
+    @property
+    def inside(self) -> tuple[sp.Expr, ...]:
+        """The distance from the plane, within reach from either side: a ball may be behind it."""
+        return overlap(self.distance, self.limits, self.reach)

@@ -76,5 +76,5 @@ class Plane(Flat):
 
     @property
     def inside(self) -> tuple[sp.Expr, ...]:
-        """The distance from the plate, within reach from either side, and the bounds."""
-        return overlap(self.distance, self.limits, self.reach)
+        """The distance, and of a plate its thickness, within reach from either side, and bounds."""
+        return overlap(self.distance, self.limits, self.reach if self.limits else None)

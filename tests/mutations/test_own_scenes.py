@@ -45,6 +45,7 @@ from tests.helpers.mutants import in_text, in_tree
 from tests.scene import (
     test_friction_switch,
     test_oblique_bodies,
+    test_pipes,
     test_root_errors,
     test_roots,
     test_shelf,
@@ -192,6 +193,13 @@ turned_tori = OfEngine(
     test_oblique_bodies.test_turned_tori_are_met_where_an_independent_integrator_meets_them,
     scene=test_oblique_bodies.RINGS,
 )
+pipe = {
+    test.__name__.removeprefix("test_"): OfEngine(test, scene=test_pipes.PIPE)
+    for test in (
+        test_pipes.test_a_ball_meets_the_wall_of_a_pipe_along_gravity,
+        test_pipes.test_a_ball_that_hardly_moves_across_a_pipe_is_flagged,
+    )
+}
 switch = OfEngine(
     test_friction_switch.test_the_switch_between_grip_and_slip_is_in_doubt_within_its_error,
     cases(test_friction_switch.test_the_switch_between_grip_and_slip_is_in_doubt_within_its_error),
@@ -404,6 +412,26 @@ FAULTS = (
             '"margin": sp.Rational(1, 2**12) *',
         ),
         boxes,
+    ),
+    Planted(
+        "a degree that is not certain is as good as none",
+        in_text(
+            PolynomialRootFinder,
+            "windows",
+            "IfLess(0, higher, beyond, last)",
+            "IfLess(0, higher, sp.oo, self._last_root())",
+        ),
+        pipe["a_ball_meets_the_wall_of_a_pipe_along_gravity"],
+    ),
+    Planted(
+        "the last root is certain though the degree is not",
+        in_text(
+            PolynomialRootFinder,
+            "lost",
+            "return IfLess(horizon, sp.oo, 0, self._last_sure_root()[1])",
+            "return sp.Integer(0)",
+        ),
+        pipe["a_ball_that_hardly_moves_across_a_pipe_is_flagged"],
     ),
     Planted(
         "the rate of a box has no margin",

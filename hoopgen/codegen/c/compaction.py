@@ -47,7 +47,10 @@ from .turns import TurnLoop
 
 @dataclass(frozen=True)
 class Insertion:
-    """Statements that come before the node of an index, and the variables that they declare."""
+    """Statements that come before the node of an index, and the variables that they declare.
+
+    Those that declare variables come before each run of nodes that reads one of these.
+    """
 
     index: int
     statements: tuple[Statement, ...]
@@ -58,9 +61,16 @@ class Insertion:
         return visitors.reads(self.statements)
 
 
-def _within(inserted: Insertion | None, start: int, end: int) -> Insertion | None:
+def _within(
+    inserted: Insertion | None, nodes: Sequence[Node], start: int, end: int
+) -> Insertion | None:
     """Return the insertion for a run of the nodes, if it belongs there."""
-    if inserted is None or not start <= inserted.index <= end:
+    if inserted is None:
+        return None
+    if inserted.declares:
+        read = reads(nodes[start:end]) & set(inserted.declares)
+        return replace(inserted, index=0) if read else None
+    if not start <= inserted.index <= end:
         return None
     return replace(inserted, index=inserted.index - start)
 
@@ -140,7 +150,7 @@ class CompactedLoop(TurnLoop):
             if isinstance(node, ir.Call) or not self._listed(node):
                 continue
             later = live_before(nodes[index + 1 :], after)
-            before, own = _within(inserted, start, index), Statements()
+            before, own = _within(inserted, nodes, start, index), Statements()
             if isinstance(node, ir.ForEach):
                 if start < index or before:
                     needed = live_before(nodes[index:], after)
@@ -153,7 +163,7 @@ class CompactedLoop(TurnLoop):
             found.append(Block(tuple(own), flush=True))
             start = index + 1
         if start < len(nodes):
-            last = _within(inserted, start, len(nodes))
+            last = _within(inserted, nodes, start, len(nodes))
             self._pass(found, nodes[start:], frame, after, None, last)
         return found
 
