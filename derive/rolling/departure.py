@@ -31,7 +31,7 @@ from ..symbolic.conditionals import (
 from ..symbolic.error_terms import clock
 from ..symbolic.rounding import position_error, velocity_error
 from ..symbolic.symbols import spin, velocity
-from .bounds import outside, until_met
+from .bounds import outside, roundings, until_met
 from .edges import falls_off
 from .settling import tolerance
 from .symbols import (
@@ -75,6 +75,11 @@ def departure_kernels(
     dipping = barrier(strength + gap_curvature * speed**2)
     away_from = Choose(Less(0, gap), nearing, -nearing)
     unmet = barrier(minimum(free_time, first_root(barrier(maximum(gap, 0)), nearing, dipping)))
+    # A ball that touches a surface and moves into it is not behind it, whatever the rounding says.
+    landing, _ = roundings(ball.radius)
+    met_at_once = all_of(AtMost(absolute(gap), landing), Less(nearing, 0))
+    met = barrier(minimum(sp.oo, until_met(strength, speed)))
+    until_bounded = barrier(Choose(met_at_once, 0, met))
     # A ball behind an end plane crosses it only after it has come to its front and turned round.
     returns = barrier(
         maximum(
@@ -136,12 +141,7 @@ def departure_kernels(
         ),
         loop_kernel(
             "bounded_neighbour_free_time",
-            {
-                "free_time": minimum(
-                    free_time,
-                    maximum(outside_time, barrier(minimum(sp.oo, until_met(strength, speed)))),
-                )
-            },
+            {"free_time": minimum(free_time, maximum(outside_time, until_bounded))},
             "Time for which a ball that leaves certainly meets no other body within its bounds.",
             "parabolas below the distances",
         ),

@@ -9,7 +9,14 @@ import pytest
 from hoopgen.derive import model
 from hoopgen.derive.events import plane, predicates
 from hoopgen.derive.ir.event_tree import Call
-from hoopgen.derive.rolling import bounds, contact_phase, edges, events, jump, meeting
+from hoopgen.derive.rolling import (
+    bounds,
+    contact_phase,
+    edges,
+    events,
+    jump,
+    meeting,
+)
 from hoopgen.derive.scenes import validity
 
 pytest.importorskip("flint")
@@ -25,7 +32,7 @@ from tests.helpers.checked_faults import (
     passes,
 )
 from tests.helpers.mutants import in_decisions, in_text, in_tree
-from tests.scene import test_edges, test_green, test_starts_on_bodies, test_tiles
+from tests.scene import test_edges, test_green, test_into_plate, test_starts_on_bodies, test_tiles
 
 pytestmark = [pytest.mark.xdist_group("edge_mutations"), pytest.mark.slow]
 
@@ -58,6 +65,10 @@ comes_up = OfEngine(
 straight = OfEngine(
     test_green.test_straight_putts_leave_the_wire_as_those_a_micrometre_aside,
     scene=test_edges.GREEN,
+)
+into_plate = OfEngine(
+    test_into_plate.test_a_ball_on_a_plate_that_is_thrown_into_it_meets_it_at_once,
+    scene=test_into_plate.WEDGE,
 )
 starts = {
     test.__name__.removeprefix("test_"): OfEngine(test, given, scene=scene)
@@ -108,6 +119,11 @@ def without(kernel: str) -> Any:
 
 
 FAULTS = (
+    Planted(
+        "a ball that touches a plate and moves into it may be behind it",
+        in_text(contact_phase, "departure_kernels", "Choose(met_at_once, 0, met)", "met"),
+        into_plate,
+    ),
     Planted(
         "an edge is a nanometre further out",
         in_text(
