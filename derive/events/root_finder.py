@@ -202,7 +202,7 @@ class RootFinder(ABC):
         step = first_root(low_gap, slope, barrier(curvature, "M"))
         if turned:
             # At first a gap within its margin may have either sign: nothing says that the ball is
-            # outside. Later the search knows on which side it is.
+            # outside. Later the search knows on which side it is, or takes a smaller margin first.
             unknown = IfAtMost(t, 0, barrier(gap - self.allowed), low_gap)
             least = barrier(IfLess(0, slope, unknown, low_gap))
             step = IfLess(least, 0, _last_root(least, slope, barrier(curvature)), step)

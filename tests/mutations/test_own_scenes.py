@@ -43,6 +43,7 @@ from tests.helpers.checked_faults import (
 )
 from tests.helpers.mutants import in_text, in_tree
 from tests.scene import (
+    test_behind_cones,
     test_friction_switch,
     test_oblique_bodies,
     test_pipes,
@@ -200,6 +201,10 @@ pipe = {
         test_pipes.test_a_ball_that_hardly_moves_across_a_pipe_is_flagged,
     )
 }
+behind_cone = OfEngine(
+    test_behind_cones.test_a_ball_that_comes_out_of_the_mirror_image_meets_the_cone,
+    scene=test_behind_cones.FLAT_CONE,
+)
 switch = OfEngine(
     test_friction_switch.test_the_switch_between_grip_and_slip_is_in_doubt_within_its_error,
     cases(test_friction_switch.test_the_switch_between_grip_and_slip_is_in_doubt_within_its_error),
@@ -422,6 +427,16 @@ FAULTS = (
             "IfLess(0, higher, sp.oo, self._last_root())",
         ),
         pipe["a_ball_meets_the_wall_of_a_pipe_along_gravity"],
+    ),
+    Planted(
+        "a gap that rises within its margin keeps its budget",
+        in_text(
+            RootSearch,
+            "_step",
+            '"gap_closes_or_rises" if self.flight.exact else "gap_closes_bounded"',
+            '"gap_closes_bounded"',
+        ),
+        behind_cone,
     ),
     Planted(
         "the last root is certain though the degree is not",

@@ -19,7 +19,7 @@ def test_a_ball_inside_a_ring_on_the_floor_meets_it_where_a_straight_line_does()
         "ring_on_floor",
         bodies=[
             Plane("floor"),
-            Torus("tyre", radius=WIDE, wire=WIRE, centre=(0.1, 0, HEIGHT)),
+            Torus("tyre", radius=WIDE, wire=WIRE, centre=(0.1, 0, HEIGHT), restitution=0.5),
         ],
         ball_radius=BALL,
         gravity=9.81,

@@ -31,7 +31,7 @@ LEAST = {
     "double": {"margin": 0.75, "leaving_margin": 0.5, "rate_margin": 0.75},
     "single": {"margin": 0.7, "leaving_margin": 0.5, "rate_margin": 0.2},
 }
-"""What the largest change of many is at least, beside its margin."""
+"""The largest change of many is at least this much of its margin."""
 SHOTS = 400
 
 
