@@ -121,14 +121,6 @@ _grazes = all_of(AtMost(0, apex), AtMost(absolute(height), margin))
 _graze_delay = 3 * sp.sqrt(barrier(margin / barrier(IfLess(0, absolute(bend), absolute(bend), 1))))
 _still = all_of(Less(t, end), Not(Less(t, following)))
 _sunk = Less(gap, -margin)
-_rises = all_of(
-    Not(Equal(last, index)),
-    Less(0, t),
-    Not(_falling),
-    AtMost(absolute(gap), margin),
-    Less(ERROR_BUDGET_LEVELS[-1], share),
-)
-"""True of a gap that rises within its margin: on which side the ball is needs a smaller budget."""
 _lands = all_of(met, arrives)
 _near = all_of(Equal(last, index), Less(tilt * t, flat))
 _exhausted = all_of(Not(hit), Not(needs_refinement), AtMost(end - t, step))
@@ -360,16 +352,6 @@ KERNELS = {
                 "penetrates": _sunk,
             },
             "Whether the gap closes, for a ball that may be inside a surface, beyond its bounds.",
-        ),
-        decision(
-            "gap_closes_or_rises",
-            {
-                "hit": all_of(_strikes, Not(_unclear), Not(_sunk)),
-                "sure": _clears,
-                "needs_refinement": any_of(_rises, all_of(_unclear, Not(_sunk))),
-                "penetrates": _sunk,
-            },
-            "The same; a gap that rises within its margin needs a smaller budget, too.",
         ),
         decision(
             "candidate",

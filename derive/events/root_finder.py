@@ -201,10 +201,9 @@ class RootFinder(ABC):
             curvature = IfLess(0, side, barrier(curvature), self.turned_curvature(width))
         step = first_root(low_gap, slope, barrier(curvature, "M"))
         if turned:
-            # At first a gap within its margin may have either sign: nothing says that the ball is
-            # outside. Later the search knows on which side it is, or takes a smaller margin first.
-            unknown = IfAtMost(t, 0, barrier(gap - self.allowed), low_gap)
-            least = barrier(IfLess(0, slope, unknown, low_gap))
+            # A gap within its margin may have either sign: nothing says that the ball is outside. A
+            # ball that began inside may be about to come out.
+            least = barrier(IfLess(0, slope, barrier(gap - self.allowed), low_gap))
             step = IfLess(least, 0, _last_root(least, slope, barrier(curvature)), step)
         stride = self.lengthened(minimum(width, step))
         least_fall = barrier(-rate - self.rate_allowed)

@@ -233,8 +233,7 @@ class RootSearch(Search):
     def _step(self, common: Parts, own: Parts, index: Value) -> Iterator[Node]:
         """Step as far as there can be no root, or take the root."""
         if self.passes:
-            closes = "gap_closes_or_rises" if self.flight.exact else "gap_closes_bounded"
-            return _passing_step(common, own, index, closes, tuple(self.counted(common, own)))
+            return _passing_step(common, own, index, tuple(self.counted(common, own)))
         return _step(common, own, index, "gap_closes" if self.coarse else "gap_closes_or_stalls")
 
 
@@ -396,7 +395,7 @@ def _decided_advance(common: Parts, own: Parts, index: Value, closes: str) -> It
     """Step, and decide whether there is a root; one that is not certain has a smaller budget."""
     yield Call(KERNELS["nearby"], {"index": index})
     yield given(own["advance"], rate_margin="rate_slack")
-    yield given(KERNELS[closes], rate_margin="rate_slack", index=index)
+    yield Call(KERNELS[closes], {"rate_margin": "rate_slack"})
     # A root that is not certain is searched again with a smaller error budget.
     finer = (
         Call(KERNELS["smaller_budget"]),
@@ -414,10 +413,10 @@ def _step(common: Parts, own: Parts, index: Value, closes: str) -> Iterator[Node
 
 
 def _passing_step(
-    common: Parts, own: Parts, index: Value, closes: str, counted: tuple[Node, ...]
+    common: Parts, own: Parts, index: Value, counted: tuple[Node, ...]
 ) -> Iterator[Node]:
     """Step as `_step` does; pass a root that does not count, and the way out behind it."""
-    yield from _decided_advance(common, own, index, closes)
+    yield from _decided_advance(common, own, index, "gap_closes_bounded")
     yield Call(KERNELS["candidate"])
     polish = (
         Call(own["refine"], {"t": "candidate"}, {"time": "refined"}, frozenset({"time"})),
