@@ -244,10 +244,14 @@ def test_a_ball_that_has_left_a_torus_does_not_come_through_it(engine: Engine, o
     """Its gap opens as the third power of the time, and it falls onto the torus again."""
     states = rolling(own, trials(60, 30), 4)
     shots = engine.simulate(states, time_limit=0.6, record=True, leaving=NAMES[own])
+    through = np.zeros(len(states), bool)
     for k in range(len(states)):
         path = shots.trajectory(k)
         places = path.at(np.linspace(0, path.duration, 200))[:, :3]
-        assert away(GIVEN[own], places).min() > -1e-11
+        through[k] = away(GIVEN[own], places).min() < -1e-11
+    assert not np.any(through & ~shots.uncertain)
+    # A search that gives up says so, and its ball flies on.
+    assert np.count_nonzero(through) <= max(1, len(states) / 50)
 
 
 @pytest.mark.parametrize("own", range(4))
