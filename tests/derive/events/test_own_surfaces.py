@@ -205,7 +205,8 @@ def near(chance: random.Random, surface: Surface) -> tuple[dict[str, Any], float
 
 def opened(search: Any, values: dict[str, Any], time: float) -> bool:
     """Return whether the time is in a window."""
-    return any(exactly(a, values) <= time <= exactly(b, values) for a, b in search.windows)
+    known = dict(values) | {"horizon": mpmath.inf}
+    return any(exactly(a, known) <= time <= exactly(b, known) for a, b in search.windows)
 
 
 @pytest.mark.sampled(1)
