@@ -58,9 +58,9 @@ axis = sp.symbols("axis_x axis_y axis_z", real=True)
 """u, along the axis of a cone or a torus, 0 of any other surface: in scenes with one to roll on."""
 outward = sp.symbols("outward_x outward_y outward_z", real=True)
 """e, away from that axis, 0 of any other surface."""
-per_tube, swing, per_width = sp.symbols("per_tube swing per_width", real=True)
+per_tube, azimuth_factor, per_width = sp.symbols("per_tube azimuth_factor per_width", real=True)
 """1/R of the section, c and 1/rho of a cone or a torus, 0 of any other surface."""
-REVOLVED = (*axis, *outward, per_width, per_tube, swing)
+REVOLVED = (*axis, *outward, per_width, per_tube, azimuth_factor)
 """All of them, in the order of `surfaces.rolling_surface.RevolvedSurface`."""
 gap = sp.Symbol("gap", real=True)
 """Distance of the ball from the surface, m."""
@@ -214,7 +214,7 @@ def _around_axis(order: int) -> tuple[dict[str, sp.Expr], list[sp.Expr]]:
         f"{name}_{order + 1}": new * scale for name, new in zip(OUTWARD, turned, strict=True)
     }
     moved = [barrier(per_tube * own[order]) for own in v]
-    return outputs, [barrier(a + swing * b) for a, b in zip(moved, turned, strict=True)]
+    return outputs, [barrier(a + azimuth_factor * b) for a, b in zip(moved, turned, strict=True)]
 
 
 def moved() -> dict[str, sp.Expr]:

@@ -181,7 +181,7 @@ def _revolved(rolling_surface: RollingSurface) -> dict[str, sp.Expr]:
     names, about = list(map(str, rolling_series.REVOLVED)), rolling_surface.revolved
     if about is None:
         return dict.fromkeys(names, sp.Integer(0))
-    own = (*about.axis, *about.outward, about.per_width, about.per_tube, about.swing)
+    own = (*about.axis, *about.outward, about.per_width, about.per_tube, about.azimuth_factor)
     return dict(zip(names, own, strict=True))
 
 

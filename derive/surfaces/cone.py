@@ -143,8 +143,8 @@ class Cone(AboutAxis, TwoSided):
         """The cone of the ball's centre."""
         zero, per_width = sp.Integer(0), barrier(1 / self._rho)
         x, y, z = (part * per_width for part in self._across)
-        swing = self._side * self._per_side
-        cone = RevolvedSurface(self._axis, (x, y, z), per_width, zero, swing)
+        azimuth_factor = self._side * self._per_side
+        cone = RevolvedSurface(self._axis, (x, y, z), per_width, zero, azimuth_factor)
         return RollingSurface((zero, zero, zero), self._side * per_width, revolved=cone)
 
     @property

@@ -35,7 +35,7 @@ class RevolvedSurface:
         1/rho, 1/m.
     per_tube
         1/R, the curvature of the section, 1/m: 0 of a cone.
-    swing
+    azimuth_factor
         c: of a cone the cosine of the half-angle, negative inside; of a torus with the radius R_H
         of the tube's centre circle -R_H/R.
     """
@@ -44,7 +44,7 @@ class RevolvedSurface:
     outward: Vector
     per_width: sp.Expr
     per_tube: sp.Expr
-    swing: sp.Expr
+    azimuth_factor: sp.Expr
 
 
 @dataclass(frozen=True)
@@ -114,6 +114,6 @@ def toroidal(
     per_width, per_tube = barrier(1 / rho), barrier(1 / reach)
     u, v, w = axis
     x, y, z = (part * per_width for part in across)
-    swing = -ring_radius * per_tube
-    torus = RevolvedSurface((u, v, w), (x, y, z), per_width, per_tube, swing)
+    azimuth_factor = -ring_radius * per_tube
+    torus = RevolvedSurface((u, v, w), (x, y, z), per_width, per_tube, azimuth_factor)
     return RollingSurface((_ZERO, _ZERO, _ZERO), per_tube + per_width, revolved=torus)

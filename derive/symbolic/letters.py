@@ -219,7 +219,7 @@ IN_CONTACT = {
         for axis in AXES
     },
     "per_tube": Entry(r"\varkappa_m", "curvature of the section through the axis"),
-    "swing": Entry("c_m", r"factor of the rate of the azimuth in that of the normal"),
+    "azimuth_factor": Entry("c_m", r"factor of the rate of the azimuth in that of the normal"),
     "per_width": Entry(r"\varkappa_\rho", "inverse distance of the ball from the axis"),
     "far_per_width": Entry(r"\tilde\varkappa_\rho", "the same of the neighbouring motion"),
     "turn_rate": Entry("s", "spin about the normal, times the ball's radius"),

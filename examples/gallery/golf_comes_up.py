@@ -45,8 +45,8 @@ picture
 # American Journal of Physics 59, 129, 1991). This one rolls over the edge at the side
 # of the hole, gets eight millimetres deep, goes around the cup on its wall, and leaves it again.
 
-speed = 0.9371353368262892
-putt = [-0.3, 0.031786019924289526, ball, speed, 0, 0, 0, speed / ball, 0]
+speed = 0.936
+putt = [-0.3, 0.0318, ball, speed, 0, 0, 0, speed / ball, 0]
 shot = hoopgen.simulate(putt, {"green": 0.2}, scene=golf, leaving="green", record=True)
 print(f"the lowest height of the ball: {1000 * shot.events['after'][:, 2].min():.1f} mm")
 path = shot.trajectory(0)

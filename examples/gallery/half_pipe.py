@@ -35,15 +35,20 @@ state = [*position, *velocity, *np.cross(inward, velocity) / ball]  # it rolls
 shots = hoopgen.simulate(
     np.array([state, state]), {"inertia": [2 / 3, 2 / 5]}, scene=scene, leaving="pipe", record=True
 )
+reached = []  # the times at which the balls first come to the lowest line
 with style():
     picture = Figure(figsize=(7.1, 2.6), layout="constrained")
     axes = picture.subplots()
     for i, name in enumerate(("hollow", "solid")):
         path = shots.trajectory(i)
         times = np.linspace(0, path.duration, 600)
-        axes.plot(times, path.at(times)[:, 1], label=name)
+        across = path.at(times)[:, 1]
+        axes.plot(times, across, label=name)
+        before = np.flatnonzero(across < 0)[0] - 1
+        reached.append(np.interp(0, -across[before : before + 2], times[before : before + 2]))
     axes.set(xlabel="time (s)", ylabel="across the pipe (m)")
     axes.legend(loc="lower left")
+print(f"hollow by solid: {reached[0] / reached[1]:.3f}")
 picture
 
 # %%

@@ -1,4 +1,4 @@
-"""A ball that begins behind the mirror image of a cone, and comes out of that, meets the cone.
+"""A ball that begins behind the mirror image of a cone and comes out of that: no contact is missed.
 
 The condition of a cone is negative behind its mirror image, too. No end is in the ball's way, so
 that the margin of the search exceeds that condition, and the shots may be uncertain.
