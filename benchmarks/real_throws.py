@@ -26,6 +26,7 @@ import hoopgen
 from hoopgen import COURT, NBA, NBA_COURT, NBA_COURT_AIR
 from hoopgen.core.units import DEGREE, FOOT, INCH, TURN
 from hoopgen.hoop.aiming import aimed
+from hoopgen.hoop.flights import Flights
 from hoopgen.text.numbers import MINUS
 
 Floats = NDArray[np.float64]
@@ -164,7 +165,8 @@ def states(
     if air:
         turning = np.full(length.shape, backspin)
         wanted = {"entry": np.arctan(slope)}
-        flown = aimed(wanted, length, rise, NBA_COURT_AIR, backspin=turning)
+        flights = Flights.at_hoop(NBA_COURT_AIR)
+        flown = aimed(wanted, length, rise, flights, backspin=turning)
         level, up = (flown["speed"] * part(flown["elevation"]) for part in (np.cos, np.sin))
     ahead = way / length[..., None]
     spin = np.stack([backspin * ahead[..., 1], -backspin * ahead[..., 0], 0 * level], axis=-1)

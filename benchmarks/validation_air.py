@@ -14,7 +14,7 @@ from benchmarks.validation_results import DEGREE, HERTZ, SEVENTY
 from hoopgen import HOOP, PAPER, PAPER_AIR, Scatter
 from hoopgen.core.units import FOOT
 from hoopgen.simulation.engine import Engine
-from hoopgen.study.questions.aim import Aim
+from hoopgen.study.questions.aimed_release import Aim
 from hoopgen.study.questions.estimate_result import Estimate
 from hoopgen.text.numbers import format_percent
 

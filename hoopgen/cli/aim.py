@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -15,7 +15,7 @@ from hoopgen.hoop.flights import is_in_air
 from hoopgen.hoop.variables import ARGUMENTS, VARIABLES
 from hoopgen.report.provenance import describe_scene
 from hoopgen.report.quantities import format_launch, format_variable
-from hoopgen.scene.lookup import check_hoop
+from hoopgen.simulation.lookup import BUILT_IN
 from hoopgen.study.questions.settings import ASKED, RELEASE
 from hoopgen.study.questions.specification import TOLERANCES, AimQuestion
 from hoopgen.text.numbers import format_count
@@ -28,7 +28,7 @@ from .options import UNITS_IN_WORDS, picture_option, scene_options, units_option
 from .path_types import OUT
 from .place_option import place_option
 from .question_options import SettingOption, question_options
-from .scene_option import engine_of, scene_option
+from .scene_option import engine_of, given, position_option, scene_option
 from .types import Parsed, number_cell
 
 if TYPE_CHECKING:
@@ -36,9 +36,17 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from hoopgen.hoop.parabolas import Arc
+    from hoopgen.simulation.engine import Engine
     from hoopgen.study.jobs.objective import By
+    from hoopgen.study.questions.aimed_release import Aim
 
     Columns = Mapping[str, NDArray[np.float64]]
+
+_AT_HOOP = {
+    **{name: f"--{name}" for name in ("distance", "height", "angle", "depth", "by")},
+    "file": "--csv",
+}
+"""Options of a shot at a hoop, by their parameters."""
 
 _MAX_DISTANCES = 10_000
 
@@ -90,8 +98,27 @@ def _vector(components: str, kind: Kind) -> Parsed[tuple[float, ...]]:
     return Parsed(read, f"{components} [{display_unit(kind).symbol}]")
 
 
+_POINT = _vector("X,Y,Z", "length")
+
+
+def _target(text: str) -> tuple[float, ...] | str:
+    """Read a point, or the name of a body."""
+    return text if text.isidentifier() else _POINT.read(text)
+
+
+def _needs(typed: Mapping[str, Any]) -> list[str]:
+    """Return the missing options of the place: of a hoop, or of another scene."""
+    if typed.get("scene_name", "hoop") not in BUILT_IN:
+        strays = {"distance", "height"} & set(typed)
+        return [] if strays else [f"--{n}" for n in ("position", "target") if n not in typed]
+    if "position" in typed:
+        return []  # of another scene, which is said first
+    needed = {"height": "--height", "distance": "--distance (or --place)"}
+    return [option for name, option in needed.items() if name not in typed]
+
+
 @command(
-    needs=lambda typed: [] if "distance" in typed else ["--distance (or --place)"],
+    needs=_needs,
     epilog=UNITS_IN_WORDS
     + examples(
         "hoopgen aim --place 'free throw' --height 7ft",
@@ -106,7 +133,7 @@ def _vector(components: str, kind: Kind) -> Parsed[tuple[float, ...]]:
     optional=("distance",),
     distance={"type": Parsed(_distances, "LENGTH [m] | FROM:TO:STEP")},
 )
-@variable_option("height", required=True)
+@variable_option("height")
 @variable_option("angle", default=0.0)
 @variable_option("backspin", default=0.0)
 @variable_option("sidespin", default=0.0)
@@ -115,9 +142,11 @@ def _vector(components: str, kind: Kind) -> Parsed[tuple[float, ...]]:
     "--target",
     cls=SettingOption,
     heading=ASKED,
-    type=_vector("X,Y,Z", "length"),
-    help="Point that the ball comes down through, from the ring's centre; it replaces --depth.",
+    type=Parsed(_target, f"{_POINT.name} | BODY"),
+    help="Point that the ball comes down through, from the ring's centre, in place of --depth; "
+    "with --scene in its coordinates, or the name of a body.",
 )
+@position_option
 @click.option(
     "--moving",
     cls=SettingOption,
@@ -134,7 +163,8 @@ def aim(
     distance: tuple[float, ...],
     arc: Arc,
     by: By,
-    target: tuple[float, ...] | None,
+    target: tuple[float, ...] | str | None,
+    position: tuple[float, ...] | None,
     moving: tuple[float, ...] | None,
     parameters: Mapping[str, float],
     file: Path | None,
@@ -150,7 +180,8 @@ def aim(
     the ring's centre, --depth past it, or any --target; the ring and the board may be met before,
     which is said. How far off each of speed, elevation and azimuth alone may be, so that the ball
     still goes in, is found by simulation. With --scene air or court-air the flight is through air,
-    where spins matter, too.
+    where spins matter, too. In a scene of one's own the ball is released at --position and comes
+    down through --target.
     """
     if file is not None and moving is not None:
         raise click.UsageError(
@@ -158,12 +189,16 @@ def aim(
             "leave --moving or --csv"
         )
     from hoopgen.study.questions.aim import aim as aimed
-    from hoopgen.study.questions.aim import flight_in_words, met_before
     from hoopgen.study.questions.aim_table import aim_table, write_csv
+    from hoopgen.study.questions.aimed_release import flight_in_words, met_before
 
     spins = {name: wanted.pop(name) for name in ("backspin", "sidespin")}
     engine = engine_of()
-    check_hoop("hoopgen aim", engine)
+    if not engine.has_hoop:
+        angles = {name: wanted[name] for name in ("entry", "elevation", "speed")} | spins
+        at = {"position": position, "target": target, "moving": moving}
+        _aim_in_scene(engine, picture, arc=arc, parameters=parameters, **angles, **at)
+        return
     if len(distance) == 1:
         # A single number gives the error that says why there is no such release.
         spun = spins if is_in_air(engine.parameters) else {}
@@ -185,7 +220,9 @@ def aim(
     if len(distance) == 1:
         release_values = {name: float(column[0]) for name, column in columns.items()}
         path = flight_in_words(shots, 0, times[0])
-        point = _centre(wanted["depth"]) if target is None else _point(target)
+        point = _centre(wanted["depth"])
+        if target is not None:
+            point = f"{_components(map(float, target), 'length')} from the ring's centre"
         click.echo(_one(release_values, point, by, path))
     else:
         click.echo(_many(columns))
@@ -203,15 +240,35 @@ def aim(
     if file is not None:
         write_csv(file, columns, parameters)
     if picture is not None:
-        plots = hoopgen.plots
         if len(distance) == 1:
-            trajectory = shots.trajectory(0)
-            drawn = plots.plot_trajectory(
-                trajectory, trajectory.parameters, outcome=trajectory.outcome
-            )
+            _draw(shots, picture)
         else:
-            drawn = plots.plot_aim(columns, parameters)
-        plots.save(drawn, picture)
+            hoopgen.plots.save(hoopgen.plots.plot_aim(columns, parameters), picture)
+
+
+def _aim_in_scene(engine: Engine, picture: Path | None, **options: Any) -> None:
+    """Aim in a scene without a hoop, from a position at a point or a body."""
+    from hoopgen.study.questions.aim import aim as aimed
+    from hoopgen.study.questions.aimed_release import flight_in_words
+
+    stray = [option for name, option in _AT_HOOP.items() if given(name)]
+    if stray:
+        raise click.UsageError(
+            f"{stray[0]} is of a shot at a hoop; with --scene give --position and --target"
+        )
+    found = aimed(scene=engine, **options)
+    shots = found.simulate()
+    click.echo("\n".join(_in_scene(found, flight_in_words(shots, 0, float(found.time)))))
+    click.echo(f"\nscene   {describe_scene(engine, options['parameters'])}")
+    if picture is not None:
+        _draw(shots, picture)
+
+
+def _draw(shots: hoopgen.Shots, picture: Path) -> None:
+    """Draw the one shot."""
+    path = shots.trajectory(0)
+    drawn = hoopgen.plots.plot_trajectory(path, path.parameters, outcome=path.outcome)
+    hoopgen.plots.save(drawn, picture)
 
 
 def _centre(depth: float) -> str:
@@ -221,25 +278,43 @@ def _centre(depth: float) -> str:
     return f"the ring's plane {where}"
 
 
-def _point(target: Sequence[float]) -> str:
-    unit = display_unit("length")
-    place = ", ".join(f"{length / unit.size:.3f}" for length in target)
-    return f"({place}) {unit.symbol} from the ring's centre"
+def _components(vector: Iterable[float], kind: Kind) -> str:
+    unit = display_unit(kind)
+    return (
+        f"({', '.join(f'{round(part / unit.size, 3) + 0.0:.3f}' for part in vector)}) {unit.symbol}"
+    )
 
 
-def _one(release: Mapping[str, float], point: str, by: str, path: str) -> str:
-    """Describe one release, where it comes down, what it does and what it forgives."""
+def _in_scene(found: Aim, path: str) -> list[str]:
+    """Describe a release in a scene without a hoop."""
+    numbers = ("speed", "elevation", "azimuth", "time", "entry_angle")
+    release = {name: float(getattr(found, name)) for name in numbers}
+    release |= {name: float(found.spins[name]) for name in ("backspin", "sidespin")}
+    state = found.states()
+    moving = f"velocity {_components(state[3:6], 'speed')}"
+    turning = f", spin {_components(state[6:], 'spin')}" if any(state[6:]) else ""
+    first, *others = _flown(release, _components(found.target, "length"), path)
+    return [first, f"        that is, {moving}{turning}", *others]
+
+
+def _flown(release: Mapping[str, float], point: str, path: str) -> list[str]:
+    """Describe a release, where it comes down and what it does."""
     spins = [
         f"{name} {format_variable(name, release[name])}"
         for name in ("azimuth", "backspin", "sidespin")
         if release[name]
     ]
-    lines = [
+    return [
         ", ".join([f"shoot   {format_launch(release)}", *spins]),
         f"flight  comes down through {point}, after {release['time']:.3f} s at "
         f"{format_variable('entry', release['entry_angle'])}",
         f"flown   {path}",
     ]
+
+
+def _one(release: Mapping[str, float], point: str, by: str, path: str) -> str:
+    """Describe one release, where it comes down, what it does and what it forgives."""
+    lines = _flown(release, point, path)
     if math.isnan(release["low_speed"]):
         way = {"any": "in", "direct": "in directly", "bank": "in off the board"}[by]
         return "\n".join([*lines, f"result  does not go {way}: hoopgen shot shows why"])

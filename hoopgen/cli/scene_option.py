@@ -171,12 +171,15 @@ def _vector(kind: Kind, unit: str) -> Parsed[tuple[float, float, float]]:
     return Parsed(read, f"X,Y,Z [{unit}]")
 
 
+position_option = click.option(
+    "--position",
+    type=_vector("length", "m|ft"),
+    help="Position of the ball's centre at release, with --scene.",
+)
+"""``--position`` of a release in a scene of one's own."""
+
 _STATE_OPTIONS = (
-    click.option(
-        "--position",
-        type=_vector("length", "m|ft"),
-        help="Position of the ball's centre at release, with --scene.",
-    ),
+    position_option,
     click.option(
         "--velocity", type=_vector("speed", "m/s|mph"), help="Velocity at release, with --scene."
     ),

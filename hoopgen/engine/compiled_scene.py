@@ -124,6 +124,11 @@ class CompiledScene:
         return self.layout.rows > 1
 
     @property
+    def in_air(self) -> bool:
+        """True if balls fly through air, along series in time and not along parabolas."""
+        return bool(self.kernels.PIECES)
+
+    @property
     def library(self) -> native.Library | None:
         """Its C engine; None if there is none that can be trusted."""
         return None if isinstance(self.found, native.Rejection) else self.found
@@ -207,7 +212,7 @@ class CompiledScene:
             States at the end, (..., 9).
         """
         own = self._inputs(parameters)
-        if self.kernels.PIECES:
+        if self.in_air:
             return fly_in_pieces(self.kernels, times, states, own)
         own |= dict(zip(self.kernels.STATE, np.moveaxis(states, -1, 0), strict=True))
         asked = self.kernels.ARGUMENTS["flight"][1:]
@@ -231,7 +236,7 @@ class CompiledScene:
         parameters
             Parameters of the scene by name, numbers or (n,), SI units.
         """
-        if not self.kernels.PIECES:
+        if not self.in_air:
             own = {n: np.asarray(v)[..., None] if np.ndim(v) else v for n, v in parameters.items()}
             many = np.broadcast_to(states[:, None], (*times.shape, states.shape[-1]))
             return self.fly(times, many, own)[..., :3]
@@ -264,7 +269,7 @@ class CompiledScene:
             9).
         """
         own = self._inputs(parameters)
-        if self.kernels.PIECES:
+        if self.in_air:
             return descend_in_pieces(self.kernels, states, level, own)
         own |= dict(zip(self.kernels.STATE, np.moveaxis(states, -1, 0), strict=True))
         own["level"] = level
@@ -292,7 +297,7 @@ class CompiledScene:
             Times after the states, s, (...), 0 for a ball that falls; heights z, m, (...).
         """
         own = self._inputs(parameters)
-        if self.kernels.PIECES:
+        if self.in_air:
             times, there = apex_in_pieces(self.kernels, states, own)
             return times, there[..., 2]
         own |= dict(zip(self.kernels.STATE, np.moveaxis(states, -1, 0), strict=True))

@@ -11,7 +11,7 @@ from collections.abc import Mapping
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .flights import Flights, is_in_air
+from .flights import Flights
 from .parabolas import Arc, Floats, Values, parabola_through
 from .releases import states_of
 from .shooting import ShootingProblem
@@ -23,7 +23,7 @@ def aimed(
     wanted: Mapping[str, Floats],
     reach: Floats,
     rise: Floats,
-    parameters: Mapping[str, ArrayLike],
+    flights: Flights,
     arc: Arc = "high",
     *,
     backspin: Floats | float = 0.0,
@@ -36,8 +36,8 @@ def aimed(
     ----------
     wanted, reach, rise, arc
         As for `parabola_through`.
-    parameters
-        Parameters of the scene, which say whether it has air.
+    flights
+        How the ball flies, and its gravity; numbers or arrays.
     backspin, sidespin
         rad/s; on a parabola they do not matter.
     moving
@@ -51,17 +51,15 @@ def aimed(
         line to the point, positive to the left), `entry_angle` (rad, below the horizontal) and
         `time` (s); of one shape, that of all arguments that matter.
     """
-    if moving is None and not is_in_air(parameters):
-        gravity = np.asarray(parameters.get("gravity", np.nan), np.float64)
-        found, possible = parabola_through(wanted, reach, rise, gravity, arc)
+    if moving is None and flights.scene is None:
+        found, possible = parabola_through(wanted, reach, rise, flights.gravity, arc)
         possible = possible & np.isfinite(found["time"])
         found["azimuth"] = np.zeros(())
         return {name: np.where(possible, value, np.nan) for name, value in found.items()}
     velocity = (np.zeros(()), np.zeros(())) if moving is None else moving
     given = {"reach": reach, "rise": rise, "backspin": backspin, "sidespin": sidespin}
     given |= {"ahead": velocity[0], "aside": velocity[1], **wanted}
-    used = Flights.used(parameters)
-    shape = np.broadcast_shapes(*map(np.shape, (*given.values(), *used.values())))
+    shape = np.broadcast_shapes(*map(np.shape, given.values()), flights.shape)
     rows = {
         name: np.broadcast_to(np.asarray(value, np.float64), shape).ravel()
         for name, value in given.items()
@@ -70,7 +68,7 @@ def aimed(
         np.stack([np.where(rows["reach"] > 0.0, rows["reach"], np.nan), rows["rise"]], -1),
         np.stack([rows["backspin"], rows["sidespin"]], -1),
         np.stack([rows["ahead"], rows["aside"]], -1),
-        Flights.of(used, shape),
+        flights.spread(shape),
     )
     with np.errstate(all="ignore"):
         solved = problem.solved({name: rows[name] for name in wanted}, arc)
@@ -95,5 +93,5 @@ def flown_distance(release: Mapping[str, float], parameters: Mapping[str, ArrayL
     arguments = dict.fromkeys(("azimuth", "backspin", "sidespin", "angle"), 0.0) | dict(release)
     names = ("speed", "elevation", "azimuth", "backspin", "sidespin", "height", "distance", "angle")
     state = states_of({name: np.asarray(arguments[name], np.float64) for name in names})
-    end = Flights.of(Flights.used(parameters), (1,)).fall(state[None])
+    end = Flights.at_hoop(parameters).spread((1,)).fall(state[None])
     return float(np.hypot(*(end[0, :2] - state[:2])))

@@ -133,7 +133,7 @@ class ShootingProblem:
     def _parabola(self, wanted: Mapping[str, Floats], arc: Arc = "high") -> tuple[Floats, Floats]:
         """Return elevation and speed of parabolas from a place at rest."""
         reach, rise = self.point.T
-        gravity = self.flights.parameters["gravity"]
+        gravity = self.flights.gravity
         found, _ = parabola_through(wanted, reach, rise, gravity, arc)
         return found["elevation"], found["speed"]
 
@@ -144,7 +144,7 @@ class ShootingProblem:
         (level,) = hoop.slope_of_entry(0.0, reach, rise)
         flattest = arc_tangent(np.maximum(level, rise / reach)) + 0.02
         steep = np.maximum(elevation, flattest)
-        gravity = self.flights.parameters["gravity"]
+        gravity = self.flights.gravity
         found, _ = parabola_through({"elevation": steep}, reach, rise, gravity)
         across, up = found["speed"] * sine_cosine(steep)[1], found["speed"] * sine_cosine(steep)[0]
         ahead, aside = across - self.moving[:, 0], -self.moving[:, 1]

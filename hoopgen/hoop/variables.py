@@ -18,7 +18,7 @@ from hoopgen.generated.numpy import hoop
 from hoopgen.text.shorten import join_names
 
 from .aiming import aimed
-from .flights import is_in_air
+from .flights import Flights, is_in_air
 from .parabolas import parabola_through
 from .presets import NAMES, PAPER
 from .releases import RING_HEIGHT, states_of
@@ -247,7 +247,8 @@ def _aimed(
 ) -> dict[str, NDArray[np.float64]]:
     """Return speed and elevation of flights through a point; the speed is NaN where none is."""
     if is_in_air(parameters):
-        found = aimed(wanted, reach, rise, parameters, backspin=backspin, sidespin=sidespin)
+        flights = Flights.at_hoop(parameters)
+        found = aimed(wanted, reach, rise, flights, backspin=backspin, sidespin=sidespin)
         # As where there is no air, one number remains one, and what is given remains as it is.
         return {n: wanted.get(n, found[n]) for n in ("speed", "elevation")}
     gravity = np.asarray(parameters.get("gravity", np.nan), np.float64)

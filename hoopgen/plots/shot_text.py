@@ -32,6 +32,9 @@ DOT_INTERVAL = 0.1
 
 _MAX_DOTS = 100
 
+_ROUNDING = 1e-12
+"""Part of the largest component of a spin below which another is the rounding of a direction."""
+
 
 class FlightPath(Protocol):
     """The part of `Trajectory` that pictures need."""
@@ -93,7 +96,7 @@ def describe_shot(trajectory: FlightPath, parameters: Mapping[str, float]) -> tu
     turning = [  # no blanks in formulas: lines are broken there
         f"$\\omega_{axis}{sign}={w / size:.4g}$ {symbol}"
         for axis, w in zip("xyz", spin, strict=True)
-        if w
+        if abs(w) > _ROUNDING * max(map(abs, spin))
     ]
     scene = describe_scene(trajectory.scene, parameters)
     dots = f"Scene: {scene}. Dots on the path every {_dot_interval(trajectory.duration):g} s."

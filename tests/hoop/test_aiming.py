@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 import hoopgen
 from hoopgen.hoop.aiming import aimed
+from hoopgen.hoop.flights import Flights
 from hoopgen.hoop.parabolas import parabola_through
 from hoopgen.hoop.releases import RING_HEIGHT
 
@@ -55,7 +56,7 @@ def landed(
 
 def test_flights_through_air_come_down_through_the_point() -> None:
     given, elevation = rows(300)
-    found = aimed({"elevation": elevation}, **given, parameters=AIR)
+    found = aimed({"elevation": elevation}, **given, flights=Flights.at_hoop(AIR))
     _, possible = parabola_through(
         {"elevation": elevation}, given["reach"], given["rise"], np.float64(9.81)
     )
@@ -72,12 +73,12 @@ def test_flights_through_air_come_down_through_the_point() -> None:
 
 def test_a_row_depends_on_no_other_row() -> None:
     given, elevation = rows(12)
-    together = aimed({"elevation": elevation}, **given, parameters=AIR)
+    together = aimed({"elevation": elevation}, **given, flights=Flights.at_hoop(AIR))
     for row in (0, 5, 11):
         alone = aimed(
             {"elevation": elevation[row]},
             **{name: one[row] for name, one in given.items()},
-            parameters=AIR,
+            flights=Flights.at_hoop(AIR),
         )
         for name, value in alone.items():
             np.testing.assert_array_equal(value, together[name][row])
@@ -86,7 +87,7 @@ def test_a_row_depends_on_no_other_row() -> None:
 def test_an_entry_angle_is_reached_through_air() -> None:
     given, _ = rows(20)
     wanted = np.linspace(0.7, 1.1, 20)
-    found = aimed({"entry": wanted}, **given, parameters=AIR)
+    found = aimed({"entry": wanted}, **given, flights=Flights.at_hoop(AIR))
     miss, entry = landed(given, found)
     assert miss.max() < LANDING
     np.testing.assert_allclose(entry, wanted, rtol=0.0, atol=1e-10)
@@ -94,10 +95,12 @@ def test_an_entry_angle_is_reached_through_air() -> None:
 
 def test_the_slowest_release_through_air_is_slower_than_its_neighbours() -> None:
     given, _ = rows(6)
-    slowest = aimed({}, **given, parameters=AIR)
+    slowest = aimed({}, **given, flights=Flights.at_hoop(AIR))
     assert landed(given, slowest)[0].max() < LANDING
     beside = [
-        aimed({"elevation": slowest["elevation"] + off}, **given, parameters=AIR)["speed"]
+        aimed({"elevation": slowest["elevation"] + off}, **given, flights=Flights.at_hoop(AIR))[
+            "speed"
+        ]
         for off in (-1e-3, 1e-3)
     ]
     assert np.all(slowest["speed"] < np.minimum(*beside))
@@ -108,16 +111,18 @@ def test_the_slowest_release_through_air_is_slower_than_its_neighbours() -> None
 @pytest.mark.slow
 def test_a_speed_has_a_high_and_a_low_flight_through_air() -> None:
     given, _ = rows(6)
-    least = aimed({}, **given, parameters=AIR)
+    least = aimed({}, **given, flights=Flights.at_hoop(AIR))
     for more in (1.0001, 1.05):
         speed = {"speed": more * least["speed"]}
-        high, low = (aimed(speed, **given, parameters=AIR, arc=arc) for arc in ("high", "low"))
+        high, low = (
+            aimed(speed, **given, flights=Flights.at_hoop(AIR), arc=arc) for arc in ("high", "low")
+        )
         assert np.all(high["elevation"] > least["elevation"])
         for one in (high, low):
             there = np.isfinite(one["elevation"])
             assert landed(given, one)[0][there].max() < LANDING
         assert np.all(low["elevation"][np.isfinite(low["elevation"])] < least["elevation"].max())
-    slow = aimed({"speed": 0.999 * least["speed"]}, **given, parameters=AIR)
+    slow = aimed({"speed": 0.999 * least["speed"]}, **given, flights=Flights.at_hoop(AIR))
     assert np.isnan(slow["elevation"]).all()
 
 
@@ -126,7 +131,7 @@ def test_thin_air_has_the_parabolas_of_closed_form() -> None:
     reach, rise, gravity = given["reach"], given["rise"], np.float64(AIR["gravity"])
     for wanted in ({"elevation": elevation}, {"entry": elevation}, {}):
         exact, possible = parabola_through(wanted, reach, rise, gravity)
-        found = aimed(wanted, **given, parameters=THIN)
+        found = aimed(wanted, **given, flights=Flights.at_hoop(THIN))
         np.testing.assert_array_equal(np.isfinite(found["speed"]), possible)
         for name in ("speed", "elevation", "entry_angle", "time"):
             # The elevation of the least speed is known by differences, to some 1e-9.
@@ -144,13 +149,14 @@ def test_a_release_from_a_place_that_moves_has_the_velocity_of_one_at_rest(
     """Without spin, the flight over the floor is that of a place at rest with the sum's speed."""
     elevation, moving = np.radians([48.0, 55.0, 62.0]), (np.float64(1.5), np.float64(-2.0))
     reach, rise = np.array([3.0, 5.0, 7.0]), np.array([0.9, 1.2, 0.5])
-    found = aimed({"elevation": elevation}, reach, rise, parameters, moving=moving)
+    flights = Flights.at_hoop(parameters)
+    found = aimed({"elevation": elevation}, reach, rise, flights, moving=moving)
     level = found["speed"] * np.cos(found["elevation"])
     ahead = level * np.cos(found["azimuth"]) + moving[0]
     left = level * np.sin(found["azimuth"]) + moving[1]
     up = found["speed"] * np.sin(found["elevation"])
     np.testing.assert_allclose(left, 0.0, rtol=0.0, atol=1e-9)
-    still = aimed({"elevation": np.arctan2(up, ahead)}, reach, rise, parameters)
+    still = aimed({"elevation": np.arctan2(up, ahead)}, reach, rise, flights)
     np.testing.assert_allclose(still["speed"], np.hypot(up, ahead), rtol=1e-10, atol=0.0)
 
 
@@ -158,11 +164,10 @@ def test_a_release_from_a_place_that_moves_has_the_velocity_of_one_at_rest(
 def test_what_cannot_be_reached_is_nan_and_ends() -> None:
     wanted = {"elevation": np.array([0.1, -1.0, 1.5, np.nan, 0.9, 0.9])}
     reach = np.array([4.0, 4.0, 4.0, 4.0, -1.0, 400.0])
-    found = aimed(wanted, reach, np.full(6, 1.0), AIR)
+    found = aimed(wanted, reach, np.full(6, 1.0), Flights.at_hoop(AIR))
     np.testing.assert_array_equal(
         np.isfinite(found["speed"]), [False, False, True, False, False, False]
     )
-    light = aimed(
-        {"elevation": np.float64(0.9)}, np.float64(4.0), np.float64(1.0), AIR | {"ball_mass": 0.001}
-    )
+    feather = Flights.at_hoop(AIR | {"ball_mass": 0.001})
+    light = aimed({"elevation": np.float64(0.9)}, np.float64(4.0), np.float64(1.0), feather)
     assert np.isnan(light["speed"])

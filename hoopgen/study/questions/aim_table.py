@@ -30,7 +30,8 @@ from hoopgen.study.jobs.objective import By, Player
 from hoopgen.study.named_units import UNIT_OF
 from hoopgen.study.statistics.tally import check_scene
 
-from .aim import NUMBERS, aim
+from .aim import aim
+from .aimed_release import NUMBERS
 from .margins import margins_about
 from .specification import TOLERANCES
 
@@ -111,7 +112,7 @@ def aim_table(
     places = np.atleast_1d(as_doubles("distances", distances))
     if places.ndim != 1:
         raise ValueError(f"distances: expected shape (n,), got {places.shape}")
-    check_hoop("aim", scene)
+    check_hoop("aim_table", scene)
     engine = engine_of(scene)
     columns = {
         "backspin": as_doubles("backspin", backspin),

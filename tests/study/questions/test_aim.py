@@ -23,8 +23,9 @@ import hoopgen
 from hoopgen.core.units import FOOT
 from hoopgen.hoop.releases import RING_HEIGHT
 from hoopgen.study.measures.measures import measure
-from hoopgen.study.questions.aim import NUMBERS, Aim, aim
+from hoopgen.study.questions.aim import aim
 from hoopgen.study.questions.aim_table import TABLE, aim_table, write_csv
+from hoopgen.study.questions.aimed_release import NUMBERS, Aim
 from hoopgen.text.numbers import format_count
 from tests.helpers.commands import run
 from tests.helpers.derived import decided
