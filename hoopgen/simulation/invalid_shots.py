@@ -264,7 +264,10 @@ def out_of_range(scene: CompiledScene, parameters: Mapping[str, float]) -> list[
     for (name, (least, most)), value in zip(scene.kernels.SIZE_LIMITS.items(), inputs, strict=True):
         if not least <= abs(value) <= most:
             expected = f"{least:g} to {most:g}" if least else f"at most {most:g}"
-            said.append(f"{name} {value:g}, expected a size of {expected}")
+            own = f"{name} {value:g}"
+            computed = f"{scene.kernels.PARAMETERS[name][2]} = {value:g}"
+            which = own if name in parameters else computed
+            said.append(f"{which}, expected a size of {expected}")
     return said or ["all coefficients of a surface's formula, which are too small"]
 
 

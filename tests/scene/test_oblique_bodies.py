@@ -290,6 +290,11 @@ def test_a_row_without_a_direction_is_invalid_and_the_others_are_not(straight: E
     shots = straight.simulate(states, values, max_contacts=MOST)
     invalid = shots.outcome == straight.outcomes["INVALID"]
     assert invalid.tolist() == [False, True, True]
+    none, zeros, unknown = hoopgen.why_invalid(states, values, scene=straight)
+    assert none == ""
+    assert zeros.startswith("out of range: direction x of body ramp: ramp_way_1/sqrt(ramp_way_1**2")
+    assert " = nan, expected a size of at most " in zeros
+    assert unknown == "not finite: ramp_way_2"
 
 
 def test_the_errors_of_a_cylinder_do_not_depend_on_which_point_of_its_axis_is_given(
