@@ -122,7 +122,7 @@ class Flights:
         before = self._states(columns) if out.events is not None else None
         for name in self._tallies:
             if (tally := getattr(out, name)) is not None:
-                body = columns["body"]
+                body = self._bodies(columns)
                 met = np.flatnonzero((body >= 0.0) & (body < self._end))
                 tally[self.row[met], body[met].astype(np.int64)] += 1
         if before is None and not self._bounds:
@@ -159,16 +159,21 @@ class Flights:
                     self._columns[name] = np.concatenate([own, other._columns[name]])
             self.row = np.concatenate([self.row, other.row])
 
+    def _bodies(self, columns: dict[str, Any]) -> Floats:
+        """Return the body of each shot's event, of which a kernel may say one number for all."""
+        return np.broadcast_to(columns["body"], len(self.row))
+
     def _states(self, columns: dict[str, Any]) -> Floats:
         return np.stack([columns[name] for name in self._state], axis=1)
 
     def _record(self, columns: dict[str, Any], before: Floats, out: ResultArrays) -> None:
         assert out.events is not None
         assert out.event_counts is not None
-        happened = np.flatnonzero(columns["body"] >= 0.0)
+        bodies = self._bodies(columns)
+        happened = np.flatnonzero(bodies >= 0.0)
         row = self.row[happened]
         rows = (row, out.event_counts[row])
-        body, end = columns["body"][happened].astype(np.int64), self._end
+        body, end = bodies[happened].astype(np.int64), self._end
         staying = body - end - 1
         kinds = np.where(staying % 2, self._kinds["LEAVE"], self._kinds["ROLL"])
         kinds[body < end], kinds[body == end] = self._kinds["IMPACT"], self._kinds["END"]

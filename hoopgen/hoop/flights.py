@@ -32,8 +32,7 @@ class Flights:
     gravity
         m/s², against z; a number or (n,). Through air it is where a search begins.
     parameters
-        Parameters of `scene` by name, numbers or (n,), SI units; along parabolas they do not
-        matter.
+        Parameters of the scene by name, numbers or (n,), SI units, which `scene` flies with.
     scene
         The scene in air that flies them; None: they are parabolas.
     """

@@ -59,3 +59,25 @@ def test_engines_widths_threads_and_order_do_not_change_a_bit(family: Family, sh
     order = np.random.Generator(np.random.Philox(7)).permutation(shots)
     turned = {n: v if np.ndim(v) == 0 else np.asarray(v)[order] for n, v in parameters.items()}
     assert_same(hoopgen.simulate(states[order], turned, fields=FIELDS), path, order)
+
+
+def test_shots_that_the_time_limit_ends_together_are_recorded() -> None:
+    """In a scene of one body and no end, a kernel says the same of all that meet nothing."""
+    pytest.importorskip("sympy")
+    scene = hoopgen.Scene(
+        "alone",
+        bodies=[hoopgen.scene.Torus("ring", radius=0.3, wire=0.02)],
+        ball_radius=0.1,
+        gravity=9.81,
+        restitution=0.5,
+    )
+    states = np.zeros((3, 9))
+    states[:, 0] = 5.0
+    for backend in ("numpy", "auto"):
+        for limit, name in ((2.0, "ENDLESS"), (np.inf, "SHORT")):
+            options = {"scene": scene, "backend": backend, "time_limit": limit}
+            shots = hoopgen.simulate(states, **options, record=True)
+            assert shots.outcome.tolist() == [shots.scene.outcomes[name]] * 3
+            assert not shots.counts.any()
+            assert shots.events["time"].tolist() == [2.0] * (3 if name == "ENDLESS" else 0)
+            assert_same(hoopgen.simulate(states, **options), {"outcome": shots.outcome})

@@ -143,10 +143,8 @@ def aim(
     for name, vector, axes in (("position", position, "xyz"), ("moving", moving, "xy")):
         if vector is not None:
             arrays |= components(name, vector, axes)
-    arrays |= {
-        f"parameters[{name!r}]": value
-        for name, value in {"gravity": flights.gravity, **flights.parameters}.items()
-    }
+    arrays |= {f"parameters[{name!r}]": value for name, value in flights.parameters.items()}
+    arrays.setdefault("parameters['gravity']", flights.gravity)
     try:
         shape = np.broadcast_shapes(*(array.shape for array in arrays.values()))
     except ValueError:

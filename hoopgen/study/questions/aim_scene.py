@@ -22,6 +22,8 @@ Floats = NDArray[np.float64]
 def flights_of(engine: Engine, parameters: ParameterValues) -> Flights:
     """Return the flights of balls in a scene, parabolas or through air.
 
+    Where gravity does not point along -z it is NaN.
+
     Parameters
     ----------
     engine
@@ -32,22 +34,23 @@ def flights_of(engine: Engine, parameters: ParameterValues) -> Flights:
     Raises
     ------
     ValueError
-        If it is written for derivation, or its gravity does not point along -z.
+        If it is written for derivation, or its gravity points along -z for no parameters.
     """
     own = {name: as_doubles(f"parameters[{name!r}]", v) for name, v in parameters.items()}
     if engine.has_hoop:
         return Flights.at_hoop(own)
     scene = _written(engine)
     down = acceleration(scene.read, _inputs(scene, own))
-    if np.any(down[..., :2] != 0.0) or np.any(down[..., 2] >= 0.0):
+    across = np.any(down[..., :2] != 0.0, axis=-1) | (down[..., 2] >= 0.0)
+    if np.all(across):
+        first = down.reshape(-1, 3)[0] + 0.0
         raise ValueError(
             f"aim: expected a scene whose gravity points along -z; in {engine.name} it is "
-            f"({', '.join(f'{part:g}' for part in down.reshape(-1, 3)[0])}) m/s²"
+            f"({', '.join(f'{part:g}' for part in first)}) m/s²"
         )
+    gravity = np.where(across, np.nan, -down[..., 2])
     flying = {name: value for name, value in own.items() if name not in engine.infinite}
-    return Flights(
-        -down[..., 2], flying if engine.in_air else {}, engine if engine.in_air else None
-    )
+    return Flights(gravity, flying, engine if engine.in_air else None)
 
 
 def target_of(

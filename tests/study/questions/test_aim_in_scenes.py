@@ -99,6 +99,26 @@ def test_rows_of_places_targets_and_parameters(air: bool) -> None:
     assert list(found.to_pandas().columns[:2]) == ["speed_m_s", "elevation_rad"]
 
 
+def test_a_row_that_cannot_be_flown_does_not_lose_the_others() -> None:
+    scene = Scene(
+        "pull",
+        parameters=[Parameter("pull", 9.81, "m/s²", "gravity", sign="any")],
+        ball_radius=0.12,
+        gravity=9.81,
+        down=[0, 0, "-pull"],
+        restitution=0.4,
+        bodies=[Torus("ring", radius=0.3, wire=0.02, centre=[4, 1, 1.8])],
+    )
+    pulls = [9.81, -9.81, np.nan, 1.62]
+    found = aim(position=PLACE, target="ring", entry=0.9, parameters={"pull": pulls}, scene=scene)
+    np.testing.assert_array_equal(np.isfinite(found.speed), [True, False, False, True])
+    assert np.all(np.asarray(found.landing_error)[[0, 3]] < LANDING)
+    with pytest.raises(
+        ValueError, match=r"^parameters\['pull'\]: expected a finite number, got nan"
+    ):
+        aim(position=PLACE, target="ring", parameters={"pull": np.nan}, scene=scene)
+
+
 def test_an_airless_aim_is_that_at_a_hoop_at_the_same_place() -> None:
     own = aim(position=(4.0, 0.0, -1.0), target=(-0.1, 0.0, 0.0), entry=0.8, scene=field(False))
     hoop = aim(height=3.048 - 1.0, distance=4.0, depth=0.1, entry=0.8)
