@@ -9,7 +9,7 @@ selection, by compaction, or by a branch. Codegen lowers these nodes to the `Cal
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 
@@ -293,7 +293,7 @@ def check(nodes: Iterable[Node], known: Iterable[str]) -> set[str]:
     known = set(known)
     for node in nodes:
         if isinstance(node, Call):
-            missing = node.read - known
+            missing: Set[str] = node.read - known
             known |= set(node.assigned.values())
         else:
             missing = _own_reads(node) - known
