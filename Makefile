@@ -18,6 +18,9 @@ help:
 paper: $(VENV)/with-plot ## the article's figures and table, into paper-figures/
 	$(BIN)/hoopgen paper --out paper-figures $(ARGS)
 
+# SymPy remembers a thousand results a function unless told: too few for a scene.
+export SYMPY_CACHE_SIZE ?= 20000
+
 # Byte code is kept whatever the environment says: hundreds of tests start Python.
 test test-slow test-all: export PYTHONDONTWRITEBYTECODE :=
 

@@ -9,7 +9,7 @@ selection, by compaction, or by a branch. Codegen lowers these nodes to the `Cal
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 
@@ -62,6 +62,11 @@ class Call:
         return tuple(self.inputs.get(a, a) for a in map(variable, self.kernel.arguments))
 
     @cached_property
+    def read(self) -> frozenset[str]:
+        """The variables among the arguments."""
+        return frozenset(value for value in self.arguments if isinstance(value, str))
+
+    @cached_property
     def assigned(self) -> dict[str, str]:
         """The variable of each output that is used."""
         return {
@@ -77,8 +82,17 @@ class Call:
         return {variable: kinds[output] for output, variable in self.assigned.items()}
 
 
+class _Compound:
+    """A node with a body."""
+
+    @cached_property
+    def live(self: If | While | ForEach) -> frozenset[str]:  # type: ignore[misc]  # all there are
+        """The variables that are live before the node if none is live after it."""
+        return frozenset(live_in_body(self, ()) | _own_reads(self))
+
+
 @dataclass(frozen=True)
-class If:
+class If(_Compound):
     """A body for the shots for which the variable `truth` is true.
 
     Attributes
@@ -96,7 +110,7 @@ class If:
 
 
 @dataclass(frozen=True)
-class While:
+class While(_Compound):
     """A body that is repeated as long as the variable `truth` is true, at most `limit` times."""
 
     truth: str
@@ -142,11 +156,11 @@ class BoundingVolumes:
     @property
     def test_reads(self) -> set[str]:
         """The variables of a shot that the test reads."""
-        return {v for v in self.near.arguments if isinstance(v, str)} - {*self.box.assigned}
+        return set(self.near.read - {*self.box.assigned})
 
 
 @dataclass(frozen=True)
-class ForEach:
+class ForEach(_Compound):
     """A body that is executed for every row of a table, in order: for isomorphic surfaces.
 
     Attributes
@@ -196,7 +210,7 @@ def reads(nodes: Iterable[Node]) -> set[str]:
     found: set[str] = set()
     for node in nodes:
         if isinstance(node, Call):
-            found |= {value for value in node.arguments if isinstance(value, str)}
+            found |= node.read
         elif isinstance(node, ForEach):
             found |= reads(node.body) - set(node.names) | _own_reads(node)
         else:
@@ -228,10 +242,10 @@ def live_before(nodes: Sequence[Node], after: Iterable[str]) -> set[str]:
     live = set(after)
     for node in reversed(nodes):
         if isinstance(node, Call):
-            live -= set(node.assigned.values())
-            live |= reads([node])
-        else:
-            live |= live_in_body(node, live) | _own_reads(node)
+            live.difference_update(node.assigned.values())
+            live |= node.read
+        else:  # its body may not be executed: what is live after it is live before it, too
+            live |= node.live
     return live
 
 
@@ -245,12 +259,10 @@ def live_in_body(node: If | While | ForEach, after: Iterable[str]) -> set[str]:
     after
         The variables that are live after the node.
     """
-    live = live_before(node.body, after)
-    while isinstance(node, While | ForEach):
-        more = live_before(node.body, live | set(after) | _own_reads(node))
-        if more <= live:
-            break
-        live |= more
+    if isinstance(node, If):
+        return live_before(node.body, after)
+    # A further turn needs nothing that is not live where the first one begins, or read by the node.
+    live = live_before(node.body, set(after) | _own_reads(node))
     return live - set(node.names) if isinstance(node, ForEach) else live
 
 
@@ -281,7 +293,7 @@ def check(nodes: Iterable[Node], known: Iterable[str]) -> set[str]:
     known = set(known)
     for node in nodes:
         if isinstance(node, Call):
-            missing = {v for v in node.arguments if isinstance(v, str)} - known
+            missing: Set[str] = node.read - known
             known |= set(node.assigned.values())
         else:
             missing = _own_reads(node) - known

@@ -72,13 +72,13 @@ def _known(known: set[sp.Symbol]) -> str:
 
 def _formulas(surface: Surface, known: set[sp.Symbol]) -> None:
     """Check the symbols, the exactness of numbers, and the degree of the polynomial."""
-    condition = release(surface.condition)
+    condition, bounds = release(surface.condition), surface.bounds
     for symbol in _unknown([condition, surface.distance, *surface.normal], known):
         raise _Refused(f"unknown symbol {symbol}; {_known(known)}")
-    for place, bound in enumerate(surface.bounds):
+    for place, bound in enumerate(bounds):
         for symbol in _unknown([bound], known):
             raise _Refused(f"bound {place}: unknown symbol {symbol}; {_known(known)}")
-    for number in condition.atoms(sp.Float).union(*(b.atoms(sp.Float) for b in surface.bounds)):
+    for number in condition.atoms(sp.Float).union(*(b.atoms(sp.Float) for b in bounds)):
         raise _Refused(f"{number} is not exact; expected whole numbers and fractions")
     if not surface.polynomial:
         return
@@ -98,6 +98,8 @@ def _places(surface: Surface, scene: Scene) -> None:
     condition, distance = _function([surface.condition], values), surface.distance
     there = _function([distance, *surface.normal], values)
     bounds = [_function([bound], values) for bound in surface.bounds]
+    # The author of a bound with a size has divided it by its gradient.
+    undivided = [k for k, bound in enumerate(surface.bounds) if not release(bound).has(sp.Abs)]
     images = [_function([image], values) for image in surface.images]
     about = [
         mpmath.mpf(str(sp.N(c.xreplace(values), 20)))
@@ -109,8 +111,8 @@ def _places(surface: Surface, scene: Scene) -> None:
     with mpmath.workdps(_DIGITS):
         for _ in range(_POINTS):
             start = [c + reach * mpmath.mpf(chance.uniform(-1, 1)) for c in about]
-            for place, bound in enumerate(bounds):
-                _check_bound(place, surface, bound, start)
+            for place in undivided:
+                _check_bound(place, bounds[place], start)
             point = _touching(condition, start)
             if point is None or any(abs(bound(*point)[0]) < _NEAR for bound in bounds):
                 # A torus that meets its axis is zero on its inner part, too; a bound ends there.
@@ -194,9 +196,7 @@ def _check_contact(condition: Function, there: Function, point: Sequence[Any]) -
         raise _Refused("its condition falls where its distance rises; expected one sign of both")
 
 
-def _check_bound(place: int, surface: Surface, bound: Function, point: Sequence[Any]) -> None:
-    if release(surface.bounds[place]).has(sp.Abs):
-        return  # its author has divided it by its gradient
+def _check_bound(place: int, bound: Function, point: Sequence[Any]) -> None:
     steep = _norm(_slopes(bound, point)[0])
     if steep > 1 + 1e-6:
         raise _Refused(

@@ -26,9 +26,9 @@ def as_length(bound: sp.Expr) -> sp.Expr:
     if degree <= 1 and (sum(c**2 for c in slopes) <= 1) == sp.true:
         return bound
     sizes = (
-        _absolute(polynomial.diff(place).coeff_monomial(powers)) * _size(powers)
+        _absolute(coefficient) * _size(powers)
         for place in POSITION
-        for powers in polynomial.diff(place).monoms()
+        for powers, coefficient in polynomial.diff(place).terms()
     )
     roundings = sp.Integer(max(1, -(-(degree + len(terms)) // 4)))
     steepest = barrier(roundings * barrier(sp.Add(*sizes)))

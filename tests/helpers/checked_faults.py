@@ -181,28 +181,53 @@ class Planted:
     check: Check
 
 
-def noticed(planted: Planted, folder: Path) -> None:
-    """Plant a fault, and demand that its check fails; what fails before that is an error."""
-    with ExitStack() as stack:
-        patch = stack.enter_context(pytest.MonkeyPatch.context())
-        patch.setattr(model, "check", lambda _: None)  # what it refuses is to be noticed elsewhere
-        planted.patch(patch)
-        prepared = planted.check.prepare(folder, stack)
-        with pytest.raises(AssertionError):
-            prepared()
+def tripping(faults: Sequence[Planted]) -> Callable[..., None]:
+    """Return the test that each fault trips its check; what fails before the check is an error."""
+
+    @pytest.mark.parametrize(
+        "fault",
+        [
+            pytest.param(
+                fault,
+                id=f"{fault.name} ({fault.check.name})",
+                marks=pytest.mark.slow if isinstance(fault.check, OfEngine) else (),
+            )
+            for fault in faults
+        ],
+    )
+    @pytest.mark.sampled(1)
+    def test(fault: Planted, tmp_path: Path) -> None:
+        with ExitStack() as stack:
+            patch = stack.enter_context(pytest.MonkeyPatch.context())
+            # What it refuses is to be noticed elsewhere.
+            patch.setattr(model, "check", lambda _: None)
+            fault.patch(patch)
+            prepared = fault.check.prepare(tmp_path, stack)
+            with pytest.raises(AssertionError):
+                prepared()
+
+    return test
 
 
-def passes(check: Check, folder: Path) -> None:
-    """Run a check on the derivation as it is, which is made once for all checks that need it."""
-    if check.origin not in _DERIVED:
-        _DERIVED[check.origin] = check.derive(folder)
-    check.run(_DERIVED[check.origin])
+def passing(faults: Sequence[Planted]) -> Callable[..., None]:
+    """Return the test that the checks of faults pass on the derivation as it is.
 
-
-def checks_of(faults: Sequence[Planted]) -> list[Check]:
-    """Return the checks of some faults, each once, but for tests that pytest runs alike."""
+    It is made once for all checks that need it. Checks that pytest runs alike are left out.
+    """
     checks = {id(fault.check): fault.check for fault in faults}.values()
-    return [check for check in checks if not check.in_the_suite]
+
+    @pytest.mark.slow
+    @pytest.mark.parametrize(
+        "check",
+        [check for check in checks if not check.in_the_suite],
+        ids=lambda check: f"{check.name}",
+    )
+    def test(check: Check, tmp_path: Path) -> None:
+        if check.origin not in _DERIVED:
+            _DERIVED[check.origin] = check.derive(tmp_path)
+        check.run(_DERIVED[check.origin])
+
+    return test
 
 
 def cases(test: Callable[..., None]) -> tuple[tuple[Any, ...], ...]:

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import pytest
 from hoopgen.derive.events.arc import ArcRootFinder
 from hoopgen.derive.events.polynomial import PolynomialRootFinder
@@ -13,15 +11,7 @@ pytest.importorskip("flint")
 
 from hoopgen.scene.revolution_faces import _Faces
 from tests.derive.events import test_arc_margins
-from tests.helpers.checked_faults import (
-    Check,
-    OfEngine,
-    OfFormulas,
-    Planted,
-    checks_of,
-    noticed,
-    passes,
-)
+from tests.helpers.checked_faults import OfEngine, OfFormulas, Planted, passing, tripping
 from tests.helpers.mutants import in_text
 from tests.scene import test_arcs
 from tests.scene.test_arcs import SCENES
@@ -138,17 +128,5 @@ FAULTS = (
     ),
 )
 
-CHECKS = checks_of(FAULTS)
-
-
-@pytest.mark.parametrize("check", CHECKS, ids=lambda check: f"{check.name}")
-def test_without_a_fault_every_check_passes(check: Check, tmp_path: Path) -> None:
-    passes(check, tmp_path)
-
-
-@pytest.mark.parametrize(
-    "fault", [pytest.param(fault, id=f"{fault.name} ({fault.check.name})") for fault in FAULTS]
-)
-@pytest.mark.sampled(1)
-def test_a_fault_trips_its_check(fault: Planted, tmp_path: Path) -> None:
-    noticed(fault, tmp_path)
+test_without_a_fault_every_check_passes = passing(FAULTS)
+test_a_fault_trips_its_check = tripping(FAULTS)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from pathlib import Path
 from typing import Any
 
 import pytest
@@ -21,7 +20,7 @@ from hoopgen.judge import (
 )
 from hoopgen.judge.ball_array import BallArray
 from hoopgen.judge.model_array import ModelArray
-from tests.helpers.checked_faults import Check, OfFormulas, Planted, checks_of, noticed, passes
+from tests.helpers.checked_faults import OfFormulas, Planted, passing, tripping
 from tests.helpers.mutants import in_text
 from tests.judge import test_ball_array, test_batch_flight, test_first_roots, test_model_array
 
@@ -380,17 +379,5 @@ FAULTS = (
     ),
 )
 
-CHECKS = checks_of(FAULTS)
-
-
-@pytest.mark.parametrize("check", CHECKS, ids=lambda check: f"{check.name}")
-def test_without_a_fault_every_check_passes(check: Check, tmp_path: Path) -> None:
-    passes(check, tmp_path)
-
-
-@pytest.mark.parametrize(
-    "fault", [pytest.param(fault, id=f"{fault.name} ({fault.check.name})") for fault in FAULTS]
-)
-@pytest.mark.sampled(1)
-def test_a_fault_trips_its_check(fault: Planted, tmp_path: Path) -> None:
-    noticed(fault, tmp_path)
+test_without_a_fault_every_check_passes = passing(FAULTS)
+test_a_fault_trips_its_check = tripping(FAULTS)

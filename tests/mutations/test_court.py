@@ -7,7 +7,6 @@ and their bounding boxes, friction, the passage through the ring, single precisi
 from __future__ import annotations
 
 from functools import partial
-from pathlib import Path
 from types import ModuleType
 
 import pytest
@@ -34,9 +33,8 @@ from tests.helpers.checked_faults import (
     Planted,
     WithKernels,
     cases,
-    checks_of,
-    noticed,
-    passes,
+    passing,
+    tripping,
 )
 from tests.helpers.mutants import in_text
 from tests.helpers.past_ring import complaints
@@ -741,16 +739,5 @@ FAULTS = (
     ),
 )
 
-CHECKS = checks_of(FAULTS)
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("check", CHECKS, ids=lambda check: check.name)
-def test_without_a_fault_every_check_passes(check: OfFormulas, tmp_path: Path) -> None:
-    passes(check, tmp_path)
-
-
-@pytest.mark.parametrize("fault", FAULTS, ids=lambda fault: f"{fault.name} ({fault.check.name})")
-@pytest.mark.sampled(1)
-def test_a_fault_trips_its_check(fault: Planted, tmp_path: Path) -> None:
-    noticed(fault, tmp_path)
+test_without_a_fault_every_check_passes = passing(FAULTS)
+test_a_fault_trips_its_check = tripping(FAULTS)

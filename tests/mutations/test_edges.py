@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import Any
 
 import pytest
@@ -22,15 +21,7 @@ from hoopgen.derive.scenes import validity
 pytest.importorskip("flint")
 
 from tests.derive.rolling import test_jump
-from tests.helpers.checked_faults import (
-    Check,
-    OfEngine,
-    OfFormulas,
-    Planted,
-    checks_of,
-    noticed,
-    passes,
-)
+from tests.helpers.checked_faults import OfEngine, OfFormulas, Planted, passing, tripping
 from tests.helpers.mutants import in_decisions, in_text, in_tree
 from tests.scene import test_edges, test_green, test_into_plate, test_starts_on_bodies, test_tiles
 
@@ -335,17 +326,5 @@ FAULTS = (
     ),
 )
 
-CHECKS = checks_of(FAULTS)
-
-
-@pytest.mark.parametrize("check", CHECKS, ids=lambda check: f"{check.name}")
-def test_without_a_fault_every_check_passes(check: Check, tmp_path: Path) -> None:
-    passes(check, tmp_path)
-
-
-@pytest.mark.parametrize(
-    "fault", [pytest.param(fault, id=f"{fault.name} ({fault.check.name})") for fault in FAULTS]
-)
-@pytest.mark.sampled(1)
-def test_a_fault_trips_its_check(fault: Planted, tmp_path: Path) -> None:
-    noticed(fault, tmp_path)
+test_without_a_fault_every_check_passes = passing(FAULTS)
+test_a_fault_trips_its_check = tripping(FAULTS)

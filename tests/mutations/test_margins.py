@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from dataclasses import replace
 from functools import partial
-from pathlib import Path
 
 import pytest
 from hoopgen.derive.errors import propagation
@@ -27,14 +26,7 @@ from tests.derive.events import test_error_budget, test_near_plates, test_own_su
 from tests.derive.events import test_margins_of_filters as filters
 from tests.derive.rolling import test_margins_in_contact as contact
 from tests.derive.surfaces import test_boxes
-from tests.helpers.checked_faults import (
-    OfFormulas,
-    OfKernels,
-    Planted,
-    checks_of,
-    noticed,
-    passes,
-)
+from tests.helpers.checked_faults import OfFormulas, OfKernels, Planted, passing, tripping
 from tests.helpers.mutants import in_decisions, in_text
 
 pytestmark = [pytest.mark.xdist_group("margin_mutations")]
@@ -360,16 +352,5 @@ FAULTS = (
     ),
 )
 
-CHECKS = checks_of(FAULTS)
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("check", CHECKS, ids=lambda check: check.name)
-def test_without_a_fault_every_check_passes(check: OfFormulas, tmp_path: Path) -> None:
-    passes(check, tmp_path)
-
-
-@pytest.mark.parametrize("fault", FAULTS, ids=lambda fault: f"{fault.name} ({fault.check.name})")
-@pytest.mark.sampled(1)
-def test_a_fault_trips_its_check(fault: Planted, tmp_path: Path) -> None:
-    noticed(fault, tmp_path)
+test_without_a_fault_every_check_passes = passing(FAULTS)
+test_a_fault_trips_its_check = tripping(FAULTS)

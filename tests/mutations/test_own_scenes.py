@@ -7,7 +7,6 @@ bodies, roots on flat and large bodies, the branch of friction.
 from __future__ import annotations
 
 from functools import cache
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -33,15 +32,7 @@ from hoopgen.scene import Box as BoxPiece
 from hoopgen.scene import End, Scene, Sphere
 from hoopgen.simulation.engine import Engine
 from tests.derive.events import test_own_surfaces
-from tests.helpers.checked_faults import (
-    OfEngine,
-    OfFormulas,
-    Planted,
-    cases,
-    checks_of,
-    noticed,
-    passes,
-)
+from tests.helpers.checked_faults import OfEngine, OfFormulas, Planted, cases, passing, tripping
 from tests.helpers.mutants import in_text, in_tree
 from tests.scene import (
     test_behind_cones,
@@ -650,8 +641,6 @@ FAULTS = (
     ),
 )
 
-CHECKS = checks_of(FAULTS)
-
 
 @pytest.fixture(autouse=True)
 def proofs(request: pytest.FixtureRequest) -> None:
@@ -663,23 +652,5 @@ def proofs(request: pytest.FixtureRequest) -> None:
             proved(name)
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("check", CHECKS, ids=lambda check: f"{check.name}")
-def test_without_a_fault_every_check_passes(check: OfFormulas, tmp_path: Path) -> None:
-    passes(check, tmp_path)
-
-
-@pytest.mark.parametrize(
-    "fault",
-    [
-        pytest.param(
-            fault,
-            id=f"{fault.name} ({fault.check.name})",
-            marks=pytest.mark.slow if isinstance(fault.check, OfEngine) else (),
-        )
-        for fault in FAULTS
-    ],
-)
-@pytest.mark.sampled(1)
-def test_a_fault_trips_its_check(fault: Planted, tmp_path: Path) -> None:
-    noticed(fault, tmp_path)
+test_without_a_fault_every_check_passes = passing(FAULTS)
+test_a_fault_trips_its_check = tripping(FAULTS)

@@ -30,7 +30,11 @@ from tests.scene.test_oblique_rolls import (
     rolled,
 )
 
-pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("cone_rolls")]  # compiled once
+pytestmark = [
+    pytest.mark.slow,
+    pytest.mark.xdist_group("cone_rolls"),  # compiled once
+    pytest.mark.usefixtures("soonest"),
+]
 
 KAPPA = 2 / 3
 

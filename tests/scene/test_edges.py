@@ -33,7 +33,10 @@ from hoopgen.scene import (
 from hoopgen.simulation.engine import Engine
 from tests.helpers.effort import trials
 
-pytestmark = pytest.mark.xdist_group("edges")  # each scene is compiled once
+pytestmark = [
+    pytest.mark.xdist_group("edges"),  # each scene is compiled once
+    pytest.mark.usefixtures("soonest"),
+]
 
 GRAVITY = 9.81
 BALL = 0.05

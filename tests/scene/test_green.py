@@ -22,7 +22,10 @@ from tests.helpers.effort import exceptions, trials
 from tests.helpers.slow_scene import Slow
 from tests.scene.test_edges import GRAVITY, GREEN, HOLE, HOLE_BALL, putts
 
-pytestmark = pytest.mark.xdist_group("edges")  # the scene is compiled once
+pytestmark = [
+    pytest.mark.xdist_group("edges"),  # the scene is compiled once
+    pytest.mark.usefixtures("soonest"),
+]
 
 ON_WIRE = 1
 """The index of the wire."""

@@ -17,7 +17,10 @@ from hoopgen.simulation.engine import Engine
 from tests.helpers.court_shots import all_kinds
 from tests.helpers.effort import exceptions, trials
 
-pytestmark = pytest.mark.xdist_group("inertia")  # the scene is derived once
+pytestmark = [
+    pytest.mark.xdist_group("inertia"),  # the scene is derived once
+    pytest.mark.usefixtures("soonest"),
+]
 
 Floats = NDArray[np.float64]
 

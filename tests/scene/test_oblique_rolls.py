@@ -26,7 +26,11 @@ from tests.helpers.derived import DerivedKernels
 from tests.helpers.effort import trials
 from tests.scene.test_turned_boxes import rotation
 
-pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("oblique_rolls")]  # compiled once
+pytestmark = [
+    pytest.mark.slow,
+    pytest.mark.xdist_group("oblique_rolls"),  # compiled once
+    pytest.mark.usefixtures("soonest"),
+]
 
 GRAVITY, BALL, KAPPA = 9.81, 0.05, 2 / 3
 SHARE = KAPPA / (1 + KAPPA)

@@ -19,7 +19,10 @@ from hoopgen.simulation.engine import Engine
 from tests.helpers.derived import DerivedKernels
 from tests.helpers.effort import trials
 
-pytestmark = pytest.mark.xdist_group("starts_on_bodies")  # each scene is compiled once
+pytestmark = [
+    pytest.mark.xdist_group("starts_on_bodies"),  # each scene is compiled once
+    pytest.mark.usefixtures("soonest"),
+]
 
 GRAVITY, BALL, RADIUS = 9.81, 0.05, 0.2
 ROLLING = 7 / 5
