@@ -13,13 +13,7 @@ from typing import Any
 import numpy as np
 import pytest
 from hoopgen.derive.contact import friction
-from hoopgen.derive.events import (
-    bounding_boxes,
-    box_windows,
-    inclined_plane,
-    oblique_box,
-    root_search,
-)
+from hoopgen.derive.events import bounding_boxes, box_windows, oblique_box, root_search
 from hoopgen.derive.events.box import BoxRootFinder
 from hoopgen.derive.events.polynomial import PolynomialRootFinder
 from hoopgen.derive.events.root_finder import RootFinder
@@ -52,7 +46,6 @@ from tests.helpers.mutants import in_text, in_tree
 from tests.scene import (
     test_behind_cones,
     test_friction_switch,
-    test_leaning_table,
     test_oblique_bodies,
     test_pipes,
     test_root_errors,
@@ -567,16 +560,6 @@ FAULTS = (
         "a root on a plane is refined by Newton's method",
         in_text(PolynomialRootFinder, "refine", "if self._boxed:", "if True:"),
         OfEngine(test_roots.check_states, scene=test_roots.DRAWN),
-    ),
-    Planted(
-        "a root on an inclined plane is as exact as its flight",
-        in_text(inclined_plane, "root_delay", "again, first)) / rate", "again, 0 * first)) / rate"),
-        OfEngine(test_roots.check_states, scene=test_roots.STEEP),
-    ),
-    Planted(
-        "a flight that begins on two surfaces knows one of them",
-        in_text(inclined_plane.InclinedPlaneSearch, "remembered", "self.flight.departs", "False"),
-        OfEngine(test_leaning_table.check_landings, scene=test_leaning_table.TABLE),
     ),
     Planted(
         "the roundings of a root are those of its flight",
