@@ -112,11 +112,15 @@ def test_a_turned_table_gives_the_turned_results(engine: Engine) -> None:
 
 
 def check_landings(engine: Engine) -> None:
-    """Assert that few shots are flagged, though the ball hops at each of its impacts."""
+    """Assert that errors stay small, though the ball hops and lands at each of its impacts.
+
+    With landings that are only known as well as the ball's place the bound is six times as large.
+    """
     shots = simulated(engine, trials(600, at_least=200), 0.0)
     assert np.mean(shots.contacts >= 4) > 0.3
     assert (shots.counts > 0).any(0).all()
-    assert shots.uncertain.mean() < 0.1
+    assert shots.uncertain.mean() < 0.01
+    assert np.median(shots.state_error[shots.contacts >= 4, 0]) < 4e-10
 
 
 @pytest.mark.slow
