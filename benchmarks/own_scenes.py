@@ -79,6 +79,29 @@ def poured(count: int, seed: int) -> Floats:
     return states(count, seed, (-0.25, -0.25, 0.3), (0.25, 0.25, 0.5), 0.5)
 
 
+TARGETS = (
+    *((-0.25, 0.4), (0.19, 0.3), (0.25, 0.7), (0.0, 1.0), (0.19, 0.5), (0.2, 0.95), (0.0, 0.5)),
+    *((-0.1, 0.8), (0.03, 0.72), (-0.13, 0.6), (-0.1, 0.25), (0.06, 0.25)),
+)
+"""Places on the pinball table: walls, the end of the rail, the arch, the table, bumpers, posts."""
+
+
+def knocked(count: int, seed: int) -> Floats:
+    """Return balls that fly low over the pinball table, at its walls, bumpers and posts."""
+    rng = np.random.default_rng(seed)
+    made = states(count, seed, (-0.2, 0.3, 0.0), (0.15, 0.9, 0.0), 0.0)
+    in_lane = rng.random(count) < 0.1
+    made[in_lane, :2] = rng.uniform((0.21, 0.15), (0.23, 0.45), (int(in_lane.sum()), 2))
+    which = np.where(in_lane, 1, rng.integers(len(TARGETS), size=count))
+    goal = np.asarray(TARGETS)[which] + rng.normal(0, 0.008, (count, 2))
+    time = rng.uniform(0.04, 0.08, count)
+    made[:, 3:5] = (goal - made[:, :2]) / time[:, None]
+    high, slope = rng.uniform(0.016, 0.03, count), 0.12
+    made[:, 2] = slope * made[:, 1] + high
+    made[:, 5] = slope * made[:, 4] + np.where(which == 6, -high / time, 9.81 * time)
+    return made
+
+
 FILES: Mapping[str, Callable[[int, int], Floats]] = MappingProxyType(
     {
         "netball.toml": thrown,
@@ -86,6 +109,7 @@ FILES: Mapping[str, Callable[[int, int], Floats]] = MappingProxyType(
         "bowl.toml": inside,
         "bumpers.py": dropped,
         "funnel.toml": poured,
+        "pinball.toml": knocked,
     }
 )
 """The examples, and shots for each."""

@@ -18,7 +18,7 @@ from .kernels.scene import flight_boxes, scene_kernels
 from .kernels.surface import SurfaceKernels, all_surface_kernels, one_surface_kernels
 from .loop import predicates
 from .loop.stages import Loop, event_loop
-from .rolling import contact_phase, endless, friction_limit
+from .rolling import contact_phase, endless, friction_limit, second_surface
 from .rolling.symbols import EventCodes
 from .scenes.check import check
 from .scenes.names import check_kernels
@@ -115,7 +115,14 @@ def build(scene: Scene) -> Model:
         common | optional,
         contacts,
         ends,
-        fields(names, scene.rolls, scene.passage is not None, counted, bool(tabled)),
+        fields(
+            names,
+            scene.rolls,
+            scene.passage is not None,
+            counted,
+            bool(tabled),
+            any(s.search.remembered for s in surfaces),
+        ),
         [variable(symbol) for symbol in scene.symbols],
         scene.open_ended,
     )
@@ -164,11 +171,16 @@ def _optional_kernels(
             *contact,
             holders=[k for k, s in enumerate(surfaces) if "rolling_surface" in s.kernels],
             edges=scene.has_edges,
+            bounded=scene.bounds_jumps,
             oblique=scene.rolls_obliquely,
             revolved=scene.rolls_about_axes,
             tori=[k for k, s in enumerate(surfaces) if "width" in s.kernels and not s.has_edges],
         )
         kernels |= {kernel.name: kernel for kernel in friction}
+        if any(s.search.remembered for s in surfaces):
+            kernels |= second_surface.kernels(
+                [k for k, s in enumerate(surfaces) if s.search.remembered]
+            )
     filters = [s.search.apart for k, s in enumerate(surfaces) if k not in tabled]
     if any(filters):
         kernels["reachable"] = reachable([conditions for conditions in filters if conditions])

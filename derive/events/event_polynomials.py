@@ -21,7 +21,8 @@ end = sp.Symbol("end", real=True)
 horizon = sp.Symbol("horizon", positive=True)
 """Time after which no event is wanted, s."""
 leaving = sp.Symbol("leaving", real=True)
-"""1 if the flight starts with the ball on this very surface, else 0."""
+"""1 if the flight starts with the ball on this very surface, 2 if it touched another one last; else
+0."""
 margin, rate_margin = sp.symbols("margin rate_margin", nonnegative=True)
 """Bounds on the errors of the computed gap and of its computed rate."""
 delay = sp.Symbol("delay", nonnegative=True)

@@ -11,17 +11,21 @@ from ..ir.event_tree import Call, If, Node, Value
 from ..ir.kernel import Kernel
 from ..motion.flight import has_sign
 from ..motion.parabola import Parabola
-from ..surfaces import Plane
+from ..surfaces import InclinedPlane, Plane
+from ..surfaces.directions import along
 from ..symbolic.conditionals import IfAtMost, IfLess, absolute, barrier
 from ..symbolic.rounding import ROUNDING_SLACK, rounding
-from ..symbolic.symbols import POSITION, VELOCITY, position, velocity
+from ..symbolic.symbols import POSITION, UNIT_ROUNDOFF, VELOCITY, position
 from .event_polynomials import event_coefficients, horizon, leaving
 from .plane_filter import apart
 from .predicates import KERNELS
 from .search import Formula, Parts, Search, bounded, edges, given, proposed
 
+AnyPlane = Plane | InclinedPlane
+"""A plane across an axis, or with a normal in any direction."""
 
-def plane_arrival(plane: Plane, flight: Parabola) -> dict[str, sp.Expr]:
+
+def plane_arrival(plane: AnyPlane, flight: Parabola) -> dict[str, sp.Expr]:
     """Return time, rate and second derivative of a plane's only arrival, the root with F' < 0.
 
     Also the time of the gap's apex and the gap there, D / (-4 a), for a ball that moves along the
@@ -46,16 +50,18 @@ def plane_arrival(plane: Plane, flight: Parabola) -> dict[str, sp.Expr]:
     """
     coefficients = event_coefficients(plane, flight)
     c = barrier(IfLess(0, leaving, 0, barrier(coefficients[0])), "c")
-    b = coefficients[1] if len(coefficients) > 1 else sp.Integer(0)
+    b = _held(coefficients[1]) if len(coefficients) > 1 else sp.Integer(0)
     if len(coefficients) < 3:
-        along = {"apex": IfAtMost(absolute(b), 0, 0, -1), "height": c}
-        return {"time": c / -b, "rate": b, "bend": sp.Integer(0)} | along
-    a = coefficients[2]
+        still = {"apex": IfAtMost(absolute(b), 0, 0, -1), "height": c}
+        return {"time": c / -b, "rate": b, "bend": sp.Integer(0)} | still
+    a = _held(coefficients[2])
+    bend = 2 * a
     discriminant = barrier(b**2 - 4 * a * c, "D")
     # On leaving the root is |b|; that of b² is the same unless b² underflows.
     root = barrier(IfLess(0, leaving, absolute(b), sp.sqrt(discriminant)))
     numerator = IfLess(b, 0, 2 * c, b + root)
     denominator = IfLess(b, 0, root - b, -2 * a)
+    rate = -root
     if has_sign(a):
         per_bend = barrier(1 / (2 * a))
         apex, height = -b * per_bend, -discriminant * per_bend / 2
@@ -66,16 +72,66 @@ def plane_arrival(plane: Plane, flight: Parabola) -> dict[str, sp.Expr]:
         per_bend = barrier(1 / (2 * barrier(IfLess(0, size, a, 1))))
         apex = IfLess(0, size, -b * per_bend, IfAtMost(absolute(b), 0, 0, -1))
         height = IfLess(0, size, -discriminant * per_bend / 2, c)
+        if isinstance(plane, InclinedPlane):
+            size = barrier(sp.Add(*map(sp.Abs, plane.direction)))
+            error = barrier(_VAGUE * UNIT_ROUNDOFF * barrier(size * flight.strength))
+            met, apex, height, bend = _without_sign(a, b, c, error, (discriminant, apex, height))
+            rate = IfLess(0, met, rate, root)
     return {
         "time": numerator / denominator,
-        "rate": -root,
-        "bend": 2 * a,
+        "rate": rate,
+        "bend": bend,
         "apex": apex,
         "height": height,
     }
 
 
-def plane_margin(plane: Plane, flight: Parabola) -> sp.Expr:
+_VAGUE = 2**8
+"""Beyond that many roundings of gravity, those of an arrival that it causes are small beside its
+time."""
+
+
+def _held(coefficient: sp.Expr) -> sp.Expr:
+    """Return a coefficient that is rounded once: a sum would else join those that it stands in."""
+    return barrier(coefficient) if coefficient.is_Add else coefficient
+
+
+def _without_sign(
+    a: sp.Expr, b: sp.Expr, c: sp.Expr, error: sp.Expr, usual: tuple[sp.Expr, sp.Expr, sp.Expr]
+) -> tuple[sp.Expr, sp.Expr, sp.Expr, sp.Expr]:
+    """Return what roundings leave of an arrival: if there is any, apex, height and F''.
+
+    The acceleration across the plane is a sum a = d·g/2, which cancels where the plane is along
+    gravity, and the path has roundings of g t²/2. With E for `_VAGUE` of them and |a| <= E, the
+    true size is at most 2 E. Then a ball that does not approach the plane, or slows down before it,
+    comes to it no sooner than at the first root T of c + b t - 2 E t². From then on it may: T takes
+    the place of the apex, with a gap of zero, and F'' is zero, so that the place of the contact is
+    not known. Of the arrival of any other ball F'' is at most |2 a| + 2 E.
+
+    Parameters
+    ----------
+    a, b, c
+        The coefficients of the gap, m/s², m/s and m.
+    error
+        E, m/s².
+    usual
+        b² - 4 a c, and apex and height where the sign of a is certain.
+    """
+    early = barrier(sp.sqrt(barrier(b**2 + 8 * barrier(error * c))))
+    first = IfLess(b, 0, 2 * c, b + early) / barrier(IfLess(b, 0, early - b, 4 * error))
+    discriminant, apex, height = usual
+    arrives = IfLess(b, 0, IfAtMost(0, discriminant, 1, 0), 0)
+    vague = IfLess(0, error, IfAtMost(absolute(a), error, 1, 0), 0)
+    size = barrier(2 * barrier(absolute(a) + error))
+    return (
+        IfLess(0, vague, arrives, 1),
+        IfLess(0, vague, IfLess(0, arrives, -1, barrier(first)), apex),
+        IfLess(0, vague, 0, height),
+        IfLess(0, vague, IfLess(0, arrives, IfLess(a, 0, -size, size), 0), 2 * a),
+    )
+
+
+def plane_margin(plane: AnyPlane, flight: Parabola) -> sp.Expr:
     """Return a bound on the rounding error of the plane's gap up to the time `horizon`.
 
     Parameters
@@ -92,10 +148,10 @@ def plane_margin(plane: Plane, flight: Parabola) -> sp.Expr:
     """
     there, _ = flight.rounding(horizon)
     # Twice: once for the gap at the computed time, once for the root's own arithmetic.
-    return 2 * ROUNDING_SLACK * rounding(plane.distance, dict.fromkeys(POSITION, there)).error
+    return 2 * ROUNDING_SLACK * rounding(plane.condition, dict.fromkeys(POSITION, there)).error
 
 
-def returning_margin(plane: Plane, flight: Parabola) -> sp.Expr:
+def returning_margin(plane: AnyPlane, flight: Parabola) -> sp.Expr:
     """Return a bound on the error of the gap of a ball that left this plane, up to `horizon`.
 
     The ball began on the plane, and so did the true one: both gaps are t times the mean velocity
@@ -114,17 +170,32 @@ def returning_margin(plane: Plane, flight: Parabola) -> sp.Expr:
     Expr
         m.
     """
-    mean = flight.mean_rounding(horizon)
-    off = rounding(plane.normal.dot(velocity), dict.fromkeys(VELOCITY, mean))
     # Twice, as in `plane_margin`.
-    return 2 * ROUNDING_SLACK * barrier(off.error * horizon)
+    return 2 * ROUNDING_SLACK * barrier(mean_rate_error(plane, flight) * horizon)
+
+
+def mean_rate_error(plane: AnyPlane, flight: Parabola) -> sp.Expr:
+    """Return a bound on the error of the mean velocity off a plane, up to the time `horizon`.
+
+    Parameters
+    ----------
+    plane, flight
+        As for `plane_margin`.
+
+    Returns
+    -------
+    Expr
+        m/s.
+    """
+    mean = flight.mean_rounding(horizon)
+    return rounding(along(plane.direction, VELOCITY), dict.fromkeys(VELOCITY, mean)).error
 
 
 @dataclass(frozen=True)
 class PlaneSearch(Search):
     """The search on a plane; a contact counts within its bounds (Eq. 2)."""
 
-    surface: Plane
+    surface: AnyPlane
     flight: Parabola
 
     @property
@@ -175,12 +246,12 @@ class PlaneSearch(Search):
 
     def nodes(self, common: Parts, own: Parts, index: Value) -> Iterator[Node]:
         """Propose the only arrival, if it exists and lies within the bounds."""
-        yield Call(KERNELS["left"], {"index": index})
+        yield Call(KERNELS["left_either" if self.remembered else "left"], {"index": index})
         yield Call(own["arrival"])
         yield Call(KERNELS["plane_root"])
         # An arrival that is undecided at its apex is at the same time within the margin.
         yield Call(own["margin"], {"horizon": "nearest"})
-        yield Call(common["crossing"], {"rate_margin": 0.0})
+        yield Call(common["crossing"], {} if self.remembered else {"rate_margin": 0.0})
         yield Call(KERNELS["within_time"])
         if not self.surface.bounds:
             yield Call(KERNELS["graze_undecided"])

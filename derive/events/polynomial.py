@@ -14,7 +14,7 @@ import sympy as sp
 from ..surfaces import Plane, Surface
 from ..surfaces.torus import Toroidal
 from ..symbolic.conditionals import IfAtMost, IfLess, absolute, barrier, maximum, minimum, release
-from ..symbolic.error_terms import curving
+from ..symbolic.error_terms import curving, earliest_delay
 from ..symbolic.polynomials import Coefficients, bernstein, compose, derivative, mean_rate
 from ..symbolic.rounding import (
     ROUNDING_SLACK,
@@ -23,6 +23,7 @@ from ..symbolic.rounding import (
     position_error,
     rounding,
     speed,
+    velocity_error,
 )
 from ..symbolic.symbols import POSITION, UNIT_ROUNDOFF, VELOCITY, t
 from .box_windows import clear, lost, windows
@@ -37,6 +38,11 @@ CEILING_BOX_FACTOR = sp.Rational(5, 4)
 a clearance promises may leave the surface's box. They go no further than twice F / |F'| < sqrt(F
 / C) / 8, and |F| within the box is at most 3 h² and C at least 2 v² on a sphere or a cylinder,
 16 h^4 and 160 h² v² on a torus."""
+
+
+_CLEAR_SLACK = sp.Rational(1, 2**30)
+"""Exceeds the roundings of a distance and of the way flown. They are some u of the lengths in them,
+which are place and reference point, since a radius is no larger than these and the distance."""
 
 
 def _once_rounded(quantity: sp.Expr) -> Rounded:
@@ -158,10 +164,24 @@ class PolynomialRootFinder(RootFinder):
 
     @property
     def clear(self) -> sp.Expr | None:
-        """Positive if no window opens before the horizon."""
-        if not self._boxed:
+        """Positive if no window opens before the horizon, or the surface is further off than that.
+
+        Then there is no contact before the horizon, nor until the earliest arrival is certainly
+        over. In the time T until then the ball flies no further than V T + A T²/2, with the sum V
+        of the speeds and the sum A of the accelerations along the axes.
+        """
+        if self._boxed:
+            return clear(self.windows, self.lost)
+        distance = self.surface.distance_without_bounds
+        if distance is None:
             return sp.Integer(0)
-        return clear(self.windows, self.lost)
+        until = barrier(horizon + earliest_delay)
+        pull = sp.Add(*map(sp.Abs, self.flight.acceleration))
+        way = barrier(until * barrier(speed + barrier(pull * until) / 2))
+        errors = barrier(2 * barrier(position_error + velocity_error * until))
+        lengths = barrier(extent + sp.Add(*map(sp.Abs, self.surface.reference_point)))
+        room = barrier((1 + _CLEAR_SLACK) * barrier(way + errors) + _CLEAR_SLACK * lengths)
+        return barrier(absolute(distance)) - room
 
     @property
     def gap(self) -> sp.Expr:

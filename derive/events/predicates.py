@@ -40,6 +40,8 @@ rate, bend, apex, height, margin, rate_margin = sp.symbols(
 )
 gap, step, following, root, clearance = sp.symbols("gap step next root clearance", real=True)
 side, candidate = sp.symbols("side candidate", real=True)
+second = sp.Symbol("second", real=True)
+"""A plane that the flight began on besides the surface touched last; -1: none."""
 through = sp.Symbol("through", real=True)
 """1 for a ball that has fallen through the scene's passage."""
 flat, tilt, arrival, t, end, refined = sp.symbols("flat tilt arrival t end refined", real=True)
@@ -132,6 +134,11 @@ KERNELS = {
             "left",
             {"leaving": Choose(Equal(last, index), 1, 0)},
             "1 if the flight starts on this surface.",
+        ),
+        decision(
+            "left_either",
+            {"leaving": Choose(Equal(last, index), 1, Choose(Equal(second, index), 2, 0))},
+            "1 if the flight starts on this surface; 2 if it is not the one touched last.",
         ),
         decision(
             "released",

@@ -25,6 +25,7 @@ from .air import AirBoxRootFinder, AirRootFinder
 from .arc import ArcRootFinder
 from .box import BoxRootFinder
 from .end_plane import EndPlaneRootSearch, EndPlaneSearch
+from .inclined_plane import InclinedPlaneSearch
 from .oblique_box import AirObliqueBoxRootFinder, ObliqueBoxRootFinder
 from .plane import PlaneSearch
 from .polynomial import PolynomialRootFinder
@@ -98,7 +99,7 @@ SEARCHES: tuple[tuple[type[Surface], type[Flight], SearchFactory], ...] = (
     (Ring, Parabola, _ring),
     (ObliqueBox, Parabola, _oblique_box),
     (Box, Parabola, _box),
-    (InclinedPlane, Parabola, _oblique),
+    (InclinedPlane, Parabola, InclinedPlaneSearch),
     (ObliqueCylinder, Parabola, _oblique),
     (Cone, Parabola, _oblique),
     (RevolvedArc, Parabola, _arc),

@@ -62,6 +62,11 @@ class Search(ABC):
         return frozenset()
 
     @property
+    def remembered(self) -> bool:
+        """True if a flight from another body knows that it began on this surface, too."""
+        return False
+
+    @property
     def closed(self) -> bool:
         """True if the only arrival is a closed form: such surfaces are searched first."""
         return False

@@ -76,7 +76,7 @@ def _kernels(
         kernels["settling"] = settling.settling(
             law, scene.ball, scene.flight, scene.rolls_about_axes
         )
-        if scene.has_edges and scene.flight.exact:
+        if scene.bounds_jumps:
             kernels["rebound"] = jump.rebound_kernel(law)
         kernels["grip_deficit"] = friction_limit.friction_excess(law)
     return kernels | {

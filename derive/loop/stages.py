@@ -168,7 +168,11 @@ def _reach(
     yield If("limited", (Call(common["expired"], {"index": time}),), rare=True)
     if "in_contact" in common:
         yield Call(common["no_departure"])
-        yield If("in_contact", (Call(common["stay_in_contact"]),), rare=True)
+        rests: tuple[Node, ...] = ()
+        if any(surface.search.remembered for surface in contacts):
+            yield Call(common["no_rest"])
+            rests = (Call(common["rest"]),)
+        yield If("in_contact", (*rests, Call(common["stay_in_contact"])), rare=True)
     yield Call(
         common["displacement"], {"horizon": "when", "delay": "earliest_delay"}, {"margin": "slack"}
     )

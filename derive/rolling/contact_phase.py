@@ -84,6 +84,7 @@ def kernels(
     outcomes: Mapping[str, int],
     holders: Sequence[int],
     edges: bool = False,
+    bounded: bool = False,
     oblique: bool = False,
     revolved: bool = False,
     tori: Sequence[int] = (),
@@ -106,6 +107,8 @@ def kernels(
         The indices of the surfaces that a ball can roll on, in order.
     edges
         True if a ball may roll off an edge of a surface.
+    bounded
+        True if the errors of the jump to the end of the bounces follow from the last bounce.
     oblique
         True if a ball may roll on a tube that lies along no axis.
     revolved
@@ -117,7 +120,7 @@ def kernels(
     every_kernel = (
         *_series(flight, ball, strength, oblique, revolved),
         *settling_kernels(flight, strength, ball, oblique, revolved),
-        *jump_kernels(flight, ball, edges, revolved),
+        *jump_kernels(flight, ball, bounded, revolved),
         *step_events(strength, ball.radius, codes, flight.surface_force, edges),
         *departure_kernels(flight, strength, ball, edges, oblique),
         *bounds_kernels(ball.radius),

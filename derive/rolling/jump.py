@@ -45,7 +45,7 @@ over, with no more speed off the surface than roundings make."""
 
 
 def jump_kernels(
-    flight: Flight, ball: Ball, edges: bool, revolved: bool = False
+    flight: Flight, ball: Ball, bounded: bool, revolved: bool = False
 ) -> tuple[Kernel, ...]:
     """Return the kernels of the errors after the jump to the limit of the bounces.
 
@@ -55,15 +55,15 @@ def jump_kernels(
         The motion between contacts.
     ball
         The ball.
-    edges
-        True if a ball may roll over edges of a surface. The time at which it reaches one is as
-        uncertain as its place, and the forces change there, so that its errors are those of the
-        jump itself. Elsewhere, and in air, each counts as `tolerance`.
+    bounded
+        True if the errors are those of the jump itself, in a scene in which they matter most: over
+        the edge of a surface the time at which a ball reaches it is as uncertain as its place, and
+        on an inclined plane a ball often rolls between impacts. Elsewhere, and in air, each counts
+        as `tolerance`.
     revolved
         True if a ball may roll on a cone, near whose apex even small errors of the place turn the
         normal far, or on a torus.
     """
-    tight = edges and flight.exact
     return (
         decision(
             "no_bounce",
@@ -73,7 +73,7 @@ def jump_kernels(
         loop_kernel(
             "jump_errors",
             _errors_of_bounces(flight, ball)
-            if tight
+            if bounded
             else _errors_of_tolerance(ball.radius, revolved),
             "Errors with those of the jump to the end of the bounces.",
             "its bound",

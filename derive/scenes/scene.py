@@ -12,7 +12,7 @@ from ..contact.law import Law
 from ..motion.air import AirConstants, AirFlight
 from ..motion.flight import Acceleration, Flight
 from ..motion.parabola import Parabola
-from ..surfaces import Body, Cone, EndPlane, Plane, Surface
+from ..surfaces import Body, Cone, EndPlane, InclinedPlane, Plane, Surface
 from ..surfaces.plane import Flat
 from ..surfaces.two_sided import Round
 from ..symbolic.conditionals import release
@@ -177,6 +177,12 @@ class Scene:
     def has_edges(self) -> bool:
         """True if a surface has bounds, over which a rolling ball comes to an edge."""
         return any(surface.bounds for surface in self.surfaces)
+
+    @property
+    def bounds_jumps(self) -> bool:
+        """True if the errors of the jump to the end of bounces follow from the last bounce."""
+        inclined = any(isinstance(surface, InclinedPlane) for surface in self.surfaces)
+        return self.flight.exact and (self.has_edges or inclined)
 
     @property
     def rolls_obliquely(self) -> bool:

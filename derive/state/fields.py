@@ -157,6 +157,7 @@ def fields(
     passage: bool = False,
     is_counted: bool = False,
     measured: bool = False,
+    remembered: bool = False,
 ) -> tuple[Field, ...]:
     """Return the fields of a shot.
 
@@ -172,6 +173,8 @@ def fields(
         True if contacts are counted where they happen: then there is no field for each body.
     measured
         True if the sum of the scene's lengths is computed once for a shot.
+    remembered
+        True if a flight may begin on a plane besides the surface that was touched last.
     """
     rolling = (
         Field("held", NONE, "surface that it stays in contact with, -1: none"),
@@ -196,6 +199,11 @@ def fields(
         Field("clock", 0.0, "time of the last event, s since the release"),
         Field("clock_error", 0.0, "what the contacts' times were off by, summed", True),
         Field("last", None, "surface that was touched last, -1: none"),
+        *(
+            [Field("second", NONE, "plane that the flight began on besides, -1: none")]
+            if remembered
+            else []
+        ),
         Field("first", NONE, "body that was touched first, -1: none"),
         Field("contacts", 0.0, "how many contacts there were"),
         *(() if is_counted else counts),

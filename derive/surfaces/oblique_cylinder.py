@@ -57,6 +57,11 @@ class ObliqueCylinder(AboutAxis, Round):
         return self._side * width - self._side * self.radius**2 * squared_length(self.direction)
 
     @property
+    def distance_without_bounds(self) -> sp.Expr | None:
+        """The distance: the body has no box along the axes of the scene."""
+        return self.distance
+
+    @property
     def normal(self) -> sp.Matrix:
         """The direction from the axis; the distance from it is r at a contact."""
         per_radius = barrier(self._side / self.radius)

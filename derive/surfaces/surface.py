@@ -232,6 +232,14 @@ class Surface(ABC):
         return sp.Integer(0)
 
     @property
+    def distance_without_bounds(self) -> sp.Expr | None:
+        """Distance from the surface without its bounds, if no box holds it; None: not known.
+
+        It has a gradient of at most 1 everywhere.
+        """
+        return None
+
+    @property
     def azimuth_free_distance(self) -> sp.Expr | None:
         """Bound below the distance from all points at this height and distance from the z axis.
 

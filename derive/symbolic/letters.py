@@ -123,6 +123,8 @@ LOOP = {
     "most_contacts": Entry(r"k_{\max}", "largest number of contacts"),
     "count": Entry("k_b", "number of contacts with a body"),
     "body": Entry(r"b^\ast", "body of the event, -1: none"),
+    "second": Entry(r"j_2", "index of a plane that the flight began on besides, -1: none"),
+    "rested_on": Entry(r"j_r", "plane that a ball in contact was on, -1: it flew, -2: another"),
     "first": Entry("b_1", "body touched first, -1: none"),
     "clock": Entry("t_c", "time since the release"),
     "clock_error": Entry(r"\varepsilon_t", "sum of the errors of the contacts' times"),

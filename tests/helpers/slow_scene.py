@@ -163,7 +163,9 @@ class Slow:
 
     def _size(self, written: Any, **place: float) -> float:
         """Return what a test's own text says: it is Python's to evaluate."""
-        return float(eval(str(written), {"sqrt": math.sqrt, **self._values, **place}))
+        return float(
+            eval(str(written), {"sqrt": math.sqrt, "inf": math.inf, **self._values, **place})
+        )
 
     def _within(self, written: Sequence[Any]) -> Callable[[Vector], float]:
         """Return the largest of the bounds at a point: not above 0 where the body is there."""

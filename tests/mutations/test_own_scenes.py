@@ -14,6 +14,7 @@ import pytest
 from hoopgen.derive.contact import friction
 from hoopgen.derive.events import bounding_boxes, box_windows, oblique_box, root_search
 from hoopgen.derive.events.box import BoxRootFinder
+from hoopgen.derive.events.inclined_plane import InclinedPlaneSearch
 from hoopgen.derive.events.polynomial import PolynomialRootFinder
 from hoopgen.derive.events.root_finder import RootFinder
 from hoopgen.derive.events.root_search import RootSearch
@@ -37,6 +38,7 @@ from tests.helpers.mutants import in_text, in_tree
 from tests.scene import (
     test_behind_cones,
     test_friction_switch,
+    test_leaning_table,
     test_oblique_bodies,
     test_pipes,
     test_root_errors,
@@ -550,7 +552,12 @@ FAULTS = (
     Planted(
         "a root on a plane is refined by Newton's method",
         in_text(PolynomialRootFinder, "refine", "if self._boxed:", "if True:"),
-        OfEngine(test_roots.check_states, scene=test_roots.STEEP),
+        OfEngine(test_roots.check_states, scene=test_roots.DRAWN),
+    ),
+    Planted(
+        "a flight that begins on two surfaces knows one of them",
+        in_text(InclinedPlaneSearch, "remembered", "self.flight.departs", "False"),
+        OfEngine(test_leaning_table.check_landings, scene=test_leaning_table.TABLE),
     ),
     Planted(
         "the roundings of a root are those of its flight",

@@ -114,6 +114,7 @@ EXAMPLE = {
     "golf": Example("golf.toml", FILES["golf.toml"], 6),
     "bumpers": Example("bumpers.py", FILES["bumpers.py"], 10),
     "funnel": Example("funnel.toml", FILES["funnel.toml"], 5),
+    "pinball": Example("pinball.toml", FILES["pinball.toml"], 1),
     "zoo": Example(ZOO, lambda n, seed: states(n, seed, (-0.7, -0.7, 0), (0.7, 0.7, 1), 2.5), 8),
     "sideways": Example(
         SIDEWAYS, lambda n, seed: states(n, seed, (-0.5, -1, -0.5), (0.5, -0.3, 0.5), 0.7), 8

@@ -325,7 +325,7 @@ def test_a_ball_rolls_on_whichever_body_of_a_kind(tmp_path: Path) -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", ["netball", "bowl", "golf", "bumpers", "funnel"])
+@pytest.mark.parametrize("name", ["netball", "bowl", "golf", "bumpers", "funnel", "pinball"])
 def test_every_example_is_viewed_plotted_and_explained(name: str, tmp_path: Path) -> None:
     example = EXAMPLE[name]
     engine = numpy_engine(example.scene, tmp_path)
@@ -340,4 +340,4 @@ def test_every_example_is_viewed_plotted_and_explained(name: str, tmp_path: Path
 
 def test_all_examples_are_there() -> None:
     files = {file.stem for file in (ROOT / "examples" / "scenes").iterdir() if file.is_file()}
-    assert files == {"netball", "bowl", "golf", "bumpers", "funnel"}
+    assert files == {"netball", "bowl", "golf", "bumpers", "funnel", "pinball"}

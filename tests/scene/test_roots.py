@@ -25,10 +25,12 @@ def facing(name: str, body: Any) -> Scene:
 
 STEEP = facing("steep", Plane("wall", normal=(1, 0, 1e-4), point=(-1, 0, 0)))
 """Gravity lies nearly along the plane, so that the gap is nearly linear in time."""
+DRAWN = facing("drawn", Surface("wall", condition="x + 1 + 1e-4*z"))
+"""The same as a condition, which the general search meets."""
 FLAT = facing("flat", Surface("dish", condition="x + 1 + 1e-9*z**2"))
 LARGE = facing("large", Sphere("globe", radius=1e5, centre=(-100_001, 0, 0)))
 ROUND = facing("round", Cylinder("barrel", radius=100, centre=(-101, 0, 0), axis=(0.1, 0.2, 1)))
-SCENES = {scene.name: scene for scene in (STEEP, FLAT, LARGE, ROUND)}
+SCENES = {scene.name: scene for scene in (STEEP, DRAWN, FLAT, LARGE, ROUND)}
 
 
 @cache

@@ -22,7 +22,7 @@ from hoopgen.derive.events import (
     root_search,
     search_for,
 )
-from hoopgen.derive.events.plane import PlaneSearch, plane_margin
+from hoopgen.derive.events.plane import AnyPlane, PlaneSearch, plane_margin
 from hoopgen.derive.events.ring import air as ring_in_air
 from hoopgen.derive.events.ring import double, polar, single
 from hoopgen.derive.events.root_search import RootSearch
@@ -32,7 +32,7 @@ from hoopgen.derive.motion import air, air_piece, ring_rolling_series, rolling_s
 from hoopgen.derive.motion.parabola import Parabola
 from hoopgen.derive.rolling import apex, friction_limit, neighbour
 from hoopgen.derive.scenes import sinking, validity
-from hoopgen.derive.surfaces import ObliqueBox, Plane
+from hoopgen.derive.surfaces import ObliqueBox
 from hoopgen.derive.symbolic import error_terms, rounding
 from hoopgen.derive.symbolic.letters import AXES, FLIGHTS, LOOP, RESULTS, SERIES, STUDIES, Entry
 from hoopgen.derive.symbolic.notation import (
@@ -319,7 +319,7 @@ def derivation_context(model: Model, reference: PageData | None = None) -> PageD
     place, motion = flight.at()
     there, moving = flight.rounding(event_polynomials.horizon)
     surfaces = (*scene.surfaces, *scene.end_planes)
-    planes = [s for s in surfaces if isinstance(s, Plane)]
+    planes = [s for s in surfaces if isinstance(s, AnyPlane)]
     margins = {}
     if isinstance(flight, Parabola):
         margins = {f"m_{text(p.name)}": plane_margin(p, flight) for p in planes}

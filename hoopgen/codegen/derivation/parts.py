@@ -10,14 +10,14 @@ from sympy.core.sorting import default_sort_key
 
 from hoopgen.derive.events import root_finder_for
 from hoopgen.derive.events.event_polynomials import event_coefficients
-from hoopgen.derive.events.plane import plane_arrival
+from hoopgen.derive.events.plane import AnyPlane, plane_arrival
 from hoopgen.derive.events.ring.air import AirRingRootFinder
 from hoopgen.derive.events.ring.double import RingRootFinder
 from hoopgen.derive.events.root_finder import RootFinder
 from hoopgen.derive.motion.flight import Flight
 from hoopgen.derive.motion.parabola import Parabola
 from hoopgen.derive.scenes.scene import Scene
-from hoopgen.derive.surfaces import Box, Plane, Ring, Surface
+from hoopgen.derive.surfaces import Box, Ring, Surface
 from hoopgen.derive.symbolic.conditionals import Barrier, barrier, release
 from hoopgen.derive.symbolic.letters import AXES
 from hoopgen.derive.symbolic.notation import latex_name
@@ -183,7 +183,7 @@ def surface_text(surface: Surface, flight: Flight, brief: Abbreviations) -> Surf
     """
     polynomials, inner, coefficients = _polynomial(surface, flight, brief)
     arrival = Formulas(())
-    if isinstance(surface, Plane) and isinstance(flight, Parabola):
+    if isinstance(surface, AnyPlane) and isinstance(flight, Parabola):
         outputs = {latex_name(name): e for name, e in plane_arrival(surface, flight).items()}
         arrival = explain(outputs, {}, brief.notation)
     beyond = surface.excess if isinstance(surface, Box) else []

@@ -119,7 +119,7 @@ PREMISES: dict[str, Premise] = {
         _kernels("common.crossing common.crossing_undecided common.arrival_certainty"),
     ),
     "deflation": Premise(
-        LEMMA, "deflation after a contact", _kernels("common.left common.nearby common.own_margin")
+        LEMMA, "deflation after a contact", _kernels("common.left* common.nearby common.own_margin")
     ),
     "ending": Premise(
         CHOICE,
@@ -321,7 +321,7 @@ PREMISES: dict[str, Premise] = {
             "common.touched common.ends_by_time_limit common.in_contact common.opens_in_flight "
             "common.open_in_flight common.reachable_in_flight common.contact_undecided "
             "common.no_departure common.stays_put common.stay_in_contact common.started_on_surface "
-            "common.nothing_happens_yet common.slow_at_start"
+            "common.nothing_happens_yet common.slow_at_start common.no_rest common.rest"
         ),
     ),
     "pieces": Premise(
