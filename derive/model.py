@@ -166,7 +166,7 @@ def _optional_kernels(
             edges=scene.has_edges,
             oblique=scene.rolls_obliquely,
             revolved=scene.rolls_about_axes,
-            tori=[k for k, s in enumerate(surfaces) if "width" in s.kernels and not s.has_edges],
+            tori=[k for k, s in enumerate(surfaces) if s.goes_on],
         )
         kernels |= {kernel.name: kernel for kernel in friction}
     filters = [s.search.apart for k, s in enumerate(surfaces) if k not in tabled]
@@ -198,6 +198,7 @@ def _loop_surfaces(
                 _variables(law_likes[scene.laws.index(law)].symbols),
                 _usual_box(own.surface, usual) if "box" in own.kernels else (),
                 own.surface.enclosed and own.surface.steepness == 1,
+                own.goes_on,
             )
         )
     ends = [

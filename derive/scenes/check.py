@@ -128,9 +128,19 @@ def _function(expressions: Sequence[sp.Expr], values: dict[sp.Symbol, sp.Expr]) 
         "IfLess": lambda left, right, then, other: then if left < right else other,
         "IfAtMost": lambda left, right, then, other: then if left <= right else other,
     }
-    bare = [release(sp.sympify(e)).xreplace(values) for e in expressions]
-    function: Function = sp.lambdify(POSITION, bare, modules=[choices, "mpmath"])
-    return function
+    held = dict.fromkeys(("Barrier", "Held"), lambda quantity: quantity)
+    with mpmath.workdps(_DIGITS):
+        given = [mpmath.mpf(value.p) / value.q for value in values.values()]
+    # With what is held released and the values put in, SymPy would sort and merge trees that are
+    # exponentially larger than what they share.
+    function: Function = sp.lambdify(
+        (*POSITION, *values),
+        [sp.sympify(e) for e in expressions],
+        modules=[choices | held, "mpmath"],
+        dummify=True,
+        cse=True,
+    )
+    return lambda *place: function(*place, *given)
 
 
 def _slopes(function: Function, point: Sequence[Any]) -> list[list[Any]]:
@@ -195,7 +205,7 @@ def _check_contact(condition: Function, there: Function, point: Sequence[Any]) -
 
 
 def _check_bound(place: int, surface: Surface, bound: Function, point: Sequence[Any]) -> None:
-    if release(surface.bounds[place]).has(sp.Abs):
+    if surface.bounds[place].has(sp.Abs):
         return  # its author has divided it by its gradient
     steep = _norm(_slopes(bound, point)[0])
     if steep > 1 + 1e-6:
