@@ -102,8 +102,3 @@ class InclinedPlaneSearch(PlaneSearch):
                 "running error analysis",
             ),
         }
-
-    @property
-    def apart(self) -> tuple[sp.Basic, ...]:
-        """No condition: the ends of a flight along one axis do not tell on which side it is."""
-        return ()

@@ -241,8 +241,12 @@ class PlaneSearch(Search):
 
     @property
     def apart(self) -> tuple[sp.Basic, ...]:
-        """Conditions of a plate by the ends of the flight."""
-        return apart(self.surface, self.flight) if self.surface.bounds else ()
+        """Conditions of a plate across an axis by the ends of the flight.
+
+        Along an axis, these do not tell on which side of another plane the ball is.
+        """
+        plate = self.surface
+        return apart(plate, self.flight) if isinstance(plate, Plane) and plate.bounds else ()
 
     def nodes(self, common: Parts, own: Parts, index: Value) -> Iterator[Node]:
         """Propose the only arrival, if it exists and lies within the bounds."""

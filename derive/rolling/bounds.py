@@ -3,15 +3,26 @@
 A bound counts as the distance e = -g/S with a number S that is at least the gradient of g. While
 the ball moves by at most S/H, where H bounds the second derivatives of g, the gradient of e is at
 most 2, so that e bends by at most 2 a + (H/S) v² with bounds on acceleration and speed.
+
+On a cone or a torus the bound is one of the point of contact q, which is no linear map of the
+centre. With bounds B on |Dq| and N on |D²q| that hold while the centre moves by s, and a number T
+that is at least the gradient of g at q, S = T B, and e bends by at most
+
+    2 a + (2 N/B + H B/T) v²
+
+while the ball moves by at most s and by T/(H B): with 1/s added to the factor of v², both hold for
+its inverse.
 """
 
 from __future__ import annotations
 
 import sympy as sp
 
+from ..errors.derivative import directional
 from ..events.root_finder import first_root
 from ..ir.kernel import Kernel, decision, loop_kernel
 from ..surfaces import Surface
+from ..surfaces.contact_bounds import ContactPath
 from ..surfaces.plane import Flat
 from ..surfaces.two_sided import TwoSided
 from ..symbolic.conditionals import (
@@ -50,13 +61,22 @@ bound_distance, bound_rate, bound_curvature = sp.symbols(
 )
 """Distance e within a bound, negative past it; its rate; and H/S, 1/m."""
 
+crease = sp.Symbol("crease", nonnegative=True)
+"""Distance of the ball from the nearest seam of a box beside it, m."""
+
 on_bound, near_edge = map(Boolean, ("on_bound", "near_edge"))
 """True if a bound is undecided; of a ball near an edge of the surface below."""
 
 
-def limits(surface: Surface) -> tuple[sp.Expr, ...]:
-    """Return the polynomials that bound a surface: it is there where none is positive."""
-    return surface.limits if isinstance(surface, Flat | TwoSided) else ()
+def limits(surface: Surface) -> tuple[tuple[sp.Expr, ContactPath | None], ...]:
+    """Return the polynomials that bound a surface: it is there where none is positive.
+
+    Each stands with the path of the point of contact, or None if it is one of the ball's centre.
+    """
+    own = surface.limits if isinstance(surface, Flat | TwoSided) else ()
+    path = surface.contact_path
+    given = surface.contact_bounds.polynomials if surface.contact_bounds and path else ()
+    return (*((limit, None) for limit in own), *((bound, path) for bound in given))
 
 
 def bound_kernels(surface: Surface, ball_radius: sp.Expr) -> dict[str, Kernel]:
@@ -75,19 +95,28 @@ def bound_kernels(surface: Surface, ball_radius: sp.Expr) -> dict[str, Kernel]:
         If the degree of a bound is above `MAX_DEGREE`.
     """
     kernels = {}
-    for number, limit in enumerate(limits(surface)):
+    for number, (limit, path) in enumerate(limits(surface)):
         part = f"rim{number}"
         kernels[part] = loop_kernel(
             f"{surface.name}_{part}",
-            _as_distance(surface, limit, ball_radius),
+            _as_distance(surface, limit, path, ball_radius),
             "Distance of the ball within a bound, its rate, and how fast the bound bends.",
             "Eq. 2",
+        )
+    if (path := surface.contact_path) is not None and path.crease is not None:
+        kernels["crease"] = loop_kernel(
+            f"{surface.name}_crease",
+            {str(crease): path.crease},
+            "Distance of the ball from where the point of contact changes its direction.",
+            "Table 2",
         )
     return kernels
 
 
-def _as_distance(surface: Surface, limit: sp.Expr, ball_radius: sp.Expr) -> dict[str, sp.Expr]:
-    """Return e, its rate and H/S of a bound."""
+def _as_distance(
+    surface: Surface, limit: sp.Expr, path: ContactPath | None, ball_radius: sp.Expr
+) -> dict[str, sp.Expr]:
+    """Return e, its rate and H/S of a bound, or what stands in its place at a point of contact."""
     polynomial = sp.Poly(release(sp.sympify(limit)), *POSITION)
     if polynomial.total_degree() > MAX_DEGREE:
         raise ValueError(
@@ -110,6 +139,9 @@ def _as_distance(surface: Surface, limit: sp.Expr, ball_radius: sp.Expr) -> dict
             steepness = sp.Integer(1)
     else:
         steepness = steepness + barrier(curvature * ball_radius)
+    if path is not None:
+        gradient = [slope.as_expr() for slope in slopes]
+        return _at_contact(sp.sympify(limit), gradient, steepness, curvature, path)
     per = barrier(1 / barrier(steepness))
     rate = sp.Add(
         *(barrier(slope.as_expr()) * v for slope, v in zip(slopes, VELOCITY, strict=True))
@@ -118,6 +150,30 @@ def _as_distance(surface: Surface, limit: sp.Expr, ball_radius: sp.Expr) -> dict
         str(bound_distance): -barrier(limit) * per,
         str(bound_rate): -barrier(rate) * per,
         str(bound_curvature): barrier(curvature) * per,
+    }
+
+
+def _at_contact(
+    limit: sp.Expr,
+    gradient: list[sp.Expr],
+    steepness: sp.Expr,
+    curvature: sp.Expr,
+    path: ContactPath,
+) -> dict[str, sp.Expr]:
+    """Return e, its rate and the factor of v² of a bound of the point of contact."""
+    there = dict(zip(POSITION, path.place, strict=True))
+    along = dict(zip(POSITION, VELOCITY, strict=True))
+    stretch = barrier(path.stretch)
+    per = barrier(1 / barrier(barrier(steepness.xreplace(there)) * stretch))
+    rates = path.rates or [directional(place, along) for place in path.place]
+    slopes = (barrier(slope.xreplace(there)) for slope in gradient)
+    rate = sp.Add(*(barrier(s * v) for s, v in zip(slopes, rates, strict=True)))
+    of_point = barrier(barrier(2 * path.bend) / stretch)
+    of_bound = barrier(curvature * barrier(stretch**2 * per))
+    return {
+        str(bound_distance): -barrier(limit.xreplace(there)) * per,
+        str(bound_rate): -barrier(rate) * per,
+        str(bound_curvature): of_point + of_bound + path.per_range,
     }
 
 
@@ -137,9 +193,16 @@ def longest(speed: sp.Expr) -> sp.Expr:
 
 
 def outside(
-    ball_radius: sp.Expr, name: str, acceleration: sp.Expr, speed: sp.Expr, summary: str
+    ball_radius: sp.Expr,
+    name: str,
+    acceleration: sp.Expr,
+    speed: sp.Expr,
+    summary: str,
+    creased: bool = False,
 ) -> Kernel:
     """Return the kernel that bounds the time for which the ball stays outside a bound.
+
+    At a seam of a box the rate of the distance jumps, but it is at most twice the ball's speed.
 
     Parameters
     ----------
@@ -149,6 +212,8 @@ def outside(
         The kernel's name, and what it says.
     acceleration, speed
         Bounds on those of the ball while its distance from the bound is extrapolated.
+    creased
+        True of the bounds of a box.
     """
     landing, near_enough = roundings(ball_radius)
     bends = barrier(2 * acceleration + bound_curvature * speed**2)
@@ -161,6 +226,12 @@ def outside(
         barrier(minimum(longest(speed), first_root(past, outward, bends))),
         Choose(moves_out, barrier(minimum(longest(speed), barrier(outward / bends))), 0),
     )
+    if creased:
+        until_seam = barrier(minimum(barrier(stays), barrier(crease / speed)))
+        across = barrier(minimum(longest(speed), first_root(past, -2 * speed, bends)))
+        stays = barrier(maximum(until_seam, Choose(Less(landing, past), across, 0)))
+        straight = Less(barrier(near_enough * speed), barrier(outward * crease))
+        certain = all_of(certain, straight)
     return loop_kernel(
         name,
         {
@@ -205,19 +276,16 @@ def bounds_kernels(ball_radius: sp.Expr) -> tuple[Kernel, ...]:
     ball_radius
         R_B.
     """
+    summary = "Time for which a rolling ball certainly stays outside the bounds of a"
+    motion = (strongest, fastest)
     return (
         decision(
             "unbounded",
             {str(outside_time): 0, str(outside_distance): -sp.oo, str(on_bound): false},
             "Start values: the ball is within all bounds of a surface.",
         ),
-        outside(
-            ball_radius,
-            "outside_bound",
-            strongest,
-            fastest,
-            "Time for which a rolling ball certainly stays outside the bounds of a surface.",
-        ),
+        outside(ball_radius, "outside_bound", *motion, f"{summary} surface."),
+        outside(ball_radius, "outside_bound_of_box", *motion, f"{summary} box.", creased=True),
         decision(
             "outside_by",
             {str(outside_distance): maximum(outside_distance, -bound_distance)},

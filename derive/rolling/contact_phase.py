@@ -114,7 +114,8 @@ def kernels(
     revolved
         True if a ball may roll on a cone or a torus, in the coordinates of the scene.
     tori
-        The indices of those surfaces among `holders` that are about an axis and have no edge.
+        The indices of those surfaces among `holders` where another one may take the ball over
+        though they have no edge there.
     """
     strength = barrier(flight.strength)
     every_kernel = (

@@ -47,6 +47,8 @@ from .symbols import (
     time_limit,
 )
 
+_OUTSIDE = "Time for which a ball that leaves certainly stays outside the bounds of a"
+
 
 def departure_kernels(
     flight: Flight, gravity: sp.Expr, ball: Ball, edges: bool = False, oblique: bool = False
@@ -132,12 +134,10 @@ def departure_kernels(
             "Time for which a ball that leaves certainly meets no other body.",
             "a parabola below the distance",
         ),
+        outside(ball.radius, "outside_bound_in_flight", strength, speed, f"{_OUTSIDE} surface."),
         outside(
-            ball.radius,
-            "outside_bound_in_flight",
-            strength,
-            speed,
-            "Time for which a ball that leaves certainly stays outside the bounds of a surface.",
+            *(ball.radius, "outside_bound_of_box_in_flight", strength, speed, f"{_OUTSIDE} box."),
+            creased=True,
         ),
         loop_kernel(
             "bounded_neighbour_free_time",

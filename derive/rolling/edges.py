@@ -37,7 +37,15 @@ from ..symbolic.conditionals import (
 from ..symbolic.error_terms import dv, dw, earliest_delay, greatest
 from ..symbolic.rounding import velocity_error
 from ..symbolic.symbols import normal, spin, velocity
-from .bounds import bound_curvature, bound_distance, bound_rate, longest, near_edge, roundings
+from .bounds import (
+    bound_curvature,
+    bound_distance,
+    bound_rate,
+    longest,
+    near_edge,
+    on_bound,
+    roundings,
+)
 from .meeting import bound_shift, continues_contact, edge_delay, edge_delay_of, edge_shift
 from .settling import tolerance
 from .symbols import (
@@ -45,6 +53,8 @@ from .symbols import (
     fastest,
     nearest,
     normal_cosine,
+    outside_distance,
+    outside_time,
     press,
     stride,
     strongest,
@@ -107,7 +117,7 @@ def _successor(ball_radius: sp.Expr) -> Kernel:
     The place of an edge has no error, so that the gap there has roundings alone. The speed off the
     surface has an error as small as the angle between the normals.
     """
-    landing, _ = roundings(ball_radius)
+    landing, near_enough = roundings(ball_radius)
     size = barrier(sum(map(absolute, velocity)))
     angle = barrier(sp.sqrt(barrier(absolute(1 - normal_cosine))))
     speed_error = barrier(
@@ -118,12 +128,17 @@ def _successor(ball_radius: sp.Expr) -> Kernel:
         continues_contact(ball_radius, landing, speed_error),
         Not(continues_contact(ball_radius, -landing, -speed_error)),
     )
+    # Two bounds at one place may be lengths of different scales, and round differently.
+    at_bound = all_of(on_bound, AtMost(outside_distance, near_enough), Less(0, outside_time))
+    nearly = continues_contact(ball_radius, within=at_bound)
     taken = Not(Less(successor, 0))
     return loop_kernel(
         "succeeds",
         {
             str(successor): Choose(all_of(fits, Not(taken)), index, successor),
-            "undecided_time": Choose(Or(unclear, all_of(fits, taken)), 0, undecided_time),
+            "undecided_time": Choose(
+                any_of(unclear, nearly, all_of(fits, taken)), 0, undecided_time
+            ),
         },
         "Whether a surface takes over a ball at the edge of another one.",
         "both contact surfaces touch there, with one normal",

@@ -17,6 +17,7 @@ from ..symbolic.conditionals import (
     Boolean,
     Choose,
     Equal,
+    IfLess,
     Less,
     Not,
     Or,
@@ -64,6 +65,8 @@ bound_shift, edge_shift, entry_shift = sp.symbols("bound_shift edge_shift entry_
 
 _NO_EVENT = Equal(which, NONE)
 
+_WITHIN = AtMost(outside_time, 0)
+
 
 def edge_delay_of(landing: sp.Expr) -> sp.Expr:
     """Return a bound on the delay of a crossing of a bound, by the sizes of the errors alone."""
@@ -108,7 +111,10 @@ def entering(ball_radius: sp.Expr) -> tuple[Kernel, ...]:
 
 
 def continues_contact(
-    ball_radius: sp.Expr, gap_change: sp.Expr | int = 0, speed_change: sp.Expr | int = 0
+    ball_radius: sp.Expr,
+    gap_change: sp.Expr | int = 0,
+    speed_change: sp.Expr | int = 0,
+    within: sp.Basic = _WITHIN,
 ) -> sp.Basic:
     """Return whether a rolling ball stays in contact if a surface takes it over where it is.
 
@@ -120,6 +126,8 @@ def continues_contact(
         R_B.
     gap_change, speed_change
         By how much more the gap and its rate may be off, m and m/s.
+    within
+        Whether the ball is within the bounds of that surface.
     """
     allowed = barrier(tolerance(ball_radius))
     slow = barrier(allowed * barrier(1 + barrier(sum(map(absolute, velocity))) / ball_radius))
@@ -127,7 +135,7 @@ def continues_contact(
         Less(1 - sp.Rational(1, 2**20), normal_cosine),
         AtMost(absolute(gap), barrier(allowed + gap_change)),
         AtMost(absolute(nearing), barrier(slow + speed_change)),
-        AtMost(outside_time, 0),
+        within,
     )
 
 
@@ -186,7 +194,11 @@ def _meets(ball_radius: sp.Expr, bounded: bool, codes: EventCodes, entered: bool
             root,
         )
     # `maximum` would keep a parabola that is zero throughout, which limits no step.
-    later = maximum(outside_time, Choose(defers, sp.oo, barrier(minimum(sp.oo, root))))
+    deferred: sp.Expr = sp.oo
+    if entered:
+        # Near an edge of its own a torus is left there or at a bound of the other surface.
+        deferred = IfLess(0, outside_time, outside_time, sp.oo)
+    later = maximum(outside_time, Choose(defers, deferred, barrier(minimum(sp.oo, root))))
     if entered:
         return _taken_over(ball_radius, codes, meets, grazes, misfits, later)
     first = all_of(meets, _NO_EVENT)
@@ -225,6 +237,8 @@ def _taken_over(
     delay = Choose(taken, barrier(16 * entry_delay), barrier(2 * near_enough / absolute(nearing)))
     first = all_of(Or(strikes, taken), _NO_EVENT)
     event = Choose(taken, codes.over_edge, index)
+    # A torus may end where the other surface begins.
+    another = Not(Or(_NO_EVENT, all_of(taken, Equal(which, codes.over_edge))))
     return loop_kernel(
         "beside_entered_body",
         {
@@ -233,7 +247,7 @@ def _taken_over(
             "undecided_time": Choose(
                 any_of(
                     all_of(any_of(grazes, misfits, all_of(meets, on_bound)), Not(taken)),
-                    all_of(Or(strikes, taken), Not(_NO_EVENT)),
+                    all_of(Or(strikes, taken), another),
                     all_of(taken, lingers),
                 ),
                 0,

@@ -112,8 +112,12 @@ def outside(common: Parts, surface: LoopSurface, *decisions: str) -> Iterator[No
     decisions
         The names of the decisions.
     """
+    creased = "crease" in surface.parts
     if bounds := bounds_of(surface):
         yield Call(common["unbounded"])
+    if creased:
+        yield part_call(surface, "crease")
+        decisions = tuple(one.replace("outside_bound", "outside_bound_of_box") for one in decisions)
     for part in bounds:
         yield part_call(surface, part)
         if "entering_bound" in decisions:

@@ -99,7 +99,7 @@ def _places(surface: Surface, scene: Scene) -> None:
     there = _function([distance, *surface.normal], values)
     bounds = [_function([bound], values) for bound in surface.bounds]
     # The author of a bound with a size has divided it by its gradient.
-    undivided = [k for k, bound in enumerate(surface.bounds) if not release(bound).has(sp.Abs)]
+    undivided = [k for k, bound in enumerate(surface.bounds) if not bound.has(sp.Abs)]
     images = [_function([image], values) for image in surface.images]
     about = [
         mpmath.mpf(str(sp.N(c.xreplace(values), 20)))
@@ -130,9 +130,19 @@ def _function(expressions: Sequence[sp.Expr], values: dict[sp.Symbol, sp.Expr]) 
         "IfLess": lambda left, right, then, other: then if left < right else other,
         "IfAtMost": lambda left, right, then, other: then if left <= right else other,
     }
-    bare = [release(sp.sympify(e)).xreplace(values) for e in expressions]
-    function: Function = sp.lambdify(POSITION, bare, modules=[choices, "mpmath"])
-    return function
+    held = dict.fromkeys(("Barrier", "Held"), lambda quantity: quantity)
+    with mpmath.workdps(_DIGITS):
+        given = [mpmath.mpf(value.p) / value.q for value in values.values()]
+    # With what is held released and the values put in, SymPy would sort and merge trees that are
+    # exponentially larger than what they share.
+    function: Function = sp.lambdify(
+        (*POSITION, *values),
+        [sp.sympify(e) for e in expressions],
+        modules=[choices | held, "mpmath"],
+        dummify=True,
+        cse=True,
+    )
+    return lambda *place: function(*place, *given)
 
 
 def _slopes(function: Function, point: Sequence[Any]) -> list[list[Any]]:

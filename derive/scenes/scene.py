@@ -150,12 +150,14 @@ class Scene:
         bounded = [
             surface.name
             for surface in self.surfaces
-            if surface.bounds and not isinstance(surface, Flat | Round | Cone)
+            if surface.bounds
+            and surface.contact_path is None
+            and (surface.contact_bounds or not isinstance(surface, Flat | Round | Cone))
         ]
         if self.rolls and bounded:
             raise ValueError(
                 f"scene {self.name}: rolls: expected no bounds but those of planes, spheres, "
-                f"cylinders and cones, got {', '.join(bounded)} with some"
+                f"cylinders, cones, tori and boxes, got {', '.join(bounded)} with some"
             )
 
     @property
@@ -272,8 +274,11 @@ class Scene:
         """The measure of roundings of positions: parameters, and numbers in formulas."""
         lengths = (p for p in self.parameters if p.unit == "m" and not p.infinite)
         given: tuple[sp.Expr, ...] = tuple(p.symbol for p in lengths)
-        formulas = (e for s in self.surfaces for e in (s.distance, *s.bounds, *s.inside))
-        sums = {part for e in formulas for part in release(e).atoms(sp.Add)}
+        formulas = {e for s in self.surfaces for e in (s.distance, *s.bounds, *s.inside)}
+        # Those of points of contact are too large to be written out, with nothing held.
+        cuts = {cut for s in self.surfaces for cut in s.cuts}
+        written = (*cuts, *map(release, formulas - cuts))
+        sums = {part for e in written for part in e.atoms(sp.Add)}
         numbers = {abs(n) for part in sums for n in part.args if n.is_Rational}
         return (*given, sp.Add(*numbers)) if numbers else given
 

@@ -6,7 +6,7 @@ from .body import Body, body
 from .bounds import as_length
 from .box import Box
 from .cone import Cone
-from .contact_bounds import at_contact
+from .contact_bounds import ContactBounds, at_contact
 from .cylinder import Cylinder
 from .end_plane import EndPlane
 from .implicit import ImplicitSurface
@@ -25,6 +25,7 @@ __all__ = [
     "Body",
     "Box",
     "Cone",
+    "ContactBounds",
     "Cylinder",
     "ImplicitSurface",
     "InclinedPlane",

@@ -3,13 +3,23 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 import sympy as sp
 
-from ..symbolic.conditionals import And, Choose, IfLess, Less, Or, barrier, maximum, minimum
+from ..symbolic.conditionals import (
+    And,
+    Choose,
+    IfLess,
+    Less,
+    Or,
+    absolute,
+    barrier,
+    maximum,
+    minimum,
+)
 from ..symbolic.symbols import POSITION, VELOCITY
-from .contact_bounds import at_contact
+from .contact_bounds import ContactPath
 from .rolling_surface import RollingSurface
 from .surface import Point, Surface, overlap
 
@@ -28,14 +38,11 @@ class Box(Surface):
         Its corners with the smallest and the largest coordinates.
     radius
         R_B.
-    contact_bounds
-        Bounds (Eq. 2) of the point of contact: polynomials in its coordinates.
     """
 
     low: Point
     high: Point
     radius: sp.Expr
-    contact_bounds: tuple[sp.Expr, ...] = field(default=(), kw_only=True)
 
     @property
     def polynomial(self) -> bool:
@@ -126,6 +133,55 @@ class Box(Surface):
         return [barrier(place - e) for place, e in zip(POSITION, self.excess, strict=True)]
 
     @property
+    def own_distance(self) -> sp.Expr:
+        """The distance; of a box with bounds, which a ball may be within, at least -R_B/2."""
+        if self.contact_bounds is None:
+            return self.distance
+        return barrier(self._length * self._per_scale) - self.radius
+
+    @property
+    def _per_scale(self) -> sp.Expr:
+        """One metre in the unit of length of `faces`, inverted."""
+        return sp.Integer(1)
+
+    @property
+    def max_convexity(self) -> sp.Expr:
+        """A bound on 1/D down to half of the distance D from the box, or of R_B/2."""
+        return 2 / barrier(self._length * self._per_scale)
+
+    @property
+    def contact_path(self) -> ContactPath | None:
+        """The nearest point of the box moves along the axes between whose faces the centre is."""
+        if self.contact_bounds is None:
+            return None
+        zero, crease = sp.Integer(0), barrier(minimum(*self._ways_to_seams))
+        point = self.nearest_point(self.radius)
+        return ContactPath(point, sp.Integer(1), zero, zero, self._rates, crease)
+
+    @property
+    def _bent(self) -> list[sp.Expr]:
+        """For each axis 1 if the ball is or moves past a face across it, else 0."""
+        found = []
+        for place, v, low, high in zip(POSITION, VELOCITY, self.low, self.high, strict=True):
+            near = barrier(seam_width(high, low, self.radius))
+            found.append(Choose(Or(*past_faces(place, v, low, high, near)), 1, 0))
+        return found
+
+    @property
+    def _rates(self) -> list[sp.Expr]:
+        """The rate of the nearest point."""
+        return [barrier(1 - bent) * v for bent, v in zip(self._bent, VELOCITY, strict=True)]
+
+    @property
+    def _ways_to_seams(self) -> list[sp.Expr]:
+        """The distances of the ball's centre from the planes of the faces, m."""
+        return [
+            barrier(absolute(barrier(place - barrier(side))))
+            for place, low, high in zip(POSITION, self.low, self.high, strict=True)
+            for side in (low, high)
+        ]
+
+    @property
     def curvature(self) -> sp.Expr:
         """The curvature of edges and corners, 1/R_B."""
         return 1 / self.radius
@@ -159,19 +215,12 @@ class Box(Surface):
 
         At a seam, within a few roundings, the direction of the velocity decides.
         """
-        bent = []
         seams = []
-        for place, v, low, high in zip(POSITION, VELOCITY, self.low, self.high, strict=True):
+        for place, low, high in zip(POSITION, self.low, self.high, strict=True):
             near = barrier(seam_width(high, low, self.radius))
-            bent.append(Choose(Or(*past_faces(place, v, low, high, near)), 1, 0))
             seams += [(place, low, near), (place, high, near)]
-        x, y, z = bent
+        x, y, z = self._bent
         return RollingSurface((x, y, z), 1 / self.radius, seams=tuple(seams))
-
-    @property
-    def bounds(self) -> tuple[sp.Expr, ...]:
-        """The bounds of the point of contact, the nearest point of the box."""
-        return at_contact(self.contact_bounds, self, self.radius)
 
     @property
     def inside(self) -> tuple[sp.Expr, ...]:

@@ -22,6 +22,7 @@ from ..symbolic.conditionals import IfLess, absolute, barrier
 from ..symbolic.symbols import POSITION
 from .about_axis import AboutAxis
 from .bounds import as_length
+from .contact_bounds import ContactPath, path_about_axis
 from .directions import (
     Direction,
     along,
@@ -71,7 +72,7 @@ class Cone(AboutAxis, TwoSided):
     @property
     def bounds(self) -> tuple[sp.Expr, ...]:
         """The bounds as lengths; the other nappe, on which the condition is zero, too, is none."""
-        return tuple(map(as_length, (self._nappe, *self.limits)))
+        return (as_length(self._nappe), *self._ends)
 
     @property
     def _per_side(self) -> sp.Expr:
@@ -106,17 +107,40 @@ class Cone(AboutAxis, TwoSided):
     @property
     def normal(self) -> sp.Matrix:
         """cos(alpha) away from the axis, and sin(alpha) against it, or the negative of that."""
+        back = self._back
+        return sp.Matrix(self._away_from(IfLess(self._height, 0, -back, back)))
+
+    @property
+    def _back(self) -> sp.Expr:
+        """The slope, for the direction as it is, of length 1 or not."""
+        return barrier(self.slope * per_length(self.direction))
+
+    def _away_from(self, back: sp.Expr) -> list[sp.Expr]:
+        """Return the unit vector away from the axis, and so much against the direction."""
         parts = self._across
         per_rho = barrier(1 / barrier(sp.sqrt(barrier(sp.Add(*(part**2 for part in parts))))))
-        back = barrier(self.slope * per_length(self.direction))
-        turned = IfLess(self._height, 0, -back, back)
         scale = barrier(self._side * self._per_side)
-        return sp.Matrix(
-            [
-                barrier(part * per_rho - u * turned) * scale
-                for part, u in zip(parts, self.direction, strict=True)
-            ]
-        )
+        return [
+            barrier(part * per_rho - u * back) * scale
+            for part, u in zip(parts, self.direction, strict=True)
+        ]
+
+    def nearest_point(self, ball_radius: sp.Expr) -> list[sp.Expr]:
+        """Return the point that the ball touches, by the normal of this nappe."""
+        away = self._away_from(self._back)
+        return [
+            barrier(place - barrier(ball_radius * component))
+            for place, component in zip(POSITION, away, strict=True)
+        ]
+
+    @property
+    def contact_path(self) -> ContactPath | None:
+        """The normal is cos(alpha) e and a constant."""
+        if self.contact_bounds is None:
+            return None
+        radius = self.contact_bounds.ball_radius
+        place, per_rho = self.nearest_point(radius), barrier(1 / self._rho)
+        return path_about_axis(place, radius, sp.Integer(0), self._per_side, per_rho)
 
     @property
     def curvature(self) -> sp.Expr:
@@ -150,4 +174,4 @@ class Cone(AboutAxis, TwoSided):
     @property
     def inside(self) -> tuple[sp.Expr, ...]:
         """The distance from this nappe, the thickness of a shell, and the bounds."""
-        return overlap(self._away(self._height), self.limits, self.reach)
+        return overlap(self._away(self._height), self._ends, self.reach)

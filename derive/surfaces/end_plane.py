@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
+from .bounds import as_length
 from .plane import Plane
 from .surface import overlap
 
@@ -47,4 +48,4 @@ class EndPlane(Plane):
     @property
     def inside(self) -> tuple[sp.Expr, ...]:
         """The distance from the plane, within reach from either side: a ball may be behind it."""
-        return overlap(self.distance, self.limits, self.reach)
+        return overlap(self.distance, tuple(map(as_length, self.limits)), self.reach)

@@ -31,7 +31,7 @@ class ImplicitSurface(Surface):
     @property
     def bounds(self) -> tuple[sp.Expr, ...]:
         """The bounds as lengths."""
-        return tuple(map(as_length, self.limits))
+        return (*map(as_length, self.limits), *self.cuts)
 
     @property
     def _gradient(self) -> list[sp.Expr]:
@@ -70,4 +70,4 @@ class ImplicitSurface(Surface):
     @property
     def inside(self) -> tuple[sp.Expr, ...]:
         """The polynomial as a length, and the bounds."""
-        return overlap(as_length(self.formula), self.limits, None)
+        return overlap(as_length(self.formula), self.bounds, None)

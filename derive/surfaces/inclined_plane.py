@@ -55,4 +55,5 @@ class InclinedPlane(Flat):
     @property
     def inside(self) -> tuple[sp.Expr, ...]:
         """The distance, and of a plate its thickness, within reach from either side, and bounds."""
-        return overlap(self.distance, self.limits, self.reach if self.limits else None)
+        bounds = self.bounds
+        return overlap(self.distance, bounds, self.reach if bounds else None)

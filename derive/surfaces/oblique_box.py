@@ -33,8 +33,6 @@ class ObliqueBox(Box):
         The centre of the box.
     orientation
         The quaternion that turns the scene's axes onto those of the box, about of length 1.
-    contact_bounds
-        Bounds (Eq. 2) of the point of contact: polynomials in its coordinates, those of the scene.
     """
 
     centre: Point
@@ -164,6 +162,34 @@ class ObliqueBox(Box):
         ]
 
     @property
+    def _per_scale(self) -> sp.Expr:
+        """1/|q|²."""
+        return barrier(1 / self.scale)
+
+    @property
+    def _bent(self) -> list[sp.Expr]:
+        """For each axis of the box 1 if the ball is or moves past a face across it, else 0."""
+        return [barrier(Choose(Or(*past), 1, 0)) for past in self._past_faces]
+
+    @property
+    def _rates(self) -> list[sp.Expr]:
+        """The rate of the nearest point, turned back."""
+        own = [
+            barrier(barrier(1 - bent) * rate)
+            for bent, (_, rate, _) in zip(self._bent, self._sides, strict=True)
+        ]
+        return [barrier(part) for part in times(self._unit_axes, own)]
+
+    @property
+    def _ways_to_seams(self) -> list[sp.Expr]:
+        """The distances of the ball's centre from the planes of the faces, m."""
+        return [
+            barrier(absolute(barrier(place - barrier(side))))
+            for (place, _, _), low, high in zip(self._sides, self.low, self.high, strict=True)
+            for side in (low, high)
+        ]
+
+    @property
     def distance_ahead(self) -> sp.Expr:
         """The distance from the part of the box that the ball is on or moves onto."""
         beyond = [
@@ -181,11 +207,8 @@ class ObliqueBox(Box):
         Along the axes of the box it is that of `Box`, and the projection P is turned back.
         """
         axes, sides = self._unit_axes, self._sides
-        bent, seams = [], []
-        for (place, _, near), past, low, high in zip(
-            sides, self._past_faces, self.low, self.high, strict=True
-        ):
-            bent.append(barrier(Choose(Or(*past), 1, 0)))
+        bent, seams = self._bent, []
+        for (place, _, near), low, high in zip(sides, self.low, self.high, strict=True):
             seams += [(place, low, near), (place, high, near)]
         across = [
             [

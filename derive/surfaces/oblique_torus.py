@@ -55,7 +55,12 @@ class ObliqueTorus(AboutAxis, Toroidal):
     @property
     def bounds(self) -> tuple[sp.Expr, ...]:
         """The bounds as lengths."""
-        return tuple(map(as_length, (*self.limits, *self.contact_limits)))
+        return (*map(as_length, (*self.limits, *self.contact_limits)), *self.cuts)
+
+    @property
+    def _width(self) -> sp.Expr:
+        """The distance of the ball's centre from the axis."""
+        return self._rho
 
     @property
     def distance(self) -> sp.Expr:
@@ -102,4 +107,4 @@ class ObliqueTorus(AboutAxis, Toroidal):
     @property
     def inside(self) -> tuple[sp.Expr, ...]:
         """The distance, and the bounds."""
-        return overlap(self.distance, self.limits, None)
+        return overlap(self.distance, (*map(as_length, self.limits), *self.cuts), None)

@@ -21,7 +21,7 @@ class Flat(Surface):
     @property
     def bounds(self) -> tuple[sp.Expr, ...]:
         """The bounds of the plate as lengths."""
-        return tuple(map(as_length, self.limits))
+        return (*map(as_length, self.limits), *self.cuts)
 
     @property
     def rolling_surface(self) -> RollingSurface | None:
@@ -77,4 +77,5 @@ class Plane(Flat):
     @property
     def inside(self) -> tuple[sp.Expr, ...]:
         """The distance, and of a plate its thickness, within reach from either side, and bounds."""
-        return overlap(self.distance, self.limits, self.reach if self.limits else None)
+        bounds = self.bounds
+        return overlap(self.distance, bounds, self.reach if bounds else None)

@@ -86,7 +86,7 @@ class RevolvedArc(AboutAxis, TwoSided):
     @property
     def bounds(self) -> tuple[sp.Expr, ...]:
         """The bounds as lengths; the circle's mirror image is no part of the surface."""
-        return (*self.images, *map(as_length, self.limits))
+        return (*self.images, *self._ends)
 
     @property
     def distance(self) -> sp.Expr:

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import sympy as sp
 
 from ..symbolic.symbols import POSITION, position
+from .contact_bounds import ContactPath, path_about_axis
 from .rolling_surface import RollingSurface
 from .surface import Point
 from .two_sided import Round
@@ -64,6 +65,15 @@ class Sphere(Round):
     def normal(self) -> sp.Matrix:
         """The radial direction; |p - c| = r at a contact."""
         return self._offset * (self._side / self.radius)
+
+    @property
+    def contact_path(self) -> ContactPath | None:
+        """The normal is linear in the centre."""
+        if self.contact_bounds is None:
+            return None
+        radius, zero = self.contact_bounds.ball_radius, sp.Integer(0)
+        place = self.nearest_point(radius)
+        return path_about_axis(place, radius, 1 / self.radius, zero, zero)
 
     @property
     def rolling_surface(self) -> RollingSurface | None:

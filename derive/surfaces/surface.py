@@ -9,13 +9,13 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import sympy as sp
 
 from ..symbolic.conditionals import absolute, barrier, release
 from ..symbolic.symbols import POSITION
-from .bounds import as_length
+from .contact_bounds import ContactBounds, ContactPath, at_contact
 from .rolling_surface import RollingSurface
 
 Point = tuple[sp.Expr, sp.Expr, sp.Expr]
@@ -49,12 +49,12 @@ def overlap(
     distance
         The distance of the ball's surface from the surface, m; negative inside.
     limits
-        The bounds g of Eq. 2, which are negative within the surface's edges.
+        The bounds g of Eq. 2 as lengths, which are negative within the surface's edges.
     reach
         The ball's radius where the surface is thin, m; else None.
     """
     behind = () if reach is None else (-distance - 2 * reach,)
-    return (distance, *behind, *map(as_length, limits))
+    return (distance, *behind, *limits)
 
 
 @dataclass(frozen=True)
@@ -65,9 +65,13 @@ class Surface(ABC):
     ----------
     name
         Its name in results and in the names of its kernels.
+    contact_bounds
+        Bounds (Eq. 2) of the point of contact where that is no linear map of the ball's centre;
+        None if there are none. Other bounds are those of the ball's centre, its `limits`.
     """
 
     name: str
+    contact_bounds: ContactBounds | None = field(default=None, kw_only=True)
 
     @property
     @abstractmethod
@@ -143,9 +147,23 @@ class Surface(ABC):
         return tuple(d for d in lengths if sp.diff(release(d), place) == side)
 
     @property
+    def cuts(self) -> tuple[sp.Expr, ...]:
+        """The bounds of the point of contact as bounds of the ball's centre, as lengths."""
+        given = self.contact_bounds
+        return () if given is None else at_contact(given.polynomials, self, given.ball_radius)
+
+    @property
+    def contact_path(self) -> ContactPath | None:
+        """The point of contact of a ball that is on the surface or beside it.
+
+        None where a ball rolls on no such surface with `contact_bounds`.
+        """
+        return None
+
+    @property
     def bounds(self) -> tuple[sp.Expr, ...]:
         """The g of Eq. 2: a contact counts only if none is positive."""
-        return ()
+        return self.cuts
 
     @property
     def images(self) -> tuple[sp.Expr, ...]:

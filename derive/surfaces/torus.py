@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from abc import abstractmethod
 from dataclasses import dataclass
 
 import sympy as sp
@@ -9,6 +10,7 @@ import sympy as sp
 from ..symbolic.conditionals import barrier
 from ..symbolic.symbols import POSITION
 from .bounds import as_length
+from .contact_bounds import ContactPath, path_about_axis
 from .cylinder import check_direction, perpendicular_part
 from .ring import Ring
 from .rolling_surface import RollingSurface, toroidal
@@ -16,9 +18,36 @@ from .surface import Point, Surface, overlap, translated
 
 
 class Toroidal(Surface):
-    """A torus about any axis; the centre stands in each kind."""
+    """A torus about any axis; the fields stand in each kind."""
 
     centre: Point
+    ring_radius: sp.Expr
+    reach: sp.Expr
+
+    @property
+    @abstractmethod
+    def _width(self) -> sp.Expr:
+        """The distance of the ball's centre from the axis."""
+
+    @property
+    def contact_path(self) -> ContactPath | None:
+        """The normal is (d - R e)/r, with the offset d from the centre of the torus."""
+        if self.contact_bounds is None:
+            return None
+        radius, per_reach = self.contact_bounds.ball_radius, barrier(1 / self.reach)
+        place, per_rho = self.nearest_point(radius), barrier(1 / self._width)
+        radial = barrier(self.ring_radius * per_reach)
+        return path_about_axis(place, radius, per_reach, radial, per_rho)
+
+    @property
+    def max_convexity(self) -> sp.Expr:
+        """A bound on 1/D + 1/rho down to half of both.
+
+        The distance D from the tube's centre circle bends up by 1/D in the half-plane of rho and h,
+        and by as much as rho, 1/rho.
+        """
+        from_circle = barrier(barrier(self.distance) + self.reach)
+        return 2 * barrier(1 / self._width) + 2 * barrier(1 / from_circle)
 
     @property
     def reference_point(self) -> Point:
@@ -70,7 +99,7 @@ class Torus(Toroidal):
     @property
     def bounds(self) -> tuple[sp.Expr, ...]:
         """The bounds as lengths."""
-        return tuple(map(as_length, (*self.limits, *self.contact_limits)))
+        return (*map(as_length, (*self.limits, *self.contact_limits)), *self.cuts)
 
     @property
     def _along(self) -> sp.Expr:
@@ -85,6 +114,11 @@ class Torus(Toroidal):
     def _rho(self) -> sp.Expr:
         """The distance from the axis."""
         return sp.sqrt(sp.Add(*(component**2 for component in self._across)))
+
+    @property
+    def _width(self) -> sp.Expr:
+        """The same, from the torus's own axis."""
+        return translated(self._rho, self.centre)
 
     @property
     def distance(self) -> sp.Expr:
@@ -134,13 +168,12 @@ class Torus(Toroidal):
         """The torus of the ball's centre."""
         across = [barrier(translated(part, self.centre)) for part in self._across]
         axis = [sp.sympify(u) for u in self.direction]
-        rho = translated(self._rho, self.centre)
-        return toroidal(axis, across, rho, self.ring_radius, self.reach)
+        return toroidal(axis, across, self._width, self.ring_radius, self.reach)
 
     @property
     def inside(self) -> tuple[sp.Expr, ...]:
         """The distance, and the bounds."""
-        return overlap(self.distance, self.limits, None)
+        return overlap(self.distance, (*map(as_length, self.limits), *self.cuts), None)
 
 
 def torus(

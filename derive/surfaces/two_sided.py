@@ -27,12 +27,17 @@ class TwoSided(Surface):
     @property
     def bounds(self) -> tuple[sp.Expr, ...]:
         """The bounds as lengths."""
-        return tuple(map(as_length, self.limits))
+        return self._ends
+
+    @property
+    def _ends(self) -> tuple[sp.Expr, ...]:
+        """The bounds of the body itself."""
+        return (*map(as_length, self.limits), *self.cuts)
 
     @property
     def inside(self) -> tuple[sp.Expr, ...]:
         """The distance, the thickness of a shell, and the bounds."""
-        return overlap(self.distance, self.limits, self.reach)
+        return overlap(self.distance, self._ends, self.reach)
 
 
 class Round(TwoSided):

@@ -267,6 +267,7 @@ IN_CONTACT = {
     "bound_distance": Entry(r"\ell_g", "distance of the ball within a bound, negative past it"),
     "bound_rate": Entry(r"\dot\ell_g", "rate of that distance"),
     "bound_curvature": Entry(r"\kappa_g", "how fast the gradient of that distance may change"),
+    "crease": Entry(r"\ell_s", "distance from the nearest seam of a box beside the ball"),
     "outside_time": Entry(r"t_o", "time for which the ball certainly stays outside a bound"),
     "outside_distance": Entry(r"\ell_o", "distance from the bounds of a surface"),
     "edge_distance": Entry(r"\ell_1", "distance from the nearest edge of the surface below"),

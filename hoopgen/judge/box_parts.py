@@ -6,7 +6,7 @@ of a turned box are those of one along the axes, seen from its centre along its 
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from itertools import product
 
 import sympy as sp
@@ -18,7 +18,6 @@ from hoopgen.derive.surfaces import (
     Plane,
     Sphere,
     Surface,
-    at_contact,
 )
 from hoopgen.derive.surfaces.rotation import scaled_rotation, squared_norm, times, transposed
 from hoopgen.derive.symbolic.conditionals import release
@@ -30,7 +29,10 @@ def box_parts(surface: Surface) -> tuple[Surface, ...]:
     if not isinstance(surface, Box):
         return (surface,)
     if isinstance(surface, ObliqueBox):
-        return tuple(_TurnedPart(surface.name, part, surface) for part in box_parts(_own(surface)))
+        return tuple(
+            _TurnedPart(surface.name, part, surface, contact_bounds=surface.contact_bounds)
+            for part in box_parts(_own(surface))
+        )
     # For each coordinate: beyond the lower face, between both, or beyond the upper one.
     sides = [side for side in product((-1, 0, 1), repeat=3) if any(side)]
     return tuple(_part(surface, side) for side in sides)
@@ -46,23 +48,24 @@ def _part(box: Box, side: tuple[int, ...]) -> Surface:
     centre, bounds = (corner[0], corner[1], corner[2]), tuple(limits)
     touching = [k for k, beyond in enumerate(side) if beyond]
     if len(touching) == 3:
-        corner_part = Sphere(box.name, centre, box.radius, bounds)
-        return replace(corner_part, limits=(*bounds, *_within(box, corner_part)))
+        return Sphere(box.name, centre, box.radius, bounds, contact_bounds=box.contact_bounds)
     if len(touching) == 2:
         along = tuple(int(k not in touching) for k in range(3))
-        edge = Cylinder(box.name, centre, along, box.radius, bounds)
-        return replace(edge, limits=(*bounds, *_within(box, edge)))
+        return Cylinder(
+            box.name, centre, along, box.radius, bounds, contact_bounds=box.contact_bounds
+        )
     (axis,) = touching
     towards = tuple(int(k == axis) * side[axis] for k in range(3))
     offset = side[axis] * corner[axis] + box.radius
     inner = tuple(bound for bound in bounds if POSITION[axis] not in bound.free_symbols)
-    face = Plane(box.name, (towards[0], towards[1], towards[2]), offset, box.radius, inner)
-    return replace(face, limits=(*inner, *_within(box, face)))
-
-
-def _within(box: Box, part: Surface) -> tuple[sp.Expr, ...]:
-    """Return the bounds of the box where the ball touches a part of it."""
-    return at_contact(box.contact_bounds, part, box.radius)
+    return Plane(
+        box.name,
+        (towards[0], towards[1], towards[2]),
+        offset,
+        box.radius,
+        inner,
+        contact_bounds=box.contact_bounds,
+    )
 
 
 def _own(box: ObliqueBox) -> Box:
@@ -109,7 +112,7 @@ class _TurnedPart(Surface):
     def bounds(self) -> tuple[sp.Expr, ...]:
         """The part's bounds, turned, and those of the box."""
         own = (_turned(bound, self.box) for bound in self.part.bounds)
-        return (*own, *_within(self.box, self))
+        return (*own, *self.cuts)
 
     @property
     def normal(self) -> sp.Matrix:
@@ -143,4 +146,5 @@ def box_solid(box: Box) -> tuple[sp.Expr, ...]:
         beyond = [part / squared_norm(box.orientation) ** 2 for part in back]
     nearest = (place - part for place, part in zip(POSITION, beyond, strict=True))
     there = dict(zip(POSITION, nearest, strict=True))
-    return (away, *(release(bound).xreplace(there) for bound in box.contact_bounds))
+    given = box.contact_bounds.polynomials if box.contact_bounds else ()
+    return (away, *(release(bound).xreplace(there) for bound in given))

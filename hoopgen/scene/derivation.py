@@ -20,6 +20,7 @@ from hoopgen.derive.surfaces import (
     Body,
     Box,
     Cone,
+    ContactBounds,
     Cylinder,
     ImplicitSurface,
     InclinedPlane,
@@ -30,7 +31,6 @@ from hoopgen.derive.surfaces import (
     Sphere,
     Surface,
     Torus,
-    at_contact,
     torus,
 )
 from hoopgen.derive.surfaces.directions import along, squared_distance, squared_length
@@ -203,10 +203,8 @@ class _Builder:
         given = self._bounds(shape)
         if not given:
             return faces
-        return tuple(
-            replace(face, limits=(*face.limits, *at_contact(given, face, self._ball)))  # type: ignore[attr-defined, call-arg]
-            for face in faces
-        )
+        bounds = ContactBounds(given, self._ball)
+        return tuple(replace(face, contact_bounds=bounds) for face in faces)
 
     def _tube(self, shape: Shape) -> tuple[sp.Expr, sp.Expr]:
         """Return the radius of a torus, and the reach of its tube, which leaves a hole."""
@@ -220,16 +218,14 @@ class _Builder:
         )
         self._requirements += [b - a for a, b in zip(low, high, strict=True)]
         low, high = ((x, y, z) for x, y, z in (low, high))
-        bounds = self._bounds(shape)
-        return (Box(shape.name, low, high, self._ball, contact_bounds=bounds),)
+        return self._within(shape, Box(shape.name, low, high, self._ball))
 
     def _oblique_box(self, shape: Shape) -> tuple[Surface, ...]:
         high, centre = self._vector(shape, "half"), self._centre(shape)
         low = (-high[0], -high[1], -high[2])
         w, x, y, z = (self._sympy(shape[f"orientation {part}"]) for part in PARTS)
-        turn, bounds = (w, x, y, z), self._bounds(shape)
-        made = ObliqueBox(shape.name, low, high, self._ball, centre, turn, contact_bounds=bounds)
-        return (made,)
+        made = ObliqueBox(shape.name, low, high, self._ball, centre, (w, x, y, z))
+        return self._within(shape, made)
 
     def _surface(self, shape: Shape) -> tuple[Surface, ...]:
         condition = self._polynomial(shape.condition)

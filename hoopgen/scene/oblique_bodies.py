@@ -342,9 +342,6 @@ def _slope(reader: Reader, owner: str, body: pieces.Cone) -> Formula:
 MAX_DEGREE = 2
 """Highest degree of a bound of a body over whose edge a ball rolls: `derive/rolling/bounds.py`."""
 
-_WITH_EDGES = ("plane", "inclined plane", "disc", "sphere", "cylinder", "oblique cylinder")
-"""Kinds of bodies with bounds up to which a ball rolls."""
-
 
 def why_not_rolling(kind: str, degrees: Sequence[int]) -> tuple[str, str]:
     """Return the argument of a body on which no ball is known to roll, and why; "" if one is.
@@ -356,26 +353,23 @@ def why_not_rolling(kind: str, degrees: Sequence[int]) -> tuple[str, str]:
     degrees
         The degree of each of its bounds.
     """
-    named = kind.removeprefix("oblique ") or "surface"
     if kind == "revolution":
         said = "on a revolution no ball is known to roll, since its pieces end at edges"
         return "", f"{said}; expected none where rolls is true"
-    if kind == "cone" and degrees:
-        said = "no ball is known to roll up to the edge of a cone that is no end of its span"
+    if kind == "surface" and degrees:
+        said = "no ball is known to roll beside an edge of a surface of your own"
         return "within", f"{said}; expected none where rolls is true"
-    if kind in _WITH_EDGES:
-        for number, degree in enumerate(degrees, start=1):
-            if degree > MAX_DEGREE:
-                said = (
-                    f"no ball is known to roll up to an edge of degree {degree}; expected a degree "
-                    f"of at most {MAX_DEGREE} where rolls is true"
-                )
-                return f"within {number}", said
-        return "", ""
-    if degrees:
+    if degrees and kind.removeprefix("oblique ") in ("torus", "box"):
         said = (
-            f"on a {named} with bounds no ball is known to roll, only on planes, discs, spheres "
-            "and cylinders; expected none where rolls is true"
+            f"no ball is known to roll up to an edge of a {kind.removeprefix('oblique ')}, only of "
+            "planes, discs, spheres, cylinders and cones"
         )
-        return "within", said
+        return "within", f"{said}; expected none where rolls is true"
+    for number, degree in enumerate(degrees, start=1):
+        if degree > MAX_DEGREE:
+            said = (
+                f"no ball is known to roll up to an edge of degree {degree}; expected a degree "
+                f"of at most {MAX_DEGREE} where rolls is true"
+            )
+            return f"within {number}", said
     return "", ""

@@ -16,6 +16,7 @@ from mpmath import mpf
 
 import hoopgen
 from hoopgen.scene import (
+    Box,
     Cone,
     Cylinder,
     Disc,
@@ -23,6 +24,7 @@ from hoopgen.scene import (
     Plane,
     Scene,
     SceneError,
+    Surface,
     Torus,
 )
 from hoopgen.scene.files import parse_scene
@@ -119,9 +121,18 @@ def test_what_is_wrong_with_a_body_is_said(body: Any, said: str) -> None:
             Cylinder("a", radius=1, axis=(0, 1, 1), within=["x**3"]),
             "body a: within 1: no ball",
         ),
+        (Cone("a", slope=1, within=["x", "x**3"]), "body a: within 2: no ball"),
         (
-            Cone("a", slope=1, within=["x"]),
-            "body a: within: no ball is known to roll up to the edge of a cone",
+            Torus("a", radius=1, within=["x*y*z"]),
+            "body a: within: no ball is known to roll up to an edge of a torus",
+        ),
+        (
+            Box("a", size=(1, 1, 1), within=["x"]),
+            "body a: within: no ball is known to roll up to an edge of a box",
+        ),
+        (
+            Surface("a", condition="z - x**2", within=["x"]),
+            "body a: within: no ball is known to roll beside an edge of a surface of your own",
         ),
     ],
 )

@@ -293,7 +293,7 @@ PREMISES: dict[str, Premise] = {
         LEMMA,
         "edges",
         _kernels(
-            "*.rim* *.facing common.no_edge common.near_edge common.reaches_edge "
+            "*.rim* *.crease *.facing common.no_edge common.near_edge common.reaches_edge "
             "common.unbounded common.outside_* common.at_edge common.succeeds common.edge_errors "
             "common.taking_over common.no_entry common.entering_bound"
         ),

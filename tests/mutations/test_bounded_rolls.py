@@ -1,0 +1,85 @@
+"""Deliberate faults in the bounds of points of contact on which balls roll: each trips a test."""
+
+from __future__ import annotations
+
+import pytest
+from hoopgen.derive.rolling import bounds
+from hoopgen.derive.surfaces.box import Box
+from hoopgen.derive.surfaces.cone import Cone
+from hoopgen.derive.surfaces.torus import Toroidal
+
+pytest.importorskip("flint")
+
+from tests.helpers.checked_faults import OfFormulas, Planted, passing, tripping
+from tests.helpers.mutants import in_text
+from tests.scene import test_bounds_in_contact
+
+pytestmark = pytest.mark.xdist_group("bounded_roll_mutations")
+
+
+def of_formulas(test: object, *given: tuple[str, int]) -> OfFormulas:
+    """Return the check that calls a test of kernels, which are derived anew."""
+    return OfFormulas(test, given=given)  # type: ignore[arg-type]
+
+
+bends = of_formulas(
+    test_bounds_in_contact.test_the_distance_within_a_bound_bends_no_more_than_its_bound_says,
+    ("tube", 0),
+    ("funnel", 1),
+)
+sign = of_formulas(
+    test_bounds_in_contact.test_the_distance_within_a_bound_has_its_sign_and_is_no_more_than_the_way,
+    ("tube", 1),
+    ("spike", 1),
+    ("crate", 0),
+)
+beside_box = of_formulas(
+    test_bounds_in_contact.test_a_ball_beside_a_box_is_outside_a_bound_for_as_long_as_is_claimed,
+    ("slab", 0),
+)
+
+FAULTS = (
+    Planted(
+        "a bound of the point of contact is one of the ball's centre",
+        in_text(bounds, "_at_contact", "zip(POSITION, path.place", "zip(POSITION, POSITION"),
+        sign,
+    ),
+    Planted(
+        "the point of contact moves as the ball's centre does",
+        in_text(
+            bounds,
+            "_at_contact",
+            "directional(place, along) for place in path.place",
+            "v for v in VELOCITY",
+        ),
+        bends,
+    ),
+    Planted(
+        "the point of contact on a cone is on the other side of it",
+        in_text(Cone, "nearest_point", "place - barrier", "place + barrier"),
+        sign,
+    ),
+    Planted(
+        "the point of contact moves no faster than the ball's centre",
+        in_text(bounds, "_at_contact", "barrier(path.stretch)", "sp.Integer(1)"),
+        sign,
+    ),
+    Planted(
+        "on a torus the direction away from the axis does not count",
+        in_text(Toroidal, "contact_path", "self.ring_radius * per_reach", "0 * per_reach"),
+        sign,
+    ),
+    Planted(
+        "beside a box a bound changes as before past a seam",
+        in_text(bounds, "outside", "barrier(crease / speed)", "sp.oo"),
+        beside_box,
+    ),
+    Planted(
+        "the nearest point of a box moves in all directions",
+        in_text(Box, "_rates", "barrier(1 - bent) * v", "v"),
+        beside_box,
+    ),
+)
+
+test_without_a_fault_every_check_passes = passing(FAULTS)
+test_a_fault_trips_its_check = tripping(FAULTS)
