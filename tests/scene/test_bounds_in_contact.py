@@ -131,7 +131,7 @@ def test_the_distance_within_a_bound_has_its_sign_and_is_no_more_than_the_way(
 ) -> None:
     """At a contact; beside a box anywhere, as its nearest point is that of any place."""
     distance = distance_of(name, part)
-    places, velocities, _ = moving(trials(2000, 800), 10 + part)
+    places, velocities, _ = moving(trials(2000, at_least=2000), 10 + part)
     touching = np.ones(len(places), bool)
     if name == "tube":
         places = places - away_from_tube(places)

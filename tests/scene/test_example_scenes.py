@@ -189,7 +189,8 @@ def test_the_judge_proves_every_shot_that_is_not_flagged(flown: Flown) -> None:
     )
     assert list(np.flatnonzero(~proof.agrees(flown.shots))) == []
     assert flown.shots.uncertain.mean() < 0.05
-    assert proof.decided.mean() > 0.95
+    # A proof ends where a ball begins to roll.
+    assert (proof.decided | proof.accumulates).mean() > 0.95
 
 
 @pytest.mark.slow
