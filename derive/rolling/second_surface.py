@@ -16,7 +16,7 @@ import sympy as sp
 from ..events.predicates import index, last, second, when, which
 from ..ir.kernel import Kernel, decision
 from ..state.fields import NONE
-from ..symbolic.conditionals import AtMost, Boolean, Choose, Equal, Less, Or, all_of
+from ..symbolic.conditionals import AtMost, Boolean, Choose, Equal, Less, Not, Or, all_of
 from .start import one_of
 from .symbols import body, held
 
@@ -37,11 +37,17 @@ def kernels(planes: Sequence[int]) -> dict[str, Kernel]:
     """
     before = Choose(all_of(AtMost(when, 0), one_of(last, planes)), last, NONE)
     meets = Or(Equal(last, which), Equal(second, which))
+    on_plane = one_of(held, planes)
+    # A body that holds the ball for no time, and lets it go, has not moved it off the plane.
+    still = all_of(Not(on_plane), AtMost(when, 0))
     made = (
         decision("no_rest", {"rested_on": NONE}, "Start value: the ball flew."),
         decision(
             "rest",
-            {"rested_on": Choose(one_of(held, planes), held, _ELSEWHERE), "second": NONE},
+            {
+                "rested_on": Choose(on_plane, held, _ELSEWHERE),
+                "second": Choose(still, second, NONE),
+            },
             "Plane that a ball in contact is on before an event.",
         ),
         decision(
