@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 from hoopgen.derive.rolling import bounds
+from hoopgen.derive.surfaces import ObliqueBox
 from hoopgen.derive.surfaces.box import Box
 from hoopgen.derive.surfaces.cone import Cone
 from hoopgen.derive.surfaces.torus import Toroidal
@@ -36,6 +37,10 @@ sign = of_formulas(
 beside_box = of_formulas(
     test_bounds_in_contact.test_a_ball_beside_a_box_is_outside_a_bound_for_as_long_as_is_claimed,
     ("slab", 0),
+)
+beside_turned_box = of_formulas(
+    test_bounds_in_contact.test_a_ball_beside_a_box_is_outside_a_bound_for_as_long_as_is_claimed,
+    ("crate", 0),
 )
 
 FAULTS = (
@@ -78,6 +83,11 @@ FAULTS = (
         "the nearest point of a box moves in all directions",
         in_text(Box, "_rates", "barrier(1 - bent) * v", "v"),
         beside_box,
+    ),
+    Planted(
+        "the nearest point of a turned box moves along the axes of the scene",
+        in_text(ObliqueBox, "_rates", "in times(self._unit_axes, own)", "in own"),
+        beside_turned_box,
     ),
 )
 
