@@ -34,7 +34,7 @@ Floats = NDArray[np.float64]
 TURN = ("q0", "q1", "q2", "q3")
 BOUNDS = ("x - 0.35 - z/5", "x**2 + (y - 0.2)**2 - 0.16")
 ASIDE = 3.0
-"""How far the box along the axes is from where it would be as the other one, along x, m."""
+"""The way along x from the one box to the other, m."""
 
 AXES = np.array([1.0, 0.0, 0.0, 0.0])
 OF_SLAB = ("y + x/3 - 0.45", "z/3 - x - 0.35")
