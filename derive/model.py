@@ -174,7 +174,7 @@ def _optional_kernels(
             bounded=scene.bounds_jumps,
             oblique=scene.rolls_obliquely,
             revolved=scene.rolls_about_axes,
-            tori=[k for k, s in enumerate(surfaces) if s.goes_on],
+            tori=[k for k, s in enumerate(surfaces) if "width" in s.kernels and not s.has_edges],
         )
         kernels |= {kernel.name: kernel for kernel in friction}
         if any(s.search.remembered for s in surfaces):
@@ -210,7 +210,6 @@ def _loop_surfaces(
                 _variables(law_likes[scene.laws.index(law)].symbols),
                 _usual_box(own.surface, usual) if "box" in own.kernels else (),
                 own.surface.enclosed and own.surface.steepness == 1,
-                own.goes_on,
             )
         )
     ends = [

@@ -99,7 +99,7 @@ def _held(coefficient: sp.Expr) -> sp.Expr:
 def _without_sign(
     a: sp.Expr, b: sp.Expr, c: sp.Expr, error: sp.Expr, usual: tuple[sp.Expr, sp.Expr, sp.Expr]
 ) -> tuple[sp.Expr, sp.Expr, sp.Expr, sp.Expr]:
-    """Return what roundings leave of an arrival: if there is any, apex, height and F''.
+    """Return an arrival up to roundings: if there is any, apex, height and F''.
 
     The acceleration across the plane is a sum a = d·g/2, which cancels where the plane is along
     gravity, and the path has roundings of g t²/2. With E for `_VAGUE` of them and |a| <= E, the

@@ -17,7 +17,6 @@ from ..scenes import validity
 from ..scenes.scene import Scene
 from ..state import shared_kernels
 from ..surfaces import Surface
-from ..surfaces.torus import Toroidal
 from ..symbolic.isomorphism import Isomorphism, Symbols
 from ..symbolic.symbols import NORMAL
 from .arguments import components, unchecked_argument_order
@@ -53,15 +52,6 @@ class SurfaceKernels:
     def has_edges(self) -> bool:
         """True if a ball may roll over an edge of the surface."""
         return any(part.startswith("rim") for part in self.kernels)
-
-    @property
-    def goes_on(self) -> bool:
-        """True if another surface may take a ball over where this one has no edge.
-
-        So do surfaces about an axis that have none at all, and tori, whose bounds are elsewhere.
-        """
-        about_axis = "width" in self.kernels
-        return about_axis and (not self.has_edges or isinstance(self.surface, Toroidal))
 
 
 def all_surface_kernels(

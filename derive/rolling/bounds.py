@@ -4,7 +4,7 @@ A bound counts as the distance e = -g/S with a number S that is at least the gra
 the ball moves by at most S/H, where H bounds the second derivatives of g, the gradient of e is at
 most 2, so that e bends by at most 2 a + (H/S) v² with bounds on acceleration and speed.
 
-On a cone or a torus the bound is one of the point of contact q, which is no linear map of the
+On a cone or a box the bound is one of the point of contact q, which is no linear map of the
 centre. With bounds B on |Dq| and N on |D²q| that hold while the centre moves by s, and a number T
 that is at least the gradient of g at q, S = T B, and e bends by at most
 

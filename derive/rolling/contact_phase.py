@@ -114,8 +114,7 @@ def kernels(
     revolved
         True if a ball may roll on a cone or a torus, in the coordinates of the scene.
     tori
-        The indices of those surfaces among `holders` where another one may take the ball over
-        though they have no edge there.
+        The indices of those surfaces among `holders` that are about an axis and have no edge.
     """
     strength = barrier(flight.strength)
     every_kernel = (

@@ -17,7 +17,6 @@ from ..symbolic.conditionals import (
     Boolean,
     Choose,
     Equal,
-    IfLess,
     Less,
     Not,
     Or,
@@ -194,11 +193,7 @@ def _meets(ball_radius: sp.Expr, bounded: bool, codes: EventCodes, entered: bool
             root,
         )
     # `maximum` would keep a parabola that is zero throughout, which limits no step.
-    deferred: sp.Expr = sp.oo
-    if entered:
-        # Near an edge of its own a torus is left there or at a bound of the other surface.
-        deferred = IfLess(0, outside_time, outside_time, sp.oo)
-    later = maximum(outside_time, Choose(defers, deferred, barrier(minimum(sp.oo, root))))
+    later = maximum(outside_time, Choose(defers, sp.oo, barrier(minimum(sp.oo, root))))
     if entered:
         return _taken_over(ball_radius, codes, meets, grazes, misfits, later)
     first = all_of(meets, _NO_EVENT)
@@ -237,8 +232,6 @@ def _taken_over(
     delay = Choose(taken, barrier(16 * entry_delay), barrier(2 * near_enough / absolute(nearing)))
     first = all_of(Or(strikes, taken), _NO_EVENT)
     event = Choose(taken, codes.over_edge, index)
-    # A torus may end where the other surface begins.
-    another = Not(Or(_NO_EVENT, all_of(taken, Equal(which, codes.over_edge))))
     return loop_kernel(
         "beside_entered_body",
         {
@@ -247,7 +240,7 @@ def _taken_over(
             "undecided_time": Choose(
                 any_of(
                     all_of(any_of(grazes, misfits, all_of(meets, on_bound)), Not(taken)),
-                    all_of(Or(strikes, taken), another),
+                    all_of(Or(strikes, taken), Not(_NO_EVENT)),
                     all_of(taken, lingers),
                 ),
                 0,

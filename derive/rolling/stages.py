@@ -184,7 +184,7 @@ def _step(
         yield Call(common["no_edge"])
         yield from _at_edges(common, holders)
         yield Call(common["near_edge"])
-    tori = any(own.goes_on for own in holders)
+    tori = [own for own in holders if "width" in own.parts and not bounds_of(own)]
     for surface in contacts:
         own = {"index": surface.index}
         if tori and bounds_of(surface) and "rolling_surface" in surface.parts:

@@ -157,7 +157,7 @@ class Scene:
         if self.rolls and bounded:
             raise ValueError(
                 f"scene {self.name}: rolls: expected no bounds but those of planes, spheres, "
-                f"cylinders, cones, tori and boxes, got {', '.join(bounded)} with some"
+                f"cylinders, cones and boxes, got {', '.join(bounded)} with some"
             )
 
     @property

@@ -58,8 +58,6 @@ class LoopSurface:
         Its box at the default parameters.
     enclosed
         True if all of the body lies within the box of its contacts.
-    goes_on
-        True if another surface may take a ball over where this one has no edge.
     """
 
     index: int
@@ -71,7 +69,6 @@ class LoopSurface:
     law_sizes: Mapping[str, str] = field(default_factory=dict)
     box: Box = ()
     enclosed: bool = False
-    goes_on: bool = False
 
 
 @dataclass(frozen=True)

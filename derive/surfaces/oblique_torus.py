@@ -58,11 +58,6 @@ class ObliqueTorus(AboutAxis, Toroidal):
         return (*map(as_length, (*self.limits, *self.contact_limits)), *self.cuts)
 
     @property
-    def _width(self) -> sp.Expr:
-        """The distance of the ball's centre from the axis."""
-        return self._rho
-
-    @property
     def distance(self) -> sp.Expr:
         """sqrt((rho - R)² + h²) - r, with h along the axis."""
         depth = barrier(self._rho - self.ring_radius)

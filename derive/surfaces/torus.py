@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from abc import abstractmethod
 from dataclasses import dataclass
 
 import sympy as sp
@@ -10,7 +9,6 @@ import sympy as sp
 from ..symbolic.conditionals import barrier
 from ..symbolic.symbols import POSITION
 from .bounds import as_length
-from .contact_bounds import ContactPath, path_about_axis
 from .cylinder import check_direction, perpendicular_part
 from .ring import Ring
 from .rolling_surface import RollingSurface, toroidal
@@ -18,36 +16,9 @@ from .surface import Point, Surface, overlap, translated
 
 
 class Toroidal(Surface):
-    """A torus about any axis; the fields stand in each kind."""
+    """A torus about any axis; the centre stands in each kind."""
 
     centre: Point
-    ring_radius: sp.Expr
-    reach: sp.Expr
-
-    @property
-    @abstractmethod
-    def _width(self) -> sp.Expr:
-        """The distance of the ball's centre from the axis."""
-
-    @property
-    def contact_path(self) -> ContactPath | None:
-        """The normal is (d - R e)/r, with the offset d from the centre of the torus."""
-        if self.contact_bounds is None:
-            return None
-        radius, per_reach = self.contact_bounds.ball_radius, barrier(1 / self.reach)
-        place, per_rho = self.nearest_point(radius), barrier(1 / self._width)
-        radial = barrier(self.ring_radius * per_reach)
-        return path_about_axis(place, radius, per_reach, radial, per_rho)
-
-    @property
-    def max_convexity(self) -> sp.Expr:
-        """A bound on 1/D + 1/rho down to half of both.
-
-        The distance D from the tube's centre circle bends up by 1/D in the half-plane of rho and h,
-        and by as much as rho, 1/rho.
-        """
-        from_circle = barrier(barrier(self.distance) + self.reach)
-        return 2 * barrier(1 / self._width) + 2 * barrier(1 / from_circle)
 
     @property
     def reference_point(self) -> Point:
@@ -116,11 +87,6 @@ class Torus(Toroidal):
         return sp.sqrt(sp.Add(*(component**2 for component in self._across)))
 
     @property
-    def _width(self) -> sp.Expr:
-        """The same, from the torus's own axis."""
-        return translated(self._rho, self.centre)
-
-    @property
     def distance(self) -> sp.Expr:
         """sqrt((rho - R)² + h²) - r, with h along the axis."""
         depth = barrier(self._rho - self.ring_radius)
@@ -168,7 +134,8 @@ class Torus(Toroidal):
         """The torus of the ball's centre."""
         across = [barrier(translated(part, self.centre)) for part in self._across]
         axis = [sp.sympify(u) for u in self.direction]
-        return toroidal(axis, across, self._width, self.ring_radius, self.reach)
+        rho = translated(self._rho, self.centre)
+        return toroidal(axis, across, rho, self.ring_radius, self.reach)
 
     @property
     def inside(self) -> tuple[sp.Expr, ...]:

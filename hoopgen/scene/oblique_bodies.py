@@ -359,10 +359,10 @@ def why_not_rolling(kind: str, degrees: Sequence[int]) -> tuple[str, str]:
     if kind == "surface" and degrees:
         said = "no ball is known to roll beside an edge of a surface of your own"
         return "within", f"{said}; expected none where rolls is true"
-    if degrees and kind.removeprefix("oblique ") in ("torus", "box"):
+    if degrees and kind.removeprefix("oblique ") == "torus":
         said = (
-            f"no ball is known to roll up to an edge of a {kind.removeprefix('oblique ')}, only of "
-            "planes, discs, spheres, cylinders and cones"
+            "no ball is known to roll up to an edge of a torus, only of planes, discs, spheres, "
+            "boxes, cylinders and cones"
         )
         return "within", f"{said}; expected none where rolls is true"
     for number, degree in enumerate(degrees, start=1):

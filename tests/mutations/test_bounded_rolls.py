@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import pytest
 from hoopgen.derive.rolling import bounds
+from hoopgen.derive.surfaces import ObliqueBox
 from hoopgen.derive.surfaces.box import Box
 from hoopgen.derive.surfaces.cone import Cone
-from hoopgen.derive.surfaces.torus import Toroidal
 
 pytest.importorskip("flint")
 
@@ -24,18 +24,21 @@ def of_formulas(test: object, *given: tuple[str, int]) -> OfFormulas:
 
 bends = of_formulas(
     test_bounds_in_contact.test_the_distance_within_a_bound_bends_no_more_than_its_bound_says,
-    ("tube", 0),
     ("funnel", 1),
 )
 sign = of_formulas(
     test_bounds_in_contact.test_the_distance_within_a_bound_has_its_sign_and_is_no_more_than_the_way,
-    ("tube", 1),
+    ("funnel", 2),
     ("spike", 1),
     ("crate", 0),
 )
 beside_box = of_formulas(
     test_bounds_in_contact.test_a_ball_beside_a_box_is_outside_a_bound_for_as_long_as_is_claimed,
     ("slab", 0),
+)
+beside_turned_box = of_formulas(
+    test_bounds_in_contact.test_a_ball_beside_a_box_is_outside_a_bound_for_as_long_as_is_claimed,
+    ("crate", 0),
 )
 
 FAULTS = (
@@ -65,11 +68,6 @@ FAULTS = (
         sign,
     ),
     Planted(
-        "on a torus the direction away from the axis does not count",
-        in_text(Toroidal, "contact_path", "self.ring_radius * per_reach", "0 * per_reach"),
-        sign,
-    ),
-    Planted(
         "beside a box a bound changes as before past a seam",
         in_text(bounds, "outside", "barrier(crease / speed)", "sp.oo"),
         beside_box,
@@ -78,6 +76,11 @@ FAULTS = (
         "the nearest point of a box moves in all directions",
         in_text(Box, "_rates", "barrier(1 - bent) * v", "v"),
         beside_box,
+    ),
+    Planted(
+        "the nearest point of a turned box moves along the axes of the scene",
+        in_text(ObliqueBox, "_rates", "in times(self._unit_axes, own)", "in own"),
+        beside_turned_box,
     ),
 )
 

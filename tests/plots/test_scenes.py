@@ -528,7 +528,6 @@ def test_a_position_without_a_scene_is_refused() -> None:
 STUDIES: dict[str, dict[str, Any]] = {
     "margins": {"model": None},
     "bank_or_direct": {"model": None, "places": []},
-    "aim": {"height": 2.1, "distance": 4.2},
 }
 
 

@@ -13,22 +13,20 @@ from hoopgen.derive.rolling import bounds
 from hoopgen.derive.rolling.symbols import fastest, strongest
 from numpy.typing import NDArray
 
-from hoopgen.scene import Box, Cone, Scene, Torus
+from hoopgen.scene import Box, Cone, Scene
 from tests.helpers.bounded_rolls import bound
 from tests.helpers.derived import evaluation
 from tests.helpers.effort import trials
-from tests.scene import test_cone_rolls, test_torus_rolls
+from tests.scene import test_cone_rolls
 from tests.scene.test_oblique_rolls import BALL, GRAVITY
 from tests.scene.test_turned_boxes import rotation
 
 Floats = NDArray[np.float64]
 
 CUTS = ("x/2 - y + z/3 - 0.02", "x**2 + 2*y**2 - z*x - 0.04", "-z - 0.05")
-NARROW = {"centre": (0.1, 0.2, 0.1), "axis": (-1.0, 0.4, 0.2), "radius": 0.35, "wire": 0.28}
 FUNNEL = {"apex": (0.1, 0.0, -0.1), "axis": (0.3, -0.2, 1.0), "slope": 1.2}
 SIZE, TURN = np.array([0.5, 0.3, 0.2]), np.array([0.9, 0.1, 0.3, 0.2])
 BODIES: dict[str, Any] = {
-    "tube": Torus("tube", within=CUTS, **NARROW),
     "funnel": Cone("funnel", inside=True, within=CUTS, **FUNNEL),
     "spike": Cone("spike", within=CUTS, **FUNNEL),
     "crate": Box("crate", size=tuple(SIZE), orientation=tuple(TURN), within=CUTS),
@@ -83,9 +81,7 @@ def distance_of(name: str, part: int) -> Distance:
 
 def sides(name: str, part: int, places: Floats) -> Floats:
     """Return the values of a bound at the points of contact, by geometry that shares no code."""
-    if name == "tube":
-        body = test_torus_rolls.torus(NARROW)
-    elif name in ("funnel", "spike"):
+    if name in ("funnel", "spike"):
         body = test_cone_rolls.cone(FUNNEL | {"span": (0.0, 1.0)})
     else:
         axes = rotation(TURN[None])[0] if name == "crate" else np.eye(3)
@@ -95,12 +91,11 @@ def sides(name: str, part: int, places: Floats) -> Floats:
 
 
 @pytest.mark.parametrize("part", range(len(CUTS)))
-@pytest.mark.parametrize("name", ["tube", "funnel", "spike"])
+@pytest.mark.parametrize("name", ["funnel", "spike"])
 def test_the_distance_within_a_bound_bends_no_more_than_its_bound_says(
     name: str, part: int
 ) -> None:
     """Along a parabola by at most 2 a + C v², while the ball moves by at most 1/C."""
-    places, velocities, pulls = moving(trials(4000, 1500), part)
     kernels, sizes = kernels_of(name)
     places, velocities, pulls = moving(trials(4000, 1500), part)
 
@@ -133,9 +128,7 @@ def test_the_distance_within_a_bound_has_its_sign_and_is_no_more_than_the_way(
     distance = distance_of(name, part)
     places, velocities, _ = moving(trials(2000, at_least=2000), 10 + part)
     touching = np.ones(len(places), bool)
-    if name == "tube":
-        places = places - away_from_tube(places)
-    elif name in ("funnel", "spike"):
+    if name in ("funnel", "spike"):
         places = on_cone(places, 1 if name == "spike" else -1)
         touching = np.linalg.norm(places - FUNNEL["apex"], axis=1) > 0.1
     now = distance(places, velocities)
@@ -144,16 +137,6 @@ def test_the_distance_within_a_bound_has_its_sign_and_is_no_more_than_the_way(
     assert np.all((found < 0)[clear] == (now["bound_distance"] > 0)[clear])
     assert np.count_nonzero(clear) > len(places) / 4
     assert np.all(np.abs(now["bound_rate"]) <= np.linalg.norm(velocities, axis=1) * (1 + 1e-12))
-
-
-def away_from_tube(places: Floats) -> Floats:
-    """Return the ways of balls from the surface on which their centres touch the tube."""
-    gaps = test_torus_rolls.away(NARROW, places)
-    body = test_torus_rolls.torus(NARROW)
-    ways = np.array([place - body.nearest(place)[0] for place in places])
-    far = np.linalg.norm(ways, axis=1)
-    inside = gaps + BALL < 0  # within the wire the nearest point is on the other side
-    return np.asarray(ways / np.where(inside, -far, far)[:, None] * gaps[:, None])
 
 
 def on_cone(places: Floats, side: int) -> Floats:

@@ -127,8 +127,8 @@ def test_what_is_wrong_with_a_body_is_said(body: Any, said: str) -> None:
             "body a: within: no ball is known to roll up to an edge of a torus",
         ),
         (
-            Box("a", size=(1, 1, 1), within=["x"]),
-            "body a: within: no ball is known to roll up to an edge of a box",
+            Box("a", size=(1, 1, 1), within=["x**3"]),
+            "body a: within 1: no ball is known to roll up to an edge of degree 3",
         ),
         (
             Surface("a", condition="z - x**2", within=["x"]),

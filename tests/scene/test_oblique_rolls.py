@@ -38,6 +38,11 @@ FALL = np.array([0.0, 0.0, -GRAVITY])
 CLAIMS = ("outcome", "uncertain", "counts", "time", "state", "rolls", "state_error", "time_error")
 
 Floats = NDArray[np.float64]
+Bounds = Sequence[Callable[[Floats], float]]
+"""Functions of a point, at most 0 where a body is."""
+
+STEP = 2e-3
+"""The longest step on a box, s: a ball may be past a seam for a few milliseconds."""
 
 SIZE, CENTRE = (1.0, 0.6, 0.4), (0.1, 0.2, -0.3)
 TURN = ("q0", "q1", "q2", "q3")
@@ -136,7 +141,7 @@ class Body:
     """
 
     nearest: Callable[[Floats], tuple[Floats, Floats]]
-    within: Sequence[Callable[[Floats], float]] = ()
+    within: Bounds = ()
 
 
 def cylinder(given: Mapping[str, Any], *within: Callable[[Floats], float]) -> Body:
@@ -166,7 +171,9 @@ def sphere(given: Mapping[str, Any], *within: Callable[[Floats], float]) -> Body
     return Body(nearest, within)
 
 
-def part_of_box(turn: Floats, state: Floats) -> tuple[Body, Callable[[Floats], Floats]]:
+def part_of_box(
+    turn: Floats, state: Floats, within: Bounds = ()
+) -> tuple[Body, Callable[[Floats], Floats]]:
     """Return the face, edge or corner that a ball is or moves onto, and the ways to its seams."""
     axes, half = rotation(turn[None])[0], np.array(SIZE) / 2
     place, rate = axes.T @ (state[:3] - CENTRE), axes.T @ state[3:6]
@@ -182,7 +189,7 @@ def part_of_box(turn: Floats, state: Floats) -> tuple[Body, Callable[[Floats], F
     def seams(there: Floats) -> Floats:
         return np.abs(axes.T @ (there - CENTRE)) - half
 
-    return Body(nearest), seams
+    return Body(nearest, within), seams
 
 
 def pushed(body: Body, state: Floats) -> tuple[float, Floats]:
@@ -199,10 +206,12 @@ def pushed(body: Body, state: Floats) -> tuple[float, Floats]:
     return force, np.concatenate([velocity, FALL + force * normal + friction, turns])
 
 
-def rolled(body: Body, state: Floats, until: float, *ends: Any) -> tuple[int, float, Floats]:
+def rolled(
+    body: Body, state: Floats, until: float, *ends: Any, step: float = np.inf
+) -> tuple[int, float, Floats]:
     """Return which event ended a roll, and when and where: 0 no force, then bounds, then `ends`.
 
-    Without an event it is -1, at the time `until`.
+    Without an event it is -1, at the time `until`. An event that is over within a step is missed.
     """
 
     def lost(_: float, now: Floats) -> float:
@@ -216,7 +225,7 @@ def rolled(body: Body, state: Floats, until: float, *ends: Any) -> tuple[int, fl
         if not hasattr(event, "terminal"):
             event.terminal, event.direction = True, 1
     lost.direction = -1  # type: ignore[attr-defined]
-    options = {"rtol": 1e-13, "atol": 1e-15, "method": "DOP853"}
+    options = {"rtol": 1e-13, "atol": 1e-15, "method": "DOP853", "max_step": step}
     if lost(0.0, state) <= 0:
         return 0, 0.0, state
     path = solve_ivp(lambda _, s: pushed(body, s)[1], (0, until), state, events=events, **options)
@@ -224,11 +233,13 @@ def rolled(body: Body, state: Floats, until: float, *ends: Any) -> tuple[int, fl
     return (found[0] if found else -1), path.t[-1], path.y[:, -1]
 
 
-def rolled_on_box(turn: Floats, state: Floats, until: float) -> tuple[int, float, Floats]:
+def rolled_on_box(
+    turn: Floats, state: Floats, until: float, within: Bounds = ()
+) -> tuple[int, float, Floats]:
     """Return as `rolled` does; from seam to seam of a box."""
     time = 0.0
     while True:
-        part, seams = part_of_box(turn, state)
+        part, seams = part_of_box(turn, state, within)
         begun = np.sign(
             seams(state[:3]) + 1e-12 * np.sign(1e-300 - np.abs(seams(state[:3])) + 1e-12)
         )
@@ -240,9 +251,11 @@ def rolled_on_box(turn: Floats, state: Floats, until: float) -> tuple[int, float
             away.terminal, away.direction = True, 0  # type: ignore[attr-defined]
             return away
 
-        kind, lasting, state = rolled(part, state, until - time, *map(crossing, range(3)))
+        kind, lasting, state = rolled(
+            part, state, until - time, *map(crossing, range(3)), step=STEP
+        )
         time += lasting
-        if kind <= 0:
+        if kind <= len(within):
             return kind, time, state
 
 

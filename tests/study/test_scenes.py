@@ -277,10 +277,9 @@ def test_releases_at_a_hoop_are_refused_where_there_is_none(scene: Engine) -> No
             asked(model, scene=scene)
 
 
-@pytest.mark.parametrize("name", ["aim", "bank_or_direct", "best_shots", "margins"])
+@pytest.mark.parametrize("name", ["bank_or_direct", "best_shots", "margins"])
 def test_what_only_a_hoop_has_says_so_in_a_line(name: str, scene: Engine) -> None:
     given: dict[str, dict[str, Any]] = {
-        "aim": {"height": 2.1, "distance": 4.2},
         "bank_or_direct": {"model": Scatter({}), "places": [[4.2, 0.0]]},
         "margins": {"model": Scatter({})},
     }
@@ -428,7 +427,7 @@ def test_the_command_line_runs_studies_of_a_scene(file: Path, tmp_path: Path) ->
 @pytest.mark.parametrize(
     ("arguments", "said"),
     [
-        (("aim", *AIMED, "--scene", "FILE"), "hoopgen aim: its question is a hoop's, and the"),
+        (("aim", *AIMED, "--scene", "FILE"), "--distance is of a shot at a hoop; with --scene give"),
         (("paper", "--scene", "FILE"), "hoopgen paper: its question is a hoop's"),
         (("estimate", *RELEASED), "--position is of a shot in a --scene"),
         (("estimate", "--scene", "x.txt"), "hoop, court, air, court-air, or a scene file, .toml"),
