@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from hoopgen.derive.rolling import bounds, surface_kernels, surface_nodes
+from hoopgen.derive.rolling import bounds, surface_kernels
 from hoopgen.derive.surfaces import ObliqueBox, ObliqueCylinder, ObliqueTorus
 from hoopgen.derive.surfaces.torus import Torus
 from hoopgen.derive.surfaces.two_sided import Round
@@ -13,7 +13,7 @@ pytest.importorskip("flint")
 from tests.derive.surfaces import test_concavity
 from tests.helpers.checked_faults import OfEngine, OfFormulas, Planted, passing, tripping
 from tests.helpers.mutants import in_text
-from tests.scene import test_bounded_box_rolls, test_oblique_rolls
+from tests.scene import test_oblique_rolls
 
 pytestmark = [pytest.mark.xdist_group("oblique_roll_mutations"), pytest.mark.slow]
 
@@ -32,21 +32,11 @@ beside_torus, beside_oblique_torus = (
     )
     for name in ("torus", "oblique_torus")
 )
-beside_box = OfEngine(
-    test_bounded_box_rolls.check_beside,
-    given=((0, 300), (1, 300)),
-    scene=test_bounded_box_rolls.SLABS,
-)
 behind = OfFormulas(
     test_oblique_rolls.test_a_ball_behind_a_round_body_meets_it_no_sooner_than_its_bound_says
 )
 
 FAULTS = (
-    Planted(
-        "beside a box no bound knows of seams",
-        in_text(surface_nodes, "outside", '"crease" in surface.parts', "False"),
-        beside_box,
-    ),
     Planted(
         "a torus bends down nowhere",
         in_text(Torus, "max_concavity", "1 / self._rho", "sp.Integer(0)"),
