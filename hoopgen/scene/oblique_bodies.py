@@ -356,9 +356,9 @@ def why_not_rolling(kind: str, degrees: Sequence[int]) -> tuple[str, str]:
     if kind == "revolution":
         said = "on a revolution no ball is known to roll, since its pieces end at edges"
         return "", f"{said}; expected none where rolls is true"
-    if kind == "surface" and degrees:
-        said = "no ball is known to roll beside an edge of a surface of your own"
-        return "within", f"{said}; expected none where rolls is true"
+    if kind == "surface":
+        said = "no ball is known to roll beside a surface of your own, whose bends have no bound"
+        return "", f"{said}; expected none where rolls is true"
     if degrees and kind.removeprefix("oblique ") == "torus":
         said = (
             "no ball is known to roll up to an edge of a torus, only of planes, discs, spheres, "

@@ -131,8 +131,8 @@ def test_what_is_wrong_with_a_body_is_said(body: Any, said: str) -> None:
             "body a: within 1: no ball is known to roll up to an edge of degree 3",
         ),
         (
-            Surface("a", condition="z - x**2", within=["x"]),
-            "body a: within: no ball is known to roll beside an edge of a surface of your own",
+            Surface("a", condition="z - x**2"),
+            "body a: no ball is known to roll beside a surface of your own",
         ),
     ],
 )

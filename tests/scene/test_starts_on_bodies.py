@@ -14,9 +14,8 @@ pytest.importorskip("flint")
 import hoopgen
 from hoopgen import Event
 from hoopgen.judge import certify
-from hoopgen.scene import End, Plane, Revolution, Scene, Sphere, Surface
+from hoopgen.scene import End, Plane, Revolution, Scene, Sphere
 from hoopgen.simulation.engine import Engine
-from tests.helpers.derived import DerivedKernels
 from tests.helpers.effort import trials
 
 pytestmark = [
@@ -148,21 +147,6 @@ def test_a_ball_that_starts_from_a_wall_is_certain(table: Engine) -> None:
     states[:, 1], states[:, 4] = -5 + BALL, 1
     shots = hoopgen.simulate(states, scene=table, leaving="wall", max_contacts=1)
     assert not shots.uncertain.any()
-
-
-def test_a_ball_starts_to_roll_only_where_a_roll_is_known() -> None:
-    """On a surface of one's own none is: nothing would end that first turn."""
-    scene = Scene(
-        "floor_and_ramp",
-        bodies=[Plane("floor", at=-0.8), Surface("ramp", condition="z - x**2/4 - 1")],
-        ball_radius=BALL,
-        gravity=GRAVITY,
-        restitution=0.3,
-        rolls=True,
-    )
-    kernels = DerivedKernels.from_scene(scene.derive())
-    modes = [float(kernels.started_on_surface(float(last))[0]) for last in (-1, 0, 1)]
-    assert [last for last, mode in zip((-1, 0, 1), modes, strict=True) if mode > 0] == [0]
 
 
 def test_both_engines_start_on_bodies_with_the_same_bits(table: Engine) -> None:

@@ -427,7 +427,7 @@ def test_the_command_line_runs_studies_of_a_scene(file: Path, tmp_path: Path) ->
 @pytest.mark.parametrize(
     ("arguments", "said"),
     [
-        (("aim", *AIMED, "--scene", "FILE"), "--distance is of a shot at a hoop; with --scene give"),
+        (("aim", *AIMED, "--scene", "FILE"), "--distance is of a shot at a hoop; with --scene"),
         (("paper", "--scene", "FILE"), "hoopgen paper: its question is a hoop's"),
         (("estimate", *RELEASED), "--position is of a shot in a --scene"),
         (("estimate", "--scene", "x.txt"), "hoop, court, air, court-air, or a scene file, .toml"),
