@@ -599,11 +599,6 @@ FAULTS = (
         in_text(DerivedScene, "single_errors", " and not flat", ""),
         OfEngine(test_root_errors.check_upright, scene=test_root_errors.UPRIGHT),
     ),
-    Planted(
-        "errors are carried in single precision without gravity",
-        in_text(DerivedScene, "single_errors", " and not flat", ""),
-        OfEngine(test_root_errors.check_states, scene=test_root_errors.GRAZED),
-    ),
     # Bodies in any direction.
     Planted(
         "the normal of a torus has no part along its axis",
