@@ -5,7 +5,6 @@ from __future__ import annotations
 from typing import Any
 
 import pytest
-from hoopgen.derive import model
 from hoopgen.derive.events import plane, predicates
 from hoopgen.derive.ir.event_tree import Call
 from hoopgen.derive.rolling import (
@@ -86,9 +85,6 @@ starts = {
         ),
     )
 }
-where_known = OfFormulas(
-    test_starts_on_bodies.test_a_ball_starts_to_roll_only_where_a_roll_is_known
-)
 on_edge = OfFormulas(
     test_jump.test_at_an_edge_the_velocity_is_off_by_the_change_of_the_force_times_the_delay,
 )
@@ -283,16 +279,6 @@ FAULTS = (
         "a ball that starts on a body is in flight",
         without("started_on_surface"),
         starts["a_ball_that_starts_on_a_body_rolls_at_once"],
-    ),
-    Planted(
-        "a ball starts to roll where no roll is known, too",
-        in_text(
-            model,
-            "_optional_kernels",
-            '"rolling_surface" in s.kernels',
-            "s.surface",
-        ),
-        where_known,
     ),
     Planted(
         "a start on a body is a contact with it",
