@@ -48,7 +48,8 @@ class Aim:
         rad.
     azimuth
         rad, as for `hoopgen.release`: 0 where the point lies on the line over the ring's centre and
-        neither a spin nor a moving place turns the ball aside.
+        neither a spin nor a moving place turns the ball aside. In a scene without a hoop it is
+        measured from the line to the point.
     entry_angle
         Below the horizontal, where the centre comes down through the point, rad.
     time
@@ -241,13 +242,14 @@ def flight_in_words(shots: Shots, row: int, time: float) -> str:
     """
     outcome = shots.scene.outcomes(int(shots.outcome[row])).name.lower()
     contacts = int(shots.contacts[row])
+    ended = ", before the point aimed at" if shots.time[row] < time else ""
     if not contacts:
-        return f"{outcome} without a contact"
+        return f"{outcome} without a contact{ended}"
     counts = zip(shots.surfaces, shots.counts[row].tolist(), strict=True)
     bodies = ", ".join(f"{name} {count}" for name, count in counts if count)
     text = f"{outcome} after {format_count(contacts, 'contact')} ({bodies})"
     if (met := met_before(shots, row, time)) is None:
-        return text
+        return text + ended
     body, at = met
     return f"{text}; it touches the {body} after {at:.3f} s, before the point aimed at"
 

@@ -133,6 +133,9 @@ def test_what_the_flight_meets_before_a_target_is_said() -> None:
     flat = str(aim(position=PLACE, target="ring", elevation=0.3, scene=field()))
     assert "it touches the ring after" in flat
     assert "before the point aimed at" in flat
+    # The first end is above this point.
+    over = str(aim(position=PLACE, target=(0.0, 0.0, 1.8), entry=1.2, scene=field()))
+    assert over.endswith("in_the_funnel without a contact, before the point aimed at")
 
 
 def test_arguments_scatter_about_the_aim() -> None:
