@@ -14,7 +14,7 @@ import mpmath
 import sympy as sp
 
 from ..surfaces import Surface
-from ..symbolic.conditionals import release
+from ..symbolic.conditionals import Barrier, release
 from ..symbolic.symbols import POSITION
 
 if TYPE_CHECKING:
@@ -130,7 +130,7 @@ def _function(expressions: Sequence[sp.Expr], values: dict[sp.Symbol, sp.Expr]) 
         "IfLess": lambda left, right, then, other: then if left < right else other,
         "IfAtMost": lambda left, right, then, other: then if left <= right else other,
     }
-    held = dict.fromkeys(("Barrier", "Held"), lambda quantity: quantity)
+    held = dict.fromkeys((Barrier.__name__, "Held"), lambda quantity: quantity)
     with mpmath.workdps(_DIGITS):
         given = [mpmath.mpf(value.p) / value.q for value in values.values()]
     # With what is held released and the values put in, SymPy would sort and merge trees that are

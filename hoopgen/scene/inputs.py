@@ -107,6 +107,7 @@ class Inputs:
         self._scene = scene
         self.as_written = as_written
         self._inputs = {parameter.name: parameter for parameter in parameters}
+        self._shared: dict[tuple[object, ...], str] = {}
         self.declared = tuple(self._inputs)
 
     @property
@@ -237,12 +238,10 @@ class Inputs:
             mine = str(formula.value)
             self._inputs[mine] = _stricter(self._inputs[mine], made)
             return formula
-        for there in self._inputs.values():
-            if self.as_written and there.name.rstrip("_") != made.name.rstrip("_"):
-                continue
-            alike = (there.formula, there.sign, there.upper) == (formula, sign, upper)
-            if alike and (there.argument, there.lower) == (argument, lower):
-                return name(there.name)
+        own = made.name.rstrip("_") if self.as_written else ""
+        shared = self._shared.setdefault((formula, sign, upper, argument, lower, own), made.name)
+        if shared != made.name:
+            return name(shared)
         self._inputs[made.name] = made
         if excess := current().excess("sizes", len(self._inputs), exact=False):
             raise self.wrong(owner, argument, excess)

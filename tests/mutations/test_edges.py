@@ -183,7 +183,7 @@ FAULTS = (
     ),
     Planted(
         "the margin of a return is a sixty-fourth",
-        in_text(plane, "returning_margin", "off.error * horizon", "off.error * horizon / 64"),
+        in_text(plane, "returning_margin", "* horizon)", "* horizon / 64)"),
         on_return,
     ),
     Planted(
@@ -220,7 +220,7 @@ FAULTS = (
     ),
     Planted(
         "the jump is off by the tolerance, whatever the last bounce",
-        in_text(contact_phase, "jump_kernels", "if tight", "if False"),
+        in_text(contact_phase, "jump_kernels", "if bounded", "if False"),
         on_level_jump,
     ),
     Planted(

@@ -12,6 +12,7 @@ import subprocess
 import sys
 import textwrap
 from collections.abc import Callable, Mapping
+from functools import cache
 from pathlib import Path
 from types import ModuleType
 
@@ -84,23 +85,26 @@ def public() -> dict[str, str]:
     return found
 
 
+@cache
+def expressions() -> dict[str, str]:
+    """Return what mypy is asked about, by name: all that is public, and what is no name of it."""
+    return {
+        **public(),
+        "no_such_name": "hoopgen.no_such_name",
+        "Shots.no_such_name": "instance(hoopgen.Shots).no_such_name",
+        "ArrayLike": "array",
+    }
+
+
 def _module(room: str) -> ModuleType:
     return importlib.import_module(f"hoopgen.{room}")
-
-
-EXPRESSIONS = {
-    **public(),
-    "no_such_name": "hoopgen.no_such_name",
-    "Shots.no_such_name": "instance(hoopgen.Shots).no_such_name",
-    "ArrayLike": "array",
-}
 
 
 @pytest.fixture(scope="module")
 def revealed(tmp_path_factory: pytest.TempPathFactory) -> dict[str, str]:
     """Return what mypy says of each expression, by its name."""
     folder = tmp_path_factory.mktemp("types")
-    lines = [*HEAD.splitlines(), *(f"reveal_type({one})" for one in EXPRESSIONS.values())]
+    lines = [*HEAD.splitlines(), *(f"reveal_type({one})" for one in expressions().values())]
     (file := folder / "names.py").write_text("\n".join(lines) + "\n")
     # The installed names over the sources, as `make lint` has them.
     (rooms := folder / "typing" / "hoopgen").mkdir(parents=True)
@@ -119,7 +123,7 @@ def revealed(tmp_path_factory: pytest.TempPathFactory) -> dict[str, str]:
         check=False,
     ).stdout
     said = re.findall(r"names\.py:(\d+): (?:note: Revealed type is )?(.*)$", answer, re.M)
-    names = list(EXPRESSIONS)
+    names = list(expressions())
     first = len(HEAD.splitlines()) + 1
     said.sort(key=lambda found: not found[1].startswith("error:"))  # of a line with one, that
     return {names[int(line) - first]: text for line, text in reversed(said)}
@@ -137,8 +141,8 @@ def with_any(revealed: Mapping[str, str]) -> dict[str, str]:
 
 @pytest.mark.slow
 def test_every_public_name_has_a_type_of_its_own(revealed: dict[str, str]) -> None:
-    assert set(revealed) == set(EXPRESSIONS)
-    assert {"HOOP.simulate", "Shots.events", "Scatter.draw", "plots.plot_fan"} <= set(EXPRESSIONS)
+    assert set(revealed) == set(expressions())
+    assert {"HOOP.simulate", "Shots.events", "Scatter.draw", "plots.plot_fan"} <= set(revealed)
     wrong = {name: text for name, text in revealed.items() if text.startswith("error:")}
     assert set(wrong) == {"no_such_name", "Shots.no_such_name"}
 
