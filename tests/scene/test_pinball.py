@@ -284,7 +284,7 @@ def twelve(tmp_path_factory: pytest.TempPathFactory) -> Engine:
 def test_each_of_twelve_bumpers_is_touched_where_it_is(twelve: Engine) -> None:
     states = np.zeros((12, 9))
     states[:, 0], states[:, 1], states[:, 2] = 0.3 * np.arange(12) + 0.001, 0.06, 0.5
-    shots = twelve.simulate(states, record=True)
+    shots = twelve.simulate(states, record=True, max_contacts=3)
     data = data_of(page(shots, shots.parameters))
     for k, shot in enumerate(data["shots"]):
         first = shot["events"][0]

@@ -94,6 +94,10 @@ class _Explanation:
     where: list[_Named] = field(default_factory=list)
     uses: Counter[sp.Basic] = field(default_factory=Counter)
     _written: dict[sp.Basic, sp.Basic] = field(default_factory=dict)
+    _printer: Printer = field(init=False)
+
+    def __post_init__(self) -> None:
+        self._printer = Printer(self.names, self.notation)
 
     def count(self, expressions: Iterable[sp.Basic]) -> None:
         """Count the uses of each part by others."""
@@ -165,15 +169,17 @@ class _Explanation:
         return f"{letter}_{{{taken + 1}}}"
 
     def _worth(self, quantity: sp.Basic, content: sp.Basic, repeated: bool) -> bool:
-        length = len(self.print(content))
+        def longer(limit: int) -> bool:
+            return len(self.print(content)) > limit
+
         if isinstance(content, Condition):
-            return repeated and length > REPEATED
+            return repeated and longer(REPEATED)
         choice = isinstance(content, IfLess | IfAtMost | Choose) and extreme(content) is None
         if choice:
             return True
         if isinstance(quantity, Barrier):
-            return not content.is_Atom and (repeated or length > HELD)
-        return (content.is_Add or isinstance(content, IfLess)) and repeated and length > REPEATED
+            return not content.is_Atom and (repeated or longer(HELD))
+        return (content.is_Add or isinstance(content, IfLess)) and repeated and longer(REPEATED)
 
     def _symbol(self, latex: str, first: bool = False, truth: bool = False) -> sp.Symbol:
         # Numbers stand before other factors: SymPy orders them by name.
@@ -183,7 +189,7 @@ class _Explanation:
         return symbol
 
     def print(self, expression: sp.Basic) -> str:
-        return str(Printer(self.names, self.notation).doprint(expression))
+        return self._printer.doprint(expression)
 
     def line(self, left: str, expression: sp.Basic, means: sp.Basic) -> Line:
         """Return an equation, with a long sum, conjunction or disjunction in rows."""

@@ -35,6 +35,15 @@ class Printer(LatexPrinter):  # type: ignore[misc]
     def __init__(self, names: Names, notation: SceneNotation) -> None:
         super().__init__({"mat_delim": "("})
         self._names, self._notation = names, notation
+        self._printed: dict[sp.Basic, str] = {}
+
+    def _print(self, expr: sp.Basic, **options: object) -> str:
+        """Return the LaTeX of a part, which is printed once: it occurs in many."""
+        if options or not isinstance(expr, sp.Basic):
+            return str(super()._print(expr, **options))
+        if expr not in self._printed:
+            self._printed[expr] = str(super()._print(expr))
+        return self._printed[expr]
 
     def doprint(self, expr: sp.Basic) -> str:
         """Return the LaTeX, with space between words and their factors."""
