@@ -6,6 +6,7 @@ surface, with more digits than doubles have and with the parameters' default val
 
 from __future__ import annotations
 
+import math
 import random
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
@@ -14,7 +15,7 @@ import mpmath
 import sympy as sp
 
 from ..surfaces import Surface
-from ..symbolic.conditionals import Barrier, release
+from ..symbolic.conditionals import Barrier, IfAtMost, IfLess, release
 from ..symbolic.symbols import POSITION
 
 if TYPE_CHECKING:
@@ -124,25 +125,53 @@ def _places(surface: Surface, scene: Scene) -> None:
 def _function(expressions: Sequence[sp.Expr], values: dict[sp.Symbol, sp.Expr]) -> Function:
     """Return the function from x, y, z to the expressions' values at the parameters' values.
 
-    The function is made of our own symbols and numbers alone.
+    What occurs several times is computed once: written out, a formula is exponentially larger than
+    what its parts share.
     """
-    choices = {
-        "IfLess": lambda left, right, then, other: then if left < right else other,
-        "IfAtMost": lambda left, right, then, other: then if left <= right else other,
-    }
-    held = dict.fromkeys((Barrier.__name__, "Held"), lambda quantity: quantity)
     with mpmath.workdps(_DIGITS):
-        given = [mpmath.mpf(value.p) / value.q for value in values.values()]
-    # With what is held released and the values put in, SymPy would sort and merge trees that are
-    # exponentially larger than what they share.
-    function: Function = sp.lambdify(
-        (*POSITION, *values),
-        [sp.sympify(e) for e in expressions],
-        modules=[choices | held, "mpmath"],
-        dummify=True,
-        cse=True,
-    )
-    return lambda *place: function(*place, *given)
+        given = {symbol: mpmath.mpf(value.p) / value.q for symbol, value in values.items()}
+        places = {symbol: place for place, symbol in enumerate(POSITION)}
+        first: list[Any] = [None] * len(places)
+        steps: list[tuple[Callable[..., Any], list[int]]] = []
+
+        def place_of(part: sp.Basic) -> int:
+            if part not in places:
+                if part.args and not part.is_number:
+                    operands = [place_of(operand) for operand in part.args]
+                    steps.append((_operation(part), operands))
+                    first.append(None)
+                else:
+                    first.append(given[part] if part in given else mpmath.mpf(sp.N(part, _DIGITS)))
+                places[part] = len(first) - 1
+            return places[part]
+
+        results = [place_of(sp.sympify(expression)) for expression in expressions]
+    targets = [place for place, value in enumerate(first) if value is None][len(POSITION) :]
+
+    def function(*position: Any) -> list[Any]:
+        found = [*position, *first[len(position) :]]
+        for target, (operation, operands) in zip(targets, steps, strict=True):
+            found[target] = operation(*(found[operand] for operand in operands))
+        return [found[result] for result in results]
+
+    return function
+
+
+def _operation(part: sp.Basic) -> Callable[..., Any]:
+    """Return what computes a part from its operands."""
+    if isinstance(part, Barrier):
+        return lambda quantity: quantity
+    operations: dict[type[sp.Basic], Callable[..., Any]] = {
+        sp.Add: lambda *terms: sum(terms),
+        sp.Mul: lambda *factors: math.prod(factors),
+        sp.Pow: mpmath.power,
+        sp.Abs: abs,
+        IfLess: lambda left, right, then, other: then if left < right else other,
+        IfAtMost: lambda left, right, then, other: then if left <= right else other,
+    }
+    known = operations.get(type(part))
+    function: Callable[..., Any] = known or getattr(mpmath, part.func.__name__)
+    return function
 
 
 def _slopes(function: Function, point: Sequence[Any]) -> list[list[Any]]:

@@ -118,7 +118,7 @@ def engines(tmp_path_factory: pytest.TempPathFactory) -> Engines:
         path = root / name
         path.parent.mkdir(exist_ok=True)
         path.write_text(text, encoding="utf-8")
-    library = shared_library(root / "c" / "table.c", *WARNINGS)
+    library = shared_library(root / "c" / "table.c", "-O1", *WARNINGS)
     module = load_module(root / "numpy" / "table.py")
     return Engines(module, native.Library(library, module), files)
 

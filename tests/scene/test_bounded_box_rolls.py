@@ -27,7 +27,11 @@ from tests.scene.test_oblique_rolls import CENTRE, CLAIMS, SIZE, check_proofs, c
 from tests.scene.test_torus_rolls import agree
 from tests.scene.test_turned_boxes import rotation
 
-pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("bounded_box_rolls")]  # compiled once
+pytestmark = [
+    pytest.mark.slow,
+    pytest.mark.xdist_group("bounded_box_rolls"),  # compiled once
+    pytest.mark.usefixtures("soonest"),
+]
 
 Floats = NDArray[np.float64]
 

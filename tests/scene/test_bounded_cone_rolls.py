@@ -41,7 +41,11 @@ from tests.scene.test_oblique_rolls import (
     rolled,
 )
 
-pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("bounded_cone_rolls")]  # compiled once
+pytestmark = [
+    pytest.mark.slow,
+    pytest.mark.xdist_group("bounded_cone_rolls"),  # compiled once
+    pytest.mark.usefixtures("soonest"),
+]
 
 Floats = NDArray[np.float64]
 

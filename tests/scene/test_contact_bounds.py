@@ -29,7 +29,11 @@ from tests.helpers.effort import exceptions, occurrences, trials
 from tests.helpers.slow_scene import Slow
 from tests.scene.test_oblique_bodies import aimed_at, rotated
 
-pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("contact_bounds")]
+pytestmark = [
+    pytest.mark.slow,
+    pytest.mark.xdist_group("contact_bounds"),
+    pytest.mark.usefixtures("soonest"),
+]
 
 Floats = NDArray[np.float64]
 

@@ -103,7 +103,7 @@ def test_derivatives_in_an_own_scene_are_those_of_35_digits() -> None:
     names = (*STATE, *OF_AIR, "ball_radius", "gravity", "bounce")
     states = yard_throws(40)
     order = np.argsort(-yard().simulate(states).contacts, kind="stable")  # most contacts first
-    most = trials(4, at_least=3)
+    most = trials(4, at_least=2)
     contacts = check_against_truth(yard(), states[order], {}, names, most, PreciseAir)
     assert contacts.max() >= 3
 
