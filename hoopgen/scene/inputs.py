@@ -179,6 +179,31 @@ class Inputs:
             raise self.wrong(owner, argument, f"{formula} is {value} at the defaults")
         return value
 
+    def check_above(
+        self, owner: str, argument: str, formula: Formula, least: Formula, said: str
+    ) -> None:
+        """Raise unless a formula is above another one at the parameters' defaults.
+
+        Parameters
+        ----------
+        owner, argument, formula
+            As for `number`.
+        least
+            The other formula.
+        said
+            The reason, in words.
+
+        Raises
+        ------
+        SceneError
+            With the reason, what is expected and what was given.
+        """
+        value, limit = (self.number(owner, argument, one) for one in (formula, least))
+        if value <= limit:
+            raise self.wrong(
+                owner, argument, f"{said}: expected more than {limit:g}, got {value:g}"
+            )
+
     def add(
         self,
         owner: str,

@@ -332,12 +332,16 @@ def test_a_direction_that_is_zero_makes_its_own_row_invalid_not_the_others() -> 
 @pytest.mark.parametrize(
     ("given", "said"),
     [
-        ({"gravity": -1}, r"gravity: expected a number above 0, got -1"),
+        ({"gravity": -1}, r"gravity: expected a number of at least 0, got -1; down is its direction"),
         ({"gravity": -1, "down": (1, 0, -1)}, r"gravity: expected a number of at least 0, got -1"),
         ({"down": (0, 0, 0)}, r"down: has no direction: all three sizes are 0"),
         ({"down": "w"}, r"down: expected one of x, y, z"),
         ({"down": (1, 0)}, r"down: expected three sizes, or tilt and towards"),
-        ({"gravity": 0, "rolls": True}, r"rolls: a ball rolls only where gravity cannot be 0"),
+        ({"gravity": 0, "rolls": True}, r"rolls: .* cannot be 0; expected gravity above 0"),
+        (
+            {"gravity": "pull", "parameters": [PULL], "rolls": True},
+            r"rolls: .* cannot be 0: declare its sign as positive",
+        ),
         (
             {"down": (1, 0, -1), "rolls": True},
             r"rolls: a ball rolls only where gravity points along an axis",
