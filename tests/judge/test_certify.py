@@ -860,6 +860,21 @@ def test_a_proof_agrees_with_shots_as_far_as_it_goes() -> None:
         assert certificate.agrees(Copy(own))[0] == agrees
 
 
+def test_agreement_on_a_ball_that_slips_needs_the_field_that_says_so() -> None:
+    slippery = SMALL_BALL | {"bridge_friction": 0.05}
+    spun = state((-0.308, 0.0, 0.1), (0.0, 0.0, 0.0), (0.0, 60.0, 0.0))
+    certificate = certify(spun, slippery, scene=hoopgen.COURT)
+    assert not certificate.decided[0]
+    usual = ("outcome", "uncertain")
+    court: dict[str, Any] = {"scene": hoopgen.COURT, "record": True}
+    shots = hoopgen.simulate(spun, slippery, fields=(*usual, "slip_left"), **court)
+    assert shots.outcome[0] == hoopgen.Outcome.CAPPED
+    assert not shots.uncertain[0]
+    assert certificate.agrees(shots)[0]
+    with pytest.raises(AttributeError, match="slip_left"):
+        certificate.agrees(hoopgen.simulate(spun, slippery, fields=usual, **court))
+
+
 class Copy:
     """Shots with some results replaced."""
 
