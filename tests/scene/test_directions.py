@@ -93,7 +93,7 @@ def direction(made: Scene, body: str = "a") -> list[float]:
         (Cone("a", half_angle="nandeg"), "body a: half_angle: "),
         (Cone("a", half_angle=0.5), "body a: half_angle: expected text with a unit"),  # type: ignore[arg-type]
         (Cone("a", slope=0), "body a: slope: expected a number above 0"),
-        (Cone("a", slope=1, span=(-1, 1)), "expected a number of at least 0, from the apex; got -1"),
+        (Cone("a", slope=1, span=(-1, 1)), "of at least 0, from the apex; got -1"),
         (Cone("a", slope=1, span=(0, 0)), "expected a number above 0, from the apex; got 0"),
         (Cone("a", slope=1, span=1), "body a: span: expected two ends"),  # type: ignore[arg-type]
         (

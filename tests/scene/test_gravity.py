@@ -332,7 +332,10 @@ def test_a_direction_that_is_zero_makes_its_own_row_invalid_not_the_others() -> 
 @pytest.mark.parametrize(
     ("given", "said"),
     [
-        ({"gravity": -1}, r"gravity: expected a number of at least 0, got -1; down is its direction"),
+        (
+            {"gravity": -1},
+            r"gravity: expected a number of at least 0, got -1; down is its direction",
+        ),
         ({"gravity": -1, "down": (1, 0, -1)}, r"gravity: expected a number of at least 0, got -1"),
         ({"down": (0, 0, 0)}, r"down: has no direction: all three sizes are 0"),
         ({"down": "w"}, r"down: expected one of x, y, z"),

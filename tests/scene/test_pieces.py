@@ -232,6 +232,13 @@ def test_a_condition_names_the_ball_s_radius(radius: float | str) -> None:
     assert named.read == written.read
 
 
+def test_readers_see_computed_numbers_as_decimals() -> None:
+    plate = Plane("plate", normal=(-1, 0, 2), within=["x**2 + y**2 - 1/9"])
+    said = [one.summary for one in scene(plate)._read(as_written=True).inputs]
+    assert "within 1 x of body plate: 0.8944271909999159*ball" in said
+    assert "within 1 of body plate: 0.19999999999999996*ball**2 - 1/9" in said
+
+
 def test_a_parameter_called_ball_radius_is_that_parameter_in_a_condition() -> None:
     made = scene(
         Surface("ramp", condition="z - ball_radius"),
