@@ -61,7 +61,7 @@ def arrival_at(
         The time up to which arrivals matter, s.
     """
     surface = formulas.surfaces[index]
-    closed = piece.exact and surface.axis >= 0
+    closed = piece.exact and surface.flat
     if not zeros and piece.is_aside(surface, values):
         return None
     coefficients = surface.condition(piece.path, values)[0].coeffs()

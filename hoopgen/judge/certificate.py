@@ -115,7 +115,8 @@ class Certificate:
         ValueError
             If they are not as many.
         AttributeError
-            If they have no event log, or were simulated without "outcome" or "uncertain".
+            If they have no event log, or were simulated without "outcome" or "uncertain", or, where
+            one that the judge does not decide is capped without a roll, without "slip_left".
         """
         self._check_as_many(shots)
         ends = np.searchsorted(shots.events["shot"], np.arange(1, len(self)))
@@ -124,10 +125,10 @@ class Certificate:
         same = [list(one["surface"]) == own for one, own in zip(found, proved, strict=True)]
         right = self.decided & (shots.outcome == self.outcome) & np.array(same, np.bool_)
         capped = int(shots.scene.outcomes["CAPPED"])
-        slipping = getattr(shots, "slip_left", np.zeros(len(self), np.bool_))
+        may_slip = shots.scene.rolls & (shots.outcome == capped) & ~(right | shots.uncertain)
         for shot, (one, own) in enumerate(zip(found, proved, strict=True)):
             begun = np.flatnonzero(one["kind"] == Event.ROLL)
-            if not len(begun) and slipping[shot]:
+            if not len(begun) and may_slip[shot] and shots.slip_left[shot]:
                 begun = np.array([len(one)])
             given_up = not self.decided[shot] or self.outcome[shot] == capped
             if self.accumulates[shot] or (len(begun) and given_up):

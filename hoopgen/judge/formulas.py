@@ -15,6 +15,7 @@ from hoopgen.derive.scenes import HOOP
 from hoopgen.derive.scenes.scene import Scene
 from hoopgen.derive.scenes.validity import condition_scales, size_limits, without_assumptions
 from hoopgen.derive.surfaces import Box, EndPlane, Plane, Ring, Surface
+from hoopgen.derive.surfaces.plane import Flat
 from hoopgen.derive.symbolic.conditionals import release
 from hoopgen.derive.symbolic.symbols import (
     NORMAL,
@@ -57,8 +58,8 @@ class SurfaceFormulas:
         Its derivative by the time along a path, as a list of one; None but for rings and planes.
     face, body
         The surface of the scene that it is, or is a part of, and the body that it belongs to.
-    bounded
-        Whether it has bounds.
+    bounded, flat
+        Whether it has bounds, and whether it is a plane, along an axis or inclined.
     impact
         (state, parameters, normal) to velocity and spin, of which some are no number where balls do
         not decide what happens; None where a shot ends.
@@ -84,6 +85,7 @@ class SurfaceFormulas:
     face: int
     body: int
     bounded: bool
+    flat: bool
     axis: int
     offset: Function
     impact: Function | None
@@ -188,6 +190,7 @@ def _surface(surface: Surface, face: int, body: int, scene: Scene) -> SurfaceFor
         face,
         body,
         bool(surface.bounds),
+        isinstance(surface, Flat),
         axis,
         compile_expressions([offset], motion),
         impact,

@@ -52,8 +52,8 @@ def read_box(
     turn = None if body.orientation is None else _quaternion(reader, owner, body.orientation)
     sizes: dict[str, Formula] = {}
     for (argument, length), middle in zip(size.items(), centre.values(), strict=True):
-        if inputs.number(owner, argument, length) <= 0:
-            raise inputs.wrong(owner, argument, "expected a number above 0")
+        if (given := inputs.number(owner, argument, length)) <= 0:
+            raise inputs.wrong(owner, argument, f"expected a number above 0, got {given:g}")
         half = length / constant(2)
         axis = argument.rpartition(" ")[2]
         if turn is None:
@@ -86,8 +86,8 @@ def _from_angles(reader: Reader, owner: str, given: Mapping[Any, Any]) -> list[F
     known = ("axis", "angle") if {"axis", "angle"} & set(given) else _ANGLES
     strange = [name for name in given if name not in known]
     if strange or not given:
-        said = f"unknown {join_names(strange)}. " if strange else ""
-        raise inputs.wrong(owner, "orientation", f"{said}expected {_EXPECTED}")
+        got = f"got {join_names(list(given))}" if given else "got none of them"
+        raise inputs.wrong(owner, "orientation", f"expected {_EXPECTED}; {got}")
     if known == _ANGLES:
         halves = [
             _of_half(angle(inputs, owner, f"orientation {name}", given.get(name, "0deg")))

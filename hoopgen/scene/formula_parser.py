@@ -125,9 +125,7 @@ def parse(text: str, names: Collection[str], decimal: bool = False) -> Formula:
             raise FormulaError(f"{brief(text)}: {brief(text[place:].strip()[:1])} is not allowed")
         found = token["name"]
         if found is not None and found != "sqrt" and found not in names:
-            raise FormulaError(
-                f"{brief(text)}: unknown name {brief(found)}; there are {join_names(sorted(names))}"
-            )
+            raise FormulaError(f"{brief(text)}: unknown name {brief(found)}; {_known(names)}")
         # A name may be a word of Python's, such as lambda.
         own = found not in (None, "sqrt")
         parts.append(f"{text[place : token.start('name')]}{_MARK}{found}" if own else token[0])
@@ -218,6 +216,10 @@ class _Reader:
         return self.read(base, depth) ** int(exponent.value)
 
 
+def _known(names: Collection[str]) -> str:
+    return f"there are {join_names(sorted(names))}" if names else "the scene has no parameters"
+
+
 def _from_sympy(
     expression: Any, names: Collection[str], depth: int, decimal: bool = False
 ) -> Formula:
@@ -225,9 +227,7 @@ def _from_sympy(
     _check_depth(depth)
     if expression.is_Symbol:
         if expression.name not in names:
-            raise FormulaError(
-                f"unknown symbol {brief(expression.name)}; there are {join_names(sorted(names))}"
-            )
+            raise FormulaError(f"unknown symbol {brief(expression.name)}; {_known(names)}")
         return name(expression.name)
     if expression.is_Rational or expression.is_Float:
         return _number(float(expression), decimal)

@@ -43,13 +43,13 @@ def read_gravity(
     sign = "nonnegative" if zero else "positive"
     vector = None if along is not None else direction(inputs, "", "down", down)
     axis = along if vector is None else aligned(vector)
+    if size.number is not None and size.number < 0:
+        said = f"expected a number of at least 0, got {float(size.number):g}; down is its direction"
+        raise inputs.wrong("", "gravity", said)
     if axis is not None or vector is None or size == ZERO:
         return inputs.add("", "gravity", size, sign=sign, unit="m/s²"), axis or (2, -1)
     if size.number is None:
         inputs.add("", "gravity", size, sign=sign, unit="m/s²")
-    elif size.number < 0:
-        said = f"expected a number of at least 0, got {float(size.number):g}"
-        raise inputs.wrong("", "gravity", said)
     parts = [settled(size * part) for part in vector]
     x, y, z = vector_inputs(inputs, "", "gravity", parts, unit="m/s²").values()
     return size, (x, y, z)
@@ -86,5 +86,6 @@ def check_rolling(
         raise inputs.wrong("", "rolls", said)
     signs = {i.name: i.sign for i in inputs.all}
     if size == ZERO or signs.get(str(size.value)) == "nonnegative":
-        said = "a ball rolls only where gravity cannot be 0: declare its sign as positive"
-        raise inputs.wrong("", "rolls", said)
+        said = "a ball rolls only where gravity cannot be 0"
+        hint = ": declare its sign as positive" if size != ZERO else "; expected gravity above 0"
+        raise inputs.wrong("", "rolls", said + hint)

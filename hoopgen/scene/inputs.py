@@ -8,6 +8,7 @@ in, formulas cost nothing in a shot, and to kernels and judge every size is an e
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
@@ -25,6 +26,9 @@ __all__ = ["Input", "Inputs", "SceneError"]
 
 NONNEGATIVE_ARGUMENTS = ("restitution", "friction", "tangential")
 """Arguments of bodies that zero is one of."""
+
+
+_LONG_QUOTIENT = re.compile(r"(\d+)/(\d{7,})")
 
 
 class SceneError(ValueError):
@@ -179,6 +183,31 @@ class Inputs:
             raise self.wrong(owner, argument, f"{formula} is {value} at the defaults")
         return value
 
+    def check_above(
+        self, owner: str, argument: str, formula: Formula, least: Formula, said: str
+    ) -> None:
+        """Raise unless a formula is above another one at the parameters' defaults.
+
+        Parameters
+        ----------
+        owner, argument, formula
+            As for `number`.
+        least
+            The other formula.
+        said
+            The reason, in words.
+
+        Raises
+        ------
+        SceneError
+            With the reason, what is expected and what was given.
+        """
+        value, limit = (self.number(owner, argument, one) for one in (formula, least))
+        if value <= limit:
+            raise self.wrong(
+                owner, argument, f"{said}: expected more than {limit:g}, got {value:g}"
+            )
+
     def add(
         self,
         owner: str,
@@ -221,7 +250,7 @@ class Inputs:
             formula,
             self.number(owner, argument, formula, infinite),
             unit,
-            f"{argument} of {owner}: {formula}" if owner else argument.replace("_", " "),
+            self._describe(owner, argument, formula),
             sign,
             upper,
             argument=argument,
@@ -246,6 +275,15 @@ class Inputs:
         if excess := current().excess("sizes", len(self._inputs), exact=False):
             raise self.wrong(owner, argument, excess)
         return name(made.name)
+
+    def _describe(self, owner: str, argument: str, formula: Formula) -> str:
+        """Return the summary of an input; readers see long quotients as decimals."""
+        if not owner:
+            return argument.replace("_", " ")
+        text = str(formula)
+        if self.as_written:
+            text = _LONG_QUOTIENT.sub(lambda one: repr(int(one[1]) / int(one[2])), text)
+        return f"{argument} of {owner}: {text}"
 
 
 def wrong(scene: str, owner: str, argument: str, said: object) -> SceneError:

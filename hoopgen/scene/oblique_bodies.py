@@ -171,8 +171,8 @@ def read_oblique_cylinder(
     inside = reader.flag(owner, "inside", body.inside)
     sizes = {"radius": inputs.add(owner, "radius", radius, sign="positive")}
     room = radius - ball if inside else radius + ball
-    if inputs.number(owner, "radius", room) <= 0:
-        raise inputs.wrong(owner, "radius", "the ball does not fit inside")
+    if inside:
+        inputs.check_above(owner, "radius", radius, ball, "the ball does not fit inside")
     sizes |= vector_inputs(inputs, owner, "direction", vector, "1")
     # Nearest to the origin, so that roundings are as small as the ball's place allows.
     way = dot(vector, tuple(centre.values()))
@@ -230,7 +230,8 @@ def read_span(reader: Reader, owner: str, given: object) -> dict[str, Formula]:
         found[argument] = reader.formula(owner, argument, end)
         ends.append(reader.inputs.number(owner, argument, found[argument]))
     if ends != sorted(ends):
-        raise reader.inputs.wrong(owner, "span", f"it ends at {ends[1]:g} before {ends[0]:g}")
+        said = f"expected the lower end first; it ends at {ends[1]:g} before {ends[0]:g}"
+        raise reader.inputs.wrong(owner, "span", said)
     return found
 
 
@@ -258,8 +259,9 @@ def read_cone(reader: Reader, owner: str, body: pieces.Cone, ball: Formula) -> O
     inside = reader.flag(owner, "inside", body.inside)
     span = read_span(reader, owner, body.span)
     start = span.pop("span from", ZERO)
-    if inputs.number(owner, "span from", start) < 0:
-        raise inputs.wrong(owner, "span from", "expected a number of at least 0, from the apex")
+    if (low := inputs.number(owner, "span from", start)) < 0:
+        said = f"expected a number of at least 0, from the apex; got {low:g}"
+        raise inputs.wrong(owner, "span from", said)
     per_cosine = settled((ONE + slope**2).sqrt())
     sine, to_apex = settled(ball * slope / per_cosine), settled(ball * per_cosine / slope)
     way = constant(1 if inside else -1)
@@ -274,14 +276,16 @@ def read_cone(reader: Reader, owner: str, body: pieces.Cone, ball: Formula) -> O
     if start != ZERO:
         sizes["span from"] = inputs.add(owner, "span from", start)
     if start != ZERO or not inside:
-        low = settled(start + way * sine)
-        sizes["contact from"] = inputs.add(owner, "contact from", low)
+        nearest = settled(start + way * sine)
+        sizes["contact from"] = inputs.add(owner, "contact from", nearest)
     if "span to" in span:
         end = span["span to"]
-        if inputs.number(owner, "span to", end) <= 0:
-            raise inputs.wrong(owner, "span to", "expected a number above 0, from the apex")
-        if inside and inputs.number(owner, "span to", end + sine - to_apex) <= 0:
-            raise inputs.wrong(owner, "span to", "the ball does not fit so far inside")
+        if (far := inputs.number(owner, "span to", end)) <= 0:
+            said = f"expected a number above 0, from the apex; got {far:g}"
+            raise inputs.wrong(owner, "span to", said)
+        if inside:
+            said = "the ball does not fit so far inside"
+            inputs.check_above(owner, "span to", end, settled(to_apex - sine), said)
         sizes["span to"] = inputs.add(owner, "span to", end)
         high = settled(end + way * sine)
         sizes["contact to"] = inputs.add(owner, "contact to", high)
@@ -311,8 +315,8 @@ def read_torus(
         "radius": reader.size(owner, "radius", body.radius, sign="positive"),
         "wire": reader.size(owner, "wire", body.wire, sign="nonnegative"),
     }
-    if inputs.number(owner, "radius", room[0] - room[1] - ball) <= 0:
-        raise inputs.wrong(owner, "radius", "the ball does not fit through")
+    said = "the ball does not fit through"
+    inputs.check_above(owner, "radius", room[0], room[1] + ball, said)
     vector = axis_or_direction(reader, owner, "axis", body.axis)
     axis = aligned(vector)
     if axis is None:

@@ -115,8 +115,8 @@ class Body:
         The normal speed at which the restitution is half of what it is without speed; infinite: it
         is the same at any. None: that of the scene.
     within
-        Formulas in x, y and z, of a point of the body: it is there where all are at most 0. Each is
-        flat, such as ``"x - half_width"``, or, on a plane, round: ``"x**2 + y**2 - r**2"``.
+        Polynomials in x, y and z, of a point of the body: it is there where all are at most 0. Such
+        as ``"x - half_width"`` or ``"x**2 + y**2 - r**2"``.
     """
 
     name: str

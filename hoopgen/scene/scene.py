@@ -56,10 +56,11 @@ class Scene:
         The same; infinite, 0 and infinite, as in the article, where there is none.
     rolls
         Whether a ball whose bounces become ever smaller rolls on, instead of bouncing until it is
-        given up. Then only planes, discs and cylinders, by their span, have bounds, off whose
-        edges a ball flies, unless another body takes it over there. Such a shot may end LODGED, at
-        rest or wedged, or ENDLESS, still rolling at the time limit. It makes kernels some times as
-        long to compile.
+        given up. Off the edges of a body, where its bounds or its span end, it flies, unless
+        another body takes it over there. Then tori have no bounds, others have bounds of a degree
+        of at most 2, no body is a revolution or a surface of your own, and gravity points along an
+        axis. Such a shot may end LODGED, at rest or wedged, or ENDLESS, still rolling at the time
+        limit. It makes kernels some times as long to compile.
     air
         Whether the ball flies through air, with drag, buoyancy and the Magnus force of its spin.
         Then the scene has five parameters more, which it may declare itself to give other defaults:

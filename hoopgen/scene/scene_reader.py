@@ -307,8 +307,8 @@ def _curved(
     inside = reader.flag(owner, "inside", body.inside)
     sizes = {"radius": reader.inputs.add(owner, "radius", radius, sign="positive")}
     room = radius - ball if inside else radius + ball
-    if reader.inputs.number(owner, "radius", room) <= 0:
-        raise reader.inputs.wrong(owner, "radius", "the ball does not fit inside")
+    if inside:
+        reader.inputs.check_above(owner, "radius", radius, ball, "the ball does not fit inside")
     factor, axis = radius / room, (2, 1)
     across: tuple[int, ...] = (0, 1, 2)
     extra: tuple[Terms, ...] = ()

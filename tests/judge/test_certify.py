@@ -43,6 +43,7 @@ from hoopgen.judge.pieces import next_piece
 from hoopgen.judge.proof import doubles, enclosure
 from hoopgen.judge.roots import Arrival, first_arrival, sign_changes
 from hoopgen.judge.settle import settle
+from hoopgen.scene import Plane, Scene, Sphere
 from tests.helpers import ROOT
 from tests.helpers.hoop_shots import Batch
 from tests.helpers.march import Flown
@@ -858,6 +859,36 @@ def test_a_proof_agrees_with_shots_as_far_as_it_goes() -> None:
         uncertain = np.zeros(2, np.bool_)
         own = SimpleNamespace(**fields, events=events, uncertain=uncertain)
         assert certificate.agrees(Copy(own))[0] == agrees
+
+
+def test_agreement_on_a_ball_that_slips_needs_the_field_that_says_so() -> None:
+    slippery = SMALL_BALL | {"bridge_friction": 0.05}
+    spun = state((-0.308, 0.0, 0.1), (0.0, 0.0, 0.0), (0.0, 60.0, 0.0))
+    certificate = certify(spun, slippery, scene=hoopgen.COURT)
+    assert not certificate.decided[0]
+    usual = ("outcome", "uncertain")
+    court: dict[str, Any] = {"scene": hoopgen.COURT, "record": True}
+    shots = hoopgen.simulate(spun, slippery, fields=(*usual, "slip_left"), **court)
+    assert shots.outcome[0] == hoopgen.Outcome.CAPPED
+    assert not shots.uncertain[0]
+    assert certificate.agrees(shots)[0]
+    with pytest.raises(AttributeError, match="slip_left"):
+        certificate.agrees(hoopgen.simulate(spun, slippery, fields=usual, **court))
+
+
+def test_a_ball_that_another_body_throws_off_an_inclined_plane_does_not_meet_the_plane() -> None:
+    """Without gravity and restitution it drifts along the plane, at the distance zero."""
+    drifting = Scene(
+        "drifting",
+        bodies=[Plane("ramp", normal=(0, -0.4, 1)), Sphere("knob", radius=0.2, centre=(1, 0, 0))],
+        ball_radius=0.05,
+        gravity=0,
+        restitution=0,
+    )
+    states = np.array([state((0, 0, 0.3), (1, y, -0.5), (0, 0, 0)) for y in (-0.05, 0.02, 0.06)])
+    proofs = certify(states, scene=drifting, time_limit=5, max_contacts=5)
+    assert proofs.decided.all()
+    assert [proof.surfaces for proof in proofs.proofs] == [[0, 1, 2]] * 3
 
 
 class Copy:

@@ -79,7 +79,7 @@ def direction(made: Scene, body: str = "a") -> list[float]:
         (Cylinder("a", radius=1, axis=(1, 2)), "body a: axis: expected three sizes"),
         (Cylinder("a", radius=1, axis="w"), "body a: axis: expected one of x"),
         (Cylinder("a", radius=0.01, axis=(1, 0, 1), inside=True), "the ball does not fit inside"),
-        (Cylinder("a", radius=1, axis=(1, 0, 1), span=(1, 0)), "body a: span: it ends at 0 before"),
+        (Cylinder("a", radius=1, axis=(1, 0, 1), span=(1, 0)), "it ends at 0 before 1"),
         (Disc("a", radius=0), "body a: radius: expected a number above 0"),
         (Disc("a", radius=1, axis=(0, 0, 0)), "body a: axis: has no direction"),
         (Torus("a", radius=1, axis=(0, 0, 0)), "body a: axis: has no direction"),
@@ -93,12 +93,12 @@ def direction(made: Scene, body: str = "a") -> list[float]:
         (Cone("a", half_angle="nandeg"), "body a: half_angle: "),
         (Cone("a", half_angle=0.5), "body a: half_angle: expected text with a unit"),  # type: ignore[arg-type]
         (Cone("a", slope=0), "body a: slope: expected a number above 0"),
-        (Cone("a", slope=1, span=(-1, 1)), "body a: span from: expected a number of at least 0"),
-        (Cone("a", slope=1, span=(0, 0)), "body a: span to: expected a number above 0"),
+        (Cone("a", slope=1, span=(-1, 1)), "of at least 0, from the apex; got -1"),
+        (Cone("a", slope=1, span=(0, 0)), "expected a number above 0, from the apex; got 0"),
         (Cone("a", slope=1, span=1), "body a: span: expected two ends"),  # type: ignore[arg-type]
         (
             Cone("a", slope=1, span=(0, 0.04), inside=True),
-            "body a: span to: the ball does not fit so far inside",
+            "span to: the ball does not fit so far inside: expected more than 0.0441942, got 0.04",
         ),
         (Cone("a", slope=1, within=["1"]), "body a: within 1: 1 has none of x, y, z"),
     ],

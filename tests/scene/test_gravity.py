@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 from numpy.typing import NDArray
+from scipy.spatial.transform import Rotation
 
 import hoopgen
 from hoopgen.scene import (
@@ -19,6 +20,7 @@ from hoopgen.scene import (
     End,
     Parameter,
     Plane,
+    Revolution,
     Scene,
     SceneError,
     Sphere,
@@ -184,11 +186,12 @@ def test_contacts_and_ends_are_those_of_a_slow_reference(
 
 
 def turned_scene(name: str, turn: Floats) -> Scene:
-    """Return the bodies that stand in any direction, turned, and gravity with them."""
+    """Return bodies of every kind, turned, and gravity with them."""
+    x, y, z, w = map(float, Rotation.from_matrix(turn).as_quat())
 
     def way(*parts: float) -> tuple[float, float, float]:
-        x, y, z = map(float, turn @ parts)
-        return x, y, z
+        first, second, third = map(float, turn @ parts)
+        return first, second, third
 
     return Scene(
         name,
@@ -201,6 +204,22 @@ def turned_scene(name: str, turn: Floats) -> Scene:
             Sphere("globe", radius=0.3, centre=way(0.2, 0.1, 0)),
             Cylinder("rod", radius=0.1, centre=way(-0.5, 0.2, 0), axis=way(1, 2, 1)),
             Disc("plate", radius=0.5, centre=way(0.5, -0.5, 0.2), axis=way(0.3, 0, 1)),
+            Torus("wheel", radius=0.3, wire=0.05, centre=way(-0.4, -0.7, 0.5), axis=way(0.3, 1, 0)),
+            Cone(
+                "spike", apex=way(0.6, 0.8, 0.5), axis=way(0.1, 0.2, -1), slope=0.5, span=(0, 0.6)
+            ),
+            Box(
+                "brick",
+                size=(0.5, 0.4, 0.3),
+                centre=way(-0.8, -0.3, -0.4),
+                orientation=(w, x, y, z),
+            ),
+            Revolution(
+                "cup",
+                profile=[(0.1, 0), (0.3, 0.3)],
+                centre=way(1.0, 0.2, -0.5),
+                axis=way(0.2, 0.1, 1),
+            ),
         ],
     )
 
@@ -224,6 +243,7 @@ def test_a_scene_turned_with_its_gravity_gives_the_turned_shots() -> None:
     assert sure.mean() > 0.5
     assert (found.counts == turned.counts)[sure].all()
     assert (found.outcome == turned.outcome)[sure].all()
+    assert (found.counts[sure].sum(axis=0) > occurrences(count // 200)).all()
     back = np.einsum("ij,nkj->nki", turn, found.state.reshape(-1, 3, 3)).reshape(-1, 9)
     away = np.abs(back - turned.state).reshape(-1, 3, 3).max(axis=2)
     assert (away <= found.state_error + turned.state_error)[sure].all()
@@ -332,12 +352,19 @@ def test_a_direction_that_is_zero_makes_its_own_row_invalid_not_the_others() -> 
 @pytest.mark.parametrize(
     ("given", "said"),
     [
-        ({"gravity": -1}, r"gravity: expected a number above 0, got -1"),
+        (
+            {"gravity": -1},
+            r"gravity: expected a number of at least 0, got -1; down is its direction",
+        ),
         ({"gravity": -1, "down": (1, 0, -1)}, r"gravity: expected a number of at least 0, got -1"),
         ({"down": (0, 0, 0)}, r"down: has no direction: all three sizes are 0"),
         ({"down": "w"}, r"down: expected one of x, y, z"),
         ({"down": (1, 0)}, r"down: expected three sizes, or tilt and towards"),
-        ({"gravity": 0, "rolls": True}, r"rolls: a ball rolls only where gravity cannot be 0"),
+        ({"gravity": 0, "rolls": True}, r"rolls: .* cannot be 0; expected gravity above 0"),
+        (
+            {"gravity": "pull", "parameters": [PULL], "rolls": True},
+            r"rolls: .* cannot be 0: declare its sign as positive",
+        ),
         (
             {"down": (1, 0, -1), "rolls": True},
             r"rolls: a ball rolls only where gravity points along an axis",

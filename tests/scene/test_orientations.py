@@ -83,6 +83,9 @@ def test_a_quarter_turn_has_two_equal_parts(degrees: int, way: int) -> None:
     assert abs(found[0]) == pytest.approx(math.sqrt(0.5), rel=1e-15)
 
 
+EXPECTED = "four sizes w, x, y, z of a quaternion, or axis and angle, or yaw, pitch and roll"
+
+
 @pytest.mark.parametrize(
     ("orientation", "said"),
     [
@@ -94,15 +97,18 @@ def test_a_quarter_turn_has_two_equal_parts(degrees: int, way: int) -> None:
         ("z", "orientation: expected four sizes w, x, y, z"),
         (3, "orientation: expected four sizes w, x, y, z"),
         ((1, 0, 0, "p"), "orientation z: 'p': unknown name"),
-        ({}, "orientation: expected four sizes"),
+        ({}, f"orientation: expected {EXPECTED}; got none of them"),
         ({"axis": "z"}, "orientation angle: missing"),
         ({"angle": "3deg"}, "orientation axis: missing"),
         ({"axis": "z", "angle": 3}, "orientation angle: expected text with a unit"),
         ({"axis": "w", "angle": "3deg"}, "orientation axis: expected one of x"),
         ({"axis": (0, 0, 0), "angle": "3deg"}, "orientation axis: has no direction"),
-        ({"axis": "z", "angle": "3deg", "yaw": "1deg"}, "orientation: unknown yaw. expected four"),
+        (
+            {"axis": "z", "angle": "3deg", "yaw": "1deg"},
+            f"orientation: expected {EXPECTED}; got axis, angle, yaw",
+        ),
         ({"yaw": "30m"}, "orientation yaw: "),
-        ({"heading": "3deg"}, "orientation: unknown heading. expected four"),
+        ({"heading": "3deg"}, f"orientation: expected {EXPECTED}; got heading"),
     ],
 )
 def test_a_refusal_names_the_argument(orientation: Any, said: str) -> None:

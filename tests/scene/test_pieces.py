@@ -190,16 +190,25 @@ def test_what_is_wrong_with_a_scene_is_said(given: dict[str, Any], said: str) ->
         (Sphere("wall", radius=0), "radius: expected a number above 0, got 0"),
         (Sphere("wall", radius=1, centre=(0, 0)), "centre: expected three sizes"),
         (Sphere("wall", radius=1, centre=(0, "q", 0)), "centre y: 'q': unknown"),
-        (Sphere("wall", radius=0.04, inside=True), "radius: the ball does not fit inside"),
+        (
+            Sphere("wall", radius=0.04, inside=True),
+            "radius: the ball does not fit inside: expected more than 0.05, got 0.04",
+        ),
         (Sphere("wall", radius=1, inside="yes"), "inside: expected true or false"),
         (Cylinder("wall", radius="-width"), "radius: expected a number above 0, got -1.5"),
-        (Cylinder("wall", radius=1, span=(1, 0)), "span: it ends at 0 before 1"),
+        (
+            Cylinder("wall", radius=1, span=(1, 0)),
+            "span: expected the lower end first; it ends at 0 before 1",
+        ),
         (Cylinder("wall", radius=1, span=3), "span: expected two ends"),
         (Torus("wall", radius=1, wire=-0.1), "wire: expected a number of at least 0, got -0.1"),
-        (Torus("wall", radius=0.06, wire=0.02), "radius: the ball does not fit through"),
+        (
+            Torus("wall", radius=0.06, wire=0.02),
+            "radius: the ball does not fit through: expected more than 0.07, got 0.06",
+        ),
         (Torus("wall", radius=1, within=["sqrt(x)"]), "within 1: not polynomial"),
         (Box("wall", size=(1, 1, 1), within="x"), "within: expected a list of formulas"),
-        (Box("wall", size=(1, 0, 1)), "size y: expected a number above 0"),
+        (Box("wall", size=(1, 0, 1)), "size y: expected a number above 0, got 0"),
         (Box("wall", size=1), "size: expected three sizes"),
         (Surface("wall", condition="ball"), "condition: ball has none of x, y, z"),
         (Surface("wall", condition="x/y"), "condition: not polynomial"),
@@ -221,6 +230,13 @@ def test_a_condition_names_the_ball_s_radius(radius: float | str) -> None:
         for said in ("ball_radius", radius)
     )
     assert named.read == written.read
+
+
+def test_readers_see_computed_numbers_as_decimals() -> None:
+    plate = Plane("plate", normal=(-1, 0, 2), within=["x**2 + y**2 - 1/9"])
+    said = [one.summary for one in scene(plate)._read(as_written=True).inputs]
+    assert "within 1 x of body plate: 0.8944271909999159*ball" in said
+    assert "within 1 of body plate: 0.19999999999999996*ball**2 - 1/9" in said
 
 
 def test_a_parameter_called_ball_radius_is_that_parameter_in_a_condition() -> None:
