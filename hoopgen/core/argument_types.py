@@ -13,8 +13,6 @@ import numpy as np
 
 from hoopgen.text.shorten import brief, join_alternatives
 
-__all__ = ["check_arguments", "check_flag", "check_mapping", "is_names"]
-
 Taken = ParamSpec("Taken")
 Returned = TypeVar("Returned")
 

@@ -13,23 +13,6 @@ from numpy.typing import ArrayLike, NDArray
 from hoopgen.generated.numpy import hoop
 from hoopgen.text.shorten import brief, join_names, suggestion
 
-__all__ = [
-    "BackendName",
-    "BACKEND_NAMES",
-    "RUNTIME_BACKENDS",
-    "MAX_CONTACTS",
-    "check_contacts",
-    "check_count",
-    "check_leaving",
-    "check_states",
-    "check_index",
-    "check_threads",
-    "check_time_limit",
-    "as_doubles",
-    "as_number",
-    "is_whole",
-]
-
 BackendName = Literal["auto", "c", "numpy", "cuda"]
 """Name of a backend: a target that runs in this process, or "auto" for the faster of those on the
 processor. The registry of targets needs SymPy, so that a test compares the names."""

@@ -24,19 +24,6 @@ from hoopgen.core.private_folders import private_folder
 
 from . import numpy_backend, result_arrays
 
-__all__ = [
-    "WIDTHS",
-    "Batch",
-    "InexactBuildError",
-    "batches",
-    "differences",
-    "even_numbers",
-    "first_primes",
-    "verify",
-    "user_cache",
-    "available_widths",
-]
-
 WIDTHS = (1, 4, 8, 16)
 """Vector widths that the source can be built for; the processor has some of them."""
 

@@ -13,8 +13,6 @@ from hoopgen.core.parameters import Parameters
 
 from .presets import FIBA, NBA, PAPER
 
-__all__ = ["AIR_DEFAULTS", "FIBA_AIR", "NBA_AIR", "PAPER_AIR", "PRESETS"]
-
 AIR_DEFAULTS: Mapping[str, float] = MappingProxyType(
     {
         "ball_mass": 0.624,

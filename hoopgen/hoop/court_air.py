@@ -13,8 +13,6 @@ from hoopgen.core.parameters import Parameters
 from .air import AIR_DEFAULTS, FIBA_AIR, NBA_AIR, PAPER_AIR
 from .court import FIBA_COURT, NBA_COURT, PAPER_COURT
 
-__all__ = ["FIBA_COURT_AIR", "NBA_COURT_AIR", "PAPER_COURT_AIR", "PRESETS"]
-
 
 def _in_air(court: Mapping[str, float], air: Mapping[str, float]) -> Parameters[float]:
     """Return the parameters of a gym's hoop with the air's of another preset."""

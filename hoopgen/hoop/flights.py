@@ -13,8 +13,6 @@ from hoopgen.generated.numpy import hoop
 
 from .air import AIR_DEFAULTS
 
-__all__ = ["Flights", "is_in_air"]
-
 Floats = NDArray[np.float64]
 
 

@@ -46,8 +46,6 @@ if TYPE_CHECKING:
     from hoopgen.study.questions.solve import Solution
     from hoopgen.study.statistics.shares import Shares
 
-__all__ = ["plot_estimate"]
-
 # Inches.
 _LEFT, _RIGHT, _GAP, _ROW, _BELOW, _ABOVE = 1.05, 0.15, 0.12, 0.27, 0.44, 0.3
 _LABEL_WIDTH, _EXTRA_LABEL_WIDTH = (

@@ -20,16 +20,6 @@ from .style import COLOURS, EDGES, FRAME, GRID, INK, POINTS_PER_INCH
 from .ticks import number
 from .views import Panel, Points, View
 
-__all__ = [
-    "Drawing",
-    "Room",
-    "add_panel",
-    "draw_panel",
-    "draw_view",
-    "label_flat_view",
-    "thin_rows",
-]
-
 Place = Sequence[float]
 
 _TICK_STEPS = (

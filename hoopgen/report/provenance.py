@@ -22,18 +22,6 @@ from .quantities import Quantity, quantity
 if TYPE_CHECKING:
     import xarray as xr
 
-__all__ = [
-    "describe_dataset",
-    "describe_hoop",
-    "describe_release",
-    "describe_scatter",
-    "describe_scene",
-    "describe_setting",
-    "footer",
-    "model_attributes",
-    "sentences",
-]
-
 _MIN_DIGITS = 6
 """Significant digits; more are written if a value would otherwise look like the preset's."""
 

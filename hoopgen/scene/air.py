@@ -10,8 +10,6 @@ from hoopgen.text.shorten import brief
 from .inputs import wrong
 from .pieces import Parameter
 
-__all__ = ["AIR_PARAMETERS", "added_parameters", "check_switches"]
-
 AIR_PARAMETERS = (
     Parameter("ball_mass", AIR_DEFAULTS["ball_mass"], "kg", "m_B, mass of the ball", latex="m_B"),
     Parameter(

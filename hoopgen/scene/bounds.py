@@ -16,17 +16,6 @@ from .formulas import ONE, POSITION, ZERO, Formula, FormulaError, constant, name
 from .inputs import Inputs
 from .polynomials import Polynomial, polynomial, product, total
 
-__all__ = [
-    "LinearMap",
-    "Map",
-    "Terms",
-    "bounds",
-    "degrees",
-    "is_along",
-    "linear_powers",
-    "terms",
-]
-
 Powers = tuple[int, int, int]
 
 Terms = tuple[tuple[Powers, Formula], ...]

@@ -11,8 +11,6 @@ from .formulas import Formula
 from .meshes import Bound, Floats, Mesh, flat, join
 from .parsed_shapes import Shape
 
-__all__ = ["BOXES", "box_extent", "box_mesh"]
-
 BOXES = ("box", "oblique box")
 """Kinds of boxes: along the axes, and turned."""
 

@@ -12,8 +12,6 @@ from . import pieces
 from .directions import Reader, angle, axis_or_direction, rounded, unit_sizes
 from .formulas import ZERO, Formula, constant
 
-__all__ = ["PARTS", "read_box"]
-
 PARTS = ("w", "x", "y", "z")
 """The components of a quaternion, the real part first."""
 

@@ -45,8 +45,6 @@ from .parsed_shapes import RevolvedShape, Shape
 from .revolution_faces import revolution_faces
 from .scene_reader import ParsedScene
 
-__all__ = ["derivation_scene"]
-
 Point = tuple[sp.Expr, sp.Expr, sp.Expr]
 
 

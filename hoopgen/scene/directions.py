@@ -17,20 +17,6 @@ from hoopgen.text.shorten import brief, join_names
 from .formulas import ONE, POSITION, ZERO, Formula, constant
 from .inputs import Inputs
 
-__all__ = [
-    "Reader",
-    "Vector",
-    "aligned",
-    "angle",
-    "axis_or_direction",
-    "direction",
-    "dot",
-    "rounded",
-    "settled",
-    "unit_sizes",
-    "vector_inputs",
-]
-
 Vector = tuple[Formula, Formula, Formula]
 
 _ANGLES = ("tilt", "towards")

@@ -38,8 +38,6 @@ from .scene import Scene
 from .torus_geometry import torus_extent, torus_lines, torus_mesh
 from .upright import acceleration, upright
 
-__all__ = ["Body", "SceneGeometry"]
-
 _TURN_PIECES, _HALF_TURN_PIECES = 48, 24
 """Pieces of a turn and of a half one."""
 

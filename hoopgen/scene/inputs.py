@@ -20,9 +20,6 @@ from .formula_parser import read
 from .formulas import Formula, FormulaError, name
 from .limits import current
 
-__all__ = ["Input", "Inputs", "SceneError"]
-
-
 NONNEGATIVE_ARGUMENTS = ("restitution", "friction", "tangential")
 """Arguments of bodies that zero is one of."""
 

@@ -14,21 +14,6 @@ from itertools import product
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = [
-    "Box",
-    "Bound",
-    "Mesh",
-    "chains",
-    "clip",
-    "cut",
-    "flat",
-    "join",
-    "level_set",
-    "loops",
-    "contact_mesh",
-    "walls",
-]
-
 Floats = NDArray[np.float64]
 
 Bound = Callable[[Floats], Floats]

@@ -23,8 +23,6 @@ from .meshes import (
 )
 from .parsed_shapes import Shape
 
-__all__ = ["FLAT", "OBLIQUE", "oblique_axes", "oblique_extent", "oblique_mesh"]
-
 FLAT = ("inclined plane", "disc")
 OBLIQUE = (*FLAT, "oblique cylinder", "cone")
 """Kinds of bodies along any direction, and those of them that are flat."""

@@ -7,8 +7,6 @@ from dataclasses import dataclass
 from .directions import Vector
 from .formulas import Formula
 
-__all__ = ["Arc", "Line", "Profile", "Sizes", "Vertex", "Way"]
-
 Sizes = tuple[tuple[str, Formula], ...]
 
 Way = tuple[Formula, Formula]

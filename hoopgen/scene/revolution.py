@@ -29,8 +29,6 @@ from .profile_curves import Arc as Curve
 from .profile_curves import ways_at
 from .profile_points import ProfilePiece, ProfilePoint, read_profile
 
-__all__ = ["read_revolution"]
-
 ON_AXIS = 1e-9
 """Distance of an arc's centre from the axis, relative to the arc's radius, up to which it is on it:
 roundings of the three points leave so little."""

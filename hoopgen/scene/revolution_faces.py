@@ -30,8 +30,6 @@ from .parsed_shapes import RevolvedShape
 from .profile import Arc, Line
 from .revolution import LEAST_OFFSET, ON_AXIS
 
-__all__ = ["revolution_faces"]
-
 Point = tuple[sp.Expr, sp.Expr, sp.Expr]
 Bounds = tuple[sp.Expr, ...]
 

@@ -5,8 +5,6 @@ from __future__ import annotations
 import html
 from collections.abc import Iterable, Sequence
 
-__all__ = ["some_rows", "table"]
-
 MAX_ROWS = 10
 """Shown of a long table: half of them from its start, half from its end."""
 

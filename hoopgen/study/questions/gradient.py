@@ -26,8 +26,6 @@ from hoopgen.study.statistics.intervals import newcombe_interval
 from hoopgen.text.numbers import format_percent
 from hoopgen.text.tables import table
 
-__all__ = ["Slope", "check_gradient", "difference_slopes", "score_slopes", "slope_lines"]
-
 Floats = NDArray[np.float64]
 
 
