@@ -35,20 +35,11 @@ class ObliqueCylinder(AboutAxis, Round):
     radius
         Distance from the axis to the ball's centre at a contact: the sum of the radii of cylinder
         and ball, or, from inside, their difference.
-    limits
-        The bounds (Eq. 2).
-    inward
-        True if the ball touches it from inside.
-    reach
-        The ball's radius, if the surface is a thin shell; None if all behind the surface is body.
     """
 
     centre: Point
     direction: Direction
     radius: sp.Expr
-    limits: tuple[sp.Expr, ...] = ()
-    inward: bool = False
-    reach: sp.Expr | None = None
 
     @property
     def shape(self) -> sp.Expr:

@@ -56,12 +56,6 @@ class RevolvedArc(AboutAxis, TwoSided):
     meets_axis
         False if r is certainly less than |a|, so that the mirror image of the circle is not at
         positive rho.
-    limits
-        The bounds (Eq. 2): the arc's ends.
-    inward
-        True if the ball touches the hollow side.
-    reach
-        The ball's radius; the surface is a thin wall.
     """
 
     centre: Point
@@ -70,9 +64,6 @@ class RevolvedArc(AboutAxis, TwoSided):
     offset_sign: int
     radius: sp.Expr
     meets_axis: bool = True
-    limits: tuple[sp.Expr, ...] = ()
-    inward: bool = False
-    reach: sp.Expr | None = None
 
     @property
     def images(self) -> tuple[sp.Expr, ...]:
