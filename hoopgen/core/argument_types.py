@@ -43,10 +43,8 @@ def check_flag(name: str, value: object) -> bool:
 
     Parameters
     ----------
-    name
-        The argument, for the error message.
-    value
-        The caller's value.
+    name, value
+        As for `check_mapping`.
 
     Raises
     ------

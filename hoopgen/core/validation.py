@@ -71,10 +71,8 @@ def as_number(name: str, value: Any, expected: str) -> float:
 
     Parameters
     ----------
-    name
-        The argument, for the error message.
-    value
-        The caller's value.
+    name, value
+        As for `as_doubles`.
     expected
         A description of the expected number, for the error message.
 
@@ -276,10 +274,8 @@ def check_index(name: str, value: Any, length: int) -> int:
 
     Parameters
     ----------
-    name
-        The argument, for the error message.
-    value
-        The caller's value.
+    name, value
+        As for `as_doubles`.
     length
         The number of shots.
 
@@ -305,10 +301,8 @@ def check_count(
 
     Parameters
     ----------
-    name
-        The argument, for the error message.
-    value
-        The caller's value.
+    name, value
+        As for `as_doubles`.
     least, most
         The lowest and the highest allowed number.
     expected

@@ -359,10 +359,8 @@ def load_engine(
 
     Parameters
     ----------
-    source
-        The generated source of the scene.
-    kernels
-        The generated NumPy module of the scene.
+    source, kernels
+        As for `CudaEngine`.
     shots
         Function that returns the shots with which it is compared with NumPy.
 

@@ -234,10 +234,8 @@ def available_widths(engine: CompiledEngine, kernels: ModuleType) -> list[int]:
 
     Parameters
     ----------
-    engine
-        The compiled scene.
-    kernels
-        The generated NumPy module of the scene.
+    engine, kernels
+        As for `differences`.
     """
     nothing = np.empty((0, len(kernels.STATE)))
     parameters = [0.0] * len(kernels.PARAMETERS)

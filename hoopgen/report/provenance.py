@@ -64,11 +64,8 @@ def describe_scene(
     ----------
     scene
         The scene; the article's is described by `describe_hoop`.
-    parameters
-        Some or all of the scene's parameters, each a number or of shape (n,); of an array its
-        lowest and highest values are written.
-    by_row
-        The parameters whose values differ from row to row, in columns of a table.
+    parameters, by_row
+        As for `describe_hoop`.
 
     Returns
     -------

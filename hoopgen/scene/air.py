@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from hoopgen.hoop.air import AIR_DEFAULTS
+from hoopgen.core.parameters import AIR_DEFAULTS
 from hoopgen.text.shorten import brief
 
 from .inputs import wrong

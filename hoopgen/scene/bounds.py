@@ -110,10 +110,8 @@ def terms(
     ----------
     inputs
         The inputs of the scene, to which coefficients are added.
-    owner
-        The body or end, for error messages.
-    argument
-        The argument, for error messages.
+    owner, argument
+        As for `hoopgen.scene.inputs.Inputs.read`.
     given
         The polynomial as the author wrote it.
     there

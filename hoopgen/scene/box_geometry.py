@@ -25,12 +25,8 @@ def box_mesh(shape: Shape, number: Number, bounds: Sequence[Bound], ball: float)
     ----------
     shape
         The box.
-    number
-        The value of its sizes.
-    bounds
-        Its bounds, functions of its points.
-    ball
-        The ball's radius, m.
+    number, bounds, ball
+        As for `hoopgen.scene.revolution_geometry.revolution_mesh`.
     """
     low, high, axes, centre = _placed(shape, number)
 

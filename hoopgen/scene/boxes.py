@@ -32,12 +32,8 @@ def read_box(
 
     Parameters
     ----------
-    reader
-        The reader of the scene's arguments.
-    owner
-        The body, for error messages.
-    body
-        The body as its author wrote it.
+    reader, owner, body
+        As for `hoopgen.scene.oblique_bodies.read_disc`.
 
     Raises
     ------

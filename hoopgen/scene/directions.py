@@ -68,10 +68,8 @@ def direction(inputs: Inputs, owner: str, argument: str, given: object) -> Vecto
     ----------
     inputs
         The inputs of the scene.
-    owner
-        The body, for error messages.
-    argument
-        The argument, for error messages.
+    owner, argument
+        As for `Reader.formula`.
     given
         Three sizes of any length but 0, or a mapping with the angles `tilt` and `towards`.
 

@@ -252,12 +252,8 @@ def wrong(scene: str, owner: str, argument: str, said: object) -> SceneError:
     ----------
     scene
         The scene's name, empty if it has none yet.
-    owner
-        The body or end, empty for the scene itself.
-    argument
-        The argument.
-    said
-        The rest of the message.
+    owner, argument, said
+        As for `Inputs.wrong`.
     """
     where = ": ".join(filter(None, (scene and f"scene {brief(scene)}", owner, argument)))
     return SceneError(f"{where}: {said}" if where else str(said))

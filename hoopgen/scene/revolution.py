@@ -48,14 +48,8 @@ def read_revolution(
 
     Parameters
     ----------
-    reader
-        The reader of the scene's arguments.
-    owner
-        The body, for error messages.
-    body
-        The body as its author wrote it.
-    ball
-        The ball's radius.
+    reader, owner, body, ball
+        As for `hoopgen.scene.oblique_bodies.read_disc`.
 
     Raises
     ------

@@ -27,14 +27,8 @@ def torus_mesh(
     ----------
     shape
         The torus.
-    number
-        The value of its sizes.
-    bounds
-        Its bounds, functions of its points.
-    room
-        The lowest and the highest corner.
-    ball
-        The ball's radius, m.
+    number, bounds, room, ball
+        As for `hoopgen.scene.revolution_geometry.revolution_mesh`.
     """
     wire = number(shape["wire"])
     if wire == 0.0:

@@ -97,10 +97,8 @@ def write_page(
 
     Parameters
     ----------
-    shots
-        The recorded shots.
-    parameters
-        The scene's parameters.
+    shots, parameters
+        As for `page`.
     target
         The file; None for none.
     title, about, labels

@@ -121,12 +121,10 @@ def check_spread(argument: str, deviations: Mapping[str, ArrayLike], among: Iter
 
     Parameters
     ----------
-    argument
-        The name of the argument, for the error.
+    argument, among
+        As for `check_turns`.
     deviations
         Standard deviations of variables by name, one number or (n,) each, SI and rad.
-    among
-        All variables that are given; they tell states from releases.
     """
     if not is_state(among):
         check_turns(argument, deviations, among)

@@ -169,12 +169,10 @@ def difference_slopes(
     ----------
     parameters
         Of the scene.
-    names
-        Of the derivatives.
+    names, level
+        As for `score_slopes`.
     counts
         As of `difference_counts`, of all shots.
-    level
-        Of the intervals.
     """
     found = {}
     for name, of_name in zip(names, counts.reshape(-1, len(TIMES), PAIRS), strict=True):
