@@ -126,7 +126,15 @@ def edges(surface: Surface) -> dict[str, Kernel]:
 
 
 def root_formulas(delay: sp.Expr, flight: Flight) -> dict[str, Formula]:
-    """Return how a bound on the delay of a root widens the errors at a contact."""
+    """Return the formulas of a contact that the roundings of its condition delay.
+
+    Parameters
+    ----------
+    delay
+        The bound, s.
+    flight
+        The motion between contacts.
+    """
     return {
         "root_delay": (
             {"root_delay": delay},

@@ -90,10 +90,8 @@ def scene_variations(scene: Scene, order: tuple[sp.Symbol, ...]) -> tuple[Kernel
 
     Parameters
     ----------
-    scene
-        The scene.
-    order
-        The symbols in the order of arguments.
+    scene, order
+        As for `piece_variations`.
     """
     start = dict(zip((*POSITION, *VELOCITY), (*dx, *dv), strict=True))
     start |= _series_changes(scene) | _changes(scene)

@@ -23,12 +23,7 @@ from ..symbolic.symbols import POSITION
 from .about_axis import AboutAxis
 from .bounds import as_length
 from .contact_bounds import ContactPath, path_about_axis
-from .directions import (
-    Direction,
-    along,
-    per_length,
-    squared_distance,
-)
+from .directions import Direction, along, per_length, squared_distance
 from .rolling_surface import RevolvedSurface, RollingSurface
 from .surface import Point, overlap, translated
 from .two_sided import TwoSided

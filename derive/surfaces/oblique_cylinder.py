@@ -9,11 +9,7 @@ import sympy as sp
 from ..symbolic.conditionals import barrier
 from ..symbolic.symbols import POSITION
 from .about_axis import AboutAxis
-from .directions import (
-    Direction,
-    squared_distance,
-    squared_length,
-)
+from .directions import Direction, squared_distance, squared_length
 from .rolling_surface import RollingSurface
 from .surface import Point
 from .two_sided import Round

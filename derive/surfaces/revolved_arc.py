@@ -22,12 +22,7 @@ from ..symbolic.conditionals import barrier
 from ..symbolic.symbols import POSITION
 from .about_axis import AboutAxis
 from .bounds import as_length
-from .directions import (
-    Direction,
-    per_length,
-    squared_distance,
-    squared_length,
-)
+from .directions import Direction, per_length, squared_distance, squared_length
 from .surface import Point, translated
 from .two_sided import TwoSided
 

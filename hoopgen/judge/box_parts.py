@@ -12,14 +12,7 @@ from typing import Any
 
 import sympy as sp
 
-from hoopgen.derive.surfaces import (
-    Box,
-    Cylinder,
-    ObliqueBox,
-    Plane,
-    Sphere,
-    Surface,
-)
+from hoopgen.derive.surfaces import Box, Cylinder, ObliqueBox, Plane, Sphere, Surface
 from hoopgen.derive.surfaces.rotation import scaled_rotation, squared_norm, times, transposed
 from hoopgen.derive.symbolic.conditionals import release
 from hoopgen.derive.symbolic.symbols import POSITION

@@ -17,19 +17,7 @@ from .bounds import Terms, is_along, linear_powers
 from .box_geometry import BOXES, box_extent, box_mesh
 from .engine_pieces import scene_pieces
 from .formulas import Formula
-from .meshes import (
-    Bound,
-    Box,
-    Floats,
-    Mesh,
-    contact_mesh,
-    cut,
-    flat,
-    grid,
-    join,
-    level_set,
-    walls,
-)
+from .meshes import Bound, Box, Floats, Mesh, contact_mesh, cut, flat, grid, join, level_set, walls
 from .oblique_geometry import FLAT, OBLIQUE, oblique_extent, oblique_mesh
 from .parsed_shapes import RevolvedShape, Shape
 from .polynomials import derivative, evaluate

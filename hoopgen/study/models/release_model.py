@@ -14,12 +14,7 @@ from hoopgen.core.si_checks import check_deviations
 from hoopgen.core.validation import as_doubles
 from hoopgen.core.variables import STATE, Releases, check_names, is_state
 from hoopgen.hoop.presets import NAMES, PAPER
-from hoopgen.hoop.variables import (
-    ALTERNATIVE_VARIABLES,
-    ARGUMENTS,
-    check_angles,
-    resolve_variables,
-)
+from hoopgen.hoop.variables import ALTERNATIVE_VARIABLES, ARGUMENTS, check_angles, resolve_variables
 from hoopgen.scene.lookup import HOOP_VARIABLES
 
 Floats: TypeAlias = NDArray[np.float64]
