@@ -165,11 +165,8 @@ class CoulombFriction(Law):
 
         Parameters
         ----------
-        ball
-            The ball.
-        slip, speed
-            Speed of the contact point along the surface, and speed of approach, before the contact;
-            not negative.
+        ball, slip, speed
+            As for `energy_change`.
         """
         grip = grip_share(ball, self.tangential) * slip
         return minimum(grip, self.friction * barrier(1 + self.restitution_at(speed)) * speed)

@@ -88,10 +88,8 @@ def impact_through_frame(
         R = [n1 n2 n3], (3, 3), as of `frame_from_axis`.
     velocity, spin
         Before the contact, (3,) each.
-    ball
-        The radius and the inertia of the ball.
-    restitution
-        e of the normal velocity.
+    ball, restitution
+        As for `impact_equations`.
 
     Returns
     -------

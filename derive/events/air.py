@@ -77,10 +77,8 @@ def piece_lost(surface: Surface, flight: AirFlight) -> sp.Expr:
 
     Parameters
     ----------
-    surface
-        A curved surface, whose box may be infinite along some axes.
-    flight
-        A piece of a flight, a series with a bound on its remainder.
+    surface, flight
+        As for `piece_windows`.
 
     Returns
     -------

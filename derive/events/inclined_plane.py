@@ -10,7 +10,6 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from ..errors.propagation import root_rounding
 from ..motion.parabola import Parabola
 from ..surfaces import InclinedPlane
 from ..surfaces.directions import along
@@ -20,7 +19,7 @@ from ..symbolic.rounding import Rounded, rounding
 from ..symbolic.symbols import POSITION, UNIT_ROUNDOFF, VELOCITY, t
 from .event_polynomials import leaving
 from .plane import PlaneSearch, mean_rate_error
-from .search import Formula
+from .search import Formula, root_formulas
 
 
 def root_delay(plane: InclinedPlane, flight: Parabola) -> sp.Expr:
@@ -90,15 +89,4 @@ class InclinedPlaneSearch(PlaneSearch):
                 "Rounding-error bounds of the gap up to the horizon, and of the rate at its start.",
                 source,
             )
-        return found | {
-            "root_delay": (
-                {"root_delay": root_delay(self.surface, self.flight)},
-                "Delay of a contact by the roundings of its condition.",
-                "running error analysis",
-            ),
-            "carry_root": (
-                root_rounding(self.flight),
-                "Errors at a contact, with the roundings of the root.",
-                "running error analysis",
-            ),
-        }
+        return found | root_formulas(root_delay(self.surface, self.flight), self.flight)

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 
 import sympy as sp
 
-from ..errors.propagation import normal_error, root_rounding
+from ..errors.propagation import normal_error
 from ..ir.event_tree import UNPROVED, Call, If, Node, Value, While
 from ..ir.kernel import Kernel, decision
 from ..symbolic.conditionals import Not, false
@@ -18,7 +18,7 @@ from .ring.air_sketch import MAX_STEPS as MAX_SKETCH_STEPS
 from .ring.air_sketch import AirRingSketch, sketch_size
 from .ring.single import MAX_STEPS, SinglePrecisionRing
 from .root_finder import RootFinder
-from .search import Formula, Parts, Search, bounded, edges, given, proposed
+from .search import Formula, Parts, Search, bounded, edges, given, proposed, root_formulas
 
 STEP_LIMIT = 201
 """Steps after which a search gives up and the shot is uncertain; a search takes about five."""
@@ -102,20 +102,7 @@ class RootSearch(Search):
     def _root_rounding(self) -> dict[str, Formula]:
         """The roundings of the root, where the flight's own do not contain them."""
         late = self.root_finder.root_delay
-        if late is None:
-            return {}
-        return {
-            "root_delay": (
-                {"root_delay": late},
-                "Delay of a contact by the roundings of its condition.",
-                "running error analysis",
-            ),
-            "carry_root": (
-                root_rounding(self.flight),
-                "Errors at a contact, with the roundings of the root.",
-                "running error analysis",
-            ),
-        }
+        return {} if late is None else root_formulas(late, self.flight)
 
     @property
     def reach_test(self) -> dict[str, sp.Basic]:

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
+from ..errors.propagation import root_rounding
 from ..ir.event_tree import Call, Node, Value
 from ..ir.kernel import Kernel, decision
 from ..motion.flight import Flight
@@ -120,6 +121,30 @@ def edges(surface: Surface) -> dict[str, Kernel]:
             f"{surface.name}_edges",
             {"undecided": all_of(near, Not(surely))},
             "Whether the bounds or the crossing lie within their errors.",
+        ),
+    }
+
+
+def root_formulas(delay: sp.Expr, flight: Flight) -> dict[str, Formula]:
+    """Return the formulas of a contact that the roundings of its condition delay.
+
+    Parameters
+    ----------
+    delay
+        The bound, s.
+    flight
+        The motion between contacts.
+    """
+    return {
+        "root_delay": (
+            {"root_delay": delay},
+            "Delay of a contact by the roundings of its condition.",
+            "running error analysis",
+        ),
+        "carry_root": (
+            root_rounding(flight),
+            "Errors at a contact, with the roundings of the root.",
+            "running error analysis",
         ),
     }
 

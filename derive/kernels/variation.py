@@ -26,15 +26,6 @@ from ..symbolic.conditionals import barrier
 from ..symbolic.error_terms import dn, dv, dw, dx
 from ..symbolic.symbols import POSITION, SPIN, VELOCITY, change_of, normal, spin, velocity
 
-__all__ = [
-    "contact_delay",
-    "contact_variation",
-    "law_variation",
-    "piece_variations",
-    "scene_variations",
-    "variation_symbols",
-]
-
 contact_delay = sp.Symbol("contact_delay", real=True)
 """Variation of the time of a contact, s."""
 
@@ -99,10 +90,8 @@ def scene_variations(scene: Scene, order: tuple[sp.Symbol, ...]) -> tuple[Kernel
 
     Parameters
     ----------
-    scene
-        The scene.
-    order
-        The symbols in the order of arguments.
+    scene, order
+        As for `piece_variations`.
     """
     start = dict(zip((*POSITION, *VELOCITY), (*dx, *dv), strict=True))
     start |= _series_changes(scene) | _changes(scene)

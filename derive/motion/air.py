@@ -30,13 +30,7 @@ from typing import NamedTuple
 
 import sympy as sp
 
-from ..symbolic.conditionals import (
-    Choose,
-    Less,
-    absolute,
-    barrier,
-    barrier_all,
-)
+from ..symbolic.conditionals import Choose, Less, absolute, barrier, barrier_all
 from ..symbolic.error_terms import dv, dw, dx
 from ..symbolic.polynomials import Coefficients, derivative, horner, nested
 from ..symbolic.rounding import Rounded, extent, position_error, velocity_error

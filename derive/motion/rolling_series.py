@@ -279,12 +279,10 @@ def step(
 
     Parameters
     ----------
-    acceleration
-        That of the free ball, (3,), m/s².
+    acceleration, ball
+        As for `next_terms`.
     strength
         The size of the acceleration, m/s².
-    ball
-        The radius and the inertia of the ball.
     besides
         The force that presses the ball onto its surface besides its weight.
     revolved

@@ -57,16 +57,12 @@ def departure_kernels(
 
     Parameters
     ----------
-    flight
-        The motion between contacts.
+    flight, ball, oblique
+        As for `derive.rolling.contact_phase.kernels`.
     gravity
         The size of free fall, m/s².
-    ball
-        The ball.
     edges
         True if a ball may also come off an edge of the surface.
-    oblique
-        True if a ball may roll on a tube that lies along no axis.
     """
     per = barrier(absolute(rolling_series.per_reach))
     longest = sp.Rational(1, 2**7)

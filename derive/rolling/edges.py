@@ -188,12 +188,8 @@ def edge_kernels(flight: Flight, ball: Ball, codes: EventCodes) -> tuple[Kernel,
 
     Parameters
     ----------
-    flight
-        The motion between contacts.
-    ball
-        The ball.
-    codes
-        The indices of events in contact.
+    flight, ball, codes
+        As for `derive.rolling.contact_phase.kernels`.
     """
     return (
         decision(

@@ -213,12 +213,10 @@ def settling_kernels(
 
     Parameters
     ----------
-    flight
-        The motion between contacts.
+    flight, ball
+        As for `settling`.
     strength
         The size of the free ball's acceleration, m/s².
-    ball
-        The radius and the inertia of the ball.
     oblique
         True if a ball may roll on a tube that lies along no axis. Bounces on a turned box, whose
         condition has more roundings, then are known earlier to end there, unless a seam is near.

@@ -120,12 +120,8 @@ def settled(
 
     Parameters
     ----------
-    common
-        The kernels that all surfaces share, by part.
-    contacts
-        The surfaces of bodies, each with its kernels.
-    end_planes
-        The planes whose crossing ends a shot.
+    common, contacts, end_planes
+        As for `in_contact`.
     """
     holders = [surface for surface in contacts if "rolling_surface" in surface.parts]
     if not holders:

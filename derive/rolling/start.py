@@ -16,8 +16,6 @@ from ..state.fields import NONE
 from ..symbolic.conditionals import AtMost, Boolean, Choose, Equal, Not, all_of, any_of, false
 from .symbols import STARTS, body, mode
 
-__all__ = ["one_of", "start_decisions"]
-
 
 def one_of(surface: sp.Expr, indices: Sequence[int]) -> sp.Basic:
     """Return whether a surface is one of several.

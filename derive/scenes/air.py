@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import replace
 
 import sympy as sp
@@ -10,7 +9,7 @@ import sympy as sp
 from ..motion.air import AirConstants
 from .court import COURT
 from .hoop import HOOP
-from .scene import Parameter, Scene, parameter
+from .scene import Scene, parameter
 
 AIR_PARAMETERS = (
     parameter("ball_mass", "kg", "m_B, mass of the ball", 0.624, latex="m_B"),
@@ -34,31 +33,19 @@ AIR_PARAMETERS = (
         latex="v_s",
     ),
 )
-"""The parameters that a flight through air adds to a scene's."""
+"""The parameters that a flight through air adds to a scene's: the mass, the density of the air, the
+coefficients of drag and lift, and the speed below which drag is linear."""
 
 
-def with_air(scene: Scene, air_parameters: Sequence[Parameter] = AIR_PARAMETERS) -> Scene:
+def with_air(scene: Scene) -> Scene:
     """Return the scene in air, with the parameters of the air that it lacks after its own.
 
-    A ball must be heavier than the air that it displaces.
-
-    Parameters
-    ----------
-    scene
-        The scene without air.
-    air_parameters
-        The mass, the density of the air, the coefficients of drag and lift, and the speed below
-        which drag is linear, in this order.
-
-    Returns
-    -------
-    Scene
-        The same bodies, in which flights are pieces of series.
+    Its flights are pieces of series. A ball must be heavier than the air that it displaces.
     """
     own = {p.name: p for p in scene.parameters}
-    added = tuple(p for p in air_parameters if p.name not in own)
+    added = tuple(p for p in AIR_PARAMETERS if p.name not in own)
     symbols = {p.name: p.symbol for p in (*scene.parameters, *added)}
-    mass, density, drag, lift, smoothing = (symbols[p.name] for p in air_parameters)
+    mass, density, drag, lift, smoothing = (symbols[p.name] for p in AIR_PARAMETERS)
     displaced = density * scene.ball_radius**3 * sp.Rational(4189, 1000)
     return replace(
         scene,

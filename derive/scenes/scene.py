@@ -12,7 +12,7 @@ from ..contact.law import Law
 from ..motion.air import AirConstants, AirFlight
 from ..motion.flight import Acceleration, Flight
 from ..motion.parabola import Parabola
-from ..surfaces import Body, Cone, EndPlane, ImplicitSurface, InclinedPlane, Plane, Surface
+from ..surfaces import Body, Cone, EndPlane, InclinedPlane, Plane, Surface
 from ..surfaces.plane import Flat
 from ..surfaces.two_sided import Round
 from ..symbolic.conditionals import release
@@ -147,11 +147,11 @@ class Scene:
                 f"scene {self.name}: rolls: expected gravity along an axis, not zero; got "
                 f"{self.flight.acceleration}"
             )
-        implicit = [s.name for s in self.surfaces if isinstance(s, ImplicitSurface)]
-        if self.rolls and implicit:
+        unbounded = [s.name for s in self.surfaces if self.rolls and s.max_concavity is sp.oo]
+        if unbounded:
             raise ValueError(
                 f"scene {self.name}: rolls: expected no implicit surface, whose bends have no "
-                f"bound, got {', '.join(implicit)}"
+                f"bound, got {', '.join(unbounded)}"
             )
         bounded = [
             surface.name

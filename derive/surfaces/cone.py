@@ -23,12 +23,7 @@ from ..symbolic.symbols import POSITION
 from .about_axis import AboutAxis
 from .bounds import as_length
 from .contact_bounds import ContactPath, path_about_axis
-from .directions import (
-    Direction,
-    along,
-    per_length,
-    squared_distance,
-)
+from .directions import Direction, along, per_length, squared_distance
 from .rolling_surface import RevolvedSurface, RollingSurface
 from .surface import Point, overlap, translated
 from .two_sided import TwoSided
@@ -37,6 +32,8 @@ from .two_sided import TwoSided
 @dataclass(frozen=True)
 class Cone(AboutAxis, TwoSided):
     """One nappe of a cone, that to which its axis points.
+
+    Outside, its `limits` exclude the region of the apex.
 
     With d from the apex of the centres' cone to the ball's centre, and the vector u along the axis,
     of length 1 or not, the ball touches where |d × u|² = k² (d·u)², on the side with d·u > 0.
@@ -49,20 +46,11 @@ class Cone(AboutAxis, TwoSided):
         A vector along the axis from the apex into the cone, about of length 1.
     slope
         k, the tangent of the half-angle.
-    limits
-        The bounds (Eq. 2); outside, they exclude the region of the apex.
-    inward
-        True if the ball touches it from inside.
-    reach
-        The ball's radius, if the surface is a thin shell; None if all behind the surface is body.
     """
 
     apex: Point
     direction: Direction
     slope: sp.Expr
-    limits: tuple[sp.Expr, ...] = ()
-    inward: bool = False
-    reach: sp.Expr | None = None
 
     @property
     def _nappe(self) -> sp.Expr:

@@ -25,20 +25,11 @@ class Cylinder(Round):
     radius
         Distance from the axis to the ball's centre at a contact: the sum of the radii of cylinder
         and ball, or, from inside, their difference.
-    limits
-        The bounds (Eq. 2).
-    inward
-        True if the ball touches it from inside.
-    reach
-        The ball's radius, if the surface is a thin shell; None if all behind the surface is body.
     """
 
     centre: Point
     direction: tuple[sp.Rational | int, ...]
     radius: sp.Expr
-    limits: tuple[sp.Expr, ...] = ()
-    inward: bool = False
-    reach: sp.Expr | None = None
 
     def __post_init__(self) -> None:
         check_direction(self.name, self.direction)

@@ -68,6 +68,11 @@ class ImplicitSurface(Surface):
         return IfLess(self._steepness, sp.oo, bent, sp.oo)
 
     @property
+    def max_concavity(self) -> sp.Expr:
+        """Infinite: nothing bounds how it bends, so scenes refuse it beside a rolling ball."""
+        return sp.oo
+
+    @property
     def inside(self) -> tuple[sp.Expr, ...]:
         """The polynomial as a length, and the bounds."""
         return overlap(as_length(self.formula), self.bounds, None)

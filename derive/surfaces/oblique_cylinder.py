@@ -9,11 +9,7 @@ import sympy as sp
 from ..symbolic.conditionals import barrier
 from ..symbolic.symbols import POSITION
 from .about_axis import AboutAxis
-from .directions import (
-    Direction,
-    squared_distance,
-    squared_length,
-)
+from .directions import Direction, squared_distance, squared_length
 from .rolling_surface import RollingSurface
 from .surface import Point
 from .two_sided import Round
@@ -35,20 +31,11 @@ class ObliqueCylinder(AboutAxis, Round):
     radius
         Distance from the axis to the ball's centre at a contact: the sum of the radii of cylinder
         and ball, or, from inside, their difference.
-    limits
-        The bounds (Eq. 2).
-    inward
-        True if the ball touches it from inside.
-    reach
-        The ball's radius, if the surface is a thin shell; None if all behind the surface is body.
     """
 
     centre: Point
     direction: Direction
     radius: sp.Expr
-    limits: tuple[sp.Expr, ...] = ()
-    inward: bool = False
-    reach: sp.Expr | None = None
 
     @property
     def shape(self) -> sp.Expr:

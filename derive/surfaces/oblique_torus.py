@@ -9,53 +9,18 @@ import sympy as sp
 from ..symbolic.conditionals import barrier
 from ..symbolic.symbols import POSITION
 from .about_axis import AboutAxis
-from .bounds import as_length
-from .directions import (
-    Direction,
-    per_length,
-    squared_distance,
-    squared_length,
-)
+from .directions import per_length, squared_distance, squared_length
 from .rolling_surface import RollingSurface, toroidal
-from .surface import Point, overlap
 from .torus import Toroidal
 
 
 @dataclass(frozen=True)
 class ObliqueTorus(AboutAxis, Toroidal):
-    """A torus, touched from outside its tube.
+    """A torus whose axis has any direction.
 
     With d from the centre of the torus to the ball's centre and the vector u along its axis, of
     length 1 or not, the ball touches where |u|² (d² + R² - r²)² = 4 R² |d × u|².
-
-    Attributes
-    ----------
-    centre
-        The centre of the torus.
-    direction
-        A vector along its axis, about of length 1.
-    ring_radius
-        R, radius of the tube's centre circle.
-    reach
-        r, the sum of the radii of ball and tube. If that is more than R, `contact_limits` must
-        exclude the part about the axis: no ball can touch it.
-    limits
-        The bounds (Eq. 2).
-    contact_limits
-        More bounds, of contacts alone: a ball past them may overlap the tube all the same.
     """
-
-    centre: Point
-    direction: Direction
-    ring_radius: sp.Expr
-    reach: sp.Expr
-    limits: tuple[sp.Expr, ...] = ()
-    contact_limits: tuple[sp.Expr, ...] = ()
-
-    @property
-    def bounds(self) -> tuple[sp.Expr, ...]:
-        """The bounds as lengths."""
-        return (*map(as_length, (*self.limits, *self.contact_limits)), *self.cuts)
 
     @property
     def distance(self) -> sp.Expr:
@@ -85,11 +50,6 @@ class ObliqueTorus(AboutAxis, Toroidal):
         return sp.Matrix([c * outward + u * up for c, u in parts])
 
     @property
-    def curvature(self) -> sp.Expr:
-        """A bound on 1/r around the tube and |rho - R|/(rho r) along it: 1/rho + 1/r."""
-        return 1 / self._rho + 1 / self.reach
-
-    @property
     def max_concavity(self) -> sp.Expr:
         """The rate at which the distance from the axis bends, 1/rho: as of `Torus`."""
         return 1 / self._rho
@@ -98,8 +58,3 @@ class ObliqueTorus(AboutAxis, Toroidal):
     def rolling_surface(self) -> RollingSurface:
         """The torus of the ball's centre."""
         return toroidal(self._axis, self._across, self._rho, self.ring_radius, self.reach)
-
-    @property
-    def inside(self) -> tuple[sp.Expr, ...]:
-        """The distance, and the bounds."""
-        return overlap(self.distance, (*map(as_length, self.limits), *self.cuts), None)

@@ -9,19 +9,42 @@ import sympy as sp
 from ..symbolic.conditionals import barrier
 from ..symbolic.symbols import position
 from .bounds import as_length
+from .directions import Direction
 from .rolling_surface import RollingSurface
 from .surface import Surface, overlap
 
 
+@dataclass(frozen=True)
 class Flat(Surface):
-    """A flat surface, or the part of one within bounds, which stand in each kind."""
+    """A flat surface, or the part of one within bounds, touched from where its normal points.
 
-    limits: tuple[sp.Expr, ...]
+    Attributes
+    ----------
+    direction
+        d, the unit normal, or a vector along it that is about of length 1.
+    offset
+        d·p of the ball's centre at a contact.
+    reach
+        Distance from the plane's body to the centre of a ball that touches it.
+    limits
+        The bounds (Eq. 2).
+    """
+
+    direction: Direction
+    offset: sp.Expr
+    reach: sp.Expr
+    limits: tuple[sp.Expr, ...] = ()
 
     @property
     def bounds(self) -> tuple[sp.Expr, ...]:
         """The bounds of the plate as lengths."""
         return (*map(as_length, self.limits), *self.cuts)
+
+    @property
+    def inside(self) -> tuple[sp.Expr, ...]:
+        """The distance, and of a plate its thickness, within reach from either side, and bounds."""
+        bounds = self.bounds
+        return overlap(self.distance, bounds, self.reach if bounds else None)
 
     @property
     def rolling_surface(self) -> RollingSurface | None:
@@ -32,24 +55,9 @@ class Flat(Surface):
 
 @dataclass(frozen=True)
 class Plane(Flat):
-    """A flat surface, touched from the side that its normal points to.
-
-    Attributes
-    ----------
-    direction
-        Unit normal, constant.
-    offset
-        n·p of the ball's centre at a contact.
-    reach
-        Distance from the plane's body to the centre of a ball that touches it.
-    limits
-        The bounds (Eq. 2).
-    """
+    """A flat surface across an axis of the scene."""
 
     direction: tuple[int, int, int]
-    offset: sp.Expr
-    reach: sp.Expr
-    limits: tuple[sp.Expr, ...] = ()
 
     @property
     def distance(self) -> sp.Expr:
@@ -73,9 +81,3 @@ class Plane(Flat):
     def normal(self) -> sp.Matrix:
         """The constant unit normal."""
         return sp.Matrix(self.direction)
-
-    @property
-    def inside(self) -> tuple[sp.Expr, ...]:
-        """The distance, and of a plate its thickness, within reach from either side, and bounds."""
-        bounds = self.bounds
-        return overlap(self.distance, bounds, self.reach if bounds else None)

@@ -22,12 +22,7 @@ from ..symbolic.conditionals import barrier
 from ..symbolic.symbols import POSITION
 from .about_axis import AboutAxis
 from .bounds import as_length
-from .directions import (
-    Direction,
-    per_length,
-    squared_distance,
-    squared_length,
-)
+from .directions import Direction, per_length, squared_distance, squared_length
 from .surface import Point, translated
 from .two_sided import TwoSided
 
@@ -56,12 +51,6 @@ class RevolvedArc(AboutAxis, TwoSided):
     meets_axis
         False if r is certainly less than |a|, so that the mirror image of the circle is not at
         positive rho.
-    limits
-        The bounds (Eq. 2): the arc's ends.
-    inward
-        True if the ball touches the hollow side.
-    reach
-        The ball's radius; the surface is a thin wall.
     """
 
     centre: Point
@@ -70,9 +59,6 @@ class RevolvedArc(AboutAxis, TwoSided):
     offset_sign: int
     radius: sp.Expr
     meets_axis: bool = True
-    limits: tuple[sp.Expr, ...] = ()
-    inward: bool = False
-    reach: sp.Expr | None = None
 
     @property
     def images(self) -> tuple[sp.Expr, ...]:

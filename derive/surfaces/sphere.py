@@ -24,19 +24,10 @@ class Sphere(Round):
     radius
         Distance from there to the ball's centre at a contact: the sum of the radii of sphere and
         ball, or, from inside, their difference.
-    limits
-        The bounds (Eq. 2).
-    inward
-        True if the ball touches it from inside.
-    reach
-        The ball's radius, if the surface is a thin shell; None if all behind the surface is body.
     """
 
     centre: Point
     radius: sp.Expr
-    limits: tuple[sp.Expr, ...] = ()
-    inward: bool = False
-    reach: sp.Expr | None = None
 
     @property
     def _offset(self) -> sp.Matrix:

@@ -10,15 +10,44 @@ from ..symbolic.conditionals import barrier
 from ..symbolic.symbols import POSITION
 from .bounds import as_length
 from .cylinder import check_direction, perpendicular_part
+from .directions import Direction
 from .ring import Ring
 from .rolling_surface import RollingSurface, toroidal
 from .surface import Point, Surface, overlap, translated
 
 
+@dataclass(frozen=True)
 class Toroidal(Surface):
-    """A torus about any axis; the centre stands in each kind."""
+    """A torus about any axis, touched from outside its tube.
+
+    Attributes
+    ----------
+    centre
+        The centre of the torus.
+    direction
+        A vector along its axis, of length 1 or about.
+    ring_radius
+        R, radius of the tube's centre circle.
+    reach
+        r, the sum of the radii of ball and tube. If that is more than R, `contact_limits` must
+        exclude the part about the axis: no ball can touch it.
+    limits
+        The bounds (Eq. 2).
+    contact_limits
+        More bounds, of contacts alone: a ball past them may overlap the tube all the same.
+    """
 
     centre: Point
+    direction: Direction
+    ring_radius: sp.Expr
+    reach: sp.Expr
+    limits: tuple[sp.Expr, ...] = ()
+    contact_limits: tuple[sp.Expr, ...] = ()
+
+    @property
+    def bounds(self) -> tuple[sp.Expr, ...]:
+        """The bounds as lengths."""
+        return (*map(as_length, (*self.limits, *self.contact_limits)), *self.cuts)
 
     @property
     def reference_point(self) -> Point:
@@ -35,42 +64,23 @@ class Toroidal(Surface):
         """The shape, seen from the origin."""
         return translated(self.shape, self.centre)
 
+    @property
+    def curvature(self) -> sp.Expr:
+        """A bound on 1/r around the tube and |rho - R|/(rho r) along it: 1/rho + 1/r."""
+        return self.max_concavity + 1 / self.reach
+
+    @property
+    def inside(self) -> tuple[sp.Expr, ...]:
+        """The distance, and the bounds."""
+        return overlap(self.distance, (*map(as_length, self.limits), *self.cuts), None)
+
 
 @dataclass(frozen=True)
 class Torus(Toroidal):
-    """A torus, touched from outside its tube.
-
-    Attributes
-    ----------
-    centre
-        The centre of the torus.
-    direction
-        The direction of its axis: a unit vector of rational numbers.
-    ring_radius
-        R, radius of the tube's centre circle.
-    reach
-        r, the sum of the radii of ball and tube. If that is more than R, `contact_limits` must
-        exclude the part about the axis: no ball can touch it.
-    limits
-        The bounds (Eq. 2).
-    contact_limits
-        More bounds, of contacts alone: a ball past them may overlap the tube all the same.
-    """
-
-    centre: Point
-    direction: tuple[sp.Rational | int, ...]
-    ring_radius: sp.Expr
-    reach: sp.Expr
-    limits: tuple[sp.Expr, ...] = ()
-    contact_limits: tuple[sp.Expr, ...] = ()
+    """A torus whose axis has a direction of rational numbers, of length 1."""
 
     def __post_init__(self) -> None:
         check_direction(self.name, self.direction)
-
-    @property
-    def bounds(self) -> tuple[sp.Expr, ...]:
-        """The bounds as lengths."""
-        return (*map(as_length, (*self.limits, *self.contact_limits)), *self.cuts)
 
     @property
     def _along(self) -> sp.Expr:
@@ -115,11 +125,6 @@ class Torus(Toroidal):
         return sp.Matrix([translated(c * outward + u * along, self.centre) for c, u in parts])
 
     @property
-    def curvature(self) -> sp.Expr:
-        """A bound on 1/r around the tube and |rho - R|/(rho r) along it: 1/rho + 1/r."""
-        return translated(1 / self._rho, self.centre) + 1 / self.reach
-
-    @property
     def max_concavity(self) -> sp.Expr:
         """The rate at which the distance from the axis bends, 1/rho.
 
@@ -137,16 +142,11 @@ class Torus(Toroidal):
         rho = translated(self._rho, self.centre)
         return toroidal(axis, across, rho, self.ring_radius, self.reach)
 
-    @property
-    def inside(self) -> tuple[sp.Expr, ...]:
-        """The distance, and the bounds."""
-        return overlap(self.distance, (*map(as_length, self.limits), *self.cuts), None)
-
 
 def torus(
     name: str,
     centre: Point,
-    direction: tuple[sp.Rational | int, ...],
+    direction: Direction,
     ring_radius: sp.Expr,
     reach: sp.Expr,
 ) -> Surface:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from abc import abstractmethod
+from dataclasses import dataclass, field
 
 import sympy as sp
 
@@ -10,15 +11,23 @@ from .bounds import as_length
 from .surface import Point, Surface, overlap, translated
 
 
+@dataclass(frozen=True)
 class TwoSided(Surface):
     """A surface, or the part of one within bounds, touched from outside or from inside.
 
-    The fields stand in each kind, after its own.
+    Attributes
+    ----------
+    limits
+        The bounds (Eq. 2).
+    inward
+        True if the ball touches it from inside.
+    reach
+        The ball's radius, if the surface is a thin shell; None if all behind the surface is body.
     """
 
-    limits: tuple[sp.Expr, ...]
-    inward: bool
-    reach: sp.Expr | None
+    limits: tuple[sp.Expr, ...] = field(default=(), kw_only=True)
+    inward: bool = field(default=False, kw_only=True)
+    reach: sp.Expr | None = field(default=None, kw_only=True)
 
     @property
     def _side(self) -> int:

@@ -20,14 +20,7 @@ from .messages import examples
 from .options import UNITS_IN_WORDS, argument_options, json_option, preset_options
 from .path_types import FILE
 from .question_options import setting_options
-from .scene_option import (
-    NEEDED,
-    engine_of,
-    own_options,
-    parameters_of,
-    release_state,
-    shot_needs,
-)
+from .scene_option import NEEDED, engine_of, own_options, parameters_of, release_state, shot_needs
 from .shot_report import surface_name
 from .types import whole
 

@@ -18,24 +18,11 @@ from hoopgen.simulation.lookup import BUILT_IN
 from hoopgen.study.questions.settings import MeasuredReleases
 
 from .messages import echo_lines
-from .options import (
-    VARIABLE_HELP,
-    override_option,
-    reading_options,
-    scene_options,
-    variable_option,
-)
+from .options import VARIABLE_HELP, override_option, reading_options, scene_options, variable_option
 from .path_types import FILE
 from .place_option import PLACE, place_option
 from .question_options import setting_options, together
-from .scene_option import (
-    engine_of,
-    given,
-    own_needs,
-    own_options,
-    state_given,
-    state_is_given,
-)
+from .scene_option import engine_of, given, own_needs, own_options, state_given, state_is_given
 from .shot_files import READING, reading_of, simulation_options
 from .types import CORRELATION, DEVIATION, once
 

@@ -23,13 +23,7 @@ from hoopgen.text.numbers import format_count
 
 from .command import command
 from .messages import echo_json, examples
-from .options import (
-    UNITS_IN_WORDS,
-    argument_options,
-    json_option,
-    preset_options,
-    units_option,
-)
+from .options import UNITS_IN_WORDS, argument_options, json_option, preset_options, units_option
 from .path_types import PAGE, PICTURE_OR_FILM
 from .question_options import setting_options
 from .scene_option import engine_of, own_options, parameters_of, release_state, shot_needs

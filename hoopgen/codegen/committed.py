@@ -11,8 +11,6 @@ from hoopgen.engine.web_assembly import MODULES
 
 from .render import render_elementary, render_scene, render_studies
 
-__all__ = ["KEPT", "PURPOSE", "check", "generate", "render_all"]
-
 KEPT = ("__init__.py", "numpy/__init__.py")
 """Files of generated/ that are not generated."""
 

@@ -53,10 +53,8 @@ def scope(node: ir.If | ir.While, after: Iterable[str]) -> Scope:
 
     Parameters
     ----------
-    node
-        The node that has the body.
-    after
-        The variables that are live after the node.
+    node, after
+        As for `carried`.
     """
     assigned = set(writes(node.body))
     gives = assigned & set(after)

@@ -11,8 +11,6 @@ if TYPE_CHECKING:
 
     from .parameters import Value
 
-__all__ = ["FlyingScene", "air_scene", "register_air"]
-
 
 class FlyingScene(Protocol):
     """A compiled scene, of which free flights are needed."""

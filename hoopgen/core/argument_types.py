@@ -13,8 +13,6 @@ import numpy as np
 
 from hoopgen.text.shorten import brief, join_alternatives
 
-__all__ = ["check_arguments", "check_flag", "check_mapping", "is_names"]
-
 Taken = ParamSpec("Taken")
 Returned = TypeVar("Returned")
 
@@ -45,10 +43,8 @@ def check_flag(name: str, value: object) -> bool:
 
     Parameters
     ----------
-    name
-        The argument, for the error message.
-    value
-        The caller's value.
+    name, value
+        As for `check_mapping`.
 
     Raises
     ------

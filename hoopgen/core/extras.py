@@ -12,16 +12,6 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import Any
 
-__all__ = [
-    "EXTRAS",
-    "MissingExtra",
-    "checkout",
-    "explain_import_error",
-    "install_command",
-    "require",
-    "version",
-]
-
 EXTRAS: Mapping[str, str] = MappingProxyType(
     {
         "matplotlib": "plot",

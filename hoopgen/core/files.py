@@ -14,23 +14,6 @@ from typing import IO
 
 from hoopgen.text.shorten import brief
 
-__all__ = [
-    "FILMS",
-    "MAPS",
-    "PAGES",
-    "PICTURES",
-    "check_folder",
-    "check_not_read",
-    "check_output",
-    "resolve_link",
-    "same_file",
-    "sync",
-    "temporary_beside",
-    "write",
-    "atomic_file",
-    "atomic_text_file",
-]
-
 PICTURES, PAGES, MAPS = (".png", ".svg", ".pdf"), (".html", ".htm"), (".nc", ".csv")
 FILMS = (".gif", ".mp4")
 """Suffixes of the names of such files."""

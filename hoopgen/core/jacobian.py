@@ -9,8 +9,6 @@ from numpy.typing import NDArray
 
 from .variables import STATE
 
-__all__ = ["Jacobian"]
-
 
 class Jacobian(Mapping[str, NDArray[np.float64]]):
     """Derivatives, a matrix for each result.

@@ -32,8 +32,6 @@ else:
             path.unlink()  # while it is held: after that it may be another's
 
 
-__all__ = ["LOCK", "held", "read_file"]
-
 LOCK = "hoopgen.lock"
 """Name of the file that is locked."""
 

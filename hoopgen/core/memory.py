@@ -16,8 +16,6 @@ from numpy.typing import NDArray
 
 from hoopgen.text.numbers import format_percent
 
-__all__ = ["check_room", "even_values", "format_bytes", "format_whole", "memory"]
-
 MAX_MEMORY_SHARE = 0.75
 """Largest share of the memory that one allocation may take; the rest is for everything else."""
 

@@ -21,8 +21,6 @@ from hoopgen.text.shorten import cut
 from . import files as files_module
 from .lock import LOCK, held, read_file
 
-__all__ = ["MARKER", "Store", "find_store", "locked_store", "mark", "marker_text", "open_store"]
-
 MARKER = "hoopgen.json"
 """Name of the file that says that a folder is hoopgen's, what for, and which files it owns."""
 

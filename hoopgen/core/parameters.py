@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, KeysView, Mapping, Sequence
 from dataclasses import dataclass
-from types import ModuleType
+from types import MappingProxyType, ModuleType
 from typing import Protocol, TypeVar
 
 import numpy as np
@@ -20,14 +20,17 @@ Value = float | NDArray[np.float64]
 ParameterValues = Mapping[str, ArrayLike]
 """Parameters of a scene as callers give them: names and values, one number each or (n,)."""
 
-OF_AIR = (
-    "ball_mass",
-    "air_density",
-    "drag_coefficient",
-    "lift_coefficient",
-    "drag_smoothing_speed",
+AIR_DEFAULTS: Mapping[str, float] = MappingProxyType(
+    {
+        "ball_mass": 0.624,
+        "air_density": 1.2,
+        "drag_coefficient": 0.5,
+        "lift_coefficient": 0.6,
+        "drag_smoothing_speed": 0.05,
+    }
 )
-"""Parameters that every scene in air has beside its own; a test compares them."""
+"""Parameters that every scene in air has beside its own, and their usual values, SI units: those of
+`derive/scenes/air.py`, which a test compares, since they are asked for without SymPy."""
 
 OF_COURT = (
     "board_thickness",
@@ -221,7 +224,7 @@ def complete(parameters: ParameterValues | None, table: Table) -> ParameterValue
 
 def _scene_of(unknown: Sequence[str], table: Table) -> str:
     """Return which scene of a hoop has parameters that another one has not; "." for none."""
-    air, court = (not set(names).isdisjoint(unknown) for names in (OF_AIR, OF_COURT))
+    air, court = (not set(names).isdisjoint(unknown) for names in (AIR_DEFAULTS, OF_COURT))
     if "ring_radius" not in table.defaults or not (air or court):
         return "."
     if air and court:

@@ -5,8 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable
 from types import ModuleType
 
-__all__ = ["plotting_module", "register_plotting"]
-
 _LOADERS: list[Callable[[], ModuleType]] = []
 
 

@@ -13,8 +13,6 @@ import os
 import stat
 from pathlib import Path
 
-__all__ = ["private_folder"]
-
 _OPEN_FLAGS = (
     getattr(os, "O_PATH", getattr(os, "O_SEARCH", os.O_RDONLY))
     | getattr(os, "O_DIRECTORY", 0)

@@ -8,8 +8,6 @@ import stat
 from pathlib import Path
 from typing import IO
 
-__all__ = ["FileSizeError", "NotRegularError", "open_regular", "read_regular"]
-
 # A pipe is not waited for; Windows has neither, but does something to the ends of lines.
 _OPEN_FLAGS = getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0)
 

@@ -7,8 +7,6 @@ import os
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 
-__all__ = ["rounding_to_nearest"]
-
 _ENVIRONMENT_SIZE = 256
 """Bytes for a floating-point environment of C, more than any platform's takes."""
 

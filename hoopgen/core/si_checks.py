@@ -7,15 +7,6 @@ from collections.abc import Iterator, Mapping
 import numpy as np
 from numpy.typing import ArrayLike
 
-__all__ = [
-    "MAX_LENGTH",
-    "MAX_SPIN",
-    "check_angles",
-    "check_deviations",
-    "check_lengths",
-    "check_spins",
-]
-
 MAX_LENGTH = 100.0
 """m. No court is so long, nor so high: what exceeds it is in centimetres."""
 

@@ -10,21 +10,6 @@ from collections.abc import Mapping
 from types import MappingProxyType
 from typing import Literal
 
-__all__ = [
-    "DEGREE",
-    "FOOT",
-    "INCH",
-    "MILE_PER_HOUR",
-    "OUNCE",
-    "POUND",
-    "POUND_PER_CUBIC_FOOT",
-    "SYMBOLS",
-    "TURN",
-    "UNITS",
-    "UNIT_REQUIRED",
-    "Kind",
-]
-
 Kind = Literal["length", "speed", "angle", "spin", "acceleration", "mass", "density", "number"]
 
 FOOT = 0.3048

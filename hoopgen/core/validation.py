@@ -13,23 +13,6 @@ from numpy.typing import ArrayLike, NDArray
 from hoopgen.generated.numpy import hoop
 from hoopgen.text.shorten import brief, join_names, suggestion
 
-__all__ = [
-    "BackendName",
-    "BACKEND_NAMES",
-    "RUNTIME_BACKENDS",
-    "MAX_CONTACTS",
-    "check_contacts",
-    "check_count",
-    "check_leaving",
-    "check_states",
-    "check_index",
-    "check_threads",
-    "check_time_limit",
-    "as_doubles",
-    "as_number",
-    "is_whole",
-]
-
 BackendName = Literal["auto", "c", "numpy", "cuda"]
 """Name of a backend: a target that runs in this process, or "auto" for the faster of those on the
 processor. The registry of targets needs SymPy, so that a test compares the names."""
@@ -88,10 +71,8 @@ def as_number(name: str, value: Any, expected: str) -> float:
 
     Parameters
     ----------
-    name
-        The argument, for the error message.
-    value
-        The caller's value.
+    name, value
+        As for `as_doubles`.
     expected
         A description of the expected number, for the error message.
 
@@ -293,10 +274,8 @@ def check_index(name: str, value: Any, length: int) -> int:
 
     Parameters
     ----------
-    name
-        The argument, for the error message.
-    value
-        The caller's value.
+    name, value
+        As for `as_doubles`.
     length
         The number of shots.
 
@@ -322,10 +301,8 @@ def check_count(
 
     Parameters
     ----------
-    name
-        The argument, for the error message.
-    value
-        The caller's value.
+    name, value
+        As for `as_doubles`.
     least, most
         The lowest and the highest allowed number.
     expected

@@ -16,8 +16,6 @@ from hoopgen.text.shorten import brief, join_names, suggestion
 from .argument_types import is_names
 from .units import UNITS, Kind
 
-__all__ = ["KIND_OF", "STATE", "STATE_UNITS", "Releases", "Variable", "check_names", "is_state"]
-
 
 @dataclass(frozen=True)
 class Variable:

@@ -10,8 +10,6 @@ from __future__ import annotations
 
 import sys
 
-__all__ = ["check_arithmetic", "is_exact"]
-
 # Not in an expression below, which the interpreter would compute when it compiles.
 _SMALLEST_NORMAL = sys.float_info.min
 _TINY = sys.float_info.epsilon / 8

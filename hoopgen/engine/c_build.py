@@ -8,8 +8,6 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
-__all__ = ["FLAGS", "source_digest", "source_files"]
-
 # Every operation is done as it is written, and gives the bits of the NumPy target. These come after
 # CFLAGS and LDFLAGS, and take back each of their flags that would change that, by its name: with
 # -fno-fast-math alone GCC 12 compiles as it should, but still links the start-up code of fast-math.

@@ -28,8 +28,6 @@ from .rolling import Roll, face_below
 if TYPE_CHECKING:
     from hoopgen.derive.scenes.scene import Scene
 
-__all__ = ["CompiledScene", "infinite_parameters", "installed_library", "generated_files"]
-
 
 class CompiledScene:
     """A scene with all that is generated for it; an `Engine` simulates it.

@@ -22,15 +22,6 @@ from hoopgen.core import extras
 from . import numpy_backend, verification
 from .result_arrays import LOG, ResultArrays
 
-__all__ = [
-    "FLAGS",
-    "CudaEngine",
-    "is_device_array",
-    "load_engine",
-    "to_host",
-    "unexpected_instructions",
-]
-
 FLAGS = ("--fmad=false", "--ftz=false", "--prec-div=true", "--prec-sqrt=true")
 """Flags of NVRTC: no fused multiply-add, subnormals as they are, correctly rounded division and
 square root. CuPy's own compiler of kernels, `cupy.RawModule`, always adds ``-ftz=true``, which
@@ -368,10 +359,8 @@ def load_engine(
 
     Parameters
     ----------
-    source
-        The generated source of the scene.
-    kernels
-        The generated NumPy module of the scene.
+    source, kernels
+        As for `CudaEngine`.
     shots
         Function that returns the shots with which it is compared with NumPy.
 

@@ -21,8 +21,6 @@ from hoopgen.generated.numpy import studies
 
 from . import array_pool, elementary
 
-__all__ = ["ARGUMENTS", "Noise", "release_states", "states_in_numpy", "turns", "uniforms"]
-
 Floats = NDArray[np.float64]
 
 ARGUMENTS = (

@@ -22,15 +22,6 @@ from hoopgen.generated.numpy import elementary as generated
 from . import c_build
 from .native import ENVIRONMENT_WORDS
 
-__all__ = [
-    "arc_tangent",
-    "hypotenuse",
-    "library",
-    "normal_quantile",
-    "sine_cosine",
-    "tangent",
-]
-
 Floats = NDArray[np.float64]
 
 _BLOCK = 1 << 13

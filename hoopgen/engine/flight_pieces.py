@@ -9,14 +9,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-__all__ = [
-    "FlownPieces",
-    "apex_in_pieces",
-    "descend_in_pieces",
-    "fly_in_pieces",
-    "vary_in_pieces",
-]
-
 LONGEST_SEARCH = 60.0
 """s: a ball that still rises, or has not come down, after so long is given up."""
 

@@ -18,8 +18,6 @@ from typing import TypeVar
 
 from hoopgen.core.private_folders import private_folder
 
-__all__ = ["load"]
-
 T = TypeVar("T")
 
 _COUNT = itertools.count(1)

@@ -17,8 +17,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["Roll", "face_below"]
-
 Floats = NDArray[np.float64]
 
 _MIN_STEP = 2.0**-30

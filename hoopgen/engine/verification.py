@@ -24,19 +24,6 @@ from hoopgen.core.private_folders import private_folder
 
 from . import numpy_backend, result_arrays
 
-__all__ = [
-    "WIDTHS",
-    "Batch",
-    "InexactBuildError",
-    "batches",
-    "differences",
-    "even_numbers",
-    "first_primes",
-    "verify",
-    "user_cache",
-    "available_widths",
-]
-
 WIDTHS = (1, 4, 8, 16)
 """Vector widths that the source can be built for; the processor has some of them."""
 
@@ -275,10 +262,8 @@ def available_widths(engine: CompiledEngine, kernels: ModuleType) -> list[int]:
 
     Parameters
     ----------
-    engine
-        The compiled scene.
-    kernels
-        The generated NumPy module of the scene.
+    engine, kernels
+        As for `differences`.
     """
     nothing = np.empty((0, len(kernels.STATE)))
     parameters = [0.0] * len(kernels.PARAMETERS)

@@ -24,8 +24,6 @@ from hoopgen.core.files import write
 
 from . import c_build
 
-__all__ = ["MODULES", "ZIG", "build", "module_bytes", "stale_modules"]
-
 ZIG = "0.17.1"
 """The version of zig: another one gives other bytes, of the same results."""
 

@@ -16,8 +16,6 @@ from .parabolas import Arc, Floats, Values, parabola_through
 from .releases import states_of
 from .shooting import ShootingProblem
 
-__all__ = ["aimed", "flown_distance"]
-
 
 def aimed(
     wanted: Mapping[str, Floats],

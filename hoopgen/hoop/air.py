@@ -9,23 +9,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 from types import MappingProxyType
 
-from hoopgen.core.parameters import Parameters
+from hoopgen.core.parameters import AIR_DEFAULTS, Parameters
 
 from .presets import FIBA, NBA, PAPER
-
-__all__ = ["AIR_DEFAULTS", "FIBA_AIR", "NBA_AIR", "PAPER_AIR", "PRESETS"]
-
-AIR_DEFAULTS: Mapping[str, float] = MappingProxyType(
-    {
-        "ball_mass": 0.624,
-        "air_density": 1.2,
-        "drag_coefficient": 0.5,
-        "lift_coefficient": 0.6,
-        "drag_smoothing_speed": 0.05,
-    }
-)
-"""Usual values of the parameters of a flight through air, SI units: those of
-`derive/scenes/air.py`, which a test compares, since they are asked for without SymPy."""
 
 PAPER_AIR = Parameters({**PAPER, **AIR_DEFAULTS})
 """`PAPER` in air of 1.2 kg/m³, that of 20 °C at sea level. The mass is 22 oz, the rule books'

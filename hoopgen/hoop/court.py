@@ -14,8 +14,6 @@ from hoopgen.generated.numpy import court
 
 from .presets import FIBA, NBA
 
-__all__ = ["FIBA_COURT", "NBA_COURT", "PAPER_COURT", "PRESETS"]
-
 PAPER_COURT = Parameters(Table.from_kernels(court).defaults)
 """The article's sizes and its law on the whole hoop: every contact grips and leaves the ball
 rolling, with a restitution of 0.7. The board's thickness is half an inch, the bridge's depth a

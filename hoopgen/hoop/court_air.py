@@ -8,12 +8,10 @@ from __future__ import annotations
 from collections.abc import Mapping
 from types import MappingProxyType
 
-from hoopgen.core.parameters import Parameters
+from hoopgen.core.parameters import AIR_DEFAULTS, Parameters
 
-from .air import AIR_DEFAULTS, FIBA_AIR, NBA_AIR, PAPER_AIR
+from .air import FIBA_AIR, NBA_AIR, PAPER_AIR
 from .court import FIBA_COURT, NBA_COURT, PAPER_COURT
-
-__all__ = ["FIBA_COURT_AIR", "NBA_COURT_AIR", "PAPER_COURT_AIR", "PRESETS"]
 
 
 def _in_air(court: Mapping[str, float], air: Mapping[str, float]) -> Parameters[float]:

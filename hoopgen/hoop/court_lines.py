@@ -15,8 +15,6 @@ from hoopgen.text.shorten import brief
 
 from .presets import nearest_preset
 
-__all__ = ["COURTS", "Court", "court_of", "find_court", "lines_of"]
-
 
 @dataclass(frozen=True)
 class Court:

@@ -21,8 +21,6 @@ from hoopgen.text.shorten import brief, suggestion
 from .court_lines import COURTS, Court, court_of
 from .presets import FIBA, PAPER
 
-__all__ = ["PLACES", "Place", "find_place", "place"]
-
 
 @dataclass(frozen=True)
 class Place:

@@ -9,11 +9,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from hoopgen.core.air_scene import FlyingScene, air_scene
+from hoopgen.core.parameters import AIR_DEFAULTS
 from hoopgen.generated.numpy import hoop
-
-from .air import AIR_DEFAULTS
-
-__all__ = ["Flights", "is_in_air"]
 
 Floats = NDArray[np.float64]
 

@@ -9,8 +9,6 @@ from numpy.typing import NDArray
 
 from hoopgen.generated.numpy.hoop import BODIES, Outcome
 
-__all__ = ["TOUCHES", "Kind", "hoop_outcomes", "kind_table", "kinds", "sum_by_kind", "touches"]
-
 _RING, _BOARD, _BRIDGE = (BODIES.index(name) for name in ("ring", "backboard", "bridge"))
 
 

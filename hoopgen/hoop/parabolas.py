@@ -11,8 +11,6 @@ from numpy.typing import NDArray
 from hoopgen.engine.elementary import arc_tangent, sine_cosine, tangent
 from hoopgen.generated.numpy import hoop
 
-__all__ = ["Arc", "parabola_through"]
-
 Arc = Literal["high", "low"]
 Floats = NDArray[np.float64]
 Values = dict[str, Floats]

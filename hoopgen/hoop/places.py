@@ -12,8 +12,6 @@ from dataclasses import dataclass
 
 from hoopgen.core.units import INCH, display_unit
 
-__all__ = ["Square", "on_board", "on_ring", "say_on_board", "say_on_ring"]
-
 _ACROSS, _UP, _LINE = 24.0 * INCH, 18.0 * INCH, 2.0 * INCH
 
 

@@ -23,8 +23,6 @@ from .flights import Flights
 from .parabolas import Arc, Floats, Values, parabola_through
 from .releases import RING_HEIGHT
 
-__all__ = ["MAX_LANDING_ERROR", "ShootingProblem"]
-
 MAX_LANDING_ERROR = 1e-10
 """m: a flight that comes down further from its point is none that was found."""
 

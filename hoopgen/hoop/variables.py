@@ -23,18 +23,6 @@ from .parabolas import parabola_through
 from .presets import NAMES, PAPER
 from .releases import RING_HEIGHT, states_of
 
-__all__ = [
-    "ARGUMENTS",
-    "ALTERNATIVE_VARIABLES",
-    "STANDS_FOR",
-    "VARIABLES",
-    "change_variables",
-    "check_angles",
-    "make_releases",
-    "release_arguments",
-    "resolve_variables",
-]
-
 
 def _listed(*variables: Variable) -> Mapping[str, Variable]:
     return MappingProxyType({variable.name: variable for variable in variables})

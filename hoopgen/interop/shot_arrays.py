@@ -10,8 +10,6 @@ import jax.numpy as jnp
 
 from hoopgen.simulation.engine import Engine
 
-__all__ = ["ShotArrays"]
-
 
 @jax.tree_util.register_pytree_with_keys_class
 class ShotArrays:

@@ -24,8 +24,6 @@ from hoopgen.scene.cache import Entry, digest, process_store
 from hoopgen.simulation.compile import scene_store
 from hoopgen.text.shorten import brief
 
-__all__ = ["target_of"]
-
 SOURCE = Path(__file__).with_name("xla_call.c")
 HEADER = Path("xla", "ffi", "api", "c_api.h")
 

@@ -8,17 +8,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from itertools import product
+from typing import Any
 
 import sympy as sp
 
-from hoopgen.derive.surfaces import (
-    Box,
-    Cylinder,
-    ObliqueBox,
-    Plane,
-    Sphere,
-    Surface,
-)
+from hoopgen.derive.surfaces import Box, Cylinder, ObliqueBox, Plane, Sphere, Surface
 from hoopgen.derive.surfaces.rotation import scaled_rotation, squared_norm, times, transposed
 from hoopgen.derive.symbolic.conditionals import release
 from hoopgen.derive.symbolic.symbols import POSITION
@@ -45,19 +39,18 @@ def _part(box: Box, side: tuple[int, ...]) -> Surface:
         corner.append(high if beyond > 0 else low)
         limits += [] if beyond > 0 else [place - high if beyond == 0 else place - low]
         limits += [] if beyond < 0 else [low - place if beyond == 0 else high - place]
-    centre, bounds = (corner[0], corner[1], corner[2]), tuple(limits)
+    centre = (corner[0], corner[1], corner[2])
+    bounds: dict[str, Any] = {"limits": tuple(limits), "contact_bounds": box.contact_bounds}
     touching = [k for k, beyond in enumerate(side) if beyond]
     if len(touching) == 3:
-        return Sphere(box.name, centre, box.radius, bounds, contact_bounds=box.contact_bounds)
+        return Sphere(box.name, centre, box.radius, **bounds)
     if len(touching) == 2:
         along = tuple(int(k not in touching) for k in range(3))
-        return Cylinder(
-            box.name, centre, along, box.radius, bounds, contact_bounds=box.contact_bounds
-        )
+        return Cylinder(box.name, centre, along, box.radius, **bounds)
     (axis,) = touching
     towards = tuple(int(k == axis) * side[axis] for k in range(3))
     offset = side[axis] * corner[axis] + box.radius
-    inner = tuple(bound for bound in bounds if POSITION[axis] not in bound.free_symbols)
+    inner = tuple(bound for bound in limits if POSITION[axis] not in bound.free_symbols)
     return Plane(
         box.name,
         (towards[0], towards[1], towards[2]),

@@ -14,8 +14,6 @@ from hoopgen.core.event_log import Event
 
 from .proof import Proof, ProvedEvent
 
-__all__ = ["EVENT_ERRORS", "event_errors"]
-
 EVENT_ERRORS = np.dtype(
     [
         ("shot", np.int64),

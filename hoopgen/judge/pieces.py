@@ -96,12 +96,8 @@ def next_piece(formulas: Formulas, state: Sequence[Number], values: list[arb]) -
 
     Parameters
     ----------
-    formulas
-        The formulas of the scene.
-    state
-        The state, nine balls.
-    values
-        The kernels' inputs.
+    formulas, state, values
+        As for `hoopgen.judge.flight.left_by`.
 
     Raises
     ------
@@ -120,12 +116,8 @@ def meets_nothing(formulas: Formulas, state: Sequence[Number], values: list[arb]
 
     Parameters
     ----------
-    formulas
-        The formulas of the scene.
-    state
-        The state, nine balls.
-    values
-        The kernels' inputs.
+    formulas, state, values
+        As for `hoopgen.judge.flight.left_by`.
     """
     air = formulas.air
     return air is not None and bool(air.sinks(state, air.rates(state, values), values)[0])

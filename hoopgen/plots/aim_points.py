@@ -36,8 +36,6 @@ if TYPE_CHECKING:
 
     from hoopgen.results.drawing import Drawn
 
-__all__ = ["plot_aim_points"]
-
 Column = NDArray[np.float64]
 
 FRONT = View("front view", (0.0, 1.0, 0.0), (0.0, 0.0, 1.0), ("y", "above the ring"))

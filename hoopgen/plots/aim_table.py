@@ -22,8 +22,6 @@ from .style import COLOURS, DARK, GRID, NARROW_PAGE, PAGE, Inches
 if TYPE_CHECKING:
     from hoopgen.results.drawing import Drawn
 
-__all__ = ["plot_aim"]
-
 Table = Mapping[str, NDArray[np.float64]]
 
 _VARIABLES = ("speed", "elevation", "entry_angle")

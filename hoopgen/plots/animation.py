@@ -39,8 +39,6 @@ from .style import COLOURS, PAGE, style
 from .trajectory import build_drawing, flat_limits, path_times
 from .views import Panel, Points
 
-__all__ = ["FRAME_RATE", "Film", "save_film"]
-
 FRAME_RATE = 25
 """Frames a second: a GIF counts in hundredths of one."""
 

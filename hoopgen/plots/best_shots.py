@@ -25,8 +25,6 @@ if TYPE_CHECKING:
 
     from hoopgen.results.drawing import Drawn
 
-__all__ = ["plot_best_shots"]
-
 _LIGHTEST = 0.5
 """Luminance of a colour below which letters on it are white."""
 

@@ -16,8 +16,6 @@ if TYPE_CHECKING:
     from hoopgen.results.drawing import Drawn
     from hoopgen.study.questions.assess import Assessment
 
-__all__ = ["plot_calibration"]
-
 
 @check_arguments
 def plot_calibration(found: Assessment, *, title: str = "", ax: Drawn | None = None) -> Drawn:

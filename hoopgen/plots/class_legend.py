@@ -16,15 +16,6 @@ from hoopgen.results.shots import Outcome
 
 from .style import LINES, MADE, MISSED, NOTE_SIZE, OTHER_OUTCOME_COLOURS, letter
 
-__all__ = [
-    "CLASSES",
-    "Class",
-    "outcome_classes",
-    "classify",
-    "draw_names",
-    "names_height",
-]
-
 
 @dataclass(frozen=True)
 class Class:

@@ -16,8 +16,6 @@ from .style import COLOURS, INK, PAGE
 if TYPE_CHECKING:
     from hoopgen.results.drawing import Drawn
 
-__all__ = ["plot_coach"]
-
 
 @check_arguments
 def plot_coach(found: Coaching, *, title: str = "", ax: Drawn | None = None) -> Drawn:

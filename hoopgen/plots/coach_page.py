@@ -30,8 +30,6 @@ from .coach import plot_coach
 from .figure import Picture
 from .style import COLOURS, INK, PAGE, style
 
-__all__ = ["plot_coach_shots", "write_coach_page"]
-
 _DOTS = 400
 """Shots of each panel; the shares beside them are of all."""
 

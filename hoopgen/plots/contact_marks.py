@@ -20,16 +20,6 @@ from .label_placement import Box, place_labels
 from .style import COLOURS, POINTS_PER_INCH, letter
 from .views import Points, View
 
-__all__ = [
-    "LEGEND_ROW",
-    "Mark",
-    "collect_marks",
-    "draw_badges",
-    "draw_mark_legend",
-    "mark_legend_rows",
-]
-
-
 LEGEND_ROW = 0.22
 """Height of a row of the key, inches."""
 

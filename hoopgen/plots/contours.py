@@ -21,8 +21,6 @@ from hoopgen.text.numbers import format_percent
 
 from .style import COLOURS, DARK, SHARE_COLOURS
 
-__all__ = ["draw_contours", "refine", "smooth"]
-
 Numbers = NDArray[np.float64]
 
 MIN_CELLS = 12

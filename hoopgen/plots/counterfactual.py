@@ -20,8 +20,6 @@ from .style import INK, LINES, PAGE, Inches
 if TYPE_CHECKING:
     from hoopgen.results.drawing import Drawn
 
-__all__ = ["plot_counterfactual"]
-
 _WIDE_LINE = 1.0  # points
 
 _COLOURS = (INK, LINES["missed"]["airball"], *[*LINES["made"].values()][1:])

@@ -46,14 +46,9 @@ if TYPE_CHECKING:
     from hoopgen.study.questions.solve import Solution
     from hoopgen.study.statistics.shares import Shares
 
-__all__ = ["plot_estimate"]
-
 # Inches.
 _LEFT, _RIGHT, _GAP, _ROW, _BELOW, _ABOVE = 1.05, 0.15, 0.12, 0.27, 0.44, 0.3
-_LABEL_WIDTH, _EXTRA_LABEL_WIDTH = (
-    0.66,
-    1.6,
-)  # what is said beside the bars, and more where there is room
+_LABEL_WIDTH, _EXTRA_LABEL_WIDTH = 0.66, 1.6  # beside the bars, and more where there is room
 
 _BAR_HEIGHT = 0.62  # of a row
 _PLAIN_COLOUR = "#E2E2E2"

@@ -41,14 +41,6 @@ from .views import Limits, Panel
 if TYPE_CHECKING:
     from hoopgen.results.drawing import Drawn
 
-__all__ = [
-    "draw_fan",
-    "draw_fan_on",
-    "draw_fan_page",
-    "plot_fan",
-]
-
-
 # Inches.
 _MAX_HEIGHT = 3.5
 _MAX_HEIGHT_ABOVE, _MAX_HEIGHT_PART = 2.4, 1.7  # all paths above small multiples; one of these

@@ -18,8 +18,6 @@ from .class_legend import CLASSES, Class, classify, outcome_classes
 from .scenery import Scenery, scenery_of
 from .views import Limits, View, limits_around
 
-__all__ = ["Fan", "bezier", "classes_of", "gather_fan"]
-
 _MARGIN = 0.02  # around what is drawn, of its size
 _RING_MARGIN = 0.08  # m around ring and board
 _ROLL_PIECE_DURATION = 0.01  # s, of a roll: less than can be seen off a parabola

@@ -19,8 +19,6 @@ from .views import Limits, Panel, View
 if TYPE_CHECKING:
     from hoopgen.results.drawing import Drawn
 
-__all__ = ["Picture", "add_key", "add_title", "draw_picture", "fit_view", "set_view"]
-
 _DPI = 200
 """Pixels of a picture in a notebook, an inch; twice as many as are shown, for screens that can."""
 

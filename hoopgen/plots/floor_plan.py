@@ -20,8 +20,6 @@ from .style import COLOURS, DARK
 from .ticks import number
 from .views import Panel, View
 
-__all__ = ["FLOOR", "add_floor", "draw_floor", "on_floor"]
-
 FLOOR = View("floor plan", (0.0, 1.0, 0.0), (-1.0, 0.0, 0.0), ("y", "x"))
 """The shooter's view: the board at the top, +y to the right."""
 

@@ -13,9 +13,6 @@ from numpy.typing import ArrayLike
 from .style import COLOURS, POINTS_PER_INCH
 from .views import Points, View
 
-__all__ = ["draw_ball", "draw_hoop", "draw_path", "drawing_order", "scene_corners", "scene_points"]
-
-
 BOARD_THICKNESS = 0.0127
 """Thickness of the board as drawn, m; the model knows its front only."""
 

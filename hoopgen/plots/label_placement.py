@@ -7,8 +7,6 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["Box", "place_labels"]
-
 _DIRECTIONS, _STEPS = 32, 6  # places tried around an anchor, and further off
 _EXTRA_STEPS = 8  # times as many steps, so many at a time, where a label would cover another one
 

@@ -36,9 +36,6 @@ from .views import Limits, Panel, Points
 if TYPE_CHECKING:
     from hoopgen.results.drawing import Drawn
 
-__all__ = ["plot_landings"]
-
-
 # Inches.
 _BAR, _BAR_GAP, _BAR_LABELS = 0.12, 0.1, 0.55
 _MAX_HEIGHT = 5.0

@@ -17,8 +17,6 @@ if TYPE_CHECKING:
     from hoopgen.results.drawing import Drawn
     from hoopgen.study.recovery.calibrated_scene import Calibrated, CalibratedScene
 
-__all__ = ["plot_likelihood"]
-
 _DEEPEST = 8.0
 """Log-likelihood below the maximum that is drawn."""
 

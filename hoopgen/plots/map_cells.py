@@ -23,8 +23,6 @@ from .floor_plan import on_floor
 if TYPE_CHECKING:
     import xarray as xr
 
-__all__ = ["Axis", "Cells", "read_cells"]
-
 Numbers = NDArray[np.float64]
 
 _REQUIRED_VARIABLES: Mapping[str, tuple[str, ...]] = {

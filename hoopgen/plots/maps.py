@@ -35,8 +35,6 @@ if TYPE_CHECKING:
 
     from hoopgen.results.drawing import Drawn
 
-__all__ = ["draw_classes", "plot_map"]
-
 _BAND_COLOUR = "#A6CEE3"
 _LIGHT = COLOURS["paper"]
 

@@ -16,17 +16,6 @@ from hoopgen.scene.meshes import Mesh, chains, loops
 from .hoop import drawing_order
 from .views import Points, View
 
-__all__ = [
-    "EDGE_ON",
-    "RIM_ORDER",
-    "draw_edge_on",
-    "draw_lines",
-    "edge_on",
-    "mix_with_white",
-    "merge_triangles",
-    "spans",
-]
-
 EDGE_ON = 1e-6
 """Cosine of the angle between a normal and the eye below which a surface is seen as a line."""
 

@@ -14,18 +14,6 @@ from .figure import Picture, set_view
 from .style import INK, NARROW_PAGE, wrap
 from .views import Limits, Panel, View
 
-__all__ = [
-    "ABOVE",
-    "BELOW",
-    "LEFT",
-    "RIGHT",
-    "add_axes",
-    "add_view",
-    "lay_pair",
-    "new_page",
-    "stack_views",
-]
-
 LEFT, RIGHT, BELOW, ABOVE = 0.58, 0.1, 0.48, 0.1
 """Room around axes to scale for their numbers and names, inches."""
 

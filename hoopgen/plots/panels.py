@@ -20,26 +20,9 @@ from .style import COLOURS, EDGES, FRAME, GRID, INK, POINTS_PER_INCH
 from .ticks import number
 from .views import Panel, Points, View
 
-__all__ = [
-    "Drawing",
-    "Room",
-    "add_panel",
-    "draw_panel",
-    "draw_view",
-    "label_flat_view",
-    "thin_rows",
-]
-
 Place = Sequence[float]
 
-_TICK_STEPS = (
-    0.25,
-    0.5,
-    1.0,
-    2.0,
-    5.0,
-    10.0,
-)  # between ticks, in the unit shown; with room for numbers
+_TICK_STEPS = (0.25, 0.5, 1.0, 2.0, 5.0, 10.0)  # between ticks, in the unit shown
 _SMALL_TICK_STEPS = (0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1)
 _TICK_ROOM = 0.36  # inches
 _MIN_TICKS = 3  # ticks on an axis, at least
@@ -97,10 +80,8 @@ def draw_panel(figure: Figure, panel: Panel, drawing: Drawing) -> Axes:
 
     Parameters
     ----------
-    figure
-        The page.
-    panel
-        The view and its place.
+    figure, panel
+        As for `add_panel`.
     drawing
         The shot.
 

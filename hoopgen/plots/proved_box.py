@@ -24,8 +24,6 @@ if TYPE_CHECKING:
     from hoopgen.judge import BoxProof
     from hoopgen.results.drawing import Drawn
 
-__all__ = ["plot_box"]
-
 Numbers = NDArray[np.float64]
 
 _ASPECT = 0.62

@@ -36,8 +36,6 @@ from .outlines import (
 from .style import COLOURS
 from .views import FRONT, SIDE, TOP, Points, View
 
-__all__ = ["Scenery", "scenery_of"]
-
 _LIGHT_DIRECTION = (-0.35, 0.5, 0.79)
 """Direction towards the light: to the right, up and towards the eye."""
 

@@ -15,8 +15,6 @@ from .floor_plan import on_floor
 from .style import DARK, INK
 from .views import Points
 
-__all__ = ["at_height", "draw_sectors"]
-
 _LINE_LENGTH, _LABEL_DISTANCE = 1.1, 1.22
 """Ends of the lines between sectors, and places of the shares, in radii of the largest circle."""
 

@@ -17,18 +17,6 @@ from .style import NARROW_PAGE, NOTE_SIZE
 from .ticks import few_ticks
 from .views import Limits, Panel, View
 
-__all__ = [
-    "FOOT",
-    "Group",
-    "Grid",
-    "group_by_angle",
-    "group_by_name",
-    "check_grouping",
-    "draw_grid",
-    "lay_grid",
-    "describe_grouping",
-]
-
 FOOT = 0.46
 """Inches below a grid, for numbers and a name."""
 

@@ -9,8 +9,6 @@ from matplotlib.ticker import FuncFormatter, MaxNLocator
 
 from hoopgen.core.units import display_unit
 
-__all__ = ["few_ticks", "label_lengths", "number"]
-
 
 def label_lengths(axes: Axes, labels: tuple[str, str]) -> None:
     """Label axes whose data are metres in the display unit, and set their ticks.

@@ -29,14 +29,6 @@ from .views import Limits, Panel, Points, View, oblique
 if TYPE_CHECKING:
     from hoopgen.results.drawing import Drawn
 
-__all__ = [
-    "build_drawing",
-    "flat_limits",
-    "plot_trajectory",
-    "path_times",
-]
-
-
 _POINT_RATE = 160  # points of the path a second of flight
 _MAX_FLIGHT_POINTS = 480
 """Points of one flight, at most: a parabola cut into n is off by 1/n² of its height at most, here

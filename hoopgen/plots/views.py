@@ -7,8 +7,6 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["FRONT", "SIDE", "TOP", "Limits", "Panel", "Points", "View", "limits_around", "oblique"]
-
 Vector = tuple[float, float, float]
 Points = NDArray[np.float64]
 

@@ -22,18 +22,6 @@ from .quantities import Quantity, quantity
 if TYPE_CHECKING:
     import xarray as xr
 
-__all__ = [
-    "describe_dataset",
-    "describe_hoop",
-    "describe_release",
-    "describe_scatter",
-    "describe_scene",
-    "describe_setting",
-    "footer",
-    "model_attributes",
-    "sentences",
-]
-
 _MIN_DIGITS = 6
 """Significant digits; more are written if a value would otherwise look like the preset's."""
 
@@ -76,11 +64,8 @@ def describe_scene(
     ----------
     scene
         The scene; the article's is described by `describe_hoop`.
-    parameters
-        Some or all of the scene's parameters, each a number or of shape (n,); of an array its
-        lowest and highest values are written.
-    by_row
-        The parameters whose values differ from row to row, in columns of a table.
+    parameters, by_row
+        As for `describe_hoop`.
 
     Returns
     -------

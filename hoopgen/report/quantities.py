@@ -21,15 +21,6 @@ from hoopgen.scene.lookup import HOOP_VARIABLES
 from hoopgen.text.escape import printable
 from hoopgen.text.numbers import MINUS
 
-__all__ = [
-    "Quantity",
-    "format_launch",
-    "format_range",
-    "for_json",
-    "quantity",
-    "format_variable",
-]
-
 _IN_INCHES = ("aim", *NAMES)
 """Lengths that US units show in inches; all others are in feet."""
 

@@ -13,8 +13,6 @@ if TYPE_CHECKING:
     Drawn = TypeVar("Drawn", Figure, Axes, default=Figure)
     """A picture: the axes that are given; without any, a page of its own."""
 
-__all__ = ["CounterfactualOptions", "EstimateOptions", "FanOptions", "TrajectoryOptions"]
-
 
 class EstimateOptions(TypedDict, total=False):
     """Keywords of `hoopgen.plots.plot_estimate`, but for the axes."""

@@ -27,8 +27,6 @@ if TYPE_CHECKING:
 
     from .drawing import Drawn
 
-__all__ = ["Trajectory"]
-
 FLIGHT_PIECE_DURATION = 0.01
 """s: so short a piece of a flight through air differs from a parabola by less than 0.1 mm."""
 

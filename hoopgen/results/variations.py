@@ -13,8 +13,6 @@ from hoopgen.core.variables import STATE, STATE_UNITS
 from hoopgen.engine.compiled_scene import CompiledScene
 from hoopgen.scene.lookup import variables_of
 
-__all__ = ["Variations", "derivative_arrays", "event_derivative_arrays"]
-
 
 class Variations(Protocol):
     """The variations of some shots with their releases and parameters."""

@@ -4,13 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from hoopgen.hoop.air import AIR_DEFAULTS
+from hoopgen.core.parameters import AIR_DEFAULTS
 from hoopgen.text.shorten import brief
 
 from .inputs import wrong
 from .pieces import Parameter
-
-__all__ = ["AIR_PARAMETERS", "added_parameters", "check_switches"]
 
 AIR_PARAMETERS = (
     Parameter("ball_mass", AIR_DEFAULTS["ball_mass"], "kg", "m_B, mass of the ball", latex="m_B"),

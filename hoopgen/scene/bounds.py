@@ -16,17 +16,6 @@ from .formulas import ONE, POSITION, ZERO, Formula, FormulaError, constant, name
 from .inputs import Inputs
 from .polynomials import Polynomial, polynomial, product, total
 
-__all__ = [
-    "LinearMap",
-    "Map",
-    "Terms",
-    "bounds",
-    "degrees",
-    "is_along",
-    "linear_powers",
-    "terms",
-]
-
 Powers = tuple[int, int, int]
 
 Terms = tuple[tuple[Powers, Formula], ...]
@@ -121,10 +110,8 @@ def terms(
     ----------
     inputs
         The inputs of the scene, to which coefficients are added.
-    owner
-        The body or end, for error messages.
-    argument
-        The argument, for error messages.
+    owner, argument
+        As for `hoopgen.scene.inputs.Inputs.read`.
     given
         The polynomial as the author wrote it.
     there

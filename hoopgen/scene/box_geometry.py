@@ -11,8 +11,6 @@ from .formulas import Formula
 from .meshes import Bound, Floats, Mesh, flat, join
 from .parsed_shapes import Shape
 
-__all__ = ["BOXES", "box_extent", "box_mesh"]
-
 BOXES = ("box", "oblique box")
 """Kinds of boxes: along the axes, and turned."""
 
@@ -27,12 +25,8 @@ def box_mesh(shape: Shape, number: Number, bounds: Sequence[Bound], ball: float)
     ----------
     shape
         The box.
-    number
-        The value of its sizes.
-    bounds
-        Its bounds, functions of its points.
-    ball
-        The ball's radius, m.
+    number, bounds, ball
+        As for `hoopgen.scene.revolution_geometry.revolution_mesh`.
     """
     low, high, axes, centre = _placed(shape, number)
 

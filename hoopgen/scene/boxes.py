@@ -12,8 +12,6 @@ from . import pieces
 from .directions import Reader, angle, axis_or_direction, rounded, unit_sizes
 from .formulas import ZERO, Formula, constant
 
-__all__ = ["PARTS", "read_box"]
-
 PARTS = ("w", "x", "y", "z")
 """The components of a quaternion, the real part first."""
 
@@ -34,12 +32,8 @@ def read_box(
 
     Parameters
     ----------
-    reader
-        The reader of the scene's arguments.
-    owner
-        The body, for error messages.
-    body
-        The body as its author wrote it.
+    reader, owner, body
+        As for `hoopgen.scene.oblique_bodies.read_disc`.
 
     Raises
     ------

@@ -30,8 +30,6 @@ from hoopgen.core.owned_folders import MARKER, Store, find_store, mark, open_sto
 from hoopgen.core.private_folders import private_folder
 from hoopgen.engine.verification import user_cache
 
-__all__ = ["Cache", "Entry", "SceneStore", "clear_store", "digest", "user_store", "process_store"]
-
 RECORD, MODULE, SOURCES = "record.json", "module", "sources.gz"
 LIBRARIES = ("engine.so", "engine.dll")
 """Files of a scene: what was said of it, its module of NumPy, all that was printed, and C."""

@@ -24,8 +24,6 @@ FLAGS = ["-O1", *(flag for flag in c_build.FLAGS if not flag.startswith("-O"))]
 """The hoop's flags with less optimisation: the hoop's give code that is 2% faster, and
 take two to four times as long to make."""
 
-__all__ = ["Compiler", "compiler", "library_name", "processor_width"]
-
 _REQUIRED_FEATURES = {16: ("AVX512F", "AVX512DQ", "AVX512VL"), 8: ("AVX2",)}
 """Processor features that so many lanes need."""
 

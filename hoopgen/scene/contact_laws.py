@@ -10,8 +10,6 @@ from typing import Any
 from .formulas import ZERO, Formula
 from .inputs import Inputs
 
-__all__ = ["CONTACT_ARGUMENTS", "Contact", "contact", "is_infinite"]
-
 
 @dataclass(frozen=True)
 class Contact:

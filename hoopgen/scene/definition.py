@@ -15,8 +15,6 @@ from hoopgen.text.shorten import brief
 from . import scene as pieces
 from .lookup import SceneLike
 
-__all__ = ["definition", "table_of", "default_max_contacts", "default_time_limit"]
-
 
 def definition(scene: SceneLike) -> Scene:
     """Return the scene for derive/; the hoop for None.

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
+from typing import Any
 
 import sympy as sp
 
@@ -44,8 +45,6 @@ from .inputs import SceneError
 from .parsed_shapes import RevolvedShape, Shape
 from .revolution_faces import revolution_faces
 from .scene_reader import ParsedScene
-
-__all__ = ["derivation_scene"]
 
 Point = tuple[sp.Expr, sp.Expr, sp.Expr]
 
@@ -170,23 +169,24 @@ class _Builder:
         return (Plane(shape.name, _direction(shape.axis), offset, self._ball, bounds),)
 
     def _sphere(self, shape: Shape) -> tuple[Surface, ...]:
-        bounds, radius, shell = self._curved(shape)
-        return (Sphere(shape.name, self._centre(shape), radius, bounds, shape.inside, shell),)
+        radius, sides = self._curved(shape)
+        return (Sphere(shape.name, self._centre(shape), radius, **sides),)
 
     def _cylinder(self, shape: Shape) -> tuple[Surface, ...]:
-        bounds, radius, shell = self._curved(shape)
+        radius, sides = self._curved(shape)
         centre, direction = self._centre(shape), _direction(shape.axis)
-        return (Cylinder(shape.name, centre, direction, radius, bounds, shape.inside, shell),)
+        return (Cylinder(shape.name, centre, direction, radius, **sides),)
 
     def _curved(
         self, shape: Shape, span: tuple[sp.Expr, ...] = ()
-    ) -> tuple[tuple[sp.Expr, ...], sp.Expr, sp.Expr | None]:
-        """Return bounds, the offset radius, and the thickness of a shell."""
+    ) -> tuple[sp.Expr, dict[str, Any]]:
+        """Return the offset radius, and the sides: bounds, and the thickness of a shell."""
         radius, bounds = self._sympy(shape["radius"]), (*span, *self._bounds(shape))
         if not shape.inside:
-            return bounds, radius + self._ball, None
+            return radius + self._ball, {"limits": bounds}
         self._requirements.append(radius - self._ball)
-        return bounds, radius - self._ball, self._ball if bounds else None
+        reach = self._ball if bounds else None
+        return radius - self._ball, {"limits": bounds, "inward": True, "reach": reach}
 
     def _torus(self, shape: Shape) -> tuple[Surface, ...]:
         kind = Torus if shape.bounds else torus
@@ -250,9 +250,9 @@ class _Builder:
 
     def _oblique_cylinder(self, shape: Shape) -> tuple[Surface, ...]:
         span = self._span(shape, "centre", "span from", "span to")
-        bounds, radius, shell = self._curved(shape, span)
+        radius, sides = self._curved(shape, span)
         axis, direction = self._vector(shape, "axis"), self._vector(shape, "direction")
-        return (ObliqueCylinder(shape.name, axis, direction, radius, bounds, shape.inside, shell),)
+        return (ObliqueCylinder(shape.name, axis, direction, radius, **sides),)
 
     def _cone(self, shape: Shape) -> tuple[Surface, ...]:
         """Return the side of a cone, and, if the ball can touch it, its apex."""
@@ -264,13 +264,13 @@ class _Builder:
             self._vector(shape, "contact apex"),
             direction,
             self._sympy(shape["slope"]),
-            bounds,
-            shape.inside,
-            shell,
+            limits=bounds,
+            inward=shape.inside,
+            reach=shell,
         )
         if shape.inside or "span from" in dict(shape.sizes):
             return self._within(shape, side)
-        tip = Sphere(f"{shape.name}_apex", apex, self._ball, (-bounds[0],))
+        tip = Sphere(f"{shape.name}_apex", apex, self._ball, limits=(-bounds[0],))
         return self._within(shape, side, tip)
 
     def _revolution(self, shape: Shape) -> tuple[Surface, ...]:

@@ -17,20 +17,6 @@ from hoopgen.text.shorten import brief, join_names
 from .formulas import ONE, POSITION, ZERO, Formula, constant
 from .inputs import Inputs
 
-__all__ = [
-    "Reader",
-    "Vector",
-    "aligned",
-    "angle",
-    "axis_or_direction",
-    "direction",
-    "dot",
-    "rounded",
-    "settled",
-    "unit_sizes",
-    "vector_inputs",
-]
-
 Vector = tuple[Formula, Formula, Formula]
 
 _ANGLES = ("tilt", "towards")
@@ -82,10 +68,8 @@ def direction(inputs: Inputs, owner: str, argument: str, given: object) -> Vecto
     ----------
     inputs
         The inputs of the scene.
-    owner
-        The body, for error messages.
-    argument
-        The argument, for error messages.
+    owner, argument
+        As for `Reader.formula`.
     given
         Three sizes of any length but 0, or a mapping with the angles `tilt` and `towards`.
 

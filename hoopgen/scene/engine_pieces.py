@@ -12,8 +12,6 @@ from .scene import Scene
 if TYPE_CHECKING:
     from hoopgen.engine.compiled_scene import CompiledScene
 
-__all__ = ["scene_pieces"]
-
 
 def scene_pieces(engine: CompiledScene) -> Scene:
     """Return the pieces of a scene.

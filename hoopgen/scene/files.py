@@ -19,8 +19,6 @@ from .inputs import SceneError, wrong
 from .limits import Limits, check_limits, current, use_limits
 from .scene import Scene
 
-__all__ = ["load_scene", "parse_scene"]
-
 KINDS = {
     kind.__name__.lower(): kind
     for kind in (

@@ -24,8 +24,6 @@ from hoopgen.text.shorten import brief, join_names
 from .formulas import ONE, Formula, FormulaError, constant, name
 from .limits import current
 
-__all__ = ["parse", "read"]
-
 MAX_DENOMINATOR = 10**30
 """Denominators of exact decimals stay below it."""
 

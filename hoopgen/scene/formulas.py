@@ -10,16 +10,6 @@ from typing import Any
 
 import numpy as np
 
-__all__ = [
-    "ONE",
-    "POSITION",
-    "ZERO",
-    "Formula",
-    "FormulaError",
-    "constant",
-    "name",
-]
-
 POSITION = ("x", "y", "z")
 """Names of the coordinates of the ball's centre, in bounds and implicit surfaces."""
 

@@ -17,19 +17,7 @@ from .bounds import Terms, is_along, linear_powers
 from .box_geometry import BOXES, box_extent, box_mesh
 from .engine_pieces import scene_pieces
 from .formulas import Formula
-from .meshes import (
-    Bound,
-    Box,
-    Floats,
-    Mesh,
-    contact_mesh,
-    cut,
-    flat,
-    grid,
-    join,
-    level_set,
-    walls,
-)
+from .meshes import Bound, Box, Floats, Mesh, contact_mesh, cut, flat, grid, join, level_set, walls
 from .oblique_geometry import FLAT, OBLIQUE, oblique_extent, oblique_mesh
 from .parsed_shapes import RevolvedShape, Shape
 from .polynomials import derivative, evaluate
@@ -37,8 +25,6 @@ from .revolution_geometry import is_hollow, revolution_extent, revolution_mesh
 from .scene import Scene
 from .torus_geometry import torus_extent, torus_lines, torus_mesh
 from .upright import acceleration, upright
-
-__all__ = ["Body", "SceneGeometry"]
 
 _TURN_PIECES, _HALF_TURN_PIECES = 48, 24
 """Pieces of a turn and of a half one."""

@@ -9,9 +9,6 @@ from .formulas import ZERO, Formula
 from .inputs import Inputs
 from .oblique_bodies import why_not_rolling
 
-__all__ = ["check_rolling", "read_gravity"]
-
-
 MIN_INERTIA, MAX_INERTIA = 1 / 64, 1.0
 """The allowed range of a ball's moment of inertia over m R_B² (`derive/contact/ball.py`)."""
 

@@ -21,9 +21,6 @@ from .formula_parser import read
 from .formulas import Formula, FormulaError, name
 from .limits import current
 
-__all__ = ["Input", "Inputs", "SceneError"]
-
-
 NONNEGATIVE_ARGUMENTS = ("restitution", "friction", "tangential")
 """Arguments of bodies that zero is one of."""
 
@@ -293,12 +290,8 @@ def wrong(scene: str, owner: str, argument: str, said: object) -> SceneError:
     ----------
     scene
         The scene's name, empty if it has none yet.
-    owner
-        The body or end, empty for the scene itself.
-    argument
-        The argument.
-    said
-        The rest of the message.
+    owner, argument, said
+        As for `Inputs.wrong`.
     """
     where = ": ".join(filter(None, (scene and f"scene {brief(scene)}", owner, argument)))
     return SceneError(f"{where}: {said}" if where else str(said))

@@ -11,8 +11,6 @@ from typing import Any
 from hoopgen.core.validation import check_count
 from hoopgen.text.shorten import brief, join_names
 
-__all__ = ["Limits", "check_limits", "current", "use_limits"]
-
 
 @dataclass(frozen=True)
 class Limits:

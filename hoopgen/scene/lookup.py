@@ -19,15 +19,6 @@ from .scene import Scene
 if TYPE_CHECKING:
     from hoopgen.derive.scenes.scene import Scene as Derived
 
-__all__ = [
-    "HOOP_VARIABLES",
-    "STATES",
-    "SceneLike",
-    "check_hoop",
-    "outcomes_of",
-    "variables_of",
-]
-
 SceneLike: TypeAlias = "Scene | Derived | CompiledScene | None"
 """A scene of one's own, one of derive/, or a compiled one; None is the article's hoop."""
 

@@ -14,21 +14,6 @@ from itertools import product
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = [
-    "Box",
-    "Bound",
-    "Mesh",
-    "chains",
-    "clip",
-    "cut",
-    "flat",
-    "join",
-    "level_set",
-    "loops",
-    "contact_mesh",
-    "walls",
-]
-
 Floats = NDArray[np.float64]
 
 Bound = Callable[[Floats], Floats]
@@ -293,10 +278,8 @@ def level_set(condition: Bound, gradient: Bound, room: Box, ball: float) -> Mesh
         The function of the ball's centre that is zero at contact.
     gradient
         Its gradient.
-    room
-        The lowest and the highest corner.
-    ball
-        The ball's radius, m.
+    room, ball
+        As for `flat`.
     """
     low, high = room[0] - ball, room[1] + ball
     step = float((high - low).max()) / _ROOM_CELLS

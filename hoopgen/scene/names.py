@@ -19,16 +19,6 @@ from .formulas import POSITION
 from .inputs import wrong
 from .pieces import Body, Cone, Revolution
 
-__all__ = [
-    "MAX_NAME_LENGTH",
-    "PUBLIC",
-    "RESERVED",
-    "check_apart",
-    "check_faces",
-    "check_name",
-    "check_names",
-]
-
 PUBLIC = re.compile(r"[a-z][a-z0-9_]*", re.ASCII)
 """Pattern of public names; derive/ demands the same, but importing it would import SymPy."""
 

@@ -29,18 +29,6 @@ from .directions import (
 from .formulas import ONE, ZERO, Formula, constant
 from .polynomials import Polynomial
 
-__all__ = [
-    "ObliqueBody",
-    "read_cone",
-    "read_disc",
-    "read_oblique_cylinder",
-    "read_plane_normal",
-    "read_inclined_plane",
-    "read_span",
-    "read_torus",
-    "why_not_rolling",
-]
-
 
 @dataclass(frozen=True)
 class ObliqueBody:

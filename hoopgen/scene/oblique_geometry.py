@@ -23,8 +23,6 @@ from .meshes import (
 )
 from .parsed_shapes import Shape
 
-__all__ = ["FLAT", "OBLIQUE", "oblique_axes", "oblique_extent", "oblique_mesh"]
-
 FLAT = ("inclined plane", "disc")
 OBLIQUE = (*FLAT, "oblique cylinder", "cone")
 """Kinds of bodies along any direction, and those of them that are flat."""
@@ -82,14 +80,10 @@ def oblique_mesh(
     ----------
     shape
         The body.
-    number
-        The value of its sizes.
+    number, room, ball
+        As for `hoopgen.scene.revolution_geometry.revolution_mesh`.
     bounds
         Its bounds, besides its circle or its span; of a cone they are functions of its points.
-    room
-        The lowest and the highest corner.
-    ball
-        The ball's radius, m.
     """
     direction = _vector(shape, number, "direction")
     if shape.kind == "cone":

@@ -9,8 +9,6 @@ from .contact_laws import Contact
 from .formulas import Formula
 from .profile import Profile
 
-__all__ = ["RevolvedShape", "Shape"]
-
 
 @dataclass(frozen=True)
 class Shape:

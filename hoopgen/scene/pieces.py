@@ -11,21 +11,6 @@ from collections.abc import Set as AbstractSet
 from dataclasses import KW_ONLY, dataclass
 from typing import Protocol
 
-__all__ = [
-    "Body",
-    "Box",
-    "Cone",
-    "Cylinder",
-    "Disc",
-    "End",
-    "Parameter",
-    "Plane",
-    "Revolution",
-    "Sphere",
-    "Surface",
-    "Torus",
-]
-
 
 class Expression(Protocol):
     """An expression of SymPy, which need not be installed."""

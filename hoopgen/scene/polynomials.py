@@ -10,8 +10,6 @@ from numpy.typing import NDArray
 from .formulas import POSITION, ZERO, Formula, FormulaError, constant
 from .limits import current
 
-__all__ = ["Numbers", "Polynomial", "derivative", "evaluate", "polynomial", "product", "total"]
-
 Polynomial = dict[tuple[int, int, int], Formula]
 """Coefficients, by the powers of x, y and z."""
 

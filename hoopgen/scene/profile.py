@@ -7,8 +7,6 @@ from dataclasses import dataclass
 from .directions import Vector
 from .formulas import Formula
 
-__all__ = ["Arc", "Line", "Profile", "Sizes", "Vertex", "Way"]
-
 Sizes = tuple[tuple[str, Formula], ...]
 
 Way = tuple[Formula, Formula]
@@ -73,14 +71,12 @@ class Arc:
 
     Attributes
     ----------
-    start, end
-        The numbers of its points.
+    start, end, sizes
+        As for `Line`.
     kind
         "sphere" if its centre is on the axis, else "torus".
     ways
         The unit vectors along it at its start and at its end: inputs.
-    sizes
-        What its faces need: inputs by argument.
     middle
         Radius and height of the point through which it runs, formulas of the parameters.
     offset_sign

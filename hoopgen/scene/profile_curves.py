@@ -8,8 +8,6 @@ from functools import cached_property
 from itertools import product
 from math import atan2, cos, dist, hypot, pi, sin, sqrt
 
-__all__ = ["Arc", "Curve", "Place", "Segment", "ways_at", "meet"]
-
 Place = tuple[float, float]
 
 _APART = 1e-9

@@ -16,8 +16,6 @@ from .formulas import ZERO, Formula
 from .limits import current
 from .profile_curves import Arc, Curve, Segment, meet, ways_at
 
-__all__ = ["ProfilePiece", "ProfilePoint", "read_profile"]
-
 LEAST_SLOPE = 1e-6
 """Least change of the radius by that of the height, or the inverse, of a piece that is a cone: the
 apex of a steeper one is so far away that most digits of its place are lost."""

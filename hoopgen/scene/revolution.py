@@ -29,8 +29,6 @@ from .profile_curves import Arc as Curve
 from .profile_curves import ways_at
 from .profile_points import ProfilePiece, ProfilePoint, read_profile
 
-__all__ = ["read_revolution"]
-
 ON_AXIS = 1e-9
 """Distance of an arc's centre from the axis, relative to the arc's radius, up to which it is on it:
 roundings of the three points leave so little."""
@@ -50,14 +48,8 @@ def read_revolution(
 
     Parameters
     ----------
-    reader
-        The reader of the scene's arguments.
-    owner
-        The body, for error messages.
-    body
-        The body as its author wrote it.
-    ball
-        The ball's radius.
+    reader, owner, body, ball
+        As for `hoopgen.scene.oblique_bodies.read_disc`.
 
     Raises
     ------

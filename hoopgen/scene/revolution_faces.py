@@ -6,6 +6,7 @@ With `hoopgen.scene.derivation` the only module of this package that imports Sym
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from typing import Any
 
 import sympy as sp
 
@@ -29,8 +30,6 @@ from .formulas import Formula
 from .parsed_shapes import RevolvedShape
 from .profile import Arc, Line
 from .revolution import LEAST_OFFSET, ON_AXIS
-
-__all__ = ["revolution_faces"]
 
 Point = tuple[sp.Expr, sp.Expr, sp.Expr]
 Bounds = tuple[sp.Expr, ...]
@@ -105,6 +104,9 @@ class _Faces:
         ends = zip((low, high), through, strict=True)
         return tuple(bound for bound, none in ends if not none)
 
+    def _sides(self, bounds: Bounds, inward: bool) -> dict[str, Any]:
+        return {"limits": bounds, "inward": inward, "reach": self._ball}
+
     def _on_axis(self, vertex: int) -> bool:
         return self._profile.vertices[vertex].radius.number == 0
 
@@ -114,8 +116,9 @@ class _Faces:
         for side, inward in [("outside", False), ("inside", True)][: 2 if line.hollow else 1]:
             name = f"{self._name}_{side}_{number}"
             reach = radius - self._ball if inward else radius + self._ball
+            sides = self._sides(bounds, inward)
             if line.kind == "sphere":
-                yield Sphere(name, centre, reach, bounds, inward, self._ball)
+                yield Sphere(name, centre, reach, **sides)
                 continue
             yield RevolvedArc(
                 name,
@@ -125,9 +128,7 @@ class _Faces:
                 line.offset_sign,
                 reach,
                 line.across[inward],
-                bounds,
-                inward,
-                self._ball,
+                **sides,
             )
 
     def _cone(self, number: int, line: Line, bounds: Bounds) -> Iterator[Surface]:
@@ -137,7 +138,7 @@ class _Faces:
         for side, inward in self._round(line):
             apex = self._vector(sizes, f"{side} apex")
             name = f"{self._name}_{side}_{number}"
-            yield Cone(name, apex, (x, y, z), sizes["slope"], bounds, inward, self._ball)
+            yield Cone(name, apex, (x, y, z), sizes["slope"], **self._sides(bounds, inward))
 
     def _round(self, line: Line) -> list[tuple[str, bool]]:
         return [("outside", False), ("inside", True)][: 2 if line.inner else 1]
@@ -149,7 +150,7 @@ class _Faces:
             name, radius = f"{self._name}_{side}_{number}", sizes["radius"]
             reach = radius - self._ball if inward else radius + self._ball
             axis = self._vector(sizes, "axis")
-            yield kind(name, axis, self._direction, reach, bounds, inward, self._ball)
+            yield kind(name, axis, self._direction, reach, **self._sides(bounds, inward))
 
     def _disc(self, number: int, line: Line, bounds: Bounds) -> Iterator[Surface]:
         at = dict(line.sizes)["at"]
@@ -178,7 +179,7 @@ class _Faces:
             if radius == 0:
                 if lines[0].kind not in ("disc", "sphere"):
                     name = f"{self._name}_tip_{number + 1}"
-                    yield Sphere(name, (x, y, z), self._ball, bounds)
+                    yield Sphere(name, (x, y, z), self._ball, limits=bounds)
                 continue
             hole = (self._hole(number),) if vertex.narrow else ()
             name = f"{self._name}_edge_{number + 1}"

@@ -14,8 +14,6 @@ from .parsed_shapes import RevolvedShape
 from .profile import Line
 from .profile_curves import Arc, Curve, Place, Segment
 
-__all__ = ["is_hollow", "revolution_extent", "revolution_mesh"]
-
 _TURN_PIECES, _ROWS = 48, 6
 
 Number = Callable[[Formula], float]

@@ -24,8 +24,6 @@ from .scene_reader import ParsedScene, read_scene
 if TYPE_CHECKING:
     from hoopgen.derive.scenes.scene import Scene as Derived
 
-__all__ = ["Scene"]
-
 
 @dataclass(frozen=True)
 class Scene:

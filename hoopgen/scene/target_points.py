@@ -14,8 +14,6 @@ from .formulas import Formula
 from .parsed_shapes import RevolvedShape, Shape
 from .scene import Scene
 
-__all__ = ["target_point"]
-
 Floats = NDArray[np.float64]
 
 _CENTRED = ("sphere", "disc", "torus", "oblique torus", "oblique box")

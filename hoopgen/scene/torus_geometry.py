@@ -11,8 +11,6 @@ from .meshes import Bound, Box, Floats, Mesh, contact_mesh, cut, drop_outside, g
 from .oblique_geometry import oblique_axes
 from .parsed_shapes import Shape
 
-__all__ = ["torus_extent", "torus_lines", "torus_mesh"]
-
 _TURN_PIECES, _WIRE_PIECES, _SECTOR_PIECES = 96, 12, 4
 """Pieces of a turn, of a wire's, and of a ring's that are drawn together."""
 
@@ -29,14 +27,8 @@ def torus_mesh(
     ----------
     shape
         The torus.
-    number
-        The value of its sizes.
-    bounds
-        Its bounds, functions of its points.
-    room
-        The lowest and the highest corner.
-    ball
-        The ball's radius, m.
+    number, bounds, room, ball
+        As for `hoopgen.scene.revolution_geometry.revolution_mesh`.
     """
     wire = number(shape["wire"])
     if wire == 0.0:

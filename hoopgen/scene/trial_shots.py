@@ -12,8 +12,6 @@ from hoopgen.engine import numpy_backend
 from hoopgen.engine.result_arrays import Layout
 from hoopgen.engine.verification import ROLL_TIME_LIMIT
 
-__all__ = ["SHOTS", "trial_shots"]
-
 SHOTS = 1000
 
 _CANDIDATES = 4096

@@ -10,8 +10,6 @@ from numpy.typing import NDArray
 
 from .scene_reader import ParsedScene
 
-__all__ = ["acceleration", "upright", "upright_along"]
-
 _PRIME = chr(0x2032)  # after the names of axes that are turned by less than a right angle
 
 

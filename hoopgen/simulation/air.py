@@ -12,8 +12,6 @@ from .engine import Engine
 if TYPE_CHECKING:
     from hoopgen.derive.scenes.scene import Scene
 
-__all__ = ["AIR"]
-
 
 def _scene() -> Scene:
     from hoopgen.derive.scenes.air import AIR as SCENE

@@ -21,8 +21,6 @@ from hoopgen.results.trajectory import Trajectory
 
 from .simulate import simulate
 
-__all__ = ["CASES", "Case", "ArticleResult", "Shown", "release_states", "run"]
-
 MIN_SWIRL_CONTACTS = 6
 """Smallest number of contacts of a swirl; the article gives no number."""
 

@@ -13,8 +13,6 @@ from hoopgen.engine import native
 from hoopgen.engine.compiled_scene import CompiledScene
 from hoopgen.engine.cuda import CudaEngine, to_host
 
-__all__ = ["Library", "device_states", "find_library", "host_parameters"]
-
 Library = native.Library | CudaEngine
 """An engine that a compiler has made; the other one is NumPy."""
 

@@ -10,8 +10,6 @@ from hoopgen.core.validation import BACKEND_NAMES, BackendName, check_time_limit
 from hoopgen.engine.compiled_scene import CompiledScene
 from hoopgen.text.shorten import brief, join_alternatives, join_names
 
-__all__ = ["check_backend", "check_fields", "check_limit"]
-
 
 def check_backend(backend: str) -> BackendName:
     """Return the name of a backend.

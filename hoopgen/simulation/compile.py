@@ -43,8 +43,6 @@ from .engine import Engine
 from .hoop import HOOP
 from .printed_scenes import Printed, generate_scene, shipped_scene, source_digest
 
-__all__ = ["compile", "engine", "find_entry", "scene_store"]
-
 _MAX_MESSAGE_LINES = 20
 """Most lines of a compiler's words."""
 

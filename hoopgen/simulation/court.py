@@ -17,8 +17,6 @@ from .hoop import SHOTS_PER_KIND, hoop_releases
 if TYPE_CHECKING:
     from hoopgen.derive.scenes.scene import Scene
 
-__all__ = ["COURT", "court_shots"]
-
 # A release and the spread of its shots, by kind: x y z, vx vy vz, wx wy wz.
 _KINDS = (
     # up through the ring

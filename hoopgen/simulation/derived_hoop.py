@@ -13,8 +13,6 @@ from .engine import Engine
 if TYPE_CHECKING:
     from hoopgen.derive.scenes.scene import Scene
 
-__all__ = ["derived_hoop"]
-
 
 def derived_hoop(
     name: str,

@@ -15,8 +15,6 @@ from .run import SimulationOptions, run
 if TYPE_CHECKING:
     from hoopgen.judge import Certificate, CertificationOptions
 
-__all__ = ["Engine"]
-
 
 class Engine(CompiledScene):
     """A scene, compiled: `hoopgen.compile` returns one, and `hoopgen.HOOP` is the article's.

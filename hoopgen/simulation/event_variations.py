@@ -17,8 +17,6 @@ from hoopgen.engine.compiled_scene import CompiledScene
 
 from .variations import SHOTS_AT_ONCE, VARIATION, VariedPath
 
-__all__ = ["event_derivatives"]
-
 Floats = NDArray[np.float64]
 
 

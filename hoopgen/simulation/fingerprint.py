@@ -14,8 +14,6 @@ from hoopgen.engine import verification
 from .engine import Engine
 from .hoop import hoop_releases
 
-__all__ = ["SHOTS", "canonical_bytes", "fingerprint", "fixed_releases"]
-
 SHOTS = 100_000
 """Number of shots of a fingerprint."""
 

@@ -19,8 +19,6 @@ from .engine import Engine
 if TYPE_CHECKING:
     from hoopgen.derive.scenes.scene import Scene
 
-__all__ = ["SHOTS_PER_KIND", "HOOP", "KINDS", "hoop_library", "hoop_releases", "hoop_shots"]
-
 SHOTS_PER_KIND = 32
 """Number of shots of each kind."""
 

@@ -21,8 +21,6 @@ if TYPE_CHECKING:
     from hoopgen.derive.scenes.scene import Parameter
     from hoopgen.derive.surfaces import Surface
 
-__all__ = ["allowed", "not_allowed", "out_of_range", "reason", "why_invalid"]
-
 RADII = {"ball_radius", "ring_radius", "wire_radius"}
 """Parameters of a hoop that limit each other: the ball must fit through the ring."""
 

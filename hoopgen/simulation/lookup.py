@@ -14,8 +14,6 @@ from hoopgen.text.shorten import brief, join_names
 from .engine import Engine
 from .hoop import HOOP
 
-__all__ = ["BUILT_IN", "SUFFIX", "engine_of", "is_built_in", "scene_from"]
-
 
 def _court() -> Engine:
     from .court import COURT  # whose kernels are many

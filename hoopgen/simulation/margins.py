@@ -24,8 +24,6 @@ from hoopgen.engine.flight_pieces import FlownPieces
 from .surface_changes import NORMAL, ROUNDING, VELOCITY, unit_normal, without_rounding
 from .variations import SHOTS_AT_ONCE, VARIATION, VariedPath
 
-__all__ = ["change_distance", "decision_names"]
-
 Floats = NDArray[np.float64]
 Rows = NDArray[np.intp]
 

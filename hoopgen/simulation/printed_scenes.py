@@ -21,8 +21,6 @@ from typing import Any
 
 from hoopgen.core.validation import RUNTIME_BACKENDS
 
-__all__ = ["Printed", "generate_scene", "shipped_scene", "source_digest", "write_shipped_scenes"]
-
 _PACKAGE = Path(__file__).resolve().parent.parent
 
 SHIPPED_FOLDER = _PACKAGE / "shipped"

@@ -16,8 +16,6 @@ from hoopgen.engine.compiled_scene import CompiledScene
 from .event_variations import event_derivatives
 from .margins import change_distance, decision_names
 
-__all__ = ["Variations"]
-
 Floats = NDArray[np.float64]
 
 ROUNDING = 64 * np.finfo(np.float64).eps

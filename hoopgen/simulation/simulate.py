@@ -15,8 +15,6 @@ from hoopgen.scene.lookup import SceneLike
 from .lookup import engine_of
 from .run import run
 
-__all__ = ["simulate"]
-
 
 def simulate(
     states: ArrayLike,

@@ -16,8 +16,6 @@ from hoopgen.core.variables import STATE
 
 from .variations import VariedPath
 
-__all__ = ["NORMAL", "ROUNDING", "VELOCITY", "unit_normal", "without_rounding"]
-
 Floats = NDArray[np.float64]
 
 NORMAL, VELOCITY = ("nx", "ny", "nz"), STATE[3:6]

@@ -19,8 +19,6 @@ from .lookup import engine_of
 from .run import SimulationOptions, run
 from .variations import check_derivatives
 
-__all__ = ["jvp", "vjp"]
-
 Floats = NDArray[np.float64]
 
 

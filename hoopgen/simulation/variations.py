@@ -20,8 +20,6 @@ from hoopgen.core.variables import STATE, check_names
 from hoopgen.engine.compiled_scene import CompiledScene
 from hoopgen.engine.flight_pieces import vary_in_pieces
 
-__all__ = ["NEEDED", "Observer", "VariedPath", "check_derivatives", "derivatives"]
-
 Floats = NDArray[np.float64]
 
 NEEDED = ("outcome", "uncertain")

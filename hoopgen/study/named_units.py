@@ -48,10 +48,8 @@ def named(name: str, scene: CompiledScene = HOOP) -> str:
 
     Parameters
     ----------
-    name
-        The name of a field of results, or of a variable.
-    scene
-        The scene whose variables and results they are.
+    name, scene
+        As for `unit_in`.
     """
     return column_name(name, unit_in(name, scene))
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import html
 from typing import TYPE_CHECKING, Any, Unpack
 
 from hoopgen.core.extras import require
@@ -10,6 +9,7 @@ from hoopgen.core.plotting import plotting_module
 from hoopgen.engine.compiled_scene import CompiledScene
 from hoopgen.results.drawing import EstimateOptions
 from hoopgen.simulation.hoop import HOOP
+from hoopgen.text.html import Printed
 
 from .named_units import in_units
 
@@ -19,8 +19,8 @@ if TYPE_CHECKING:
     from hoopgen.results.drawing import Drawn
 
 
-class Result:
-    """A result that is shown and represented as it is printed, and becomes a row of a table."""
+class Result(Printed):
+    """A result that is shown as it is printed, and becomes a row of a table."""
 
     def as_dict(self) -> dict[str, Any]:
         """Return everything, in types that JSON knows."""
@@ -41,12 +41,6 @@ class Result:
         scene = scene if isinstance(scene, CompiledScene) else HOOP
         frame: DataFrame = pd.json_normalize([in_units(self.as_dict(), scene)], sep="_")
         return frame
-
-    def __repr__(self) -> str:
-        return str(self)
-
-    def _repr_html_(self) -> str:
-        return f"<pre>{html.escape(str(self))}</pre>"
 
 
 class SharesOfShots(Result):

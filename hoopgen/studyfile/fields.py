@@ -20,14 +20,7 @@ from pydantic_core import CoreSchema, InitErrorDetails, PydanticCustomError, cor
 
 from hoopgen.core.memory import even_values
 from hoopgen.core.units import Kind
-from hoopgen.study.questions.values import (
-    EXAMPLES,
-    Listed,
-    Quantity,
-    Value,
-    Whole,
-    show,
-)
+from hoopgen.study.questions.values import EXAMPLES, Listed, Quantity, Value, Whole, show
 from hoopgen.text.shorten import suggestion
 
 from .lines import Path

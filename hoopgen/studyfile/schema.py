@@ -7,11 +7,7 @@ from dataclasses import MISSING, dataclass, replace
 from functools import cache
 from typing import Annotated, Any, cast
 
-from pydantic import (
-    GetCoreSchemaHandler,
-    ValidationError,
-    create_model,
-)
+from pydantic import GetCoreSchemaHandler, ValidationError, create_model
 from pydantic_core import CoreSchema, core_schema
 
 from hoopgen.study.questions.settings import (
@@ -22,15 +18,7 @@ from hoopgen.study.questions.settings import (
     settings,
 )
 from hoopgen.study.questions.specification import QUESTIONS
-from hoopgen.study.questions.values import (
-    BOUNDS,
-    CHANGE,
-    Choice,
-    Listed,
-    Text,
-    Value,
-    show,
-)
+from hoopgen.study.questions.values import BOUNDS, CHANGE, Choice, Listed, Text, Value, show
 from hoopgen.study.tables.reading import ReadingOptions
 from hoopgen.text.shorten import suggestion
 

@@ -5,10 +5,18 @@ from __future__ import annotations
 import html
 from collections.abc import Iterable, Sequence
 
-__all__ = ["some_rows", "table"]
-
 MAX_ROWS = 10
 """Shown of a long table: half of them from its start, half from its end."""
+
+
+class Printed:
+    """A result that is represented, and shown in notebooks, as it is printed."""
+
+    def __repr__(self) -> str:
+        return str(self)
+
+    def _repr_html_(self) -> str:
+        return f"<pre>{html.escape(str(self))}</pre>"
 
 
 def some_rows(count: int) -> list[int]:

@@ -5,16 +5,6 @@ from __future__ import annotations
 from math import floor, isnan, log10
 from numbers import Integral
 
-__all__ = [
-    "MINUS",
-    "format_count",
-    "percent_decimals",
-    "format_uncertain",
-    "format_interval",
-    "format_percent",
-    "format_points",
-]
-
 MINUS = "\N{MINUS SIGN}"
 
 

@@ -7,8 +7,6 @@ from difflib import get_close_matches
 from itertools import islice
 from reprlib import Repr
 
-__all__ = ["brief", "cut", "join_alternatives", "join_names", "suggestion"]
-
 MAX_LENGTH = 60
 """Characters of what was given that a message shows."""
 

@@ -6,8 +6,6 @@ import textwrap
 from collections.abc import Mapping, Sequence
 from itertools import zip_longest
 
-__all__ = ["NO_BREAK", "table"]
-
 NO_BREAK = "\N{NO-BREAK SPACE}"
 
 _GAP = "  "

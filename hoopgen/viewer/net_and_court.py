@@ -13,8 +13,6 @@ from hoopgen.hoop.court_lines import COURTS, court_of, lines_of
 from hoopgen.hoop.releases import RING_HEIGHT
 from hoopgen.results.shots import Shots
 
-__all__ = ["net_and_court"]
-
 _NET_LOOPS = 12  # by which a net hangs, in both rule books
 _NET_ROWS = 5
 _NET_LENGTH = 0.43  # m; 0.40 to 0.45 in both

@@ -37,17 +37,6 @@ from .page_file import Page
 from .palette import palette
 from .scenery import ROLL_PIECE_DURATION, ball_radius, flight_parameters, scenery, turn_vectors
 
-__all__ = [
-    "MAX_SHOTS",
-    "Extension",
-    "fill_page",
-    "json_element",
-    "page",
-    "page_data",
-    "read",
-    "write_page",
-]
-
 MAX_SHOTS = 2000
 """Shots on a page; with more, browsers are slow and paths cannot be told apart."""
 
@@ -108,10 +97,8 @@ def write_page(
 
     Parameters
     ----------
-    shots
-        The recorded shots.
-    parameters
-        The scene's parameters.
+    shots, parameters
+        As for `page`.
     target
         The file; None for none.
     title, about, labels

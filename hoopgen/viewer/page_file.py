@@ -8,8 +8,6 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-__all__ = ["Page"]
-
 _FRAME_HEIGHT = 640
 """Height of the page in a notebook, pixels."""
 

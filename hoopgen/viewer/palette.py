@@ -6,8 +6,6 @@ from collections.abc import Mapping
 
 from hoopgen.core.colours import COLOURS
 
-__all__ = ["DARK_PAPER", "contrast", "lighten", "palette"]
-
 DARK_PAPER = "#15191D"
 """The paper of a dark page."""
 

@@ -37,17 +37,6 @@ from .page import Extension, fill_page, json_element, page_data, read
 from .page_file import Page
 from .scenery import ROLL_PIECE_DURATION
 
-__all__ = [
-    "CONFIDENCE",
-    "GENERATED",
-    "SHARED",
-    "THROWS",
-    "generated_script",
-    "own_file",
-    "page_spec",
-    "playground",
-]
-
 THROWS = 10_000
 """Throws about a release."""
 

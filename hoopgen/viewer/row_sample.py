@@ -22,8 +22,6 @@ from hoopgen.study.tables.reading import ReadingOptions
 from hoopgen.study.tables.source import Source
 from hoopgen.text.shorten import brief, cut, join_names
 
-__all__ = ["Sample", "sample"]
-
 ROWS = 1 << 16
 """Rows that are read at a time."""
 

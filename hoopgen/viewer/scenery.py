@@ -17,8 +17,6 @@ from hoopgen.scene.geometry import Body, SceneGeometry
 from hoopgen.scene.meshes import chains, loops
 from hoopgen.scene.upright import acceleration
 
-__all__ = ["ROLL_PIECE_DURATION", "ball_radius", "scenery", "flight_parameters", "turn_vectors"]
-
 ROLL_PIECE_DURATION = 2.0**-7
 """s, of a roll: between its ends a cubic is off by less than 1e-6 m; longer where it lasts long."""
 

@@ -18,8 +18,6 @@ from hoopgen.text.shorten import brief
 from .page import write_page
 from .page_file import Page
 
-__all__ = ["view"]
-
 
 @check_arguments
 def view(

@@ -20,8 +20,6 @@ from .page import write_page
 from .page_file import Page
 from .row_sample import Sample, sample
 
-__all__ = ["DEFAULT_SHOTS", "view_table"]
-
 DEFAULT_SHOTS = 50
 """On a page, unless asked for otherwise."""
 

@@ -81,7 +81,7 @@ FAULTS = (
     ),
     Planted(
         "behind the side of an arc there is no free space",
-        in_text(_Faces, "_arc", "self._ball,\n", "None,\n"),
+        in_text(_Faces, "_arc", "**sides,\n", '**(sides | {"reach": None}),\n'),
         sides["lemon"],
     ),
     Planted(

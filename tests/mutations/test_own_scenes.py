@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 import pytest
 from hoopgen.derive.contact import friction
-from hoopgen.derive.events import bounding_boxes, box_windows, oblique_box, root_search
+from hoopgen.derive.events import bounding_boxes, box_windows, oblique_box, search
 from hoopgen.derive.events.box import BoxRootFinder
 from hoopgen.derive.events.inclined_plane import InclinedPlaneSearch
 from hoopgen.derive.events.polynomial import PolynomialRootFinder
@@ -561,7 +561,7 @@ FAULTS = (
     ),
     Planted(
         "the roundings of a root are those of its flight",
-        in_text(root_search, "root_rounding", "root_delay * absolute(rate)", "0 * rate"),
+        in_text(search, "root_rounding", "root_delay * absolute(rate)", "0 * rate"),
         OfEngine(test_roots.check_states, scene=test_roots.LARGE),
     ),
     Planted(

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from scipy.integrate import solve_ivp
 
 import hoopgen
-from hoopgen.hoop.air import AIR_DEFAULTS
+from hoopgen.core.parameters import AIR_DEFAULTS
 from hoopgen.scene import End, Parameter, Plane, Scene, SceneError, Sphere
 from hoopgen.scene.files import parse_scene
 from hoopgen.simulation.engine import Engine

@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 import hoopgen
+from hoopgen.core.parameters import AIR_DEFAULTS
 from hoopgen.core.variables import STATE
-from hoopgen.hoop.air import AIR_DEFAULTS
 from hoopgen.scene import Box, End, Parameter, Plane, Scene, Sphere
 from hoopgen.simulation.engine import Engine
 from tests.helpers.effort import trials

@@ -15,7 +15,7 @@ import pytest
 
 import hoopgen
 from hoopgen import PAPER, Outcome
-from hoopgen.core.parameters import OF_AIR, OF_COURT
+from hoopgen.core.parameters import AIR_DEFAULTS, OF_COURT
 from hoopgen.engine import native
 from hoopgen.simulation import backends
 from hoopgen.simulation.hoop import HOOP, hoop_library
@@ -330,7 +330,7 @@ def test_parameters_of_another_hoop_name_the_scene_that_has_them(
 
 def test_the_names_in_that_hint_are_those_that_the_scenes_add() -> None:
     own = set(NAMES)
-    assert {*OF_AIR} == set(hoopgen.NBA_AIR) - own
+    assert {*AIR_DEFAULTS} == set(hoopgen.NBA_AIR) - own
     assert {*OF_COURT, "inertia"} == set(hoopgen.NBA_COURT) - own
 
 

@@ -14,8 +14,8 @@ import pytest
 
 import hoopgen
 from hoopgen import COURT, HOOP, NBA_COURT, PAPER_COURT
+from hoopgen.core.parameters import AIR_DEFAULTS
 from hoopgen.core.units import parse_quantity
-from hoopgen.hoop.air import AIR_DEFAULTS
 from hoopgen.report.quantities import for_json
 from hoopgen.scene.lookup import HOOP_VARIABLES, variables_of
 from hoopgen.simulation.lookup import scene_from

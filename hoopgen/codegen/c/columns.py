@@ -25,17 +25,7 @@ from ..statements import (
     Operate,
     Statement,
 )
-from .spelling import (
-    TYPES,
-    at,
-    choose,
-    expand,
-    load,
-    nothing,
-    pack,
-    store,
-    zeros,
-)
+from .spelling import TYPES, at, choose, expand, load, nothing, pack, store, zeros
 
 _PACKED, _IDLE = Name("packed"), Name("idle")
 

@@ -33,14 +33,7 @@ from ..statements import (
 )
 from .hierarchy import GroupContext
 from .masked_loop import Around, Statements
-from .spelling import (
-    TYPES,
-    at,
-    load,
-    numbered_column,
-    offset,
-    store,
-)
+from .spelling import TYPES, at, load, numbered_column, offset, store
 from .transfers import MIN_COPIED
 from .turns import TurnLoop
 

@@ -15,16 +15,7 @@ from hoopgen.derive.ir.event_tree import Node, walk
 from ..hoisting import PartialEvaluation, needed_by
 from ..identifiers import identifier
 from ..program import Operations
-from ..statements import (
-    Apply,
-    Block,
-    Declare,
-    Execute,
-    Expression,
-    Name,
-    Scalar,
-    Statement,
-)
+from ..statements import Apply, Block, Declare, Execute, Expression, Name, Scalar, Statement
 from ..straight_line import straight_line
 from .spelling import LANES, SINGLES
 

@@ -8,16 +8,7 @@ from dataclasses import dataclass, field
 from hoopgen.derive.ir.event_tree import Node
 from hoopgen.derive.ir.kernel import Kind
 
-from ..statements import (
-    Apply,
-    Column,
-    Declare,
-    Execute,
-    Function,
-    If,
-    Name,
-    Statement,
-)
+from ..statements import Apply, Column, Declare, Execute, Function, If, Name, Statement
 from ..visitors import live_before
 from .hierarchy import GroupContext, GroupedLoop
 from .masked_loop import Statements

@@ -19,8 +19,6 @@ from hoopgen.engine.c_build import FLAGS
 from hoopgen.engine.compiled_scene import CompiledScene
 from hoopgen.hoop.releases import RING_HEIGHT
 
-__all__ = ["ERRORS", "package_files", "write_package"]
-
 TEMPLATES = resources.files("hoopgen.templates") / "package"
 
 FILES = {

@@ -49,6 +49,14 @@ the same however few of its shots go to the list; a copy costs each of these. It
 chosen, and no result depends on it; the lists of HOOP and COURT are shorter."""
 
 
+def moved(columns: Iterable[tuple[str, str]]) -> list[Statement]:
+    """Return the statements that copy row `k` of a column to `row` of another, named first."""
+    return [
+        Assign(Item(Column(to), Name("row")), Item(Column(source), Name("k")))
+        for to, source in columns
+    ]
+
+
 @dataclass
 class TransferLoop(OutlinedLoop):
     """Transfers between the rows of a list and the columns of another.
@@ -150,15 +158,9 @@ class TransferLoop(OutlinedLoop):
         """Return the statements that copy columns of the shots of a list from those at hand."""
         if not copied:
             return []
-        moves = (
-            Assign(
-                Item(Column(own.column(name)), Name("row")),
-                Item(Column(frame.column(name)), Name("k")),
-            )
-            for name in copied
-        )
         source = Cast("size_t", Item(Column(own.column("row")), Name("row")))
         k = Declare("k", "size_t", source, constant=True)
+        moves = moved((own.column(name), frame.column(name)) for name in copied)
         return [For("row", Name(own.count), (k, *moves))]
 
     def _fill(self, own: GroupContext, takes: Sequence[str]) -> Statement:
@@ -181,12 +183,6 @@ class TransferLoop(OutlinedLoop):
         for name in gives:
             self._column(frame, name, frame.known[name])
         source = Cast("size_t", Item(Column(own.column("row")), Name("k")))
-        moves = (
-            Assign(
-                Item(Column(frame.column(name)), Name("row")),
-                Item(Column(own.column(name)), Name("k")),
-            )
-            for name in gives
-        )
         row = Declare("row", "size_t", source, constant=True)
+        moves = moved((frame.column(name), own.column(name)) for name in gives)
         return For("k", Name(own.count), (row, *moves))

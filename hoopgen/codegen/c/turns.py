@@ -33,19 +33,8 @@ from ..statements import (
 )
 from .hierarchy import GroupContext
 from .masked_loop import Statements
-from .spelling import (
-    TYPES,
-    at,
-    both,
-    complement,
-    expand,
-    less,
-    load,
-    nothing,
-    pack,
-    select,
-)
-from .transfers import TransferLoop
+from .spelling import TYPES, at, both, complement, expand, less, load, nothing, pack, select
+from .transfers import TransferLoop, moved
 
 
 @dataclass
@@ -128,13 +117,7 @@ class TurnLoop(TransferLoop):
             pack(kind, at(columns[name], "done"), ended, Name(name)) for name, kind in kinds.items()
         )
         place = Cast("size_t", Item(Column(columns["row"]), Name("k")))
-        moves = (
-            Assign(
-                Item(Column(frame.column(name)), Name("row")),
-                Item(Column(columns[name]), Name("k")),
-            )
-            for name in gives
-        )
+        moves = moved((frame.column(name), columns[name]) for name in gives)
         turn: Statements = [
             Assign(turns, Operate("add", (turns, Number(1.0)))),
             Declare("ended", "M", both(active, complement(going)), constant=True),

@@ -11,8 +11,6 @@ from hoopgen.derive.state.fields import ResultField
 from ..identifiers import python_string
 from .spelling import NUMPY
 
-__all__ = ["ResultRecord"]
-
 
 @dataclass(frozen=True)
 class ResultRecord:

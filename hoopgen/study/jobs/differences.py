@@ -20,8 +20,6 @@ from numpy.typing import NDArray
 
 from hoopgen.results.shots import Shots
 
-__all__ = ["COUNTS", "PAIRS", "STEP", "TIMES", "difference_counts", "step_of"]
-
 STEP = 2.0**-7
 """Step h as a share of the value; of 0 the step itself. Noise falls with its square root."""
 

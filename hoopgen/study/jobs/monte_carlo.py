@@ -29,13 +29,7 @@ from hoopgen.study.models.scatter import Scatter
 from hoopgen.study.models.scores import score_sums
 from hoopgen.study.statistics.distributions import counts_of
 from hoopgen.study.statistics.sample import Rows, sampled_rows
-from hoopgen.study.statistics.tally import (
-    Tally,
-    blocks,
-    check_scene,
-    fields_of,
-    width_of,
-)
+from hoopgen.study.statistics.tally import Tally, blocks, check_scene, fields_of, width_of
 from hoopgen.text.shorten import brief
 
 from .chunks import ShotsJob

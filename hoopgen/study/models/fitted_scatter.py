@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import html
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any, Generic, TypeVar
@@ -13,6 +12,7 @@ from numpy.typing import NDArray
 from hoopgen.core.units import display_unit
 from hoopgen.core.validation import check_count
 from hoopgen.hoop.variables import VARIABLES
+from hoopgen.text.html import Printed
 from hoopgen.text.numbers import format_count
 from hoopgen.text.shorten import brief, join_names
 from hoopgen.text.tables import table
@@ -65,7 +65,7 @@ class Uncertain:
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class FittedScatter(Generic[Model]):
+class FittedScatter(Printed, Generic[Model]):
     """A player's scatter that was fitted to measured releases, and how uncertain it is.
 
     Attributes
@@ -180,12 +180,6 @@ class FittedScatter(Generic[Model]):
             lines += ["", f"correlations other than 0: {'; '.join(strong)}"]
         return "\n".join(lines)
 
-    def __repr__(self) -> str:
-        return str(self)
-
-    def _repr_html_(self) -> str:
-        return f"<pre>{html.escape(str(self))}</pre>"
-
 
 HEADS = ["variable", "mean", "95% interval", "spread", "95% interval", "as measured"]
 """Headings of `FittedScatter.cells`."""
@@ -203,7 +197,7 @@ def _shown(name: str, value: float, unit: bool = True) -> str:
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class FittedScatters(Mapping[str, FittedScatter[Model]], Generic[Model]):
+class FittedScatters(Printed, Mapping[str, FittedScatter[Model]], Generic[Model]):
     """The scatter of each player, by the player's label."""
 
     players: Mapping[str, FittedScatter[Model]]
@@ -228,12 +222,6 @@ class FittedScatters(Mapping[str, FittedScatter[Model]], Generic[Model]):
         if self.left_out:
             parts.append(f"too few releases: {join_names(self.left_out)}")
         return "\n\n".join(parts)
-
-    def __repr__(self) -> str:
-        return str(self)
-
-    def _repr_html_(self) -> str:
-        return f"<pre>{html.escape(str(self))}</pre>"
 
 
 def consistent(

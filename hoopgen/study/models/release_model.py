@@ -14,12 +14,7 @@ from hoopgen.core.si_checks import check_deviations
 from hoopgen.core.validation import as_doubles
 from hoopgen.core.variables import STATE, Releases, check_names, is_state
 from hoopgen.hoop.presets import NAMES, PAPER
-from hoopgen.hoop.variables import (
-    ALTERNATIVE_VARIABLES,
-    ARGUMENTS,
-    check_angles,
-    resolve_variables,
-)
+from hoopgen.hoop.variables import ALTERNATIVE_VARIABLES, ARGUMENTS, check_angles, resolve_variables
 from hoopgen.scene.lookup import HOOP_VARIABLES
 
 Floats: TypeAlias = NDArray[np.float64]
@@ -121,12 +116,10 @@ def check_spread(argument: str, deviations: Mapping[str, ArrayLike], among: Iter
 
     Parameters
     ----------
-    argument
-        The name of the argument, for the error.
+    argument, among
+        As for `check_turns`.
     deviations
         Standard deviations of variables by name, one number or (n,) each, SI and rad.
-    among
-        All variables that are given; they tell states from releases.
     """
     if not is_state(among):
         check_turns(argument, deviations, among)

@@ -20,8 +20,6 @@ from hoopgen.text.shorten import brief, join_names
 
 from .scatter import Scatter
 
-__all__ = ["MEAN", "SD", "SUMS", "check_scored", "score_sums", "split"]
-
 MEAN, SD = "mean", "sd"
 """Parameters of a normal variable: the names before the point of ``mean.speed``."""
 

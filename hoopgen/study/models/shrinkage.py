@@ -104,9 +104,7 @@ def normal_log_likelihood(grid: Floats, centres: Floats, widths: Floats) -> Floa
     ----------
     grid
         Values, (m,), at which it is wanted.
-    centres
-        The estimate of each player, (players,).
-    widths
-        The standard error of each, (players,).
+    centres, widths
+        As for `fine_grid`.
     """
     return np.asarray(-0.5 * ((grid - centres[:, None]) / widths[:, None]) ** 2)

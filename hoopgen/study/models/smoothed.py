@@ -70,12 +70,8 @@ class Smoothed(EachRow):
 
         Parameters
         ----------
-        start
-            The index of the first shot.
-        stop
-            The index after that of the last shot.
-        seed
-            The seed of the random numbers.
+        start, stop, seed
+            As for `hoopgen.study.models.random.normals`.
         """
         columns = super().noise(start, stop, seed)
         whole, shrunk = self._whole, 1.0 / sqrt(1.0 + self.width**2)

@@ -27,8 +27,6 @@ from .aim_scene import components, flights_of, target_of
 from .aimed_point import Point, why_none
 from .aimed_release import Aim, plain
 
-__all__ = ["aim"]
-
 
 @check_arguments
 def aim(

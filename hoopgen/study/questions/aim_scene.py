@@ -14,8 +14,6 @@ from hoopgen.scene.upright import acceleration
 from hoopgen.simulation.engine import Engine
 from hoopgen.text.shorten import brief
 
-__all__ = ["components", "flights_of", "target_of"]
-
 Floats = NDArray[np.float64]
 
 

@@ -16,8 +16,6 @@ from hoopgen.hoop.flights import Flights
 from hoopgen.hoop.parabolas import Arc
 from hoopgen.hoop.releases import RING_HEIGHT
 
-__all__ = ["Point", "why_none"]
-
 Floats = NDArray[np.float64]
 Given = Mapping[str, Floats]
 

@@ -26,8 +26,6 @@ from hoopgen.text.numbers import format_count
 if TYPE_CHECKING:
     from pandas import DataFrame
 
-__all__ = ["NUMBERS", "Aim", "flight_in_words", "met_before", "plain"]
-
 NUMBERS = ("speed", "elevation", "azimuth", "entry_angle", "time", "height", "distance", "angle")
 """The columns of an `Aim`, each a number or an array."""
 

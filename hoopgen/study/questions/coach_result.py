@@ -144,10 +144,8 @@ class Coaching(Result):
 
         Parameters
         ----------
-        path
-            The file, .html.
-        read
-            Of measured releases, how the table was read, for the end of the page.
+        path, read
+            As for `hoopgen.plots.write_coach_page`.
 
         Returns
         -------

@@ -17,10 +17,7 @@ from hoopgen.results.shots import Outcome
 from hoopgen.simulation.engine import Engine
 from hoopgen.simulation.hoop import HOOP
 from hoopgen.study.jobs.differences import COUNTS
-from hoopgen.study.jobs.monte_carlo import (
-    MonteCarloJob,
-    tally_of,
-)
+from hoopgen.study.jobs.monte_carlo import MonteCarloJob, tally_of
 from hoopgen.study.models.release_model import is_still
 from hoopgen.study.models.scores import SUMS
 from hoopgen.study.result import SharesOfShots

@@ -26,8 +26,6 @@ from hoopgen.study.statistics.intervals import newcombe_interval
 from hoopgen.text.numbers import format_percent
 from hoopgen.text.tables import table
 
-__all__ = ["Slope", "check_gradient", "difference_slopes", "score_slopes", "slope_lines"]
-
 Floats = NDArray[np.float64]
 
 
@@ -171,12 +169,10 @@ def difference_slopes(
     ----------
     parameters
         Of the scene.
-    names
-        Of the derivatives.
+    names, level
+        As for `score_slopes`.
     counts
         As of `difference_counts`, of all shots.
-    level
-        Of the intervals.
     """
     found = {}
     for name, of_name in zip(names, counts.reshape(-1, len(TIMES), PAIRS), strict=True):

@@ -27,12 +27,7 @@ from hoopgen.study.models.random import check_seed
 from hoopgen.study.models.requirements import check_model
 from hoopgen.study.models.resample import Resample
 from hoopgen.study.models.scatter import Scatter
-from hoopgen.study.statistics.tally import (
-    check_scene,
-    check_share,
-    contacts_of,
-    width_of,
-)
+from hoopgen.study.statistics.tally import check_scene, check_share, contacts_of, width_of
 from hoopgen.text.shorten import brief
 
 from .map_dataset import dataset

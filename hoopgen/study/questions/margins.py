@@ -207,12 +207,8 @@ def margins_about(
         The variables whose margins are wanted.
     player
         The player, in a scene.
-    shots
-        The number of shots thrown at each release that is tried.
-    seed
-        The seed of the random numbers.
-    tolerance
-        By how much the probability may fall, from 0 to 1.
+    shots, seed, tolerance
+        As for `hoopgen.study.questions.search.flat_about`.
     """
     found = {}
     exact = replace(player, model=Scatter({}))

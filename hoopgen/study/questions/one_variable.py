@@ -145,10 +145,8 @@ class OneShot:
 
         Parameters
         ----------
-        name
-            The name of a variable of the release, or of a parameter of the scene.
-        values
-            Its values, (n,), SI and rad.
+        name, values
+            As for `OneShot.with_values`.
 
         Returns
         -------
@@ -175,10 +173,8 @@ class OneShot:
 
         Parameters
         ----------
-        name
-            The name of a variable of the release, or of a parameter of the scene.
-        values
-            Its values, (n,), SI and rad.
+        name, values
+            As for `OneShot.with_values`.
 
         Raises
         ------

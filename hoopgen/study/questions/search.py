@@ -211,18 +211,10 @@ def flat_about(
 
     Parameters
     ----------
-    player
-        The player, who scatters.
-    bounds
-        The bounds of each variable, SI and rad.
-    fixed
-        The other variables of the release, SI and rad.
+    player, bounds, fixed, shots, seed
+        As for `search`.
     point
         The values about which the region is, SI and rad.
-    shots
-        The number of shots thrown at each release that is tried.
-    seed
-        The seed of the random numbers.
     tolerance
         By how much the probability may fall, from 0 to 1.
     """

@@ -107,10 +107,8 @@ class Bends(Protocol):
 
         Parameters
         ----------
-        lines
-            The fitted lines.
-        noise
-            The standard deviation of each coordinate, (3,), m.
+        lines, noise
+            As for `Bends.covariance`.
         """
         ...
 
@@ -169,12 +167,10 @@ class FlightsInAir:
         Its parameters, one number each or (n,).
     fall
         The acceleration at rest, (n, 3), m/s².
-    times
-        Of the frames, (n, m), s since the first one.
+    times, spins
+        As for `Parabolas`.
     release
         Of the tracks whose release is known, s since the first frame, (n,); else 0.
-    spins
-        The spins at the release.
     """
 
     passes = 12

@@ -96,14 +96,8 @@ class Measured:
 
         Parameters
         ----------
-        frames
-            Whether each frame counts, (n, m).
-        noise
-            The standard deviation of each coordinate, (3,), m.
-        start
-            Lines to start from; None for none.
-        tolerance
-            The change at which the iteration ends, in units of the noise.
+        frames, noise, start, tolerance
+            As for `hoopgen.study.recovery.estimator.robust_lines`.
         """
         return robust_lines(self.times, self.positions, frames, noise, start, tolerance)
 
@@ -112,10 +106,8 @@ class Measured:
 
         Parameters
         ----------
-        lines
-            The lines of the n tracks.
-        noise
-            The standard deviation of each coordinate, (3,), m.
+        lines, noise
+            As for `hoopgen.study.recovery.estimator.squares`.
         """
         return squares(lines, self.times, self.positions, noise)
 
@@ -124,12 +116,10 @@ class Measured:
 
         Parameters
         ----------
-        lines
-            The lines of the n tracks.
+        lines, noise
+            As for `Measured.squares`.
         frames
             Whether each frame counts, (n, m).
-        noise
-            The standard deviation of each coordinate, (3,), m.
         """
         off = self.squares(lines, noise) / (1.0 - leverages(self.times, frames))
         return frames & (off > OUTLIER)

@@ -224,12 +224,10 @@ class Rows:
 
         Parameters
         ----------
-        name
-            The name of the measure.
+        name, confidence
+            As for `Rows.quantile`.
         inside
             Whether the measure of each row is inside, (n,).
-        confidence
-            The confidence of the interval, from 0 to 1.
         """
         there = ~np.isnan(self.measured[name])
         return share_of_rows(inside, there, self.cluster, confidence)

@@ -25,8 +25,6 @@ from hoopgen.study.named_units import UNIT_OF, named
 
 from .event_log import EVENTS, events_by_row
 
-__all__ = ["Flights"]
-
 
 @dataclass(frozen=True)
 class Flights:

@@ -22,7 +22,7 @@ from hoopgen.derive.symbolic.conditionals import release
 from mpmath import mp, mpf, odefun, sqrt
 
 from hoopgen.codegen.program import Program, lower
-from hoopgen.hoop.air import AIR_DEFAULTS
+from hoopgen.core.parameters import AIR_DEFAULTS
 from tests.helpers.effort import trials
 
 Values = dict[str, float]

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
+from functools import partial
 
 import pytest
 import sympy as sp
@@ -102,7 +104,10 @@ WRONG = {
     "sign": (Turned("odd", CENTRE, BALL), "condition falls where its distance rises"),
     "gradient": (ImplicitSurface("odd", (ROUND - 1) ** 2), "gradient of its condition is zero"),
     "symbol": (Sphere("odd", CENTRE, UNKNOWN), "unknown symbol size; expected of acceleration"),
-    "bound's symbol": (Sphere("odd", CENTRE, BALL, (x - UNKNOWN,)), "bound 0: unknown symbol size"),
+    "bound's symbol": (
+        Sphere("odd", CENTRE, BALL, limits=(x - UNKNOWN,)),
+        "bound 0: unknown symbol size",
+    ),
     "root": (ImplicitSurface("odd", sp.sqrt(x**2 + y**2) - z), "expected a condition polynomial"),
     "degree": (ImplicitSurface("odd", x**6 + z**2 - 1), "degree 1 to 4 .* got one of 6"),
     "constant": (ImplicitSurface("odd", sp.Integer(3)), "degree 1 to 4 .* got one of"),
@@ -160,11 +165,13 @@ def test_two_bodies_of_one_name_are_refused() -> None:
         replace(TABLE, bodies=twice)
 
 
-@pytest.mark.parametrize("kind", [Cylinder, Torus])
+@pytest.mark.parametrize("kind", [Cylinder, partial(Torus, reach=BALL)])
 @pytest.mark.parametrize("direction", [(1, 1, 0), (0, 0, 2), (sp.sqrt(2) / 2, sp.sqrt(2) / 2, 0)])
-def test_an_axis_is_a_unit_vector_of_fractions(kind: type, direction: tuple[sp.Expr, ...]) -> None:
+def test_an_axis_is_a_unit_vector_of_fractions(
+    kind: Callable[..., Surface], direction: tuple[sp.Expr, ...]
+) -> None:
     with pytest.raises(ValueError, match="surface odd: direction: expected three rational"):
-        kind("odd", CENTRE, direction, BALL, BALL)
+        kind("odd", CENTRE, direction, BALL)
 
 
 # -- Bounds as lengths

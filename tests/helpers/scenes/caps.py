@@ -41,10 +41,10 @@ def _caps() -> Scene:
         parameters=_PARAMETERS,
         bodies=(
             body(
-                Sphere("cap", left, reach, (symbol["cut"] - z,)),
+                Sphere("cap", left, reach, limits=(symbol["cut"] - z,)),
                 lively,
             ),
-            body(Sphere("half", right, reach, (apart - x,)), lively),
+            body(Sphere("half", right, reach, limits=(apart - x,)), lively),
             body(
                 Plane(
                     "step",

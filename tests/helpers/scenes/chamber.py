@@ -30,12 +30,12 @@ def _chamber() -> Scene:
     x, y, z = POSITION
     ball, zero = symbol["ball"], sp.Integer(0)
     centre = (symbol["bowl_x"], zero, zero)
-    below = (z - symbol["rim"],)
+    sides = {"limits": (z - symbol["rim"],), "reach": ball}
     shell = Body(
         "bowl",
         (
-            Sphere("hollow", centre, symbol["bowl"] - ball, below, inward=True, reach=ball),
-            Sphere("outside", centre, symbol["bowl"] + ball, below, reach=ball),
+            Sphere("hollow", centre, symbol["bowl"] - ball, **sides, inward=True),
+            Sphere("outside", centre, symbol["bowl"] + ball, **sides),
         ),
         NoSlip("dull_impact", symbol["dull"]),
     )

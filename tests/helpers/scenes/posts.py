@@ -39,19 +39,19 @@ def _posts() -> Scene:
     post = Body(
         "post",
         (
-            Cylinder("side", foot, up, radius + ball, (z - top,)),
+            Cylinder("side", foot, up, radius + ball, limits=(z - top,)),
             Plane("cap", up, top + ball, ball, (around,)),
             Torus("rim", foot, up, radius, ball, (-around, top - z)),
         ),
         NoSlip("lively_impact", symbol["lively"]),
     )
     lying, end = (symbol["pipe_x"], zero, zero), symbol["pipe_end"]
-    ends = (y - end, -y - end, z)  # its upper half is cut off
+    sides = {"limits": (y - end, -y - end, z), "reach": ball}  # its upper half is cut off
     pipe = Body(
         "pipe",
         (
-            Cylinder("hollow", lying, (0, 1, 0), symbol["pipe"] - ball, ends, True, ball),
-            Cylinder("outside", lying, (0, 1, 0), symbol["pipe"] + ball, ends, False, ball),
+            Cylinder("hollow", lying, (0, 1, 0), symbol["pipe"] - ball, **sides, inward=True),
+            Cylinder("outside", lying, (0, 1, 0), symbol["pipe"] + ball, **sides),
         ),
         NoSlip("dull_impact", symbol["dull"]),
     )
