@@ -131,8 +131,12 @@ def differences(engine: CompiledEngine, kernels: ModuleType, shots: Iterable[Bat
     layout = result_arrays.Layout(kernels)
     every = layout.fields + layout.bounds
     path = tuple(name for name in layout.fields if not layout.results[name].is_diagnostic)
-    for (states, parameters, leaving, limit), wanted in _simulated(kernels, list(shots)):
+    for states, parameters, leaving, limit in shots:
         stop = np.zeros(1, np.int32)
+        wanted = _room(len(states), layout, every)
+        numpy_backend.run(
+            kernels, states, parameters, leaving, MAX_CONTACTS, wanted, time_limit=limit
+        )
         for width in available_widths(engine, kernels):
             wrong = found.setdefault(width, [])
             # Without diagnostic results another path through the engine is taken.
@@ -158,38 +162,6 @@ def differences(engine: CompiledEngine, kernels: ModuleType, shots: Iterable[Bat
         for width, wrong in found.items()
         if wrong
     )
-
-
-def _simulated(
-    kernels: ModuleType, shots: Sequence[Batch]
-) -> Iterator[tuple[Batch, result_arrays.ResultArrays]]:
-    """Yield batches with NumPy's results; those of one time limit are simulated together.
-
-    NumPy takes about as long for many shots as for a few.
-    """
-    layout = result_arrays.Layout(kernels)
-    by_limit: dict[float, list[Batch]] = {}
-    for batch in shots:
-        by_limit.setdefault(batch[3], []).append(batch)
-    for limit, alike in by_limit.items():
-        sizes = [len(states) for states, *_ in alike]
-        columns = [
-            np.concatenate([np.broadcast_to(one, size) for one, size in zip(c, sizes, strict=True)])
-            for c in zip(*(parameters for _, parameters, *_ in alike), strict=True)
-        ]
-        left = [
-            np.full(len(s), -1, np.int8) if given is None else given for s, _, given, _ in alike
-        ]
-        all_results = _room(sum(sizes), layout, layout.fields + layout.bounds)
-        states = np.concatenate([states for states, *_ in alike])
-        numpy_backend.run(
-            *(kernels, states, columns, np.concatenate(left), MAX_CONTACTS, all_results),
-            time_limit=limit,
-        )
-        start = 0
-        for batch, size in zip(alike, sizes, strict=True):
-            yield batch, all_results.rows(start, start + size)
-            start += size
 
 
 # ------------------------------------------------------------------------------------------ shots
