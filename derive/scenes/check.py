@@ -158,7 +158,7 @@ def _function(expressions: Sequence[sp.Expr], values: dict[sp.Symbol, sp.Expr]) 
 
 
 def _operation(part: sp.Basic) -> Callable[..., Any]:
-    """Return what computes a part from its operands."""
+    """Return the function from the operands of a part to its value."""
     if isinstance(part, Barrier):
         return lambda quantity: quantity
     operations: dict[type[sp.Basic], Callable[..., Any]] = {

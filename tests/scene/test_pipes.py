@@ -15,7 +15,11 @@ from hoopgen.scene import Cylinder, End, Parameter, Scene
 from hoopgen.simulation.engine import Engine
 from tests.helpers.compiled import needs_compiler
 
-pytestmark = [pytest.mark.xdist_group("pipes"), needs_compiler]
+pytestmark = [
+    pytest.mark.xdist_group("pipes"),
+    pytest.mark.usefixtures("soonest"),
+    needs_compiler,
+]
 
 PIPE = Scene(
     "pipe_along_gravity",

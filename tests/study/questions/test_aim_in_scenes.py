@@ -17,7 +17,7 @@ from tests.helpers.commands import failure, output
 
 pytest.importorskip("sympy")  # which derives the scenes
 
-pytestmark = pytest.mark.xdist_group("field")
+pytestmark = [pytest.mark.xdist_group("field"), pytest.mark.usefixtures("soonest")]
 
 LANDING = 1e-9
 """m, promised of every aim."""
