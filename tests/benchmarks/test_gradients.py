@@ -25,6 +25,7 @@ def test_the_closed_form_is_the_slope_of_its_own_height(one: Ball, time: float) 
     assert (up - down) / (2 * step) == pytest.approx(one.truth(time)[1], abs=1e-8)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("one", "times"), [(BALL, TIMES), (SPRING_BALL, SPRING_TIMES)])
 @pytest.mark.sampled(1)
 def test_bouncing_balls_have_the_derivatives_of_the_closed_form(
@@ -34,6 +35,7 @@ def test_bouncing_balls_have_the_derivatives_of_the_closed_form(
     np.testing.assert_allclose(ball.hoopgen_slopes(one, times), right, rtol=1e-13, atol=0)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("task", [ball.task_1, ball.task_2])
 def test_the_tasks_have_the_derivatives_of_the_closed_form(task: object) -> None:
     found, right = task()  # type: ignore[operator]

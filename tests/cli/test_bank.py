@@ -155,6 +155,7 @@ def test_measured_releases_are_moved_to_the_places(tmp_path: Path) -> None:
     assert record["places"][0]["difference"] == wanted.difference.item()
 
 
+@pytest.mark.slow
 def test_a_folder_keeps_what_is_finished_of_one_question(tmp_path: Path, side: xr.Dataset) -> None:
     places, few = [(1.5, 2.6), (3.0, 0.0)], {"shots": 500, "over": ["elevation", "aim"]}
     noted: list[int] = []

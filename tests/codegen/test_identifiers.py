@@ -376,6 +376,7 @@ def check_texts(texts: Sequence[str], monkeypatch: pytest.MonkeyPatch) -> dict[s
     return files
 
 
+@pytest.mark.slow
 @settings(max_examples=trials(3), deadline=None, derandomize=True, database=None)
 @given(texts=st.lists(TEXTS, min_size=6, max_size=40))
 def test_no_text_becomes_code(texts: list[str]) -> None:

@@ -26,6 +26,7 @@ CONES = Scene(
 
 
 @needs_compiler
+@pytest.mark.slow
 def test_a_costly_look_up_of_the_body_below_a_start_compiles(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:

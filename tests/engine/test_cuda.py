@@ -59,6 +59,7 @@ def test_a_batch_beyond_the_memory_goes_in_blocks(small: HostCuPy) -> None:
     assert same(found, HOOP.simulate(states, backend="numpy", **options))
 
 
+@pytest.mark.slow
 def test_a_log_beyond_the_memory_goes_in_blocks(small: HostCuPy) -> None:
     states = bouncing(200)
     with on_host(HOOP, small):

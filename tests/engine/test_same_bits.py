@@ -61,6 +61,7 @@ def test_engines_widths_threads_and_order_do_not_change_a_bit(family: Family, sh
     assert_same(hoopgen.simulate(states[order], turned, fields=FIELDS), path, order)
 
 
+@pytest.mark.slow
 def test_shots_that_the_time_limit_ends_together_are_recorded() -> None:
     """In a scene of one body and no end, a kernel says the same of all that meet nothing."""
     pytest.importorskip("sympy")

@@ -420,6 +420,7 @@ def test_a_library_of_other_sources_is_not_used_and_one_line_says_so(package: Pa
     assert line == f"hoopgen: the C engine {what}. NumPy serves, slower."
 
 
+@pytest.mark.slow
 def test_a_library_that_differs_from_numpy_is_not_used_and_one_line_says_so(package: Path) -> None:
     assert told(package) == ("used", "")  # and there is a stamp, of the kernels as they were
     kernels = package / "hoopgen" / "generated" / "numpy" / "hoop.py"

@@ -54,6 +54,7 @@ def landed(
     return np.hypot(ends[:, 0], ends[:, 1]), entry
 
 
+@pytest.mark.slow
 def test_flights_through_air_come_down_through_the_point() -> None:
     given, elevation = rows(300)
     found = aimed({"elevation": elevation}, **given, flights=Flights.at_hoop(AIR))
@@ -71,6 +72,7 @@ def test_flights_through_air_come_down_through_the_point() -> None:
     np.testing.assert_allclose(entry, found["entry_angle"], rtol=0.0, atol=1e-10)
 
 
+@pytest.mark.slow
 def test_a_row_depends_on_no_other_row() -> None:
     given, elevation = rows(12)
     together = aimed({"elevation": elevation}, **given, flights=Flights.at_hoop(AIR))
@@ -84,6 +86,7 @@ def test_a_row_depends_on_no_other_row() -> None:
             np.testing.assert_array_equal(value, together[name][row])
 
 
+@pytest.mark.slow
 def test_an_entry_angle_is_reached_through_air() -> None:
     given, _ = rows(20)
     wanted = np.linspace(0.7, 1.1, 20)
@@ -93,6 +96,7 @@ def test_an_entry_angle_is_reached_through_air() -> None:
     np.testing.assert_allclose(entry, wanted, rtol=0.0, atol=1e-10)
 
 
+@pytest.mark.slow
 def test_the_slowest_release_through_air_is_slower_than_its_neighbours() -> None:
     given, _ = rows(6)
     slowest = aimed({}, **given, flights=Flights.at_hoop(AIR))

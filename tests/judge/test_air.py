@@ -73,6 +73,7 @@ def in_air(shots: Shots, parameters: Mapping[str, Any] | None = None) -> Certifi
     return certify(shots, parameters, scene=SCENE, max_contacts=12, max_bits=512, processes=1)
 
 
+@pytest.mark.slow
 def test_shots_are_as_proved_and_a_slightly_wrong_engine_is_not() -> None:
     shots = np.concatenate([free_throws(trials(20), 1), wild(trials(12), 2)])
     assert checked(shots, in_air(shots)) < 1

@@ -149,6 +149,7 @@ def test_recorded_proofs_and_those_of_balls_on_a_body_are_made_singly() -> None:
     assert (bits == PROVED_AT_ONCE).tolist() == [True, False, True, True]
 
 
+@pytest.mark.slow
 def test_scenes_with_air_slip_or_rolling_are_proved_singly() -> None:
     for scene in (hoopgen.COURT, hoopgen.AIR):
         assert not batch_flight.is_supported(formulas(hoopgen.scene.definition.definition(scene)))

@@ -95,6 +95,7 @@ def test_the_first_of_several_roots_is_isolated() -> None:
     assert found + none > 0.98 * rows
 
 
+@pytest.mark.slow
 def test_roots_that_are_too_close_are_left_open_and_none_is_missed() -> None:
     """Two roots a tiny way apart lie below the roundings; a simple root comes behind them."""
     rows = ROWS

@@ -109,6 +109,7 @@ def test_all_releases_of_a_proved_box_end_alike(
     assert "Proved: every release" in str(proof)
 
 
+@pytest.mark.slow
 def test_a_box_with_a_release_that_ends_otherwise_is_never_proved() -> None:
     random = np.random.default_rng(9)
     for _ in range(trials(40)):

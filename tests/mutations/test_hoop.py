@@ -522,6 +522,7 @@ def test_derived_anew_without_a_fault_nothing_trips(tmp_path: Path) -> None:
     trip_numpy(derived(Fault("none")), tmp_path)
 
 
+@pytest.mark.slow
 def test_decisions_allow_for_errors_and_not_by_far() -> None:
     """The guard's size is held: with half or twice of it the largest error here would be seen.
 

@@ -100,6 +100,7 @@ def test_tab_completion_shows_the_interface_and_nothing_else() -> None:
     assert {"__version__", "__doc__", "__path__"} <= set(dir(hoopgen))
 
 
+@pytest.mark.slow
 def test_all_that_is_shown_is_there() -> None:
     for extra in ("matplotlib", "xarray", "scipy", "pyarrow", "pydantic", "flint", "sympy"):
         pytest.importorskip(extra)

@@ -299,6 +299,7 @@ SHOT = [1.6, 0.258, -0.35, -2.317, -0.301, 4.649, 0.0, -12.0, 0.0]  # cap, ring,
 FALL = [-0.2, 0.0, 0.0, 0.0, -0.6, 0.0, 0.0, 0.0, 0.0]
 
 
+@pytest.mark.slow
 def test_a_shot_is_drawn_with_its_bodies_and_named_contacts(netball: Engine) -> None:
     shots = netball.simulate(SHOT, record=True)
     figure = shots.trajectory(0).plot(title="Netball")
@@ -470,6 +471,7 @@ def hole(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return file
 
 
+@pytest.mark.slow
 def test_a_shot_of_a_scene_on_the_command_line(hole: Path, tmp_path: Path) -> None:
     picture, seen = tmp_path / "shot.svg", tmp_path / "shot.html"
     told = ("--picture", picture, "--view", seen, "--json")

@@ -142,6 +142,7 @@ def test_without_air_the_results_are_those_of_the_parabola() -> None:
     assert (late <= (own.time_error + plain.time_error)[moving]).all()
 
 
+@pytest.mark.slow
 def test_numpy_and_c_give_the_same_bits() -> None:
     states = throws(500, seed=3)
     by_c = hoopgen.simulate(states, scene=drop(), max_contacts=5, fields=WANTED)

@@ -107,6 +107,7 @@ def test_pieces_may_touch_where_they_continue_one_another() -> None:
     assert meet(Arc((1, 0), (2, 1), (1, 2)), Arc((2, 1), (1, 2), (0, 1)))
 
 
+@pytest.mark.slow
 def test_two_arcs_through_one_another_are_found_wherever_they_are() -> None:
     """Against points of both, closely spaced."""
     chance, found = np.random.default_rng(1), [0, 0]

@@ -14,7 +14,7 @@ from hoopgen.scene import Cone, End, Parameter, Scene
 from hoopgen.simulation.engine import Engine
 from tests.helpers.compiled import needs_compiler
 
-pytestmark = [pytest.mark.xdist_group("behind_cones"), needs_compiler]
+pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("behind_cones"), needs_compiler]
 
 FLAT_CONE = Scene(
     "flat_cone",

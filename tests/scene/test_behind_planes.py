@@ -37,6 +37,7 @@ def test_a_ball_that_starts_behind_a_plane_without_bounds_is_invalid(depth: floa
     assert outcome == engine.outcomes["INVALID" if depth > 0 else "LODGED"]
 
 
+@pytest.mark.slow
 def test_below_a_plate_a_ball_rolls_off_a_sphere_and_falls() -> None:
     state = [0.01, 0, -0.4, 0, 0, 0, 0, 0, 0]
     shot = hoopgen.simulate(state, scene=PLATE, record=True)

@@ -115,6 +115,7 @@ def _through(states: NDArray[np.float64], out: ResultArrays) -> NDArray[np.bool_
     return inside & (out.arrays["outcome"] != Outcome.INVALID)
 
 
+@pytest.mark.slow
 def test_each_body_has_its_own_law(module: ModuleType) -> None:
     """The normal speed after a contact is that body's restitution times the one before."""
     out = flown(module, aimed(trials(500, at_least=250), seed=2))

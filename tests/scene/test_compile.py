@@ -214,6 +214,7 @@ def assert_c_gives_numpys_bits(engine: Engine) -> None:
     assert {"CUP", "OUT", "INVALID"} <= ends
 
 
+@pytest.mark.slow
 def test_c_gives_numpys_bits(dome: Engine) -> None:
     assert_c_gives_numpys_bits(dome)
 

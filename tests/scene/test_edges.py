@@ -34,6 +34,7 @@ from hoopgen.simulation.engine import Engine
 from tests.helpers.effort import trials
 
 pytestmark = [
+    pytest.mark.slow,
     pytest.mark.xdist_group("edges"),  # each scene is compiled once
     pytest.mark.usefixtures("soonest"),
 ]

@@ -276,6 +276,7 @@ def test_the_edge_of_an_end_within_another_is_certain(tmp_path: Path) -> None:
 # No ends, and time
 
 
+@pytest.mark.slow
 def test_without_ends_the_time_limit_ends_what_is_not_capped(
     engines: Mapping[str, Engines],
 ) -> None:

@@ -78,6 +78,7 @@ def read_or_refused(text: str) -> Formula | None:
     return found
 
 
+@pytest.mark.slow
 @settings(max_examples=trials(400), deadline=None)
 @given(st.one_of(st.text(max_size=40), st.lists(pieces, max_size=12).map("".join)))
 @example("__import__('os').system('true')")

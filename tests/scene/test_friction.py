@@ -235,6 +235,7 @@ def test_a_number_for_all_that_is_not_within_its_limits_is_refused(sliding: Engi
         assert (shots.outcome == sliding.outcomes["INVALID"]).all(), name
 
 
+@pytest.mark.slow
 def test_infinite_parameters_of_results_are_kept_in_strict_json(sliding: Engine) -> None:
     shots = sliding.simulate(thrown(2), time_limit=1.0)
     assert shots.parameters["mu"] == math.inf

@@ -259,6 +259,7 @@ BRICK = surroundings(
 )
 
 
+@pytest.mark.slow
 def test_a_pull_to_the_side_that_is_a_rounding_error_makes_no_shot_uncertain() -> None:
     """Without an end or a time limit, the sideways roots of a box come after 1e16 s."""
     engine = hoopgen.compile(BRICK)
@@ -300,6 +301,7 @@ def corridor() -> Engine:
     return hoopgen.compile(CORRIDOR)
 
 
+@pytest.mark.slow
 def test_without_gravity_a_ball_goes_to_and_fro_at_constant_speed(corridor: Engine) -> None:
     """These times are exact doubles; without friction the speed along the walls is kept."""
     states = np.zeros((3, 9))

@@ -16,6 +16,7 @@ from hoopgen.simulation.engine import Engine
 from tests.helpers.compiled import needs_compiler
 
 pytestmark = [
+    pytest.mark.slow,
     pytest.mark.xdist_group("pipes"),
     pytest.mark.usefixtures("soonest"),
     needs_compiler,

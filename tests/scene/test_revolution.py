@@ -24,7 +24,11 @@ from tests.helpers.slow_scene import Slow
 from tests.scene.test_oblique_bodies import aimed_at, rotated
 
 # One worker: each scene is derived once.
-pytestmark = [pytest.mark.xdist_group("revolutions"), pytest.mark.usefixtures("soonest")]
+pytestmark = [
+    pytest.mark.slow,
+    pytest.mark.xdist_group("revolutions"),
+    pytest.mark.usefixtures("soonest"),
+]
 
 Floats = NDArray[np.float64]
 

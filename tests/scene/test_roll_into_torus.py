@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 import numpy as np
+import pytest
 
 import hoopgen
 from hoopgen import Event
@@ -14,6 +15,7 @@ from tests.helpers.effort import trials
 BALL, WIDE, WIRE, HEIGHT = 0.05, 0.5, 0.04, 0.03
 
 
+@pytest.mark.slow
 def test_a_ball_inside_a_ring_on_the_floor_meets_it_where_a_straight_line_does() -> None:
     scene = Scene(
         "ring_on_floor",

@@ -19,7 +19,10 @@ from hoopgen.scene.trial_shots import SHOTS, trial_shots
 from hoopgen.simulation.engine import Engine
 from tests.helpers import ROOT
 
-pytestmark = pytest.mark.xdist_group("rolling_scenes")  # the bowl is compiled once
+pytestmark = [
+    pytest.mark.slow,
+    pytest.mark.xdist_group("rolling_scenes"),
+]  # the bowl is compiled once
 
 BOWL = ROOT / "examples" / "scenes" / "bowl.toml"
 ACROSS = 1.0 - 0.05

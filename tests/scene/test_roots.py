@@ -67,6 +67,7 @@ def test_states_at_contacts_are_within_their_claimed_errors(name: str, most: int
     check_states(hoopgen.compile(SCENES[name]), most)
 
 
+@pytest.mark.slow
 def test_the_error_of_the_velocity_at_an_end_contains_its_last_rounding() -> None:
     """Gravity is so small that no delay of the end changes the velocity by as much."""
     floating = Scene(

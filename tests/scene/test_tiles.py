@@ -110,6 +110,7 @@ def hops(count: int, seed: int) -> NDArray[np.float64]:
     return states
 
 
+@pytest.mark.slow
 def test_balls_that_roll_off_a_table_onto_tiles_are_rarely_uncertain(tiles: Engine) -> None:
     """The roll on the table adds errors that exceed the last hops on the floor."""
     shots = tiles.simulate(off_the_table(trials(300, 60), 1), time_limit=3)
@@ -133,6 +134,7 @@ def test_hops_beside_edges_of_tiles_are_those_proved_or_flagged(tiles: Engine) -
     assert np.mean(proofs.decided) > 0.75
 
 
+@pytest.mark.slow
 def test_apexes_beside_an_edge_are_those_proved_or_flagged(gap: Engine) -> None:
     """10,000 shots at full effort: a contact is possible nanometres from the apex."""
     states = under_a_gap(trials(10_000, 1000), 3)

@@ -24,7 +24,7 @@ from tests.simulation.test_change_distance import beside_changes, distances, thr
 from tests.simulation.test_derivatives import FREE_THROW, check_against_truth
 
 # One worker: each scene is compiled once.
-pytestmark = pytest.mark.xdist_group("air")
+pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("air")]
 
 OF_AIR = tuple(AIR_DEFAULTS)
 

@@ -133,6 +133,7 @@ def test_the_end_is_no_decision_at_a_contact_with_a_plane_parallel_to_it() -> No
         assert distance[np.isfinite(distance)].max() < 1e3
 
 
+@pytest.mark.slow
 def test_no_distance_is_that_of_a_rounding_error() -> None:
     values = throws(trials(300), speed=7.5)
     for engine in (hoopgen.HOOP, hoopgen.COURT):

@@ -151,6 +151,7 @@ def test_a_release_is_aimed_at_the_whole_hoop_and_its_margins_end_where_it_says(
     assert "scene   court, PAPER" in said
 
 
+@pytest.mark.slow
 def test_bank_shots_on_the_whole_hoop_have_the_shares_of_estimates() -> None:
     places = [[1.5, 2.6]]
     parameters = NBA_COURT | {"backboard_restitution": 0.75}
@@ -351,6 +352,7 @@ figures = ["aim_points"]
 """
 
 
+@pytest.mark.slow
 def test_a_study_of_it_is_answered_and_gone_on_from(tmp_path: Path) -> None:
     file, out = tmp_path / "whole.toml", tmp_path / "out"
     file.write_text(STUDY + QUESTIONS, encoding="utf-8")

@@ -95,6 +95,7 @@ def test_the_scatter_is_found_with_which_a_share_ends_somewhere(scene: Engine, f
     )
 
 
+@pytest.mark.slow
 def test_an_estimate_has_the_share_of_each_end_with_its_interval(scene: Engine) -> None:
     found = hoopgen.estimate(MODEL, scene=scene, shots=SHOTS, seed=3)
     drawn = MODEL.draw(0, SHOTS, 3, scene.parameters)
@@ -133,6 +134,7 @@ def test_what_a_parameter_draws_hangs_on_its_name_alone() -> None:
     assert len({tuple(column) for column in beside.values()}) == 3
 
 
+@pytest.mark.slow
 def test_a_resumed_estimate_is_the_same_and_an_altered_scene_is_refused(
     scene: Engine, other: Engine, tmp_path: Path
 ) -> None:

@@ -637,6 +637,7 @@ def without(*names: str) -> dict[str, float]:
     return {name: value for name, value in RELEASE.items() if name not in names}
 
 
+@pytest.mark.slow
 def test_estimates_and_comparisons_are_those_of_the_library(whole: Path) -> None:
     model = hoopgen.Scatter(RELEASE, SCATTER)
     found = hoopgen.estimate(model, shots=300_000, seed=5).as_dict()

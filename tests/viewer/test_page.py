@@ -75,6 +75,7 @@ def test_the_page_loads_nothing() -> None:
     assert "default-src 'none'" in markup
 
 
+@pytest.mark.slow
 def test_the_same_shots_give_the_same_bytes(tmp_path: Path) -> None:
     script = (
         "import hoopgen, sys; from hoopgen.simulation.article import CASES; "

@@ -323,6 +323,7 @@ def all_lines(scene: str) -> Iterator[Line]:
         yield from (*formulas.lines, *formulas.where)
 
 
+@pytest.mark.slow
 def test_the_page_says_what_is_evaluated_and_nothing_else() -> None:
     """But for the impact's vectors and matrices, whose numbers are printed too."""
     shown = set()

@@ -97,6 +97,7 @@ def test_equal_numbers_of_two_bodies_stay_two() -> None:
     assert len({letter for letter, _ in letters}) == len(letters) == len(numbers)
 
 
+@pytest.mark.slow
 def test_one_number_of_the_scene_is_one() -> None:
     assert not [name for name in values(page()) if name.endswith("_restitution")]
     assert len(re.findall(r"`restitution` \| 1 \| 0\.6 \|", page())) == 1
@@ -348,6 +349,7 @@ def test_tests_that_the_pages_name_exist() -> None:
             assert (root / found).exists(), found
 
 
+@pytest.mark.slow
 def test_a_turned_box_is_explained() -> None:
     """The matrix of its quaternion stands on the page, and on no page without such a box."""
     turned = Box("step", size=(0.5, 0.5, 0.5), orientation={"axis": (1, 2, 3), "angle": "30deg"})

@@ -141,6 +141,7 @@ def errors_of_roots() -> tuple[Floats, Floats]:
     return root_errors(at, returns(at))
 
 
+@pytest.mark.slow
 def test_the_errors_of_a_root_on_the_ring_are_within_their_proved_bounds() -> None:
     at = met_roots()
     assert np.sum(returns(at)) > 0.05 * len(at.rho)

@@ -219,6 +219,7 @@ SIZES = st.just(0.0) | st.floats(1e-9, 1e3)
 SIGNED = st.builds(lambda size, sign: size * sign, SIZES, st.sampled_from((-1, 1)))
 
 
+@pytest.mark.slow
 @quick
 @given(SIZES, SIGNED, SIGNED)
 def test_neither_form_of_thefirst_root_cancels(gap: float, slope: float, curvature: float) -> None:

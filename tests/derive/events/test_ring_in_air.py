@@ -6,6 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
+import pytest
 import sympy as sp
 from hoopgen.derive.events import root_finder_for
 from hoopgen.derive.events.ring.air import STEEP
@@ -134,6 +135,7 @@ def test_the_curvature_bounds_how_much_the_gap_of_a_ball_bends_down_that_slows_d
         assert (-one.both("bend") <= one.found["curvature"]).all()
 
 
+@pytest.mark.slow
 def test_moment_and_distance_from_the_axis_are_within_their_bounds() -> None:
     for place in (near_wire, turning):
         for one in windows(6, trials(300, at_least=150), place):
@@ -141,6 +143,7 @@ def test_moment_and_distance_from_the_axis_are_within_their_bounds() -> None:
             assert (one.both("distance") >= one.found["distance"]).all()
 
 
+@pytest.mark.slow
 def test_the_largest_bend_of_a_window_is_bounded_and_the_bound_is_not_the_ceiling() -> None:
     for one in windows(4, trials(300, at_least=200)):
         bends = one.both("bend")

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from functools import cache
 
 import numpy as np
+import pytest
 from hoopgen.derive.events import search_for
 from hoopgen.derive.events.ring.air_sketch import MAX_STEPS, AirRingSketch
 from hoopgen.derive.events.root_search import RootSearch
@@ -181,6 +182,7 @@ def bounced(random: np.random.Generator) -> Floats:
     return np.array([*place, *velocity, *(20.0 * random.normal(size=3))])
 
 
+@pytest.mark.slow
 def test_a_sketch_proves_only_misses_and_contacts_that_the_series_has() -> None:
     random = np.random.default_rng(12)
     states = [outside(random) for _ in range(trials(300, at_least=150))]

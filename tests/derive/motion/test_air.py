@@ -116,6 +116,7 @@ def reference(state: np.ndarray, time: float) -> list[mpf]:
     return list(odefun(force, 0, [mpf(float(c)) for c in state[:6]])(mpf(time)))
 
 
+@pytest.mark.slow
 def test_the_error_of_a_piece_is_within_its_bound_and_the_bound_is_not_useless() -> None:
     random = np.random.default_rng(5)
     ratios = []

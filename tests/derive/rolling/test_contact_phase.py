@@ -514,6 +514,7 @@ def test_a_ball_that_flight_would_press_on_is_held_until_it_would_not(backend: A
     assert -1e-3 * sizes["gravity"] < float(force[0]) < 0
 
 
+@pytest.mark.slow
 def test_a_proof_agrees_with_a_shot_that_rolls_as_far_as_it_goes() -> None:
     """The judge bounces on where the ball rolls; the contacts until then are those proved."""
     soft = NBA | _restitution(0.2)

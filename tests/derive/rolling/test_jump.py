@@ -180,6 +180,7 @@ def added(
     return [abs(float(error)) for error in found]
 
 
+@pytest.mark.slow
 def test_what_the_jump_leaves_out_is_within_the_errors_that_it_adds() -> None:
     """The height is gone at the end; all else counts from twice to thirty times, with roundings."""
     kernels = DerivedKernels.from_scene(ROOM.derive())

@@ -74,6 +74,7 @@ def test_sidespin_turns_the_ball_aside_and_the_azimuth_corrects_it() -> None:
     assert aim(**HERE, elevation=0.9, sidespin=20.0).azimuth == 0.0  # without air
 
 
+@pytest.mark.slow
 def test_what_a_flight_meets_before_the_point_is_said() -> None:
     assert "touches the ring" in str(aim(**HERE, speed=7.5, arc="low", scene=hoopgen.AIR))
     assert "made without a contact" in str(aim(**HERE, elevation=0.9, scene=hoopgen.AIR))

@@ -74,6 +74,7 @@ def test_each_share_is_that_of_the_release(found: Any) -> None:
         assert found["low"].values[row] <= share <= found["high"].values[row]
 
 
+@pytest.mark.slow
 def test_no_other_angle_is_much_better(found: Any) -> None:
     at = (found["x"].values == 3.0) & (found["y"].values == 0.0)
     best = float(found["probability"].values[at][0])
@@ -162,6 +163,7 @@ def test_the_command_prints_and_draws(tmp_path: Path, monkeypatch: pytest.Monkey
     assert "give --from" in failure("best", "--where", "player == Ann")
 
 
+@pytest.mark.slow
 def test_the_second_search_chooses_the_way(found: Any) -> None:
     """A way chosen by the shares that are reported would make them too large."""
     rows = np.flatnonzero(found["y"].values >= 0.0)[: trials(3)]

@@ -115,6 +115,7 @@ def test_the_command_speaks_feet_and_draws(tmp_path: Path) -> None:
     assert len(found["spreads"]) == 4
 
 
+@pytest.mark.slow
 def test_the_page_has_each_part_before_and_after_and_loads_nothing(tmp_path: Path) -> None:
     pytest.importorskip("matplotlib")
     page = tmp_path / "coach.html"

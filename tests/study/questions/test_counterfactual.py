@@ -101,6 +101,7 @@ def test_both_sides_are_proved(scene: Any) -> None:
         assert (proof.outcome == scene.outcomes["MADE"]).tolist() == [False, True]
 
 
+@pytest.mark.slow
 def test_where_nothing_chaotic_happens_the_change_is_exact() -> None:
     """A ball that falls past the wall ends near to it while x <= gap: the edge is known."""
     engine = hoopgen.compile(WALL)

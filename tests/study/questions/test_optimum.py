@@ -115,6 +115,7 @@ def test_no_release_of_a_random_hundred_is_better_on_fresh_shots(best: Optimum) 
     assert made.mean() / best.shots < best.probability - 0.1
 
 
+@pytest.mark.slow
 def test_the_probability_is_of_fresh_shots_with_its_interval(best: Optimum) -> None:
     made = Player(Scatter({}, SD)).sampled(best.release, best.shots, best.seed + 1).made[0]
     assert (best.made, best.probability) == (made, made / best.shots)

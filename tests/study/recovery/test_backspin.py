@@ -120,6 +120,7 @@ def test_the_spread_of_a_players_backspin_is_found_without_what_was_assumed() ->
     assert abs(spread - backspin.std()) < 0.8
 
 
+@pytest.mark.slow
 def test_a_scene_of_another_restitution_does_not_explain_the_bounces() -> None:
     thrown, _ = throws(80, 7)
     times = np.arange(0.0, 1.5, 1 / 60)

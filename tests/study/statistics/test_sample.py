@@ -76,6 +76,7 @@ def test_the_flat_range_of_a_sample_is_about_the_true_one(best: Any) -> None:
         assert 0.5 < widths[0] / widths[1] < 2.0
 
 
+@pytest.mark.slow
 def test_each_row_is_judged_by_a_release_found_without_it(best: Any) -> None:
     fold = folds_of(MEASURED, best.seed)
     assert len(best.folds) == 5
