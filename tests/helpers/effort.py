@@ -5,10 +5,14 @@ from __future__ import annotations
 import ast
 import math
 import os
+from collections.abc import Sequence
 from functools import cache
 from pathlib import Path
+from typing import TypeVar
 
 from tests.helpers import ROOT
+
+Item = TypeVar("Item")
 
 EFFORT = float(os.environ.get("HOOPGEN_TEST_EFFORT") or 1)
 """The effort, from 0.1 to 100; `make test-slow` has 1."""
@@ -28,6 +32,12 @@ def trials(count: int, at_least: int = 1) -> int:
         How many it needs at any effort, for its random numbers to hold what it claims of them.
     """
     return max(at_least, round(EFFORT * count))
+
+
+def spread(items: Sequence[Item]) -> tuple[Item, ...]:
+    """Return the items that are tried: all from effort 1 on, else a share, evenly spread."""
+    count = min(len(items), trials(len(items)))
+    return tuple(items[(2 * k + 1) * len(items) // (2 * count)] for k in range(count))
 
 
 def occurrences(count: int) -> int:

@@ -36,6 +36,7 @@ from tests.helpers.checked_faults import (
     passing,
     tripping,
 )
+from tests.helpers.effort import spread
 from tests.helpers.mutants import in_text
 from tests.helpers.past_ring import complaints
 
@@ -739,5 +740,5 @@ FAULTS = (
     ),
 )
 
-test_without_a_fault_every_check_passes = passing(FAULTS)
-test_a_fault_trips_its_check = tripping(FAULTS)
+test_without_a_fault_every_check_passes = passing(spread(FAULTS))
+test_a_fault_trips_its_check = tripping(spread(FAULTS))

@@ -264,7 +264,7 @@ def test_bodies_of_all_kinds_are_met_as_without_air() -> None:
     in_air = hoopgen.compile(Scene("around_in_air", air=True, **given))
     plain = hoopgen.compile(Scene("around", **given))
     random = np.random.default_rng(7)
-    states = random.normal(size=(trials(20_000, at_least=2_000), 9))
+    states = random.normal(size=(trials(10_000, at_least=2_000), 9))
     states *= np.repeat([1.5, 4.0, 20.0], 3)
     own = in_air.simulate(states, {"air_density": 0.0}, max_contacts=6, fields=WANTED, time_limit=4)
     other = plain.simulate(states, max_contacts=6, fields=WANTED, time_limit=4)

@@ -133,7 +133,7 @@ def rolling(own: int, count: int, seed: int) -> tuple[Floats, dict[str, Any]]:
 def test_rolls_on_a_box_end_at_its_bounds_as_in_a_second_formulation(
     engine: Engine, own: int
 ) -> None:
-    check_rolls(engine, own, trials(150, 60))
+    check_rolls(engine, own, trials(80, 20))
 
 
 def check_rolls(engine: Engine, own: int, count: int) -> None:
@@ -164,7 +164,7 @@ def compared(shots: hoopgen.Shots, own: int, values: dict[str, Any]) -> list[int
 
 
 def test_rolls_after_bounces_end_at_bounds_as_in_a_second_formulation(engine: Engine) -> None:
-    states, values = dropped(trials(200, 100), 1)
+    states, values = dropped(trials(200, 50), 1)
     shots = engine.simulate(states, values, time_limit=3, record=True)
     assert sum(len(compared(shots, own, values)) for own in range(2)) > len(states) / 5
     assert not np.any(shots.outcome == engine.outcomes["CAPPED"])
@@ -272,7 +272,7 @@ def test_a_ball_that_rolls_on_a_box_with_bounds_keeps_its_energy(engine: Engine)
 
 
 def test_contacts_before_a_roll_on_a_box_with_bounds_are_proved_or_flagged(engine: Engine) -> None:
-    check_proofs(engine, *dropped(trials(500, 150), 2))
+    check_proofs(engine, *dropped(trials(500, 60), 2))
 
 
 def test_a_box_with_bounds_that_is_turned_about_the_vertical_gives_turned_rolls(

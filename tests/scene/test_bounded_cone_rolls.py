@@ -147,7 +147,7 @@ def rolling(own: int, count: int, seed: int) -> Floats:
 def test_rolls_on_a_cone_end_at_its_bounds_as_in_a_second_formulation(
     engine: Engine, own: int
 ) -> None:
-    check_rolls(engine, own, trials(600, 600))
+    check_rolls(engine, own, trials(600, 300))
 
 
 def check_rolls(engine: Engine, own: int, count: int = 600) -> None:
@@ -192,7 +192,7 @@ def test_a_ball_that_rolls_on_a_cone_with_bounds_keeps_its_energy(engine: Engine
 def test_contacts_before_a_roll_on_a_cone_with_bounds_are_proved_or_flagged(
     engine: Engine,
 ) -> None:
-    check_proofs(engine, dropped(trials(1000, 200), 2), None)
+    check_proofs(engine, dropped(trials(1000, 100), 2), None)
 
 
 def test_a_scene_of_cones_with_bounds_that_is_turned_gives_turned_rolls(engine: Engine) -> None:
