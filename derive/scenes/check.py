@@ -122,55 +122,51 @@ def _places(surface: Surface, scene: Scene) -> None:
                 _check_contact(condition, there, point)
 
 
+_OPERATIONS: dict[type[sp.Basic], Callable[..., Any]] = {
+    sp.Add: lambda *terms: sum(terms),
+    sp.Mul: lambda *factors: math.prod(factors),
+    sp.Pow: mpmath.power,
+    sp.Abs: abs,
+    IfLess: lambda left, right, then, other: then if left < right else other,
+    IfAtMost: lambda left, right, then, other: then if left <= right else other,
+}
+"""What SymPy's classes and ours do; other functions are those of mpmath with their name."""
+
+
 def _function(expressions: Sequence[sp.Expr], values: dict[sp.Symbol, sp.Expr]) -> Function:
     """Return the function from x, y, z to the expressions' values at the parameters' values.
 
     What occurs several times is computed once: written out, a formula is exponentially larger than
     what its parts share.
     """
+    places = {symbol: place for place, symbol in enumerate(POSITION)}
+    start: list[Any] = [None] * len(places)
+    steps: list[tuple[int, Callable[..., Any], list[int]]] = []
+
+    def place_of(part: sp.Basic) -> int:
+        if isinstance(part, Barrier):
+            return place_of(part.args[0])
+        if part not in places:
+            number = None
+            if not part.args or part.is_number:
+                number = mpmath.mpf(sp.N(values.get(part, part), _DIGITS))
+            else:
+                operation = _OPERATIONS.get(type(part)) or getattr(mpmath, part.func.__name__)
+                operands = [place_of(operand) for operand in part.args]
+                steps.append((len(start), operation, operands))
+            places[part] = len(start)
+            start.append(number)
+        return places[part]
+
     with mpmath.workdps(_DIGITS):
-        given = {symbol: mpmath.mpf(value.p) / value.q for symbol, value in values.items()}
-        places = {symbol: place for place, symbol in enumerate(POSITION)}
-        first: list[Any] = [None] * len(places)
-        steps: list[tuple[Callable[..., Any], list[int]]] = []
-
-        def place_of(part: sp.Basic) -> int:
-            if part not in places:
-                if part.args and not part.is_number:
-                    operands = [place_of(operand) for operand in part.args]
-                    steps.append((_operation(part), operands))
-                    first.append(None)
-                else:
-                    first.append(given[part] if part in given else mpmath.mpf(sp.N(part, _DIGITS)))
-                places[part] = len(first) - 1
-            return places[part]
-
         results = [place_of(sp.sympify(expression)) for expression in expressions]
-    targets = [place for place, value in enumerate(first) if value is None][len(POSITION) :]
 
     def function(*position: Any) -> list[Any]:
-        found = [*position, *first[len(position) :]]
-        for target, (operation, operands) in zip(targets, steps, strict=True):
-            found[target] = operation(*(found[operand] for operand in operands))
+        found = [*position, *start[len(position) :]]
+        for place, operation, operands in steps:
+            found[place] = operation(*(found[operand] for operand in operands))
         return [found[result] for result in results]
 
-    return function
-
-
-def _operation(part: sp.Basic) -> Callable[..., Any]:
-    """Return the function from the operands of a part to its value."""
-    if isinstance(part, Barrier):
-        return lambda quantity: quantity
-    operations: dict[type[sp.Basic], Callable[..., Any]] = {
-        sp.Add: lambda *terms: sum(terms),
-        sp.Mul: lambda *factors: math.prod(factors),
-        sp.Pow: mpmath.power,
-        sp.Abs: abs,
-        IfLess: lambda left, right, then, other: then if left < right else other,
-        IfAtMost: lambda left, right, then, other: then if left <= right else other,
-    }
-    known = operations.get(type(part))
-    function: Callable[..., Any] = known or getattr(mpmath, part.func.__name__)
     return function
 
 

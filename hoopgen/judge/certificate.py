@@ -115,8 +115,8 @@ class Certificate:
         ValueError
             If they are not as many.
         AttributeError
-            If they have no event log, or were simulated without "outcome" or "uncertain", or, where
-            one that the judge does not decide is capped without a roll, without "slip_left".
+            If they have no event log, or were simulated without "outcome" or "uncertain". In scenes
+            with rolls also if a capped shot was simulated without "slip_left", and differs.
         """
         self._check_as_many(shots)
         ends = np.searchsorted(shots.events["shot"], np.arange(1, len(self)))

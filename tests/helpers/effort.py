@@ -35,7 +35,13 @@ def trials(count: int, at_least: int = 1) -> int:
 
 
 def spread(items: Sequence[Item]) -> tuple[Item, ...]:
-    """Return the items that are tried: all from effort 1 on, else a share, evenly spread."""
+    """Return the items that are tried: all from effort 1 on, else a share, evenly spread.
+
+    Parameters
+    ----------
+    items
+        What is tried at effort 1.
+    """
     count = min(len(items), trials(len(items)))
     return tuple(items[(2 * k + 1) * len(items) // (2 * count)] for k in range(count))
 

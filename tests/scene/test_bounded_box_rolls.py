@@ -133,7 +133,7 @@ def rolling(own: int, count: int, seed: int) -> tuple[Floats, dict[str, Any]]:
 def test_rolls_on_a_box_end_at_its_bounds_as_in_a_second_formulation(
     engine: Engine, own: int
 ) -> None:
-    check_rolls(engine, own, trials(80, 20))
+    check_rolls(engine, own, trials(150, 20))
 
 
 def check_rolls(engine: Engine, own: int, count: int) -> None:
