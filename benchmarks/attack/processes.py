@@ -13,6 +13,7 @@ import signal
 import sys
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from multiprocessing.connection import Connection
 from pathlib import Path
 
 Entry = Callable[[list[str]], object]
@@ -95,13 +96,18 @@ def run(
 ) -> Ended:
     """Run a command in ``folder/work``; its output lies in `folder`.
 
-    When its time is up it gets the signal `last`, and, if it does not heed that, SIGKILL.
+    When its time is up it gets the signal `last`, and, if it does not heed that, SIGKILL. Its time
+    begins when its process has imported what it is to run.
     """
     (folder / "work").mkdir(exist_ok=True)
-    process = _CONTEXT.Process(target=_begin, args=(entry, list(arguments), folder))
+    reader, writer = _CONTEXT.Pipe(duplex=False)
+    process = _CONTEXT.Process(target=_begin, args=(writer, entry, list(arguments), folder))
     process.start()
     assert process.pid is not None  # it was started
     try:
+        writer.close()
+        with reader:
+            reader.poll(None)  # until the process closes its end, or ends
         process.join(seconds)
         late = process.is_alive()
         if late:
@@ -123,7 +129,8 @@ def _read(file: Path) -> bytes:
         return opened.read(_SAID)
 
 
-def _begin(entry: Entry, arguments: list[str], folder: Path) -> None:
+def _begin(begun: Connection, entry: Entry, arguments: list[str], folder: Path) -> None:
+    begun.close()
     os.setsid()
     for descriptor, name in ((1, "stdout"), (2, "stderr")):
         file = os.open(folder / name, os.O_WRONLY | os.O_CREAT | os.O_TRUNC)

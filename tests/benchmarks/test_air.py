@@ -43,6 +43,7 @@ def test_peers_fly_the_same_equations(peer: air.Peer) -> None:
     assert np.abs(flown.time - shots.time)[sure].max() < 1e-9
 
 
+@pytest.mark.slow
 def test_hoopgen_agrees_with_the_proofs() -> None:
     states = air.throws(3)
     right = judge(states, PAPER_AIR, hoopgen.AIR)

@@ -21,6 +21,7 @@ def test_a_scene_is_derived_and_compiled() -> None:
     assert size > 50
 
 
+@pytest.mark.slow
 def test_a_compiler_that_fails_costs_nothing_but_is_an_error(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:

@@ -93,7 +93,7 @@ def judged(workload: workloads.Workload, count: int) -> Verdict:
     return judge(workload.make(count))
 
 
-@pytest.mark.sampled(4)
+@pytest.mark.sampled(1)
 @pytest.mark.parametrize("workload", workloads.WORKLOADS, ids=lambda workload: workload.key)
 @pytest.mark.parametrize("peer", peers.PEERS, ids=lambda peer: peer.key)
 def test_peers_agree_with_the_judge(peer: peers.Peer, workload: workloads.Workload) -> None:

@@ -42,6 +42,7 @@ def side() -> xr.Dataset:
     return bank_or_direct(PLAYER, [(1.5, 2.6)], hoopgen.NBA, shots=3000, seed=4)
 
 
+@pytest.mark.slow
 def test_one_place_is_told_at_length(side: xr.Dataset) -> None:
     text = output(*BANK, *SIDE, "--preset", "nba", "--shots", "3000", "--seed", "4")
     lines = {line[:9].strip(): line[9:] for line in text.splitlines() if line}
@@ -60,6 +61,7 @@ def test_one_place_is_told_at_length(side: xr.Dataset) -> None:
     assert lines["release"] == "backspin 3 Hz, height 2.1336 m"
 
 
+@pytest.mark.slow
 def test_as_json_it_is_what_the_library_gives(side: xr.Dataset) -> None:
     asked = [*BANK, *SIDE, "--preset", "nba", "--shots", "3000", "--seed", "4", "--json"]
     record = json.loads(output(*asked))
@@ -99,6 +101,7 @@ def test_many_places_are_a_table_and_a_verdict() -> None:
     assert verdict(dataset)[2] in text
 
 
+@pytest.mark.slow
 def test_units_and_variables_searched_over_are_handed_on() -> None:
     given = [
         "--distance",
@@ -115,6 +118,7 @@ def test_units_and_variables_searched_over_are_handed_on() -> None:
     assert text.count(" mph at 55.0°") == 2
 
 
+@pytest.mark.slow
 def test_a_place_without_a_bank_shot_says_so() -> None:
     over = ["--over", "elevation", "--over", "aim"]
     text = output(*BANK, "--x=-1m", "--y", "0", *over, "--shots", "300")
@@ -126,6 +130,7 @@ def test_a_place_without_a_bank_shot_says_so() -> None:
     assert table.splitlines()[3].split()[-2:] == ["-", "-"]
 
 
+@pytest.mark.slow
 def test_a_bank_shot_that_without_errors_misses_the_board_says_so() -> None:
     """Far away, an aim with the largest chance may miss the board."""
     text = output(*BANK, "--distance", "100m", "--angle", "60deg", "--shots", "300")
@@ -134,6 +139,7 @@ def test_a_bank_shot_that_without_errors_misses_the_board_says_so() -> None:
     assert "nan" not in text
 
 
+@pytest.mark.slow
 def test_the_picture_is_that_of_the_places(tmp_path: Path) -> None:
     pytest.importorskip("matplotlib")
     file = tmp_path / "bank.svg"

@@ -88,6 +88,7 @@ def test_help_says_which_numbers_need_a_unit() -> None:
     assert "an angle or a spin other than 0 needs its unit" in text
 
 
+@pytest.mark.slow
 def test_help_imports_nothing_heavy() -> None:
     script = (
         "import sys\n"
@@ -400,6 +401,7 @@ def test_a_program_that_calls_the_command_gets_the_error_itself(
         main(SHOT, standalone_mode=False)
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(os.name == "nt", reason="pipes as of POSIX")
 def test_a_reader_who_has_enough_is_no_error() -> None:
     command = [sys.executable, "-m", "hoopgen", "paper", "--events"]
@@ -459,6 +461,7 @@ def test_bench_hands_on_arguments_and_status(monkeypatch: pytest.MonkeyPatch) ->
 # A real process
 
 
+@pytest.mark.slow
 def test_a_real_process_prints_a_shot() -> None:
     done = subprocess.run(
         [sys.executable, "-c", "from hoopgen.cli import main; main()", *SHOT, "--backend", "numpy"],
@@ -472,6 +475,7 @@ def test_a_real_process_prints_a_shot() -> None:
     assert done.stdout == run(*SHOT).stdout
 
 
+@pytest.mark.slow
 def test_the_package_can_be_run() -> None:
     command = [sys.executable, "-m", "hoopgen"]
     done = subprocess.run(
@@ -487,6 +491,7 @@ def test_the_package_can_be_run() -> None:
     assert failed.stderr == "hoopgen: error: No such option '--tour'. (see hoopgen --help)\n"
 
 
+@pytest.mark.slow
 def test_a_real_process_fails_without_a_traceback() -> None:
     done = subprocess.run(
         [sys.executable, "-c", "from hoopgen.cli import main; main()", *SHOT, "--speed", "x"],

@@ -248,6 +248,7 @@ def test_keys_say_the_units_of_the_numbers_below() -> None:
     assert parameters_named(in_units(dict(hoopgen.NBA))) == dict(hoopgen.NBA)
 
 
+@pytest.mark.slow
 def test_keys_say_the_units_of_a_scenes_own_parameters() -> None:
     values = dict(hoopgen.NBA_COURT)
     record = in_units({"parameters": values}, hoopgen.COURT)["parameters"]
@@ -423,7 +424,7 @@ PICTURES: dict[str, Callable[[], Any]] = {
 }
 
 
-@pytest.mark.sampled(2)
+@pytest.mark.sampled(1)
 @pytest.mark.parametrize("name", PICTURES)
 def test_axes_of_pictures_are_in_feet(name: str) -> None:
     with use_units("us"):
@@ -445,6 +446,7 @@ def test_axes_of_pictures_are_in_feet(name: str) -> None:
                 np.testing.assert_allclose(ticks * 4, np.round(ticks * 4), rtol=0, atol=1e-9)
 
 
+@pytest.mark.slow
 def test_a_trajectory_says_its_release_in_mph_and_turns() -> None:
     path = hoopgen.simulate(
         hoopgen.release(16 * MPH, 0.9, backspin=6 * np.pi, **PLACE), record=True

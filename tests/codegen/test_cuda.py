@@ -70,6 +70,7 @@ SMALL_SCENES = ["netball.toml", "bowl.toml"]
 """Examples that NVRTC compiles soon, with rolls and without; operations of others are the same."""
 
 
+@pytest.mark.sampled(1)
 @needs_nvrtc
 @pytest.mark.parametrize("flag", range(len(FLAGS)))
 def test_without_any_of_the_flags_operations_would_round_otherwise(flag: int) -> None:
@@ -104,6 +105,7 @@ def test_an_instruction_that_could_round_otherwise_is_found_by_its_name() -> Non
     )
 
 
+@pytest.mark.slow
 @needs_nvrtc
 @pytest.mark.parametrize("scene", [HOOP, pytest.param(COURT, marks=pytest.mark.slow)], ids=str)
 def test_nvrtc_rounds_every_operation_of_a_scene(scene: Engine) -> None:
@@ -176,6 +178,7 @@ def test_the_source_has_the_bits_of_c_on_a_few_thousand_shots(device: HostCuPy) 
     assert len(shots.events) > len(shots)
 
 
+@pytest.mark.slow
 @needs_cpp
 @pytest.mark.parametrize("scene", ["hoop", pytest.param("court", marks=pytest.mark.slow)])
 def test_the_source_has_the_bits_of_numpy_on_all_that_an_engine_is_checked_with(
@@ -275,6 +278,7 @@ def test_the_switch_leaves_the_path_alone_and_all_of_the_loop_with_bounds(
         assert not assigned & set(loop.plain_values)
 
 
+@pytest.mark.slow
 def test_a_target_of_ones_own_is_a_backend_that_is_registered() -> None:
     """The registry takes what implements `Backend`; it is printed as if it came with hoopgen."""
     register(CudaBackend("own", files={"cuda/scene.cu.j2": "own/{scene}.cu"}))

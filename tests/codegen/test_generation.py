@@ -222,7 +222,7 @@ def test_the_zoo_holds_every_operation_of_every_target() -> None:
     )
 
 
-@pytest.mark.sampled(1)
+@pytest.mark.slow
 @needs_compiler
 @pytest.mark.parametrize("width", WIDTHS)
 def test_the_zoo_has_the_same_bits_in_numpy_and_c(
@@ -615,6 +615,7 @@ def test_the_templates_ask_for_the_keys_that_are_supplied_and_no_other() -> None
 # The C
 
 
+@pytest.mark.slow
 @needs_compiler
 @pytest.mark.parametrize(
     "how",
@@ -719,6 +720,7 @@ def stated(comment: str) -> int:
     return int(match[1])
 
 
+@pytest.mark.slow
 def test_each_function_states_equation_and_operations(files: dict[str, str]) -> None:
     """The count is that of the operations printed below it: C is given some ready made."""
     module = ast.parse(files["numpy/hoop.py"])

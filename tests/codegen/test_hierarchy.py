@@ -189,6 +189,7 @@ def test_a_ball_out_of_a_groups_box_is_in_none_of_its_bodies(body: str) -> None:
     assert (started["valid"] < 1).any() or body == "j"
 
 
+@pytest.mark.slow
 def test_groups_change_no_bit(tmp_path: Path) -> None:
     """Without a look at the groups every result is the same."""
     engine = numpy_engine(pins(MIN_GROUPED_BODIES), tmp_path)
@@ -230,6 +231,7 @@ def test_what_a_group_asks_is_read() -> None:
         check([each], ["a", "b", "total"])
 
 
+@pytest.mark.slow
 def test_conditions_lie_in_each_other_as_deep_as_they_may() -> None:
     """There are as many conditions as a scene of hundreds of bodies has parameters."""
     x = sp.symbols("x", real=True)

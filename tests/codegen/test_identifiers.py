@@ -207,6 +207,7 @@ def named_by_the_lowering() -> set[str]:
     return found
 
 
+@pytest.mark.slow
 def test_no_name_of_ours_is_one_of_a_parameter_a_printer_a_driver_or_a_language() -> None:
     """The driver in C shares its scope with the loop's variables."""
     engine, loop = (

@@ -523,6 +523,7 @@ def test_each_derived_kernel_is_generated_with_its_arguments_and_outputs() -> No
         assert hoop.OUTPUTS[kernel.name] == kernel.output_names
 
 
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize(
     "name", ["flight", "impact", "end_bounds", "ring_coefficients", "ring_normal"]
 )
@@ -555,7 +556,7 @@ def test_the_evaluator_chooses_as_ieee_754_does() -> None:
     assert mp.isnan(evaluator(root).value)
 
 
-@pytest.mark.sampled(12)
+@pytest.mark.sampled(6)
 @pytest.mark.parametrize("name", NAMES)
 def test_numpy_is_as_near_to_fifty_digits_as_its_roundings_allow(name: str) -> None:
     """Each output is within the running-error bound of its expression: no operation is wrong.
@@ -597,7 +598,7 @@ def test_numpy_is_as_near_to_fifty_digits_as_its_roundings_allow(name: str) -> N
         assert len(one_sided) <= RARELY_MET.get(name, 0)
 
 
-@pytest.mark.sampled(1)
+@pytest.mark.slow
 @needs_compiler
 @pytest.mark.parametrize("columns_of", [random_columns, leaping_columns, extreme_columns])
 @pytest.mark.parametrize("width", WIDTHS)
@@ -621,7 +622,7 @@ def test_c_gives_the_bits_of_numpy(
             )
 
 
-@pytest.mark.sampled(30)
+@pytest.mark.sampled(6)
 @pytest.mark.parametrize("name", NAMES)
 def test_numbers_and_arrays_give_the_same_bits(name: str) -> None:
     """A parameter that all shots share is a number there; nothing else changes."""

@@ -50,7 +50,7 @@ def test_no_name_decides_an_operation(scene: str) -> None:
     assert [name for name in same | other if same.get(name) != other.get(name)] == []
 
 
-@pytest.mark.sampled(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("scene", [*SCENES, RINGS], ids=lambda scene: scene.name)
 def test_every_argument_is_declared(scene: Scene) -> None:
     """So that no kernel has an order of its own; and each has a place of its own."""

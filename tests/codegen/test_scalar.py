@@ -42,6 +42,7 @@ def flown(
     return out
 
 
+@pytest.mark.sampled(1)
 @pytest.mark.parametrize("bounds", [False, True], ids=["plain", "bounded"])
 @pytest.mark.parametrize("module", [hoop, court], ids=["hoop", "court"])
 def test_shots_one_by_one_have_the_bits_of_those_in_rows(

@@ -162,6 +162,7 @@ def test_a_table_is_read_by_its_rows() -> None:
         ForEach(("own",), (("a",), (1.0,)), (adding,))
 
 
+@pytest.mark.slow
 def test_kernels_are_derived_once_for_a_kind() -> None:
     few, many = (model.build(pins(count).derive()) for count in (2, 5))
     assert {k.name for k in few.kernels} == {k.name for k in many.kernels}
@@ -247,6 +248,7 @@ def test_c_and_numpy_have_the_same_bits_with_sizes_of_each_shot() -> None:
         assert_same(*made)
 
 
+@pytest.mark.slow
 def test_each_body_has_its_normal() -> None:
     """Pictures of a contact find the normal by the body's name."""
     place: dict[str, object] = {}
@@ -273,6 +275,7 @@ def exactly(values: NDArray[np.float64]) -> list[Fraction]:
     return [Fraction(float(value)) for value in values]
 
 
+@pytest.mark.slow
 def test_a_body_that_is_called_far_is_not_within_reach() -> None:
     """The true ball is followed in exact arithmetic, at many times up to the horizon."""
     place: dict[str, object] = {}

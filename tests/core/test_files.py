@@ -240,6 +240,7 @@ main(sys.argv[1:])
 """
 
 
+@pytest.mark.slow
 @POSIX
 @pytest.mark.parametrize(
     "arguments",

@@ -184,7 +184,7 @@ def test_a_folder_of_somebody_else_is_refused_and_every_byte_stays(
     assert contents(folder) == THEIRS
 
 
-@pytest.mark.sampled(2)
+@pytest.mark.sampled(1)
 @pytest.mark.parametrize("name", [name for name in COMMANDS if name != "generate"])
 def test_files_that_somebody_else_adds_later_stay(name: str, tmp_path: Path) -> None:
     """These files have names that the folder's marker does not list."""
@@ -219,6 +219,7 @@ def test_compiling_and_clearing_leave_a_folder_of_somebody_else(home: Path, tmp_
     assert contents(home) == THEIRS
 
 
+@pytest.mark.slow
 def test_clearing_removes_scenes_and_leaves_what_somebody_else_put_among_them(
     home: Path, tmp_path: Path
 ) -> None:

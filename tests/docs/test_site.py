@@ -38,6 +38,7 @@ def run(text: str, folder: Path) -> str:
     return "".join(output.get("text", "") for output in outputs)
 
 
+@pytest.mark.slow
 @pytest.mark.xdist_group("kernels")
 def test_a_page_s_blocks_are_run_in_order(tmp_path: Path) -> None:
     page = """# A page
@@ -57,7 +58,7 @@ cat note.txt
     assert run(page, tmp_path) == "kept\nexamples/shots.c\nkept\n"
 
 
-@pytest.mark.sampled(1)
+@pytest.mark.slow
 @pytest.mark.xdist_group("kernels")
 @pytest.mark.parametrize("block", ["```python\n1 / 0\n```\n", "```sh\nfalse\ntrue\n```\n"])
 def test_a_block_that_fails_fails_the_page(block: str, tmp_path: Path) -> None:

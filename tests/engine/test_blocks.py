@@ -40,6 +40,7 @@ def kept() -> int:
     return sum(size * len(free) for size, free in array_pool._FREE.items())
 
 
+@pytest.mark.slow
 def test_memory_of_an_array_that_is_gone_is_used_again() -> None:
     first = array_pool.empty(LARGE, DOUBLE)
     where = place(first)

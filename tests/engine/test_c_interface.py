@@ -241,7 +241,7 @@ print("as ever")
 """
 
 
-@pytest.mark.sampled(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["hoop", "court", pytest.param("balls", marks=pytest.mark.slow)])
 def test_a_thread_with_little_stack_is_enough(name: str) -> None:
     """musl gives one 128 KB: the working lists are not on it, and frames are small."""

@@ -70,6 +70,7 @@ def test_a_log_beyond_the_memory_goes_in_blocks(small: HostCuPy) -> None:
     assert path.duration == found.time[150] or np.isnan(found.time[150])
 
 
+@pytest.mark.slow
 def test_a_block_that_does_not_fit_after_all_is_halved(
     small: HostCuPy, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -114,6 +115,7 @@ def test_states_on_the_gpu_have_results_there(device: HostCuPy) -> None:
     assert held.to_pandas().equals(here.to_pandas())
 
 
+@pytest.mark.slow
 def test_one_shot_on_the_gpu_is_a_row(device: HostCuPy) -> None:
     with on_host(HOOP, device):
         found = HOOP.simulate(device.asarray(free_throw(1)[0]), backend="cuda", fields="state")

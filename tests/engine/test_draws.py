@@ -56,6 +56,7 @@ def test_shots_that_c_cannot_count_are_drawn_in_numpy() -> None:
     assert bits(noise) == bits(np.concatenate(parts, axis=1))
 
 
+@pytest.mark.slow
 @needs_compiler
 @pytest.mark.parametrize("options", [(), ("-U__SIZEOF_INT128__",)], ids=["wide", "halves"])
 def test_words_are_the_same_where_no_integer_has_128_bits(

@@ -76,7 +76,7 @@ def usual_bits(backend: Any, options: str) -> dict[str, bytes]:
     return bits(HOOP.simulate(STATES, backend=backend, **OPTIONS[options]))
 
 
-@pytest.mark.sampled(15)
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("options", OPTIONS)
 @pytest.mark.parametrize("mode", MODES)
 @pytest.mark.parametrize("backend", BACKENDS)
@@ -96,6 +96,7 @@ def test_balls_roll_as_they_do_in_any_thread(backend: Any) -> None:
     assert bits(found) == bits(usual)
 
 
+@pytest.mark.slow
 def test_threads_that_an_altered_thread_started_compute_as_they_should() -> None:
     """A new thread has the modes of the one that starts it, and the pool keeps it."""
     need_library(HOOP)
@@ -106,6 +107,7 @@ def test_threads_that_an_altered_thread_started_compute_as_they_should() -> None
     assert bits(found) == bits(usual) == bits(HOOP.simulate(many, **given))
 
 
+@pytest.mark.sampled(1)
 @pytest.mark.parametrize("mode", [0x400, 0x800, 0xC00])
 @pytest.mark.parametrize("backend", BACKENDS)
 def test_a_rounding_mode_of_the_c_library_stays(backend: Any, mode: int) -> None:

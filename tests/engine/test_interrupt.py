@@ -70,7 +70,7 @@ def test_ctrl_c_stops_a_long_batch(backend: str, threads: int) -> None:
 @pytest.mark.parametrize("threads", [1, None])
 @pytest.mark.parametrize("shots", [1, 3])
 @pytest.mark.parametrize("backend", ["c", "numpy"])
-@pytest.mark.sampled(1)
+@pytest.mark.slow
 def test_ctrl_c_stops_a_few_shots_that_roll(
     backend: str, shots: int, threads: int | None, record: bool
 ) -> None:

@@ -240,11 +240,12 @@ def stamp_of(library: Path) -> Path:
     return stamp
 
 
+@pytest.mark.slow
 def test_what_has_been_compared_is_not_compared_again(library: Path) -> None:
     assert [compared(library) for _ in range(3)] == [True, False, False]
 
 
-@pytest.mark.sampled(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("text", [b"", b"yes\n", b"\xff\xfe", b"0" * 64])
 def test_a_stamp_that_says_something_else_is_none(library: Path, text: bytes) -> None:
     assert compared(library)
@@ -252,6 +253,7 @@ def test_a_stamp_that_says_something_else_is_none(library: Path, text: bytes) ->
     assert [compared(library) for _ in range(2)] == [True, False]
 
 
+@pytest.mark.slow
 def test_a_stamp_that_cannot_be_read_is_none(library: Path) -> None:
     assert compared(library)
     stamp = stamp_of(library)
@@ -286,6 +288,7 @@ def test_without_a_place_beside_the_library_the_users_cache_has_the_stamp(
         assert stat.S_IMODE(cache.stat().st_mode) == 0o700
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(os.name != "posix", reason="permissions are POSIX's")
 def test_a_cache_that_others_write_to_is_not_used(library: Path, tmp_path: Path) -> None:
     (library.parent / "__pycache__").write_bytes(b"in the way")
@@ -321,6 +324,7 @@ def test_a_stamp_with_a_wrong_bit_is_none(library: Path, place: int) -> None:
     assert [compared(library) for _ in range(2)] == [True, False]
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(os.name != "posix", reason="there are no pipes")
 def test_a_pipe_in_the_place_of_a_stamp_is_not_waited_for(library: Path) -> None:
     assert compared(library)
@@ -330,7 +334,7 @@ def test_a_pipe_in_the_place_of_a_stamp_is_not_waited_for(library: Path) -> None
     assert [compared(library) for _ in range(2)] == [True, False]
 
 
-@pytest.mark.sampled(3)
+@pytest.mark.sampled(1)
 @pytest.mark.parametrize(
     "field",
     ["outcome", "contacts", "counts", "first", "time", "state", "uncertain"]

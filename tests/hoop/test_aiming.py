@@ -130,6 +130,7 @@ def test_a_speed_has_a_high_and_a_low_flight_through_air() -> None:
     assert np.isnan(slow["elevation"]).all()
 
 
+@pytest.mark.slow
 def test_thin_air_has_the_parabolas_of_closed_form() -> None:
     given, elevation = rows(40)
     reach, rise, gravity = given["reach"], given["rise"], np.float64(AIR["gravity"])

@@ -55,6 +55,7 @@ def test_its_parameters_bodies_and_outcomes_are_those_that_are_promised() -> Non
     assert [outcome.name for outcome in Outcome] == [o.name for o in hoopgen.Outcome]
 
 
+@pytest.mark.slow
 def test_running_it_needs_no_sympy_and_compiles_nothing() -> None:
     code = """
 import sys, hoopgen
@@ -261,7 +262,7 @@ def test_left_and_right_are_mirror_images_to_the_bit(preset: str) -> None:
 # -- Into no body
 
 
-@pytest.mark.sampled(7)
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize("preset", PRESETS)
 @pytest.mark.parametrize("kind", KINDS)
 def test_no_flight_goes_into_a_body(kind: str, preset: str) -> None:
@@ -405,6 +406,7 @@ def every_field() -> tuple[str, ...]:
     return (*COURT.layout.fields, *COURT.layout.bounds)
 
 
+@pytest.mark.sampled(10)
 @pytest.mark.parametrize("kind", KINDS)
 @pytest.mark.parametrize("preset", ["paper", "nba"])
 def test_what_is_not_marked_is_as_the_judge_proves_it(kind: str, preset: str) -> None:
@@ -531,6 +533,7 @@ def test_what_is_drawn_is_as_large_as_what_is_flown_against() -> None:
     assert np.abs(ring.mesh.corners[..., :2]).max() == pytest.approx(widest, rel=4 * EPS, abs=0.0)
 
 
+@pytest.mark.slow
 def test_shots_have_pictures_and_pages(tmp_path: Any) -> None:
     pytest.importorskip("matplotlib")
     states = hoopgen.release(np.linspace(7.0, 7.4, 5), 0.89, height=2.13, distance=4.19)

@@ -107,7 +107,7 @@ def test_threads_of_xla_share_a_batch_and_change_no_bit(threads: int) -> None:
     same_bits(hoopgen.simulate(states), found)
 
 
-@pytest.mark.sampled(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("backend", BACKENDS)
 def test_vmap_over_states_parameters_and_both_gives_the_same_bits(backend: Any) -> None:
     states, restitution = throws(30), np.linspace(0.6, 0.8, 4)
@@ -261,6 +261,7 @@ def test_what_has_no_derivatives_is_nan_or_zero_as_asked() -> None:
     assert np.array_equal(by["zero"], np.where(good[:, None], by["nan"], 0.0))
 
 
+@pytest.mark.sampled(1)
 @pytest.mark.parametrize("scene", [hoopgen.HOOP, hoopgen.COURT], ids=["hoop", "court"])
 def test_differentiable_is_that_of_simulate(scene: Engine) -> None:
     states = throws(trials(600))

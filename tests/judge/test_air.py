@@ -125,6 +125,7 @@ def _off(piece: Piece, truth: Any, time: float) -> list[tuple[float, float]]:
     return found
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("state", [wild(1, 5)[0], [0.1, 0.2, 1.0, 0.01, 0.0, 1.0, 3.0, 9.0, 1.0]])
 def test_a_piece_follows_the_equations_of_motion(state: Any) -> None:
     """They are integrated by mpmath; between the two is what a double loses of π."""
@@ -145,6 +146,7 @@ def _contains(coarse: Piece, fine: Piece) -> bool:
     return all(c.contains(f.mid()) for one, other in pairs for c, f in zip(one, other, strict=True))
 
 
+@pytest.mark.slow
 def test_a_piece_holds_the_flight_and_what_it_adds_is_needed(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
@@ -168,6 +170,7 @@ def test_a_piece_holds_the_flight_and_what_it_adds_is_needed(
     assert contained() < 10
 
 
+@pytest.mark.slow
 def test_a_piece_from_a_box_of_states_holds_the_flights_of_all_of_them() -> None:
     random = np.random.default_rng(7)
     values = [arb(v) for v in VALUES]
@@ -200,12 +203,14 @@ def test_a_state_that_is_not_known_is_undecided() -> None:
 # -------------------------------------------------------------------------------------- its ends
 
 
+@pytest.mark.slow
 def test_a_ball_that_rises_through_the_end_plane_falls_through_it_later() -> None:
     proof = in_air(np.array([2.0, 0.0, -1.0, 0.0, 0.0, 6.0, 0.0, 0.0, 0.0]))[0]
     assert (proof.outcome, proof.surfaces) == (MISSED, [3])
     assert 1.0 < proof.time < 1.2
 
 
+@pytest.mark.slow
 def test_a_ball_that_meets_nothing_any_more_is_short_and_one_that_flies_on_is_endless() -> None:
     low = np.array([[2.0, 0.0, -3.0, 0.0, 0.0, 1.0, 0.0, 3.0, 0.0]])
     assert in_air(low).outcome.tolist() == [SHORT]

@@ -67,6 +67,7 @@ def check_as_singly(states: States, parameters: Mapping[str, Any], **options: An
     return len(rows)
 
 
+@pytest.mark.sampled(6)
 @pytest.mark.parametrize("family", FAMILIES, ids=lambda family: family.key)
 def test_whatever_is_proved_at_once_is_proved_in_balls_with_the_same_numbers(
     family: Family,
@@ -88,6 +89,7 @@ def test_nearly_all_free_throws_are_proved_at_once() -> None:
     assert np.mean(found.bits == PROVED_AT_ONCE) > 0.97
 
 
+@pytest.mark.slow
 def test_final_times_and_states_are_known_to_more_than_a_double_s_digits() -> None:
     found = certify(
         np.concatenate([free_throws(), WORKLOADS[3].make(trials(200, at_least=200))]), processes=1
@@ -100,6 +102,7 @@ def test_final_times_and_states_are_known_to_more_than_a_double_s_digits() -> No
     assert np.all(found.time_radius <= 0.76 * np.spacing(found.time))
 
 
+@pytest.mark.slow
 def test_proofs_do_not_depend_on_the_number_of_processes_or_the_width() -> None:
     states = free_throws()
     one = certify(states, processes=1)
@@ -179,6 +182,7 @@ EXACT: dict[str, tuple[list[float], dict[str, float]]] = {
 }
 
 
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize("name", EXACT)
 def test_an_exact_tie_touch_or_edge_is_never_proved_at_once(name: str) -> None:
     """Shots beside it are proved: it is left open for the place that it meets, not for its kind."""

@@ -513,7 +513,7 @@ def test_max_contacts_caps() -> None:
 # --------------------------------------------------------------------------- against the engine
 
 
-@pytest.mark.sampled(6)
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize("family", FAMILIES, ids=lambda family: family.key)
 def test_a_shot_that_the_engine_does_not_flag_is_as_proved(family: Any) -> None:
     states, parameters = family.make(60)
@@ -617,6 +617,7 @@ def test_settling_takes_parameters_by_shot(mixed: Batch) -> None:
     np.testing.assert_array_equal(fields["counts"][sure], shots.counts[sure])
 
 
+@pytest.mark.slow
 def test_a_settled_shots_errors_hold_the_radius_of_each_component() -> None:
     """The largest of three: every component is within it of the truth."""
     shots, states, parameters = flagged(False)
@@ -627,6 +628,7 @@ def test_a_settled_shots_errors_hold_the_radius_of_each_component() -> None:
     assert np.all(fields["state_error"][settled][:, :, None] >= radii)
 
 
+@pytest.mark.slow
 def test_a_certificate_has_every_result_by_its_name() -> None:
     """Settling takes each from there, in the form that the engine gives it."""
     shots, states, parameters = flagged(False)

@@ -81,6 +81,7 @@ def check_operation(operation: Callable[[Any, Any], Any], a: ModelArray, b: Mode
     return close
 
 
+@pytest.mark.sampled(1)
 @pytest.mark.parametrize("name", OPERATIONS)
 def test_results_are_of_the_models_for_the_same_causes(name: str) -> None:
     random, rows = np.random.default_rng(5), ROWS

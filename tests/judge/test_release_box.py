@@ -58,6 +58,7 @@ def sequences(engine: Engine, values: Mapping[str, Any]) -> list[tuple[int, ...]
     return [(int(o), *own.tolist()) for o, own in zip(shots.outcome, met, strict=True)]
 
 
+@pytest.mark.sampled(6)
 @pytest.mark.parametrize(
     ("engine", "changes", "widths"),
     [
@@ -142,6 +143,7 @@ def test_a_counterexample_is_in_the_box_and_ends_otherwise() -> None:
     assert "Proved to end otherwise: speed" in str(proof)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("size", [0.2, pytest.param(1.0, marks=pytest.mark.slow)])
 def test_the_parts_of_a_survey_are_the_box_and_end_as_is_proved(size: float) -> None:
     widths = {"speed": 0.05 * size, "elevation": 0.03 * size}
@@ -202,6 +204,7 @@ def test_a_flight_is_clear_until_shortly_before_its_first_event_alone(engine: En
         assert clear_until(own, piece, values, 0.0, first / 3) == first / 3
 
 
+@pytest.mark.slow
 def test_a_flight_after_a_contact_misses_each_body_but_the_next() -> None:
     random = np.random.default_rng(5)
     own, values = formulas(hoopgen.COURT.scene), inputs(hoopgen.COURT)

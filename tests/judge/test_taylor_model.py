@@ -95,6 +95,7 @@ def contacts_enclosed(engine: Engine, speeds: Sequence[float], width: float, see
     return found
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("engine", [hoopgen.HOOP, hoopgen.COURT], ids=["hoop", "court"])
 def test_exact_states_lie_in_the_model_at_every_contact(engine: Engine) -> None:
     speeds = np.random.default_rng(2).uniform(6.9, 7.5, trials(30)).tolist()

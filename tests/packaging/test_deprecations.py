@@ -93,6 +93,7 @@ def test_every_deprecated_name_warns_gives_what_its_new_name_gives_and_is_in_the
         assert f"`{name}()`" in UNRELEASED
 
 
+@pytest.mark.slow
 def test_the_changelog_names_places_that_exist() -> None:
     named = set(re.findall(r"`(hoopgen(?:\.\w+)+)", UNRELEASED)) - {"hoopgen.json"}
     assert len(named) > 30

@@ -55,6 +55,7 @@ sys.path.append({SITE!r})
 """
 
 
+@pytest.mark.slow
 def test_hoopgen_is_imported_in_a_checkout_that_shadows_an_installation(checkout: Path) -> None:
     code = f"""{_IN_CHECKOUT}
 import hoopgen, hoopgen.derive, hoopgen.generated, hoopgen.templates
@@ -188,7 +189,7 @@ def test_other_import_errors_stay_as_they_are() -> None:
     assert extras.explain_import_error(error) is error
 
 
-@pytest.mark.sampled(2)
+@pytest.mark.sampled(1)
 @pytest.mark.parametrize(
     ("name", "missing"),
     [("plots", "matplotlib"), ("estimate", "pyarrow"), ("map", "xarray"), ("certify", "flint")],
@@ -207,6 +208,7 @@ except ImportError as error:
     assert f"{name} needs {missing}: pip install " in done.stdout
 
 
+@pytest.mark.slow
 def test_aiming_needs_no_extra() -> None:
     code = """
 import sys

@@ -41,7 +41,7 @@ def film(path: Any, **options: Any) -> Film:
         return Film(path, path.parameters, path.outcome, **options)
 
 
-@pytest.mark.sampled(2)
+@pytest.mark.sampled(1)
 @pytest.mark.parametrize("scene", [None, hoopgen.COURT], ids=["hoop", "court"])
 @pytest.mark.parametrize("state", [DROPPED, ASIDE], ids=["in plane", "aside"])
 def test_the_ball_is_where_the_trajectory_has_it(state: list[float], scene: Any) -> None:

@@ -82,7 +82,7 @@ def said(figure: Figure) -> str:
 # ------------------------------------------------------------------------------------ on the court
 
 
-@pytest.mark.sampled(2)
+@pytest.mark.sampled(1)
 @pytest.mark.parametrize("first", ["x", "y"])
 @pytest.mark.parametrize("units", ["si", "us"])
 def test_cells_are_where_the_places_are_on_the_court(first: str, units: Any) -> None:

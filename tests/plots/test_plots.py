@@ -61,7 +61,7 @@ def badges(axes: Axes) -> Iterator[Text]:
     return (text for text in axes.texts if text.get_bbox_patch() is not None)
 
 
-@pytest.mark.sampled(3)
+@pytest.mark.sampled(1)
 def test_the_views_are_side_and_top_and_out_of_plane_3d(
     picture: tuple[ArticleResult, Figure],
 ) -> None:
@@ -70,7 +70,7 @@ def test_the_views_are_side_and_top_and_out_of_plane_3d(
     assert list(views(figure)) == wanted
 
 
-@pytest.mark.sampled(2)
+@pytest.mark.sampled(1)
 def test_axes_are_named_with_their_unit(picture: tuple[ArticleResult, Figure]) -> None:
     _, figure = picture
     flat = views(figure)
@@ -82,7 +82,7 @@ def test_axes_are_named_with_their_unit(picture: tuple[ArticleResult, Figure]) -
         assert {"x (m)", "y (m)", "z (m)"} <= written
 
 
-@pytest.mark.sampled(4)
+@pytest.mark.sampled(1)
 def test_a_metre_is_as_long_across_as_up(picture: tuple[ArticleResult, Figure]) -> None:
     _, figure = picture
     for axes in views(figure).values():
@@ -109,6 +109,7 @@ def test_the_ball_is_drawn_to_scale_at_release_and_events(
         assert any(np.array_equal(place, centre) for centre in centres)
 
 
+@pytest.mark.sampled(7)
 def test_every_contact_is_numbered_once(picture: tuple[ArticleResult, Figure]) -> None:
     result, figure = picture
     for axes in views(figure).values():
@@ -193,11 +194,13 @@ def test_an_svg_tells_no_date(tmp_path: Path) -> None:
     assert "<dc:date>" not in text
 
 
+@pytest.mark.slow
 def test_an_unknown_format_is_refused(tmp_path: Path) -> None:
     with pytest.raises(ValueError, match=r"\.png, \.svg, \.pdf"):
         save(draw(RESULTS["5a"]), tmp_path / "picture.bmp")
 
 
+@pytest.mark.slow
 def test_drawing_leaves_matplotlib_as_it_was() -> None:
     before = dict(matplotlib.rcParams)
     with style():

@@ -201,7 +201,7 @@ def test_a_corner_all_but_on_a_cut_costs_no_outline() -> None:
         assert sorted(map(tuple, line[:-1, :2].tolist())) == [(0, 0), (0, 1), (1, 0), (1, 1)]
 
 
-@pytest.mark.sampled(20)
+@pytest.mark.sampled(19)
 @pytest.mark.parametrize("view", [(0.0, -1.0, 0.0), (0.0, 0.0, 1.0), (1.0, 0.0, 0.0)])
 @pytest.mark.parametrize("body", KINDS, ids=lambda body: body.name)
 def test_what_is_seen_of_a_body_has_closed_outlines(body: Any, view: Any) -> None:
@@ -317,6 +317,7 @@ def test_a_shot_is_drawn_with_its_bodies_and_named_contacts(netball: Engine) -> 
     assert max(box.x1 for box in boxes) == pytest.approx(0.1975 + 0.0075, abs=1e-3)
 
 
+@pytest.mark.slow
 def test_the_board_of_the_whole_hoop_is_pale_and_its_badge_dark() -> None:
     state = hoopgen.release(8.3, np.radians(50), height=2.1336, distance=4.191)
     shots = hoopgen.simulate(state, scene=hoopgen.COURT, record=True)
@@ -332,6 +333,7 @@ def test_the_board_of_the_whole_hoop_is_pale_and_its_badge_dark() -> None:
     assert dark == body_colours(["backboard"])["backboard"]
 
 
+@pytest.mark.slow
 def test_another_parameter_is_drawn_and_said(netball: Engine) -> None:
     shots = netball.simulate(SHOT, {"ring_radius": 0.3}, record=True)
     figure = shots.trajectory(0).plot()
@@ -341,6 +343,7 @@ def test_another_parameter_is_drawn_and_said(netball: Engine) -> None:
     assert max(box.x1 for box in boxes) == pytest.approx(0.3075, abs=1e-3)
 
 
+@pytest.mark.slow
 def test_many_paths_are_drawn_by_how_they_end(netball: Engine) -> None:
     states = np.array(SHOT) + np.linspace(0.0, 0.3, 20)[:, None] * (np.arange(9) == 3)
     shots = netball.simulate(states, record=True)
@@ -380,6 +383,7 @@ def test_a_crowd_of_paths_has_a_panel_for_each_end(netball: Engine) -> None:
         shots.plot(by="kind")
 
 
+@pytest.mark.slow
 def test_the_axes_of_a_turned_scene_are_named(tilted: Engine) -> None:
     shots = tilted.simulate(FALL, record=True, max_contacts=3)
     figure = shots.trajectory(0).plot()
@@ -487,6 +491,7 @@ def test_a_shot_of_a_scene_on_the_command_line(hole: Path, tmp_path: Path) -> No
     assert "hole, bounce 0.75" in changed.output
 
 
+@pytest.mark.slow
 def test_a_shot_of_a_scene_is_proved_on_the_command_line(hole: Path) -> None:
     pytest.importorskip("flint")
     result = succeed("certify", "--scene", hole, *GIVEN, "--max-contacts", 2)

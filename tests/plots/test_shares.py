@@ -194,6 +194,7 @@ def test_it_can_be_drawn_on_axes(found: Any) -> None:
 # --------------------------------------------------------------------------------- a table of aims
 
 
+@pytest.mark.slow
 def test_bands_are_how_far_each_may_be_off() -> None:
     table = aim_table([5.0, 3.0, 4.0], height=2.0, entry=np.radians(45.0))
     figure = plot_aim(table, hoopgen.PAPER)

@@ -208,7 +208,7 @@ def words(axes: Axes) -> list[str]:
 # ------------------------------------------------------------------------------------ every page
 
 
-@pytest.mark.sampled(3)
+@pytest.mark.sampled(1)
 def test_a_page_is_as_wide_as_asked_for(page: tuple[str, float, Figure]) -> None:
     name, width, figure = page
     across, up = figure.get_size_inches()
@@ -217,7 +217,7 @@ def test_a_page_is_as_wide_as_asked_for(page: tuple[str, float, Figure]) -> None
     assert up <= 9.5
 
 
-@pytest.mark.sampled(3)
+@pytest.mark.sampled(2)
 def test_all_is_said_on_the_page_and_legibly(page: tuple[str, float, Figure]) -> None:
     _, _, figure = page
     width, height = figure.bbox.size
@@ -253,7 +253,7 @@ def test_texts_of_a_key_are_not_over_one_another(page: tuple[str, float, Figure]
         assert not any(a.overlaps(b) for a, b in itertools.combinations(boxes, 2))
 
 
-@pytest.mark.sampled(4)
+@pytest.mark.sampled(1)
 def test_titles_and_names_of_axes_are_not_over_one_another(
     page: tuple[str, float, Figure],
 ) -> None:
@@ -265,7 +265,7 @@ def test_titles_and_names_of_axes_are_not_over_one_another(
     assert not any(a.overlaps(b) for a, b in itertools.combinations(boxes, 2))
 
 
-@pytest.mark.sampled(9)
+@pytest.mark.sampled(1)
 def test_axes_are_named_with_units(page: tuple[str, float, Figure]) -> None:
     _, _, figure = page
     said = [axes.get_xlabel() for axes in figure.axes] + [axes.get_ylabel() for axes in figure.axes]
@@ -509,6 +509,7 @@ def test_a_fan_has_each_path_in_its_colour() -> None:
             assert found[tuple(np.round(end, 9))] == (wanted or OTHER_OUTCOME_COLOURS[what])
 
 
+@pytest.mark.slow
 def test_made_shots_are_drawn_over_missed_ones() -> None:
     lines = one(plot_fan(shots_of(100), SCENE).axes[0], PathCollection)
     made = [to_hex(colour).upper() in LINES["made"].values() for colour in lines.get_edgecolors()]
@@ -922,7 +923,7 @@ def test_two_processes_write_the_same_bytes(tmp_path: Path) -> None:
     assert first == second
 
 
-@pytest.mark.sampled(2)
+@pytest.mark.sampled(1)
 @pytest.mark.parametrize("name", PICTURES)
 def test_only_cells_are_pixels_and_files_are_small(tmp_path: Path, name: str) -> None:
     path = save(PICTURES[name](PAGE), tmp_path / "picture.svg")
@@ -949,6 +950,7 @@ def test_the_pictures_of_the_documents_are_there_and_small() -> None:
         assert 0 < (root / "docs" / f"{name}.svg").stat().st_size < 300_000
 
 
+@pytest.mark.slow
 def test_drawing_needs_matplotlib_alone() -> None:
     script = (
         "import sys, hoopgen.plots\n"

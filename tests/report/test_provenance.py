@@ -334,6 +334,7 @@ def test_a_scene_that_cannot_be_understood_is_told(
     assert "cannot be understood" in failure("view", file, "--out", tmp_path / "page.html")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("command", ["map", "aim"])
 def test_csv_has_its_scene_in_columns(command: str, tmp_path: Path) -> None:
     file, out = tmp_path / "table.csv", tmp_path / "out.parquet"
@@ -389,7 +390,7 @@ PRINTED = {
 }
 
 
-@pytest.mark.sampled(2)
+@pytest.mark.slow
 @pytest.mark.parametrize("name", PRINTED)
 def test_what_is_printed_says_its_scene(name: str) -> None:
     arguments = PRINTED[name]
@@ -456,6 +457,7 @@ def thrown(azimuth: float = 0.0, angle: float = 0.0) -> hoopgen.Shots:
     return hoopgen.simulate(states, SCENE, record=True)
 
 
+@pytest.mark.slow
 def test_pictures_of_shots_say_their_scene() -> None:
     plots = pytest.importorskip("hoopgen.plots")
     pyplot = pytest.importorskip("matplotlib.pyplot")
@@ -473,7 +475,7 @@ def test_pictures_of_shots_say_their_scene() -> None:
         pyplot.close(figure)
 
 
-@pytest.mark.sampled(2)
+@pytest.mark.sampled(1)
 @pytest.mark.parametrize("angle", [0.0, 1.0, -2.0])
 @pytest.mark.parametrize(
     ("azimuth", "said"),
@@ -507,6 +509,7 @@ def test_maps_say_scene_and_correlations() -> None:
     )
 
 
+@pytest.mark.slow
 def test_bank_shots_say_what_they_rest_on() -> None:
     plots = pytest.importorskip("hoopgen.plots")
     release = {"height": 2.1336, "backspin": 6 * np.pi}

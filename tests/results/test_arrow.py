@@ -43,6 +43,7 @@ def test_columns_of_one_number_a_shot_are_not_copied() -> None:
     assert indices == found.outcome.ctypes.data
 
 
+@pytest.mark.slow
 def test_a_table_keeps_its_numbers_when_the_shots_are_gone() -> None:
     found = shots(count=40_000)  # whose memory is taken again
     table, time = found.to_arrow(), found.time.copy()

@@ -85,6 +85,7 @@ def test_positions_velocities_and_times_belong_together(
     np.testing.assert_allclose((after - before)[:3] / (2.0 * step), there[3:6], atol=1e-6)
 
 
+@pytest.mark.slow
 def test_on_the_bridge_rolls_stop_at_its_seams() -> None:
     # Dropped onto the plate: it rolls over its edges, against the board or onto the ring.
     random = np.random.default_rng(3)

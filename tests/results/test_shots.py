@@ -411,6 +411,7 @@ def test_just_before_a_contact_it_is_the_state_before_it(shots: hoopgen.Shots) -
         np.testing.assert_array_equal(earlier[6:], event["before"][6:])
 
 
+@pytest.mark.sampled(4)
 def test_the_path_is_continuous_the_velocity_jumps_at_contacts_only(shots: hoopgen.Shots) -> None:
     for row in (1, 3):
         path = shots.trajectory(row)
@@ -477,6 +478,7 @@ def test_each_shots_own_gravity_bends_its_path(simulate: Simulate) -> None:
 # ----------------------------------------------------------------------------------------- README
 
 
+@pytest.mark.slow
 def test_the_python_of_the_readme_prints_what_the_readme_says() -> None:
     shown = re.findall(r"```python\n(.*?)```\n\n```text\n(.*?)```", README.read_text("utf-8"), re.S)
     assert len(shown) == 3

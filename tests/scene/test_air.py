@@ -151,6 +151,7 @@ def test_numpy_and_c_give_the_same_bits() -> None:
         assert np.array_equal(getattr(by_c, name), getattr(numpy, name), equal_nan=True)
 
 
+@pytest.mark.slow
 def test_a_trajectory_comes_to_its_events_to_the_bit() -> None:
     shots = hoopgen.simulate(throws(20, seed=4), scene=drop(), max_contacts=4, record=True)
     for row in range(20):
@@ -160,12 +161,14 @@ def test_a_trajectory_comes_to_its_events_to_the_bit() -> None:
             assert np.abs(flown - event["before"]).max() < 1e-13
 
 
+@pytest.mark.slow
 def test_no_times_give_no_states() -> None:
     shots = drop().simulate(throws(1), record=True)
     assert shots.trajectory(0).at(np.empty(0)).shape == (0, 9)
     assert shots.trajectory(0).at(np.empty((2, 0))).shape == (2, 0, 9)
 
 
+@pytest.mark.slow
 def test_energy_falls_by_the_work_of_drag_alone() -> None:
     """The Magnus force does no work, and buoyancy makes gravity less."""
     state = np.array([0.0, 0.0, 5.0, 6.0, 1.0, 4.0, 10.0, -30.0, 20.0])
@@ -183,6 +186,7 @@ def test_energy_falls_by_the_work_of_drag_alone() -> None:
     assert energy[0] - energy[1] == pytest.approx(work, rel=1e-12)
 
 
+@pytest.mark.slow
 def test_a_falling_ball_comes_to_its_terminal_velocity() -> None:
     engine = drop()
     end = engine.fly(30.0, np.array([0.0, 0.0, 1000.0, *[0.0] * 6]), engine.parameters)
@@ -191,6 +195,7 @@ def test_a_falling_ball_comes_to_its_terminal_velocity() -> None:
     assert -end[5] == pytest.approx(np.sqrt(weight / half), rel=1e-5)
 
 
+@pytest.mark.slow
 def test_what_the_air_cannot_be_is_invalid_and_loses_no_other_row() -> None:
     states = throws(6, seed=5)
     given = {

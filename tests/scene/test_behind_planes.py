@@ -29,6 +29,7 @@ LEVEL = over_a_ball(Plane("floor"), name="over_a_pearl")
 PLATE = over_a_ball(Plane("floor", within=["x - 1"]), name="plate_over_a_pearl")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("depth", [-0.01, 0.1, 0.12, 0.2, 0.4, 50.0])
 def test_a_ball_that_starts_behind_a_plane_without_bounds_is_invalid(depth: float) -> None:
     state = [0.01, 0, 0.12 - depth, 0, 0, 0, 0, 0, 0]

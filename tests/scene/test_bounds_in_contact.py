@@ -90,6 +90,7 @@ def sides(name: str, part: int, places: Floats) -> Floats:
     return np.array([bound(CUTS[part])(body.nearest(place)[0]) for place in places])
 
 
+@pytest.mark.sampled(5)
 @pytest.mark.parametrize("part", range(len(CUTS)))
 @pytest.mark.parametrize("name", ["funnel", "spike"])
 def test_the_distance_within_a_bound_bends_no_more_than_its_bound_says(
@@ -119,6 +120,7 @@ def test_the_distance_within_a_bound_bends_no_more_than_its_bound_says(
     assert np.max(off / (bends * time**2 / 2)) > 0.02
 
 
+@pytest.mark.sampled(1)
 @pytest.mark.parametrize("part", range(len(CUTS)))
 @pytest.mark.parametrize("name", BODIES)
 def test_the_distance_within_a_bound_has_its_sign_and_is_no_more_than_the_way(
@@ -152,6 +154,7 @@ def on_cone(places: Floats, side: int) -> Floats:
     return np.asarray(FUNNEL["apex"] + far * line + BALL * normal)
 
 
+@pytest.mark.sampled(1)
 @pytest.mark.parametrize("part", range(len(CUTS)))
 @pytest.mark.parametrize("name", ["crate", "slab"])
 def test_a_ball_beside_a_box_is_outside_a_bound_for_as_long_as_is_claimed(

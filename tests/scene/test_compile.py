@@ -219,6 +219,7 @@ def test_c_gives_numpys_bits(dome: Engine) -> None:
     assert_c_gives_numpys_bits(dome)
 
 
+@pytest.mark.slow
 def test_an_engine_says_what_it_has(dome: Engine) -> None:
     assert dict(dome.parameters) == {"ball": 0.05, "reach": 1.0, "bounce": 0.8, "g": 9.81}
     assert dome.surfaces == ("floor", "dome")
@@ -241,6 +242,7 @@ def test_what_is_no_scene_is_refused() -> None:
         hoopgen.simulate(drops(1), scene="netball")
 
 
+@pytest.mark.slow
 def test_parameters_left_out_are_usual_and_sizes_follow_them(dome: Engine) -> None:
     states = drops(200)
     some = dome.simulate(states, {"reach": 0.6})
@@ -503,6 +505,7 @@ def test_a_record_that_says_something_else_is_none(
     assert capsys.readouterr().err == f"hoopgen: {tmp_path / KEY} {DAMAGED}\n"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", [cache.RECORD, cache.MODULE])
 def test_every_bit_of_what_is_kept_is_looked_at(tmp_path: Path, name: str) -> None:
     there = cache.Cache(tmp_path)
@@ -680,6 +683,7 @@ def test_a_folder_of_another_user_is_not_used(home: Path, above: int) -> None:
     assert cache.user_store() == f"{place}: this folder is another user's"
 
 
+@pytest.mark.slow
 @posix
 def test_where_no_folder_is_private_numpy_serves(
     home: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch

@@ -371,6 +371,7 @@ BODIES = (
 )
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize(("name", "make"), BODIES, ids=[name for name, _ in BODIES])
 def test_a_scene_whose_axes_change_places_gives_the_same_shot(name: str, make: Any) -> None:
     """Gravity goes along: the judge encloses the same contact, at the same time."""

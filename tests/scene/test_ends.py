@@ -31,7 +31,7 @@ from tests.helpers.scenes.plank import plank
 from tests.helpers.scenes.table import TABLE
 
 # One worker: each scene is compiled once.
-pytestmark = [pytest.mark.sampled(1), pytest.mark.xdist_group("ends"), needs_compiler]
+pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("ends"), needs_compiler]
 
 MOST = 8
 ENDLESS = math.inf

@@ -158,7 +158,7 @@ def test_an_example_has_at_most_forty_lines(file: str) -> None:
     assert len((EXAMPLES / file).read_text(encoding="utf-8").splitlines()) <= 40
 
 
-@pytest.mark.sampled(1)
+@pytest.mark.slow
 def test_an_example_is_that_of_the_slow_reference(flown: Flown) -> None:
     """The same bodies in the same order, and the same end, at the same times."""
     shots, outcomes = flown.shots, flown.engine.outcomes
@@ -182,7 +182,7 @@ def test_an_example_is_that_of_the_slow_reference(flown: Flown) -> None:
     assert bodies >= set(range(len(flown.engine.surfaces)))
 
 
-@pytest.mark.sampled(1)
+@pytest.mark.slow
 def test_the_judge_proves_every_shot_that_is_not_flagged(flown: Flown) -> None:
     proof = flown.engine.certify(
         flown.states, max_contacts=flown.example.most, time_limit=LIMIT, processes=1

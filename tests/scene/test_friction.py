@@ -209,6 +209,7 @@ def thrown(shots: int) -> Any:
     return states
 
 
+@pytest.mark.slow
 def test_each_shot_has_its_own_friction_infinite_ones_too(sliding: Engine) -> None:
     """Calculated by hand: 3 m/s of slip against mu (1 + e) 2 m/s; gripping takes 2/5 (1 + e_t)."""
     mu = np.array([0.0, 0.1, 0.3, 1.0, np.inf, -0.1, np.nan])

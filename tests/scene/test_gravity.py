@@ -322,6 +322,7 @@ def test_without_gravity_a_ball_goes_to_and_fro_at_constant_speed(corridor: Engi
     np.testing.assert_allclose(slow.time, 8.0, rtol=0, atol=4 * slow.time_error[0])
 
 
+@pytest.mark.slow
 def test_a_ball_that_meets_nothing_ends_at_the_time_limit_or_short(corridor: Engine) -> None:
     states = np.zeros((2, 9))
     states[0, 4] = 1.0  # along both walls; the second ball stands still

@@ -89,6 +89,7 @@ def rolled(state: Floats) -> tuple[bool, float, Floats]:
     return leaves, path.t_events[which][0], path.y_events[which][0]
 
 
+@pytest.mark.slow
 def test_few_chips_are_uncertain(green: Engine) -> None:
     """They roll onto the wire, off it, and some of them out of the hole again."""
     shots = green.simulate(chips(trials(600, 100)), time_limit=20)
@@ -97,6 +98,7 @@ def test_few_chips_are_uncertain(green: Engine) -> None:
     assert np.count_nonzero(shots.uncertain) <= exceptions(0.015, len(shots))
 
 
+@pytest.mark.slow
 def test_rolls_on_the_wire_are_those_of_a_second_formulation(green: Engine) -> None:
     shots = green.simulate(chips(trials(200, 100)), time_limit=20, record=True)
     events = shots.events
@@ -124,6 +126,7 @@ def lip_out() -> Floats:
     return state
 
 
+@pytest.mark.slow
 def test_a_ball_that_comes_up_again_goes_back_where_it_came_from(green: Engine) -> None:
     """Rolling without slip can be reversed: so the way back from the green is the way out."""
     events = green.simulate(lip_out(), time_limit=20, record=True).events
@@ -141,6 +144,7 @@ def test_a_ball_that_comes_up_again_goes_back_where_it_came_from(green: Engine) 
     assert again[2]["after"][3:6] == pytest.approx(-rolls[1]["after"][3:6], abs=1e-10)
 
 
+@pytest.mark.slow
 def test_a_ball_that_the_wire_does_not_press_on_flies_over_it(green: Engine) -> None:
     """The force is N = g - v²/R and grows while the ball crosses the wire at a slant."""
     state = chips(600)[91]
@@ -154,6 +158,7 @@ def test_a_ball_that_the_wire_does_not_press_on_flies_over_it(green: Engine) -> 
     assert events[on_wire + 1]["time"] == events[on_wire]["time"]
 
 
+@pytest.mark.slow
 def test_straight_putts_leave_the_wire_as_those_a_micrometre_aside(green: Engine) -> None:
     """The wire takes them over exactly at the bound of the green, and throws the faster ones off.
 
@@ -207,6 +212,7 @@ TROUGH = Scene(
 """A half pipe and its other half, which end in the air."""
 
 
+@pytest.mark.slow
 def test_a_ball_rolls_along_a_trough_and_off_its_end(tmp_path: Path) -> None:
     """The ball swings from side to side, keeps its energy, and flies from where the trough ends."""
     engine = engine_of(TROUGH, tmp_path)

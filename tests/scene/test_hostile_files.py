@@ -116,6 +116,7 @@ def large(request: pytest.FixtureRequest, tmp_path: Path) -> tuple[str, Path, st
     return request.param, path, said
 
 
+@pytest.mark.sampled(10)
 def test_a_scene_that_is_too_large_is_refused(large: tuple[str, Path, str]) -> None:
     """The error has the limit, the given size, and how the limit is raised."""
     limit, path, said = large
@@ -126,6 +127,7 @@ def test_a_scene_that_is_too_large_is_refused(large: tuple[str, Path, str]) -> N
     assert f"limits={{'{limit}': ...}}, or --limit {limit}=..." in str(refusal.value)
 
 
+@pytest.mark.sampled(10)
 def test_the_command_line_says_the_same(large: tuple[str, Path, str]) -> None:
     limit, path, said = large
     result = CliRunner().invoke(main, ["compile", str(path)])
@@ -237,7 +239,7 @@ def no_file(request: pytest.FixtureRequest, tmp_path: Path) -> tuple[Path, str]:
 needs_pipes = pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="has no pipes with a name")
 
 
-@pytest.mark.sampled(2)
+@pytest.mark.sampled(1)
 @needs_pipes
 @pytest.mark.parametrize(
     "code",

@@ -330,6 +330,7 @@ FLOOR = Scene(
 )
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("scene", [FLOOR, pytest.param(WELL, marks=pytest.mark.slow)], ids=str)
 def test_the_page_of_a_scene_has_its_inertia(scene: Scene) -> None:
     page = scene.explain()

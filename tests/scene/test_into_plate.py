@@ -38,7 +38,7 @@ def wedge(tmp_path_factory: pytest.TempPathFactory) -> Engine:
     return engine_of(WEDGE, tmp_path_factory.mktemp("wedge"))
 
 
-@pytest.mark.sampled(1)
+@pytest.mark.slow
 def test_a_ball_on_a_plate_that_is_thrown_into_it_meets_it_at_once(wedge: Engine) -> None:
     """The rounding of its distance said that it was behind the plate, and it went through it."""
     normal = TILT / np.linalg.norm(TILT)

@@ -54,6 +54,7 @@ def beside(body: str, count: int, seed: int) -> NDArray[np.float64]:
     return states
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("body", BODIES)
 def test_a_contact_soon_after_a_start_beside_the_surface_is_met(body: str, tmp_path: Path) -> None:
     """3,000 shots at full effort: the sequences proved, or flagged."""

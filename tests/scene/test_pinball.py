@@ -102,7 +102,7 @@ def test_a_plane_scene_is_drawn_in_its_plane_and_its_bumpers_are_no_holes(table:
     assert any(np.allclose(line[:, 0], -0.25) and np.ptp(line[:, 1]) > 0.9 for line in walls)
 
 
-@pytest.mark.sampled(1)
+@pytest.mark.slow
 def test_many_paths_are_drawn_in_that_plane_too(table: Engine) -> None:
     shots = table.simulate(start(axis_of(table), 5), record=True)
     (side, *_) = shots.plot().axes

@@ -173,13 +173,13 @@ def check_upright(engine: Engine) -> None:
     assert (away < shots.state_error + proof.state_error)[sure].all()
 
 
-@pytest.mark.sampled(1)
+@pytest.mark.slow
 def test_upright_walls_are_grazed_with_finite_claims() -> None:
     check_upright(hoopgen.compile(UPRIGHT))
 
 
 @pytest.mark.parametrize("scene", [THIN_IN_AIR, THIN], ids=lambda scene: scene.name)
-@pytest.mark.sampled(1)
+@pytest.mark.slow
 def test_returns_are_within_their_claimed_errors(scene: Scene) -> None:
     check_returns(hoopgen.compile(scene))
 

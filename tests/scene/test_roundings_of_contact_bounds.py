@@ -138,6 +138,7 @@ class Formulas:
         return off
 
 
+@pytest.mark.sampled(1)
 @pytest.mark.parametrize("which", FACES)
 def test_a_bound_of_contacts_is_off_by_no_more_than_a_decision_allows(which: str) -> None:
     """Nor is that two thousand times too much: the roundings are counted as if none cancelled."""

@@ -119,6 +119,7 @@ def test_balls_that_roll_off_a_table_onto_tiles_are_rarely_uncertain(tiles: Engi
     assert np.count_nonzero(shots.uncertain) <= exceptions(0.01, len(shots))
 
 
+@pytest.mark.slow
 def test_hops_beside_edges_of_tiles_are_rarely_uncertain(tiles: Engine) -> None:
     shots = tiles.simulate(hops(trials(2000, 400), 2), max_contacts=4)
     assert np.count_nonzero(shots.uncertain) <= exceptions(0.001, len(shots))

@@ -90,6 +90,7 @@ def test_the_distance_is_that_of_the_change_that_bisection_finds(
     assert {"ring_touch", "ring_miss", "backboard_miss", "end_miss"} <= met
 
 
+@pytest.mark.slow
 def test_a_few_distances_are_those_of_bisection() -> None:
     for values, known in beside_changes(hoopgen.HOOP, {}, throws(30), 1e-7):
         shots, distance = distances(hoopgen.HOOP, {}, values)

@@ -190,6 +190,7 @@ def test_derivatives_among_leaning_bodies_are_those_of_70_digits() -> None:
     assert contacts.max() >= 8
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("engine", [hoopgen.HOOP, hoopgen.COURT], ids=["hoop", "court"])
 def test_both_engines_give_the_same_bits(engine: Engine) -> None:
     states = throws(300)

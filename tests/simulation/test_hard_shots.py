@@ -201,6 +201,7 @@ def test_time_and_state_are_within_their_bounds_of_the_truth(case: Case) -> None
         assert within(abs(shots.state[0, k] - proved.state[k]), bound)
 
 
+@pytest.mark.sampled(1)
 @pytest.mark.parametrize("surface", [-1, 0, 1, 2])
 def test_every_case_may_claim_to_leave_any_surface(
     engines: dict[str, Simulate], surface: int
@@ -354,7 +355,7 @@ SHOTS = {
 
 
 @pytest.mark.parametrize("kind", SHOTS)
-@pytest.mark.sampled(2)
+@pytest.mark.sampled(1)
 def test_random_shots_do_what_the_judge_proves_or_say_that_they_do_not_know(kind: str) -> None:
     @settings(max_examples=trials(150), deadline=None, derandomize=True, database=None)
     @given(states=st.lists(SHOTS[kind], min_size=1, max_size=3))
@@ -364,7 +365,7 @@ def test_random_shots_do_what_the_judge_proves_or_say_that_they_do_not_know(kind
     holds()
 
 
-@pytest.mark.sampled(2)
+@pytest.mark.sampled(1)
 @pytest.mark.parametrize("kind", SHOTS)
 def test_the_same_holds_for_other_hoops(kind: str) -> None:
     @settings(max_examples=trials(80), deadline=None, derandomize=True, database=None)

@@ -93,6 +93,7 @@ def test_a_contact_takes_what_rolling_and_restitution_take(
     assert np.all(np.abs(before - after - taken) <= before * (64 * EPS + 8 * off))
 
 
+@pytest.mark.sampled(27)
 @each_workload
 def test_from_any_contact_on_the_rest_is_the_rest_bit_for_bit(
     simulate: Simulate, workload: Workload
@@ -133,7 +134,7 @@ def test_from_any_contact_on_the_rest_is_the_rest_bit_for_bit(
     )
 
 
-@pytest.mark.sampled(20)
+@pytest.mark.sampled(19)
 @pytest.mark.parametrize("restitution", [0.0, 0.5, 0.7])
 @pytest.mark.parametrize("most", [40, 400])
 def test_infinitely_many_hops_take_a_finite_time_and_are_capped(

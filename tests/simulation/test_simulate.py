@@ -332,6 +332,7 @@ def test_the_mixed_shots_show_every_outcome_and_every_surface(
     assert 0 < by_numpy["uncertain"].sum() < len(by_numpy["uncertain"])
 
 
+@pytest.mark.sampled(13)
 @pytest.mark.parametrize("threads", [2, None])
 def test_threads_do_not_change_a_bit(
     simulate: Simulate,
@@ -350,6 +351,7 @@ def test_threads_do_not_change_a_bit(
         np.testing.assert_array_equal(getattr(unrecorded, name), wanted[name])
 
 
+@pytest.mark.slow
 def test_parts_in_numpy_leave_their_last_shots_to_each_other(
     mixed: Batch, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -378,6 +380,7 @@ def test_parts_in_numpy_leave_their_last_shots_to_each_other(
     assert min(last) <= last_of_part
 
 
+@pytest.mark.sampled(13)
 @pytest.mark.parametrize("size", [1, 7])
 def test_chunks_and_blocks_do_not_change_a_bit(
     simulate: Simulate, mixed: Batch, size: int, monkeypatch: pytest.MonkeyPatch
@@ -479,6 +482,7 @@ def test_a_shot_goes_on_from_any_of_its_contacts_to_the_same_end(
 # -------------------------------------------------------------------------------------- the truth
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("scene", ["PAPER", "NBA, livelier"])
 def test_what_is_not_uncertain_is_what_truly_happens_within_the_shot_s_own_bounds(
     scene: str,
@@ -760,6 +764,7 @@ PARAMETERS = st.fixed_dictionaries(
 )
 
 
+@pytest.mark.sampled(4)
 @settings(max_examples=trials(25), deadline=None, derandomize=True)
 @given(states=STATES, parameters=PARAMETERS, most=st.integers(1, 8))
 def test_any_finite_shot_ends_and_is_the_same_on_every_engine(

@@ -63,7 +63,7 @@ def test_what_ends_before_the_limit_is_as_it_was(
         assert np.array_equal(ended.at(limit), cut.state[row])
 
 
-@pytest.mark.sampled(3)
+@pytest.mark.sampled(1)
 def test_every_engine_gives_the_bits_of_numpy(simulate: Simulate, some: Batch) -> None:
     options: dict[str, Any] = {"time_limit": 0.9, "fields": EVERY, "record": True}
     wanted = hoopgen.simulate(some.states, some.parameters, backend="numpy", **options)
@@ -162,6 +162,7 @@ def test_what_errors_grow_to_after_a_ball_has_left_for_good_is_no_doubt() -> Non
     assert not shots.uncertain[short].any()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("backend", ["c", "numpy"])
 def test_a_limit_shortly_after_a_departure_is_on_the_flight(backend: Any) -> None:
     """A ball comes off the ring for up to 2^-7 s before its flight is searched."""

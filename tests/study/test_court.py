@@ -296,6 +296,7 @@ def test_a_column_that_may_not_be_infinite_makes_invalid_rows_alone(tmp_path: Pa
     assert "1 invalid" in said
 
 
+@pytest.mark.slow
 def test_a_page_and_a_picture_show_it_with_infinite_parameters(tmp_path: Path) -> None:
     page, picture = tmp_path / "shot.html", tmp_path / "shot.svg"
     output("shot", *SHOT, "--set", "ring_friction=inf", "--view", page, "--picture", picture)

@@ -120,6 +120,7 @@ def test_the_precision_is_that_of_the_widest_interval(scene: Engine) -> None:
     assert max(found.high[n] - found.low[n] for n in found.shares) == 2 * found.half_width
 
 
+@pytest.mark.slow
 def test_an_invalid_shot_is_no_trial(scene: Engine) -> None:
     found = hoopgen.estimate(Scatter({**STATE, "z": 0.06}, {"z": 0.05}), scene=scene, shots=SHOTS)
     assert 0 < found.counts["invalid"] < SHOTS
@@ -147,6 +148,7 @@ def test_a_resumed_estimate_is_the_same_and_an_altered_scene_is_refused(
     assert "scene" in str(refused.value)
 
 
+@pytest.mark.slow
 def test_a_map_over_a_parameter_and_a_component_is_the_estimate_of_each_cell(
     scene: Engine,
 ) -> None:
@@ -322,6 +324,7 @@ def table(folder: Path) -> Path:
     return file
 
 
+@pytest.mark.slow
 def test_a_table_of_states_is_flown_and_read_again(
     scene: Engine, other: Engine, tmp_path: Path
 ) -> None:
@@ -391,6 +394,7 @@ AIMED = ("--distance", "4m", "--height", "2m")
 RELEASED = ("--position=50cm,0,30cm", "--velocity=1,0,0")
 
 
+@pytest.mark.slow
 def test_the_command_line_runs_studies_of_a_scene(file: Path, tmp_path: Path) -> None:
     given = ("--scene", file, *RELEASED)
     sd = ("--scatter", "vx=0.2", "--scatter", "bounce=0.05")

@@ -136,6 +136,7 @@ def whole(tmp_path_factory: pytest.TempPathFactory) -> tuple[str, Path, Any]:
     return (folder / "report.html").read_text("utf-8"), folder / "study-results", answers
 
 
+@pytest.mark.slow
 def test_the_page_is_one_file_that_needs_no_other_and_runs_nothing(
     whole: tuple[str, Path, Any],
 ) -> None:

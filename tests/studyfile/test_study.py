@@ -547,6 +547,7 @@ PAYLOADS = [
 ]
 
 
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize("payload", PAYLOADS)
 def test_nothing_that_is_written_is_evaluated(
     payload: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
@@ -647,6 +648,7 @@ def test_estimates_and_comparisons_are_those_of_the_library(whole: Path) -> None
     assert loaded(whole, "backspin") == in_units(found)
 
 
+@pytest.mark.slow
 def test_measured_releases_are_drawn_from(whole: Path) -> None:
     mile = 1609.344 / 3600
     columns = {
@@ -717,6 +719,7 @@ def test_bank_shots_are_those_of_the_library(whole: Path) -> None:
         assert list(zip(there["x"].values, there["y"].values, strict=True)) == places
 
 
+@pytest.mark.slow
 def test_aims_and_optima_are_those_of_the_library(whole: Path) -> None:
     from hoopgen.study.questions.aim_table import aim_table
 
@@ -893,7 +896,7 @@ MORE = {
 """Settings of an estimate or a comparison, before and after a change."""
 
 
-@pytest.mark.sampled(3)
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("unfinished", [False, True])
 @pytest.mark.parametrize("more", MORE)
 @pytest.mark.parametrize("kind", ["estimate", "compare"])
@@ -925,7 +928,7 @@ def test_a_question_may_be_asked_for_more_and_only_the_rest_is_thrown(
     assert contents(results) == contents(whole)
 
 
-@pytest.mark.sampled(3)
+@pytest.mark.sampled(1)
 @pytest.mark.parametrize("interrupted", [False, True])
 @pytest.mark.parametrize("kind", ["estimate", "compare"])
 @pytest.mark.parametrize(
@@ -988,6 +991,7 @@ def _stopped(*_: Any) -> Any:
     raise KeyboardInterrupt
 
 
+@pytest.mark.slow
 def test_a_figure_that_fewer_shots_do_not_have_does_not_stay(tmp_path: Path) -> None:
     figures = 'figures = ["landings"]\nrelease.speed = 7.2\nscatter.azimuth = "0.3 deg"\n'
     question = ESTIMATE.replace("shots = 2000\n", "") + figures
@@ -1059,6 +1063,7 @@ def test_a_folder_with_something_else_is_left_alone(tmp_path: Path) -> None:
     assert sorted(path.name for path in tmp_path.iterdir()) == ["measured.csv", "study.toml"]
 
 
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize("content", ["{", "[1]", "null", '"text"', "[" * 100_000])
 def test_a_damaged_question_is_named(content: str, tmp_path: Path) -> None:
     file = written(tmp_path, HEAD + ESTIMATE)

@@ -67,6 +67,7 @@ def test_nor_do_columns_and_names_of_files(tmp_path: Path) -> None:
     assert "\x1b" not in result.output
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(sys.platform != "linux", reason="names of files are any bytes on Linux")
 def test_a_name_that_is_no_utf_8_is_named() -> None:
     command = [sys.executable, "-m", "hoopgen", "batch", b"\xff\xfe.csv", "--out", "x.parquet"]
@@ -135,7 +136,7 @@ def _aim_points(title: str, **options: Any) -> Any:
     return plot_aim_points(dataset, hoopgen.NBA, title=title, **options)
 
 
-@pytest.mark.sampled(2)
+@pytest.mark.sampled(1)
 @pytest.mark.filterwarnings("ignore:Glyph .* missing from")
 @pytest.mark.parametrize("title", TITLES)
 @pytest.mark.parametrize("draw", [_trajectory, _fan, _landings, _map, _aim_points])
@@ -156,7 +157,7 @@ def test_a_title_is_drawn_as_it_is_written(
     ElementTree.parse(save(figure, tmp_path / "picture.svg"))
 
 
-@pytest.mark.sampled(5)
+@pytest.mark.sampled(1)
 @pytest.mark.filterwarnings("ignore:Glyph .* missing from")
 @pytest.mark.parametrize("title", TITLES)
 @pytest.mark.parametrize("draw", [_trajectory, _fan, _landings, _map, _aim_points])

@@ -219,6 +219,7 @@ def test_a_comparison_is_a_row() -> None:
     assert found._repr_html_() == f"<pre>{html.escape(str(found))}</pre>"
 
 
+@pytest.mark.slow
 def test_an_optimum_is_a_row_and_shows_its_shots(best: Any) -> None:
     pytest.importorskip("pandas")
     frame = best.to_pandas()
@@ -301,7 +302,7 @@ KEYED = {"fan", "trajectory", "kinds", "strip", "line", "aim points"}
 BARRED = {"landings", "shares"}
 
 
-@pytest.mark.sampled(2)
+@pytest.mark.sampled(1)
 @pytest.mark.parametrize("name", DRAWN)
 def test_a_picture_is_drawn_on_axes_that_there_are(name: str, shots: hoopgen.Shots) -> None:
     figure = Figure(figsize=(8, 3), layout="constrained")
@@ -323,7 +324,7 @@ def test_a_picture_is_drawn_on_axes_that_there_are(name: str, shots: hoopgen.Sho
         assert key.get_window_extent().x0 >= left.get_window_extent().x1
 
 
-@pytest.mark.sampled(2)
+@pytest.mark.sampled(1)
 @pytest.mark.parametrize("name", DRAWN)
 def test_on_a_page_of_its_own_a_picture_shows_itself(name: str, shots: hoopgen.Shots) -> None:
     png, told = DRAWN[name](shots)._repr_png_()

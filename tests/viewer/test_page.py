@@ -746,6 +746,7 @@ def test_the_commands_say_what_is_wrong(table: Path, tmp_path: Path) -> None:
     assert result.stderr.count("\n") == 1
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("bad", [np.nan, np.inf, -5.0])
 @pytest.mark.parametrize("scene", [hoopgen.HOOP, hoopgen.COURT], ids=["hoop", "court"])
 def test_a_parameter_of_an_invalid_shot_changes_no_page(scene: Any, bad: float) -> None:

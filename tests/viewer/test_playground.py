@@ -46,6 +46,7 @@ def answered(tab: Tab) -> Tab:
 # The file
 
 
+@pytest.mark.slow
 def test_the_command_writes_the_page_and_nothing_else(tmp_path: Path, text: str) -> None:
     out = tmp_path / "page.html"
     assert "runs in this page" in succeed("playground", "--out", out).stdout

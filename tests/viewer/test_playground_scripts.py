@@ -33,6 +33,7 @@ ENGINES = {"hoop": hoopgen.HOOP, "court": hoopgen.COURT}
 SCENES = list(ENGINES)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("scene", SCENES)
 @pytest.mark.parametrize("lanes", LANES)
 def test_some_fixed_shots_have_the_bits_of_python(lanes: int, scene: str) -> None:
@@ -89,6 +90,7 @@ given.map((release) => {
 """
 
 
+@pytest.mark.sampled(1)
 @pytest.mark.parametrize("scene", SCENES)
 @pytest.mark.parametrize("lanes", LANES)
 def test_a_shot_of_the_page_is_that_of_python_to_the_bit(lanes: int, scene: str) -> None:
@@ -175,6 +177,7 @@ def throws_of(scene: str, *, seed: int = 0, count: int) -> tuple[dict[str, Any],
     return {**asked, "seed": seed, "count": count}, hoopgen.Scatter(mean, sd)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("scene", "lanes"), [("hoop", 1), ("hoop", 4), ("court", 1), ("court", 4)])
 def test_releases_are_drawn_as_a_scatter_in_python_draws_them(scene: str, lanes: int) -> None:
     for seed, count in ((0, 1001), (7, 3), (2**53 - 1, 130)):
@@ -211,6 +214,7 @@ def scatter() -> Any:
     return computed(SCATTER, asked)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("scene", "lanes"), [("hoop", 1), ("hoop", 4), ("court", 1), ("court", 4)])
 def test_made_throws_are_as_many_as_those_of_an_estimate_in_python(scene: str, lanes: int) -> None:
     """Here the three deviations alone scatter; the share is that of valid throws."""
@@ -289,6 +293,7 @@ given.map(({ ends, patience }) => {
 """
 
 
+@pytest.mark.slow
 def test_a_change_is_looked_for_outwards_and_no_further_than_patience() -> None:
     """A result that is another below one value and above another one."""
     unlimited = 1e9

@@ -112,6 +112,7 @@ def within(shots: hoopgen.Shots, each: int) -> list[list[float]]:
     ]
 
 
+@pytest.mark.slow
 def test_between_the_page_s_rows_a_roll_is_as_near_as_it_says(rolling: hoopgen.Shots) -> None:
     times = within(rolling, 100)
     script = "given.times.map((own, k) => own.map((time) => Flight.stateAt(given.shots[k], time)))"
@@ -123,6 +124,7 @@ def test_between_the_page_s_rows_a_roll_is_as_near_as_it_says(rolling: hoopgen.S
         assert off[:, 6:].max() < 2 * np.pi * 0.01  # rad/s, a last digit: 0.01 Hz
 
 
+@pytest.mark.slow
 def test_a_path_is_where_the_ball_rolls(rolling: hoopgen.Shots) -> None:
     for row, points in enumerate(told("given.map((shot) => Flight.pathOf(shot))", shown(rolling))):
         path = rolling.trajectory(row)
@@ -165,6 +167,7 @@ given.shots.map((shot, row) => {
 """
 
 
+@pytest.mark.slow
 def test_the_ball_turns_as_it_rolls(rolling: hoopgen.Shots) -> None:
     times = []
     for row in range(len(rolling)):
@@ -236,6 +239,7 @@ def test_after_its_end_a_ball_falls_to_the_floor_and_stays() -> None:
     assert all(low[2] < high[2] for high, low in itertools.pairwise(points))
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("outcome", ["MADE", "MISSED", "SHORT", "CAPPED"])
 def test_who_falls_on_after_the_end(outcome: str) -> None:
     state = {
@@ -257,6 +261,7 @@ def test_who_falls_on_after_the_end(outcome: str) -> None:
         )
 
 
+@pytest.mark.slow
 def test_stops_are_the_release_and_every_row_also_those_at_one_time() -> None:
     shot = {"events": [{"time": time} for time in (0.5, 0.9, 0.9, 1.2)]}
     at = "[0, 0.4, 0.5, 0.9, 1, 1.2].map((time) => Stops.at(given, time))"
@@ -294,6 +299,7 @@ SAID = """
 """
 
 
+@pytest.mark.sampled(1)
 @pytest.mark.parametrize("system", ["si", "us"])
 def test_lengths_and_speeds_are_said_in_either_system(system: units.System) -> None:
     state = hoopgen.release(

@@ -406,6 +406,7 @@ def test_nothing_is_typed_in_the_template_that_derive_has(name: str) -> None:
     assert [word for word in words if re.search(rf"\b{word}\b", typed)] == []
 
 
+@pytest.mark.slow
 def test_the_outline_has_every_node_of_the_loop_once() -> None:
     loop = model().loop
     nodes = [node for stage in loop.stages.values() for node in walk(stage)]
@@ -418,7 +419,7 @@ def test_the_outline_has_every_node_of_the_loop_once() -> None:
 
 
 @pytest.mark.parametrize("scene", ["hoop", "table", "caps"])
-@pytest.mark.sampled(1)
+@pytest.mark.slow
 def test_every_argument_of_a_kernel_is_explained(scene: str) -> None:
     """Each is in a table or explained by its form, and no two of a kernel are written alike."""
     rows = {row.name for row in page(scene).arguments}

@@ -103,6 +103,7 @@ def test_one_number_of_the_scene_is_one() -> None:
     assert len(re.findall(r"`restitution` \| 1 \| 0\.6 \|", page())) == 1
 
 
+@pytest.mark.slow
 def test_numbers_are_the_decimals_that_the_scene_gives() -> None:
     """The distance from 0.3 to half of 0.5 is written 0.05, not as the doubles' difference."""
     assert 0.3 - 0.25 != 0.05
@@ -288,6 +289,7 @@ def _latex(size: sp.Expr, letters: SceneNotation) -> str:
     return letters(size) if size.is_Symbol else str(sp.latex(size))
 
 
+@pytest.mark.sampled(1)
 @pytest.mark.parametrize("seed", range(trials(6)))
 def test_coulombs_law_as_printed_is_what_the_kernels_compute(seed: int) -> None:
     """Slip, impulse, velocity, spin and energy, with the coefficients that the page prints."""
@@ -297,6 +299,7 @@ def test_coulombs_law_as_printed_is_what_the_kernels_compute(seed: int) -> None:
     printed(contact_text(COURT, letters), law, letters, np.random.default_rng(seed))
 
 
+@pytest.mark.slow
 def test_a_scene_s_page_has_no_law_that_it_has_not() -> None:
     assert "**Coulomb's friction.**" not in page()
     assert "**No slip.**" in page()

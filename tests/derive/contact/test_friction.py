@@ -97,6 +97,7 @@ def test_a_grip_leaves_the_slip_turned_about_by_the_tangential_restitution() -> 
     assert all(vanishes(component) for component in left)
 
 
+@pytest.mark.slow
 def test_the_share_is_the_smaller_of_grip_and_what_coulomb_allows() -> None:
     """The share is the grip's for an infinite mu and zero for mu = 0, without a product of them."""
     grip, u = grip_share(BALL, tangential), slip(velocity, spin)
@@ -118,6 +119,7 @@ def test_the_share_is_the_smaller_of_grip_and_what_coulomb_allows() -> None:
     assert sp.simplify(stops / gripped**2 - slides / slid**2) == 0
 
 
+@pytest.mark.slow
 def test_it_is_the_articles_law_where_every_contact_grips_and_nothing_falls() -> None:
     """mu is infinite, e_t = 0 and v0 infinite, given as numbers or as values of parameters."""
     article = impact(normal, velocity, spin, BALL, restitution)
@@ -135,6 +137,7 @@ def test_it_is_the_articles_law_where_every_contact_grips_and_nothing_falls() ->
 # -- What a contact keeps and loses, whatever its share
 
 
+@pytest.mark.slow
 def test_what_a_contact_keeps() -> None:
     """The spin about the normal, v_t + kappa R_B (w × n), and the slip's direction."""
     assert vanishes((TURNED - spin).dot(normal))
@@ -177,6 +180,7 @@ CHOICES = {
 }
 
 
+@pytest.mark.slow
 def test_errors_are_carried_by_the_derivative_of_the_branch_that_is_taken() -> None:
     """Infinities and zeros of the other one do not reach it."""
     inputs = (*VELOCITY, *SPIN, *NORMAL)

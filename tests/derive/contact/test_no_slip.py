@@ -89,7 +89,7 @@ ORDERS = {
 }
 
 
-@pytest.mark.sampled(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("sizes", ORDERS.values(), ids=list(ORDERS))
 def test_the_mended_eq_7_takes_the_axis_of_the_smallest_component(sizes: tuple[sp.Expr]) -> None:
     mended = contact_frame()
@@ -199,6 +199,7 @@ def test_the_frame_free_form_is_that_of_the_model() -> None:
     assert sp.expand(release(spin_after) - expected_spin) == sp.zeros(3, 1)
 
 
+@pytest.mark.slow
 def test_a_contact_ends_in_rolling_with_the_normal_velocity_restored() -> None:
     after, spin_after = map(release, impact(normal, velocity, spin, BALL, restitution))
     contact_velocity = after + spin_after.cross(-ball_radius * normal)

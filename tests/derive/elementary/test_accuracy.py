@@ -47,6 +47,7 @@ def angles(seed: int) -> Floats:
     )
 
 
+@pytest.mark.slow
 def test_sine_and_cosine_are_within_one_unit() -> None:
     x = angles(1)
     sine, cosine = elementary.sine_cosine(x)

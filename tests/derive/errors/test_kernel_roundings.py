@@ -298,6 +298,7 @@ def carried_for_impacts() -> Floats:
     return np.abs(called("carry_impact", **given, **none))
 
 
+@pytest.mark.slow
 def test_an_impact_s_roundings_are_within_their_proved_bound() -> None:
     _, _, errors = impacts()
     bounds = impact_bounds()
@@ -305,6 +306,7 @@ def test_an_impact_s_roundings_are_within_their_proved_bound() -> None:
     assert np.any(errors > bounds / 8)
 
 
+@pytest.mark.slow
 def test_normal_and_impact_together_are_within_their_proved_bound() -> None:
     """The normal's error is carried through the impact, and the impact's roundings are added."""
     errors, bounds = together()

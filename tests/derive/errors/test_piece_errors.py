@@ -69,7 +69,7 @@ def _off(state: Sequence[mpf], error: Sequence[mpf], time: mpf) -> float:
     return float(mp.norm(wrong) / mp.norm(true))
 
 
-@pytest.mark.sampled(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", range(trials(4, at_least=2)))
 def test_carried_errors_are_those_of_a_neighbour_but_for_the_second_order_in_time(
     seed: int,

@@ -124,6 +124,7 @@ def arrivals(plane: str, leaving: bool) -> Arrival:
 PLANES = [("backboard", False), ("bridge", False), ("bridge", True), ("end", False)]
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize(("plane", "leaving"), PLANES)
 def test_the_rounding_of_an_arrival_on_a_plane_is_within_its_proved_bound(
     plane: str, leaving: bool

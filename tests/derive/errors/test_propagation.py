@@ -110,6 +110,7 @@ def off_by(computed: float, true: Fraction) -> mpf:
 states = st.fixed_dictionaries(dict.fromkeys("abcd", numbers))
 
 
+@pytest.mark.slow
 @often
 @given(expressions, states, st.data())
 def test_the_bound_holds_for_sums_and_products_in_any_order(
@@ -220,6 +221,7 @@ def with_sizes(start: dict[str, float]) -> dict[str, Any]:
     return PARAMETERS | start | sizes | {"position_error": 0, "velocity_error": 0, "leaving": 0}
 
 
+@pytest.mark.sampled(4)
 @flights
 @sometimes
 @given(
@@ -249,7 +251,7 @@ def test_the_flights_bounds_hold_its_roundings_and_the_errors_of_its_start(
                 assert abs(exactly(component, values)) <= magnitude
 
 
-@pytest.mark.sampled(6)
+@pytest.mark.sampled(4)
 @planes
 @flights
 @sometimes
@@ -276,7 +278,7 @@ def test_a_planes_margin_bounds_the_gap_at_its_computed_arrival(
         assert abs(gap) <= exactly(plane_margin(plane, flight), values)
 
 
-@pytest.mark.sampled(6)
+@pytest.mark.sampled(4)
 @planes
 @flights
 @sometimes

@@ -225,6 +225,7 @@ def random_errors(name: str) -> tuple[Floats, list[Floats]]:
     return at.errors(name), TERMS[name](at)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", TERMS)
 def test_the_roundings_of_the_ring_s_condition_are_within_their_proved_bound(name: str) -> None:
     errors, terms = random_errors(name)
@@ -240,6 +241,7 @@ LEFT_OUT = {
 }
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize(
     ("name", "left_out"), [(name, one) for name, some in LEFT_OUT.items() for one in some]
 )

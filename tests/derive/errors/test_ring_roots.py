@@ -153,6 +153,7 @@ def test_the_errors_of_a_root_on_the_ring_are_within_their_proved_bounds() -> No
     assert np.median(time_errors / late) > 0.05
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("left_out", range(3))
 def test_no_term_of_a_place_s_bound_may_be_left_out(left_out: int) -> None:
     """These are the flight's rounding, the way during the delay, and the fall during it."""
@@ -162,6 +163,7 @@ def test_no_term_of_a_place_s_bound_may_be_left_out(left_out: int) -> None:
     assert np.any(errors_of_roots()[1] > rest)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("leaving", [False, True])
 def test_neither_the_computed_condition_nor_its_rounding_may_be_left_out(leaving: bool) -> None:
     at = met_roots()

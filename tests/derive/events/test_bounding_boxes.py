@@ -80,6 +80,7 @@ def nearest(known: dict[str, Any], low: list[float], high: list[float]) -> Fract
     return min(squares)
 
 
+@pytest.mark.sampled(1)
 @pytest.mark.parametrize("plate", ["backboard", "bridge"])
 def test_a_plate_that_is_called_far_is_not_within_reach(plate: str) -> None:
     """Flights are exact; some are far around an edge alone, or over it alone."""

@@ -153,6 +153,7 @@ def _allowed_in_single(values: Mapping[str, Any]) -> dict[str, Floats]:
     }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("precision", ["double", "single"])
 def test_errors_within_the_budget_change_no_gap_by_more_than_its_margin(precision: str) -> None:
     """The largest changes come near to the margins, so that a wider budget would exceed them."""

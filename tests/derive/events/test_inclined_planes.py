@@ -100,6 +100,7 @@ def exact_arrival(c: Any, b: Any, a: Any) -> Any:
     return time if time >= 0 else None
 
 
+@pytest.mark.sampled(1)
 @pytest.mark.parametrize("returns", [False, True])
 def test_the_delay_bounds_the_error_of_the_root(module: ModuleType, returns: bool) -> None:
     """The computed time is within the delay of the exact root, which is no wild bound."""
@@ -129,6 +130,7 @@ def test_the_delay_bounds_the_error_of_the_root(module: ModuleType, returns: boo
     assert max(shares) > 0.02
 
 
+@pytest.mark.slow
 def test_a_plane_along_gravity_is_met_no_sooner_than_is_said(tmp_path: Path) -> None:
     """A ball that moves off a plane along gravity returns at once if roundings decide the sign."""
     made = scene("along", down=(0.2, -0.4, -1.0))

@@ -111,6 +111,7 @@ def _beside(case: str, off: float, random: np.random.Generator) -> Values:
     return begin(state) | {"restitution": size}
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("case", _edges())
 def test_a_ball_at_the_edge_of_a_body_is_near_within_all_errors_and_not_far_beyond(
     case: str,
@@ -131,6 +132,7 @@ def test_a_ball_at_the_edge_of_a_body_is_near_within_all_errors_and_not_far_beyo
     assert passed == 0
 
 
+@pytest.mark.slow
 def test_a_piece_whose_path_comes_into_the_ring_s_box_is_near_and_most_others_are_not() -> None:
     random = np.random.default_rng(13)
     outside, cleared = 0, 0

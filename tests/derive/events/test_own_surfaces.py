@@ -302,7 +302,7 @@ def _far() -> Scene:
     )
 
 
-@pytest.mark.sampled(2)
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "scene", [CHAMBER, POSTS, RINGS, CRATE, _far()], ids=lambda scene: str(scene.name)
 )

@@ -72,6 +72,7 @@ def test_bernstein_coefficients_are_weights_of_a_partition_of_one(degree: int) -
     assert same(combined.subs(rest, 1 - s), horner(P[: degree + 1], s * width))
 
 
+@pytest.mark.slow
 @quick
 @given(st.lists(st.fractions(-9, 9), min_size=1, max_size=7), st.fractions(0, 9))
 def test_bernstein_coefficients_enclose_the_polynomial(coefficients: list, extent: object) -> None:
@@ -277,6 +278,7 @@ SEARCHES = {
 searches = pytest.mark.parametrize("search", SEARCHES.values(), ids=list(SEARCHES))
 
 
+@pytest.mark.slow
 @searches
 def test_the_general_search_has_gap_rate_and_bend_of_its_condition(
     search: PolynomialRootFinder,

@@ -6,6 +6,7 @@ from itertools import pairwise
 
 import mpmath
 import numpy as np
+import pytest
 import sympy as sp
 from hoopgen.derive.events import root_finder_for
 from hoopgen.derive.events.event_polynomials import event_coefficients
@@ -199,6 +200,7 @@ def near_a_narrow_hole(count: int) -> dict[str, np.ndarray]:
     return values
 
 
+@pytest.mark.slow
 def test_the_margins_hold_the_roundings_of_their_formulas_and_not_by_far() -> None:
     """The largest error beside its bound.
 

@@ -121,6 +121,7 @@ def windows(seed: int, count: int, place: Place = near_wire) -> list[Window]:
     return made
 
 
+@pytest.mark.slow
 def test_the_curvature_bounds_how_much_the_gap_bends_down_and_is_near_to_that() -> None:
     spare = []
     for one in windows(3, trials(300, at_least=100)):
@@ -130,6 +131,7 @@ def test_the_curvature_bounds_how_much_the_gap_bends_down_and_is_near_to_that() 
     assert np.median(spare) < 0.8
 
 
+@pytest.mark.slow
 def test_the_curvature_bounds_how_much_the_gap_of_a_ball_bends_down_that_slows_down() -> None:
     for one in windows(5, trials(300, at_least=150), rising):
         assert (-one.both("bend") <= one.found["curvature"]).all()

@@ -91,6 +91,7 @@ def swift(random: np.random.Generator) -> Floats:
     return state
 
 
+@pytest.mark.slow
 def test_gap_and_rate_of_a_sketch_are_within_their_margins_which_are_not_useless() -> None:
     random = np.random.default_rng(11)
     gaps, rates, sketched = [], [], 0
@@ -191,6 +192,7 @@ def test_a_sketch_proves_only_misses_and_contacts_that_the_series_has() -> None:
     assert found["lands"] > len(states) // 8
 
 
+@pytest.mark.slow
 def test_a_sketch_proves_of_balls_that_leave_the_ring_only_what_is_true() -> None:
     random = np.random.default_rng(13)
     states = [bounced(random) for _ in range(trials(200, at_least=100))]

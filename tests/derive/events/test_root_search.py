@@ -99,6 +99,7 @@ def slopes(search: Search, values: dict[str, Any], t: mpf) -> tuple[mpf, mpf, mp
 # -- Bounds of the second derivative
 
 
+@pytest.mark.slow
 @searches
 @sometimes(150)
 @given(paths(), parts_of_one, parts_of_one)
@@ -116,6 +117,7 @@ def test_the_curvature_bounds_how_much_the_gap_bends_down(
             assert -slopes(search, values, later)[2] <= bound or not is_near(path, later)
 
 
+@pytest.mark.sampled(1)
 @searches
 @sometimes(150)
 @given(paths(), parts_of_one)
@@ -183,6 +185,7 @@ def first_arrival(search: Search, values: dict[str, Any]) -> mpf:
     return INFINITY
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("search", "general"), [(OWN, OCTIC), (BALL, BALL)], ids=["ring", "ball"])
 @sometimes(60)
 @given(paths())
@@ -218,7 +221,7 @@ def refined(refine: Mapping[str, sp.Expr], values: Mapping[str, Any]) -> tuple[m
     raise AssertionError("it does not converge")
 
 
-@pytest.mark.sampled(1)
+@pytest.mark.slow
 @searches
 @sometimes(80)
 @given(paths(), parts_of_one, st.floats(0, 0.49))
@@ -297,6 +300,7 @@ def test_a_clearance_promises_no_more_than_the_worst_gap_keeps(part: float) -> N
 CORNER = {"x": 0.2400189493131708, "y": 0.22360080349964567, "z": -0.09262333394088106, "vx": 1.0}
 
 
+@pytest.mark.sampled(1)
 @searches
 @sometimes(150)
 @given(paths(), parts_of_one, signs, st.sampled_from((0.0, 1e-12, 1e-9)))

@@ -14,6 +14,7 @@ from tests.helpers.past_ring import KINDS, begun, complaints, first_roots, known
 SEEDS = range(1, 1 + trials(2))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", SEEDS)
 def test_no_step_passes_the_first_root_and_what_is_certain_is_one(seed: int) -> None:
     """Flights are known to within all the errors that the search allows for.
@@ -23,6 +24,7 @@ def test_no_step_passes_the_first_root_and_what_is_certain_is_one(seed: int) -> 
     assert complaints(hoop, MAX_STEPS, seed) == []
 
 
+@pytest.mark.slow
 def test_it_serves_and_is_certain_of_most() -> None:
     """A search that never moves, or is never certain, would pass no root either."""
     shots, roots = known(SEEDS[0], 4000)

@@ -74,7 +74,7 @@ def assert_same(one: ResultArrays, other: ResultArrays, fields: tuple[str, ...])
 
 
 @pytest.mark.parametrize("cheap", [-1, 10**9], ids=["rows taken", "all done, then chosen"])
-@pytest.mark.sampled(1)
+@pytest.mark.slow
 def test_a_guarded_body_changes_nothing_outside_its_guard(
     cheap: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -307,6 +307,7 @@ def test_the_second_formulation_leaves_when_and_where_it_should() -> None:
         assert a == pytest.approx(there[0], rel=1e-15)
 
 
+@pytest.mark.slow
 @needs_library
 def test_both_engines_settle_and_roll_to_the_same_bits() -> None:
     scene = rolling.elastic(0.2)
@@ -339,6 +340,7 @@ def test_no_free_throw_with_grip_is_capped(restitution: float, count: int) -> No
 FOR_EVER = (8045, 43962, 57130)
 
 
+@pytest.mark.slow
 @needs_library
 def test_a_ball_that_rolls_for_ever_ends_as_soon_as_that_is_certain() -> None:
     states = free_throw(FOR_EVER[-1] + 1)[[*FOR_EVER]]
@@ -376,6 +378,7 @@ def _proved(ball: Rolling, berth: float) -> bool:
     return False
 
 
+@pytest.mark.slow
 def test_rolling_for_ever_takes_two_turning_points_room_and_being_pressed_on() -> None:
     swirl = (140.0, -0.4, 1.0, -0.2)
     assert _proved(Rolling(*swirl), 0.01)

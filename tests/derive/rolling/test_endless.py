@@ -46,6 +46,7 @@ def followed(room: Any, force: float = 0.0) -> tuple[list[float], float]:
     return turns, proved
 
 
+@pytest.mark.slow
 def test_the_proof_takes_a_whole_swing_that_is_safe() -> None:
     """Between turning points the ball has room and is pressed on."""
     turns, proved = followed(lambda _: 0.01)

@@ -241,6 +241,7 @@ def called(scene: Scene, kernel: str, **changed: float) -> dict[str, float]:
     return dict(zip(kernels.OUTPUTS[kernel], map(float, found), strict=True))
 
 
+@pytest.mark.slow
 def test_at_an_edge_the_velocity_is_off_by_the_change_of_the_force_times_the_delay() -> None:
     """Off a level plane the ball loses N = g, so much earlier or later as its errors say."""
     for shift in (0.0, 1e-11):
@@ -256,6 +257,7 @@ def test_at_an_edge_the_velocity_is_off_by_the_change_of_the_force_times_the_del
         assert let_go["dvz"] == flown["dvz"]
 
 
+@pytest.mark.slow
 def test_a_ball_comes_over_a_bound_as_late_as_its_errors_say() -> None:
     given = {"dx": 1e-12, "bound_rate": 0.5, "bound_shift": 1e-12, "bound_distance": -1e-17}
     found = called(GREEN, "entering_bound", x=0.1, fastest=1.0, strongest=10.0, **given)

@@ -64,6 +64,7 @@ def test_every_scene_allows_the_same_inertia() -> None:
     assert own == (float(MIN_INERTIA), float(MAX_INERTIA))
 
 
+@pytest.mark.sampled(2)
 @EACH_BALL
 def test_a_ball_begins_to_roll_as_the_article_s_contact_without_restitution_leaves_it(
     ball: Ball,
@@ -127,6 +128,7 @@ def test_the_first_terms_are_newton_s_and_euler_s_with_the_contact_point_at_rest
     assert sp.simplify(lifted - sp.Matrix([solution[p] for p in push]).dot(NORMAL)) == 0
 
 
+@pytest.mark.sampled(3)
 @EACH_BALL
 def test_on_a_ring_they_are_too_in_its_own_coordinates(ball: Ball) -> None:
     """The proof has rational sines: v' = a + N n + F, and s' from the normal's rotation."""

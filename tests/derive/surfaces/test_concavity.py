@@ -59,6 +59,7 @@ def first_zero(gap: float, rate: float, bend: float) -> float:
     return 2 * gap / (np.sqrt(rate**2 + 2 * bend * gap) - rate)
 
 
+@pytest.mark.sampled(6)
 @pytest.mark.parametrize("surface", SURFACES, ids=lambda s: s.name)
 def test_a_ball_meets_no_surface_sooner_than_its_bound_says(surface: Surface) -> None:
     """Along a straight line with the speed 1; the lines go past axes and centres, too."""

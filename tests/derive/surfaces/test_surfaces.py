@@ -86,6 +86,7 @@ def test_ring_condition_and_distance_vanish_together_and_have_the_same_sign() ->
     assert (ring.distance + reach).is_nonnegative
 
 
+@pytest.mark.slow
 def test_the_octics_constant_term_vanishes_at_every_contact_with_the_ring() -> None:
     constant = event_coefficients(RING, HOOP.flight)[0]
     assert sp.simplify(constant.subs(on_the_ring(RING), simultaneous=True)) == 0

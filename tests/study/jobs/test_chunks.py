@@ -245,6 +245,7 @@ with chunk_store.opened(sys.argv[1], Numbers().identity()):
 """
 
 
+@pytest.mark.slow
 def test_a_folder_is_for_one_process_until_it_ends_however_it_does(tmp_path: Path) -> None:
     with subprocess.Popen(
         script(HOLD, str(tmp_path)), stdin=subprocess.PIPE, stdout=subprocess.PIPE

@@ -70,7 +70,7 @@ def test_the_size_of_chunks_changes_no_bit(monkeypatch: pytest.MonkeyPatch) -> N
     assert (best(), forgiven(), table()) == wanted
 
 
-@pytest.mark.sampled(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("work", WORK.values(), ids=WORK)
 def test_what_was_interrupted_is_gone_on_from(
     work: Callable[..., Any], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
@@ -176,7 +176,7 @@ ASKED = {
 }
 
 
-@pytest.mark.sampled(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("asked", ASKED.values(), ids=ASKED)
 def test_the_commands_keep_their_chunks(asked: list[str], tmp_path: Path) -> None:
     wanted = succeed(*asked)

@@ -163,6 +163,7 @@ def _exactly_nearest(flight_: Floats, duration: float) -> Any:
         return min(_distance([x, y, z, vx, vy, vz], time) for time in inside)
 
 
+@pytest.mark.slow
 def test_the_nearest_place_of_a_flight_is_the_nearest_of_all() -> None:
     """Against all stationary points, at 60 digits: within the resolution, below 1e-12 m."""
     flights, durations = _flights(trials(60), seed=14)

@@ -100,6 +100,7 @@ def recorded(mixed: Batch) -> tuple[Batch, hoopgen.Shots]:
     return batch, hoopgen.simulate(batch.states, own, record=True)
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("height", HEIGHTS)
 def test_a_rebound_is_where_the_last_flight_comes_down_to_the_height(
     recorded: tuple[Batch, hoopgen.Shots], height: float
@@ -110,6 +111,7 @@ def test_a_rebound_is_where_the_last_flight_comes_down_to_the_height(
     assert none > occurrences(20) or height < RING_HEIGHT
 
 
+@pytest.mark.slow
 def test_so_it_is_on_the_whole_hoop_where_balls_roll() -> None:
     states = all_kinds(trials(150, at_least=150), seed=8)
     shots = hoopgen.simulate(states, scene=hoopgen.COURT, record=True)
@@ -252,6 +254,7 @@ def test_the_rest_of_an_estimate_is_the_same_with_measures_as_without() -> None:
     assert str(found).startswith(str(plain)[: str(plain).index("\n\nscene")])
 
 
+@pytest.mark.slow
 def test_measures_are_counted_the_same_by_whoever_counts(tmp_path: Path) -> None:
     wanted: dict[str, Any] = {"shots": 300_000, "measures": ["rebound_angle", "rebound_distance"]}
     found = hoopgen.estimate(PLAYER, **wanted, threads=1)
@@ -328,6 +331,7 @@ def test_a_catching_height_that_is_none_is_refused(
         hoopgen.batch(_table(tmp_path), tmp_path / "out.csv", catching_height=height)
 
 
+@pytest.mark.slow
 def test_measures_that_there_are_not_are_refused() -> None:
     with pytest.raises(ValueError, match=r"measures: unknown rebound; is rebound_y meant\? One of"):
         hoopgen.estimate(PLAYER, shots=10, measures=["rebound"])
@@ -442,6 +446,7 @@ def test_a_study_asks_for_measures_and_draws_rebounds(tmp_path: Path) -> None:
         run_study(_study(tmp_path, ASKED.replace("9 ft", "8 ft") + 'figures = ["rebounds"]\n'))
 
 
+@pytest.mark.sampled(1)
 @pytest.mark.parametrize("name", ["landings", "rebounds"])
 def test_a_picture_with_nothing_to_show_costs_no_answer(tmp_path: Path, name: str) -> None:
     """A player who never misses has no places of misses and gets an answer all the same."""
@@ -463,6 +468,7 @@ def test_a_catching_height_of_nothing_caught_is_refused() -> None:
     assert "--catching-height is of rebounds" in result.stderr
 
 
+@pytest.mark.slow
 def test_a_study_s_misses_are_on_the_court_of_its_scene(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -161,6 +161,7 @@ def test_a_slope_too_steep_for_friction_leaves_slip_of_any_size() -> None:
     assert (shots.outcome[0], shots.slip_left[0]) == (Outcome.CAPPED, True)
 
 
+@pytest.mark.slow
 def test_a_proof_agrees_with_a_shot_that_ends_with_slip_left() -> None:
     state = np.array([[-0.308, 0, 0.05, 0, 0, 0, 100.0, 0, 0]] * 2)
     state[1, 6] = 90.0

@@ -60,6 +60,7 @@ def test_the_efficiency_is_that_of_the_fit_of_a_track() -> None:
     assert efficiency(3).mean == pytest.approx(EFFICIENCY, rel=1e-6)
 
 
+@pytest.mark.slow
 def test_the_errors_of_the_estimate_are_as_large_as_tyler_says() -> None:
     """The scatter of estimated variances of many samples, against sigma_1 and sigma_2."""
     random, rows = np.random.default_rng(5), 200
@@ -195,6 +196,7 @@ def test_intervals_of_players_hold_and_shrunk_spreads_are_nearer() -> None:
     assert np.mean(np.square(shrunk)) < 0.8 * np.mean(np.square(alone))
 
 
+@pytest.mark.slow
 def test_players_with_many_releases_are_hardly_shrunk() -> None:
     random = np.random.default_rng(7)
     values = np.concatenate([thrown(random, 400, SD * k) for k in (0.5, 0.8, 1.0, 1.6)])
@@ -238,6 +240,7 @@ def test_fitted_releases_bring_their_errors() -> None:
     assert found.model.release["backspin"] == 18.0
 
 
+@pytest.mark.slow
 def test_an_estimate_of_a_fit_contains_the_uncertainty_of_the_sample() -> None:
     found = fit(thrown(np.random.default_rng(10), 60))
     estimate = hoopgen.estimate(found, NBA, shots=20_000)
@@ -336,6 +339,7 @@ def write(path: Path, group: bool = True) -> Path:
     return path
 
 
+@pytest.mark.slow
 def test_the_command_fits_and_says_both_intervals(tmp_path: Path) -> None:
     file = write(tmp_path / "shots.csv", group=False)
     words = ("estimate", "--from", file, "--height", "7ft", "--distance", "13.75ft", "--fitted")

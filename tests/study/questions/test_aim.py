@@ -65,6 +65,7 @@ def test_the_slope_of_an_entry_has_that_entry() -> None:
     assert sp.simplify(back - entry) == 0
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("below", [True, False])
 def test_the_least_speed_is_the_least(below: bool) -> None:
     """There the speed's square has no slope and bends upwards; both forms of the root."""
@@ -78,6 +79,7 @@ def test_the_least_speed_is_the_least(below: bool) -> None:
         assert bend.subs(slope, slowest).subs(values) > 0
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("below", [True, False])
 def test_both_slopes_of_a_speed_go_through_the_point(below: bool) -> None:
     """The heights h = (b - a)/2 and distances L² = a b make sqrt(h² + L²) = (a + b)/2 rational."""
@@ -361,6 +363,7 @@ def test_where_there_is_no_aim_or_no_goal_there_are_no_limits(table: dict[str, F
     assert np.isfinite([far[name][0] for name in TABLE]).all()
 
 
+@pytest.mark.slow
 def test_the_scene_and_what_counts_reach_the_limits() -> None:
     plain = aim_table([4.0], height=2.0)
     small = aim_table([4.0], height=2.0, parameters=hoopgen.PAPER | {"ball_radius": 0.09})
@@ -511,6 +514,7 @@ def test_a_shot_that_does_not_go_in_is_told() -> None:
     assert "does not go in" in result.stdout
 
 
+@pytest.mark.slow
 def test_an_aim_says_what_its_flight_does() -> None:
     """Python and the command line give its end, and the bodies that it meets before the point."""
     near = aim(height=7 * FOOT, distance=1.0)

@@ -22,6 +22,7 @@ LANDING = 1e-9
 """m, promised of every aim."""
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("scene", ["hoop", "air"])
 @pytest.mark.parametrize(
     "more",
@@ -162,6 +163,7 @@ def test_a_table_in_air_hits_with_its_spin() -> None:
     assert np.all(vacuum["speed"] < table["speed"])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("by", [{"aim": 0.05, "elevation": 0.9}, {"aim": 0.05, "entry": 0.8}])
 def test_releases_by_aim_and_entry_go_through_the_point_in_air(by: dict[str, float]) -> None:
     wanted = {name: value for name, value in by.items() if name != "aim"}

@@ -17,7 +17,11 @@ from tests.helpers.commands import failure, output
 
 pytest.importorskip("sympy")  # which derives the scenes
 
-pytestmark = [pytest.mark.xdist_group("field"), pytest.mark.usefixtures("soonest")]
+pytestmark = [
+    pytest.mark.slow,
+    pytest.mark.xdist_group("field"),
+    pytest.mark.usefixtures("soonest"),
+]
 
 LANDING = 1e-9
 """m, promised of every aim."""

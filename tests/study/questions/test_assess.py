@@ -55,6 +55,7 @@ def test_simulated_shares_are_no_certainties() -> None:
     assert simulated.log_likelihood == pytest.approx(np.log(0.5 / 101) + np.log(100.5 / 101))
 
 
+@pytest.mark.slow
 def test_players_are_reported_in_feet_and_mph() -> None:
     random, count = np.random.default_rng(3), 60
     states = hoopgen.release(

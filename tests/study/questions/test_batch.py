@@ -339,6 +339,7 @@ def test_whole_numbers_may_be_numpy_s(source: Path, tmp_path: Path) -> None:
     assert (tmp_path / "a.parquet").read_bytes() == (tmp_path / "b.parquet").read_bytes()
 
 
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize("name", ["throws.csv", "throws.parquet", "throws.arrow"])
 @pytest.mark.parametrize("when", ["before it is read", "while", "after the last chunk"])
 def test_a_source_that_changes_meanwhile_gives_no_result(
@@ -531,6 +532,7 @@ class Foreign:
         return self._table.__arrow_c_stream__(requested_schema)
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("kind", ["pandas", "arrow", "foreign"])
 def test_tables_in_memory_give_what_files_do(kind: str, source: Path, tmp_path: Path) -> None:
     hoopgen.batch(source, tmp_path / "a.parquet", release=PLACE, rows=60)
@@ -560,6 +562,7 @@ def test_what_is_no_table_is_refused() -> None:
         hoopgen.batch(pa.table(throws(3)), release=PLACE, format="csv")
 
 
+@pytest.mark.slow
 def test_csv_of_results_can_be_read_again(source: Path, tmp_path: Path) -> None:
     scene = hoopgen.NBA | {"gravity": 9.8}
     given: dict[str, Any] = {"release": PLACE, "parameters": scene, "measures": list(MEASURES)}

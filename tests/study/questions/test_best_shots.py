@@ -84,6 +84,7 @@ def test_no_other_angle_is_much_better(found: Any) -> None:
         assert hoopgen.estimate(other, NBA, shots=20_000, seed=3).probability < best + 0.04
 
 
+@pytest.mark.slow
 def test_left_mirrors_right(found: Any) -> None:
     rows = {
         (x, y): k for k, (x, y) in enumerate(zip(found["x"].values, found["y"].values, strict=True))

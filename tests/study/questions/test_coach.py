@@ -27,6 +27,7 @@ PLAYER = Scatter(
 )
 
 
+@pytest.mark.slow
 def test_the_default_player_makes_the_share_that_is_asked() -> None:
     found = hoopgen.coach(makes=0.6, place="left wing three", parameters=NBA, shots=SHOTS)
     assert found.made == pytest.approx(0.6, abs=0.01)
@@ -101,6 +102,7 @@ def test_what_cannot_be_coached_is_refused(options: dict[str, object], said: str
         hoopgen.coach(shots=100, **options)  # type: ignore[arg-type]
 
 
+@pytest.mark.slow
 def test_the_command_speaks_feet_and_draws(tmp_path: Path) -> None:
     pytest.importorskip("matplotlib")
     words = ("coach", "--makes", "70%", "--place", "free throw", "--preset", "nba", "--shots", 2000)
@@ -133,6 +135,7 @@ def test_the_page_has_each_part_before_and_after_and_loads_nothing(tmp_path: Pat
     assert "expected a file .html" in failure(*words, "--out", tmp_path / "coach.svg")
 
 
+@pytest.mark.slow
 def test_the_page_escapes_how_a_table_was_read(tmp_path: Path) -> None:
     pytest.importorskip("matplotlib")
     found = hoopgen.coach(PLAYER, parameters=NBA, shots=500)

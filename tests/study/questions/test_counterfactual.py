@@ -230,6 +230,7 @@ def test_another_time_limit_is_said_to_be_the_cause() -> None:
         hoopgen.counterfactual(shots, prove=False)
 
 
+@pytest.mark.slow
 def test_the_command(tmp_path: Path) -> None:
     shot = ["--speed", "7.3", "--elevation", "51deg", "--distance", "4.191", "--height", "2.1336"]
     picture = tmp_path / "changes.svg"

@@ -208,7 +208,7 @@ def test_a_model_may_be_one_s_own() -> None:
 # The same result
 
 
-@pytest.mark.sampled(2)
+@pytest.mark.slow
 @pytest.mark.parametrize("threads", [1, 2, 3])
 @pytest.mark.parametrize("backend", ["auto", "numpy"])
 def test_threads_and_backends_change_nothing(threads: int, backend: Any) -> None:

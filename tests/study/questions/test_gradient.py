@@ -66,6 +66,7 @@ def found(shots: int, seed: int, names: Any = NAMES, **options: Any) -> dict[str
     )
 
 
+@pytest.mark.slow
 def test_scores_agree_with_differences_over_the_same_random_numbers() -> None:
     shots = 200_000
     slopes = found(shots, 1)

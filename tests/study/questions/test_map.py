@@ -288,6 +288,7 @@ def thrown(monkeypatch: pytest.MonkeyPatch) -> list[tuple[int, int]]:
     return found
 
 
+@pytest.mark.sampled(1)
 @pytest.mark.parametrize("first", [1, 100, 256, 300])
 def test_a_folder_can_be_asked_for_more_shots_and_only_the_rest_is_thrown(
     first: int, tmp_path: Path, thrown: list[tuple[int, int]]
@@ -442,6 +443,7 @@ def test_where_nothing_can_be_simulated_it_says_so() -> None:
     assert "\nbest   none: no cell can be simulated\n\nscene    PAPER" in text
 
 
+@pytest.mark.slow
 def test_a_picture_is_drawn(tmp_path: Path) -> None:
     out = tmp_path / "map.svg"
     output(*GRID, *FREE_THROW, *SCATTER, "--shots", "40", "--picture", str(out))

@@ -126,6 +126,7 @@ UNSTEADY = SD | {"restitution": 0.3}
 """A spread of restitution so wide that some values are above 1, which makes shots invalid."""
 
 
+@pytest.mark.slow
 def test_an_invalid_shot_is_no_trial_of_an_optimum_as_of_an_estimate() -> None:
     found = optimum(Scatter(PLACE, UNSTEADY), ["elevation", "aim"], shots=2_000, seed=6, margins=())
     counted = hoopgen.estimate(Scatter(found.release, UNSTEADY), shots=2_000, seed=7)
@@ -138,6 +139,7 @@ def test_an_invalid_shot_is_no_trial_of_an_optimum_as_of_an_estimate() -> None:
     assert f"; 2,000 fresh shots, {found.invalid} of them invalid" in str(found)
 
 
+@pytest.mark.slow
 def test_a_pair_with_an_invalid_shot_does_not_count() -> None:
     over, place = ["elevation"], PLACE | {"aim": 0.03}
     unsteady = optimum(Scatter(place, UNSTEADY), over, shots=1_000, margins=())
@@ -170,6 +172,7 @@ def test_a_parameter_that_was_searched_over_is_that_of_the_scene() -> None:
     assert found.margins["restitution"].value == found.release["restitution"]
 
 
+@pytest.mark.slow
 def test_straight_in_front_the_best_direction_is_straight_on() -> None:
     release = PLACE | {"elevation": 52 * DEGREE, "aim": 0.04}
     found = optimum(
@@ -216,6 +219,7 @@ def test_the_same_question_has_the_same_answer() -> None:
     assert once.release != other.release
 
 
+@pytest.mark.slow
 def test_it_knows_where_its_flight_comes_down(best: Optimum) -> None:
     # eps times the distance, and some for the path through speed and back.
     assert best.depth == pytest.approx(best.release["aim"], abs=64 * np.finfo(float).eps * 4.2)
@@ -253,6 +257,7 @@ def test_usual_bounds_need_the_place_however_it_is_given() -> None:
         bounds_of(["elevation"], {"height": 2.0}, Player(Scatter({}, SD)))
 
 
+@pytest.mark.slow
 def test_everything_goes_into_json(best: Optimum) -> None:
     read = json.loads(json.dumps(best.as_dict(), allow_nan=False))
     assert read["release"] == best.release
@@ -260,6 +265,7 @@ def test_everything_goes_into_json(best: Optimum) -> None:
     assert read["flat"]["aim"] == list(best.flat["aim"])
 
 
+@pytest.mark.slow
 def test_what_is_not_a_number_is_none_in_json(best: Optimum) -> None:
     margin = replace(best.margins["speed"], low=np.nan, high=np.nan, steady=(np.nan, np.nan))
     margins = {**best.margins, "speed": margin}
@@ -316,7 +322,7 @@ def ends(margin: Margin) -> list[tuple[float, float]]:
 
 
 @pytest.mark.parametrize("which", ["best", "bank"])
-@pytest.mark.sampled(1)
+@pytest.mark.slow
 def test_at_the_ends_of_a_margin_the_outcome_changes(
     which: str, request: pytest.FixtureRequest
 ) -> None:
@@ -331,6 +337,7 @@ def test_at_the_ends_of_a_margin_the_outcome_changes(
     assert tried >= 12
 
 
+@pytest.mark.slow
 def test_a_margin_lists_the_other_ways_in(best: Optimum) -> None:
     speed = best.margins["speed"]
     assert speed.elsewhere  # faster, it goes in off the board
@@ -341,6 +348,7 @@ def test_a_margin_lists_the_other_ways_in(best: Optimum) -> None:
         assert not succeeds(best.arguments | {"speed": (left + right) / 2})
 
 
+@pytest.mark.slow
 def test_with_scatter_the_probability_falls_by_the_tolerance_at_the_ends(best: Optimum) -> None:
     few = best.shots  # fewer are not taken
     for name, margin in best.margins.items():
@@ -417,6 +425,7 @@ def test_lines_cross_where_they_were_drawn_through() -> None:
         crossing([[0.0, 0.0], [0.0, 1.0]], [[1.0, 1.0], [1.0, 2.0]])
 
 
+@pytest.mark.slow
 def test_the_ball_touches_the_board_a_radius_from_its_centre(bank: Optimum) -> None:
     touch = on_board(bank.arguments, bank.parameters)
     shots = hoopgen.simulate(hoopgen.release(**bank.arguments), record=True)
@@ -428,6 +437,7 @@ def test_the_ball_touches_the_board_a_radius_from_its_centre(bank: Optimum) -> N
     assert (touch["touch_y"], touch["touch_z"]) == (y, z)
 
 
+@pytest.mark.slow
 def test_a_release_points_along_its_line_of_sight(bank: Optimum) -> None:
     state = hoopgen.release(**bank.arguments)
     sight = on_board(bank.arguments, bank.parameters)["sight_y"]
@@ -463,6 +473,7 @@ def test_a_side_place_banks_better_and_a_far_front_place_does_not() -> None:
     assert chosen.speed.attrs["units"] == "m/s"
 
 
+@pytest.mark.slow
 def test_the_range_of_an_aim_point_holds_nine_tenths_of_the_made_bank_shots() -> None:
     release, place = {"height": 2.1336, "backspin": 6 * np.pi}, (1.5, 2.6)
     found = bank_or_direct(Scatter(release, SD), [place], shots=3_000, seed=4).isel(place=0)
@@ -486,6 +497,7 @@ def test_the_range_of_an_aim_point_holds_nine_tenths_of_the_made_bank_shots() ->
         assert np.mean(column < low) == pytest.approx(0.05, abs=1 / len(touched))
 
 
+@pytest.mark.slow
 def test_from_a_place_the_scene_may_be_given_in_the_release_too() -> None:
     release, changed = {"height": 2.1}, {"board_distance": 0.6, "restitution": 0.75}
     places, scene = [(1.0, 1.5)], hoopgen.PAPER | changed
@@ -495,6 +507,7 @@ def test_from_a_place_the_scene_may_be_given_in_the_release_too() -> None:
     assert within.identical(beside)
 
 
+@pytest.mark.slow
 def test_from_a_place_what_was_searched_of_the_scene_is_in_the_results() -> None:
     over = {"aim": (0.0, 1.0), "board_distance": (0.5, 0.7)}
     release = {"height": 2.1, "elevation": 0.93}

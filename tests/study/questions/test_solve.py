@@ -251,6 +251,7 @@ OPTIONS = [
 ]
 
 
+@pytest.mark.sampled(1)
 @pytest.mark.parametrize("share", ["70%", "0.7", " 70 %"])
 def test_the_command_says_and_writes_what_the_library_gives(share: str) -> None:
     wanted = of_player(shots=500)

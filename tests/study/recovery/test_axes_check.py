@@ -14,6 +14,7 @@ from tests.helpers.effort import trials
 from .tracks import noisy, throws
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize(
     ("unit", "size"), [("yards", 0.9144), ("feet", 0.3048), ("inches", 0.0254), ("cm", 0.01)]
 )
@@ -38,6 +39,7 @@ def test_heights_above_the_floor_are_told() -> None:
     assert set(found.reason) == {ABOVE_FLOOR}
 
 
+@pytest.mark.slow
 def test_good_tracks_are_not_suspected() -> None:
     """Whatever the noise and the rate are, and with the ball's slower fall in air."""
     for seed in range(trials(40, 10)):

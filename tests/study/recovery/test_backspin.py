@@ -153,6 +153,7 @@ def test_tracks_that_end_before_a_contact_show_no_backspin() -> None:
     np.testing.assert_allclose(given.covariance[:, :6, :6], plain.covariance, rtol=0.05, atol=1e-12)
 
 
+@pytest.mark.slow
 def test_draws_have_the_covariance_of_the_fit() -> None:
     thrown, _ = throws(300, 5)
     times = np.arange(0.0, 1.5, 1 / 60)
@@ -193,6 +194,7 @@ def test_what_was_known_before_is_taken_out_again() -> None:
     np.testing.assert_allclose(covariance[0], alone, rtol=1e-12, atol=0)
 
 
+@pytest.mark.slow
 def test_the_command_writes_backspins_with_their_errors(tmp_path: Path) -> None:
     pd = pytest.importorskip("pandas")
     thrown, _ = throws(300, 5)

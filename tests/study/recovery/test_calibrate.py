@@ -48,6 +48,7 @@ def test_contacts_and_outcomes_find_the_restitution() -> None:
     assert found.profile.max() == 0.0
 
 
+@pytest.mark.slow
 def test_outcomes_alone_say_less_than_contacts() -> None:
     table = shots(400, 2, 0.6)
     both = find(table).values["restitution"]
@@ -121,6 +122,7 @@ def ended(count: int, seed: int, restitution: float, error: float = 0.1) -> dict
     return {**measured, **PLACE, **places, "made": shots.made, "first": names[shots.first]}
 
 
+@pytest.mark.slow
 def test_rebounds_tell_more_than_outcomes() -> None:
     table = ended(300, 26, 0.6)
     with_places = find(table, rebound_error=0.1)
@@ -200,6 +202,7 @@ def written(file: Path, table: dict[str, Any]) -> Path:
     return file
 
 
+@pytest.mark.slow
 def test_the_command_reads_outcomes_and_draws_profiles(tmp_path: Path) -> None:
     pytest.importorskip("pyarrow")
     pytest.importorskip("matplotlib")

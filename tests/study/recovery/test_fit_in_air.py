@@ -71,6 +71,7 @@ def bounds(states: Floats, contact: Floats, times: Floats, noise: float) -> Floa
     return noise * np.sqrt(np.diagonal(np.linalg.inv(information), axis1=1, axis2=2))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("given", [0.01, None])
 def test_exact_tracks_give_exact_releases(given: float | None) -> None:
     states, contact = throws(20, 1)
@@ -81,6 +82,7 @@ def test_exact_tracks_give_exact_releases(given: float | None) -> None:
     np.testing.assert_allclose(found.states, states, rtol=0, atol=1e-5 if given else 1e-8)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("rate", "noise"), [(30, 0.02), pytest.param(120, 0.01, marks=pytest.mark.slow)]
 )
@@ -96,6 +98,7 @@ def test_errors_are_those_of_the_best_estimate(rate: int, noise: float) -> None:
     assert np.sqrt(np.mean(size**2)) == pytest.approx(1 / math.sqrt(EFFICIENCY), abs=slack)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("given", [True, pytest.param(False, marks=pytest.mark.slow)])
 def test_intervals_hold_as_often_as_they_say(given: bool) -> None:
     states, contact = throws(trials(600, 150), 7)
@@ -109,6 +112,7 @@ def test_intervals_hold_as_often_as_they_say(given: bool) -> None:
         assert binomtest(int(which.sum()), len(which), 0.95).pvalue > 0.01 / 6
 
 
+@pytest.mark.slow
 def test_a_release_before_the_first_frame_or_within_the_track_is_that_of_the_flight() -> None:
     states, contact = throws(20, 3)
     times = np.arange(0.1, LONGEST, 1 / 60)
@@ -138,6 +142,7 @@ def test_a_release_is_detected_after_frames_in_the_hand() -> None:
     assert np.mean(np.abs(found.time) <= 1.5 / 60) > 0.8
 
 
+@pytest.mark.slow
 def test_a_fit_without_air_is_wrong_by_what_air_does() -> None:
     states, contact = throws(50, 5)
     times = np.arange(0.0, LONGEST, 1 / 60)
@@ -153,6 +158,7 @@ def test_a_fit_without_air_is_wrong_by_what_air_does() -> None:
     assert abs(right) < 0.02
 
 
+@pytest.mark.slow
 def test_tracks_that_are_no_flights_hurt_no_others() -> None:
     states, contact = throws(3, 9)
     times = np.arange(0.0, LONGEST, 1 / 60)
@@ -168,6 +174,7 @@ def test_tracks_that_are_no_flights_hurt_no_others() -> None:
     np.testing.assert_allclose(found.states[2:], states, rtol=0, atol=1e-5)
 
 
+@pytest.mark.slow
 def test_a_fit_that_does_not_settle_says_so(monkeypatch: pytest.MonkeyPatch) -> None:
     states, contact = throws(3, 1)
     times = np.arange(0.0, LONGEST, 1 / 60)

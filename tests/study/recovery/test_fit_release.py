@@ -92,6 +92,7 @@ def test_exact_tracks_give_exact_releases(given: float | None) -> None:
     np.testing.assert_allclose(found.time, 1e4, rtol=0, atol=1e-9)
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize(("rate", "noise"), [(30, 0.03), (60, 0.02), (240, 0.01)])
 def test_errors_are_those_of_the_best_estimate(rate: int, noise: float) -> None:
     thrown = throws(trials(1500, 300), rate)
@@ -118,6 +119,7 @@ def covered(found: Any, thrown: Any, confidence: float = 0.95) -> dict[str, np.n
     }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("given", [True, False])
 def test_intervals_hold_as_often_as_they_say(given: bool) -> None:
     thrown = throws(trials(2000, 400), 7)
@@ -172,6 +174,7 @@ def test_standard_errors_are_those_of_draws() -> None:
         np.testing.assert_allclose(found.standard_errors[name], spread, rtol=0.03, atol=0)
 
 
+@pytest.mark.slow
 def test_draws_have_the_covariance_and_the_spin() -> None:
     thrown = throws(3, 3)
     times = np.arange(0.0, 1.6, 1 / 30)
@@ -188,6 +191,7 @@ def test_draws_have_the_covariance_and_the_spin() -> None:
     assert not np.array_equal(drawn, found.draw(40_000, seed=7))
 
 
+@pytest.mark.slow
 def test_the_covariance_is_of_the_noise_of_each_coordinate() -> None:
     thrown = throws(400, 11)
     times = np.arange(0.0, 1.6, 1 / 30)
@@ -203,6 +207,7 @@ def test_the_covariance_is_of_the_noise_of_each_coordinate() -> None:
 # ------------------------------------------------------------------------------- outliers and gaps
 
 
+@pytest.mark.sampled(1)
 @pytest.mark.parametrize("given", [0.01, None])
 def test_outliers_hardly_move_the_estimate(given: float | None) -> None:
     """With 5% outliers of 30 cm errors grow by less than a quarter; of least squares threefold."""
@@ -233,6 +238,7 @@ def test_outliers_hardly_move_the_estimate(given: float | None) -> None:
     assert np.all(error(np.pad(squares.slope.T, ((0, 0), (3, 3)))) > 3 * error(before.states))
 
 
+@pytest.mark.slow
 def test_gaps_and_order_change_nothing() -> None:
     thrown = throws(40, 16)
     times = np.arange(0.0, 1.6, 1 / 60)
@@ -282,6 +288,7 @@ def test_a_frame_that_is_there_twice_counts_once() -> None:
 # ---------------------------------------------------------------------------- the ends of a flight
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("rate", [30, 120])
 def test_frames_after_the_first_contact_are_cut(rate: int) -> None:
     thrown = throws(150, 19)
@@ -386,6 +393,7 @@ def test_tracks_that_are_no_flights_are_not_credible() -> None:
     assert TOO_FEW in text
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("length", "duration"), [(1 / 0.3048, 1.0), (1 / 0.0254, 1.0), (1000.0, 1.0), (1.0, 2.0)]
 )
@@ -401,6 +409,7 @@ def test_tracks_in_other_units_are_not_credible(length: float, duration: float) 
     assert np.isnan(found.made(10).probability).all()
 
 
+@pytest.mark.slow
 def test_of_releases_that_differ_widely_as_many_go_in_as_the_probabilities_say() -> None:
     """The distribution of a fit is that given the track if all releases are equally likely."""
     random, count = np.random.default_rng(8), trials(6000, 3000)
@@ -442,6 +451,7 @@ def test_a_bad_confidence_is_named(confidence: Any) -> None:
             call(confidence=confidence)
 
 
+@pytest.mark.slow
 def test_a_cut_that_does_not_settle_says_so() -> None:
     thrown = throws(60, 30)
     times = np.arange(0.0, 2.0, 1 / 120)
@@ -496,6 +506,7 @@ def test_a_scene_of_ones_own_has_its_own_contacts_and_ends() -> None:
 # --------------------------------------------------------------------------------------------- made
 
 
+@pytest.mark.slow
 def test_made_is_the_probability_given_the_track() -> None:
     """Over many shots as many are made as the probabilities say, and they tell shots apart."""
     count = trials(600, 300)

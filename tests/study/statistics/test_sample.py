@@ -103,6 +103,7 @@ def thrown_alike(one: Any, fold: Any) -> Any:
     return np.array(shares)
 
 
+@pytest.mark.slow
 def test_the_interval_contains_that_the_releases_of_the_folds_differ(best: Any) -> None:
     shares = thrown_alike(best, folds_of(MEASURED, best.seed))
     # The mean of five draws beside one more.
@@ -514,6 +515,7 @@ def test_a_deviation_in_degrees_is_refused(name: str) -> None:
 # What an optimum says of itself
 
 
+@pytest.mark.slow
 def test_an_optimum_says_in_which_ways_it_goes_in() -> None:
     player = hoopgen.Scatter(HERE | {"distance": 2.7, "angle": 50 * DEGREE}, SD)
     bank = hoopgen.optimum(player, ["elevation", "aim", "azimuth"], shots=1_000, margins=["height"])

@@ -43,6 +43,7 @@ def test_equal_probabilities_are_binomial() -> None:
         assert count_quantile(np.full(50_000, 0.37), at) == binom.ppf(at, 50_000, 0.37)
 
 
+@pytest.mark.slow
 def test_the_work_for_many_shots_is_small() -> None:
     """The distribution for a hundred thousand shots is less than forty deviations long."""
     random = np.random.default_rng(2)

@@ -99,7 +99,7 @@ def alone(code: str, *arguments: object) -> subprocess.CompletedProcess[str]:
 
 
 @pytest.mark.parametrize("name", WRITERS)
-@pytest.mark.sampled(1)
+@pytest.mark.slow
 def test_a_file_with_flipped_bytes_is_a_table_or_refused_by_name(name: str, tmp_path: Path) -> None:
     WRITERS[name](tmp_path / name)
     ran = alone(READ, tmp_path / name, trials(400))

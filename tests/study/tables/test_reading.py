@@ -177,6 +177,7 @@ def test_states_without_spin_assume_none() -> None:
     assert read.endswith("\nassumed: wx 0 rad/s, wy 0 rad/s, wz 0 rad/s")
 
 
+@pytest.mark.slow
 def test_every_command_says_how_it_read_the_table(thrown: Path, tmp_path: Path) -> None:
     scene = ("--preset", "paper")
     batch = succeed("batch", thrown, "--out", tmp_path / "o.csv", *COLUMNS, *scene)
@@ -415,6 +416,7 @@ def test_what_is_no_spreadsheet_is_refused_by_name(content: bytes, tmp_path: Pat
 # Results that are read again
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("name", ["r.csv", "r.tsv", "r.parquet"])
 def test_results_are_simulated_again_in_their_scene(
     name: str, thrown: Path, tmp_path: Path
@@ -606,6 +608,7 @@ def test_a_group_that_is_no_column_is_refused() -> None:
         hoopgen.batch(pa.table(THROWN), columns=MAPPED, by="team")
 
 
+@pytest.mark.sampled(8)
 @pytest.mark.parametrize(
     ("where", "rows"),
     [
@@ -891,6 +894,7 @@ def test_what_a_study_says_wrong_of_a_table_is_refused(
         hoopgen.run_study(file, tmp_path / "out")
 
 
+@pytest.mark.slow
 def test_a_malformed_row_in_another_encoding_is_one_line(tmp_path: Path) -> None:
     """The text of such a row cannot be decoded, of which pyarrow printed a traceback."""
     rows = b"speed_m_s,elevation_deg,player\n7.1,52,Ann\n7.1,52,Zo\xeb,1\n"
