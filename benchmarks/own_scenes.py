@@ -191,7 +191,8 @@ def as_markdown(rows: Sequence[Row], seconds: float) -> str:
         f"`make exactness` simulates {rows[0].shots:,} shots in each scene of `examples/scenes`, "
         f"with at most {MAX_CONTACTS} contacts each, and compares them with `hoopgen.certify`. "
         "[Exactness](exactness.md) explains the columns; here *flagged* is a share of all "
-        "shots. A ball that bounces ever lower, as on the green, is capped.",
+        "shots. A ball that bounces ever lower, as on the green, is capped; a shot with a roll, as "
+        "on the pinball table, is undecidable.",
         "",
         *table(head, cells),
         *(f"{what}: {value}  " for what, value in facts().items() if "peers" not in what),

@@ -128,53 +128,101 @@ def lost(
     known = [half for half in halves if half is not None]
     half, widest = minimum(*known), maximum(*known)
     far = barrier(extent + sp.Add(*map(sp.Abs, centre)) + widest)
-    falls = [(a, h) for a, h in zip(acceleration, halves, strict=True) if a != 0]
-    if not all(has_sign(a) for a, _ in falls) or not falls:
-        return _lost_with_any_gravity(far, half, halves, acceleration)
-    per_g = barrier(1 / minimum(*(sp.Abs(a) for a, _ in falls)))
-    latest: sp.Expr = horizon
-    if all(h is not None for _, h in falls):
-        latest = barrier(minimum(horizon, time_to_leave(barrier(far + half), per_g)))
+    latest = _latest(far, half, halves, acceleration)
+    flown = _flown(latest, halves, acceleration)
     moved = barrier(position_error + velocity_error * latest)
-    rounded = barrier(far + speed**2 * per_g) * sp.Rational(1, 2**48)
+    rounded = barrier(far + flown) * sp.Rational(1, 2**48)
     return barrier(moved + rounded) - RELATIVE_INFLATION / 4 * half
 
 
-def _lost_with_any_gravity(
-    far: sp.Expr, half: sp.Expr, halves: Sequence[sp.Expr | None], acceleration: Sequence[sp.Expr]
-) -> sp.Expr:
-    """Return the result of `lost` for an acceleration that may be zero along some axes.
+def left_for_good(
+    centre: Sequence[sp.Expr], distance: sp.Expr, acceleration: Sequence[sp.Expr]
+) -> tuple[sp.Expr, sp.Expr]:
+    """Return a time after which the ball, and the true one, is further off than a distance.
 
-    Along an axis without acceleration the ball, and the true one, has left the box after
-    T = 2 d / |v|: with errors e_p and e_v T of at most w, |p + v t| is from then on at least
-    2 d - |p| - 2 w, and grows. The first axis counts along which it has left, or the horizon.
+    It is that after which both have left the cube about the centre, or the horizon if that is
+    first. The second result is positive if errors until then are not far below the distance.
 
-    The roots of `_crossings` are off by a few roundings of themselves. On the way to -2 q / w that
-    is as much of q, and so is what cancels in D = v² + 2 g q, since then v² <= 4 g |q|. At w / g it
-    is as much of v²/g, or of (v + g T) T, with the T of the first axis: no later root counts. So a
-    component of gravity that is a rounding error, whose own roots come after aeons, loses nothing.
+    Parameters
+    ----------
+    centre
+        The point from which the distance counts, (3,), m.
+    distance
+        The distance, m.
+    acceleration
+        That of the free ball, (3,), m/s²; components may be 0.
     """
+    far = barrier(extent + sp.Add(*map(sp.Abs, centre)) + distance)
+    latest = _latest(far, distance, [distance] * 3, acceleration)
+    moved = barrier(position_error + velocity_error * latest)
+    return latest, moved - RELATIVE_INFLATION / 4 * distance
+
+
+def _latest(
+    far: sp.Expr,
+    half: sp.Expr,
+    halves: Sequence[sp.Expr | None],
+    acceleration: Sequence[sp.Expr],
+) -> sp.Expr:
+    """Return the time until which the true ball may be in a box, or the horizon if that is first.
+
+    If the acceleration may be zero, let d be `far`. Along an axis without acceleration the ball,
+    and the true one, has left the box after T = 2 d / |v|: with errors e_p and e_v T of at most w,
+    |p + v t| is from then on at least 2 d - |p| - 2 w, and grows. The first axis counts along which
+    it has left.
+    """
+    falls = [(a, h) for a, h in zip(acceleration, halves, strict=True) if a != 0]
+    if _always_falls(falls):
+        per_g = _per_least(falls)
+        if any(h is None for _, h in falls):
+            return horizon
+        return barrier(minimum(horizon, time_to_leave(barrier(far + half), per_g)))
     latest: sp.Expr = horizon
-    strengths: list[tuple[sp.Expr, sp.Expr]] = []
     for v, a, own in zip(VELOCITY, acceleration, halves, strict=True):
         if own is None:
             continue
         leaving = IfLess(0, absolute(v), 2 * far / absolute(v), sp.oo)
         if a != 0:
             g = barrier(absolute(a))
-            per_g = barrier(1 / divisor(g))
-            strengths.append((g, per_g))
-            falling = barrier(time_to_leave(barrier(far + half), per_g))
+            falling = barrier(time_to_leave(barrier(far + half), barrier(1 / divisor(g))))
             leaving = IfLess(0, g, falling, leaving)
         latest = barrier(minimum(latest, leaving))
+    return latest
+
+
+def _flown(
+    latest: sp.Expr, halves: Sequence[sp.Expr | None], acceleration: Sequence[sp.Expr]
+) -> sp.Expr:
+    """Return a length of whose size the roundings of the windows are.
+
+    The roots of `_crossings` are off by a few roundings of themselves. On the way to -2 q / w that
+    is as much of q, and so is what cancels in D = v² + 2 g q, since then v² <= 4 g |q|. At w / g it
+    is as much of v²/g, or of (v + g T) T, with the T of the first axis along which the ball has
+    left the box: no later root counts. So a component of gravity that is a rounding error, whose
+    own roots come after aeons, loses nothing.
+    """
+    falls = [(a, h) for a, h in zip(acceleration, halves, strict=True) if a != 0]
+    if _always_falls(falls):
+        return speed**2 * _per_least(falls)
     flown: sp.Expr = sp.Integer(0)
-    for g, per_g in strengths:
+    for a, own in falls:
+        if own is None:
+            continue
+        g = barrier(absolute(a))
         longest = barrier(barrier(speed + g * latest) * latest)
-        high = barrier(minimum(barrier(speed**2 * per_g), longest))
+        high = barrier(minimum(barrier(speed**2 * barrier(1 / divisor(g))), longest))
         flown = barrier(maximum(flown, IfLess(0, g, high, 0)))
-    moved = barrier(position_error + velocity_error * latest)
-    rounded = barrier(far + flown) * sp.Rational(1, 2**48)
-    return barrier(moved + rounded) - RELATIVE_INFLATION / 4 * half
+    return flown
+
+
+def _always_falls(falls: Sequence[tuple[sp.Expr, sp.Expr | None]]) -> bool:
+    """Return whether the acceleration is known to be one, along all axes along which it may be."""
+    return bool(falls) and all(has_sign(a) for a, _ in falls)
+
+
+def _per_least(falls: Sequence[tuple[sp.Expr, sp.Expr | None]]) -> sp.Expr:
+    """Return 1/g of the axis along which the acceleration is least."""
+    return barrier(1 / minimum(*(sp.Abs(a) for a, _ in falls)))
 
 
 def time_to_leave(far: sp.Expr, per_g: sp.Expr) -> sp.Expr:

@@ -13,6 +13,7 @@ import sympy as sp
 
 from ..surfaces import Plane, Surface
 from ..surfaces.torus import Toroidal
+from ..surfaces.two_sided import TwoSided
 from ..symbolic.conditionals import IfAtMost, IfLess, absolute, barrier, maximum, minimum, release
 from ..symbolic.error_terms import curving, earliest_delay
 from ..symbolic.polynomials import Coefficients, bernstein, compose, derivative, mean_rate
@@ -26,7 +27,7 @@ from ..symbolic.rounding import (
     velocity_error,
 )
 from ..symbolic.symbols import POSITION, UNIT_ROUNDOFF, VELOCITY, t
-from .box_windows import clear, lost, windows
+from .box_windows import clear, left_for_good, lost, windows
 from .event_polynomials import Window, ceiling, event_coefficients, horizon, time_rounding
 from .root_finder import RootFinder
 
@@ -107,18 +108,34 @@ class PolynomialRootFinder(RootFinder):
 
     @property
     def windows(self) -> list[Window]:
-        """The times at which the ball is in the surface's box, or up to Cauchy's bound."""
+        """The times at which the ball is in the surface's box, or up to Cauchy's bound.
+
+        Without a box they end where the ball has left the surface for good, if that is known.
+        """
         centre, halves = self.surface.reference_point, self.surface.half_sizes
         if not self._boxed:
             last, higher = self._last_sure_root()
             beyond = IfLess(horizon, sp.oo, sp.oo, last)
-            return [(sp.Integer(0), IfLess(0, higher, beyond, last))]
+            until = IfLess(0, higher, beyond, last)
+            if self._left is not None:
+                until = minimum(barrier(until), self._left[0])
+            return [(sp.Integer(0), until)]
         offsets = (barrier(p - c) for p, c in zip(POSITION, centre, strict=True))
         found = windows(list(zip(offsets, VELOCITY, self.flight.acceleration, strict=True)), halves)
         if None in halves:
             last = self._last_root()
             found = [(low, minimum(high, last)) for low, high in found]
         return found
+
+    @property
+    def _left(self) -> tuple[sp.Expr, sp.Expr] | None:
+        """Time after which the ball is too far off for good, as in `left_for_good`, if known."""
+        furthest = self.surface.furthest if isinstance(self.surface, TwoSided) else None
+        if furthest is None:
+            return None
+        pull = self.flight.acceleration
+        until, missed = left_for_good(self.surface.reference_point, furthest, pull)
+        return barrier(until), barrier(missed)
 
     def _sized_coefficients(self) -> list[tuple[sp.Expr, sp.Expr]]:
         """Return a bound below the size of each coefficient, and one above it, constant first."""
@@ -156,10 +173,14 @@ class PolynomialRootFinder(RootFinder):
     def lost(self) -> sp.Expr:
         """Positive if errors come near to the inflation of the box, or a last root is not certain.
 
-        Without a box that is so if the degree is not certain, and there is no horizon.
+        Without a box that is so if the degree is not certain, and nothing else ends the search.
         """
         if not self._boxed:
-            return IfLess(horizon, sp.oo, 0, self._last_sure_root()[1])
+            higher = self._last_sure_root()[1]
+            if self._left is None:
+                return IfLess(horizon, sp.oo, 0, higher)
+            until, missed = self._left
+            return IfLess(0, missed, 1, IfLess(until, sp.oo, 0, higher))
         return lost(self.surface.reference_point, self.surface.half_sizes, self.flight.acceleration)
 
     @property

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
+from ..symbolic.conditionals import barrier, release
 from ..symbolic.symbols import POSITION, position
 from .rolling_surface import RollingSurface
 from .surface import Point, translated
@@ -53,10 +54,36 @@ class Cylinder(Round):
         return sp.Add(*(self._side * c**2 for c in self._across), -self._side * self.radius**2)
 
     @property
+    def reference_point(self) -> Point:
+        """The point of the axis half way between the ends, if both are known."""
+        if self._span is None:
+            return self.centre
+        low, high = self._span
+        middle = barrier((low + high) / 2)
+        x, y, z = (middle if u else own for u, own in zip(self.direction, self.centre, strict=True))
+        return x, y, z
+
+    @property
     def half_sizes(self) -> tuple[sp.Expr | None, ...]:
-        """The radius across the axis, if that is a coordinate axis."""
-        known = 1 in map(abs, self.direction)
-        return tuple(self.radius if known and not u else None for u in self.direction)
+        """The radius across the axis, if that is a coordinate axis, and half of the length."""
+        if 1 not in map(abs, self.direction):
+            return (None, None, None)
+        half = None if self._span is None else barrier((self._span[1] - self._span[0]) / 2)
+        return tuple(half if u else self.radius for u in self.direction)
+
+    @property
+    def _span(self) -> tuple[sp.Expr, sp.Expr] | None:
+        """Coordinates of both ends along an axis of the scene, from bounds across it."""
+        if 1 not in map(abs, self.direction):
+            return None
+        along = POSITION[list(map(abs, self.direction)).index(1)]
+        ends: dict[sp.Expr, sp.Expr] = {}
+        for limit in map(release, self.limits):
+            if limit.free_symbols & set(POSITION) == {along}:
+                ends.setdefault(sp.diff(limit, along), limit)
+        if not {1, -1} <= ends.keys():
+            return None
+        return sp.expand(ends[sp.Integer(-1)] + along), sp.expand(along - ends[sp.Integer(1)])
 
     @property
     def enclosed(self) -> bool:

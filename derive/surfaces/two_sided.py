@@ -23,11 +23,15 @@ class TwoSided(Surface):
         True if the ball touches it from inside.
     reach
         The ball's radius, if the surface is a thin shell; None if all behind the surface is body.
+    furthest
+        Distance from the `reference_point` within which the ball is at every contact; None: it is
+        not known.
     """
 
     limits: tuple[sp.Expr, ...] = field(default=(), kw_only=True)
     inward: bool = field(default=False, kw_only=True)
     reach: sp.Expr | None = field(default=None, kw_only=True)
+    furthest: sp.Expr | None = field(default=None, kw_only=True)
 
     @property
     def _side(self) -> int:

@@ -35,6 +35,7 @@ from hoopgen.derive.surfaces import (
     torus,
 )
 from hoopgen.derive.surfaces.directions import along, squared_distance, squared_length
+from hoopgen.derive.symbolic.conditionals import barrier, maximum
 from hoopgen.derive.symbolic.symbols import POSITION
 
 from .bounds import Terms
@@ -252,6 +253,10 @@ class _Builder:
         span = self._span(shape, "centre", "span from", "span to")
         radius, sides = self._curved(shape, span)
         axis, direction = self._vector(shape, "axis"), self._vector(shape, "direction")
+        if len(span) == 2:
+            aside = (sp.Abs(c - a) for c, a in zip(self._centre(shape), axis, strict=True))
+            ends = (sp.Abs(self._sympy(shape[f"span {end}"])) for end in ("from", "to"))
+            sides["furthest"] = radius + maximum(*ends) + sp.Add(*aside)
         return (ObliqueCylinder(shape.name, axis, direction, radius, **sides),)
 
     def _cone(self, shape: Shape) -> tuple[Surface, ...]:
@@ -259,16 +264,23 @@ class _Builder:
         bounds = self._span(shape, "apex", "contact from", "contact to")
         apex, direction = self._vector(shape, "apex"), self._vector(shape, "direction")
         shell = self._ball if shape.inside and (bounds or shape.bounds) else None
+        slope, sizes = self._sympy(shape["slope"]), dict(shape.sizes)
+        furthest = None
+        if "contact to" in sizes:
+            per_height = barrier(sp.sqrt(1 + slope**2))
+            to_apex = self._ball * per_height / slope
+            furthest = (self._sympy(sizes["contact to"]) + to_apex) * per_height
         side = Cone(
             shape.name,
             self._vector(shape, "contact apex"),
             direction,
-            self._sympy(shape["slope"]),
+            slope,
             limits=bounds,
             inward=shape.inside,
             reach=shell,
+            furthest=furthest,
         )
-        if shape.inside or "span from" in dict(shape.sizes):
+        if shape.inside or "span from" in sizes:
             return self._within(shape, side)
         tip = Sphere(f"{shape.name}_apex", apex, self._ball, limits=(-bounds[0],))
         return self._within(shape, side, tip)

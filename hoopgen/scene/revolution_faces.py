@@ -23,7 +23,7 @@ from hoopgen.derive.surfaces import (
     Torus,
 )
 from hoopgen.derive.surfaces.directions import along, distance_from_axis, per_length
-from hoopgen.derive.symbolic.conditionals import IfLess, absolute, barrier
+from hoopgen.derive.symbolic.conditionals import IfLess, absolute, barrier, maximum
 from hoopgen.derive.symbolic.symbols import POSITION
 
 from .formulas import Formula
@@ -138,7 +138,8 @@ class _Faces:
         for side, inward in self._round(line):
             apex = self._vector(sizes, f"{side} apex")
             name = f"{self._name}_{side}_{number}"
-            yield Cone(name, apex, (x, y, z), sizes["slope"], **self._sides(bounds, inward))
+            own = self._sides(bounds, inward) | {"furthest": self._furthest(line, apex)}
+            yield Cone(name, apex, (x, y, z), sizes["slope"], **own)
 
     def _round(self, line: Line) -> list[tuple[str, bool]]:
         return [("outside", False), ("inside", True)][: 2 if line.inner else 1]
@@ -150,7 +151,17 @@ class _Faces:
             name, radius = f"{self._name}_{side}_{number}", sizes["radius"]
             reach = radius - self._ball if inward else radius + self._ball
             axis = self._vector(sizes, "axis")
-            yield kind(name, axis, self._direction, reach, **self._sides(bounds, inward))
+            own = self._sides(bounds, inward) | {"furthest": self._furthest(line, axis)}
+            yield kind(name, axis, self._direction, reach, **own)
+
+    def _furthest(self, line: Line, origin: Point) -> sp.Expr:
+        """Return how far a ball that touches a piece is at most from a point of the axis."""
+        far = []
+        for vertex in _numbers(line):
+            place = map(self._sympy, self._profile.vertices[vertex].place)
+            apart = (sp.Abs(a - b) for a, b in zip(place, origin, strict=True))
+            far.append(self._vertices[vertex][0] + sp.Add(*apart))
+        return maximum(*far) + self._ball
 
     def _disc(self, number: int, line: Line, bounds: Bounds) -> Iterator[Surface]:
         at = dict(line.sizes)["at"]

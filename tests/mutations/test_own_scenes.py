@@ -438,7 +438,7 @@ FAULTS = (
         in_text(
             PolynomialRootFinder,
             "lost",
-            "return IfLess(horizon, sp.oo, 0, self._last_sure_root()[1])",
+            "return IfLess(horizon, sp.oo, 0, higher)",
             "return sp.Integer(0)",
         ),
         pipe["a_ball_that_hardly_moves_across_a_pipe_is_flagged"],

@@ -1,0 +1,79 @@
+"""Deliberate faults in where a search ends that no end of the scene bounds: each trips a test."""
+
+from __future__ import annotations
+
+import pytest
+from hoopgen.derive.events import box_windows
+from hoopgen.derive.surfaces import Cylinder
+
+from hoopgen.scene.derivation import _Builder
+from hoopgen.scene.revolution_faces import _Faces
+from tests.derive.events import test_left_for_good
+from tests.helpers.checked_faults import OfFormulas, Planted, passing, tripping
+from tests.helpers.effort import spread
+from tests.helpers.mutants import in_text
+from tests.scene import test_furthest
+
+pytestmark = pytest.mark.xdist_group("left_for_good_mutations")
+
+left_for_good = OfFormulas(
+    test_left_for_good.test_after_it_the_true_ball_is_further_off_with_all_errors_one_way,
+    (("down",), ("any",)),
+)
+
+
+def contacts(body: str) -> OfFormulas:
+    """Return the test of how far the contacts with a body are from its reference point."""
+    return OfFormulas(test_furthest.test_no_contact_is_further_off_than_is_known, ((body,),))
+
+
+FAULTS = (
+    Planted(
+        "a falling ball has left for good in a quarter of the time",
+        in_text(
+            box_windows,
+            "_latest",
+            "time_to_leave(barrier(far + half), per_g)",
+            "time_to_leave(barrier(far + half), per_g) / 4",
+        ),
+        left_for_good,
+    ),
+    Planted(
+        "a ball without gravity has left for good when it has flown half of the distance",
+        in_text(box_windows, "_latest", "2 * far / absolute(v)", "far / absolute(v) / 2"),
+        left_for_good,
+    ),
+    Planted(
+        "errors may be as large as the distance at which a ball is too far off",
+        in_text(
+            test_left_for_good,
+            "left_for_good",
+            "RELATIVE_INFLATION / 4 * distance",
+            "64 * distance",
+        ),
+        left_for_good,
+    ),
+    Planted(
+        "contacts with a cone are as near to its apex as if it were a quarter as long",
+        in_text(_Builder, "_cone", "+ to_apex) * per_height", "+ to_apex) * per_height / 4"),
+        contacts("cone"),
+    ),
+    Planted(
+        "contacts with a cylinder are as far off as its centre is from that point of the axis",
+        in_text(_Builder, "_oblique_cylinder", "radius + maximum(*ends) + ", ""),
+        contacts("tube"),
+    ),
+    Planted(
+        "contacts with a piece of a profile are a quarter as far off",
+        in_text(_Faces, "_furthest", "maximum(*far) + self._ball", "maximum(*far) / 4"),
+        contacts("bowl"),
+    ),
+    Planted(
+        "a cylinder is half as long",
+        in_text(Cylinder, "half_sizes", "self._span[0]) / 2", "self._span[0]) / 4"),
+        contacts("pipe"),
+    ),
+)
+
+test_without_a_fault_every_check_passes = passing(spread(FAULTS))
+test_a_fault_trips_its_check = tripping(spread(FAULTS))
