@@ -30,6 +30,7 @@ def test_the_mean_throw_falls_through_the_centre_of_the_ring() -> None:
     assert abs(float(depth[0])) < 1e-3
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("peer", FLYING, ids=lambda peer: peer.key)
 def test_peers_fly_the_same_equations(peer: air.Peer) -> None:
     states = air.throws(12)

@@ -237,6 +237,7 @@ def test_the_zoo_has_the_same_bits_in_numpy_and_c(
             assert same_bits(left, right).all(), name
 
 
+@pytest.mark.slow
 def test_the_zoo_has_the_same_bits_for_rows_and_for_one_shot(tmp_path: Path) -> None:
     """At ordinary and at extreme inputs, zeros' signs included."""
     source = tmp_path / "zoo.py"

@@ -523,7 +523,7 @@ def test_each_derived_kernel_is_generated_with_its_arguments_and_outputs() -> No
         assert hoop.OUTPUTS[kernel.name] == kernel.output_names
 
 
-@pytest.mark.sampled(4)
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize(
     "name", ["flight", "impact", "end_bounds", "ring_coefficients", "ring_normal"]
 )

@@ -49,6 +49,7 @@ def test_memory_of_an_array_that_is_gone_is_used_again() -> None:
     assert place(array_pool.empty(LARGE, DOUBLE)) == where
 
 
+@pytest.mark.slow
 def test_blocks_begin_with_a_line_of_the_caches() -> None:
     arrays = [array_pool.empty((LARGE[0] + more, 3), DOUBLE) for more in (0, 5, 7000)]
     assert [place(array) % array_pool.LINE for array in arrays] == [0, 0, 0]

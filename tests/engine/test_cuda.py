@@ -81,6 +81,7 @@ def test_a_block_that_does_not_fit_after_all_is_halved(
     assert same(found, HOOP.simulate(states, backend="numpy"))
 
 
+@pytest.mark.slow
 def test_without_memory_for_a_shot_the_error_is_one_line(device: HostCuPy) -> None:
     device.memory = device.used + 100
     try:

@@ -76,7 +76,7 @@ def usual_bits(backend: Any, options: str) -> dict[str, bytes]:
     return bits(HOOP.simulate(STATES, backend=backend, **OPTIONS[options]))
 
 
-@pytest.mark.sampled(3)
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("options", OPTIONS)
 @pytest.mark.parametrize("mode", MODES)
 @pytest.mark.parametrize("backend", BACKENDS)

@@ -277,6 +277,7 @@ def test_another_library_numpy_or_source_is_compared_again(
     assert [compared(library) for _ in range(2)] == [True, False]
 
 
+@pytest.mark.slow
 def test_without_a_place_beside_the_library_the_users_cache_has_the_stamp(
     library: Path, tmp_path: Path
 ) -> None:
@@ -350,6 +351,7 @@ def test_one_wrong_bit_of_one_field_is_found_and_not_stamped(library: Path, fiel
     assert not (library.parent / "__pycache__").exists()
 
 
+@pytest.mark.slow
 def test_the_shots_compared_show_every_outcome_surface_and_doubt() -> None:
     engine, seen = Counted(), []
     if HOOP.library is None:

@@ -262,7 +262,7 @@ def test_left_and_right_are_mirror_images_to_the_bit(preset: str) -> None:
 # -- Into no body
 
 
-@pytest.mark.sampled(4)
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("preset", PRESETS)
 @pytest.mark.parametrize("kind", KINDS)
 def test_no_flight_goes_into_a_body(kind: str, preset: str) -> None:
@@ -391,6 +391,7 @@ def test_a_passing_that_rounding_could_turn_is_in_doubt(backend: Any) -> None:
 # -- The engines and the judge
 
 
+@pytest.mark.sampled(15)
 @pytest.mark.parametrize("kind", KINDS)
 @pytest.mark.parametrize("preset", PRESETS)
 def test_both_engines_give_the_same_bits(kind: str, preset: str) -> None:
@@ -406,7 +407,7 @@ def every_field() -> tuple[str, ...]:
     return (*COURT.layout.fields, *COURT.layout.bounds)
 
 
-@pytest.mark.sampled(10)
+@pytest.mark.sampled(8)
 @pytest.mark.parametrize("kind", KINDS)
 @pytest.mark.parametrize("preset", ["paper", "nba"])
 def test_what_is_not_marked_is_as_the_judge_proves_it(kind: str, preset: str) -> None:

@@ -74,6 +74,7 @@ def same_bits(shots: Any, found: Any) -> None:
         assert one.tobytes() == other.tobytes(), name
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("backend", BACKENDS)
 @pytest.mark.parametrize("scene", [hoopgen.HOOP, hoopgen.COURT], ids=["hoop", "court"])
 def test_jax_gives_the_bits_of_simulate(scene: Engine, backend: Any) -> None:

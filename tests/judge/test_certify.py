@@ -841,6 +841,7 @@ def test_a_proof_ends_where_bounces_accumulate_and_says_so() -> None:
     assert proof.until == pytest.approx(first + (second - first) / (1 - 0.6), rel=0, abs=1e-6)
 
 
+@pytest.mark.slow
 def test_a_proof_agrees_with_shots_as_far_as_it_goes() -> None:
     states = np.array([ONTO_THE_BRIDGE, TO_THE_SIDE])
     shots = hoopgen.simulate(states, SMALL_BALL, scene=hoopgen.COURT, record=True)

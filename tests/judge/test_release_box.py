@@ -174,6 +174,7 @@ def test_a_single_release_is_a_box_without_width() -> None:
     assert len(proof.outcomes) == 1
 
 
+@pytest.mark.slow
 def test_a_ball_that_starts_in_a_body_or_rolls_is_not_proved_to_be_anything_else() -> None:
     inside = hoopgen.certify_box({"x": 0.235, "z": 0.0}, {"vx": 0.1})
     assert inside.proved

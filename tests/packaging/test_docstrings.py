@@ -120,6 +120,7 @@ def test_a_docstring_begins_with_a_statement(path: str) -> None:
     assert not vague
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("path", WITH_SENTENCES)
 def test_the_first_line_is_a_sentence(path: str) -> None:
     unended = [

@@ -92,7 +92,7 @@ def test_a_metre_is_as_long_across_as_up(picture: tuple[ArticleResult, Figure]) 
         assert across[0] - origin[0] == pytest.approx(up[1] - origin[1], rel=1e-9, abs=0)
 
 
-@pytest.mark.sampled(4)
+@pytest.mark.slow
 def test_the_ball_is_drawn_to_scale_at_release_and_events(
     picture: tuple[ArticleResult, Figure],
 ) -> None:
@@ -109,7 +109,7 @@ def test_the_ball_is_drawn_to_scale_at_release_and_events(
         assert any(np.array_equal(place, centre) for centre in centres)
 
 
-@pytest.mark.sampled(7)
+@pytest.mark.slow
 def test_every_contact_is_numbered_once(picture: tuple[ArticleResult, Figure]) -> None:
     result, figure = picture
     for axes in views(figure).values():
@@ -121,6 +121,7 @@ def test_every_contact_is_numbered_once(picture: tuple[ArticleResult, Figure]) -
         assert numbers == list(range(1, len(result.sequence) + 1))
 
 
+@pytest.mark.sampled(7)
 def test_no_text_lies_on_another_or_off_the_page(picture: tuple[ArticleResult, Figure]) -> None:
     _, figure = picture
     canvas = figure.canvas

@@ -355,6 +355,7 @@ def test_many_paths_are_drawn_by_how_they_end(netball: Engine) -> None:
     assert shots.plot(ax=axes) is axes
 
 
+@pytest.mark.slow
 def test_on_axes_a_shot_has_a_key_in_the_colours_of_the_bodies(netball: Engine) -> None:
     axes = Figure().add_subplot()
     netball.simulate(SHOT, record=True).trajectory(0).plot(ax=axes)
@@ -413,6 +414,7 @@ def test_a_page_has_the_bodies_and_where_they_are_touched(netball: Engine) -> No
     assert page(shots, shots.parameters) == page(shots, shots.parameters)
 
 
+@pytest.mark.slow
 def test_a_page_of_a_turned_scene_falls_down(tilted: Engine) -> None:
     shots = tilted.simulate(FALL, {"size": 0.2}, record=True, max_contacts=3)
     data = data_of(page(shots, shots.parameters))

@@ -134,6 +134,7 @@ def test_what_it_rests_on_is_said(found: Any) -> None:
     assert "Seed: 0." in said
 
 
+@pytest.mark.sampled(1)
 @pytest.mark.parametrize("width", [COLUMN, PAGE])
 def test_nothing_is_off_the_page_or_on_another(found: Any, width: float) -> None:
     figure = plot_estimate(found, width=width)
@@ -308,6 +309,7 @@ def test_landings_say_how_far_misses_come_down() -> None:
         assert float(text) == pytest.approx(np.nanquantile(away, share), abs=6e-4, rel=0)
 
 
+@pytest.mark.slow
 def test_rebounds_are_said_as_an_estimate_says_them(tmp_path: Path) -> None:
     out = tmp_path / "rebounds.svg"
     caught = [*SHOTS, "--shots", "2000", "--catching-height", "9ft", "--units", "us"]

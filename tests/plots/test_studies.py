@@ -217,7 +217,7 @@ def test_a_page_is_as_wide_as_asked_for(page: tuple[str, float, Figure]) -> None
     assert up <= 9.5
 
 
-@pytest.mark.sampled(2)
+@pytest.mark.sampled(1)
 def test_all_is_said_on_the_page_and_legibly(page: tuple[str, float, Figure]) -> None:
     _, _, figure = page
     width, height = figure.bbox.size
@@ -605,6 +605,7 @@ def test_a_fan_by_release_angle_has_each_path_in_its_panel() -> None:
         assert len(one(axes, PathCollection).get_paths()) == count
 
 
+@pytest.mark.slow
 def test_paths_are_parted_by_what_there_is_on_a_page_of_its_own() -> None:
     shots = shots_of(50)
     assert len(plot_fan(shots, SCENE, by="outcome").axes) == 1 + len(set(shots.outcome.tolist()))
@@ -826,6 +827,7 @@ def test_lines_lead_along_the_releases_to_the_board() -> None:
     ]
 
 
+@pytest.mark.slow
 def test_an_aim_point_has_its_range() -> None:
     dataset = aims()
     ends = {

@@ -248,6 +248,7 @@ def test_measured_scenes_are_said_to_be() -> None:
     assert describe_dataset(both)["scene"] == "NBA, restitution by row"
 
 
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize(
     ("options", "said"),
     [

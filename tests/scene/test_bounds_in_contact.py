@@ -90,7 +90,7 @@ def sides(name: str, part: int, places: Floats) -> Floats:
     return np.array([bound(CUTS[part])(body.nearest(place)[0]) for place in places])
 
 
-@pytest.mark.sampled(5)
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("part", range(len(CUTS)))
 @pytest.mark.parametrize("name", ["funnel", "spike"])
 def test_the_distance_within_a_bound_bends_no_more_than_its_bound_says(

@@ -296,6 +296,7 @@ def test_the_log_grows_for_shots_with_many_contacts(dome: Engine) -> None:
     assert only.events.tobytes() == shots.events.tobytes()
 
 
+@pytest.mark.slow
 def test_the_judge_agrees_or_the_shot_is_marked(dome: Engine) -> None:
     states = drops(60)
     shots = dome.simulate(states, record=True, max_contacts=15)

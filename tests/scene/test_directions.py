@@ -404,6 +404,7 @@ def geometry(*bodies: Any) -> SceneGeometry:
 ROOM = (np.full(3, -1.0), np.full(3, 1.0))
 
 
+@pytest.mark.slow
 def test_bodies_are_drawn_where_the_ball_touches_them() -> None:
     """At random directions: points are on the body, their centres a ball's radius away from it."""
     chance = np.random.default_rng(3)

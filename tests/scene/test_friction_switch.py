@@ -31,6 +31,7 @@ def floor(tmp_path_factory: pytest.TempPathFactory) -> Engine:
     return numpy_engine(FLOOR, tmp_path_factory.mktemp("floor"))
 
 
+@pytest.mark.sampled(5)
 @pytest.mark.parametrize(
     ("apart", "unsure"),
     [(0.0, True), (1e-15, True), (1e-11, False), (-1e-11, False), (-0.4, False), (0.4, False)],

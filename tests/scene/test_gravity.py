@@ -335,6 +335,7 @@ def test_a_ball_that_meets_nothing_ends_at_the_time_limit_or_short(corridor: Eng
     assert (unlimited.outcome == corridor.outcomes["SHORT"]).all()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("pull", [-1.0, math.nan, math.inf])
 def test_gravity_that_is_not_allowed_makes_its_own_row_invalid(
     corridor: Engine, pull: float

@@ -127,7 +127,7 @@ def test_a_scene_that_is_too_large_is_refused(large: tuple[str, Path, str]) -> N
     assert f"limits={{'{limit}': ...}}, or --limit {limit}=..." in str(refusal.value)
 
 
-@pytest.mark.sampled(10)
+@pytest.mark.sampled(9)
 def test_the_command_line_says_the_same(large: tuple[str, Path, str]) -> None:
     limit, path, said = large
     result = CliRunner().invoke(main, ["compile", str(path)])

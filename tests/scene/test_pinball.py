@@ -109,6 +109,7 @@ def test_many_paths_are_drawn_in_that_plane_too(table: Engine) -> None:
     assert side.get_xlabel() == f"{ {'x': 'y', 'y': 'x'}[axis_of(table)] } (m)"
 
 
+@pytest.mark.slow
 def test_the_page_looks_at_that_plane_first(table: Engine) -> None:
     shots = table.simulate(start(axis_of(table)), record=True)
     scenery = data_of(page(shots, shots.parameters))["scenery"]

@@ -62,7 +62,7 @@ def check_states(engine: Engine, most: int = 1) -> None:
 
 @pytest.mark.parametrize("most", [1, 3])
 @pytest.mark.parametrize("name", list(SCENES))
-@pytest.mark.sampled(1)
+@pytest.mark.slow
 def test_states_at_contacts_are_within_their_claimed_errors(name: str, most: int) -> None:
     check_states(hoopgen.compile(SCENES[name]), most)
 

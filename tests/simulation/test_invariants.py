@@ -93,7 +93,7 @@ def test_a_contact_takes_what_rolling_and_restitution_take(
     assert np.all(np.abs(before - after - taken) <= before * (64 * EPS + 8 * off))
 
 
-@pytest.mark.sampled(27)
+@pytest.mark.sampled(26)
 @each_workload
 def test_from_any_contact_on_the_rest_is_the_rest_bit_for_bit(
     simulate: Simulate, workload: Workload

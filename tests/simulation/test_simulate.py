@@ -332,7 +332,7 @@ def test_the_mixed_shots_show_every_outcome_and_every_surface(
     assert 0 < by_numpy["uncertain"].sum() < len(by_numpy["uncertain"])
 
 
-@pytest.mark.sampled(13)
+@pytest.mark.sampled(12)
 @pytest.mark.parametrize("threads", [2, None])
 def test_threads_do_not_change_a_bit(
     simulate: Simulate,
@@ -712,7 +712,7 @@ def test_recording_does_not_change_the_results(
         np.testing.assert_array_equal(getattr(plain, name), getattr(recorded, name))
 
 
-@pytest.mark.sampled(30)
+@pytest.mark.sampled(29)
 @pytest.mark.parametrize("name", FIELDS + BOUNDS)
 def test_a_field_alone_is_the_field_among_all(simulate: Simulate, mixed: Batch, name: str) -> None:
     some = mixed.take(slice(None, None, 50))

@@ -168,6 +168,7 @@ def test_a_map_over_a_parameter_and_a_component_is_the_estimate_of_each_cell(
     assert dataset.attrs["scene_sha256"] == scene.identity["sha256"]
 
 
+@pytest.mark.slow
 def test_a_picture_of_a_map_names_the_components_of_a_state(scene: Engine) -> None:
     """In such a scene x is not a place on a court, and deviations have their units."""
     plots = pytest.importorskip("hoopgen.plots")
@@ -364,6 +365,7 @@ def test_results_of_the_hoop_are_not_flown_elsewhere(scene: Engine, tmp_path: Pa
         hoopgen.batch(tmp_path / "hoop.parquet", scene=scene, prefix="again_")
 
 
+@pytest.mark.slow
 def test_an_interrupted_table_is_not_gone_on_with_in_another_scene(
     scene: Engine, other: Engine, tmp_path: Path
 ) -> None:

@@ -156,6 +156,7 @@ def test_the_page_is_one_file_that_needs_no_other_and_runs_nothing(
     assert "@import" not in text
 
 
+@pytest.mark.slow
 def test_the_page_has_every_question_answer_and_interval(whole: tuple[str, Path, Any]) -> None:
     text, _, answers = whole
     read = _Read(text)

@@ -547,7 +547,7 @@ PAYLOADS = [
 ]
 
 
-@pytest.mark.sampled(4)
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("payload", PAYLOADS)
 def test_nothing_that_is_written_is_evaluated(
     payload: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
@@ -685,6 +685,7 @@ def test_columns_take_the_place_of_what_is_above_and_give_way_to_what_is_beside(
     assert columns("release.azimuth = 0\n") == fixed | {"speed": 1, "elevation": 1, "azimuth": 0}
 
 
+@pytest.mark.slow
 def test_maps_are_those_of_the_library(whole: Path) -> None:
     over = {
         "elevation": np.linspace(48 * DEGREE, 56 * DEGREE, 3),

@@ -55,6 +55,7 @@ def test_the_command_writes_the_page_and_nothing_else(tmp_path: Path, text: str)
     assert "ends in none of .html, .htm" in failure("playground", "--out", tmp_path / "page.txt")
 
 
+@pytest.mark.slow
 def test_the_page_is_small_and_names_no_place_in_a_network(text: str) -> None:
     assert len(text.encode()) < 1_600_000
     names = {"http://www.w3.org/1999/xhtml", "http://www.w3.org/2000/svg"}

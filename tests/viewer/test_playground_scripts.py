@@ -50,6 +50,7 @@ def test_the_fixed_shots_have_the_golden_hash(lanes: int, scene: str) -> None:
     assert computed(HASH, fixed["each"], lanes, scene) == GOLDEN[scene]
 
 
+@pytest.mark.slow
 def test_the_fixed_releases_are_those_of_python() -> None:
     found = computed("[...Fingerprint.releases({ ...spec.fixed, each: 50 })]")
     assert found == fixed_releases(hoopgen.HOOP, 400).ravel().tolist()

@@ -300,6 +300,7 @@ def test_every_printed_formula_is_what_its_kernel_computes(scene: str) -> None:
     assert count > 600 if scene == "hoop" else count > 400
 
 
+@pytest.mark.slow
 def test_printed_boxes_and_printed_friction_are_what_is_meant() -> None:
     """The court has both: their surfaces, their searches and the law, not the whole page."""
     letters = SceneNotation(COURT)

@@ -314,6 +314,7 @@ def test_normal_and_impact_together_are_within_their_proved_bound() -> None:
     assert np.any(errors > SLACK * impact_bounds())  # the normal's error must not be left out
 
 
+@pytest.mark.slow
 def test_what_is_carried_is_less_than_roundings_and_the_factors_make_up_for_it() -> None:
     """A contact's roundings are up to five times those that are carried; proved is 21 times."""
     errors, bounds = together()

@@ -251,7 +251,7 @@ def test_the_flights_bounds_hold_its_roundings_and_the_errors_of_its_start(
                 assert abs(exactly(component, values)) <= magnitude
 
 
-@pytest.mark.sampled(4)
+@pytest.mark.sampled(3)
 @planes
 @flights
 @sometimes

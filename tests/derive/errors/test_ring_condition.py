@@ -241,7 +241,7 @@ LEFT_OUT = {
 }
 
 
-@pytest.mark.sampled(2)
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "left_out"), [(name, one) for name, some in LEFT_OUT.items() for one in some]
 )

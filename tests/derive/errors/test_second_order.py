@@ -181,6 +181,7 @@ def left_out(field: str) -> Floats:
     return np.asarray(pairs()[1][field] - ROUNDINGS[field])
 
 
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize("field", FIELDS)
 def test_what_the_derivative_leaves_out_is_within_the_bound(field: str) -> None:
     bound = np.sum(terms(field), axis=0)

@@ -111,7 +111,7 @@ def _beside(case: str, off: float, random: np.random.Generator) -> Values:
     return begin(state) | {"restitution": size}
 
 
-@pytest.mark.sampled(2)
+@pytest.mark.slow
 @pytest.mark.parametrize("case", _edges())
 def test_a_ball_at_the_edge_of_a_body_is_near_within_all_errors_and_not_far_beyond(
     case: str,

@@ -155,6 +155,7 @@ def test_the_largest_bend_of_a_window_is_bounded_and_the_bound_is_not_the_ceilin
         assert steepest < 1e9 or one.width < 6.1e-7
 
 
+@pytest.mark.slow
 def test_on_a_window_shorter_than_twice_newton_s_step_the_ceiling_counts() -> None:
     finder = root_finder_for(AIR.surfaces[0], AIR.flight)
     known = begin(np.array([0.3, 0.0, 0.3, 0.1, 0.2, -3.0, 0.0, 10.0, 0.0]))
