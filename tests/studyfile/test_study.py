@@ -557,6 +557,7 @@ def test_nothing_that_is_written_is_evaluated(
 
     monkeypatch.chdir(tmp_path)
     codecs.lookup("utf-8-sig")  # a codec is a module, which is imported when it is first needed
+    parse((BEGIN + ASKED).encode(), Path("x"))  # and so are annotations resolved
     with monkeypatch.context() as patch:
         for name in ("eval", "exec", "compile"):
             patch.setattr(builtins, name, refused)
