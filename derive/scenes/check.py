@@ -130,7 +130,7 @@ _OPERATIONS: dict[type[sp.Basic], Callable[..., Any]] = {
     IfLess: lambda left, right, then, other: then if left < right else other,
     IfAtMost: lambda left, right, then, other: then if left <= right else other,
 }
-"""What SymPy's classes and ours do; other functions are those of mpmath with their name."""
+"""The functions of SymPy's classes and ours; others are those of mpmath with their name."""
 
 
 def _function(expressions: Sequence[sp.Expr], values: dict[sp.Symbol, sp.Expr]) -> Function:

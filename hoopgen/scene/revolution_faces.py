@@ -155,7 +155,7 @@ class _Faces:
             yield kind(name, axis, self._direction, reach, **own)
 
     def _furthest(self, line: Line, origin: Point) -> sp.Expr:
-        """Return how far a ball that touches a piece is at most from a point of the axis."""
+        """Return the largest distance from a point of the axis of a ball that touches a piece."""
         far = []
         for vertex in _numbers(line):
             place = map(self._sympy, self._profile.vertices[vertex].place)

@@ -105,7 +105,6 @@ def arguments(function: ast.FunctionDef) -> list[str]:
     return [one.arg for one in every if one.arg not in ("self", "cls")]
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("path", EVERYWHERE)
 def test_a_docstring_begins_with_a_statement(path: str) -> None:
     vague = [

@@ -1,4 +1,4 @@
-"""How far a ball that touches a body can be from the point about which it is searched.
+"""The distance of a ball that touches a body from the point about which the body is searched.
 
 A search goes on until the ball is further off than that for good.
 """
