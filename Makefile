@@ -24,7 +24,7 @@ export SYMPY_CACHE_SIZE ?= 20000
 # Byte code is kept whatever the environment says: hundreds of tests start Python.
 test test-slow test-all: export PYTHONDONTWRITEBYTECODE :=
 
-test: $(VENV)/with-dev ## most tests and a sample of the slow ones, in four minutes on two cores
+test: $(VENV)/with-dev ## most tests and a sample of the slow ones, in five minutes on two cores
 	HOOPGEN_TEST_EFFORT=$${HOOPGEN_TEST_EFFORT:-0.2} $(BIN)/python -m pytest -n auto --dist loadgroup -m "not slow" $(ARGS)
 
 test-slow: $(VENV)/with-dev ## what make test leaves out: slow tests, and random ones at full effort
