@@ -135,13 +135,12 @@ def lost(
     return barrier(moved + rounded) - RELATIVE_INFLATION / 4 * half
 
 
-def left_for_good(
+def exit_time(
     centre: Sequence[sp.Expr], distance: sp.Expr, acceleration: Sequence[sp.Expr]
 ) -> tuple[sp.Expr, sp.Expr]:
     """Return a time after which the ball, and the true one, is further off than a distance.
 
-    It is that after which both have left the cube about the centre, or the horizon if that is
-    first. The second result is positive if errors until then are not far below the distance.
+    By then both have left the cube about the centre for good.
 
     Parameters
     ----------
@@ -151,6 +150,12 @@ def left_for_good(
         The distance, m.
     acceleration
         That of the free ball, (3,), m/s²; components may be 0.
+
+    Returns
+    -------
+    tuple of Expr
+        The time, s, or the horizon if that is first; and by how much the errors until then exceed
+        those that the time allows for, m.
     """
     far = barrier(extent + sp.Add(*map(sp.Abs, centre)) + distance)
     latest = _latest(far, distance, [distance] * 3, acceleration)

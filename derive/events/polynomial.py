@@ -27,7 +27,7 @@ from ..symbolic.rounding import (
     velocity_error,
 )
 from ..symbolic.symbols import POSITION, UNIT_ROUNDOFF, VELOCITY, t
-from .box_windows import clear, left_for_good, lost, windows
+from .box_windows import clear, exit_time, lost, windows
 from .event_polynomials import Window, ceiling, event_coefficients, horizon, time_rounding
 from .root_finder import RootFinder
 
@@ -117,8 +117,8 @@ class PolynomialRootFinder(RootFinder):
             last, higher = self._last_sure_root()
             beyond = IfLess(horizon, sp.oo, sp.oo, last)
             until = IfLess(0, higher, beyond, last)
-            if self._left is not None:
-                until = minimum(barrier(until), self._left[0])
+            if self._exit is not None:
+                until = minimum(barrier(until), self._exit[0])
             return [(sp.Integer(0), until)]
         offsets = (barrier(p - c) for p, c in zip(POSITION, centre, strict=True))
         found = windows(list(zip(offsets, VELOCITY, self.flight.acceleration, strict=True)), halves)
@@ -128,14 +128,14 @@ class PolynomialRootFinder(RootFinder):
         return found
 
     @property
-    def _left(self) -> tuple[sp.Expr, sp.Expr] | None:
-        """Time after which the ball is too far off for good, as in `left_for_good`, if known."""
+    def _exit(self) -> tuple[sp.Expr, sp.Expr] | None:
+        """Time after which the ball is too far off for good, as in `exit_time`, if known."""
         furthest = self.surface.furthest if isinstance(self.surface, TwoSided) else None
         if furthest is None:
             return None
         pull = self.flight.acceleration
-        until, missed = left_for_good(self.surface.reference_point, furthest, pull)
-        return barrier(until), barrier(missed)
+        until, excess = exit_time(self.surface.reference_point, furthest, pull)
+        return barrier(until), barrier(excess)
 
     def _sized_coefficients(self) -> list[tuple[sp.Expr, sp.Expr]]:
         """Return a bound below the size of each coefficient, and one above it, constant first."""
@@ -177,10 +177,10 @@ class PolynomialRootFinder(RootFinder):
         """
         if not self._boxed:
             higher = self._last_sure_root()[1]
-            if self._left is None:
+            if self._exit is None:
                 return IfLess(horizon, sp.oo, 0, higher)
-            until, missed = self._left
-            return IfLess(0, missed, 1, IfLess(until, sp.oo, 0, higher))
+            until, excess = self._exit
+            return IfLess(0, excess, 1, IfLess(until, sp.oo, 0, higher))
         return lost(self.surface.reference_point, self.surface.half_sizes, self.flight.acceleration)
 
     @property

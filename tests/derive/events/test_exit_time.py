@@ -11,7 +11,7 @@ from typing import Any
 
 import pytest
 import sympy as sp
-from hoopgen.derive.events.box_windows import RELATIVE_INFLATION, left_for_good
+from hoopgen.derive.events.box_windows import RELATIVE_INFLATION, exit_time
 from hoopgen.derive.symbolic.symbols import POSITION, VELOCITY
 from mpmath import mpf
 
@@ -47,7 +47,7 @@ def test_after_it_the_true_ball_is_further_off_with_all_errors_one_way(kind: str
     """The time is computed in doubles. With the errors that are not lost, nothing comes back."""
     chance = random.Random(7)
     acceleration = [sp.sympify(part) for part in ACCELERATIONS[kind]]
-    until, missed = left_for_good(CENTRE, DISTANCE, acceleration)
+    until, excess = exit_time(CENTRE, DISTANCE, acceleration)
     left = shortest = 0
     for _ in range(trials(200, at_least=60)):
         values = shot(chance, kind)
@@ -60,7 +60,7 @@ def test_after_it_the_true_ball_is_further_off_with_all_errors_one_way(kind: str
             continue
         with digits(40):
             least, one = (
-                exactly(missed, values | {"position_error": 0, "velocity_error": e}) for e in (0, 1)
+                exactly(excess, values | {"position_error": 0, "velocity_error": e}) for e in (0, 1)
             )
             share = chance.uniform(0, 1)
             place_error = -least * share
@@ -87,11 +87,11 @@ def test_after_it_the_true_ball_is_further_off_with_all_errors_one_way(kind: str
 
 
 def test_errors_near_the_distance_are_said() -> None:
-    _, missed = left_for_good(CENTRE, DISTANCE, [sp.sympify(a) for a in ACCELERATIONS["down"]])
+    _, excess = exit_time(CENTRE, DISTANCE, [sp.sympify(a) for a in ACCELERATIONS["down"]])
     values = dict.fromkeys((*map(str, POSITION), *map(str, VELOCITY)), 0.0)
     values |= {"g": 10.0, "extent": 0.0, "speed": 0.0, "horizon": mpf("inf")}
     allowed = float(RELATIVE_INFLATION / 4 * DISTANCE)
     with digits(30):
         for error, said in ((0.99 * allowed, False), (1.01 * allowed, True)):
-            found = exactly(missed, values | {"position_error": error, "velocity_error": 0.0})
+            found = exactly(excess, values | {"position_error": error, "velocity_error": 0.0})
             assert (found > 0) is said

@@ -8,16 +8,16 @@ from hoopgen.derive.surfaces import Cylinder
 
 from hoopgen.scene.derivation import _Builder
 from hoopgen.scene.revolution_faces import _Faces
-from tests.derive.events import test_left_for_good
+from tests.derive.events import test_exit_time
 from tests.helpers.checked_faults import OfFormulas, Planted, passing, tripping
 from tests.helpers.effort import spread
 from tests.helpers.mutants import in_text
 from tests.scene import test_furthest
 
-pytestmark = pytest.mark.xdist_group("left_for_good_mutations")
+pytestmark = pytest.mark.xdist_group("exit_time_mutations")
 
-left_for_good = OfFormulas(
-    test_left_for_good.test_after_it_the_true_ball_is_further_off_with_all_errors_one_way,
+exit_time = OfFormulas(
+    test_exit_time.test_after_it_the_true_ball_is_further_off_with_all_errors_one_way,
     (("down",), ("any",)),
 )
 
@@ -36,22 +36,22 @@ FAULTS = (
             "time_to_leave(barrier(far + half), per_g)",
             "time_to_leave(barrier(far + half), per_g) / 4",
         ),
-        left_for_good,
+        exit_time,
     ),
     Planted(
         "a ball without gravity has left for good when it has flown half of the distance",
         in_text(box_windows, "_latest", "2 * far / absolute(v)", "far / absolute(v) / 2"),
-        left_for_good,
+        exit_time,
     ),
     Planted(
         "errors may be as large as the distance at which a ball is too far off",
         in_text(
-            test_left_for_good,
-            "left_for_good",
+            test_exit_time,
+            "exit_time",
             "RELATIVE_INFLATION / 4 * distance",
             "64 * distance",
         ),
-        left_for_good,
+        exit_time,
     ),
     Planted(
         "contacts with a cone are as near to its apex as if it were a quarter as long",
