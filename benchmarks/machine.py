@@ -25,7 +25,7 @@ BYTES_A_SHOT = 9 * 8 + 1 + 4 + 8
 def processor() -> str:
     """Return the processor's name, as far as the system tells."""
     try:
-        lines = Path("/proc/cpuinfo").read_text().splitlines()
+        lines = Path("/proc/cpuinfo").read_text(encoding="utf-8").splitlines()
     except OSError:
         return platform.processor() or platform.machine()
     names = (line.partition(":")[2].strip() for line in lines if line.startswith("model name"))

@@ -11,6 +11,7 @@ import math
 import re
 from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor
 from types import ModuleType
 from typing import Any
 
@@ -328,15 +329,10 @@ class CudaEngine:
         cuda, scene = self._cupy.cuda, self._kernels.SCENE
         flags = (*FLAGS, f"-DVARIANT={int(bounds)}", f"-arch=sm_{cuda.Device().compute_capability}")
         try:
-            program = cuda.nvrtc.createProgram(self._source, f"{scene}.cu", (), ())
-            try:
-                cuda.nvrtc.compileProgram(program, flags)
-                ptx, binary = cuda.nvrtc.getPTX(program), cuda.nvrtc.getCUBIN(program)
-            except cuda.nvrtc.NVRTCError as error:
-                said = cuda.nvrtc.getProgramLog(program).strip() or _first_line(error)
-                raise RuntimeError(said) from None
-            finally:
-                cuda.nvrtc.destroyProgram(program)
+            # NVRTC leaves the locale "C" to the thread that called it: files opened after it would
+            # be read as ASCII. So it is called in a thread of its own.
+            with ThreadPoolExecutor(max_workers=1) as thread:
+                ptx, binary = thread.submit(self._translated, flags).result()
         except (RuntimeError, OSError) as error:
             why = f"NVRTC does not compile the scene {scene} ({_first_line(error)})"
             raise RuntimeError(f"backend: {why}; {OTHERWISE}") from None
@@ -350,6 +346,25 @@ class CudaEngine:
         module = cuda.function.Module()
         module.load(binary)
         return module.get_function(f"{scene}_{'bounded' if bounds else 'plain'}")
+
+    def _translated(self, flags: Sequence[str]) -> tuple[str | bytes, bytes]:
+        """Return what NVRTC makes of the source: its text in PTX, and what a GPU runs.
+
+        Raises
+        ------
+        RuntimeError
+            If the source is not compiled: what NVRTC says of it.
+        """
+        nvrtc = self._cupy.cuda.nvrtc
+        program = nvrtc.createProgram(self._source, f"{self._kernels.SCENE}.cu", (), ())
+        try:
+            nvrtc.compileProgram(program, flags)
+            return nvrtc.getPTX(program), nvrtc.getCUBIN(program)
+        except nvrtc.NVRTCError as error:
+            said = nvrtc.getProgramLog(program).strip() or _first_line(error)
+            raise RuntimeError(said) from None
+        finally:
+            nvrtc.destroyProgram(program)
 
 
 def load_engine(

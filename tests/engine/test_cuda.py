@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import locale
 import sys
 from types import SimpleNamespace
 from typing import Any
@@ -18,6 +19,7 @@ from hoopgen.core.extras import MissingExtra
 from hoopgen.engine import cuda
 from hoopgen.simulation.hoop import hoop_shots
 from tests.helpers.host_cuda import DeviceArray, HostCuPy, needs_cpp, on_host
+from tests.helpers.nvrtc import compile_to_ptx_here, needs_nvrtc
 
 # One worker: the hoop is compiled once.
 pytestmark = [pytest.mark.xdist_group("cuda"), needs_cpp]
@@ -201,6 +203,24 @@ def test_a_source_that_nvrtc_refuses_is_one_line(monkeypatch: pytest.MonkeyPatch
         RuntimeError, match=r"compile the scene hoop \(hoop.cu\(1\): error: no such thing\); use"
     ):
         HOOP.simulate(free_throw(3), backend="cuda")
+
+
+@needs_nvrtc
+def test_the_locale_that_nvrtc_leaves_is_not_the_callers(monkeypatch: pytest.MonkeyPatch) -> None:
+    device, before = HostCuPy(), locale.getencoding()
+    inside: list[str] = []
+
+    def refused(program: Any, flags: Any) -> None:
+        compile_to_ptx_here("__global__ void kernel(double *x) { *x = 1.0; }")
+        inside.append(locale.getencoding())
+        raise device.cuda.nvrtc.NVRTCError("NVRTC_ERROR_COMPILATION (6)")
+
+    device.cuda.nvrtc.compileProgram = refused
+    monkeypatch.setitem(sys.modules, "cupy", device)
+    with pytest.raises(RuntimeError, match="NVRTC does not compile the scene hoop"):
+        HOOP.simulate(free_throw(3), backend="cuda")
+    assert inside == ["ANSI_X3.4-1968"], "NVRTC changes nothing any more"
+    assert locale.getencoding() == before
 
 
 @pytest.mark.slow

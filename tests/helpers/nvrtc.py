@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ctypes
+from concurrent.futures import ThreadPoolExecutor
 from functools import cache
 from importlib.util import find_spec
 from pathlib import Path
@@ -25,7 +26,16 @@ needs_nvrtc = pytest.mark.skipif(
 
 
 def compile_to_ptx(source: str, *flags: str) -> str:
-    """Return what NVRTC makes of a source, in PTX."""
+    """Return what NVRTC makes of a source, in PTX.
+
+    It runs in a thread of its own, to which it leaves another locale.
+    """
+    with ThreadPoolExecutor(max_workers=1) as thread:
+        return thread.submit(compile_to_ptx_here, source, *flags).result()
+
+
+def compile_to_ptx_here(source: str, *flags: str) -> str:
+    """Return what NVRTC makes of a source, in PTX; this thread has the locale "C" afterwards."""
     nvrtc = ctypes.CDLL(str(_library()))
     program, size = ctypes.c_void_p(), ctypes.c_size_t()
     assert not nvrtc.nvrtcCreateProgram(

@@ -76,7 +76,9 @@ def scene(file: Path) -> Engine:
 def other(tmp_path_factory: pytest.TempPathFactory) -> Engine:
     """The same numbers by another formula."""
     path = tmp_path_factory.mktemp("other") / "ledge.toml"
-    path.write_text(LEDGE.replace('within = ["x - 1.3"]', 'within = ["x - 1.3*reach"]'))
+    path.write_text(
+        LEDGE.replace('within = ["x - 1.3"]', 'within = ["x - 1.3*reach"]'), encoding="utf-8"
+    )
     return hoopgen.compile(hoopgen.load_scene(path))
 
 

@@ -649,7 +649,7 @@ def test_the_command_shows_a_sample_of_a_table(table: Path, tmp_path: Path) -> N
     assert all(re.fullmatch(r"Row \d+", shot["label"]) for shot in data["shots"])
     assert data["parameters"]["ring_radius"] == hoopgen.NBA["ring_radius"]
     row = int(data["shots"][0]["label"].split()[1])
-    speed = float(table.read_text().splitlines()[row].split(",")[1]) * 0.44704
+    speed = float(table.read_text(encoding="utf-8").splitlines()[row].split(",")[1]) * 0.44704
     # The release's sine and cosine come between.
     assert np.linalg.norm(data["shots"][0]["flights"][0][4:7]) == pytest.approx(speed, rel=1e-14)
 
