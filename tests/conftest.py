@@ -5,7 +5,7 @@ from __future__ import annotations
 import gc
 import signal
 from collections import defaultdict
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from decimal import localcontext
 from pathlib import Path
 
@@ -14,13 +14,12 @@ import pytest
 from numpy.typing import NDArray
 
 import hoopgen
-from hoopgen.scene import compilers
 from tests.helpers import hoop_shots
 from tests.helpers.effort import scaled_names, trials
 from tests.helpers.engines import ENGINES, Simulate, simulate_on
 from tests.helpers.hoop_shots import Batch
 from tests.helpers.march import Flown, March
-from tests.helpers.own_scenes import compiling_soonest, one_lane
+from tests.helpers.own_scenes import compile_soonest
 
 if signal.getsignal(signal.SIGINT) == signal.SIG_IGN:
     # A shell's job in the background ignores Ctrl-C, and so would what tests start and stop.
@@ -28,14 +27,13 @@ if signal.getsignal(signal.SIGINT) == signal.SIG_IGN:
 
 
 def pytest_sessionstart() -> None:
-    """Look for garbage seldom, and compile scenes of one's own one lane wide.
+    """Look for garbage seldom, and compile scenes of one's own soonest.
 
-    Both save time: SymPy's expressions and all test modules are much to look through, and at 16
-    lanes a scene takes more than twice as long to compile. `tests.helpers.own_scenes` is for tests
-    that compare lanes; scenes that come with hoopgen are compiled for all widths.
+    Both save time: SymPy's expressions and all test modules are much to look through, and most
+    tests of such scenes compile for longer than they fly.
     """
     gc.set_threshold(50_000, 20, 50)
-    compilers.processor_width = one_lane
+    compile_soonest()
 
 
 def pytest_collection_finish() -> None:
@@ -69,13 +67,6 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
         for number, item in enumerate(members):
             if number not in kept:
                 item.add_marker("slow")
-
-
-@pytest.fixture(scope="module")
-def soonest() -> Iterator[None]:
-    """For a file that compiles much and flies little: scenes of one's own are not optimized."""
-    with compiling_soonest():
-        yield
 
 
 @pytest.fixture(scope="session", params=ENGINES)

@@ -29,7 +29,7 @@ from tests.helpers.effort import trials
 # One worker: the driver is compiled once.
 pytestmark = [pytest.mark.slow, needs_compiler, pytest.mark.xdist_group("sanitizers")]
 
-ROWS = trials(300_000, at_least=100_000)
+ROWS = trials(300_000, at_least=20_000)
 """Rows that every width flies."""
 
 LOGGED = 0.05

@@ -20,7 +20,7 @@ from tests.helpers.effort import trials
 from tests.scene.test_gravity import AROUND, BALL
 
 # One worker: each scene is compiled once.
-pytestmark = [pytest.mark.xdist_group("air"), pytest.mark.usefixtures("soonest")]
+pytestmark = [pytest.mark.xdist_group("air")]
 
 Floats = NDArray[np.float64]
 

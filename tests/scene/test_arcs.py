@@ -28,7 +28,7 @@ from tests.scene.test_arc_profiles import HALF, arc, on_circle
 from tests.scene.test_oblique_bodies import aimed_at
 
 # One worker: each scene is derived once.
-pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("arcs"), pytest.mark.usefixtures("soonest")]
+pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("arcs")]
 
 Floats = NDArray[np.float64]
 

@@ -30,7 +30,6 @@ from tests.scene.test_turned_boxes import rotation
 pytestmark = [
     pytest.mark.slow,
     pytest.mark.xdist_group("bounded_box_rolls"),  # compiled once
-    pytest.mark.usefixtures("soonest"),
 ]
 
 Floats = NDArray[np.float64]

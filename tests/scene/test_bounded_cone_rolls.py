@@ -44,7 +44,6 @@ from tests.scene.test_oblique_rolls import (
 pytestmark = [
     pytest.mark.slow,
     pytest.mark.xdist_group("bounded_cone_rolls"),  # compiled once
-    pytest.mark.usefixtures("soonest"),
 ]
 
 Floats = NDArray[np.float64]

@@ -88,7 +88,7 @@ def drops(count: int, seed: int = 1) -> NDArray[np.float64]:
 
 
 @pytest.fixture(scope="module", autouse=True)
-def printed_once(soonest: None) -> Iterator[None]:
+def printed_once() -> Iterator[None]:
     """Print each scene once."""
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(render, "render_scene", functools.cache(render.render_scene))
@@ -163,10 +163,10 @@ def entry_of(home: Path) -> Path:
 PROCESS = """
 import sys
 sys.path.insert(0, {tests!r})
-from tests.helpers.own_scenes import compiling_soonest
+from tests.helpers.own_scenes import compile_soonest
 import hoopgen, test_scene_of_processes as own
-with compiling_soonest():
-    engine = hoopgen.compile(own.DOME)
+compile_soonest()
+engine = hoopgen.compile(own.DOME)
 print(engine.backend, engine.simulate(own.STATES).state.tobytes().hex(), "sympy" in sys.modules)
 """
 

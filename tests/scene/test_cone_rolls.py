@@ -33,7 +33,6 @@ from tests.scene.test_oblique_rolls import (
 pytestmark = [
     pytest.mark.slow,
     pytest.mark.xdist_group("cone_rolls"),  # compiled once
-    pytest.mark.usefixtures("soonest"),
 ]
 
 KAPPA = 2 / 3

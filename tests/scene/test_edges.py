@@ -36,7 +36,6 @@ from tests.helpers.effort import trials
 pytestmark = [
     pytest.mark.slow,
     pytest.mark.xdist_group("edges"),  # each scene is compiled once
-    pytest.mark.usefixtures("soonest"),
 ]
 
 GRAVITY = 9.81

@@ -33,7 +33,7 @@ from tests.helpers.effort import exceptions, occurrences, trials
 from tests.helpers.slow_scene import Slow
 
 # One worker: each scene is compiled once.
-pytestmark = [pytest.mark.xdist_group("gravity"), pytest.mark.usefixtures("soonest")]
+pytestmark = [pytest.mark.xdist_group("gravity")]
 
 Floats = NDArray[np.float64]
 

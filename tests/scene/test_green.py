@@ -24,7 +24,6 @@ from tests.scene.test_edges import GRAVITY, GREEN, HOLE, HOLE_BALL, putts
 
 pytestmark = [
     pytest.mark.xdist_group("edges"),  # the scene is compiled once
-    pytest.mark.usefixtures("soonest"),
 ]
 
 ON_WIRE = 1

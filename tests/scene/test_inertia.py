@@ -19,7 +19,6 @@ from tests.helpers.effort import exceptions, trials
 
 pytestmark = [
     pytest.mark.xdist_group("inertia"),  # the scene is derived once
-    pytest.mark.usefixtures("soonest"),
 ]
 
 Floats = NDArray[np.float64]

@@ -22,7 +22,6 @@ from tests.scene.test_furthest import PLACE, PROFILE
 pytestmark = [
     pytest.mark.slow,
     pytest.mark.xdist_group("no_end_below"),
-    pytest.mark.usefixtures("soonest"),
     needs_compiler,
 ]
 

@@ -29,7 +29,6 @@ from tests.scene.test_turned_boxes import rotation
 pytestmark = [
     pytest.mark.slow,
     pytest.mark.xdist_group("oblique_rolls"),  # compiled once
-    pytest.mark.usefixtures("soonest"),
 ]
 
 GRAVITY, BALL, KAPPA = 9.81, 0.05, 2 / 3

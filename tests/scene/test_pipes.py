@@ -18,7 +18,6 @@ from tests.helpers.compiled import needs_compiler
 pytestmark = [
     pytest.mark.slow,
     pytest.mark.xdist_group("pipes"),
-    pytest.mark.usefixtures("soonest"),
     needs_compiler,
 ]
 

@@ -27,7 +27,6 @@ from tests.scene.test_oblique_bodies import aimed_at, rotated
 pytestmark = [
     pytest.mark.slow,
     pytest.mark.xdist_group("revolutions"),
-    pytest.mark.usefixtures("soonest"),
 ]
 
 Floats = NDArray[np.float64]

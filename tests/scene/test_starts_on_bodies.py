@@ -21,7 +21,6 @@ from tests.helpers.effort import trials
 pytestmark = [
     pytest.mark.slow,
     pytest.mark.xdist_group("starts_on_bodies"),  # each scene is compiled once
-    pytest.mark.usefixtures("soonest"),
 ]
 
 GRAVITY, BALL, RADIUS = 9.81, 0.05, 0.2

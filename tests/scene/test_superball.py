@@ -17,7 +17,7 @@ from hoopgen.scene import Parameter, Plane, Scene
 from hoopgen.simulation.engine import Engine
 from tests.helpers.effort import trials
 
-pytestmark = [pytest.mark.xdist_group("superball"), pytest.mark.usefixtures("soonest")]
+pytestmark = [pytest.mark.xdist_group("superball")]
 
 Floats = NDArray[np.float64]
 

@@ -41,7 +41,6 @@ from tests.helpers.slow_path import Floats, Slow, Wall, everywhere
 pytestmark = [
     pytest.mark.sampled(1),
     pytest.mark.xdist_group("own_surfaces"),
-    pytest.mark.usefixtures("soonest"),
 ]
 
 MOST = 30

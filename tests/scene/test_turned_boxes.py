@@ -20,7 +20,7 @@ from tests.helpers.effort import exceptions, occurrences, trials
 from tests.scene.test_oblique_bodies import aimed_at, check_integrator, check_shots
 
 # One worker: each scene is compiled once.
-pytestmark = [pytest.mark.xdist_group("turned_boxes"), pytest.mark.usefixtures("soonest")]
+pytestmark = [pytest.mark.xdist_group("turned_boxes")]
 
 Floats = NDArray[np.float64]
 

@@ -31,7 +31,6 @@ from tests.scene.test_example_scenes import numpy_engine
 pytestmark = [
     pytest.mark.sampled(1),
     pytest.mark.xdist_group("number_range"),
-    pytest.mark.usefixtures("soonest"),
 ]
 
 Floats = NDArray[np.float64]

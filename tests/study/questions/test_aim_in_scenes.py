@@ -20,7 +20,6 @@ pytest.importorskip("sympy")  # which derives the scenes
 pytestmark = [
     pytest.mark.slow,
     pytest.mark.xdist_group("field"),
-    pytest.mark.usefixtures("soonest"),
 ]
 
 LANDING = 1e-9
