@@ -38,6 +38,7 @@ from hoopgen.scene.cache import (
 from hoopgen.scene.lookup import SceneLike
 from hoopgen.scene.scene import Scene
 from hoopgen.scene.trial_shots import trial_shots
+from hoopgen.text.escape import printable
 
 from .engine import Engine
 from .hoop import HOOP
@@ -147,10 +148,19 @@ def find_entry(scene: Callable[[], Any], known: str, there: SceneStore) -> Entry
     entry = there.pointed(name) if name else None
     if entry is None:
         with HOOP.exact_arithmetic():
-            entry = _build_entry(shipped_scene(known) or generate_scene(scene()), tools, there)
+            entry = _build_entry(shipped_scene(known) or _generated(scene()), tools, there)
         if name:
             there.point(name, entry.record["key"])
     return entry
+
+
+def _generated(scene: Any) -> Printed:
+    """Return a scene, derived and printed; who waits at a terminal is told so."""
+    if sys.stderr is not None and sys.stderr.isatty():
+        name = printable(str(getattr(scene, "name", "")))
+        said = f"hoopgen: the scene {name} is derived and compiled, which takes up to a minute once"
+        print(said, file=sys.stderr, flush=True)
+    return generate_scene(scene)
 
 
 def _build_entry(printed: Printed, tools: _Tools, there: SceneStore) -> Entry:

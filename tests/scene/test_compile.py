@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import functools
+import io
 import os
 import pickle
 import shutil
@@ -217,6 +218,29 @@ def assert_c_gives_numpys_bits(engine: Engine) -> None:
 @pytest.mark.slow
 def test_c_gives_numpys_bits(dome: Engine) -> None:
     assert_c_gives_numpys_bits(dome)
+
+
+class Terminal(io.StringIO):
+    """A stream that says that it is a terminal."""
+
+    def isatty(self) -> bool:
+        return True
+
+
+@pytest.mark.slow
+def test_a_terminal_is_told_that_a_scene_is_compiled(
+    home: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(sys, "stderr", terminal := Terminal())
+    hoopgen.compile(PLANK)
+    told = "hoopgen: the scene plank is derived and compiled, which takes up to a minute once\n"
+    assert terminal.getvalue() == told
+    forget()
+    hoopgen.compile(PLANK)
+    assert terminal.getvalue() == told, "it is found compiled"
+    monkeypatch.setattr(sys, "stderr", file := io.StringIO())
+    hoopgen.compile(replace(PLANK, name="other_plank"))
+    assert file.getvalue() == ""
 
 
 @pytest.mark.slow
