@@ -348,7 +348,7 @@ class CudaEngine:
         return module.get_function(f"{scene}_{'bounded' if bounds else 'plain'}")
 
     def _translated(self, flags: Sequence[str]) -> tuple[str | bytes, bytes]:
-        """Return what NVRTC makes of the source: its text in PTX, and what a GPU runs.
+        """Return the source as NVRTC translates it: its text in PTX, and the binary for a GPU.
 
         Raises
         ------
