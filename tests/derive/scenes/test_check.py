@@ -110,6 +110,10 @@ WRONG = {
     ),
     "root": (ImplicitSurface("odd", sp.sqrt(x**2 + y**2) - z), "expected a condition polynomial"),
     "degree": (ImplicitSurface("odd", x**6 + z**2 - 1), "degree 1 to 4 .* got one of 6"),
+    "degree of a product": (
+        ImplicitSurface("odd", (sp.sqrt(BALL) * x**3 + 1) ** 2 + z),
+        "degree 1 to 4 .* got one of 6",
+    ),
     "constant": (ImplicitSurface("odd", sp.Integer(3)), "degree 1 to 4 .* got one of"),
     "float": (ImplicitSurface("odd", ROUND - sp.Float(0.3)), "not exact; expected whole numbers"),
     "bound": (
