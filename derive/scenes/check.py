@@ -85,8 +85,8 @@ def _formulas(surface: Surface, known: set[sp.Symbol]) -> None:
         return
     if not condition.is_polynomial(*POSITION):
         raise _Refused(f"expected a condition polynomial in x, y and z, got {condition}")
-    # With numbers for the parameters it takes a tenth of the time. They are squares of primes: their
-    # roots are numbers too, and no coefficient vanishes by chance.
+    # With numbers for the parameters it takes a tenth of the time. They are squares of primes:
+    # their roots are numbers too, and no coefficient vanishes by chance.
     others = sorted(condition.free_symbols - set(POSITION), key=str)
     numbers = {symbol: sp.Integer(sp.prime(k + 5) ** 2) for k, symbol in enumerate(others)}
     degree = sp.Poly(condition.xreplace(numbers), *POSITION).total_degree()

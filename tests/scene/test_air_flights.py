@@ -19,7 +19,7 @@ from benchmarks import air  # noqa: E402
 from benchmarks.peers import PEERS  # noqa: E402
 from hoopgen import PAPER_AIR, Outcome  # noqa: E402
 from hoopgen.simulation.lookup import BUILT_IN  # noqa: E402
-from tests.helpers.effort import trials  # noqa: E402
+from tests.helpers.effort import exceptions, trials  # noqa: E402
 from tests.helpers.precise_air import PreciseAir  # noqa: E402
 
 # One worker: the scene is compiled once.
@@ -51,7 +51,7 @@ def share_of_claims(states: Floats, truth: Floats) -> float:
     """Return the largest error of positions and velocities at `DURATION` over what is claimed."""
     shots = hoopgen.AIR.simulate(states, PAPER_AIR, time_limit=DURATION, fields=CLAIMS)
     flying = shots.outcome == Outcome.ENDLESS  # two of a thousand are down before
-    assert flying.mean() > 0.99
+    assert (~flying).sum() < exceptions(0.01, len(states))
     assert not shots.contacts.any()
     assert not shots.uncertain.any()
     off = np.abs(shots.state - truth)[flying, :6].reshape(-1, 2, 3).max(axis=2)
