@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 import hoopgen
 from tests.helpers import hoop_shots
-from tests.helpers.effort import scaled_names, trials
+from tests.helpers.effort import scaled_names, spread, trials
 from tests.helpers.engines import ENGINES, Simulate, simulate_on
 from tests.helpers.hoop_shots import Batch
 from tests.helpers.march import Flown, March
@@ -47,7 +47,8 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
     """Mark as slow what opens a browser or is left out by a sample, as scaled what may scale.
 
     The sample of a test is of its cases that are not slow, that of a file is of such tests. What
-    may scale takes seconds to find, and is looked for only where tests are selected by it.
+    may scale takes seconds to find, and is looked for only where tests are selected by it. Below
+    effort 1 a share of the slow cases of each test is run.
     """
     by_scale = "scaled" in config.option.markexpr
     families = defaultdict[tuple[str, int], list[pytest.Item]](list)
@@ -70,6 +71,15 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
         for number, item in enumerate(members):
             if number not in kept:
                 item.add_marker("slow")
+    cases = defaultdict[str, list[pytest.Item]](list)
+    for item in items:
+        if item.get_closest_marker("slow"):
+            cases[item.nodeid.partition("[")[0]].append(item)
+    tried = {item for members in cases.values() for item in spread(members)}
+    left_out = [item for members in cases.values() for item in members if item not in tried]
+    if left_out:
+        config.hook.pytest_deselected(items=left_out)
+        items[:] = [item for item in items if item in tried or not item.get_closest_marker("slow")]
 
 
 @pytest.fixture(scope="session", params=ENGINES)

@@ -35,7 +35,7 @@ from hoopgen.simulation.hoop import hoop_shots
 from tests.helpers import ROOT
 from tests.helpers.compiled import needs_compiler
 from tests.helpers.court_shots import all_kinds
-from tests.helpers.effort import spread, trials
+from tests.helpers.effort import trials
 from tests.helpers.hoop_shots import families
 from tests.helpers.host_cuda import HostCuPy, needs_cpp, on_host
 from tests.helpers.nvrtc import compile_to_ptx, needs_nvrtc
@@ -224,7 +224,7 @@ def test_the_court_with_rolls_has_the_bits_of_c(device: HostCuPy) -> None:
 @needs_cpp
 @needs_compiler
 @pytest.mark.slow
-@pytest.mark.parametrize("file", spread(OWN_SCENES))
+@pytest.mark.parametrize("file", OWN_SCENES)
 def test_scenes_of_ones_own_have_the_bits_of_c(file: str, device: HostCuPy) -> None:
     scene = hoopgen.compile(own_scenes.scene_of(file))
     states = own_scenes.FILES[file](trials(2000), 4)

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 import hoopgen
 from benchmarks.families import FAMILIES, Family
 from hoopgen.simulation.hoop import HOOP
-from tests.helpers.effort import spread, trials
+from tests.helpers.effort import trials
 from tests.helpers.engines import engines_here
 
 FIELDS, BOUNDS = HOOP.layout.fields, HOOP.layout.bounds
@@ -33,7 +33,7 @@ def assert_same(
 
 
 @pytest.mark.parametrize(
-    ("family", "shots"), [pytest.param(*source, id=source[0].key) for source in spread(SOURCES)]
+    ("family", "shots"), [pytest.param(*source, id=source[0].key) for source in SOURCES]
 )
 @pytest.mark.sampled(1)
 def test_engines_widths_threads_and_order_do_not_change_a_bit(family: Family, shots: int) -> None:

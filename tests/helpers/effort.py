@@ -40,9 +40,9 @@ def spread(items: Sequence[Item]) -> tuple[Item, ...]:
     Parameters
     ----------
     items
-        What is tried at effort 1.
+        What is tried at effort 1; of two or more at least two are tried at any effort.
     """
-    count = min(len(items), trials(len(items)))
+    count = min(len(items), trials(len(items), at_least=2))
     return tuple(items[(2 * k + 1) * len(items) // (2 * count)] for k in range(count))
 
 

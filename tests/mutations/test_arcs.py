@@ -12,7 +12,6 @@ pytest.importorskip("flint")
 from hoopgen.scene.revolution_faces import _Faces
 from tests.derive.events import test_arc_margins
 from tests.helpers.checked_faults import OfEngine, OfFormulas, Planted, passing, tripping
-from tests.helpers.effort import spread
 from tests.helpers.mutants import in_text
 from tests.scene import test_arcs
 from tests.scene.test_arcs import SCENES
@@ -129,5 +128,5 @@ FAULTS = (
     ),
 )
 
-test_without_a_fault_every_check_passes = passing(spread(FAULTS))
-test_a_fault_trips_its_check = tripping(spread(FAULTS))
+test_without_a_fault_every_check_passes = passing(FAULTS)
+test_a_fault_trips_its_check = tripping(FAULTS)

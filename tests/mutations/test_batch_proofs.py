@@ -21,7 +21,6 @@ from hoopgen.judge import (
 from hoopgen.judge.ball_array import BallArray
 from hoopgen.judge.model_array import ModelArray
 from tests.helpers.checked_faults import OfFormulas, Planted, passing, tripping
-from tests.helpers.effort import spread
 from tests.helpers.mutants import in_text
 from tests.judge import test_ball_array, test_batch_flight, test_first_roots, test_model_array
 
@@ -380,5 +379,5 @@ FAULTS = (
     ),
 )
 
-test_without_a_fault_every_check_passes = passing(spread(FAULTS))
-test_a_fault_trips_its_check = tripping(spread(FAULTS))
+test_without_a_fault_every_check_passes = passing(FAULTS)
+test_a_fault_trips_its_check = tripping(FAULTS)

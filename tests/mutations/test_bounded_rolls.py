@@ -11,7 +11,6 @@ from hoopgen.derive.surfaces.cone import Cone
 pytest.importorskip("flint")
 
 from tests.helpers.checked_faults import OfFormulas, Planted, passing, tripping
-from tests.helpers.effort import spread
 from tests.helpers.mutants import in_text
 from tests.scene import test_bounds_in_contact
 
@@ -85,5 +84,5 @@ FAULTS = (
     ),
 )
 
-test_without_a_fault_every_check_passes = passing(spread(FAULTS))
-test_a_fault_trips_its_check = tripping(spread(FAULTS))
+test_without_a_fault_every_check_passes = passing(FAULTS)
+test_a_fault_trips_its_check = tripping(FAULTS)

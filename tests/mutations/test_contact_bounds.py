@@ -10,7 +10,6 @@ from hoopgen.derive.surfaces import Box, Surface
 pytest.importorskip("flint")
 
 from tests.helpers.checked_faults import OfEngine, OfFormulas, Planted, passing, tripping
-from tests.helpers.effort import spread
 from tests.helpers.mutants import changed, in_text
 from tests.scene import test_contact_bounds
 from tests.scene.test_contact_bounds import SCENES
@@ -94,5 +93,5 @@ FAULTS = (
     ),
 )
 
-test_without_a_fault_every_check_passes = passing(spread(FAULTS))
-test_a_fault_trips_its_check = tripping(spread(FAULTS))
+test_without_a_fault_every_check_passes = passing(FAULTS)
+test_a_fault_trips_its_check = tripping(FAULTS)

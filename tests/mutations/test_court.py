@@ -36,7 +36,6 @@ from tests.helpers.checked_faults import (
     passing,
     tripping,
 )
-from tests.helpers.effort import spread
 from tests.helpers.mutants import in_text
 from tests.helpers.past_ring import complaints
 
@@ -740,5 +739,5 @@ FAULTS = (
     ),
 )
 
-test_without_a_fault_every_check_passes = passing(spread(FAULTS))
-test_a_fault_trips_its_check = tripping(spread(FAULTS))
+test_without_a_fault_every_check_passes = passing(FAULTS)
+test_a_fault_trips_its_check = tripping(FAULTS)

@@ -21,7 +21,6 @@ pytest.importorskip("flint")
 
 from tests.derive.rolling import test_jump
 from tests.helpers.checked_faults import OfEngine, OfFormulas, Planted, passing, tripping
-from tests.helpers.effort import spread
 from tests.helpers.mutants import in_decisions, in_text, in_tree
 from tests.scene import test_edges, test_green, test_into_plate, test_starts_on_bodies, test_tiles
 
@@ -313,5 +312,5 @@ FAULTS = (
     ),
 )
 
-test_without_a_fault_every_check_passes = passing(spread(FAULTS))
-test_a_fault_trips_its_check = tripping(spread(FAULTS))
+test_without_a_fault_every_check_passes = passing(FAULTS)
+test_a_fault_trips_its_check = tripping(FAULTS)

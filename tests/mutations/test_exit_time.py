@@ -10,7 +10,6 @@ from hoopgen.scene.derivation import _Builder
 from hoopgen.scene.revolution_faces import _Faces
 from tests.derive.events import test_exit_time
 from tests.helpers.checked_faults import OfFormulas, Planted, passing, tripping
-from tests.helpers.effort import spread
 from tests.helpers.mutants import in_text
 from tests.scene import test_furthest
 
@@ -75,5 +74,5 @@ FAULTS = (
     ),
 )
 
-test_without_a_fault_every_check_passes = passing(spread(FAULTS))
-test_a_fault_trips_its_check = tripping(spread(FAULTS))
+test_without_a_fault_every_check_passes = passing(FAULTS)
+test_a_fault_trips_its_check = tripping(FAULTS)

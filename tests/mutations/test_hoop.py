@@ -39,7 +39,6 @@ from hoopgen.engine.result_arrays import ResultArrays
 from hoopgen.judge import Certificate, Proof, certify
 from hoopgen.simulation.hoop import HOOP as ENGINE
 from tests.helpers.compiled import needs_compiler
-from tests.helpers.effort import spread
 from tests.helpers.mutants import (
     Fault,
     Run,
@@ -539,7 +538,7 @@ def test_without_a_fault_nothing_trips_in_c(tmp_path: Path) -> None:
     trip(c_engine(derived(Fault("none")), tmp_path))
 
 
-@pytest.mark.parametrize("fault", spread(FAULTS), ids=lambda fault: fault.name)
+@pytest.mark.parametrize("fault", FAULTS, ids=lambda fault: fault.name)
 @pytest.mark.sampled(1)
 def test_a_fault_trips(fault: Fault, tmp_path: Path) -> None:
     files = derived(fault)
@@ -549,9 +548,7 @@ def test_a_fault_trips(fault: Fault, tmp_path: Path) -> None:
 
 @needs_compiler
 @pytest.mark.slow
-@pytest.mark.parametrize(
-    "fault", spread([f for f in FAULTS if f.in_c]), ids=lambda fault: fault.name
-)
+@pytest.mark.parametrize("fault", [f for f in FAULTS if f.in_c], ids=lambda fault: fault.name)
 def test_a_fault_trips_in_c(fault: Fault, tmp_path: Path) -> None:
     with pytest.raises(Tripped):
         trip(c_engine(derived(fault), tmp_path))

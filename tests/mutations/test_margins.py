@@ -27,7 +27,6 @@ from tests.derive.events import test_margins_of_filters as filters
 from tests.derive.rolling import test_margins_in_contact as contact
 from tests.derive.surfaces import test_boxes
 from tests.helpers.checked_faults import OfFormulas, OfKernels, Planted, passing, tripping
-from tests.helpers.effort import spread
 from tests.helpers.mutants import in_decisions, in_text
 
 pytestmark = [pytest.mark.xdist_group("margin_mutations")]
@@ -353,5 +352,5 @@ FAULTS = (
     ),
 )
 
-test_without_a_fault_every_check_passes = passing(spread(FAULTS))
-test_a_fault_trips_its_check = tripping(spread(FAULTS))
+test_without_a_fault_every_check_passes = passing(FAULTS)
+test_a_fault_trips_its_check = tripping(FAULTS)

@@ -12,7 +12,6 @@ pytest.importorskip("flint")
 
 from tests.derive.surfaces import test_concavity
 from tests.helpers.checked_faults import OfEngine, OfFormulas, Planted, passing, tripping
-from tests.helpers.effort import spread
 from tests.helpers.mutants import in_text
 from tests.scene import test_oblique_rolls
 
@@ -75,5 +74,5 @@ FAULTS = (
     ),
 )
 
-test_without_a_fault_every_check_passes = passing(spread(FAULTS))
-test_a_fault_trips_its_check = tripping(spread(FAULTS))
+test_without_a_fault_every_check_passes = passing(FAULTS)
+test_a_fault_trips_its_check = tripping(FAULTS)

@@ -34,7 +34,6 @@ from hoopgen.scene import End, Scene, Sphere
 from hoopgen.simulation.engine import Engine
 from tests.derive.events import test_own_surfaces
 from tests.helpers.checked_faults import OfEngine, OfFormulas, Planted, cases, passing, tripping
-from tests.helpers.effort import spread
 from tests.helpers.mutants import in_text, in_tree
 from tests.scene import (
     test_behind_cones,
@@ -655,5 +654,5 @@ def proofs(request: pytest.FixtureRequest) -> None:
             proved(name)
 
 
-test_without_a_fault_every_check_passes = passing(spread(FAULTS))
-test_a_fault_trips_its_check = tripping(spread(FAULTS))
+test_without_a_fault_every_check_passes = passing(FAULTS)
+test_a_fault_trips_its_check = tripping(FAULTS)

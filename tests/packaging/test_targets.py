@@ -7,7 +7,10 @@ fixture. What else could scale is looked for here.
 from __future__ import annotations
 
 import ast
+import os
 import re
+import subprocess
+import sys
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -61,6 +64,23 @@ def test_all_tests_are_run_at_full_effort_by_one_target() -> None:
     assert " -m pytest " in command("test-all")
     assert command("test-all").count(" -m ") == 1  # pytest selects nothing
     assert "HOOPGEN_TEST_EFFORT" not in command("test-all")
+
+
+@pytest.mark.parametrize(
+    ("effort", "tried"),
+    [("0.1", (1, 3)), ("0.6", (0, 2, 4)), ("1", (0, 1, 2, 3, 4)), ("7", (0, 1, 2, 3, 4))],
+)
+def test_below_effort_1_a_share_of_the_cases_is_tried(effort: str, tried: tuple[int, ...]) -> None:
+    code = "from tests.helpers.effort import spread; print((spread(range(5)), spread('a')))"
+    told = subprocess.run(
+        [sys.executable, "-c", code],
+        cwd=ROOT,
+        env=os.environ | {"HOOPGEN_TEST_EFFORT": effort},
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    assert ast.literal_eval(told.stdout) == (tried, ("a",))
 
 
 def test_the_effort_is_imported_by_the_names_of_its_functions() -> None:
