@@ -46,20 +46,17 @@ def pytest_collection_finish() -> None:
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
     """Mark as slow what opens a browser or is left out by a sample, as scaled what may scale.
 
-    The sample of a test is of its cases that are not slow, that of a file is of such tests. What
-    may scale takes seconds to find, and is looked for only where tests are selected by it. Below
+    The sample of a test is of its cases that are not slow, that of a file is of such tests. Below
     effort 1 a share of the slow cases of each test is run.
     """
-    by_scale = "scaled" in config.option.markexpr
     families = defaultdict[tuple[str, int], list[pytest.Item]](list)
     for item in items:
         fixtures = getattr(item, "fixturenames", ())
         if "browser" in fixtures:
             item.add_marker("slow")
-        if by_scale:
-            scaled = scaled_names(item.path) | scaled_names(Path(__file__))
-            if scaled.intersection([getattr(item, "originalname", item.name), *fixtures]):
-                item.add_marker("scaled")
+        scaled = scaled_names(item.path) | scaled_names(Path(__file__))
+        if scaled.intersection([getattr(item, "originalname", item.name), *fixtures]):
+            item.add_marker("scaled")
         if item.get_closest_marker("slow"):
             continue
         for node, mark in item.iter_markers_with_node("sampled"):

@@ -7,7 +7,6 @@ fixture. What else could scale is looked for here.
 from __future__ import annotations
 
 import ast
-import os
 import re
 import subprocess
 import sys
@@ -70,12 +69,14 @@ def test_all_tests_are_run_at_full_effort_by_one_target() -> None:
     ("effort", "tried"),
     [("0.1", (1, 3)), ("0.6", (0, 2, 4)), ("1", (0, 1, 2, 3, 4)), ("7", (0, 1, 2, 3, 4))],
 )
-def test_below_effort_1_a_share_of_the_cases_is_tried(effort: str, tried: tuple[int, ...]) -> None:
+def test_below_effort_1_a_share_of_the_cases_is_tried(
+    effort: str, tried: tuple[int, ...], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("HOOPGEN_TEST_EFFORT", effort)
     code = "from tests.helpers.effort import spread; print((spread(range(5)), spread('a')))"
     told = subprocess.run(
         [sys.executable, "-c", code],
         cwd=ROOT,
-        env=os.environ | {"HOOPGEN_TEST_EFFORT": effort},
         capture_output=True,
         text=True,
         check=True,
