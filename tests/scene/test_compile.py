@@ -228,22 +228,6 @@ class Terminal(io.StringIO):
 
 
 @pytest.mark.slow
-def test_a_terminal_is_told_that_a_scene_is_compiled(
-    home: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(sys, "stderr", terminal := Terminal())
-    hoopgen.compile(PLANK)
-    told = "hoopgen: the scene plank is derived and compiled, which takes up to a minute once\n"
-    assert terminal.getvalue() == told
-    forget()
-    hoopgen.compile(PLANK)
-    assert terminal.getvalue() == told, "it is found compiled"
-    monkeypatch.setattr(sys, "stderr", file := io.StringIO())
-    hoopgen.compile(replace(PLANK, name="other_plank"))
-    assert file.getvalue() == ""
-
-
-@pytest.mark.slow
 def test_an_engine_says_what_it_has(dome: Engine) -> None:
     assert dict(dome.parameters) == {"ball": 0.05, "reach": 1.0, "bounce": 0.8, "g": 9.81}
     assert dome.surfaces == ("floor", "dome")
@@ -360,6 +344,22 @@ def test_a_scene_of_derive_is_one_too(home: Path) -> None:
 
 
 @posix
+@pytest.mark.slow
+def test_a_terminal_is_told_that_a_scene_is_compiled(
+    home: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(sys, "stderr", terminal := Terminal())
+    hoopgen.compile(PLANK)
+    told = "hoopgen: the scene plank is derived and compiled, which takes up to a minute once\n"
+    assert terminal.getvalue() == told
+    forget()
+    hoopgen.compile(PLANK)
+    assert terminal.getvalue() == told, "it is found compiled"
+    monkeypatch.setattr(sys, "stderr", file := io.StringIO())
+    hoopgen.compile(replace(PLANK, name="other_plank"))
+    assert file.getvalue() == ""
+
+
 @pytest.mark.slow
 def test_another_process_finds_it_and_derives_nothing(
     home: Path, wrapped: Wrapped, tmp_path: Path
