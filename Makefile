@@ -45,7 +45,7 @@ lint: $(VENV)/with-dev $(VENV)/typing ## format, lint and types
 	$(BIN)/mypy
 
 docs: $(VENV)/with-docs $(if $(shell command -v cc),,$(VENV)/with-compile) ## the site, into docs/_build/html; every example of it is run
-	$(BIN)/sphinx-build -E -W --keep-going -b html -d docs/_build/doctrees docs docs/_build/html $(ARGS)
+	$(BIN)/sphinx-build -E -W --keep-going -j auto -b html -d docs/_build/doctrees docs docs/_build/html $(ARGS)
 	@! grep -rlE '<(script|link|img)[^>]*(src|href)="https?://' docs/_build/html --include='*.html' || \
 	    { echo "these pages load something from a network"; exit 1; }
 	@echo docs/_build/html/index.html
