@@ -129,6 +129,7 @@ def name_types(app, domain, kind, content):
 def setup(app):
     """Join what is said here to Sphinx."""
     app.connect("object-description-transform", name_types, priority=900)
-    # It copies files when all is built, and does not say that pages may be read side by side.
+    # This extension only copies files after the build, but does not declare that pages may be read
+    # in parallel.
     app.extensions["sphinx-mathjax-offline"].parallel_read_safe = True
     return {"parallel_read_safe": True}

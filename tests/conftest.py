@@ -72,11 +72,10 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
     for item in items:
         if item.get_closest_marker("slow"):
             cases[item.nodeid.partition("[")[0]].append(item)
-    tried = {item for members in cases.values() for item in spread(members)}
-    left_out = [item for members in cases.values() for item in members if item not in tried]
-    if left_out:
-        config.hook.pytest_deselected(items=left_out)
-        items[:] = [item for item in items if item in tried or not item.get_closest_marker("slow")]
+    sample = {item for members in cases.values() for item in spread(members)}
+    others = {item for members in cases.values() for item in members} - sample
+    config.hook.pytest_deselected(items=list(others))
+    items[:] = [item for item in items if item not in others]
 
 
 @pytest.fixture(scope="session", params=ENGINES)

@@ -85,11 +85,7 @@ def _formulas(surface: Surface, known: set[sp.Symbol]) -> None:
         return
     if not condition.is_polynomial(*POSITION):
         raise _Refused(f"expected a condition polynomial in x, y and z, got {condition}")
-    # With numbers for the parameters it takes a tenth of the time. They are squares of primes:
-    # their roots are numbers too, and no coefficient vanishes by chance.
-    others = sorted(condition.free_symbols - set(POSITION), key=str)
-    numbers = {symbol: sp.Integer(sp.prime(k + 5) ** 2) for k, symbol in enumerate(others)}
-    degree = sp.Poly(condition.xreplace(numbers), *POSITION).total_degree()
+    degree = sp.Poly(condition, *POSITION).total_degree()
     if not 0 < degree <= MAX_DEGREE:
         raise _Refused(
             f"expected a condition of degree 1 to {MAX_DEGREE} in x, y and z, got one of {degree}"

@@ -332,7 +332,7 @@ class CudaEngine:
             # NVRTC leaves the locale "C" to the thread that called it: files opened after it would
             # be read as ASCII. So it is called in a thread of its own.
             with ThreadPoolExecutor(max_workers=1) as thread:
-                ptx, binary = thread.submit(self._translated, flags).result()
+                ptx, binary = thread.submit(self._translate, flags).result()
         except (RuntimeError, OSError) as error:
             why = f"NVRTC does not compile the scene {scene} ({_first_line(error)})"
             raise RuntimeError(f"backend: {why}; {OTHERWISE}") from None
@@ -347,8 +347,18 @@ class CudaEngine:
         module.load(binary)
         return module.get_function(f"{scene}_{'bounded' if bounds else 'plain'}")
 
-    def _translated(self, flags: Sequence[str]) -> tuple[str | bytes, bytes]:
-        """Return the source as NVRTC translates it: its text in PTX, and the binary for a GPU.
+    def _translate(self, flags: Sequence[str]) -> tuple[str | bytes, bytes]:
+        """Translate the source with NVRTC.
+
+        Parameters
+        ----------
+        flags
+            The flags of NVRTC.
+
+        Returns
+        -------
+        tuple
+            The program as text, in PTX, and as the binary that a GPU runs.
 
         Raises
         ------

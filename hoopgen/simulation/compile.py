@@ -148,14 +148,14 @@ def find_entry(scene: Callable[[], Any], known: str, there: SceneStore) -> Entry
     entry = there.pointed(name) if name else None
     if entry is None:
         with HOOP.exact_arithmetic():
-            entry = _build_entry(shipped_scene(known) or _generated(scene()), tools, there)
+            entry = _build_entry(shipped_scene(known) or _generate(scene()), tools, there)
         if name:
             there.point(name, entry.record["key"])
     return entry
 
 
-def _generated(scene: Any) -> Printed:
-    """Return a scene, derived and printed; who waits at a terminal is told so."""
+def _generate(scene: Any) -> Printed:
+    """Derive and print a scene, as `generate_scene`; say so at a terminal, since it takes long."""
     if sys.stderr is not None and sys.stderr.isatty():
         name = printable(str(getattr(scene, "name", "")))
         said = f"hoopgen: the scene {name} is derived and compiled, which takes up to a minute once"

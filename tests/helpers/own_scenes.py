@@ -33,16 +33,16 @@ def one_lane() -> int:
     return 1
 
 
-MUCH_FLOWN = ("air.c", "court_air.c", "ledge.c")
-"""Scenes that tests fly for longer than they are compiled."""
+BUSY_SOURCES = ("air.c", "court_air.c", "ledge.c")
+"""C files of scenes that tests fly for longer than they are compiled."""
 
 
 class QuickCompiler(compilers.Compiler):
-    """A compiler that optimizes what is flown much alone."""
+    """A compiler that optimizes only the scenes that tests fly for long."""
 
     def arguments(self, file: str, options: Sequence[str] = ()) -> list[str]:
         """Return the arguments of a call, as `Compiler.arguments`."""
-        return super().arguments(file, [*options, "-O1"] if file in MUCH_FLOWN else options)
+        return super().arguments(file, [*options, "-O1"] if file in BUSY_SOURCES else options)
 
 
 @wraps(compilers.compiler)

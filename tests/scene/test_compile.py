@@ -220,13 +220,6 @@ def test_c_gives_numpys_bits(dome: Engine) -> None:
     assert_c_gives_numpys_bits(dome)
 
 
-class Terminal(io.StringIO):
-    """A stream that says that it is a terminal."""
-
-    def isatty(self) -> bool:
-        return True
-
-
 @pytest.mark.slow
 def test_an_engine_says_what_it_has(dome: Engine) -> None:
     assert dict(dome.parameters) == {"ball": 0.05, "reach": 1.0, "bounce": 0.8, "g": 9.81}
@@ -343,7 +336,13 @@ def test_a_scene_of_derive_is_one_too(home: Path) -> None:
 # ------------------------------------------------------------------------------------- what is kept
 
 
-@posix
+class Terminal(io.StringIO):
+    """A stream that says that it is a terminal."""
+
+    def isatty(self) -> bool:
+        return True
+
+
 @pytest.mark.slow
 def test_a_terminal_is_told_that_a_scene_is_compiled(
     home: Path, monkeypatch: pytest.MonkeyPatch
@@ -360,6 +359,7 @@ def test_a_terminal_is_told_that_a_scene_is_compiled(
     assert file.getvalue() == ""
 
 
+@posix
 @pytest.mark.slow
 def test_another_process_finds_it_and_derives_nothing(
     home: Path, wrapped: Wrapped, tmp_path: Path
