@@ -348,17 +348,7 @@ class CudaEngine:
         return module.get_function(f"{scene}_{'bounded' if bounds else 'plain'}")
 
     def _translate(self, flags: Sequence[str]) -> tuple[str | bytes, bytes]:
-        """Translate the source with NVRTC.
-
-        Parameters
-        ----------
-        flags
-            The flags of NVRTC.
-
-        Returns
-        -------
-        tuple
-            The program as text, in PTX, and as the binary that a GPU runs.
+        """Translate the source with NVRTC; return it as text, in PTX, and as a GPU's binary.
 
         Raises
         ------
