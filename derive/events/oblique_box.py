@@ -100,7 +100,7 @@ class _Turned(BoxRootFinder):
         for e in EXCESS:
             least = barrier(maximum(2 * self.box.scaled_radius, LEAST_PER_ERROR * now[e].error))
             near[e] = Rounded(barrier(minimum(self._reach, least)), now[e].error)
-        return super()._gap_rounding(near)
+        return BoxRootFinder._gap_rounding(self, near)
 
     @property
     def error_share(self) -> sp.Expr:

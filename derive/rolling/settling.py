@@ -179,10 +179,7 @@ def settling(law: Law, ball: Ball, flight: Flight, revolved: bool = False) -> Ke
     # Beside a surface that does not hold it, a ball that hardly moves until the bounces end rolls
     # from where it is. Which surface it would touch first meanwhile is undecided.
     still = AtMost(way, narrow)
-    press_error = 4 * (turns + slope) * velocity_error
-    if not flight.along_axis:  # a·n is a sum, which cancels where a surface is along gravity
-        press_error += 8 * UNIT_ROUNDOFF * flight.gravity
-    undecided_press = AtMost(absolute(press), barrier(press_error))
+    undecided_press = AtMost(absolute(press), barrier(4 * (turns + slope) * velocity_error))
     near_limit = barrier(absolute(offset - allowed) * bounce)
     # Without restitution the speed off the surface is a rounding, and no error before changes it.
     undecided_bounce = all_of(
