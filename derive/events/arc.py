@@ -20,15 +20,14 @@ import sympy as sp
 
 from ..surfaces import RevolvedArc
 from ..symbolic.conditionals import barrier, maximum, minimum
-from ..symbolic.rounding import ROUNDING_SLACK, Rounded, rounding
+from ..symbolic.rounding import Rounded, rounding
 from .polynomial import PolynomialRootFinder
-from .root_finder import RootFinder
 
 LEAST_PER_ERROR = sp.Integer(2**20)
 """Least P, relative to dp."""
 
 SHARE = sp.Rational(1, 2**16)
-"""By what share of F a bound of it is lower; errors are less than a fourth of it."""
+"""By what share of F a bound of it is lower; errors are less than half of it."""
 
 
 @dataclass(frozen=True)
@@ -49,15 +48,7 @@ class ArcRootFinder(PolynomialRootFinder):
         small = Rounded(barrier(minimum(barrier(whole.magnitude), least)), error)
         return rounding(self.surface.shape, {**now, part: small})
 
-    def _low_gap(self, gap: sp.Expr) -> sp.Expr:
-        return barrier(maximum(barrier(gap * (1 - SHARE) - self.allowed), 0))
-
-    def headroom(self, low_gap: sp.Expr, turned: bool) -> sp.Expr:
-        """Return k (F - m) + m, with a larger k for the share of F by which it may be wrong.
-
-        Parameters
-        ----------
-        low_gap, turned
-            As for `RootFinder`.
-        """
-        return RootFinder.headroom(self, barrier(low_gap * ROUNDING_SLACK), turned)
+    @property
+    def error_share(self) -> sp.Expr:
+        """`SHARE`."""
+        return SHARE

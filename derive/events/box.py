@@ -7,7 +7,7 @@ is continuous, which suffices for steps from the left and Newton's method.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import sympy as sp
@@ -111,6 +111,10 @@ class BoxRootFinder(RootFinder):
         return 2 * barrier(sp.Add(*parts))
 
     def curvature(self, width: sp.Expr) -> sp.Expr:
+        """Return the bound by which all of the acceleration counts."""
+        return self._pulled(width)
+
+    def _pulled(self, width: sp.Expr) -> sp.Expr:
         """Return 2 Σ |e a| with the largest e; a coordinate far away stays within the windows."""
         most = []
         for e, v, a in self._moving():
@@ -123,7 +127,7 @@ class BoxRootFinder(RootFinder):
     def turned_curvature(self, width: sp.Expr) -> sp.Expr:
         """Return 2 Σ (v² + |e a|) with the largest v and e."""
         squares = (barrier(fastest) ** 2 for fastest in self._fastest_within(width))
-        return barrier(self.curvature(width) + 2 * barrier(sp.Add(*squares)))
+        return barrier(self._pulled(width) + 2 * barrier(sp.Add(*squares)))
 
     def _fastest_within(self, width: sp.Expr) -> list[sp.Expr]:
         """Return a bound on the size of each velocity within a window."""
@@ -156,11 +160,15 @@ class BoxRootFinder(RootFinder):
             now[e] = Rounded(self._reach, barrier(off))
         return now, now | dict.fromkeys(VELOCITY, mean)
 
+    def _gap_rounding(self, now: Mapping[sp.Expr, Rounded]) -> Rounded:
+        """Return size and error of F."""
+        return rounding(sp.Add(*(e**2 for e in EXCESS), -(self.box.scaled_radius**2)), now)
+
     @property
     def margins(self) -> dict[str, sp.Expr]:
         """Bounds by running error analysis; e is off by its coordinate's error and one sum."""
         now, since = self._roundings()
-        gap = rounding(sp.Add(*(e**2 for e in EXCESS), -(self.box.scaled_radius**2)), now)
+        gap = self._gap_rounding(now)
         terms = [e * v for e, v in zip(EXCESS, VELOCITY, strict=True)]
         rate = rounding(2 * sp.Add(*terms), now)
         # F/t has the same bound with the mean velocity, for e now and at the start.

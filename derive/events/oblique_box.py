@@ -3,25 +3,44 @@
 Along the axes of the box, in its unit of length (`surfaces/oblique_box.py`), the formulas are those
 of `events/box.py`. Windows are those of a box along the scene's axes that holds every contact; what
 bounds F'' within them is as far as its corner. Turning adds roundings, which margins contain.
+
+There e may be many times R_B, but where F = Σ e² - R_B² is zero no e is above R_B. With a bound
+E >= 2 R_B in place of the size of e, and a bound d on the error of each e,
+
+    all |e| <= E:   F is wrong by at most 6 E d,
+    one |e| >  E:   F > 3/4 e², and F is wrong by at most 6 |e| d < 8 (d/E) F.
+
+So its error is at most a margin with E, and a share of F itself, as for an arc (`events/arc.py`).
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import sympy as sp
 
 from ..motion.flight import Flight
 from ..surfaces import ObliqueBox
-from ..symbolic.conditionals import And, Choose, IfLess, Less, absolute, all_of, barrier
+from ..symbolic.conditionals import (
+    And,
+    Choose,
+    IfLess,
+    Less,
+    absolute,
+    all_of,
+    barrier,
+    maximum,
+    minimum,
+)
 from ..symbolic.error_terms import curving
 from ..symbolic.rounding import Rounded, rounding
 from ..symbolic.symbols import POSITION, UNIT_ROUNDOFF, VELOCITY
 from .air import AirBoxRootFinder
+from .arc import LEAST_PER_ERROR, SHARE
 from .bounding_boxes import may_reach_in_halves
 from .box import EXCESS, BoxRootFinder
-from .event_polynomials import horizon
+from .event_polynomials import ceiling, horizon
 
 TURN_ROUNDINGS = 8
 """Most roundings of a turned component: four of an entry, as a share of |q|², one of the vector,
@@ -74,6 +93,19 @@ class _Turned(BoxRootFinder):
         errors = zip(EXCESS, self._excess_errors(known), strict=True)
         excess: dict[sp.Expr, Rounded] = {e: Rounded(self._reach, error) for e, error in errors}
         return excess | self._velocities(moved), excess | self._velocities(mean)
+
+    def _gap_rounding(self, now: Mapping[sp.Expr, Rounded]) -> Rounded:
+        """Return size and error of F with the size of e near the box."""
+        near = dict(now)
+        for e in EXCESS:
+            least = barrier(maximum(2 * self.box.scaled_radius, LEAST_PER_ERROR * now[e].error))
+            near[e] = Rounded(barrier(minimum(self._reach, least)), now[e].error)
+        return BoxRootFinder._gap_rounding(self, near)
+
+    @property
+    def error_share(self) -> sp.Expr:
+        """`SHARE`."""
+        return SHARE
 
     def _velocities(self, given: Rounded) -> dict[sp.Expr, Rounded]:
         """Return bounds on the velocity along the axes of the box from those along the scene's."""
@@ -142,6 +174,33 @@ class ObliqueBoxRootFinder(_Turned):
     def reach_test(self) -> dict[str, sp.Basic]:
         """Compare the boxes of both halves of the flight with one that the turned box is in."""
         return may_reach_in_halves(self.box)
+
+    def narrowed(self, width: sp.Expr) -> sp.Expr:
+        """Return a shorter window where the gap opens more and more, as after a roll over an edge.
+
+        There F is about k t³ at first, and a step that all of the acceleration limits is far
+        shorter than t: there would be hundreds of them.
+        """
+        if not self.flight.departs:
+            return width
+        return barrier(minimum(width, self.opening(1)))
+
+    def curvature(self, width: sp.Expr) -> sp.Expr:
+        """Return a smaller bound where a ball has rolled: with its velocity.
+
+        As long as the sign of e is the same, v² + e a has the rate 3 v a, and bends upwards: it
+        never falls below v² + e a + 3 v a s after a time s, nor below -|e a|.
+        """
+        if not self.flight.departs:
+            return super().curvature(width)
+        lowest = []
+        for e, v, a in self._moving():
+            drift = barrier(barrier(absolute(v) + absolute(a) * width / 2) * width)
+            pulled = barrier(-absolute(a) * minimum(barrier(absolute(e) + drift), self._reach))
+            kept = barrier(barrier(v**2 + e * a) + 3 * minimum(0, barrier(v * a)) * width)
+            lowest.append(IfLess(drift, absolute(e), barrier(maximum(pulled, kept)), pulled))
+        slack = sp.Rational(1, 2**40) * ceiling
+        return slack - 2 * barrier(sp.Add(*lowest))
 
 
 @dataclass(frozen=True)

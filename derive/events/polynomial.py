@@ -332,9 +332,7 @@ class PolynomialRootFinder(RootFinder):
         """
         if not (self.flight.departs and isinstance(self.surface, Toroidal)):
             return width
-        rate, bend = barrier(self.rate), barrier(self.bend)
-        opens = IfLess(0, rate, IfLess(0, bend, 4 * rate / IfLess(0, bend, bend, 1), sp.oo), sp.oo)
-        return barrier(minimum(width, barrier(opens)))
+        return barrier(minimum(width, self.opening(4)))
 
     def turned_curvature(self, width: sp.Expr) -> sp.Expr:
         """Return the largest Bernstein coefficient of F'', if that is bounded from both sides."""

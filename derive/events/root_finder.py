@@ -28,6 +28,7 @@ import sympy as sp
 
 from ..motion.flight import Flight
 from ..symbolic.conditionals import IfAtMost, IfLess, barrier, maximum, minimum
+from ..symbolic.rounding import ROUNDING_SLACK
 from ..symbolic.symbols import t
 from .event_polynomials import Window, ceiling, end, horizon, leaving, margin, rate_margin
 
@@ -160,6 +161,11 @@ class RootFinder(ABC):
         return margin
 
     @property
+    def error_share(self) -> sp.Expr:
+        """By what share of F it may be wrong besides the margin: none."""
+        return sp.Integer(0)
+
+    @property
     def rate_allowed(self) -> sp.Expr:
         """The margin of F'."""
         return rate_margin
@@ -221,11 +227,24 @@ class RootFinder(ABC):
 
     def _low_gap(self, gap: sp.Expr) -> sp.Expr:
         """Return a bound below F."""
-        return barrier(maximum(barrier(gap - self.allowed), 0))
+        sure = gap if self.error_share == 0 else gap * (1 - self.error_share)
+        return barrier(maximum(barrier(sure - self.allowed), 0))
 
     def narrowed(self, width: sp.Expr) -> sp.Expr:
         """Return the window on which the curvature is bounded, or the part where that is known."""
         return width
+
+    def opening(self, steps: int) -> sp.Expr:
+        """Return so many times F'/F'' where the gap opens more and more; elsewhere infinity, s.
+
+        Parameters
+        ----------
+        steps
+            The number of times.
+        """
+        rate, bend = barrier(self.rate), barrier(self.bend)
+        opens = steps * rate / IfLess(0, bend, bend, 1)
+        return barrier(IfLess(0, rate, IfLess(0, bend, opens, sp.oo), sp.oo))
 
     def lengthened(self, stride: sp.Expr) -> sp.Expr:
         """Return a longer step without a root, where the surface knows one."""
@@ -267,6 +286,8 @@ class RootFinder(ABC):
         turned
             True if the root may be out of bounds; then the step itself gives Newton's first.
         """
+        if self.error_share != 0:
+            low_gap = barrier(low_gap * ROUNDING_SLACK)
         return (2**5 if turned else 2) * low_gap + self.allowed
 
 

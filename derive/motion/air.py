@@ -304,7 +304,7 @@ class AirFlight(Flight):
         of = self.constants
         spun = barrier(absolute(of.lift_per_spin) * barrier(speed / of.ball_radius))
         slope = barrier(barrier(2 * drag_rate * barrier(speed + of.smoothing_speed)) + spun)
-        return barrier(of.buoyancy * self.strength + barrier(slope * speed)), slope
+        return barrier(of.buoyancy * self.gravity + barrier(slope * speed)), slope
 
     def resistance(self, speed: sp.Expr) -> sp.Expr:
         """Return a bound on the drag per unit mass at speeds up to one, m/s²."""

@@ -124,6 +124,18 @@ class Flight(ABC):
         return maximum(*sizes) if sizes else sp.Integer(0)
 
     @property
+    def along_axis(self) -> bool:
+        """True if the acceleration is along one axis, or zero."""
+        return sum(component != 0 for component in self.acceleration) < 2
+
+    @property
+    def gravity(self) -> sp.Expr:
+        """The size of the acceleration of free fall, m/s²."""
+        if self.along_axis:
+            return self.strength
+        return sp.sqrt(barrier(sp.Add(*(component**2 for component in self.acceleration))))
+
+    @property
     @abstractmethod
     def path(self) -> dict[sp.Symbol, Coefficients]:
         """The coefficients of each coordinate in time, constant first."""

@@ -266,7 +266,7 @@ def force(
 
 def step(
     acceleration: Sequence[sp.Expr],
-    strength: sp.Expr,
+    gravity: sp.Expr,
     ball: Ball,
     besides: SurfaceForce = NO_FORCE,
     revolved: bool = False,
@@ -281,7 +281,7 @@ def step(
     ----------
     acceleration, ball
         As for `next_terms`.
-    strength
+    gravity
         The size of the acceleration, m/s².
     besides
         The force that presses the ball onto its surface besides its weight.
@@ -302,8 +302,8 @@ def step(
         for k in range(ORDER + 1)
     ]
     speed = sizes[0]
-    rate = barrier(speed * absolute(per_reach) + sp.sqrt(barrier(strength * absolute(per_reach))))
-    scale = barrier(speed + strength * sp.Rational(1, 2**6))
+    rate = barrier(speed * absolute(per_reach) + sp.sqrt(barrier(gravity * absolute(per_reach))))
+    scale = barrier(speed + gravity * sp.Rational(1, 2**6))
     last = barrier(
         maximum(barrier(sizes[ORDER] + rate * sizes[ORDER - 1]), barrier(scale * ways[ORDER]))
     )
@@ -314,7 +314,7 @@ def step(
         root = barrier(sp.sqrt(root))
     step = barrier(minimum(most, root))
     if revolved:
-        swift = barrier(speed * per_width + sp.sqrt(barrier(strength * per_width)))
+        swift = barrier(speed * per_width + sp.sqrt(barrier(gravity * per_width)))
         step = barrier(minimum(step, barrier(sp.Rational(1, 8) / swift)))
     powers = [step**k for k in range(ORDER)]
     strongest = barrier(sum((k + 1) * sizes[k + 1] * powers[k] for k in range(ORDER)))

@@ -116,13 +116,13 @@ def kernels(
     tori
         The indices of those surfaces among `holders` that are about an axis and have no edge.
     """
-    strength = barrier(flight.strength)
+    gravity = barrier(flight.gravity)
     every_kernel = (
-        *_series(flight, ball, strength, oblique, revolved),
-        *settling_kernels(flight, strength, ball, oblique, revolved),
+        *_series(flight, ball, gravity, oblique, revolved),
+        *settling_kernels(flight, gravity, ball, oblique, revolved),
         *jump_kernels(flight, ball, bounded, revolved),
-        *step_events(strength, ball.radius, codes, flight.surface_force, edges),
-        *departure_kernels(flight, strength, ball, edges, oblique),
+        *step_events(gravity, ball.radius, codes, flight.surface_force, edges),
+        *departure_kernels(flight, gravity, ball, edges, oblique),
         *bounds_kernels(ball.radius),
         *meeting_kernels(ball.radius, codes),
         *edge_kernels(flight, ball, codes),
@@ -137,7 +137,7 @@ def kernels(
 
 
 def _series(
-    flight: Flight, ball: Ball, strength: sp.Expr, oblique: bool, revolved: bool
+    flight: Flight, ball: Ball, gravity: sp.Expr, oblique: bool, revolved: bool
 ) -> tuple[Kernel, ...]:
     """Return the kernels of the power series of rolling."""
     acceleration = flight.acceleration
@@ -180,7 +180,7 @@ def _series(
         ),
         loop_kernel(
             "roll_step",
-            rolling_series.step(acceleration, strength, ball, flight.surface_force, revolved),
+            rolling_series.step(acceleration, gravity, ball, flight.surface_force, revolved),
             "Length of a step of the series, bounds of the motion in it, and the normal force.",
             "the last terms of the series",
         ),

@@ -55,7 +55,7 @@ _BELOW = "a parabola below the distance"
 
 
 def step_events(
-    strength: sp.Expr,
+    gravity: sp.Expr,
     ball_radius: sp.Expr,
     codes: EventCodes,
     besides: SurfaceForce,
@@ -65,7 +65,7 @@ def step_events(
 
     Parameters
     ----------
-    strength
+    gravity
         The size of the free ball's acceleration, m/s².
     ball_radius
         The radius of the ball, m.
@@ -77,7 +77,7 @@ def step_events(
         True if a surface may take over a ball that it does not press on.
     """
     return (
-        _leaving_force(strength, ball_radius, codes, besides, edges),
+        _leaving_force(gravity, ball_radius, codes, besides, edges),
         *_other_surfaces(ball_radius),
         loop_kernel(
             "beside_seam",
@@ -125,7 +125,7 @@ def _shortened(condition: sp.Basic, root: sp.Expr) -> sp.Expr:
 
 
 def _leaving_force(
-    strength: sp.Expr,
+    gravity: sp.Expr,
     ball_radius: sp.Expr,
     codes: EventCodes,
     besides: SurfaceForce,
@@ -133,7 +133,7 @@ def _leaving_force(
 ) -> Kernel:
     """Return the kernel that detects where the normal force vanishes, or the ball is at rest."""
     per = rolling_series.per_reach
-    pull = barrier(strength + fastest**2 * absolute(per))
+    pull = barrier(gravity + fastest**2 * absolute(per))
     small = barrier(sp.Rational(1, 2**44) * pull)
     force_error = barrier(
         small
@@ -145,8 +145,8 @@ def _leaving_force(
     # A flight from there opens the gap as -(N' + 2 F·n') t³/6 - N t²/2. If that presses the ball on
     # again, the contact lasts until -N opens the gap.
     opening = barrier(-force_rate - friction_force_rate)
-    quickness = barrier(absolute(per) * barrier(fastest**2 * absolute(per) + strength))
-    held_by = barrier(IfLess(opening, 0, opening**2 / barrier(strength * quickness), 0))
+    quickness = barrier(absolute(per) * barrier(fastest**2 * absolute(per) + gravity))
+    held_by = barrier(IfLess(opening, 0, opening**2 / barrier(gravity * quickness), 0))
     holds = all_of(spent, Less(small, barrier(force + held_by)))
     if edges:
         # A ball that is taken over with a force off the surface has not come there through N = 0:
@@ -158,9 +158,9 @@ def _leaving_force(
     stopped = all_of(
         AtMost(
             barrier(sum(map(absolute, velocity))),
-            still * barrier(sp.sqrt(barrier(strength * ball_radius))),
+            still * barrier(sp.sqrt(barrier(gravity * ball_radius))),
         ),
-        AtMost(barrier(pulled), still * strength),
+        AtMost(barrier(pulled), still * gravity),
     )
     return loop_kernel(
         "leaving_force",

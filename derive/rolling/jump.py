@@ -114,7 +114,7 @@ def _errors_of_bounces(flight: Flight, ball: Ball) -> dict[str, sp.Expr]:
     speed = barrier(sum(map(absolute, velocity)) + ball.radius * barrier(sum(map(absolute, spin))))
     bend = barrier(absolute(rolling_series.per_reach))
     turns = barrier(bend * speed)
-    pulls = barrier(bend * flight.strength)
+    pulls = barrier(bend * flight.gravity)
     # A surface that takes the ball over has it at a distance, though of roundings alone.
     pressed = barrier(maximum(0, press))
     off = barrier(sp.sqrt(barrier(bounce**2 + 4 * pressed * absolute(gap))))

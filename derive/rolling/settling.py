@@ -68,7 +68,7 @@ def tolerance(ball_radius: sp.Expr) -> sp.Expr:
     return sp.Rational(1, 2**38) * ball_radius
 
 
-def small_hop(strength: sp.Expr, ball_radius: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
+def small_hop(gravity: sp.Expr, ball_radius: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
     """Return two numbers, the first of which is less if half a hop is lower than `tolerance`.
 
     They are the squared speed off the surface, and twice the tolerance times a bound on the force
@@ -76,14 +76,14 @@ def small_hop(strength: sp.Expr, ball_radius: sp.Expr) -> tuple[sp.Expr, sp.Expr
 
     Parameters
     ----------
-    strength
+    gravity
         The size of the free ball's acceleration, m/s².
     ball_radius
         The radius of the ball, m.
     """
     off = barrier(velocity.dot(normal))
     quick = barrier(velocity.dot(velocity)) / ball_radius
-    return barrier(off**2), barrier(2 * tolerance(ball_radius) * barrier(strength + quick))
+    return barrier(off**2), barrier(2 * tolerance(ball_radius) * barrier(gravity + quick))
 
 
 def wedge_width(ball_radius: sp.Expr) -> sp.Expr:
@@ -128,7 +128,7 @@ def settling(law: Law, ball: Ball, flight: Flight, revolved: bool = False) -> Ke
     if revolved:
         turns = barrier(turns + 2 * speed * per_width)
     disturbance, slope = flight.disturbance(speed)
-    disturbed = disturbance * turns + slope * barrier(flight.strength + disturbance)
+    disturbed = disturbance * turns + slope * barrier(flight.gravity + disturbance)
     force_change = barrier(8 * barrier(absolute(weight) + speed * turns) * turns + 8 * disturbed)
     constant_force = Less(barrier(3 * hop * force_change), barrier(press * left**2))
     rounding = sp.Rational(1, 2**46) * quick
@@ -207,7 +207,7 @@ def settling(law: Law, ball: Ball, flight: Flight, revolved: bool = False) -> Ke
 
 
 def settling_kernels(
-    flight: Flight, strength: sp.Expr, ball: Ball, oblique: bool = False, revolved: bool = False
+    flight: Flight, gravity: sp.Expr, ball: Ball, oblique: bool = False, revolved: bool = False
 ) -> tuple[Kernel, ...]:
     """Return the kernels that prepare the decision of `settling`, the same for all surfaces.
 
@@ -215,7 +215,7 @@ def settling_kernels(
     ----------
     flight, ball
         As for `settling`.
-    strength
+    gravity
         The size of the free ball's acceleration, m/s².
     oblique
         True if a ball may roll on a tube that lies along no axis. Bounces on a turned box, whose
@@ -237,7 +237,7 @@ def settling_kernels(
             "s = R_B (w·n)",
         ),
         _pressed_on(flight, ball),
-        *_bounce_kernels(strength, ball, oblique or revolved),
+        *_bounce_kernels(gravity, ball, oblique or revolved),
     )
 
 
@@ -268,11 +268,11 @@ def _pressed_on(flight: Flight, ball: Ball) -> Kernel:
     )
 
 
-def _bounce_kernels(strength: sp.Expr, ball: Ball, rounded: bool) -> tuple[Kernel, ...]:
+def _bounce_kernels(gravity: sp.Expr, ball: Ball, rounded: bool) -> tuple[Kernel, ...]:
     off = barrier(velocity.dot(normal))
     # The ball settles if half a hop is lower than the tolerance, whatever presses it on. Error
     # propagation needs to know much earlier whether its bounces end on this surface.
-    small = Less(*small_hop(strength, ball.radius))
+    small = Less(*small_hop(gravity, ball.radius))
     early = sp.Rational(1, 2**14 if rounded else 2**23)
     slow = Less(barrier(off**2), early * ball.radius)
     tangential = barrier_all(velocity - off * normal)

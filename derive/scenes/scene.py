@@ -142,9 +142,9 @@ class Scene:
                 f"scene {self.name}: gravity_axis: expected one of "
                 f"{', '.join(map(str, AXES))}, got {self.gravity_axis!r}"
             )
-        if self.rolls and not self.flight.falls:
+        if self.rolls and self.flight.along_axis and not self.flight.falls:
             raise ValueError(
-                f"scene {self.name}: rolls: expected gravity along an axis, not zero; got "
+                f"scene {self.name}: rolls: expected gravity that cannot be zero, got "
                 f"{self.flight.acceleration}"
             )
         unbounded = [s.name for s in self.surfaces if self.rolls and s.max_concavity is sp.oo]

@@ -6,6 +6,7 @@ from collections.abc import Sequence, Set
 
 import sympy as sp
 
+from ..motion.flight import Acceleration
 from ..surfaces import ImplicitSurface, Surface
 from ..symbolic.conditionals import (
     AtMost,
@@ -276,6 +277,17 @@ def parameters_in_range(scene: Scene) -> dict[str, sp.Expr]:
             conditions.append(AtMost(least, absolute(without_assumptions(parameter.symbol))))
     conditions += (AtMost(1 / MAX_COEFFICIENT, scale) for scale in condition_scales(scene))
     return {"permitted": all_of(Less(0, permission), *conditions)}
+
+
+def least_gravity(acceleration: Acceleration) -> sp.Expr:
+    """Return what has to be positive for gravity along no axis to press a ball on, m²/s⁴.
+
+    Parameters
+    ----------
+    acceleration
+        That of free fall, m/s².
+    """
+    return sp.Add(*(component**2 for component in acceleration)) - MIN_SIZE**2
 
 
 def condition_scales(scene: Scene) -> list[sp.Expr]:

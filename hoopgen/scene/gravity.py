@@ -55,17 +55,16 @@ def read_gravity(
 def check_rolling(
     inputs: Inputs,
     size: Formula,
-    down: tuple[int, int] | Vector,
     bodies: Iterable[tuple[str, str, tuple[int, ...]]],
 ) -> None:
-    """Raise if a ball cannot roll in a scene: with its gravity, or on one of its bodies.
+    """Raise if a ball cannot roll in a scene: without gravity, or on one of its bodies.
 
     Parameters
     ----------
     inputs
         The inputs of the scene.
-    size, down
-        Gravity, as `read_gravity` returns it.
+    size
+        The size of gravity, as `read_gravity` returns it.
     bodies
         The name and kind of each body, and the degree of each of its bounds.
 
@@ -78,9 +77,6 @@ def check_rolling(
         argument, said = why_not_rolling(kind, degrees)
         if said:
             raise inputs.wrong(f"body {own}", argument, said)
-    if len(down) == 3:
-        said = 'a ball rolls only where gravity points along an axis, such as "-z"'
-        raise inputs.wrong("", "rolls", said)
     signs = {i.name: i.sign for i in inputs.all}
     if size == ZERO or signs.get(str(size.value)) == "nonnegative":
         said = "a ball rolls only where gravity cannot be 0"

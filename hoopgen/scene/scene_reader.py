@@ -115,7 +115,7 @@ def read_scene(
     shapes = tuple(_body(reader, body, radius, contacts) for body in bodies)
     if rolls:
         asked = ((one.name, one.kind, degrees(one.bounds)) for one in shapes)
-        check_rolling(inputs, fall, way, asked)
+        check_rolling(inputs, fall, asked)
     finished = tuple(_end(reader, own, end) for own, end in zip(ends, finishes, strict=True))
     return ParsedScene(scene, inputs.all, ball, fall, turning, way, rolls, air, shapes, finished)
 

@@ -370,8 +370,8 @@ def test_a_direction_that_is_zero_makes_its_own_row_invalid_not_the_others() -> 
             r"rolls: .* cannot be 0: declare its sign as positive",
         ),
         (
-            {"down": (1, 0, -1), "rolls": True},
-            r"rolls: a ball rolls only where gravity points along an axis",
+            {"gravity": "pull", "parameters": [PULL], "down": (1, 0, -1), "rolls": True},
+            r"rolls: .* cannot be 0: declare its sign as positive",
         ),
     ],
 )

@@ -52,6 +52,12 @@ def test_a_parabola_solves_newtons_equations_from_the_state(axis: tuple[int, int
     assert flight.upright == (axis == (0, 0, -1))
 
 
+def test_the_size_of_gravity_is_that_of_its_vector() -> None:
+    for fall, size in (((1, -4, 8), 9), ((0, 3, -4), 5), ((0, -2, 0), 2), ((0, 0, 0), 0)):
+        ax, ay, az = map(sp.Integer, fall)
+        assert exactly(Parabola((ax, ay, az)).gravity, {}) == size
+
+
 def test_free_fall_askew_is_no_stronger_than_its_largest_component() -> None:
     slant = Parabola((sp.Integer(1), sp.Integer(0), sp.Integer(-3)))
     assert exactly(slant.strength, {}) == 3

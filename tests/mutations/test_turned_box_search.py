@@ -1,0 +1,60 @@
+"""Deliberate faults in the search for turned boxes and in oblique gravity: each trips a test."""
+
+from __future__ import annotations
+
+import pytest
+from hoopgen.derive.events import oblique_box, root_finder
+from hoopgen.derive.motion.flight import Flight
+
+from tests.derive.events import test_turned_box_search
+from tests.derive.motion import test_flight
+from tests.helpers.checked_faults import OfFormulas, Planted, passing, tripping
+from tests.helpers.mutants import in_text
+
+pytestmark = pytest.mark.slow
+
+size = OfFormulas(test_flight.test_the_size_of_gravity_is_that_of_its_vector)
+margin = OfFormulas(
+    test_turned_box_search.test_the_margin_of_a_turned_box_contains_errors_of_places_and_roundings
+)
+bend = OfFormulas(
+    test_turned_box_search.test_the_gap_of_a_ball_beside_a_turned_box_bends_no_more_than_its_bound
+)
+
+FAULTS = (
+    Planted(
+        "the size of gravity is that of its largest component",
+        in_text(Flight, "gravity", "if self.along_axis", "if True"),
+        size,
+    ),
+    Planted(
+        "no coordinate of a ball beside a turned box is wrong",
+        in_text(oblique_box._Turned, "_gap_rounding", "least)), now[e].error", "least)), 0"),
+        margin,
+    ),
+    Planted(
+        "the gap from a turned box has no share that may be wrong",
+        in_text(root_finder.RootFinder, "_low_gap", "gap * (1 - self.error_share)", "gap"),
+        margin,
+    ),
+    Planted(
+        "gravity slows no ball beside a turned box",
+        in_text(
+            oblique_box.ObliqueBoxRootFinder, "curvature", "3 * minimum", "sp.Integer(0) * minimum"
+        ),
+        bend,
+    ),
+    Planted(
+        "a ball beside a turned box stays beyond the same faces",
+        in_text(
+            oblique_box.ObliqueBoxRootFinder,
+            "curvature",
+            "IfLess(drift, absolute(e), barrier(maximum(pulled, kept)), pulled)",
+            "barrier(maximum(pulled, kept))",
+        ),
+        bend,
+    ),
+)
+
+test_without_a_fault_every_check_passes = passing(FAULTS)
+test_a_fault_trips_its_check = tripping(FAULTS)
