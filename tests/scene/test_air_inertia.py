@@ -114,7 +114,7 @@ def test_without_air_balls_obey_the_article_s_law_with_their_own_inertia() -> No
 
 
 def test_an_impact_in_air_keeps_the_angular_momentum_about_the_contact_point() -> None:
-    """It leaves the ball rolling, and keeps the spin about the normal."""
+    """The impact leaves the ball rolling and keeps the spin about the normal."""
     count = trials(400)
     kappa = np.repeat(KAPPAS, count)
     states = throws(len(kappa), 3)
