@@ -7,7 +7,7 @@ from dataclasses import replace
 import sympy as sp
 
 from ..motion.air import AirConstants
-from .court import COURT
+from .court import COURT, INERTIA
 from .hoop import HOOP
 from .scene import Scene, parameter
 
@@ -55,8 +55,10 @@ def with_air(scene: Scene) -> Scene:
     )
 
 
+_HOOP_WITH_INERTIA = replace(HOOP, parameters=(*HOOP.parameters, INERTIA), inertia=INERTIA.symbol)
+
 AIR = replace(
-    with_air(HOOP),
+    with_air(_HOOP_WITH_INERTIA),
     name="air",
     remarks="The article's hoop, and the ball flies through air: drag, buoyancy and Magnus force.",
 )

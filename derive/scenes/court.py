@@ -27,6 +27,17 @@ _SIZES = (
     parameter("bridge_depth", "m", "h, from the bridge's top to its underside", 0.12, latex="h_B"),
 )
 
+INERTIA = parameter(
+    "inertia",
+    "1",
+    "kappa, the ball's moment of inertia over m R_B²: 2/3 of a thin shell, 2/5 of a solid ball",
+    float(THIN_SHELL),
+    upper=float(MAX_INERTIA),
+    latex=r"\kappa",
+    lower=float(MIN_INERTIA),
+)
+"""The parameter `inertia` of every hoop but the article's."""
+
 _SURFACES = (
     *(
         parameter(
@@ -52,15 +63,7 @@ _SURFACES = (
         )
         for name, short in zip(_BODIES, "RBP", strict=True)
     ),
-    parameter(
-        "inertia",
-        "1",
-        "kappa, the ball's moment of inertia over m R_B²: 2/3 of a thin shell, 2/5 of a solid ball",
-        float(THIN_SHELL),
-        upper=float(MAX_INERTIA),
-        latex=r"\kappa",
-        lower=float(MIN_INERTIA),
-    ),
+    INERTIA,
     parameter(
         "tangential_restitution",
         "1",

@@ -32,6 +32,10 @@ AIR_DEFAULTS: Mapping[str, float] = MappingProxyType(
 """Parameters that every scene in air has beside its own, and their usual values, SI units: those of
 `derive/scenes/air.py`, which a test compares, since they are asked for without SymPy."""
 
+THIN_SHELL = 2.0 / 3.0
+"""The usual value of `inertia`, the ball's moment of inertia over m R_B²: that of
+`derive/contact/ball.py`, which a test compares. Every hoop but the article's has this parameter."""
+
 OF_COURT = (
     "board_thickness",
     "bridge_depth",
@@ -44,7 +48,7 @@ OF_COURT = (
     "tangential_restitution",
     "restitution_speed",
 )
-"""Parameters that `COURT` has and the article's hoop has not; a test compares them."""
+"""Parameters of `COURT` that neither the article's hoop nor `AIR` has; a test compares them."""
 
 
 Held = TypeVar("Held", bound=Value, covariant=True)
@@ -225,11 +229,13 @@ def complete(parameters: ParameterValues | None, table: Table) -> ParameterValue
 def _scene_of(unknown: Sequence[str], table: Table) -> str:
     """Return which scene of a hoop has parameters that another one has not; "." for none."""
     air, court = (not set(names).isdisjoint(unknown) for names in (AIR_DEFAULTS, OF_COURT))
-    if "ring_radius" not in table.defaults or not (air or court):
+    if "ring_radius" not in table.defaults or not (air or court or "inertia" in unknown):
         return "."
     if air and court:
         return "; give scene=hoopgen.COURT_AIR for these."
-    return f"; give scene=hoopgen.{'AIR' if air else 'COURT'}, or COURT_AIR, for these."
+    if air or court:
+        return f"; give scene=hoopgen.{'AIR' if air else 'COURT'}, or COURT_AIR, for these."
+    return "; give scene=hoopgen.COURT, AIR or COURT_AIR for these."
 
 
 def of_scene(parameters: ParameterValues, table: Table) -> ParameterValues:

@@ -52,9 +52,11 @@ def wild(count: int, seed: int) -> Shots:
     return shots
 
 
-def checked(shots: Shots, certificate: Certificate) -> float:
+def checked(
+    shots: Shots, certificate: Certificate, parameters: Mapping[str, Any] | None = None
+) -> float:
     """Return the largest error over what the engine claims, after the sequences are compared."""
-    flown = hoopgen.AIR.simulate(shots, max_contacts=12, record=True, fields=CLAIMS)
+    flown = hoopgen.AIR.simulate(shots, parameters, max_contacts=12, record=True, fields=CLAIMS)
     assert certificate.decided.all()
     assert certificate.agrees(flown).all()
     # The engine says of a short shot where it was when that was known, the judge where it met last.
@@ -87,6 +89,20 @@ def test_shots_are_as_proved_and_a_slightly_wrong_engine_is_not() -> None:
 def test_many_shots_are_as_proved(family: Any, seed: int) -> None:
     shots = family(trials(200), seed)
     assert checked(shots, in_air(shots)) < 1
+
+
+@pytest.mark.slow
+def test_shots_of_balls_of_inertias_from_a_tenth_to_one_are_as_proved() -> None:
+    """A proof of thin shells is one of other shots: the judge knows the inertia of each."""
+    shots = np.concatenate([free_throws(trials(40), 11), wild(trials(40), 12)])
+    kappa = np.random.default_rng(13).uniform(0.1, 1.0, len(shots))
+    assert checked(shots, in_air(shots, {"inertia": kappa}), {"inertia": kappa}) < 1
+    flown = hoopgen.AIR.simulate(shots, {"inertia": kappa}, max_contacts=12)
+    met = np.flatnonzero(~flown.uncertain & (flown.contacts > 0))[:12]
+    assert len(met) > 0
+    shells = in_air(shots[met])
+    away = np.linalg.norm((flown.state[met] - shells.state).reshape(-1, 3, 3), axis=2)
+    assert np.median(away.max(axis=1)) > 1e-3
 
 
 # ------------------------------------------------------------------------------------- its pieces

@@ -79,7 +79,7 @@ def yard_throws(shots: int, seed: int = 1) -> Any:
 
 @pytest.mark.slow
 def test_derivatives_are_those_of_35_digits() -> None:
-    names = (*STATE, *OF_AIR, "restitution", "ball_radius", "gravity", "ring_radius")
+    names = (*STATE, *OF_AIR, "restitution", "ball_radius", "gravity", "ring_radius", "inertia")
     states = free_throws(30)
     shots = hoopgen.AIR.simulate(states)
     order = np.argsort(-shots.contacts, kind="stable")  # five contacts first, then few
@@ -91,11 +91,22 @@ def test_derivatives_are_those_of_35_digits() -> None:
 
 @pytest.mark.slow
 def test_derivatives_of_many_shots_are_those_of_35_digits() -> None:
-    names = ("vx", "wy", *OF_AIR, "restitution", "board_distance", "end_depth")
+    names = ("vx", "wy", *OF_AIR, "restitution", "board_distance", "end_depth", "inertia")
     most = trials(12, at_least=10)
     contacts = check_against_truth(hoopgen.AIR, free_throws(60, 11), {}, names, most, PreciseAir)
     assert len(contacts) == most
     assert {1, 2, 5} <= set(contacts)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("inertia", [0.1, 2 / 5, 1.0])
+def test_derivatives_by_the_inertia_are_those_of_35_digits(inertia: float) -> None:
+    states, given = free_throws(60, 11), {"inertia": inertia}
+    order = np.argsort(-hoopgen.AIR.simulate(states, given).contacts, kind="stable")
+    most = trials(6, at_least=2)
+    rows, names = order[[0, *range(5, 30, 5)]], ("vx", "vz", "wy", "inertia")
+    contacts = check_against_truth(hoopgen.AIR, states[rows], given, names, most, PreciseAir)
+    assert contacts.max() >= 3
 
 
 @pytest.mark.slow

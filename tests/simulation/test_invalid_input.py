@@ -318,6 +318,11 @@ def test_an_unknown_parameter_is_named_and_the_right_ones_listed(
         (hoopgen.NBA_AIR, hoopgen.HOOP, "; give scene=hoopgen.AIR, or COURT_AIR, for these. "),
         (hoopgen.NBA_COURT, hoopgen.AIR, "; give scene=hoopgen.COURT, or COURT_AIR, for these. "),
         (hoopgen.NBA_COURT_AIR, hoopgen.HOOP, "; give scene=hoopgen.COURT_AIR for these. "),
+        (
+            {"inertia": 0.4},
+            hoopgen.HOOP,
+            "; give scene=hoopgen.COURT, AIR or COURT_AIR for these. ",
+        ),
     ],
 )
 def test_parameters_of_another_hoop_name_the_scene_that_has_them(
@@ -330,7 +335,7 @@ def test_parameters_of_another_hoop_name_the_scene_that_has_them(
 
 def test_the_names_in_that_hint_are_those_that_the_scenes_add() -> None:
     own = set(NAMES)
-    assert {*AIR_DEFAULTS} == set(hoopgen.NBA_AIR) - own
+    assert {*AIR_DEFAULTS, "inertia"} == set(hoopgen.NBA_AIR) - own
     assert {*OF_COURT, "inertia"} == set(hoopgen.NBA_COURT) - own
 
 
