@@ -280,7 +280,7 @@ def parameters_in_range(scene: Scene) -> dict[str, sp.Expr]:
 
 
 def least_gravity(acceleration: Acceleration) -> sp.Expr:
-    """Return what has to be positive for gravity along no axis to press a ball on, m²/s⁴.
+    """Return the excess of gravity along no axis, squared, over the least at which a ball rolls.
 
     Parameters
     ----------

@@ -235,7 +235,7 @@ def test_contacts_before_a_roll_in_any_gravity_are_proved_or_flagged(engine: Eng
 
 
 def test_a_ball_that_a_wall_stops_is_uncertain_where_gravity_is_along_the_wall() -> None:
-    """What presses it on is a rounding."""
+    """The force that presses it on is a rounding."""
     engine, count = hoopgen.compile(WALLED), trials(100, at_least=30)
     turn, chance = turns(count, 9), np.random.default_rng(10)
     states = np.zeros((count, 9))
