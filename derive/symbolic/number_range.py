@@ -6,11 +6,12 @@ hold numbers of 2^±1022, single precision, in which errors are carried where ba
 radius R_B and gravity g at least 1/S, and a flight's place, speed v and v²/g at most `MAX_FLIGHT`
 P = 2^60:
 
-Where gravity may be zero, or is along no axis, it has no least size, and no bound on v²/g is asked
-for: the speed is at most `MAX_SPEED` V = 2^40, and every flight ends at the time limit T at the
-latest. A flight then reaches places of P + V T + S T², as small as a fall of that time does anyway.
-A time limit that is infinite, or a v²/g that is, makes bounds infinite, and such a shot uncertain;
-what is divided by gravity is compared with what does without (`events/box_windows.py`).
+Where gravity may be zero, or is along no axis, it has no least size, unless a ball may roll, and no
+bound on v²/g is asked for: the speed is at most `MAX_SPEED` V = 2^40, and every flight ends at the
+time limit T at the latest. A flight then reaches places of P + V T + S T², as small as a fall of
+that time does anyway. A time limit that is infinite, or a v²/g that is, makes bounds infinite, and
+such a shot uncertain; what is divided by gravity is compared with what does without
+(`events/box_windows.py`).
 
 - In single precision the largest numbers are squares of a length or of a speed. A coordinate is at
   most P, and the contact point's slip at most v + R_B |w| <= P + 3 S² < 2^62, so that the sum of

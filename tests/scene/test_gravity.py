@@ -153,7 +153,7 @@ def test_gravity_of_any_size_and_direction_in_each_shot_is_that_of_the_judge(
 
 @pytest.mark.slow
 def test_a_size_that_differs_from_shot_to_shot_is_that_of_the_judge(sized: Engine) -> None:
-    count = trials(3000, at_least=300)
+    count = trials(10_000, at_least=300)
     values = {"pull": gravities(count, 4)["pull"]}
     check_against_the_judge(sized, thrown(count, 5), values)
 

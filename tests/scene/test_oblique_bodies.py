@@ -193,18 +193,18 @@ def check_shots(engine: Engine, states: Floats, values: Mapping[str, Any]) -> No
 
 
 def test_planes_cylinders_and_discs_turn_at_random(straight: Engine) -> None:
-    """5,000 shots, each with its own directions: the sequences proved, or flagged."""
-    check_against_the_judge(straight, STRAIGHT, trials(5000, at_least=300), seed=1)
+    """10,000 shots, each with its own directions: the sequences proved, or flagged."""
+    check_against_the_judge(straight, STRAIGHT, trials(10_000, at_least=300), seed=1)
 
 
 def test_cones_and_pipes_turn_at_random(round_bodies: Engine) -> None:
-    """5,000 shots, each with its own directions: the sequences proved, or flagged."""
-    check_against_the_judge(round_bodies, ROUND, trials(5000, at_least=300), seed=2)
+    """10,000 shots, each with its own directions: the sequences proved, or flagged."""
+    check_against_the_judge(round_bodies, ROUND, trials(10_000, at_least=300), seed=2)
 
 
 def test_tori_turn_at_random(rings: Engine) -> None:
-    """5,000 shots, each with its own directions: the sequences proved, or flagged."""
-    check_against_the_judge(rings, RINGS, trials(5000, at_least=300), seed=3)
+    """10,000 shots, each with its own directions: the sequences proved, or flagged."""
+    check_against_the_judge(rings, RINGS, trials(10_000, at_least=300), seed=3)
 
 
 def test_turned_tori_are_met_where_an_independent_integrator_meets_them(rings: Engine) -> None:
