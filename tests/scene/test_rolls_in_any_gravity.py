@@ -30,7 +30,7 @@ from hoopgen.scene import (
     Torus,
 )
 from hoopgen.simulation.engine import Engine
-from tests.helpers.effort import exceptions, trials
+from tests.helpers.effort import exceptions, occurrences, trials
 from tests.scene.test_cone_rolls import cone
 from tests.scene.test_oblique_rolls import (
     BALL,
@@ -83,6 +83,9 @@ PLACES = {"crate": 0.0, "bowl": 4.0, "log": -2.0, "funnel": 8.0, "wheel": 12.0, 
 HEIGHTS = {"bowl": 0.2}
 SPEEDS = {"funnel": 0.8}  # a slower ball falls through
 NAMES = tuple(PLACES)
+
+FLAGGED = {"funnel": 0.4}
+"""The largest share of uncertain shots: many balls that roll fast on a turned cone are."""
 
 
 def bodies() -> list[Any]:
@@ -183,8 +186,10 @@ def test_a_scene_turned_with_its_gravity_gives_turned_rolls(engine: Engine) -> N
     other = engine.simulate(turned(turn, states), values_of(turn), **given)
     sure = ~(first.uncertain | other.uncertain)
     for own, name in enumerate(NAMES):
-        assert (first.rolls > 0)[own :: len(NAMES)].mean() > 0.8, name
-        assert sure[own :: len(NAMES)].mean() > 0.75, name
+        shots = slice(own, None, len(NAMES))
+        assert (first.rolls > 0)[shots].mean() > 0.8, name
+        flagged = np.count_nonzero(~sure[shots])
+        assert flagged < exceptions(FLAGGED.get(name, 0.15), len(sure[shots])), name
     for name in ("outcome", "rolls", "counts"):
         assert np.array_equal(getattr(first, name)[sure], getattr(other, name)[sure]), name
     away = np.abs(turned(turn, first.state) - other.state).reshape(-1, 3, 3).max(axis=2)
@@ -225,7 +230,9 @@ def test_rolls_in_any_gravity_are_those_of_a_second_formulation(engine: Engine, 
         return rolled(body, begin["after"], until) if begin["surface"] == own else None
 
     back = cast(hoopgen.Shots, SimpleNamespace(events=events, uncertain=shots.uncertain))
-    assert len(compare(back, follow)) > len(states) / 10
+    compared = len(compare(back, follow))
+    assert compared > occurrences(len(states) // 10)
+    assert compared > 0
 
 
 def test_contacts_before_a_roll_in_any_gravity_are_proved_or_flagged(engine: Engine) -> None:
