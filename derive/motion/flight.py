@@ -126,7 +126,7 @@ class Flight(ABC):
     @property
     def along_axis(self) -> bool:
         """True if the acceleration is along one axis, or zero."""
-        return sum(component != 0 for component in self.acceleration) < 2
+        return len([component for component in self.acceleration if component != 0]) < 2
 
     @property
     def gravity(self) -> sp.Expr:
