@@ -279,8 +279,8 @@ def parameters_in_range(scene: Scene) -> dict[str, sp.Expr]:
     return {"permitted": all_of(Less(0, permission), *conditions)}
 
 
-def least_gravity(acceleration: Acceleration) -> sp.Expr:
-    """Return the excess of gravity along no axis, squared, over the least at which a ball rolls.
+def gravity_excess(acceleration: Acceleration) -> sp.Expr:
+    """Return g² - 1/S² for gravity in any direction; where a ball may roll, it must be positive.
 
     Parameters
     ----------

@@ -17,7 +17,7 @@ from hoopgen.derive.contact.no_slip import NoSlip
 from hoopgen.derive.scenes import scene as derive
 from hoopgen.derive.scenes.air import with_air
 from hoopgen.derive.scenes.ends import End
-from hoopgen.derive.scenes.validity import least_gravity
+from hoopgen.derive.scenes.validity import gravity_excess
 from hoopgen.derive.surfaces import (
     Body,
     Box,
@@ -108,7 +108,7 @@ class _Builder:
             ax, ay, az = map(self._sympy, read.down)
             acceleration = (ax, ay, az)
             if read.rolls:
-                self._requirements.append(least_gravity(acceleration))
+                self._requirements.append(gravity_excess(acceleration))
         bodies = tuple(self._body(shape) for shape in read.bodies)
         ends = tuple(self._end(shape) for shape in read.ends)
         scene = derive.Scene(

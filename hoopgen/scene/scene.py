@@ -56,9 +56,9 @@ class Scene:
         Whether a ball whose bounces become ever smaller rolls on, instead of bouncing until it is
         given up. Off the edges of a body, where its bounds or its span end, it flies, unless
         another body takes it over there. Then tori have no bounds, others have bounds of a degree
-        of at most 2, no body is a revolution or a surface of your own, and gravity points along an
-        axis. Such a shot may end LODGED, at rest or wedged, or ENDLESS, still rolling at the time
-        limit. It makes kernels some times as long to compile.
+        of at most 2, no body is a revolution or a surface of your own, and gravity is not zero, in
+        whatever direction. Such a shot may end LODGED, at rest or wedged, or ENDLESS, still rolling
+        at the time limit. It makes kernels some times as long to compile.
     air
         Whether the ball flies through air, with drag, buoyancy and the Magnus force of its spin.
         Then the scene has five parameters more, which it may declare itself to give other defaults:

@@ -260,3 +260,9 @@ def test_gravity_that_presses_nothing_on_makes_its_own_row_invalid(engine: Engin
     reasons = hoopgen.why_invalid(states, values, scene=engine)
     assert [bool(reason) for reason in reasons] == [False, True, False]
     assert "gravity_z" in reasons[1]
+
+
+def test_a_direction_of_gravity_that_is_zero_is_named(engine: Engine) -> None:
+    values = values_of(upright(1)) | dict.fromkeys((row[2] for row in ENTRIES), 0.0)
+    (reason,) = hoopgen.why_invalid(dropped(1, 12), values, scene=engine)
+    assert "part of a direction whose sizes are neither all 0 nor too small" in reason
