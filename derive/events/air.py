@@ -274,7 +274,7 @@ class AirBoxRootFinder(BoxRootFinder):
     def _pulls(self) -> list[sp.Expr]:
         return self.flight.acceleration_at()
 
-    def _pulled(self, width: sp.Expr) -> sp.Expr:
+    def _pull_bound(self, width: sp.Expr) -> sp.Expr:
         """Return 2 Σ |e a| with the largest e and a; one far away stays within the windows."""
         sums = []
         for e, v, _ in self._moving():

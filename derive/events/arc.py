@@ -50,5 +50,5 @@ class ArcRootFinder(PolynomialRootFinder):
 
     @property
     def error_share(self) -> sp.Expr:
-        """`SHARE`."""
+        """By what share of F it may be wrong besides the margin: `SHARE`."""
         return SHARE

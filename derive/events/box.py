@@ -111,10 +111,10 @@ class BoxRootFinder(RootFinder):
         return 2 * barrier(sp.Add(*parts))
 
     def curvature(self, width: sp.Expr) -> sp.Expr:
-        """Return the bound by which all of the acceleration counts."""
-        return self._pulled(width)
+        """Return 2 Σ |e a| with the largest e, which leaves out v²."""
+        return self._pull_bound(width)
 
-    def _pulled(self, width: sp.Expr) -> sp.Expr:
+    def _pull_bound(self, width: sp.Expr) -> sp.Expr:
         """Return 2 Σ |e a| with the largest e; a coordinate far away stays within the windows."""
         most = []
         for e, v, a in self._moving():
@@ -127,7 +127,7 @@ class BoxRootFinder(RootFinder):
     def turned_curvature(self, width: sp.Expr) -> sp.Expr:
         """Return 2 Σ (v² + |e a|) with the largest v and e."""
         squares = (barrier(fastest) ** 2 for fastest in self._fastest_within(width))
-        return barrier(self._pulled(width) + 2 * barrier(sp.Add(*squares)))
+        return barrier(self._pull_bound(width) + 2 * barrier(sp.Add(*squares)))
 
     def _fastest_within(self, width: sp.Expr) -> list[sp.Expr]:
         """Return a bound on the size of each velocity within a window."""

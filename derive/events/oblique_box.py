@@ -104,7 +104,7 @@ class _Turned(BoxRootFinder):
 
     @property
     def error_share(self) -> sp.Expr:
-        """`SHARE`."""
+        """By what share of F it may be wrong besides the margin: `SHARE`."""
         return SHARE
 
     def _velocities(self, given: Rounded) -> dict[sp.Expr, Rounded]:
@@ -186,19 +186,19 @@ class ObliqueBoxRootFinder(_Turned):
         return barrier(minimum(width, self.opening(1)))
 
     def curvature(self, width: sp.Expr) -> sp.Expr:
-        """Return a smaller bound where a ball has rolled: with its velocity.
+        """Return a smaller bound in scenes where balls roll, which takes v² into account.
 
-        As long as the sign of e is the same, v² + e a has the rate 3 v a, and bends upwards: it
-        never falls below v² + e a + 3 v a s after a time s, nor below -|e a|.
+        As long as e keeps its sign, v² + e a has the rate 3 v a and bends upwards. Within a time s
+        it is at least v² + e a + 3 min(0, v a) s; at all times it is at least -|e a|.
         """
         if not self.flight.departs:
             return super().curvature(width)
         lowest = []
         for e, v, a in self._moving():
             drift = barrier(barrier(absolute(v) + absolute(a) * width / 2) * width)
-            pulled = barrier(-absolute(a) * minimum(barrier(absolute(e) + drift), self._reach))
-            kept = barrier(barrier(v**2 + e * a) + 3 * minimum(0, barrier(v * a)) * width)
-            lowest.append(IfLess(drift, absolute(e), barrier(maximum(pulled, kept)), pulled))
+            general = barrier(-absolute(a) * minimum(barrier(absolute(e) + drift), self._reach))
+            local = barrier(barrier(v**2 + e * a) + 3 * minimum(0, barrier(v * a)) * width)
+            lowest.append(IfLess(drift, absolute(e), barrier(maximum(general, local)), general))
         slack = sp.Rational(1, 2**40) * ceiling
         return slack - 2 * barrier(sp.Add(*lowest))
 

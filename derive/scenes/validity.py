@@ -280,7 +280,7 @@ def parameters_in_range(scene: Scene) -> dict[str, sp.Expr]:
 
 
 def gravity_excess(acceleration: Acceleration) -> sp.Expr:
-    """Return g² - 1/S² for gravity in any direction; where a ball may roll, it must be positive.
+    """Return g² - 1/S², m²/s⁴, for gravity in any direction: positive where a ball may roll.
 
     Parameters
     ----------

@@ -214,9 +214,9 @@ def _why_not_allowed(
 
 def _broken_limit(parameter: Parameter, value: float) -> str:
     """Return the range of a parameter that a number is out of, "" if it is within."""
-    if math.isnan(value):
-        return "part of a direction whose sizes are neither all 0 nor too small"
     least, most = parameter.least, math.inf if parameter.upper is None else parameter.upper
+    if math.isnan(value) and -least == most == math.inf:
+        return "a number; a direction of length 0 and a formula without a value have none"
     positive = parameter.sign == "positive" and parameter.lower is None
     if least <= value <= most and not (positive and value == 0.0):
         return ""

@@ -71,7 +71,7 @@ FAULTS = (
         in_text(
             BoxRootFinder,
             "turned_curvature",
-            "self._pulled(width) + 2 * barrier(sp.Add(*squares))",
+            "self._pull_bound(width) + 2 * barrier(sp.Add(*squares))",
             "self.curvature(width)",
         ),
         bend,
@@ -81,7 +81,7 @@ FAULTS = (
         in_text(
             BoxRootFinder,
             "turned_curvature",
-            "self._pulled(width) + 2 * barrier(sp.Add(*squares))",
+            "self._pull_bound(width) + 2 * barrier(sp.Add(*squares))",
             "ceiling",
         ),
         bend,

@@ -303,7 +303,7 @@ FAULTS = (
         "free fall bends the gap of a box by a quarter",
         in_text(
             BoxRootFinder,
-            "_pulled",
+            "_pull_bound",
             "most.append(absolute(a) * minimum",
             "most.append(absolute(a) / 4 * minimum",
         ),

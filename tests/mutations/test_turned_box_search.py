@@ -49,8 +49,8 @@ FAULTS = (
         in_text(
             oblique_box.ObliqueBoxRootFinder,
             "curvature",
-            "IfLess(drift, absolute(e), barrier(maximum(pulled, kept)), pulled)",
-            "barrier(maximum(pulled, kept))",
+            "IfLess(drift, absolute(e), barrier(maximum(general, local)), general)",
+            "barrier(maximum(general, local))",
         ),
         bend,
     ),

@@ -104,7 +104,7 @@ def test_the_gap_of_a_ball_beside_a_turned_box_bends_no_more_than_its_bound() ->
     values |= {"width": 10 ** chance.uniform(-4, -0.5, count), "horizon": np.full(count, 2.0)}
     values["ceiling"] = in_doubles(FINDER.ceiling)(values)
     bound = in_doubles(FINDER.curvature(width))(values)
-    pulled = in_doubles(FINDER._pulled(width))(values)
+    general = in_doubles(FINDER._pull_bound(width))(values)
     bend, met = in_doubles(FINDER.bend), 0
     for share in np.linspace(0, 1, 17):
         time = share * values["width"]
@@ -120,5 +120,5 @@ def test_the_gap_of_a_ball_beside_a_turned_box_bends_no_more_than_its_bound() ->
         met += near.sum()
         assert (-bend(values | {"t": time}) <= bound)[near].all()
     assert met > 5 * count
-    assert (bound <= pulled * (1 + 1e-9)).all()
-    assert (bound < pulled / 2).mean() > 0.2
+    assert (bound <= general * (1 + 1e-9)).all()
+    assert (bound < general / 2).mean() > 0.2
