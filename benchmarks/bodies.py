@@ -148,9 +148,9 @@ def making_costs(scene: Scene) -> tuple[float, float, float]:
         folder = Path(name)
         for file, text in files.items():
             (folder / file).write_text(text, encoding="utf-8")
-        only = f"-D{scene.name.upper()}_ONLY={compilers.processor_width()}"
+        options = compilers.processor_lanes().options(scene.name)
         said: list[str] = []
-        compiled = _busy(lambda: said.append(compiler.run(folder, f"{scene.name}.c", [only])[0]))
+        compiled = _busy(lambda: said.append(compiler.run(folder, f"{scene.name}.c", options)[0]))
     if any(said):
         raise RuntimeError(f"bodies: {compiler.name} does not compile {scene.name}: {said[0]}")
     return derived, compiled, size

@@ -25,10 +25,26 @@
 
 _Static_assert(sizeof(court_environment) == ENVIRONMENT_WORDS * sizeof(uint64_t), "words of an environment");
 
+/* Native vectors of a value above one lane: two are faster unless kernels are long; one takes less time
+   to compile, by GCC or Clang for an x86-64 processor with AVX2 or AVX-512. */
+#ifndef COURT_VECTORS
+#define COURT_VECTORS 2
+#endif
+#define LANES_VECTORS COURT_VECTORS
+
+/* Lanes of a value in registers of so many bits. */
+#if LANES_VECTORS == 1
+#define LANES_IN_256 4
+#define LANES_IN_512 8
+#else
+#define LANES_IN_256 8
+#define LANES_IN_512 16
+#endif
+
 /* The widest vectors that are compiled. A build may ask for fewer, which take less time. */
 #ifndef COURT_WIDEST
 #if defined(__GNUC__) && defined(__x86_64__)
-#define COURT_WIDEST 16
+#define COURT_WIDEST LANES_IN_512
 #elif defined(__GNUC__)
 #define COURT_WIDEST 4
 #else
@@ -149,21 +165,21 @@ static void streamed(void)
 /* Idle lanes for which the next shots are fetched. */
 #define LANES_SPARE (LANES_WIDTH < 4 ? 1 : LANES_WIDTH / 4)
 
-#if BUILT(4)
+#if BUILT(4) && LANES_VECTORS == 2
 #define LANES_WIDTH 4
 #include "exact.h"
 #include "court_engine.h"
 #undef LANES_WIDTH
 #endif
 
-#if BUILT(8)
+#if BUILT(LANES_IN_256)
 #ifdef __clang__
 #pragma clang attribute push(__attribute__((target("avx2"))), apply_to = function)
 #else
 #pragma GCC push_options
 #pragma GCC target("avx2")
 #endif
-#define LANES_WIDTH 8
+#define LANES_WIDTH LANES_IN_256
 #include "exact.h"
 #include "court_engine.h"
 #undef LANES_WIDTH
@@ -174,7 +190,7 @@ static void streamed(void)
 #endif
 #endif
 
-#if BUILT(16)
+#if BUILT(LANES_IN_512)
 #ifdef __clang__
 #pragma clang attribute push(__attribute__((target("avx512f,avx512dq,avx512vl"))), apply_to = function)
 #else
@@ -184,7 +200,7 @@ static void streamed(void)
    of which other vectors have half as many. */
 #pragma GCC optimize("schedule-insns", "sched-pressure", "rename-registers")
 #endif
-#define LANES_WIDTH 16
+#define LANES_WIDTH LANES_IN_512
 #include "exact.h"
 #include "court_engine.h"
 #undef LANES_WIDTH
@@ -207,16 +223,16 @@ static int widest(void)
 #ifdef COURT_ONLY
     return COURT_ONLY; /* who asks for one alone knows the processor */
 #else
-#if BUILT(16)
+#if BUILT(LANES_IN_512)
     if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
         __builtin_cpu_supports("avx512vl"))
-        return 16;
+        return LANES_IN_512;
 #endif
-#if BUILT(8)
+#if BUILT(LANES_IN_256)
     if (__builtin_cpu_supports("avx2"))
-        return 8;
+        return LANES_IN_256;
 #endif
-    return BUILT(4) ? 4 : 1;
+    return BUILT(4) && LANES_VECTORS == 2 ? 4 : 1;
 #endif
 }
 
@@ -274,7 +290,7 @@ const char *court_sources(void) { return TEXT(COURT_SOURCES); }
 
 int court_missing_width(void)
 {
-    const int built = BUILT(16) ? 16 : BUILT(8) ? 8 : BUILT(4) ? 4 : 1;
+    const int built = BUILT(LANES_IN_512) ? LANES_IN_512 : BUILT(LANES_IN_256) ? LANES_IN_256 : BUILT(4) ? 4 : 1;
     return widest() == 1 && built > 1 ? built : 0;
 }
 

@@ -2,9 +2,10 @@
 
    Generated from templates/c/lanes.h.j2, the same for every scene, with
    Jinja2 3.1.6. Do not edit: change templates/ and run `make generate`.
-   Included by a scene's engine once for every width. Above one lane a value is a struct of two native
-   vectors: of two independent chains of operations one hides the other's latency. The processor's
-   own comparisons, selections, roots, maxima and minima are asked for by name; the rest is operators,
+   Included by a scene's engine once for every width. Above one lane a value is LANES_VECTORS native
+   vectors: a struct of two, since of two independent chains of operations one hides the other's
+   latency; or one, of which long kernels take a third of the time to compile. The processor's own
+   comparisons, selections, roots, maxima and minima are asked for by name; the rest is operators,
    which GCC and Clang have for their vectors. */
 
 #ifndef LANES_POPULATION
@@ -17,6 +18,12 @@
 #define LANES_POPULATION(bits) ((bits) & 1U)
 #define LANES_SELDOM(asked) (asked)
 #define LANES_APART static
+#endif
+/* A loop of at most eight rounds without its loop, so that the vectors of an array stay in registers. */
+#if defined(__GNUC__) && !defined(__clang__)
+#define LANES_UNROLL _Pragma("GCC unroll 8")
+#else
+#define LANES_UNROLL
 #endif
 
 /* EACH(what, of, x, y) is what(of, x) what(of, y), for up to 32 variables. */
@@ -316,7 +323,7 @@ LANES_INLINE S singles_expand(const float *from, M m, S old) { return m ? *from 
 
 #define N LANES(native)
 #define B LANES(native_mask)
-#define NATIVE (LANES_WIDTH / 2)
+#define NATIVE (LANES_WIDTH / LANES_VECTORS)
 #define n_load LANES(n_load)
 #define n_store LANES(n_store)
 #define n_all LANES(n_all)
@@ -362,16 +369,19 @@ LANES_INLINE N n_gather(const double *first, int64_t stride)
 LANES_INLINE void n_square(N *a)
 {
     N b[8], c[8];
+    LANES_UNROLL
     for (int k = 0; k < 8; k += 2) {
         b[k] = _mm512_unpacklo_pd(a[k], a[k + 1]);
         b[k + 1] = _mm512_unpackhi_pd(a[k], a[k + 1]);
     }
+    LANES_UNROLL
     for (int k = 0; k < 2; k++) {
         c[k] = _mm512_shuffle_f64x2(b[k], b[k + 2], 0x88);
         c[k + 2] = _mm512_shuffle_f64x2(b[k], b[k + 2], 0xdd);
         c[k + 4] = _mm512_shuffle_f64x2(b[k + 4], b[k + 6], 0x88);
         c[k + 6] = _mm512_shuffle_f64x2(b[k + 4], b[k + 6], 0xdd);
     }
+    LANES_UNROLL
     for (int k = 0; k < 4; k++) {
         a[k] = _mm512_shuffle_f64x2(c[k], c[k + 4], 0x88);
         a[k + 4] = _mm512_shuffle_f64x2(c[k], c[k + 4], 0xdd);
@@ -512,6 +522,7 @@ LANES_INLINE void n_square(N *a)
 {
     N b[NATIVE];
     memcpy(b, a, sizeof b);
+    LANES_UNROLL
     for (int k = 0; k < NATIVE; k++)
         for (int lane = 0; lane < NATIVE; lane++)
             a[k][lane] = b[lane][k];
@@ -553,6 +564,48 @@ typedef N LANES(native_anywhere) __attribute__((aligned(8), may_alias));
 LANES_INLINE N n_load(const double *from) { return *(const LANES(native_anywhere) *)from; }
 LANES_INLINE void n_store(double *to, N a) { *(LANES(native_anywhere) *)to = a; }
 
+#if LANES_VECTORS == 1
+typedef N V;
+typedef B M;
+
+LANES_INLINE V lanes_all(double c) { return n_all(c); }
+LANES_INLINE V lanes_add(V a, V b) { return a + b; }
+LANES_INLINE V lanes_sub(V a, V b) { return a - b; }
+LANES_INLINE V lanes_mul(V a, V b) { return a * b; }
+LANES_INLINE V lanes_div(V a, V b) { return a / b; }
+LANES_INLINE V lanes_neg(V a) { return -a; }
+LANES_INLINE V lanes_sqrt(V a) { return n_sqrt(a); }
+LANES_INLINE V lanes_abs(V a) { return n_abs(a); }
+LANES_INLINE V lanes_max(V a, V b) { return n_max(a, b); }
+LANES_INLINE V lanes_min(V a, V b) { return n_min(a, b); }
+LANES_INLINE M lanes_less(V a, V b) { return n_less(a, b); }
+LANES_INLINE M lanes_at_most(V a, V b) { return n_at_most(a, b); }
+LANES_INLINE M lanes_equal(V a, V b) { return n_equal(a, b); }
+LANES_INLINE M lanes_both(M a, M b) { return n_both(a, b); }
+LANES_INLINE M lanes_either(M a, M b) { return n_either(a, b); }
+LANES_INLINE M lanes_not(M a) { return n_not(a); }
+LANES_INLINE V lanes_select(M m, V a, V b) { return n_select(m, a, b); }
+LANES_INLINE M mask_none(void)
+{
+    const N zero = n_all(0.0);
+    return n_less(zero, zero);
+}
+LANES_INLINE V lanes_load(const double *row) { return n_load(row); }
+LANES_INLINE void lanes_store(double *row, V a) { n_store(row, a); }
+LANES_INLINE V lanes_gather(const double *first, int64_t stride) { return n_gather(first, stride); }
+LANES_INLINE unsigned lanes_bits(M m) { return n_bits(m); }
+LANES_INLINE M lanes_of(unsigned bits) { return n_of(bits); }
+LANES_INLINE int lanes_any(M m) { return n_bits(m) != 0; }
+LANES_INLINE V iota(void)
+{
+    V up;
+    for (int lane = 0; lane < NATIVE; lane++)
+        up[lane] = lane;
+    return up;
+}
+LANES_INLINE void lanes_pack(double *to, M m, V a) { n_pack(to, m, a); }
+LANES_INLINE V lanes_expand(const double *from, M m, V old) { return n_expand(from, m, old); }
+#else
 typedef struct {
     N lo, hi;
 } V;
@@ -565,29 +618,74 @@ LANES_INLINE V lanes_all(double c)
     const N all = n_all(c);
     return (V){all, all};
 }
-LANES_INLINE V lanes_add(V a, V b) { return (V){a.lo + b.lo, a.hi + b.hi}; }
-LANES_INLINE V lanes_sub(V a, V b) { return (V){a.lo - b.lo, a.hi - b.hi}; }
-LANES_INLINE V lanes_mul(V a, V b) { return (V){a.lo * b.lo, a.hi * b.hi}; }
-LANES_INLINE V lanes_div(V a, V b) { return (V){a.lo / b.lo, a.hi / b.hi}; }
-LANES_INLINE V lanes_neg(V a) { return (V){-a.lo, -a.hi}; }
-LANES_INLINE V lanes_sqrt(V a) { return (V){n_sqrt(a.lo), n_sqrt(a.hi)}; }
-LANES_INLINE V lanes_abs(V a) { return (V){n_abs(a.lo), n_abs(a.hi)}; }
-LANES_INLINE V lanes_max(V a, V b) { return (V){n_max(a.lo, b.lo), n_max(a.hi, b.hi)}; }
-LANES_INLINE V lanes_min(V a, V b) { return (V){n_min(a.lo, b.lo), n_min(a.hi, b.hi)}; }
-LANES_INLINE M lanes_less(V a, V b) { return (M){n_less(a.lo, b.lo), n_less(a.hi, b.hi)}; }
-LANES_INLINE M lanes_at_most(V a, V b) { return (M){n_at_most(a.lo, b.lo), n_at_most(a.hi, b.hi)}; }
-LANES_INLINE M lanes_equal(V a, V b) { return (M){n_equal(a.lo, b.lo), n_equal(a.hi, b.hi)}; }
-LANES_INLINE M lanes_both(M a, M b) { return (M){n_both(a.lo, b.lo), n_both(a.hi, b.hi)}; }
-LANES_INLINE M lanes_either(M a, M b) { return (M){n_either(a.lo, b.lo), n_either(a.hi, b.hi)}; }
-LANES_INLINE M lanes_not(M a) { return (M){n_not(a.lo), n_not(a.hi)}; }
-LANES_INLINE M mask_none(void)
+LANES_INLINE V lanes_add(V a, V b)
 {
-    const N zero = n_all(0.0);
-    return (M){n_less(zero, zero), n_less(zero, zero)};
+    return (V){a.lo + b.lo, a.hi + b.hi};
+}
+LANES_INLINE V lanes_sub(V a, V b)
+{
+    return (V){a.lo - b.lo, a.hi - b.hi};
+}
+LANES_INLINE V lanes_mul(V a, V b)
+{
+    return (V){a.lo * b.lo, a.hi * b.hi};
+}
+LANES_INLINE V lanes_div(V a, V b)
+{
+    return (V){a.lo / b.lo, a.hi / b.hi};
+}
+LANES_INLINE V lanes_neg(V a)
+{
+    return (V){-a.lo, -a.hi};
+}
+LANES_INLINE V lanes_sqrt(V a)
+{
+    return (V){n_sqrt(a.lo), n_sqrt(a.hi)};
+}
+LANES_INLINE V lanes_abs(V a)
+{
+    return (V){n_abs(a.lo), n_abs(a.hi)};
+}
+LANES_INLINE V lanes_max(V a, V b)
+{
+    return (V){n_max(a.lo, b.lo), n_max(a.hi, b.hi)};
+}
+LANES_INLINE V lanes_min(V a, V b)
+{
+    return (V){n_min(a.lo, b.lo), n_min(a.hi, b.hi)};
+}
+LANES_INLINE M lanes_less(V a, V b)
+{
+    return (M){n_less(a.lo, b.lo), n_less(a.hi, b.hi)};
+}
+LANES_INLINE M lanes_at_most(V a, V b)
+{
+    return (M){n_at_most(a.lo, b.lo), n_at_most(a.hi, b.hi)};
+}
+LANES_INLINE M lanes_equal(V a, V b)
+{
+    return (M){n_equal(a.lo, b.lo), n_equal(a.hi, b.hi)};
+}
+LANES_INLINE M lanes_both(M a, M b)
+{
+    return (M){n_both(a.lo, b.lo), n_both(a.hi, b.hi)};
+}
+LANES_INLINE M lanes_either(M a, M b)
+{
+    return (M){n_either(a.lo, b.lo), n_either(a.hi, b.hi)};
+}
+LANES_INLINE M lanes_not(M a)
+{
+    return (M){n_not(a.lo), n_not(a.hi)};
 }
 LANES_INLINE V lanes_select(M m, V a, V b)
 {
     return (V){n_select(m.lo, a.lo, b.lo), n_select(m.hi, a.hi, b.hi)};
+}
+LANES_INLINE M mask_none(void)
+{
+    const N zero = n_all(0.0);
+    return (M){n_less(zero, zero), n_less(zero, zero)};
 }
 /* A value of two vectors that is copied as a whole stays in memory: each has a place on the stack of
    its own, and the loop a hundred kilobytes of it. */
@@ -605,75 +703,6 @@ LANES_INLINE unsigned lanes_bits(M m) { return n_bits(m.lo) | n_bits(m.hi) << NA
 LANES_INLINE M lanes_of(unsigned bits)
 {
     return (M){n_of(bits & ((1U << NATIVE) - 1)), n_of(bits >> NATIVE)};
-}
-/* Rows of so many numbers into columns, of which the first are wanted: squares of rows and columns
-   are turned at once. */
-LANES_INLINE void lanes_columns(double *const *to, const double *rows, int count, int wanted)
-{
-    for (int half = 0; half < 2; half++, rows += NATIVE * count) {
-        int column = 0;
-        for (; column < wanted && column + NATIVE <= count; column += NATIVE) {
-            N square[NATIVE];
-            for (int k = 0; k < NATIVE; k++)
-                square[k] = n_load(rows + k * count + column);
-            n_square(square);
-            for (int k = 0; k < NATIVE; k++)
-                n_store(to[column + k] + NATIVE * half, square[k]);
-        }
-        for (; column < wanted; column++)
-            n_store(to[column] + NATIVE * half, n_gather(rows + column, count));
-    }
-}
-/* The other way: columns into rows. */
-LANES_INLINE void lanes_rows(double *rows, const double *const *from, int count)
-{
-    for (int half = 0; half < 2; half++, rows += NATIVE * count) {
-        int column = 0;
-        for (; column + NATIVE <= count; column += NATIVE) {
-            N square[NATIVE];
-            for (int k = 0; k < NATIVE; k++)
-                square[k] = n_load(from[column + k] + NATIVE * half);
-            n_square(square);
-            for (int k = 0; k < NATIVE; k++)
-                n_store(rows + k * count + column, square[k]);
-        }
-        for (; column < count; column++)
-            for (int k = 0; k < NATIVE; k++)
-                rows[k * count + column] = from[column][NATIVE * half + k];
-    }
-}
-/* The same past the caches, where a row has one number more than a native vector, and begins with a
-   line of the caches. Return whether it is done. Each line is put together in registers: from a copy
-   in memory it would be read in parts that several stores wrote, and each waits for all stores before. */
-LANES_INLINE int lanes_stream(double *rows, const double *const *from, int count)
-{
-#if defined(__x86_64__) && NATIVE == 8
-    /* What follows the end of a row is of the next row, from 8 on; the end itself is blended in. */
-    static const int64_t order[NATIVE][NATIVE] = {
-        {0, 8, 9, 10, 11, 12, 13, 14}, {7, 0, 8, 9, 10, 11, 12, 13}, {6, 7, 0, 8, 9, 10, 11, 12},
-        {5, 6, 7, 0, 8, 9, 10, 11},    {4, 5, 6, 7, 0, 8, 9, 10},    {3, 4, 5, 6, 7, 0, 8, 9},
-        {2, 3, 4, 5, 6, 7, 0, 8},      {1, 2, 3, 4, 5, 6, 7, 0},
-    };
-    if (count != NATIVE + 1 || (uintptr_t)rows % sizeof(N) != 0)
-        return 0;
-    for (int half = 0; half < 2; half++, rows += NATIVE * count) {
-        const N ends = n_load(from[NATIVE] + NATIVE * half);
-        N square[NATIVE];
-        for (int k = 0; k < NATIVE; k++)
-            square[k] = n_load(from[k] + NATIVE * half);
-        n_square(square);
-        _mm512_stream_pd(rows, square[0]);
-        for (int k = 0; k < NATIVE; k++) {
-            const N next = square[(k + 1) % NATIVE];
-            const N line = _mm512_permutex2var_pd(square[k], _mm512_loadu_si512(order[k]), next);
-            _mm512_stream_pd(rows + NATIVE * (k + 1), n_select(n_of(1U << k), ends, line));
-        }
-    }
-    return 1;
-#else
-    (void)rows, (void)from, (void)count;
-    return 0;
-#endif
 }
 LANES_INLINE int lanes_any(M m) { return n_bits(n_either(m.lo, m.hi)) != 0; }
 LANES_INLINE V iota(void)
@@ -695,9 +724,86 @@ LANES_INLINE V lanes_expand(const double *from, M m, V old)
     return (V){n_expand(from, m.lo, old.lo),
                n_expand(from + LANES_POPULATION(n_bits(m.lo)), m.hi, old.hi)};
 }
+#endif
 
-/* One native vector of single precision for the two of double precision. */
+/* Rows of so many numbers into columns, of which the first are wanted: squares of rows and columns
+   are turned at once. */
+LANES_INLINE void lanes_columns(double *const *to, const double *rows, int count, int wanted)
+{
+    for (int part = 0; part < LANES_VECTORS; part++, rows += NATIVE * count) {
+        int column = 0;
+        for (; column < wanted && column + NATIVE <= count; column += NATIVE) {
+            N square[NATIVE];
+            LANES_UNROLL
+            for (int k = 0; k < NATIVE; k++)
+                square[k] = n_load(rows + k * count + column);
+            n_square(square);
+            LANES_UNROLL
+            for (int k = 0; k < NATIVE; k++)
+                n_store(to[column + k] + NATIVE * part, square[k]);
+        }
+        for (; column < wanted; column++)
+            n_store(to[column] + NATIVE * part, n_gather(rows + column, count));
+    }
+}
+/* The other way: columns into rows. */
+LANES_INLINE void lanes_rows(double *rows, const double *const *from, int count)
+{
+    for (int part = 0; part < LANES_VECTORS; part++, rows += NATIVE * count) {
+        int column = 0;
+        for (; column + NATIVE <= count; column += NATIVE) {
+            N square[NATIVE];
+            LANES_UNROLL
+            for (int k = 0; k < NATIVE; k++)
+                square[k] = n_load(from[column + k] + NATIVE * part);
+            n_square(square);
+            LANES_UNROLL
+            for (int k = 0; k < NATIVE; k++)
+                n_store(rows + k * count + column, square[k]);
+        }
+        for (; column < count; column++)
+            LANES_UNROLL
+            for (int k = 0; k < NATIVE; k++)
+                rows[k * count + column] = from[column][NATIVE * part + k];
+    }
+}
+/* The same past the caches, where a row has one number more than a native vector, and begins with a
+   line of the caches. Return whether it is done. Each line is put together in registers: from a copy
+   in memory it would be read in parts that several stores wrote, and each waits for all stores before. */
+LANES_INLINE int lanes_stream(double *rows, const double *const *from, int count)
+{
 #if defined(__x86_64__) && NATIVE == 8
+    /* What follows the end of a row is of the next row, from 8 on; the end itself is blended in. */
+    static const int64_t order[NATIVE][NATIVE] = {
+        {0, 8, 9, 10, 11, 12, 13, 14}, {7, 0, 8, 9, 10, 11, 12, 13}, {6, 7, 0, 8, 9, 10, 11, 12},
+        {5, 6, 7, 0, 8, 9, 10, 11},    {4, 5, 6, 7, 0, 8, 9, 10},    {3, 4, 5, 6, 7, 0, 8, 9},
+        {2, 3, 4, 5, 6, 7, 0, 8},      {1, 2, 3, 4, 5, 6, 7, 0},
+    };
+    if (count != NATIVE + 1 || (uintptr_t)rows % sizeof(N) != 0)
+        return 0;
+    for (int part = 0; part < LANES_VECTORS; part++, rows += NATIVE * count) {
+        const N ends = n_load(from[NATIVE] + NATIVE * part);
+        N square[NATIVE];
+        LANES_UNROLL
+        for (int k = 0; k < NATIVE; k++)
+            square[k] = n_load(from[k] + NATIVE * part);
+        n_square(square);
+        _mm512_stream_pd(rows, square[0]);
+        LANES_UNROLL
+        for (int k = 0; k < NATIVE; k++) {
+            const N next = square[(k + 1) % NATIVE];
+            const N line = _mm512_permutex2var_pd(square[k], _mm512_loadu_si512(order[k]), next);
+            _mm512_stream_pd(rows + NATIVE * (k + 1), n_select(n_of(1U << k), ends, line));
+        }
+    }
+    return 1;
+#else
+    (void)rows, (void)from, (void)count;
+    return 0;
+#endif
+}
+/* One native vector of single precision for all lanes. */
+#if defined(__x86_64__) && LANES_WIDTH == 16
 
 typedef __m512 S;
 typedef __mmask16 Q;
@@ -737,9 +843,40 @@ LANES_INLINE S singles_expand(const float *from, M m, S old)
     return _mm512_mask_expand_ps(old, singles_of(m), _mm512_loadu_ps(from));
 }
 
+#elif defined(__x86_64__) && NATIVE == 8
+
+typedef __m256 S;
+typedef __mmask8 Q;
+LANES_INLINE S singles_all(float c) { return _mm256_set1_ps(c); }
+LANES_INLINE Q singles_less(S a, S b) { return _mm256_cmp_ps_mask(a, b, _CMP_LT_OQ); }
+LANES_INLINE Q singles_at_most(S a, S b) { return _mm256_cmp_ps_mask(a, b, _CMP_LE_OQ); }
+LANES_INLINE Q singles_equal(S a, S b) { return _mm256_cmp_ps_mask(a, b, _CMP_EQ_OQ); }
+LANES_INLINE Q singles_both(Q a, Q b) { return _kand_mask8(a, b); }
+LANES_INLINE Q singles_either(Q a, Q b) { return _kor_mask8(a, b); }
+LANES_INLINE Q singles_not(Q a) { return _knot_mask8(a); }
+LANES_INLINE S singles_select(Q m, S a, S b) { return _mm256_mask_blend_ps(m, b, a); }
+LANES_INLINE S singles_sqrt(S a) { return _mm256_sqrt_ps(a); }
+LANES_INLINE S singles_abs(S a) { return _mm256_andnot_ps(_mm256_set1_ps(-0.0f), a); }
+LANES_INLINE S singles_max(S a, S b) { return _mm256_max_ps(b, a); }
+LANES_INLINE S singles_min(S a, S b) { return _mm256_min_ps(a, b); }
+LANES_INLINE S lanes_narrow(V a) { return _mm512_cvtpd_ps(a); }
+LANES_INLINE V lanes_wide(S a) { return _mm512_cvtps_pd(a); }
+LANES_INLINE M singles_truth(Q m) { return m; }
+LANES_INLINE Q singles_of(M m) { return m; }
+LANES_INLINE void singles_pack(float *to, M m, S a)
+{
+    const __m256i own = _mm256_set_epi32(7, 6, 5, 4, 3, 2, 1, 0);
+    const __m256i from = _mm256_maskz_compress_epi32(m, own);
+    _mm256_storeu_ps(to, _mm256_permutexvar_ps(from, a));
+}
+LANES_INLINE S singles_expand(const float *from, M m, S old)
+{
+    return _mm256_mask_expand_ps(old, m, _mm256_loadu_ps(from));
+}
+
 #else
 
-#if defined(__x86_64__) && NATIVE == 4
+#if defined(__x86_64__) && LANES_WIDTH == 8
 
 typedef __m256 S;
 typedef __m256 Q;
@@ -795,6 +932,16 @@ LANES_INLINE S singles_sqrt(S a) { return _mm_sqrt_ps(a); }
 LANES_INLINE S singles_abs(S a) { return _mm_andnot_ps(_mm_set1_ps(-0.0f), a); }
 LANES_INLINE S singles_max(S a, S b) { return _mm_max_ps(b, a); }
 LANES_INLINE S singles_min(S a, S b) { return _mm_min_ps(a, b); }
+#if LANES_VECTORS == 1
+LANES_INLINE S lanes_narrow(V a) { return _mm256_cvtpd_ps(a); }
+LANES_INLINE V lanes_wide(S a) { return _mm256_cvtps_pd(a); }
+LANES_INLINE M singles_truth(Q m) { return (M)_mm256_cvtepi32_epi64(_mm_castps_si128(m)); }
+LANES_INLINE Q singles_of(M m)
+{
+    const __m256 pairs = _mm256_castpd_ps(m);
+    return _mm_shuffle_ps(_mm256_castps256_ps128(pairs), _mm256_extractf128_ps(pairs, 1), 0x88);
+}
+#else
 LANES_INLINE S lanes_narrow(V a) { return _mm_movelh_ps(_mm_cvtpd_ps(a.lo), _mm_cvtpd_ps(a.hi)); }
 LANES_INLINE V lanes_wide(S a)
 {
@@ -805,6 +952,7 @@ LANES_INLINE M singles_truth(Q m)
     return (M){(B)_mm_unpacklo_ps(m, m), (B)_mm_unpackhi_ps(m, m)};
 }
 LANES_INLINE Q singles_of(M m) { return _mm_shuffle_ps((S)m.lo, (S)m.hi, 0x88); }
+#endif
 
 #else
 

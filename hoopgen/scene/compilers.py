@@ -21,11 +21,36 @@ from hoopgen.engine import c_build
 from hoopgen.text.shorten import brief
 
 FLAGS = ["-O1", *(flag for flag in c_build.FLAGS if not flag.startswith("-O"))]
-"""The hoop's flags with less optimisation: the hoop's give code that is 2% faster, and
-take two to four times as long to make."""
+"""The hoop's flags with less optimization: the hoop's give code that is 2% faster, and take two to
+four times as long to make."""
 
-_REQUIRED_FEATURES = {16: ("AVX512F", "AVX512DQ", "AVX512VL"), 8: ("AVX2",)}
-"""Processor features that so many lanes need."""
+
+@dataclass(frozen=True)
+class Lanes:
+    """The vectors of a compiled scene.
+
+    Attributes
+    ----------
+    width
+        Shots abreast.
+    vectors
+        Native vectors of a value, if there is more than one lane.
+    """
+
+    width: int
+    vectors: int
+
+    def options(self, scene: str) -> list[str]:
+        """Return the compiler's options, for a scene of that name."""
+        prefix = f"-D{scene.upper()}"
+        return [f"{prefix}_ONLY={self.width}", f"{prefix}_VECTORS={self.vectors}"]
+
+
+_LANES_BY_FEATURES = {("AVX512F", "AVX512DQ", "AVX512VL"): Lanes(8, 1), ("AVX2",): Lanes(4, 1)}
+"""Lanes by the processor features that they need, the widest first.
+
+With one native vector to a value a scene of one's own is compiled in 0.4 to 0.6 of the time that two
+take (docs/performance.md)."""
 
 _TRANSIENT_ERRORS = (
     "Killed",
@@ -37,12 +62,19 @@ _TRANSIENT_ERRORS = (
 """Words in the output of a compiler that was stopped from outside."""
 
 
-def processor_width() -> int:
-    """Return the widest vector, in lanes, of this processor."""
+def available_lanes() -> list[Lanes]:
+    """Return the lanes for which scenes can be compiled on this processor, the widest first."""
     core = "numpy._core" if hasattr(np, "_core") else "numpy.core"  # before NumPy 2
     features = import_module(f"{core}._multiarray_umath").__cpu_features__
-    widths = (width for width, needs in _REQUIRED_FEATURES.items() if all(map(features.get, needs)))
-    return next(widths, 4)
+    found = [
+        lanes for needed, lanes in _LANES_BY_FEATURES.items() if all(map(features.get, needed))
+    ]
+    return [*found, Lanes(4, 2)]
+
+
+def processor_lanes() -> Lanes:
+    """Return the widest lanes for which scenes can be compiled on this processor."""
+    return available_lanes()[0]
 
 
 def library_name() -> str:

@@ -189,11 +189,11 @@ def _explain(error: OSError) -> str:
 
 
 class _Tools:
-    """The compiler, its flags and the vector width with which scenes are compiled."""
+    """The compiler, its flags and the lanes with which scenes are compiled."""
 
     def __init__(self) -> None:
         self.compiler = compilers.compiler()
-        self.width = compilers.processor_width()
+        self.lanes = compilers.processor_lanes()
 
     @property
     def identity(self) -> str:
@@ -212,7 +212,7 @@ class _Tools:
     def _toolchain(self, compiler: str) -> str:
         python = importlib.util.MAGIC_NUMBER.hex()
         versions = f"NumPy {np.__version__}, Python {python}"
-        return f"{compiler}; {compilers.FLAGS}; {self.width} lanes, {get_platform()}; {versions}"
+        return f"{compiler}; {compilers.FLAGS}; {self.lanes}, {get_platform()}; {versions}"
 
 
 def _build(key: str, printed: Printed, tools: _Tools, folder: Path | str) -> Entry:
@@ -231,7 +231,7 @@ def _build(key: str, printed: Printed, tools: _Tools, folder: Path | str) -> Ent
     made = {MODULE: marshal.dumps(code), SOURCES: packed}
     record: dict[str, Any] = {"key": key, "scene": scene, "refused": None}
     if printed.library is not None and not _differences(printed.library, _module(code, scene)):
-        record |= {"compiler": "wheel", "width": tools.width}
+        record |= {"compiler": "wheel", "width": tools.lanes.width}
         return Entry(record, made | {compilers.library_name(): printed.library})
     without = record | {"compiler": "", "width": 0}
     if tools.compiler is None:
@@ -241,15 +241,15 @@ def _build(key: str, printed: Printed, tools: _Tools, folder: Path | str) -> Ent
         why = f"of the scene {scene} was not compiled: {folder}"
         remedy = "set TMPDIR to a folder that you alone can write"
         return Entry(without | {"refused": [why, remedy]}, made)
-    record |= {"compiler": tools.compiler.name, "width": tools.width}
+    record |= {"compiler": tools.compiler.name, "width": tools.lanes.width}
     sources = folder / "c"
     sources.mkdir()
     try:
         for name, content in files.items():
             if name.startswith("c/"):
                 (folder / name).write_text(content, encoding="utf-8")
-        only = [f"-D{scene.upper()}_ONLY={tools.width}"]
-        words, passing = tools.compiler.run(sources, f"{scene}.c", only)
+        options = tools.lanes.options(scene)
+        words, passing = tools.compiler.run(sources, f"{scene}.c", options)
         if words:
             print(_compiler_message(tools.compiler.name, scene, words), file=sys.stderr)
             reason = f"of the scene {scene} could not be compiled by {tools.compiler.name}"

@@ -67,6 +67,7 @@ _HEAD = """\
 #define LANES_PASTE(name, width) LANES_PASTE_(name, width)
 #define LANES(name) LANES_PASTE(name, LANES_WIDTH)
 #define LANES_INLINE static inline
+#define LANES_VECTORS 2
 """
 
 _FUNCTION = """

@@ -40,9 +40,9 @@ def spread(items: Sequence[Item]) -> tuple[Item, ...]:
     Parameters
     ----------
     items
-        What is tried at effort 1; of two or more at least two are tried at any effort.
+        What is tried at effort 1; of one or more at least one is tried at any effort.
     """
-    count = min(len(items), trials(len(items), at_least=2))
+    count = min(len(items), trials(len(items)))
     return tuple(items[(2 * k + 1) * len(items) // (2 * count)] for k in range(count))
 
 

@@ -20,17 +20,17 @@ from hoopgen.scene import compilers
 from hoopgen.simulation.engine import Engine
 
 FOR_USERS = {
-    "processor_width": compilers.processor_width,
+    "processor_lanes": compilers.processor_lanes,
     "compiler": compilers.compiler,
     "FLAGS": compilers.FLAGS,
 }
-"""The width, the compiler and the flags of users."""
+"""The lanes, the compiler and the flags of users."""
 
 
-@wraps(compilers.processor_width)
-def one_lane() -> int:
-    """Return the least width."""
-    return 1
+@wraps(compilers.processor_lanes)
+def one_lane() -> compilers.Lanes:
+    """Return a single lane."""
+    return compilers.Lanes(1, 1)
 
 
 BUSY_SOURCES = ("air.c", "court_air.c", "ledge.c")
@@ -56,11 +56,11 @@ def quick_compiler() -> compilers.Compiler | None:
 
 
 QUICK = {
-    "processor_width": one_lane,
+    "processor_lanes": one_lane,
     "compiler": quick_compiler,
     "FLAGS": ["-O0", *(flag for flag in compilers.FLAGS if not flag.startswith("-O"))],
 }
-"""The width, the compiler and the flags with which most scenes are compiled soonest."""
+"""The lanes, the compiler and the flags with which most scenes are compiled soonest."""
 
 
 def compile_soonest() -> None:

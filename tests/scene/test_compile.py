@@ -630,9 +630,9 @@ def test_where_nothing_can_be_written_a_process_compiles_for_itself(
 
 @pytest.mark.slow
 def test_c_as_wide_as_the_processor_gives_numpys_bits(home: Path) -> None:
-    """Compiled as for a user, who has no test's compiler, flags and width."""
+    """Compiled as for a user, who has no test's compiler, flags and lanes."""
     with compiling_as_for_users():
-        assert compilers.processor_width() > 1
+        assert compilers.processor_lanes().width > 1
         assert "-O1" in compilers.FLAGS
         assert_c_gives_numpys_bits(hoopgen.compile(PLANK))
 
@@ -833,7 +833,7 @@ def test_a_library_with_other_bits_is_not_trusted(home: Path, wrapped: Wrapped) 
 def test_what_matters_is_in_the_key(
     home: Path, wrapped: Wrapped, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Another compiler, flag, width or scene is compiled; the same one is not."""
+    """Another compiler, flag, scene or number of lanes is compiled; the same one is not."""
     runs = []
 
     def compiled(scene: Scene = PLANK) -> None:
@@ -848,7 +848,7 @@ def test_what_matters_is_in_the_key(
     compiled()
     monkeypatch.setattr(compilers, "FLAGS", [*compilers.FLAGS, "-O2"])
     compiled()
-    monkeypatch.setattr(compilers, "processor_width", lambda: 4)
+    monkeypatch.setattr(compilers, "processor_lanes", lambda: compilers.Lanes(4, 2))
     compiled()
     other = replace(PLANK, bodies=[Plane("floor", within=["x - reach"])])
     compiled(other)
