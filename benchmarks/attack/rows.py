@@ -21,7 +21,7 @@ import hoopgen
 from benchmarks.families import FAMILIES
 from hoopgen.engine import native
 from hoopgen.simulation.hoop import HOOP
-from tests.helpers.compiled import COMPILER, SANITIZERS, same_bits, shared_library
+from tests.helpers.compiled import COMPILER, SANITIZERS, WIDTHS, same_bits, shared_library
 
 from .cases import Attack, Attempt, Result, random_of
 
@@ -200,11 +200,12 @@ ENGINE = '#include "hoop.c"\n'
 def prepare(
     folder: Path, *, source: str = ENGINE, flags: tuple[str, ...] = (), most: int = ROWS
 ) -> Attempt:
-    """Compile the engine with the sanitizers."""
+    """Compile the engine with the sanitizers, for one lane and as many as the processor has."""
     file = folder / "engine.c"
     file.write_text(source)
+    lanes = f"-DHOOP_NATIVE={WIDTHS[-1]}"
     library = shared_library(
-        file, *SANITIZERS, *flags, "-Wno-psabi", f"-I{ROOT / 'generated' / 'c'}"
+        file, *SANITIZERS, lanes, *flags, "-Wno-psabi", f"-I{ROOT / 'generated' / 'c'}"
     )
     named = [*COMPILER, "-print-file-name=libasan.so"]
     preload = subprocess.run(named, capture_output=True, text=True, check=True).stdout.strip()
@@ -216,8 +217,9 @@ ATTACK = Attack(
     "garbage rows",
     "rows",
     "Random bits, infinities, NaN, subnormal and huge numbers, in states and in parameters, and "
-    "shots of the hard families. The C engine simulates them under AddressSanitizer and UBSan, "
-    "and the installed C engine with every vector width. The attack fails on a report of a "
+    "shots of the hard families. The C engine simulates them under AddressSanitizer and UBSan, in "
+    "one lane and in as many as the processor has, and the installed C engine with every vector "
+    "width. The attack fails on a report of a "
     "sanitizer, and on a result or an event with other bits than NumPy's (all NaN are equal).",
     prepare,
 )

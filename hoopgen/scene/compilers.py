@@ -49,8 +49,8 @@ class Lanes:
 _LANES_BY_FEATURES = {("AVX512F", "AVX512DQ", "AVX512VL"): Lanes(8, 1), ("AVX2",): Lanes(4, 1)}
 """Lanes by the processor features that they need, the widest first.
 
-With one native vector to a value a scene of one's own is compiled in 0.4 to 0.6 of the time that two
-take (docs/performance.md)."""
+With one native vector to a value a scene of one's own is compiled in 0.4 to 0.6 of the time that
+two take (docs/performance.md)."""
 
 _TRANSIENT_ERRORS = (
     "Killed",
