@@ -230,9 +230,11 @@ def _build(key: str, printed: Printed, tools: _Tools, folder: Path | str) -> Ent
     packed = gzip.compress(json.dumps(files).encode(), 6, mtime=0)
     made = {MODULE: marshal.dumps(code), SOURCES: packed}
     record: dict[str, Any] = {"key": key, "scene": scene, "refused": None}
-    if printed.library is not None and not _differences(printed.library, _module(code, scene)):
-        record |= {"compiler": "wheel", "width": tools.lanes.width}
-        return Entry(record, made | {compilers.library_name(): printed.library})
+    if printed.library is not None:
+        refused, width = _check(printed.library, _module(code, scene))
+        if not refused:
+            record |= {"compiler": "wheel", "width": width}
+            return Entry(record, made | {compilers.library_name(): printed.library})
     without = record | {"compiler": "", "width": 0}
     if tools.compiler is None:
         why = f"of the scene {scene} was not compiled: no C compiler was found"
@@ -256,7 +258,7 @@ def _build(key: str, printed: Printed, tools: _Tools, folder: Path | str) -> Ent
             remedy = "`hoopgen cache --clear` lets it be tried again"
             return Entry(record | {"refused": [reason, remedy], "passing": passing}, made)
         library = (sources / compilers.library_name()).read_bytes()
-        refused = _differences(library, _module(code, scene))
+        refused, _ = _check(library, _module(code, scene))
     finally:
         shutil.rmtree(sources)
     if refused:
@@ -276,18 +278,19 @@ def _compiler_message(compiler: str, scene: str, words: str) -> str:
     return f"hoopgen: {compiler} does not compile the scene {scene}:{said}"
 
 
-def _differences(content: bytes, kernels: ModuleType) -> str:
-    """Return why a library cannot be trusted, "" if it can."""
+def _check(content: bytes, kernels: ModuleType) -> tuple[str, int]:
+    """Return why a library cannot be trusted, "" if it can; and the lanes of its widest vector."""
     try:
         library = load(content, None, lambda path: native.Library(path, kernels))
     except (OSError, AttributeError) as error:
-        return f"cannot be loaded: {error}"
-    if not verification.available_widths(library, kernels):
-        return "is not for this processor"
+        return f"cannot be loaded: {error}", 0
+    widths = verification.available_widths(library, kernels)
+    if not widths:
+        return "is not for this processor", 0
     found = verification.differences(
         library, kernels, verification.batches(kernels, trial_shots(kernels))
     )
-    return f"does not give NumPy's results ({found})" if found else ""
+    return f"does not give NumPy's results ({found})" if found else "", widths[-1]
 
 
 def engine(entry: Entry, there: SceneStore, scene: Callable[[], Any], **options: Any) -> Engine:

@@ -6,6 +6,7 @@ the prefix of a list, a kernel's results, or two of those.
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Callable
 from typing import Any
 
@@ -72,21 +73,46 @@ MACROS: dict[str, Callable[[Any, str], Statement]] = {
 PAIRS = frozenset(("SELECT", "SELECT_MASK", "SELECT_SINGLE", "RETURN"))
 """The macros that are given two names once."""
 
-_CLASSES = {
-    macro: type(make(("of", "of") if macro in PAIRS else "of", "x"))
-    for macro, make in MACROS.items()
-}
-"""By name, the class of the statement that a macro stands for."""
+
+def _shape(statement: Statement, pair: bool) -> tuple[object, ...]:
+    """Return what statements of a macro have in common: their form, but for the names in them."""
+    match statement:
+        case Declare(type=kind, value=value):
+            return pair, Declare, kind, _head(value)
+        case Assign(target, value):
+            return pair, Assign, type(target), _head(value)
+        case Execute(value):
+            return pair, Execute, _head(value)
+    return pair, type(statement)
+
+
+def _head(value: Expression | None) -> object:
+    match value:
+        case Apply(function):
+            return function
+        case Operate(operation):
+            return operation
+    return type(value)
+
+
+def _by_shape() -> dict[tuple[object, ...], list[str]]:
+    """Return the names of the macros whose statements have a shape, by the shape."""
+    names = defaultdict[tuple[object, ...], list[str]](list)
+    for macro, make in MACROS.items():
+        pair = macro in PAIRS
+        names[_shape(make(("of", "of") if pair else "of", "x"), pair)].append(macro)
+    return dict(names)
+
+
+_MACROS_BY_SHAPE = _by_shape()
 
 
 def alike(statement: Statement) -> tuple[str, str, str] | None:
     """Return the macro, what it is given once and the variable, if one stands for a statement."""
     of, name = _parts(statement)
     if name:
-        for macro, make in MACROS.items():
-            possible = _CLASSES[macro] is type(statement)
-            possible &= (macro in PAIRS) == isinstance(of, tuple)
-            if possible and make(of, name) == statement:
+        for macro in _MACROS_BY_SHAPE.get(_shape(statement, isinstance(of, tuple)), ()):
+            if MACROS[macro](of, name) == statement:
                 return macro, of if isinstance(of, str) else f"({', '.join(of)})", name
     return None
 

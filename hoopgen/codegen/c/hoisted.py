@@ -64,6 +64,7 @@ class Hoisted:
             True: _Results(Operations(single=True), "fixed_single"),
         }
     )
+    _known: dict[tuple[str, tuple[str | float, ...]], list[int]] = field(default_factory=dict)
 
     def given(self, node: ir.Call, given: Sequence[Expression]) -> list[Expression]:
         """Return the arguments of the rest of a kernel, given those of the whole kernel.
@@ -88,7 +89,16 @@ class Hoisted:
         return [*(given[k] for k in own.kept_arguments), *rows]
 
     def _indices(self, node: ir.Call, own: PartialEvaluation) -> list[int]:
-        """Return, of all loop invariant operations, those that a kernel is given."""
+        """Return, of all loop invariant operations, those that a kernel is given.
+
+        The passes ask again and again for the same call, as each goes over the nodes within it.
+        """
+        call = node.kernel.name, node.arguments
+        if call not in self._known:
+            self._known[call] = self._found(node, own)
+        return self._known[call]
+
+    def _found(self, node: ir.Call, own: PartialEvaluation) -> list[int]:
         arguments = map(identifier, node.kernel.arguments)
         names = dict(zip(arguments, node.arguments, strict=True))
         operations = self._results[own.whole.single].operations
