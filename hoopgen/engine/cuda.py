@@ -387,7 +387,7 @@ def load_engine(
         If there is no GPU, the scene cannot be compiled, or its results are not NumPy's.
     """
     engine = CudaEngine(source, kernels)
-    if found := verification.differences(engine, kernels, shots()):
+    if found := verification.differences(engine, kernels, verification.expected(kernels, shots())):
         raise RuntimeError(
             f"backend: 'cuda' does not give NumPy's results on this GPU ({found}); {OTHERWISE}, "
             "and report it, with the name of the GPU"

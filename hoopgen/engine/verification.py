@@ -31,10 +31,7 @@ MAX_CONTACTS = 40
 """Contacts: enough for a swirl, which makes the most of every rounding."""
 
 TIME_LIMIT = 1.0
-"""s: a time limit in the midst of things."""
-
-ROLL_TIME_LIMIT = 1.5
-"""A time limit for balls that may roll for ever, s; NumPy is slow for few shots."""
+"""A time limit in the midst of things, s; the only one where balls may roll for ever."""
 
 # Extreme values: each number of a release takes each of them in turn.
 _ODD_NUMBERS = (np.nan, np.inf, -np.inf, 0.0, -0.0, 5e-324, -1e-310, 1e-160, 1e160, -1e300)
@@ -44,6 +41,9 @@ Batch = tuple[
     NDArray[np.float64], Sequence[NDArray[np.float64] | float], NDArray[np.int8] | None, float
 ]
 """Releases, parameters, surfaces that the shots leave, and a time limit, s."""
+
+Expected = list[tuple[Batch, result_arrays.ResultArrays]]
+"""Batches with NumPy's results."""
 
 
 class InexactBuildError(RuntimeError):
@@ -107,16 +107,38 @@ def verify(
     name = f"{library.name.partition('.')[0]}-{key[:16]}.checked"
     if key and any(_read(folder / name) == key for folder in _folders(library)):
         return ""
-    found = differences(engine, kernels, shots)
+    found = differences(engine, kernels, expected(kernels, shots))
     if key and not found:
         any(_write(folder / name, key) for folder in _folders(library))
     return found
 
 
-def differences(engine: CompiledEngine, kernels: ModuleType, shots: Iterable[Batch]) -> str:
-    """Return the widths and fields in which an engine differs from NumPy, "" if none.
+def expected(kernels: ModuleType, shots: Iterable[Batch]) -> Expected:
+    """Return batches with NumPy's results, which take time if balls roll.
 
     This thread must compute doubles as IEEE 754 prescribes.
+
+    Parameters
+    ----------
+    kernels
+        The generated NumPy module of a scene.
+    shots
+        The batches.
+    """
+    layout = result_arrays.Layout(kernels)
+    found: Expected = []
+    for batch in shots:
+        states, parameters, leaving, limit = batch
+        wanted = _room(len(states), layout, layout.fields + layout.bounds)
+        numpy_backend.run(
+            kernels, states, parameters, leaving, MAX_CONTACTS, wanted, time_limit=limit
+        )
+        found.append((batch, wanted))
+    return found
+
+
+def differences(engine: CompiledEngine, kernels: ModuleType, shots: Expected) -> str:
+    """Return the widths and fields in which an engine differs from NumPy, "" if none.
 
     Parameters
     ----------
@@ -125,18 +147,14 @@ def differences(engine: CompiledEngine, kernels: ModuleType, shots: Iterable[Bat
     kernels
         The generated NumPy module of the scene.
     shots
-        Batches that both simulate.
+        Batches that the engine simulates, with NumPy's results.
     """
     found: dict[int, list[str]] = {}
     layout = result_arrays.Layout(kernels)
     every = layout.fields + layout.bounds
     path = tuple(name for name in layout.fields if not layout.results[name].is_diagnostic)
-    for states, parameters, leaving, limit in shots:
+    for (states, parameters, leaving, limit), wanted in shots:
         stop = np.zeros(1, np.int32)
-        wanted = _room(len(states), layout, every)
-        numpy_backend.run(
-            kernels, states, parameters, leaving, MAX_CONTACTS, wanted, time_limit=limit
-        )
         for width in available_widths(engine, kernels):
             wrong = found.setdefault(width, [])
             # Without diagnostic results another path through the engine is taken.
@@ -195,7 +213,7 @@ def batches(kernels: ModuleType, releases: NDArray[np.float64]) -> list[Batch]:
     """Return batches of shots: with shared parameters, with their own, and leaving surfaces.
 
     One has shared parameters, one a time limit that ends most shots, and one has parameters for
-    each shot and surfaces that the shots leave.
+    each shot and surfaces that the shots leave. Where balls may roll for ever all have that limit.
 
     Parameters
     ----------
@@ -211,16 +229,13 @@ def batches(kernels: ModuleType, releases: NDArray[np.float64]) -> list[Batch]:
     if defaults:
         own[:: len(_ODD_NUMBERS), 0] = np.resize(_ODD_NUMBERS, len(own[:: len(_ODD_NUMBERS)]))
     columns = [np.ascontiguousarray(column) for column in own.T]
-    longest = ROLL_TIME_LIMIT if kernels.NEEDS_TIME_LIMIT else math.inf
+    limits = {TIME_LIMIT if kernels.NEEDS_TIME_LIMIT else math.inf, TIME_LIMIT}
     surfaces = len(kernels.BODIES)
     leaving = np.arange(len(states)) % (4 * surfaces)
     known = min(surfaces, np.iinfo(np.int8).max + 1)
     left = np.where(leaving < known, leaving, -1).astype(np.int8)
-    return [
-        (states, defaults, None, longest),
-        (states, defaults, None, TIME_LIMIT),
-        (states, columns, left, longest),
-    ]
+    shared = [(states, defaults, None, limit) for limit in sorted(limits, reverse=True)]
+    return [*shared, (states, columns, left, max(limits))]
 
 
 def _room(

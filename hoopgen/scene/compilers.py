@@ -8,9 +8,10 @@ import shutil
 import subprocess
 import sys
 import sysconfig
-from collections.abc import Sequence
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, partial
 from importlib import import_module
 from importlib.util import find_spec
 from pathlib import Path
@@ -138,7 +139,17 @@ class Compiler:
         return [*self.command, *FLAGS, "-w", *by_place, *options, "-shared", *files, *mathematics]
 
     def run(self, folder: Path, file: str, options: Sequence[str] = ()) -> tuple[str, bool]:
-        """Compile a file in a folder; the library lies beside it.
+        """Compile a file in a folder, as `running`, and return what came of it."""
+        with self.running(folder, file, options) as result:
+            return result()
+
+    @contextmanager
+    def running(
+        self, folder: Path, file: str, options: Sequence[str] = ()
+    ) -> Iterator[Callable[[], tuple[str, bool]]]:
+        """Compile a file in a folder while other work is done; the library lies beside it.
+
+        The compiler ends with the context at the latest.
 
         Parameters
         ----------
@@ -147,30 +158,43 @@ class Compiler:
         file, options
             As for `arguments`.
 
-        Returns
-        -------
-        tuple
-            Its words where it fails, "" where it does not; and whether that may pass.
+        Yields
+        ------
+        Callable
+            A function that waits for the compiler. It returns the compiler's words where it fails,
+            "" where it does not; and whether that may pass.
         """
         # Its own temporary files go with the folder, should it be killed.
         environment = os.environ | {"TMPDIR": str(folder), "LC_ALL": "C"}
         try:
-            told = subprocess.run(
+            process = subprocess.Popen(
                 self.arguments(file, options),
                 cwd=folder,
                 env=environment,
                 stdin=subprocess.DEVNULL,
-                capture_output=True,
+                stdout=subprocess.PIPE,
+                stderr=subprocess.PIPE,
                 text=True,
                 errors="replace",
-                check=False,
             )
         except OSError as error:
-            return str(error), True
-        if told.returncode == 0 and (folder / library_name()).is_file():
-            return "", False
-        words = (told.stderr + told.stdout).strip() or f"it ended with {told.returncode}"
-        return words, told.returncode < 0 or any(sign in words for sign in _TRANSIENT_ERRORS)
+            said = str(error)
+            yield lambda: (said, True)
+            return
+        with process:
+            try:
+                yield partial(_result, process, folder)
+            finally:
+                process.kill()  # nothing, if it has ended
+
+
+def _result(process: subprocess.Popen[str], folder: Path) -> tuple[str, bool]:
+    """Wait for a compiler; return what `Compiler.running` says."""
+    output, errors = process.communicate()
+    if process.returncode == 0 and (folder / library_name()).is_file():
+        return "", False
+    words = (errors + output).strip() or f"it ended with {process.returncode}"
+    return words, process.returncode < 0 or any(sign in words for sign in _TRANSIENT_ERRORS)
 
 
 def compiler() -> Compiler | None:

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from hoopgen.engine import numpy_backend
 from hoopgen.engine.result_arrays import Layout
-from hoopgen.engine.verification import ROLL_TIME_LIMIT
+from hoopgen.engine.verification import TIME_LIMIT
 
 SHOTS = 1000
 
@@ -49,7 +49,7 @@ def _touching_rows(
     usual = [default for default, _, _ in kernels.PARAMETERS.values()]
     out = Layout(kernels).allocate(len(states), ["counts"])
     out.arrays["counts"][:] = 0
-    limit = ROLL_TIME_LIMIT if kernels.NEEDS_TIME_LIMIT else math.inf
+    limit = TIME_LIMIT if kernels.NEEDS_TIME_LIMIT else math.inf
     numpy_backend.run(kernels, states, usual, None, _MAX_CONTACTS, out, time_limit=limit)
     touched = out.arrays["counts"] > 0
     each = [rng.permutation(np.flatnonzero(column)) for column in touched.T]

@@ -227,11 +227,12 @@ def _build(key: str, printed: Printed, tools: _Tools, folder: Path | str) -> Ent
     """
     scene, files = printed.scene, printed.files
     code = _compile_source(files[f"numpy/{scene}.py"], scene)
+    kernels = _module(code, scene)
     packed = gzip.compress(json.dumps(files).encode(), 6, mtime=0)
     made = {MODULE: marshal.dumps(code), SOURCES: packed}
     record: dict[str, Any] = {"key": key, "scene": scene, "refused": None}
     if printed.library is not None:
-        refused, width = _check(printed.library, _module(code, scene))
+        refused, width = _check(printed.library, kernels, _expected(kernels))
         if not refused:
             record |= {"compiler": "wheel", "width": width}
             return Entry(record, made | {compilers.library_name(): printed.library})
@@ -251,14 +252,16 @@ def _build(key: str, printed: Printed, tools: _Tools, folder: Path | str) -> Ent
             if name.startswith("c/"):
                 (folder / name).write_text(content, encoding="utf-8")
         options = tools.lanes.options(scene)
-        words, passing = tools.compiler.run(sources, f"{scene}.c", options)
+        with tools.compiler.running(sources, f"{scene}.c", options) as result:
+            wanted = _expected(kernels)  # meanwhile
+            words, passing = result()
         if words:
             print(_compiler_message(tools.compiler.name, scene, words), file=sys.stderr)
             reason = f"of the scene {scene} could not be compiled by {tools.compiler.name}"
             remedy = "`hoopgen cache --clear` lets it be tried again"
             return Entry(record | {"refused": [reason, remedy], "passing": passing}, made)
         library = (sources / compilers.library_name()).read_bytes()
-        refused, _ = _check(library, _module(code, scene))
+        refused, _ = _check(library, kernels, wanted)
     finally:
         shutil.rmtree(sources)
     if refused:
@@ -278,7 +281,12 @@ def _compiler_message(compiler: str, scene: str, words: str) -> str:
     return f"hoopgen: {compiler} does not compile the scene {scene}:{said}"
 
 
-def _check(content: bytes, kernels: ModuleType) -> tuple[str, int]:
+def _expected(kernels: ModuleType) -> verification.Expected:
+    """Return the shots with which a scene's library is compared, with NumPy's results."""
+    return verification.expected(kernels, verification.batches(kernels, trial_shots(kernels)))
+
+
+def _check(content: bytes, kernels: ModuleType, wanted: verification.Expected) -> tuple[str, int]:
     """Return why a library cannot be trusted, "" if it can; and the lanes of its widest vector."""
     try:
         library = load(content, None, lambda path: native.Library(path, kernels))
@@ -287,9 +295,7 @@ def _check(content: bytes, kernels: ModuleType) -> tuple[str, int]:
     widths = verification.available_widths(library, kernels)
     if not widths:
         return "is not for this processor", 0
-    found = verification.differences(
-        library, kernels, verification.batches(kernels, trial_shots(kernels))
-    )
+    found = verification.differences(library, kernels, wanted)
     return f"does not give NumPy's results ({found})" if found else "", widths[-1]
 
 

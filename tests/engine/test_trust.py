@@ -363,7 +363,7 @@ def test_the_shots_compared_show_every_outcome_surface_and_doubt() -> None:
         seen.append(arguments[4])
 
     engine.run = kept  # type: ignore[method-assign]
-    assert verification.differences(engine, hoop, SHOTS) == ""
+    assert verification.differences(engine, hoop, verification.expected(hoop, SHOTS)) == ""
     whole = [out for out in seen if out.uncertain is not None]
     outcomes = np.concatenate([out.outcome for out in whole])
     assert set(outcomes) == set(hoopgen.Outcome) - {hoopgen.Outcome.LODGED}
