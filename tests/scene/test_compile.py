@@ -592,6 +592,25 @@ def test_after_every_flipped_bit_of_a_record_the_scene_is_compiled(
 
 
 @posix
+def test_an_interrupt_ends_the_compiler(tmp_path: Path) -> None:
+    """NumPy computes meanwhile, so that the interrupt comes while nobody waits for the compiler."""
+    os.mkfifo(tmp_path / "begun")
+    script = 'echo $$ > "$TMPDIR/begun"; exec sleep 600'
+    compiler = compilers.Compiler(("sh", "-c", script), Path("/bin/sh"))
+    begun = []
+
+    def interrupted() -> None:
+        with compiler.running(tmp_path, "plank.c"):
+            begun.append(int((tmp_path / "begun").read_text()))
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        interrupted()
+    with pytest.raises(ProcessLookupError):
+        os.kill(begun[0], 0)
+
+
+@posix
 @pytest.mark.slow
 def test_a_killed_build_is_in_nobodys_way(home: Path, wrapped: Wrapped, tmp_path: Path) -> None:
     os.mkfifo(tmp_path / "wait")
