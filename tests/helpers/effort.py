@@ -43,7 +43,8 @@ def spread(items: Sequence[Item]) -> tuple[Item, ...]:
         What is tried at effort 1; of one or more at least one is tried at any effort.
     """
     count = min(len(items), trials(len(items)))
-    return tuple(items[(2 * k + 1) * len(items) // (2 * count)] for k in range(count))
+    parts = max(count, 2)  # a single one is of the first half
+    return tuple(items[(2 * k + 1) * len(items) // (2 * parts)] for k in range(count))
 
 
 def occurrences(count: int) -> int:
