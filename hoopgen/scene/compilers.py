@@ -139,7 +139,7 @@ class Compiler:
         return [*self.command, *FLAGS, "-w", *by_place, *options, "-shared", *files, *mathematics]
 
     def run(self, folder: Path, file: str, options: Sequence[str] = ()) -> tuple[str, bool]:
-        """Compile a file in a folder, as `running`, and return what came of it."""
+        """Compile a file in a folder, as `running`; return the same as its function does."""
         with self.running(folder, file, options) as result:
             return result()
 
@@ -189,7 +189,7 @@ class Compiler:
 
 
 def _result(process: subprocess.Popen[str], folder: Path) -> tuple[str, bool]:
-    """Wait for a compiler; return what `Compiler.running` says."""
+    """Wait for a compiler; return its words and whether they may pass, as `Compiler.running`."""
     output, errors = process.communicate()
     if process.returncode == 0 and (folder / library_name()).is_file():
         return "", False

@@ -75,7 +75,7 @@ PAIRS = frozenset(("SELECT", "SELECT_MASK", "SELECT_SINGLE", "RETURN"))
 
 
 def _shape(statement: Statement, pair: bool) -> tuple[object, ...]:
-    """Return what statements of a macro have in common: their form, but for the names in them."""
+    """Return the form of a statement without its names, which all statements of a macro share."""
     match statement:
         case Declare(type=kind, value=value):
             return pair, Declare, kind, _head(value)
