@@ -70,7 +70,7 @@ def question_options(
     Parameters
     ----------
     question
-        The specification, one of `hoopgen.study.questions.specification`.
+        The specification, such as `hoopgen.study.questions.specification.MapQuestion`.
     others
         Questions that the command answers, too, whose settings are optional.
     optional

@@ -1,1 +1,1 @@
-"""Engines: the driver of the NumPy target, and of C through `native`."""
+"""The backends that compute a batch, NumPy, C and CUDA, and checks that their bits are the same."""

@@ -1,7 +1,7 @@
 """The windows of the ring: the times at which a ball can touch it.
 
-At a contact |z| <= R and |rho - R_H| <= R, where R = R_B + R_W. The statement `ring_windows` of the
-derivation's page proves that rounding cuts no such time.
+At a contact |z| <= R and |rho - R_H| <= R, where R = R_B + R_W. The premise `ring_windows` in
+templates/derivation.md.j2 proves that rounding cuts no such time.
 """
 
 from __future__ import annotations

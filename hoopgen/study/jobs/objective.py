@@ -29,7 +29,7 @@ from hoopgen.study.statistics.tally import check_scene
 from hoopgen.text.shorten import brief
 
 from .monte_carlo import outcome_by
-from .process_pool import TaskRunner, run_serially
+from .task_runner import TaskRunner, run_serially
 
 Bounds = tuple[float, float]
 """Bounds of a variable: low, high."""

@@ -1,1 +1,1 @@
-"""The questions of a study: estimate, compare, solve, map, optimum, bank, aim, margins, batch."""
+"""The questions of a study, from `estimate` and `map` to `coach` and `counterfactual`."""

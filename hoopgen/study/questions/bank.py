@@ -26,7 +26,7 @@ from hoopgen.scene.lookup import SceneLike, check_hoop, variables_of
 from hoopgen.simulation.lookup import engine_of
 from hoopgen.study.jobs.monte_carlo import Progress, scene_identity
 from hoopgen.study.jobs.objective import Bounds, By, Player, Successes, arguments_of, paired
-from hoopgen.study.jobs.process_pool import task_runner
+from hoopgen.study.jobs.task_runner import task_runner
 from hoopgen.study.models.random import check_two_seeds
 from hoopgen.study.models.requirements import alike, scene_by_row
 from hoopgen.study.models.resample import Resample

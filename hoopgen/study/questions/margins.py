@@ -22,7 +22,7 @@ from hoopgen.scene.lookup import SceneLike, check_hoop, variables_of
 from hoopgen.simulation.lookup import engine_of
 from hoopgen.study.jobs.monte_carlo import scene_identity
 from hoopgen.study.jobs.objective import Bounds, By, Player, arguments_of, one_each
-from hoopgen.study.jobs.process_pool import task_runner
+from hoopgen.study.jobs.task_runner import task_runner
 from hoopgen.study.models.random import check_seed
 from hoopgen.study.models.requirements import check_model
 from hoopgen.study.models.resample import Resample

@@ -23,7 +23,7 @@ from hoopgen.simulation.lookup import engine_of
 from hoopgen.simulation.simulate import simulate
 from hoopgen.study.jobs.monte_carlo import check_states, outcome_by, scene_identity
 from hoopgen.study.jobs.objective import Bounds, Player, Successes, arguments_of, ways_of
-from hoopgen.study.jobs.process_pool import task_runner
+from hoopgen.study.jobs.task_runner import task_runner
 from hoopgen.study.measures.measures import measure
 from hoopgen.study.models.random import check_two_seeds
 from hoopgen.study.models.requirements import check_model

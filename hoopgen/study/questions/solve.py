@@ -35,8 +35,8 @@ from hoopgen.study.jobs.monte_carlo import (
     setting_of,
     tally_of,
 )
-from hoopgen.study.jobs.process_pool import TaskRunner, task_runner
 from hoopgen.study.jobs.stopping import most_shots
+from hoopgen.study.jobs.task_runner import TaskRunner, task_runner
 from hoopgen.study.models.random import check_two_seeds
 from hoopgen.study.models.requirements import scaled
 from hoopgen.study.models.resample import Resample

@@ -1,1 +1,1 @@
-"""Recovery of releases from the measured tracks of a ball."""
+"""Recovery from measurements: releases from tracks, restitution and friction from outcomes."""

@@ -21,7 +21,7 @@ pytest.importorskip("pyarrow")
 import hoopgen
 from hoopgen.hoop.variables import ARGUMENTS
 from hoopgen.study.jobs.objective import Player
-from hoopgen.study.jobs.process_pool import task_runner
+from hoopgen.study.jobs.task_runner import task_runner
 from hoopgen.study.models.scatter import Scatter
 from hoopgen.study.named_units import in_units
 from hoopgen.study.questions.aim_points import on_board

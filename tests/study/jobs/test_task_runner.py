@@ -19,7 +19,7 @@ import pyarrow as pa  # noqa: E402
 
 import hoopgen  # noqa: E402
 from hoopgen.study.jobs import objective as players  # noqa: E402
-from hoopgen.study.jobs.process_pool import run_serially, task_runner  # noqa: E402
+from hoopgen.study.jobs.task_runner import run_serially, task_runner  # noqa: E402
 from hoopgen.study.questions import aim_table as aims  # noqa: E402
 from hoopgen.study.questions.aim_table import aim_table  # noqa: E402
 from hoopgen.studyfile import run_study, sweeps  # noqa: E402
