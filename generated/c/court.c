@@ -62,6 +62,15 @@ _Static_assert(sizeof(court_environment) == ENVIRONMENT_WORDS * sizeof(uint64_t)
 #define BUILT(width) (COURT_WIDEST >= (width))
 #endif
 
+/* Which loops are compiled; a build may ask for one alone, which takes less time. The loop with bounds
+   on errors serves calls without as well, slower. */
+#ifndef COURT_PLAIN
+#define COURT_PLAIN 1
+#endif
+#ifndef COURT_BOUNDED
+#define COURT_BOUNDED 1
+#endif
+
 /* What the build says of the sources: a word. */
 #ifndef COURT_SOURCES
 #define COURT_SOURCES unknown
@@ -102,6 +111,13 @@ typedef struct {
 #define LANES_LAUNCHED (8 * LANES_SHOTS)
 /* Behind them are the rows of those that stay in contact. */
 #define LANES_ROWS (2 * LANES_SHOTS)
+
+/* Whether any result needs bounds on errors. */
+static int bounded(const court_job *job)
+{
+    const court_results *out = job->results;
+    return out->grip_lost || out->time_error || out->state_error || out->uncertain;
+}
 
 /* Whether the caller wants no more; another thread may say so at any time. */
 static int stopped(const court_job *job)
@@ -266,6 +282,8 @@ static int court_error(const court_job *job)
     if (!(job->time_limit > 0.0))
         return COURT_ERROR_TIME_LIMIT;
     if (out == NULL)
+        return COURT_ERROR_RESULTS;
+    if (!COURT_BOUNDED && bounded(job))
         return COURT_ERROR_RESULTS;
     if ((out->events == NULL) != (out->event_counts == NULL))
         return COURT_ERROR_EVENTS;

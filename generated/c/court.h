@@ -127,7 +127,7 @@ enum {
     COURT_ERROR_LEAVING = -8,       /* less than -1, or no surface */
     COURT_ERROR_MAX_CONTACTS = -9,  /* less than 1 */
     COURT_ERROR_TIME_LIMIT = -10,   /* NaN, or not more than 0 */
-    COURT_ERROR_RESULTS = -11,      /* NULL */
+    COURT_ERROR_RESULTS = -11,      /* NULL, or with bounds on errors that the build leaves out */
     COURT_ERROR_EVENTS = -12,       /* `events` without `event_counts`, or these without those;
                                    or a log that no array can hold, or no count */
     COURT_ERROR_NEXT = -13,         /* NULL */

@@ -83,6 +83,7 @@ static M LANES(court_validate)(const LANES(column) *p, size_t row)
     return permitted;
 }
 
+#if COURT_PLAIN
 #define BOUNDED 0
 #define BOUNDS(...)
 #define OR_ZERO(name) K(0.0)
@@ -94,7 +95,9 @@ static M LANES(court_validate)(const LANES(column) *p, size_t row)
 #undef BOUNDS
 #undef OR_ZERO
 #undef OR_INFINITE
+#endif
 
+#if COURT_BOUNDED
 #define BOUNDED 1
 #define BOUNDS(...) __VA_ARGS__
 #define OR_ZERO(name) name
@@ -106,24 +109,18 @@ static M LANES(court_validate)(const LANES(column) *p, size_t row)
 #undef BOUNDS
 #undef OR_ZERO
 #undef OR_INFINITE
+#endif
 
 /* Run the job; return 0 if there is no memory for it. */
 static int LANES(court_run)(const court_job *job)
 {
-    const court_results *out = job->results;
-    const int bounds = out->grip_lost || out->time_error || out->state_error || out->uncertain;
-    /* Not on the stack: they may be megabytes, and threads have little of it. */
-    const size_t size = bounds ? sizeof(LANES(court_bounded_worklist)) : sizeof(LANES(court_plain_worklist));
-    void *const room = malloc(size + 63);
-    if (room == NULL)
-        return 0;
-    void *const worklist = (void *)(((uintptr_t)room + 63) / 64 * 64);
-    if (bounds)
-        LANES(court_bounded_run)(job, worklist);
-    else
-        LANES(court_plain_run)(job, worklist);
-    free(room);
-    return 1;
+#if COURT_PLAIN && COURT_BOUNDED
+    return bounded(job) ? LANES(court_bounded_run_allocated)(job) : LANES(court_plain_run_allocated)(job);
+#elif COURT_BOUNDED
+    return LANES(court_bounded_run_allocated)(job);
+#else
+    return LANES(court_plain_run_allocated)(job);
+#endif
 }
 
 #undef V

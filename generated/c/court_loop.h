@@ -5351,3 +5351,15 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
     }
 }
 
+/* Run the job with shots in flight in memory of their own; return 0 if there is none. */
+static int LOOP(run_allocated)(const court_job *job)
+{
+    /* Not on the stack: they may be megabytes, and threads have little of it. */
+    void *const room = malloc(sizeof(LOOP(worklist)) + 63);
+    if (room == NULL)
+        return 0;
+    LOOP(run)(job, (void *)(((uintptr_t)room + 63) / 64 * 64));
+    free(room);
+    return 1;
+}
+

@@ -62,6 +62,15 @@ _Static_assert(sizeof(hoop_environment) == ENVIRONMENT_WORDS * sizeof(uint64_t),
 #define BUILT(width) (HOOP_WIDEST >= (width))
 #endif
 
+/* Which loops are compiled; a build may ask for one alone, which takes less time. The loop with bounds
+   on errors serves calls without as well, slower. */
+#ifndef HOOP_PLAIN
+#define HOOP_PLAIN 1
+#endif
+#ifndef HOOP_BOUNDED
+#define HOOP_BOUNDED 1
+#endif
+
 /* What the build says of the sources: a word. */
 #ifndef HOOP_SOURCES
 #define HOOP_SOURCES unknown
@@ -101,6 +110,13 @@ typedef struct {
 /* Shots that are launched at most before anybody may stop the run. */
 #define LANES_LAUNCHED (8 * LANES_SHOTS)
 #define LANES_ROWS LANES_SHOTS
+
+/* Whether any result needs bounds on errors. */
+static int bounded(const hoop_job *job)
+{
+    const hoop_results *out = job->results;
+    return out->time_error || out->state_error || out->uncertain;
+}
 
 /* Whether the caller wants no more; another thread may say so at any time. */
 static int stopped(const hoop_job *job)
@@ -265,6 +281,8 @@ static int hoop_error(const hoop_job *job)
     if (!(job->time_limit > 0.0))
         return HOOP_ERROR_TIME_LIMIT;
     if (out == NULL)
+        return HOOP_ERROR_RESULTS;
+    if (!HOOP_BOUNDED && bounded(job))
         return HOOP_ERROR_RESULTS;
     if ((out->events == NULL) != (out->event_counts == NULL))
         return HOOP_ERROR_EVENTS;

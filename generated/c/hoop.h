@@ -114,7 +114,7 @@ enum {
     HOOP_ERROR_LEAVING = -8,       /* less than -1, or no surface */
     HOOP_ERROR_MAX_CONTACTS = -9,  /* less than 1 */
     HOOP_ERROR_TIME_LIMIT = -10,   /* NaN, or not more than 0 */
-    HOOP_ERROR_RESULTS = -11,      /* NULL */
+    HOOP_ERROR_RESULTS = -11,      /* NULL, or with bounds on errors that the build leaves out */
     HOOP_ERROR_EVENTS = -12,       /* `events` without `event_counts`, or these without those;
                                    or a log that no array can hold, or no count */
     HOOP_ERROR_NEXT = -13,         /* NULL */

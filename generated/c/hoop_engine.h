@@ -74,6 +74,7 @@ static M LANES(hoop_validate)(const LANES(column) *p, size_t row)
     return permitted;
 }
 
+#if HOOP_PLAIN
 #define BOUNDED 0
 #define BOUNDS(...)
 #define OR_ZERO(name) K(0.0)
@@ -85,7 +86,9 @@ static M LANES(hoop_validate)(const LANES(column) *p, size_t row)
 #undef BOUNDS
 #undef OR_ZERO
 #undef OR_INFINITE
+#endif
 
+#if HOOP_BOUNDED
 #define BOUNDED 1
 #define BOUNDS(...) __VA_ARGS__
 #define OR_ZERO(name) name
@@ -97,24 +100,18 @@ static M LANES(hoop_validate)(const LANES(column) *p, size_t row)
 #undef BOUNDS
 #undef OR_ZERO
 #undef OR_INFINITE
+#endif
 
 /* Run the job; return 0 if there is no memory for it. */
 static int LANES(hoop_run)(const hoop_job *job)
 {
-    const hoop_results *out = job->results;
-    const int bounds = out->time_error || out->state_error || out->uncertain;
-    /* Not on the stack: they may be megabytes, and threads have little of it. */
-    const size_t size = bounds ? sizeof(LANES(hoop_bounded_worklist)) : sizeof(LANES(hoop_plain_worklist));
-    void *const room = malloc(size + 63);
-    if (room == NULL)
-        return 0;
-    void *const worklist = (void *)(((uintptr_t)room + 63) / 64 * 64);
-    if (bounds)
-        LANES(hoop_bounded_run)(job, worklist);
-    else
-        LANES(hoop_plain_run)(job, worklist);
-    free(room);
-    return 1;
+#if HOOP_PLAIN && HOOP_BOUNDED
+    return bounded(job) ? LANES(hoop_bounded_run_allocated)(job) : LANES(hoop_plain_run_allocated)(job);
+#elif HOOP_BOUNDED
+    return LANES(hoop_bounded_run_allocated)(job);
+#else
+    return LANES(hoop_plain_run_allocated)(job);
+#endif
 }
 
 #undef V

@@ -2180,3 +2180,15 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
     }
 }
 
+/* Run the job with shots in flight in memory of their own; return 0 if there is none. */
+static int LOOP(run_allocated)(const hoop_job *job)
+{
+    /* Not on the stack: they may be megabytes, and threads have little of it. */
+    void *const room = malloc(sizeof(LOOP(worklist)) + 63);
+    if (room == NULL)
+        return 0;
+    LOOP(run)(job, (void *)(((uintptr_t)room + 63) / 64 * 64));
+    free(room);
+    return 1;
+}
+

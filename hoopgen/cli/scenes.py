@@ -72,9 +72,10 @@ def cache(show: bool, clear: bool) -> None:
     if isinstance(there, str):
         raise click.ClickException(there)
     if show or not clear:
+        without = " (without bounds)"
         rows = [
             (
-                str(entry.record["scene"]),
+                f"{entry.record['scene']}{'' if entry.record.get('bounds', True) else without}",
                 str(entry.record["compiler"]) or "none",
                 str(entry.record["width"]),
                 "numpy" if entry.record["refused"] else "c",

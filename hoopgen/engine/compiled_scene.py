@@ -66,6 +66,7 @@ class CompiledScene:
         has_hoop: bool = False,
         presets: Mapping[str, Parameters[float]] | None = None,
         trial: Callable[[], list[verification.Batch]] = list,
+        without_bounds: Callable[[int], native.Library] | None = None,
     ) -> None:
         self.kernels = kernels
         self.layout = Layout(kernels)
@@ -75,6 +76,7 @@ class CompiledScene:
         self.table = Table.from_kernels(kernels, written)
         self._find, self._sources, self._scene, self._rebuild = find, sources, scene, rebuild
         self._trial = trial
+        self._without_bounds = without_bounds
 
     @cached_property
     def found(self) -> native.Library | native.Rejection:
@@ -130,6 +132,20 @@ class CompiledScene:
     def library(self) -> native.Library | None:
         """Its C engine; None if there is none that can be trusted."""
         return None if isinstance(self.found, native.Rejection) else self.found
+
+    def library_without_bounds(self, shots: int) -> native.Library | None:
+        """Return the C engine for shots whose errors are not bounded.
+
+        It has the same bits, and is another one where that is compiled by itself, once it pays.
+
+        Parameters
+        ----------
+        shots
+            How many shots it is for.
+        """
+        if self.library is None or self._without_bounds is None:
+            return self.library
+        return self._without_bounds(shots)
 
     @property
     def backend(self) -> str:

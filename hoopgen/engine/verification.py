@@ -113,7 +113,7 @@ def verify(
     return found
 
 
-def expected(kernels: ModuleType, shots: Iterable[Batch]) -> Expected:
+def expected(kernels: ModuleType, shots: Iterable[Batch], *, bounds: bool = True) -> Expected:
     """Return batches with NumPy's results, which take time if balls roll.
 
     This thread must compute doubles as IEEE 754 prescribes.
@@ -124,12 +124,15 @@ def expected(kernels: ModuleType, shots: Iterable[Batch]) -> Expected:
         The generated NumPy module of a scene.
     shots
         The batches.
+    bounds
+        Whether results that need bounds on errors are among them.
     """
     layout = result_arrays.Layout(kernels)
+    fields = layout.fields + layout.bounds if bounds else _path(layout)
     found: Expected = []
     for batch in shots:
         states, parameters, leaving, limit = batch
-        wanted = _room(len(states), layout, layout.fields + layout.bounds)
+        wanted = _room(len(states), layout, fields)
         numpy_backend.run(
             kernels, states, parameters, leaving, MAX_CONTACTS, wanted, time_limit=limit
         )
@@ -151,14 +154,13 @@ def differences(engine: CompiledEngine, kernels: ModuleType, shots: Expected) ->
     """
     found: dict[int, list[str]] = {}
     layout = result_arrays.Layout(kernels)
-    every = layout.fields + layout.bounds
-    path = tuple(name for name in layout.fields if not layout.results[name].is_diagnostic)
     for (states, parameters, leaving, limit), wanted in shots:
         stop = np.zeros(1, np.int32)
+        every = tuple(name for name in layout.results if name in wanted.arrays)
         for width in available_widths(engine, kernels):
             wrong = found.setdefault(width, [])
             # Without diagnostic results another path through the engine is taken.
-            for fields in (every, path):
+            for fields in dict.fromkeys((every, _path(layout))):
                 got = _room(len(states), layout, fields)
                 try:
                     engine.run(
@@ -236,6 +238,11 @@ def batches(kernels: ModuleType, releases: NDArray[np.float64]) -> list[Batch]:
     left = np.where(leaving < known, leaving, -1).astype(np.int8)
     shared = [(states, defaults, None, limit) for limit in sorted(limits, reverse=True)]
     return [*shared, (states, columns, left, max(limits))]
+
+
+def _path(layout: result_arrays.Layout) -> tuple[str, ...]:
+    """Return the names of the results that need no bounds on errors."""
+    return tuple(name for name in layout.fields if not layout.need_bounds([name]))
 
 
 def _room(

@@ -47,6 +47,19 @@ class Lanes:
         return [f"{prefix}_ONLY={self.width}", f"{prefix}_VECTORS={self.vectors}"]
 
 
+def loop_option(scene: str, *, bounds: bool) -> str:
+    """Return the compiler's option for one of the event loops alone.
+
+    Parameters
+    ----------
+    scene
+        The name of the scene.
+    bounds
+        Whether it is the loop with bounds on errors.
+    """
+    return f"-D{scene.upper()}_{'PLAIN' if bounds else 'BOUNDED'}=0"
+
+
 _LANES_BY_FEATURES = {("AVX512F", "AVX512DQ", "AVX512VL"): Lanes(8, 1), ("AVX2",): Lanes(4, 1)}
 """Lanes by the processor features that they need, the widest first.
 

@@ -17,8 +17,10 @@ Library = native.Library | CudaEngine
 """An engine that a compiler has made; the other one is NumPy."""
 
 
-def find_library(backend: BackendName, scene: CompiledScene) -> Library | None:
-    """Return the engine of a backend; None is NumPy.
+def find_library(
+    backend: BackendName, scene: CompiledScene, shots: int, *, bounds: bool
+) -> Library | None:
+    """Return the engine of a backend for a call; None is NumPy.
 
     Parameters
     ----------
@@ -26,6 +28,10 @@ def find_library(backend: BackendName, scene: CompiledScene) -> Library | None:
         Its name, or "auto".
     scene
         The scene.
+    shots
+        The number of shots of the call.
+    bounds
+        Whether the call needs bounds on errors.
 
     Raises
     ------
@@ -42,7 +48,7 @@ def find_library(backend: BackendName, scene: CompiledScene) -> Library | None:
     if not isinstance(found, native.Rejection):
         if isinstance(found, native.Library) and found.missing_width:
             _warn_of_one_lane(scene.name, found.missing_width)
-        return found
+        return found if bounds else scene.library_without_bounds(shots)
     if backend == "c":
         raise RuntimeError(f"backend: 'c' {found.reason}; {found.remedy}, or use 'numpy'")
     _warn_once(found)

@@ -211,6 +211,8 @@ def run(
     logged = record or by is not None
     if logged:
         check_log(shots, most, workers, scene=engine)
+    needed = (*(("uncertain",) if settle else ()), *(NEEDED if by is not None else ()))
+    computed = tuple(dict.fromkeys((*wanted, *needed))) if needed else wanted
     batch = _Batch(
         engine,
         releases,
@@ -218,11 +220,9 @@ def run(
         check_leaving(leaving, shots, engine.surfaces),
         most,
         check_limit(time_limit, engine),
-        find_library(backend, engine),
+        find_library(backend, engine, shots, bounds=engine.layout.need_bounds(computed)),
         np.zeros(1, np.int32),
     )
-    needed = (*(("uncertain",) if settle else ()), *(NEEDED if by is not None else ()))
-    computed = tuple(dict.fromkeys((*wanted, *needed))) if needed else wanted
     on_gpu = isinstance(batch.library, CudaEngine)
     out = engine.layout.allocate(shots, computed, engine.cuda.empty if stays else None)
     results = dict(out.arrays)

@@ -837,6 +837,83 @@ def test_a_compiler_that_was_stopped_is_asked_again(
     assert wrapped.runs == 2
 
 
+# ---------------------------------------------------------------------- without bounds on errors
+
+PATH = ("outcome", "contacts", "time", "state")
+"""Results that need no bounds on errors."""
+
+
+def fly_without_bounds(engine: Engine, shots: int) -> native.Library | None:
+    """Simulate shots without bounds; check their bits, and return the library that the next get."""
+    plain, whole = engine.simulate(drops(shots), fields=PATH), engine.simulate(drops(shots))
+    for name in PATH:
+        assert getattr(plain, name).tobytes() == getattr(whole, name).tobytes(), name
+    return engine.library_without_bounds(0)
+
+
+@posix
+@pytest.mark.slow
+def test_many_shots_without_bounds_have_a_loop_of_their_own(
+    home: Path, wrapped: Wrapped, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(compiling, "SHOTS_WORTH_A_LOOP", 250)
+    engine = hoopgen.compile(PLANK)
+    assert fly_without_bounds(engine, 200) is engine.library
+    assert wrapped.runs == 1
+    faster = fly_without_bounds(engine, 200)
+    assert isinstance(faster, native.Library)
+    assert faster is not engine.library
+    assert wrapped.runs == 2
+    forget()
+    engine = hoopgen.compile(PLANK)
+    assert fly_without_bounds(engine, 1) is not engine.library, "it is found"
+    assert wrapped.runs == 2
+    with pytest.raises(ValueError, match="refuses its arguments, with code -11"):
+        run_on(faster, engine, ("uncertain",))
+    run_on(faster, engine, PATH)
+
+
+def run_on(library: native.Library, engine: Engine, fields: tuple[str, ...]) -> None:
+    """Simulate a ball on a library."""
+    parameters = engine.table.inputs(dict(engine.parameters))
+    out, stop = engine.layout.allocate(1, fields), np.zeros(1, np.int32)
+    library.run(drops(1), parameters, None, 10, out, stop)
+
+
+@posix
+@pytest.mark.slow
+@pytest.mark.parametrize("passing", [True, False])
+def test_where_the_loop_without_bounds_cannot_be_made_the_other_one_serves(
+    home: Path,
+    wrapped: Wrapped,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+    passing: bool,
+) -> None:
+    monkeypatch.setattr(compiling, "SHOTS_WORTH_A_LOOP", 10)
+    engine = hoopgen.compile(PLANK)
+    wrapped.first(f"echo 'plank.c:1: no, {'Killed' if passing else 'thanks'}' >&2; exit 1")
+    for turn in range(3):
+        assert fly_without_bounds(engine, 20) is engine.library
+        assert ("plank.c:1: no" in capsys.readouterr().err) == (turn == 0)
+    assert wrapped.runs == 2
+    forget()
+    engine = hoopgen.compile(PLANK)
+    assert fly_without_bounds(engine, 20) is engine.library
+    assert wrapped.runs == 2 + passing, "what may pass is tried again by another process"
+
+
+@posix
+@pytest.mark.slow
+def test_a_loop_without_bounds_with_other_bits_is_not_trusted(
+    home: Path, wrapped: Wrapped, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(compiling, "SHOTS_WORTH_A_LOOP", 10)
+    engine = hoopgen.compile(PLANK)
+    wrapped.first("sed -i '/FIX(/s/K(1\\.0)/K(1.0000000000000002)/' plank_loop.h")
+    assert fly_without_bounds(engine, 20) is engine.library
+
+
 @posix
 @pytest.mark.slow
 def test_a_library_with_other_bits_is_not_trusted(home: Path, wrapped: Wrapped) -> None:

@@ -42,7 +42,7 @@ ERRORS: Mapping[str, str] = {
     "LEAVING": "an entry of leaving is less than -1, or no surface",
     "MAX_CONTACTS": "max_contacts is less than 1",
     "TIME_LIMIT": "time_limit is NaN, or not more than 0",
-    "RESULTS": "results is NULL",
+    "RESULTS": "results is NULL, or asks for bounds on errors, which the build leaves out",
     "EVENTS": "events and event_counts go together, and their log must fit in memory",
     "NEXT": "next is NULL",
     "PARTS": "parts is less than 1",
