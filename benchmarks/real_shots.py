@@ -281,9 +281,9 @@ throws left out is −{-others:.1f}; with the preset it is −{-plain:.1f}.
   is in any gym, {hits} is {flown_verdict} the interval. A net and a ring that yields, which both
   leave out, may keep such balls in, too; an error of the assumed origin, or in the
   release, would change the number. A measured backspin would decide.
-- A regression on the place at the ring that predicts much better than the model. It has no
-  physics, and the model has no fitted number, so equal likelihoods are the least that the model
-  must reach.
+- A regression on the place at the ring that predicts much better than the model. The
+  regression has no physics and the model no fitted number, so the model must reach at least the
+  same likelihood.
 - A likeliest restitution of the ring far from the 0.5 to 0.65 that the presets guess from tests
   of rims.
 

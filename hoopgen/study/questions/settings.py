@@ -345,10 +345,10 @@ table_file = partial(
 class MeasuredReleases(TableSettings):
     """Measured releases, whose rows are drawn at random.
 
-    A map and a search move the mean of a column; how far the rows are from it stays as it was.
+    A map or a search moves the mean of a column and keeps each row's distance from the mean.
 
-    The columns take the place of what is given above; `release` beside this table, in the same
-    place of the file, takes the place of columns.
+    Columns replace values given above. A `release` table at the same place of the file as
+    `releases` replaces columns.
     """
 
     file: str = table_file()
