@@ -24,10 +24,6 @@ ROOMS = ("derive", "templates", "generated")
 # Of long kernels in straight lines -O3 makes no faster code than -O1 does in half the time.
 LEVEL = {"court": ["-O1"], "air": ["-O1"], "court_air": ["-O1"]}
 
-# GCC compiles these kernels in five sixths of the time if it allocates the registers of a function
-# as one region. Other compilers do not know the flag.
-REGISTER_ALLOCATION = ["-fira-region=one"]
-
 # HOOPGEN_WIDTHS=all compiles every vector width, for any processor, as wheels that are given away
 # need. Else the one of this processor is compiled, and one lane, with which others can serve too.
 ALL_WIDTHS = os.environ.get("HOOPGEN_WIDTHS", "native") == "all"
@@ -56,13 +52,13 @@ class BuildPlainLibrary(build_ext):
         source = Path(ext.sources[0])
         scene = source.stem
         ext.extra_compile_args = MSVC_FLAGS if msvc else [*BUILD["FLAGS"], *LEVEL.get(scene, [])]
-        if scene in LEVEL and not msvc and self._is_gcc():
-            ext.extra_compile_args += REGISTER_ALLOCATION
         # Linking with fast-math makes subnormals zero in every process that loads the library.
         ext.extra_link_args = [] if msvc else BUILD["FLAGS"]
         ext.define_macros = [
             (f"{scene.upper()}_SOURCES", BUILD["source_digest"](source.parent, scene))
         ]
+        if scene in LEVEL:
+            ext.define_macros.append((f"{scene.upper()}_ONE_REGION", "1"))
         width = 0 if msvc or ALL_WIDTHS else self._native_width()
         if width:
             ext.define_macros.append((f"{scene.upper()}_NATIVE", str(width)))
@@ -96,10 +92,6 @@ class BuildPlainLibrary(build_ext):
             w for w, needed in FEATURES.items() if defined.issuperset(f"__{f}__" for f in needed)
         )
         return next(has)
-
-    def _is_gcc(self) -> bool:
-        defined = self._macros()
-        return "__GNUC__" in defined and defined.isdisjoint(("__clang__", "__INTEL_COMPILER"))
 
     def _macros(self, *flags: str) -> set[str]:
         """Return the names of the macros that the compiler defines; none if it does not say."""

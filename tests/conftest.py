@@ -14,6 +14,7 @@ import pytest
 from numpy.typing import NDArray
 
 import hoopgen
+from hoopgen.core.garbage import THRESHOLDS
 from tests.helpers import hoop_shots
 from tests.helpers.effort import scaled_names, spread, trials
 from tests.helpers.engines import ENGINES, Simulate, simulate_on
@@ -32,7 +33,7 @@ def pytest_sessionstart() -> None:
     Both save time: SymPy's expressions and all test modules are much to look through, and most
     tests of such scenes compile for longer than they fly.
     """
-    gc.set_threshold(50_000, 20, 50)
+    gc.set_threshold(*THRESHOLDS)
     compile_soonest()
 
 

@@ -32,6 +32,15 @@ _Static_assert(sizeof(hoop_environment) == ENVIRONMENT_WORDS * sizeof(uint64_t),
 #endif
 #define LANES_VECTORS HOOP_VECTORS
 
+/* Whether GCC allocates the registers of a function as one region, which takes a tenth to a sixth less
+   time for long kernels and makes no slower code of them. */
+#ifndef HOOP_ONE_REGION
+#define HOOP_ONE_REGION (LANES_VECTORS == 1)
+#endif
+#if HOOP_ONE_REGION && defined(__GNUC__) && !defined(__clang__)
+#pragma GCC optimize("ira-region=one")
+#endif
+
 /* Lanes of a value in registers of so many bits. */
 #if LANES_VECTORS == 1
 #define LANES_IN_256 4

@@ -57,7 +57,7 @@ class CompiledScene:
         kernels: ModuleType,
         *,
         find: Callable[[], native.Library | native.Rejection],
-        sources: Callable[[], Mapping[str, str]],
+        sources: Callable[[str], Mapping[str, str]],
         scene: Callable[[], Scene],
         max_contacts: int = 1000,
         time_limit: float = 60.0,
@@ -75,8 +75,7 @@ class CompiledScene:
         self.presets: Mapping[str, Parameters[float]] = {} if presets is None else presets
         self.table = Table.from_kernels(kernels, written)
         self._find, self._sources, self._scene, self._rebuild = find, sources, scene, rebuild
-        self._trial = trial
-        self._without_bounds = without_bounds
+        self._trial, self._without_bounds = trial, without_bounds
 
     @cached_property
     def found(self) -> native.Library | native.Rejection:
@@ -134,9 +133,7 @@ class CompiledScene:
         return None if isinstance(self.found, native.Rejection) else self.found
 
     def library_without_bounds(self, shots: int) -> native.Library | None:
-        """Return the C engine for shots whose errors are not bounded.
-
-        It has the same bits, and is another one where that is compiled by itself, once it pays.
+        """Return the C engine for shots without bounds on errors: of the same bits, maybe faster.
 
         Parameters
         ----------
@@ -202,7 +199,7 @@ class CompiledScene:
             )
         return {
             name.removeprefix(f"{target}/"): text
-            for name, text in self._sources().items()
+            for name, text in self._sources(target).items()
             if name.startswith(f"{target}/")
         }
 

@@ -20,8 +20,9 @@ from hoopgen.engine import native
 from hoopgen.engine.compiled_scene import CompiledScene
 from hoopgen.engine.loading import load
 from hoopgen.scene import compilers
-from hoopgen.scene.cache import Entry, digest, process_store
+from hoopgen.scene.cache import Entry, digest
 from hoopgen.simulation.compile import scene_store
+from hoopgen.simulation.compiled_files import built_entry
 from hoopgen.text.shorten import brief
 
 SOURCE = Path(__file__).with_name("xla_call.c")
@@ -82,12 +83,7 @@ def _compiled() -> bytes:
         return _build(key, compiler, include, folder)
 
     store = scene_store()
-    entry = store.entry(key)
-    if entry is None:
-        try:
-            entry = store.built(key, build)
-        except OSError as error:
-            entry = process_store(f"{error.filename}: {error.strerror}").built(key, build)
+    entry = store.entry(key) or built_entry(key, build, store)
     refused = entry.record["refused"]
     if refused:
         raise RuntimeError(" ".join(refused))

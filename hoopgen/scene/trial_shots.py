@@ -12,7 +12,7 @@ from hoopgen.engine import numpy_backend
 from hoopgen.engine.result_arrays import Layout
 from hoopgen.engine.verification import TIME_LIMIT
 
-SHOTS = 1000
+SHOTS = 500
 
 _CANDIDATES = 4096
 _MAX_CONTACTS = 8

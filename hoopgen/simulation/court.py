@@ -60,7 +60,7 @@ def _court() -> Engine:
 COURT = Engine(
     court,
     find=lambda: installed_library(court, court_shots),
-    sources=lambda: generated_files(court),
+    sources=lambda target: generated_files(court),
     scene=_scene,
     rebuild=(_court, ()),
     has_hoop=True,

@@ -79,7 +79,7 @@ def _hoop() -> Engine:
 HOOP = Engine(
     hoop,
     find=hoop_library,
-    sources=lambda: generated_files(hoop),
+    sources=lambda target: generated_files(hoop),
     scene=_hoop_scene,
     max_contacts=40,
     time_limit=math.inf,

@@ -13,12 +13,13 @@ import hashlib
 import importlib.util
 import json
 import zlib
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 from typing import Any
 
+from hoopgen.core.garbage import rare_collection
 from hoopgen.core.validation import RUNTIME_BACKENDS
 
 _PACKAGE = Path(__file__).resolve().parent.parent
@@ -28,6 +29,11 @@ SHIPPED_FOLDER = _PACKAGE / "shipped"
 
 SHIPPED_SCENES = ("hoopgen.AIR", "hoopgen.COURT_AIR")
 """The public names of these scenes."""
+
+
+COMPILED_TARGETS = ("c", "numpy")
+"""Targets for which a scene is printed before it is compiled; for others it is when they are asked
+for."""
 
 
 @dataclass(frozen=True)
@@ -49,13 +55,15 @@ class Printed:
     library: bytes | None = None
 
 
-def generate_scene(scene: Any) -> Printed:
-    """Derive a scene and print it for the backends that run.
+def generate_scene(scene: Any, targets: Sequence[str] = COMPILED_TARGETS) -> Printed:
+    """Derive a scene and print it.
 
     Parameters
     ----------
     scene
         A scene of `hoopgen.scene` or of derive/.
+    targets
+        The targets for which it is printed.
 
     Raises
     ------
@@ -73,7 +81,9 @@ def generate_scene(scene: Any) -> Printed:
 
         raise extras.explain_import_error(error, "hoopgen.compile") from None
     derived = definition(scene)
-    return Printed(derived.name, render_scene(derived, page=False, targets=RUNTIME_BACKENDS))
+    with rare_collection():
+        files = render_scene(derived, page=False, targets=targets)
+    return Printed(derived.name, files)
 
 
 def shipped_scene(name: str, folder: Path = SHIPPED_FOLDER) -> Printed | None:
@@ -105,7 +115,7 @@ def write_shipped_scenes() -> None:
 
     SHIPPED_FOLDER.mkdir(exist_ok=True)
     for name in SHIPPED_SCENES:
-        printed = generate_scene(getattr(air, name.rpartition(".")[2]))
+        printed = generate_scene(getattr(air, name.rpartition(".")[2]), RUNTIME_BACKENDS)
         record = {"source_digest": source_digest(), "files": printed.files}
         packed = gzip.compress(json.dumps(record).encode(), mtime=0)
         (SHIPPED_FOLDER / f"{_stem(name)}.json.gz").write_bytes(packed)

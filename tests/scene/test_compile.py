@@ -28,7 +28,7 @@ from hoopgen.codegen import render
 from hoopgen.core.owned_folders import MARKER, find_store
 from hoopgen.engine import native
 from hoopgen.scene import End, Parameter, Plane, Scene, Sphere, cache, compilers
-from hoopgen.simulation import backends
+from hoopgen.simulation import backends, without_bounds
 from hoopgen.simulation import compile as compiling
 from hoopgen.simulation.engine import Engine
 from hoopgen.text.shorten import brief
@@ -856,7 +856,7 @@ def fly_without_bounds(engine: Engine, shots: int) -> native.Library | None:
 def test_many_shots_without_bounds_have_a_loop_of_their_own(
     home: Path, wrapped: Wrapped, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(compiling, "SHOTS_WORTH_A_LOOP", 250)
+    monkeypatch.setattr(without_bounds, "SHOTS_WORTH_A_LOOP", 250)
     engine = hoopgen.compile(PLANK)
     assert fly_without_bounds(engine, 200) is engine.library
     assert wrapped.runs == 1
@@ -890,7 +890,7 @@ def test_where_the_loop_without_bounds_cannot_be_made_the_other_one_serves(
     capsys: pytest.CaptureFixture[str],
     passing: bool,
 ) -> None:
-    monkeypatch.setattr(compiling, "SHOTS_WORTH_A_LOOP", 10)
+    monkeypatch.setattr(without_bounds, "SHOTS_WORTH_A_LOOP", 10)
     engine = hoopgen.compile(PLANK)
     wrapped.first(f"echo 'plank.c:1: no, {'Killed' if passing else 'thanks'}' >&2; exit 1")
     for turn in range(3):
@@ -908,7 +908,7 @@ def test_where_the_loop_without_bounds_cannot_be_made_the_other_one_serves(
 def test_a_loop_without_bounds_with_other_bits_is_not_trusted(
     home: Path, wrapped: Wrapped, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(compiling, "SHOTS_WORTH_A_LOOP", 10)
+    monkeypatch.setattr(without_bounds, "SHOTS_WORTH_A_LOOP", 10)
     engine = hoopgen.compile(PLANK)
     wrapped.first("sed -i '/FIX(/s/K(1\\.0)/K(1.0000000000000002)/' plank_loop.h")
     assert fly_without_bounds(engine, 20) is engine.library
