@@ -23,6 +23,7 @@ from .parsed_shapes import RevolvedShape, Shape
 from .polynomials import derivative, evaluate
 from .revolution_geometry import is_hollow, revolution_extent, revolution_mesh
 from .scene import Scene
+from .sizes import turn_angles, vector
 from .torus_geometry import torus_extent, torus_lines, torus_mesh
 from .upright import acceleration, upright
 
@@ -234,7 +235,7 @@ class SceneGeometry:
         return flat(axis, way, at, room, self.ball_radius, self._bounds(shape.bounds))
 
     def _sphere(self, shape: Shape, room: Box) -> Mesh:
-        u = np.linspace(0.0, 2.0 * np.pi, _TURN_PIECES, endpoint=False)
+        u = turn_angles(_TURN_PIECES)
         v = np.linspace(0.0, np.pi, _HALF_TURN_PIECES + 1)
         unit = np.stack(
             [
@@ -245,19 +246,19 @@ class SceneGeometry:
             -1,
         )
         unit[0], unit[-1] = (0.0, 0.0, 1.0), (0.0, 0.0, -1.0)
-        points = self._centre(shape) + self._number(shape["radius"]) * unit
+        points = vector(shape, self._number, "centre") + self._number(shape["radius"]) * unit
         return self._curved(shape, room, points, unit, (False, True))
 
     def _cylinder(self, shape: Shape, room: Box) -> Mesh:
         axis, radius = shape.axis[0], self._number(shape["radius"])
         across = [(axis + 1) % 3, (axis + 2) % 3]
-        u = np.linspace(0.0, 2.0 * np.pi, _TURN_PIECES, endpoint=False)
+        u = turn_angles(_TURN_PIECES)
         low, high = float(room[0][axis]), float(room[1][axis])
         count = int(np.clip(np.ceil((high - low) / radius), 1, 60))
         along = np.linspace(high, low, count + 1)
         unit = np.zeros((count + 1, _TURN_PIECES, 3))
         unit[..., across[0]], unit[..., across[1]] = np.cos(u), np.sin(u)
-        points = self._centre(shape) + radius * unit
+        points = vector(shape, self._number, "centre") + radius * unit
         points[..., axis] = along[:, None]
         side = self._curved(shape, room, points, unit, (False, True))
         return side if shape.inside else join(side, *self._caps(shape, room))
@@ -269,14 +270,14 @@ class SceneGeometry:
         """
         axis, radius, ball = shape.axis[0], self._number(shape["radius"]), self.ball_radius
         across = [(axis + 1) % 3, (axis + 2) % 3]
-        u = np.linspace(0.0, 2.0 * np.pi, _TURN_PIECES, endpoint=False)
+        u = turn_angles(_TURN_PIECES)
         extent = self._extent(shape)
         low, high = max(extent[0][axis], room[0][axis]), min(extent[1][axis], room[1][axis])
         found: list[Mesh] = []
         for way, at in ((-1, low), (1, high)):
             if not low < high:
                 break
-            rim = np.tile(self._centre(shape), (_TURN_PIECES, 1))
+            rim = np.tile(vector(shape, self._number, "centre"), (_TURN_PIECES, 1))
             rim[:, axis] = at
             middle = rim.copy()
             rim[:, across[0]] += radius * np.cos(u)
@@ -327,15 +328,6 @@ class SceneGeometry:
 
     # Its data
 
-    def _centre(self, shape: Shape) -> Floats:
-        sizes = dict(shape.sizes)
-        return np.array(
-            [
-                self._number(sizes[f"centre {axis}"]) if f"centre {axis}" in sizes else 0.0
-                for axis in "xyz"
-            ]
-        )
-
     def _extent(self, shape: Shape) -> tuple[list[float], list[float]]:
         """Return the corners of the box that contains a body."""
         if isinstance(shape, RevolvedShape):
@@ -348,8 +340,8 @@ class SceneGeometry:
             return torus_extent(shape, self._number)
         if shape.kind in ("plane", "surface"):
             return [-np.inf] * 3, [np.inf] * 3
-        centre, reach = self._centre(shape), np.full(3, self._number(shape["radius"]))
-        low, high = centre - reach, centre + reach
+        centre, radius = vector(shape, self._number, "centre"), self._number(shape["radius"])
+        low, high = centre - radius, centre + radius
         if shape.kind == "cylinder":
             axis = shape.axis[0]
             low[axis], high[axis] = -np.inf, np.inf

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
-from .formulas import Formula
 from .meshes import (
     Bound,
     Box,
@@ -22,15 +21,13 @@ from .meshes import (
     walls,
 )
 from .parsed_shapes import Shape
+from .sizes import Number, turn_angles, vector
 
 FLAT = ("inclined plane", "disc")
 OBLIQUE = (*FLAT, "oblique cylinder", "cone")
 """Kinds of bodies along any direction, and those of them that are flat."""
 
 _TURN_PIECES, _MAX_ROWS = 48, 60
-
-Number = Callable[[Formula], float]
-"""The value of a size of the scene."""
 
 
 @dataclass(frozen=True)
@@ -85,7 +82,7 @@ def oblique_mesh(
     bounds
         Its bounds, besides its circle or its span; of a cone they are functions of its points.
     """
-    direction = _vector(shape, number, "direction")
+    direction = vector(shape, number, "direction")
     if shape.kind == "cone":
         return _cone(shape, number, bounds, room, ball)
     if shape.kind == "oblique cylinder":
@@ -93,7 +90,7 @@ def oblique_mesh(
     length = float(np.linalg.norm(direction))
     origin = number(shape["at"]) / length * direction / length
     if shape.kind == "disc":
-        origin = _vector(shape, number, "centre")
+        origin = vector(shape, number, "centre")
     frame = _Frame.along(direction, origin)
     low, high = frame.box(room)
     if not low[2] <= 0.0 <= high[2]:
@@ -117,21 +114,15 @@ def oblique_axes(shape: Shape, number: Number) -> Floats:
     number
         The value of its sizes.
     """
-    return _Frame.along(_vector(shape, number, "direction"), np.zeros(3)).axes
-
-
-def _vector(shape: Shape, number: Number, argument: str) -> Floats:
-    sizes = dict(shape.sizes)
-    own = (sizes.get(f"{argument} {axis}") for axis in "xyz")
-    return np.array([0.0 if size is None else number(size) for size in own])
+    return _Frame.along(vector(shape, number, "direction"), np.zeros(3)).axes
 
 
 def _origin(shape: Shape, number: Number) -> Floats:
     """Return the point from which the span of a body of revolution is measured."""
     if shape.kind == "cone":
-        return _vector(shape, number, "apex")
+        return vector(shape, number, "apex")
     spanned = not {"span from", "span to"}.isdisjoint(dict(shape.sizes))
-    return _vector(shape, number, "centre" if spanned else "axis")
+    return vector(shape, number, "centre" if spanned else "axis")
 
 
 def _placed(bound: Bound, frame: _Frame) -> Bound:
@@ -149,7 +140,7 @@ def _turned(mesh: Mesh, frame: _Frame) -> Mesh:
 def _cylinder(
     shape: Shape, number: Number, bounds: Sequence[Bound], room: Box, ball: float
 ) -> Mesh:
-    frame = _Frame.along(_vector(shape, number, "direction"), _origin(shape, number))
+    frame = _Frame.along(vector(shape, number, "direction"), _origin(shape, number))
     radius = number(shape["radius"])
     low, high = _visible_span(frame, radius, room)
     ends = _ends(shape, number)
@@ -171,7 +162,7 @@ def _cylinder(
 
 
 def _cone(shape: Shape, number: Number, bounds: Sequence[Bound], room: Box, ball: float) -> Mesh:
-    frame = _Frame.along(_vector(shape, number, "direction"), _vector(shape, number, "apex"))
+    frame = _Frame.along(vector(shape, number, "direction"), vector(shape, number, "apex"))
     slope, ends = number(shape["slope"]), _ends(shape, number)
     high = min(float(frame.box(room)[1][2]), ends[1])
     low = max(0.0, ends[0])
@@ -223,7 +214,7 @@ def _revolved(
     shape: Shape, frame: _Frame, heights: Floats, radii: Floats, slope: Floats, ball: float
 ) -> Mesh:
     """Return the side of a body of revolution; its normal has an outward and an axial part."""
-    u = np.linspace(0.0, 2.0 * np.pi, _TURN_PIECES, endpoint=False)
+    u = turn_angles(_TURN_PIECES)
     circle = np.stack([np.cos(u), np.sin(u)], -1)
     heights, radii = heights[::-1], radii[::-1]  # counterclockwise as seen from outside
     points = np.empty((len(heights), _TURN_PIECES, 3))
@@ -242,7 +233,7 @@ def _revolved(
 
 
 def _circle(frame: _Frame, at: float, radius: float) -> Floats:
-    u = np.linspace(0.0, 2.0 * np.pi, _TURN_PIECES, endpoint=False)
+    u = turn_angles(_TURN_PIECES)
     points = np.stack([radius * np.cos(u), radius * np.sin(u), np.full(len(u), at)], -1)
     return frame.place(points)
 
@@ -297,11 +288,11 @@ def oblique_extent(shape: Shape, number: Number) -> tuple[list[float], list[floa
     """
     if shape.kind == "inclined plane":
         return [-np.inf] * 3, [np.inf] * 3
-    direction = _vector(shape, number, "direction")
+    direction = vector(shape, number, "direction")
     direction /= np.linalg.norm(direction)
     reach = np.sqrt(np.maximum(1.0 - direction**2, 0.0))
     if shape.kind == "disc":
-        circles = [(_vector(shape, number, "centre"), number(shape["radius"]))]
+        circles = [(vector(shape, number, "centre"), number(shape["radius"]))]
     else:
         origin = _origin(shape, number)
         slope, radius = (
