@@ -13,11 +13,11 @@ from numpy.typing import NDArray
 from hoopgen.core.parameters import means
 from hoopgen.engine.compiled_scene import CompiledScene
 
-from .bounds import Terms, is_along, linear_powers
+from .bounds import Terms
 from .box_geometry import BOXES, box_extent, box_mesh
 from .engine_pieces import scene_pieces
 from .formulas import Formula
-from .meshes import Bound, Box, Floats, Mesh, contact_mesh, cut, flat, grid, join, level_set, walls
+from .meshes import Bound, Box, Floats, Mesh, contact_mesh, cut, flat, grid, level_set, walls
 from .oblique_geometry import FLAT, OBLIQUE, oblique_extent, oblique_mesh
 from .parsed_shapes import RevolvedShape, Shape
 from .polynomials import derivative, evaluate
@@ -215,7 +215,6 @@ class SceneGeometry:
         made = {
             "plane": self._plane,
             "sphere": self._sphere,
-            "cylinder": self._cylinder,
             "torus": self._torus,
             "oblique torus": self._torus,
             "box": self._box,
@@ -247,65 +246,12 @@ class SceneGeometry:
         )
         unit[0], unit[-1] = (0.0, 0.0, 1.0), (0.0, 0.0, -1.0)
         points = vector(shape, self._number, "centre") + self._number(shape["radius"]) * unit
-        return self._curved(shape, room, points, unit, (False, True))
-
-    def _cylinder(self, shape: Shape, room: Box) -> Mesh:
-        axis, radius = shape.axis[0], self._number(shape["radius"])
-        across = [(axis + 1) % 3, (axis + 2) % 3]
-        u = turn_angles(_TURN_PIECES)
-        low, high = float(room[0][axis]), float(room[1][axis])
-        count = int(np.clip(np.ceil((high - low) / radius), 1, 60))
-        along = np.linspace(high, low, count + 1)
-        unit = np.zeros((count + 1, _TURN_PIECES, 3))
-        unit[..., across[0]], unit[..., across[1]] = np.cos(u), np.sin(u)
-        points = vector(shape, self._number, "centre") + radius * unit
-        points[..., axis] = along[:, None]
-        side = self._curved(shape, room, points, unit, (False, True))
-        return side if shape.inside else join(side, *self._caps(shape, room))
-
-    def _caps(self, shape: Shape, room: Box) -> list[Mesh]:
-        """Return the visible end faces of a cylinder, which would else look like a hollow tube.
-
-        Nothing touches them; a cylinder without ends is cut where the room ends.
-        """
-        axis, radius, ball = shape.axis[0], self._number(shape["radius"]), self.ball_radius
-        across = [(axis + 1) % 3, (axis + 2) % 3]
-        u = turn_angles(_TURN_PIECES)
-        extent = self._extent(shape)
-        low, high = max(extent[0][axis], room[0][axis]), min(extent[1][axis], room[1][axis])
-        found: list[Mesh] = []
-        for way, at in ((-1, low), (1, high)):
-            if not low < high:
-                break
-            rim = np.tile(vector(shape, self._number, "centre"), (_TURN_PIECES, 1))
-            rim[:, axis] = at
-            middle = rim.copy()
-            rim[:, across[0]] += radius * np.cos(u)
-            rim[:, across[1]] += radius * np.sin(u)
-            turn = (rim, np.roll(rim, -1, axis=0))
-            corners = np.stack([middle, *turn[::way]], 1)
-            # Bounds other than those along the axis hold for a ball beside the rim.
-            beside = corners + ball / radius * (corners - middle[:, None])
-            whole = Mesh.from_corners(np.concatenate([corners, beside], -1))
-            others = [b for b in shape.bounds if not is_along(b, axis)]
-            left = cut(whole, self._bounds(others), walls(room)).corners
-            left[..., 3:] = left[..., :3]
-            left[..., 3 + axis] += way * ball
-            found.append(Mesh.from_corners(left))
-        return found
-
-    def _curved(
-        self, shape: Shape, room: Box, points: Floats, unit: Floats, around: tuple[bool, bool]
-    ) -> Mesh:
         normals = -unit if shape.inside else unit
-        corners = grid(contact_mesh(points, normals, self.ball_radius), around)
+        corners = grid(contact_mesh(points, normals, self.ball_radius), (False, True))
         if shape.inside:
             corners = corners[:, ::-1]
-        parts = np.zeros(len(corners), np.int64)
-        if shape.kind == "cylinder":
-            parts = np.arange(len(corners)) // (2 * _TURN_PIECES)
         real = ~np.all(corners == np.roll(corners, -1, axis=1), axis=2).any(axis=1)
-        whole = Mesh.from_corners(corners[real], parts[real])
+        whole = Mesh.from_corners(corners[real])
         return cut(whole, self._bounds(shape.bounds), walls(room))
 
     def _torus(self, shape: Shape, room: Box) -> Mesh:
@@ -341,20 +287,7 @@ class SceneGeometry:
         if shape.kind in ("plane", "surface"):
             return [-np.inf] * 3, [np.inf] * 3
         centre, radius = vector(shape, self._number, "centre"), self._number(shape["radius"])
-        low, high = centre - radius, centre + radius
-        if shape.kind == "cylinder":
-            axis = shape.axis[0]
-            low[axis], high[axis] = -np.inf, np.inf
-            for terms in shape.bounds:
-                found = {powers: self._number(factor) for powers, factor in terms}
-                steep = found.get(linear_powers(axis), 0.0)
-                if steep and is_along(terms, axis):
-                    end = -found.get((0, 0, 0), 0.0) / steep
-                    if steep > 0:
-                        high[axis] = min(high[axis], end)
-                    else:
-                        low[axis] = max(low[axis], end)
-        return low.tolist(), high.tolist()
+        return (centre - radius).tolist(), (centre + radius).tolist()
 
     def _bounds(self, bounds: Sequence[Terms]) -> list[Bound]:
         def bound(terms: Terms) -> Bound:

@@ -33,7 +33,7 @@ def torus_mesh(
     circle = _circle(shape, number)
     out = (circle - vector(shape, number, "centre")) / number(shape["radius"])
     v = turn_angles(_WIRE_PIECES)
-    unit = np.cos(v)[:, None] * out[:, None] + np.sin(v)[:, None] * _axes(shape, number)[2]
+    unit = np.cos(v)[:, None] * out[:, None] + np.sin(v)[:, None] * oblique_axes(shape, number)[2]
     corners = grid(contact_mesh(circle[:, None] + wire * unit, unit, ball), (True, True))
     parts = np.arange(len(corners)) // (2 * _WIRE_PIECES * _SECTOR_PIECES)
     return cut(Mesh.from_corners(corners, parts), bounds, walls(room), touched=True)
@@ -61,23 +61,16 @@ def torus_extent(shape: Shape, number: Number) -> tuple[list[float], list[float]
     shape, number
         As for `torus_mesh`.
     """
-    reach = number(shape["radius"]) * np.sqrt(np.maximum(1.0 - _axes(shape, number)[2] ** 2, 0.0))
+    unit = oblique_axes(shape, number)[2]
+    reach = number(shape["radius"]) * np.sqrt(np.maximum(1.0 - unit**2, 0.0))
     reach += number(shape["wire"])
     centre = vector(shape, number, "centre")
     return (centre - reach).tolist(), (centre + reach).tolist()
 
 
 def _circle(shape: Shape, number: Number) -> Floats:
-    first, second, _ = _axes(shape, number)
+    first, second, _ = oblique_axes(shape, number)
     u = turn_angles(_TURN_PIECES)[:, None]
     unit = np.cos(u) * first + np.sin(u) * second
     around: Floats = vector(shape, number, "centre") + number(shape["radius"]) * unit
     return around
-
-
-def _axes(shape: Shape, number: Number) -> Floats:
-    """Return the axes of a torus, of which the third is its own, in rows, (3, 3)."""
-    if shape.kind == "oblique torus":
-        return oblique_axes(shape, number)
-    axis = shape.axis[0]
-    return np.eye(3)[[(axis + 1) % 3, (axis + 2) % 3, axis]]
