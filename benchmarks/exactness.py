@@ -20,6 +20,7 @@ from flint import arb, ctx
 from numpy.typing import NDArray
 
 import hoopgen
+from benchmarks.decisions import HEAD, Decisions, together
 from benchmarks.families import FAMILIES, Family
 from benchmarks.machine import facts
 from benchmarks.penetration import deepest
@@ -27,7 +28,6 @@ from benchmarks.report import number, section_of, table
 from hoopgen.core.files import write
 from hoopgen.judge import Certificate, Proof, certify
 from hoopgen.simulation.hoop import HOOP
-from hoopgen.text.numbers import format_percent
 
 ERRORS = ("time", "position", "velocity", "spin")
 MAX_CONTACTS = 40
@@ -42,27 +42,15 @@ Floats = NDArray[np.float64]
 
 
 @dataclass
-class Tally:
-    """The results of one family's shots.
+class Tally(Decisions):
+    """The results of one family's shots; flags count of those that are not capped.
 
-    `wrong`: neither flagged nor as proved. `unseen`: not flagged, though undecidable. `flagged`:
-    of the shots that are not capped, `changed` of them proved to be otherwise. `errors`: largest
-    difference from the judge over the shots that are right and not flagged (s, m, m/s, rad/s);
-    `ratios`: largest ratio of such a difference to the bound that the engine claims for it.
-    `depths`: bounds on the deepest point inside ring, backboard, bridge (m), over `flights`.
+    `errors`: largest difference from the judge over the shots that are right and not flagged (s, m,
+    m/s, rad/s); `ratios`: largest ratio of such a difference to the bound that the engine claims
+    for it. `depths`: bounds on the deepest point inside ring, backboard, bridge (m), over
+    `flights`.
     """
 
-    label: str
-    shots: int = 0
-    contacts: int = 0
-    invalid: int = 0
-    capped: int = 0
-    wrong: int = 0
-    unseen: int = 0
-    flagged: int = 0
-    changed: int = 0
-    undecidable: int = 0
-    settled_bits: int = 0
     errors: list[float] = field(default_factory=lambda: [0.0] * len(ERRORS))
     ratios: list[float] = field(default_factory=lambda: [0.0] * len(ERRORS))
     flights: int = 0
@@ -93,21 +81,10 @@ def _add(result: Tally, states: Floats, parameters: Mapping[str, Any], audited: 
         record=True,
     )
     proved = certify(states, parameters, max_contacts=MAX_CONTACTS)
-    same = _same(flown, proved)
-    sure, decided = ~flown.uncertain, proved.decided
-    capped = flown.outcome == hoopgen.Outcome.CAPPED
-    result.shots += len(states)
-    result.contacts += int(flown.contacts.sum())
-    result.invalid += int((flown.outcome == hoopgen.Outcome.INVALID).sum())
-    result.capped += int(capped.sum())
-    result.wrong += int((sure & decided & ~same).sum())
-    result.unseen += int((sure & ~decided).sum())
-    result.flagged += int((~sure & ~capped).sum())
-    result.changed += int((~sure & ~capped & decided & ~same).sum())
-    result.undecidable += int((~decided).sum())
-    result.settled_bits = max(result.settled_bits, int(proved.bits[decided].max(initial=0)))
-    _differ(result, states, parameters, flown, proved, sure & decided & same)
-    for shot in np.flatnonzero(sure & ~(decided & same))[:EXAMPLES].tolist():
+    sure, same = ~flown.uncertain, _same(flown, proved) & proved.decided
+    result.add(flown, proved, same, flown.outcome != hoopgen.Outcome.CAPPED)
+    _differ(result, states, parameters, flown, proved, sure & same)
+    for shot in np.flatnonzero(sure & ~same)[:EXAMPLES].tolist():
         text = proved[shot].question or "another sequence or outcome"
         _remember(result, text, states, parameters, shot)
     _audit(result, flown, parameters, np.flatnonzero(sure[:audited]))
@@ -206,52 +183,14 @@ def _audit(
         result.flights += len(flights)
 
 
-def _share(part: int, whole: int) -> str:
-    return format_percent(part / whole, 2) if whole else "–"
-
-
 def _small(value: float) -> str:
     return f"{value:.1e}" if value else "0"
 
 
 def _decisions(tallies: Sequence[Tally]) -> list[str]:
-    head = [
-        "shots",
-        "number",
-        "contacts",
-        "not flagged, wrong",
-        "not flagged, undecidable",
-        "flagged",
-        "flagged, wrong",
-        "undecidable",
-        "most bits",
-    ]
-    rows = [
-        [
-            t.label,
-            f"{t.shots:,}",
-            f"{t.contacts:,}",
-            str(t.wrong),
-            str(t.unseen),
-            _share(t.flagged, t.shots - t.capped),
-            _share(t.changed, t.shots - t.capped),
-            str(t.undecidable),
-            str(t.settled_bits),
-        ]
-        for t in tallies
-    ]
-    total = [
-        "**together**",
-        f"{sum(t.shots for t in tallies):,}",
-        f"{sum(t.contacts for t in tallies):,}",
-        f"**{sum(t.wrong for t in tallies)}**",
-        f"**{sum(t.unseen for t in tallies)}**",
-        _share(sum(t.flagged for t in tallies), sum(t.shots - t.capped for t in tallies)),
-        _share(sum(t.changed for t in tallies), sum(t.shots - t.capped for t in tallies)),
-        str(sum(t.undecidable for t in tallies)),
-        str(max(t.settled_bits for t in tallies)),
-    ]
-    return table(head, [*rows, total])
+    total = together("**together**", tallies)
+    rows = [one.cells(one.shots - one.capped) for one in tallies]
+    return table(HEAD, [*rows, total.cells(total.shots - total.capped, "**")])
 
 
 def _numbers(tallies: Sequence[Tally]) -> list[str]:

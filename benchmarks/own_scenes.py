@@ -9,7 +9,6 @@ import runpy
 import sys
 import time
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from types import MappingProxyType
 
@@ -17,12 +16,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 import hoopgen
+from benchmarks.decisions import HEAD, Decisions
 from benchmarks.machine import facts
 from benchmarks.report import table
 from hoopgen.core.files import write
 from hoopgen.judge.certificate import Certificate
 from hoopgen.scene import Scene, load_scene
-from hoopgen.text.numbers import format_percent
 
 SCENES = Path(__file__).resolve().parents[1] / "examples" / "scenes"
 MAX_CONTACTS = 12
@@ -124,67 +123,26 @@ def scene_of(file: str) -> Scene:
     return made
 
 
-@dataclass(frozen=True)
-class Row:
-    """The results of an example's shots; as in `benchmarks.exactness`."""
-
-    name: str
-    shots: int
-    contacts: int
-    capped: int
-    wrong: int
-    unseen: int
-    flagged: int
-    changed: int
-    undecidable: int
-    bits: int
-
-
-def judged(file: str, shots: int) -> Row:
+def judged(file: str, shots: int) -> Decisions:
     """Fly and judge an example."""
     engine = hoopgen.compile(scene_of(file))
     released = FILES[file](shots, SEED)
     flown = engine.simulate(released, max_contacts=MAX_CONTACTS, record=True)
     proved: Certificate = engine.certify(released, max_contacts=MAX_CONTACTS)
-    # Of a shot that is not flagged: `agrees` is false too where nothing could be proved.
-    other = ~proved.agrees(flown)
-    capped = flown.outcome == engine.outcomes["CAPPED"]
     flagged = flown.uncertain.copy()
-    flown.uncertain[:] = False
-    changed = ~proved.agrees(flown) & proved.decided
-    return Row(
-        engine.name,
-        shots,
-        int(flown.contacts.sum()),
-        int(capped.sum()),
-        int((other & proved.decided).sum()),
-        int((other & ~proved.decided).sum()),
-        int(flagged.sum()),
-        int((flagged & changed).sum()),
-        int((~proved.decided).sum()),
-        int(proved.bits[proved.decided].max(initial=0)),
-    )
+    flown.uncertain[:] = False  # which would count as right
+    same = proved.agrees(flown)
+    flown.uncertain[:] = flagged
+    result = Decisions(engine.name)
+    result.add(flown, proved, same)
+    return result
 
 
-def as_markdown(rows: Sequence[Row], seconds: float) -> str:
+def as_markdown(rows: Sequence[Decisions], seconds: float) -> str:
     """Return the report."""
-    head = ["scene", "shots", "contacts", "capped", "not flagged, wrong"]
-    head += ["not flagged, undecidable", "flagged", "flagged, wrong", "undecidable", "most bits"]
-    cells = [
-        [
-            row.name,
-            f"{row.shots:,}",
-            f"{row.contacts:,}",
-            f"{row.capped:,}",
-            f"**{row.wrong}**",
-            f"**{row.unseen}**",
-            format_percent(row.flagged / row.shots, 2),
-            format_percent(row.changed / row.shots, 2),
-            str(row.undecidable),
-            str(row.bits),
-        ]
-        for row in rows
-    ]
+    cells = [row.cells(row.shots, "**") for row in rows]
+    for own, row in zip(cells, rows, strict=True):
+        own.insert(3, f"{row.capped:,}")
     lines = [
         "# Exactness of the example scenes",
         "",
@@ -194,7 +152,7 @@ def as_markdown(rows: Sequence[Row], seconds: float) -> str:
         "shots. A ball that bounces ever lower, as on the green, is capped; a shot with a roll, as "
         "on the pinball table, is undecidable.",
         "",
-        *table(head, cells),
+        *table(["scene", "shots", "contacts", "capped", *HEAD[3:]], cells),
         *(f"{what}: {value}  " for what, value in facts().items() if "peers" not in what),
         f"took: {seconds:.0f} s",
     ]
@@ -214,7 +172,7 @@ def main() -> None:
     started, rows = time.perf_counter(), []
     for file in FILES:
         rows.append(judged(file, arguments.shots))
-        print(f"{rows[-1].name}: {rows[-1].shots} shots, {rows[-1].wrong} wrong")
+        print(f"{rows[-1].label}: {rows[-1].shots} shots, {rows[-1].wrong} wrong")
     page = as_markdown(rows, time.perf_counter() - started)
     write(arguments.out / "exactness-scenes.md", page)
     sys.exit(any(row.wrong or row.unseen for row in rows))

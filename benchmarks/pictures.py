@@ -17,6 +17,7 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 
 import hoopgen
+from benchmarks.free_throw import LINE, RELEASE, SEVENTY
 from hoopgen.plots import (
     plot_aim_points,
     plot_fan,
@@ -37,9 +38,6 @@ from hoopgen.simulation.article import run
 from hoopgen.study.questions.bank import bank_or_direct
 
 SCENE = hoopgen.NBA | {"restitution": 0.75}
-PLACE = {"height": 2.1336, "distance": 4.191, "backspin": 6.0 * np.pi}  # 7 ft, 13.75 ft, 3 Hz
-AIM = {"speed": 7.17, "elevation": np.radians(52.0)}
-SCATTER = {"speed": 0.07, "elevation": np.radians(1.3), "azimuth": np.radians(1.0)}
 
 WORDS: Mapping[str, Any] = {"va": "center", "fontsize": 7.0, "color": "#666666"}
 
@@ -48,13 +46,13 @@ def free_throws() -> Figure:
     """Paths at one release angle and rising speed, beside what becomes of those at every angle."""
     angle, apart = 52.0, 0.02
     over = {"speed": np.arange(6.8, 8.3, apart)}
-    grid = hoopgen.Grid(over, PLACE | {"elevation": np.radians(angle)})
+    grid = hoopgen.Grid(over, LINE | {"elevation": np.radians(angle)})
     released = grid.draw(0, grid.shots, parameters=SCENE)
     shots = hoopgen.simulate(released.states, released.parameters, record=True)
     fan = gather_fan(shots, SCENE, range(grid.shots))
     cells = read_cells(
         hoopgen.map(
-            hoopgen.Scatter(PLACE),
+            hoopgen.Scatter(LINE),
             {
                 "speed": np.linspace(6.75, 8.55, 721),
                 "elevation": np.radians(np.arange(40, 66, 0.05)),
@@ -95,7 +93,7 @@ def free_throws() -> Figure:
 def outcome_map() -> Figure:
     """Every free throw within wide limits."""
     over = {"speed": np.linspace(6.6, 9.6, 901), "elevation": np.radians(np.arange(38, 75, 0.06))}
-    return plot_map(hoopgen.map(hoopgen.Scatter(PLACE), over, SCENE))
+    return plot_map(hoopgen.map(hoopgen.Scatter(LINE), over, SCENE))
 
 
 def probability_map() -> Figure:
@@ -104,11 +102,11 @@ def probability_map() -> Figure:
         "speed": np.linspace(6.95, 7.75, 65),
         "elevation": np.radians(np.linspace(44.0, 64.0, 61)),
     }
-    return plot_map(hoopgen.map(hoopgen.Scatter(PLACE, SCATTER), over, SCENE, shots=5_000))
+    return plot_map(hoopgen.map(hoopgen.Scatter(LINE, SEVENTY), over, SCENE, shots=5_000))
 
 
 def _released(shots: int, *, record: bool = False) -> tuple[np.ndarray, hoopgen.Shots]:
-    model = hoopgen.Scatter(PLACE | AIM, SCATTER)
+    model = hoopgen.Scatter(LINE | RELEASE, SEVENTY)
     states = model.draw(0, shots, parameters=SCENE).states
     return states, hoopgen.simulate(states, SCENE, record=record)
 
@@ -125,15 +123,15 @@ def landings() -> Figure:
     floor = hoopgen.measure(states, shots, SCENE, ["floor_x", "floor_y"])
     missed = shots.outcome == hoopgen.Outcome.MISSED
     x, y = (floor[name][missed] for name in ("floor_x", "floor_y"))
-    return plot_landings(x, y, SCENE, place=(PLACE["distance"], 0.0))
+    return plot_landings(x, y, SCENE, place=(LINE["distance"], 0.0))
 
 
 def aim_points() -> Figure:
     """Draw the aim points of the best bank shots, from places on four arcs around the ring."""
     distance, angle = np.meshgrid([2.0, 3.0, 4.2, 5.5], np.radians(np.arange(-75.0, 76.0, 15.0)))
     places = np.stack([distance * np.cos(angle), distance * np.sin(angle)], axis=-1)
-    release = {name: PLACE[name] for name in ("height", "backspin")}
-    player = hoopgen.Scatter(release, SCATTER)
+    release = {name: LINE[name] for name in ("height", "backspin")}
+    player = hoopgen.Scatter(release, SEVENTY)
     dataset = bank_or_direct(player, places.reshape(-1, 2), SCENE, shots=5_000)
     return plot_aim_points(dataset, SCENE)
 
@@ -188,7 +186,7 @@ def figure_7() -> Figure:
 def roll() -> Figure:
     """Draw a free throw at a dead rim, which rolls along the ring and over it."""
     parameters = hoopgen.PAPER_COURT | {"ring_restitution": 0.3}
-    release = {**PLACE, **AIM, "speed": 7.29, "azimuth": np.radians(0.9)}
+    release = {**LINE, **RELEASE, "speed": 7.29, "azimuth": np.radians(0.9)}
     shots = hoopgen.simulate(
         hoopgen.release(**release), parameters, scene=hoopgen.COURT, record=True
     )

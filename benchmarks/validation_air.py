@@ -9,10 +9,10 @@ from typing import Any
 import numpy as np
 
 import hoopgen
+from benchmarks.free_throw import LINE, SEVENTY
 from benchmarks.report import table
-from benchmarks.validation_results import DEGREE, HERTZ, SEVENTY
 from hoopgen import HOOP, PAPER, PAPER_AIR, Scatter
-from hoopgen.core.units import FOOT
+from hoopgen.core.units import DEGREE, FOOT
 from hoopgen.simulation.engine import Engine
 from hoopgen.study.questions.aimed_release import Aim
 from hoopgen.study.questions.estimate_result import Estimate
@@ -27,7 +27,7 @@ the middle line."""
 ANGLES = tuple(np.arange(44.0, 61.0, 2.0).tolist())
 """Release angles among which the best is looked for, degrees."""
 
-HEIGHT, SPIN, DEPTH = 7.0 * FOOT, 3.0 * HERTZ, 0.05
+HEIGHT, SPIN, DEPTH = LINE["height"], LINE["backspin"], 0.05
 
 
 @dataclass(frozen=True)

@@ -15,8 +15,9 @@ from matplotlib.patches import Patch
 from numpy.typing import NDArray
 
 import hoopgen
-from benchmarks.validation_results import DEGREE, LINE
+from benchmarks.free_throw import LINE
 from hoopgen import COURT, NBA_COURT
+from hoopgen.core.units import DEGREE
 from hoopgen.plots.style import COLOURS, DARK, MADE, NOTE_SIZE, PAGE, style
 
 Floats = NDArray[np.float64]

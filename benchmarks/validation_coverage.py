@@ -20,8 +20,10 @@ from scipy.special import ndtr, ndtri
 from scipy.stats import binom, binomtest
 
 import hoopgen
+from benchmarks.free_throw import LINE, RELEASE, SEVENTY
 from benchmarks.report import table
 from hoopgen import PAPER, Resample, Scatter
+from hoopgen.core.units import DEGREE
 from hoopgen.study.jobs.monte_carlo import setting_of
 from hoopgen.study.jobs.objective import Player
 from hoopgen.study.models.requirements import scaled
@@ -32,12 +34,9 @@ from hoopgen.text.numbers import format_percent
 Floats = NDArray[np.float64]
 Claim = Literal["95%", "at least 95%"]
 
-DEGREE = math.pi / 180
-LINE = {"distance": 4.191, "height": 2.1336, "backspin": 6 * math.pi}
-SD = {"speed": 0.07, "elevation": 1.3 * DEGREE, "azimuth": 1.0 * DEGREE}
-AT = {"speed": 7.17, "elevation": 52 * DEGREE, "azimuth": 0.0}
-PLAYER = Scatter({**LINE, **AT}, SD)
-STEADIER = Scatter({**LINE, **AT}, SD | {"speed": 0.05})
+AT = RELEASE | {"azimuth": 0.0}
+PLAYER = Scatter({**LINE, **AT}, SEVENTY)
+STEADIER = Scatter({**LINE, **AT}, SEVENTY | {"speed": 0.05})
 SURE = Scatter({**LINE, **AT, "speed": 7.2}, {"speed": 0.035, "elevation": 0.7 * DEGREE})
 DEADER = PAPER | {"restitution": 0.6}
 
@@ -195,7 +194,7 @@ def _of_release(arguments: Mapping[str, float], by: str, sample: Resample | None
     at = dict(arguments)
     if sample is not None:
         at |= {name: at[name] + AT[name] - sample.centre[name] for name in AT}
-    return Player(Scatter({}, SD), PAPER, by).scored(at, TRUTH_EACH, _OTHERS + seed)
+    return Player(Scatter({}, SEVENTY), PAPER, by).scored(at, TRUTH_EACH, _OTHERS + seed)
 
 
 # --------------------------------------------------------------------------------- the intervals
@@ -211,11 +210,11 @@ def measured(repetition: int, groups: bool) -> Resample:
     if not groups:
         drawn = PLAYER.draw(start, start + ROWS, _DATA)
         return Resample({**{n: np.asarray(drawn.columns[n]) for n in AT}, **LINE})
-    within = Scatter({**LINE, **AT}, SD | {"speed": SD["speed"] * math.sqrt(2 / 3)})
+    within = Scatter({**LINE, **AT}, SEVENTY | {"speed": SEVENTY["speed"] * math.sqrt(2 / 3)})
     drawn = within.draw(start, start + ROWS, _DATA)
     group = np.arange(ROWS) % GROUPS
     columns = {n: np.asarray(drawn.columns[n]) for n in AT} | LINE
-    days = np.random.default_rng(repetition).normal(0.0, SD["speed"] / math.sqrt(3), GROUPS)
+    days = np.random.default_rng(repetition).normal(0.0, SEVENTY["speed"] / math.sqrt(3), GROUPS)
     return Resample(columns | {"speed": columns["speed"] + days[group]}, group)
 
 
@@ -299,12 +298,18 @@ def _sector(seed: int) -> Interval:
     return Interval(low, high, *_back())
 
 
-_AIMED = {**LINE, "elevation": 52 * DEGREE}
+_AIMED = {**LINE, "elevation": RELEASE["elevation"]}
 
 
 def _best(seed: int) -> Interval:
     found = optimum(
-        Scatter(_AIMED, SD), ["aim"], by="direct", shots=SHOTS, seed=2 * seed, margins=(), threads=1
+        Scatter(_AIMED, SEVENTY),
+        ["aim"],
+        by="direct",
+        shots=SHOTS,
+        seed=2 * seed,
+        margins=(),
+        threads=1,
     )
     made = _of_release(found.arguments, "direct", None, seed).made
     return Interval(found.low, found.high, made.mean(), made.std() / math.sqrt(TRUTH_EACH))
@@ -328,7 +333,7 @@ def _banked(rows: bool) -> Callable[[int], Interval]:
 
     def once(seed: int) -> Interval:
         sample = measured(seed, False) if rows else None
-        model = Scatter({n: v for n, v in _AIMED.items() if n != "distance"}, SD)
+        model = Scatter({n: v for n, v in _AIMED.items() if n != "distance"}, SEVENTY)
         found = bank_or_direct(
             sample or model, _HERE, over=["aim"], shots=SHOTS, seed=2 * seed, threads=1
         ).isel(place=0)

@@ -7,9 +7,10 @@ from functools import partial
 from typing import Any
 
 import hoopgen
+from benchmarks.free_throw import LINE, SEVENTY
 from benchmarks.report import table
 from hoopgen import COURT, NBA, NBA_COURT, PAPER_COURT, Scatter
-from hoopgen.core.units import FOOT
+from hoopgen.core.units import DEGREE
 from hoopgen.study.jobs.objective import By, Player, paired
 from hoopgen.study.questions.optimum import optimum
 from hoopgen.study.questions.optimum_result import Optimum
@@ -18,11 +19,6 @@ from hoopgen.text.numbers import format_percent
 
 Parameters = Mapping[str, Any]
 Paired = tuple[float, float, float]
-
-DEGREE, HERTZ = math.pi / 180, 2 * math.pi
-SCATTER = {"speed": 0.07, "elevation": 1.3 * DEGREE, "azimuth": 1.0 * DEGREE}
-LINE = {"distance": 13.75 * FOOT, "height": 7 * FOOT}
-BACKSPIN = 3 * HERTZ
 
 SHOTS = 20_000
 """Thrown with the best releases, which are searched with two fifths as many."""
@@ -69,9 +65,13 @@ class Setting:
 def found_in(scene: Any, parameters: Parameters, shots: int) -> Setting:
     """Search one setting."""
     best = partial(_best, scene=scene, parameters=parameters, shots=max(100, 2 * shots // 5))
-    direct, plain, bank = best("direct", BACKSPIN), best("direct", 0.0), best("bank", BACKSPIN)
+    direct, plain, bank = (
+        best("direct", LINE["backspin"]),
+        best("direct", 0.0),
+        best("bank", LINE["backspin"]),
+    )
     estimated: Any = hoopgen.estimate(
-        Scatter(direct.release, SCATTER), parameters, scene=scene, shots=shots, seed=1
+        Scatter(direct.release, SEVENTY), parameters, scene=scene, shots=shots, seed=1
     )
     again = partial(_again, scene=scene, parameters=parameters, shots=shots)
     thrown = again(direct, "direct")
@@ -90,14 +90,14 @@ def found_in(scene: Any, parameters: Parameters, shots: int) -> Setting:
 def _best(by: By, spin: float, scene: Any, parameters: Parameters, shots: int) -> Optimum:
     release = LINE | {"backspin": spin}
     over = ("elevation", "aim")
-    model = Scatter(release, SCATTER)
+    model = Scatter(release, SEVENTY)
     return optimum(model, over, parameters, scene=scene, by=by, shots=shots, margins=())
 
 
 def _again(best: Optimum, by: By, scene: Any, parameters: Parameters, shots: int) -> Any:
     """Throw a best release with the random numbers of seed 1."""
     more = {} if scene is None else {"scene": scene}
-    player = Player(Scatter({}, SCATTER), parameters, by, **more)
+    player = Player(Scatter({}, SEVENTY), parameters, by, **more)
     return player.scored(best.arguments, shots, seed=1)
 
 

@@ -10,18 +10,12 @@ from numpy.typing import NDArray
 from scipy.stats import ks_2samp
 
 import hoopgen
+from benchmarks.free_throw import LINE, SEVENTY
 from benchmarks.report import table
 from benchmarks.validation_contacts import PICTURE, Contacts, first_contacts
-from benchmarks.validation_results import (
-    DEGREE,
-    INCH,
-    LINE,
-    SEVENTY,
-    THEIR_AIM,
-    THEIR_GAP,
-)
+from benchmarks.validation_results import THEIR_AIM, THEIR_GAP
 from hoopgen import NBA, PAPER, Scatter
-from hoopgen.core.units import FOOT
+from hoopgen.core.units import DEGREE, FOOT, INCH
 from hoopgen.study.questions.bank import bank_or_direct
 from hoopgen.text.numbers import format_percent
 

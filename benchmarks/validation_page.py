@@ -7,15 +7,11 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from benchmarks.free_throw import LINE, SEVENTY
 from benchmarks.report import table
 from benchmarks.validation_further import SOURCES as FURTHER_SOURCES
 from benchmarks.validation_results import (
     ANGLES,
-    DEGREE,
-    HERTZ,
-    INCH,
-    LINE,
-    SEVENTY,
     STRAIGHTER,
     THEIR_AIM,
     THEIR_AXIS,
@@ -29,7 +25,7 @@ from benchmarks.validation_results import (
     rounded,
 )
 from hoopgen import PAPER
-from hoopgen.core.units import FOOT
+from hoopgen.core.units import DEGREE, FOOT, INCH, TURN
 from hoopgen.plots.style import COLOURS, PAGE, style
 from hoopgen.study.questions.optimum_result import Optimum
 from hoopgen.text.numbers import format_percent
@@ -114,7 +110,7 @@ def _head(results: Results) -> list[str]:
         "",
         f"By default the scene is the preset `PAPER` (restitution {PAPER['restitution']:.2f}), "
         f"and the player releases the ball {LINE['height'] / FOOT:g} ft above the floor with "
-        f"{LINE['backspin'] / HERTZ:g} Hz of backspin. A free throw is "
+        f"{LINE['backspin'] / TURN:g} Hz of backspin. A free throw is "
         f"{LINE['distance'] / FOOT:g} ft from the ring's centre. The player's errors are normal "
         f"and independent, with standard deviations (SD) of {sd['speed']:.2f} m/s in speed, "
         f"{sd['elevation'] / DEGREE:.1f}° in release angle and {sd['azimuth'] / DEGREE:.1f}° to "

@@ -13,9 +13,10 @@ from scipy.optimize import minimize_scalar
 
 import hoopgen
 from benchmarks import validation_court, validation_friction, validation_rolling
+from benchmarks.free_throw import LINE, SEVENTY
 from benchmarks.rolling import Bounce
 from hoopgen import FIBA, NBA, PAPER, Outcome, Scatter
-from hoopgen.core.units import FOOT
+from hoopgen.core.units import DEGREE, FOOT, INCH, TURN
 from hoopgen.hoop.releases import RING_HEIGHT
 from hoopgen.hoop.variables import ARGUMENTS, resolve_variables
 from hoopgen.study.jobs.objective import By, Player, paired
@@ -28,18 +29,8 @@ from hoopgen.study.statistics.intervals import wilson_interval
 Floats = NDArray[np.float64]
 Parameters = Mapping[str, Any]
 
-DEGREE = math.pi / 180
-HERTZ = 2 * math.pi
-INCH = 0.0254
-
-SEVENTY = {"speed": 0.07, "elevation": 1.3 * DEGREE, "azimuth": 1.0 * DEGREE}
-"""Scatter of a shooter who makes about 70% of free throws."""
-
 STRAIGHTER = SEVENTY | {"speed": 0.09, "azimuth": 0.5 * DEGREE}
 """Spread of a player who makes as many, less steady in speed, and straighter."""
-
-LINE = {"distance": 13.75 * FOOT, "height": 7 * FOOT, "backspin": 3 * HERTZ}
-"""The free throw of the literature."""
 
 BACKSPINS = (0, 1, 2, 3, 4, 5)
 HEIGHTS = (6.0, 6.5, 7.0, 7.5, 8.0)
@@ -187,7 +178,7 @@ def free_throws(shots: int) -> FreeThrows:
         return optimum(Scatter(LINE | change, sd), over, scene, by=by, shots=shots, margins=())
 
     return FreeThrows(
-        {spin: best(backspin=spin * HERTZ) for spin in BACKSPINS},
+        {spin: best(backspin=spin * TURN) for spin in BACKSPINS},
         {height: best(height=height * FOOT) for height in HEIGHTS},
         {e: best(restitution=e, by="direct") for e in RESTITUTIONS},
         {e: best(restitution=e, by="bank") for e in RESTITUTIONS},

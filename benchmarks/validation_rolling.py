@@ -9,9 +9,10 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import NullLocator
 
 import hoopgen
+from benchmarks.free_throw import LINE
 from benchmarks.report import power, table
 from benchmarks.rolling import NAMES, NBA, Bounce, Found, bounces, settled
-from benchmarks.workloads import FOOT, SEED, States, free_throw
+from benchmarks.workloads import SEED, States, free_throw
 from hoopgen import COURT, HOOP, Outcome
 from hoopgen.plots.style import COLOURS, PAGE, style
 from hoopgen.text.numbers import format_percent
@@ -33,9 +34,7 @@ def players(n: int) -> States:
         speed=7.17 + 0.07 * gauss[:, 0],
         elevation=np.radians(52 + 1.3 * gauss[:, 1]),
         azimuth=np.radians(gauss[:, 2]),
-        backspin=6 * np.pi,
-        height=7 * FOOT,
-        distance=13.75 * FOOT,
+        **LINE,
     )
 
 

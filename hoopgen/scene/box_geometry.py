@@ -2,20 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 
 import numpy as np
 
 from .boxes import PARTS
-from .formulas import Formula
 from .meshes import Bound, Floats, Mesh, flat, join
 from .parsed_shapes import Shape
+from .sizes import Number, vector
 
 BOXES = ("box", "oblique box")
 """Kinds of boxes: along the axes, and turned."""
-
-Number = Callable[[Formula], float]
-"""The value of a size of the scene."""
 
 
 def box_mesh(shape: Shape, number: Number, bounds: Sequence[Bound], ball: float) -> Mesh:
@@ -67,17 +64,11 @@ def box_extent(shape: Shape, number: Number) -> tuple[list[float], list[float]]:
 
 def _placed(shape: Shape, number: Number) -> tuple[Floats, Floats, Floats, Floats]:
     """Return a box's corners along its own axes, these axes in rows, (3, 3), and their origin."""
-    sizes = dict(shape.sizes)
     if shape.kind == "box":
-        low, high = (
-            np.array([number(sizes[f"{end} {axis}"]) for axis in "xyz"]) for end in ("from", "to")
-        )
+        low, high = (vector(shape, number, end) for end in ("from", "to"))
         return low, high, np.eye(3), np.zeros(3)
-    half, centre = (
-        np.array([number(sizes[f"{argument} {axis}"]) for axis in "xyz"])
-        for argument in ("half", "centre")
-    )
-    quaternion = np.array([number(sizes[f"orientation {part}"]) for part in PARTS])
+    half, centre = (vector(shape, number, argument) for argument in ("half", "centre"))
+    quaternion = np.array([number(shape[f"orientation {part}"]) for part in PARTS])
     w, x, y, z = quaternion / np.linalg.norm(quaternion)
     # Rodrigues' formula; the columns of the rotation are the turned axes.
     across = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])

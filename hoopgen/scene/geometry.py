@@ -13,16 +13,17 @@ from numpy.typing import NDArray
 from hoopgen.core.parameters import means
 from hoopgen.engine.compiled_scene import CompiledScene
 
-from .bounds import Terms, is_along, linear_powers
+from .bounds import Terms
 from .box_geometry import BOXES, box_extent, box_mesh
 from .engine_pieces import scene_pieces
 from .formulas import Formula
-from .meshes import Bound, Box, Floats, Mesh, contact_mesh, cut, flat, grid, join, level_set, walls
+from .meshes import Bound, Box, Floats, Mesh, contact_mesh, cut, flat, grid, level_set, walls
 from .oblique_geometry import FLAT, OBLIQUE, oblique_extent, oblique_mesh
 from .parsed_shapes import RevolvedShape, Shape
 from .polynomials import derivative, evaluate
 from .revolution_geometry import is_hollow, revolution_extent, revolution_mesh
 from .scene import Scene
+from .sizes import turn_angles, vector
 from .torus_geometry import torus_extent, torus_lines, torus_mesh
 from .upright import acceleration, upright
 
@@ -214,7 +215,6 @@ class SceneGeometry:
         made = {
             "plane": self._plane,
             "sphere": self._sphere,
-            "cylinder": self._cylinder,
             "torus": self._torus,
             "oblique torus": self._torus,
             "box": self._box,
@@ -234,7 +234,7 @@ class SceneGeometry:
         return flat(axis, way, at, room, self.ball_radius, self._bounds(shape.bounds))
 
     def _sphere(self, shape: Shape, room: Box) -> Mesh:
-        u = np.linspace(0.0, 2.0 * np.pi, _TURN_PIECES, endpoint=False)
+        u = turn_angles(_TURN_PIECES)
         v = np.linspace(0.0, np.pi, _HALF_TURN_PIECES + 1)
         unit = np.stack(
             [
@@ -245,66 +245,13 @@ class SceneGeometry:
             -1,
         )
         unit[0], unit[-1] = (0.0, 0.0, 1.0), (0.0, 0.0, -1.0)
-        points = self._centre(shape) + self._number(shape["radius"]) * unit
-        return self._curved(shape, room, points, unit, (False, True))
-
-    def _cylinder(self, shape: Shape, room: Box) -> Mesh:
-        axis, radius = shape.axis[0], self._number(shape["radius"])
-        across = [(axis + 1) % 3, (axis + 2) % 3]
-        u = np.linspace(0.0, 2.0 * np.pi, _TURN_PIECES, endpoint=False)
-        low, high = float(room[0][axis]), float(room[1][axis])
-        count = int(np.clip(np.ceil((high - low) / radius), 1, 60))
-        along = np.linspace(high, low, count + 1)
-        unit = np.zeros((count + 1, _TURN_PIECES, 3))
-        unit[..., across[0]], unit[..., across[1]] = np.cos(u), np.sin(u)
-        points = self._centre(shape) + radius * unit
-        points[..., axis] = along[:, None]
-        side = self._curved(shape, room, points, unit, (False, True))
-        return side if shape.inside else join(side, *self._caps(shape, room))
-
-    def _caps(self, shape: Shape, room: Box) -> list[Mesh]:
-        """Return the visible end faces of a cylinder, which would else look like a hollow tube.
-
-        Nothing touches them; a cylinder without ends is cut where the room ends.
-        """
-        axis, radius, ball = shape.axis[0], self._number(shape["radius"]), self.ball_radius
-        across = [(axis + 1) % 3, (axis + 2) % 3]
-        u = np.linspace(0.0, 2.0 * np.pi, _TURN_PIECES, endpoint=False)
-        extent = self._extent(shape)
-        low, high = max(extent[0][axis], room[0][axis]), min(extent[1][axis], room[1][axis])
-        found: list[Mesh] = []
-        for way, at in ((-1, low), (1, high)):
-            if not low < high:
-                break
-            rim = np.tile(self._centre(shape), (_TURN_PIECES, 1))
-            rim[:, axis] = at
-            middle = rim.copy()
-            rim[:, across[0]] += radius * np.cos(u)
-            rim[:, across[1]] += radius * np.sin(u)
-            turn = (rim, np.roll(rim, -1, axis=0))
-            corners = np.stack([middle, *turn[::way]], 1)
-            # Bounds other than those along the axis hold for a ball beside the rim.
-            beside = corners + ball / radius * (corners - middle[:, None])
-            whole = Mesh.from_corners(np.concatenate([corners, beside], -1))
-            others = [b for b in shape.bounds if not is_along(b, axis)]
-            left = cut(whole, self._bounds(others), walls(room)).corners
-            left[..., 3:] = left[..., :3]
-            left[..., 3 + axis] += way * ball
-            found.append(Mesh.from_corners(left))
-        return found
-
-    def _curved(
-        self, shape: Shape, room: Box, points: Floats, unit: Floats, around: tuple[bool, bool]
-    ) -> Mesh:
+        points = vector(shape, self._number, "centre") + self._number(shape["radius"]) * unit
         normals = -unit if shape.inside else unit
-        corners = grid(contact_mesh(points, normals, self.ball_radius), around)
+        corners = grid(contact_mesh(points, normals, self.ball_radius), (False, True))
         if shape.inside:
             corners = corners[:, ::-1]
-        parts = np.zeros(len(corners), np.int64)
-        if shape.kind == "cylinder":
-            parts = np.arange(len(corners)) // (2 * _TURN_PIECES)
         real = ~np.all(corners == np.roll(corners, -1, axis=1), axis=2).any(axis=1)
-        whole = Mesh.from_corners(corners[real], parts[real])
+        whole = Mesh.from_corners(corners[real])
         return cut(whole, self._bounds(shape.bounds), walls(room))
 
     def _torus(self, shape: Shape, room: Box) -> Mesh:
@@ -327,15 +274,6 @@ class SceneGeometry:
 
     # Its data
 
-    def _centre(self, shape: Shape) -> Floats:
-        sizes = dict(shape.sizes)
-        return np.array(
-            [
-                self._number(sizes[f"centre {axis}"]) if f"centre {axis}" in sizes else 0.0
-                for axis in "xyz"
-            ]
-        )
-
     def _extent(self, shape: Shape) -> tuple[list[float], list[float]]:
         """Return the corners of the box that contains a body."""
         if isinstance(shape, RevolvedShape):
@@ -348,21 +286,8 @@ class SceneGeometry:
             return torus_extent(shape, self._number)
         if shape.kind in ("plane", "surface"):
             return [-np.inf] * 3, [np.inf] * 3
-        centre, reach = self._centre(shape), np.full(3, self._number(shape["radius"]))
-        low, high = centre - reach, centre + reach
-        if shape.kind == "cylinder":
-            axis = shape.axis[0]
-            low[axis], high[axis] = -np.inf, np.inf
-            for terms in shape.bounds:
-                found = {powers: self._number(factor) for powers, factor in terms}
-                steep = found.get(linear_powers(axis), 0.0)
-                if steep and is_along(terms, axis):
-                    end = -found.get((0, 0, 0), 0.0) / steep
-                    if steep > 0:
-                        high[axis] = min(high[axis], end)
-                    else:
-                        low[axis] = max(low[axis], end)
-        return low.tolist(), high.tolist()
+        centre, radius = vector(shape, self._number, "centre"), self._number(shape["radius"])
+        return (centre - radius).tolist(), (centre + radius).tolist()
 
     def _bounds(self, bounds: Sequence[Terms]) -> list[Bound]:
         def bound(terms: Terms) -> Bound:

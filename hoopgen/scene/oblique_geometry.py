@@ -1,13 +1,13 @@
-"""Triangles of bodies along any direction, made upright and turned to where they stand."""
+"""Triangles of bodies along an axis or any direction, made upright and turned to their place."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
-from .formulas import Formula
+from .bounds import is_along, linear_powers
 from .meshes import (
     Bound,
     Box,
@@ -22,15 +22,13 @@ from .meshes import (
     walls,
 )
 from .parsed_shapes import Shape
+from .sizes import Number, turn_angles, vector
 
 FLAT = ("inclined plane", "disc")
-OBLIQUE = (*FLAT, "oblique cylinder", "cone")
-"""Kinds of bodies along any direction, and those of them that are flat."""
+OBLIQUE = (*FLAT, "cylinder", "oblique cylinder", "cone")
+"""Kinds of bodies with a direction, and those of them that are flat."""
 
 _TURN_PIECES, _MAX_ROWS = 48, 60
-
-Number = Callable[[Formula], float]
-"""The value of a size of the scene."""
 
 
 @dataclass(frozen=True)
@@ -47,14 +45,6 @@ class _Frame:
 
     axes: Floats
     origin: Floats
-
-    @classmethod
-    def along(cls, direction: Floats, origin: Floats) -> _Frame:
-        """Return axes whose third is a direction, (3,)."""
-        third = direction / np.linalg.norm(direction)
-        first = np.cross(np.eye(3)[int(np.argmin(np.abs(third)))], third)
-        first /= np.linalg.norm(first)
-        return cls(np.stack([first, np.cross(third, first), third]), origin)
 
     def place(self, points: Floats) -> Floats:
         """Return points (..., 3) of the frame in the scene's coordinates."""
@@ -74,7 +64,7 @@ class _Frame:
 def oblique_mesh(
     shape: Shape, number: Number, bounds: Sequence[Bound], room: Box, ball: float
 ) -> Mesh:
-    """Return the triangles of a body along any direction, cut to a room.
+    """Return the triangles of a body with a direction, cut to a room.
 
     Parameters
     ----------
@@ -85,16 +75,17 @@ def oblique_mesh(
     bounds
         Its bounds, besides its circle or its span; of a cone they are functions of its points.
     """
-    direction = _vector(shape, number, "direction")
     if shape.kind == "cone":
         return _cone(shape, number, bounds, room, ball)
-    if shape.kind == "oblique cylinder":
+    if shape.kind.endswith("cylinder"):
         return _cylinder(shape, number, bounds, room, ball)
-    length = float(np.linalg.norm(direction))
-    origin = number(shape["at"]) / length * direction / length
     if shape.kind == "disc":
-        origin = _vector(shape, number, "centre")
-    frame = _Frame.along(direction, origin)
+        origin = vector(shape, number, "centre")
+    else:
+        direction = vector(shape, number, "direction")
+        length = float(np.linalg.norm(direction))
+        origin = number(shape["at"]) / length * direction / length
+    frame = _Frame(oblique_axes(shape, number), origin)
     low, high = frame.box(room)
     if not low[2] <= 0.0 <= high[2]:
         return Mesh.from_corners(np.empty((0, 3, 6)))
@@ -117,21 +108,22 @@ def oblique_axes(shape: Shape, number: Number) -> Floats:
     number
         The value of its sizes.
     """
-    return _Frame.along(_vector(shape, number, "direction"), np.zeros(3)).axes
-
-
-def _vector(shape: Shape, number: Number, argument: str) -> Floats:
-    sizes = dict(shape.sizes)
-    own = (sizes.get(f"{argument} {axis}") for axis in "xyz")
-    return np.array([0.0 if size is None else number(size) for size in own])
+    if shape.kind in ("cylinder", "torus"):
+        axis = shape.axis[0]
+        return np.eye(3)[[(axis + 1) % 3, (axis + 2) % 3, axis]]
+    direction = vector(shape, number, "direction")
+    third = direction / np.linalg.norm(direction)
+    first = np.cross(np.eye(3)[int(np.argmin(np.abs(third)))], third)
+    first /= np.linalg.norm(first)
+    return np.stack([first, np.cross(third, first), third])
 
 
 def _origin(shape: Shape, number: Number) -> Floats:
     """Return the point from which the span of a body of revolution is measured."""
     if shape.kind == "cone":
-        return _vector(shape, number, "apex")
+        return vector(shape, number, "apex")
     spanned = not {"span from", "span to"}.isdisjoint(dict(shape.sizes))
-    return _vector(shape, number, "centre" if spanned else "axis")
+    return vector(shape, number, "centre" if spanned or shape.kind == "cylinder" else "axis")
 
 
 def _placed(bound: Bound, frame: _Frame) -> Bound:
@@ -149,29 +141,30 @@ def _turned(mesh: Mesh, frame: _Frame) -> Mesh:
 def _cylinder(
     shape: Shape, number: Number, bounds: Sequence[Bound], room: Box, ball: float
 ) -> Mesh:
-    frame = _Frame.along(_vector(shape, number, "direction"), _origin(shape, number))
+    frame = _Frame(oblique_axes(shape, number), _origin(shape, number))
     radius = number(shape["radius"])
     low, high = _visible_span(frame, radius, room)
     ends = _ends(shape, number)
-    count = int(np.clip(np.ceil((high - low) / radius), 1, _MAX_ROWS))
-    heights = np.linspace(max(low, ends[0]), min(high, ends[1]), count + 1)
-    if not heights[0] < heights[-1]:
+    low, high = max(low, ends[0]), min(high, ends[1])
+    if not low < high:
         return Mesh.from_corners(np.empty((0, 3, 6)))
-    rows = np.full(count + 1, radius)
-    side = _revolved(shape, frame, heights, rows, np.array([1.0, 0.0]), ball)
-    side = cut(side, bounds)
-    if shape.inside:
-        return _with_rims(cut(side, (), walls(room)), frame, heights, rows, ends, walls(room))
-    # Bounds hold for a ball beside the rim.
-    caps = [
-        _cap(frame, at, radius, way, ball, ball, bounds)
-        for way, at in ((-1, float(heights[0])), (1, float(heights[-1])))
-    ]
-    return cut(join(side, *caps), (), walls(room))
+    count = int(np.clip(np.ceil((high - low) / radius), 1, _MAX_ROWS))
+    heights, rows = np.linspace(low, high, count + 1), np.full(count + 1, radius)
+    if shape.kind == "cylinder":
+        pairs = zip(shape.bounds, bounds, strict=True)
+        bounds = [bound for terms, bound in pairs if not is_along(terms, shape.axis[0])]
+    whole = cut(_revolved(shape, frame, heights, rows, np.array([1.0, 0.0]), ball), bounds)
+    if not shape.inside:
+        # Bounds hold for a ball beside the rim.
+        caps = (
+            _cap(frame, at, radius, way, ball, ball, bounds) for way, at in ((-1, low), (1, high))
+        )
+        whole = join(whole, *caps)
+    return _with_rims(cut(whole, (), walls(room)), frame, heights, rows, ends, walls(room))
 
 
 def _cone(shape: Shape, number: Number, bounds: Sequence[Bound], room: Box, ball: float) -> Mesh:
-    frame = _Frame.along(_vector(shape, number, "direction"), _vector(shape, number, "apex"))
+    frame = _Frame(oblique_axes(shape, number), vector(shape, number, "apex"))
     slope, ends = number(shape["slope"]), _ends(shape, number)
     high = min(float(frame.box(room)[1][2]), ends[1])
     low = max(0.0, ends[0])
@@ -193,10 +186,19 @@ def _cone(shape: Shape, number: Number, bounds: Sequence[Bound], room: Box, ball
 
 
 def _ends(shape: Shape, number: Number) -> tuple[float, float]:
+    """Return the ends of a span; of a cylinder along an axis they are bounds."""
     sizes = dict(shape.sizes)
     low, high = (sizes.get(f"span {end}") for end in ("from", "to"))
     first = 0.0 if shape.kind == "cone" else -np.inf
-    return first if low is None else number(low), np.inf if high is None else number(high)
+    first, last = first if low is None else number(low), np.inf if high is None else number(high)
+    if shape.kind == "cylinder":
+        axis = shape.axis[0]
+        for terms in (terms for terms in shape.bounds if is_along(terms, axis)):
+            found = {powers: number(factor) for powers, factor in terms}
+            steep = found[linear_powers(axis)]
+            end = -found.get((0, 0, 0), 0.0) / steep if steep else np.inf
+            first, last = (max(first, end), last) if steep < 0.0 else (first, min(last, end))
+    return first, last
 
 
 def _visible_span(frame: _Frame, radius: float, room: Box) -> tuple[float, float]:
@@ -223,7 +225,7 @@ def _revolved(
     shape: Shape, frame: _Frame, heights: Floats, radii: Floats, slope: Floats, ball: float
 ) -> Mesh:
     """Return the side of a body of revolution; its normal has an outward and an axial part."""
-    u = np.linspace(0.0, 2.0 * np.pi, _TURN_PIECES, endpoint=False)
+    u = turn_angles(_TURN_PIECES)
     circle = np.stack([np.cos(u), np.sin(u)], -1)
     heights, radii = heights[::-1], radii[::-1]  # counterclockwise as seen from outside
     points = np.empty((len(heights), _TURN_PIECES, 3))
@@ -242,7 +244,7 @@ def _revolved(
 
 
 def _circle(frame: _Frame, at: float, radius: float) -> Floats:
-    u = np.linspace(0.0, 2.0 * np.pi, _TURN_PIECES, endpoint=False)
+    u = turn_angles(_TURN_PIECES)
     points = np.stack([radius * np.cos(u), radius * np.sin(u), np.full(len(u), at)], -1)
     return frame.place(points)
 
@@ -275,7 +277,7 @@ def _with_rims(
     ends: tuple[float, float],
     bounds: Sequence[Bound],
 ) -> Mesh:
-    """Return a thin shell with the lines of its ends, as far as they are within bounds."""
+    """Return a mesh with the lines of its ends, as far as they are within bounds."""
     found = [mesh.rims]
     for at, radius in ((heights[0], radii[0]), (heights[-1], radii[-1])):
         if at in ends and radius > 0.0 and len(mesh.corners):
@@ -286,7 +288,7 @@ def _with_rims(
 
 
 def oblique_extent(shape: Shape, number: Number) -> tuple[list[float], list[float]]:
-    """Return the corners of the box that contains a body along any direction.
+    """Return the corners of the box that contains a body with a direction.
 
     Parameters
     ----------
@@ -297,11 +299,10 @@ def oblique_extent(shape: Shape, number: Number) -> tuple[list[float], list[floa
     """
     if shape.kind == "inclined plane":
         return [-np.inf] * 3, [np.inf] * 3
-    direction = _vector(shape, number, "direction")
-    direction /= np.linalg.norm(direction)
+    direction = oblique_axes(shape, number)[2]
     reach = np.sqrt(np.maximum(1.0 - direction**2, 0.0))
     if shape.kind == "disc":
-        circles = [(_vector(shape, number, "centre"), number(shape["radius"]))]
+        circles = [(vector(shape, number, "centre"), number(shape["radius"]))]
     else:
         origin = _origin(shape, number)
         slope, radius = (
@@ -312,7 +313,7 @@ def oblique_extent(shape: Shape, number: Number) -> tuple[list[float], list[floa
         for end in _ends(shape, number):
             with np.errstate(invalid="ignore"):
                 shift = np.where(direction == 0.0, 0.0, end * direction)
-            circles.append((origin + shift, radius + slope * end))
+            circles.append((origin + shift, radius + slope * end if slope else radius))
     low = np.min([middle - radius * reach for middle, radius in circles], axis=0)
     high = np.max([middle + radius * reach for middle, radius in circles], axis=0)
     low, high = np.where(np.isnan(low), -np.inf, low), np.where(np.isnan(high), np.inf, high)

@@ -2,22 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from math import ceil
 
 import numpy as np
 
-from .formulas import Formula
 from .meshes import Bound, Box, Floats, Mesh, contact_mesh, cut, drop_outside, grid, join, walls
 from .oblique_geometry import oblique_axes
 from .parsed_shapes import RevolvedShape
 from .profile import Line
 from .profile_curves import Arc, Curve, Place, Segment
+from .sizes import Number, turn_angles, vector
 
 _TURN_PIECES, _ROWS = 48, 6
-
-Number = Callable[[Formula], float]
-"""The value of a size of the scene."""
 
 
 def is_hollow(shape: RevolvedShape) -> bool:
@@ -47,7 +44,7 @@ def revolution_mesh(
     places = [np.array(curve.samples(_rows(curve))) for curve in curves]
     rise = sum(np.sum(np.diff(p[:, 1]) * (p[1:, 0] + p[:-1, 0])) for p in places)
     side = (1.0 if rise >= 0 else -1.0) * (1.0 if is_hollow(shape) else -1.0)
-    u = np.linspace(0.0, 2.0 * np.pi, _TURN_PIECES, endpoint=False)
+    u = turn_angles(_TURN_PIECES)
     out = np.stack([np.cos(u), np.sin(u), np.zeros_like(u)], -1) @ axes
     meshes = []
     for curve, profile in zip(curves, places, strict=True):
@@ -97,11 +94,7 @@ def _left(curve: Curve, points: Floats) -> Floats:
 
 def _placed(shape: RevolvedShape, number: Number) -> tuple[Floats, Floats, list[Curve]]:
     """Return unit vectors of which the third is the axis, in rows, its origin, and the pieces."""
-    sizes = dict(shape.sizes)
-    own = (sizes.get(f"centre {axis}") for axis in "xyz")
-    centre = np.array([0.0 if size is None else number(size) for size in own])
-    vertices = shape.profile.vertices
-    points = [(number(v.radius), number(v.height)) for v in vertices]
+    points = [(number(v.radius), number(v.height)) for v in shape.profile.vertices]
     curves: list[Curve] = []
     for line in shape.profile.lines:
         start, end = points[line.start], points[line.end]
@@ -110,7 +103,7 @@ def _placed(shape: RevolvedShape, number: Number) -> tuple[Floats, Floats, list[
         else:
             x, y = map(number, line.middle)
             curves.append(Arc(start, (x, y), end))
-    return oblique_axes(shape, number), centre, curves
+    return oblique_axes(shape, number), vector(shape, number, "centre"), curves
 
 
 def revolution_extent(shape: RevolvedShape, number: Number) -> tuple[list[float], list[float]]:

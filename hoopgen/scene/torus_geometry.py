@@ -2,20 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 
 import numpy as np
 
-from .formulas import Formula
 from .meshes import Bound, Box, Floats, Mesh, contact_mesh, cut, drop_outside, grid, walls
 from .oblique_geometry import oblique_axes
 from .parsed_shapes import Shape
+from .sizes import Number, turn_angles, vector
 
 _TURN_PIECES, _WIRE_PIECES, _SECTOR_PIECES = 96, 12, 4
 """Pieces of a turn, of a wire's, and of a ring's that are drawn together."""
-
-Number = Callable[[Formula], float]
-"""The value of a size of the scene."""
 
 
 def torus_mesh(
@@ -34,9 +31,9 @@ def torus_mesh(
     if wire == 0.0:
         return Mesh.from_corners(np.empty((0, 3, 6)))
     circle = _circle(shape, number)
-    out = (circle - _centre(shape, number)) / number(shape["radius"])
-    v = np.linspace(0.0, 2.0 * np.pi, _WIRE_PIECES, endpoint=False)
-    unit = np.cos(v)[:, None] * out[:, None] + np.sin(v)[:, None] * _axes(shape, number)[2]
+    out = (circle - vector(shape, number, "centre")) / number(shape["radius"])
+    v = turn_angles(_WIRE_PIECES)
+    unit = np.cos(v)[:, None] * out[:, None] + np.sin(v)[:, None] * oblique_axes(shape, number)[2]
     corners = grid(contact_mesh(circle[:, None] + wire * unit, unit, ball), (True, True))
     parts = np.arange(len(corners)) // (2 * _WIRE_PIECES * _SECTOR_PIECES)
     return cut(Mesh.from_corners(corners, parts), bounds, walls(room), touched=True)
@@ -64,29 +61,16 @@ def torus_extent(shape: Shape, number: Number) -> tuple[list[float], list[float]
     shape, number
         As for `torus_mesh`.
     """
-    reach = number(shape["radius"]) * np.sqrt(np.maximum(1.0 - _axes(shape, number)[2] ** 2, 0.0))
+    unit = oblique_axes(shape, number)[2]
+    reach = number(shape["radius"]) * np.sqrt(np.maximum(1.0 - unit**2, 0.0))
     reach += number(shape["wire"])
-    centre = _centre(shape, number)
+    centre = vector(shape, number, "centre")
     return (centre - reach).tolist(), (centre + reach).tolist()
 
 
 def _circle(shape: Shape, number: Number) -> Floats:
-    first, second, _ = _axes(shape, number)
-    u = np.linspace(0.0, 2.0 * np.pi, _TURN_PIECES, endpoint=False)[:, None]
+    first, second, _ = oblique_axes(shape, number)
+    u = turn_angles(_TURN_PIECES)[:, None]
     unit = np.cos(u) * first + np.sin(u) * second
-    around: Floats = _centre(shape, number) + number(shape["radius"]) * unit
+    around: Floats = vector(shape, number, "centre") + number(shape["radius"]) * unit
     return around
-
-
-def _axes(shape: Shape, number: Number) -> Floats:
-    """Return the axes of a torus, of which the third is its own, in rows, (3, 3)."""
-    if shape.kind == "oblique torus":
-        return oblique_axes(shape, number)
-    axis = shape.axis[0]
-    return np.eye(3)[[(axis + 1) % 3, (axis + 2) % 3, axis]]
-
-
-def _centre(shape: Shape, number: Number) -> Floats:
-    sizes = dict(shape.sizes)
-    own = (sizes.get(f"centre {axis}") for axis in "xyz")
-    return np.array([0.0 if size is None else number(size) for size in own])

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from functools import cache
 from typing import TYPE_CHECKING
 
-from hoopgen.core.parameters import Parameters
+from hoopgen.hoop import air, court_air
 
 from .compile import engine, find_entry, scene_store
 from .engine import Engine
@@ -13,35 +13,32 @@ from .engine import Engine
 if TYPE_CHECKING:
     from hoopgen.derive.scenes.scene import Scene
 
+_PRESETS = {"AIR": air.PRESETS, "COURT_AIR": court_air.PRESETS}
+"""The presets, by the name of the hoop in `hoopgen` and of its scene in `hoopgen.derive`."""
 
-def derived_hoop(
-    name: str,
-    scene: Callable[[], Scene],
-    rebuild: Callable[[], Engine],
-    presets: Mapping[str, Parameters[float]],
-) -> Engine:
+
+@cache
+def derived_hoop(name: str) -> Engine:
     """Return the engine of a hoop, compiled at its first use and then found in the cache.
 
     Parameters
     ----------
     name
-        The public name, for errors.
-    scene
-        A function that returns the scene, which may lack what derives it.
-    rebuild
-        A function of a module that returns the engine in another process.
-    presets
-        The presets by name.
+        A key of `_PRESETS`.
     """
 
-    def explained() -> Scene:
+    def scene() -> Scene:
         try:
-            return scene()
+            from hoopgen.derive.scenes import air as scenes
         except ImportError as error:
             from hoopgen.core.extras import explain_import_error
 
-            raise explain_import_error(error, name) from None
+            raise explain_import_error(error, f"hoopgen.{name}") from None
+        found: Scene = getattr(scenes, name)
+        return found
 
     there = scene_store()
-    entry = find_entry(explained, name, there)
-    return engine(entry, there, explained, rebuild=(rebuild, ()), has_hoop=True, presets=presets)
+    entry = find_entry(scene, f"hoopgen.{name}", there)
+    rebuild = (derived_hoop, (name,))  # in another process
+    presets = _PRESETS[name]
+    return engine(entry, there, scene, rebuild=rebuild, has_hoop=True, presets=presets)

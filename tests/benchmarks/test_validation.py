@@ -22,7 +22,9 @@ from benchmarks import (  # noqa: E402
     validation_page,
 )
 from benchmarks import validation_results as validation  # noqa: E402
+from benchmarks.free_throw import LINE  # noqa: E402
 from benchmarks.report import section_of, with_section  # noqa: E402
+from hoopgen.core.units import DEGREE  # noqa: E402
 from hoopgen.plots import save  # noqa: E402
 from hoopgen.study.questions.aim_points import on_board  # noqa: E402
 
@@ -39,7 +41,7 @@ def test_the_slowest_free_throw_is_that_of_the_closed_form() -> None:
     # A dozen operations, each within half a unit.
     assert abs(speed.ours - speed.closed) < 8 * EPS * speed.closed
     assert abs(entry.ours - entry.closed) < 8 * EPS * entry.closed
-    assert abs(depth.ours) < 8 * EPS * validation.LINE["distance"]
+    assert abs(depth.ours) < 8 * EPS * LINE["distance"]
 
 
 def test_the_smallest_entry_angle_is_that_of_a_round_wire() -> None:
@@ -118,7 +120,7 @@ def test_the_probabilities_on_file_are_those_of_the_engine() -> None:
     best = validation.free_throw(*(float(number.replace("−", "-")) for number in given.groups()))
     for name, sds, said_sd in (
         ("speed", (0.05, 0.13), lambda sd: f"{sd:.2f} m/s"),
-        ("elevation", (1.04 * validation.DEGREE,), lambda sd: f"{sd / validation.DEGREE:.2f}°"),
+        ("elevation", (1.04 * DEGREE,), lambda sd: f"{sd / DEGREE:.2f}°"),
     ):
         curve = validation.success(best, name, sds, 50_000)
         rows = zip(sds, curve.probability, curve.low, curve.high, strict=True)
@@ -210,8 +212,8 @@ def test_the_map_of_first_contacts_is_that_of_single_shots() -> None:
     names = np.array(validation_contacts.NAMES)
     assert set(names[found.first].ravel()) == set(names)
     for row, column in np.ndindex(found.first.shape):
-        release = validation.LINE | {"speed": found.speed[column]}
-        state = hoopgen.release(**release, elevation=found.angle[row] * validation.DEGREE)
+        release = LINE | {"speed": found.speed[column]}
+        state = hoopgen.release(**release, elevation=found.angle[row] * DEGREE)
         shots = hoopgen.simulate(state, hoopgen.NBA_COURT, scene=hoopgen.COURT, record=True)
         first = shots.events[:1]
         name = "nothing"

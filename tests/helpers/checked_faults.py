@@ -100,35 +100,6 @@ class OfFormulas(Check):
 
 
 @dataclass(frozen=True)
-class OfKernels(Check):
-    """A test that calls the kernels of the court.
-
-    Attributes
-    ----------
-    named
-        The names of the generated module in the test's module, and in those that it uses.
-    """
-
-    named: tuple[tuple[str, str], ...] = ()
-
-    @property
-    def origin(self) -> Hashable:
-        """The court's kernels."""
-        return DerivedKernels
-
-    def derive(self, folder: Path) -> DerivedKernels:
-        """Derive the court."""
-        return DerivedKernels.from_scene(COURT)
-
-    def run(self, derived: Any) -> None:
-        """Run the test with kernels of the court in place of the generated ones."""
-        with pytest.MonkeyPatch.context() as there:
-            for module, name in self.named or ((self.test.__module__, "court"),):
-                there.setattr(sys.modules[module], name, derived)
-            self._call()
-
-
-@dataclass(frozen=True)
 class WithKernels(Check):
     """A test whose first argument is the kernels of the court."""
 
@@ -144,6 +115,26 @@ class WithKernels(Check):
     def run(self, derived: Any) -> None:
         """Run the test with kernels of the court."""
         self._call(derived)
+
+
+@dataclass(frozen=True)
+class OfKernels(WithKernels):
+    """A test that calls the kernels of the court in modules that it uses.
+
+    Attributes
+    ----------
+    named
+        The names of the generated module in the test's module, and in those that it uses.
+    """
+
+    named: tuple[tuple[str, str], ...] = ()
+
+    def run(self, derived: Any) -> None:
+        """Run the test with kernels of the court in place of the generated ones."""
+        with pytest.MonkeyPatch.context() as there:
+            for module, name in self.named or ((self.test.__module__, "court"),):
+                there.setattr(sys.modules[module], name, derived)
+            self._call()
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -1,4 +1,4 @@
-"""A slow reference for any scene of pieces: it steps along the flight and looks at distances.
+"""A slow reference for scenes of pieces or of faces: it steps along flights, and sees distances.
 
 It shares nothing with hoopgen but the pieces a user writes: Python evaluates sizes, distances
 are geometry, a step is no longer than the nearest body allows, and where a distance changes its
@@ -54,6 +54,10 @@ class Face:
     within: Callable[[Vector], float]
     restitution: float
     of_centre: bool = False
+
+
+EndPlane = tuple[str, Callable[[Vector], float], Callable[[Vector], float]]
+"""Name, distance of the ball's centre, and bounds of it."""
 
 
 @dataclass(frozen=True)
@@ -139,7 +143,119 @@ class Curved:
         return x, y
 
 
-class Slow:
+class SlowFaces:
+    """Shots that meet faces, one at a time.
+
+    Parameters
+    ----------
+    faces, ends
+        What the ball meets, and where a shot ends.
+    ball, inertia
+        The ball's radius, and its moment of inertia over mass and radius squared.
+    fall
+        The acceleration of free fall, (3,).
+    """
+
+    def __init__(
+        self,
+        faces: Sequence[Face],
+        ends: Sequence[EndPlane],
+        ball: float,
+        inertia: float,
+        fall: Vector,
+    ) -> None:
+        self.faces, self._ends = faces, ends
+        self._ball, self._inertia, self._fall = ball, inertia, fall
+
+    def fly(self, start: Sequence[float], max_contacts: int, time_limit: float = 60.0) -> Flown:
+        """Return what a shot does."""
+        x, v, w = (np.array(start[k : k + 3], float) for k in (0, 3, 6))
+        flown, last = Flown(), -1
+        while len(flown.contacts) < max_contacts:
+            found = self._next(x, v, last, time_limit - flown.time, flown)
+            if found is None:
+                flown.outcome = "endless"
+                return flown
+            time, what = found
+            flown.time += time
+            x, v = self._there(time, x, v)
+            flown.state = [*x, *v, *w]
+            if isinstance(what, str):
+                flown.outcome = what
+                return flown
+            last = what
+            flown.contacts.append((self.faces[what].index, flown.time))
+            v, w = self._bounce(self.faces[what], x, v, w)
+        flown.state = [*x, *v, *w]
+        return flown
+
+    def overlap(self, place: Vector) -> tuple[float, float]:
+        """Return the distance from the first body, and the largest of its bounds there."""
+        face = self.faces[0]
+        return face.distance(place), face.within(face.nearest(place))
+
+    def _there(self, t: float, x: Vector, v: Vector) -> tuple[Vector, Vector]:
+        return x + v * t + self._fall * (t * t / 2), v + self._fall * t
+
+    def _next(
+        self, x: Vector, v: Vector, last: int, room: float, flown: Flown
+    ) -> tuple[float, int | str] | None:
+        """Return time and body, or name, of the first contact or end."""
+        time = 0.0
+        gaps = [*(f.distance for f in self.faces), *(gap for _, gap, _ in self._ends)]
+        before = [1.0 if k == last else gap(x) for k, gap in enumerate(gaps)]
+        while time < room:
+            place, velocity = self._there(time, x, v)
+            speed = np.linalg.norm(velocity) + np.linalg.norm(self._fall) * LONGEST
+            free = min(abs(gap(place)) for gap in gaps) / speed
+            step = min(max(SHORTEST, free), LONGEST)
+            after = [gap(self._there(time + step, x, v)[0]) for gap in gaps]
+            found = []
+            for k, (gap, was, now) in enumerate(zip(gaps, before, after, strict=True)):
+                if was > 0.0 >= now:
+                    begin = 1e-9 if k == last and time == 0.0 else time
+                    at = lambda t, gap=gap: gap(self._there(t, x, v)[0])  # noqa: E731
+                    if at(begin) <= 0.0:
+                        flown.close = True
+                        continue
+                    found.append((brentq(at, begin, time + step, xtol=1e-15, rtol=1e-14), k))
+                elif 0.0 < now < CLOSE or (0.0 < was < CLOSE and k != last):
+                    flown.close = True
+            arrival = self._first(sorted(found), x, v, flown)
+            if arrival is not None:
+                return arrival
+            time, before = time + step, after
+        return None
+
+    def _first(
+        self, found: list[tuple[float, int]], x: Vector, v: Vector, flown: Flown
+    ) -> tuple[float, int | str] | None:
+        """Return the first arrival that is within its bounds."""
+        for place, (time, k) in enumerate(found):
+            there, velocity = self._there(time, x, v)
+            ends = k >= len(self.faces)
+            whole = ends or self.faces[k].of_centre
+            point = there if whole else self.faces[k].nearest(there)
+            within = self._ends[k - len(self.faces)][2] if ends else self.faces[k].within
+            side = within(point)
+            # A bound that is square changes faster than a length, or slower.
+            flown.close |= abs(side) < CLOSE
+            if side <= 0.0:
+                later = [t for t, other in found[place + 1 :] if not (ends and other > k)]
+                flown.close |= any((t - time) * np.linalg.norm(velocity) < CLOSE for t in later)
+                return time, self._ends[k - len(self.faces)][0] if ends else k
+        return None
+
+    def _bounce(self, face: Face, x: Vector, v: Vector, w: Vector) -> tuple[Vector, Vector]:
+        """Return velocity and spin after the impulse that stops the slip."""
+        normal = (x - face.nearest(x)) / self._ball
+        slip = v - (v @ normal) * normal + np.cross(w, -self._ball * normal)
+        push = -self._inertia / (1 + self._inertia) * slip
+        turn = -1 / (self._inertia * self._ball) * np.cross(normal, push)
+        return v + push - (1 + face.restitution) * (v @ normal) * normal, w + turn
+
+
+class Slow(SlowFaces):
     """Shots of a scene, one at a time.
 
     Parameters
@@ -153,13 +269,14 @@ class Slow:
     def __init__(self, scene: Scene, parameters: Mapping[str, float] | None = None) -> None:
         defaults = {p.name: p.default for p in scene.parameters}
         self._values = defaults | dict(parameters or {})
-        self._ball, self._inertia = self._size(scene.ball_radius), self._size(scene.inertia)
-        self._fall = self._unit(scene.down) * self._size(scene.gravity)
-        self._scene = scene
-        self._faces = [
-            face for k, body in enumerate(scene.bodies) for face in self._faces_of(k, body)
-        ]
-        self._ends = [(name, *self._end(end)) for name, end in scene.ends.items()]
+        self._ball, self._scene = self._size(scene.ball_radius), scene
+        super().__init__(
+            [face for k, body in enumerate(scene.bodies) for face in self._faces_of(k, body)],
+            [(name, *self._end(end)) for name, end in scene.ends.items()],
+            self._ball,
+            self._size(scene.inertia),
+            self._unit(scene.down) * self._size(scene.gravity),
+        )
 
     def _size(self, written: Any, **place: float) -> float:
         """Return what a test's own text says: it is Python's to evaluate."""
@@ -390,93 +507,6 @@ class Slow:
         axis, way = _axis(end.axis)
         at = self._size(end.at)
         return (lambda p: p[axis] * way - at), self._within(end.within)
-
-    def fly(self, start: Sequence[float], max_contacts: int, time_limit: float = 60.0) -> Flown:
-        """Return what a shot does."""
-        x, v, w = (np.array(start[k : k + 3], float) for k in (0, 3, 6))
-        flown, last = Flown(), -1
-        while len(flown.contacts) < max_contacts:
-            found = self._next(x, v, last, time_limit - flown.time, flown)
-            if found is None:
-                flown.outcome = "endless"
-                return flown
-            time, what = found
-            flown.time += time
-            x, v = self._there(time, x, v)
-            flown.state = [*x, *v, *w]
-            if isinstance(what, str):
-                flown.outcome = what
-                return flown
-            last = what
-            flown.contacts.append((self._faces[what].index, flown.time))
-            v, w = self._bounce(self._faces[what], x, v, w)
-        flown.state = [*x, *v, *w]
-        return flown
-
-    def overlap(self, place: Vector) -> tuple[float, float]:
-        """Return the distance from the first body, and the largest of its bounds there."""
-        face = self._faces[0]
-        return face.distance(place), face.within(face.nearest(place))
-
-    def _there(self, t: float, x: Vector, v: Vector) -> tuple[Vector, Vector]:
-        return x + v * t + self._fall * (t * t / 2), v + self._fall * t
-
-    def _next(
-        self, x: Vector, v: Vector, last: int, room: float, flown: Flown
-    ) -> tuple[float, int | str] | None:
-        """Return time and body, or name, of the first contact or end."""
-        time = 0.0
-        gaps = [*(f.distance for f in self._faces), *(gap for _, gap, _ in self._ends)]
-        before = [1.0 if k == last else gap(x) for k, gap in enumerate(gaps)]
-        while time < room:
-            place, velocity = self._there(time, x, v)
-            speed = np.linalg.norm(velocity) + np.linalg.norm(self._fall) * LONGEST
-            free = min(abs(gap(place)) for gap in gaps) / speed
-            step = min(max(SHORTEST, free), LONGEST)
-            after = [gap(self._there(time + step, x, v)[0]) for gap in gaps]
-            found = []
-            for k, (gap, was, now) in enumerate(zip(gaps, before, after, strict=True)):
-                if was > 0.0 >= now:
-                    begin = 1e-9 if k == last and time == 0.0 else time
-                    at = lambda t, gap=gap: gap(self._there(t, x, v)[0])  # noqa: E731
-                    if at(begin) <= 0.0:
-                        flown.close = True
-                        continue
-                    found.append((brentq(at, begin, time + step, xtol=1e-15, rtol=1e-14), k))
-                elif 0.0 < now < CLOSE or (0.0 < was < CLOSE and k != last):
-                    flown.close = True
-            arrival = self._first(sorted(found), x, v, flown)
-            if arrival is not None:
-                return arrival
-            time, before = time + step, after
-        return None
-
-    def _first(
-        self, found: list[tuple[float, int]], x: Vector, v: Vector, flown: Flown
-    ) -> tuple[float, int | str] | None:
-        """Return the first arrival that is within its bounds."""
-        for place, (time, k) in enumerate(found):
-            there, velocity = self._there(time, x, v)
-            ends = k >= len(self._faces)
-            whole = ends or self._faces[k].of_centre
-            point = there if whole else self._faces[k].nearest(there)
-            within = self._ends[k - len(self._faces)][2] if ends else self._faces[k].within
-            side = within(point)
-            # A bound that is square changes faster than a length, or slower.
-            flown.close |= abs(side) < CLOSE
-            if side <= 0.0:
-                later = [t for t, other in found[place + 1 :] if not (ends and other > k)]
-                flown.close |= any((t - time) * np.linalg.norm(velocity) < CLOSE for t in later)
-                return time, self._ends[k - len(self._faces)][0] if ends else k
-        return None
-
-    def _bounce(self, face: Face, x: Vector, v: Vector, w: Vector) -> tuple[Vector, Vector]:
-        """Return velocity and spin after the impulse that stops the slip."""
-        normal = (x - face.nearest(x)) / self._ball
-        slip = v - (v @ normal) * normal + np.cross(w, -self._ball * normal)
-        push = -self._inertia / (1 + self._inertia) * slip
-        turn = -1 / (self._inertia * self._ball) * np.cross(normal, push)
-        return v + push - (1 + face.restitution) * (v @ normal) * normal, w + turn
 
 
 def _axis(written: str) -> tuple[int, int]:

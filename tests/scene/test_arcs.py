@@ -355,7 +355,7 @@ def test_the_page_marks_the_points_of_arcs_that_are_touched(engine: Engines) -> 
     states, _ = shots_for(made, 100, 5)
     shots = engine("bell").simulate(states, max_contacts=2, record=True)
     assert "bell" in hoopgen.view(shots).text
-    marked, (face,) = contact_points(shots, {}), Slow(made)._faces
+    marked, (face,) = contact_points(shots, {}), Slow(made).faces
     for point, event in zip(marked, shots.events, strict=True):
         if event["surface"] == 0:
             nearest = face.nearest(event["before"][:3])

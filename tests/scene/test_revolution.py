@@ -310,7 +310,7 @@ def test_the_page_marks_the_points_that_are_touched(upright: Engine) -> None:
     slow = Slow(UPRIGHT)
     for point, event in zip(marked, shots.events, strict=True):
         if event["surface"] < 2:
-            nearest = slow._faces[event["surface"]].nearest(event["before"][:3])
+            nearest = slow.faces[event["surface"]].nearest(event["before"][:3])
             np.testing.assert_allclose(point, nearest, rtol=0, atol=1e-9)
 
 

@@ -35,7 +35,9 @@ from tests.helpers.scenes.chamber import CHAMBER
 from tests.helpers.scenes.crate import CRATE
 from tests.helpers.scenes.posts import POSTS
 from tests.helpers.scenes.rings import RINGS
-from tests.helpers.slow_path import Floats, Slow, Wall, everywhere
+from tests.helpers.slow_scene import Face, SlowFaces
+
+Floats = NDArray[np.float64]
 
 # One worker: each scene is rendered once.
 pytestmark = [
@@ -159,100 +161,114 @@ def test_no_shot_is_wrong_without_a_flag(case: Case, folder: Path) -> None:
 # -- By a slow reference, with gaps written by hand
 
 
-def _norm(*components: Any) -> Floats:
+def _norm(*components: Any) -> Any:
     return np.sqrt(sum(np.asarray(c) ** 2 for c in components))
 
 
 def _torus(centre: Sequence[float], axis: Sequence[float], radius: float, tube: float) -> Any:
-    def gap(p: Floats) -> Floats:
+    def gap(p: Floats) -> Any:
         away = p - np.array(centre)
         along = away @ np.array(axis)
-        across = np.linalg.norm(away - along[:, None] * np.array(axis), axis=1)
+        across = np.linalg.norm(away - along[..., None] * np.array(axis), axis=-1)
         return _norm(across - radius, along) - tube
 
     return gap
 
 
 def _box(low: Sequence[float], high: Sequence[float], ball: float) -> Any:
-    def gap(p: Floats) -> Floats:
+    def gap(p: Floats) -> Any:
         beyond = np.maximum(np.maximum(np.array(low) - p, p - np.array(high)), 0)
-        return np.linalg.norm(beyond, axis=1) - ball
+        return np.linalg.norm(beyond, axis=-1) - ball
 
     return gap
 
 
-def _post(p: Floats) -> Floats:
-    side, top = _norm(p[:, 0] + 0.4, p[:, 1]) - 0.04, p[:, 2] - 0.2
+def _post(p: Floats) -> Any:
+    side, top = _norm(p[..., 0] + 0.4, p[..., 1]) - 0.04, p[..., 2] - 0.2
     outside = _norm(np.maximum(side, 0), np.maximum(top, 0))
     return outside + np.minimum(np.maximum(side, top), 0) - 0.06
 
 
-def _rod(p: Floats) -> Floats:
-    return np.linalg.norm(np.cross(p - [0, 0.25, 0], [0.6, 0, -0.8]), axis=1) - 0.08
+def _rod(p: Floats) -> Any:
+    return np.linalg.norm(np.cross(p - [0, 0.25, 0], [0.6, 0, -0.8]), axis=-1) - 0.08
 
 
-def _low(p: Floats) -> NDArray[np.bool_]:
-    return p[:, 2] <= -0.1
+def _low(p: Floats) -> Any:
+    return p[2] + 0.1
 
 
-def _half_pipe(p: Floats) -> NDArray[np.bool_]:
-    return (np.abs(p[:, 1]) <= 0.6) & (p[:, 2] <= 0)
+def _half_pipe(p: Floats) -> Any:
+    return max(abs(p[1]) - 0.6, p[2])
 
 
-def _egg(p: Floats) -> Floats:
-    x, y, z = p.T
-    return x**2 + y**2 + z**2 / 2 * (1 + z / 0.4) - 0.04
+def _egg(p: Floats) -> Any:
+    """Return the condition over the length of its gradient: near a distance."""
+    x, y, z = np.moveaxis(p, -1, 0)
+    condition = x**2 + y**2 + z**2 / 2 * (1 + z / 0.4) - 0.04
+    return condition / _norm(2 * x, 2 * y, z + 3.75 * z**2)
 
 
-def _bowl(p: Floats) -> Floats:
-    return np.linalg.norm(p - [0.3, 0, 0], axis=1)
+def _saddle(p: Floats) -> Any:
+    x, y, z = np.moveaxis(p, -1, 0)
+    return (z + 0.5 - 0.5 * (x**2 - y**2)) / _norm(x, y, 1)
+
+
+def _bowl(p: Floats) -> Any:
+    return np.linalg.norm(p - [0.3, 0, 0], axis=-1)
+
+
+def _everywhere(p: Floats) -> float:
+    return -np.inf
+
+
+def _slow(ball: float, ground: float, *walls: Any) -> SlowFaces:
+    """Return the reference of walls: bodies, gaps of places (..., 3), restitutions and bounds."""
+
+    def face(body: int, gap: Any, restitution: float, within: Any = _everywhere) -> Face:
+        def nearest(p: Floats) -> Floats:
+            steps = np.eye(3) * 1e-6
+            normal = gap(p + steps) - gap(p - steps)
+            return np.asarray(p - ball * normal / np.linalg.norm(normal))
+
+        return Face(body, gap, nearest, within, restitution, of_centre=True)
+
+    end = ("ground", lambda p: p[2] - ground, _everywhere)
+    faces = [face(*wall) for wall in walls]
+    return SlowFaces(faces, [end], ball, inertia=2 / 3, fall=np.array([0, 0, -9.81]))
 
 
 LEAN = (0, 5 / 13, 12 / 13)
 SLOW = {
-    "chamber": Slow(
-        [
-            Wall(0, lambda p: 0.95 - np.linalg.norm(p, axis=1), 0.9),
-            Wall(1, lambda p: 0.35 - _bowl(p), 0.6, _low),
-            Wall(1, lambda p: _bowl(p) - 0.45, 0.6, _low),
-        ],
+    "chamber": _slow(
         0.05,
         -0.7,
+        (0, lambda p: 0.95 - np.linalg.norm(p, axis=-1), 0.9),
+        (1, lambda p: 0.35 - _bowl(p), 0.6, _low),
+        (1, lambda p: _bowl(p) - 0.45, 0.6, _low),
     ),
-    "posts": Slow(
-        [
-            Wall(0, _post, 0.8),
-            Wall(1, lambda p: 0.24 - _norm(p[:, 0] - 0.5, p[:, 2]), 0.5, _half_pipe),
-            Wall(1, lambda p: _norm(p[:, 0] - 0.5, p[:, 2]) - 0.36, 0.5, _half_pipe),
-            Wall(2, _rod, 0.8),
-        ],
+    "posts": _slow(
         0.06,
         -0.8,
+        (0, _post, 0.8),
+        (1, lambda p: 0.24 - _norm(p[..., 0] - 0.5, p[..., 2]), 0.5, _half_pipe),
+        (1, lambda p: _norm(p[..., 0] - 0.5, p[..., 2]) - 0.36, 0.5, _half_pipe),
+        (2, _rod, 0.8),
     ),
-    "rings": Slow(
-        [
-            Wall(0, _torus((-0.73, 0, 0), (1, 0, 0), 0.2, 0.07), 0.8),
-            Wall(1, _torus((0.5, 0.5, 0), (0, 0, 1), 0.2, 0.07), 0.8),
-            Wall(2, _torus((0.5, -0.5, 0), LEAN, 0.2, 0.07), 0.8),
-            Wall(3, lambda p: p[:, 0] + 0.75, 0.8),
-            Wall(4, _egg, 0.8, lambda p: p[:, 2] <= 0.4),
-            Wall(
-                5,
-                lambda p: p[:, 2] + 0.5 - 0.5 * (p[:, 0] ** 2 - p[:, 1] ** 2),
-                0.8,
-                lambda p: _norm(p[:, 0], p[:, 1]) <= 0.9,
-            ),
-        ],
+    "rings": _slow(
         0.05,
         -1.5,
+        (0, _torus((-0.73, 0, 0), (1, 0, 0), 0.2, 0.07), 0.8),
+        (1, _torus((0.5, 0.5, 0), (0, 0, 1), 0.2, 0.07), 0.8),
+        (2, _torus((0.5, -0.5, 0), LEAN, 0.2, 0.07), 0.8),
+        (3, lambda p: p[..., 0] + 0.75, 0.8),
+        (4, _egg, 0.8, lambda p: p[2] - 0.4),
+        (5, _saddle, 0.8, lambda p: _norm(p[0], p[1]) - 0.9),
     ),
-    "crate": Slow(
-        [
-            Wall(0, _box((0, -0.25, -0.5), (0.5, 0.25, 0), 0.1213), 0.5),
-            Wall(1, _box((-0.43, -0.45, 0.05), (-0.4, 0.45, 0.5), 0.1213), 0.8),
-        ],
+    "crate": _slow(
         0.1213,
         -0.9,
+        (0, _box((0, -0.25, -0.5), (0.5, 0.25, 0), 0.1213), 0.5),
+        (1, _box((-0.43, -0.45, 0.05), (-0.4, 0.45, 0.5), 0.1213), 0.8),
     ),
 }
 
@@ -270,12 +286,18 @@ def test_a_slow_reference_finds_the_same(case: Case, folder: Path) -> None:
     ]
     assert len(rows) >= occurrences(200)
     slow, ground = SLOW[case.scene.name], len(case.scene.bodies)
-    found, log = sequences(out), out.arrays["events"]["time"]
+    found, log, close = sequences(out), out.arrays["events"]["time"], 0
     for row in rows:
-        bodies, times, last = slow.fly(states[row], MOST)
-        assert [ground if b < 0 else b for b in bodies] == found[row], row
+        path = slow.fly(states[row], MOST)
+        close += path.close
+        if path.close:
+            continue
+        events = [*path.contacts, (ground, path.time)]
+        assert [body for body, _ in events] == found[row], row
+        times = [time for _, time in events]
         np.testing.assert_allclose(log[row, : len(times)], times, rtol=0, atol=1e-5)
-        np.testing.assert_allclose(out.arrays["state"][row, :3], last[:3], rtol=0, atol=1e-4)
+        np.testing.assert_allclose(out.arrays["state"][row, :3], path.state[:3], rtol=0, atol=1e-4)
+    assert close < exceptions(0.01, len(rows))
 
 
 def test_no_flight_goes_into_a_surface(case: Case, folder: Path) -> None:
@@ -285,17 +307,17 @@ def test_no_flight_goes_into_a_surface(case: Case, folder: Path) -> None:
     """
     states = case.aimed(trials(300), seed=4)
     out = flown(case, folder, states)
-    walls = [wall for wall in SLOW[case.scene.name].walls if wall.within is everywhere]
+    walls = [face for face in SLOW[case.scene.name].faces if face.within is _everywhere]
     log, used = out.arrays["events"], out.arrays["event_counts"]
     deepest = 0.0
     for row in np.flatnonzero(out.arrays["outcome"] != Outcome.INVALID):
         start, clock = states[row], 0.0
-        outside = [wall for wall in walls if wall.gap(start[None, :3])[0] > 0]
+        outside = [wall for wall in walls if wall.distance(start[:3]) > 0]
         for event in log[row, : used[row]]:
             times = np.linspace(0, event["time"] - clock, 200)
             there = start[:3] + start[3:6] * times[:, None]
             there[:, 2] -= 9.81 / 2 * times**2
-            deepest = max(deepest, *(float(-wall.gap(there).min()) for wall in outside))
+            deepest = max(deepest, *(-np.min(wall.distance(there)) for wall in outside))
             start, clock = event["after"], event["time"]
     assert deepest < 1e-13
 
