@@ -14,6 +14,12 @@ class Entry(NamedTuple):
     meaning: str
 
 
+def _vector(name: str, latex: str, meaning: str) -> dict[str, Entry]:
+    """Return the entries of a vector's components by name; `@` stands for x, y and z."""
+    texts = ([text.replace("@", axis) for text in (name, latex, meaning)] for axis in AXES)
+    return {key: Entry(*own) for key, *own in texts}
+
+
 FLIGHTS = {
     "t": Entry("t", "time since the last contact"),
     "end": Entry(r"t_\mathrm{end}", "end of the window that is searched"),
@@ -55,45 +61,17 @@ FLIGHTS = {
     "share": Entry(r"\sigma", "error budget of a search, relative to the size of the flight"),
     "pad": Entry("T_+", "time from the earliest arrival to the horizon"),
     "budget_exceeded": Entry(r"\varpi", "positive if the search's bounds do not hold"),
-    **{
-        f"middle_{axis}": Entry(rf"\bar{{r}}_{axis}", f"centre of a flight's box along {axis}")
-        for axis in AXES
-    },
-    **{
-        f"reach_{axis}": Entry(rf"\varrho_{axis}", f"half size of a flight's box along {axis}")
-        for axis in AXES
-    },
-    **{
-        f"later_middle_{axis}": Entry(
-            rf"\bar{{r}}'_{axis}", f"centre of the box of a flight's second half along {axis}"
-        )
-        for axis in AXES
-    },
-    **{
-        f"later_reach_{axis}": Entry(
-            rf"\varrho'_{axis}", f"half size of the box of a flight's second half along {axis}"
-        )
-        for axis in AXES
-    },
-    **{
-        f"least_{axis}": Entry(
-            rf"\check{{c}}_{axis}",
-            f"largest negated coordinate of a group's bodies along {axis}",
-        )
-        for axis in AXES
-    },
-    **{
-        f"most_{axis}": Entry(
-            rf"\hat{{c}}_{axis}", f"largest coordinate of a group's bodies along {axis}"
-        )
-        for axis in AXES
-    },
-    **{
-        f"wide_{axis}": Entry(
-            rf"\hat{{h}}_{axis}", f"largest half size of a group's bodies along {axis}"
-        )
-        for axis in AXES
-    },
+    **_vector("middle_@", r"\bar{r}_@", "centre of a flight's box along @"),
+    **_vector("reach_@", r"\varrho_@", "half size of a flight's box along @"),
+    **_vector(
+        "later_middle_@", r"\bar{r}'_@", "centre of the box of a flight's second half along @"
+    ),
+    **_vector(
+        "later_reach_@", r"\varrho'_@", "half size of the box of a flight's second half along @"
+    ),
+    **_vector("least_@", r"\check{c}_@", "largest negated coordinate of a group's bodies along @"),
+    **_vector("most_@", r"\hat{c}_@", "largest coordinate of a group's bodies along @"),
+    **_vector("wide_@", r"\hat{h}_@", "largest half size of a group's bodies along @"),
     "measured": Entry(r"\Lambda", "sum of the sizes of the scene's lengths"),
     "lengths": Entry(r"\Lambda_s", "sum of the sizes of the scene's lengths, as a field of a shot"),
     "blur": Entry(r"\epsilon_0", "bound on the rounding of a length at the start"),
@@ -129,13 +107,9 @@ LOOP = {
     "clock": Entry("t_c", "time since the release"),
     "clock_error": Entry(r"\varepsilon_t", "sum of the errors of the contacts' times"),
     "curving": Entry(r"\kappa_s", "curvature of the surface, if the ball meets it twice in a row"),
-    **{
-        f"left_n{axis}": Entry(
-            rf"n^0_{axis}",
-            f"normal along {axis} at the start of the flight, if on the same surface",
-        )
-        for axis in AXES
-    },
+    **_vector(
+        "left_n@", "n^0_@", "normal along @ at the start of the flight, if on the same surface"
+    ),
     "contact_delay": Entry("dt", "variation of the time of a contact"),
     "lifting": Entry(r"\varphi", "share of the worst case that errors do not fall below"),
     "root_delay": Entry("t_F", "delay of a contact that the roundings of its condition cause"),
@@ -193,9 +167,7 @@ IN_CONTACT = {
     "held": Entry("j_h", "index of the surface that holds the ball, -1: none"),
     "mode": Entry(r"\psi", "1, 2, 3: contact begins, goes on, ends; 0: the ball is in flight"),
     "assured": Entry(r"\alpha", "1 if all further bounces are on the surface touched last, else 0"),
-    "bent_x": Entry("b_x", "1 if the surface is curved across x, else 0"),
-    "bent_y": Entry("b_y", "1 if the surface is curved across y, else 0"),
-    "bent_z": Entry("b_z", "1 if the surface is curved across z, else 0"),
+    **_vector("bent_@", "b_@", "1 if the surface is curved across @, else 0"),
     **{
         f"across_{i}{j}": Entry(
             rf"P_{{{i}{j}}}",
@@ -208,29 +180,16 @@ IN_CONTACT = {
         r"\kappa_T",
         "inverse radius of the tube that the centre stays on, negative on its inside",
     ),
-    **{
-        f"axis_{axis}": Entry(f"u_{axis}", f"unit vector of the axis of revolution, along {axis}")
-        for axis in AXES
-    },
-    **{
-        f"outward_{axis}": Entry(f"e_{axis}", f"unit vector away from that axis, along {axis}")
-        for axis in AXES
-    },
-    **{
-        f"far_outward_{axis}": Entry(rf"\tilde e_{axis}", f"$e_{axis}$ of the neighbouring motion")
-        for axis in AXES
-    },
+    **_vector("axis_@", "u_@", "unit vector of the axis of revolution, along @"),
+    **_vector("outward_@", "e_@", "unit vector away from that axis, along @"),
+    **_vector("far_outward_@", r"\tilde e_@", "$e_@$ of the neighbouring motion"),
     "per_tube": Entry(r"\varkappa_m", "curvature of the section through the axis"),
     "azimuth_factor": Entry("c_m", r"factor of the rate of the azimuth in that of the normal"),
     "per_width": Entry(r"\varkappa_\rho", "inverse distance of the ball from the axis"),
     "far_per_width": Entry(r"\tilde\varkappa_\rho", "the same of the neighbouring motion"),
     "turn_rate": Entry("s", "spin about the normal, times the ball's radius"),
-    "rolled_x": Entry(r"v^\circ_x", "velocity along x after a contact that grips"),
-    "rolled_y": Entry(r"v^\circ_y", "velocity along y after a contact that grips"),
-    "rolled_z": Entry(r"v^\circ_z", "velocity along z after a contact that grips"),
-    "turning_x": Entry(r"\dot n_x", "rate of the normal along x"),
-    "turning_y": Entry(r"\dot n_y", "rate of the normal along y"),
-    "turning_z": Entry(r"\dot n_z", "rate of the normal along z"),
+    **_vector("rolled_@", r"v^\circ_@", "velocity along @ after a contact that grips"),
+    **_vector("turning_@", r"\dot n_@", "rate of the normal along @"),
     "slip": Entry(r"\lvert\mathbf{u}\rvert", "speed of the contact point"),
     "bounce": Entry(r"v_\perp", "speed of the ball off the surface"),
     "nearest": Entry("d_1", "distance from the nearest other surface"),
@@ -250,9 +209,7 @@ IN_CONTACT = {
         "f", "friction on a rolling ball, per unit mass; within a step its square"
     ),
     "rolling_friction_rate": Entry(r"\dot f", "rate of the squared friction"),
-    "rolling_acceleration_x": Entry("a_x", "acceleration of a rolling ball along x"),
-    "rolling_acceleration_y": Entry("a_y", "acceleration of a rolling ball along y"),
-    "rolling_acceleration_z": Entry("a_z", "acceleration of a rolling ball along z"),
+    **_vector("rolling_acceleration_@", "a_@", "acceleration of a rolling ball along @"),
     "grip_deficit": Entry("E", r"excess of friction over its limit, $f^2 - (\mu N)^2$"),
     "grip_deficit_rate": Entry(r"\dot E", "rate of the excess"),
     "last_grip_deficit": Entry("E_0", "excess one step before; infinite: unknown"),
@@ -276,14 +233,8 @@ IN_CONTACT = {
     "bound_shift": Entry(r"\delta\ell_g", "what the carried errors add to that distance"),
     "edge_shift": Entry("s_g", "what they add to the time at which the ball reaches an edge"),
     "entry_shift": Entry("s_e", "what they add to the time at which it comes over a bound"),
-    **{
-        f"before_{axis}": Entry(rf"a^-_{axis}", f"acceleration along {axis} before an edge")
-        for axis in AXES
-    },
-    **{
-        f"after_{axis}": Entry(rf"a^+_{axis}", f"acceleration along {axis} after an edge")
-        for axis in AXES
-    },
+    **_vector("before_@", "a^-_@", "acceleration along @ before an edge"),
+    **_vector("after_@", "a^+_@", "acceleration along @ after an edge"),
     "entry_delay": Entry(r"\delta_e", "error of the time at which the ball comes over a bound"),
     "enters": Entry(r"\text{enters}", "the ball comes in over a bound"),
     "lingers": Entry(r"\text{lingers}", "the ball moves along a bound"),
@@ -332,29 +283,13 @@ IN_CONTACT = {
 
 IN_AIR = {
     "drag_rate": Entry("k_d", "drag per unit mass over the square of the speed"),
-    **{
-        f"magnus_rate_{axis}": Entry(
-            rf"\Omega_{axis}", f"Magnus force per unit mass and speed: its vector along {axis}"
-        )
-        for axis in AXES
-    },
-    **{
-        f"free_fall_{axis}": Entry(
-            rf"a^e_{axis}", f"acceleration of gravity less buoyancy along {axis}"
-        )
-        for axis in AXES
-    },
-    **{
-        f"short_v{axis}": Entry(rf"\acute v_{axis}", f"$v_{axis}$ in single precision")
-        for axis in AXES
-    },
+    **_vector(
+        "magnus_rate_@", r"\Omega_@", "Magnus force per unit mass and speed: its vector along @"
+    ),
+    **_vector("free_fall_@", "a^e_@", "acceleration of gravity less buoyancy along @"),
+    **_vector("short_v@", r"\acute v_@", "$v_@$ in single precision"),
     "short_drag_rate": Entry(r"\acute k_d", "$k_d$ in single precision"),
-    **{
-        f"short_magnus_rate_{axis}": Entry(
-            rf"\acute \Omega_{axis}", rf"$\Omega_{axis}$ in single precision"
-        )
-        for axis in AXES
-    },
+    **_vector("short_magnus_rate_@", r"\acute \Omega_@", r"$\Omega_@$ in single precision"),
     "tail_lost": Entry(
         r"\epsilon_{24}", "infinite if a coefficient does not fit into single precision, else 0"
     ),
@@ -398,20 +333,11 @@ IN_AIR = {
 """Arguments of a flight through air, in pieces; the last are truth values."""
 
 SERIES = {
-    **{f"v{axis}": Entry(f"v_{axis}", f"velocity along {axis}") for axis in AXES},
-    **{f"n{axis}": Entry(f"n_{axis}", f"normal along {axis}") for axis in AXES},
-    **{
-        f"t{axis}": Entry(f"p_{axis}", rf"$\mathbf{{n}} \times \dot{{\mathbf{{n}}}}$ along {axis}")
-        for axis in AXES
-    },
-    **{
-        f"e{axis}": Entry(f"e_{axis}", f"unit vector away from the axis, along {axis}")
-        for axis in AXES
-    },
-    **{
-        f"c{axis}": Entry(f"q_{axis}", rf"$\mathbf{{u}} \times \mathbf{{e}}$ along {axis}")
-        for axis in AXES
-    },
+    **_vector("v@", "v_@", "velocity along @"),
+    **_vector("n@", "n_@", "normal along @"),
+    **_vector("t@", "p_@", r"$\mathbf{n} \times \dot{\mathbf{n}}$ along @"),
+    **_vector("e@", "e_@", "unit vector away from the axis, along @"),
+    **_vector("c@", "q_@", r"$\mathbf{u} \times \mathbf{e}$ along @"),
     "azimuth_rate": Entry(r"\Omega_u", "rate of the azimuth about the axis"),
     "width": Entry(r"\rho", "distance from the axis"),
     "turn_rate": Entry("s", "spin about the normal, times the ball's radius"),
@@ -429,10 +355,7 @@ SERIES = {
     "airspeed": Entry(
         r"\breve v", r"$\sqrt{\mathbf{v} \cdot \mathbf{v} + v_s^2}$, as drag takes it"
     ),
-    **{
-        f"short_v{axis}": Entry(rf"\acute v_{axis}", f"$v_{axis}$ in single precision")
-        for axis in AXES
-    },
+    **_vector("short_v@", r"\acute v_@", "$v_@$ in single precision"),
     "short_airspeed": Entry(r"\acute v", r"$\breve v$ in single precision"),
 }
 """Series of a rolling ball, and of a flight through air; a coefficient has its order as a

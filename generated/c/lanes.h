@@ -4,9 +4,9 @@
    Jinja2 3.1.6. Do not edit: change templates/ and run `make generate`.
    Included by a scene's engine once for every width. Above one lane a value is LANES_VECTORS native
    vectors: a struct of two, since of two independent chains of operations one hides the other's
-   latency; or one, of which long kernels take a third of the time to compile. The processor's own
-   comparisons, selections, roots, maxima and minima are asked for by name; the rest is operators,
-   which GCC and Clang have for their vectors. */
+   latency; or one, of which long kernels take 0.37 to 0.6 of the time to compile. The processor's
+   own comparisons, selections, roots, maxima and minima are asked for by name; the rest is
+   operators, which GCC and Clang have for their vectors. */
 
 #ifndef LANES_POPULATION
 /* How many bits are set; without GCC or Clang there is one lane. */
@@ -70,38 +70,37 @@
 #define LOAD(of, x) V x = lanes_load(worklist->of##x + i);
 #define STORE(of, x) lanes_store(worklist->of##x + i, x);
 #define PACK(of, x) lanes_pack(worklist->of##x + of##shots, packed, x);
+#define CLEAR(of, x) lanes_store(worklist->of##x + of##shots, K(0.0));
 #define EXPAND(of, x) x = lanes_expand(worklist->of##x + taken, idle, x);
 #define GET(of, x) V x = of.x;
-#define SELECT_IN(x, mask, of) x = lanes_select(mask, of.x, x);
+#define SELECT_IN(x, one, two) x = lanes_select(one, two.x, x);
 #define SELECT_OF(x, ...) SELECT_IN(x, __VA_ARGS__)
 #define SELECT(of, x) SELECT_OF(x, BOTH of)
-#define CLEAR(of, x) lanes_store(worklist->of##x + of##shots, K(0.0));
 #define START_MASK(of, x) M x = mask_none();
 #define LOAD_MASK(of, x) M x = lanes_less(K(0.0), lanes_load(worklist->of##x + i));
 #define STORE_MASK(of, x) lanes_store(worklist->of##x + i, lanes_select(x, K(1.0), K(0.0)));
 #define PACK_MASK(of, x) lanes_pack(worklist->of##x + of##shots, packed, lanes_select(x, K(1.0), K(0.0)));
 #define EXPAND_MASK(of, x) x = lanes_less(K(0.0), lanes_expand(worklist->of##x + taken, idle, lanes_select(x, K(1.0), K(0.0))));
 #define GET_MASK(of, x) M x = of.x;
-#define SELECT_MASK_IN(x, mask, of) x = lanes_choose(mask, of.x, x);
+#define SELECT_MASK_IN(x, one, two) x = lanes_choose(one, two.x, x);
 #define SELECT_MASK_OF(x, ...) SELECT_MASK_IN(x, __VA_ARGS__)
 #define SELECT_MASK(of, x) SELECT_MASK_OF(x, BOTH of)
 #define START_SINGLE(of, x) S x = KS(0.0);
 #define LOAD_SINGLE(of, x) S x = singles_load(worklist->of##x + i);
 #define STORE_SINGLE(of, x) singles_store(worklist->of##x + i, x);
 #define PACK_SINGLE(of, x) singles_pack(worklist->of##x + of##shots, packed, x);
+#define CLEAR_SINGLE(of, x) singles_store(worklist->of##x + of##shots, KS(0.0));
 #define EXPAND_SINGLE(of, x) x = singles_expand(worklist->of##x + taken, idle, x);
 #define GET_SINGLE(of, x) S x = of.x;
-#define SELECT_SINGLE_IN(x, mask, of) x = singles_select(singles_of(mask), of.x, x);
+#define SELECT_SINGLE_IN(x, one, two) x = singles_select(singles_of(one), two.x, x);
 #define SELECT_SINGLE_OF(x, ...) SELECT_SINGLE_IN(x, __VA_ARGS__)
 #define SELECT_SINGLE(of, x) SELECT_SINGLE_OF(x, BOTH of)
-#define CLEAR_SINGLE(of, x) singles_store(worklist->of##x + of##shots, KS(0.0));
 #define SET(of, x) x = of.x;
-#define RETURN_IN(x, to, from) worklist->to##x[row] = worklist->from##x[k];
+#define RETURN_IN(x, one, two) worklist->one##x[row] = worklist->two##x[k];
 #define RETURN_OF(x, ...) RETURN_IN(x, __VA_ARGS__)
 #define RETURN(of, x) RETURN_OF(x, BOTH of)
 #define PARAMETER(of, x) const V x = lanes_load(worklist->of##parameters.x + i);
-#define PARAMETER_TAKEN(of, x) \
-    const V x = lanes_expand(worklist->of##parameters.x + taken, idle, lanes_load(worklist->turning_##x));
+#define PARAMETER_TAKEN(of, x) const V x = lanes_expand(worklist->of##parameters.x + taken, idle, lanes_load(worklist->turning_##x));
 #define TURNING(of, x) lanes_store(worklist->of##x, x);
 
 /* The same between rows, and those of shots that wait. */
@@ -168,8 +167,10 @@ static const uint8_t EXPANDED[16][8] = {
 #endif
 #endif
 
+/* Names that mean another thing for each width, by the same words: they need no #undef. */
 #define V LANES(vector)
 #define M LANES(mask)
+#define K(c) lanes_all(c)
 #define lanes_all LANES(all)
 #define lanes_add LANES(add)
 #define lanes_sub LANES(sub)
@@ -186,28 +187,29 @@ static const uint8_t EXPANDED[16][8] = {
 #define lanes_both LANES(both)
 #define lanes_either LANES(either)
 #define lanes_not LANES(not)
-#define mask_none LANES(mask_none)
 #define lanes_select LANES(select)
-#define lanes_choose LANES(choose)
-#define lanes_any LANES(any)
 #define lanes_load LANES(load)
 #define lanes_store LANES(store)
-#define lanes_gather LANES(gather)
+#define lanes_pack LANES(pack)
+#define lanes_expand LANES(expand)
+#define lanes_choose LANES(choose)
+#define lanes_any LANES(any)
 #define lanes_columns LANES(columns)
 #define lanes_size LANES(size)
 #define lanes_rows LANES(rows)
 #define lanes_stream LANES(stream)
 #define lanes_bits LANES(bits)
 #define lanes_of LANES(of)
-#define popcount LANES(popcount)
-#define mask_first_n LANES(mask_first_n)
 #define lanes_leading LANES(leading)
+#define lanes_narrow LANES(narrow)
+#define lanes_wide LANES(wide)
+#define mask_none LANES(mask_none)
+#define mask_first_n LANES(mask_first_n)
+#define popcount LANES(popcount)
 #define iota LANES(iota)
-#define lanes_pack LANES(pack)
-#define lanes_expand LANES(expand)
-#define K(c) lanes_all(c)
 #define S LANES(single)
 #define Q LANES(single_mask)
+#define KS(c) singles_all((float)(c))
 #define singles_all LANES(singles_all)
 #define singles_add LANES(singles_add)
 #define singles_sub LANES(singles_sub)
@@ -224,48 +226,54 @@ static const uint8_t EXPANDED[16][8] = {
 #define singles_both LANES(singles_both)
 #define singles_either LANES(singles_either)
 #define singles_not LANES(singles_not)
-#define singles_mask_none LANES(singles_mask_none)
 #define singles_select LANES(singles_select)
 #define singles_load LANES(singles_load)
 #define singles_store LANES(singles_store)
 #define singles_pack LANES(singles_pack)
 #define singles_expand LANES(singles_expand)
+#define singles_mask_none LANES(singles_mask_none)
 #define singles_truth LANES(singles_truth)
 #define singles_of LANES(singles_of)
-#define lanes_narrow LANES(narrow)
-#define lanes_wide LANES(wide)
-#define KS(c) singles_all((float)(c))
 
 #if LANES_WIDTH == 1
 
 typedef double V;
 typedef int M;
+typedef float S;
+typedef int Q;
 LANES_INLINE V lanes_all(double c) { return c; }
-LANES_INLINE V lanes_add(V a, V b) { return a + b; }
-LANES_INLINE V lanes_sub(V a, V b) { return a - b; }
-LANES_INLINE V lanes_mul(V a, V b) { return a * b; }
-LANES_INLINE V lanes_div(V a, V b) { return a / b; }
-LANES_INLINE V lanes_neg(V a) { return -a; }
-LANES_INLINE V lanes_sqrt(V a) { return sqrt(a); }
-LANES_INLINE V lanes_abs(V a) { return fabs(a); }
 LANES_INLINE M lanes_less(V a, V b) { return a < b; }
 LANES_INLINE M lanes_at_most(V a, V b) { return a <= b; }
 LANES_INLINE M lanes_equal(V a, V b) { return a == b; }
 LANES_INLINE M lanes_both(M a, M b) { return a & b; }
 LANES_INLINE M lanes_either(M a, M b) { return a | b; }
 LANES_INLINE M lanes_not(M a) { return !a; }
-LANES_INLINE M mask_none(void) { return 0; }
 LANES_INLINE V lanes_select(M m, V a, V b) { return m ? a : b; }
+LANES_INLINE V lanes_sqrt(V a) { return sqrt(a); }
+LANES_INLINE V lanes_abs(V a) { return fabs(a); }
 LANES_INLINE V lanes_max(V a, V b) { return a < b ? b : a; }
 LANES_INLINE V lanes_min(V a, V b) { return a < b ? a : b; }
+LANES_INLINE S singles_all(float c) { return c; }
+LANES_INLINE Q singles_less(S a, S b) { return a < b; }
+LANES_INLINE Q singles_at_most(S a, S b) { return a <= b; }
+LANES_INLINE Q singles_equal(S a, S b) { return a == b; }
+LANES_INLINE Q singles_both(Q a, Q b) { return a & b; }
+LANES_INLINE Q singles_either(Q a, Q b) { return a | b; }
+LANES_INLINE Q singles_not(Q a) { return !a; }
+LANES_INLINE S singles_select(Q m, S a, S b) { return m ? a : b; }
+LANES_INLINE S singles_sqrt(S a) { return sqrtf(a); }
+LANES_INLINE S singles_abs(S a) { return fabsf(a); }
+LANES_INLINE S singles_max(S a, S b) { return a < b ? b : a; }
+LANES_INLINE S singles_min(S a, S b) { return a < b ? a : b; }
+LANES_INLINE V lanes_add(V a, V b) { return a + b; }
+LANES_INLINE V lanes_sub(V a, V b) { return a - b; }
+LANES_INLINE V lanes_mul(V a, V b) { return a * b; }
+LANES_INLINE V lanes_div(V a, V b) { return a / b; }
+LANES_INLINE V lanes_neg(V a) { return -a; }
+LANES_INLINE M mask_none(void) { return 0; }
 LANES_INLINE int lanes_any(M m) { return m; }
 LANES_INLINE V lanes_load(const double *row) { return *row; }
 LANES_INLINE void lanes_store(double *row, V a) { *row = a; }
-LANES_INLINE V lanes_gather(const double *first, int64_t stride)
-{
-    (void)stride;
-    return *first;
-}
 LANES_INLINE void lanes_columns(double *const *to, const double *rows, int count, int wanted)
 {
     (void)count;
@@ -292,20 +300,6 @@ LANES_INLINE void lanes_pack(double *to, M m, V a)
 }
 LANES_INLINE V lanes_expand(const double *from, M m, V old) { return m ? *from : old; }
 
-typedef float S;
-typedef int Q;
-LANES_INLINE S singles_all(float c) { return c; }
-LANES_INLINE S singles_sqrt(S a) { return sqrtf(a); }
-LANES_INLINE S singles_abs(S a) { return fabsf(a); }
-LANES_INLINE Q singles_less(S a, S b) { return a < b; }
-LANES_INLINE Q singles_at_most(S a, S b) { return a <= b; }
-LANES_INLINE Q singles_equal(S a, S b) { return a == b; }
-LANES_INLINE Q singles_both(Q a, Q b) { return a & b; }
-LANES_INLINE Q singles_either(Q a, Q b) { return a | b; }
-LANES_INLINE Q singles_not(Q a) { return !a; }
-LANES_INLINE S singles_select(Q m, S a, S b) { return m ? a : b; }
-LANES_INLINE S singles_max(S a, S b) { return a < b ? b : a; }
-LANES_INLINE S singles_min(S a, S b) { return a < b ? a : b; }
 LANES_INLINE S singles_load(const float *row) { return *row; }
 LANES_INLINE void singles_store(float *row, S a) { *row = a; }
 LANES_INLINE S lanes_narrow(V a) { return (float)a; }
@@ -408,7 +402,7 @@ LANES_INLINE B n_at_most(N a, N b) { return _mm256_cmp_pd(a, b, _CMP_LE_OQ); }
 LANES_INLINE B n_equal(N a, N b) { return _mm256_cmp_pd(a, b, _CMP_EQ_OQ); }
 LANES_INLINE B n_both(B a, B b) { return _mm256_and_pd(a, b); }
 LANES_INLINE B n_either(B a, B b) { return _mm256_or_pd(a, b); }
-LANES_INLINE B n_not(B a) { return _mm256_xor_pd(a, (N)(_mm256_set1_epi64x(-1))); }
+LANES_INLINE B n_not(B a) { return _mm256_xor_pd(a, (N)_mm256_set1_epi64x(-1)); }
 LANES_INLINE N n_select(B m, N a, N b) { return _mm256_blendv_pd(b, a, m); }
 LANES_INLINE N n_sqrt(N a) { return _mm256_sqrt_pd(a); }
 LANES_INLINE N n_abs(N a) { return _mm256_andnot_pd(_mm256_set1_pd(-0.0), a); }
@@ -503,14 +497,14 @@ LANES_INLINE B n_either(B a, B b) { return a | b; }
 LANES_INLINE B n_not(B a) { return ~a; }
 LANES_INLINE N n_select(B m, N a, N b) { return (N)(((B)a & m) | ((B)b & ~m)); }
 LANES_INLINE N n_abs(N a) { return (N)((B)a & (INT64_MAX - (B){0})); }
+LANES_INLINE N n_max(N a, N b) { return n_select(a < b, b, a); }
+LANES_INLINE N n_min(N a, N b) { return n_select(a < b, a, b); }
 LANES_INLINE N n_sqrt(N a)
 {
     for (int lane = 0; lane < NATIVE; lane++)
         a[lane] = sqrt(a[lane]);
     return a;
 }
-LANES_INLINE N n_max(N a, N b) { return n_select(a < b, b, a); }
-LANES_INLINE N n_min(N a, N b) { return n_select(a < b, a, b); }
 LANES_INLINE N n_gather(const double *first, int64_t stride)
 {
     N a;
@@ -574,10 +568,6 @@ LANES_INLINE V lanes_sub(V a, V b) { return a - b; }
 LANES_INLINE V lanes_mul(V a, V b) { return a * b; }
 LANES_INLINE V lanes_div(V a, V b) { return a / b; }
 LANES_INLINE V lanes_neg(V a) { return -a; }
-LANES_INLINE V lanes_sqrt(V a) { return n_sqrt(a); }
-LANES_INLINE V lanes_abs(V a) { return n_abs(a); }
-LANES_INLINE V lanes_max(V a, V b) { return n_max(a, b); }
-LANES_INLINE V lanes_min(V a, V b) { return n_min(a, b); }
 LANES_INLINE M lanes_less(V a, V b) { return n_less(a, b); }
 LANES_INLINE M lanes_at_most(V a, V b) { return n_at_most(a, b); }
 LANES_INLINE M lanes_equal(V a, V b) { return n_equal(a, b); }
@@ -585,6 +575,10 @@ LANES_INLINE M lanes_both(M a, M b) { return n_both(a, b); }
 LANES_INLINE M lanes_either(M a, M b) { return n_either(a, b); }
 LANES_INLINE M lanes_not(M a) { return n_not(a); }
 LANES_INLINE V lanes_select(M m, V a, V b) { return n_select(m, a, b); }
+LANES_INLINE V lanes_sqrt(V a) { return n_sqrt(a); }
+LANES_INLINE V lanes_abs(V a) { return n_abs(a); }
+LANES_INLINE V lanes_max(V a, V b) { return n_max(a, b); }
+LANES_INLINE V lanes_min(V a, V b) { return n_min(a, b); }
 LANES_INLINE M mask_none(void)
 {
     const N zero = n_all(0.0);
@@ -592,7 +586,6 @@ LANES_INLINE M mask_none(void)
 }
 LANES_INLINE V lanes_load(const double *row) { return n_load(row); }
 LANES_INLINE void lanes_store(double *row, V a) { n_store(row, a); }
-LANES_INLINE V lanes_gather(const double *first, int64_t stride) { return n_gather(first, stride); }
 LANES_INLINE unsigned lanes_bits(M m) { return n_bits(m); }
 LANES_INLINE M lanes_of(unsigned bits) { return n_of(bits); }
 LANES_INLINE int lanes_any(M m) { return n_bits(m) != 0; }
@@ -694,10 +687,6 @@ LANES_INLINE void lanes_store(double *row, V a)
 {
     n_store(row, a.lo);
     n_store(row + NATIVE, a.hi);
-}
-LANES_INLINE V lanes_gather(const double *first, int64_t stride)
-{
-    return (V){n_gather(first, stride), n_gather(first + NATIVE * stride, stride)};
 }
 LANES_INLINE unsigned lanes_bits(M m) { return n_bits(m.lo) | n_bits(m.hi) << NATIVE; }
 LANES_INLINE M lanes_of(unsigned bits)
@@ -856,7 +845,7 @@ LANES_INLINE Q singles_either(Q a, Q b) { return _kor_mask8(a, b); }
 LANES_INLINE Q singles_not(Q a) { return _knot_mask8(a); }
 LANES_INLINE S singles_select(Q m, S a, S b) { return _mm256_mask_blend_ps(m, b, a); }
 LANES_INLINE S singles_sqrt(S a) { return _mm256_sqrt_ps(a); }
-LANES_INLINE S singles_abs(S a) { return _mm256_andnot_ps(_mm256_set1_ps(-0.0f), a); }
+LANES_INLINE S singles_abs(S a) { return _mm256_andnot_ps(_mm256_set1_ps(-0.0), a); }
 LANES_INLINE S singles_max(S a, S b) { return _mm256_max_ps(b, a); }
 LANES_INLINE S singles_min(S a, S b) { return _mm256_min_ps(a, b); }
 LANES_INLINE S lanes_narrow(V a) { return _mm512_cvtpd_ps(a); }
@@ -889,7 +878,7 @@ LANES_INLINE Q singles_either(Q a, Q b) { return _mm256_or_ps(a, b); }
 LANES_INLINE Q singles_not(Q a) { return _mm256_xor_ps(a, (S)_mm256_set1_epi64x(-1)); }
 LANES_INLINE S singles_select(Q m, S a, S b) { return _mm256_blendv_ps(b, a, m); }
 LANES_INLINE S singles_sqrt(S a) { return _mm256_sqrt_ps(a); }
-LANES_INLINE S singles_abs(S a) { return _mm256_andnot_ps(_mm256_set1_ps(-0.0f), a); }
+LANES_INLINE S singles_abs(S a) { return _mm256_andnot_ps(_mm256_set1_ps(-0.0), a); }
 LANES_INLINE S singles_max(S a, S b) { return _mm256_max_ps(b, a); }
 LANES_INLINE S singles_min(S a, S b) { return _mm256_min_ps(a, b); }
 LANES_INLINE S lanes_narrow(V a)
@@ -924,12 +913,9 @@ LANES_INLINE Q singles_equal(S a, S b) { return _mm_cmpeq_ps(a, b); }
 LANES_INLINE Q singles_both(Q a, Q b) { return _mm_and_ps(a, b); }
 LANES_INLINE Q singles_either(Q a, Q b) { return _mm_or_ps(a, b); }
 LANES_INLINE Q singles_not(Q a) { return _mm_xor_ps(a, (S)_mm_set1_epi64x(-1)); }
-LANES_INLINE S singles_select(Q m, S a, S b)
-{
-    return _mm_or_ps(_mm_and_ps(m, a), _mm_andnot_ps(m, b));
-}
+LANES_INLINE S singles_select(Q m, S a, S b) { return _mm_or_ps(_mm_and_ps(m, a), _mm_andnot_ps(m, b)); }
 LANES_INLINE S singles_sqrt(S a) { return _mm_sqrt_ps(a); }
-LANES_INLINE S singles_abs(S a) { return _mm_andnot_ps(_mm_set1_ps(-0.0f), a); }
+LANES_INLINE S singles_abs(S a) { return _mm_andnot_ps(_mm_set1_ps(-0.0), a); }
 LANES_INLINE S singles_max(S a, S b) { return _mm_max_ps(b, a); }
 LANES_INLINE S singles_min(S a, S b) { return _mm_min_ps(a, b); }
 #if LANES_VECTORS == 1
@@ -966,15 +952,15 @@ LANES_INLINE Q singles_both(Q a, Q b) { return a & b; }
 LANES_INLINE Q singles_either(Q a, Q b) { return a | b; }
 LANES_INLINE Q singles_not(Q a) { return ~a; }
 LANES_INLINE S singles_select(Q m, S a, S b) { return (S)(((Q)a & m) | ((Q)b & ~m)); }
+LANES_INLINE S singles_abs(S a) { return (S)((Q)a & (INT32_MAX - (Q){0})); }
+LANES_INLINE S singles_max(S a, S b) { return singles_select(a < b, b, a); }
+LANES_INLINE S singles_min(S a, S b) { return singles_select(a < b, a, b); }
 LANES_INLINE S singles_sqrt(S a)
 {
     for (int lane = 0; lane < LANES_WIDTH; lane++)
         a[lane] = sqrtf(a[lane]);
     return a;
 }
-LANES_INLINE S singles_abs(S a) { return (S)((Q)a & (INT32_MAX - (Q){0})); }
-LANES_INLINE S singles_max(S a, S b) { return singles_select(a < b, b, a); }
-LANES_INLINE S singles_min(S a, S b) { return singles_select(a < b, a, b); }
 LANES_INLINE S lanes_narrow(V a)
 {
     S b;
@@ -1042,30 +1028,6 @@ LANES_INLINE S singles_expand(const float *from, M m, S old)
 typedef S LANES(singles_anywhere) __attribute__((aligned(4), may_alias));
 LANES_INLINE S singles_load(const float *row) { return *(const LANES(singles_anywhere) *)row; }
 LANES_INLINE void singles_store(float *row, S a) { *(LANES(singles_anywhere) *)row = a; }
-
-#undef N
-#undef B
-#undef NATIVE
-#undef n_load
-#undef n_store
-#undef n_all
-#undef n_less
-#undef n_at_most
-#undef n_equal
-#undef n_both
-#undef n_either
-#undef n_not
-#undef n_select
-#undef n_sqrt
-#undef n_abs
-#undef n_max
-#undef n_min
-#undef n_gather
-#undef n_square
-#undef n_bits
-#undef n_of
-#undef n_pack
-#undef n_expand
 
 #endif
 

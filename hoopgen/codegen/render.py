@@ -18,6 +18,7 @@ from hoopgen.derive.symbolic.number_range import MAX_SIZE, MAX_TIME
 from hoopgen.derive.symbolic.symbols import STATE
 
 from .backend import TEMPLATES, Backend, KernelView, LoweredScene
+from .c.formatter import macro_definitions
 from .derivation import REFERENCE_FILE, PageData, anchor, derivation_context
 from .derivation.summary import worked_shot
 from .elementary import FILES as ELEMENTARY_FILES
@@ -64,6 +65,7 @@ def _environment(backend: Backend | None = None) -> jinja2.Environment:
     environment.filters["annotated"] = lambda name: f"{name}: Any"
     environment.filters["before"] = lambda name: f"{name}_before"
     environment.filters["anchor"] = anchor
+    environment.globals["macro_definitions"] = macro_definitions
     return environment
 
 

@@ -9,18 +9,11 @@ from pathlib import Path
 
 import pytest
 
-from hoopgen.codegen.c import formatter
 from hoopgen.codegen.c.columns import MACROS, PAIRS, alike
-from hoopgen.codegen.c.formatter import C_FORMATTER
 from hoopgen.codegen.c.merging import WIDTH, merge_variants
 from hoopgen.codegen.statements import Assign, Declare, Name, Number
 from tests.helpers import ROOT
-from tests.helpers.compiled import COMPILER, lanes, needs_compiler
-
-DEFINITIONS = "".join(
-    re.findall(r"^#define (?:.*\\\n)*.*\n", lanes().partition("#define FIX(")[0], re.MULTILINE)
-)
-"""The macros of lanes.h that say something of variables."""
+from tests.helpers.compiled import COMPILER, needs_compiler
 
 
 def given(macro: str) -> str | tuple[str, str]:
@@ -28,26 +21,11 @@ def given(macro: str) -> str | tuple[str, str]:
     return ("one_", "two_") if macro in PAIRS else "list_"
 
 
-def preprocessed(text: str, folder: Path, *options: str) -> str:
+def preprocessed(text: str, folder: Path) -> str:
     """Return a text after the preprocessor."""
     (folder / "text.h").write_text(text, encoding="utf-8")
-    command = [*COMPILER, "-E", "-P", *options, str(folder / "text.h")]
+    command = [*COMPILER, "-E", "-P", str(folder / "text.h")]
     return subprocess.run(command, capture_output=True, text=True, check=True).stdout
-
-
-@needs_compiler
-@pytest.mark.parametrize("macro", MACROS)
-def test_a_macro_is_defined_as_the_statement_that_it_stands_for(
-    macro: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    of = given(macro)
-    (line,) = C_FORMATTER.lines([MACROS[macro](of, "vx")])
-    assert line.startswith("EACH(")
-    monkeypatch.setattr(formatter, "alike", lambda _: None)
-    statements = C_FORMATTER.lines([MACROS[macro](of, name) for name in ("vx", "t", "low1")])
-    several = line.replace(", vx)", ", vx, t, low1)")
-    found = preprocessed(f"{DEFINITIONS}\n{several}\n", tmp_path)
-    assert "".join(found.split()) == "".join("".join(statements).split())
 
 
 def test_every_macro_is_used_in_a_scene_of_hoopgen() -> None:

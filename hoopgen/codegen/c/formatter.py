@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
 
 from ..c_syntax import CSyntax
 from ..statements import Apply, Assign, Call, Column, Compact, ForLanes, Name, Statement
-from .columns import alike
+from .columns import MACROS, PAIRS, alike
 from .spelling import LANES, SINGLES
 
 
@@ -36,3 +37,22 @@ class CFormatter(CSyntax):
 
 
 C_FORMATTER = CFormatter(LANES, SINGLES)
+
+
+def macro_definitions() -> list[str]:
+    """Return the definitions of the macros that stand for statements, a line each."""
+    lines = []
+    for macro, make in MACROS.items():
+        given = ("one##", "two##") if macro in PAIRS else "of##"
+        (text,) = CSyntax.statement(C_FORMATTER, make(given, "##x"))
+        # A name that is part of a word is joined to it by the preprocessor; others stand alone.
+        text = re.sub(r"\B##|##\B", "", text.replace("####", "##"))
+        if macro in PAIRS:
+            lines += [
+                f"#define {macro}_IN(x, one, two) {text}",
+                f"#define {macro}_OF(x, ...) {macro}_IN(x, __VA_ARGS__)",
+                f"#define {macro}(of, x) {macro}_OF(x, BOTH of)",
+            ]
+        else:
+            lines.append(f"#define {macro}(of, x) {text}")
+    return lines
