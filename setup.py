@@ -46,6 +46,7 @@ class BuildPlainLibrary(build_ext):
     def finalize_options(self) -> None:
         super().finalize_options()
         self.parallel = self.parallel or True  # as many compilers as there are processors
+        self.force = True  # a library in build/ may be of another compiler or of other widths
 
     def build_extension(self, ext: Extension) -> None:
         msvc = self.compiler.compiler_type == "msvc"

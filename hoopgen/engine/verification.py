@@ -211,7 +211,9 @@ def first_primes(count: int) -> list[int]:
     return primes
 
 
-def batches(kernels: ModuleType, releases: NDArray[np.float64]) -> list[Batch]:
+def batches(
+    kernels: ModuleType, releases: NDArray[np.float64], time_limit: float = TIME_LIMIT
+) -> list[Batch]:
     """Return batches of shots: with shared parameters, with their own, and leaving surfaces.
 
     One has shared parameters, one a time limit that ends most shots, and one has parameters for
@@ -221,6 +223,8 @@ def batches(kernels: ModuleType, releases: NDArray[np.float64]) -> list[Batch]:
     ----------
     releases
         States (n, 9). Copies of the first one with extreme values are added.
+    time_limit
+        The limit, s.
     """
     odd = np.tile(releases[:1], (len(_ODD_NUMBERS) * releases.shape[1], 1))
     for row, shot in enumerate(odd):
@@ -231,7 +235,7 @@ def batches(kernels: ModuleType, releases: NDArray[np.float64]) -> list[Batch]:
     if defaults:
         own[:: len(_ODD_NUMBERS), 0] = np.resize(_ODD_NUMBERS, len(own[:: len(_ODD_NUMBERS)]))
     columns = [np.ascontiguousarray(column) for column in own.T]
-    limits = {TIME_LIMIT if kernels.NEEDS_TIME_LIMIT else math.inf, TIME_LIMIT}
+    limits = {time_limit if kernels.NEEDS_TIME_LIMIT else math.inf, time_limit}
     surfaces = len(kernels.BODIES)
     leaving = np.arange(len(states)) % (4 * surfaces)
     known = min(surfaces, np.iinfo(np.int8).max + 1)

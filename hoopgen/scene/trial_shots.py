@@ -10,15 +10,30 @@ from numpy.typing import NDArray
 
 from hoopgen.engine import numpy_backend
 from hoopgen.engine.result_arrays import Layout
-from hoopgen.engine.verification import TIME_LIMIT
+from hoopgen.engine.verification import Batch, batches
 
 SHOTS = 500
+
+TIME_LIMIT = 0.5
+"""A time limit in the midst of things, s; the only one where balls may roll for ever, which takes
+NumPy long."""
 
 _CANDIDATES = 4096
 _MAX_CONTACTS = 8
 
 _SIZES = (-4.0, 4.0)
 """Range of the distances from the origin, m, as exponents of two."""
+
+
+def trial_batches(kernels: ModuleType) -> list[Batch]:
+    """Return the batches with which a scene's C is compared with NumPy.
+
+    Parameters
+    ----------
+    kernels
+        The generated NumPy module of the scene.
+    """
+    return batches(kernels, trial_shots(kernels), TIME_LIMIT)
 
 
 def trial_shots(kernels: ModuleType) -> NDArray[np.float64]:

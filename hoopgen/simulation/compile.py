@@ -15,7 +15,7 @@ from collections.abc import Callable, Mapping
 from functools import partial
 from typing import Any
 
-from hoopgen.engine import native, verification
+from hoopgen.engine import native
 from hoopgen.engine.loading import load
 from hoopgen.scene import compilers
 from hoopgen.scene.cache import (
@@ -29,7 +29,7 @@ from hoopgen.scene.cache import (
 )
 from hoopgen.scene.lookup import SceneLike
 from hoopgen.scene.scene import Scene
-from hoopgen.scene.trial_shots import trial_shots
+from hoopgen.scene.trial_shots import trial_batches
 
 from .compiled_files import WHEEL, Tools, announce, build_entry, load_module
 from .engine import Engine
@@ -185,7 +185,7 @@ def engine(entry: Entry, there: SceneStore, scene: Callable[[], Any], **options:
         without_bounds=without,
         sources=partial(_sources, packed, scene),
         scene=scene,
-        trial=lambda: verification.batches(kernels, trial_shots(kernels)),
+        trial=partial(trial_batches, kernels),
         **options,
     )
 

@@ -27,7 +27,7 @@ from hoopgen.engine import native, verification
 from hoopgen.engine.loading import load
 from hoopgen.scene import compilers
 from hoopgen.scene.cache import MODULE, SOURCES, Entry, SceneStore, digest, process_store
-from hoopgen.scene.trial_shots import trial_shots
+from hoopgen.scene.trial_shots import trial_batches
 from hoopgen.text.escape import printable
 
 from .printed_scenes import Printed
@@ -206,8 +206,7 @@ def _compiler_message(compiler: str, scene: str, words: str) -> str:
 
 def _expected(kernels: ModuleType, *, bounds: bool = True) -> verification.Expected:
     """Return the shots with which a scene's library is compared, with NumPy's results."""
-    shots = verification.batches(kernels, trial_shots(kernels))
-    return verification.expected(kernels, shots, bounds=bounds)
+    return verification.expected(kernels, trial_batches(kernels), bounds=bounds)
 
 
 def _check(content: bytes, kernels: ModuleType, wanted: verification.Expected) -> tuple[str, int]:

@@ -150,13 +150,13 @@ def test_a_second_installation_from_a_checkout_compiles_nothing(tmp_path: Path) 
     compiler.chmod(0o755)
     plain = {"CC": str(compiler), "CFLAGS": "", "CPPFLAGS": "", "LDFLAGS": ""}
 
-    def compile_engine() -> tuple[dict[str, bytes], int]:
+    def compile_engine(leave: bool = False) -> tuple[dict[str, bytes], int]:
         """Return the library of a wheel, by its name, and how many files were compiled for it."""
         log.write_text("")
         (out := tmp_path / "out").mkdir()
         unpacked = unpack(build_wheel(source, out, **plain), out)
-        # As after an editable installation, which leaves no such folder.
-        shutil.rmtree(source / "build" / f"lib.{PLATFORM}")
+        if not leave:  # as after an editable installation, which leaves no such folder
+            shutil.rmtree(source / "build" / f"lib.{PLATFORM}")
         found = {library.name: library.read_bytes() for library in libraries(unpacked)}
         shutil.rmtree(out)
         return found, sum(" -c " in f" {line} " for line in log.read_text().splitlines())
@@ -171,7 +171,9 @@ def test_a_second_installation_from_a_checkout_compiles_nothing(tmp_path: Path) 
     assert compile_engine()[1] == 1
     version = f'#!/bin/sh\n[ "$1" = --version ] && echo newer && exit\n{compiler.read_text()}'
     compiler.write_text(version)
-    assert compile_engine()[1] == 1
+    assert compile_engine(leave=True)[1] == 1
+    compiler.write_text(version.replace("newer", "newest"))
+    assert compile_engine()[1] == 1, "the library that was left is of another compiler"
     plain["CFLAGS"] = "-DANYTHING"
     assert compile_engine()[1] == 1
 

@@ -8,7 +8,7 @@ import pytest
 
 from hoopgen.engine import native, verification
 from hoopgen.scene import End, Parameter, Plane, Scene, Torus, compilers
-from hoopgen.scene.trial_shots import trial_shots
+from hoopgen.scene.trial_shots import trial_batches
 from hoopgen.simulation.printed_scenes import generate_scene
 from tests.helpers.compiled import WARNINGS, load_module, needs_compiler, shared_library
 
@@ -40,7 +40,7 @@ def test_lanes_of_every_kind_give_numpys_bits(tmp_path: Path) -> None:
         path.write_text(text, encoding="utf-8")
     kernels = load_module(tmp_path / "numpy" / f"{name}.py")
     assert "EACH(LOAD_SINGLE" in printed.files[f"c/{name}_loop.h"]
-    shots = verification.expected(kernels, verification.batches(kernels, trial_shots(kernels)))
+    shots = verification.expected(kernels, trial_batches(kernels))
     # At -O1 GCC takes a lane that a loop fills for one that nothing does.
     flags = (*WARNINGS, "-Wno-maybe-uninitialized", "-O1")
     seen = []
