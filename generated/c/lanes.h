@@ -347,9 +347,9 @@ LANES_INLINE N n_all(double c) { return _mm512_set1_pd(c); }
 LANES_INLINE B n_less(N a, N b) { return _mm512_cmp_pd_mask(a, b, _CMP_LT_OQ); }
 LANES_INLINE B n_at_most(N a, N b) { return _mm512_cmp_pd_mask(a, b, _CMP_LE_OQ); }
 LANES_INLINE B n_equal(N a, N b) { return _mm512_cmp_pd_mask(a, b, _CMP_EQ_OQ); }
-LANES_INLINE B n_both(B a, B b) { return _kand_mask8(a, b); }
-LANES_INLINE B n_either(B a, B b) { return _kor_mask8(a, b); }
-LANES_INLINE B n_not(B a) { return _knot_mask8(a); }
+LANES_INLINE B n_both(B a, B b) { return (B)(a & b); }
+LANES_INLINE B n_either(B a, B b) { return (B)(a | b); }
+LANES_INLINE B n_not(B a) { return (B)~a; }
 LANES_INLINE N n_select(B m, N a, N b) { return _mm512_mask_blend_pd(m, b, a); }
 LANES_INLINE N n_sqrt(N a) { return _mm512_sqrt_pd(a); }
 LANES_INLINE N n_abs(N a) { return _mm512_abs_pd(a); }
@@ -800,9 +800,9 @@ LANES_INLINE S singles_all(float c) { return _mm512_set1_ps(c); }
 LANES_INLINE Q singles_less(S a, S b) { return _mm512_cmp_ps_mask(a, b, _CMP_LT_OQ); }
 LANES_INLINE Q singles_at_most(S a, S b) { return _mm512_cmp_ps_mask(a, b, _CMP_LE_OQ); }
 LANES_INLINE Q singles_equal(S a, S b) { return _mm512_cmp_ps_mask(a, b, _CMP_EQ_OQ); }
-LANES_INLINE Q singles_both(Q a, Q b) { return _kand_mask16(a, b); }
-LANES_INLINE Q singles_either(Q a, Q b) { return _kor_mask16(a, b); }
-LANES_INLINE Q singles_not(Q a) { return _knot_mask16(a); }
+LANES_INLINE Q singles_both(Q a, Q b) { return (Q)(a & b); }
+LANES_INLINE Q singles_either(Q a, Q b) { return (Q)(a | b); }
+LANES_INLINE Q singles_not(Q a) { return (Q)~a; }
 LANES_INLINE S singles_select(Q m, S a, S b) { return _mm512_mask_blend_ps(m, b, a); }
 LANES_INLINE S singles_sqrt(S a) { return _mm512_sqrt_ps(a); }
 LANES_INLINE S singles_abs(S a) { return _mm512_abs_ps(a); }
@@ -840,9 +840,9 @@ LANES_INLINE S singles_all(float c) { return _mm256_set1_ps(c); }
 LANES_INLINE Q singles_less(S a, S b) { return _mm256_cmp_ps_mask(a, b, _CMP_LT_OQ); }
 LANES_INLINE Q singles_at_most(S a, S b) { return _mm256_cmp_ps_mask(a, b, _CMP_LE_OQ); }
 LANES_INLINE Q singles_equal(S a, S b) { return _mm256_cmp_ps_mask(a, b, _CMP_EQ_OQ); }
-LANES_INLINE Q singles_both(Q a, Q b) { return _kand_mask8(a, b); }
-LANES_INLINE Q singles_either(Q a, Q b) { return _kor_mask8(a, b); }
-LANES_INLINE Q singles_not(Q a) { return _knot_mask8(a); }
+LANES_INLINE Q singles_both(Q a, Q b) { return (Q)(a & b); }
+LANES_INLINE Q singles_either(Q a, Q b) { return (Q)(a | b); }
+LANES_INLINE Q singles_not(Q a) { return (Q)~a; }
 LANES_INLINE S singles_select(Q m, S a, S b) { return _mm256_mask_blend_ps(m, b, a); }
 LANES_INLINE S singles_sqrt(S a) { return _mm256_sqrt_ps(a); }
 LANES_INLINE S singles_abs(S a) { return _mm256_andnot_ps(_mm256_set1_ps(-0.0), a); }
