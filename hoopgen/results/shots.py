@@ -228,6 +228,9 @@ class Shots:
         if name == "made" and fields and "MADE" in self.scene.outcomes.__members__:
             made: NDArray[np.bool_] = self.outcome == self.scene.outcomes["MADE"]
             return made
+        if name == "made" and scene is not None and "MADE" not in scene.outcomes.__members__:
+            ends = ", ".join(scene.outcomes.__members__)
+            raise AttributeError(f"made: the scene {scene.name} has no hoop; `outcome` has {ends}")
         if name in ("jacobian", "event_jacobian", "differentiable", "decisions", "_variations"):
             name = "change_distance" if name == "_variations" else name
             more = " and record=True" if name == "event_jacobian" else ""

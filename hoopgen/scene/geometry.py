@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from hoopgen.core.parameters import means
 from hoopgen.engine.compiled_scene import CompiledScene
 
-from .bounds import Terms
+from .bounds import Terms, is_along
 from .box_geometry import BOXES, box_extent, box_mesh
 from .engine_pieces import scene_pieces
 from .formulas import Formula
@@ -137,8 +137,14 @@ class SceneGeometry:
     @cached_property
     def planar(self) -> bool:
         """True if nothing changes along that axis: all curved bodies are cylinders."""
-        kinds = {shape.kind for shape in self.scene.read.bodies} - {"plane", "box"}
-        return kinds == {"cylinder"} and self.axis is not None
+        bodies = self.scene.read.bodies
+        along = {shape.axis[0] for shape in bodies if shape.kind == "cylinder"}
+        if {shape.kind for shape in bodies} - {"plane", "box"} != {"cylinder"} or len(along) > 1:
+            return False
+        (axis,) = along
+        bounds = (terms for shape in bodies for terms in shape.bounds if not is_along(terms, axis))
+        changes = any(powers[axis] for terms in bounds for powers, _ in terms)
+        return self.axis is not None and not changes
 
     def side(self, size: Floats) -> int:
         """Return which axis a side view looks along, 0 or 1, when upright.
@@ -169,7 +175,7 @@ class SceneGeometry:
         reach = float((high - low).max())
         corners = [low, high]
         for shape in self.scene.read.bodies:
-            first, last = (np.array(side) for side in self._extent(shape))
+            first, last = (np.array(side) for side in self._extent(shape, (low, high)))
             within = np.all((first <= high + reach) & (last >= low - reach))
             if shape.kind not in ("plane", "inclined plane", "surface") and within:
                 first = np.where(np.isfinite(first), np.maximum(first, low - reach), low)
@@ -274,14 +280,14 @@ class SceneGeometry:
 
     # Its data
 
-    def _extent(self, shape: Shape) -> tuple[list[float], list[float]]:
-        """Return the corners of the box that contains a body."""
+    def _extent(self, shape: Shape, near: Box) -> tuple[list[float], list[float]]:
+        """Return the corners of the box that contains a body, as far as it is beside another."""
         if isinstance(shape, RevolvedShape):
             return revolution_extent(shape, self._number)
         if shape.kind in BOXES:
             return box_extent(shape, self._number)
         if shape.kind in OBLIQUE:
-            return oblique_extent(shape, self._number)
+            return oblique_extent(shape, self._number, near)
         if shape.kind.endswith("torus"):
             return torus_extent(shape, self._number)
         if shape.kind in ("plane", "surface"):

@@ -148,7 +148,8 @@ def _cylinder(
     low, high = max(low, ends[0]), min(high, ends[1])
     if not low < high:
         return Mesh.from_corners(np.empty((0, 3, 6)))
-    count = int(np.clip(np.ceil((high - low) / radius), 1, _MAX_ROWS))
+    step = 2.0 * np.pi * radius / _TURN_PIECES if bounds else radius  # bounds may be curves
+    count = int(np.clip(np.ceil((high - low) / step), 1, _MAX_ROWS))
     heights, rows = np.linspace(low, high, count + 1), np.full(count + 1, radius)
     if shape.kind == "cylinder":
         pairs = zip(shape.bounds, bounds, strict=True)
@@ -160,7 +161,8 @@ def _cylinder(
             _cap(frame, at, radius, way, ball, ball, bounds) for way, at in ((-1, low), (1, high))
         )
         whole = join(whole, *caps)
-    return _with_rims(cut(whole, (), walls(room)), frame, heights, rows, ends, walls(room))
+    mesh, beside = cut(whole, (), walls(room)), -ball if shape.inside else ball
+    return _with_rims(mesh, frame, heights, rows, ends, walls(room), bounds, beside)
 
 
 def _cone(shape: Shape, number: Number, bounds: Sequence[Bound], room: Box, ball: float) -> Mesh:
@@ -176,7 +178,7 @@ def _cone(shape: Shape, number: Number, bounds: Sequence[Bound], room: Box, ball
     side = _revolved(shape, frame, heights, rows, np.array([cosine, -slope * cosine]), ball)
     side = cut(side, bounds, walls(room), touched=True)
     if shape.inside:
-        return _with_rims(side, frame, heights, rows, ends, [*bounds, *walls(room)])
+        return _with_rims(side, frame, heights, rows, ends, walls(room), bounds)
     caps = [
         cut(_cap(frame, at, slope * at, way, ball, 0.0, ()), bounds, walls(room), touched=True)
         for way, at in ((-1, low), (1, high))
@@ -204,8 +206,18 @@ def _ends(shape: Shape, number: Number) -> tuple[float, float]:
 def _visible_span(frame: _Frame, radius: float, room: Box) -> tuple[float, float]:
     """Return the part of an axis around which a whole cylinder is in the room.
 
-    If there is none, it is the part that may be near the room.
+    If that is less than half of the axis in the room, it is the part that may be near the room.
     """
+    slack = 1e-9 * float((room[1] - room[0]).max())
+    whole, axis = (_axis_span(frame, size, room) for size in (radius, 0.0))
+    if whole[1] - whole[0] > 0.5 * max(0.0, axis[1] - axis[0]):
+        return whole[0] - slack, whole[1] + slack
+    low, high = frame.box(room)
+    return float(low[2]) - slack, float(high[2]) + slack
+
+
+def _axis_span(frame: _Frame, radius: float, room: Box) -> tuple[float, float]:
+    """Return the ends of the part of an axis about which circles are in the room."""
     reach = radius * np.sqrt(np.maximum(1.0 - frame.axes[2] ** 2, 0.0))
     with np.errstate(divide="ignore", invalid="ignore"):
         ways = [
@@ -214,11 +226,7 @@ def _visible_span(frame: _Frame, radius: float, room: Box) -> tuple[float, float
         ]
     lows, highs = np.fmin(*ways), np.fmax(*ways)
     across = frame.axes[2] != 0.0
-    low, high = float(np.max(lows[across])), float(np.min(highs[across]))
-    if low < high:
-        return low, high
-    found = frame.box(room)
-    return float(found[0][2]), float(found[1][2])
+    return float(np.max(lows[across])), float(np.min(highs[across]))
 
 
 def _revolved(
@@ -275,19 +283,30 @@ def _with_rims(
     heights: Floats,
     radii: Floats,
     ends: tuple[float, float],
+    room: Sequence[Bound],
     bounds: Sequence[Bound],
+    beside: float = 0.0,
 ) -> Mesh:
-    """Return a mesh with the lines of its ends, as far as they are within bounds."""
+    """Return a mesh with the lines of its ends, as far as they are in a room and within bounds.
+
+    The bounds are those of points at a distance from the line, away from the axis.
+    """
     found = [mesh.rims]
-    for at, radius in ((heights[0], radii[0]), (heights[-1], radii[-1])):
+    for at, radius in ((float(heights[0]), radii[0]), (float(heights[-1]), radii[-1])):
         if at in ends and radius > 0.0 and len(mesh.corners):
-            line = _circle(frame, float(at), float(radius))
+            line, asked = (_circle(frame, at, float(size)) for size in (radius, radius + beside))
+            inside = np.full(len(line), True)
+            for bound in bounds:
+                inside &= bound(asked) <= 0.0
             segments = np.stack([line, np.roll(line, -1, axis=0)], 1)
-            found.append(drop_outside(segments, *bounds))
+            segments = segments[np.logical_and(inside, np.roll(inside, -1))]
+            found.append(drop_outside(segments, *room))
     return Mesh(mesh.corners, np.concatenate(found), mesh.parts)
 
 
-def oblique_extent(shape: Shape, number: Number) -> tuple[list[float], list[float]]:
+def oblique_extent(
+    shape: Shape, number: Number, near: Box | None = None
+) -> tuple[list[float], list[float]]:
     """Return the corners of the box that contains a body with a direction.
 
     Parameters
@@ -296,6 +315,8 @@ def oblique_extent(shape: Shape, number: Number) -> tuple[list[float], list[floa
         The body.
     number
         The value of its sizes.
+    near
+        Of a cylinder without an end only the part beside this box is meant; None: all of it.
     """
     if shape.kind == "inclined plane":
         return [-np.inf] * 3, [np.inf] * 3
@@ -309,12 +330,17 @@ def oblique_extent(shape: Shape, number: Number) -> tuple[list[float], list[floa
             number(shape[name]) if name in dict(shape.sizes) else 0.0
             for name in ("slope", "radius")
         )
+        ends = np.array(_ends(shape, number))
+        if near is not None and not slope:
+            beside = _Frame(oblique_axes(shape, number), origin).box(near)
+            ends = np.where(np.isfinite(ends), ends, [beside[0][2], beside[1][2]])
         circles = []
-        for end in _ends(shape, number):
+        for end in map(float, ends):
             with np.errstate(invalid="ignore"):
                 shift = np.where(direction == 0.0, 0.0, end * direction)
             circles.append((origin + shift, radius + slope * end if slope else radius))
-    low = np.min([middle - radius * reach for middle, radius in circles], axis=0)
-    high = np.max([middle + radius * reach for middle, radius in circles], axis=0)
+    with np.errstate(invalid="ignore"):  # of a cone without an end
+        low = np.min([middle - radius * reach for middle, radius in circles], axis=0)
+        high = np.max([middle + radius * reach for middle, radius in circles], axis=0)
     low, high = np.where(np.isnan(low), -np.inf, low), np.where(np.isnan(high), np.inf, high)
     return low.tolist(), high.tolist()

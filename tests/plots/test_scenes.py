@@ -108,7 +108,7 @@ def test_a_leaning_ring_is_drawn_about_its_axis() -> None:
     rho = np.sqrt(np.sum(off**2, axis=-1) - height**2)
     assert np.hypot(rho - 0.25, height) == pytest.approx(0.02, rel=1e-12)
     assert abs(height).max() == pytest.approx(0.02, rel=1e-12)
-    low, high = map(np.array, made._extent(made.scene.read.bodies[0]))
+    low, high = map(np.array, made._extent(made.scene.read.bodies[0], ROOM))
     assert (off.min(axis=(0, 1)) + [0.1, 0, 0] >= low - 1e-12).all()
     assert high - low == pytest.approx(0.5 * np.sqrt(1 - unit**2) + 0.04, rel=1e-12)
     (edge,) = seen(Torus("edge", radius=0.25, axis=(1, -2, 2))).bodies(ROOM)
@@ -127,7 +127,7 @@ def test_a_turned_box_is_drawn_turned_within_its_extent() -> None:
     off = corners - [0.1, 0, 0.05]
     assert abs(off @ long) == pytest.approx(0.2, rel=1e-12)
     assert abs(off @ wide) == pytest.approx(0.1, rel=1e-12)
-    low, high = made._extent(made.scene.read.bodies[0])
+    low, high = made._extent(made.scene.read.bodies[0], ROOM)
     assert low == pytest.approx(corners.min(axis=(0, 1)), abs=1e-15)
     assert high == pytest.approx(corners.max(axis=(0, 1)), abs=1e-15)
 

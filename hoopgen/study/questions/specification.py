@@ -69,8 +69,8 @@ class EstimateQuestion:
     )
     catching_height: float = of.catching_height()
     gradient: Sequence[str] = setting(
-        "Derivatives of the probability by the means and deviations of what scatters, and by "
-        "parameters of the scene.",
+        "At a hoop: derivatives of the probability by the means and deviations of what scatters, "
+        "and by parameters of the scene.",
         Listed(Text(words="a name", metavar="NAME")),
         (),
         command="Such as mean.speed, sd.elevation or restitution.",
