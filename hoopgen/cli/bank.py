@@ -82,12 +82,12 @@ def bank(
     with shown() as progress:
         work |= {"scene": releasing.engine, "progress": progress}
         dataset = bank_or_direct(model, spots, parameters, over=over, **work)
-    if picture is not None:
-        hoopgen.plots.save(hoopgen.plots.plot_aim_points(dataset, parameters), picture)
     if as_json:
         echo_json(_record(dataset, releasing.engine))
     else:
         click.echo(_text(dataset))
+    if picture is not None:
+        hoopgen.plots.save(hoopgen.plots.plot_aim_points(dataset, parameters), picture)
 
 
 def _places(places: Mapping[str, Any], values: Mapping[str, float]) -> dict[str, Any]:

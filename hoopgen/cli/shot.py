@@ -202,4 +202,6 @@ def _record(
         ],
         "components": COMPONENTS,
     }
-    return dict(in_units(record, shots.scene))
+    by_body = {name: value for name, value in record.items() if name in layout.results}
+    by_body = {name: value for name, value in by_body.items() if isinstance(value, Mapping)}
+    return {**in_units(record, shots.scene), **by_body}  # a body may be named as what has a unit

@@ -75,7 +75,8 @@ def _compiled() -> bytes:
         raise RuntimeError(f"the header of XLA's interface is missing: {error}") from None
     compiler = compilers.compiler()
     if compiler is None:
-        raise RuntimeError("no C compiler was found; install one, or `pip install ziglang`")
+        missing = compilers.missing_compiler()
+        raise RuntimeError(f"{missing}; install one, or `pip install ziglang`")
     tools = [compiler.identity, compiler.version(), *compilers.FLAGS]
     key = digest(json.dumps([digest(content), digest(header), *tools]).encode())
 

@@ -221,6 +221,13 @@ def compiler() -> Compiler | None:
     return _compiler(os.environ.get("CC", ""), os.environ.get("PATH", ""))
 
 
+def missing_compiler() -> str:
+    """Return the sentence that says that there is no compiler."""
+    named = os.environ.get("CC", "")
+    found = "no C compiler was found"
+    return f"{found}, as the environment variable CC is {brief(named)}" if named else found
+
+
 def _words(named: str) -> list[str]:
     """Return the words of ``CC``."""
     try:

@@ -102,6 +102,8 @@ def read_scene(
         "", "inertia", inertia, sign="positive", lower=MIN_INERTIA, upper=MAX_INERTIA, unit="1"
     )
     bodies = _check_list(scene, "bodies", bodies, pieces.Body)
+    if not bodies:
+        raise wrong(scene, "", "bodies", "expected at least one, got none")
     if not isinstance(ends, Mapping):
         raise wrong(scene, "", "ends", f"expected names and ends, got {brief(ends)}")
     finishes = _check_list(scene, "ends", list(ends.values()), pieces.End)

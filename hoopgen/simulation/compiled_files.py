@@ -136,7 +136,7 @@ def _build(key: str, printed: Printed, tools: Tools, folder: Path | str) -> Entr
             return Entry(record, made | {compilers.library_name(): printed.library})
     without = record | {"compiler": "", "width": 0}
     if tools.compiler is None:
-        why = f"of the scene {scene} was not compiled: no C compiler was found"
+        why = f"of the scene {scene} was not compiled: {compilers.missing_compiler()}"
         return Entry(without | {"refused": [why, "install one, or `pip install ziglang`"]}, made)
     if isinstance(folder, str):
         why = f"of the scene {scene} was not compiled: {folder}"
@@ -180,6 +180,8 @@ def compile_loop(
             words, passing = result()
         if words:
             print(_compiler_message(compiler.name, scene, words), file=sys.stderr)
+            if not bounds:
+                print("hoopgen: calls without bounds on errors stay slower.", file=sys.stderr)
             reason = f"of the scene {scene} could not be compiled by {compiler.name}"
             remedy = "`hoopgen cache --clear` lets it be tried again"
             return Entry({**record, "refused": [reason, remedy], "passing": passing}, entry.files)

@@ -546,3 +546,17 @@ def test_a_path_has_a_name(
     monkeypatch.chdir(tmp_path)
     assert "expected a name, got ''" in failure(*arguments)
     assert not [*tmp_path.iterdir()]
+
+
+@pytest.mark.slow
+def test_counts_are_named_after_bodies_also_one_named_like_a_length(tmp_path: Path) -> None:
+    file = tmp_path / "lawn.toml"
+    file.write_text(
+        'name = "lawn"\nball_radius = "ball"\ngravity = 9.81\nrestitution = 0.5\n'
+        "[parameters]\nball = 0.05\ngreen = 1.0\n"
+        '[bodies.green]\nkind = "sphere"\nradius = "green"\n[ends.out]\nat = -2.0\n'
+    )
+    place = ("--scene", str(file), "--position", "0.1,0,1.5", "--velocity", "0,0,0")
+    shown = json.loads(succeed("shot", *place, "--json").stdout)
+    assert shown["counts"] == {"green": shown["contacts"]}
+    assert shown["parameters"]["green_m"] == 1.0

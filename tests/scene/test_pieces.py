@@ -360,3 +360,8 @@ def test_reading_a_scene_file_imports_no_sympy(tmp_path: Any) -> None:
         "assert not {'sympy', 'jinja2', 'matplotlib'} & set(sys.modules)"
     )
     subprocess.run([sys.executable, "-c", code], check=True, timeout=60)
+
+
+def test_a_scene_without_a_body_is_refused() -> None:
+    with pytest.raises(SceneError, match="bodies: expected at least one, got none"):
+        Scene("empty", bodies=[], ball_radius=0.1, gravity=9.81, restitution=0.5)

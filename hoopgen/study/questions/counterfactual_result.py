@@ -19,6 +19,7 @@ from hoopgen.results.shots import Shots
 from hoopgen.scene.lookup import variables_of
 from hoopgen.study.result import Result
 from hoopgen.text.numbers import MINUS, format_count
+from hoopgen.text.shorten import join_names
 from hoopgen.text.tables import table
 
 if TYPE_CHECKING:
@@ -111,7 +112,9 @@ class Counterfactual(Result):
         lines = [self.sentence, "", table(*self._table(), right=[1, 2])]
         proofs = [self.proved, *(change.proved for change in self.changes)]
         if any(one is False for one in proofs):
-            lines += ["", "Not everything is proved: `proved` says what is."]
+            names = ("how the shot ends", *(f"the change of {one.name}" for one in self.changes))
+            open_ = [name for name, one in zip(names, proofs, strict=True) if one is False]
+            lines += ["", f"Not proved: {join_names(open_)}."]
         elif self.proved:
             lines += ["", "Proved in ball arithmetic: the shot itself, and both sides of a change."]
         return "\n".join([*lines, f"scene  {self.scene}"])

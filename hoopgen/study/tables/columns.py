@@ -229,7 +229,7 @@ def variable_of(column: str, scene: CompiledScene = HOOP) -> tuple[str, float | 
         raise ValueError(
             f"column {cut(column)}: {cut(unit)} is no unit of {name}; "
             f"expected {', '.join(allowed)}. "
-            "If it is a column of your own, list it in own"
+            f"If it is a column of your own, list it in own (--own {quote(cut(column))})"
         )
     return "", None
 
@@ -239,7 +239,8 @@ def _no_unit(column: str, variable: str, scene: CompiledScene) -> str:
     *others, last = (column_name(variable, unit) for unit in UNIT_REQUIRED[kind])
     return (
         f"column {cut(column)} has no unit: name it {', '.join(others)} or {last}. "
-        "If it is a column of your own, list it in own; if its name cannot change, say "
+        f"If it is a column of your own, list it in own (--own {quote(cut(column))}); if its "
+        "name cannot change, say "
         f"--column {quote(f'{(others or [last])[0]}={cut(column)}')}"
     )
 

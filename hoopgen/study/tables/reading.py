@@ -147,6 +147,9 @@ class Interpreted:
             )
             invalid.add(listed, why)
             parts.append(given)
+        if not any(len(column) for part in parts for column in part.values()):
+            said = f"where: no row of {table} meets it" if table.where else f"{table} has no rows"
+            raise ValueError(said)
         return {
             name: np.concatenate([one[name] for one in parts]) for name in self.columns
         }, invalid
@@ -238,13 +241,24 @@ def sourced(
         raise ValueError("format, delimiter: a table in memory has none")
     with TemporaryDirectory(prefix="hoopgen-") as folder:
         file = Path(folder, "source.arrow")
-        reader = pa.RecordBatchReader.from_stream(source)
+        try:
+            reader = pa.RecordBatchReader.from_stream(source)
+        except (pa.ArrowInvalid, pa.ArrowTypeError) as error:
+            if not hasattr(source, "assign"):  # it is no frame of pandas
+                raise ValueError(f"source: {brief(str(error))}") from None
+            reader = pa.RecordBatchReader.from_stream(_with_text(source))
         schema = _older(reader.schema)
         with pa.ipc.new_stream(str(file), schema) as stream:
             for batch in reader:
                 # In parts, as of a file: a frame may be one batch, however large it is.
                 stream.write_table(pa.Table.from_batches([batch]).cast(schema), _ROWS_WRITTEN)
         yield reading.source(file, "the table")
+
+
+def _with_text(frame: Any) -> Any:
+    """Return a frame of pandas whose columns of several types are text, empty cells apart."""
+    mixed = [name for name, kind in getattr(frame, "dtypes", {}).items() if kind.kind == "O"]
+    return frame.assign(**{name: frame[name].map(str, na_action="ignore") for name in mixed})
 
 
 def _older(schema: pa.Schema) -> pa.Schema:

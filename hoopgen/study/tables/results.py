@@ -107,7 +107,8 @@ class Results:
         both = sorted({*names} & {*self._kept}, key=names.index)
         if both:
             raise ValueError(
-                f"{self.source}: has columns named like results: {join_names(both)}; give a prefix"
+                f"{self.source}: has columns named like results: {join_names(both)}; give a prefix "
+                "(--prefix)"
             )
         height = caught_at(self.shots.measures, self.shots.catching_height)
         more = {named(name): value for name, value in height.items()}

@@ -912,3 +912,27 @@ def test_a_malformed_row_in_another_encoding_is_one_line(tmp_path: Path) -> None
         "hoopgen: error: t.csv: is not in UTF-8 but, it seems, in Latin-1 or Windows-1252; "
         "save it as UTF-8"
     ]
+
+
+def test_a_frame_with_columns_of_several_types_loses_only_the_rows_without_a_number() -> None:
+    pd = pytest.importorskip("pandas")
+    frame = pd.DataFrame(
+        {
+            "speed_mph": [16.0, "abc", None, 16.2],
+            "elevation_deg": 52.0,
+            "height_ft": 7.0,
+            "distance_ft": 13.75,
+            "note": ["a", 1, None, 2.5],
+        }
+    )
+    found = hoopgen.batch(frame).to_pandas()
+    assert (found["outcome"] == "invalid").tolist() == [False, True, True, False]
+    assert found["note"].iloc[[0, 1, 3]].tolist() == ["a", "1", "2.5"]
+
+
+def test_conditions_that_no_row_meets_are_named(tmp_path: Path) -> None:
+    file = tmp_path / "releases.csv"
+    file.write_text("speed_mph,elevation_deg,player\n16,52,Ann\n")
+    given = ("estimate", "--from", file, "--where", "player == Bea", "--height", "7ft")
+    said = failure(*map(str, (*given, "--distance", "13.75ft", "--shots", "10")))
+    assert f"--where: no row of {file} meets it" in said
