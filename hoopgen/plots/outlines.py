@@ -11,7 +11,8 @@ from matplotlib.colors import to_rgb
 from matplotlib.patches import PathPatch
 from matplotlib.path import Path
 
-from hoopgen.scene.meshes import Mesh, chains, loops
+from hoopgen.scene.mesh_lines import chains, loops
+from hoopgen.scene.meshes import Mesh
 
 from .hoop import drawing_order
 from .views import Points, View

@@ -20,7 +20,8 @@ from hoopgen.core.colours import body_colours, face_colours
 from hoopgen.engine.compiled_scene import CompiledScene
 from hoopgen.results.shots import SURFACES
 from hoopgen.scene.geometry import Body, SceneGeometry
-from hoopgen.scene.meshes import Mesh, chains, clip
+from hoopgen.scene.mesh_lines import chains
+from hoopgen.scene.meshes import Mesh, clip
 
 from .hoop import draw_hoop, drawing_order, scene_corners, scene_points
 from .outlines import (

@@ -67,7 +67,7 @@ def clip(corners: Floats, values: Floats) -> tuple[Floats, Floats, NDArray[np.in
     """Cut triangles where values at their corners are not below 0.
 
     Both triangles of an edge find the same bits for where it is cut. Where a corner's own value is
-    0, or as good as that, what is left may be a line: `loops` passes over it.
+    0, or as good as that, what is left may be a line: `mesh_lines.loops` passes over it.
 
     Parameters
     ----------
@@ -330,52 +330,3 @@ def _slices(corners: Floats, values: Floats) -> Floats:
         if many == 2:
             found.append(np.stack([cuts[0], cuts[2], cuts[3]], 1))
     return np.concatenate(found)
-
-
-def chains(segments: Floats) -> list[Floats]:
-    """Return segments (k, 2, c) chained to lines (n, c) as long as possible."""
-    rows, index = np.unique(segments.reshape(-1, segments.shape[2]), axis=0, return_inverse=True)
-    near: dict[int, set[int]] = {}
-    for a, b in index.reshape(-1, 2).tolist():
-        if a != b:
-            near.setdefault(a, set()).add(b)
-            near.setdefault(b, set()).add(a)
-    found = []
-    # Those that end somewhere first, from there; then those that are closed.
-    for start in sorted(near, key=lambda row: (len(near[row]) % 2 == 0, row)):
-        while near[start]:
-            line = [start]
-            while near[line[-1]]:
-                following = min(near[line[-1]])
-                near[line[-1]].remove(following)
-                near[following].remove(line[-1])
-                line.append(following)
-            found.append(rows[line])
-    return found
-
-
-def loops(corners: Floats) -> list[Floats]:
-    """Return the closed borders of triangles, (k, c) each; shared corners have equal bits."""
-    if not len(corners):
-        return []
-    rows, index = np.unique(corners.reshape(-1, corners.shape[2]), axis=0, return_inverse=True)
-    triangles = index.reshape(-1, 3)
-    # One that is a line has an edge both ways, as if the triangle beside it had a neighbour there.
-    triangles = triangles[(triangles != triangles[:, [1, 2, 0]]).all(axis=1)]
-    starts, stops = triangles.ravel(), triangles[:, [1, 2, 0]].ravel()
-    edges = set(zip(starts.tolist(), stops.tolist(), strict=True))
-    after: dict[int, list[int]] = {}
-    for start, stop in sorted(edges):
-        if (stop, start) not in edges:
-            after.setdefault(start, []).append(stop)
-    found = []
-    while after:
-        start = next(iter(after))
-        line = [start]
-        while line[-1] in after:
-            following = after[line[-1]]
-            line.append(following.pop())
-            if not following:
-                del after[line[-2]]
-        found.append(rows[line])
-    return found

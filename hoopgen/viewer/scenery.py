@@ -14,7 +14,7 @@ from hoopgen.results.shots import Shots
 from hoopgen.results.trajectory import Trajectory
 from hoopgen.scene.engine_pieces import scene_pieces
 from hoopgen.scene.geometry import Body, SceneGeometry
-from hoopgen.scene.meshes import chains, loops
+from hoopgen.scene.mesh_lines import chains, loops
 from hoopgen.scene.upright import acceleration
 
 ROLL_PIECE_DURATION = 2.0**-7

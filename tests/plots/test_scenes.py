@@ -40,7 +40,8 @@ from hoopgen.scene import (
     load_scene,
 )
 from hoopgen.scene.geometry import SceneGeometry
-from hoopgen.scene.meshes import chains, clip, loops
+from hoopgen.scene.mesh_lines import chains, loops
+from hoopgen.scene.meshes import clip
 from hoopgen.scene.upright import upright_along
 from hoopgen.simulation.engine import Engine
 from hoopgen.viewer import page

@@ -788,8 +788,9 @@ def test_without_a_compiler_numpy_serves(
     numpy = [engine.simulate(states, max_contacts=20).state.tobytes() for _ in range(2)]
     (line,) = capsys.readouterr().err.splitlines()
     assert line == (
-        "hoopgen: the C engine of the scene plank was not compiled: no C compiler was found; "
-        "install one, or `pip install ziglang`. NumPy serves, slower."
+        "hoopgen: the C engine of the scene plank was not compiled: no C compiler was found, as "
+        "the environment variable CC is '/nowhere/cc'; install one, or `pip install ziglang`. "
+        "NumPy serves, slower."
     )
     with pytest.raises(
         RuntimeError, match="backend: 'c' of the scene plank was not compiled: no C"

@@ -224,7 +224,7 @@ def test_the_command_reads_outcomes_and_draws_profiles(tmp_path: Path) -> None:
     assert "no column result" in failure(*words, "--made", "result")
     assert "missing --vary" in failure("calibrate", file)
     none = failure(*words, "--where", "speed_mph > 99")
-    assert "no row has both a release and an outcome" in none
+    assert f"--where: no row of {file} meets it" in none
 
 
 @pytest.mark.parametrize(
