@@ -145,10 +145,14 @@ def join(first: Mesh, *others: Mesh) -> Mesh:
     return Mesh(corners, np.concatenate([mesh.rims for mesh in meshes]), np.concatenate(parts))
 
 
+def room_slack(room: Box) -> float:
+    """Return how far a point may be outside of a room by rounding, which no picture shows, m."""
+    return 1e-9 * float((room[1] - room[0]).max())
+
+
 def walls(room: Box) -> list[Bound]:
     """Return the bounds of a room."""
-    low, high = room
-    slack = 1e-9 * float((high - low).max())
+    (low, high), slack = room, room_slack(room)
 
     def wall(axis: int, way: int) -> Bound:
         at = high[axis] if way > 0 else -low[axis]

@@ -19,6 +19,7 @@ from .meshes import (
     flat,
     grid,
     join,
+    room_slack,
     walls,
 )
 from .parsed_shapes import Shape
@@ -208,7 +209,7 @@ def _visible_span(frame: _Frame, radius: float, room: Box) -> tuple[float, float
 
     If that is less than half of the axis in the room, it is the part that may be near the room.
     """
-    slack = 1e-9 * float((room[1] - room[0]).max())
+    slack = room_slack(room)
     whole, axis = (_axis_span(frame, size, room) for size in (radius, 0.0))
     if whole[1] - whole[0] > 0.5 * max(0.0, axis[1] - axis[0]):
         return whole[0] - slack, whole[1] + slack

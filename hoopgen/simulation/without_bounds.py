@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import gzip
 import json
+import sys
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -64,12 +65,19 @@ class LoopWithoutBounds:
         record = {"key": self._key, "scene": scene, "bounds": False, "refused": None}
         record |= {"compiler": "", "width": 0}
         if tools.compiler is None or isinstance(folder, str):
-            return Entry({**record, "refused": ["", ""], "passing": True}, {})
-        announce(f"the scene {scene} is compiled without bounds on errors, for many shots")
-        files = json.loads(gzip.decompress(self.entry.files[SOURCES]))
-        with HOOP.exact_arithmetic():
-            empty = Entry(record, {})
-            return compile_loop(empty, files, self.kernels, tools, folder, bounds=False)
+            why = folder if isinstance(folder, str) else compilers.missing_compiler()
+            refused = [f"of the scene {scene} was not compiled: {why}", ""]
+            made = Entry({**record, "refused": refused, "passing": True}, {})
+        else:
+            announce(f"the scene {scene} is compiled without bounds on errors, for many shots")
+            files = json.loads(gzip.decompress(self.entry.files[SOURCES]))
+            with HOOP.exact_arithmetic():
+                empty = Entry(record, {})
+                made = compile_loop(empty, files, self.kernels, tools, folder, bounds=False)
+        if made.record["refused"]:
+            said = f"the loop without bounds on errors {made.record['refused'][0]}"
+            print(f"hoopgen: {said}. Calls without them stay slower.", file=sys.stderr)
+        return made
 
     def _load(self, entry: Entry) -> native.Library:
         """Return the library of an entry; that with bounds if it has none."""

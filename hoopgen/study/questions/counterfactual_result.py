@@ -113,8 +113,8 @@ class Counterfactual(Result):
         proofs = [self.proved, *(change.proved for change in self.changes)]
         if any(one is False for one in proofs):
             names = ("how the shot ends", *(f"the change of {one.name}" for one in self.changes))
-            open_ = [name for name, one in zip(names, proofs, strict=True) if one is False]
-            lines += ["", f"Not proved: {join_names(open_)}."]
+            without = (name for name, one in zip(names, proofs, strict=True) if one is False)
+            lines += ["", f"Not proved: {join_names(without)}."]
         elif self.proved:
             lines += ["", "Proved in ball arithmetic: the shot itself, and both sides of a change."]
         return "\n".join([*lines, f"scene  {self.scene}"])

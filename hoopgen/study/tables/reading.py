@@ -257,7 +257,7 @@ def sourced(
 
 def _with_text(frame: Any) -> Any:
     """Return a frame of pandas whose columns of several types are text, empty cells apart."""
-    mixed = [name for name, kind in getattr(frame, "dtypes", {}).items() if kind.kind == "O"]
+    mixed = [name for name, kind in frame.dtypes.items() if kind.kind == "O"]
     return frame.assign(**{name: frame[name].map(str, na_action="ignore") for name in mixed})
 
 
