@@ -146,7 +146,7 @@ def join(first: Mesh, *others: Mesh) -> Mesh:
 
 
 def room_slack(room: Box) -> float:
-    """Return how far a point may be outside of a room by rounding, which no picture shows, m."""
+    """Return the distance outside of a room that rounding gives and no picture shows, m."""
     return 1e-9 * float((room[1] - room[0]).max())
 
 
