@@ -18,7 +18,7 @@ from benchmarks.families import REACH, RING, TURN, Floats, back, seeded, spins, 
 from benchmarks.peers import PEERS, Peer
 from benchmarks.workloads import States
 from hoopgen import PAPER
-from hoopgen.core.validation import BackendName
+from hoopgen.core.backend_names import BackendName
 from hoopgen.judge import certify
 
 Bools = NDArray[np.bool_]

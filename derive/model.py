@@ -17,7 +17,8 @@ from .kernels.law import law_kernels
 from .kernels.scene import flight_boxes, scene_kernels
 from .kernels.surface import SurfaceKernels, all_surface_kernels, one_surface_kernels
 from .loop import predicates
-from .loop.stages import Loop, event_loop
+from .loop.event_loop import event_loop
+from .loop.loop import Loop
 from .rolling import contact_phase, endless, friction_limit, second_surface
 from .rolling.symbols import EventCodes
 from .scenes.check import check

@@ -1,5 +1,7 @@
 """The kernels of first-order variations: how a shot changes with its release and its parameters.
 
+At a contact their matrix is called the saltation matrix (Kong et al., Proc. IEEE 112(6), 2024).
+
 They are exact derivatives, apart from the roundings of their own evaluation: of the flight, of the
 time and place of a contact, of the normal there, and of the contact law. The event loop evaluates
 none of them; they follow the events of a shot afterwards. A variation holds at a fixed time, and

@@ -1,92 +1,341 @@
-"""The event loop of a scene as data: its fields, its arguments, and the tree of each stage."""
+"""The event loop (Table 1): the stages of a shot from its release to its end.
+
+There are four stages. `validate` validates the parameters and `start` a release, once each. Then
+`detect` detects the next event and moves the ball there, and `resolve` resolves the event, again
+and again until the shot has an outcome. Between the stages a target does its own work: it fills its
+lanes, writes the log, and stores results.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass, field
-from functools import cached_property
+from collections.abc import Iterator, Sequence, Set
+from itertools import groupby
 
-from ..ir.event_tree import Call, ForEach, Node, check, live_before, needed, walk, without, writes
-from ..ir.kernel import Kind as VariableKind
-from ..state.fields import Field
+from ..events.search import Parts, given, proposed
+from ..ir.event_tree import Call, If, Node, Value, given_as
+from ..motion.air import PIECE_KERNELS
+from ..rolling import stages as contact_stages
+from ..rolling.symbols import EventCodes
+from ..scenes import passage_in_air
+from ..state.fields import REPORTED_ERRORS, Field
+from ..state.shared_kernels import (
+    LoopSurface,
+    SurfaceKind,
+    by_kind,
+    by_law,
+    for_each,
+    on_surface,
+    parameter_variables,
+    take_parameters,
+)
+from .loop import Loop
+from .predicates import GOES_ON
 
-TEMPORARY_BOUNDS = {"earliest_delay": 0.0, "delay": 0.0, "undecided_time": float("inf")}
-"""Error bounds within a stage, with their values in a loop without error bounds."""
 
+def event_loop(
+    common: Parts,
+    contacts: Sequence[LoopSurface],
+    end_planes: Sequence[LoopSurface],
+    fields: Sequence[Field],
+    parameters: Sequence[str],
+    open_ended: bool,
+) -> Loop:
+    """Return the event loop of a scene.
 
-@dataclass(frozen=True)
-class Loop:
-    """The event loop of a scene.
-
-    Attributes
+    Parameters
     ----------
+    common
+        The kernels of the scene, and the decisions.
+    contacts, end_planes
+        The surfaces, and the planes that end a shot, in the order of the indices.
     fields
         The fields of a shot.
-    job
-        The numbers that the caller gives, equal for all shots of a batch.
     parameters
         The variables of the scene's parameters.
-    stages
-        The tree of each stage, by name, in order.
+    open_ended
+        True if the time limit ends every shot, also one that meets nothing any more.
     """
+    return Loop(
+        tuple(fields),
+        ("most_contacts", "time_limit", "claims"),
+        tuple(parameters),
+        {
+            "validate": (
+                *(Call(common["allowed"]), Call(common["parameters_in_range"])),
+                *([Call(common["measure"])] if "measure" in common else []),
+            ),
+            "start": (
+                *([Call(common["begun_with"])] if "begun_with" in common else []),
+                Call(common["state_in_range"]),
+                *_left_surface(common),
+                *_valid(common),
+                *(node for kind in by_kind(contacts) for node in _starting(kind)),
+                Call(common["admitted"]),
+                *([Call(common["started_on_surface"])] if "in_contact" in common else []),
+                *([Call(common["passing_start"])] if "passing" in common else []),
+            ),
+            "detect": tuple(_detect(common, contacts, end_planes, open_ended)),
+            "resolve": tuple(
+                _resolve(common, contacts, end_planes, {field.name for field in fields})
+            ),
+        },
+    )
 
-    fields: tuple[Field, ...]
-    job: tuple[str, ...]
-    parameters: tuple[str, ...]
-    stages: Mapping[str, tuple[Node, ...]] = field(repr=False)
 
-    def __post_init__(self) -> None:
-        known = {*self.job, *self.parameters, *(field.name for field in self.fields)}
-        for nodes in self.stages.values():
-            known = check(nodes, known)
+def _left_surface(common: Parts) -> Iterator[Node]:
+    """Find the surface that the ball leaves, where a body has several."""
+    if "left_surface" in common:
+        yield Call(common["starts_on_body"])
+        yield If("on_body", (Call(common["left_surface"]),), rare=True)
 
-    @property
-    def counts_by_body(self) -> bool:
-        """True if contacts are counted by body where they happen, and not in fields of a shot."""
-        return all(field.name != "count_0" for field in self.fields)
 
-    @cached_property
-    def kinds(self) -> dict[str, VariableKind]:
-        """The type of each field."""
-        written = writes(node for stage in self.stages.values() for node in stage)
-        return {field.name: written.get(field.name, "double") for field in self.fields}
+def _valid(common: Parts) -> Iterator[Node]:
+    """Test whether the ball starts inside a surface, unless it is clearly away from all of them."""
+    if "aside" not in common:
+        yield Call(common["valid"])
+        return
+    yield Call(common["aside"])
+    yield If("close", (Call(common["valid"]),))
 
-    @property
-    def called(self) -> frozenset[str]:
-        """The names of the kernels that the loop evaluates."""
-        nodes = [node for stage in self.stages.values() for node in walk(stage)]
-        groups = [table.groups for table in self.tables if table.groups is not None]
-        tests = (evaluated for group in groups for evaluated in (group.box, group.near))
-        return frozenset(node.kernel.name for node in (*nodes, *tests) if isinstance(node, Call))
 
-    @property
-    def shortcuts(self) -> tuple[Call, ...]:
-        """The evaluations of kernels that a target may put before others."""
-        nodes = (node for stage in self.stages.values() for node in walk(stage))
-        return tuple(call for n in nodes if isinstance(n, Call) for call in n.shortcut)
+def _starting(kind: SurfaceKind) -> Iterator[Node]:
+    """Test whether the ball starts inside any surface of a kind."""
+    if "start" not in kind.first.parts:
+        return
+    apart = {
+        **{f"middle_{axis}": axis for axis in "xyz"},
+        **{f"reach_{axis}": "leeway" for axis in "xyz"},
+    }
+    yield from for_each(
+        kind.contacts,
+        lambda s, index: iter([Call(s.parts["start"], {"index": index})]),
+        apart if kind.first.enclosed else None,
+    )
 
-    @property
-    def tables(self) -> tuple[ForEach, ...]:
-        """The nodes that are executed for each row of a table."""
-        nodes = (node for stage in self.stages.values() for node in walk(stage))
-        return tuple(node for node in nodes if isinstance(node, ForEach))
 
-    @property
-    def plain_values(self) -> dict[str, float]:
-        """The values of the variables that the loop without diagnostic fields never assigns."""
-        fixed = {f.name: f.start for f in self.fields if f.is_diagnostic and f.start is not None}
-        fixed |= TEMPORARY_BOUNDS | {"position_error": 0.0, "velocity_error": 0.0, "claims": 0.0}
-        return fixed
+def _detect(
+    common: Parts,
+    contacts: Sequence[LoopSurface],
+    end_planes: Sequence[LoopSurface],
+    open_ended: bool,
+) -> Iterator[Node]:
+    """Detect the earliest arrival (Eq. 4) and move the ball there (Eq. 3)."""
+    time = len(contacts) + len(end_planes)
+    piece_end = _piece_end(common, contacts, end_planes)
+    expiry = If("limited", (Call(common["expiry"]), *proposed(time)), rare=True)
+    yield Call(common["error_bounds"])
+    yield Call(common["scale"])
+    yield from (Call(common[name]) for name in PIECE_KERNELS if name in common)
+    yield Call(common["opening"])
+    if "piece_end" in common:
+        yield Call(common["piece_end"])
+        yield from proposed(piece_end)
+    yield Call(common["limited"])
+    if "in_contact" in common:
+        yield Call(common["in_contact"])
+    if open_ended:
+        yield expiry
+    # End planes come first: an arrival that is certainly later needs no search.
+    kinds = by_kind(sorted((*end_planes, *contacts), key=lambda s: not s.search.closed))
+    for plates, alike in groupby(kinds, lambda kind: _plate(common, kind)):
+        nodes = [node for kind in alike for node in _on_any(common, kind)]
+        if plates:
+            horizon = Call(common["horizon"], {"t": "when"}, {"horizon": "until"})
+            asked = (horizon, given(common["reachable"], horizon="until"))
+            yield Call(common["released"])
+            yield If("released", asked, rare=True)
+            yield If("reachable", tuple(nodes))
+        else:
+            yield from nodes
+    if not open_ended:
+        yield expiry
+    if "in_contact" in common:
+        yield If(
+            "in_contact", tuple(contact_stages.in_contact(common, contacts, end_planes)), rare=True
+        )
+    if "piece_end" in common:
+        yield Call(common["sinks"], {"index": piece_end})
+    yield Call(common["departed"], {"index": len(contacts)})
+    yield Call(common["body_of"])
+    if "piece_end" in common:
+        yield Call(common[GOES_ON], {"index": piece_end})
+    if "in_contact" in common:
+        # In air the series of rolling stands in the variables of the flight's.
+        put = [Call(common["stays_put"])] if "piece_end" in common else []
+        yield If("in_contact", (Call(common["nothing_happens_yet"]), *put), rare=True)
+    flown = (Call(common["flight"], {"t": "when"}), Call(common["event_clock"]))
+    yield If("moves", (*_passing(common), *flown))
+    yield If("limited", (Call(common["expired"], {"index": time}),), rare=True)
+    if "in_contact" in common:
+        yield Call(common["no_departure"])
+        rests: tuple[Node, ...] = ()
+        if any(surface.search.remembered for surface in contacts):
+            yield Call(common["no_rest"])
+            rests = (Call(common["rest"]),)
+        yield If("in_contact", (*rests, Call(common["stay_in_contact"])), rare=True)
+    yield Call(
+        common["displacement"], {"horizon": "when", "delay": "earliest_delay"}, {"margin": "slack"}
+    )
+    for end_plane in end_planes:
+        kernels = (end_plane.parts.get(part) for part in ("bounds", "reached", "edge"))
+        yield from on_surface(
+            common, end_plane.index, *(Call(kernel) for kernel in kernels if kernel is not None)
+        )
+    yield Call(common["contact_undecided" if "in_contact" in common else "flight_undecided"])
+    yield Call(common["accounted"])
 
-    def plain(self) -> Loop:
-        """Return the loop without diagnostic fields; the trajectory is the same."""
-        fixed = self.plain_values
-        influential = tuple(field for field in self.fields if not field.is_diagnostic)
-        wanted = {field.name for field in influential}
-        stages: dict[str, tuple[Node, ...]] = {}
-        for name, nodes in reversed(list(self.stages.items())):
-            stages[name] = needed(without(nodes, fixed), wanted)
-            wanted |= live_before(stages[name], wanted)
-        stages = dict(reversed(stages.items()))
-        job = tuple(j for j in self.job if j not in fixed)
-        return Loop(influential, job, self.parameters, stages)
+
+def _piece_end(
+    common: Parts, contacts: Sequence[LoopSurface], end_planes: Sequence[LoopSurface]
+) -> int:
+    """Return the index of the end of a piece, after those of all other events."""
+    surfaces = len(contacts) + len(end_planes)
+    return EventCodes(surfaces, 0).piece_end if "in_contact" in common else surfaces + 1
+
+
+def _plate(common: Parts, kind: SurfaceKind) -> bool:
+    """Return True if the ends of a flight can show that it does not come to the only surface."""
+    return "reachable" in common and bool(kind.first.search.apart) and not kind.several
+
+
+def _on_any(common: Parts, kind: SurfaceKind) -> Iterator[Node]:
+    """Propose the first arrival on any surface of a kind."""
+    if "near" in kind.first.parts:
+        yield Call(common["horizon"], {"t": "when"}, {"horizon": "until"})
+        yield Call(common["swept" if kind.several else "half_flight_boxes"], {"horizon": "until"})
+    yield from for_each(kind.contacts, lambda s, index: _arriving(common, s, index), {})
+
+
+def _passing(common: Parts) -> Iterator[Node]:
+    """Test whether the flight goes through the scene's passage, if it has one."""
+    if "passing" not in common:
+        return
+    nodes = (
+        given(common["passing_undecided"], t="when"),
+        Call(common["undecided"]),
+        given(common["passing"], t="when"),
+    )
+    if "passing_near" not in common:
+        yield from nodes
+        return
+    yield Call(common["passing_near"], {"t": "when"})
+    found = (given(common[name], t="when") for name in passage_in_air.KERNELS)
+    yield If("near_disc", (*found, *nodes))
+
+
+def _arriving(common: Parts, surface: LoopSurface, index: Value) -> Iterator[Node]:
+    """Propose the first arrival on a surface, if the flight comes near it."""
+    nodes = surface.search.nodes(common, surface.parts, index)
+    if "near" not in surface.parts:
+        yield from nodes
+        return
+    yield Call(surface.parts["near"], {}, {"near": "reachable"})
+    if "in_contact" in common:
+        yield Call(common["reachable_in_flight"])
+    yield If("reachable", tuple(nodes))
+
+
+def _resolve(
+    common: Parts,
+    contacts: Sequence[LoopSurface],
+    end_planes: Sequence[LoopSurface],
+    fields: Set[str],
+) -> Iterator[Node]:
+    """Give the ball its motion after the contact (Eqs. 7-17), and propagate its errors."""
+    if "piece_end" in common:
+        yield If(GOES_ON, (Call(common["carry_piece"], {"t": "when"}), Call(common["aloft"])))
+    yield Call(common["meeting"])
+    if "in_contact" in common:
+        yield Call(common["slow_at_start"])
+    yield If("meeting", tuple(_contact(common, contacts, end_planes, fields)))
+    if "in_contact" in common:
+        yield from contact_stages.settled(common, contacts, end_planes)
+    timed = Call(common["ends_by_time_limit"], {"index": len(contacts) + len(end_planes)})
+    carried = If("ends_by_time_limit", (Call(common["carry_time"], {"t": "when"}),), rare=True)
+    yield If("limited", (timed, carried), rare=True)
+    if "in_contact" in common:
+        hop = "carry_piece" if "carry_piece" in common else "carry_hop"
+        yield If("hopped", (given(common[hop], t="when"),), rare=True)
+    yield Call(common["closing"])
+    names = ("position_error", "velocity_error", "spin_error", "time_error")
+    claims = dict(zip(names, REPORTED_ERRORS, strict=True))
+    yield If("closed", (Call(common["claimed_errors"], {}, claims),), rare=True)
+
+
+def _contact(
+    common: Parts,
+    contacts: Sequence[LoopSurface],
+    end_planes: Sequence[LoopSurface],
+    fields: Set[str],
+) -> Iterator[Node]:
+    """Evaluate normal, errors and impact at a contact, or at an end."""
+    first, *others = (*end_planes, *contacts)
+    kinds = by_kind(contacts)
+    yield Call(first.parts["normal"])
+    for end_plane in others[: max(0, len(end_planes) - 1)]:
+        yield from on_surface(common, end_plane.index, Call(end_plane.parts["normal"]))
+    for kind in kinds:
+        yield from kind.take_parameters(common)
+        if kind.several:
+            yield from kind.evaluate(common, "normal")
+            for surface in kind.contacts:
+                if counted := _counted(common, surface, fields):
+                    yield from on_surface(common, surface.index, *counted)
+        else:
+            yield from kind.evaluate(common, "normal", *_counted(common, kind.first, fields))
+    yield Call(common["elsewhere"])
+    if "in_contact" in common:
+        yield Call(common["other_start_surface"])
+    for kind in kinds:
+        yield from kind.normal_change(common)
+    yield Call(common["carry_flight"], {"t": "when"}, {"delay": "belated"})
+    yield Call(common["clock_error_sum"], {"delay": "belated"})
+    if end_planes:
+        yield If("ends", (Call(common["error_floor"]),))
+    yield Call(common["no_normal_error"])
+    for kind in kinds:
+        if "carry_root" in kind.first.parts:
+            carried = Call(kind.first.parts["carry_root"])
+            yield from kind.evaluate(common, "root_delay", carried)
+        yield from kind.evaluate(common, "carry_normal")
+    yield from _laws(common, contacts)
+    for kind in kinds:
+        yield from kind.evaluate(common, "place")
+    slowed = (Call(common["leaves_slowly"]),) if "in_contact" in common else ()
+    yield If("touches", (Call(common["touched"]), *slowed))
+
+
+def _counted(common: Parts, surface: LoopSurface, fields: Set[str]) -> list[Call]:
+    """Return the node that counts a contact with a body, if a shot has a field for it."""
+    count = {"count": f"count_{surface.body}"}
+    return [Call(common["counted"], count, count)] if count["count"] in fields else []
+
+
+def _laws(common: Parts, contacts: Sequence[LoopSurface]) -> Iterator[Node]:
+    """Apply the law of the body to the motion and its errors."""
+    groups = by_law(contacts)
+    if len(groups) == 1 and not any(surface.law_sizes for surface in contacts):
+        yield If("touches", tuple(_law(common, contacts[0])), usual=True)
+        return
+    for surfaces in groups:
+        law = surfaces[0].law
+        if "taken" not in law:
+            yield from for_each(
+                surfaces, lambda s, index: on_surface(common, index, *_law(common, s))
+            )
+            continue
+        # Parameters that differ are loaded first: a contact then costs the same on every body.
+        mine, its = (
+            f"struck_{surfaces[0].index}",
+            parameter_variables(law["taken"], law["impact"].name),
+        )
+        yield from take_parameters(common, surfaces, law["taken"], mine, its)
+        yield If(mine, tuple(given_as(node, its) for node in _law(common, surfaces[0])))
+
+
+def _law(common: Parts, surface: LoopSurface) -> Iterator[Call]:
+    if "undecided" in surface.law:
+        yield Call(surface.law["undecided"])
+        yield Call(common["undecided"])
+    yield Call(surface.law["carry"])
+    yield Call(surface.law["impact"])

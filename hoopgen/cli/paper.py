@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING
 import click
 
 import hoopgen
+from hoopgen.core.backend_names import BackendName
 from hoopgen.core.files import write
-from hoopgen.core.validation import BackendName
 from hoopgen.report.provenance import describe_hoop
 from hoopgen.study.questions.settings import Engines
 from hoopgen.text.escape import printable

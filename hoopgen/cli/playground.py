@@ -6,7 +6,7 @@ from pathlib import Path
 
 import click
 
-from hoopgen.core.validation import BackendName
+from hoopgen.core.backend_names import BackendName
 from hoopgen.study.questions.settings import Engines
 from hoopgen.text.escape import printable
 

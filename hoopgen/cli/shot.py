@@ -11,10 +11,10 @@ import click
 import numpy as np
 
 import hoopgen
+from hoopgen.core.backend_names import BackendName
 from hoopgen.core.event_log import Event
 from hoopgen.core.files import FILMS
 from hoopgen.core.units import display_unit
-from hoopgen.core.validation import BackendName
 from hoopgen.report.provenance import describe_scene
 from hoopgen.report.quantities import for_json
 from hoopgen.study.questions.settings import Engines

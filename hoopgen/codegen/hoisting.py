@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 
 from hoopgen.derive.ir import event_tree as ir
 from hoopgen.derive.ir.event_tree import walk
-from hoopgen.derive.loop.stages import Loop
+from hoopgen.derive.loop.loop import Loop
 
 from .identifiers import identifier
 from .program import Operation, Operations, Program

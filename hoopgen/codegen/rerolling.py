@@ -11,7 +11,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from hoopgen.derive.ir.event_tree import Call, walk
-from hoopgen.derive.loop.stages import Loop
+from hoopgen.derive.loop.loop import Loop
 
 from .formatter import Spelling
 from .program import Operation, Program

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 
 from hoopgen.derive.ir.event_tree import Node, live_before, needed
 from hoopgen.derive.ir.kernel import Kind
-from hoopgen.derive.loop.stages import Loop
+from hoopgen.derive.loop.loop import Loop
 from hoopgen.derive.state.fields import Field
 
 Stage = tuple[tuple[Node, ...], set[str]]

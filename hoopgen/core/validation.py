@@ -5,22 +5,13 @@ from __future__ import annotations
 import math
 import os
 from collections.abc import Mapping, Sequence
-from typing import Any, Literal, get_args
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from hoopgen.generated.numpy import hoop
 from hoopgen.text.shorten import brief, join_names, suggestion
-
-BackendName = Literal["auto", "c", "numpy", "cuda"]
-"""Name of a backend: a target that runs in this process, or "auto" for the faster of those on the
-processor. The registry of targets needs SymPy, so that a test compares the names."""
-
-BACKEND_NAMES: tuple[BackendName, ...] = get_args(BackendName)
-RUNTIME_BACKENDS = BACKEND_NAMES[1:]
-"""Names of the targets that run in this process: the faster of those on the processor first, then
-those that are used by name only."""
 
 MAX_CONTACTS = 40
 """Contacts after which a shot is capped by default, as in the article."""

@@ -15,8 +15,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from hoopgen.core.backend_names import RUNTIME_BACKENDS
 from hoopgen.core.parameters import DerivedInputs, Parameters, Table, Value
-from hoopgen.core.validation import RUNTIME_BACKENDS
 from hoopgen.generated.numpy import hoop
 from hoopgen.text.shorten import join_alternatives
 

@@ -17,9 +17,10 @@ import jax.numpy as jnp
 import numpy as np
 from numpy.typing import NDArray
 
+from hoopgen.core.backend_names import BackendName
 from hoopgen.core.memory import check_room
 from hoopgen.core.parameters import complete
-from hoopgen.core.validation import BackendName, check_contacts, check_threads
+from hoopgen.core.validation import check_contacts, check_threads
 from hoopgen.core.variables import STATE
 from hoopgen.scene.lookup import SceneLike
 from hoopgen.simulation.checks import check_backend, check_fields, check_limit

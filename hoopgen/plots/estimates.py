@@ -44,7 +44,7 @@ if TYPE_CHECKING:
     from hoopgen.study.questions.compare import Comparison
     from hoopgen.study.questions.estimate_result import Estimate
     from hoopgen.study.questions.solve import Solution
-    from hoopgen.study.statistics.shares import Shares
+    from hoopgen.study.statistics.outcome_shares import Shares
 
 # Inches.
 _LEFT, _RIGHT, _GAP, _ROW, _BELOW, _ABOVE = 1.05, 0.15, 0.12, 0.27, 0.44, 0.3

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from .errors import SceneError
 from .files import load_scene
-from .inputs import SceneError
 from .limits import Limits
 from .pieces import (
     Box,

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from hoopgen.core.parameters import AIR_DEFAULTS
 from hoopgen.text.shorten import brief
 
-from .inputs import wrong
+from .errors import wrong
 from .pieces import Parameter
 
 AIR_PARAMETERS = (

@@ -42,8 +42,8 @@ from hoopgen.derive.symbolic.symbols import POSITION
 from .bounds import Terms
 from .boxes import PARTS
 from .contact_laws import Contact
+from .errors import SceneError
 from .formulas import Formula
-from .inputs import SceneError
 from .parsed_shapes import RevolvedShape, Shape
 from .revolution_faces import revolution_faces
 from .scene_reader import ParsedScene

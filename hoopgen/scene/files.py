@@ -15,7 +15,7 @@ from hoopgen.text.escape import printable
 from hoopgen.text.shorten import brief, cut, join_names
 
 from . import pieces
-from .inputs import SceneError, wrong
+from .errors import SceneError, wrong
 from .limits import Limits, check_limits, current, use_limits
 from .scene import Scene
 

@@ -15,8 +15,7 @@ from fractions import Fraction
 
 import numpy as np
 
-from hoopgen.text.shorten import brief, join_names
-
+from .errors import SceneError, wrong
 from .formula_parser import read
 from .formulas import Formula, FormulaError, name
 from .limits import current
@@ -26,10 +25,6 @@ NONNEGATIVE_ARGUMENTS = ("restitution", "friction", "tangential")
 
 
 _LONG_QUOTIENT = re.compile(r"(\d+)/(\d{7,})")
-
-
-class SceneError(ValueError):
-    """An error in a scene; it names the scene, the body and the argument."""
 
 
 @dataclass(frozen=True)
@@ -283,20 +278,6 @@ class Inputs:
         return f"{argument} of {owner}: {text}"
 
 
-def wrong(scene: str, owner: str, argument: str, said: object) -> SceneError:
-    """Return the error about an argument of a scene.
-
-    Parameters
-    ----------
-    scene
-        The scene's name, empty if it has none yet.
-    owner, argument, said
-        As for `Inputs.wrong`.
-    """
-    where = ": ".join(filter(None, (scene and f"scene {brief(scene)}", owner, argument)))
-    return SceneError(f"{where}: {said}" if where else str(said))
-
-
 def _stricter(own: Input, asked: Input) -> Input:
     """Return a parameter restricted to what a body allows."""
     order = ("any", "nonnegative", "positive")
@@ -328,16 +309,3 @@ def _free(wanted: str, taken: Mapping[str, Input]) -> str:
     while wanted in taken:
         wanted += "_"
     return wanted
-
-
-def unknown(names: list[str], there: tuple[str, ...]) -> str:
-    """Describe which names are unknown, and which are known.
-
-    Parameters
-    ----------
-    names
-        The unknown names.
-    there
-        The known names.
-    """
-    return f"unknown {join_names(names)}. The names are {join_names(there)}"

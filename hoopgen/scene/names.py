@@ -15,8 +15,8 @@ from hoopgen.core.variables import STATE
 from hoopgen.generated.numpy import hoop
 from hoopgen.text.shorten import brief
 
+from .errors import wrong
 from .formulas import POSITION
-from .inputs import wrong
 from .pieces import Body, Cone, Revolution
 
 PUBLIC = re.compile(r"[a-z][a-z0-9_]*", re.ASCII)

@@ -16,7 +16,8 @@ from hoopgen.core.parameters import ParameterValues, Value
 from hoopgen.text.shorten import brief
 
 from .contact_laws import CONTACT_ARGUMENTS
-from .inputs import Input, unknown, wrong
+from .errors import unknown, wrong
+from .inputs import Input
 from .limits import Limits, check_limits, use_limits
 from .pieces import Body, Direction, End, Parameter, Size
 from .scene_reader import ParsedScene, read_scene

@@ -16,9 +16,10 @@ from .bounds import LinearMap, Map, Terms, bounds, degrees, terms
 from .boxes import read_box
 from .contact_laws import Contact, contact, is_infinite
 from .directions import Vector
+from .errors import wrong
 from .formulas import ONE, POSITION, ZERO, Formula, constant, name
 from .gravity import MAX_INERTIA, MIN_INERTIA, check_rolling, read_gravity
-from .inputs import Input, Inputs, wrong
+from .inputs import Input, Inputs
 from .limits import current
 from .names import check_apart, check_faces, check_name, check_names
 from .oblique_bodies import (

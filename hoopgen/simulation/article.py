@@ -13,8 +13,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from hoopgen.core.backend_names import BackendName
 from hoopgen.core.units import FOOT
-from hoopgen.core.validation import MAX_CONTACTS, BackendName
+from hoopgen.core.validation import MAX_CONTACTS
 from hoopgen.hoop.presets import PAPER
 from hoopgen.results.shots import SURFACES, Outcome, Shots
 from hoopgen.results.trajectory import Trajectory

@@ -6,7 +6,8 @@ import math
 from collections.abc import Iterable
 
 from hoopgen.core.argument_types import is_names
-from hoopgen.core.validation import BACKEND_NAMES, BackendName, check_time_limit
+from hoopgen.core.backend_names import BACKEND_NAMES, BackendName
+from hoopgen.core.validation import check_time_limit
 from hoopgen.engine.compiled_scene import CompiledScene
 from hoopgen.text.shorten import brief, join_alternatives, join_names
 

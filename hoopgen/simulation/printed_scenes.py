@@ -19,8 +19,8 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
+from hoopgen.core.backend_names import RUNTIME_BACKENDS
 from hoopgen.core.garbage import rare_collection
-from hoopgen.core.validation import RUNTIME_BACKENDS
 
 _PACKAGE = Path(__file__).resolve().parent.parent
 

@@ -14,10 +14,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from hoopgen.core.argument_types import check_flag
+from hoopgen.core.backend_names import BackendName
 from hoopgen.core.memory import check_room
 from hoopgen.core.parameters import ParameterValues, Value, resolve
 from hoopgen.core.validation import (
-    BackendName,
     check_contacts,
     check_leaving,
     check_states,
@@ -30,7 +30,7 @@ from hoopgen.engine.cuda import CudaEngine, is_device_array, to_host
 from hoopgen.engine.result_arrays import ResultArrays
 from hoopgen.results.shots import Shots
 
-from .backends import Library, device_states, find_library, host_parameters
+from .backend_choice import Library, device_states, find_library, host_parameters
 from .checks import check_backend, check_fields, check_limit
 from .shot_variations import Variations
 from .variations import NEEDED, check_derivatives

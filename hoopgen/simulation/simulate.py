@@ -7,8 +7,8 @@ from typing import Literal
 
 from numpy.typing import ArrayLike
 
+from hoopgen.core.backend_names import BackendName
 from hoopgen.core.parameters import ParameterValues
-from hoopgen.core.validation import BackendName
 from hoopgen.results.shots import Shots
 from hoopgen.scene.lookup import SceneLike
 

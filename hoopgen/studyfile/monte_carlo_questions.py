@@ -25,8 +25,8 @@ from hoopgen.study.questions.specification import (
     SolveQuestion,
 )
 from hoopgen.study.statistics.distributions import in_brief
+from hoopgen.study.statistics.outcome_shares import Shares
 from hoopgen.study.statistics.sample import SampleInterval
-from hoopgen.study.statistics.shares import Shares
 from hoopgen.study.statistics.tally import contacts_of
 from hoopgen.study.tables.batch_result import Batch
 from hoopgen.text.numbers import (

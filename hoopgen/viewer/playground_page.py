@@ -13,11 +13,11 @@ from importlib.resources import files
 from statistics import NormalDist
 from typing import Any
 
+from hoopgen.core.backend_names import BackendName
 from hoopgen.core.colours import MADE, MISSED, OTHER_OUTCOME_COLOURS
 from hoopgen.core.event_log import Event
 from hoopgen.core.files import PAGES, check_output, write
 from hoopgen.core.units import DEGREE, DISPLAY_UNITS, FOOT, TURN, UNITS
-from hoopgen.core.validation import BackendName
 from hoopgen.engine import web_assembly
 from hoopgen.engine.draws import ARGUMENTS
 from hoopgen.engine.verification import first_primes

@@ -9,8 +9,8 @@ from typing import Any
 
 import numpy as np
 
+from hoopgen.core.backend_names import BackendName
 from hoopgen.core.files import PAGES, check_output
-from hoopgen.core.validation import BackendName
 from hoopgen.simulation.lookup import engine_of
 from hoopgen.simulation.simulate import simulate
 from hoopgen.study.tables.reading import ReadingOptions

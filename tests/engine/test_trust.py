@@ -20,7 +20,7 @@ from hoopgen.generated.numpy import hoop
 import hoopgen
 from hoopgen.core import validation
 from hoopgen.engine import arithmetic, c_build, native, verification
-from hoopgen.simulation import backends
+from hoopgen.simulation import backend_choice
 from hoopgen.simulation import run as run_module
 from hoopgen.simulation.hoop import HOOP, hoop_library, hoop_shots
 from tests.helpers import ROOT, flags
@@ -141,14 +141,14 @@ def test_a_library_for_another_processor_says_that_one_lane_serves(
     assert found.missing_width == 8
     assert verification.available_widths(found, hoop) == [1]
     monkeypatch.setattr(HOOP, "found", found)
-    backends._warn_of_one_lane.cache_clear()
+    backend_choice._warn_of_one_lane.cache_clear()
     for _ in range(2):
         assert hoopgen.simulate(FREE_THROW).outcome[0] == hoopgen.Outcome.MISSED
     assert capsys.readouterr().err == (
         "hoopgen: the C engine of hoop was compiled for a processor with 8 lanes, which this one "
         "has not. One lane serves, slower; install hoopgen again on this machine.\n"
     )
-    backends._warn_of_one_lane.cache_clear()
+    backend_choice._warn_of_one_lane.cache_clear()
 
 
 def test_the_installed_library_is_for_this_processor() -> None:

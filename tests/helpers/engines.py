@@ -11,7 +11,7 @@ from typing import Any
 import pytest
 
 import hoopgen
-from hoopgen.core.validation import RUNTIME_BACKENDS
+from hoopgen.core.backend_names import RUNTIME_BACKENDS
 from hoopgen.engine import elementary, native
 from hoopgen.simulation.hoop import HOOP
 from tests.helpers.host_cuda import HostCuPy, has_compiler, on_host

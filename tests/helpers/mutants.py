@@ -18,7 +18,7 @@ import numpy as np
 import pytest
 from hoopgen.derive import model
 from hoopgen.derive.ir.event_tree import Call, Node
-from hoopgen.derive.loop.stages import Loop
+from hoopgen.derive.loop.loop import Loop
 from hoopgen.derive.scenes.hoop import HOOP
 from hoopgen.derive.scenes.scene import Scene
 from hoopgen.derive.surfaces import Surface

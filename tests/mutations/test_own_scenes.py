@@ -19,7 +19,7 @@ from hoopgen.derive.events.polynomial import PolynomialRootFinder
 from hoopgen.derive.events.root_finder import RootFinder
 from hoopgen.derive.events.root_search import RootSearch
 from hoopgen.derive.ir.event_tree import Call
-from hoopgen.derive.loop import stages
+from hoopgen.derive.loop import event_loop
 from hoopgen.derive.rolling import contact_phase, events, friction_limit, jump, settling
 from hoopgen.derive.rolling import stages as contact_stages
 from hoopgen.derive.scenes.scene import Scene as DerivedScene
@@ -608,7 +608,7 @@ FAULTS = (
     # The branch of friction.
     Planted(
         "whether a contact slips is never in doubt",
-        in_text(stages, "_law", 'if "undecided" in surface.law', 'if "none" in surface.law'),
+        in_text(event_loop, "_law", 'if "undecided" in surface.law', 'if "none" in surface.law'),
         switch,
     ),
     Planted(

@@ -18,8 +18,8 @@ from hoopgen.derive.scenes.hoop import HOOP
 
 import hoopgen
 from hoopgen import AIR, COURT, PAPER, PAPER_AIR, PAPER_COURT, Event, Outcome
+from hoopgen.core.backend_names import BackendName
 from hoopgen.core.parameters import AIR_DEFAULTS, THIN_SHELL
-from hoopgen.core.validation import BackendName
 from tests.helpers.effort import trials
 
 # One worker: the scene is compiled once.

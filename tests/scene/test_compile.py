@@ -28,7 +28,7 @@ from hoopgen.codegen import render
 from hoopgen.core.owned_folders import MARKER, find_store
 from hoopgen.engine import native
 from hoopgen.scene import End, Parameter, Plane, Scene, Sphere, cache, compilers
-from hoopgen.simulation import backends, without_bounds
+from hoopgen.simulation import backend_choice, without_bounds
 from hoopgen.simulation import compile as compiling
 from hoopgen.simulation.engine import Engine
 from hoopgen.text.shorten import brief
@@ -102,7 +102,7 @@ def forget() -> None:
     compiling._ENGINES.clear()
     cache.process_store.cache_clear()
     cache._warn_once.cache_clear()
-    backends._warn_once.cache_clear()
+    backend_choice._warn_once.cache_clear()
 
 
 @pytest.fixture

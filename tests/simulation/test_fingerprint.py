@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 import hoopgen
-from hoopgen.core.validation import BackendName
+from hoopgen.core.backend_names import BackendName
 from hoopgen.simulation.fingerprint import canonical_bytes, fingerprint, fixed_releases
 from hoopgen.simulation.lookup import BUILT_IN, engine_of, scene_from
 from tests.helpers import ROOT

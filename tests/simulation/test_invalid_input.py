@@ -17,7 +17,7 @@ import hoopgen
 from hoopgen import PAPER, Outcome
 from hoopgen.core.parameters import AIR_DEFAULTS, OF_COURT
 from hoopgen.engine import native
-from hoopgen.simulation import backends
+from hoopgen.simulation import backend_choice
 from hoopgen.simulation.hoop import HOOP, hoop_library
 from tests.helpers.engines import Simulate
 from tests.helpers.hoop_shots import Batch
@@ -494,9 +494,9 @@ def test_options_are_given_by_name() -> None:
 def without_library(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
     refused = native.Rejection("was not built", "install again with a C compiler")
     monkeypatch.setattr(HOOP, "found", refused)
-    backends._warn_once.cache_clear()
+    backend_choice._warn_once.cache_clear()
     yield
-    backends._warn_once.cache_clear()
+    backend_choice._warn_once.cache_clear()
 
 
 @pytest.mark.usefixtures("without_library")

@@ -1,7 +1,8 @@
 """The windows of the ring: the times at which a ball can touch it.
 
-At a contact |z| <= R and |rho - R_H| <= R, where R = R_B + R_W. The premise `ring_windows` in
-templates/derivation.md.j2 proves that rounding cuts no such time.
+At a contact |z| <= R and |rho - R_H| <= R, where R = R_B + R_W. The lemma `ring_windows` in
+templates/derivation/ring_search.md.j2 proves that three windows hold every contact, and says by how
+much they are widened for roundings.
 """
 
 from __future__ import annotations

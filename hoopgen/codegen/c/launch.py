@@ -9,8 +9,8 @@ from hoopgen.derive.ir import event_tree as ir
 from hoopgen.derive.ir.event_tree import live_before, needed, writes
 from hoopgen.derive.ir.kernel import Kind
 from hoopgen.derive.loop.launch import REFUSED, SIZE, launched
+from hoopgen.derive.loop.loop import Loop
 from hoopgen.derive.loop.predicates import GOES_ON
-from hoopgen.derive.loop.stages import Loop
 from hoopgen.derive.symbolic.symbols import STATE
 
 from .. import visitors

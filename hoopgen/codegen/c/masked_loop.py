@@ -1,4 +1,7 @@
-"""Lowering the event loop for C: a body is skipped where no lane needs it, else selected."""
+"""Lowering the event loop for C: a body is skipped where no lane needs it, else selected.
+
+This makes statements, with masks of lanes; `formatter.py` and `spelling.py` write them as text.
+"""
 
 from __future__ import annotations
 

@@ -10,7 +10,7 @@ from typing import Any
 from hoopgen.derive.ir import event_tree as ir
 from hoopgen.derive.ir.event_tree import Node, needed, writes
 from hoopgen.derive.ir.kernel import Kind
-from hoopgen.derive.loop.stages import Loop
+from hoopgen.derive.loop.loop import Loop
 from hoopgen.derive.symbolic.conditionals import Boolean
 from hoopgen.derive.symbolic.symbols import STATE
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 
 from hoopgen.derive.ir.event_tree import Call, ForEach, If, Node
-from hoopgen.derive.loop.stages import Loop
+from hoopgen.derive.loop.loop import Loop
 from hoopgen.derive.symbolic.symbols import variable
 
 STAGES = {

@@ -50,9 +50,9 @@ from .explain import Formulas, Line, explain, plainly
 from .latex import number, show
 from .outline import outline
 from .parts import Abbreviations, SearchText, SurfaceText, known, search_text, surface_text
-from .premise_texts import KernelText, PremiseText, premise_texts
 from .premises import PREMISES, stated
 from .scene_notation import SceneNotation
+from .shown_premises import ShownKernel, ShownPremise, shown_premises
 
 
 @dataclass(frozen=True)
@@ -124,8 +124,8 @@ class PageData:
     returns: bool
     displacement: Formulas
     outline: str
-    kernels: Mapping[str, KernelText]
-    premises: Mapping[str, PremiseText]
+    kernels: Mapping[str, ShownKernel]
+    premises: Mapping[str, ShownPremise]
     series: tuple[SymbolText, ...]
     falls: bool
     turned: bool
@@ -155,12 +155,12 @@ class PageData:
 
 def _kernel(
     kernel: Kernel, names: Mapping[sp.Basic, str], words: frozenset[str], notation: SceneNotation
-) -> KernelText:
+) -> ShownKernel:
     outputs = {
         RESULTS.get((kernel.name, name)) or latex_name(name, words): e for name, e in kernel.outputs
     }
     formulas = explain(outputs, names, notation)
-    return KernelText(kernel.name, formulas, kernel.summary, kernel.equation)
+    return ShownKernel(kernel.name, formulas, kernel.summary, kernel.equation)
 
 
 def _arguments(model: Model) -> tuple[SymbolText, ...]:
@@ -186,7 +186,7 @@ def _arguments(model: Model) -> tuple[SymbolText, ...]:
     )
 
 
-def _kernels(model: Model, notation: SceneNotation) -> dict[str, KernelText]:
+def _kernels(model: Model, notation: SceneNotation) -> dict[str, ShownKernel]:
     """Return the formulas of all kernels, in the names that the searches define."""
     texts = {}
     for made in (*model.surfaces, *model.end_planes):
@@ -203,7 +203,7 @@ def _kernels(model: Model, notation: SceneNotation) -> dict[str, KernelText]:
     return texts
 
 
-def _links(premises: Mapping[str, PremiseText]) -> dict[str, str]:
+def _links(premises: Mapping[str, ShownPremise]) -> dict[str, str]:
     return {k: link for premise in premises.values() for k, link in premise.links.items()}
 
 
@@ -328,7 +328,7 @@ def derivation_context(model: Model, reference: PageData | None = None) -> PageD
     flown = (f"{left}(t)" for left in (*AXES, *(f"v_{axis}" for axis in AXES)))
     kernels = _kernels(model, notation)
 
-    premises = premise_texts(
+    premises = shown_premises(
         stated(model),
         kernels,
         reference.premises if reference else {},

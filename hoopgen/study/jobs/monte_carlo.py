@@ -10,8 +10,8 @@ import numpy as np
 import pyarrow as pa
 from numpy.typing import NDArray
 
+from hoopgen.core.backend_names import BackendName
 from hoopgen.core.parameters import ParameterValues
-from hoopgen.core.validation import BackendName
 from hoopgen.core.variables import STATE, Releases, is_state
 from hoopgen.engine.compiled_scene import CompiledScene
 from hoopgen.results.shots import Outcome, Shots

@@ -32,7 +32,7 @@ from hoopgen.study.models.scatter import Scatter
 from hoopgen.study.statistics.tally import check_scene, check_share
 
 from .bank import WAYS, bank_or_direct
-from .coach import default_player
+from .default_player import default_player
 
 Floats = NDArray[np.float64]
 

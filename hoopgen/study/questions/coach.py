@@ -17,9 +17,9 @@ from numpy.typing import NDArray
 
 from hoopgen.core.argument_types import check_arguments
 from hoopgen.core.parameters import ParameterValues
-from hoopgen.core.units import DEGREE, FOOT, INCH, TURN, UNITS
+from hoopgen.core.units import DEGREE, INCH, UNITS
 from hoopgen.hoop.aiming import flown_distance
-from hoopgen.hoop.court_places import Place, find_place
+from hoopgen.hoop.court_places import find_place
 from hoopgen.scene.lookup import SceneLike, check_hoop
 from hoopgen.study.jobs.monte_carlo import ResolvedSetting, setting_of
 from hoopgen.study.models.fitted_scatter import FittedScatter
@@ -30,26 +30,10 @@ from hoopgen.text.shorten import brief
 
 from .coach_result import PARTS, Advice, Coaching
 from .compare import Comparison, compare
+from .default_player import PROVENANCE, throws_of_default_player
 from .solve import solve
 
 Floats = NDArray[np.float64]
-
-HEIGHT, BACKSPIN, ELEVATION, AIM = 7.0 * FOOT, 3.0 * TURN, 52.0 * DEGREE, 2.0 * INCH
-
-PLAYER: Mapping[str, float] = {
-    "speed": 0.07,
-    "elevation": 1.3 * DEGREE,
-    "azimuth": 1.0 * DEGREE,
-    "backspin": 0.3 * TURN,
-}
-"""Standard deviations of the default player, before all are scaled to a share of made shots."""
-
-PROVENANCE = (
-    "The default player: a release 7 ft up at 52 degrees with 180 rpm of backspin, through a point "
-    "2 in past the ring's centre. The spreads are in the proportions 0.07 m/s, 1.3 degrees and 1.0 "
-    "degree, within those that Slegers, Lee and Wong (2021) measured of free throws in speed and "
-    "angle; left-right and the spin's 18 rpm are assumed. All are scaled alike to the share made."
-)
 
 _MODELS, _TOGETHER = 100, 25
 """Scatters that a fitted one allows, of which each change is tried."""
@@ -112,7 +96,7 @@ def coach(
     given = player.model if isinstance(player, FittedScatter) else player
     if given is None:
         where = find_place("free throw" if place is None else place, setting.parameters)
-        given, provenance = _default(where), PROVENANCE
+        given, provenance = throws_of_default_player(where), PROVENANCE
         makes = 0.7 if makes is None else makes
     elif not isinstance(given, Scatter):
         raise TypeError(f"player: expected a Scatter or what Scatter.fit gives, got {brief(given)}")
@@ -172,39 +156,6 @@ def coach(
         setting.parameters,
         scene,
     )
-
-
-def default_player(
-    makes: float,
-    parameters: ParameterValues,
-    *,
-    scene: SceneLike = None,
-    seed: int = 0,
-    threads: int | None = None,
-) -> Scatter:
-    """Return the default player, whose spread is scaled to a share of free throws made.
-
-    Parameters
-    ----------
-    makes
-        The share of free throws that go in, from 0 to 1.
-    parameters
-        Parameters of the hoop by name, SI.
-    seed
-        The seed of the random numbers.
-    threads
-        The number of threads; None is one for each processor.
-    """
-    throws = _default(find_place("free throw", parameters))
-    share = check_share("makes", makes)
-    found = solve(throws, share, parameters, scene=scene, seed=seed, threads=threads)
-    assert isinstance(found.model, Scatter)
-    return found.model
-
-
-def _default(where: Place) -> Scatter:
-    release = {"height": HEIGHT, "backspin": BACKSPIN, "elevation": ELEVATION, "aim": AIM}
-    return Scatter({**release, **where.variables}, PLAYER)
 
 
 Change = Callable[[Scatter], Scatter]

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hoopgen.core.argument_types import check_arguments
-from hoopgen.core.validation import BackendName
+from hoopgen.core.backend_names import BackendName
 from hoopgen.report.provenance import footer
 from hoopgen.report.quantities import for_json
 from hoopgen.scene.lookup import SceneLike
@@ -29,8 +29,8 @@ from hoopgen.study.models.release_model import is_still
 from hoopgen.study.models.resample import Resample
 from hoopgen.study.result import SharesOfShots
 from hoopgen.study.statistics.intervals import newcombe_apart, newcombe_interval
+from hoopgen.study.statistics.outcome_shares import Shares
 from hoopgen.study.statistics.sample import Rows, SampleInterval, difference_of_rows, say_difference
-from hoopgen.study.statistics.shares import Shares
 from hoopgen.study.statistics.tally import check_share, contacts_of, width_of
 from hoopgen.text.numbers import format_percent, format_points, percent_decimals
 from hoopgen.text.shorten import brief

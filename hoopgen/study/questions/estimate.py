@@ -8,8 +8,8 @@ from os import PathLike
 from typing import TypedDict, Unpack, overload
 
 from hoopgen.core.argument_types import check_arguments
+from hoopgen.core.backend_names import BackendName
 from hoopgen.core.parameters import ParameterValues
-from hoopgen.core.validation import BackendName
 from hoopgen.core.variables import check_names
 from hoopgen.scene.lookup import SceneLike, check_hoop
 from hoopgen.simulation.engine import Engine
@@ -22,7 +22,7 @@ from hoopgen.study.models.random import check_seed
 from hoopgen.study.models.release_model import ReleaseModel
 from hoopgen.study.models.scatter import Scatter
 from hoopgen.study.statistics.fitted_sample import sample_of_fit
-from hoopgen.study.statistics.shares import Shares
+from hoopgen.study.statistics.outcome_shares import Shares
 from hoopgen.study.statistics.tally import check_share, contacts_of
 
 from .estimate_result import Estimate, estimated

@@ -29,8 +29,8 @@ from hoopgen.study.statistics.distributions import (
     width_of,
 )
 from hoopgen.study.statistics.intervals import wilson_interval
+from hoopgen.study.statistics.outcome_shares import Shares, shares_of
 from hoopgen.study.statistics.sample import Rows, SampleInterval, say_sample
-from hoopgen.study.statistics.shares import Shares, shares_of
 from hoopgen.study.statistics.tally import Tally
 from hoopgen.text.numbers import format_interval, format_percent, format_uncertain, percent_decimals
 

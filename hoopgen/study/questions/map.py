@@ -13,9 +13,10 @@ import xarray as xr
 from numpy.typing import ArrayLike, NDArray
 
 from hoopgen.core.argument_types import check_arguments
+from hoopgen.core.backend_names import BackendName
 from hoopgen.core.memory import check_room
 from hoopgen.core.parameters import ParameterValues
-from hoopgen.core.validation import BackendName, as_doubles, check_count
+from hoopgen.core.validation import as_doubles, check_count
 from hoopgen.core.variables import Variable, check_names
 from hoopgen.hoop.variables import check_angles
 from hoopgen.scene.lookup import STATES, SceneLike, variables_of

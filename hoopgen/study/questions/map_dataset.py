@@ -28,7 +28,7 @@ from hoopgen.simulation.engine import Engine
 from hoopgen.study.models.requirements import alike, scene_by_row
 from hoopgen.study.models.resample import Resample
 from hoopgen.study.statistics.intervals import wilson_interval
-from hoopgen.study.statistics.shares import INVALID
+from hoopgen.study.statistics.outcome_shares import INVALID
 from hoopgen.study.statistics.tally import Tally
 from hoopgen.text.numbers import format_percent
 

@@ -11,7 +11,7 @@ from functools import cache, partial
 from os import PathLike
 from typing import Any, TypeAlias, get_type_hints
 
-from hoopgen.core.validation import BACKEND_NAMES, BackendName
+from hoopgen.core.backend_names import BACKEND_NAMES, BackendName
 from hoopgen.hoop.releases import CATCHING_HEIGHT
 
 from .values import (

@@ -21,8 +21,8 @@ from numpy.typing import NDArray
 from scipy.optimize import brentq
 
 from hoopgen.core.argument_types import check_arguments
+from hoopgen.core.backend_names import BackendName
 from hoopgen.core.parameters import ParameterValues
-from hoopgen.core.validation import BackendName
 from hoopgen.report.quantities import for_json
 from hoopgen.scene.lookup import SceneLike
 from hoopgen.simulation.engine import Engine
@@ -43,7 +43,7 @@ from hoopgen.study.models.resample import Resample
 from hoopgen.study.models.scatter import Scatter
 from hoopgen.study.result import SharesOfShots
 from hoopgen.study.statistics.intervals import wilson_interval
-from hoopgen.study.statistics.shares import Shares
+from hoopgen.study.statistics.outcome_shares import Shares
 from hoopgen.study.statistics.tally import blocks, check_share, contacts_of
 from hoopgen.text.numbers import format_count, format_percent, percent_decimals
 from hoopgen.text.shorten import brief

@@ -11,7 +11,7 @@ import numpy as np
 import pyarrow as pa
 from numpy.typing import NDArray
 
-from hoopgen.core.validation import BackendName
+from hoopgen.core.backend_names import BackendName
 from hoopgen.hoop.kinds import kinds
 from hoopgen.results.shots import Shots
 from hoopgen.simulation.engine import Engine

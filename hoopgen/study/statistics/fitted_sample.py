@@ -13,7 +13,7 @@ from typing import Any, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from hoopgen.core.validation import BackendName
+from hoopgen.core.backend_names import BackendName
 from hoopgen.results.shots import Outcome
 from hoopgen.simulation.simulate import simulate
 from hoopgen.study.models.fitted_scatter import FittedScatter

@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from hoopgen.core.validation import BackendName
+from hoopgen.core.backend_names import BackendName
 from hoopgen.engine.compiled_scene import CompiledScene
 from hoopgen.report.quantities import for_json
 from hoopgen.simulation.simulate import simulate

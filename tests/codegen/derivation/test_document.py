@@ -46,8 +46,8 @@ from hoopgen.codegen.derivation import Formulas, Line, derivation_context, expla
 from hoopgen.codegen.derivation.contacts import contact_text
 from hoopgen.codegen.derivation.latex import number, show
 from hoopgen.codegen.derivation.parts import Abbreviations, search_text, surface_text
-from hoopgen.codegen.derivation.premise_texts import FAMILY
 from hoopgen.codegen.derivation.scene_notation import SceneNotation
+from hoopgen.codegen.derivation.shown_premises import FAMILY
 from hoopgen.codegen.program import lower
 from tests.codegen.test_kernels import DIGITS, Evaluator, model
 from tests.helpers import ROOT
@@ -396,9 +396,12 @@ def test_another_scene_has_a_page_of_its_own() -> None:
     assert ends is not None
 
 
-@pytest.mark.parametrize("name", ["derivation.md.j2", "summary.md.j2"])
-def test_nothing_is_typed_in_the_template_that_derive_has(name: str) -> None:
-    template = Path(render.__file__).parents[2] / "templates" / name
+PAGES = Path(render.__file__).parents[2] / "templates"
+PAGE_TEMPLATES = sorted([*PAGES.glob("*.md.j2"), *PAGES.glob("derivation/*.md.j2")])
+
+
+@pytest.mark.parametrize("template", PAGE_TEMPLATES, ids=lambda file: file.name)
+def test_nothing_is_typed_in_the_template_that_derive_has(template: Path) -> None:
     typed = re.sub(r"\{\{.*?\}\}|\{%.*?%\}", "", template.read_text(encoding="utf-8"))
     assert not re.search(r"2\^|10\^|\^\{-\d\d", typed), "a power is a constant"
     own = {p.latex for p in model().scene.parameters if len(p.latex) > 1}

@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from hoopgen.derive.ir.event_tree import Call, If, While, reads, walk, writes
-from hoopgen.derive.loop.stages import TEMPORARY_BOUNDS
+from hoopgen.derive.loop.loop import TEMPORARY_BOUNDS
 from hoopgen.derive.model import Model, build
 from hoopgen.derive.scenes.hoop import HOOP
 from hoopgen.generated.numpy import hoop

@@ -7,8 +7,8 @@ from collections.abc import Mapping
 from functools import cache
 from typing import Any
 
+from hoopgen.core.backend_names import BackendName
 from hoopgen.core.parameters import ParameterValues
-from hoopgen.core.validation import BackendName
 from hoopgen.engine import native
 from hoopgen.engine.compiled_scene import CompiledScene
 from hoopgen.engine.cuda import CudaEngine, to_host

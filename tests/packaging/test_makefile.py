@@ -100,7 +100,7 @@ def test_a_test_scales_if_anything_that_it_uses_does(tmp_path: Path) -> None:
         """
 from tests.helpers import ROOT
 from tests.helpers.effort import trials
-from tests.packaging import test_targets
+from tests.packaging import test_makefile
 from tests.derive.events import test_ring as other
 
 ROWS = trials(100)

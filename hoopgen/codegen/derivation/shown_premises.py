@@ -26,7 +26,7 @@ def anchor(heading: str) -> str:
 
 
 @dataclass(frozen=True)
-class KernelText:
+class ShownKernel:
     """A kernel's formulas, summary and source."""
 
     name: str
@@ -34,7 +34,7 @@ class KernelText:
     summary: str
     equation: str
 
-    def says_as(self, other: KernelText) -> bool:
+    def says_as(self, other: ShownKernel) -> bool:
         """Return whether another kernel has the same formulas, made of the same objects."""
         own, others = (
             (k.formulas.lines, k.formulas.where, k.summary, k.equation) for k in (self, other)
@@ -43,7 +43,7 @@ class KernelText:
 
 
 @dataclass(frozen=True)
-class PremiseText:
+class ShownPremise:
     """A premise, and the kernels that rest on it.
 
     Attributes
@@ -87,12 +87,12 @@ class PremiseText:
         return found | {name: f"`{name}`" for name in self.omitted}
 
 
-def premise_texts(
+def shown_premises(
     stated: Mapping[str, tuple[str, ...]],
-    kernels: Mapping[str, KernelText],
-    reference: Mapping[str, PremiseText],
-    known: Mapping[str, KernelText],
-) -> dict[str, PremiseText]:
+    kernels: Mapping[str, ShownKernel],
+    reference: Mapping[str, ShownPremise],
+    known: Mapping[str, ShownKernel],
+) -> dict[str, ShownPremise]:
     """Return the premises of a page; lemmas and choices are numbered together.
 
     Parameters
@@ -105,7 +105,7 @@ def premise_texts(
         The premises and the kernels of the page to link instead of repeating it, if there is one.
         The numbers of further premises follow those of its own.
     """
-    texts: dict[str, PremiseText] = {}
+    texts: dict[str, ShownPremise] = {}
     count = sum(text.label != DEFINITION for text in reference.values())
     for key, names in stated.items():
         premise, there = PREMISES[key], reference.get(key)
@@ -122,5 +122,5 @@ def premise_texts(
         omitted = tuple(name for name, order in orders.items() if order and int(order[1]) > 1)
         own = tuple(name for name in names if name not in (*linked, *omitted))
         file = REFERENCE_FILE if there else ""
-        texts[key] = PremiseText(label, premise.title, file, own, linked, omitted)
+        texts[key] = ShownPremise(label, premise.title, file, own, linked, omitted)
     return texts
