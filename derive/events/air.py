@@ -14,7 +14,8 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from ..motion.air import AirFlight, piece_acceleration, piece_jerk
+from ..motion.air import AirFlight
+from ..motion.air_series import piece_acceleration, piece_jerk
 from ..surfaces import Surface
 from ..symbolic.conditionals import IfLess, Less, Not, absolute, barrier, maximum, minimum
 from ..symbolic.polynomials import Coefficients, compose

@@ -25,11 +25,11 @@ from collections.abc import Iterable, Sequence
 
 import sympy as sp
 
-from ..motion.air import (
+from ..motion.air import AirFlight
+from ..motion.air_series import (
     DOUBLE_SERIES,
     SINGLE_SERIES,
     TUBE,
-    AirFlight,
     Series,
     piece_extent,
     piece_jerk,

@@ -13,8 +13,9 @@ from ..events import bounding_boxes, event_polynomials
 from ..events.air import over_budget
 from ..events.predicates import excess
 from ..ir.kernel import Kernel, decision, kernel
-from ..motion.air import FIRST_SINGLE, ORDER, SHORT, SINGLE_SERIES, AirFlight
+from ..motion.air import AirFlight
 from ..motion.air_piece import piece
+from ..motion.air_series import FIRST_SINGLE, ORDER, SHORT, SINGLE_SERIES
 from ..scenes import sinking, validity
 from ..scenes.scene import Scene
 from ..symbolic import error_terms

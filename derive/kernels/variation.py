@@ -21,7 +21,8 @@ from ..contact.law import Law
 from ..errors import derivative
 from ..events.search import Formula
 from ..ir.kernel import Kernel, kernel
-from ..motion.air import ORDER, PLAIN_SERIES, AirFlight
+from ..motion.air import AirFlight
+from ..motion.air_series import ORDER, PLAIN_SERIES
 from ..scenes.scene import Scene
 from ..surfaces import EndPlane, Surface
 from ..symbolic.conditionals import barrier

@@ -13,7 +13,7 @@ from itertools import groupby
 
 from ..events.search import Parts, given, proposed
 from ..ir.event_tree import Call, If, Node, Value, given_as
-from ..motion.air import PIECE_KERNELS
+from ..motion.air_series import PIECE_KERNELS
 from ..rolling import stages as contact_stages
 from ..rolling.symbols import EventCodes
 from ..scenes import passage_in_air

@@ -26,207 +26,46 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from typing import NamedTuple
 
 import sympy as sp
 
-from ..symbolic.conditionals import Choose, Less, absolute, barrier, barrier_all
+from ..symbolic.conditionals import Choose, Less, absolute, barrier
 from ..symbolic.error_terms import dv, dw, dx
 from ..symbolic.polynomials import Coefficients, derivative, horner, nested
 from ..symbolic.rounding import Rounded, extent, position_error, velocity_error
-from ..symbolic.symbols import POSITION, VELOCITY, spin, t, velocity
+from ..symbolic.symbols import POSITION, VELOCITY, t, velocity
+from .air_forces import AirConstants
+from .air_series import (
+    AIRSPEEDS,
+    BOUNDS,
+    CARRIED_SHARE,
+    DOUBLE_SERIES,
+    ORDER,
+    RATES,
+    SHORT,
+    SINGLE_SERIES,
+    SKETCH_TERMS,
+    TAIL,
+    TUBE,
+    VELOCITIES,
+    Series,
+    drag_rate,
+    free_fall,
+    growth,
+    inverse_airspeed,
+    latest_last,
+    magnus_rate,
+    piece,
+    piece_acceleration,
+    piece_jerk,
+    piece_place_error,
+    piece_speed,
+    piece_speed_error,
+    tail_lost,
+    total,
+    unproved,
+)
 from .flight import Flight, SurfaceForce
-
-ORDER = 15
-"""Degree of the velocity in time. The piece's root is then of degree 16: four square roots."""
-
-FIRST_SINGLE = 9
-"""The first order of which the coefficients of σ, and the next of the velocity, are computed in
-single precision."""
-
-SKETCH_TERMS = 5
-"""Number of the terms of the velocity in a sketch of the path."""
-
-TUBE = sp.Rational(1, 2**10)
-"""Largest error of the velocity for which the bound is proved, m/s."""
-
-CARRIED_SHARE = sp.Rational(1, 4)
-"""Share of a piece's errors that is carried. They are proved bounds, unlike roundings that are
-carried with the sign that makes errors grow, and decisions allow for 16 times what is carried."""
-
-PI = sp.floor(sp.pi * 2**51) / sp.Integer(2) ** 51
-"""The greatest double below π, within 2 u of it."""
-
-drag_rate = sp.Symbol("drag_rate", nonnegative=True)
-"""k_d, 1/m."""
-magnus_rate = sp.Matrix(sp.symbols("magnus_rate_x magnus_rate_y magnus_rate_z", real=True))
-"""Ω, 1/s."""
-free_fall = sp.symbols("free_fall_x free_fall_y free_fall_z", real=True)
-"""g_e, m/s²."""
-piece = sp.Symbol("piece", positive=True)
-"""Length of a piece, s."""
-growth = sp.Symbol("growth", positive=True)
-"""G, by which an error of the velocity grows at most within a piece."""
-piece_place_error, piece_speed_error = sp.symbols(
-    "piece_place_error piece_speed_error", nonnegative=True
-)
-"""Bounds on the errors of position and velocity that a piece adds, m and m/s."""
-unproved = sp.Symbol("unproved", nonnegative=True)
-"""Infinite if no bound is proved for a piece, else zero."""
-piece_speed, piece_acceleration, piece_jerk = sp.symbols(
-    "piece_speed piece_acceleration piece_jerk", nonnegative=True
-)
-"""Bounds within a piece: on the size of the velocity, on that of the acceleration, and on that of
-the second derivative of the velocity's series."""
-
-AIRSPEEDS = sp.symbols(f"airspeed_0:{ORDER + 1}", real=True)
-"""σ_0 to σ_P."""
-inverse_airspeed = sp.Symbol("inverse_airspeed", nonnegative=True)
-"""1/σ_0, s/m."""
-VELOCITIES = (
-    velocity,
-    *(
-        sp.Matrix([sp.Symbol(f"{s.name}_{k}", real=True) for s in VELOCITY])
-        for k in range(1, ORDER + 1)
-    ),
-)
-"""V_0 to V_P."""
-
-TAIL = (
-    *AIRSPEEDS[FIRST_SINGLE:],
-    *(v for vector in VELOCITIES[FIRST_SINGLE + 1 :] for v in vector),
-)
-"""The coefficients that are computed in single precision."""
-
-SHORT: dict[sp.Symbol, sp.Symbol] = {
-    symbol: sp.Symbol(f"short_{symbol.name}", real=True)
-    for symbol in (
-        *(v for vector in VELOCITIES[: FIRST_SINGLE + 1] for v in vector),
-        *(*AIRSPEEDS[:FIRST_SINGLE], inverse_airspeed, drag_rate, *magnus_rate),
-    )
-}
-"""By the other coefficients and the rates, the symbols of these in single precision."""
-
-
-class Series(NamedTuple):
-    """The symbols of the coefficients of a piece by order, and those of the rates."""
-
-    velocities: tuple[sp.Matrix, ...]
-    airspeeds: tuple[sp.Symbol, ...]
-    drag_rate: sp.Symbol
-    magnus_rate: sp.Matrix
-    inverse: sp.Expr
-    """1/σ_0."""
-
-
-DOUBLE_SERIES = Series(VELOCITIES, AIRSPEEDS, drag_rate, magnus_rate, inverse_airspeed)
-"""Coefficients and rates as they are computed."""
-
-PLAIN_SERIES = DOUBLE_SERIES._replace(inverse=1 / AIRSPEEDS[0])
-"""The same, and 1/σ_0 as a function of σ_0."""
-
-SINGLE_SERIES = Series(
-    tuple(vector.applyfunc(lambda s: SHORT.get(s, s)) for vector in VELOCITIES),
-    tuple(SHORT.get(s, s) for s in AIRSPEEDS),
-    SHORT[drag_rate],
-    magnus_rate.applyfunc(lambda s: SHORT[s]),
-    SHORT[inverse_airspeed],
-)
-"""All of them in single precision."""
-
-tail_lost = sp.Symbol("tail_lost", nonnegative=True)
-"""Infinite if a coefficient does not fit into single precision, else zero."""
-
-piece_rest = sp.Symbol("piece_rest", nonnegative=True)
-"""Bound on the size of all terms of the velocity from the order `SKETCH_TERMS` on, m/s."""
-
-piece_extent = sp.Symbol("piece_extent", nonnegative=True)
-"""Bound on the sum of the coordinates' sizes within a piece, m."""
-
-BOUNDS = (
-    *(piece, growth, piece_place_error, piece_speed_error, unproved),
-    *(piece_speed, piece_acceleration, piece_jerk, piece_rest, piece_extent),
-)
-"""The length of a piece, and bounds within it."""
-
-_RATES = (drag_rate, *magnus_rate, *free_fall)
-
-SERIES_KERNELS = (
-    *("air_rates", *(f"air_order_{k}" for k in range(FIRST_SINGLE)), "air_short"),
-    *(*(f"air_order_{k}" for k in range(FIRST_SINGLE, ORDER + 1)), "air_tail", "piece"),
-)
-"""The names of the kernels of a piece's series, in order."""
-
-PIECE_KERNELS = (*SERIES_KERNELS, "piece_excess")
-"""The names of the kernels that begin a piece of a shot, in order."""
-
-
-@dataclass(frozen=True)
-class AirConstants:
-    """The parameters of the motion through air: expressions in SI units.
-
-    Attributes
-    ----------
-    ball_radius, ball_mass
-        R and m, m and kg.
-    air_density
-        ϱ, kg/m³.
-    drag_coefficient, lift_coefficient
-        C_d and C_m.
-    smoothing_speed
-        v_s, m/s.
-    """
-
-    ball_radius: sp.Expr
-    ball_mass: sp.Expr
-    air_density: sp.Expr
-    drag_coefficient: sp.Expr
-    lift_coefficient: sp.Expr
-    smoothing_speed: sp.Expr
-
-    @property
-    def _half_column(self) -> sp.Expr:
-        """ϱ A / 2m, 1/m."""
-        area = barrier(PI * barrier(self.ball_radius**2))
-        return barrier(barrier(self.air_density * area) / barrier(2 * self.ball_mass))
-
-    @property
-    def drag(self) -> sp.Expr:
-        """k_d, 1/m."""
-        return barrier(self.drag_coefficient * self._half_column, "k_d")
-
-    @property
-    def rotation(self) -> sp.Matrix:
-        """Ω, 1/s."""
-        return barrier_all(self.lift_per_spin * spin, [rf"\Omega_{axis}" for axis in "xyz"])
-
-    @property
-    def buoyancy(self) -> sp.Expr:
-        """Share of the weight that the air carries."""
-        return barrier(barrier(self._half_column * self.ball_radius) * sp.Rational(8, 3))
-
-    @property
-    def lift_per_spin(self) -> sp.Expr:
-        """k_m, the Magnus rate by the spin, a plain number."""
-        return barrier(barrier(self.ball_radius * self._half_column) * self.lift_coefficient)
-
-
-def total(terms: Sequence[sp.Expr]) -> sp.Expr:
-    """Return the sum of terms, which are all computed before."""
-    return barrier(sp.Add(*terms))
-
-
-def latest_last(known: Sequence[sp.Expr], latest: sp.Expr) -> sp.Expr:
-    """Return the sum of terms of which one is known later than the others, and is added last.
-
-    Parameters
-    ----------
-    known
-        The others.
-    latest
-        The term that is known last.
-    """
-    return barrier(total(known) + latest) if known else latest
 
 
 @dataclass(frozen=True)
@@ -249,13 +88,13 @@ class AirFlight(Flight):
     @property
     def symbols(self) -> tuple[sp.Symbol, ...]:
         """The coefficients of a piece, its length and bounds, and the rates of the forces."""
-        series, rates = self.coefficients[: -len(_RATES)], self.coefficients[-len(_RATES) :]
+        series, rates = self.coefficients[: -len(RATES)], self.coefficients[-len(RATES) :]
         return (*series, inverse_airspeed, *BOUNDS, *rates, *SHORT.values(), tail_lost)
 
     @property
     def coefficients(self) -> tuple[sp.Symbol, ...]:
         """The coefficients of a piece's series, and the rates of the forces."""
-        return (*(v for vector in VELOCITIES[1:] for v in vector), *AIRSPEEDS, *_RATES)
+        return (*(v for vector in VELOCITIES[1:] for v in vector), *AIRSPEEDS, *RATES)
 
     @property
     def velocities(self) -> tuple[sp.Matrix, ...]:

@@ -40,13 +40,13 @@ from ..symbolic.conditionals import (
 )
 from ..symbolic.rounding import ROUNDING_SLACK, extent
 from ..symbolic.symbols import UNIT_ROUNDOFF
-from .air import (
+from .air import AirFlight
+from .air_series import (
     FIRST_SINGLE,
     ORDER,
     SINGLE_SERIES,
     SKETCH_TERMS,
     TUBE,
-    AirFlight,
     growth,
     piece_acceleration,
     piece_extent,
@@ -59,7 +59,7 @@ from .air import (
     total,
     unproved,
 )
-from .air import piece as piece_length
+from .air_series import piece as piece_length
 
 TOLERANCE = sp.Rational(5, 2**49)
 """m/s: a piece is so long that about this much of the velocity is left out."""

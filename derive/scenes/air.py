@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import sympy as sp
 
-from ..motion.air import AirConstants
+from ..motion.air_forces import AirConstants
 from .court import COURT, INERTIA
 from .hoop import HOOP
 from .scene import Scene, parameter

@@ -16,7 +16,8 @@ from collections.abc import Mapping
 
 import sympy as sp
 
-from ..motion.air import VELOCITIES, AirFlight, magnus_rate, piece_acceleration, piece_speed
+from ..motion.air import AirFlight
+from ..motion.air_series import VELOCITIES, magnus_rate, piece_acceleration, piece_speed
 from ..motion.flight import divisor
 from ..symbolic.conditionals import (
     And,

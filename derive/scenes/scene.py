@@ -9,7 +9,8 @@ import sympy as sp
 
 from ..contact.ball import THIN_SHELL, Ball
 from ..contact.law import Law
-from ..motion.air import AirConstants, AirFlight
+from ..motion.air import AirFlight
+from ..motion.air_forces import AirConstants
 from ..motion.flight import Acceleration, Flight
 from ..motion.parabola import Parabola
 from ..surfaces import Body, Cone, EndPlane, InclinedPlane, Plane, Surface

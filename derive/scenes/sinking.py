@@ -15,7 +15,8 @@ from collections.abc import Sequence
 import sympy as sp
 
 from ..events.predicates import sunk
-from ..motion.air import TUBE, AirFlight, drag_rate, magnus_rate, piece
+from ..motion.air import AirFlight
+from ..motion.air_series import TUBE, drag_rate, magnus_rate, piece
 from ..motion.flight import has_sign
 from ..symbolic.conditionals import (
     AtMost,

@@ -25,7 +25,8 @@ from dataclasses import dataclass
 import sympy as sp
 from flint import arb, arb_poly, arb_series, ctx
 
-from hoopgen.derive.motion.air import AirFlight, drag_rate, free_fall, magnus_rate
+from hoopgen.derive.motion.air import AirFlight
+from hoopgen.derive.motion.air_series import drag_rate, free_fall, magnus_rate
 from hoopgen.derive.scenes.scene import Scene
 from hoopgen.derive.scenes.sinking import sinks
 from hoopgen.derive.symbolic.conditionals import release

@@ -31,8 +31,8 @@ from typing import ClassVar
 
 import sympy as sp
 
-from ...motion.air import (
-    AirFlight,
+from ...motion.air import AirFlight
+from ...motion.air_series import (
     growth,
     piece_acceleration,
     piece_jerk,

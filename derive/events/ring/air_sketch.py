@@ -36,7 +36,8 @@ from typing import ClassVar
 
 import sympy as sp
 
-from ...motion.air import AirFlight, AirSketch, piece_acceleration, piece_rest, piece_speed
+from ...motion.air import AirFlight, AirSketch
+from ...motion.air_series import piece_acceleration, piece_rest, piece_speed
 from ...surfaces import Ring
 from ...symbolic.conditionals import (
     AtMost,

@@ -28,7 +28,9 @@ from hoopgen.derive.events.ring import double, polar, single
 from hoopgen.derive.events.root_search import RootSearch
 from hoopgen.derive.ir.kernel import Kernel
 from hoopgen.derive.model import Model
-from hoopgen.derive.motion import air, air_piece, ring_rolling_series, rolling_series
+from hoopgen.derive.motion import air_piece, air_series, ring_rolling_series, rolling_series
+from hoopgen.derive.motion.air import AirFlight
+from hoopgen.derive.motion.air_forces import PI
 from hoopgen.derive.motion.parabola import Parabola
 from hoopgen.derive.rolling import apex, friction_limit, neighbour
 from hoopgen.derive.scenes import sinking, validity
@@ -218,13 +220,13 @@ def _series(model: Model) -> tuple[SymbolText, ...]:
     )
 
 
-def _air(flight: air.AirFlight, notation: SceneNotation) -> AirText:
+def _air(flight: AirFlight, notation: SceneNotation) -> AirText:
     outputs = {latex_name(name): rate for name, rate in flight.rates().items()}
     rates = plainly(outputs, PI, notation)
     return AirText(rates, show(flight.constants.smoothing_speed, None, notation))
 
 
-PI = {air.PI: r"\pi"}
+PI = {PI: r"\pi"}
 """The name of a number that the page rounds."""
 
 SHORT_DECIMAL, MAX_DENOMINATOR = 12, 99
@@ -275,20 +277,20 @@ def _constants() -> dict[str, str]:
         "vague_axis": apex.LARGEST_ERROR,
         "watched": friction_limit.NEWTON_STEPS,
         "room": validity.CERTAIN_DISTANCE_FACTOR,
-        "piece_order": air.ORDER,
-        "first_single": air.FIRST_SINGLE,
+        "piece_order": air_series.ORDER,
+        "first_single": air_series.FIRST_SINGLE,
         "longest_radius": air_piece.MAX_RADIUS,
         "piece_unit": air_piece.PIECE_UNIT,
         "longest_piece": air_piece.LONGEST,
         "shortest_piece": air_piece.SHORTEST,
         "piece_overlap": air_piece.OVERLAP,
-        "piece_tube": air.TUBE,
+        "piece_tube": air_series.TUBE,
         "single_roundoff": air_piece.SINGLE_ROUNDOFF,
         "square_roundings": air_piece.SQUARE_ROUNDINGS,
         "drag_roundings": air_piece.DRAG_ROUNDINGS,
         "magnus_roundings": air_piece.MAGNUS_ROUNDINGS,
         "weight_roundings": air_piece.WEIGHT_ROUNDINGS,
-        "carried_share": air.CARRIED_SHARE,
+        "carried_share": air_series.CARRIED_SHARE,
         "cancellation": air_piece.CANCELLATION,
         "underflow": air_piece.UNDERFLOW,
         "past": sinking.ROOM,
@@ -393,5 +395,5 @@ def derivation_context(model: Model, reference: PageData | None = None) -> PageD
         falls=flight.falls,
         turned=any(isinstance(surface, ObliqueBox) for surface in scene.surfaces),
         revolved=scene.rolls_about_axes,
-        air=_air(flight, notation) if isinstance(flight, air.AirFlight) else None,
+        air=_air(flight, notation) if isinstance(flight, AirFlight) else None,
     )

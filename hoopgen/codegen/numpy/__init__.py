@@ -10,7 +10,7 @@ from typing import Any
 from hoopgen.derive.ir.event_tree import live_before, reads, writes
 from hoopgen.derive.ir.kernel import Kernel
 from hoopgen.derive.model import Model
-from hoopgen.derive.motion.air import SERIES_KERNELS
+from hoopgen.derive.motion.air_series import SERIES_KERNELS
 from hoopgen.derive.symbolic.isomorphism import Symbols
 from hoopgen.derive.symbolic.symbols import change_of
 

@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 from hoopgen.derive.model import Model, build
-from hoopgen.derive.motion import air, air_piece
+from hoopgen.derive.motion import air_piece, air_series
 from hoopgen.derive.scenes.air import AIR
 from hoopgen.derive.scenes.scene import Scene as DerivedScene
 
@@ -130,7 +130,7 @@ def test_numbers_of_the_text_are_those_of_the_derivation(
     changed: dict[str, Any] = {"ORDER": 7, "TOLERANCE": 2**-31, "TUBE": 2**-9, "SHORTEST": 2**-11}
     told = data(scene).constants
     for name, value in changed.items():
-        owner = air_piece if name in ("TOLERANCE", "SHORTEST") else air
+        owner = air_piece if name in ("TOLERANCE", "SHORTEST") else air_series
         monkeypatch.setattr(owner, name, value)
     after = derivation_context(model(scene)).constants
     assert {name for name in told if told[name] != after[name]} == {

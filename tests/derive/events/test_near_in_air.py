@@ -10,7 +10,7 @@ import sympy as sp
 from hoopgen.derive.events import air_near
 from hoopgen.derive.ir.kernel import kernel
 from hoopgen.derive.kernels.arguments import argument_order
-from hoopgen.derive.motion.air import DOUBLE_SERIES
+from hoopgen.derive.motion.air_series import DOUBLE_SERIES
 from hoopgen.derive.scenes.air import AIR
 from hoopgen.derive.surfaces import Plane, Sphere, Surface
 

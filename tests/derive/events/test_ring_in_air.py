@@ -10,7 +10,7 @@ import pytest
 import sympy as sp
 from hoopgen.derive.events import root_finder_for
 from hoopgen.derive.events.ring.air import STEEP
-from hoopgen.derive.motion.air import ORDER
+from hoopgen.derive.motion.air_series import ORDER
 from hoopgen.derive.scenes.air import AIR
 from numpy.typing import NDArray
 

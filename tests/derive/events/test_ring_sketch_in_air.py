@@ -12,7 +12,7 @@ from hoopgen.derive.events.ring.air_sketch import MAX_STEPS, AirRingSketch
 from hoopgen.derive.events.root_search import RootSearch
 from hoopgen.derive.ir.kernel import kernel
 from hoopgen.derive.kernels.arguments import argument_order
-from hoopgen.derive.motion.air import ORDER
+from hoopgen.derive.motion.air_series import ORDER
 from hoopgen.derive.scenes.air import AIR
 from numpy.typing import NDArray
 

@@ -16,7 +16,13 @@ from hoopgen.derive.events.event_polynomials import horizon
 from hoopgen.derive.ir.kernel import kernel
 from hoopgen.derive.kernels.arguments import argument_order
 from hoopgen.derive.motion import air_piece
-from hoopgen.derive.motion.air import FIRST_SINGLE, ORDER, SERIES_KERNELS, SINGLE_SERIES, TAIL
+from hoopgen.derive.motion.air_series import (
+    FIRST_SINGLE,
+    ORDER,
+    SERIES_KERNELS,
+    SINGLE_SERIES,
+    TAIL,
+)
 from hoopgen.derive.scenes.air import AIR, AIR_PARAMETERS
 from hoopgen.derive.symbolic.conditionals import release
 from mpmath import mp, mpf, odefun, sqrt
