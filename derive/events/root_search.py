@@ -189,7 +189,8 @@ class RootSearch(Search):
         else:
             yield from self._cleared(common, own)
         if self.sketch is None:
-            yield If("open", searched)
+            # Most flights of a scene with a ring may come near it.
+            yield If("open", searched, usual=self.coarse is not None)
             return
         yield Call(KERNELS["unsketched"])
         yield If("open", tuple(_sketched(own, index)))

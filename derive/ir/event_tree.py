@@ -100,7 +100,8 @@ class If(_Compound):
     rare
         True if most often no shot enters the body; then skipping even a cheap body pays.
     usual
-        True if of sixteen shots some nearly always enter the body; then a test for all is a waste.
+        True if of sixteen shots some nearly always enter the body; then a test for all is a waste,
+        and so is a list of those that enter.
     """
 
     truth: str

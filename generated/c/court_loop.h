@@ -62,7 +62,7 @@ typedef struct {
     LANES(column) time_claim; /* bound on the error at the end */
 #endif
     LANES(column) outcome; /* how it ended, -1: in flight */
-    LANES(court_parameters) parameters, open_parameters, open_stepping_parameters, open_searching_parameters, open_searching_searching_parameters, open_refining_parameters, reachable_parameters, reachable_searching_parameters, reachable_refining_parameters, in_contact_parameters, in_contact_rolling_parameters, in_contact_circling_parameters, in_contact_leaves_parameters, slow_parameters;
+    LANES(court_parameters) parameters, stepping_parameters, searching_parameters, searching_searching_parameters, refining_parameters, reachable_parameters, reachable_searching_parameters, reachable_refining_parameters, in_contact_parameters, in_contact_rolling_parameters, in_contact_circling_parameters, in_contact_leaves_parameters, slow_parameters;
     /* Shots whose balls stay in contact: they wait for one another, and then have rows of their
        own behind those of the others, so that all lanes work. */
     size_t waiting;
@@ -117,21 +117,21 @@ typedef struct {
 #endif
     LANES(court_parameters) waiting_parameters;
     LANES(column) x_before, y_before, z_before, vx_before, vy_before, vz_before, wx_before, wy_before, wz_before;
-    LANES(column) began, body, extent, in_contact, in_contact_began, in_contact_circled, in_contact_circling,
-        in_contact_circling_circled, in_contact_circling_circling, in_contact_circling_clock,
-        in_contact_circling_ended_circled, in_contact_circling_ended_circling,
-        in_contact_circling_ended_clock, in_contact_circling_ended_per_reach,
-        in_contact_circling_ended_rests, in_contact_circling_ended_row,
-        in_contact_circling_ended_through, in_contact_circling_ended_vx,
-        in_contact_circling_ended_vy, in_contact_circling_ended_vz, in_contact_circling_ended_which,
-        in_contact_circling_ended_wx, in_contact_circling_ended_wy, in_contact_circling_ended_wz,
-        in_contact_circling_ended_x, in_contact_circling_ended_y, in_contact_circling_ended_z,
-        in_contact_circling_row, in_contact_circling_through, in_contact_circling_vx,
-        in_contact_circling_vy, in_contact_circling_vz, in_contact_circling_which,
-        in_contact_circling_wx, in_contact_circling_wy, in_contact_circling_wz,
-        in_contact_circling_x, in_contact_circling_y, in_contact_circling_z, in_contact_clock,
-        in_contact_gap_jerk, in_contact_gap_snap, in_contact_held, in_contact_last,
-        in_contact_leaves, in_contact_leaves_clock, in_contact_leaves_gap_jerk,
+    LANES(column) arrival, arrives, began, body, ceiling, certain, extent, flat, in_contact, in_contact_began,
+        in_contact_circled, in_contact_circling, in_contact_circling_circled,
+        in_contact_circling_circling, in_contact_circling_clock, in_contact_circling_ended_circled,
+        in_contact_circling_ended_circling, in_contact_circling_ended_clock,
+        in_contact_circling_ended_per_reach, in_contact_circling_ended_rests,
+        in_contact_circling_ended_row, in_contact_circling_ended_through,
+        in_contact_circling_ended_vx, in_contact_circling_ended_vy, in_contact_circling_ended_vz,
+        in_contact_circling_ended_which, in_contact_circling_ended_wx, in_contact_circling_ended_wy,
+        in_contact_circling_ended_wz, in_contact_circling_ended_x, in_contact_circling_ended_y,
+        in_contact_circling_ended_z, in_contact_circling_row, in_contact_circling_through,
+        in_contact_circling_vx, in_contact_circling_vy, in_contact_circling_vz,
+        in_contact_circling_which, in_contact_circling_wx, in_contact_circling_wy,
+        in_contact_circling_wz, in_contact_circling_x, in_contact_circling_y, in_contact_circling_z,
+        in_contact_clock, in_contact_gap_jerk, in_contact_gap_snap, in_contact_held,
+        in_contact_last, in_contact_leaves, in_contact_leaves_clock, in_contact_leaves_gap_jerk,
         in_contact_leaves_gap_snap, in_contact_leaves_held, in_contact_leaves_lift,
         in_contact_leaves_per_reach, in_contact_leaves_row, in_contact_leaves_vx,
         in_contact_leaves_vy, in_contact_leaves_vz, in_contact_leaves_when, in_contact_leaves_which,
@@ -152,69 +152,58 @@ typedef struct {
         in_contact_rolling_wy, in_contact_rolling_wz, in_contact_rolling_x, in_contact_rolling_y,
         in_contact_rolling_z, in_contact_row, in_contact_through, in_contact_vx, in_contact_vy,
         in_contact_vz, in_contact_when, in_contact_which, in_contact_wx, in_contact_wy,
-        in_contact_wz, in_contact_x, in_contact_y, in_contact_z, limited, open_arrival,
-        open_arrives, open_ceiling, open_certain, open_extent, open_flat, open_last,
-        open_refining_arrival, open_refining_ceiling, open_refining_certain,
-        open_refining_ended_arrival, open_refining_ended_row, open_refining_leaving,
-        open_refining_refining, open_refining_rho_start, open_refining_row, open_refining_vx,
-        open_refining_vy, open_refining_vz, open_refining_x, open_refining_y, open_refining_z,
-        open_rho_start, open_row, open_searching, open_searching_arrival, open_searching_ceiling,
-        open_searching_certain, open_searching_extent, open_searching_flat, open_searching_last,
-        open_searching_rho_start, open_searching_row, open_searching_searching_arrival,
-        open_searching_searching_ceiling, open_searching_searching_certain,
-        open_searching_searching_end, open_searching_searching_ended_arrival,
-        open_searching_searching_ended_certain, open_searching_searching_ended_flat,
-        open_searching_searching_ended_row, open_searching_searching_ended_tilt,
-        open_searching_searching_energy2, open_searching_searching_extent,
-        open_searching_searching_flat, open_searching_searching_high0,
-        open_searching_searching_high1, open_searching_searching_high2,
-        open_searching_searching_last, open_searching_searching_latest,
-        open_searching_searching_low0, open_searching_searching_low1, open_searching_searching_low2,
-        open_searching_searching_moment2, open_searching_searching_rate_slack,
-        open_searching_searching_rho_start, open_searching_searching_row,
-        open_searching_searching_searching, open_searching_searching_share,
-        open_searching_searching_speed, open_searching_searching_t, open_searching_searching_tilt,
-        open_searching_searching_vx, open_searching_searching_vy, open_searching_searching_vz,
-        open_searching_searching_x, open_searching_searching_y, open_searching_searching_z,
-        open_searching_share, open_searching_speed, open_searching_t, open_searching_tilt,
-        open_searching_until, open_searching_vx, open_searching_vy, open_searching_vz,
-        open_searching_x, open_searching_y, open_searching_z, open_share, open_since,
-        open_single_precision, open_speed, open_stepping_ended_certain, open_stepping_ended_row,
-        open_stepping_row, open_stepping_stepping, open_tilt, open_until, open_vx, open_vy, open_vz,
-        open_when, open_which, open_x, open_y, open_z, permitted, reachable_arrival,
-        reachable_arrives, reachable_ceiling, reachable_certain, reachable_extent, reachable_flat,
-        reachable_last, reachable_refining_arrival, reachable_refining_ceiling,
-        reachable_refining_certain, reachable_refining_ended_arrival, reachable_refining_ended_row,
-        reachable_refining_leaving, reachable_refining_refining, reachable_refining_row,
-        reachable_refining_vx, reachable_refining_vy, reachable_refining_vz, reachable_refining_x,
-        reachable_refining_y, reachable_refining_z, reachable_row, reachable_searching_arrival,
-        reachable_searching_ceiling, reachable_searching_certain, reachable_searching_end,
-        reachable_searching_ended_arrival, reachable_searching_ended_certain,
-        reachable_searching_ended_flat, reachable_searching_ended_row,
-        reachable_searching_ended_tilt, reachable_searching_extent, reachable_searching_flat,
-        reachable_searching_high0, reachable_searching_high1, reachable_searching_last,
-        reachable_searching_latest, reachable_searching_low0, reachable_searching_low1,
-        reachable_searching_rate_slack, reachable_searching_row, reachable_searching_searching,
-        reachable_searching_share, reachable_searching_speed, reachable_searching_t,
-        reachable_searching_tilt, reachable_searching_vx, reachable_searching_vy,
-        reachable_searching_vz, reachable_searching_x, reachable_searching_y, reachable_searching_z,
-        reachable_speed, reachable_tilt, reachable_vx, reachable_vy, reachable_vz, reachable_when,
-        reachable_which, reachable_x, reachable_y, reachable_z, rests, rolling, slow_held,
-        slow_mode, slow_outcome, slow_row, slow_slip_left, slow_vx, slow_vy, slow_vz, slow_which,
-        slow_wx, slow_wy, slow_wz, slow_x, slow_y, slow_z, speed, time_error, turning_p_ball_radius,
-        turning_p_board_bottom, turning_p_board_distance, turning_p_board_half_width,
-        turning_p_board_thickness, turning_p_board_top, turning_p_bridge_depth,
-        turning_p_bridge_half_width, turning_p_end_depth, turning_p_gravity, turning_p_inertia,
-        turning_p_ring_radius, turning_p_wire_radius, when, which;
-    LANES(singles_column) open_short_t, open_stepping_ended_short_t, open_stepping_short_ceiling,
-        open_stepping_short_end, open_stepping_short_energy2, open_stepping_short_flat,
-        open_stepping_short_high1, open_stepping_short_high2, open_stepping_short_jerk,
-        open_stepping_short_low1, open_stepping_short_low2, open_stepping_short_moment2,
-        open_stepping_short_quotient_margin, open_stepping_short_rate_margin,
-        open_stepping_short_rho_rate, open_stepping_short_rho_start, open_stepping_short_start_rate,
-        open_stepping_short_t, open_stepping_short_tilt, open_stepping_short_vx,
-        open_stepping_short_vy, open_stepping_short_vz, open_stepping_short_x,
-        open_stepping_short_y, open_stepping_short_z;
+        in_contact_wz, in_contact_x, in_contact_y, in_contact_z, limited, open, permitted,
+        reachable_arrival, reachable_arrives, reachable_ceiling, reachable_certain,
+        reachable_extent, reachable_flat, reachable_last, reachable_refining_arrival,
+        reachable_refining_ceiling, reachable_refining_certain, reachable_refining_ended_arrival,
+        reachable_refining_ended_row, reachable_refining_leaving, reachable_refining_refining,
+        reachable_refining_row, reachable_refining_vx, reachable_refining_vy, reachable_refining_vz,
+        reachable_refining_x, reachable_refining_y, reachable_refining_z, reachable_row,
+        reachable_searching_arrival, reachable_searching_ceiling, reachable_searching_certain,
+        reachable_searching_end, reachable_searching_ended_arrival,
+        reachable_searching_ended_certain, reachable_searching_ended_flat,
+        reachable_searching_ended_row, reachable_searching_ended_tilt, reachable_searching_extent,
+        reachable_searching_flat, reachable_searching_high0, reachable_searching_high1,
+        reachable_searching_last, reachable_searching_latest, reachable_searching_low0,
+        reachable_searching_low1, reachable_searching_rate_slack, reachable_searching_row,
+        reachable_searching_searching, reachable_searching_share, reachable_searching_speed,
+        reachable_searching_t, reachable_searching_tilt, reachable_searching_vx,
+        reachable_searching_vy, reachable_searching_vz, reachable_searching_x,
+        reachable_searching_y, reachable_searching_z, reachable_speed, reachable_tilt, reachable_vx,
+        reachable_vy, reachable_vz, reachable_when, reachable_which, reachable_x, reachable_y,
+        reachable_z, refining_arrival, refining_ceiling, refining_certain, refining_ended_arrival,
+        refining_ended_row, refining_leaving, refining_refining, refining_rho_start, refining_row,
+        refining_vx, refining_vy, refining_vz, refining_x, refining_y, refining_z, rests, rho_start,
+        rolling, searching, searching_arrival, searching_ceiling, searching_certain,
+        searching_extent, searching_flat, searching_last, searching_rho_start, searching_row,
+        searching_searching_arrival, searching_searching_ceiling, searching_searching_certain,
+        searching_searching_end, searching_searching_ended_arrival,
+        searching_searching_ended_certain, searching_searching_ended_flat,
+        searching_searching_ended_row, searching_searching_ended_tilt, searching_searching_energy2,
+        searching_searching_extent, searching_searching_flat, searching_searching_high0,
+        searching_searching_high1, searching_searching_high2, searching_searching_last,
+        searching_searching_latest, searching_searching_low0, searching_searching_low1,
+        searching_searching_low2, searching_searching_moment2, searching_searching_rate_slack,
+        searching_searching_rho_start, searching_searching_row, searching_searching_searching,
+        searching_searching_share, searching_searching_speed, searching_searching_t,
+        searching_searching_tilt, searching_searching_vx, searching_searching_vy,
+        searching_searching_vz, searching_searching_x, searching_searching_y, searching_searching_z,
+        searching_share, searching_speed, searching_t, searching_tilt, searching_until,
+        searching_vx, searching_vy, searching_vz, searching_x, searching_y, searching_z, share,
+        since, single_precision, slow_held, slow_mode, slow_outcome, slow_row, slow_slip_left,
+        slow_vx, slow_vy, slow_vz, slow_which, slow_wx, slow_wy, slow_wz, slow_x, slow_y, slow_z,
+        speed, stepping_ended_certain, stepping_ended_row, stepping_row, stepping_stepping, tilt,
+        time_error, turning_p_ball_radius, turning_p_board_bottom, turning_p_board_distance,
+        turning_p_board_half_width, turning_p_board_thickness, turning_p_board_top,
+        turning_p_bridge_depth, turning_p_bridge_half_width, turning_p_end_depth, turning_p_gravity,
+        turning_p_inertia, turning_p_ring_radius, turning_p_wire_radius, until, when, which;
+    LANES(singles_column) short_t, stepping_ended_short_t, stepping_short_ceiling, stepping_short_end,
+        stepping_short_energy2, stepping_short_flat, stepping_short_high1, stepping_short_high2,
+        stepping_short_jerk, stepping_short_low1, stepping_short_low2, stepping_short_moment2,
+        stepping_short_quotient_margin, stepping_short_rate_margin, stepping_short_rho_rate,
+        stepping_short_rho_start, stepping_short_start_rate, stepping_short_t, stepping_short_tilt,
+        stepping_short_vx, stepping_short_vy, stepping_short_vz, stepping_short_x, stepping_short_y,
+        stepping_short_z;
 #if BOUNDED
     LANES(column) earliest_delay, hopped, in_contact_circling_clock_error, in_contact_circling_dvx,
         in_contact_circling_dvy, in_contact_circling_dvz, in_contact_circling_dwx,
@@ -252,21 +241,18 @@ typedef struct {
         in_contact_rolling_grip_lost, in_contact_rolling_last_grip_clock,
         in_contact_rolling_last_grip_deficit, in_contact_rolling_last_grip_deficit_rate,
         in_contact_rolling_undecided_time, in_contact_undecided_time, in_contact_velocity_error,
-        open_earliest_delay, open_latest, open_leaving, open_pad, open_position_error, open_rate,
-        open_refining_ended_rate, open_searching_latest, open_searching_position_error,
-        open_searching_searching, open_searching_searching_ended_searching,
-        open_searching_searching_ended_t, open_searching_searching_ended_undecided_time,
-        open_searching_searching_position_error, open_searching_searching_undecided_time,
-        open_searching_searching_velocity_error, open_searching_undecided_time,
-        open_searching_velocity_error, open_undecided_time, open_velocity_error, position_error,
-        reachable_earliest_delay, reachable_latest, reachable_leaving, reachable_position_error,
-        reachable_rate, reachable_refining_ended_rate, reachable_searching,
-        reachable_searching_ended_searching, reachable_searching_ended_t,
+        latest, leaving, pad, position_error, rate, reachable_earliest_delay, reachable_latest,
+        reachable_leaving, reachable_position_error, reachable_rate, reachable_refining_ended_rate,
+        reachable_searching, reachable_searching_ended_searching, reachable_searching_ended_t,
         reachable_searching_ended_undecided_time, reachable_searching_position_error,
         reachable_searching_undecided_time, reachable_searching_velocity_error, reachable_t,
-        reachable_undecided_time, reachable_velocity_error, slow_assured, slow_uncertain,
-        slow_velocity_error, turning_p_backboard_friction, turning_p_bridge_friction,
-        turning_p_ring_friction, undecided_time, velocity_error;
+        reachable_undecided_time, reachable_velocity_error, refining_ended_rate, searching_latest,
+        searching_position_error, searching_searching, searching_searching_ended_searching,
+        searching_searching_ended_t, searching_searching_ended_undecided_time,
+        searching_searching_position_error, searching_searching_undecided_time,
+        searching_searching_velocity_error, searching_undecided_time, searching_velocity_error,
+        slow_assured, slow_uncertain, slow_velocity_error, turning_p_backboard_friction,
+        turning_p_bridge_friction, turning_p_ring_friction, undecided_time, velocity_error;
 #endif
     /* What kernels make of parameters alone. */
     _Alignas(64) double fixed[LANES_ROWS][LANES_WIDTH];
@@ -954,9 +940,9 @@ LANES_APART void LOOP(fix_rows_2)(LOOP(worklist) *worklist, size_t i)
     }
 }
 
-LANES_APART void LOOP(fix_open_rows_1)(LOOP(worklist) *worklist, size_t i)
+LANES_APART void LOOP(fix_rows_3)(LOOP(worklist) *worklist, size_t i)
 {
-    EACH(PARAMETER, open_, p_ball_radius, p_gravity, p_ring_radius, p_wire_radius)
+    EACH(PARAMETER, , p_ball_radius, p_gravity, p_ring_radius, p_wire_radius)
     {
 #if BOUNDED
         const V _s45 = lanes_add(p_ball_radius, p_wire_radius);
@@ -1017,9 +1003,9 @@ LANES_APART void LOOP(fix_open_rows_1)(LOOP(worklist) *worklist, size_t i)
     }
 }
 
-LANES_APART void LOOP(fix_open_stepping_rows_1)(LOOP(worklist) *worklist, size_t taken, M idle)
+LANES_APART void LOOP(fix_stepping_rows_1)(LOOP(worklist) *worklist, size_t taken, M idle)
 {
-    EACH(PARAMETER_TAKEN, open_stepping_, p_ball_radius, p_gravity, p_ring_radius, p_wire_radius)
+    EACH(PARAMETER_TAKEN, stepping_, p_ball_radius, p_gravity, p_ring_radius, p_wire_radius)
     EACH(TURNING, turning_, p_ball_radius, p_gravity, p_ring_radius, p_wire_radius)
     {
         const S _p_ball_radius = lanes_narrow(p_ball_radius);
@@ -1039,9 +1025,9 @@ LANES_APART void LOOP(fix_open_stepping_rows_1)(LOOP(worklist) *worklist, size_t
     }
 }
 
-LANES_APART void LOOP(fix_open_searching_rows_1)(LOOP(worklist) *worklist, size_t i)
+LANES_APART void LOOP(fix_searching_rows_1)(LOOP(worklist) *worklist, size_t i)
 {
-    EACH(PARAMETER, open_searching_, p_ball_radius, p_gravity, p_ring_radius, p_wire_radius)
+    EACH(PARAMETER, searching_, p_ball_radius, p_gravity, p_ring_radius, p_wire_radius)
     {
         const V _s45 = lanes_add(p_ball_radius, p_wire_radius);
         const V _s74 = lanes_mul(K(1.00006103515625), _s45);
@@ -1067,10 +1053,10 @@ LANES_APART void LOOP(fix_open_searching_rows_1)(LOOP(worklist) *worklist, size_
     }
 }
 
-LANES_APART void LOOP(fix_open_searching_searching_rows_1)(LOOP(worklist) *worklist, size_t taken, M idle)
+LANES_APART void LOOP(fix_searching_searching_rows_1)(LOOP(worklist) *worklist, size_t taken, M idle)
 {
-    EACH(PARAMETER_TAKEN, open_searching_searching_, p_ball_radius, p_gravity, p_ring_radius)
-    EACH(PARAMETER_TAKEN, open_searching_searching_, p_wire_radius)
+    EACH(PARAMETER_TAKEN, searching_searching_, p_ball_radius, p_gravity, p_ring_radius)
+    EACH(PARAMETER_TAKEN, searching_searching_, p_wire_radius)
     EACH(TURNING, turning_, p_ball_radius, p_gravity, p_ring_radius, p_wire_radius)
     {
         const V _s45 = lanes_add(p_ball_radius, p_wire_radius);
@@ -1088,9 +1074,9 @@ LANES_APART void LOOP(fix_open_searching_searching_rows_1)(LOOP(worklist) *workl
     }
 }
 
-LANES_APART void LOOP(fix_open_rows_2)(LOOP(worklist) *worklist, size_t i)
+LANES_APART void LOOP(fix_rows_4)(LOOP(worklist) *worklist, size_t i)
 {
-    EACH(PARAMETER, open_, p_ball_radius, p_gravity, p_ring_radius, p_wire_radius)
+    EACH(PARAMETER, , p_ball_radius, p_gravity, p_ring_radius, p_wire_radius)
     {
         const V _s45 = lanes_add(p_ball_radius, p_wire_radius);
         FIX(7, p_ring_radius); FIX(14, lanes_mul(_s45, _s45)); FIX(21, p_gravity);
@@ -1098,21 +1084,21 @@ LANES_APART void LOOP(fix_open_rows_2)(LOOP(worklist) *worklist, size_t i)
     }
 }
 
-LANES_APART void LOOP(fix_open_refining_rows_1)(LOOP(worklist) *worklist, size_t taken, M idle)
+LANES_APART void LOOP(fix_refining_rows_1)(LOOP(worklist) *worklist, size_t taken, M idle)
 {
-    EACH(PARAMETER_TAKEN, open_refining_, p_ball_radius, p_gravity, p_ring_radius, p_wire_radius)
+    EACH(PARAMETER_TAKEN, refining_, p_ball_radius, p_gravity, p_ring_radius, p_wire_radius)
     EACH(TURNING, turning_, p_ball_radius, p_gravity, p_ring_radius, p_wire_radius)
     {
         const V _s45 = lanes_add(p_ball_radius, p_wire_radius);
         FIX(7, p_ring_radius); FIX(14, lanes_mul(_s45, _s45)); FIX(21, p_gravity);
         FIX(33, lanes_mul(K(0.5), p_gravity));
-#if BOUNDED
     }
 }
 
-LANES_APART void LOOP(fix_open_rows_3)(LOOP(worklist) *worklist, size_t i)
+LANES_APART void LOOP(fix_rows_5)(LOOP(worklist) *worklist, size_t i)
+#if BOUNDED
 {
-    EACH(PARAMETER, open_, p_ball_radius, p_gravity, p_ring_radius, p_wire_radius)
+    EACH(PARAMETER, , p_ball_radius, p_gravity, p_ring_radius, p_wire_radius)
     {
         const V _s45 = lanes_add(p_ball_radius, p_wire_radius);
         const V _s74 = lanes_mul(K(1.00006103515625), _s45);
@@ -1123,11 +1109,11 @@ LANES_APART void LOOP(fix_open_rows_3)(LOOP(worklist) *worklist, size_t i)
         FIX(21, p_gravity); FIX(30, _s74); FIX(43, lanes_max(K(1.0), _s97)); FIX(47, _s75);
         FIX(48, lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s45), _s75));
         FIX(49, lanes_mul(K(5.00030517578125), _s45));
-#endif
     }
 }
 
-LANES_APART void LOOP(fix_rows_3)(LOOP(worklist) *worklist, size_t i)
+LANES_APART void LOOP(fix_rows_6)(LOOP(worklist) *worklist, size_t i)
+#endif
 {
     EACH(PARAMETER, , p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width)
     EACH(PARAMETER, , p_board_thickness, p_board_top, p_gravity)
@@ -1273,8 +1259,10 @@ LANES_APART void LOOP(fix_reachable_rows_3)(LOOP(worklist) *worklist, size_t i)
     }
 }
 
+LANES_APART void LOOP(fix_rows_7)(LOOP(worklist) *worklist, size_t i)
+#else
+LANES_APART void LOOP(fix_rows_6)(LOOP(worklist) *worklist, size_t i)
 #endif
-LANES_APART void LOOP(fix_rows_4)(LOOP(worklist) *worklist, size_t i)
 {
     EACH(PARAMETER, , p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width)
     EACH(PARAMETER, , p_gravity, p_ring_radius, p_wire_radius)
@@ -2837,7 +2825,11 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
     }
 }
 
-LANES_APART void LOOP(fix_rows_5)(LOOP(worklist) *worklist, size_t i)
+#if BOUNDED
+LANES_APART void LOOP(fix_rows_8)(LOOP(worklist) *worklist, size_t i)
+#else
+LANES_APART void LOOP(fix_rows_7)(LOOP(worklist) *worklist, size_t i)
+#endif
 {
     EACH(PARAMETER, , p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width)
     EACH(PARAMETER, , p_board_thickness, p_board_top, p_bridge_depth, p_bridge_half_width)
@@ -3055,7 +3047,7 @@ LANES_APART void LOOP(slow)(LOOP(worklist) *worklist, size_t slow_shots, size_t 
     }
 }
 
-LANES_APART void LOOP(fix_rows_6)(LOOP(worklist) *worklist, size_t i)
+LANES_APART void LOOP(fix_rows_9)(LOOP(worklist) *worklist, size_t i)
 {
     EACH(PARAMETER, , p_gravity)
     {
@@ -3449,8 +3441,6 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
 
         /* To the next event, and what it does to the ball. */
         {
-        size_t open_shots = 0;
-        static const int open_taken[] = {0, 10, 1, 2};
         for (size_t i = 0; i < shots; i += LANES_WIDTH) {
             const M rows = mask_first_n(shots - i);
             LANES(court_ahead)(job, begun + i, streams);
@@ -3514,145 +3504,125 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             EACH(GET, _ring_clear_1, clear)
             CALL(court_opens_in_flight, _opens_in_flight_1)(clear, in_contact);
             EACH(GET_MASK, _opens_in_flight_1, open)
-            EACH(STORE, , began, extent, speed, time_error, when, which)
-            EACH(STORE_MASK, , in_contact, limited, rests, rolling)
-            BOUNDS(EACH(STORE, , earliest_delay, position_error, undecided_time, velocity_error))
-            const M packed = lanes_both(rows, open);
-            if (lanes_any(packed)) {
-                lanes_pack(worklist->open_row + open_shots, packed, lanes_add(iota(), K((double)i)));
-                EACH(PACK, open_, extent, last, speed, until, vx, vy, vz, when, which, x, y, z)
-                BOUNDS(EACH(PACK, open_, earliest_delay, pad, position_error, undecided_time))
-                BOUNDS(EACH(PACK, open_, velocity_error))
-                if (LANES_SELDOM(varying)) {
-                    for (size_t _p = 0; _p < 4; _p++) {
-                        lanes_pack(worklist->open_parameters.columns[open_taken[_p]] + open_shots, packed, lanes_load(worklist->parameters.columns[open_taken[_p]] + i));
-                    }
-                }
-                open_shots += popcount(packed);
-            }
-        }
-        if (open_shots) {
-            EACH(CLEAR, open_, row, extent, last, speed, until, vx, vy, vz, when, which, x, y, z)
-            BOUNDS(EACH(CLEAR, open_, earliest_delay, pad, position_error, undecided_time, velocity_error))
-            if (LANES_SELDOM(varying)) {
-                for (size_t _p = 0; _p < 4; _p++) {
-                    lanes_store(worklist->open_parameters.columns[open_taken[_p]] + open_shots, K(0.0));
-                }
-            }
+            EACH(STORE, , began, extent, speed, time_error, until, when, which)
+            EACH(STORE_MASK, , in_contact, limited, open, rests, rolling)
+            BOUNDS(EACH(STORE, , earliest_delay, pad, position_error, undecided_time, velocity_error))
         }
         {
-        size_t open_stepping_shots = 0;
-        static const int open_stepping_taken[] = {0, 10, 1, 2};
-        for (size_t i = 0; i < open_shots; i += LANES_WIDTH) {
-            const M rows = mask_first_n(open_shots - i);
-            if (LANES_SELDOM(varying))
-                LOOP(fix_open_rows_1)(worklist, i);
-            EACH(LOAD, open_, extent, last, speed, until, vx, vy, vz, x, y, z)
-            BOUNDS(EACH(LOAD, open_, earliest_delay, pad, position_error, undecided_time, velocity_error))
-            CALL(court_beginning, _beginning_1)();
-            EACH(GET, _beginning_1, share, arrival)
-            EACH(GET_MASK, _beginning_1, certain)
-            CALL(court_left, _left_1)(K(0.0), last);
-            EACH(GET, _left_1, leaving)
-            CALL(court_ring_opened, _ring_opened_1)(lanes_narrow(until), lanes_narrow(x), lanes_narrow(y), lanes_narrow(z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(vz), lanes_narrow(extent), lanes_narrow(speed), FIXED_SINGLE(0), FIXED_SINGLE(1), FIXED_SINGLE(2), FIXED_SINGLE(3), FIXED_SINGLE(4), FIXED_SINGLE(5), FIXED_SINGLE(6), FIXED_SINGLE(7), FIXED_SINGLE(8), FIXED_SINGLE(9));
-            S onset = _ring_opened_1.t;
-            S wide_end = _ring_opened_1.end;
-            EACH(GET_MASK, _ring_opened_1, searching)
-            S wide_low1 = _ring_opened_1.low1;
-            S wide_high1 = _ring_opened_1.high1;
-            S wide_low2 = _ring_opened_1.low2;
-            S wide_high2 = _ring_opened_1.high2;
-            S lapsed = _ring_opened_1.latest;
-            EACH(GET_MASK, _ring_opened_1, representable)
-            CALL(court_opened, _opened_1)(lanes_wide(lapsed), lanes_wide(onset));
-            V since = _opened_1.time;
-            BOUNDS(EACH(GET, _opened_1, latest))
-            CALL(court_ring_started, _ring_started_1)(x, y, z, vx, vy, vz, FIXED(7));
-            EACH(GET, _ring_started_1, rho_start, start_rate, rho_rate)
-            CALL(court_flight, _flight_1)(since, x, y, z, vx, vy, vz, FIXED(21), FIXED(33));
-            V near_x = _flight_1.x;
-            V near_y = _flight_1.y;
-            V near_z = _flight_1.z;
-            V near_vz = _flight_1.vz;
-            CALL(court_ring_resolution, _ring_resolution_1)(onset, wide_end, lanes_narrow(leaving), lapsed, lanes_narrow(near_x), lanes_narrow(near_y), lanes_narrow(near_z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(near_vz), lanes_narrow(extent), lanes_narrow(speed), lanes_narrow(start_rate), lanes_narrow(rho_rate), wide_low1, wide_high1, wide_low2, wide_high2, FIXED_SINGLE(0), FIXED_SINGLE(10), FIXED_SINGLE(6), FIXED_SINGLE(11), FIXED_SINGLE(12), FIXED_SINGLE(13), FIXED_SINGLE(14), FIXED_SINGLE(15), FIXED_SINGLE(4), FIXED_SINGLE(16), FIXED_SINGLE(17), FIXED_SINGLE(18));
-            S short_share = _ring_resolution_1.share;
-            S short_t = _ring_resolution_1.t;
-            S short_end = _ring_resolution_1.end;
-            S short_x = _ring_resolution_1.x;
-            S short_y = _ring_resolution_1.y;
-            S short_z = _ring_resolution_1.z;
-            S short_vx = _ring_resolution_1.vx;
-            S short_vy = _ring_resolution_1.vy;
-            S short_vz = _ring_resolution_1.vz;
-            S short_energy2 = _ring_resolution_1.energy2;
-            S short_moment2 = _ring_resolution_1.moment2;
-            S short_rho_start = _ring_resolution_1.rho_start;
-            S short_ceiling = _ring_resolution_1.ceiling;
-            S short_flat = _ring_resolution_1.flat;
-            S short_tilt = _ring_resolution_1.tilt;
-            S short_jerk = _ring_resolution_1.jerk;
-            S short_quotient_margin = _ring_resolution_1.quotient_margin;
-            S short_start_rate = _ring_resolution_1.start_rate;
-            S short_rho_rate = _ring_resolution_1.rho_rate;
-            S short_rate_margin = _ring_resolution_1.rate_margin;
-            S short_low1 = _ring_resolution_1.low1;
-            S short_high1 = _ring_resolution_1.high1;
-            S short_low2 = _ring_resolution_1.low2;
-            S short_high2 = _ring_resolution_1.high2;
-            EACH(GET_MASK, _ring_resolution_1, fits)
-            CALL(court_coarse, _coarse_1)(lanes_wide(short_rate_margin), lanes_wide(short_flat), lanes_wide(short_ceiling), lanes_wide(short_share), searching, representable, fits);
-            EACH(GET_MASK, _coarse_1, stepping, single_precision)
-            EACH(SET, _coarse_1, searching)
-            EACH(GET, _coarse_1, ceiling, flat, tilt)
+        size_t stepping_shots = 0;
+        static const int stepping_taken[] = {0, 10, 1, 2};
+        for (size_t i = 0; i < shots; i += LANES_WIDTH) {
+            const M rows = lanes_both(mask_first_n(shots - i), lanes_less(K(0.0), lanes_load(worklist->open + i)));
+            if (lanes_any(rows)) {
+                if (LANES_SELDOM(varying))
+                    LOOP(fix_rows_3)(worklist, i);
+                EACH(LOAD, , extent, last, speed, until, vx, vy, vz, x, y, z)
+                BOUNDS(EACH(LOAD, , earliest_delay, pad, position_error, undecided_time, velocity_error))
+                CALL(court_beginning, _beginning_1)();
+                EACH(GET, _beginning_1, share, arrival)
+                EACH(GET_MASK, _beginning_1, certain)
+                CALL(court_left, _left_1)(K(0.0), last);
+                EACH(GET, _left_1, leaving)
+                CALL(court_ring_opened, _ring_opened_1)(lanes_narrow(until), lanes_narrow(x), lanes_narrow(y), lanes_narrow(z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(vz), lanes_narrow(extent), lanes_narrow(speed), FIXED_SINGLE(0), FIXED_SINGLE(1), FIXED_SINGLE(2), FIXED_SINGLE(3), FIXED_SINGLE(4), FIXED_SINGLE(5), FIXED_SINGLE(6), FIXED_SINGLE(7), FIXED_SINGLE(8), FIXED_SINGLE(9));
+                S onset = _ring_opened_1.t;
+                S wide_end = _ring_opened_1.end;
+                EACH(GET_MASK, _ring_opened_1, searching)
+                S wide_low1 = _ring_opened_1.low1;
+                S wide_high1 = _ring_opened_1.high1;
+                S wide_low2 = _ring_opened_1.low2;
+                S wide_high2 = _ring_opened_1.high2;
+                S lapsed = _ring_opened_1.latest;
+                EACH(GET_MASK, _ring_opened_1, representable)
+                CALL(court_opened, _opened_1)(lanes_wide(lapsed), lanes_wide(onset));
+                V since = _opened_1.time;
+                BOUNDS(EACH(GET, _opened_1, latest))
+                CALL(court_ring_started, _ring_started_1)(x, y, z, vx, vy, vz, FIXED(7));
+                EACH(GET, _ring_started_1, rho_start, start_rate, rho_rate)
+                CALL(court_flight, _flight_1)(since, x, y, z, vx, vy, vz, FIXED(21), FIXED(33));
+                V near_x = _flight_1.x;
+                V near_y = _flight_1.y;
+                V near_z = _flight_1.z;
+                V near_vz = _flight_1.vz;
+                CALL(court_ring_resolution, _ring_resolution_1)(onset, wide_end, lanes_narrow(leaving), lapsed, lanes_narrow(near_x), lanes_narrow(near_y), lanes_narrow(near_z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(near_vz), lanes_narrow(extent), lanes_narrow(speed), lanes_narrow(start_rate), lanes_narrow(rho_rate), wide_low1, wide_high1, wide_low2, wide_high2, FIXED_SINGLE(0), FIXED_SINGLE(10), FIXED_SINGLE(6), FIXED_SINGLE(11), FIXED_SINGLE(12), FIXED_SINGLE(13), FIXED_SINGLE(14), FIXED_SINGLE(15), FIXED_SINGLE(4), FIXED_SINGLE(16), FIXED_SINGLE(17), FIXED_SINGLE(18));
+                S short_share = _ring_resolution_1.share;
+                S short_t = _ring_resolution_1.t;
+                S short_end = _ring_resolution_1.end;
+                S short_x = _ring_resolution_1.x;
+                S short_y = _ring_resolution_1.y;
+                S short_z = _ring_resolution_1.z;
+                S short_vx = _ring_resolution_1.vx;
+                S short_vy = _ring_resolution_1.vy;
+                S short_vz = _ring_resolution_1.vz;
+                S short_energy2 = _ring_resolution_1.energy2;
+                S short_moment2 = _ring_resolution_1.moment2;
+                S short_rho_start = _ring_resolution_1.rho_start;
+                S short_ceiling = _ring_resolution_1.ceiling;
+                S short_flat = _ring_resolution_1.flat;
+                S short_tilt = _ring_resolution_1.tilt;
+                S short_jerk = _ring_resolution_1.jerk;
+                S short_quotient_margin = _ring_resolution_1.quotient_margin;
+                S short_start_rate = _ring_resolution_1.start_rate;
+                S short_rho_rate = _ring_resolution_1.rho_rate;
+                S short_rate_margin = _ring_resolution_1.rate_margin;
+                S short_low1 = _ring_resolution_1.low1;
+                S short_high1 = _ring_resolution_1.high1;
+                S short_low2 = _ring_resolution_1.low2;
+                S short_high2 = _ring_resolution_1.high2;
+                EACH(GET_MASK, _ring_resolution_1, fits)
+                CALL(court_coarse, _coarse_1)(lanes_wide(short_rate_margin), lanes_wide(short_flat), lanes_wide(short_ceiling), lanes_wide(short_share), searching, representable, fits);
+                EACH(GET_MASK, _coarse_1, stepping, single_precision)
+                EACH(SET, _coarse_1, searching)
+                EACH(GET, _coarse_1, ceiling, flat, tilt)
 #if BOUNDED
-            EACH(GET, _coarse_1, allowing)
-            CALL(court_ring_coarse_excess, _ring_coarse_excess_1)(allowing, latest, extent, speed, position_error, velocity_error, FIXED(21), FIXED(30), FIXED(42), FIXED(43));
-            EACH(GET, _ring_coarse_excess_1, excess)
-            CALL(court_ring_budget_exceeded, _ring_budget_exceeded_1)(until, extent, speed, position_error, velocity_error, FIXED(27), FIXED(44), FIXED(20), FIXED(45), FIXED(28), FIXED(29));
-            EACH(GET, _ring_budget_exceeded_1, budget_exceeded)
-            CALL(court_out_of_budget, _out_of_budget_1)(pad, budget_exceeded, earliest_delay, undecided_time, excess);
-            EACH(SET, _out_of_budget_1, undecided_time)
+                EACH(GET, _coarse_1, allowing)
+                CALL(court_ring_coarse_excess, _ring_coarse_excess_1)(allowing, latest, extent, speed, position_error, velocity_error, FIXED(21), FIXED(30), FIXED(42), FIXED(43));
+                EACH(GET, _ring_coarse_excess_1, excess)
+                CALL(court_ring_budget_exceeded, _ring_budget_exceeded_1)(until, extent, speed, position_error, velocity_error, FIXED(27), FIXED(44), FIXED(20), FIXED(45), FIXED(28), FIXED(29));
+                EACH(GET, _ring_budget_exceeded_1, budget_exceeded)
+                CALL(court_out_of_budget, _out_of_budget_1)(pad, budget_exceeded, earliest_delay, undecided_time, excess);
+                EACH(SELECT, (rows, _out_of_budget_1), undecided_time)
 #endif
-            const M _if_stepping_1 = lanes_both(rows, stepping);
-            if (LANES_USUAL(_if_stepping_1)) {
-                CALL(court_ring_step, _ring_step_1)(short_t, short_end, short_rate_margin, short_ceiling, short_x, short_y, short_z, short_vx, short_vy, short_vz, short_energy2, short_moment2, short_rho_start, short_flat, short_tilt, short_quotient_margin, short_jerk, short_start_rate, short_rho_rate, short_low1, short_high1, short_low2, short_high2, FIXED_SINGLE(19), FIXED_SINGLE(0), FIXED_SINGLE(20), FIXED_SINGLE(21), FIXED_SINGLE(22), FIXED_SINGLE(1), FIXED_SINGLE(23), FIXED_SINGLE(24), FIXED_SINGLE(6), FIXED_SINGLE(25));
-                short_t = singles_select(singles_of(_if_stepping_1), _ring_step_1.t, short_t);
-                short_end = singles_select(singles_of(_if_stepping_1), _ring_step_1.end, short_end);
-                EACH(SELECT_MASK, (_if_stepping_1, _ring_step_1), certain, stepping)
-            }
-            EACH(STORE, open_, arrival, ceiling, flat, rho_start, share, since, tilt)
-            EACH(STORE_MASK, open_, certain, searching, single_precision)
-            EACH(STORE_SINGLE, open_, short_t)
-            BOUNDS(EACH(STORE, open_, latest, undecided_time))
-            const M packed = lanes_both(rows, stepping);
-            if (lanes_any(packed)) {
-                lanes_pack(worklist->open_stepping_row + open_stepping_shots, packed, lanes_add(iota(), K((double)i)));
-                EACH(PACK_SINGLE, open_stepping_, short_ceiling, short_end, short_energy2)
-                EACH(PACK_SINGLE, open_stepping_, short_flat, short_high1, short_high2, short_jerk)
-                EACH(PACK_SINGLE, open_stepping_, short_low1, short_low2, short_moment2)
-                EACH(PACK_SINGLE, open_stepping_, short_quotient_margin, short_rate_margin)
-                EACH(PACK_SINGLE, open_stepping_, short_rho_rate, short_rho_start, short_start_rate)
-                EACH(PACK_SINGLE, open_stepping_, short_t, short_tilt, short_vx, short_vy, short_vz)
-                EACH(PACK_SINGLE, open_stepping_, short_x, short_y, short_z)
-                if (LANES_SELDOM(varying)) {
-                    for (size_t _p = 0; _p < 4; _p++) {
-                        lanes_pack(worklist->open_stepping_parameters.columns[open_stepping_taken[_p]] + open_stepping_shots, packed, lanes_load(worklist->open_parameters.columns[open_stepping_taken[_p]] + i));
-                    }
+                const M _if_stepping_1 = lanes_both(rows, stepping);
+                if (LANES_USUAL(_if_stepping_1)) {
+                    CALL(court_ring_step, _ring_step_1)(short_t, short_end, short_rate_margin, short_ceiling, short_x, short_y, short_z, short_vx, short_vy, short_vz, short_energy2, short_moment2, short_rho_start, short_flat, short_tilt, short_quotient_margin, short_jerk, short_start_rate, short_rho_rate, short_low1, short_high1, short_low2, short_high2, FIXED_SINGLE(19), FIXED_SINGLE(0), FIXED_SINGLE(20), FIXED_SINGLE(21), FIXED_SINGLE(22), FIXED_SINGLE(1), FIXED_SINGLE(23), FIXED_SINGLE(24), FIXED_SINGLE(6), FIXED_SINGLE(25));
+                    short_t = singles_select(singles_of(_if_stepping_1), _ring_step_1.t, short_t);
+                    short_end = singles_select(singles_of(_if_stepping_1), _ring_step_1.end, short_end);
+                    EACH(SELECT_MASK, (_if_stepping_1, _ring_step_1), certain, stepping)
                 }
-                open_stepping_shots += popcount(packed);
+                EACH(STORE, , arrival, ceiling, flat, rho_start, share, since, tilt)
+                EACH(STORE_MASK, , certain, searching, single_precision)
+                EACH(STORE_SINGLE, , short_t)
+                BOUNDS(EACH(STORE, , latest, undecided_time))
+                const M packed = lanes_both(rows, stepping);
+                if (lanes_any(packed)) {
+                    lanes_pack(worklist->stepping_row + stepping_shots, packed, lanes_add(iota(), K((double)i)));
+                    EACH(PACK_SINGLE, stepping_, short_ceiling, short_end, short_energy2)
+                    EACH(PACK_SINGLE, stepping_, short_flat, short_high1, short_high2, short_jerk)
+                    EACH(PACK_SINGLE, stepping_, short_low1, short_low2, short_moment2)
+                    EACH(PACK_SINGLE, stepping_, short_quotient_margin, short_rate_margin)
+                    EACH(PACK_SINGLE, stepping_, short_rho_rate, short_rho_start, short_start_rate)
+                    EACH(PACK_SINGLE, stepping_, short_t, short_tilt, short_vx, short_vy, short_vz)
+                    EACH(PACK_SINGLE, stepping_, short_x, short_y, short_z)
+                    if (LANES_SELDOM(varying)) {
+                        for (size_t _p = 0; _p < 4; _p++) {
+                            lanes_pack(worklist->stepping_parameters.columns[stepping_taken[_p]] + stepping_shots, packed, lanes_load(worklist->parameters.columns[stepping_taken[_p]] + i));
+                        }
+                    }
+                    stepping_shots += popcount(packed);
+                }
             }
         }
-        if (open_stepping_shots) {
-            EACH(CLEAR, open_stepping_, row)
-            EACH(CLEAR_SINGLE, open_stepping_, short_ceiling, short_end, short_energy2, short_flat)
-            EACH(CLEAR_SINGLE, open_stepping_, short_high1, short_high2, short_jerk, short_low1)
-            EACH(CLEAR_SINGLE, open_stepping_, short_low2, short_moment2, short_quotient_margin)
-            EACH(CLEAR_SINGLE, open_stepping_, short_rate_margin, short_rho_rate, short_rho_start)
-            EACH(CLEAR_SINGLE, open_stepping_, short_start_rate, short_t, short_tilt, short_vx)
-            EACH(CLEAR_SINGLE, open_stepping_, short_vy, short_vz, short_x, short_y, short_z)
+        if (stepping_shots) {
+            EACH(CLEAR, stepping_, row)
+            EACH(CLEAR_SINGLE, stepping_, short_ceiling, short_end, short_energy2, short_flat)
+            EACH(CLEAR_SINGLE, stepping_, short_high1, short_high2, short_jerk, short_low1)
+            EACH(CLEAR_SINGLE, stepping_, short_low2, short_moment2, short_quotient_margin)
+            EACH(CLEAR_SINGLE, stepping_, short_rate_margin, short_rho_rate, short_rho_start)
+            EACH(CLEAR_SINGLE, stepping_, short_start_rate, short_t, short_tilt, short_vx, short_vy)
+            EACH(CLEAR_SINGLE, stepping_, short_vz, short_x, short_y, short_z)
             if (LANES_SELDOM(varying)) {
                 for (size_t _p = 0; _p < 4; _p++) {
-                    lanes_store(worklist->open_stepping_parameters.columns[open_stepping_taken[_p]] + open_stepping_shots, K(0.0));
+                    lanes_store(worklist->stepping_parameters.columns[stepping_taken[_p]] + stepping_shots, K(0.0));
                 }
             }
         }
@@ -3668,22 +3638,21 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             EACH(START_SINGLE, , short_rho_start, short_start_rate, short_t, short_tilt, short_vx)
             EACH(START_SINGLE, , short_vy, short_vz, short_x, short_y, short_z)
             for (;;) {
-                if ((taken < open_stepping_shots) && ((busy + LANES_SPARE) <= LANES_WIDTH)) {
+                if ((taken < stepping_shots) && ((busy + LANES_SPARE) <= LANES_WIDTH)) {
                     const M idle = lanes_not(active);
                     turns = lanes_select(idle, K(0.0), turns);
-                    EACH(EXPAND, open_stepping_, row)
-                    EACH(EXPAND_SINGLE, open_stepping_, short_ceiling, short_end, short_energy2)
-                    EACH(EXPAND_SINGLE, open_stepping_, short_flat, short_high1, short_high2)
-                    EACH(EXPAND_SINGLE, open_stepping_, short_jerk, short_low1, short_low2)
-                    EACH(EXPAND_SINGLE, open_stepping_, short_moment2, short_quotient_margin)
-                    EACH(EXPAND_SINGLE, open_stepping_, short_rate_margin, short_rho_rate)
-                    EACH(EXPAND_SINGLE, open_stepping_, short_rho_start, short_start_rate, short_t)
-                    EACH(EXPAND_SINGLE, open_stepping_, short_tilt, short_vx, short_vy, short_vz)
-                    EACH(EXPAND_SINGLE, open_stepping_, short_x, short_y, short_z)
+                    EACH(EXPAND, stepping_, row)
+                    EACH(EXPAND_SINGLE, stepping_, short_ceiling, short_end, short_energy2)
+                    EACH(EXPAND_SINGLE, stepping_, short_flat, short_high1, short_high2, short_jerk)
+                    EACH(EXPAND_SINGLE, stepping_, short_low1, short_low2, short_moment2)
+                    EACH(EXPAND_SINGLE, stepping_, short_quotient_margin, short_rate_margin)
+                    EACH(EXPAND_SINGLE, stepping_, short_rho_rate, short_rho_start)
+                    EACH(EXPAND_SINGLE, stepping_, short_start_rate, short_t, short_tilt, short_vx)
+                    EACH(EXPAND_SINGLE, stepping_, short_vy, short_vz, short_x, short_y, short_z)
                     if (LANES_SELDOM(varying))
-                        LOOP(fix_open_stepping_rows_1)(worklist, taken, idle);
+                        LOOP(fix_stepping_rows_1)(worklist, taken, idle);
                     const size_t room = LANES_WIDTH - busy;
-                    const size_t _left = open_stepping_shots - taken;
+                    const size_t _left = stepping_shots - taken;
                     active = lanes_leading(idle, _left, active);
                     taken += _left < room ? _left : room;
                     busy += _left < room ? _left : room;
@@ -3698,69 +3667,70 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                 EACH(SET, _ring_step_1, stepping)
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(stepping, lanes_less(turns, K(24.0)))));
-                lanes_pack(worklist->open_stepping_ended_row + done, ended, row);
-                lanes_pack(worklist->open_stepping_ended_certain + done, ended, lanes_select(certain, K(1.0), K(0.0)));
-                singles_pack(worklist->open_stepping_ended_short_t + done, ended, short_t);
+                lanes_pack(worklist->stepping_ended_row + done, ended, row);
+                lanes_pack(worklist->stepping_ended_certain + done, ended, lanes_select(certain, K(1.0), K(0.0)));
+                singles_pack(worklist->stepping_ended_short_t + done, ended, short_t);
                 done += popcount(ended);
                 busy -= popcount(ended);
                 active = lanes_both(active, lanes_not(ended));
             }
             for (size_t k = 0; k < done; k++) {
-                const size_t row = (size_t)worklist->open_stepping_ended_row[k];
-                EACH(RETURN, (open_, open_stepping_ended_), certain, short_t)
+                const size_t row = (size_t)worklist->stepping_ended_row[k];
+                EACH(RETURN, (, stepping_ended_), certain, short_t)
             }
         }
         }
         {
-        size_t open_searching_shots = 0;
-        static const int open_searching_taken[] = {0, 10, 1, 2};
-        for (size_t i = 0; i < open_shots; i += LANES_WIDTH) {
-            const M rows = mask_first_n(open_shots - i);
-            EACH(LOAD, open_, arrival, extent, last, share, since, speed, until, vx, vy, vz, x, y)
-            EACH(LOAD, open_, z)
-            EACH(LOAD_MASK, open_, certain, searching, single_precision)
-            EACH(LOAD_SINGLE, open_, short_t)
-            BOUNDS(EACH(LOAD, open_, position_error, undecided_time, velocity_error))
-            CALL(court_stepped, _stepped_1)(arrival, lanes_wide(short_t), searching, since, single_precision, certain);
-            EACH(SET, _stepped_1, arrival, searching)
-            EACH(GET, _stepped_1, t)
-            EACH(STORE, open_, arrival)
-            const M packed = lanes_both(rows, searching);
-            if (lanes_any(packed)) {
-                lanes_pack(worklist->open_searching_row + open_searching_shots, packed, lanes_add(iota(), K((double)i)));
-                EACH(PACK, open_searching_, arrival, extent, last, share, speed, t, until, vx, vy)
-                EACH(PACK, open_searching_, vz, x, y, z)
-                EACH(PACK_MASK, open_searching_, certain)
-                BOUNDS(EACH(PACK, open_searching_, position_error, undecided_time, velocity_error))
-                if (LANES_SELDOM(varying)) {
-                    for (size_t _p = 0; _p < 4; _p++) {
-                        lanes_pack(worklist->open_searching_parameters.columns[open_searching_taken[_p]] + open_searching_shots, packed, lanes_load(worklist->open_parameters.columns[open_searching_taken[_p]] + i));
+        size_t searching_shots = 0;
+        static const int searching_taken[] = {0, 10, 1, 2};
+        for (size_t i = 0; i < shots; i += LANES_WIDTH) {
+            const M rows = lanes_both(mask_first_n(shots - i), lanes_less(K(0.0), lanes_load(worklist->open + i)));
+            if (lanes_any(rows)) {
+                EACH(LOAD, , arrival, extent, last, share, since, speed, until, vx, vy, vz, x, y, z)
+                EACH(LOAD_MASK, , certain, searching, single_precision)
+                EACH(LOAD_SINGLE, , short_t)
+                BOUNDS(EACH(LOAD, , position_error, undecided_time, velocity_error))
+                CALL(court_stepped, _stepped_1)(arrival, lanes_wide(short_t), searching, since, single_precision, certain);
+                EACH(SET, _stepped_1, arrival, searching)
+                EACH(GET, _stepped_1, t)
+                EACH(STORE, , arrival)
+                const M packed = lanes_both(rows, searching);
+                if (lanes_any(packed)) {
+                    lanes_pack(worklist->searching_row + searching_shots, packed, lanes_add(iota(), K((double)i)));
+                    EACH(PACK, searching_, arrival, extent, last, share, speed, t, until, vx, vy)
+                    EACH(PACK, searching_, vz, x, y, z)
+                    EACH(PACK_MASK, searching_, certain)
+                    BOUNDS(EACH(PACK, searching_, position_error, undecided_time, velocity_error))
+                    if (LANES_SELDOM(varying)) {
+                        for (size_t _p = 0; _p < 4; _p++) {
+                            lanes_pack(worklist->searching_parameters.columns[searching_taken[_p]] + searching_shots, packed, lanes_load(worklist->parameters.columns[searching_taken[_p]] + i));
+                        }
                     }
+                    searching_shots += popcount(packed);
                 }
-                open_searching_shots += popcount(packed);
             }
         }
-        if (open_searching_shots) {
-            EACH(CLEAR, open_searching_, row, arrival, certain, extent, last, share, speed, t)
-            EACH(CLEAR, open_searching_, until, vx, vy, vz, x, y, z)
-            BOUNDS(EACH(CLEAR, open_searching_, position_error, undecided_time, velocity_error))
+        if (searching_shots) {
+            EACH(CLEAR, searching_, row, arrival, certain, extent, last, share, speed, t, until, vx)
+            EACH(CLEAR, searching_, vy, vz, x, y, z)
+            BOUNDS(EACH(CLEAR, searching_, position_error, undecided_time, velocity_error))
             if (LANES_SELDOM(varying)) {
                 for (size_t _p = 0; _p < 4; _p++) {
-                    lanes_store(worklist->open_searching_parameters.columns[open_searching_taken[_p]] + open_searching_shots, K(0.0));
+                    lanes_store(worklist->searching_parameters.columns[searching_taken[_p]] + searching_shots, K(0.0));
                 }
             }
         }
         {
-        size_t open_searching_searching_shots = 0;
-        static const int open_searching_searching_taken[] = {0, 10, 1, 2};
-        for (size_t i = 0; i < open_searching_shots; i += LANES_WIDTH) {
-            const M rows = mask_first_n(open_searching_shots - i);
+        size_t searching_searching_shots = 0;
+        static const int searching_searching_taken[] = {0, 10, 1, 2};
+        for (size_t i = 0; i < searching_shots; i += LANES_WIDTH) {
+            const M rows = mask_first_n(searching_shots - i);
             if (LANES_SELDOM(varying))
-                LOOP(fix_open_searching_rows_1)(worklist, i);
-            EACH(LOAD, open_searching_, arrival, extent, last, share, speed, t, until, vx, vy, vz)
-            EACH(LOAD, open_searching_, x, y, z)
-            EACH(LOAD_MASK, open_searching_, certain)
-            BOUNDS(EACH(LOAD, open_searching_, position_error, undecided_time, velocity_error))
+                LOOP(fix_searching_rows_1)(worklist, i);
+            EACH(LOAD, searching_, arrival, extent, last, share, speed, t, until, vx, vy, vz, x, y)
+            EACH(LOAD, searching_, z)
+            EACH(LOAD_MASK, searching_, certain)
+            BOUNDS(EACH(LOAD, searching_, position_error, undecided_time, velocity_error))
             CALL(court_ring_prepare, _ring_prepare_1)(until, x, y, z, vx, vy, vz, extent, speed, OR_ZERO(position_error), OR_ZERO(velocity_error), FIXED(36), FIXED(40), FIXED(30), FIXED(22), FIXED(20), FIXED(34), FIXED(38), FIXED(37), FIXED(46), FIXED(27), FIXED(44), FIXED(45), FIXED(28), FIXED(29));
             EACH(GET, _ring_prepare_1, energy2, moment2, rho_start, low0, high0, low1, high1, low2)
             EACH(GET, _ring_prepare_1, high2, ceiling, latest)
@@ -3782,36 +3752,35 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             EACH(SET, _ring_enter_1, t)
             EACH(GET, _ring_enter_1, end)
             EACH(GET_MASK, _ring_enter_1, searching)
-            EACH(STORE, open_searching_, ceiling, flat, rho_start, tilt)
-            BOUNDS(EACH(STORE, open_searching_, latest, t, undecided_time))
-            BOUNDS(EACH(STORE_MASK, open_searching_, searching))
+            EACH(STORE, searching_, ceiling, flat, rho_start, tilt)
+            BOUNDS(EACH(STORE, searching_, latest, t, undecided_time))
+            BOUNDS(EACH(STORE_MASK, searching_, searching))
             const M packed = lanes_both(rows, searching);
             if (lanes_any(packed)) {
-                lanes_pack(worklist->open_searching_searching_row + open_searching_searching_shots, packed, lanes_add(iota(), K((double)i)));
-                EACH(PACK, open_searching_searching_, arrival, ceiling, end, energy2, extent, flat)
-                EACH(PACK, open_searching_searching_, high0, high1, high2, last, latest, low0, low1)
-                EACH(PACK, open_searching_searching_, low2, moment2, rate_slack, rho_start, share)
-                EACH(PACK, open_searching_searching_, speed, t, tilt, vx, vy, vz, x, y, z)
-                EACH(PACK_MASK, open_searching_searching_, certain)
-                BOUNDS(EACH(PACK, open_searching_searching_, position_error, undecided_time))
-                BOUNDS(EACH(PACK, open_searching_searching_, velocity_error))
+                lanes_pack(worklist->searching_searching_row + searching_searching_shots, packed, lanes_add(iota(), K((double)i)));
+                EACH(PACK, searching_searching_, arrival, ceiling, end, energy2, extent, flat)
+                EACH(PACK, searching_searching_, high0, high1, high2, last, latest, low0, low1)
+                EACH(PACK, searching_searching_, low2, moment2, rate_slack, rho_start, share, speed)
+                EACH(PACK, searching_searching_, t, tilt, vx, vy, vz, x, y, z)
+                EACH(PACK_MASK, searching_searching_, certain)
+                BOUNDS(EACH(PACK, searching_searching_, position_error, undecided_time, velocity_error))
                 if (LANES_SELDOM(varying)) {
                     for (size_t _p = 0; _p < 4; _p++) {
-                        lanes_pack(worklist->open_searching_searching_parameters.columns[open_searching_searching_taken[_p]] + open_searching_searching_shots, packed, lanes_load(worklist->open_searching_parameters.columns[open_searching_searching_taken[_p]] + i));
+                        lanes_pack(worklist->searching_searching_parameters.columns[searching_searching_taken[_p]] + searching_searching_shots, packed, lanes_load(worklist->searching_parameters.columns[searching_searching_taken[_p]] + i));
                     }
                 }
-                open_searching_searching_shots += popcount(packed);
+                searching_searching_shots += popcount(packed);
             }
         }
-        if (open_searching_searching_shots) {
-            EACH(CLEAR, open_searching_searching_, row, arrival, ceiling, certain, end, energy2)
-            EACH(CLEAR, open_searching_searching_, extent, flat, high0, high1, high2, last, latest)
-            EACH(CLEAR, open_searching_searching_, low0, low1, low2, moment2, rate_slack, rho_start)
-            EACH(CLEAR, open_searching_searching_, share, speed, t, tilt, vx, vy, vz, x, y, z)
-            BOUNDS(EACH(CLEAR, open_searching_searching_, position_error, undecided_time, velocity_error))
+        if (searching_searching_shots) {
+            EACH(CLEAR, searching_searching_, row, arrival, ceiling, certain, end, energy2, extent)
+            EACH(CLEAR, searching_searching_, flat, high0, high1, high2, last, latest, low0, low1)
+            EACH(CLEAR, searching_searching_, low2, moment2, rate_slack, rho_start, share, speed, t)
+            EACH(CLEAR, searching_searching_, tilt, vx, vy, vz, x, y, z)
+            BOUNDS(EACH(CLEAR, searching_searching_, position_error, undecided_time, velocity_error))
             if (LANES_SELDOM(varying)) {
                 for (size_t _p = 0; _p < 4; _p++) {
-                    lanes_store(worklist->open_searching_searching_parameters.columns[open_searching_searching_taken[_p]] + open_searching_searching_shots, K(0.0));
+                    lanes_store(worklist->searching_searching_parameters.columns[searching_searching_taken[_p]] + searching_searching_shots, K(0.0));
                 }
             }
         }
@@ -3825,21 +3794,21 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             EACH(START, , share, speed, t, tilt, vx, vy, vz, x, y, z)
             BOUNDS(EACH(START, , position_error, undecided_time, velocity_error))
             for (;;) {
-                if ((taken < open_searching_searching_shots) && ((busy + LANES_SPARE) <= LANES_WIDTH)) {
+                if ((taken < searching_searching_shots) && ((busy + LANES_SPARE) <= LANES_WIDTH)) {
                     const M idle = lanes_not(active);
                     turns = lanes_select(idle, K(0.0), turns);
-                    EACH(EXPAND, open_searching_searching_, row, arrival, ceiling, end, energy2)
-                    EACH(EXPAND, open_searching_searching_, extent, flat, high0, high1, high2, last)
-                    EACH(EXPAND, open_searching_searching_, latest, low0, low1, low2, moment2)
-                    EACH(EXPAND, open_searching_searching_, rate_slack, rho_start, share, speed, t)
-                    EACH(EXPAND, open_searching_searching_, tilt, vx, vy, vz, x, y, z)
-                    EACH(EXPAND_MASK, open_searching_searching_, certain)
-                    BOUNDS(EACH(EXPAND, open_searching_searching_, position_error, undecided_time))
-                    BOUNDS(EACH(EXPAND, open_searching_searching_, velocity_error))
+                    EACH(EXPAND, searching_searching_, row, arrival, ceiling, end, energy2, extent)
+                    EACH(EXPAND, searching_searching_, flat, high0, high1, high2, last, latest)
+                    EACH(EXPAND, searching_searching_, low0, low1, low2, moment2, rate_slack)
+                    EACH(EXPAND, searching_searching_, rho_start, share, speed, t, tilt, vx, vy, vz)
+                    EACH(EXPAND, searching_searching_, x, y, z)
+                    EACH(EXPAND_MASK, searching_searching_, certain)
+                    BOUNDS(EACH(EXPAND, searching_searching_, position_error, undecided_time))
+                    BOUNDS(EACH(EXPAND, searching_searching_, velocity_error))
                     if (LANES_SELDOM(varying))
-                        LOOP(fix_open_searching_searching_rows_1)(worklist, taken, idle);
+                        LOOP(fix_searching_searching_rows_1)(worklist, taken, idle);
                     const size_t room = LANES_WIDTH - busy;
-                    const size_t _left = open_searching_searching_shots - taken;
+                    const size_t _left = searching_searching_shots - taken;
                     active = lanes_leading(idle, _left, active);
                     taken += _left < room ? _left : room;
                     busy += _left < room ? _left : room;
@@ -3883,111 +3852,110 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                 }
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(searching, lanes_less(turns, K(201.0)))));
-                lanes_pack(worklist->open_searching_searching_ended_row + done, ended, row);
-                lanes_pack(worklist->open_searching_searching_ended_arrival + done, ended, arrival);
-                lanes_pack(worklist->open_searching_searching_ended_certain + done, ended, lanes_select(certain, K(1.0), K(0.0)));
-                lanes_pack(worklist->open_searching_searching_ended_flat + done, ended, flat);
+                lanes_pack(worklist->searching_searching_ended_row + done, ended, row);
+                lanes_pack(worklist->searching_searching_ended_arrival + done, ended, arrival);
+                lanes_pack(worklist->searching_searching_ended_certain + done, ended, lanes_select(certain, K(1.0), K(0.0)));
+                lanes_pack(worklist->searching_searching_ended_flat + done, ended, flat);
 #if BOUNDED
-                lanes_pack(worklist->open_searching_searching_ended_searching + done, ended, lanes_select(searching, K(1.0), K(0.0)));
-                lanes_pack(worklist->open_searching_searching_ended_t + done, ended, t);
+                lanes_pack(worklist->searching_searching_ended_searching + done, ended, lanes_select(searching, K(1.0), K(0.0)));
+                lanes_pack(worklist->searching_searching_ended_t + done, ended, t);
 #endif
-                lanes_pack(worklist->open_searching_searching_ended_tilt + done, ended, tilt);
+                lanes_pack(worklist->searching_searching_ended_tilt + done, ended, tilt);
 #if BOUNDED
-                lanes_pack(worklist->open_searching_searching_ended_undecided_time + done, ended, undecided_time);
+                lanes_pack(worklist->searching_searching_ended_undecided_time + done, ended, undecided_time);
 #endif
                 done += popcount(ended);
                 busy -= popcount(ended);
                 active = lanes_both(active, lanes_not(ended));
             }
             for (size_t k = 0; k < done; k++) {
-                const size_t row = (size_t)worklist->open_searching_searching_ended_row[k];
-                EACH(RETURN, (open_searching_, open_searching_searching_ended_), arrival, certain)
-                EACH(RETURN, (open_searching_, open_searching_searching_ended_), flat, tilt)
-                BOUNDS(EACH(RETURN, (open_searching_, open_searching_searching_ended_), searching, t))
-                BOUNDS(EACH(RETURN, (open_searching_, open_searching_searching_ended_), undecided_time))
+                const size_t row = (size_t)worklist->searching_searching_ended_row[k];
+                EACH(RETURN, (searching_, searching_searching_ended_), arrival, certain, flat, tilt)
+                BOUNDS(EACH(RETURN, (searching_, searching_searching_ended_), searching, t, undecided_time))
             }
         }
 #if BOUNDED
         }
-        for (size_t i = 0; i < open_searching_shots; i += LANES_WIDTH) {
-            EACH(LOAD_MASK, open_searching_, searching)
-            EACH(LOAD, open_searching_, t, undecided_time)
+        for (size_t i = 0; i < searching_shots; i += LANES_WIDTH) {
+            EACH(LOAD_MASK, searching_, searching)
+            EACH(LOAD, searching_, t, undecided_time)
             CALL(court_predicate_undecided, _predicate_undecided_1)(t, undecided_time, searching);
             EACH(SET, _predicate_undecided_1, undecided_time)
-            EACH(STORE, open_searching_, undecided_time)
+            EACH(STORE, searching_, undecided_time)
 #endif
         }
-        for (size_t k = 0; k < open_searching_shots; k++) {
-            const size_t row = (size_t)worklist->open_searching_row[k];
-            EACH(RETURN, (open_, open_searching_), arrival, ceiling, certain, flat, rho_start, tilt)
-            BOUNDS(EACH(RETURN, (open_, open_searching_), latest, undecided_time))
+        for (size_t k = 0; k < searching_shots; k++) {
+            const size_t row = (size_t)worklist->searching_row[k];
+            EACH(RETURN, (, searching_), arrival, ceiling, certain, flat, rho_start, tilt)
+            BOUNDS(EACH(RETURN, (, searching_), latest, undecided_time))
         }
         }
         {
-        size_t open_refining_shots = 0;
-        static const int open_refining_taken[] = {0, 10, 1, 2};
-        for (size_t i = 0; i < open_shots; i += LANES_WIDTH) {
-            const M rows = mask_first_n(open_shots - i);
-            if (LANES_SELDOM(varying))
-                LOOP(fix_open_rows_2)(worklist, i);
-            EACH(LOAD, open_, arrival, ceiling, flat, last, rho_start, tilt, vx, vy, vz, x, y, z)
-            EACH(LOAD_MASK, open_, certain)
-            CALL(court_found, _found_1)(arrival);
-            EACH(GET_MASK, _found_1, arrives, refining)
-            BOUNDS(EACH(GET, _found_1, rate))
-            CALL(court_nearby, _nearby_1)(arrival, flat, tilt, K(0.0), last);
-            EACH(GET, _nearby_1, leaving)
-            const M _if_refining_1 = lanes_both(rows, refining);
-            if (LANES_USUAL(_if_refining_1)) {
-                CALL(court_ring_refine, _ring_refine_1)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, FIXED(7), FIXED(21), FIXED(33), FIXED(14));
-                V refined = _ring_refine_1.time;
-                EACH(GET, _ring_refine_1, gap)
+        size_t refining_shots = 0;
+        static const int refining_taken[] = {0, 10, 1, 2};
+        for (size_t i = 0; i < shots; i += LANES_WIDTH) {
+            const M rows = lanes_both(mask_first_n(shots - i), lanes_less(K(0.0), lanes_load(worklist->open + i)));
+            if (lanes_any(rows)) {
+                if (LANES_SELDOM(varying))
+                    LOOP(fix_rows_4)(worklist, i);
+                EACH(LOAD, , arrival, ceiling, flat, last, rho_start, tilt, vx, vy, vz, x, y, z)
+                EACH(LOAD_MASK, , certain)
+                CALL(court_found, _found_1)(arrival);
+                EACH(GET_MASK, _found_1, arrives, refining)
+                BOUNDS(EACH(GET, _found_1, rate))
+                CALL(court_nearby, _nearby_1)(arrival, flat, tilt, K(0.0), last);
+                EACH(GET, _nearby_1, leaving)
+                const M _if_refining_1 = lanes_both(rows, refining);
+                if (LANES_USUAL(_if_refining_1)) {
+                    CALL(court_ring_refine, _ring_refine_1)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, FIXED(7), FIXED(21), FIXED(33), FIXED(14));
+                    V refined = _ring_refine_1.time;
+                    EACH(GET, _ring_refine_1, gap)
 #if BOUNDED
-                EACH(SELECT, (_if_refining_1, _ring_refine_1), rate)
+                    EACH(SELECT, (_if_refining_1, _ring_refine_1), rate)
 #else
-                EACH(GET, _ring_refine_1, rate)
+                    EACH(GET, _ring_refine_1, rate)
 #endif
-                CALL(court_refined_root, _refined_root_1)(gap, rate, ceiling, arrival, refined, certain);
-                EACH(SELECT, (_if_refining_1, _refined_root_1), arrival)
-                EACH(SELECT_MASK, (_if_refining_1, _refined_root_1), refining)
-            }
-            const M _if_refining_2 = lanes_both(rows, refining);
-            if (LANES_USUAL(_if_refining_2)) {
-                CALL(court_ring_refine, _ring_refine_2)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, FIXED(7), FIXED(21), FIXED(33), FIXED(14));
-                V refined = _ring_refine_2.time;
-                EACH(GET, _ring_refine_2, gap)
-#if BOUNDED
-                EACH(SELECT, (_if_refining_2, _ring_refine_2), rate)
-#else
-                EACH(GET, _ring_refine_2, rate)
-#endif
-                CALL(court_refined_root, _refined_root_2)(gap, rate, ceiling, arrival, refined, certain);
-                EACH(SELECT, (_if_refining_2, _refined_root_2), arrival)
-                EACH(SELECT_MASK, (_if_refining_2, _refined_root_2), refining)
-            }
-            EACH(STORE, open_, arrival)
-            EACH(STORE_MASK, open_, arrives)
-            BOUNDS(EACH(STORE, open_, leaving, rate))
-            const M packed = lanes_both(rows, refining);
-            if (lanes_any(packed)) {
-                lanes_pack(worklist->open_refining_row + open_refining_shots, packed, lanes_add(iota(), K((double)i)));
-                EACH(PACK, open_refining_, arrival, ceiling, leaving, rho_start, vx, vy, vz, x, y)
-                EACH(PACK, open_refining_, z)
-                EACH(PACK_MASK, open_refining_, certain)
-                if (LANES_SELDOM(varying)) {
-                    for (size_t _p = 0; _p < 4; _p++) {
-                        lanes_pack(worklist->open_refining_parameters.columns[open_refining_taken[_p]] + open_refining_shots, packed, lanes_load(worklist->open_parameters.columns[open_refining_taken[_p]] + i));
-                    }
+                    CALL(court_refined_root, _refined_root_1)(gap, rate, ceiling, arrival, refined, certain);
+                    EACH(SELECT, (_if_refining_1, _refined_root_1), arrival)
+                    EACH(SELECT_MASK, (_if_refining_1, _refined_root_1), refining)
                 }
-                open_refining_shots += popcount(packed);
+                const M _if_refining_2 = lanes_both(rows, refining);
+                if (LANES_USUAL(_if_refining_2)) {
+                    CALL(court_ring_refine, _ring_refine_2)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, FIXED(7), FIXED(21), FIXED(33), FIXED(14));
+                    V refined = _ring_refine_2.time;
+                    EACH(GET, _ring_refine_2, gap)
+#if BOUNDED
+                    EACH(SELECT, (_if_refining_2, _ring_refine_2), rate)
+#else
+                    EACH(GET, _ring_refine_2, rate)
+#endif
+                    CALL(court_refined_root, _refined_root_2)(gap, rate, ceiling, arrival, refined, certain);
+                    EACH(SELECT, (_if_refining_2, _refined_root_2), arrival)
+                    EACH(SELECT_MASK, (_if_refining_2, _refined_root_2), refining)
+                }
+                EACH(STORE, , arrival)
+                EACH(STORE_MASK, , arrives)
+                BOUNDS(EACH(STORE, , leaving, rate))
+                const M packed = lanes_both(rows, refining);
+                if (lanes_any(packed)) {
+                    lanes_pack(worklist->refining_row + refining_shots, packed, lanes_add(iota(), K((double)i)));
+                    EACH(PACK, refining_, arrival, ceiling, leaving, rho_start, vx, vy, vz, x, y, z)
+                    EACH(PACK_MASK, refining_, certain)
+                    if (LANES_SELDOM(varying)) {
+                        for (size_t _p = 0; _p < 4; _p++) {
+                            lanes_pack(worklist->refining_parameters.columns[refining_taken[_p]] + refining_shots, packed, lanes_load(worklist->parameters.columns[refining_taken[_p]] + i));
+                        }
+                    }
+                    refining_shots += popcount(packed);
+                }
             }
         }
-        if (open_refining_shots) {
-            EACH(CLEAR, open_refining_, row, arrival, ceiling, certain, leaving, rho_start, vx, vy)
-            EACH(CLEAR, open_refining_, vz, x, y, z)
+        if (refining_shots) {
+            EACH(CLEAR, refining_, row, arrival, ceiling, certain, leaving, rho_start, vx, vy, vz)
+            EACH(CLEAR, refining_, x, y, z)
             if (LANES_SELDOM(varying)) {
                 for (size_t _p = 0; _p < 4; _p++) {
-                    lanes_store(worklist->open_refining_parameters.columns[open_refining_taken[_p]] + open_refining_shots, K(0.0));
+                    lanes_store(worklist->refining_parameters.columns[refining_taken[_p]] + refining_shots, K(0.0));
                 }
             }
         }
@@ -3998,16 +3966,16 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             EACH(START_MASK, , active, certain)
             EACH(START, , row, turns, arrival, ceiling, leaving, rho_start, vx, vy, vz, x, y, z)
             for (;;) {
-                if ((taken < open_refining_shots) && ((busy + LANES_SPARE) <= LANES_WIDTH)) {
+                if ((taken < refining_shots) && ((busy + LANES_SPARE) <= LANES_WIDTH)) {
                     const M idle = lanes_not(active);
                     turns = lanes_select(idle, K(0.0), turns);
-                    EACH(EXPAND, open_refining_, row, arrival, ceiling, leaving, rho_start, vx, vy)
-                    EACH(EXPAND, open_refining_, vz, x, y, z)
-                    EACH(EXPAND_MASK, open_refining_, certain)
+                    EACH(EXPAND, refining_, row, arrival, ceiling, leaving, rho_start, vx, vy, vz)
+                    EACH(EXPAND, refining_, x, y, z)
+                    EACH(EXPAND_MASK, refining_, certain)
                     if (LANES_SELDOM(varying))
-                        LOOP(fix_open_refining_rows_1)(worklist, taken, idle);
+                        LOOP(fix_refining_rows_1)(worklist, taken, idle);
                     const size_t room = LANES_WIDTH - busy;
-                    const size_t _left = open_refining_shots - taken;
+                    const size_t _left = refining_shots - taken;
                     active = lanes_leading(idle, _left, active);
                     taken += _left < room ? _left : room;
                     busy += _left < room ? _left : room;
@@ -4022,59 +3990,58 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                 EACH(SET, _refined_root_1, arrival, refining)
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(refining, lanes_less(turns, K(8.0)))));
-                lanes_pack(worklist->open_refining_ended_row + done, ended, row);
-                lanes_pack(worklist->open_refining_ended_arrival + done, ended, arrival);
+                lanes_pack(worklist->refining_ended_row + done, ended, row);
+                lanes_pack(worklist->refining_ended_arrival + done, ended, arrival);
 #if BOUNDED
-                lanes_pack(worklist->open_refining_ended_rate + done, ended, rate);
+                lanes_pack(worklist->refining_ended_rate + done, ended, rate);
 #endif
                 done += popcount(ended);
                 busy -= popcount(ended);
                 active = lanes_both(active, lanes_not(ended));
             }
             for (size_t k = 0; k < done; k++) {
-                const size_t row = (size_t)worklist->open_refining_ended_row[k];
-                EACH(RETURN, (open_, open_refining_ended_), arrival)
-                BOUNDS(EACH(RETURN, (open_, open_refining_ended_), rate))
+                const size_t row = (size_t)worklist->refining_ended_row[k];
+                EACH(RETURN, (, refining_ended_), arrival)
+                BOUNDS(EACH(RETURN, (, refining_ended_), rate))
             }
         }
         }
-        for (size_t i = 0; i < open_shots; i += LANES_WIDTH) {
+        for (size_t i = 0; i < shots; i += LANES_WIDTH) {
+            const M rows = lanes_both(mask_first_n(shots - i), lanes_less(K(0.0), lanes_load(worklist->open + i)));
+            if (lanes_any(rows)) {
 #if BOUNDED
-            if (LANES_SELDOM(varying))
-                LOOP(fix_open_rows_3)(worklist, i);
+                if (LANES_SELDOM(varying))
+                    LOOP(fix_rows_5)(worklist, i);
 #endif
-            EACH(LOAD, open_, arrival, when, which)
-            EACH(LOAD_MASK, open_, arrives)
+                EACH(LOAD, , arrival, when, which)
+                EACH(LOAD_MASK, , arrives)
 #if BOUNDED
-            EACH(LOAD, open_, ceiling, earliest_delay, extent, latest, leaving, position_error)
-            EACH(LOAD, open_, rate, speed, undecided_time, velocity_error)
-            EACH(LOAD_MASK, open_, certain)
-            CALL(court_ring_margins, _ring_margins_1)(latest, extent, speed, position_error, velocity_error, FIXED(21), FIXED(30), FIXED(47), FIXED(48), FIXED(49), FIXED(43));
-            V flat = _ring_margins_1.margin;
-            V tilt = _ring_margins_1.leaving_margin;
-            EACH(GET, _ring_margins_1, rate_margin)
-            CALL(court_own_margin, _own_margin_1)(leaving, flat, tilt, arrival);
-            EACH(GET, _own_margin_1, margin)
-            CALL(court_crossing, _crossing_1)(margin, rate_margin, rate, ceiling);
-            EACH(GET, _crossing_1, clearance, delay)
+                EACH(LOAD, , ceiling, earliest_delay, extent, latest, leaving, position_error, rate)
+                EACH(LOAD, , speed, undecided_time, velocity_error)
+                EACH(LOAD_MASK, , certain)
+                CALL(court_ring_margins, _ring_margins_1)(latest, extent, speed, position_error, velocity_error, FIXED(21), FIXED(30), FIXED(47), FIXED(48), FIXED(49), FIXED(43));
+                V flat = _ring_margins_1.margin;
+                V tilt = _ring_margins_1.leaving_margin;
+                EACH(GET, _ring_margins_1, rate_margin)
+                CALL(court_own_margin, _own_margin_1)(leaving, flat, tilt, arrival);
+                EACH(GET, _own_margin_1, margin)
+                CALL(court_crossing, _crossing_1)(margin, rate_margin, rate, ceiling);
+                EACH(GET, _crossing_1, clearance, delay)
 #endif
-            CALL(court_arrival_time, _arrival_time_1)(arrival);
-            EACH(GET, _arrival_time_1, time)
+                CALL(court_arrival_time, _arrival_time_1)(arrival);
+                EACH(GET, _arrival_time_1, time)
 #if BOUNDED
-            CALL(court_arrival_certainty, _arrival_certainty_1)(clearance, time, delay, undecided_time, arrives, certain);
-            EACH(SET, _arrival_certainty_1, delay, undecided_time)
-            CALL(court_tie_undecided, _tie_undecided_1)(time, when, delay, earliest_delay, undecided_time, arrives);
-            EACH(SET, _tie_undecided_1, undecided_time, earliest_delay)
+                CALL(court_arrival_certainty, _arrival_certainty_1)(clearance, time, delay, undecided_time, arrives, certain);
+                EACH(SET, _arrival_certainty_1, delay)
+                EACH(SELECT, (rows, _arrival_certainty_1), undecided_time)
+                CALL(court_tie_undecided, _tie_undecided_1)(time, when, delay, earliest_delay, undecided_time, arrives);
+                EACH(SELECT, (rows, _tie_undecided_1), undecided_time, earliest_delay)
 #endif
-            CALL(court_earliest, _earliest_1)(K(0.0), time, when, which, arrives);
-            EACH(SET, _earliest_1, when, which)
-            EACH(STORE, open_, when, which)
-            BOUNDS(EACH(STORE, open_, earliest_delay, undecided_time))
-        }
-        for (size_t k = 0; k < open_shots; k++) {
-            const size_t row = (size_t)worklist->open_row[k];
-            EACH(RETURN, (, open_), when, which)
-            BOUNDS(EACH(RETURN, (, open_), earliest_delay, undecided_time))
+                CALL(court_earliest, _earliest_1)(K(0.0), time, when, which, arrives);
+                EACH(SELECT, (rows, _earliest_1), when, which)
+                EACH(STORE, , when, which)
+                BOUNDS(EACH(STORE, , earliest_delay, undecided_time))
+            }
         }
         }
         {
@@ -4083,10 +4050,15 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
         for (size_t i = 0; i < shots; i += LANES_WIDTH) {
             const M rows = mask_first_n(shots - i);
             if (LANES_SELDOM(varying))
-                LOOP(fix_rows_3)(worklist, i);
+#if BOUNDED
+                LOOP(fix_rows_6)(worklist, i);
+            EACH(LOAD, , earliest_delay)
+#else
+                LOOP(fix_rows_5)(worklist, i);
+#endif
             EACH(LOAD, , extent, last, speed, vx, vy, vz, when, which, x, y, z)
             EACH(LOAD_MASK, , in_contact)
-            BOUNDS(EACH(LOAD, , earliest_delay, position_error, undecided_time, velocity_error))
+            BOUNDS(EACH(LOAD, , position_error, undecided_time, velocity_error))
             CALL(court_horizon, _horizon_1)(when, speed, FIXED(20));
             V until = _horizon_1.horizon;
             EACH(GET, _horizon_1, pad)
@@ -4473,10 +4445,15 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
         for (size_t i = 0; i < shots; i += LANES_WIDTH) {
             const M rows = mask_first_n(shots - i);
             if (LANES_SELDOM(varying))
-                LOOP(fix_rows_4)(worklist, i);
+#if BOUNDED
+                LOOP(fix_rows_7)(worklist, i);
+            EACH(LOAD, , earliest_delay)
+#else
+                LOOP(fix_rows_6)(worklist, i);
+#endif
             EACH(LOAD, , extent, last, speed, vx, vy, vz, when, which, x, y, z)
             EACH(LOAD_MASK, , in_contact)
-            BOUNDS(EACH(LOAD, , earliest_delay, position_error, undecided_time, velocity_error))
+            BOUNDS(EACH(LOAD, , position_error, undecided_time, velocity_error))
             CALL(court_horizon, _horizon_1)(when, speed, FIXED(20));
             V until = _horizon_1.horizon;
             EACH(GET, _horizon_1, pad)
@@ -4952,7 +4929,11 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
         for (size_t i = 0; i < shots; i += LANES_WIDTH) {
             const M rows = mask_first_n(shots - i);
             if (LANES_SELDOM(varying))
-                LOOP(fix_rows_5)(worklist, i);
+#if BOUNDED
+                LOOP(fix_rows_8)(worklist, i);
+#else
+                LOOP(fix_rows_7)(worklist, i);
+#endif
             const V p_ring_friction = lanes_load(worklist->parameters.p_ring_friction + (i & varying));
             const V p_ring_restitution = lanes_load(worklist->parameters.p_ring_restitution + (i & varying));
             EACH(LOAD, , began, clock, contacts, count_0, count_1, count_2, first, held, last, mode)
@@ -5270,7 +5251,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
         for (size_t i = 0; i < shots; i += LANES_WIDTH) {
             const M rows = mask_first_n(shots - i);
             if (LANES_SELDOM(varying))
-                LOOP(fix_rows_6)(worklist, i);
+                LOOP(fix_rows_9)(worklist, i);
             EACH(LOAD, , clock, clock_error, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz, outcome, vx)
             EACH(LOAD, , vy, vz, when, which, x, y, z)
             EACH(LOAD_MASK, , hopped, limited)

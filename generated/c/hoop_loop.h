@@ -47,56 +47,45 @@ typedef struct {
     LANES(singles_column) time_claim; /* bound on the error at the end */
 #endif
     LANES(column) outcome; /* how it ended, -1: in flight */
-    LANES(hoop_parameters) parameters, open_parameters, open_stepping_parameters, open_searching_parameters, open_searching_searching_parameters, open_refining_parameters;
+    LANES(hoop_parameters) parameters, stepping_parameters, searching_parameters, searching_searching_parameters, refining_parameters;
     LANES(column) x_before, y_before, z_before, vx_before, vy_before, vz_before, wx_before, wy_before, wz_before;
-    LANES(column) body, limited, open_arrival, open_arrives, open_ceiling, open_certain, open_extent,
-        open_flat, open_last, open_refining_arrival, open_refining_ceiling, open_refining_certain,
-        open_refining_ended_arrival, open_refining_ended_row, open_refining_leaving,
-        open_refining_refining, open_refining_rho_start, open_refining_row, open_refining_vx,
-        open_refining_vy, open_refining_vz, open_refining_x, open_refining_y, open_refining_z,
-        open_rho_start, open_row, open_searching, open_searching_arrival, open_searching_ceiling,
-        open_searching_certain, open_searching_extent, open_searching_flat, open_searching_last,
-        open_searching_rho_start, open_searching_row, open_searching_searching_arrival,
-        open_searching_searching_ceiling, open_searching_searching_certain,
-        open_searching_searching_end, open_searching_searching_ended_arrival,
-        open_searching_searching_ended_certain, open_searching_searching_ended_flat,
-        open_searching_searching_ended_row, open_searching_searching_ended_tilt,
-        open_searching_searching_energy2, open_searching_searching_extent,
-        open_searching_searching_flat, open_searching_searching_high0,
-        open_searching_searching_high1, open_searching_searching_high2,
-        open_searching_searching_last, open_searching_searching_latest,
-        open_searching_searching_low0, open_searching_searching_low1, open_searching_searching_low2,
-        open_searching_searching_moment2, open_searching_searching_rate_slack,
-        open_searching_searching_rho_start, open_searching_searching_row,
-        open_searching_searching_searching, open_searching_searching_share,
-        open_searching_searching_speed, open_searching_searching_t, open_searching_searching_tilt,
-        open_searching_searching_vx, open_searching_searching_vy, open_searching_searching_vz,
-        open_searching_searching_x, open_searching_searching_y, open_searching_searching_z,
-        open_searching_share, open_searching_speed, open_searching_t, open_searching_tilt,
-        open_searching_until, open_searching_vx, open_searching_vy, open_searching_vz,
-        open_searching_x, open_searching_y, open_searching_z, open_share, open_since,
-        open_single_precision, open_speed, open_stepping_ended_certain, open_stepping_ended_row,
-        open_stepping_row, open_stepping_stepping, open_tilt, open_until, open_vx, open_vy, open_vz,
-        open_when, open_which, open_x, open_y, open_z, permitted, turning_p_ball_radius,
-        turning_p_gravity, turning_p_ring_radius, turning_p_wire_radius, when, which;
-    LANES(singles_column) open_short_t, open_stepping_ended_short_t, open_stepping_short_ceiling,
-        open_stepping_short_end, open_stepping_short_energy2, open_stepping_short_flat,
-        open_stepping_short_high1, open_stepping_short_high2, open_stepping_short_jerk,
-        open_stepping_short_low1, open_stepping_short_low2, open_stepping_short_moment2,
-        open_stepping_short_quotient_margin, open_stepping_short_rate_margin,
-        open_stepping_short_rho_rate, open_stepping_short_rho_start, open_stepping_short_start_rate,
-        open_stepping_short_t, open_stepping_short_tilt, open_stepping_short_vx,
-        open_stepping_short_vy, open_stepping_short_vz, open_stepping_short_x,
-        open_stepping_short_y, open_stepping_short_z, time_error;
+    LANES(column) arrival, arrives, body, ceiling, certain, extent, flat, limited, open, permitted,
+        refining_arrival, refining_ceiling, refining_certain, refining_ended_arrival,
+        refining_ended_row, refining_leaving, refining_refining, refining_rho_start, refining_row,
+        refining_vx, refining_vy, refining_vz, refining_x, refining_y, refining_z, rho_start,
+        searching, searching_arrival, searching_ceiling, searching_certain, searching_extent,
+        searching_flat, searching_last, searching_rho_start, searching_row,
+        searching_searching_arrival, searching_searching_ceiling, searching_searching_certain,
+        searching_searching_end, searching_searching_ended_arrival,
+        searching_searching_ended_certain, searching_searching_ended_flat,
+        searching_searching_ended_row, searching_searching_ended_tilt, searching_searching_energy2,
+        searching_searching_extent, searching_searching_flat, searching_searching_high0,
+        searching_searching_high1, searching_searching_high2, searching_searching_last,
+        searching_searching_latest, searching_searching_low0, searching_searching_low1,
+        searching_searching_low2, searching_searching_moment2, searching_searching_rate_slack,
+        searching_searching_rho_start, searching_searching_row, searching_searching_searching,
+        searching_searching_share, searching_searching_speed, searching_searching_t,
+        searching_searching_tilt, searching_searching_vx, searching_searching_vy,
+        searching_searching_vz, searching_searching_x, searching_searching_y, searching_searching_z,
+        searching_share, searching_speed, searching_t, searching_tilt, searching_until,
+        searching_vx, searching_vy, searching_vz, searching_x, searching_y, searching_z, share,
+        since, single_precision, speed, stepping_ended_certain, stepping_ended_row, stepping_row,
+        stepping_stepping, tilt, turning_p_ball_radius, turning_p_gravity, turning_p_ring_radius,
+        turning_p_wire_radius, until, when, which;
+    LANES(singles_column) short_t, stepping_ended_short_t, stepping_short_ceiling, stepping_short_end,
+        stepping_short_energy2, stepping_short_flat, stepping_short_high1, stepping_short_high2,
+        stepping_short_jerk, stepping_short_low1, stepping_short_low2, stepping_short_moment2,
+        stepping_short_quotient_margin, stepping_short_rate_margin, stepping_short_rho_rate,
+        stepping_short_rho_start, stepping_short_start_rate, stepping_short_t, stepping_short_tilt,
+        stepping_short_vx, stepping_short_vy, stepping_short_vz, stepping_short_x, stepping_short_y,
+        stepping_short_z, time_error;
 #if BOUNDED
-    LANES(column) earliest_delay, extent, open_earliest_delay, open_latest, open_leaving, open_pad, open_rate,
-        open_refining_ended_rate, open_searching_latest, open_searching_searching,
-        open_searching_searching_ended_searching, open_searching_searching_ended_t,
-        open_searching_searching_ended_undecided_time, open_searching_searching_undecided_time,
-        open_searching_undecided_time, open_undecided_time, speed, undecided_time;
-    LANES(singles_column) open_position_error, open_searching_position_error, open_searching_searching_position_error,
-        open_searching_searching_velocity_error, open_searching_velocity_error, open_velocity_error,
-        position_error, velocity_error;
+    LANES(column) earliest_delay, latest, leaving, pad, rate, refining_ended_rate, searching_latest,
+        searching_searching, searching_searching_ended_searching, searching_searching_ended_t,
+        searching_searching_ended_undecided_time, searching_searching_undecided_time,
+        searching_undecided_time, undecided_time;
+    LANES(singles_column) position_error, searching_position_error, searching_searching_position_error,
+        searching_searching_velocity_error, searching_velocity_error, velocity_error;
 #endif
     /* What kernels make of parameters alone. */
     _Alignas(64) double fixed[LANES_ROWS][LANES_WIDTH];
@@ -574,9 +563,9 @@ LANES_APART void LOOP(fix_rows_2)(LOOP(worklist) *worklist, size_t i)
     }
 }
 
-LANES_APART void LOOP(fix_open_rows_1)(LOOP(worklist) *worklist, size_t i)
+LANES_APART void LOOP(fix_rows_3)(LOOP(worklist) *worklist, size_t i)
 {
-    EACH(PARAMETER, open_, p_ball_radius, p_gravity, p_ring_radius, p_wire_radius)
+    EACH(PARAMETER, , p_ball_radius, p_gravity, p_ring_radius, p_wire_radius)
     {
 #if BOUNDED
         const V _s32 = lanes_add(p_ball_radius, p_wire_radius);
@@ -634,9 +623,9 @@ LANES_APART void LOOP(fix_open_rows_1)(LOOP(worklist) *worklist, size_t i)
     }
 }
 
-LANES_APART void LOOP(fix_open_stepping_rows_1)(LOOP(worklist) *worklist, size_t taken, M idle)
+LANES_APART void LOOP(fix_stepping_rows_1)(LOOP(worklist) *worklist, size_t taken, M idle)
 {
-    EACH(PARAMETER_TAKEN, open_stepping_, p_ball_radius, p_gravity, p_ring_radius, p_wire_radius)
+    EACH(PARAMETER_TAKEN, stepping_, p_ball_radius, p_gravity, p_ring_radius, p_wire_radius)
     EACH(TURNING, turning_, p_ball_radius, p_gravity, p_ring_radius, p_wire_radius)
     {
         const S _p_ball_radius = lanes_narrow(p_ball_radius);
@@ -656,9 +645,9 @@ LANES_APART void LOOP(fix_open_stepping_rows_1)(LOOP(worklist) *worklist, size_t
     }
 }
 
-LANES_APART void LOOP(fix_open_searching_rows_1)(LOOP(worklist) *worklist, size_t i)
+LANES_APART void LOOP(fix_searching_rows_1)(LOOP(worklist) *worklist, size_t i)
 {
-    EACH(PARAMETER, open_searching_, p_ball_radius, p_gravity, p_ring_radius, p_wire_radius)
+    EACH(PARAMETER, searching_, p_ball_radius, p_gravity, p_ring_radius, p_wire_radius)
     {
         const V _s32 = lanes_add(p_ball_radius, p_wire_radius);
         const V _s76 = lanes_mul(K(1.00006103515625), _s32);
@@ -684,10 +673,10 @@ LANES_APART void LOOP(fix_open_searching_rows_1)(LOOP(worklist) *worklist, size_
     }
 }
 
-LANES_APART void LOOP(fix_open_searching_searching_rows_1)(LOOP(worklist) *worklist, size_t taken, M idle)
+LANES_APART void LOOP(fix_searching_searching_rows_1)(LOOP(worklist) *worklist, size_t taken, M idle)
 {
-    EACH(PARAMETER_TAKEN, open_searching_searching_, p_ball_radius, p_gravity, p_ring_radius)
-    EACH(PARAMETER_TAKEN, open_searching_searching_, p_wire_radius)
+    EACH(PARAMETER_TAKEN, searching_searching_, p_ball_radius, p_gravity, p_ring_radius)
+    EACH(PARAMETER_TAKEN, searching_searching_, p_wire_radius)
     EACH(TURNING, turning_, p_ball_radius, p_gravity, p_ring_radius, p_wire_radius)
     {
         const V _s32 = lanes_add(p_ball_radius, p_wire_radius);
@@ -705,9 +694,9 @@ LANES_APART void LOOP(fix_open_searching_searching_rows_1)(LOOP(worklist) *workl
     }
 }
 
-LANES_APART void LOOP(fix_open_rows_2)(LOOP(worklist) *worklist, size_t i)
+LANES_APART void LOOP(fix_rows_4)(LOOP(worklist) *worklist, size_t i)
 {
-    EACH(PARAMETER, open_, p_ball_radius, p_gravity, p_ring_radius, p_wire_radius)
+    EACH(PARAMETER, , p_ball_radius, p_gravity, p_ring_radius, p_wire_radius)
     {
         const V _s32 = lanes_add(p_ball_radius, p_wire_radius);
         FIX(5, p_ring_radius); FIX(11, lanes_mul(_s32, _s32)); FIX(15, p_gravity);
@@ -715,9 +704,9 @@ LANES_APART void LOOP(fix_open_rows_2)(LOOP(worklist) *worklist, size_t i)
     }
 }
 
-LANES_APART void LOOP(fix_open_refining_rows_1)(LOOP(worklist) *worklist, size_t taken, M idle)
+LANES_APART void LOOP(fix_refining_rows_1)(LOOP(worklist) *worklist, size_t taken, M idle)
 {
-    EACH(PARAMETER_TAKEN, open_refining_, p_ball_radius, p_gravity, p_ring_radius, p_wire_radius)
+    EACH(PARAMETER_TAKEN, refining_, p_ball_radius, p_gravity, p_ring_radius, p_wire_radius)
     EACH(TURNING, turning_, p_ball_radius, p_gravity, p_ring_radius, p_wire_radius)
     {
         const V _s32 = lanes_add(p_ball_radius, p_wire_radius);
@@ -726,10 +715,11 @@ LANES_APART void LOOP(fix_open_refining_rows_1)(LOOP(worklist) *worklist, size_t
     }
 }
 
-#if BOUNDED
-LANES_APART void LOOP(fix_open_rows_3)(LOOP(worklist) *worklist, size_t i)
+LANES_APART void LOOP(fix_rows_5)(LOOP(worklist) *worklist, size_t i)
 {
-    EACH(PARAMETER, open_, p_ball_radius, p_gravity, p_ring_radius, p_wire_radius)
+    EACH(PARAMETER, , p_ball_radius)
+#if BOUNDED
+    EACH(PARAMETER, , p_gravity, p_ring_radius, p_wire_radius)
     {
         const V _s32 = lanes_add(p_ball_radius, p_wire_radius);
         const V _s76 = lanes_mul(K(1.00006103515625), _s32);
@@ -743,13 +733,12 @@ LANES_APART void LOOP(fix_open_rows_3)(LOOP(worklist) *worklist, size_t i)
     }
 }
 
-#endif
-LANES_APART void LOOP(fix_rows_3)(LOOP(worklist) *worklist, size_t i)
+LANES_APART void LOOP(fix_rows_6)(LOOP(worklist) *worklist, size_t i)
 {
-    EACH(PARAMETER, , p_ball_radius, p_board_distance, p_gravity, p_restitution, p_ring_radius)
-    EACH(PARAMETER, , p_wire_radius)
-    BOUNDS(EACH(PARAMETER, , p_board_bottom, p_board_half_width, p_board_top, p_bridge_half_width))
-    BOUNDS(EACH(PARAMETER, , p_end_depth))
+#endif
+    EACH(PARAMETER, , p_board_distance, p_gravity, p_restitution, p_ring_radius, p_wire_radius)
+    BOUNDS(EACH(PARAMETER, , p_ball_radius, p_board_bottom, p_board_half_width, p_board_top))
+    BOUNDS(EACH(PARAMETER, , p_bridge_half_width, p_end_depth))
     {
         const V _s32 = lanes_add(p_ball_radius, p_wire_radius);
 #if BOUNDED
@@ -1131,8 +1120,6 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
 
         /* To the next event, and what it does to the ball. */
         {
-        size_t open_shots = 0;
-        static const int open_taken[] = {0, 9, 1, 2};
         for (size_t i = 0; i < shots; i += LANES_WIDTH) {
             const M rows = mask_first_n(shots - i);
             LANES(hoop_ahead)(job, begun + i, streams);
@@ -1309,149 +1296,128 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
             EACH(GET, _ring_clear_1, clear)
             CALL(hoop_opens, _opens_1)(clear);
             EACH(GET_MASK, _opens_1, open)
-            EACH(STORE, , when, which)
-            EACH(STORE_MASK, , limited)
+            EACH(STORE, , extent, speed, until, when, which)
+            EACH(STORE_MASK, , limited, open)
             EACH(STORE_SINGLE, , time_error)
-            BOUNDS(EACH(STORE, , earliest_delay, extent, speed, undecided_time))
+            BOUNDS(EACH(STORE, , earliest_delay, pad, undecided_time))
             BOUNDS(EACH(STORE_SINGLE, , position_error, velocity_error))
-            const M packed = lanes_both(rows, open);
-            if (lanes_any(packed)) {
-                lanes_pack(worklist->open_row + open_shots, packed, lanes_add(iota(), K((double)i)));
-                EACH(PACK, open_, extent, last, speed, until, vx, vy, vz, when, which, x, y, z)
-                BOUNDS(EACH(PACK, open_, earliest_delay, pad, undecided_time))
-                BOUNDS(EACH(PACK_SINGLE, open_, position_error, velocity_error))
-                if (LANES_SELDOM(varying)) {
-                    for (size_t _p = 0; _p < 4; _p++) {
-                        lanes_pack(worklist->open_parameters.columns[open_taken[_p]] + open_shots, packed, lanes_load(worklist->parameters.columns[open_taken[_p]] + i));
-                    }
-                }
-                open_shots += popcount(packed);
-            }
-        }
-        if (open_shots) {
-            EACH(CLEAR, open_, row, extent, last, speed, until, vx, vy, vz, when, which, x, y, z)
-            BOUNDS(EACH(CLEAR, open_, earliest_delay, pad, undecided_time))
-            BOUNDS(EACH(CLEAR_SINGLE, open_, position_error, velocity_error))
-            if (LANES_SELDOM(varying)) {
-                for (size_t _p = 0; _p < 4; _p++) {
-                    lanes_store(worklist->open_parameters.columns[open_taken[_p]] + open_shots, K(0.0));
-                }
-            }
         }
         {
-        size_t open_stepping_shots = 0;
-        static const int open_stepping_taken[] = {0, 9, 1, 2};
-        for (size_t i = 0; i < open_shots; i += LANES_WIDTH) {
-            const M rows = mask_first_n(open_shots - i);
-            if (LANES_SELDOM(varying))
-                LOOP(fix_open_rows_1)(worklist, i);
-            EACH(LOAD, open_, extent, last, speed, until, vx, vy, vz, x, y, z)
-            BOUNDS(EACH(LOAD, open_, earliest_delay, pad, undecided_time))
-            BOUNDS(EACH(LOAD_SINGLE, open_, position_error, velocity_error))
-            CALL(hoop_beginning, _beginning_1)();
-            EACH(GET, _beginning_1, share, arrival)
-            EACH(GET_MASK, _beginning_1, certain)
-            CALL(hoop_left, _left_1)(K(0.0), last);
-            EACH(GET, _left_1, leaving)
-            CALL(hoop_ring_opened, _ring_opened_1)(lanes_narrow(until), lanes_narrow(x), lanes_narrow(y), lanes_narrow(z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(vz), lanes_narrow(extent), lanes_narrow(speed), FIXED_SINGLE(0), FIXED_SINGLE(1), FIXED_SINGLE(2), FIXED_SINGLE(3), FIXED_SINGLE(4), FIXED_SINGLE(5), FIXED_SINGLE(6), FIXED_SINGLE(7), FIXED_SINGLE(8), FIXED_SINGLE(9));
-            S onset = _ring_opened_1.t;
-            S wide_end = _ring_opened_1.end;
-            EACH(GET_MASK, _ring_opened_1, searching)
-            S wide_low1 = _ring_opened_1.low1;
-            S wide_high1 = _ring_opened_1.high1;
-            S wide_low2 = _ring_opened_1.low2;
-            S wide_high2 = _ring_opened_1.high2;
-            S lapsed = _ring_opened_1.latest;
-            EACH(GET_MASK, _ring_opened_1, representable)
-            CALL(hoop_opened, _opened_1)(lanes_wide(lapsed), lanes_wide(onset));
-            V since = _opened_1.time;
-            BOUNDS(EACH(GET, _opened_1, latest))
-            CALL(hoop_ring_started, _ring_started_1)(x, y, z, vx, vy, vz, FIXED(5));
-            EACH(GET, _ring_started_1, rho_start, start_rate, rho_rate)
-            CALL(hoop_flight, _flight_1)(since, x, y, z, vx, vy, vz, FIXED(15), FIXED(25));
-            V near_x = _flight_1.x;
-            V near_y = _flight_1.y;
-            V near_z = _flight_1.z;
-            V near_vz = _flight_1.vz;
-            CALL(hoop_ring_resolution, _ring_resolution_1)(onset, wide_end, lanes_narrow(leaving), lapsed, lanes_narrow(near_x), lanes_narrow(near_y), lanes_narrow(near_z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(near_vz), lanes_narrow(extent), lanes_narrow(speed), lanes_narrow(start_rate), lanes_narrow(rho_rate), wide_low1, wide_high1, wide_low2, wide_high2, FIXED_SINGLE(0), FIXED_SINGLE(10), FIXED_SINGLE(6), FIXED_SINGLE(11), FIXED_SINGLE(12), FIXED_SINGLE(13), FIXED_SINGLE(14), FIXED_SINGLE(15), FIXED_SINGLE(4), FIXED_SINGLE(16), FIXED_SINGLE(17), FIXED_SINGLE(18));
-            S short_share = _ring_resolution_1.share;
-            S short_t = _ring_resolution_1.t;
-            S short_end = _ring_resolution_1.end;
-            S short_x = _ring_resolution_1.x;
-            S short_y = _ring_resolution_1.y;
-            S short_z = _ring_resolution_1.z;
-            S short_vx = _ring_resolution_1.vx;
-            S short_vy = _ring_resolution_1.vy;
-            S short_vz = _ring_resolution_1.vz;
-            S short_energy2 = _ring_resolution_1.energy2;
-            S short_moment2 = _ring_resolution_1.moment2;
-            S short_rho_start = _ring_resolution_1.rho_start;
-            S short_ceiling = _ring_resolution_1.ceiling;
-            S short_flat = _ring_resolution_1.flat;
-            S short_tilt = _ring_resolution_1.tilt;
-            S short_jerk = _ring_resolution_1.jerk;
-            S short_quotient_margin = _ring_resolution_1.quotient_margin;
-            S short_start_rate = _ring_resolution_1.start_rate;
-            S short_rho_rate = _ring_resolution_1.rho_rate;
-            S short_rate_margin = _ring_resolution_1.rate_margin;
-            S short_low1 = _ring_resolution_1.low1;
-            S short_high1 = _ring_resolution_1.high1;
-            S short_low2 = _ring_resolution_1.low2;
-            S short_high2 = _ring_resolution_1.high2;
-            EACH(GET_MASK, _ring_resolution_1, fits)
-            CALL(hoop_coarse, _coarse_1)(lanes_wide(short_rate_margin), lanes_wide(short_flat), lanes_wide(short_ceiling), lanes_wide(short_share), searching, representable, fits);
-            EACH(GET_MASK, _coarse_1, stepping, single_precision)
-            EACH(SET, _coarse_1, searching)
-            EACH(GET, _coarse_1, ceiling, flat, tilt)
+        size_t stepping_shots = 0;
+        static const int stepping_taken[] = {0, 9, 1, 2};
+        for (size_t i = 0; i < shots; i += LANES_WIDTH) {
+            const M rows = lanes_both(mask_first_n(shots - i), lanes_less(K(0.0), lanes_load(worklist->open + i)));
+            if (lanes_any(rows)) {
+                if (LANES_SELDOM(varying))
+                    LOOP(fix_rows_3)(worklist, i);
+                EACH(LOAD, , extent, last, speed, until, vx, vy, vz, x, y, z)
+                BOUNDS(EACH(LOAD, , earliest_delay, pad, undecided_time))
+                BOUNDS(EACH(LOAD_SINGLE, , position_error, velocity_error))
+                CALL(hoop_beginning, _beginning_1)();
+                EACH(GET, _beginning_1, share, arrival)
+                EACH(GET_MASK, _beginning_1, certain)
+                CALL(hoop_left, _left_1)(K(0.0), last);
+                EACH(GET, _left_1, leaving)
+                CALL(hoop_ring_opened, _ring_opened_1)(lanes_narrow(until), lanes_narrow(x), lanes_narrow(y), lanes_narrow(z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(vz), lanes_narrow(extent), lanes_narrow(speed), FIXED_SINGLE(0), FIXED_SINGLE(1), FIXED_SINGLE(2), FIXED_SINGLE(3), FIXED_SINGLE(4), FIXED_SINGLE(5), FIXED_SINGLE(6), FIXED_SINGLE(7), FIXED_SINGLE(8), FIXED_SINGLE(9));
+                S onset = _ring_opened_1.t;
+                S wide_end = _ring_opened_1.end;
+                EACH(GET_MASK, _ring_opened_1, searching)
+                S wide_low1 = _ring_opened_1.low1;
+                S wide_high1 = _ring_opened_1.high1;
+                S wide_low2 = _ring_opened_1.low2;
+                S wide_high2 = _ring_opened_1.high2;
+                S lapsed = _ring_opened_1.latest;
+                EACH(GET_MASK, _ring_opened_1, representable)
+                CALL(hoop_opened, _opened_1)(lanes_wide(lapsed), lanes_wide(onset));
+                V since = _opened_1.time;
+                BOUNDS(EACH(GET, _opened_1, latest))
+                CALL(hoop_ring_started, _ring_started_1)(x, y, z, vx, vy, vz, FIXED(5));
+                EACH(GET, _ring_started_1, rho_start, start_rate, rho_rate)
+                CALL(hoop_flight, _flight_1)(since, x, y, z, vx, vy, vz, FIXED(15), FIXED(25));
+                V near_x = _flight_1.x;
+                V near_y = _flight_1.y;
+                V near_z = _flight_1.z;
+                V near_vz = _flight_1.vz;
+                CALL(hoop_ring_resolution, _ring_resolution_1)(onset, wide_end, lanes_narrow(leaving), lapsed, lanes_narrow(near_x), lanes_narrow(near_y), lanes_narrow(near_z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(near_vz), lanes_narrow(extent), lanes_narrow(speed), lanes_narrow(start_rate), lanes_narrow(rho_rate), wide_low1, wide_high1, wide_low2, wide_high2, FIXED_SINGLE(0), FIXED_SINGLE(10), FIXED_SINGLE(6), FIXED_SINGLE(11), FIXED_SINGLE(12), FIXED_SINGLE(13), FIXED_SINGLE(14), FIXED_SINGLE(15), FIXED_SINGLE(4), FIXED_SINGLE(16), FIXED_SINGLE(17), FIXED_SINGLE(18));
+                S short_share = _ring_resolution_1.share;
+                S short_t = _ring_resolution_1.t;
+                S short_end = _ring_resolution_1.end;
+                S short_x = _ring_resolution_1.x;
+                S short_y = _ring_resolution_1.y;
+                S short_z = _ring_resolution_1.z;
+                S short_vx = _ring_resolution_1.vx;
+                S short_vy = _ring_resolution_1.vy;
+                S short_vz = _ring_resolution_1.vz;
+                S short_energy2 = _ring_resolution_1.energy2;
+                S short_moment2 = _ring_resolution_1.moment2;
+                S short_rho_start = _ring_resolution_1.rho_start;
+                S short_ceiling = _ring_resolution_1.ceiling;
+                S short_flat = _ring_resolution_1.flat;
+                S short_tilt = _ring_resolution_1.tilt;
+                S short_jerk = _ring_resolution_1.jerk;
+                S short_quotient_margin = _ring_resolution_1.quotient_margin;
+                S short_start_rate = _ring_resolution_1.start_rate;
+                S short_rho_rate = _ring_resolution_1.rho_rate;
+                S short_rate_margin = _ring_resolution_1.rate_margin;
+                S short_low1 = _ring_resolution_1.low1;
+                S short_high1 = _ring_resolution_1.high1;
+                S short_low2 = _ring_resolution_1.low2;
+                S short_high2 = _ring_resolution_1.high2;
+                EACH(GET_MASK, _ring_resolution_1, fits)
+                CALL(hoop_coarse, _coarse_1)(lanes_wide(short_rate_margin), lanes_wide(short_flat), lanes_wide(short_ceiling), lanes_wide(short_share), searching, representable, fits);
+                EACH(GET_MASK, _coarse_1, stepping, single_precision)
+                EACH(SET, _coarse_1, searching)
+                EACH(GET, _coarse_1, ceiling, flat, tilt)
 #if BOUNDED
-            EACH(GET, _coarse_1, allowing)
-            CALL(hoop_ring_coarse_excess, _ring_coarse_excess_1)(allowing, latest, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), FIXED(15), FIXED(31), FIXED(42), FIXED(43));
-            EACH(GET, _ring_coarse_excess_1, excess)
-            CALL(hoop_ring_budget_exceeded, _ring_budget_exceeded_1)(until, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), FIXED(28), FIXED(44), FIXED(14), FIXED(45), FIXED(29), FIXED(30));
-            EACH(GET, _ring_budget_exceeded_1, budget_exceeded)
-            CALL(hoop_out_of_budget, _out_of_budget_1)(pad, budget_exceeded, earliest_delay, undecided_time, excess);
-            EACH(SET, _out_of_budget_1, undecided_time)
+                EACH(GET, _coarse_1, allowing)
+                CALL(hoop_ring_coarse_excess, _ring_coarse_excess_1)(allowing, latest, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), FIXED(15), FIXED(31), FIXED(42), FIXED(43));
+                EACH(GET, _ring_coarse_excess_1, excess)
+                CALL(hoop_ring_budget_exceeded, _ring_budget_exceeded_1)(until, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), FIXED(28), FIXED(44), FIXED(14), FIXED(45), FIXED(29), FIXED(30));
+                EACH(GET, _ring_budget_exceeded_1, budget_exceeded)
+                CALL(hoop_out_of_budget, _out_of_budget_1)(pad, budget_exceeded, earliest_delay, undecided_time, excess);
+                EACH(SELECT, (rows, _out_of_budget_1), undecided_time)
 #endif
-            const M _if_stepping_1 = lanes_both(rows, stepping);
-            if (LANES_USUAL(_if_stepping_1)) {
-                CALL(hoop_ring_step, _ring_step_1)(short_t, short_end, short_rate_margin, short_ceiling, short_x, short_y, short_z, short_vx, short_vy, short_vz, short_energy2, short_moment2, short_rho_start, short_flat, short_tilt, short_quotient_margin, short_jerk, short_start_rate, short_rho_rate, short_low1, short_high1, short_low2, short_high2, FIXED_SINGLE(19), FIXED_SINGLE(0), FIXED_SINGLE(20), FIXED_SINGLE(21), FIXED_SINGLE(22), FIXED_SINGLE(1), FIXED_SINGLE(23), FIXED_SINGLE(24), FIXED_SINGLE(6), FIXED_SINGLE(25));
-                short_t = singles_select(singles_of(_if_stepping_1), _ring_step_1.t, short_t);
-                short_end = singles_select(singles_of(_if_stepping_1), _ring_step_1.end, short_end);
-                EACH(SELECT_MASK, (_if_stepping_1, _ring_step_1), certain, stepping)
-            }
-            EACH(STORE, open_, arrival, ceiling, flat, rho_start, share, since, tilt)
-            EACH(STORE_MASK, open_, certain, searching, single_precision)
-            EACH(STORE_SINGLE, open_, short_t)
-            BOUNDS(EACH(STORE, open_, latest, undecided_time))
-            const M packed = lanes_both(rows, stepping);
-            if (lanes_any(packed)) {
-                lanes_pack(worklist->open_stepping_row + open_stepping_shots, packed, lanes_add(iota(), K((double)i)));
-                EACH(PACK_SINGLE, open_stepping_, short_ceiling, short_end, short_energy2)
-                EACH(PACK_SINGLE, open_stepping_, short_flat, short_high1, short_high2, short_jerk)
-                EACH(PACK_SINGLE, open_stepping_, short_low1, short_low2, short_moment2)
-                EACH(PACK_SINGLE, open_stepping_, short_quotient_margin, short_rate_margin)
-                EACH(PACK_SINGLE, open_stepping_, short_rho_rate, short_rho_start, short_start_rate)
-                EACH(PACK_SINGLE, open_stepping_, short_t, short_tilt, short_vx, short_vy, short_vz)
-                EACH(PACK_SINGLE, open_stepping_, short_x, short_y, short_z)
-                if (LANES_SELDOM(varying)) {
-                    for (size_t _p = 0; _p < 4; _p++) {
-                        lanes_pack(worklist->open_stepping_parameters.columns[open_stepping_taken[_p]] + open_stepping_shots, packed, lanes_load(worklist->open_parameters.columns[open_stepping_taken[_p]] + i));
-                    }
+                const M _if_stepping_1 = lanes_both(rows, stepping);
+                if (LANES_USUAL(_if_stepping_1)) {
+                    CALL(hoop_ring_step, _ring_step_1)(short_t, short_end, short_rate_margin, short_ceiling, short_x, short_y, short_z, short_vx, short_vy, short_vz, short_energy2, short_moment2, short_rho_start, short_flat, short_tilt, short_quotient_margin, short_jerk, short_start_rate, short_rho_rate, short_low1, short_high1, short_low2, short_high2, FIXED_SINGLE(19), FIXED_SINGLE(0), FIXED_SINGLE(20), FIXED_SINGLE(21), FIXED_SINGLE(22), FIXED_SINGLE(1), FIXED_SINGLE(23), FIXED_SINGLE(24), FIXED_SINGLE(6), FIXED_SINGLE(25));
+                    short_t = singles_select(singles_of(_if_stepping_1), _ring_step_1.t, short_t);
+                    short_end = singles_select(singles_of(_if_stepping_1), _ring_step_1.end, short_end);
+                    EACH(SELECT_MASK, (_if_stepping_1, _ring_step_1), certain, stepping)
                 }
-                open_stepping_shots += popcount(packed);
+                EACH(STORE, , arrival, ceiling, flat, rho_start, share, since, tilt)
+                EACH(STORE_MASK, , certain, searching, single_precision)
+                EACH(STORE_SINGLE, , short_t)
+                BOUNDS(EACH(STORE, , latest, undecided_time))
+                const M packed = lanes_both(rows, stepping);
+                if (lanes_any(packed)) {
+                    lanes_pack(worklist->stepping_row + stepping_shots, packed, lanes_add(iota(), K((double)i)));
+                    EACH(PACK_SINGLE, stepping_, short_ceiling, short_end, short_energy2)
+                    EACH(PACK_SINGLE, stepping_, short_flat, short_high1, short_high2, short_jerk)
+                    EACH(PACK_SINGLE, stepping_, short_low1, short_low2, short_moment2)
+                    EACH(PACK_SINGLE, stepping_, short_quotient_margin, short_rate_margin)
+                    EACH(PACK_SINGLE, stepping_, short_rho_rate, short_rho_start, short_start_rate)
+                    EACH(PACK_SINGLE, stepping_, short_t, short_tilt, short_vx, short_vy, short_vz)
+                    EACH(PACK_SINGLE, stepping_, short_x, short_y, short_z)
+                    if (LANES_SELDOM(varying)) {
+                        for (size_t _p = 0; _p < 4; _p++) {
+                            lanes_pack(worklist->stepping_parameters.columns[stepping_taken[_p]] + stepping_shots, packed, lanes_load(worklist->parameters.columns[stepping_taken[_p]] + i));
+                        }
+                    }
+                    stepping_shots += popcount(packed);
+                }
             }
         }
-        if (open_stepping_shots) {
-            EACH(CLEAR, open_stepping_, row)
-            EACH(CLEAR_SINGLE, open_stepping_, short_ceiling, short_end, short_energy2, short_flat)
-            EACH(CLEAR_SINGLE, open_stepping_, short_high1, short_high2, short_jerk, short_low1)
-            EACH(CLEAR_SINGLE, open_stepping_, short_low2, short_moment2, short_quotient_margin)
-            EACH(CLEAR_SINGLE, open_stepping_, short_rate_margin, short_rho_rate, short_rho_start)
-            EACH(CLEAR_SINGLE, open_stepping_, short_start_rate, short_t, short_tilt, short_vx)
-            EACH(CLEAR_SINGLE, open_stepping_, short_vy, short_vz, short_x, short_y, short_z)
+        if (stepping_shots) {
+            EACH(CLEAR, stepping_, row)
+            EACH(CLEAR_SINGLE, stepping_, short_ceiling, short_end, short_energy2, short_flat)
+            EACH(CLEAR_SINGLE, stepping_, short_high1, short_high2, short_jerk, short_low1)
+            EACH(CLEAR_SINGLE, stepping_, short_low2, short_moment2, short_quotient_margin)
+            EACH(CLEAR_SINGLE, stepping_, short_rate_margin, short_rho_rate, short_rho_start)
+            EACH(CLEAR_SINGLE, stepping_, short_start_rate, short_t, short_tilt, short_vx, short_vy)
+            EACH(CLEAR_SINGLE, stepping_, short_vz, short_x, short_y, short_z)
             if (LANES_SELDOM(varying)) {
                 for (size_t _p = 0; _p < 4; _p++) {
-                    lanes_store(worklist->open_stepping_parameters.columns[open_stepping_taken[_p]] + open_stepping_shots, K(0.0));
+                    lanes_store(worklist->stepping_parameters.columns[stepping_taken[_p]] + stepping_shots, K(0.0));
                 }
             }
         }
@@ -1467,22 +1433,21 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
             EACH(START_SINGLE, , short_rho_start, short_start_rate, short_t, short_tilt, short_vx)
             EACH(START_SINGLE, , short_vy, short_vz, short_x, short_y, short_z)
             for (;;) {
-                if ((taken < open_stepping_shots) && ((busy + LANES_SPARE) <= LANES_WIDTH)) {
+                if ((taken < stepping_shots) && ((busy + LANES_SPARE) <= LANES_WIDTH)) {
                     const M idle = lanes_not(active);
                     turns = lanes_select(idle, K(0.0), turns);
-                    EACH(EXPAND, open_stepping_, row)
-                    EACH(EXPAND_SINGLE, open_stepping_, short_ceiling, short_end, short_energy2)
-                    EACH(EXPAND_SINGLE, open_stepping_, short_flat, short_high1, short_high2)
-                    EACH(EXPAND_SINGLE, open_stepping_, short_jerk, short_low1, short_low2)
-                    EACH(EXPAND_SINGLE, open_stepping_, short_moment2, short_quotient_margin)
-                    EACH(EXPAND_SINGLE, open_stepping_, short_rate_margin, short_rho_rate)
-                    EACH(EXPAND_SINGLE, open_stepping_, short_rho_start, short_start_rate, short_t)
-                    EACH(EXPAND_SINGLE, open_stepping_, short_tilt, short_vx, short_vy, short_vz)
-                    EACH(EXPAND_SINGLE, open_stepping_, short_x, short_y, short_z)
+                    EACH(EXPAND, stepping_, row)
+                    EACH(EXPAND_SINGLE, stepping_, short_ceiling, short_end, short_energy2)
+                    EACH(EXPAND_SINGLE, stepping_, short_flat, short_high1, short_high2, short_jerk)
+                    EACH(EXPAND_SINGLE, stepping_, short_low1, short_low2, short_moment2)
+                    EACH(EXPAND_SINGLE, stepping_, short_quotient_margin, short_rate_margin)
+                    EACH(EXPAND_SINGLE, stepping_, short_rho_rate, short_rho_start)
+                    EACH(EXPAND_SINGLE, stepping_, short_start_rate, short_t, short_tilt, short_vx)
+                    EACH(EXPAND_SINGLE, stepping_, short_vy, short_vz, short_x, short_y, short_z)
                     if (LANES_SELDOM(varying))
-                        LOOP(fix_open_stepping_rows_1)(worklist, taken, idle);
+                        LOOP(fix_stepping_rows_1)(worklist, taken, idle);
                     const size_t room = LANES_WIDTH - busy;
-                    const size_t _left = open_stepping_shots - taken;
+                    const size_t _left = stepping_shots - taken;
                     active = lanes_leading(idle, _left, active);
                     taken += _left < room ? _left : room;
                     busy += _left < room ? _left : room;
@@ -1497,74 +1462,75 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
                 EACH(SET, _ring_step_1, stepping)
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(stepping, lanes_less(turns, K(24.0)))));
-                lanes_pack(worklist->open_stepping_ended_row + done, ended, row);
-                lanes_pack(worklist->open_stepping_ended_certain + done, ended, lanes_select(certain, K(1.0), K(0.0)));
-                singles_pack(worklist->open_stepping_ended_short_t + done, ended, short_t);
+                lanes_pack(worklist->stepping_ended_row + done, ended, row);
+                lanes_pack(worklist->stepping_ended_certain + done, ended, lanes_select(certain, K(1.0), K(0.0)));
+                singles_pack(worklist->stepping_ended_short_t + done, ended, short_t);
                 done += popcount(ended);
                 busy -= popcount(ended);
                 active = lanes_both(active, lanes_not(ended));
             }
             for (size_t k = 0; k < done; k++) {
-                const size_t row = (size_t)worklist->open_stepping_ended_row[k];
-                EACH(RETURN, (open_, open_stepping_ended_), certain, short_t)
+                const size_t row = (size_t)worklist->stepping_ended_row[k];
+                EACH(RETURN, (, stepping_ended_), certain, short_t)
             }
         }
         }
         {
-        size_t open_searching_shots = 0;
-        static const int open_searching_taken[] = {0, 9, 1, 2};
-        for (size_t i = 0; i < open_shots; i += LANES_WIDTH) {
-            const M rows = mask_first_n(open_shots - i);
-            EACH(LOAD, open_, arrival, extent, last, share, since, speed, until, vx, vy, vz, x, y)
-            EACH(LOAD, open_, z)
-            EACH(LOAD_MASK, open_, certain, searching, single_precision)
-            EACH(LOAD_SINGLE, open_, short_t)
-            BOUNDS(EACH(LOAD, open_, undecided_time))
-            BOUNDS(EACH(LOAD_SINGLE, open_, position_error, velocity_error))
-            CALL(hoop_stepped, _stepped_1)(arrival, lanes_wide(short_t), searching, since, single_precision, certain);
-            EACH(SET, _stepped_1, arrival, searching)
-            EACH(GET, _stepped_1, t)
-            EACH(STORE, open_, arrival)
-            const M packed = lanes_both(rows, searching);
-            if (lanes_any(packed)) {
-                lanes_pack(worklist->open_searching_row + open_searching_shots, packed, lanes_add(iota(), K((double)i)));
-                EACH(PACK, open_searching_, arrival, extent, last, share, speed, t, until, vx, vy)
-                EACH(PACK, open_searching_, vz, x, y, z)
-                EACH(PACK_MASK, open_searching_, certain)
-                BOUNDS(EACH(PACK, open_searching_, undecided_time))
-                BOUNDS(EACH(PACK_SINGLE, open_searching_, position_error, velocity_error))
-                if (LANES_SELDOM(varying)) {
-                    for (size_t _p = 0; _p < 4; _p++) {
-                        lanes_pack(worklist->open_searching_parameters.columns[open_searching_taken[_p]] + open_searching_shots, packed, lanes_load(worklist->open_parameters.columns[open_searching_taken[_p]] + i));
+        size_t searching_shots = 0;
+        static const int searching_taken[] = {0, 9, 1, 2};
+        for (size_t i = 0; i < shots; i += LANES_WIDTH) {
+            const M rows = lanes_both(mask_first_n(shots - i), lanes_less(K(0.0), lanes_load(worklist->open + i)));
+            if (lanes_any(rows)) {
+                EACH(LOAD, , arrival, extent, last, share, since, speed, until, vx, vy, vz, x, y, z)
+                EACH(LOAD_MASK, , certain, searching, single_precision)
+                EACH(LOAD_SINGLE, , short_t)
+                BOUNDS(EACH(LOAD, , undecided_time))
+                BOUNDS(EACH(LOAD_SINGLE, , position_error, velocity_error))
+                CALL(hoop_stepped, _stepped_1)(arrival, lanes_wide(short_t), searching, since, single_precision, certain);
+                EACH(SET, _stepped_1, arrival, searching)
+                EACH(GET, _stepped_1, t)
+                EACH(STORE, , arrival)
+                const M packed = lanes_both(rows, searching);
+                if (lanes_any(packed)) {
+                    lanes_pack(worklist->searching_row + searching_shots, packed, lanes_add(iota(), K((double)i)));
+                    EACH(PACK, searching_, arrival, extent, last, share, speed, t, until, vx, vy)
+                    EACH(PACK, searching_, vz, x, y, z)
+                    EACH(PACK_MASK, searching_, certain)
+                    BOUNDS(EACH(PACK, searching_, undecided_time))
+                    BOUNDS(EACH(PACK_SINGLE, searching_, position_error, velocity_error))
+                    if (LANES_SELDOM(varying)) {
+                        for (size_t _p = 0; _p < 4; _p++) {
+                            lanes_pack(worklist->searching_parameters.columns[searching_taken[_p]] + searching_shots, packed, lanes_load(worklist->parameters.columns[searching_taken[_p]] + i));
+                        }
                     }
+                    searching_shots += popcount(packed);
                 }
-                open_searching_shots += popcount(packed);
             }
         }
-        if (open_searching_shots) {
-            EACH(CLEAR, open_searching_, row, arrival, certain, extent, last, share, speed, t)
-            EACH(CLEAR, open_searching_, until, vx, vy, vz, x, y, z)
-            BOUNDS(EACH(CLEAR, open_searching_, undecided_time))
-            BOUNDS(EACH(CLEAR_SINGLE, open_searching_, position_error, velocity_error))
+        if (searching_shots) {
+            EACH(CLEAR, searching_, row, arrival, certain, extent, last, share, speed, t, until, vx)
+            EACH(CLEAR, searching_, vy, vz, x, y, z)
+            BOUNDS(EACH(CLEAR, searching_, undecided_time))
+            BOUNDS(EACH(CLEAR_SINGLE, searching_, position_error, velocity_error))
             if (LANES_SELDOM(varying)) {
                 for (size_t _p = 0; _p < 4; _p++) {
-                    lanes_store(worklist->open_searching_parameters.columns[open_searching_taken[_p]] + open_searching_shots, K(0.0));
+                    lanes_store(worklist->searching_parameters.columns[searching_taken[_p]] + searching_shots, K(0.0));
                 }
             }
         }
         {
-        size_t open_searching_searching_shots = 0;
-        static const int open_searching_searching_taken[] = {0, 9, 1, 2};
-        for (size_t i = 0; i < open_searching_shots; i += LANES_WIDTH) {
-            const M rows = mask_first_n(open_searching_shots - i);
+        size_t searching_searching_shots = 0;
+        static const int searching_searching_taken[] = {0, 9, 1, 2};
+        for (size_t i = 0; i < searching_shots; i += LANES_WIDTH) {
+            const M rows = mask_first_n(searching_shots - i);
             if (LANES_SELDOM(varying))
-                LOOP(fix_open_searching_rows_1)(worklist, i);
-            EACH(LOAD, open_searching_, arrival, extent, last, share, speed, t, until, vx, vy, vz)
-            EACH(LOAD, open_searching_, x, y, z)
-            EACH(LOAD_MASK, open_searching_, certain)
+                LOOP(fix_searching_rows_1)(worklist, i);
+            EACH(LOAD, searching_, arrival, extent, last, share, speed, t, until, vx, vy, vz, x, y)
+            EACH(LOAD, searching_, z)
+            EACH(LOAD_MASK, searching_, certain)
 #if BOUNDED
-            EACH(LOAD, open_searching_, undecided_time)
-            EACH(LOAD_SINGLE, open_searching_, position_error, velocity_error)
+            EACH(LOAD, searching_, undecided_time)
+            EACH(LOAD_SINGLE, searching_, position_error, velocity_error)
             CALL(hoop_ring_prepare, _ring_prepare_1)(until, x, y, z, vx, vy, vz, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), FIXED(36), FIXED(40), FIXED(31), FIXED(17), FIXED(14), FIXED(34), FIXED(38), FIXED(37), FIXED(46), FIXED(28), FIXED(44), FIXED(45), FIXED(29), FIXED(30));
 #else
             CALL(hoop_ring_prepare, _ring_prepare_1)(until, x, y, z, vx, vy, vz, extent, speed, K(0.0), K(0.0), FIXED(36), FIXED(40), FIXED(31), FIXED(17), FIXED(14), FIXED(34), FIXED(38), FIXED(37), FIXED(46), FIXED(28), FIXED(44), FIXED(45), FIXED(29), FIXED(30));
@@ -1591,37 +1557,37 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
             EACH(SET, _ring_enter_1, t)
             EACH(GET, _ring_enter_1, end)
             EACH(GET_MASK, _ring_enter_1, searching)
-            EACH(STORE, open_searching_, ceiling, flat, rho_start, tilt)
-            BOUNDS(EACH(STORE, open_searching_, latest, t, undecided_time))
-            BOUNDS(EACH(STORE_MASK, open_searching_, searching))
+            EACH(STORE, searching_, ceiling, flat, rho_start, tilt)
+            BOUNDS(EACH(STORE, searching_, latest, t, undecided_time))
+            BOUNDS(EACH(STORE_MASK, searching_, searching))
             const M packed = lanes_both(rows, searching);
             if (lanes_any(packed)) {
-                lanes_pack(worklist->open_searching_searching_row + open_searching_searching_shots, packed, lanes_add(iota(), K((double)i)));
-                EACH(PACK, open_searching_searching_, arrival, ceiling, end, energy2, extent, flat)
-                EACH(PACK, open_searching_searching_, high0, high1, high2, last, latest, low0, low1)
-                EACH(PACK, open_searching_searching_, low2, moment2, rate_slack, rho_start, share)
-                EACH(PACK, open_searching_searching_, speed, t, tilt, vx, vy, vz, x, y, z)
-                EACH(PACK_MASK, open_searching_searching_, certain)
-                BOUNDS(EACH(PACK, open_searching_searching_, undecided_time))
-                BOUNDS(EACH(PACK_SINGLE, open_searching_searching_, position_error, velocity_error))
+                lanes_pack(worklist->searching_searching_row + searching_searching_shots, packed, lanes_add(iota(), K((double)i)));
+                EACH(PACK, searching_searching_, arrival, ceiling, end, energy2, extent, flat)
+                EACH(PACK, searching_searching_, high0, high1, high2, last, latest, low0, low1)
+                EACH(PACK, searching_searching_, low2, moment2, rate_slack, rho_start, share, speed)
+                EACH(PACK, searching_searching_, t, tilt, vx, vy, vz, x, y, z)
+                EACH(PACK_MASK, searching_searching_, certain)
+                BOUNDS(EACH(PACK, searching_searching_, undecided_time))
+                BOUNDS(EACH(PACK_SINGLE, searching_searching_, position_error, velocity_error))
                 if (LANES_SELDOM(varying)) {
                     for (size_t _p = 0; _p < 4; _p++) {
-                        lanes_pack(worklist->open_searching_searching_parameters.columns[open_searching_searching_taken[_p]] + open_searching_searching_shots, packed, lanes_load(worklist->open_searching_parameters.columns[open_searching_searching_taken[_p]] + i));
+                        lanes_pack(worklist->searching_searching_parameters.columns[searching_searching_taken[_p]] + searching_searching_shots, packed, lanes_load(worklist->searching_parameters.columns[searching_searching_taken[_p]] + i));
                     }
                 }
-                open_searching_searching_shots += popcount(packed);
+                searching_searching_shots += popcount(packed);
             }
         }
-        if (open_searching_searching_shots) {
-            EACH(CLEAR, open_searching_searching_, row, arrival, ceiling, certain, end, energy2)
-            EACH(CLEAR, open_searching_searching_, extent, flat, high0, high1, high2, last, latest)
-            EACH(CLEAR, open_searching_searching_, low0, low1, low2, moment2, rate_slack, rho_start)
-            EACH(CLEAR, open_searching_searching_, share, speed, t, tilt, vx, vy, vz, x, y, z)
-            BOUNDS(EACH(CLEAR, open_searching_searching_, undecided_time))
-            BOUNDS(EACH(CLEAR_SINGLE, open_searching_searching_, position_error, velocity_error))
+        if (searching_searching_shots) {
+            EACH(CLEAR, searching_searching_, row, arrival, ceiling, certain, end, energy2, extent)
+            EACH(CLEAR, searching_searching_, flat, high0, high1, high2, last, latest, low0, low1)
+            EACH(CLEAR, searching_searching_, low2, moment2, rate_slack, rho_start, share, speed, t)
+            EACH(CLEAR, searching_searching_, tilt, vx, vy, vz, x, y, z)
+            BOUNDS(EACH(CLEAR, searching_searching_, undecided_time))
+            BOUNDS(EACH(CLEAR_SINGLE, searching_searching_, position_error, velocity_error))
             if (LANES_SELDOM(varying)) {
                 for (size_t _p = 0; _p < 4; _p++) {
-                    lanes_store(worklist->open_searching_searching_parameters.columns[open_searching_searching_taken[_p]] + open_searching_searching_shots, K(0.0));
+                    lanes_store(worklist->searching_searching_parameters.columns[searching_searching_taken[_p]] + searching_searching_shots, K(0.0));
                 }
             }
         }
@@ -1636,21 +1602,21 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
             BOUNDS(EACH(START, , undecided_time))
             BOUNDS(EACH(START_SINGLE, , position_error, velocity_error))
             for (;;) {
-                if ((taken < open_searching_searching_shots) && ((busy + LANES_SPARE) <= LANES_WIDTH)) {
+                if ((taken < searching_searching_shots) && ((busy + LANES_SPARE) <= LANES_WIDTH)) {
                     const M idle = lanes_not(active);
                     turns = lanes_select(idle, K(0.0), turns);
-                    EACH(EXPAND, open_searching_searching_, row, arrival, ceiling, end, energy2)
-                    EACH(EXPAND, open_searching_searching_, extent, flat, high0, high1, high2, last)
-                    EACH(EXPAND, open_searching_searching_, latest, low0, low1, low2, moment2)
-                    EACH(EXPAND, open_searching_searching_, rate_slack, rho_start, share, speed, t)
-                    EACH(EXPAND, open_searching_searching_, tilt, vx, vy, vz, x, y, z)
-                    EACH(EXPAND_MASK, open_searching_searching_, certain)
-                    BOUNDS(EACH(EXPAND, open_searching_searching_, undecided_time))
-                    BOUNDS(EACH(EXPAND_SINGLE, open_searching_searching_, position_error, velocity_error))
+                    EACH(EXPAND, searching_searching_, row, arrival, ceiling, end, energy2, extent)
+                    EACH(EXPAND, searching_searching_, flat, high0, high1, high2, last, latest)
+                    EACH(EXPAND, searching_searching_, low0, low1, low2, moment2, rate_slack)
+                    EACH(EXPAND, searching_searching_, rho_start, share, speed, t, tilt, vx, vy, vz)
+                    EACH(EXPAND, searching_searching_, x, y, z)
+                    EACH(EXPAND_MASK, searching_searching_, certain)
+                    BOUNDS(EACH(EXPAND, searching_searching_, undecided_time))
+                    BOUNDS(EACH(EXPAND_SINGLE, searching_searching_, position_error, velocity_error))
                     if (LANES_SELDOM(varying))
-                        LOOP(fix_open_searching_searching_rows_1)(worklist, taken, idle);
+                        LOOP(fix_searching_searching_rows_1)(worklist, taken, idle);
                     const size_t room = LANES_WIDTH - busy;
-                    const size_t _left = open_searching_searching_shots - taken;
+                    const size_t _left = searching_searching_shots - taken;
                     active = lanes_leading(idle, _left, active);
                     taken += _left < room ? _left : room;
                     busy += _left < room ? _left : room;
@@ -1696,111 +1662,110 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
                 }
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(searching, lanes_less(turns, K(201.0)))));
-                lanes_pack(worklist->open_searching_searching_ended_row + done, ended, row);
-                lanes_pack(worklist->open_searching_searching_ended_arrival + done, ended, arrival);
-                lanes_pack(worklist->open_searching_searching_ended_certain + done, ended, lanes_select(certain, K(1.0), K(0.0)));
-                lanes_pack(worklist->open_searching_searching_ended_flat + done, ended, flat);
+                lanes_pack(worklist->searching_searching_ended_row + done, ended, row);
+                lanes_pack(worklist->searching_searching_ended_arrival + done, ended, arrival);
+                lanes_pack(worklist->searching_searching_ended_certain + done, ended, lanes_select(certain, K(1.0), K(0.0)));
+                lanes_pack(worklist->searching_searching_ended_flat + done, ended, flat);
 #if BOUNDED
-                lanes_pack(worklist->open_searching_searching_ended_searching + done, ended, lanes_select(searching, K(1.0), K(0.0)));
-                lanes_pack(worklist->open_searching_searching_ended_t + done, ended, t);
+                lanes_pack(worklist->searching_searching_ended_searching + done, ended, lanes_select(searching, K(1.0), K(0.0)));
+                lanes_pack(worklist->searching_searching_ended_t + done, ended, t);
 #endif
-                lanes_pack(worklist->open_searching_searching_ended_tilt + done, ended, tilt);
+                lanes_pack(worklist->searching_searching_ended_tilt + done, ended, tilt);
 #if BOUNDED
-                lanes_pack(worklist->open_searching_searching_ended_undecided_time + done, ended, undecided_time);
+                lanes_pack(worklist->searching_searching_ended_undecided_time + done, ended, undecided_time);
 #endif
                 done += popcount(ended);
                 busy -= popcount(ended);
                 active = lanes_both(active, lanes_not(ended));
             }
             for (size_t k = 0; k < done; k++) {
-                const size_t row = (size_t)worklist->open_searching_searching_ended_row[k];
-                EACH(RETURN, (open_searching_, open_searching_searching_ended_), arrival, certain)
-                EACH(RETURN, (open_searching_, open_searching_searching_ended_), flat, tilt)
-                BOUNDS(EACH(RETURN, (open_searching_, open_searching_searching_ended_), searching, t))
-                BOUNDS(EACH(RETURN, (open_searching_, open_searching_searching_ended_), undecided_time))
+                const size_t row = (size_t)worklist->searching_searching_ended_row[k];
+                EACH(RETURN, (searching_, searching_searching_ended_), arrival, certain, flat, tilt)
+                BOUNDS(EACH(RETURN, (searching_, searching_searching_ended_), searching, t, undecided_time))
             }
         }
 #if BOUNDED
         }
-        for (size_t i = 0; i < open_searching_shots; i += LANES_WIDTH) {
-            EACH(LOAD_MASK, open_searching_, searching)
-            EACH(LOAD, open_searching_, t, undecided_time)
+        for (size_t i = 0; i < searching_shots; i += LANES_WIDTH) {
+            EACH(LOAD_MASK, searching_, searching)
+            EACH(LOAD, searching_, t, undecided_time)
             CALL(hoop_predicate_undecided, _predicate_undecided_1)(t, undecided_time, searching);
             EACH(SET, _predicate_undecided_1, undecided_time)
-            EACH(STORE, open_searching_, undecided_time)
+            EACH(STORE, searching_, undecided_time)
 #endif
         }
-        for (size_t k = 0; k < open_searching_shots; k++) {
-            const size_t row = (size_t)worklist->open_searching_row[k];
-            EACH(RETURN, (open_, open_searching_), arrival, ceiling, certain, flat, rho_start, tilt)
-            BOUNDS(EACH(RETURN, (open_, open_searching_), latest, undecided_time))
+        for (size_t k = 0; k < searching_shots; k++) {
+            const size_t row = (size_t)worklist->searching_row[k];
+            EACH(RETURN, (, searching_), arrival, ceiling, certain, flat, rho_start, tilt)
+            BOUNDS(EACH(RETURN, (, searching_), latest, undecided_time))
         }
         }
         {
-        size_t open_refining_shots = 0;
-        static const int open_refining_taken[] = {0, 9, 1, 2};
-        for (size_t i = 0; i < open_shots; i += LANES_WIDTH) {
-            const M rows = mask_first_n(open_shots - i);
-            if (LANES_SELDOM(varying))
-                LOOP(fix_open_rows_2)(worklist, i);
-            EACH(LOAD, open_, arrival, ceiling, flat, last, rho_start, tilt, vx, vy, vz, x, y, z)
-            EACH(LOAD_MASK, open_, certain)
-            CALL(hoop_found, _found_1)(arrival);
-            EACH(GET_MASK, _found_1, arrives, refining)
-            BOUNDS(EACH(GET, _found_1, rate))
-            CALL(hoop_nearby, _nearby_1)(arrival, flat, tilt, K(0.0), last);
-            EACH(GET, _nearby_1, leaving)
-            const M _if_refining_1 = lanes_both(rows, refining);
-            if (LANES_USUAL(_if_refining_1)) {
-                CALL(hoop_ring_refine, _ring_refine_1)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, FIXED(5), FIXED(15), FIXED(25), FIXED(11));
-                V refined = _ring_refine_1.time;
-                EACH(GET, _ring_refine_1, gap)
+        size_t refining_shots = 0;
+        static const int refining_taken[] = {0, 9, 1, 2};
+        for (size_t i = 0; i < shots; i += LANES_WIDTH) {
+            const M rows = lanes_both(mask_first_n(shots - i), lanes_less(K(0.0), lanes_load(worklist->open + i)));
+            if (lanes_any(rows)) {
+                if (LANES_SELDOM(varying))
+                    LOOP(fix_rows_4)(worklist, i);
+                EACH(LOAD, , arrival, ceiling, flat, last, rho_start, tilt, vx, vy, vz, x, y, z)
+                EACH(LOAD_MASK, , certain)
+                CALL(hoop_found, _found_1)(arrival);
+                EACH(GET_MASK, _found_1, arrives, refining)
+                BOUNDS(EACH(GET, _found_1, rate))
+                CALL(hoop_nearby, _nearby_1)(arrival, flat, tilt, K(0.0), last);
+                EACH(GET, _nearby_1, leaving)
+                const M _if_refining_1 = lanes_both(rows, refining);
+                if (LANES_USUAL(_if_refining_1)) {
+                    CALL(hoop_ring_refine, _ring_refine_1)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, FIXED(5), FIXED(15), FIXED(25), FIXED(11));
+                    V refined = _ring_refine_1.time;
+                    EACH(GET, _ring_refine_1, gap)
 #if BOUNDED
-                EACH(SELECT, (_if_refining_1, _ring_refine_1), rate)
+                    EACH(SELECT, (_if_refining_1, _ring_refine_1), rate)
 #else
-                EACH(GET, _ring_refine_1, rate)
+                    EACH(GET, _ring_refine_1, rate)
 #endif
-                CALL(hoop_refined_root, _refined_root_1)(gap, rate, ceiling, arrival, refined, certain);
-                EACH(SELECT, (_if_refining_1, _refined_root_1), arrival)
-                EACH(SELECT_MASK, (_if_refining_1, _refined_root_1), refining)
-            }
-            const M _if_refining_2 = lanes_both(rows, refining);
-            if (LANES_USUAL(_if_refining_2)) {
-                CALL(hoop_ring_refine, _ring_refine_2)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, FIXED(5), FIXED(15), FIXED(25), FIXED(11));
-                V refined = _ring_refine_2.time;
-                EACH(GET, _ring_refine_2, gap)
-#if BOUNDED
-                EACH(SELECT, (_if_refining_2, _ring_refine_2), rate)
-#else
-                EACH(GET, _ring_refine_2, rate)
-#endif
-                CALL(hoop_refined_root, _refined_root_2)(gap, rate, ceiling, arrival, refined, certain);
-                EACH(SELECT, (_if_refining_2, _refined_root_2), arrival)
-                EACH(SELECT_MASK, (_if_refining_2, _refined_root_2), refining)
-            }
-            EACH(STORE, open_, arrival)
-            EACH(STORE_MASK, open_, arrives)
-            BOUNDS(EACH(STORE, open_, leaving, rate))
-            const M packed = lanes_both(rows, refining);
-            if (lanes_any(packed)) {
-                lanes_pack(worklist->open_refining_row + open_refining_shots, packed, lanes_add(iota(), K((double)i)));
-                EACH(PACK, open_refining_, arrival, ceiling, leaving, rho_start, vx, vy, vz, x, y)
-                EACH(PACK, open_refining_, z)
-                EACH(PACK_MASK, open_refining_, certain)
-                if (LANES_SELDOM(varying)) {
-                    for (size_t _p = 0; _p < 4; _p++) {
-                        lanes_pack(worklist->open_refining_parameters.columns[open_refining_taken[_p]] + open_refining_shots, packed, lanes_load(worklist->open_parameters.columns[open_refining_taken[_p]] + i));
-                    }
+                    CALL(hoop_refined_root, _refined_root_1)(gap, rate, ceiling, arrival, refined, certain);
+                    EACH(SELECT, (_if_refining_1, _refined_root_1), arrival)
+                    EACH(SELECT_MASK, (_if_refining_1, _refined_root_1), refining)
                 }
-                open_refining_shots += popcount(packed);
+                const M _if_refining_2 = lanes_both(rows, refining);
+                if (LANES_USUAL(_if_refining_2)) {
+                    CALL(hoop_ring_refine, _ring_refine_2)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, FIXED(5), FIXED(15), FIXED(25), FIXED(11));
+                    V refined = _ring_refine_2.time;
+                    EACH(GET, _ring_refine_2, gap)
+#if BOUNDED
+                    EACH(SELECT, (_if_refining_2, _ring_refine_2), rate)
+#else
+                    EACH(GET, _ring_refine_2, rate)
+#endif
+                    CALL(hoop_refined_root, _refined_root_2)(gap, rate, ceiling, arrival, refined, certain);
+                    EACH(SELECT, (_if_refining_2, _refined_root_2), arrival)
+                    EACH(SELECT_MASK, (_if_refining_2, _refined_root_2), refining)
+                }
+                EACH(STORE, , arrival)
+                EACH(STORE_MASK, , arrives)
+                BOUNDS(EACH(STORE, , leaving, rate))
+                const M packed = lanes_both(rows, refining);
+                if (lanes_any(packed)) {
+                    lanes_pack(worklist->refining_row + refining_shots, packed, lanes_add(iota(), K((double)i)));
+                    EACH(PACK, refining_, arrival, ceiling, leaving, rho_start, vx, vy, vz, x, y, z)
+                    EACH(PACK_MASK, refining_, certain)
+                    if (LANES_SELDOM(varying)) {
+                        for (size_t _p = 0; _p < 4; _p++) {
+                            lanes_pack(worklist->refining_parameters.columns[refining_taken[_p]] + refining_shots, packed, lanes_load(worklist->parameters.columns[refining_taken[_p]] + i));
+                        }
+                    }
+                    refining_shots += popcount(packed);
+                }
             }
         }
-        if (open_refining_shots) {
-            EACH(CLEAR, open_refining_, row, arrival, ceiling, certain, leaving, rho_start, vx, vy)
-            EACH(CLEAR, open_refining_, vz, x, y, z)
+        if (refining_shots) {
+            EACH(CLEAR, refining_, row, arrival, ceiling, certain, leaving, rho_start, vx, vy, vz)
+            EACH(CLEAR, refining_, x, y, z)
             if (LANES_SELDOM(varying)) {
                 for (size_t _p = 0; _p < 4; _p++) {
-                    lanes_store(worklist->open_refining_parameters.columns[open_refining_taken[_p]] + open_refining_shots, K(0.0));
+                    lanes_store(worklist->refining_parameters.columns[refining_taken[_p]] + refining_shots, K(0.0));
                 }
             }
         }
@@ -1811,16 +1776,16 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
             EACH(START_MASK, , active, certain)
             EACH(START, , row, turns, arrival, ceiling, leaving, rho_start, vx, vy, vz, x, y, z)
             for (;;) {
-                if ((taken < open_refining_shots) && ((busy + LANES_SPARE) <= LANES_WIDTH)) {
+                if ((taken < refining_shots) && ((busy + LANES_SPARE) <= LANES_WIDTH)) {
                     const M idle = lanes_not(active);
                     turns = lanes_select(idle, K(0.0), turns);
-                    EACH(EXPAND, open_refining_, row, arrival, ceiling, leaving, rho_start, vx, vy)
-                    EACH(EXPAND, open_refining_, vz, x, y, z)
-                    EACH(EXPAND_MASK, open_refining_, certain)
+                    EACH(EXPAND, refining_, row, arrival, ceiling, leaving, rho_start, vx, vy, vz)
+                    EACH(EXPAND, refining_, x, y, z)
+                    EACH(EXPAND_MASK, refining_, certain)
                     if (LANES_SELDOM(varying))
-                        LOOP(fix_open_refining_rows_1)(worklist, taken, idle);
+                        LOOP(fix_refining_rows_1)(worklist, taken, idle);
                     const size_t room = LANES_WIDTH - busy;
-                    const size_t _left = open_refining_shots - taken;
+                    const size_t _left = refining_shots - taken;
                     active = lanes_leading(idle, _left, active);
                     taken += _left < room ? _left : room;
                     busy += _left < room ? _left : room;
@@ -1835,66 +1800,69 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
                 EACH(SET, _refined_root_1, arrival, refining)
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(refining, lanes_less(turns, K(8.0)))));
-                lanes_pack(worklist->open_refining_ended_row + done, ended, row);
-                lanes_pack(worklist->open_refining_ended_arrival + done, ended, arrival);
+                lanes_pack(worklist->refining_ended_row + done, ended, row);
+                lanes_pack(worklist->refining_ended_arrival + done, ended, arrival);
 #if BOUNDED
-                lanes_pack(worklist->open_refining_ended_rate + done, ended, rate);
+                lanes_pack(worklist->refining_ended_rate + done, ended, rate);
 #endif
                 done += popcount(ended);
                 busy -= popcount(ended);
                 active = lanes_both(active, lanes_not(ended));
             }
             for (size_t k = 0; k < done; k++) {
-                const size_t row = (size_t)worklist->open_refining_ended_row[k];
-                EACH(RETURN, (open_, open_refining_ended_), arrival)
-                BOUNDS(EACH(RETURN, (open_, open_refining_ended_), rate))
+                const size_t row = (size_t)worklist->refining_ended_row[k];
+                EACH(RETURN, (, refining_ended_), arrival)
+                BOUNDS(EACH(RETURN, (, refining_ended_), rate))
             }
         }
         }
-        for (size_t i = 0; i < open_shots; i += LANES_WIDTH) {
+        for (size_t i = 0; i < shots; i += LANES_WIDTH) {
+            const M rows = lanes_both(mask_first_n(shots - i), lanes_less(K(0.0), lanes_load(worklist->open + i)));
+            if (lanes_any(rows)) {
 #if BOUNDED
-            if (LANES_SELDOM(varying))
-                LOOP(fix_open_rows_3)(worklist, i);
+                if (LANES_SELDOM(varying))
+                    LOOP(fix_rows_5)(worklist, i);
 #endif
-            EACH(LOAD, open_, arrival, when, which)
-            EACH(LOAD_MASK, open_, arrives)
+                EACH(LOAD, , arrival, when, which)
+                EACH(LOAD_MASK, , arrives)
 #if BOUNDED
-            EACH(LOAD, open_, ceiling, earliest_delay, extent, latest, leaving, rate, speed)
-            EACH(LOAD, open_, undecided_time)
-            EACH(LOAD_MASK, open_, certain)
-            EACH(LOAD_SINGLE, open_, position_error, velocity_error)
-            CALL(hoop_ring_margins, _ring_margins_1)(latest, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), FIXED(15), FIXED(31), FIXED(47), FIXED(48), FIXED(49), FIXED(43));
-            V flat = _ring_margins_1.margin;
-            V tilt = _ring_margins_1.leaving_margin;
-            EACH(GET, _ring_margins_1, rate_margin)
-            CALL(hoop_own_margin, _own_margin_1)(leaving, flat, tilt, arrival);
-            EACH(GET, _own_margin_1, margin)
-            CALL(hoop_crossing, _crossing_1)(margin, rate_margin, rate, ceiling);
-            EACH(GET, _crossing_1, clearance, delay)
+                EACH(LOAD, , ceiling, earliest_delay, extent, latest, leaving, rate, speed)
+                EACH(LOAD, , undecided_time)
+                EACH(LOAD_MASK, , certain)
+                EACH(LOAD_SINGLE, , position_error, velocity_error)
+                CALL(hoop_ring_margins, _ring_margins_1)(latest, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), FIXED(15), FIXED(31), FIXED(47), FIXED(48), FIXED(49), FIXED(43));
+                V flat = _ring_margins_1.margin;
+                V tilt = _ring_margins_1.leaving_margin;
+                EACH(GET, _ring_margins_1, rate_margin)
+                CALL(hoop_own_margin, _own_margin_1)(leaving, flat, tilt, arrival);
+                EACH(GET, _own_margin_1, margin)
+                CALL(hoop_crossing, _crossing_1)(margin, rate_margin, rate, ceiling);
+                EACH(GET, _crossing_1, clearance, delay)
 #endif
-            CALL(hoop_arrival_time, _arrival_time_1)(arrival);
-            EACH(GET, _arrival_time_1, time)
+                CALL(hoop_arrival_time, _arrival_time_1)(arrival);
+                EACH(GET, _arrival_time_1, time)
 #if BOUNDED
-            CALL(hoop_arrival_certainty, _arrival_certainty_1)(clearance, time, delay, undecided_time, arrives, certain);
-            EACH(SET, _arrival_certainty_1, delay, undecided_time)
-            CALL(hoop_tie_undecided, _tie_undecided_1)(time, when, delay, earliest_delay, undecided_time, arrives);
-            EACH(SET, _tie_undecided_1, undecided_time, earliest_delay)
+                CALL(hoop_arrival_certainty, _arrival_certainty_1)(clearance, time, delay, undecided_time, arrives, certain);
+                EACH(SET, _arrival_certainty_1, delay)
+                EACH(SELECT, (rows, _arrival_certainty_1), undecided_time)
+                CALL(hoop_tie_undecided, _tie_undecided_1)(time, when, delay, earliest_delay, undecided_time, arrives);
+                EACH(SELECT, (rows, _tie_undecided_1), undecided_time, earliest_delay)
 #endif
-            CALL(hoop_earliest, _earliest_1)(K(0.0), time, when, which, arrives);
-            EACH(SET, _earliest_1, when, which)
-            EACH(STORE, open_, when, which)
-            BOUNDS(EACH(STORE, open_, earliest_delay, undecided_time))
-        }
-        for (size_t k = 0; k < open_shots; k++) {
-            const size_t row = (size_t)worklist->open_row[k];
-            EACH(RETURN, (, open_), when, which)
-            BOUNDS(EACH(RETURN, (, open_), earliest_delay, undecided_time))
+                CALL(hoop_earliest, _earliest_1)(K(0.0), time, when, which, arrives);
+                EACH(SELECT, (rows, _earliest_1), when, which)
+                EACH(STORE, , when, which)
+                BOUNDS(EACH(STORE, , earliest_delay, undecided_time))
+            }
         }
         }
         for (size_t i = 0; i < shots; i += LANES_WIDTH) {
             const M rows = mask_first_n(shots - i);
             if (LANES_SELDOM(varying))
-                LOOP(fix_rows_3)(worklist, i);
+#if BOUNDED
+                LOOP(fix_rows_6)(worklist, i);
+#else
+                LOOP(fix_rows_5)(worklist, i);
+#endif
             EACH(LOAD, , clock, contacts, vx, vy, vz, when, which, wx, wy, wz, x, y, z)
             EACH(LOAD_SINGLE, , time_error)
             EACH(LOAD_MASK, , limited)

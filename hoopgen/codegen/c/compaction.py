@@ -3,7 +3,8 @@
 A body in which something repeats is not executed for all lanes with some of them masked: the shots
 that need it are packed into a worklist of their own, on which all lanes work. A body that repeats
 takes the next shots of its worklist into the lanes that are done. Results go back to the rows they
-came from.
+came from. Of a body that nearly all shots enter the others are idle lanes, which cost less than to
+pack its shots; what repeats within it has its worklist.
 """
 
 from __future__ import annotations
@@ -24,6 +25,7 @@ from ..statements import (
     Declare,
     Expression,
     For,
+    If,
     Infix,
     Item,
     Name,
@@ -33,7 +35,7 @@ from ..statements import (
 )
 from .hierarchy import GroupContext
 from .masked_loop import Around, Statements
-from .spelling import TYPES, at, load, numbered_column, offset, store
+from .spelling import TYPES, any_lane, at, both, load, numbered_column, offset, store
 from .transfers import MIN_COPIED
 from .turns import TurnLoop
 
@@ -106,12 +108,15 @@ class CompactedLoop(TurnLoop):
         The list that the pass at hand goes over.
     inner
         By a guarded body of the pass at hand, the columns that it stores; whether it loads them.
+    over_rows
+        Whether the passes at hand are repeated for each row of a table.
     """
 
     min_outlined_cost: int = 0
     beside: Statements = field(default_factory=list)
     frame: GroupContext = field(default_factory=lambda: GroupContext("", {}))
     inner: dict[int, dict[str, bool]] = field(default_factory=dict)
+    over_rows: bool = False
 
     def passes(
         self,
@@ -144,11 +149,16 @@ class CompactedLoop(TurnLoop):
                 continue
             later = live_before(nodes[index + 1 :], after)
             before, own = _within(inserted, nodes, start, index), Statements()
-            if isinstance(node, ir.ForEach):
+            if isinstance(node, ir.ForEach) or self._in_place(node):
                 if start < index or before:
                     needed = live_before(nodes[index:], after)
                     self._pass(own, nodes[start:index], frame, needed, None, before)
-                own += self._table_rows(node, frame, later)
+                if isinstance(node, ir.ForEach):
+                    own += self._table_rows(node, frame, later)
+                else:
+                    gives = frozenset(scope(node, later).gives)
+                    within = replace(frame, guard=node.truth, kept=gives)
+                    own += self.passes(node.body, within, set(gives))
             else:
                 listed = self._pass(own, nodes[start:index], frame, later, node, before)
                 own += self._of_list(node, frame, listed, later)
@@ -174,8 +184,8 @@ class CompactedLoop(TurnLoop):
 
     def _table_rows(self, node: ir.ForEach, frame: GroupContext, later: set[str]) -> Statements:
         """Return passes for each row of a table."""
-        outer = self.parameters, self.job, self.bases
-        self.frame = frame
+        outer = self.parameters, self.job, self.bases, self.over_rows
+        self.frame, self.over_rows = frame, True
         row = self.fresh("k")
         if node.groups is None:
             made, bases, numbers = self.table(node, row)
@@ -193,7 +203,7 @@ class CompactedLoop(TurnLoop):
         self.job = (*self.job, *numbers)
         self.bases = self.bases | bases
         body = self.passes(node.body, frame, carried(node, later))
-        self.parameters, self.job, self.bases = outer
+        self.parameters, self.job, self.bases, self.over_rows = outer
         return around([*own, *body])
 
     def _over_table(self, node: ir.ForEach, row: str, made: Statements) -> Around:
@@ -269,6 +279,10 @@ class CompactedLoop(TurnLoop):
         """Return whether a body has a worklist: without iterations packing mostly costs more."""
         return repeats(node) or self._long(node)
 
+    def _in_place(self, node: ir.If | ir.While) -> bool:
+        """Return whether a body with a worklist within has none itself: nearly all shots enter."""
+        return isinstance(node, ir.If) and node.usual and not self.over_rows
+
     def _long(self, node: Node) -> bool:
         """Return whether a body is executed rarely and costs much."""
         cost = sum(self.costs[n.kernel.name] for n in walk([node]) if isinstance(n, ir.Call))
@@ -296,7 +310,8 @@ class CompactedLoop(TurnLoop):
         shared = inserted.reads() if inserted else set()
         wanted = set(stored) | set(takes) | ({cut.truth} if cut else set())
         wanted |= shared - set(written)
-        need = live_before(without_rows(nodes), wanted)
+        kept = frame.kept & set(written)
+        need = live_before(without_rows(nodes), wanted) | kept
         self._set_inner(nodes if cut is None else (), set(stored) & set(frame.known), shared)
         inside = {name for names in self.inner.values() for name in names}
         need -= {name for names in self.inner.values() for name, loaded in names.items() if loaded}
@@ -312,7 +327,7 @@ class CompactedLoop(TurnLoop):
             kind = known[name] = frame.known[name]
             body.append(Declare(name, TYPES[kind], load(kind, at(frame.column(name), "i"))))
         known |= dict.fromkeys(self.parameters, "double")
-        body += self._with_insertion(nodes, known, wanted, inserted)
+        body += self._with_insertion(nodes, known, set(kept), wanted, inserted)
         for name, kind in stored.items():
             self._column(frame, name, kind)
             if name not in inside:
@@ -328,12 +343,17 @@ class CompactedLoop(TurnLoop):
             Declare(name, "V", self._parameter(frame, name), constant=True)
             for name in sorted(need & set(self.parameters) & read)
         ]
-        if "rows" in read:
+        begin += body
+        if frame.guard or "rows" in read:
             left = Infix("-", Name(frame.count), Name("i"))
-            begin.insert(0, Declare("rows", "M", Apply("mask_first_n", (left,)), constant=True))
+            rows: Expression = Apply("mask_first_n", (left,))
+            if frame.guard:
+                rows = both(rows, load("truth", at(frame.column(frame.guard), "i")))
+                begin = [If(any_lane(Name("rows")), tuple(begin))]
+            begin.insert(0, Declare("rows", "M", rows, constant=True))
         if cut:
             found += [Declare(own.count, "size_t", Scalar(0)), *self._parameter_numbers(own, takes)]
-        found.append(frame.over([*begin, *body]))
+        found.append(frame.over(begin))
         found += [self._fill(own, takes), *self._copy(frame, own, copied)] if cut else []
         return own
 
@@ -361,14 +381,15 @@ class CompactedLoop(TurnLoop):
         self,
         nodes: Sequence[Node],
         known: dict[str, Kind],
+        kept: set[str],
         wanted: set[str],
         inserted: Insertion | None,
     ) -> Statements:
         """Return the statements of nodes, and those that are inserted before one of them."""
         if inserted is None:
-            return self.body(nodes, known, set(), "rows", wanted)
+            return self.body(nodes, known, kept, "rows", wanted)
         before, rest = nodes[: inserted.index], nodes[inserted.index :]
         between = live_before(rest, wanted) | inserted.reads()
-        found = self.body(before, known, set(), "rows", between)
+        found = self.body(before, known, kept, "rows", between)
         known |= inserted.declares
-        return [*found, *inserted.statements, *self.body(rest, known, set(), "rows", wanted)]
+        return [*found, *inserted.statements, *self.body(rest, known, kept, "rows", wanted)]

@@ -45,13 +45,17 @@ from .spelling import any_lane, at, both, column_of, function, load, store
 class GroupContext:
     """A list of shots, the variables that it has columns for, and the row that it begins with.
 
-    With `blocks`, where they begin and how many, a pass goes over those rows of lanes alone.
+    With `blocks`, where they begin and how many, a pass goes over those rows of lanes alone. With
+    `guard`, a column of truths, only shots of which it is true take part; of what others need
+    again, `kept`, they keep their values.
     """
 
     prefix: str
     known: dict[str, Kind]
     first: Expression = field(default_factory=lambda: Scalar(0))
     blocks: tuple[Expression, Expression] | None = None
+    guard: str = ""
+    kept: frozenset[str] = frozenset()
 
     @property
     def count(self) -> str:
