@@ -44,6 +44,7 @@ _LIGHT_DIRECTION = (-0.35, 0.5, 0.79)
 _TONES = ((-2.0, 0.0), (0.1, 0.12), (0.4, 0.26), (0.65, 0.4), (0.85, 0.54))
 
 _INSIDE_LIGHTENING = 0.34  # more white in insides, so that paths stand out before them
+_SEAM_WIDTH = 0.7  # points of the edges that close the seams of shapes: most of a pixel at 72 dpi
 _PLANE_OPACITY = 0.13  # opacity of a plane
 _PLANE_ORDER, _INSIDE_ORDER, _END_ORDER = 3.0, 3.5, 5.0  # drawing order, below paths
 _FLATNESS = 1e-6  # distance of a planar path from its plane: m at a hoop, else of its size
@@ -349,4 +350,6 @@ class _Bodies(Scenery):
             left = clip(left, self._normals(left) @ light - most)[0]
             if len(left):
                 tone = mix_with_white(colour, white + pale * (1.0 - white))
-                axes.add_patch(merge_triangles(left, view, fc=tone, ec=tone, lw=0.3, zorder=order))
+                axes.add_patch(
+                    merge_triangles(left, view, fc=tone, ec=tone, lw=_SEAM_WIDTH, zorder=order)
+                )

@@ -18,6 +18,7 @@ from tests.helpers.commands import run, succeed
 pytest.importorskip("matplotlib")
 
 from matplotlib.axes import Axes
+from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.colors import to_hex
 from matplotlib.figure import Figure
 from matplotlib.patches import PathPatch
@@ -25,10 +26,12 @@ from matplotlib.patches import PathPatch
 import hoopgen
 from benchmarks import pictures
 from hoopgen.core.colours import body_colours
+from hoopgen.plots import scenery
 from hoopgen.plots.scenery import scenery_of
 from hoopgen.plots.views import SIDE, TOP, oblique
 from hoopgen.scene import (
     Box,
+    Cone,
     Cylinder,
     End,
     Parameter,
@@ -249,6 +252,33 @@ def test_a_sphere_covers_its_disc_in_every_view(view: Any, inside: bool) -> None
     axes = Figure().add_subplot()
     there.draw(axes, there.look(view), 1.0)
     assert painted(axes) == pytest.approx(np.pi * 0.09, rel=0.01)
+
+
+@pytest.mark.parametrize("view", [SIDE, TOP, oblique(0.6, 0.4)], ids=lambda view: view.name)
+@pytest.mark.parametrize("inside", [False, True])
+@pytest.mark.parametrize("dpi", [72, 100])
+def test_a_cone_has_no_seams(
+    view: Any, inside: bool, dpi: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(scenery, "mix_with_white", lambda *_: (0.0, 0.0, 0.0))
+    axis, start = ("z", 0.2) if inside else ("-z", 0.0)  # open towards the eye above
+    body = Cone("cone", half_angle="40deg", axis=axis, span=(start, 0.6), inside=inside)
+    scene = Scene("one", bodies=[body], ball_radius=0.02, gravity=9.81, restitution=0.5)
+    there = scenery_of(stand_in(scene), {}, np.array([[0, 0, 1.0], [0.1, 0.1, -0.1]]))
+    figure = Figure(figsize=(4, 4), dpi=dpi)
+    axes = figure.add_axes((0, 0, 1, 1))
+    axes.set(xlim=(-1.2, 1.2), ylim=(-1.2, 1.2))
+    axes.set_axis_off()
+    there.draw(axes, there.look(view), 4 / 2.4)
+    canvas = FigureCanvasAgg(figure)
+    canvas.draw()
+    black = np.array(canvas.buffer_rgba())[..., 0] < 8
+    seams = np.zeros_like(black)
+    for way in ((0, 3), (3, 0), (3, 3), (3, -3)):  # between two that are black
+        across = np.roll(black, way, (0, 1)) & np.roll(black, (-way[0], -way[1]), (0, 1))
+        seams |= ~black & across
+    assert black.sum() > 1_000
+    assert seams.sum() < 0.005 * black.sum()  # a hollow corner has some
 
 
 class _Kernels:
