@@ -37,7 +37,7 @@ from .shot_text import LEFT, LINE, describe_shot, dot_times, draw_title, wrap_li
 from .shot_text import FlightPath as Trajectory
 from .style import COLOURS, PAGE, style
 from .trajectory import build_drawing, flat_limits, path_times
-from .views import Panel, Points
+from .views import Panel, Points, View
 
 FRAME_RATE = 25
 """Frames a second: a GIF counts in hundredths of one."""
@@ -50,6 +50,7 @@ _DPI = 110
 _PALETTE_SIZE = 128
 _PATH_PIECES = 40  # of a path, with an order from far to near each
 _MAX_OBSTACLES = 2_000
+_DOT_ORDER = 0.005  # of the drawing order, above that of the path there
 
 # Inches around and between the panels.
 _RIGHT, _GAP, _BELOW, _ABOVE = 0.15, 0.72, 0.5, 0.62
@@ -251,6 +252,7 @@ class _MovingView:
         axes.set_axis_off()
         self.view = view = drawing.scenery.look(panel.view)
         drawing.scenery.draw(axes, view, panel.scale)
+        self.bodies = list(axes.patches)
         self.path = view.flatten(path)
         piece = max(2, -(-len(path) // _PATH_PIECES))
         ends = [*range(0, len(path) - 1, piece), len(path) - 1]
@@ -260,9 +262,7 @@ class _MovingView:
             line = Line2D([], [], color=COLOURS["path"], lw=1.3, zorder=order)
             self.pieces.append((first, last, axes.add_line(line)))
         self.whole = [False] * len(self.pieces)  # those that stay as they are
-        self.beats = view.flatten(drawing.beats)
-        dots = Line2D([], [], ls="none", marker="o", ms=2.4, mec="none", color=COLOURS["path"])
-        self.dots = axes.add_line(dots)
+        self.dots = [axes.add_line(_dot(view, beat)) for beat in drawing.beats]
         radius = drawing.scenery.ball_radius
         self.fill = axes.add_patch(Circle((0.0, 0.0), radius, alpha=0.85, lw=0))
         self.fill.set_facecolor(COLOURS[drawing.scenery.ball])
@@ -278,7 +278,8 @@ class _MovingView:
         radius = drawing.scenery.ball_radius
         around = np.vstack([thin_rows(drawing.path, _MAX_OBSTACLES), drawing.scenery.points()])
         obstacles = self.view.flatten(around)
-        draw_badges(axes, self.view, marks, obstacles, panel.limits, radius, panel.scale)
+        limits, bodies = panel.limits, self.bodies
+        draw_badges(axes, self.view, marks, obstacles, limits, radius, panel.scale, bodies)
         drawn = zip(axes.lines[lines:], axes.texts[texts:], strict=True)
         return [(mark, list(pair)) for mark, pair in zip(marks, drawn, strict=True)]
 
@@ -297,7 +298,8 @@ class _MovingView:
             line.set_data(here[:, 0], here[:, 1])
             line.set_visible(len(here) > 0)
             self.whole[number] = whole
-        self.dots.set_data(*self.beats[:beats].T)
+        for number, dot in enumerate(self.dots):
+            dot.set_visible(number < beats)
         colour, wide = self.edge, 0.9
         for mark, artists in self.badges:
             for artist in artists:
@@ -308,7 +310,14 @@ class _MovingView:
         for circle, zorder in ((self.fill, order), (self.outline, order + 0.01)):
             circle.set(center=(at[0], at[1]), zorder=zorder)
         self.outline.set(ec=colour, lw=wide)
-        self.dots.set_zorder(order - 0.01)
+
+
+def _dot(view: View, beat: Points) -> Line2D:
+    """Return a dot of the path, above the line and below the ball that is there."""
+    (x, y), order = view.flatten(beat).tolist(), drawing_order(view, beat) + _DOT_ORDER
+    dot = Line2D([x], [y], ls="none", marker="o", ms=2.4, mec="none", zorder=order)
+    dot.set_color(COLOURS["path"])
+    return dot
 
 
 def _speed(duration: float) -> float:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from enum import IntEnum
 from typing import Any
@@ -11,12 +11,14 @@ import numpy as np
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.patches import Patch
 from numpy.typing import NDArray
 
 from hoopgen.core.event_log import Event, impacts, rolls
 from hoopgen.results.shots import SURFACES
 
 from .label_placement import Box, place_labels
+from .occlusion import hidden
 from .style import COLOURS, POINTS_PER_INCH, letter
 from .views import Points, View
 
@@ -177,8 +179,11 @@ def draw_badges(
     bounds: tuple[float, float, float, float],
     ball_radius: float,
     scale: float,
+    bodies: Sequence[Patch],
 ) -> None:
     """Draw each badge near its ball, with a line to the ball's centre.
+
+    Where a body hides the centre, the line is dashed and its end hollow.
 
     Parameters
     ----------
@@ -194,19 +199,27 @@ def draw_badges(
         m.
     scale
         Inches of the picture per metre.
+    bodies
+        The shapes of the bodies.
     """
     shown = [mark for mark in marks if mark.label]
     boxes = [_box(mark, view, ball_radius, scale) for mark in shown]
-    for mark, box, centre in zip(shown, boxes, place_labels(boxes, obstacles, bounds), strict=True):
+    places = place_labels(boxes, obstacles, bounds)
+    centres = np.array([mark.position for mark in shown]).reshape(-1, 3)
+    behind = hidden(bodies, view, centres).tolist()
+    for mark, box, centre, covered in zip(shown, boxes, places, behind, strict=True):
         colour = mark.colour
         axes.plot(
             [box.anchor[0], centre[0]],
             [box.anchor[1], centre[1]],
             color=colour,
             lw=0.6,
+            ls=(0, (3, 2)) if covered else "-",
             zorder=90,
             marker="o",
             ms=2.6,
+            mfc=COLOURS["paper"] if covered else colour,
+            mew=0.6 if covered else 1.0,
             markevery=[0],
         )
         _write_badge(axes, centre, mark)

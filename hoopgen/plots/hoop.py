@@ -182,4 +182,9 @@ def drawing_order(view: View, point: Points) -> float:
     point
         The point, (3,), m.
     """
-    return 10.0 + float(view.depth(point))
+    return float(drawing_orders(view, point))
+
+
+def drawing_orders(view: View, points: Points) -> Points:
+    """Return the drawing orders of points, (..., 3) in m, as of `drawing_order`."""
+    return 10.0 + view.depth(points)

@@ -8,12 +8,14 @@ from dataclasses import dataclass
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.patches import Patch
 from matplotlib.ticker import MultipleLocator
 
 from hoopgen.core.units import display_unit
 
 from .contact_marks import Mark, draw_badges
 from .hoop import draw_ball, draw_path
+from .occlusion import hidden, runs
 from .page import add_view
 from .scenery import Scenery
 from .style import COLOURS, EDGES, FRAME, GRID, INK, POINTS_PER_INCH
@@ -27,6 +29,7 @@ _SMALL_TICK_STEPS = (0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1)
 _TICK_ROOM = 0.36  # inches
 _MIN_TICKS = 3  # ticks on an axis, at least
 _MAX_OBSTACLES = 5_000  # points of a path that badges stay clear of
+_HIDDEN_ORDER, _DOT_ORDER = 59.0, 60.0  # drawing order, above bodies and paths
 _CORNER_GAP = 0.3  # of a step: of two ticks at a corner of the room, one is left out
 
 
@@ -111,18 +114,21 @@ def draw_view(axes: Axes, panel: Panel, drawing: Drawing) -> None:
     written = _draw_floor(axes, panel, drawing) if view.labels is None else []
     if view.labels is not None:
         label_flat_view(axes, panel, drawing)
-    radius = drawing.scenery.ball_radius
+    radius, before = drawing.scenery.ball_radius, len(axes.patches)
     drawing.scenery.draw(axes, view, panel.scale)
+    bodies = axes.patches[before:]
     draw_path(axes, view, drawing.path)
+    _draw_hidden_path(axes, view, drawing.path, bodies)
     for mark in drawing.marks:
         if mark.label:
             ghost = mark.kind == "release"
             draw_ball(axes, view, mark.position, radius, drawing.scenery.ball, ghost=ghost)
-    _dots(axes, view.flatten(drawing.beats), 2.2, COLOURS["path"])
-    _dots(axes, view.flatten(drawing.dots), 2.6, COLOURS["backboard"])
+    for points, size, colour in ((drawing.beats, 2.2, "path"), (drawing.dots, 2.6, "backboard")):
+        seen = points[~hidden(bodies, view, points)]
+        _dots(axes, view.flatten(seen), size, COLOURS[colour])
     lines = np.vstack([thin_rows(drawing.path, _MAX_OBSTACLES), drawing.scenery.points()])
     obstacles = np.vstack([view.flatten(lines), *written])
-    draw_badges(axes, view, drawing.marks, obstacles, panel.limits, radius, panel.scale)
+    draw_badges(axes, view, drawing.marks, obstacles, panel.limits, radius, panel.scale, bodies)
 
 
 def thin_rows(rows: Points, most: int) -> Points:
@@ -177,7 +183,23 @@ def label_flat_view(axes: Axes, panel: Panel, drawing: Drawing) -> None:
 
 
 def _dots(axes: Axes, at: Points, size: float, colour: str) -> None:
-    axes.plot(at[:, 0], at[:, 1], ls="none", marker="o", ms=size, mfc=colour, mec="none", zorder=60)
+    axes.plot(
+        at[:, 0],
+        at[:, 1],
+        ls="none",
+        marker="o",
+        ms=size,
+        mfc=colour,
+        mec="none",
+        zorder=_DOT_ORDER,
+    )
+
+
+def _draw_hidden_path(axes: Axes, view: View, path: Points, bodies: Sequence[Patch]) -> None:
+    """Draw the parts of a path that bodies hide as thin dashed lines over them."""
+    for run in runs(hidden(bodies, view, path)):
+        flat = view.flatten(path[run])
+        axes.plot(*flat.T, color=COLOURS["path"], lw=0.6, ls=(0, (3, 2)), zorder=_HIDDEN_ORDER)
 
 
 def _draw_floor(axes: Axes, panel: Panel, drawing: Drawing) -> list[Points]:

@@ -19,13 +19,15 @@ from hoopgen.text.numbers import MINUS
 
 from .style import INK, NOTE_SIZE, wrap
 
-__all__ = ["LEFT", "LINE", "describe_shot", "dot_times", "draw_title", "wrap_lines"]
+__all__ = ["LEFT", "LINE", "TITLE", "describe_shot", "dot_times", "draw_title", "wrap_lines"]
 
 LEFT = 0.62
 """Left margin of the text, inches."""
 
-LINE = 0.14
-"""Height of a line below the title, inches."""
+TITLE, LINE = 0.24, 0.14
+"""Heights of a title and of a line below it, inches."""
+
+_PAD = 0.1  # inches, above the first line
 
 DOT_INTERVAL = 0.1
 """Seconds between the dots on the path; of a longer shot more, so that there are not too many."""
@@ -122,7 +124,9 @@ def _describe_azimuth(x: float, y: float, vx: float, vy: float) -> str:
     return f" and {abs(azimuth):.1f}\N{DEGREE SIGN} to the {'left' if azimuth > 0.0 else 'right'}"
 
 
-def draw_title(figure: Figure, title: str, description: Sequence[str]) -> Text:
+def draw_title(
+    figure: Figure, title: str, description: Sequence[str], *, room: float = TITLE
+) -> Text:
     """Add a title to a page, and lines below it; return the title.
 
     Parameters
@@ -133,6 +137,8 @@ def draw_title(figure: Figure, title: str, description: Sequence[str]) -> Text:
         The title.
     description
         The lines below it.
+    room
+        The height of the room for the title, inches.
     """
     width, height = figure.get_size_inches()
     x = LEFT / width
@@ -140,6 +146,6 @@ def draw_title(figure: Figure, title: str, description: Sequence[str]) -> Text:
     top = 1.0 - 0.16 / height
     written = figure.text(x, top, head, fontsize=10, fontweight="bold", va="center")
     for number, line in enumerate(description):
-        y = 1.0 - (0.34 + LINE * number) / height
+        y = 1.0 - (_PAD + room + LINE * number) / height
         figure.text(x, y, line, fontsize=NOTE_SIZE, color=INK, va="center", parse_math=True)
     return written

@@ -22,7 +22,16 @@ from .figure import Picture, add_key, add_title, draw_picture, fit_view
 from .page import stack_views
 from .panels import Drawing, Room, draw_panel, draw_view, thin_rows
 from .scenery import Scenery, scenery_of
-from .shot_text import LEFT, LINE, FlightPath, describe_shot, dot_times, draw_title, wrap_lines
+from .shot_text import (
+    LEFT,
+    LINE,
+    TITLE,
+    FlightPath,
+    describe_shot,
+    dot_times,
+    draw_title,
+    wrap_lines,
+)
 from .style import PAGE
 from .views import Limits, Panel, Points, View, oblique
 
@@ -115,12 +124,13 @@ def _draw(drawing: Drawing, three_d: bool, title: str, description: Sequence[str
     """Draw all views on a page."""
     page = _arrange(drawing, three_d)
     lines = wrap_lines([*description, *([_SHADOW_NOTE] if three_d else [])], page.width)
-    room = max(0, len(lines) - _LINES) * LINE
+    head = TITLE if title else 0.0
+    room = max(0, len(lines) - _LINES) * LINE + head - TITLE
     figure = Picture(figsize=(page.width, page.height + room))
     for panel in page.panels:
         draw_panel(figure, panel, drawing)
-    draw_title(figure, title, lines)
-    draw_mark_legend(figure, drawing.marks, page.panels[0].left, 0.12)
+    draw_title(figure, title, lines, room=head)
+    draw_mark_legend(figure, drawing.marks, LEFT, 0.12)
     return figure
 
 

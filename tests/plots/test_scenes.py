@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -27,8 +28,11 @@ import hoopgen
 from benchmarks import pictures
 from hoopgen.core.colours import body_colours
 from hoopgen.plots import scenery
+from hoopgen.plots.contact_marks import Mark
+from hoopgen.plots.panels import Drawing, Room, draw_view
 from hoopgen.plots.scenery import scenery_of
-from hoopgen.plots.views import SIDE, TOP, oblique
+from hoopgen.plots.trajectory import _draw
+from hoopgen.plots.views import SIDE, TOP, Panel, oblique
 from hoopgen.scene import (
     Box,
     Cone,
@@ -279,6 +283,59 @@ def test_a_cone_has_no_seams(
         seams |= ~black & across
     assert black.sum() > 1_000
     assert seams.sum() < 0.005 * black.sum()  # a hollow corner has some
+
+
+def past_a_sphere(y: float, marks: int = 2) -> Drawing:
+    """Return a straight path past a sphere of radius 0.3, on the far side of it at positive y."""
+    bodies = [Sphere("stone", radius=0.3)]
+    scene = Scene("one", bodies=bodies, ball_radius=BALL, gravity=9.81, restitution=0.5)
+    path = np.linspace([-1.0, y, 0.0], [1.0, y, 0.0], 81)
+    there = scenery_of(stand_in(scene), {}, path)
+    said = [Mark(f"{k}", "body", f"stone {k}", path[40], "#333333") for k in range(marks)]
+    room = Room((-1.0, -1.0, -0.5), (1.0, 1.0, 0.5))
+    return Drawing(path, path[1::4], path[[40]], tuple(said), there, room, (SIDE, TOP))
+
+
+@pytest.mark.parametrize("behind", [True, False])
+def test_a_sphere_hides_the_path_behind_it(behind: bool) -> None:
+    drawing = past_a_sphere(0.6 if behind else -0.6)
+    axes = Figure().add_subplot()
+    draw_view(axes, Panel(SIDE, (-1.2, 1.2, -0.6, 0.6), 2.0, 0.0, 0.0), drawing)
+    alone = [line for line in axes.lines if line.get_linestyle() == "None"]
+    dots = np.concatenate([line.get_xdata() for line in alone])
+    assert (np.abs(dots).min() >= 0.29) == behind
+    assert len(dots) == len(drawing.beats) - 6 if behind else len(drawing.beats) + 1
+    dashed = [line for line in axes.lines if line.get_linestyle() == "--"]
+    leads = [line for line in dashed if line.get_marker() == "o"]
+    assert len(leads) == (len(drawing.marks) if behind else 0)
+    (*_, covered) = [line.get_xdata() for line in dashed if line not in leads] or [[]]
+    np.testing.assert_allclose([*covered][:1] + [*covered][-1:], [-0.3, 0.3][: 2 * behind], 0, 0.03)
+
+
+def test_a_long_key_is_below_all_views() -> None:
+    path = np.linspace([-1.0, -1.0, -0.5], [1.0, 1.0, 0.5], 81)  # flat views narrower than the page
+    drawing = replace(past_a_sphere(0.6, marks=40), path=path)
+    figure = _draw(drawing, True, "", ["Released."])
+    canvas = FigureCanvasAgg(figure)
+    canvas.draw()
+    boxes = {
+        axes.get_label(): [text.get_window_extent(canvas.get_renderer()) for text in axes.texts]
+        for axes in figure.axes
+    }
+    assert max(box.y1 for box in boxes["key"]) < min(box.y0 for box in boxes["3D view"])
+
+
+def test_without_a_title_there_is_no_room_for_one() -> None:
+    drawing = past_a_sphere(0.6)
+    tall, low = (_draw(drawing, False, title, ["Released."]) for title in ("Title", ""))
+    lines = [figure.texts[-1] for figure in (tall, low)]
+    assert [line.get_text() for line in lines] == ["Released."] * 2
+    away = [
+        (1.0 - line.get_position()[1]) * figure.get_size_inches()[1]
+        for line, figure in zip(lines, (tall, low), strict=True)
+    ]
+    assert away[0] - away[1] == pytest.approx(0.24)
+    assert tall.get_size_inches()[1] - low.get_size_inches()[1] == pytest.approx(0.24)
 
 
 class _Kernels:
