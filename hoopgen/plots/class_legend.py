@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from matplotlib.artist import Artist
@@ -29,17 +30,27 @@ class Class:
         Name of a `Kind`, in lower case; empty where the shot is neither made nor missed.
     colour, line
         Of areas that stand for its shots, and of their paths.
+    width, dashes
+        Of paths: points, 0 for that of the picture, and lengths of lines and gaps, none for a solid
+        line.
     """
 
     outcome: str
     kind: str
     colour: str
     line: str
+    width: float = 0.0
+    dashes: tuple[float, ...] = ()
 
     @property
     def words(self) -> str:
         """The name of the class in words."""
         return ", ".join([self.outcome, *filter(None, self.kind.split("_"))])
+
+    @property
+    def stroke(self) -> Any:
+        """The line style of its paths, of matplotlib."""
+        return (0, self.dashes) if self.dashes else "-"
 
 
 def _classes() -> tuple[Class, ...]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -139,9 +139,13 @@ def _key(shots: Shots, ends: str) -> list[Line2D]:
         Line2D([], [], color=one.line, label=f"{one.words} {format_percent(share)}")
         for one, share in shares.items()
     ]
-    if ends:
-        key.append(Line2D([], [], color=COLOURS["end"], lw=0.9, ls=(0, (5, 3)), label=ends))
-    return key
+    return [*key, *key_of_ends(ends)]
+
+
+def key_of_ends(ends: str) -> list[Line2D]:
+    """Return the legend's entry for the lines at which shots end, none if `ends` is empty."""
+    look: Any = {"color": COLOURS["end"], "lw": 0.9, "ls": (0, (5, 3))}
+    return [Line2D([], [], label=ends, **look)] if ends else []
 
 
 def draw_fan_page(
@@ -230,7 +234,7 @@ def draw_fan_on(
 
 
 def draw_fan(axes: Axes, panel: Panel, fan: Fan, wide: float = _LINE) -> None:
-    """Draw the scene and the paths on axes of `add_view`, missed shots below made ones.
+    """Draw the scene and the paths on axes of `add_view`, wide lines below, then missed shots.
 
     Parameters
     ----------
@@ -247,12 +251,16 @@ def draw_fan(axes: Axes, panel: Panel, fan: Fan, wide: float = _LINE) -> None:
     fan.scenery.draw(axes, panel.view, panel.scale)
     if fan.ends:
         fan.scenery.draw_ends(axes, panel.view)
-    order = sorted(range(len(fan.curves)), key=lambda shot: fan.classes[shot].outcome == "made")
+    order = sorted(
+        range(len(fan.curves)),
+        key=lambda shot: (-fan.classes[shot].width, fan.classes[shot].outcome == "made"),
+    )
     lines = PathCollection(
         [fan.curves[shot] for shot in order],
         facecolors="none",
         edgecolors=[fan.classes[shot].line for shot in order],
-        linewidths=wide,
+        linewidths=[fan.classes[shot].width or wide for shot in order],
+        linestyles=[fan.classes[shot].stroke for shot in order],
         zorder=10.0,  # between the far half of the ring and the near one
     )
     axes.add_collection(lines)

@@ -16,7 +16,7 @@ from hoopgen.results.trajectory import Trajectory
 
 from .class_legend import CLASSES, Class, classify, outcome_classes
 from .scenery import Scenery, scenery_of
-from .views import Limits, View, limits_around
+from .views import Limits, Points, View, limits_around
 
 _MARGIN = 0.02  # around what is drawn, of its size
 _RING_MARGIN = 0.08  # m around ring and board
@@ -107,7 +107,7 @@ def gather_fan(shots: Shots, parameters: ParameterValues, drawn: Iterable[int]) 
     hoop = None
     if shots.scene.is_hoop:
         hoop = own
-    points = np.concatenate(curves)
+    points = np.concatenate([_points_of(curve) for curve in curves])
     scenery = scenery_of(shots.scene, own, points)
     releases = [trajectory.release for trajectory in flown.values()]
     view = _side_view(releases)
@@ -127,6 +127,15 @@ def gather_fan(shots: Shots, parameters: ParameterValues, drawn: Iterable[int]) 
         hoop,
         [_elevation(release) for release in releases],
     )
+
+
+def _points_of(curve: Points) -> Points:
+    """Return points of Bézier curves (2 n + 1, 3): the ends of each, and three between."""
+    start, aim, stop = curve[:-1:2], curve[1::2], curve[2::2]
+    between = [
+        (1.0 - t) ** 2 * start + 2.0 * t * (1.0 - t) * aim + t**2 * stop for t in (0.25, 0.5, 0.75)
+    ]
+    return np.concatenate([curve[::2], *between])
 
 
 def _side_view(releases: list[NDArray[np.float64]]) -> View:

@@ -29,6 +29,7 @@ from benchmarks import pictures
 from hoopgen.core.colours import body_colours
 from hoopgen.plots import scenery
 from hoopgen.plots.contact_marks import Mark
+from hoopgen.plots.fan_paths import gather_fan
 from hoopgen.plots.panels import Drawing, Room, draw_view
 from hoopgen.plots.scenery import scenery_of
 from hoopgen.plots.trajectory import _draw
@@ -441,6 +442,15 @@ def test_many_paths_are_drawn_by_how_they_end(netball: Engine) -> None:
     assert [word.split()[0] for word in words] == ["goal", "out", "where"]
     axes = Figure().add_subplot()
     assert shots.plot(ax=axes) is axes
+
+
+@pytest.mark.slow
+def test_a_fan_is_not_much_higher_than_its_paths(netball: Engine) -> None:
+    shots = netball.simulate([SHOT], record=True)
+    fan = gather_fan(shots, shots.parameters, range(1))
+    flight = shots.trajectory(0)
+    highest = flight.at(np.linspace(0.0, flight.duration, 1_000))[:, 2].max()
+    assert highest < fan.limits()[3] < highest + 0.3
 
 
 @pytest.mark.slow

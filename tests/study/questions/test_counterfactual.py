@@ -156,10 +156,19 @@ def test_the_answer_in_words_numbers_and_a_picture() -> None:
     assert [one["name"] for one in record["changes"]] == ["speed", "elevation", "azimuth"]
     assert record["proved"] is None
     assert len(answer.shots) == len(answer.names)
-    pytest.importorskip("matplotlib")
+    PathCollection = pytest.importorskip("matplotlib.collections").PathCollection
     figure = answer.plot()
     (legend,) = figure.legends
-    assert [text.get_text() for text in legend.get_texts()] == answer.names
+    shot, *changed = answer.names
+    assert [text.get_text() for text in legend.get_texts()] == [f"the shot: {shot}", *changed]
+    # The shot's path is wide and below; all others but one have gaps.
+    for axes in figure.axes:
+        (paths,) = (one for one in axes.collections if isinstance(one, PathCollection))
+        below, *above = zip(paths.get_linewidths(), paths.get_linestyles(), strict=True)
+        assert below[0] > 2.0 * max(width for width, _ in above)
+        assert [dashes is None for _, (_, dashes) in above].count(True) == 1
+    colours = {line.get_color() for line in legend.get_lines()}
+    assert len(colours) == len(answer.names)
 
 
 @pytest.mark.parametrize(
