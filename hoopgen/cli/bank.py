@@ -74,7 +74,8 @@ def bank(
     """
     from hoopgen.study.questions.bank import bank_or_direct, places_of
 
-    searched = (name for name in ("elevation", "aim", "azimuth") if name not in releasing.values)
+    given = {*releasing.values, *(["aim"] if "speed" in releasing.values else [])}
+    searched = (name for name in ("elevation", "aim", "azimuth") if name not in given)
     over = over or dict.fromkeys(searched)
     spots = places_of(_places(places, releasing.values))
     values = {n: value for n, value in releasing.values.items() if n not in _PLACE_VARIABLES}
@@ -87,6 +88,8 @@ def bank(
     else:
         click.echo(_text(dataset))
     if picture is not None:
+        if dataset["touch_y"].isnull().all():
+            raise click.UsageError("--picture: no place has a bank shot to draw")
         hoopgen.plots.save(hoopgen.plots.plot_aim_points(dataset, parameters), picture)
 
 

@@ -40,7 +40,7 @@ Column = NDArray[np.float64]
 
 FRONT = View("front view", (0.0, 1.0, 0.0), (0.0, 0.0, 1.0), ("y", "above the ring"))
 
-_REQUIRED = ("x", "y", "touch_y", "touch_z", "sight_y", "difference_low", "difference_high")
+_REQUIRED = ("x", "y", "touch_y", "touch_z", "difference_low", "difference_high")
 
 # The colour map suits readers with any colour vision; its pale end is left out.
 _COLOUR_MAP, _COLOUR_MAP_END = "plasma", 0.64
@@ -57,7 +57,7 @@ _RANGE_VARIABLES = ("touch_y_low", "touch_y_high", "touch_z_low", "touch_z_high"
 """Variables of the dataset that hold the range of touches; older datasets lack them."""
 
 _COLOUR_NOTE = "A colour is a direction from the ring."
-_FLOOR_NOTE = "Lines on the floor lead along the releases."
+_FLOOR_NOTE = "Lines on the floor follow the ball to where it touches the board."
 _CROSS_NOTE = "A cross spans nine tenths of the made bank shots, each way."
 
 _NAME_SIZE = 6.5  # points
@@ -83,8 +83,8 @@ def plot_aim_points(
 
     A place and its point on the board have one colour, by direction from the ring, and one marker,
     which says whether the bank shot is the better there. A cross shows within what range the made
-    ones touch the board, and places on the board have names. On the floor plan a line leads from
-    each place along the release to the board.
+    ones touch the board, and places on the board have names. On the floor plan a line follows
+    the ball's centre from each place until the ball touches the board, and leads on to that point.
 
     Parameters
     ----------
@@ -148,7 +148,6 @@ class _AimPoints:
     y: Column
     touch_y: Column
     touch_z: Column
-    sight_y: Column
     difference_low: Column
     difference_high: Column
     ranges: NDArray[np.float64] | None
@@ -231,9 +230,10 @@ def _draw(
     front = add_view(figure, board)
     _draw_board(front, board, aims, parameters)
     plan = add_floor(figure, floor, court, parameters)
-    edge = np.full_like(aims.x, -parameters["board_distance"])
-    sights = np.stack([on_floor(aims.x, aims.y), on_floor(edge, aims.sight_y)], axis=1)
-    plan.add_collection(LineCollection(list(sights), colors=aims.colours, lw=0.4, zorder=3.0))
+    board_x = np.full_like(aims.x, -parameters["board_distance"])
+    ways = [(aims.x, aims.y), (board_x + parameters["ball_radius"], aims.touch_y)]
+    lines = np.stack([on_floor(x, y) for x, y in (*ways, (board_x, aims.touch_y))], axis=1)
+    plan.add_collection(LineCollection(list(lines), colors=aims.colours, lw=0.4, zorder=3.0))
     _scatter(plan, on_floor(aims.x, aims.y), aims)
     figure.legend(
         handles=_legend_handles(plan, aims),
@@ -323,8 +323,9 @@ def _board(parameters: Mapping[str, float]) -> Limits:
 
 
 def _floor(aims: _AimPoints, parameters: Mapping[str, float]) -> Limits:
-    """Bound the places on the floor and the board."""
-    wide, far = float(np.abs(aims.y).max()), float(aims.x.max())
+    """Bound the places on the floor and the whole board."""
+    wide = max(float(np.abs(aims.y).max()), parameters["board_half_width"])
+    far = max(float(aims.x.max()), parameters["ring_radius"])
     points = np.array([[-wide, -far], [wide, parameters["board_distance"]]])
     return limits_around(points, _FLOOR_MARGIN)
 

@@ -119,6 +119,22 @@ def test_units_and_variables_searched_over_are_handed_on() -> None:
 
 
 @pytest.mark.slow
+def test_a_speed_that_is_given_leaves_no_aim_to_search() -> None:
+    given = ["--distance", "10ft", "--elevation", "52deg", "--speed", "6.9"]
+    text = output(*BANK, *given, "--shots", "300")
+    (bank,) = (line for line in text.splitlines() if line.startswith("bank "))
+    assert " from 6.900 m/s at 52.0°, " in bank
+
+
+@pytest.mark.slow
+def test_a_picture_without_a_bank_shot_is_refused_in_a_line(tmp_path: Path) -> None:
+    over = ["--over", "elevation", "--over", "aim", "--picture", str(tmp_path / "none.svg")]
+    refused = run(*BANK, "--x=-1m", "--y", "0", *over, "--shots", "300")
+    assert refused.exit_code == 2
+    assert "--picture: no place has a bank shot to draw" in refused.output
+
+
+@pytest.mark.slow
 def test_a_place_without_a_bank_shot_says_so() -> None:
     over = ["--over", "elevation", "--over", "aim"]
     text = output(*BANK, "--x=-1m", "--y", "0", *over, "--shots", "300")

@@ -122,7 +122,6 @@ def aims() -> Any:
     columns = {
         "touch_y": [-0.4, 0.01, 0.3, nan],
         "touch_z": [0.6, 0.35, 0.4, nan],
-        "sight_y": [-0.2, 0.0, 0.15, nan],
         "difference_low": [0.02, -0.01, -0.09, -0.8],
         "difference_high": [0.05, 0.02, -0.04, -0.7],
     }
@@ -817,14 +816,25 @@ def test_a_place_and_its_aim_point_have_one_colour() -> None:
     assert len(set(colours[0])) == 3
 
 
-def test_lines_lead_along_the_releases_to_the_board() -> None:
-    lines = one(axes_of(plot_aim_points(aims(), SCENE), "floor plan"), LineCollection)
+def test_lines_lead_to_where_the_board_is_touched() -> None:
+    figure = plot_aim_points(aims(), SCENE)
+    lines = one(axes_of(figure, "floor plan"), LineCollection)
     board = SCENE["board_distance"]
+    centre = board - SCENE["ball_radius"]
     assert [line.tolist() for line in lines.get_segments()] == [
-        [[-3.0, -0.8], [-0.2, board]],
-        [[0.0, -4.2], [0.0, board]],
-        [[2.5, -2.0], [0.15, board]],
+        [[-3.0, -0.8], [-0.4, centre], [-0.4, board]],
+        [[0.0, -4.2], [0.01, centre], [0.01, board]],
+        [[2.5, -2.0], [0.3, centre], [0.3, board]],
     ]
+    # Both panels have the point on the board at one y.
+    marks = [c for c in axes_of(figure, "front view").collections if type(c) is PathCollection]
+    touched = [float(np.asarray(mark.get_offsets())[0, 0]) for mark in marks]
+    assert touched == [float(line[-1, 0]) for line in lines.get_segments()]
+
+
+def test_the_floor_plan_of_a_place_in_front_has_the_whole_board() -> None:
+    left, right = axes_of(plot_aim_points(aims().isel(place=[1]), SCENE), "floor plan").get_xlim()
+    assert left < -SCENE["board_half_width"] < SCENE["board_half_width"] < right
 
 
 @pytest.mark.slow
@@ -886,7 +896,7 @@ def test_the_target_is_that_of_the_rule_book() -> None:
 @pytest.mark.parametrize(
     ("spoil", "options", "message"),
     [
-        (lambda data: data.drop_vars(["sight_y", "x"]), {}, "dataset: .* x, sight_y missing"),
+        (lambda data: data.drop_vars(["touch_y", "x"]), {}, "dataset: .* x, touch_y missing"),
         (lambda data: data.isel(place=[3]), {}, "dataset: expected a bank shot from one place"),
         (lambda data: data, {"court": "ABA"}, "court: expected NBA or FIBA, got 'ABA'"),
     ],

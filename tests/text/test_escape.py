@@ -127,7 +127,6 @@ def _aim_points(title: str, **options: Any) -> Any:
     columns = {
         "touch_y": [0.1],
         "touch_z": [0.4],
-        "sight_y": [0.1],
         "difference_low": [0.1],
         "difference_high": [0.2],
     }
