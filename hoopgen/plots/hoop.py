@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 from matplotlib.patches import Circle, Polygon
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from .style import COLOURS, POINTS_PER_INCH
 from .views import Points, View
@@ -19,6 +19,7 @@ BOARD_THICKNESS = 0.0127
 # The eye is never behind the board, so nothing drawn is hidden by the board or by the bridge.
 _BACKGROUND_ORDER = 4.0
 _RING_PIECES = 72
+_PIECE_DEPTH = 0.5  # ball radii over which a piece of a path with more points may extend
 _MIN_PIECE_POINTS, _MAX_PIECES = 4, 2_000  # points in a piece of a path, at least; pieces, at most
 
 
@@ -47,7 +48,7 @@ def draw_hoop(axes: Axes, view: View, parameters: Mapping[str, float], scale: fl
         _draw_stroke(axes, view, wire[start : start + 2], COLOURS["ring"], stroke)
 
 
-def draw_path(axes: Axes, view: View, path: Points) -> None:
+def draw_path(axes: Axes, view: View, path: Points, radius: float) -> None:
     """Draw a path of the ball's centre, shape (n, 3); its near pieces hide far ones.
 
     Parameters
@@ -56,10 +57,24 @@ def draw_path(axes: Axes, view: View, path: Points) -> None:
         The axes and the view.
     path
         The path, (n, 3), m.
+    radius
+        The ball's radius, m.
     """
-    piece = max(_MIN_PIECE_POINTS, -(-len(path) // _MAX_PIECES))
-    for start in range(0, len(path) - 1, piece):
-        _draw_stroke(axes, view, path[start : start + piece + 1], COLOURS["path"], 1.1)
+    for piece in _pieces(view.depth(path), _PIECE_DEPTH * radius * view.near):
+        _draw_stroke(axes, view, path[piece], COLOURS["path"], 1.1)
+
+
+def _pieces(depth: NDArray[np.float64], tolerance: float) -> Iterator[slice]:
+    """Return the pieces of a path of about one depth each; the end of each begins the next one."""
+    step = max(_MIN_PIECE_POINTS, -(-len(depth) // _MAX_PIECES))
+    first, low, high = 0, np.inf, -np.inf
+    for start in range(0, len(depth) - 1, step):
+        part = depth[start : start + step + 1]
+        low, high = min(low, part.min()), max(high, part.max())
+        if start > first and high - low > tolerance:
+            yield slice(first, start + 1)
+            first, low, high = start, part.min(), part.max()
+    yield slice(first, len(depth))
 
 
 def draw_ball(

@@ -23,7 +23,9 @@ EDGE_ON = 1e-6
 RIM_ORDER = 4.2
 """Drawing order of lines below paths."""
 
-_NEAR, _PASSES = 2e-4, 6  # of a shape's size, and how often points of its outline are left out
+_MAX_DEPTHS = 16  # groups of segments, each with a drawing order of its own
+_LINE_DIGITS = 6  # of the largest coordinate: corners that differ less are one
+_NEAR, _PASSES = 5e-4, 6  # of a shape's size, and how often points of its outline are left out
 
 
 def edge_on(mesh: Mesh, view: View) -> bool:
@@ -55,11 +57,24 @@ def draw_edge_on(axes: Axes, view: View, corners: Points, facing: Points, colour
     colour
         Of the line.
     """
-    lines = view.flatten(corners[(np.abs(facing) < EDGE_ON).all(axis=1)][..., :3])
-    if len(lines):
+    triangles = view.flatten(corners[(np.abs(facing) < EDGE_ON).all(axis=1)][..., :3])
+    if len(triangles):
+        edges = np.stack([triangles, np.roll(triangles, 1, axis=1)], axis=2).reshape(-1, 2, 2)
+        lines = [_drop_collinear(line) for line in chains(_snap(edges))]
         axes.add_collection(
-            LineCollection(list(lines), colors=[colour], linewidths=1.1, zorder=RIM_ORDER)
+            LineCollection(lines, colors=[colour], linewidths=1.1, zorder=RIM_ORDER)
         )
+
+
+def flat_chains(view: View, segments: Points) -> list[Points]:
+    """Return segments (k, 2, 3) as lines of a picture, (n, 2) each, as long as possible."""
+    return [_drop_collinear(view.flatten(line)) for line in chains(_snap(segments))]
+
+
+def _snap(points: Points) -> Points:
+    """Return points of which those that differ by a rounding are one."""
+    largest = float(np.abs(points).max(initial=0.0)) or 1.0
+    return np.asarray(np.round(points, _LINE_DIGITS - int(np.ceil(np.log10(largest)))))
 
 
 def spans(triangles: Points) -> list[Points]:
@@ -103,7 +118,10 @@ def merge_triangles(corners: Points, view: View, **look: Any) -> PathPatch:
 
 
 def _drop_collinear(line: Points) -> Points:
-    """Return a line without the points that lie nearly between their neighbours."""
+    """Return a line without the points that lie nearly between their neighbours.
+
+    Where a line turns back, as a circle does that is seen from the side, it keeps the point.
+    """
     near = _NEAR * float(np.ptp(line, axis=0).max())
     for _ in range(_PASSES):
         if len(line) < 5:
@@ -111,7 +129,9 @@ def _drop_collinear(line: Points) -> Points:
         before, at, after = line[:-2:2], line[1:-1:2], line[2::2]
         way, off = after - before[: len(after)], at - before[: len(at)]
         across = np.abs(way[:, 0] * off[:, 1] - way[:, 1] * off[:, 0])
-        needed = across > near * np.linalg.norm(way, axis=1)
+        length = np.linalg.norm(way, axis=1)
+        turned = ((way * off).sum(axis=1) < 0.0) | (np.linalg.norm(off, axis=1) > length)
+        needed = (across > near * length) | turned
         keep = np.ones(len(line), np.bool_)
         keep[1:-1:2] = needed
         line = line[keep]
@@ -142,14 +162,14 @@ def draw_lines(
         groups = [(np.arange(len(lines)), RIM_ORDER)]
     else:
         depth = view.depth(lines.mean(axis=1))
-        rows = np.array_split(np.argsort(depth, kind="stable"), min(16, len(lines)))
+        count = min(_MAX_DEPTHS, len(lines)) if np.ptp(depth) > EDGE_ON else 1
+        rows = np.array_split(np.argsort(depth, kind="stable"), count)
         middle = [lines[group].mean(axis=(0, 1)) for group in rows]
         groups = [(g, drawing_order(view, m)) for g, m in zip(rows, middle, strict=True)]
     for group, order in groups:
-        flat = [view.flatten(line) for line in chains(lines[group])]
         axes.add_collection(
             LineCollection(
-                flat,
+                flat_chains(view, lines[group]),
                 colors=[mix_with_white(colour, -0.2)],
                 linewidths=wide,
                 zorder=order,

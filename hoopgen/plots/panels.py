@@ -117,7 +117,7 @@ def draw_view(axes: Axes, panel: Panel, drawing: Drawing) -> None:
     radius, before = drawing.scenery.ball_radius, len(axes.patches)
     drawing.scenery.draw(axes, view, panel.scale)
     bodies = axes.patches[before:]
-    draw_path(axes, view, drawing.path)
+    draw_path(axes, view, drawing.path, radius)
     _draw_hidden_path(axes, view, drawing.path, bodies)
     for mark in drawing.marks:
         if mark.label:

@@ -20,7 +20,6 @@ from hoopgen.core.colours import body_colours, face_colours
 from hoopgen.engine.compiled_scene import CompiledScene
 from hoopgen.results.shots import SURFACES
 from hoopgen.scene.geometry import Body, SceneGeometry
-from hoopgen.scene.mesh_lines import chains
 from hoopgen.scene.meshes import Mesh, clip
 
 from .hoop import draw_hoop, drawing_order, scene_corners, scene_points
@@ -30,6 +29,7 @@ from .outlines import (
     draw_edge_on,
     draw_lines,
     edge_on,
+    flat_chains,
     merge_triangles,
     mix_with_white,
     spans,
@@ -280,7 +280,7 @@ class _Bodies(Scenery):
 
     def draw_ends(self, axes: Axes, view: View) -> None:
         for end in self.ends:
-            outline = [view.flatten(line) for line in chains(end.mesh.rims)]
+            outline = flat_chains(view, end.mesh.rims)
             if edge_on(end.mesh, view):
                 outline = spans(view.flatten(end.mesh.corners[..., :3]))
             lines = LineCollection(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import re
 import textwrap
 from collections.abc import Iterator, Mapping
@@ -123,6 +124,11 @@ _METADATA: Mapping[str, dict[str, str | None]] = MappingProxyType(
 )
 
 
+_NUMBERS = re.compile(rb'(?: (?:d|x|y)="|translate\()[^")]*')
+_LONG_NUMBER = re.compile(rb"-?\d+\.\d{4,}")
+_SVG_DIGITS = 3  # decimals of a coordinate in an SVG file, whose unit is a point
+
+
 def letter(size: float) -> float:
     """Return the mean width of a letter in DejaVu Sans, inches; its size is in points."""
     return 0.56 * size / POINTS_PER_INCH
@@ -184,6 +190,16 @@ def save(figure: Figure, path: str | Path, *, dpi: int = 300) -> Path:
     check_count("dpi", dpi, least=20, most=10_000)
     target = check_output(path, PICTURES)
     suffix = target.suffix.lower().lstrip(".")
-    with style(), atomic_file(target) as file:
-        figure.savefig(file, format=suffix, dpi=dpi, metadata=_METADATA[suffix])
+    with style(), atomic_file(target) as file, io.BytesIO() as drawn:
+        figure.savefig(drawn, format=suffix, dpi=dpi, metadata=_METADATA[suffix])
+        file.write(_shorten(drawn.getvalue()) if suffix == "svg" else drawn.getbuffer())
     return target
+
+
+def _shorten(svg: bytes) -> bytes:
+    """Return an SVG file with the digits of its coordinates that can be seen."""
+    return _NUMBERS.sub(lambda part: _LONG_NUMBER.sub(_round, part[0]), svg)
+
+
+def _round(number: re.Match[bytes]) -> bytes:
+    return b"%.15g" % (round(float(number[0]), _SVG_DIGITS) + 0.0)  # no "-0"

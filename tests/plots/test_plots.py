@@ -195,6 +195,18 @@ def test_an_svg_tells_no_date(tmp_path: Path) -> None:
     assert "<dc:date>" not in text
 
 
+def test_coordinates_of_an_svg_have_the_digits_that_are_seen(tmp_path: Path) -> None:
+    text = save(draw(RESULTS["5a"]), tmp_path / "a.svg").read_text(encoding="utf-8")
+    numbers = [
+        number
+        for path in re.findall(r' d="([^"]*)"', text)
+        for number in re.findall(r"-?\d+\.?\d*(?:e\S+)?", path)
+    ]
+    assert len(numbers) > 1_000
+    assert not [number for number in numbers if "e" in number or number == "-0"]
+    assert max(len(number.partition(".")[2]) for number in numbers) == 3
+
+
 @pytest.mark.slow
 def test_an_unknown_format_is_refused(tmp_path: Path) -> None:
     with pytest.raises(ValueError, match=r"\.png, \.svg, \.pdf"):

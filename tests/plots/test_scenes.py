@@ -30,6 +30,7 @@ from hoopgen.core.colours import body_colours
 from hoopgen.plots import scenery
 from hoopgen.plots.contact_marks import Mark
 from hoopgen.plots.fan_paths import gather_fan
+from hoopgen.plots.outlines import flat_chains
 from hoopgen.plots.panels import Drawing, Room, draw_view
 from hoopgen.plots.scenery import scenery_of
 from hoopgen.plots.trajectory import _draw
@@ -284,6 +285,34 @@ def test_a_cone_has_no_seams(
         seams |= ~black & across
     assert black.sum() > 1_000
     assert seams.sum() < 0.005 * black.sum()  # a hollow corner has some
+
+
+@pytest.mark.parametrize("start", range(7))
+def test_a_circle_from_the_side_is_a_line_of_its_width(start: int) -> None:
+    turn = np.linspace(0.0, 2.0 * np.pi, 65) + 0.1 * start
+    circle = np.stack([np.cos(turn), np.sin(turn), np.zeros_like(turn)], axis=-1)
+    segments = np.stack([circle[:-1], circle[1:]], axis=1)
+    (side,), (top,) = flat_chains(SIDE, segments), flat_chains(TOP, segments)
+    ends = [np.cos(turn).min(), np.cos(turn).max()]
+    np.testing.assert_allclose([side[:, 0].min(), side[:, 0].max()], ends, rtol=0, atol=1e-5)
+    assert len(side) < 10
+    assert 30 < len(top) <= 65
+
+
+def test_a_cylinder_from_its_end_is_a_circle_in_one_piece() -> None:
+    scene = Scene(
+        "one",
+        bodies=[Cylinder("bar", axis="y", radius=0.3)],
+        ball_radius=BALL,
+        gravity=9.81,
+        restitution=0.5,
+    )
+    there = scenery_of(stand_in(scene), {}, np.array([[-0.3, -0.3, -0.3], [0.3, 0.3, 0.3]]))
+    axes = Figure().add_subplot()
+    there.draw(axes, there.look(SIDE), 1.0)
+    (circle,) = (path.vertices for lines in axes.collections for path in lines.get_paths())
+    np.testing.assert_allclose(np.linalg.norm(circle, axis=1), 0.3, rtol=0.01, atol=0)
+    np.testing.assert_array_equal(circle[0], circle[-1])
 
 
 def past_a_sphere(y: float, marks: int = 2) -> Drawing:
