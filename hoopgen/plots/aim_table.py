@@ -36,8 +36,8 @@ _PANEL_HEIGHT = 1.9  # inches, a panel
 _MAX_DOTS = 40  # rows, each with a dot
 
 _BAND_NOTE = (
-    "Within a band, this one alone off, the ball still goes in; where there is none, the aimed "
-    "release does not go in itself."
+    "A band is how far one variable alone may be off for the ball still to go in; where there is "
+    "none, the aimed release itself misses."
 )
 
 

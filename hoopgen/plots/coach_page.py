@@ -36,6 +36,7 @@ _DOTS = 400
 _MADE, _MISSED = "#1B6CA8", "#D05A2B"
 _SHORT = {"speed": "speed", "elevation": "arc", "azimuth": "left-right", "backspin": "spin"}
 _REACH = 17.0  # inches from the ring's centre
+_LEFT, _AROUND, _MAX_HEIGHT = 0.5, 0.75, 2.35  # inches: left of and around panels; of the picture
 
 
 @check_arguments
@@ -61,7 +62,8 @@ def plot_coach_shots(found: Coaching, *, title: str = "") -> Figure:
         changed.append(
             (f"steadier: {_SHORT[one.variable]}", replace(found.player, sd=sd), one.made)
         )
-    figure = Picture(figsize=(PAGE, 2.35), layout="constrained")
+    height = min(_MAX_HEIGHT, (PAGE - _LEFT) / len(changed) + _AROUND)
+    figure = Picture(figsize=(PAGE, height), layout="constrained")
     panels = figure.subplots(1, len(changed), sharex=True, sharey=True, squeeze=False)[0]
     for axes, (label, player, made) in zip(panels, changed, strict=True):
         _draw(axes, player, found)

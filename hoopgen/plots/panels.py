@@ -221,7 +221,7 @@ def _draw_floor(axes: Axes, panel: Panel, drawing: Drawing) -> list[Points]:
         _line(axes, view, (room.low[0], y, floor), (room.high[0], y, floor))
     left = min(room.corners().tolist(), key=lambda corner: float(view.flatten(corner)[0]))
     _line(axes, view, (left[0], left[1], floor), (left[0], left[1], room.high[2]), EDGES)
-    clear = [x for x in xs if abs(x - near[0]) > _CORNER_GAP * steps[0]]
+    clear = [x for x in xs if abs(x - near[0]) > _CORNER_GAP * steps[0]] or xs
     written = [
         *_name_edge(axes, panel, room, 0, names[0], (0.0, near[1], floor), clear),
         *_name_edge(axes, panel, room, 1, names[1], (near[0], 0.0, floor), ys),

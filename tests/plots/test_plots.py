@@ -270,6 +270,17 @@ def test_a_flight_of_any_length_is_a_drawing_of_the_same_size(gravity: float) ->
     assert 40 <= flight.duration / float(dots[1]) <= 100
 
 
+def test_each_axis_of_a_narrow_room_has_a_number() -> None:
+    state = hoopgen.release(
+        9.2, np.radians(48.0), 0.02, height=2.134, distance=6.7, angle=np.pi / 2
+    )
+    figure = hoopgen.simulate(state, record=True).trajectory(0).plot(three_d=True)
+    (space,) = (axes for axes in figure.axes if axes.get_label() == "3D view")
+    said = [text.get_text() for text in space.texts]
+    assert {"x (m)", "y (m)", "z (m)"} <= set(said)
+    assert said.count("0") == 3
+
+
 @pytest.mark.slow
 def test_a_shot_of_any_number_of_contacts_is_one_too() -> None:
     contacts = 50_000
