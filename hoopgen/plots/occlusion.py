@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 from matplotlib.patches import Patch
+from matplotlib.path import Path
 from numpy.typing import NDArray
 
 from .hoop import drawing_orders
@@ -35,7 +36,15 @@ def hidden(bodies: Sequence[Patch], view: View, points: Points) -> NDArray[np.bo
             continue
         below = np.flatnonzero(~found & (orders < body.get_zorder()))
         if len(below):
-            found[below] = body.get_path().contains_points(flat[below])
+            found[below] = _within(body.get_path(), flat[below])
+    return found
+
+
+def _within(shape: Path, points: Points) -> NDArray[np.bool_]:
+    """Return whether each point, (n, 2), is within a shape; its holes are not."""
+    found = np.zeros(len(points), np.bool_)
+    for outline in shape.to_polygons():
+        found ^= Path(outline).contains_points(points)
     return found
 
 

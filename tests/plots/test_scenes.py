@@ -30,6 +30,7 @@ from hoopgen.core.colours import body_colours
 from hoopgen.plots import scenery
 from hoopgen.plots.contact_marks import Mark
 from hoopgen.plots.fan_paths import gather_fan
+from hoopgen.plots.occlusion import hidden
 from hoopgen.plots.outlines import flat_chains
 from hoopgen.plots.panels import Drawing, Room, draw_view
 from hoopgen.plots.scenery import scenery_of
@@ -340,6 +341,18 @@ def test_a_sphere_hides_the_path_behind_it(behind: bool) -> None:
     assert len(leads) == (len(drawing.marks) if behind else 0)
     (*_, covered) = [line.get_xdata() for line in dashed if line not in leads] or [[]]
     np.testing.assert_allclose([*covered][:1] + [*covered][-1:], [-0.3, 0.3][: 2 * behind], 0, 0.03)
+
+
+def test_a_ring_hides_what_is_below_its_wire_and_not_what_is_in_its_hole() -> None:
+    ring = Torus("ring", radius=0.3, wire=0.05)
+    scene = Scene("one", bodies=[ring], ball_radius=BALL, gravity=9.81, restitution=0.5)
+    there = scenery_of(stand_in(scene), {}, np.array([[-0.3, -0.3, -0.3], [0.3, 0.3, 0.3]]))
+    axes, view = Figure().add_subplot(), there.look(TOP)
+    there.draw(axes, view, 1.0)
+    x, z = np.meshgrid([0.0, 0.1, 0.3, 0.5], [-0.3, 0.3])
+    points = np.stack([x, 0.01 * np.ones_like(x), z], axis=-1).reshape(-1, 3)
+    found = hidden(axes.patches, view, points).reshape(2, 4)
+    assert found.tolist() == [[False, False, True, False], [False] * 4]
 
 
 def test_a_long_key_is_below_all_views() -> None:
