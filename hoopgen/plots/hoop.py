@@ -16,8 +16,9 @@ from .views import Points, View
 BOARD_THICKNESS = 0.0127
 """Thickness of the board as drawn, m; the model knows its front only."""
 
-# The eye is never behind the board, so nothing drawn is hidden by the board or by the bridge.
+# The eye is never behind the board.
 _BACKGROUND_ORDER = 4.0
+_BEHIND_ORDER, _BEHIND_RANGE = 3.0, 0.01  # drawing order behind the board, and its share of depth
 _RING_PIECES = 72
 _PIECE_DEPTH = 0.5  # ball radii over which a piece of a path with more points may extend
 _MIN_PIECE_POINTS, _MAX_PIECES = 4, 2_000  # points in a piece of a path, at least; pieces, at most
@@ -202,4 +203,8 @@ def drawing_order(view: View, point: Points) -> float:
 
 def drawing_orders(view: View, points: Points) -> Points:
     """Return the drawing orders of points, (..., 3) in m, as of `drawing_order`."""
-    return 10.0 + view.depth(points)
+    depth = view.depth(points)
+    if view.wall is None:
+        return 10.0 + depth
+    behind = np.asarray(points)[..., 0] < view.wall
+    return np.where(behind, _BEHIND_ORDER + _BEHIND_RANGE * depth, 10.0 + depth)

@@ -146,6 +146,11 @@ class _Hoop(Scenery):
     def points(self) -> Points:
         return scene_points(self.parameters)
 
+    def look(self, view: View) -> View:
+        if view.towards[0] < EDGE_ON:
+            return view
+        return replace(view, wall=-self.parameters["board_distance"])
+
     def draw(self, axes: Axes, view: View, scale: float) -> None:
         draw_hoop(axes, view, self.parameters, scale)
 

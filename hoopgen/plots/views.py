@@ -28,6 +28,8 @@ class View:
         Names of the picture's axes; None where they are no coordinate axes.
     middle, near
         From where depth counts, m, and how much a metre is.
+    wall
+        The x of a wall across x that hides what is behind it, at smaller x, m; None for none.
     """
 
     name: str
@@ -36,6 +38,7 @@ class View:
     labels: tuple[str, str] | None = None
     middle: float = 0.0
     near: float = 1.0
+    wall: float | None = None
 
     @property
     def towards(self) -> NDArray[np.float64]:

@@ -31,6 +31,8 @@ from hoopgen.plots import COLOURS, plot_trajectory, save, style  # noqa: E402
 from hoopgen.plots.contact_marks import Mark, collect_marks, draw_mark_legend  # noqa: E402
 from hoopgen.plots.fan_paths import gather_fan  # noqa: E402
 from hoopgen.plots.label_placement import Box, place_labels  # noqa: E402
+from hoopgen.plots.occlusion import hidden  # noqa: E402
+from hoopgen.plots.scenery import scenery_of  # noqa: E402
 from hoopgen.plots.style import wrap  # noqa: E402
 from hoopgen.plots.trajectory import build_drawing, flat_limits  # noqa: E402
 from hoopgen.plots.views import SIDE, TOP, oblique  # noqa: E402
@@ -268,6 +270,17 @@ def test_a_flight_of_any_length_is_a_drawing_of_the_same_size(gravity: float) ->
     dots = re.search(r"Dots on the path every (\S+) s\.", said)
     assert dots
     assert 40 <= flight.duration / float(dots[1]) <= 100
+
+
+def test_the_board_hides_what_is_behind_it_in_space() -> None:
+    x = -hoopgen.PAPER["board_distance"]
+    points = np.array([[x - 0.1, 0.0, 0.4], [x + 0.1, 0.0, 0.4], [x - 0.1, 0.0, 2.0]])
+    there = scenery_of(HOOP, hoopgen.PAPER, points)
+    for view, found in ((oblique(0.6, 0.4), [True, False, False]), (SIDE, [False] * 3)):
+        axes = Figure().add_subplot()
+        seen = there.look(view)
+        there.draw(axes, seen, 1.0)
+        assert hidden(axes.patches, seen, points).tolist() == found
 
 
 def test_each_axis_of_a_narrow_room_has_a_number() -> None:
