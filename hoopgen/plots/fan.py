@@ -62,6 +62,8 @@ def plot_fan(
 ) -> Drawn:
     """Draw the paths of many shots from the side, to scale.
 
+    In a scene of one's own, paths that are all but level are seen from above.
+
     Parameters
     ----------
     shots

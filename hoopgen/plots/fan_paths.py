@@ -20,6 +20,7 @@ from .views import Limits, Points, View, limits_around
 
 _MARGIN = 0.02  # around what is drawn, of its size
 _RING_MARGIN = 0.08  # m around ring and board
+_LEVEL = 0.05  # height of paths over their width, below which they are seen from above
 _ROLL_PIECE_DURATION = 0.01  # s, of a roll: less than can be seen off a parabola
 
 
@@ -112,7 +113,7 @@ def gather_fan(shots: Shots, parameters: ParameterValues, drawn: Iterable[int]) 
     releases = [trajectory.release for trajectory in flown.values()]
     view = _side_view(releases)
     if hoop is None:
-        view = scenery.look(scenery.views(scenery.upright(points))[0])
+        view = scenery.look(_view_of(scenery, scenery.upright(points)))
     classes, codes = classes_of(shots)
     return Fan(
         [
@@ -136,6 +137,13 @@ def _points_of(curve: Points) -> Points:
         (1.0 - t) ** 2 * start + 2.0 * t * (1.0 - t) * aim + t**2 * stop for t in (0.25, 0.5, 0.75)
     ]
     return np.concatenate([curve[::2], *between])
+
+
+def _view_of(scenery: Scenery, points: Points) -> View:
+    """Return the side view, or the top view of paths that are all but level."""
+    side, *others = scenery.views(points)
+    wide, high = np.ptp(side.flatten(points), axis=0)
+    return others[0] if others and high < _LEVEL * wide else side
 
 
 def _side_view(releases: list[NDArray[np.float64]]) -> View:

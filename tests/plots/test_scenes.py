@@ -29,7 +29,7 @@ from benchmarks import pictures
 from hoopgen.core.colours import body_colours
 from hoopgen.plots import scenery
 from hoopgen.plots.contact_marks import Mark
-from hoopgen.plots.fan_paths import gather_fan
+from hoopgen.plots.fan_paths import _view_of, gather_fan
 from hoopgen.plots.occlusion import hidden
 from hoopgen.plots.outlines import flat_chains
 from hoopgen.plots.panels import Drawing, Room, draw_view
@@ -341,6 +341,13 @@ def test_a_sphere_hides_the_path_behind_it(behind: bool) -> None:
     assert len(leads) == (len(drawing.marks) if behind else 0)
     (*_, covered) = [line.get_xdata() for line in dashed if line not in leads] or [[]]
     np.testing.assert_allclose([*covered][:1] + [*covered][-1:], [-0.3, 0.3][: 2 * behind], 0, 0.03)
+
+
+@pytest.mark.parametrize(("high", "name"), [(0.02, "top view"), (0.3, "side view")])
+def test_many_level_paths_are_seen_from_above(high: float, name: str) -> None:
+    there = past_a_sphere(0.6).scenery
+    points = np.random.default_rng(1).uniform(0.0, 1.0, (100, 3)) * (2.0, 1.0, high)
+    assert _view_of(there, points).name == name
 
 
 def test_a_ring_hides_what_is_below_its_wire_and_not_what_is_in_its_hole() -> None:
