@@ -202,7 +202,15 @@ def drawing_order(view: View, point: Points) -> float:
 
 
 def drawing_orders(view: View, points: Points) -> Points:
-    """Return the drawing orders of points, (..., 3) in m, as of `drawing_order`."""
+    """Return the drawing orders of points, as `drawing_order` does of one.
+
+    Parameters
+    ----------
+    view
+        The view.
+    points
+        The points, (..., 3), m.
+    """
     depth = view.depth(points)
     if view.wall is None:
         return 10.0 + depth

@@ -67,7 +67,15 @@ def draw_edge_on(axes: Axes, view: View, corners: Points, facing: Points, colour
 
 
 def flat_chains(view: View, segments: Points) -> list[Points]:
-    """Return segments (k, 2, 3) as lines of a picture, (n, 2) each, as long as possible."""
+    """Return segments as lines of a picture, (n, 2) each, as long as possible.
+
+    Parameters
+    ----------
+    view
+        The view.
+    segments
+        The segments, (k, 2, 3), m.
+    """
     return [_drop_collinear(view.flatten(line)) for line in chains(_snap(segments))]
 
 
