@@ -23,7 +23,7 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cache
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Any, BinaryIO, Protocol
 
 from hoopgen.core.lock import read_file
 from hoopgen.core.owned_folders import MARKER, Store, find_store, mark, open_store
@@ -268,12 +268,19 @@ class Cache:
     @contextlib.contextmanager
     def held(self, key: str) -> Iterator[None]:
         """Hold the lock of a key; wait while another process holds it."""
-        with _THREADS, (self.folder / f".{key}{_LOCK}").open("ab") as file:
+        with _THREADS, self._open_lock(key) as file:
             _lock(file.fileno())
             try:
                 yield
             finally:
                 _unlock(file.fileno())
+
+    def _open_lock(self, key: str) -> BinaryIO:
+        """Open the file of a key's lock; the error names the folder, whatever the key."""
+        try:
+            return (self.folder / f".{key}{_LOCK}").open("ab")
+        except OSError as error:
+            raise OSError(error.errno, error.strerror, str(self.folder)) from None
 
 
 @dataclass(frozen=True)
@@ -330,13 +337,14 @@ def clear_store(there: Cache) -> int:
 
 
 def user_store() -> Cache | str:
-    """Return the user's folder of compiled scenes, or why it cannot be used."""
+    """Return the user's folder of compiled scenes, or why it cannot be used.
+
+    One that cannot be written serves with the scenes that it has.
+    """
     try:
         folder = private_folder(user_cache() / "scenes")
         if os.name != "nt" and folder.stat().st_mode & 0o077:
             return f"{folder} is open to others; its mode should be 700"
-        if not os.access(folder, os.W_OK | os.X_OK):
-            return f"{folder} cannot be written"
         try:
             if find_store(folder, _PURPOSE) is None:
                 open_store(folder, _PURPOSE, _FILES)

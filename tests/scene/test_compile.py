@@ -172,8 +172,8 @@ print(engine.backend, engine.simulate(own.STATES).state.tobytes().hex(), "sympy"
 """
 
 
-def process(folder: Path, **options: Any) -> subprocess.Popen[str]:
-    """Start a process that compiles the scene and says how shots ended."""
+def process(folder: Path, *before: str, **options: Any) -> subprocess.Popen[str]:
+    """Start a process, by a command `before`, that compiles the scene and says how shots ended."""
     (folder / "test_scene_of_processes.py").write_text(
         "import numpy as np\n"
         "from hoopgen.scene import End, Parameter, Plane, Scene\n"
@@ -183,7 +183,7 @@ def process(folder: Path, **options: Any) -> subprocess.Popen[str]:
         "STATES = np.linspace([-1, 0, 0.5, 1, 0, 0, 0, 9, 0], [1, 0, 1, 2, 0, 0, 0, 0, 0], 50)\n"
     )
     return subprocess.Popen(
-        [sys.executable, "-c", PROCESS.format(tests=str(folder))],
+        [*before, sys.executable, "-c", PROCESS.format(tests=str(folder))],
         cwd=ROOT,
         stdout=subprocess.PIPE,
         stderr=subprocess.PIPE,
@@ -642,6 +642,31 @@ def test_where_nothing_can_be_written_a_process_compiles_for_itself(
     assert line.startswith(f"hoopgen: {home.parent}: ")
     assert line.endswith("; scenes are compiled for this process alone.")
     assert home.parent.read_text() == "in the way"
+
+
+@posix
+@pytest.mark.slow
+def test_a_folder_that_cannot_be_written_serves_with_what_it_has(
+    home: Path, wrapped: Wrapped, tmp_path: Path
+) -> None:
+    plain = ("setpriv", "--bounding-set=-all", "--inh-caps=-all") if os.getuid() == 0 else ()
+    if plain and shutil.which(plain[0]) is None:
+        pytest.skip("an administrator can write everywhere")
+    first = said(process(tmp_path))
+    assert (first[0], wrapped.runs) == ("c", 1)
+    for folder in (home, *home.iterdir()):
+        folder.chmod(0o500 if folder.is_dir() else 0o400)
+    started = process(tmp_path, *plain)
+    out, err = started.communicate(timeout=300)
+    assert (out.split(), err, wrapped.runs) == ([*first[:2], "False"], "", 1)
+    (entry_of(home) / cache.RECORD).chmod(0o600)
+    (entry_of(home) / cache.RECORD).write_bytes(b"")  # so that a scene is to be built
+    started = process(tmp_path, *plain)
+    out, err = started.communicate(timeout=300)
+    assert (out.split(), wrapped.runs) == (first, 2)
+    assert err.splitlines()[-1] == (
+        f"hoopgen: {home}: Permission denied; scenes are compiled for this process alone."
+    )
 
 
 # ---------------------------------------------------------------------------------- other people
