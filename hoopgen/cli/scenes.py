@@ -9,10 +9,11 @@ import click
 
 from hoopgen.core.backend_names import BackendName
 from hoopgen.study.questions.settings import Engines
+from hoopgen.text.shorten import join_names
 from hoopgen.text.tables import table
 
 from .command import command
-from .messages import examples
+from .messages import error_text, examples
 from .options import json_option
 from .path_types import OUT
 from .question_options import setting_options
@@ -107,13 +108,19 @@ def hash_(scenes: tuple[str, ...], backend: BackendName, as_json: bool) -> None:
 
     SCENES are hoop, court, air, court-air or scene files; by default those four. Every
     installation should print the same digits, on any processor, with any compiler and backend.
-    Other digits mean that some bit of some result differs.
+    Other digits mean that some bit of some result differs. Exit status 2 where a scene needs what
+    is not installed; the others are printed.
     """
     from hoopgen.simulation.fingerprint import fingerprint
     from hoopgen.simulation.lookup import BUILT_IN, scene_from
     from hoopgen.simulation.lookup import engine_of as engine_of_scene
 
-    engines = [engine_of_scene(scene_from(scene)) for scene in scenes or BUILT_IN]
+    engines, missing = [], {}
+    for scene in scenes or BUILT_IN:
+        try:
+            engines.append(engine_of_scene(scene_from(scene)))
+        except ImportError as error:
+            missing[scene] = error_text(error)
     names = [engine.name for engine in engines]
     if twice := {name for name in names if names.count(name) > 1}:
         raise click.ClickException(f"SCENES: two are called {min(twice)}; ask for one at a time")
@@ -124,3 +131,6 @@ def hash_(scenes: tuple[str, ...], backend: BackendName, as_json: bool) -> None:
             click.echo(f"{found[engine.name]}  {engine.name}")
     if as_json:
         click.echo(json.dumps(found, indent=2))
+    if missing:
+        why, *_ = missing.values()
+        raise click.ClickException(f"no hash of {join_names(missing)}: {why}")

@@ -14,9 +14,12 @@ import pytest
 
 import hoopgen
 from hoopgen.core.backend_names import BackendName
+from hoopgen.simulation import lookup
+from hoopgen.simulation.engine import Engine
 from hoopgen.simulation.fingerprint import canonical_bytes, fingerprint, fixed_releases
 from hoopgen.simulation.lookup import BUILT_IN, engine_of, scene_from
 from tests.helpers import ROOT
+from tests.helpers.commands import failure, run
 
 GOLDEN = json.loads((ROOT / "tests" / "golden_hashes.json").read_text(encoding="utf-8"))
 FILES = sorted((ROOT / "examples" / "scenes").glob("*.toml"))
@@ -81,7 +84,21 @@ def test_the_hash_has_one_pattern_for_nan() -> None:
 
 
 def test_two_scenes_of_one_name_are_refused() -> None:
-    from tests.helpers.commands import failure
-
     said = failure("hash", "hoop", "hoop")
     assert "SCENES: two are called hoop" in said
+
+
+def test_the_scenes_that_can_be_run_are_hashed(monkeypatch: pytest.MonkeyPatch) -> None:
+    def needs_sympy() -> Engine:
+        raise ImportError("No module named 'sympy'", name="sympy")
+
+    scenes = {"air": needs_sympy, "court-air": needs_sympy, "hoop": BUILT_IN["hoop"]}
+    monkeypatch.setattr(lookup, "BUILT_IN", scenes)
+    for as_json in ((), ("--json",)):
+        result = run("hash", *as_json)
+        assert result.exit_code == 2
+        assert result.stderr.startswith(
+            "hoopgen: error: no hash of air, court-air: this needs sympy: pip install "
+        )
+        hashes = json.loads(result.stdout) if as_json else dict([result.stdout.split()[::-1]])
+        assert hashes == {"hoop": GOLDEN["hoop"]}
