@@ -229,22 +229,22 @@ def _apart(found: Comparison, rows: list[Rows | None], by: int) -> SampleInterva
 
     A model that is no sample has the interval of the simulation.
     """
-    name, sides = found.by, []
+    name, sides, samples = found.by, [], []
     for one, of_rows in zip((found.first, found.second), rows, strict=True):
         if of_rows is None:
             sides.append((one.share_of(name), one.ends_of(name)))
         else:
             share = of_rows.share(by, found.confidence)
             sides.append((share.value, (share.low, share.high)))
+            samples.append(share)
     low, high = newcombe_apart(*sides[1], *sides[0])
-    there = [one for one in rows if one is not None]
-    groups = [int(one.cluster.max()) + 1 for one in there if one.cluster is not None]
+    groups = [share.groups for share in samples if share.groups is not None]
     return SampleInterval(
         sides[1][0] - sides[0][0],
         low,
         high,
-        sum(len(one.outcome) for one in there),
-        sum(groups) if len(groups) == len(there) else None,
+        sum(share.rows for share in samples),
+        sum(groups) if len(groups) == len(samples) else None,
     )
 
 

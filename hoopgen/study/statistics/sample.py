@@ -47,7 +47,7 @@ class SampleInterval:
     low, high
         Ends of the interval.
     rows
-        Measured releases.
+        Measured releases that could be simulated.
     groups
         How many groups they are in; None if each row is independent of all others.
     """
@@ -126,7 +126,8 @@ def share_of_rows(
     else:
         by_group = [_totals_by_group(one, cluster) for one in (made & valid, valid)]
         low, high = grouped_wilson(by_group[0], by_group[1], confidence)
-    return SampleInterval(good / trials if trials else nan, low, high, len(made), _many(cluster))
+    share = good / trials if trials else nan
+    return SampleInterval(share, low, high, trials, _group_count(cluster, valid))
 
 
 def difference_of_rows(
@@ -151,11 +152,11 @@ def difference_of_rows(
     else:
         by_group = [_totals_by_group(some, cluster) for some in (one, other, valid)]
         low, high = grouped_difference(by_group[0], by_group[1], by_group[2], level)
-    return SampleInterval(difference, low, high, len(first), _many(cluster))
+    return SampleInterval(difference, low, high, trials, _group_count(cluster, valid))
 
 
-def _many(cluster: NDArray[np.intp] | None) -> int | None:
-    return None if cluster is None else int(cluster.max()) + 1
+def _group_count(cluster: NDArray[np.intp] | None, valid: Truths) -> int | None:
+    return None if cluster is None else len(np.unique(cluster[valid]))
 
 
 @dataclass(frozen=True)

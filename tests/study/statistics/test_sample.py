@@ -365,6 +365,21 @@ def test_throws_of_a_game_that_are_alike_widen_the_interval() -> None:
     assert "200 measured releases in 20 groups" in str(games)
 
 
+def test_rows_that_are_invalid_are_not_counted_as_measured_releases() -> None:
+    speed = ROWS["speed"].copy()
+    speed[[3, *range(50, 60)]] = np.nan  # one of the first game, and all of the sixth
+    games = hoopgen.Resample({**ROWS, "speed": speed, **HERE}, GAMES)
+    sample = hoopgen.estimate(games, shots=100).sample
+    assert sample is not None
+    assert (sample.rows, sample.groups) == (189, 19)
+    sample = hoopgen.compare(games, (games, hoopgen.NBA), shots=100).sample
+    assert sample is not None
+    assert (sample.rows, sample.groups) == (189, 19)
+    sample = hoopgen.compare(games, (MEASURED, hoopgen.NBA), shots=100).sample  # of no groups
+    assert sample is not None
+    assert (sample.rows, sample.groups) == (389, None)
+
+
 @pytest.fixture
 def table(tmp_path: Path) -> Path:
     file = tmp_path / "throws.csv"
