@@ -8,13 +8,14 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
+import numpy as np
 
 import hoopgen
 from hoopgen.core.units import Kind, display_unit, parse_quantity
 from hoopgen.hoop.flights import is_in_air
 from hoopgen.hoop.variables import ARGUMENTS, VARIABLES
 from hoopgen.report.provenance import describe_scene
-from hoopgen.report.quantities import format_launch, format_variable
+from hoopgen.report.quantities import for_json, format_launch, format_variable
 from hoopgen.simulation.lookup import BUILT_IN
 from hoopgen.study.questions.settings import ASKED, RELEASE
 from hoopgen.study.questions.specification import TOLERANCES, AimQuestion
@@ -23,8 +24,15 @@ from hoopgen.text.shorten import brief, join_names
 from hoopgen.text.tables import table
 
 from .command import command
-from .messages import examples, shown
-from .options import UNITS_IN_WORDS, picture_option, scene_options, units_option, variable_option
+from .messages import echo_json, examples, shown
+from .options import (
+    UNITS_IN_WORDS,
+    json_option,
+    picture_option,
+    scene_options,
+    units_option,
+    variable_option,
+)
 from .path_types import OUT
 from .place_option import place_option
 from .question_options import SettingOption, question_options
@@ -32,7 +40,6 @@ from .scene_option import engine_of, given, position_option, scene_option
 from .types import Parsed, number_cell
 
 if TYPE_CHECKING:
-    import numpy as np
     from numpy.typing import NDArray
 
     from hoopgen.hoop.parabolas import Arc
@@ -159,6 +166,7 @@ def _needs(typed: Mapping[str, Any]) -> list[str]:
 @click.option("--csv", "file", type=OUT, help="Write the table: m, m/s, degrees, Hz, s.")
 @picture_option("shot; of several distances the table, with what each release forgives")
 @units_option
+@json_option
 def aim(
     distance: tuple[float, ...],
     arc: Arc,
@@ -169,6 +177,7 @@ def aim(
     parameters: Mapping[str, float],
     file: Path | None,
     picture: Path | None,
+    as_json: bool,
     threads: int | None,
     folder: Path | None,
     scheduler: str | None,
@@ -197,7 +206,7 @@ def aim(
     if not engine.has_hoop:
         angles = {name: wanted[name] for name in ("entry", "elevation", "speed")} | spins
         at = {"position": position, "target": target, "moving": moving}
-        _aim_in_scene(engine, picture, arc=arc, parameters=parameters, **angles, **at)
+        _aim_in_scene(engine, picture, as_json, arc=arc, parameters=parameters, **angles, **at)
         return
     if len(distance) == 1:
         # A single number gives the error that says why there is no such release.
@@ -217,7 +226,11 @@ def aim(
         states[..., 3:5] += moving
     shots = hoopgen.simulate(states, parameters, scene=engine, record=True)
     times = columns["time"].tolist()
-    if len(distance) == 1:
+    if as_json:
+        said = {"target_m": target} if target is not None else {"depth_m": wanted["depth"]}
+        said |= {"moving_m_s": moving, "by": by}
+        _echo_json(columns, shots, parameters, said)
+    elif len(distance) == 1:
         release_values = {name: float(column[0]) for name, column in columns.items()}
         path = flight_in_words(shots, 0, times[0])
         point = _centre(wanted["depth"])
@@ -236,7 +249,8 @@ def aim(
                 f"before the point aimed at, from {places}; a steeper --entry may clear it",
                 err=True,
             )
-    click.echo(f"\nscene   {describe_scene(engine, parameters)}")
+    if not as_json:
+        click.echo(f"\nscene   {describe_scene(engine, parameters)}")
     if file is not None:
         write_csv(file, columns, parameters)
     if picture is not None:
@@ -246,7 +260,7 @@ def aim(
             hoopgen.plots.save(hoopgen.plots.plot_aim(columns, parameters), picture)
 
 
-def _aim_in_scene(engine: Engine, picture: Path | None, **options: Any) -> None:
+def _aim_in_scene(engine: Engine, picture: Path | None, as_json: bool, **options: Any) -> None:
     """Aim in a scene without a hoop, from a position at a point or a body."""
     from hoopgen.study.questions.aim import aim as aimed
     from hoopgen.study.questions.aimed_release import flight_in_words
@@ -258,10 +272,40 @@ def _aim_in_scene(engine: Engine, picture: Path | None, **options: Any) -> None:
         )
     found = aimed(scene=engine, **options)
     shots = found.simulate()
-    click.echo("\n".join(_in_scene(found, flight_in_words(shots, 0, float(found.time)))))
-    click.echo(f"\nscene   {describe_scene(engine, options['parameters'])}")
+    if as_json:
+        numbers = ("speed", "elevation", "azimuth", "entry_angle", "time")
+        columns = {name: np.ravel(getattr(found, name)) for name in numbers}
+        columns |= {name: np.ravel(value) for name, value in found.arguments.items()}
+        said = {"target_m": found.target.tolist(), "moving_m_s": options["moving"]}
+        _echo_json(columns, shots, options["parameters"], said)
+    else:
+        click.echo("\n".join(_in_scene(found, flight_in_words(shots, 0, float(found.time)))))
+        click.echo(f"\nscene   {describe_scene(engine, options['parameters'])}")
     if picture is not None:
         _draw(shots, picture)
+
+
+def _echo_json(
+    columns: Columns, shots: hoopgen.Shots, parameters: Mapping[str, float], said: Mapping[str, Any]
+) -> None:
+    """Print the releases with what their flights do, and what was asked, as JSON."""
+    from hoopgen.study.named_units import in_units, named
+    from hoopgen.study.questions.aimed_release import met_before
+
+    releases = []
+    for row in range(len(shots)):
+        release = {named(name): float(column[row]) for name, column in columns.items()}
+        met = met_before(shots, row, release["time_s"])
+        flight = {
+            "outcome": shots.scene.outcomes(int(shots.outcome[row])).name.lower(),
+            "contacts": int(shots.contacts[row]),
+            "counts": dict(zip(shots.surfaces, shots.counts[row].tolist(), strict=True)),
+            "touched_before": met and met[0],
+        }
+        releases.append(release | flight)
+    scene = describe_scene(shots.scene, parameters)
+    record = {**said, "parameters": in_units(parameters, shots.scene), "scene": scene}
+    echo_json(for_json({"releases": releases, **record}))
 
 
 def _draw(shots: hoopgen.Shots, picture: Path) -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import csv
 import json
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -16,19 +16,21 @@ import hoopgen
 from hoopgen.core.files import atomic_text_file, write
 from hoopgen.core.units import column_name
 from hoopgen.report.provenance import describe_dataset, footer
-from hoopgen.report.quantities import format_variable
+from hoopgen.report.quantities import for_json, format_variable
 from hoopgen.study.questions.specification import MapQuestion
 from hoopgen.text.numbers import format_count, format_interval, format_percent
 
 from .command import command
-from .messages import examples, shown
-from .options import UNITS_IN_WORDS, picture_option, units_option
+from .messages import echo_json, examples, shown
+from .options import UNITS_IN_WORDS, json_option, picture_option, units_option
 from .path_types import MAP
 from .question_options import question_options
 from .release_options import Releasing, from_option, release_needs, release_options
 
 if TYPE_CHECKING:
     import xarray as xr
+
+    from hoopgen.simulation.engine import Engine
 
 _FREE_THROW = "--backspin 3Hz --height 7ft --distance 13.75ft"
 
@@ -53,11 +55,13 @@ _FREE_THROW = "--backspin 3Hz --height 7ft --distance 13.75ft"
 )
 @picture_option("map")
 @units_option
+@json_option
 def map_(
     over: Mapping[str, NDArray[np.float64]],
     releasing: Releasing,
     out: Path | None,
     picture: Path | None,
+    as_json: bool,
     **work: Any,
 ) -> None:
     """Map a shot over any of its variables.
@@ -74,8 +78,11 @@ def map_(
         _write(dataset, out)
     if picture is not None:
         hoopgen.plots.save(hoopgen.plots.plot_map(dataset), picture)
-    click.echo(_summary(dataset))
-    click.echo(f"\n{footer(9, describe_dataset(dataset))}")
+    if as_json:
+        echo_json(_record(dataset, releasing.engine))
+    else:
+        click.echo(_summary(dataset))
+        click.echo(f"\n{footer(9, describe_dataset(dataset))}")
 
 
 def _write(dataset: xr.Dataset, file: Path) -> None:
@@ -96,19 +103,27 @@ def _columns(dataset: xr.Dataset) -> Iterator[tuple[str, NDArray[Any]]]:
 
     The names of the variables are those that `hoopgen batch` reads, with their units.
     """
-
-    def unit_name(name: str) -> str:
-        return column_name(name, dataset[name].attrs.get("units", ""))
-
     axes = _axes(dataset)
     shape = tuple(dataset.sizes[name] for name in axes)
     grid = np.meshgrid(*(dataset[n] for n in axes), indexing="ij")
-    yield from zip(map(unit_name, axes), grid, strict=True)
-    for label, coordinate in dataset.coords.items():
-        if not coordinate.dims:
-            yield unit_name(str(label)), np.broadcast_to(coordinate.values, shape)
-    for name, value in _shared(dataset).items():
+    yield from zip((_unit_name(dataset, name) for name in axes), grid, strict=True)
+    for name, value in (_given(dataset) | _shared(dataset)).items():
         yield name, np.broadcast_to(value, shape)
+    yield from _found(dataset, axes)
+
+
+def _unit_name(dataset: xr.Dataset, name: str) -> str:
+    return column_name(name, dataset[name].attrs.get("units", ""))
+
+
+def _given(dataset: xr.Dataset) -> dict[str, Any]:
+    """Return the variables of the release that are the same in all cells."""
+    same = (str(name) for name, coordinate in dataset.coords.items() if not coordinate.dims)
+    return {_unit_name(dataset, name): dataset[name].item() for name in same}
+
+
+def _found(dataset: xr.Dataset, axes: Sequence[str]) -> Iterator[tuple[str, NDArray[Any]]]:
+    """Yield names and cells of what came out."""
     for label, variable in dataset.items():
         name = str(label)
         further = [dim for dim in variable.dims if dim not in axes]
@@ -119,6 +134,29 @@ def _columns(dataset: xr.Dataset) -> Iterator[tuple[str, NDArray[Any]]]:
             yield name, np.array(variable.attrs["flag_meanings"].split())[variable.values]
         else:
             yield name, variable.values
+
+
+def _record(dataset: xr.Dataset, engine: Engine) -> dict[str, Any]:
+    """Return all numbers, those of the cells in order with the last axis the fastest."""
+    from hoopgen.study.named_units import in_units
+    from hoopgen.study.questions.map_dataset import best_cell
+
+    axes, attributes = _axes(dataset), dataset.attrs
+    said = ("parameters", "sd", "correlation", "columns", "sha256")
+    setting = {name: json.loads(attributes[name]) for name in said if name in attributes}
+    best = {"best": best_cell(dataset)} if "probability" in dataset else {}
+    seed = {"seed": int(attributes["seed"])} if "seed" in attributes else {}
+    shared = ("max_contacts", "confidence", "interval", "source", "scene")
+    record = {
+        "over": {_unit_name(dataset, name): dataset[name].values.tolist() for name in axes},
+        "cells": {name: column.ravel().tolist() for name, column in _found(dataset, axes)},
+        **in_units(best, engine),
+        "setting": {"release": _given(dataset), **in_units(setting, engine)},
+        **seed,
+        **{name: attributes[name] for name in shared if name in attributes},
+    }
+    found: dict[str, Any] = for_json(record)
+    return found
 
 
 def _axes(dataset: xr.Dataset) -> list[str]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import json
 from pathlib import Path
 from typing import Any
 
@@ -23,6 +24,7 @@ import hoopgen
 from hoopgen.core.units import FOOT
 from hoopgen.hoop.releases import RING_HEIGHT
 from hoopgen.study.measures.measures import measure
+from hoopgen.study.named_units import named
 from hoopgen.study.questions.aim import aim
 from hoopgen.study.questions.aim_table import TABLE, aim_table, write_csv
 from hoopgen.study.questions.aimed_release import NUMBERS, Aim
@@ -512,6 +514,23 @@ def test_a_shot_that_does_not_go_in_is_told() -> None:
     result = _run("--distance", "1m", "--entry", "45deg", "--backspin", "3Hz")
     assert result.exit_code == 0
     assert "does not go in" in result.stdout
+
+
+def test_json_has_what_the_library_gives_and_what_the_flights_do() -> None:
+    words = ["--distance", "4m,5m,40m", "--speed", "8", "--depth", "2cm", "--json"]
+    record = json.loads(_run(*words).stdout)
+    table = aim_table([4.0, 5.0, 40.0], height=7 * FOOT, speed=8.0, depth=0.02)
+    for row, release in enumerate(record["releases"]):
+        for name, column in table.items():
+            wanted = None if np.isnan(column[row]) else column[row]
+            assert release[named(name)] == wanted, name
+    flights = [(release["outcome"], release["touched_before"]) for release in record["releases"]]
+    assert flights == [("made", None), ("made", None), ("invalid", None)]
+    assert record["releases"][0]["counts"].keys() == set(hoopgen.SURFACES)
+    assert (record["depth_m"], record["by"], record["moving_m_s"]) == (0.02, "any", None)
+    assert record["parameters"]["ring_radius_m"] == hoopgen.PAPER["ring_radius"]
+    (one,) = json.loads(_run("--distance", "1m", "--json").stdout)["releases"]
+    assert one["touched_before"] == "ring"
 
 
 @pytest.mark.slow

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -208,6 +209,11 @@ def test_the_command_aims_at_a_body(tmp_path: Path) -> None:
     assert "comes down through (4.000, 1.000, 1.800) m" in said
     assert "below without a contact" in said
     assert picture.stat().st_size > 10_000
+    record = json.loads(output("aim", *words, *more[:-2], "--json"))
+    (release,) = record["releases"]
+    assert (release["speed_m_s"], release["vx_m_s"]) == (found.speed, vx)
+    assert (release["outcome"], release["counts"]) == ("below", {"ring": 0})
+    assert record["target_m"] == [4.0, 1.0, 1.8]
     assert "ring" in output("aim", *words, "--target", "4,1,180cm", "--elevation", "25deg")
     for extra, error in {
         (): "missing --target",

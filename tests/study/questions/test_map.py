@@ -418,6 +418,26 @@ def test_csv_has_a_row_for_each_cell_in_columns_that_batch_reads(tmp_path: Path)
     assert f"{100 * made:.1f}% made" in text
 
 
+def test_json_has_the_cells_in_order_and_what_all_share() -> None:
+    given = [*FREE_THROW, *SCATTER, "--shots", "40", "--seed", "3"]
+    record = json.loads(output(*GRID, *given, "--json"))
+    wanted = hoopgen.map(Scatter(REST, SD), OVER, shots=40, seed=3)
+    assert record["over"] == {
+        "elevation_rad": pytest.approx(OVER["elevation"].tolist(), rel=1e-15),
+        "speed_m_s": OVER["speed"].tolist(),
+    }
+    assert record["cells"]["made"] == wanted["made"].values.ravel().tolist()
+    assert record["cells"]["share_rim"] == wanted["share"].sel(kind="rim").values.ravel().tolist()
+    assert record["best"]["probability"] == max(record["cells"]["probability"])
+    assert record["setting"]["sd"].keys() == {"speed_m_s", "elevation_rad", "azimuth_rad"}
+    assert record["setting"]["release"].keys() == {"height_m", "distance_m", "backspin_rad_s"}
+    assert record["setting"]["parameters"]["ring_radius_m"] == hoopgen.PAPER["ring_radius"]
+    assert (record["seed"], record["scene"]) == (3, "PAPER (the article's)")
+    single = json.loads(output(*GRID, *FREE_THROW, "--json"))
+    codes = hoopgen.map(Scatter(REST), OVER)["outcome"].values.ravel()
+    assert single["cells"]["outcome"] == [Outcome(code).name.lower() for code in codes]
+
+
 def test_csv_has_the_shares_of_kinds(tmp_path: Path) -> None:
     out = tmp_path / "map.csv"
     output(*GRID, *FREE_THROW, *SCATTER, "--shots", "40", "--out", str(out))
