@@ -197,8 +197,8 @@ _ARGUMENT = re.compile(r"(?P<argument>[a-z_]+)(?:\[['\"](?P<key>\w+)['\"]\])?: "
 _ALIASES = {"scatter": ("sd",), "settings": ("parameters",), "file": ("columns",)}
 """Arguments of the library that an option becomes, by the name of its parameter."""
 
-_WITHOUT_OPTION = ("variables", "release", "model", "aim")
-"""Arguments of the library that are made of many options, each of which the error names itself."""
+_WITHOUT_OPTION = ("variables", "release", "model", "aim", "stop")
+"""Arguments of the library that are no single option, so that the error leaves them out."""
 
 
 def _library_arguments(param: click.Parameter) -> tuple[str, ...]:

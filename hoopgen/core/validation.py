@@ -308,9 +308,13 @@ def check_count(
     whole = is_whole(value) and not isinstance(value, bool)
     if not whole or not least <= value <= most:
         said = expected or f"a whole number from {least}"
-        # An end that nobody comes near is told only to those who pass it.
-        beyond = f"; at most {most}" if whole and value > most else ""
-        raise ValueError(f"{name}: expected {said}, got {brief(value)}{beyond}")
+        hint = ""
+        if whole or (isinstance(value, float) and value.is_integer()):
+            # An end that nobody comes near is told only to those who pass it.
+            hint = f"; at most {most}" if value > most else ""
+            if not whole and least <= value <= most:
+                hint = f"; give it as an int, {int(value)}"
+        raise ValueError(f"{name}: expected {said}, got {brief(value)}{hint}")
     return int(value)
 
 

@@ -435,6 +435,15 @@ def test_a_whole_number_that_is_too_large_is_told_the_end() -> None:
         hoopgen.simulate(FREE_THROW, max_contacts=2**31)
 
 
+@pytest.mark.parametrize(
+    ("value", "said"),
+    [(40.0, "got 40.0; give it as an int, 40"), (1e30, "got 1e+30; at most 2147483647")],
+)
+def test_a_float_that_is_whole_is_told_what_to_give(value: float, said: str) -> None:
+    with pytest.raises(ValueError, match=f"{re.escape(said)}$"):
+        hoopgen.simulate(FREE_THROW, max_contacts=value)  # type: ignore[arg-type]
+
+
 @pytest.mark.parametrize("value", [np.int8(3), np.uint64(3), 3])
 def test_max_contacts_may_be_any_kind_of_whole_number(value: Any) -> None:
     assert hoopgen.simulate(FREE_THROW, max_contacts=value).contacts[0] <= 3

@@ -169,7 +169,9 @@ class Whole(Value):
         # In this order no number is made an int that would fill the memory.
         if number.is_finite() and self.low <= number <= self.high and number == int(number):
             return int(number)
-        most = "" if self.high == _MAX_WHOLE else f" to {self.high}"
+        # An end that nobody comes near is told only to those who pass it.
+        told = self.high != _MAX_WHOLE or (number.is_finite() and number > self.high)
+        most = f" to {self.high}" if told else ""
         raise ValueError(f"{brief(text)} is not {self.words}{most}")
 
     def read(self, given: Any) -> int:

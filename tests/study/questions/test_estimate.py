@@ -545,7 +545,11 @@ def test_a_comparison_in_words() -> None:
     ("change", "error", "message"),
     [
         ({"shots": 0}, ValueError, "shots: expected a whole number from 1, got 0"),
-        ({"shots": 1e6}, ValueError, "shots: expected a whole number from 1, got 1000000.0"),
+        (
+            {"shots": 1e6},
+            ValueError,
+            "shots: expected a whole number from 1, got 1000000.0; give it as",
+        ),
         ({"precision": 0}, ValueError, "precision: expected a number within 0 and 1, got 0"),
         ({"precision": "1%"}, ValueError, "precision: expected a number within 0 and 1"),
         ({"confidence": 95}, ValueError, "confidence: expected a number within 0 and 1, got 95"),
@@ -716,6 +720,7 @@ def test_the_folder_is_passed_on(tmp_path: Path) -> None:
         ([*OPTIONS[1:], "--correlation", "speed,height=0.1"], "is no pair of"),
         (["--shots", "1.5"], "'1.5' is not a whole number from 1"),
         (["--shots", "0"], "'0' is not a whole number from 1"),
+        (["--shots", "1e30"], f"'1e30' is not a whole number from 1 to {2**63 - 1}"),
         (["--shots", "many"], "'many' is not a whole number from 1"),
         (["--shots", "inf"], "'inf' is not a whole number from 1"),
         (["--precision", "1"], "'1' is no share above 0% and below 100%"),
@@ -727,6 +732,12 @@ def test_what_is_wrong_on_the_command_line_is_said(arguments: list[str], message
     assert message in said
     assert said.startswith("hoopgen: error: ")
     assert said.count("\n") == 1
+
+
+@pytest.mark.parametrize("command", ["fan", "landings"])
+def test_more_shots_than_there_is_memory_for_are_refused_at_once(command: str) -> None:
+    said = failure(command, *OPTIONS[1:], "--shots", "1e12")
+    assert said.startswith("hoopgen: error: 1e+12 shots drawn at once would take ")
 
 
 GOLF = ROOT / "examples" / "scenes" / "golf.toml"
