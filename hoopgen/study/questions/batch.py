@@ -93,8 +93,8 @@ def batch(
         number or with more or fewer cells than the header.
     out
         Parquet or CSV, as the suffix says; None keeps the results in memory. There are the columns
-        of `source` as they are; of CSV those that are read as numbers, null where a cell is none,
-        and others with the type that all of their cells have
+        of `source` as they are; of CSV those that are read as numbers, null where a cell is none
+        (in CSV its text), and others with the type that all of their cells have
         (`hoopgen.study.tables.source.Source.typed`); also text that a spreadsheet would take for a
         formula, such as ``=1+1``. After them outcome, kind (see `hoopgen.hoop.kinds.Kind`),
         contacts, contacts by surface, first surface touched, time and state at the end plane (NaN
@@ -218,9 +218,9 @@ def batch(
         check_names("measures", shots.measures, measures_of(engine))
         stamp = table.stamp()
         text = describe_scene(engine, origin.parameters, found.columns)
-        results = Results(table, found.columns, shots, origin, prefix, reason, by)
-        schema = results.schema(text)
         format = target.suffix.lower()
+        results = Results(table, found.columns, shots, origin, prefix, reason, by, format)
+        schema = results.schema(text)
         check_sink(format, schema, table)
         begin_work()
         digest, count = table.digest()

@@ -275,7 +275,7 @@ def survey(batches: Iterable[pa.RecordBatch], names: Iterable[str], comma: bool)
         for name, types in possible.items():
             if not types:
                 continue
-            cells = _pointed(batch[name], comma)
+            cells = pointed(batch[name], comma)
             cells = cells.filter(pc.not_equal(cells, ""))
             if len(cells):
                 filled.add(name)
@@ -288,6 +288,28 @@ def survey(batches: Iterable[pa.RecordBatch], names: Iterable[str], comma: bool)
         name: next(iter(types)) if types and name in filled else pa.string()
         for name, types in possible.items()
     }
+
+
+def other_text(
+    batches: Iterable[pa.RecordBatch], names: Iterable[str], comma: bool
+) -> dict[str, Any]:
+    """Return the type of text for those columns in which a cell is neither empty nor a number.
+
+    Parameters
+    ----------
+    names
+        The columns that are looked at.
+    comma
+        Whether a comma in a number is a decimal one.
+    """
+    found: dict[str, Any] = {}
+    for batch in batches:
+        for name in set(names).difference(found):
+            cells = batch[name]
+            rest = cells.filter(pc.is_null(parsed(cells, pa.float64(), comma)))
+            if pc.any(pc.match_substring_regex(rest, r"\S")).as_py():
+                found[name] = pa.string()
+    return found
 
 
 def parsed(cells: Any, kind: Any, comma: bool) -> Any:
@@ -304,7 +326,7 @@ def parsed(cells: Any, kind: Any, comma: bool) -> Any:
     """
     if pa.types.is_string(kind):
         return cells
-    cells = _pointed(cells, comma)
+    cells = pointed(cells, comma)
     if not pa.types.is_floating(kind):
         return pc.if_else(pc.equal(cells, ""), None, cells).cast(kind)
     try:
@@ -315,6 +337,14 @@ def parsed(cells: Any, kind: Any, comma: bool) -> Any:
         return pc.if_else(number, plain, None).cast(kind)
 
 
-def _pointed(cells: Any, comma: bool) -> Any:
-    """Return numbers that have a decimal comma with a point, and all others as they are."""
+def pointed(cells: Any, comma: bool) -> Any:
+    """Return numbers that have a decimal comma with a point, and all others as they are.
+
+    Parameters
+    ----------
+    cells
+        The cells of one column, as text.
+    comma
+        True if numbers have a decimal comma.
+    """
     return pc.replace_substring_regex(cells, _OF_COMMA, r"\1.\2") if comma else cells

@@ -55,6 +55,7 @@ class Results:
     prefix: str  # of the names of the results
     reason: bool  # whether a column says why a row is invalid
     by: str | None  # the column by whose values results are counted; None for none
+    format: str = ""  # of the file, as `check_sink` takes it
     log: Sink | None = None
     log_schema: pa.Schema = field(default=None, init=False)
     outcomes: NDArray[np.int64] = field(init=False)  # counts of the rows that were written, by code
@@ -62,7 +63,8 @@ class Results:
 
     def __post_init__(self) -> None:
         self.outcomes = np.zeros(len(self.shots.scene.outcomes), np.int64)
-        self._types = self.source.typed(self.columns)
+        as_text = self.format in _DELIMITERS
+        self._types = self.source.typed(self.columns, as_text=as_text)
         self._kept = self._types.names
         self._counts: GroupCounts | None = None
         if self.by is not None:
@@ -137,7 +139,7 @@ class Results:
             self.log(event_log(results[EVENTS], int(self.outcomes.sum())))
             results = results.drop_columns([EVENTS])
         self.outcomes += np.bincount(outcomes, minlength=len(self.outcomes))
-        cast = self.source.cast(read, self._types)
+        cast = self.source.cast(read, self._types, self.columns)
         if self._counts is not None:
             self._counts.add(cast[self._counts.column], outcomes)
         cells = [*cast.select(self._kept).columns, *results.columns]

@@ -33,7 +33,16 @@ from hoopgen.text.shorten import brief, cut, join_names
 
 from . import spreadsheets
 from .columns import Column, columns_of, values
-from .delimited import Layout, check_delimiter, layout_of, parsed, read, survey
+from .delimited import (
+    Layout,
+    check_delimiter,
+    layout_of,
+    other_text,
+    parsed,
+    pointed,
+    read,
+    survey,
+)
 from .filters import Condition, check_columns, chosen, parse_conditions
 from .limits import LEAST_MEMORY, MEMORY, Opened, read_arrow, read_parquet, regrouped, validated
 
@@ -225,11 +234,18 @@ class Source:
         """Read all rows into one table."""
         return pa.concat_tables(self.tables(_ROWS))
 
-    def typed(self, columns: Mapping[str, Column]) -> pa.Schema:
+    def typed(self, columns: Mapping[str, Column], *, as_text: bool = False) -> pa.Schema:
         """Return the schema with the types that columns of CSV have, once all of it was read.
 
         Of `columns` they are doubles. Others are whole numbers, numbers or truths if all of their
         cells are; identifiers, with leading zeros or more than 15 digits, are text.
+
+        Parameters
+        ----------
+        columns
+            The columns that are read as numbers, by variable.
+        as_text
+            Whether those of `columns` are text in which a cell is none.
         """
         if not self.is_text:
             return self.schema()
@@ -237,9 +253,14 @@ class Source:
         with self._opened() as (schema, batches):
             others = [name for name in schema.names if name not in numbers]
             types = survey(batches, others, self.comma) if others else {}
-            return pa.schema([(name, types.get(name, pa.float64())) for name in schema.names])
+        if as_text:
+            with self._opened() as (_, batches):
+                types |= other_text(batches, numbers, self.comma)
+        return pa.schema([(name, types.get(name, pa.float64())) for name in schema.names])
 
-    def cast(self, table: pa.Table, schema: pa.Schema) -> pa.Table:
+    def cast(
+        self, table: pa.Table, schema: pa.Schema, columns: Mapping[str, Column] | None = None
+    ) -> pa.Table:
         """Return a part of the table with the types of `typed`; no number is null.
 
         Parameters
@@ -248,6 +269,8 @@ class Source:
             A part of the rows; of CSV and .xlsx its cells are text.
         schema
             The names and types that `typed` gave.
+        columns
+            Those that are read as numbers; where they are text, numbers get a decimal point.
 
         Returns
         -------
@@ -262,8 +285,11 @@ class Source:
         if not self.is_text:
             return table
         with self._naming():
+            numbers = {column.name for column in (columns or {}).values()}
             cells = [
-                parsed(column, field.type, self.comma)
+                pointed(column, self.comma)
+                if field.name in numbers and pa.types.is_string(field.type)
+                else parsed(column, field.type, self.comma)
                 for column, field in zip(table.columns, schema, strict=True)
             ]
             return pa.Table.from_arrays(cells, schema=schema)

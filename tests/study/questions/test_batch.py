@@ -183,6 +183,26 @@ def test_a_row_without_a_number_is_invalid_and_disturbs_no_other(tmp_path: Path)
     assert outcomes["invalid"] == 4
 
 
+@pytest.mark.parametrize("rows", [2, 100])
+def test_in_csv_cells_that_are_no_number_stay_as_they_are(tmp_path: Path, rows: int) -> None:
+    lines = ["speed;elevation_deg;restitution;note", "7,10;52;0,7;1,5", "7,2;;0,7;n/a"]
+    lines += ["fast;about 50;0,7;", ";52,5;0,7;-"]
+    (tmp_path / "t.csv").write_text("\n".join(lines), encoding="utf-8")
+    for source in ("t.csv", "out.csv"):  # results are read like any table
+        counts = hoopgen.batch(tmp_path / source, tmp_path / "new.csv", release=PLACE, rows=rows)
+        assert counts["invalid"] == 3
+        (tmp_path / "new.csv").rename(tmp_path / "out.csv")
+        text = (tmp_path / "out.csv").read_text(encoding="utf-8")
+        assert [line.split(',"')[:3] for line in text.splitlines()[2:]] == [
+            ['"7.10"', '52",0.7', '1,5"'],
+            ['"7.2"', '",0.7', 'n/a"'],
+            ['"fast"', 'about 50",0.7', '"'],
+            ['""', '52.5",0.7', '-"'],
+        ]
+    hoopgen.batch(tmp_path / "t.csv", tmp_path / "out.parquet", release=PLACE)
+    assert read(tmp_path / "out.parquet")["speed"].to_pylist() == [7.1, 7.2, None, None]
+
+
 def test_own_columns_of_any_type_are_kept(tmp_path: Path) -> None:
     own = {
         "speed": [7.0, 7.2, 7.1],
