@@ -150,7 +150,9 @@ def command(name: str | None = None, **attributes: Any) -> Callable[[Callable[..
     return click.command(name, cls=Command, **attributes)
 
 
-def defer(ctx: click.Context, call: Callable[[click.Context], None]) -> None:
+def defer(
+    ctx: click.Context, call: Callable[[click.Context], None], *, first: bool = False
+) -> None:
     """Call a function when all options of a command are read, and none is missing.
 
     Parameters
@@ -159,8 +161,11 @@ def defer(ctx: click.Context, call: Callable[[click.Context], None]) -> None:
         The context of the command.
     call
         A function of that context, such as one that checks options against each other.
+    first
+        Whether it is called before those that are there already.
     """
-    ctx.meta.setdefault(_DEFERRED, []).append(call)
+    calls = ctx.meta.setdefault(_DEFERRED, [])
+    calls.insert(0 if first else len(calls), call)
 
 
 def note_input(ctx: click.Context | None, param: click.Parameter | None, path: Path) -> None:

@@ -17,7 +17,7 @@ from .path_types import FILE, PICTURE
 from .place_option import place_option
 from .question_options import setting_options, together
 from .scene_option import NEEDED, engine_of, parameters_of, scene_option
-from .shot_files import reading_of, simulation_options
+from .shot_files import reading_of, simulation_options, with_its_scene
 from .types import ASSIGNMENT, SETTING, once, quantity
 
 Decorator = Callable[[Any], Any]
@@ -110,7 +110,7 @@ reading_options = setting_options(TableSettings, Parsing)
 """Options of how a table is read; `hoopgen.cli.shot_files.reading_of` takes them."""
 
 _TABLE = together(
-    click.argument("file", type=FILE),
+    click.argument("file", type=FILE, callback=with_its_scene),
     scene_option,
     click.option(
         "--release",

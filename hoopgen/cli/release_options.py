@@ -23,7 +23,7 @@ from .path_types import FILE
 from .place_option import PLACE, place_option
 from .question_options import setting_options, together
 from .scene_option import engine_of, given, own_needs, own_options, state_given, state_is_given
-from .shot_files import READING, reading_of, simulation_options
+from .shot_files import READING, reading_of, simulation_options, with_its_scene
 from .types import CORRELATION, DEVIATION, once
 
 if TYPE_CHECKING:
@@ -221,6 +221,7 @@ _FROM = together(
         "--from",
         "file",
         type=FILE,
+        callback=with_its_scene,
         help="Draw from measured releases, .csv, .parquet, .arrow or .xlsx; the options above fill "
         "in.",
     ),

@@ -11,7 +11,9 @@ from hoopgen.engine.compiled_scene import CompiledScene
 from hoopgen.study.questions.settings import Parsing, TableSettings, settings
 from hoopgen.text.escape import printable
 
+from .command import defer
 from .scene_option import given, parameters_of
+from .types import SCENE
 
 if TYPE_CHECKING:
     from hoopgen.study.tables.reading import ReadingOptions
@@ -19,6 +21,35 @@ if TYPE_CHECKING:
 
 READING = tuple(name for one in (TableSettings, Parsing) for name, *_ in settings(one))
 """Options of how a table is read: names of fields of `study.tables.reading.ReadingOptions`."""
+
+
+def with_its_scene(ctx: click.Context, _: click.Parameter, file: Path | None) -> Path | None:
+    """Let the command simulate in the scene that a file of results says, unless one is named.
+
+    Parameters
+    ----------
+    ctx
+        The context of the command.
+    file
+        The table of shots; None where the command has none.
+    """
+    if file is not None:
+        defer(ctx, _use_its_scene, first=True)  # places are those of a scene
+    return file
+
+
+def _use_its_scene(ctx: click.Context) -> None:
+    from hoopgen.scene.errors import SceneError
+    from hoopgen.study.tables.provenance import scene_in
+
+    if given("scene_name"):
+        return
+    try:
+        ctx.meta[SCENE] = scene_in(reading_of(dict(ctx.params)).source(ctx.params["file"]))
+    except SceneError:
+        raise
+    except (OSError, ValueError):
+        pass  # the command reads the file, and says what is wrong
 
 
 def simulation_options(

@@ -82,7 +82,8 @@ def parse_scene(content: bytes) -> Scene:
     if excess := current().excess("file_size", len(content)):
         raise SceneError(excess)
     try:
-        document = tomllib.loads(content.decode("utf-8-sig"))
+        text = content.decode("utf-8-sig")
+        document = tomllib.loads(text)
     except UnicodeDecodeError as error:
         raise SceneError(
             f"expected text in UTF-8; got the byte {content[error.start]:#x}"
@@ -106,6 +107,7 @@ def parse_scene(content: bytes) -> Scene:
         for name, table in _table(own, "ends", document).items()
     }
     made: Scene = _build_piece(own, Scene, "", given)
+    object.__setattr__(made, "text", text)
     return made
 
 

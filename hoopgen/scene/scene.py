@@ -71,6 +71,8 @@ class Scene:
     limits
         How large the scene may be, `hoopgen.scene.Limits`, or a mapping of those that are raised:
         ``{"parameters": 500}``. A scene file cannot set them.
+    text
+        The text of the file that it was read from; empty of a scene that was made otherwise.
 
     Raises
     ------
@@ -96,6 +98,7 @@ class Scene:
     axes: str = ""
     remarks: str = ""
     limits: Limits | Mapping[str, int] | None = field(default=None, compare=False, repr=False)
+    text: str = field(default="", init=False, compare=False, repr=False)
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "limits", check_limits(self.limits))

@@ -63,7 +63,7 @@ def view(
         What each shot is called, n words or lines; by default "Shot 1", "Shot 2", ... Of a file the
         name of a column that says it; by default "Row 1", ...
     scene
-        Of a file, as for `hoopgen.simulate`; shots have theirs.
+        Of a file, as for `hoopgen.simulate`, by default that which results say; shots have theirs.
     columns
         Of a file, names of columns by the variable that they are read as, as for `hoopgen.batch`.
 

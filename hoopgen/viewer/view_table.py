@@ -13,6 +13,7 @@ from hoopgen.core.backend_names import BackendName
 from hoopgen.core.files import PAGES, check_output
 from hoopgen.simulation.lookup import engine_of
 from hoopgen.simulation.simulate import simulate
+from hoopgen.study.tables.provenance import scene_in
 from hoopgen.study.tables.reading import ReadingOptions
 from hoopgen.text.numbers import format_count
 
@@ -44,7 +45,7 @@ def view_table(
     path, title
         As for `hoopgen.view`.
     backend, scene
-        As for `hoopgen.simulate`.
+        As for `hoopgen.simulate`; by default the scene that a file of results says.
     **options
         As for `hoopgen.viewer.row_sample.sample`; and how the table is read, as for
         `hoopgen.batch`: format, delimiter, own, columns, where, implausible, memory.
@@ -55,9 +56,10 @@ def view_table(
         As of those.
     """
     target = None if path is None else check_output(path, PAGES)
-    file, engine = Path(source), engine_of(scene)
+    file = Path(source)
     read = [one.name for one in fields(ReadingOptions) if one.name in options]
     reading = ReadingOptions.from_options(**{name: options.pop(name) for name in read})
+    engine = scene_in(reading.source(file)) if scene is None else engine_of(scene)
     chosen = sample(file, count, seed, reading=reading, scene=engine, **options)
     states, parameters = chosen.releases.states, chosen.releases.parameters
     most = chosen.max_contacts

@@ -428,10 +428,49 @@ def test_the_command_line_runs_studies_of_a_scene(file: Path, tmp_path: Path) ->
         "batch", table(tmp_path), "--scene", file, "--out", results, "--set", "bounce=0.5"
     )
     assert "scene: ledge, reach by row, bounce 0.5" in text
-    assert "all 6 rows" in output("view", results, "--scene", file, "--out", tmp_path / "p.html")
-    assert "flown in the scene ledge" in failure("view", results, "--out", tmp_path / "p.html")
+    page = ("--out", tmp_path / "p.html")
+    whole = output("view", results, "--scene", file, *page)
+    assert "all 6 rows" in whole
+    said = failure("view", results, "--scene", "hoop", *page)
+    assert "flown in the scene ledge, not in hoop" in said
     drawn = output("estimate", "--from", results, "--scene", file, "--shots", 50)
     assert "measured" in drawn
+    # The file has the text of the scene.
+    assert output("view", results, *page) == whole
+    assert output("estimate", "--from", results, "--shots", 50) == drawn
+    again = tmp_path / "again.csv"
+    assert "scene: ledge, reach by row, bounce 0.5" in output("batch", results, "--out", again)
+    assert output("view", again, *page) == whole.replace(results.name, again.name)
+    assert "scene ledge" in hoopgen.view(again).about
+
+
+@pytest.mark.slow
+def test_the_text_of_a_scene_in_results_is_read_as_a_scene_file_is(
+    file: Path, scene: Engine, tmp_path: Path
+) -> None:
+    results, page = tmp_path / "out.parquet", ("--out", tmp_path / "p.html")
+    output("batch", table(tmp_path), "--scene", file, "--out", results)
+    rows = pq.read_table(results)
+    metadata = dict(rows.schema.metadata)
+    about = json.loads(metadata[b"hoopgen"])
+    assert about["scene_text"] == file.read_text(encoding="utf-8")
+
+    def refusal(text: str | None) -> str:
+        """Return why results are refused whose scene has another text, or none."""
+        there = {name: value for name, value in about.items() if name != "scene_text"}
+        there |= {} if text is None else {"scene_text": text}
+        changed = metadata | {b"hoopgen": json.dumps(there).encode()}
+        pq.write_table(rows.replace_schema_metadata(changed), results)
+        return failure("view", results, *page)
+
+    assert "flown in the scene ledge, not in hoop" in refusal(None)
+    assert "cannot be read: this is not TOML" in refusal("import os")
+    evil = about["scene_text"].replace("x - reach", "__import__('os')")
+    assert "body floor: within" in refusal(evil)
+    other = refusal(about["scene_text"].replace("- 1.3", "- 1.4"))
+    assert "flown in the scene ledge, which differs from the one given" in other
+    large = about["scene_text"] + "#" * 1_000_000
+    assert "--limit file_size=" in refusal(large)
 
 
 @pytest.mark.parametrize(

@@ -19,8 +19,12 @@ from hoopgen.hoop.presets import nearest_preset
 from hoopgen.hoop.variables import change_variables
 from hoopgen.report.provenance import describe_scene
 from hoopgen.report.quantities import for_json
+from hoopgen.scene.errors import SceneError
+from hoopgen.scene.files import parse_scene
 from hoopgen.scene.lookup import variables_of
+from hoopgen.simulation.engine import Engine
 from hoopgen.simulation.hoop import HOOP
+from hoopgen.simulation.lookup import BUILT_IN, engine_of
 from hoopgen.study.statistics.tally import check_scene, contacts_of
 
 from .columns import NAMED, variable_of
@@ -28,6 +32,9 @@ from .source import ABOUT, Source
 
 _MADE_IN = "made_in"
 """The identity of a user's scene."""
+
+_SCENE_TEXT = "scene_text"
+"""The text of a user's scene, if it is known."""
 
 
 @dataclass(frozen=True)
@@ -39,7 +46,7 @@ class Origin:
     columns
         Names of columns by the variable that they are read as, whatever they are called.
     engine
-        The scene itself, which is nowhere in the file: it says what tells it from others.
+        The scene itself, of which the file says what tells it from others, and its text.
     """
 
     parameters: Mapping[str, float]  # of the scene, where no column says otherwise
@@ -65,6 +72,8 @@ class Origin:
         made: dict[str, Any] = {_MADE_IN: self.engine.identity}
         if self.engine.is_hoop:
             made = {"preset": nearest_preset(self.parameters)[0]}
+        elif text := getattr(self.engine.table.written, "text", ""):
+            made[_SCENE_TEXT] = text
         said = {"version": version(), **made, "scene": scene, NAMED: True}
         shared = {one.name: getattr(self, one.name) for one in fields(self) if one.name != "engine"}
         return {ABOUT: json.dumps(for_json({**said, **shared, **more})).encode()}
@@ -72,6 +81,39 @@ class Origin:
 
 class OtherScene(ValueError):
     """A file of results says that its shots were flown in another scene."""
+
+
+def scene_in(table: Source) -> Engine:
+    """Return the scene in which a file of results says that its shots were flown.
+
+    The text of a scene of one's own is read as a scene file is. Where the file says none that is
+    known here, it is the article's hoop.
+
+    Raises
+    ------
+    SceneError
+        If the text is no scene.
+    ValueError
+        If the file is not of its format.
+    OSError
+        If the file cannot be read.
+    """
+    try:
+        said = json.loads((table.schema().metadata or {}).get(ABOUT, b"{}"))
+        made, text = said.get(_MADE_IN), said.get(_SCENE_TEXT)
+    except (AttributeError, ValueError):
+        return HOOP  # `origin_of` says what is wrong
+    if isinstance(text, str):
+        try:
+            return engine_of(parse_scene(text.encode()))
+        except SceneError as error:
+            raise SceneError(
+                f"{table}: the scene in its metadata cannot be read: {error}; "
+                "give it (scene=, --scene)"
+            ) from None
+    known = {name.replace("-", "_"): scene for name, scene in BUILT_IN.items()}
+    name = made.get("name") if isinstance(made, Mapping) else None
+    return known[name]() if name in known else HOOP
 
 
 def origin_of(table: Source, scene: CompiledScene = HOOP) -> Origin | None:
@@ -132,7 +174,7 @@ def _check_made_in(table: Source, said: Mapping[str, Any], scene: CompiledScene)
 
 
 def names_hoop(table: Source, own: Iterable[str] = ()) -> bool:
-    """Return whether a file says all of the article's scene, in columns or in its metadata.
+    """Return whether the columns of a file say all of the article's scene.
 
     Parameters
     ----------
@@ -148,7 +190,7 @@ def names_hoop(table: Source, own: Iterable[str] = ()) -> bool:
     """
     left = set(own)
     said = {variable_of(name, HOOP)[0] for name in table.schema().names if name not in left}
-    return said.issuperset(HOOP.table.defaults) or origin_of(table) is not None
+    return said.issuperset(HOOP.table.defaults)
 
 
 def resolve_origin(
