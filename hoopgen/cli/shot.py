@@ -12,7 +12,7 @@ import numpy as np
 
 import hoopgen
 from hoopgen.core.backend_names import BackendName
-from hoopgen.core.event_log import Event
+from hoopgen.core.event_log import Event, describe_passages
 from hoopgen.core.files import FILMS
 from hoopgen.core.units import display_unit
 from hoopgen.report.provenance import describe_scene
@@ -107,12 +107,13 @@ _ROLLING = {"hoop": "--scene court", "air": "--scene court-air"}
 def _summary(shots: hoopgen.Shots, state: NDArray[np.float64]) -> str:
     counts = zip(shots.surfaces, shots.counts[0], strict=True)
     by_surface = ", ".join(f"{name} {count}" for name, count in counts)
+    passages = describe_passages(int(shots.contacts[0]), int(shots.counts[0].sum()))
     path = shots.trajectory(0)
     lines = [
         event_table(state, path.events, shots.surfaces),
         "",
         f"outcome    {_outcome_text(shots)}",
-        f"contacts   {shots.contacts[0]} ({by_surface})",
+        f"contacts   {shots.contacts[0]} ({by_surface}{passages})",
     ]
     airless = ", without air along it" if "airless_rolls" in shots.scene.layout.results else ""
     for row, start, stop in path.rolls:

@@ -8,8 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hoopgen.generated.numpy.hoop import Event as Event
+from hoopgen.text.numbers import format_count
 
-__all__ = ["Event", "describe_event", "impacts", "number_contacts", "rolls"]
+__all__ = ["Event", "describe_event", "describe_passages", "impacts", "number_contacts", "rolls"]
 
 
 def describe_event(event: np.void, surfaces: Sequence[str]) -> str:
@@ -26,6 +27,20 @@ def describe_event(event: np.void, surfaces: Sequence[str]) -> str:
     name = surfaces[surface] if surface < len(surfaces) else "end"
     before = {Event.ROLL: "rolls on ", Event.LEAVE: "leaves "}
     return f"{before.get(Event(int(event['kind'])), '')}{name}"
+
+
+def describe_passages(contacts: int, impacts: int) -> str:
+    """Describe the contacts of a shot that are no impacts; nothing if there are none.
+
+    Parameters
+    ----------
+    contacts
+        All of its contacts. Each roll that goes on from one body to another is one.
+    impacts
+        Those at which the ball hits a body.
+    """
+    passages = contacts - impacts
+    return f"; {format_count(passages, 'roll')} went on to another body" if passages else ""
 
 
 def impacts(events: NDArray[np.void]) -> NDArray[np.void]:

@@ -6,6 +6,7 @@ rate W about the axis, vz'' = -beta W² vz, beta = kappa/(1 + kappa).
 
 from __future__ import annotations
 
+import re
 from typing import Any
 
 import numpy as np
@@ -16,6 +17,7 @@ import hoopgen
 from hoopgen import Event
 from hoopgen.simulation.engine import Engine
 from tests.helpers import ROOT
+from tests.helpers.commands import output
 from tests.helpers.effort import exceptions, trials
 
 pytestmark = [pytest.mark.xdist_group("golf"), pytest.mark.slow]  # compiled once
@@ -133,3 +135,13 @@ def test_a_rounding_of_a_release_changes_no_putt_that_is_certain(golf: Engine) -
         for k in range(3):
             off = np.abs(shots.state - others.state)[alike, 3 * k : 3 * k + 3].max(axis=1)
             assert (off <= shots.state_error[alike, k]).all()
+
+
+def test_the_contacts_of_a_shot_are_those_of_its_table(golf: Engine) -> None:
+    """A roll that goes on from the green to its edge is a contact, and no impact."""
+    words = ["--position=-30cm,0,5cm", "--velocity", "1.2,0.02,0"]
+    text = output("shot", "--scene", ROOT / "examples" / "scenes" / "golf.toml", *words)
+    assert "contacts   22 (green 20, edge 0, cup 1; 1 roll went on to another body)" in text
+    assert text.count("rolls on ") == 2
+    numbers = re.findall(r"^ *(\d+)  \d", text, re.MULTILINE)
+    assert list(map(int, numbers)) == list(range(1, 22))

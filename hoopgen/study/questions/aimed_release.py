@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from hoopgen.core.event_log import describe_passages
 from hoopgen.core.extras import require
 from hoopgen.core.parameters import ParameterValues
 from hoopgen.core.variables import STATE
@@ -245,6 +246,7 @@ def flight_in_words(shots: Shots, row: int, time: float) -> str:
         return f"{outcome} without a contact{ended}"
     counts = zip(shots.surfaces, shots.counts[row].tolist(), strict=True)
     bodies = ", ".join(f"{name} {count}" for name, count in counts if count)
+    bodies += describe_passages(contacts, int(shots.counts[row].sum()))
     text = f"{outcome} after {format_count(contacts, 'contact')} ({bodies})"
     if (met := met_before(shots, row, time)) is None:
         return text + ended
