@@ -90,6 +90,7 @@ def describe_shot(trajectory: FlightPath, parameters: Mapping[str, float]) -> tu
     speed = np.hypot(np.hypot(vx, vy), vz)
     angle = np.degrees(np.arctan2(vz, np.hypot(vx, vy)))
     unit, spins, length = display_unit("speed"), display_unit("spin"), display_unit("length")
+    digits = length.decimals
     # The article's figures say angular velocities, coaches turns a second.
     us = display_system() == "us"
     sign, symbol, size = ("/2\\pi", spins.symbol, spins.size) if us else ("", "rad/s", 1.0)
@@ -104,11 +105,12 @@ def describe_shot(trajectory: FlightPath, parameters: Mapping[str, float]) -> tu
     dots = f"Scene: {scene}. Dots on the path every {_dot_interval(trajectory.duration):g} s."
     turns = ", ".join(turning) or "no spin"
     if not trajectory.scene.is_hoop:
-        at = ", ".join(f"{one / length.size:.3f}".replace("-", MINUS) for one in (x, y, z))
+        at = ", ".join(f"{one / length.size:.{digits}f}".replace("-", MINUS) for one in (x, y, z))
         fast = f"{speed / unit.size:.2f} {unit.symbol}"
         return f"Released at {fast}, {turns}; from ({at}) {length.symbol}.", dots
     away, high = (
-        f"{one / length.size:.3f} {length.symbol}" for one in (np.hypot(x, y), RING_HEIGHT + z)
+        f"{one / length.size:.{digits}f} {length.symbol}"
+        for one in (np.hypot(x, y), RING_HEIGHT + z)
     )
     place = f"{away} from the ring's centre, {high} high"
     return f"{said}, {turns}; {place}.", dots

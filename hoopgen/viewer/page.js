@@ -110,8 +110,8 @@
     );
     $("legend").replaceChildren(...items);
     $("scale").textContent = scenery
-      ? `To scale. The grid below is ${words.round(scenery.step)}.`
-      : `To scale. The floor’s grid is ${words.round(1)}; the ring hangs at ${words.round(page.ring_height)}.`;
+      ? `To scale. The grid below is ${words.gridSaid()}.`
+      : `To scale. The floor’s grid is ${words.gridSaid()}; the ring hangs at ${words.round(page.ring_height)}.`;
   }
 
   function filters() {
@@ -231,6 +231,7 @@
   /** Say lengths and speeds in the other units. */
   function convert() {
     words.convert();
+    picture?.lay();
     $("units").textContent = words.other();
     legend();
     tell();
@@ -342,6 +343,7 @@
       page,
       paint,
       choose,
+      words.grid,
     );
   } catch (error) {
     $("sorry").textContent = "This browser draws no WebGL, so there is no picture.";

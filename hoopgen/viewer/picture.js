@@ -16,8 +16,9 @@ const Picture = (() => {
   };
 
   /** Set up the picture of a page's shots; `pick` is told the index of one whose path is clicked.
-   * Without a scenery, which other scenes have, there is a hoop; a ghost is not simulated. */
-  function create(stage, canvas, svg, shots, page, paint, pick) {
+   * Without a scenery, which other scenes have, there is a hoop; a ghost is not simulated. The step
+   * of the floor's grid, m, is that which `grid` returns. */
+  function create(stage, canvas, svg, shots, page, paint, pick, grid) {
     const { ring_height: ringHeight, scenery, outcomes } = page;
     let { ghost } = page;
     const renderer = new THREE.WebGLRenderer({
@@ -146,13 +147,19 @@ const Picture = (() => {
     function setting() {
       const around = scenery ? [...paths, Scene.room(scenery)] : paths;
       const below = scenery && !ghost ? scenery.room[0][2] - 0.02 * size : -ringHeight;
-      put("floor", Scene.floor(around, below, colour, scenery?.step));
+      put("floor", Scene.floor(around, below, colour, grid()));
       const seen = things.ghost?.visible ?? true;
       if (!ghost) return;
       const drawn = Scene.ghost(ghost, colour);
       for (const part of drawn) part.renderOrder = LAST + 1;
       put("ghost", ...drawn);
       things.ghost.visible = seen;
+    }
+
+    /** Lay the floor anew, whose grid may have another step now. */
+    function lay() {
+      setting();
+      update();
     }
 
     /** Show what is not simulated, or leave it out. */
@@ -308,7 +315,7 @@ const Picture = (() => {
     choose(chosen);
     new ResizeObserver(resize).observe(stage);
     resize();
-    return { balls, choose, filter, gather, haunt, key, look, move, repaint, replace };
+    return { balls, choose, filter, gather, haunt, key, lay, look, move, repaint, replace };
   }
 
   /** Return the distance from a point to a stretch between two others, px. */

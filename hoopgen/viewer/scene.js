@@ -277,8 +277,8 @@ const Scene = (() => {
     return canvas;
   }
 
-  /** Return a grid of 1 m, or another step, or more for a wide one, under the scene and all paths. */
-  function floor(paths, level, colour, least = 1) {
+  /** Return a grid of a step, or of more for a wide one, under the scene and all paths. */
+  function floor(paths, level, colour, least) {
     const reach = paths
       .flat()
       .reduce((most, [x, y]) => Math.max(most, Math.abs(x), Math.abs(y)), 0);

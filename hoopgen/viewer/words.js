@@ -25,10 +25,23 @@ const Words = (() => {
     const unit = (kind) => units[system][kind];
 
     const length = (...values) => say("length", ...values);
-    /** Say a length without zeros that say nothing. */
-    const round = (value) => length(value).replace(/\.?0+(?=\s)/, "");
+    const trimmed = (text) => text.replace(/\.?0+(?=\s)/, ""); // zeros that say nothing
+    const round = (value) => trimmed(length(value));
     const speed = (value) => say("speed", value);
     const spin = (value) => say("spin", value);
+
+    /** Return the step of the floor's grid, m: a round number in the units that are shown. */
+    function grid() {
+      const step = scenery?.step ?? 1;
+      if (system === "si") return step;
+      return step < 1 ? 40 * step * unit("short").size : 3 * step * unit("length").size;
+    }
+
+    /** Say the step of the floor's grid: of less than a foot in inches. */
+    function gridSaid() {
+      const small = system === "us" && grid() < unit("length").size;
+      return trimmed(say(small ? "short" : "length", grid()));
+    }
 
     /** Return the system of units that is not shown now. */
     function next() {
@@ -128,7 +141,8 @@ const Words = (() => {
       ];
     }
 
-    return { convert, kind, length, named, now, other, outcome, release, round, said, say, stop, unit };
+    const telling = { kind, length, named, now, other, outcome, release, round, said, say, stop, unit };
+    return { ...telling, convert, grid, gridSaid };
   }
 
   return { capital, of, seconds };

@@ -451,10 +451,11 @@ def test_a_trajectory_says_its_release_in_mph_and_turns() -> None:
     path = hoopgen.simulate(
         hoopgen.release(16 * MPH, 0.9, backspin=6 * np.pi, **PLACE), record=True
     ).trajectory(0)
-    for system, said in (("us", "16.00 mph"), ("si", "7.15 m/s")):
+    for system, said, away in (("us", "16.00 mph", "13.75 ft"), ("si", "7.15 m/s", "4.191 m")):
         with use_units(system):
-            texts = " ".join(text.get_text() for text in path.plot().texts)
+            texts = " ".join(" ".join(text.get_text() for text in path.plot().texts).split())
         assert f"Released at {said}" in texts
+        assert f"{away} from the ring's centre" in texts
         assert (r"$\omega_y/2\pi=3$ Hz" in texts) == (system == "us")
 
 

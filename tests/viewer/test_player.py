@@ -66,9 +66,9 @@ def test_the_reader_changes_units(show: Show) -> None:
     for part in ("#release", "#now"):
         assert "mph" in tab.text(part)
         assert "ft" in tab.text(part)
-    assert "10 ft" in tab.text("#scale")
+    assert "grid is 3 ft; the ring hangs at 10 ft" in tab.text("#scale")
     tab.click("#units")
-    assert "3.048 m" in tab.text("#scale")
+    assert "grid is 1 m; the ring hangs at 3.048 m" in tab.text("#scale")
 
 
 # All balls

@@ -290,8 +290,8 @@ SAID = """
 (() => {
   const [page, shot] = given;
   const words = Words.of(page);
-  const { now, outcome, release, round } = words;
-  const said = () => [release(shot), now(shot, 0.5), outcome(shot), round(1)];
+  const { gridSaid, now, outcome, release } = words;
+  const said = () => [release(shot), now(shot, 0.5), outcome(shot), gridSaid()];
   const first = said();
   words.convert();
   return [first, words.other(), said()];
@@ -313,20 +313,44 @@ def test_lengths_and_speeds_are_said_in_either_system(system: units.System) -> N
     first, other, second = told(SAID, [data, shot])
     said = {system: first, **{one: second for one in ("si", "us") if one != system}}
     assert other == {"si": "Show m", "us": "Show ft"}[system]
-    release, now, outcome, metre = said["si"]
+    release, now, outcome, grid = said["si"]
     assert dict(release) == {
         "Speed": "7.166 m/s",
         "Elevation": "51.1°",
         "Height, distance": "2.438, 4.191 m",
         "Backspin": "3.00 Hz",
     }
-    assert (outcome, metre) == ("0.417 m from the ring’s centre after 1.550 s", "1 m")
+    assert (outcome, grid) == ("0.417 m from the ring’s centre after 1.550 s", "1 m")
     assert dict(now)["x, y, z"] == "1.941, 0.000, 0.953 m"
-    release, now, outcome, metre = said["us"]
+    release, now, outcome, grid = said["us"]
     assert dict(release)["Speed"] == "16.03 mph"
     assert dict(release)["Height, distance"] == "8.00, 13.75 ft"
-    assert (outcome, metre) == ("1.37 ft from the ring’s centre after 1.550 s", "3.28 ft")
+    assert (outcome, grid) == ("1.37 ft from the ring’s centre after 1.550 s", "3 ft")
     assert dict(now)["x, y, z"] == "6.37, 0.00, 3.13 ft"
+
+
+GRID = """
+((page, steps) => steps.map((step) => {
+  const words = Words.of({ ...page, scenery: { step } });
+  const said = [words.gridSaid(), words.grid()];
+  words.convert();
+  return [...said, words.gridSaid(), words.grid()];
+}))(...given)
+"""
+
+
+def test_the_grid_is_a_round_number_in_either_system() -> None:
+    """The grid that is said is the one that is drawn."""
+    shots = hoopgen.simulate(hoopgen.release(7.2, 0.9, height=2.1, distance=4.2), record=True)
+    steps = [0.01, 0.1, 1.0, 10.0]
+    found = told(GRID, [data_of(page(shots, shots.parameters)), steps])
+    us = {"0.4 in": 0.4 * units.INCH, "4 in": 4 * units.INCH}
+    us |= {"3 ft": 3 * units.FOOT, "30 ft": 30 * units.FOOT}
+    for step, (metres, si, said, size), (text, wanted) in zip(
+        steps, found, us.items(), strict=True
+    ):
+        assert (metres, si) == (f"{step:g} m", step)
+        assert (said, size) == (text, pytest.approx(wanted, rel=1e-15))
 
 
 # Badges
