@@ -44,14 +44,18 @@ def warn_invalid(
         shots = hoopgen.simulate(
             released.states, released.parameters, scene=scene, fields=["outcome"]
         )
-        warn_invalid_shots(released, shots, invalid, total)
+        warn_invalid_shots(model, released, shots, invalid, total)
 
 
-def warn_invalid_shots(released: Releases, shots: hoopgen.Shots, invalid: int, total: int) -> None:
+def warn_invalid_shots(
+    model: Any, released: Releases, shots: hoopgen.Shots, invalid: int, total: int
+) -> None:
     """Print on stderr why shots are invalid, where some are, by the first ones.
 
     Parameters
     ----------
+    model
+        The release model of the shots.
     invalid, total
         Number of invalid ones among all shots, and of all.
     """
@@ -60,7 +64,9 @@ def warn_invalid_shots(released: Releases, shots: hoopgen.Shots, invalid: int, t
     from hoopgen.study.tables.invalid_rows import shot_reason
 
     rows = np.flatnonzero(shots.outcome == shots.scene.outcomes["INVALID"])[:MAX_SHOTS].tolist()
-    reasons = Counter(shot_reason(released, row, shots.scene) for row in rows)
+    said = model.identity()
+    aimed = not {"aim", "entry"}.isdisjoint({*said.get("release", ()), *said.get("columns", ())})
+    reasons = Counter(shot_reason(released, row, shots.scene, aimed=aimed) for row in rows)
     # If invalid shots are few, there may be none among the first.
     why = "; ".join(reason for reason, _ in reasons.most_common(3))
     text = f"{invalid:,} of {format_count(total, 'shot')} invalid{f': {why}' if why else ''}"

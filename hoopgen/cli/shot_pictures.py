@@ -196,7 +196,7 @@ def _sample(releasing: Releasing, count: int, *, seed: int, **options: Any) -> _
     released = setting.model.draw(0, count, seed, setting.parameters)
     shots = hoopgen.simulate(released.states, released.parameters, scene=setting.scene, **options)
     sample = _Sample(setting, released, shots, seed)
-    warn_invalid_shots(released, shots, sample.counts["invalid"], count)
+    warn_invalid_shots(setting.model, released, shots, sample.counts["invalid"], count)
     return sample
 
 

@@ -217,6 +217,16 @@ def test_why_shots_are_invalid_is_said(command: str) -> None:
     assert run(command, *RELEASE, "--shots", "100").stderr == ""
 
 
+@pytest.mark.parametrize("command", ["estimate", "fan"])
+def test_a_measured_speed_that_is_missing_is_not_one_that_was_aimed(
+    command: str, tmp_path: Path
+) -> None:
+    table = tmp_path / "releases.csv"
+    table.write_text("speed,elevation_deg,height,distance\n7.1,52,2.1,4.2\n,52,2.1,4.2\n")
+    said = run(command, "--from", str(table), "--preset", "paper", "--shots", "100").stderr
+    assert said.endswith(" of 100 shots invalid: no value in speed\n")
+
+
 @pytest.mark.parametrize(
     ("words", "said"),
     [

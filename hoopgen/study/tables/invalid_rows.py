@@ -133,7 +133,7 @@ def _cell(column: str, cell: Any) -> str:
     return f"no value in {column}" if isnan(number) else f"not finite: {column}"
 
 
-def shot_reason(releases: Releases, row: int, scene: CompiledScene) -> str:
+def shot_reason(releases: Releases, row: int, scene: CompiledScene, *, aimed: bool = True) -> str:
     """Return the reason why a shot is invalid although all of its cells are numbers.
 
     Parameters
@@ -144,6 +144,8 @@ def shot_reason(releases: Releases, row: int, scene: CompiledScene) -> str:
         The number of the invalid one among them, from 0.
     scene
         The scene that the shots were flown in.
+    aimed
+        Whether a speed that is not there was to be found; else it was to be given.
 
     Returns
     -------
@@ -156,5 +158,7 @@ def shot_reason(releases: Releases, row: int, scene: CompiledScene) -> str:
     }
     speed = releases.columns.get("speed")
     if speed is not None and np.isnan(speed[row]) and allowed(scene, own):
+        if not aimed:
+            return "no value in speed"
         return "no speed brings the ball down through the point aimed at"
     return reason(releases.states[row], own, scene)
