@@ -203,7 +203,9 @@ def _drawn(
     check_names("errors", errors or (), ARGUMENTS)
     sizes = {n: as_doubles(f"errors[{n!r}]", one) for n, one in (errors or {}).items()}
     if not any(np.any(one) for one in sizes.values()):
-        raise ValueError("errors: expected standard errors of the measurement, such as speed")
+        raise ValueError(
+            "errors: expected standard errors of the measurement, such as speed=0.03, in m/s"
+        )
     full: dict[str, Any] = {n: np.broadcast_to(one, rows)[:, None] for n, one in columns.items()}
     for name, sd in sizes.items():
         if sd.shape not in ((), (rows,)) or np.any(sd < 0.0):
