@@ -6,7 +6,7 @@ the event loop are written there, and into which files; `registry` lists the tar
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from importlib import resources
@@ -161,6 +161,8 @@ class Backend(Protocol):
         The folder in which its templates are, by the names of `files`.
     spelling
         How it writes operations and numbers; the templates' filter `number` is from it.
+    functions
+        By name, what its templates call, as filters too.
     files
         By template, the file that it makes below generated/; `{scene}` is the scene's name. A file
         without it is the same for every scene, and its template is given nothing of one.
@@ -180,6 +182,9 @@ class Backend(Protocol):
 
     @property
     def spelling(self) -> Spelling: ...  # noqa: D102
+
+    @property
+    def functions(self) -> Mapping[str, Callable[..., Any]]: ...  # noqa: D102
 
     def kernels(self, lowered: LoweredScene) -> Mapping[str, Any]:
         """Return the templates' variables for the kernels, by key."""

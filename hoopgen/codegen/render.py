@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from pathlib import PurePosixPath
 from typing import Any
 
@@ -18,13 +18,11 @@ from hoopgen.derive.symbolic.number_range import MAX_SIZE, MAX_TIME
 from hoopgen.derive.symbolic.symbols import STATE
 
 from .backend import TEMPLATES, Backend, KernelView, LoweredScene
-from .c.formatter import macro_definitions
 from .derivation import REFERENCE_FILE, PageData, anchor, derivation_context
 from .derivation.summary import worked_shot
 from .elementary import FILES as ELEMENTARY_FILES
 from .elementary import elementary_context
 from .identifiers import FILTERS, identifier
-from .numpy import local
 from .program import derivation_hash, lower
 from .registry import BACKENDS
 from .stamp import shared_stamp_of, stamp_of
@@ -46,7 +44,7 @@ def outputs(targets: Iterable[str] | None = None) -> dict[str, str]:
 
 
 def _environment(backend: Backend | None = None) -> jinja2.Environment:
-    """Return the environment of the templates of a target, or of those of no target."""
+    """Return the environment of the templates of a target, or of the pages."""
     templates = TEMPLATES if backend is None else backend.templates
     environment = jinja2.Environment(
         loader=jinja2.FileSystemLoader(str(templates)),
@@ -57,15 +55,13 @@ def _environment(backend: Backend | None = None) -> jinja2.Environment:
         autoescape=False,
     )
     environment.filters |= FILTERS
-    if backend is not None:
+    if backend is None:
+        environment.filters["anchor"] = anchor
+    else:
         spelling = backend.spelling
         environment.filters["number"] = lambda value: spelling.number_text(float(value))
-    environment.filters["local"] = lambda name: local(name, 0)
-    environment.filters["rows"] = lambda many: ", ".join(f"_r{k}" for k in range(many))
-    environment.filters["annotated"] = lambda name: f"{name}: Any"
-    environment.filters["before"] = lambda name: f"{name}_before"
-    environment.filters["anchor"] = anchor
-    environment.globals["macro_definitions"] = macro_definitions
+        environment.filters |= backend.functions
+        environment.globals |= backend.functions
     return environment
 
 
@@ -130,20 +126,24 @@ def render_scene(
 
 def render_elementary() -> dict[str, str]:
     """Return the files of the elementary functions: path below generated/, and text."""
-    environment = _environment()
     return {
-        file: environment.get_template(template).render(elementary_context(template))
+        file: _render_shared(template, elementary_context(template))
         for template, file in ELEMENTARY_FILES.items()
     }
 
 
 def render_studies() -> dict[str, str]:
     """Return the files of the formulas of studies that need no scene, as `render_elementary`."""
-    environment = _environment()
     return {
-        file: environment.get_template(template).render(studies_context(template))
+        file: _render_shared(template, studies_context(template))
         for template, file in STUDIES_FILES.items()
     }
+
+
+def _render_shared(template: str, context: Mapping[str, Any]) -> str:
+    """Return the text of a file that all scenes share; its template is in its target's folder."""
+    environment = _environment(BACKENDS[template.partition("/")[0]])
+    return environment.get_template(template).render(context)
 
 
 def _render_target(lowered: LoweredScene, target: str) -> dict[str, str]:

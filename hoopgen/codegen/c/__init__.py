@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from importlib.resources.abc import Traversable
 from typing import Any
@@ -11,6 +11,7 @@ from ..backend import TEMPLATES, LoweredScene, ResultView
 from ..formatter import Spelling
 from ..identifiers import identifier
 from ..rerolling import parameter_kernels
+from .formatter import macro_definitions
 from .hoisted import Hoisted
 from .merging import merge_variants
 from .options import Options
@@ -31,6 +32,11 @@ FILES = {
 
 C_TYPES = {name: f"{name}_t" for name in ("uint8", "int8", "int16", "int32")} | {"bool": "uint8_t"}
 
+FUNCTIONS: dict[str, Callable[..., Any]] = {
+    "before": lambda name: f"{name}_before",
+    "macro_definitions": macro_definitions,
+}
+
 
 @dataclass(frozen=True)
 class CBackend:
@@ -41,6 +47,7 @@ class CBackend:
     templates: Traversable = TEMPLATES
     files: Mapping[str, str] = field(default_factory=lambda: dict(FILES))
     spelling: Spelling = LANES
+    functions: Mapping[str, Callable[..., Any]] = field(default_factory=lambda: dict(FUNCTIONS))
 
     def kernels(self, lowered: LoweredScene) -> Mapping[str, Any]:
         """Return the kernels that the event loop evaluates: the library serves its engine alone."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from importlib.resources.abc import Traversable
 from typing import Any
@@ -86,6 +86,7 @@ class CudaBackend:
         default_factory=lambda: {"cuda/scene.cu.j2": "cuda/{scene}.cu"}
     )
     spelling: Spelling = DOUBLE
+    functions: Mapping[str, Callable[..., Any]] = field(default_factory=dict)
 
     def kernels(self, lowered: LoweredScene) -> Mapping[str, Any]:
         """Return the kernels that the event loop evaluates."""

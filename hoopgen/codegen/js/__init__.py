@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from importlib.resources.abc import Traversable
 from typing import Any
@@ -37,6 +37,7 @@ class JsBackend:
     templates: Traversable = TEMPLATES
     files: Mapping[str, str] = field(default_factory=lambda: {"js/flight.js.j2": "js/{scene}.js"})
     spelling: Spelling = JS
+    functions: Mapping[str, Callable[..., Any]] = field(default_factory=dict)
 
     def kernels(self, lowered: LoweredScene) -> Mapping[str, Any]:
         """Return the kernels of flights, and the normals of the bodies."""

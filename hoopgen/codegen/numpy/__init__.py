@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from importlib.resources.abc import Traversable
 from typing import Any
@@ -29,7 +29,13 @@ from .scalar import ScalarKernel
 from .scratch import in_rows
 from .spelling import NUMPY, ONE_SHOT
 
-__all__ = ["NUMPY_BACKEND", "NumPyBackend", "local"]
+__all__ = ["NUMPY_BACKEND", "NumPyBackend"]
+
+FUNCTIONS: dict[str, Callable[..., Any]] = {
+    "annotated": lambda name: f"{name}: Any",
+    "local": lambda name: local(name, 0),
+    "row_names": lambda many: ", ".join(f"_r{k}" for k in range(many)),
+}
 
 
 @dataclass(frozen=True)
@@ -128,6 +134,7 @@ class NumPyBackend:
         default_factory=lambda: {"numpy/kernels.py.j2": "numpy/{scene}.py"}
     )
     spelling: Spelling = NUMPY
+    functions: Mapping[str, Callable[..., Any]] = field(default_factory=lambda: dict(FUNCTIONS))
 
     def kernels(self, lowered: LoweredScene) -> Mapping[str, Any]:
         """Return the kernels, and the numbers in them."""
