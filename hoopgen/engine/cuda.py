@@ -20,8 +20,8 @@ from numpy.typing import NDArray
 
 from hoopgen.core import extras
 
-from . import numpy_backend, verification
-from .result_arrays import LOG, ResultArrays
+from . import verification
+from .result_arrays import LOG, ResultArrays, need_bounds
 
 FLAGS = ("--fmad=false", "--ftz=false", "--prec-div=true", "--prec-sqrt=true")
 """Flags of NVRTC: no fused multiply-add, subnormals as they are, correctly rounded division and
@@ -227,7 +227,7 @@ class CudaEngine:
         if not shots:
             return
         device = int(self._cupy.cuda.runtime.getDevice())
-        function = self._function(device, numpy_backend.wants_bounds(self._kernels, out))
+        function = self._function(device, need_bounds(self._kernels.RESULTS, out.arrays))
         many = self._shots_at_once(states, parameters, leaving, out)
         while start < shots and not stop[0]:
             rows = slice(start, min(start + many, shots))

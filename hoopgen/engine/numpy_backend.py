@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from .result_arrays import ResultArrays
+from .result_arrays import ResultArrays, need_bounds
 
 Floats = NDArray[np.float64]
 Column = Floats | float
@@ -258,7 +258,7 @@ def run(
         **_switches(kernels, out),
     }
     last = last or SharedTail(1, len(states))
-    flights = Flights(kernels, wants_bounds(kernels, out), job, last.shots)
+    flights = Flights(kernels, need_bounds(kernels.RESULTS, out.arrays), job, last.shots)
     begun = 0
     with np.errstate(all="ignore"):
         while not stopped():
@@ -276,19 +276,6 @@ def run(
                     continue
                 return
             flights.advance(out)
-
-
-def wants_bounds(kernels: ModuleType, out: ResultArrays) -> bool:
-    """Return whether any error bound is wanted.
-
-    Parameters
-    ----------
-    kernels
-        The generated module of the scene.
-    out
-        The result arrays.
-    """
-    return any(r.is_diagnostic and getattr(out, r.name) is not None for r in kernels.RESULTS)
 
 
 def _switches(kernels: ModuleType, out: ResultArrays) -> dict[str, float]:

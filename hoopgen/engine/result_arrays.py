@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterable, Mapping
+from collections.abc import Callable, Collection, Container, Iterable, Mapping
 from types import ModuleType
 from typing import Any
 
@@ -19,6 +19,19 @@ LOG = ("events", "event_counts")
 def labels(result: ResultField) -> tuple[str, ...]:
     """Return the names of a result's columns in tables."""
     return result.labels or (result.name,)
+
+
+def need_bounds(results: Iterable[ResultField], fields: Container[str]) -> bool:
+    """Return whether any of a scene's results that are wanted needs bounds on errors.
+
+    Parameters
+    ----------
+    results
+        The results of the scene.
+    fields
+        The names of those that are wanted.
+    """
+    return any(result.is_diagnostic and result.name in fields for result in results)
 
 
 class ResultArrays:
@@ -87,9 +100,6 @@ class Layout:
             name for name, result in self.results.items() if not result.is_on_request
         )
         self.bounds = tuple(name for name, result in self.results.items() if result.is_on_request)
-        self._diagnostic = frozenset(
-            n for n, result in self.results.items() if result.is_diagnostic
-        )
         self.state_size = len(kernels.STATE)
         self.surfaces = len(kernels.BODIES)
         self.rows = int(kernels.LOG_ROWS)
@@ -132,10 +142,6 @@ class Layout:
             if result.units
             for label, unit in zip(labels(result), result.units, strict=True)
         }
-
-    def need_bounds(self, fields: Iterable[str]) -> bool:
-        """Return whether any of these results needs bounds on errors."""
-        return not self._diagnostic.isdisjoint(fields)
 
     def log_rows(self, max_contacts: int) -> int:
         """Return the rows of the event log that a shot with so many contacts may need."""

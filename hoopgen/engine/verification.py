@@ -246,7 +246,7 @@ def batches(
 
 def _path(layout: result_arrays.Layout) -> tuple[str, ...]:
     """Return the names of the results that need no bounds on errors."""
-    return tuple(name for name in layout.fields if not layout.need_bounds([name]))
+    return tuple(name for name in layout.fields if not layout.results[name].is_diagnostic)
 
 
 def _room(

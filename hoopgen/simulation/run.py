@@ -27,7 +27,7 @@ from hoopgen.engine import native, numpy_backend, thread_pools
 from hoopgen.engine.arithmetic import is_exact
 from hoopgen.engine.compiled_scene import CompiledScene
 from hoopgen.engine.cuda import CudaEngine, is_device_array, to_host
-from hoopgen.engine.result_arrays import ResultArrays
+from hoopgen.engine.result_arrays import ResultArrays, need_bounds
 from hoopgen.results.shots import Shots
 
 from .backend_choice import Library, device_states, find_library, host_parameters
@@ -220,7 +220,7 @@ def run(
         check_leaving(leaving, shots, engine.surfaces),
         most,
         check_limit(time_limit, engine),
-        find_library(backend, engine, shots, bounds=engine.layout.need_bounds(computed)),
+        find_library(backend, engine, shots, bounds=need_bounds(engine.kernels.RESULTS, computed)),
         np.zeros(1, np.int32),
     )
     on_gpu = isinstance(batch.library, CudaEngine)

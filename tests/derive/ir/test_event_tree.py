@@ -19,8 +19,7 @@ from hoopgen import PAPER
 from hoopgen.codegen.numpy import NumPyBackend
 from hoopgen.codegen.numpy.options import Options
 from hoopgen.codegen.registry import BACKENDS
-from hoopgen.engine import numpy_backend
-from hoopgen.engine.result_arrays import Layout, ResultArrays
+from hoopgen.engine.result_arrays import Layout, ResultArrays, need_bounds
 from tests.helpers.compiled import same_bits
 from tests.helpers.hoop_shots import Batch
 from tests.helpers.mutants import Fault, Run, derived, numpy_engine, numpy_module
@@ -119,6 +118,6 @@ def test_the_plain_loop_reads_and_writes_nothing_that_bounds_errors() -> None:
 def test_the_plain_loop_flies_the_path_of_the_bounded_one() -> None:
     whole = flown(numpy_engine(hoop), tuple(RESULT))
     plain = flown(numpy_engine(hoop), PATH)
-    assert numpy_backend.wants_bounds(hoop, whole)
-    assert not numpy_backend.wants_bounds(hoop, plain)
+    assert need_bounds(hoop.RESULTS, whole.arrays)
+    assert not need_bounds(hoop.RESULTS, plain.arrays)
     assert_same(whole, plain, PATH)
