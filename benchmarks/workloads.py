@@ -9,11 +9,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hoopgen import PAPER
+from hoopgen.core.units import FOOT
 
 States = NDArray[np.float64]
 """Rows of x y z vx vy vz wx wy wz, m, m/s, rad/s."""
 
-FOOT = 0.3048
 SEED = 20240614
 """The article's day of publication."""
 

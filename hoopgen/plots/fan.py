@@ -25,7 +25,7 @@ from .fan_paths import Fan, classes_of, gather_fan
 from .figure import add_key, add_title, draw_picture, fit_view
 from .page import ABOVE, BELOW, LEFT, RIGHT, add_view, lay_pair, new_page
 from .small_multiples import (
-    FOOT,
+    BELOW_GRID,
     Group,
     check_grouping,
     describe_grouping,
@@ -181,7 +181,7 @@ def draw_fan_page(
     grid, panels = None, []
     bottom, tallest = foot + BELOW, _MAX_HEIGHT
     if groups:
-        place = LEFT, foot + FOOT, width - LEFT - RIGHT
+        place = LEFT, foot + BELOW_GRID, width - LEFT - RIGHT
         part = _MAX_HEIGHT_PART if near else _MAX_HEIGHT
         grid = lay_grid(len(groups), fan.view, near or fan.limits(), place, width, part)
         bottom, tallest = grid.top + BELOW, _MAX_HEIGHT_ABOVE

@@ -26,7 +26,7 @@ from .figure import add_key, add_title, draw_picture, fit_view
 from .floor_plan import FLOOR, draw_floor, on_floor
 from .map_cells import Cells, read_cells
 from .page import LEFT, RIGHT, add_axes, new_page
-from .small_multiples import FOOT, draw_grid, lay_grid
+from .small_multiples import BELOW_GRID, draw_grid, lay_grid
 from .style import COLOURS, DARK, EDGES, GRID, NARROW_PAGE, NOTE_SIZE, PAGE, SHARE_COLOURS, Inches
 from .views import Limits, limits_around
 
@@ -315,7 +315,7 @@ def _plot_courts(shown: Cells, title: str, width: float, court: Court) -> Figure
     foot = names_height([one.words for one in shown.present], width)
     beside = RIGHT + (0.0 if shown.classes else _BAR + _BAR_LABELS)
     lines = (len(panels) > 1) + (shown.of == "probability")  # said above each
-    place, rows = (LEFT, foot + FOOT, width - LEFT - beside), -(-len(panels) // 2)
+    place, rows = (LEFT, foot + BELOW_GRID, width - LEFT - beside), -(-len(panels) // 2)
     grid = lay_grid(
         *(len(panels), FLOOR, _limits(shown, court), place, width, _MAX_HEIGHT / rows),
         head=_PAD + _HEAD * lines,

@@ -17,7 +17,7 @@ from .style import NARROW_PAGE, NOTE_SIZE
 from .ticks import few_ticks
 from .views import Limits, Panel, View
 
-FOOT = 0.46
+BELOW_GRID = 0.46
 """Inches below a grid, for numbers and a name."""
 
 
@@ -194,6 +194,6 @@ def draw_grid(figure: Figure, grid: Grid, titles: Sequence[str]) -> list[Axes]:
         places.append(axes)
     first, last = grid.panels[0], grid.panels[min(grid.columns, len(grid.panels)) - 1]
     middle = (first.left + last.left + last.width) / 2.0
-    low = grid.panels[-1].bottom - FOOT + 0.09
+    low = grid.panels[-1].bottom - BELOW_GRID + 0.09
     figure.text(middle / width, low / height, below, ha="center", va="center", fontsize=8.5)
     return places
