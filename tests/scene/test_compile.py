@@ -933,6 +933,44 @@ def test_where_the_loop_without_bounds_cannot_be_made_the_other_one_serves(
 
 @posix
 @pytest.mark.slow
+@pytest.mark.parametrize("gone", ["CC", "file"])
+@pytest.mark.parametrize("flown", [False, True])
+def test_where_the_compiler_goes_after_the_first_library_that_library_serves_every_call(
+    home: Path,
+    wrapped: Wrapped,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+    gone: str,
+    flown: bool,
+) -> None:
+    """It is gone by another ``CC`` or from the disk, before the first call or after it."""
+    monkeypatch.setattr(without_bounds, "SHOTS_WORTH_A_LOOP", 250)
+    engine = hoopgen.compile(PLANK)
+    if flown:
+        assert fly_without_bounds(engine, 200) is engine.library
+    assert capsys.readouterr().err == ""
+    if gone == "CC":
+        monkeypatch.setenv("CC", "/nowhere/cc")
+    else:
+        next(wrapped.folder.glob("cc*")).unlink()
+    said = []
+    for _ in range(3):
+        assert fly_without_bounds(engine, 300) is engine.library
+        said += capsys.readouterr().err.splitlines()
+    assert wrapped.runs == 1
+    *words, line = said
+    assert line.startswith("hoopgen: the loop without bounds on errors of the scene plank ")
+    assert line.endswith(" Calls without them stay slower.")
+    if gone == "CC":
+        assert "as the environment variable CC is '/nowhere/cc'" in line
+        assert not words
+    else:
+        assert words[0] == "hoopgen: cc of one's own does not compile the scene plank:"
+        assert "No such file or directory" in words[1]
+
+
+@posix
+@pytest.mark.slow
 def test_a_loop_without_bounds_with_other_bits_is_not_trusted(
     home: Path,
     wrapped: Wrapped,
