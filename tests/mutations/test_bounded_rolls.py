@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import pytest
-from hoopgen.derive.rolling import bounds
+from hoopgen.derive.rolling import bounds, stages, surface_nodes
 from hoopgen.derive.surfaces import ObliqueBox
 from hoopgen.derive.surfaces.box import Box
 from hoopgen.derive.surfaces.cone import Cone
 
 pytest.importorskip("flint")
 
+from tests.derive.rolling import test_seams
 from tests.helpers.checked_faults import OfFormulas, Planted, passing, tripping
 from tests.helpers.mutants import in_text
 from tests.scene import test_bounds_in_contact
@@ -40,6 +41,10 @@ beside_turned_box = of_formulas(
     test_bounds_in_contact.test_a_ball_beside_a_box_is_outside_a_bound_for_as_long_as_is_claimed,
     ("crate", 0),
 )
+seams_beside = OfFormulas(
+    test_seams.test_each_bound_of_a_box_beside_a_ball_is_decided_with_the_seam_that_is_nearest
+)
+seams_below = OfFormulas(test_seams.test_each_seam_of_the_box_under_a_ball_is_decided)
 
 FAULTS = (
     Planted(
@@ -81,6 +86,31 @@ FAULTS = (
         "the nearest point of a turned box moves along the axes of the scene",
         in_text(ObliqueBox, "_rates", "in times(self._unit_axes, own)", "in own"),
         beside_turned_box,
+    ),
+    Planted(
+        "a bound of a box beside a ball is decided without its seams",
+        in_text(stages, "outside", "if creased", "if False"),
+        seams_beside,
+    ),
+    Planted(
+        "a bound of a box beside a ball is decided as that of any other surface",
+        in_text(stages, "outside", 'one.replace("outside_bound", "outside_bound_of_box")', "one"),
+        seams_beside,
+    ),
+    Planted(
+        "only the first seam of the box under a ball is decided",
+        in_text(
+            surface_nodes,
+            "seams_of",
+            "if part.startswith",
+            "if part[-1] == '0' and part.startswith",
+        ),
+        seams_below,
+    ),
+    Planted(
+        "no seam of the box under a ball is near as its bounces end",
+        in_text(stages, "nearest_others", 'if "near_seam" in common', "if False"),
+        seams_below,
     ),
 )
 

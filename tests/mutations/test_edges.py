@@ -19,8 +19,8 @@ from hoopgen.derive.scenes import validity
 
 pytest.importorskip("flint")
 
-from tests.derive.rolling import test_jump
-from tests.helpers.checked_faults import OfEngine, OfFormulas, Planted, passing, tripping
+from tests.derive.rolling import test_jump, test_successor
+from tests.helpers.checked_faults import OfEngine, OfFormulas, Planted, cases, passing, tripping
 from tests.helpers.mutants import in_decisions, in_text, in_tree
 from tests.scene import test_edges, test_green, test_into_plate, test_starts_on_bodies, test_tiles
 
@@ -97,6 +97,11 @@ on_level_jump = OfFormulas(
 )
 on_return = OfFormulas(
     test_tiles.test_the_delay_of_a_return_holds_for_every_velocity_within_its_error
+)
+
+at_bound = OfFormulas(
+    test_successor.test_a_ball_that_is_outside_a_bound_by_roundings_is_taken_over_nearly,
+    cases(test_successor.test_a_ball_that_is_outside_a_bound_by_roundings_is_taken_over_nearly),
 )
 
 
@@ -309,6 +314,16 @@ FAULTS = (
         "a ball may be inside other surfaces of the body that it leaves",
         in_text(validity, "left_surface", "sp.Rational(len(own), 2)", "sp.Rational(1, 2)"),
         starts["a_ball_leaves_the_surface_of_a_body_that_it_touches"],
+    ),
+    Planted(
+        "a surface takes no ball over nearly",
+        in_text(edges, "_successor", "any_of(unclear, nearly,", "any_of(unclear,"),
+        at_bound,
+    ),
+    Planted(
+        "a ball is nearly within a bound however far outside it is",
+        in_text(edges, "_successor", "AtMost(outside_distance, near_enough), ", ""),
+        at_bound,
     ),
 )
 

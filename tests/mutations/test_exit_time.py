@@ -1,14 +1,15 @@
-"""Deliberate faults in where a search ends that no end of the scene bounds: each trips a test."""
+"""Deliberate faults in where a search without bounds ends, or does not begin: each trips a test."""
 
 from __future__ import annotations
 
 import pytest
-from hoopgen.derive.events import box_windows
+import sympy as sp
+from hoopgen.derive.events import box_windows, polynomial
 from hoopgen.derive.surfaces import Cylinder
 
 from hoopgen.scene.derivation import _Builder
 from hoopgen.scene.revolution_faces import _Faces
-from tests.derive.events import test_exit_time
+from tests.derive.events import test_clear_distance, test_exit_time
 from tests.helpers.checked_faults import OfFormulas, Planted, passing, tripping
 from tests.helpers.mutants import in_text
 from tests.scene import test_furthest
@@ -18,6 +19,10 @@ pytestmark = pytest.mark.xdist_group("exit_time_mutations")
 exit_time = OfFormulas(
     test_exit_time.test_after_it_the_true_ball_is_further_off_with_all_errors_one_way,
     (("down",), ("any",)),
+)
+
+clear = OfFormulas(
+    test_clear_distance.test_no_flight_that_is_passed_over_is_as_long_as_the_distance
 )
 
 
@@ -71,6 +76,16 @@ FAULTS = (
         "a cylinder is half as long",
         in_text(Cylinder, "half_sizes", "self._span[0]) / 2", "self._span[0]) / 4"),
         contacts("pipe"),
+    ),
+    Planted(
+        "the distance of a surface that a flight does not reach has no roundings",
+        lambda patch: patch.setattr(polynomial, "_CLEAR_SLACK", 0),
+        clear,
+    ),
+    Planted(
+        "a flight reaches a surface that is a millionth of all lengths further off",
+        lambda patch: patch.setattr(polynomial, "_CLEAR_SLACK", sp.Rational(1, 2**20)),
+        clear,
     ),
 )
 

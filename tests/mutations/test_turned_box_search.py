@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import pytest
-from hoopgen.derive.events import oblique_box, root_finder
+from hoopgen.derive.events import oblique_box, plane, root_finder
 from hoopgen.derive.motion.flight import Flight
 
-from tests.derive.events import test_turned_box_search
+from tests.derive.events import test_inclined_planes, test_turned_box_search
 from tests.derive.motion import test_flight
 from tests.helpers.checked_faults import OfFormulas, Planted, passing, tripping
 from tests.helpers.mutants import in_text
@@ -19,6 +19,12 @@ margin = OfFormulas(
 )
 bend = OfFormulas(
     test_turned_box_search.test_the_gap_of_a_ball_beside_a_turned_box_bends_no_more_than_its_bound
+)
+along_gravity = OfFormulas(
+    test_inclined_planes.test_a_plane_along_gravity_is_met_no_sooner_than_is_said
+)
+late = OfFormulas(
+    test_inclined_planes.test_an_arrival_that_is_said_is_late_by_a_small_share_of_its_time
 )
 
 FAULTS = (
@@ -53,6 +59,16 @@ FAULTS = (
             "barrier(maximum(general, local))",
         ),
         bend,
+    ),
+    Planted(
+        "roundings of gravity along a plane cause arrivals",
+        lambda patch: patch.setattr(plane, "_VAGUE", 0),
+        along_gravity,
+    ),
+    Planted(
+        "an arrival that gravity along a plane causes is said beyond a quarter of the roundings",
+        lambda patch: patch.setattr(plane, "_VAGUE", 2**6),
+        late,
     ),
 )
 

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import inspect
 from collections.abc import Callable, Mapping
-from pathlib import Path
 from types import ModuleType
 from typing import Any
 
@@ -20,6 +19,7 @@ from numpy.typing import NDArray
 from hoopgen.codegen import render
 from hoopgen.scene import End, Plane, Scene
 from tests.helpers.compiled import load_module
+from tests.helpers.derived import DerivedKernels
 from tests.helpers.effort import trials
 
 Floats = NDArray[np.float64]
@@ -130,26 +130,38 @@ def test_the_delay_bounds_the_error_of_the_root(module: ModuleType, returns: boo
     assert max(shares) > 0.02
 
 
-@pytest.mark.slow
-def test_a_plane_along_gravity_is_met_no_sooner_than_is_said(tmp_path: Path) -> None:
-    """A ball that moves off a plane along gravity returns at once if roundings decide the sign."""
-    made = scene("along", down=(0.2, -0.4, -1.0))
-    path = tmp_path / "along.py"
-    text = render.render_scene(made.derive(), page=False, targets=["numpy"])["numpy/along.py"]
-    path.write_text(text, encoding="utf-8")
-    kernels = load_module(path)
-    rng, count = np.random.default_rng(7), trials(4000, at_least=500)
+def along_gravity() -> DerivedKernels:
+    """Return the kernels of a scene whose gravity has a direction."""
+    return DerivedKernels.from_scene(scene("along", down=(0.2, -0.4, -1.0)).derive())
+
+
+def evaluated(kernels: DerivedKernels, name: str, values: Mapping[str, Any]) -> tuple[Any, ...]:
+    """Return the outputs of one of these kernels, given values by its arguments' names."""
+    return tuple(getattr(kernels, name)(*(values[given] for given in kernels.ARGUMENTS[name])))
+
+
+def off_planes(
+    rng: np.random.Generator, count: int, lean: Floats, off: Floats
+) -> dict[str, Floats]:
+    """Return flights from planes along gravity but for the lean, at speeds off them, m/s."""
     values = drawn_flights(rng, count)
     down = np.stack([values[f"p_gravity_{axis}"] for axis in "xyz"], 1)
     across = np.cross(down, unit(rng, count))
     across /= np.linalg.norm(across, axis=1)[:, None]
-    off = 10.0 ** rng.uniform(-18, -12, count)  # m/s, off the plane
+    across -= lean[:, None] * down / np.linalg.norm(down, axis=1)[:, None]
     for k, axis in enumerate("xyz"):
         values[f"p_ramp_direction_{axis}"] = across[:, k]
         values[f"v{axis}"] = off * across[:, k]
     values["leaving"][:] = 1.0
-    with np.errstate(all="ignore"):
-        time, rate, bend, apex, height = called(kernels.ramp_arrival, values)
+    return values
+
+
+def test_a_plane_along_gravity_is_met_no_sooner_than_is_said() -> None:
+    """A ball that moves off a plane along gravity returns at once if roundings decide the sign."""
+    rng, count = np.random.default_rng(7), trials(4000, at_least=500)
+    values = off_planes(rng, count, np.zeros(count), 10.0 ** rng.uniform(-18, -12, count))
+    kernels = along_gravity()
+    time, rate, bend, apex, height = evaluated(kernels, "ramp_arrival", values)
     vague, early = 0, 0
     for k in range(count):
         found = exact_arrival(*exact_coefficients(values, k, True))
@@ -162,3 +174,22 @@ def test_a_plane_along_gravity_is_met_no_sooner_than_is_said(tmp_path: Path) -> 
         elif found is not None and found < 1e6:
             assert met or apex[k] >= 0, k
     assert min(vague, early) > count / 20
+
+
+def test_an_arrival_that_is_said_is_late_by_a_small_share_of_its_time() -> None:
+    """Of planes along gravity but for some roundings: the share is three of them in 256 at most."""
+    rng, count = np.random.default_rng(7), trials(4000, at_least=1000)
+    lean = 10.0 ** rng.uniform(-15, -12, count)
+    values = off_planes(rng, count, lean, 10.0 ** rng.uniform(-16, 0, count))
+    kernels = along_gravity()
+    time, rate, bend, *_ = evaluated(kernels, "ramp_arrival", values)
+    met = (rate < 0) & (time > 0)
+    there = values | {"t": time, "curving": np.zeros(count)}
+    for axis in "xyz":
+        pull = values[f"p_gravity_{axis}"]
+        there[axis] = values[axis] + time * (values[f"v{axis}"] + pull * time / 2)
+        there[f"v{axis}"] = values[f"v{axis}"] + pull * time
+    (delay,) = evaluated(kernels, "ramp_root_delay", there)
+    share = delay[met] * np.abs(bend[met]) / -rate[met]
+    assert len(share) > count / 4
+    assert 1 / 256 < share.max() < 1 / 64
