@@ -111,7 +111,7 @@ class BoxRootFinder(RootFinder):
         return 2 * barrier(sp.Add(*parts))
 
     def curvature(self, width: sp.Expr) -> sp.Expr:
-        """Return 2 Σ |e a| with the largest e, which leaves out v²."""
+        """Return the bound of the accelerations' part: v² bends F upwards alone."""
         return self._pull_bound(width)
 
     def _pull_bound(self, width: sp.Expr) -> sp.Expr:
