@@ -73,7 +73,7 @@ class Shots:
         bool (n,), where a ball may roll in air: whether it rolled, with no air along the surface.
     slip_left
         bool (n,), in such a scene: whether the bounces ended with slip that friction could not
-        stop. Such a shot is CAPPED, at its last contact.
+        stop, or where it does not suffice for rolling. Such a shot is CAPPED, at its last contact.
     uncertain
         bool (n,), some decision of the shot lies within its rounding-error bound.
     time_error, state_error
