@@ -69,7 +69,7 @@ def fly(
 ) -> ProvedFlight:
     """Return the shot's events and outcome, all proved at the current precision.
 
-    If `leaving` is a surface, the release is on it, whatever the last digits of the position say.
+    If `leaving` is a body, the release is on it, whatever the last digits of the position say.
 
     Parameters
     ----------
@@ -83,7 +83,7 @@ def fly(
     max_contacts
         The number of contacts at which a shot is capped.
     leaving
-        The surface that the ball leaves at the start, or -1.
+        The body that the ball leaves at the start, or -1.
     time_limit
         The time limit, s.
 
@@ -175,7 +175,7 @@ def _through(
 
 
 def left_by(formulas: Formulas, state: list[Number], values: list[arb], leaving: int) -> int:
-    """Return the surface that the ball leaves: of several parts, the nearest in its bounds.
+    """Return the surface that the ball leaves: of the parts of a body, the nearest in its bounds.
 
     Parameters
     ----------
@@ -186,9 +186,9 @@ def left_by(formulas: Formulas, state: list[Number], values: list[arb], leaving:
     values
         The kernels' inputs.
     leaving
-        The face that the ball leaves, or -1.
+        The body that the ball leaves, or -1.
     """
-    own = [k for k, surface in enumerate(formulas.surfaces) if surface.face == leaving]
+    own = [k for k, surface in enumerate(formulas.surfaces) if surface.body == leaving]
     within = [
         k
         for k in own

@@ -34,7 +34,7 @@ def at_start(sizes: Sizes, state: Sequence[Number], leaving: int) -> int | None:
     state
         The state, nine balls or models.
     leaving
-        The surface that the ball leaves, or -1.
+        The body that the ball leaves, or -1.
     """
     radius, depth, _ = sizes
     height = state[2]

@@ -26,7 +26,7 @@ def valid(formulas: Formulas, state: list[arb], values: list[arb], leaving: int)
     values
         The kernels' inputs.
     leaving
-        The surface that the ball leaves at the start, or -1.
+        The body that the ball leaves at the start, or -1.
     """
     if not all(abs(component) <= _MAX_SIZE for component in state):
         return False
@@ -40,8 +40,14 @@ def valid(formulas: Formulas, state: list[arb], values: list[arb], leaving: int)
             raise Undecided("the parameters are on the edge of what is allowed")
         if side <= 0:
             return False
-    others = [k for k in range(len(formulas.solids)) if k != leaving]
+    own = faces_of(formulas, leaving)
+    others = [k for k in range(len(formulas.solids)) if k not in own]
     return not any(_overlaps(formulas, k, state, values) for k in others)
+
+
+def faces_of(formulas: Formulas, body: int) -> set[int]:
+    """Return the surfaces of the scene that belong to a body, -1 for none."""
+    return {surface.face for surface in formulas.surfaces if surface.body == body}
 
 
 def _allowed(formulas: Formulas, index: int, value: arb) -> bool:

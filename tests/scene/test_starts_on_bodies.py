@@ -205,6 +205,15 @@ def test_a_small_hop_from_a_body_lasts_as_long_wherever_it_starts(
     assert abs(shot.time[0] / (2e-6 / GRAVITY) - 1) < 1e-9
 
 
+@pytest.mark.parametrize("off", [-1e-13, 0, 1e-13])
+def test_the_judge_starts_on_the_body_that_is_named(off: float) -> None:
+    """The floor is the third body, and the sixth surface."""
+    start = [1, 0, -0.78 + off, 0, 0, 1e-6, 0, 0, 0]
+    proof = certify(start, scene=FUNNEL, leaving="floor", max_contacts=1)
+    assert proof.decided[0]
+    assert abs(proof.time[0] / (2e-6 / GRAVITY) - 1) < 1e-9
+
+
 @pytest.mark.parametrize("side", ["outside", "inside", "edge"])
 def test_a_ball_leaves_the_surface_of_a_body_that_it_touches(funnel: Engine, side: str) -> None:
     speed = {"outside": [-2, 0, 1], "inside": [-2, 0.1, 0], "edge": [0.04, 0, -3]}[side]
