@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Set
+
 import numpy as np
 from flint import arb
+from numpy.typing import NDArray
 
+from hoopgen.core.start_contact import start_contact
 from hoopgen.derive.symbolic.number_range import MAX_COEFFICIENT, MAX_SIZE
 
 from .ball_array import BallArray, Bools, Floats
@@ -40,14 +44,29 @@ def valid(formulas: Formulas, state: list[arb], values: list[arb], leaving: int)
             raise Undecided("the parameters are on the edge of what is allowed")
         if side <= 0:
             return False
-    own = faces_of(formulas, leaving)
+    own = {surface.face for surface in formulas.surfaces if surface.body == leaving}
     others = [k for k in range(len(formulas.solids)) if k not in own]
-    return not any(_overlaps(formulas, k, state, values) for k in others)
+    if any(_overlaps(formulas, k, state, values) for k in others):
+        return False
+    return leaving < 0 or _touches(formulas, own, state, values)
 
 
-def faces_of(formulas: Formulas, body: int) -> set[int]:
-    """Return the surfaces of the scene that belong to a body, -1 for none."""
-    return {surface.face for surface in formulas.surfaces if surface.body == body}
+def _touches(formulas: Formulas, own: Set[int], state: list[arb], values: list[arb]) -> bool:
+    """Return whether a ball touches the body of some surfaces, as `start_contact` says."""
+
+    def overlap(rows: NDArray[np.int64], moved: Floats) -> tuple[Bools, Bools]:
+        del rows
+        there = [arb(component) for component in moved[0].tolist()]
+        sides = [_side(formulas, k, there, values) for k in range(len(formulas.solids))]
+        others = any(side is not False for k, side in enumerate(sides) if k not in own)
+        inside = others or any(sides[k] is not False for k in own)
+        clear = others or all(sides[k] is not True for k in own)
+        return np.array([inside]), np.array([clear])
+
+    radius = np.array([float(values[formulas.names.index("ball_radius")])])
+    begun = np.array([[float(component.mid()) for component in state]])
+    away, inside = start_contact(begun, radius, overlap)
+    return not (away[0] or inside[0])
 
 
 def _allowed(formulas: Formulas, index: int, value: arb) -> bool:
@@ -61,14 +80,20 @@ def _allowed(formulas: Formulas, index: int, value: arb) -> bool:
     return (lower is None or value >= lower) and (upper is None or value <= upper)
 
 
-def _overlaps(formulas: Formulas, face: int, state: list[arb], values: list[arb]) -> bool:
+def _side(formulas: Formulas, face: int, state: list[arb], values: list[arb]) -> bool | None:
+    """Return whether the ball overlaps a body, None if undecided."""
     sides = [sign(part) for part in formulas.solids[face](state, values)]
     if any(side is not None and side >= 0 for side in sides):
         return False
-    if None in sides:
+    return None if None in sides else True
+
+
+def _overlaps(formulas: Formulas, face: int, state: list[arb], values: list[arb]) -> bool:
+    side = _side(formulas, face, state, values)
+    if side is None:
         name = next(surface.name for surface in formulas.surfaces if surface.face == face)
         raise Undecided(f"the ball starts on the edge of the {name}")
-    return True
+    return side
 
 
 def surely_valid(formulas: Formulas, states: Floats, parameters: Floats) -> Bools:

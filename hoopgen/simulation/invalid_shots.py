@@ -10,12 +10,14 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from hoopgen.core.parameters import ParameterValues, resolve
+from hoopgen.core.start_contact import MAX_START_GAP
 from hoopgen.core.validation import check_leaving, check_states
 from hoopgen.engine.compiled_scene import CompiledScene
 from hoopgen.scene.lookup import SceneLike
 from hoopgen.simulation.lookup import engine_of
 
 from .run import run
+from .start_checks import StartCheck
 
 if TYPE_CHECKING:
     from hoopgen.derive.scenes.scene import Parameter
@@ -115,22 +117,34 @@ def reason(
     ]
     if large:
         return f"out of range: {', '.join(large)}; in a release at most {largest:g}"
+    if leaving >= 0 and (said := _no_contact(scene, state, parameters, leaving)):
+        return said
     bodies = np.arange(len(scene.surfaces))
-    own = {name: float(value) for name, value in parameters.items()}
     # A ball that is inside one body alone could start by leaving that body.
-    shots = run(
-        scene,
-        np.tile(state, (len(bodies), 1)),
-        own,
-        leaving=bodies,
-        max_contacts=1,
-        fields=("outcome",),
-    )
-    left = np.flatnonzero(shots.outcome != scene.outcomes["INVALID"])
-    inside = [scene.surfaces[index] for index in left if index != leaving]
+    check = StartCheck(scene, scene.table.inputs(parameters), bodies.astype(np.int8), None)
+    invalid = check.is_invalid(bodies, np.tile(state, (len(bodies), 1)), leaves=True)
+    inside = [scene.surfaces[index] for index in np.flatnonzero(~invalid) if index != leaving]
     if len(inside) != 1:
         inside = _overlapped(scene, state, parameters)
     return f"inside the {' and the '.join(inside)}" if inside else "inside several surfaces"
+
+
+def _no_contact(
+    scene: CompiledScene,
+    state: NDArray[np.float64],
+    parameters: Mapping[str, float],
+    leaving: int,
+) -> str:
+    """Return the reason why a ball does not touch the body that it leaves, "" if it does."""
+    check = StartCheck(scene, scene.table.inputs(parameters), np.array([leaving], np.int8), None)
+    away, inside = check.start_contact(state[None])
+    if not (away[0] or inside[0]):
+        return ""
+    name, where = scene.surfaces[leaving], "inside" if inside[0] else "away from"
+    return (
+        f"leaving: the ball is {where} the {name}; expected in contact, to "
+        f"1/{1 / MAX_START_GAP:.0f} of its radius"
+    )
 
 
 def allowed(scene: CompiledScene, parameters: Mapping[str, float]) -> bool:

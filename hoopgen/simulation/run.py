@@ -33,6 +33,7 @@ from hoopgen.results.shots import Shots
 from .backend_choice import Library, device_states, find_library, host_parameters
 from .checks import check_backend, check_fields, check_limit
 from .shot_variations import Variations
+from .start_checks import without_false_starts
 from .variations import NEEDED, check_derivatives
 from .variations import derivatives as find_derivatives
 
@@ -213,17 +214,13 @@ def run(
         check_log(shots, most, workers, scene=engine)
     needed = (*(("uncertain",) if settle else ()), *(NEEDED if by is not None else ()))
     computed = tuple(dict.fromkeys((*wanted, *needed))) if needed else wanted
-    batch = _Batch(
-        engine,
-        releases,
-        engine.table.inputs(named),
-        check_leaving(leaving, shots, engine.surfaces),
-        most,
-        check_limit(time_limit, engine),
-        find_library(backend, engine, shots, bounds=need_bounds(engine.kernels.RESULTS, computed)),
-        np.zeros(1, np.int32),
-    )
-    on_gpu = isinstance(batch.library, CudaEngine)
+    inputs, left = engine.table.inputs(named), check_leaving(leaving, shots, engine.surfaces)
+    limit = check_limit(time_limit, engine)
+    bounds = need_bounds(engine.kernels.RESULTS, computed)
+    library = find_library(backend, engine, shots, bounds=bounds)
+    begun = without_false_starts(engine, releases, inputs, left, library)
+    batch = _Batch(engine, begun, inputs, left, most, limit, library, np.zeros(1, np.int32))
+    on_gpu = isinstance(library, CudaEngine)
     out = engine.layout.allocate(shots, computed, engine.cuda.empty if stays else None)
     results = dict(out.arrays)
     if on_gpu and not logged:
@@ -242,8 +239,7 @@ def run(
         # Imported here, because the judge needs SymPy and python-flint.
         from hoopgen.judge.settle import settle as decide
 
-        left, limit = batch.leaving, batch.time_limit
-        decide(results, releases, named, most, scene=engine, leaving=left, time_limit=limit)
+        decide(results, begun, named, most, scene=engine, leaving=left, time_limit=limit)
     kept = (*wanted, "events") if record else wanted
     if needed or logged != record:
         results = {name: array for name, array in results.items() if name in kept}

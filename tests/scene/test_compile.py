@@ -943,7 +943,7 @@ def test_where_the_compiler_goes_after_the_first_library_that_library_serves_eve
     gone: str,
     flown: bool,
 ) -> None:
-    """It is gone by another ``CC`` or from the disk, before the first call or after it."""
+    """Another ``CC`` takes it away, or the disk loses it, before the first call or after it."""
     monkeypatch.setattr(without_bounds, "SHOTS_WORTH_A_LOOP", 250)
     engine = hoopgen.compile(PLANK)
     if flown:

@@ -232,3 +232,46 @@ def test_an_unknown_body_is_refused_with_the_names(funnel: Engine) -> None:
         ValueError, match=r"^leaving: expected funnel, ceiling, floor, got 'cieling'"
     ):
         hoopgen.simulate([0] * 9, scene=funnel, leaving="cieling")
+
+
+@pytest.mark.parametrize("share", [-20, -1.2, -0.8, 0.8, 1.2, 20, 2000])
+def test_the_judge_and_the_engines_agree_whether_a_ball_touches_the_body_it_leaves(
+    table: Engine, share: float
+) -> None:
+    """As far off as so many times what is allowed: along the normal of a table that leans."""
+    states = rolling_on_table(20)
+    states[:, :3] += share * BALL / 1024 * np.array([1, 0.5, 4]) / math.sqrt(17.25)
+    given: dict[str, Any] = {"leaving": "table", "max_contacts": 1}
+    invalid = table.outcomes["INVALID"]
+    for backend in ("c", "numpy"):
+        shots = hoopgen.simulate(states, scene=table, backend=backend, **given)
+        assert np.all((shots.outcome == invalid) == (abs(share) > 1))
+    proof = certify(states, scene=TABLE, **given)
+    assert np.all((proof.outcome == invalid) == (abs(share) > 1))
+
+
+def test_a_ball_is_nearer_to_the_body_it_leaves_than_to_one_that_it_touches_too(
+    table: Engine,
+) -> None:
+    """Beside another body it may not be known; inside that one the reason names it alone."""
+    states = np.zeros((2, 9))
+    states[0, :3] = [0, -5 + BALL / 2, 1]
+    states[1, :3] = [0, 0, 1]
+    assert hoopgen.why_invalid(states, scene=table, leaving="table") == [
+        "inside the wall",
+        "leaving: the ball is away from the table; expected in contact, to 1/1024 of its radius",
+    ]
+
+
+@pytest.mark.parametrize("kind", [Event.IMPACT, Event.ROLL, Event.LEAVE])
+def test_every_recorded_event_is_in_contact_with_its_body(table: Engine, kind: Event) -> None:
+    """Also at edges, where a ball leaves its body."""
+    rng = np.random.default_rng(44)
+    states = np.concatenate(
+        [rng.uniform([-0.2, -0.2, 0.2], [0.2, 0.2, 0.5], (300, 3)), rng.normal(0, 1, (300, 6))], 1
+    )
+    events = hoopgen.simulate(states, scene=table, record=True).events
+    events = events[events["kind"] == kind]
+    assert len(events) > 50
+    on = hoopgen.simulate(events["after"], scene=table, leaving=events["surface"])
+    assert not np.any(on.outcome == table.outcomes["INVALID"])

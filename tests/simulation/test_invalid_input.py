@@ -150,6 +150,42 @@ def test_a_ball_that_starts_inside_a_surface_is_invalid(
     assert_only_one_is_invalid(simulate, batch, 3)
 
 
+def against_the_board(gap: float) -> list[float]:
+    """Return a ball so far from the middle of the board, by its own radius, that moves off it."""
+    x = PAPER["ball_radius"] * (1 + gap) - PAPER["board_distance"]
+    return [x, 0.0, 0.6, 1.0, 0.5, 2.0, 0.0, 0.0, 0.0]
+
+
+@pytest.mark.parametrize("backend", ["auto", "numpy"])
+@pytest.mark.parametrize(
+    ("gap", "said"),
+    [
+        (8.0, "away from"),
+        (2e-3, "away from"),
+        (5e-4, ""),
+        (-1e-12, ""),
+        (-5e-4, ""),
+        (-2e-3, "inside"),
+        (-0.5, "inside"),
+    ],
+)
+def test_a_ball_does_not_leave_a_body_that_it_does_not_touch(
+    gap: float, said: str, backend: Any
+) -> None:
+    """Up to 1/1024 of its radius it touches it, whatever the last digits of its place say."""
+    states = np.array([FREE_THROW, against_the_board(gap), against_the_board(0.0)])
+    leaving = np.array([-1, 1, 1], np.int8)
+    shots = hoopgen.simulate(states, leaving=leaving, backend=backend)
+    assert (shots.outcome == Outcome.INVALID).tolist() == [False, bool(said), False]
+    assert np.isnan(shots.state[1]).all() == bool(said)
+    wanted = f"leaving: the ball is {said} the backboard; expected in contact, to 1/1024 of its "
+    assert hoopgen.why_invalid(states, leaving=leaving) == [
+        "",
+        wanted + "radius" if said else "",
+        "",
+    ]
+
+
 @pytest.mark.parametrize(
     "place",
     [

@@ -177,7 +177,7 @@ def test_a_plane_along_gravity_is_met_no_sooner_than_is_said() -> None:
 
 
 def test_an_arrival_that_is_said_is_late_by_a_small_share_of_its_time() -> None:
-    """Of planes along gravity but for some roundings: the share is three of them in 256 at most."""
+    """Planes are along gravity but for some roundings: the share is three in 256 at most."""
     rng, count = np.random.default_rng(7), trials(4000, at_least=1000)
     lean = 10.0 ** rng.uniform(-15, -12, count)
     values = off_planes(rng, count, lean, 10.0 ** rng.uniform(-16, 0, count))
