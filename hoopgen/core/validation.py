@@ -136,7 +136,8 @@ def check_states(states: ArrayLike) -> NDArray[np.float64]:
     ----------
     states
         Numbers of shape (n, 9) or (9,); or a table with columns x, y, z, vx, vy, vz, wx, wy and wz
-        in any order, such as a DataFrame of pandas or polars, or a mapping of names to columns.
+        in any order, such as a DataFrame of pandas or polars, or a mapping of names to columns or,
+        for one release, to numbers.
 
     Raises
     ------
@@ -170,7 +171,10 @@ def _columns_of(states: Any) -> Any:
     try:
         return np.stack(columns, axis=-1)
     except ValueError:
-        shapes = join_names(sorted({str(column.shape) for column in columns}))
+        by_shape: dict[str, list[str]] = {}
+        for name, column in zip(hoop.STATE, columns, strict=True):
+            by_shape.setdefault(str(column.shape), []).append(name)
+        shapes = " and ".join(f"{one} of {join_names(names)}" for one, names in by_shape.items())
         raise ValueError(f"states: expected columns of one length, got shapes {shapes}") from None
 
 

@@ -38,9 +38,9 @@ def simulate(
     states
         Releases, (n, 9) or (9,): x y z (m), vx vy vz (m/s), wx wy wz (rad/s); origin at the ring's
         centre, z up, backboard at negative x. Or a table with columns of these names in any order,
-        such as a DataFrame. Here and below, entries that are masked count as NaN. Arrays are not
-        copied: leave them as they are as long as you use the shots, whose trajectories and
-        parameters read them.
+        such as a DataFrame; a mapping of these names to numbers is one release. Here and below,
+        entries that are masked count as NaN. Arrays are not copied: leave them as they are as long
+        as you use the shots, whose trajectories and parameters read them.
     parameters
         Name to value, one for all shots or (n,); those left out have the scene's usual values. For
         the hoop `PAPER`, its usual ones, `NBA` and `FIBA`; for `COURT` `PAPER_COURT`, `NBA_COURT`

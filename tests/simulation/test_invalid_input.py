@@ -402,8 +402,23 @@ def test_a_table_of_states_is_read_by_the_names_of_its_columns() -> None:
         hoopgen.simulate(pd.DataFrame(swapped).drop(columns=["wx", "vx"]))
     with pytest.raises(ValueError, match=r"^states: expected columns of one length"):
         hoopgen.simulate(columns | {"x": [1.0]})
+    with pytest.raises(ValueError, match=r"got shapes \(40,\) of x, y, z, .* and \(\) of vx$"):
+        hoopgen.simulate(columns | {"vx": -5.0})
     with pytest.raises(TypeError, match=r"^states: wx: expected numbers, got "):
         hoopgen.simulate(columns | {"wx": ["fast"] * 40})
+
+
+def test_a_mapping_of_numbers_is_one_release() -> None:
+    row = dict(zip(STATE, FREE_THROW.tolist(), strict=True))
+    assert hoopgen.simulate(row).state.tobytes() == hoopgen.simulate(FREE_THROW).state.tobytes()
+    assert hoopgen.why_invalid(row) == [""]
+    (reason,) = hoopgen.why_invalid(row | {"vx": 1e20})
+    assert reason.startswith("out of range: vx 1e+20")
+    for scalar in (5.0, np.float64(5.0)):
+        with pytest.raises(
+            ValueError, match=r"^states: expected shape \(n, 9\) or \(9,\), got \(\)"
+        ):
+            hoopgen.why_invalid(scalar)
 
 
 def test_a_parameter_left_out_has_the_usual_value_and_an_unknown_one_is_an_error_still() -> None:
