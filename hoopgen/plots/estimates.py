@@ -14,6 +14,7 @@ from matplotlib.ticker import MaxNLocator
 from hoopgen.core.argument_types import check_arguments
 from hoopgen.core.colours import outcome_colours
 from hoopgen.report.provenance import describe_setting, sentences
+from hoopgen.report.quantities import STILL
 from hoopgen.text.numbers import (
     format_count,
     format_interval,
@@ -238,7 +239,7 @@ def _default_note(found: Any) -> str:
     level = format_percent(found.confidence, None)
     ends = f"lines are {level} intervals{_describe_sample_interval(found)}"
     if found.still:
-        ends = "no scatter: every throw is the same"
+        ends = STILL
     lines = f"{format_count(first.shots, 'shot')}{left}; {ends}."
     return f"{lines} {sentences(description, scene=True)}"
 

@@ -21,6 +21,9 @@ from hoopgen.scene.lookup import HOOP_VARIABLES
 from hoopgen.text.escape import printable
 from hoopgen.text.numbers import MINUS
 
+STILL = "no scatter: every throw is the same"
+"""Text in place of an interval if nothing is random."""
+
 _IN_INCHES = ("aim", *NAMES)
 """Lengths that US units show in inches; all others are in feet."""
 
@@ -68,6 +71,19 @@ def format_range(name: str, low: float, high: float) -> str:
         The ends, SI.
     """
     return f"{format_variable(name, low, unit=False)} to {format_variable(name, high)}"
+
+
+def format_bounds(name: str, low: float, high: float, *, at_hoop: bool) -> str:
+    """Format an interval of a variable in a scene with a hoop, or without one, where it is SI.
+
+    Parameters
+    ----------
+    name, low, high
+        The variable, and the ends, SI.
+    at_hoop
+        Whether the scene has a hoop.
+    """
+    return format_range(name, low, high) if at_hoop else f"{low:g} to {high:g}"
 
 
 def format_launch(release: Mapping[str, float]) -> str:

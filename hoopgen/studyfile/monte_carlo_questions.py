@@ -6,6 +6,7 @@ from typing import Any
 
 from hoopgen import plots
 from hoopgen.report.provenance import describe_setting, sentences
+from hoopgen.report.quantities import STILL
 from hoopgen.scene.lookup import check_hoop
 from hoopgen.simulation.run import check_log
 from hoopgen.simulation.simulate import simulate
@@ -14,7 +15,7 @@ from hoopgen.study.named_units import in_units
 from hoopgen.study.questions.batch import batch
 from hoopgen.study.questions.compare import Comparison, compare
 from hoopgen.study.questions.estimate import estimate
-from hoopgen.study.questions.estimate_result import STILL, Estimate
+from hoopgen.study.questions.estimate_result import Estimate
 from hoopgen.study.questions.landings import landings_of
 from hoopgen.study.questions.optimum_result import PLOTTED
 from hoopgen.study.questions.solve import Solution, solve

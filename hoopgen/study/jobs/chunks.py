@@ -162,13 +162,17 @@ class Stream(Protocol):
         ...
 
 
+Progress: TypeAlias = Callable[[int, int | None], None]
+"""A function of the chunks that are done and of their number, None as long as that is not known."""
+
+
 def run(
     job: Job | Stream,
     folder: str | os.PathLike[str] | ChunkStore | None = None,
     *,
     scheduler: str | None = None,
     threads: int | None = None,
-    progress: Callable[[int, int | None], None] | None = None,
+    progress: Progress | None = None,
     report: Callable[[str], None] | None = None,
 ) -> Generator[pa.Table, None, None]:
     """Give the chunks of a job, in order and lazily; a few are computed ahead.

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any, TypeAlias
 
@@ -43,8 +43,6 @@ SHOTS = 100_000
 
 SettingLike: TypeAlias = ReleaseModel | tuple[ReleaseModel, ParameterValues]
 """A release model in the article's scene, or with parameters of its own."""
-
-Progress = Callable[[int, int | None], None]
 
 
 @dataclass(frozen=True)

@@ -16,8 +16,8 @@ from hoopgen.core.validation import check_count
 from hoopgen.study.statistics.intervals import least_shots
 from hoopgen.study.statistics.tally import check_share
 
-from .chunks import run
-from .monte_carlo import CHUNK, SHOTS, MonteCarloJob, Progress, numbers_of, tally_of
+from .chunks import Progress, run
+from .monte_carlo import CHUNK, SHOTS, MonteCarloJob, numbers_of, tally_of
 
 MAX_SHOTS = 1_000_000_000
 """Largest number of shots of an estimate that runs to a precision."""

@@ -16,7 +16,7 @@ from typing import Any, TypeAlias
 import pyarrow as pa
 
 from .chunk_store import check_folder
-from .chunks import begin_work, run
+from .chunks import Progress, begin_work, run
 from .executors import Task
 
 TaskRunner: TypeAlias = Callable[[Sequence[Task]], list[pa.Table]]
@@ -35,7 +35,7 @@ def task_runner(
     *,
     scheduler: str | None = None,
     threads: int | None = None,
-    progress: Callable[[int, int | None], None] | None = None,
+    progress: Progress | None = None,
 ) -> Iterator[TaskRunner]:
     """Yield a runner of tasks, as long as it is needed.
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import csv
 import os
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from math import ceil
 from typing import Any
@@ -24,7 +24,7 @@ from hoopgen.scene.lookup import SceneLike, check_hoop
 from hoopgen.simulation.engine import Engine
 from hoopgen.simulation.hoop import HOOP
 from hoopgen.simulation.lookup import engine_of
-from hoopgen.study.jobs.chunks import run
+from hoopgen.study.jobs.chunks import Progress, run
 from hoopgen.study.jobs.monte_carlo import scene_identity
 from hoopgen.study.jobs.objective import By, Player
 from hoopgen.study.named_units import UNIT_OF
@@ -70,7 +70,7 @@ def aim_table(
     threads: int | None = None,
     folder: str | os.PathLike[str] | None = None,
     scheduler: str | None = None,
-    progress: Callable[[int, int | None], None] | None = None,
+    progress: Progress | None = None,
 ) -> dict[str, NDArray[np.float64]]:
     """Return the release for each distance, and how far it may be off.
 

@@ -24,7 +24,8 @@ from hoopgen.hoop.variables import ARGUMENTS, change_variables
 from hoopgen.report.provenance import describe_scene, describe_setting, model_attributes
 from hoopgen.scene.lookup import SceneLike, check_hoop, variables_of
 from hoopgen.simulation.lookup import engine_of
-from hoopgen.study.jobs.monte_carlo import Progress, scene_identity
+from hoopgen.study.jobs.chunks import Progress
+from hoopgen.study.jobs.monte_carlo import scene_identity
 from hoopgen.study.jobs.objective import Bounds, By, Player, Successes, arguments_of, paired
 from hoopgen.study.jobs.task_runner import task_runner
 from hoopgen.study.models.random import check_two_seeds
@@ -40,7 +41,7 @@ from hoopgen.text.numbers import format_count
 from .aim_points import NOWHERE, on_board, window
 from .held_out import check_folds, held_out, with_choice
 from .optimum import scattering
-from .search import bounds_of, search
+from .search import bounds_of, search, searched_variables
 
 WAYS: tuple[By, By] = ("direct", "bank")
 """Ways in, in the order of the results."""
@@ -129,7 +130,7 @@ def bank_or_direct(
     check_two_seeds(seed)
     # The end of each is kept, to pair them.
     check_room("shots", check_count("shots", shots), "shots", _SHOT)
-    over = over if isinstance(over, Mapping) else (over,) if isinstance(over, str) else tuple(over)
+    over = searched_variables(over)
     players = [scattering(model, over, parameters, way, engine) for way in WAYS]
     if isinstance(model, Resample):
         check_folds(model)

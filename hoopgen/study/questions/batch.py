@@ -28,7 +28,7 @@ from hoopgen.report.provenance import describe_scene
 from hoopgen.scene.lookup import SceneLike, check_hoop, variables_of
 from hoopgen.simulation.lookup import engine_of
 from hoopgen.study.jobs.chunk_store import opened, written
-from hoopgen.study.jobs.chunks import begin_work, run
+from hoopgen.study.jobs.chunks import Progress, begin_work, run
 from hoopgen.study.jobs.executors import check_workers
 from hoopgen.study.measures.measures import measures_of
 from hoopgen.study.measures.rebounds import CATCHING_HEIGHT, check_height
@@ -73,7 +73,7 @@ def batch(
     rows: int = ROWS,
     scheduler: str | None = None,
     threads: int | None = None,
-    progress: Callable[[int, int | None], None] | None = None,
+    progress: Progress | None = None,
     report: Callable[[str], None] | None = None,
 ) -> Batch:
     """Simulate the releases of a table, and write it with the results.

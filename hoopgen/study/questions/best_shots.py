@@ -26,7 +26,7 @@ from hoopgen.report.provenance import describe_scene
 from hoopgen.scene.lookup import SceneLike, check_hoop
 from hoopgen.simulation.engine import Engine
 from hoopgen.simulation.lookup import engine_of
-from hoopgen.study.jobs.monte_carlo import Progress
+from hoopgen.study.jobs.chunks import Progress
 from hoopgen.study.models.fitted_scatter import FittedScatter
 from hoopgen.study.models.scatter import Scatter
 from hoopgen.study.statistics.tally import check_scene, check_share

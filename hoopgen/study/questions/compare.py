@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, replace
 from math import inf, nan
 from os import PathLike
 from typing import Any
@@ -13,11 +13,11 @@ from numpy.typing import NDArray
 from hoopgen.core.argument_types import check_arguments
 from hoopgen.core.backend_names import BackendName
 from hoopgen.report.provenance import footer
-from hoopgen.report.quantities import for_json
+from hoopgen.report.quantities import STILL, for_json
 from hoopgen.scene.lookup import SceneLike
+from hoopgen.study.jobs.chunks import Progress
 from hoopgen.study.jobs.monte_carlo import (
     MonteCarloJob,
-    Progress,
     ResolvedSetting,
     SettingLike,
     outcome_by,
@@ -35,7 +35,7 @@ from hoopgen.study.statistics.tally import check_share, contacts_of, width_of
 from hoopgen.text.numbers import format_percent, format_points, percent_decimals
 from hoopgen.text.shorten import brief
 
-from .estimate_result import NAMES, STILL, Estimate, describe_estimate, estimated
+from .estimate_result import NAMES, Estimate, describe_estimate, estimated
 
 
 @dataclass(frozen=True, repr=False)
@@ -102,7 +102,7 @@ class Comparison(SharesOfShots):
     def as_dict(self) -> dict[str, Any]:
         """Return everything, in types that JSON knows; None for what is not a number."""
         settings = {"first": self.first.as_dict(), "second": self.second.as_dict()}
-        plain = {one.name: getattr(self, one.name) for one in fields(self)}
+        plain = dict(vars(self))
         more = {"pairs": self.pairs, "gain": self.gain, **settings}
         sample = plain.pop("sample")
         more |= {"sample": sample.as_dict()} if sample is not None else {}

@@ -13,7 +13,8 @@ from hoopgen.core.parameters import ParameterValues
 from hoopgen.core.variables import check_names
 from hoopgen.scene.lookup import SceneLike, check_hoop
 from hoopgen.simulation.engine import Engine
-from hoopgen.study.jobs.monte_carlo import MonteCarloJob, Progress, setting_of
+from hoopgen.study.jobs.chunks import Progress
+from hoopgen.study.jobs.monte_carlo import MonteCarloJob, setting_of
 from hoopgen.study.jobs.stopping import StoppingRule, most_shots
 from hoopgen.study.measures.measures import MEASURES, measures_of
 from hoopgen.study.measures.rebounds import CATCHING_HEIGHT, check_height

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, fields, replace
+from dataclasses import dataclass, field, replace
 from math import nan
 from typing import Any
 
@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from hoopgen.hoop.kinds import Kind, hoop_outcomes
 from hoopgen.report.provenance import describe_setting, footer
-from hoopgen.report.quantities import for_json
+from hoopgen.report.quantities import STILL, for_json
 from hoopgen.results.shots import Outcome
 from hoopgen.simulation.engine import Engine
 from hoopgen.simulation.hoop import HOOP
@@ -35,9 +35,6 @@ from hoopgen.study.statistics.tally import Tally
 from hoopgen.text.numbers import format_interval, format_percent, format_uncertain, percent_decimals
 
 from .gradient import Slope, difference_slopes, score_slopes, slope_lines
-
-STILL = "no scatter: every throw is the same"
-"""Text in place of an interval if nothing is random."""
 
 NAMES = 9
 """Width of the column of names, in letters."""
@@ -132,8 +129,12 @@ class Estimate(SharesOfShots):
         by
             The way: the name of an attribute with their number, such as "made".
         """
+        return self._share(getattr(self, by))
+
+    def _share(self, count: int) -> float:
+        """Return the share of so many of the valid shots; NaN without any."""
         valid = self.shots - self.invalid
-        return int(getattr(self, by)) / valid if valid else nan
+        return int(count) / valid if valid else nan
 
     def ends_of(self, by: str) -> tuple[float, float]:
         """Return both ends of the interval of `share_of`.
@@ -164,17 +165,12 @@ class Estimate(SharesOfShots):
     @property
     def with_capped(self) -> float:
         """Probability if all capped shots had been made."""
-        valid = self.shots - self.invalid
-        return (self.made + self.capped) / valid if valid else nan
+        return self._share(self.made + self.capped)
 
     @property
     def rolled_share(self) -> float:
         """Share of the shots that rolled; the invalid ones are no trials."""
-        valid = self.shots - self.invalid
-        return self.rolled / valid if valid else nan
-
-    def _rolled(self) -> str:
-        return f"{format_percent(self.rolled_share, 2)}: {self.rolled:,} of the shots"
+        return self._share(self.rolled)
 
     def _made(self, digits: int) -> list[str]:
         """Say the probability with its intervals."""
@@ -196,7 +192,7 @@ class Estimate(SharesOfShots):
     def as_dict(self) -> dict[str, Any]:
         """Return everything, in types that JSON knows; None for what is not a number."""
         more: dict[str, Any] = {"with_capped": self.with_capped, "shares": self.shares}
-        plain = {one.name: getattr(self, one.name) for one in fields(self)}
+        plain = dict(vars(self))
         more["scene"] = describe_setting(self.setting, self.scene)["scene"]
         measured = {name: one.as_dict() for name, one in plain.pop("measured").items()}
         more |= {"measured": measured} if measured else {}
@@ -211,14 +207,13 @@ class Estimate(SharesOfShots):
         ended = (outcome.name.lower() for outcome in hoop_outcomes(self.scene.rolls))
         counts = [f"{getattr(self, name):,} {name}" for name in ended]
         counts.append(format_uncertain(self.uncertain, self.uncertain_capped))
-        lines = [
-            *self._made(digits),
-            f"shots    {self.shots:,}: {', '.join(counts)}",
-            *([f"rolled   {self._rolled()}"] if self.scene.rolls else []),
-            *([f"capped   {self._capped(digits)}"] if self.capped else []),
-            "",
-            "kind         share  of it made",
-        ]
+        lines = [*self._made(digits), f"shots    {self.shots:,}: {', '.join(counts)}"]
+        if self.scene.rolls:
+            share = format_percent(self.rolled_share, 2)
+            lines.append(f"rolled   {share}: {self.rolled:,} of the shots")
+        if self.capped:
+            lines.append(f"capped   {self._capped(digits)}")
+        lines += ["", "kind         share  of it made"]
         lines += [
             f"{name.replace('_', ', '):10}  {format_percent(self.shares[name]):>6}"
             f"  {format_percent(self.kinds_made[name] / count):>10}"
@@ -255,17 +250,16 @@ def estimated(
 def _estimated(
     job: MonteCarloJob, total: NDArray[np.int64], tally: Tally, which: int, level: float
 ) -> Estimate:
-    outcomes = hoop_outcomes(job.scene.rolls)
+    own, outcomes = job.settings[which], hoop_outcomes(job.scene.rolls)
     ended: dict[str, Any] = {one.name.lower(): int(tally.ended(one)) for one in outcomes}
     valid = int(tally.valid)
-    still = is_still(job.settings[which].model)
+    still = is_still(own.model)
     share = ended["made"] / valid if valid else nan
     low, high = (share, share) if still and valid else wilson_interval(ended["made"], valid, level)
     names = [kind.name.lower() for kind in Kind]
     widths = [width_of(job.measures), SUMS * len(job.scored), COUNTS * len(job.differenced)]
     first = len(total) - sum(widths)
     counts, scores, pairs = np.split(total[first:], np.cumsum(widths)[:-1])
-    own = job.settings[which]
     slopes = {
         **score_slopes(own.model, job.scored, scores, valid, ended["made"], level),
         **difference_slopes(own.parameters, job.differenced, pairs, level),
@@ -284,7 +278,7 @@ def _estimated(
         kinds=dict(zip(names, tally.of_kind().tolist(), strict=True)),
         kinds_made=dict(zip(names, tally.table[:, Outcome.MADE].tolist(), strict=True)),
         seed=job.seed,
-        setting=job.settings[which].identity(),
+        setting=own.identity(),
         scene=job.scene,
         measured=spreads(counts, job.measures, level, job.catching_height),
         still=still,

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Iterable, Mapping
 from math import prod
 from os import PathLike
 from typing import Any, TypeAlias
@@ -22,7 +22,7 @@ from hoopgen.hoop.variables import check_angles
 from hoopgen.scene.lookup import STATES, SceneLike, variables_of
 from hoopgen.simulation.engine import Engine
 from hoopgen.simulation.lookup import engine_of
-from hoopgen.study.jobs.chunks import run
+from hoopgen.study.jobs.chunks import Progress, run
 from hoopgen.study.jobs.monte_carlo import check_states
 from hoopgen.study.models.random import check_seed
 from hoopgen.study.models.requirements import check_model
@@ -58,7 +58,7 @@ def map(
     threads: int | None = None,
     folder: str | PathLike[str] | None = None,
     scheduler: str | None = None,
-    progress: Callable[[int, int | None], None] | None = None,
+    progress: Progress | None = None,
 ) -> xr.Dataset:
     """Map a shot over some of its variables.
 

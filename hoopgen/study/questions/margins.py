@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass, replace
 from os import PathLike
 from typing import Any
@@ -20,6 +20,7 @@ from hoopgen.report.provenance import describe_scene
 from hoopgen.report.quantities import for_json, format_range, format_variable
 from hoopgen.scene.lookup import SceneLike, check_hoop, variables_of
 from hoopgen.simulation.lookup import engine_of
+from hoopgen.study.jobs.chunks import Progress
 from hoopgen.study.jobs.monte_carlo import scene_identity
 from hoopgen.study.jobs.objective import Bounds, By, Player, arguments_of, one_each
 from hoopgen.study.jobs.task_runner import task_runner
@@ -126,7 +127,7 @@ def margins(
     threads: int | None = None,
     folder: str | PathLike[str] | None = None,
     scheduler: str | None = None,
-    progress: Callable[[int, int | None], None] | None = None,
+    progress: Progress | None = None,
 ) -> dict[str, Margin]:
     """Return the margin of each variable of a release, with the others fixed.
 

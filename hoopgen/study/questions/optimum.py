@@ -7,7 +7,7 @@ interval contains that the releases which these are judged by are not the one th
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from math import nan
 from os import PathLike
@@ -17,10 +17,11 @@ from hoopgen.core.parameters import ParameterValues
 from hoopgen.core.validation import check_count
 from hoopgen.core.variables import check_names
 from hoopgen.hoop.variables import change_variables, resolve_variables
-from hoopgen.report.quantities import format_range
+from hoopgen.report.quantities import format_bounds
 from hoopgen.scene.lookup import SceneLike, check_hoop, variables_of
 from hoopgen.simulation.lookup import engine_of
 from hoopgen.simulation.simulate import simulate
+from hoopgen.study.jobs.chunks import Progress
 from hoopgen.study.jobs.monte_carlo import check_states, outcome_by, scene_identity
 from hoopgen.study.jobs.objective import Bounds, Player, Successes, arguments_of, ways_of
 from hoopgen.study.jobs.task_runner import task_runner
@@ -37,7 +38,7 @@ from hoopgen.study.statistics.tally import check_scene, check_share
 from .held_out import check_folds, held_out, with_choice
 from .margins import margins_about
 from .optimum_result import Optimum
-from .search import bounds_of, flat_about, search
+from .search import bounds_of, flat_about, search, searched_variables
 from .specification import MARGINS
 
 
@@ -57,7 +58,7 @@ def optimum(
     threads: int | None = None,
     folder: str | PathLike[str] | None = None,
     scheduler: str | None = None,
-    progress: Callable[[int, int | None], None] | None = None,
+    progress: Progress | None = None,
 ) -> Optimum:
     """Return the release with the greatest probability of success for a player's scatter.
 
@@ -106,7 +107,7 @@ def optimum(
         If an argument is not as described, no release within the bounds succeeds, or there are too
         few measured releases, or groups of them, to hold some out.
     """
-    over = over if isinstance(over, Mapping) else (over,) if isinstance(over, str) else tuple(over)
+    over = searched_variables(over)
     player = scattering(model, over, parameters, by, scene)
     engine = player.scene
     hoop = engine.has_hoop
@@ -142,8 +143,9 @@ def optimum(
             searcher = replace(player, model=smoothed(model, seed))
         point = search(searcher, bounds, fixed, shots, seed)
         if point is None:
-            said = format_range if hoop else lambda _, low, high: f"{low:g} to {high:g}"
-            where = "; ".join(f"{name} {said(name, *ends)}" for name, ends in bounds.items())
+            where = "; ".join(
+                f"{n} {format_bounds(n, *ends, at_hoop=hoop)}" for n, ends in bounds.items()
+            )
             raise ValueError(f"over: no release tried succeeds within {where}")
         best = change_variables(centre, point) if hoop else {**centre, **point}
         player = player.at(best)
@@ -215,9 +217,8 @@ def scattering(
     scene
         The scene; None is the hoop.
     """
-    names = (over,) if isinstance(over, str) else over
     engine = engine_of(scene)
-    check_states(check_model(model, names), engine, names)
+    check_states(check_model(model, over), engine, over)
     if by == "any" and not engine.has_hoop:
         by = engine.kernels.ENDS[outcome_by(engine, None)]
     player = Player(model.apart()[1], check_scene(parameters, engine), by, scene=engine)

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import asdict, dataclass, field, fields
+from dataclasses import asdict, dataclass, field
 from typing import TYPE_CHECKING, Any, Unpack
 from warnings import warn
 
 from hoopgen.core.units import INCH
 from hoopgen.hoop.variables import VARIABLES
 from hoopgen.report.provenance import describe_release, describe_setting, footer, sentences
-from hoopgen.report.quantities import for_json, format_launch, format_range, format_variable
+from hoopgen.report.quantities import for_json, format_bounds, format_launch, format_variable
 from hoopgen.results.drawing import FanOptions
 from hoopgen.simulation.engine import Engine
 from hoopgen.simulation.hoop import HOOP
@@ -214,7 +214,7 @@ class Optimum(Result):
 
     def as_dict(self) -> dict[str, Any]:
         """Return everything in types that JSON knows; SI. What is not a number is None."""
-        plain = {one.name: getattr(self, one.name) for one in fields(self)}
+        plain = dict(vars(self))
         plain["scene"] = self.describe()["scene"]
         plain["margins"] = {name: asdict(margin) for name, margin in self.margins.items()}
         plain["model"] = self.model.identity()
@@ -280,19 +280,13 @@ def _shot(best: Optimum) -> list[str]:
     spins = [f"{name} {format_variable(name, given[name])}" for name in turning]
     ways = [f"{format_percent(best.ways[name])} {text}" for name, text in _WAYS.items()]
     off = ["off the board"] if best.is_bank else []
-    lines = [
+    return [
         f"shoot    {', '.join([format_launch(given), *off, towards(given['azimuth']), *spins])}",
         _where(best),
         f"success  {format_percent(best.probability)} {_GO_IN[best.by]} {_interval(best)}",
         f"ways     {', '.join(ways)}",
+        *_ranges(best),
     ]
-    for name, ends in best.flat.items():
-        text = f"{VARIABLES[name].label} {format_range(name, *ends)}"
-        lines.append(f"as good  {text}, within {format_count(100 * best.tolerance, 'point')}")
-    for name in best.at_bounds:
-        text = f"{VARIABLES[name].label} may lie beyond {format_range(name, *best.bounds[name])}"
-        lines.append(f"caution  the best {text}")
-    return lines
 
 
 def _of_a_state(best: Optimum) -> list[str]:
@@ -300,16 +294,22 @@ def _of_a_state(best: Optimum) -> list[str]:
     varied = {name: best.release[name] for name in best.bounds}
     parameters = [f"{name} {value:g}" for name, value in varied.items() if name in best.parameters]
     state = describe_release(best.release, best.scene)
-    lines = [
+    return [
         f"release  {', '.join([*filter(None, [state]), *parameters])}",
         f"success  {format_percent(best.probability)} {best.by} {_interval(best)}",
+        *_ranges(best),
     ]
-    for name, (low, high) in best.flat.items():
-        within = format_count(100 * best.tolerance, "point")
-        lines.append(f"as good  {name} {low:.6g} to {high:.6g}, within {within}")
+
+
+def _ranges(best: Optimum) -> list[str]:
+    """Say which releases are as good, and which variables may be better beyond their bounds."""
+    hoop, within = best.scene.has_hoop, f"within {format_count(100 * best.tolerance, 'point')}"
+    label = {name: VARIABLES[name].label if hoop else name for name in best.bounds}
+    flat = {name: format_bounds(name, *ends, at_hoop=hoop) for name, ends in best.flat.items()}
+    lines = [f"as good  {label[name]} {text}, {within}" for name, text in flat.items()]
     for name in best.at_bounds:
-        low, high = best.bounds[name]
-        lines.append(f"caution  the best {name} may lie beyond {low:g} to {high:g}")
+        bounds = format_bounds(name, *best.bounds[name], at_hoop=hoop)
+        lines.append(f"caution  the best {label[name]} may lie beyond {bounds}")
     return lines
 
 
@@ -332,7 +332,8 @@ def _where(best: Optimum) -> str:
     inside = best.parameters["ring_radius"] - best.parameters["wire_radius"]
     return (
         f"flight   comes down at {format_variable('entry', best.entry_angle)}, "
-        f"{_past(best.depth)}: {(inside + best.depth) / INCH:.1f} in from the front of the ring"
+        f"{format_variable('aim', abs(best.depth))} {'past' if best.depth >= 0 else 'short of'} "
+        f"the centre: {(inside + best.depth) / INCH:.1f} in from the front of the ring"
     )
 
 
@@ -353,10 +354,6 @@ def towards(azimuth: float) -> str:
     if text == format_variable("azimuth", 0.0):
         return "straight at the ring"
     return f"{text} to the {'left' if azimuth > 0 else 'right'} of the ring's centre"
-
-
-def _past(depth: float) -> str:
-    return f"{format_variable('aim', abs(depth))} {'past' if depth >= 0 else 'short of'} the centre"
 
 
 def _against(best: Optimum, rival: Optimum) -> str:

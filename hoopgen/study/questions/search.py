@@ -8,7 +8,7 @@ with more and more shots.
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -30,6 +30,15 @@ from hoopgen.text.shorten import brief
 Floats = NDArray[np.float64]
 
 
+def searched_variables(
+    over: Mapping[str, Bounds | None] | Iterable[str] | str,
+) -> Mapping[str, Bounds | None] | tuple[str, ...]:
+    """Return the variables to search over, with their bounds if any are given; one name is one."""
+    if isinstance(over, Mapping):
+        return over
+    return (over,) if isinstance(over, str) else tuple(over)
+
+
 def bounds_of(
     over: Mapping[str, Bounds | None] | Sequence[str], centre: Mapping[str, float], player: Player
 ) -> dict[str, Bounds]:
@@ -44,9 +53,7 @@ def bounds_of(
     player
         The player, whose scene sets bounds, too.
     """
-    names = check_names(
-        "over", (over,) if isinstance(over, str) else over, variables_of(player.scene)
-    )
+    names = check_names("over", over, variables_of(player.scene))
     wanted = dict(over) if isinstance(over, Mapping) else dict.fromkeys(names)
     if not wanted:
         raise ValueError("over: expected at least one variable")

@@ -9,7 +9,7 @@ one found are its interval.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field, fields
+from dataclasses import dataclass, field
 from functools import partial
 from itertools import pairwise
 from math import inf, isfinite, log2
@@ -26,9 +26,9 @@ from hoopgen.core.parameters import ParameterValues
 from hoopgen.report.quantities import for_json
 from hoopgen.scene.lookup import SceneLike
 from hoopgen.simulation.engine import Engine
+from hoopgen.study.jobs.chunks import Progress
 from hoopgen.study.jobs.monte_carlo import (
     MonteCarloJob,
-    Progress,
     numbers_of,
     outcome_by,
     scene_identity,
@@ -101,12 +101,10 @@ class Solution(SharesOfShots):
 
     def as_dict(self) -> dict[str, Any]:
         """Return everything, in types that JSON knows."""
-        plain = {one.name: getattr(self, one.name) for one in fields(self)}
+        plain = dict(vars(self)) | {"estimate": self.estimate.as_dict()}
         del plain["scene"]
         plain |= {"elsewhere": list(self.elsewhere), "model": self.model.identity()}
-        return {name: for_json(value) for name, value in plain.items()} | {
-            "estimate": self.estimate.as_dict()
-        }
+        return {name: for_json(value) for name, value in plain.items()}
 
     @property
     def line(self) -> str:

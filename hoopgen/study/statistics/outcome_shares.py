@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, fields, replace
+from dataclasses import dataclass, field, replace
 from math import nan
 from typing import Any
 
@@ -11,7 +11,7 @@ import numpy as np
 
 from hoopgen.engine.compiled_scene import CompiledScene
 from hoopgen.report.provenance import describe_setting, footer
-from hoopgen.report.quantities import for_json
+from hoopgen.report.quantities import STILL, for_json
 from hoopgen.scene.lookup import outcomes_of
 from hoopgen.study.models.release_model import is_still
 from hoopgen.study.result import SharesOfShots
@@ -98,7 +98,7 @@ class Shares(SharesOfShots):
 
     def as_dict(self) -> dict[str, Any]:
         """Return everything, in types that JSON knows; None for what is not a number."""
-        plain = {one.name: getattr(self, one.name) for one in fields(self)}
+        plain = dict(vars(self))
         plain["scene"] = describe_setting(self.setting, self.scene)["scene"]
         sample = {name: one.as_dict() for name, one in plain.pop("sample").items()}
         plain |= {"sample": sample} if sample else {}
@@ -119,7 +119,7 @@ class Shares(SharesOfShots):
     def _intervals(self) -> str:
         """The kind of the intervals."""
         if self.still:
-            return "no scatter: every throw is the same"
+            return STILL
         wilson = f"Wilson's {format_percent(self.confidence, None)} intervals"
         if not self.sample:
             return wilson
