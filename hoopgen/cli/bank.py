@@ -191,6 +191,7 @@ def _record(dataset: xr.Dataset, engine: Engine) -> dict[str, Any]:
             for name, value in json.loads(dataset.attrs["parameters"]).items()
         },
         **describe_dataset(dataset),
+        "seed": int(dataset.attrs["seed"]),
     }
     return {name: for_json(value) for name, value in record.items()}
 

@@ -76,7 +76,7 @@ def test_as_json_it_is_what_the_library_gives(side: xr.Dataset) -> None:
         for key, name in (("speed_m_s", "speed"), ("elevation_rad", "elevation"), ("low", "low")):
             assert place[way][key] == found[name].item()
         assert place[way]["probability"] == found.probability.item()
-    assert (record["scene"], record["seed"], record["shots"]) == ("NBA", "4", 3000)
+    assert (record["scene"], record["seed"], record["shots"]) == ("NBA", 4, 3000)
     assert record["parameters"]["ring_radius_m"] == hoopgen.NBA["ring_radius"]
 
 

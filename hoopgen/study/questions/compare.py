@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from math import inf, nan
+from math import inf, isinf, nan
 from os import PathLike
 from typing import Any
 
@@ -99,6 +99,11 @@ class Comparison(SharesOfShots):
         paired = n * (self.only_first + self.only_second) - (second - first) ** 2
         return alone / paired if paired else inf
 
+    def _gain_in_words(self) -> str:
+        if isinf(self.gain):
+            return "no pair differs"
+        return f"worth {self.gain:.3g} times the shots without common random numbers"
+
     def as_dict(self) -> dict[str, Any]:
         """Return everything, in types that JSON knows; None for what is not a number."""
         settings = {"first": self.first.as_dict(), "second": self.second.as_dict()}
@@ -126,7 +131,7 @@ class Comparison(SharesOfShots):
                 f"pairs       {self.pairs:,}: {self.both:,} both {self.by}, "
                 f"{self.only_first:,} the first only, {self.only_second:,} the second only, "
                 f"{self.neither:,} neither",
-                f"gain        worth {self.gain:.3g} times the shots without common random numbers",
+                f"gain        {self._gain_in_words()}",
                 "",
                 footer(NAMES + 3, describe_estimate(self.first), describe_estimate(self.second)),
             ]

@@ -118,8 +118,14 @@ class Estimate(SharesOfShots):
 
     @property
     def shares(self) -> dict[str, float]:
-        """Shares of the kinds among all shots."""
-        return {name: count / self.shots for name, count in self.kinds.items()}
+        """Shares of the kinds among the valid shots; NaN without any."""
+        return {name: self._share(count) for name, count in self._valid_kinds.items()}
+
+    @property
+    def _valid_kinds(self) -> dict[str, int]:
+        """The numbers of valid shots by kind; an invalid one is of the kind "none"."""
+        none = Kind.NONE.name.lower()
+        return {n: count - self.invalid * (n == none) for n, count in self.kinds.items()}
 
     def share_of(self, by: str) -> float:
         """Return the share of the valid shots that end in one way; NaN without any.
@@ -217,7 +223,7 @@ class Estimate(SharesOfShots):
         lines += [
             f"{name.replace('_', ', '):10}  {format_percent(self.shares[name]):>6}"
             f"  {format_percent(self.kinds_made[name] / count):>10}"
-            for name, count in self.kinds.items()
+            for name, count in self._valid_kinds.items()
             if count
         ]
         lines += spread_lines(self.measured)

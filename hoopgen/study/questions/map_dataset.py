@@ -103,7 +103,9 @@ def _probabilities(work: Sweep, numbers: Counts, level: float) -> dict[str, xr.V
     low, high = wilson_interval(made, valid, level)
     with np.errstate(invalid="ignore"):
         probability = made / valid
-        share = tally.of_kind() / tally.shots[..., None]
+        kinds = tally.of_kind()
+        kinds[..., Kind.NONE] -= tally.shots - tally.valid
+        share = kinds / valid[..., None]
     if work.model.still:  # every throw is the same, so there is nothing to be estimated
         low = high = probability
     dims, labels = tuple(work.axes), number_labels(work.scene)
@@ -118,7 +120,7 @@ def _probabilities(work: Sweep, numbers: Counts, level: float) -> dict[str, xr.V
         "probability": _variable(dims, probability, "probability of a made shot"),
         "low": _variable(dims, low, f"lower end of its {_interval(work, level)}"),
         "high": _variable(dims, high, f"upper end of its {_interval(work, level)}"),
-        "share": _variable((*dims, "kind"), share, "share of the shots that are of a kind"),
+        "share": _variable((*dims, "kind"), share, "share of the valid shots that are of a kind"),
         **{name: _variable(dims, n, labels[name]) for name, n in counts.items()},
     }
 

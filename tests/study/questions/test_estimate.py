@@ -769,3 +769,14 @@ def test_a_scene_in_which_nothing_can_be_simulated_is_refused() -> None:
     model = hoopgen.Resample({"speed": [7.0], "elevation": 0.9, "height": 2.0, "distance": 4.0})
     with pytest.raises(ValueError, match="parameters: no shot can be simulated with these"):
         hoopgen.estimate(model, hoopgen.PAPER | {"gravity": 0.0})
+
+
+def test_shares_of_kinds_are_of_the_valid_shots() -> None:
+    """Invalid shots, which touch nothing either, are none of them."""
+    measured = {**REST, "speed": [7.17, np.nan, 7.2, 7.5]}
+    found = estimate(hoopgen.Resample(measured), shots=2_000)
+    assert 0 < found.invalid < found.shots
+    valid = found.shots - found.invalid
+    assert sum(found.shares.values()) == pytest.approx(1, abs=1e-15)
+    assert found.shares["swish"] == found.kinds["swish"] / valid
+    assert found.shares["none"] == (found.kinds["none"] - found.invalid) / valid
