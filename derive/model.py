@@ -11,6 +11,7 @@ import sympy as sp
 from .contact.law import Law
 from .events import grouping
 from .events.plane_filter import reachable
+from .events.plane_start import plane_start
 from .ir.kernel import Kernel
 from .kernels.arguments import argument_order
 from .kernels.law import law_kernels
@@ -19,6 +20,7 @@ from .kernels.surface import SurfaceKernels, all_surface_kernels, one_surface_ke
 from .loop import predicates
 from .loop.event_loop import event_loop
 from .loop.loop import Loop
+from .motion.parabola import Parabola
 from .rolling import contact_phase, endless, friction_limit, second_surface
 from .rolling.symbols import EventCodes
 from .scenes.check import check
@@ -29,7 +31,7 @@ from .state import shared_kernels
 from .state.fields import NO_ROLLING, NO_ROLLING_IN_AIR, ResultField, fields, results
 from .state.shared_kernels import LoopSurface
 from .studies import study_kernels
-from .surfaces import Surface
+from .surfaces import Plane, Surface
 from .symbolic.conditionals import release
 from .symbolic.isomorphism import Isomorphism, Symbols, isomorphisms
 from .symbolic.symbols import variable
@@ -185,6 +187,12 @@ def _optional_kernels(
     filters = [s.search.apart for k, s in enumerate(surfaces) if k not in tabled]
     if any(filters):
         kernels["reachable"] = reachable([conditions for conditions in filters if conditions])
+    flight = scene.flight
+    if isinstance(flight, Parabola) and flight.upright and not flight.departs:
+        faces = [s for k, s in enumerate(scene.surfaces) if k not in tabled]
+        planes = [face for face in (*faces, *scene.end_planes) if isinstance(face, Plane)]
+        if any(plane.direction[2] for plane in planes):
+            kernels["plane_start"] = plane_start(planes, flight)
     return kernels
 
 

@@ -86,7 +86,16 @@ def crossing() -> dict[str, sp.Expr]:
     At a computed root F <= m. With the slope r = -F' - m' > 0 and |F''| <= C,
     F(t + s) <= m - r s + C s²/2, which is negative at s = r/C if r² > 2 C m: the crossing is
     certain if `clearance` > 0, and then within 2 m / r. The bounds are taken three times as wide;
-    without a slope the delay is not bounded.
+    without a slope the delay is not bounded. For planes see the lemma of `plane.py`.
+
+    **Lemma (root on a curved surface).** Let |F(t)| <= 7/3 m, F'(t) <= -r and |F''| <= C near t,
+    and let there be no zero of F before t while F > 0. If r² > 6 C m one zero, where F falls, is
+    within 14/3 m/r, less than the delay.
+
+    *Proof.* F(t + s) and -F(t - s) are at most 7/3 m - r s + C s²/2. At s = 14/3 m/r that is
+    -7/3 m (1 - 14/3 C m/r²) < 0, and F' <= -r + C s < 0 until then. ∎
+
+    On the ring Newton's method ends where |F| <= m + 32 u R² (`ring/double.py`).
     """
     slope = barrier(-rate - rate_margin)
     return {
@@ -98,8 +107,15 @@ def crossing() -> dict[str, sp.Expr]:
 def displacement(flight: Flight, lengths: Sequence[sp.Expr]) -> sp.Expr:
     """Return a bound on the error of a bound g (Eq. 2) or of the target at a computed arrival.
 
-    Each is a length with a gradient of at most 1. Its error is that of the position, plus the way
-    flown during the delay, plus the roundings of sums with the scene's lengths.
+    **Lemma (length at an arrival).** Let g be a length with a gradient of at most 1, in which at
+    most four roundings meet, each of at most u times the sum of the coordinates and the scene's
+    lengths. Let the true arrival be within `delay` of the computed one. Then g at the computed
+    arrival, as computed, is within this bound of g of the true ball at its own.
+
+    *Proof.* At the computed time no coordinate is off by more than E of `Parabola.rounding`, and
+    the place by no more than sqrt(3) E < 3 E. Until its own arrival the true ball flies no further
+    than the delay times V. The rest is 4 u of the sum. ∎ (On a plane the delay times V has 12 (p +
+    v T), so that 3 E is a small part.)
 
     Parameters
     ----------

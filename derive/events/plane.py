@@ -1,4 +1,32 @@
-"""Arrival on a plane: its condition is linear or quadratic in time, its root a closed form."""
+"""Arrival on a plane: its condition is linear or quadratic in time, its root a closed form.
+
+**Lemma (arrival on a plane).** Let k >= 0 be the size of gravity across a plane, towards it, and p
+and v the errors of the place and velocity at the start. Let an arrival be computed at T > 0 with
+the rate -r, and the margin m of `plane_margin` up to T. Let nothing be undecided at the start or at
+an apex (`plane_start.py`). If the arrival is certain, r² > 6 k m, the true ball falls through the
+plane once, within 2 m/r = delay/3 of T. If k > 0 and it is not certain, the true ball is no sooner
+there than delay/5 before T.
+
+*Proof.* By the lemma of `plane_start.py` the true gap f falls through zero once; it is concave. T
+is the root of the computed gap to within u (|X| + |c| + max(0, -2 c) + 4 r T) of the gap, with X
+the plane's place (`tests/derive/errors/test_plane_roots.py`), which is less than the 4 u of the
+flight and the u of the plane's place that m/2 has besides p + v T. So |f(T)| <= m/2. Let r' be the
+rate of f at T, less its sign: of -r that is off by at most v and k times by what the root is.
+
+- *Certain, k > 0.* 8 v² <= k p and m >= 2 p give r² > 12 k p >= 96 v², v < r/9. The root is off by
+  less than 1.01 m/(2 r), and k times that is less than r/11: r' > 0.79 r. At s = 2 m/r after T the
+  gap is at most m/2 - r' s < 0, and s before T at least r' s - m/2 - k s²/2 > m (1.58 - 1/2 - 1/3).
+- *k = 0.* The margin is that of T or of an earlier arrival, which then is the event. Else r > 4 v
+  (`plane_start.py`): r' > 3/4 r. At s after T the gap is less than m/2 - 3/2 m < 0, and s before T
+  more than 3/2 m - m/2 > 0.
+- *Not certain.* With h, the largest gap from the start on, r² >= 2 k h > 2 k m.
+  Let q be the share of p + v T in m/2. Then v <= sqrt(k p/8) < 0.18 sqrt(q) r, and the root's
+  rounding turns r by at most 0.2 (1 - q) r: r' > 0.76 r. At 6/5 m/r before T the gap is more than
+  m (0.91 - 1/2 - 0.36) > 0. ∎
+
+The bounds of planes that a ball may roll on, and of planes from which gravity pulls it off, are not
+those of this lemma.
+"""
 
 from __future__ import annotations
 
@@ -30,7 +58,8 @@ def plane_arrival(plane: AnyPlane, flight: Parabola) -> dict[str, sp.Expr]:
 
     Also the time of the gap's apex and the gap there, D / (-4 a), for a ball that moves along the
     plane at that time: whether there is an arrival is undecided if that gap is zero within its
-    error.
+    error. Where balls do not roll, the gap at the start stands for that of a ball that falls from
+    then on, and of a plane along gravity (`plane_start.py`).
 
     With D = b² - 4 a c the arrival is where F' = -sqrt(D): t = 2 c / (sqrt(D) - b), the same as
     -(b + sqrt(D)) / (2 a); each loses no digits for one sign of b. Without an arrival the rate is
@@ -53,6 +82,9 @@ def plane_arrival(plane: AnyPlane, flight: Parabola) -> dict[str, sp.Expr]:
     b = _held(coefficients[1]) if len(coefficients) > 1 else sp.Integer(0)
     if len(coefficients) < 3:
         still = {"apex": IfAtMost(absolute(b), 0, 0, -1), "height": c}
+        if not flight.departs:
+            left = IfLess(b, 0, 0, sp.oo)
+            still = {"apex": sp.Integer(0), "height": IfLess(0, leaving, left, c)}
         return {"time": c / -b, "rate": b, "bend": sp.Integer(0)} | still
     a = _held(coefficients[2])
     bend = 2 * a
@@ -65,6 +97,9 @@ def plane_arrival(plane: AnyPlane, flight: Parabola) -> dict[str, sp.Expr]:
     if has_sign(a):
         per_bend = barrier(1 / (2 * a))
         apex, height = -b * per_bend, -discriminant * per_bend / 2
+        if a.is_negative and not flight.departs:
+            # Of a ball that falls from the start on, that is where the gap is largest.
+            apex, height = IfLess(b, 0, 0, apex), IfLess(b, 0, c, height)
     else:
         # Without acceleration the formulas above hold, where 0/0 and an infinite time are no
         # arrival; the gap has no apex.
@@ -209,6 +244,12 @@ class PlaneSearch(Search):
         return self.flight.departs
 
     @property
+    def level(self) -> bool:
+        """True of a plane along gravity, where balls do not roll."""
+        fall = along(self.surface.direction, self.flight.acceleration)
+        return not self.flight.departs and fall == 0
+
+    @property
     def formulas(self) -> dict[str, Formula]:
         """Arrival, margin, and the place of a contact."""
         plane = self.surface
@@ -252,19 +293,22 @@ class PlaneSearch(Search):
         """Propose the only arrival, if it exists and lies within the bounds."""
         yield Call(KERNELS["left_either" if self.remembered else "left"], {"index": index})
         yield Call(own["arrival"])
-        yield Call(KERNELS["plane_root"])
+        yield Call(KERNELS["level_root" if self.level else "plane_root"])
         # An arrival that is undecided at its apex is at the same time within the margin.
         yield Call(own["margin"], {"horizon": "nearest"})
         yield Call(common["crossing"], {} if self.remembered else {"rate_margin": 0.0})
         yield Call(KERNELS["within_time"])
+        # Balls that begin to roll have apexes within the margin all the time.
+        side = "side_undecided" if self.level else "apex_undecided"
+        grazing = KERNELS["graze_undecided" if self.flight.departs else side]
         if not self.surface.bounds:
-            yield Call(KERNELS["graze_undecided"])
+            yield Call(grazing)
             yield If("possible", (Call(KERNELS["crossing_undecided"]), *proposed(index)))
             return
         if self.returns:
             yield from _graze_within_bounds(common, own)
         else:
-            yield Call(KERNELS["graze_undecided"])
+            yield Call(grazing)
         yield If("possible", (*bounded(common, own, "time"), *proposed(index)))
 
 

@@ -6,6 +6,18 @@ start and end. With s for the error of a length, there is no contact
 - on a plane across that axis that is further than s away;
 - within a bound a - sqrt(q) <= 0, with q a sum of such coordinates' squares, if q < (a - 2 s)²
   for the largest values of the coordinates within the plate's other bounds.
+
+**Lemma (plates that are missed).** If one of these holds as computed, the true ball meets the plate
+at no time until the horizon.
+
+*Proof.* s is p + v T + 2^-30 X, with X the size of the flight: no place of the true ball is further
+than s from the computed path, whose ends are off by 2 u X. The true coordinate is linear in time,
+so it is between those of the true ends, which differ by less than s from the computed ones; what
+2^-30 X has besides exceeds the roundings of the plane's place and of the difference. On the plate
+such a coordinate is, besides, within the plate's bounds, so that sqrt(q) of the true ball is at
+most s above the largest value at which the test looks, and less than a - s: the bound does not
+hold. The factor 1 + 2^-40 exceeds the roundings of q. ∎ (X is less than 2^20 times the plate's
+lengths.)
 """
 
 from __future__ import annotations

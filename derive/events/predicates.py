@@ -1,6 +1,32 @@
 """The decisions of a search, each a kernel, so that every target makes them alike.
 
 Numbers that name something (surfaces) are doubles like all others.
+
+**Lemma (first event).** A surface is searched up to a time that is no earlier than the true event.
+Let each search have one of three results: no true arrival until then; an arrival at T that counts,
+within δ of a true one that is the first there; or that something is undecided, from a time on
+before which no true arrival is. Let t be the earliest of these T, δ* its delay, and θ the earliest
+undecided time. If t + δ* < θ the true ball has its first event at the surface of t, within δ* of t.
+
+*Proof.* An arrival that the loop keeps is certainly before another if they are further apart than
+both delays; one that takes its place is before both then. Where they are not, `tie_undecided`
+lowers θ to a time before both true arrivals: no later than the earlier one less both delays, nor
+than half of it. Arrivals that are later than t by more than both delays are not looked at. What is
+undecided is from θ > t + δ* on, after the true arrival of t. ∎
+
+The searches come to these results as follows.
+
+- *Planes*: `plane.py` and `plane_start.py`. From when on a contact near an edge is undecided,
+  `bounds_undecided` has: not before T/2.
+- *Bounds*: `event_polynomials.displacement`. If all g < -slack the true contact counts, and if some
+  g > slack it does not; else it is undecided.
+- *Ring*: `root_finder.py`. What is not certain is undecided from where the search stands, before
+  which there is no root; a root that was certain, but not with the shot's own errors, by its delay
+  before.
+- *The horizon*: the plane of the earliest arrival is met by t + δ*/3, which is before t + pad if
+  δ* <= 2 pad (`overdue`). Without an arrival at a plane the horizon is infinite.
+- *The time limit*: the time left is off by the error of the clock and by 4 u of the limit, its
+  roundings; it is an arrival like others (`loop/predicates.py`, `expiry`).
 """
 
 from __future__ import annotations
@@ -22,8 +48,10 @@ from ..symbolic.conditionals import (
     any_of,
     barrier,
     false,
+    minimum,
 )
 from ..symbolic.error_terms import earliest_delay
+from ..symbolic.rounding import velocity_error
 from .event_polynomials import ERROR_BUDGET_LEVELS, ceiling, horizon
 
 when, which, last, index, time, undecided_time, delay = sp.symbols(
@@ -79,6 +107,23 @@ def earlier(condition: sp.Basic, at: sp.Expr) -> sp.Expr:
     return Choose(all_of(condition, Less(at, undecided_time)), at, undecided_time)
 
 
+def overdue(late: sp.Expr) -> Kernel:
+    """Return the decision whether the earliest arrival may be after the horizon.
+
+    A test that a flight misses a surface until the horizon says nothing of what is after it.
+
+    Parameters
+    ----------
+    late
+        As for `out_of_budget`.
+    """
+    return decision(
+        "overdue",
+        {"undecided_time": Choose(Less(pad, late * earliest_delay), 0, undecided_time)},
+        "Undecided time 0 if the earliest arrival may be after the horizon.",
+    )
+
+
 def out_of_budget(late: sp.Expr) -> tuple[Kernel, Kernel]:
     """Return the decisions whether errors exceed the budget of a search, or its bounds fail.
 
@@ -112,7 +157,9 @@ CONVERGED = sp.Rational(1, 2**24)
 """Newton's method from a smaller h ends with h below 2^-49."""
 
 _sooner = all_of(arrives, Less(time, when))
-_tie = AtMost(absolute(time - when), delay + earliest_delay)
+_sooner_time = barrier(Choose(Less(time, when), time, when))
+_delays = barrier(delay + earliest_delay)
+_tie = AtMost(absolute(time - when), _delays)
 _meets = any_of(Less(rate, 0), all_of(AtMost(rate, 0), Less(bend, 0), Equal(time, 0)))
 _plane_met = all_of(_meets, AtMost(0, time), Less(time, sp.oo))
 _falling = any_of(Less(rate, 0), all_of(AtMost(rate, rate_margin), Less(bend, 0)))
@@ -155,6 +202,17 @@ KERNELS = {
             "Whether a plane's only root is an arrival, the size of F'', and the nearest time.",
         ),
         decision(
+            "level_root",
+            {
+                "arrives": _plane_met,
+                "ceiling": absolute(bend),
+                "nearest": minimum(
+                    barrier(Choose(_plane_met, time, Choose(Less(height, 0), 0, sp.oo))), when
+                ),
+            },
+            "Whether a plane's only root is an arrival, the size of F'', and the nearest time.",
+        ),
+        decision(
             "within_time",
             {"possible": all_of(arrives, Not(Less(earliest_delay + delay, time - when)))},
             "Whether an arrival may be the earliest within the delays.",
@@ -165,6 +223,25 @@ KERNELS = {
                 "undecided_time": earlier(_grazes, apex),
             },
             "Earliest undecided time, with that of an apex whose gap is zero within its error.",
+        ),
+        decision(
+            "apex_undecided",
+            {"undecided_time": Choose(_grazes, 0, undecided_time)},
+            "Undecided time 0 if the largest gap from the start on is zero within its error.",
+        ),
+        decision(
+            "side_undecided",
+            {
+                "undecided_time": Choose(
+                    all_of(
+                        Less(rate, barrier(2 * velocity_error)),
+                        AtMost(absolute(height), barrier(2 * margin)),
+                    ),
+                    0,
+                    undecided_time,
+                )
+            },
+            "Undecided time 0 if the gap of a plane along gravity is zero within its error.",
         ),
         decision(
             "graze_delay",
@@ -182,6 +259,11 @@ KERNELS = {
             "Earliest undecided time, with that of an undecided predicate.",
         ),
         decision(
+            "bounds_undecided",
+            {"undecided_time": earlier(undecided, time / 2)},
+            "Earliest undecided time, with that from which on a contact near an edge may be.",
+        ),
+        decision(
             "crossing_undecided",
             {"undecided_time": earlier(all_of(arrives, Not(Less(0, clearance))), time)},
             "Earliest undecided time, with that of an arrival whose crossing is not certain.",
@@ -190,11 +272,12 @@ KERNELS = {
             "tie_undecided",
             {
                 "undecided_time": earlier(
-                    all_of(arrives, _tie), Choose(Less(time, when), time, when)
+                    all_of(arrives, _tie),
+                    _sooner_time - minimum(_delays, barrier(_sooner_time / 2)),
                 ),
                 "earliest_delay": Choose(_sooner, delay, earliest_delay),
             },
-            "Earliest undecided time, with that of a tie within the delays; the earlier's delay.",
+            "Earliest undecided time, with that of a tie; the delay of the earlier arrival.",
         ),
         decision(
             "earliest",
@@ -232,6 +315,7 @@ KERNELS = {
             "Start values of a search: its error budget, and no arrival.",
         ),
         *out_of_budget(sp.Rational(1, 2)),
+        overdue(sp.Rational(1, 2)),
         decision(
             "nearby",
             {
@@ -340,7 +424,8 @@ KERNELS = {
             {
                 "delay": Choose(all_of(certain, Less(0, clearance)), delay, 0),
                 "undecided_time": earlier(
-                    all_of(arrives, Not(all_of(certain, Less(0, clearance)))), time
+                    all_of(arrives, Not(all_of(certain, Less(0, clearance)))),
+                    Choose(certain, time - delay, time),
                 ),
             },
             "Delay of a certain arrival; the earliest undecided time, with that of any other one.",

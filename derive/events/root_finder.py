@@ -17,6 +17,42 @@ a root may be out of bounds, which is decided after three steps, the factor is 2
 
 The ring's search first goes as far as it gets in single precision, with margins that hold for that
 (`ring/single.py`).
+
+In the lemmas F is the gap of the true flight, and E that of the computed state without roundings;
+F^ and F^' are the computed values at t. In a window |F - E| <= m_s, |F' - E'| <= m_s' at all times,
+and |F^ - F| <= m, |F^' - F'| <= m' at t, where m and m' contain m_s and m_s'; -E'' <= M and
+|E''| <= C. On a return the same is known of F/t, in place of F, of which m is t times as much.
+
+**Lemma (steps).** Let F(t) >= 0, G = max(0, F^ - m), S = F^' - m'. Then F has no zero in (t, t + s)
+as long as G + S s - M s²/2 > 0 and t + s is in the window.
+
+*Proof.* F(t) >= G. F'(t + s) >= E'(t + s) - m_s' >= E'(t) - M s - m_s' >= S - M s, which is
+integrated. ∎
+
+No bound on F'' of the true flight is needed. F(t) >= 0 holds at the start: the true ball is inside
+no body, or leaves this one, with F = 0; then G = 0, and S > 0 or nothing is decided.
+
+*Roundings of a step.* The root of the parabola is off by at most 4 u of itself, and the parabola
+there by at most 8 u G, or 12 u of its apex where it rises first: the latter is no higher than F in
+the window, at most d² + z² - R². Of these roundings m has 3/2 u R (R_H + R) and 7 u R X in double
+precision besides those that it is made for, X >= rho + |z|, which suffices if 3/2 R <= R_H: at a
+corner of slab and annulus 12 R² <= (15/4 + 7 + 7/2) R². The sum t + s is off by u (t + s), for
+which m has the change of F between neighbouring times. In single precision times and steps are
+counted as errors of the place.
+
+**Lemma (certain root).** Let r = -F^' - m' > 0, and r² > 8 C (2 G + m). Then F has a
+zero after t; the first one is simple, and the ball is in slab and annulus until then.
+
+*Proof.* F(t) <= G + 2 m, and 2 C (G + 2 m) <= 4 C (2 G + m) < r²/2. As F'(t + s) <= -r + C s, F has
+fallen through zero by 2 F(t)/r, and F' < 0 until then, if C holds until then. It holds in the slab
+|z| <= R̂ and the annulus |rho - R_H| <= R̂. There H = E'² - 2 C E does not fall while E' <= 0,
+since H' = 2 E' (E'' - C) >= 0; and H > 0 at t, as E'(t) <= -r and E(t) <= G + 2 m. So E' stays
+negative as long as E >= 0. Where the ball leaves slab or annulus, say through |z| = R̂, z z' > 0
+and -E' <= 2 |d d'| with d = rho - R_H, so that E'² <= 4 d² V² <= 4 V² E, as E >= d² there. But C is
+at least 2 V² + 2 z'², so H <= 0: a contradiction. Through |d| = R̂ it is the same with z and z'. ∎
+
+In single precision C is a bound on the next 2 (G + 2 m)/r alone, in the window, and r² > 16 C
+(G + 2 m) implies the same.
 """
 
 from __future__ import annotations

@@ -148,6 +148,8 @@ class RootSearch(Search):
     def nodes(self, common: Parts, own: Parts, index: Value) -> Iterator[Node]:
         """Search the first arrival; a shot that certainly misses the surface does not take part."""
         yield Call(common["horizon"], {"t": "when"}, {"horizon": "until"})
+        if "clear" in own and not self.flight.departs:
+            yield Call(common["overdue"])
         step = tuple(self._step(common, own, index))
         prepared = given(own["prepare"], horizon="until")
         allowing = tuple(_allowing(common, own))

@@ -189,7 +189,7 @@ def bounded(common: Parts, own: Parts, time: str, **inputs: float) -> Iterator[N
     slackened = given(common["displacement"], horizon=time, **inputs)
     yield Call(slackened.kernel, slackened.inputs, {"margin": "slack"})
     yield given(own["edges"], **inputs)
-    yield given(KERNELS["predicate_undecided"], time=time)
+    yield given(KERNELS["bounds_undecided"], time=time, **inputs)
     yield Call(own["within"])
 
 

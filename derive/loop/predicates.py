@@ -104,7 +104,8 @@ def kernels(
     """
     own = (*_of_scene(faces, outcomes, end_planes, open_ended), *_of_errors(single, open_ended))
     if open_ended:  # the time limit is an arrival, too
-        own = (*own, *searching.out_of_budget(sp.Integer(1)))
+        late = sp.Integer(1)
+        own = (*own, *searching.out_of_budget(late), searching.overdue(late))
     return searching.KERNELS | KERNELS | {kernel.name: kernel for kernel in own}
 
 

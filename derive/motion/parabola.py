@@ -74,7 +74,15 @@ class Parabola(Flight):
     def rounding(self, latest: sp.Expr) -> tuple[Rounded, Rounded]:
         """Return error bounds of Eq. 3 from the flight's size.
 
-        At most four roundings meet in a coordinate, each at most u times its largest value.
+        **Lemma (flight).** Until the time T the true ball, whose state at the start is off by p and
+        v in each component, is in each coordinate within p + v T + 4 u X of the one that Eq. 3
+        gives in doubles, and its velocity within v + 2 u V; X = |x| + T V and V = |v| + g T are the
+        sums of the sizes of all coordinates, as computed.
+
+        *Proof.* The state's errors count p + v T and v. A coordinate x + t (v - (g/2) t) has the
+        roundings u (g/2) t², u |v - (g/2) t| t twice and that of the sum, u |x_t|: together at most
+        u (|x| + 3 |v| t + 2 g t²) <= 3 u X, and without acceleration u (|x| + 2 |v| t). A velocity
+        has u g t and u |v_t|. X and V as computed are off by less than 8 u of themselves. ∎
         """
         furthest, fastest = self.size(latest)
         shift = barrier(position_error + velocity_error * latest + 4 * UNIT_ROUNDOFF * furthest)

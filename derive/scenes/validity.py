@@ -64,6 +64,15 @@ def valid(scene: Scene, tabled: Set[int]) -> dict[str, sp.Expr]:
     A ball is inside a surface if the largest of the surface's `inside` is negative; it is undecided
     if that is within the rounding of its evaluation. The surface that the ball leaves is left out.
 
+    **Lemma (start).** Let s be 16 u times the sum S of the sizes of coordinates and lengths. In
+    `HOOP`, an `inside` that is larger than s in size, for the ring 4 R s, has the right sign.
+
+    *Proof.* Of a plane each is a sum of at most four numbers, or R_H - rho with rho off by 2 u rho:
+    off by at most 4 u S, and so is the largest of them. Of the ring it is d² + z² - R², which is
+    off by u (4 rho |d| + 3 d² + 2 z² + 3 R²) and the rounding of the result (`ring/double.py`). If
+    the computed and the exact one had different signs, one of them would have |d| and |z| at most
+    R (1 + 2^-20), and it would be off by less than u R (4 rho + 9 R) < 64 u R S. ∎
+
     The surfaces with the indices `tabled`, which the loop goes over (`surface_start`), are left
     out, too. For them the outputs contain the rounding, and the distance within which it matters.
 
@@ -163,7 +172,8 @@ def _slack(lengths: Sequence[sp.Expr]) -> sp.Expr:
 def near_surface(scene: Scene) -> dict[str, sp.Basic]:
     """Return whether a ball starts so near to a surface along an axis that `valid` is evaluated.
 
-    Otherwise the outputs are those of `valid`. Without an axis along which all surfaces are bounded
+    Otherwise the outputs are those of `valid`: the distances have at most four roundings of S, and
+    are compared with eight times s. Without an axis along which all surfaces are bounded
     there is no such test.
     """
     room = barrier(CERTAIN_DISTANCE_FACTOR * _slack(_sizes(scene)))

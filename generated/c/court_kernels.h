@@ -1,6 +1,6 @@
 /* Kernels of the scene court, in C.
 
-   Generated from templates/c/kernels.h.j2, scene court, derivation 83fca103576a1dd1,
+   Generated from templates/c/kernels.h.j2, scene court, derivation 58853364fe0c9a18,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -601,8 +601,8 @@ LANES(court_crossing_undecided)(V clearance, V time, V undecided_time, M arrives
     return (LANES(court_crossing_undecided_out)){ lanes_select(lanes_both(lanes_both(arrives, lanes_not(lanes_less(K(0.0), clearance))), lanes_less(time, undecided_time)), time, undecided_time) };
 }
 
-/* Earliest undecided time, with that of a tie within the delays; the earlier's delay.
-   Table 1. 12 operations: 1 addition, 1 subtraction, 1 absolute value, 3 comparisons, 3 conjunctions, 3 selections. */
+/* Earliest undecided time, with that of a tie; the delay of the earlier arrival.
+   Table 1. 16 operations: 1 addition, 2 subtractions, 1 multiplication, 1 absolute value, 4 comparisons, 3 conjunctions, 4 selections. */
 typedef struct {
     V undecided_time, earliest_delay;
 } LANES(court_tie_undecided_out);
@@ -610,10 +610,13 @@ typedef struct {
 LANES_INLINE LANES(court_tie_undecided_out)
 LANES(court_tie_undecided)(V time, V when, V delay, V earliest_delay, V undecided_time, M arrives)
 {
-    const M _s0 = lanes_less(time, when);
-    const V _s1 = lanes_select(_s0, time, when);
-    const V _s2 = lanes_select(lanes_both(lanes_both(arrives, lanes_at_most(lanes_abs(lanes_sub(time, when)), lanes_add(delay, earliest_delay))), lanes_less(_s1, undecided_time)), _s1, undecided_time);
-    return (LANES(court_tie_undecided_out)){ _s2, lanes_select(lanes_both(arrives, _s0), delay, earliest_delay) };
+    const V _s0 = lanes_add(delay, earliest_delay);
+    const M _s1 = lanes_less(time, when);
+    const V _s2 = lanes_select(_s1, time, when);
+    const V _s3 = lanes_mul(K(0.5), _s2);
+    const V _s4 = lanes_sub(_s2, lanes_min(_s3, _s0));
+    const V _s5 = lanes_select(lanes_both(lanes_both(arrives, lanes_at_most(lanes_abs(lanes_sub(time, when)), _s0)), lanes_less(_s4, undecided_time)), _s4, undecided_time);
+    return (LANES(court_tie_undecided_out)){ _s5, lanes_select(lanes_both(arrives, _s1), delay, earliest_delay) };
 }
 
 /* Time and surface of the earliest arrival, with this one.
@@ -861,7 +864,7 @@ LANES(court_arrival_time)(V arrival)
 }
 
 /* Delay of a certain arrival; the earliest undecided time, with that of any other one.
-   Table 1. 8 operations: 2 comparisons, 3 conjunctions, 1 complement, 2 selections. */
+   Table 1. 10 operations: 1 subtraction, 2 comparisons, 3 conjunctions, 1 complement, 3 selections. */
 typedef struct {
     V delay, undecided_time;
 } LANES(court_arrival_certainty_out);
@@ -870,7 +873,8 @@ LANES_INLINE LANES(court_arrival_certainty_out)
 LANES(court_arrival_certainty)(V clearance, V time, V delay, V undecided_time, M arrives, M certain)
 {
     const M _s0 = lanes_both(certain, lanes_less(K(0.0), clearance));
-    return (LANES(court_arrival_certainty_out)){ lanes_select(_s0, delay, K(0.0)), lanes_select(lanes_both(lanes_both(arrives, lanes_not(_s0)), lanes_less(time, undecided_time)), time, undecided_time) };
+    const V _s1 = lanes_select(certain, lanes_sub(time, delay), time);
+    return (LANES(court_arrival_certainty_out)){ lanes_select(_s0, delay, K(0.0)), lanes_select(lanes_both(lanes_both(arrives, lanes_not(_s0)), lanes_less(_s1, undecided_time)), _s1, undecided_time) };
 }
 
 /* Start value: the ball is outside the surface.

@@ -1,6 +1,6 @@
 /* hoop: the widths, and the choice among them.
 
-   Generated from templates/c/scene.c.j2, scene hoop, derivation 0b232e662b9cf364,
+   Generated from templates/c/scene.c.j2, scene hoop, derivation 83b7ff2bc0b2beda,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`. */
 

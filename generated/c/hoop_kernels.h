@@ -1,6 +1,6 @@
 /* Kernels of the scene hoop, in C.
 
-   Generated from templates/c/kernels.h.j2, scene hoop, derivation 0b232e662b9cf364,
+   Generated from templates/c/kernels.h.j2, scene hoop, derivation 83b7ff2bc0b2beda,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -383,6 +383,21 @@ LANES(hoop_plane_root)(V rate, V bend, V apex, V time)
     return (LANES(hoop_plane_root_out)){ _s0, lanes_abs(bend), lanes_select(_s0, time, apex) };
 }
 
+/* Whether a plane's only root is an arrival, the size of F'', and the nearest time.
+   Table 1. 17 operations: 1 absolute value, 8 comparisons, 4 conjunctions, 1 disjunction, 3 selections. */
+typedef struct {
+    M arrives;
+    V ceiling, nearest;
+} LANES(hoop_level_root_out);
+
+LANES_INLINE LANES(hoop_level_root_out)
+LANES(hoop_level_root)(V rate, V bend, V height, V time, V when)
+{
+    const M _s0 = lanes_both(lanes_both(lanes_either(lanes_less(rate, K(0.0)), lanes_both(lanes_both(lanes_at_most(rate, K(0.0)), lanes_less(bend, K(0.0))), lanes_equal(time, K(0.0)))), lanes_at_most(K(0.0), time)), lanes_less(time, K(INFINITY)));
+    const V _s1 = lanes_select(_s0, time, lanes_select(lanes_less(height, K(0.0)), K(0.0), K(INFINITY)));
+    return (LANES(hoop_level_root_out)){ _s0, lanes_abs(bend), lanes_min(when, _s1) };
+}
+
 /* Whether an arrival may be the earliest within the delays.
    Table 1. 5 operations: 1 addition, 1 subtraction, 1 comparison, 1 conjunction, 1 complement. */
 typedef struct {
@@ -395,16 +410,28 @@ LANES(hoop_within_time)(V time, V when, V delay, V earliest_delay, M arrives)
     return (LANES(hoop_within_time_out)){ lanes_both(arrives, lanes_not(lanes_less(lanes_add(delay, earliest_delay), lanes_sub(time, when)))) };
 }
 
-/* Earliest undecided time, with that of an apex whose gap is zero within its error.
-   Table 1. 7 operations: 1 absolute value, 3 comparisons, 2 conjunctions, 1 selection. */
+/* Undecided time 0 if the largest gap from the start on is zero within its error.
+   Table 1. 5 operations: 1 absolute value, 2 comparisons, 1 conjunction, 1 selection. */
 typedef struct {
     V undecided_time;
-} LANES(hoop_graze_undecided_out);
+} LANES(hoop_apex_undecided_out);
 
-LANES_INLINE LANES(hoop_graze_undecided_out)
-LANES(hoop_graze_undecided)(V margin, V apex, V height, V undecided_time)
+LANES_INLINE LANES(hoop_apex_undecided_out)
+LANES(hoop_apex_undecided)(V margin, V apex, V height, V undecided_time)
 {
-    return (LANES(hoop_graze_undecided_out)){ lanes_select(lanes_both(lanes_both(lanes_at_most(K(0.0), apex), lanes_at_most(lanes_abs(height), margin)), lanes_less(apex, undecided_time)), apex, undecided_time) };
+    return (LANES(hoop_apex_undecided_out)){ lanes_select(lanes_both(lanes_at_most(K(0.0), apex), lanes_at_most(lanes_abs(height), margin)), K(0.0), undecided_time) };
+}
+
+/* Undecided time 0 if the gap of a plane along gravity is zero within its error.
+   Table 1. 7 operations: 2 multiplications, 1 absolute value, 2 comparisons, 1 conjunction, 1 selection. */
+typedef struct {
+    V undecided_time;
+} LANES(hoop_side_undecided_out);
+
+LANES_INLINE LANES(hoop_side_undecided_out)
+LANES(hoop_side_undecided)(V rate, V margin, V height, V undecided_time, V velocity_error)
+{
+    return (LANES(hoop_side_undecided_out)){ lanes_select(lanes_both(lanes_less(rate, lanes_mul(K(2.0), velocity_error)), lanes_at_most(lanes_abs(height), lanes_mul(K(2.0), margin))), K(0.0), undecided_time) };
 }
 
 /* Earliest undecided time, with that of an undecided predicate.
@@ -419,6 +446,19 @@ LANES(hoop_predicate_undecided)(V time, V undecided_time, M undecided)
     return (LANES(hoop_predicate_undecided_out)){ lanes_select(lanes_both(undecided, lanes_less(time, undecided_time)), time, undecided_time) };
 }
 
+/* Earliest undecided time, with that from which on a contact near an edge may be.
+   Table 1. 4 operations: 1 multiplication, 1 comparison, 1 conjunction, 1 selection. */
+typedef struct {
+    V undecided_time;
+} LANES(hoop_bounds_undecided_out);
+
+LANES_INLINE LANES(hoop_bounds_undecided_out)
+LANES(hoop_bounds_undecided)(V time, V undecided_time, M undecided)
+{
+    const V _s0 = lanes_mul(K(0.5), time);
+    return (LANES(hoop_bounds_undecided_out)){ lanes_select(lanes_both(undecided, lanes_less(_s0, undecided_time)), _s0, undecided_time) };
+}
+
 /* Earliest undecided time, with that of an arrival whose crossing is not certain.
    Table 1. 6 operations: 2 comparisons, 2 conjunctions, 1 complement, 1 selection. */
 typedef struct {
@@ -431,8 +471,8 @@ LANES(hoop_crossing_undecided)(V clearance, V time, V undecided_time, M arrives)
     return (LANES(hoop_crossing_undecided_out)){ lanes_select(lanes_both(lanes_both(arrives, lanes_not(lanes_less(K(0.0), clearance))), lanes_less(time, undecided_time)), time, undecided_time) };
 }
 
-/* Earliest undecided time, with that of a tie within the delays; the earlier's delay.
-   Table 1. 12 operations: 1 addition, 1 subtraction, 1 absolute value, 3 comparisons, 3 conjunctions, 3 selections. */
+/* Earliest undecided time, with that of a tie; the delay of the earlier arrival.
+   Table 1. 16 operations: 1 addition, 2 subtractions, 1 multiplication, 1 absolute value, 4 comparisons, 3 conjunctions, 4 selections. */
 typedef struct {
     V undecided_time, earliest_delay;
 } LANES(hoop_tie_undecided_out);
@@ -440,10 +480,13 @@ typedef struct {
 LANES_INLINE LANES(hoop_tie_undecided_out)
 LANES(hoop_tie_undecided)(V time, V when, V delay, V earliest_delay, V undecided_time, M arrives)
 {
-    const M _s0 = lanes_less(time, when);
-    const V _s1 = lanes_select(_s0, time, when);
-    const V _s2 = lanes_select(lanes_both(lanes_both(arrives, lanes_at_most(lanes_abs(lanes_sub(time, when)), lanes_add(delay, earliest_delay))), lanes_less(_s1, undecided_time)), _s1, undecided_time);
-    return (LANES(hoop_tie_undecided_out)){ _s2, lanes_select(lanes_both(arrives, _s0), delay, earliest_delay) };
+    const V _s0 = lanes_add(delay, earliest_delay);
+    const M _s1 = lanes_less(time, when);
+    const V _s2 = lanes_select(_s1, time, when);
+    const V _s3 = lanes_mul(K(0.5), _s2);
+    const V _s4 = lanes_sub(_s2, lanes_min(_s3, _s0));
+    const V _s5 = lanes_select(lanes_both(lanes_both(arrives, lanes_at_most(lanes_abs(lanes_sub(time, when)), _s0)), lanes_less(_s4, undecided_time)), _s4, undecided_time);
+    return (LANES(hoop_tie_undecided_out)){ _s5, lanes_select(lanes_both(arrives, _s1), delay, earliest_delay) };
 }
 
 /* Time and surface of the earliest arrival, with this one.
@@ -506,6 +549,18 @@ LANES_INLINE LANES(hoop_out_of_budget_out)
 LANES(hoop_out_of_budget)(V pad, V budget_exceeded, V earliest_delay, V undecided_time, V excess)
 {
     return (LANES(hoop_out_of_budget_out)){ lanes_select(lanes_either(lanes_either(lanes_less(K(0.0), excess), lanes_less(pad, lanes_mul(K(0.5), earliest_delay))), lanes_less(K(0.0), budget_exceeded)), K(0.0), undecided_time) };
+}
+
+/* Undecided time 0 if the earliest arrival may be after the horizon.
+   Table 1. 3 operations: 1 multiplication, 1 comparison, 1 selection. */
+typedef struct {
+    V undecided_time;
+} LANES(hoop_overdue_out);
+
+LANES_INLINE LANES(hoop_overdue_out)
+LANES(hoop_overdue)(V pad, V earliest_delay, V undecided_time)
+{
+    return (LANES(hoop_overdue_out)){ lanes_select(lanes_less(pad, lanes_mul(K(0.5), earliest_delay)), K(0.0), undecided_time) };
 }
 
 /* 1 near the surface that the ball left, where F/t is more exact than F; the margin.
@@ -671,7 +726,7 @@ LANES(hoop_arrival_time)(V arrival)
 }
 
 /* Delay of a certain arrival; the earliest undecided time, with that of any other one.
-   Table 1. 8 operations: 2 comparisons, 3 conjunctions, 1 complement, 2 selections. */
+   Table 1. 10 operations: 1 subtraction, 2 comparisons, 3 conjunctions, 1 complement, 3 selections. */
 typedef struct {
     V delay, undecided_time;
 } LANES(hoop_arrival_certainty_out);
@@ -680,7 +735,8 @@ LANES_INLINE LANES(hoop_arrival_certainty_out)
 LANES(hoop_arrival_certainty)(V clearance, V time, V delay, V undecided_time, M arrives, M certain)
 {
     const M _s0 = lanes_both(certain, lanes_less(K(0.0), clearance));
-    return (LANES(hoop_arrival_certainty_out)){ lanes_select(_s0, delay, K(0.0)), lanes_select(lanes_both(lanes_both(arrives, lanes_not(_s0)), lanes_less(time, undecided_time)), time, undecided_time) };
+    const V _s1 = lanes_select(certain, lanes_sub(time, delay), time);
+    return (LANES(hoop_arrival_certainty_out)){ lanes_select(_s0, delay, K(0.0)), lanes_select(lanes_both(lanes_both(arrives, lanes_not(_s0)), lanes_less(_s1, undecided_time)), _s1, undecided_time) };
 }
 
 /* Whether all numbers of a release are small enough not to overflow.
@@ -980,6 +1036,19 @@ LANES(hoop_reachable)(V x, V vx, V horizon, V extent, V speed, V pad, V earliest
     const V _s6 = lanes_min(K(0.0), _s5);
     const M _s7 = lanes_both(lanes_less(_s1, lanes_sub(_s3, _c2)), lanes_both(lanes_less(K(0.0), _s4), lanes_less(lanes_mul(K(1.0000000000009095), lanes_add(_c3, lanes_mul(_s6, _s6))), lanes_mul(_s4, _s4))));
     return (LANES(hoop_reachable_out)){ lanes_not(_s7) };
+}
+
+/* Undecided time 0 if the side of a plane on which the flight begins is undecided.
+   Table 1. 5 operations: 3 multiplications, 1 comparison, 1 selection. */
+typedef struct {
+    V undecided_time;
+} LANES(hoop_plane_start_out);
+
+LANES_INLINE LANES(hoop_plane_start_out)
+LANES(hoop_plane_start)(V undecided_time, V position_error, V velocity_error, V _c0)
+{
+    const V _s0 = lanes_mul(K(2.0), velocity_error);
+    return (LANES(hoop_plane_start_out)){ lanes_select(lanes_less(lanes_mul(position_error, _c0), lanes_mul(_s0, _s0)), K(0.0), undecided_time) };
 }
 
 /* Velocity and spin after a contact, frame-free.
@@ -1618,7 +1687,7 @@ LANES(hoop_backboard_bounds)(V y, V z, V _c0, V _c1, V _c2)
 }
 
 /* Time of the only arrival, the gap's first two derivatives there, and its apex.
-   Eq. 3 in Table 2, solved. 8 operations: 1 subtraction, 1 division, 1 negation, 1 absolute value, 2 comparisons, 2 selections. */
+   Eq. 3 in Table 2, solved. 8 operations: 1 subtraction, 1 division, 1 negation, 2 comparisons, 3 selections. */
 typedef struct {
     V time, rate, bend, apex, height;
 } LANES(hoop_backboard_arrival_out);
@@ -1626,8 +1695,9 @@ typedef struct {
 LANES_INLINE LANES(hoop_backboard_arrival_out)
 LANES(hoop_backboard_arrival)(V leaving, V x, V vx, V _c0)
 {
-    const V _s0 = lanes_select(lanes_less(K(0.0), leaving), K(0.0), lanes_sub(x, _c0));
-    return (LANES(hoop_backboard_arrival_out)){ lanes_neg(lanes_div(_s0, vx)), vx, K(0.0), lanes_select(lanes_at_most(lanes_abs(vx), K(0.0)), K(0.0), K(-1.0)), _s0 };
+    const M _s0 = lanes_less(K(0.0), leaving);
+    const V _s1 = lanes_select(_s0, K(0.0), lanes_sub(x, _c0));
+    return (LANES(hoop_backboard_arrival_out)){ lanes_neg(lanes_div(_s1, vx)), vx, K(0.0), K(0.0), lanes_select(_s0, lanes_select(lanes_less(vx, K(0.0)), K(0.0), K(INFINITY)), _s1) };
 }
 
 /* Rounding-error bound of the gap up to the horizon.
@@ -1718,7 +1788,7 @@ LANES(hoop_bridge_bounds)(V x, V y, V _c0, V _c1, V _c2)
 }
 
 /* Time of the only arrival, the gap's first two derivatives there, and its apex.
-   Eq. 3 in Table 2, solved. 21 operations: 2 additions, 2 subtractions, 5 multiplications, 1 division, 1 square root, 3 negations, 1 absolute value, 2 comparisons, 4 selections. */
+   Eq. 3 in Table 2, solved. 23 operations: 2 additions, 2 subtractions, 5 multiplications, 1 division, 1 square root, 3 negations, 1 absolute value, 2 comparisons, 6 selections. */
 typedef struct {
     V time, rate, bend, apex, height;
 } LANES(hoop_bridge_arrival_out);
@@ -1731,7 +1801,7 @@ LANES(hoop_bridge_arrival)(V leaving, V z, V vz, V _c0, V _c1, V _c2, V _c3, V _
     const V _s2 = lanes_add(lanes_mul(vz, vz), lanes_mul(_c2, _s1));
     const V _s3 = lanes_select(_s0, lanes_abs(vz), lanes_sqrt(_s2));
     const M _s4 = lanes_less(vz, K(0.0));
-    return (LANES(hoop_bridge_arrival_out)){ lanes_div(lanes_select(_s4, lanes_mul(K(2.0), _s1), lanes_add(vz, _s3)), lanes_select(_s4, lanes_sub(_s3, vz), _c0)), lanes_neg(_s3), _c3, lanes_neg(lanes_mul(vz, _c4)), lanes_neg(lanes_mul(_c5, _s2)) };
+    return (LANES(hoop_bridge_arrival_out)){ lanes_div(lanes_select(_s4, lanes_mul(K(2.0), _s1), lanes_add(vz, _s3)), lanes_select(_s4, lanes_sub(_s3, vz), _c0)), lanes_neg(_s3), _c3, lanes_select(_s4, K(0.0), lanes_neg(lanes_mul(vz, _c4))), lanes_select(_s4, _s1, lanes_neg(lanes_mul(_c5, _s2))) };
 }
 
 /* Rounding-error bound of the gap up to the horizon.
@@ -1799,7 +1869,7 @@ LANES(hoop_end_normal)(void)
 }
 
 /* Time of the only arrival, the gap's first two derivatives there, and its apex.
-   Eq. 3 in Table 2, solved. 21 operations: 2 additions, 2 subtractions, 5 multiplications, 1 division, 1 square root, 3 negations, 1 absolute value, 2 comparisons, 4 selections. */
+   Eq. 3 in Table 2, solved. 23 operations: 2 additions, 2 subtractions, 5 multiplications, 1 division, 1 square root, 3 negations, 1 absolute value, 2 comparisons, 6 selections. */
 typedef struct {
     V time, rate, bend, apex, height;
 } LANES(hoop_end_arrival_out);
@@ -1812,7 +1882,7 @@ LANES(hoop_end_arrival)(V leaving, V z, V vz, V _c0, V _c1, V _c2, V _c3, V _c4,
     const V _s2 = lanes_add(lanes_mul(vz, vz), lanes_mul(_c2, _s1));
     const V _s3 = lanes_select(_s0, lanes_abs(vz), lanes_sqrt(_s2));
     const M _s4 = lanes_less(vz, K(0.0));
-    return (LANES(hoop_end_arrival_out)){ lanes_div(lanes_select(_s4, lanes_mul(K(2.0), _s1), lanes_add(vz, _s3)), lanes_select(_s4, lanes_sub(_s3, vz), _c0)), lanes_neg(_s3), _c3, lanes_neg(lanes_mul(vz, _c4)), lanes_neg(lanes_mul(_c5, _s2)) };
+    return (LANES(hoop_end_arrival_out)){ lanes_div(lanes_select(_s4, lanes_mul(K(2.0), _s1), lanes_add(vz, _s3)), lanes_select(_s4, lanes_sub(_s3, vz), _c0)), lanes_neg(_s3), _c3, lanes_select(_s4, K(0.0), lanes_neg(lanes_mul(vz, _c4))), lanes_select(_s4, _s1, lanes_neg(lanes_mul(_c5, _s2))) };
 }
 
 /* Rounding-error bound of the gap up to the horizon.

@@ -1,6 +1,6 @@
 /* The event loop of the scene court in CUDA: a thread takes one shot from its release to its end.
 
-   Generated from templates/cuda/scene.cu.j2, scene court, derivation 83fca103576a1dd1,
+   Generated from templates/cuda/scene.cu.j2, scene court, derivation 58853364fe0c9a18,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    It needs no header. To give the bits of NumPy and C it is compiled with --fmad=false, --ftz=false,
@@ -680,18 +680,21 @@ static __device__ __forceinline__ kernel_crossing_undecided_out kernel_crossing_
     return {choose(((arrives && (!(0.0 < clearance))) && (time < undecided_time)), time, undecided_time)};
 }
 
-/* Earliest undecided time, with that of a tie within the delays; the earlier's delay.
-   Table 1. 12 operations: 1 addition, 1 subtraction, 1 absolute value, 3 comparisons, 3 conjunctions, 3 selections. */
+/* Earliest undecided time, with that of a tie; the delay of the earlier arrival.
+   Table 1. 16 operations: 1 addition, 2 subtractions, 1 multiplication, 1 absolute value, 4 comparisons, 3 conjunctions, 4 selections. */
 struct kernel_tie_undecided_out {
     double undecided_time, earliest_delay;
 };
 
 static __device__ __forceinline__ kernel_tie_undecided_out kernel_tie_undecided(double time, double when, double delay, double earliest_delay, double undecided_time, bool arrives)
 {
-    const bool _s0 = time < when;
-    const double _s1 = choose(_s0, time, when);
-    const double _s2 = choose(((arrives && (fabs((time - when)) <= (delay + earliest_delay))) && (_s1 < undecided_time)), _s1, undecided_time);
-    return {_s2, choose((arrives && _s0), delay, earliest_delay)};
+    const double _s0 = delay + earliest_delay;
+    const bool _s1 = time < when;
+    const double _s2 = choose(_s1, time, when);
+    const double _s3 = 0.5 * _s2;
+    const double _s4 = _s2 - smaller(_s3, _s0);
+    const double _s5 = choose(((arrives && (fabs((time - when)) <= _s0)) && (_s4 < undecided_time)), _s4, undecided_time);
+    return {_s5, choose((arrives && _s1), delay, earliest_delay)};
 }
 
 /* Time and surface of the earliest arrival, with this one.
@@ -910,7 +913,7 @@ static __device__ __forceinline__ kernel_arrival_time_out kernel_arrival_time(do
 }
 
 /* Delay of a certain arrival; the earliest undecided time, with that of any other one.
-   Table 1. 8 operations: 2 comparisons, 3 conjunctions, 1 complement, 2 selections. */
+   Table 1. 10 operations: 1 subtraction, 2 comparisons, 3 conjunctions, 1 complement, 3 selections. */
 struct kernel_arrival_certainty_out {
     double delay, undecided_time;
 };
@@ -918,7 +921,8 @@ struct kernel_arrival_certainty_out {
 static __device__ __forceinline__ kernel_arrival_certainty_out kernel_arrival_certainty(double clearance, double time, double delay, double undecided_time, bool arrives, bool certain)
 {
     const bool _s0 = certain && (0.0 < clearance);
-    return {choose(_s0, delay, 0.0), choose(((arrives && (!_s0)) && (time < undecided_time)), time, undecided_time)};
+    const double _s1 = choose(certain, (time - delay), time);
+    return {choose(_s0, delay, 0.0), choose(((arrives && (!_s0)) && (_s1 < undecided_time)), _s1, undecided_time)};
 }
 
 /* Start value: the ball is outside the surface.

@@ -1,6 +1,6 @@
 /* The event loop of the scene hoop in CUDA: a thread takes one shot from its release to its end.
 
-   Generated from templates/cuda/scene.cu.j2, scene hoop, derivation 0b232e662b9cf364,
+   Generated from templates/cuda/scene.cu.j2, scene hoop, derivation 83b7ff2bc0b2beda,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    It needs no header. To give the bits of NumPy and C it is compiled with --fmad=false, --ftz=false,
@@ -454,6 +454,20 @@ static __device__ __forceinline__ kernel_plane_root_out kernel_plane_root(double
     return {_s0, fabs(bend), choose(_s0, time, apex)};
 }
 
+/* Whether a plane's only root is an arrival, the size of F'', and the nearest time.
+   Table 1. 17 operations: 1 absolute value, 8 comparisons, 4 conjunctions, 1 disjunction, 3 selections. */
+struct kernel_level_root_out {
+    bool arrives;
+    double ceiling, nearest;
+};
+
+static __device__ __forceinline__ kernel_level_root_out kernel_level_root(double rate, double bend, double height, double time, double when)
+{
+    const bool _s0 = (((rate < 0.0) || (((rate <= 0.0) && (bend < 0.0)) && (time == 0.0))) && (0.0 <= time)) && (time < (INFINITE));
+    const double _s1 = choose(_s0, time, choose((height < 0.0), 0.0, (INFINITE)));
+    return {_s0, fabs(bend), smaller(when, _s1)};
+}
+
 /* Whether an arrival may be the earliest within the delays.
    Table 1. 5 operations: 1 addition, 1 subtraction, 1 comparison, 1 conjunction, 1 complement. */
 struct kernel_within_time_out {
@@ -465,15 +479,26 @@ static __device__ __forceinline__ kernel_within_time_out kernel_within_time(doub
     return {arrives && (!((delay + earliest_delay) < (time - when)))};
 }
 
-/* Earliest undecided time, with that of an apex whose gap is zero within its error.
-   Table 1. 7 operations: 1 absolute value, 3 comparisons, 2 conjunctions, 1 selection. */
-struct kernel_graze_undecided_out {
+/* Undecided time 0 if the largest gap from the start on is zero within its error.
+   Table 1. 5 operations: 1 absolute value, 2 comparisons, 1 conjunction, 1 selection. */
+struct kernel_apex_undecided_out {
     double undecided_time;
 };
 
-static __device__ __forceinline__ kernel_graze_undecided_out kernel_graze_undecided(double margin, double apex, double height, double undecided_time)
+static __device__ __forceinline__ kernel_apex_undecided_out kernel_apex_undecided(double margin, double apex, double height, double undecided_time)
 {
-    return {choose((((0.0 <= apex) && (fabs(height) <= margin)) && (apex < undecided_time)), apex, undecided_time)};
+    return {choose(((0.0 <= apex) && (fabs(height) <= margin)), 0.0, undecided_time)};
+}
+
+/* Undecided time 0 if the gap of a plane along gravity is zero within its error.
+   Table 1. 7 operations: 2 multiplications, 1 absolute value, 2 comparisons, 1 conjunction, 1 selection. */
+struct kernel_side_undecided_out {
+    double undecided_time;
+};
+
+static __device__ __forceinline__ kernel_side_undecided_out kernel_side_undecided(double rate, double margin, double height, double undecided_time, double velocity_error)
+{
+    return {choose(((rate < (2.0 * velocity_error)) && (fabs(height) <= (2.0 * margin))), 0.0, undecided_time)};
 }
 
 /* Earliest undecided time, with that of an undecided predicate.
@@ -487,6 +512,18 @@ static __device__ __forceinline__ kernel_predicate_undecided_out kernel_predicat
     return {choose((undecided && (time < undecided_time)), time, undecided_time)};
 }
 
+/* Earliest undecided time, with that from which on a contact near an edge may be.
+   Table 1. 4 operations: 1 multiplication, 1 comparison, 1 conjunction, 1 selection. */
+struct kernel_bounds_undecided_out {
+    double undecided_time;
+};
+
+static __device__ __forceinline__ kernel_bounds_undecided_out kernel_bounds_undecided(double time, double undecided_time, bool undecided)
+{
+    const double _s0 = 0.5 * time;
+    return {choose((undecided && (_s0 < undecided_time)), _s0, undecided_time)};
+}
+
 /* Earliest undecided time, with that of an arrival whose crossing is not certain.
    Table 1. 6 operations: 2 comparisons, 2 conjunctions, 1 complement, 1 selection. */
 struct kernel_crossing_undecided_out {
@@ -498,18 +535,21 @@ static __device__ __forceinline__ kernel_crossing_undecided_out kernel_crossing_
     return {choose(((arrives && (!(0.0 < clearance))) && (time < undecided_time)), time, undecided_time)};
 }
 
-/* Earliest undecided time, with that of a tie within the delays; the earlier's delay.
-   Table 1. 12 operations: 1 addition, 1 subtraction, 1 absolute value, 3 comparisons, 3 conjunctions, 3 selections. */
+/* Earliest undecided time, with that of a tie; the delay of the earlier arrival.
+   Table 1. 16 operations: 1 addition, 2 subtractions, 1 multiplication, 1 absolute value, 4 comparisons, 3 conjunctions, 4 selections. */
 struct kernel_tie_undecided_out {
     double undecided_time, earliest_delay;
 };
 
 static __device__ __forceinline__ kernel_tie_undecided_out kernel_tie_undecided(double time, double when, double delay, double earliest_delay, double undecided_time, bool arrives)
 {
-    const bool _s0 = time < when;
-    const double _s1 = choose(_s0, time, when);
-    const double _s2 = choose(((arrives && (fabs((time - when)) <= (delay + earliest_delay))) && (_s1 < undecided_time)), _s1, undecided_time);
-    return {_s2, choose((arrives && _s0), delay, earliest_delay)};
+    const double _s0 = delay + earliest_delay;
+    const bool _s1 = time < when;
+    const double _s2 = choose(_s1, time, when);
+    const double _s3 = 0.5 * _s2;
+    const double _s4 = _s2 - smaller(_s3, _s0);
+    const double _s5 = choose(((arrives && (fabs((time - when)) <= _s0)) && (_s4 < undecided_time)), _s4, undecided_time);
+    return {_s5, choose((arrives && _s1), delay, earliest_delay)};
 }
 
 /* Time and surface of the earliest arrival, with this one.
@@ -556,6 +596,17 @@ struct kernel_out_of_budget_out {
 static __device__ __forceinline__ kernel_out_of_budget_out kernel_out_of_budget(double pad, double budget_exceeded, double earliest_delay, double undecided_time, double excess)
 {
     return {choose((((0.0 < excess) || (pad < (0.5 * earliest_delay))) || (0.0 < budget_exceeded)), 0.0, undecided_time)};
+}
+
+/* Undecided time 0 if the earliest arrival may be after the horizon.
+   Table 1. 3 operations: 1 multiplication, 1 comparison, 1 selection. */
+struct kernel_overdue_out {
+    double undecided_time;
+};
+
+static __device__ __forceinline__ kernel_overdue_out kernel_overdue(double pad, double earliest_delay, double undecided_time)
+{
+    return {choose((pad < (0.5 * earliest_delay)), 0.0, undecided_time)};
 }
 
 /* 1 near the surface that the ball left, where F/t is more exact than F; the margin.
@@ -709,7 +760,7 @@ static __device__ __forceinline__ kernel_arrival_time_out kernel_arrival_time(do
 }
 
 /* Delay of a certain arrival; the earliest undecided time, with that of any other one.
-   Table 1. 8 operations: 2 comparisons, 3 conjunctions, 1 complement, 2 selections. */
+   Table 1. 10 operations: 1 subtraction, 2 comparisons, 3 conjunctions, 1 complement, 3 selections. */
 struct kernel_arrival_certainty_out {
     double delay, undecided_time;
 };
@@ -717,7 +768,8 @@ struct kernel_arrival_certainty_out {
 static __device__ __forceinline__ kernel_arrival_certainty_out kernel_arrival_certainty(double clearance, double time, double delay, double undecided_time, bool arrives, bool certain)
 {
     const bool _s0 = certain && (0.0 < clearance);
-    return {choose(_s0, delay, 0.0), choose(((arrives && (!_s0)) && (time < undecided_time)), time, undecided_time)};
+    const double _s1 = choose(certain, (time - delay), time);
+    return {choose(_s0, delay, 0.0), choose(((arrives && (!_s0)) && (_s1 < undecided_time)), _s1, undecided_time)};
 }
 
 /* Whether all numbers of a release are small enough not to overflow.
@@ -995,6 +1047,19 @@ static __device__ __forceinline__ kernel_reachable_out kernel_reachable(double p
     const double _s7 = smaller(0.0, _s6);
     const bool _s8 = (_s1 < (_s3 - (p_ball_radius - p_board_distance))) && ((0.0 < _s4) && ((1.0000000000009095 * ((p_bridge_half_width * p_bridge_half_width) + (_s7 * _s7))) < (_s4 * _s4)));
     return {!_s8};
+}
+
+/* Undecided time 0 if the side of a plane on which the flight begins is undecided.
+   Table 1. 8 operations: 4 multiplications, 1 negation, 1 absolute value, 1 comparison, 1 selection. */
+struct kernel_plane_start_out {
+    double undecided_time;
+};
+
+static __device__ __forceinline__ kernel_plane_start_out kernel_plane_start(double p_gravity, double undecided_time, double position_error, double velocity_error)
+{
+    const double _s0 = 2.0 * velocity_error;
+    const double _s1 = choose(((position_error * (0.5 * fabs((-p_gravity)))) < (_s0 * _s0)), 0.0, undecided_time);
+    return {_s1};
 }
 
 /* Velocity and spin after a contact, frame-free.
@@ -1666,15 +1731,16 @@ static __device__ __forceinline__ kernel_backboard_bounds_out kernel_backboard_b
 }
 
 /* Time of the only arrival, the gap's first two derivatives there, and its apex.
-   Eq. 3 in Table 2, solved. 9 operations: 2 subtractions, 1 division, 1 negation, 1 absolute value, 2 comparisons, 2 selections. */
+   Eq. 3 in Table 2, solved. 9 operations: 2 subtractions, 1 division, 1 negation, 2 comparisons, 3 selections. */
 struct kernel_backboard_arrival_out {
     double time, rate, bend, apex, height;
 };
 
 static __device__ __forceinline__ kernel_backboard_arrival_out kernel_backboard_arrival(double leaving, double x, double vx, double p_ball_radius, double p_board_distance)
 {
-    const double _s0 = choose((0.0 < leaving), 0.0, (x - (p_ball_radius - p_board_distance)));
-    return {-(_s0 / vx), vx, 0.0, choose((fabs(vx) <= 0.0), 0.0, -1.0), _s0};
+    const bool _s0 = 0.0 < leaving;
+    const double _s1 = choose(_s0, 0.0, (x - (p_ball_radius - p_board_distance)));
+    return {-(_s1 / vx), vx, 0.0, 0.0, choose(_s0, choose((vx < 0.0), 0.0, (INFINITE)), _s1)};
 }
 
 /* Rounding-error bound of the gap up to the horizon.
@@ -1758,7 +1824,7 @@ static __device__ __forceinline__ kernel_bridge_bounds_out kernel_bridge_bounds(
 }
 
 /* Time of the only arrival, the gap's first two derivatives there, and its apex.
-   Eq. 3 in Table 2, solved. 27 operations: 3 additions, 2 subtractions, 7 multiplications, 2 divisions, 1 square root, 5 negations, 1 absolute value, 2 comparisons, 4 selections. */
+   Eq. 3 in Table 2, solved. 29 operations: 3 additions, 2 subtractions, 7 multiplications, 2 divisions, 1 square root, 5 negations, 1 absolute value, 2 comparisons, 6 selections. */
 struct kernel_bridge_arrival_out {
     double time, rate, bend, apex, height;
 };
@@ -1771,7 +1837,7 @@ static __device__ __forceinline__ kernel_bridge_arrival_out kernel_bridge_arriva
     const double _s3 = choose(_s0, fabs(vz), sqrt(_s2));
     const bool _s4 = vz < 0.0;
     const double _s5 = -(1.0 / p_gravity);
-    return {choose(_s4, (2.0 * _s1), (vz + _s3)) / choose(_s4, (_s3 - vz), p_gravity), -_s3, -p_gravity, -(vz * _s5), -((0.5 * _s5) * _s2)};
+    return {choose(_s4, (2.0 * _s1), (vz + _s3)) / choose(_s4, (_s3 - vz), p_gravity), -_s3, -p_gravity, choose(_s4, 0.0, (-(vz * _s5))), choose(_s4, _s1, (-((0.5 * _s5) * _s2)))};
 }
 
 /* Rounding-error bound of the gap up to the horizon.
@@ -1834,7 +1900,7 @@ static __device__ __forceinline__ kernel_end_normal_out kernel_end_normal()
 }
 
 /* Time of the only arrival, the gap's first two derivatives there, and its apex.
-   Eq. 3 in Table 2, solved. 27 operations: 2 additions, 2 subtractions, 7 multiplications, 2 divisions, 1 square root, 6 negations, 1 absolute value, 2 comparisons, 4 selections. */
+   Eq. 3 in Table 2, solved. 29 operations: 2 additions, 2 subtractions, 7 multiplications, 2 divisions, 1 square root, 6 negations, 1 absolute value, 2 comparisons, 6 selections. */
 struct kernel_end_arrival_out {
     double time, rate, bend, apex, height;
 };
@@ -1847,7 +1913,7 @@ static __device__ __forceinline__ kernel_end_arrival_out kernel_end_arrival(doub
     const double _s3 = choose(_s0, fabs(vz), sqrt(_s2));
     const bool _s4 = vz < 0.0;
     const double _s5 = -(1.0 / p_gravity);
-    return {choose(_s4, (2.0 * _s1), (vz + _s3)) / choose(_s4, (_s3 - vz), p_gravity), -_s3, -p_gravity, -(vz * _s5), -((0.5 * _s5) * _s2)};
+    return {choose(_s4, (2.0 * _s1), (vz + _s3)) / choose(_s4, (_s3 - vz), p_gravity), -_s3, -p_gravity, choose(_s4, 0.0, (-(vz * _s5))), choose(_s4, _s1, (-((0.5 * _s5) * _s2)))};
 }
 
 /* Rounding-error bound of the gap up to the horizon.
@@ -2053,7 +2119,7 @@ static __device__ __forceinline__ void hoop_loop(
         const kernel_within_time_out _o15 = kernel_within_time(time, when, delay, earliest_delay, arrives);
         possible = _o15.possible;
         if (BOUNDS) {
-            const kernel_graze_undecided_out _o16 = kernel_graze_undecided(margin, apex, height, undecided_time);
+            const kernel_apex_undecided_out _o16 = kernel_apex_undecided(margin, apex, height, undecided_time);
             undecided_time = _o16.undecided_time;
         }
         if (possible) {
@@ -2085,10 +2151,8 @@ static __device__ __forceinline__ void hoop_loop(
             time = _o24.time;
             rate = _o24.rate;
             bend = _o24.bend;
-            apex = _o24.apex;
-            if (BOUNDS)
-                height = _o24.height;
-            const kernel_plane_root_out _o25 = kernel_plane_root(rate, bend, apex, time);
+            height = _o24.height;
+            const kernel_level_root_out _o25 = kernel_level_root(rate, bend, height, time, when);
             arrives = _o25.arrives;
             if (BOUNDS) {
                 ceiling = _o25.ceiling;
@@ -2104,7 +2168,7 @@ static __device__ __forceinline__ void hoop_loop(
             const kernel_within_time_out _o28 = kernel_within_time(time, when, delay, earliest_delay, arrives);
             possible = _o28.possible;
             if (BOUNDS) {
-                const kernel_graze_undecided_out _o29 = kernel_graze_undecided(margin, apex, height, undecided_time);
+                const kernel_side_undecided_out _o29 = kernel_side_undecided(rate, margin, height, undecided_time, velocity_error);
                 undecided_time = _o29.undecided_time;
             }
             if (possible) {
@@ -2121,7 +2185,7 @@ static __device__ __forceinline__ void hoop_loop(
                     slack = _o32.margin;
                     const kernel_backboard_edges_out _o33 = kernel_backboard_edges(clearance, slack, g0, g1, g2, g3);
                     undecided = _o33.undecided;
-                    const kernel_predicate_undecided_out _o34 = kernel_predicate_undecided(time, undecided_time, undecided);
+                    const kernel_bounds_undecided_out _o34 = kernel_bounds_undecided(time, undecided_time, undecided);
                     undecided_time = _o34.undecided_time;
                 }
                 const kernel_backboard_within_out _o35 = kernel_backboard_within(g0, g1, g2, g3);
@@ -2160,7 +2224,7 @@ static __device__ __forceinline__ void hoop_loop(
             const kernel_within_time_out _o43 = kernel_within_time(time, when, delay, earliest_delay, arrives);
             possible = _o43.possible;
             if (BOUNDS) {
-                const kernel_graze_undecided_out _o44 = kernel_graze_undecided(margin, apex, height, undecided_time);
+                const kernel_apex_undecided_out _o44 = kernel_apex_undecided(margin, apex, height, undecided_time);
                 undecided_time = _o44.undecided_time;
             }
             if (possible) {
@@ -2178,7 +2242,7 @@ static __device__ __forceinline__ void hoop_loop(
                     slack = _o47.margin;
                     const kernel_bridge_edges_out _o48 = kernel_bridge_edges(clearance, slack, g0, g1, g2, g3, g4);
                     undecided = _o48.undecided;
-                    const kernel_predicate_undecided_out _o49 = kernel_predicate_undecided(time, undecided_time, undecided);
+                    const kernel_bounds_undecided_out _o49 = kernel_bounds_undecided(time, undecided_time, undecided);
                     undecided_time = _o49.undecided_time;
                 }
                 const kernel_bridge_within_out _o50 = kernel_bridge_within(g0, g1, g2, g3, g4);
@@ -2192,210 +2256,209 @@ static __device__ __forceinline__ void hoop_loop(
                 when = _o52.when;
                 which = _o52.which;
             }
-        }
-        const kernel_horizon_out _o53 = kernel_horizon(when, speed, p_gravity);
-        until = _o53.horizon;
-        if (BOUNDS)
-            pad = _o53.pad;
-        const kernel_ring_clear_out _o54 = kernel_ring_clear(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-        clear = _o54.clear;
-        const kernel_opens_out _o55 = kernel_opens(clear);
-        open = _o55.open;
-        if (open) {
-            const kernel_beginning_out _o56 = kernel_beginning();
-            share = _o56.share;
-            arrival = _o56.arrival;
-            certain = _o56.certain;
-            const kernel_left_out _o57 = kernel_left(0.0, last);
-            leaving = _o57.leaving;
-            const kernel_ring_opened_out _o58 = kernel_ring_opened(until, x, y, z, vx, vy, vz, extent, speed, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            onset = _o58.t;
-            wide_end = _o58.end;
-            searching = _o58.searching;
-            wide_low1 = _o58.low1;
-            wide_high1 = _o58.high1;
-            wide_low2 = _o58.low2;
-            wide_high2 = _o58.high2;
-            lapsed = _o58.latest;
-            representable = _o58.representable;
-            const kernel_opened_out _o59 = kernel_opened(lapsed, onset);
-            since = _o59.time;
-            if (BOUNDS)
-                latest = _o59.latest;
-            const kernel_ring_started_out _o60 = kernel_ring_started(x, y, z, vx, vy, vz, p_ring_radius);
-            rho_start = _o60.rho_start;
-            start_rate = _o60.start_rate;
-            rho_rate = _o60.rho_rate;
-            const kernel_flight_out _o61 = kernel_flight(since, x, y, z, vx, vy, vz, p_gravity);
-            near_x = _o61.x;
-            near_y = _o61.y;
-            near_z = _o61.z;
-            near_vz = _o61.vz;
-            const kernel_ring_resolution_out _o62 = kernel_ring_resolution(onset, wide_end, leaving, lapsed, near_x, near_y, near_z, vx, vy, near_vz, extent, speed, start_rate, rho_rate, wide_low1, wide_high1, wide_low2, wide_high2, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            short_share = _o62.share;
-            short_t = _o62.t;
-            short_end = _o62.end;
-            short_x = _o62.x;
-            short_y = _o62.y;
-            short_z = _o62.z;
-            short_vx = _o62.vx;
-            short_vy = _o62.vy;
-            short_vz = _o62.vz;
-            short_energy2 = _o62.energy2;
-            short_moment2 = _o62.moment2;
-            short_rho_start = _o62.rho_start;
-            short_ceiling = _o62.ceiling;
-            short_flat = _o62.flat;
-            short_tilt = _o62.tilt;
-            short_jerk = _o62.jerk;
-            short_quotient_margin = _o62.quotient_margin;
-            short_start_rate = _o62.start_rate;
-            short_rho_rate = _o62.rho_rate;
-            short_rate_margin = _o62.rate_margin;
-            short_low1 = _o62.low1;
-            short_high1 = _o62.high1;
-            short_low2 = _o62.low2;
-            short_high2 = _o62.high2;
-            fits = _o62.fits;
-            const kernel_coarse_out _o63 = kernel_coarse(short_rate_margin, short_flat, short_ceiling, short_share, searching, representable, fits);
-            stepping = _o63.stepping;
-            searching = _o63.searching;
-            single_precision = _o63.single_precision;
-            ceiling = _o63.ceiling;
-            flat = _o63.flat;
-            tilt = _o63.tilt;
-            if (BOUNDS)
-                allowing = _o63.allowing;
             if (BOUNDS) {
-                const kernel_ring_coarse_excess_out _o64 = kernel_ring_coarse_excess(allowing, latest, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                excess = _o64.excess;
-                const kernel_ring_budget_exceeded_out _o65 = kernel_ring_budget_exceeded(until, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                budget_exceeded = _o65.budget_exceeded;
-                const kernel_out_of_budget_out _o66 = kernel_out_of_budget(pad, budget_exceeded, earliest_delay, undecided_time, excess);
-                undecided_time = _o66.undecided_time;
+                const kernel_plane_start_out _o53 = kernel_plane_start(p_gravity, undecided_time, position_error, velocity_error);
+                undecided_time = _o53.undecided_time;
+            }
+        }
+        const kernel_horizon_out _o54 = kernel_horizon(when, speed, p_gravity);
+        until = _o54.horizon;
+        if (BOUNDS)
+            pad = _o54.pad;
+        if (BOUNDS) {
+            const kernel_overdue_out _o55 = kernel_overdue(pad, earliest_delay, undecided_time);
+            undecided_time = _o55.undecided_time;
+        }
+        const kernel_ring_clear_out _o56 = kernel_ring_clear(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+        clear = _o56.clear;
+        const kernel_opens_out _o57 = kernel_opens(clear);
+        open = _o57.open;
+        if (open) {
+            const kernel_beginning_out _o58 = kernel_beginning();
+            share = _o58.share;
+            arrival = _o58.arrival;
+            certain = _o58.certain;
+            const kernel_left_out _o59 = kernel_left(0.0, last);
+            leaving = _o59.leaving;
+            const kernel_ring_opened_out _o60 = kernel_ring_opened(until, x, y, z, vx, vy, vz, extent, speed, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+            onset = _o60.t;
+            wide_end = _o60.end;
+            searching = _o60.searching;
+            wide_low1 = _o60.low1;
+            wide_high1 = _o60.high1;
+            wide_low2 = _o60.low2;
+            wide_high2 = _o60.high2;
+            lapsed = _o60.latest;
+            representable = _o60.representable;
+            const kernel_opened_out _o61 = kernel_opened(lapsed, onset);
+            since = _o61.time;
+            if (BOUNDS)
+                latest = _o61.latest;
+            const kernel_ring_started_out _o62 = kernel_ring_started(x, y, z, vx, vy, vz, p_ring_radius);
+            rho_start = _o62.rho_start;
+            start_rate = _o62.start_rate;
+            rho_rate = _o62.rho_rate;
+            const kernel_flight_out _o63 = kernel_flight(since, x, y, z, vx, vy, vz, p_gravity);
+            near_x = _o63.x;
+            near_y = _o63.y;
+            near_z = _o63.z;
+            near_vz = _o63.vz;
+            const kernel_ring_resolution_out _o64 = kernel_ring_resolution(onset, wide_end, leaving, lapsed, near_x, near_y, near_z, vx, vy, near_vz, extent, speed, start_rate, rho_rate, wide_low1, wide_high1, wide_low2, wide_high2, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+            short_share = _o64.share;
+            short_t = _o64.t;
+            short_end = _o64.end;
+            short_x = _o64.x;
+            short_y = _o64.y;
+            short_z = _o64.z;
+            short_vx = _o64.vx;
+            short_vy = _o64.vy;
+            short_vz = _o64.vz;
+            short_energy2 = _o64.energy2;
+            short_moment2 = _o64.moment2;
+            short_rho_start = _o64.rho_start;
+            short_ceiling = _o64.ceiling;
+            short_flat = _o64.flat;
+            short_tilt = _o64.tilt;
+            short_jerk = _o64.jerk;
+            short_quotient_margin = _o64.quotient_margin;
+            short_start_rate = _o64.start_rate;
+            short_rho_rate = _o64.rho_rate;
+            short_rate_margin = _o64.rate_margin;
+            short_low1 = _o64.low1;
+            short_high1 = _o64.high1;
+            short_low2 = _o64.low2;
+            short_high2 = _o64.high2;
+            fits = _o64.fits;
+            const kernel_coarse_out _o65 = kernel_coarse(short_rate_margin, short_flat, short_ceiling, short_share, searching, representable, fits);
+            stepping = _o65.stepping;
+            searching = _o65.searching;
+            single_precision = _o65.single_precision;
+            ceiling = _o65.ceiling;
+            flat = _o65.flat;
+            tilt = _o65.tilt;
+            if (BOUNDS)
+                allowing = _o65.allowing;
+            if (BOUNDS) {
+                const kernel_ring_coarse_excess_out _o66 = kernel_ring_coarse_excess(allowing, latest, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                excess = _o66.excess;
+                const kernel_ring_budget_exceeded_out _o67 = kernel_ring_budget_exceeded(until, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                budget_exceeded = _o67.budget_exceeded;
+                const kernel_out_of_budget_out _o68 = kernel_out_of_budget(pad, budget_exceeded, earliest_delay, undecided_time, excess);
+                undecided_time = _o68.undecided_time;
             }
             if (stepping) {
-                const kernel_ring_step_out _o67 = kernel_ring_step(short_t, short_end, short_rate_margin, short_ceiling, short_x, short_y, short_z, short_vx, short_vy, short_vz, short_energy2, short_moment2, short_rho_start, short_flat, short_tilt, short_quotient_margin, short_jerk, short_start_rate, short_rho_rate, short_low1, short_high1, short_low2, short_high2, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                short_t = _o67.t;
-                short_end = _o67.end;
-                certain = _o67.certain;
-                stepping = _o67.stepping;
+                const kernel_ring_step_out _o69 = kernel_ring_step(short_t, short_end, short_rate_margin, short_ceiling, short_x, short_y, short_z, short_vx, short_vy, short_vz, short_energy2, short_moment2, short_rho_start, short_flat, short_tilt, short_quotient_margin, short_jerk, short_start_rate, short_rho_rate, short_low1, short_high1, short_low2, short_high2, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                short_t = _o69.t;
+                short_end = _o69.end;
+                certain = _o69.certain;
+                stepping = _o69.stepping;
             }
             for (size_t _turn = 0; _turn < 24; _turn++) {
                 if (!stepping)
                     break;
-                const kernel_ring_step_out _o68 = kernel_ring_step(short_t, short_end, short_rate_margin, short_ceiling, short_x, short_y, short_z, short_vx, short_vy, short_vz, short_energy2, short_moment2, short_rho_start, short_flat, short_tilt, short_quotient_margin, short_jerk, short_start_rate, short_rho_rate, short_low1, short_high1, short_low2, short_high2, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                short_t = _o68.t;
-                short_end = _o68.end;
-                certain = _o68.certain;
-                stepping = _o68.stepping;
+                const kernel_ring_step_out _o70 = kernel_ring_step(short_t, short_end, short_rate_margin, short_ceiling, short_x, short_y, short_z, short_vx, short_vy, short_vz, short_energy2, short_moment2, short_rho_start, short_flat, short_tilt, short_quotient_margin, short_jerk, short_start_rate, short_rho_rate, short_low1, short_high1, short_low2, short_high2, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                short_t = _o70.t;
+                short_end = _o70.end;
+                certain = _o70.certain;
+                stepping = _o70.stepping;
             }
-            const kernel_stepped_out _o69 = kernel_stepped(arrival, short_t, searching, since, single_precision, certain);
-            arrival = _o69.arrival;
-            t = _o69.t;
-            searching = _o69.searching;
+            const kernel_stepped_out _o71 = kernel_stepped(arrival, short_t, searching, since, single_precision, certain);
+            arrival = _o71.arrival;
+            t = _o71.t;
+            searching = _o71.searching;
             if (searching) {
-                const kernel_ring_prepare_out _o70 = kernel_ring_prepare(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                energy2 = _o70.energy2;
-                moment2 = _o70.moment2;
-                rho_start = _o70.rho_start;
-                low0 = _o70.low0;
-                high0 = _o70.high0;
-                low1 = _o70.low1;
-                high1 = _o70.high1;
-                low2 = _o70.low2;
-                high2 = _o70.high2;
-                ceiling = _o70.ceiling;
-                latest = _o70.latest;
+                const kernel_ring_prepare_out _o72 = kernel_ring_prepare(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                energy2 = _o72.energy2;
+                moment2 = _o72.moment2;
+                rho_start = _o72.rho_start;
+                low0 = _o72.low0;
+                high0 = _o72.high0;
+                low1 = _o72.low1;
+                high1 = _o72.high1;
+                low2 = _o72.low2;
+                high2 = _o72.high2;
+                ceiling = _o72.ceiling;
+                latest = _o72.latest;
                 if (BOUNDS) {
-                    const kernel_ring_excess_out _o71 = kernel_ring_excess(share, latest, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                    excess = _o71.excess;
+                    const kernel_ring_excess_out _o73 = kernel_ring_excess(share, latest, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                    excess = _o73.excess;
                 }
-                const kernel_allowance_out _o72 = kernel_allowance(share, latest, extent, speed, position_error, velocity_error, p_gravity);
-                position_level = _o72.position_level;
-                velocity_level = _o72.velocity_level;
-                const kernel_ring_margins_out _o73 = kernel_ring_margins(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                flat = _o73.margin;
-                tilt = _o73.leaving_margin;
-                rate_slack = _o73.rate_margin;
+                const kernel_allowance_out _o74 = kernel_allowance(share, latest, extent, speed, position_error, velocity_error, p_gravity);
+                position_level = _o74.position_level;
+                velocity_level = _o74.velocity_level;
+                const kernel_ring_margins_out _o75 = kernel_ring_margins(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                flat = _o75.margin;
+                tilt = _o75.leaving_margin;
+                rate_slack = _o75.rate_margin;
                 if (BOUNDS) {
-                    const kernel_budget_undecided_out _o74 = kernel_budget_undecided(t, undecided_time, excess);
-                    undecided_time = _o74.undecided_time;
+                    const kernel_budget_undecided_out _o76 = kernel_budget_undecided(t, undecided_time, excess);
+                    undecided_time = _o76.undecided_time;
                 }
-                const kernel_ring_enter_out _o75 = kernel_ring_enter(t, 0.0, t, low0, low1, low2, high0, high1, high2);
-                t = _o75.t;
-                end = _o75.end;
-                searching = _o75.searching;
+                const kernel_ring_enter_out _o77 = kernel_ring_enter(t, 0.0, t, low0, low1, low2, high0, high1, high2);
+                t = _o77.t;
+                end = _o77.end;
+                searching = _o77.searching;
                 for (size_t _turn = 0; _turn < 201; _turn++) {
                     if (!searching)
                         break;
-                    const kernel_nearby_out _o76 = kernel_nearby(t, flat, tilt, 0.0, last);
-                    leaving = _o76.leaving;
-                    margin = _o76.margin;
-                    const kernel_ring_advance_out _o77 = kernel_ring_advance(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, energy2, moment2, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                    gap = _o77.gap;
-                    rate = _o77.rate;
-                    bend = _o77.bend;
-                    step = _o77.step;
-                    next = _o77.next;
-                    clearance = _o77.clearance;
-                    const kernel_gap_closes_out _o78 = kernel_gap_closes(gap, rate, bend, margin, rate_slack, clearance, share);
-                    hit = _o78.hit;
-                    sure = _o78.sure;
-                    needs_refinement = _o78.needs_refinement;
+                    const kernel_nearby_out _o78 = kernel_nearby(t, flat, tilt, 0.0, last);
+                    leaving = _o78.leaving;
+                    margin = _o78.margin;
+                    const kernel_ring_advance_out _o79 = kernel_ring_advance(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, energy2, moment2, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                    gap = _o79.gap;
+                    rate = _o79.rate;
+                    bend = _o79.bend;
+                    step = _o79.step;
+                    next = _o79.next;
+                    clearance = _o79.clearance;
+                    const kernel_gap_closes_out _o80 = kernel_gap_closes(gap, rate, bend, margin, rate_slack, clearance, share);
+                    hit = _o80.hit;
+                    sure = _o80.sure;
+                    needs_refinement = _o80.needs_refinement;
                     if (needs_refinement) {
-                        const kernel_smaller_budget_out _o79 = kernel_smaller_budget(share);
-                        share = _o79.share;
+                        const kernel_smaller_budget_out _o81 = kernel_smaller_budget(share);
+                        share = _o81.share;
                         if (BOUNDS) {
-                            const kernel_ring_excess_out _o80 = kernel_ring_excess(share, latest, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                            excess = _o80.excess;
+                            const kernel_ring_excess_out _o82 = kernel_ring_excess(share, latest, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                            excess = _o82.excess;
                         }
-                        const kernel_allowance_out _o81 = kernel_allowance(share, latest, extent, speed, position_error, velocity_error, p_gravity);
-                        position_level = _o81.position_level;
-                        velocity_level = _o81.velocity_level;
-                        const kernel_ring_margins_out _o82 = kernel_ring_margins(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                        flat = _o82.margin;
-                        tilt = _o82.leaving_margin;
-                        rate_slack = _o82.rate_margin;
+                        const kernel_allowance_out _o83 = kernel_allowance(share, latest, extent, speed, position_error, velocity_error, p_gravity);
+                        position_level = _o83.position_level;
+                        velocity_level = _o83.velocity_level;
+                        const kernel_ring_margins_out _o84 = kernel_ring_margins(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                        flat = _o84.margin;
+                        tilt = _o84.leaving_margin;
+                        rate_slack = _o84.rate_margin;
                         if (BOUNDS) {
-                            const kernel_budget_undecided_out _o83 = kernel_budget_undecided(t, undecided_time, excess);
-                            undecided_time = _o83.undecided_time;
+                            const kernel_budget_undecided_out _o85 = kernel_budget_undecided(t, undecided_time, excess);
+                            undecided_time = _o85.undecided_time;
                         }
                     }
-                    const kernel_advanced_out _o84 = kernel_advanced(t, end, step, next, arrival, hit, sure, needs_refinement, certain);
-                    arrival = _o84.arrival;
-                    certain = _o84.certain;
-                    exhausted = _o84.exhausted;
-                    searching = _o84.searching;
-                    t = _o84.t;
+                    const kernel_advanced_out _o86 = kernel_advanced(t, end, step, next, arrival, hit, sure, needs_refinement, certain);
+                    arrival = _o86.arrival;
+                    certain = _o86.certain;
+                    exhausted = _o86.exhausted;
+                    searching = _o86.searching;
+                    t = _o86.t;
                     if (exhausted) {
-                        const kernel_ring_enter_out _o85 = kernel_ring_enter(t, end, end, low0, low1, low2, high0, high1, high2);
-                        t = _o85.t;
-                        end = _o85.end;
-                        searching = _o85.searching;
+                        const kernel_ring_enter_out _o87 = kernel_ring_enter(t, end, end, low0, low1, low2, high0, high1, high2);
+                        t = _o87.t;
+                        end = _o87.end;
+                        searching = _o87.searching;
                     }
                 }
                 if (BOUNDS) {
-                    const kernel_predicate_undecided_out _o86 = kernel_predicate_undecided(t, undecided_time, searching);
-                    undecided_time = _o86.undecided_time;
+                    const kernel_predicate_undecided_out _o88 = kernel_predicate_undecided(t, undecided_time, searching);
+                    undecided_time = _o88.undecided_time;
                 }
             }
-            const kernel_found_out _o87 = kernel_found(arrival);
-            arrives = _o87.arrives;
-            refining = _o87.refining;
+            const kernel_found_out _o89 = kernel_found(arrival);
+            arrives = _o89.arrives;
+            refining = _o89.refining;
             if (BOUNDS)
-                rate = _o87.rate;
-            const kernel_nearby_out _o88 = kernel_nearby(arrival, flat, tilt, 0.0, last);
-            leaving = _o88.leaving;
-            if (refining) {
-                const kernel_ring_refine_out _o89 = kernel_ring_refine(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                refined = _o89.time;
-                gap = _o89.gap;
                 rate = _o89.rate;
-                const kernel_refined_root_out _o90 = kernel_refined_root(gap, rate, ceiling, arrival, refined, certain);
-                arrival = _o90.arrival;
-                refining = _o90.refining;
-            }
+            const kernel_nearby_out _o90 = kernel_nearby(arrival, flat, tilt, 0.0, last);
+            leaving = _o90.leaving;
             if (refining) {
                 const kernel_ring_refine_out _o91 = kernel_ring_refine(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
                 refined = _o91.time;
@@ -2405,9 +2468,7 @@ static __device__ __forceinline__ void hoop_loop(
                 arrival = _o92.arrival;
                 refining = _o92.refining;
             }
-            for (size_t _turn = 0; _turn < 8; _turn++) {
-                if (!refining)
-                    break;
+            if (refining) {
                 const kernel_ring_refine_out _o93 = kernel_ring_refine(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
                 refined = _o93.time;
                 gap = _o93.gap;
@@ -2416,259 +2477,270 @@ static __device__ __forceinline__ void hoop_loop(
                 arrival = _o94.arrival;
                 refining = _o94.refining;
             }
-            if (BOUNDS) {
-                const kernel_ring_margins_out _o95 = kernel_ring_margins(latest, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                flat = _o95.margin;
-                tilt = _o95.leaving_margin;
-                rate_margin = _o95.rate_margin;
-                const kernel_own_margin_out _o96 = kernel_own_margin(leaving, flat, tilt, arrival);
-                margin = _o96.margin;
-                const kernel_crossing_out _o97 = kernel_crossing(margin, rate_margin, rate, ceiling);
-                clearance = _o97.clearance;
-                delay = _o97.delay;
+            for (size_t _turn = 0; _turn < 8; _turn++) {
+                if (!refining)
+                    break;
+                const kernel_ring_refine_out _o95 = kernel_ring_refine(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                refined = _o95.time;
+                gap = _o95.gap;
+                rate = _o95.rate;
+                const kernel_refined_root_out _o96 = kernel_refined_root(gap, rate, ceiling, arrival, refined, certain);
+                arrival = _o96.arrival;
+                refining = _o96.refining;
             }
-            const kernel_arrival_time_out _o98 = kernel_arrival_time(arrival);
-            time = _o98.time;
             if (BOUNDS) {
-                const kernel_arrival_certainty_out _o99 = kernel_arrival_certainty(clearance, time, delay, undecided_time, arrives, certain);
+                const kernel_ring_margins_out _o97 = kernel_ring_margins(latest, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                flat = _o97.margin;
+                tilt = _o97.leaving_margin;
+                rate_margin = _o97.rate_margin;
+                const kernel_own_margin_out _o98 = kernel_own_margin(leaving, flat, tilt, arrival);
+                margin = _o98.margin;
+                const kernel_crossing_out _o99 = kernel_crossing(margin, rate_margin, rate, ceiling);
+                clearance = _o99.clearance;
                 delay = _o99.delay;
-                undecided_time = _o99.undecided_time;
-                const kernel_tie_undecided_out _o100 = kernel_tie_undecided(time, when, delay, earliest_delay, undecided_time, arrives);
-                undecided_time = _o100.undecided_time;
-                earliest_delay = _o100.earliest_delay;
             }
-            const kernel_earliest_out _o101 = kernel_earliest(0.0, time, when, which, arrives);
-            when = _o101.when;
-            which = _o101.which;
-        }
-        if (limited) {
-            const kernel_expiry_out _o102 = kernel_expiry(when, which, earliest_delay, undecided_time, time_error, clock, time_limit);
-            time = _o102.time;
-            arrives = _o102.arrives;
+            const kernel_arrival_time_out _o100 = kernel_arrival_time(arrival);
+            time = _o100.time;
             if (BOUNDS) {
-                delay = _o102.delay;
+                const kernel_arrival_certainty_out _o101 = kernel_arrival_certainty(clearance, time, delay, undecided_time, arrives, certain);
+                delay = _o101.delay;
+                undecided_time = _o101.undecided_time;
+                const kernel_tie_undecided_out _o102 = kernel_tie_undecided(time, when, delay, earliest_delay, undecided_time, arrives);
                 undecided_time = _o102.undecided_time;
+                earliest_delay = _o102.earliest_delay;
             }
-            if (BOUNDS) {
-                const kernel_tie_undecided_out _o103 = kernel_tie_undecided(time, when, delay, earliest_delay, undecided_time, arrives);
-                undecided_time = _o103.undecided_time;
-                earliest_delay = _o103.earliest_delay;
-            }
-            const kernel_earliest_out _o104 = kernel_earliest(4.0, time, when, which, arrives);
-            when = _o104.when;
-            which = _o104.which;
-        }
-        const kernel_departed_out _o105 = kernel_departed(3.0, which);
-        moves = _o105.moves;
-        ends = _o105.ends;
-        touches = _o105.touches;
-        reached = _o105.reached;
-        if (BOUNDS)
-            edge = _o105.edge;
-        const kernel_body_of_out _o106 = kernel_body_of(which);
-        body = _o106.body;
-        if (moves) {
-            const kernel_flight_out _o107 = kernel_flight(when, x, y, z, vx, vy, vz, p_gravity);
-            x = _o107.x;
-            y = _o107.y;
-            z = _o107.z;
-            vx = _o107.vx;
-            vy = _o107.vy;
-            vz = _o107.vz;
-            const kernel_event_clock_out _o108 = kernel_event_clock(when, clock);
-            clock = _o108.clock;
+            const kernel_earliest_out _o103 = kernel_earliest(0.0, time, when, which, arrives);
+            when = _o103.when;
+            which = _o103.which;
         }
         if (limited) {
-            const kernel_expired_out _o109 = kernel_expired(4.0, which, body, clock, reached, time_limit, ends);
-            clock = _o109.clock;
-            body = _o109.body;
-            reached = _o109.reached;
-            ends = _o109.ends;
+            const kernel_expiry_out _o104 = kernel_expiry(when, which, earliest_delay, undecided_time, time_error, clock, time_limit);
+            time = _o104.time;
+            arrives = _o104.arrives;
+            if (BOUNDS) {
+                delay = _o104.delay;
+                undecided_time = _o104.undecided_time;
+            }
+            if (BOUNDS) {
+                const kernel_tie_undecided_out _o105 = kernel_tie_undecided(time, when, delay, earliest_delay, undecided_time, arrives);
+                undecided_time = _o105.undecided_time;
+                earliest_delay = _o105.earliest_delay;
+            }
+            const kernel_earliest_out _o106 = kernel_earliest(4.0, time, when, which, arrives);
+            when = _o106.when;
+            which = _o106.which;
+        }
+        const kernel_departed_out _o107 = kernel_departed(3.0, which);
+        moves = _o107.moves;
+        ends = _o107.ends;
+        touches = _o107.touches;
+        reached = _o107.reached;
+        if (BOUNDS)
+            edge = _o107.edge;
+        const kernel_body_of_out _o108 = kernel_body_of(which);
+        body = _o108.body;
+        if (moves) {
+            const kernel_flight_out _o109 = kernel_flight(when, x, y, z, vx, vy, vz, p_gravity);
+            x = _o109.x;
+            y = _o109.y;
+            z = _o109.z;
+            vx = _o109.vx;
+            vy = _o109.vy;
+            vz = _o109.vz;
+            const kernel_event_clock_out _o110 = kernel_event_clock(when, clock);
+            clock = _o110.clock;
+        }
+        if (limited) {
+            const kernel_expired_out _o111 = kernel_expired(4.0, which, body, clock, reached, time_limit, ends);
+            clock = _o111.clock;
+            body = _o111.body;
+            reached = _o111.reached;
+            ends = _o111.ends;
         }
         if (BOUNDS) {
-            const kernel_displacement_out _o110 = kernel_displacement(earliest_delay, when, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_gravity, p_end_depth);
-            slack = _o110.margin;
+            const kernel_displacement_out _o112 = kernel_displacement(earliest_delay, when, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_gravity, p_end_depth);
+            slack = _o112.margin;
         }
-        const kernel_here_out _o111 = kernel_here(3.0, which);
-        here = _o111.here;
+        const kernel_here_out _o113 = kernel_here(3.0, which);
+        here = _o113.here;
         if (here) {
-            const kernel_end_bounds_out _o112 = kernel_end_bounds(x, y, p_ring_radius);
-            g0 = _o112.g0;
-            const kernel_end_reached_out _o113 = kernel_end_reached(g0);
-            reached = _o113.reached;
+            const kernel_end_bounds_out _o114 = kernel_end_bounds(x, y, p_ring_radius);
+            g0 = _o114.g0;
+            const kernel_end_reached_out _o115 = kernel_end_reached(g0);
+            reached = _o115.reached;
             if (BOUNDS) {
-                const kernel_end_edge_out _o114 = kernel_end_edge(slack, g0);
-                edge = _o114.edge;
+                const kernel_end_edge_out _o116 = kernel_end_edge(slack, g0);
+                edge = _o116.edge;
             }
         }
         if (BOUNDS) {
-            const kernel_flight_undecided_out _o115 = kernel_flight_undecided(when, earliest_delay, undecided_time, uncertain, edge);
-            uncertain = _o115.uncertain;
+            const kernel_flight_undecided_out _o117 = kernel_flight_undecided(when, earliest_delay, undecided_time, uncertain, edge);
+            uncertain = _o117.uncertain;
         }
-        const kernel_accounted_out _o116 = kernel_accounted(contacts, most_contacts, reached, touches);
-        contacts = _o116.contacts;
-        outcome = _o116.outcome;
+        const kernel_accounted_out _o118 = kernel_accounted(contacts, most_contacts, reached, touches);
+        contacts = _o118.contacts;
+        outcome = _o118.outcome;
 
         const double _before[] = {x, y, z, vx, vy, vz, wx, wy, wz};
 
         /* What it does to the ball. */
-        const kernel_meeting_out _o117 = kernel_meeting(claims, ends, touches);
-        meeting = _o117.meeting;
+        const kernel_meeting_out _o119 = kernel_meeting(claims, ends, touches);
+        meeting = _o119.meeting;
         if (meeting) {
-            const kernel_end_normal_out _o118 = kernel_end_normal();
-            nx = _o118.nx;
-            ny = _o118.ny;
-            nz = _o118.nz;
-            const kernel_here_out _o119 = kernel_here(0.0, which);
-            here = _o119.here;
+            const kernel_end_normal_out _o120 = kernel_end_normal();
+            nx = _o120.nx;
+            ny = _o120.ny;
+            nz = _o120.nz;
+            const kernel_here_out _o121 = kernel_here(0.0, which);
+            here = _o121.here;
             if (here) {
-                const kernel_ring_normal_out _o120 = kernel_ring_normal(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
-                nx = _o120.nx;
-                ny = _o120.ny;
-                nz = _o120.nz;
-                const kernel_counted_out _o121 = kernel_counted(count_0);
-                count_0 = _o121.count;
+                const kernel_ring_normal_out _o122 = kernel_ring_normal(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
+                nx = _o122.nx;
+                ny = _o122.ny;
+                nz = _o122.nz;
+                const kernel_counted_out _o123 = kernel_counted(count_0);
+                count_0 = _o123.count;
             }
-            const kernel_here_out _o122 = kernel_here(1.0, which);
-            here = _o122.here;
+            const kernel_here_out _o124 = kernel_here(1.0, which);
+            here = _o124.here;
             if (here) {
-                const kernel_backboard_normal_out _o123 = kernel_backboard_normal();
-                nx = _o123.nx;
-                ny = _o123.ny;
-                nz = _o123.nz;
-                const kernel_counted_out _o124 = kernel_counted(count_1);
-                count_1 = _o124.count;
+                const kernel_backboard_normal_out _o125 = kernel_backboard_normal();
+                nx = _o125.nx;
+                ny = _o125.ny;
+                nz = _o125.nz;
+                const kernel_counted_out _o126 = kernel_counted(count_1);
+                count_1 = _o126.count;
             }
-            const kernel_here_out _o125 = kernel_here(2.0, which);
-            here = _o125.here;
+            const kernel_here_out _o127 = kernel_here(2.0, which);
+            here = _o127.here;
             if (here) {
-                const kernel_bridge_normal_out _o126 = kernel_bridge_normal();
-                nx = _o126.nx;
-                ny = _o126.ny;
-                nz = _o126.nz;
-                const kernel_counted_out _o127 = kernel_counted(count_2);
-                count_2 = _o127.count;
+                const kernel_bridge_normal_out _o128 = kernel_bridge_normal();
+                nx = _o128.nx;
+                ny = _o128.ny;
+                nz = _o128.nz;
+                const kernel_counted_out _o129 = kernel_counted(count_2);
+                count_2 = _o129.count;
             }
             if (BOUNDS) {
-                const kernel_elsewhere_out _o128 = kernel_elsewhere();
-                curving = _o128.curving;
-                const kernel_again_out _o129 = kernel_again(0.0, last, which);
-                again = _o129.again;
-                if (again) {
-                    const kernel_ring_curvature_out _o130 = kernel_ring_curvature(p_ball_radius, p_ring_radius, p_wire_radius);
-                    curving = _o130.curvature;
-                }
-                const kernel_again_out _o131 = kernel_again(1.0, last, which);
+                const kernel_elsewhere_out _o130 = kernel_elsewhere();
+                curving = _o130.curving;
+                const kernel_again_out _o131 = kernel_again(0.0, last, which);
                 again = _o131.again;
                 if (again) {
-                    const kernel_backboard_curvature_out _o132 = kernel_backboard_curvature();
+                    const kernel_ring_curvature_out _o132 = kernel_ring_curvature(p_ball_radius, p_ring_radius, p_wire_radius);
                     curving = _o132.curvature;
                 }
-                const kernel_again_out _o133 = kernel_again(2.0, last, which);
+                const kernel_again_out _o133 = kernel_again(1.0, last, which);
                 again = _o133.again;
                 if (again) {
-                    const kernel_bridge_curvature_out _o134 = kernel_bridge_curvature();
+                    const kernel_backboard_curvature_out _o134 = kernel_backboard_curvature();
                     curving = _o134.curvature;
                 }
-                const kernel_carry_flight_out _o135 = kernel_carry_flight(when, x, y, z, vx, vy, vz, nx, ny, nz, clock, contacts, earliest_delay, dx, dy, dz, dvx, dvy, dvz, curving, p_gravity);
-                dx = _o135.dx;
-                dy = _o135.dy;
-                dz = _o135.dz;
-                dvx = _o135.dvx;
-                dvy = _o135.dvy;
-                dvz = _o135.dvz;
-                belated = _o135.delay;
-                shift = _o135.shift;
-                const kernel_clock_error_sum_out _o136 = kernel_clock_error_sum(belated, clock_error);
-                clock_error = _o136.clock_error;
-                if (ends) {
-                    const kernel_error_floor_out _o137 = kernel_error_floor(dx, dy, dz, shift);
-                    dx = _o137.dx;
-                    dy = _o137.dy;
-                    dz = _o137.dz;
+                const kernel_again_out _o135 = kernel_again(2.0, last, which);
+                again = _o135.again;
+                if (again) {
+                    const kernel_bridge_curvature_out _o136 = kernel_bridge_curvature();
+                    curving = _o136.curvature;
                 }
-                const kernel_no_normal_error_out _o138 = kernel_no_normal_error();
-                dnx = _o138.dnx;
-                dny = _o138.dny;
-                dnz = _o138.dnz;
-                turn = _o138.turn;
-                const kernel_here_out _o139 = kernel_here(0.0, which);
-                here = _o139.here;
+                const kernel_carry_flight_out _o137 = kernel_carry_flight(when, x, y, z, vx, vy, vz, nx, ny, nz, clock, contacts, earliest_delay, dx, dy, dz, dvx, dvy, dvz, curving, p_gravity);
+                dx = _o137.dx;
+                dy = _o137.dy;
+                dz = _o137.dz;
+                dvx = _o137.dvx;
+                dvy = _o137.dvy;
+                dvz = _o137.dvz;
+                belated = _o137.delay;
+                shift = _o137.shift;
+                const kernel_clock_error_sum_out _o138 = kernel_clock_error_sum(belated, clock_error);
+                clock_error = _o138.clock_error;
+                if (ends) {
+                    const kernel_error_floor_out _o139 = kernel_error_floor(dx, dy, dz, shift);
+                    dx = _o139.dx;
+                    dy = _o139.dy;
+                    dz = _o139.dz;
+                }
+                const kernel_no_normal_error_out _o140 = kernel_no_normal_error();
+                dnx = _o140.dnx;
+                dny = _o140.dny;
+                dnz = _o140.dnz;
+                turn = _o140.turn;
+                const kernel_here_out _o141 = kernel_here(0.0, which);
+                here = _o141.here;
                 if (here) {
-                    const kernel_ring_carry_normal_out _o140 = kernel_ring_carry_normal(x, y, dx, dy, dz, shift, p_ball_radius, p_ring_radius, p_wire_radius);
-                    dnx = _o140.dnx;
-                    dny = _o140.dny;
-                    dnz = _o140.dnz;
-                    turn = _o140.turn;
+                    const kernel_ring_carry_normal_out _o142 = kernel_ring_carry_normal(x, y, dx, dy, dz, shift, p_ball_radius, p_ring_radius, p_wire_radius);
+                    dnx = _o142.dnx;
+                    dny = _o142.dny;
+                    dnz = _o142.dnz;
+                    turn = _o142.turn;
                 }
             }
             if (touches) {
                 if (BOUNDS) {
-                    const kernel_carry_impact_out _o141 = kernel_carry_impact(vx, vy, vz, wx, wy, wz, nx, ny, nz, contacts, dvx, dvy, dvz, dwx, dwy, dwz, dnx, dny, dnz, turn, p_ball_radius, p_restitution);
-                    dvx = _o141.dvx;
-                    dvy = _o141.dvy;
-                    dvz = _o141.dvz;
-                    dwx = _o141.dwx;
-                    dwy = _o141.dwy;
-                    dwz = _o141.dwz;
+                    const kernel_carry_impact_out _o143 = kernel_carry_impact(vx, vy, vz, wx, wy, wz, nx, ny, nz, contacts, dvx, dvy, dvz, dwx, dwy, dwz, dnx, dny, dnz, turn, p_ball_radius, p_restitution);
+                    dvx = _o143.dvx;
+                    dvy = _o143.dvy;
+                    dvz = _o143.dvz;
+                    dwx = _o143.dwx;
+                    dwy = _o143.dwy;
+                    dwz = _o143.dwz;
                 }
-                const kernel_impact_out _o142 = kernel_impact(vx, vy, vz, wx, wy, wz, nx, ny, nz, p_ball_radius, p_restitution);
-                vx = _o142.vx;
-                vy = _o142.vy;
-                vz = _o142.vz;
-                wx = _o142.wx;
-                wy = _o142.wy;
-                wz = _o142.wz;
+                const kernel_impact_out _o144 = kernel_impact(vx, vy, vz, wx, wy, wz, nx, ny, nz, p_ball_radius, p_restitution);
+                vx = _o144.vx;
+                vy = _o144.vy;
+                vz = _o144.vz;
+                wx = _o144.wx;
+                wy = _o144.wy;
+                wz = _o144.wz;
             }
-            const kernel_here_out _o143 = kernel_here(1.0, which);
-            here = _o143.here;
-            if (here) {
-                const kernel_backboard_place_out _o144 = kernel_backboard_place(y, z, p_ball_radius, p_board_distance);
-                x = _o144.x;
-                y = _o144.y;
-                z = _o144.z;
-            }
-            const kernel_here_out _o145 = kernel_here(2.0, which);
+            const kernel_here_out _o145 = kernel_here(1.0, which);
             here = _o145.here;
             if (here) {
-                const kernel_bridge_place_out _o146 = kernel_bridge_place(x, y, p_ball_radius, p_wire_radius);
+                const kernel_backboard_place_out _o146 = kernel_backboard_place(y, z, p_ball_radius, p_board_distance);
                 x = _o146.x;
                 y = _o146.y;
                 z = _o146.z;
             }
+            const kernel_here_out _o147 = kernel_here(2.0, which);
+            here = _o147.here;
+            if (here) {
+                const kernel_bridge_place_out _o148 = kernel_bridge_place(x, y, p_ball_radius, p_wire_radius);
+                x = _o148.x;
+                y = _o148.y;
+                z = _o148.z;
+            }
             if (touches) {
-                const kernel_touched_out _o147 = kernel_touched(which, body, first);
-                first = _o147.first;
-                last = _o147.last;
+                const kernel_touched_out _o149 = kernel_touched(which, body, first);
+                first = _o149.first;
+                last = _o149.last;
             }
         }
         if (BOUNDS) {
             if (limited) {
-                const kernel_ends_by_time_limit_out _o148 = kernel_ends_by_time_limit(4.0, which, claims);
-                ends_by_time_limit = _o148.ends_by_time_limit;
+                const kernel_ends_by_time_limit_out _o150 = kernel_ends_by_time_limit(4.0, which, claims);
+                ends_by_time_limit = _o150.ends_by_time_limit;
                 if (ends_by_time_limit) {
-                    const kernel_carry_time_out _o149 = kernel_carry_time(when, x, y, z, vx, vy, vz, clock, clock_error, dx, dy, dz, dvx, dvy, dvz, p_gravity);
-                    dx = _o149.dx;
-                    dy = _o149.dy;
-                    dz = _o149.dz;
-                    dvx = _o149.dvx;
-                    dvy = _o149.dvy;
-                    dvz = _o149.dvz;
-                    clock_error = _o149.clock_error;
+                    const kernel_carry_time_out _o151 = kernel_carry_time(when, x, y, z, vx, vy, vz, clock, clock_error, dx, dy, dz, dvx, dvy, dvz, p_gravity);
+                    dx = _o151.dx;
+                    dy = _o151.dy;
+                    dz = _o151.dz;
+                    dvx = _o151.dvx;
+                    dvy = _o151.dvy;
+                    dvz = _o151.dvz;
+                    clock_error = _o151.clock_error;
                 }
             }
-            const kernel_closing_out _o150 = kernel_closing(outcome, claims);
-            closed = _o150.closed;
-            position_claim = _o150.position_claim;
-            velocity_claim = _o150.velocity_claim;
-            spin_claim = _o150.spin_claim;
-            time_claim = _o150.time_claim;
+            const kernel_closing_out _o152 = kernel_closing(outcome, claims);
+            closed = _o152.closed;
+            position_claim = _o152.position_claim;
+            velocity_claim = _o152.velocity_claim;
+            spin_claim = _o152.spin_claim;
+            time_claim = _o152.time_claim;
             if (closed) {
-                const kernel_claimed_errors_out _o151 = kernel_claimed_errors(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
-                position_claim = _o151.position_error;
-                velocity_claim = _o151.velocity_error;
-                spin_claim = _o151.spin_error;
-                time_claim = _o151.time_error;
+                const kernel_claimed_errors_out _o153 = kernel_claimed_errors(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
+                position_claim = _o153.position_error;
+                velocity_claim = _o153.velocity_error;
+                spin_claim = _o153.spin_error;
+                time_claim = _o153.time_error;
             }
         }
 

@@ -1,6 +1,6 @@
 """NumPy kernels of the scene court.
 
-Generated from templates/numpy/kernels.py.j2, scene court, derivation 83fca103576a1dd1,
+Generated from templates/numpy/kernels.py.j2, scene court, derivation 58853364fe0c9a18,
 with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
 and run `make generate`.
 Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
@@ -1430,15 +1430,19 @@ def crossing_undecided(clearance: Any, time: Any, undecided_time: Any, arrives: 
     return _where(_logical_and(_logical_and(arrives, _logical_not((0.0 < clearance))), (time < undecided_time)), time, undecided_time),
 
 
-def tie_undecided(time: Any, when: Any, delay: Any, earliest_delay: Any, undecided_time: Any, arrives: Any) -> tuple[Any, ...]:
-    """Earliest undecided time, with that of a tie within the delays; the earlier's delay.
+def tie_undecided(time: Any, when: Any, delay: Any, earliest_delay: Any, undecided_time: Any, arrives: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """Earliest undecided time, with that of a tie; the delay of the earlier arrival.
 
-    Table 1. 12 operations: 1 addition, 1 subtraction, 1 absolute value, 3 comparisons, 3 conjunctions, 3 selections.
+    Table 1. 16 operations: 1 addition, 2 subtractions, 1 multiplication, 1 absolute value, 4 comparisons, 3 conjunctions, 4 selections.
     """
-    _s0 = time < when
-    _s1 = _where(_s0, time, when)
-    _s2 = _where(_logical_and(_logical_and(arrives, (_absolute((time - when)) <= (delay + earliest_delay))), (_s1 < undecided_time)), _s1, undecided_time)
-    return _s2, _where(_logical_and(arrives, _s0), delay, earliest_delay)
+    _r0, _r1, _r2, _r3 = _room[:4]
+    _s0 = _add(delay, earliest_delay, _r0)
+    _s1 = time < when
+    _s2 = _select(_s1, time, when, _r1)
+    _s3 = _multiply(_k45, _s2, _r2)
+    _s4 = _subtract(_s2, _select(_s3 < _s0, _s3, _s0, _r3), _r3)
+    _s5 = _result(_logical_and(_logical_and(arrives, (_absolute(_subtract(time, when, _r2), _r2) <= _s0)), (_s4 < undecided_time)), _s4, undecided_time, _r0)
+    return _s5, _result(_logical_and(arrives, _s1), delay, earliest_delay, _r0)
 
 
 def earliest(index: Any, time: Any, when: Any, which: Any, arrives: Any) -> tuple[Any, ...]:
@@ -1609,10 +1613,11 @@ def arrival_time(arrival: Any) -> tuple[Any, ...]:
 def arrival_certainty(clearance: Any, time: Any, delay: Any, undecided_time: Any, arrives: Any, certain: Any) -> tuple[Any, ...]:
     """Delay of a certain arrival; the earliest undecided time, with that of any other one.
 
-    Table 1. 8 operations: 2 comparisons, 3 conjunctions, 1 complement, 2 selections.
+    Table 1. 10 operations: 1 subtraction, 2 comparisons, 3 conjunctions, 1 complement, 3 selections.
     """
     _s0 = _logical_and(certain, (0.0 < clearance))
-    return _where(_s0, delay, 0.0), _where(_logical_and(_logical_and(arrives, _logical_not(_s0)), (time < undecided_time)), time, undecided_time)
+    _s1 = _where(certain, (time - delay), time)
+    return _where(_s0, delay, 0.0), _where(_logical_and(_logical_and(arrives, _logical_not(_s0)), (_s1 < undecided_time)), _s1, undecided_time)
 
 
 def outside() -> tuple[Any, ...]:
@@ -5995,10 +6000,13 @@ def _predicate_undecided_alone(time: Any, undecided_time: Any, undecided: Any) -
 
 
 def _tie_undecided_alone(time: Any, when: Any, delay: Any, earliest_delay: Any, undecided_time: Any, arrives: Any) -> tuple[Any, ...]:
-    _s0 = time < when
-    _s1 = time if _s0 else when
-    _s2 = _s1 if ((arrives and (abs((time - when)) <= (delay + earliest_delay))) and (_s1 < undecided_time)) else undecided_time
-    return _s2, delay if (arrives and _s0) else earliest_delay
+    _s0 = delay + earliest_delay
+    _s1 = time < when
+    _s2 = time if _s1 else when
+    _s3 = _k0 * _s2
+    _s4 = _s2 - (_s3 if _s3 < _s0 else _s0)
+    _s5 = _s4 if ((arrives and (abs((time - when)) <= _s0)) and (_s4 < undecided_time)) else undecided_time
+    return _s5, delay if (arrives and _s1) else earliest_delay
 
 
 def _earliest_alone(index: Any, time: Any, when: Any, which: Any, arrives: Any) -> tuple[Any, ...]:
@@ -6092,7 +6100,8 @@ def _arrival_time_alone(arrival: Any) -> tuple[Any, ...]:
 
 def _arrival_certainty_alone(clearance: Any, time: Any, delay: Any, undecided_time: Any, arrives: Any, certain: Any) -> tuple[Any, ...]:
     _s0 = certain and (_k2 < clearance)
-    return delay if _s0 else _k2, time if ((arrives and (not _s0)) and (time < undecided_time)) else undecided_time
+    _s1 = (time - delay) if certain else time
+    return delay if _s0 else _k2, _s1 if ((arrives and (not _s0)) and (_s1 < undecided_time)) else undecided_time
 
 
 def _circles_alone(index: Any, held: Any, rolling: Any) -> tuple[Any, ...]:
@@ -10652,7 +10661,7 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
     _possible_0, = within_time(_time_0, _when_0, _delay_0, _earliest_delay_0, _arrives_0)
     _undecided_time_0, = graze_undecided(_margin_0, _apex_0, _height_0, _undecided_time_0)
     _undecided_time_1, = crossing_undecided(_clearance_0, _time_0, _undecided_time_0, _arrives_0)
-    _undecided_time_1, _earliest_delay_1 = tie_undecided(_time_0, _when_0, _delay_0, _earliest_delay_0, _undecided_time_1, _arrives_0)
+    _undecided_time_1, _earliest_delay_1 = tie_undecided(_time_0, _when_0, _delay_0, _earliest_delay_0, _undecided_time_1, _arrives_0, _room_0)
     _when_1, _which_1 = earliest(3.0, _time_0, _when_0, _which_0, _arrives_0)
     _earliest_delay_0, _undecided_time_0, _when_0, _which_0 = _choose(_possible_0, (_earliest_delay_1, _undecided_time_1, _when_1, _which_1,), (_earliest_delay_0, _undecided_time_0, _when_0, _which_0,))
     _until_0, _pad_0 = horizon(_when_0, _speed_0, _p_gravity_0)
@@ -10818,7 +10827,7 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _clearance_1, _delay_1 = crossing(_margin_1, _rate_margin_1, _rate_1, _ceiling_1, _room_1)
         _time_1, = arrival_time(_arrival_1)
         _delay_1, _undecided_time_1 = arrival_certainty(_clearance_1, _time_1, _delay_1, _undecided_time_1, _arrives_1, _certain_1)
-        _undecided_time_1, _earliest_delay_1 = tie_undecided(_time_1, _when_1, _delay_1, _earliest_delay_1, _undecided_time_1, _arrives_1)
+        _undecided_time_1, _earliest_delay_1 = tie_undecided(_time_1, _when_1, _delay_1, _earliest_delay_1, _undecided_time_1, _arrives_1, _room_1)
         _when_1, _which_1 = earliest(0.0, _time_1, _when_1, _which_1, _arrives_1)
         _earliest_delay_0, _undecided_time_0, _when_0, _which_0 = _put(_rows1, shots, (_earliest_delay_0, _undecided_time_0, _when_0, _which_0,), (_earliest_delay_1, _undecided_time_1, _when_1, _which_1,))
     _until_0, _pad_0 = horizon(_when_0, _speed_0, _p_gravity_0)
@@ -10953,7 +10962,7 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _clearance_1, _delay_1 = crossing(_margin_1, _rate_margin_1, _rate_1, _ceiling_1, _room_1)
         _time_1, = arrival_time(_arrival_1)
         _delay_1, _undecided_time_1 = arrival_certainty(_clearance_1, _time_1, _delay_1, _undecided_time_1, _arrives_1, _certain_1)
-        _undecided_time_1, _earliest_delay_1 = tie_undecided(_time_1, _when_1, _delay_1, _earliest_delay_1, _undecided_time_1, _arrives_1)
+        _undecided_time_1, _earliest_delay_1 = tie_undecided(_time_1, _when_1, _delay_1, _earliest_delay_1, _undecided_time_1, _arrives_1, _room_1)
         _when_1, _which_1 = earliest(1.0, _time_1, _when_1, _which_1, _arrives_1)
         _earliest_delay_0, _undecided_time_0, _when_0, _which_0 = _put(_rows27, shots, (_earliest_delay_0, _undecided_time_0, _when_0, _which_0,), (_earliest_delay_1, _undecided_time_1, _when_1, _which_1,))
     _until_0, _pad_0 = horizon(_when_0, _speed_0, _p_gravity_0)
@@ -11088,14 +11097,15 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _clearance_1, _delay_1 = crossing(_margin_1, _rate_margin_1, _rate_1, _ceiling_1, _room_1)
         _time_1, = arrival_time(_arrival_1)
         _delay_1, _undecided_time_1 = arrival_certainty(_clearance_1, _time_1, _delay_1, _undecided_time_1, _arrives_1, _certain_1)
-        _undecided_time_1, _earliest_delay_1 = tie_undecided(_time_1, _when_1, _delay_1, _earliest_delay_1, _undecided_time_1, _arrives_1)
+        _undecided_time_1, _earliest_delay_1 = tie_undecided(_time_1, _when_1, _delay_1, _earliest_delay_1, _undecided_time_1, _arrives_1, _room_1)
         _when_1, _which_1 = earliest(2.0, _time_1, _when_1, _which_1, _arrives_1)
         _earliest_delay_0, _undecided_time_0, _when_0, _which_0 = _put(_rows49, shots, (_earliest_delay_0, _undecided_time_0, _when_0, _which_0,), (_earliest_delay_1, _undecided_time_1, _when_1, _which_1,))
     _rows71, _count72 = _most(_limited_0, shots)
     if _count72:
         _clock_1, _earliest_delay_1, _time_error_1, _time_limit_1, _undecided_time_1, _when_1, _which_1 = _taken(_rows71, _clock_0, _earliest_delay_0, _time_error_0, _time_limit_0, _undecided_time_0, _when_0, _which_0)
+        _room_1 = room(_count72)
         _time_1, _delay_1, _arrives_1, _undecided_time_1 = expiry(_when_1, _which_1, _earliest_delay_1, _undecided_time_1, _time_error_1, _clock_1, _time_limit_1)
-        _undecided_time_1, _earliest_delay_1 = tie_undecided(_time_1, _when_1, _delay_1, _earliest_delay_1, _undecided_time_1, _arrives_1)
+        _undecided_time_1, _earliest_delay_1 = tie_undecided(_time_1, _when_1, _delay_1, _earliest_delay_1, _undecided_time_1, _arrives_1, _room_1)
         _when_1, _which_1 = earliest(4.0, _time_1, _when_1, _which_1, _arrives_1)
         _earliest_delay_0, _undecided_time_0, _when_0, _which_0 = _put(_rows71, shots, (_earliest_delay_0, _undecided_time_0, _when_0, _which_0,), (_earliest_delay_1, _undecided_time_1, _when_1, _which_1,), _limited_0)
     _rows73, _count74 = _rows(_in_contact_0, shots)

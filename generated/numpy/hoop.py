@@ -1,6 +1,6 @@
 """NumPy kernels of the scene hoop.
 
-Generated from templates/numpy/kernels.py.j2, scene hoop, derivation 0b232e662b9cf364,
+Generated from templates/numpy/kernels.py.j2, scene hoop, derivation 83b7ff2bc0b2beda,
 with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
 and run `make generate`.
 Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
@@ -288,9 +288,12 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "left": ("leaving",),
     "released": ("released", "reachable",),
     "plane_root": ("arrives", "ceiling", "nearest",),
+    "level_root": ("arrives", "ceiling", "nearest",),
     "within_time": ("possible",),
-    "graze_undecided": ("undecided_time",),
+    "apex_undecided": ("undecided_time",),
+    "side_undecided": ("undecided_time",),
     "predicate_undecided": ("undecided_time",),
+    "bounds_undecided": ("undecided_time",),
     "crossing_undecided": ("undecided_time",),
     "tie_undecided": ("undecided_time", "earliest_delay",),
     "earliest": ("when", "which",),
@@ -298,6 +301,7 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "opens": ("open",),
     "beginning": ("share", "arrival", "certain",),
     "out_of_budget": ("undecided_time",),
+    "overdue": ("undecided_time",),
     "nearby": ("leaving", "margin",),
     "opened": ("time", "latest",),
     "coarse": ("stepping", "searching", "single_precision", "ceiling", "flat", "tilt", "allowing",),
@@ -334,6 +338,7 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "error_floor": ("dx", "dy", "dz",),
     "no_normal_error": ("dnx", "dny", "dnz", "turn",),
     "reachable": ("reachable",),
+    "plane_start": ("undecided_time",),
     "impact": ("vx", "vy", "vz", "wx", "wy", "wz",),
     "carry_impact": ("dvx", "dvy", "dvz", "dwx", "dwy", "dwz",),
     "vary_impact": ("dvx", "dvy", "dvz", "dwx", "dwy", "dwz",),
@@ -1012,6 +1017,16 @@ def plane_root(rate: Any, bend: Any, apex: Any, time: Any) -> tuple[Any, ...]:
     return _s0, _absolute(bend), _where(_s0, time, apex)
 
 
+def level_root(rate: Any, bend: Any, height: Any, time: Any, when: Any) -> tuple[Any, ...]:
+    """Whether a plane's only root is an arrival, the size of F'', and the nearest time.
+
+    Table 1. 17 operations: 1 absolute value, 8 comparisons, 4 conjunctions, 1 disjunction, 3 selections.
+    """
+    _s0 = _logical_and(_logical_and(_logical_or((rate < 0.0), _logical_and(_logical_and((rate <= 0.0), (bend < 0.0)), (time == 0.0))), (0.0 <= time)), (time < _inf))
+    _s1 = _where(_s0, time, _where((height < 0.0), 0.0, _inf))
+    return _s0, _absolute(bend), _where(when < _s1, when, _s1)
+
+
 def within_time(time: Any, when: Any, delay: Any, earliest_delay: Any, arrives: Any) -> tuple[Any, ...]:
     """Whether an arrival may be the earliest within the delays.
 
@@ -1020,12 +1035,20 @@ def within_time(time: Any, when: Any, delay: Any, earliest_delay: Any, arrives: 
     return _logical_and(arrives, _logical_not(((delay + earliest_delay) < (time - when)))),
 
 
-def graze_undecided(margin: Any, apex: Any, height: Any, undecided_time: Any) -> tuple[Any, ...]:
-    """Earliest undecided time, with that of an apex whose gap is zero within its error.
+def apex_undecided(margin: Any, apex: Any, height: Any, undecided_time: Any) -> tuple[Any, ...]:
+    """Undecided time 0 if the largest gap from the start on is zero within its error.
 
-    Table 1. 7 operations: 1 absolute value, 3 comparisons, 2 conjunctions, 1 selection.
+    Table 1. 5 operations: 1 absolute value, 2 comparisons, 1 conjunction, 1 selection.
     """
-    return _where(_logical_and(_logical_and((0.0 <= apex), (_absolute(height) <= margin)), (apex < undecided_time)), apex, undecided_time),
+    return _where(_logical_and((0.0 <= apex), (_absolute(height) <= margin)), 0.0, undecided_time),
+
+
+def side_undecided(rate: Any, margin: Any, height: Any, undecided_time: Any, velocity_error: Any) -> tuple[Any, ...]:
+    """Undecided time 0 if the gap of a plane along gravity is zero within its error.
+
+    Table 1. 7 operations: 2 multiplications, 1 absolute value, 2 comparisons, 1 conjunction, 1 selection.
+    """
+    return _where(_logical_and((rate < (2.0 * velocity_error)), (_absolute(height) <= (2.0 * margin))), 0.0, undecided_time),
 
 
 def predicate_undecided(time: Any, undecided_time: Any, undecided: Any) -> tuple[Any, ...]:
@@ -1036,6 +1059,15 @@ def predicate_undecided(time: Any, undecided_time: Any, undecided: Any) -> tuple
     return _where(_logical_and(undecided, (time < undecided_time)), time, undecided_time),
 
 
+def bounds_undecided(time: Any, undecided_time: Any, undecided: Any) -> tuple[Any, ...]:
+    """Earliest undecided time, with that from which on a contact near an edge may be.
+
+    Table 1. 4 operations: 1 multiplication, 1 comparison, 1 conjunction, 1 selection.
+    """
+    _s0 = 0.5 * time
+    return _where(_logical_and(undecided, (_s0 < undecided_time)), _s0, undecided_time),
+
+
 def crossing_undecided(clearance: Any, time: Any, undecided_time: Any, arrives: Any) -> tuple[Any, ...]:
     """Earliest undecided time, with that of an arrival whose crossing is not certain.
 
@@ -1044,15 +1076,19 @@ def crossing_undecided(clearance: Any, time: Any, undecided_time: Any, arrives: 
     return _where(_logical_and(_logical_and(arrives, _logical_not((0.0 < clearance))), (time < undecided_time)), time, undecided_time),
 
 
-def tie_undecided(time: Any, when: Any, delay: Any, earliest_delay: Any, undecided_time: Any, arrives: Any) -> tuple[Any, ...]:
-    """Earliest undecided time, with that of a tie within the delays; the earlier's delay.
+def tie_undecided(time: Any, when: Any, delay: Any, earliest_delay: Any, undecided_time: Any, arrives: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """Earliest undecided time, with that of a tie; the delay of the earlier arrival.
 
-    Table 1. 12 operations: 1 addition, 1 subtraction, 1 absolute value, 3 comparisons, 3 conjunctions, 3 selections.
+    Table 1. 16 operations: 1 addition, 2 subtractions, 1 multiplication, 1 absolute value, 4 comparisons, 3 conjunctions, 4 selections.
     """
-    _s0 = time < when
-    _s1 = _where(_s0, time, when)
-    _s2 = _where(_logical_and(_logical_and(arrives, (_absolute((time - when)) <= (delay + earliest_delay))), (_s1 < undecided_time)), _s1, undecided_time)
-    return _s2, _where(_logical_and(arrives, _s0), delay, earliest_delay)
+    _r0, _r1, _r2, _r3 = _room[:4]
+    _s0 = _add(delay, earliest_delay, _r0)
+    _s1 = time < when
+    _s2 = _select(_s1, time, when, _r1)
+    _s3 = _multiply(_k47, _s2, _r2)
+    _s4 = _subtract(_s2, _select(_s3 < _s0, _s3, _s0, _r3), _r3)
+    _s5 = _result(_logical_and(_logical_and(arrives, (_absolute(_subtract(time, when, _r2), _r2) <= _s0)), (_s4 < undecided_time)), _s4, undecided_time, _r0)
+    return _s5, _result(_logical_and(arrives, _s1), delay, earliest_delay, _r0)
 
 
 def earliest(index: Any, time: Any, when: Any, which: Any, arrives: Any) -> tuple[Any, ...]:
@@ -1094,6 +1130,14 @@ def out_of_budget(pad: Any, budget_exceeded: Any, earliest_delay: Any, undecided
     Table 1. 7 operations: 1 multiplication, 3 comparisons, 2 disjunctions, 1 selection.
     """
     return _where(_logical_or(_logical_or((0.0 < excess), (pad < (0.5 * earliest_delay))), (0.0 < budget_exceeded)), 0.0, undecided_time),
+
+
+def overdue(pad: Any, earliest_delay: Any, undecided_time: Any) -> tuple[Any, ...]:
+    """Undecided time 0 if the earliest arrival may be after the horizon.
+
+    Table 1. 3 operations: 1 multiplication, 1 comparison, 1 selection.
+    """
+    return _where((pad < (0.5 * earliest_delay)), 0.0, undecided_time),
 
 
 def nearby(t: Any, flat: Any, tilt: Any, index: Any, last: Any) -> tuple[Any, ...]:
@@ -1207,10 +1251,11 @@ def arrival_time(arrival: Any) -> tuple[Any, ...]:
 def arrival_certainty(clearance: Any, time: Any, delay: Any, undecided_time: Any, arrives: Any, certain: Any) -> tuple[Any, ...]:
     """Delay of a certain arrival; the earliest undecided time, with that of any other one.
 
-    Table 1. 8 operations: 2 comparisons, 3 conjunctions, 1 complement, 2 selections.
+    Table 1. 10 operations: 1 subtraction, 2 comparisons, 3 conjunctions, 1 complement, 3 selections.
     """
     _s0 = _logical_and(certain, (0.0 < clearance))
-    return _where(_s0, delay, 0.0), _where(_logical_and(_logical_and(arrives, _logical_not(_s0)), (time < undecided_time)), time, undecided_time)
+    _s1 = _where(certain, (time - delay), time)
+    return _where(_s0, delay, 0.0), _where(_logical_and(_logical_and(arrives, _logical_not(_s0)), (_s1 < undecided_time)), _s1, undecided_time)
 
 
 def state_in_range(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -1418,6 +1463,16 @@ def reachable(p_ball_radius: Any, p_board_distance: Any, p_bridge_half_width: An
     _s7 = _select(_k7 < _s6, _k7, _s6, _r6)
     _s8 = _logical_and((_s1 < _subtract(_s3, p_ball_radius - p_board_distance, _r7)), _logical_and((_k7 < _s4), (_multiply(_k64, _add(p_bridge_half_width * p_bridge_half_width, _multiply(_s7, _s7, _r6), _r6), _r6) < _multiply(_s4, _s4, _r4))))
     return _logical_not(_s8),
+
+
+def plane_start(p_gravity: Any, undecided_time: Any, position_error: Any, velocity_error: Any) -> tuple[Any, ...]:
+    """Undecided time 0 if the side of a plane on which the flight begins is undecided.
+
+    Table 1. 8 operations: 4 multiplications, 1 negation, 1 absolute value, 1 comparison, 1 selection.
+    """
+    _s0 = 2.0 * velocity_error
+    _s1 = _where(((position_error * (0.5 * _absolute((-p_gravity)))) < (_s0 * _s0)), 0.0, undecided_time)
+    return _s1,
 
 
 def impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, ny: Any, nz: Any, p_ball_radius: Any, p_restitution: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -2206,10 +2261,11 @@ def backboard_bounds(y: Any, z: Any, p_board_half_width: Any, p_board_bottom: An
 def backboard_arrival(leaving: Any, x: Any, vx: Any, p_ball_radius: Any, p_board_distance: Any) -> tuple[Any, ...]:
     """Time of the only arrival, the gap's first two derivatives there, and its apex.
 
-    Eq. 3 in Table 2, solved. 9 operations: 2 subtractions, 1 division, 1 negation, 1 absolute value, 2 comparisons, 2 selections.
+    Eq. 3 in Table 2, solved. 9 operations: 2 subtractions, 1 division, 1 negation, 2 comparisons, 3 selections.
     """
-    _s0 = _where((0.0 < leaving), 0.0, (x - (p_ball_radius - p_board_distance)))
-    return -(_s0 / vx), vx, 0.0, _where((_absolute(vx) <= 0.0), 0.0, -1.0), _s0
+    _s0 = 0.0 < leaving
+    _s1 = _where(_s0, 0.0, (x - (p_ball_radius - p_board_distance)))
+    return -(_s1 / vx), vx, 0.0, 0.0, _where(_s0, _where((vx < 0.0), 0.0, _inf), _s1)
 
 
 def backboard_margin(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_board_distance: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -2306,16 +2362,16 @@ def bridge_bounds(x: Any, y: Any, p_ring_radius: Any, p_board_distance: Any, p_b
 def bridge_arrival(leaving: Any, z: Any, vz: Any, p_ball_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Time of the only arrival, the gap's first two derivatives there, and its apex.
 
-    Eq. 3 in Table 2, solved. 27 operations: 3 additions, 2 subtractions, 7 multiplications, 2 divisions, 1 square root, 5 negations, 1 absolute value, 2 comparisons, 4 selections.
+    Eq. 3 in Table 2, solved. 29 operations: 3 additions, 2 subtractions, 7 multiplications, 2 divisions, 1 square root, 5 negations, 1 absolute value, 2 comparisons, 6 selections.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8 = _room[:9]
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10 = _room[:11]
     _s0 = _k7 < leaving
     _s1 = _select(_s0, _k7, _subtract(z, p_ball_radius + p_wire_radius, _r0), _r1)
     _s2 = _add(_multiply(vz, vz, _r2), _multiply(2.0 * p_gravity, _s1, _r3), _r3)
     _s3 = _select(_s0, _absolute(vz, _r2), _sqrt(_s2, _r4), _r5)
     _s4 = vz < _k7
     _s5 = -(1.0 / p_gravity)
-    return _select(_s4, _multiply(_k49, _s1, _r1), _add(vz, _s3, _r0), _r6) / _select(_s4, _subtract(_s3, vz, _r7), p_gravity, _r8), -_s3, -p_gravity, -_multiply(vz, _s5, _r5), -_multiply(0.5 * _s5, _s2, _r3)
+    return _select(_s4, _multiply(_k49, _s1, _r6), _add(vz, _s3, _r7), _r8) / _select(_s4, _subtract(_s3, vz, _r9), p_gravity, _r10), -_s3, -p_gravity, _result(_s4, _k7, _negative(_multiply(vz, _s5, _r5), _r5), _r0), _result(_s4, _s1, _negative(_multiply(0.5 * _s5, _s2, _r3), _r3), _r0)
 
 
 def bridge_margin(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -2404,16 +2460,16 @@ def end_vary(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: Any, ny: Any
 def end_arrival(leaving: Any, z: Any, vz: Any, p_gravity: Any, p_end_depth: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Time of the only arrival, the gap's first two derivatives there, and its apex.
 
-    Eq. 3 in Table 2, solved. 27 operations: 2 additions, 2 subtractions, 7 multiplications, 2 divisions, 1 square root, 6 negations, 1 absolute value, 2 comparisons, 4 selections.
+    Eq. 3 in Table 2, solved. 29 operations: 2 additions, 2 subtractions, 7 multiplications, 2 divisions, 1 square root, 6 negations, 1 absolute value, 2 comparisons, 6 selections.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8 = _room[:9]
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10 = _room[:11]
     _s0 = _k7 < leaving
     _s1 = _select(_s0, _k7, _subtract(z, -p_end_depth, _r0), _r1)
     _s2 = _add(_multiply(vz, vz, _r2), _multiply(2.0 * p_gravity, _s1, _r3), _r3)
     _s3 = _select(_s0, _absolute(vz, _r2), _sqrt(_s2, _r4), _r5)
     _s4 = vz < _k7
     _s5 = -(1.0 / p_gravity)
-    return _select(_s4, _multiply(_k49, _s1, _r1), _add(vz, _s3, _r0), _r6) / _select(_s4, _subtract(_s3, vz, _r7), p_gravity, _r8), -_s3, -p_gravity, -_multiply(vz, _s5, _r5), -_multiply(0.5 * _s5, _s2, _r3)
+    return _select(_s4, _multiply(_k49, _s1, _r6), _add(vz, _s3, _r7), _r8) / _select(_s4, _subtract(_s3, vz, _r9), p_gravity, _r10), -_s3, -p_gravity, _result(_s4, _k7, _negative(_multiply(vz, _s5, _r5), _r5), _r0), _result(_s4, _s1, _negative(_multiply(0.5 * _s5, _s2, _r3), _r3), _r0)
 
 
 def end_margin(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_gravity: Any, p_end_depth: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -2760,10 +2816,13 @@ def _predicate_undecided_alone(time: Any, undecided_time: Any, undecided: Any) -
 
 
 def _tie_undecided_alone(time: Any, when: Any, delay: Any, earliest_delay: Any, undecided_time: Any, arrives: Any) -> tuple[Any, ...]:
-    _s0 = time < when
-    _s1 = time if _s0 else when
-    _s2 = _s1 if ((arrives and (abs((time - when)) <= (delay + earliest_delay))) and (_s1 < undecided_time)) else undecided_time
-    return _s2, delay if (arrives and _s0) else earliest_delay
+    _s0 = delay + earliest_delay
+    _s1 = time < when
+    _s2 = time if _s1 else when
+    _s3 = _k0 * _s2
+    _s4 = _s2 - (_s3 if _s3 < _s0 else _s0)
+    _s5 = _s4 if ((arrives and (abs((time - when)) <= _s0)) and (_s4 < undecided_time)) else undecided_time
+    return _s5, delay if (arrives and _s1) else earliest_delay
 
 
 def _earliest_alone(index: Any, time: Any, when: Any, which: Any, arrives: Any) -> tuple[Any, ...]:
@@ -2841,7 +2900,8 @@ def _arrival_time_alone(arrival: Any) -> tuple[Any, ...]:
 
 def _arrival_certainty_alone(clearance: Any, time: Any, delay: Any, undecided_time: Any, arrives: Any, certain: Any) -> tuple[Any, ...]:
     _s0 = certain and (_k2 < clearance)
-    return delay if _s0 else _k2, time if ((arrives and (not _s0)) and (time < undecided_time)) else undecided_time
+    _s1 = (time - delay) if certain else time
+    return delay if _s0 else _k2, _s1 if ((arrives and (not _s0)) and (_s1 < undecided_time)) else undecided_time
 
 
 def _ring_excess_alone(share: Any, horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
@@ -3509,8 +3569,8 @@ def detect_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
         _last_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_top_1, _p_bridge_half_width_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _vx_1, _vy_1, _vz_1, _when_1, _which_1, _x_1, _y_1, _z_1 = _taken(_rows3, _last_0, _p_ball_radius_0, _p_board_bottom_0, _p_board_distance_0, _p_board_half_width_0, _p_board_top_0, _p_bridge_half_width_0, _p_gravity_0, _p_ring_radius_0, _p_wire_radius_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _x_0, _y_0, _z_0)
         _room_1 = room(_count4)
         _leaving_1, = left(1.0, _last_1)
-        _time_1, _rate_1, _bend_1, _apex_1, *_ = backboard_arrival(_leaving_1, _x_1, _vx_1, _p_ball_radius_1, _p_board_distance_1)
-        _arrives_1, *_ = plane_root(_rate_1, _bend_1, _apex_1, _time_1)
+        _time_1, _rate_1, _bend_1, _, _height_1 = backboard_arrival(_leaving_1, _x_1, _vx_1, _p_ball_radius_1, _p_board_distance_1)
+        _arrives_1, *_ = level_root(_rate_1, _bend_1, _height_1, _time_1, _when_1)
         _possible_1, = within_time(_time_1, _when_1, 0.0, 0.0, _arrives_1)
         _, _there_y_2, _there_z_2, *_ = flight(_time_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _p_gravity_1, _room_1)
         _g0_2, _g1_2, _g2_2, _g3_2 = backboard_bounds(_there_y_2, _there_z_2, _p_board_half_width_1, _p_board_bottom_1, _p_board_top_1)
@@ -3785,9 +3845,9 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
     _margin_0, = end_margin(_nearest_0, _extent_0, _speed_0, _double(_position_error_0), _double(_velocity_error_0), _p_gravity_0, _p_end_depth_0, _room_0)
     _clearance_0, _delay_0 = crossing(_margin_0, 0.0, _rate_0, _ceiling_0, _room_0)
     _possible_0, = within_time(_time_0, _when_0, _delay_0, _earliest_delay_0, _arrives_0)
-    _undecided_time_0, = graze_undecided(_margin_0, _apex_0, _height_0, _undecided_time_0)
+    _undecided_time_0, = apex_undecided(_margin_0, _apex_0, _height_0, _undecided_time_0)
     _undecided_time_1, = crossing_undecided(_clearance_0, _time_0, _undecided_time_0, _arrives_0)
-    _undecided_time_1, _earliest_delay_1 = tie_undecided(_time_0, _when_0, _delay_0, _earliest_delay_0, _undecided_time_1, _arrives_0)
+    _undecided_time_1, _earliest_delay_1 = tie_undecided(_time_0, _when_0, _delay_0, _earliest_delay_0, _undecided_time_1, _arrives_0, _room_0)
     _when_1, _which_1 = earliest(3.0, _time_0, _when_0, _which_0, _arrives_0)
     _earliest_delay_0, _undecided_time_0, _when_0, _which_0 = _choose(_possible_0, (_earliest_delay_1, _undecided_time_1, _when_1, _which_1,), (_earliest_delay_0, _undecided_time_0, _when_0, _which_0,))
     _released_0, _reachable_0 = released(_last_0)
@@ -3803,12 +3863,12 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _earliest_delay_1, _extent_1, _last_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_top_1, _p_bridge_half_width_1, _p_end_depth_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _position_error_1, _speed_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _when_1, _which_1, _x_1, _y_1, _z_1 = _taken(_rows3, _earliest_delay_0, _extent_0, _last_0, _p_ball_radius_0, _p_board_bottom_0, _p_board_distance_0, _p_board_half_width_0, _p_board_top_0, _p_bridge_half_width_0, _p_end_depth_0, _p_gravity_0, _p_ring_radius_0, _p_wire_radius_0, _position_error_0, _speed_0, _undecided_time_0, _velocity_error_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _x_0, _y_0, _z_0)
         _room_1 = room(_count4)
         _leaving_1, = left(1.0, _last_1)
-        _time_1, _rate_1, _bend_1, _apex_1, _height_1 = backboard_arrival(_leaving_1, _x_1, _vx_1, _p_ball_radius_1, _p_board_distance_1)
-        _arrives_1, _ceiling_1, _nearest_1 = plane_root(_rate_1, _bend_1, _apex_1, _time_1)
+        _time_1, _rate_1, _bend_1, _, _height_1 = backboard_arrival(_leaving_1, _x_1, _vx_1, _p_ball_radius_1, _p_board_distance_1)
+        _arrives_1, _ceiling_1, _nearest_1 = level_root(_rate_1, _bend_1, _height_1, _time_1, _when_1)
         _margin_1, = backboard_margin(_nearest_1, _extent_1, _speed_1, _double(_position_error_1), _double(_velocity_error_1), _p_ball_radius_1, _p_board_distance_1, _p_gravity_1, _room_1)
         _clearance_1, _delay_1 = crossing(_margin_1, 0.0, _rate_1, _ceiling_1, _room_1)
         _possible_1, = within_time(_time_1, _when_1, _delay_1, _earliest_delay_1, _arrives_1)
-        _undecided_time_1, = graze_undecided(_margin_1, _apex_1, _height_1, _undecided_time_1)
+        _undecided_time_1, = side_undecided(_rate_1, _margin_1, _height_1, _undecided_time_1, _double(_velocity_error_1))
         _rows5, _count6 = _most(_possible_1, _count4)
         if _count6:
             _clearance_2, _delay_2, _earliest_delay_2, _extent_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_top_2, _p_bridge_half_width_2, _p_end_depth_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _position_error_2, _speed_2, _time_2, _undecided_time_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _when_2, _which_2, _x_2, _y_2, _z_2 = _taken(_rows5, _clearance_1, _delay_1, _earliest_delay_1, _extent_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_top_1, _p_bridge_half_width_1, _p_end_depth_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _position_error_1, _speed_1, _time_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _when_1, _which_1, _x_1, _y_1, _z_1)
@@ -3817,9 +3877,9 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             _g0_2, _g1_2, _g2_2, _g3_2 = backboard_bounds(_there_y_2, _there_z_2, _p_board_half_width_2, _p_board_bottom_2, _p_board_top_2)
             _slack_2, = displacement(_delay_2, _time_2, _extent_2, _speed_2, _double(_position_error_2), _double(_velocity_error_2), _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_board_distance_2, _p_board_half_width_2, _p_board_bottom_2, _p_board_top_2, _p_bridge_half_width_2, _p_gravity_2, _p_end_depth_2, _room_2)
             _undecided_2, = backboard_edges(_clearance_2, _slack_2, _g0_2, _g1_2, _g2_2, _g3_2)
-            _undecided_time_2, = predicate_undecided(_time_2, _undecided_time_2, _undecided_2)
+            _undecided_time_2, = bounds_undecided(_time_2, _undecided_time_2, _undecided_2)
             _arrives_2, = backboard_within(_g0_2, _g1_2, _g2_2, _g3_2)
-            _undecided_time_2, _earliest_delay_2 = tie_undecided(_time_2, _when_2, _delay_2, _earliest_delay_2, _undecided_time_2, _arrives_2)
+            _undecided_time_2, _earliest_delay_2 = tie_undecided(_time_2, _when_2, _delay_2, _earliest_delay_2, _undecided_time_2, _arrives_2, _room_2)
             _when_2, _which_2 = earliest(1.0, _time_2, _when_2, _which_2, _arrives_2)
             _earliest_delay_1, _undecided_time_1, _when_1, _which_1 = _put(_rows5, _count4, (_earliest_delay_1, _undecided_time_1, _when_1, _which_1,), (_earliest_delay_2, _undecided_time_2, _when_2, _which_2,), _possible_1)
         _leaving_1, = left(2.0, _last_1)
@@ -3828,7 +3888,7 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _margin_1, = bridge_margin(_nearest_1, _extent_1, _speed_1, _double(_position_error_1), _double(_velocity_error_1), _p_ball_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
         _clearance_1, _delay_1 = crossing(_margin_1, 0.0, _rate_1, _ceiling_1, _room_1)
         _possible_1, = within_time(_time_1, _when_1, _delay_1, _earliest_delay_1, _arrives_1)
-        _undecided_time_1, = graze_undecided(_margin_1, _apex_1, _height_1, _undecided_time_1)
+        _undecided_time_1, = apex_undecided(_margin_1, _apex_1, _height_1, _undecided_time_1)
         _rows7, _count8 = _most(_possible_1, _count4)
         if _count8:
             _clearance_2, _delay_2, _earliest_delay_2, _extent_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_top_2, _p_bridge_half_width_2, _p_end_depth_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _position_error_2, _speed_2, _time_2, _undecided_time_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _when_2, _which_2, _x_2, _y_2, _z_2 = _taken(_rows7, _clearance_1, _delay_1, _earliest_delay_1, _extent_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_top_1, _p_bridge_half_width_1, _p_end_depth_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _position_error_1, _speed_1, _time_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _when_1, _which_1, _x_1, _y_1, _z_1)
@@ -3837,13 +3897,15 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             _g0_2, _g1_2, _g2_2, _g3_2, _g4_2 = bridge_bounds(_there_x_2, _there_y_2, _p_ring_radius_2, _p_board_distance_2, _p_bridge_half_width_2, _room_2)
             _slack_2, = displacement(_delay_2, _time_2, _extent_2, _speed_2, _double(_position_error_2), _double(_velocity_error_2), _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_board_distance_2, _p_board_half_width_2, _p_board_bottom_2, _p_board_top_2, _p_bridge_half_width_2, _p_gravity_2, _p_end_depth_2, _room_2)
             _undecided_2, = bridge_edges(_clearance_2, _slack_2, _g0_2, _g1_2, _g2_2, _g3_2, _g4_2)
-            _undecided_time_2, = predicate_undecided(_time_2, _undecided_time_2, _undecided_2)
+            _undecided_time_2, = bounds_undecided(_time_2, _undecided_time_2, _undecided_2)
             _arrives_2, = bridge_within(_g0_2, _g1_2, _g2_2, _g3_2, _g4_2)
-            _undecided_time_2, _earliest_delay_2 = tie_undecided(_time_2, _when_2, _delay_2, _earliest_delay_2, _undecided_time_2, _arrives_2)
+            _undecided_time_2, _earliest_delay_2 = tie_undecided(_time_2, _when_2, _delay_2, _earliest_delay_2, _undecided_time_2, _arrives_2, _room_2)
             _when_2, _which_2 = earliest(2.0, _time_2, _when_2, _which_2, _arrives_2)
             _earliest_delay_1, _undecided_time_1, _when_1, _which_1 = _put(_rows7, _count4, (_earliest_delay_1, _undecided_time_1, _when_1, _which_1,), (_earliest_delay_2, _undecided_time_2, _when_2, _which_2,), _possible_1)
+        _undecided_time_1, = plane_start(_p_gravity_1, _undecided_time_1, _double(_position_error_1), _double(_velocity_error_1))
         _earliest_delay_0, _undecided_time_0, _when_0, _which_0 = _put(_rows3, shots, (_earliest_delay_0, _undecided_time_0, _when_0, _which_0,), (_earliest_delay_1, _undecided_time_1, _when_1, _which_1,))
     _until_0, _pad_0 = horizon(_when_0, _speed_0, _p_gravity_0)
+    _undecided_time_0, = overdue(_pad_0, _earliest_delay_0, _undecided_time_0)
     _clear_0, = ring_clear(_until_0, _x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _extent_0, _speed_0, _double(_position_error_0), _double(_velocity_error_0), _p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_gravity_0, _room_0)
     _open_0, = opens(_clear_0)
     _rows9, _count10 = _rows(_open_0, shots)
@@ -4006,14 +4068,15 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _clearance_1, _delay_1 = crossing(_margin_1, _rate_margin_1, _rate_1, _ceiling_1, _room_1)
         _time_1, = arrival_time(_arrival_1)
         _delay_1, _undecided_time_1 = arrival_certainty(_clearance_1, _time_1, _delay_1, _undecided_time_1, _arrives_1, _certain_1)
-        _undecided_time_1, _earliest_delay_1 = tie_undecided(_time_1, _when_1, _delay_1, _earliest_delay_1, _undecided_time_1, _arrives_1)
+        _undecided_time_1, _earliest_delay_1 = tie_undecided(_time_1, _when_1, _delay_1, _earliest_delay_1, _undecided_time_1, _arrives_1, _room_1)
         _when_1, _which_1 = earliest(0.0, _time_1, _when_1, _which_1, _arrives_1)
         _earliest_delay_0, _undecided_time_0, _when_0, _which_0 = _put(_rows9, shots, (_earliest_delay_0, _undecided_time_0, _when_0, _which_0,), (_earliest_delay_1, _undecided_time_1, _when_1, _which_1,))
     _rows35, _count36 = _most(_limited_0, shots)
     if _count36:
         _clock_1, _earliest_delay_1, _time_error_1, _time_limit_1, _undecided_time_1, _when_1, _which_1 = _taken(_rows35, _clock_0, _earliest_delay_0, _time_error_0, _time_limit_0, _undecided_time_0, _when_0, _which_0)
+        _room_1 = room(_count36)
         _time_1, _delay_1, _arrives_1, _undecided_time_1 = expiry(_when_1, _which_1, _earliest_delay_1, _undecided_time_1, _double(_time_error_1), _clock_1, _time_limit_1)
-        _undecided_time_1, _earliest_delay_1 = tie_undecided(_time_1, _when_1, _delay_1, _earliest_delay_1, _undecided_time_1, _arrives_1)
+        _undecided_time_1, _earliest_delay_1 = tie_undecided(_time_1, _when_1, _delay_1, _earliest_delay_1, _undecided_time_1, _arrives_1, _room_1)
         _when_1, _which_1 = earliest(4.0, _time_1, _when_1, _which_1, _arrives_1)
         _earliest_delay_0, _undecided_time_0, _when_0, _which_0 = _put(_rows35, shots, (_earliest_delay_0, _undecided_time_0, _when_0, _which_0,), (_earliest_delay_1, _undecided_time_1, _when_1, _which_1,), _limited_0)
     _, _moves_0, _ends_0, _touches_0, _reached_0, _edge_0 = departed(3.0, _which_0)

@@ -156,7 +156,8 @@ class RingRootFinder(RingWindows):
             P <= s Y    and    R (v - s V) + max(1, R/I) V (P - s Y) <= 0.
 
         So v may exceed s V where P is less than s Y, and mostly it is the velocity that is known
-        less well.
+        less well. The roundings of this difference are a few u of s Y, less than what
+        `ROUNDING_SLACK` adds to the margins.
         """
         furthest, fastest = self.flight.size(horizon)
         moved = barrier(self._moved_by_errors(horizon) - share * (furthest + horizon * fastest))
@@ -195,6 +196,40 @@ class RingRootFinder(RingWindows):
         The last two are generous. The largest errors of F/t and F' that a search found are below a
         tenth of their margins, and below two fifths without these roundings: the roundings of
         Eq. 3, which are bounded on every axis at once, cover them.
+
+        **Lemma (margins).** Let 3/2 R <= R_H <= 2^4 R, the flight be no larger than 2^16 R, and the
+        errors of the state at most P = p + v T <= 2^-16 R of any coordinate until T, with `excess`
+        at most zero. Within the windows F, F/t and F' of the true flight are within these margins
+        of those computed at the same time.
+
+        *Proof.* sqrt(F + R²) is the distance from the wire's circle, at most sqrt(2) R̂, and
+        changes by no more than the place. So with q = P + 4 u X, the error of a coordinate, F
+        changes by at most sqrt(3) q (2 sqrt(2) R̂ + sqrt(3) q) < 4.91 R̂ q, as q < 2^-15 R.
+
+        The Hessian of F is at most 2 max(1, R̂/I) where rho >= I, and on the way between the true
+        place and the computed one 1.01 times that, as q < I/100. Hence F' changes by at most
+        4.96 (R̂ (v + 2 u V) + max(1, R̂/I) V q).
+
+        With w the mean velocity, the derivative of F/t by the place at the start is the change of
+        grad F = 2 (d e, z) over t, and that by w is grad F. The way |w| t has the square
+        (rho - rho0)² + rho rho0 |e - e0|² + (z - z0)², and d e - d0 e0 has (d - d0)² +
+        d d0 |e - e0|², with |d| <= max(1, R̂/I) rho at both ends. So F/t changes by at most
+        2 sqrt(6) R̂ v + 2 sqrt(3) max(1, R̂/I) |w| p, and 1.01 times that along the way of the
+        state, wherever the ball was in between.
+
+        *Roundings.* rho is off by 2 u rho, d by 2 u rho + u |d| <= 3 u A with A the outer radius,
+        and R² by 3 u R². So F = d² + z² - R² is off by at most 6 u R̂ A + 9 u R̂² <= 10.5 u R̂ A,
+        as 2 R̂ < A. In F', 1/rho has four roundings and rho' eight, so F' is off by 2 (3 u A V + 11
+        u R̂ V) + 4 u R̂ V <= 19 u A V. In F/t the rate of rho² is off by 5 u V X, its divisor by 8
+        u and the sum of both d by 7 u A: with the rest less than (5 max(1, R̂/I) X + 25 A) u V.
+        Those of the place at t count in d, z and rho alone, not over t. `ROUNDING_SLACK` is for the
+        roundings of the margins (`symbolic/rounding.py`). ∎
+
+        *Where Newton's method ends.* A step that begins with h = C F/F'² <= 2^-24 leaves
+        |F| <= 2^-49 F'²/C besides roundings. At a contact F'² <= 4 R² |v|² and C >= 2 |v|², so that
+        is at most 32 u R²; and m has 24 u R² at least. So |F| <= 7/3 m for the root's lemma in
+        `event_polynomials.crossing`; the rate is that before the last step, which turns it by less
+        than 2^-24 of it. If C m is so near r² that h stays above 2^-24, the last steps leave 9/8 m.
         """
         u, root = UNIT_ROUNDOFF, sp.Rational(5, 2)
         reach = self.reach

@@ -26,6 +26,32 @@ def clear(search: PolarRootFinder) -> sp.Expr:
     rounding and carried error unless the flight is 2^16 times as large. It is generous: below the
     level where the parabola begins, gravity lifts F above it by more than this up to any horizon of
     a scene. With next to no gravity the kernel needs the slack.
+
+    **Lemma (clear).** Let 3/2 R <= R_H <= 2^4 R, the flight until the horizon be no larger than
+    2^16 R, and |v|² <= 2^16 g R. If this is positive, the true ball is not in contact with the ring
+    at any time until the horizon.
+
+    *Proof.* P = p + v T < 2^-34 A bounds the errors of the true place, and 4 u X <= 2^-35 R the
+    roundings of one; `lost_by` has that the hole is wider than 2^-12 R_H. A contact of the true
+    ball is one of the computed flight with |z| and |rho - R_H| at most R + 2^-33 A, while R̂ and A
+    are R + 2^-14 R and R_H + R̂.
+
+    - *Until it rises through z = R̂*, at t: rho(t)² is computed to 16 u X² <= 2^-17 R², and exceeds
+      A². The rate of rho² is negative to 2^-33 R V, and rho² is convex: before, it was less by at
+      most 2^-33 R V t <= 2^-17 R². A² - 2^-16 R² is more than (R_H + R + 2^-15 R)².
+    - *Between the levels* z > R̂ - 2^-34 R, as z at both times is R̂ to 8 u X.
+    - *Below*: from the time t1 on, at which z <= R̂ + 2^-34 R, F is above its parabola, with
+      F'' >= m + 6 g (R̂ - z) where rho >= I, and R̂ - z >= g s²/2 - 2^-34 R after s. So gravity lifts
+      F by g² s⁴/4. The roundings of m are mostly those of L, 2 u X V: where m > 0 less than
+      2^-31 |v|² <= 2^-15 g R. They lower F by at most 2^-16 g R s², and by no more than 2^-32 R²
+      with that lift. The roundings of F at t1, and what P changes it by, are less than
+      4.91 R̂ (P + 4 u X) + 12 u R̂ A < 2^-32 A². Those of the discriminant are as of a share 2^-46 of
+      F at t1: less than 2^-41 A² where F < 2^4 A²; else less than the lift until the ball is at the
+      annulus, after sqrt(F)/(2 V) at least. Together these are less than the slack. So where the
+      computed parabola has no root, F of the true ball is positive.
+    - *In the hole* rho² < I² - slack + 2^-33 A² at the horizon: rho < I there, and since the ball
+      came into the hole, for rho² is convex. Or L²/V² > I² + slack - 2^-35 A², the least of rho²,
+      so that rho > I at all times. ∎
     """
     g, radius = search.gravity, search.ring.ring_radius
     innermost, outermost = search.radii()
@@ -90,6 +116,16 @@ def drops_through(search: PolarRootFinder) -> sp.Basic:
     rounds a coordinate by eight times 2^-24 of its size at most, which is 2^-14 of that radius, and
     carries less. That holds at b, too, since V b <= 2 rho(0) if the ball still approaches the axis
     there. The slack is 2^-11 of the radius: more than the roundings of rho and z together.
+
+    **Lemma (drop through the hole).** If this holds, the true ball is not in contact with the ring
+    at any time until the horizon.
+
+    *Proof.* The items above are about flights without roundings. With v = 2^-24 a coordinate has,
+    state, time and gravity rounded, at most 8 v X <= 2^-14 A, and the errors of the true state at
+    most 2^-16 A. Both move rho by less than sqrt(2) times their sum, and rho - z by less than 2.5
+    times it: 3.2 2^-14 A, less than the slack of 2^-11 A; the squares are compared to 4 v of
+    themselves. The horizon is a number of single precision, off by v T: the ball flies v X then,
+    2^-17 A. ∎
     """
     g, radius = search.gravity, search.ring.ring_radius
     reach = search.reach

@@ -34,6 +34,40 @@ r² > 16 C (F - m + 2 m) one simple root follows, to which Newton's method conve
 most F - m + 2 m, and so h < 2^-4. C bounds |F''| on twice the way to the root. A search that makes
 no headway, because F is within its margin or a step does not move the time, goes on from there in
 double precision; so does one of other sizes, or one that meets a NaN.
+
+**Lemma (margins in single precision).** Let the premises of the lemma of `RingRootFinder.margins`
+hold, with `SinglePrecisionRing.excess` at most zero. In the windows, at a time t since t0 that is a
+number of single precision, the true F, F' and F/t are within `allowed` and `rate_allowed` of those
+computed.
+
+*Proof.* Let v = 2^-24. The place at t0 is off by 4 u X in double precision, less than 2^-35 A, for
+which the share 2^-10 of 16 v A that `ROUNDING_SLACK` adds suffices. In the windows |vz t| is at
+most 2 R + g D²/2, whatever is between them, since the ball is in the slab at both times; and
+sideways it goes no further than 2 A, as rho² is convex. A ball that hardly moves sideways may be
+beyond A; there its F, and that of the true ball, is far from zero.
+
+So x is off by 6 v A, with the roundings of x0 and of the sum, at most v A each, of vx and of the
+product, 2 v A each; z alike by 8 v R + 3/2 v g D² < 4 v A + 2 v g D². In F, d is off by
+2 v rho + v R_H + v |d| <= 3 v A and R² by 5 v R²: 6 v R A + 11 v R² < 11.5 v R A, as of a
+place that is off by 5/2 v A. A step rounds by 12 v of the parabola's apex (`root_finder.py`), at
+most 12 v R², as of 6/5 v A, and t + s by v of the way of the ball, v (3 A + 3/2 g D²). Together
+these are less than 14.5 v A + 6 v g D².
+
+F' is off by 2 (3 v A V + 13 v R V) + 4 v R V besides, less than 32 v A V, for which 10 v A of p are
+left; velocities by v |v|, v |v - g t| and v g t, less than 4 v V.
+
+*Near the surface that the ball left.* F/t changes with errors p and v of the state by less than
+5 (R v + max(1, R/I) V p), and F' of the true flight, wherever it is used, by less than
+5 (R v + max(1, R/I) V (p + T v)). `excess` has that the first, with p + T v/2, is at most what
+`carried` is, and the second is at most twice that. F'_0 is off by 19 u A V in double precision,
+less than 2^-44 of `whole`, as X > A/2^8; then by v |F'_0|, and by as much in the sum with t H. Of
+H, with C >= 2 V² + 2 z'² + 2 g R, the parts are off by
+
+    3 v (A/I) C by d0, 6 v max(1, R/I) (A/I) C by the divisor rho + rho0,
+    8 v max(1, R/I) (A/I) C by the mean w of rho' in the product with rho'_0,
+    15 v (A/I) C by w², and 10 v C by the others:
+
+less than 69 v max(1, R/I) (A/I) C, of which `quotient_margin` has 128, the sum t H included. ∎
 """
 
 from __future__ import annotations

@@ -3,6 +3,33 @@
 At a contact |z| <= R and |rho - R_H| <= R, where R = R_B + R_W. The lemma `ring_windows` in
 templates/derivation/ring_search.md.j2 proves that three windows hold every contact, and says by how
 much they are widened for roundings.
+
+**Lemma (windows).** Let the errors p and v of the state fulfil p + v t <= 2^-15 R until the time t.
+If the true ball is within |z| <= R and |rho - R_H| <= R at t, then t is in a window as computed, in
+double and in single precision, and not on its edge.
+
+*Proof.* The computed ball, from the same state without roundings, has |z| <= R (1 + 2^-15) then and
+|rho - R_H| <= R (1 + 2^-14.4): it is within those of the windows, which are of the radius
+R (1 + 2^-14) but for 4 u of it. So let t be between the exact roots for that radius, and ε = u be
+the unit roundoff. In single precision the state and the parameters have one rounding each besides.
+
+- *Slab.* D = vz² + 2 g (z - c) is off by at most 4 ε (vz² + 2 g (|z| + R)), in single precision by
+  6 ε of it; the kernel counts 8. The root of D, the sum with vz, 1/g and the product are off by 5 ε
+  (|vz| + sqrt(D))/g, in single precision 8 ε; 16 are counted.
+- *Annulus.* |x vy| + |y vx| <= rho V and |x vx| + |y vy| <= rho V by Cauchy's inequality. So L² is
+  off by 5 ε rho² V², V² A² by 4 ε V² A², and V² A² - L² in all by 7 ε V² (rho² + A²), in single
+  precision 12 ε; 16 are counted. As rho V <= |q| + |L|, q is off by 2 ε (|q| + |L|), in single
+  precision 4 ε; the sums, 1/V² and the product by 7 ε (|q| + root), or 9 ε; 16 are counted of
+  |q| + |L| + root.
+
+Discriminants and times are widened by these, so that no computed interval is shorter than the exact
+one. The windows are cut off at zero and at the horizon, in single precision one that is 4 ε later,
+since it has a rounding. ∎
+
+`lost` is positive where p + v t exceeds 2^-16 R at the horizon, or at the time by which the ball
+has fallen below the ring for good. With d = |x| + 2 R that is T = sqrt(2 d/g) + 2 |v|/g: then
+|v| T - g T²/2 <= -d, so z <= -2 R, and the ball falls faster than 2 sqrt(g R), while v T is less
+than 2^-16 R.
 """
 
 from __future__ import annotations

@@ -82,7 +82,7 @@ PREMISES: dict[str, Premise] = {
     "plane_first": Premise(
         LEMMA,
         "the only arrival on a plane",
-        _kernels("plane.arrival end.arrival common.plane_root common.graze_*"),
+        _kernels("plane.arrival end.arrival common.plane_root common.level_root common.graze_*"),
     ),
     "impact": Premise(
         DEFINITION,
@@ -108,10 +108,7 @@ PREMISES: dict[str, Premise] = {
     "one_root": Premise(
         LEMMA,
         "existence of one simple root, and convergence of Newton's method",
-        _kernels(
-            "common.refined_root common.found common.arrival_time common.candidate "
-            "common.refined_candidate *.refine"
-        ),
+        _kernels("common.refined_* common.found common.arrival_time common.candidate *.refine"),
     ),
     "crossing": Premise(
         LEMMA,
@@ -197,19 +194,20 @@ PREMISES: dict[str, Premise] = {
         "the first event is certain or undecided",
         _kernels(
             "common.opening common.within_time common.tie_undecided common.earliest "
-            "common.flight_undecided"
+            "common.bounds_undecided common.flight_undecided common.apex_* common.side_*"
         ),
     ),
     "horizon": Premise(
         LEMMA,
         "the horizon",
-        _kernels("common.horizon common.out_of_budget common.out_of_budget_in_windows"),
+        _kernels("common.horizon common.overdue common.out_of_budget*"),
     ),
     "sinking": Premise(
         LEMMA,
         "a ball that can never meet anything again",
         _kernels("common.piece_end common.sinks"),
     ),
+    "plane_start": Premise(LEMMA, "flights that begin at a plane", _kernels("common.plane_start")),
     "plates": Premise(LEMMA, "a filter of plates", _kernels("common.released common.reachable")),
     "far": Premise(
         LEMMA,
