@@ -146,6 +146,8 @@ def in_doubles(expressions: Mapping[str, sp.Expr | int], values: Values) -> dict
             if operation.name == "argument":
                 name = operation.symbol.removeprefix("p_")  # of a parameter
                 done.append(np.asarray(values[name], np.float64))
+            elif operation.name == "truth":
+                done.append(np.asarray(values[operation.symbol], bool))
             elif operation.name == "constant":
                 done.append(np.float64(operation.value))
             else:

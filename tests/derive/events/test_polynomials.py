@@ -145,15 +145,25 @@ def test_a_planes_arrival_is_the_root_with_a_falling_gap_in_both_forms(
 
 @planes
 def test_the_apex_is_where_the_gap_is_highest(plane: Plane) -> None:
-    """Along a straight line that is now, for a ball that keeps its distance from the plane."""
+    """From the start on: that is now along a straight line, and for a ball that falls."""
     arrival = {n: release(sp.sympify(e)) for n, e in plane_arrival(plane, HOOP.flight).items()}
     apex, height = arrival["apex"], arrival["height"].subs(event_polynomials.leaving, 0)
     gap = horner([release(c) for c in event_coefficients(plane, HOOP.flight)], t)
-    if arrival["bend"] == 0:
-        apex = apex.subs(dict.fromkeys(VELOCITY, 0))
-        gap = gap.subs(dict.fromkeys(VELOCITY, 0))
-    assert sp.simplify(sp.diff(gap, t).subs(t, apex)) == 0
-    assert sp.simplify(gap.subs(t, apex) - height) == 0
+    speed = sp.Symbol("speed", positive=True)
+
+    def moving(expression: sp.Expr, sign: int) -> sp.Expr:
+        along = sp.sympify(expression).subs(dict.fromkeys(VELOCITY, sign * speed))
+        return along.replace(
+            IfLess,
+            lambda left, right, then, other: then if (right - left).is_positive else other,
+        )
+
+    if arrival["bend"] != 0:
+        assert sp.simplify(moving(sp.diff(gap, t), 1).subs(t, moving(apex, 1))) == 0
+    for sign in (1, -1):
+        there = moving(gap, sign).subs(t, moving(apex, sign))
+        assert sp.simplify(there - moving(height, sign)) == 0
+    assert moving(apex, -1) == 0
 
 
 # -- The parabola below F
