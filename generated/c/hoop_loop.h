@@ -1,6 +1,6 @@
 /* The event loop of the scene hoop, with or without bounds on errors.
 
-   Generated from templates/c/loop.h.j2, scene hoop, derivation 0b232e662b9cf364,
+   Generated from templates/c/loop.h.j2, scene hoop, derivation 83b7ff2bc0b2beda,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by hoop_engine.h twice, BOUNDED being 1 where errors are bounded, else 0. The path is
@@ -394,20 +394,21 @@ static void LOOP(fix)(LOOP(worklist) *worklist)
         const V _s32 = lanes_add(p_ball_radius, p_wire_radius);
         const V _s35 = lanes_mul(K(2.0), p_wire_radius);
         const V _s43 = lanes_div(K(1.0), p_gravity);
+        const V _s46 = lanes_neg(p_gravity);
         const V _s47 = lanes_neg(_s43);
         const V _s54 = lanes_mul(K(6.667843360785852e-16), p_ball_radius);
         const V _s64 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s27, p_board_distance), p_board_half_width), p_bridge_half_width), p_end_depth), _s9), _s10);
-        const V _s76 = lanes_mul(K(1.00006103515625), _s32);
-        const V _s77 = lanes_add(p_ring_radius, _s76);
-        const V _s82 = lanes_mul(_s77, _s77);
-        const V _s83 = lanes_mul(K(9.313225746154785e-10), _s82);
-        const V _s88 = lanes_sub(p_ring_radius, _s76);
-        const V _s90 = lanes_mul(K(0.0001220703125), p_ring_radius);
-        const V _s91 = lanes_max(_s88, _s90);
-        const V _s92 = lanes_mul(_s91, _s91);
-        const V _s98 = lanes_div(_s76, _s91);
-        const V _s102 = lanes_div(K(1.0), _s91);
-        const V _s116 = lanes_sub(lanes_sub(p_ring_radius, p_ball_radius), p_wire_radius);
+        const V _s78 = lanes_mul(K(1.00006103515625), _s32);
+        const V _s79 = lanes_add(p_ring_radius, _s78);
+        const V _s84 = lanes_mul(_s79, _s79);
+        const V _s85 = lanes_mul(K(9.313225746154785e-10), _s84);
+        const V _s90 = lanes_sub(p_ring_radius, _s78);
+        const V _s92 = lanes_mul(K(0.0001220703125), p_ring_radius);
+        const V _s93 = lanes_max(_s90, _s92);
+        const V _s94 = lanes_mul(_s93, _s93);
+        const V _s100 = lanes_div(_s78, _s93);
+        const V _s104 = lanes_div(K(1.0), _s93);
+        const V _s118 = lanes_sub(lanes_sub(p_ring_radius, p_ball_radius), p_wire_radius);
         FIX(0, p_board_distance);
         FIX(1, lanes_add(lanes_add(_s21, lanes_abs(p_bridge_half_width)), lanes_abs(p_end_depth)));
         FIX(2, _s27); FIX(3, _s28); FIX(4, lanes_sub(_s28, _s30)); FIX(5, p_ring_radius);
@@ -416,29 +417,30 @@ static void LOOP(fix)(LOOP(worklist) *worklist)
         FIX(12, lanes_sub(lanes_sub(_s32, _s30), _s35));
         FIX(13, lanes_add(lanes_mul(K(4.0), p_ball_radius), lanes_mul(K(4.0), p_wire_radius)));
         FIX(14, _s43); FIX(15, p_gravity); FIX(16, lanes_neg(p_end_depth));
-        FIX(17, lanes_mul(K(2.0), p_gravity)); FIX(18, lanes_neg(p_gravity)); FIX(19, _s47);
+        FIX(17, lanes_mul(K(2.0), p_gravity)); FIX(18, _s46); FIX(19, _s47);
         FIX(20, lanes_mul(K(0.5), _s47)); FIX(21, lanes_mul(K(6.667843360785852e-16), p_end_depth));
         FIX(22, lanes_mul(p_bridge_half_width, p_bridge_half_width));
         FIX(23, lanes_neg(p_board_distance));
         FIX(24, lanes_add(_s54, lanes_mul(K(8.890457814381136e-16), p_board_distance)));
         FIX(25, lanes_mul(K(0.5), p_gravity)); FIX(26, _s64);
         FIX(27, lanes_add(_s54, lanes_mul(K(6.667843360785852e-16), p_wire_radius)));
-        FIX(28, lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), lanes_sub(p_ring_radius, _s32)));
-        FIX(29, lanes_mul(K(1.52587890625e-05), p_ball_radius));
-        FIX(30, lanes_mul(K(1.52587890625e-05), p_wire_radius)); FIX(31, _s76);
-        FIX(32, lanes_mul(K(5.820766091346741e-11), _s77)); FIX(33, lanes_mul(K(65536.0), _s77));
-        FIX(34, _s82); FIX(35, _s83); FIX(36, lanes_mul(K(4.0), p_gravity));
-        FIX(37, lanes_mul(lanes_mul(K(6.0003662109375), p_gravity), _s32)); FIX(38, _s92);
-        FIX(39, lanes_mul(_s91, _s92)); FIX(40, lanes_mul(K(2.0), p_ring_radius));
-        FIX(41, lanes_add(_s83, _s92)); FIX(42, lanes_mul(K(8.940696716308594e-08), _s77));
-        FIX(43, lanes_max(K(1.0), _s98)); FIX(44, lanes_sqrt(K(2.0)));
-        FIX(45, lanes_add(_s30, _s35)); FIX(46, lanes_mul(_s102, lanes_mul(_s102, _s102)));
-        FIX(47, _s77); FIX(48, lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s32), _s77));
-        FIX(49, lanes_mul(K(5.00030517578125), _s32)); FIX(50, lanes_mul(K(6.0), p_gravity));
-        FIX(51, lanes_mul(K(9.094947017729282e-13), _s77)); FIX(52, _s91);
-        FIX(53, lanes_div(K(1.0), _s32)); FIX(54, lanes_div(K(1.0), lanes_min(_s116, _s32)));
-        FIX(55, p_restitution); FIX(56, lanes_mul(K(0.4), p_ball_radius));
-        FIX(57, lanes_div(K(1.0), p_ball_radius));
+        FIX(28, lanes_mul(K(0.5), lanes_abs(_s46)));
+        FIX(29, lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), lanes_sub(p_ring_radius, _s32)));
+        FIX(30, lanes_mul(K(1.52587890625e-05), p_ball_radius));
+        FIX(31, lanes_mul(K(1.52587890625e-05), p_wire_radius)); FIX(32, _s78);
+        FIX(33, lanes_mul(K(5.820766091346741e-11), _s79)); FIX(34, lanes_mul(K(65536.0), _s79));
+        FIX(35, _s84); FIX(36, _s85); FIX(37, lanes_mul(K(4.0), p_gravity));
+        FIX(38, lanes_mul(lanes_mul(K(6.0003662109375), p_gravity), _s32)); FIX(39, _s94);
+        FIX(40, lanes_mul(_s93, _s94)); FIX(41, lanes_mul(K(2.0), p_ring_radius));
+        FIX(42, lanes_add(_s85, _s94)); FIX(43, lanes_mul(K(8.940696716308594e-08), _s79));
+        FIX(44, lanes_max(K(1.0), _s100)); FIX(45, lanes_sqrt(K(2.0)));
+        FIX(46, lanes_add(_s30, _s35)); FIX(47, lanes_mul(_s104, lanes_mul(_s104, _s104)));
+        FIX(48, _s79); FIX(49, lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s32), _s79));
+        FIX(50, lanes_mul(K(5.00030517578125), _s32)); FIX(51, lanes_mul(K(6.0), p_gravity));
+        FIX(52, lanes_mul(K(9.094947017729282e-13), _s79)); FIX(53, _s93);
+        FIX(54, lanes_div(K(1.0), _s32)); FIX(55, lanes_div(K(1.0), lanes_min(_s118, _s32)));
+        FIX(56, p_restitution); FIX(57, lanes_mul(K(0.4), p_ball_radius));
+        FIX(58, lanes_div(K(1.0), p_ball_radius));
     }
     {
         const S _p_ball_radius = lanes_narrow(p_ball_radius);
@@ -520,25 +522,33 @@ LANES_APART void LOOP(fix_rows_2)(LOOP(worklist) *worklist, size_t i)
     {
         const V _s32 = lanes_add(p_ball_radius, p_wire_radius);
         const V _s43 = lanes_div(K(1.0), p_gravity);
+#if BOUNDED
+        const V _s46 = lanes_neg(p_gravity);
+#endif
         const V _s47 = lanes_neg(_s43);
 #if BOUNDED
         const V _s54 = lanes_mul(K(6.667843360785852e-16), p_ball_radius);
         const V _s62 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(p_ball_radius, p_ring_radius), p_wire_radius), p_board_distance), p_board_half_width), p_bridge_half_width), p_end_depth);
 #endif
-        const V _s76 = lanes_mul(K(1.00006103515625), _s32);
-        const V _s77 = lanes_add(p_ring_radius, _s76);
-        const V _s82 = lanes_mul(_s77, _s77);
-        const V _s83 = lanes_mul(K(9.313225746154785e-10), _s82);
-        const V _s88 = lanes_sub(p_ring_radius, _s76);
-        const V _s90 = lanes_mul(K(0.0001220703125), p_ring_radius);
-        const V _s91 = lanes_max(_s88, _s90);
-        const V _s92 = lanes_mul(_s91, _s91);
+        const V _s78 = lanes_mul(K(1.00006103515625), _s32);
+        const V _s79 = lanes_add(p_ring_radius, _s78);
+        const V _s84 = lanes_mul(_s79, _s79);
+        const V _s85 = lanes_mul(K(9.313225746154785e-10), _s84);
+        const V _s90 = lanes_sub(p_ring_radius, _s78);
+        const V _s92 = lanes_mul(K(0.0001220703125), p_ring_radius);
+        const V _s93 = lanes_max(_s90, _s92);
+        const V _s94 = lanes_mul(_s93, _s93);
         FIX(0, p_board_distance); FIX(3, lanes_sub(p_ball_radius, p_board_distance));
         FIX(5, p_ring_radius); FIX(6, p_board_half_width); FIX(7, p_board_bottom);
         FIX(8, p_board_top); FIX(9, p_bridge_half_width); FIX(10, _s32);
         FIX(11, lanes_mul(_s32, _s32)); FIX(14, _s43); FIX(15, p_gravity);
         FIX(16, lanes_neg(p_end_depth)); FIX(17, lanes_mul(K(2.0), p_gravity));
-        FIX(18, lanes_neg(p_gravity)); FIX(19, _s47); FIX(20, lanes_mul(K(0.5), _s47));
+#if BOUNDED
+        FIX(18, _s46);
+#else
+        FIX(18, lanes_neg(p_gravity));
+#endif
+        FIX(19, _s47); FIX(20, lanes_mul(K(0.5), _s47));
 #if BOUNDED
         FIX(21, lanes_mul(K(6.667843360785852e-16), p_end_depth));
 #endif
@@ -551,15 +561,16 @@ LANES_APART void LOOP(fix_rows_2)(LOOP(worklist) *worklist, size_t i)
 #if BOUNDED
         FIX(26, lanes_add(lanes_add(_s62, lanes_abs(p_board_bottom)), lanes_abs(p_board_top)));
         FIX(27, lanes_add(_s54, lanes_mul(K(6.667843360785852e-16), p_wire_radius)));
+        FIX(28, lanes_mul(K(0.5), lanes_abs(_s46)));
 #endif
-        FIX(28, lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), lanes_sub(p_ring_radius, _s32)));
-        FIX(29, lanes_mul(K(1.52587890625e-05), p_ball_radius));
-        FIX(30, lanes_mul(K(1.52587890625e-05), p_wire_radius)); FIX(31, _s76);
-        FIX(32, lanes_mul(K(5.820766091346741e-11), _s77)); FIX(33, lanes_mul(K(65536.0), _s77));
-        FIX(34, _s82); FIX(35, _s83); FIX(36, lanes_mul(K(4.0), p_gravity));
-        FIX(37, lanes_mul(lanes_mul(K(6.0003662109375), p_gravity), _s32)); FIX(38, _s92);
-        FIX(39, lanes_mul(_s91, _s92)); FIX(40, lanes_mul(K(2.0), p_ring_radius));
-        FIX(41, lanes_add(_s83, _s92));
+        FIX(29, lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), lanes_sub(p_ring_radius, _s32)));
+        FIX(30, lanes_mul(K(1.52587890625e-05), p_ball_radius));
+        FIX(31, lanes_mul(K(1.52587890625e-05), p_wire_radius)); FIX(32, _s78);
+        FIX(33, lanes_mul(K(5.820766091346741e-11), _s79)); FIX(34, lanes_mul(K(65536.0), _s79));
+        FIX(35, _s84); FIX(36, _s85); FIX(37, lanes_mul(K(4.0), p_gravity));
+        FIX(38, lanes_mul(lanes_mul(K(6.0003662109375), p_gravity), _s32)); FIX(39, _s94);
+        FIX(40, lanes_mul(_s93, _s94)); FIX(41, lanes_mul(K(2.0), p_ring_radius));
+        FIX(42, lanes_add(_s85, _s94));
     }
 }
 
@@ -569,10 +580,10 @@ LANES_APART void LOOP(fix_rows_3)(LOOP(worklist) *worklist, size_t i)
     {
 #if BOUNDED
         const V _s32 = lanes_add(p_ball_radius, p_wire_radius);
-        const V _s76 = lanes_mul(K(1.00006103515625), _s32);
-        const V _s88 = lanes_sub(p_ring_radius, _s76);
-        const V _s90 = lanes_mul(K(0.0001220703125), p_ring_radius);
-        const V _s98 = lanes_div(_s76, lanes_max(_s88, _s90));
+        const V _s78 = lanes_mul(K(1.00006103515625), _s32);
+        const V _s90 = lanes_sub(p_ring_radius, _s78);
+        const V _s92 = lanes_mul(K(0.0001220703125), p_ring_radius);
+        const V _s100 = lanes_div(_s78, lanes_max(_s90, _s92));
 #endif
         FIX(5, p_ring_radius);
 #if BOUNDED
@@ -580,12 +591,12 @@ LANES_APART void LOOP(fix_rows_3)(LOOP(worklist) *worklist, size_t i)
 #endif
         FIX(15, p_gravity); FIX(25, lanes_mul(K(0.5), p_gravity));
 #if BOUNDED
-        FIX(28, lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), lanes_sub(p_ring_radius, _s32)));
-        FIX(29, lanes_mul(K(1.52587890625e-05), p_ball_radius));
-        FIX(30, lanes_mul(K(1.52587890625e-05), p_wire_radius)); FIX(31, _s76);
-        FIX(42, lanes_mul(K(8.940696716308594e-08), lanes_add(p_ring_radius, _s76)));
-        FIX(43, lanes_max(K(1.0), _s98)); FIX(44, lanes_sqrt(K(2.0)));
-        FIX(45, lanes_add(lanes_mul(K(2.0), p_ball_radius), lanes_mul(K(2.0), p_wire_radius)));
+        FIX(29, lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), lanes_sub(p_ring_radius, _s32)));
+        FIX(30, lanes_mul(K(1.52587890625e-05), p_ball_radius));
+        FIX(31, lanes_mul(K(1.52587890625e-05), p_wire_radius)); FIX(32, _s78);
+        FIX(43, lanes_mul(K(8.940696716308594e-08), lanes_add(p_ring_radius, _s78)));
+        FIX(44, lanes_max(K(1.0), _s100)); FIX(45, lanes_sqrt(K(2.0)));
+        FIX(46, lanes_add(lanes_mul(K(2.0), p_ball_radius), lanes_mul(K(2.0), p_wire_radius)));
 #endif
     }
     {
@@ -650,26 +661,26 @@ LANES_APART void LOOP(fix_searching_rows_1)(LOOP(worklist) *worklist, size_t i)
     EACH(PARAMETER, searching_, p_ball_radius, p_gravity, p_ring_radius, p_wire_radius)
     {
         const V _s32 = lanes_add(p_ball_radius, p_wire_radius);
-        const V _s76 = lanes_mul(K(1.00006103515625), _s32);
-        const V _s77 = lanes_add(p_ring_radius, _s76);
-        const V _s88 = lanes_sub(p_ring_radius, _s76);
-        const V _s90 = lanes_mul(K(0.0001220703125), p_ring_radius);
-        const V _s91 = lanes_max(_s88, _s90);
-        const V _s98 = lanes_div(_s76, _s91);
-        const V _s102 = lanes_div(K(1.0), _s91);
+        const V _s78 = lanes_mul(K(1.00006103515625), _s32);
+        const V _s79 = lanes_add(p_ring_radius, _s78);
+        const V _s90 = lanes_sub(p_ring_radius, _s78);
+        const V _s92 = lanes_mul(K(0.0001220703125), p_ring_radius);
+        const V _s93 = lanes_max(_s90, _s92);
+        const V _s100 = lanes_div(_s78, _s93);
+        const V _s104 = lanes_div(K(1.0), _s93);
         FIX(14, lanes_div(K(1.0), p_gravity)); FIX(15, p_gravity);
         FIX(17, lanes_mul(K(2.0), p_gravity));
-        FIX(28, lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), lanes_sub(p_ring_radius, _s32)));
-        FIX(29, lanes_mul(K(1.52587890625e-05), p_ball_radius));
-        FIX(30, lanes_mul(K(1.52587890625e-05), p_wire_radius)); FIX(31, _s76);
-        FIX(34, lanes_mul(_s77, _s77)); FIX(36, lanes_mul(K(4.0), p_gravity));
-        FIX(37, lanes_mul(lanes_mul(K(6.0003662109375), p_gravity), _s32));
-        FIX(38, lanes_mul(_s91, _s91)); FIX(40, lanes_mul(K(2.0), p_ring_radius));
-        FIX(43, lanes_max(K(1.0), _s98)); FIX(44, lanes_sqrt(K(2.0)));
-        FIX(45, lanes_add(lanes_mul(K(2.0), p_ball_radius), lanes_mul(K(2.0), p_wire_radius)));
-        FIX(46, lanes_mul(_s102, lanes_mul(_s102, _s102))); FIX(47, _s77);
-        FIX(48, lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s32), _s77));
-        FIX(49, lanes_mul(K(5.00030517578125), _s32));
+        FIX(29, lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), lanes_sub(p_ring_radius, _s32)));
+        FIX(30, lanes_mul(K(1.52587890625e-05), p_ball_radius));
+        FIX(31, lanes_mul(K(1.52587890625e-05), p_wire_radius)); FIX(32, _s78);
+        FIX(35, lanes_mul(_s79, _s79)); FIX(37, lanes_mul(K(4.0), p_gravity));
+        FIX(38, lanes_mul(lanes_mul(K(6.0003662109375), p_gravity), _s32));
+        FIX(39, lanes_mul(_s93, _s93)); FIX(41, lanes_mul(K(2.0), p_ring_radius));
+        FIX(44, lanes_max(K(1.0), _s100)); FIX(45, lanes_sqrt(K(2.0)));
+        FIX(46, lanes_add(lanes_mul(K(2.0), p_ball_radius), lanes_mul(K(2.0), p_wire_radius)));
+        FIX(47, lanes_mul(_s104, lanes_mul(_s104, _s104))); FIX(48, _s79);
+        FIX(49, lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s32), _s79));
+        FIX(50, lanes_mul(K(5.00030517578125), _s32));
     }
 }
 
@@ -680,17 +691,17 @@ LANES_APART void LOOP(fix_searching_searching_rows_1)(LOOP(worklist) *worklist, 
     EACH(TURNING, turning_, p_ball_radius, p_gravity, p_ring_radius, p_wire_radius)
     {
         const V _s32 = lanes_add(p_ball_radius, p_wire_radius);
-        const V _s76 = lanes_mul(K(1.00006103515625), _s32);
-        const V _s77 = lanes_add(p_ring_radius, _s76);
-        const V _s88 = lanes_sub(p_ring_radius, _s76);
-        const V _s90 = lanes_mul(K(0.0001220703125), p_ring_radius);
-        const V _s91 = lanes_max(_s88, _s90);
-        const V _s98 = lanes_div(_s76, _s91);
+        const V _s78 = lanes_mul(K(1.00006103515625), _s32);
+        const V _s79 = lanes_add(p_ring_radius, _s78);
+        const V _s90 = lanes_sub(p_ring_radius, _s78);
+        const V _s92 = lanes_mul(K(0.0001220703125), p_ring_radius);
+        const V _s93 = lanes_max(_s90, _s92);
+        const V _s100 = lanes_div(_s78, _s93);
         FIX(5, p_ring_radius); FIX(11, lanes_mul(_s32, _s32)); FIX(15, p_gravity);
-        FIX(25, lanes_mul(K(0.5), p_gravity)); FIX(31, _s76); FIX(43, lanes_max(K(1.0), _s98));
-        FIX(47, _s77); FIX(48, lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s32), _s77));
-        FIX(49, lanes_mul(K(5.00030517578125), _s32)); FIX(50, lanes_mul(K(6.0), p_gravity));
-        FIX(51, lanes_mul(K(9.094947017729282e-13), _s77)); FIX(52, _s91);
+        FIX(25, lanes_mul(K(0.5), p_gravity)); FIX(32, _s78); FIX(44, lanes_max(K(1.0), _s100));
+        FIX(48, _s79); FIX(49, lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s32), _s79));
+        FIX(50, lanes_mul(K(5.00030517578125), _s32)); FIX(51, lanes_mul(K(6.0), p_gravity));
+        FIX(52, lanes_mul(K(9.094947017729282e-13), _s79)); FIX(53, _s93);
     }
 }
 
@@ -722,14 +733,14 @@ LANES_APART void LOOP(fix_rows_5)(LOOP(worklist) *worklist, size_t i)
     EACH(PARAMETER, , p_gravity, p_ring_radius, p_wire_radius)
     {
         const V _s32 = lanes_add(p_ball_radius, p_wire_radius);
-        const V _s76 = lanes_mul(K(1.00006103515625), _s32);
-        const V _s77 = lanes_add(p_ring_radius, _s76);
-        const V _s88 = lanes_sub(p_ring_radius, _s76);
-        const V _s90 = lanes_mul(K(0.0001220703125), p_ring_radius);
-        const V _s98 = lanes_div(_s76, lanes_max(_s88, _s90));
-        FIX(15, p_gravity); FIX(31, _s76); FIX(43, lanes_max(K(1.0), _s98)); FIX(47, _s77);
-        FIX(48, lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s32), _s77));
-        FIX(49, lanes_mul(K(5.00030517578125), _s32));
+        const V _s78 = lanes_mul(K(1.00006103515625), _s32);
+        const V _s79 = lanes_add(p_ring_radius, _s78);
+        const V _s90 = lanes_sub(p_ring_radius, _s78);
+        const V _s92 = lanes_mul(K(0.0001220703125), p_ring_radius);
+        const V _s100 = lanes_div(_s78, lanes_max(_s90, _s92));
+        FIX(15, p_gravity); FIX(32, _s78); FIX(44, lanes_max(K(1.0), _s100)); FIX(48, _s79);
+        FIX(49, lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s32), _s79));
+        FIX(50, lanes_mul(K(5.00030517578125), _s32));
     }
 }
 
@@ -743,19 +754,19 @@ LANES_APART void LOOP(fix_rows_6)(LOOP(worklist) *worklist, size_t i)
         const V _s32 = lanes_add(p_ball_radius, p_wire_radius);
 #if BOUNDED
         const V _s62 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(p_ball_radius, p_ring_radius), p_wire_radius), p_board_distance), p_board_half_width), p_bridge_half_width), p_end_depth);
-        const V _s116 = lanes_sub(lanes_sub(p_ring_radius, p_ball_radius), p_wire_radius);
+        const V _s118 = lanes_sub(lanes_sub(p_ring_radius, p_ball_radius), p_wire_radius);
 #endif
         FIX(3, lanes_sub(p_ball_radius, p_board_distance)); FIX(5, p_ring_radius); FIX(10, _s32);
         FIX(15, p_gravity); FIX(25, lanes_mul(K(0.5), p_gravity));
 #if BOUNDED
         FIX(26, lanes_add(lanes_add(_s62, lanes_abs(p_board_bottom)), lanes_abs(p_board_top)));
 #endif
-        FIX(53, lanes_div(K(1.0), _s32));
+        FIX(54, lanes_div(K(1.0), _s32));
 #if BOUNDED
-        FIX(54, lanes_div(K(1.0), lanes_min(_s116, _s32)));
+        FIX(55, lanes_div(K(1.0), lanes_min(_s118, _s32)));
 #endif
-        FIX(55, p_restitution); FIX(56, lanes_mul(K(0.4), p_ball_radius));
-        FIX(57, lanes_div(K(1.0), p_ball_radius));
+        FIX(56, p_restitution); FIX(57, lanes_mul(K(0.4), p_ball_radius));
+        FIX(58, lanes_div(K(1.0), p_ball_radius));
 #if BOUNDED
     }
     {
@@ -885,8 +896,8 @@ static size_t LOOP(launch)(LOOP(worklist) *worklist, const hoop_job *job, size_t
         CALL(hoop_within_time, _within_time_1)(time, when, OR_ZERO(delay), OR_ZERO(earliest_delay), arrives);
         EACH(GET_MASK, _within_time_1, possible)
 #if BOUNDED
-        CALL(hoop_graze_undecided, _graze_undecided_1)(margin, apex, height, undecided_time);
-        EACH(SET, _graze_undecided_1, undecided_time)
+        CALL(hoop_apex_undecided, _apex_undecided_1)(margin, apex, height, undecided_time);
+        EACH(SET, _apex_undecided_1, undecided_time)
 #endif
         const M _if_possible_1 = possible;
         {
@@ -916,6 +927,11 @@ static size_t LOOP(launch)(LOOP(worklist) *worklist, const hoop_job *job, size_t
         refused = lanes_either(refused, reachable);
         CALL(hoop_horizon, _horizon_2)(when, speed, FIXED(14));
         V until = _horizon_2.horizon;
+#if BOUNDED
+        EACH(GET, _horizon_2, pad)
+        CALL(hoop_overdue, _overdue_1)(pad, earliest_delay, undecided_time);
+        EACH(SET, _overdue_1, undecided_time)
+#endif
         CALL(hoop_missed, _missed_1)();
         EACH(GET, _missed_1, clear)
 #if BOUNDED
@@ -927,9 +943,9 @@ static size_t LOOP(launch)(LOOP(worklist) *worklist, const hoop_job *job, size_t
         const M _if_unproved_1 = unproved;
         if (lanes_any(_if_unproved_1)) {
 #if BOUNDED
-            CALL(hoop_ring_clear, _ring_clear_1)(until, x, y, z, vx, vy, vz, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), FIXED(5), FIXED(15), FIXED(28), FIXED(29), FIXED(30), FIXED(31), FIXED(32), FIXED(33), FIXED(17), FIXED(14), FIXED(25), FIXED(11), FIXED(34), FIXED(35), FIXED(36), FIXED(37), FIXED(38), FIXED(39), FIXED(40), FIXED(41));
+            CALL(hoop_ring_clear, _ring_clear_1)(until, x, y, z, vx, vy, vz, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), FIXED(5), FIXED(15), FIXED(29), FIXED(30), FIXED(31), FIXED(32), FIXED(33), FIXED(34), FIXED(17), FIXED(14), FIXED(25), FIXED(11), FIXED(35), FIXED(36), FIXED(37), FIXED(38), FIXED(39), FIXED(40), FIXED(41), FIXED(42));
 #else
-            CALL(hoop_ring_clear, _ring_clear_1)(until, x, y, z, vx, vy, vz, extent, speed, K(0.0), K(0.0), FIXED(5), FIXED(15), FIXED(28), FIXED(29), FIXED(30), FIXED(31), FIXED(32), FIXED(33), FIXED(17), FIXED(14), FIXED(25), FIXED(11), FIXED(34), FIXED(35), FIXED(36), FIXED(37), FIXED(38), FIXED(39), FIXED(40), FIXED(41));
+            CALL(hoop_ring_clear, _ring_clear_1)(until, x, y, z, vx, vy, vz, extent, speed, K(0.0), K(0.0), FIXED(5), FIXED(15), FIXED(29), FIXED(30), FIXED(31), FIXED(32), FIXED(33), FIXED(34), FIXED(17), FIXED(14), FIXED(25), FIXED(11), FIXED(35), FIXED(36), FIXED(37), FIXED(38), FIXED(39), FIXED(40), FIXED(41), FIXED(42));
 #endif
             EACH(SELECT, (_if_unproved_1, _ring_clear_1), clear)
         }
@@ -1162,8 +1178,8 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
             CALL(hoop_within_time, _within_time_1)(time, when, OR_ZERO(delay), OR_ZERO(earliest_delay), arrives);
             EACH(GET_MASK, _within_time_1, possible)
 #if BOUNDED
-            CALL(hoop_graze_undecided, _graze_undecided_1)(margin, apex, height, undecided_time);
-            EACH(SET, _graze_undecided_1, undecided_time)
+            CALL(hoop_apex_undecided, _apex_undecided_1)(margin, apex, height, undecided_time);
+            EACH(SET, _apex_undecided_1, undecided_time)
 #endif
             const M _if_possible_1 = lanes_both(rows, possible);
             {
@@ -1195,12 +1211,11 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
                 CALL(hoop_left, _left_2)(K(1.0), last);
                 EACH(GET, _left_2, leaving)
                 CALL(hoop_backboard_arrival, _backboard_arrival_1)(leaving, x, vx, FIXED(3));
-                EACH(GET, _backboard_arrival_1, time, rate, bend, apex)
-                BOUNDS(EACH(GET, _backboard_arrival_1, height))
-                CALL(hoop_plane_root, _plane_root_2)(rate, bend, apex, time);
-                EACH(GET_MASK, _plane_root_2, arrives)
+                EACH(GET, _backboard_arrival_1, time, rate, bend, height)
+                CALL(hoop_level_root, _level_root_1)(rate, bend, height, time, when);
+                EACH(GET_MASK, _level_root_1, arrives)
 #if BOUNDED
-                EACH(GET, _plane_root_2, ceiling, nearest)
+                EACH(GET, _level_root_1, ceiling, nearest)
                 CALL(hoop_backboard_margin, _backboard_margin_1)(nearest, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), FIXED(15), FIXED(24));
                 EACH(GET, _backboard_margin_1, margin)
                 CALL(hoop_crossing, _crossing_2)(margin, K(0.0), rate, ceiling);
@@ -1209,8 +1224,8 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
                 CALL(hoop_within_time, _within_time_2)(time, when, OR_ZERO(delay), OR_ZERO(earliest_delay), arrives);
                 EACH(GET_MASK, _within_time_2, possible)
 #if BOUNDED
-                CALL(hoop_graze_undecided, _graze_undecided_2)(margin, apex, height, undecided_time);
-                EACH(SELECT, (_if_reachable_1, _graze_undecided_2), undecided_time)
+                CALL(hoop_side_undecided, _side_undecided_1)(rate, margin, height, undecided_time, lanes_wide(velocity_error));
+                EACH(SELECT, (_if_reachable_1, _side_undecided_1), undecided_time)
 #endif
                 const M _if_possible_2 = lanes_both(_if_reachable_1, possible);
 #if BOUNDED
@@ -1228,8 +1243,8 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
                     V slack = _displacement_1.margin;
                     CALL(hoop_backboard_edges, _backboard_edges_1)(clearance, slack, g0, g1, g2, g3);
                     EACH(GET_MASK, _backboard_edges_1, undecided)
-                    CALL(hoop_predicate_undecided, _predicate_undecided_1)(time, undecided_time, undecided);
-                    EACH(SELECT, (_if_possible_2, _predicate_undecided_1), undecided_time)
+                    CALL(hoop_bounds_undecided, _bounds_undecided_1)(time, undecided_time, undecided);
+                    EACH(SELECT, (_if_possible_2, _bounds_undecided_1), undecided_time)
 #endif
                     CALL(hoop_backboard_within, _backboard_within_1)(g0, g1, g2, g3);
                     EACH(GET_MASK, _backboard_within_1, arrives)
@@ -1243,12 +1258,13 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
                 CALL(hoop_left, _left_3)(K(2.0), last);
                 EACH(SET, _left_3, leaving)
                 CALL(hoop_bridge_arrival, _bridge_arrival_1)(leaving, z, vz, FIXED(15), FIXED(10), FIXED(17), FIXED(18), FIXED(19), FIXED(20));
-                EACH(SET, _bridge_arrival_1, time, rate, bend, apex)
+                EACH(SET, _bridge_arrival_1, time, rate, bend)
+                EACH(GET, _bridge_arrival_1, apex)
                 BOUNDS(EACH(SET, _bridge_arrival_1, height))
-                CALL(hoop_plane_root, _plane_root_3)(rate, bend, apex, time);
-                EACH(SET, _plane_root_3, arrives)
+                CALL(hoop_plane_root, _plane_root_2)(rate, bend, apex, time);
+                EACH(SET, _plane_root_2, arrives)
 #if BOUNDED
-                EACH(SET, _plane_root_3, ceiling, nearest)
+                EACH(SET, _plane_root_2, ceiling, nearest)
                 CALL(hoop_bridge_margin, _bridge_margin_1)(nearest, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), FIXED(15), FIXED(27));
                 EACH(SET, _bridge_margin_1, margin)
                 CALL(hoop_crossing, _crossing_3)(margin, K(0.0), rate, ceiling);
@@ -1257,8 +1273,8 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
                 CALL(hoop_within_time, _within_time_3)(time, when, OR_ZERO(delay), OR_ZERO(earliest_delay), arrives);
                 EACH(SET, _within_time_3, possible)
 #if BOUNDED
-                CALL(hoop_graze_undecided, _graze_undecided_3)(margin, apex, height, undecided_time);
-                EACH(SELECT, (_if_reachable_1, _graze_undecided_3), undecided_time)
+                CALL(hoop_apex_undecided, _apex_undecided_2)(margin, apex, height, undecided_time);
+                EACH(SELECT, (_if_reachable_1, _apex_undecided_2), undecided_time)
 #endif
                 const M _if_possible_3 = lanes_both(_if_reachable_1, possible);
                 if (lanes_any(_if_possible_3)) {
@@ -1272,8 +1288,8 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
                     V slack = _displacement_2.margin;
                     CALL(hoop_bridge_edges, _bridge_edges_1)(clearance, slack, g0, g1, g2, g3, g4);
                     EACH(GET_MASK, _bridge_edges_1, undecided)
-                    CALL(hoop_predicate_undecided, _predicate_undecided_2)(time, undecided_time, undecided);
-                    EACH(SELECT, (_if_possible_3, _predicate_undecided_2), undecided_time)
+                    CALL(hoop_bounds_undecided, _bounds_undecided_2)(time, undecided_time, undecided);
+                    EACH(SELECT, (_if_possible_3, _bounds_undecided_2), undecided_time)
 #endif
                     CALL(hoop_bridge_within, _bridge_within_1)(g0, g1, g2, g3, g4);
                     EACH(GET_MASK, _bridge_within_1, arrives)
@@ -1284,14 +1300,20 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
                     CALL(hoop_earliest, _earliest_3)(K(2.0), time, when, which, arrives);
                     EACH(SELECT, (_if_possible_3, _earliest_3), when, which)
                 }
+#if BOUNDED
+                CALL(hoop_plane_start, _plane_start_1)(undecided_time, lanes_wide(position_error), lanes_wide(velocity_error), FIXED(28));
+                EACH(SELECT, (_if_reachable_1, _plane_start_1), undecided_time)
+#endif
             }
             CALL(hoop_horizon, _horizon_2)(when, speed, FIXED(14));
             V until = _horizon_2.horizon;
 #if BOUNDED
             EACH(GET, _horizon_2, pad)
-            CALL(hoop_ring_clear, _ring_clear_1)(until, x, y, z, vx, vy, vz, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), FIXED(5), FIXED(15), FIXED(28), FIXED(29), FIXED(30), FIXED(31), FIXED(32), FIXED(33), FIXED(17), FIXED(14), FIXED(25), FIXED(11), FIXED(34), FIXED(35), FIXED(36), FIXED(37), FIXED(38), FIXED(39), FIXED(40), FIXED(41));
+            CALL(hoop_overdue, _overdue_1)(pad, earliest_delay, undecided_time);
+            EACH(SET, _overdue_1, undecided_time)
+            CALL(hoop_ring_clear, _ring_clear_1)(until, x, y, z, vx, vy, vz, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), FIXED(5), FIXED(15), FIXED(29), FIXED(30), FIXED(31), FIXED(32), FIXED(33), FIXED(34), FIXED(17), FIXED(14), FIXED(25), FIXED(11), FIXED(35), FIXED(36), FIXED(37), FIXED(38), FIXED(39), FIXED(40), FIXED(41), FIXED(42));
 #else
-            CALL(hoop_ring_clear, _ring_clear_1)(until, x, y, z, vx, vy, vz, extent, speed, K(0.0), K(0.0), FIXED(5), FIXED(15), FIXED(28), FIXED(29), FIXED(30), FIXED(31), FIXED(32), FIXED(33), FIXED(17), FIXED(14), FIXED(25), FIXED(11), FIXED(34), FIXED(35), FIXED(36), FIXED(37), FIXED(38), FIXED(39), FIXED(40), FIXED(41));
+            CALL(hoop_ring_clear, _ring_clear_1)(until, x, y, z, vx, vy, vz, extent, speed, K(0.0), K(0.0), FIXED(5), FIXED(15), FIXED(29), FIXED(30), FIXED(31), FIXED(32), FIXED(33), FIXED(34), FIXED(17), FIXED(14), FIXED(25), FIXED(11), FIXED(35), FIXED(36), FIXED(37), FIXED(38), FIXED(39), FIXED(40), FIXED(41), FIXED(42));
 #endif
             EACH(GET, _ring_clear_1, clear)
             CALL(hoop_opens, _opens_1)(clear);
@@ -1370,9 +1392,9 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
                 EACH(GET, _coarse_1, ceiling, flat, tilt)
 #if BOUNDED
                 EACH(GET, _coarse_1, allowing)
-                CALL(hoop_ring_coarse_excess, _ring_coarse_excess_1)(allowing, latest, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), FIXED(15), FIXED(31), FIXED(42), FIXED(43));
+                CALL(hoop_ring_coarse_excess, _ring_coarse_excess_1)(allowing, latest, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), FIXED(15), FIXED(32), FIXED(43), FIXED(44));
                 EACH(GET, _ring_coarse_excess_1, excess)
-                CALL(hoop_ring_budget_exceeded, _ring_budget_exceeded_1)(until, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), FIXED(28), FIXED(44), FIXED(14), FIXED(45), FIXED(29), FIXED(30));
+                CALL(hoop_ring_budget_exceeded, _ring_budget_exceeded_1)(until, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), FIXED(29), FIXED(45), FIXED(14), FIXED(46), FIXED(30), FIXED(31));
                 EACH(GET, _ring_budget_exceeded_1, budget_exceeded)
                 CALL(hoop_out_of_budget, _out_of_budget_1)(pad, budget_exceeded, earliest_delay, undecided_time, excess);
                 EACH(SELECT, (rows, _out_of_budget_1), undecided_time)
@@ -1531,21 +1553,21 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
 #if BOUNDED
             EACH(LOAD, searching_, undecided_time)
             EACH(LOAD_SINGLE, searching_, position_error, velocity_error)
-            CALL(hoop_ring_prepare, _ring_prepare_1)(until, x, y, z, vx, vy, vz, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), FIXED(36), FIXED(40), FIXED(31), FIXED(17), FIXED(14), FIXED(34), FIXED(38), FIXED(37), FIXED(46), FIXED(28), FIXED(44), FIXED(45), FIXED(29), FIXED(30));
+            CALL(hoop_ring_prepare, _ring_prepare_1)(until, x, y, z, vx, vy, vz, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), FIXED(37), FIXED(41), FIXED(32), FIXED(17), FIXED(14), FIXED(35), FIXED(39), FIXED(38), FIXED(47), FIXED(29), FIXED(45), FIXED(46), FIXED(30), FIXED(31));
 #else
-            CALL(hoop_ring_prepare, _ring_prepare_1)(until, x, y, z, vx, vy, vz, extent, speed, K(0.0), K(0.0), FIXED(36), FIXED(40), FIXED(31), FIXED(17), FIXED(14), FIXED(34), FIXED(38), FIXED(37), FIXED(46), FIXED(28), FIXED(44), FIXED(45), FIXED(29), FIXED(30));
+            CALL(hoop_ring_prepare, _ring_prepare_1)(until, x, y, z, vx, vy, vz, extent, speed, K(0.0), K(0.0), FIXED(37), FIXED(41), FIXED(32), FIXED(17), FIXED(14), FIXED(35), FIXED(39), FIXED(38), FIXED(47), FIXED(29), FIXED(45), FIXED(46), FIXED(30), FIXED(31));
 #endif
             EACH(GET, _ring_prepare_1, energy2, moment2, rho_start, low0, high0, low1, high1, low2)
             EACH(GET, _ring_prepare_1, high2, ceiling, latest)
 #if BOUNDED
-            CALL(hoop_ring_excess, _ring_excess_1)(share, latest, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), FIXED(15), FIXED(31), FIXED(43));
+            CALL(hoop_ring_excess, _ring_excess_1)(share, latest, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), FIXED(15), FIXED(32), FIXED(44));
             EACH(GET, _ring_excess_1, excess)
             CALL(hoop_allowance, _allowance_1)(share, latest, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), FIXED(15));
 #else
             CALL(hoop_allowance, _allowance_1)(share, latest, extent, speed, K(0.0), K(0.0), FIXED(15));
 #endif
             EACH(GET, _allowance_1, position_level, velocity_level)
-            CALL(hoop_ring_margins, _ring_margins_1)(latest, extent, speed, position_level, velocity_level, FIXED(15), FIXED(31), FIXED(47), FIXED(48), FIXED(49), FIXED(43));
+            CALL(hoop_ring_margins, _ring_margins_1)(latest, extent, speed, position_level, velocity_level, FIXED(15), FIXED(32), FIXED(48), FIXED(49), FIXED(50), FIXED(44));
             V flat = _ring_margins_1.margin;
             V tilt = _ring_margins_1.leaving_margin;
             V rate_slack = _ring_margins_1.rate_margin;
@@ -1626,7 +1648,7 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
                 M searching = active;
                 CALL(hoop_nearby, _nearby_1)(t, flat, tilt, K(0.0), last);
                 EACH(GET, _nearby_1, leaving, margin)
-                CALL(hoop_ring_advance, _ring_advance_1)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, energy2, moment2, rho_start, FIXED(5), FIXED(15), FIXED(25), FIXED(11), FIXED(50), FIXED(31), FIXED(51), FIXED(52));
+                CALL(hoop_ring_advance, _ring_advance_1)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, energy2, moment2, rho_start, FIXED(5), FIXED(15), FIXED(25), FIXED(11), FIXED(51), FIXED(32), FIXED(52), FIXED(53));
                 EACH(GET, _ring_advance_1, gap, rate, bend, step, next, clearance)
                 CALL(hoop_gap_closes, _gap_closes_1)(gap, rate, bend, margin, rate_slack, clearance, share);
                 EACH(GET_MASK, _gap_closes_1, hit, sure, needs_refinement)
@@ -1635,14 +1657,14 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
                     CALL(hoop_smaller_budget, _smaller_budget_1)(share);
                     EACH(SELECT, (_if_needs_refinement_1, _smaller_budget_1), share)
 #if BOUNDED
-                    CALL(hoop_ring_excess, _ring_excess_1)(share, latest, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), FIXED(15), FIXED(31), FIXED(43));
+                    CALL(hoop_ring_excess, _ring_excess_1)(share, latest, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), FIXED(15), FIXED(32), FIXED(44));
                     EACH(GET, _ring_excess_1, excess)
                     CALL(hoop_allowance, _allowance_1)(share, latest, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), FIXED(15));
 #else
                     CALL(hoop_allowance, _allowance_1)(share, latest, extent, speed, K(0.0), K(0.0), FIXED(15));
 #endif
                     EACH(GET, _allowance_1, position_level, velocity_level)
-                    CALL(hoop_ring_margins, _ring_margins_1)(latest, extent, speed, position_level, velocity_level, FIXED(15), FIXED(31), FIXED(47), FIXED(48), FIXED(49), FIXED(43));
+                    CALL(hoop_ring_margins, _ring_margins_1)(latest, extent, speed, position_level, velocity_level, FIXED(15), FIXED(32), FIXED(48), FIXED(49), FIXED(50), FIXED(44));
                     flat = lanes_select(_if_needs_refinement_1, _ring_margins_1.margin, flat);
                     tilt = lanes_select(_if_needs_refinement_1, _ring_margins_1.leaving_margin, tilt);
                     rate_slack = lanes_select(_if_needs_refinement_1, _ring_margins_1.rate_margin, rate_slack);
@@ -1830,7 +1852,7 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
                 EACH(LOAD, , undecided_time)
                 EACH(LOAD_MASK, , certain)
                 EACH(LOAD_SINGLE, , position_error, velocity_error)
-                CALL(hoop_ring_margins, _ring_margins_1)(latest, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), FIXED(15), FIXED(31), FIXED(47), FIXED(48), FIXED(49), FIXED(43));
+                CALL(hoop_ring_margins, _ring_margins_1)(latest, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), FIXED(15), FIXED(32), FIXED(48), FIXED(49), FIXED(50), FIXED(44));
                 V flat = _ring_margins_1.margin;
                 V tilt = _ring_margins_1.leaving_margin;
                 EACH(GET, _ring_margins_1, rate_margin)
@@ -1953,7 +1975,7 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
                 EACH(GET_MASK, _here_2, here)
                 const M _if_here_2 = lanes_both(_if_meeting_1, here);
                 {
-                    CALL(hoop_ring_normal, _ring_normal_1)(x, y, z, FIXED(5), FIXED(53));
+                    CALL(hoop_ring_normal, _ring_normal_1)(x, y, z, FIXED(5), FIXED(54));
                     EACH(SELECT, (_if_here_2, _ring_normal_1), nx, ny, nz)
                     CALL(hoop_counted, _counted_1)(count_0);
                     count_0 = lanes_select(_if_here_2, _counted_1.count, count_0);
@@ -1983,7 +2005,7 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
                 EACH(GET_MASK, _again_1, again)
                 const M _if_again_1 = lanes_both(_if_meeting_1, again);
                 {
-                    CALL(hoop_ring_curvature, _ring_curvature_1)(FIXED(54));
+                    CALL(hoop_ring_curvature, _ring_curvature_1)(FIXED(55));
                     curving = lanes_select(_if_again_1, _ring_curvature_1.curvature, curving);
                 }
                 CALL(hoop_again, _again_2)(K(1.0), last, which);
@@ -2028,7 +2050,7 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
                     EACH(SELECT_SINGLE, (_if_touches_1, _carry_impact_1), dvx, dvy, dvz, dwx, dwy)
                     EACH(SELECT_SINGLE, (_if_touches_1, _carry_impact_1), dwz)
 #endif
-                    CALL(hoop_impact, _impact_1)(vx, vy, vz, wx, wy, wz, nx, ny, nz, FIXED(55), FIXED(56), FIXED(57));
+                    CALL(hoop_impact, _impact_1)(vx, vy, vz, wx, wy, wz, nx, ny, nz, FIXED(56), FIXED(57), FIXED(58));
                     EACH(SELECT, (_if_touches_1, _impact_1), vx, vy, vz, wx, wy, wz)
                 }
 #if !BOUNDED
