@@ -100,6 +100,9 @@ VARIABLES: dict[str, str] = {
 }
 """What each parameter is called as an argument, and as a column of the event loop."""
 
+BALL_RADIUS = "ball_radius"
+"""The parameter that is the radius of the ball."""
+
 BODIES: tuple[str, ...] = ("ring", "backboard", "bridge",)
 """What can be touched, in the order of the results; what ends a shot comes after them."""
 

@@ -127,6 +127,8 @@ class Formulas:
         (parameters,) to radius and depth of the scene's passage and gravity; None without one.
     requirements
         (parameters,): each must be positive.
+    ball_radius
+        The number of the parameter that is the radius of the ball.
     names, signs, lowers, uppers, sizes
         Of the parameters, in order: name, allowed sign, smallest and largest value or None, and
         least and largest size.
@@ -147,6 +149,7 @@ class Formulas:
     hop: Function | None
     passage: Function | None
     requirements: Function
+    ball_radius: int
     names: tuple[str, ...]
     signs: tuple[str, ...]
     lowers: tuple[float | None, ...]
@@ -261,6 +264,7 @@ def formulas(scene: Scene = HOOP) -> Formulas:
         if passage is None
         else compile_expressions([*passage.sizes, scene.gravity], parameters),
         compile_expressions(scene.requirements, parameters),
+        parameters.index(scene.ball_radius),
         tuple(p.name for p in scene.parameters),
         tuple(p.sign for p in scene.parameters),
         tuple(p.lower for p in scene.parameters),

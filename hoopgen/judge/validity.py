@@ -63,7 +63,7 @@ def _touches(formulas: Formulas, own: Set[int], state: list[arb], values: list[a
         clear = others or all(sides[k] is not True for k in own)
         return np.array([inside]), np.array([clear])
 
-    radius = np.array([float(values[formulas.names.index("ball_radius")])])
+    radius = np.array([float(values[formulas.ball_radius])])
     begun = np.array([[float(component.mid()) for component in state]])
     away, inside = start_contact(begun, radius, overlap)
     return not (away[0] or inside[0])

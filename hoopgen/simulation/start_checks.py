@@ -82,7 +82,8 @@ class StartCheck:
             overlaps = self.is_invalid(rows[some], moved, leaves=False)
             return overlaps, ~overlaps | self.is_invalid(rows[some], moved, leaves=True)
 
-        column = self.inputs[list(self.scene.kernels.VARIABLES).index("ball_radius")]
+        kernels = self.scene.kernels
+        column = self.inputs[list(kernels.VARIABLES).index(kernels.BALL_RADIUS)]
         radius = np.broadcast_to(np.asarray(column, np.float64), len(states))[rows]
         found = np.zeros((2, len(states)), np.bool_)
         found[:, rows] = start_contact(states[rows], radius, overlap)

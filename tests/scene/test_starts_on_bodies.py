@@ -14,7 +14,7 @@ pytest.importorskip("flint")
 import hoopgen
 from hoopgen import Event
 from hoopgen.judge import certify
-from hoopgen.scene import End, Plane, Revolution, Scene, Sphere
+from hoopgen.scene import End, Parameter, Plane, Revolution, Scene, Sphere
 from hoopgen.simulation.engine import Engine
 from tests.helpers.effort import trials
 
@@ -275,3 +275,24 @@ def test_every_recorded_event_is_in_contact_with_its_body(table: Engine, kind: E
     assert len(events) > 50
     on = hoopgen.simulate(events["after"], scene=table, leaving=events["surface"])
     assert not np.any(on.outcome == table.outcomes["INVALID"])
+
+
+def test_a_ball_starts_on_a_body_whatever_its_radius_is_called() -> None:
+    engine = hoopgen.compile(
+        Scene(
+            "marble_on_a_floor",
+            parameters=[Parameter("marble", 0.02)],
+            bodies=[Plane("floor")],
+            ball_radius="marble",
+            gravity=9.81,
+            restitution=0.5,
+            rolls=True,
+            ends={"out": End(at=-1)},
+        )
+    )
+    begun = np.zeros((2, 9))
+    begun[:, 2:4] = [[0.02, 1], [0.03, 1]]
+    shots = engine.simulate(begun, leaving="floor", time_limit=0.5)
+    assert shots.outcome.tolist() == [engine.outcomes["ENDLESS"], engine.outcomes["INVALID"]]
+    proofs = engine.certify(begun, leaving="floor", time_limit=0.5)
+    assert proofs.outcome[1] == engine.outcomes["INVALID"]
