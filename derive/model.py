@@ -10,6 +10,7 @@ import sympy as sp
 
 from .contact.law import Law
 from .events import grouping
+from .events.plane import rolls_on
 from .events.plane_filter import reachable
 from .events.plane_start import plane_start
 from .ir.kernel import Kernel
@@ -188,9 +189,10 @@ def _optional_kernels(
     if any(filters):
         kernels["reachable"] = reachable([conditions for conditions in filters if conditions])
     flight = scene.flight
-    if isinstance(flight, Parabola) and flight.upright and not flight.departs:
+    if isinstance(flight, Parabola) and flight.upright:
         faces = [s for k, s in enumerate(scene.surfaces) if k not in tabled]
-        planes = [face for face in (*faces, *scene.end_planes) if isinstance(face, Plane)]
+        across = [face for face in (*faces, *scene.end_planes) if isinstance(face, Plane)]
+        planes = [plane for plane in across if not rolls_on(plane, flight)]
         if any(plane.direction[2] for plane in planes):
             kernels["plane_start"] = plane_start(planes, flight)
     return kernels

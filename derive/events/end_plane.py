@@ -78,11 +78,6 @@ class EndPlaneSearch(PlaneSearch):
     surface: EndPlane
 
     @property
-    def returns(self) -> bool:
-        """False: the crossing ends the shot."""
-        return False
-
-    @property
     def apart(self) -> tuple[sp.Basic, ...]:
         """No condition: the plane is always searched, since it bounds the length of a flight."""
         return ()

@@ -24,8 +24,8 @@ rate of f at T, less its sign: of -r that is off by at most v and k times by wha
   rounding turns r by at most 0.2 (1 - q) r: r' > 0.76 r. At 6/5 m/r before T the gap is more than
   m (0.91 - 1/2 - 0.36) > 0. ∎
 
-The bounds of planes that a ball may roll on, and of planes from which gravity pulls it off, are not
-those of this lemma.
+The bounds of planes on which a ball may roll, and of planes from which gravity pulls it off, are not
+those of this lemma. No ball rolls on a plane that ends a shot.
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ from ..ir.event_tree import Call, If, Node, Value
 from ..ir.kernel import Kernel
 from ..motion.flight import has_sign
 from ..motion.parabola import Parabola
-from ..surfaces import InclinedPlane, Plane
+from ..surfaces import EndPlane, InclinedPlane, Plane
 from ..surfaces.directions import along
 from ..symbolic.conditionals import IfAtMost, IfLess, absolute, barrier
 from ..symbolic.rounding import ROUNDING_SLACK, rounding
@@ -53,13 +53,24 @@ AnyPlane = Plane | InclinedPlane
 """A plane across an axis, or with a normal in any direction."""
 
 
+def rolls_on(plane: AnyPlane, flight: Parabola) -> bool:
+    """Return whether a ball may roll on a plane; on one that ends a shot none does.
+
+    Parameters
+    ----------
+    plane, flight
+        As for `plane_arrival`.
+    """
+    return flight.departs and not isinstance(plane, EndPlane)
+
+
 def plane_arrival(plane: AnyPlane, flight: Parabola) -> dict[str, sp.Expr]:
     """Return time, rate and second derivative of a plane's only arrival, the root with F' < 0.
 
     Also the time of the gap's apex and the gap there, D / (-4 a), for a ball that moves along the
     plane at that time: whether there is an arrival is undecided if that gap is zero within its
-    error. Where balls do not roll, the gap at the start stands for that of a ball that falls from
-    then on, and of a plane along gravity (`plane_start.py`).
+    error. On planes on which no ball rolls, the gap at the start stands for that of a ball that
+    falls from then on, and of a plane along gravity (`plane_start.py`).
 
     With D = b² - 4 a c the arrival is where F' = -sqrt(D): t = 2 c / (sqrt(D) - b), the same as
     -(b + sqrt(D)) / (2 a); each loses no digits for one sign of b. Without an arrival the rate is
@@ -82,7 +93,7 @@ def plane_arrival(plane: AnyPlane, flight: Parabola) -> dict[str, sp.Expr]:
     b = _held(coefficients[1]) if len(coefficients) > 1 else sp.Integer(0)
     if len(coefficients) < 3:
         still = {"apex": IfAtMost(absolute(b), 0, 0, -1), "height": c}
-        if not flight.departs:
+        if not rolls_on(plane, flight):
             left = IfLess(b, 0, 0, sp.oo)
             still = {"apex": sp.Integer(0), "height": IfLess(0, leaving, left, c)}
         return {"time": c / -b, "rate": b, "bend": sp.Integer(0)} | still
@@ -97,7 +108,7 @@ def plane_arrival(plane: AnyPlane, flight: Parabola) -> dict[str, sp.Expr]:
     if has_sign(a):
         per_bend = barrier(1 / (2 * a))
         apex, height = -b * per_bend, -discriminant * per_bend / 2
-        if a.is_negative and not flight.departs:
+        if a.is_negative and not rolls_on(plane, flight):
             # Of a ball that falls from the start on, that is where the gap is largest.
             apex, height = IfLess(b, 0, 0, apex), IfLess(b, 0, c, height)
     else:
@@ -241,13 +252,13 @@ class PlaneSearch(Search):
     @property
     def returns(self) -> bool:
         """True if bounces on the plane can become ever smaller until the ball rolls."""
-        return self.flight.departs
+        return rolls_on(self.surface, self.flight)
 
     @property
     def level(self) -> bool:
-        """True of a plane along gravity, where balls do not roll."""
+        """True of a plane along gravity on which no ball rolls."""
         fall = along(self.surface.direction, self.flight.acceleration)
-        return not self.flight.departs and fall == 0
+        return not self.returns and fall == 0
 
     @property
     def formulas(self) -> dict[str, Formula]:
@@ -300,7 +311,7 @@ class PlaneSearch(Search):
         yield Call(KERNELS["within_time"])
         # Balls that begin to roll have apexes within the margin all the time.
         side = "side_undecided" if self.level else "apex_undecided"
-        grazing = KERNELS["graze_undecided" if self.flight.departs else side]
+        grazing = KERNELS["graze_undecided" if self.returns else side]
         if not self.surface.bounds:
             yield Call(grazing)
             yield If("possible", (Call(KERNELS["crossing_undecided"]), *proposed(index)))

@@ -137,12 +137,13 @@ def _detect(
         yield expiry
     # End planes come first: an arrival that is certainly later needs no search.
     kinds = by_kind(sorted((*end_planes, *contacts), key=lambda s: not s.search.closed))
-    closed = [kind for kind in kinds if kind.first.search.closed]
-    for plates, same in groupby(kinds, lambda kind: _plate(common, kind)):
-        alike = list(same)
-        nodes = [node for kind in alike for node in _on_any(common, kind)]
-        if "plane_start" in common and alike[-1] is closed[-1]:
-            nodes.append(Call(common["plane_start"]))
+    *_, last_closed = (None, *(kind for kind in kinds if kind.first.search.closed))
+    for plates, alike in groupby(kinds, lambda kind: _plate(common, kind)):
+        nodes: list[Node] = []
+        for kind in alike:
+            nodes += _on_any(common, kind)
+            if "plane_start" in common and kind is last_closed:
+                nodes.append(Call(common["plane_start"]))
         if plates:
             horizon = Call(common["horizon"], {"t": "when"}, {"horizon": "until"})
             asked = (horizon, given(common["reachable"], horizon="until"))

@@ -1,6 +1,6 @@
 /* Kernels of the scene court, in C.
 
-   Generated from templates/c/kernels.h.j2, scene court, derivation 58853364fe0c9a18,
+   Generated from templates/c/kernels.h.j2, scene court, derivation f9662c073b5cb059,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -565,16 +565,16 @@ LANES(court_within_time)(V time, V when, V delay, V earliest_delay, M arrives)
     return (LANES(court_within_time_out)){ lanes_both(arrives, lanes_not(lanes_less(lanes_add(delay, earliest_delay), lanes_sub(time, when)))) };
 }
 
-/* Earliest undecided time, with that of an apex whose gap is zero within its error.
-   Table 1. 7 operations: 1 absolute value, 3 comparisons, 2 conjunctions, 1 selection. */
+/* Undecided time 0 if the largest gap from the start on is zero within its error.
+   Table 1. 5 operations: 1 absolute value, 2 comparisons, 1 conjunction, 1 selection. */
 typedef struct {
     V undecided_time;
-} LANES(court_graze_undecided_out);
+} LANES(court_apex_undecided_out);
 
-LANES_INLINE LANES(court_graze_undecided_out)
-LANES(court_graze_undecided)(V margin, V apex, V height, V undecided_time)
+LANES_INLINE LANES(court_apex_undecided_out)
+LANES(court_apex_undecided)(V margin, V apex, V height, V undecided_time)
 {
-    return (LANES(court_graze_undecided_out)){ lanes_select(lanes_both(lanes_both(lanes_at_most(K(0.0), apex), lanes_at_most(lanes_abs(height), margin)), lanes_less(apex, undecided_time)), apex, undecided_time) };
+    return (LANES(court_apex_undecided_out)){ lanes_select(lanes_both(lanes_at_most(K(0.0), apex), lanes_at_most(lanes_abs(height), margin)), K(0.0), undecided_time) };
 }
 
 /* Earliest undecided time, with that of an undecided predicate.
@@ -2417,6 +2417,19 @@ LANES_INLINE LANES(court_remember_grip_deficit_out)
 LANES(court_remember_grip_deficit)(V clock, V grip_deficit, V grip_deficit_rate)
 {
     return (LANES(court_remember_grip_deficit_out)){ grip_deficit, grip_deficit_rate, clock };
+}
+
+/* Undecided time 0 if the side of a plane on which the flight begins is undecided.
+   Table 1. 5 operations: 3 multiplications, 1 comparison, 1 selection. */
+typedef struct {
+    V undecided_time;
+} LANES(court_plane_start_out);
+
+LANES_INLINE LANES(court_plane_start_out)
+LANES(court_plane_start)(V undecided_time, V position_error, V velocity_error, V _c0)
+{
+    const V _s0 = lanes_mul(K(2.0), velocity_error);
+    return (LANES(court_plane_start_out)){ lanes_select(lanes_less(lanes_mul(position_error, _c0), lanes_mul(_s0, _s0)), K(0.0), undecided_time) };
 }
 
 /* The parameters in which one body's law differs from another's.
@@ -4931,7 +4944,7 @@ LANES(court_end_normal)(void)
 }
 
 /* Time of the only arrival, the gap's first two derivatives there, and its apex.
-   Eq. 3 in Table 2, solved. 21 operations: 2 additions, 2 subtractions, 5 multiplications, 1 division, 1 square root, 3 negations, 1 absolute value, 2 comparisons, 4 selections. */
+   Eq. 3 in Table 2, solved. 23 operations: 2 additions, 2 subtractions, 5 multiplications, 1 division, 1 square root, 3 negations, 1 absolute value, 2 comparisons, 6 selections. */
 typedef struct {
     V time, rate, bend, apex, height;
 } LANES(court_end_arrival_out);
@@ -4944,7 +4957,7 @@ LANES(court_end_arrival)(V leaving, V z, V vz, V _c0, V _c1, V _c2, V _c3, V _c4
     const V _s2 = lanes_add(lanes_mul(vz, vz), lanes_mul(_c2, _s1));
     const V _s3 = lanes_select(_s0, lanes_abs(vz), lanes_sqrt(_s2));
     const M _s4 = lanes_less(vz, K(0.0));
-    return (LANES(court_end_arrival_out)){ lanes_div(lanes_select(_s4, lanes_mul(K(2.0), _s1), lanes_add(vz, _s3)), lanes_select(_s4, lanes_sub(_s3, vz), _c0)), lanes_neg(_s3), _c3, lanes_neg(lanes_mul(vz, _c4)), lanes_neg(lanes_mul(_c5, _s2)) };
+    return (LANES(court_end_arrival_out)){ lanes_div(lanes_select(_s4, lanes_mul(K(2.0), _s1), lanes_add(vz, _s3)), lanes_select(_s4, lanes_sub(_s3, vz), _c0)), lanes_neg(_s3), _c3, lanes_select(_s4, K(0.0), lanes_neg(lanes_mul(vz, _c4))), lanes_select(_s4, _s1, lanes_neg(lanes_mul(_c5, _s2))) };
 }
 
 /* Rounding-error bound of the gap up to the horizon.

@@ -1,6 +1,6 @@
 /* The event loop of the scene court, with or without bounds on errors.
 
-   Generated from templates/c/loop.h.j2, scene court, derivation 58853364fe0c9a18,
+   Generated from templates/c/loop.h.j2, scene court, derivation f9662c073b5cb059,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by court_engine.h twice, BOUNDED being 1 where errors are bounded, else 0. The path is
@@ -661,30 +661,30 @@ static void LOOP(fix)(LOOP(worklist) *worklist)
         const V _s59 = lanes_mul(K(2.0), p_gravity);
         const V _s60 = lanes_neg(p_gravity);
         const V _s61 = lanes_neg(_s57);
-        const V _s74 = lanes_mul(K(1.00006103515625), _s45);
-        const V _s75 = lanes_add(p_ring_radius, _s74);
-        const V _s81 = lanes_mul(_s75, _s75);
-        const V _s82 = lanes_mul(K(9.313225746154785e-10), _s81);
-        const V _s87 = lanes_sub(p_ring_radius, _s74);
-        const V _s89 = lanes_mul(K(0.0001220703125), p_ring_radius);
-        const V _s90 = lanes_max(_s87, _s89);
-        const V _s91 = lanes_mul(_s90, _s90);
-        const V _s97 = lanes_div(_s74, _s90);
-        const V _s103 = lanes_div(K(1.0), _s90);
-        const V _s120 = lanes_mul(p_ball_radius, p_ball_radius);
-        const V _s124 = lanes_mul(K(0.5), p_board_bottom);
-        const V _s125 = lanes_mul(K(0.5), p_board_top);
-        const V _s126 = lanes_add(_s124, _s125);
-        const V _s130 = lanes_add(p_ball_radius, _s125);
-        const V _s131 = lanes_sub(_s130, _s124);
-        const V _s132 = lanes_add(p_ball_radius, p_board_half_width);
-        const V _s133 = lanes_min(_s132, _s38);
-        const V _s134 = lanes_min(_s131, _s133);
-        const V _s135 = lanes_mul(K(6.103515625e-05), _s134);
-        const V _s141 = lanes_abs(_s60);
-        const V _s143 = lanes_add(p_ball_radius, lanes_mul(K(0.0001220703125), _s134));
-        const V _s144 = lanes_mul(K(1.25), _s141);
-        const V _s147 = lanes_max(_s38, _s132);
+        const V _s65 = lanes_abs(_s60);
+        const V _s76 = lanes_mul(K(1.00006103515625), _s45);
+        const V _s77 = lanes_add(p_ring_radius, _s76);
+        const V _s83 = lanes_mul(_s77, _s77);
+        const V _s84 = lanes_mul(K(9.313225746154785e-10), _s83);
+        const V _s89 = lanes_sub(p_ring_radius, _s76);
+        const V _s91 = lanes_mul(K(0.0001220703125), p_ring_radius);
+        const V _s92 = lanes_max(_s89, _s91);
+        const V _s93 = lanes_mul(_s92, _s92);
+        const V _s99 = lanes_div(_s76, _s92);
+        const V _s105 = lanes_div(K(1.0), _s92);
+        const V _s122 = lanes_mul(p_ball_radius, p_ball_radius);
+        const V _s126 = lanes_mul(K(0.5), p_board_bottom);
+        const V _s127 = lanes_mul(K(0.5), p_board_top);
+        const V _s128 = lanes_add(_s126, _s127);
+        const V _s132 = lanes_add(p_ball_radius, _s127);
+        const V _s133 = lanes_sub(_s132, _s126);
+        const V _s134 = lanes_add(p_ball_radius, p_board_half_width);
+        const V _s135 = lanes_min(_s134, _s38);
+        const V _s136 = lanes_min(_s133, _s135);
+        const V _s137 = lanes_mul(K(6.103515625e-05), _s136);
+        const V _s144 = lanes_add(p_ball_radius, lanes_mul(K(0.0001220703125), _s136));
+        const V _s145 = lanes_mul(K(1.25), _s65);
+        const V _s148 = lanes_max(_s38, _s134);
         const V _s178 = lanes_mul(K(0.5), p_bridge_depth);
         const V _s181 = lanes_add(p_ball_radius, _s178);
         const V _s182 = lanes_add(p_ball_radius, p_bridge_half_width);
@@ -736,47 +736,47 @@ static void LOOP(fix)(LOOP(worklist) *worklist)
         FIX(18, lanes_neg(p_end_depth)); FIX(19, lanes_mul(p_ring_radius, p_ring_radius));
         FIX(20, _s57); FIX(21, p_gravity); FIX(22, _s59); FIX(23, _s60); FIX(24, _s61);
         FIX(25, lanes_mul(K(0.5), _s61)); FIX(26, lanes_mul(K(6.667843360785852e-16), p_end_depth));
-        FIX(27, lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), lanes_sub(p_ring_radius, _s45)));
-        FIX(28, lanes_mul(K(1.52587890625e-05), p_ball_radius));
-        FIX(29, lanes_mul(K(1.52587890625e-05), p_wire_radius)); FIX(30, _s74);
-        FIX(31, lanes_mul(K(5.820766091346741e-11), _s75)); FIX(32, lanes_mul(K(65536.0), _s75));
-        FIX(33, lanes_mul(K(0.5), p_gravity)); FIX(34, _s81); FIX(35, _s82);
-        FIX(36, lanes_mul(K(4.0), p_gravity));
-        FIX(37, lanes_mul(lanes_mul(K(6.0003662109375), p_gravity), _s45)); FIX(38, _s91);
-        FIX(39, lanes_mul(_s90, _s91)); FIX(40, lanes_mul(K(2.0), p_ring_radius));
-        FIX(41, lanes_add(_s82, _s91)); FIX(42, lanes_mul(K(8.940696716308594e-08), _s75));
-        FIX(43, lanes_max(K(1.0), _s97)); FIX(44, lanes_sqrt(K(2.0)));
-        FIX(45, lanes_add(lanes_mul(K(2.0), p_ball_radius), lanes_mul(K(2.0), p_wire_radius)));
-        FIX(46, lanes_mul(_s103, lanes_mul(_s103, _s103))); FIX(47, _s75);
-        FIX(48, lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s45), _s75));
-        FIX(49, lanes_mul(K(5.00030517578125), _s45)); FIX(50, lanes_mul(K(6.0), p_gravity));
-        FIX(51, lanes_mul(K(9.094947017729282e-13), _s75)); FIX(52, _s90);
-        FIX(53, lanes_abs(K(0.0))); FIX(54, lanes_mul(K(0.0625), p_gravity));
-        FIX(55, lanes_mul(K(1.0000000009313226), _s120));
-        FIX(56, lanes_mul(K(1.0000000009313226), _s35));
-        FIX(57, lanes_mul(K(1.0000000009313226), p_board_half_width)); FIX(58, _s126);
-        FIX(59, lanes_mul(K(1.0000000009313226), lanes_sub(_s125, _s124))); FIX(60, _s125);
-        FIX(61, _s124); FIX(62, _s134); FIX(63, lanes_add(_s38, _s135)); FIX(64, _s36);
-        FIX(65, lanes_add(_s132, _s135)); FIX(66, lanes_sub(lanes_add(_s130, _s135), _s124));
-        FIX(67, lanes_mul(_s144, _s143)); FIX(68, lanes_abs(_s126));
-        FIX(69, lanes_max(_s147, _s131)); FIX(70, lanes_mul(K(1.52587890625e-05), _s134));
-        FIX(71, lanes_mul(K(5.55653613398821e-16), _s120)); FIX(72, _s143);
-        FIX(73, lanes_mul(K(3.3306690738754696e-16), p_board_half_width));
-        FIX(74, lanes_mul(K(2.001953125), _s143));
-        FIX(75, lanes_add(lanes_mul(K(3.3306690738754696e-16), p_board_distance), lanes_mul(K(2.220446049250313e-16), p_board_thickness)));
-        FIX(76, lanes_add(lanes_mul(K(2.220446049250313e-16), _s11), lanes_mul(K(2.220446049250313e-16), _s12)));
-        FIX(77, lanes_mul(K(1.3335686721571705e-15), lanes_mul(_s143, _s143)));
-        FIX(78, lanes_mul(K(6.667843360785852e-15), _s143));
-        FIX(79, lanes_mul(K(12.01171875), _s143));
-        FIX(80, lanes_mul(K(2.667137344314341e-15), _s143));
-        FIX(81, lanes_mul(K(6.005859375), _s143)); FIX(82, _s120); FIX(83, _s141);
-        FIX(84, lanes_mul(K(0.5), _s141));
+        FIX(27, lanes_mul(K(0.5), _s65));
+        FIX(28, lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), lanes_sub(p_ring_radius, _s45)));
+        FIX(29, lanes_mul(K(1.52587890625e-05), p_ball_radius));
+        FIX(30, lanes_mul(K(1.52587890625e-05), p_wire_radius)); FIX(31, _s76);
+        FIX(32, lanes_mul(K(5.820766091346741e-11), _s77)); FIX(33, lanes_mul(K(65536.0), _s77));
+        FIX(34, lanes_mul(K(0.5), p_gravity)); FIX(35, _s83); FIX(36, _s84);
+        FIX(37, lanes_mul(K(4.0), p_gravity));
+        FIX(38, lanes_mul(lanes_mul(K(6.0003662109375), p_gravity), _s45)); FIX(39, _s93);
+        FIX(40, lanes_mul(_s92, _s93)); FIX(41, lanes_mul(K(2.0), p_ring_radius));
+        FIX(42, lanes_add(_s84, _s93)); FIX(43, lanes_mul(K(8.940696716308594e-08), _s77));
+        FIX(44, lanes_max(K(1.0), _s99)); FIX(45, lanes_sqrt(K(2.0)));
+        FIX(46, lanes_add(lanes_mul(K(2.0), p_ball_radius), lanes_mul(K(2.0), p_wire_radius)));
+        FIX(47, lanes_mul(_s105, lanes_mul(_s105, _s105))); FIX(48, _s77);
+        FIX(49, lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s45), _s77));
+        FIX(50, lanes_mul(K(5.00030517578125), _s45)); FIX(51, lanes_mul(K(6.0), p_gravity));
+        FIX(52, lanes_mul(K(9.094947017729282e-13), _s77)); FIX(53, _s92);
+        FIX(54, lanes_abs(K(0.0))); FIX(55, lanes_mul(K(0.0625), p_gravity));
+        FIX(56, lanes_mul(K(1.0000000009313226), _s122));
+        FIX(57, lanes_mul(K(1.0000000009313226), _s35));
+        FIX(58, lanes_mul(K(1.0000000009313226), p_board_half_width)); FIX(59, _s128);
+        FIX(60, lanes_mul(K(1.0000000009313226), lanes_sub(_s127, _s126))); FIX(61, _s127);
+        FIX(62, _s126); FIX(63, _s136); FIX(64, lanes_add(_s38, _s137)); FIX(65, _s36);
+        FIX(66, lanes_add(_s134, _s137)); FIX(67, lanes_sub(lanes_add(_s132, _s137), _s126));
+        FIX(68, lanes_mul(_s145, _s144)); FIX(69, lanes_abs(_s128));
+        FIX(70, lanes_max(_s148, _s133)); FIX(71, lanes_mul(K(1.52587890625e-05), _s136));
+        FIX(72, lanes_mul(K(5.55653613398821e-16), _s122)); FIX(73, _s144);
+        FIX(74, lanes_mul(K(3.3306690738754696e-16), p_board_half_width));
+        FIX(75, lanes_mul(K(2.001953125), _s144));
+        FIX(76, lanes_add(lanes_mul(K(3.3306690738754696e-16), p_board_distance), lanes_mul(K(2.220446049250313e-16), p_board_thickness)));
+        FIX(77, lanes_add(lanes_mul(K(2.220446049250313e-16), _s11), lanes_mul(K(2.220446049250313e-16), _s12)));
+        FIX(78, lanes_mul(K(1.3335686721571705e-15), lanes_mul(_s144, _s144)));
+        FIX(79, lanes_mul(K(6.667843360785852e-15), _s144));
+        FIX(80, lanes_mul(K(12.01171875), _s144));
+        FIX(81, lanes_mul(K(2.667137344314341e-15), _s144));
+        FIX(82, lanes_mul(K(6.005859375), _s144)); FIX(83, _s122); FIX(84, _s65);
         FIX(85, lanes_mul(K(1.0000000009313226), lanes_sub(_s40, _s39)));
         FIX(86, lanes_mul(K(1.0000000009313226), p_bridge_half_width));
         FIX(87, lanes_sub(p_wire_radius, _s178)); FIX(88, lanes_mul(K(1.0000000009313226), _s178));
         FIX(89, _s178); FIX(90, _s184); FIX(91, lanes_sub(lanes_add(_s43, _s185), _s39));
         FIX(92, _s41); FIX(93, lanes_add(_s182, _s185)); FIX(94, lanes_add(_s181, _s185));
-        FIX(95, lanes_mul(_s144, _s191)); FIX(96, lanes_abs(lanes_sub(_s178, p_wire_radius)));
+        FIX(95, lanes_mul(_s145, _s191)); FIX(96, lanes_abs(lanes_sub(_s178, p_wire_radius)));
         FIX(97, lanes_max(_s195, _s181)); FIX(98, lanes_mul(K(1.52587890625e-05), _s184));
         FIX(99, _s191); FIX(100, lanes_mul(K(3.3306690738754696e-16), p_bridge_half_width));
         FIX(101, lanes_mul(K(2.001953125), _s191));
@@ -913,30 +913,39 @@ LANES_APART void LOOP(fix_rows_2)(LOOP(worklist) *worklist, size_t i)
     {
         const V _s45 = lanes_add(p_ball_radius, p_wire_radius);
         const V _s57 = lanes_div(K(1.0), p_gravity);
+#if BOUNDED
+        const V _s60 = lanes_neg(p_gravity);
+#endif
         const V _s61 = lanes_neg(_s57);
-        const V _s74 = lanes_mul(K(1.00006103515625), _s45);
-        const V _s75 = lanes_add(p_ring_radius, _s74);
-        const V _s81 = lanes_mul(_s75, _s75);
-        const V _s82 = lanes_mul(K(9.313225746154785e-10), _s81);
-        const V _s87 = lanes_sub(p_ring_radius, _s74);
-        const V _s89 = lanes_mul(K(0.0001220703125), p_ring_radius);
-        const V _s90 = lanes_max(_s87, _s89);
-        const V _s91 = lanes_mul(_s90, _s90);
+        const V _s76 = lanes_mul(K(1.00006103515625), _s45);
+        const V _s77 = lanes_add(p_ring_radius, _s76);
+        const V _s83 = lanes_mul(_s77, _s77);
+        const V _s84 = lanes_mul(K(9.313225746154785e-10), _s83);
+        const V _s89 = lanes_sub(p_ring_radius, _s76);
+        const V _s91 = lanes_mul(K(0.0001220703125), p_ring_radius);
+        const V _s92 = lanes_max(_s89, _s91);
+        const V _s93 = lanes_mul(_s92, _s92);
         FIX(7, p_ring_radius); FIX(14, lanes_mul(_s45, _s45)); FIX(18, lanes_neg(p_end_depth));
         FIX(20, _s57); FIX(21, p_gravity); FIX(22, lanes_mul(K(2.0), p_gravity));
-        FIX(23, lanes_neg(p_gravity)); FIX(24, _s61); FIX(25, lanes_mul(K(0.5), _s61));
+#if BOUNDED
+        FIX(23, _s60);
+#else
+        FIX(23, lanes_neg(p_gravity));
+#endif
+        FIX(24, _s61); FIX(25, lanes_mul(K(0.5), _s61));
 #if BOUNDED
         FIX(26, lanes_mul(K(6.667843360785852e-16), p_end_depth));
+        FIX(27, lanes_mul(K(0.5), lanes_abs(_s60)));
 #endif
-        FIX(27, lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), lanes_sub(p_ring_radius, _s45)));
-        FIX(28, lanes_mul(K(1.52587890625e-05), p_ball_radius));
-        FIX(29, lanes_mul(K(1.52587890625e-05), p_wire_radius)); FIX(30, _s74);
-        FIX(31, lanes_mul(K(5.820766091346741e-11), _s75)); FIX(32, lanes_mul(K(65536.0), _s75));
-        FIX(33, lanes_mul(K(0.5), p_gravity)); FIX(34, _s81); FIX(35, _s82);
-        FIX(36, lanes_mul(K(4.0), p_gravity));
-        FIX(37, lanes_mul(lanes_mul(K(6.0003662109375), p_gravity), _s45)); FIX(38, _s91);
-        FIX(39, lanes_mul(_s90, _s91)); FIX(40, lanes_mul(K(2.0), p_ring_radius));
-        FIX(41, lanes_add(_s82, _s91));
+        FIX(28, lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), lanes_sub(p_ring_radius, _s45)));
+        FIX(29, lanes_mul(K(1.52587890625e-05), p_ball_radius));
+        FIX(30, lanes_mul(K(1.52587890625e-05), p_wire_radius)); FIX(31, _s76);
+        FIX(32, lanes_mul(K(5.820766091346741e-11), _s77)); FIX(33, lanes_mul(K(65536.0), _s77));
+        FIX(34, lanes_mul(K(0.5), p_gravity)); FIX(35, _s83); FIX(36, _s84);
+        FIX(37, lanes_mul(K(4.0), p_gravity));
+        FIX(38, lanes_mul(lanes_mul(K(6.0003662109375), p_gravity), _s45)); FIX(39, _s93);
+        FIX(40, lanes_mul(_s92, _s93)); FIX(41, lanes_mul(K(2.0), p_ring_radius));
+        FIX(42, lanes_add(_s84, _s93));
     }
 }
 
@@ -946,10 +955,10 @@ LANES_APART void LOOP(fix_rows_3)(LOOP(worklist) *worklist, size_t i)
     {
 #if BOUNDED
         const V _s45 = lanes_add(p_ball_radius, p_wire_radius);
-        const V _s74 = lanes_mul(K(1.00006103515625), _s45);
-        const V _s87 = lanes_sub(p_ring_radius, _s74);
-        const V _s89 = lanes_mul(K(0.0001220703125), p_ring_radius);
-        const V _s97 = lanes_div(_s74, lanes_max(_s87, _s89));
+        const V _s76 = lanes_mul(K(1.00006103515625), _s45);
+        const V _s89 = lanes_sub(p_ring_radius, _s76);
+        const V _s91 = lanes_mul(K(0.0001220703125), p_ring_radius);
+        const V _s99 = lanes_div(_s76, lanes_max(_s89, _s91));
 #endif
         FIX(7, p_ring_radius);
 #if BOUNDED
@@ -957,15 +966,15 @@ LANES_APART void LOOP(fix_rows_3)(LOOP(worklist) *worklist, size_t i)
 #endif
         FIX(21, p_gravity);
 #if BOUNDED
-        FIX(27, lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), lanes_sub(p_ring_radius, _s45)));
-        FIX(28, lanes_mul(K(1.52587890625e-05), p_ball_radius));
-        FIX(29, lanes_mul(K(1.52587890625e-05), p_wire_radius)); FIX(30, _s74);
+        FIX(28, lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), lanes_sub(p_ring_radius, _s45)));
+        FIX(29, lanes_mul(K(1.52587890625e-05), p_ball_radius));
+        FIX(30, lanes_mul(K(1.52587890625e-05), p_wire_radius)); FIX(31, _s76);
 #endif
-        FIX(33, lanes_mul(K(0.5), p_gravity));
+        FIX(34, lanes_mul(K(0.5), p_gravity));
 #if BOUNDED
-        FIX(42, lanes_mul(K(8.940696716308594e-08), lanes_add(p_ring_radius, _s74)));
-        FIX(43, lanes_max(K(1.0), _s97)); FIX(44, lanes_sqrt(K(2.0)));
-        FIX(45, lanes_add(lanes_mul(K(2.0), p_ball_radius), lanes_mul(K(2.0), p_wire_radius)));
+        FIX(43, lanes_mul(K(8.940696716308594e-08), lanes_add(p_ring_radius, _s76)));
+        FIX(44, lanes_max(K(1.0), _s99)); FIX(45, lanes_sqrt(K(2.0)));
+        FIX(46, lanes_add(lanes_mul(K(2.0), p_ball_radius), lanes_mul(K(2.0), p_wire_radius)));
 #endif
     }
     {
@@ -1030,26 +1039,26 @@ LANES_APART void LOOP(fix_searching_rows_1)(LOOP(worklist) *worklist, size_t i)
     EACH(PARAMETER, searching_, p_ball_radius, p_gravity, p_ring_radius, p_wire_radius)
     {
         const V _s45 = lanes_add(p_ball_radius, p_wire_radius);
-        const V _s74 = lanes_mul(K(1.00006103515625), _s45);
-        const V _s75 = lanes_add(p_ring_radius, _s74);
-        const V _s87 = lanes_sub(p_ring_radius, _s74);
-        const V _s89 = lanes_mul(K(0.0001220703125), p_ring_radius);
-        const V _s90 = lanes_max(_s87, _s89);
-        const V _s97 = lanes_div(_s74, _s90);
-        const V _s103 = lanes_div(K(1.0), _s90);
+        const V _s76 = lanes_mul(K(1.00006103515625), _s45);
+        const V _s77 = lanes_add(p_ring_radius, _s76);
+        const V _s89 = lanes_sub(p_ring_radius, _s76);
+        const V _s91 = lanes_mul(K(0.0001220703125), p_ring_radius);
+        const V _s92 = lanes_max(_s89, _s91);
+        const V _s99 = lanes_div(_s76, _s92);
+        const V _s105 = lanes_div(K(1.0), _s92);
         FIX(20, lanes_div(K(1.0), p_gravity)); FIX(21, p_gravity);
         FIX(22, lanes_mul(K(2.0), p_gravity));
-        FIX(27, lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), lanes_sub(p_ring_radius, _s45)));
-        FIX(28, lanes_mul(K(1.52587890625e-05), p_ball_radius));
-        FIX(29, lanes_mul(K(1.52587890625e-05), p_wire_radius)); FIX(30, _s74);
-        FIX(34, lanes_mul(_s75, _s75)); FIX(36, lanes_mul(K(4.0), p_gravity));
-        FIX(37, lanes_mul(lanes_mul(K(6.0003662109375), p_gravity), _s45));
-        FIX(38, lanes_mul(_s90, _s90)); FIX(40, lanes_mul(K(2.0), p_ring_radius));
-        FIX(43, lanes_max(K(1.0), _s97)); FIX(44, lanes_sqrt(K(2.0)));
-        FIX(45, lanes_add(lanes_mul(K(2.0), p_ball_radius), lanes_mul(K(2.0), p_wire_radius)));
-        FIX(46, lanes_mul(_s103, lanes_mul(_s103, _s103))); FIX(47, _s75);
-        FIX(48, lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s45), _s75));
-        FIX(49, lanes_mul(K(5.00030517578125), _s45));
+        FIX(28, lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), lanes_sub(p_ring_radius, _s45)));
+        FIX(29, lanes_mul(K(1.52587890625e-05), p_ball_radius));
+        FIX(30, lanes_mul(K(1.52587890625e-05), p_wire_radius)); FIX(31, _s76);
+        FIX(35, lanes_mul(_s77, _s77)); FIX(37, lanes_mul(K(4.0), p_gravity));
+        FIX(38, lanes_mul(lanes_mul(K(6.0003662109375), p_gravity), _s45));
+        FIX(39, lanes_mul(_s92, _s92)); FIX(41, lanes_mul(K(2.0), p_ring_radius));
+        FIX(44, lanes_max(K(1.0), _s99)); FIX(45, lanes_sqrt(K(2.0)));
+        FIX(46, lanes_add(lanes_mul(K(2.0), p_ball_radius), lanes_mul(K(2.0), p_wire_radius)));
+        FIX(47, lanes_mul(_s105, lanes_mul(_s105, _s105))); FIX(48, _s77);
+        FIX(49, lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s45), _s77));
+        FIX(50, lanes_mul(K(5.00030517578125), _s45));
     }
 }
 
@@ -1060,17 +1069,17 @@ LANES_APART void LOOP(fix_searching_searching_rows_1)(LOOP(worklist) *worklist, 
     EACH(TURNING, turning_, p_ball_radius, p_gravity, p_ring_radius, p_wire_radius)
     {
         const V _s45 = lanes_add(p_ball_radius, p_wire_radius);
-        const V _s74 = lanes_mul(K(1.00006103515625), _s45);
-        const V _s75 = lanes_add(p_ring_radius, _s74);
-        const V _s87 = lanes_sub(p_ring_radius, _s74);
-        const V _s89 = lanes_mul(K(0.0001220703125), p_ring_radius);
-        const V _s90 = lanes_max(_s87, _s89);
-        const V _s97 = lanes_div(_s74, _s90);
-        FIX(7, p_ring_radius); FIX(14, lanes_mul(_s45, _s45)); FIX(21, p_gravity); FIX(30, _s74);
-        FIX(33, lanes_mul(K(0.5), p_gravity)); FIX(43, lanes_max(K(1.0), _s97)); FIX(47, _s75);
-        FIX(48, lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s45), _s75));
-        FIX(49, lanes_mul(K(5.00030517578125), _s45)); FIX(50, lanes_mul(K(6.0), p_gravity));
-        FIX(51, lanes_mul(K(9.094947017729282e-13), _s75)); FIX(52, _s90);
+        const V _s76 = lanes_mul(K(1.00006103515625), _s45);
+        const V _s77 = lanes_add(p_ring_radius, _s76);
+        const V _s89 = lanes_sub(p_ring_radius, _s76);
+        const V _s91 = lanes_mul(K(0.0001220703125), p_ring_radius);
+        const V _s92 = lanes_max(_s89, _s91);
+        const V _s99 = lanes_div(_s76, _s92);
+        FIX(7, p_ring_radius); FIX(14, lanes_mul(_s45, _s45)); FIX(21, p_gravity); FIX(31, _s76);
+        FIX(34, lanes_mul(K(0.5), p_gravity)); FIX(44, lanes_max(K(1.0), _s99)); FIX(48, _s77);
+        FIX(49, lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s45), _s77));
+        FIX(50, lanes_mul(K(5.00030517578125), _s45)); FIX(51, lanes_mul(K(6.0), p_gravity));
+        FIX(52, lanes_mul(K(9.094947017729282e-13), _s77)); FIX(53, _s92);
     }
 }
 
@@ -1080,7 +1089,7 @@ LANES_APART void LOOP(fix_rows_4)(LOOP(worklist) *worklist, size_t i)
     {
         const V _s45 = lanes_add(p_ball_radius, p_wire_radius);
         FIX(7, p_ring_radius); FIX(14, lanes_mul(_s45, _s45)); FIX(21, p_gravity);
-        FIX(33, lanes_mul(K(0.5), p_gravity));
+        FIX(34, lanes_mul(K(0.5), p_gravity));
     }
 }
 
@@ -1091,7 +1100,7 @@ LANES_APART void LOOP(fix_refining_rows_1)(LOOP(worklist) *worklist, size_t take
     {
         const V _s45 = lanes_add(p_ball_radius, p_wire_radius);
         FIX(7, p_ring_radius); FIX(14, lanes_mul(_s45, _s45)); FIX(21, p_gravity);
-        FIX(33, lanes_mul(K(0.5), p_gravity));
+        FIX(34, lanes_mul(K(0.5), p_gravity));
     }
 }
 
@@ -1101,14 +1110,14 @@ LANES_APART void LOOP(fix_rows_5)(LOOP(worklist) *worklist, size_t i)
     EACH(PARAMETER, , p_ball_radius, p_gravity, p_ring_radius, p_wire_radius)
     {
         const V _s45 = lanes_add(p_ball_radius, p_wire_radius);
-        const V _s74 = lanes_mul(K(1.00006103515625), _s45);
-        const V _s75 = lanes_add(p_ring_radius, _s74);
-        const V _s87 = lanes_sub(p_ring_radius, _s74);
-        const V _s89 = lanes_mul(K(0.0001220703125), p_ring_radius);
-        const V _s97 = lanes_div(_s74, lanes_max(_s87, _s89));
-        FIX(21, p_gravity); FIX(30, _s74); FIX(43, lanes_max(K(1.0), _s97)); FIX(47, _s75);
-        FIX(48, lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s45), _s75));
-        FIX(49, lanes_mul(K(5.00030517578125), _s45));
+        const V _s76 = lanes_mul(K(1.00006103515625), _s45);
+        const V _s77 = lanes_add(p_ring_radius, _s76);
+        const V _s89 = lanes_sub(p_ring_radius, _s76);
+        const V _s91 = lanes_mul(K(0.0001220703125), p_ring_radius);
+        const V _s99 = lanes_div(_s76, lanes_max(_s89, _s91));
+        FIX(21, p_gravity); FIX(31, _s76); FIX(44, lanes_max(K(1.0), _s99)); FIX(48, _s77);
+        FIX(49, lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s45), _s77));
+        FIX(50, lanes_mul(K(5.00030517578125), _s45));
     }
 }
 
@@ -1119,16 +1128,16 @@ LANES_APART void LOOP(fix_rows_6)(LOOP(worklist) *worklist, size_t i)
     EACH(PARAMETER, , p_board_thickness, p_board_top, p_gravity)
     {
         const V _s35 = lanes_mul(K(0.5), p_board_thickness);
-        const V _s124 = lanes_mul(K(0.5), p_board_bottom);
-        const V _s125 = lanes_mul(K(0.5), p_board_top);
+        const V _s126 = lanes_mul(K(0.5), p_board_bottom);
+        const V _s127 = lanes_mul(K(0.5), p_board_top);
         FIX(2, lanes_neg(lanes_add(p_board_distance, _s35))); FIX(20, lanes_div(K(1.0), p_gravity));
-        FIX(21, p_gravity); FIX(33, lanes_mul(K(0.5), p_gravity)); FIX(53, lanes_abs(K(0.0)));
-        FIX(54, lanes_mul(K(0.0625), p_gravity));
-        FIX(55, lanes_mul(K(1.0000000009313226), lanes_mul(p_ball_radius, p_ball_radius)));
-        FIX(56, lanes_mul(K(1.0000000009313226), _s35));
-        FIX(57, lanes_mul(K(1.0000000009313226), p_board_half_width));
-        FIX(58, lanes_add(_s124, _s125));
-        FIX(59, lanes_mul(K(1.0000000009313226), lanes_sub(_s125, _s124)));
+        FIX(21, p_gravity); FIX(34, lanes_mul(K(0.5), p_gravity)); FIX(54, lanes_abs(K(0.0)));
+        FIX(55, lanes_mul(K(0.0625), p_gravity));
+        FIX(56, lanes_mul(K(1.0000000009313226), lanes_mul(p_ball_radius, p_ball_radius)));
+        FIX(57, lanes_mul(K(1.0000000009313226), _s35));
+        FIX(58, lanes_mul(K(1.0000000009313226), p_board_half_width));
+        FIX(59, lanes_add(_s126, _s127));
+        FIX(60, lanes_mul(K(1.0000000009313226), lanes_sub(_s127, _s126)));
     }
 }
 
@@ -1139,39 +1148,39 @@ LANES_APART void LOOP(fix_reachable_rows_1)(LOOP(worklist) *worklist, size_t i)
     {
         const V _s35 = lanes_mul(K(0.5), p_board_thickness);
         const V _s38 = lanes_add(p_ball_radius, _s35);
-        const V _s120 = lanes_mul(p_ball_radius, p_ball_radius);
-        const V _s124 = lanes_mul(K(0.5), p_board_bottom);
-        const V _s125 = lanes_mul(K(0.5), p_board_top);
-        const V _s130 = lanes_add(p_ball_radius, _s125);
-        const V _s131 = lanes_sub(_s130, _s124);
-        const V _s132 = lanes_add(p_ball_radius, p_board_half_width);
-        const V _s133 = lanes_min(_s132, _s38);
-        const V _s134 = lanes_min(_s131, _s133);
-        const V _s135 = lanes_mul(K(6.103515625e-05), _s134);
-        const V _s141 = lanes_abs(lanes_neg(p_gravity));
-        const V _s143 = lanes_add(p_ball_radius, lanes_mul(K(0.0001220703125), _s134));
-        const V _s147 = lanes_max(_s38, _s132);
+        const V _s65 = lanes_abs(lanes_neg(p_gravity));
+        const V _s122 = lanes_mul(p_ball_radius, p_ball_radius);
+        const V _s126 = lanes_mul(K(0.5), p_board_bottom);
+        const V _s127 = lanes_mul(K(0.5), p_board_top);
+        const V _s132 = lanes_add(p_ball_radius, _s127);
+        const V _s133 = lanes_sub(_s132, _s126);
+        const V _s134 = lanes_add(p_ball_radius, p_board_half_width);
+        const V _s135 = lanes_min(_s134, _s38);
+        const V _s136 = lanes_min(_s133, _s135);
+        const V _s137 = lanes_mul(K(6.103515625e-05), _s136);
+        const V _s144 = lanes_add(p_ball_radius, lanes_mul(K(0.0001220703125), _s136));
+        const V _s148 = lanes_max(_s38, _s134);
         FIX(9, p_board_distance); FIX(10, p_board_half_width); FIX(11, p_board_bottom);
         FIX(12, p_board_top); FIX(15, lanes_add(p_board_distance, p_board_thickness));
         FIX(20, lanes_div(K(1.0), p_gravity)); FIX(21, p_gravity);
-        FIX(22, lanes_mul(K(2.0), p_gravity)); FIX(33, lanes_mul(K(0.5), p_gravity));
-        FIX(44, lanes_sqrt(K(2.0))); FIX(60, _s125); FIX(61, _s124); FIX(62, _s134);
-        FIX(63, lanes_add(_s38, _s135)); FIX(64, lanes_add(p_board_distance, _s35));
-        FIX(65, lanes_add(_s132, _s135)); FIX(66, lanes_sub(lanes_add(_s130, _s135), _s124));
-        FIX(67, lanes_mul(lanes_mul(K(1.25), _s141), _s143));
-        FIX(68, lanes_abs(lanes_add(_s124, _s125))); FIX(69, lanes_max(_s147, _s131));
-        FIX(70, lanes_mul(K(1.52587890625e-05), _s134));
-        FIX(71, lanes_mul(K(5.55653613398821e-16), _s120)); FIX(72, _s143);
-        FIX(73, lanes_mul(K(3.3306690738754696e-16), p_board_half_width));
-        FIX(74, lanes_mul(K(2.001953125), _s143));
-        FIX(75, lanes_add(lanes_mul(K(3.3306690738754696e-16), p_board_distance), lanes_mul(K(2.220446049250313e-16), p_board_thickness)));
-        FIX(76, lanes_add(lanes_mul(K(2.220446049250313e-16), lanes_abs(p_board_bottom)), lanes_mul(K(2.220446049250313e-16), lanes_abs(p_board_top))));
-        FIX(77, lanes_mul(K(1.3335686721571705e-15), lanes_mul(_s143, _s143)));
-        FIX(78, lanes_mul(K(6.667843360785852e-15), _s143));
-        FIX(79, lanes_mul(K(12.01171875), _s143));
-        FIX(80, lanes_mul(K(2.667137344314341e-15), _s143));
-        FIX(81, lanes_mul(K(6.005859375), _s143)); FIX(82, _s120); FIX(83, _s141);
-        FIX(84, lanes_mul(K(0.5), _s141));
+        FIX(22, lanes_mul(K(2.0), p_gravity)); FIX(27, lanes_mul(K(0.5), _s65));
+        FIX(34, lanes_mul(K(0.5), p_gravity)); FIX(45, lanes_sqrt(K(2.0))); FIX(61, _s127);
+        FIX(62, _s126); FIX(63, _s136); FIX(64, lanes_add(_s38, _s137));
+        FIX(65, lanes_add(p_board_distance, _s35)); FIX(66, lanes_add(_s134, _s137));
+        FIX(67, lanes_sub(lanes_add(_s132, _s137), _s126));
+        FIX(68, lanes_mul(lanes_mul(K(1.25), _s65), _s144));
+        FIX(69, lanes_abs(lanes_add(_s126, _s127))); FIX(70, lanes_max(_s148, _s133));
+        FIX(71, lanes_mul(K(1.52587890625e-05), _s136));
+        FIX(72, lanes_mul(K(5.55653613398821e-16), _s122)); FIX(73, _s144);
+        FIX(74, lanes_mul(K(3.3306690738754696e-16), p_board_half_width));
+        FIX(75, lanes_mul(K(2.001953125), _s144));
+        FIX(76, lanes_add(lanes_mul(K(3.3306690738754696e-16), p_board_distance), lanes_mul(K(2.220446049250313e-16), p_board_thickness)));
+        FIX(77, lanes_add(lanes_mul(K(2.220446049250313e-16), lanes_abs(p_board_bottom)), lanes_mul(K(2.220446049250313e-16), lanes_abs(p_board_top))));
+        FIX(78, lanes_mul(K(1.3335686721571705e-15), lanes_mul(_s144, _s144)));
+        FIX(79, lanes_mul(K(6.667843360785852e-15), _s144));
+        FIX(80, lanes_mul(K(12.01171875), _s144));
+        FIX(81, lanes_mul(K(2.667137344314341e-15), _s144));
+        FIX(82, lanes_mul(K(6.005859375), _s144)); FIX(83, _s122); FIX(84, _s65);
     }
 }
 
@@ -1184,26 +1193,25 @@ LANES_APART void LOOP(fix_reachable_searching_rows_1)(LOOP(worklist) *worklist, 
     EACH(TURNING, turning_, p_board_thickness, p_board_top, p_gravity)
     {
         const V _s38 = lanes_add(p_ball_radius, lanes_mul(K(0.5), p_board_thickness));
-        const V _s120 = lanes_mul(p_ball_radius, p_ball_radius);
-        const V _s131 = lanes_sub(lanes_add(p_ball_radius, lanes_mul(K(0.5), p_board_top)), lanes_mul(K(0.5), p_board_bottom));
-        const V _s132 = lanes_add(p_ball_radius, p_board_half_width);
-        const V _s133 = lanes_min(_s132, _s38);
-        const V _s141 = lanes_abs(lanes_neg(p_gravity));
-        const V _s143 = lanes_add(p_ball_radius, lanes_mul(K(0.0001220703125), lanes_min(_s131, _s133)));
+        const V _s65 = lanes_abs(lanes_neg(p_gravity));
+        const V _s122 = lanes_mul(p_ball_radius, p_ball_radius);
+        const V _s133 = lanes_sub(lanes_add(p_ball_radius, lanes_mul(K(0.5), p_board_top)), lanes_mul(K(0.5), p_board_bottom));
+        const V _s134 = lanes_add(p_ball_radius, p_board_half_width);
+        const V _s135 = lanes_min(_s134, _s38);
+        const V _s144 = lanes_add(p_ball_radius, lanes_mul(K(0.0001220703125), lanes_min(_s133, _s135)));
         FIX(9, p_board_distance); FIX(10, p_board_half_width); FIX(11, p_board_bottom);
         FIX(12, p_board_top); FIX(15, lanes_add(p_board_distance, p_board_thickness));
-        FIX(21, p_gravity); FIX(33, lanes_mul(K(0.5), p_gravity));
-        FIX(71, lanes_mul(K(5.55653613398821e-16), _s120)); FIX(72, _s143);
-        FIX(73, lanes_mul(K(3.3306690738754696e-16), p_board_half_width));
-        FIX(74, lanes_mul(K(2.001953125), _s143));
-        FIX(75, lanes_add(lanes_mul(K(3.3306690738754696e-16), p_board_distance), lanes_mul(K(2.220446049250313e-16), p_board_thickness)));
-        FIX(76, lanes_add(lanes_mul(K(2.220446049250313e-16), lanes_abs(p_board_bottom)), lanes_mul(K(2.220446049250313e-16), lanes_abs(p_board_top))));
-        FIX(77, lanes_mul(K(1.3335686721571705e-15), lanes_mul(_s143, _s143)));
-        FIX(78, lanes_mul(K(6.667843360785852e-15), _s143));
-        FIX(79, lanes_mul(K(12.01171875), _s143));
-        FIX(80, lanes_mul(K(2.667137344314341e-15), _s143));
-        FIX(81, lanes_mul(K(6.005859375), _s143)); FIX(82, _s120); FIX(83, _s141);
-        FIX(84, lanes_mul(K(0.5), _s141));
+        FIX(21, p_gravity); FIX(27, lanes_mul(K(0.5), _s65)); FIX(34, lanes_mul(K(0.5), p_gravity));
+        FIX(72, lanes_mul(K(5.55653613398821e-16), _s122)); FIX(73, _s144);
+        FIX(74, lanes_mul(K(3.3306690738754696e-16), p_board_half_width));
+        FIX(75, lanes_mul(K(2.001953125), _s144));
+        FIX(76, lanes_add(lanes_mul(K(3.3306690738754696e-16), p_board_distance), lanes_mul(K(2.220446049250313e-16), p_board_thickness)));
+        FIX(77, lanes_add(lanes_mul(K(2.220446049250313e-16), lanes_abs(p_board_bottom)), lanes_mul(K(2.220446049250313e-16), lanes_abs(p_board_top))));
+        FIX(78, lanes_mul(K(1.3335686721571705e-15), lanes_mul(_s144, _s144)));
+        FIX(79, lanes_mul(K(6.667843360785852e-15), _s144));
+        FIX(80, lanes_mul(K(12.01171875), _s144));
+        FIX(81, lanes_mul(K(2.667137344314341e-15), _s144));
+        FIX(82, lanes_mul(K(6.005859375), _s144)); FIX(83, _s122); FIX(84, _s65);
     }
 }
 
@@ -1214,8 +1222,8 @@ LANES_APART void LOOP(fix_reachable_rows_2)(LOOP(worklist) *worklist, size_t i)
     {
         FIX(9, p_board_distance); FIX(10, p_board_half_width); FIX(11, p_board_bottom);
         FIX(12, p_board_top); FIX(15, lanes_add(p_board_distance, p_board_thickness));
-        FIX(21, p_gravity); FIX(33, lanes_mul(K(0.5), p_gravity));
-        FIX(82, lanes_mul(p_ball_radius, p_ball_radius));
+        FIX(21, p_gravity); FIX(34, lanes_mul(K(0.5), p_gravity));
+        FIX(83, lanes_mul(p_ball_radius, p_ball_radius));
     }
 }
 
@@ -1229,8 +1237,8 @@ LANES_APART void LOOP(fix_reachable_refining_rows_1)(LOOP(worklist) *worklist, s
     {
         FIX(9, p_board_distance); FIX(10, p_board_half_width); FIX(11, p_board_bottom);
         FIX(12, p_board_top); FIX(15, lanes_add(p_board_distance, p_board_thickness));
-        FIX(21, p_gravity); FIX(33, lanes_mul(K(0.5), p_gravity));
-        FIX(82, lanes_mul(p_ball_radius, p_ball_radius));
+        FIX(21, p_gravity); FIX(34, lanes_mul(K(0.5), p_gravity));
+        FIX(83, lanes_mul(p_ball_radius, p_ball_radius));
     }
 }
 
@@ -1241,21 +1249,21 @@ LANES_APART void LOOP(fix_reachable_rows_3)(LOOP(worklist) *worklist, size_t i)
     EACH(PARAMETER, reachable_, p_board_thickness, p_board_top, p_gravity)
     {
         const V _s38 = lanes_add(p_ball_radius, lanes_mul(K(0.5), p_board_thickness));
-        const V _s131 = lanes_sub(lanes_add(p_ball_radius, lanes_mul(K(0.5), p_board_top)), lanes_mul(K(0.5), p_board_bottom));
-        const V _s132 = lanes_add(p_ball_radius, p_board_half_width);
-        const V _s133 = lanes_min(_s132, _s38);
-        const V _s143 = lanes_add(p_ball_radius, lanes_mul(K(0.0001220703125), lanes_min(_s131, _s133)));
+        const V _s133 = lanes_sub(lanes_add(p_ball_radius, lanes_mul(K(0.5), p_board_top)), lanes_mul(K(0.5), p_board_bottom));
+        const V _s134 = lanes_add(p_ball_radius, p_board_half_width);
+        const V _s135 = lanes_min(_s134, _s38);
+        const V _s144 = lanes_add(p_ball_radius, lanes_mul(K(0.0001220703125), lanes_min(_s133, _s135)));
         FIX(21, p_gravity);
-        FIX(71, lanes_mul(K(5.55653613398821e-16), lanes_mul(p_ball_radius, p_ball_radius)));
-        FIX(72, _s143); FIX(73, lanes_mul(K(3.3306690738754696e-16), p_board_half_width));
-        FIX(74, lanes_mul(K(2.001953125), _s143));
-        FIX(75, lanes_add(lanes_mul(K(3.3306690738754696e-16), p_board_distance), lanes_mul(K(2.220446049250313e-16), p_board_thickness)));
-        FIX(76, lanes_add(lanes_mul(K(2.220446049250313e-16), lanes_abs(p_board_bottom)), lanes_mul(K(2.220446049250313e-16), lanes_abs(p_board_top))));
-        FIX(77, lanes_mul(K(1.3335686721571705e-15), lanes_mul(_s143, _s143)));
-        FIX(78, lanes_mul(K(6.667843360785852e-15), _s143));
-        FIX(79, lanes_mul(K(12.01171875), _s143));
-        FIX(80, lanes_mul(K(2.667137344314341e-15), _s143));
-        FIX(81, lanes_mul(K(6.005859375), _s143));
+        FIX(72, lanes_mul(K(5.55653613398821e-16), lanes_mul(p_ball_radius, p_ball_radius)));
+        FIX(73, _s144); FIX(74, lanes_mul(K(3.3306690738754696e-16), p_board_half_width));
+        FIX(75, lanes_mul(K(2.001953125), _s144));
+        FIX(76, lanes_add(lanes_mul(K(3.3306690738754696e-16), p_board_distance), lanes_mul(K(2.220446049250313e-16), p_board_thickness)));
+        FIX(77, lanes_add(lanes_mul(K(2.220446049250313e-16), lanes_abs(p_board_bottom)), lanes_mul(K(2.220446049250313e-16), lanes_abs(p_board_top))));
+        FIX(78, lanes_mul(K(1.3335686721571705e-15), lanes_mul(_s144, _s144)));
+        FIX(79, lanes_mul(K(6.667843360785852e-15), _s144));
+        FIX(80, lanes_mul(K(12.01171875), _s144));
+        FIX(81, lanes_mul(K(2.667137344314341e-15), _s144));
+        FIX(82, lanes_mul(K(6.005859375), _s144));
     }
 }
 
@@ -1271,9 +1279,9 @@ LANES_APART void LOOP(fix_rows_6)(LOOP(worklist) *worklist, size_t i)
         const V _s40 = lanes_mul(K(0.5), p_board_distance);
         const V _s178 = lanes_mul(K(0.5), p_bridge_depth);
         FIX(4, lanes_neg(lanes_add(_s39, _s40))); FIX(20, lanes_div(K(1.0), p_gravity));
-        FIX(21, p_gravity); FIX(33, lanes_mul(K(0.5), p_gravity)); FIX(53, lanes_abs(K(0.0)));
-        FIX(54, lanes_mul(K(0.0625), p_gravity));
-        FIX(55, lanes_mul(K(1.0000000009313226), lanes_mul(p_ball_radius, p_ball_radius)));
+        FIX(21, p_gravity); FIX(34, lanes_mul(K(0.5), p_gravity)); FIX(54, lanes_abs(K(0.0)));
+        FIX(55, lanes_mul(K(0.0625), p_gravity));
+        FIX(56, lanes_mul(K(1.0000000009313226), lanes_mul(p_ball_radius, p_ball_radius)));
         FIX(85, lanes_mul(K(1.0000000009313226), lanes_sub(_s40, _s39)));
         FIX(86, lanes_mul(K(1.0000000009313226), p_bridge_half_width));
         FIX(87, lanes_sub(p_wire_radius, _s178)); FIX(88, lanes_mul(K(1.0000000009313226), _s178));
@@ -1293,8 +1301,8 @@ LANES_APART void LOOP(fix_reachable_rows_3)(LOOP(worklist) *worklist, size_t i)
         const V _s40 = lanes_mul(K(0.5), p_board_distance);
         const V _s43 = lanes_add(p_ball_radius, _s40);
         const V _s44 = lanes_sub(_s43, _s39);
-        const V _s120 = lanes_mul(p_ball_radius, p_ball_radius);
-        const V _s141 = lanes_abs(lanes_neg(p_gravity));
+        const V _s65 = lanes_abs(lanes_neg(p_gravity));
+        const V _s122 = lanes_mul(p_ball_radius, p_ball_radius);
         const V _s178 = lanes_mul(K(0.5), p_bridge_depth);
         const V _s181 = lanes_add(p_ball_radius, _s178);
         const V _s182 = lanes_add(p_ball_radius, p_bridge_half_width);
@@ -1306,12 +1314,12 @@ LANES_APART void LOOP(fix_reachable_rows_3)(LOOP(worklist) *worklist, size_t i)
         FIX(7, p_ring_radius); FIX(8, p_wire_radius); FIX(9, p_board_distance);
         FIX(13, p_bridge_half_width); FIX(16, lanes_sub(p_wire_radius, p_bridge_depth));
         FIX(20, lanes_div(K(1.0), p_gravity)); FIX(21, p_gravity);
-        FIX(22, lanes_mul(K(2.0), p_gravity)); FIX(33, lanes_mul(K(0.5), p_gravity));
-        FIX(44, lanes_sqrt(K(2.0))); FIX(71, lanes_mul(K(5.55653613398821e-16), _s120));
-        FIX(82, _s120); FIX(83, _s141); FIX(84, lanes_mul(K(0.5), _s141)); FIX(89, _s178);
-        FIX(90, _s184); FIX(91, lanes_sub(lanes_add(_s43, _s185), _s39));
+        FIX(22, lanes_mul(K(2.0), p_gravity)); FIX(27, lanes_mul(K(0.5), _s65));
+        FIX(34, lanes_mul(K(0.5), p_gravity)); FIX(45, lanes_sqrt(K(2.0)));
+        FIX(72, lanes_mul(K(5.55653613398821e-16), _s122)); FIX(83, _s122); FIX(84, _s65);
+        FIX(89, _s178); FIX(90, _s184); FIX(91, lanes_sub(lanes_add(_s43, _s185), _s39));
         FIX(92, lanes_add(_s39, _s40)); FIX(93, lanes_add(_s182, _s185));
-        FIX(94, lanes_add(_s181, _s185)); FIX(95, lanes_mul(lanes_mul(K(1.25), _s141), _s191));
+        FIX(94, lanes_add(_s181, _s185)); FIX(95, lanes_mul(lanes_mul(K(1.25), _s65), _s191));
         FIX(96, lanes_abs(lanes_sub(_s178, p_wire_radius))); FIX(97, lanes_max(_s195, _s181));
         FIX(98, lanes_mul(K(1.52587890625e-05), _s184)); FIX(99, _s191);
         FIX(100, lanes_mul(K(3.3306690738754696e-16), p_bridge_half_width));
@@ -1335,18 +1343,17 @@ LANES_APART void LOOP(fix_reachable_searching_rows_2)(LOOP(worklist) *worklist, 
     EACH(TURNING, turning_, p_gravity, p_ring_radius, p_wire_radius)
     {
         const V _s44 = lanes_sub(lanes_add(p_ball_radius, lanes_mul(K(0.5), p_board_distance)), lanes_mul(K(0.5), p_ring_radius));
-        const V _s120 = lanes_mul(p_ball_radius, p_ball_radius);
-        const V _s141 = lanes_abs(lanes_neg(p_gravity));
+        const V _s65 = lanes_abs(lanes_neg(p_gravity));
+        const V _s122 = lanes_mul(p_ball_radius, p_ball_radius);
         const V _s181 = lanes_add(p_ball_radius, lanes_mul(K(0.5), p_bridge_depth));
         const V _s182 = lanes_add(p_ball_radius, p_bridge_half_width);
         const V _s183 = lanes_min(_s182, _s44);
         const V _s191 = lanes_add(p_ball_radius, lanes_mul(K(0.0001220703125), lanes_min(_s181, _s183)));
         FIX(7, p_ring_radius); FIX(8, p_wire_radius); FIX(9, p_board_distance);
         FIX(13, p_bridge_half_width); FIX(16, lanes_sub(p_wire_radius, p_bridge_depth));
-        FIX(21, p_gravity); FIX(33, lanes_mul(K(0.5), p_gravity));
-        FIX(71, lanes_mul(K(5.55653613398821e-16), _s120)); FIX(82, _s120); FIX(83, _s141);
-        FIX(84, lanes_mul(K(0.5), _s141)); FIX(99, _s191);
-        FIX(100, lanes_mul(K(3.3306690738754696e-16), p_bridge_half_width));
+        FIX(21, p_gravity); FIX(27, lanes_mul(K(0.5), _s65)); FIX(34, lanes_mul(K(0.5), p_gravity));
+        FIX(72, lanes_mul(K(5.55653613398821e-16), _s122)); FIX(83, _s122); FIX(84, _s65);
+        FIX(99, _s191); FIX(100, lanes_mul(K(3.3306690738754696e-16), p_bridge_half_width));
         FIX(101, lanes_mul(K(2.001953125), _s191));
         FIX(102, lanes_add(lanes_mul(K(1.1102230246251565e-16), p_ring_radius), lanes_mul(K(1.1102230246251565e-16), p_board_distance)));
         FIX(103, lanes_add(lanes_mul(K(5.551115123125783e-16), p_wire_radius), lanes_mul(K(2.220446049250313e-16), p_bridge_depth)));
@@ -1369,8 +1376,8 @@ LANES_APART void LOOP(fix_reachable_rows_4)(LOOP(worklist) *worklist, size_t i)
     {
         FIX(7, p_ring_radius); FIX(8, p_wire_radius); FIX(9, p_board_distance);
         FIX(13, p_bridge_half_width); FIX(16, lanes_sub(p_wire_radius, p_bridge_depth));
-        FIX(21, p_gravity); FIX(33, lanes_mul(K(0.5), p_gravity));
-        FIX(82, lanes_mul(p_ball_radius, p_ball_radius));
+        FIX(21, p_gravity); FIX(34, lanes_mul(K(0.5), p_gravity));
+        FIX(83, lanes_mul(p_ball_radius, p_ball_radius));
     }
 }
 
@@ -1384,8 +1391,8 @@ LANES_APART void LOOP(fix_reachable_refining_rows_2)(LOOP(worklist) *worklist, s
     {
         FIX(7, p_ring_radius); FIX(8, p_wire_radius); FIX(9, p_board_distance);
         FIX(13, p_bridge_half_width); FIX(16, lanes_sub(p_wire_radius, p_bridge_depth));
-        FIX(21, p_gravity); FIX(33, lanes_mul(K(0.5), p_gravity));
-        FIX(82, lanes_mul(p_ball_radius, p_ball_radius));
+        FIX(21, p_gravity); FIX(34, lanes_mul(K(0.5), p_gravity));
+        FIX(83, lanes_mul(p_ball_radius, p_ball_radius));
     }
 }
 
@@ -1401,7 +1408,7 @@ LANES_APART void LOOP(fix_reachable_rows_6)(LOOP(worklist) *worklist, size_t i)
         const V _s183 = lanes_min(_s182, _s44);
         const V _s191 = lanes_add(p_ball_radius, lanes_mul(K(0.0001220703125), lanes_min(_s181, _s183)));
         FIX(21, p_gravity);
-        FIX(71, lanes_mul(K(5.55653613398821e-16), lanes_mul(p_ball_radius, p_ball_radius)));
+        FIX(72, lanes_mul(K(5.55653613398821e-16), lanes_mul(p_ball_radius, p_ball_radius)));
         FIX(99, _s191); FIX(100, lanes_mul(K(3.3306690738754696e-16), p_bridge_half_width));
         FIX(101, lanes_mul(K(2.001953125), _s191));
         FIX(102, lanes_add(lanes_mul(K(1.1102230246251565e-16), p_ring_radius), lanes_mul(K(1.1102230246251565e-16), p_board_distance)));
@@ -1466,7 +1473,7 @@ LANES_APART void LOOP(fix_in_contact_rolling_rows_1)(LOOP(worklist) *worklist, s
         FIX(15, lanes_add(p_board_distance, p_board_thickness));
         FIX(16, lanes_sub(p_wire_radius, p_bridge_depth)); FIX(18, lanes_neg(p_end_depth));
         FIX(19, lanes_mul(p_ring_radius, p_ring_radius)); FIX(21, p_gravity);
-        FIX(40, lanes_mul(K(2.0), p_ring_radius)); FIX(110, lanes_mul(K(0.5), p_ball_radius));
+        FIX(41, lanes_mul(K(2.0), p_ring_radius)); FIX(110, lanes_mul(K(0.5), p_ball_radius));
         FIX(111, lanes_mul(p_inertia, _s218)); FIX(112, lanes_div(K(1.0), p_ball_radius));
         FIX(113, lanes_mul(K(3.637978807091713e-12), p_ball_radius)); FIX(116, _s232);
         FIX(117, lanes_neg(_s232)); FIX(118, _s235); FIX(119, lanes_neg(_s235)); FIX(120, _s240);
@@ -1574,7 +1581,7 @@ LANES_APART void LOOP(fix_in_contact_leaves_rows_1)(LOOP(worklist) *worklist, si
         FIX(15, lanes_add(p_board_distance, p_board_thickness));
         FIX(16, lanes_sub(p_wire_radius, p_bridge_depth)); FIX(18, lanes_neg(p_end_depth));
         FIX(21, p_gravity); FIX(22, lanes_mul(K(2.0), p_gravity)); FIX(23, lanes_neg(p_gravity));
-        FIX(40, lanes_mul(K(2.0), p_ring_radius)); FIX(109, lanes_div(K(1.0), _s45));
+        FIX(41, lanes_mul(K(2.0), p_ring_radius)); FIX(109, lanes_div(K(1.0), _s45));
         FIX(112, lanes_div(K(1.0), p_ball_radius)); FIX(116, _s232); FIX(117, lanes_neg(_s232));
         FIX(118, _s235); FIX(119, lanes_neg(_s235)); FIX(120, _s240); FIX(121, lanes_neg(_s240));
         FIX(122, _s245); FIX(123, lanes_neg(_s245)); FIX(124, _s248); FIX(125, lanes_neg(_s248));
@@ -1633,7 +1640,7 @@ LANES_APART void LOOP(leaves)(LOOP(worklist) *worklist, size_t in_contact_leaves
         EACH(GET_MASK, _beside_1, beside)
         const M _if_beside_1 = lanes_both(rows, beside);
         if (lanes_any(_if_beside_1)) {
-            CALL(court_ring_beside, _ring_beside_1)(x, y, z, vx, vy, vz, FIXED(6), FIXED(7), FIXED(8), FIXED(40), FIXED(135));
+            CALL(court_ring_beside, _ring_beside_1)(x, y, z, vx, vy, vz, FIXED(6), FIXED(7), FIXED(8), FIXED(41), FIXED(135));
             EACH(GET, _ring_beside_1, gap, nearing, gap_curvature)
             CALL(court_neighbour_free_time, _neighbour_free_time_1)(vx, vy, vz, gap, free_time, nearing, gap_curvature, FIXED(21), FIXED(163));
             EACH(SELECT, (_if_beside_1, _neighbour_free_time_1), free_time)
@@ -1981,7 +1988,7 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
             EACH(GET_MASK, _beside_1, beside)
             const M _if_beside_1 = lanes_both(active, beside);
             if (lanes_any(_if_beside_1)) {
-                CALL(court_ring_beside, _ring_beside_1)(x, y, z, vx, vy, vz, FIXED(6), FIXED(7), FIXED(8), FIXED(40), FIXED(135));
+                CALL(court_ring_beside, _ring_beside_1)(x, y, z, vx, vy, vz, FIXED(6), FIXED(7), FIXED(8), FIXED(41), FIXED(135));
                 EACH(GET, _ring_beside_1, gap, nearing, gap_curvature)
                 CALL(court_beside_body, _beside_body_1)(x, y, z, gap, K(0.0), which, OR_ZERO(earliest_delay), OR_INFINITE(undecided_time), OR_ZERO(position_error), nearing, gap_curvature, stride, strongest, fastest, FIXED(6), FIXED(113));
                 EACH(SELECT, (_if_beside_1, _beside_body_1), stride, which)
@@ -2856,9 +2863,9 @@ LANES_APART void LOOP(fix_rows_7)(LOOP(worklist) *worklist, size_t i)
         FIX(20, lanes_div(K(1.0), p_gravity));
 #endif
         FIX(21, p_gravity); FIX(22, lanes_mul(K(2.0), p_gravity));
-        FIX(33, lanes_mul(K(0.5), p_gravity));
+        FIX(34, lanes_mul(K(0.5), p_gravity));
 #if BOUNDED
-        FIX(36, lanes_mul(K(4.0), p_gravity)); FIX(109, lanes_div(K(1.0), _s45));
+        FIX(37, lanes_mul(K(4.0), p_gravity)); FIX(109, lanes_div(K(1.0), _s45));
 #else
         FIX(109, lanes_div(K(1.0), lanes_add(p_ball_radius, p_wire_radius)));
 #endif
@@ -3051,7 +3058,7 @@ LANES_APART void LOOP(fix_rows_9)(LOOP(worklist) *worklist, size_t i)
 {
     EACH(PARAMETER, , p_gravity)
     {
-        FIX(21, p_gravity); FIX(53, lanes_abs(K(0.0)));
+        FIX(21, p_gravity); FIX(54, lanes_abs(K(0.0)));
 #endif
     }
 }
@@ -3178,8 +3185,8 @@ static size_t LOOP(launch)(LOOP(worklist) *worklist, const court_job *job, size_
         CALL(court_within_time, _within_time_1)(time, when, OR_ZERO(delay), OR_ZERO(earliest_delay), arrives);
         EACH(GET_MASK, _within_time_1, possible)
 #if BOUNDED
-        CALL(court_graze_undecided, _graze_undecided_1)(margin, apex, height, undecided_time);
-        EACH(SET, _graze_undecided_1, undecided_time)
+        CALL(court_apex_undecided, _apex_undecided_1)(margin, apex, height, undecided_time);
+        EACH(SET, _apex_undecided_1, undecided_time)
 #endif
         const M _if_possible_1 = possible;
         {
@@ -3192,6 +3199,10 @@ static size_t LOOP(launch)(LOOP(worklist) *worklist, const court_job *job, size_
             CALL(court_earliest, _earliest_1)(K(3.0), time, when, which, arrives);
             EACH(SELECT, (_if_possible_1, _earliest_1), when, which)
         }
+#if BOUNDED
+        CALL(court_plane_start, _plane_start_1)(undecided_time, position_error, velocity_error, FIXED(27));
+        EACH(SET, _plane_start_1, undecided_time)
+#endif
         CALL(court_horizon, _horizon_1)(when, speed, FIXED(20));
         V until = _horizon_1.horizon;
         CALL(court_missed, _missed_1)();
@@ -3204,7 +3215,7 @@ static size_t LOOP(launch)(LOOP(worklist) *worklist, const court_job *job, size_
         EACH(GET_MASK, _ring_drops_through_1, unproved)
         const M _if_unproved_1 = unproved;
         if (lanes_any(_if_unproved_1)) {
-            CALL(court_ring_clear, _ring_clear_1)(until, x, y, z, vx, vy, vz, extent, speed, OR_ZERO(position_error), OR_ZERO(velocity_error), FIXED(7), FIXED(21), FIXED(27), FIXED(28), FIXED(29), FIXED(30), FIXED(31), FIXED(32), FIXED(22), FIXED(20), FIXED(33), FIXED(14), FIXED(34), FIXED(35), FIXED(36), FIXED(37), FIXED(38), FIXED(39), FIXED(40), FIXED(41));
+            CALL(court_ring_clear, _ring_clear_1)(until, x, y, z, vx, vy, vz, extent, speed, OR_ZERO(position_error), OR_ZERO(velocity_error), FIXED(7), FIXED(21), FIXED(28), FIXED(29), FIXED(30), FIXED(31), FIXED(32), FIXED(33), FIXED(22), FIXED(20), FIXED(34), FIXED(14), FIXED(35), FIXED(36), FIXED(37), FIXED(38), FIXED(39), FIXED(40), FIXED(41), FIXED(42));
             EACH(SELECT, (_if_unproved_1, _ring_clear_1), clear)
         }
         CALL(court_opens_in_flight, _opens_in_flight_1)(clear, in_contact);
@@ -3213,11 +3224,11 @@ static size_t LOOP(launch)(LOOP(worklist) *worklist, const court_job *job, size_
         CALL(court_horizon, _horizon_2)(when, speed, FIXED(20));
         until = _horizon_2.horizon;
         EACH(GET, _horizon_2, pad)
-        CALL(court_half_flight_boxes, _half_flight_boxes_1)(until, x, y, z, vx, vy, vz, extent, speed, OR_ZERO(position_error), OR_ZERO(velocity_error), OR_ZERO(earliest_delay), pad, FIXED(21), FIXED(53), FIXED(33), FIXED(54));
+        CALL(court_half_flight_boxes, _half_flight_boxes_1)(until, x, y, z, vx, vy, vz, extent, speed, OR_ZERO(position_error), OR_ZERO(velocity_error), OR_ZERO(earliest_delay), pad, FIXED(21), FIXED(54), FIXED(34), FIXED(55));
         EACH(GET, _half_flight_boxes_1, middle_x, reach_x, later_middle_x, later_reach_x, middle_y)
         EACH(GET, _half_flight_boxes_1, reach_y, later_middle_y, later_reach_y, middle_z, reach_z)
         EACH(GET, _half_flight_boxes_1, later_middle_z, later_reach_z)
-        CALL(court_backboard_near, _backboard_near_1)(middle_x, middle_y, middle_z, reach_x, reach_y, reach_z, later_middle_x, later_middle_y, later_middle_z, later_reach_x, later_reach_y, later_reach_z, FIXED(55), FIXED(2), FIXED(56), FIXED(57), FIXED(58), FIXED(59));
+        CALL(court_backboard_near, _backboard_near_1)(middle_x, middle_y, middle_z, reach_x, reach_y, reach_z, later_middle_x, later_middle_y, later_middle_z, later_reach_x, later_reach_y, later_reach_z, FIXED(56), FIXED(2), FIXED(57), FIXED(58), FIXED(59), FIXED(60));
         M reachable = _backboard_near_1.near;
         CALL(court_reachable_in_flight, _reachable_in_flight_1)(reachable, in_contact);
         EACH(SET, _reachable_in_flight_1, reachable)
@@ -3225,11 +3236,11 @@ static size_t LOOP(launch)(LOOP(worklist) *worklist, const court_job *job, size_
         CALL(court_horizon, _horizon_3)(when, speed, FIXED(20));
         until = _horizon_3.horizon;
         EACH(SET, _horizon_3, pad)
-        CALL(court_half_flight_boxes, _half_flight_boxes_2)(until, x, y, z, vx, vy, vz, extent, speed, OR_ZERO(position_error), OR_ZERO(velocity_error), OR_ZERO(earliest_delay), pad, FIXED(21), FIXED(53), FIXED(33), FIXED(54));
+        CALL(court_half_flight_boxes, _half_flight_boxes_2)(until, x, y, z, vx, vy, vz, extent, speed, OR_ZERO(position_error), OR_ZERO(velocity_error), OR_ZERO(earliest_delay), pad, FIXED(21), FIXED(54), FIXED(34), FIXED(55));
         EACH(SET, _half_flight_boxes_2, middle_x, reach_x, later_middle_x, later_reach_x, middle_y)
         EACH(SET, _half_flight_boxes_2, reach_y, later_middle_y, later_reach_y, middle_z, reach_z)
         EACH(SET, _half_flight_boxes_2, later_middle_z, later_reach_z)
-        CALL(court_bridge_near, _bridge_near_1)(middle_x, middle_y, middle_z, reach_x, reach_y, reach_z, later_middle_x, later_middle_y, later_middle_z, later_reach_x, later_reach_y, later_reach_z, FIXED(55), FIXED(4), FIXED(85), FIXED(86), FIXED(87), FIXED(88));
+        CALL(court_bridge_near, _bridge_near_1)(middle_x, middle_y, middle_z, reach_x, reach_y, reach_z, later_middle_x, later_middle_y, later_middle_z, later_reach_x, later_reach_y, later_reach_z, FIXED(56), FIXED(4), FIXED(85), FIXED(86), FIXED(87), FIXED(88));
         reachable = _bridge_near_1.near;
         CALL(court_reachable_in_flight, _reachable_in_flight_2)(reachable, in_contact);
         EACH(SET, _reachable_in_flight_2, reachable)
@@ -3259,14 +3270,14 @@ static size_t LOOP(launch)(LOOP(worklist) *worklist, const court_job *job, size_
         const M _if_moves_1 = moves;
         if (lanes_any(_if_moves_1)) {
 #if BOUNDED
-            CALL(court_passing_undecided, _passing_undecided_1)(when, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, FIXED(7), FIXED(21), FIXED(33), FIXED(20), FIXED(22), FIXED(36), FIXED(165));
+            CALL(court_passing_undecided, _passing_undecided_1)(when, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, FIXED(7), FIXED(21), FIXED(34), FIXED(20), FIXED(22), FIXED(37), FIXED(165));
             EACH(GET_MASK, _passing_undecided_1, undecided)
             CALL(court_undecided, _undecided_1)(uncertain, undecided);
             EACH(SELECT, (_if_moves_1, _undecided_1), uncertain)
 #endif
-            CALL(court_passing, _passing_1)(through, when, x, y, z, vx, vy, vz, FIXED(21), FIXED(33), FIXED(22), FIXED(20), FIXED(19));
+            CALL(court_passing, _passing_1)(through, when, x, y, z, vx, vy, vz, FIXED(21), FIXED(34), FIXED(22), FIXED(20), FIXED(19));
             EACH(SELECT, (_if_moves_1, _passing_1), through)
-            CALL(court_flight, _flight_1)(when, x, y, z, vx, vy, vz, FIXED(21), FIXED(33));
+            CALL(court_flight, _flight_1)(when, x, y, z, vx, vy, vz, FIXED(21), FIXED(34));
             EACH(SELECT, (_if_moves_1, _flight_1), x, y, z, vx, vy, vz)
             CALL(court_event_clock, _event_clock_1)(when, clock);
             EACH(SELECT, (_if_moves_1, _event_clock_1), clock)
@@ -3483,8 +3494,8 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             CALL(court_within_time, _within_time_1)(time, when, OR_ZERO(delay), OR_ZERO(earliest_delay), arrives);
             EACH(GET_MASK, _within_time_1, possible)
 #if BOUNDED
-            CALL(court_graze_undecided, _graze_undecided_1)(margin, apex, height, undecided_time);
-            EACH(SET, _graze_undecided_1, undecided_time)
+            CALL(court_apex_undecided, _apex_undecided_1)(margin, apex, height, undecided_time);
+            EACH(SET, _apex_undecided_1, undecided_time)
 #endif
             const M _if_possible_1 = lanes_both(rows, possible);
             {
@@ -3497,10 +3508,14 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                 CALL(court_earliest, _earliest_1)(K(3.0), time, when, which, arrives);
                 EACH(SELECT, (_if_possible_1, _earliest_1), when, which)
             }
+#if BOUNDED
+            CALL(court_plane_start, _plane_start_1)(undecided_time, position_error, velocity_error, FIXED(27));
+            EACH(SET, _plane_start_1, undecided_time)
+#endif
             CALL(court_horizon, _horizon_1)(when, speed, FIXED(20));
             V until = _horizon_1.horizon;
             BOUNDS(EACH(GET, _horizon_1, pad))
-            CALL(court_ring_clear, _ring_clear_1)(until, x, y, z, vx, vy, vz, extent, speed, OR_ZERO(position_error), OR_ZERO(velocity_error), FIXED(7), FIXED(21), FIXED(27), FIXED(28), FIXED(29), FIXED(30), FIXED(31), FIXED(32), FIXED(22), FIXED(20), FIXED(33), FIXED(14), FIXED(34), FIXED(35), FIXED(36), FIXED(37), FIXED(38), FIXED(39), FIXED(40), FIXED(41));
+            CALL(court_ring_clear, _ring_clear_1)(until, x, y, z, vx, vy, vz, extent, speed, OR_ZERO(position_error), OR_ZERO(velocity_error), FIXED(7), FIXED(21), FIXED(28), FIXED(29), FIXED(30), FIXED(31), FIXED(32), FIXED(33), FIXED(22), FIXED(20), FIXED(34), FIXED(14), FIXED(35), FIXED(36), FIXED(37), FIXED(38), FIXED(39), FIXED(40), FIXED(41), FIXED(42));
             EACH(GET, _ring_clear_1, clear)
             CALL(court_opens_in_flight, _opens_in_flight_1)(clear, in_contact);
             EACH(GET_MASK, _opens_in_flight_1, open)
@@ -3538,7 +3553,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                 BOUNDS(EACH(GET, _opened_1, latest))
                 CALL(court_ring_started, _ring_started_1)(x, y, z, vx, vy, vz, FIXED(7));
                 EACH(GET, _ring_started_1, rho_start, start_rate, rho_rate)
-                CALL(court_flight, _flight_1)(since, x, y, z, vx, vy, vz, FIXED(21), FIXED(33));
+                CALL(court_flight, _flight_1)(since, x, y, z, vx, vy, vz, FIXED(21), FIXED(34));
                 V near_x = _flight_1.x;
                 V near_y = _flight_1.y;
                 V near_z = _flight_1.z;
@@ -3575,9 +3590,9 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                 EACH(GET, _coarse_1, ceiling, flat, tilt)
 #if BOUNDED
                 EACH(GET, _coarse_1, allowing)
-                CALL(court_ring_coarse_excess, _ring_coarse_excess_1)(allowing, latest, extent, speed, position_error, velocity_error, FIXED(21), FIXED(30), FIXED(42), FIXED(43));
+                CALL(court_ring_coarse_excess, _ring_coarse_excess_1)(allowing, latest, extent, speed, position_error, velocity_error, FIXED(21), FIXED(31), FIXED(43), FIXED(44));
                 EACH(GET, _ring_coarse_excess_1, excess)
-                CALL(court_ring_budget_exceeded, _ring_budget_exceeded_1)(until, extent, speed, position_error, velocity_error, FIXED(27), FIXED(44), FIXED(20), FIXED(45), FIXED(28), FIXED(29));
+                CALL(court_ring_budget_exceeded, _ring_budget_exceeded_1)(until, extent, speed, position_error, velocity_error, FIXED(28), FIXED(45), FIXED(20), FIXED(46), FIXED(29), FIXED(30));
                 EACH(GET, _ring_budget_exceeded_1, budget_exceeded)
                 CALL(court_out_of_budget, _out_of_budget_1)(pad, budget_exceeded, earliest_delay, undecided_time, excess);
                 EACH(SELECT, (rows, _out_of_budget_1), undecided_time)
@@ -3731,16 +3746,16 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             EACH(LOAD, searching_, z)
             EACH(LOAD_MASK, searching_, certain)
             BOUNDS(EACH(LOAD, searching_, position_error, undecided_time, velocity_error))
-            CALL(court_ring_prepare, _ring_prepare_1)(until, x, y, z, vx, vy, vz, extent, speed, OR_ZERO(position_error), OR_ZERO(velocity_error), FIXED(36), FIXED(40), FIXED(30), FIXED(22), FIXED(20), FIXED(34), FIXED(38), FIXED(37), FIXED(46), FIXED(27), FIXED(44), FIXED(45), FIXED(28), FIXED(29));
+            CALL(court_ring_prepare, _ring_prepare_1)(until, x, y, z, vx, vy, vz, extent, speed, OR_ZERO(position_error), OR_ZERO(velocity_error), FIXED(37), FIXED(41), FIXED(31), FIXED(22), FIXED(20), FIXED(35), FIXED(39), FIXED(38), FIXED(47), FIXED(28), FIXED(45), FIXED(46), FIXED(29), FIXED(30));
             EACH(GET, _ring_prepare_1, energy2, moment2, rho_start, low0, high0, low1, high1, low2)
             EACH(GET, _ring_prepare_1, high2, ceiling, latest)
 #if BOUNDED
-            CALL(court_ring_excess, _ring_excess_1)(share, latest, extent, speed, position_error, velocity_error, FIXED(21), FIXED(30), FIXED(43));
+            CALL(court_ring_excess, _ring_excess_1)(share, latest, extent, speed, position_error, velocity_error, FIXED(21), FIXED(31), FIXED(44));
             EACH(GET, _ring_excess_1, excess)
 #endif
             CALL(court_allowance, _allowance_1)(share, latest, extent, speed, OR_ZERO(position_error), OR_ZERO(velocity_error), FIXED(21));
             EACH(GET, _allowance_1, position_level, velocity_level)
-            CALL(court_ring_margins, _ring_margins_1)(latest, extent, speed, position_level, velocity_level, FIXED(21), FIXED(30), FIXED(47), FIXED(48), FIXED(49), FIXED(43));
+            CALL(court_ring_margins, _ring_margins_1)(latest, extent, speed, position_level, velocity_level, FIXED(21), FIXED(31), FIXED(48), FIXED(49), FIXED(50), FIXED(44));
             V flat = _ring_margins_1.margin;
             V tilt = _ring_margins_1.leaving_margin;
             V rate_slack = _ring_margins_1.rate_margin;
@@ -3818,7 +3833,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                 M searching = active;
                 CALL(court_nearby, _nearby_1)(t, flat, tilt, K(0.0), last);
                 EACH(GET, _nearby_1, leaving, margin)
-                CALL(court_ring_advance, _ring_advance_1)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, energy2, moment2, rho_start, FIXED(7), FIXED(21), FIXED(33), FIXED(14), FIXED(50), FIXED(30), FIXED(51), FIXED(52));
+                CALL(court_ring_advance, _ring_advance_1)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, energy2, moment2, rho_start, FIXED(7), FIXED(21), FIXED(34), FIXED(14), FIXED(51), FIXED(31), FIXED(52), FIXED(53));
                 EACH(GET, _ring_advance_1, gap, rate, bend, step, next, clearance)
                 CALL(court_gap_closes, _gap_closes_1)(gap, rate, bend, margin, rate_slack, clearance, share);
                 EACH(GET_MASK, _gap_closes_1, hit, sure, needs_refinement)
@@ -3827,12 +3842,12 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                     CALL(court_smaller_budget, _smaller_budget_1)(share);
                     EACH(SELECT, (_if_needs_refinement_1, _smaller_budget_1), share)
 #if BOUNDED
-                    CALL(court_ring_excess, _ring_excess_1)(share, latest, extent, speed, position_error, velocity_error, FIXED(21), FIXED(30), FIXED(43));
+                    CALL(court_ring_excess, _ring_excess_1)(share, latest, extent, speed, position_error, velocity_error, FIXED(21), FIXED(31), FIXED(44));
                     EACH(GET, _ring_excess_1, excess)
 #endif
                     CALL(court_allowance, _allowance_1)(share, latest, extent, speed, OR_ZERO(position_error), OR_ZERO(velocity_error), FIXED(21));
                     EACH(GET, _allowance_1, position_level, velocity_level)
-                    CALL(court_ring_margins, _ring_margins_1)(latest, extent, speed, position_level, velocity_level, FIXED(21), FIXED(30), FIXED(47), FIXED(48), FIXED(49), FIXED(43));
+                    CALL(court_ring_margins, _ring_margins_1)(latest, extent, speed, position_level, velocity_level, FIXED(21), FIXED(31), FIXED(48), FIXED(49), FIXED(50), FIXED(44));
                     flat = lanes_select(_if_needs_refinement_1, _ring_margins_1.margin, flat);
                     tilt = lanes_select(_if_needs_refinement_1, _ring_margins_1.leaving_margin, tilt);
                     rate_slack = lanes_select(_if_needs_refinement_1, _ring_margins_1.rate_margin, rate_slack);
@@ -3907,7 +3922,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                 EACH(GET, _nearby_1, leaving)
                 const M _if_refining_1 = lanes_both(rows, refining);
                 if (LANES_USUAL(_if_refining_1)) {
-                    CALL(court_ring_refine, _ring_refine_1)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, FIXED(7), FIXED(21), FIXED(33), FIXED(14));
+                    CALL(court_ring_refine, _ring_refine_1)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, FIXED(7), FIXED(21), FIXED(34), FIXED(14));
                     V refined = _ring_refine_1.time;
                     EACH(GET, _ring_refine_1, gap)
 #if BOUNDED
@@ -3921,7 +3936,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                 }
                 const M _if_refining_2 = lanes_both(rows, refining);
                 if (LANES_USUAL(_if_refining_2)) {
-                    CALL(court_ring_refine, _ring_refine_2)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, FIXED(7), FIXED(21), FIXED(33), FIXED(14));
+                    CALL(court_ring_refine, _ring_refine_2)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, FIXED(7), FIXED(21), FIXED(34), FIXED(14));
                     V refined = _ring_refine_2.time;
                     EACH(GET, _ring_refine_2, gap)
 #if BOUNDED
@@ -3983,7 +3998,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                 if (busy == 0)
                     break;
                 M refining = active;
-                CALL(court_ring_refine, _ring_refine_1)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, FIXED(7), FIXED(21), FIXED(33), FIXED(14));
+                CALL(court_ring_refine, _ring_refine_1)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, FIXED(7), FIXED(21), FIXED(34), FIXED(14));
                 V refined = _ring_refine_1.time;
                 EACH(GET, _ring_refine_1, gap, rate)
                 CALL(court_refined_root, _refined_root_1)(gap, rate, ceiling, arrival, refined, certain);
@@ -4019,7 +4034,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                 EACH(LOAD, , ceiling, earliest_delay, extent, latest, leaving, position_error, rate)
                 EACH(LOAD, , speed, undecided_time, velocity_error)
                 EACH(LOAD_MASK, , certain)
-                CALL(court_ring_margins, _ring_margins_1)(latest, extent, speed, position_error, velocity_error, FIXED(21), FIXED(30), FIXED(47), FIXED(48), FIXED(49), FIXED(43));
+                CALL(court_ring_margins, _ring_margins_1)(latest, extent, speed, position_error, velocity_error, FIXED(21), FIXED(31), FIXED(48), FIXED(49), FIXED(50), FIXED(44));
                 V flat = _ring_margins_1.margin;
                 V tilt = _ring_margins_1.leaving_margin;
                 EACH(GET, _ring_margins_1, rate_margin)
@@ -4062,11 +4077,11 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             CALL(court_horizon, _horizon_1)(when, speed, FIXED(20));
             V until = _horizon_1.horizon;
             EACH(GET, _horizon_1, pad)
-            CALL(court_half_flight_boxes, _half_flight_boxes_1)(until, x, y, z, vx, vy, vz, extent, speed, OR_ZERO(position_error), OR_ZERO(velocity_error), OR_ZERO(earliest_delay), pad, FIXED(21), FIXED(53), FIXED(33), FIXED(54));
+            CALL(court_half_flight_boxes, _half_flight_boxes_1)(until, x, y, z, vx, vy, vz, extent, speed, OR_ZERO(position_error), OR_ZERO(velocity_error), OR_ZERO(earliest_delay), pad, FIXED(21), FIXED(54), FIXED(34), FIXED(55));
             EACH(GET, _half_flight_boxes_1, middle_x, reach_x, later_middle_x, later_reach_x)
             EACH(GET, _half_flight_boxes_1, middle_y, reach_y, later_middle_y, later_reach_y)
             EACH(GET, _half_flight_boxes_1, middle_z, reach_z, later_middle_z, later_reach_z)
-            CALL(court_backboard_near, _backboard_near_1)(middle_x, middle_y, middle_z, reach_x, reach_y, reach_z, later_middle_x, later_middle_y, later_middle_z, later_reach_x, later_reach_y, later_reach_z, FIXED(55), FIXED(2), FIXED(56), FIXED(57), FIXED(58), FIXED(59));
+            CALL(court_backboard_near, _backboard_near_1)(middle_x, middle_y, middle_z, reach_x, reach_y, reach_z, later_middle_x, later_middle_y, later_middle_z, later_reach_x, later_reach_y, later_reach_z, FIXED(56), FIXED(2), FIXED(57), FIXED(58), FIXED(59), FIXED(60));
             M reachable = _backboard_near_1.near;
             CALL(court_reachable_in_flight, _reachable_in_flight_1)(reachable, in_contact);
             EACH(SET, _reachable_in_flight_1, reachable)
@@ -4105,7 +4120,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             CALL(court_horizon, _horizon_1)(when, speed, FIXED(20));
             V until = _horizon_1.horizon;
             BOUNDS(EACH(GET, _horizon_1, pad))
-            CALL(court_backboard_prepare, _backboard_prepare_1)(until, x, y, z, vx, vy, vz, extent, speed, OR_ZERO(position_error), OR_ZERO(velocity_error), FIXED(21), FIXED(60), FIXED(61), FIXED(62), FIXED(63), FIXED(64), FIXED(65), FIXED(66), FIXED(22), FIXED(20), FIXED(67), FIXED(44), FIXED(68), FIXED(69), FIXED(70));
+            CALL(court_backboard_prepare, _backboard_prepare_1)(until, x, y, z, vx, vy, vz, extent, speed, OR_ZERO(position_error), OR_ZERO(velocity_error), FIXED(21), FIXED(61), FIXED(62), FIXED(63), FIXED(64), FIXED(65), FIXED(66), FIXED(67), FIXED(22), FIXED(20), FIXED(68), FIXED(45), FIXED(69), FIXED(70), FIXED(71));
             EACH(GET, _backboard_prepare_1, low0, high0, low1, high1, ceiling, latest)
             BOUNDS(EACH(GET, _backboard_prepare_1, budget_exceeded))
             CALL(court_beginning, _beginning_1)();
@@ -4114,7 +4129,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             CALL(court_allowance, _allowance_1)(share, latest, extent, speed, OR_ZERO(position_error), OR_ZERO(velocity_error), FIXED(21));
             EACH(GET, _allowance_1, position_level, velocity_level)
             BOUNDS(EACH(GET, _allowance_1, excess))
-            CALL(court_backboard_margins, _backboard_margins_1)(latest, extent, speed, position_level, velocity_level, FIXED(21), FIXED(71), FIXED(72), FIXED(73), FIXED(74), FIXED(75), FIXED(76), FIXED(77), FIXED(78), FIXED(79), FIXED(80), FIXED(81));
+            CALL(court_backboard_margins, _backboard_margins_1)(latest, extent, speed, position_level, velocity_level, FIXED(21), FIXED(72), FIXED(73), FIXED(74), FIXED(75), FIXED(76), FIXED(77), FIXED(78), FIXED(79), FIXED(80), FIXED(81), FIXED(82));
             V flat = _backboard_margins_1.margin;
             V tilt = _backboard_margins_1.leaving_margin;
             V rate_slack = _backboard_margins_1.rate_margin;
@@ -4129,7 +4144,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             if (lanes_any(_if_searching_1)) {
                 CALL(court_nearby, _nearby_1)(t, flat, tilt, K(1.0), last);
                 EACH(GET, _nearby_1, leaving, margin)
-                CALL(court_backboard_advance, _backboard_advance_1)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, FIXED(9), FIXED(10), FIXED(11), FIXED(12), FIXED(21), FIXED(15), FIXED(33), FIXED(82), FIXED(83), FIXED(72), FIXED(84));
+                CALL(court_backboard_advance, _backboard_advance_1)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, FIXED(9), FIXED(10), FIXED(11), FIXED(12), FIXED(21), FIXED(15), FIXED(34), FIXED(83), FIXED(84), FIXED(73), FIXED(27));
                 EACH(GET, _backboard_advance_1, gap, rate, bend, step, next, clearance)
                 CALL(court_gap_closes_or_stalls, _gap_closes_or_stalls_1)(t, end, gap, rate, bend, margin, rate_slack, next, clearance, share);
                 EACH(GET_MASK, _gap_closes_or_stalls_1, hit, sure, needs_refinement)
@@ -4140,7 +4155,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                     CALL(court_allowance, _allowance_2)(share, latest, extent, speed, OR_ZERO(position_error), OR_ZERO(velocity_error), FIXED(21));
                     EACH(GET, _allowance_2, position_level, velocity_level)
                     BOUNDS(EACH(GET, _allowance_2, excess))
-                    CALL(court_backboard_margins, _backboard_margins_2)(latest, extent, speed, position_level, velocity_level, FIXED(21), FIXED(71), FIXED(72), FIXED(73), FIXED(74), FIXED(75), FIXED(76), FIXED(77), FIXED(78), FIXED(79), FIXED(80), FIXED(81));
+                    CALL(court_backboard_margins, _backboard_margins_2)(latest, extent, speed, position_level, velocity_level, FIXED(21), FIXED(72), FIXED(73), FIXED(74), FIXED(75), FIXED(76), FIXED(77), FIXED(78), FIXED(79), FIXED(80), FIXED(81), FIXED(82));
                     flat = lanes_select(_if_needs_refinement_1, _backboard_margins_2.margin, flat);
                     tilt = lanes_select(_if_needs_refinement_1, _backboard_margins_2.leaving_margin, tilt);
                     rate_slack = lanes_select(_if_needs_refinement_1, _backboard_margins_2.rate_margin, rate_slack);
@@ -4226,7 +4241,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                 M searching = active;
                 CALL(court_nearby, _nearby_1)(t, flat, tilt, K(1.0), last);
                 EACH(GET, _nearby_1, leaving, margin)
-                CALL(court_backboard_advance, _backboard_advance_1)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, FIXED(9), FIXED(10), FIXED(11), FIXED(12), FIXED(21), FIXED(15), FIXED(33), FIXED(82), FIXED(83), FIXED(72), FIXED(84));
+                CALL(court_backboard_advance, _backboard_advance_1)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, FIXED(9), FIXED(10), FIXED(11), FIXED(12), FIXED(21), FIXED(15), FIXED(34), FIXED(83), FIXED(84), FIXED(73), FIXED(27));
                 EACH(GET, _backboard_advance_1, gap, rate, bend, step, next, clearance)
                 CALL(court_gap_closes_or_stalls, _gap_closes_or_stalls_1)(t, end, gap, rate, bend, margin, rate_slack, next, clearance, share);
                 EACH(GET_MASK, _gap_closes_or_stalls_1, hit, sure, needs_refinement)
@@ -4237,7 +4252,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                     CALL(court_allowance, _allowance_1)(share, latest, extent, speed, OR_ZERO(position_error), OR_ZERO(velocity_error), FIXED(21));
                     EACH(GET, _allowance_1, position_level, velocity_level)
                     BOUNDS(EACH(GET, _allowance_1, excess))
-                    CALL(court_backboard_margins, _backboard_margins_1)(latest, extent, speed, position_level, velocity_level, FIXED(21), FIXED(71), FIXED(72), FIXED(73), FIXED(74), FIXED(75), FIXED(76), FIXED(77), FIXED(78), FIXED(79), FIXED(80), FIXED(81));
+                    CALL(court_backboard_margins, _backboard_margins_1)(latest, extent, speed, position_level, velocity_level, FIXED(21), FIXED(72), FIXED(73), FIXED(74), FIXED(75), FIXED(76), FIXED(77), FIXED(78), FIXED(79), FIXED(80), FIXED(81), FIXED(82));
                     flat = lanes_select(_if_needs_refinement_1, _backboard_margins_1.margin, flat);
                     tilt = lanes_select(_if_needs_refinement_1, _backboard_margins_1.leaving_margin, tilt);
                     rate_slack = lanes_select(_if_needs_refinement_1, _backboard_margins_1.rate_margin, rate_slack);
@@ -4302,7 +4317,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             EACH(GET, _nearby_1, leaving)
             const M _if_refining_1 = lanes_both(rows, refining);
             if (lanes_any(_if_refining_1)) {
-                CALL(court_backboard_refine, _backboard_refine_1)(arrival, leaving, x, y, z, vx, vy, vz, FIXED(9), FIXED(10), FIXED(11), FIXED(12), FIXED(21), FIXED(15), FIXED(33), FIXED(82));
+                CALL(court_backboard_refine, _backboard_refine_1)(arrival, leaving, x, y, z, vx, vy, vz, FIXED(9), FIXED(10), FIXED(11), FIXED(12), FIXED(21), FIXED(15), FIXED(34), FIXED(83));
                 V refined = _backboard_refine_1.time;
                 EACH(GET, _backboard_refine_1, gap)
 #if BOUNDED
@@ -4316,7 +4331,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             }
             const M _if_refining_2 = lanes_both(rows, refining);
             if (lanes_any(_if_refining_2)) {
-                CALL(court_backboard_refine, _backboard_refine_2)(arrival, leaving, x, y, z, vx, vy, vz, FIXED(9), FIXED(10), FIXED(11), FIXED(12), FIXED(21), FIXED(15), FIXED(33), FIXED(82));
+                CALL(court_backboard_refine, _backboard_refine_2)(arrival, leaving, x, y, z, vx, vy, vz, FIXED(9), FIXED(10), FIXED(11), FIXED(12), FIXED(21), FIXED(15), FIXED(34), FIXED(83));
                 V refined = _backboard_refine_2.time;
                 EACH(GET, _backboard_refine_2, gap)
 #if BOUNDED
@@ -4377,7 +4392,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                 if (busy == 0)
                     break;
                 M refining = active;
-                CALL(court_backboard_refine, _backboard_refine_1)(arrival, leaving, x, y, z, vx, vy, vz, FIXED(9), FIXED(10), FIXED(11), FIXED(12), FIXED(21), FIXED(15), FIXED(33), FIXED(82));
+                CALL(court_backboard_refine, _backboard_refine_1)(arrival, leaving, x, y, z, vx, vy, vz, FIXED(9), FIXED(10), FIXED(11), FIXED(12), FIXED(21), FIXED(15), FIXED(34), FIXED(83));
                 V refined = _backboard_refine_1.time;
                 EACH(GET, _backboard_refine_1, gap, rate)
                 CALL(court_refined_root, _refined_root_1)(gap, rate, ceiling, arrival, refined, certain);
@@ -4411,7 +4426,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             EACH(LOAD, reachable_, ceiling, earliest_delay, extent, latest, leaving, position_error)
             EACH(LOAD, reachable_, rate, speed, undecided_time, velocity_error)
             EACH(LOAD_MASK, reachable_, certain)
-            CALL(court_backboard_margins, _backboard_margins_1)(latest, extent, speed, position_error, velocity_error, FIXED(21), FIXED(71), FIXED(72), FIXED(73), FIXED(74), FIXED(75), FIXED(76), FIXED(77), FIXED(78), FIXED(79), FIXED(80), FIXED(81));
+            CALL(court_backboard_margins, _backboard_margins_1)(latest, extent, speed, position_error, velocity_error, FIXED(21), FIXED(72), FIXED(73), FIXED(74), FIXED(75), FIXED(76), FIXED(77), FIXED(78), FIXED(79), FIXED(80), FIXED(81), FIXED(82));
             V flat = _backboard_margins_1.margin;
             V tilt = _backboard_margins_1.leaving_margin;
             EACH(GET, _backboard_margins_1, rate_margin)
@@ -4457,11 +4472,11 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             CALL(court_horizon, _horizon_1)(when, speed, FIXED(20));
             V until = _horizon_1.horizon;
             EACH(GET, _horizon_1, pad)
-            CALL(court_half_flight_boxes, _half_flight_boxes_1)(until, x, y, z, vx, vy, vz, extent, speed, OR_ZERO(position_error), OR_ZERO(velocity_error), OR_ZERO(earliest_delay), pad, FIXED(21), FIXED(53), FIXED(33), FIXED(54));
+            CALL(court_half_flight_boxes, _half_flight_boxes_1)(until, x, y, z, vx, vy, vz, extent, speed, OR_ZERO(position_error), OR_ZERO(velocity_error), OR_ZERO(earliest_delay), pad, FIXED(21), FIXED(54), FIXED(34), FIXED(55));
             EACH(GET, _half_flight_boxes_1, middle_x, reach_x, later_middle_x, later_reach_x)
             EACH(GET, _half_flight_boxes_1, middle_y, reach_y, later_middle_y, later_reach_y)
             EACH(GET, _half_flight_boxes_1, middle_z, reach_z, later_middle_z, later_reach_z)
-            CALL(court_bridge_near, _bridge_near_1)(middle_x, middle_y, middle_z, reach_x, reach_y, reach_z, later_middle_x, later_middle_y, later_middle_z, later_reach_x, later_reach_y, later_reach_z, FIXED(55), FIXED(4), FIXED(85), FIXED(86), FIXED(87), FIXED(88));
+            CALL(court_bridge_near, _bridge_near_1)(middle_x, middle_y, middle_z, reach_x, reach_y, reach_z, later_middle_x, later_middle_y, later_middle_z, later_reach_x, later_reach_y, later_reach_z, FIXED(56), FIXED(4), FIXED(85), FIXED(86), FIXED(87), FIXED(88));
             M reachable = _bridge_near_1.near;
             CALL(court_reachable_in_flight, _reachable_in_flight_1)(reachable, in_contact);
             EACH(SET, _reachable_in_flight_1, reachable)
@@ -4505,7 +4520,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             CALL(court_horizon, _horizon_1)(when, speed, FIXED(20));
             V until = _horizon_1.horizon;
             BOUNDS(EACH(GET, _horizon_1, pad))
-            CALL(court_bridge_prepare, _bridge_prepare_1)(until, x, y, z, vx, vy, vz, extent, speed, OR_ZERO(position_error), OR_ZERO(velocity_error), FIXED(8), FIXED(21), FIXED(89), FIXED(90), FIXED(91), FIXED(92), FIXED(93), FIXED(94), FIXED(22), FIXED(20), FIXED(95), FIXED(44), FIXED(96), FIXED(97), FIXED(98));
+            CALL(court_bridge_prepare, _bridge_prepare_1)(until, x, y, z, vx, vy, vz, extent, speed, OR_ZERO(position_error), OR_ZERO(velocity_error), FIXED(8), FIXED(21), FIXED(89), FIXED(90), FIXED(91), FIXED(92), FIXED(93), FIXED(94), FIXED(22), FIXED(20), FIXED(95), FIXED(45), FIXED(96), FIXED(97), FIXED(98));
             EACH(GET, _bridge_prepare_1, low0, high0, low1, high1, ceiling, latest)
             BOUNDS(EACH(GET, _bridge_prepare_1, budget_exceeded))
             CALL(court_beginning, _beginning_1)();
@@ -4514,7 +4529,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             CALL(court_allowance, _allowance_1)(share, latest, extent, speed, OR_ZERO(position_error), OR_ZERO(velocity_error), FIXED(21));
             EACH(GET, _allowance_1, position_level, velocity_level)
             BOUNDS(EACH(GET, _allowance_1, excess))
-            CALL(court_bridge_margins, _bridge_margins_1)(latest, extent, speed, position_level, velocity_level, FIXED(21), FIXED(71), FIXED(99), FIXED(100), FIXED(101), FIXED(102), FIXED(103), FIXED(104), FIXED(105), FIXED(106), FIXED(107), FIXED(108));
+            CALL(court_bridge_margins, _bridge_margins_1)(latest, extent, speed, position_level, velocity_level, FIXED(21), FIXED(72), FIXED(99), FIXED(100), FIXED(101), FIXED(102), FIXED(103), FIXED(104), FIXED(105), FIXED(106), FIXED(107), FIXED(108));
             V flat = _bridge_margins_1.margin;
             V tilt = _bridge_margins_1.leaving_margin;
             V rate_slack = _bridge_margins_1.rate_margin;
@@ -4529,7 +4544,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             if (lanes_any(_if_searching_1)) {
                 CALL(court_nearby, _nearby_1)(t, flat, tilt, K(2.0), last);
                 EACH(GET, _nearby_1, leaving, margin)
-                CALL(court_bridge_advance, _bridge_advance_1)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, FIXED(7), FIXED(8), FIXED(9), FIXED(13), FIXED(21), FIXED(16), FIXED(33), FIXED(82), FIXED(83), FIXED(99), FIXED(84));
+                CALL(court_bridge_advance, _bridge_advance_1)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, FIXED(7), FIXED(8), FIXED(9), FIXED(13), FIXED(21), FIXED(16), FIXED(34), FIXED(83), FIXED(84), FIXED(99), FIXED(27));
                 EACH(GET, _bridge_advance_1, gap, rate, bend, step, next, clearance)
                 CALL(court_gap_closes_or_stalls, _gap_closes_or_stalls_1)(t, end, gap, rate, bend, margin, rate_slack, next, clearance, share);
                 EACH(GET_MASK, _gap_closes_or_stalls_1, hit, sure, needs_refinement)
@@ -4540,7 +4555,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                     CALL(court_allowance, _allowance_2)(share, latest, extent, speed, OR_ZERO(position_error), OR_ZERO(velocity_error), FIXED(21));
                     EACH(GET, _allowance_2, position_level, velocity_level)
                     BOUNDS(EACH(GET, _allowance_2, excess))
-                    CALL(court_bridge_margins, _bridge_margins_2)(latest, extent, speed, position_level, velocity_level, FIXED(21), FIXED(71), FIXED(99), FIXED(100), FIXED(101), FIXED(102), FIXED(103), FIXED(104), FIXED(105), FIXED(106), FIXED(107), FIXED(108));
+                    CALL(court_bridge_margins, _bridge_margins_2)(latest, extent, speed, position_level, velocity_level, FIXED(21), FIXED(72), FIXED(99), FIXED(100), FIXED(101), FIXED(102), FIXED(103), FIXED(104), FIXED(105), FIXED(106), FIXED(107), FIXED(108));
                     flat = lanes_select(_if_needs_refinement_1, _bridge_margins_2.margin, flat);
                     tilt = lanes_select(_if_needs_refinement_1, _bridge_margins_2.leaving_margin, tilt);
                     rate_slack = lanes_select(_if_needs_refinement_1, _bridge_margins_2.rate_margin, rate_slack);
@@ -4626,7 +4641,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                 M searching = active;
                 CALL(court_nearby, _nearby_1)(t, flat, tilt, K(2.0), last);
                 EACH(GET, _nearby_1, leaving, margin)
-                CALL(court_bridge_advance, _bridge_advance_1)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, FIXED(7), FIXED(8), FIXED(9), FIXED(13), FIXED(21), FIXED(16), FIXED(33), FIXED(82), FIXED(83), FIXED(99), FIXED(84));
+                CALL(court_bridge_advance, _bridge_advance_1)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, FIXED(7), FIXED(8), FIXED(9), FIXED(13), FIXED(21), FIXED(16), FIXED(34), FIXED(83), FIXED(84), FIXED(99), FIXED(27));
                 EACH(GET, _bridge_advance_1, gap, rate, bend, step, next, clearance)
                 CALL(court_gap_closes_or_stalls, _gap_closes_or_stalls_1)(t, end, gap, rate, bend, margin, rate_slack, next, clearance, share);
                 EACH(GET_MASK, _gap_closes_or_stalls_1, hit, sure, needs_refinement)
@@ -4637,7 +4652,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                     CALL(court_allowance, _allowance_1)(share, latest, extent, speed, OR_ZERO(position_error), OR_ZERO(velocity_error), FIXED(21));
                     EACH(GET, _allowance_1, position_level, velocity_level)
                     BOUNDS(EACH(GET, _allowance_1, excess))
-                    CALL(court_bridge_margins, _bridge_margins_1)(latest, extent, speed, position_level, velocity_level, FIXED(21), FIXED(71), FIXED(99), FIXED(100), FIXED(101), FIXED(102), FIXED(103), FIXED(104), FIXED(105), FIXED(106), FIXED(107), FIXED(108));
+                    CALL(court_bridge_margins, _bridge_margins_1)(latest, extent, speed, position_level, velocity_level, FIXED(21), FIXED(72), FIXED(99), FIXED(100), FIXED(101), FIXED(102), FIXED(103), FIXED(104), FIXED(105), FIXED(106), FIXED(107), FIXED(108));
                     flat = lanes_select(_if_needs_refinement_1, _bridge_margins_1.margin, flat);
                     tilt = lanes_select(_if_needs_refinement_1, _bridge_margins_1.leaving_margin, tilt);
                     rate_slack = lanes_select(_if_needs_refinement_1, _bridge_margins_1.rate_margin, rate_slack);
@@ -4706,7 +4721,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             EACH(GET, _nearby_1, leaving)
             const M _if_refining_1 = lanes_both(rows, refining);
             if (lanes_any(_if_refining_1)) {
-                CALL(court_bridge_refine, _bridge_refine_1)(arrival, leaving, x, y, z, vx, vy, vz, FIXED(7), FIXED(8), FIXED(9), FIXED(13), FIXED(21), FIXED(33), FIXED(16), FIXED(82));
+                CALL(court_bridge_refine, _bridge_refine_1)(arrival, leaving, x, y, z, vx, vy, vz, FIXED(7), FIXED(8), FIXED(9), FIXED(13), FIXED(21), FIXED(34), FIXED(16), FIXED(83));
                 V refined = _bridge_refine_1.time;
                 EACH(GET, _bridge_refine_1, gap)
 #if BOUNDED
@@ -4720,7 +4735,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             }
             const M _if_refining_2 = lanes_both(rows, refining);
             if (lanes_any(_if_refining_2)) {
-                CALL(court_bridge_refine, _bridge_refine_2)(arrival, leaving, x, y, z, vx, vy, vz, FIXED(7), FIXED(8), FIXED(9), FIXED(13), FIXED(21), FIXED(33), FIXED(16), FIXED(82));
+                CALL(court_bridge_refine, _bridge_refine_2)(arrival, leaving, x, y, z, vx, vy, vz, FIXED(7), FIXED(8), FIXED(9), FIXED(13), FIXED(21), FIXED(34), FIXED(16), FIXED(83));
                 V refined = _bridge_refine_2.time;
                 EACH(GET, _bridge_refine_2, gap)
 #if BOUNDED
@@ -4781,7 +4796,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                 if (busy == 0)
                     break;
                 M refining = active;
-                CALL(court_bridge_refine, _bridge_refine_1)(arrival, leaving, x, y, z, vx, vy, vz, FIXED(7), FIXED(8), FIXED(9), FIXED(13), FIXED(21), FIXED(33), FIXED(16), FIXED(82));
+                CALL(court_bridge_refine, _bridge_refine_1)(arrival, leaving, x, y, z, vx, vy, vz, FIXED(7), FIXED(8), FIXED(9), FIXED(13), FIXED(21), FIXED(34), FIXED(16), FIXED(83));
                 V refined = _bridge_refine_1.time;
                 EACH(GET, _bridge_refine_1, gap, rate)
                 CALL(court_refined_root, _refined_root_1)(gap, rate, ceiling, arrival, refined, certain);
@@ -4815,7 +4830,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             EACH(LOAD, reachable_, ceiling, earliest_delay, extent, latest, leaving, position_error)
             EACH(LOAD, reachable_, rate, speed, undecided_time, velocity_error)
             EACH(LOAD_MASK, reachable_, certain)
-            CALL(court_bridge_margins, _bridge_margins_1)(latest, extent, speed, position_error, velocity_error, FIXED(21), FIXED(71), FIXED(99), FIXED(100), FIXED(101), FIXED(102), FIXED(103), FIXED(104), FIXED(105), FIXED(106), FIXED(107), FIXED(108));
+            CALL(court_bridge_margins, _bridge_margins_1)(latest, extent, speed, position_error, velocity_error, FIXED(21), FIXED(72), FIXED(99), FIXED(100), FIXED(101), FIXED(102), FIXED(103), FIXED(104), FIXED(105), FIXED(106), FIXED(107), FIXED(108));
             V flat = _bridge_margins_1.margin;
             V tilt = _bridge_margins_1.leaving_margin;
             EACH(GET, _bridge_margins_1, rate_margin)
@@ -4957,14 +4972,14 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             const M _if_moves_1 = lanes_both(rows, moves);
             if (lanes_any(_if_moves_1)) {
 #if BOUNDED
-                CALL(court_passing_undecided, _passing_undecided_1)(when, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, FIXED(7), FIXED(21), FIXED(33), FIXED(20), FIXED(22), FIXED(36), FIXED(165));
+                CALL(court_passing_undecided, _passing_undecided_1)(when, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, FIXED(7), FIXED(21), FIXED(34), FIXED(20), FIXED(22), FIXED(37), FIXED(165));
                 EACH(GET_MASK, _passing_undecided_1, undecided)
                 CALL(court_undecided, _undecided_1)(uncertain, undecided);
                 EACH(SELECT, (_if_moves_1, _undecided_1), uncertain)
 #endif
-                CALL(court_passing, _passing_1)(through, when, x, y, z, vx, vy, vz, FIXED(21), FIXED(33), FIXED(22), FIXED(20), FIXED(19));
+                CALL(court_passing, _passing_1)(through, when, x, y, z, vx, vy, vz, FIXED(21), FIXED(34), FIXED(22), FIXED(20), FIXED(19));
                 EACH(SELECT, (_if_moves_1, _passing_1), through)
-                CALL(court_flight, _flight_1)(when, x, y, z, vx, vy, vz, FIXED(21), FIXED(33));
+                CALL(court_flight, _flight_1)(when, x, y, z, vx, vy, vz, FIXED(21), FIXED(34));
                 EACH(SELECT, (_if_moves_1, _flight_1), x, y, z, vx, vy, vz)
                 CALL(court_event_clock, _event_clock_1)(when, clock);
                 EACH(SELECT, (_if_moves_1, _event_clock_1), clock)
@@ -5074,7 +5089,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                 if (lanes_any(_if_again_1)) {
                     CALL(court_ring_curvature, _ring_curvature_1)(FIXED(167));
                     curving = lanes_select(_if_again_1, _ring_curvature_1.curvature, curving);
-                    CALL(court_started, _started_1)(x, y, z, vx, vy, vz, when, FIXED(33));
+                    CALL(court_started, _started_1)(x, y, z, vx, vy, vz, when, FIXED(34));
                     EACH(GET, _started_1, from_x, from_y, from_z)
                     CALL(court_ring_normal, _ring_normal_2)(from_x, from_y, from_z, FIXED(7), FIXED(109));
                     left_nx = lanes_select(_if_again_1, _ring_normal_2.nx, left_nx);
@@ -5087,7 +5102,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                 if (lanes_any(_if_again_2)) {
                     CALL(court_backboard_curvature, _backboard_curvature_1)(when, x, y, z, vx, vy, vz, dx, dy, dz, dvx, dvy, dvz, FIXED(9), FIXED(10), FIXED(11), FIXED(12), FIXED(21), FIXED(15), FIXED(112));
                     curving = lanes_select(_if_again_2, _backboard_curvature_1.curvature, curving);
-                    CALL(court_started, _started_2)(x, y, z, vx, vy, vz, when, FIXED(33));
+                    CALL(court_started, _started_2)(x, y, z, vx, vy, vz, when, FIXED(34));
                     EACH(GET, _started_2, from_x, from_y, from_z)
                     CALL(court_backboard_normal, _backboard_normal_2)(from_x, from_y, from_z, FIXED(9), FIXED(10), FIXED(11), FIXED(12), FIXED(15), FIXED(110));
                     left_nx = lanes_select(_if_again_2, _backboard_normal_2.nx, left_nx);
@@ -5100,7 +5115,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                 if (lanes_any(_if_again_3)) {
                     CALL(court_bridge_curvature, _bridge_curvature_1)(when, x, y, z, vx, vy, vz, dx, dy, dz, dvx, dvy, dvz, FIXED(7), FIXED(8), FIXED(9), FIXED(13), FIXED(21), FIXED(16), FIXED(112));
                     curving = lanes_select(_if_again_3, _bridge_curvature_1.curvature, curving);
-                    CALL(court_started, _started_3)(x, y, z, vx, vy, vz, when, FIXED(33));
+                    CALL(court_started, _started_3)(x, y, z, vx, vy, vz, when, FIXED(34));
                     EACH(GET, _started_3, from_x, from_y, from_z)
                     CALL(court_bridge_normal, _bridge_normal_2)(from_x, from_y, from_z, FIXED(7), FIXED(8), FIXED(9), FIXED(13), FIXED(16), FIXED(110));
                     left_nx = lanes_select(_if_again_3, _bridge_normal_2.nx, left_nx);
@@ -5261,7 +5276,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                 EACH(GET_MASK, _ends_by_time_limit_1, ends_by_time_limit)
                 const M _if_ends_by_time_limit_1 = lanes_both(_if_limited_1, ends_by_time_limit);
                 if (lanes_any(_if_ends_by_time_limit_1)) {
-                    CALL(court_carry_time, _carry_time_1)(when, x, y, z, vx, vy, vz, clock, clock_error, dx, dy, dz, dvx, dvy, dvz, FIXED(21), FIXED(53));
+                    CALL(court_carry_time, _carry_time_1)(when, x, y, z, vx, vy, vz, clock, clock_error, dx, dy, dz, dvx, dvy, dvz, FIXED(21), FIXED(54));
                     EACH(SELECT, (_if_ends_by_time_limit_1, _carry_time_1), dx, dy, dz, dvx, dvy)
                     EACH(SELECT, (_if_ends_by_time_limit_1, _carry_time_1), dvz, clock_error)
                 }

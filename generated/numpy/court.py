@@ -1,6 +1,6 @@
 """NumPy kernels of the scene court.
 
-Generated from templates/numpy/kernels.py.j2, scene court, derivation 58853364fe0c9a18,
+Generated from templates/numpy/kernels.py.j2, scene court, derivation f9662c073b5cb059,
 with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
 and run `make generate`.
 Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
@@ -343,7 +343,7 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "left": ("leaving",),
     "plane_root": ("arrives", "ceiling", "nearest",),
     "within_time": ("possible",),
-    "graze_undecided": ("undecided_time",),
+    "apex_undecided": ("undecided_time",),
     "predicate_undecided": ("undecided_time",),
     "crossing_undecided": ("undecided_time",),
     "tie_undecided": ("undecided_time", "earliest_delay",),
@@ -452,6 +452,7 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "exceeds_grip": ("loses",),
     "grip_lost_time": ("grip_lost",),
     "remember_grip_deficit": ("last_grip_deficit", "last_grip_deficit_rate", "last_grip_clock",),
+    "plane_start": ("undecided_time",),
     "ring_impact_taken": ("of_this_kind", "its_0", "its_1",),
     "ring_impact_undecided": ("undecided",),
     "ring_impact_settling": ("settles", "lodges", "slides", "unpressed", "assured", "undecided",),
@@ -1409,12 +1410,12 @@ def within_time(time: Any, when: Any, delay: Any, earliest_delay: Any, arrives: 
     return _logical_and(arrives, _logical_not(((delay + earliest_delay) < (time - when)))),
 
 
-def graze_undecided(margin: Any, apex: Any, height: Any, undecided_time: Any) -> tuple[Any, ...]:
-    """Earliest undecided time, with that of an apex whose gap is zero within its error.
+def apex_undecided(margin: Any, apex: Any, height: Any, undecided_time: Any) -> tuple[Any, ...]:
+    """Undecided time 0 if the largest gap from the start on is zero within its error.
 
-    Table 1. 7 operations: 1 absolute value, 3 comparisons, 2 conjunctions, 1 selection.
+    Table 1. 5 operations: 1 absolute value, 2 comparisons, 1 conjunction, 1 selection.
     """
-    return _where(_logical_and(_logical_and((0.0 <= apex), (_absolute(height) <= margin)), (apex < undecided_time)), apex, undecided_time),
+    return _where(_logical_and((0.0 <= apex), (_absolute(height) <= margin)), 0.0, undecided_time),
 
 
 def predicate_undecided(time: Any, undecided_time: Any, undecided: Any) -> tuple[Any, ...]:
@@ -2857,6 +2858,16 @@ def remember_grip_deficit(clock: Any, grip_deficit: Any, grip_deficit_rate: Any)
     Table 1. No operations.
     """
     return grip_deficit, grip_deficit_rate, clock
+
+
+def plane_start(p_gravity: Any, undecided_time: Any, position_error: Any, velocity_error: Any) -> tuple[Any, ...]:
+    """Undecided time 0 if the side of a plane on which the flight begins is undecided.
+
+    Table 1. 8 operations: 4 multiplications, 1 negation, 1 absolute value, 1 comparison, 1 selection.
+    """
+    _s0 = 2.0 * velocity_error
+    _s1 = _where(((position_error * (0.5 * _absolute((-p_gravity)))) < (_s0 * _s0)), 0.0, undecided_time)
+    return _s1,
 
 
 def ring_impact_taken(p_ring_restitution: Any, p_ring_friction: Any) -> tuple[Any, ...]:
@@ -5560,16 +5571,16 @@ def end_vary(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: Any, ny: Any
 def end_arrival(leaving: Any, z: Any, vz: Any, p_gravity: Any, p_end_depth: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Time of the only arrival, the gap's first two derivatives there, and its apex.
 
-    Eq. 3 in Table 2, solved. 27 operations: 2 additions, 2 subtractions, 7 multiplications, 2 divisions, 1 square root, 6 negations, 1 absolute value, 2 comparisons, 4 selections.
+    Eq. 3 in Table 2, solved. 29 operations: 2 additions, 2 subtractions, 7 multiplications, 2 divisions, 1 square root, 6 negations, 1 absolute value, 2 comparisons, 6 selections.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8 = _room[:9]
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10 = _room[:11]
     _s0 = _k4 < leaving
     _s1 = _select(_s0, _k4, _subtract(z, -p_end_depth, _r0), _r1)
     _s2 = _add(_multiply(vz, vz, _r2), _multiply(2.0 * p_gravity, _s1, _r3), _r3)
     _s3 = _select(_s0, _absolute(vz, _r2), _sqrt(_s2, _r4), _r5)
     _s4 = vz < _k4
     _s5 = -(1.0 / p_gravity)
-    return _select(_s4, _multiply(_k20, _s1, _r1), _add(vz, _s3, _r0), _r6) / _select(_s4, _subtract(_s3, vz, _r7), p_gravity, _r8), -_s3, -p_gravity, -_multiply(vz, _s5, _r5), -_multiply(0.5 * _s5, _s2, _r3)
+    return _select(_s4, _multiply(_k20, _s1, _r6), _add(vz, _s3, _r7), _r8) / _select(_s4, _subtract(_s3, vz, _r9), p_gravity, _r10), -_s3, -p_gravity, _result(_s4, _k4, _negative(_multiply(vz, _s5, _r5), _r5), _r0), _result(_s4, _s1, _negative(_multiply(0.5 * _s5, _s2, _r3), _r3), _r0)
 
 
 def end_margin(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_gravity: Any, p_end_depth: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -10662,11 +10673,12 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
     _margin_0, = end_margin(_nearest_0, _extent_0, _speed_0, _position_error_0, _velocity_error_0, _p_gravity_0, _p_end_depth_0, _room_0)
     _clearance_0, _delay_0 = crossing(_margin_0, 0.0, _rate_0, _ceiling_0, _room_0)
     _possible_0, = within_time(_time_0, _when_0, _delay_0, _earliest_delay_0, _arrives_0)
-    _undecided_time_0, = graze_undecided(_margin_0, _apex_0, _height_0, _undecided_time_0)
+    _undecided_time_0, = apex_undecided(_margin_0, _apex_0, _height_0, _undecided_time_0)
     _undecided_time_1, = crossing_undecided(_clearance_0, _time_0, _undecided_time_0, _arrives_0)
     _undecided_time_1, _earliest_delay_1 = tie_undecided(_time_0, _when_0, _delay_0, _earliest_delay_0, _undecided_time_1, _arrives_0, _room_0)
     _when_1, _which_1 = earliest(3.0, _time_0, _when_0, _which_0, _arrives_0)
     _earliest_delay_0, _undecided_time_0, _when_0, _which_0 = _choose(_possible_0, (_earliest_delay_1, _undecided_time_1, _when_1, _which_1,), (_earliest_delay_0, _undecided_time_0, _when_0, _which_0,))
+    _undecided_time_0, = plane_start(_p_gravity_0, _undecided_time_0, _position_error_0, _velocity_error_0)
     _until_0, _pad_0 = horizon(_when_0, _speed_0, _p_gravity_0)
     _clear_0, = ring_clear(_until_0, _x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _extent_0, _speed_0, _position_error_0, _velocity_error_0, _p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_gravity_0, _room_0)
     _open_0, = opens_in_flight(_clear_0, _in_contact_0)

@@ -17,7 +17,7 @@ import pytest
 from hoopgen.generated.numpy import hoop
 from numpy.typing import NDArray
 
-from hoopgen import HOOP, PAPER, Outcome, certify
+from hoopgen import COURT, HOOP, PAPER, Outcome, certify
 from hoopgen.engine.numpy_backend import Room
 from hoopgen.simulation.engine import Engine
 from tests.helpers.effort import exceptions, occurrences, trials
@@ -287,21 +287,24 @@ def at_the_height_of_the_end_plane(count: int) -> Floats:
     return states
 
 
-@pytest.fixture(scope="module")
-def article() -> Engine:
-    """Return the engine of the article's scene."""
-    return HOOP
+ENGINES = {"hoop": lambda: HOOP, "court": lambda: COURT}
+
+
+@pytest.fixture(scope="module", params=ENGINES)
+def engine(request: pytest.FixtureRequest) -> Engine:
+    """Return the engine of the article's scene, or of the whole hoop, whose ball may roll."""
+    return ENGINES[request.param]()
 
 
 def test_a_ball_that_leaves_the_board_at_the_height_of_the_end_plane_is_uncertain(
-    article: Engine,
+    engine: Engine,
 ) -> None:
     """On which side of that plane it is decides whether it misses or never comes to an end."""
     states = at_the_height_of_the_end_plane(trials(60, at_least=20))
-    shots, judged = article.simulate(states), certify(states, processes=1)
+    shots, judged = engine.simulate(states), engine.certify(states, processes=1)
     assert np.all(shots.uncertain)
     assert np.any(shots.outcome != judged.outcome)
     moved = states + np.array([0, 0, 1e-9, 0, 0, 0, 0, 0, 0])
-    shots, judged = article.simulate(moved), certify(moved, processes=1)
+    shots, judged = engine.simulate(moved), engine.certify(moved, processes=1)
     assert not np.any(shots.uncertain)
     assert np.all(shots.outcome == judged.outcome)
