@@ -24,8 +24,8 @@ rate of f at T, less its sign: of -r that is off by at most v and k times by wha
   rounding turns r by at most 0.2 (1 - q) r: r' > 0.76 r. At 6/5 m/r before T the gap is more than
   m (0.91 - 1/2 - 0.36) > 0. ∎
 
-The bounds of planes on which a ball may roll, and of planes from which gravity pulls it off, are not
-those of this lemma. No ball rolls on a plane that ends a shot.
+The bounds of planes on which a ball may roll, and of planes from which gravity pulls it off, are
+not those of this lemma. No ball rolls on a plane that ends a shot.
 """
 
 from __future__ import annotations

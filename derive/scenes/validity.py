@@ -104,8 +104,9 @@ def left_surface(scene: Scene) -> dict[str, sp.Expr]:
     """Return the surface that the ball leaves, where callers name the body and some have several.
 
     Of the surfaces of the body it is the one that the ball neither overlaps nor is away from: whose
-    largest `inside` is nearest to zero. The ball is on that one, and inside none of the others: the
-    walls of a thin body, and an edge where they end, are touched together.
+    largest `inside` is nearest to zero. Both sides of a thin wall have the same `inside`; of these
+    it is the one whose condition is nearest to zero. The ball is on that one, and inside none of
+    the others: the walls of a thin body, and an edge where they end, are touched together.
 
     Parameters
     ----------
@@ -147,8 +148,12 @@ def _nearest(scene: Scene, faces: Sequence[int]) -> sp.Expr:
     nearest: sp.Expr = sp.Integer(faces[0])
     least: sp.Expr = sp.oo
     for face in faces:
-        inside = map(without_assumptions, scene.surfaces[face].inside)
+        shape = scene.surfaces[face]
+        inside = map(without_assumptions, shape.inside)
         away = barrier(absolute(barrier(maximum(*inside))))
+        if shape.polynomial:
+            gap = barrier(without_assumptions(sp.sympify(shape.condition)))
+            away = barrier(away + absolute(gap))
         if face == faces[0]:
             least = away
             continue

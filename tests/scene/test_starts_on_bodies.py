@@ -227,6 +227,24 @@ def test_a_ball_leaves_the_surface_of_a_body_that_it_touches(funnel: Engine, sid
     assert abs(on.time[0] + first["time"] - second["time"]) < 1e-12
 
 
+def test_a_ball_that_leaves_a_thin_wall_is_on_the_side_that_it_touches(funnel: Engine) -> None:
+    """Both sides are as near to the ball; it does not touch the wall again at once."""
+    rng, count = np.random.default_rng(8), trials(2_000, 300)
+    states = np.zeros((count, 9))
+    states[:, :2], states[:, 2] = rng.uniform(-0.3, 0.3, (count, 2)), rng.uniform(0.4, 1, count)
+    states[:, 3:5] = rng.normal(0, 1, (count, 2))
+    shots = hoopgen.simulate(states, scene=funnel, record=True, max_contacts=6)
+    events = shots.events[shots.events["surface"] == funnel.surfaces.index("funnel")]
+    assert len(events) > count / 20
+    on = hoopgen.simulate(
+        events["after"], scene=funnel, leaving="funnel", record=True, max_contacts=1
+    )
+    met = on.events[on.events["surface"] >= 0]
+    again = met[met["surface"] == funnel.surfaces.index("funnel")]
+    assert np.all(again["time"][~on.uncertain[again["shot"]]] > 1e-9)
+    assert np.mean(on.uncertain) < 0.2
+
+
 def test_an_unknown_body_is_refused_with_the_names(funnel: Engine) -> None:
     with pytest.raises(
         ValueError, match=r"^leaving: expected funnel, ceiling, floor, got 'cieling'"
