@@ -73,6 +73,11 @@ class Search(ABC):
         return False
 
     @property
+    def level(self) -> bool:
+        """True of a plane along gravity on which no ball rolls."""
+        return False
+
+    @property
     def reach_test(self) -> dict[str, sp.Basic]:
         """Test of one surface's box against those of a flight; empty if there is none."""
         return {}

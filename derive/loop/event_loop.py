@@ -8,7 +8,7 @@ lanes, writes the log, and stores results.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence, Set
+from collections.abc import Callable, Iterator, Sequence, Set
 from itertools import groupby
 
 from ..events.search import Parts, given, proposed
@@ -113,6 +113,25 @@ def _starting(kind: SurfaceKind) -> Iterator[Node]:
     )
 
 
+def _search_order(
+    end_planes: Sequence[LoopSurface],
+) -> Callable[[LoopSurface], tuple[bool, bool]]:
+    """Return the key by which surfaces are searched in order.
+
+    Along gravity a ball may hardly move. Whether it comes to such a plane before its next event is
+    decided only if an arrival elsewhere is known. If no plane that ends shots always has one, the
+    other planes come before these.
+
+    Parameters
+    ----------
+    end_planes
+        The planes that end a shot.
+    """
+    falls = (plane.search for plane in end_planes if plane.search.closed)
+    ends = any(not search.level and not search.surface.bounds for search in falls)
+    return lambda s: (not s.search.closed, not ends and s.search.level)
+
+
 def _detect(
     common: Parts,
     contacts: Sequence[LoopSurface],
@@ -136,7 +155,7 @@ def _detect(
     if open_ended:
         yield expiry
     # End planes come first: an arrival that is certainly later needs no search.
-    kinds = by_kind(sorted((*end_planes, *contacts), key=lambda s: not s.search.closed))
+    kinds = by_kind(sorted((*end_planes, *contacts), key=_search_order(end_planes)))
     *_, last_closed = (None, *(kind for kind in kinds if kind.first.search.closed))
     for plates, alike in groupby(kinds, lambda kind: _plate(common, kind)):
         nodes: list[Node] = []
