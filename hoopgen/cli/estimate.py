@@ -81,6 +81,9 @@ def estimate(
     if gradient and (versus or share is not None):
         other = "--versus" if versus else "--solve"
         raise click.UsageError(f"--gradient is of one setting, without {other}.")
+    if releasing.measured and not releasing.fitted and (own := [n for n in gradient if "." in n]):
+        said = "is of a scatter, which measured releases have with --fitted"
+        raise click.UsageError(f"--gradient: {own[0]} {said}.")
     check_caught(measures)
     work |= {"precision": precision, "measures": measures, "gradient": gradient}
     if share is not None and not (releasing.sd or releasing.measured):

@@ -101,7 +101,7 @@ def scene_in(table: Source) -> Engine:
     try:
         said = json.loads((table.schema().metadata or {}).get(ABOUT, b"{}"))
         made, text = said.get(_MADE_IN), said.get(_SCENE_TEXT)
-    except (AttributeError, ValueError):
+    except (AttributeError, RecursionError, ValueError):
         return HOOP  # `origin_of` says what is wrong
     if isinstance(text, str):
         try:
@@ -154,7 +154,7 @@ def origin_of(table: Source, scene: CompiledScene = HOOP) -> Origin | None:
         )
     except OtherScene:
         raise
-    except (AttributeError, KeyError, TypeError, ValueError) as error:
+    except (AttributeError, KeyError, RecursionError, TypeError, ValueError) as error:
         raise ValueError(
             f"{table}: its metadata hoopgen, which says the scene of the shots, cannot be "
             f"understood ({error}); remove it from the file, and name the scene"

@@ -780,3 +780,20 @@ def test_shares_of_kinds_are_of_the_valid_shots() -> None:
     assert sum(found.shares.values()) == pytest.approx(1, abs=1e-15)
     assert found.shares["swish"] == found.kinds["swish"] / valid
     assert found.shares["none"] == (found.kinds["none"] - found.invalid) / valid
+
+
+def test_a_derivative_by_a_scatter_needs_one(tmp_path: Path) -> None:
+    file = tmp_path / "measured.csv"
+    file.write_text(
+        "speed_mph,elevation_deg,height_ft,distance_ft\n16,52,7,13.75\n16.1,51,7,13.75\n"
+    )
+    said = failure("estimate", "--from", str(file), "--gradient", "mean.speed", "--shots", "100")
+    assert "mean.speed is of a scatter, which measured releases have with --fitted" in said
+
+
+def test_metadata_that_nest_deeply_are_refused_in_a_line(tmp_path: Path) -> None:
+    file = tmp_path / "deep.csv"
+    file.write_text("# hoopgen: " + "[" * 100_000 + "\nspeed_mph,elevation_deg\n16,52\n")
+    release = ("--height", "7ft", "--distance", "13.75ft")
+    said = failure("estimate", "--from", str(file), *release, "--shots", "100")
+    assert "cannot be understood" in said
