@@ -70,7 +70,7 @@ def plane_arrival(plane: AnyPlane, flight: Parabola) -> dict[str, sp.Expr]:
     Also the time of the gap's apex and the gap there, D / (-4 a), for a ball that moves along the
     plane at that time: whether there is an arrival is undecided if that gap is zero within its
     error. On planes on which no ball rolls, the gap at the start stands for that of a ball that
-    falls from then on, and of a plane along gravity (`plane_start.py`).
+    falls from then on, and, where balls do not roll, of a plane along gravity (`plane_start.py`).
 
     With D = b² - 4 a c the arrival is where F' = -sqrt(D): t = 2 c / (sqrt(D) - b), the same as
     -(b + sqrt(D)) / (2 a); each loses no digits for one sign of b. Without an arrival the rate is
@@ -93,7 +93,7 @@ def plane_arrival(plane: AnyPlane, flight: Parabola) -> dict[str, sp.Expr]:
     b = _held(coefficients[1]) if len(coefficients) > 1 else sp.Integer(0)
     if len(coefficients) < 3:
         still = {"apex": IfAtMost(absolute(b), 0, 0, -1), "height": c}
-        if not rolls_on(plane, flight):
+        if not flight.departs:
             left = IfLess(b, 0, 0, sp.oo)
             still = {"apex": sp.Integer(0), "height": IfLess(0, leaving, left, c)}
         return {"time": c / -b, "rate": b, "bend": sp.Integer(0)} | still
@@ -256,9 +256,12 @@ class PlaneSearch(Search):
 
     @property
     def level(self) -> bool:
-        """True of a plane along gravity on which no ball rolls."""
-        fall = along(self.surface.direction, self.flight.acceleration)
-        return not self.returns and fall == 0
+        """True of a plane along gravity, where balls do not roll, so that none stays at rest."""
+        return not self.flight.departs and self._along_gravity
+
+    @property
+    def _along_gravity(self) -> bool:
+        return bool(along(self.surface.direction, self.flight.acceleration) == 0)
 
     @property
     def formulas(self) -> dict[str, Formula]:
@@ -311,7 +314,8 @@ class PlaneSearch(Search):
         yield Call(KERNELS["within_time"])
         # Balls that begin to roll have apexes within the margin all the time.
         side = "side_undecided" if self.level else "apex_undecided"
-        grazing = KERNELS["graze_undecided" if self.returns else side]
+        grazes = self.returns or (self.flight.departs and self._along_gravity)
+        grazing = KERNELS["graze_undecided" if grazes else side]
         if not self.surface.bounds:
             yield Call(grazing)
             yield If("possible", (Call(KERNELS["crossing_undecided"]), *proposed(index)))

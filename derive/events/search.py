@@ -74,7 +74,7 @@ class Search(ABC):
 
     @property
     def level(self) -> bool:
-        """True of a plane along gravity on which no ball rolls."""
+        """True of a plane along gravity, where balls do not roll."""
         return False
 
     @property
