@@ -10,7 +10,7 @@ import sympy as sp
 
 from .contact.law import Law
 from .events import grouping
-from .events.plane import rolls_on
+from .events.plane import asks_side
 from .events.plane_filter import reachable
 from .events.plane_start import plane_start
 from .ir.kernel import Kernel
@@ -192,7 +192,7 @@ def _optional_kernels(
     if isinstance(flight, Parabola) and flight.upright:
         faces = [s for k, s in enumerate(scene.surfaces) if k not in tabled]
         across = [face for face in (*faces, *scene.end_planes) if isinstance(face, Plane)]
-        planes = [plane for plane in across if not rolls_on(plane, flight)]
+        planes = [plane for plane in across if asks_side(plane, flight)]
         if any(plane.direction[2] for plane in planes):
             kernels["plane_start"] = plane_start(planes, flight)
     return kernels

@@ -53,15 +53,19 @@ AnyPlane = Plane | InclinedPlane
 """A plane across an axis, or with a normal in any direction."""
 
 
-def rolls_on(plane: AnyPlane, flight: Parabola) -> bool:
-    """Return whether a ball may roll on a plane; on one that ends a shot none does.
+def asks_side(plane: AnyPlane, flight: Parabola) -> bool:
+    """Return whether it is decided on which side of a plane a flight begins (`plane_start.py`).
+
+    Where balls roll, that is so of planes that end shots and that gravity pulls to: one at rest
+    stays beside an end along gravity, and on a plane that it rolls on.
 
     Parameters
     ----------
     plane, flight
         As for `plane_arrival`.
     """
-    return flight.departs and not isinstance(plane, EndPlane)
+    fall = along(plane.direction, flight.acceleration)
+    return not flight.departs or (isinstance(plane, EndPlane) and bool(fall.is_negative))
 
 
 def plane_arrival(plane: AnyPlane, flight: Parabola) -> dict[str, sp.Expr]:
@@ -69,8 +73,8 @@ def plane_arrival(plane: AnyPlane, flight: Parabola) -> dict[str, sp.Expr]:
 
     Also the time of the gap's apex and the gap there, D / (-4 a), for a ball that moves along the
     plane at that time: whether there is an arrival is undecided if that gap is zero within its
-    error. On planes on which no ball rolls, the gap at the start stands for that of a ball that
-    falls from then on, and, where balls do not roll, of a plane along gravity (`plane_start.py`).
+    error. If `asks_side`, the gap at the start stands for that of a ball that falls from then on,
+    and of a plane along gravity.
 
     With D = b² - 4 a c the arrival is where F' = -sqrt(D): t = 2 c / (sqrt(D) - b), the same as
     -(b + sqrt(D)) / (2 a); each loses no digits for one sign of b. Without an arrival the rate is
@@ -93,7 +97,7 @@ def plane_arrival(plane: AnyPlane, flight: Parabola) -> dict[str, sp.Expr]:
     b = _held(coefficients[1]) if len(coefficients) > 1 else sp.Integer(0)
     if len(coefficients) < 3:
         still = {"apex": IfAtMost(absolute(b), 0, 0, -1), "height": c}
-        if not flight.departs:
+        if asks_side(plane, flight):
             left = IfLess(b, 0, 0, sp.oo)
             still = {"apex": sp.Integer(0), "height": IfLess(0, leaving, left, c)}
         return {"time": c / -b, "rate": b, "bend": sp.Integer(0)} | still
@@ -108,7 +112,7 @@ def plane_arrival(plane: AnyPlane, flight: Parabola) -> dict[str, sp.Expr]:
     if has_sign(a):
         per_bend = barrier(1 / (2 * a))
         apex, height = -b * per_bend, -discriminant * per_bend / 2
-        if a.is_negative and not rolls_on(plane, flight):
+        if a.is_negative and asks_side(plane, flight):
             # Of a ball that falls from the start on, that is where the gap is largest.
             apex, height = IfLess(b, 0, 0, apex), IfLess(b, 0, c, height)
     else:
@@ -252,16 +256,13 @@ class PlaneSearch(Search):
     @property
     def returns(self) -> bool:
         """True if bounces on the plane can become ever smaller until the ball rolls."""
-        return rolls_on(self.surface, self.flight)
+        return self.flight.departs and not isinstance(self.surface, EndPlane)
 
     @property
     def level(self) -> bool:
-        """True of a plane along gravity, where balls do not roll, so that none stays at rest."""
-        return not self.flight.departs and self._along_gravity
-
-    @property
-    def _along_gravity(self) -> bool:
-        return bool(along(self.surface.direction, self.flight.acceleration) == 0)
+        """True of a plane along gravity of which a flight's side is decided."""
+        fall = along(self.surface.direction, self.flight.acceleration)
+        return asks_side(self.surface, self.flight) and fall == 0
 
     @property
     def formulas(self) -> dict[str, Formula]:
@@ -314,8 +315,7 @@ class PlaneSearch(Search):
         yield Call(KERNELS["within_time"])
         # Balls that begin to roll have apexes within the margin all the time.
         side = "side_undecided" if self.level else "apex_undecided"
-        grazes = self.returns or (self.flight.departs and self._along_gravity)
-        grazing = KERNELS["graze_undecided" if grazes else side]
+        grazing = KERNELS[side if asks_side(self.surface, self.flight) else "graze_undecided"]
         if not self.surface.bounds:
             yield Call(grazing)
             yield If("possible", (Call(KERNELS["crossing_undecided"]), *proposed(index)))

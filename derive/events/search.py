@@ -74,7 +74,7 @@ class Search(ABC):
 
     @property
     def level(self) -> bool:
-        """True of a plane along gravity, where balls do not roll."""
+        """True of a plane along gravity of which a flight's side is decided."""
         return False
 
     @property

@@ -18,7 +18,7 @@ from hoopgen.core.event_log import Event, impacts, rolls
 from hoopgen.results.shots import SURFACES
 
 from .label_placement import Box, place_labels
-from .occlusion import hidden
+from .occlusion import is_hidden
 from .style import COLOURS, POINTS_PER_INCH, letter
 from .views import Points, View
 
@@ -206,7 +206,7 @@ def draw_badges(
     boxes = [_box(mark, view, ball_radius, scale) for mark in shown]
     places = place_labels(boxes, obstacles, bounds)
     centres = np.array([mark.position for mark in shown]).reshape(-1, 3)
-    behind = hidden(bodies, view, centres).tolist()
+    behind = is_hidden(bodies, view, centres).tolist()
     for mark, box, centre, covered in zip(shown, boxes, places, behind, strict=True):
         colour = mark.colour
         axes.plot(

@@ -16,7 +16,7 @@ _MIN_OPACITY = 0.5
 """Opacity of a shape from which on it hides what is behind it."""
 
 
-def hidden(bodies: Sequence[Patch], view: View, points: Points) -> NDArray[np.bool_]:
+def is_hidden(bodies: Sequence[Patch], view: View, points: Points) -> NDArray[np.bool_]:
     """Return whether a body hides each point, (n,).
 
     Parameters

@@ -15,7 +15,7 @@ from hoopgen.core.units import display_unit
 
 from .contact_marks import Mark, draw_badges
 from .hoop import draw_ball, draw_path
-from .occlusion import hidden, runs
+from .occlusion import is_hidden, runs
 from .page import add_view
 from .scenery import Scenery
 from .style import COLOURS, EDGES, FRAME, GRID, INK, POINTS_PER_INCH
@@ -124,7 +124,7 @@ def draw_view(axes: Axes, panel: Panel, drawing: Drawing) -> None:
             ghost = mark.kind == "release"
             draw_ball(axes, view, mark.position, radius, drawing.scenery.ball, ghost=ghost)
     for points, size, colour in ((drawing.beats, 2.2, "path"), (drawing.dots, 2.6, "backboard")):
-        seen = points[~hidden(bodies, view, points)]
+        seen = points[~is_hidden(bodies, view, points)]
         _dots(axes, view.flatten(seen), size, COLOURS[colour])
     lines = np.vstack([thin_rows(drawing.path, _MAX_OBSTACLES), drawing.scenery.points()])
     obstacles = np.vstack([view.flatten(lines), *written])
@@ -197,7 +197,7 @@ def _dots(axes: Axes, at: Points, size: float, colour: str) -> None:
 
 def _draw_hidden_path(axes: Axes, view: View, path: Points, bodies: Sequence[Patch]) -> None:
     """Draw the parts of a path that bodies hide as thin dashed lines over them."""
-    for run in runs(hidden(bodies, view, path)):
+    for run in runs(is_hidden(bodies, view, path)):
         flat = view.flatten(path[run])
         axes.plot(*flat.T, color=COLOURS["path"], lw=0.6, ls=(0, (3, 2)), zorder=_HIDDEN_ORDER)
 

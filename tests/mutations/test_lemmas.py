@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import partial
 from typing import Any
 
@@ -12,7 +13,7 @@ from hoopgen.derive.events.ring.double import RingRootFinder
 from hoopgen.derive.events.ring.polar import PolarRootFinder
 from hoopgen.derive.events.ring.single import SinglePrecisionRing
 from hoopgen.derive.ir.event_tree import Call
-from hoopgen.derive.scenes.hoop import HOOP
+from hoopgen.derive.scenes import COURT, HOOP
 
 pytest.importorskip("flint")
 
@@ -52,6 +53,7 @@ height = OfEngine(
     test_first_event.test_a_ball_that_leaves_the_board_at_the_height_of_the_end_plane_is_uncertain,
     scene=HOOP,
 )
+height_of_court = replace(height, scene=COURT)
 
 in_start = partial(in_text, plane_start, "_undecided")
 
@@ -63,6 +65,13 @@ def without(kernel: str) -> Any:
 
 FAULTS = (
     Planted("no apex and no start is undecided", without("apex_undecided"), height),
+    Planted(
+        "where balls roll, the side of an end is sure",
+        in_text(
+            plane, "asks_side", "(isinstance(plane, EndPlane) and bool(fall.is_negative))", "False"
+        ),
+        height_of_court,
+    ),
     Planted(
         "a ball that falls from the start on has no apex",
         in_text(plane, "plane_arrival", "IfLess(b, 0, c, height)", "height"),

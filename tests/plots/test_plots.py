@@ -31,7 +31,7 @@ from hoopgen.plots import COLOURS, plot_trajectory, save, style  # noqa: E402
 from hoopgen.plots.contact_marks import Mark, collect_marks, draw_mark_legend  # noqa: E402
 from hoopgen.plots.fan_paths import gather_fan  # noqa: E402
 from hoopgen.plots.label_placement import Box, place_labels  # noqa: E402
-from hoopgen.plots.occlusion import hidden  # noqa: E402
+from hoopgen.plots.occlusion import is_hidden  # noqa: E402
 from hoopgen.plots.scenery import scenery_of  # noqa: E402
 from hoopgen.plots.style import wrap  # noqa: E402
 from hoopgen.plots.trajectory import build_drawing, flat_limits  # noqa: E402
@@ -280,7 +280,7 @@ def test_the_board_hides_what_is_behind_it_in_space() -> None:
         axes = Figure().add_subplot()
         seen = there.look(view)
         there.draw(axes, seen, 1.0)
-        assert hidden(axes.patches, seen, points).tolist() == found
+        assert is_hidden(axes.patches, seen, points).tolist() == found
 
 
 def test_each_axis_of_a_narrow_room_has_a_number() -> None:

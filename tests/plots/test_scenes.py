@@ -30,7 +30,7 @@ from hoopgen.core.colours import body_colours
 from hoopgen.plots import scenery
 from hoopgen.plots.contact_marks import Mark
 from hoopgen.plots.fan_paths import _view_of, gather_fan
-from hoopgen.plots.occlusion import hidden
+from hoopgen.plots.occlusion import is_hidden
 from hoopgen.plots.outlines import flat_chains
 from hoopgen.plots.panels import Drawing, Room, draw_view
 from hoopgen.plots.scenery import scenery_of
@@ -358,7 +358,7 @@ def test_a_ring_hides_what_is_below_its_wire_and_not_what_is_in_its_hole() -> No
     there.draw(axes, view, 1.0)
     x, z = np.meshgrid([0.0, 0.1, 0.3, 0.5], [-0.3, 0.3])
     points = np.stack([x, 0.01 * np.ones_like(x), z], axis=-1).reshape(-1, 3)
-    found = hidden(axes.patches, view, points).reshape(2, 4)
+    found = is_hidden(axes.patches, view, points).reshape(2, 4)
     assert found.tolist() == [[False, False, True, False], [False] * 4]
 
 

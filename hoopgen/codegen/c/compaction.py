@@ -157,7 +157,7 @@ class CompactedLoop(TurnLoop):
                     own += self._table_rows(node, frame, later)
                 else:
                     gives = frozenset(scope(node, later).gives)
-                    within = replace(frame, guard=node.truth, kept=gives)
+                    within = replace(frame, guard=node.truth, outer=gives)
                     own += self.passes(node.body, within, set(gives))
             else:
                 listed = self._pass(own, nodes[start:index], frame, later, node, before)
@@ -310,8 +310,8 @@ class CompactedLoop(TurnLoop):
         shared = inserted.reads() if inserted else set()
         wanted = set(stored) | set(takes) | ({cut.truth} if cut else set())
         wanted |= shared - set(written)
-        kept = frame.kept & set(written)
-        need = live_before(without_rows(nodes), wanted) | kept
+        outer = frame.outer & set(written)
+        need = live_before(without_rows(nodes), wanted) | outer
         self._set_inner(nodes if cut is None else (), set(stored) & set(frame.known), shared)
         inside = {name for names in self.inner.values() for name in names}
         need -= {name for names in self.inner.values() for name, loaded in names.items() if loaded}
@@ -327,7 +327,7 @@ class CompactedLoop(TurnLoop):
             kind = known[name] = frame.known[name]
             body.append(Declare(name, TYPES[kind], load(kind, at(frame.column(name), "i"))))
         known |= dict.fromkeys(self.parameters, "double")
-        body += self._with_insertion(nodes, known, set(kept), wanted, inserted)
+        body += self._with_insertion(nodes, known, set(outer), wanted, inserted)
         for name, kind in stored.items():
             self._column(frame, name, kind)
             if name not in inside:
@@ -381,15 +381,15 @@ class CompactedLoop(TurnLoop):
         self,
         nodes: Sequence[Node],
         known: dict[str, Kind],
-        kept: set[str],
+        outer: set[str],
         wanted: set[str],
         inserted: Insertion | None,
     ) -> Statements:
         """Return the statements of nodes, and those that are inserted before one of them."""
         if inserted is None:
-            return self.body(nodes, known, kept, "rows", wanted)
+            return self.body(nodes, known, outer, "rows", wanted)
         before, rest = nodes[: inserted.index], nodes[inserted.index :]
         between = live_before(rest, wanted) | inserted.reads()
-        found = self.body(before, known, kept, "rows", between)
+        found = self.body(before, known, outer, "rows", between)
         known |= inserted.declares
-        return [*found, *inserted.statements, *self.body(rest, known, kept, "rows", wanted)]
+        return [*found, *inserted.statements, *self.body(rest, known, outer, "rows", wanted)]

@@ -47,7 +47,7 @@ class GroupContext:
 
     With `blocks`, where they begin and how many, a pass goes over those rows of lanes alone. With
     `guard`, a column of truths, only shots of which it is true take part; of what others need
-    again, `kept`, they keep their values.
+    again, `outer`, they keep their values.
     """
 
     prefix: str
@@ -55,7 +55,7 @@ class GroupContext:
     first: Expression = field(default_factory=lambda: Scalar(0))
     blocks: tuple[Expression, Expression] | None = None
     guard: str = ""
-    kept: frozenset[str] = frozenset()
+    outer: frozenset[str] = frozenset()
 
     @property
     def count(self) -> str:

@@ -11,7 +11,7 @@ from hoopgen.derive.symbolic.notation import latex_name
 
 from .explain import Formulas, Line, explain
 from .page import PageData, derivation_context
-from .shown_premises import REFERENCE_FILE, anchor
+from .page_entries import REFERENCE_FILE, anchor
 
 __all__ = [
     "REFERENCE_FILE",

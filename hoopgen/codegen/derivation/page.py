@@ -51,10 +51,10 @@ from .contacts import ContactText, contact_text
 from .explain import Formulas, Line, explain, plainly
 from .latex import number, show
 from .outline import outline
+from .page_entries import KernelEntry, PremiseEntry, premise_entries
 from .parts import Abbreviations, SearchText, SurfaceText, known, search_text, surface_text
 from .premises import PREMISES, stated
 from .scene_notation import SceneNotation
-from .shown_premises import ShownKernel, ShownPremise, shown_premises
 
 
 @dataclass(frozen=True)
@@ -126,8 +126,8 @@ class PageData:
     returns: bool
     displacement: Formulas
     outline: str
-    kernels: Mapping[str, ShownKernel]
-    premises: Mapping[str, ShownPremise]
+    kernels: Mapping[str, KernelEntry]
+    premises: Mapping[str, PremiseEntry]
     series: tuple[SymbolText, ...]
     falls: bool
     turned: bool
@@ -157,12 +157,12 @@ class PageData:
 
 def _kernel(
     kernel: Kernel, names: Mapping[sp.Basic, str], words: frozenset[str], notation: SceneNotation
-) -> ShownKernel:
+) -> KernelEntry:
     outputs = {
         RESULTS.get((kernel.name, name)) or latex_name(name, words): e for name, e in kernel.outputs
     }
     formulas = explain(outputs, names, notation)
-    return ShownKernel(kernel.name, formulas, kernel.summary, kernel.equation)
+    return KernelEntry(kernel.name, formulas, kernel.summary, kernel.equation)
 
 
 def _arguments(model: Model) -> tuple[SymbolText, ...]:
@@ -188,7 +188,7 @@ def _arguments(model: Model) -> tuple[SymbolText, ...]:
     )
 
 
-def _kernels(model: Model, notation: SceneNotation) -> dict[str, ShownKernel]:
+def _kernels(model: Model, notation: SceneNotation) -> dict[str, KernelEntry]:
     """Return the formulas of all kernels, in the names that the searches define."""
     texts = {}
     for made in (*model.surfaces, *model.end_planes):
@@ -205,7 +205,7 @@ def _kernels(model: Model, notation: SceneNotation) -> dict[str, ShownKernel]:
     return texts
 
 
-def _links(premises: Mapping[str, ShownPremise]) -> dict[str, str]:
+def _links(premises: Mapping[str, PremiseEntry]) -> dict[str, str]:
     return {k: link for premise in premises.values() for k, link in premise.links.items()}
 
 
@@ -330,7 +330,7 @@ def derivation_context(model: Model, reference: PageData | None = None) -> PageD
     flown = (f"{left}(t)" for left in (*AXES, *(f"v_{axis}" for axis in AXES)))
     kernels = _kernels(model, notation)
 
-    premises = shown_premises(
+    premises = premise_entries(
         stated(model),
         kernels,
         reference.premises if reference else {},

@@ -275,7 +275,7 @@ def survey(batches: Iterable[pa.RecordBatch], names: Iterable[str], comma: bool)
         for name, types in possible.items():
             if not types:
                 continue
-            cells = pointed(batch[name], comma)
+            cells = with_decimal_points(batch[name], comma)
             cells = cells.filter(pc.not_equal(cells, ""))
             if len(cells):
                 filled.add(name)
@@ -290,7 +290,7 @@ def survey(batches: Iterable[pa.RecordBatch], names: Iterable[str], comma: bool)
     }
 
 
-def other_text(
+def text_columns(
     batches: Iterable[pa.RecordBatch], names: Iterable[str], comma: bool
 ) -> dict[str, Any]:
     """Return the type of text for those columns in which a cell is neither empty nor a number.
@@ -326,7 +326,7 @@ def parsed(cells: Any, kind: Any, comma: bool) -> Any:
     """
     if pa.types.is_string(kind):
         return cells
-    cells = pointed(cells, comma)
+    cells = with_decimal_points(cells, comma)
     if not pa.types.is_floating(kind):
         return pc.if_else(pc.equal(cells, ""), None, cells).cast(kind)
     try:
@@ -337,7 +337,7 @@ def parsed(cells: Any, kind: Any, comma: bool) -> Any:
         return pc.if_else(number, plain, None).cast(kind)
 
 
-def pointed(cells: Any, comma: bool) -> Any:
+def with_decimal_points(cells: Any, comma: bool) -> Any:
     """Return numbers that have a decimal comma with a point, and all others as they are.
 
     Parameters

@@ -37,11 +37,11 @@ from .delimited import (
     Layout,
     check_delimiter,
     layout_of,
-    other_text,
     parsed,
-    pointed,
     read,
     survey,
+    text_columns,
+    with_decimal_points,
 )
 from .filters import Condition, check_columns, chosen, parse_conditions
 from .limits import LEAST_MEMORY, MEMORY, Opened, read_arrow, read_parquet, regrouped, validated
@@ -255,7 +255,7 @@ class Source:
             types = survey(batches, others, self.comma) if others else {}
         if as_text:
             with self._opened() as (_, batches):
-                types |= other_text(batches, numbers, self.comma)
+                types |= text_columns(batches, numbers, self.comma)
         return pa.schema([(name, types.get(name, pa.float64())) for name in schema.names])
 
     def cast(
@@ -287,7 +287,7 @@ class Source:
         with self._naming():
             numbers = {column.name for column in (columns or {}).values()}
             cells = [
-                pointed(column, self.comma)
+                with_decimal_points(column, self.comma)
                 if field.name in numbers and pa.types.is_string(field.type)
                 else parsed(column, field.type, self.comma)
                 for column, field in zip(table.columns, schema, strict=True)

@@ -13,8 +13,8 @@ from hoopgen.derive.scenes.air import AIR
 from hoopgen.derive.scenes.scene import Scene as DerivedScene
 
 from hoopgen.codegen.derivation import PageData, derivation_context
+from hoopgen.codegen.derivation.page_entries import FAMILY
 from hoopgen.codegen.derivation.scene_notation import SceneNotation
-from hoopgen.codegen.derivation.shown_premises import FAMILY
 from hoopgen.codegen.render import explanation
 from hoopgen.scene import Box, Cylinder, End, Plane, Scene, Sphere
 from tests.codegen.derivation.test_document import (

@@ -45,9 +45,9 @@ from hoopgen.codegen import render
 from hoopgen.codegen.derivation import Formulas, Line, derivation_context, explain, latex_name
 from hoopgen.codegen.derivation.contacts import contact_text
 from hoopgen.codegen.derivation.latex import number, show
+from hoopgen.codegen.derivation.page_entries import FAMILY
 from hoopgen.codegen.derivation.parts import Abbreviations, search_text, surface_text
 from hoopgen.codegen.derivation.scene_notation import SceneNotation
-from hoopgen.codegen.derivation.shown_premises import FAMILY
 from hoopgen.codegen.program import lower
 from tests.codegen.test_kernels import DIGITS, Evaluator, model
 from tests.helpers import ROOT

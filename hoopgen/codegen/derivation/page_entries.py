@@ -26,7 +26,7 @@ def anchor(heading: str) -> str:
 
 
 @dataclass(frozen=True)
-class ShownKernel:
+class KernelEntry:
     """A kernel's formulas, summary and source."""
 
     name: str
@@ -34,7 +34,7 @@ class ShownKernel:
     summary: str
     equation: str
 
-    def says_as(self, other: ShownKernel) -> bool:
+    def says_as(self, other: KernelEntry) -> bool:
         """Return whether another kernel has the same formulas, made of the same objects."""
         own, others = (
             (k.formulas.lines, k.formulas.where, k.summary, k.equation) for k in (self, other)
@@ -43,7 +43,7 @@ class ShownKernel:
 
 
 @dataclass(frozen=True)
-class ShownPremise:
+class PremiseEntry:
     """A premise, and the kernels that rest on it.
 
     Attributes
@@ -87,12 +87,12 @@ class ShownPremise:
         return found | {name: f"`{name}`" for name in self.omitted}
 
 
-def shown_premises(
+def premise_entries(
     stated: Mapping[str, tuple[str, ...]],
-    kernels: Mapping[str, ShownKernel],
-    reference: Mapping[str, ShownPremise],
-    known: Mapping[str, ShownKernel],
-) -> dict[str, ShownPremise]:
+    kernels: Mapping[str, KernelEntry],
+    reference: Mapping[str, PremiseEntry],
+    known: Mapping[str, KernelEntry],
+) -> dict[str, PremiseEntry]:
     """Return the premises of a page; lemmas and choices are numbered together.
 
     Parameters
@@ -105,7 +105,7 @@ def shown_premises(
         The premises and the kernels of the page to link instead of repeating it, if there is one.
         The numbers of further premises follow those of its own.
     """
-    texts: dict[str, ShownPremise] = {}
+    texts: dict[str, PremiseEntry] = {}
     count = sum(text.label != DEFINITION for text in reference.values())
     for key, names in stated.items():
         premise, there = PREMISES[key], reference.get(key)
@@ -122,5 +122,5 @@ def shown_premises(
         omitted = tuple(name for name, order in orders.items() if order and int(order[1]) > 1)
         own = tuple(name for name in names if name not in (*linked, *omitted))
         file = REFERENCE_FILE if there else ""
-        texts[key] = ShownPremise(label, premise.title, file, own, linked, omitted)
+        texts[key] = PremiseEntry(label, premise.title, file, own, linked, omitted)
     return texts
