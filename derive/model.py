@@ -126,6 +126,7 @@ def build(scene: Scene) -> Model:
             counted,
             bool(tabled),
             any(s.search.remembered for s in surfaces),
+            scene.proves_errors,
         ),
         [variable(symbol) for symbol in scene.symbols],
         scene.open_ended,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sympy as sp
 
-from ..errors import propagation
+from ..errors import contact_frames, propagation
 from ..events import bounding_boxes, event_polynomials, search_for
 from ..events.predicates import pad
 from ..scenes import validity
@@ -55,6 +55,7 @@ def argument_order(scene: Scene) -> tuple[sp.Symbol, ...]:
         *(*_SEARCH, *STATE, *NORMAL, *FRAME),
         *(extent, speed, position_error, velocity_error),
         *propagation.ARGUMENTS,
+        *contact_frames.ARGUMENTS,
         *_BOXES,
         *scene.flight.symbols,
         *variation_symbols(scene),

@@ -7,8 +7,10 @@ from collections.abc import Sequence, Set
 import sympy as sp
 
 from ..contact.law import Law
-from ..errors import propagation
+from ..contact.no_slip import NoSlip
+from ..errors import contact_frames, propagation
 from ..ir.kernel import Kernel, kernel
+from ..motion.parabola import Parabola
 from ..rolling import friction_limit, jump, settling
 from ..scenes.scene import Scene
 from ..state import shared_kernels
@@ -79,6 +81,12 @@ def _kernels(
         if scene.bounds_jumps:
             kernels["rebound"] = jump.rebound_kernel(law)
         kernels["grip_deficit"] = friction_limit.friction_excess(law)
+    if isinstance(law, NoSlip) and isinstance(scene.flight, Parabola) and scene.proves_errors:
+        carried = contact_frames.contact_errors(scene.flight, scene.ball, law.restitution)
+        carried_summary = "Bounds on errors after a contact, from those at the departure before it."
+    else:
+        carried = propagation.errors_after_impact(law, scene.ball, scene.rolls)
+        carried_summary = "Errors of velocity and spin after a contact, from those before it."
     return kernels | {
         "impact": kernel(
             law.name,
@@ -89,9 +97,9 @@ def _kernels(
         ),
         "carry": kernel(
             f"carry_{law.name}",
-            propagation.errors_after_impact(law, scene.ball, scene.rolls),
+            carried,
             order,
-            "Errors of velocity and spin after a contact, from those before it.",
+            carried_summary,
             f"derivative of {law.description}, with roundings",
             scene.single_errors,
         ),

@@ -8,7 +8,7 @@ import sympy as sp
 
 from ..contact.frame import contact_frame
 from ..contact.no_slip import impact_through_frame
-from ..errors import propagation
+from ..errors import contact_frames, propagation
 from ..events import bounding_boxes, event_polynomials
 from ..events.air import over_budget
 from ..events.predicates import excess
@@ -16,12 +16,14 @@ from ..ir.kernel import Kernel, decision, kernel
 from ..motion.air import AirFlight
 from ..motion.air_piece import piece
 from ..motion.air_series import FIRST_SINGLE, ORDER, SHORT, SINGLE_SERIES
+from ..motion.flight import Flight
+from ..motion.parabola import Parabola
 from ..scenes import sinking, validity
 from ..scenes.scene import Scene
 from ..symbolic import error_terms
 from ..symbolic.conditionals import AtMost, barrier, maximum
 from ..symbolic.number_range import MAX_FLIGHT, MAX_SPEED
-from ..symbolic.symbols import POSITION, SPIN, VELOCITY, spin, velocity
+from ..symbolic.symbols import POSITION, SPIN, VELOCITY, normal, spin, velocity
 from .arguments import FRAME, RESTITUTION, components, unchecked_argument_order
 from .variation import piece_variations, scene_variations
 
@@ -265,6 +267,8 @@ def _flight_size(scene: Scene) -> sp.Expr:
 
 def _errors(scene: Scene, order: tuple[sp.Symbol, ...]) -> tuple[Kernel, ...]:
     """Return the kernels of error propagation through a flight, and of the bounds from errors."""
+    if scene.proves_errors:
+        return _proved_errors(scene.flight, order)
     single = scene.single_errors
     return (
         kernel(
@@ -298,6 +302,45 @@ def _errors(scene: Scene, order: tuple[sp.Symbol, ...]) -> tuple[Kernel, ...]:
             "Bounds on the errors of state and time that are reported.",
             "the carried errors times a larger factor",
             single,
+        ),
+    )
+
+
+def _proved_errors(flight: Flight, order: tuple[sp.Symbol, ...]) -> tuple[Kernel, ...]:
+    """Return the kernels of proved bounds on errors; those at a contact are of its law."""
+    if not isinstance(flight, Parabola):
+        raise TypeError(f"expected a flight in a parabola, got {flight.source}")
+    bounds = contact_frames.error_bounds()
+    return (
+        kernel(
+            "normal_velocity",
+            {contact_frames.normal_velocity.name: barrier(velocity.dot(normal))},
+            order,
+            "Velocity along the normal before the impact.",
+            "Table 2",
+        ),
+        kernel(
+            "carry_end",
+            contact_frames.errors_at_end(flight),
+            order,
+            "Bounds on the errors where a flight crosses the end plane.",
+            f"{flight.source}, with roundings",
+            True,
+        ),
+        kernel(
+            "carry_time",
+            contact_frames.errors_at_time(flight),
+            order,
+            "Bounds on the errors at the time limit.",
+            f"{flight.source}, with roundings",
+            True,
+        ),
+        *(
+            kernel(name, bounds, order, summary, "the carried bounds", True)
+            for name, summary in (
+                ("error_bounds", "Bounds on the errors of state and time that decisions use."),
+                ("claimed_errors", "Bounds on the errors of state and time that are reported."),
+            )
         ),
     )
 

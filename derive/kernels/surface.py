@@ -8,10 +8,11 @@ from dataclasses import dataclass, field
 
 import sympy as sp
 
-from ..errors import propagation
+from ..errors import contact_frames, propagation
 from ..events import bounding_boxes, event_polynomials, grouping, search_for
 from ..events.search import Formula, Search
 from ..ir.kernel import Kernel, kernel
+from ..motion.parabola import Parabola
 from ..rolling import endless, surface_kernels
 from ..scenes import validity
 from ..scenes.scene import Scene
@@ -52,6 +53,10 @@ class SurfaceKernels:
     def has_edges(self) -> bool:
         """True if a ball may roll over an edge of the surface."""
         return any(part.startswith("rim") for part in self.kernels)
+
+
+_ESTIMATED = {"curvature", "carry_normal", "carry_root", "root_delay"}
+"""Kernels of errors that are estimated, which a scene with proved bounds has not."""
 
 
 def all_surface_kernels(
@@ -114,6 +119,8 @@ def one_surface_kernels(
     """
     search = search_for(surface, scene.flight)
     formulas = _geometry(surface, scene) | search.formulas
+    if scene.proves_errors:
+        formulas = {part: own for part, own in formulas.items() if part not in _ESTIMATED}
     if differing is not None:
         parameters = [symbol for symbol in scene.symbols if symbol in differing]
         formulas["taken"] = (
@@ -127,7 +134,7 @@ def one_surface_kernels(
                 formulas |= _groups(surface)
     elif search.reach_test:
         formulas["near"] = (search.reach_test, _REACH, _DISJOINT)
-    carried = {"carry_root", "carry_normal"} if scene.single_errors else frozenset()
+    carried = {"carry_root", "carry_normal", "tangents"} if scene.single_errors else set()
     single = search.single | carried
     kernels = {
         part: kernel(f"{surface.name}_{part}", outputs, order, summary, equation, part in single)
@@ -183,6 +190,12 @@ def _geometry(surface: Surface, scene: Scene) -> dict[str, Formula]:
             "Table 2",
         ),
     }
+    if scene.proves_errors and isinstance(scene.flight, Parabola):
+        formulas["tangents"] = (
+            contact_frames.tangents(surface, scene.flight),
+            "Tangent and curvatures at a contact, and bounds on the roundings there.",
+            "Table 2, running error analysis",
+        )
     formulas["vary"] = contact_variation(surface, scene)
     if surface.bounds:
         formulas["bounds"] = (

@@ -13,6 +13,7 @@ from itertools import groupby
 
 from ..events.search import Parts, given, proposed
 from ..ir.event_tree import Call, If, Node, Value, given_as
+from ..ir.kernel import Kernel
 from ..motion.air_series import PIECE_KERNELS
 from ..rolling import stages as contact_stages
 from ..rolling.symbols import EventCodes
@@ -307,6 +308,9 @@ def _contact(
                     yield from on_surface(common, surface.index, *counted)
         else:
             yield from kind.evaluate(common, "normal", *_counted(common, kind.first, fields))
+    if "carry_end" in common:
+        yield from _proved_errors(common, contacts, end_planes)
+        return
     yield Call(common["elsewhere"])
     if "in_contact" in common:
         yield Call(common["other_start_surface"])
@@ -327,6 +331,34 @@ def _contact(
         yield from kind.evaluate(common, "place")
     slowed = (Call(common["leaves_slowly"]),) if "in_contact" in common else ()
     yield If("touches", (Call(common["touched"]), *slowed))
+
+
+def _proved_errors(
+    common: Parts, contacts: Sequence[LoopSurface], end_planes: Sequence[LoopSurface]
+) -> Iterator[Node]:
+    """Apply the law to the motion and its proved bounds, or bound the errors at an end."""
+    kinds = by_kind(contacts)
+    yield Call(common["normal_velocity"])
+    yield Call(common["came_back"])
+    first, *others = (*end_planes, *contacts)
+    yield given(first.parts["tangents"], t="when")
+    for end_plane in others[: max(0, len(end_planes) - 1)]:
+        frame = given(end_plane.parts["tangents"], t="when")
+        yield from on_surface(common, end_plane.index, frame)
+    for kind in kinds:
+        yield from kind.evaluate(common, "tangents")
+    if end_planes:
+        yield If("ends", tuple(_timed(common, common["carry_end"])))
+    yield from _laws(common, contacts)
+    for kind in kinds:
+        yield from kind.evaluate(common, "place")
+    yield If("touches", (Call(common["touched"]),))
+
+
+def _timed(common: Parts, carry: Kernel) -> Iterator[Call]:
+    """Carry bounds on errors over a flight, and count its delay."""
+    yield Call(carry, {"t": "when"}, {"delay": "belated"})
+    yield Call(common["clock_error_sum"], {"delay": "belated"})
 
 
 def _counted(common: Parts, surface: LoopSurface, fields: Set[str]) -> list[Call]:
@@ -361,5 +393,8 @@ def _law(common: Parts, surface: LoopSurface) -> Iterator[Call]:
     if "undecided" in surface.law:
         yield Call(surface.law["undecided"])
         yield Call(common["undecided"])
-    yield Call(surface.law["carry"])
+    if "carry_end" in common:
+        yield from _timed(common, surface.law["carry"])
+    else:
+        yield Call(surface.law["carry"])
     yield Call(surface.law["impact"])

@@ -282,6 +282,11 @@ KERNELS = {
         decision("counted", {"count": count + 1}, "One more contact."),
         decision("elsewhere", {"curving": sp.oo}, "Start value: another surface."),
         decision(
+            "came_back",
+            {"back": Choose(Equal(last, which), 1, 0)},
+            "1 if the flight began on the surface that the ball meets.",
+        ),
+        decision(
             "again",
             {"again": all_of(Equal(which, index), Equal(last, which))},
             "Whether the ball meets the same surface again.",

@@ -9,11 +9,12 @@ import sympy as sp
 
 from ..contact.ball import THIN_SHELL, Ball
 from ..contact.law import Law
+from ..contact.no_slip import NoSlip
 from ..motion.air import AirFlight
 from ..motion.air_forces import AirConstants
 from ..motion.flight import Acceleration, Flight
 from ..motion.parabola import Parabola
-from ..surfaces import Body, Cone, EndPlane, InclinedPlane, Plane, Surface
+from ..surfaces import Body, Cone, EndPlane, InclinedPlane, Plane, Ring, Surface
 from ..surfaces.plane import Flat
 from ..surfaces.two_sided import Round
 from ..symbolic.conditionals import release
@@ -181,6 +182,18 @@ class Scene:
             for s in self.surfaces
         )
         return not self.rolls and not flat
+
+    @property
+    def proves_errors(self) -> bool:
+        """True if errors have proved bounds, of contacts without slip on rings and planes."""
+        return (
+            not self.rolls
+            and isinstance(self.flight, Parabola)
+            and self.flight.upright
+            and all(isinstance(s, Ring | Plane) for s in (*self.surfaces, *self.end_planes))
+            and len(self.laws) == 1
+            and isinstance(self.laws[0], NoSlip)
+        )
 
     @property
     def has_edges(self) -> bool:

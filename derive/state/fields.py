@@ -11,6 +11,9 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from math import inf
 
+import sympy as sp
+
+from ..errors import contact_frames
 from ..symbolic.error_terms import ERRORS
 from ..symbolic.symbols import STATE
 
@@ -158,6 +161,7 @@ def fields(
     is_counted: bool = False,
     measured: bool = False,
     remembered: bool = False,
+    proved: bool = False,
 ) -> tuple[Field, ...]:
     """Return the fields of a shot.
 
@@ -175,6 +179,8 @@ def fields(
         True if the sum of the scene's lengths is computed once for a shot.
     remembered
         True if a flight may begin on a plane besides the surface that was touched last.
+    proved
+        True if errors have proved bounds.
     """
     rolling = (
         Field("held", NONE, "surface that it stays in contact with, -1: none"),
@@ -187,7 +193,8 @@ def fields(
         *(Field(name, start, summary, True) for name, start, summary in _WATCHED),
     )
     state = (Field(s.name, None, "of the state") for s in STATE)
-    errors = (Field(s.name, 0.0, f"carried error of {s.name[1:]}", True) for s in ERRORS)
+    carried = contact_frames.CARRIED if proved else ERRORS
+    errors = (Field(s.name, 0.0, _carried(s), True) for s in carried)
     counts = (Field(f"count_{k}", 0.0, f"contacts with {name}") for k, name in enumerate(bodies))
     claims = (Field(name, 0.0, "bound on the error at the end", True) for name in REPORTED_ERRORS)
     through = Field("through", 0.0, "1: it has fallen through the ring, -1: it came up through it")
@@ -213,6 +220,17 @@ def fields(
         *claims,
         Field("outcome", IN_FLIGHT, "how it ended, -1: in flight"),
     )
+
+
+def _carried(symbol: sp.Symbol) -> str:
+    """Return the meaning of a carried number."""
+    if symbol in ERRORS:
+        return f"carried error of {symbol.name[1:]}"
+    if symbol in contact_frames.NORMS:
+        return f"bound on the error of the {symbol.name.split('_')[0]}"
+    if symbol in contact_frames.BOUNDS:
+        return "bound on an error in the frame of the last contact"
+    return "of the frame of the last contact"
 
 
 _ROLLING = (

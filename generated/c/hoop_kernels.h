@@ -1,6 +1,6 @@
 /* Kernels of the scene hoop, in C.
 
-   Generated from templates/c/kernels.h.j2, scene hoop, derivation 83b7ff2bc0b2beda,
+   Generated from templates/c/kernels.h.j2, scene hoop, derivation eb553e9a2c366767,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -97,136 +97,87 @@ LANES(hoop_displacement)(V delay, V horizon, V extent, V speed, V position_error
     return (LANES(hoop_displacement_out)){ lanes_add(lanes_add(lanes_mul(lanes_mul(K(1.0009765625), delay), _s0), lanes_mul(K(4.445228907190568e-16), lanes_add(_s1, _c1))), lanes_mul(K(3.0029296875), lanes_add(lanes_add(position_error, lanes_mul(horizon, velocity_error)), lanes_mul(K(4.440892098500626e-16), _s1)))) };
 }
 
-/* Errors of the state at the end of a flight to a surface, from those at its start.
-   derivative of Eq. 3 and of the contact time, with roundings. 125 operations: 27 additions, 1 subtraction, 33 multiplications, 2 divisions, 7 negations, 17 absolute values, 19 comparisons, 19 selections. */
+/* Velocity along the normal before the impact.
+   Table 2. 5 operations: 2 additions, 3 multiplications. */
 typedef struct {
-    S dx, dy, dz, dvx, dvy, dvz, delay, shift;
-} LANES(hoop_carry_flight_out);
+    V normal_velocity;
+} LANES(hoop_normal_velocity_out);
 
-LANES_INLINE LANES(hoop_carry_flight_out)
-LANES(hoop_carry_flight)(S t, S x, S y, S z, S vx, S vy, S vz, S nx, S ny, S nz, S clock, S contacts, S earliest_delay, S dx, S dy, S dz, S dvx, S dvy, S dvz, S curving, S _c0)
+LANES_INLINE LANES(hoop_normal_velocity_out)
+LANES(hoop_normal_velocity)(V vx, V vy, V vz, V nx, V ny, V nz)
 {
-    const S _s0 = singles_add(dx, singles_mul(dvx, t));
-    const S _s1 = singles_abs(vx);
-    const S _s2 = singles_mul(KS(2.0), t);
-    const S _s3 = singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), singles_add(singles_mul(_s2, _s1), singles_abs(x))));
-    const S _s4 = singles_add(_s0, singles_select(singles_less(_s0, KS(0.0)), singles_neg(_s3), _s3));
-    const S _s5 = singles_add(dy, singles_mul(dvy, t));
-    const S _s6 = singles_abs(vy);
-    const S _s7 = singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), singles_add(singles_mul(_s2, _s6), singles_abs(y))));
-    const S _s8 = singles_add(_s5, singles_select(singles_less(_s5, KS(0.0)), singles_neg(_s7), _s7));
-    const S _s9 = singles_add(dz, singles_mul(dvz, t));
-    const S _s10 = singles_abs(vz);
-    const S _s11 = singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), singles_add(singles_add(singles_mul(_c0, singles_mul(t, t)), singles_mul(_s2, _s10)), singles_abs(z))));
-    const S _s12 = singles_add(_s9, singles_select(singles_less(_s9, KS(0.0)), singles_neg(_s11), _s11));
-    const S _s13 = singles_div(KS(1.0), singles_add(singles_add(singles_mul(nx, vx), singles_mul(ny, vy)), singles_mul(nz, vz)));
-    const S _s14 = singles_mul(singles_neg(singles_add(singles_add(singles_mul(nx, _s4), singles_mul(ny, _s8)), singles_mul(nz, _s12))), _s13);
-    const S _s15 = singles_add(singles_mul(vx, _s14), _s4);
-    const S _s16 = singles_abs(_s15);
-    const S _s17 = singles_max(_s1, _s6);
-    const S _s18 = singles_max(_s17, _s10);
-    const S _s19 = singles_abs(dx);
-    const S _s20 = singles_abs(dy);
-    const S _s21 = singles_max(_s19, _s20);
-    const S _s22 = singles_abs(dz);
-    const S _s23 = singles_max(_s21, _s22);
-    const S _s24 = singles_mul(curving, singles_mul(t, _s18));
-    const S _s25 = singles_abs(dvx);
-    const S _s26 = singles_abs(dvy);
-    const S _s27 = singles_max(_s25, _s26);
-    const S _s28 = singles_abs(dvz);
-    const S _s29 = singles_max(_s3, _s7);
-    const S _s30 = singles_add(singles_mul(t, singles_max(_s27, _s28)), singles_max(_s29, _s11));
-    const S _s31 = singles_add(singles_mul(singles_mul(singles_abs(_s13), _s18), singles_add(singles_mul(_s23, singles_min(_s24, KS(1.0))), _s30)), singles_add(_s30, _s23));
-    const S _s32 = singles_mul(_s31, singles_div(KS(1.0), singles_add(KS(8.0), singles_mul(KS(8.0), contacts))));
-    const S _s33 = singles_max(_s16, _s32);
-    const S _s34 = singles_add(singles_mul(vy, _s14), _s8);
-    const S _s35 = singles_abs(_s34);
-    const S _s36 = singles_max(_s35, _s32);
-    const S _s37 = singles_add(singles_mul(vz, _s14), _s12);
-    const S _s38 = singles_abs(_s37);
-    const S _s39 = singles_max(_s38, _s32);
-    const S _s40 = singles_abs(_s14);
-    const S _s41 = singles_mul(KS(0.0625), earliest_delay);
-    return (LANES(hoop_carry_flight_out)){ singles_select(singles_less(_s15, KS(0.0)), singles_neg(_s33), _s33), singles_select(singles_less(_s34, KS(0.0)), singles_neg(_s36), _s36), singles_select(singles_less(_s37, KS(0.0)), singles_neg(_s39), _s39), dvx, dvy, singles_sub(dvz, singles_mul(_c0, _s14)), singles_add(singles_mul(KS(4.440892098500626e-16), singles_add(t, clock)), singles_max(_s40, _s41)), _s31 };
+    return (LANES(hoop_normal_velocity_out)){ lanes_add(lanes_add(lanes_mul(nx, vx), lanes_mul(ny, vy)), lanes_mul(nz, vz)) };
 }
 
-/* Errors of the state at the time limit, from those at the start of the flight.
-   derivative of Eq. 3, with roundings. 64 operations: 20 additions, 18 multiplications, 1 negation, 13 absolute values, 6 comparisons, 6 selections. */
+/* Bounds on the errors where a flight crosses the end plane.
+   Eq. 3, with roundings. 62 operations: 25 additions, 1 subtraction, 22 multiplications, 1 division, 8 absolute values, 1 comparison, 4 selections. */
 typedef struct {
-    S dx, dy, dz, dvx, dvy, dvz, clock_error;
+    S position_bound, velocity_bound, spin_bound, delay;
+} LANES(hoop_carry_end_out);
+
+LANES_INLINE LANES(hoop_carry_end_out)
+LANES(hoop_carry_end)(S t, S x, S y, S z, S vx, S vy, S vz, S clock, S position_bound, S velocity_bound, S spin_bound, S root_offset, S normal_velocity, S _c0, S _c1)
+{
+    const S _s0 = singles_abs(vx);
+    const S _s1 = singles_mul(KS(2.0), t);
+    const S _s2 = singles_abs(vy);
+    const S _s3 = singles_add(singles_add(singles_mul(_c1, singles_mul(t, t)), singles_mul(_s1, singles_abs(singles_add(vz, singles_mul(_c1, t))))), singles_abs(z));
+    const S _s4 = singles_add(singles_add(singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), singles_add(singles_mul(_s1, _s0), singles_abs(x)))), singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), singles_add(singles_mul(_s1, _s2), singles_abs(y))))), singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), _s3)));
+    const S _s5 = singles_add(singles_add(singles_add(position_bound, root_offset), singles_mul(t, velocity_bound)), _s4);
+    const S _s6 = singles_abs(normal_velocity);
+    const S _s7 = singles_div(singles_mul(KS(1.1), _s5), _s6);
+    const S _s8 = singles_abs(vz);
+    const S _s9 = singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), singles_add(singles_add(singles_add(singles_mul(_c0, t), _s0), _s2), _s8)));
+    const S _s10 = singles_add(singles_mul(_c0, _s7), singles_add(velocity_bound, _s9));
+    const S _s11 = singles_mul(KS(1.0009765625), singles_add(singles_mul(_s7, singles_add(_s10, singles_add(singles_add(_s0, _s2), _s8))), _s5));
+    const Q _s12 = singles_at_most(singles_sub(singles_mul(KS(11.0), _s10), _s6), KS(0.0));
+    return (LANES(hoop_carry_end_out)){ singles_select(_s12, _s11, KS(INFINITY)), singles_select(_s12, singles_mul(KS(1.0009765625), _s10), KS(INFINITY)), singles_select(_s12, singles_mul(KS(1.0009765625), spin_bound), KS(INFINITY)), singles_add(singles_mul(KS(4.440892098500626e-16), singles_add(t, clock)), singles_select(_s12, singles_mul(KS(1.0009765625), _s7), KS(INFINITY))) };
+}
+
+/* Bounds on the errors at the time limit.
+   Eq. 3, with roundings. 50 operations: 24 additions, 19 multiplications, 7 absolute values. */
+typedef struct {
+    S position_bound, velocity_bound, spin_bound, clock_error;
 } LANES(hoop_carry_time_out);
 
 LANES_INLINE LANES(hoop_carry_time_out)
-LANES(hoop_carry_time)(S t, S x, S y, S z, S vx, S vy, S vz, S clock, S clock_error, S dx, S dy, S dz, S dvx, S dvy, S dvz, S _c0, S _c1)
+LANES(hoop_carry_time)(S t, S x, S y, S z, S vx, S vy, S vz, S clock, S clock_error, S position_bound, S velocity_bound, S spin_bound, S _c0, S _c1)
 {
-    const S _s0 = singles_abs(vx);
-    const S _s1 = singles_add(clock_error, singles_mul(KS(4.440892098500626e-16), singles_add(t, clock)));
-    const S _s2 = singles_abs(dvx);
-    const S _s3 = singles_abs(dvy);
-    const S _s4 = singles_max(_s2, _s3);
-    const S _s5 = singles_abs(dvz);
+    const S _s0 = singles_add(clock_error, singles_mul(KS(4.440892098500626e-16), singles_add(t, clock)));
+    const S _s1 = singles_abs(vx);
+    const S _s2 = singles_abs(vy);
+    const S _s3 = singles_abs(vz);
+    const S _s4 = singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), singles_add(singles_add(singles_add(singles_mul(_c0, t), _s1), _s2), _s3)));
+    const S _s5 = singles_add(singles_add(velocity_bound, singles_mul(_c0, _s0)), _s4);
     const S _s6 = singles_mul(KS(2.0), t);
-    const S _s7 = singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), singles_add(singles_mul(_s6, _s0), singles_abs(x))));
-    const S _s8 = singles_abs(vy);
-    const S _s9 = singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), singles_add(singles_mul(_s6, _s8), singles_abs(y))));
-    const S _s10 = singles_max(_s7, _s9);
-    const S _s11 = singles_abs(vz);
-    const S _s12 = singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), singles_add(singles_add(singles_mul(_c0, singles_mul(t, t)), singles_mul(_s6, _s11)), singles_abs(z))));
-    const S _s13 = singles_abs(dx);
-    const S _s14 = singles_abs(dy);
-    const S _s15 = singles_max(_s13, _s14);
-    const S _s16 = singles_abs(dz);
-    const S _s17 = singles_add(singles_add(singles_mul(t, singles_max(_s4, _s5)), singles_max(_s10, _s12)), singles_max(_s15, _s16));
-    return (LANES(hoop_carry_time_out)){ singles_add(singles_mul(_s0, _s1), _s17), singles_add(singles_mul(_s8, _s1), _s17), singles_add(singles_mul(_s11, _s1), _s17), singles_add(singles_add(_c1, singles_mul(KS(2.220446049250313e-16), _s0)), _s2), singles_add(singles_add(_c1, singles_mul(KS(2.220446049250313e-16), _s8)), _s3), singles_add(singles_add(singles_mul(KS(2.220446049250313e-16), _s11), _s5), singles_abs(singles_neg(singles_mul(_c0, _s1)))), KS(0.0) };
+    const S _s7 = singles_add(singles_add(singles_mul(_c1, singles_mul(t, t)), singles_mul(_s6, singles_abs(singles_add(vz, singles_mul(_c1, t))))), singles_abs(z));
+    const S _s8 = singles_add(singles_add(singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), singles_add(singles_mul(_s6, _s1), singles_abs(x)))), singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), singles_add(singles_mul(_s6, _s2), singles_abs(y))))), singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), _s7)));
+    const S _s9 = singles_add(singles_add(singles_add(position_bound, singles_mul(t, velocity_bound)), singles_mul(_s0, singles_add(_s5, singles_add(singles_add(_s1, _s2), _s3)))), _s8);
+    return (LANES(hoop_carry_time_out)){ singles_mul(KS(1.0009765625), _s9), singles_mul(KS(1.0009765625), _s5), singles_mul(KS(1.0009765625), spin_bound), KS(0.0) };
 }
 
-/* Bounds on the errors of state and time that decisions allow for.
-   the carried errors times a factor. 25 operations: 4 multiplications, 9 absolute values, 6 comparisons, 6 selections. */
+/* Bounds on the errors of state and time that decisions use.
+   the carried bounds. No operations. */
 typedef struct {
     S position_error, velocity_error, spin_error, time_error;
 } LANES(hoop_error_bounds_out);
 
 LANES_INLINE LANES(hoop_error_bounds_out)
-LANES(hoop_error_bounds)(S clock_error, S dx, S dy, S dz, S dvx, S dvy, S dvz, S dwx, S dwy, S dwz)
+LANES(hoop_error_bounds)(S clock_error, S position_bound, S velocity_bound, S spin_bound)
 {
-    const S _s0 = singles_abs(dx);
-    const S _s1 = singles_abs(dy);
-    const S _s2 = singles_max(_s0, _s1);
-    const S _s3 = singles_abs(dz);
-    const S _s4 = singles_abs(dvx);
-    const S _s5 = singles_abs(dvy);
-    const S _s6 = singles_max(_s4, _s5);
-    const S _s7 = singles_abs(dvz);
-    const S _s8 = singles_abs(dwx);
-    const S _s9 = singles_abs(dwy);
-    const S _s10 = singles_max(_s8, _s9);
-    const S _s11 = singles_abs(dwz);
-    return (LANES(hoop_error_bounds_out)){ singles_mul(KS(16.0), singles_max(_s2, _s3)), singles_mul(KS(16.0), singles_max(_s6, _s7)), singles_mul(KS(16.0), singles_max(_s10, _s11)), singles_mul(KS(16.0), clock_error) };
+    return (LANES(hoop_error_bounds_out)){ position_bound, velocity_bound, spin_bound, clock_error };
 }
 
 /* Bounds on the errors of state and time that are reported.
-   the carried errors times a larger factor. 25 operations: 4 multiplications, 9 absolute values, 6 comparisons, 6 selections. */
+   the carried bounds. No operations. */
 typedef struct {
     S position_error, velocity_error, spin_error, time_error;
 } LANES(hoop_claimed_errors_out);
 
 LANES_INLINE LANES(hoop_claimed_errors_out)
-LANES(hoop_claimed_errors)(S clock_error, S dx, S dy, S dz, S dvx, S dvy, S dvz, S dwx, S dwy, S dwz)
+LANES(hoop_claimed_errors)(S clock_error, S position_bound, S velocity_bound, S spin_bound)
 {
-    const S _s0 = singles_abs(dx);
-    const S _s1 = singles_abs(dy);
-    const S _s2 = singles_max(_s0, _s1);
-    const S _s3 = singles_abs(dz);
-    const S _s4 = singles_abs(dvx);
-    const S _s5 = singles_abs(dvy);
-    const S _s6 = singles_max(_s4, _s5);
-    const S _s7 = singles_abs(dvz);
-    const S _s8 = singles_abs(dwx);
-    const S _s9 = singles_abs(dwy);
-    const S _s10 = singles_max(_s8, _s9);
-    const S _s11 = singles_abs(dwz);
-    return (LANES(hoop_claimed_errors_out)){ singles_mul(KS(64.0), singles_max(_s2, _s3)), singles_mul(KS(64.0), singles_max(_s6, _s7)), singles_mul(KS(64.0), singles_max(_s10, _s11)), singles_mul(KS(64.0), clock_error) };
+    return (LANES(hoop_claimed_errors_out)){ position_bound, velocity_bound, spin_bound, clock_error };
 }
 
 /* 1 if finite parameters are allowed.
@@ -838,28 +789,16 @@ LANES(hoop_counted)(V count)
     return (LANES(hoop_counted_out)){ lanes_add(K(1.0), count) };
 }
 
-/* Start value: another surface.
-   Table 1. No operations. */
+/* 1 if the flight began on the surface that the ball meets.
+   Table 1. 2 operations: 1 comparison, 1 selection. */
 typedef struct {
-    V curving;
-} LANES(hoop_elsewhere_out);
+    V back;
+} LANES(hoop_came_back_out);
 
-LANES_INLINE LANES(hoop_elsewhere_out)
-LANES(hoop_elsewhere)(void)
+LANES_INLINE LANES(hoop_came_back_out)
+LANES(hoop_came_back)(V last, V which)
 {
-    return (LANES(hoop_elsewhere_out)){ K(INFINITY) };
-}
-
-/* Whether the ball meets the same surface again.
-   Table 1. 3 operations: 2 comparisons, 1 conjunction. */
-typedef struct {
-    M again;
-} LANES(hoop_again_out);
-
-LANES_INLINE LANES(hoop_again_out)
-LANES(hoop_again)(V index, V last, V which)
-{
-    return (LANES(hoop_again_out)){ lanes_both(lanes_equal(which, index), lanes_equal(last, which)) };
+    return (LANES(hoop_came_back_out)){ lanes_select(lanes_equal(last, which), K(1.0), K(0.0)) };
 }
 
 /* Body touched first and surface touched last.
@@ -994,30 +933,6 @@ LANES(hoop_closing)(S outcome, S claims)
     return (LANES(hoop_closing_out)){ singles_truth(singles_both(singles_less(KS(0.0), claims), singles_at_most(KS(0.0), outcome))), KS(0.0), KS(0.0), KS(0.0), KS(0.0) };
 }
 
-/* Errors at the end, not below the largest that one flight can cause.
-   Table 1. 9 operations: 3 absolute values, 3 comparisons, 3 selections. */
-typedef struct {
-    S dx, dy, dz;
-} LANES(hoop_error_floor_out);
-
-LANES_INLINE LANES(hoop_error_floor_out)
-LANES(hoop_error_floor)(S dx, S dy, S dz, S shift)
-{
-    return (LANES(hoop_error_floor_out)){ singles_select(singles_less(singles_abs(dx), shift), shift, dx), singles_select(singles_less(singles_abs(dy), shift), shift, dy), singles_select(singles_less(singles_abs(dz), shift), shift, dz) };
-}
-
-/* Start values: a normal without error.
-   Table 1. No operations. */
-typedef struct {
-    S dnx, dny, dnz, turn;
-} LANES(hoop_no_normal_error_out);
-
-LANES_INLINE LANES(hoop_no_normal_error_out)
-LANES(hoop_no_normal_error)(void)
-{
-    return (LANES(hoop_no_normal_error_out)){ KS(0.0), KS(0.0), KS(0.0), KS(0.0) };
-}
-
 /* Whether a flight with these ends may come to a plate.
    Table 1. 31 operations: 6 additions, 2 subtractions, 9 multiplications, 7 comparisons, 2 conjunctions, 1 complement, 4 selections. */
 typedef struct {
@@ -1068,61 +983,211 @@ LANES(hoop_impact)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V _c0, 
     return (LANES(hoop_impact_out)){ lanes_sub(_s1, lanes_mul(lanes_mul(_c0, nx), _s0)), lanes_sub(_s2, lanes_mul(lanes_mul(_c0, ny), _s0)), lanes_sub(_s3, lanes_mul(lanes_mul(_c0, nz), _s0)), lanes_add(lanes_mul(nx, _s4), lanes_mul(_c2, lanes_sub(lanes_mul(ny, _s3), lanes_mul(nz, _s2)))), lanes_add(lanes_mul(ny, _s4), lanes_mul(_c2, lanes_sub(lanes_mul(nz, _s1), lanes_mul(nx, _s3)))), lanes_add(lanes_mul(nz, _s4), lanes_mul(_c2, lanes_sub(lanes_mul(nx, _s2), lanes_mul(ny, _s1)))) };
 }
 
-/* Errors of velocity and spin after a contact, from those before it.
-   derivative of the frame-free Eq. 17, with roundings. 220 operations: 56 additions, 18 subtractions, 89 multiplications, 1 division, 6 negations, 18 absolute values, 16 comparisons, 16 selections. */
+/* Bounds on errors after a contact, from those at the departure before it.
+   derivative of the frame-free Eq. 17, with roundings. 933 operations: 260 additions, 64 subtractions, 465 multiplications, 5 divisions, 37 negations, 82 absolute values, 6 comparisons, 14 selections. */
 typedef struct {
-    S dvx, dvy, dvz, dwx, dwy, dwz;
+    S place_n, place_s, place_e, pace_n, pace_s, pace_e, turn_n, turn_z, position_bound, velocity_bound, spin_bound, left_nx, left_ny, left_nz, left_ex, left_ey, left_bend_s, left_bend_e, delay;
 } LANES(hoop_carry_impact_out);
 
 LANES_INLINE LANES(hoop_carry_impact_out)
-LANES(hoop_carry_impact)(S vx, S vy, S vz, S wx, S wy, S wz, S nx, S ny, S nz, S contacts, S dvx, S dvy, S dvz, S dwx, S dwy, S dwz, S dnx, S dny, S dnz, S turn, S _c0, S _c1, S _c2, S _c3)
+LANES(hoop_carry_impact)(S t, S x, S y, S z, S vx, S vy, S vz, S wx, S wy, S wz, S nx, S ny, S nz, S clock, S left_nx, S left_ny, S left_nz, S place_n, S place_s, S place_e, S pace_n, S pace_s, S pace_e, S turn_n, S turn_z, S position_bound, S velocity_bound, S spin_bound, S tangent_x, S tangent_y, S bend_s, S bend_e, S left_ex, S left_ey, S left_bend_s, S left_bend_e, S sharpest_bend, S root_offset, S normal_rounding, S normal_velocity, S back, S _c0, S _c1, S _c2, S _c3, S _c4, S _c5, S _c6, S _c7, S _c8, S _c9)
 {
-    const S _s0 = singles_add(singles_add(singles_add(singles_mul(nx, dvx), singles_mul(vx, dnx)), singles_add(singles_mul(ny, dvy), singles_mul(vy, dny))), singles_add(singles_mul(nz, dvz), singles_mul(vz, dnz)));
-    const S _s1 = singles_add(singles_add(singles_mul(nx, vx), singles_mul(ny, vy)), singles_mul(nz, vz));
-    const S _s2 = singles_add(singles_mul(nx, _s0), singles_mul(dnx, _s1));
-    const S _s3 = singles_add(singles_mul(_c2, singles_sub(singles_add(singles_mul(nz, dwy), singles_mul(wy, dnz)), singles_add(singles_mul(ny, dwz), singles_mul(wz, dny)))), singles_mul(KS(0.6), singles_sub(dvx, _s2)));
-    const S _s4 = singles_sub(_s3, singles_mul(_c1, _s2));
-    const S _s5 = singles_add(singles_add(singles_mul(_c0, singles_add(singles_add(singles_abs(wx), singles_abs(wy)), singles_abs(wz))), singles_abs(vx)), singles_abs(vy));
-    const S _s6 = singles_add(_s5, singles_abs(vz));
-    const S _s7 = singles_add(KS(7.888609052210118e-31), singles_mul(KS(2.220446049250313e-16), _s6));
-    const S _s8 = singles_add(singles_abs(_s4), _s7);
-    const S _s9 = singles_abs(dwx);
-    const S _s10 = singles_abs(dwy);
-    const S _s11 = singles_max(_s9, _s10);
-    const S _s12 = singles_abs(dwz);
-    const S _s13 = singles_abs(dvx);
-    const S _s14 = singles_abs(dvy);
-    const S _s15 = singles_max(_s13, _s14);
-    const S _s16 = singles_abs(dvz);
-    const S _s17 = singles_mul(singles_add(singles_add(singles_mul(_c0, singles_max(_s11, _s12)), singles_mul(turn, _s6)), singles_max(_s15, _s16)), singles_div(KS(1.0), singles_add(KS(8.0), singles_mul(KS(8.0), contacts))));
-    const S _s18 = singles_max(_s8, _s17);
-    const S _s19 = singles_add(singles_mul(ny, _s0), singles_mul(dny, _s1));
-    const S _s20 = singles_add(singles_mul(_c2, singles_sub(singles_add(singles_mul(nx, dwz), singles_mul(wz, dnx)), singles_add(singles_mul(nz, dwx), singles_mul(wx, dnz)))), singles_mul(KS(0.6), singles_sub(dvy, _s19)));
-    const S _s21 = singles_sub(_s20, singles_mul(_c1, _s19));
-    const S _s22 = singles_add(singles_abs(_s21), _s7);
-    const S _s23 = singles_max(_s22, _s17);
-    const S _s24 = singles_add(singles_mul(nz, _s0), singles_mul(dnz, _s1));
-    const S _s25 = singles_add(singles_mul(_c2, singles_sub(singles_add(singles_mul(ny, dwx), singles_mul(wx, dny)), singles_add(singles_mul(nx, dwy), singles_mul(wy, dnx)))), singles_mul(KS(0.6), singles_sub(dvz, _s24)));
-    const S _s26 = singles_sub(_s25, singles_mul(_c1, _s24));
-    const S _s27 = singles_add(singles_abs(_s26), _s7);
-    const S _s28 = singles_max(_s27, _s17);
-    const S _s29 = singles_add(singles_mul(_c2, singles_sub(singles_mul(ny, wx), singles_mul(nx, wy))), singles_mul(KS(0.6), singles_sub(vz, singles_mul(nz, _s1))));
-    const S _s30 = singles_add(singles_mul(_c2, singles_sub(singles_mul(nx, wz), singles_mul(nz, wx))), singles_mul(KS(0.6), singles_sub(vy, singles_mul(ny, _s1))));
-    const S _s31 = singles_add(singles_add(singles_add(singles_mul(nx, dwx), singles_mul(wx, dnx)), singles_add(singles_mul(ny, dwy), singles_mul(wy, dny))), singles_add(singles_mul(nz, dwz), singles_mul(wz, dnz)));
-    const S _s32 = singles_add(singles_add(singles_mul(nx, wx), singles_mul(ny, wy)), singles_mul(nz, wz));
-    const S _s33 = singles_add(singles_mul(_c3, singles_sub(singles_add(singles_mul(ny, _s25), singles_mul(dny, _s29)), singles_add(singles_mul(nz, _s20), singles_mul(dnz, _s30)))), singles_add(singles_mul(nx, _s31), singles_mul(dnx, _s32)));
-    const S _s34 = singles_mul(_c3, _s7);
-    const S _s35 = singles_add(singles_abs(_s33), _s34);
-    const S _s36 = singles_mul(_c3, _s17);
-    const S _s37 = singles_max(_s35, _s36);
-    const S _s38 = singles_add(singles_mul(_c2, singles_sub(singles_mul(nz, wy), singles_mul(ny, wz))), singles_mul(KS(0.6), singles_sub(vx, singles_mul(nx, _s1))));
-    const S _s39 = singles_add(singles_mul(_c3, singles_sub(singles_add(singles_mul(nz, _s3), singles_mul(dnz, _s38)), singles_add(singles_mul(nx, _s25), singles_mul(dnx, _s29)))), singles_add(singles_mul(ny, _s31), singles_mul(dny, _s32)));
-    const S _s40 = singles_add(singles_abs(_s39), _s34);
-    const S _s41 = singles_max(_s40, _s36);
-    const S _s42 = singles_add(singles_mul(_c3, singles_sub(singles_add(singles_mul(nx, _s20), singles_mul(dnx, _s30)), singles_add(singles_mul(ny, _s3), singles_mul(dny, _s38)))), singles_add(singles_mul(nz, _s31), singles_mul(dnz, _s32)));
-    const S _s43 = singles_add(singles_abs(_s42), _s34);
-    const S _s44 = singles_max(_s43, _s36);
-    return (LANES(hoop_carry_impact_out)){ singles_select(singles_less(_s4, KS(0.0)), singles_neg(_s18), _s18), singles_select(singles_less(_s21, KS(0.0)), singles_neg(_s23), _s23), singles_select(singles_less(_s26, KS(0.0)), singles_neg(_s28), _s28), singles_select(singles_less(_s33, KS(0.0)), singles_neg(_s37), _s37), singles_select(singles_less(_s39, KS(0.0)), singles_neg(_s41), _s41), singles_select(singles_less(_s42, KS(0.0)), singles_neg(_s44), _s44) };
+    const S _s0 = singles_abs(vx);
+    const S _s1 = singles_mul(KS(2.0), t);
+    const S _s2 = singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), singles_add(singles_mul(_s1, _s0), singles_abs(x))));
+    const S _s3 = singles_abs(vy);
+    const S _s4 = singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), singles_add(singles_mul(_s1, _s3), singles_abs(y))));
+    const S _s5 = singles_add(singles_add(singles_mul(_c3, singles_mul(t, t)), singles_mul(_s1, singles_abs(singles_add(vz, singles_mul(_c3, t))))), singles_abs(z));
+    const S _s6 = singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), _s5));
+    const S _s7 = singles_add(singles_add(singles_add(position_bound, root_offset), singles_mul(t, velocity_bound)), singles_add(singles_add(_s2, _s4), _s6));
+    const S _s8 = singles_add(singles_add(singles_mul(nx, left_nx), singles_mul(ny, left_ny)), singles_mul(nz, left_nz));
+    const S _s9 = singles_sub(_s8, back);
+    const S _s10 = singles_mul(left_nz, left_ey);
+    const S _s11 = singles_neg(singles_mul(left_nz, left_ex));
+    const S _s12 = singles_mul(_c2, t);
+    const S _s13 = singles_add(vz, _s12);
+    const S _s14 = singles_sub(singles_mul(left_ny, left_ex), singles_mul(left_nx, left_ey));
+    const S _s15 = singles_add(singles_add(singles_mul(vx, _s10), singles_mul(vy, _s11)), singles_mul(_s13, _s14));
+    const S _s16 = singles_neg(singles_mul(left_bend_s, _s15));
+    const S _s17 = singles_mul(t, _s16);
+    const S _s18 = singles_add(singles_add(singles_mul(vx, left_nx), singles_mul(vy, left_ny)), singles_mul(left_nz, _s13));
+    const S _s19 = singles_mul(left_bend_s, _s18);
+    const S _s20 = singles_add(KS(1.0), singles_mul(t, _s19));
+    const S _s21 = singles_add(singles_add(singles_mul(nx, _s10), singles_mul(ny, _s11)), singles_mul(nz, _s14));
+    const S _s22 = singles_add(singles_mul(_s17, _s8), singles_mul(_s20, _s21));
+    const S _s23 = singles_add(singles_mul(vx, left_ex), singles_mul(vy, left_ey));
+    const S _s24 = singles_mul(left_nz, left_bend_e);
+    const S _s25 = singles_neg(singles_mul(_s24, _s23));
+    const S _s26 = singles_mul(t, _s25);
+    const S _s27 = singles_mul(singles_mul(left_bend_e, _s23), _s14);
+    const S _s28 = singles_mul(t, _s27);
+    const S _s29 = singles_mul(left_bend_e, singles_sub(singles_mul(left_nz, _s15), singles_mul(_s14, _s18)));
+    const S _s30 = singles_add(KS(1.0), singles_mul(t, _s29));
+    const S _s31 = singles_add(singles_mul(nx, left_ex), singles_mul(ny, left_ey));
+    const S _s32 = singles_add(singles_add(singles_mul(_s26, _s21), singles_mul(_s28, _s8)), singles_mul(_s30, _s31));
+    const S _s33 = singles_mul(t, _s8);
+    const S _s34 = singles_mul(t, _s21);
+    const S _s35 = singles_add(singles_add(singles_add(singles_add(singles_mul(place_n, singles_abs(_s9)), singles_mul(place_s, singles_abs(_s22))), singles_mul(place_e, singles_abs(_s32))), singles_mul(pace_n, singles_abs(_s33))), singles_mul(pace_s, singles_abs(_s34)));
+    const S _s36 = singles_mul(t, _s31);
+    const S _s37 = singles_abs(normal_velocity);
+    const S _s38 = singles_mul(KS(1.1), singles_add(singles_add(root_offset, singles_mul(singles_add(KS(3.814697265625e-06), singles_mul(sharpest_bend, _s7)), _s7)), singles_add(_s35, singles_mul(pace_e, singles_abs(_s36)))));
+    const S _s39 = singles_div(_s38, _s37);
+    const S _s40 = singles_abs(vz);
+    const S _s41 = singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), singles_add(singles_add(singles_add(_s12, _s0), _s3), _s40)));
+    const S _s42 = singles_add(velocity_bound, _s41);
+    const S _s43 = singles_add(singles_mul(_c2, _s39), _s42);
+    const S _s44 = singles_add(singles_add(_s0, _s3), _s40);
+    const S _s45 = singles_add(_s43, _s44);
+    const S _s46 = singles_add(singles_mul(_s39, _s45), _s7);
+    const S _s47 = singles_mul(KS(1.02), sharpest_bend);
+    const S _s48 = singles_mul(_s47, _s46);
+    const S _s49 = singles_sub(singles_mul(KS(11.0), singles_add(singles_mul(_s48, _s45), _s43)), _s37);
+    const S _s50 = singles_sub(singles_mul(KS(100.0), singles_mul(sharpest_bend, _s46)), KS(1.0));
+    const S _s51 = singles_add(singles_mul(_c3, singles_mul(_s39, _s39)), singles_mul(_s39, _s42));
+    const S _s52 = singles_div(singles_add(singles_mul(KS(0.51), singles_mul(_s48, _s46)), _s51), _s37);
+    const S _s53 = singles_add(singles_mul(_s52, _s44), _s51);
+    const S _s54 = singles_add(singles_add(singles_add(root_offset, singles_mul(place_n, back)), _s53), singles_add(singles_add(singles_mul(singles_abs(nx), _s2), singles_mul(singles_abs(ny), _s4)), singles_mul(singles_abs(nz), _s6)));
+    const Q _s55 = singles_at_most(singles_max(_s49, _s50), KS(0.0));
+    const S _s56 = singles_select(_s55, singles_mul(KS(1.0009765625), _s54), KS(INFINITY));
+    const S _s57 = singles_mul(nz, tangent_y);
+    const S _s58 = singles_neg(singles_mul(nz, tangent_x));
+    const S _s59 = singles_sub(singles_mul(ny, tangent_x), singles_mul(nx, tangent_y));
+    const S _s60 = singles_add(singles_add(singles_mul(vx, _s57), singles_mul(vy, _s58)), singles_mul(vz, _s59));
+    const S _s61 = singles_abs(_s60);
+    const S _s62 = singles_div(singles_add(root_offset, singles_mul(KS(3.814697265625e-06), _s7)), _s37);
+    const S _s63 = singles_add(singles_mul(_s61, _s62), singles_add(singles_add(singles_mul(singles_abs(_s58), _s4), singles_mul(singles_abs(_s57), _s2)), singles_mul(singles_abs(_s59), _s6)));
+    const S _s64 = singles_add(_s53, singles_mul(KS(3.814697265625e-06), _s46));
+    const S _s65 = singles_div(KS(1.0), normal_velocity);
+    const S _s66 = singles_neg(singles_mul(_s65, _s9));
+    const S _s67 = singles_add(singles_add(singles_mul(left_nx, _s57), singles_mul(left_ny, _s58)), singles_mul(left_nz, _s59));
+    const S _s68 = singles_add(singles_mul(_s66, _s60), _s67);
+    const S _s69 = singles_neg(singles_mul(_s65, _s22));
+    const S _s70 = singles_add(singles_add(singles_mul(_s58, _s11), singles_mul(_s57, _s10)), singles_mul(_s59, _s14));
+    const S _s71 = singles_add(singles_mul(_s69, _s60), singles_add(singles_mul(_s17, _s67), singles_mul(_s20, _s70)));
+    const S _s72 = singles_neg(singles_mul(_s65, _s32));
+    const S _s73 = singles_add(singles_mul(left_ex, _s57), singles_mul(left_ey, _s58));
+    const S _s74 = singles_add(singles_mul(_s72, _s60), singles_add(singles_add(singles_mul(_s26, _s70), singles_mul(_s28, _s67)), singles_mul(_s30, _s73)));
+    const S _s75 = singles_neg(singles_mul(_s65, _s33));
+    const S _s76 = singles_add(singles_mul(_s75, _s60), singles_mul(t, _s67));
+    const S _s77 = singles_neg(singles_mul(_s65, _s34));
+    const S _s78 = singles_add(singles_mul(_s77, _s60), singles_mul(t, _s70));
+    const S _s79 = singles_add(singles_add(singles_add(singles_add(singles_mul(place_n, singles_abs(_s68)), singles_mul(place_s, singles_abs(_s71))), singles_mul(place_e, singles_abs(_s74))), singles_mul(pace_n, singles_abs(_s76))), singles_mul(pace_s, singles_abs(_s78)));
+    const S _s80 = singles_neg(singles_mul(_s65, _s36));
+    const S _s81 = singles_add(singles_mul(_s80, _s60), singles_mul(t, _s73));
+    const S _s82 = singles_select(_s55, singles_mul(KS(1.0009765625), singles_add(singles_add(_s63, _s64), singles_add(_s79, singles_mul(pace_e, singles_abs(_s81))))), KS(INFINITY));
+    const S _s83 = singles_add(singles_mul(vx, tangent_x), singles_mul(vy, tangent_y));
+    const S _s84 = singles_abs(_s83);
+    const S _s85 = singles_add(singles_mul(_s84, _s62), singles_add(singles_add(singles_mul(_c4, _s6), singles_mul(singles_abs(tangent_x), _s2)), singles_mul(singles_abs(tangent_y), _s4)));
+    const S _s86 = singles_add(singles_mul(left_nx, tangent_x), singles_mul(left_ny, tangent_y));
+    const S _s87 = singles_add(singles_mul(_s66, _s83), _s86);
+    const S _s88 = singles_add(singles_mul(tangent_x, _s10), singles_mul(tangent_y, _s11));
+    const S _s89 = singles_add(singles_mul(_s69, _s83), singles_add(singles_mul(_s17, _s86), singles_mul(_s20, _s88)));
+    const S _s90 = singles_add(singles_mul(tangent_x, left_ex), singles_mul(tangent_y, left_ey));
+    const S _s91 = singles_add(singles_mul(_s72, _s83), singles_add(singles_add(singles_mul(_s26, _s88), singles_mul(_s28, _s86)), singles_mul(_s30, _s90)));
+    const S _s92 = singles_add(singles_mul(_s75, _s83), singles_mul(t, _s86));
+    const S _s93 = singles_add(singles_mul(_s77, _s83), singles_mul(t, _s88));
+    const S _s94 = singles_add(singles_add(singles_add(singles_add(singles_mul(place_n, singles_abs(_s87)), singles_mul(place_s, singles_abs(_s89))), singles_mul(place_e, singles_abs(_s91))), singles_mul(pace_n, singles_abs(_s92))), singles_mul(pace_s, singles_abs(_s93)));
+    const S _s95 = singles_add(singles_mul(_s80, _s83), singles_mul(t, _s90));
+    const S _s96 = singles_select(_s55, singles_mul(KS(1.0009765625), singles_add(singles_add(_s85, _s64), singles_add(_s94, singles_mul(pace_e, singles_abs(_s95))))), KS(INFINITY));
+    const S _s97 = singles_add(singles_mul(_c2, _s62), _s41);
+    const S _s98 = singles_neg(singles_mul(bend_s, _s60));
+    const S _s99 = singles_mul(bend_e, _s59);
+    const S _s100 = singles_mul(_s99, _s83);
+    const S _s101 = singles_add(_s97, singles_add(singles_mul(singles_abs(_s98), _s63), singles_mul(singles_abs(_s100), _s85)));
+    const S _s102 = singles_mul(bend_s, _s54);
+    const S _s103 = singles_add(normal_rounding, _s102);
+    const S _s104 = singles_add(singles_add(singles_abs(wx), singles_abs(wy)), singles_abs(wz));
+    const S _s105 = singles_mul(singles_mul(_c6, _s103), _s104);
+    const S _s106 = singles_mul(_c0, _s104);
+    const S _s107 = singles_add(_s106, _s44);
+    const S _s108 = singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.5543122344752192e-15), _s107));
+    const S _s109 = singles_mul(_c2, _s52);
+    const S _s110 = singles_mul(singles_add(bend_s, bend_e), _s64);
+    const S _s111 = singles_mul(_s48, _s48);
+    const S _s112 = singles_add(singles_mul(_s47, _s53), singles_mul(KS(2.0), _s111));
+    const S _s113 = singles_add(singles_add(singles_add(_s109, singles_mul(_s48, singles_add(singles_mul(spin_bound, _c6), singles_mul(_c7, _s43)))), singles_mul(_s110, _s107)), singles_mul(_s112, singles_add(singles_mul(_c6, _s104), singles_mul(_c7, _s44))));
+    const S _s114 = singles_mul(KS(3.814697265625e-06), singles_add(singles_add(singles_mul(_c0, spin_bound), singles_mul(_s48, singles_add(_s106, singles_mul(KS(4.0), _s44)))), singles_mul(KS(2.0), _s43)));
+    const S _s115 = singles_add(singles_add(_s113, singles_mul(singles_mul(_s111, _c5), _s45)), _s114);
+    const S _s116 = singles_add(singles_add(singles_mul(_c1, _s101), singles_mul(_c5, singles_add(singles_mul(normal_rounding, singles_add(_s44, _s37)), singles_mul(singles_mul(KS(2.0), _s102), _s37)))), singles_add(singles_add(_s105, _s108), _s115));
+    const S _s117 = singles_neg(singles_mul(_c2, nz));
+    const S _s118 = singles_abs(singles_neg(singles_mul(_c1, singles_sub(singles_sub(singles_mul(_s117, _s66), singles_mul(_s98, _s68)), singles_mul(_s100, _s87)))));
+    const S _s119 = singles_mul(_c1, singles_sub(singles_sub(singles_add(singles_mul(_s117, _s69), singles_add(singles_mul(_s19, _s21), singles_mul(_s16, _s8))), singles_mul(_s98, _s71)), singles_mul(_s100, _s89)));
+    const S _s120 = singles_sub(singles_sub(singles_add(singles_mul(_s117, _s72), singles_add(singles_add(singles_mul(_s29, _s31), singles_mul(_s25, _s21)), singles_mul(_s27, _s8))), singles_mul(_s98, _s74)), singles_mul(_s100, _s91));
+    const S _s121 = singles_neg(singles_mul(_c1, singles_sub(singles_sub(singles_add(singles_mul(_s117, _s75), _s8), singles_mul(_s98, _s76)), singles_mul(_s100, _s92))));
+    const S _s122 = singles_add(singles_add(singles_add(singles_mul(place_n, _s118), singles_mul(place_s, singles_abs(singles_neg(_s119)))), singles_mul(place_e, singles_abs(singles_neg(singles_mul(_c1, _s120))))), singles_mul(pace_n, singles_abs(_s121)));
+    const S _s123 = singles_neg(singles_mul(_c1, singles_sub(singles_sub(singles_add(singles_mul(_s117, _s77), _s21), singles_mul(_s98, _s78)), singles_mul(_s100, _s93))));
+    const S _s124 = singles_neg(singles_mul(_c1, singles_sub(singles_sub(singles_add(singles_mul(_s117, _s80), _s31), singles_mul(_s98, _s81)), singles_mul(_s100, _s95))));
+    const S _s125 = singles_mul(KS(1.0009765625), singles_add(_s116, singles_add(singles_add(_s122, singles_mul(pace_s, singles_abs(_s123))), singles_mul(pace_e, singles_abs(_s124)))));
+    const S _s126 = singles_select(_s55, _s125, KS(INFINITY));
+    const S _s127 = singles_mul(_c4, _s63);
+    const S _s128 = singles_add(singles_add(singles_mul(wx, _s57), singles_mul(wy, _s58)), singles_mul(wz, _s59));
+    const S _s129 = singles_add(singles_add(singles_mul(nx, wx), singles_mul(ny, wy)), singles_mul(nz, wz));
+    const S _s130 = singles_mul(bend_e, singles_sub(singles_mul(nz, _s128), singles_mul(_s59, _s129)));
+    const S _s131 = singles_add(_s127, singles_mul(singles_abs(_s130), _s85));
+    const S _s132 = singles_mul(bend_s, normal_velocity);
+    const S _s133 = singles_mul(nz, bend_e);
+    const S _s134 = singles_neg(singles_mul(_s133, _s83));
+    const S _s135 = singles_add(_s97, singles_add(singles_mul(singles_abs(_s132), _s63), singles_mul(singles_abs(_s134), _s85)));
+    const S _s136 = singles_add(singles_add(singles_add(singles_mul(singles_mul(normal_rounding, _c5), _s37), _s105), _s108), _s115);
+    const S _s137 = singles_neg(singles_mul(_c2, _s59));
+    const S _s138 = singles_abs(singles_add(singles_mul(_c6, singles_neg(singles_mul(_s130, _s87))), singles_mul(KS(0.6), singles_sub(singles_sub(singles_mul(_s137, _s66), singles_mul(_s132, _s68)), singles_mul(_s134, _s87)))));
+    const S _s139 = singles_add(singles_add(singles_mul(wx, left_nx), singles_mul(wy, left_ny)), singles_mul(wz, left_nz));
+    const S _s140 = singles_mul(left_bend_s, _s139);
+    const S _s141 = singles_add(singles_add(singles_mul(wx, _s10), singles_mul(wy, _s11)), singles_mul(wz, _s14));
+    const S _s142 = singles_neg(singles_mul(left_bend_s, _s141));
+    const S _s143 = singles_mul(KS(0.6), singles_sub(singles_sub(singles_add(singles_mul(_s137, _s69), singles_add(singles_mul(_s19, _s70), singles_mul(_s16, _s67))), singles_mul(_s132, _s71)), singles_mul(_s134, _s89)));
+    const S _s144 = singles_abs(singles_add(singles_mul(_c6, singles_sub(singles_add(singles_mul(_s140, _s88), singles_mul(_s142, _s86)), singles_mul(_s130, _s89))), _s143));
+    const S _s145 = singles_mul(left_bend_e, singles_sub(singles_mul(left_nz, _s141), singles_mul(_s14, _s139)));
+    const S _s146 = singles_add(singles_mul(wx, left_ex), singles_mul(wy, left_ey));
+    const S _s147 = singles_neg(singles_mul(_s24, _s146));
+    const S _s148 = singles_mul(singles_mul(left_bend_e, _s146), _s14);
+    const S _s149 = singles_sub(singles_sub(singles_add(singles_mul(_s137, _s72), singles_add(singles_add(singles_mul(_s29, _s73), singles_mul(_s25, _s70)), singles_mul(_s27, _s67))), singles_mul(_s132, _s74)), singles_mul(_s134, _s91));
+    const S _s150 = singles_add(singles_mul(_c6, singles_sub(singles_add(singles_add(singles_mul(_s145, _s90), singles_mul(_s147, _s88)), singles_mul(_s148, _s86)), singles_mul(_s130, _s91))), singles_mul(KS(0.6), _s149));
+    const S _s151 = singles_add(singles_mul(_c6, singles_neg(singles_mul(_s130, _s92))), singles_mul(KS(0.6), singles_sub(singles_sub(singles_add(singles_mul(_s137, _s75), _s67), singles_mul(_s132, _s76)), singles_mul(_s134, _s92))));
+    const S _s152 = singles_add(singles_mul(_c6, singles_sub(singles_mul(_c8, _s90), singles_mul(_s130, _s93))), singles_mul(KS(0.6), singles_sub(singles_sub(singles_add(singles_mul(_s137, _s77), _s70), singles_mul(_s132, _s78)), singles_mul(_s134, _s93))));
+    const S _s153 = singles_add(singles_mul(_c6, singles_sub(singles_neg(singles_mul(_c8, _s88)), singles_mul(_s130, _s95))), singles_mul(KS(0.6), singles_sub(singles_sub(singles_add(singles_mul(_s137, _s80), _s73), singles_mul(_s132, _s81)), singles_mul(_s134, _s95))));
+    const S _s154 = singles_add(singles_add(singles_add(singles_add(singles_add(singles_mul(place_n, _s138), singles_mul(place_s, _s144)), singles_mul(place_e, singles_abs(_s150))), singles_mul(pace_n, singles_abs(_s151))), singles_mul(pace_s, singles_abs(_s152))), singles_mul(pace_e, singles_abs(_s153)));
+    const S _s155 = singles_add(singles_add(singles_add(_s154, singles_mul(turn_n, singles_abs(singles_mul(_c6, _s86)))), singles_mul(turn_z, singles_abs(singles_mul(_c6, _s90)))), singles_mul(turn_z, singles_abs(singles_mul(_c6, _s88))));
+    const S _s156 = singles_select(_s55, singles_mul(KS(1.0009765625), singles_add(singles_add(singles_add(singles_mul(_c6, _s131), singles_mul(KS(0.6), _s135)), _s136), _s155)), KS(INFINITY));
+    const S _s157 = singles_mul(bend_s, _s129);
+    const S _s158 = singles_add(singles_mul(wx, tangent_x), singles_mul(wy, tangent_y));
+    const S _s159 = singles_neg(singles_mul(_s133, _s158));
+    const S _s160 = singles_add(singles_mul(singles_abs(_s157), _s63), singles_mul(singles_abs(_s159), _s85));
+    const S _s161 = singles_mul(bend_e, singles_sub(singles_mul(nz, _s60), singles_mul(normal_velocity, _s59)));
+    const S _s162 = singles_add(_s97, singles_add(_s127, singles_mul(singles_abs(_s161), _s85)));
+    const S _s163 = singles_abs(singles_sub(singles_mul(KS(0.6), singles_neg(singles_mul(_s161, _s87))), singles_mul(_c6, singles_neg(singles_add(singles_mul(_s157, _s68), singles_mul(_s159, _s87))))));
+    const S _s164 = singles_sub(singles_mul(KS(0.6), singles_sub(singles_add(singles_mul(_s19, _s88), singles_mul(_s16, _s86)), singles_mul(_s161, _s89))), singles_mul(_c6, singles_sub(singles_sub(singles_add(singles_mul(_s140, _s70), singles_mul(_s142, _s67)), singles_mul(_s157, _s71)), singles_mul(_s159, _s89))));
+    const S _s165 = singles_mul(_c6, singles_sub(singles_sub(singles_add(singles_add(singles_mul(_s145, _s73), singles_mul(_s147, _s70)), singles_mul(_s148, _s67)), singles_mul(_s157, _s74)), singles_mul(_s159, _s91)));
+    const S _s166 = singles_sub(singles_mul(KS(0.6), singles_sub(singles_add(singles_add(singles_mul(_s29, _s90), singles_mul(_s25, _s88)), singles_mul(_s27, _s86)), singles_mul(_s161, _s91))), _s165);
+    const S _s167 = singles_abs(singles_sub(singles_mul(KS(0.6), singles_sub(_s86, singles_mul(_s161, _s92))), singles_mul(_c6, singles_neg(singles_add(singles_mul(_s157, _s76), singles_mul(_s159, _s92))))));
+    const S _s168 = singles_abs(singles_sub(singles_mul(KS(0.6), singles_sub(_s88, singles_mul(_s161, _s93))), singles_mul(_c6, singles_sub(singles_sub(singles_mul(_c8, _s73), singles_mul(_s157, _s78)), singles_mul(_s159, _s93)))));
+    const S _s169 = singles_add(singles_add(singles_add(singles_add(singles_mul(place_n, _s163), singles_mul(place_s, singles_abs(_s164))), singles_mul(place_e, singles_abs(_s166))), singles_mul(pace_n, _s167)), singles_mul(pace_s, _s168));
+    const S _s170 = singles_sub(singles_mul(KS(0.6), singles_sub(_s90, singles_mul(_s161, _s95))), singles_mul(_c6, singles_sub(singles_sub(singles_neg(singles_mul(_c8, _s70)), singles_mul(_s157, _s81)), singles_mul(_s159, _s95))));
+    const S _s171 = singles_add(singles_add(singles_add(_s169, singles_mul(pace_e, singles_abs(_s170))), singles_mul(turn_n, singles_abs(singles_neg(singles_mul(_c6, _s67))))), singles_mul(turn_z, singles_abs(singles_neg(singles_mul(_c6, _s73)))));
+    const S _s172 = singles_add(singles_add(singles_add(singles_mul(_c6, _s160), singles_mul(KS(0.6), _s162)), _s136), singles_add(_s171, singles_mul(turn_z, singles_abs(singles_neg(singles_mul(_c6, _s70))))));
+    const S _s173 = singles_select(_s55, singles_mul(KS(1.0009765625), _s172), KS(INFINITY));
+    const S _s174 = singles_neg(singles_mul(bend_s, _s128));
+    const S _s175 = singles_mul(_s99, _s158);
+    const S _s176 = singles_add(singles_mul(singles_abs(_s174), _s63), singles_mul(singles_abs(_s175), _s85));
+    const S _s177 = singles_add(singles_mul(_c8, _s44), _s104);
+    const S _s178 = singles_add(singles_add(singles_add(singles_mul(_c8, singles_add(_s109, _s114)), singles_mul(_s48, singles_add(singles_mul(KS(2.0), spin_bound), singles_mul(_c9, _s43)))), singles_mul(_s111, singles_add(spin_bound, _s104))), singles_mul(_s110, _s177));
+    const S _s179 = singles_add(singles_add(_s178, singles_mul(_s112, singles_add(singles_mul(_c9, _s44), singles_mul(KS(2.0), _s104)))), singles_mul(KS(3.814697265625e-06), singles_add(spin_bound, singles_mul(_s48, _s104))));
+    const S _s180 = singles_mul(place_s, singles_abs(singles_sub(singles_sub(singles_add(singles_mul(_s140, _s21), singles_mul(_s142, _s8)), singles_mul(_s174, _s71)), singles_mul(_s175, _s89))));
+    const S _s181 = singles_add(singles_mul(place_n, singles_abs(singles_neg(singles_add(singles_mul(_s174, _s68), singles_mul(_s175, _s87))))), _s180);
+    const S _s182 = singles_abs(singles_sub(singles_sub(singles_add(singles_add(singles_mul(_s145, _s31), singles_mul(_s147, _s21)), singles_mul(_s148, _s8)), singles_mul(_s174, _s74)), singles_mul(_s175, _s91)));
+    const S _s183 = singles_add(singles_add(_s181, singles_mul(place_e, _s182)), singles_mul(pace_n, singles_abs(singles_neg(singles_add(singles_mul(_s174, _s76), singles_mul(_s175, _s92))))));
+    const S _s184 = singles_add(_s183, singles_mul(pace_s, singles_abs(singles_sub(singles_sub(singles_mul(_c8, _s31), singles_mul(_s174, _s78)), singles_mul(_s175, _s93)))));
+    const S _s185 = singles_mul(pace_e, singles_abs(singles_sub(singles_sub(singles_neg(singles_mul(_c8, _s21)), singles_mul(_s174, _s81)), singles_mul(_s175, _s95))));
+    const S _s186 = singles_add(singles_add(singles_add(singles_add(singles_mul(_c8, _s108), singles_mul(KS(2.0), singles_mul(_s103, _s104))), _s176), _s179), singles_add(singles_add(singles_add(singles_add(_s184, _s185), singles_mul(turn_n, singles_abs(_s8))), singles_mul(turn_z, singles_abs(_s31))), singles_mul(turn_z, singles_abs(_s21))));
+    const S _s187 = singles_select(_s55, singles_mul(KS(1.0009765625), _s186), KS(INFINITY));
+    const S _s188 = singles_add(singles_mul(_c8, singles_add(_s108, _s136)), singles_mul(KS(2.0), singles_mul(_s103, singles_add(singles_mul(_c9, singles_add(_s84, _s61)), _s104))));
+    const S _s189 = singles_max(_s101, _s135);
+    const S _s190 = singles_max(_s176, _s160);
+    const S _s191 = singles_mul(KS(1.0009765625), singles_add(singles_add(_s188, singles_add(singles_mul(_c8, singles_max(_s189, _s162)), singles_max(_s190, _s131))), _s179));
+    const S _s192 = singles_select(_s55, _s191, KS(INFINITY));
+    const S _s193 = singles_add(singles_mul(bend_s, _s82), singles_mul(bend_e, _s96));
+    const S _s194 = singles_add(_s156, _s173);
+    return (LANES(hoop_carry_impact_out)){ _s56, _s82, _s96, _s126, _s156, _s173, _s187, _s192, singles_mul(KS(1.0009765625), singles_add(singles_add(_s96, _s82), _s56)), singles_mul(KS(1.0009765625), singles_add(singles_add(singles_mul(_s107, _s193), _s194), _s126)), singles_mul(KS(1.0009765625), singles_add(singles_add(singles_add(singles_div(_s194, _c0), singles_mul(_s193, _s177)), singles_mul(KS(2.0), _s192)), _s187)), nx, ny, nz, tangent_x, tangent_y, bend_s, bend_e, singles_add(singles_mul(KS(4.440892098500626e-16), singles_add(t, clock)), singles_select(_s55, singles_mul(KS(1.0009765625), _s39), KS(INFINITY))) };
 }
 
 /* Outward unit normal n3 at a contact.
@@ -1139,34 +1204,32 @@ LANES(hoop_ring_normal)(V x, V y, V z, V _c0, V _c1)
     return (LANES(hoop_ring_normal_out)){ lanes_mul(x, _s1), lanes_mul(y, _s1), lanes_mul(z, _c1) };
 }
 
-/* Bound on the rate at which the normal turns along the contact surface.
-   Table 2. No operations. */
+/* Tangent and curvatures at a contact, and bounds on the roundings there.
+   Table 2, running error analysis. 74 operations: 23 additions, 31 multiplications, 3 divisions, 1 square root, 1 negation, 10 absolute values, 2 comparisons, 3 selections. */
 typedef struct {
-    V curvature;
-} LANES(hoop_ring_curvature_out);
+    S tangent_x, tangent_y, bend_s, bend_e, sharpest_bend, root_offset, normal_rounding;
+} LANES(hoop_ring_tangents_out);
 
-LANES_INLINE LANES(hoop_ring_curvature_out)
-LANES(hoop_ring_curvature)(V _c0)
-{
-    return (LANES(hoop_ring_curvature_out)){ _c0 };
-}
-
-/* Error of the normal, from that of the position.
-   derivative of Table 2's normal. 27 operations: 5 additions, 1 subtraction, 18 multiplications, 1 division, 1 square root, 1 negation. */
-typedef struct {
-    S dnx, dny, dnz, turn;
-} LANES(hoop_ring_carry_normal_out);
-
-LANES_INLINE LANES(hoop_ring_carry_normal_out)
-LANES(hoop_ring_carry_normal)(S x, S y, S dx, S dy, S dz, S shift, S _c0, S _c1, S _c2)
+LANES_INLINE LANES(hoop_ring_tangents_out)
+LANES(hoop_ring_tangents)(S t, S x, S y, S z, S vx, S vy, S vz, S nx, S ny, S nz, S normal_velocity, S back, S _c0, S _c1, S _c2, S _c3, S _c4, S _c5, S _c6, S _c7, S _c8)
 {
     const S _s0 = singles_sqrt(singles_add(singles_mul(x, x), singles_mul(y, y)));
     const S _s1 = singles_div(KS(1.0), _s0);
-    const S _s2 = singles_mul(singles_add(singles_mul(x, dx), singles_mul(y, dy)), _s1);
-    const S _s3 = singles_sub(_s0, _c0);
-    const S _s4 = singles_mul(_c1, singles_add(singles_mul(_s2, _s1), singles_mul(singles_neg(singles_mul(_s2, singles_mul(_s1, _s1))), _s3)));
-    const S _s5 = singles_mul(singles_mul(_c1, _s3), _s1);
-    return (LANES(hoop_ring_carry_normal_out)){ singles_add(singles_mul(x, _s4), singles_mul(dx, _s5)), singles_add(singles_mul(y, _s4), singles_mul(dy, _s5)), singles_mul(dz, _c1), singles_mul(shift, _c2) };
+    const S _s2 = singles_mul(t, t);
+    const S _s3 = singles_abs(vx);
+    const S _s4 = singles_abs(vy);
+    const S _s5 = singles_add(singles_mul(_c0, _s2), singles_mul(t, singles_add(singles_add(_s3, _s4), singles_abs(vz))));
+    const S _s6 = singles_mul(KS(2.0), t);
+    const S _s7 = singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), singles_add(singles_mul(_s6, _s3), singles_abs(x))));
+    const S _s8 = singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), singles_add(singles_mul(_s6, _s4), singles_abs(y))));
+    const S _s9 = singles_add(singles_add(singles_mul(_c5, _s2), singles_mul(_s6, singles_abs(singles_add(vz, singles_mul(_c5, t))))), singles_abs(z));
+    const S _s10 = singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), _s9));
+    const Q _s11 = singles_less(KS(0.0), back);
+    const S _s12 = singles_select(_s11, singles_add(singles_div(singles_mul(singles_mul(KS(1.5), _s5), singles_add(singles_add(_s7, _s8), _s10)), _c3), singles_mul(_c6, _s5)), singles_add(singles_mul(KS(1.1102230246251565e-16), singles_add(_c7, singles_mul(KS(2.0), _s0))), singles_add(singles_add(singles_mul(singles_abs(nx), _s7), singles_mul(singles_abs(ny), _s8)), singles_mul(singles_abs(nz), _s10))));
+    const S _s13 = singles_mul(KS(1.125), _s12);
+    const S _s14 = singles_mul(_c1, singles_select(_s11, singles_div(singles_mul(normal_velocity, normal_velocity), singles_add(singles_add(singles_mul(vx, vx), singles_mul(vy, vy)), singles_mul(vz, vz))), KS(1.0)));
+    const S _s15 = singles_mul(KS(1.7763568394002505e-15), _s14);
+    return (LANES(hoop_ring_tangents_out)){ singles_neg(singles_mul(y, _s1)), singles_mul(x, _s1), _c2, _s1, _c4, singles_add(singles_add(KS(7.888609052210118e-31), _s12), singles_max(_s13, _s15)), _c8 };
 }
 
 /* Positive if errors of the state exceed those that a search allows for.
@@ -1662,16 +1725,17 @@ LANES(hoop_backboard_normal)(void)
     return (LANES(hoop_backboard_normal_out)){ K(1.0), K(0.0), K(0.0) };
 }
 
-/* Bound on the rate at which the normal turns along the contact surface.
-   Table 2. No operations. */
+/* Tangent and curvatures at a contact, and bounds on the roundings there.
+   Table 2, running error analysis. 8 operations: 2 additions, 4 multiplications, 2 absolute values. */
 typedef struct {
-    V curvature;
-} LANES(hoop_backboard_curvature_out);
+    S tangent_x, tangent_y, bend_s, bend_e, sharpest_bend, root_offset, normal_rounding;
+} LANES(hoop_backboard_tangents_out);
 
-LANES_INLINE LANES(hoop_backboard_curvature_out)
-LANES(hoop_backboard_curvature)(void)
+LANES_INLINE LANES(hoop_backboard_tangents_out)
+LANES(hoop_backboard_tangents)(S t, S x, S vx)
 {
-    return (LANES(hoop_backboard_curvature_out)){ K(0.0) };
+    const S _s0 = singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), singles_add(singles_mul(singles_mul(KS(4.0), t), singles_mul(KS(2.0), singles_abs(vx))), singles_abs(x))));
+    return (LANES(hoop_backboard_tangents_out)){ KS(0.0), KS(1.0), KS(0.0), KS(0.0), KS(0.0), _s0, KS(0.0) };
 }
 
 /* The g of Eq. 2: a contact counts if none is positive.
@@ -1763,16 +1827,17 @@ LANES(hoop_bridge_normal)(void)
     return (LANES(hoop_bridge_normal_out)){ K(0.0), K(0.0), K(1.0) };
 }
 
-/* Bound on the rate at which the normal turns along the contact surface.
-   Table 2. No operations. */
+/* Tangent and curvatures at a contact, and bounds on the roundings there.
+   Table 2, running error analysis. 11 operations: 4 additions, 4 multiplications, 3 absolute values. */
 typedef struct {
-    V curvature;
-} LANES(hoop_bridge_curvature_out);
+    S tangent_x, tangent_y, bend_s, bend_e, sharpest_bend, root_offset, normal_rounding;
+} LANES(hoop_bridge_tangents_out);
 
-LANES_INLINE LANES(hoop_bridge_curvature_out)
-LANES(hoop_bridge_curvature)(void)
+LANES_INLINE LANES(hoop_bridge_tangents_out)
+LANES(hoop_bridge_tangents)(S t, S z, S vz, S _c0)
 {
-    return (LANES(hoop_bridge_curvature_out)){ K(0.0) };
+    const S _s0 = singles_add(singles_mul(singles_mul(KS(4.0), t), singles_add(singles_abs(vz), singles_abs(singles_add(vz, singles_mul(_c0, t))))), singles_abs(z));
+    return (LANES(hoop_bridge_tangents_out)){ KS(0.0), KS(1.0), KS(0.0), KS(0.0), KS(0.0), singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), _s0)), KS(0.0) };
 }
 
 /* The g of Eq. 2: a contact counts if none is positive.
@@ -1866,6 +1931,19 @@ LANES_INLINE LANES(hoop_end_normal_out)
 LANES(hoop_end_normal)(void)
 {
     return (LANES(hoop_end_normal_out)){ K(0.0), K(0.0), K(1.0) };
+}
+
+/* Tangent and curvatures at a contact, and bounds on the roundings there.
+   Table 2, running error analysis. 11 operations: 4 additions, 4 multiplications, 3 absolute values. */
+typedef struct {
+    S tangent_x, tangent_y, bend_s, bend_e, sharpest_bend, root_offset, normal_rounding;
+} LANES(hoop_end_tangents_out);
+
+LANES_INLINE LANES(hoop_end_tangents_out)
+LANES(hoop_end_tangents)(S t, S z, S vz, S _c0)
+{
+    const S _s0 = singles_add(singles_mul(singles_mul(KS(4.0), t), singles_add(singles_abs(vz), singles_abs(singles_add(vz, singles_mul(_c0, t))))), singles_abs(z));
+    return (LANES(hoop_end_tangents_out)){ KS(0.0), KS(1.0), KS(0.0), KS(0.0), KS(0.0), singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), _s0)), KS(0.0) };
 }
 
 /* Time of the only arrival, the gap's first two derivatives there, and its apex.

@@ -1,6 +1,6 @@
 /* The event loop of the scene hoop, with or without bounds on errors.
 
-   Generated from templates/c/loop.h.j2, scene hoop, derivation 83b7ff2bc0b2beda,
+   Generated from templates/c/loop.h.j2, scene hoop, derivation eb553e9a2c366767,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by hoop_engine.h twice, BOUNDED being 1 where errors are bounded, else 0. The path is
@@ -19,15 +19,24 @@ typedef struct {
     LANES(column) wy; /* of the state */
     LANES(column) wz; /* of the state */
 #if BOUNDED
-    LANES(singles_column) dx; /* carried error of x */
-    LANES(singles_column) dy; /* carried error of y */
-    LANES(singles_column) dz; /* carried error of z */
-    LANES(singles_column) dvx; /* carried error of vx */
-    LANES(singles_column) dvy; /* carried error of vy */
-    LANES(singles_column) dvz; /* carried error of vz */
-    LANES(singles_column) dwx; /* carried error of wx */
-    LANES(singles_column) dwy; /* carried error of wy */
-    LANES(singles_column) dwz; /* carried error of wz */
+    LANES(singles_column) place_n; /* bound on an error in the frame of the last contact */
+    LANES(singles_column) place_s; /* bound on an error in the frame of the last contact */
+    LANES(singles_column) place_e; /* bound on an error in the frame of the last contact */
+    LANES(singles_column) pace_n; /* bound on an error in the frame of the last contact */
+    LANES(singles_column) pace_s; /* bound on an error in the frame of the last contact */
+    LANES(singles_column) pace_e; /* bound on an error in the frame of the last contact */
+    LANES(singles_column) turn_n; /* bound on an error in the frame of the last contact */
+    LANES(singles_column) turn_z; /* bound on an error in the frame of the last contact */
+    LANES(singles_column) position_bound; /* bound on the error of the position */
+    LANES(singles_column) velocity_bound; /* bound on the error of the velocity */
+    LANES(singles_column) spin_bound; /* bound on the error of the spin */
+    LANES(singles_column) left_nx; /* of the frame of the last contact */
+    LANES(singles_column) left_ny; /* of the frame of the last contact */
+    LANES(singles_column) left_nz; /* of the frame of the last contact */
+    LANES(singles_column) left_ex; /* of the frame of the last contact */
+    LANES(singles_column) left_ey; /* of the frame of the last contact */
+    LANES(singles_column) left_bend_s; /* of the frame of the last contact */
+    LANES(singles_column) left_bend_e; /* of the frame of the last contact */
 #endif
     LANES(column) clock; /* time of the last event, s since the release */
 #if BOUNDED
@@ -104,7 +113,9 @@ LANES_INLINE void LOOP(fill)(LOOP(worklist) *worklist, size_t row, int varying)
     EACH(FILL, , x, y, z, vx, vy, vz, wx, wy, wz, clock, first, contacts, count_0, count_1, count_2)
     EACH(FILL, , outcome, last, shot)
     BOUNDS(EACH(FILL, , uncertain))
-    BOUNDS(EACH(FILL_SINGLE, , dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz, clock_error, position_claim))
+    BOUNDS(EACH(FILL_SINGLE, , place_n, place_s, place_e, pace_n, pace_s, pace_e, turn_n, turn_z))
+    BOUNDS(EACH(FILL_SINGLE, , position_bound, velocity_bound, spin_bound, left_nx, left_ny, left_nz))
+    BOUNDS(EACH(FILL_SINGLE, , left_ex, left_ey, left_bend_s, left_bend_e, clock_error, position_claim))
     BOUNDS(EACH(FILL_SINGLE, , velocity_claim, spin_claim, time_claim))
     if (varying) {
         for (int p = 0; p < HOOP_PARAMETERS; p++)
@@ -166,7 +177,9 @@ LANES_INLINE void LOOP(begin)(LOOP(worklist) *worklist, size_t row, size_t shots
     for (k = 0; k < shots; k++)
         worklist->shot[row + k] = (double)(start + k);
     for (k = 0; k < shots; k += LANES_WIDTH) {
-        BOUNDS(EACH(BEGIN_SINGLE, KS(0.0), dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz))
+        BOUNDS(EACH(BEGIN_SINGLE, KS(0.0), place_n, place_s, place_e, pace_n, pace_s, pace_e, turn_n))
+        BOUNDS(EACH(BEGIN_SINGLE, KS(0.0), turn_z, position_bound, velocity_bound, spin_bound, left_nx))
+        BOUNDS(EACH(BEGIN_SINGLE, KS(0.0), left_ny, left_nz, left_ex, left_ey, left_bend_s, left_bend_e))
         EACH(BEGIN, K(0.0), clock)
         BOUNDS(EACH(BEGIN_SINGLE, KS(0.0), clock_error))
         EACH(BEGIN, K(-1.0), first)
@@ -359,7 +372,9 @@ LANES_INLINE size_t LOOP(leave)(LOOP(worklist) *worklist, size_t start, size_t s
             EACH(KEEP, , x, y, z, vx, vy, vz, wx, wy, wz, clock, last, first, contacts, count_0)
             EACH(KEEP, , count_1, count_2)
             BOUNDS(EACH(KEEP, , uncertain))
-            BOUNDS(EACH(KEEP_SINGLE, , dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz, clock_error))
+            BOUNDS(EACH(KEEP_SINGLE, , place_n, place_s, place_e, pace_n, pace_s, pace_e, turn_n, turn_z))
+            BOUNDS(EACH(KEEP_SINGLE, , position_bound, velocity_bound, spin_bound, left_nx, left_ny))
+            BOUNDS(EACH(KEEP_SINGLE, , left_nz, left_ex, left_ey, left_bend_s, left_bend_e, clock_error))
             if (job->varying)
                 for (int p = 0; p < HOOP_PARAMETERS; p++)
                     lanes_pack(worklist->parameters.columns[p] + kept, going, lanes_load(worklist->parameters.columns[p] + i));
@@ -408,7 +423,6 @@ static void LOOP(fix)(LOOP(worklist) *worklist)
         const V _s94 = lanes_mul(_s93, _s93);
         const V _s100 = lanes_div(_s78, _s93);
         const V _s104 = lanes_div(K(1.0), _s93);
-        const V _s118 = lanes_sub(lanes_sub(p_ring_radius, p_ball_radius), p_wire_radius);
         FIX(0, p_board_distance);
         FIX(1, lanes_add(lanes_add(_s21, lanes_abs(p_bridge_half_width)), lanes_abs(p_end_depth)));
         FIX(2, _s27); FIX(3, _s28); FIX(4, lanes_sub(_s28, _s30)); FIX(5, p_ring_radius);
@@ -438,9 +452,8 @@ static void LOOP(fix)(LOOP(worklist) *worklist)
         FIX(48, _s79); FIX(49, lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s32), _s79));
         FIX(50, lanes_mul(K(5.00030517578125), _s32)); FIX(51, lanes_mul(K(6.0), p_gravity));
         FIX(52, lanes_mul(K(9.094947017729282e-13), _s79)); FIX(53, _s93);
-        FIX(54, lanes_div(K(1.0), _s32)); FIX(55, lanes_div(K(1.0), lanes_min(_s118, _s32)));
-        FIX(56, p_restitution); FIX(57, lanes_mul(K(0.4), p_ball_radius));
-        FIX(58, lanes_div(K(1.0), p_ball_radius));
+        FIX(54, lanes_div(K(1.0), _s32)); FIX(55, p_restitution);
+        FIX(56, lanes_mul(K(0.4), p_ball_radius)); FIX(57, lanes_div(K(1.0), p_ball_radius));
     }
     {
         const S _p_ball_radius = lanes_narrow(p_ball_radius);
@@ -457,10 +470,15 @@ static void LOOP(fix)(LOOP(worklist) *worklist)
         const S _s23 = singles_div(_s6, _s16);
         const S _s24 = singles_max(KS(1.0), _s23);
         const S _s31 = singles_div(KS(1.0), _s16);
+        const S _s58 = singles_div(KS(1.0), _s6);
         const S _s60 = singles_sub(singles_sub(_p_ring_radius, _p_ball_radius), _p_wire_radius);
-        const S _s70 = singles_mul(KS(1.00048828125), _s11);
-        const S _s73 = singles_mul(KS(0.00048828125), _s11);
-        const S _s79 = singles_sub(_s13, _s73);
+        const S _s61 = singles_min(_s60, _s6);
+        const S _s66 = singles_mul(KS(2.0), singles_mul(_p_ring_radius, _s58));
+        const S _s78 = singles_add(KS(0.6), _p_restitution);
+        const S _s82 = singles_div(KS(1.0), _p_ball_radius);
+        const S _s85 = singles_mul(KS(1.00048828125), _s11);
+        const S _s88 = singles_mul(KS(0.00048828125), _s11);
+        const S _s94 = singles_sub(_s13, _s88);
         FIX_SINGLE(0, _p_gravity); FIX_SINGLE(1, _s7);
         FIX_SINGLE(2, singles_mul(KS(2.0), _p_gravity));
         FIX_SINGLE(3, singles_div(KS(1.0), _p_gravity)); FIX_SINGLE(4, _s11);
@@ -479,16 +497,20 @@ static void LOOP(fix)(LOOP(worklist) *worklist)
         FIX_SINGLE(23, singles_add(singles_mul(KS(0.0001220703125), _p_ball_radius), singles_mul(KS(0.0001220703125), _p_wire_radius)));
         FIX_SINGLE(24, singles_mul(KS(9.5367431640625e-07), _s11));
         FIX_SINGLE(25, singles_add(singles_mul(KS(0.000244140625), _p_ball_radius), singles_mul(KS(0.000244140625), _p_wire_radius)));
-        FIX_SINGLE(26, singles_div(KS(1.0), _s6));
-        FIX_SINGLE(27, singles_div(KS(1.0), singles_min(_s60, _s6)));
-        FIX_SINGLE(28, _p_ball_radius); FIX_SINGLE(29, _p_restitution);
-        FIX_SINGLE(30, singles_mul(KS(0.4), _p_ball_radius));
-        FIX_SINGLE(31, singles_div(KS(1.0), _p_ball_radius)); FIX_SINGLE(32, singles_abs(KS(0.0)));
-        FIX_SINGLE(33, singles_mul(_s70, _s70)); FIX_SINGLE(34, singles_add(_s7, _s73));
-        FIX_SINGLE(35, singles_sub(singles_sub(_p_ring_radius, singles_mul(KS(1.4143014047294855), _s6)), _s73));
-        FIX_SINGLE(36, _s79); FIX_SINGLE(37, singles_mul(_s79, _s79));
-        FIX_SINGLE(38, singles_mul(KS(128.0), _s11));
-        FIX_SINGLE(39, singles_mul(KS(1.52587890625e-05), _s11));
+        FIX_SINGLE(26, _s58); FIX_SINGLE(27, _s61); FIX_SINGLE(28, singles_div(KS(1.0), _s61));
+        FIX_SINGLE(29, singles_mul(KS(1.1102230246251565e-16), singles_add(KS(16.0), _s66)));
+        FIX_SINGLE(30, singles_mul(KS(3.5), _s6));
+        FIX_SINGLE(31, singles_mul(KS(1.1102230246251565e-16), singles_add(KS(7.0), _s66)));
+        FIX_SINGLE(32, _p_ball_radius); FIX_SINGLE(33, _p_restitution);
+        FIX_SINGLE(34, singles_abs(KS(0.0))); FIX_SINGLE(35, _s78);
+        FIX_SINGLE(36, singles_mul(KS(0.4), _p_ball_radius));
+        FIX_SINGLE(37, singles_mul(KS(2.0), _s78)); FIX_SINGLE(38, _s82);
+        FIX_SINGLE(39, singles_mul(KS(0.6), _s82)); FIX_SINGLE(40, singles_mul(_s85, _s85));
+        FIX_SINGLE(41, singles_add(_s7, _s88));
+        FIX_SINGLE(42, singles_sub(singles_sub(_p_ring_radius, singles_mul(KS(1.4143014047294855), _s6)), _s88));
+        FIX_SINGLE(43, _s94); FIX_SINGLE(44, singles_mul(_s94, _s94));
+        FIX_SINGLE(45, singles_mul(KS(128.0), _s11));
+        FIX_SINGLE(46, singles_mul(KS(1.52587890625e-05), _s11));
     }
 }
 
@@ -754,19 +776,14 @@ LANES_APART void LOOP(fix_rows_6)(LOOP(worklist) *worklist, size_t i)
         const V _s32 = lanes_add(p_ball_radius, p_wire_radius);
 #if BOUNDED
         const V _s62 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(p_ball_radius, p_ring_radius), p_wire_radius), p_board_distance), p_board_half_width), p_bridge_half_width), p_end_depth);
-        const V _s118 = lanes_sub(lanes_sub(p_ring_radius, p_ball_radius), p_wire_radius);
 #endif
         FIX(3, lanes_sub(p_ball_radius, p_board_distance)); FIX(5, p_ring_radius); FIX(10, _s32);
         FIX(15, p_gravity); FIX(25, lanes_mul(K(0.5), p_gravity));
 #if BOUNDED
         FIX(26, lanes_add(lanes_add(_s62, lanes_abs(p_board_bottom)), lanes_abs(p_board_top)));
 #endif
-        FIX(54, lanes_div(K(1.0), _s32));
-#if BOUNDED
-        FIX(55, lanes_div(K(1.0), lanes_min(_s118, _s32)));
-#endif
-        FIX(56, p_restitution); FIX(57, lanes_mul(K(0.4), p_ball_radius));
-        FIX(58, lanes_div(K(1.0), p_ball_radius));
+        FIX(54, lanes_div(K(1.0), _s32)); FIX(55, p_restitution);
+        FIX(56, lanes_mul(K(0.4), p_ball_radius)); FIX(57, lanes_div(K(1.0), p_ball_radius));
 #if BOUNDED
     }
     {
@@ -776,13 +793,23 @@ LANES_APART void LOOP(fix_rows_6)(LOOP(worklist) *worklist, size_t i)
         const S _p_gravity = lanes_narrow(p_gravity);
         const S _p_restitution = lanes_narrow(p_restitution);
         const S _s6 = singles_add(_p_ball_radius, _p_wire_radius);
+        const S _s58 = singles_div(KS(1.0), _s6);
         const S _s60 = singles_sub(singles_sub(_p_ring_radius, _p_ball_radius), _p_wire_radius);
-        FIX_SINGLE(0, _p_gravity); FIX_SINGLE(19, _p_ring_radius);
-        FIX_SINGLE(26, singles_div(KS(1.0), _s6));
-        FIX_SINGLE(27, singles_div(KS(1.0), singles_min(_s60, _s6)));
-        FIX_SINGLE(28, _p_ball_radius); FIX_SINGLE(29, _p_restitution);
-        FIX_SINGLE(30, singles_mul(KS(0.4), _p_ball_radius));
-        FIX_SINGLE(31, singles_div(KS(1.0), _p_ball_radius)); FIX_SINGLE(32, singles_abs(KS(0.0)));
+        const S _s61 = singles_min(_s60, _s6);
+        const S _s66 = singles_mul(KS(2.0), singles_mul(_p_ring_radius, _s58));
+        const S _s78 = singles_add(KS(0.6), _p_restitution);
+        const S _s82 = singles_div(KS(1.0), _p_ball_radius);
+        FIX_SINGLE(0, _p_gravity); FIX_SINGLE(10, _s6);
+        FIX_SINGLE(20, singles_mul(KS(0.5), _p_gravity)); FIX_SINGLE(26, _s58);
+        FIX_SINGLE(27, _s61); FIX_SINGLE(28, singles_div(KS(1.0), _s61));
+        FIX_SINGLE(29, singles_mul(KS(1.1102230246251565e-16), singles_add(KS(16.0), _s66)));
+        FIX_SINGLE(30, singles_mul(KS(3.5), _s6));
+        FIX_SINGLE(31, singles_mul(KS(1.1102230246251565e-16), singles_add(KS(7.0), _s66)));
+        FIX_SINGLE(32, _p_ball_radius); FIX_SINGLE(33, _p_restitution);
+        FIX_SINGLE(34, singles_abs(KS(0.0))); FIX_SINGLE(35, _s78);
+        FIX_SINGLE(36, singles_mul(KS(0.4), _p_ball_radius));
+        FIX_SINGLE(37, singles_mul(KS(2.0), _s78)); FIX_SINGLE(38, _s82);
+        FIX_SINGLE(39, singles_mul(KS(0.6), _s82));
 #endif
     }
 }
@@ -809,21 +836,15 @@ static size_t LOOP(launch)(LOOP(worklist) *worklist, const hoop_job *job, size_t
     EACH(TURNING, , count_1)
     const V count_2 = K(0.0);
     EACH(TURNING, , count_2)
-#if BOUNDED
-    const S dvx = KS(0.0);
-    const S dvy = KS(0.0);
-    const S dvz = KS(0.0);
-    const S dwx = KS(0.0);
-    const S dwy = KS(0.0);
-    const S dwz = KS(0.0);
-    const S dx = KS(0.0);
-    const S dy = KS(0.0);
-    const S dz = KS(0.0);
-#endif
     const V first = K(-1.0);
     EACH(TURNING, , first)
     const V last = K(-1.0);
     const M permitted = lanes_less(K(0.0), lanes_load(worklist->permitted));
+#if BOUNDED
+    const S position_bound = KS(0.0);
+    const S spin_bound = KS(0.0);
+    const S velocity_bound = KS(0.0);
+#endif
     for (; start + LANES_WIDTH <= past; start += LANES_WIDTH) {
         LANES(hoop_ahead)(job, start + LANES_SHOTS, 1);
         const double *states = job->states + HOOP_STATE * start;
@@ -861,9 +882,9 @@ static size_t LOOP(launch)(LOOP(worklist) *worklist, const hoop_job *job, size_t
         BOUNDS(EACH(GET, _admitted_1, uncertain))
         refused = lanes_either(refused, lanes_at_most(K(0.0), outcome));
 #if BOUNDED
-        CALL(hoop_error_bounds, _error_bounds_1)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
+        CALL(hoop_error_bounds, _error_bounds_1)(clock_error, position_bound, velocity_bound, spin_bound);
 #else
-        CALL(hoop_error_bounds, _error_bounds_1)(KS(0.0), KS(0.0), KS(0.0), KS(0.0), KS(0.0), KS(0.0), KS(0.0), KS(0.0), KS(0.0), KS(0.0));
+        CALL(hoop_error_bounds, _error_bounds_1)(KS(0.0), KS(0.0), KS(0.0), KS(0.0));
 #endif
         EACH(GET_SINGLE, _error_bounds_1, time_error)
         BOUNDS(EACH(GET_SINGLE, _error_bounds_1, position_error, velocity_error))
@@ -935,9 +956,9 @@ static size_t LOOP(launch)(LOOP(worklist) *worklist, const hoop_job *job, size_t
         CALL(hoop_missed, _missed_1)();
         EACH(GET, _missed_1, clear)
 #if BOUNDED
-        CALL(hoop_ring_drops_through, _ring_drops_through_1)(lanes_narrow(x), lanes_narrow(y), lanes_narrow(z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(vz), lanes_narrow(until), lanes_narrow(extent), lanes_narrow(speed), position_error, velocity_error, FIXED_SINGLE(0), FIXED_SINGLE(33), FIXED_SINGLE(3), FIXED_SINGLE(34), FIXED_SINGLE(20), FIXED_SINGLE(35), FIXED_SINGLE(36), FIXED_SINGLE(37), FIXED_SINGLE(38), FIXED_SINGLE(39));
+        CALL(hoop_ring_drops_through, _ring_drops_through_1)(lanes_narrow(x), lanes_narrow(y), lanes_narrow(z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(vz), lanes_narrow(until), lanes_narrow(extent), lanes_narrow(speed), position_error, velocity_error, FIXED_SINGLE(0), FIXED_SINGLE(40), FIXED_SINGLE(3), FIXED_SINGLE(41), FIXED_SINGLE(20), FIXED_SINGLE(42), FIXED_SINGLE(43), FIXED_SINGLE(44), FIXED_SINGLE(45), FIXED_SINGLE(46));
 #else
-        CALL(hoop_ring_drops_through, _ring_drops_through_1)(lanes_narrow(x), lanes_narrow(y), lanes_narrow(z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(vz), lanes_narrow(until), lanes_narrow(extent), lanes_narrow(speed), KS(0.0), KS(0.0), FIXED_SINGLE(0), FIXED_SINGLE(33), FIXED_SINGLE(3), FIXED_SINGLE(34), FIXED_SINGLE(20), FIXED_SINGLE(35), FIXED_SINGLE(36), FIXED_SINGLE(37), FIXED_SINGLE(38), FIXED_SINGLE(39));
+        CALL(hoop_ring_drops_through, _ring_drops_through_1)(lanes_narrow(x), lanes_narrow(y), lanes_narrow(z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(vz), lanes_narrow(until), lanes_narrow(extent), lanes_narrow(speed), KS(0.0), KS(0.0), FIXED_SINGLE(0), FIXED_SINGLE(40), FIXED_SINGLE(3), FIXED_SINGLE(41), FIXED_SINGLE(20), FIXED_SINGLE(42), FIXED_SINGLE(43), FIXED_SINGLE(44), FIXED_SINGLE(45), FIXED_SINGLE(46));
 #endif
         EACH(GET_MASK, _ring_drops_through_1, unproved)
         const M _if_unproved_1 = unproved;
@@ -1022,7 +1043,7 @@ static size_t LOOP(launch)(LOOP(worklist) *worklist, const hoop_job *job, size_t
         EACH(GET_SINGLE, _closing_1, position_claim, velocity_claim, spin_claim, time_claim)
         const M _if_closed_1 = closed;
         if (lanes_any(_if_closed_1)) {
-            CALL(hoop_claimed_errors, _claimed_errors_1)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
+            CALL(hoop_claimed_errors, _claimed_errors_1)(clock_error, position_bound, velocity_bound, spin_bound);
             position_claim = singles_select(singles_of(_if_closed_1), _claimed_errors_1.position_error, position_claim);
             velocity_claim = singles_select(singles_of(_if_closed_1), _claimed_errors_1.velocity_error, velocity_claim);
             spin_claim = singles_select(singles_of(_if_closed_1), _claimed_errors_1.spin_error, spin_claim);
@@ -1143,10 +1164,10 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
                 LOOP(fix_rows_2)(worklist, i);
             EACH(LOAD, , last, vx, vy, vz, x, y, z)
 #if BOUNDED
-            EACH(LOAD_SINGLE, , clock_error, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz)
-            CALL(hoop_error_bounds, _error_bounds_1)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
+            EACH(LOAD_SINGLE, , clock_error, position_bound, spin_bound, velocity_bound)
+            CALL(hoop_error_bounds, _error_bounds_1)(clock_error, position_bound, velocity_bound, spin_bound);
 #else
-            CALL(hoop_error_bounds, _error_bounds_1)(KS(0.0), KS(0.0), KS(0.0), KS(0.0), KS(0.0), KS(0.0), KS(0.0), KS(0.0), KS(0.0), KS(0.0));
+            CALL(hoop_error_bounds, _error_bounds_1)(KS(0.0), KS(0.0), KS(0.0), KS(0.0));
 #endif
             EACH(GET_SINGLE, _error_bounds_1, time_error)
             BOUNDS(EACH(GET_SINGLE, _error_bounds_1, position_error, velocity_error))
@@ -1889,8 +1910,8 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
             EACH(LOAD_SINGLE, , time_error)
             EACH(LOAD_MASK, , limited)
             BOUNDS(EACH(LOAD, , earliest_delay, extent, speed, uncertain, undecided_time))
-            BOUNDS(EACH(LOAD_SINGLE, , clock_error, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz))
-            BOUNDS(EACH(LOAD_SINGLE, , position_error, velocity_error))
+            BOUNDS(EACH(LOAD_SINGLE, , clock_error, position_bound, position_error, spin_bound))
+            BOUNDS(EACH(LOAD_SINGLE, , velocity_bound, velocity_error))
             const M _if_limited_1 = lanes_both(rows, limited);
             if (lanes_any(_if_limited_1)) {
                 CALL(hoop_expiry, _expiry_1)(when, which, OR_ZERO(earliest_delay), OR_INFINITE(undecided_time), lanes_wide(time_error), clock, time_limit);
@@ -1969,6 +1990,9 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
             const M _if_meeting_1 = lanes_both(rows, meeting);
             if (lanes_any(_if_meeting_1)) {
                 EACH(LOAD, , count_0, count_1, count_2, first, last)
+                BOUNDS(EACH(LOAD_SINGLE, , left_bend_e, left_bend_s, left_ex, left_ey, left_nx, left_ny))
+                BOUNDS(EACH(LOAD_SINGLE, , left_nz, pace_e, pace_n, pace_s, place_e, place_n, place_s))
+                BOUNDS(EACH(LOAD_SINGLE, , turn_n, turn_z))
                 CALL(hoop_end_normal, _end_normal_1)();
                 EACH(GET, _end_normal_1, nx, ny, nz)
                 CALL(hoop_here, _here_2)(K(0.0), which);
@@ -1999,89 +2023,105 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
                     count_2 = lanes_select(_if_here_4, _counted_3.count, count_2);
                 }
 #if BOUNDED
-                CALL(hoop_elsewhere, _elsewhere_1)();
-                EACH(GET, _elsewhere_1, curving)
-                CALL(hoop_again, _again_1)(K(0.0), last, which);
-                EACH(GET_MASK, _again_1, again)
-                const M _if_again_1 = lanes_both(_if_meeting_1, again);
-                {
-                    CALL(hoop_ring_curvature, _ring_curvature_1)(FIXED(55));
-                    curving = lanes_select(_if_again_1, _ring_curvature_1.curvature, curving);
-                }
-                CALL(hoop_again, _again_2)(K(1.0), last, which);
-                EACH(SET, _again_2, again)
-                const M _if_again_2 = lanes_both(_if_meeting_1, again);
-                {
-                    CALL(hoop_backboard_curvature, _backboard_curvature_1)();
-                    curving = lanes_select(_if_again_2, _backboard_curvature_1.curvature, curving);
-                }
-                CALL(hoop_again, _again_3)(K(2.0), last, which);
-                EACH(SET, _again_3, again)
-                const M _if_again_3 = lanes_both(_if_meeting_1, again);
-                {
-                    CALL(hoop_bridge_curvature, _bridge_curvature_1)();
-                    curving = lanes_select(_if_again_3, _bridge_curvature_1.curvature, curving);
-                }
-                CALL(hoop_carry_flight, _carry_flight_1)(lanes_narrow(when), lanes_narrow(x), lanes_narrow(y), lanes_narrow(z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(vz), lanes_narrow(nx), lanes_narrow(ny), lanes_narrow(nz), lanes_narrow(clock), lanes_narrow(contacts), lanes_narrow(earliest_delay), dx, dy, dz, dvx, dvy, dvz, lanes_narrow(curving), FIXED_SINGLE(0));
-                EACH(SELECT_SINGLE, (_if_meeting_1, _carry_flight_1), dx, dy, dz, dvx, dvy, dvz)
-                S belated = _carry_flight_1.delay;
-                EACH(GET_SINGLE, _carry_flight_1, shift)
-                CALL(hoop_clock_error_sum, _clock_error_sum_1)(belated, clock_error);
-                EACH(SELECT_SINGLE, (_if_meeting_1, _clock_error_sum_1), clock_error)
-                const M _if_ends_1 = lanes_both(_if_meeting_1, ends);
-                {
-                    CALL(hoop_error_floor, _error_floor_1)(dx, dy, dz, shift);
-                    EACH(SELECT_SINGLE, (_if_ends_1, _error_floor_1), dx, dy, dz)
-                }
-                CALL(hoop_no_normal_error, _no_normal_error_1)();
-                EACH(GET_SINGLE, _no_normal_error_1, dnx, dny, dnz, turn)
+                CALL(hoop_normal_velocity, _normal_velocity_1)(vx, vy, vz, nx, ny, nz);
+                EACH(GET, _normal_velocity_1, normal_velocity)
+                CALL(hoop_came_back, _came_back_1)(last, which);
+                EACH(GET, _came_back_1, back)
+                CALL(hoop_end_tangents, _end_tangents_1)(lanes_narrow(when), lanes_narrow(z), lanes_narrow(vz), FIXED_SINGLE(20));
+                EACH(GET_SINGLE, _end_tangents_1, tangent_x, tangent_y, bend_s, bend_e)
+                EACH(GET_SINGLE, _end_tangents_1, sharpest_bend, root_offset, normal_rounding)
                 CALL(hoop_here, _here_5)(K(0.0), which);
                 EACH(SET, _here_5, here)
                 const M _if_here_5 = lanes_both(_if_meeting_1, here);
                 if (lanes_any(_if_here_5)) {
-                    CALL(hoop_ring_carry_normal, _ring_carry_normal_1)(lanes_narrow(x), lanes_narrow(y), dx, dy, dz, shift, FIXED_SINGLE(19), FIXED_SINGLE(26), FIXED_SINGLE(27));
-                    EACH(SELECT_SINGLE, (_if_here_5, _ring_carry_normal_1), dnx, dny, dnz, turn)
+                    CALL(hoop_ring_tangents, _ring_tangents_1)(lanes_narrow(when), lanes_narrow(x), lanes_narrow(y), lanes_narrow(z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(vz), lanes_narrow(nx), lanes_narrow(ny), lanes_narrow(nz), lanes_narrow(normal_velocity), lanes_narrow(back), FIXED_SINGLE(0), FIXED_SINGLE(10), FIXED_SINGLE(26), FIXED_SINGLE(27), FIXED_SINGLE(28), FIXED_SINGLE(20), FIXED_SINGLE(29), FIXED_SINGLE(30), FIXED_SINGLE(31));
+                    EACH(SELECT_SINGLE, (_if_here_5, _ring_tangents_1), tangent_x, tangent_y)
+                    EACH(SELECT_SINGLE, (_if_here_5, _ring_tangents_1), bend_s, bend_e)
+                    EACH(SELECT_SINGLE, (_if_here_5, _ring_tangents_1), sharpest_bend, root_offset)
+                    EACH(SELECT_SINGLE, (_if_here_5, _ring_tangents_1), normal_rounding)
                 }
-#endif
-                const M _if_touches_1 = lanes_both(_if_meeting_1, touches);
-                if (LANES_USUAL(_if_touches_1)) {
-#if BOUNDED
-                    CALL(hoop_carry_impact, _carry_impact_1)(lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(vz), lanes_narrow(wx), lanes_narrow(wy), lanes_narrow(wz), lanes_narrow(nx), lanes_narrow(ny), lanes_narrow(nz), lanes_narrow(contacts), dvx, dvy, dvz, dwx, dwy, dwz, dnx, dny, dnz, turn, FIXED_SINGLE(28), FIXED_SINGLE(29), FIXED_SINGLE(30), FIXED_SINGLE(31));
-                    EACH(SELECT_SINGLE, (_if_touches_1, _carry_impact_1), dvx, dvy, dvz, dwx, dwy)
-                    EACH(SELECT_SINGLE, (_if_touches_1, _carry_impact_1), dwz)
-#endif
-                    CALL(hoop_impact, _impact_1)(vx, vy, vz, wx, wy, wz, nx, ny, nz, FIXED(56), FIXED(57), FIXED(58));
-                    EACH(SELECT, (_if_touches_1, _impact_1), vx, vy, vz, wx, wy, wz)
-                }
-#if !BOUNDED
-                CALL(hoop_here, _here_5)(K(1.0), which);
-                EACH(SET, _here_5, here)
-                const M _if_here_5 = lanes_both(_if_meeting_1, here);
-                {
-                    CALL(hoop_backboard_place, _backboard_place_1)(y, z, FIXED(3));
-                    EACH(SELECT, (_if_here_5, _backboard_place_1), x, y, z)
-                }
-#endif
-#if BOUNDED
                 CALL(hoop_here, _here_6)(K(1.0), which);
-#else
-                CALL(hoop_here, _here_6)(K(2.0), which);
-#endif
                 EACH(SET, _here_6, here)
                 const M _if_here_6 = lanes_both(_if_meeting_1, here);
                 {
-#if BOUNDED
-                    CALL(hoop_backboard_place, _backboard_place_1)(y, z, FIXED(3));
-                    EACH(SELECT, (_if_here_6, _backboard_place_1), x, y, z)
+                    CALL(hoop_backboard_tangents, _backboard_tangents_1)(lanes_narrow(when), lanes_narrow(x), lanes_narrow(vx));
+                    EACH(SELECT_SINGLE, (_if_here_6, _backboard_tangents_1), tangent_x, tangent_y)
+                    EACH(SELECT_SINGLE, (_if_here_6, _backboard_tangents_1), bend_s, bend_e)
+                    EACH(SELECT_SINGLE, (_if_here_6, _backboard_tangents_1), sharpest_bend)
+                    EACH(SELECT_SINGLE, (_if_here_6, _backboard_tangents_1), root_offset)
+                    EACH(SELECT_SINGLE, (_if_here_6, _backboard_tangents_1), normal_rounding)
                 }
                 CALL(hoop_here, _here_7)(K(2.0), which);
                 EACH(SET, _here_7, here)
                 const M _if_here_7 = lanes_both(_if_meeting_1, here);
                 {
+                    CALL(hoop_bridge_tangents, _bridge_tangents_1)(lanes_narrow(when), lanes_narrow(z), lanes_narrow(vz), FIXED_SINGLE(20));
+                    EACH(SELECT_SINGLE, (_if_here_7, _bridge_tangents_1), tangent_x, tangent_y)
+                    EACH(SELECT_SINGLE, (_if_here_7, _bridge_tangents_1), bend_s, bend_e)
+                    EACH(SELECT_SINGLE, (_if_here_7, _bridge_tangents_1), sharpest_bend)
+                    EACH(SELECT_SINGLE, (_if_here_7, _bridge_tangents_1), root_offset)
+                    EACH(SELECT_SINGLE, (_if_here_7, _bridge_tangents_1), normal_rounding)
+                }
+                const M _if_ends_1 = lanes_both(_if_meeting_1, ends);
+                if (lanes_any(_if_ends_1)) {
+                    CALL(hoop_carry_end, _carry_end_1)(lanes_narrow(when), lanes_narrow(x), lanes_narrow(y), lanes_narrow(z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(vz), lanes_narrow(clock), position_bound, velocity_bound, spin_bound, root_offset, lanes_narrow(normal_velocity), FIXED_SINGLE(0), FIXED_SINGLE(20));
+                    EACH(SELECT_SINGLE, (_if_ends_1, _carry_end_1), position_bound, velocity_bound)
+                    EACH(SELECT_SINGLE, (_if_ends_1, _carry_end_1), spin_bound)
+                    S belated = _carry_end_1.delay;
+                    CALL(hoop_clock_error_sum, _clock_error_sum_1)(belated, clock_error);
+                    EACH(SELECT_SINGLE, (_if_ends_1, _clock_error_sum_1), clock_error)
+                }
 #endif
+                const M _if_touches_1 = lanes_both(_if_meeting_1, touches);
+                if (LANES_USUAL(_if_touches_1)) {
+#if BOUNDED
+                    CALL(hoop_carry_impact, _carry_impact_1)(lanes_narrow(when), lanes_narrow(x), lanes_narrow(y), lanes_narrow(z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(vz), lanes_narrow(wx), lanes_narrow(wy), lanes_narrow(wz), lanes_narrow(nx), lanes_narrow(ny), lanes_narrow(nz), lanes_narrow(clock), left_nx, left_ny, left_nz, place_n, place_s, place_e, pace_n, pace_s, pace_e, turn_n, turn_z, position_bound, velocity_bound, spin_bound, tangent_x, tangent_y, bend_s, bend_e, left_ex, left_ey, left_bend_s, left_bend_e, sharpest_bend, root_offset, normal_rounding, lanes_narrow(normal_velocity), lanes_narrow(back), FIXED_SINGLE(32), FIXED_SINGLE(33), FIXED_SINGLE(0), FIXED_SINGLE(20), FIXED_SINGLE(34), FIXED_SINGLE(35), FIXED_SINGLE(36), FIXED_SINGLE(37), FIXED_SINGLE(38), FIXED_SINGLE(39));
+                    EACH(SELECT_SINGLE, (_if_touches_1, _carry_impact_1), place_n, place_s, place_e)
+                    EACH(SELECT_SINGLE, (_if_touches_1, _carry_impact_1), pace_n, pace_s, pace_e)
+                    EACH(SELECT_SINGLE, (_if_touches_1, _carry_impact_1), turn_n, turn_z)
+                    EACH(SELECT_SINGLE, (_if_touches_1, _carry_impact_1), position_bound)
+                    EACH(SELECT_SINGLE, (_if_touches_1, _carry_impact_1), velocity_bound)
+                    EACH(SELECT_SINGLE, (_if_touches_1, _carry_impact_1), spin_bound, left_nx)
+                    EACH(SELECT_SINGLE, (_if_touches_1, _carry_impact_1), left_ny, left_nz, left_ex)
+                    EACH(SELECT_SINGLE, (_if_touches_1, _carry_impact_1), left_ey, left_bend_s)
+                    EACH(SELECT_SINGLE, (_if_touches_1, _carry_impact_1), left_bend_e)
+                    S belated = _carry_impact_1.delay;
+                    CALL(hoop_clock_error_sum, _clock_error_sum_2)(belated, clock_error);
+                    EACH(SELECT_SINGLE, (_if_touches_1, _clock_error_sum_2), clock_error)
+#endif
+                    CALL(hoop_impact, _impact_1)(vx, vy, vz, wx, wy, wz, nx, ny, nz, FIXED(55), FIXED(56), FIXED(57));
+                    EACH(SELECT, (_if_touches_1, _impact_1), vx, vy, vz, wx, wy, wz)
+                }
+#if BOUNDED
+                CALL(hoop_here, _here_8)(K(1.0), which);
+                EACH(SET, _here_8, here)
+                const M _if_here_8 = lanes_both(_if_meeting_1, here);
+#else
+                CALL(hoop_here, _here_5)(K(1.0), which);
+                EACH(SET, _here_5, here)
+                const M _if_here_5 = lanes_both(_if_meeting_1, here);
+#endif
+                {
+                    CALL(hoop_backboard_place, _backboard_place_1)(y, z, FIXED(3));
+#if BOUNDED
+                    EACH(SELECT, (_if_here_8, _backboard_place_1), x, y, z)
+#else
+                    EACH(SELECT, (_if_here_5, _backboard_place_1), x, y, z)
+#endif
+                }
+#if BOUNDED
+                CALL(hoop_here, _here_9)(K(2.0), which);
+                EACH(SET, _here_9, here)
+                const M _if_here_9 = lanes_both(_if_meeting_1, here);
+#else
+                CALL(hoop_here, _here_6)(K(2.0), which);
+                EACH(SET, _here_6, here)
+                const M _if_here_6 = lanes_both(_if_meeting_1, here);
+#endif
+                {
                     CALL(hoop_bridge_place, _bridge_place_1)(x, y, FIXED(10));
 #if BOUNDED
-                    EACH(SELECT, (_if_here_7, _bridge_place_1), x, y, z)
+                    EACH(SELECT, (_if_here_9, _bridge_place_1), x, y, z)
 #else
                     EACH(SELECT, (_if_here_6, _bridge_place_1), x, y, z)
 #endif
@@ -2092,7 +2132,9 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
                     EACH(SELECT, (_if_touches_2, _touched_1), first, last)
                 }
                 EACH(STORE, , count_0, count_1, count_2, first, last, wx, wy, wz)
-                BOUNDS(EACH(STORE_SINGLE, , dwx, dwy, dwz))
+                BOUNDS(EACH(STORE_SINGLE, , left_bend_e, left_bend_s, left_ex, left_ey, left_nx, left_ny))
+                BOUNDS(EACH(STORE_SINGLE, , left_nz, pace_e, pace_n, pace_s, place_e, place_n, place_s))
+                BOUNDS(EACH(STORE_SINGLE, , turn_n, turn_z))
             }
 #if BOUNDED
             const M _if_limited_3 = lanes_both(rows, limited);
@@ -2101,9 +2143,10 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
                 EACH(GET_MASK, _ends_by_time_limit_1, ends_by_time_limit)
                 const M _if_ends_by_time_limit_1 = lanes_both(_if_limited_3, ends_by_time_limit);
                 if (lanes_any(_if_ends_by_time_limit_1)) {
-                    CALL(hoop_carry_time, _carry_time_1)(lanes_narrow(when), lanes_narrow(x), lanes_narrow(y), lanes_narrow(z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(vz), lanes_narrow(clock), clock_error, dx, dy, dz, dvx, dvy, dvz, FIXED_SINGLE(0), FIXED_SINGLE(32));
-                    EACH(SELECT_SINGLE, (_if_ends_by_time_limit_1, _carry_time_1), dx, dy, dz, dvx)
-                    EACH(SELECT_SINGLE, (_if_ends_by_time_limit_1, _carry_time_1), dvy, dvz)
+                    CALL(hoop_carry_time, _carry_time_1)(lanes_narrow(when), lanes_narrow(x), lanes_narrow(y), lanes_narrow(z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(vz), lanes_narrow(clock), clock_error, position_bound, velocity_bound, spin_bound, FIXED_SINGLE(0), FIXED_SINGLE(20));
+                    EACH(SELECT_SINGLE, (_if_ends_by_time_limit_1, _carry_time_1), position_bound)
+                    EACH(SELECT_SINGLE, (_if_ends_by_time_limit_1, _carry_time_1), velocity_bound)
+                    EACH(SELECT_SINGLE, (_if_ends_by_time_limit_1, _carry_time_1), spin_bound)
                     EACH(SELECT_SINGLE, (_if_ends_by_time_limit_1, _carry_time_1), clock_error)
                 }
             }
@@ -2112,7 +2155,7 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
             EACH(GET_SINGLE, _closing_1, position_claim, velocity_claim, spin_claim, time_claim)
             const M _if_closed_1 = lanes_both(rows, closed);
             if (lanes_any(_if_closed_1)) {
-                CALL(hoop_claimed_errors, _claimed_errors_1)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
+                CALL(hoop_claimed_errors, _claimed_errors_1)(clock_error, position_bound, velocity_bound, spin_bound);
                 position_claim = singles_select(singles_of(_if_closed_1), _claimed_errors_1.position_error, position_claim);
                 velocity_claim = singles_select(singles_of(_if_closed_1), _claimed_errors_1.velocity_error, velocity_claim);
                 spin_claim = singles_select(singles_of(_if_closed_1), _claimed_errors_1.spin_error, spin_claim);
@@ -2121,8 +2164,8 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
 #endif
             EACH(STORE, , clock, contacts, outcome, vx, vy, vz, x, y, z)
             BOUNDS(EACH(STORE, , uncertain))
-            BOUNDS(EACH(STORE_SINGLE, , clock_error, dvx, dvy, dvz, dx, dy, dz, position_claim, spin_claim))
-            BOUNDS(EACH(STORE_SINGLE, , time_claim, velocity_claim))
+            BOUNDS(EACH(STORE_SINGLE, , clock_error, position_bound, position_claim, spin_bound))
+            BOUNDS(EACH(STORE_SINGLE, , spin_claim, time_claim, velocity_bound, velocity_claim))
         }
         if (recording)
             for (size_t k = 0; k < shots; k++) {

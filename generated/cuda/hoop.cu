@@ -1,6 +1,6 @@
 /* The event loop of the scene hoop in CUDA: a thread takes one shot from its release to its end.
 
-   Generated from templates/cuda/scene.cu.j2, scene hoop, derivation 83b7ff2bc0b2beda,
+   Generated from templates/cuda/scene.cu.j2, scene hoop, derivation eb553e9a2c366767,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    It needs no header. To give the bits of NumPy and C it is compiled with --fmad=false, --ftz=false,
@@ -169,133 +169,84 @@ static __device__ __forceinline__ kernel_displacement_out kernel_displacement(do
     return {_s3 + (3.0029296875 * ((position_error + (horizon * velocity_error)) + (4.440892098500626e-16 * _s1)))};
 }
 
-/* Errors of the state at the end of a flight to a surface, from those at its start.
-   derivative of Eq. 3 and of the contact time, with roundings. 125 operations: 27 additions, 1 subtraction, 33 multiplications, 2 divisions, 7 negations, 17 absolute values, 19 comparisons, 19 selections. */
-struct kernel_carry_flight_out {
-    float dx, dy, dz, dvx, dvy, dvz, delay, shift;
+/* Velocity along the normal before the impact.
+   Table 2. 5 operations: 2 additions, 3 multiplications. */
+struct kernel_normal_velocity_out {
+    double normal_velocity;
 };
 
-static __device__ __forceinline__ kernel_carry_flight_out kernel_carry_flight(float t, float x, float y, float z, float vx, float vy, float vz, float nx, float ny, float nz, float clock, float contacts, float earliest_delay, float dx, float dy, float dz, float dvx, float dvy, float dvz, float curving, float p_gravity)
+static __device__ __forceinline__ kernel_normal_velocity_out kernel_normal_velocity(double vx, double vy, double vz, double nx, double ny, double nz)
 {
-    const float _s0 = dx + (dvx * t);
-    const float _s1 = fabsf(vx);
-    const float _s2 = ((float)2.0) * t;
-    const float _s3 = ((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * ((_s2 * _s1) + fabsf(x)));
-    const float _s4 = _s0 + choose((_s0 < ((float)0.0)), (-_s3), _s3);
-    const float _s5 = dy + (dvy * t);
-    const float _s6 = fabsf(vy);
-    const float _s7 = ((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * ((_s2 * _s6) + fabsf(y)));
-    const float _s8 = _s5 + choose((_s5 < ((float)0.0)), (-_s7), _s7);
-    const float _s9 = dz + (dvz * t);
-    const float _s10 = fabsf(vz);
-    const float _s11 = ((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * (((p_gravity * (t * t)) + (_s2 * _s10)) + fabsf(z)));
-    const float _s12 = _s9 + choose((_s9 < ((float)0.0)), (-_s11), _s11);
-    const float _s13 = ((float)1.0) / (((nx * vx) + (ny * vy)) + (nz * vz));
-    const float _s14 = (-(((nx * _s4) + (ny * _s8)) + (nz * _s12))) * _s13;
-    const float _s15 = (vx * _s14) + _s4;
-    const float _s16 = fabsf(_s15);
-    const float _s17 = larger(_s1, _s6);
-    const float _s18 = larger(_s17, _s10);
-    const float _s19 = fabsf(dx);
-    const float _s20 = fabsf(dy);
-    const float _s21 = larger(_s19, _s20);
-    const float _s22 = fabsf(dz);
-    const float _s23 = larger(_s21, _s22);
-    const float _s24 = curving * (t * _s18);
-    const float _s25 = fabsf(dvx);
-    const float _s26 = fabsf(dvy);
-    const float _s27 = larger(_s25, _s26);
-    const float _s28 = fabsf(dvz);
-    const float _s29 = larger(_s3, _s7);
-    const float _s30 = (t * larger(_s27, _s28)) + larger(_s29, _s11);
-    const float _s31 = ((fabsf(_s13) * _s18) * ((_s23 * smaller(_s24, ((float)1.0))) + _s30)) + (_s30 + _s23);
-    const float _s32 = _s31 * (((float)1.0) / (((float)8.0) + (((float)8.0) * contacts)));
-    const float _s33 = larger(_s16, _s32);
-    const float _s34 = (vy * _s14) + _s8;
-    const float _s35 = fabsf(_s34);
-    const float _s36 = larger(_s35, _s32);
-    const float _s37 = (vz * _s14) + _s12;
-    const float _s38 = fabsf(_s37);
-    const float _s39 = larger(_s38, _s32);
-    const float _s40 = fabsf(_s14);
-    const float _s41 = ((float)0.0625) * earliest_delay;
-    return {choose((_s15 < ((float)0.0)), (-_s33), _s33), choose((_s34 < ((float)0.0)), (-_s36), _s36), choose((_s37 < ((float)0.0)), (-_s39), _s39), dvx, dvy, dvz - (p_gravity * _s14), (((float)4.440892098500626e-16) * (t + clock)) + larger(_s40, _s41), _s31};
+    return {((nx * vx) + (ny * vy)) + (nz * vz)};
 }
 
-/* Errors of the state at the time limit, from those at the start of the flight.
-   derivative of Eq. 3, with roundings. 65 operations: 20 additions, 18 multiplications, 1 negation, 14 absolute values, 6 comparisons, 6 selections. */
-struct kernel_carry_time_out {
-    float dx, dy, dz, dvx, dvy, dvz, clock_error;
+/* Bounds on the errors where a flight crosses the end plane.
+   Eq. 3, with roundings. 63 operations: 25 additions, 1 subtraction, 23 multiplications, 1 division, 8 absolute values, 1 comparison, 4 selections. */
+struct kernel_carry_end_out {
+    float position_bound, velocity_bound, spin_bound, delay;
 };
 
-static __device__ __forceinline__ kernel_carry_time_out kernel_carry_time(float t, float x, float y, float z, float vx, float vy, float vz, float clock, float clock_error, float dx, float dy, float dz, float dvx, float dvy, float dvz, float p_gravity)
+static __device__ __forceinline__ kernel_carry_end_out kernel_carry_end(float t, float x, float y, float z, float vx, float vy, float vz, float clock, float position_bound, float velocity_bound, float spin_bound, float root_offset, float normal_velocity, float p_gravity)
 {
     const float _s0 = fabsf(vx);
-    const float _s1 = clock_error + (((float)4.440892098500626e-16) * (t + clock));
-    const float _s2 = fabsf(dvx);
-    const float _s3 = fabsf(dvy);
-    const float _s4 = larger(_s2, _s3);
-    const float _s5 = fabsf(dvz);
-    const float _s6 = ((float)2.0) * t;
-    const float _s7 = ((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * ((_s6 * _s0) + fabsf(x)));
-    const float _s8 = fabsf(vy);
-    const float _s9 = ((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * ((_s6 * _s8) + fabsf(y)));
-    const float _s10 = larger(_s7, _s9);
-    const float _s11 = fabsf(vz);
-    const float _s12 = ((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * (((p_gravity * (t * t)) + (_s6 * _s11)) + fabsf(z)));
-    const float _s13 = fabsf(dx);
-    const float _s14 = fabsf(dy);
-    const float _s15 = larger(_s13, _s14);
-    const float _s16 = fabsf(dz);
-    const float _s17 = ((t * larger(_s4, _s5)) + larger(_s10, _s12)) + larger(_s15, _s16);
-    const float _s18 = fabsf(((float)0.0));
-    return {(_s0 * _s1) + _s17, (_s8 * _s1) + _s17, (_s11 * _s1) + _s17, (_s18 + (((float)2.220446049250313e-16) * _s0)) + _s2, (_s18 + (((float)2.220446049250313e-16) * _s8)) + _s3, ((((float)2.220446049250313e-16) * _s11) + _s5) + fabsf((-(p_gravity * _s1))), (float)0.0};
+    const float _s1 = ((float)2.0) * t;
+    const float _s2 = fabsf(vy);
+    const float _s3 = ((float)0.5) * p_gravity;
+    const float _s4 = ((_s3 * (t * t)) + (_s1 * fabsf((vz + (_s3 * t))))) + fabsf(z);
+    const float _s5 = ((((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * ((_s1 * _s0) + fabsf(x)))) + (((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * ((_s1 * _s2) + fabsf(y))))) + (((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * _s4));
+    const float _s6 = ((position_bound + root_offset) + (t * velocity_bound)) + _s5;
+    const float _s7 = fabsf(normal_velocity);
+    const float _s8 = (((float)1.1) * _s6) / _s7;
+    const float _s9 = fabsf(vz);
+    const float _s10 = ((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * ((((p_gravity * t) + _s0) + _s2) + _s9));
+    const float _s11 = (p_gravity * _s8) + (velocity_bound + _s10);
+    const float _s12 = ((float)1.0009765625) * ((_s8 * (_s11 + ((_s0 + _s2) + _s9))) + _s6);
+    const bool _s13 = ((((float)11.0) * _s11) - _s7) <= ((float)0.0);
+    return {choose(_s13, _s12, ((float)INFINITE)), choose(_s13, (((float)1.0009765625) * _s11), ((float)INFINITE)), choose(_s13, (((float)1.0009765625) * spin_bound), ((float)INFINITE)), (((float)4.440892098500626e-16) * (t + clock)) + choose(_s13, (((float)1.0009765625) * _s8), ((float)INFINITE))};
 }
 
-/* Bounds on the errors of state and time that decisions allow for.
-   the carried errors times a factor. 25 operations: 4 multiplications, 9 absolute values, 6 comparisons, 6 selections. */
+/* Bounds on the errors at the time limit.
+   Eq. 3, with roundings. 51 operations: 24 additions, 20 multiplications, 7 absolute values. */
+struct kernel_carry_time_out {
+    float position_bound, velocity_bound, spin_bound, clock_error;
+};
+
+static __device__ __forceinline__ kernel_carry_time_out kernel_carry_time(float t, float x, float y, float z, float vx, float vy, float vz, float clock, float clock_error, float position_bound, float velocity_bound, float spin_bound, float p_gravity)
+{
+    const float _s0 = clock_error + (((float)4.440892098500626e-16) * (t + clock));
+    const float _s1 = fabsf(vx);
+    const float _s2 = fabsf(vy);
+    const float _s3 = fabsf(vz);
+    const float _s4 = ((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * ((((p_gravity * t) + _s1) + _s2) + _s3));
+    const float _s5 = (velocity_bound + (p_gravity * _s0)) + _s4;
+    const float _s6 = ((float)2.0) * t;
+    const float _s7 = ((float)0.5) * p_gravity;
+    const float _s8 = ((_s7 * (t * t)) + (_s6 * fabsf((vz + (_s7 * t))))) + fabsf(z);
+    const float _s9 = ((((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * ((_s6 * _s1) + fabsf(x)))) + (((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * ((_s6 * _s2) + fabsf(y))))) + (((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * _s8));
+    const float _s10 = ((position_bound + (t * velocity_bound)) + (_s0 * (_s5 + ((_s1 + _s2) + _s3)))) + _s9;
+    return {((float)1.0009765625) * _s10, ((float)1.0009765625) * _s5, ((float)1.0009765625) * spin_bound, (float)0.0};
+}
+
+/* Bounds on the errors of state and time that decisions use.
+   the carried bounds. No operations. */
 struct kernel_error_bounds_out {
     float position_error, velocity_error, spin_error, time_error;
 };
 
-static __device__ __forceinline__ kernel_error_bounds_out kernel_error_bounds(float clock_error, float dx, float dy, float dz, float dvx, float dvy, float dvz, float dwx, float dwy, float dwz)
+static __device__ __forceinline__ kernel_error_bounds_out kernel_error_bounds(float clock_error, float position_bound, float velocity_bound, float spin_bound)
 {
-    const float _s0 = fabsf(dx);
-    const float _s1 = fabsf(dy);
-    const float _s2 = larger(_s0, _s1);
-    const float _s3 = fabsf(dz);
-    const float _s4 = fabsf(dvx);
-    const float _s5 = fabsf(dvy);
-    const float _s6 = larger(_s4, _s5);
-    const float _s7 = fabsf(dvz);
-    const float _s8 = fabsf(dwx);
-    const float _s9 = fabsf(dwy);
-    const float _s10 = larger(_s8, _s9);
-    const float _s11 = fabsf(dwz);
-    return {((float)16.0) * larger(_s2, _s3), ((float)16.0) * larger(_s6, _s7), ((float)16.0) * larger(_s10, _s11), ((float)16.0) * clock_error};
+    return {position_bound, velocity_bound, spin_bound, clock_error};
 }
 
 /* Bounds on the errors of state and time that are reported.
-   the carried errors times a larger factor. 25 operations: 4 multiplications, 9 absolute values, 6 comparisons, 6 selections. */
+   the carried bounds. No operations. */
 struct kernel_claimed_errors_out {
     float position_error, velocity_error, spin_error, time_error;
 };
 
-static __device__ __forceinline__ kernel_claimed_errors_out kernel_claimed_errors(float clock_error, float dx, float dy, float dz, float dvx, float dvy, float dvz, float dwx, float dwy, float dwz)
+static __device__ __forceinline__ kernel_claimed_errors_out kernel_claimed_errors(float clock_error, float position_bound, float velocity_bound, float spin_bound)
 {
-    const float _s0 = fabsf(dx);
-    const float _s1 = fabsf(dy);
-    const float _s2 = larger(_s0, _s1);
-    const float _s3 = fabsf(dz);
-    const float _s4 = fabsf(dvx);
-    const float _s5 = fabsf(dvy);
-    const float _s6 = larger(_s4, _s5);
-    const float _s7 = fabsf(dvz);
-    const float _s8 = fabsf(dwx);
-    const float _s9 = fabsf(dwy);
-    const float _s10 = larger(_s8, _s9);
-    const float _s11 = fabsf(dwz);
-    return {((float)64.0) * larger(_s2, _s3), ((float)64.0) * larger(_s6, _s7), ((float)64.0) * larger(_s10, _s11), ((float)64.0) * clock_error};
+    return {position_bound, velocity_bound, spin_bound, clock_error};
 }
 
 /* 1 if finite parameters are allowed.
@@ -863,26 +814,15 @@ static __device__ __forceinline__ kernel_counted_out kernel_counted(double count
     return {1.0 + count};
 }
 
-/* Start value: another surface.
-   Table 1. No operations. */
-struct kernel_elsewhere_out {
-    double curving;
+/* 1 if the flight began on the surface that the ball meets.
+   Table 1. 2 operations: 1 comparison, 1 selection. */
+struct kernel_came_back_out {
+    double back;
 };
 
-static __device__ __forceinline__ kernel_elsewhere_out kernel_elsewhere()
+static __device__ __forceinline__ kernel_came_back_out kernel_came_back(double last, double which)
 {
-    return {INFINITE};
-}
-
-/* Whether the ball meets the same surface again.
-   Table 1. 3 operations: 2 comparisons, 1 conjunction. */
-struct kernel_again_out {
-    bool again;
-};
-
-static __device__ __forceinline__ kernel_again_out kernel_again(double index, double last, double which)
-{
-    return {(which == index) && (last == which)};
+    return {choose((last == which), 1.0, 0.0)};
 }
 
 /* Body touched first and surface touched last.
@@ -1007,28 +947,6 @@ static __device__ __forceinline__ kernel_closing_out kernel_closing(float outcom
     return {(((float)0.0) < claims) && (((float)0.0) <= outcome), (float)0.0, (float)0.0, (float)0.0, (float)0.0};
 }
 
-/* Errors at the end, not below the largest that one flight can cause.
-   Table 1. 9 operations: 3 absolute values, 3 comparisons, 3 selections. */
-struct kernel_error_floor_out {
-    float dx, dy, dz;
-};
-
-static __device__ __forceinline__ kernel_error_floor_out kernel_error_floor(float dx, float dy, float dz, float shift)
-{
-    return {choose((fabsf(dx) < shift), shift, dx), choose((fabsf(dy) < shift), shift, dy), choose((fabsf(dz) < shift), shift, dz)};
-}
-
-/* Start values: a normal without error.
-   Table 1. No operations. */
-struct kernel_no_normal_error_out {
-    float dnx, dny, dnz, turn;
-};
-
-static __device__ __forceinline__ kernel_no_normal_error_out kernel_no_normal_error()
-{
-    return {(float)0.0, (float)0.0, (float)0.0, (float)0.0};
-}
-
 /* Whether a flight with these ends may come to a plate.
    Table 1. 34 operations: 6 additions, 3 subtractions, 10 multiplications, 1 negation, 7 comparisons, 2 conjunctions, 1 complement, 4 selections. */
 struct kernel_reachable_out {
@@ -1080,62 +998,217 @@ static __device__ __forceinline__ kernel_impact_out kernel_impact(double vx, dou
     return {_s2 - ((p_restitution * nx) * _s1), _s3 - ((p_restitution * ny) * _s1), _s4 - ((p_restitution * nz) * _s1), (nx * _s5) + (_s6 * ((ny * _s4) - (nz * _s3))), (ny * _s5) + (_s6 * ((nz * _s2) - (nx * _s4))), (nz * _s5) + (_s6 * ((nx * _s3) - (ny * _s2)))};
 }
 
-/* Errors of velocity and spin after a contact, from those before it.
-   derivative of the frame-free Eq. 17, with roundings. 222 operations: 56 additions, 18 subtractions, 90 multiplications, 2 divisions, 6 negations, 18 absolute values, 16 comparisons, 16 selections. */
+/* Bounds on errors after a contact, from those at the departure before it.
+   derivative of the frame-free Eq. 17, with roundings. 940 operations: 261 additions, 64 subtractions, 469 multiplications, 6 divisions, 37 negations, 83 absolute values, 6 comparisons, 14 selections. */
 struct kernel_carry_impact_out {
-    float dvx, dvy, dvz, dwx, dwy, dwz;
+    float place_n, place_s, place_e, pace_n, pace_s, pace_e, turn_n, turn_z, position_bound, velocity_bound, spin_bound, left_nx, left_ny, left_nz, left_ex, left_ey, left_bend_s, left_bend_e, delay;
 };
 
-static __device__ __forceinline__ kernel_carry_impact_out kernel_carry_impact(float vx, float vy, float vz, float wx, float wy, float wz, float nx, float ny, float nz, float contacts, float dvx, float dvy, float dvz, float dwx, float dwy, float dwz, float dnx, float dny, float dnz, float turn, float p_ball_radius, float p_restitution)
+static __device__ __forceinline__ kernel_carry_impact_out kernel_carry_impact(float t, float x, float y, float z, float vx, float vy, float vz, float wx, float wy, float wz, float nx, float ny, float nz, float clock, float left_nx, float left_ny, float left_nz, float place_n, float place_s, float place_e, float pace_n, float pace_s, float pace_e, float turn_n, float turn_z, float position_bound, float velocity_bound, float spin_bound, float tangent_x, float tangent_y, float bend_s, float bend_e, float left_ex, float left_ey, float left_bend_s, float left_bend_e, float sharpest_bend, float root_offset, float normal_rounding, float normal_velocity, float back, float p_ball_radius, float p_restitution, float p_gravity)
 {
-    const float _s0 = ((float)0.4) * p_ball_radius;
-    const float _s1 = (((nx * dvx) + (vx * dnx)) + ((ny * dvy) + (vy * dny))) + ((nz * dvz) + (vz * dnz));
-    const float _s2 = ((nx * vx) + (ny * vy)) + (nz * vz);
-    const float _s3 = (nx * _s1) + (dnx * _s2);
-    const float _s4 = (_s0 * (((nz * dwy) + (wy * dnz)) - ((ny * dwz) + (wz * dny)))) + (((float)0.6) * (dvx - _s3));
-    const float _s5 = _s4 - (p_restitution * _s3);
-    const float _s6 = ((p_ball_radius * ((fabsf(wx) + fabsf(wy)) + fabsf(wz))) + fabsf(vx)) + fabsf(vy);
-    const float _s7 = _s6 + fabsf(vz);
-    const float _s8 = ((float)7.888609052210118e-31) + (((float)2.220446049250313e-16) * _s7);
-    const float _s9 = fabsf(_s5) + _s8;
-    const float _s10 = fabsf(dwx);
-    const float _s11 = fabsf(dwy);
-    const float _s12 = larger(_s10, _s11);
-    const float _s13 = fabsf(dwz);
-    const float _s14 = fabsf(dvx);
-    const float _s15 = fabsf(dvy);
-    const float _s16 = larger(_s14, _s15);
-    const float _s17 = fabsf(dvz);
-    const float _s18 = (((p_ball_radius * larger(_s12, _s13)) + (turn * _s7)) + larger(_s16, _s17)) * (((float)1.0) / (((float)8.0) + (((float)8.0) * contacts)));
-    const float _s19 = larger(_s9, _s18);
-    const float _s20 = (ny * _s1) + (dny * _s2);
-    const float _s21 = (_s0 * (((nx * dwz) + (wz * dnx)) - ((nz * dwx) + (wx * dnz)))) + (((float)0.6) * (dvy - _s20));
-    const float _s22 = _s21 - (p_restitution * _s20);
-    const float _s23 = fabsf(_s22) + _s8;
-    const float _s24 = larger(_s23, _s18);
-    const float _s25 = (nz * _s1) + (dnz * _s2);
-    const float _s26 = (_s0 * (((ny * dwx) + (wx * dny)) - ((nx * dwy) + (wy * dnx)))) + (((float)0.6) * (dvz - _s25));
-    const float _s27 = _s26 - (p_restitution * _s25);
-    const float _s28 = fabsf(_s27) + _s8;
-    const float _s29 = larger(_s28, _s18);
-    const float _s30 = ((float)1.0) / p_ball_radius;
-    const float _s31 = (_s0 * ((ny * wx) - (nx * wy))) + (((float)0.6) * (vz - (nz * _s2)));
-    const float _s32 = (_s0 * ((nx * wz) - (nz * wx))) + (((float)0.6) * (vy - (ny * _s2)));
-    const float _s33 = (((nx * dwx) + (wx * dnx)) + ((ny * dwy) + (wy * dny))) + ((nz * dwz) + (wz * dnz));
-    const float _s34 = ((nx * wx) + (ny * wy)) + (nz * wz);
-    const float _s35 = (_s30 * (((ny * _s26) + (dny * _s31)) - ((nz * _s21) + (dnz * _s32)))) + ((nx * _s33) + (dnx * _s34));
-    const float _s36 = _s30 * _s8;
-    const float _s37 = fabsf(_s35) + _s36;
-    const float _s38 = _s30 * _s18;
-    const float _s39 = larger(_s37, _s38);
-    const float _s40 = (_s0 * ((nz * wy) - (ny * wz))) + (((float)0.6) * (vx - (nx * _s2)));
-    const float _s41 = (_s30 * (((nz * _s4) + (dnz * _s40)) - ((nx * _s26) + (dnx * _s31)))) + ((ny * _s33) + (dny * _s34));
-    const float _s42 = fabsf(_s41) + _s36;
-    const float _s43 = larger(_s42, _s38);
-    const float _s44 = (_s30 * (((nx * _s21) + (dnx * _s32)) - ((ny * _s4) + (dny * _s40)))) + ((nz * _s33) + (dnz * _s34));
-    const float _s45 = fabsf(_s44) + _s36;
-    const float _s46 = larger(_s45, _s38);
-    return {choose((_s5 < ((float)0.0)), (-_s19), _s19), choose((_s22 < ((float)0.0)), (-_s24), _s24), choose((_s27 < ((float)0.0)), (-_s29), _s29), choose((_s35 < ((float)0.0)), (-_s39), _s39), choose((_s41 < ((float)0.0)), (-_s43), _s43), choose((_s44 < ((float)0.0)), (-_s46), _s46)};
+    const float _s0 = fabsf(vx);
+    const float _s1 = ((float)2.0) * t;
+    const float _s2 = ((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * ((_s1 * _s0) + fabsf(x)));
+    const float _s3 = fabsf(vy);
+    const float _s4 = ((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * ((_s1 * _s3) + fabsf(y)));
+    const float _s5 = ((float)0.5) * p_gravity;
+    const float _s6 = ((_s5 * (t * t)) + (_s1 * fabsf((vz + (_s5 * t))))) + fabsf(z);
+    const float _s7 = ((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * _s6);
+    const float _s8 = ((position_bound + root_offset) + (t * velocity_bound)) + ((_s2 + _s4) + _s7);
+    const float _s9 = ((nx * left_nx) + (ny * left_ny)) + (nz * left_nz);
+    const float _s10 = _s9 - back;
+    const float _s11 = left_nz * left_ey;
+    const float _s12 = -(left_nz * left_ex);
+    const float _s13 = p_gravity * t;
+    const float _s14 = vz + _s13;
+    const float _s15 = (left_ny * left_ex) - (left_nx * left_ey);
+    const float _s16 = ((vx * _s11) + (vy * _s12)) + (_s14 * _s15);
+    const float _s17 = -(left_bend_s * _s16);
+    const float _s18 = t * _s17;
+    const float _s19 = ((vx * left_nx) + (vy * left_ny)) + (left_nz * _s14);
+    const float _s20 = left_bend_s * _s19;
+    const float _s21 = ((float)1.0) + (t * _s20);
+    const float _s22 = ((nx * _s11) + (ny * _s12)) + (nz * _s15);
+    const float _s23 = (_s18 * _s9) + (_s21 * _s22);
+    const float _s24 = (vx * left_ex) + (vy * left_ey);
+    const float _s25 = left_nz * left_bend_e;
+    const float _s26 = -(_s25 * _s24);
+    const float _s27 = t * _s26;
+    const float _s28 = (left_bend_e * _s24) * _s15;
+    const float _s29 = t * _s28;
+    const float _s30 = left_bend_e * ((left_nz * _s16) - (_s15 * _s19));
+    const float _s31 = ((float)1.0) + (t * _s30);
+    const float _s32 = (nx * left_ex) + (ny * left_ey);
+    const float _s33 = ((_s27 * _s22) + (_s29 * _s9)) + (_s31 * _s32);
+    const float _s34 = t * _s9;
+    const float _s35 = t * _s22;
+    const float _s36 = ((((place_n * fabsf(_s10)) + (place_s * fabsf(_s23))) + (place_e * fabsf(_s33))) + (pace_n * fabsf(_s34))) + (pace_s * fabsf(_s35));
+    const float _s37 = t * _s32;
+    const float _s38 = fabsf(normal_velocity);
+    const float _s39 = ((float)1.1) * ((root_offset + ((((float)3.814697265625e-06) + (sharpest_bend * _s8)) * _s8)) + (_s36 + (pace_e * fabsf(_s37))));
+    const float _s40 = _s39 / _s38;
+    const float _s41 = fabsf(vz);
+    const float _s42 = ((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * (((_s13 + _s0) + _s3) + _s41));
+    const float _s43 = velocity_bound + _s42;
+    const float _s44 = (p_gravity * _s40) + _s43;
+    const float _s45 = (_s0 + _s3) + _s41;
+    const float _s46 = _s44 + _s45;
+    const float _s47 = (_s40 * _s46) + _s8;
+    const float _s48 = ((float)1.02) * sharpest_bend;
+    const float _s49 = _s48 * _s47;
+    const float _s50 = (((float)11.0) * ((_s49 * _s46) + _s44)) - _s38;
+    const float _s51 = (((float)100.0) * (sharpest_bend * _s47)) - ((float)1.0);
+    const float _s52 = (_s5 * (_s40 * _s40)) + (_s40 * _s43);
+    const float _s53 = ((((float)0.51) * (_s49 * _s47)) + _s52) / _s38;
+    const float _s54 = (_s53 * _s45) + _s52;
+    const float _s55 = ((root_offset + (place_n * back)) + _s54) + (((fabsf(nx) * _s2) + (fabsf(ny) * _s4)) + (fabsf(nz) * _s7));
+    const bool _s56 = larger(_s50, _s51) <= ((float)0.0);
+    const float _s57 = choose(_s56, (((float)1.0009765625) * _s55), ((float)INFINITE));
+    const float _s58 = nz * tangent_y;
+    const float _s59 = -(nz * tangent_x);
+    const float _s60 = (ny * tangent_x) - (nx * tangent_y);
+    const float _s61 = ((vx * _s58) + (vy * _s59)) + (vz * _s60);
+    const float _s62 = fabsf(_s61);
+    const float _s63 = (root_offset + (((float)3.814697265625e-06) * _s8)) / _s38;
+    const float _s64 = (_s62 * _s63) + (((fabsf(_s59) * _s4) + (fabsf(_s58) * _s2)) + (fabsf(_s60) * _s7));
+    const float _s65 = _s54 + (((float)3.814697265625e-06) * _s47);
+    const float _s66 = ((float)1.0) / normal_velocity;
+    const float _s67 = -(_s66 * _s10);
+    const float _s68 = ((left_nx * _s58) + (left_ny * _s59)) + (left_nz * _s60);
+    const float _s69 = (_s67 * _s61) + _s68;
+    const float _s70 = -(_s66 * _s23);
+    const float _s71 = ((_s59 * _s12) + (_s58 * _s11)) + (_s60 * _s15);
+    const float _s72 = (_s70 * _s61) + ((_s18 * _s68) + (_s21 * _s71));
+    const float _s73 = -(_s66 * _s33);
+    const float _s74 = (left_ex * _s58) + (left_ey * _s59);
+    const float _s75 = (_s73 * _s61) + (((_s27 * _s71) + (_s29 * _s68)) + (_s31 * _s74));
+    const float _s76 = -(_s66 * _s34);
+    const float _s77 = (_s76 * _s61) + (t * _s68);
+    const float _s78 = -(_s66 * _s35);
+    const float _s79 = (_s78 * _s61) + (t * _s71);
+    const float _s80 = ((((place_n * fabsf(_s69)) + (place_s * fabsf(_s72))) + (place_e * fabsf(_s75))) + (pace_n * fabsf(_s77))) + (pace_s * fabsf(_s79));
+    const float _s81 = -(_s66 * _s37);
+    const float _s82 = (_s81 * _s61) + (t * _s74);
+    const float _s83 = choose(_s56, (((float)1.0009765625) * ((_s64 + _s65) + (_s80 + (pace_e * fabsf(_s82))))), ((float)INFINITE));
+    const float _s84 = (vx * tangent_x) + (vy * tangent_y);
+    const float _s85 = fabsf(_s84);
+    const float _s86 = fabsf(((float)0.0));
+    const float _s87 = (_s85 * _s63) + (((_s86 * _s7) + (fabsf(tangent_x) * _s2)) + (fabsf(tangent_y) * _s4));
+    const float _s88 = (left_nx * tangent_x) + (left_ny * tangent_y);
+    const float _s89 = (_s67 * _s84) + _s88;
+    const float _s90 = (tangent_x * _s11) + (tangent_y * _s12);
+    const float _s91 = (_s70 * _s84) + ((_s18 * _s88) + (_s21 * _s90));
+    const float _s92 = (tangent_x * left_ex) + (tangent_y * left_ey);
+    const float _s93 = (_s73 * _s84) + (((_s27 * _s90) + (_s29 * _s88)) + (_s31 * _s92));
+    const float _s94 = (_s76 * _s84) + (t * _s88);
+    const float _s95 = (_s78 * _s84) + (t * _s90);
+    const float _s96 = ((((place_n * fabsf(_s89)) + (place_s * fabsf(_s91))) + (place_e * fabsf(_s93))) + (pace_n * fabsf(_s94))) + (pace_s * fabsf(_s95));
+    const float _s97 = (_s81 * _s84) + (t * _s92);
+    const float _s98 = choose(_s56, (((float)1.0009765625) * ((_s87 + _s65) + (_s96 + (pace_e * fabsf(_s97))))), ((float)INFINITE));
+    const float _s99 = (p_gravity * _s63) + _s42;
+    const float _s100 = -(bend_s * _s61);
+    const float _s101 = bend_e * _s60;
+    const float _s102 = _s101 * _s84;
+    const float _s103 = _s99 + ((fabsf(_s100) * _s64) + (fabsf(_s102) * _s87));
+    const float _s104 = ((float)0.6) + p_restitution;
+    const float _s105 = bend_s * _s55;
+    const float _s106 = ((float)0.4) * p_ball_radius;
+    const float _s107 = normal_rounding + _s105;
+    const float _s108 = (fabsf(wx) + fabsf(wy)) + fabsf(wz);
+    const float _s109 = (_s106 * _s107) * _s108;
+    const float _s110 = p_ball_radius * _s108;
+    const float _s111 = _s110 + _s45;
+    const float _s112 = ((float)7.888609052210118e-31) + (((float)1.5543122344752192e-15) * _s111);
+    const float _s113 = p_gravity * _s53;
+    const float _s114 = ((float)2.0) * _s104;
+    const float _s115 = (bend_s + bend_e) * _s65;
+    const float _s116 = _s49 * _s49;
+    const float _s117 = (_s48 * _s54) + (((float)2.0) * _s116);
+    const float _s118 = ((_s113 + (_s49 * ((spin_bound * _s106) + (_s114 * _s44)))) + (_s115 * _s111)) + (_s117 * ((_s106 * _s108) + (_s114 * _s45)));
+    const float _s119 = ((float)3.814697265625e-06) * (((p_ball_radius * spin_bound) + (_s49 * (_s110 + (((float)4.0) * _s45)))) + (((float)2.0) * _s44));
+    const float _s120 = (_s118 + ((_s116 * _s104) * _s46)) + _s119;
+    const float _s121 = ((p_restitution * _s103) + (_s104 * ((normal_rounding * (_s45 + _s38)) + ((((float)2.0) * _s105) * _s38)))) + ((_s109 + _s112) + _s120);
+    const float _s122 = -(p_gravity * nz);
+    const float _s123 = fabsf((-(p_restitution * (((_s122 * _s67) - (_s100 * _s69)) - (_s102 * _s89)))));
+    const float _s124 = p_restitution * ((((_s122 * _s70) + ((_s20 * _s22) + (_s17 * _s9))) - (_s100 * _s72)) - (_s102 * _s91));
+    const float _s125 = (((_s122 * _s73) + (((_s30 * _s32) + (_s26 * _s22)) + (_s28 * _s9))) - (_s100 * _s75)) - (_s102 * _s93);
+    const float _s126 = -(p_restitution * ((((_s122 * _s76) + _s9) - (_s100 * _s77)) - (_s102 * _s94)));
+    const float _s127 = (((place_n * _s123) + (place_s * fabsf((-_s124)))) + (place_e * fabsf((-(p_restitution * _s125))))) + (pace_n * fabsf(_s126));
+    const float _s128 = -(p_restitution * ((((_s122 * _s78) + _s22) - (_s100 * _s79)) - (_s102 * _s95)));
+    const float _s129 = -(p_restitution * ((((_s122 * _s81) + _s32) - (_s100 * _s82)) - (_s102 * _s97)));
+    const float _s130 = ((float)1.0009765625) * (_s121 + ((_s127 + (pace_s * fabsf(_s128))) + (pace_e * fabsf(_s129))));
+    const float _s131 = choose(_s56, _s130, ((float)INFINITE));
+    const float _s132 = _s86 * _s64;
+    const float _s133 = ((wx * _s58) + (wy * _s59)) + (wz * _s60);
+    const float _s134 = ((nx * wx) + (ny * wy)) + (nz * wz);
+    const float _s135 = bend_e * ((nz * _s133) - (_s60 * _s134));
+    const float _s136 = _s132 + (fabsf(_s135) * _s87);
+    const float _s137 = bend_s * normal_velocity;
+    const float _s138 = nz * bend_e;
+    const float _s139 = -(_s138 * _s84);
+    const float _s140 = _s99 + ((fabsf(_s137) * _s64) + (fabsf(_s139) * _s87));
+    const float _s141 = ((((normal_rounding * _s104) * _s38) + _s109) + _s112) + _s120;
+    const float _s142 = -(p_gravity * _s60);
+    const float _s143 = fabsf(((_s106 * (-(_s135 * _s89))) + (((float)0.6) * (((_s142 * _s67) - (_s137 * _s69)) - (_s139 * _s89)))));
+    const float _s144 = ((wx * left_nx) + (wy * left_ny)) + (wz * left_nz);
+    const float _s145 = left_bend_s * _s144;
+    const float _s146 = ((wx * _s11) + (wy * _s12)) + (wz * _s15);
+    const float _s147 = -(left_bend_s * _s146);
+    const float _s148 = ((float)0.6) * ((((_s142 * _s70) + ((_s20 * _s71) + (_s17 * _s68))) - (_s137 * _s72)) - (_s139 * _s91));
+    const float _s149 = fabsf(((_s106 * (((_s145 * _s90) + (_s147 * _s88)) - (_s135 * _s91))) + _s148));
+    const float _s150 = left_bend_e * ((left_nz * _s146) - (_s15 * _s144));
+    const float _s151 = (wx * left_ex) + (wy * left_ey);
+    const float _s152 = -(_s25 * _s151);
+    const float _s153 = (left_bend_e * _s151) * _s15;
+    const float _s154 = (((_s142 * _s73) + (((_s30 * _s74) + (_s26 * _s71)) + (_s28 * _s68))) - (_s137 * _s75)) - (_s139 * _s93);
+    const float _s155 = (_s106 * ((((_s150 * _s92) + (_s152 * _s90)) + (_s153 * _s88)) - (_s135 * _s93))) + (((float)0.6) * _s154);
+    const float _s156 = (_s106 * (-(_s135 * _s94))) + (((float)0.6) * ((((_s142 * _s76) + _s68) - (_s137 * _s77)) - (_s139 * _s94)));
+    const float _s157 = ((float)1.0) / p_ball_radius;
+    const float _s158 = (_s106 * ((_s157 * _s92) - (_s135 * _s95))) + (((float)0.6) * ((((_s142 * _s78) + _s71) - (_s137 * _s79)) - (_s139 * _s95)));
+    const float _s159 = (_s106 * ((-(_s157 * _s90)) - (_s135 * _s97))) + (((float)0.6) * ((((_s142 * _s81) + _s74) - (_s137 * _s82)) - (_s139 * _s97)));
+    const float _s160 = (((((place_n * _s143) + (place_s * _s149)) + (place_e * fabsf(_s155))) + (pace_n * fabsf(_s156))) + (pace_s * fabsf(_s158))) + (pace_e * fabsf(_s159));
+    const float _s161 = ((_s160 + (turn_n * fabsf((_s106 * _s88)))) + (turn_z * fabsf((_s106 * _s92)))) + (turn_z * fabsf((_s106 * _s90)));
+    const float _s162 = choose(_s56, (((float)1.0009765625) * ((((_s106 * _s136) + (((float)0.6) * _s140)) + _s141) + _s161)), ((float)INFINITE));
+    const float _s163 = bend_s * _s134;
+    const float _s164 = (wx * tangent_x) + (wy * tangent_y);
+    const float _s165 = -(_s138 * _s164);
+    const float _s166 = (fabsf(_s163) * _s64) + (fabsf(_s165) * _s87);
+    const float _s167 = bend_e * ((nz * _s61) - (normal_velocity * _s60));
+    const float _s168 = _s99 + (_s132 + (fabsf(_s167) * _s87));
+    const float _s169 = fabsf(((((float)0.6) * (-(_s167 * _s89))) - (_s106 * (-((_s163 * _s69) + (_s165 * _s89))))));
+    const float _s170 = (((float)0.6) * (((_s20 * _s90) + (_s17 * _s88)) - (_s167 * _s91))) - (_s106 * ((((_s145 * _s71) + (_s147 * _s68)) - (_s163 * _s72)) - (_s165 * _s91)));
+    const float _s171 = _s106 * (((((_s150 * _s74) + (_s152 * _s71)) + (_s153 * _s68)) - (_s163 * _s75)) - (_s165 * _s93));
+    const float _s172 = (((float)0.6) * ((((_s30 * _s92) + (_s26 * _s90)) + (_s28 * _s88)) - (_s167 * _s93))) - _s171;
+    const float _s173 = fabsf(((((float)0.6) * (_s88 - (_s167 * _s94))) - (_s106 * (-((_s163 * _s77) + (_s165 * _s94))))));
+    const float _s174 = fabsf(((((float)0.6) * (_s90 - (_s167 * _s95))) - (_s106 * (((_s157 * _s74) - (_s163 * _s79)) - (_s165 * _s95)))));
+    const float _s175 = ((((place_n * _s169) + (place_s * fabsf(_s170))) + (place_e * fabsf(_s172))) + (pace_n * _s173)) + (pace_s * _s174);
+    const float _s176 = (((float)0.6) * (_s92 - (_s167 * _s97))) - (_s106 * (((-(_s157 * _s71)) - (_s163 * _s82)) - (_s165 * _s97)));
+    const float _s177 = ((_s175 + (pace_e * fabsf(_s176))) + (turn_n * fabsf((-(_s106 * _s68))))) + (turn_z * fabsf((-(_s106 * _s74))));
+    const float _s178 = (((_s106 * _s166) + (((float)0.6) * _s168)) + _s141) + (_s177 + (turn_z * fabsf((-(_s106 * _s71)))));
+    const float _s179 = choose(_s56, (((float)1.0009765625) * _s178), ((float)INFINITE));
+    const float _s180 = -(bend_s * _s133);
+    const float _s181 = _s101 * _s164;
+    const float _s182 = (fabsf(_s180) * _s64) + (fabsf(_s181) * _s87);
+    const float _s183 = ((float)0.6) * _s157;
+    const float _s184 = (_s157 * _s45) + _s108;
+    const float _s185 = (((_s157 * (_s113 + _s119)) + (_s49 * ((((float)2.0) * spin_bound) + (_s183 * _s44)))) + (_s116 * (spin_bound + _s108))) + (_s115 * _s184);
+    const float _s186 = (_s185 + (_s117 * ((_s183 * _s45) + (((float)2.0) * _s108)))) + (((float)3.814697265625e-06) * (spin_bound + (_s49 * _s108)));
+    const float _s187 = place_s * fabsf(((((_s145 * _s22) + (_s147 * _s9)) - (_s180 * _s72)) - (_s181 * _s91)));
+    const float _s188 = (place_n * fabsf((-((_s180 * _s69) + (_s181 * _s89))))) + _s187;
+    const float _s189 = fabsf((((((_s150 * _s32) + (_s152 * _s22)) + (_s153 * _s9)) - (_s180 * _s75)) - (_s181 * _s93)));
+    const float _s190 = (_s188 + (place_e * _s189)) + (pace_n * fabsf((-((_s180 * _s77) + (_s181 * _s94)))));
+    const float _s191 = _s190 + (pace_s * fabsf((((_s157 * _s32) - (_s180 * _s79)) - (_s181 * _s95))));
+    const float _s192 = pace_e * fabsf((((-(_s157 * _s22)) - (_s180 * _s82)) - (_s181 * _s97)));
+    const float _s193 = ((((_s157 * _s112) + (((float)2.0) * (_s107 * _s108))) + _s182) + _s186) + ((((_s191 + _s192) + (turn_n * fabsf(_s9))) + (turn_z * fabsf(_s32))) + (turn_z * fabsf(_s22)));
+    const float _s194 = choose(_s56, (((float)1.0009765625) * _s193), ((float)INFINITE));
+    const float _s195 = (_s157 * (_s112 + _s141)) + (((float)2.0) * (_s107 * ((_s183 * (_s85 + _s62)) + _s108)));
+    const float _s196 = larger(_s103, _s140);
+    const float _s197 = larger(_s182, _s166);
+    const float _s198 = ((float)1.0009765625) * ((_s195 + ((_s157 * larger(_s196, _s168)) + larger(_s197, _s136))) + _s186);
+    const float _s199 = choose(_s56, _s198, ((float)INFINITE));
+    const float _s200 = (bend_s * _s83) + (bend_e * _s98);
+    const float _s201 = _s162 + _s179;
+    return {_s57, _s83, _s98, _s131, _s162, _s179, _s194, _s199, ((float)1.0009765625) * ((_s98 + _s83) + _s57), ((float)1.0009765625) * (((_s111 * _s200) + _s201) + _s131), ((float)1.0009765625) * ((((_s201 / p_ball_radius) + (_s200 * _s184)) + (((float)2.0) * _s199)) + _s194), nx, ny, nz, tangent_x, tangent_y, bend_s, bend_e, (((float)4.440892098500626e-16) * (t + clock)) + choose(_s56, (((float)1.0009765625) * _s40), ((float)INFINITE))};
 }
 
 /* Outward unit normal n3 at a contact.
@@ -1152,37 +1225,37 @@ static __device__ __forceinline__ kernel_ring_normal_out kernel_ring_normal(doub
     return {x * _s2, y * _s2, z * _s0};
 }
 
-/* Bound on the rate at which the normal turns along the contact surface.
-   Table 2. 6 operations: 1 addition, 2 subtractions, 1 division, 1 comparison, 1 selection. */
-struct kernel_ring_curvature_out {
-    double curvature;
+/* Tangent and curvatures at a contact, and bounds on the roundings there.
+   Table 2, running error analysis. 89 operations: 26 additions, 2 subtractions, 37 multiplications, 5 divisions, 1 square root, 1 negation, 10 absolute values, 3 comparisons, 4 selections. */
+struct kernel_ring_tangents_out {
+    float tangent_x, tangent_y, bend_s, bend_e, sharpest_bend, root_offset, normal_rounding;
 };
 
-static __device__ __forceinline__ kernel_ring_curvature_out kernel_ring_curvature(double p_ball_radius, double p_ring_radius, double p_wire_radius)
+static __device__ __forceinline__ kernel_ring_tangents_out kernel_ring_tangents(float t, float x, float y, float z, float vx, float vy, float vz, float nx, float ny, float nz, float normal_velocity, float back, float p_ball_radius, float p_ring_radius, float p_wire_radius, float p_gravity)
 {
-    const double _s0 = (p_ring_radius - p_ball_radius) - p_wire_radius;
-    const double _s1 = p_ball_radius + p_wire_radius;
-    return {1.0 / smaller(_s0, _s1)};
-}
-
-/* Error of the normal, from that of the position.
-   derivative of Table 2's normal. 34 operations: 6 additions, 3 subtractions, 18 multiplications, 3 divisions, 1 square root, 1 negation, 1 comparison, 1 selection. */
-struct kernel_ring_carry_normal_out {
-    float dnx, dny, dnz, turn;
-};
-
-static __device__ __forceinline__ kernel_ring_carry_normal_out kernel_ring_carry_normal(float x, float y, float dx, float dy, float dz, float shift, float p_ball_radius, float p_ring_radius, float p_wire_radius)
-{
-    const float _s0 = p_ball_radius + p_wire_radius;
+    const float _s0 = sqrtf(((x * x) + (y * y)));
     const float _s1 = ((float)1.0) / _s0;
-    const float _s2 = sqrtf(((x * x) + (y * y)));
+    const float _s2 = p_ball_radius + p_wire_radius;
     const float _s3 = ((float)1.0) / _s2;
-    const float _s4 = ((x * dx) + (y * dy)) * _s3;
-    const float _s5 = _s2 - p_ring_radius;
-    const float _s6 = _s1 * ((_s4 * _s3) + ((-(_s4 * (_s3 * _s3))) * _s5));
-    const float _s7 = (_s1 * _s5) * _s3;
-    const float _s8 = (p_ring_radius - p_ball_radius) - p_wire_radius;
-    return {(x * _s6) + (dx * _s7), (y * _s6) + (dy * _s7), dz * _s1, shift * (((float)1.0) / smaller(_s8, _s0))};
+    const float _s4 = (p_ring_radius - p_ball_radius) - p_wire_radius;
+    const float _s5 = smaller(_s4, _s2);
+    const float _s6 = t * t;
+    const float _s7 = fabsf(vx);
+    const float _s8 = fabsf(vy);
+    const float _s9 = (p_gravity * _s6) + (t * ((_s7 + _s8) + fabsf(vz)));
+    const float _s10 = ((float)2.0) * t;
+    const float _s11 = ((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * ((_s10 * _s7) + fabsf(x)));
+    const float _s12 = ((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * ((_s10 * _s8) + fabsf(y)));
+    const float _s13 = ((float)0.5) * p_gravity;
+    const float _s14 = ((_s13 * _s6) + (_s10 * fabsf((vz + (_s13 * t))))) + fabsf(z);
+    const float _s15 = ((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * _s14);
+    const float _s16 = ((float)2.0) * (p_ring_radius * _s3);
+    const bool _s17 = ((float)0.0) < back;
+    const float _s18 = choose(_s17, ((((((float)1.5) * _s9) * ((_s11 + _s12) + _s15)) / _s5) + ((((float)1.1102230246251565e-16) * (((float)16.0) + _s16)) * _s9)), ((((float)1.1102230246251565e-16) * ((((float)3.5) * _s2) + (((float)2.0) * _s0))) + (((fabsf(nx) * _s11) + (fabsf(ny) * _s12)) + (fabsf(nz) * _s15))));
+    const float _s19 = ((float)1.125) * _s18;
+    const float _s20 = _s2 * choose(_s17, ((normal_velocity * normal_velocity) / (((vx * vx) + (vy * vy)) + (vz * vz))), ((float)1.0));
+    const float _s21 = ((float)1.7763568394002505e-15) * _s20;
+    return {-(y * _s1), x * _s1, _s3, _s1, ((float)1.0) / _s5, (((float)7.888609052210118e-31) + _s18) + larger(_s19, _s21), ((float)1.1102230246251565e-16) * (((float)7.0) + _s16)};
 }
 
 /* Positive if errors of the state exceed those that a search allows for.
@@ -1708,15 +1781,16 @@ static __device__ __forceinline__ kernel_backboard_normal_out kernel_backboard_n
     return {1.0, 0.0, 0.0};
 }
 
-/* Bound on the rate at which the normal turns along the contact surface.
-   Table 2. No operations. */
-struct kernel_backboard_curvature_out {
-    double curvature;
+/* Tangent and curvatures at a contact, and bounds on the roundings there.
+   Table 2, running error analysis. 8 operations: 2 additions, 4 multiplications, 2 absolute values. */
+struct kernel_backboard_tangents_out {
+    float tangent_x, tangent_y, bend_s, bend_e, sharpest_bend, root_offset, normal_rounding;
 };
 
-static __device__ __forceinline__ kernel_backboard_curvature_out kernel_backboard_curvature()
+static __device__ __forceinline__ kernel_backboard_tangents_out kernel_backboard_tangents(float t, float x, float vx)
 {
-    return {0.0};
+    const float _s0 = ((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * (((((float)4.0) * t) * (((float)2.0) * fabsf(vx))) + fabsf(x)));
+    return {(float)0.0, (float)1.0, (float)0.0, (float)0.0, (float)0.0, _s0, (float)0.0};
 }
 
 /* The g of Eq. 2: a contact counts if none is positive.
@@ -1801,15 +1875,16 @@ static __device__ __forceinline__ kernel_bridge_normal_out kernel_bridge_normal(
     return {0.0, 0.0, 1.0};
 }
 
-/* Bound on the rate at which the normal turns along the contact surface.
-   Table 2. No operations. */
-struct kernel_bridge_curvature_out {
-    double curvature;
+/* Tangent and curvatures at a contact, and bounds on the roundings there.
+   Table 2, running error analysis. 12 operations: 4 additions, 5 multiplications, 3 absolute values. */
+struct kernel_bridge_tangents_out {
+    float tangent_x, tangent_y, bend_s, bend_e, sharpest_bend, root_offset, normal_rounding;
 };
 
-static __device__ __forceinline__ kernel_bridge_curvature_out kernel_bridge_curvature()
+static __device__ __forceinline__ kernel_bridge_tangents_out kernel_bridge_tangents(float t, float z, float vz, float p_gravity)
 {
-    return {0.0};
+    const float _s0 = (((float)4.0) * t) * (fabsf(vz) + fabsf((vz + ((((float)0.5) * p_gravity) * t))));
+    return {(float)0.0, (float)1.0, (float)0.0, (float)0.0, (float)0.0, ((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * (_s0 + fabsf(z))), (float)0.0};
 }
 
 /* The g of Eq. 2: a contact counts if none is positive.
@@ -1897,6 +1972,18 @@ struct kernel_end_normal_out {
 static __device__ __forceinline__ kernel_end_normal_out kernel_end_normal()
 {
     return {0.0, 0.0, 1.0};
+}
+
+/* Tangent and curvatures at a contact, and bounds on the roundings there.
+   Table 2, running error analysis. 12 operations: 4 additions, 5 multiplications, 3 absolute values. */
+struct kernel_end_tangents_out {
+    float tangent_x, tangent_y, bend_s, bend_e, sharpest_bend, root_offset, normal_rounding;
+};
+
+static __device__ __forceinline__ kernel_end_tangents_out kernel_end_tangents(float t, float z, float vz, float p_gravity)
+{
+    const float _s0 = (((float)4.0) * t) * (fabsf(vz) + fabsf((vz + ((((float)0.5) * p_gravity) * t))));
+    return {(float)0.0, (float)1.0, (float)0.0, (float)0.0, (float)0.0, ((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * (_s0 + fabsf(z))), (float)0.0};
 }
 
 /* Time of the only arrival, the gap's first two derivatives there, and its apex.
@@ -2010,9 +2097,12 @@ static __device__ __forceinline__ void hoop_loop(
         low0 = 0.0, high0 = 0.0, low1 = 0.0, high1 = 0.0, low2 = 0.0, high2 = 0.0,
         position_level = 0.0, velocity_level = 0.0, rate_slack = 0.0, end = 0.0, gap = 0.0,
         step = 0.0, next = 0.0, refined = 0.0, rate_margin = 0.0, reached = 0.0, body = 0.0,
-        nx = 0.0, ny = 0.0, nz = 0.0, curving = 0.0;
-    float dx = (float)0.0, dy = (float)0.0, dz = (float)0.0, dvx = (float)0.0, dvy = (float)0.0,
-        dvz = (float)0.0, dwx = (float)0.0, dwy = (float)0.0, dwz = (float)0.0,
+        nx = 0.0, ny = 0.0, nz = 0.0, normal_velocity = 0.0, back = 0.0;
+    float place_n = (float)0.0, place_s = (float)0.0, place_e = (float)0.0, pace_n = (float)0.0,
+        pace_s = (float)0.0, pace_e = (float)0.0, turn_n = (float)0.0, turn_z = (float)0.0,
+        position_bound = (float)0.0, velocity_bound = (float)0.0, spin_bound = (float)0.0,
+        left_nx = (float)0.0, left_ny = (float)0.0, left_nz = (float)0.0, left_ex = (float)0.0,
+        left_ey = (float)0.0, left_bend_s = (float)0.0, left_bend_e = (float)0.0,
         clock_error = (float)0.0, position_claim = (float)0.0, velocity_claim = (float)0.0,
         spin_claim = (float)0.0, time_claim = (float)0.0, position_error = (float)0.0,
         velocity_error = (float)0.0, time_error = (float)0.0, onset = (float)0.0,
@@ -2026,15 +2116,15 @@ static __device__ __forceinline__ void hoop_loop(
         short_quotient_margin = (float)0.0, short_start_rate = (float)0.0,
         short_rho_rate = (float)0.0, short_rate_margin = (float)0.0, short_low1 = (float)0.0,
         short_high1 = (float)0.0, short_low2 = (float)0.0, short_high2 = (float)0.0,
-        belated = (float)0.0, shift = (float)0.0, dnx = (float)0.0, dny = (float)0.0,
-        dnz = (float)0.0, turn = (float)0.0;
+        tangent_x = (float)0.0, tangent_y = (float)0.0, bend_s = (float)0.0, bend_e = (float)0.0,
+        sharpest_bend = (float)0.0, root_offset = (float)0.0, normal_rounding = (float)0.0,
+        belated = (float)0.0;
     bool permitted = false, in_range = false, close = false, limited = false, arrives = false,
         possible = false, released = false, reachable = false, undecided = false, open = false,
         certain = false, searching = false, representable = false, fits = false, stepping = false,
         single_precision = false, hit = false, sure = false, needs_refinement = false,
         exhausted = false, refining = false, moves = false, ends = false, touches = false,
-        edge = false, here = false, meeting = false, again = false, ends_by_time_limit = false,
-        closed = false;
+        edge = false, here = false, meeting = false, ends_by_time_limit = false, closed = false;
     x = _states[9 * _shot + 0];
     y = _states[9 * _shot + 1];
     z = _states[9 * _shot + 2];
@@ -2075,7 +2165,7 @@ static __device__ __forceinline__ void hoop_loop(
 
     while (outcome < 0.0) {
         /* To the next event. */
-        const kernel_error_bounds_out _o6 = kernel_error_bounds(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
+        const kernel_error_bounds_out _o6 = kernel_error_bounds(clock_error, position_bound, velocity_bound, spin_bound);
         time_error = _o6.time_error;
         if (BOUNDS) {
             position_error = _o6.position_error;
@@ -2622,125 +2712,143 @@ static __device__ __forceinline__ void hoop_loop(
                 count_2 = _o129.count;
             }
             if (BOUNDS) {
-                const kernel_elsewhere_out _o130 = kernel_elsewhere();
-                curving = _o130.curving;
-                const kernel_again_out _o131 = kernel_again(0.0, last, which);
-                again = _o131.again;
-                if (again) {
-                    const kernel_ring_curvature_out _o132 = kernel_ring_curvature(p_ball_radius, p_ring_radius, p_wire_radius);
-                    curving = _o132.curvature;
-                }
-                const kernel_again_out _o133 = kernel_again(1.0, last, which);
-                again = _o133.again;
-                if (again) {
-                    const kernel_backboard_curvature_out _o134 = kernel_backboard_curvature();
-                    curving = _o134.curvature;
-                }
-                const kernel_again_out _o135 = kernel_again(2.0, last, which);
-                again = _o135.again;
-                if (again) {
-                    const kernel_bridge_curvature_out _o136 = kernel_bridge_curvature();
-                    curving = _o136.curvature;
-                }
-                const kernel_carry_flight_out _o137 = kernel_carry_flight(when, x, y, z, vx, vy, vz, nx, ny, nz, clock, contacts, earliest_delay, dx, dy, dz, dvx, dvy, dvz, curving, p_gravity);
-                dx = _o137.dx;
-                dy = _o137.dy;
-                dz = _o137.dz;
-                dvx = _o137.dvx;
-                dvy = _o137.dvy;
-                dvz = _o137.dvz;
-                belated = _o137.delay;
-                shift = _o137.shift;
-                const kernel_clock_error_sum_out _o138 = kernel_clock_error_sum(belated, clock_error);
-                clock_error = _o138.clock_error;
-                if (ends) {
-                    const kernel_error_floor_out _o139 = kernel_error_floor(dx, dy, dz, shift);
-                    dx = _o139.dx;
-                    dy = _o139.dy;
-                    dz = _o139.dz;
-                }
-                const kernel_no_normal_error_out _o140 = kernel_no_normal_error();
-                dnx = _o140.dnx;
-                dny = _o140.dny;
-                dnz = _o140.dnz;
-                turn = _o140.turn;
-                const kernel_here_out _o141 = kernel_here(0.0, which);
-                here = _o141.here;
+                const kernel_normal_velocity_out _o130 = kernel_normal_velocity(vx, vy, vz, nx, ny, nz);
+                normal_velocity = _o130.normal_velocity;
+                const kernel_came_back_out _o131 = kernel_came_back(last, which);
+                back = _o131.back;
+                const kernel_end_tangents_out _o132 = kernel_end_tangents(when, z, vz, p_gravity);
+                tangent_x = _o132.tangent_x;
+                tangent_y = _o132.tangent_y;
+                bend_s = _o132.bend_s;
+                bend_e = _o132.bend_e;
+                sharpest_bend = _o132.sharpest_bend;
+                root_offset = _o132.root_offset;
+                normal_rounding = _o132.normal_rounding;
+                const kernel_here_out _o133 = kernel_here(0.0, which);
+                here = _o133.here;
                 if (here) {
-                    const kernel_ring_carry_normal_out _o142 = kernel_ring_carry_normal(x, y, dx, dy, dz, shift, p_ball_radius, p_ring_radius, p_wire_radius);
-                    dnx = _o142.dnx;
-                    dny = _o142.dny;
-                    dnz = _o142.dnz;
-                    turn = _o142.turn;
+                    const kernel_ring_tangents_out _o134 = kernel_ring_tangents(when, x, y, z, vx, vy, vz, nx, ny, nz, normal_velocity, back, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                    tangent_x = _o134.tangent_x;
+                    tangent_y = _o134.tangent_y;
+                    bend_s = _o134.bend_s;
+                    bend_e = _o134.bend_e;
+                    sharpest_bend = _o134.sharpest_bend;
+                    root_offset = _o134.root_offset;
+                    normal_rounding = _o134.normal_rounding;
+                }
+                const kernel_here_out _o135 = kernel_here(1.0, which);
+                here = _o135.here;
+                if (here) {
+                    const kernel_backboard_tangents_out _o136 = kernel_backboard_tangents(when, x, vx);
+                    tangent_x = _o136.tangent_x;
+                    tangent_y = _o136.tangent_y;
+                    bend_s = _o136.bend_s;
+                    bend_e = _o136.bend_e;
+                    sharpest_bend = _o136.sharpest_bend;
+                    root_offset = _o136.root_offset;
+                    normal_rounding = _o136.normal_rounding;
+                }
+                const kernel_here_out _o137 = kernel_here(2.0, which);
+                here = _o137.here;
+                if (here) {
+                    const kernel_bridge_tangents_out _o138 = kernel_bridge_tangents(when, z, vz, p_gravity);
+                    tangent_x = _o138.tangent_x;
+                    tangent_y = _o138.tangent_y;
+                    bend_s = _o138.bend_s;
+                    bend_e = _o138.bend_e;
+                    sharpest_bend = _o138.sharpest_bend;
+                    root_offset = _o138.root_offset;
+                    normal_rounding = _o138.normal_rounding;
+                }
+                if (ends) {
+                    const kernel_carry_end_out _o139 = kernel_carry_end(when, x, y, z, vx, vy, vz, clock, position_bound, velocity_bound, spin_bound, root_offset, normal_velocity, p_gravity);
+                    position_bound = _o139.position_bound;
+                    velocity_bound = _o139.velocity_bound;
+                    spin_bound = _o139.spin_bound;
+                    belated = _o139.delay;
+                    const kernel_clock_error_sum_out _o140 = kernel_clock_error_sum(belated, clock_error);
+                    clock_error = _o140.clock_error;
                 }
             }
             if (touches) {
                 if (BOUNDS) {
-                    const kernel_carry_impact_out _o143 = kernel_carry_impact(vx, vy, vz, wx, wy, wz, nx, ny, nz, contacts, dvx, dvy, dvz, dwx, dwy, dwz, dnx, dny, dnz, turn, p_ball_radius, p_restitution);
-                    dvx = _o143.dvx;
-                    dvy = _o143.dvy;
-                    dvz = _o143.dvz;
-                    dwx = _o143.dwx;
-                    dwy = _o143.dwy;
-                    dwz = _o143.dwz;
+                    const kernel_carry_impact_out _o141 = kernel_carry_impact(when, x, y, z, vx, vy, vz, wx, wy, wz, nx, ny, nz, clock, left_nx, left_ny, left_nz, place_n, place_s, place_e, pace_n, pace_s, pace_e, turn_n, turn_z, position_bound, velocity_bound, spin_bound, tangent_x, tangent_y, bend_s, bend_e, left_ex, left_ey, left_bend_s, left_bend_e, sharpest_bend, root_offset, normal_rounding, normal_velocity, back, p_ball_radius, p_restitution, p_gravity);
+                    place_n = _o141.place_n;
+                    place_s = _o141.place_s;
+                    place_e = _o141.place_e;
+                    pace_n = _o141.pace_n;
+                    pace_s = _o141.pace_s;
+                    pace_e = _o141.pace_e;
+                    turn_n = _o141.turn_n;
+                    turn_z = _o141.turn_z;
+                    position_bound = _o141.position_bound;
+                    velocity_bound = _o141.velocity_bound;
+                    spin_bound = _o141.spin_bound;
+                    left_nx = _o141.left_nx;
+                    left_ny = _o141.left_ny;
+                    left_nz = _o141.left_nz;
+                    left_ex = _o141.left_ex;
+                    left_ey = _o141.left_ey;
+                    left_bend_s = _o141.left_bend_s;
+                    left_bend_e = _o141.left_bend_e;
+                    belated = _o141.delay;
+                    const kernel_clock_error_sum_out _o142 = kernel_clock_error_sum(belated, clock_error);
+                    clock_error = _o142.clock_error;
                 }
-                const kernel_impact_out _o144 = kernel_impact(vx, vy, vz, wx, wy, wz, nx, ny, nz, p_ball_radius, p_restitution);
-                vx = _o144.vx;
-                vy = _o144.vy;
-                vz = _o144.vz;
-                wx = _o144.wx;
-                wy = _o144.wy;
-                wz = _o144.wz;
+                const kernel_impact_out _o143 = kernel_impact(vx, vy, vz, wx, wy, wz, nx, ny, nz, p_ball_radius, p_restitution);
+                vx = _o143.vx;
+                vy = _o143.vy;
+                vz = _o143.vz;
+                wx = _o143.wx;
+                wy = _o143.wy;
+                wz = _o143.wz;
             }
-            const kernel_here_out _o145 = kernel_here(1.0, which);
-            here = _o145.here;
+            const kernel_here_out _o144 = kernel_here(1.0, which);
+            here = _o144.here;
             if (here) {
-                const kernel_backboard_place_out _o146 = kernel_backboard_place(y, z, p_ball_radius, p_board_distance);
-                x = _o146.x;
-                y = _o146.y;
-                z = _o146.z;
+                const kernel_backboard_place_out _o145 = kernel_backboard_place(y, z, p_ball_radius, p_board_distance);
+                x = _o145.x;
+                y = _o145.y;
+                z = _o145.z;
             }
-            const kernel_here_out _o147 = kernel_here(2.0, which);
-            here = _o147.here;
+            const kernel_here_out _o146 = kernel_here(2.0, which);
+            here = _o146.here;
             if (here) {
-                const kernel_bridge_place_out _o148 = kernel_bridge_place(x, y, p_ball_radius, p_wire_radius);
-                x = _o148.x;
-                y = _o148.y;
-                z = _o148.z;
+                const kernel_bridge_place_out _o147 = kernel_bridge_place(x, y, p_ball_radius, p_wire_radius);
+                x = _o147.x;
+                y = _o147.y;
+                z = _o147.z;
             }
             if (touches) {
-                const kernel_touched_out _o149 = kernel_touched(which, body, first);
-                first = _o149.first;
-                last = _o149.last;
+                const kernel_touched_out _o148 = kernel_touched(which, body, first);
+                first = _o148.first;
+                last = _o148.last;
             }
         }
         if (BOUNDS) {
             if (limited) {
-                const kernel_ends_by_time_limit_out _o150 = kernel_ends_by_time_limit(4.0, which, claims);
-                ends_by_time_limit = _o150.ends_by_time_limit;
+                const kernel_ends_by_time_limit_out _o149 = kernel_ends_by_time_limit(4.0, which, claims);
+                ends_by_time_limit = _o149.ends_by_time_limit;
                 if (ends_by_time_limit) {
-                    const kernel_carry_time_out _o151 = kernel_carry_time(when, x, y, z, vx, vy, vz, clock, clock_error, dx, dy, dz, dvx, dvy, dvz, p_gravity);
-                    dx = _o151.dx;
-                    dy = _o151.dy;
-                    dz = _o151.dz;
-                    dvx = _o151.dvx;
-                    dvy = _o151.dvy;
-                    dvz = _o151.dvz;
-                    clock_error = _o151.clock_error;
+                    const kernel_carry_time_out _o150 = kernel_carry_time(when, x, y, z, vx, vy, vz, clock, clock_error, position_bound, velocity_bound, spin_bound, p_gravity);
+                    position_bound = _o150.position_bound;
+                    velocity_bound = _o150.velocity_bound;
+                    spin_bound = _o150.spin_bound;
+                    clock_error = _o150.clock_error;
                 }
             }
-            const kernel_closing_out _o152 = kernel_closing(outcome, claims);
-            closed = _o152.closed;
-            position_claim = _o152.position_claim;
-            velocity_claim = _o152.velocity_claim;
-            spin_claim = _o152.spin_claim;
-            time_claim = _o152.time_claim;
+            const kernel_closing_out _o151 = kernel_closing(outcome, claims);
+            closed = _o151.closed;
+            position_claim = _o151.position_claim;
+            velocity_claim = _o151.velocity_claim;
+            spin_claim = _o151.spin_claim;
+            time_claim = _o151.time_claim;
             if (closed) {
-                const kernel_claimed_errors_out _o153 = kernel_claimed_errors(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
-                position_claim = _o153.position_error;
-                velocity_claim = _o153.velocity_error;
-                spin_claim = _o153.spin_error;
-                time_claim = _o153.time_error;
+                const kernel_claimed_errors_out _o152 = kernel_claimed_errors(clock_error, position_bound, velocity_bound, spin_bound);
+                position_claim = _o152.position_error;
+                velocity_claim = _o152.velocity_error;
+                spin_claim = _o152.spin_error;
+                time_claim = _o152.time_error;
             }
         }
 

@@ -1,6 +1,6 @@
 """NumPy kernels of the scene hoop.
 
-Generated from templates/numpy/kernels.py.j2, scene hoop, derivation 83b7ff2bc0b2beda,
+Generated from templates/numpy/kernels.py.j2, scene hoop, derivation eb553e9a2c366767,
 with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
 and run `make generate`.
 Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
@@ -223,15 +223,24 @@ FIELDS: tuple[Field, ...] = (
     Field("wx", None, False),
     Field("wy", None, False),
     Field("wz", None, False),
-    Field("dx", 0.0, True, "float32"),
-    Field("dy", 0.0, True, "float32"),
-    Field("dz", 0.0, True, "float32"),
-    Field("dvx", 0.0, True, "float32"),
-    Field("dvy", 0.0, True, "float32"),
-    Field("dvz", 0.0, True, "float32"),
-    Field("dwx", 0.0, True, "float32"),
-    Field("dwy", 0.0, True, "float32"),
-    Field("dwz", 0.0, True, "float32"),
+    Field("place_n", 0.0, True, "float32"),
+    Field("place_s", 0.0, True, "float32"),
+    Field("place_e", 0.0, True, "float32"),
+    Field("pace_n", 0.0, True, "float32"),
+    Field("pace_s", 0.0, True, "float32"),
+    Field("pace_e", 0.0, True, "float32"),
+    Field("turn_n", 0.0, True, "float32"),
+    Field("turn_z", 0.0, True, "float32"),
+    Field("position_bound", 0.0, True, "float32"),
+    Field("velocity_bound", 0.0, True, "float32"),
+    Field("spin_bound", 0.0, True, "float32"),
+    Field("left_nx", 0.0, True, "float32"),
+    Field("left_ny", 0.0, True, "float32"),
+    Field("left_nz", 0.0, True, "float32"),
+    Field("left_ex", 0.0, True, "float32"),
+    Field("left_ey", 0.0, True, "float32"),
+    Field("left_bend_s", 0.0, True, "float32"),
+    Field("left_bend_e", 0.0, True, "float32"),
     Field("clock", 0.0, False),
     Field("clock_error", 0.0, True, "float32"),
     Field("last", None, False),
@@ -278,8 +287,9 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "horizon": ("horizon", "pad",),
     "scale": ("extent", "speed", "excess",),
     "displacement": ("margin",),
-    "carry_flight": ("dx", "dy", "dz", "dvx", "dvy", "dvz", "delay", "shift",),
-    "carry_time": ("dx", "dy", "dz", "dvx", "dvy", "dvz", "clock_error",),
+    "normal_velocity": ("normal_velocity",),
+    "carry_end": ("position_bound", "velocity_bound", "spin_bound", "delay",),
+    "carry_time": ("position_bound", "velocity_bound", "spin_bound", "clock_error",),
     "error_bounds": ("position_error", "velocity_error", "spin_error", "time_error",),
     "claimed_errors": ("position_error", "velocity_error", "spin_error", "time_error",),
     "allowed": ("allowed",),
@@ -326,8 +336,7 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "meeting": ("meeting",),
     "here": ("here",),
     "counted": ("count",),
-    "elsewhere": ("curving",),
-    "again": ("again",),
+    "came_back": ("back",),
     "touched": ("first", "last",),
     "ends_by_time_limit": ("ends_by_time_limit",),
     "body_of": ("body",),
@@ -338,19 +347,16 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "accounted": ("contacts", "outcome",),
     "clock_error_sum": ("clock_error",),
     "closing": ("closed", "position_claim", "velocity_claim", "spin_claim", "time_claim",),
-    "error_floor": ("dx", "dy", "dz",),
-    "no_normal_error": ("dnx", "dny", "dnz", "turn",),
     "reachable": ("reachable",),
     "plane_start": ("undecided_time",),
     "impact": ("vx", "vy", "vz", "wx", "wy", "wz",),
-    "carry_impact": ("dvx", "dvy", "dvz", "dwx", "dwy", "dwz",),
+    "carry_impact": ("place_n", "place_s", "place_e", "pace_n", "pace_s", "pace_e", "turn_n", "turn_z", "position_bound", "velocity_bound", "spin_bound", "left_nx", "left_ny", "left_nz", "left_ex", "left_ey", "left_bend_s", "left_bend_e", "delay",),
     "vary_impact": ("dvx", "dvy", "dvz", "dwx", "dwy", "dwz",),
     "ring_coefficients": ("c0", "c1", "c2", "c3", "c4", "c5", "c6", "c7", "c8",),
     "ring_deflated": ("c0", "c1", "c2", "c3", "c4", "c5", "c6", "c7",),
     "ring_normal": ("nx", "ny", "nz",),
-    "ring_curvature": ("curvature",),
+    "ring_tangents": ("tangent_x", "tangent_y", "bend_s", "bend_e", "sharpest_bend", "root_offset", "normal_rounding",),
     "ring_vary": ("contact_delay", "gap", "gap_change", "dx", "dy", "dz", "dvx", "dvy", "dvz", "dnx", "dny", "dnz",),
-    "ring_carry_normal": ("dnx", "dny", "dnz", "turn",),
     "ring_excess": ("excess",),
     "ring_clear": ("clear",),
     "ring_prepare": ("energy2", "moment2", "rho_start", "low0", "high0", "low1", "high1", "low2", "high2", "ceiling", "latest", "budget_exceeded",),
@@ -368,7 +374,7 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "backboard_coefficients": ("c0", "c1",),
     "backboard_deflated": ("c0",),
     "backboard_normal": ("nx", "ny", "nz",),
-    "backboard_curvature": ("curvature",),
+    "backboard_tangents": ("tangent_x", "tangent_y", "bend_s", "bend_e", "sharpest_bend", "root_offset", "normal_rounding",),
     "backboard_vary": ("contact_delay", "gap", "gap_change", "dx", "dy", "dz", "dvx", "dvy", "dvz", "dnx", "dny", "dnz", "g0", "g0_change", "g1", "g1_change", "g2", "g2_change", "g3", "g3_change",),
     "backboard_bounds": ("g0", "g1", "g2", "g3",),
     "backboard_arrival": ("time", "rate", "bend", "apex", "height",),
@@ -379,7 +385,7 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "bridge_coefficients": ("c0", "c1", "c2",),
     "bridge_deflated": ("c0", "c1",),
     "bridge_normal": ("nx", "ny", "nz",),
-    "bridge_curvature": ("curvature",),
+    "bridge_tangents": ("tangent_x", "tangent_y", "bend_s", "bend_e", "sharpest_bend", "root_offset", "normal_rounding",),
     "bridge_vary": ("contact_delay", "gap", "gap_change", "dx", "dy", "dz", "dvx", "dvy", "dvz", "dnx", "dny", "dnz", "g0", "g0_change", "g1", "g1_change", "g2", "g2_change", "g3", "g3_change", "g4", "g4_change",),
     "bridge_bounds": ("g0", "g1", "g2", "g3", "g4",),
     "bridge_arrival": ("time", "rate", "bend", "apex", "height",),
@@ -390,7 +396,7 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "end_coefficients": ("c0", "c1", "c2",),
     "end_deflated": ("c0", "c1",),
     "end_normal": ("nx", "ny", "nz",),
-    "end_curvature": ("curvature",),
+    "end_tangents": ("tangent_x", "tangent_y", "bend_s", "bend_e", "sharpest_bend", "root_offset", "normal_rounding",),
     "end_vary": ("contact_delay", "gap", "gap_change", "dx", "dy", "dz", "dvx", "dvy", "dvz", "dnx", "dny", "dnz", "g0", "g0_change",),
     "end_arrival": ("time", "rate", "bend", "apex", "height",),
     "end_margin": ("margin",),
@@ -410,7 +416,7 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
 }
 """Names of each kernel's outputs."""
 
-ROWS = 41
+ROWS = 77
 """Rows that a kernel writes into, at the most: what it computes on the way to its results."""
 
 FEW = 1 << 10
@@ -453,139 +459,152 @@ _k19 = _float64(4.445228907190568e-16)
 _k20 = _float64(3.0029296875)
 _k21 = _float64(4.440892098500626e-16)
 _k22 = _scalar(_float32(2.0))
-_k23 = _scalar(_float32(7.888609052210118e-31))
-_k24 = _scalar(_float32(1.1102230246251565e-16))
-_k25 = _scalar(_float32(0.0))
-_k26 = _scalar(_float32(1.0))
-_k27 = _scalar(_float32(8.0))
-_k28 = _scalar(_float32(0.0625))
-_k29 = _scalar(_float32(4.440892098500626e-16))
-_k30 = _float32(0.0)
-_k31 = _float32(7.888609052210118e-31)
-_k32 = _float32(1.1102230246251565e-16)
-_k33 = _float32(2.0)
-_k34 = _float32(1.0)
-_k35 = _float32(8.0)
-_k36 = _float32(4.440892098500626e-16)
-_k37 = _float32(0.0625)
-_k38 = _scalar(_float32(2.220446049250313e-16))
-_k39 = _float32(2.220446049250313e-16)
-_k40 = _scalar(_float32(16.0))
-_k41 = _float32(16.0)
-_k42 = _scalar(_float32(64.0))
-_k43 = _float32(64.0)
-_k44 = _float64(1073741824.0)
-_k45 = _float64(9.313225746154785e-10)
-_k46 = _float64(1.2676506002282294e+30)
-_k47 = _scalar(0.5)
-_k48 = _scalar(1.0)
-_k49 = _scalar(2.0)
-_k50 = _scalar(1.7763568394002505e-15)
-_k51 = _float64(2.0)
-_k52 = _float64(4.0)
-_k53 = _float64(1.7763568394002505e-15)
-_k54 = _scalar(8.0)
-_k55 = _float64(8.0)
-_k56 = _float64(2.9802322387695312e-08)
-_k57 = _float64(2.842170943040401e-14)
-_k58 = _float64(0.03125)
-_k59 = _float64(5.960464477539063e-08)
-_k60 = _scalar(1073741824.0)
-_k61 = _float64(-1.0)
-_k62 = _float64(3.0)
-_k63 = _scalar(9.313225746154785e-10)
-_k64 = _scalar(1.0000000000009095)
-_k65 = _float64(1.0000000000009095)
-_k66 = _scalar(0.6)
-_k67 = _float32(0.4)
-_k68 = _scalar(_float32(0.6))
+_k23 = _float32(0.5)
+_k24 = _scalar(_float32(7.888609052210118e-31))
+_k25 = _scalar(_float32(1.1102230246251565e-16))
+_k26 = _scalar(_float32(1.1))
+_k27 = _scalar(_float32(1.0009765625))
+_k28 = _scalar(_float32(11.0))
+_k29 = _scalar(_float32(0.0))
+_k30 = _scalar(_float32(_inf))
+_k31 = _scalar(_float32(4.440892098500626e-16))
+_k32 = _float32(11.0)
+_k33 = _float32(1.1)
+_k34 = _float32(7.888609052210118e-31)
+_k35 = _float32(1.1102230246251565e-16)
+_k36 = _float32(2.0)
+_k37 = _float32(0.0)
+_k38 = _float32(1.0009765625)
+_k39 = _float32(_inf)
+_k40 = _float32(4.440892098500626e-16)
+_k41 = _float64(1073741824.0)
+_k42 = _float64(9.313225746154785e-10)
+_k43 = _float64(1.2676506002282294e+30)
+_k44 = _scalar(0.5)
+_k45 = _scalar(1.0)
+_k46 = _scalar(2.0)
+_k47 = _scalar(1.7763568394002505e-15)
+_k48 = _float64(2.0)
+_k49 = _float64(4.0)
+_k50 = _float64(1.7763568394002505e-15)
+_k51 = _scalar(8.0)
+_k52 = _float64(8.0)
+_k53 = _float64(2.9802322387695312e-08)
+_k54 = _float64(2.842170943040401e-14)
+_k55 = _float64(0.03125)
+_k56 = _float64(5.960464477539063e-08)
+_k57 = _scalar(1073741824.0)
+_k58 = _float64(-1.0)
+_k59 = _float64(3.0)
+_k60 = _scalar(9.313225746154785e-10)
+_k61 = _scalar(1.0000000000009095)
+_k62 = _float64(1.0000000000009095)
+_k63 = _scalar(0.6)
+_k64 = _scalar(_float32(1.0))
+_k65 = _scalar(_float32(3.814697265625e-06))
+_k66 = _scalar(_float32(1.02))
+_k67 = _scalar(_float32(100.0))
+_k68 = _scalar(_float32(0.51))
 _k69 = _float32(0.6)
-_k70 = _float64(0.0625)
-_k71 = _float64(1.00006103515625)
-_k72 = _float64(0.0001220703125)
-_k73 = _scalar(4.0)
-_k74 = _float64(0.000244140625)
-_k75 = _float64(1.52587890625e-05)
-_k76 = _float64(5.820766091346741e-11)
-_k77 = _float64(65536.0)
-_k78 = _float64(6.0003662109375)
-_k79 = _scalar(8.881784197001252e-16)
-_k80 = _scalar(2.409919865102884e-181)
-_k81 = _scalar(-_inf)
-_k82 = _float64(8.881784197001252e-16)
-_k83 = _float64(2.409919865102884e-181)
-_k84 = _float64(-_inf)
-_k85 = _scalar(5.0)
-_k86 = _scalar(2.220446049250313e-16)
-_k87 = _scalar(3.552713678800501e-15)
-_k88 = _float64(1.3323489447131243e-15)
-_k89 = _float64(5.00030517578125)
-_k90 = _float64(3.552713678800501e-15)
-_k91 = _float64(5.0)
-_k92 = _float64(2.220446049250313e-16)
-_k93 = _scalar(9.094947017729282e-13)
-_k94 = _float64(9.094947017729282e-13)
-_k95 = _float32(1.00006103515625)
-_k96 = _scalar(_float32(4.76837158203125e-07))
-_k97 = _scalar(_float32(9.5367431640625e-07))
-_k98 = _scalar(_float32(_inf))
-_k99 = _scalar(_float32(8.673617379884035e-19))
-_k100 = _scalar(_float32(-_inf))
-_k101 = _float32(0.0001220703125)
-_k102 = _scalar(_float32(1.000000238418579))
-_k103 = _float32(32.0)
-_k104 = _float32(4096.0)
-_k105 = _float32(0.000244140625)
-_k106 = _scalar(_float32(4096.0))
-_k107 = _float32(4.76837158203125e-07)
-_k108 = _float32(9.5367431640625e-07)
-_k109 = _float32(_inf)
-_k110 = _float32(8.673617379884035e-19)
-_k111 = _float32(-_inf)
-_k112 = _float32(1.000000238418579)
-_k113 = _scalar(_float32(5.0))
-_k114 = _scalar(_float32(0.00390625))
-_k115 = _scalar(_float32(2.9802322387695312e-08))
-_k116 = _scalar(_float32(2.842170943040401e-14))
-_k117 = _float32(4.0)
-_k118 = _float32(6.0003662109375)
-_k119 = _scalar(_float32(0.5))
-_k120 = _scalar(_float32(1.0009765625))
-_k121 = _float32(5.0048828125)
-_k122 = _scalar(_float32(5.684341886080802e-14))
-_k123 = _float32(7.62939453125e-06)
-_k124 = _scalar(_float32(2.384185791015625e-07))
-_k125 = _float32(128.0)
-_k126 = _float32(2.842170943040401e-14)
-_k127 = _float32(0.00390625)
-_k128 = _float32(5.0)
-_k129 = _float32(2.9802322387695312e-08)
-_k130 = _float32(1.0009765625)
-_k131 = _float32(5.684341886080802e-14)
-_k132 = _float32(0.5)
-_k133 = _float32(2.384185791015625e-07)
-_k134 = _float32(6.0)
-_k135 = _scalar(_float32(4.0))
-_k136 = _scalar(_float32(0.0001220703125))
-_k137 = _scalar(_float32(3.814697265625e-06))
-_k138 = _scalar(_float32(3.0))
-_k139 = _scalar(_float32(0.000244140625))
-_k140 = _float32(3.814697265625e-06)
-_k141 = _float32(3.0)
-_k142 = _float64(8.940696716308594e-08)
-_k143 = _float32(1.00048828125)
-_k144 = _float32(0.00048828125)
-_k145 = _float32(0.125)
-_k146 = _float32(1.4143014047294855)
-_k147 = _float32(0.25)
-_k148 = _float32(1.52587890625e-05)
-_k149 = _scalar(2.222614453595284e-16)
-_k150 = _scalar(2.001953125)
-_k151 = _float64(6.667843360785852e-16)
-_k152 = _float64(8.890457814381136e-16)
-_k153 = _float64(2.222614453595284e-16)
-_k154 = _float64(2.001953125)
-_k155 = _float64(7.105427357601002e-15)
+_k70 = _float32(0.4)
+_k71 = _scalar(_float32(1.5543122344752192e-15))
+_k72 = _scalar(_float32(4.0))
+_k73 = _scalar(_float32(0.6))
+_k74 = _float32(1.0)
+_k75 = _float32(1.02)
+_k76 = _float32(3.814697265625e-06)
+_k77 = _float32(100.0)
+_k78 = _float32(0.51)
+_k79 = _float32(1.5543122344752192e-15)
+_k80 = _float32(4.0)
+_k81 = _float64(0.0625)
+_k82 = _scalar(_float32(1.5))
+_k83 = _float32(16.0)
+_k84 = _float32(3.5)
+_k85 = _scalar(_float32(1.125))
+_k86 = _scalar(_float32(1.7763568394002505e-15))
+_k87 = _float32(7.0)
+_k88 = _float32(1.5)
+_k89 = _float32(1.125)
+_k90 = _float32(1.7763568394002505e-15)
+_k91 = _float64(1.00006103515625)
+_k92 = _float64(0.0001220703125)
+_k93 = _scalar(4.0)
+_k94 = _float64(0.000244140625)
+_k95 = _float64(1.52587890625e-05)
+_k96 = _float64(5.820766091346741e-11)
+_k97 = _float64(65536.0)
+_k98 = _float64(6.0003662109375)
+_k99 = _scalar(8.881784197001252e-16)
+_k100 = _scalar(2.409919865102884e-181)
+_k101 = _scalar(-_inf)
+_k102 = _float64(8.881784197001252e-16)
+_k103 = _float64(2.409919865102884e-181)
+_k104 = _float64(-_inf)
+_k105 = _scalar(5.0)
+_k106 = _scalar(2.220446049250313e-16)
+_k107 = _scalar(3.552713678800501e-15)
+_k108 = _float64(1.3323489447131243e-15)
+_k109 = _float64(5.00030517578125)
+_k110 = _float64(3.552713678800501e-15)
+_k111 = _float64(5.0)
+_k112 = _float64(2.220446049250313e-16)
+_k113 = _scalar(9.094947017729282e-13)
+_k114 = _float64(9.094947017729282e-13)
+_k115 = _float32(1.00006103515625)
+_k116 = _scalar(_float32(4.76837158203125e-07))
+_k117 = _scalar(_float32(9.5367431640625e-07))
+_k118 = _scalar(_float32(8.673617379884035e-19))
+_k119 = _scalar(_float32(-_inf))
+_k120 = _float32(0.0001220703125)
+_k121 = _scalar(_float32(1.000000238418579))
+_k122 = _float32(32.0)
+_k123 = _float32(4096.0)
+_k124 = _float32(0.000244140625)
+_k125 = _scalar(_float32(4096.0))
+_k126 = _float32(4.76837158203125e-07)
+_k127 = _float32(9.5367431640625e-07)
+_k128 = _float32(8.673617379884035e-19)
+_k129 = _float32(-_inf)
+_k130 = _float32(1.000000238418579)
+_k131 = _scalar(_float32(5.0))
+_k132 = _scalar(_float32(0.00390625))
+_k133 = _scalar(_float32(2.9802322387695312e-08))
+_k134 = _scalar(_float32(2.842170943040401e-14))
+_k135 = _float32(6.0003662109375)
+_k136 = _scalar(_float32(0.5))
+_k137 = _float32(5.0048828125)
+_k138 = _scalar(_float32(5.684341886080802e-14))
+_k139 = _float32(7.62939453125e-06)
+_k140 = _scalar(_float32(2.384185791015625e-07))
+_k141 = _float32(128.0)
+_k142 = _float32(2.842170943040401e-14)
+_k143 = _float32(0.00390625)
+_k144 = _float32(5.0)
+_k145 = _float32(2.9802322387695312e-08)
+_k146 = _float32(5.684341886080802e-14)
+_k147 = _float32(2.384185791015625e-07)
+_k148 = _float32(6.0)
+_k149 = _scalar(_float32(8.0))
+_k150 = _scalar(_float32(0.0001220703125))
+_k151 = _scalar(_float32(3.0))
+_k152 = _scalar(_float32(0.000244140625))
+_k153 = _float32(8.0)
+_k154 = _float32(3.0)
+_k155 = _float64(8.940696716308594e-08)
+_k156 = _float32(1.00048828125)
+_k157 = _float32(0.00048828125)
+_k158 = _float32(0.125)
+_k159 = _float32(1.4143014047294855)
+_k160 = _float32(0.25)
+_k161 = _float32(1.52587890625e-05)
+_k162 = _scalar(2.222614453595284e-16)
+_k163 = _scalar(2.001953125)
+_k164 = _float64(6.667843360785852e-16)
+_k165 = _float64(8.890457814381136e-16)
+_k166 = _float64(2.222614453595284e-16)
+_k167 = _float64(2.001953125)
+_k168 = _float64(7.105427357601002e-15)
 
 
 def _bits(value: Any, row: Any) -> Any:
@@ -766,129 +785,75 @@ def displacement(delay: Any, horizon: Any, extent: Any, speed: Any, position_err
     return _s3 + _multiply(_k16, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(_k17, _s1, _r1), _r1), _r1),
 
 
-def carry_flight(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: Any, ny: Any, nz: Any, clock: Any, contacts: Any, earliest_delay: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, curving: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
-    """Errors of the state at the end of a flight to a surface, from those at its start.
+def normal_velocity(vx: Any, vy: Any, vz: Any, nx: Any, ny: Any, nz: Any) -> tuple[Any, ...]:
+    """Velocity along the normal before the impact.
 
-    derivative of Eq. 3 and of the contact time, with roundings. 125 operations: 27 additions, 1 subtraction, 33 multiplications, 2 divisions, 7 negations, 17 absolute values, 19 comparisons, 19 selections.
+    Table 2. 5 operations: 2 additions, 3 multiplications.
     """
-    t, x, y, z, vx, vy, vz, nx, ny, nz, clock, contacts, earliest_delay, dx, dy, dz, dvx, dvy, dvz, curving, p_gravity, = [_single(value) for value in (t, x, y, z, vx, vy, vz, nx, ny, nz, clock, contacts, earliest_delay, dx, dy, dz, dvx, dvy, dvz, curving, p_gravity,)]
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23, _r24, _r25 = _halves(_room[:26])
-    _s0 = _add(dx, _multiply(dvx, t, _r0), _r0)
-    _s1 = _absolute(vx, _r1)
-    _s2 = _multiply(_k22, t, _r2)
-    _s3 = _add(_k23, _multiply(_k24, _add(_multiply(_s2, _s1, _r3), _absolute(x, _r4), _r4), _r4), _r4)
-    _s4 = _add(_s0, _select(_s0 < _k25, _negative(_s3, _r3), _s3, _r5), _r5)
-    _s5 = _add(dy, _multiply(dvy, t, _r3), _r3)
-    _s6 = _absolute(vy, _r0)
-    _s7 = _add(_k23, _multiply(_k24, _add(_multiply(_s2, _s6, _r6), _absolute(y, _r7), _r7), _r7), _r7)
-    _s8 = _add(_s5, _select(_s5 < _k25, _negative(_s7, _r6), _s7, _r8), _r8)
-    _s9 = _add(dz, _multiply(dvz, t, _r6), _r6)
-    _s10 = _absolute(vz, _r3)
-    _s11 = _add(_k23, _multiply(_k24, _add(_add(_multiply(p_gravity, _multiply(t, t, _r9), _r9), _multiply(_s2, _s10, _r2), _r2), _absolute(z, _r9), _r9), _r9), _r9)
-    _s12 = _add(_s9, _select(_s9 < _k25, _negative(_s11, _r2), _s11, _r10), _r10)
-    _s13 = _divide(_k26, _add(_add(_multiply(nx, vx, _r2), _multiply(ny, vy, _r6), _r6), _multiply(nz, vz, _r2), _r2), _r2)
-    _s14 = _multiply(_negative(_add(_add(_multiply(nx, _s4, _r6), _multiply(ny, _s8, _r11), _r11), _multiply(nz, _s12, _r6), _r6), _r6), _s13, _r6)
-    _s15 = _add(_multiply(vx, _s14, _r11), _s4, _r11)
-    _s16 = _absolute(_s15, _r5)
-    _s17 = _select(_s1 < _s6, _s6, _s1, _r12)
-    _s18 = _select(_s17 < _s10, _s10, _s17, _r13)
-    _s19 = _absolute(dx, _r14)
-    _s20 = _absolute(dy, _r15)
-    _s21 = _select(_s19 < _s20, _s20, _s19, _r16)
-    _s22 = _absolute(dz, _r17)
-    _s23 = _select(_s21 < _s22, _s22, _s21, _r18)
-    _s24 = _multiply(curving, _multiply(t, _s18, _r19), _r19)
-    _s25 = _absolute(dvx, _r20)
-    _s26 = _absolute(dvy, _r21)
-    _s27 = _select(_s25 < _s26, _s26, _s25, _r22)
-    _s28 = _absolute(dvz, _r23)
-    _s29 = _select(_s3 < _s7, _s7, _s3, _r24)
-    _s30 = _add(_multiply(t, _select(_s27 < _s28, _s28, _s27, _r25), _r25), _select(_s29 < _s11, _s11, _s29, _r23), _r23)
-    _s31 = _multiply(_multiply(_absolute(_s13, _r2), _s18, _r13), _add(_multiply(_s23, _select(_s24 < _k26, _s24, _k26, _r12), _r12), _s30, _r12), _r12) + _add(_s30, _s23, _r23)
-    _s32 = _multiply(_s31, _divide(_k26, _add(_k27, _multiply(_k27, contacts, _r23), _r23), _r23), _r23)
-    _s33 = _select(_s16 < _s32, _s32, _s16, _r12)
-    _s34 = _add(_multiply(vy, _s14, _r18), _s8, _r18)
-    _s35 = _absolute(_s34, _r8)
-    _s36 = _select(_s35 < _s32, _s32, _s35, _r17)
-    _s37 = _add(_multiply(vz, _s14, _r16), _s12, _r16)
-    _s38 = _absolute(_s37, _r10)
-    _s39 = _select(_s38 < _s32, _s32, _s38, _r15)
-    _s40 = _absolute(_s14, _r14)
-    _s41 = _multiply(_k28, earliest_delay, _r13)
-    return _result(_s15 < _k25, _negative(_s33, _r11), _s33, _r0), _result(_s34 < _k25, _negative(_s36, _r18), _s36, _r0), _result(_s37 < _k25, _negative(_s39, _r16), _s39, _r0), dvx, dvy, dvz - _multiply(p_gravity, _s14, _r6), _multiply(_k29, _add(t, clock, _r6), _r6) + _select(_s40 < _s41, _s41, _s40, _r16), _s31
+    return ((nx * vx) + (ny * vy)) + (nz * vz),
 
 
-def carry_time(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, clock: Any, clock_error: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
-    """Errors of the state at the time limit, from those at the start of the flight.
+def carry_end(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, clock: Any, position_bound: Any, velocity_bound: Any, spin_bound: Any, root_offset: Any, normal_velocity: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """Bounds on the errors where a flight crosses the end plane.
 
-    derivative of Eq. 3, with roundings. 65 operations: 20 additions, 18 multiplications, 1 negation, 14 absolute values, 6 comparisons, 6 selections.
+    Eq. 3, with roundings. 63 operations: 25 additions, 1 subtraction, 23 multiplications, 1 division, 8 absolute values, 1 comparison, 4 selections.
     """
-    t, x, y, z, vx, vy, vz, clock, clock_error, dx, dy, dz, dvx, dvy, dvz, p_gravity, = [_single(value) for value in (t, x, y, z, vx, vy, vz, clock, clock_error, dx, dy, dz, dvx, dvy, dvz, p_gravity,)]
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16 = _halves(_room[:17])
+    t, x, y, z, vx, vy, vz, clock, position_bound, velocity_bound, spin_bound, root_offset, normal_velocity, p_gravity, = [_single(value) for value in (t, x, y, z, vx, vy, vz, clock, position_bound, velocity_bound, spin_bound, root_offset, normal_velocity, p_gravity,)]
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7 = _halves(_room[:8])
     _s0 = _absolute(vx, _r0)
-    _s1 = _add(clock_error, _multiply(_k29, _add(t, clock, _r1), _r1), _r1)
-    _s2 = _absolute(dvx, _r2)
-    _s3 = _absolute(dvy, _r3)
-    _s4 = _select(_s2 < _s3, _s3, _s2, _r4)
-    _s5 = _absolute(dvz, _r5)
-    _s6 = _multiply(_k22, t, _r6)
-    _s7 = _add(_k23, _multiply(_k24, _add(_multiply(_s6, _s0, _r7), _absolute(x, _r8), _r8), _r8), _r8)
-    _s8 = _absolute(vy, _r7)
-    _s9 = _add(_k23, _multiply(_k24, _add(_multiply(_s6, _s8, _r9), _absolute(y, _r10), _r10), _r10), _r10)
-    _s10 = _select(_s7 < _s9, _s9, _s7, _r9)
-    _s11 = _absolute(vz, _r11)
-    _s12 = _add(_k23, _multiply(_k24, _add(_add(_multiply(p_gravity, _multiply(t, t, _r12), _r12), _multiply(_s6, _s11, _r6), _r6), _absolute(z, _r12), _r12), _r12), _r12)
-    _s13 = _absolute(dx, _r6)
-    _s14 = _absolute(dy, _r13)
-    _s15 = _select(_s13 < _s14, _s14, _s13, _r14)
-    _s16 = _absolute(dz, _r15)
-    _s17 = _add(_add(_multiply(t, _select(_s4 < _s5, _s5, _s4, _r16), _r16), _select(_s10 < _s12, _s12, _s10, _r4), _r4), _select(_s15 < _s16, _s16, _s15, _r12), _r12)
-    _s18 = _absolute(_k30)
-    return _multiply(_s0, _s1, _r15) + _s17, _multiply(_s8, _s1, _r15) + _s17, _multiply(_s11, _s1, _r15) + _s17, _add(_s18, _multiply(_k38, _s0, _r0), _r0) + _s2, _add(_s18, _multiply(_k38, _s8, _r7), _r7) + _s3, _add(_multiply(_k38, _s11, _r11), _s5, _r11) + _absolute(_negative(_multiply(p_gravity, _s1, _r1), _r1), _r1), _k30
+    _s1 = _multiply(_k22, t, _r1)
+    _s2 = _absolute(vy, _r2)
+    _s3 = _k23 * p_gravity
+    _s4 = _add(_add(_multiply(_s3, _multiply(t, t, _r3), _r3), _multiply(_s1, _absolute(_add(vz, _multiply(_s3, t, _r4), _r4), _r4), _r4), _r4), _absolute(z, _r3), _r3)
+    _s5 = _add(_add(_add(_k24, _multiply(_k25, _add(_multiply(_s1, _s0, _r4), _absolute(x, _r5), _r5), _r5), _r5), _add(_k24, _multiply(_k25, _add(_multiply(_s1, _s2, _r1), _absolute(y, _r4), _r4), _r4), _r4), _r4), _add(_k24, _multiply(_k25, _s4, _r3), _r3), _r3)
+    _s6 = _add(_add(_add(position_bound, root_offset, _r4), _multiply(t, velocity_bound, _r5), _r5), _s5, _r3)
+    _s7 = _absolute(normal_velocity, _r5)
+    _s8 = _divide(_multiply(_k26, _s6, _r4), _s7, _r4)
+    _s9 = _absolute(vz, _r1)
+    _s10 = _add(_k24, _multiply(_k25, _add(_add(_add(_multiply(p_gravity, t, _r6), _s0, _r6), _s2, _r6), _s9, _r6), _r6), _r6)
+    _s11 = _add(_multiply(p_gravity, _s8, _r7), _add(velocity_bound, _s10, _r6), _r6)
+    _s12 = _multiply(_k27, _add(_multiply(_s8, _add(_s11, _add(_add(_s0, _s2, _r2), _s9, _r2), _r2), _r2), _s6, _r2), _r2)
+    _s13 = _subtract(_multiply(_k28, _s11, _r3), _s7, _r3) <= _k29
+    return _result(_s13, _s12, _k30, _r0), _result(_s13, _multiply(_k27, _s11, _r6), _k30, _r0), _result(_s13, _multiply(_k27, spin_bound, _r6), _k30, _r0), _multiply(_k31, _add(t, clock, _r6), _r6) + _select(_s13, _multiply(_k27, _s8, _r4), _k30, _r2)
 
 
-def error_bounds(clock_error: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, dwz: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
-    """Bounds on the errors of state and time that decisions allow for.
+def carry_time(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, clock: Any, clock_error: Any, position_bound: Any, velocity_bound: Any, spin_bound: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """Bounds on the errors at the time limit.
 
-    the carried errors times a factor. 25 operations: 4 multiplications, 9 absolute values, 6 comparisons, 6 selections.
+    Eq. 3, with roundings. 51 operations: 24 additions, 20 multiplications, 7 absolute values.
     """
-    clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz, = [_single(value) for value in (clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz,)]
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12 = _halves(_room[:13])
-    _s0 = _absolute(dx, _r0)
-    _s1 = _absolute(dy, _r1)
-    _s2 = _select(_s0 < _s1, _s1, _s0, _r2)
-    _s3 = _absolute(dz, _r3)
-    _s4 = _absolute(dvx, _r4)
-    _s5 = _absolute(dvy, _r5)
-    _s6 = _select(_s4 < _s5, _s5, _s4, _r6)
-    _s7 = _absolute(dvz, _r7)
-    _s8 = _absolute(dwx, _r8)
-    _s9 = _absolute(dwy, _r9)
-    _s10 = _select(_s8 < _s9, _s9, _s8, _r10)
-    _s11 = _absolute(dwz, _r11)
-    return _k40 * _select(_s2 < _s3, _s3, _s2, _r12), _k40 * _select(_s6 < _s7, _s7, _s6, _r12), _k40 * _select(_s10 < _s11, _s11, _s10, _r12), _k40 * clock_error
+    t, x, y, z, vx, vy, vz, clock, clock_error, position_bound, velocity_bound, spin_bound, p_gravity, = [_single(value) for value in (t, x, y, z, vx, vy, vz, clock, clock_error, position_bound, velocity_bound, spin_bound, p_gravity,)]
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8 = _halves(_room[:9])
+    _s0 = _add(clock_error, _multiply(_k31, _add(t, clock, _r0), _r0), _r0)
+    _s1 = _absolute(vx, _r1)
+    _s2 = _absolute(vy, _r2)
+    _s3 = _absolute(vz, _r3)
+    _s4 = _add(_k24, _multiply(_k25, _add(_add(_add(_multiply(p_gravity, t, _r4), _s1, _r4), _s2, _r4), _s3, _r4), _r4), _r4)
+    _s5 = _add(_add(velocity_bound, _multiply(p_gravity, _s0, _r5), _r5), _s4, _r4)
+    _s6 = _multiply(_k22, t, _r5)
+    _s7 = _k23 * p_gravity
+    _s8 = _add(_add(_multiply(_s7, _multiply(t, t, _r6), _r6), _multiply(_s6, _absolute(_add(vz, _multiply(_s7, t, _r7), _r7), _r7), _r7), _r7), _absolute(z, _r6), _r6)
+    _s9 = _add(_add(_add(_k24, _multiply(_k25, _add(_multiply(_s6, _s1, _r7), _absolute(x, _r8), _r8), _r8), _r8), _add(_k24, _multiply(_k25, _add(_multiply(_s6, _s2, _r5), _absolute(y, _r7), _r7), _r7), _r7), _r7), _add(_k24, _multiply(_k25, _s8, _r6), _r6), _r6)
+    _s10 = _add(_add(_add(position_bound, _multiply(t, velocity_bound, _r7), _r7), _multiply(_s0, _add(_s5, _add(_add(_s1, _s2, _r2), _s3, _r2), _r2), _r2), _r2), _s9, _r6)
+    return _k27 * _s10, _k27 * _s5, _k27 * spin_bound, _k37
 
 
-def claimed_errors(clock_error: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, dwz: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+def error_bounds(clock_error: Any, position_bound: Any, velocity_bound: Any, spin_bound: Any) -> tuple[Any, ...]:
+    """Bounds on the errors of state and time that decisions use.
+
+    the carried bounds. No operations.
+    """
+    clock_error, position_bound, velocity_bound, spin_bound, = [_single(value) for value in (clock_error, position_bound, velocity_bound, spin_bound,)]
+    return position_bound, velocity_bound, spin_bound, clock_error
+
+
+def claimed_errors(clock_error: Any, position_bound: Any, velocity_bound: Any, spin_bound: Any) -> tuple[Any, ...]:
     """Bounds on the errors of state and time that are reported.
 
-    the carried errors times a larger factor. 25 operations: 4 multiplications, 9 absolute values, 6 comparisons, 6 selections.
+    the carried bounds. No operations.
     """
-    clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz, = [_single(value) for value in (clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz,)]
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12 = _halves(_room[:13])
-    _s0 = _absolute(dx, _r0)
-    _s1 = _absolute(dy, _r1)
-    _s2 = _select(_s0 < _s1, _s1, _s0, _r2)
-    _s3 = _absolute(dz, _r3)
-    _s4 = _absolute(dvx, _r4)
-    _s5 = _absolute(dvy, _r5)
-    _s6 = _select(_s4 < _s5, _s5, _s4, _r6)
-    _s7 = _absolute(dvz, _r7)
-    _s8 = _absolute(dwx, _r8)
-    _s9 = _absolute(dwy, _r9)
-    _s10 = _select(_s8 < _s9, _s9, _s8, _r10)
-    _s11 = _absolute(dwz, _r11)
-    return _k42 * _select(_s2 < _s3, _s3, _s2, _r12), _k42 * _select(_s6 < _s7, _s7, _s6, _r12), _k42 * _select(_s10 < _s11, _s11, _s10, _r12), _k42 * clock_error
+    clock_error, position_bound, velocity_bound, spin_bound, = [_single(value) for value in (clock_error, position_bound, velocity_bound, spin_bound,)]
+    return position_bound, velocity_bound, spin_bound, clock_error
 
 
 def allowed(p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_bridge_half_width: Any, p_restitution: Any, p_gravity: Any, p_end_depth: Any) -> tuple[Any, ...]:
@@ -924,8 +889,8 @@ def valid(last: Any, x: Any, y: Any, z: Any, p_ball_radius: Any, p_ring_radius: 
     _s1 = _subtract(_s0, p_ring_radius, _r0)
     _s2 = p_ball_radius + p_wire_radius
     _s3 = _subtract(_add(_multiply(z, z, _r2), _multiply(_s1, _s1, _r0), _r0), _s2 * _s2, _r0)
-    _s4 = _absolute(last, _r2) < _k47
-    _s5 = _select(_s4, _k48, _select(_k7 <= _s3, _k48, _k7, _r2), _r3)
+    _s4 = _absolute(last, _r2) < _k44
+    _s5 = _select(_s4, _k45, _select(_k7 <= _s3, _k45, _k7, _r2), _r3)
     _s6 = p_ball_radius - p_board_distance
     _s7 = _subtract(x, _s6, _r4)
     _s8 = 2.0 * p_ball_radius
@@ -939,7 +904,7 @@ def valid(last: Any, x: Any, y: Any, z: Any, p_ball_radius: Any, p_ring_radius: 
     _s16 = _select(_s14 < _s15, _s15, _s14, _r12)
     _s17 = _subtract(z, p_board_top, _r13)
     _s18 = _select(_s16 < _s17, _s17, _s16, _r14)
-    _s19 = _absolute(_subtract(last, _k48, _r15), _r15) < _k47
+    _s19 = _absolute(_subtract(last, _k45, _r15), _r15) < _k44
     _s20 = _select(_s19, _s5, _select(_k7 <= _s18, _s5, _k7, _r15), _r16)
     _s21 = _subtract(z, _s2, _r17)
     _s22 = _subtract((_s2 - _s8) - (2.0 * p_wire_radius), z, _r18)
@@ -953,13 +918,13 @@ def valid(last: Any, x: Any, y: Any, z: Any, p_ball_radius: Any, p_ring_radius: 
     _s30 = _select(_s29 < x, x, _s29, _r25)
     _s31 = _negative(_add(p_board_distance, x, _r26), _r26)
     _s32 = _select(_s30 < _s31, _s31, _s30, _r27)
-    _s33 = _absolute(_subtract(last, _k49, _r28), _r28) < _k47
+    _s33 = _absolute(_subtract(last, _k46, _r28), _r28) < _k44
     _s34 = ((((_absolute(p_board_bottom) + _absolute(p_board_top)) + _absolute(p_ball_radius)) + _absolute(p_ring_radius)) + _absolute(p_wire_radius)) + _absolute(p_board_distance)
     _s35 = _add(_add(((_s34 + _absolute(p_board_half_width)) + _absolute(p_bridge_half_width)) + _absolute(p_end_depth), _absolute(x, _r28), _r28), _absolute(y, _r29), _r29)
-    _s36 = _multiply(_k50, _add(_s35, _absolute(z, _r28), _r28), _r28)
-    _s37 = _select(_s4, _k7, _select(_absolute(_s3, _r0) <= _multiply((4.0 * p_ball_radius) + (4.0 * p_wire_radius), _s36, _r29), _k48, _k7, _r29), _r0)
-    _s38 = _select(_s19, _s37, _select(_absolute(_s18, _r14) <= _s36, _k48, _s37, _r14), _r13)
-    return _result(_s33, _s20, _select(_k7 <= _s32, _s20, _k7, _r12), _r0), _result(_s33, _s38, _select(_absolute(_s32, _r27) <= _s36, _k48, _s38, _r27), _r0)
+    _s36 = _multiply(_k47, _add(_s35, _absolute(z, _r28), _r28), _r28)
+    _s37 = _select(_s4, _k7, _select(_absolute(_s3, _r0) <= _multiply((4.0 * p_ball_radius) + (4.0 * p_wire_radius), _s36, _r29), _k45, _k7, _r29), _r0)
+    _s38 = _select(_s19, _s37, _select(_absolute(_s18, _r14) <= _s36, _k45, _s37, _r14), _r13)
+    return _result(_s33, _s20, _select(_k7 <= _s32, _s20, _k7, _r12), _r0), _result(_s33, _s38, _select(_absolute(_s32, _r27) <= _s36, _k45, _s38, _r27), _r0)
 
 
 def aside(x: Any, y: Any, z: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_bridge_half_width: Any, p_end_depth: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -971,7 +936,7 @@ def aside(x: Any, y: Any, z: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire
     _s0 = ((((_absolute(p_board_bottom) + _absolute(p_board_top)) + _absolute(p_ball_radius)) + _absolute(p_ring_radius)) + _absolute(p_wire_radius)) + _absolute(p_board_distance)
     _s1 = _absolute(x, _r0)
     _s2 = _add(_add(((_s0 + _absolute(p_board_half_width)) + _absolute(p_bridge_half_width)) + _absolute(p_end_depth), _s1, _r1), _absolute(y, _r2), _r2)
-    _s3 = _multiply(_k54, _multiply(_k50, _add(_s2, _absolute(z, _r1), _r1), _r1), _r1)
+    _s3 = _multiply(_k51, _multiply(_k47, _add(_s2, _absolute(z, _r1), _r1), _r1), _r1)
     _s4 = p_ball_radius - p_board_distance
     _s5 = _logical_and((_s3 < _subtract(_s1, (p_ball_radius + p_ring_radius) + p_wire_radius, _r0)), _logical_or((_s3 < _subtract(x, _s4, _r0)), (_s3 < _subtract(_s4 - (2.0 * p_ball_radius), x, _r0))))
     _s6 = _logical_not(_logical_and(_s5, _logical_or((_s3 < x), (_s3 < _negative(_add(p_board_distance, x, _r0), _r0)))))
@@ -1088,7 +1053,7 @@ def tie_undecided(time: Any, when: Any, delay: Any, earliest_delay: Any, undecid
     _s0 = _add(delay, earliest_delay, _r0)
     _s1 = time < when
     _s2 = _select(_s1, time, when, _r1)
-    _s3 = _multiply(_k47, _s2, _r2)
+    _s3 = _multiply(_k44, _s2, _r2)
     _s4 = _subtract(_s2, _select(_s3 < _s0, _s3, _s0, _r3), _r3)
     _s5 = _result(_logical_and(_logical_and(arrives, (_absolute(_subtract(time, when, _r2), _r2) <= _s0)), (_s4 < undecided_time)), _s4, undecided_time, _r0)
     return _s5, _result(_logical_and(arrives, _s1), delay, earliest_delay, _r0)
@@ -1267,8 +1232,8 @@ def state_in_range(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, wx: Any, w
     Table 1. 26 operations: 9 absolute values, 9 comparisons, 8 conjunctions.
     """
     _r0, = _room[:1]
-    _s0 = _logical_and(_logical_and(_logical_and(_logical_and((_absolute(x, _r0) <= _k60), (_absolute(y, _r0) <= _k60)), (_absolute(z, _r0) <= _k60)), (_absolute(vx, _r0) <= _k60)), (_absolute(vy, _r0) <= _k60))
-    _s1 = _logical_and(_logical_and(_logical_and(_logical_and(_s0, (_absolute(vz, _r0) <= _k60)), (_absolute(wx, _r0) <= _k60)), (_absolute(wy, _r0) <= _k60)), (_absolute(wz, _r0) <= _k60))
+    _s0 = _logical_and(_logical_and(_logical_and(_logical_and((_absolute(x, _r0) <= _k57), (_absolute(y, _r0) <= _k57)), (_absolute(z, _r0) <= _k57)), (_absolute(vx, _r0) <= _k57)), (_absolute(vy, _r0) <= _k57))
+    _s1 = _logical_and(_logical_and(_logical_and(_logical_and(_s0, (_absolute(vz, _r0) <= _k57)), (_absolute(wx, _r0) <= _k57)), (_absolute(wy, _r0) <= _k57)), (_absolute(wz, _r0) <= _k57))
     return _s1,
 
 
@@ -1329,20 +1294,12 @@ def counted(count: Any) -> tuple[Any, ...]:
     return 1.0 + count,
 
 
-def elsewhere() -> tuple[Any, ...]:
-    """Start value: another surface.
+def came_back(last: Any, which: Any) -> tuple[Any, ...]:
+    """1 if the flight began on the surface that the ball meets.
 
-    Table 1. No operations.
+    Table 1. 2 operations: 1 comparison, 1 selection.
     """
-    return _inf,
-
-
-def again(index: Any, last: Any, which: Any) -> tuple[Any, ...]:
-    """Whether the ball meets the same surface again.
-
-    Table 1. 3 operations: 2 comparisons, 1 conjunction.
-    """
-    return _logical_and((which == index), (last == which)),
+    return _where((last == which), 1.0, 0.0),
 
 
 def touched(which: Any, body: Any, first: Any) -> tuple[Any, ...]:
@@ -1433,38 +1390,21 @@ def closing(outcome: Any, claims: Any) -> tuple[Any, ...]:
     return _logical_and((_float32(0.0) < claims), (_float32(0.0) <= outcome)), _float32(0.0), _float32(0.0), _float32(0.0), _float32(0.0)
 
 
-def error_floor(dx: Any, dy: Any, dz: Any, shift: Any) -> tuple[Any, ...]:
-    """Errors at the end, not below the largest that one flight can cause.
-
-    Table 1. 9 operations: 3 absolute values, 3 comparisons, 3 selections.
-    """
-    dx, dy, dz, shift, = [_single(value) for value in (dx, dy, dz, shift,)]
-    return _where((_absolute(dx) < shift), shift, dx), _where((_absolute(dy) < shift), shift, dy), _where((_absolute(dz) < shift), shift, dz)
-
-
-def no_normal_error() -> tuple[Any, ...]:
-    """Start values: a normal without error.
-
-    Table 1. No operations.
-    """
-    return _float32(0.0), _float32(0.0), _float32(0.0), _float32(0.0)
-
-
 def reachable(p_ball_radius: Any, p_board_distance: Any, p_bridge_half_width: Any, p_gravity: Any, p_ring_radius: Any, x: Any, vx: Any, horizon: Any, extent: Any, speed: Any, pad: Any, earliest_delay: Any, position_error: Any, velocity_error: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Whether a flight with these ends may come to a plate.
 
     Table 1. 34 operations: 6 additions, 3 subtractions, 10 multiplications, 1 negation, 7 comparisons, 2 conjunctions, 1 complement, 4 selections.
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7 = _room[:8]
-    _s0 = _add(_add(position_error, _multiply(horizon, velocity_error, _r0), _r0), _multiply(_k63, _add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r1), _r1), _r1), _r1), _r1), _r1)
+    _s0 = _add(_add(position_error, _multiply(horizon, velocity_error, _r0), _r0), _multiply(_k60, _add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r1), _r1), _r1), _r1), _r1), _r1)
     _s1 = _select(pad < earliest_delay, _k8, _s0, _r0)
     _s2 = _add(x, _multiply(vx, horizon, _r2), _r2)
     _s3 = _select(_s2 < x, _s2, x, _r3)
-    _s4 = _subtract(p_ring_radius, _multiply(_k49, _s1, _r4), _r4)
+    _s4 = _subtract(p_ring_radius, _multiply(_k46, _s1, _r4), _r4)
     _s5 = -p_board_distance
     _s6 = _select(_s3 < _s5, _s5, _s3, _r5)
     _s7 = _select(_k7 < _s6, _k7, _s6, _r6)
-    _s8 = _logical_and((_s1 < _subtract(_s3, p_ball_radius - p_board_distance, _r7)), _logical_and((_k7 < _s4), (_multiply(_k64, _add(p_bridge_half_width * p_bridge_half_width, _multiply(_s7, _s7, _r6), _r6), _r6) < _multiply(_s4, _s4, _r4))))
+    _s8 = _logical_and((_s1 < _subtract(_s3, p_ball_radius - p_board_distance, _r7)), _logical_and((_k7 < _s4), (_multiply(_k61, _add(p_bridge_half_width * p_bridge_half_width, _multiply(_s7, _s7, _r6), _r6), _r6) < _multiply(_s4, _s4, _r4))))
     return _logical_not(_s8),
 
 
@@ -1486,69 +1426,224 @@ def impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, ny: An
     _r0, _r1, _r2, _r3, _r4, _r5, _r6 = _room[:7]
     _s0 = 0.4 * p_ball_radius
     _s1 = _add(_add(_multiply(nx, vx, _r0), _multiply(ny, vy, _r1), _r1), _multiply(nz, vz, _r0), _r0)
-    _s2 = _add(_multiply(_s0, _subtract(_multiply(nz, wy, _r1), _multiply(ny, wz, _r2), _r2), _r2), _multiply(_k66, _subtract(vx, _multiply(nx, _s1, _r1), _r1), _r1), _r1)
-    _s3 = _add(_multiply(_s0, _subtract(_multiply(nx, wz, _r2), _multiply(nz, wx, _r3), _r3), _r3), _multiply(_k66, _subtract(vy, _multiply(ny, _s1, _r2), _r2), _r2), _r2)
-    _s4 = _add(_multiply(_s0, _subtract(_multiply(ny, wx, _r3), _multiply(nx, wy, _r4), _r4), _r4), _multiply(_k66, _subtract(vz, _multiply(nz, _s1, _r3), _r3), _r3), _r3)
+    _s2 = _add(_multiply(_s0, _subtract(_multiply(nz, wy, _r1), _multiply(ny, wz, _r2), _r2), _r2), _multiply(_k63, _subtract(vx, _multiply(nx, _s1, _r1), _r1), _r1), _r1)
+    _s3 = _add(_multiply(_s0, _subtract(_multiply(nx, wz, _r2), _multiply(nz, wx, _r3), _r3), _r3), _multiply(_k63, _subtract(vy, _multiply(ny, _s1, _r2), _r2), _r2), _r2)
+    _s4 = _add(_multiply(_s0, _subtract(_multiply(ny, wx, _r3), _multiply(nx, wy, _r4), _r4), _r4), _multiply(_k63, _subtract(vz, _multiply(nz, _s1, _r3), _r3), _r3), _r3)
     _s5 = _add(_add(_multiply(nx, wx, _r4), _multiply(ny, wy, _r5), _r5), _multiply(nz, wz, _r4), _r4)
     _s6 = 1.0 / p_ball_radius
     return _s2 - _multiply(_multiply(p_restitution, nx, _r5), _s1, _r5), _s3 - _multiply(_multiply(p_restitution, ny, _r5), _s1, _r5), _s4 - _multiply(_multiply(p_restitution, nz, _r5), _s1, _r5), _multiply(nx, _s5, _r5) + _multiply(_s6, _subtract(_multiply(ny, _s4, _r0), _multiply(nz, _s3, _r6), _r6), _r6), _multiply(ny, _s5, _r6) + _multiply(_s6, _subtract(_multiply(nz, _s2, _r5), _multiply(nx, _s4, _r3), _r3), _r3), _multiply(nz, _s5, _r4) + _multiply(_s6, _subtract(_multiply(nx, _s3, _r2), _multiply(ny, _s2, _r1), _r1), _r1)
 
 
-def carry_impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, ny: Any, nz: Any, contacts: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, dwz: Any, dnx: Any, dny: Any, dnz: Any, turn: Any, p_ball_radius: Any, p_restitution: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
-    """Errors of velocity and spin after a contact, from those before it.
+def carry_impact(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, ny: Any, nz: Any, clock: Any, left_nx: Any, left_ny: Any, left_nz: Any, place_n: Any, place_s: Any, place_e: Any, pace_n: Any, pace_s: Any, pace_e: Any, turn_n: Any, turn_z: Any, position_bound: Any, velocity_bound: Any, spin_bound: Any, tangent_x: Any, tangent_y: Any, bend_s: Any, bend_e: Any, left_ex: Any, left_ey: Any, left_bend_s: Any, left_bend_e: Any, sharpest_bend: Any, root_offset: Any, normal_rounding: Any, normal_velocity: Any, back: Any, p_ball_radius: Any, p_restitution: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """Bounds on errors after a contact, from those at the departure before it.
 
-    derivative of the frame-free Eq. 17, with roundings. 222 operations: 56 additions, 18 subtractions, 90 multiplications, 2 divisions, 6 negations, 18 absolute values, 16 comparisons, 16 selections.
+    derivative of the frame-free Eq. 17, with roundings. 940 operations: 261 additions, 64 subtractions, 469 multiplications, 6 divisions, 37 negations, 83 absolute values, 6 comparisons, 14 selections.
     """
-    vx, vy, vz, wx, wy, wz, nx, ny, nz, contacts, dvx, dvy, dvz, dwx, dwy, dwz, dnx, dny, dnz, turn, p_ball_radius, p_restitution, = [_single(value) for value in (vx, vy, vz, wx, wy, wz, nx, ny, nz, contacts, dvx, dvy, dvz, dwx, dwy, dwz, dnx, dny, dnz, turn, p_ball_radius, p_restitution,)]
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23, _r24 = _halves(_room[:25])
-    _s0 = _k67 * p_ball_radius
-    _s1 = _add(_add(_add(_multiply(nx, dvx, _r0), _multiply(vx, dnx, _r1), _r1), _add(_multiply(ny, dvy, _r0), _multiply(vy, dny, _r2), _r2), _r2), _add(_multiply(nz, dvz, _r1), _multiply(vz, dnz, _r0), _r0), _r0)
-    _s2 = _add(_add(_multiply(nx, vx, _r2), _multiply(ny, vy, _r1), _r1), _multiply(nz, vz, _r2), _r2)
-    _s3 = _add(_multiply(nx, _s1, _r1), _multiply(dnx, _s2, _r3), _r3)
-    _s4 = _add(_multiply(_s0, _subtract(_add(_multiply(nz, dwy, _r1), _multiply(wy, dnz, _r4), _r4), _add(_multiply(ny, dwz, _r1), _multiply(wz, dny, _r5), _r5), _r5), _r5), _multiply(_k68, _subtract(dvx, _s3, _r4), _r4), _r4)
-    _s5 = _subtract(_s4, _multiply(p_restitution, _s3, _r3), _r3)
-    _s6 = _add(_add(_multiply(p_ball_radius, _add(_add(_absolute(wx, _r5), _absolute(wy, _r1), _r1), _absolute(wz, _r5), _r5), _r5), _absolute(vx, _r1), _r1), _absolute(vy, _r5), _r5)
-    _s7 = _add(_s6, _absolute(vz, _r1), _r1)
-    _s8 = _add(_k23, _multiply(_k38, _s7, _r5), _r5)
-    _s9 = _add(_absolute(_s5, _r6), _s8, _r6)
-    _s10 = _absolute(dwx, _r7)
-    _s11 = _absolute(dwy, _r8)
-    _s12 = _select(_s10 < _s11, _s11, _s10, _r9)
-    _s13 = _absolute(dwz, _r10)
-    _s14 = _absolute(dvx, _r11)
-    _s15 = _absolute(dvy, _r12)
-    _s16 = _select(_s14 < _s15, _s15, _s14, _r13)
-    _s17 = _absolute(dvz, _r14)
-    _s18 = _multiply(_add(_add(_multiply(p_ball_radius, _select(_s12 < _s13, _s13, _s12, _r15), _r15), _multiply(turn, _s7, _r1), _r1), _select(_s16 < _s17, _s17, _s16, _r15), _r15), _divide(_k26, _add(_k27, _multiply(_k27, contacts, _r14), _r14), _r14), _r14)
-    _s19 = _select(_s9 < _s18, _s18, _s9, _r15)
-    _s20 = _add(_multiply(ny, _s1, _r13), _multiply(dny, _s2, _r12), _r12)
-    _s21 = _add(_multiply(_s0, _subtract(_add(_multiply(nx, dwz, _r13), _multiply(wz, dnx, _r11), _r11), _add(_multiply(nz, dwx, _r13), _multiply(wx, dnz, _r1), _r1), _r1), _r1), _multiply(_k68, _subtract(dvy, _s20, _r11), _r11), _r11)
-    _s22 = _subtract(_s21, _multiply(p_restitution, _s20, _r12), _r12)
-    _s23 = _add(_absolute(_s22, _r1), _s8, _r1)
-    _s24 = _select(_s23 < _s18, _s18, _s23, _r13)
-    _s25 = _add(_multiply(nz, _s1, _r0), _multiply(dnz, _s2, _r10), _r10)
-    _s26 = _add(_multiply(_s0, _subtract(_add(_multiply(ny, dwx, _r0), _multiply(wx, dny, _r9), _r9), _add(_multiply(nx, dwy, _r0), _multiply(wy, dnx, _r8), _r8), _r8), _r8), _multiply(_k68, _subtract(dvz, _s25, _r9), _r9), _r9)
-    _s27 = _subtract(_s26, _multiply(p_restitution, _s25, _r10), _r10)
-    _s28 = _add(_absolute(_s27, _r8), _s8, _r8)
-    _s29 = _select(_s28 < _s18, _s18, _s28, _r0)
-    _s30 = _k34 / p_ball_radius
-    _s31 = _add(_multiply(_s0, _subtract(_multiply(ny, wx, _r7), _multiply(nx, wy, _r16), _r16), _r16), _multiply(_k68, _subtract(vz, _multiply(nz, _s2, _r7), _r7), _r7), _r7)
-    _s32 = _add(_multiply(_s0, _subtract(_multiply(nx, wz, _r16), _multiply(nz, wx, _r17), _r17), _r17), _multiply(_k68, _subtract(vy, _multiply(ny, _s2, _r16), _r16), _r16), _r16)
-    _s33 = _add(_add(_add(_multiply(nx, dwx, _r17), _multiply(wx, dnx, _r18), _r18), _add(_multiply(ny, dwy, _r17), _multiply(wy, dny, _r19), _r19), _r19), _add(_multiply(nz, dwz, _r18), _multiply(wz, dnz, _r17), _r17), _r17)
-    _s34 = _add(_add(_multiply(nx, wx, _r19), _multiply(ny, wy, _r18), _r18), _multiply(nz, wz, _r19), _r19)
-    _s35 = _add(_multiply(_s30, _subtract(_add(_multiply(ny, _s26, _r18), _multiply(dny, _s31, _r20), _r20), _add(_multiply(nz, _s21, _r18), _multiply(dnz, _s32, _r21), _r21), _r21), _r21), _add(_multiply(nx, _s33, _r20), _multiply(dnx, _s34, _r18), _r18), _r18)
-    _s36 = _multiply(_s30, _s8, _r5)
-    _s37 = _add(_absolute(_s35, _r21), _s36, _r21)
-    _s38 = _multiply(_s30, _s18, _r20)
-    _s39 = _select(_s37 < _s38, _s38, _s37, _r22)
-    _s40 = _add(_multiply(_s0, _subtract(_multiply(nz, wy, _r23), _multiply(ny, wz, _r24), _r24), _r24), _multiply(_k68, _subtract(vx, _multiply(nx, _s2, _r2), _r2), _r2), _r2)
-    _s41 = _add(_multiply(_s30, _subtract(_add(_multiply(nz, _s4, _r24), _multiply(dnz, _s40, _r23), _r23), _add(_multiply(nx, _s26, _r9), _multiply(dnx, _s31, _r7), _r7), _r7), _r7), _add(_multiply(ny, _s33, _r23), _multiply(dny, _s34, _r9), _r9), _r9)
-    _s42 = _add(_absolute(_s41, _r7), _s36, _r7)
-    _s43 = _select(_s42 < _s38, _s38, _s42, _r23)
-    _s44 = _add(_multiply(_s30, _subtract(_add(_multiply(nx, _s21, _r11), _multiply(dnx, _s32, _r16), _r16), _add(_multiply(ny, _s4, _r4), _multiply(dny, _s40, _r2), _r2), _r2), _r2), _add(_multiply(nz, _s33, _r17), _multiply(dnz, _s34, _r19), _r19), _r19)
-    _s45 = _add(_absolute(_s44, _r2), _s36, _r2)
-    _s46 = _select(_s45 < _s38, _s38, _s45, _r5)
-    return _result(_s5 < _k25, _negative(_s19, _r3), _s19, _r0), _result(_s22 < _k25, _negative(_s24, _r12), _s24, _r0), _result(_s27 < _k25, _negative(_s29, _r10), _s29, _r0), _result(_s35 < _k25, _negative(_s39, _r18), _s39, _r0), _result(_s41 < _k25, _negative(_s43, _r9), _s43, _r0), _result(_s44 < _k25, _negative(_s46, _r19), _s46, _r0)
+    t, x, y, z, vx, vy, vz, wx, wy, wz, nx, ny, nz, clock, left_nx, left_ny, left_nz, place_n, place_s, place_e, pace_n, pace_s, pace_e, turn_n, turn_z, position_bound, velocity_bound, spin_bound, tangent_x, tangent_y, bend_s, bend_e, left_ex, left_ey, left_bend_s, left_bend_e, sharpest_bend, root_offset, normal_rounding, normal_velocity, back, p_ball_radius, p_restitution, p_gravity, = [_single(value) for value in (t, x, y, z, vx, vy, vz, wx, wy, wz, nx, ny, nz, clock, left_nx, left_ny, left_nz, place_n, place_s, place_e, pace_n, pace_s, pace_e, turn_n, turn_z, position_bound, velocity_bound, spin_bound, tangent_x, tangent_y, bend_s, bend_e, left_ex, left_ey, left_bend_s, left_bend_e, sharpest_bend, root_offset, normal_rounding, normal_velocity, back, p_ball_radius, p_restitution, p_gravity,)]
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23, _r24, _r25, _r26, _r27, _r28, _r29, _r30, _r31, _r32, _r33, _r34, _r35, _r36, _r37, _r38, _r39, _r40, _r41, _r42, _r43, _r44, _r45, _r46, _r47, _r48, _r49, _r50, _r51, _r52, _r53, _r54, _r55, _r56, _r57, _r58, _r59, _r60, _r61, _r62, _r63, _r64, _r65, _r66, _r67, _r68, _r69, _r70, _r71, _r72, _r73, _r74, _r75, _r76 = _halves(_room[:77])
+    _s0 = _absolute(vx, _r0)
+    _s1 = _multiply(_k22, t, _r1)
+    _s2 = _add(_k24, _multiply(_k25, _add(_multiply(_s1, _s0, _r2), _absolute(x, _r3), _r3), _r3), _r3)
+    _s3 = _absolute(vy, _r2)
+    _s4 = _add(_k24, _multiply(_k25, _add(_multiply(_s1, _s3, _r4), _absolute(y, _r5), _r5), _r5), _r5)
+    _s5 = _k23 * p_gravity
+    _s6 = _add(_add(_multiply(_s5, _multiply(t, t, _r4), _r4), _multiply(_s1, _absolute(_add(vz, _multiply(_s5, t, _r6), _r6), _r6), _r6), _r6), _absolute(z, _r4), _r4)
+    _s7 = _add(_k24, _multiply(_k25, _s6, _r4), _r4)
+    _s8 = _add(_add(_add(position_bound, root_offset, _r6), _multiply(t, velocity_bound, _r1), _r1), _add(_add(_s2, _s4, _r6), _s7, _r6), _r6)
+    _s9 = _add(_add(_multiply(nx, left_nx, _r1), _multiply(ny, left_ny, _r7), _r7), _multiply(nz, left_nz, _r1), _r1)
+    _s10 = _subtract(_s9, back, _r7)
+    _s11 = _multiply(left_nz, left_ey, _r8)
+    _s12 = _negative(_multiply(left_nz, left_ex, _r9), _r9)
+    _s13 = _multiply(p_gravity, t, _r10)
+    _s14 = _add(vz, _s13, _r11)
+    _s15 = _subtract(_multiply(left_ny, left_ex, _r12), _multiply(left_nx, left_ey, _r13), _r13)
+    _s16 = _add(_add(_multiply(vx, _s11, _r12), _multiply(vy, _s12, _r14), _r14), _multiply(_s14, _s15, _r12), _r12)
+    _s17 = _negative(_multiply(left_bend_s, _s16, _r14), _r14)
+    _s18 = _multiply(t, _s17, _r15)
+    _s19 = _add(_add(_multiply(vx, left_nx, _r16), _multiply(vy, left_ny, _r17), _r17), _multiply(left_nz, _s14, _r11), _r11)
+    _s20 = _multiply(left_bend_s, _s19, _r17)
+    _s21 = _add(_k64, _multiply(t, _s20, _r16), _r16)
+    _s22 = _add(_add(_multiply(nx, _s11, _r18), _multiply(ny, _s12, _r19), _r19), _multiply(nz, _s15, _r18), _r18)
+    _s23 = _add(_multiply(_s18, _s9, _r19), _multiply(_s21, _s22, _r20), _r20)
+    _s24 = _add(_multiply(vx, left_ex, _r19), _multiply(vy, left_ey, _r21), _r21)
+    _s25 = _multiply(left_nz, left_bend_e, _r19)
+    _s26 = _negative(_multiply(_s25, _s24, _r22), _r22)
+    _s27 = _multiply(t, _s26, _r23)
+    _s28 = _multiply(_multiply(left_bend_e, _s24, _r21), _s15, _r21)
+    _s29 = _multiply(t, _s28, _r24)
+    _s30 = _multiply(left_bend_e, _subtract(_multiply(left_nz, _s16, _r12), _multiply(_s15, _s19, _r11), _r11), _r11)
+    _s31 = _add(_k64, _multiply(t, _s30, _r12), _r12)
+    _s32 = _add(_multiply(nx, left_ex, _r25), _multiply(ny, left_ey, _r26), _r26)
+    _s33 = _add(_add(_multiply(_s27, _s22, _r25), _multiply(_s29, _s9, _r27), _r27), _multiply(_s31, _s32, _r25), _r25)
+    _s34 = _multiply(t, _s9, _r27)
+    _s35 = _multiply(t, _s22, _r28)
+    _s36 = _add(_add(_add(_add(_multiply(place_n, _absolute(_s10, _r29), _r29), _multiply(place_s, _absolute(_s23, _r30), _r30), _r30), _multiply(place_e, _absolute(_s33, _r29), _r29), _r29), _multiply(pace_n, _absolute(_s34, _r30), _r30), _r30), _multiply(pace_s, _absolute(_s35, _r29), _r29), _r29)
+    _s37 = _multiply(t, _s32, _r30)
+    _s38 = _absolute(normal_velocity, _r31)
+    _s39 = _multiply(_k26, _add(_add(root_offset, _multiply(_add(_k65, _multiply(sharpest_bend, _s8, _r32), _r32), _s8, _r32), _r32), _add(_s36, _multiply(pace_e, _absolute(_s37, _r33), _r33), _r33), _r33), _r33)
+    _s40 = _divide(_s39, _s38, _r33)
+    _s41 = _absolute(vz, _r32)
+    _s42 = _add(_k24, _multiply(_k25, _add(_add(_add(_s13, _s0, _r10), _s3, _r10), _s41, _r10), _r10), _r10)
+    _s43 = _add(velocity_bound, _s42, _r29)
+    _s44 = _add(_multiply(p_gravity, _s40, _r34), _s43, _r34)
+    _s45 = _add(_add(_s0, _s3, _r2), _s41, _r2)
+    _s46 = _add(_s44, _s45, _r32)
+    _s47 = _add(_multiply(_s40, _s46, _r0), _s8, _r0)
+    _s48 = _multiply(_k66, sharpest_bend, _r35)
+    _s49 = _multiply(_s48, _s47, _r36)
+    _s50 = _subtract(_multiply(_k28, _add(_multiply(_s49, _s46, _r37), _s44, _r37), _r37), _s38, _r37)
+    _s51 = _subtract(_multiply(_k67, _multiply(sharpest_bend, _s47, _r38), _r38), _k64, _r38)
+    _s52 = _add(_multiply(_s5, _multiply(_s40, _s40, _r39), _r39), _multiply(_s40, _s43, _r29), _r29)
+    _s53 = _divide(_add(_multiply(_k68, _multiply(_s49, _s47, _r39), _r39), _s52, _r39), _s38, _r39)
+    _s54 = _add(_multiply(_s53, _s45, _r40), _s52, _r40)
+    _s55 = _add(_add(_add(root_offset, _multiply(place_n, back, _r29), _r29), _s54, _r29), _add(_add(_multiply(_absolute(nx, _r41), _s2, _r41), _multiply(_absolute(ny, _r42), _s4, _r42), _r42), _multiply(_absolute(nz, _r41), _s7, _r41), _r41), _r41)
+    _s56 = _select(_s50 < _s51, _s51, _s50, _r29) <= _k29
+    _s57 = _result(_s56, _multiply(_k27, _s55, _r29), _k30, _r0)
+    _s58 = _multiply(nz, tangent_y, _r38)
+    _s59 = _negative(_multiply(nz, tangent_x, _r37), _r37)
+    _s60 = _subtract(_multiply(ny, tangent_x, _r42), _multiply(nx, tangent_y, _r43), _r43)
+    _s61 = _add(_add(_multiply(vx, _s58, _r42), _multiply(vy, _s59, _r44), _r44), _multiply(vz, _s60, _r42), _r42)
+    _s62 = _absolute(_s61, _r44)
+    _s63 = _divide(_add(root_offset, _multiply(_k65, _s8, _r6), _r6), _s38, _r6)
+    _s64 = _add(_multiply(_s62, _s63, _r45), _add(_add(_multiply(_absolute(_s59, _r46), _s4, _r46), _multiply(_absolute(_s58, _r47), _s2, _r47), _r47), _multiply(_absolute(_s60, _r46), _s7, _r46), _r46), _r46)
+    _s65 = _add(_s54, _multiply(_k65, _s47, _r0), _r0)
+    _s66 = _divide(_k64, normal_velocity, _r45)
+    _s67 = _negative(_multiply(_s66, _s10, _r7), _r7)
+    _s68 = _add(_add(_multiply(left_nx, _s58, _r47), _multiply(left_ny, _s59, _r48), _r48), _multiply(left_nz, _s60, _r47), _r47)
+    _s69 = _add(_multiply(_s67, _s61, _r48), _s68, _r48)
+    _s70 = _negative(_multiply(_s66, _s23, _r20), _r20)
+    _s71 = _add(_add(_multiply(_s59, _s12, _r49), _multiply(_s58, _s11, _r50), _r50), _multiply(_s60, _s15, _r49), _r49)
+    _s72 = _add(_multiply(_s70, _s61, _r50), _add(_multiply(_s18, _s68, _r51), _multiply(_s21, _s71, _r52), _r52), _r52)
+    _s73 = _negative(_multiply(_s66, _s33, _r25), _r25)
+    _s74 = _add(_multiply(left_ex, _s58, _r50), _multiply(left_ey, _s59, _r51), _r51)
+    _s75 = _add(_multiply(_s73, _s61, _r50), _add(_add(_multiply(_s27, _s71, _r53), _multiply(_s29, _s68, _r54), _r54), _multiply(_s31, _s74, _r53), _r53), _r53)
+    _s76 = _negative(_multiply(_s66, _s34, _r27), _r27)
+    _s77 = _add(_multiply(_s76, _s61, _r50), _multiply(t, _s68, _r54), _r54)
+    _s78 = _negative(_multiply(_s66, _s35, _r28), _r28)
+    _s79 = _add(_multiply(_s78, _s61, _r50), _multiply(t, _s71, _r55), _r55)
+    _s80 = _add(_add(_add(_add(_multiply(place_n, _absolute(_s69, _r50), _r50), _multiply(place_s, _absolute(_s72, _r56), _r56), _r56), _multiply(place_e, _absolute(_s75, _r50), _r50), _r50), _multiply(pace_n, _absolute(_s77, _r56), _r56), _r56), _multiply(pace_s, _absolute(_s79, _r50), _r50), _r50)
+    _s81 = _negative(_multiply(_s66, _s37, _r45), _r45)
+    _s82 = _add(_multiply(_s81, _s61, _r30), _multiply(t, _s74, _r56), _r56)
+    _s83 = _result(_s56, _multiply(_k27, _add(_add(_s64, _s65, _r30), _add(_s80, _multiply(pace_e, _absolute(_s82, _r57), _r57), _r57), _r57), _r57), _k30, _r0)
+    _s84 = _add(_multiply(vx, tangent_x, _r30), _multiply(vy, tangent_y, _r50), _r50)
+    _s85 = _absolute(_s84, _r30)
+    _s86 = _absolute(_k37)
+    _s87 = _add(_multiply(_s85, _s63, _r58), _add(_add(_multiply(_s86, _s7, _r4), _multiply(_absolute(tangent_x, _r59), _s2, _r59), _r59), _multiply(_absolute(tangent_y, _r4), _s4, _r4), _r4), _r4)
+    _s88 = _add(_multiply(left_nx, tangent_x, _r58), _multiply(left_ny, tangent_y, _r59), _r59)
+    _s89 = _add(_multiply(_s67, _s84, _r58), _s88, _r58)
+    _s90 = _add(_multiply(tangent_x, _s11, _r5), _multiply(tangent_y, _s12, _r3), _r3)
+    _s91 = _add(_multiply(_s70, _s84, _r5), _add(_multiply(_s18, _s88, _r15), _multiply(_s21, _s90, _r16), _r16), _r16)
+    _s92 = _add(_multiply(tangent_x, left_ex, _r5), _multiply(tangent_y, left_ey, _r15), _r15)
+    _s93 = _add(_multiply(_s73, _s84, _r5), _add(_add(_multiply(_s27, _s90, _r23), _multiply(_s29, _s88, _r24), _r24), _multiply(_s31, _s92, _r12), _r12), _r12)
+    _s94 = _add(_multiply(_s76, _s84, _r5), _multiply(t, _s88, _r24), _r24)
+    _s95 = _add(_multiply(_s78, _s84, _r5), _multiply(t, _s90, _r23), _r23)
+    _s96 = _add(_add(_add(_add(_multiply(place_n, _absolute(_s89, _r5), _r5), _multiply(place_s, _absolute(_s91, _r60), _r60), _r60), _multiply(place_e, _absolute(_s93, _r5), _r5), _r5), _multiply(pace_n, _absolute(_s94, _r60), _r60), _r60), _multiply(pace_s, _absolute(_s95, _r5), _r5), _r5)
+    _s97 = _add(_multiply(_s81, _s84, _r60), _multiply(t, _s92, _r61), _r61)
+    _s98 = _result(_s56, _multiply(_k27, _add(_add(_s87, _s65, _r60), _add(_s96, _multiply(pace_e, _absolute(_s97, _r62), _r62), _r62), _r62), _r62), _k30, _r0)
+    _s99 = _add(_multiply(p_gravity, _s63, _r6), _s42, _r6)
+    _s100 = _negative(_multiply(bend_s, _s61, _r10), _r10)
+    _s101 = _multiply(bend_e, _s60, _r60)
+    _s102 = _multiply(_s101, _s84, _r5)
+    _s103 = _add(_s99, _add(_multiply(_absolute(_s100, _r63), _s64, _r63), _multiply(_absolute(_s102, _r64), _s87, _r64), _r64), _r64)
+    _s104 = _k69 + p_restitution
+    _s105 = _multiply(bend_s, _s55, _r41)
+    _s106 = _k70 * p_ball_radius
+    _s107 = _add(normal_rounding, _s105, _r63)
+    _s108 = _add(_add(_absolute(wx, _r65), _absolute(wy, _r66), _r66), _absolute(wz, _r65), _r65)
+    _s109 = _multiply(_multiply(_s106, _s107, _r66), _s108, _r66)
+    _s110 = _multiply(p_ball_radius, _s108, _r67)
+    _s111 = _add(_s110, _s45, _r68)
+    _s112 = _add(_k24, _multiply(_k71, _s111, _r69), _r69)
+    _s113 = _multiply(p_gravity, _s53, _r39)
+    _s114 = _k36 * _s104
+    _s115 = _multiply(_add(bend_s, bend_e, _r70), _s65, _r70)
+    _s116 = _multiply(_s49, _s49, _r0)
+    _s117 = _add(_multiply(_s48, _s54, _r40), _multiply(_k22, _s116, _r35), _r35)
+    _s118 = _add(_add(_add(_s113, _multiply(_s49, _add(_multiply(spin_bound, _s106, _r40), _multiply(_s114, _s44, _r71), _r71), _r71), _r71), _multiply(_s115, _s111, _r40), _r40), _multiply(_s117, _add(_multiply(_s106, _s108, _r71), _multiply(_s114, _s45, _r72), _r72), _r72), _r72)
+    _s119 = _multiply(_k65, _add(_add(_multiply(p_ball_radius, spin_bound, _r40), _multiply(_s49, _add(_s110, _multiply(_k72, _s45, _r71), _r71), _r71), _r71), _multiply(_k22, _s44, _r40), _r40), _r40)
+    _s120 = _add(_add(_s118, _multiply(_multiply(_s116, _s104, _r71), _s46, _r71), _r71), _s119, _r71)
+    _s121 = _add(_add(_multiply(p_restitution, _s103, _r72), _multiply(_s104, _add(_multiply(normal_rounding, _add(_s45, _s38, _r32), _r32), _multiply(_multiply(_k22, _s105, _r41), _s38, _r41), _r41), _r41), _r41), _add(_add(_s109, _s112, _r72), _s120, _r72), _r72)
+    _s122 = _negative(_multiply(p_gravity, nz, _r41), _r41)
+    _s123 = _absolute(_negative(_multiply(p_restitution, _subtract(_subtract(_multiply(_s122, _s67, _r32), _multiply(_s100, _s69, _r67), _r67), _multiply(_s102, _s89, _r32), _r32), _r32), _r32), _r32)
+    _s124 = _multiply(p_restitution, _subtract(_subtract(_add(_multiply(_s122, _s70, _r67), _add(_multiply(_s20, _s22, _r73), _multiply(_s17, _s9, _r74), _r74), _r74), _multiply(_s100, _s72, _r67), _r67), _multiply(_s102, _s91, _r74), _r74), _r74)
+    _s125 = _subtract(_subtract(_add(_multiply(_s122, _s73, _r67), _add(_add(_multiply(_s30, _s32, _r73), _multiply(_s26, _s22, _r75), _r75), _multiply(_s28, _s9, _r73), _r73), _r73), _multiply(_s100, _s75, _r67), _r67), _multiply(_s102, _s93, _r73), _r73)
+    _s126 = _negative(_multiply(p_restitution, _subtract(_subtract(_add(_multiply(_s122, _s76, _r67), _s9, _r67), _multiply(_s100, _s77, _r75), _r75), _multiply(_s102, _s94, _r67), _r67), _r67), _r67)
+    _s127 = _add(_add(_add(_multiply(place_n, _s123, _r32), _multiply(place_s, _absolute(_negative(_s124, _r74), _r74), _r74), _r74), _multiply(place_e, _absolute(_negative(_multiply(p_restitution, _s125, _r73), _r73), _r73), _r73), _r73), _multiply(pace_n, _absolute(_s126, _r67), _r67), _r67)
+    _s128 = _negative(_multiply(p_restitution, _subtract(_subtract(_add(_multiply(_s122, _s78, _r73), _s22, _r73), _multiply(_s100, _s79, _r74), _r74), _multiply(_s102, _s95, _r73), _r73), _r73), _r73)
+    _s129 = _negative(_multiply(p_restitution, _subtract(_subtract(_add(_multiply(_s122, _s81, _r41), _s32, _r41), _multiply(_s100, _s82, _r10), _r10), _multiply(_s102, _s97, _r5), _r5), _r5), _r5)
+    _s130 = _multiply(_k27, _add(_s121, _add(_add(_s127, _multiply(pace_s, _absolute(_s128, _r73), _r73), _r73), _multiply(pace_e, _absolute(_s129, _r5), _r5), _r5), _r5), _r5)
+    _s131 = _result(_s56, _s130, _k30, _r0)
+    _s132 = _multiply(_s86, _s64, _r72)
+    _s133 = _add(_add(_multiply(wx, _s58, _r38), _multiply(wy, _s59, _r37), _r37), _multiply(wz, _s60, _r38), _r38)
+    _s134 = _add(_add(_multiply(nx, wx, _r37), _multiply(ny, wy, _r73), _r73), _multiply(nz, wz, _r37), _r37)
+    _s135 = _multiply(bend_e, _subtract(_multiply(nz, _s133, _r73), _multiply(_s60, _s134, _r67), _r67), _r67)
+    _s136 = _add(_s132, _multiply(_absolute(_s135, _r73), _s87, _r73), _r73)
+    _s137 = _multiply(bend_s, normal_velocity, _r10)
+    _s138 = _multiply(nz, bend_e, _r41)
+    _s139 = _negative(_multiply(_s138, _s84, _r50), _r50)
+    _s140 = _add(_s99, _add(_multiply(_absolute(_s137, _r74), _s64, _r74), _multiply(_absolute(_s139, _r32), _s87, _r32), _r32), _r32)
+    _s141 = _add(_add(_add(_multiply(_multiply(normal_rounding, _s104, _r74), _s38, _r74), _s109, _r74), _s112, _r74), _s120, _r74)
+    _s142 = _negative(_multiply(p_gravity, _s60, _r71), _r71)
+    _s143 = _absolute(_add(_multiply(_s106, _negative(_multiply(_s135, _s89, _r66), _r66), _r66), _multiply(_k73, _subtract(_subtract(_multiply(_s142, _s67, _r7), _multiply(_s137, _s69, _r31), _r31), _multiply(_s139, _s89, _r7), _r7), _r7), _r7), _r7)
+    _s144 = _add(_add(_multiply(wx, left_nx, _r66), _multiply(wy, left_ny, _r31), _r31), _multiply(wz, left_nz, _r66), _r66)
+    _s145 = _multiply(left_bend_s, _s144, _r31)
+    _s146 = _add(_add(_multiply(wx, _s11, _r8), _multiply(wy, _s12, _r9), _r9), _multiply(wz, _s15, _r8), _r8)
+    _s147 = _negative(_multiply(left_bend_s, _s146, _r9), _r9)
+    _s148 = _multiply(_k73, _subtract(_subtract(_add(_multiply(_s142, _s70, _r20), _add(_multiply(_s20, _s71, _r75), _multiply(_s17, _s68, _r76), _r76), _r76), _multiply(_s137, _s72, _r20), _r20), _multiply(_s139, _s91, _r76), _r76), _r76)
+    _s149 = _absolute(_add(_multiply(_s106, _subtract(_add(_multiply(_s145, _s90, _r20), _multiply(_s147, _s88, _r75), _r75), _multiply(_s135, _s91, _r20), _r20), _r20), _s148, _r76), _r76)
+    _s150 = _multiply(left_bend_e, _subtract(_multiply(left_nz, _s146, _r8), _multiply(_s15, _s144, _r66), _r66), _r66)
+    _s151 = _add(_multiply(wx, left_ex, _r8), _multiply(wy, left_ey, _r20), _r20)
+    _s152 = _negative(_multiply(_s25, _s151, _r19), _r19)
+    _s153 = _multiply(_multiply(left_bend_e, _s151, _r20), _s15, _r20)
+    _s154 = _subtract(_subtract(_add(_multiply(_s142, _s73, _r25), _add(_add(_multiply(_s30, _s74, _r13), _multiply(_s26, _s71, _r8), _r8), _multiply(_s28, _s68, _r13), _r13), _r13), _multiply(_s137, _s75, _r25), _r25), _multiply(_s139, _s93, _r13), _r13)
+    _s155 = _add(_multiply(_s106, _subtract(_add(_add(_multiply(_s150, _s92, _r25), _multiply(_s152, _s90, _r8), _r8), _multiply(_s153, _s88, _r25), _r25), _multiply(_s135, _s93, _r8), _r8), _r8), _multiply(_k73, _s154, _r13), _r13)
+    _s156 = _add(_multiply(_s106, _negative(_multiply(_s135, _s94, _r8), _r8), _r8), _multiply(_k73, _subtract(_subtract(_add(_multiply(_s142, _s76, _r27), _s68, _r27), _multiply(_s137, _s77, _r25), _r25), _multiply(_s139, _s94, _r27), _r27), _r27), _r27)
+    _s157 = _k74 / p_ball_radius
+    _s158 = _add(_multiply(_s106, _subtract(_multiply(_s157, _s92, _r8), _multiply(_s135, _s95, _r25), _r25), _r25), _multiply(_k73, _subtract(_subtract(_add(_multiply(_s142, _s78, _r28), _s71, _r28), _multiply(_s137, _s79, _r8), _r8), _multiply(_s139, _s95, _r28), _r28), _r28), _r28)
+    _s159 = _add(_multiply(_s106, _subtract(_negative(_multiply(_s157, _s90, _r25), _r25), _multiply(_s135, _s97, _r67), _r67), _r67), _multiply(_k73, _subtract(_subtract(_add(_multiply(_s142, _s81, _r71), _s74, _r71), _multiply(_s137, _s82, _r10), _r10), _multiply(_s139, _s97, _r50), _r50), _r50), _r50)
+    _s160 = _add(_add(_add(_add(_add(_multiply(place_n, _s143, _r7), _multiply(place_s, _s149, _r76), _r76), _multiply(place_e, _absolute(_s155, _r13), _r13), _r13), _multiply(pace_n, _absolute(_s156, _r27), _r27), _r27), _multiply(pace_s, _absolute(_s158, _r28), _r28), _r28), _multiply(pace_e, _absolute(_s159, _r50), _r50), _r50)
+    _s161 = _add(_add(_add(_s160, _multiply(turn_n, _absolute(_multiply(_s106, _s88, _r28), _r28), _r28), _r28), _multiply(turn_z, _absolute(_multiply(_s106, _s92, _r50), _r50), _r50), _r50), _multiply(turn_z, _absolute(_multiply(_s106, _s90, _r28), _r28), _r28), _r28)
+    _s162 = _result(_s56, _multiply(_k27, _add(_add(_add(_multiply(_s106, _s136, _r50), _multiply(_k73, _s140, _r27), _r27), _s141, _r27), _s161, _r28), _r28), _k30, _r0)
+    _s163 = _multiply(bend_s, _s134, _r37)
+    _s164 = _add(_multiply(wx, tangent_x, _r27), _multiply(wy, tangent_y, _r50), _r50)
+    _s165 = _negative(_multiply(_s138, _s164, _r41), _r41)
+    _s166 = _add(_multiply(_absolute(_s163, _r27), _s64, _r27), _multiply(_absolute(_s165, _r13), _s87, _r13), _r13)
+    _s167 = _multiply(bend_e, _subtract(_multiply(nz, _s61, _r42), _multiply(normal_velocity, _s60, _r43), _r43), _r43)
+    _s168 = _add(_s99, _add(_s132, _multiply(_absolute(_s167, _r42), _s87, _r42), _r42), _r42)
+    _s169 = _absolute(_subtract(_multiply(_k73, _negative(_multiply(_s167, _s89, _r6), _r6), _r6), _multiply(_s106, _negative(_add(_multiply(_s163, _s69, _r72), _multiply(_s165, _s89, _r27), _r27), _r27), _r27), _r27), _r27)
+    _s170 = _subtract(_multiply(_k73, _subtract(_add(_multiply(_s20, _s90, _r17), _multiply(_s17, _s88, _r14), _r14), _multiply(_s167, _s91, _r17), _r17), _r17), _multiply(_s106, _subtract(_subtract(_add(_multiply(_s145, _s71, _r14), _multiply(_s147, _s68, _r6), _r6), _multiply(_s163, _s72, _r14), _r14), _multiply(_s165, _s91, _r6), _r6), _r6), _r6)
+    _s171 = _multiply(_s106, _subtract(_subtract(_add(_add(_multiply(_s150, _s74, _r17), _multiply(_s152, _s71, _r14), _r14), _multiply(_s153, _s68, _r17), _r17), _multiply(_s163, _s75, _r14), _r14), _multiply(_s165, _s93, _r17), _r17), _r17)
+    _s172 = _subtract(_multiply(_k73, _subtract(_add(_add(_multiply(_s30, _s92, _r11), _multiply(_s26, _s90, _r22), _r22), _multiply(_s28, _s88, _r21), _r21), _multiply(_s167, _s93, _r22), _r22), _r22), _s171, _r17)
+    _s173 = _absolute(_subtract(_multiply(_k73, _subtract(_s88, _multiply(_s167, _s94, _r22), _r22), _r22), _multiply(_s106, _negative(_add(_multiply(_s163, _s77, _r59), _multiply(_s165, _s94, _r21), _r21), _r21), _r21), _r21), _r21)
+    _s174 = _absolute(_subtract(_multiply(_k73, _subtract(_s90, _multiply(_s167, _s95, _r22), _r22), _r22), _multiply(_s106, _subtract(_subtract(_multiply(_s157, _s74, _r3), _multiply(_s163, _s79, _r59), _r59), _multiply(_s165, _s95, _r3), _r3), _r3), _r3), _r3)
+    _s175 = _add(_add(_add(_add(_multiply(place_n, _s169, _r27), _multiply(place_s, _absolute(_s170, _r6), _r6), _r6), _multiply(place_e, _absolute(_s172, _r17), _r17), _r17), _multiply(pace_n, _s173, _r21), _r21), _multiply(pace_s, _s174, _r3), _r3)
+    _s176 = _subtract(_multiply(_k73, _subtract(_s92, _multiply(_s167, _s97, _r43), _r43), _r43), _multiply(_s106, _subtract(_subtract(_negative(_multiply(_s157, _s71, _r15), _r15), _multiply(_s163, _s82, _r37), _r37), _multiply(_s165, _s97, _r41), _r41), _r41), _r41)
+    _s177 = _add(_add(_add(_s175, _multiply(pace_e, _absolute(_s176, _r41), _r41), _r41), _multiply(turn_n, _absolute(_negative(_multiply(_s106, _s68, _r47), _r47), _r47), _r47), _r47), _multiply(turn_z, _absolute(_negative(_multiply(_s106, _s74, _r51), _r51), _r51), _r51), _r51)
+    _s178 = _add(_add(_add(_multiply(_s106, _s166, _r47), _multiply(_k73, _s168, _r41), _r41), _s141, _r41), _add(_s177, _multiply(turn_z, _absolute(_negative(_multiply(_s106, _s71, _r49), _r49), _r49), _r49), _r49), _r49)
+    _s179 = _result(_s56, _multiply(_k27, _s178, _r49), _k30, _r0)
+    _s180 = _negative(_multiply(bend_s, _s133, _r38), _r38)
+    _s181 = _multiply(_s101, _s164, _r50)
+    _s182 = _add(_multiply(_absolute(_s180, _r60), _s64, _r60), _multiply(_absolute(_s181, _r46), _s87, _r46), _r46)
+    _s183 = _k69 * _s157
+    _s184 = _add(_multiply(_s157, _s45, _r60), _s108, _r60)
+    _s185 = _add(_add(_add(_multiply(_s157, _add(_s113, _s119, _r40), _r40), _multiply(_s49, _add(_multiply(_k22, spin_bound, _r39), _multiply(_s183, _s44, _r34), _r34), _r34), _r34), _multiply(_s116, _add(spin_bound, _s108, _r40), _r40), _r40), _multiply(_s115, _s184, _r70), _r70)
+    _s186 = _add(_add(_s185, _multiply(_s117, _add(_multiply(_s183, _s45, _r2), _multiply(_k22, _s108, _r40), _r40), _r40), _r40), _multiply(_k65, _add(spin_bound, _multiply(_s49, _s108, _r36), _r36), _r36), _r36)
+    _s187 = _multiply(place_s, _absolute(_subtract(_subtract(_add(_multiply(_s145, _s22, _r31), _multiply(_s147, _s9, _r9), _r9), _multiply(_s180, _s72, _r52), _r52), _multiply(_s181, _s91, _r16), _r16), _r16), _r16)
+    _s188 = _add(_multiply(place_n, _absolute(_negative(_add(_multiply(_s180, _s69, _r48), _multiply(_s181, _s89, _r58), _r58), _r58), _r58), _r58), _s187, _r16)
+    _s189 = _absolute(_subtract(_subtract(_add(_add(_multiply(_s150, _s32, _r66), _multiply(_s152, _s22, _r19), _r19), _multiply(_s153, _s9, _r20), _r20), _multiply(_s180, _s75, _r53), _r53), _multiply(_s181, _s93, _r12), _r12), _r12)
+    _s190 = _add(_add(_s188, _multiply(place_e, _s189, _r12), _r12), _multiply(pace_n, _absolute(_negative(_add(_multiply(_s180, _s77, _r54), _multiply(_s181, _s94, _r24), _r24), _r24), _r24), _r24), _r24)
+    _s191 = _add(_s190, _multiply(pace_s, _absolute(_subtract(_subtract(_multiply(_s157, _s32, _r12), _multiply(_s180, _s79, _r55), _r55), _multiply(_s181, _s95, _r23), _r23), _r23), _r23), _r23)
+    _s192 = _multiply(pace_e, _absolute(_subtract(_subtract(_negative(_multiply(_s157, _s22, _r24), _r24), _multiply(_s180, _s82, _r38), _r38), _multiply(_s181, _s97, _r50), _r50), _r50), _r50)
+    _s193 = _add(_add(_add(_add(_multiply(_s157, _s112, _r38), _multiply(_k22, _multiply(_s107, _s108, _r61), _r61), _r61), _s182, _r61), _s186, _r61), _add(_add(_add(_add(_s191, _s192, _r50), _multiply(turn_n, _absolute(_s9, _r1), _r1), _r1), _multiply(turn_z, _absolute(_s32, _r26), _r26), _r26), _multiply(turn_z, _absolute(_s22, _r18), _r18), _r18), _r18)
+    _s194 = _result(_s56, _multiply(_k27, _s193, _r18), _k30, _r0)
+    _s195 = _add(_multiply(_s157, _add(_s112, _s141, _r74), _r74), _multiply(_k22, _multiply(_s107, _add(_multiply(_s183, _add(_s85, _s62, _r30), _r30), _s108, _r30), _r30), _r30), _r30)
+    _s196 = _select(_s103 < _s140, _s140, _s103, _r74)
+    _s197 = _select(_s182 < _s166, _s166, _s182, _r63)
+    _s198 = _multiply(_k27, _add(_add(_s195, _add(_multiply(_s157, _select(_s196 < _s168, _s168, _s196, _r65), _r65), _select(_s197 < _s136, _s136, _s197, _r74), _r74), _r74), _s186, _r74), _r74)
+    _s199 = _result(_s56, _s198, _k30, _r0)
+    _s200 = _add(_multiply(bend_s, _s83, _r36), _multiply(bend_e, _s98, _r30), _r30)
+    _s201 = _add(_s162, _s179, _r49)
+    return _s57, _s83, _s98, _s131, _s162, _s179, _s194, _s199, _k27 * _add(_add(_s98, _s83, _r62), _s57, _r62), _k27 * _add(_add(_multiply(_s111, _s200, _r68), _s201, _r68), _s131, _r68), _k27 * _add(_add(_add(_divide(_s201, p_ball_radius, _r49), _multiply(_s200, _s184, _r30), _r30), _multiply(_k22, _s199, _r74), _r74), _s194, _r74), nx, ny, nz, tangent_x, tangent_y, bend_s, bend_e, _multiply(_k31, _add(t, clock, _r74), _r74) + _select(_s56, _multiply(_k27, _s40, _r33), _k30, _r18)
 
 
 def vary_impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, ny: Any, nz: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, dwz: Any, dnx: Any, dny: Any, dnz: Any, p_ball_radius: Any, p_restitution: Any, change_ball_radius: Any, change_restitution: Any) -> tuple[Any, ...]:
@@ -1633,18 +1728,40 @@ def ring_normal(x: Any, y: Any, z: Any, p_ball_radius: Any, p_ring_radius: Any, 
     _r0, _r1 = _room[:2]
     _s0 = 1.0 / (p_ball_radius + p_wire_radius)
     _s1 = _sqrt(_add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1), _r1)
-    _s2 = _multiply(_multiply(_s0, _subtract(_s1, p_ring_radius, _r0), _r0), _divide(_k48, _s1, _r1), _r0)
+    _s2 = _multiply(_multiply(_s0, _subtract(_s1, p_ring_radius, _r0), _r0), _divide(_k45, _s1, _r1), _r0)
     return x * _s2, y * _s2, z * _s0
 
 
-def ring_curvature(p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any) -> tuple[Any, ...]:
-    """Bound on the rate at which the normal turns along the contact surface.
+def ring_tangents(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: Any, ny: Any, nz: Any, normal_velocity: Any, back: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """Tangent and curvatures at a contact, and bounds on the roundings there.
 
-    Table 2. 6 operations: 1 addition, 2 subtractions, 1 division, 1 comparison, 1 selection.
+    Table 2, running error analysis. 89 operations: 26 additions, 2 subtractions, 37 multiplications, 5 divisions, 1 square root, 1 negation, 10 absolute values, 3 comparisons, 4 selections.
     """
-    _s0 = (p_ring_radius - p_ball_radius) - p_wire_radius
-    _s1 = p_ball_radius + p_wire_radius
-    return 1.0 / _where(_s0 < _s1, _s0, _s1),
+    t, x, y, z, vx, vy, vz, nx, ny, nz, normal_velocity, back, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity, = [_single(value) for value in (t, x, y, z, vx, vy, vz, nx, ny, nz, normal_velocity, back, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity,)]
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6 = _halves(_room[:7])
+    _s0 = _sqrt(_add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1), _r1)
+    _s1 = _k64 / _s0
+    _s2 = p_ball_radius + p_wire_radius
+    _s3 = _k74 / _s2
+    _s4 = (p_ring_radius - p_ball_radius) - p_wire_radius
+    _s5 = _where(_s4 < _s2, _s4, _s2)
+    _s6 = _multiply(t, t, _r0)
+    _s7 = _absolute(vx, _r2)
+    _s8 = _absolute(vy, _r3)
+    _s9 = _add(_multiply(p_gravity, _s6, _r4), _multiply(t, _add(_add(_s7, _s8, _r5), _absolute(vz, _r6), _r6), _r6), _r6)
+    _s10 = _multiply(_k22, t, _r4)
+    _s11 = _add(_k24, _multiply(_k25, _add(_multiply(_s10, _s7, _r2), _absolute(x, _r5), _r5), _r5), _r5)
+    _s12 = _add(_k24, _multiply(_k25, _add(_multiply(_s10, _s8, _r3), _absolute(y, _r2), _r2), _r2), _r2)
+    _s13 = _k23 * p_gravity
+    _s14 = _add(_add(_multiply(_s13, _s6, _r0), _multiply(_s10, _absolute(_add(vz, _multiply(_s13, t, _r3), _r3), _r3), _r3), _r3), _absolute(z, _r0), _r0)
+    _s15 = _add(_k24, _multiply(_k25, _s14, _r0), _r0)
+    _s16 = _k36 * (p_ring_radius * _s3)
+    _s17 = _k29 < back
+    _s18 = _select(_s17, _add(_divide(_multiply(_multiply(_k82, _s9, _r3), _add(_add(_s11, _s12, _r4), _s15, _r4), _r3), _s5, _r3), _multiply(_k35 * (_k83 + _s16), _s9, _r6), _r6), _add(_multiply(_k25, _add(_k84 * _s2, _multiply(_k22, _s0, _r1), _r1), _r1), _add(_add(_multiply(_absolute(nx, _r3), _s11, _r3), _multiply(_absolute(ny, _r5), _s12, _r5), _r5), _multiply(_absolute(nz, _r3), _s15, _r3), _r3), _r3), _r1)
+    _s19 = _multiply(_k85, _s18, _r5)
+    _s20 = _multiply(_s2, _select(_s17, _divide(_multiply(normal_velocity, normal_velocity, _r0), _add(_add(_multiply(vx, vx, _r2), _multiply(vy, vy, _r4), _r4), _multiply(vz, vz, _r2), _r2), _r2), _k64, _r0), _r0)
+    _s21 = _multiply(_k86, _s20, _r0)
+    return -_multiply(y, _s1, _r2), x * _s1, _s3, _s1, _k74 / _s5, _add(_k24, _s18, _r1) + _select(_s19 < _s21, _s21, _s19, _r3), _k35 * (_k87 + _s16)
 
 
 def ring_vary(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: Any, ny: Any, nz: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, change_ball_radius: Any, change_ring_radius: Any, change_wire_radius: Any) -> tuple[Any, ...]:
@@ -1668,25 +1785,6 @@ def ring_vary(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: Any, ny: An
     _s13 = _s12 + ((_s8 * (_s11 - change_ring_radius)) * _s10)
     _s14 = (_s8 * _s1) * _s10
     return _s4, (_s2 - p_ball_radius) - p_wire_radius, _s3, _s5, _s6, _s7, dvx, dvy, dvz - (p_gravity * _s4), (x * _s13) + (_s14 * _s5), (y * _s13) + (_s14 * _s6), (z * _s9) + (_s8 * _s7)
-
-
-def ring_carry_normal(x: Any, y: Any, dx: Any, dy: Any, dz: Any, shift: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
-    """Error of the normal, from that of the position.
-
-    derivative of Table 2's normal. 34 operations: 6 additions, 3 subtractions, 18 multiplications, 3 divisions, 1 square root, 1 negation, 1 comparison, 1 selection.
-    """
-    x, y, dx, dy, dz, shift, p_ball_radius, p_ring_radius, p_wire_radius, = [_single(value) for value in (x, y, dx, dy, dz, shift, p_ball_radius, p_ring_radius, p_wire_radius,)]
-    _r0, _r1, _r2, _r3, _r4 = _halves(_room[:5])
-    _s0 = p_ball_radius + p_wire_radius
-    _s1 = _k34 / _s0
-    _s2 = _sqrt(_add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1), _r1)
-    _s3 = _divide(_k26, _s2, _r0)
-    _s4 = _multiply(_add(_multiply(x, dx, _r2), _multiply(y, dy, _r3), _r3), _s3, _r3)
-    _s5 = _subtract(_s2, p_ring_radius, _r1)
-    _s6 = _multiply(_s1, _add(_multiply(_s4, _s3, _r2), _multiply(_negative(_multiply(_s4, _multiply(_s3, _s3, _r4), _r4), _r4), _s5, _r4), _r4), _r4)
-    _s7 = _multiply(_multiply(_s1, _s5, _r1), _s3, _r1)
-    _s8 = (p_ring_radius - p_ball_radius) - p_wire_radius
-    return _multiply(x, _s6, _r0) + _multiply(dx, _s7, _r2), _multiply(y, _s6, _r4) + _multiply(dy, _s7, _r1), dz * _s1, shift * (_k34 / _where(_s8 < _s0, _s8, _s0))
 
 
 def ring_excess(share: Any, horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -1739,16 +1837,16 @@ def ring_clear(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, 
     _s24 = _where(_s22 < _s23, _s23, _s22)
     _s25 = _s24 * _s24
     _s26 = _s24 * _s25
-    _s27 = _multiply(_subtract(_add(_add(_multiply(_k49, _s6, _r2), _multiply(4.0 * p_gravity, z, _r12), _r12), _multiply(_k49, _s21, _r2), _r2), (6.0003662109375 * p_gravity) * _s0, _r2), _s26, _r2)
+    _s27 = _multiply(_subtract(_add(_add(_multiply(_k46, _s6, _r2), _multiply(4.0 * p_gravity, z, _r12), _r12), _multiply(_k46, _s21, _r2), _r2), (6.0003662109375 * p_gravity) * _s0, _r2), _s26, _r2)
     _s28 = _subtract(_multiply(x, vy, _r12), _multiply(y, vx, _r15), _r15)
     _s29 = _multiply(_s28, _s28, _r15)
     _s30 = _subtract(_s27, _multiply(2.0 * p_ring_radius, _s29, _r12), _r12)
     _s31 = _add(_multiply(_s16, _add(_multiply(vx, _s12, _r6), _multiply(vy, _s13, _r7), _r7), _r7), _multiply(_multiply(_s17, _subtract(vz, _multiply(p_gravity, _s11, _r10), _r10), _r10), _s15, _r10), _r10)
     _s32 = _add(x, _multiply(vx, horizon, _r7), _r7)
     _s33 = _add(y, _multiply(vy, horizon, _r8), _r8)
-    _s34 = _select(_subtract(_add(_add(_s19, _multiply(_s32, _s32, _r7), _r7), _multiply(_s33, _s33, _r8), _r8), _s25, _r8) < _k7, _k48, _select(_subtract(_multiply(_s21, _s19 + _s25, _r8), _s29, _r8) < _k7, _k48, _k7, _r8), _r15)
-    _s35 = _select(_subtract(_multiply(_multiply(_k73, _multiply(_s31, _s31, _r10), _r10), _s26, _r10), _multiply(_multiply(_multiply(_k49, _s30, _r7), _s14, _r7), _s20, _r7), _r7) < _k7, _s34, _k7, _r7)
-    _s36 = _select(horizon < _subtract(_s11, _multiply(_k63, horizon, _r10), _r10), _k48, _select(_k7 < _s20, _select(_k7 < _s30, _s35, _k7, _r12), _k7, _r13), _r10)
+    _s34 = _select(_subtract(_add(_add(_s19, _multiply(_s32, _s32, _r7), _r7), _multiply(_s33, _s33, _r8), _r8), _s25, _r8) < _k7, _k45, _select(_subtract(_multiply(_s21, _s19 + _s25, _r8), _s29, _r8) < _k7, _k45, _k7, _r8), _r15)
+    _s35 = _select(_subtract(_multiply(_multiply(_k93, _multiply(_s31, _s31, _r10), _r10), _s26, _r10), _multiply(_multiply(_multiply(_k46, _s30, _r7), _s14, _r7), _s20, _r7), _r7) < _k7, _s34, _k7, _r7)
+    _s36 = _select(horizon < _subtract(_s11, _multiply(_k60, horizon, _r10), _r10), _k45, _select(_k7 < _s20, _select(_k7 < _s30, _s35, _k7, _r12), _k7, _r13), _r10)
     _s37 = _add(_multiply(x, vx, _r4), _multiply(y, vy, _r9), _r9)
     _s38 = _add(_multiply(_s10, _s21, _r14), _s37, _r14)
     _s39 = _select(_s38 < _k7, _select(_s18 < _add(_multiply(_s10, _add(_s37, _s38, _r14), _r14), _add(_multiply(x, x, _r9), _multiply(y, y, _r4), _r4), _r4), _s36, _k7, _r4), _k7, _r14)
@@ -1764,7 +1862,7 @@ def ring_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23, _r24, _r25, _r26, _r27, _r28, _r29, _r30, _r31, _r32, _r33, _r34, _r35 = _room[:36]
     _s0 = _multiply(vz, vz, _r0)
     _s1 = _add(_multiply(vx, vx, _r1), _multiply(vy, vy, _r2), _r2)
-    _s2 = _add(_multiply(_k49, _s0, _r1), _multiply(4.0 * p_gravity, z, _r3), _r3) + _multiply(_k49, _s1, _r1)
+    _s2 = _add(_multiply(_k46, _s0, _r1), _multiply(4.0 * p_gravity, z, _r3), _r3) + _multiply(_k46, _s1, _r1)
     _s3 = _subtract(_multiply(x, vy, _r1), _multiply(y, vx, _r3), _r3)
     _s4 = _multiply(_s3, _s3, _r1)
     _s5 = (2.0 * p_ring_radius) * _s4
@@ -1772,36 +1870,36 @@ def ring_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any
     _s7 = p_ball_radius + p_wire_radius
     _s8 = 1.00006103515625 * _s7
     _s9 = 2.0 * p_gravity
-    _s10 = _multiply(_k79, _add(_s0, _multiply(_s9, _add(_absolute(z, _r4), _s8, _r4), _r4), _r4), _r4)
+    _s10 = _multiply(_k99, _add(_s0, _multiply(_s9, _add(_absolute(z, _r4), _s8, _r4), _r4), _r4), _r4)
     _s11 = _add(_add(_s0, _multiply(_s9, _add(z, _s8, _r6), _r6), _r6), _s10, _r6)
     _s12 = 1.0 / p_gravity
     _s13 = _sqrt(_s11, _r7)
-    _s14 = _multiply(_k50, _add(_absolute(vz, _r8), _s13, _r8), _r8)
+    _s14 = _multiply(_k47, _add(_absolute(vz, _r8), _s13, _r8), _r8)
     _s15 = _k7 <= _s11
     _s16 = _select(_s15, _multiply(_s12, _subtract(_subtract(vz, _s13, _r6), _s14, _r6), _r6), _k8, _r9)
     _s17 = p_ring_radius + _s8
     _s18 = _s17 * _s17
-    _s19 = _multiply(_multiply(_k50, _s1, _r10), _add(_s18, _s6, _r11), _r10)
+    _s19 = _multiply(_multiply(_k47, _s1, _r10), _add(_s18, _s6, _r11), _r10)
     _s20 = _subtract(_add(_multiply(_s18, _s1, _r11), _s19, _r11), _s4, _r11)
     _s21 = _add(_multiply(x, vx, _r12), _multiply(y, vy, _r13), _r13)
     _s22 = _sqrt(_s20, _r12)
-    _s23 = _multiply(_k50, _add(_add(_absolute(_s21, _r14), _absolute(_s3, _r3), _r3), _s22, _r3), _r3)
-    _s24 = _divide(_k48, _s1, _r14)
+    _s23 = _multiply(_k47, _add(_add(_absolute(_s21, _r14), _absolute(_s3, _r3), _r3), _s22, _r3), _r3)
+    _s24 = _divide(_k45, _s1, _r14)
     _s25 = _k7 <= _s20
-    _s26 = _k80 < _s1
-    _s27 = _select(_s26, _select(_s25, _multiply(_negative(_add(_add(_s21, _s22, _r11), _s23, _r11), _r11), _s24, _r11), _k8, _r15), _k81, _r16)
+    _s26 = _k100 < _s1
+    _s27 = _select(_s26, _select(_s25, _multiply(_negative(_add(_add(_s21, _s22, _r11), _s23, _r11), _r11), _s24, _r11), _k8, _r15), _k101, _r16)
     _s28 = _select(_s16 < _s27, _s27, _s16, _r17)
     _s29 = p_ring_radius - _s8
     _s30 = 0.0001220703125 * p_ring_radius
     _s31 = _where(_s29 < _s30, _s30, _s29)
     _s32 = _subtract(_subtract(_multiply(_s1, _s31 * _s31, _r2), _s19, _r2), _s4, _r2)
     _s33 = _sqrt(_select(_s32 < _k7, _k7, _s32, _r1), _r1)
-    _s34 = _select(_s26, _select(_s25, _multiply(_subtract(_add(_s22, _s23, _r12), _s21, _r12), _s24, _r12), _k81, _r10), _k8, _r18)
+    _s34 = _select(_s26, _select(_s25, _multiply(_subtract(_add(_s22, _s23, _r12), _s21, _r12), _s24, _r12), _k101, _r10), _k8, _r18)
     _s35 = _k7 < _select(_s26, _s32, _k7, _r19)
     _s36 = _select(_s35, _multiply(_subtract(_subtract(_s23, _s21, _r19), _s33, _r19), _s24, _r19), _s34, _r2)
     _s37 = _subtract(_add(_s0, _multiply(_s9, _subtract(z, _s8, _r20), _r20), _r20), _s10, _r20)
     _s38 = _sqrt(_select(_s37 < _k7, _k7, _s37, _r4), _r4)
-    _s39 = _select(_s15, _multiply(_s12, _add(_add(vz, _s13, _r7), _s14, _r7), _r7), _k81, _r0)
+    _s39 = _select(_s15, _multiply(_s12, _add(_add(vz, _s13, _r7), _s14, _r7), _r7), _k101, _r0)
     _s40 = _k7 < _s37
     _s41 = _select(_s40, _multiply(_s12, _subtract(_add(vz, _s14, _r20), _s38, _r20), _r20), _s39, _r21)
     _s42 = _select(_s36 < _s41, _s36, _s41, _r22)
@@ -1822,7 +1920,7 @@ def ring_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any
     _s57 = _select(_s56 < _s53, _s53, _s56, _r33)
     _s58 = (0.000244140625 * p_ring_radius) - (p_ring_radius - _s7)
     _s59 = _multiply(_sqrt(2.0), _sqrt(_multiply(_s12, _add((2.0 * p_ball_radius) + (2.0 * p_wire_radius), extent, _r34), _r34), _r34), _r34)
-    _s60 = _add(_s59, _multiply(_multiply(_k49, speed, _r35), _s12, _r35), _r35)
+    _s60 = _add(_s59, _multiply(_multiply(_k46, speed, _r35), _s12, _r35), _r35)
     _s61 = _subtract(_subtract(_add(position_error, _multiply(velocity_error, _select(_s60 < horizon, _s60, horizon, _r34), _r34), _r34), 1.52587890625e-05 * p_ball_radius, _r34), 1.52587890625e-05 * p_wire_radius, _r34)
     return _s2, _s5, _sqrt(_s6), _result(_k7 < _s28, _s28, _k7, _r0), _result(_s42 < horizon, _s42, horizon, _r0), _result(_k7 < _s50, _s50, _k7, _r0), _result(_s51 < horizon, _s51, horizon, _r0), _result(_k7 < _s52, _s52, _k7, _r0), _result(_s53 < horizon, _s53, horizon, _r0), _add((6.0003662109375 * p_gravity) * _s7, _multiply(_s5, _s54 * (_s54 * _s54), _r29), _r29) + _absolute(_s2, _r24), _result(_s57 < horizon, _s57, horizon, _r0), _result(_s58 < _s61, _s61, _s58, _r0)
 
@@ -1844,9 +1942,9 @@ def ring_margins(horizon: Any, extent: Any, speed: Any, position_error: Any, vel
     _s8 = 0.0001220703125 * p_ring_radius
     _s9 = _s2 / _where(_s7 < _s8, _s8, _s7)
     _s10 = _where(1.0 < _s9, _s9, 1.0)
-    _s11 = _multiply(_k85, _add(_multiply(_multiply(_s1, _s10, _r3), _s6, _r3), _multiply(_s2, _add(velocity_error, _multiply(_k86, _s1, _r5), _r5), _r5), _r5), _r5)
-    _s12 = _k14 * _add(_add(_multiply(_multiply(_k87, _s1, _r3), _add(_multiply(_s5, _s10, _r2), _s4, _r2), _r3), _multiply(_k17, _s3, _r2), _r2), _s11, _r2)
-    return _k14 * _add(_add(_multiply(_multiply(_k17, horizon, _r2), _s3, _r2), (1.3323489447131243e-15 * _s0) * _s4, _r2), _multiply(5.00030517578125 * _s0, _s6, _r4), _r4), _s12, _k14 * _add(_multiply(_k87, _multiply(_s4, _s1, _r0), _r0), _s11, _r0)
+    _s11 = _multiply(_k105, _add(_multiply(_multiply(_s1, _s10, _r3), _s6, _r3), _multiply(_s2, _add(velocity_error, _multiply(_k106, _s1, _r5), _r5), _r5), _r5), _r5)
+    _s12 = _k14 * _add(_add(_multiply(_multiply(_k107, _s1, _r3), _add(_multiply(_s5, _s10, _r2), _s4, _r2), _r3), _multiply(_k17, _s3, _r2), _r2), _s11, _r2)
+    return _k14 * _add(_add(_multiply(_multiply(_k17, horizon, _r2), _s3, _r2), (1.3323489447131243e-15 * _s0) * _s4, _r2), _multiply(5.00030517578125 * _s0, _s6, _r4), _r4), _s12, _k14 * _add(_multiply(_k107, _multiply(_s4, _s1, _r0), _r0), _s11, _r0)
 
 
 def ring_refine(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, rho_start: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -1859,12 +1957,12 @@ def ring_refine(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, 
     _s1 = _add(y, _multiply(vy, t, _r1), _r1)
     _s2 = _sqrt(_add(_multiply(_s0, _s0, _r2), _multiply(_s1, _s1, _r3), _r3), _r3)
     _s3 = _add(rho_start, _s2, _r2)
-    _s4 = _divide(_k48, _multiply(_s3, _s2, _r4), _r4)
+    _s4 = _divide(_k45, _multiply(_s3, _s2, _r4), _r4)
     _s5 = _subtract(_s2, p_ring_radius, _r5)
     _s6 = _subtract(vz, _multiply(0.5 * p_gravity, t, _r6), _r6)
     _s7 = _add(z, _multiply(t, _s6, _r7), _r7)
-    _s8 = _k49 * _add(_multiply(_multiply(_multiply(_s3, _s4, _r2), _add(_multiply(vx, _s0, _r0), _multiply(vy, _s1, _r1), _r1), _r1), _s5, _r1), _multiply(_s7, _subtract(vz, _multiply(p_gravity, t, _r2), _r2), _r2), _r2)
-    _s9 = _multiply(_multiply(_add(_multiply(t, _add(_multiply(vx, vx, _r2), _multiply(vy, vy, _r1), _r1), _r1), _multiply(_k49, _add(_multiply(x, vx, _r2), _multiply(y, vy, _r0), _r0), _r0), _r0), _add(_subtract(rho_start, p_ring_radius, _r1), _s5, _r1), _r1), _multiply(_s2, _s4, _r4), _r4)
+    _s8 = _k46 * _add(_multiply(_multiply(_multiply(_s3, _s4, _r2), _add(_multiply(vx, _s0, _r0), _multiply(vy, _s1, _r1), _r1), _r1), _s5, _r1), _multiply(_s7, _subtract(vz, _multiply(p_gravity, t, _r2), _r2), _r2), _r2)
+    _s9 = _multiply(_multiply(_add(_multiply(t, _add(_multiply(vx, vx, _r2), _multiply(vy, vy, _r1), _r1), _r1), _multiply(_k46, _add(_multiply(x, vx, _r2), _multiply(y, vy, _r0), _r0), _r0), _r0), _add(_subtract(rho_start, p_ring_radius, _r1), _s5, _r1), _r1), _multiply(_s2, _s4, _r4), _r4)
     _s10 = p_ball_radius + p_wire_radius
     _s11 = _result(_k7 < leaving, _multiply(t, _add(_s9, _multiply(_add(z, _s7, _r1), _s6, _r1), _r1), _r1), _subtract(_add(_multiply(_s5, _s5, _r5), _multiply(_s7, _s7, _r7), _r7), _s10 * _s10, _r7), _r0)
     return t - _divide(_s11, _s8, _r7), _s11, _s8
@@ -1881,8 +1979,8 @@ def ring_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: Any, 
     _s2 = _sqrt(_add(_multiply(_s0, _s0, _r2), _multiply(_s1, _s1, _r3), _r3), _r3)
     _s3 = _subtract(_s2, p_ring_radius, _r2)
     _s4 = _add(rho_start, _s2, _r4)
-    _s5 = _divide(_k48, _multiply(_s4, _s2, _r5), _r5)
-    _s6 = _multiply(_multiply(_add(_multiply(t, _add(_multiply(vx, vx, _r6), _multiply(vy, vy, _r7), _r7), _r7), _multiply(_k49, _add(_multiply(x, vx, _r6), _multiply(y, vy, _r8), _r8), _r8), _r8), _add(_subtract(rho_start, p_ring_radius, _r7), _s3, _r7), _r7), _multiply(_s2, _s5, _r8), _r8)
+    _s5 = _divide(_k45, _multiply(_s4, _s2, _r5), _r5)
+    _s6 = _multiply(_multiply(_add(_multiply(t, _add(_multiply(vx, vx, _r6), _multiply(vy, vy, _r7), _r7), _r7), _multiply(_k46, _add(_multiply(x, vx, _r6), _multiply(y, vy, _r8), _r8), _r8), _r8), _add(_subtract(rho_start, p_ring_radius, _r7), _s3, _r7), _r7), _multiply(_s2, _s5, _r8), _r8)
     _s7 = _subtract(vz, _multiply(0.5 * p_gravity, t, _r7), _r7)
     _s8 = _add(z, _multiply(t, _s7, _r6), _r6)
     _s9 = p_ball_radius + p_wire_radius
@@ -1890,7 +1988,7 @@ def ring_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: Any, 
     _s11 = _multiply(_s4, _s5, _r5)
     _s12 = _multiply(_s11, _add(_multiply(vx, _s0, _r0), _multiply(vy, _s1, _r1), _r1), _r1)
     _s13 = _subtract(vz, _multiply(p_gravity, t, _r0), _r0)
-    _s14 = _k49 * _add(_multiply(_s12, _s3, _r2), _multiply(_s8, _s13, _r4), _r4)
+    _s14 = _k46 * _add(_multiply(_s12, _s3, _r2), _multiply(_s8, _s13, _r4), _r4)
     _s15 = 6.0 * p_gravity
     _s16 = _multiply(_s15, _s8, _r4)
     _s17 = _multiply(moment2, _multiply(_s11, _multiply(_s11, _s11, _r2), _r2), _r2)
@@ -1901,8 +1999,8 @@ def ring_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: Any, 
     _s22 = _select(_s21 < _k7, _k7, _s21, _r9)
     _s23 = _subtract(_add(_s16, _s17, _r8), energy2, _r8)
     _s24 = _s20 < _k7
-    _s25 = _multiply(_k49, _s22, _r10)
-    _s26 = _select(_k7 < _select(_k7 <= _s20, _s22, _k7, _r11), _k8, _divide(_select(_s24, _s25, _multiply(_k73, _s20, _r11), _r12), _select(_s24, _negative(_s20, _r13), _select(_k7 < _s23, _s23, _k7, _r14), _r15), _r12), _r11)
+    _s25 = _multiply(_k46, _s22, _r10)
+    _s26 = _select(_k7 < _select(_k7 <= _s20, _s22, _k7, _r11), _k8, _divide(_select(_s24, _s25, _multiply(_k93, _s20, _r11), _r12), _select(_s24, _negative(_s20, _r13), _select(_k7 < _s23, _s23, _k7, _r14), _r15), _r12), _r11)
     _s27 = _subtract(end, t, _r15)
     _s28 = _select(_s26 < _s27, _s26, _s27, _r14)
     _s29 = _add(_s19, _add(_multiply(_s28, _select(_s13 < _k7, _k7, _s13, _r8), _r8), _s8, _r8), _r8)
@@ -1911,15 +2009,15 @@ def ring_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: Any, 
     _s32 = p_ring_radius - _s18
     _s33 = 0.0001220703125 * p_ring_radius
     _s34 = _where(_s32 < _s33, _s33, _s32)
-    _s35 = _divide(_k48, _select(_s31 < _s34, _s34, _s31, _r3), _r3)
+    _s35 = _divide(_k45, _select(_s31 < _s34, _s34, _s31, _r3), _r3)
     _s36 = _multiply(moment2, _multiply(_s35, _multiply(_s35, _s35, _r8), _r8), _r8)
-    _s37 = _subtract(_add(_add(_s30, _s36, _r3), _multiply(_k93, _add(_add(_s36, _absolute(energy2, _r1), _r1), _absolute(_s30, _r6), _r6), _r6), _r6), energy2, _r6)
-    _s38 = _add(_multiply(_multiply(_k49, _s37, _r3), _s22, _r3), _multiply(_s20, _s20, _r9), _r9)
+    _s37 = _subtract(_add(_add(_s30, _s36, _r3), _multiply(_k113, _add(_add(_s36, _absolute(energy2, _r1), _r1), _absolute(_s30, _r6), _r6), _r6), _r6), energy2, _r6)
+    _s38 = _add(_multiply(_multiply(_k46, _s37, _r3), _s22, _r3), _multiply(_s20, _s20, _r9), _r9)
     _s39 = _sqrt(_s38, _r3)
     _s40 = _select(_k7 <= _s38, _divide(_select(_s24, _s25, _add(_s20, _s39, _r9), _r7), _select(_s24, _subtract(_s39, _s20, _r3), _select(_k7 < _s37, _s37, _k7, _r5), _r1), _r7), _k8, _r9)
     _s41 = _result(_s40 < _s28, _s40, _s28, _r0)
     _s42 = _negative(_add(rate_margin, _s14, _r1), _r1)
-    return _s10, _s14, _subtract(energy2, _s16, _r4) - _s17, _s41, t + _s41, _result(_k7 < _s42, _subtract(_multiply(_s42, _s42, _r9), _multiply(_multiply(_k54, ceiling, _r7), _add(margin, _s25, _r10), _r7), _r7), _s42, _r0)
+    return _s10, _s14, _subtract(energy2, _s16, _r4) - _s17, _s41, t + _s41, _result(_k7 < _s42, _subtract(_multiply(_s42, _s42, _r9), _multiply(_multiply(_k51, ceiling, _r7), _add(margin, _s25, _r10), _r7), _r7), _s42, _r0)
 
 
 def ring_opened(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -1930,73 +2028,73 @@ def ring_opened(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any,
     horizon, x, y, z, vx, vy, vz, extent, speed, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity, = [_single(value) for value in (horizon, x, y, z, vx, vy, vz, extent, speed, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity,)]
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23, _r24, _r25, _r26, _r27, _r28, _r29, _r30, _r31, _r32, _r33, _r34, _r35, _r36, _r37, _r38, _r39, _r40 = _halves(_room[:41])
     _s0 = _multiply(vz, vz, _r0)
-    _s1 = _k95 * (p_ball_radius + p_wire_radius)
-    _s2 = _k33 * p_gravity
-    _s3 = _multiply(_k96, _add(_s0, _multiply(_s2, _add(_absolute(z, _r1), _s1, _r1), _r1), _r1), _r1)
+    _s1 = _k115 * (p_ball_radius + p_wire_radius)
+    _s2 = _k36 * p_gravity
+    _s3 = _multiply(_k116, _add(_s0, _multiply(_s2, _add(_absolute(z, _r1), _s1, _r1), _r1), _r1), _r1)
     _s4 = _add(_add(_s0, _multiply(_s2, _add(z, _s1, _r2), _r2), _r2), _s3, _r2)
-    _s5 = _k34 / p_gravity
+    _s5 = _k74 / p_gravity
     _s6 = _sqrt(_s4, _r3)
-    _s7 = _multiply(_k97, _add(_absolute(vz, _r4), _s6, _r4), _r4)
-    _s8 = _k25 <= _s4
-    _s9 = _select(_s8, _multiply(_s5, _subtract(_subtract(vz, _s6, _r2), _s7, _r2), _r2), _k98, _r5)
+    _s7 = _multiply(_k117, _add(_absolute(vz, _r4), _s6, _r4), _r4)
+    _s8 = _k29 <= _s4
+    _s9 = _select(_s8, _multiply(_s5, _subtract(_subtract(vz, _s6, _r2), _s7, _r2), _r2), _k30, _r5)
     _s10 = _add(_multiply(vx, vx, _r6), _multiply(vy, vy, _r7), _r7)
     _s11 = p_ring_radius + _s1
     _s12 = _s11 * _s11
-    _s13 = _multiply(_multiply(_k97, _s10, _r6), _add(_s12, _add(_multiply(x, x, _r8), _multiply(y, y, _r9), _r9), _r9), _r6)
+    _s13 = _multiply(_multiply(_k117, _s10, _r6), _add(_s12, _add(_multiply(x, x, _r8), _multiply(y, y, _r9), _r9), _r9), _r6)
     _s14 = _subtract(_multiply(x, vy, _r9), _multiply(y, vx, _r8), _r8)
     _s15 = _multiply(_s14, _s14, _r9)
     _s16 = _subtract(_add(_multiply(_s12, _s10, _r10), _s13, _r10), _s15, _r10)
     _s17 = _add(_multiply(x, vx, _r11), _multiply(y, vy, _r12), _r12)
     _s18 = _sqrt(_s16, _r11)
-    _s19 = _multiply(_k97, _add(_add(_absolute(_s17, _r13), _absolute(_s14, _r8), _r8), _s18, _r8), _r8)
-    _s20 = _divide(_k26, _s10, _r13)
-    _s21 = _k25 <= _s16
-    _s22 = _k99 < _s10
-    _s23 = _select(_s22, _select(_s21, _multiply(_negative(_add(_add(_s17, _s18, _r10), _s19, _r10), _r10), _s20, _r10), _k98, _r14), _k100, _r15)
+    _s19 = _multiply(_k117, _add(_add(_absolute(_s17, _r13), _absolute(_s14, _r8), _r8), _s18, _r8), _r8)
+    _s20 = _divide(_k64, _s10, _r13)
+    _s21 = _k29 <= _s16
+    _s22 = _k118 < _s10
+    _s23 = _select(_s22, _select(_s21, _multiply(_negative(_add(_add(_s17, _s18, _r10), _s19, _r10), _r10), _s20, _r10), _k30, _r14), _k119, _r15)
     _s24 = _select(_s9 < _s23, _s23, _s9, _r16)
-    _s25 = _select(_k25 < _s24, _s24, _k25, _r17)
-    _s26 = _select(_k25 < _s25, _s25, _k25, _r18)
+    _s25 = _select(_k29 < _s24, _s24, _k29, _r17)
+    _s26 = _select(_k29 < _s25, _s25, _k29, _r18)
     _s27 = p_ring_radius - _s1
-    _s28 = _k101 * p_ring_radius
+    _s28 = _k120 * p_ring_radius
     _s29 = _where(_s27 < _s28, _s28, _s27)
     _s30 = _subtract(_subtract(_multiply(_s10, _s29 * _s29, _r7), _s13, _r7), _s15, _r7)
-    _s31 = _sqrt(_select(_s30 < _k25, _k25, _s30, _r9), _r9)
-    _s32 = _select(_s22, _select(_s21, _multiply(_subtract(_add(_s18, _s19, _r11), _s17, _r11), _s20, _r11), _k100, _r6), _k98, _r19)
-    _s33 = _k25 < _select(_s22, _s30, _k25, _r20)
+    _s31 = _sqrt(_select(_s30 < _k29, _k29, _s30, _r9), _r9)
+    _s32 = _select(_s22, _select(_s21, _multiply(_subtract(_add(_s18, _s19, _r11), _s17, _r11), _s20, _r11), _k119, _r6), _k30, _r19)
+    _s33 = _k29 < _select(_s22, _s30, _k29, _r20)
     _s34 = _select(_s33, _multiply(_subtract(_subtract(_s19, _s17, _r20), _s31, _r20), _s20, _r20), _s32, _r7)
     _s35 = _subtract(_add(_s0, _multiply(_s2, _subtract(z, _s1, _r21), _r21), _r21), _s3, _r21)
-    _s36 = _sqrt(_select(_s35 < _k25, _k25, _s35, _r1), _r1)
-    _s37 = _select(_s8, _multiply(_s5, _add(_add(vz, _s6, _r3), _s7, _r3), _r3), _k100, _r0)
-    _s38 = _k25 < _s35
+    _s36 = _sqrt(_select(_s35 < _k29, _k29, _s35, _r1), _r1)
+    _s37 = _select(_s8, _multiply(_s5, _add(_add(vz, _s6, _r3), _s7, _r3), _r3), _k119, _r0)
+    _s38 = _k29 < _s35
     _s39 = _select(_s38, _multiply(_s5, _subtract(_add(vz, _s7, _r21), _s36, _r21), _r21), _s37, _r22)
     _s40 = _select(_s34 < _s39, _s34, _s39, _r23)
-    _s41 = _multiply(_k102, horizon, _r24)
+    _s41 = _multiply(_k121, horizon, _r24)
     _s42 = _select(_s40 < _s41, _s40, _s41, _r25)
     _s43 = _s26 < _s42
-    _s44 = _select(_s33, _multiply(_subtract(_subtract(_s31, _s17, _r9), _s19, _r9), _s20, _r9), _k98, _r13)
+    _s44 = _select(_s33, _multiply(_subtract(_subtract(_s31, _s17, _r9), _s19, _r9), _s20, _r9), _k30, _r13)
     _s45 = _select(_s44 < _s34, _s34, _s44, _r8)
     _s46 = _select(_s9 < _s45, _s45, _s9, _r12)
     _s47 = _select(_s32 < _s39, _s32, _s39, _r26)
-    _s48 = _select(_s38, _multiply(_s5, _subtract(_add(vz, _s36, _r1), _s7, _r1), _r1), _k98, _r4)
+    _s48 = _select(_s38, _multiply(_s5, _subtract(_add(vz, _s36, _r1), _s7, _r1), _r1), _k30, _r4)
     _s49 = _select(_s48 < _s39, _s39, _s48, _r27)
     _s50 = _s46 <= _s47
     _s51 = _select(_s50, _s46, _select(_s49 < _s23, _s23, _s49, _r28), _r29)
-    _s52 = _result(_k25 < _s51, _s51, _k25, _r0)
-    _s53 = _select(_k25 < _s52, _s52, _k25, _r30)
+    _s52 = _result(_k29 < _s51, _s51, _k29, _r0)
+    _s53 = _select(_k29 < _s52, _s52, _k29, _r30)
     _s54 = _select(_s50, _s47, _select(_s34 < _s37, _s34, _s37, _r31), _r32)
     _s55 = _result(_s54 < _s41, _s54, _s41, _r0)
     _s56 = _s53 < _s55
     _s57 = _select(_s49 < _s45, _s45, _s49, _r33)
-    _s58 = _result(_k25 < _s57, _s57, _k25, _r0)
-    _s59 = _select(_k25 < _s58, _s58, _k25, _r34)
+    _s58 = _result(_k29 < _s57, _s57, _k29, _r0)
+    _s59 = _select(_k29 < _s58, _s58, _k29, _r34)
     _s60 = _select(_s32 < _s37, _s32, _s37, _r35)
     _s61 = _result(_s60 < _s41, _s60, _s41, _r0)
     _s62 = _s59 < _s61
-    _s63 = _select(_k25 < _s40, _s40, _k25, _r36)
+    _s63 = _select(_k29 < _s40, _s40, _k29, _r36)
     _s64 = _select(_s63 < _s54, _s54, _s63, _r37)
     _s65 = _select(_s64 < _s60, _s60, _s64, _r38)
-    _s66 = _logical_and(_logical_and(_logical_and((_s11 <= (_k103 * _s29)), (_s11 <= ((_k103 * p_ball_radius) + (_k103 * p_wire_radius)))), (_s11 <= _k104)), (_k105 <= _s29))
-    return _result(_s43, _s26, _select(_s56, _s53, _select(_s62, _s59, _k25, _r39), _r40), _r0), _result(_s43, _s42, _select(_s56, _s55, _select(_s62, _s61, _k25, _r40), _r39), _r0), _logical_or(_logical_or(_logical_or(False, _s62), _s56), _s43), _s52, _s55, _s58, _s61, _result(_s65 < _s41, _s65, _s41, _r0), _logical_and(_logical_and(_logical_and(_logical_and(_s66, (p_gravity <= _k104)), (_k105 <= p_gravity)), (extent <= _k106)), (speed <= _k106))
+    _s66 = _logical_and(_logical_and(_logical_and((_s11 <= (_k122 * _s29)), (_s11 <= ((_k122 * p_ball_radius) + (_k122 * p_wire_radius)))), (_s11 <= _k123)), (_k124 <= _s29))
+    return _result(_s43, _s26, _select(_s56, _s53, _select(_s62, _s59, _k29, _r39), _r40), _r0), _result(_s43, _s42, _select(_s56, _s55, _select(_s62, _s61, _k29, _r40), _r39), _r0), _logical_or(_logical_or(_logical_or(False, _s62), _s56), _s43), _s52, _s55, _s58, _s61, _result(_s65 < _s41, _s65, _s41, _r0), _logical_and(_logical_and(_logical_and(_logical_and(_s66, (p_gravity <= _k123)), (_k124 <= p_gravity)), (extent <= _k125)), (speed <= _k125))
 
 
 def ring_resolution(t: Any, end: Any, leaving: Any, horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, start_rate: Any, rho_rate: Any, low1: Any, high1: Any, low2: Any, high2: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -2006,33 +2104,33 @@ def ring_resolution(t: Any, end: Any, leaving: Any, horizon: Any, x: Any, y: Any
     """
     t, end, leaving, horizon, x, y, z, vx, vy, vz, extent, speed, start_rate, rho_rate, low1, high1, low2, high2, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity, = [_single(value) for value in (t, end, leaving, horizon, x, y, z, vx, vy, vz, extent, speed, start_rate, rho_rate, low1, high1, low2, high2, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity,)]
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12 = _halves(_room[:13])
-    _s0 = _k25 < leaving
+    _s0 = _k29 < leaving
     _s1 = _add(speed, _multiply(p_gravity, horizon, _r0), _r0)
     _s2 = p_ball_radius + p_wire_radius
-    _s3 = _k95 * _s2
+    _s3 = _k115 * _s2
     _s4 = p_ring_radius - _s3
-    _s5 = _k101 * p_ring_radius
+    _s5 = _k120 * p_ring_radius
     _s6 = _where(_s4 < _s5, _s5, _s4)
     _s7 = _s2 / _s6
-    _s8 = _where(_k34 < _s7, _s7, _k34)
+    _s8 = _where(_k74 < _s7, _s7, _k74)
     _s9 = _multiply(_s1, _s8, _r1)
     _s10 = _add(extent, _multiply(horizon, _s1, _r2), _r2)
-    _s11 = _multiply(_k113, _add(_multiply(_s9, _s10, _r3), _multiply(_s2, _s1, _r4), _r4), _r4)
-    _s12 = _divide(_multiply(_k114, start_rate, _r3), _s11, _r3)
-    _s13 = _select(_s12 < _k115, _s12, _k115, _r5)
-    _s14 = _result(_s0, _select(_k116 < _s13, _s13, _k116, _r6), _k115, _r0)
-    _s15 = _add(_multiply(_k22, _multiply(vz, vz, _r7), _r7), _multiply(_k117 * p_gravity, z, _r8), _r8) + _multiply(_k22, _add(_multiply(vx, vx, _r7), _multiply(vy, vy, _r9), _r9), _r9)
+    _s11 = _multiply(_k131, _add(_multiply(_s9, _s10, _r3), _multiply(_s2, _s1, _r4), _r4), _r4)
+    _s12 = _divide(_multiply(_k132, start_rate, _r3), _s11, _r3)
+    _s13 = _select(_s12 < _k133, _s12, _k133, _r5)
+    _s14 = _result(_s0, _select(_k134 < _s13, _s13, _k134, _r6), _k133, _r0)
+    _s15 = _add(_multiply(_k22, _multiply(vz, vz, _r7), _r7), _multiply(_k80 * p_gravity, z, _r8), _r8) + _multiply(_k22, _add(_multiply(vx, vx, _r7), _multiply(vy, vy, _r9), _r9), _r9)
     _s16 = _subtract(_multiply(x, vy, _r9), _multiply(y, vx, _r8), _r8)
-    _s17 = (_k33 * p_ring_radius) * _multiply(_s16, _s16, _r8)
-    _s18 = _k34 / _s6
+    _s17 = (_k36 * p_ring_radius) * _multiply(_s16, _s16, _r8)
+    _s18 = _k74 / _s6
     _s19 = _s18 * (_s18 * _s18)
-    _s20 = _add(_add((_k118 * p_gravity) * _s2, _multiply(_s17, _s19, _r8), _r8), _absolute(_s15, _r9), _r9)
+    _s20 = _add(_add((_k135 * p_gravity) * _s2, _multiply(_s17, _s19, _r8), _r8), _absolute(_s15, _r9), _r9)
     _s21 = _subtract(horizon, t, _r8)
     _s22 = _multiply(p_gravity, _multiply(_s21, _s21, _r7), _r7)
     _s23 = p_ring_radius + _s3
-    _s24 = _add(_multiply(_s10, _s14, _r2), _multiply(_k97, _add(_s22, _s23, _r10), _r10), _r10)
-    _s25 = _divide(_multiply(_k119, _multiply(_multiply(_s17, _add(_absolute(vx, _r2), _absolute(vy, _r11), _r11), _r11), _s19, _r11), _r11), _s6, _r11)
-    return _s14, _k30, end - t, x, y, z, vx, vy, vz, _s15, _s17, _sqrt(_add(_multiply(x, x, _r2), _multiply(y, y, _r12), _r12)), _k120 * _s20, (_k121 * _s2) * _s24, _result(_s0, _multiply(_k120, _add(_multiply(_k96, _absolute(start_rate, _r12), _r12), _multiply(_add(_k122, _s14, _r2), _s11, _r2), _r2), _r2), _k98, _r0), _k120 * _add(_multiply(p_gravity, _add(_multiply(p_gravity, _s21, _r8), _absolute(vz, _r2), _r2), _r2), _s25, _r11), (_k123 * ((_s23 / _s6) * _s8)) * _s20, start_rate, rho_rate, _k113 * _add(_multiply(_multiply(_k120, _s9, _r1), _s24, _r1), _multiply(_multiply(_add(_k124, _s14, _r6), _s2, _r6), _s1, _r6), _r6), low1 - t, high1 - t, low2 - t, high2 - t, _logical_and((_s22 <= ((_k125 * p_ball_radius) + (_k125 * p_wire_radius))), (_multiply(t, leaving, _r7) <= _k25))
+    _s24 = _add(_multiply(_s10, _s14, _r2), _multiply(_k117, _add(_s22, _s23, _r10), _r10), _r10)
+    _s25 = _divide(_multiply(_k136, _multiply(_multiply(_s17, _add(_absolute(vx, _r2), _absolute(vy, _r11), _r11), _r11), _s19, _r11), _r11), _s6, _r11)
+    return _s14, _k37, end - t, x, y, z, vx, vy, vz, _s15, _s17, _sqrt(_add(_multiply(x, x, _r2), _multiply(y, y, _r12), _r12)), _k27 * _s20, (_k137 * _s2) * _s24, _result(_s0, _multiply(_k27, _add(_multiply(_k116, _absolute(start_rate, _r12), _r12), _multiply(_add(_k138, _s14, _r2), _s11, _r2), _r2), _r2), _k30, _r0), _k27 * _add(_multiply(p_gravity, _add(_multiply(p_gravity, _s21, _r8), _absolute(vz, _r2), _r2), _r2), _s25, _r11), (_k139 * ((_s23 / _s6) * _s8)) * _s20, start_rate, rho_rate, _k131 * _add(_multiply(_multiply(_k27, _s9, _r1), _s24, _r1), _multiply(_multiply(_add(_k140, _s14, _r6), _s2, _r6), _s1, _r6), _r6), low1 - t, high1 - t, low2 - t, high2 - t, _logical_and((_s22 <= ((_k141 * p_ball_radius) + (_k141 * p_wire_radius))), (_multiply(t, leaving, _r7) <= _k29))
 
 
 def ring_step(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, energy2: Any, moment2: Any, rho_start: Any, flat: Any, tilt: Any, quotient_margin: Any, jerk: Any, start_rate: Any, rho_rate: Any, low1: Any, high1: Any, low2: Any, high2: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -2053,10 +2151,10 @@ def ring_step(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, 
     _s8 = _add(y, _multiply(vy, t, _r5), _r5)
     _s9 = _sqrt(_add(_multiply(_s7, _s7, _r6), _multiply(_s8, _s8, _r7), _r7), _r7)
     _s10 = _add(rho_start, _s9, _r6)
-    _s11 = _divide(_k26, _multiply(_s10, _s9, _r8), _r8)
+    _s11 = _divide(_k64, _multiply(_s10, _s9, _r8), _r8)
     _s12 = _multiply(_s9, _s11, _r9)
     _s13 = _multiply(_s12, _add(_multiply(t, _s6, _r10), _multiply(_k22, _add(_multiply(x, vx, _r11), _multiply(y, vy, _r12), _r12), _r12), _r12), _r12)
-    _s14 = _subtract(vz, _multiply(_k132 * p_gravity, t, _r10), _r10)
+    _s14 = _subtract(vz, _multiply(_k23 * p_gravity, t, _r10), _r10)
     _s15 = _add(_add(_multiply(_multiply(_multiply(_k22, _subtract(rho_start, p_ring_radius, _r11), _r11), _subtract(_s6, _multiply(rho_rate, _s13, _r13), _r13), _r11), _s12, _r11), _multiply(_s13, _s13, _r12), _r12), _multiply(_s14, _s14, _r11), _r11)
     _s16 = _add(start_rate, _multiply(t, _subtract(_s15, _multiply(p_gravity, z, _r12), _r12), _r12), _r12)
     _s17 = _multiply(_s10, _s11, _r8)
@@ -2069,49 +2167,49 @@ def ring_step(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, 
     _s24 = p_ball_radius + p_wire_radius
     _s25 = _select(_s2, _s1, flat, _r14)
     _s26 = _subtract(_select(_s2, _multiply(t, _s16, _r12), _subtract(_add(_multiply(_s19, _s19, _r3), _multiply(_s20, _s20, _r15), _r15), _s24 * _s24, _r15), _r3), _s25, _r3)
-    _s27 = _select(_s26 < _k25, _k25, _s26, _r15)
+    _s27 = _select(_s26 < _k29, _k29, _s26, _r15)
     _s28 = _multiply(_k22, _add(_s27, _multiply(_k22, _s25, _r12), _r12), _r12)
     _s29 = _subtract(_s22, _s5, _r2)
-    _s30 = _k134 * p_gravity
+    _s30 = _k148 * p_gravity
     _s31 = _multiply(_s30, _s20, _r0)
     _s32 = _multiply(moment2, _multiply(_s17, _multiply(_s17, _s17, _r16), _r16), _r16)
     _s33 = _subtract(_add(_s31, _s32, _r17), energy2, _r17)
-    _s34 = _s29 < _k25
+    _s34 = _s29 < _k29
     _s35 = _multiply(_k22, _s27, _r18)
-    _s36 = _select(_k25 < _select(_k25 <= _s29, _s27, _k25, _r19), _k98, _divide(_select(_s34, _add(_s35, _multiply(_k27, _s25, _r19), _r19), _multiply(_k135, _s29, _r20), _r21), _select(_s34, _negative(_s29, _r22), _select(_k25 < _s33, _s33, _k25, _r23), _r24), _r21), _r20)
+    _s36 = _select(_k29 < _select(_k29 <= _s29, _s27, _k29, _r19), _k30, _divide(_select(_s34, _add(_s35, _multiply(_k149, _s25, _r19), _r19), _multiply(_k72, _s29, _r20), _r21), _select(_s34, _negative(_s29, _r22), _select(_k29 < _s33, _s33, _k29, _r23), _r24), _r21), _r20)
     _s37 = _subtract(end, t, _r19)
     _s38 = _select(_s36 < _s37, _s36, _s37, _r24)
-    _s39 = _k95 * _s24
-    _s40 = _add((_k101 * p_ball_radius) + (_k101 * p_wire_radius), _add(_multiply(_s38, _select(_s21 < _k25, _k25, _s21, _r23), _r23), _s20, _r23), _r23)
+    _s39 = _k115 * _s24
+    _s40 = _add((_k120 * p_ball_radius) + (_k120 * p_wire_radius), _add(_multiply(_s38, _select(_s21 < _k29, _k29, _s21, _r23), _r23), _s20, _r23), _r23)
     _s41 = _multiply(_s30, _select(_s39 < _s40, _s39, _s40, _r10), _r10)
     _s42 = _multiply(_add(_absolute(vx, _r23), _absolute(vy, _r17), _r17), _s38, _r17)
-    _s43 = _subtract(_subtract(_add(_multiply(_s38, _select(_k25 < _s18, _k25, _s18, _r23), _r23), _s9, _r23), _multiply(_k136, _s42, _r7), _r7), _k108 * (p_ring_radius + _s39), _r7)
+    _s43 = _subtract(_subtract(_add(_multiply(_s38, _select(_k29 < _s18, _k29, _s18, _r23), _r23), _s9, _r23), _multiply(_k150, _s42, _r7), _r7), _k127 * (p_ring_radius + _s39), _r7)
     _s44 = p_ring_radius - _s39
-    _s45 = _k101 * p_ring_radius
+    _s45 = _k120 * p_ring_radius
     _s46 = _where(_s44 < _s45, _s45, _s44)
-    _s47 = _divide(_k26, _select(_s43 < _s46, _s46, _s43, _r23), _r23)
+    _s47 = _divide(_k64, _select(_s43 < _s46, _s46, _s43, _r23), _r23)
     _s48 = _multiply(moment2, _multiply(_s47, _multiply(_s47, _s47, _r7), _r7), _r7)
     _s49 = _absolute(energy2, _r23)
-    _s50 = _subtract(_add(_add(_s41, _s48, _r5), _multiply(_k137, _add(_add(_s48, _s49, _r7), _absolute(_s41, _r10), _r10), _r10), _r10), energy2, _r10)
+    _s50 = _subtract(_add(_add(_s41, _s48, _r5), _multiply(_k65, _add(_add(_s48, _s49, _r7), _absolute(_s41, _r10), _r10), _r10), _r10), energy2, _r10)
     _s51 = _negative(_s21, _r6)
-    _s52 = _add(_multiply(_s30, _add((_k105 * p_ball_radius) + (_k105 * p_wire_radius), _multiply(_add(_multiply(p_gravity, _s38, _r5), _select(_s51 < _k25, _k25, _s51, _r7), _r7), _s38, _r7), _r7), _r7), _multiply(_multiply(_k138, _multiply(_s32, _s17, _r8), _r8), _s42, _r8), _r8)
-    _s53 = _add(energy2, _add(_s52, _multiply(_k139, _add(_add(_s49, _absolute(_s31, _r7), _r7), _s32, _r7), _r7), _r7), _r7)
+    _s52 = _add(_multiply(_s30, _add((_k124 * p_ball_radius) + (_k124 * p_wire_radius), _multiply(_add(_multiply(p_gravity, _s38, _r5), _select(_s51 < _k29, _k29, _s51, _r7), _r7), _s38, _r7), _r7), _r7), _multiply(_multiply(_k151, _multiply(_s32, _s17, _r8), _r8), _s42, _r8), _r8)
+    _s53 = _add(energy2, _add(_s52, _multiply(_k152, _add(_add(_s49, _absolute(_s31, _r7), _r7), _s32, _r7), _r7), _r7), _r7)
     _s54 = _subtract(_subtract(_s53, _s31, _r7), _s32, _r7)
-    _s55 = _select(_k25 < _s23, _subtract(_multiply(_s23, _s23, _r16), _multiply(_multiply(_k27, _s28, _r0), _select(_s28 <= _multiply(_s23, _s38, _r8), _select(_s50 < _s54, _s54, _s50, _r8), ceiling, _r12), _r0), _r0), _s23, _r16)
-    _s56 = _k25 < _s55
+    _s55 = _select(_k29 < _s23, _subtract(_multiply(_s23, _s23, _r16), _multiply(_multiply(_k149, _s28, _r0), _select(_s28 <= _multiply(_s23, _s38, _r8), _select(_s50 < _s54, _s54, _s50, _r8), ceiling, _r12), _r0), _r0), _s23, _r16)
+    _s56 = _k29 < _s55
     _s57 = _add(_multiply(_multiply(_k22, _s50, _r16), _s27, _r16), _multiply(_s29, _s29, _r15), _r15)
     _s58 = _sqrt(_s57, _r16)
-    _s59 = _select(_k25 <= _s57, _divide(_select(_s34, _s35, _add(_s58, _s29, _r15), _r0), _select(_s34, _subtract(_s58, _s29, _r16), _select(_k25 < _s50, _s50, _k25, _r2), _r4), _r0), _k98, _r15)
+    _s59 = _select(_k29 <= _s57, _divide(_select(_s34, _s35, _add(_s58, _s29, _r15), _r0), _select(_s34, _subtract(_s58, _s29, _r16), _select(_k29 < _s50, _s50, _k29, _r2), _r4), _r0), _k30, _r15)
     _s60 = _select(_s59 < _s38, _s59, _s38, _r4)
     _s61 = _add(t, _s60, _r2)
-    _s62 = _logical_and(_logical_not(_s56), _logical_or(_logical_and((_s22 < _k25), (_s26 <= _s25)), _logical_and((t < end), _logical_not((t < _s61)))))
+    _s62 = _logical_and(_logical_not(_s56), _logical_or(_logical_and((_s22 < _k29), (_s26 <= _s25)), _logical_and((t < end), _logical_not((t < _s61)))))
     _s63 = _logical_not(_logical_or(_s56, _s62))
     _s64 = _logical_and(_s63, (_s37 <= _s60))
     _s65 = _select(end < low1, low1, end, _r4)
     _s66 = _s65 < high1
     _s67 = _select(end < low2, low2, end, _r15)
     _s68 = _s67 < high2
-    return _result(_s64, _select(_s66, _s65, _select(_s68, _s67, _k98, _r0), _r24), _select(_s62, t, _s61, _r19), _r0), _result(_s64, _select(_s66, high1, _select(_s68, high2, end, _r19), _r24), end, _r0), _s56, _logical_and(_s63, _logical_or(_logical_not(_s64), _logical_or(_logical_or(False, _s68), _s66)))
+    return _result(_s64, _select(_s66, _s65, _select(_s68, _s67, _k30, _r0), _r24), _select(_s62, t, _s61, _r19), _r0), _result(_s64, _select(_s66, high1, _select(_s68, high2, end, _r19), _r24), end, _r0), _s56, _logical_and(_s63, _logical_or(_logical_not(_s64), _logical_or(_logical_or(False, _s68), _s66)))
 
 
 def ring_started(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_ring_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -2122,7 +2220,7 @@ def ring_started(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_ring_radiu
     _r0, _r1 = _room[:2]
     _s0 = _sqrt(_add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1))
     _s1 = _add(_multiply(x, vx, _r1), _multiply(y, vy, _r0), _r0) / _s0
-    return _s0, _k49 * _add(_multiply(z, vz, _r0), _multiply(_s1, _subtract(_s0, p_ring_radius, _r1), _r1), _r1), _s1
+    return _s0, _k46 * _add(_multiply(z, vz, _r0), _multiply(_s1, _subtract(_s0, p_ring_radius, _r1), _r1), _r1), _s1
 
 
 def ring_coarse_excess(share: Any, horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -2138,7 +2236,7 @@ def ring_coarse_excess(share: Any, horizon: Any, extent: Any, speed: Any, positi
     _s4 = p_ring_radius - _s2
     _s5 = 0.0001220703125 * p_ring_radius
     _s6 = _s2 / _where(_s4 < _s5, _s5, _s4)
-    _s7 = _subtract(_add(position_error, _multiply(_multiply(_k47, horizon, _r3), velocity_error, _r3), _r3), _s1, _r3)
+    _s7 = _subtract(_add(position_error, _multiply(_multiply(_k44, horizon, _r3), velocity_error, _r3), _r3), _s1, _r3)
     _s8 = _add(_multiply(_multiply(_s0, _where(1.0 < _s6, _s6, 1.0), _r1), _select(_s7 < _s3, _s3, _s7, _r4), _r4), _multiply(_s2, _subtract(velocity_error, _multiply(share, _s0, _r0), _r0), _r0), _r0)
     return _result(_s3 < _s8, _s8, _s3, _r0),
 
@@ -2152,7 +2250,7 @@ def ring_budget_exceeded(horizon: Any, extent: Any, speed: Any, position_error: 
     _s0 = (0.000244140625 * p_ring_radius) - (p_ring_radius - (p_ball_radius + p_wire_radius))
     _s1 = 1.0 / p_gravity
     _s2 = _multiply(_sqrt(2.0), _sqrt(_multiply(_s1, _add((2.0 * p_ball_radius) + (2.0 * p_wire_radius), extent, _r0), _r0), _r0), _r0)
-    _s3 = _add(_s2, _multiply(_multiply(_k49, speed, _r1), _s1, _r1), _r1)
+    _s3 = _add(_s2, _multiply(_multiply(_k46, speed, _r1), _s1, _r1), _r1)
     _s4 = _subtract(_subtract(_add(position_error, _multiply(velocity_error, _select(_s3 < horizon, _s3, horizon, _r0), _r0), _r0), 1.52587890625e-05 * p_ball_radius, _r0), 1.52587890625e-05 * p_wire_radius, _r0)
     return _result(_s0 < _s4, _s4, _s0, _r0),
 
@@ -2233,12 +2331,15 @@ def backboard_normal() -> tuple[Any, ...]:
     return 1.0, 0.0, 0.0
 
 
-def backboard_curvature() -> tuple[Any, ...]:
-    """Bound on the rate at which the normal turns along the contact surface.
+def backboard_tangents(t: Any, x: Any, vx: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """Tangent and curvatures at a contact, and bounds on the roundings there.
 
-    Table 2. No operations.
+    Table 2, running error analysis. 8 operations: 2 additions, 4 multiplications, 2 absolute values.
     """
-    return 0.0,
+    t, x, vx, = [_single(value) for value in (t, x, vx,)]
+    _r0, _r1 = _halves(_room[:2])
+    _s0 = _k24 + _multiply(_k25, _add(_multiply(_multiply(_k72, t, _r0), _multiply(_k22, _absolute(vx, _r1), _r1), _r0), _absolute(x, _r1), _r1), _r1)
+    return _k37, _k74, _k37, _k37, _k37, _s0, _k37
 
 
 def backboard_vary(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: Any, ny: Any, nz: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, p_ball_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_gravity: Any, change_ball_radius: Any, change_board_distance: Any, change_board_half_width: Any, change_board_bottom: Any, change_board_top: Any) -> tuple[Any, ...]:
@@ -2278,7 +2379,7 @@ def backboard_margin(horizon: Any, extent: Any, speed: Any, position_error: Any,
     """
     _r0, _r1, _r2 = _room[:3]
     _s0 = _add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r0), _r0), _r0), _r0)
-    return _add((6.667843360785852e-16 * p_ball_radius) + (8.890457814381136e-16 * p_board_distance), _multiply(_k149, _s0, _r1), _r1) + _multiply(_k150, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(_k17, _s0, _r0), _r0), _r0),
+    return _add((6.667843360785852e-16 * p_ball_radius) + (8.890457814381136e-16 * p_board_distance), _multiply(_k162, _s0, _r1), _r1) + _multiply(_k163, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(_k17, _s0, _r0), _r0), _r0),
 
 
 def backboard_place(y: Any, z: Any, p_ball_radius: Any, p_board_distance: Any) -> tuple[Any, ...]:
@@ -2331,12 +2432,15 @@ def bridge_normal() -> tuple[Any, ...]:
     return 0.0, 0.0, 1.0
 
 
-def bridge_curvature() -> tuple[Any, ...]:
-    """Bound on the rate at which the normal turns along the contact surface.
+def bridge_tangents(t: Any, z: Any, vz: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """Tangent and curvatures at a contact, and bounds on the roundings there.
 
-    Table 2. No operations.
+    Table 2, running error analysis. 12 operations: 4 additions, 5 multiplications, 3 absolute values.
     """
-    return 0.0,
+    t, z, vz, p_gravity, = [_single(value) for value in (t, z, vz, p_gravity,)]
+    _r0, _r1, _r2 = _halves(_room[:3])
+    _s0 = _multiply(_multiply(_k72, t, _r0), _add(_absolute(vz, _r1), _absolute(_add(vz, _multiply(_k23 * p_gravity, t, _r2), _r2), _r2), _r2), _r0)
+    return _k37, _k74, _k37, _k37, _k37, _k24 + _multiply(_k25, _add(_s0, _absolute(z, _r2), _r2), _r2), _k37
 
 
 def bridge_vary(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: Any, ny: Any, nz: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_bridge_half_width: Any, p_gravity: Any, change_ball_radius: Any, change_ring_radius: Any, change_wire_radius: Any, change_board_distance: Any, change_bridge_half_width: Any) -> tuple[Any, ...]:
@@ -2374,7 +2478,7 @@ def bridge_arrival(leaving: Any, z: Any, vz: Any, p_ball_radius: Any, p_wire_rad
     _s3 = _select(_s0, _absolute(vz, _r2), _sqrt(_s2, _r4), _r5)
     _s4 = vz < _k7
     _s5 = -(1.0 / p_gravity)
-    return _select(_s4, _multiply(_k49, _s1, _r6), _add(vz, _s3, _r7), _r8) / _select(_s4, _subtract(_s3, vz, _r9), p_gravity, _r10), -_s3, -p_gravity, _result(_s4, _k7, _negative(_multiply(vz, _s5, _r5), _r5), _r0), _result(_s4, _s1, _negative(_multiply(0.5 * _s5, _s2, _r3), _r3), _r0)
+    return _select(_s4, _multiply(_k46, _s1, _r6), _add(vz, _s3, _r7), _r8) / _select(_s4, _subtract(_s3, vz, _r9), p_gravity, _r10), -_s3, -p_gravity, _result(_s4, _k7, _negative(_multiply(vz, _s5, _r5), _r5), _r0), _result(_s4, _s1, _negative(_multiply(0.5 * _s5, _s2, _r3), _r3), _r0)
 
 
 def bridge_margin(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -2384,7 +2488,7 @@ def bridge_margin(horizon: Any, extent: Any, speed: Any, position_error: Any, ve
     """
     _r0, _r1, _r2 = _room[:3]
     _s0 = _add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r0), _r0), _r0), _r0)
-    return _add((6.667843360785852e-16 * p_ball_radius) + (6.667843360785852e-16 * p_wire_radius), _multiply(_k149, _s0, _r1), _r1) + _multiply(_k150, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(_k17, _s0, _r0), _r0), _r0),
+    return _add((6.667843360785852e-16 * p_ball_radius) + (6.667843360785852e-16 * p_wire_radius), _multiply(_k162, _s0, _r1), _r1) + _multiply(_k163, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(_k17, _s0, _r0), _r0), _r0),
 
 
 def bridge_place(x: Any, y: Any, p_ball_radius: Any, p_wire_radius: Any) -> tuple[Any, ...]:
@@ -2438,12 +2542,15 @@ def end_normal() -> tuple[Any, ...]:
     return 0.0, 0.0, 1.0
 
 
-def end_curvature() -> tuple[Any, ...]:
-    """Bound on the rate at which the normal turns along the contact surface.
+def end_tangents(t: Any, z: Any, vz: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """Tangent and curvatures at a contact, and bounds on the roundings there.
 
-    Table 2. No operations.
+    Table 2, running error analysis. 12 operations: 4 additions, 5 multiplications, 3 absolute values.
     """
-    return 0.0,
+    t, z, vz, p_gravity, = [_single(value) for value in (t, z, vz, p_gravity,)]
+    _r0, _r1, _r2 = _halves(_room[:3])
+    _s0 = _multiply(_multiply(_k72, t, _r0), _add(_absolute(vz, _r1), _absolute(_add(vz, _multiply(_k23 * p_gravity, t, _r2), _r2), _r2), _r2), _r0)
+    return _k37, _k74, _k37, _k37, _k37, _k24 + _multiply(_k25, _add(_s0, _absolute(z, _r2), _r2), _r2), _k37
 
 
 def end_vary(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: Any, ny: Any, nz: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, p_ring_radius: Any, p_gravity: Any, p_end_depth: Any, change_ring_radius: Any, change_end_depth: Any) -> tuple[Any, ...]:
@@ -2472,7 +2579,7 @@ def end_arrival(leaving: Any, z: Any, vz: Any, p_gravity: Any, p_end_depth: Any,
     _s3 = _select(_s0, _absolute(vz, _r2), _sqrt(_s2, _r4), _r5)
     _s4 = vz < _k7
     _s5 = -(1.0 / p_gravity)
-    return _select(_s4, _multiply(_k49, _s1, _r6), _add(vz, _s3, _r7), _r8) / _select(_s4, _subtract(_s3, vz, _r9), p_gravity, _r10), -_s3, -p_gravity, _result(_s4, _k7, _negative(_multiply(vz, _s5, _r5), _r5), _r0), _result(_s4, _s1, _negative(_multiply(0.5 * _s5, _s2, _r3), _r3), _r0)
+    return _select(_s4, _multiply(_k46, _s1, _r6), _add(vz, _s3, _r7), _r8) / _select(_s4, _subtract(_s3, vz, _r9), p_gravity, _r10), -_s3, -p_gravity, _result(_s4, _k7, _negative(_multiply(vz, _s5, _r5), _r5), _r0), _result(_s4, _s1, _negative(_multiply(0.5 * _s5, _s2, _r3), _r3), _r0)
 
 
 def end_margin(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_gravity: Any, p_end_depth: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -2482,7 +2589,7 @@ def end_margin(horizon: Any, extent: Any, speed: Any, position_error: Any, veloc
     """
     _r0, _r1, _r2 = _room[:3]
     _s0 = _add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r0), _r0), _r0), _r0)
-    return _add(6.667843360785852e-16 * p_end_depth, _multiply(_k149, _s0, _r1), _r1) + _multiply(_k150, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(_k17, _s0, _r0), _r0), _r0),
+    return _add(6.667843360785852e-16 * p_end_depth, _multiply(_k162, _s0, _r1), _r1) + _multiply(_k163, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(_k17, _s0, _r0), _r0), _r0),
 
 
 def end_place(x: Any, y: Any, p_end_depth: Any) -> tuple[Any, ...]:
@@ -2834,7 +2941,7 @@ def _earliest_alone(index: Any, time: Any, when: Any, which: Any, arrives: Any) 
 
 
 def _beginning_alone() -> tuple[Any, ...]:
-    return _k56, _k10, False
+    return _k53, _k10, False
 
 
 def _out_of_budget_alone(pad: Any, budget_exceeded: Any, earliest_delay: Any, undecided_time: Any, excess: Any) -> tuple[Any, ...]:
@@ -2853,7 +2960,7 @@ def _opened_alone(horizon: Any, time: Any) -> tuple[Any, ...]:
 
 def _coarse_alone(rate_margin: Any, flat: Any, ceiling: Any, share: Any, searching: Any, representable: Any, fits: Any) -> tuple[Any, ...]:
     _s0 = (searching and representable) and fits
-    return _s0, searching or (not representable), _s0, ceiling, flat, rate_margin, share if (representable and fits) else _k56
+    return _s0, searching or (not representable), _s0, ceiling, flat, rate_margin, share if (representable and fits) else _k53
 
 
 def _stepped_alone(arrival: Any, lasting: Any, searching: Any, since: Any, single_precision: Any, certain: Any) -> tuple[Any, ...]:
@@ -2871,7 +2978,7 @@ def _gap_closes_alone(gap: Any, rate: Any, bend: Any, margin: Any, rate_margin: 
 
 
 def _smaller_budget_alone(share: Any) -> tuple[Any, ...]:
-    return (_k58 * share) if (_k57 < share) else _k2,
+    return (_k55 * share) if (_k54 < share) else _k2,
 
 
 def _budget_undecided_alone(t: Any, undecided_time: Any, excess: Any) -> tuple[Any, ...]:
@@ -2890,7 +2997,7 @@ def _found_alone(arrival: Any) -> tuple[Any, ...]:
 
 
 def _refined_root_alone(gap: Any, rate: Any, ceiling: Any, arrival: Any, refined: Any, certain: Any) -> tuple[Any, ...]:
-    return refined if certain else arrival, certain and ((_k59 * (rate * rate)) < (ceiling * abs(gap)))
+    return refined if certain else arrival, certain and ((_k56 * (rate * rate)) < (ceiling * abs(gap)))
 
 
 def _own_margin_alone(leaving: Any, flat: Any, tilt: Any, arrival: Any) -> tuple[Any, ...]:
@@ -2911,9 +3018,9 @@ def _ring_excess_alone(share: Any, horizon: Any, extent: Any, speed: Any, positi
     _s0 = speed + (p_gravity * horizon)
     _s1 = horizon * _s0
     _s2 = (position_error + (horizon * velocity_error)) - (share * (_s1 + (extent + _s1)))
-    _s3 = _k71 * (p_ball_radius + p_wire_radius)
+    _s3 = _k91 * (p_ball_radius + p_wire_radius)
     _s4 = p_ring_radius - _s3
-    _s5 = _k72 * p_ring_radius
+    _s5 = _k92 * p_ring_radius
     _s6 = _s3 / (_s5 if _s4 < _s5 else _s4)
     _s7 = ((_s0 * (_s6 if _k1 < _s6 else _k1)) * _s2) + (_s3 * (velocity_error - (share * _s0)))
     return _s7 if _s2 < _s7 else _s2,
@@ -2922,44 +3029,44 @@ def _ring_excess_alone(share: Any, horizon: Any, extent: Any, speed: Any, positi
 def _ring_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
     _s0 = vz * vz
     _s1 = (vx * vx) + (vy * vy)
-    _s2 = ((_k51 * _s0) + ((_k52 * p_gravity) * z)) + (_k51 * _s1)
+    _s2 = ((_k48 * _s0) + ((_k49 * p_gravity) * z)) + (_k48 * _s1)
     _s3 = (x * vy) - (y * vx)
     _s4 = _s3 * _s3
-    _s5 = (_k51 * p_ring_radius) * _s4
+    _s5 = (_k48 * p_ring_radius) * _s4
     _s6 = (x * x) + (y * y)
     _s7 = p_ball_radius + p_wire_radius
-    _s8 = _k71 * _s7
-    _s9 = _k51 * p_gravity
-    _s10 = _k82 * (_s0 + (_s9 * (abs(z) + _s8)))
+    _s8 = _k91 * _s7
+    _s9 = _k48 * p_gravity
+    _s10 = _k102 * (_s0 + (_s9 * (abs(z) + _s8)))
     _s11 = (_s0 + (_s9 * (z + _s8))) + _s10
     _s12 = _k1 / p_gravity
     _s13 = _root(_s11)
-    _s14 = _k53 * (abs(vz) + _s13)
+    _s14 = _k50 * (abs(vz) + _s13)
     _s15 = _k2 <= _s11
     _s16 = (_s12 * ((vz - _s13) - _s14)) if _s15 else _k10
     _s17 = p_ring_radius + _s8
     _s18 = _s17 * _s17
-    _s19 = (_k53 * _s1) * (_s18 + _s6)
+    _s19 = (_k50 * _s1) * (_s18 + _s6)
     _s20 = ((_s18 * _s1) + _s19) - _s4
     _s21 = (x * vx) + (y * vy)
     _s22 = _root(_s20)
-    _s23 = _k53 * ((abs(_s21) + abs(_s3)) + _s22)
+    _s23 = _k50 * ((abs(_s21) + abs(_s3)) + _s22)
     _s24 = _k1 / _s1
     _s25 = _k2 <= _s20
-    _s26 = _k83 < _s1
-    _s27 = (((-((_s21 + _s22) + _s23)) * _s24) if _s25 else _k10) if _s26 else _k84
+    _s26 = _k103 < _s1
+    _s27 = (((-((_s21 + _s22) + _s23)) * _s24) if _s25 else _k10) if _s26 else _k104
     _s28 = _s27 if _s16 < _s27 else _s16
     _s29 = p_ring_radius - _s8
-    _s30 = _k72 * p_ring_radius
+    _s30 = _k92 * p_ring_radius
     _s31 = _s30 if _s29 < _s30 else _s29
     _s32 = ((_s1 * (_s31 * _s31)) - _s19) - _s4
     _s33 = _root((_k2 if _s32 < _k2 else _s32))
-    _s34 = ((((_s22 + _s23) - _s21) * _s24) if _s25 else _k84) if _s26 else _k10
+    _s34 = ((((_s22 + _s23) - _s21) * _s24) if _s25 else _k104) if _s26 else _k10
     _s35 = _k2 < (_s32 if _s26 else _k2)
     _s36 = (((_s23 - _s21) - _s33) * _s24) if _s35 else _s34
     _s37 = (_s0 + (_s9 * (z - _s8))) - _s10
     _s38 = _root((_k2 if _s37 < _k2 else _s37))
-    _s39 = (_s12 * ((vz + _s13) + _s14)) if _s15 else _k84
+    _s39 = (_s12 * ((vz + _s13) + _s14)) if _s15 else _k104
     _s40 = _k2 < _s37
     _s41 = (_s12 * ((vz + _s14) - _s38)) if _s40 else _s39
     _s42 = _s36 if _s36 < _s41 else _s41
@@ -2978,28 +3085,28 @@ def _ring_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, 
     _s55 = _s42 if _k2 < _s42 else _k2
     _s56 = _s51 if _s55 < _s51 else _s55
     _s57 = _s53 if _s56 < _s53 else _s56
-    _s58 = (_k74 * p_ring_radius) - (p_ring_radius - _s7)
-    _s59 = _root(_k51) * _root((_s12 * (((_k51 * p_ball_radius) + (_k51 * p_wire_radius)) + extent)))
-    _s60 = _s59 + ((_k51 * speed) * _s12)
-    _s61 = ((position_error + (velocity_error * (_s60 if _s60 < horizon else horizon))) - (_k75 * p_ball_radius)) - (_k75 * p_wire_radius)
-    return _s2, _s5, _root(_s6), _s28 if _k2 < _s28 else _k2, _s42 if _s42 < horizon else horizon, _s50 if _k2 < _s50 else _k2, _s51 if _s51 < horizon else horizon, _s52 if _k2 < _s52 else _k2, _s53 if _s53 < horizon else horizon, (((_k78 * p_gravity) * _s7) + (_s5 * (_s54 * (_s54 * _s54)))) + abs(_s2), _s57 if _s57 < horizon else horizon, _s61 if _s58 < _s61 else _s58
+    _s58 = (_k94 * p_ring_radius) - (p_ring_radius - _s7)
+    _s59 = _root(_k48) * _root((_s12 * (((_k48 * p_ball_radius) + (_k48 * p_wire_radius)) + extent)))
+    _s60 = _s59 + ((_k48 * speed) * _s12)
+    _s61 = ((position_error + (velocity_error * (_s60 if _s60 < horizon else horizon))) - (_k95 * p_ball_radius)) - (_k95 * p_wire_radius)
+    return _s2, _s5, _root(_s6), _s28 if _k2 < _s28 else _k2, _s42 if _s42 < horizon else horizon, _s50 if _k2 < _s50 else _k2, _s51 if _s51 < horizon else horizon, _s52 if _k2 < _s52 else _k2, _s53 if _s53 < horizon else horizon, (((_k98 * p_gravity) * _s7) + (_s5 * (_s54 * (_s54 * _s54)))) + abs(_s2), _s57 if _s57 < horizon else horizon, _s61 if _s58 < _s61 else _s58
 
 
 def _ring_margins_alone(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
     _s0 = p_ball_radius + p_wire_radius
     _s1 = speed + (p_gravity * horizon)
-    _s2 = _k71 * _s0
+    _s2 = _k91 * _s0
     _s3 = _s2 * _s1
     _s4 = p_ring_radius + _s2
     _s5 = extent + (horizon * _s1)
     _s6 = (position_error + (horizon * velocity_error)) + (_k21 * _s5)
     _s7 = p_ring_radius - _s2
-    _s8 = _k72 * p_ring_radius
+    _s8 = _k92 * p_ring_radius
     _s9 = _s2 / (_s8 if _s7 < _s8 else _s7)
     _s10 = _s9 if _k1 < _s9 else _k1
-    _s11 = _k91 * (((_s1 * _s10) * _s6) + (_s2 * (velocity_error + (_k92 * _s1))))
-    _s12 = _k18 * ((((_k90 * _s1) * ((_s5 * _s10) + _s4)) + (_k21 * _s3)) + _s11)
-    return _k18 * ((((_k21 * horizon) * _s3) + ((_k88 * _s0) * _s4)) + ((_k89 * _s0) * _s6)), _s12, _k18 * ((_k90 * (_s4 * _s1)) + _s11)
+    _s11 = _k111 * (((_s1 * _s10) * _s6) + (_s2 * (velocity_error + (_k112 * _s1))))
+    _s12 = _k18 * ((((_k110 * _s1) * ((_s5 * _s10) + _s4)) + (_k21 * _s3)) + _s11)
+    return _k18 * ((((_k21 * horizon) * _s3) + ((_k108 * _s0) * _s4)) + ((_k109 * _s0) * _s6)), _s12, _k18 * ((_k110 * (_s4 * _s1)) + _s11)
 
 
 def _ring_refine_alone(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, rho_start: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
@@ -3011,8 +3118,8 @@ def _ring_refine_alone(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy
     _s5 = _s2 - p_ring_radius
     _s6 = vz - ((_k0 * p_gravity) * t)
     _s7 = z + (t * _s6)
-    _s8 = _k51 * ((((_s3 * _s4) * ((vx * _s0) + (vy * _s1))) * _s5) + (_s7 * (vz - (p_gravity * t))))
-    _s9 = (((t * ((vx * vx) + (vy * vy))) + (_k51 * ((x * vx) + (y * vy)))) * ((rho_start - p_ring_radius) + _s5)) * (_s2 * _s4)
+    _s8 = _k48 * ((((_s3 * _s4) * ((vx * _s0) + (vy * _s1))) * _s5) + (_s7 * (vz - (p_gravity * t))))
+    _s9 = (((t * ((vx * vx) + (vy * vy))) + (_k48 * ((x * vx) + (y * vy)))) * ((rho_start - p_ring_radius) + _s5)) * (_s2 * _s4)
     _s10 = p_ball_radius + p_wire_radius
     _s11 = (t * (_s9 + ((z + _s7) * _s6))) if (_k2 < leaving) else (((_s5 * _s5) + (_s7 * _s7)) - (_s10 * _s10))
     return t - (_s11 / _s8), _s11, _s8
@@ -3025,7 +3132,7 @@ def _ring_advance_alone(t: Any, end: Any, leaving: Any, margin: Any, rate_margin
     _s3 = _s2 - p_ring_radius
     _s4 = rho_start + _s2
     _s5 = _k1 / (_s4 * _s2)
-    _s6 = (((t * ((vx * vx) + (vy * vy))) + (_k51 * ((x * vx) + (y * vy)))) * ((rho_start - p_ring_radius) + _s3)) * (_s2 * _s5)
+    _s6 = (((t * ((vx * vx) + (vy * vy))) + (_k48 * ((x * vx) + (y * vy)))) * ((rho_start - p_ring_radius) + _s3)) * (_s2 * _s5)
     _s7 = vz - ((_k0 * p_gravity) * t)
     _s8 = z + (t * _s7)
     _s9 = p_ball_radius + p_wire_radius
@@ -3033,137 +3140,137 @@ def _ring_advance_alone(t: Any, end: Any, leaving: Any, margin: Any, rate_margin
     _s11 = _s4 * _s5
     _s12 = _s11 * ((vx * _s0) + (vy * _s1))
     _s13 = vz - (p_gravity * t)
-    _s14 = _k51 * ((_s12 * _s3) + (_s8 * _s13))
+    _s14 = _k48 * ((_s12 * _s3) + (_s8 * _s13))
     _s15 = _k9 * p_gravity
     _s16 = _s15 * _s8
     _s17 = moment2 * (_s11 * (_s11 * _s11))
-    _s18 = _k71 * _s9
-    _s19 = _k94 * (p_ring_radius + _s18)
+    _s18 = _k91 * _s9
+    _s19 = _k114 * (p_ring_radius + _s18)
     _s20 = _s14 - rate_margin
     _s21 = _s10 - margin
     _s22 = _k2 if _s21 < _k2 else _s21
     _s23 = (_s16 + _s17) - energy2
     _s24 = _s20 < _k2
-    _s25 = _k51 * _s22
-    _s26 = _k10 if (_k2 < (_s22 if (_k2 <= _s20) else _k2)) else ((_s25 if _s24 else (_k52 * _s20)) / ((-_s20) if _s24 else (_s23 if _k2 < _s23 else _k2)))
+    _s25 = _k48 * _s22
+    _s26 = _k10 if (_k2 < (_s22 if (_k2 <= _s20) else _k2)) else ((_s25 if _s24 else (_k49 * _s20)) / ((-_s20) if _s24 else (_s23 if _k2 < _s23 else _k2)))
     _s27 = end - t
     _s28 = _s26 if _s26 < _s27 else _s27
     _s29 = _s19 + ((_s28 * (_k2 if _s13 < _k2 else _s13)) + _s8)
     _s30 = _s15 * (_s18 if _s18 < _s29 else _s29)
     _s31 = ((_s28 * (_k2 if _k2 < _s12 else _s12)) + _s2) - _s19
     _s32 = p_ring_radius - _s18
-    _s33 = _k72 * p_ring_radius
+    _s33 = _k92 * p_ring_radius
     _s34 = _s33 if _s32 < _s33 else _s32
     _s35 = _k1 / (_s34 if _s31 < _s34 else _s31)
     _s36 = moment2 * (_s35 * (_s35 * _s35))
-    _s37 = ((_s30 + _s36) + (_k94 * ((_s36 + abs(energy2)) + abs(_s30)))) - energy2
-    _s38 = ((_k51 * _s37) * _s22) + (_s20 * _s20)
+    _s37 = ((_s30 + _s36) + (_k114 * ((_s36 + abs(energy2)) + abs(_s30)))) - energy2
+    _s38 = ((_k48 * _s37) * _s22) + (_s20 * _s20)
     _s39 = _root(_s38)
     _s40 = ((_s25 if _s24 else (_s20 + _s39)) / ((_s39 - _s20) if _s24 else (_s37 if _k2 < _s37 else _k2))) if (_k2 <= _s38) else _k10
     _s41 = _s40 if _s40 < _s28 else _s28
     _s42 = -(rate_margin + _s14)
-    return _s10, _s14, (energy2 - _s16) - _s17, _s41, t + _s41, ((_s42 * _s42) - ((_k55 * ceiling) * (margin + _s25))) if (_k2 < _s42) else _s42
+    return _s10, _s14, (energy2 - _s16) - _s17, _s41, t + _s41, ((_s42 * _s42) - ((_k52 * ceiling) * (margin + _s25))) if (_k2 < _s42) else _s42
 
 
 def _ring_opened_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
     _s0 = vz * vz
-    _s1 = _k95 * (p_ball_radius + p_wire_radius)
-    _s2 = _k33 * p_gravity
-    _s3 = _k107 * (_s0 + (_s2 * (abs(z) + _s1)))
+    _s1 = _k115 * (p_ball_radius + p_wire_radius)
+    _s2 = _k36 * p_gravity
+    _s3 = _k126 * (_s0 + (_s2 * (abs(z) + _s1)))
     _s4 = (_s0 + (_s2 * (z + _s1))) + _s3
-    _s5 = _k34 / p_gravity
+    _s5 = _k74 / p_gravity
     _s6 = _root(_s4)
-    _s7 = _k108 * (abs(vz) + _s6)
-    _s8 = _k30 <= _s4
-    _s9 = (_s5 * ((vz - _s6) - _s7)) if _s8 else _k109
+    _s7 = _k127 * (abs(vz) + _s6)
+    _s8 = _k37 <= _s4
+    _s9 = (_s5 * ((vz - _s6) - _s7)) if _s8 else _k39
     _s10 = (vx * vx) + (vy * vy)
     _s11 = p_ring_radius + _s1
     _s12 = _s11 * _s11
-    _s13 = (_k108 * _s10) * (_s12 + ((x * x) + (y * y)))
+    _s13 = (_k127 * _s10) * (_s12 + ((x * x) + (y * y)))
     _s14 = (x * vy) - (y * vx)
     _s15 = _s14 * _s14
     _s16 = ((_s12 * _s10) + _s13) - _s15
     _s17 = (x * vx) + (y * vy)
     _s18 = _root(_s16)
-    _s19 = _k108 * ((abs(_s17) + abs(_s14)) + _s18)
-    _s20 = _k34 / _s10
-    _s21 = _k30 <= _s16
-    _s22 = _k110 < _s10
-    _s23 = (((-((_s17 + _s18) + _s19)) * _s20) if _s21 else _k109) if _s22 else _k111
+    _s19 = _k127 * ((abs(_s17) + abs(_s14)) + _s18)
+    _s20 = _k74 / _s10
+    _s21 = _k37 <= _s16
+    _s22 = _k128 < _s10
+    _s23 = (((-((_s17 + _s18) + _s19)) * _s20) if _s21 else _k39) if _s22 else _k129
     _s24 = _s23 if _s9 < _s23 else _s9
-    _s25 = _s24 if _k30 < _s24 else _k30
-    _s26 = _s25 if _k30 < _s25 else _k30
+    _s25 = _s24 if _k37 < _s24 else _k37
+    _s26 = _s25 if _k37 < _s25 else _k37
     _s27 = p_ring_radius - _s1
-    _s28 = _k101 * p_ring_radius
+    _s28 = _k120 * p_ring_radius
     _s29 = _s28 if _s27 < _s28 else _s27
     _s30 = ((_s10 * (_s29 * _s29)) - _s13) - _s15
-    _s31 = _root((_k30 if _s30 < _k30 else _s30))
-    _s32 = ((((_s18 + _s19) - _s17) * _s20) if _s21 else _k111) if _s22 else _k109
-    _s33 = _k30 < (_s30 if _s22 else _k30)
+    _s31 = _root((_k37 if _s30 < _k37 else _s30))
+    _s32 = ((((_s18 + _s19) - _s17) * _s20) if _s21 else _k129) if _s22 else _k39
+    _s33 = _k37 < (_s30 if _s22 else _k37)
     _s34 = (((_s19 - _s17) - _s31) * _s20) if _s33 else _s32
     _s35 = (_s0 + (_s2 * (z - _s1))) - _s3
-    _s36 = _root((_k30 if _s35 < _k30 else _s35))
-    _s37 = (_s5 * ((vz + _s6) + _s7)) if _s8 else _k111
-    _s38 = _k30 < _s35
+    _s36 = _root((_k37 if _s35 < _k37 else _s35))
+    _s37 = (_s5 * ((vz + _s6) + _s7)) if _s8 else _k129
+    _s38 = _k37 < _s35
     _s39 = (_s5 * ((vz + _s7) - _s36)) if _s38 else _s37
     _s40 = _s34 if _s34 < _s39 else _s39
-    _s41 = _k112 * horizon
+    _s41 = _k130 * horizon
     _s42 = _s40 if _s40 < _s41 else _s41
     _s43 = _s26 < _s42
-    _s44 = (((_s31 - _s17) - _s19) * _s20) if _s33 else _k109
+    _s44 = (((_s31 - _s17) - _s19) * _s20) if _s33 else _k39
     _s45 = _s34 if _s44 < _s34 else _s44
     _s46 = _s45 if _s9 < _s45 else _s9
     _s47 = _s32 if _s32 < _s39 else _s39
-    _s48 = (_s5 * ((vz + _s36) - _s7)) if _s38 else _k109
+    _s48 = (_s5 * ((vz + _s36) - _s7)) if _s38 else _k39
     _s49 = _s39 if _s48 < _s39 else _s48
     _s50 = _s46 <= _s47
     _s51 = _s46 if _s50 else (_s23 if _s49 < _s23 else _s49)
-    _s52 = _s51 if _k30 < _s51 else _k30
-    _s53 = _s52 if _k30 < _s52 else _k30
+    _s52 = _s51 if _k37 < _s51 else _k37
+    _s53 = _s52 if _k37 < _s52 else _k37
     _s54 = _s47 if _s50 else (_s34 if _s34 < _s37 else _s37)
     _s55 = _s54 if _s54 < _s41 else _s41
     _s56 = _s53 < _s55
     _s57 = _s45 if _s49 < _s45 else _s49
-    _s58 = _s57 if _k30 < _s57 else _k30
-    _s59 = _s58 if _k30 < _s58 else _k30
+    _s58 = _s57 if _k37 < _s57 else _k37
+    _s59 = _s58 if _k37 < _s58 else _k37
     _s60 = _s32 if _s32 < _s37 else _s37
     _s61 = _s60 if _s60 < _s41 else _s41
     _s62 = _s59 < _s61
-    _s63 = _s40 if _k30 < _s40 else _k30
+    _s63 = _s40 if _k37 < _s40 else _k37
     _s64 = _s54 if _s63 < _s54 else _s63
     _s65 = _s60 if _s64 < _s60 else _s64
-    _s66 = (((_s11 <= (_k103 * _s29)) and (_s11 <= ((_k103 * p_ball_radius) + (_k103 * p_wire_radius)))) and (_s11 <= _k104)) and (_k105 <= _s29)
-    return _s26 if _s43 else (_s53 if _s56 else (_s59 if _s62 else _k30)), _s42 if _s43 else (_s55 if _s56 else (_s61 if _s62 else _k30)), ((False or _s62) or _s56) or _s43, _s52, _s55, _s58, _s61, _s65 if _s65 < _s41 else _s41, (((_s66 and (p_gravity <= _k104)) and (_k105 <= p_gravity)) and (extent <= _k104)) and (speed <= _k104)
+    _s66 = (((_s11 <= (_k122 * _s29)) and (_s11 <= ((_k122 * p_ball_radius) + (_k122 * p_wire_radius)))) and (_s11 <= _k123)) and (_k124 <= _s29)
+    return _s26 if _s43 else (_s53 if _s56 else (_s59 if _s62 else _k37)), _s42 if _s43 else (_s55 if _s56 else (_s61 if _s62 else _k37)), ((False or _s62) or _s56) or _s43, _s52, _s55, _s58, _s61, _s65 if _s65 < _s41 else _s41, (((_s66 and (p_gravity <= _k123)) and (_k124 <= p_gravity)) and (extent <= _k123)) and (speed <= _k123)
 
 
 def _ring_resolution_alone(t: Any, end: Any, leaving: Any, horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, start_rate: Any, rho_rate: Any, low1: Any, high1: Any, low2: Any, high2: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
-    _s0 = _k30 < leaving
+    _s0 = _k37 < leaving
     _s1 = speed + (p_gravity * horizon)
     _s2 = p_ball_radius + p_wire_radius
-    _s3 = _k95 * _s2
+    _s3 = _k115 * _s2
     _s4 = p_ring_radius - _s3
-    _s5 = _k101 * p_ring_radius
+    _s5 = _k120 * p_ring_radius
     _s6 = _s5 if _s4 < _s5 else _s4
     _s7 = _s2 / _s6
-    _s8 = _s7 if _k34 < _s7 else _k34
+    _s8 = _s7 if _k74 < _s7 else _k74
     _s9 = _s1 * _s8
     _s10 = extent + (horizon * _s1)
-    _s11 = _k128 * ((_s9 * _s10) + (_s2 * _s1))
-    _s12 = (_k127 * start_rate) / _s11
-    _s13 = _s12 if _s12 < _k129 else _k129
-    _s14 = (_s13 if _k126 < _s13 else _k126) if _s0 else _k129
-    _s15 = ((_k33 * (vz * vz)) + ((_k117 * p_gravity) * z)) + (_k33 * ((vx * vx) + (vy * vy)))
+    _s11 = _k144 * ((_s9 * _s10) + (_s2 * _s1))
+    _s12 = (_k143 * start_rate) / _s11
+    _s13 = _s12 if _s12 < _k145 else _k145
+    _s14 = (_s13 if _k142 < _s13 else _k142) if _s0 else _k145
+    _s15 = ((_k36 * (vz * vz)) + ((_k80 * p_gravity) * z)) + (_k36 * ((vx * vx) + (vy * vy)))
     _s16 = (x * vy) - (y * vx)
-    _s17 = (_k33 * p_ring_radius) * (_s16 * _s16)
-    _s18 = _k34 / _s6
+    _s17 = (_k36 * p_ring_radius) * (_s16 * _s16)
+    _s18 = _k74 / _s6
     _s19 = _s18 * (_s18 * _s18)
-    _s20 = (((_k118 * p_gravity) * _s2) + (_s17 * _s19)) + abs(_s15)
+    _s20 = (((_k135 * p_gravity) * _s2) + (_s17 * _s19)) + abs(_s15)
     _s21 = horizon - t
     _s22 = p_gravity * (_s21 * _s21)
     _s23 = p_ring_radius + _s3
-    _s24 = (_s10 * _s14) + (_k108 * (_s22 + _s23))
-    _s25 = (_k132 * ((_s17 * (abs(vx) + abs(vy))) * _s19)) / _s6
-    return _s14, _k30, end - t, x, y, z, vx, vy, vz, _s15, _s17, _root(((x * x) + (y * y))), _k130 * _s20, (_k121 * _s2) * _s24, (_k130 * ((_k107 * abs(start_rate)) + ((_k131 + _s14) * _s11))) if _s0 else _k109, _k130 * ((p_gravity * ((p_gravity * _s21) + abs(vz))) + _s25), (_k123 * ((_s23 / _s6) * _s8)) * _s20, start_rate, rho_rate, _k128 * (((_k130 * _s9) * _s24) + (((_k133 + _s14) * _s2) * _s1)), low1 - t, high1 - t, low2 - t, high2 - t, (_s22 <= ((_k125 * p_ball_radius) + (_k125 * p_wire_radius))) and ((t * leaving) <= _k30)
+    _s24 = (_s10 * _s14) + (_k127 * (_s22 + _s23))
+    _s25 = (_k23 * ((_s17 * (abs(vx) + abs(vy))) * _s19)) / _s6
+    return _s14, _k37, end - t, x, y, z, vx, vy, vz, _s15, _s17, _root(((x * x) + (y * y))), _k38 * _s20, (_k137 * _s2) * _s24, (_k38 * ((_k126 * abs(start_rate)) + ((_k146 + _s14) * _s11))) if _s0 else _k39, _k38 * ((p_gravity * ((p_gravity * _s21) + abs(vz))) + _s25), (_k139 * ((_s23 / _s6) * _s8)) * _s20, start_rate, rho_rate, _k144 * (((_k38 * _s9) * _s24) + (((_k147 + _s14) * _s2) * _s1)), low1 - t, high1 - t, low2 - t, high2 - t, (_s22 <= ((_k141 * p_ball_radius) + (_k141 * p_wire_radius))) and ((t * leaving) <= _k37)
 
 
 def _ring_step_alone(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, energy2: Any, moment2: Any, rho_start: Any, flat: Any, tilt: Any, quotient_margin: Any, jerk: Any, start_rate: Any, rho_rate: Any, low1: Any, high1: Any, low2: Any, high2: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
@@ -3172,86 +3279,86 @@ def _ring_step_alone(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y
     _s2 = _s1 < flat
     _s3 = (t * t) * jerk
     _s4 = _s2 and (_s3 < rate_margin)
-    _s5 = (_s3 + (_k33 * _s0)) if _s4 else rate_margin
+    _s5 = (_s3 + (_k36 * _s0)) if _s4 else rate_margin
     _s6 = (vx * vx) + (vy * vy)
     _s7 = x + (vx * t)
     _s8 = y + (vy * t)
     _s9 = _root(((_s7 * _s7) + (_s8 * _s8)))
     _s10 = rho_start + _s9
-    _s11 = _k34 / (_s10 * _s9)
+    _s11 = _k74 / (_s10 * _s9)
     _s12 = _s9 * _s11
-    _s13 = _s12 * ((t * _s6) + (_k33 * ((x * vx) + (y * vy))))
-    _s14 = vz - ((_k132 * p_gravity) * t)
-    _s15 = ((((_k33 * (rho_start - p_ring_radius)) * (_s6 - (rho_rate * _s13))) * _s12) + (_s13 * _s13)) + (_s14 * _s14)
+    _s13 = _s12 * ((t * _s6) + (_k36 * ((x * vx) + (y * vy))))
+    _s14 = vz - ((_k23 * p_gravity) * t)
+    _s15 = ((((_k36 * (rho_start - p_ring_radius)) * (_s6 - (rho_rate * _s13))) * _s12) + (_s13 * _s13)) + (_s14 * _s14)
     _s16 = start_rate + (t * (_s15 - (p_gravity * z)))
     _s17 = _s10 * _s11
     _s18 = _s17 * ((vx * _s7) + (vy * _s8))
     _s19 = _s9 - p_ring_radius
     _s20 = z + (t * _s14)
     _s21 = vz - (p_gravity * t)
-    _s22 = ((_k33 * _s16) - start_rate) if _s4 else (_k33 * ((_s18 * _s19) + (_s20 * _s21)))
+    _s22 = ((_k36 * _s16) - start_rate) if _s4 else (_k36 * ((_s18 * _s19) + (_s20 * _s21)))
     _s23 = -(_s5 + _s22)
     _s24 = p_ball_radius + p_wire_radius
     _s25 = _s1 if _s2 else flat
     _s26 = ((t * _s16) if _s2 else (((_s19 * _s19) + (_s20 * _s20)) - (_s24 * _s24))) - _s25
-    _s27 = _k30 if _s26 < _k30 else _s26
-    _s28 = _k33 * (_s27 + (_k33 * _s25))
+    _s27 = _k37 if _s26 < _k37 else _s26
+    _s28 = _k36 * (_s27 + (_k36 * _s25))
     _s29 = _s22 - _s5
-    _s30 = _k134 * p_gravity
+    _s30 = _k148 * p_gravity
     _s31 = _s30 * _s20
     _s32 = moment2 * (_s17 * (_s17 * _s17))
     _s33 = (_s31 + _s32) - energy2
-    _s34 = _s29 < _k30
-    _s35 = _k33 * _s27
-    _s36 = _k109 if (_k30 < (_s27 if (_k30 <= _s29) else _k30)) else (((_s35 + (_k35 * _s25)) if _s34 else (_k117 * _s29)) / ((-_s29) if _s34 else (_s33 if _k30 < _s33 else _k30)))
+    _s34 = _s29 < _k37
+    _s35 = _k36 * _s27
+    _s36 = _k39 if (_k37 < (_s27 if (_k37 <= _s29) else _k37)) else (((_s35 + (_k153 * _s25)) if _s34 else (_k80 * _s29)) / ((-_s29) if _s34 else (_s33 if _k37 < _s33 else _k37)))
     _s37 = end - t
     _s38 = _s36 if _s36 < _s37 else _s37
-    _s39 = _k95 * _s24
-    _s40 = ((_k101 * p_ball_radius) + (_k101 * p_wire_radius)) + ((_s38 * (_k30 if _s21 < _k30 else _s21)) + _s20)
+    _s39 = _k115 * _s24
+    _s40 = ((_k120 * p_ball_radius) + (_k120 * p_wire_radius)) + ((_s38 * (_k37 if _s21 < _k37 else _s21)) + _s20)
     _s41 = _s30 * (_s39 if _s39 < _s40 else _s40)
     _s42 = (abs(vx) + abs(vy)) * _s38
-    _s43 = (((_s38 * (_k30 if _k30 < _s18 else _s18)) + _s9) - (_k101 * _s42)) - (_k108 * (p_ring_radius + _s39))
+    _s43 = (((_s38 * (_k37 if _k37 < _s18 else _s18)) + _s9) - (_k120 * _s42)) - (_k127 * (p_ring_radius + _s39))
     _s44 = p_ring_radius - _s39
-    _s45 = _k101 * p_ring_radius
+    _s45 = _k120 * p_ring_radius
     _s46 = _s45 if _s44 < _s45 else _s44
-    _s47 = _k34 / (_s46 if _s43 < _s46 else _s43)
+    _s47 = _k74 / (_s46 if _s43 < _s46 else _s43)
     _s48 = moment2 * (_s47 * (_s47 * _s47))
     _s49 = abs(energy2)
-    _s50 = ((_s41 + _s48) + (_k140 * ((_s48 + _s49) + abs(_s41)))) - energy2
+    _s50 = ((_s41 + _s48) + (_k76 * ((_s48 + _s49) + abs(_s41)))) - energy2
     _s51 = -_s21
-    _s52 = (_s30 * (((_k105 * p_ball_radius) + (_k105 * p_wire_radius)) + (((p_gravity * _s38) + (_k30 if _s51 < _k30 else _s51)) * _s38))) + ((_k141 * (_s32 * _s17)) * _s42)
-    _s53 = energy2 + (_s52 + (_k105 * ((_s49 + abs(_s31)) + _s32)))
+    _s52 = (_s30 * (((_k124 * p_ball_radius) + (_k124 * p_wire_radius)) + (((p_gravity * _s38) + (_k37 if _s51 < _k37 else _s51)) * _s38))) + ((_k154 * (_s32 * _s17)) * _s42)
+    _s53 = energy2 + (_s52 + (_k124 * ((_s49 + abs(_s31)) + _s32)))
     _s54 = (_s53 - _s31) - _s32
-    _s55 = ((_s23 * _s23) - ((_k35 * _s28) * ((_s54 if _s50 < _s54 else _s50) if (_s28 <= (_s23 * _s38)) else ceiling))) if (_k30 < _s23) else _s23
-    _s56 = _k30 < _s55
-    _s57 = ((_k33 * _s50) * _s27) + (_s29 * _s29)
+    _s55 = ((_s23 * _s23) - ((_k153 * _s28) * ((_s54 if _s50 < _s54 else _s50) if (_s28 <= (_s23 * _s38)) else ceiling))) if (_k37 < _s23) else _s23
+    _s56 = _k37 < _s55
+    _s57 = ((_k36 * _s50) * _s27) + (_s29 * _s29)
     _s58 = _root(_s57)
-    _s59 = ((_s35 if _s34 else (_s58 + _s29)) / ((_s58 - _s29) if _s34 else (_s50 if _k30 < _s50 else _k30))) if (_k30 <= _s57) else _k109
+    _s59 = ((_s35 if _s34 else (_s58 + _s29)) / ((_s58 - _s29) if _s34 else (_s50 if _k37 < _s50 else _k37))) if (_k37 <= _s57) else _k39
     _s60 = _s59 if _s59 < _s38 else _s38
     _s61 = t + _s60
-    _s62 = (not _s56) and (((_s22 < _k30) and (_s26 <= _s25)) or ((t < end) and (not (t < _s61))))
+    _s62 = (not _s56) and (((_s22 < _k37) and (_s26 <= _s25)) or ((t < end) and (not (t < _s61))))
     _s63 = not (_s56 or _s62)
     _s64 = _s63 and (_s37 <= _s60)
     _s65 = low1 if end < low1 else end
     _s66 = _s65 < high1
     _s67 = low2 if end < low2 else end
     _s68 = _s67 < high2
-    return (_s65 if _s66 else (_s67 if _s68 else _k109)) if _s64 else (t if _s62 else _s61), (high1 if _s66 else (high2 if _s68 else end)) if _s64 else end, _s56, _s63 and ((not _s64) or ((False or _s68) or _s66))
+    return (_s65 if _s66 else (_s67 if _s68 else _k39)) if _s64 else (t if _s62 else _s61), (high1 if _s66 else (high2 if _s68 else end)) if _s64 else end, _s56, _s63 and ((not _s64) or ((False or _s68) or _s66))
 
 
 def _ring_started_alone(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_ring_radius: Any) -> tuple[Any, ...]:
     _s0 = _root(((x * x) + (y * y)))
     _s1 = ((x * vx) + (y * vy)) / _s0
-    return _s0, _k51 * ((z * vz) + (_s1 * (_s0 - p_ring_radius))), _s1
+    return _s0, _k48 * ((z * vz) + (_s1 * (_s0 - p_ring_radius))), _s1
 
 
 def _ring_coarse_excess_alone(share: Any, horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
     _s0 = speed + (p_gravity * horizon)
     _s1 = share * (extent + (horizon * _s0))
-    _s2 = _k71 * (p_ball_radius + p_wire_radius)
-    _s3 = ((position_error + (horizon * velocity_error)) - _s1) - (_k142 * (p_ring_radius + _s2))
+    _s2 = _k91 * (p_ball_radius + p_wire_radius)
+    _s3 = ((position_error + (horizon * velocity_error)) - _s1) - (_k155 * (p_ring_radius + _s2))
     _s4 = p_ring_radius - _s2
-    _s5 = _k72 * p_ring_radius
+    _s5 = _k92 * p_ring_radius
     _s6 = _s2 / (_s5 if _s4 < _s5 else _s4)
     _s7 = (position_error + ((_k0 * horizon) * velocity_error)) - _s1
     _s8 = ((_s0 * (_s6 if _k1 < _s6 else _k1)) * (_s3 if _s7 < _s3 else _s7)) + (_s2 * (velocity_error - (share * _s0)))
@@ -3259,11 +3366,11 @@ def _ring_coarse_excess_alone(share: Any, horizon: Any, extent: Any, speed: Any,
 
 
 def _ring_budget_exceeded_alone(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
-    _s0 = (_k74 * p_ring_radius) - (p_ring_radius - (p_ball_radius + p_wire_radius))
+    _s0 = (_k94 * p_ring_radius) - (p_ring_radius - (p_ball_radius + p_wire_radius))
     _s1 = _k1 / p_gravity
-    _s2 = _root(_k51) * _root((_s1 * (((_k51 * p_ball_radius) + (_k51 * p_wire_radius)) + extent)))
-    _s3 = _s2 + ((_k51 * speed) * _s1)
-    _s4 = ((position_error + (velocity_error * (_s3 if _s3 < horizon else horizon))) - (_k75 * p_ball_radius)) - (_k75 * p_wire_radius)
+    _s2 = _root(_k48) * _root((_s1 * (((_k48 * p_ball_radius) + (_k48 * p_wire_radius)) + extent)))
+    _s3 = _s2 + ((_k48 * speed) * _s1)
+    _s4 = ((position_error + (velocity_error * (_s3 if _s3 < horizon else horizon))) - (_k95 * p_ball_radius)) - (_k95 * p_wire_radius)
     return _s4 if _s0 < _s4 else _s0,
 
 
@@ -3549,7 +3656,7 @@ def detect_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
     """Stage detect of the event loop, the path alone."""
     _clock_0, _contacts_0, _last_0, _most_contacts_0, _p_ball_radius_0, _p_board_bottom_0, _p_board_distance_0, _p_board_half_width_0, _p_board_top_0, _p_bridge_half_width_0, _p_end_depth_0, _p_gravity_0, _p_ring_radius_0, _p_wire_radius_0, _time_limit_0, _vx_0, _vy_0, _vz_0, _x_0, _y_0, _z_0, = map(columns.__getitem__, ("clock", "contacts", "last", "most_contacts", "p_ball_radius", "p_board_bottom", "p_board_distance", "p_board_half_width", "p_board_top", "p_bridge_half_width", "p_end_depth", "p_gravity", "p_ring_radius", "p_wire_radius", "time_limit", "vx", "vy", "vz", "x", "y", "z",))
     _room_0 = room(shots)
-    _, _, _, _time_error_0 = _fixed(error_bounds, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+    _, _, _, _time_error_0 = error_bounds(0.0, 0.0, 0.0, 0.0)
     _extent_0, _speed_0, _excess_0 = scale(_x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _p_gravity_0, _room_0)
     _when_0, _which_0, *_ = opening(_excess_0, 0.0, 0.0)
     _limited_0, = limited(_time_limit_0)
@@ -3836,9 +3943,9 @@ def start_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
 
 def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
     """Stage detect of the event loop, with bounds on errors."""
-    _clock_0, _clock_error_0, _contacts_0, _dvx_0, _dvy_0, _dvz_0, _dwx_0, _dwy_0, _dwz_0, _dx_0, _dy_0, _dz_0, _last_0, _most_contacts_0, _p_ball_radius_0, _p_board_bottom_0, _p_board_distance_0, _p_board_half_width_0, _p_board_top_0, _p_bridge_half_width_0, _p_end_depth_0, _p_gravity_0, _p_ring_radius_0, _p_wire_radius_0, _time_limit_0, _uncertain_0, _vx_0, _vy_0, _vz_0, _x_0, _y_0, _z_0, = map(columns.__getitem__, ("clock", "clock_error", "contacts", "dvx", "dvy", "dvz", "dwx", "dwy", "dwz", "dx", "dy", "dz", "last", "most_contacts", "p_ball_radius", "p_board_bottom", "p_board_distance", "p_board_half_width", "p_board_top", "p_bridge_half_width", "p_end_depth", "p_gravity", "p_ring_radius", "p_wire_radius", "time_limit", "uncertain", "vx", "vy", "vz", "x", "y", "z",))
+    _clock_0, _clock_error_0, _contacts_0, _last_0, _most_contacts_0, _p_ball_radius_0, _p_board_bottom_0, _p_board_distance_0, _p_board_half_width_0, _p_board_top_0, _p_bridge_half_width_0, _p_end_depth_0, _p_gravity_0, _p_ring_radius_0, _p_wire_radius_0, _position_bound_0, _spin_bound_0, _time_limit_0, _uncertain_0, _velocity_bound_0, _vx_0, _vy_0, _vz_0, _x_0, _y_0, _z_0, = map(columns.__getitem__, ("clock", "clock_error", "contacts", "last", "most_contacts", "p_ball_radius", "p_board_bottom", "p_board_distance", "p_board_half_width", "p_board_top", "p_bridge_half_width", "p_end_depth", "p_gravity", "p_ring_radius", "p_wire_radius", "position_bound", "spin_bound", "time_limit", "uncertain", "velocity_bound", "vx", "vy", "vz", "x", "y", "z",))
     _room_0 = room(shots)
-    _position_error_0, _velocity_error_0, _, _time_error_0 = error_bounds(_clock_error_0, _dx_0, _dy_0, _dz_0, _dvx_0, _dvy_0, _dvz_0, _dwx_0, _dwy_0, _dwz_0, _room_0)
+    _position_error_0, _velocity_error_0, _, _time_error_0 = error_bounds(_clock_error_0, _position_bound_0, _velocity_bound_0, _spin_bound_0)
     _extent_0, _speed_0, _excess_0 = scale(_x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _p_gravity_0, _room_0)
     _when_0, _which_0, _earliest_delay_0, _undecided_time_0 = opening(_excess_0, _double(_position_error_0), _double(_velocity_error_0))
     _limited_0, = limited(_time_limit_0)
@@ -4100,16 +4207,16 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
     _edge_0, _reached_0 = _choose(_here_0, (_edge_1, _reached_1,), (_edge_0, _reached_0,))
     _uncertain_0, = flight_undecided(_when_0, _earliest_delay_0, _undecided_time_0, _uncertain_0, _edge_0)
     _contacts_0, _outcome_0 = accounted(_contacts_0, _most_contacts_0, _reached_0, _touches_0)
-    columns |= {"body": _body_0, "clock": _clock_0, "contacts": _contacts_0, "earliest_delay": _earliest_delay_0, "ends": _ends_0, "limited": _limited_0, "outcome": _outcome_0, "touches": _touches_0, "uncertain": _uncertain_0, "vx": _vx_0, "vy": _vy_0, "vz": _vz_0, "when": _when_0, "which": _which_0, "x": _x_0, "y": _y_0, "z": _z_0, }
+    columns |= {"body": _body_0, "clock": _clock_0, "contacts": _contacts_0, "ends": _ends_0, "limited": _limited_0, "outcome": _outcome_0, "touches": _touches_0, "uncertain": _uncertain_0, "vx": _vx_0, "vy": _vy_0, "vz": _vz_0, "when": _when_0, "which": _which_0, "x": _x_0, "y": _y_0, "z": _z_0, }
 
 
 def resolve_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
     """Stage resolve of the event loop, with bounds on errors."""
-    _body_0, _claims_0, _clock_0, _clock_error_0, _contacts_0, _count_0_0, _count_1_0, _count_2_0, _dvx_0, _dvy_0, _dvz_0, _dwx_0, _dwy_0, _dwz_0, _dx_0, _dy_0, _dz_0, _earliest_delay_0, _ends_0, _first_0, _last_0, _limited_0, _outcome_0, _p_ball_radius_0, _p_board_distance_0, _p_gravity_0, _p_restitution_0, _p_ring_radius_0, _p_wire_radius_0, _touches_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0, = map(columns.__getitem__, ("body", "claims", "clock", "clock_error", "contacts", "count_0", "count_1", "count_2", "dvx", "dvy", "dvz", "dwx", "dwy", "dwz", "dx", "dy", "dz", "earliest_delay", "ends", "first", "last", "limited", "outcome", "p_ball_radius", "p_board_distance", "p_gravity", "p_restitution", "p_ring_radius", "p_wire_radius", "touches", "vx", "vy", "vz", "when", "which", "wx", "wy", "wz", "x", "y", "z",))
+    _body_0, _claims_0, _clock_0, _clock_error_0, _count_0_0, _count_1_0, _count_2_0, _ends_0, _first_0, _last_0, _left_bend_e_0, _left_bend_s_0, _left_ex_0, _left_ey_0, _left_nx_0, _left_ny_0, _left_nz_0, _limited_0, _outcome_0, _p_ball_radius_0, _p_board_distance_0, _p_gravity_0, _p_restitution_0, _p_ring_radius_0, _p_wire_radius_0, _pace_e_0, _pace_n_0, _pace_s_0, _place_e_0, _place_n_0, _place_s_0, _position_bound_0, _spin_bound_0, _touches_0, _turn_n_0, _turn_z_0, _velocity_bound_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0, = map(columns.__getitem__, ("body", "claims", "clock", "clock_error", "count_0", "count_1", "count_2", "ends", "first", "last", "left_bend_e", "left_bend_s", "left_ex", "left_ey", "left_nx", "left_ny", "left_nz", "limited", "outcome", "p_ball_radius", "p_board_distance", "p_gravity", "p_restitution", "p_ring_radius", "p_wire_radius", "pace_e", "pace_n", "pace_s", "place_e", "place_n", "place_s", "position_bound", "spin_bound", "touches", "turn_n", "turn_z", "velocity_bound", "vx", "vy", "vz", "when", "which", "wx", "wy", "wz", "x", "y", "z",))
     _meeting_0, = meeting(_claims_0, _ends_0, _touches_0)
     _rows1, _count2 = _rows(_meeting_0, shots)
     if _count2:
-        _body_1, _clock_1, _clock_error_1, _contacts_1, _count_0_1, _count_1_1, _count_2_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _ends_1, _first_1, _last_1, _p_ball_radius_1, _p_board_distance_1, _p_gravity_1, _p_restitution_1, _p_ring_radius_1, _p_wire_radius_1, _touches_1, _vx_1, _vy_1, _vz_1, _when_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1 = _taken(_rows1, _body_0, _clock_0, _clock_error_0, _contacts_0, _count_0_0, _count_1_0, _count_2_0, _dvx_0, _dvy_0, _dvz_0, _dwx_0, _dwy_0, _dwz_0, _dx_0, _dy_0, _dz_0, _earliest_delay_0, _ends_0, _first_0, _last_0, _p_ball_radius_0, _p_board_distance_0, _p_gravity_0, _p_restitution_0, _p_ring_radius_0, _p_wire_radius_0, _touches_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0)
+        _body_1, _clock_1, _clock_error_1, _count_0_1, _count_1_1, _count_2_1, _ends_1, _first_1, _last_1, _left_bend_e_1, _left_bend_s_1, _left_ex_1, _left_ey_1, _left_nx_1, _left_ny_1, _left_nz_1, _p_ball_radius_1, _p_board_distance_1, _p_gravity_1, _p_restitution_1, _p_ring_radius_1, _p_wire_radius_1, _pace_e_1, _pace_n_1, _pace_s_1, _place_e_1, _place_n_1, _place_s_1, _position_bound_1, _spin_bound_1, _touches_1, _turn_n_1, _turn_z_1, _velocity_bound_1, _vx_1, _vy_1, _vz_1, _when_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1 = _taken(_rows1, _body_0, _clock_0, _clock_error_0, _count_0_0, _count_1_0, _count_2_0, _ends_0, _first_0, _last_0, _left_bend_e_0, _left_bend_s_0, _left_ex_0, _left_ey_0, _left_nx_0, _left_ny_0, _left_nz_0, _p_ball_radius_0, _p_board_distance_0, _p_gravity_0, _p_restitution_0, _p_ring_radius_0, _p_wire_radius_0, _pace_e_0, _pace_n_0, _pace_s_0, _place_e_0, _place_n_0, _place_s_0, _position_bound_0, _spin_bound_0, _touches_0, _turn_n_0, _turn_z_0, _velocity_bound_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0)
         _room_1 = room(_count2)
         _nx_1, _ny_1, _nz_1 = end_normal()
         _here_1, = here(0.0, _which_1)
@@ -4124,35 +4231,37 @@ def resolve_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _nx_2, _ny_2, _nz_2 = bridge_normal()
         _count_2_2, = counted(_count_2_1)
         _count_2_1, _nx_1, _ny_1, _nz_1 = _choose(_here_1, (_count_2_2, _nx_2, _ny_2, _nz_2,), (_count_2_1, _nx_1, _ny_1, _nz_1,))
-        _curving_1, = elsewhere()
-        _again_1, = again(0.0, _last_1, _which_1)
-        _curving_2, = ring_curvature(_p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1)
-        _curving_1, = _choose(_again_1, (_curving_2,), (_curving_1,))
-        _again_1, = again(1.0, _last_1, _which_1)
-        _curving_2, = backboard_curvature()
-        _curving_1, = _choose(_again_1, (_curving_2,), (_curving_1,))
-        _again_1, = again(2.0, _last_1, _which_1)
-        _curving_2, = bridge_curvature()
-        _curving_1, = _choose(_again_1, (_curving_2,), (_curving_1,))
-        _dx_1, _dy_1, _dz_1, _dvx_1, _dvy_1, _dvz_1, _belated_1, _shift_1 = carry_flight(_when_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _nx_1, _ny_1, _nz_1, _clock_1, _contacts_1, _earliest_delay_1, _dx_1, _dy_1, _dz_1, _dvx_1, _dvy_1, _dvz_1, _curving_1, _p_gravity_1, _room_1)
-        _clock_error_1, = clock_error_sum(_belated_1, _clock_error_1)
-        _dx_2, _dy_2, _dz_2 = error_floor(_dx_1, _dy_1, _dz_1, _shift_1)
-        _dx_1, _dy_1, _dz_1 = _choose(_ends_1, (_dx_2, _dy_2, _dz_2,), (_dx_1, _dy_1, _dz_1,))
-        _dnx_1, _dny_1, _dnz_1, _turn_1 = no_normal_error()
+        _normal_velocity_1, = normal_velocity(_vx_1, _vy_1, _vz_1, _nx_1, _ny_1, _nz_1)
+        _back_1, = came_back(_last_1, _which_1)
+        _tangent_x_1, _tangent_y_1, _bend_s_1, _bend_e_1, _sharpest_bend_1, _root_offset_1, _normal_rounding_1 = end_tangents(_when_1, _z_1, _vz_1, _p_gravity_1, _room_1)
         _here_1, = here(0.0, _which_1)
         _rows3, _count4 = _most(_here_1, _count2)
         if _count4:
-            _dx_2, _dy_2, _dz_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _shift_2, _x_2, _y_2 = _taken(_rows3, _dx_1, _dy_1, _dz_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _shift_1, _x_1, _y_1)
+            _back_2, _normal_velocity_2, _nx_2, _ny_2, _nz_2, _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _vx_2, _vy_2, _vz_2, _when_2, _x_2, _y_2, _z_2 = _taken(_rows3, _back_1, _normal_velocity_1, _nx_1, _ny_1, _nz_1, _p_ball_radius_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _vx_1, _vy_1, _vz_1, _when_1, _x_1, _y_1, _z_1)
             _room_2 = room(_count4)
-            _dnx_2, _dny_2, _dnz_2, _turn_2 = ring_carry_normal(_x_2, _y_2, _dx_2, _dy_2, _dz_2, _shift_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _room_2)
-            _dnx_1, _dny_1, _dnz_1, _turn_1 = _put(_rows3, _count2, (_dnx_1, _dny_1, _dnz_1, _turn_1,), (_dnx_2, _dny_2, _dnz_2, _turn_2,), _here_1)
-        _rows5, _count6 = _most(_touches_1, _count2)
+            _tangent_x_2, _tangent_y_2, _bend_s_2, _bend_e_2, _sharpest_bend_2, _root_offset_2, _normal_rounding_2 = ring_tangents(_when_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _nx_2, _ny_2, _nz_2, _normal_velocity_2, _back_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
+            _bend_e_1, _bend_s_1, _normal_rounding_1, _root_offset_1, _sharpest_bend_1, _tangent_x_1, _tangent_y_1 = _put(_rows3, _count2, (_bend_e_1, _bend_s_1, _normal_rounding_1, _root_offset_1, _sharpest_bend_1, _tangent_x_1, _tangent_y_1,), (_bend_e_2, _bend_s_2, _normal_rounding_2, _root_offset_2, _sharpest_bend_2, _tangent_x_2, _tangent_y_2,), _here_1)
+        _here_1, = here(1.0, _which_1)
+        _tangent_x_2, _tangent_y_2, _bend_s_2, _bend_e_2, _sharpest_bend_2, _root_offset_2, _normal_rounding_2 = backboard_tangents(_when_1, _x_1, _vx_1, _room_1)
+        _bend_e_1, _bend_s_1, _normal_rounding_1, _root_offset_1, _sharpest_bend_1, _tangent_x_1, _tangent_y_1 = _choose(_here_1, (_bend_e_2, _bend_s_2, _normal_rounding_2, _root_offset_2, _sharpest_bend_2, _tangent_x_2, _tangent_y_2,), (_bend_e_1, _bend_s_1, _normal_rounding_1, _root_offset_1, _sharpest_bend_1, _tangent_x_1, _tangent_y_1,))
+        _here_1, = here(2.0, _which_1)
+        _tangent_x_2, _tangent_y_2, _bend_s_2, _bend_e_2, _sharpest_bend_2, _root_offset_2, _normal_rounding_2 = bridge_tangents(_when_1, _z_1, _vz_1, _p_gravity_1, _room_1)
+        _bend_e_1, _bend_s_1, _normal_rounding_1, _root_offset_1, _sharpest_bend_1, _tangent_x_1, _tangent_y_1 = _choose(_here_1, (_bend_e_2, _bend_s_2, _normal_rounding_2, _root_offset_2, _sharpest_bend_2, _tangent_x_2, _tangent_y_2,), (_bend_e_1, _bend_s_1, _normal_rounding_1, _root_offset_1, _sharpest_bend_1, _tangent_x_1, _tangent_y_1,))
+        _rows5, _count6 = _most(_ends_1, _count2)
         if _count6:
-            _contacts_2, _dnx_2, _dny_2, _dnz_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _nx_2, _ny_2, _nz_2, _p_ball_radius_2, _p_restitution_2, _turn_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2 = _taken(_rows5, _contacts_1, _dnx_1, _dny_1, _dnz_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _nx_1, _ny_1, _nz_1, _p_ball_radius_1, _p_restitution_1, _turn_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1)
+            _clock_2, _clock_error_2, _normal_velocity_2, _p_gravity_2, _position_bound_2, _root_offset_2, _spin_bound_2, _velocity_bound_2, _vx_2, _vy_2, _vz_2, _when_2, _x_2, _y_2, _z_2 = _taken(_rows5, _clock_1, _clock_error_1, _normal_velocity_1, _p_gravity_1, _position_bound_1, _root_offset_1, _spin_bound_1, _velocity_bound_1, _vx_1, _vy_1, _vz_1, _when_1, _x_1, _y_1, _z_1)
             _room_2 = room(_count6)
-            _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2 = carry_impact(_vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _nx_2, _ny_2, _nz_2, _contacts_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dnx_2, _dny_2, _dnz_2, _turn_2, _p_ball_radius_2, _p_restitution_2, _room_2)
+            _position_bound_2, _velocity_bound_2, _spin_bound_2, _belated_2 = carry_end(_when_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _clock_2, _position_bound_2, _velocity_bound_2, _spin_bound_2, _root_offset_2, _normal_velocity_2, _p_gravity_2, _room_2)
+            _clock_error_2, = clock_error_sum(_belated_2, _clock_error_2)
+            _clock_error_1, _position_bound_1, _spin_bound_1, _velocity_bound_1 = _put(_rows5, _count2, (_clock_error_1, _position_bound_1, _spin_bound_1, _velocity_bound_1,), (_clock_error_2, _position_bound_2, _spin_bound_2, _velocity_bound_2,), _ends_1)
+        _rows7, _count8 = _most(_touches_1, _count2)
+        if _count8:
+            _back_2, _bend_e_2, _bend_s_2, _clock_2, _clock_error_2, _left_bend_e_2, _left_bend_s_2, _left_ex_2, _left_ey_2, _left_nx_2, _left_ny_2, _left_nz_2, _normal_rounding_2, _normal_velocity_2, _nx_2, _ny_2, _nz_2, _p_ball_radius_2, _p_gravity_2, _p_restitution_2, _pace_e_2, _pace_n_2, _pace_s_2, _place_e_2, _place_n_2, _place_s_2, _position_bound_2, _root_offset_2, _sharpest_bend_2, _spin_bound_2, _tangent_x_2, _tangent_y_2, _turn_n_2, _turn_z_2, _velocity_bound_2, _vx_2, _vy_2, _vz_2, _when_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_rows7, _back_1, _bend_e_1, _bend_s_1, _clock_1, _clock_error_1, _left_bend_e_1, _left_bend_s_1, _left_ex_1, _left_ey_1, _left_nx_1, _left_ny_1, _left_nz_1, _normal_rounding_1, _normal_velocity_1, _nx_1, _ny_1, _nz_1, _p_ball_radius_1, _p_gravity_1, _p_restitution_1, _pace_e_1, _pace_n_1, _pace_s_1, _place_e_1, _place_n_1, _place_s_1, _position_bound_1, _root_offset_1, _sharpest_bend_1, _spin_bound_1, _tangent_x_1, _tangent_y_1, _turn_n_1, _turn_z_1, _velocity_bound_1, _vx_1, _vy_1, _vz_1, _when_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
+            _room_2 = room(_count8)
+            _place_n_2, _place_s_2, _place_e_2, _pace_n_2, _pace_s_2, _pace_e_2, _turn_n_2, _turn_z_2, _position_bound_2, _velocity_bound_2, _spin_bound_2, _left_nx_2, _left_ny_2, _left_nz_2, _left_ex_2, _left_ey_2, _left_bend_s_2, _left_bend_e_2, _belated_2 = carry_impact(_when_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _nx_2, _ny_2, _nz_2, _clock_2, _left_nx_2, _left_ny_2, _left_nz_2, _place_n_2, _place_s_2, _place_e_2, _pace_n_2, _pace_s_2, _pace_e_2, _turn_n_2, _turn_z_2, _position_bound_2, _velocity_bound_2, _spin_bound_2, _tangent_x_2, _tangent_y_2, _bend_s_2, _bend_e_2, _left_ex_2, _left_ey_2, _left_bend_s_2, _left_bend_e_2, _sharpest_bend_2, _root_offset_2, _normal_rounding_2, _normal_velocity_2, _back_2, _p_ball_radius_2, _p_restitution_2, _p_gravity_2, _room_2)
+            _clock_error_2, = clock_error_sum(_belated_2, _clock_error_2)
             _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2 = impact(_vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _nx_2, _ny_2, _nz_2, _p_ball_radius_2, _p_restitution_2, _room_2)
-            _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1 = _put(_rows5, _count2, (_dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1,), (_dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2,), _touches_1)
+            _clock_error_1, _left_bend_e_1, _left_bend_s_1, _left_ex_1, _left_ey_1, _left_nx_1, _left_ny_1, _left_nz_1, _pace_e_1, _pace_n_1, _pace_s_1, _place_e_1, _place_n_1, _place_s_1, _position_bound_1, _spin_bound_1, _turn_n_1, _turn_z_1, _velocity_bound_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1 = _put(_rows7, _count2, (_clock_error_1, _left_bend_e_1, _left_bend_s_1, _left_ex_1, _left_ey_1, _left_nx_1, _left_ny_1, _left_nz_1, _pace_e_1, _pace_n_1, _pace_s_1, _place_e_1, _place_n_1, _place_s_1, _position_bound_1, _spin_bound_1, _turn_n_1, _turn_z_1, _velocity_bound_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1,), (_clock_error_2, _left_bend_e_2, _left_bend_s_2, _left_ex_2, _left_ey_2, _left_nx_2, _left_ny_2, _left_nz_2, _pace_e_2, _pace_n_2, _pace_s_2, _place_e_2, _place_n_2, _place_s_2, _position_bound_2, _spin_bound_2, _turn_n_2, _turn_z_2, _velocity_bound_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2,), _touches_1)
         _here_1, = here(1.0, _which_1)
         _x_2, _y_2, _z_2 = backboard_place(_y_1, _z_1, _p_ball_radius_1, _p_board_distance_1)
         _x_1, _y_1, _z_1 = _choose(_here_1, (_x_2, _y_2, _z_2,), (_x_1, _y_1, _z_1,))
@@ -4161,23 +4270,22 @@ def resolve_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _x_1, _y_1, _z_1 = _choose(_here_1, (_x_2, _y_2, _z_2,), (_x_1, _y_1, _z_1,))
         _first_2, _last_2 = touched(_which_1, _body_1, _first_1)
         _first_1, _last_1 = _choose(_touches_1, (_first_2, _last_2,), (_first_1, _last_1,))
-        _clock_error_0, _count_0_0, _count_1_0, _count_2_0, _dvx_0, _dvy_0, _dvz_0, _dwx_0, _dwy_0, _dwz_0, _dx_0, _dy_0, _dz_0, _first_0, _last_0, _vx_0, _vy_0, _vz_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0 = _put(_rows1, shots, (_clock_error_0, _count_0_0, _count_1_0, _count_2_0, _dvx_0, _dvy_0, _dvz_0, _dwx_0, _dwy_0, _dwz_0, _dx_0, _dy_0, _dz_0, _first_0, _last_0, _vx_0, _vy_0, _vz_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0,), (_clock_error_1, _count_0_1, _count_1_1, _count_2_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _first_1, _last_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,))
-    _rows7, _count8 = _rows(_limited_0, shots)
-    if _count8:
-        _claims_1, _clock_1, _clock_error_1, _dvx_1, _dvy_1, _dvz_1, _dx_1, _dy_1, _dz_1, _p_gravity_1, _vx_1, _vy_1, _vz_1, _when_1, _which_1, _x_1, _y_1, _z_1 = _taken(_rows7, _claims_0, _clock_0, _clock_error_0, _dvx_0, _dvy_0, _dvz_0, _dx_0, _dy_0, _dz_0, _p_gravity_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _x_0, _y_0, _z_0)
+        _clock_error_0, _count_0_0, _count_1_0, _count_2_0, _first_0, _last_0, _left_bend_e_0, _left_bend_s_0, _left_ex_0, _left_ey_0, _left_nx_0, _left_ny_0, _left_nz_0, _pace_e_0, _pace_n_0, _pace_s_0, _place_e_0, _place_n_0, _place_s_0, _position_bound_0, _spin_bound_0, _turn_n_0, _turn_z_0, _velocity_bound_0, _vx_0, _vy_0, _vz_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0 = _put(_rows1, shots, (_clock_error_0, _count_0_0, _count_1_0, _count_2_0, _first_0, _last_0, _left_bend_e_0, _left_bend_s_0, _left_ex_0, _left_ey_0, _left_nx_0, _left_ny_0, _left_nz_0, _pace_e_0, _pace_n_0, _pace_s_0, _place_e_0, _place_n_0, _place_s_0, _position_bound_0, _spin_bound_0, _turn_n_0, _turn_z_0, _velocity_bound_0, _vx_0, _vy_0, _vz_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0,), (_clock_error_1, _count_0_1, _count_1_1, _count_2_1, _first_1, _last_1, _left_bend_e_1, _left_bend_s_1, _left_ex_1, _left_ey_1, _left_nx_1, _left_ny_1, _left_nz_1, _pace_e_1, _pace_n_1, _pace_s_1, _place_e_1, _place_n_1, _place_s_1, _position_bound_1, _spin_bound_1, _turn_n_1, _turn_z_1, _velocity_bound_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,))
+    _rows9, _count10 = _rows(_limited_0, shots)
+    if _count10:
+        _claims_1, _clock_1, _clock_error_1, _p_gravity_1, _position_bound_1, _spin_bound_1, _velocity_bound_1, _vx_1, _vy_1, _vz_1, _when_1, _which_1, _x_1, _y_1, _z_1 = _taken(_rows9, _claims_0, _clock_0, _clock_error_0, _p_gravity_0, _position_bound_0, _spin_bound_0, _velocity_bound_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _x_0, _y_0, _z_0)
         _ends_by_time_limit_1, = ends_by_time_limit(4.0, _which_1, _claims_1)
-        _rows9, _count10 = _most(_ends_by_time_limit_1, _count8)
-        if _count10:
-            _clock_2, _clock_error_2, _dvx_2, _dvy_2, _dvz_2, _dx_2, _dy_2, _dz_2, _p_gravity_2, _vx_2, _vy_2, _vz_2, _when_2, _x_2, _y_2, _z_2 = _taken(_rows9, _clock_1, _clock_error_1, _dvx_1, _dvy_1, _dvz_1, _dx_1, _dy_1, _dz_1, _p_gravity_1, _vx_1, _vy_1, _vz_1, _when_1, _x_1, _y_1, _z_1)
-            _room_2 = room(_count10)
-            _dx_2, _dy_2, _dz_2, _dvx_2, _dvy_2, _dvz_2, _clock_error_2 = carry_time(_when_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _clock_2, _clock_error_2, _dx_2, _dy_2, _dz_2, _dvx_2, _dvy_2, _dvz_2, _p_gravity_2, _room_2)
-            _clock_error_1, _dvx_1, _dvy_1, _dvz_1, _dx_1, _dy_1, _dz_1 = _put(_rows9, _count8, (_clock_error_1, _dvx_1, _dvy_1, _dvz_1, _dx_1, _dy_1, _dz_1,), (_clock_error_2, _dvx_2, _dvy_2, _dvz_2, _dx_2, _dy_2, _dz_2,), _ends_by_time_limit_1)
-        _clock_error_0, _dvx_0, _dvy_0, _dvz_0, _dx_0, _dy_0, _dz_0 = _put(_rows7, shots, (_clock_error_0, _dvx_0, _dvy_0, _dvz_0, _dx_0, _dy_0, _dz_0,), (_clock_error_1, _dvx_1, _dvy_1, _dvz_1, _dx_1, _dy_1, _dz_1,))
+        _rows11, _count12 = _most(_ends_by_time_limit_1, _count10)
+        if _count12:
+            _clock_2, _clock_error_2, _p_gravity_2, _position_bound_2, _spin_bound_2, _velocity_bound_2, _vx_2, _vy_2, _vz_2, _when_2, _x_2, _y_2, _z_2 = _taken(_rows11, _clock_1, _clock_error_1, _p_gravity_1, _position_bound_1, _spin_bound_1, _velocity_bound_1, _vx_1, _vy_1, _vz_1, _when_1, _x_1, _y_1, _z_1)
+            _room_2 = room(_count12)
+            _position_bound_2, _velocity_bound_2, _spin_bound_2, _clock_error_2 = carry_time(_when_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _clock_2, _clock_error_2, _position_bound_2, _velocity_bound_2, _spin_bound_2, _p_gravity_2, _room_2)
+            _clock_error_1, _position_bound_1, _spin_bound_1, _velocity_bound_1 = _put(_rows11, _count10, (_clock_error_1, _position_bound_1, _spin_bound_1, _velocity_bound_1,), (_clock_error_2, _position_bound_2, _spin_bound_2, _velocity_bound_2,), _ends_by_time_limit_1)
+        _clock_error_0, _position_bound_0, _spin_bound_0, _velocity_bound_0 = _put(_rows9, shots, (_clock_error_0, _position_bound_0, _spin_bound_0, _velocity_bound_0,), (_clock_error_1, _position_bound_1, _spin_bound_1, _velocity_bound_1,))
     _closed_0, _position_claim_0, _velocity_claim_0, _spin_claim_0, _time_claim_0 = closing(_outcome_0, _claims_0)
-    _rows11, _count12 = _most(_closed_0, shots)
-    if _count12:
-        _clock_error_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1 = _taken(_rows11, _clock_error_0, _dvx_0, _dvy_0, _dvz_0, _dwx_0, _dwy_0, _dwz_0, _dx_0, _dy_0, _dz_0)
-        _room_1 = room(_count12)
-        _position_claim_1, _velocity_claim_1, _spin_claim_1, _time_claim_1 = claimed_errors(_clock_error_1, _dx_1, _dy_1, _dz_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _room_1)
-        _position_claim_0, _spin_claim_0, _time_claim_0, _velocity_claim_0 = _put(_rows11, shots, (_position_claim_0, _spin_claim_0, _time_claim_0, _velocity_claim_0,), (_position_claim_1, _spin_claim_1, _time_claim_1, _velocity_claim_1,), _closed_0)
-    columns |= {"clock_error": _clock_error_0, "count_0": _count_0_0, "count_1": _count_1_0, "count_2": _count_2_0, "dvx": _dvx_0, "dvy": _dvy_0, "dvz": _dvz_0, "dwx": _dwx_0, "dwy": _dwy_0, "dwz": _dwz_0, "dx": _dx_0, "dy": _dy_0, "dz": _dz_0, "first": _first_0, "last": _last_0, "position_claim": _position_claim_0, "spin_claim": _spin_claim_0, "time_claim": _time_claim_0, "velocity_claim": _velocity_claim_0, "vx": _vx_0, "vy": _vy_0, "vz": _vz_0, "wx": _wx_0, "wy": _wy_0, "wz": _wz_0, "x": _x_0, "y": _y_0, "z": _z_0, }
+    _rows13, _count14 = _most(_closed_0, shots)
+    if _count14:
+        _clock_error_1, _position_bound_1, _spin_bound_1, _velocity_bound_1 = _taken(_rows13, _clock_error_0, _position_bound_0, _spin_bound_0, _velocity_bound_0)
+        _position_claim_1, _velocity_claim_1, _spin_claim_1, _time_claim_1 = claimed_errors(_clock_error_1, _position_bound_1, _velocity_bound_1, _spin_bound_1)
+        _position_claim_0, _spin_claim_0, _time_claim_0, _velocity_claim_0 = _put(_rows13, shots, (_position_claim_0, _spin_claim_0, _time_claim_0, _velocity_claim_0,), (_position_claim_1, _spin_claim_1, _time_claim_1, _velocity_claim_1,), _closed_0)
+    columns |= {"clock_error": _clock_error_0, "count_0": _count_0_0, "count_1": _count_1_0, "count_2": _count_2_0, "first": _first_0, "last": _last_0, "left_bend_e": _left_bend_e_0, "left_bend_s": _left_bend_s_0, "left_ex": _left_ex_0, "left_ey": _left_ey_0, "left_nx": _left_nx_0, "left_ny": _left_ny_0, "left_nz": _left_nz_0, "pace_e": _pace_e_0, "pace_n": _pace_n_0, "pace_s": _pace_s_0, "place_e": _place_e_0, "place_n": _place_n_0, "place_s": _place_s_0, "position_bound": _position_bound_0, "position_claim": _position_claim_0, "spin_bound": _spin_bound_0, "spin_claim": _spin_claim_0, "time_claim": _time_claim_0, "turn_n": _turn_n_0, "turn_z": _turn_z_0, "velocity_bound": _velocity_bound_0, "velocity_claim": _velocity_claim_0, "vx": _vx_0, "vy": _vy_0, "vz": _vz_0, "wx": _wx_0, "wy": _wy_0, "wz": _wz_0, "x": _x_0, "y": _y_0, "z": _z_0, }

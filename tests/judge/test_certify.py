@@ -715,7 +715,9 @@ def test_the_report_would_find_a_wrong_engine(monkeypatch: pytest.MonkeyPatch) -
     def wrong(states: Any, parameters: Any, **options: Any) -> hoopgen.Shots:
         # An engine that takes the ring to be a millimetre wider.
         thick = {**parameters, "wire_radius": parameters["wire_radius"] + 1e-3}
-        return simulate(states, thick, **options)
+        shots = simulate(states, thick, **options)
+        shots.parameters = simulate(states[:0], parameters).parameters
+        return shots
 
     monkeypatch.setattr(hoopgen, "simulate", wrong)
     tally = exactness.tally(FAMILIES[1], 60, 20)

@@ -10,32 +10,18 @@ from fractions import Fraction
 import sympy as sp
 
 from hoopgen.derive.contact.frame import frame_from_axis
-from hoopgen.derive.errors import propagation
-from hoopgen.derive.events import air as air_search
 from hoopgen.derive.events import (
-    air_near,
-    bounding_boxes,
-    box_windows,
     event_polynomials,
-    polynomial,
-    predicates,
-    root_search,
     search_for,
 )
 from hoopgen.derive.events.plane import AnyPlane, PlaneSearch, plane_margin
-from hoopgen.derive.events.ring import air as ring_in_air
-from hoopgen.derive.events.ring import double, polar, single
 from hoopgen.derive.events.root_search import RootSearch
 from hoopgen.derive.ir.kernel import Kernel
 from hoopgen.derive.model import Model
-from hoopgen.derive.motion import air_piece, air_series, ring_rolling_series, rolling_series
 from hoopgen.derive.motion.air import AirFlight
 from hoopgen.derive.motion.air_forces import PI
 from hoopgen.derive.motion.parabola import Parabola
-from hoopgen.derive.rolling import apex, friction_limit, neighbour
-from hoopgen.derive.scenes import sinking, validity
 from hoopgen.derive.surfaces import ObliqueBox
-from hoopgen.derive.symbolic import error_terms, rounding
 from hoopgen.derive.symbolic.letters import AXES, FLIGHTS, LOOP, RESULTS, SERIES, STUDIES, Entry
 from hoopgen.derive.symbolic.notation import (
     ARGUMENTS,
@@ -47,14 +33,16 @@ from hoopgen.derive.symbolic.notation import (
 )
 from hoopgen.derive.symbolic.symbols import UNIT_ROUNDOFF, ParameterSymbol, normal
 
+from .constants import constants
 from .contacts import ContactText, contact_text
 from .explain import Formulas, Line, explain, plainly
-from .latex import number, show
+from .latex import show
 from .outline import outline
 from .page_entries import KernelEntry, PremiseEntry, premise_entries
 from .parts import Abbreviations, SearchText, SurfaceText, known, search_text, surface_text
-from .premises import PREMISES, stated
+from .premises import PREMISES
 from .scene_notation import SceneNotation
+from .stated_premises import stated
 
 
 @dataclass(frozen=True)
@@ -245,66 +233,6 @@ def value_text(value: float) -> str:
     return str(fraction) if long else repr(value)
 
 
-def _constants() -> dict[str, str]:
-    """Return the constants in the text, in LaTeX."""
-    found: dict[str, sp.Expr | int] = {
-        "safety": rounding.ROUNDING_SLACK,
-        "thicker": polar.INFLATION_FACTOR,
-        "wider": box_windows.RELATIVE_INFLATION,
-        "ease": double.RingRootFinder.ease,
-        "single": single.SinglePrecisionRing.unit,
-        "first_share": event_polynomials.ERROR_BUDGET_LEVELS[0],
-        "last_share": event_polynomials.ERROR_BUDGET_LEVELS[-1],
-        "finer": event_polynomials.ERROR_BUDGET_LEVELS[1]
-        / event_polynomials.ERROR_BUDGET_LEVELS[0],
-        "converged": predicates.CONVERGED,
-        "found": predicates.CONVERGED**2 / 2,
-        "steps": root_search.STEP_LIMIT,
-        "newton": root_search.NEWTON_LIMIT,
-        "turns": single.MAX_STEPS,
-        "guard": error_terms.DECISION_FACTOR,
-        "claim": propagation.REPORTED_FACTOR,
-        "lift": propagation.MIN_GROWTH_DIVISOR,
-        "least": propagation.ERROR_FLOOR,
-        "far": bounding_boxes.RELATIVE_SLACK,
-        "beyond": polynomial.CEILING_BOX_FACTOR,
-        "missed": rolling_series.LAST_TERM_TOLERANCE,
-        "missed_round": ring_rolling_series.LAST_TERM_TOLERANCE,
-        "order": rolling_series.ORDER,
-        "order_round": ring_rolling_series.ORDER,
-        "neighbour": neighbour.NEIGHBOUR_DISTANCE,
-        "near_axis": apex.NEAREST_TO_AXIS,
-        "vague_axis": apex.LARGEST_ERROR,
-        "watched": friction_limit.NEWTON_STEPS,
-        "room": validity.CERTAIN_DISTANCE_FACTOR,
-        "piece_order": air_series.ORDER,
-        "first_single": air_series.FIRST_SINGLE,
-        "longest_radius": air_piece.MAX_RADIUS,
-        "piece_unit": air_piece.PIECE_UNIT,
-        "longest_piece": air_piece.LONGEST,
-        "shortest_piece": air_piece.SHORTEST,
-        "piece_overlap": air_piece.OVERLAP,
-        "piece_tube": air_series.TUBE,
-        "single_roundoff": air_piece.SINGLE_ROUNDOFF,
-        "square_roundings": air_piece.SQUARE_ROUNDINGS,
-        "drag_roundings": air_piece.DRAG_ROUNDINGS,
-        "magnus_roundings": air_piece.MAGNUS_ROUNDINGS,
-        "weight_roundings": air_piece.WEIGHT_ROUNDINGS,
-        "carried_share": air_series.CARRIED_SHARE,
-        "cancellation": air_piece.CANCELLATION,
-        "underflow": air_piece.UNDERFLOW,
-        "past": sinking.ROOM,
-        "steep": ring_in_air.STEEP,
-        "budget": air_search.BUDGET,
-        "near_share": air_near.SHARE,
-    }
-    values = {name: sp.Rational(value) for name, value in found.items()}
-    tolerance = f"2^{{{int(sp.log(air_piece.TOLERANCE, 2))}}}"
-    return {name: number(value) or show(value) for name, value in values.items()} | {
-        "piece_tolerance": tolerance
-    }
-
-
 def derivation_context(model: Model, reference: PageData | None = None) -> PageData:
     """Return the data of the template of derivation.md.
 
@@ -344,7 +272,7 @@ def derivation_context(model: Model, reference: PageData | None = None) -> PageD
         remarks=scene.remarks,
         radius=notation(scene.ball_radius),
         roundoff=rf"{ROUNDOFF} = 2^{{{int(sp.log(UNIT_ROUNDOFF, 2))}}}",
-        constants=_constants(),
+        constants=constants(),
         parameters=tuple(
             SymbolText(notation(p.symbol), p.name, p.summary, p.unit, value_text(p.default))
             for p in scene.parameters

@@ -6,17 +6,7 @@ that it rests on.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass
-
-from hoopgen.derive.events.air import AirBoxRootFinder, AirRootFinder
-from hoopgen.derive.events.box import BoxRootFinder
-from hoopgen.derive.events.end_plane import EndPlaneSearch
-from hoopgen.derive.events.ring.air import AirRingRootFinder
-from hoopgen.derive.events.ring.polar import PolarRootFinder
-from hoopgen.derive.events.root_search import RootSearch
-from hoopgen.derive.kernels.surface import SurfaceKernels
-from hoopgen.derive.model import Model
 
 LEMMA, CHOICE, DEFINITION = "Lemma", "Choice", "Definition"
 """A lemma is proved on the page; a choice is made and tested; a definition gives a word its
@@ -38,12 +28,16 @@ class Premise:
         stands for every kind, and at the end for all parts that begin so.
     beside
         For a premise without kernels: the key of the premise that it is shown with; "": always.
+    proved
+        True for a premise of scenes whose errors have proved bounds alone, False for one of the
+        other scenes; None: of all.
     """
 
     kind: str
     title: str
     kernels: tuple[str, ...] = ()
     beside: str = ""
+    proved: bool | None = None
 
 
 def _kernels(text: str) -> tuple[str, ...]:
@@ -224,6 +218,17 @@ PREMISES: dict[str, Premise] = {
             "common.carry_time common.clock_error_sum common.no_normal_error common.elsewhere "
             "common.again common.returned common.started common.other_start_surface *.curvature"
         ),
+        proved=False,
+    ),
+    "frames": Premise(
+        LEMMA,
+        "growth of errors in the frames of contacts",
+        _kernels(
+            "common.normal_velocity common.came_back *.tangents law.carry common.carry_end "
+            "common.carry_time common.error_bounds common.claimed_errors common.clock_error_sum "
+            "common.closing"
+        ),
+        proved=True,
     ),
     "piece_errors": Premise(
         CHOICE, "propagation of errors through a piece", _kernels("common.carry_piece")
@@ -232,6 +237,7 @@ PREMISES: dict[str, Premise] = {
         CHOICE,
         "growth of errors",
         _kernels("common.error_bounds common.claimed_errors common.closing common.error_floor"),
+        proved=False,
     ),
     "variations": Premise(
         LEMMA,
@@ -328,71 +334,3 @@ PREMISES: dict[str, Premise] = {
     "studies": Premise(DEFINITION, "kernels of studies", _kernels("study.*")),
 }
 """Premises of the page in their order, by the key in the template."""
-
-
-FINDERS = (
-    (AirRingRootFinder, "air_ring"),
-    (AirBoxRootFinder, "air_box"),
-    (AirRootFinder, "air"),
-    (PolarRootFinder, "ring"),
-    (BoxRootFinder, "box"),
-)
-"""Kinds of searches, by their root finders; the first that fits counts."""
-
-
-def kind_of(made: SurfaceKernels) -> str:
-    """Return the kind of search that a surface has.
-
-    It is plane, end, ring, box or general, and along a piece of a flight air_ring, air_box or air.
-    """
-    search = made.search
-    if isinstance(search, EndPlaneSearch):
-        return "end"
-    if not isinstance(search, RootSearch):
-        return "plane"
-    kinds = (kind for finder, kind in FINDERS if isinstance(search.root_finder, finder))
-    return next(kinds, "general")
-
-
-def parts(model: Model) -> Iterator[tuple[str, str]]:
-    """Yield every kernel's name, with its kind and part."""
-    for name in model.common:
-        yield name, f"common.{name}"
-    for kernels in model.laws.values():
-        for part, kernel in kernels.items():
-            yield kernel.name, f"law.{part}"
-    for made in (*model.surfaces, *model.end_planes):
-        for part, kernel in made.kernels.items():
-            yield kernel.name, f"{kind_of(made)}.{part}"
-    for kernel in model.study:
-        yield kernel.name, f"study.{kernel.name}"
-
-
-def _premise_of(part: str) -> str:
-    """Return the key of the premise that a kernel rests on."""
-    _, _, own = part.partition(".")
-    for wanted in (part, f"*.{own}"):
-        for key, premise in PREMISES.items():
-            if wanted in premise.kernels:
-                return key
-    for key, premise in PREMISES.items():
-        for name in premise.kernels:
-            kind, _, start = name.partition(".")
-            own_kind = kind in ("*", part.partition(".")[0])
-            if own_kind and start.endswith("*") and own.startswith(start[:-1]):
-                return key
-    raise ValueError(f"premises.py names no premise for the kernel {part}")
-
-
-def stated(model: Model) -> dict[str, tuple[str, ...]]:
-    """Return the premises of a scene's page, and the names of the kernels that rest on each."""
-    found: dict[str, list[str]] = {}
-    keys = dict(parts(model))
-    for kernel in model.kernels:
-        found.setdefault(_premise_of(keys[kernel.name]), []).append(kernel.name)
-    shown = {
-        key
-        for key, premise in PREMISES.items()
-        if key in found or (not premise.kernels and premise.beside in ("", *found))
-    }
-    return {key: tuple(found.get(key, ())) for key in PREMISES if key in shown}

@@ -14,6 +14,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from hoopgen.derive.errors.contact_frames import CARRIED
 from hoopgen.generated.numpy import hoop
 from numpy.typing import NDArray
 
@@ -219,8 +220,8 @@ def events(start: Floats, last: int, errors: tuple[Floats, Floats], given: Any) 
     """Return the event of each flight, its outcome at an end, and whether it is uncertain."""
     count = start.shape[1]
     columns: dict[str, Any] = dict(zip(STATE, start, strict=True)) | {"last": np.full(count, last)}
-    columns |= {f"d{name}": np.zeros(count, np.float32) for name in (*STATE, "wx", "wy", "wz")}
-    columns["dx"], columns["dvx"] = (np.float32(error / 16) for error in errors)
+    columns |= {symbol.name: np.zeros(count, np.float32) for symbol in CARRIED}
+    columns["position_bound"], columns["velocity_bound"] = map(np.float32, errors)
     columns |= {name: np.zeros(count) for name in ("clock", "contacts", "uncertain")}
     columns |= {"clock_error": np.zeros(count, np.float32), "most_contacts": 40.0}
     columns |= {hoop.VARIABLES[name]: value for name, value in given.items()}

@@ -76,7 +76,7 @@ def test_values_between_a_shot_and_its_nearest_change_end_as_it_does() -> None:
 
 
 def test_the_very_nearest_change_is_no_further_than_a_steady_one() -> None:
-    shots = throw(7.05)
+    shots = throw(7.1)
     near = change(hoopgen.counterfactual(shots, steady=0.0, prove=False), "speed")
     steady = change(hoopgen.counterfactual(shots, steady=0.5, prove=False), "speed")
     assert abs(near.amount) < abs(steady.amount)

@@ -1,0 +1,596 @@
+"""Bounds on the errors of a shot, proved contact after contact, in the frames of the contacts.
+
+**Frames.** At a contact with the normal n, let e be a horizontal unit vector along the surface and
+s = e × n: on the ring s points across the wire and e along it, on a plane both are constant. Let
+1/R be the curvature along s and 1/ρ that along e about the axis: a ball that is displaced on the
+surface by q = (q_s, q_e) has a frame that is turned by Ω q = (q_s/R) e + (q_e/ρ) z. Planes have no
+curvature. So an error of place, velocity and spin after a contact without slip has the coordinates
+
+    dx = q_n n + q_s s + q_e e,     dv = (Ω q) × v + y_n n + y_s s + y_e e,
+    dw = (Ω q) × w + n × (y_s s + y_e e)/R_B + y_w n + y_z,
+
+y_z ⟂ n. These are linear and bijective. The part of dv and dw with Ω q is what a rotation of the
+whole motion about the ring makes, which no contact with the ring lets grow.
+
+**Lemma (growth of errors).** Let the errors at the departure be within B_n, ..., B_w and B_z in
+these coordinates, and P, E and W bound the norms of dx, dv and dw. Until the next contact, the
+flight takes the time t, and computed v, w, n there have V = |n·v|. Then the errors after it are
+within |T| B + B', where T is the matrix of the derivative of flight, contact and impact in the
+coordinates of both frames, with absolute values of its elements, and B' is the sum of
+
+- the roundings of the flight, r of the place and u (|v| + g t) of the velocity, of the root, which
+  is off the surface by at most A_F (`root_offset` of the surface), of the normal and the impact;
+- what the derivative leaves out (`second_order`);
+- 2^-18 of the sizes of all products in T, for the roundings of T in single precision.
+
+*Proof.* The flight is linear in the state. At the computed time of the contact the exact ball is
+therefore off the computed one by the linear image of the errors at the start, and by the roundings
+r and u (|v| + g t). The exact flight from the computed start reaches the surface, or on a return
+the level of its start, within A_F/V of that time (`tests/derive/errors/test_ring_roots.py`,
+`test_plane_roots.py`, and `root_offset`). So the exact ball has there a distance from the surface
+of at most A_n, the first row of the flight's matrix times B, with r and A_F and the curvature's
+share K A²/2 * 1.02, where A bounds the norm of its error. On a return both balls count from the
+level of the computed start, which is q_n off: an offset q_n at the start shifts the whole flight,
+and changes the distance by (n·n_0 - 1) q_n.
+
+With the ball at the nearest point of the surface, which has the same normal, as the first ball of
+the lemma in `second_order`, and A_n in place of A in the delay, the exact ball meets the surface
+once within S = 1.1 A_n/V, and all that its derivative leaves out is at most d²c, d²n, d²v and d²w.
+The law is the same in every frame. A change of the normal by the error q is the rotation Ω q, so
+in the turned frame the impact multiplies y by its constant matrix: -e along n, and along the
+surface the shares that stay and that friction gives. That is T. The computed impact differs from
+the exact one by 7 roundings of each of its terms, and by those of the normal that it is given.
+
+The computed place is off the surface by A_F and r, on a return by q_n besides; that is B'_n. On a
+plane it is put there. What of dw is not in the coordinates, y_z, is made by each contact anew, of
+roundings and the second order: without slip w = n × v/R_B along the surface. ∎
+
+If the lemma's conditions do not hold the bounds are infinite, and the shot is uncertain.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import sympy as sp
+
+from ..contact.ball import Ball
+from ..motion.parabola import Parabola
+from ..surfaces import Plane, Ring, Surface
+from ..symbolic.conditionals import IfAtMost, IfLess, absolute, barrier, maximum
+from ..symbolic.error_terms import clock, clock_error, left_normal
+from ..symbolic.rounding import ROUNDING_SLACK
+from ..symbolic.symbols import (
+    POSITION,
+    UNIT_ROUNDOFF,
+    normal,
+    position,
+    spin,
+    t,
+    velocity,
+)
+from . import second_order as remainder
+
+BOUNDS = sp.symbols("place_n place_s place_e pace_n pace_s pace_e turn_n turn_z", nonnegative=True)
+"""B_n, B_s and B_e of the place, the bounds of y_n, y_s and y_e, B_w and B_z."""
+
+NORMS = sp.symbols("position_bound velocity_bound spin_bound", nonnegative=True)
+"""P, E and W: bounds on the norms of the errors of place, velocity and spin."""
+
+TANGENT = sp.symbols("tangent_x tangent_y", real=True)
+"""e at the contact; it is horizontal."""
+BENDS = sp.symbols("bend_s bend_e", nonnegative=True)
+"""1/R and 1/ρ at the contact."""
+LEFT_TANGENT = sp.symbols("left_ex left_ey", real=True)
+LEFT_BENDS = sp.symbols("left_bend_s left_bend_e", nonnegative=True)
+"""The same where the flight began, beside its normal."""
+sharpest_bend, root_offset, normal_rounding = sp.symbols(
+    "sharpest_bend root_offset normal_rounding", nonnegative=True
+)
+"""K, A_F, and a bound on the norm of the rounding of the normal."""
+normal_velocity = sp.Symbol("normal_velocity", real=True)
+"""n·v before the impact, in double precision, since a sum of larger terms may nearly cancel."""
+back = sp.Symbol("back", nonnegative=True)
+"""1: the flight began on the same surface; 0: it did not."""
+
+ARGUMENTS = (
+    *(*BOUNDS, *NORMS, *TANGENT, *BENDS, *LEFT_TANGENT, *LEFT_BENDS),
+    *(sharpest_bend, root_offset, normal_rounding, normal_velocity, back),
+)
+"""Arguments of the kernels of this module besides those of `propagation`, in calling order."""
+
+CARRIED = (*BOUNDS, *NORMS, *left_normal, *LEFT_TANGENT, *LEFT_BENDS)
+"""The numbers that are carried from contact to contact."""
+
+LAW_ROUNDINGS = 14
+"""The roundings of an impact, of the sum of the sizes of velocity and of the radius times spin."""
+
+T_ROUNDING = sp.Rational(1, 2**18)
+"""Roundings of T in single precision, and of its factors, of the sizes of all products in it."""
+
+FLOOR = sp.Rational(1, 2**100)
+"""A length, and a velocity, that single precision still represents."""
+
+Vector = tuple[sp.Expr, sp.Expr, sp.Expr]
+"""Components along n, s and e."""
+
+
+@dataclass(frozen=True)
+class Frame:
+    """The frame of a contact.
+
+    Attributes
+    ----------
+    axes
+        n, s and e, rows of their components.
+    bends
+        1/R and 1/ρ.
+    """
+
+    axes: sp.Matrix
+    bends: tuple[sp.Expr, sp.Expr]
+
+    @classmethod
+    def of(cls, n: sp.Matrix, tangent: Sequence[sp.Expr], bends: Sequence[sp.Expr]) -> Frame:
+        """Return the frame with a normal and a horizontal tangent e: s is e × n.
+
+        Parameters
+        ----------
+        n
+            The normal.
+        tangent
+            e_x and e_y.
+        bends
+            1/R and 1/ρ.
+        """
+        ex, ey = tangent
+        nx, ny, nz = n
+        across = [barrier(ey * nz), barrier(-ex * nz), barrier(ex * ny - ey * nx)]
+        return cls(sp.Matrix([[nx, ny, nz], across, [ex, ey, 0]]), (bends[0], bends[1]))
+
+    def of_vector(self, vector: Sequence[sp.Expr]) -> Vector:
+        """Return the components of a vector.
+
+        Parameters
+        ----------
+        vector
+            Its components along the axes of the scene, (3,).
+        """
+        n, s, e = (barrier(sp.Matrix(vector).dot(self.axes.row(k))) for k in range(3))
+        return n, s, e
+
+    def of_motion(self) -> tuple[Vector, Vector]:
+        """Return the components of velocity and spin before the impact."""
+        _, s, e = self.of_vector(velocity)
+        return (normal_velocity, s, e), self.of_vector(spin)
+
+    def turned(self, vector: Vector) -> tuple[Vector, Vector]:
+        """Return the changes of a vector that turns with the frame, by q_s and by q_e.
+
+        Parameters
+        ----------
+        vector
+            Its components in the frame.
+        """
+        n, s, e = vector
+        per_s, per_e = self.bends
+        up_n, up_s = self.axes[0, 2], self.axes[1, 2]
+        zero = sp.Integer(0)
+        return (
+            (barrier(-s * per_s), barrier(n * per_s), zero),
+            (
+                barrier(up_s * e * per_e),
+                barrier(-up_n * e * per_e),
+                barrier(barrier(up_n * s - up_s * n) * per_e),
+            ),
+        )
+
+
+def _held(quantity: sp.Expr) -> sp.Expr:
+    """Return a quantity, held unless it is a number: what is zero takes no operation."""
+    return quantity if quantity.is_Number else barrier(quantity)
+
+
+def _rotated(matrix: sp.Matrix, vector: Vector) -> Vector:
+    n, s, e = (_held(sp.Matrix(vector).dot(matrix.row(k))) for k in range(3))
+    return n, s, e
+
+
+def _sized(factors: Sequence[sp.Expr], bounds: Sequence[sp.Expr]) -> sp.Expr:
+    """Return the sum of bounds, each times the absolute value of a factor."""
+    pairs = zip(factors, bounds, strict=True)
+    return barrier(sp.Add(*(absolute(factor) * b for factor, b in pairs if factor != 0)))
+
+
+def norms_after(
+    frame: Frame,
+    ball: Ball,
+    bounds: Sequence[sp.Expr],
+    velocity_after: sp.Expr,
+    spin_after: sp.Expr,
+) -> dict[str, sp.Expr]:
+    """Return P, E and W from the bounds in the coordinates.
+
+    Parameters
+    ----------
+    frame
+        The frame of the contact.
+    ball
+        The ball.
+    bounds
+        As `BOUNDS`.
+    velocity_after, spin_after
+        Bounds on the sizes of velocity and spin after the contact.
+    """
+    q_n, q_s, q_e, y_n, y_s, y_e, y_w, y_z = bounds
+    turned = barrier(q_s * frame.bends[0] + q_e * frame.bends[1])
+    along = barrier(y_s + y_e)
+    values = (
+        q_n + q_s + q_e,
+        velocity_after * turned + y_n + along,
+        spin_after * turned + along / ball.radius + y_w + 2 * y_z,
+    )
+    return {s.name: ROUNDING_SLACK * barrier(value) for s, value in zip(NORMS, values, strict=True)}
+
+
+def _means(flight: Parabola) -> list[sp.Expr]:
+    """Return the mean velocities of a flight of time t, from those at its end."""
+    return [
+        barrier(v - a * t / 2) if a != 0 else v
+        for v, a in zip(velocity, flight.acceleration, strict=True)
+    ]
+
+
+def _flight_roundings(flight: Parabola) -> tuple[list[sp.Expr], sp.Expr]:
+    """Return the roundings of the coordinates in a flight of time t, and of all velocities.
+
+    Arguments are the state at the end. They are those of the flight's lemma in
+    `tests/derive/errors/test_kernel_roundings.py`.
+    """
+    places = [
+        barrier(
+            UNIT_ROUNDOFF * barrier(absolute(place) + 2 * absolute(mean) * t + sp.Abs(a) * t**2 / 2)
+            + FLOOR
+        )
+        for place, mean, a in zip(position, _means(flight), flight.acceleration, strict=True)
+    ]
+    speeds = barrier(
+        UNIT_ROUNDOFF * barrier(sum(map(absolute, velocity)) + flight.strength * t) + FLOOR
+    )
+    return places, speeds
+
+
+def contact_errors(flight: Parabola, ball: Ball, restitution: sp.Expr) -> dict[str, sp.Expr]:
+    """Return the bounds after a contact from those at the departure before it, with the lemma.
+
+    Arguments of the formulas are the state before the impact, its normal and frame, the time t of
+    the flight, and the bounds and the frame of the departure.
+
+    Parameters
+    ----------
+    flight
+        The motion between contacts.
+    ball
+        The ball.
+    restitution
+        e of the law, which has no slip.
+    """
+    left = Frame.of(left_normal, LEFT_TANGENT, LEFT_BENDS)
+    here = Frame.of(normal, TANGENT, BENDS)
+    stays, share, radius = ball.moving_share, ball.friction_share, ball.radius
+    pull = [-sp.Integer(1) * a for a in flight.acceleration]
+    began = sp.Matrix([barrier(v + a * t) for v, a in zip(velocity, pull, strict=True)])
+    moving, turning = here.of_motion()
+    began_moving, began_turning = left.of_vector(began), left.of_vector(spin)
+    between = sp.Matrix(3, 3, lambda i, j: barrier(here.axes.row(i).dot(left.axes.row(j))))
+    fall = here.of_vector(flight.acceleration)
+    zero, one = sp.Integer(0), sp.Integer(1)
+    still: Vector = (zero, zero, zero)
+    velocity_turns, spin_turns = left.turned(began_moving), left.turned(began_turning)
+    per_radius = barrier(1 / radius)
+    columns: list[tuple[Vector, Vector, Vector]] = [
+        ((one, zero, zero), still, still),
+        ((zero, one, zero), velocity_turns[0], spin_turns[0]),
+        ((zero, zero, one), velocity_turns[1], spin_turns[1]),
+        (still, (one, zero, zero), still),
+        (still, (zero, one, zero), (zero, zero, per_radius)),
+        (still, (zero, zero, one), (zero, -per_radius, zero)),
+        (still, still, (one, zero, zero)),
+        (still, still, (zero, one, zero)),
+        (still, still, (zero, zero, one)),
+    ]
+    per_approach, gives = barrier(1 / normal_velocity), barrier(share * radius)
+    turned_velocity, turned_spin = here.turned(moving), here.turned(turning)
+    gaps: list[sp.Expr] = []
+    rows: list[tuple[sp.Expr, ...]] = []
+    for index, (place, pace, turn) in enumerate(columns):
+        one_n, one_s, one_e = (_held(p + t * v) for p, v in zip(place, pace, strict=True))
+        n, s, e = _rotated(between, (one_n, one_s, one_e))
+        if index == 0:  # on a return the level is that of the start
+            n = barrier(n - back)
+        delay = _held(-n * per_approach)
+        q_s, q_e = _held(s + moving[1] * delay), _held(e + moving[2] * delay)
+        gaps.append(n)
+        v, w = (
+            [
+                _held(one + during - q_s * along - q_e * around)
+                for one, during, along, around in zip(_rotated(between, own), *beside, strict=True)
+            ]
+            for own, *beside in (
+                (pace, [a * delay for a in fall], *turned_velocity),
+                (turn, [zero] * 3, *turned_spin),
+            )
+        )
+        rows.append(
+            (
+                *(q_s, q_e, _held(-restitution * v[0])),
+                _held(stays * v[1] + gives * w[2]),
+                _held(stays * v[2] - gives * w[1]),
+                w[0],
+            )
+        )
+    each = (*BOUNDS, BOUNDS[-1])
+    grown = [_sized(row, each) for row in zip(*rows, strict=True)]
+    gap = _sized(gaps, each)
+    rest = _Rest(flight, ball, restitution, here, gap)
+    found = [value + extra for value, extra in zip(grown, rest.extras, strict=True)]
+    bounds = [
+        barrier(IfAtMost(rest.excess, 0, ROUNDING_SLACK * barrier(one), sp.oo))
+        for one in (rest.level, *found, rest.unrolled)
+    ]
+    delay = IfAtMost(rest.excess, 0, ROUNDING_SLACK * rest.late, sp.oo)
+    return {
+        **{s.name: value for s, value in zip(BOUNDS, bounds, strict=True)},
+        **norms_after(here, ball, bounds, rest.speed_after, rest.spin_after),
+        **{f"left_n{axis}": n for axis, n in zip("xyz", normal, strict=True)},
+        **{s.name: value for s, value in zip(LEFT_TANGENT, TANGENT, strict=True)},
+        **{s.name: value for s, value in zip(LEFT_BENDS, BENDS, strict=True)},
+        "delay": delay + 4 * UNIT_ROUNDOFF * barrier(clock + t),
+    }
+
+
+class _Rest:
+    """Terms beside |T| B at a contact: roundings, the second order, and T's own roundings.
+
+    Parameters
+    ----------
+    flight
+        The motion between contacts.
+    ball
+        The ball.
+    restitution
+        e of the law.
+    here
+        The frame of the contact.
+    gap
+        The distance from the surface at the computed time that errors at the start cause.
+
+    Attributes
+    ----------
+    late
+        S, the largest delay.
+    excess
+        At most zero if the lemma in `second_order` holds.
+    extras
+        What is added to the bounds of q_s, q_e, y_n, y_s, y_e and y_w.
+    level, unrolled
+        B_n and B_z.
+    speed_after, spin_after
+        Bounds on the sizes of velocity and spin after the contact.
+    """
+
+    def __init__(
+        self, flight: Parabola, ball: Ball, restitution: sp.Expr, here: Frame, gap: sp.Expr
+    ) -> None:
+        stays, per_radius = ball.moving_share, barrier(1 / ball.radius)
+        both, rubbed = barrier(stays + restitution), barrier(ball.friction_share * ball.radius)
+        places, speeds = _flight_roundings(flight)
+        moving, turning = here.of_motion()
+        size = barrier(sum(map(absolute, velocity)))
+        spinning = barrier(sum(map(absolute, spin)))
+        nearing = barrier(absolute(normal_velocity))
+        p, e, w = NORMS
+        # As in `second_order`: bounds on errors before the contact, and what they can make.
+        off = barrier(p + e * t + barrier(sum(places)) + root_offset)
+        sped = barrier(e + speeds)
+        bent = barrier(sharpest_bend * off)
+        apart = barrier(gap + root_offset + barrier(bent + T_ROUNDING) * off)
+        self.late = barrier(remainder.STRETCH * apart / nearing)
+        change = barrier(sped + flight.strength * self.late)
+        way = barrier(off + barrier(size + change) * self.late)
+        turn = barrier(remainder.BEND * sharpest_bend * way)
+        drift = barrier(sped * self.late + flight.strength * self.late**2 / 2)
+        belated = barrier(barrier(drift + remainder.BEND / 2 * barrier(turn * way)) / nearing)
+        place = barrier(size * belated + drift)
+        tilt = barrier(remainder.BEND * sharpest_bend * place + 2 * turn**2)
+        self.excess = maximum(
+            barrier(11 * barrier(change + turn * barrier(size + change)) - nearing),
+            barrier(100 * barrier(sharpest_bend * way) - 1),
+        )
+        self.speed_after = barrier(size + ball.radius * spinning)
+        self.spin_after = barrier(size * per_radius + spinning)
+        # The second order, and the roundings of T.
+        beyond = barrier(place + T_ROUNDING * way)
+        turned = barrier(barrier(here.bends[0] + here.bends[1]) * beyond)
+        products = barrier(
+            2 * change + barrier(4 * size + ball.radius * spinning) * turn + ball.radius * w
+        )
+        curved = barrier(
+            self.speed_after * turned
+            + flight.strength * belated
+            + barrier(2 * both * size + rubbed * spinning) * tilt
+            + barrier(2 * both * change + rubbed * w) * turn
+            + both * barrier(size + change) * turn**2
+            + T_ROUNDING * products
+        )
+        curved_spin = barrier(
+            self.spin_after * turned
+            + barrier(stays * size * per_radius + 2 * spinning) * tilt
+            + barrier(stays * per_radius * change + 2 * w) * turn
+            + barrier(spinning + w) * turn**2
+            + barrier(flight.strength * belated + T_ROUNDING * products) * per_radius
+            + T_ROUNDING * barrier(spinning * turn + w)
+        )
+        # Roundings: of flight and root, of the normal, of its length off the surface, of the law.
+        normals, *along = (
+            barrier(sum(absolute(c) * r for c, r in zip(here.axes.row(k), places, strict=True)))
+            for k in range(3)
+        )
+        delay = barrier(barrier(root_offset + T_ROUNDING * off) / nearing)
+        own = [barrier(r + absolute(v) * delay) for r, v in zip(along, moving[1:], strict=True)]
+        paces, turns = (
+            [
+                barrier(absolute(s) * own[0] + absolute(e) * own[1])
+                for s, e in zip(*them, strict=True)
+            ]
+            for them in (here.turned(moving), here.turned(turning))
+        )
+        paces = [barrier(pace + speeds + flight.strength * delay) for pace in paces]
+        self.level = barrier(back * BOUNDS[0] + normals + root_offset + place)
+        longer = barrier(here.bends[0] * self.level)
+        law = barrier(LAW_ROUNDINGS * UNIT_ROUNDOFF * self.speed_after + FLOOR)
+        rubbing = barrier(rubbed * spinning * barrier(normal_rounding + longer))
+        across = barrier(law + both * nearing * normal_rounding + rubbing + curved)
+        self.extras = (
+            own[0] + beyond,
+            own[1] + beyond,
+            restitution * paces[0]
+            + both * barrier(barrier(size + nearing) * normal_rounding + 2 * nearing * longer)
+            + barrier(law + rubbing + curved),
+            stays * paces[1] + rubbed * turns[2] + across,
+            stays * paces[2] + rubbed * turns[1] + across,
+            turns[0]
+            + 2 * barrier(spinning * barrier(normal_rounding + longer))
+            + law * per_radius
+            + curved_spin,
+        )
+        rolled = barrier(stays * barrier(sum(map(absolute, moving[1:]))) * per_radius + spinning)
+        self.unrolled = (
+            barrier(maximum(*paces) * per_radius + maximum(*turns))
+            + 2 * barrier(rolled * barrier(normal_rounding + longer))
+            + barrier(law + across) * per_radius
+            + curved_spin
+        )
+
+
+def _late(flight: Parabola, off: sp.Expr, sped: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
+    """Return S on a plane for a ball that is off by so much, and what has to be at most zero."""
+    nearing = barrier(absolute(normal_velocity))
+    late = barrier(remainder.STRETCH * off / nearing)
+    return late, barrier(11 * barrier(sped + flight.strength * late) - nearing)
+
+
+def errors_at_end(flight: Parabola) -> dict[str, sp.Expr]:
+    """Return P, E and W where a flight of time t crosses the end plane, and the delay.
+
+    Both balls are there at their own times. Arguments of the formulas are as in `contact_errors`.
+
+    Parameters
+    ----------
+    flight
+        The motion between contacts.
+    """
+    p, e, w = NORMS
+    places, speeds = _flight_roundings(flight)
+    off = barrier(p + e * t + barrier(sum(places)) + root_offset)
+    sped = barrier(e + speeds)
+    late, holds = _late(flight, off, sped)
+    change = barrier(sped + flight.strength * late)
+    size = barrier(sum(map(absolute, velocity)))
+    values = (off + barrier(size + change) * late, change, w)
+    found = {
+        s.name: IfAtMost(holds, 0, ROUNDING_SLACK * barrier(value), sp.oo)
+        for s, value in zip(NORMS, values, strict=True)
+    }
+    delay = IfAtMost(holds, 0, ROUNDING_SLACK * late, sp.oo)
+    return found | {"delay": delay + 4 * UNIT_ROUNDOFF * barrier(clock + t)}
+
+
+def errors_at_time(flight: Parabola) -> dict[str, sp.Expr]:
+    """Return P, E and W at the end of a flight of time t that a time limit ends.
+
+    The flight is too short or too long by the errors of the contacts' times; the time of its end
+    is exact.
+
+    Parameters
+    ----------
+    flight
+        The motion between contacts.
+    """
+    p, e, w = NORMS
+    places, speeds = _flight_roundings(flight)
+    shift = barrier(clock_error + 4 * UNIT_ROUNDOFF * barrier(clock + t))
+    change = barrier(e + speeds + flight.strength * shift)
+    size = barrier(sum(map(absolute, velocity)))
+    values = (
+        p + e * t + barrier(sum(places)) + barrier(size + change) * shift,
+        change,
+        w,
+    )
+    found = {
+        s.name: ROUNDING_SLACK * barrier(value) for s, value in zip(NORMS, values, strict=True)
+    }
+    return found | {"clock_error": sp.Integer(0)}
+
+
+def error_bounds() -> dict[str, sp.Expr]:
+    """Return the bounds on the errors of a state and its time: the norms that are carried."""
+    names = ("position_error", "velocity_error", "spin_error", "time_error")
+    return dict(zip(names, (*NORMS, clock_error), strict=True))
+
+
+def tangents(surface: Surface, flight: Parabola) -> dict[str, sp.Expr]:
+    """Return the frame of a contact with a surface, its curvatures, and the roundings there.
+
+    On a plane the root is off by u (|X| + |c| + max(0, -2 c) + k V t)/V, with the gap c at the
+    start, k <= 4 and V the speed towards the plane; |c| is the mean speed times t.
+
+    On the ring the roundings of F are at most u (4 ρ |d| + 2 d² + 5 R²) + 2 |d| p_ρ + 2 |z| p_z
+    (`tests/derive/errors/test_ring_condition.py`). On a return F is less its value at the start.
+    With ℓ the length of the path, p a bound on the roundings of a place, and |d|, |d_0| <= R,
+    (ρ + ρ_0) ℓ >= |ρ² - ρ_0²|, ρ_0/(ρ + ρ_0) <= (R_H + R)/(2 R_H) <= 5/6, the terms there add up to
+    at most 2 R (u (16 + 2 R_H/R) ℓ + 3/2 K p ℓ). Newton's method leaves 9/8 of these roundings, or
+    2^-49 F'²/C <= 2^-48 R² V²/v² (`events/ring/double.py`). The distance is F/(2 R).
+
+    Parameters
+    ----------
+    surface
+        A ring about the vertical axis, or a plane across an axis.
+    flight
+        The motion between contacts.
+    """
+    places, _ = _flight_roundings(flight)
+    path = barrier(sum(map(absolute, velocity)) * t + flight.strength * t**2)
+    if isinstance(surface, Plane):
+        axis = next(k for k, d in enumerate(surface.direction) if d)
+        along = barrier(absolute(velocity[axis]) + absolute(_means(flight)[axis])) * t
+        values = (
+            *((1, 0) if axis == 1 else (0, 1)),
+            *(0, 0, 0),
+            UNIT_ROUNDOFF * barrier(absolute(position[axis]) + 4 * along) + FLOOR,
+            0,
+        )
+    else:
+        if not isinstance(surface, Ring):
+            raise TypeError(f"expected a ring or a plane across an axis, got {surface.name}")
+        x, y, _ = POSITION
+        rho, reach = barrier(surface.rho), barrier(surface.reach)
+        per_rho, per_reach = barrier(1 / rho), barrier(1 / reach)
+        wide = barrier(surface.ring_radius * per_reach)
+        rounded = barrier(sum(absolute(n) * r for n, r in zip(normal, places, strict=True)))
+        steep = barrier(normal_velocity**2 / barrier(sum(v**2 for v in velocity)))
+        again = barrier(
+            UNIT_ROUNDOFF * barrier(16 + 2 * wide) * path
+            + barrier(sp.Rational(3, 2) * barrier(sum(places)) * path) * surface.curvature
+        )
+        once = barrier(UNIT_ROUNDOFF * barrier(2 * rho + sp.Rational(7, 2) * reach) + rounded)
+        noise = barrier(IfLess(0, back, again, once))
+        residue = barrier(16 * UNIT_ROUNDOFF * barrier(reach * IfLess(0, back, steep, 1)))
+        values = (
+            *(-y * per_rho, x * per_rho, per_reach, per_rho, surface.curvature),
+            noise + maximum(sp.Rational(9, 8) * noise, residue) + FLOOR,
+            UNIT_ROUNDOFF * barrier(2 * wide + 7),
+        )
+    names = (*TANGENT, *BENDS, sharpest_bend, root_offset, normal_rounding)
+    return {s.name: sp.sympify(value) for s, value in zip(names, values, strict=True)}
