@@ -18,8 +18,8 @@ from collections.abc import Sequence
 
 import sympy as sp
 
-from ..events.predicates import last
 from ..contact.ball import Ball
+from ..events.predicates import last
 from ..ir.kernel import Kernel, decision, loop_kernel
 from ..state.fields import NONE
 from ..symbolic.conditionals import (
