@@ -126,8 +126,9 @@ def settled(
     holders = [surface for surface in contacts if "rolling_surface" in surface.parts]
     if not holders:
         return
-    nodes = [*_normals(common, holders), Call(common["nearly"]), Call(common["stays_at_start"])]
-    nodes += [If("put_on", tuple(_put_on(common, holders)), rare=True), Call(common["gripped"])]
+    nodes = [*_normals(common, holders), Call(common["off_at_start"])]
+    nodes.append(If("put_on", tuple(_put_on(common, holders)), rare=True))
+    nodes += [Call(common["nearly"]), Call(common["gripped"])]
     if "air_rates" in common:  # by the spin after the contact
         nodes.append(Call(common["air_rates"]))
     for surface in holders:

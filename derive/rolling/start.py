@@ -3,9 +3,9 @@
 In its first turn nothing moves, and no contact happens: the turn only decides, as after a bounce,
 whether the ball stays on the surface.
 
-The caller's place of the ball may be off the surface. Its formulas hold on it: there the normal of
-a cylinder or a sphere is a unit vector, and a ball that rolls does not slip. So a ball without a
-speed off the surface is put onto it, along the normal, before anything is decided.
+The caller's place of the ball may be off the surface. The formulas of the surface hold on it: there
+the normal of a cylinder or a torus is a unit vector, and a ball that rolls does not slip. So the
+ball is put onto the surface, along the normal, before anything is decided.
 
 A ball may start where the force that presses it on vanishes, as one that goes on from the end of a
 recorded contact. Nothing but roundings then says whether that force is positive. If it vanishes to
@@ -38,7 +38,7 @@ from ..symbolic.conditionals import (
 )
 from ..symbolic.error_terms import dx
 from ..symbolic.symbols import UNIT_ROUNDOFF, normal, position
-from .symbols import STARTS, body, bounce, gap, gap_jerk, lift, mode, nearly
+from .symbols import STARTS, body, bounce, gap, gap_jerk, lift, mode
 
 
 def one_of(surface: sp.Expr, indices: Sequence[int]) -> sp.Basic:
@@ -116,9 +116,9 @@ def start_kernels(holders: Sequence[int], ball: Ball) -> tuple[Kernel, ...]:
             "Start value for a ball without a contact: whether it may stay where it starts.",
         ),
         decision(
-            "stays_at_start",
-            {"put_on": all_of(starts, nearly)},
-            "Whether a ball that starts on a surface has no speed off it.",
+            "off_at_start",
+            {"put_on": starts},
+            "Whether a ball starts on a surface, which it may be off by the caller's digits.",
         ),
         loop_kernel(
             "placed_at_start",

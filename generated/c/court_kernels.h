@@ -1,6 +1,6 @@
 /* Kernels of the scene court, in C.
 
-   Generated from templates/c/kernels.h.j2, scene court, derivation a7012216bdc909ba,
+   Generated from templates/c/kernels.h.j2, scene court, derivation 92491f19bbe510a3,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -2158,16 +2158,16 @@ LANES(court_slow_at_start)(V mode)
     return (LANES(court_slow_at_start_out)){ lanes_equal(mode, K(5.0)) };
 }
 
-/* Whether a ball that starts on a surface has no speed off it.
-   Table 1. 2 operations: 1 comparison, 1 conjunction. */
+/* Whether a ball starts on a surface, which it may be off by the caller's digits.
+   Table 1. 1 operation: 1 comparison. */
 typedef struct {
     M put_on;
-} LANES(court_stays_at_start_out);
+} LANES(court_off_at_start_out);
 
-LANES_INLINE LANES(court_stays_at_start_out)
-LANES(court_stays_at_start)(V mode, M nearly)
+LANES_INLINE LANES(court_off_at_start_out)
+LANES(court_off_at_start)(V mode)
 {
-    return (LANES(court_stays_at_start_out)){ lanes_both(lanes_equal(mode, K(5.0)), nearly) };
+    return (LANES(court_off_at_start_out)){ lanes_equal(mode, K(5.0)) };
 }
 
 /* Place of a ball that starts on a surface, put onto it along the normal.

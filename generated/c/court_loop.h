@@ -1,6 +1,6 @@
 /* The event loop of the scene court, with or without bounds on errors.
 
-   Generated from templates/c/loop.h.j2, scene court, derivation a7012216bdc909ba,
+   Generated from templates/c/loop.h.j2, scene court, derivation 92491f19bbe510a3,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by court_engine.h twice, BOUNDED being 1 where errors are bounded, else 0. The path is
@@ -2946,10 +2946,8 @@ LANES_APART void LOOP(slow)(LOOP(worklist) *worklist, size_t slow_shots, size_t 
             CALL(court_bridge_normal, _bridge_normal_1)(x, y, z, FIXED(7), FIXED(8), FIXED(9), FIXED(13), FIXED(16), FIXED(110));
             EACH(SELECT, (_if_here_2, _bridge_normal_1), nx, ny, nz)
         }
-        CALL(court_nearly, _nearly_1)(nx, ny, nz, vx, vy, vz, FIXED(6), FIXED(21), FIXED(172));
-        EACH(GET_MASK, _nearly_1, nearly)
-        CALL(court_stays_at_start, _stays_at_start_1)(mode, nearly);
-        EACH(GET_MASK, _stays_at_start_1, put_on)
+        CALL(court_off_at_start, _off_at_start_1)(mode);
+        EACH(GET_MASK, _off_at_start_1, put_on)
         const M _if_put_on_1 = lanes_both(rows, put_on);
         if (lanes_any(_if_put_on_1)) {
             BOUNDS(EACH(LOAD, slow_, dx, dy, dz))
@@ -2994,6 +2992,8 @@ LANES_APART void LOOP(slow)(LOOP(worklist) *worklist, size_t slow_shots, size_t 
             EACH(STORE, slow_, x, y, z)
             BOUNDS(EACH(STORE, slow_, dx, dy, dz))
         }
+        CALL(court_nearly, _nearly_1)(nx, ny, nz, vx, vy, vz, FIXED(6), FIXED(21), FIXED(172));
+        EACH(GET_MASK, _nearly_1, nearly)
         CALL(court_gripped, _gripped_1)(nx, ny, nz, vx, vy, vz, wx, wy, wz, FIXED(6), FIXED(111));
         EACH(GET, _gripped_1, rolled_x, rolled_y, rolled_z, slip, bounce)
         CALL(court_here, _here_7)(K(0.0), which);

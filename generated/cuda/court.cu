@@ -1,6 +1,6 @@
 /* The event loop of the scene court in CUDA: a thread takes one shot from its release to its end.
 
-   Generated from templates/cuda/scene.cu.j2, scene court, derivation a7012216bdc909ba,
+   Generated from templates/cuda/scene.cu.j2, scene court, derivation 92491f19bbe510a3,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    It needs no header. To give the bits of NumPy and C it is compiled with --fmad=false, --ftz=false,
@@ -2159,15 +2159,15 @@ static __device__ __forceinline__ kernel_slow_at_start_out kernel_slow_at_start(
     return {mode == 5.0};
 }
 
-/* Whether a ball that starts on a surface has no speed off it.
-   Table 1. 2 operations: 1 comparison, 1 conjunction. */
-struct kernel_stays_at_start_out {
+/* Whether a ball starts on a surface, which it may be off by the caller's digits.
+   Table 1. 1 operation: 1 comparison. */
+struct kernel_off_at_start_out {
     bool put_on;
 };
 
-static __device__ __forceinline__ kernel_stays_at_start_out kernel_stays_at_start(double mode, bool nearly)
+static __device__ __forceinline__ kernel_off_at_start_out kernel_off_at_start(double mode)
 {
-    return {(mode == 5.0) && nearly};
+    return {mode == 5.0};
 }
 
 /* Place of a ball that starts on a surface, put onto it along the normal.
@@ -5295,7 +5295,7 @@ static __device__ __forceinline__ void court_loop(
         here = false, circling = false, loses = false, beside = false, over = false,
         endless = false, moves = false, ends = false, touches = false, edge = false,
         undecided = false, hopped = false, meeting = false, slow = false, again = false,
-        struck_0 = false, nearly = false, put_on = false, settles = false, lodges = false,
+        struck_0 = false, put_on = false, nearly = false, settles = false, lodges = false,
         slides = false, unpressed = false, ends_by_time_limit = false, closed = false;
     float onset = (float)0.0, wide_end = (float)0.0, wide_low1 = (float)0.0, wide_high1 = (float)0.0,
         wide_low2 = (float)0.0, wide_high2 = (float)0.0, lapsed = (float)0.0,
@@ -7668,56 +7668,56 @@ static __device__ __forceinline__ void court_loop(
                 ny = _o478.ny;
                 nz = _o478.nz;
             }
-            const kernel_nearly_out _o479 = kernel_nearly(p_ball_radius, p_gravity, nx, ny, nz, vx, vy, vz);
-            nearly = _o479.nearly;
-            const kernel_stays_at_start_out _o480 = kernel_stays_at_start(mode, nearly);
-            put_on = _o480.put_on;
+            const kernel_off_at_start_out _o479 = kernel_off_at_start(mode);
+            put_on = _o479.put_on;
             if (put_on) {
-                const kernel_ring_distance_out _o481 = kernel_ring_distance(p_ball_radius, p_ring_radius, p_wire_radius, x, y, z);
-                gap = _o481.gap;
-                const kernel_here_out _o482 = kernel_here(1.0, which);
-                here = _o482.here;
+                const kernel_ring_distance_out _o480 = kernel_ring_distance(p_ball_radius, p_ring_radius, p_wire_radius, x, y, z);
+                gap = _o480.gap;
+                const kernel_here_out _o481 = kernel_here(1.0, which);
+                here = _o481.here;
                 if (here) {
-                    const kernel_backboard_distance_out _o483 = kernel_backboard_distance(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z);
-                    gap = _o483.gap;
+                    const kernel_backboard_distance_out _o482 = kernel_backboard_distance(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z);
+                    gap = _o482.gap;
                 }
-                const kernel_here_out _o484 = kernel_here(2.0, which);
-                here = _o484.here;
+                const kernel_here_out _o483 = kernel_here(2.0, which);
+                here = _o483.here;
                 if (here) {
-                    const kernel_bridge_distance_out _o485 = kernel_bridge_distance(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z);
-                    gap = _o485.gap;
+                    const kernel_bridge_distance_out _o484 = kernel_bridge_distance(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z);
+                    gap = _o484.gap;
                 }
-                const kernel_placed_at_start_out _o486 = kernel_placed_at_start(x, y, z, nx, ny, nz, gap);
-                x = _o486.x;
-                y = _o486.y;
-                z = _o486.z;
+                const kernel_placed_at_start_out _o485 = kernel_placed_at_start(x, y, z, nx, ny, nz, gap);
+                x = _o485.x;
+                y = _o485.y;
+                z = _o485.z;
                 if (BOUNDS) {
-                    const kernel_start_errors_out _o487 = kernel_start_errors(p_ball_radius, x, y, z, dx, dy, dz);
-                    dx = _o487.dx;
-                    dy = _o487.dy;
-                    dz = _o487.dz;
+                    const kernel_start_errors_out _o486 = kernel_start_errors(p_ball_radius, x, y, z, dx, dy, dz);
+                    dx = _o486.dx;
+                    dy = _o486.dy;
+                    dz = _o486.dz;
                 }
-                const kernel_ring_normal_out _o488 = kernel_ring_normal(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
-                nx = _o488.nx;
-                ny = _o488.ny;
-                nz = _o488.nz;
-                const kernel_here_out _o489 = kernel_here(1.0, which);
-                here = _o489.here;
+                const kernel_ring_normal_out _o487 = kernel_ring_normal(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
+                nx = _o487.nx;
+                ny = _o487.ny;
+                nz = _o487.nz;
+                const kernel_here_out _o488 = kernel_here(1.0, which);
+                here = _o488.here;
                 if (here) {
-                    const kernel_backboard_normal_out _o490 = kernel_backboard_normal(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                    nx = _o490.nx;
-                    ny = _o490.ny;
-                    nz = _o490.nz;
+                    const kernel_backboard_normal_out _o489 = kernel_backboard_normal(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
+                    nx = _o489.nx;
+                    ny = _o489.ny;
+                    nz = _o489.nz;
                 }
-                const kernel_here_out _o491 = kernel_here(2.0, which);
-                here = _o491.here;
+                const kernel_here_out _o490 = kernel_here(2.0, which);
+                here = _o490.here;
                 if (here) {
-                    const kernel_bridge_normal_out _o492 = kernel_bridge_normal(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                    nx = _o492.nx;
-                    ny = _o492.ny;
-                    nz = _o492.nz;
+                    const kernel_bridge_normal_out _o491 = kernel_bridge_normal(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
+                    nx = _o491.nx;
+                    ny = _o491.ny;
+                    nz = _o491.nz;
                 }
             }
+            const kernel_nearly_out _o492 = kernel_nearly(p_ball_radius, p_gravity, nx, ny, nz, vx, vy, vz);
+            nearly = _o492.nearly;
             const kernel_gripped_out _o493 = kernel_gripped(p_ball_radius, p_inertia, nx, ny, nz, vx, vy, vz, wx, wy, wz);
             rolled_x = _o493.rolled_x;
             rolled_y = _o493.rolled_y;

@@ -1,6 +1,6 @@
 """NumPy kernels of the scene court.
 
-Generated from templates/numpy/kernels.py.j2, scene court, derivation a7012216bdc909ba,
+Generated from templates/numpy/kernels.py.j2, scene court, derivation 92491f19bbe510a3,
 with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
 and run `make generate`.
 Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
@@ -435,7 +435,7 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "started_on_surface": ("mode",),
     "nothing_happens_yet": ("moves", "touches", "body",),
     "slow_at_start": ("slow",),
-    "stays_at_start": ("put_on",),
+    "off_at_start": ("put_on",),
     "placed_at_start": ("x", "y", "z",),
     "start_errors": ("dx", "dy", "dz",),
     "in_contact": ("in_contact", "when", "rests", "rolling", "began",),
@@ -2675,12 +2675,12 @@ def slow_at_start(mode: Any) -> tuple[Any, ...]:
     return mode == 5.0,
 
 
-def stays_at_start(mode: Any, nearly: Any) -> tuple[Any, ...]:
-    """Whether a ball that starts on a surface has no speed off it.
+def off_at_start(mode: Any) -> tuple[Any, ...]:
+    """Whether a ball starts on a surface, which it may be off by the caller's digits.
 
-    Table 1. 2 operations: 1 comparison, 1 conjunction.
+    Table 1. 1 operation: 1 comparison.
     """
-    return _logical_and((mode == 5.0), nearly),
+    return mode == 5.0,
 
 
 def placed_at_start(x: Any, y: Any, z: Any, nx: Any, ny: Any, nz: Any, gap: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -10610,8 +10610,7 @@ def resolve_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
             _room_2 = room(_count16)
             _nx_2, _ny_2, _nz_2 = bridge_normal(_x_2, _y_2, _z_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_board_distance_2, _p_bridge_half_width_2, _p_bridge_depth_2, _room_2)
             _nx_1, _ny_1, _nz_1 = _put(_rows15, _count12, (_nx_1, _ny_1, _nz_1,), (_nx_2, _ny_2, _nz_2,), _here_1)
-        _nearly_1, = nearly(_p_ball_radius_1, _p_gravity_1, _nx_1, _ny_1, _nz_1, _vx_1, _vy_1, _vz_1, _room_1)
-        _put_on_1, = stays_at_start(_mode_1, _nearly_1)
+        _put_on_1, = off_at_start(_mode_1)
         _rows17, _count18 = _rows(_put_on_1, _count12)
         if _count18:
             _nx_2, _ny_2, _nz_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_ring_radius_2, _p_wire_radius_2, _which_2, _x_2, _y_2, _z_2 = _taken(_rows17, _nx_1, _ny_1, _nz_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_ring_radius_1, _p_wire_radius_1, _which_1, _x_1, _y_1, _z_1)
@@ -10640,6 +10639,7 @@ def resolve_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
                 _nx_3, _ny_3, _nz_3 = bridge_normal(_x_3, _y_3, _z_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _p_board_distance_3, _p_bridge_half_width_3, _p_bridge_depth_3, _room_3)
                 _nx_2, _ny_2, _nz_2 = _put(_rows21, _count18, (_nx_2, _ny_2, _nz_2,), (_nx_3, _ny_3, _nz_3,), _here_2)
             _nx_1, _ny_1, _nz_1, _x_1, _y_1, _z_1 = _put(_rows17, _count12, (_nx_1, _ny_1, _nz_1, _x_1, _y_1, _z_1,), (_nx_2, _ny_2, _nz_2, _x_2, _y_2, _z_2,))
+        _nearly_1, = nearly(_p_ball_radius_1, _p_gravity_1, _nx_1, _ny_1, _nz_1, _vx_1, _vy_1, _vz_1, _room_1)
         _rolled_x_1, _rolled_y_1, _rolled_z_1, _slip_1, _bounce_1 = gripped(_p_ball_radius_1, _p_inertia_1, _nx_1, _ny_1, _nz_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1, _room_1)
         _here_1, = here(0.0, _which_1)
         _rows23, _count24 = _most(_here_1, _count12)
@@ -11840,8 +11840,7 @@ def resolve_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             _room_2 = room(_count28)
             _nx_2, _ny_2, _nz_2 = bridge_normal(_x_2, _y_2, _z_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_board_distance_2, _p_bridge_half_width_2, _p_bridge_depth_2, _room_2)
             _nx_1, _ny_1, _nz_1 = _put(_rows27, _count24, (_nx_1, _ny_1, _nz_1,), (_nx_2, _ny_2, _nz_2,), _here_1)
-        _nearly_1, = nearly(_p_ball_radius_1, _p_gravity_1, _nx_1, _ny_1, _nz_1, _vx_1, _vy_1, _vz_1, _room_1)
-        _put_on_1, = stays_at_start(_mode_1, _nearly_1)
+        _put_on_1, = off_at_start(_mode_1)
         _rows29, _count30 = _rows(_put_on_1, _count24)
         if _count30:
             _dx_2, _dy_2, _dz_2, _nx_2, _ny_2, _nz_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_ring_radius_2, _p_wire_radius_2, _which_2, _x_2, _y_2, _z_2 = _taken(_rows29, _dx_1, _dy_1, _dz_1, _nx_1, _ny_1, _nz_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_ring_radius_1, _p_wire_radius_1, _which_1, _x_1, _y_1, _z_1)
@@ -11871,6 +11870,7 @@ def resolve_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                 _nx_3, _ny_3, _nz_3 = bridge_normal(_x_3, _y_3, _z_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _p_board_distance_3, _p_bridge_half_width_3, _p_bridge_depth_3, _room_3)
                 _nx_2, _ny_2, _nz_2 = _put(_rows33, _count30, (_nx_2, _ny_2, _nz_2,), (_nx_3, _ny_3, _nz_3,), _here_2)
             _dx_1, _dy_1, _dz_1, _nx_1, _ny_1, _nz_1, _x_1, _y_1, _z_1 = _put(_rows29, _count24, (_dx_1, _dy_1, _dz_1, _nx_1, _ny_1, _nz_1, _x_1, _y_1, _z_1,), (_dx_2, _dy_2, _dz_2, _nx_2, _ny_2, _nz_2, _x_2, _y_2, _z_2,))
+        _nearly_1, = nearly(_p_ball_radius_1, _p_gravity_1, _nx_1, _ny_1, _nz_1, _vx_1, _vy_1, _vz_1, _room_1)
         _rolled_x_1, _rolled_y_1, _rolled_z_1, _slip_1, _bounce_1 = gripped(_p_ball_radius_1, _p_inertia_1, _nx_1, _ny_1, _nz_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1, _room_1)
         _here_1, = here(0.0, _which_1)
         _rows35, _count36 = _most(_here_1, _count24)

@@ -183,11 +183,6 @@ def _put_on(
     if formulas.hop is None or not surface.allows_rolling:
         return state
     normal = surface.normal(state, values)
-    hop, limit = formulas.hop(state, values, normal)
-    if hop >= limit:
-        return state
-    if not hop < limit:
-        raise Undecided(f"whether the ball starts with a speed off the {surface.name}")
     off = surface.distance(state, values)[0] / sum((n * n for n in normal), arb(0)).sqrt()
     place = [p - off * n for p, n in zip(state[:3], normal, strict=True)]
     if surface.axis >= 0:
