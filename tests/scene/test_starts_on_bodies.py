@@ -356,6 +356,26 @@ def test_a_ball_is_nearer_to_the_body_it_leaves_than_to_one_that_it_touches_too(
     ]
 
 
+def test_a_ball_that_touches_two_bodies_begins_on_neither_for_certain(table: Engine) -> None:
+    """In the corner of table and wall roundings say on which side of the table it is."""
+    y = -5 + BALL
+    height = (BALL * math.sqrt(17.25) - 0.5 * y) / 4
+    states = np.zeros((8, 9))
+    states[:, 1], states[:, 4] = y, 1
+    states[:, 2] = height + BALL * np.array([1e-12, 1e-14, 0, -1e-14, -1e-12, -5e-4, -2e-3, -0.5])
+    shots = hoopgen.simulate(states, scene=table, leaving="wall")
+    invalid = shots.outcome == table.outcomes["INVALID"]
+    assert np.all(shots.uncertain[1:4])
+    assert np.all(invalid[4:])
+    reasons = hoopgen.why_invalid(states, scene=table, leaving="wall")
+    touches = (
+        "leaving: the ball touches the table besides the wall; expected in contact with one body"
+    )
+    assert reasons[:1] == [""]
+    assert set(reasons[1:4]) <= {"", touches}
+    assert reasons[4:] == [touches] * 2 + ["inside the table"] * 2
+
+
 @pytest.mark.parametrize("kind", [Event.IMPACT, Event.ROLL, Event.LEAVE])
 def test_every_recorded_event_is_in_contact_with_its_body(table: Engine, kind: Event) -> None:
     """Also at edges, where a ball leaves its body."""
