@@ -41,7 +41,7 @@ from .jump import jump_kernels
 from .meeting import meeting_kernels
 from .neighbour import neighbour_kernels
 from .settling import settling_kernels
-from .start import one_of, start_decisions
+from .start import one_of, start_kernels
 from .symbols import (
     BEGINS,
     FALLS_OFF,
@@ -128,7 +128,7 @@ def kernels(
         *edge_kernels(flight, ball, codes),
         *(apex_kernels(ball.radius, codes) if revolved else ()),
         *neighbour_kernels(ball.radius, revolved),
-        *start_decisions(holders),
+        *start_kernels(holders, ball),
         *_flight_decisions(edges, not flight.exact),
         *_contact_decisions(codes, edges, oblique, revolved, tori),
         *_results(faces, codes, outcomes, edges, revolved),

@@ -36,6 +36,7 @@ from ..symbolic.conditionals import (
 )
 from ..symbolic.rounding import position_error, velocity_error
 from ..symbolic.symbols import UNIT_ROUNDOFF, normal, spin, velocity
+from .start import parts_at_start
 from .symbols import (
     bounce,
     gap,
@@ -98,7 +99,7 @@ def settling(law: Law, ball: Ball, flight: Flight, revolved: bool = False) -> Ke
 
     The ball settles if the bounces end before anything else can happen; it lodges if it is then
     wedged; it slides if slip is left that friction cannot stop; it parts if no force presses it
-    onto the surface.
+    onto the surface, or if it starts where that force vanishes.
 
     Parameters
     ----------
@@ -181,6 +182,7 @@ def settling(law: Law, ball: Ball, flight: Flight, revolved: bool = False) -> Ke
     still = AtMost(way, narrow)
     undecided_press = AtMost(absolute(press), barrier(4 * (turns + slope) * velocity_error))
     near_limit = barrier(absolute(offset - allowed) * bounce)
+    parts = parts_at_start(barrier(flight.gravity + disturbance + speed * turns), rounding)
     # Without restitution the speed off the surface is a rounding, and no error before changes it.
     undecided_bounce = all_of(
         AtMost(near_limit, barrier(2 * allowed * velocity_error)), Less(0, barrier(e * bounce))
@@ -188,16 +190,19 @@ def settling(law: Law, ball: Ball, flight: Flight, revolved: bool = False) -> Ke
     return loop_kernel(
         f"{law.name}_settling",
         {
-            "settles": all_of(stays, Not(wedged), Or(isolated, still)),
-            "lodges": all_of(stays, wedged),
-            "slides": slides,
-            "unpressed": all_of(AtMost(bounce, rounding), AtMost(0, lift)),
+            "settles": all_of(stays, Not(wedged), Or(isolated, still), Not(parts)),
+            "lodges": all_of(stays, wedged, Not(parts)),
+            "slides": all_of(slides, Not(parts)),
+            "unpressed": Or(all_of(AtMost(bounce, rounding), AtMost(0, lift)), parts),
             "assured": Choose(Or(all_of(presses, isolated), bounces_on), 1, 0),
-            "undecided": any_of(
-                undecided_press,
-                undecided_bounce,
-                undecided_slip,
-                all_of(stays, still, Not(isolated)),
+            "undecided": all_of(
+                any_of(
+                    undecided_press,
+                    undecided_bounce,
+                    undecided_slip,
+                    all_of(stays, still, Not(isolated)),
+                ),
+                Not(parts),
             ),
         },
         "Whether the bounces end in rolling, sliding, a wedge or departure, and whether that is "

@@ -126,9 +126,8 @@ def settled(
     holders = [surface for surface in contacts if "rolling_surface" in surface.parts]
     if not holders:
         return
-    nodes: list[Node] = [part_call(holders[0], "normal")]
-    for surface in holders[1:]:
-        nodes += on_surface(common, surface.index, part_call(surface, "normal"))
+    nodes = [*_normals(common, holders), Call(common["off_at_start"])]
+    nodes.append(If("put_on", tuple(_put_on(common, holders)), rare=True))
     nodes += [Call(common["nearly"]), Call(common["gripped"])]
     if "air_rates" in common:  # by the spin after the contact
         nodes.append(Call(common["air_rates"]))
@@ -138,12 +137,32 @@ def settled(
             part_call(surface, "turning"),
             Call(common["pressed_on"]),
             *nearest_others(common, contacts, end_planes, surface.index),
-            given_as(Call(surface.parts["separation"], wanted=frozenset({"lift"})), surface.sizes),
+            given_as(
+                Call(surface.parts["separation"], wanted=frozenset({"lift", "gap_jerk"})),
+                surface.sizes,
+            ),
             given_as(Call(surface.law["settling"]), surface.law_sizes),
             Call(common["settled"], {"index": surface.index}),
         )
         nodes += on_surface(common, surface.index, *own)
     yield If("slow", tuple(nodes), rare=True)
+
+
+def _normals(common: Parts, holders: Sequence[LoopSurface]) -> Iterator[Node]:
+    """Evaluate the normal of the surface of the event."""
+    yield part_call(holders[0], "normal")
+    for surface in holders[1:]:
+        yield from on_surface(common, surface.index, part_call(surface, "normal"))
+
+
+def _put_on(common: Parts, holders: Sequence[LoopSurface]) -> Iterator[Node]:
+    """Put a ball onto the surface that it starts on."""
+    yield part_call(holders[0], "distance")
+    for surface in holders[1:]:
+        yield from on_surface(common, surface.index, part_call(surface, "distance"))
+    yield Call(common["placed_at_start"])
+    yield Call(common["start_errors"])
+    yield from _normals(common, holders)
 
 
 def _free_time(

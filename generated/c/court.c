@@ -1,6 +1,6 @@
 /* court: the widths, and the choice among them.
 
-   Generated from templates/c/scene.c.j2, scene court, derivation f9662c073b5cb059,
+   Generated from templates/c/scene.c.j2, scene court, derivation 92491f19bbe510a3,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`. */
 

@@ -1,6 +1,6 @@
 /* Kernels of the scene court, in C.
 
-   Generated from templates/c/kernels.h.j2, scene court, derivation f9662c073b5cb059,
+   Generated from templates/c/kernels.h.j2, scene court, derivation 92491f19bbe510a3,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -2158,6 +2158,45 @@ LANES(court_slow_at_start)(V mode)
     return (LANES(court_slow_at_start_out)){ lanes_equal(mode, K(5.0)) };
 }
 
+/* Whether a ball starts on a surface, which it may be off by the caller's digits.
+   Table 1. 1 operation: 1 comparison. */
+typedef struct {
+    M put_on;
+} LANES(court_off_at_start_out);
+
+LANES_INLINE LANES(court_off_at_start_out)
+LANES(court_off_at_start)(V mode)
+{
+    return (LANES(court_off_at_start_out)){ lanes_equal(mode, K(5.0)) };
+}
+
+/* Place of a ball that starts on a surface, put onto it along the normal.
+   Table 2. 14 operations: 2 additions, 3 subtractions, 7 multiplications, 1 division, 1 square root. */
+typedef struct {
+    V x, y, z;
+} LANES(court_placed_at_start_out);
+
+LANES_INLINE LANES(court_placed_at_start_out)
+LANES(court_placed_at_start)(V x, V y, V z, V nx, V ny, V nz, V gap)
+{
+    const V _s0 = lanes_mul(gap, lanes_div(K(1.0), lanes_sqrt(lanes_add(lanes_add(lanes_mul(nx, nx), lanes_mul(ny, ny)), lanes_mul(nz, nz)))));
+    return (LANES(court_placed_at_start_out)){ lanes_sub(x, lanes_mul(nx, _s0)), lanes_sub(y, lanes_mul(ny, _s0)), lanes_sub(z, lanes_mul(nz, _s0)) };
+}
+
+/* Errors with the rounding of that place.
+   its bound. 17 operations: 6 additions, 1 multiplication, 1 negation, 3 absolute values, 3 comparisons, 3 selections. */
+typedef struct {
+    V dx, dy, dz;
+} LANES(court_start_errors_out);
+
+LANES_INLINE LANES(court_start_errors_out)
+LANES(court_start_errors)(V x, V y, V z, V dx, V dy, V dz, V _c0)
+{
+    const V _s0 = lanes_mul(K(8.881784197001252e-16), lanes_add(lanes_add(lanes_add(_c0, lanes_abs(x)), lanes_abs(y)), lanes_abs(z)));
+    const V _s1 = lanes_neg(_s0);
+    return (LANES(court_start_errors_out)){ lanes_add(dx, lanes_select(lanes_less(dx, K(0.0)), _s1, _s0)), lanes_add(dy, lanes_select(lanes_less(dy, K(0.0)), _s1, _s0)), lanes_add(dz, lanes_select(lanes_less(dz, K(0.0)), _s1, _s0)) };
+}
+
 /* Whether the ball is in contact, and has no flight to search.
    Table 1. 2 operations: 1 comparison, 1 selection. */
 typedef struct {
@@ -2476,7 +2515,7 @@ LANES(court_ring_impact_undecided)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V n
 }
 
 /* Whether the bounces end in rolling, sliding, a wedge or departure, and whether that is certain.
-   a geometric series of bounces. 145 operations: 19 additions, 3 subtractions, 44 multiplications, 8 divisions, 1 square root, 1 negation, 14 absolute values, 24 comparisons, 19 conjunctions, 7 disjunctions, 2 complements, 3 selections. */
+   a geometric series of bounces. 160 operations: 20 additions, 3 subtractions, 45 multiplications, 8 divisions, 1 square root, 1 negation, 15 absolute values, 27 comparisons, 26 conjunctions, 8 disjunctions, 3 complements, 3 selections. */
 typedef struct {
     M settles, lodges, slides, unpressed;
     V assured;
@@ -2484,38 +2523,42 @@ typedef struct {
 } LANES(court_ring_impact_settling_out);
 
 LANES_INLINE LANES(court_ring_impact_settling_out)
-LANES(court_ring_impact_settling)(V wx, V wy, V wz, V velocity_error, V rolled_x, V rolled_y, V rolled_z, V turning_x, V turning_y, V turning_z, V slip, V bounce, V nearest, V second_contact_gap, V press, V weight, V rolling_friction, V lift, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5, V _c6, V _c7, V _c8, V _c9)
+LANES(court_ring_impact_settling)(V wx, V wy, V wz, V velocity_error, V mode, V rolled_x, V rolled_y, V rolled_z, V turning_x, V turning_y, V turning_z, V slip, V bounce, V nearest, V second_contact_gap, V press, V weight, V rolling_friction, V lift, V gap_jerk, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5, V _c6, V _c7, V _c8, V _c9, V _c10)
 {
-    const M _s0 = lanes_less(K(0.0), _c2);
+    const M _s0 = lanes_less(K(0.0), _c3);
     const V _s1 = lanes_div(bounce, press);
     const V _s2 = lanes_add(K(4.440892098500626e-16), lanes_add(lanes_add(lanes_abs(turning_x), lanes_abs(turning_y)), lanes_abs(turning_z)));
     const V _s3 = lanes_add(lanes_add(lanes_mul(_c0, lanes_add(lanes_add(lanes_abs(wx), lanes_abs(wy)), lanes_abs(wz))), lanes_abs(rolled_x)), lanes_abs(rolled_y));
     const V _s4 = lanes_add(_s3, lanes_abs(rolled_z));
-    const V _s5 = lanes_abs(weight);
-    const V _s6 = lanes_mul(lanes_mul(K(8.0), _s2), lanes_add(lanes_mul(_s2, _s4), _s5));
-    const V _s7 = lanes_add(lanes_sqrt(lanes_mul(_c0, _s5)), _s4);
-    const V _s8 = lanes_mul(K(1.4210854715202004e-14), _s7);
-    const V _s9 = lanes_mul(K(2.0), rolling_friction);
-    const V _s10 = lanes_mul(press, _c4);
-    const M _s11 = lanes_both(lanes_both(lanes_both(lanes_both(lanes_less(K(0.0), press), _s0), lanes_less(lanes_mul(lanes_mul(K(3.0), _s1), _s6), lanes_mul(press, _c3))), lanes_at_most(slip, lanes_add(lanes_mul(lanes_mul(K(8.0), rolling_friction), _s1), _s8))), lanes_at_most(_s9, _s10));
-    const V _s12 = lanes_mul(K(0.5), bounce);
-    const V _s13 = lanes_mul(K(4.0), rolling_friction);
-    const V _s14 = lanes_add(lanes_add(lanes_mul(_s12, _s1), lanes_div(lanes_mul(_s13, lanes_mul(_s1, _s1)), _c5)), lanes_div(lanes_mul(lanes_mul(lanes_mul(K(4.0), slip), _c6), _s1), _c2));
-    const M _s15 = lanes_both(_s11, lanes_at_most(_s14, _c7));
-    const M _s16 = lanes_at_most(second_contact_gap, _c8);
-    const V _s17 = lanes_div(lanes_mul(lanes_mul(K(16.0), _s1), _s4), _c2);
-    const M _s18 = lanes_less(lanes_add(_c8, _s17), nearest);
-    const M _s19 = lanes_at_most(_s17, _c8);
-    const V _s20 = lanes_neg(lift);
-    const V _s21 = lanes_min(_s20, press);
-    const V _s22 = lanes_div(bounce, _s21);
-    const M _s23 = lanes_both(lanes_both(lanes_both(lanes_less(K(0.0), _s21), _s0), lanes_less(lanes_mul(lanes_mul(K(3.0), _s22), _s6), lanes_mul(_c3, _s21))), lanes_less(lanes_add(_c8, lanes_div(lanes_mul(lanes_mul(K(16.0), _s22), _s4), _c2)), nearest));
-    const M _s24 = lanes_both(_s23, lanes_at_most(lanes_add(lanes_mul(_s12, _s22), lanes_div(lanes_mul(_s13, lanes_mul(_s22, _s22)), _c5)), _c7));
-    const V _s25 = lanes_add(lanes_div(lanes_mul(K(2.0), lanes_add(lanes_mul(_s9, _s22), lanes_select(lanes_less(K(0.0), bounce), lanes_mul(bounce, _c4), K(0.0)))), _c9), lanes_mul(K(1.4551915228366852e-11), _s7));
-    const M _s26 = lanes_either(lanes_at_most(lanes_abs(press), lanes_mul(lanes_mul(K(4.0), velocity_error), _s2)), lanes_both(lanes_at_most(lanes_mul(bounce, lanes_abs(lanes_sub(_s14, _c7))), lanes_mul(lanes_mul(K(2.0), velocity_error), _c7)), lanes_less(K(0.0), lanes_mul(_c1, bounce))));
-    const V _s27 = lanes_mul(K(16.0), velocity_error);
-    const M _s28 = lanes_both(_s24, lanes_either(lanes_less(lanes_abs(lanes_sub(slip, _s25)), _s27), lanes_less(lanes_abs(lanes_sub(_s9, _s10)), lanes_mul(_s27, lanes_add(lanes_mul(_c4, _s2), _s2)))));
-    return (LANES(court_ring_impact_settling_out)){ lanes_both(lanes_both(_s15, lanes_not(_s16)), lanes_either(_s18, _s19)), lanes_both(_s15, _s16), lanes_both(_s24, lanes_either(lanes_less(_s25, slip), lanes_less(_s10, _s9))), lanes_both(lanes_at_most(bounce, _s8), lanes_at_most(K(0.0), lift)), lanes_select(lanes_either(lanes_both(_s11, _s18), _s23), K(1.0), K(0.0)), lanes_either(lanes_either(_s26, _s28), lanes_both(lanes_both(_s15, _s19), lanes_not(_s18))) };
+    const V _s5 = lanes_mul(_s2, _s4);
+    const V _s6 = lanes_abs(weight);
+    const V _s7 = lanes_mul(lanes_mul(K(8.0), _s2), lanes_add(_s5, _s6));
+    const V _s8 = lanes_add(lanes_sqrt(lanes_mul(_c0, _s6)), _s4);
+    const V _s9 = lanes_mul(K(1.4210854715202004e-14), _s8);
+    const V _s10 = lanes_mul(K(2.0), rolling_friction);
+    const V _s11 = lanes_mul(press, _c5);
+    const M _s12 = lanes_both(lanes_both(lanes_both(lanes_both(lanes_less(K(0.0), press), _s0), lanes_less(lanes_mul(lanes_mul(K(3.0), _s1), _s7), lanes_mul(press, _c4))), lanes_at_most(slip, lanes_add(lanes_mul(lanes_mul(K(8.0), rolling_friction), _s1), _s9))), lanes_at_most(_s10, _s11));
+    const V _s13 = lanes_mul(K(0.5), bounce);
+    const V _s14 = lanes_mul(K(4.0), rolling_friction);
+    const V _s15 = lanes_add(lanes_add(lanes_mul(_s13, _s1), lanes_div(lanes_mul(_s14, lanes_mul(_s1, _s1)), _c6)), lanes_div(lanes_mul(lanes_mul(lanes_mul(K(4.0), slip), _c7), _s1), _c3));
+    const M _s16 = lanes_both(_s12, lanes_at_most(_s15, _c8));
+    const M _s17 = lanes_at_most(second_contact_gap, _c9);
+    const V _s18 = lanes_div(lanes_mul(lanes_mul(K(16.0), _s1), _s4), _c3);
+    const M _s19 = lanes_less(lanes_add(_c9, _s18), nearest);
+    const M _s20 = lanes_at_most(_s18, _c9);
+    const M _s21 = lanes_at_most(bounce, _s9);
+    const M _s22 = lanes_both(lanes_both(lanes_both(lanes_equal(mode, K(5.0)), _s21), lanes_at_most(lanes_abs(lift), lanes_mul(K(2.2737367544323206e-13), lanes_add(_c1, _s5)))), lanes_less(K(0.0), gap_jerk));
+    const M _s23 = lanes_not(_s22);
+    const V _s24 = lanes_neg(lift);
+    const V _s25 = lanes_min(_s24, press);
+    const V _s26 = lanes_div(bounce, _s25);
+    const M _s27 = lanes_both(lanes_both(lanes_both(lanes_less(K(0.0), _s25), _s0), lanes_less(lanes_mul(lanes_mul(K(3.0), _s26), _s7), lanes_mul(_c4, _s25))), lanes_less(lanes_add(_c9, lanes_div(lanes_mul(lanes_mul(K(16.0), _s26), _s4), _c3)), nearest));
+    const M _s28 = lanes_both(_s27, lanes_at_most(lanes_add(lanes_mul(_s13, _s26), lanes_div(lanes_mul(_s14, lanes_mul(_s26, _s26)), _c6)), _c8));
+    const V _s29 = lanes_add(lanes_div(lanes_mul(K(2.0), lanes_add(lanes_mul(_s10, _s26), lanes_select(lanes_less(K(0.0), bounce), lanes_mul(bounce, _c5), K(0.0)))), _c10), lanes_mul(K(1.4551915228366852e-11), _s8));
+    const M _s30 = lanes_either(lanes_at_most(lanes_abs(press), lanes_mul(lanes_mul(K(4.0), velocity_error), _s2)), lanes_both(lanes_at_most(lanes_mul(bounce, lanes_abs(lanes_sub(_s15, _c8))), lanes_mul(lanes_mul(K(2.0), velocity_error), _c8)), lanes_less(K(0.0), lanes_mul(_c2, bounce))));
+    const V _s31 = lanes_mul(K(16.0), velocity_error);
+    const M _s32 = lanes_both(_s28, lanes_either(lanes_less(lanes_abs(lanes_sub(slip, _s29)), _s31), lanes_less(lanes_abs(lanes_sub(_s10, _s11)), lanes_mul(_s31, lanes_add(lanes_mul(_c5, _s2), _s2)))));
+    return (LANES(court_ring_impact_settling_out)){ lanes_both(lanes_both(lanes_both(_s16, lanes_not(_s17)), lanes_either(_s19, _s20)), _s23), lanes_both(lanes_both(_s16, _s17), _s23), lanes_both(lanes_both(_s28, lanes_either(lanes_less(_s29, slip), lanes_less(_s11, _s10))), _s23), lanes_either(lanes_both(_s21, lanes_at_most(K(0.0), lift)), _s22), lanes_select(lanes_either(lanes_both(_s12, _s19), _s27), K(1.0), K(0.0)), lanes_both(lanes_either(lanes_either(_s30, _s32), lanes_both(lanes_both(_s16, _s20), lanes_not(_s19))), _s23) };
 }
 
 /* Excess F² - mu² N² and its rate.

@@ -1,6 +1,6 @@
 /* The event loop of the scene court, with or without bounds on errors.
 
-   Generated from templates/c/loop.h.j2, scene court, derivation f9662c073b5cb059,
+   Generated from templates/c/loop.h.j2, scene court, derivation 92491f19bbe510a3,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by court_engine.h twice, BOUNDED being 1 where errors are bounded, else 0. The path is
@@ -251,8 +251,9 @@ typedef struct {
         searching_searching_ended_t, searching_searching_ended_undecided_time,
         searching_searching_position_error, searching_searching_undecided_time,
         searching_searching_velocity_error, searching_undecided_time, searching_velocity_error,
-        slow_assured, slow_uncertain, slow_velocity_error, turning_p_backboard_friction,
-        turning_p_bridge_friction, turning_p_ring_friction, undecided_time, velocity_error;
+        slow_assured, slow_dx, slow_dy, slow_dz, slow_uncertain, slow_velocity_error,
+        turning_p_backboard_friction, turning_p_bridge_friction, turning_p_ring_friction,
+        undecided_time, velocity_error;
 #endif
     /* What kernels make of parameters alone. */
     _Alignas(64) double fixed[LANES_ROWS][LANES_WIDTH];
@@ -2945,14 +2946,60 @@ LANES_APART void LOOP(slow)(LOOP(worklist) *worklist, size_t slow_shots, size_t 
             CALL(court_bridge_normal, _bridge_normal_1)(x, y, z, FIXED(7), FIXED(8), FIXED(9), FIXED(13), FIXED(16), FIXED(110));
             EACH(SELECT, (_if_here_2, _bridge_normal_1), nx, ny, nz)
         }
+        CALL(court_off_at_start, _off_at_start_1)(mode);
+        EACH(GET_MASK, _off_at_start_1, put_on)
+        const M _if_put_on_1 = lanes_both(rows, put_on);
+        if (lanes_any(_if_put_on_1)) {
+            BOUNDS(EACH(LOAD, slow_, dx, dy, dz))
+            CALL(court_ring_distance, _ring_distance_1)(x, y, z, FIXED(6), FIXED(7), FIXED(8));
+            EACH(GET, _ring_distance_1, gap)
+            CALL(court_here, _here_3)(K(1.0), which);
+            EACH(GET_MASK, _here_3, here)
+            const M _if_here_3 = lanes_both(_if_put_on_1, here);
+            {
+                CALL(court_backboard_distance, _backboard_distance_1)(x, y, z, FIXED(6), FIXED(11), FIXED(9), FIXED(10), FIXED(12), FIXED(15));
+                EACH(SELECT, (_if_here_3, _backboard_distance_1), gap)
+            }
+            CALL(court_here, _here_4)(K(2.0), which);
+            EACH(SET, _here_4, here)
+            const M _if_here_4 = lanes_both(_if_put_on_1, here);
+            {
+                CALL(court_bridge_distance, _bridge_distance_1)(x, y, z, FIXED(6), FIXED(9), FIXED(13), FIXED(7), FIXED(8), FIXED(16));
+                EACH(SELECT, (_if_here_4, _bridge_distance_1), gap)
+            }
+            CALL(court_placed_at_start, _placed_at_start_1)(x, y, z, nx, ny, nz, gap);
+            EACH(SELECT, (_if_put_on_1, _placed_at_start_1), x, y, z)
+#if BOUNDED
+            CALL(court_start_errors, _start_errors_1)(x, y, z, dx, dy, dz, FIXED(6));
+            EACH(SELECT, (_if_put_on_1, _start_errors_1), dx, dy, dz)
+#endif
+            CALL(court_ring_normal, _ring_normal_2)(x, y, z, FIXED(7), FIXED(109));
+            EACH(SELECT, (_if_put_on_1, _ring_normal_2), nx, ny, nz)
+            CALL(court_here, _here_5)(K(1.0), which);
+            EACH(SET, _here_5, here)
+            const M _if_here_5 = lanes_both(_if_put_on_1, here);
+            if (lanes_any(_if_here_5)) {
+                CALL(court_backboard_normal, _backboard_normal_2)(x, y, z, FIXED(9), FIXED(10), FIXED(11), FIXED(12), FIXED(15), FIXED(110));
+                EACH(SELECT, (_if_here_5, _backboard_normal_2), nx, ny, nz)
+            }
+            CALL(court_here, _here_6)(K(2.0), which);
+            EACH(SET, _here_6, here)
+            const M _if_here_6 = lanes_both(_if_put_on_1, here);
+            if (lanes_any(_if_here_6)) {
+                CALL(court_bridge_normal, _bridge_normal_2)(x, y, z, FIXED(7), FIXED(8), FIXED(9), FIXED(13), FIXED(16), FIXED(110));
+                EACH(SELECT, (_if_here_6, _bridge_normal_2), nx, ny, nz)
+            }
+            EACH(STORE, slow_, x, y, z)
+            BOUNDS(EACH(STORE, slow_, dx, dy, dz))
+        }
         CALL(court_nearly, _nearly_1)(nx, ny, nz, vx, vy, vz, FIXED(6), FIXED(21), FIXED(172));
         EACH(GET_MASK, _nearly_1, nearly)
         CALL(court_gripped, _gripped_1)(nx, ny, nz, vx, vy, vz, wx, wy, wz, FIXED(6), FIXED(111));
         EACH(GET, _gripped_1, rolled_x, rolled_y, rolled_z, slip, bounce)
-        CALL(court_here, _here_3)(K(0.0), which);
-        EACH(SET, _here_3, here)
-        const M _if_here_3 = lanes_both(rows, here);
-        if (lanes_any(_if_here_3)) {
+        CALL(court_here, _here_7)(K(0.0), which);
+        EACH(SET, _here_7, here)
+        const M _if_here_7 = lanes_both(rows, here);
+        if (lanes_any(_if_here_7)) {
             CALL(court_ring_turning, _ring_turning_1)(x, y, rolled_x, rolled_y, rolled_z, FIXED(7), FIXED(109));
             EACH(GET, _ring_turning_1, turning_x, turning_y, turning_z)
             CALL(court_pressed_on, _pressed_on_1)(nx, ny, nz, wx, wy, wz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, FIXED(6), FIXED(21), FIXED(111));
@@ -2973,19 +3020,19 @@ LANES_APART void LOOP(slow)(LOOP(worklist) *worklist, size_t slow_shots, size_t 
             CALL(court_near_end_plane, _near_end_plane_1)(gap, nearest);
             EACH(SET, _near_end_plane_1, nearest)
             CALL(court_ring_separation, _ring_separation_1)(x, y, z, vx, vy, vz, FIXED(21), FIXED(7), FIXED(161), FIXED(162));
-            EACH(GET, _ring_separation_1, lift)
-            CALL(court_ring_impact_settling, _ring_impact_settling_1)(wx, wy, wz, OR_ZERO(velocity_error), rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, slip, bounce, nearest, second_contact_gap, press, weight, rolling_friction, lift, FIXED(6), FIXED(174), FIXED(175), FIXED(176), FIXED(177), FIXED(178), FIXED(111), FIXED(113), FIXED(179), FIXED(180));
+            EACH(GET, _ring_separation_1, lift, gap_jerk)
+            CALL(court_ring_impact_settling, _ring_impact_settling_1)(wx, wy, wz, OR_ZERO(velocity_error), mode, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, slip, bounce, nearest, second_contact_gap, press, weight, rolling_friction, lift, gap_jerk, FIXED(6), FIXED(21), FIXED(174), FIXED(175), FIXED(176), FIXED(177), FIXED(178), FIXED(111), FIXED(113), FIXED(179), FIXED(180));
             EACH(GET_MASK, _ring_impact_settling_1, settles, lodges, slides, unpressed)
-            BOUNDS(EACH(SELECT, (_if_here_3, _ring_impact_settling_1), assured))
+            BOUNDS(EACH(SELECT, (_if_here_7, _ring_impact_settling_1), assured))
             EACH(GET_MASK, _ring_impact_settling_1, undecided)
             CALL(court_settled, _settled_1)(K(0.0), outcome, OR_ZERO(uncertain), undecided, mode, settles, nearly, lodges, slides, unpressed);
-            EACH(SELECT, (_if_here_3, _settled_1), mode, held, outcome, slip_left)
-            BOUNDS(EACH(SELECT, (_if_here_3, _settled_1), uncertain))
+            EACH(SELECT, (_if_here_7, _settled_1), mode, held, outcome, slip_left)
+            BOUNDS(EACH(SELECT, (_if_here_7, _settled_1), uncertain))
         }
-        CALL(court_here, _here_4)(K(1.0), which);
-        EACH(SET, _here_4, here)
-        const M _if_here_4 = lanes_both(rows, here);
-        if (lanes_any(_if_here_4)) {
+        CALL(court_here, _here_8)(K(1.0), which);
+        EACH(SET, _here_8, here)
+        const M _if_here_8 = lanes_both(rows, here);
+        if (lanes_any(_if_here_8)) {
             CALL(court_backboard_turning, _backboard_turning_1)(x, y, z, rolled_x, rolled_y, rolled_z, FIXED(11), FIXED(9), FIXED(10), FIXED(12), FIXED(15), FIXED(110));
             EACH(GET, _backboard_turning_1, turning_x, turning_y, turning_z)
             CALL(court_pressed_on, _pressed_on_2)(nx, ny, nz, wx, wy, wz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, FIXED(6), FIXED(21), FIXED(111));
@@ -3006,19 +3053,19 @@ LANES_APART void LOOP(slow)(LOOP(worklist) *worklist, size_t slow_shots, size_t 
             CALL(court_near_end_plane, _near_end_plane_2)(gap, nearest);
             EACH(SET, _near_end_plane_2, nearest)
             CALL(court_backboard_separation, _backboard_separation_1)(x, y, z, vx, vy, vz, FIXED(11), FIXED(9), FIXED(10), FIXED(12), FIXED(21), FIXED(15), FIXED(23));
-            EACH(GET, _backboard_separation_1, lift)
-            CALL(court_ring_impact_settling, _ring_impact_settling_2)(wx, wy, wz, OR_ZERO(velocity_error), rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, slip, bounce, nearest, second_contact_gap, press, weight, rolling_friction, lift, FIXED(6), FIXED(181), FIXED(182), FIXED(183), FIXED(184), FIXED(185), FIXED(111), FIXED(113), FIXED(179), FIXED(186));
+            EACH(GET, _backboard_separation_1, lift, gap_jerk)
+            CALL(court_ring_impact_settling, _ring_impact_settling_2)(wx, wy, wz, OR_ZERO(velocity_error), mode, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, slip, bounce, nearest, second_contact_gap, press, weight, rolling_friction, lift, gap_jerk, FIXED(6), FIXED(21), FIXED(181), FIXED(182), FIXED(183), FIXED(184), FIXED(185), FIXED(111), FIXED(113), FIXED(179), FIXED(186));
             EACH(GET_MASK, _ring_impact_settling_2, settles, lodges, slides, unpressed)
-            BOUNDS(EACH(SELECT, (_if_here_4, _ring_impact_settling_2), assured))
+            BOUNDS(EACH(SELECT, (_if_here_8, _ring_impact_settling_2), assured))
             EACH(GET_MASK, _ring_impact_settling_2, undecided)
             CALL(court_settled, _settled_2)(K(1.0), outcome, OR_ZERO(uncertain), undecided, mode, settles, nearly, lodges, slides, unpressed);
-            EACH(SELECT, (_if_here_4, _settled_2), mode, held, outcome, slip_left)
-            BOUNDS(EACH(SELECT, (_if_here_4, _settled_2), uncertain))
+            EACH(SELECT, (_if_here_8, _settled_2), mode, held, outcome, slip_left)
+            BOUNDS(EACH(SELECT, (_if_here_8, _settled_2), uncertain))
         }
-        CALL(court_here, _here_5)(K(2.0), which);
-        EACH(SET, _here_5, here)
-        const M _if_here_5 = lanes_both(rows, here);
-        if (lanes_any(_if_here_5)) {
+        CALL(court_here, _here_9)(K(2.0), which);
+        EACH(SET, _here_9, here)
+        const M _if_here_9 = lanes_both(rows, here);
+        if (lanes_any(_if_here_9)) {
             CALL(court_bridge_turning, _bridge_turning_1)(x, y, z, rolled_x, rolled_y, rolled_z, FIXED(9), FIXED(13), FIXED(7), FIXED(8), FIXED(16), FIXED(110));
             EACH(GET, _bridge_turning_1, turning_x, turning_y, turning_z)
             CALL(court_pressed_on, _pressed_on_3)(nx, ny, nz, wx, wy, wz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, FIXED(6), FIXED(21), FIXED(111));
@@ -3039,14 +3086,14 @@ LANES_APART void LOOP(slow)(LOOP(worklist) *worklist, size_t slow_shots, size_t 
             CALL(court_near_end_plane, _near_end_plane_3)(gap, nearest);
             EACH(SET, _near_end_plane_3, nearest)
             CALL(court_bridge_separation, _bridge_separation_1)(x, y, z, vx, vy, vz, FIXED(9), FIXED(13), FIXED(21), FIXED(7), FIXED(8), FIXED(16), FIXED(23));
-            EACH(GET, _bridge_separation_1, lift)
-            CALL(court_ring_impact_settling, _ring_impact_settling_3)(wx, wy, wz, OR_ZERO(velocity_error), rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, slip, bounce, nearest, second_contact_gap, press, weight, rolling_friction, lift, FIXED(6), FIXED(187), FIXED(188), FIXED(189), FIXED(190), FIXED(191), FIXED(111), FIXED(113), FIXED(179), FIXED(192));
+            EACH(GET, _bridge_separation_1, lift, gap_jerk)
+            CALL(court_ring_impact_settling, _ring_impact_settling_3)(wx, wy, wz, OR_ZERO(velocity_error), mode, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, slip, bounce, nearest, second_contact_gap, press, weight, rolling_friction, lift, gap_jerk, FIXED(6), FIXED(21), FIXED(187), FIXED(188), FIXED(189), FIXED(190), FIXED(191), FIXED(111), FIXED(113), FIXED(179), FIXED(192));
             EACH(GET_MASK, _ring_impact_settling_3, settles, lodges, slides, unpressed)
-            BOUNDS(EACH(SELECT, (_if_here_5, _ring_impact_settling_3), assured))
+            BOUNDS(EACH(SELECT, (_if_here_9, _ring_impact_settling_3), assured))
             EACH(GET_MASK, _ring_impact_settling_3, undecided)
             CALL(court_settled, _settled_3)(K(2.0), outcome, OR_ZERO(uncertain), undecided, mode, settles, nearly, lodges, slides, unpressed);
-            EACH(SELECT, (_if_here_5, _settled_3), mode, held, outcome, slip_left)
-            BOUNDS(EACH(SELECT, (_if_here_5, _settled_3), uncertain))
+            EACH(SELECT, (_if_here_9, _settled_3), mode, held, outcome, slip_left)
+            BOUNDS(EACH(SELECT, (_if_here_9, _settled_3), uncertain))
         }
         EACH(STORE, slow_, held, mode, outcome, slip_left)
 #if BOUNDED
@@ -5235,7 +5282,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                 lanes_pack(worklist->slow_row + slow_shots, packed, lanes_add(iota(), K((double)i)));
                 EACH(PACK, slow_, held, mode, outcome, slip_left, vx, vy, vz, which, wx, wy, wz, x)
                 EACH(PACK, slow_, y, z)
-                BOUNDS(EACH(PACK, slow_, assured, uncertain, velocity_error))
+                BOUNDS(EACH(PACK, slow_, assured, dx, dy, dz, uncertain, velocity_error))
                 if (LANES_SELDOM(varying)) {
                     for (size_t _p = 0; _p < 19; _p++) {
                         lanes_pack(worklist->slow_parameters.columns[slow_taken[_p]] + slow_shots, packed, lanes_load(worklist->parameters.columns[slow_taken[_p]] + i));
@@ -5247,7 +5294,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
         if (slow_shots) {
             EACH(CLEAR, slow_, row, held, mode, outcome, slip_left, vx, vy, vz, which, wx, wy, wz)
             EACH(CLEAR, slow_, x, y, z)
-            BOUNDS(EACH(CLEAR, slow_, assured, uncertain, velocity_error))
+            BOUNDS(EACH(CLEAR, slow_, assured, dx, dy, dz, uncertain, velocity_error))
             if (LANES_SELDOM(varying)) {
                 for (size_t _p = 0; _p < 19; _p++) {
                     lanes_store(worklist->slow_parameters.columns[slow_taken[_p]] + slow_shots, K(0.0));
@@ -5258,8 +5305,8 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             LOOP(slow)(worklist, slow_shots, varying);
         for (size_t k = 0; k < slow_shots; k++) {
             const size_t row = (size_t)worklist->slow_row[k];
-            EACH(RETURN, (, slow_), held, mode, outcome, slip_left)
-            BOUNDS(EACH(RETURN, (, slow_), assured, uncertain))
+            EACH(RETURN, (, slow_), held, mode, outcome, slip_left, x, y, z)
+            BOUNDS(EACH(RETURN, (, slow_), assured, dx, dy, dz, uncertain))
         }
 #if BOUNDED
         }

@@ -1,6 +1,6 @@
 /* The event loop of the scene court in CUDA: a thread takes one shot from its release to its end.
 
-   Generated from templates/cuda/scene.cu.j2, scene court, derivation f9662c073b5cb059,
+   Generated from templates/cuda/scene.cu.j2, scene court, derivation 92491f19bbe510a3,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    It needs no header. To give the bits of NumPy and C it is compiled with --fmad=false, --ftz=false,
@@ -2159,6 +2159,42 @@ static __device__ __forceinline__ kernel_slow_at_start_out kernel_slow_at_start(
     return {mode == 5.0};
 }
 
+/* Whether a ball starts on a surface, which it may be off by the caller's digits.
+   Table 1. 1 operation: 1 comparison. */
+struct kernel_off_at_start_out {
+    bool put_on;
+};
+
+static __device__ __forceinline__ kernel_off_at_start_out kernel_off_at_start(double mode)
+{
+    return {mode == 5.0};
+}
+
+/* Place of a ball that starts on a surface, put onto it along the normal.
+   Table 2. 14 operations: 2 additions, 3 subtractions, 7 multiplications, 1 division, 1 square root. */
+struct kernel_placed_at_start_out {
+    double x, y, z;
+};
+
+static __device__ __forceinline__ kernel_placed_at_start_out kernel_placed_at_start(double x, double y, double z, double nx, double ny, double nz, double gap)
+{
+    const double _s0 = gap * (1.0 / sqrt((((nx * nx) + (ny * ny)) + (nz * nz))));
+    return {x - (nx * _s0), y - (ny * _s0), z - (nz * _s0)};
+}
+
+/* Errors with the rounding of that place.
+   its bound. 17 operations: 6 additions, 1 multiplication, 1 negation, 3 absolute values, 3 comparisons, 3 selections. */
+struct kernel_start_errors_out {
+    double dx, dy, dz;
+};
+
+static __device__ __forceinline__ kernel_start_errors_out kernel_start_errors(double p_ball_radius, double x, double y, double z, double dx, double dy, double dz)
+{
+    const double _s0 = 8.881784197001252e-16 * (((p_ball_radius + fabs(x)) + fabs(y)) + fabs(z));
+    const double _s1 = -_s0;
+    return {dx + choose((dx < 0.0), _s1, _s0), dy + choose((dy < 0.0), _s1, _s0), dz + choose((dz < 0.0), _s1, _s0)};
+}
+
 /* Whether the ball is in contact, and has no flight to search.
    Table 1. 2 operations: 1 comparison, 1 selection. */
 struct kernel_in_contact_out {
@@ -2460,14 +2496,14 @@ static __device__ __forceinline__ kernel_ring_impact_undecided_out kernel_ring_i
 }
 
 /* Whether the bounces end in rolling, sliding, a wedge or departure, and whether that is certain.
-   a geometric series of bounces. 156 operations: 21 additions, 4 subtractions, 51 multiplications, 9 divisions, 1 square root, 1 negation, 14 absolute values, 24 comparisons, 19 conjunctions, 7 disjunctions, 2 complements, 3 selections. */
+   a geometric series of bounces. 171 operations: 22 additions, 4 subtractions, 52 multiplications, 9 divisions, 1 square root, 1 negation, 15 absolute values, 27 comparisons, 26 conjunctions, 8 disjunctions, 3 complements, 3 selections. */
 struct kernel_ring_impact_settling_out {
     bool settles, lodges, slides, unpressed;
     double assured;
     bool undecided;
 };
 
-static __device__ __forceinline__ kernel_ring_impact_settling_out kernel_ring_impact_settling(double p_ball_radius, double p_inertia, double p_ring_friction, double p_ring_restitution, double wx, double wy, double wz, double velocity_error, double rolled_x, double rolled_y, double rolled_z, double turning_x, double turning_y, double turning_z, double slip, double bounce, double nearest, double second_contact_gap, double press, double weight, double rolling_friction, double lift)
+static __device__ __forceinline__ kernel_ring_impact_settling_out kernel_ring_impact_settling(double p_ball_radius, double p_gravity, double p_inertia, double p_ring_friction, double p_ring_restitution, double wx, double wy, double wz, double velocity_error, double mode, double rolled_x, double rolled_y, double rolled_z, double turning_x, double turning_y, double turning_z, double slip, double bounce, double nearest, double second_contact_gap, double press, double weight, double rolling_friction, double lift, double gap_jerk)
 {
     const double _s0 = 1.0 - p_ring_restitution;
     const bool _s1 = 0.0 < _s0;
@@ -2475,38 +2511,42 @@ static __device__ __forceinline__ kernel_ring_impact_settling_out kernel_ring_im
     const double _s3 = 4.440892098500626e-16 + ((fabs(turning_x) + fabs(turning_y)) + fabs(turning_z));
     const double _s4 = ((p_ball_radius * ((fabs(wx) + fabs(wy)) + fabs(wz))) + fabs(rolled_x)) + fabs(rolled_y);
     const double _s5 = _s4 + fabs(rolled_z);
-    const double _s6 = fabs(weight);
-    const double _s7 = (8.0 * _s3) * ((_s3 * _s5) + _s6);
-    const double _s8 = _s0 * _s0;
-    const double _s9 = sqrt((p_ball_radius * _s6)) + _s5;
-    const double _s10 = 1.4210854715202004e-14 * _s9;
-    const double _s11 = 2.0 * rolling_friction;
-    const double _s12 = 1.0 + p_ring_restitution;
-    const double _s13 = p_ring_friction * _s12;
-    const double _s14 = press * _s13;
-    const bool _s15 = ((((0.0 < press) && _s1) && (((3.0 * _s2) * _s7) < (press * _s8))) && (slip <= (((8.0 * rolling_friction) * _s2) + _s10))) && (_s11 <= _s14);
-    const double _s16 = 0.5 * bounce;
-    const double _s17 = _s12 * _s0;
-    const double _s18 = 4.0 * rolling_friction;
-    const double _s19 = p_inertia * (1.0 / (1.0 + p_inertia));
-    const double _s20 = ((_s16 * _s2) + ((_s18 * (_s2 * _s2)) / _s17)) + ((((4.0 * slip) * _s19) * _s2) / _s0);
-    const double _s21 = 3.637978807091713e-12 * p_ball_radius;
-    const bool _s22 = _s15 && (_s20 <= _s21);
-    const double _s23 = 3.725290298461914e-09 * p_ball_radius;
-    const bool _s24 = second_contact_gap <= _s23;
-    const double _s25 = ((16.0 * _s2) * _s5) / _s0;
-    const bool _s26 = (_s23 + _s25) < nearest;
-    const bool _s27 = _s25 <= _s23;
-    const double _s28 = -lift;
-    const double _s29 = smaller(_s28, press);
-    const double _s30 = bounce / _s29;
-    const bool _s31 = (((0.0 < _s29) && _s1) && (((3.0 * _s30) * _s7) < (_s8 * _s29))) && ((_s23 + (((16.0 * _s30) * _s5) / _s0)) < nearest);
-    const bool _s32 = _s31 && (((_s16 * _s30) + ((_s18 * (_s30 * _s30)) / _s17)) <= _s21);
-    const double _s33 = ((2.0 * ((_s11 * _s30) + choose((0.0 < bounce), (bounce * _s13), 0.0))) / (_s19 * _s0)) + (1.4551915228366852e-11 * _s9);
-    const bool _s34 = (fabs(press) <= ((4.0 * velocity_error) * _s3)) || (((bounce * fabs((_s20 - _s21))) <= ((2.0 * velocity_error) * _s21)) && (0.0 < (p_ring_restitution * bounce)));
-    const double _s35 = 16.0 * velocity_error;
-    const bool _s36 = _s32 && ((fabs((slip - _s33)) < _s35) || (fabs((_s11 - _s14)) < (_s35 * ((_s13 * _s3) + _s3))));
-    return {(_s22 && (!_s24)) && (_s26 || _s27), _s22 && _s24, _s32 && ((_s33 < slip) || (_s14 < _s11)), (bounce <= _s10) && (0.0 <= lift), choose(((_s15 && _s26) || _s31), 1.0, 0.0), (_s34 || _s36) || ((_s22 && _s27) && (!_s26))};
+    const double _s6 = _s3 * _s5;
+    const double _s7 = fabs(weight);
+    const double _s8 = (8.0 * _s3) * (_s6 + _s7);
+    const double _s9 = _s0 * _s0;
+    const double _s10 = sqrt((p_ball_radius * _s7)) + _s5;
+    const double _s11 = 1.4210854715202004e-14 * _s10;
+    const double _s12 = 2.0 * rolling_friction;
+    const double _s13 = 1.0 + p_ring_restitution;
+    const double _s14 = p_ring_friction * _s13;
+    const double _s15 = press * _s14;
+    const bool _s16 = ((((0.0 < press) && _s1) && (((3.0 * _s2) * _s8) < (press * _s9))) && (slip <= (((8.0 * rolling_friction) * _s2) + _s11))) && (_s12 <= _s15);
+    const double _s17 = 0.5 * bounce;
+    const double _s18 = _s13 * _s0;
+    const double _s19 = 4.0 * rolling_friction;
+    const double _s20 = p_inertia * (1.0 / (1.0 + p_inertia));
+    const double _s21 = ((_s17 * _s2) + ((_s19 * (_s2 * _s2)) / _s18)) + ((((4.0 * slip) * _s20) * _s2) / _s0);
+    const double _s22 = 3.637978807091713e-12 * p_ball_radius;
+    const bool _s23 = _s16 && (_s21 <= _s22);
+    const double _s24 = 3.725290298461914e-09 * p_ball_radius;
+    const bool _s25 = second_contact_gap <= _s24;
+    const double _s26 = ((16.0 * _s2) * _s5) / _s0;
+    const bool _s27 = (_s24 + _s26) < nearest;
+    const bool _s28 = _s26 <= _s24;
+    const bool _s29 = bounce <= _s11;
+    const bool _s30 = (((mode == 5.0) && _s29) && (fabs(lift) <= (2.2737367544323206e-13 * (p_gravity + _s6)))) && (0.0 < gap_jerk);
+    const bool _s31 = !_s30;
+    const double _s32 = -lift;
+    const double _s33 = smaller(_s32, press);
+    const double _s34 = bounce / _s33;
+    const bool _s35 = (((0.0 < _s33) && _s1) && (((3.0 * _s34) * _s8) < (_s9 * _s33))) && ((_s24 + (((16.0 * _s34) * _s5) / _s0)) < nearest);
+    const bool _s36 = _s35 && (((_s17 * _s34) + ((_s19 * (_s34 * _s34)) / _s18)) <= _s22);
+    const double _s37 = ((2.0 * ((_s12 * _s34) + choose((0.0 < bounce), (bounce * _s14), 0.0))) / (_s20 * _s0)) + (1.4551915228366852e-11 * _s10);
+    const bool _s38 = (fabs(press) <= ((4.0 * velocity_error) * _s3)) || (((bounce * fabs((_s21 - _s22))) <= ((2.0 * velocity_error) * _s22)) && (0.0 < (p_ring_restitution * bounce)));
+    const double _s39 = 16.0 * velocity_error;
+    const bool _s40 = _s36 && ((fabs((slip - _s37)) < _s39) || (fabs((_s12 - _s15)) < (_s39 * ((_s14 * _s3) + _s3))));
+    return {((_s23 && (!_s25)) && (_s27 || _s28)) && _s31, (_s23 && _s25) && _s31, (_s36 && ((_s37 < slip) || (_s15 < _s12))) && _s31, (_s29 && (0.0 <= lift)) || _s30, choose(((_s16 && _s27) || _s35), 1.0, 0.0), ((_s38 || _s40) || ((_s23 && _s28) && (!_s27))) && _s31};
 }
 
 /* Excess F² - mu² N² and its rate.
@@ -5255,8 +5295,8 @@ static __device__ __forceinline__ void court_loop(
         here = false, circling = false, loses = false, beside = false, over = false,
         endless = false, moves = false, ends = false, touches = false, edge = false,
         undecided = false, hopped = false, meeting = false, slow = false, again = false,
-        struck_0 = false, nearly = false, settles = false, lodges = false, slides = false,
-        unpressed = false, ends_by_time_limit = false, closed = false;
+        struck_0 = false, put_on = false, nearly = false, settles = false, lodges = false,
+        slides = false, unpressed = false, ends_by_time_limit = false, closed = false;
     float onset = (float)0.0, wide_end = (float)0.0, wide_low1 = (float)0.0, wide_high1 = (float)0.0,
         wide_low2 = (float)0.0, wide_high2 = (float)0.0, lapsed = (float)0.0,
         short_share = (float)0.0, short_t = (float)0.0, short_end = (float)0.0,
@@ -7628,73 +7668,66 @@ static __device__ __forceinline__ void court_loop(
                 ny = _o478.ny;
                 nz = _o478.nz;
             }
-            const kernel_nearly_out _o479 = kernel_nearly(p_ball_radius, p_gravity, nx, ny, nz, vx, vy, vz);
-            nearly = _o479.nearly;
-            const kernel_gripped_out _o480 = kernel_gripped(p_ball_radius, p_inertia, nx, ny, nz, vx, vy, vz, wx, wy, wz);
-            rolled_x = _o480.rolled_x;
-            rolled_y = _o480.rolled_y;
-            rolled_z = _o480.rolled_z;
-            slip = _o480.slip;
-            bounce = _o480.bounce;
-            const kernel_here_out _o481 = kernel_here(0.0, which);
-            here = _o481.here;
-            if (here) {
-                const kernel_ring_turning_out _o482 = kernel_ring_turning(p_ball_radius, p_ring_radius, p_wire_radius, x, y, rolled_x, rolled_y, rolled_z);
-                turning_x = _o482.turning_x;
-                turning_y = _o482.turning_y;
-                turning_z = _o482.turning_z;
-                const kernel_pressed_on_out _o483 = kernel_pressed_on(p_ball_radius, p_gravity, p_inertia, nx, ny, nz, wx, wy, wz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z);
-                press = _o483.press;
-                weight = _o483.weight;
-                rolling_friction = _o483.rolling_friction;
-                rolling_acceleration_x = _o483.rolling_acceleration_x;
-                rolling_acceleration_y = _o483.rolling_acceleration_y;
-                rolling_acceleration_z = _o483.rolling_acceleration_z;
-                const kernel_isolated_out _o484 = kernel_isolated();
-                nearest = _o484.nearest;
-                second_contact_gap = _o484.second_contact_gap;
-                const kernel_backboard_closing_out _o485 = kernel_backboard_closing(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z);
-                gap = _o485.gap;
-                nearing = _o485.nearing;
-                rolling_gap_acceleration = _o485.rolling_gap_acceleration;
-                normal_cosine = _o485.normal_cosine;
-                const kernel_near_body_out _o486 = kernel_near_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
-                nearest = _o486.nearest;
-                second_contact_gap = _o486.second_contact_gap;
-                const kernel_bridge_closing_out _o487 = kernel_bridge_closing(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z);
-                gap = _o487.gap;
-                nearing = _o487.nearing;
-                rolling_gap_acceleration = _o487.rolling_gap_acceleration;
-                normal_cosine = _o487.normal_cosine;
-                const kernel_near_body_out _o488 = kernel_near_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
-                nearest = _o488.nearest;
-                second_contact_gap = _o488.second_contact_gap;
-                const kernel_end_beside_out _o489 = kernel_end_beside(p_end_depth, z, vz);
-                gap = _o489.gap;
-                const kernel_near_end_plane_out _o490 = kernel_near_end_plane(gap, nearest);
-                nearest = _o490.nearest;
-                const kernel_ring_separation_out _o491 = kernel_ring_separation(p_gravity, p_ring_radius, x, y, z, vx, vy, vz);
-                lift = _o491.lift;
-                const kernel_ring_impact_settling_out _o492 = kernel_ring_impact_settling(p_ball_radius, p_inertia, p_ring_friction, p_ring_restitution, wx, wy, wz, velocity_error, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, slip, bounce, nearest, second_contact_gap, press, weight, rolling_friction, lift);
-                settles = _o492.settles;
-                lodges = _o492.lodges;
-                slides = _o492.slides;
-                unpressed = _o492.unpressed;
-                undecided = _o492.undecided;
-                if (BOUNDS)
-                    assured = _o492.assured;
-                const kernel_settled_out _o493 = kernel_settled(0.0, outcome, uncertain, undecided, mode, settles, nearly, lodges, slides, unpressed);
-                mode = _o493.mode;
-                held = _o493.held;
-                outcome = _o493.outcome;
-                slip_left = _o493.slip_left;
-                if (BOUNDS)
-                    uncertain = _o493.uncertain;
+            const kernel_off_at_start_out _o479 = kernel_off_at_start(mode);
+            put_on = _o479.put_on;
+            if (put_on) {
+                const kernel_ring_distance_out _o480 = kernel_ring_distance(p_ball_radius, p_ring_radius, p_wire_radius, x, y, z);
+                gap = _o480.gap;
+                const kernel_here_out _o481 = kernel_here(1.0, which);
+                here = _o481.here;
+                if (here) {
+                    const kernel_backboard_distance_out _o482 = kernel_backboard_distance(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z);
+                    gap = _o482.gap;
+                }
+                const kernel_here_out _o483 = kernel_here(2.0, which);
+                here = _o483.here;
+                if (here) {
+                    const kernel_bridge_distance_out _o484 = kernel_bridge_distance(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z);
+                    gap = _o484.gap;
+                }
+                const kernel_placed_at_start_out _o485 = kernel_placed_at_start(x, y, z, nx, ny, nz, gap);
+                x = _o485.x;
+                y = _o485.y;
+                z = _o485.z;
+                if (BOUNDS) {
+                    const kernel_start_errors_out _o486 = kernel_start_errors(p_ball_radius, x, y, z, dx, dy, dz);
+                    dx = _o486.dx;
+                    dy = _o486.dy;
+                    dz = _o486.dz;
+                }
+                const kernel_ring_normal_out _o487 = kernel_ring_normal(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
+                nx = _o487.nx;
+                ny = _o487.ny;
+                nz = _o487.nz;
+                const kernel_here_out _o488 = kernel_here(1.0, which);
+                here = _o488.here;
+                if (here) {
+                    const kernel_backboard_normal_out _o489 = kernel_backboard_normal(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
+                    nx = _o489.nx;
+                    ny = _o489.ny;
+                    nz = _o489.nz;
+                }
+                const kernel_here_out _o490 = kernel_here(2.0, which);
+                here = _o490.here;
+                if (here) {
+                    const kernel_bridge_normal_out _o491 = kernel_bridge_normal(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
+                    nx = _o491.nx;
+                    ny = _o491.ny;
+                    nz = _o491.nz;
+                }
             }
-            const kernel_here_out _o494 = kernel_here(1.0, which);
+            const kernel_nearly_out _o492 = kernel_nearly(p_ball_radius, p_gravity, nx, ny, nz, vx, vy, vz);
+            nearly = _o492.nearly;
+            const kernel_gripped_out _o493 = kernel_gripped(p_ball_radius, p_inertia, nx, ny, nz, vx, vy, vz, wx, wy, wz);
+            rolled_x = _o493.rolled_x;
+            rolled_y = _o493.rolled_y;
+            rolled_z = _o493.rolled_z;
+            slip = _o493.slip;
+            bounce = _o493.bounce;
+            const kernel_here_out _o494 = kernel_here(0.0, which);
             here = _o494.here;
             if (here) {
-                const kernel_backboard_turning_out _o495 = kernel_backboard_turning(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, rolled_x, rolled_y, rolled_z);
+                const kernel_ring_turning_out _o495 = kernel_ring_turning(p_ball_radius, p_ring_radius, p_wire_radius, x, y, rolled_x, rolled_y, rolled_z);
                 turning_x = _o495.turning_x;
                 turning_y = _o495.turning_y;
                 turning_z = _o495.turning_z;
@@ -7708,7 +7741,7 @@ static __device__ __forceinline__ void court_loop(
                 const kernel_isolated_out _o497 = kernel_isolated();
                 nearest = _o497.nearest;
                 second_contact_gap = _o497.second_contact_gap;
-                const kernel_ring_closing_out _o498 = kernel_ring_closing(p_ball_radius, p_ring_radius, p_wire_radius, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z);
+                const kernel_backboard_closing_out _o498 = kernel_backboard_closing(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z);
                 gap = _o498.gap;
                 nearing = _o498.nearing;
                 rolling_gap_acceleration = _o498.rolling_gap_acceleration;
@@ -7728,9 +7761,10 @@ static __device__ __forceinline__ void court_loop(
                 gap = _o502.gap;
                 const kernel_near_end_plane_out _o503 = kernel_near_end_plane(gap, nearest);
                 nearest = _o503.nearest;
-                const kernel_backboard_separation_out _o504 = kernel_backboard_separation(p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, p_gravity, x, y, z, vx, vy, vz);
+                const kernel_ring_separation_out _o504 = kernel_ring_separation(p_gravity, p_ring_radius, x, y, z, vx, vy, vz);
                 lift = _o504.lift;
-                const kernel_ring_impact_settling_out _o505 = kernel_ring_impact_settling(p_ball_radius, p_inertia, p_backboard_friction, p_backboard_restitution, wx, wy, wz, velocity_error, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, slip, bounce, nearest, second_contact_gap, press, weight, rolling_friction, lift);
+                gap_jerk = _o504.gap_jerk;
+                const kernel_ring_impact_settling_out _o505 = kernel_ring_impact_settling(p_ball_radius, p_gravity, p_inertia, p_ring_friction, p_ring_restitution, wx, wy, wz, velocity_error, mode, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, slip, bounce, nearest, second_contact_gap, press, weight, rolling_friction, lift, gap_jerk);
                 settles = _o505.settles;
                 lodges = _o505.lodges;
                 slides = _o505.slides;
@@ -7738,7 +7772,7 @@ static __device__ __forceinline__ void court_loop(
                 undecided = _o505.undecided;
                 if (BOUNDS)
                     assured = _o505.assured;
-                const kernel_settled_out _o506 = kernel_settled(1.0, outcome, uncertain, undecided, mode, settles, nearly, lodges, slides, unpressed);
+                const kernel_settled_out _o506 = kernel_settled(0.0, outcome, uncertain, undecided, mode, settles, nearly, lodges, slides, unpressed);
                 mode = _o506.mode;
                 held = _o506.held;
                 outcome = _o506.outcome;
@@ -7746,10 +7780,10 @@ static __device__ __forceinline__ void court_loop(
                 if (BOUNDS)
                     uncertain = _o506.uncertain;
             }
-            const kernel_here_out _o507 = kernel_here(2.0, which);
+            const kernel_here_out _o507 = kernel_here(1.0, which);
             here = _o507.here;
             if (here) {
-                const kernel_bridge_turning_out _o508 = kernel_bridge_turning(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, rolled_x, rolled_y, rolled_z);
+                const kernel_backboard_turning_out _o508 = kernel_backboard_turning(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, rolled_x, rolled_y, rolled_z);
                 turning_x = _o508.turning_x;
                 turning_y = _o508.turning_y;
                 turning_z = _o508.turning_z;
@@ -7771,7 +7805,7 @@ static __device__ __forceinline__ void court_loop(
                 const kernel_near_body_out _o512 = kernel_near_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
                 nearest = _o512.nearest;
                 second_contact_gap = _o512.second_contact_gap;
-                const kernel_backboard_closing_out _o513 = kernel_backboard_closing(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z);
+                const kernel_bridge_closing_out _o513 = kernel_bridge_closing(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z);
                 gap = _o513.gap;
                 nearing = _o513.nearing;
                 rolling_gap_acceleration = _o513.rolling_gap_acceleration;
@@ -7783,9 +7817,10 @@ static __device__ __forceinline__ void court_loop(
                 gap = _o515.gap;
                 const kernel_near_end_plane_out _o516 = kernel_near_end_plane(gap, nearest);
                 nearest = _o516.nearest;
-                const kernel_bridge_separation_out _o517 = kernel_bridge_separation(p_board_distance, p_bridge_depth, p_bridge_half_width, p_gravity, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
+                const kernel_backboard_separation_out _o517 = kernel_backboard_separation(p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, p_gravity, x, y, z, vx, vy, vz);
                 lift = _o517.lift;
-                const kernel_ring_impact_settling_out _o518 = kernel_ring_impact_settling(p_ball_radius, p_inertia, p_bridge_friction, p_bridge_restitution, wx, wy, wz, velocity_error, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, slip, bounce, nearest, second_contact_gap, press, weight, rolling_friction, lift);
+                gap_jerk = _o517.gap_jerk;
+                const kernel_ring_impact_settling_out _o518 = kernel_ring_impact_settling(p_ball_radius, p_gravity, p_inertia, p_backboard_friction, p_backboard_restitution, wx, wy, wz, velocity_error, mode, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, slip, bounce, nearest, second_contact_gap, press, weight, rolling_friction, lift, gap_jerk);
                 settles = _o518.settles;
                 lodges = _o518.lodges;
                 slides = _o518.slides;
@@ -7793,7 +7828,7 @@ static __device__ __forceinline__ void court_loop(
                 undecided = _o518.undecided;
                 if (BOUNDS)
                     assured = _o518.assured;
-                const kernel_settled_out _o519 = kernel_settled(2.0, outcome, uncertain, undecided, mode, settles, nearly, lodges, slides, unpressed);
+                const kernel_settled_out _o519 = kernel_settled(1.0, outcome, uncertain, undecided, mode, settles, nearly, lodges, slides, unpressed);
                 mode = _o519.mode;
                 held = _o519.held;
                 outcome = _o519.outcome;
@@ -7801,40 +7836,96 @@ static __device__ __forceinline__ void court_loop(
                 if (BOUNDS)
                     uncertain = _o519.uncertain;
             }
+            const kernel_here_out _o520 = kernel_here(2.0, which);
+            here = _o520.here;
+            if (here) {
+                const kernel_bridge_turning_out _o521 = kernel_bridge_turning(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, rolled_x, rolled_y, rolled_z);
+                turning_x = _o521.turning_x;
+                turning_y = _o521.turning_y;
+                turning_z = _o521.turning_z;
+                const kernel_pressed_on_out _o522 = kernel_pressed_on(p_ball_radius, p_gravity, p_inertia, nx, ny, nz, wx, wy, wz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z);
+                press = _o522.press;
+                weight = _o522.weight;
+                rolling_friction = _o522.rolling_friction;
+                rolling_acceleration_x = _o522.rolling_acceleration_x;
+                rolling_acceleration_y = _o522.rolling_acceleration_y;
+                rolling_acceleration_z = _o522.rolling_acceleration_z;
+                const kernel_isolated_out _o523 = kernel_isolated();
+                nearest = _o523.nearest;
+                second_contact_gap = _o523.second_contact_gap;
+                const kernel_ring_closing_out _o524 = kernel_ring_closing(p_ball_radius, p_ring_radius, p_wire_radius, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z);
+                gap = _o524.gap;
+                nearing = _o524.nearing;
+                rolling_gap_acceleration = _o524.rolling_gap_acceleration;
+                normal_cosine = _o524.normal_cosine;
+                const kernel_near_body_out _o525 = kernel_near_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
+                nearest = _o525.nearest;
+                second_contact_gap = _o525.second_contact_gap;
+                const kernel_backboard_closing_out _o526 = kernel_backboard_closing(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z);
+                gap = _o526.gap;
+                nearing = _o526.nearing;
+                rolling_gap_acceleration = _o526.rolling_gap_acceleration;
+                normal_cosine = _o526.normal_cosine;
+                const kernel_near_body_out _o527 = kernel_near_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
+                nearest = _o527.nearest;
+                second_contact_gap = _o527.second_contact_gap;
+                const kernel_end_beside_out _o528 = kernel_end_beside(p_end_depth, z, vz);
+                gap = _o528.gap;
+                const kernel_near_end_plane_out _o529 = kernel_near_end_plane(gap, nearest);
+                nearest = _o529.nearest;
+                const kernel_bridge_separation_out _o530 = kernel_bridge_separation(p_board_distance, p_bridge_depth, p_bridge_half_width, p_gravity, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
+                lift = _o530.lift;
+                gap_jerk = _o530.gap_jerk;
+                const kernel_ring_impact_settling_out _o531 = kernel_ring_impact_settling(p_ball_radius, p_gravity, p_inertia, p_bridge_friction, p_bridge_restitution, wx, wy, wz, velocity_error, mode, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, slip, bounce, nearest, second_contact_gap, press, weight, rolling_friction, lift, gap_jerk);
+                settles = _o531.settles;
+                lodges = _o531.lodges;
+                slides = _o531.slides;
+                unpressed = _o531.unpressed;
+                undecided = _o531.undecided;
+                if (BOUNDS)
+                    assured = _o531.assured;
+                const kernel_settled_out _o532 = kernel_settled(2.0, outcome, uncertain, undecided, mode, settles, nearly, lodges, slides, unpressed);
+                mode = _o532.mode;
+                held = _o532.held;
+                outcome = _o532.outcome;
+                slip_left = _o532.slip_left;
+                if (BOUNDS)
+                    uncertain = _o532.uncertain;
+            }
         }
         if (BOUNDS) {
             if (limited) {
-                const kernel_ends_by_time_limit_out _o520 = kernel_ends_by_time_limit(4.0, which, claims);
-                ends_by_time_limit = _o520.ends_by_time_limit;
+                const kernel_ends_by_time_limit_out _o533 = kernel_ends_by_time_limit(4.0, which, claims);
+                ends_by_time_limit = _o533.ends_by_time_limit;
                 if (ends_by_time_limit) {
-                    const kernel_carry_time_out _o521 = kernel_carry_time(when, x, y, z, vx, vy, vz, clock, clock_error, dx, dy, dz, dvx, dvy, dvz, p_gravity);
-                    dx = _o521.dx;
-                    dy = _o521.dy;
-                    dz = _o521.dz;
-                    dvx = _o521.dvx;
-                    dvy = _o521.dvy;
-                    dvz = _o521.dvz;
-                    clock_error = _o521.clock_error;
+                    const kernel_carry_time_out _o534 = kernel_carry_time(when, x, y, z, vx, vy, vz, clock, clock_error, dx, dy, dz, dvx, dvy, dvz, p_gravity);
+                    dx = _o534.dx;
+                    dy = _o534.dy;
+                    dz = _o534.dz;
+                    dvx = _o534.dvx;
+                    dvy = _o534.dvy;
+                    dvz = _o534.dvz;
+                    clock_error = _o534.clock_error;
                 }
             }
             if (hopped) {
-                const kernel_carry_hop_out _o522 = kernel_carry_hop(x, y, z, vx, vy, vz, dx, dy, dz, dvx, dvy, dvz, when);
-                dx = _o522.dx;
-                dy = _o522.dy;
-                dz = _o522.dz;
+                const kernel_carry_hop_out _o535 = kernel_carry_hop(x, y, z, vx, vy, vz, dx, dy, dz, dvx, dvy, dvz, when);
+                dx = _o535.dx;
+                dy = _o535.dy;
+                dz = _o535.dz;
             }
-            const kernel_closing_out _o523 = kernel_closing(outcome, claims);
-            closed = _o523.closed;
-            position_claim = _o523.position_claim;
-            velocity_claim = _o523.velocity_claim;
-            spin_claim = _o523.spin_claim;
-            time_claim = _o523.time_claim;
+            const kernel_closing_out _o536 = kernel_closing(outcome, claims);
+            closed = _o536.closed;
+            position_claim = _o536.position_claim;
+            velocity_claim = _o536.velocity_claim;
+            spin_claim = _o536.spin_claim;
+            time_claim = _o536.time_claim;
             if (closed) {
-                const kernel_claimed_errors_out _o524 = kernel_claimed_errors(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
-                position_claim = _o524.position_error;
-                velocity_claim = _o524.velocity_error;
-                spin_claim = _o524.spin_error;
-                time_claim = _o524.time_error;
+                const kernel_claimed_errors_out _o537 = kernel_claimed_errors(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
+                position_claim = _o537.position_error;
+                velocity_claim = _o537.velocity_error;
+                spin_claim = _o537.spin_error;
+                time_claim = _o537.time_error;
             }
         }
 

@@ -1,6 +1,6 @@
 """NumPy kernels of the scene court.
 
-Generated from templates/numpy/kernels.py.j2, scene court, derivation f9662c073b5cb059,
+Generated from templates/numpy/kernels.py.j2, scene court, derivation 92491f19bbe510a3,
 with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
 and run `make generate`.
 Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
@@ -435,6 +435,9 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "started_on_surface": ("mode",),
     "nothing_happens_yet": ("moves", "touches", "body",),
     "slow_at_start": ("slow",),
+    "off_at_start": ("put_on",),
+    "placed_at_start": ("x", "y", "z",),
+    "start_errors": ("dx", "dy", "dz",),
     "in_contact": ("in_contact", "when", "rests", "rolling", "began",),
     "opens_in_flight": ("open",),
     "reachable_in_flight": ("reachable",),
@@ -706,140 +709,142 @@ _k103 = _float64(128.0)
 _k104 = _float64(2.384185791015625e-07)
 _k105 = _scalar(5.960464477539063e-08)
 _k106 = _float64(-_inf)
-_k107 = _scalar(1.4551915228366852e-11)
-_k108 = _float64(3.725290298461914e-09)
-_k109 = _float64(1.00006103515625)
-_k110 = _float64(0.0001220703125)
-_k111 = _float64(0.000244140625)
-_k112 = _float64(1.52587890625e-05)
-_k113 = _float64(5.820766091346741e-11)
-_k114 = _float64(65536.0)
-_k115 = _float64(6.0003662109375)
-_k116 = _scalar(2.409919865102884e-181)
-_k117 = _scalar(-_inf)
-_k118 = _float64(2.409919865102884e-181)
-_k119 = _scalar(3.552713678800501e-15)
-_k120 = _float64(1.3323489447131243e-15)
-_k121 = _float64(5.00030517578125)
-_k122 = _float64(3.552713678800501e-15)
-_k123 = _float32(1.00006103515625)
-_k124 = _float32(2.0)
-_k125 = _scalar(_float32(4.76837158203125e-07))
-_k126 = _float32(1.0)
-_k127 = _scalar(_float32(9.5367431640625e-07))
-_k128 = _scalar(_float32(0.0))
-_k129 = _scalar(_float32(_inf))
-_k130 = _scalar(_float32(1.0))
-_k131 = _scalar(_float32(8.673617379884035e-19))
-_k132 = _scalar(_float32(-_inf))
-_k133 = _float32(0.0001220703125)
-_k134 = _scalar(_float32(1.000000238418579))
-_k135 = _float32(32.0)
-_k136 = _float32(4096.0)
-_k137 = _float32(0.000244140625)
-_k138 = _scalar(_float32(4096.0))
-_k139 = _float32(0.0)
-_k140 = _float32(4.76837158203125e-07)
-_k141 = _float32(9.5367431640625e-07)
-_k142 = _float32(_inf)
-_k143 = _float32(8.673617379884035e-19)
-_k144 = _float32(-_inf)
-_k145 = _float32(1.000000238418579)
-_k146 = _scalar(_float32(5.0))
-_k147 = _scalar(_float32(0.00390625))
-_k148 = _scalar(_float32(2.9802322387695312e-08))
-_k149 = _scalar(_float32(2.842170943040401e-14))
-_k150 = _scalar(_float32(2.0))
-_k151 = _float32(4.0)
-_k152 = _float32(6.0003662109375)
-_k153 = _scalar(_float32(0.5))
-_k154 = _scalar(_float32(1.0009765625))
-_k155 = _float32(5.0048828125)
-_k156 = _scalar(_float32(5.684341886080802e-14))
-_k157 = _float32(7.62939453125e-06)
-_k158 = _scalar(_float32(2.384185791015625e-07))
-_k159 = _float32(128.0)
-_k160 = _float32(2.842170943040401e-14)
-_k161 = _float32(0.00390625)
-_k162 = _float32(5.0)
-_k163 = _float32(2.9802322387695312e-08)
-_k164 = _float32(1.0009765625)
-_k165 = _float32(5.684341886080802e-14)
-_k166 = _float32(0.5)
-_k167 = _float32(2.384185791015625e-07)
-_k168 = _float32(6.0)
-_k169 = _scalar(_float32(8.0))
-_k170 = _scalar(_float32(4.0))
-_k171 = _scalar(_float32(0.0001220703125))
-_k172 = _scalar(_float32(3.814697265625e-06))
-_k173 = _scalar(_float32(3.0))
-_k174 = _scalar(_float32(0.000244140625))
-_k175 = _float32(8.0)
-_k176 = _float32(3.814697265625e-06)
-_k177 = _float32(3.0)
-_k178 = _float64(8.940696716308594e-08)
-_k179 = _scalar(0.1)
-_k180 = _scalar(0.09090909090909091)
-_k181 = _scalar(0.08333333333333333)
-_k182 = _scalar(2.48015873015873e-05)
-_k183 = _scalar(2.08767569878681e-09)
-_k184 = _scalar(2.755731922398589e-07)
-_k185 = _scalar(0.001388888888888889)
-_k186 = _scalar(0.041666666666666664)
-_k187 = _scalar(0.008333333333333333)
-_k188 = _scalar(2.7557319223985893e-06)
-_k189 = _scalar(2.505210838544172e-08)
-_k190 = _scalar(0.0001984126984126984)
-_k191 = _float64(0.041666666666666664)
-_k192 = _float64(2.48015873015873e-05)
-_k193 = _float64(2.08767569878681e-09)
-_k194 = _float64(0.1)
-_k195 = _float64(0.09090909090909091)
-_k196 = _float64(0.08333333333333333)
-_k197 = _float64(2.755731922398589e-07)
-_k198 = _float64(0.001388888888888889)
-_k199 = _float64(0.008333333333333333)
-_k200 = _float64(2.7557319223985893e-06)
-_k201 = _float64(2.505210838544172e-08)
-_k202 = _float64(0.0001984126984126984)
-_k203 = _scalar(4.547473508864641e-13)
-_k204 = _scalar(0.75)
-_k205 = _scalar(11.0)
-_k206 = _scalar(10.0)
-_k207 = _scalar(9.0)
-_k208 = _float64(0.75)
-_k209 = _float64(4.547473508864641e-13)
-_k210 = _float64(11.0)
-_k211 = _float64(10.0)
-_k212 = _float64(9.0)
-_k213 = _scalar(512.0)
-_k214 = _float64(0.00390625)
-_k215 = _float64(512.0)
-_k216 = _float32(1.00048828125)
-_k217 = _float32(0.00048828125)
-_k218 = _float32(0.125)
-_k219 = _float32(1.4143014047294855)
-_k220 = _float32(0.25)
-_k221 = _float32(1.52587890625e-05)
-_k222 = _float64(6.103515625e-05)
-_k223 = _float64(1.25)
-_k224 = _scalar(3.3306690738754696e-16)
-_k225 = _scalar(1.3335686721571705e-15)
-_k226 = _scalar(4.00390625)
-_k227 = _scalar(2.001953125)
-_k228 = _float64(5.55653613398821e-16)
-_k229 = _float64(2.001953125)
-_k230 = _float64(3.3306690738754696e-16)
-_k231 = _float64(1.3335686721571705e-15)
-_k232 = _float64(6.667843360785852e-15)
-_k233 = _float64(12.01171875)
-_k234 = _float64(4.00390625)
-_k235 = _float64(2.667137344314341e-15)
-_k236 = _float64(6.005859375)
-_k237 = _float64(5.551115123125783e-16)
-_k238 = _scalar(2.222614453595284e-16)
-_k239 = _float64(6.667843360785852e-16)
-_k240 = _float64(2.222614453595284e-16)
+_k107 = _scalar(2.2737367544323206e-13)
+_k108 = _scalar(1.4551915228366852e-11)
+_k109 = _float64(3.725290298461914e-09)
+_k110 = _float64(2.2737367544323206e-13)
+_k111 = _float64(1.00006103515625)
+_k112 = _float64(0.0001220703125)
+_k113 = _float64(0.000244140625)
+_k114 = _float64(1.52587890625e-05)
+_k115 = _float64(5.820766091346741e-11)
+_k116 = _float64(65536.0)
+_k117 = _float64(6.0003662109375)
+_k118 = _scalar(2.409919865102884e-181)
+_k119 = _scalar(-_inf)
+_k120 = _float64(2.409919865102884e-181)
+_k121 = _scalar(3.552713678800501e-15)
+_k122 = _float64(1.3323489447131243e-15)
+_k123 = _float64(5.00030517578125)
+_k124 = _float64(3.552713678800501e-15)
+_k125 = _float32(1.00006103515625)
+_k126 = _float32(2.0)
+_k127 = _scalar(_float32(4.76837158203125e-07))
+_k128 = _float32(1.0)
+_k129 = _scalar(_float32(9.5367431640625e-07))
+_k130 = _scalar(_float32(0.0))
+_k131 = _scalar(_float32(_inf))
+_k132 = _scalar(_float32(1.0))
+_k133 = _scalar(_float32(8.673617379884035e-19))
+_k134 = _scalar(_float32(-_inf))
+_k135 = _float32(0.0001220703125)
+_k136 = _scalar(_float32(1.000000238418579))
+_k137 = _float32(32.0)
+_k138 = _float32(4096.0)
+_k139 = _float32(0.000244140625)
+_k140 = _scalar(_float32(4096.0))
+_k141 = _float32(0.0)
+_k142 = _float32(4.76837158203125e-07)
+_k143 = _float32(9.5367431640625e-07)
+_k144 = _float32(_inf)
+_k145 = _float32(8.673617379884035e-19)
+_k146 = _float32(-_inf)
+_k147 = _float32(1.000000238418579)
+_k148 = _scalar(_float32(5.0))
+_k149 = _scalar(_float32(0.00390625))
+_k150 = _scalar(_float32(2.9802322387695312e-08))
+_k151 = _scalar(_float32(2.842170943040401e-14))
+_k152 = _scalar(_float32(2.0))
+_k153 = _float32(4.0)
+_k154 = _float32(6.0003662109375)
+_k155 = _scalar(_float32(0.5))
+_k156 = _scalar(_float32(1.0009765625))
+_k157 = _float32(5.0048828125)
+_k158 = _scalar(_float32(5.684341886080802e-14))
+_k159 = _float32(7.62939453125e-06)
+_k160 = _scalar(_float32(2.384185791015625e-07))
+_k161 = _float32(128.0)
+_k162 = _float32(2.842170943040401e-14)
+_k163 = _float32(0.00390625)
+_k164 = _float32(5.0)
+_k165 = _float32(2.9802322387695312e-08)
+_k166 = _float32(1.0009765625)
+_k167 = _float32(5.684341886080802e-14)
+_k168 = _float32(0.5)
+_k169 = _float32(2.384185791015625e-07)
+_k170 = _float32(6.0)
+_k171 = _scalar(_float32(8.0))
+_k172 = _scalar(_float32(4.0))
+_k173 = _scalar(_float32(0.0001220703125))
+_k174 = _scalar(_float32(3.814697265625e-06))
+_k175 = _scalar(_float32(3.0))
+_k176 = _scalar(_float32(0.000244140625))
+_k177 = _float32(8.0)
+_k178 = _float32(3.814697265625e-06)
+_k179 = _float32(3.0)
+_k180 = _float64(8.940696716308594e-08)
+_k181 = _scalar(0.1)
+_k182 = _scalar(0.09090909090909091)
+_k183 = _scalar(0.08333333333333333)
+_k184 = _scalar(2.48015873015873e-05)
+_k185 = _scalar(2.08767569878681e-09)
+_k186 = _scalar(2.755731922398589e-07)
+_k187 = _scalar(0.001388888888888889)
+_k188 = _scalar(0.041666666666666664)
+_k189 = _scalar(0.008333333333333333)
+_k190 = _scalar(2.7557319223985893e-06)
+_k191 = _scalar(2.505210838544172e-08)
+_k192 = _scalar(0.0001984126984126984)
+_k193 = _float64(0.041666666666666664)
+_k194 = _float64(2.48015873015873e-05)
+_k195 = _float64(2.08767569878681e-09)
+_k196 = _float64(0.1)
+_k197 = _float64(0.09090909090909091)
+_k198 = _float64(0.08333333333333333)
+_k199 = _float64(2.755731922398589e-07)
+_k200 = _float64(0.001388888888888889)
+_k201 = _float64(0.008333333333333333)
+_k202 = _float64(2.7557319223985893e-06)
+_k203 = _float64(2.505210838544172e-08)
+_k204 = _float64(0.0001984126984126984)
+_k205 = _scalar(4.547473508864641e-13)
+_k206 = _scalar(0.75)
+_k207 = _scalar(11.0)
+_k208 = _scalar(10.0)
+_k209 = _scalar(9.0)
+_k210 = _float64(0.75)
+_k211 = _float64(4.547473508864641e-13)
+_k212 = _float64(11.0)
+_k213 = _float64(10.0)
+_k214 = _float64(9.0)
+_k215 = _scalar(512.0)
+_k216 = _float64(0.00390625)
+_k217 = _float64(512.0)
+_k218 = _float32(1.00048828125)
+_k219 = _float32(0.00048828125)
+_k220 = _float32(0.125)
+_k221 = _float32(1.4143014047294855)
+_k222 = _float32(0.25)
+_k223 = _float32(1.52587890625e-05)
+_k224 = _float64(6.103515625e-05)
+_k225 = _float64(1.25)
+_k226 = _scalar(3.3306690738754696e-16)
+_k227 = _scalar(1.3335686721571705e-15)
+_k228 = _scalar(4.00390625)
+_k229 = _scalar(2.001953125)
+_k230 = _float64(5.55653613398821e-16)
+_k231 = _float64(2.001953125)
+_k232 = _float64(3.3306690738754696e-16)
+_k233 = _float64(1.3335686721571705e-15)
+_k234 = _float64(6.667843360785852e-15)
+_k235 = _float64(12.01171875)
+_k236 = _float64(4.00390625)
+_k237 = _float64(2.667137344314341e-15)
+_k238 = _float64(6.005859375)
+_k239 = _float64(5.551115123125783e-16)
+_k240 = _scalar(2.222614453595284e-16)
+_k241 = _float64(6.667843360785852e-16)
+_k242 = _float64(2.222614453595284e-16)
 
 
 def _bits(value: Any, row: Any) -> Any:
@@ -2670,6 +2675,35 @@ def slow_at_start(mode: Any) -> tuple[Any, ...]:
     return mode == 5.0,
 
 
+def off_at_start(mode: Any) -> tuple[Any, ...]:
+    """Whether a ball starts on a surface, which it may be off by the caller's digits.
+
+    Table 1. 1 operation: 1 comparison.
+    """
+    return mode == 5.0,
+
+
+def placed_at_start(x: Any, y: Any, z: Any, nx: Any, ny: Any, nz: Any, gap: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """Place of a ball that starts on a surface, put onto it along the normal.
+
+    Table 2. 14 operations: 2 additions, 3 subtractions, 7 multiplications, 1 division, 1 square root.
+    """
+    _r0, _r1 = _room[:2]
+    _s0 = _multiply(gap, _divide(_k19, _sqrt(_add(_add(_multiply(nx, nx, _r0), _multiply(ny, ny, _r1), _r1), _multiply(nz, nz, _r0), _r0), _r0), _r0), _r0)
+    return x - _multiply(nx, _s0, _r1), y - _multiply(ny, _s0, _r1), z - _multiply(nz, _s0, _r0)
+
+
+def start_errors(p_ball_radius: Any, x: Any, y: Any, z: Any, dx: Any, dy: Any, dz: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """Errors with the rounding of that place.
+
+    its bound. 17 operations: 6 additions, 1 multiplication, 1 negation, 3 absolute values, 3 comparisons, 3 selections.
+    """
+    _r0, _r1, _r2 = _room[:3]
+    _s0 = _multiply(_k49, _add(_add(_add(p_ball_radius, _absolute(x, _r0), _r0), _absolute(y, _r1), _r1), _absolute(z, _r0), _r0), _r0)
+    _s1 = _negative(_s0, _r1)
+    return dx + _select(dx < _k4, _s1, _s0, _r2), dy + _select(dy < _k4, _s1, _s0, _r2), dz + _select(dz < _k4, _s1, _s0, _r2)
+
+
 def in_contact(when: Any, mode: Any) -> tuple[Any, ...]:
     """Whether the ball is in contact, and has no flight to search.
 
@@ -2906,50 +2940,54 @@ def ring_impact_undecided(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, 
     return _s18,
 
 
-def ring_impact_settling(p_ball_radius: Any, p_inertia: Any, p_ring_friction: Any, p_ring_restitution: Any, wx: Any, wy: Any, wz: Any, velocity_error: Any, rolled_x: Any, rolled_y: Any, rolled_z: Any, turning_x: Any, turning_y: Any, turning_z: Any, slip: Any, bounce: Any, nearest: Any, second_contact_gap: Any, press: Any, weight: Any, rolling_friction: Any, lift: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+def ring_impact_settling(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ring_friction: Any, p_ring_restitution: Any, wx: Any, wy: Any, wz: Any, velocity_error: Any, mode: Any, rolled_x: Any, rolled_y: Any, rolled_z: Any, turning_x: Any, turning_y: Any, turning_z: Any, slip: Any, bounce: Any, nearest: Any, second_contact_gap: Any, press: Any, weight: Any, rolling_friction: Any, lift: Any, gap_jerk: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Whether the bounces end in rolling, sliding, a wedge or departure, and whether that is certain.
 
-    a geometric series of bounces. 156 operations: 21 additions, 4 subtractions, 51 multiplications, 9 divisions, 1 square root, 1 negation, 14 absolute values, 24 comparisons, 19 conjunctions, 7 disjunctions, 2 complements, 3 selections.
+    a geometric series of bounces. 171 operations: 22 additions, 4 subtractions, 52 multiplications, 9 divisions, 1 square root, 1 negation, 15 absolute values, 27 comparisons, 26 conjunctions, 8 disjunctions, 3 complements, 3 selections.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13 = _room[:14]
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12 = _room[:13]
     _s0 = 1.0 - p_ring_restitution
     _s1 = 0.0 < _s0
     _s2 = _divide(bounce, press, _r0)
     _s3 = _add(_k14, _add(_add(_absolute(turning_x, _r1), _absolute(turning_y, _r2), _r2), _absolute(turning_z, _r1), _r1), _r1)
     _s4 = _add(_add(_multiply(p_ball_radius, _add(_add(_absolute(wx, _r2), _absolute(wy, _r3), _r3), _absolute(wz, _r2), _r2), _r2), _absolute(rolled_x, _r3), _r3), _absolute(rolled_y, _r2), _r2)
     _s5 = _add(_s4, _absolute(rolled_z, _r3), _r3)
-    _s6 = _absolute(weight, _r2)
-    _s7 = _multiply(_multiply(_k23, _s3, _r4), _add(_multiply(_s3, _s5, _r5), _s6, _r5), _r4)
-    _s8 = _s0 * _s0
-    _s9 = _add(_sqrt(_multiply(p_ball_radius, _s6, _r2), _r2), _s5, _r2)
-    _s10 = _multiply(_k77, _s9, _r5)
-    _s11 = _multiply(_k20, rolling_friction, _r6)
-    _s12 = 1.0 + p_ring_restitution
-    _s13 = p_ring_friction * _s12
-    _s14 = _multiply(press, _s13, _r7)
-    _s15 = _logical_and(_logical_and(_logical_and(_logical_and((_k4 < press), _s1), (_multiply(_multiply(_k63, _s2, _r8), _s7, _r8) < _multiply(press, _s8, _r9))), (slip <= _add(_multiply(_multiply(_k23, rolling_friction, _r9), _s2, _r9), _s10, _r9))), (_s11 <= _s14))
-    _s16 = _multiply(_k45, bounce, _r9)
-    _s17 = _s12 * _s0
-    _s18 = _multiply(_k64, rolling_friction, _r8)
-    _s19 = p_inertia * (1.0 / (1.0 + p_inertia))
-    _s20 = _add(_add(_multiply(_s16, _s2, _r10), _divide(_multiply(_s18, _multiply(_s2, _s2, _r11), _r11), _s17, _r11), _r11), _divide(_multiply(_multiply(_multiply(_k64, slip, _r10), _s19, _r10), _s2, _r10), _s0, _r10), _r10)
-    _s21 = 3.637978807091713e-12 * p_ball_radius
-    _s22 = _logical_and(_s15, (_s20 <= _s21))
-    _s23 = 3.725290298461914e-09 * p_ball_radius
-    _s24 = second_contact_gap <= _s23
-    _s25 = _divide(_multiply(_multiply(_k36, _s2, _r0), _s5, _r0), _s0, _r0)
-    _s26 = _add(_s23, _s25, _r11) < nearest
-    _s27 = _s25 <= _s23
-    _s28 = _negative(lift, _r0)
-    _s29 = _select(_s28 < press, _s28, press, _r11)
-    _s30 = _divide(bounce, _s29, _r12)
-    _s31 = _logical_and(_logical_and(_logical_and((_k4 < _s29), _s1), (_multiply(_multiply(_k63, _s30, _r13), _s7, _r13) < _multiply(_s8, _s29, _r11))), (_add(_s23, _divide(_multiply(_multiply(_k36, _s30, _r11), _s5, _r11), _s0, _r11), _r11) < nearest))
-    _s32 = _logical_and(_s31, (_add(_multiply(_s16, _s30, _r9), _divide(_multiply(_s18, _multiply(_s30, _s30, _r11), _r11), _s17, _r11), _r11) <= _s21))
-    _s33 = _add(_divide(_multiply(_k20, _add(_multiply(_s11, _s30, _r12), _select(_k4 < bounce, _multiply(bounce, _s13, _r11), _k4, _r9), _r9), _r9), _s19 * _s0, _r9), _multiply(_k107, _s9, _r2), _r2)
-    _s34 = _logical_or((_absolute(press, _r9) <= _multiply(_multiply(_k64, velocity_error, _r11), _s3, _r11)), _logical_and((_multiply(bounce, _absolute(_subtract(_s20, _s21, _r10), _r10), _r10) <= _multiply(_multiply(_k20, velocity_error, _r11), _s21, _r11)), (_k4 < _multiply(p_ring_restitution, bounce, _r11))))
-    _s35 = _multiply(_k36, velocity_error, _r11)
-    _s36 = _logical_and(_s32, _logical_or((_absolute(_subtract(slip, _s33, _r10), _r10) < _s35), (_absolute(_subtract(_s11, _s14, _r10), _r10) < _multiply(_s35, _add(_multiply(_s13, _s3, _r9), _s3, _r9), _r9))))
-    return _logical_and(_logical_and(_s22, _logical_not(_s24)), _logical_or(_s26, _s27)), _logical_and(_s22, _s24), _logical_and(_s32, _logical_or((_s33 < slip), (_s14 < _s11))), _logical_and((bounce <= _s10), (_k4 <= lift)), _result(_logical_or(_logical_and(_s15, _s26), _s31), _k19, _k4, _r0), _logical_or(_logical_or(_s34, _s36), _logical_and(_logical_and(_s22, _s27), _logical_not(_s26)))
+    _s6 = _multiply(_s3, _s5, _r2)
+    _s7 = _absolute(weight, _r4)
+    _s8 = _multiply(_multiply(_k23, _s3, _r5), _add(_s6, _s7, _r6), _r5)
+    _s9 = _s0 * _s0
+    _s10 = _add(_sqrt(_multiply(p_ball_radius, _s7, _r4), _r4), _s5, _r4)
+    _s11 = _multiply(_k77, _s10, _r6)
+    _s12 = _multiply(_k20, rolling_friction, _r7)
+    _s13 = 1.0 + p_ring_restitution
+    _s14 = p_ring_friction * _s13
+    _s15 = _multiply(press, _s14, _r8)
+    _s16 = _logical_and(_logical_and(_logical_and(_logical_and((_k4 < press), _s1), (_multiply(_multiply(_k63, _s2, _r9), _s8, _r9) < _multiply(press, _s9, _r10))), (slip <= _add(_multiply(_multiply(_k23, rolling_friction, _r10), _s2, _r10), _s11, _r10))), (_s12 <= _s15))
+    _s17 = _multiply(_k45, bounce, _r10)
+    _s18 = _s13 * _s0
+    _s19 = _multiply(_k64, rolling_friction, _r9)
+    _s20 = p_inertia * (1.0 / (1.0 + p_inertia))
+    _s21 = _add(_add(_multiply(_s17, _s2, _r11), _divide(_multiply(_s19, _multiply(_s2, _s2, _r12), _r12), _s18, _r12), _r12), _divide(_multiply(_multiply(_multiply(_k64, slip, _r11), _s20, _r11), _s2, _r11), _s0, _r11), _r11)
+    _s22 = 3.637978807091713e-12 * p_ball_radius
+    _s23 = _logical_and(_s16, (_s21 <= _s22))
+    _s24 = 3.725290298461914e-09 * p_ball_radius
+    _s25 = second_contact_gap <= _s24
+    _s26 = _divide(_multiply(_multiply(_k36, _s2, _r0), _s5, _r0), _s0, _r0)
+    _s27 = _add(_s24, _s26, _r12) < nearest
+    _s28 = _s26 <= _s24
+    _s29 = bounce <= _s11
+    _s30 = _logical_and(_logical_and(_logical_and((mode == _k67), _s29), (_absolute(lift, _r6) <= _multiply(_k107, _add(p_gravity, _s6, _r2), _r2))), (_k4 < gap_jerk))
+    _s31 = _logical_not(_s30)
+    _s32 = _negative(lift, _r2)
+    _s33 = _select(_s32 < press, _s32, press, _r6)
+    _s34 = _divide(bounce, _s33, _r0)
+    _s35 = _logical_and(_logical_and(_logical_and((_k4 < _s33), _s1), (_multiply(_multiply(_k63, _s34, _r12), _s8, _r12) < _multiply(_s9, _s33, _r6))), (_add(_s24, _divide(_multiply(_multiply(_k36, _s34, _r6), _s5, _r6), _s0, _r6), _r6) < nearest))
+    _s36 = _logical_and(_s35, (_add(_multiply(_s17, _s34, _r10), _divide(_multiply(_s19, _multiply(_s34, _s34, _r6), _r6), _s18, _r6), _r6) <= _s22))
+    _s37 = _add(_divide(_multiply(_k20, _add(_multiply(_s12, _s34, _r0), _select(_k4 < bounce, _multiply(bounce, _s14, _r6), _k4, _r10), _r10), _r10), _s20 * _s0, _r10), _multiply(_k108, _s10, _r4), _r4)
+    _s38 = _logical_or((_absolute(press, _r10) <= _multiply(_multiply(_k64, velocity_error, _r6), _s3, _r6)), _logical_and((_multiply(bounce, _absolute(_subtract(_s21, _s22, _r11), _r11), _r11) <= _multiply(_multiply(_k20, velocity_error, _r6), _s22, _r6)), (_k4 < _multiply(p_ring_restitution, bounce, _r6))))
+    _s39 = _multiply(_k36, velocity_error, _r6)
+    _s40 = _logical_and(_s36, _logical_or((_absolute(_subtract(slip, _s37, _r11), _r11) < _s39), (_absolute(_subtract(_s12, _s15, _r11), _r11) < _multiply(_s39, _add(_multiply(_s14, _s3, _r10), _s3, _r10), _r10))))
+    return _logical_and(_logical_and(_logical_and(_s23, _logical_not(_s25)), _logical_or(_s27, _s28)), _s31), _logical_and(_logical_and(_s23, _s25), _s31), _logical_and(_logical_and(_s36, _logical_or((_s37 < slip), (_s15 < _s12))), _s31), _logical_or(_logical_and(_s29, (_k4 <= lift)), _s30), _result(_logical_or(_logical_and(_s16, _s27), _s35), _k19, _k4, _r0), _logical_and(_logical_or(_logical_or(_s38, _s40), _logical_and(_logical_and(_s23, _s28), _logical_not(_s27))), _s31)
 
 
 def ring_impact_grip_deficit(p_ring_friction: Any, rolling_friction: Any, rolling_friction_rate: Any, force: Any, force_rate: Any) -> tuple[Any, ...]:
@@ -3317,20 +3355,20 @@ def ring_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any
     _s23 = _multiply(_k46, _add(_add(_absolute(_s21, _r14), _absolute(_s3, _r3), _r3), _s22, _r3), _r3)
     _s24 = _divide(_k19, _s1, _r14)
     _s25 = _k4 <= _s20
-    _s26 = _k116 < _s1
-    _s27 = _select(_s26, _select(_s25, _multiply(_negative(_add(_add(_s21, _s22, _r11), _s23, _r11), _r11), _s24, _r11), _k5, _r15), _k117, _r16)
+    _s26 = _k118 < _s1
+    _s27 = _select(_s26, _select(_s25, _multiply(_negative(_add(_add(_s21, _s22, _r11), _s23, _r11), _r11), _s24, _r11), _k5, _r15), _k119, _r16)
     _s28 = _select(_s16 < _s27, _s27, _s16, _r17)
     _s29 = p_ring_radius - _s8
     _s30 = 0.0001220703125 * p_ring_radius
     _s31 = _where(_s29 < _s30, _s30, _s29)
     _s32 = _subtract(_subtract(_multiply(_s1, _s31 * _s31, _r2), _s19, _r2), _s4, _r2)
     _s33 = _sqrt(_select(_s32 < _k4, _k4, _s32, _r1), _r1)
-    _s34 = _select(_s26, _select(_s25, _multiply(_subtract(_add(_s22, _s23, _r12), _s21, _r12), _s24, _r12), _k117, _r10), _k5, _r18)
+    _s34 = _select(_s26, _select(_s25, _multiply(_subtract(_add(_s22, _s23, _r12), _s21, _r12), _s24, _r12), _k119, _r10), _k5, _r18)
     _s35 = _k4 < _select(_s26, _s32, _k4, _r19)
     _s36 = _select(_s35, _multiply(_subtract(_subtract(_s23, _s21, _r19), _s33, _r19), _s24, _r19), _s34, _r2)
     _s37 = _subtract(_add(_s0, _multiply(_s9, _subtract(z, _s8, _r20), _r20), _r20), _s10, _r20)
     _s38 = _sqrt(_select(_s37 < _k4, _k4, _s37, _r4), _r4)
-    _s39 = _select(_s15, _multiply(_s12, _add(_add(vz, _s13, _r7), _s14, _r7), _r7), _k117, _r0)
+    _s39 = _select(_s15, _multiply(_s12, _add(_add(vz, _s13, _r7), _s14, _r7), _r7), _k119, _r0)
     _s40 = _k4 < _s37
     _s41 = _select(_s40, _multiply(_s12, _subtract(_add(vz, _s14, _r20), _s38, _r20), _r20), _s39, _r21)
     _s42 = _select(_s36 < _s41, _s36, _s41, _r22)
@@ -3374,8 +3412,8 @@ def ring_margins(horizon: Any, extent: Any, speed: Any, position_error: Any, vel
     _s9 = _s2 / _where(_s7 < _s8, _s8, _s7)
     _s10 = _where(1.0 < _s9, _s9, 1.0)
     _s11 = _multiply(_k67, _add(_multiply(_multiply(_s1, _s10, _r3), _s6, _r3), _multiply(_s2, _add(velocity_error, _multiply(_k34, _s1, _r5), _r5), _r5), _r5), _r5)
-    _s12 = _k12 * _add(_add(_multiply(_multiply(_k119, _s1, _r3), _add(_multiply(_s5, _s10, _r2), _s4, _r2), _r3), _multiply(_k14, _s3, _r2), _r2), _s11, _r2)
-    return _k12 * _add(_add(_multiply(_multiply(_k14, horizon, _r2), _s3, _r2), (1.3323489447131243e-15 * _s0) * _s4, _r2), _multiply(5.00030517578125 * _s0, _s6, _r4), _r4), _s12, _k12 * _add(_multiply(_k119, _multiply(_s4, _s1, _r0), _r0), _s11, _r0)
+    _s12 = _k12 * _add(_add(_multiply(_multiply(_k121, _s1, _r3), _add(_multiply(_s5, _s10, _r2), _s4, _r2), _r3), _multiply(_k14, _s3, _r2), _r2), _s11, _r2)
+    return _k12 * _add(_add(_multiply(_multiply(_k14, horizon, _r2), _s3, _r2), (1.3323489447131243e-15 * _s0) * _s4, _r2), _multiply(5.00030517578125 * _s0, _s6, _r4), _r4), _s12, _k12 * _add(_multiply(_k121, _multiply(_s4, _s1, _r0), _r0), _s11, _r0)
 
 
 def ring_refine(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, rho_start: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -3459,73 +3497,73 @@ def ring_opened(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any,
     horizon, x, y, z, vx, vy, vz, extent, speed, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity, = [_single(value) for value in (horizon, x, y, z, vx, vy, vz, extent, speed, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity,)]
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23, _r24, _r25, _r26, _r27, _r28, _r29, _r30, _r31, _r32, _r33, _r34, _r35, _r36, _r37, _r38, _r39, _r40 = _halves(_room[:41])
     _s0 = _multiply(vz, vz, _r0)
-    _s1 = _k123 * (p_ball_radius + p_wire_radius)
-    _s2 = _k124 * p_gravity
-    _s3 = _multiply(_k125, _add(_s0, _multiply(_s2, _add(_absolute(z, _r1), _s1, _r1), _r1), _r1), _r1)
+    _s1 = _k125 * (p_ball_radius + p_wire_radius)
+    _s2 = _k126 * p_gravity
+    _s3 = _multiply(_k127, _add(_s0, _multiply(_s2, _add(_absolute(z, _r1), _s1, _r1), _r1), _r1), _r1)
     _s4 = _add(_add(_s0, _multiply(_s2, _add(z, _s1, _r2), _r2), _r2), _s3, _r2)
-    _s5 = _k126 / p_gravity
+    _s5 = _k128 / p_gravity
     _s6 = _sqrt(_s4, _r3)
-    _s7 = _multiply(_k127, _add(_absolute(vz, _r4), _s6, _r4), _r4)
-    _s8 = _k128 <= _s4
-    _s9 = _select(_s8, _multiply(_s5, _subtract(_subtract(vz, _s6, _r2), _s7, _r2), _r2), _k129, _r5)
+    _s7 = _multiply(_k129, _add(_absolute(vz, _r4), _s6, _r4), _r4)
+    _s8 = _k130 <= _s4
+    _s9 = _select(_s8, _multiply(_s5, _subtract(_subtract(vz, _s6, _r2), _s7, _r2), _r2), _k131, _r5)
     _s10 = _add(_multiply(vx, vx, _r6), _multiply(vy, vy, _r7), _r7)
     _s11 = p_ring_radius + _s1
     _s12 = _s11 * _s11
-    _s13 = _multiply(_multiply(_k127, _s10, _r6), _add(_s12, _add(_multiply(x, x, _r8), _multiply(y, y, _r9), _r9), _r9), _r6)
+    _s13 = _multiply(_multiply(_k129, _s10, _r6), _add(_s12, _add(_multiply(x, x, _r8), _multiply(y, y, _r9), _r9), _r9), _r6)
     _s14 = _subtract(_multiply(x, vy, _r9), _multiply(y, vx, _r8), _r8)
     _s15 = _multiply(_s14, _s14, _r9)
     _s16 = _subtract(_add(_multiply(_s12, _s10, _r10), _s13, _r10), _s15, _r10)
     _s17 = _add(_multiply(x, vx, _r11), _multiply(y, vy, _r12), _r12)
     _s18 = _sqrt(_s16, _r11)
-    _s19 = _multiply(_k127, _add(_add(_absolute(_s17, _r13), _absolute(_s14, _r8), _r8), _s18, _r8), _r8)
-    _s20 = _divide(_k130, _s10, _r13)
-    _s21 = _k128 <= _s16
-    _s22 = _k131 < _s10
-    _s23 = _select(_s22, _select(_s21, _multiply(_negative(_add(_add(_s17, _s18, _r10), _s19, _r10), _r10), _s20, _r10), _k129, _r14), _k132, _r15)
+    _s19 = _multiply(_k129, _add(_add(_absolute(_s17, _r13), _absolute(_s14, _r8), _r8), _s18, _r8), _r8)
+    _s20 = _divide(_k132, _s10, _r13)
+    _s21 = _k130 <= _s16
+    _s22 = _k133 < _s10
+    _s23 = _select(_s22, _select(_s21, _multiply(_negative(_add(_add(_s17, _s18, _r10), _s19, _r10), _r10), _s20, _r10), _k131, _r14), _k134, _r15)
     _s24 = _select(_s9 < _s23, _s23, _s9, _r16)
-    _s25 = _select(_k128 < _s24, _s24, _k128, _r17)
-    _s26 = _select(_k128 < _s25, _s25, _k128, _r18)
+    _s25 = _select(_k130 < _s24, _s24, _k130, _r17)
+    _s26 = _select(_k130 < _s25, _s25, _k130, _r18)
     _s27 = p_ring_radius - _s1
-    _s28 = _k133 * p_ring_radius
+    _s28 = _k135 * p_ring_radius
     _s29 = _where(_s27 < _s28, _s28, _s27)
     _s30 = _subtract(_subtract(_multiply(_s10, _s29 * _s29, _r7), _s13, _r7), _s15, _r7)
-    _s31 = _sqrt(_select(_s30 < _k128, _k128, _s30, _r9), _r9)
-    _s32 = _select(_s22, _select(_s21, _multiply(_subtract(_add(_s18, _s19, _r11), _s17, _r11), _s20, _r11), _k132, _r6), _k129, _r19)
-    _s33 = _k128 < _select(_s22, _s30, _k128, _r20)
+    _s31 = _sqrt(_select(_s30 < _k130, _k130, _s30, _r9), _r9)
+    _s32 = _select(_s22, _select(_s21, _multiply(_subtract(_add(_s18, _s19, _r11), _s17, _r11), _s20, _r11), _k134, _r6), _k131, _r19)
+    _s33 = _k130 < _select(_s22, _s30, _k130, _r20)
     _s34 = _select(_s33, _multiply(_subtract(_subtract(_s19, _s17, _r20), _s31, _r20), _s20, _r20), _s32, _r7)
     _s35 = _subtract(_add(_s0, _multiply(_s2, _subtract(z, _s1, _r21), _r21), _r21), _s3, _r21)
-    _s36 = _sqrt(_select(_s35 < _k128, _k128, _s35, _r1), _r1)
-    _s37 = _select(_s8, _multiply(_s5, _add(_add(vz, _s6, _r3), _s7, _r3), _r3), _k132, _r0)
-    _s38 = _k128 < _s35
+    _s36 = _sqrt(_select(_s35 < _k130, _k130, _s35, _r1), _r1)
+    _s37 = _select(_s8, _multiply(_s5, _add(_add(vz, _s6, _r3), _s7, _r3), _r3), _k134, _r0)
+    _s38 = _k130 < _s35
     _s39 = _select(_s38, _multiply(_s5, _subtract(_add(vz, _s7, _r21), _s36, _r21), _r21), _s37, _r22)
     _s40 = _select(_s34 < _s39, _s34, _s39, _r23)
-    _s41 = _multiply(_k134, horizon, _r24)
+    _s41 = _multiply(_k136, horizon, _r24)
     _s42 = _select(_s40 < _s41, _s40, _s41, _r25)
     _s43 = _s26 < _s42
-    _s44 = _select(_s33, _multiply(_subtract(_subtract(_s31, _s17, _r9), _s19, _r9), _s20, _r9), _k129, _r13)
+    _s44 = _select(_s33, _multiply(_subtract(_subtract(_s31, _s17, _r9), _s19, _r9), _s20, _r9), _k131, _r13)
     _s45 = _select(_s44 < _s34, _s34, _s44, _r8)
     _s46 = _select(_s9 < _s45, _s45, _s9, _r12)
     _s47 = _select(_s32 < _s39, _s32, _s39, _r26)
-    _s48 = _select(_s38, _multiply(_s5, _subtract(_add(vz, _s36, _r1), _s7, _r1), _r1), _k129, _r4)
+    _s48 = _select(_s38, _multiply(_s5, _subtract(_add(vz, _s36, _r1), _s7, _r1), _r1), _k131, _r4)
     _s49 = _select(_s48 < _s39, _s39, _s48, _r27)
     _s50 = _s46 <= _s47
     _s51 = _select(_s50, _s46, _select(_s49 < _s23, _s23, _s49, _r28), _r29)
-    _s52 = _result(_k128 < _s51, _s51, _k128, _r0)
-    _s53 = _select(_k128 < _s52, _s52, _k128, _r30)
+    _s52 = _result(_k130 < _s51, _s51, _k130, _r0)
+    _s53 = _select(_k130 < _s52, _s52, _k130, _r30)
     _s54 = _select(_s50, _s47, _select(_s34 < _s37, _s34, _s37, _r31), _r32)
     _s55 = _result(_s54 < _s41, _s54, _s41, _r0)
     _s56 = _s53 < _s55
     _s57 = _select(_s49 < _s45, _s45, _s49, _r33)
-    _s58 = _result(_k128 < _s57, _s57, _k128, _r0)
-    _s59 = _select(_k128 < _s58, _s58, _k128, _r34)
+    _s58 = _result(_k130 < _s57, _s57, _k130, _r0)
+    _s59 = _select(_k130 < _s58, _s58, _k130, _r34)
     _s60 = _select(_s32 < _s37, _s32, _s37, _r35)
     _s61 = _result(_s60 < _s41, _s60, _s41, _r0)
     _s62 = _s59 < _s61
-    _s63 = _select(_k128 < _s40, _s40, _k128, _r36)
+    _s63 = _select(_k130 < _s40, _s40, _k130, _r36)
     _s64 = _select(_s63 < _s54, _s54, _s63, _r37)
     _s65 = _select(_s64 < _s60, _s60, _s64, _r38)
-    _s66 = _logical_and(_logical_and(_logical_and((_s11 <= (_k135 * _s29)), (_s11 <= ((_k135 * p_ball_radius) + (_k135 * p_wire_radius)))), (_s11 <= _k136)), (_k137 <= _s29))
-    return _result(_s43, _s26, _select(_s56, _s53, _select(_s62, _s59, _k128, _r39), _r40), _r0), _result(_s43, _s42, _select(_s56, _s55, _select(_s62, _s61, _k128, _r40), _r39), _r0), _logical_or(_logical_or(_logical_or(False, _s62), _s56), _s43), _s52, _s55, _s58, _s61, _result(_s65 < _s41, _s65, _s41, _r0), _logical_and(_logical_and(_logical_and(_logical_and(_s66, (p_gravity <= _k136)), (_k137 <= p_gravity)), (extent <= _k138)), (speed <= _k138))
+    _s66 = _logical_and(_logical_and(_logical_and((_s11 <= (_k137 * _s29)), (_s11 <= ((_k137 * p_ball_radius) + (_k137 * p_wire_radius)))), (_s11 <= _k138)), (_k139 <= _s29))
+    return _result(_s43, _s26, _select(_s56, _s53, _select(_s62, _s59, _k130, _r39), _r40), _r0), _result(_s43, _s42, _select(_s56, _s55, _select(_s62, _s61, _k130, _r40), _r39), _r0), _logical_or(_logical_or(_logical_or(False, _s62), _s56), _s43), _s52, _s55, _s58, _s61, _result(_s65 < _s41, _s65, _s41, _r0), _logical_and(_logical_and(_logical_and(_logical_and(_s66, (p_gravity <= _k138)), (_k139 <= p_gravity)), (extent <= _k140)), (speed <= _k140))
 
 
 def ring_resolution(t: Any, end: Any, leaving: Any, horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, start_rate: Any, rho_rate: Any, low1: Any, high1: Any, low2: Any, high2: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -3535,33 +3573,33 @@ def ring_resolution(t: Any, end: Any, leaving: Any, horizon: Any, x: Any, y: Any
     """
     t, end, leaving, horizon, x, y, z, vx, vy, vz, extent, speed, start_rate, rho_rate, low1, high1, low2, high2, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity, = [_single(value) for value in (t, end, leaving, horizon, x, y, z, vx, vy, vz, extent, speed, start_rate, rho_rate, low1, high1, low2, high2, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity,)]
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12 = _halves(_room[:13])
-    _s0 = _k128 < leaving
+    _s0 = _k130 < leaving
     _s1 = _add(speed, _multiply(p_gravity, horizon, _r0), _r0)
     _s2 = p_ball_radius + p_wire_radius
-    _s3 = _k123 * _s2
+    _s3 = _k125 * _s2
     _s4 = p_ring_radius - _s3
-    _s5 = _k133 * p_ring_radius
+    _s5 = _k135 * p_ring_radius
     _s6 = _where(_s4 < _s5, _s5, _s4)
     _s7 = _s2 / _s6
-    _s8 = _where(_k126 < _s7, _s7, _k126)
+    _s8 = _where(_k128 < _s7, _s7, _k128)
     _s9 = _multiply(_s1, _s8, _r1)
     _s10 = _add(extent, _multiply(horizon, _s1, _r2), _r2)
-    _s11 = _multiply(_k146, _add(_multiply(_s9, _s10, _r3), _multiply(_s2, _s1, _r4), _r4), _r4)
-    _s12 = _divide(_multiply(_k147, start_rate, _r3), _s11, _r3)
-    _s13 = _select(_s12 < _k148, _s12, _k148, _r5)
-    _s14 = _result(_s0, _select(_k149 < _s13, _s13, _k149, _r6), _k148, _r0)
-    _s15 = _add(_multiply(_k150, _multiply(vz, vz, _r7), _r7), _multiply(_k151 * p_gravity, z, _r8), _r8) + _multiply(_k150, _add(_multiply(vx, vx, _r7), _multiply(vy, vy, _r9), _r9), _r9)
+    _s11 = _multiply(_k148, _add(_multiply(_s9, _s10, _r3), _multiply(_s2, _s1, _r4), _r4), _r4)
+    _s12 = _divide(_multiply(_k149, start_rate, _r3), _s11, _r3)
+    _s13 = _select(_s12 < _k150, _s12, _k150, _r5)
+    _s14 = _result(_s0, _select(_k151 < _s13, _s13, _k151, _r6), _k150, _r0)
+    _s15 = _add(_multiply(_k152, _multiply(vz, vz, _r7), _r7), _multiply(_k153 * p_gravity, z, _r8), _r8) + _multiply(_k152, _add(_multiply(vx, vx, _r7), _multiply(vy, vy, _r9), _r9), _r9)
     _s16 = _subtract(_multiply(x, vy, _r9), _multiply(y, vx, _r8), _r8)
-    _s17 = (_k124 * p_ring_radius) * _multiply(_s16, _s16, _r8)
-    _s18 = _k126 / _s6
+    _s17 = (_k126 * p_ring_radius) * _multiply(_s16, _s16, _r8)
+    _s18 = _k128 / _s6
     _s19 = _s18 * (_s18 * _s18)
-    _s20 = _add(_add((_k152 * p_gravity) * _s2, _multiply(_s17, _s19, _r8), _r8), _absolute(_s15, _r9), _r9)
+    _s20 = _add(_add((_k154 * p_gravity) * _s2, _multiply(_s17, _s19, _r8), _r8), _absolute(_s15, _r9), _r9)
     _s21 = _subtract(horizon, t, _r8)
     _s22 = _multiply(p_gravity, _multiply(_s21, _s21, _r7), _r7)
     _s23 = p_ring_radius + _s3
-    _s24 = _add(_multiply(_s10, _s14, _r2), _multiply(_k127, _add(_s22, _s23, _r10), _r10), _r10)
-    _s25 = _divide(_multiply(_k153, _multiply(_multiply(_s17, _add(_absolute(vx, _r2), _absolute(vy, _r11), _r11), _r11), _s19, _r11), _r11), _s6, _r11)
-    return _s14, _k139, end - t, x, y, z, vx, vy, vz, _s15, _s17, _sqrt(_add(_multiply(x, x, _r2), _multiply(y, y, _r12), _r12)), _k154 * _s20, (_k155 * _s2) * _s24, _result(_s0, _multiply(_k154, _add(_multiply(_k125, _absolute(start_rate, _r12), _r12), _multiply(_add(_k156, _s14, _r2), _s11, _r2), _r2), _r2), _k129, _r0), _k154 * _add(_multiply(p_gravity, _add(_multiply(p_gravity, _s21, _r8), _absolute(vz, _r2), _r2), _r2), _s25, _r11), (_k157 * ((_s23 / _s6) * _s8)) * _s20, start_rate, rho_rate, _k146 * _add(_multiply(_multiply(_k154, _s9, _r1), _s24, _r1), _multiply(_multiply(_add(_k158, _s14, _r6), _s2, _r6), _s1, _r6), _r6), low1 - t, high1 - t, low2 - t, high2 - t, _logical_and((_s22 <= ((_k159 * p_ball_radius) + (_k159 * p_wire_radius))), (_multiply(t, leaving, _r7) <= _k128))
+    _s24 = _add(_multiply(_s10, _s14, _r2), _multiply(_k129, _add(_s22, _s23, _r10), _r10), _r10)
+    _s25 = _divide(_multiply(_k155, _multiply(_multiply(_s17, _add(_absolute(vx, _r2), _absolute(vy, _r11), _r11), _r11), _s19, _r11), _r11), _s6, _r11)
+    return _s14, _k141, end - t, x, y, z, vx, vy, vz, _s15, _s17, _sqrt(_add(_multiply(x, x, _r2), _multiply(y, y, _r12), _r12)), _k156 * _s20, (_k157 * _s2) * _s24, _result(_s0, _multiply(_k156, _add(_multiply(_k127, _absolute(start_rate, _r12), _r12), _multiply(_add(_k158, _s14, _r2), _s11, _r2), _r2), _r2), _k131, _r0), _k156 * _add(_multiply(p_gravity, _add(_multiply(p_gravity, _s21, _r8), _absolute(vz, _r2), _r2), _r2), _s25, _r11), (_k159 * ((_s23 / _s6) * _s8)) * _s20, start_rate, rho_rate, _k148 * _add(_multiply(_multiply(_k156, _s9, _r1), _s24, _r1), _multiply(_multiply(_add(_k160, _s14, _r6), _s2, _r6), _s1, _r6), _r6), low1 - t, high1 - t, low2 - t, high2 - t, _logical_and((_s22 <= ((_k161 * p_ball_radius) + (_k161 * p_wire_radius))), (_multiply(t, leaving, _r7) <= _k130))
 
 
 def ring_step(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, energy2: Any, moment2: Any, rho_start: Any, flat: Any, tilt: Any, quotient_margin: Any, jerk: Any, start_rate: Any, rho_rate: Any, low1: Any, high1: Any, low2: Any, high2: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -3576,71 +3614,71 @@ def ring_step(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, 
     _s2 = _s1 < flat
     _s3 = _multiply(_multiply(t, t, _r2), jerk, _r2)
     _s4 = _logical_and(_s2, (_s3 < rate_margin))
-    _s5 = _select(_s4, _add(_s3, _multiply(_k150, _s0, _r0), _r0), rate_margin, _r2)
+    _s5 = _select(_s4, _add(_s3, _multiply(_k152, _s0, _r0), _r0), rate_margin, _r2)
     _s6 = _add(_multiply(vx, vx, _r3), _multiply(vy, vy, _r4), _r4)
     _s7 = _add(x, _multiply(vx, t, _r3), _r3)
     _s8 = _add(y, _multiply(vy, t, _r5), _r5)
     _s9 = _sqrt(_add(_multiply(_s7, _s7, _r6), _multiply(_s8, _s8, _r7), _r7), _r7)
     _s10 = _add(rho_start, _s9, _r6)
-    _s11 = _divide(_k130, _multiply(_s10, _s9, _r8), _r8)
+    _s11 = _divide(_k132, _multiply(_s10, _s9, _r8), _r8)
     _s12 = _multiply(_s9, _s11, _r9)
-    _s13 = _multiply(_s12, _add(_multiply(t, _s6, _r10), _multiply(_k150, _add(_multiply(x, vx, _r11), _multiply(y, vy, _r12), _r12), _r12), _r12), _r12)
-    _s14 = _subtract(vz, _multiply(_k166 * p_gravity, t, _r10), _r10)
-    _s15 = _add(_add(_multiply(_multiply(_multiply(_k150, _subtract(rho_start, p_ring_radius, _r11), _r11), _subtract(_s6, _multiply(rho_rate, _s13, _r13), _r13), _r11), _s12, _r11), _multiply(_s13, _s13, _r12), _r12), _multiply(_s14, _s14, _r11), _r11)
+    _s13 = _multiply(_s12, _add(_multiply(t, _s6, _r10), _multiply(_k152, _add(_multiply(x, vx, _r11), _multiply(y, vy, _r12), _r12), _r12), _r12), _r12)
+    _s14 = _subtract(vz, _multiply(_k168 * p_gravity, t, _r10), _r10)
+    _s15 = _add(_add(_multiply(_multiply(_multiply(_k152, _subtract(rho_start, p_ring_radius, _r11), _r11), _subtract(_s6, _multiply(rho_rate, _s13, _r13), _r13), _r11), _s12, _r11), _multiply(_s13, _s13, _r12), _r12), _multiply(_s14, _s14, _r11), _r11)
     _s16 = _add(start_rate, _multiply(t, _subtract(_s15, _multiply(p_gravity, z, _r12), _r12), _r12), _r12)
     _s17 = _multiply(_s10, _s11, _r8)
     _s18 = _multiply(_s17, _add(_multiply(vx, _s7, _r3), _multiply(vy, _s8, _r5), _r5), _r5)
     _s19 = _subtract(_s9, p_ring_radius, _r3)
     _s20 = _add(z, _multiply(t, _s14, _r10), _r10)
     _s21 = _subtract(vz, _multiply(p_gravity, t, _r6), _r6)
-    _s22 = _select(_s4, _subtract(_multiply(_k150, _s16, _r11), start_rate, _r11), _multiply(_k150, _add(_multiply(_s18, _s19, _r9), _multiply(_s20, _s21, _r13), _r13), _r13), _r9)
+    _s22 = _select(_s4, _subtract(_multiply(_k152, _s16, _r11), start_rate, _r11), _multiply(_k152, _add(_multiply(_s18, _s19, _r9), _multiply(_s20, _s21, _r13), _r13), _r13), _r9)
     _s23 = _negative(_add(_s5, _s22, _r4), _r4)
     _s24 = p_ball_radius + p_wire_radius
     _s25 = _select(_s2, _s1, flat, _r14)
     _s26 = _subtract(_select(_s2, _multiply(t, _s16, _r12), _subtract(_add(_multiply(_s19, _s19, _r3), _multiply(_s20, _s20, _r15), _r15), _s24 * _s24, _r15), _r3), _s25, _r3)
-    _s27 = _select(_s26 < _k128, _k128, _s26, _r15)
-    _s28 = _multiply(_k150, _add(_s27, _multiply(_k150, _s25, _r12), _r12), _r12)
+    _s27 = _select(_s26 < _k130, _k130, _s26, _r15)
+    _s28 = _multiply(_k152, _add(_s27, _multiply(_k152, _s25, _r12), _r12), _r12)
     _s29 = _subtract(_s22, _s5, _r2)
-    _s30 = _k168 * p_gravity
+    _s30 = _k170 * p_gravity
     _s31 = _multiply(_s30, _s20, _r0)
     _s32 = _multiply(moment2, _multiply(_s17, _multiply(_s17, _s17, _r16), _r16), _r16)
     _s33 = _subtract(_add(_s31, _s32, _r17), energy2, _r17)
-    _s34 = _s29 < _k128
-    _s35 = _multiply(_k150, _s27, _r18)
-    _s36 = _select(_k128 < _select(_k128 <= _s29, _s27, _k128, _r19), _k129, _divide(_select(_s34, _add(_s35, _multiply(_k169, _s25, _r19), _r19), _multiply(_k170, _s29, _r20), _r21), _select(_s34, _negative(_s29, _r22), _select(_k128 < _s33, _s33, _k128, _r23), _r24), _r21), _r20)
+    _s34 = _s29 < _k130
+    _s35 = _multiply(_k152, _s27, _r18)
+    _s36 = _select(_k130 < _select(_k130 <= _s29, _s27, _k130, _r19), _k131, _divide(_select(_s34, _add(_s35, _multiply(_k171, _s25, _r19), _r19), _multiply(_k172, _s29, _r20), _r21), _select(_s34, _negative(_s29, _r22), _select(_k130 < _s33, _s33, _k130, _r23), _r24), _r21), _r20)
     _s37 = _subtract(end, t, _r19)
     _s38 = _select(_s36 < _s37, _s36, _s37, _r24)
-    _s39 = _k123 * _s24
-    _s40 = _add((_k133 * p_ball_radius) + (_k133 * p_wire_radius), _add(_multiply(_s38, _select(_s21 < _k128, _k128, _s21, _r23), _r23), _s20, _r23), _r23)
+    _s39 = _k125 * _s24
+    _s40 = _add((_k135 * p_ball_radius) + (_k135 * p_wire_radius), _add(_multiply(_s38, _select(_s21 < _k130, _k130, _s21, _r23), _r23), _s20, _r23), _r23)
     _s41 = _multiply(_s30, _select(_s39 < _s40, _s39, _s40, _r10), _r10)
     _s42 = _multiply(_add(_absolute(vx, _r23), _absolute(vy, _r17), _r17), _s38, _r17)
-    _s43 = _subtract(_subtract(_add(_multiply(_s38, _select(_k128 < _s18, _k128, _s18, _r23), _r23), _s9, _r23), _multiply(_k171, _s42, _r7), _r7), _k141 * (p_ring_radius + _s39), _r7)
+    _s43 = _subtract(_subtract(_add(_multiply(_s38, _select(_k130 < _s18, _k130, _s18, _r23), _r23), _s9, _r23), _multiply(_k173, _s42, _r7), _r7), _k143 * (p_ring_radius + _s39), _r7)
     _s44 = p_ring_radius - _s39
-    _s45 = _k133 * p_ring_radius
+    _s45 = _k135 * p_ring_radius
     _s46 = _where(_s44 < _s45, _s45, _s44)
-    _s47 = _divide(_k130, _select(_s43 < _s46, _s46, _s43, _r23), _r23)
+    _s47 = _divide(_k132, _select(_s43 < _s46, _s46, _s43, _r23), _r23)
     _s48 = _multiply(moment2, _multiply(_s47, _multiply(_s47, _s47, _r7), _r7), _r7)
     _s49 = _absolute(energy2, _r23)
-    _s50 = _subtract(_add(_add(_s41, _s48, _r5), _multiply(_k172, _add(_add(_s48, _s49, _r7), _absolute(_s41, _r10), _r10), _r10), _r10), energy2, _r10)
+    _s50 = _subtract(_add(_add(_s41, _s48, _r5), _multiply(_k174, _add(_add(_s48, _s49, _r7), _absolute(_s41, _r10), _r10), _r10), _r10), energy2, _r10)
     _s51 = _negative(_s21, _r6)
-    _s52 = _add(_multiply(_s30, _add((_k137 * p_ball_radius) + (_k137 * p_wire_radius), _multiply(_add(_multiply(p_gravity, _s38, _r5), _select(_s51 < _k128, _k128, _s51, _r7), _r7), _s38, _r7), _r7), _r7), _multiply(_multiply(_k173, _multiply(_s32, _s17, _r8), _r8), _s42, _r8), _r8)
-    _s53 = _add(energy2, _add(_s52, _multiply(_k174, _add(_add(_s49, _absolute(_s31, _r7), _r7), _s32, _r7), _r7), _r7), _r7)
+    _s52 = _add(_multiply(_s30, _add((_k139 * p_ball_radius) + (_k139 * p_wire_radius), _multiply(_add(_multiply(p_gravity, _s38, _r5), _select(_s51 < _k130, _k130, _s51, _r7), _r7), _s38, _r7), _r7), _r7), _multiply(_multiply(_k175, _multiply(_s32, _s17, _r8), _r8), _s42, _r8), _r8)
+    _s53 = _add(energy2, _add(_s52, _multiply(_k176, _add(_add(_s49, _absolute(_s31, _r7), _r7), _s32, _r7), _r7), _r7), _r7)
     _s54 = _subtract(_subtract(_s53, _s31, _r7), _s32, _r7)
-    _s55 = _select(_k128 < _s23, _subtract(_multiply(_s23, _s23, _r16), _multiply(_multiply(_k169, _s28, _r0), _select(_s28 <= _multiply(_s23, _s38, _r8), _select(_s50 < _s54, _s54, _s50, _r8), ceiling, _r12), _r0), _r0), _s23, _r16)
-    _s56 = _k128 < _s55
-    _s57 = _add(_multiply(_multiply(_k150, _s50, _r16), _s27, _r16), _multiply(_s29, _s29, _r15), _r15)
+    _s55 = _select(_k130 < _s23, _subtract(_multiply(_s23, _s23, _r16), _multiply(_multiply(_k171, _s28, _r0), _select(_s28 <= _multiply(_s23, _s38, _r8), _select(_s50 < _s54, _s54, _s50, _r8), ceiling, _r12), _r0), _r0), _s23, _r16)
+    _s56 = _k130 < _s55
+    _s57 = _add(_multiply(_multiply(_k152, _s50, _r16), _s27, _r16), _multiply(_s29, _s29, _r15), _r15)
     _s58 = _sqrt(_s57, _r16)
-    _s59 = _select(_k128 <= _s57, _divide(_select(_s34, _s35, _add(_s58, _s29, _r15), _r0), _select(_s34, _subtract(_s58, _s29, _r16), _select(_k128 < _s50, _s50, _k128, _r2), _r4), _r0), _k129, _r15)
+    _s59 = _select(_k130 <= _s57, _divide(_select(_s34, _s35, _add(_s58, _s29, _r15), _r0), _select(_s34, _subtract(_s58, _s29, _r16), _select(_k130 < _s50, _s50, _k130, _r2), _r4), _r0), _k131, _r15)
     _s60 = _select(_s59 < _s38, _s59, _s38, _r4)
     _s61 = _add(t, _s60, _r2)
-    _s62 = _logical_and(_logical_not(_s56), _logical_or(_logical_and((_s22 < _k128), (_s26 <= _s25)), _logical_and((t < end), _logical_not((t < _s61)))))
+    _s62 = _logical_and(_logical_not(_s56), _logical_or(_logical_and((_s22 < _k130), (_s26 <= _s25)), _logical_and((t < end), _logical_not((t < _s61)))))
     _s63 = _logical_not(_logical_or(_s56, _s62))
     _s64 = _logical_and(_s63, (_s37 <= _s60))
     _s65 = _select(end < low1, low1, end, _r4)
     _s66 = _s65 < high1
     _s67 = _select(end < low2, low2, end, _r15)
     _s68 = _s67 < high2
-    return _result(_s64, _select(_s66, _s65, _select(_s68, _s67, _k129, _r0), _r24), _select(_s62, t, _s61, _r19), _r0), _result(_s64, _select(_s66, high1, _select(_s68, high2, end, _r19), _r24), end, _r0), _s56, _logical_and(_s63, _logical_or(_logical_not(_s64), _logical_or(_logical_or(False, _s68), _s66)))
+    return _result(_s64, _select(_s66, _s65, _select(_s68, _s67, _k131, _r0), _r24), _select(_s62, t, _s61, _r19), _r0), _result(_s64, _select(_s66, high1, _select(_s68, high2, end, _r19), _r24), end, _r0), _s56, _logical_and(_s63, _logical_or(_logical_not(_s64), _logical_or(_logical_or(False, _s68), _s66)))
 
 
 def ring_started(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_ring_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -3843,15 +3881,15 @@ def ring_round_moved(p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any,
     _s9 = _multiply(_s3, _s8, _r0)
     _s10 = p_ball_radius + p_wire_radius
     _s11 = _add(p_ring_radius, _multiply(_s9, _s10, _r2), _r2)
-    _s12 = _multiply(t, _add(_multiply(_k179, omega_9, _r4), _multiply(t, _add(_multiply(_k180, omega_10, _r5), _multiply(_multiply(_k181, t, _r6), omega_11, _r6), _r6), _r6), _r6), _r6)
+    _s12 = _multiply(t, _add(_multiply(_k181, omega_9, _r4), _multiply(t, _add(_multiply(_k182, omega_10, _r5), _multiply(_multiply(_k183, t, _r6), omega_11, _r6), _r6), _r6), _r6), _r6)
     _s13 = _add(_multiply(_k71, omega_6, _r4), _multiply(t, _add(_multiply(_k26, omega_7, _r5), _multiply(t, _add(_multiply(_k75, omega_8, _r7), _s12, _r6), _r6), _r6), _r6), _r6)
     _s14 = _add(_multiply(_k24, omega_3, _r4), _multiply(t, _add(_multiply(_k65, omega_4, _r5), _multiply(t, _add(_multiply(_k68, omega_5, _r7), _multiply(t, _s13, _r6), _r6), _r6), _r6), _r6), _r6)
     _s15 = _add(omega_0, _multiply(t, _add(_multiply(_k45, omega_1, _r4), _multiply(t, _add(_multiply(_k61, omega_2, _r5), _multiply(t, _s14, _r6), _r6), _r6), _r6), _r6), _r6)
     _s16 = _multiply(t, _s15, _r6)
     _s17 = _multiply(_s16, _s16, _r4)
-    _s18 = _subtract(_multiply(_add(_k182, _multiply(_subtract(_multiply(_k183, _s17, _r5), _k184, _r5), _s17, _r5), _r5), _s17, _r5), _k185, _r5)
-    _s19 = _add(_k19, _multiply(_subtract(_multiply(_add(_k186, _multiply(_s18, _s17, _r5), _r5), _s17, _r5), _k45, _r5), _s17, _r5), _r5)
-    _s20 = _add(_k187, _multiply(_subtract(_multiply(_subtract(_k188, _multiply(_k189, _s17, _r7), _r7), _s17, _r7), _k190, _r7), _s17, _r7), _r7)
+    _s18 = _subtract(_multiply(_add(_k184, _multiply(_subtract(_multiply(_k185, _s17, _r5), _k186, _r5), _s17, _r5), _r5), _s17, _r5), _k187, _r5)
+    _s19 = _add(_k19, _multiply(_subtract(_multiply(_add(_k188, _multiply(_s18, _s17, _r5), _r5), _s17, _r5), _k45, _r5), _s17, _r5), _r5)
+    _s20 = _add(_k189, _multiply(_subtract(_multiply(_subtract(_k190, _multiply(_k191, _s17, _r7), _r7), _s17, _r7), _k192, _r7), _s17, _r7), _r7)
     _s21 = _multiply(_s16, _add(_k19, _multiply(_subtract(_multiply(_s20, _s17, _r7), _k68, _r7), _s17, _r7), _r7), _r7)
     _s22 = _subtract(_multiply(cos_0, _s19, _r6), _multiply(sin_0, _s21, _r4), _r4)
     _s23 = _add(_multiply(cos_0, _s21, _r7), _multiply(sin_0, _s19, _r5), _r5)
@@ -3895,19 +3933,19 @@ def ring_round_step(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ring_r
     _s11 = _multiply(omega_0, omega_0, _r9)
     _s12 = _multiply(_multiply(_k64, _s10, _r10), _multiply(_k36, _s11, _r11), _r10)
     _s13 = _multiply(_s12, _s12, _r10)
-    _s14 = _multiply(_s4, _add(_add(_absolute(cosine_12, _r11), _absolute(sine_12, _r12), _r12), _multiply(_k203, _multiply(_s13, _s13, _r10), _r10), _r10), _r10)
-    _s15 = _sqrt(_sqrt(_divide(_multiply(_k203, _s4, _r12), _select(_s9 < _s14, _s14, _s9, _r11), _r12), _r12), _r12)
+    _s14 = _multiply(_s4, _add(_add(_absolute(cosine_12, _r11), _absolute(sine_12, _r12), _r12), _multiply(_k205, _multiply(_s13, _s13, _r10), _r10), _r10), _r10)
+    _s15 = _sqrt(_sqrt(_divide(_multiply(_k205, _s4, _r12), _select(_s9 < _s14, _s14, _s9, _r11), _r12), _r12), _r12)
     _s16 = _sqrt(_sqrt(_s15, _r11), _r11)
-    _s17 = _multiply(_multiply(_k204, _s16, _r10), _sqrt(_sqrt(_s16, _r11), _r11), _r10)
+    _s17 = _multiply(_multiply(_k206, _s16, _r10), _sqrt(_sqrt(_s16, _r11), _r11), _r10)
     _s18 = _multiply(_s17, _multiply(_s17, _s17, _r11), _r11)
     _s19 = _multiply(_divide(_add(_s18, _multiply(_k20, _s15, _r3), _r3), _add(_multiply(_k20, _s18, _r11), _s15, _r11), _r11), _s17, _r11)
     _s20 = _result(_s19 < _k25, _s19, _k25, _r0)
     _s21 = _absolute(climb_10, _r10)
-    _s22 = _multiply(_add(_multiply(_add(_multiply(_multiply(_k78, _s7, _r3), _s20, _r3), _multiply(_k205, _s5, _r12), _r12), _s20, _r12), _multiply(_k206, _s21, _r3), _r3), _s20, _r3)
+    _s22 = _multiply(_add(_multiply(_add(_multiply(_multiply(_k78, _s7, _r3), _s20, _r3), _multiply(_k207, _s5, _r12), _r12), _s20, _r12), _multiply(_k208, _s21, _r3), _r3), _s20, _r3)
     _s23 = _absolute(climb_9, _r12)
     _s24 = _absolute(climb_8, _r13)
     _s25 = _absolute(climb_7, _r14)
-    _s26 = _add(_multiply(_add(_multiply(_add(_s22, _multiply(_k207, _s23, _r15), _r15), _s20, _r15), _multiply(_k23, _s24, _r3), _r3), _s20, _r3), _multiply(_k73, _s25, _r15), _r15)
+    _s26 = _add(_multiply(_add(_multiply(_add(_s22, _multiply(_k209, _s23, _r15), _r15), _s20, _r15), _multiply(_k23, _s24, _r3), _r3), _s20, _r3), _multiply(_k73, _s25, _r15), _r15)
     _s27 = _absolute(climb_6, _r3)
     _s28 = _absolute(climb_5, _r16)
     _s29 = _absolute(climb_4, _r17)
@@ -3951,8 +3989,8 @@ def ring_round_step(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ring_r
     _s67 = _absolute(along_1, _r30)
     _s68 = _add(_multiply(_add(_multiply(_add(_multiply(_s65, _s20, _r22), _s66, _r22), _s20, _r22), _s67, _r22), _s20, _r22), _s2, _r22)
     _s69 = _multiply(_s1, _s38, _r1) + _s68
-    _s70 = _multiply(_add(_multiply(_add(_multiply(_multiply(_k78, _s8, _r7), _s20, _r7), _multiply(_k205, _s6, _r5), _r5), _s20, _r5), _multiply(_k206, _s55, _r8), _r8), _s20, _r8)
-    _s71 = _add(_multiply(_add(_multiply(_add(_s70, _multiply(_k207, _s56, _r21), _r21), _s20, _r21), _multiply(_k23, _s58, _r23), _r23), _s20, _r23), _multiply(_k73, _s59, _r24), _r24)
+    _s70 = _multiply(_add(_multiply(_add(_multiply(_multiply(_k78, _s8, _r7), _s20, _r7), _multiply(_k207, _s6, _r5), _r5), _s20, _r5), _multiply(_k208, _s55, _r8), _r8), _s20, _r8)
+    _s71 = _add(_multiply(_add(_multiply(_add(_s70, _multiply(_k209, _s56, _r21), _r21), _s20, _r21), _multiply(_k23, _s58, _r23), _r23), _s20, _r23), _multiply(_k73, _s59, _r24), _r24)
     _s72 = _add(_multiply(_add(_multiply(_add(_multiply(_s71, _s20, _r24), _multiply(_k3, _s60, _r25), _r25), _s20, _r25), _multiply(_k67, _s62, _r26), _r26), _s20, _r26), _multiply(_k64, _s63, _r27), _r27)
     _s73 = _add(_multiply(_add(_multiply(_add(_multiply(_s72, _s20, _r27), _multiply(_k63, _s64, _r28), _r28), _s20, _r28), _multiply(_k20, _s66, _r29), _r29), _s20, _r29), _s67, _r29)
     _s74 = _multiply(_multiply(climb_0, climb_0, _r30), _s1, _r30)
@@ -3960,7 +3998,7 @@ def ring_round_step(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ring_r
     _s76 = p_inertia * (1.0 / (1.0 + p_inertia))
     _s77 = p_gravity * (3.0 - (2.0 * _s76))
     _s78 = 3.0 * p_ring_radius
-    _s79 = _multiply(_add(_multiply(_add(_multiply(_multiply(_k205, _s40, _r0), _s20, _r0), _multiply(_k206, _s41, _r20), _r20), _s20, _r20), _multiply(_k207, _s42, _r19), _r19), _s20, _r19)
+    _s79 = _multiply(_add(_multiply(_add(_multiply(_multiply(_k207, _s40, _r0), _s20, _r0), _multiply(_k208, _s41, _r20), _r20), _s20, _r20), _multiply(_k209, _s42, _r19), _r19), _s20, _r19)
     _s80 = _add(_multiply(_add(_multiply(_add(_s79, _multiply(_k23, _s43, _r15), _r15), _s20, _r15), _multiply(_k73, _s45, _r16), _r16), _s20, _r16), _multiply(_k3, _s46, _r3), _r3)
     _s81 = _add(_multiply(_add(_multiply(_add(_multiply(_s80, _s20, _r3), _multiply(_k67, _s47, _r14), _r14), _s20, _r14), _multiply(_k64, _s49, _r13), _r13), _s20, _r13), _multiply(_k63, _s50, _r12), _r12)
     _s82 = _multiply(_s38, _s20, _r13)
@@ -4002,7 +4040,7 @@ def ring_swung(p_ball_radius: Any, p_gravity: Any, p_wire_radius: Any, which: An
     _s4 = _logical_and((_multiply(climb, climb_0, _r2) < _k4), (_multiply(0.015625 * p_gravity, stride, _r2) < _multiply(_absolute(_subtract(climb, climb_0, _r1), _r1), _s0, _r1)))
     _s5 = _logical_and(_logical_and(_s3, _s4), (_k4 < circled))
     _s6 = _add(p_gravity, _multiply(_multiply(fastest, fastest, _r1), 1.0 / _s0, _r1), _r1)
-    _s7 = _logical_not((_multiply(_s6, _multiply(_k213, _add(_multiply(position_error, _s6, _r2), _multiply(velocity_error, fastest, _r0), _r0), _r0), _r0) < ((0.000244140625 * (p_gravity * p_gravity)) * _s0)))
+    _s7 = _logical_not((_multiply(_s6, _multiply(_k215, _add(_multiply(position_error, _s6, _r2), _multiply(velocity_error, fastest, _r0), _r0), _r0), _r0) < ((0.000244140625 * (p_gravity * p_gravity)) * _s0)))
     return _result(_s3, _select(_s4, _k19, circled, _r0), _k4, _r0), _s5, _result(_logical_and(_s5, _s7), _k4, undecided_time, _r0)
 
 
@@ -4188,9 +4226,9 @@ def ring_round_9(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ring_radi
     _s4 = _add(_add(_add(_add(_add(_multiply(climb_0, _s3, _r0), _multiply(climb_1, omega_8, _r1), _r1), _multiply(climb_2, omega_7, _r0), _r0), _multiply(climb_3, omega_6, _r1), _r1), _multiply(climb_4, omega_5, _r0), _r0), _multiply(climb_5, omega_4, _r1), _r1)
     _s5 = _add(_add(_add(_s4, _multiply(climb_6, omega_3, _r0), _r0), _multiply(climb_7, omega_2, _r1), _r1), _multiply(climb_8, omega_1, _r0), _r0) + _multiply(climb_9, omega_0, _r1)
     _s6 = _add(_add(_add(_add(_add(_multiply(climb_0, sine_9, _r1), _multiply(climb_1, sine_8, _r0), _r0), _multiply(climb_2, sine_7, _r1), _r1), _multiply(climb_3, sine_6, _r0), _r0), _multiply(climb_4, sine_5, _r1), _r1), _multiply(climb_5, sine_4, _r0), _r0)
-    _s7 = _multiply(_k179, _add(_add(_add(_add(_s6, _multiply(climb_6, sine_3, _r1), _r1), _multiply(climb_7, sine_2, _r0), _r0), _multiply(climb_8, sine_1, _r1), _r1), _multiply(climb_9, sine_0, _r0), _r0), _r0)
+    _s7 = _multiply(_k181, _add(_add(_add(_add(_s6, _multiply(climb_6, sine_3, _r1), _r1), _multiply(climb_7, sine_2, _r0), _r0), _multiply(climb_8, sine_1, _r1), _r1), _multiply(climb_9, sine_0, _r0), _r0), _r0)
     _s8 = _add(_add(_add(_add(_add(_multiply(climb_0, cosine_9, _r1), _multiply(climb_1, cosine_8, _r2), _r2), _multiply(climb_2, cosine_7, _r1), _r1), _multiply(climb_3, cosine_6, _r2), _r2), _multiply(climb_4, cosine_5, _r1), _r1), _multiply(climb_5, cosine_4, _r2), _r2)
-    _s9 = _k179 * _add(_add(_add(_add(_s8, _multiply(climb_6, cosine_3, _r1), _r1), _multiply(climb_7, cosine_2, _r2), _r2), _multiply(climb_8, cosine_1, _r1), _r1), _multiply(climb_9, cosine_0, _r2), _r2)
+    _s9 = _k181 * _add(_add(_add(_add(_s8, _multiply(climb_6, cosine_3, _r1), _r1), _multiply(climb_7, cosine_2, _r2), _r2), _multiply(climb_8, cosine_1, _r1), _r1), _multiply(climb_9, cosine_0, _r2), _r2)
     _s10 = 1.0 / (1.0 + p_inertia)
     _s11 = _add(_add(_add(_add(_add(_multiply(omega_0, tilted_9, _r2), _multiply(omega_1, tilted_8, _r1), _r1), _multiply(omega_2, tilted_7, _r2), _r2), _multiply(omega_3, tilted_6, _r1), _r1), _multiply(omega_4, tilted_5, _r2), _r2), _multiply(omega_5, tilted_4, _r1), _r1)
     _s12 = _add(_multiply(_multiply(p_gravity, cosine_9, _r2), _s10, _r2), _add(_add(_add(_add(_s11, _multiply(omega_6, tilted_3, _r3), _r3), _multiply(omega_7, tilted_2, _r1), _r1), _multiply(omega_8, tilted_1, _r3), _r3), _multiply(tilted_0, _s3, _r1), _r1), _r1)
@@ -4200,7 +4238,7 @@ def ring_round_9(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ring_radi
     _s16 = _multiply(p_inertia * _s10, _add(_add(_add(_add(_s15, _multiply(turn_rate_6, climb_3, _r2), _r2), _multiply(turn_rate_7, climb_2, _r4), _r4), _multiply(turn_rate_8, climb_1, _r2), _r2), _multiply(turn_rate_9, climb_0, _r4), _r4), _r4)
     _s17 = _add(_add(_add(_add(_add(_multiply(cosine_0, _s5, _r2), _multiply(cosine_1, around_8, _r5), _r5), _multiply(cosine_2, around_7, _r2), _r2), _multiply(cosine_3, around_6, _r5), _r5), _multiply(cosine_4, around_5, _r2), _r2), _multiply(cosine_5, around_4, _r5), _r5)
     _s18 = _multiply(p_ring_radius * _s10, _add(_add(_add(_add(_s17, _multiply(cosine_6, around_3, _r2), _r2), _multiply(cosine_7, around_2, _r5), _r5), _multiply(cosine_8, around_1, _r2), _r2), _multiply(cosine_9, around_0, _r5), _r5), _r5)
-    return _s3, _s5, -_s7, _s9, -_multiply(_multiply(_k179, per_reach, _r0), _s12, _r0), _k179 * _subtract(_s14, _s16, _r4), (0.1 * p_ring_radius) * _s5, _k179 * _add(_s18, _multiply(_s0, _s5, _r4), _r4)
+    return _s3, _s5, -_s7, _s9, -_multiply(_multiply(_k181, per_reach, _r0), _s12, _r0), _k181 * _subtract(_s14, _s16, _r4), (0.1 * p_ring_radius) * _s5, _k181 * _add(_s18, _multiply(_s0, _s5, _r4), _r4)
 
 
 def ring_round_10(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ring_radius: Any, p_wire_radius: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, turn_rate_8: Any, turn_rate_9: Any, turn_rate_10: Any, near_0: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, climb_7: Any, climb_8: Any, climb_9: Any, climb_10: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, cosine_7: Any, cosine_8: Any, cosine_9: Any, cosine_10: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, sine_7: Any, sine_8: Any, sine_9: Any, sine_10: Any, along_10: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, omega_6: Any, omega_7: Any, omega_8: Any, omega_9: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, around_5: Any, around_6: Any, around_7: Any, around_8: Any, around_9: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, tilted_6: Any, tilted_7: Any, tilted_8: Any, tilted_9: Any, tilted_10: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -4228,7 +4266,7 @@ def ring_round_10(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ring_rad
     _s16 = _add(_add(_add(_add(_add(_s15, _multiply(turn_rate_6, climb_4, _r4), _r4), _multiply(turn_rate_7, climb_3, _r5), _r5), _multiply(turn_rate_8, climb_2, _r4), _r4), _multiply(turn_rate_9, climb_1, _r5), _r5), _multiply(turn_rate_10, climb_0, _r4), _r4)
     _s17 = _add(_add(_add(_add(_add(_multiply(cosine_0, _s5, _r5), _multiply(cosine_1, around_9, _r6), _r6), _multiply(cosine_2, around_8, _r5), _r5), _multiply(cosine_3, around_7, _r6), _r6), _multiply(cosine_4, around_6, _r5), _r5), _multiply(cosine_5, around_5, _r6), _r6)
     _s18 = _add(_add(_add(_add(_add(_s17, _multiply(cosine_6, around_4, _r5), _r5), _multiply(cosine_7, around_3, _r6), _r6), _multiply(cosine_8, around_2, _r5), _r5), _multiply(cosine_9, around_1, _r6), _r6), _multiply(cosine_10, around_0, _r5), _r5)
-    return _s3, _s5, -_multiply(_k180, _s7, _r1), _k180 * _s9, -_multiply(_multiply(_k180, per_reach, _r0), _add(_multiply(_multiply(p_gravity, cosine_10, _r1), _s10, _r1), _s12, _r2), _r0), _k180 * _subtract(_multiply(_s0, _s14, _r3), _multiply(p_inertia * _s10, _s16, _r4), _r4), (0.09090909090909091 * p_ring_radius) * _s5, _k180 * _add(_multiply(p_ring_radius * _s10, _s18, _r5), _multiply(_s0, _s5, _r4), _r4)
+    return _s3, _s5, -_multiply(_k182, _s7, _r1), _k182 * _s9, -_multiply(_multiply(_k182, per_reach, _r0), _add(_multiply(_multiply(p_gravity, cosine_10, _r1), _s10, _r1), _s12, _r2), _r0), _k182 * _subtract(_multiply(_s0, _s14, _r3), _multiply(p_inertia * _s10, _s16, _r4), _r4), (0.09090909090909091 * p_ring_radius) * _s5, _k182 * _add(_multiply(p_ring_radius * _s10, _s18, _r5), _multiply(_s0, _s5, _r4), _r4)
 
 
 def ring_round_11(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ring_radius: Any, p_wire_radius: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, turn_rate_8: Any, turn_rate_9: Any, turn_rate_10: Any, turn_rate_11: Any, near_0: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, climb_7: Any, climb_8: Any, climb_9: Any, climb_10: Any, climb_11: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, cosine_7: Any, cosine_8: Any, cosine_9: Any, cosine_10: Any, cosine_11: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, sine_7: Any, sine_8: Any, sine_9: Any, sine_10: Any, sine_11: Any, along_11: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, omega_6: Any, omega_7: Any, omega_8: Any, omega_9: Any, omega_10: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, around_5: Any, around_6: Any, around_7: Any, around_8: Any, around_9: Any, around_10: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, tilted_6: Any, tilted_7: Any, tilted_8: Any, tilted_9: Any, tilted_10: Any, tilted_11: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -4257,7 +4295,7 @@ def ring_round_11(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ring_rad
     _s17 = _add(_add(_add(_add(_add(_s16, _multiply(turn_rate_6, climb_5, _r4), _r4), _multiply(turn_rate_7, climb_4, _r5), _r5), _multiply(turn_rate_8, climb_3, _r4), _r4), _multiply(turn_rate_9, climb_2, _r5), _r5), _multiply(turn_rate_10, climb_1, _r4), _r4)
     _s18 = _add(_add(_add(_add(_add(_multiply(cosine_0, _s6, _r5), _multiply(cosine_1, around_10, _r6), _r6), _multiply(cosine_2, around_9, _r5), _r5), _multiply(cosine_3, around_8, _r6), _r6), _multiply(cosine_4, around_7, _r5), _r5), _multiply(cosine_5, around_6, _r6), _r6)
     _s19 = _add(_add(_add(_add(_add(_s18, _multiply(cosine_6, around_5, _r5), _r5), _multiply(cosine_7, around_4, _r6), _r6), _multiply(cosine_8, around_3, _r5), _r5), _multiply(cosine_9, around_2, _r6), _r6), _multiply(cosine_10, around_1, _r5), _r5)
-    return _s3, _s6, -_multiply(_k181, _add(_s8, _multiply(climb_11, sine_0, _r6), _r6), _r6), _k181 * _add(_s10, _multiply(climb_11, cosine_0, _r6), _r6), -_multiply(_multiply(_k181, per_reach, _r6), _add(_multiply(_multiply(p_gravity, cosine_11, _r0), _s11, _r0), _add(_s13, _multiply(tilted_0, _s3, _r1), _r1), _r1), _r6), _k181 * _subtract(_multiply(_s0, _add(_s15, _multiply(sine_11, around_0, _r6), _r6), _r6), _multiply(p_inertia * _s11, _add(_s17, _multiply(turn_rate_11, climb_0, _r3), _r3), _r3), _r3), (0.08333333333333333 * p_ring_radius) * _s6, _k181 * _add(_multiply(p_ring_radius * _s11, _add(_s19, _multiply(cosine_11, around_0, _r3), _r3), _r3), _multiply(_s0, _s6, _r5), _r5)
+    return _s3, _s6, -_multiply(_k183, _add(_s8, _multiply(climb_11, sine_0, _r6), _r6), _r6), _k183 * _add(_s10, _multiply(climb_11, cosine_0, _r6), _r6), -_multiply(_multiply(_k183, per_reach, _r6), _add(_multiply(_multiply(p_gravity, cosine_11, _r0), _s11, _r0), _add(_s13, _multiply(tilted_0, _s3, _r1), _r1), _r1), _r6), _k183 * _subtract(_multiply(_s0, _add(_s15, _multiply(sine_11, around_0, _r6), _r6), _r6), _multiply(p_inertia * _s11, _add(_s17, _multiply(turn_rate_11, climb_0, _r3), _r3), _r3), _r3), (0.08333333333333333 * p_ring_radius) * _s6, _k183 * _add(_multiply(p_ring_radius * _s11, _add(_s19, _multiply(cosine_11, around_0, _r3), _r3), _r3), _multiply(_s0, _s6, _r5), _r5)
 
 
 def ring_drops_through(p_ball_radius: Any, p_gravity: Any, p_ring_radius: Any, p_wire_radius: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any) -> tuple[Any, ...]:
@@ -4481,7 +4519,7 @@ def backboard_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz
     _s31 = _select(_s21 < _s30, _s30, _s21, _r16)
     _s32 = _add(_s22, _multiply(_s25, _subtract(_s23, _s24, _r12), _r12), _r12)
     _s33 = _sqrt(_select(_s32 < _k4, _k4, _s32, _r11), _r11)
-    _s34 = _select(_s29, _multiply(_s27, _add(vz, _s28, _r14), _r14), _k117, _r17)
+    _s34 = _select(_s29, _multiply(_s27, _add(vz, _s28, _r14), _r14), _k119, _r17)
     _s35 = _k4 < _s32
     _s36 = _select(_s35, _multiply(_s27, _subtract(vz, _s33, _r12), _r12), _s34, _r18)
     _s37 = _divide(_subtract(_s18, _s19, _r8), _s17, _r8)
@@ -4500,7 +4538,7 @@ def backboard_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz
     _s50 = _where(_s2 < _s7, _s7, _s2)
     _s51 = _add(_add(_add(_s12, extent, _r21), _absolute((_s5 + _s3)), _r21), _where(_s50 < _s6, _s6, _s50), _r21)
     _s52 = _add(_multiply(_sqrt(2.0), _sqrt(_multiply(_s27, _add(_s51, _s9, _r20), _r20), _r20), _r20), _multiply(_multiply(_k20, speed, _r22), _s27, _r22), _r22)
-    _s53 = _add(_add(position_error, _multiply(velocity_error, _select(_s52 < horizon, _s52, horizon, _r20), _r20), _r20), _multiply(_k119, _add(_multiply(_multiply(speed, speed, _r22), _s27, _r22), _s51, _r22), _r22), _r22) - (1.52587890625e-05 * _s9)
+    _s53 = _add(_add(position_error, _multiply(velocity_error, _select(_s52 < horizon, _s52, horizon, _r20), _r20), _r20), _multiply(_k121, _add(_multiply(_multiply(speed, speed, _r22), _s27, _r22), _s51, _r22), _r22), _r22) - (1.52587890625e-05 * _s9)
     return _result(_k4 < _s31, _s31, _k4, _r0), _result(_s41 < horizon, _s41, horizon, _r0), _result(_k4 < _s43, _s43, _k4, _r0), _result(_s44 < horizon, _s44, horizon, _r0), _s49, _s47, _s53
 
 
@@ -4521,12 +4559,12 @@ def backboard_margins(horizon: Any, extent: Any, speed: Any, position_error: Any
     _s8 = _multiply(_k20, _add(_add(position_error, _multiply(horizon, velocity_error, _r3), _r3), _multiply(_k14, _s6, _r4), _r4), _r4)
     _s9 = _add(_add(3.3306690738754696e-16 * p_board_half_width, _s7, _r3), _s8, _r3)
     _s10 = 2.001953125 * _s4
-    _s11 = _add(_add((3.3306690738754696e-16 * p_board_distance) + (2.220446049250313e-16 * p_board_thickness), _multiply(_k224, _s6, _r1), _r1), _s8, _r1)
+    _s11 = _add(_add((3.3306690738754696e-16 * p_board_distance) + (2.220446049250313e-16 * p_board_thickness), _multiply(_k226, _s6, _r1), _r1), _s8, _r1)
     _s12 = _add(_add((2.220446049250313e-16 * _absolute(p_board_bottom)) + (2.220446049250313e-16 * _absolute(p_board_top)), _s7, _r2), _s8, _r2)
-    _s13 = _add(_add(_add(_add(5.55653613398821e-16 * (p_ball_radius * p_ball_radius), _multiply(_s10, _s9, _r4), _r4), _multiply(_s10, _s11, _r5), _r5), _multiply(_s10, _s12, _r4), _r4), _multiply(_multiply(_multiply(_k225, horizon, _r5), _s4, _r5), _s5, _r5), _r5)
-    _s14 = _multiply(_k226, _s5, _r4)
-    _s15 = _add(_add(_add(_multiply(6.667843360785852e-15 * _s4, _s5, _r6), _multiply(12.01171875 * _s4, _add(velocity_error, _multiply(_k224, _s5, _r7), _r7), _r7), _r7), _multiply(_s14, _s9, _r6), _r6), _multiply(_s14, _s11, _r7), _r7)
-    _s16 = _multiply(_k227, _s5, _r6)
+    _s13 = _add(_add(_add(_add(5.55653613398821e-16 * (p_ball_radius * p_ball_radius), _multiply(_s10, _s9, _r4), _r4), _multiply(_s10, _s11, _r5), _r5), _multiply(_s10, _s12, _r4), _r4), _multiply(_multiply(_multiply(_k227, horizon, _r5), _s4, _r5), _s5, _r5), _r5)
+    _s14 = _multiply(_k228, _s5, _r4)
+    _s15 = _add(_add(_add(_multiply(6.667843360785852e-15 * _s4, _s5, _r6), _multiply(12.01171875 * _s4, _add(velocity_error, _multiply(_k226, _s5, _r7), _r7), _r7), _r7), _multiply(_s14, _s9, _r6), _r6), _multiply(_s14, _s11, _r7), _r7)
+    _s16 = _multiply(_k229, _s5, _r6)
     _s17 = _add(_add(_add(_multiply(2.667137344314341e-15 * _s4, _s5, _r8), _multiply(6.005859375 * _s4, _add(velocity_error, _multiply(_k34, _s5, _r0), _r0), _r0), _r0), _multiply(_s16, _s9, _r3), _r3), _multiply(_s16, _s11, _r1), _r1)
     return _s13 + (1.3335686721571705e-15 * (_s4 * _s4)), _s15 + _multiply(_s14, _s12, _r4), _s17 + _multiply(_s16, _s12, _r6)
 
@@ -5086,7 +5124,7 @@ def bridge_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: A
     _s31 = _select(_s21 < _s30, _s30, _s21, _r16)
     _s32 = _add(_s22, _multiply(_s25, _subtract(_s24, _s23, _r12), _r12), _r12)
     _s33 = _sqrt(_select(_s32 < _k4, _k4, _s32, _r11), _r11)
-    _s34 = _select(_s29, _multiply(_s27, _add(vz, _s28, _r14), _r14), _k117, _r17)
+    _s34 = _select(_s29, _multiply(_s27, _add(vz, _s28, _r14), _r14), _k119, _r17)
     _s35 = _k4 < _s32
     _s36 = _select(_s35, _multiply(_s27, _subtract(vz, _s33, _r12), _r12), _s34, _r18)
     _s37 = _divide(_subtract(_s18, _s19, _r8), _s17, _r8)
@@ -5105,7 +5143,7 @@ def bridge_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: A
     _s50 = _where(_s7 < _s5, _s5, _s7)
     _s51 = _add(_add(_add(_s12, extent, _r21), _absolute((_s3 - p_wire_radius)), _r21), _where(_s50 < _s4, _s4, _s50), _r21)
     _s52 = _add(_multiply(_sqrt(2.0), _sqrt(_multiply(_s27, _add(_s51, _s9, _r20), _r20), _r20), _r20), _multiply(_multiply(_k20, speed, _r22), _s27, _r22), _r22)
-    _s53 = _add(_add(position_error, _multiply(velocity_error, _select(_s52 < horizon, _s52, horizon, _r20), _r20), _r20), _multiply(_k119, _add(_multiply(_multiply(speed, speed, _r22), _s27, _r22), _s51, _r22), _r22), _r22) - (1.52587890625e-05 * _s9)
+    _s53 = _add(_add(position_error, _multiply(velocity_error, _select(_s52 < horizon, _s52, horizon, _r20), _r20), _r20), _multiply(_k121, _add(_multiply(_multiply(speed, speed, _r22), _s27, _r22), _s51, _r22), _r22), _r22) - (1.52587890625e-05 * _s9)
     return _result(_k4 < _s31, _s31, _k4, _r0), _result(_s41 < horizon, _s41, horizon, _r0), _result(_k4 < _s43, _s43, _k4, _r0), _result(_s44 < horizon, _s44, horizon, _r0), _s49, _s47, _s53
 
 
@@ -5127,11 +5165,11 @@ def bridge_margins(horizon: Any, extent: Any, speed: Any, position_error: Any, v
     _s9 = _add(_add(3.3306690738754696e-16 * p_bridge_half_width, _s7, _r3), _s8, _r3)
     _s10 = 2.001953125 * _s4
     _s11 = _add(_add((1.1102230246251565e-16 * p_ring_radius) + (1.1102230246251565e-16 * p_board_distance), _s7, _r2), _s8, _r2)
-    _s12 = _add(_add((5.551115123125783e-16 * p_wire_radius) + (2.220446049250313e-16 * p_bridge_depth), _multiply(_k224, _s6, _r1), _r1), _s8, _r1)
-    _s13 = _add(_add(_add(_add(5.55653613398821e-16 * (p_ball_radius * p_ball_radius), _multiply(_s10, _s9, _r4), _r4), _multiply(_s10, _s11, _r5), _r5), _multiply(_s10, _s12, _r4), _r4), _multiply(_multiply(_multiply(_k225, horizon, _r5), _s4, _r5), _s5, _r5), _r5)
-    _s14 = _multiply(_k226, _s5, _r4)
-    _s15 = _add(_add(_add(_multiply(6.667843360785852e-15 * _s4, _s5, _r6), _multiply(12.01171875 * _s4, _add(velocity_error, _multiply(_k224, _s5, _r7), _r7), _r7), _r7), _multiply(_s14, _s9, _r6), _r6), _multiply(_s14, _s11, _r7), _r7)
-    _s16 = _multiply(_k227, _s5, _r6)
+    _s12 = _add(_add((5.551115123125783e-16 * p_wire_radius) + (2.220446049250313e-16 * p_bridge_depth), _multiply(_k226, _s6, _r1), _r1), _s8, _r1)
+    _s13 = _add(_add(_add(_add(5.55653613398821e-16 * (p_ball_radius * p_ball_radius), _multiply(_s10, _s9, _r4), _r4), _multiply(_s10, _s11, _r5), _r5), _multiply(_s10, _s12, _r4), _r4), _multiply(_multiply(_multiply(_k227, horizon, _r5), _s4, _r5), _s5, _r5), _r5)
+    _s14 = _multiply(_k228, _s5, _r4)
+    _s15 = _add(_add(_add(_multiply(6.667843360785852e-15 * _s4, _s5, _r6), _multiply(12.01171875 * _s4, _add(velocity_error, _multiply(_k226, _s5, _r7), _r7), _r7), _r7), _multiply(_s14, _s9, _r6), _r6), _multiply(_s14, _s11, _r7), _r7)
+    _s16 = _multiply(_k229, _s5, _r6)
     _s17 = _add(_add(_add(_multiply(2.667137344314341e-15 * _s4, _s5, _r8), _multiply(6.005859375 * _s4, _add(velocity_error, _multiply(_k34, _s5, _r0), _r0), _r0), _r0), _multiply(_s16, _s9, _r3), _r3), _multiply(_s16, _s11, _r2), _r2)
     return _s13 + (1.3335686721571705e-15 * (_s4 * _s4)), _s15 + _multiply(_s14, _s12, _r4), _s17 + _multiply(_s16, _s12, _r6)
 
@@ -5590,7 +5628,7 @@ def end_margin(horizon: Any, extent: Any, speed: Any, position_error: Any, veloc
     """
     _r0, _r1, _r2 = _room[:3]
     _s0 = _add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r0), _r0), _r0), _r0)
-    return _add(6.667843360785852e-16 * p_end_depth, _multiply(_k238, _s0, _r1), _r1) + _multiply(_k227, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(_k14, _s0, _r0), _r0), _r0),
+    return _add(6.667843360785852e-16 * p_end_depth, _multiply(_k240, _s0, _r1), _r1) + _multiply(_k229, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(_k14, _s0, _r0), _r0), _r0),
 
 
 def end_place(x: Any, y: Any, p_end_depth: Any) -> tuple[Any, ...]:
@@ -6783,9 +6821,9 @@ def _ring_excess_alone(share: Any, horizon: Any, extent: Any, speed: Any, positi
     _s0 = speed + (p_gravity * horizon)
     _s1 = horizon * _s0
     _s2 = (position_error + (horizon * velocity_error)) - (share * (_s1 + (extent + _s1)))
-    _s3 = _k109 * (p_ball_radius + p_wire_radius)
+    _s3 = _k111 * (p_ball_radius + p_wire_radius)
     _s4 = p_ring_radius - _s3
-    _s5 = _k110 * p_ring_radius
+    _s5 = _k112 * p_ring_radius
     _s6 = _s3 / (_s5 if _s4 < _s5 else _s4)
     _s7 = ((_s0 * (_s6 if _k1 < _s6 else _k1)) * _s2) + (_s3 * (velocity_error - (share * _s0)))
     return _s7 if _s2 < _s7 else _s2,
@@ -6800,7 +6838,7 @@ def _ring_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, 
     _s5 = (_k28 * p_ring_radius) * _s4
     _s6 = (x * x) + (y * y)
     _s7 = p_ball_radius + p_wire_radius
-    _s8 = _k109 * _s7
+    _s8 = _k111 * _s7
     _s9 = _k28 * p_gravity
     _s10 = _k50 * (_s0 + (_s9 * (abs(z) + _s8)))
     _s11 = (_s0 + (_s9 * (z + _s8))) + _s10
@@ -6818,11 +6856,11 @@ def _ring_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, 
     _s23 = _k48 * ((abs(_s21) + abs(_s3)) + _s22)
     _s24 = _k1 / _s1
     _s25 = _k2 <= _s20
-    _s26 = _k118 < _s1
+    _s26 = _k120 < _s1
     _s27 = (((-((_s21 + _s22) + _s23)) * _s24) if _s25 else _k7) if _s26 else _k106
     _s28 = _s27 if _s16 < _s27 else _s16
     _s29 = p_ring_radius - _s8
-    _s30 = _k110 * p_ring_radius
+    _s30 = _k112 * p_ring_radius
     _s31 = _s30 if _s29 < _s30 else _s29
     _s32 = ((_s1 * (_s31 * _s31)) - _s19) - _s4
     _s33 = _root((_k2 if _s32 < _k2 else _s32))
@@ -6850,28 +6888,28 @@ def _ring_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, 
     _s55 = _s42 if _k2 < _s42 else _k2
     _s56 = _s51 if _s55 < _s51 else _s55
     _s57 = _s53 if _s56 < _s53 else _s56
-    _s58 = (_k111 * p_ring_radius) - (p_ring_radius - _s7)
+    _s58 = (_k113 * p_ring_radius) - (p_ring_radius - _s7)
     _s59 = _root(_k28) * _root((_s12 * (((_k28 * p_ball_radius) + (_k28 * p_wire_radius)) + extent)))
     _s60 = _s59 + ((_k28 * speed) * _s12)
-    _s61 = ((position_error + (velocity_error * (_s60 if _s60 < horizon else horizon))) - (_k112 * p_ball_radius)) - (_k112 * p_wire_radius)
-    return _s2, _s5, _root(_s6), _s28 if _k2 < _s28 else _k2, _s42 if _s42 < horizon else horizon, _s50 if _k2 < _s50 else _k2, _s51 if _s51 < horizon else horizon, _s52 if _k2 < _s52 else _k2, _s53 if _s53 < horizon else horizon, (((_k115 * p_gravity) * _s7) + (_s5 * (_s54 * (_s54 * _s54)))) + abs(_s2), _s57 if _s57 < horizon else horizon, _s61 if _s58 < _s61 else _s58
+    _s61 = ((position_error + (velocity_error * (_s60 if _s60 < horizon else horizon))) - (_k114 * p_ball_radius)) - (_k114 * p_wire_radius)
+    return _s2, _s5, _root(_s6), _s28 if _k2 < _s28 else _k2, _s42 if _s42 < horizon else horizon, _s50 if _k2 < _s50 else _k2, _s51 if _s51 < horizon else horizon, _s52 if _k2 < _s52 else _k2, _s53 if _s53 < horizon else horizon, (((_k117 * p_gravity) * _s7) + (_s5 * (_s54 * (_s54 * _s54)))) + abs(_s2), _s57 if _s57 < horizon else horizon, _s61 if _s58 < _s61 else _s58
 
 
 def _ring_margins_alone(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
     _s0 = p_ball_radius + p_wire_radius
     _s1 = speed + (p_gravity * horizon)
-    _s2 = _k109 * _s0
+    _s2 = _k111 * _s0
     _s3 = _s2 * _s1
     _s4 = p_ring_radius + _s2
     _s5 = extent + (horizon * _s1)
     _s6 = (position_error + (horizon * velocity_error)) + (_k18 * _s5)
     _s7 = p_ring_radius - _s2
-    _s8 = _k110 * p_ring_radius
+    _s8 = _k112 * p_ring_radius
     _s9 = _s2 / (_s8 if _s7 < _s8 else _s7)
     _s10 = _s9 if _k1 < _s9 else _k1
     _s11 = _k69 * (((_s1 * _s10) * _s6) + (_s2 * (velocity_error + (_k35 * _s1))))
-    _s12 = _k15 * ((((_k122 * _s1) * ((_s5 * _s10) + _s4)) + (_k18 * _s3)) + _s11)
-    return _k15 * ((((_k18 * horizon) * _s3) + ((_k120 * _s0) * _s4)) + ((_k121 * _s0) * _s6)), _s12, _k15 * ((_k122 * (_s4 * _s1)) + _s11)
+    _s12 = _k15 * ((((_k124 * _s1) * ((_s5 * _s10) + _s4)) + (_k18 * _s3)) + _s11)
+    return _k15 * ((((_k18 * horizon) * _s3) + ((_k122 * _s0) * _s4)) + ((_k123 * _s0) * _s6)), _s12, _k15 * ((_k124 * (_s4 * _s1)) + _s11)
 
 
 def _ring_refine_alone(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, rho_start: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
@@ -6909,7 +6947,7 @@ def _ring_advance_alone(t: Any, end: Any, leaving: Any, margin: Any, rate_margin
     _s15 = _k6 * p_gravity
     _s16 = _s15 * _s8
     _s17 = moment2 * (_s11 * (_s11 * _s11))
-    _s18 = _k109 * _s9
+    _s18 = _k111 * _s9
     _s19 = _k92 * (p_ring_radius + _s18)
     _s20 = _s14 - rate_margin
     _s21 = _s10 - margin
@@ -6924,7 +6962,7 @@ def _ring_advance_alone(t: Any, end: Any, leaving: Any, margin: Any, rate_margin
     _s30 = _s15 * (_s18 if _s18 < _s29 else _s29)
     _s31 = ((_s28 * (_k2 if _k2 < _s12 else _s12)) + _s2) - _s19
     _s32 = p_ring_radius - _s18
-    _s33 = _k110 * p_ring_radius
+    _s33 = _k112 * p_ring_radius
     _s34 = _s33 if _s32 < _s33 else _s32
     _s35 = _k1 / (_s34 if _s31 < _s34 else _s31)
     _s36 = moment2 * (_s35 * (_s35 * _s35))
@@ -6939,103 +6977,103 @@ def _ring_advance_alone(t: Any, end: Any, leaving: Any, margin: Any, rate_margin
 
 def _ring_opened_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
     _s0 = vz * vz
-    _s1 = _k123 * (p_ball_radius + p_wire_radius)
-    _s2 = _k124 * p_gravity
-    _s3 = _k140 * (_s0 + (_s2 * (abs(z) + _s1)))
+    _s1 = _k125 * (p_ball_radius + p_wire_radius)
+    _s2 = _k126 * p_gravity
+    _s3 = _k142 * (_s0 + (_s2 * (abs(z) + _s1)))
     _s4 = (_s0 + (_s2 * (z + _s1))) + _s3
-    _s5 = _k126 / p_gravity
+    _s5 = _k128 / p_gravity
     _s6 = _root(_s4)
-    _s7 = _k141 * (abs(vz) + _s6)
-    _s8 = _k139 <= _s4
-    _s9 = (_s5 * ((vz - _s6) - _s7)) if _s8 else _k142
+    _s7 = _k143 * (abs(vz) + _s6)
+    _s8 = _k141 <= _s4
+    _s9 = (_s5 * ((vz - _s6) - _s7)) if _s8 else _k144
     _s10 = (vx * vx) + (vy * vy)
     _s11 = p_ring_radius + _s1
     _s12 = _s11 * _s11
-    _s13 = (_k141 * _s10) * (_s12 + ((x * x) + (y * y)))
+    _s13 = (_k143 * _s10) * (_s12 + ((x * x) + (y * y)))
     _s14 = (x * vy) - (y * vx)
     _s15 = _s14 * _s14
     _s16 = ((_s12 * _s10) + _s13) - _s15
     _s17 = (x * vx) + (y * vy)
     _s18 = _root(_s16)
-    _s19 = _k141 * ((abs(_s17) + abs(_s14)) + _s18)
-    _s20 = _k126 / _s10
-    _s21 = _k139 <= _s16
-    _s22 = _k143 < _s10
-    _s23 = (((-((_s17 + _s18) + _s19)) * _s20) if _s21 else _k142) if _s22 else _k144
+    _s19 = _k143 * ((abs(_s17) + abs(_s14)) + _s18)
+    _s20 = _k128 / _s10
+    _s21 = _k141 <= _s16
+    _s22 = _k145 < _s10
+    _s23 = (((-((_s17 + _s18) + _s19)) * _s20) if _s21 else _k144) if _s22 else _k146
     _s24 = _s23 if _s9 < _s23 else _s9
-    _s25 = _s24 if _k139 < _s24 else _k139
-    _s26 = _s25 if _k139 < _s25 else _k139
+    _s25 = _s24 if _k141 < _s24 else _k141
+    _s26 = _s25 if _k141 < _s25 else _k141
     _s27 = p_ring_radius - _s1
-    _s28 = _k133 * p_ring_radius
+    _s28 = _k135 * p_ring_radius
     _s29 = _s28 if _s27 < _s28 else _s27
     _s30 = ((_s10 * (_s29 * _s29)) - _s13) - _s15
-    _s31 = _root((_k139 if _s30 < _k139 else _s30))
-    _s32 = ((((_s18 + _s19) - _s17) * _s20) if _s21 else _k144) if _s22 else _k142
-    _s33 = _k139 < (_s30 if _s22 else _k139)
+    _s31 = _root((_k141 if _s30 < _k141 else _s30))
+    _s32 = ((((_s18 + _s19) - _s17) * _s20) if _s21 else _k146) if _s22 else _k144
+    _s33 = _k141 < (_s30 if _s22 else _k141)
     _s34 = (((_s19 - _s17) - _s31) * _s20) if _s33 else _s32
     _s35 = (_s0 + (_s2 * (z - _s1))) - _s3
-    _s36 = _root((_k139 if _s35 < _k139 else _s35))
-    _s37 = (_s5 * ((vz + _s6) + _s7)) if _s8 else _k144
-    _s38 = _k139 < _s35
+    _s36 = _root((_k141 if _s35 < _k141 else _s35))
+    _s37 = (_s5 * ((vz + _s6) + _s7)) if _s8 else _k146
+    _s38 = _k141 < _s35
     _s39 = (_s5 * ((vz + _s7) - _s36)) if _s38 else _s37
     _s40 = _s34 if _s34 < _s39 else _s39
-    _s41 = _k145 * horizon
+    _s41 = _k147 * horizon
     _s42 = _s40 if _s40 < _s41 else _s41
     _s43 = _s26 < _s42
-    _s44 = (((_s31 - _s17) - _s19) * _s20) if _s33 else _k142
+    _s44 = (((_s31 - _s17) - _s19) * _s20) if _s33 else _k144
     _s45 = _s34 if _s44 < _s34 else _s44
     _s46 = _s45 if _s9 < _s45 else _s9
     _s47 = _s32 if _s32 < _s39 else _s39
-    _s48 = (_s5 * ((vz + _s36) - _s7)) if _s38 else _k142
+    _s48 = (_s5 * ((vz + _s36) - _s7)) if _s38 else _k144
     _s49 = _s39 if _s48 < _s39 else _s48
     _s50 = _s46 <= _s47
     _s51 = _s46 if _s50 else (_s23 if _s49 < _s23 else _s49)
-    _s52 = _s51 if _k139 < _s51 else _k139
-    _s53 = _s52 if _k139 < _s52 else _k139
+    _s52 = _s51 if _k141 < _s51 else _k141
+    _s53 = _s52 if _k141 < _s52 else _k141
     _s54 = _s47 if _s50 else (_s34 if _s34 < _s37 else _s37)
     _s55 = _s54 if _s54 < _s41 else _s41
     _s56 = _s53 < _s55
     _s57 = _s45 if _s49 < _s45 else _s49
-    _s58 = _s57 if _k139 < _s57 else _k139
-    _s59 = _s58 if _k139 < _s58 else _k139
+    _s58 = _s57 if _k141 < _s57 else _k141
+    _s59 = _s58 if _k141 < _s58 else _k141
     _s60 = _s32 if _s32 < _s37 else _s37
     _s61 = _s60 if _s60 < _s41 else _s41
     _s62 = _s59 < _s61
-    _s63 = _s40 if _k139 < _s40 else _k139
+    _s63 = _s40 if _k141 < _s40 else _k141
     _s64 = _s54 if _s63 < _s54 else _s63
     _s65 = _s60 if _s64 < _s60 else _s64
-    _s66 = (((_s11 <= (_k135 * _s29)) and (_s11 <= ((_k135 * p_ball_radius) + (_k135 * p_wire_radius)))) and (_s11 <= _k136)) and (_k137 <= _s29)
-    return _s26 if _s43 else (_s53 if _s56 else (_s59 if _s62 else _k139)), _s42 if _s43 else (_s55 if _s56 else (_s61 if _s62 else _k139)), ((False or _s62) or _s56) or _s43, _s52, _s55, _s58, _s61, _s65 if _s65 < _s41 else _s41, (((_s66 and (p_gravity <= _k136)) and (_k137 <= p_gravity)) and (extent <= _k136)) and (speed <= _k136)
+    _s66 = (((_s11 <= (_k137 * _s29)) and (_s11 <= ((_k137 * p_ball_radius) + (_k137 * p_wire_radius)))) and (_s11 <= _k138)) and (_k139 <= _s29)
+    return _s26 if _s43 else (_s53 if _s56 else (_s59 if _s62 else _k141)), _s42 if _s43 else (_s55 if _s56 else (_s61 if _s62 else _k141)), ((False or _s62) or _s56) or _s43, _s52, _s55, _s58, _s61, _s65 if _s65 < _s41 else _s41, (((_s66 and (p_gravity <= _k138)) and (_k139 <= p_gravity)) and (extent <= _k138)) and (speed <= _k138)
 
 
 def _ring_resolution_alone(t: Any, end: Any, leaving: Any, horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, start_rate: Any, rho_rate: Any, low1: Any, high1: Any, low2: Any, high2: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
-    _s0 = _k139 < leaving
+    _s0 = _k141 < leaving
     _s1 = speed + (p_gravity * horizon)
     _s2 = p_ball_radius + p_wire_radius
-    _s3 = _k123 * _s2
+    _s3 = _k125 * _s2
     _s4 = p_ring_radius - _s3
-    _s5 = _k133 * p_ring_radius
+    _s5 = _k135 * p_ring_radius
     _s6 = _s5 if _s4 < _s5 else _s4
     _s7 = _s2 / _s6
-    _s8 = _s7 if _k126 < _s7 else _k126
+    _s8 = _s7 if _k128 < _s7 else _k128
     _s9 = _s1 * _s8
     _s10 = extent + (horizon * _s1)
-    _s11 = _k162 * ((_s9 * _s10) + (_s2 * _s1))
-    _s12 = (_k161 * start_rate) / _s11
-    _s13 = _s12 if _s12 < _k163 else _k163
-    _s14 = (_s13 if _k160 < _s13 else _k160) if _s0 else _k163
-    _s15 = ((_k124 * (vz * vz)) + ((_k151 * p_gravity) * z)) + (_k124 * ((vx * vx) + (vy * vy)))
+    _s11 = _k164 * ((_s9 * _s10) + (_s2 * _s1))
+    _s12 = (_k163 * start_rate) / _s11
+    _s13 = _s12 if _s12 < _k165 else _k165
+    _s14 = (_s13 if _k162 < _s13 else _k162) if _s0 else _k165
+    _s15 = ((_k126 * (vz * vz)) + ((_k153 * p_gravity) * z)) + (_k126 * ((vx * vx) + (vy * vy)))
     _s16 = (x * vy) - (y * vx)
-    _s17 = (_k124 * p_ring_radius) * (_s16 * _s16)
-    _s18 = _k126 / _s6
+    _s17 = (_k126 * p_ring_radius) * (_s16 * _s16)
+    _s18 = _k128 / _s6
     _s19 = _s18 * (_s18 * _s18)
-    _s20 = (((_k152 * p_gravity) * _s2) + (_s17 * _s19)) + abs(_s15)
+    _s20 = (((_k154 * p_gravity) * _s2) + (_s17 * _s19)) + abs(_s15)
     _s21 = horizon - t
     _s22 = p_gravity * (_s21 * _s21)
     _s23 = p_ring_radius + _s3
-    _s24 = (_s10 * _s14) + (_k141 * (_s22 + _s23))
-    _s25 = (_k166 * ((_s17 * (abs(vx) + abs(vy))) * _s19)) / _s6
-    return _s14, _k139, end - t, x, y, z, vx, vy, vz, _s15, _s17, _root(((x * x) + (y * y))), _k164 * _s20, (_k155 * _s2) * _s24, (_k164 * ((_k140 * abs(start_rate)) + ((_k165 + _s14) * _s11))) if _s0 else _k142, _k164 * ((p_gravity * ((p_gravity * _s21) + abs(vz))) + _s25), (_k157 * ((_s23 / _s6) * _s8)) * _s20, start_rate, rho_rate, _k162 * (((_k164 * _s9) * _s24) + (((_k167 + _s14) * _s2) * _s1)), low1 - t, high1 - t, low2 - t, high2 - t, (_s22 <= ((_k159 * p_ball_radius) + (_k159 * p_wire_radius))) and ((t * leaving) <= _k139)
+    _s24 = (_s10 * _s14) + (_k143 * (_s22 + _s23))
+    _s25 = (_k168 * ((_s17 * (abs(vx) + abs(vy))) * _s19)) / _s6
+    return _s14, _k141, end - t, x, y, z, vx, vy, vz, _s15, _s17, _root(((x * x) + (y * y))), _k166 * _s20, (_k157 * _s2) * _s24, (_k166 * ((_k142 * abs(start_rate)) + ((_k167 + _s14) * _s11))) if _s0 else _k144, _k166 * ((p_gravity * ((p_gravity * _s21) + abs(vz))) + _s25), (_k159 * ((_s23 / _s6) * _s8)) * _s20, start_rate, rho_rate, _k164 * (((_k166 * _s9) * _s24) + (((_k169 + _s14) * _s2) * _s1)), low1 - t, high1 - t, low2 - t, high2 - t, (_s22 <= ((_k161 * p_ball_radius) + (_k161 * p_wire_radius))) and ((t * leaving) <= _k141)
 
 
 def _ring_step_alone(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, energy2: Any, moment2: Any, rho_start: Any, flat: Any, tilt: Any, quotient_margin: Any, jerk: Any, start_rate: Any, rho_rate: Any, low1: Any, high1: Any, low2: Any, high2: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
@@ -7044,71 +7082,71 @@ def _ring_step_alone(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y
     _s2 = _s1 < flat
     _s3 = (t * t) * jerk
     _s4 = _s2 and (_s3 < rate_margin)
-    _s5 = (_s3 + (_k124 * _s0)) if _s4 else rate_margin
+    _s5 = (_s3 + (_k126 * _s0)) if _s4 else rate_margin
     _s6 = (vx * vx) + (vy * vy)
     _s7 = x + (vx * t)
     _s8 = y + (vy * t)
     _s9 = _root(((_s7 * _s7) + (_s8 * _s8)))
     _s10 = rho_start + _s9
-    _s11 = _k126 / (_s10 * _s9)
+    _s11 = _k128 / (_s10 * _s9)
     _s12 = _s9 * _s11
-    _s13 = _s12 * ((t * _s6) + (_k124 * ((x * vx) + (y * vy))))
-    _s14 = vz - ((_k166 * p_gravity) * t)
-    _s15 = ((((_k124 * (rho_start - p_ring_radius)) * (_s6 - (rho_rate * _s13))) * _s12) + (_s13 * _s13)) + (_s14 * _s14)
+    _s13 = _s12 * ((t * _s6) + (_k126 * ((x * vx) + (y * vy))))
+    _s14 = vz - ((_k168 * p_gravity) * t)
+    _s15 = ((((_k126 * (rho_start - p_ring_radius)) * (_s6 - (rho_rate * _s13))) * _s12) + (_s13 * _s13)) + (_s14 * _s14)
     _s16 = start_rate + (t * (_s15 - (p_gravity * z)))
     _s17 = _s10 * _s11
     _s18 = _s17 * ((vx * _s7) + (vy * _s8))
     _s19 = _s9 - p_ring_radius
     _s20 = z + (t * _s14)
     _s21 = vz - (p_gravity * t)
-    _s22 = ((_k124 * _s16) - start_rate) if _s4 else (_k124 * ((_s18 * _s19) + (_s20 * _s21)))
+    _s22 = ((_k126 * _s16) - start_rate) if _s4 else (_k126 * ((_s18 * _s19) + (_s20 * _s21)))
     _s23 = -(_s5 + _s22)
     _s24 = p_ball_radius + p_wire_radius
     _s25 = _s1 if _s2 else flat
     _s26 = ((t * _s16) if _s2 else (((_s19 * _s19) + (_s20 * _s20)) - (_s24 * _s24))) - _s25
-    _s27 = _k139 if _s26 < _k139 else _s26
-    _s28 = _k124 * (_s27 + (_k124 * _s25))
+    _s27 = _k141 if _s26 < _k141 else _s26
+    _s28 = _k126 * (_s27 + (_k126 * _s25))
     _s29 = _s22 - _s5
-    _s30 = _k168 * p_gravity
+    _s30 = _k170 * p_gravity
     _s31 = _s30 * _s20
     _s32 = moment2 * (_s17 * (_s17 * _s17))
     _s33 = (_s31 + _s32) - energy2
-    _s34 = _s29 < _k139
-    _s35 = _k124 * _s27
-    _s36 = _k142 if (_k139 < (_s27 if (_k139 <= _s29) else _k139)) else (((_s35 + (_k175 * _s25)) if _s34 else (_k151 * _s29)) / ((-_s29) if _s34 else (_s33 if _k139 < _s33 else _k139)))
+    _s34 = _s29 < _k141
+    _s35 = _k126 * _s27
+    _s36 = _k144 if (_k141 < (_s27 if (_k141 <= _s29) else _k141)) else (((_s35 + (_k177 * _s25)) if _s34 else (_k153 * _s29)) / ((-_s29) if _s34 else (_s33 if _k141 < _s33 else _k141)))
     _s37 = end - t
     _s38 = _s36 if _s36 < _s37 else _s37
-    _s39 = _k123 * _s24
-    _s40 = ((_k133 * p_ball_radius) + (_k133 * p_wire_radius)) + ((_s38 * (_k139 if _s21 < _k139 else _s21)) + _s20)
+    _s39 = _k125 * _s24
+    _s40 = ((_k135 * p_ball_radius) + (_k135 * p_wire_radius)) + ((_s38 * (_k141 if _s21 < _k141 else _s21)) + _s20)
     _s41 = _s30 * (_s39 if _s39 < _s40 else _s40)
     _s42 = (abs(vx) + abs(vy)) * _s38
-    _s43 = (((_s38 * (_k139 if _k139 < _s18 else _s18)) + _s9) - (_k133 * _s42)) - (_k141 * (p_ring_radius + _s39))
+    _s43 = (((_s38 * (_k141 if _k141 < _s18 else _s18)) + _s9) - (_k135 * _s42)) - (_k143 * (p_ring_radius + _s39))
     _s44 = p_ring_radius - _s39
-    _s45 = _k133 * p_ring_radius
+    _s45 = _k135 * p_ring_radius
     _s46 = _s45 if _s44 < _s45 else _s44
-    _s47 = _k126 / (_s46 if _s43 < _s46 else _s43)
+    _s47 = _k128 / (_s46 if _s43 < _s46 else _s43)
     _s48 = moment2 * (_s47 * (_s47 * _s47))
     _s49 = abs(energy2)
-    _s50 = ((_s41 + _s48) + (_k176 * ((_s48 + _s49) + abs(_s41)))) - energy2
+    _s50 = ((_s41 + _s48) + (_k178 * ((_s48 + _s49) + abs(_s41)))) - energy2
     _s51 = -_s21
-    _s52 = (_s30 * (((_k137 * p_ball_radius) + (_k137 * p_wire_radius)) + (((p_gravity * _s38) + (_k139 if _s51 < _k139 else _s51)) * _s38))) + ((_k177 * (_s32 * _s17)) * _s42)
-    _s53 = energy2 + (_s52 + (_k137 * ((_s49 + abs(_s31)) + _s32)))
+    _s52 = (_s30 * (((_k139 * p_ball_radius) + (_k139 * p_wire_radius)) + (((p_gravity * _s38) + (_k141 if _s51 < _k141 else _s51)) * _s38))) + ((_k179 * (_s32 * _s17)) * _s42)
+    _s53 = energy2 + (_s52 + (_k139 * ((_s49 + abs(_s31)) + _s32)))
     _s54 = (_s53 - _s31) - _s32
-    _s55 = ((_s23 * _s23) - ((_k175 * _s28) * ((_s54 if _s50 < _s54 else _s50) if (_s28 <= (_s23 * _s38)) else ceiling))) if (_k139 < _s23) else _s23
-    _s56 = _k139 < _s55
-    _s57 = ((_k124 * _s50) * _s27) + (_s29 * _s29)
+    _s55 = ((_s23 * _s23) - ((_k177 * _s28) * ((_s54 if _s50 < _s54 else _s50) if (_s28 <= (_s23 * _s38)) else ceiling))) if (_k141 < _s23) else _s23
+    _s56 = _k141 < _s55
+    _s57 = ((_k126 * _s50) * _s27) + (_s29 * _s29)
     _s58 = _root(_s57)
-    _s59 = ((_s35 if _s34 else (_s58 + _s29)) / ((_s58 - _s29) if _s34 else (_s50 if _k139 < _s50 else _k139))) if (_k139 <= _s57) else _k142
+    _s59 = ((_s35 if _s34 else (_s58 + _s29)) / ((_s58 - _s29) if _s34 else (_s50 if _k141 < _s50 else _k141))) if (_k141 <= _s57) else _k144
     _s60 = _s59 if _s59 < _s38 else _s38
     _s61 = t + _s60
-    _s62 = (not _s56) and (((_s22 < _k139) and (_s26 <= _s25)) or ((t < end) and (not (t < _s61))))
+    _s62 = (not _s56) and (((_s22 < _k141) and (_s26 <= _s25)) or ((t < end) and (not (t < _s61))))
     _s63 = not (_s56 or _s62)
     _s64 = _s63 and (_s37 <= _s60)
     _s65 = low1 if end < low1 else end
     _s66 = _s65 < high1
     _s67 = low2 if end < low2 else end
     _s68 = _s67 < high2
-    return (_s65 if _s66 else (_s67 if _s68 else _k142)) if _s64 else (t if _s62 else _s61), (high1 if _s66 else (high2 if _s68 else end)) if _s64 else end, _s56, _s63 and ((not _s64) or ((False or _s68) or _s66))
+    return (_s65 if _s66 else (_s67 if _s68 else _k144)) if _s64 else (t if _s62 else _s61), (high1 if _s66 else (high2 if _s68 else end)) if _s64 else end, _s56, _s63 and ((not _s64) or ((False or _s68) or _s66))
 
 
 def _ring_started_alone(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_ring_radius: Any) -> tuple[Any, ...]:
@@ -7120,10 +7158,10 @@ def _ring_started_alone(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_rin
 def _ring_coarse_excess_alone(share: Any, horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
     _s0 = speed + (p_gravity * horizon)
     _s1 = share * (extent + (horizon * _s0))
-    _s2 = _k109 * (p_ball_radius + p_wire_radius)
-    _s3 = ((position_error + (horizon * velocity_error)) - _s1) - (_k178 * (p_ring_radius + _s2))
+    _s2 = _k111 * (p_ball_radius + p_wire_radius)
+    _s3 = ((position_error + (horizon * velocity_error)) - _s1) - (_k180 * (p_ring_radius + _s2))
     _s4 = p_ring_radius - _s2
-    _s5 = _k110 * p_ring_radius
+    _s5 = _k112 * p_ring_radius
     _s6 = _s2 / (_s5 if _s4 < _s5 else _s4)
     _s7 = (position_error + ((_k0 * horizon) * velocity_error)) - _s1
     _s8 = ((_s0 * (_s6 if _k1 < _s6 else _k1)) * (_s3 if _s7 < _s3 else _s7)) + (_s2 * (velocity_error - (share * _s0)))
@@ -7131,11 +7169,11 @@ def _ring_coarse_excess_alone(share: Any, horizon: Any, extent: Any, speed: Any,
 
 
 def _ring_budget_exceeded_alone(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
-    _s0 = (_k111 * p_ring_radius) - (p_ring_radius - (p_ball_radius + p_wire_radius))
+    _s0 = (_k113 * p_ring_radius) - (p_ring_radius - (p_ball_radius + p_wire_radius))
     _s1 = _k1 / p_gravity
     _s2 = _root(_k28) * _root((_s1 * (((_k28 * p_ball_radius) + (_k28 * p_wire_radius)) + extent)))
     _s3 = _s2 + ((_k28 * speed) * _s1)
-    _s4 = ((position_error + (velocity_error * (_s3 if _s3 < horizon else horizon))) - (_k112 * p_ball_radius)) - (_k112 * p_wire_radius)
+    _s4 = ((position_error + (velocity_error * (_s3 if _s3 < horizon else horizon))) - (_k114 * p_ball_radius)) - (_k114 * p_wire_radius)
     return _s4 if _s0 < _s4 else _s0,
 
 
@@ -7226,15 +7264,15 @@ def _ring_round_moved_alone(p_ball_radius: Any, p_ring_radius: Any, p_wire_radiu
     _s9 = _s3 * _s8
     _s10 = p_ball_radius + p_wire_radius
     _s11 = p_ring_radius + (_s9 * _s10)
-    _s12 = t * ((_k194 * omega_9) + (t * ((_k195 * omega_10) + ((_k196 * t) * omega_11))))
+    _s12 = t * ((_k196 * omega_9) + (t * ((_k197 * omega_10) + ((_k198 * t) * omega_11))))
     _s13 = (_k72 * omega_6) + (t * ((_k32 * omega_7) + (t * ((_k76 * omega_8) + _s12))))
     _s14 = (_k27 * omega_3) + (t * ((_k66 * omega_4) + (t * ((_k70 * omega_5) + (t * _s13)))))
     _s15 = omega_0 + (t * ((_k0 * omega_1) + (t * ((_k62 * omega_2) + (t * _s14)))))
     _s16 = t * _s15
     _s17 = _s16 * _s16
-    _s18 = ((_k192 + (((_k193 * _s17) - _k197) * _s17)) * _s17) - _k198
-    _s19 = _k1 + ((((_k191 + (_s18 * _s17)) * _s17) - _k0) * _s17)
-    _s20 = _k199 + ((((_k200 - (_k201 * _s17)) * _s17) - _k202) * _s17)
+    _s18 = ((_k194 + (((_k195 * _s17) - _k199) * _s17)) * _s17) - _k200
+    _s19 = _k1 + ((((_k193 + (_s18 * _s17)) * _s17) - _k0) * _s17)
+    _s20 = _k201 + ((((_k202 - (_k203 * _s17)) * _s17) - _k204) * _s17)
     _s21 = _s16 * (_k1 + (((_s20 * _s17) - _k70) * _s17))
     _s22 = (cos_0 * _s19) - (sin_0 * _s21)
     _s23 = (cos_0 * _s21) + (sin_0 * _s19)
@@ -7273,19 +7311,19 @@ def _ring_round_step_alone(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p
     _s11 = omega_0 * omega_0
     _s12 = (_k47 * _s10) * (_k37 * _s11)
     _s13 = _s12 * _s12
-    _s14 = _s4 * ((abs(cosine_12) + abs(sine_12)) + (_k209 * (_s13 * _s13)))
-    _s15 = _root(_root(((_k209 * _s4) / (_s14 if _s9 < _s14 else _s9))))
+    _s14 = _s4 * ((abs(cosine_12) + abs(sine_12)) + (_k211 * (_s13 * _s13)))
+    _s15 = _root(_root(((_k211 * _s4) / (_s14 if _s9 < _s14 else _s9))))
     _s16 = _root(_root(_s15))
-    _s17 = (_k208 * _s16) * _root(_root(_s16))
+    _s17 = (_k210 * _s16) * _root(_root(_s16))
     _s18 = _s17 * (_s17 * _s17)
     _s19 = ((_s18 + (_k28 * _s15)) / ((_k28 * _s18) + _s15)) * _s17
     _s20 = _s19 if _s19 < _k33 else _k33
     _s21 = abs(climb_10)
-    _s22 = (((((_k83 * _s7) * _s20) + (_k210 * _s5)) * _s20) + (_k211 * _s21)) * _s20
+    _s22 = (((((_k83 * _s7) * _s20) + (_k212 * _s5)) * _s20) + (_k213 * _s21)) * _s20
     _s23 = abs(climb_9)
     _s24 = abs(climb_8)
     _s25 = abs(climb_7)
-    _s26 = ((((_s22 + (_k212 * _s23)) * _s20) + (_k31 * _s24)) * _s20) + (_k74 * _s25)
+    _s26 = ((((_s22 + (_k214 * _s23)) * _s20) + (_k31 * _s24)) * _s20) + (_k74 * _s25)
     _s27 = abs(climb_6)
     _s28 = abs(climb_5)
     _s29 = abs(climb_4)
@@ -7329,8 +7367,8 @@ def _ring_round_step_alone(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p
     _s67 = abs(along_1)
     _s68 = (((((_s65 * _s20) + _s66) * _s20) + _s67) * _s20) + _s2
     _s69 = (_s1 * _s38) + _s68
-    _s70 = (((((_k83 * _s8) * _s20) + (_k210 * _s6)) * _s20) + (_k211 * _s55)) * _s20
-    _s71 = ((((_s70 + (_k212 * _s56)) * _s20) + (_k31 * _s58)) * _s20) + (_k74 * _s59)
+    _s70 = (((((_k83 * _s8) * _s20) + (_k212 * _s6)) * _s20) + (_k213 * _s55)) * _s20
+    _s71 = ((((_s70 + (_k214 * _s56)) * _s20) + (_k31 * _s58)) * _s20) + (_k74 * _s59)
     _s72 = (((((_s71 * _s20) + (_k6 * _s60)) * _s20) + (_k69 * _s62)) * _s20) + (_k47 * _s63)
     _s73 = (((((_s72 * _s20) + (_k60 * _s64)) * _s20) + (_k28 * _s66)) * _s20) + _s67
     _s74 = (climb_0 * climb_0) * _s1
@@ -7338,7 +7376,7 @@ def _ring_round_step_alone(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p
     _s76 = p_inertia * (_k1 / (_k1 + p_inertia))
     _s77 = p_gravity * (_k60 - (_k28 * _s76))
     _s78 = _k60 * p_ring_radius
-    _s79 = (((((_k210 * _s40) * _s20) + (_k211 * _s41)) * _s20) + (_k212 * _s42)) * _s20
+    _s79 = (((((_k212 * _s40) * _s20) + (_k213 * _s41)) * _s20) + (_k214 * _s42)) * _s20
     _s80 = ((((_s79 + (_k31 * _s43)) * _s20) + (_k74 * _s45)) * _s20) + (_k6 * _s46)
     _s81 = (((((_s80 * _s20) + (_k69 * _s47)) * _s20) + (_k47 * _s49)) * _s20) + (_k60 * _s50)
     _s82 = _s38 * _s20
@@ -7365,12 +7403,12 @@ def _ring_round_pulled_alone(p_gravity: Any, p_inertia: Any, turn_rate_0: Any, t
 def _ring_swung_alone(p_ball_radius: Any, p_gravity: Any, p_wire_radius: Any, which: Any, undecided_time: Any, position_error: Any, velocity_error: Any, force: Any, force_rate: Any, force_bend: Any, stride: Any, fastest: Any, circled: Any, climb: Any, climb_0: Any, section_acceleration: Any, azimuth_clearance: Any) -> tuple[Any, ...]:
     _s0 = p_ball_radius + p_wire_radius
     _s1 = stride * stride
-    _s2 = ((_k111 * _s0) < (azimuth_clearance - ((_k32 * section_acceleration) * _s1))) and ((_k214 * p_gravity) < ((force + (stride * (force_rate if force_rate < _k2 else _k2))) - ((_k0 * force_bend) * _s1)))
+    _s2 = ((_k113 * _s0) < (azimuth_clearance - ((_k32 * section_acceleration) * _s1))) and ((_k216 * p_gravity) < ((force + (stride * (force_rate if force_rate < _k2 else _k2))) - ((_k0 * force_bend) * _s1)))
     _s3 = _s2 and (which == _k40)
     _s4 = ((climb * climb_0) < _k2) and (((_k41 * p_gravity) * stride) < (abs((climb - climb_0)) * _s0))
     _s5 = (_s3 and _s4) and (_k2 < circled)
     _s6 = p_gravity + ((fastest * fastest) * (_k1 / _s0))
-    _s7 = not ((_s6 * (_k215 * ((position_error * _s6) + (velocity_error * fastest)))) < ((_k111 * (p_gravity * p_gravity)) * _s0))
+    _s7 = not ((_s6 * (_k217 * ((position_error * _s6) + (velocity_error * fastest)))) < ((_k113 * (p_gravity * p_gravity)) * _s0))
     return (_k1 if _s4 else circled) if _s3 else _k2, _s5, _k2 if (_s5 and _s7) else undecided_time
 
 
@@ -7506,9 +7544,9 @@ def _ring_round_9_alone(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ri
     _s4 = (((((climb_0 * _s3) + (climb_1 * omega_8)) + (climb_2 * omega_7)) + (climb_3 * omega_6)) + (climb_4 * omega_5)) + (climb_5 * omega_4)
     _s5 = (((_s4 + (climb_6 * omega_3)) + (climb_7 * omega_2)) + (climb_8 * omega_1)) + (climb_9 * omega_0)
     _s6 = (((((climb_0 * sine_9) + (climb_1 * sine_8)) + (climb_2 * sine_7)) + (climb_3 * sine_6)) + (climb_4 * sine_5)) + (climb_5 * sine_4)
-    _s7 = _k194 * ((((_s6 + (climb_6 * sine_3)) + (climb_7 * sine_2)) + (climb_8 * sine_1)) + (climb_9 * sine_0))
+    _s7 = _k196 * ((((_s6 + (climb_6 * sine_3)) + (climb_7 * sine_2)) + (climb_8 * sine_1)) + (climb_9 * sine_0))
     _s8 = (((((climb_0 * cosine_9) + (climb_1 * cosine_8)) + (climb_2 * cosine_7)) + (climb_3 * cosine_6)) + (climb_4 * cosine_5)) + (climb_5 * cosine_4)
-    _s9 = _k194 * ((((_s8 + (climb_6 * cosine_3)) + (climb_7 * cosine_2)) + (climb_8 * cosine_1)) + (climb_9 * cosine_0))
+    _s9 = _k196 * ((((_s8 + (climb_6 * cosine_3)) + (climb_7 * cosine_2)) + (climb_8 * cosine_1)) + (climb_9 * cosine_0))
     _s10 = _k1 / (_k1 + p_inertia)
     _s11 = (((((omega_0 * tilted_9) + (omega_1 * tilted_8)) + (omega_2 * tilted_7)) + (omega_3 * tilted_6)) + (omega_4 * tilted_5)) + (omega_5 * tilted_4)
     _s12 = ((p_gravity * cosine_9) * _s10) + ((((_s11 + (omega_6 * tilted_3)) + (omega_7 * tilted_2)) + (omega_8 * tilted_1)) + (tilted_0 * _s3))
@@ -7518,7 +7556,7 @@ def _ring_round_9_alone(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ri
     _s16 = (p_inertia * _s10) * ((((_s15 + (turn_rate_6 * climb_3)) + (turn_rate_7 * climb_2)) + (turn_rate_8 * climb_1)) + (turn_rate_9 * climb_0))
     _s17 = (((((cosine_0 * _s5) + (cosine_1 * around_8)) + (cosine_2 * around_7)) + (cosine_3 * around_6)) + (cosine_4 * around_5)) + (cosine_5 * around_4)
     _s18 = (p_ring_radius * _s10) * ((((_s17 + (cosine_6 * around_3)) + (cosine_7 * around_2)) + (cosine_8 * around_1)) + (cosine_9 * around_0))
-    return _s3, _s5, -_s7, _s9, -((_k194 * per_reach) * _s12), _k194 * (_s14 - _s16), (_k194 * p_ring_radius) * _s5, _k194 * (_s18 + (_s0 * _s5))
+    return _s3, _s5, -_s7, _s9, -((_k196 * per_reach) * _s12), _k196 * (_s14 - _s16), (_k196 * p_ring_radius) * _s5, _k196 * (_s18 + (_s0 * _s5))
 
 
 def _ring_round_10_alone(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ring_radius: Any, p_wire_radius: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, turn_rate_8: Any, turn_rate_9: Any, turn_rate_10: Any, near_0: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, climb_7: Any, climb_8: Any, climb_9: Any, climb_10: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, cosine_7: Any, cosine_8: Any, cosine_9: Any, cosine_10: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, sine_7: Any, sine_8: Any, sine_9: Any, sine_10: Any, along_10: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, omega_6: Any, omega_7: Any, omega_8: Any, omega_9: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, around_5: Any, around_6: Any, around_7: Any, around_8: Any, around_9: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, tilted_6: Any, tilted_7: Any, tilted_8: Any, tilted_9: Any, tilted_10: Any) -> tuple[Any, ...]:
@@ -7541,7 +7579,7 @@ def _ring_round_10_alone(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_r
     _s16 = ((((_s15 + (turn_rate_6 * climb_4)) + (turn_rate_7 * climb_3)) + (turn_rate_8 * climb_2)) + (turn_rate_9 * climb_1)) + (turn_rate_10 * climb_0)
     _s17 = (((((cosine_0 * _s5) + (cosine_1 * around_9)) + (cosine_2 * around_8)) + (cosine_3 * around_7)) + (cosine_4 * around_6)) + (cosine_5 * around_5)
     _s18 = ((((_s17 + (cosine_6 * around_4)) + (cosine_7 * around_3)) + (cosine_8 * around_2)) + (cosine_9 * around_1)) + (cosine_10 * around_0)
-    return _s3, _s5, -(_k195 * _s7), _k195 * _s9, -((_k195 * per_reach) * (((p_gravity * cosine_10) * _s10) + _s12)), _k195 * ((_s0 * _s14) - ((p_inertia * _s10) * _s16)), (_k195 * p_ring_radius) * _s5, _k195 * (((p_ring_radius * _s10) * _s18) + (_s0 * _s5))
+    return _s3, _s5, -(_k197 * _s7), _k197 * _s9, -((_k197 * per_reach) * (((p_gravity * cosine_10) * _s10) + _s12)), _k197 * ((_s0 * _s14) - ((p_inertia * _s10) * _s16)), (_k197 * p_ring_radius) * _s5, _k197 * (((p_ring_radius * _s10) * _s18) + (_s0 * _s5))
 
 
 def _ring_round_11_alone(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ring_radius: Any, p_wire_radius: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, turn_rate_8: Any, turn_rate_9: Any, turn_rate_10: Any, turn_rate_11: Any, near_0: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, climb_7: Any, climb_8: Any, climb_9: Any, climb_10: Any, climb_11: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, cosine_7: Any, cosine_8: Any, cosine_9: Any, cosine_10: Any, cosine_11: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, sine_7: Any, sine_8: Any, sine_9: Any, sine_10: Any, sine_11: Any, along_11: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, omega_6: Any, omega_7: Any, omega_8: Any, omega_9: Any, omega_10: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, around_5: Any, around_6: Any, around_7: Any, around_8: Any, around_9: Any, around_10: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, tilted_6: Any, tilted_7: Any, tilted_8: Any, tilted_9: Any, tilted_10: Any, tilted_11: Any) -> tuple[Any, ...]:
@@ -7565,7 +7603,7 @@ def _ring_round_11_alone(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_r
     _s17 = ((((_s16 + (turn_rate_6 * climb_5)) + (turn_rate_7 * climb_4)) + (turn_rate_8 * climb_3)) + (turn_rate_9 * climb_2)) + (turn_rate_10 * climb_1)
     _s18 = (((((cosine_0 * _s6) + (cosine_1 * around_10)) + (cosine_2 * around_9)) + (cosine_3 * around_8)) + (cosine_4 * around_7)) + (cosine_5 * around_6)
     _s19 = ((((_s18 + (cosine_6 * around_5)) + (cosine_7 * around_4)) + (cosine_8 * around_3)) + (cosine_9 * around_2)) + (cosine_10 * around_1)
-    return _s3, _s6, -(_k196 * (_s8 + (climb_11 * sine_0))), _k196 * (_s10 + (climb_11 * cosine_0)), -((_k196 * per_reach) * (((p_gravity * cosine_11) * _s11) + (_s13 + (tilted_0 * _s3)))), _k196 * ((_s0 * (_s15 + (sine_11 * around_0))) - ((p_inertia * _s11) * (_s17 + (turn_rate_11 * climb_0)))), (_k196 * p_ring_radius) * _s6, _k196 * (((p_ring_radius * _s11) * (_s19 + (cosine_11 * around_0))) + (_s0 * _s6))
+    return _s3, _s6, -(_k198 * (_s8 + (climb_11 * sine_0))), _k198 * (_s10 + (climb_11 * cosine_0)), -((_k198 * per_reach) * (((p_gravity * cosine_11) * _s11) + (_s13 + (tilted_0 * _s3)))), _k198 * ((_s0 * (_s15 + (sine_11 * around_0))) - ((p_inertia * _s11) * (_s17 + (turn_rate_11 * climb_0)))), (_k198 * p_ring_radius) * _s6, _k198 * (((p_ring_radius * _s11) * (_s19 + (cosine_11 * around_0))) + (_s0 * _s6))
 
 
 def _ring_enter_alone(t: Any, end: Any, after: Any, low0: Any, low1: Any, low2: Any, high0: Any, high1: Any, high2: Any) -> tuple[Any, ...]:
@@ -7605,7 +7643,7 @@ def _backboard_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: 
     _s7 = p_ball_radius + p_board_half_width
     _s8 = _s7 if _s7 < _s2 else _s2
     _s9 = _s6 if _s6 < _s8 else _s8
-    _s10 = _k222 * _s9
+    _s10 = _k224 * _s9
     _s11 = _s2 + _s10
     _s12 = p_board_distance + _s1
     _s13 = _s12 + x
@@ -7644,11 +7682,11 @@ def _backboard_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: 
     _s46 = _s44 if _s45 < _s44 else _s45
     _s47 = _s46 if _s46 < horizon else horizon
     _s48 = speed + (p_gravity * _s47)
-    _s49 = _k28 * (((_k223 * abs((-p_gravity))) * (p_ball_radius + (_k110 * _s9))) + (_k60 * (_s48 * _s48)))
+    _s49 = _k28 * (((_k225 * abs((-p_gravity))) * (p_ball_radius + (_k112 * _s9))) + (_k60 * (_s48 * _s48)))
     _s50 = _s7 if _s2 < _s7 else _s2
     _s51 = ((_s12 + extent) + abs((_s5 + _s3))) + (_s6 if _s50 < _s6 else _s50)
     _s52 = (_root(_k28) * _root((_s27 * (_s51 + _s9)))) + ((_k28 * speed) * _s27)
-    _s53 = ((position_error + (velocity_error * (_s52 if _s52 < horizon else horizon))) + (_k122 * (((speed * speed) * _s27) + _s51))) - (_k112 * _s9)
+    _s53 = ((position_error + (velocity_error * (_s52 if _s52 < horizon else horizon))) + (_k124 * (((speed * speed) * _s27) + _s51))) - (_k114 * _s9)
     return _s31 if _k2 < _s31 else _k2, _s41 if _s41 < horizon else horizon, _s43 if _k2 < _s43 else _k2, _s44 if _s44 < horizon else horizon, _s49, _s47, _s53
 
 
@@ -7657,21 +7695,21 @@ def _backboard_margins_alone(horizon: Any, extent: Any, speed: Any, position_err
     _s1 = p_ball_radius + p_board_half_width
     _s2 = p_ball_radius + (_k0 * p_board_thickness)
     _s3 = _s1 if _s1 < _s2 else _s2
-    _s4 = p_ball_radius + (_k110 * (_s0 if _s0 < _s3 else _s3))
+    _s4 = p_ball_radius + (_k112 * (_s0 if _s0 < _s3 else _s3))
     _s5 = speed + (p_gravity * horizon)
     _s6 = extent + (horizon * _s5)
     _s7 = _k35 * _s6
     _s8 = _k28 * ((position_error + (horizon * velocity_error)) + (_k18 * _s6))
-    _s9 = ((_k230 * p_board_half_width) + _s7) + _s8
-    _s10 = _k229 * _s4
-    _s11 = (((_k230 * p_board_distance) + (_k35 * p_board_thickness)) + (_k230 * _s6)) + _s8
+    _s9 = ((_k232 * p_board_half_width) + _s7) + _s8
+    _s10 = _k231 * _s4
+    _s11 = (((_k232 * p_board_distance) + (_k35 * p_board_thickness)) + (_k232 * _s6)) + _s8
     _s12 = (((_k35 * abs(p_board_bottom)) + (_k35 * abs(p_board_top))) + _s7) + _s8
-    _s13 = ((((_k228 * (p_ball_radius * p_ball_radius)) + (_s10 * _s9)) + (_s10 * _s11)) + (_s10 * _s12)) + (((_k231 * horizon) * _s4) * _s5)
-    _s14 = _k234 * _s5
-    _s15 = ((((_k232 * _s4) * _s5) + ((_k233 * _s4) * (velocity_error + (_k230 * _s5)))) + (_s14 * _s9)) + (_s14 * _s11)
-    _s16 = _k229 * _s5
-    _s17 = ((((_k235 * _s4) * _s5) + ((_k236 * _s4) * (velocity_error + (_k35 * _s5)))) + (_s16 * _s9)) + (_s16 * _s11)
-    return _s13 + (_k231 * (_s4 * _s4)), _s15 + (_s14 * _s12), _s17 + (_s16 * _s12)
+    _s13 = ((((_k230 * (p_ball_radius * p_ball_radius)) + (_s10 * _s9)) + (_s10 * _s11)) + (_s10 * _s12)) + (((_k233 * horizon) * _s4) * _s5)
+    _s14 = _k236 * _s5
+    _s15 = ((((_k234 * _s4) * _s5) + ((_k235 * _s4) * (velocity_error + (_k232 * _s5)))) + (_s14 * _s9)) + (_s14 * _s11)
+    _s16 = _k231 * _s5
+    _s17 = ((((_k237 * _s4) * _s5) + ((_k238 * _s4) * (velocity_error + (_k35 * _s5)))) + (_s16 * _s9)) + (_s16 * _s11)
+    return _s13 + (_k233 * (_s4 * _s4)), _s15 + (_s14 * _s12), _s17 + (_s16 * _s12)
 
 
 def _backboard_refine_alone(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_ball_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_board_thickness: Any, p_gravity: Any) -> tuple[Any, ...]:
@@ -7745,7 +7783,7 @@ def _backboard_advance_alone(t: Any, end: Any, leaving: Any, margin: Any, rate_m
     _s34 = p_ball_radius + p_board_half_width
     _s35 = p_ball_radius + (_k0 * p_board_thickness)
     _s36 = _s34 if _s34 < _s35 else _s35
-    _s37 = p_ball_radius + (_k110 * (_s33 if _s33 < _s36 else _s36))
+    _s37 = p_ball_radius + (_k112 * (_s33 if _s33 < _s36 else _s36))
     _s38 = _s29 - rate_margin
     _s39 = _s27 - margin
     _s40 = _k2 if _s39 < _k2 else _s39
@@ -7929,7 +7967,7 @@ def _bridge_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any
     _s7 = _s2 - _s6
     _s8 = _s5 if _s5 < _s7 else _s7
     _s9 = _s4 if _s4 < _s8 else _s8
-    _s10 = _k222 * _s9
+    _s10 = _k224 * _s9
     _s11 = (_s2 + _s10) - _s6
     _s12 = _s6 + _s1
     _s13 = _s12 + x
@@ -7968,11 +8006,11 @@ def _bridge_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any
     _s46 = _s44 if _s45 < _s44 else _s45
     _s47 = _s46 if _s46 < horizon else horizon
     _s48 = speed + (p_gravity * _s47)
-    _s49 = _k28 * (((_k223 * abs((-p_gravity))) * (p_ball_radius + (_k110 * _s9))) + (_k60 * (_s48 * _s48)))
+    _s49 = _k28 * (((_k225 * abs((-p_gravity))) * (p_ball_radius + (_k112 * _s9))) + (_k60 * (_s48 * _s48)))
     _s50 = _s5 if _s7 < _s5 else _s7
     _s51 = ((_s12 + extent) + abs((_s3 - p_wire_radius))) + (_s4 if _s50 < _s4 else _s50)
     _s52 = (_root(_k28) * _root((_s27 * (_s51 + _s9)))) + ((_k28 * speed) * _s27)
-    _s53 = ((position_error + (velocity_error * (_s52 if _s52 < horizon else horizon))) + (_k122 * (((speed * speed) * _s27) + _s51))) - (_k112 * _s9)
+    _s53 = ((position_error + (velocity_error * (_s52 if _s52 < horizon else horizon))) + (_k124 * (((speed * speed) * _s27) + _s51))) - (_k114 * _s9)
     return _s31 if _k2 < _s31 else _k2, _s41 if _s41 < horizon else horizon, _s43 if _k2 < _s43 else _k2, _s44 if _s44 < horizon else horizon, _s49, _s47, _s53
 
 
@@ -7981,21 +8019,21 @@ def _bridge_margins_alone(horizon: Any, extent: Any, speed: Any, position_error:
     _s1 = p_ball_radius + p_bridge_half_width
     _s2 = (p_ball_radius + (_k0 * p_board_distance)) - (_k0 * p_ring_radius)
     _s3 = _s1 if _s1 < _s2 else _s2
-    _s4 = p_ball_radius + (_k110 * (_s0 if _s0 < _s3 else _s3))
+    _s4 = p_ball_radius + (_k112 * (_s0 if _s0 < _s3 else _s3))
     _s5 = speed + (p_gravity * horizon)
     _s6 = extent + (horizon * _s5)
     _s7 = _k35 * _s6
     _s8 = _k28 * ((position_error + (horizon * velocity_error)) + (_k18 * _s6))
-    _s9 = ((_k230 * p_bridge_half_width) + _s7) + _s8
-    _s10 = _k229 * _s4
+    _s9 = ((_k232 * p_bridge_half_width) + _s7) + _s8
+    _s10 = _k231 * _s4
     _s11 = (((_k30 * p_ring_radius) + (_k30 * p_board_distance)) + _s7) + _s8
-    _s12 = (((_k237 * p_wire_radius) + (_k35 * p_bridge_depth)) + (_k230 * _s6)) + _s8
-    _s13 = ((((_k228 * (p_ball_radius * p_ball_radius)) + (_s10 * _s9)) + (_s10 * _s11)) + (_s10 * _s12)) + (((_k231 * horizon) * _s4) * _s5)
-    _s14 = _k234 * _s5
-    _s15 = ((((_k232 * _s4) * _s5) + ((_k233 * _s4) * (velocity_error + (_k230 * _s5)))) + (_s14 * _s9)) + (_s14 * _s11)
-    _s16 = _k229 * _s5
-    _s17 = ((((_k235 * _s4) * _s5) + ((_k236 * _s4) * (velocity_error + (_k35 * _s5)))) + (_s16 * _s9)) + (_s16 * _s11)
-    return _s13 + (_k231 * (_s4 * _s4)), _s15 + (_s14 * _s12), _s17 + (_s16 * _s12)
+    _s12 = (((_k239 * p_wire_radius) + (_k35 * p_bridge_depth)) + (_k232 * _s6)) + _s8
+    _s13 = ((((_k230 * (p_ball_radius * p_ball_radius)) + (_s10 * _s9)) + (_s10 * _s11)) + (_s10 * _s12)) + (((_k233 * horizon) * _s4) * _s5)
+    _s14 = _k236 * _s5
+    _s15 = ((((_k234 * _s4) * _s5) + ((_k235 * _s4) * (velocity_error + (_k232 * _s5)))) + (_s14 * _s9)) + (_s14 * _s11)
+    _s16 = _k231 * _s5
+    _s17 = ((((_k237 * _s4) * _s5) + ((_k238 * _s4) * (velocity_error + (_k35 * _s5)))) + (_s16 * _s9)) + (_s16 * _s11)
+    return _s13 + (_k233 * (_s4 * _s4)), _s15 + (_s14 * _s12), _s17 + (_s16 * _s12)
 
 
 def _bridge_refine_alone(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_bridge_half_width: Any, p_bridge_depth: Any, p_gravity: Any) -> tuple[Any, ...]:
@@ -8069,7 +8107,7 @@ def _bridge_advance_alone(t: Any, end: Any, leaving: Any, margin: Any, rate_marg
     _s34 = p_ball_radius + p_bridge_half_width
     _s35 = (p_ball_radius + (_k0 * p_board_distance)) - (_k0 * p_ring_radius)
     _s36 = _s34 if _s34 < _s35 else _s35
-    _s37 = p_ball_radius + (_k110 * (_s33 if _s33 < _s36 else _s36))
+    _s37 = p_ball_radius + (_k112 * (_s33 if _s33 < _s36 else _s36))
     _s38 = _s29 - rate_margin
     _s39 = _s27 - margin
     _s40 = _k2 if _s39 < _k2 else _s39
@@ -10572,13 +10610,42 @@ def resolve_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
             _room_2 = room(_count16)
             _nx_2, _ny_2, _nz_2 = bridge_normal(_x_2, _y_2, _z_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_board_distance_2, _p_bridge_half_width_2, _p_bridge_depth_2, _room_2)
             _nx_1, _ny_1, _nz_1 = _put(_rows15, _count12, (_nx_1, _ny_1, _nz_1,), (_nx_2, _ny_2, _nz_2,), _here_1)
+        _put_on_1, = off_at_start(_mode_1)
+        _rows17, _count18 = _rows(_put_on_1, _count12)
+        if _count18:
+            _nx_2, _ny_2, _nz_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_ring_radius_2, _p_wire_radius_2, _which_2, _x_2, _y_2, _z_2 = _taken(_rows17, _nx_1, _ny_1, _nz_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_ring_radius_1, _p_wire_radius_1, _which_1, _x_1, _y_1, _z_1)
+            _room_2 = room(_count18)
+            _gap_2, = ring_distance(_p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _x_2, _y_2, _z_2, _room_2)
+            _here_2, = here(1.0, _which_2)
+            _gap_3, = backboard_distance(_p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _x_2, _y_2, _z_2, _room_2)
+            _gap_2, = _choose(_here_2, (_gap_3,), (_gap_2,))
+            _here_2, = here(2.0, _which_2)
+            _gap_3, = bridge_distance(_p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_ring_radius_2, _p_wire_radius_2, _x_2, _y_2, _z_2, _room_2)
+            _gap_2, = _choose(_here_2, (_gap_3,), (_gap_2,))
+            _x_2, _y_2, _z_2 = placed_at_start(_x_2, _y_2, _z_2, _nx_2, _ny_2, _nz_2, _gap_2, _room_2)
+            _nx_2, _ny_2, _nz_2 = ring_normal(_x_2, _y_2, _z_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _room_2)
+            _here_2, = here(1.0, _which_2)
+            _rows19, _count20 = _most(_here_2, _count18)
+            if _count20:
+                _p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _x_3, _y_3, _z_3 = _taken(_rows19, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _x_2, _y_2, _z_2)
+                _room_3 = room(_count20)
+                _nx_3, _ny_3, _nz_3 = backboard_normal(_x_3, _y_3, _z_3, _p_ball_radius_3, _p_board_distance_3, _p_board_half_width_3, _p_board_bottom_3, _p_board_top_3, _p_board_thickness_3, _room_3)
+                _nx_2, _ny_2, _nz_2 = _put(_rows19, _count18, (_nx_2, _ny_2, _nz_2,), (_nx_3, _ny_3, _nz_3,), _here_2)
+            _here_2, = here(2.0, _which_2)
+            _rows21, _count22 = _most(_here_2, _count18)
+            if _count22:
+                _p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_ring_radius_3, _p_wire_radius_3, _x_3, _y_3, _z_3 = _taken(_rows21, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_ring_radius_2, _p_wire_radius_2, _x_2, _y_2, _z_2)
+                _room_3 = room(_count22)
+                _nx_3, _ny_3, _nz_3 = bridge_normal(_x_3, _y_3, _z_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _p_board_distance_3, _p_bridge_half_width_3, _p_bridge_depth_3, _room_3)
+                _nx_2, _ny_2, _nz_2 = _put(_rows21, _count18, (_nx_2, _ny_2, _nz_2,), (_nx_3, _ny_3, _nz_3,), _here_2)
+            _nx_1, _ny_1, _nz_1, _x_1, _y_1, _z_1 = _put(_rows17, _count12, (_nx_1, _ny_1, _nz_1, _x_1, _y_1, _z_1,), (_nx_2, _ny_2, _nz_2, _x_2, _y_2, _z_2,))
         _nearly_1, = nearly(_p_ball_radius_1, _p_gravity_1, _nx_1, _ny_1, _nz_1, _vx_1, _vy_1, _vz_1, _room_1)
         _rolled_x_1, _rolled_y_1, _rolled_z_1, _slip_1, _bounce_1 = gripped(_p_ball_radius_1, _p_inertia_1, _nx_1, _ny_1, _nz_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1, _room_1)
         _here_1, = here(0.0, _which_1)
-        _rows17, _count18 = _most(_here_1, _count12)
-        if _count18:
-            _bounce_2, _mode_2, _nearly_2, _nx_2, _ny_2, _nz_2, _outcome_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_friction_2, _p_ring_radius_2, _p_ring_restitution_2, _p_wire_radius_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _slip_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_rows17, _bounce_1, _mode_1, _nearly_1, _nx_1, _ny_1, _nz_1, _outcome_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_friction_1, _p_ring_radius_1, _p_ring_restitution_1, _p_wire_radius_1, _rolled_x_1, _rolled_y_1, _rolled_z_1, _slip_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
-            _room_2 = room(_count18)
+        _rows23, _count24 = _most(_here_1, _count12)
+        if _count24:
+            _bounce_2, _mode_2, _nearly_2, _nx_2, _ny_2, _nz_2, _outcome_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_friction_2, _p_ring_radius_2, _p_ring_restitution_2, _p_wire_radius_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _slip_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_rows23, _bounce_1, _mode_1, _nearly_1, _nx_1, _ny_1, _nz_1, _outcome_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_friction_1, _p_ring_radius_1, _p_ring_restitution_1, _p_wire_radius_1, _rolled_x_1, _rolled_y_1, _rolled_z_1, _slip_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
+            _room_2 = room(_count24)
             _turning_x_2, _turning_y_2, _turning_z_2 = ring_turning(_p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _x_2, _y_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _room_2)
             _press_2, _weight_2, _rolling_friction_2, _rolling_acceleration_x_2, _rolling_acceleration_y_2, _rolling_acceleration_z_2 = pressed_on(_p_ball_radius_2, _p_gravity_2, _p_inertia_2, _nx_2, _ny_2, _nz_2, _wx_2, _wy_2, _wz_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _turning_x_2, _turning_y_2, _turning_z_2, _room_2)
             _nearest_2, _second_contact_gap_2 = isolated()
@@ -10588,15 +10655,15 @@ def resolve_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
             _nearest_2, _second_contact_gap_2 = near_body(_gap_2, _nearest_2, _second_contact_gap_2, _rolling_gap_acceleration_2, _normal_cosine_2, _press_2, _nearing_2, _room_2)
             _gap_2, *_ = end_beside(_p_end_depth_2, _z_2, _vz_2)
             _nearest_2, = near_end_plane(_gap_2, _nearest_2)
-            _lift_2, *_ = ring_separation(_p_gravity_2, _p_ring_radius_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _room_2)
-            _settles_2, _lodges_2, _slides_2, _unpressed_2, _, _undecided_2 = ring_impact_settling(_p_ball_radius_2, _p_inertia_2, _p_ring_friction_2, _p_ring_restitution_2, _wx_2, _wy_2, _wz_2, 0.0, _rolled_x_2, _rolled_y_2, _rolled_z_2, _turning_x_2, _turning_y_2, _turning_z_2, _slip_2, _bounce_2, _nearest_2, _second_contact_gap_2, _press_2, _weight_2, _rolling_friction_2, _lift_2, _room_2)
+            _lift_2, _gap_jerk_2, *_ = ring_separation(_p_gravity_2, _p_ring_radius_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _room_2)
+            _settles_2, _lodges_2, _slides_2, _unpressed_2, _, _undecided_2 = ring_impact_settling(_p_ball_radius_2, _p_gravity_2, _p_inertia_2, _p_ring_friction_2, _p_ring_restitution_2, _wx_2, _wy_2, _wz_2, 0.0, _mode_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _turning_x_2, _turning_y_2, _turning_z_2, _slip_2, _bounce_2, _nearest_2, _second_contact_gap_2, _press_2, _weight_2, _rolling_friction_2, _lift_2, _gap_jerk_2, _room_2)
             _mode_2, _held_2, _outcome_2, _slip_left_2, *_ = settled(0.0, _outcome_2, 0.0, _undecided_2, _mode_2, _settles_2, _nearly_2, _lodges_2, _slides_2, _unpressed_2)
-            _held_1, _mode_1, _outcome_1, _slip_left_1 = _put(_rows17, _count12, (_held_1, _mode_1, _outcome_1, _slip_left_1,), (_held_2, _mode_2, _outcome_2, _slip_left_2,), _here_1)
+            _held_1, _mode_1, _outcome_1, _slip_left_1 = _put(_rows23, _count12, (_held_1, _mode_1, _outcome_1, _slip_left_1,), (_held_2, _mode_2, _outcome_2, _slip_left_2,), _here_1)
         _here_1, = here(1.0, _which_1)
-        _rows19, _count20 = _most(_here_1, _count12)
-        if _count20:
-            _bounce_2, _mode_2, _nearly_2, _nx_2, _ny_2, _nz_2, _outcome_2, _p_backboard_friction_2, _p_backboard_restitution_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_radius_2, _p_wire_radius_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _slip_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_rows19, _bounce_1, _mode_1, _nearly_1, _nx_1, _ny_1, _nz_1, _outcome_1, _p_backboard_friction_1, _p_backboard_restitution_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_radius_1, _p_wire_radius_1, _rolled_x_1, _rolled_y_1, _rolled_z_1, _slip_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
-            _room_2 = room(_count20)
+        _rows25, _count26 = _most(_here_1, _count12)
+        if _count26:
+            _bounce_2, _mode_2, _nearly_2, _nx_2, _ny_2, _nz_2, _outcome_2, _p_backboard_friction_2, _p_backboard_restitution_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_radius_2, _p_wire_radius_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _slip_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_rows25, _bounce_1, _mode_1, _nearly_1, _nx_1, _ny_1, _nz_1, _outcome_1, _p_backboard_friction_1, _p_backboard_restitution_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_radius_1, _p_wire_radius_1, _rolled_x_1, _rolled_y_1, _rolled_z_1, _slip_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
+            _room_2 = room(_count26)
             _turning_x_2, _turning_y_2, _turning_z_2 = backboard_turning(_p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _x_2, _y_2, _z_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _room_2)
             _press_2, _weight_2, _rolling_friction_2, _rolling_acceleration_x_2, _rolling_acceleration_y_2, _rolling_acceleration_z_2 = pressed_on(_p_ball_radius_2, _p_gravity_2, _p_inertia_2, _nx_2, _ny_2, _nz_2, _wx_2, _wy_2, _wz_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _turning_x_2, _turning_y_2, _turning_z_2, _room_2)
             _nearest_2, _second_contact_gap_2 = isolated()
@@ -10606,15 +10673,15 @@ def resolve_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
             _nearest_2, _second_contact_gap_2 = near_body(_gap_2, _nearest_2, _second_contact_gap_2, _rolling_gap_acceleration_2, _normal_cosine_2, _press_2, _nearing_2, _room_2)
             _gap_2, *_ = end_beside(_p_end_depth_2, _z_2, _vz_2)
             _nearest_2, = near_end_plane(_gap_2, _nearest_2)
-            _lift_2, *_ = backboard_separation(_p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _room_2)
-            _settles_2, _lodges_2, _slides_2, _unpressed_2, _, _undecided_2 = ring_impact_settling(_p_ball_radius_2, _p_inertia_2, _p_backboard_friction_2, _p_backboard_restitution_2, _wx_2, _wy_2, _wz_2, 0.0, _rolled_x_2, _rolled_y_2, _rolled_z_2, _turning_x_2, _turning_y_2, _turning_z_2, _slip_2, _bounce_2, _nearest_2, _second_contact_gap_2, _press_2, _weight_2, _rolling_friction_2, _lift_2, _room_2)
+            _lift_2, _gap_jerk_2, *_ = backboard_separation(_p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _room_2)
+            _settles_2, _lodges_2, _slides_2, _unpressed_2, _, _undecided_2 = ring_impact_settling(_p_ball_radius_2, _p_gravity_2, _p_inertia_2, _p_backboard_friction_2, _p_backboard_restitution_2, _wx_2, _wy_2, _wz_2, 0.0, _mode_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _turning_x_2, _turning_y_2, _turning_z_2, _slip_2, _bounce_2, _nearest_2, _second_contact_gap_2, _press_2, _weight_2, _rolling_friction_2, _lift_2, _gap_jerk_2, _room_2)
             _mode_2, _held_2, _outcome_2, _slip_left_2, *_ = settled(1.0, _outcome_2, 0.0, _undecided_2, _mode_2, _settles_2, _nearly_2, _lodges_2, _slides_2, _unpressed_2)
-            _held_1, _mode_1, _outcome_1, _slip_left_1 = _put(_rows19, _count12, (_held_1, _mode_1, _outcome_1, _slip_left_1,), (_held_2, _mode_2, _outcome_2, _slip_left_2,), _here_1)
+            _held_1, _mode_1, _outcome_1, _slip_left_1 = _put(_rows25, _count12, (_held_1, _mode_1, _outcome_1, _slip_left_1,), (_held_2, _mode_2, _outcome_2, _slip_left_2,), _here_1)
         _here_1, = here(2.0, _which_1)
-        _rows21, _count22 = _most(_here_1, _count12)
-        if _count22:
-            _bounce_2, _mode_2, _nearly_2, _nx_2, _ny_2, _nz_2, _outcome_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_friction_2, _p_bridge_half_width_2, _p_bridge_restitution_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_radius_2, _p_wire_radius_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _slip_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_rows21, _bounce_1, _mode_1, _nearly_1, _nx_1, _ny_1, _nz_1, _outcome_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_friction_1, _p_bridge_half_width_1, _p_bridge_restitution_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_radius_1, _p_wire_radius_1, _rolled_x_1, _rolled_y_1, _rolled_z_1, _slip_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
-            _room_2 = room(_count22)
+        _rows27, _count28 = _most(_here_1, _count12)
+        if _count28:
+            _bounce_2, _mode_2, _nearly_2, _nx_2, _ny_2, _nz_2, _outcome_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_friction_2, _p_bridge_half_width_2, _p_bridge_restitution_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_radius_2, _p_wire_radius_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _slip_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_rows27, _bounce_1, _mode_1, _nearly_1, _nx_1, _ny_1, _nz_1, _outcome_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_friction_1, _p_bridge_half_width_1, _p_bridge_restitution_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_radius_1, _p_wire_radius_1, _rolled_x_1, _rolled_y_1, _rolled_z_1, _slip_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
+            _room_2 = room(_count28)
             _turning_x_2, _turning_y_2, _turning_z_2 = bridge_turning(_p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_ring_radius_2, _p_wire_radius_2, _x_2, _y_2, _z_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _room_2)
             _press_2, _weight_2, _rolling_friction_2, _rolling_acceleration_x_2, _rolling_acceleration_y_2, _rolling_acceleration_z_2 = pressed_on(_p_ball_radius_2, _p_gravity_2, _p_inertia_2, _nx_2, _ny_2, _nz_2, _wx_2, _wy_2, _wz_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _turning_x_2, _turning_y_2, _turning_z_2, _room_2)
             _nearest_2, _second_contact_gap_2 = isolated()
@@ -10624,12 +10691,12 @@ def resolve_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
             _nearest_2, _second_contact_gap_2 = near_body(_gap_2, _nearest_2, _second_contact_gap_2, _rolling_gap_acceleration_2, _normal_cosine_2, _press_2, _nearing_2, _room_2)
             _gap_2, *_ = end_beside(_p_end_depth_2, _z_2, _vz_2)
             _nearest_2, = near_end_plane(_gap_2, _nearest_2)
-            _lift_2, *_ = bridge_separation(_p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _room_2)
-            _settles_2, _lodges_2, _slides_2, _unpressed_2, _, _undecided_2 = ring_impact_settling(_p_ball_radius_2, _p_inertia_2, _p_bridge_friction_2, _p_bridge_restitution_2, _wx_2, _wy_2, _wz_2, 0.0, _rolled_x_2, _rolled_y_2, _rolled_z_2, _turning_x_2, _turning_y_2, _turning_z_2, _slip_2, _bounce_2, _nearest_2, _second_contact_gap_2, _press_2, _weight_2, _rolling_friction_2, _lift_2, _room_2)
+            _lift_2, _gap_jerk_2, *_ = bridge_separation(_p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _room_2)
+            _settles_2, _lodges_2, _slides_2, _unpressed_2, _, _undecided_2 = ring_impact_settling(_p_ball_radius_2, _p_gravity_2, _p_inertia_2, _p_bridge_friction_2, _p_bridge_restitution_2, _wx_2, _wy_2, _wz_2, 0.0, _mode_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _turning_x_2, _turning_y_2, _turning_z_2, _slip_2, _bounce_2, _nearest_2, _second_contact_gap_2, _press_2, _weight_2, _rolling_friction_2, _lift_2, _gap_jerk_2, _room_2)
             _mode_2, _held_2, _outcome_2, _slip_left_2, *_ = settled(2.0, _outcome_2, 0.0, _undecided_2, _mode_2, _settles_2, _nearly_2, _lodges_2, _slides_2, _unpressed_2)
-            _held_1, _mode_1, _outcome_1, _slip_left_1 = _put(_rows21, _count12, (_held_1, _mode_1, _outcome_1, _slip_left_1,), (_held_2, _mode_2, _outcome_2, _slip_left_2,), _here_1)
-        _held_0, _mode_0, _outcome_0, _slip_left_0 = _put(_rows11, shots, (_held_0, _mode_0, _outcome_0, _slip_left_0,), (_held_1, _mode_1, _outcome_1, _slip_left_1,))
-    columns |= {"count_0": _count_0_0, "count_1": _count_1_0, "count_2": _count_2_0, "first": _first_0, "held": _held_0, "last": _last_0, "mode": _mode_0, "outcome": _outcome_0, "slip_left": _slip_left_0, "vx": _vx_0, "vy": _vy_0, "vz": _vz_0, "wx": _wx_0, "wy": _wy_0, "wz": _wz_0, }
+            _held_1, _mode_1, _outcome_1, _slip_left_1 = _put(_rows27, _count12, (_held_1, _mode_1, _outcome_1, _slip_left_1,), (_held_2, _mode_2, _outcome_2, _slip_left_2,), _here_1)
+        _held_0, _mode_0, _outcome_0, _slip_left_0, _x_0, _y_0, _z_0 = _put(_rows11, shots, (_held_0, _mode_0, _outcome_0, _slip_left_0, _x_0, _y_0, _z_0,), (_held_1, _mode_1, _outcome_1, _slip_left_1, _x_1, _y_1, _z_1,))
+    columns |= {"count_0": _count_0_0, "count_1": _count_1_0, "count_2": _count_2_0, "first": _first_0, "held": _held_0, "last": _last_0, "mode": _mode_0, "outcome": _outcome_0, "slip_left": _slip_left_0, "vx": _vx_0, "vy": _vy_0, "vz": _vz_0, "wx": _wx_0, "wy": _wy_0, "wz": _wz_0, "x": _x_0, "y": _y_0, "z": _z_0, }
 
 
 def validate_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
@@ -11756,7 +11823,7 @@ def resolve_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _assured_0, _clock_error_0, _count_0_0, _count_1_0, _count_2_0, _dvx_0, _dvy_0, _dvz_0, _dwx_0, _dwy_0, _dwz_0, _dx_0, _dy_0, _dz_0, _first_0, _last_0, _slow_0, _uncertain_0, _vx_0, _vy_0, _vz_0, _wx_0, _wy_0, _wz_0 = _put(_rows1, shots, (_assured_0, _clock_error_0, _count_0_0, _count_1_0, _count_2_0, _dvx_0, _dvy_0, _dvz_0, _dwx_0, _dwy_0, _dwz_0, _dx_0, _dy_0, _dz_0, _first_0, _last_0, _slow_0, _uncertain_0, _vx_0, _vy_0, _vz_0, _wx_0, _wy_0, _wz_0,), (_assured_1, _clock_error_1, _count_0_1, _count_1_1, _count_2_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _first_1, _last_1, _slow_1, _uncertain_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1,))
     _rows23, _count24 = _rows(_slow_0, shots)
     if _count24:
-        _assured_1, _held_1, _mode_1, _outcome_1, _p_backboard_friction_1, _p_backboard_restitution_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_friction_1, _p_bridge_half_width_1, _p_bridge_restitution_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_friction_1, _p_ring_radius_1, _p_ring_restitution_1, _p_wire_radius_1, _slip_left_1, _uncertain_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1 = _taken(_rows23, _assured_0, _held_0, _mode_0, _outcome_0, _p_backboard_friction_0, _p_backboard_restitution_0, _p_ball_radius_0, _p_board_bottom_0, _p_board_distance_0, _p_board_half_width_0, _p_board_thickness_0, _p_board_top_0, _p_bridge_depth_0, _p_bridge_friction_0, _p_bridge_half_width_0, _p_bridge_restitution_0, _p_end_depth_0, _p_gravity_0, _p_inertia_0, _p_ring_friction_0, _p_ring_radius_0, _p_ring_restitution_0, _p_wire_radius_0, _slip_left_0, _uncertain_0, _velocity_error_0, _vx_0, _vy_0, _vz_0, _which_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0)
+        _assured_1, _dx_1, _dy_1, _dz_1, _held_1, _mode_1, _outcome_1, _p_backboard_friction_1, _p_backboard_restitution_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_friction_1, _p_bridge_half_width_1, _p_bridge_restitution_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_friction_1, _p_ring_radius_1, _p_ring_restitution_1, _p_wire_radius_1, _slip_left_1, _uncertain_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1 = _taken(_rows23, _assured_0, _dx_0, _dy_0, _dz_0, _held_0, _mode_0, _outcome_0, _p_backboard_friction_0, _p_backboard_restitution_0, _p_ball_radius_0, _p_board_bottom_0, _p_board_distance_0, _p_board_half_width_0, _p_board_thickness_0, _p_board_top_0, _p_bridge_depth_0, _p_bridge_friction_0, _p_bridge_half_width_0, _p_bridge_restitution_0, _p_end_depth_0, _p_gravity_0, _p_inertia_0, _p_ring_friction_0, _p_ring_radius_0, _p_ring_restitution_0, _p_wire_radius_0, _slip_left_0, _uncertain_0, _velocity_error_0, _vx_0, _vy_0, _vz_0, _which_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0)
         _room_1 = room(_count24)
         _nx_1, _ny_1, _nz_1 = ring_normal(_x_1, _y_1, _z_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _room_1)
         _here_1, = here(1.0, _which_1)
@@ -11773,13 +11840,43 @@ def resolve_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             _room_2 = room(_count28)
             _nx_2, _ny_2, _nz_2 = bridge_normal(_x_2, _y_2, _z_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_board_distance_2, _p_bridge_half_width_2, _p_bridge_depth_2, _room_2)
             _nx_1, _ny_1, _nz_1 = _put(_rows27, _count24, (_nx_1, _ny_1, _nz_1,), (_nx_2, _ny_2, _nz_2,), _here_1)
+        _put_on_1, = off_at_start(_mode_1)
+        _rows29, _count30 = _rows(_put_on_1, _count24)
+        if _count30:
+            _dx_2, _dy_2, _dz_2, _nx_2, _ny_2, _nz_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_ring_radius_2, _p_wire_radius_2, _which_2, _x_2, _y_2, _z_2 = _taken(_rows29, _dx_1, _dy_1, _dz_1, _nx_1, _ny_1, _nz_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_ring_radius_1, _p_wire_radius_1, _which_1, _x_1, _y_1, _z_1)
+            _room_2 = room(_count30)
+            _gap_2, = ring_distance(_p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _x_2, _y_2, _z_2, _room_2)
+            _here_2, = here(1.0, _which_2)
+            _gap_3, = backboard_distance(_p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _x_2, _y_2, _z_2, _room_2)
+            _gap_2, = _choose(_here_2, (_gap_3,), (_gap_2,))
+            _here_2, = here(2.0, _which_2)
+            _gap_3, = bridge_distance(_p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_ring_radius_2, _p_wire_radius_2, _x_2, _y_2, _z_2, _room_2)
+            _gap_2, = _choose(_here_2, (_gap_3,), (_gap_2,))
+            _x_2, _y_2, _z_2 = placed_at_start(_x_2, _y_2, _z_2, _nx_2, _ny_2, _nz_2, _gap_2, _room_2)
+            _dx_2, _dy_2, _dz_2 = start_errors(_p_ball_radius_2, _x_2, _y_2, _z_2, _dx_2, _dy_2, _dz_2, _room_2)
+            _nx_2, _ny_2, _nz_2 = ring_normal(_x_2, _y_2, _z_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _room_2)
+            _here_2, = here(1.0, _which_2)
+            _rows31, _count32 = _most(_here_2, _count30)
+            if _count32:
+                _p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _x_3, _y_3, _z_3 = _taken(_rows31, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _x_2, _y_2, _z_2)
+                _room_3 = room(_count32)
+                _nx_3, _ny_3, _nz_3 = backboard_normal(_x_3, _y_3, _z_3, _p_ball_radius_3, _p_board_distance_3, _p_board_half_width_3, _p_board_bottom_3, _p_board_top_3, _p_board_thickness_3, _room_3)
+                _nx_2, _ny_2, _nz_2 = _put(_rows31, _count30, (_nx_2, _ny_2, _nz_2,), (_nx_3, _ny_3, _nz_3,), _here_2)
+            _here_2, = here(2.0, _which_2)
+            _rows33, _count34 = _most(_here_2, _count30)
+            if _count34:
+                _p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_ring_radius_3, _p_wire_radius_3, _x_3, _y_3, _z_3 = _taken(_rows33, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_ring_radius_2, _p_wire_radius_2, _x_2, _y_2, _z_2)
+                _room_3 = room(_count34)
+                _nx_3, _ny_3, _nz_3 = bridge_normal(_x_3, _y_3, _z_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _p_board_distance_3, _p_bridge_half_width_3, _p_bridge_depth_3, _room_3)
+                _nx_2, _ny_2, _nz_2 = _put(_rows33, _count30, (_nx_2, _ny_2, _nz_2,), (_nx_3, _ny_3, _nz_3,), _here_2)
+            _dx_1, _dy_1, _dz_1, _nx_1, _ny_1, _nz_1, _x_1, _y_1, _z_1 = _put(_rows29, _count24, (_dx_1, _dy_1, _dz_1, _nx_1, _ny_1, _nz_1, _x_1, _y_1, _z_1,), (_dx_2, _dy_2, _dz_2, _nx_2, _ny_2, _nz_2, _x_2, _y_2, _z_2,))
         _nearly_1, = nearly(_p_ball_radius_1, _p_gravity_1, _nx_1, _ny_1, _nz_1, _vx_1, _vy_1, _vz_1, _room_1)
         _rolled_x_1, _rolled_y_1, _rolled_z_1, _slip_1, _bounce_1 = gripped(_p_ball_radius_1, _p_inertia_1, _nx_1, _ny_1, _nz_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1, _room_1)
         _here_1, = here(0.0, _which_1)
-        _rows29, _count30 = _most(_here_1, _count24)
-        if _count30:
-            _bounce_2, _mode_2, _nearly_2, _nx_2, _ny_2, _nz_2, _outcome_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_friction_2, _p_ring_radius_2, _p_ring_restitution_2, _p_wire_radius_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _slip_2, _uncertain_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_rows29, _bounce_1, _mode_1, _nearly_1, _nx_1, _ny_1, _nz_1, _outcome_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_friction_1, _p_ring_radius_1, _p_ring_restitution_1, _p_wire_radius_1, _rolled_x_1, _rolled_y_1, _rolled_z_1, _slip_1, _uncertain_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
-            _room_2 = room(_count30)
+        _rows35, _count36 = _most(_here_1, _count24)
+        if _count36:
+            _bounce_2, _mode_2, _nearly_2, _nx_2, _ny_2, _nz_2, _outcome_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_friction_2, _p_ring_radius_2, _p_ring_restitution_2, _p_wire_radius_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _slip_2, _uncertain_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_rows35, _bounce_1, _mode_1, _nearly_1, _nx_1, _ny_1, _nz_1, _outcome_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_friction_1, _p_ring_radius_1, _p_ring_restitution_1, _p_wire_radius_1, _rolled_x_1, _rolled_y_1, _rolled_z_1, _slip_1, _uncertain_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
+            _room_2 = room(_count36)
             _turning_x_2, _turning_y_2, _turning_z_2 = ring_turning(_p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _x_2, _y_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _room_2)
             _press_2, _weight_2, _rolling_friction_2, _rolling_acceleration_x_2, _rolling_acceleration_y_2, _rolling_acceleration_z_2 = pressed_on(_p_ball_radius_2, _p_gravity_2, _p_inertia_2, _nx_2, _ny_2, _nz_2, _wx_2, _wy_2, _wz_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _turning_x_2, _turning_y_2, _turning_z_2, _room_2)
             _nearest_2, _second_contact_gap_2 = isolated()
@@ -11789,15 +11886,15 @@ def resolve_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             _nearest_2, _second_contact_gap_2 = near_body(_gap_2, _nearest_2, _second_contact_gap_2, _rolling_gap_acceleration_2, _normal_cosine_2, _press_2, _nearing_2, _room_2)
             _gap_2, *_ = end_beside(_p_end_depth_2, _z_2, _vz_2)
             _nearest_2, = near_end_plane(_gap_2, _nearest_2)
-            _lift_2, *_ = ring_separation(_p_gravity_2, _p_ring_radius_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _room_2)
-            _settles_2, _lodges_2, _slides_2, _unpressed_2, _assured_2, _undecided_2 = ring_impact_settling(_p_ball_radius_2, _p_inertia_2, _p_ring_friction_2, _p_ring_restitution_2, _wx_2, _wy_2, _wz_2, _velocity_error_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _turning_x_2, _turning_y_2, _turning_z_2, _slip_2, _bounce_2, _nearest_2, _second_contact_gap_2, _press_2, _weight_2, _rolling_friction_2, _lift_2, _room_2)
+            _lift_2, _gap_jerk_2, *_ = ring_separation(_p_gravity_2, _p_ring_radius_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _room_2)
+            _settles_2, _lodges_2, _slides_2, _unpressed_2, _assured_2, _undecided_2 = ring_impact_settling(_p_ball_radius_2, _p_gravity_2, _p_inertia_2, _p_ring_friction_2, _p_ring_restitution_2, _wx_2, _wy_2, _wz_2, _velocity_error_2, _mode_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _turning_x_2, _turning_y_2, _turning_z_2, _slip_2, _bounce_2, _nearest_2, _second_contact_gap_2, _press_2, _weight_2, _rolling_friction_2, _lift_2, _gap_jerk_2, _room_2)
             _mode_2, _held_2, _outcome_2, _slip_left_2, _uncertain_2 = settled(0.0, _outcome_2, _uncertain_2, _undecided_2, _mode_2, _settles_2, _nearly_2, _lodges_2, _slides_2, _unpressed_2)
-            _assured_1, _held_1, _mode_1, _outcome_1, _slip_left_1, _uncertain_1 = _put(_rows29, _count24, (_assured_1, _held_1, _mode_1, _outcome_1, _slip_left_1, _uncertain_1,), (_assured_2, _held_2, _mode_2, _outcome_2, _slip_left_2, _uncertain_2,), _here_1)
+            _assured_1, _held_1, _mode_1, _outcome_1, _slip_left_1, _uncertain_1 = _put(_rows35, _count24, (_assured_1, _held_1, _mode_1, _outcome_1, _slip_left_1, _uncertain_1,), (_assured_2, _held_2, _mode_2, _outcome_2, _slip_left_2, _uncertain_2,), _here_1)
         _here_1, = here(1.0, _which_1)
-        _rows31, _count32 = _most(_here_1, _count24)
-        if _count32:
-            _bounce_2, _mode_2, _nearly_2, _nx_2, _ny_2, _nz_2, _outcome_2, _p_backboard_friction_2, _p_backboard_restitution_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_radius_2, _p_wire_radius_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _slip_2, _uncertain_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_rows31, _bounce_1, _mode_1, _nearly_1, _nx_1, _ny_1, _nz_1, _outcome_1, _p_backboard_friction_1, _p_backboard_restitution_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_radius_1, _p_wire_radius_1, _rolled_x_1, _rolled_y_1, _rolled_z_1, _slip_1, _uncertain_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
-            _room_2 = room(_count32)
+        _rows37, _count38 = _most(_here_1, _count24)
+        if _count38:
+            _bounce_2, _mode_2, _nearly_2, _nx_2, _ny_2, _nz_2, _outcome_2, _p_backboard_friction_2, _p_backboard_restitution_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_radius_2, _p_wire_radius_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _slip_2, _uncertain_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_rows37, _bounce_1, _mode_1, _nearly_1, _nx_1, _ny_1, _nz_1, _outcome_1, _p_backboard_friction_1, _p_backboard_restitution_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_radius_1, _p_wire_radius_1, _rolled_x_1, _rolled_y_1, _rolled_z_1, _slip_1, _uncertain_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
+            _room_2 = room(_count38)
             _turning_x_2, _turning_y_2, _turning_z_2 = backboard_turning(_p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _x_2, _y_2, _z_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _room_2)
             _press_2, _weight_2, _rolling_friction_2, _rolling_acceleration_x_2, _rolling_acceleration_y_2, _rolling_acceleration_z_2 = pressed_on(_p_ball_radius_2, _p_gravity_2, _p_inertia_2, _nx_2, _ny_2, _nz_2, _wx_2, _wy_2, _wz_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _turning_x_2, _turning_y_2, _turning_z_2, _room_2)
             _nearest_2, _second_contact_gap_2 = isolated()
@@ -11807,15 +11904,15 @@ def resolve_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             _nearest_2, _second_contact_gap_2 = near_body(_gap_2, _nearest_2, _second_contact_gap_2, _rolling_gap_acceleration_2, _normal_cosine_2, _press_2, _nearing_2, _room_2)
             _gap_2, *_ = end_beside(_p_end_depth_2, _z_2, _vz_2)
             _nearest_2, = near_end_plane(_gap_2, _nearest_2)
-            _lift_2, *_ = backboard_separation(_p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _room_2)
-            _settles_2, _lodges_2, _slides_2, _unpressed_2, _assured_2, _undecided_2 = ring_impact_settling(_p_ball_radius_2, _p_inertia_2, _p_backboard_friction_2, _p_backboard_restitution_2, _wx_2, _wy_2, _wz_2, _velocity_error_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _turning_x_2, _turning_y_2, _turning_z_2, _slip_2, _bounce_2, _nearest_2, _second_contact_gap_2, _press_2, _weight_2, _rolling_friction_2, _lift_2, _room_2)
+            _lift_2, _gap_jerk_2, *_ = backboard_separation(_p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _room_2)
+            _settles_2, _lodges_2, _slides_2, _unpressed_2, _assured_2, _undecided_2 = ring_impact_settling(_p_ball_radius_2, _p_gravity_2, _p_inertia_2, _p_backboard_friction_2, _p_backboard_restitution_2, _wx_2, _wy_2, _wz_2, _velocity_error_2, _mode_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _turning_x_2, _turning_y_2, _turning_z_2, _slip_2, _bounce_2, _nearest_2, _second_contact_gap_2, _press_2, _weight_2, _rolling_friction_2, _lift_2, _gap_jerk_2, _room_2)
             _mode_2, _held_2, _outcome_2, _slip_left_2, _uncertain_2 = settled(1.0, _outcome_2, _uncertain_2, _undecided_2, _mode_2, _settles_2, _nearly_2, _lodges_2, _slides_2, _unpressed_2)
-            _assured_1, _held_1, _mode_1, _outcome_1, _slip_left_1, _uncertain_1 = _put(_rows31, _count24, (_assured_1, _held_1, _mode_1, _outcome_1, _slip_left_1, _uncertain_1,), (_assured_2, _held_2, _mode_2, _outcome_2, _slip_left_2, _uncertain_2,), _here_1)
+            _assured_1, _held_1, _mode_1, _outcome_1, _slip_left_1, _uncertain_1 = _put(_rows37, _count24, (_assured_1, _held_1, _mode_1, _outcome_1, _slip_left_1, _uncertain_1,), (_assured_2, _held_2, _mode_2, _outcome_2, _slip_left_2, _uncertain_2,), _here_1)
         _here_1, = here(2.0, _which_1)
-        _rows33, _count34 = _most(_here_1, _count24)
-        if _count34:
-            _bounce_2, _mode_2, _nearly_2, _nx_2, _ny_2, _nz_2, _outcome_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_friction_2, _p_bridge_half_width_2, _p_bridge_restitution_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_radius_2, _p_wire_radius_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _slip_2, _uncertain_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_rows33, _bounce_1, _mode_1, _nearly_1, _nx_1, _ny_1, _nz_1, _outcome_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_friction_1, _p_bridge_half_width_1, _p_bridge_restitution_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_radius_1, _p_wire_radius_1, _rolled_x_1, _rolled_y_1, _rolled_z_1, _slip_1, _uncertain_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
-            _room_2 = room(_count34)
+        _rows39, _count40 = _most(_here_1, _count24)
+        if _count40:
+            _bounce_2, _mode_2, _nearly_2, _nx_2, _ny_2, _nz_2, _outcome_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_friction_2, _p_bridge_half_width_2, _p_bridge_restitution_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_radius_2, _p_wire_radius_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _slip_2, _uncertain_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_rows39, _bounce_1, _mode_1, _nearly_1, _nx_1, _ny_1, _nz_1, _outcome_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_friction_1, _p_bridge_half_width_1, _p_bridge_restitution_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_radius_1, _p_wire_radius_1, _rolled_x_1, _rolled_y_1, _rolled_z_1, _slip_1, _uncertain_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
+            _room_2 = room(_count40)
             _turning_x_2, _turning_y_2, _turning_z_2 = bridge_turning(_p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_ring_radius_2, _p_wire_radius_2, _x_2, _y_2, _z_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _room_2)
             _press_2, _weight_2, _rolling_friction_2, _rolling_acceleration_x_2, _rolling_acceleration_y_2, _rolling_acceleration_z_2 = pressed_on(_p_ball_radius_2, _p_gravity_2, _p_inertia_2, _nx_2, _ny_2, _nz_2, _wx_2, _wy_2, _wz_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _turning_x_2, _turning_y_2, _turning_z_2, _room_2)
             _nearest_2, _second_contact_gap_2 = isolated()
@@ -11825,33 +11922,33 @@ def resolve_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             _nearest_2, _second_contact_gap_2 = near_body(_gap_2, _nearest_2, _second_contact_gap_2, _rolling_gap_acceleration_2, _normal_cosine_2, _press_2, _nearing_2, _room_2)
             _gap_2, *_ = end_beside(_p_end_depth_2, _z_2, _vz_2)
             _nearest_2, = near_end_plane(_gap_2, _nearest_2)
-            _lift_2, *_ = bridge_separation(_p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _room_2)
-            _settles_2, _lodges_2, _slides_2, _unpressed_2, _assured_2, _undecided_2 = ring_impact_settling(_p_ball_radius_2, _p_inertia_2, _p_bridge_friction_2, _p_bridge_restitution_2, _wx_2, _wy_2, _wz_2, _velocity_error_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _turning_x_2, _turning_y_2, _turning_z_2, _slip_2, _bounce_2, _nearest_2, _second_contact_gap_2, _press_2, _weight_2, _rolling_friction_2, _lift_2, _room_2)
+            _lift_2, _gap_jerk_2, *_ = bridge_separation(_p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _room_2)
+            _settles_2, _lodges_2, _slides_2, _unpressed_2, _assured_2, _undecided_2 = ring_impact_settling(_p_ball_radius_2, _p_gravity_2, _p_inertia_2, _p_bridge_friction_2, _p_bridge_restitution_2, _wx_2, _wy_2, _wz_2, _velocity_error_2, _mode_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _turning_x_2, _turning_y_2, _turning_z_2, _slip_2, _bounce_2, _nearest_2, _second_contact_gap_2, _press_2, _weight_2, _rolling_friction_2, _lift_2, _gap_jerk_2, _room_2)
             _mode_2, _held_2, _outcome_2, _slip_left_2, _uncertain_2 = settled(2.0, _outcome_2, _uncertain_2, _undecided_2, _mode_2, _settles_2, _nearly_2, _lodges_2, _slides_2, _unpressed_2)
-            _assured_1, _held_1, _mode_1, _outcome_1, _slip_left_1, _uncertain_1 = _put(_rows33, _count24, (_assured_1, _held_1, _mode_1, _outcome_1, _slip_left_1, _uncertain_1,), (_assured_2, _held_2, _mode_2, _outcome_2, _slip_left_2, _uncertain_2,), _here_1)
-        _assured_0, _held_0, _mode_0, _outcome_0, _slip_left_0, _uncertain_0 = _put(_rows23, shots, (_assured_0, _held_0, _mode_0, _outcome_0, _slip_left_0, _uncertain_0,), (_assured_1, _held_1, _mode_1, _outcome_1, _slip_left_1, _uncertain_1,))
-    _rows35, _count36 = _rows(_limited_0, shots)
-    if _count36:
-        _claims_1, _clock_1, _clock_error_1, _dvx_1, _dvy_1, _dvz_1, _dx_1, _dy_1, _dz_1, _p_gravity_1, _vx_1, _vy_1, _vz_1, _when_1, _which_1, _x_1, _y_1, _z_1 = _taken(_rows35, _claims_0, _clock_0, _clock_error_0, _dvx_0, _dvy_0, _dvz_0, _dx_0, _dy_0, _dz_0, _p_gravity_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _x_0, _y_0, _z_0)
-        _ends_by_time_limit_1, = ends_by_time_limit(4.0, _which_1, _claims_1)
-        _rows37, _count38 = _most(_ends_by_time_limit_1, _count36)
-        if _count38:
-            _clock_2, _clock_error_2, _dvx_2, _dvy_2, _dvz_2, _dx_2, _dy_2, _dz_2, _p_gravity_2, _vx_2, _vy_2, _vz_2, _when_2, _x_2, _y_2, _z_2 = _taken(_rows37, _clock_1, _clock_error_1, _dvx_1, _dvy_1, _dvz_1, _dx_1, _dy_1, _dz_1, _p_gravity_1, _vx_1, _vy_1, _vz_1, _when_1, _x_1, _y_1, _z_1)
-            _room_2 = room(_count38)
-            _dx_2, _dy_2, _dz_2, _dvx_2, _dvy_2, _dvz_2, _clock_error_2 = carry_time(_when_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _clock_2, _clock_error_2, _dx_2, _dy_2, _dz_2, _dvx_2, _dvy_2, _dvz_2, _p_gravity_2, _room_2)
-            _clock_error_1, _dvx_1, _dvy_1, _dvz_1, _dx_1, _dy_1, _dz_1 = _put(_rows37, _count36, (_clock_error_1, _dvx_1, _dvy_1, _dvz_1, _dx_1, _dy_1, _dz_1,), (_clock_error_2, _dvx_2, _dvy_2, _dvz_2, _dx_2, _dy_2, _dz_2,), _ends_by_time_limit_1)
-        _clock_error_0, _dvx_0, _dvy_0, _dvz_0, _dx_0, _dy_0, _dz_0 = _put(_rows35, shots, (_clock_error_0, _dvx_0, _dvy_0, _dvz_0, _dx_0, _dy_0, _dz_0,), (_clock_error_1, _dvx_1, _dvy_1, _dvz_1, _dx_1, _dy_1, _dz_1,))
-    _rows39, _count40 = _most(_hopped_0, shots)
-    if _count40:
-        _dvx_1, _dvy_1, _dvz_1, _dx_1, _dy_1, _dz_1, _vx_1, _vy_1, _vz_1, _when_1, _x_1, _y_1, _z_1 = _taken(_rows39, _dvx_0, _dvy_0, _dvz_0, _dx_0, _dy_0, _dz_0, _vx_0, _vy_0, _vz_0, _when_0, _x_0, _y_0, _z_0)
-        _room_1 = room(_count40)
-        _dx_1, _dy_1, _dz_1 = carry_hop(_x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _dx_1, _dy_1, _dz_1, _dvx_1, _dvy_1, _dvz_1, _when_1, _room_1)
-        _dx_0, _dy_0, _dz_0 = _put(_rows39, shots, (_dx_0, _dy_0, _dz_0,), (_dx_1, _dy_1, _dz_1,), _hopped_0)
-    _closed_0, _position_claim_0, _velocity_claim_0, _spin_claim_0, _time_claim_0 = closing(_outcome_0, _claims_0)
-    _rows41, _count42 = _most(_closed_0, shots)
+            _assured_1, _held_1, _mode_1, _outcome_1, _slip_left_1, _uncertain_1 = _put(_rows39, _count24, (_assured_1, _held_1, _mode_1, _outcome_1, _slip_left_1, _uncertain_1,), (_assured_2, _held_2, _mode_2, _outcome_2, _slip_left_2, _uncertain_2,), _here_1)
+        _assured_0, _dx_0, _dy_0, _dz_0, _held_0, _mode_0, _outcome_0, _slip_left_0, _uncertain_0, _x_0, _y_0, _z_0 = _put(_rows23, shots, (_assured_0, _dx_0, _dy_0, _dz_0, _held_0, _mode_0, _outcome_0, _slip_left_0, _uncertain_0, _x_0, _y_0, _z_0,), (_assured_1, _dx_1, _dy_1, _dz_1, _held_1, _mode_1, _outcome_1, _slip_left_1, _uncertain_1, _x_1, _y_1, _z_1,))
+    _rows41, _count42 = _rows(_limited_0, shots)
     if _count42:
-        _clock_error_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1 = _taken(_rows41, _clock_error_0, _dvx_0, _dvy_0, _dvz_0, _dwx_0, _dwy_0, _dwz_0, _dx_0, _dy_0, _dz_0)
-        _room_1 = room(_count42)
+        _claims_1, _clock_1, _clock_error_1, _dvx_1, _dvy_1, _dvz_1, _dx_1, _dy_1, _dz_1, _p_gravity_1, _vx_1, _vy_1, _vz_1, _when_1, _which_1, _x_1, _y_1, _z_1 = _taken(_rows41, _claims_0, _clock_0, _clock_error_0, _dvx_0, _dvy_0, _dvz_0, _dx_0, _dy_0, _dz_0, _p_gravity_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _x_0, _y_0, _z_0)
+        _ends_by_time_limit_1, = ends_by_time_limit(4.0, _which_1, _claims_1)
+        _rows43, _count44 = _most(_ends_by_time_limit_1, _count42)
+        if _count44:
+            _clock_2, _clock_error_2, _dvx_2, _dvy_2, _dvz_2, _dx_2, _dy_2, _dz_2, _p_gravity_2, _vx_2, _vy_2, _vz_2, _when_2, _x_2, _y_2, _z_2 = _taken(_rows43, _clock_1, _clock_error_1, _dvx_1, _dvy_1, _dvz_1, _dx_1, _dy_1, _dz_1, _p_gravity_1, _vx_1, _vy_1, _vz_1, _when_1, _x_1, _y_1, _z_1)
+            _room_2 = room(_count44)
+            _dx_2, _dy_2, _dz_2, _dvx_2, _dvy_2, _dvz_2, _clock_error_2 = carry_time(_when_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _clock_2, _clock_error_2, _dx_2, _dy_2, _dz_2, _dvx_2, _dvy_2, _dvz_2, _p_gravity_2, _room_2)
+            _clock_error_1, _dvx_1, _dvy_1, _dvz_1, _dx_1, _dy_1, _dz_1 = _put(_rows43, _count42, (_clock_error_1, _dvx_1, _dvy_1, _dvz_1, _dx_1, _dy_1, _dz_1,), (_clock_error_2, _dvx_2, _dvy_2, _dvz_2, _dx_2, _dy_2, _dz_2,), _ends_by_time_limit_1)
+        _clock_error_0, _dvx_0, _dvy_0, _dvz_0, _dx_0, _dy_0, _dz_0 = _put(_rows41, shots, (_clock_error_0, _dvx_0, _dvy_0, _dvz_0, _dx_0, _dy_0, _dz_0,), (_clock_error_1, _dvx_1, _dvy_1, _dvz_1, _dx_1, _dy_1, _dz_1,))
+    _rows45, _count46 = _most(_hopped_0, shots)
+    if _count46:
+        _dvx_1, _dvy_1, _dvz_1, _dx_1, _dy_1, _dz_1, _vx_1, _vy_1, _vz_1, _when_1, _x_1, _y_1, _z_1 = _taken(_rows45, _dvx_0, _dvy_0, _dvz_0, _dx_0, _dy_0, _dz_0, _vx_0, _vy_0, _vz_0, _when_0, _x_0, _y_0, _z_0)
+        _room_1 = room(_count46)
+        _dx_1, _dy_1, _dz_1 = carry_hop(_x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _dx_1, _dy_1, _dz_1, _dvx_1, _dvy_1, _dvz_1, _when_1, _room_1)
+        _dx_0, _dy_0, _dz_0 = _put(_rows45, shots, (_dx_0, _dy_0, _dz_0,), (_dx_1, _dy_1, _dz_1,), _hopped_0)
+    _closed_0, _position_claim_0, _velocity_claim_0, _spin_claim_0, _time_claim_0 = closing(_outcome_0, _claims_0)
+    _rows47, _count48 = _most(_closed_0, shots)
+    if _count48:
+        _clock_error_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1 = _taken(_rows47, _clock_error_0, _dvx_0, _dvy_0, _dvz_0, _dwx_0, _dwy_0, _dwz_0, _dx_0, _dy_0, _dz_0)
+        _room_1 = room(_count48)
         _position_claim_1, _velocity_claim_1, _spin_claim_1, _time_claim_1 = claimed_errors(_clock_error_1, _dx_1, _dy_1, _dz_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _room_1)
-        _position_claim_0, _spin_claim_0, _time_claim_0, _velocity_claim_0 = _put(_rows41, shots, (_position_claim_0, _spin_claim_0, _time_claim_0, _velocity_claim_0,), (_position_claim_1, _spin_claim_1, _time_claim_1, _velocity_claim_1,), _closed_0)
-    columns |= {"assured": _assured_0, "clock_error": _clock_error_0, "count_0": _count_0_0, "count_1": _count_1_0, "count_2": _count_2_0, "dvx": _dvx_0, "dvy": _dvy_0, "dvz": _dvz_0, "dwx": _dwx_0, "dwy": _dwy_0, "dwz": _dwz_0, "dx": _dx_0, "dy": _dy_0, "dz": _dz_0, "first": _first_0, "held": _held_0, "last": _last_0, "mode": _mode_0, "outcome": _outcome_0, "position_claim": _position_claim_0, "slip_left": _slip_left_0, "spin_claim": _spin_claim_0, "time_claim": _time_claim_0, "uncertain": _uncertain_0, "velocity_claim": _velocity_claim_0, "vx": _vx_0, "vy": _vy_0, "vz": _vz_0, "wx": _wx_0, "wy": _wy_0, "wz": _wz_0, }
+        _position_claim_0, _spin_claim_0, _time_claim_0, _velocity_claim_0 = _put(_rows47, shots, (_position_claim_0, _spin_claim_0, _time_claim_0, _velocity_claim_0,), (_position_claim_1, _spin_claim_1, _time_claim_1, _velocity_claim_1,), _closed_0)
+    columns |= {"assured": _assured_0, "clock_error": _clock_error_0, "count_0": _count_0_0, "count_1": _count_1_0, "count_2": _count_2_0, "dvx": _dvx_0, "dvy": _dvy_0, "dvz": _dvz_0, "dwx": _dwx_0, "dwy": _dwy_0, "dwz": _dwz_0, "dx": _dx_0, "dy": _dy_0, "dz": _dz_0, "first": _first_0, "held": _held_0, "last": _last_0, "mode": _mode_0, "outcome": _outcome_0, "position_claim": _position_claim_0, "slip_left": _slip_left_0, "spin_claim": _spin_claim_0, "time_claim": _time_claim_0, "uncertain": _uncertain_0, "velocity_claim": _velocity_claim_0, "vx": _vx_0, "vy": _vy_0, "vz": _vz_0, "wx": _wx_0, "wy": _wy_0, "wz": _wz_0, "x": _x_0, "y": _y_0, "z": _z_0, }

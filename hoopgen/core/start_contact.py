@@ -19,6 +19,24 @@ _CORNERS_FIRST = sorted(product((-1, 0, 1), repeat=3), key=lambda way: -sum(map(
 _WAYS = [np.array(way) / np.linalg.norm(way) for way in _CORNERS_FIRST if any(way)]
 """The 26 unit vectors to corners, edges and faces of a cube. No direction is more than 28 degrees
 from all of them, so that a flat surface nearer than 7/8 of the largest distance is found."""
+WAYS = len(_WAYS)
+
+
+def around(states: Floats, ball_radius: Floats, way: int) -> Floats:
+    """Return states at rest, each as far from its own place as a ball may be from a body it leaves.
+
+    Parameters
+    ----------
+    states
+        States at the start, (n, 9).
+    ball_radius
+        Radius of the ball, m, (n,).
+    way
+        The direction, one of `WAYS`.
+    """
+    moved = np.zeros_like(states)
+    moved[:, :3] = states[:, :3] + MAX_START_GAP * ball_radius[:, None] * _WAYS[way]
+    return moved
 
 
 def start_contact(
@@ -43,10 +61,8 @@ def start_contact(
     """
     overlaps, clear = np.zeros((2, len(states)), np.bool_)
     rows = np.arange(len(states))
-    for way in _WAYS:
-        moved = states[rows]
-        moved[:, :3] += MAX_START_GAP * ball_radius[rows, None] * way
-        moved[:, 3:] = 0.0
+    for way in range(WAYS):
+        moved = around(states[rows], ball_radius[rows], way)
         may_overlap, may_be_clear = overlap(rows, moved)
         overlaps[rows] |= may_overlap
         clear[rows] |= may_be_clear

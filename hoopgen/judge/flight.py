@@ -114,6 +114,8 @@ def _follow(
 ) -> None:
     """Add event after event."""
     last = left_by(formulas, flown.state, values, leaving)
+    if last >= 0:
+        flown.state = _put_on(formulas, formulas.surfaces[last], flown.state, values)
     variables = max(len(as_model(component).slopes) for component in flown.state)
     own = formulas.passage
     sizes = None if own is None else own(values)
@@ -172,6 +174,20 @@ def _through(
         else:
             found = passage.after_piece(found, sizes, piece.path, time)
     return found
+
+
+def _put_on(
+    formulas: Formulas, surface: SurfaceFormulas, state: list[Number], values: list[arb]
+) -> list[Number]:
+    """Return the state of a ball that starts on a surface, as `derive.rolling.start` places it."""
+    if formulas.hop is None or not surface.allows_rolling:
+        return state
+    normal = surface.normal(state, values)
+    off = surface.distance(state, values)[0] / sum((n * n for n in normal), arb(0)).sqrt()
+    place = [p - off * n for p, n in zip(state[:3], normal, strict=True)]
+    if surface.axis >= 0:
+        place[surface.axis] = surface.offset(values)[0]
+    return place + state[3:]
 
 
 def left_by(formulas: Formulas, state: list[Number], values: list[arb], leaving: int) -> int:

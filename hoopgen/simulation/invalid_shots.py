@@ -126,6 +126,13 @@ def reason(
     inside = [scene.surfaces[index] for index in np.flatnonzero(~invalid) if index != leaving]
     if len(inside) != 1:
         inside = _overlapped(scene, state, parameters)
+    if leaving >= 0 and (others := [n for n in inside if n != scene.surfaces[leaving]]):
+        own = StartCheck(scene, check.inputs, np.array([leaving], np.int8), None)
+        if own.touches_others(state[None])[0]:
+            return (
+                f"leaving: the ball touches the {' and the '.join(others)} besides the "
+                f"{scene.surfaces[leaving]}; expected in contact with one body"
+            )
     return f"inside the {' and the '.join(inside)}" if inside else "inside several surfaces"
 
 

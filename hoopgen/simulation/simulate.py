@@ -69,7 +69,8 @@ def simulate(
         The surface that each shot touches at the start, whatever the last digits of its position
         say: a name in `Shots.surfaces`, its index, or -1 for none; one for all or (n,). To begin
         on a body, where the ball rolls at once if it can, or to go on from recorded `after` states.
-        A shot is INVALID if the ball is off that surface by more than 1/1024 of its radius.
+        In a scene with rolling the ball is put onto the surface. A shot is INVALID if the ball is
+        off it by more than 1/1024 of its radius, or inside another surface that it touches, too.
     settle
         Whether to let `certify` decide the uncertain shots, which then are not; needs the extra
         "certify". A true tie, an exact touch or an exact edge stays uncertain.

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hoopgen.core.parameters import Value
-from hoopgen.core.start_contact import start_contact
+from hoopgen.core.start_contact import WAYS, around, start_contact
 from hoopgen.engine import native, numpy_backend
 from hoopgen.engine.compiled_scene import CompiledScene
 from hoopgen.engine.cuda import CudaEngine, to_host
@@ -82,12 +82,26 @@ class StartCheck:
             overlaps = self.is_invalid(rows[some], moved, leaves=False)
             return overlaps, ~overlaps | self.is_invalid(rows[some], moved, leaves=True)
 
+        found = np.zeros((2, len(states)), np.bool_)
+        found[:, rows] = start_contact(states[rows], self._radius(len(states))[rows], overlap)
+        return found[0], found[1]
+
+    def touches_others(self, states: Floats) -> Bools:
+        """Return which balls touch other bodies than the one that they leave, and are inside none.
+
+        Parameters
+        ----------
+        states
+            States at the start, (n, 9), of balls that are invalid there.
+        """
+        rows, radius = np.arange(len(states)), self._radius(len(states))
+        free = [~self.is_invalid(rows, around(states, radius, way), True) for way in range(WAYS)]
+        return np.asarray(np.any(free, axis=0))
+
+    def _radius(self, shots: int) -> Floats:
         kernels = self.scene.kernels
         column = self.inputs[list(kernels.VARIABLES).index(kernels.BALL_RADIUS)]
-        radius = np.broadcast_to(np.asarray(column, np.float64), len(states))[rows]
-        found = np.zeros((2, len(states)), np.bool_)
-        found[:, rows] = start_contact(states[rows], radius, overlap)
-        return found[0], found[1]
+        return np.broadcast_to(np.asarray(column, np.float64), shots)
 
 
 def without_false_starts(

@@ -716,7 +716,7 @@ def test_the_report_would_find_a_wrong_engine(monkeypatch: pytest.MonkeyPatch) -
         # An engine that takes the ring to be a millimetre wider.
         thick = {**parameters, "wire_radius": parameters["wire_radius"] + 1e-3}
         shots = simulate(states, thick, **options)
-        shots.parameters = simulate(states[:0], parameters).parameters
+        shots.parameters = simulate(states, parameters).parameters
         return shots
 
     monkeypatch.setattr(hoopgen, "simulate", wrong)

@@ -83,6 +83,11 @@ starts = {
             test_starts_on_bodies.FUNNEL,
             (("outside",), ("inside",), ("edge",)),
         ),
+        (
+            test_starts_on_bodies.test_a_ball_rolls_at_once_whatever_the_last_digits_of_its_place,
+            test_starts_on_bodies.CURVED,
+            (("pipe", 2.0),),
+        ),
     )
 }
 on_edge = OfFormulas(
@@ -289,11 +294,21 @@ FAULTS = (
         "a start on a body is a contact with it",
         in_text(
             contact_phase,
-            "start_decisions",
+            "start_kernels",
             'all_of(Boolean("touches"), Not(starts))',
             'Boolean("touches")',
         ),
         starts["a_ball_that_starts_on_a_body_rolls_at_once"],
+    ),
+    Planted(
+        "a ball that starts off a body is not put onto it",
+        without("placed_at_start"),
+        starts["a_ball_rolls_at_once_whatever_the_last_digits_of_its_place"],
+    ),
+    Planted(
+        "a ball is put onto a body as if its normal were a unit vector off it",
+        in_text(contact_phase, "start_kernels", "barrier(gap * per)", "gap"),
+        starts["a_ball_rolls_at_once_whatever_the_last_digits_of_its_place"],
     ),
     Planted(
         "a ball that starts with a speed off a body is in doubt about its weight on it",

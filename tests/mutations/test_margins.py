@@ -59,6 +59,10 @@ slip = OfKernels(
 friction = OfKernels(
     contact.test_whether_friction_suffices_is_in_doubt_within_the_error_of_the_velocity,
 )
+parting = OfKernels(
+    contact.test_a_ball_that_starts_where_its_force_vanishes_leaves_if_the_gap_opens,
+    ((1e-12, 0.5), (1e-12, 1e18)),
+)
 force = OfKernels(
     contact.test_a_force_near_zero_is_in_doubt_within_the_errors_of_the_state, EACH_ERROR
 )
@@ -213,6 +217,38 @@ FAULTS = (
         "whether friction suffices is sure",
         in_settling("barrier(barrier(turns + share * turns) * slip_error)", "0"),
         friction,
+    ),
+    Planted(
+        "a ball that starts where its contact ends is pressed on by a rounding",
+        in_text(settling, "parts_at_start", "AtMost(absolute(lift), small)", "AtMost(0, lift)"),
+        parting,
+    ),
+    Planted(
+        "a ball leaves the body that it starts on though the gap does not open",
+        in_text(settling, "parts_at_start", "        Less(0, gap_jerk),\n", ""),
+        parting,
+    ),
+    Planted(
+        "a ball parts where its force vanishes also at the end of bounces",
+        in_text(settling, "parts_at_start", "        Equal(mode, STARTS),\n", ""),
+        parting,
+    ),
+    Planted(
+        "a ball that starts where its contact ends settles",
+        in_settling("Or(isolated, still), Not(parts))", "Or(isolated, still))"),
+        parting,
+    ),
+    Planted(
+        "a ball that starts where its contact ends slides",
+        in_settling("all_of(slides, Not(parts))", "slides"),
+        parting,
+    ),
+    Planted(
+        "a ball that starts where its contact ends is in doubt about the force on it",
+        in_settling(
+            "                Not(parts),\n            ),\n        },", "            ),\n        },"
+        ),
+        parting,
     ),
     # Rolling.
     Planted(

@@ -12,10 +12,23 @@ from numpy.typing import NDArray
 pytest.importorskip("flint")
 
 import hoopgen
+from benchmarks.workloads import free_throw
 from hoopgen import Event
 from hoopgen.judge import certify
-from hoopgen.scene import End, Parameter, Plane, Revolution, Scene, Sphere
+from hoopgen.scene import (
+    Cone,
+    Cylinder,
+    End,
+    Parameter,
+    Plane,
+    Revolution,
+    Scene,
+    Sphere,
+    Torus,
+    load_scene,
+)
 from hoopgen.simulation.engine import Engine
+from tests.helpers import ROOT
 from tests.helpers.effort import trials
 
 pytestmark = [
@@ -57,6 +70,68 @@ FUNNEL = Scene(
     ends={"past": End(axis="-x", at=-2)},
 )
 """A body of four surfaces before others of one."""
+
+CURVED = Scene(
+    "bodies_of_every_curvature",
+    bodies=[
+        Sphere("dome", radius=0.3),
+        Sphere("bowl", centre=(5, 0, 0), radius=0.4, inside=True, within=["x - 6", "4 - x"]),
+        Cylinder("log", centre=(10, 0, 0), axis="y", radius=0.3),
+        Cylinder(
+            "pipe",
+            centre=(15, 0, 0),
+            axis="y",
+            radius=0.4,
+            inside=True,
+            within=["x - 16", "14 - x"],
+        ),
+        Cylinder("beam", centre=(20, 0, 0), axis=[1, 2, 2], radius=0.3),
+        Cone("funnel", apex=(25, 0, 0), slope=1.2, span=(0.1, 0.8), inside=True),
+        Torus("tyre", centre=(30, 0, 0), radius=0.6, wire=0.1),
+        Torus("leans", centre=(35, 0, 0), radius=0.6, wire=0.1, axis=[1, 2, 2]),
+        Plane("ramp", normal=[1, 0, 4], within=["x - 41", "39 - x"]),
+    ],
+    parameters=[Parameter("grip", 2.0, infinite=True)],
+    friction="grip",
+    ball_radius=BALL,
+    gravity=GRAVITY,
+    restitution=0.4,
+    inertia="2/5",
+    rolls=True,
+)
+"""A body of each curvature that a ball can roll on, far from one another."""
+
+
+def _of_length_one(way: list[float]) -> NDArray[np.float64]:
+    return np.array(way) / np.linalg.norm(way)
+
+
+def starts_on_curved() -> dict[str, tuple[NDArray[np.float64], NDArray[np.float64]]]:
+    """Return a place of a ball on each body, and the normal there."""
+    up, sideways = _of_length_one([0.1, 0.2, 1]), _of_length_one([-0.7, 0, 0.3])
+    slant = _of_length_one([-1, 0, 1.2])
+    axis = np.array([1, 2, 2]) / 3
+    above = _of_length_one(list(np.array([0, 0, 1]) - axis * axis[2]))
+    return {
+        "dome": ((0.3 + BALL) * up, up),
+        "bowl": (np.array([5, 0, 0]) - (0.4 - BALL) * sideways, sideways),
+        "log": (np.array([10, 0.1, 0]) + (0.3 + BALL) * np.array([0, 0, 1]), np.array([0, 0, 1])),
+        "pipe": (np.array([15, 0.1, 0]) - (0.4 - BALL) * sideways, sideways),
+        "beam": (np.array([20, 0, 0]) + 0.2 * axis + (0.3 + BALL) * above, above),
+        "funnel": (np.array([25.48, 0, 0.4]) + BALL * slant, slant),
+        "tyre": (np.array([30.6, 0, 0]) + (0.1 + BALL) * np.array([0, 0, 1]), np.array([0, 0, 1])),
+        "leans": (np.array([35, 0, 0]) + 0.6 * above + (0.1 + BALL) * above, above),
+        "ramp": (
+            np.array([40, 0, -10]) + BALL * _of_length_one([1, 0, 4]),
+            _of_length_one([1, 0, 4]),
+        ),
+    }
+
+
+@pytest.fixture(scope="module")
+def curved() -> Engine:
+    """The bodies of every curvature, compiled."""
+    return hoopgen.compile(CURVED)
 
 
 @pytest.fixture(scope="module")
@@ -281,6 +356,26 @@ def test_a_ball_is_nearer_to_the_body_it_leaves_than_to_one_that_it_touches_too(
     ]
 
 
+def test_a_ball_that_touches_two_bodies_begins_on_neither_for_certain(table: Engine) -> None:
+    """In the corner of table and wall roundings say on which side of the table it is."""
+    y = -5 + BALL
+    height = (BALL * math.sqrt(17.25) - 0.5 * y) / 4
+    states = np.zeros((8, 9))
+    states[:, 1], states[:, 4] = y, 1
+    states[:, 2] = height + BALL * np.array([1e-12, 1e-14, 0, -1e-14, -1e-12, -5e-4, -2e-3, -0.5])
+    shots = hoopgen.simulate(states, scene=table, leaving="wall")
+    invalid = shots.outcome == table.outcomes["INVALID"]
+    assert np.all(shots.uncertain[1:4])
+    assert np.all(invalid[4:])
+    reasons = hoopgen.why_invalid(states, scene=table, leaving="wall")
+    touches = (
+        "leaving: the ball touches the table besides the wall; expected in contact with one body"
+    )
+    assert reasons[:1] == [""]
+    assert set(reasons[1:4]) <= {"", touches}
+    assert reasons[4:] == [touches] * 2 + ["inside the table"] * 2
+
+
 @pytest.mark.parametrize("kind", [Event.IMPACT, Event.ROLL, Event.LEAVE])
 def test_every_recorded_event_is_in_contact_with_its_body(table: Engine, kind: Event) -> None:
     """Also at edges, where a ball leaves its body."""
@@ -314,3 +409,98 @@ def test_a_ball_starts_on_a_body_whatever_its_radius_is_called() -> None:
     assert shots.outcome.tolist() == [engine.outcomes["ENDLESS"], engine.outcomes["INVALID"]]
     proofs = engine.certify(begun, leaving="floor", time_limit=0.5)
     assert proofs.outcome[1] == engine.outcomes["INVALID"]
+
+
+OFFS = np.array([0, *(s * 10.0**-k for k in (16, 13, 12, 9, 6, 4) for s in (1, -1)), 9e-4])
+"""Distances of a ball from a body, by its radius."""
+
+
+def off_curved(body: str) -> NDArray[np.float64]:
+    """Return states of balls that roll on a body from one place, but for `OFFS`."""
+    place, normal = starts_on_curved()[body]
+    v = 0.3 * np.cross(normal, _of_length_one([3, 4, 1]))
+    states = np.empty((len(OFFS), 9))
+    states[:, :3] = place + OFFS[:, None] * BALL * normal
+    states[:, 3:6], states[:, 6:] = v, np.cross(normal, v) / BALL + normal
+    return states
+
+
+@pytest.mark.parametrize("grip", [2.0, math.inf])
+@pytest.mark.parametrize("body", starts_on_curved())
+def test_a_ball_rolls_at_once_whatever_the_last_digits_of_its_place(
+    curved: Engine, body: str, grip: float
+) -> None:
+    """The ball is put onto the body, and rolls as from a place on it."""
+    given: dict[str, Any] = {"leaving": body, "time_limit": 0.05, "record": True}
+    shots = hoopgen.simulate(off_curved(body), {"grip": grip}, scene=curved, **given)
+    assert np.all(shots.contacts == 0)
+    assert np.all(shots.rolls == 1)
+    assert not shots.uncertain.any()
+    begun = shots.events[shots.events["kind"] == Event.ROLL]
+    assert np.all(begun["time"] == 0)
+    place, _ = starts_on_curved()[body]
+    np.testing.assert_allclose(begun["after"][:, :3] - place, 0, rtol=0, atol=1e-14)
+    np.testing.assert_allclose(shots.state - shots.state[0], 0, rtol=0, atol=1e-12)
+
+
+@pytest.mark.parametrize("hop", [-1e-3, 0.0, 1e-6, 1e-4, 0.1])
+def test_both_engines_put_balls_onto_bodies_with_the_same_bits(curved: Engine, hop: float) -> None:
+    """And none touches its body again and again where it starts, whatever its speed off it."""
+    for body, (_, normal) in starts_on_curved().items():
+        states = off_curved(body)
+        states[:, 3:6] += hop * normal
+        given: dict[str, Any] = {"scene": curved, "leaving": body, "time_limit": 0.3}
+        there, here = (hoopgen.simulate(states, backend=b, **given) for b in ("c", "numpy"))
+        for name in ("outcome", "contacts", "rolls", "time", "state", "uncertain"):
+            assert np.array_equal(getattr(there, name), getattr(here, name), equal_nan=True)
+        assert np.all(there.outcome != curved.outcomes["CAPPED"])
+
+
+@pytest.mark.parametrize("off", [-5e-4, -1e-9, -1e-12, 0, 1e-12, 1e-9, 5e-4])
+def test_a_ball_that_is_thrown_off_leaves_the_body_whatever_the_last_digits_of_its_place(
+    curved: Engine, off: float
+) -> None:
+    """On top of a dome, too fast to stay: it flies as from the top."""
+    top = 0.3 + BALL
+    speed = 1.2 * math.sqrt(GRAVITY * top)
+    start = [0, 0, top + off * BALL, speed, 0, 0, 0, speed / BALL, 0]
+    shot = hoopgen.simulate(start, scene=curved, leaving="dome", time_limit=0.1)
+    assert (shot.contacts[0], shot.rolls[0], shot.uncertain[0]) == (0, 0, False)
+    fallen = top - GRAVITY * 0.1**2 / 2
+    np.testing.assert_allclose(shot.state[0, :3], [0.1 * speed, 0, fallen], rtol=0, atol=1e-14)
+    proof = certify(start, scene=CURVED, leaving="dome", time_limit=0.1)
+    assert proof.decided[0]
+    np.testing.assert_allclose(proof.state[0], shot.state[0], rtol=0, atol=1e-14)
+
+
+@pytest.mark.parametrize("off", [s * 10.0**-k for k in (16, 12, 9, 6, 4) for s in (1, -1)])
+def test_a_ball_on_the_wall_of_a_golf_hole_rolls_whatever_the_last_digits_of_its_place(
+    off: float,
+) -> None:
+    golf = hoopgen.compile(load_scene(ROOT / "examples" / "scenes" / "golf.toml"))
+    ball, hole = 0.02135, 0.054
+    start = [hole - ball + off * ball, 0, -0.03, 0, 0.5, 0, 0, 0, -0.5 / ball]
+    shot = hoopgen.simulate(start, scene=golf, leaving="cup")
+    assert shot.outcome[0] == golf.outcomes["HOLED"]
+    assert (shot.contacts[0], shot.rolls[0], shot.uncertain[0]) == (0, 1, False)
+
+
+def test_a_shot_goes_on_from_where_a_ball_has_left_a_body() -> None:
+    """There the force on it vanishes to roundings, and friction would not suffice for rolling."""
+    states = free_throw(trials(20_000, 4_000))
+    fields = ("outcome", "uncertain", "time", "time_error", "slip_left", "rolls", "contacts")
+    given: dict[str, Any] = {"scene": hoopgen.COURT, "fields": fields}
+    shots = hoopgen.simulate(states, hoopgen.NBA_COURT, record=True, **given)
+    leave = shots.events[shots.events["kind"] == Event.LEAVE]
+    assert len(leave) > 10
+    own = leave["shot"]
+    for backend in ("c", "numpy"):
+        on = hoopgen.simulate(
+            leave["after"], hoopgen.NBA_COURT, leaving=leave["surface"], backend=backend, **given
+        )
+        assert np.all(on.uncertain <= shots.uncertain[own])
+        sure = ~shots.uncertain[own]
+        assert np.all((on.outcome == shots.outcome[own])[sure])
+        assert not on.slip_left[sure].any()
+        late = on.time + leave["time"] - shots.time[own]
+        assert np.all(np.abs(late[sure]) <= (on.time_error + shots.time_error[own])[sure])

@@ -255,7 +255,8 @@ PREMISES: dict[str, Premise] = {
             "law.settling law.rebound common.leaves_slowly common.nearly "
             "common.no_bounce common.gripped common.pressed_on common.isolated common.near_apex "
             "common.near_end_plane common.near_body *.turning common.near_bounded_body "
-            "*.closing *.separation common.settled common.jump_errors common.beginning_contact"
+            "*.closing *.separation common.settled common.jump_errors common.beginning_contact "
+            "common.off_at_start common.placed_at_start common.start_errors"
         ),
     ),
     "series": Premise(

@@ -11,6 +11,7 @@ from typing import Any
 
 import pytest
 from hoopgen.derive.rolling import settling
+from hoopgen.derive.rolling.symbols import STARTS
 from hoopgen.generated.numpy import court
 
 NONE = -1.0
@@ -34,6 +35,8 @@ BOUNCING = {
     "p_inertia": 2 / 3,
     "p_ring_friction": FRICTION,
     "p_ring_restitution": RESTITUTION,
+    "p_gravity": GRAVITY,
+    "mode": 0.0,
     "velocity_error": 0.0,
     **dict.fromkeys(("wx", "wy", "wz", "rolled_y", "rolled_z", "turning_y", "turning_z"), 0.0),
     "rolled_x": 0.1,
@@ -46,6 +49,7 @@ BOUNCING = {
     "weight": -GRAVITY,
     "rolling_friction": 1.0,
     "lift": -GRAVITY,
+    "gap_jerk": 0.0,
 }
 """A ball that is pressed onto the ring, whose hops are far below the tolerance; nothing is near."""
 
@@ -128,6 +132,34 @@ def test_whether_friction_suffices_is_in_doubt_within_the_error_of_the_velocity(
         assert sure["slides"] == (part > 1)
         assert not sure["undecided"]
         assert ended(**given, velocity_error=1e-8)["undecided"]
+
+
+@pytest.mark.parametrize("force", [1e-15, 1e-12])
+@pytest.mark.parametrize("friction", [FRICTION, 1e18])
+def test_a_ball_that_starts_where_its_force_vanishes_leaves_if_the_gap_opens(
+    force: float, friction: float
+) -> None:
+    """Only then, and only at the start; the force is one of roundings."""
+    given = {
+        "bounce": 0.0,
+        "press": force,
+        "lift": -force,
+        "gap_jerk": 1.0,
+        "mode": STARTS,
+        "p_ring_friction": friction,
+    }
+    verdicts = ("settles", "slides", "unpressed", "undecided")
+
+    def found(**changed: float) -> list[bool]:
+        made = ended(**(given | changed))
+        return [bool(made[name]) for name in verdicts]
+
+    assert found() == [False, False, True, False]
+    assert found(velocity_error=1e-9) == [False, False, True, False]
+    presses = [friction > 1, friction < 1, False, False]
+    assert found(gap_jerk=-1.0) == presses
+    assert found(mode=0.0) == presses
+    assert found(press=1e-9, lift=-1e-9) == presses
 
 
 # ------------------------------------------------------------------------------- the normal force
