@@ -24,6 +24,7 @@ from hoopgen.text.shorten import brief, join_names
 from hoopgen.text.tables import table
 
 from .command import command
+from .distances import DISTANCES
 from .messages import echo_json, examples, shown
 from .options import (
     UNITS_IN_WORDS,
@@ -54,43 +55,6 @@ _AT_HOOP = {
     "file": "--csv",
 }
 """Options of a shot at a hoop, by their parameters."""
-
-_MAX_DISTANCES = 10_000
-
-_ROUNDING = 1e-6
-"""Part of a step by which a range may miss a whole number of steps: 0.1 is no binary number."""
-
-
-def _distances(text: str) -> tuple[float, ...]:
-    """Read a length; several, ``3m,4m,5m``; or a range with its step or count, ``1m:7m:0.5m``."""
-    parts = text.split(":")
-    if len(parts) == 1:
-        lengths = tuple(parse_quantity(part, "length") for part in text.split(","))
-    elif len(parts) == 3:
-        lengths = _range(*parts)
-    else:
-        raise ValueError(f"{brief(text)} is not from:to:step, such as 1m:7m:0.5m")
-    if min(lengths) < 0.0:
-        raise ValueError(f"expected 0 m or more, got {min(lengths):.6g} m")
-    return lengths
-
-
-def _range(first: str, last: str, by: str) -> tuple[float, ...]:
-    """Return a range; `by` is a step if it has a unit, else a count."""
-    low, high = parse_quantity(first, "length"), parse_quantity(last, "length")
-    if by.strip().isdecimal():
-        count = int(by)
-        step = (high - low) / (count - 1) if count > 1 else 0.0
-    else:
-        step = parse_quantity(by, "length")
-        steps = (high - low) / step if step > 0.0 else -1.0  # more than any number is infinite
-        count = 1 + math.floor(min(steps, _MAX_DISTANCES) + _ROUNDING)
-    if not (low < high and step > 0.0 and 2 <= count <= _MAX_DISTANCES):
-        raise ValueError(
-            f"{first}:{last}:{by}: expected from below to, and a step (with its unit) or a count "
-            f"that makes 2 to {_MAX_DISTANCES:,} distances"
-        )
-    return tuple(low + k * step for k in range(count))
 
 
 def _vector(components: str, kind: Kind) -> Parsed[tuple[float, ...]]:
@@ -138,7 +102,7 @@ def _needs(typed: Mapping[str, Any]) -> list[str]:
 @question_options(
     AimQuestion,
     optional=("distance",),
-    distance={"type": Parsed(_distances, "LENGTH [m] | FROM:TO:STEP")},
+    distance={"type": DISTANCES},
 )
 @variable_option("height")
 @variable_option("angle", default=0.0)
