@@ -508,7 +508,27 @@ def test_the_command_says_what_a_steep_shot_forgives() -> None:
 def test_the_command_shows_what_is_out_of_reach() -> None:
     result = _run("--distance", "4m,40m", "--speed", "8")
     assert result.exit_code == 0
-    assert result.stdout.splitlines()[-3].split() == ["40.000", *["-"] * 9]
+    *_, row, _, why, _, _ = result.stdout.splitlines()
+    assert row.split() == ["40.000", *["-"] * 9]
+    assert why.startswith("no release from 40.000 m: speed: the point of the ring's plane needs")
+
+
+@pytest.mark.parametrize("more", [(), ("--scene", "air"), ("--moving", "1,0")])
+def test_each_distance_without_a_release_has_the_reason_that_it_has_alone(
+    more: tuple[str, ...],
+) -> None:
+    asked = ("--speed", "8", *more)
+    many = _run("--distance", "3m:30m:9m", *asked)
+    for distance in (12, 21, 30):
+        reason = _run("--distance", f"{distance}m", *asked).stderr.partition("--")[2].strip()
+        assert f"no release from {distance}.000 m: {reason}\n" in many.stdout
+    assert many.stdout.count("no release from") == 3
+
+
+def test_of_many_distances_without_a_release_the_first_ones_have_reasons() -> None:
+    result = _run("--distance", "30m:60m:2m", "--speed", "8")
+    assert result.stdout.count("no release from") == 10
+    assert "\nand 6 more distances; --json has all\n" in result.stdout
 
 
 def test_a_shot_that_does_not_go_in_is_told() -> None:
@@ -527,6 +547,9 @@ def test_json_has_what_the_library_gives_and_what_the_flights_do() -> None:
             assert release[named(name)] == wanted, name
     flights = [(release["outcome"], release["touched_before"]) for release in record["releases"]]
     assert flights == [("made", None), ("made", None), ("invalid", None)]
+    reasons = [release["why_no_release"] for release in record["releases"]]
+    assert reasons[:2] == [None, None]
+    assert reasons[2].startswith("speed: the point of the ring's plane needs at least")
     assert record["releases"][0]["counts"].keys() == set(hoopgen.SURFACES)
     assert (record["depth_m"], record["by"], record["moving_m_s"]) == (0.02, "any", None)
     assert record["parameters"]["ring_radius_m"] == hoopgen.PAPER["ring_radius"]
