@@ -220,7 +220,7 @@ class Tallies:
         None,
     )
     events: Path | None = setting(
-        "Parquet or CSV: the event log, a row for each event of each row.",
+        ".csv, .parquet or .arrow: the event log, a row for each event of each row.",
         OUTPUT,
         None,
         heading=RESULTS,
