@@ -807,7 +807,7 @@ def test_the_command_says_of_a_folder_that_cannot_be_written_that_it_is_empty(
     home.mkdir(parents=True, exist_ok=True)
     (home / "notes").write_text("somebody's", encoding="utf-8")
     monkeypatch.setattr(cache, "private_folder", refuse)
-    assert CliRunner().invoke(main, ["cache"]).exit_code == 1
+    assert CliRunner().invoke(main, ["cache"]).exit_code == 2
 
 
 # ----------------------------------------------------------------------------------- the compiler
