@@ -161,7 +161,7 @@ def why_no_release(**arguments: Any) -> list[str]:
 
 @dataclass(frozen=True)
 class _Problem:
-    """What is aimed from where: the checked arguments of `aim`."""
+    """The checked arguments of `aim`, with the point and the flights that they mean."""
 
     engine: Engine
     parameters: Mapping[str, Any]

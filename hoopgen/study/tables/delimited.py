@@ -128,7 +128,7 @@ def layout_of(path: Path, delimiter: str = "") -> Layout:
 
 
 def _about(comment: str) -> str:
-    """Return what the comment line of results says, also if a spreadsheet has saved it again.
+    """Return the JSON in the comment line of results, also if a spreadsheet has saved it again.
 
     Spreadsheets break it into cells, put these in quotes and add empty ones. Which delimiters they
     read and wrote shows in the JSON that comes out.
