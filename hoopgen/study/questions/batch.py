@@ -178,6 +178,8 @@ def batch(
         check_suffix("out", out)
     if not is_names((columns or {}).values()):
         raise TypeError(f"columns: expected names of the table's columns, got {brief(columns)}")
+    release = _numbers("release", release or {})
+    check_turns("release", release, release)
     height = check_height(catching_height)
     file_unit("m", units)  # none but them
     check_workers(scheduler, threads)
@@ -199,9 +201,7 @@ def batch(
         if parameters is not None:
             resolve(parameters, 1, engine.table)  # none but them
             parameters = _numbers("parameters", complete(parameters, engine.table))
-        check_names("release", release or {}, variables_of(engine))
-        release = _numbers("release", release or {})
-        check_turns("release", release, release)
+        check_names("release", release, variables_of(engine))
         if len(measures):
             check_hoop("measures", engine)
         target = files.enter_context(_target(out, table))
