@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Mapping
+from itertools import islice
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -24,6 +25,7 @@ from hoopgen.text.shorten import brief, join_names
 from hoopgen.text.tables import table
 
 from .command import command
+from .distances import DISTANCES
 from .messages import echo_json, examples, shown
 from .options import (
     UNITS_IN_WORDS,
@@ -55,42 +57,9 @@ _AT_HOOP = {
 }
 """Options of a shot at a hoop, by their parameters."""
 
-_MAX_DISTANCES = 10_000
 
-_ROUNDING = 1e-6
-"""Part of a step by which a range may miss a whole number of steps: 0.1 is no binary number."""
-
-
-def _distances(text: str) -> tuple[float, ...]:
-    """Read a length; several, ``3m,4m,5m``; or a range with its step or count, ``1m:7m:0.5m``."""
-    parts = text.split(":")
-    if len(parts) == 1:
-        lengths = tuple(parse_quantity(part, "length") for part in text.split(","))
-    elif len(parts) == 3:
-        lengths = _range(*parts)
-    else:
-        raise ValueError(f"{brief(text)} is not from:to:step, such as 1m:7m:0.5m")
-    if min(lengths) < 0.0:
-        raise ValueError(f"expected 0 m or more, got {min(lengths):.6g} m")
-    return lengths
-
-
-def _range(first: str, last: str, by: str) -> tuple[float, ...]:
-    """Return a range; `by` is a step if it has a unit, else a count."""
-    low, high = parse_quantity(first, "length"), parse_quantity(last, "length")
-    if by.strip().isdecimal():
-        count = int(by)
-        step = (high - low) / (count - 1) if count > 1 else 0.0
-    else:
-        step = parse_quantity(by, "length")
-        steps = (high - low) / step if step > 0.0 else -1.0  # more than any number is infinite
-        count = 1 + math.floor(min(steps, _MAX_DISTANCES) + _ROUNDING)
-    if not (low < high and step > 0.0 and 2 <= count <= _MAX_DISTANCES):
-        raise ValueError(
-            f"{first}:{last}:{by}: expected from below to, and a step (with its unit) or a count "
-            f"that makes 2 to {_MAX_DISTANCES:,} distances"
-        )
-    return tuple(low + k * step for k in range(count))
+_MAX_REASONS = 10
+"""Rows of a table for which the text says why they have no release."""
 
 
 def _vector(components: str, kind: Kind) -> Parsed[tuple[float, ...]]:
@@ -138,7 +107,7 @@ def _needs(typed: Mapping[str, Any]) -> list[str]:
 @question_options(
     AimQuestion,
     optional=("distance",),
-    distance={"type": Parsed(_distances, "LENGTH [m] | FROM:TO:STEP")},
+    distance={"type": DISTANCES},
 )
 @variable_option("height")
 @variable_option("angle", default=0.0)
@@ -198,6 +167,7 @@ def aim(
             "leave --moving or --csv"
         )
     from hoopgen.study.questions.aim import aim as aimed
+    from hoopgen.study.questions.aim import why_no_release
     from hoopgen.study.questions.aim_table import aim_table, write_csv
     from hoopgen.study.questions.aimed_release import flight_in_words, met_before
 
@@ -208,11 +178,11 @@ def aim(
         at = {"position": position, "target": target, "moving": moving}
         _aim_in_scene(engine, picture, as_json, arc=arc, parameters=parameters, **angles, **at)
         return
+    flight = {**wanted, **(spins if is_in_air(engine.parameters) else {}), "arc": arc}
+    flight |= {"target": target, "moving": moving, "parameters": parameters, "scene": engine}
     if len(distance) == 1:
         # A single number gives the error that says why there is no such release.
-        spun = spins if is_in_air(engine.parameters) else {}
-        one = {**wanted, **spun, "target": target, "moving": moving}
-        aimed(distance=distance[0], arc=arc, parameters=parameters, scene=engine, **one)
+        aimed(distance=distance[0], **flight)
     computation: dict[str, Any] = {"threads": threads, "folder": folder, "scheduler": scheduler}
     with shown() as progress:
         options = {**spins, **wanted, **computation, "progress": progress}
@@ -226,10 +196,15 @@ def aim(
         states[..., 3:5] += moving
     shots = hoopgen.simulate(states, parameters, scene=engine, record=True)
     times = columns["time"].tolist()
+    missing = np.flatnonzero(np.isnan(columns["speed"]))
+    why: dict[int, str] = {}
+    if len(missing):
+        reasons = why_no_release(distance=columns["distance"][missing], **flight)
+        why = dict(zip(missing.tolist(), reasons, strict=True))
     if as_json:
         said = {"target_m": target} if target is not None else {"depth_m": wanted["depth"]}
         said |= {"moving_m_s": moving, "by": by}
-        _echo_json(columns, shots, parameters, said)
+        _echo_json(columns, shots, parameters, said, why)
     elif len(distance) == 1:
         release_values = {name: float(column[0]) for name, column in columns.items()}
         path = flight_in_words(shots, 0, times[0])
@@ -238,7 +213,7 @@ def aim(
             point = f"{_components(map(float, target), 'length')} from the ring's centre"
         click.echo(_one(release_values, point, by, path))
     else:
-        click.echo(_many(columns))
+        click.echo("\n".join([_many(columns), *_without_release(columns, why)]))
         early = [row for row, time in enumerate(times) if met_before(shots, row, time)]
         if early:
             places = join_names(
@@ -277,7 +252,7 @@ def _aim_in_scene(engine: Engine, picture: Path | None, as_json: bool, **options
         columns = {name: np.ravel(getattr(found, name)) for name in numbers}
         columns |= {name: np.ravel(value) for name, value in found.arguments.items()}
         said = {"target_m": found.target.tolist(), "moving_m_s": options["moving"]}
-        _echo_json(columns, shots, options["parameters"], said)
+        _echo_json(columns, shots, options["parameters"], said, {})
     else:
         click.echo("\n".join(_in_scene(found, flight_in_words(shots, 0, float(found.time)))))
         click.echo(f"\nscene   {describe_scene(engine, options['parameters'])}")
@@ -286,7 +261,11 @@ def _aim_in_scene(engine: Engine, picture: Path | None, as_json: bool, **options
 
 
 def _echo_json(
-    columns: Columns, shots: hoopgen.Shots, parameters: Mapping[str, float], said: Mapping[str, Any]
+    columns: Columns,
+    shots: hoopgen.Shots,
+    parameters: Mapping[str, float],
+    said: Mapping[str, Any],
+    why: Mapping[int, str],
 ) -> None:
     """Print the releases with what their flights do, and what was asked, as JSON."""
     from hoopgen.study.named_units import in_units, named
@@ -301,6 +280,7 @@ def _echo_json(
             "contacts": int(shots.contacts[row]),
             "counts": dict(zip(shots.surfaces, shots.counts[row].tolist(), strict=True)),
             "touched_before": met and met[0],
+            "why_no_release": why.get(row),
         }
         releases.append(release | flight)
     scene = describe_scene(shots.scene, parameters)
@@ -375,6 +355,17 @@ def _one(release: Mapping[str, float], point: str, by: str, path: str) -> str:
 def _signed(name: str, value: float) -> str:
     text = format_variable(name, value)
     return text if value < 0 else f"+{text}"
+
+
+def _without_release(columns: Columns, why: Mapping[int, str]) -> list[str]:
+    """Say for the rows of a table that have no release why, of many for the first ones."""
+    lines = [
+        f"no release from {format_variable('distance', columns['distance'][row])}: {reason}"
+        for row, reason in islice(why.items(), _MAX_REASONS)
+    ]
+    if len(why) > len(lines):
+        lines.append(f"and {format_count(len(why) - len(lines), 'more distance')}; --json has all")
+    return ["", *lines] if lines else []
 
 
 def _many(columns: Columns) -> str:

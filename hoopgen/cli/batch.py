@@ -46,7 +46,7 @@ cells than the header. In CSV with semicolons or tabs, numbers may have decimal 
     "--out",
     type=OUT,
     required=True,
-    help="Parquet or CSV: the table with its results, in the same order.",
+    help=".csv, .parquet or .arrow: the table with its results, in the same order.",
 )
 @table_options
 @question_options(BatchQuestion)

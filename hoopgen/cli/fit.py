@@ -43,7 +43,7 @@ A column of another name is read with --column time_ms=Timestamp. Rows need no o
     "--out",
     type=OUT,
     required=True,
-    help="Parquet or CSV: the releases with standard errors, one row a track.",
+    help=".csv, .parquet or .arrow: the releases with standard errors, one row a track.",
 )
 @scene_option
 @preset_options

@@ -67,11 +67,14 @@ def compile_(scene: str, package: Path | None) -> None:
 @click.option("--clear", is_flag=True, help="Remove all compiled scenes.")
 def cache(show: bool, clear: bool) -> None:
     """Show or clear the folder of compiled scenes."""
-    from hoopgen.scene.cache import clear_store, user_store
+    from hoopgen.scene.cache import clear_store, is_empty_store, user_store
 
     there = user_store()
     if isinstance(there, str):
-        raise click.ClickException(there)
+        if not is_empty_store():
+            raise click.ClickException(there)
+        click.echo(f"no scene is kept; {there}")
+        return
     if show or not clear:
         without = " (without bounds)"
         rows = [
@@ -118,17 +121,18 @@ def hash_(scenes: tuple[str, ...], backend: BackendName, as_json: bool) -> None:
     engines, missing = [], {}
     for scene in scenes or BUILT_IN:
         try:
-            engines.append(engine_of_scene(scene_from(scene)))
+            engine = engine_of_scene(scene_from(scene))
+            engines.append((scene if scene in BUILT_IN else engine.name, engine))
         except ImportError as error:
             missing[scene] = error_text(error)
-    names = [engine.name for engine in engines]
+    names = [name for name, _ in engines]
     if twice := {name for name in names if names.count(name) > 1}:
         raise click.ClickException(f"SCENES: two are called {min(twice)}; ask for one at a time")
     found = {}
-    for engine in engines:
-        found[engine.name] = fingerprint(engine, backend)
+    for name, engine in engines:
+        found[name] = fingerprint(engine, backend)
         if not as_json:
-            click.echo(f"{found[engine.name]}  {engine.name}")
+            click.echo(f"{found[name]}  {name}")
     if as_json:
         click.echo(json.dumps(found, indent=2))
     if missing:

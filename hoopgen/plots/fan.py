@@ -23,9 +23,10 @@ from hoopgen.text.shorten import brief
 from .class_legend import draw_names, names_height
 from .fan_paths import Fan, classes_of, gather_fan
 from .figure import add_key, add_title, draw_picture, fit_view
-from .page import ABOVE, BELOW, LEFT, RIGHT, add_view, lay_pair, new_page
+from .page import ABOVE, BELOW, LEFT, RIGHT, add_view, lay_pair, new_page, room_left
 from .small_multiples import (
     BELOW_GRID,
+    Grid,
     Group,
     check_grouping,
     describe_grouping,
@@ -62,7 +63,8 @@ def plot_fan(
 ) -> Drawn:
     """Draw the paths of many shots from the side, to scale.
 
-    In a scene of one's own, paths that are all but level are seen from above.
+    In a scene of one's own, paths that are all but level, or on a table that leans, are seen from
+    above.
 
     Parameters
     ----------
@@ -178,19 +180,12 @@ def draw_fan_page(
     """
     foot = names_height([str(line.get_label()) for line in key], width)
     near = fan.near_the_ring() if fan.hoop else None
-    grid, panels = None, []
-    bottom, tallest = foot + BELOW, _MAX_HEIGHT
-    if groups:
-        place = LEFT, foot + BELOW_GRID, width - LEFT - RIGHT
-        part = _MAX_HEIGHT_PART if near else _MAX_HEIGHT
-        grid = lay_grid(len(groups), fan.view, near or fan.limits(), place, width, part)
-        bottom, tallest = grid.top + BELOW, _MAX_HEIGHT_ABOVE
-    if near and not grid:
-        whole = fan.view, fan.limits()
-        panels = [*lay_pair(whole, (fan.view, near), width, bottom, tallest)]
-    elif near or not grid:
-        across = width - LEFT - RIGHT
-        panels = [Panel.fitted(fan.view, fan.limits(), LEFT, bottom, across, tallest)]
+    grid, panels = _arrange(fan, len(groups), near, foot, width, LEFT)
+    if not near:
+        shown, ticks = (grid.panels[:1], few_ticks) if grid else (panels, None)
+        left = room_left(shown, LEFT, ticks)
+        if left > LEFT:
+            grid, panels = _arrange(fan, len(groups), near, foot, width, left)
     top = max([panel.top + ABOVE for panel in panels] or [grid.top if grid else 0.0])
     figure = new_page(width, top - foot, title=title, note=note, foot=foot)
     for panel in panels:
@@ -205,6 +200,26 @@ def draw_fan_page(
             draw_fan(axes, panel, fan.part(group.members), _WIDE_LINE)
     draw_names(figure, key, width)
     return figure
+
+
+def _arrange(
+    fan: Fan, groups: int, near: Limits | None, foot: float, width: float, left: float
+) -> tuple[Grid | None, list[Panel]]:
+    """Place the grid of the groups, if there are any, and the panels of all paths above it."""
+    grid, panels = None, []
+    bottom, tallest = foot + BELOW, _MAX_HEIGHT
+    across = width - left - RIGHT
+    if groups:
+        place = left, foot + BELOW_GRID, across
+        part = _MAX_HEIGHT_PART if near else _MAX_HEIGHT
+        grid = lay_grid(groups, fan.view, near or fan.limits(), place, width, part)
+        bottom, tallest = grid.top + BELOW, _MAX_HEIGHT_ABOVE
+    if near and not grid:
+        whole = fan.view, fan.limits()
+        panels = [*lay_pair(whole, (fan.view, near), width, bottom, tallest)]
+    elif near or not grid:
+        panels = [Panel.fitted(fan.view, fan.limits(), left, bottom, across, tallest)]
+    return grid, panels
 
 
 def _group_paths(fan: Fan, by: str) -> list[Group]:

@@ -20,7 +20,7 @@ from .views import Limits, Points, View, limits_around
 
 _MARGIN = 0.02  # around what is drawn, of its size
 _RING_MARGIN = 0.08  # m around ring and board
-_LEVEL = 0.05  # height of paths over their width, below which they are seen from above
+_LEVEL = 0.05  # height above a plane over width, below which paths are seen from above
 _ROLL_PIECE_DURATION = 0.01  # s, of a roll: less than can be seen off a parabola
 
 
@@ -140,10 +140,26 @@ def _points_of(curve: Points) -> Points:
 
 
 def _view_of(scenery: Scenery, points: Points) -> View:
-    """Return the side view, or the top view of paths that are all but level."""
+    """Return the side view, or the top view of paths that are all but level.
+
+    It is the top view, too, of paths that are all but in a plane, such as a table that leans, and
+    of which the side view shows less.
+    """
     side, *others = scenery.views(points)
     wide, high = np.ptp(side.flatten(points), axis=0)
-    return others[0] if others and high < _LEVEL * wide else side
+    if not others or wide == 0.0 or side.up[2] != 1.0:
+        return side
+    if high < _LEVEL * wide:
+        return others[0]
+    leaning = high < np.ptp(points @ side.towards) and _off_plane(points / wide) < _LEVEL
+    return others[0] if leaning else side
+
+
+def _off_plane(points: Points) -> float:
+    """Return the height of points (n, 3) above the plane that fits them best."""
+    across = np.column_stack([points[:, :2], np.ones(len(points))])
+    plane = np.linalg.lstsq(across, points[:, 2])[0]
+    return float(np.ptp(points[:, 2] - across @ plane))
 
 
 def _side_view(releases: list[NDArray[np.float64]]) -> View:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
@@ -15,11 +15,12 @@ from .style import INK, NARROW_PAGE, wrap
 from .views import Limits, Panel, View
 
 LEFT, RIGHT, BELOW, ABOVE = 0.58, 0.1, 0.48, 0.1
-"""Room around axes to scale for their numbers and names, inches."""
+"""Room around axes to scale for their numbers and names, inches; `room_left` of long numbers."""
 
 # Inches.
 _BETWEEN = 0.68  # two views beside one another
 _MARGIN = 0.1
+_EDGE = 0.03  # between the name of an axis and the edge of the page
 _TITLE, _NOTE = 0.24, 0.15
 
 _NOTE_SIZE = 7.0  # points
@@ -103,6 +104,33 @@ def add_view(figure: Figure, panel: Panel) -> Axes:
     axes = add_axes(figure, *place, panel.view.name)
     set_view(axes, panel.view, panel.limits)
     return axes
+
+
+def room_left(
+    panels: Sequence[Panel], room: float, set_ticks: Callable[[Axes], None] | None = None
+) -> float:
+    """Return the room left of panels for the numbers and the names of their y axes, inches.
+
+    Parameters
+    ----------
+    panels
+        Those at the left edge of the page.
+    room
+        The least room, inches, which short numbers need.
+    set_ticks
+        Sets the ticks of the axes of a panel; by default they are those of `add_view`.
+    """
+    height = max(panel.top for panel in panels) + 1.0
+    figure = Figure(figsize=(max(panel.left + panel.width for panel in panels), height))
+    for panel in panels:
+        axes = add_view(figure, panel)
+        if set_ticks is not None:
+            set_ticks(axes)
+        labels = axes.yaxis.get_tightbbox()
+        if labels is not None:
+            needed = (axes.get_window_extent().x0 - labels.x0) / figure.dpi
+            room = max(room, float(needed) + _EDGE)
+    return room
 
 
 def lay_pair(

@@ -359,6 +359,16 @@ def user_store() -> Cache | str:
     return Cache(folder)
 
 
+def is_empty_store() -> bool:
+    """Return whether the user's folder of compiled scenes holds nothing, or does not exist."""
+    try:
+        return next((user_cache() / "scenes").iterdir(), None) is None
+    except (FileNotFoundError, NotADirectoryError):
+        return True
+    except (OSError, RuntimeError):
+        return False
+
+
 @cache
 def process_store(why: str) -> Memory:
     """Return a store for this process alone, and print once why."""

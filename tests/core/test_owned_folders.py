@@ -159,7 +159,7 @@ COMMANDS: Mapping[str, Callable[[Path], Command]] = {
         f,
     ),
     "aim": lambda f: (
-        ("aim", "--entry", "45deg", "--height", "7ft", "--distance", "3:4:2", "--folder", f),
+        ("aim", "--entry", "45deg", "--height", "7ft", "--distance", "3:4:1", "--folder", f),
         f,
     ),
     "study": lambda f: (("study", study(f.parent), "--out", f), f),

@@ -27,7 +27,7 @@ from matplotlib.patches import PathPatch
 import hoopgen
 from benchmarks import pictures
 from hoopgen.core.colours import body_colours
-from hoopgen.plots import scenery
+from hoopgen.plots import plot_fan, scenery
 from hoopgen.plots.contact_marks import Mark
 from hoopgen.plots.fan_paths import _view_of, gather_fan
 from hoopgen.plots.occlusion import is_hidden
@@ -348,6 +348,31 @@ def test_many_level_paths_are_seen_from_above(high: float, name: str) -> None:
     there = past_a_sphere(0.6).scenery
     points = np.random.default_rng(1).uniform(0.0, 1.0, (100, 3)) * (2.0, 1.0, high)
     assert _view_of(there, points).name == name
+
+
+@pytest.mark.parametrize(
+    ("wide", "hops", "name"),
+    [(1.0, 0.01, "top view"), (1.0, 0.3, "side view"), (0.1, 0.01, "side view")],
+)
+def test_paths_on_a_table_that_leans_are_seen_from_above(
+    wide: float, hops: float, name: str
+) -> None:
+    there = past_a_sphere(0.6).scenery
+    points = np.random.default_rng(1).uniform(0.0, 1.0, (100, 3)) * (wide, 2.0, hops)
+    points[:, 2] += 0.125 * points[:, 1]
+    assert _view_of(there, points).name == name
+
+
+def test_long_numbers_and_their_name_are_on_the_page() -> None:
+    states = hoopgen.release([7.05, 7.2], np.radians(51), height=2.1336, distance=4.191)
+    shots = hoopgen.simulate(states, scene=hoopgen.COURT, record=True)
+    figure = plot_fan(shots, hoopgen.PAPER_COURT)
+    renderer = FigureCanvasAgg(figure).get_renderer()
+    (axes,) = figure.axes
+    labels = axes.yaxis.get_tightbbox(renderer)
+    assert axes.get_ylabel() == "z (m)"
+    assert labels is not None
+    assert labels.x0 >= 0.0
 
 
 def test_a_ring_hides_what_is_below_its_wire_and_not_what_is_in_its_hole() -> None:

@@ -167,7 +167,7 @@ def test_a_file_is_viewed_in_python(results: Path, tmp_path: Path) -> None:
         f"scene {SAID}"
     )
     assert data_of(tmp_path / "page.html")["parameters"] == dict(SCENE)
-    with pytest.raises(ValueError, match="not PAPER"):
+    with pytest.raises(ValueError, match="got PAPER"):
         hoopgen.view(str(results), hoopgen.PAPER)
     with pytest.raises(ValueError, match="about: of a file it is which rows"):
         hoopgen.view(results, about="mine")
@@ -222,7 +222,7 @@ def test_a_map_and_a_search_draw_from_results_in_their_scene(command: str, resul
     assert result.stderr == ""
     assert f"\nscene    {SAID}\nrelease  measured: " in result.stdout
     assert result.stdout == run(*MEASURED[command], "--from", results, *IN_SCENE).stdout
-    assert "not FIBA" in failure(*MEASURED[command], "--from", results, "--preset", "fiba")
+    assert "got FIBA" in failure(*MEASURED[command], "--from", results, "--preset", "fiba")
     changed = run(*MEASURED[command], "--from", results, "--preset", "fiba", "--override").stdout
     assert "\nscene    FIBA\n" in changed
     assert "there is no file" in failure(*MEASURED[command], "--override")
@@ -252,11 +252,11 @@ def test_measured_scenes_are_said_to_be() -> None:
 @pytest.mark.parametrize(
     ("options", "said"),
     [
-        (("--preset", "nba"), f"in the scene {SAID}, not NBA"),
-        (("--set", "restitution=0.8"), f"in the scene {SAID}, not NBA, restitution 0.8"),
-        (("--max-contacts", "40"), "to 7 contacts, not 40"),
-        (("--release", "height=8ft"), "with the height 2.1336"),
-        (("--release", "speed=7"), "with the speed that of each row, not 7.0"),
+        (("--preset", "nba"), f"parameters (--preset, --set): expected {SAID}, got NBA;"),
+        (("--set", "restitution=0.8"), f"expected {SAID}, got NBA, restitution 0.8;"),
+        (("--max-contacts", "40"), "max_contacts: expected 7, got 40;"),
+        (("--release", "height=8ft"), "height: expected 2.1336, got 2.4384;"),
+        (("--release", "speed=7"), "speed: expected that of each row, got 7.0;"),
     ],
 )
 def test_options_that_contradict_results_are_refused(
@@ -264,7 +264,7 @@ def test_options_that_contradict_results_are_refused(
 ) -> None:
     page = tmp_path / "page.html"
     text = failure("view", results, "--out", page, *options)
-    assert f"{results}: its shots were flown otherwise" in text
+    assert f"{results}: its shots have other values than are given: " in text
     assert said in text
     assert "--override" in text
     assert not page.exists()
@@ -292,7 +292,7 @@ def test_options_that_say_what_the_file_says_are_none(results: Path, tmp_path: P
 
 def test_a_batch_in_python_refuses_and_overrides(results: Path, tmp_path: Path) -> None:
     out = tmp_path / "out.parquet"
-    with pytest.raises(ValueError, match="not FIBA"):
+    with pytest.raises(ValueError, match="got FIBA"):
         hoopgen.batch(results, out, parameters=hoopgen.FIBA, prefix="a_")
     done = hoopgen.batch(results, out, parameters=hoopgen.FIBA, prefix="a_", override=True)
     assert done.scene == "FIBA"

@@ -173,7 +173,7 @@ def test_no_other_seed_is_taken(seed: str) -> None:
     [
         ["aim", "--distance=-3", "--height", "2"],
         ["aim", "--distance=3,-2", "--height", "2"],
-        ["aim", "--distance=-1:3:5", "--height", "2"],
+        ["aim", "--distance=-1:3:1", "--height", "2"],
         ["shot", "--distance=-3", "--height", "2", "--speed", "7", "--elevation", "50deg"],
         [*ESTIMATE, "--distance=-3"],
     ],

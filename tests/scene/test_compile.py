@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import functools
 import io
 import os
@@ -786,6 +787,27 @@ def test_a_cache_that_has_no_marker_is_known_by_its_names(home: Path) -> None:
     why = cache.user_store()
     assert isinstance(why, str)
     assert why.startswith(f"{home} holds files that hoopgen did not make: ")
+
+
+@pytest.mark.parametrize("there", [False, True])
+def test_the_command_says_of_a_folder_that_cannot_be_written_that_it_is_empty(
+    there: bool, home: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def refuse(path: Path, *_: Any) -> Any:
+        raise OSError(errno.EROFS, "Read-only file system", str(path))
+
+    if there:
+        home.mkdir(parents=True, mode=0o700)
+    monkeypatch.setattr(cache, "open_store" if there else "private_folder", refuse)
+    from click.testing import CliRunner
+
+    result = CliRunner().invoke(main, ["cache"])
+    assert result.exit_code == 0
+    assert result.stdout == f"no scene is kept; {home}: Read-only file system\n"
+    home.mkdir(parents=True, exist_ok=True)
+    (home / "notes").write_text("somebody's", encoding="utf-8")
+    monkeypatch.setattr(cache, "private_folder", refuse)
+    assert CliRunner().invoke(main, ["cache"]).exit_code == 2
 
 
 # ----------------------------------------------------------------------------------- the compiler

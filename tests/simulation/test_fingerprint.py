@@ -19,7 +19,7 @@ from hoopgen.simulation.engine import Engine
 from hoopgen.simulation.fingerprint import canonical_bytes, fingerprint, fixed_releases
 from hoopgen.simulation.lookup import BUILT_IN, engine_of, scene_from
 from tests.helpers import ROOT
-from tests.helpers.commands import failure, run
+from tests.helpers.commands import failure, run, succeed
 
 GOLDEN = json.loads((ROOT / "tests" / "golden_hashes.json").read_text(encoding="utf-8"))
 FILES = sorted((ROOT / "examples" / "scenes").glob("*.toml"))
@@ -86,6 +86,11 @@ def test_the_hash_has_one_pattern_for_nan() -> None:
 def test_two_scenes_of_one_name_are_refused() -> None:
     said = failure("hash", "hoop", "hoop")
     assert "SCENES: two are called hoop" in said
+
+
+def test_a_scene_has_the_name_by_which_it_is_asked_for(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("hoopgen.simulation.fingerprint.fingerprint", lambda *_: "digest")
+    assert succeed("hash", "court-air", "hoop").stdout == "digest  court-air\ndigest  hoop\n"
 
 
 def test_the_scenes_that_can_be_run_are_hashed(monkeypatch: pytest.MonkeyPatch) -> None:

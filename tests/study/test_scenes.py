@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import json
+import re
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
@@ -351,10 +352,13 @@ def test_a_table_of_states_is_flown_and_read_again(
     again = hoopgen.batch(out, scene=scene, prefix="again_")
     assert dict(again) == dict(found)
     assert str(again.to_arrow()["again_end_x_m"]) == str(rows["end_x_m"])
-    for wrong, there in ((None, "not in hoop"), (other, "differs from the one given")):
-        with pytest.raises(ValueError, match="flown in the scene ledge") as refused:
+    assert dict(hoopgen.batch(out, prefix="again_")) == dict(found)  # the file has its text
+    for wrong, expected in (
+        (hoopgen.COURT, f"ledge, the scene of the shots in {out}; got court; give that scene"),
+        (other, f"the ledge of the shots in {out}; got another scene of that name; give that"),
+    ):
+        with pytest.raises(ValueError, match=re.escape(f"scene: expected {expected}")):
             hoopgen.batch(out, scene=wrong, prefix="again_")
-        assert there in str(refused.value)
     with pytest.raises(ValueError, match="measures: its question is a hoop's"):
         hoopgen.batch(out, scene=scene, prefix="again_", measures=["depth"])
 
@@ -363,7 +367,7 @@ def test_results_of_the_hoop_are_not_flown_elsewhere(scene: Engine, tmp_path: Pa
     source = tmp_path / "hoop.csv"
     source.write_text("x,y,z,vx,vy,vz\n4.2,0,-0.6,-4.5,0,5.6\n")
     hoopgen.batch(source, tmp_path / "hoop.parquet")
-    with pytest.raises(ValueError, match="flown in the scene hoop, not in ledge"):
+    with pytest.raises(ValueError, match=r"expected hoop, the scene of the shots in .*; got ledge"):
         hoopgen.batch(tmp_path / "hoop.parquet", scene=scene, prefix="again_")
 
 
@@ -432,7 +436,7 @@ def test_the_command_line_runs_studies_of_a_scene(file: Path, tmp_path: Path) ->
     whole = output("view", results, "--scene", file, *page)
     assert "all 6 rows" in whole
     said = failure("view", results, "--scene", "hoop", *page)
-    assert "flown in the scene ledge, not in hoop" in said
+    assert "--scene: expected ledge, the scene of the shots in" in said
     drawn = output("estimate", "--from", results, "--scene", file, "--shots", 50)
     assert "measured" in drawn
     # The file has the text of the scene.
@@ -442,6 +446,10 @@ def test_the_command_line_runs_studies_of_a_scene(file: Path, tmp_path: Path) ->
     assert "scene: ledge, reach by row, bounce 0.5" in output("batch", results, "--out", again)
     assert output("view", again, *page) == whole.replace(results.name, again.name)
     assert "scene ledge" in hoopgen.view(again).about
+    assert (
+        hoopgen.batch(results, parameters={"bounce": 0.5}).scene
+        == "ledge, reach by row, bounce 0.5"
+    )
 
 
 @pytest.mark.slow
@@ -463,12 +471,12 @@ def test_the_text_of_a_scene_in_results_is_read_as_a_scene_file_is(
         pq.write_table(rows.replace_schema_metadata(changed), results)
         return failure("view", results, *page)
 
-    assert "flown in the scene ledge, not in hoop" in refusal(None)
+    assert "which has not its text; got hoop; give that scene" in refusal(None)
     assert "cannot be read: this is not TOML" in refusal("import os")
     evil = about["scene_text"].replace("x - reach", "__import__('os')")
     assert "body floor: within" in refusal(evil)
     other = refusal(about["scene_text"].replace("- 1.3", "- 1.4"))
-    assert "flown in the scene ledge, which differs from the one given" in other
+    assert "got another scene of that name" in other
     large = about["scene_text"] + "#" * 1_000_000
     assert "--limit file_size=" in refusal(large)
 

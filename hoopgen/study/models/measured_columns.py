@@ -101,7 +101,7 @@ def measured_groups(labels: Iterable[object] | None) -> list[str] | None:
     found = list(labels)
     missing = [row for row, one in enumerate(found) if one is None or one != one or one == ""]
     if missing:
-        raise ValueError(f"group: row {missing[0]} has no label")
+        raise ValueError(f"group: row {missing[0] + 1} of {len(found)} has no label")
     return [str(one) for one in found]
 
 

@@ -315,7 +315,7 @@ def _labels(group: Iterable[object], rows: int) -> tuple[str, ...]:
     if len(labels) != rows:
         raise ValueError(f"group: expected a label for each of {rows} rows, got {len(labels)}")
     if "" in labels:
-        raise ValueError(f"group: row {labels.index('')} has no label")
+        raise ValueError(f"group: row {labels.index('') + 1} of {len(labels)} has no label")
     return tuple(labels)
 
 

@@ -7,6 +7,7 @@ the shooter moves.
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -16,6 +17,7 @@ from hoopgen.core.argument_types import check_arguments
 from hoopgen.core.parameters import ParameterValues, complete
 from hoopgen.core.si_checks import check_angles, check_lengths, check_spins
 from hoopgen.core.validation import as_doubles
+from hoopgen.hoop.flights import Flights
 from hoopgen.hoop.parabolas import Arc
 from hoopgen.hoop.releases import from_zero
 from hoopgen.scene.lookup import SceneLike
@@ -26,6 +28,8 @@ from hoopgen.text.shorten import brief
 from .aim_scene import components, flights_of, target_of
 from .aimed_point import Point, why_none
 from .aimed_release import Aim, plain
+
+_SPINS = ("backspin", "sidespin")
 
 
 @check_arguments
@@ -109,6 +113,88 @@ def aim(
         the scene needs it, shapes do not broadcast, angles are degrees, gravity does not point
         along -z, or, where all arguments are numbers, no release does it.
     """
+    problem = _problem(
+        height=height,
+        distance=distance,
+        angle=angle,
+        position=position,
+        entry=entry,
+        elevation=elevation,
+        speed=speed,
+        arc=arc,
+        depth=depth,
+        target=target,
+        backspin=backspin,
+        sidespin=sidespin,
+        moving=moving,
+        parameters=parameters,
+        scene=scene,
+    )
+    point, arrays, shape = problem.point, problem.arrays, problem.shape
+    found = point.solved(arrays, problem.flights, arc)
+    if not shape and np.isnan(found["speed"]):
+        raise ValueError(problem.why_none()[0])
+    found |= point.release
+    numbers = {name: plain(np.broadcast_to(value, shape)) for name, value in found.items()}
+    spins = {name: arrays[name] for name in _SPINS if name in arrays}
+    return Aim(
+        **numbers,
+        target=point.place,
+        spins={name: plain(np.broadcast_to(value, shape)) for name, value in spins.items()},
+        moving=_stacked(arrays, "moving", "xy"),
+        parameters=problem.parameters,
+        scene=problem.engine,
+        position=_stacked(arrays, "position", "xyz"),
+    )
+
+
+def why_no_release(**arguments: Any) -> list[str]:
+    """Return for each row of arguments of `aim` without a release the reason why it has none.
+
+    Parameters
+    ----------
+    arguments
+        Those of `aim`, numbers or (n,), for none of which there is a release.
+    """
+    return _problem(**arguments).why_none()
+
+
+@dataclass(frozen=True)
+class _Problem:
+    """The checked arguments of `aim`, with the point and the flights that they mean."""
+
+    engine: Engine
+    parameters: Mapping[str, Any]
+    point: Point
+    arrays: Mapping[str, NDArray[np.float64]]
+    shape: tuple[int, ...]
+    flights: Flights
+    arc: Arc
+
+    def why_none(self) -> list[str]:
+        """Return why no release comes down through the point, for each row."""
+        return why_none(self.point, self.arrays, self.flights, self.arc, self.shape)
+
+
+def _problem(
+    *,
+    height: ArrayLike | None = None,
+    distance: ArrayLike | None = None,
+    angle: ArrayLike = 0.0,
+    position: ArrayLike | None = None,
+    entry: ArrayLike | None = None,
+    elevation: ArrayLike | None = None,
+    speed: ArrayLike | None = None,
+    arc: Arc = "high",
+    depth: ArrayLike = 0.0,
+    target: ArrayLike | str | None = None,
+    backspin: ArrayLike | None = None,
+    sidespin: ArrayLike | None = None,
+    moving: ArrayLike | None = None,
+    parameters: ParameterValues | None = None,
+    scene: SceneLike = None,
+) -> _Problem:
+    """Return the checked arguments of `aim`."""
     engine = engine_of(scene)
     if arc not in ("high", "low"):
         raise ValueError(f"arc: expected 'high' or 'low', got {brief(arc)}")
@@ -131,10 +217,7 @@ def aim(
         check_lengths("aim", {name: arrays[name] for name in ("height", "distance", "depth")})
     angles = ("angle", "entry", "elevation")
     check_angles("aim", {name: arrays[name] for name in angles if name in arrays})
-    spins: dict[str, NDArray[np.float64]] = {
-        name: arrays[name] for name in ("backspin", "sidespin") if name in arrays
-    }
-    check_spins("aim", spins)
+    check_spins("aim", {name: arrays[name] for name in _SPINS if name in arrays})
     flights = flights_of(engine, parameters)
     if target is not None:
         arrays |= target_of(engine, parameters, target)
@@ -148,21 +231,7 @@ def aim(
     except ValueError:
         shapes = ", ".join(f"{name} {array.shape}" for name, array in arrays.items() if array.ndim)
         raise ValueError(f"aim: the shapes do not broadcast: {shapes}") from None
-    point = Point.of(arrays)
-    found = point.solved(arrays, flights, arc)
-    if not shape and np.isnan(found["speed"]):
-        raise ValueError(why_none(point, arrays, flights, arc))
-    found |= point.release
-    numbers = {name: plain(np.broadcast_to(value, shape)) for name, value in found.items()}
-    return Aim(
-        **numbers,
-        target=point.place,
-        spins={name: plain(np.broadcast_to(value, shape)) for name, value in spins.items()},
-        moving=_stacked(arrays, "moving", "xy"),
-        parameters=parameters,
-        scene=engine,
-        position=_stacked(arrays, "position", "xyz"),
-    )
+    return _Problem(engine, parameters, Point.of(arrays), arrays, shape, flights, arc)
 
 
 def _check_place(engine: Engine, given: Mapping[str, Any]) -> None:

@@ -117,20 +117,53 @@ def _ahead(given: Given, angle: Floats, bearing: Floats) -> tuple[Floats, Floats
     return ahead * cosine + left * sine, left * cosine - ahead * sine
 
 
-def why_none(point: Point, given: Given, flights: Flights, arc: Arc) -> str:
-    """Say why no release comes down through the point.
+def why_none(
+    point: Point, given: Given, flights: Flights, arc: Arc, shape: tuple[int, ...]
+) -> list[str]:
+    """Return for each row why no release comes down through the point.
 
     Parameters
     ----------
+    point
+        The points of the arguments.
     given
-        The arguments of `aim`, one number each.
+        The arguments of `aim`, numbers or arrays.
     flights
         How balls fly in the scene.
+    arc
+        Which of two arcs is wanted.
+    shape
+        The shape to which the arguments broadcast; its entries are the rows.
     """
+    least = np.full((), np.nan)
+    parabola = flights.scene is None and point.moving is None
+    if "speed" in given and not parabola:
+        others = {name: value for name, value in given.items() if name != "speed"}
+        least = point.solved(others, flights, arc)["speed"]
+
+    def at(value: Floats, row: tuple[int, ...]) -> Floats:
+        return np.asarray(np.broadcast_to(value, shape)[row])
+
+    return [
+        _why_none(
+            at(point.reach, row),
+            at(point.rise, row),
+            {name: at(value, row) for name, value in given.items()},
+            float(at(flights.gravity, row)),
+            arc,
+            None if parabola else float(at(least, row)),
+        )
+        for row in np.ndindex(shape)
+    ]
+
+
+def _why_none(
+    reach: Floats, rise: Floats, given: Given, gravity: float, arc: Arc, least: float | None
+) -> str:
+    """Say why there is no release; `least` is the least speed of flights that are no parabolas."""
     for name, value in given.items():
         if not np.isfinite(value):
             return f"{name}: expected a finite number, got {value}"
-    reach, rise, gravity = point.reach, point.rise, float(flights.gravity)
     if reach <= 0.0:
         if "target x" in given:
             return "target: expected a point that is not right above or below the release"
@@ -145,34 +178,30 @@ def why_none(point: Point, given: Given, flights: Flights, arc: Arc) -> str:
         )
     if gravity <= 0.0:
         return f"parameters['gravity']: expected above 0, got {gravity}"
-    if flights.scene is not None or point.moving is not None:
-        return _none_found(point, given, flights, arc)
+    if least is not None:
+        return _none_found(given, arc, least)
     where = "the point" if "target x" in given else "the point of the ring's plane"
     if "entry" in given or "elevation" in given:
         return _too_flat(given, where, reach, rise)
     if "speed" in given:
-        _, least = hoop.least_speed(reach, rise, gravity)
-        if not given["speed"] >= least:
-            return f"speed: {where} needs at least {least:.6g} m/s, got {given['speed']}"
+        _, slowest = hoop.least_speed(reach, rise, gravity)
+        if not given["speed"] >= slowest:
+            return f"speed: {where} needs at least {slowest:.6g} m/s, got {given['speed']}"
         return f"arc: the {arc} one of this speed does not come down through {where}"
     return "aim: the numbers are too large or too small"
 
 
-def _none_found(point: Point, given: Given, flights: Flights, arc: Arc) -> str:
+def _none_found(given: Given, arc: Arc, least: float) -> str:
     """Say why no flight was found that is no parabola from a place at rest."""
     named = [name for name in _WANTED if name in given]
-    if not named:
+    if not named or (named == ["speed"] and np.isnan(least)):
         return (
             "aim: no flight comes down through the point; it is too far, or the numbers too large"
         )
     (name,) = named
     if name == "speed":
-        least = point.solved({n: v for n, v in given.items() if n != name}, flights, arc)
-        if not given["speed"] >= least["speed"]:
-            return (
-                f"speed: the point needs at least {float(least['speed']):.6g} m/s, got "
-                f"{given['speed']}"
-            )
+        if not given["speed"] >= least:
+            return f"speed: the point needs at least {least:.6g} m/s, got {given['speed']}"
         return f"arc: no {arc} one of this speed comes down through the point"
     return (
         f"{name}: no flight with this angle comes down through the point; "

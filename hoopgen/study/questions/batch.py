@@ -37,8 +37,9 @@ from hoopgen.study.tables.batch_result import Batch, in_memory
 from hoopgen.study.tables.columns import Column
 from hoopgen.study.tables.flights import Flights
 from hoopgen.study.tables.limits import MEMORY
+from hoopgen.study.tables.provenance import scene_in
 from hoopgen.study.tables.reading import ArrowTable, ReadingOptions, sourced
-from hoopgen.study.tables.results import RESULTS, Results, check_sink, sink
+from hoopgen.study.tables.results import Results, check_sink, check_suffix, sink
 from hoopgen.study.tables.source import Source, Stamp
 from hoopgen.text.shorten import brief
 
@@ -92,8 +93,9 @@ def batch(
         with no number where one is needed becomes INVALID, and so does one with an implausible
         number or with more or fewer cells than the header.
     out
-        Parquet or CSV, as the suffix says; None keeps the results in memory. There are the columns
-        of `source` as they are; of CSV those that are read as numbers, null where a cell is none
+        CSV (.csv, .tsv), Parquet (.parquet, .pq) or Arrow (.arrow, .arrows, .feather, .ipc), as the
+        suffix says; None keeps the results in memory. There are the columns of `source` as they
+        are; of CSV those that are read as numbers, null where a cell is none
         (in CSV its text), and others with the type that all of their cells have
         (`hoopgen.study.tables.source.Source.typed`); also text that a spreadsheet would take for a
         formula, such as ``=1+1``. After them outcome, kind (see `hoopgen.hoop.kinds.Kind`),
@@ -107,8 +109,9 @@ def batch(
         Of the scene; one number each. By default those that `source` says, if it is such a file of
         results, else the scene's usual ones.
     scene
-        As for `hoopgen.simulate`. Where there is no hoop the rows are states, and no kind is
-        written. It has to be the scene of `source`, if that is such a file of results.
+        As for `hoopgen.simulate`; by default the scene that `source` says, if that is such a file
+        of results and the scene comes with hoopgen or is from a scene file, whose text results
+        have. Where there is no hoop the rows are states, and no kind is written.
     release
         Variables that all shots share, in place of columns; see `hoopgen.hoop.variables`.
     measures
@@ -138,7 +141,7 @@ def batch(
     by
         Column by whose values results are counted: `Batch.groups`.
     events
-        Parquet or CSV: the event log, a row each event, with the number of its row in the results,
+        As `out`: the event log, a row each event, with the number of its row in the results,
         from 1, and its own among the events of that row.
     implausible
         Whether rows with implausible numbers are simulated, too; see
@@ -171,19 +174,12 @@ def batch(
     OSError
         If `source` cannot be read or `out` not written.
     """
-    if out is not None and Path(out).suffix.lower() not in RESULTS:
-        raise ValueError(f"out: expected a file {' or '.join(RESULTS)}, got {out}")
-    engine = engine_of(scene)
-    if parameters is not None:
-        resolve(parameters, 1, engine.table)  # none but them
-        parameters = _numbers("parameters", complete(parameters, engine.table))
-    check_names("release", release or {}, variables_of(engine))
-    release = _numbers("release", release or {})
-    check_turns("release", release, release)
-    if len(measures):
-        check_hoop("measures", engine)
+    if out is not None:
+        check_suffix("out", out)
     if not is_names((columns or {}).values()):
         raise TypeError(f"columns: expected names of the table's columns, got {brief(columns)}")
+    release = _numbers("release", release or {})
+    check_turns("release", release, release)
     height = check_height(catching_height)
     file_unit("m", units)  # none but them
     check_workers(scheduler, threads)
@@ -199,7 +195,16 @@ def batch(
         implausible=implausible,
         memory=memory,
     )
-    with sourced(source, reading) as table, _target(out, table) as target:
+    with ExitStack() as files:
+        table = files.enter_context(sourced(source, reading))
+        engine = scene_in(table) if scene is None else engine_of(scene)
+        if parameters is not None:
+            resolve(parameters, 1, engine.table)  # none but them
+            parameters = _numbers("parameters", complete(parameters, engine.table))
+        check_names("release", release, variables_of(engine))
+        if len(measures):
+            check_hoop("measures", engine)
+        target = files.enter_context(_target(out, table))
         if log is not None and log.exists() and log.samefile(table.path):
             raise ValueError(f"events: {events} is the source")
         asked: dict[str, Any] = {"override": override, "scene": engine}
@@ -255,8 +260,7 @@ def batch(
 def _checked_events(events: str | os.PathLike[str], out: str | os.PathLike[str] | None) -> Path:
     """Return the file of the event log, looked at."""
     log = resolve_link(Path(events))
-    if log.suffix.lower() not in RESULTS:
-        raise ValueError(f"events: expected a file {' or '.join(RESULTS)}, got {events}")
+    check_suffix("events", log)
     if out is not None and log == resolve_link(Path(out)):
         raise ValueError(f"events: {events} is the file of results")
     return check_output(log)
@@ -267,7 +271,7 @@ def _target(out: str | os.PathLike[str] | None, table: Source) -> Iterator[Path]
     """Give the file of results, looked at; where none is wanted, one for as long as needed."""
     if out is None:
         with TemporaryDirectory(prefix="hoopgen-") as folder:
-            yield Path(folder, "results.arrow")
+            yield Path(folder, "results.arrows")
         return
     target = resolve_link(Path(out))  # which the parts lie beside: on its file system
     if target.exists() and target.samefile(table.path):

@@ -191,6 +191,7 @@ class AimQuestion:
     distance: Any = setting(
         "Distance on the floor plan to the ring's centre; several give a table.",
         Quantities("length"),
+        command="Such as 3m,4m,5m or 1m:7m:0.5m, whose last part is the step, a length too.",
         heading=RELEASE,
     )
     entry: float | None = setting(
@@ -219,7 +220,7 @@ class Tallies:
         None,
     )
     events: Path | None = setting(
-        "Parquet or CSV: the event log, a row for each event of each row.",
+        ".csv, .parquet or .arrow: the event log, a row for each event of each row.",
         OUTPUT,
         None,
         heading=RESULTS,

@@ -24,7 +24,7 @@ from hoopgen.study.tables.columns import numbers
 from hoopgen.study.tables.limits import MEMORY
 from hoopgen.study.tables.provenance import Origin
 from hoopgen.study.tables.reading import ArrowTable, ReadingOptions, sourced
-from hoopgen.study.tables.results import RESULTS, check_sink, sink
+from hoopgen.study.tables.results import check_sink, check_suffix, sink
 from hoopgen.study.tables.source import Source
 from hoopgen.study.tables.track_columns import FRAME, describe_columns, frame_columns
 from hoopgen.text.numbers import format_count
@@ -96,7 +96,7 @@ def fit_table(
         `hoopgen.study.tables.track_columns` for its columns. Of a row without a time or a position
         the frame is a gap.
     out
-        Parquet or CSV: the releases, one row a track, with standard errors, as
+        Parquet, CSV or Arrow: the releases, one row a track, with standard errors, as
         `FittedReleases.columns` says. `batch` and `estimate --from` read it; its metadata say the
         scene.
     parameters, scene, noise, release_time, backspin, backspin_sd
@@ -166,8 +166,7 @@ def _describe_reading(read: str, frames: _Frames) -> str:
 
 def _target(out: str | os.PathLike[str]) -> Path:
     target = resolve_link(Path(out))
-    if target.suffix.lower() not in RESULTS:
-        raise ValueError(f"out: expected a file {' or '.join(RESULTS)}, got {out}")
+    check_suffix("out", target)
     return check_output(target)
 
 

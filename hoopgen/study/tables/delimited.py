@@ -2,7 +2,8 @@
 
 All cells are read as text, so that none is changed and no type depends on the first rows. What type
 a column has is known when all of it was read. Before the header there may be comment lines, which
-begin with ``#``, and the line ``sep=;`` of Excel. A row with too few or too many cells is told by
+begin with ``#``, that of results also as spreadsheets save it again, and the line ``sep=;`` of
+Excel. A row with too few or too many cells is told by
 its number, and is a row of empty cells; a line with the wrong number of cells that begins with
 ``#`` is a comment.
 """
@@ -13,6 +14,7 @@ import codecs
 import csv
 import io
 import itertools
+import json
 import re
 from collections import deque
 from collections.abc import Iterable, Iterator
@@ -71,6 +73,7 @@ class Layout:
     delimiter: str  # between the cells
     skipped: int = 0  # lines before the header: comments, empty lines, and ``sep=;``
     about: str = ""
+    start: int | None = None  # bytes of these lines; None where they may end in other signs than LF
 
 
 def check_delimiter(delimiter: str) -> str:
@@ -97,24 +100,62 @@ def layout_of(path: Path, delimiter: str = "") -> Layout:
         if start[:2] in (b"\xff\xfe", b"\xfe\xff") or start.count(0) * 4 > len(start):
             raise ValueError("is in UTF-16, it seems; save it as UTF-8")
         file.seek(0)
-        skipped, about, named = 0, "", ""
+        skipped, about, named, place, whole = 0, "", "", 0, True
         while line := file.readline(_LONGEST_LINE):
             text = line.decode("utf-8", "replace").lstrip("\ufeff").strip("\r\n")
             separator = _SEPARATOR.fullmatch(text)
             if separator and not named:
                 named = check_delimiter(separator[1])
-            elif text.startswith(COMMENT):
-                about = text.removeprefix(COMMENT)
+            elif text.startswith((COMMENT, f'"{COMMENT}')):
+                if len(line) == _LONGEST_LINE:
+                    raise ValueError(
+                        f"its comment line, which says the scene of the shots, is longer than "
+                        f"{_LONGEST_LINE:,} bytes; expected results in Parquet or Arrow, which "
+                        "have no such limit"
+                    )
+                about = _about(text)
             elif text.strip() and not text.startswith("#"):
                 break
-            skipped += 1
-    header = re.sub(r'"[^"]*"', "", _header(start, skipped)).partition("\n")[0]
-    return Layout(delimiter or named or max(DELIMITERS, key=header.count), skipped, about)
+            skipped, place = skipped + 1, place + len(line)
+            whole = whole and line.endswith(b"\n")
+        if whole:
+            file.seek(place)
+            start = file.read(_START)
+    rows = start.decode("latin-1").splitlines(keepends=True)[0 if whole else skipped :]
+    header = re.sub(r'"[^"]*"', "", "".join(rows)).partition("\n")[0]
+    between = delimiter or named or max(DELIMITERS, key=header.count)
+    return Layout(between, skipped, about, place if whole else None)
 
 
-def _header(start: bytes, skipped: int) -> str:
-    """Return the header and the rows after it, as far as they are in the beginning of the file."""
-    return "".join(start.decode("latin-1").splitlines(keepends=True)[skipped:])
+def _about(comment: str) -> str:
+    """Return the JSON in the comment line of results, also if a spreadsheet has saved it again.
+
+    Spreadsheets break it into cells, put these in quotes and add empty ones. Which delimiters they
+    read and wrote shows in the JSON that comes out.
+    """
+    if comment.startswith(COMMENT):
+        return comment.removeprefix(COMMENT)
+    for written, read_ in itertools.product(DELIMITERS, DELIMITERS):
+        text = read_.join(_cells(comment, written)).removeprefix(COMMENT).rstrip(read_)
+        try:
+            if isinstance(json.loads(text), dict):
+                return text
+        except (RecursionError, ValueError):
+            continue
+    return comment
+
+
+def _cells(line: str, delimiter: str) -> list[str]:
+    """Return the cells of a line, of any length: those of the module csv have a limit."""
+    cell = re.compile(rf'"((?:[^"]++|"")*+)"|([^{re.escape(delimiter)}]*+)')
+    cells, place = [], 0
+    while place <= len(line):
+        found = cell.match(line, place)
+        assert found is not None  # an empty cell matches
+        quoted, plain = found.groups()
+        cells.append(plain if quoted is None else quoted.replace('""', '"'))
+        place = found.end() + 1
+    return cells
 
 
 @contextmanager
@@ -148,18 +189,20 @@ def read(
     malformed
         Receives why a row has no cells, by its number from 1, as far as rows were read.
     """
-    blocks = pa.csv.ReadOptions(block_size=block, skip_rows=layout.skipped, use_threads=False)
+    skipped = layout.skipped if layout.start is None else 0
+    blocks = pa.csv.ReadOptions(block_size=block, skip_rows=skipped, use_threads=False)
     delimiter = layout.delimiter
     first = pa.csv.ParseOptions(delimiter=delimiter, invalid_row_handler=lambda row: "skip")
-    found = _Malformed(layout.skipped + 1)
+    found = _Malformed(skipped + 1)
     rest = pa.csv.ParseOptions(
         delimiter=delimiter, newlines_in_values=True, invalid_row_handler=found
     )
     with encoded():
-        with _Utf8File(path) as file, pa.csv.open_csv(file, blocks, first) as reader:
+        start = layout.start or 0
+        with _Utf8File(path, start) as file, pa.csv.open_csv(file, blocks, first) as reader:
             text = dict.fromkeys(reader.schema.names, pa.string())
         types = pa.csv.ConvertOptions(column_types=text)
-        with _Utf8File(path) as file, pa.csv.open_csv(file, blocks, rest, types) as reader:
+        with _Utf8File(path, start) as file, pa.csv.open_csv(file, blocks, rest, types) as reader:
             yield reader.schema, _with_malformed(reader, found, malformed, delimiter)
 
 
@@ -169,8 +212,9 @@ class _Utf8File(io.RawIOBase):
     pyarrow cannot tell of a malformed row that is in another encoding.
     """
 
-    def __init__(self, path: Path) -> None:
+    def __init__(self, path: Path, start: int) -> None:
         self._file = path.open("rb")
+        self._file.seek(start)
         self._decoder = codecs.getincrementaldecoder("utf-8")()
 
     def readable(self) -> bool:

@@ -7,7 +7,7 @@ is a comment line before the header, ``# hoopgen: {…}``.
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field, fields, replace
 from typing import Any
 
@@ -111,7 +111,7 @@ def scene_in(table: Source) -> Engine:
                 f"{table}: the scene in its metadata cannot be read: {error}; "
                 "give it (scene=, --scene)"
             ) from None
-    known = {name.replace("-", "_"): scene for name, scene in BUILT_IN.items()}
+    known = _built_in()
     name = made.get("name") if isinstance(made, Mapping) else None
     return known[name]() if name in known else HOOP
 
@@ -155,9 +155,10 @@ def origin_of(table: Source, scene: CompiledScene = HOOP) -> Origin | None:
     except OtherScene:
         raise
     except (AttributeError, KeyError, RecursionError, TypeError, ValueError) as error:
+        reason = f"{error} is missing" if isinstance(error, KeyError) else error
         raise ValueError(
             f"{table}: its metadata hoopgen, which says the scene of the shots, cannot be "
-            f"understood ({error}); remove it from the file, and name the scene"
+            f"understood ({reason}); remove it from the file, and give the scene (scene=, --scene)"
         ) from None
 
 
@@ -166,11 +167,20 @@ def _check_made_in(table: Source, said: Mapping[str, Any], scene: CompiledScene)
     if (made is None and scene is HOOP) or made == scene.identity:
         return
     there = "hoop" if made is None else str(made["name"])
-    differs = ", which differs from the one given" if there == scene.name else ""
+    expected, given = f"{there}, the scene of the shots in {table}", scene.name
+    if there == scene.name:
+        expected, given = f"the {there} of the shots in {table}", "another scene of that name"
+    elif scene is HOOP and there not in _built_in() and _SCENE_TEXT not in said:
+        expected += ", which has not its text"
     raise OtherScene(
-        f"{table}: its shots were flown in the scene {there}{differs}, not in {scene.name}: give "
-        "that scene (scene=, --scene), or override what the file says (override=True, --override)"
+        f"scene: expected {expected}; got {given}; give that scene (scene=, --scene), or override "
+        "what the file says (override=True, --override)"
     )
+
+
+def _built_in() -> dict[str, Callable[[], Engine]]:
+    """Return the scenes that come with hoopgen, by the names that files say."""
+    return {name.replace("-", "_"): scene for name, scene in BUILT_IN.items()}
 
 
 def names_hoop(table: Source, own: Iterable[str] = ()) -> bool:
@@ -243,8 +253,8 @@ def resolve_origin(
     )
     if not override and replace(wanted, own=said.own, columns=said.columns) != said:
         raise ValueError(
-            f"{table}: its shots were flown otherwise than is asked now: "
-            f"{'; '.join(_differences(said, wanted))}. Leave that out, or override what the file "
+            f"{table}: its shots have other values than are given: "
+            f"{'; '.join(_differences(said, wanted))}; leave these out, or override what the file "
             "says (override=True, --override)"
         )
     return wanted
@@ -253,11 +263,11 @@ def resolve_origin(
 def _differences(said: Origin, wanted: Origin) -> list[str]:
     found = []
     if wanted.parameters != said.parameters:
-        found.append(f"in the scene {said.scene}, not {wanted.scene}")
+        found.append(f"parameters (--preset, --set): expected {said.scene}, got {wanted.scene}")
     for name, value in wanted.release.items():
         if said.release.get(name) != value:
             there = said.release.get(name, "that of each row")
-            found.append(f"with the {name} {there}, not {value}")
+            found.append(f"{name}: expected {there}, got {value}")
     if wanted.max_contacts != said.max_contacts:
-        found.append(f"to {said.max_contacts} contacts, not {wanted.max_contacts}")
+        found.append(f"max_contacts: expected {said.max_contacts}, got {wanted.max_contacts}")
     return found

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import os
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass, field
@@ -22,7 +23,7 @@ from hoopgen.hoop.kinds import hoop_outcomes
 from hoopgen.scene.lookup import outcomes_of
 from hoopgen.study.measures.rebounds import caught_at
 from hoopgen.study.named_units import named
-from hoopgen.text.shorten import brief, join_names
+from hoopgen.text.shorten import brief, join_alternatives, join_names
 
 from .columns import Column
 from .delimited import COMMENT
@@ -31,7 +32,7 @@ from .flights import Flights
 from .groups import Group, GroupCounts
 from .invalid_rows import InvalidRows, reasons, shot_reason
 from .provenance import Origin
-from .source import ABOUT, Source
+from .source import ABOUT, FORMATS, Source
 
 
 @dataclass
@@ -173,13 +174,27 @@ def _codes(column: pa.ChunkedArray) -> NDArray[np.int64]:
     return np.concatenate([np.empty(0, np.int64), *parts])
 
 
-RESULTS = (".parquet", ".pq", ".csv", ".tsv")
-"""Suffixes of the names of files of results."""
-
 _DELIMITERS = {".csv": ",", ".tsv": "\t"}
+
+RESULTS = tuple(suffix for name, listed in FORMATS.items() if name != "xlsx" for suffix in listed)
+"""Suffixes of the names of files of results: of all formats that are read but spreadsheets."""
 
 Sink: TypeAlias = Callable[[pa.Table], None]
 """Takes the next rows."""
+
+
+def check_suffix(name: str, file: str | os.PathLike[str]) -> None:
+    """Raise a ValueError for a file of results whose suffix is none of `RESULTS`.
+
+    Parameters
+    ----------
+    name
+        The argument that names the file.
+    file
+        The file.
+    """
+    if Path(file).suffix.lower() not in RESULTS:
+        raise ValueError(f"{name}: expected a file {join_alternatives(RESULTS)}, got {file}")
 
 
 def check_sink(format: str, schema: pa.Schema, source: object) -> None:
@@ -188,7 +203,7 @@ def check_sink(format: str, schema: pa.Schema, source: object) -> None:
     Parameters
     ----------
     format
-        The suffix of the file: ``".csv"``, ``".tsv"``, ``".parquet"``, ``".arrow"``.
+        The suffix of the file, one of `RESULTS`.
     schema
         The names and types of the columns of results.
     source
@@ -211,13 +226,17 @@ def sink(file: Path, format: str, schema: pa.Schema, rows: int, source: object) 
     Parameters
     ----------
     format
-        One of `RESULTS`, or ".arrow", a stream.
+        One of `RESULTS`; ".arrows" is a stream.
     schema
         Of the tables; CSV has what its metadata says of the scene in a comment line at its start.
     """
-    if format == ".arrow":
+    if format == ".arrows":
         with pa.ipc.new_stream(str(file), schema) as stream:
             yield stream.write_table
+    elif format in FORMATS["arrow"]:
+        plain = _plain(schema).with_metadata(schema.metadata)  # words may differ from part to part
+        with pa.ipc.new_file(str(file), plain) as arrow:
+            yield lambda table: arrow.write_table(table.cast(plain))
     elif format in _DELIMITERS:
         plain = _plain(schema)
         options = pa.csv.WriteOptions(delimiter=_DELIMITERS[format])

@@ -172,7 +172,7 @@ ASKED = {
             "bank",
         ],
     ],
-    "aim": ["aim", "--distance", "3m:5m:9", "--height", "7ft"],
+    "aim": ["aim", "--distance", "3m:5m:0.25m", "--height", "7ft"],
 }
 
 

@@ -305,7 +305,7 @@ def test_a_resample_and_a_frame_are_tables() -> None:
         ({"elevation": [52.0, 51.0, 50.0, 53.0]}, {}, "more than a turn"),
         ({"speed": [7.0, 7.1, 7.2]}, {"group": ["a", "b"]}, "group: expected a label for each"),
         ({"speed": [7.0, 7.1, 7.2]}, {"group": "player"}, "group: no column 'player'"),
-        ({"speed": [7.0, 7.1]}, {"group": ["a", None]}, "group: row 1 has no label"),
+        ({"speed": [7.0, 7.1]}, {"group": ["a", None]}, "group: row 2 of 2 has no label"),
         (
             {"speed": [7.0, 7.1, 7.2]},
             {"measurement_covariance": {"speed": -1.0}},

@@ -476,7 +476,8 @@ def test_what_a_release_from_a_moving_place_forgives_is_where_it_still_goes_in()
     [
         ("3m:4m:0.5m", [3.0, 3.5, 4.0]),
         ("3:4:0.1m", np.linspace(3.0, 4.0, 11)),
-        ("3m:4m:5", [3.0, 3.25, 3.5, 3.75, 4.0]),
+        ("3:6:2", [3.0, 5.0]),
+        ("3:6:2.0", [3.0, 5.0]),
         ("10ft,4m", [10 * FOOT, 4.0]),
     ],
 )
@@ -507,7 +508,27 @@ def test_the_command_says_what_a_steep_shot_forgives() -> None:
 def test_the_command_shows_what_is_out_of_reach() -> None:
     result = _run("--distance", "4m,40m", "--speed", "8")
     assert result.exit_code == 0
-    assert result.stdout.splitlines()[-3].split() == ["40.000", *["-"] * 9]
+    *_, row, _, why, _, _ = result.stdout.splitlines()
+    assert row.split() == ["40.000", *["-"] * 9]
+    assert why.startswith("no release from 40.000 m: speed: the point of the ring's plane needs")
+
+
+@pytest.mark.parametrize("more", [(), ("--scene", "air"), ("--moving", "1,0")])
+def test_each_distance_without_a_release_has_the_reason_that_it_has_alone(
+    more: tuple[str, ...],
+) -> None:
+    asked = ("--speed", "8", *more)
+    many = _run("--distance", "3m:30m:9m", *asked)
+    for distance in (12, 21, 30):
+        reason = _run("--distance", f"{distance}m", *asked).stderr.partition("--")[2].strip()
+        assert f"no release from {distance}.000 m: {reason}\n" in many.stdout
+    assert many.stdout.count("no release from") == 3
+
+
+def test_of_many_distances_without_a_release_the_first_ones_have_reasons() -> None:
+    result = _run("--distance", "30m:60m:2m", "--speed", "8")
+    assert result.stdout.count("no release from") == 10
+    assert "\nand 6 more distances; --json has all\n" in result.stdout
 
 
 def test_a_shot_that_does_not_go_in_is_told() -> None:
@@ -526,6 +547,9 @@ def test_json_has_what_the_library_gives_and_what_the_flights_do() -> None:
             assert release[named(name)] == wanted, name
     flights = [(release["outcome"], release["touched_before"]) for release in record["releases"]]
     assert flights == [("made", None), ("made", None), ("invalid", None)]
+    reasons = [release["why_no_release"] for release in record["releases"]]
+    assert reasons[:2] == [None, None]
+    assert reasons[2].startswith("speed: the point of the ring's plane needs at least")
     assert record["releases"][0]["counts"].keys() == set(hoopgen.SURFACES)
     assert (record["depth_m"], record["by"], record["moving_m_s"]) == (0.02, "any", None)
     assert record["parameters"]["ring_radius_m"] == hoopgen.PAPER["ring_radius"]
@@ -576,11 +600,11 @@ def test_an_aim_is_flown_in_the_scene_that_it_is_aimed_in() -> None:
             "speed: the point of the ring's plane needs at least",
         ),
         (["--distance", "4m", "--speed", "9", "--entry", "45deg"], "got entry and speed"),
-        (["--distance", "4m:3m:0.1m"], "expected from below to"),
-        (["--distance", "3m:4m:0"], "expected from below to"),
-        (["--distance", "3m:4m:1"], "expected from below to"),
-        (["--distance", "3m:4m"], "is not from:to:step"),
-        (["--distance", "3m:4m:1mm:2"], "is not from:to:step"),
+        (["--distance", "4m:3m:0.1m"], "FROM below TO; it is 4 m to 3 m in steps of 0.1 m"),
+        (["--distance", "3m:4m:0"], "expected FROM:TO:STEP of 2 to 10,000 distances"),
+        (["--distance", "3m:4m:5"], "it is 3 m to 4 m in steps of 5 m"),
+        (["--distance", "3m:4m"], "is not FROM:TO:STEP"),
+        (["--distance", "3m:4m:1mm:2"], "is not FROM:TO:STEP"),
         (["--distance", "1m:500m:1mm"], "2 to 10,000 distances"),
         (["--distance", "4kg"], "'kg' is not a unit of length"),
     ],

@@ -156,6 +156,24 @@ def test_formats_differ_in_nothing(name: str, source: Path, tmp_path: Path) -> N
     assert own == table
 
 
+@pytest.mark.parametrize("suffix", ["arrow", "arrows", "feather"])
+def test_results_in_arrow_are_those_in_parquet_and_are_read_again(
+    suffix: str, source: Path, tmp_path: Path
+) -> None:
+    out, again = tmp_path / f"a.{suffix}", tmp_path / "again.parquet"
+    hoopgen.batch(source, out, release=PLACE, rows=100)
+    hoopgen.batch(source, tmp_path / "a.parquet", release=PLACE, rows=100)
+    opened = pa.ipc.open_stream if suffix == "arrows" else pa.ipc.open_file
+    with pa.memory_map(str(out)) as file:
+        table = opened(file).read_all()
+    parquet = read(tmp_path / "a.parquet")
+    words = [pa.types.is_dictionary(kind) for kind in table.schema.types]
+    assert any(words) == (suffix == "arrows"), "programs read words in files more easily as text"
+    same(table.cast(parquet.schema), parquet)
+    hoopgen.batch(out, again)
+    same(read(again), parquet)
+
+
 def test_states_are_simulated_as_they_are(tmp_path: Path) -> None:
     states, shots, _ = simulated(throws() | {"restitution": 0.7})
     columns = {f"{name}_{unit}": states[:, k] for k, (name, unit) in enumerate(STATE_UNITS)}
@@ -447,7 +465,7 @@ def test_a_full_disk_is_told_and_the_old_file_stays(
         ),
         ({"own": ["who"]}, "own: no column who"),
         ({"format": "xls"}, "format: expected one of csv, parquet, arrow"),
-        ({"out": "out.nc"}, r"out: expected a file \.parquet or \.pq or \.csv or \.tsv, got"),
+        ({"out": "out.nc"}, r"out: expected a file \.csv, \.tsv, \.parquet, .* or \.ipc, got"),
         ({"out": "throws.parquet"}, r"out: .* is the source"),
         ({"out": "none/out.parquet"}, "out: there is no folder .*none"),
     ],

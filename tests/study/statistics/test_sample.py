@@ -349,7 +349,7 @@ def test_groups_have_labels_that_every_row_has() -> None:
     with pytest.raises(ValueError, match="group: expected a label for each of 200 rows, got 3"):
         hoopgen.Resample({**ROWS, **HERE}, ["a", "b", "c"])
     for missing in (None, math.nan, ""):
-        with pytest.raises(ValueError, match="group: row 7 has no label"):
+        with pytest.raises(ValueError, match="group: row 8 of 200 has no label"):
             hoopgen.Resample({**ROWS, **HERE}, [*GAMES[:7], missing, *GAMES[8:]])
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import csv
 import datetime
 import json
 import math
@@ -429,7 +430,7 @@ def test_results_are_simulated_again_in_their_scene(
     assert (tmp_path / name).read_bytes() == (tmp_path / f"again-{name}").read_bytes()
     assert second.scene == first.scene == "NBA, gravity 9.8 m/s²"
     assert "\nearlier results, not read: outcome, kind, " in second.read
-    with pytest.raises(ValueError, match="not FIBA"):
+    with pytest.raises(ValueError, match="got FIBA"):
         hoopgen.batch(tmp_path / name, parameters=hoopgen.FIBA)
     both = hoopgen.batch(tmp_path / name, prefix="again_").to_arrow()
     assert {"outcome", "again_outcome"} < {*both.column_names}
@@ -466,6 +467,42 @@ def test_a_comment_that_cannot_be_understood_is_told(about: str, tmp_path: Path)
     file = written(tmp_path / "t.csv", f"# hoopgen: {about}\nspeed,elevation_deg\n7.1,52\n")
     with pytest.raises(ValueError, match=r"t\.csv: its metadata hoopgen.* cannot be understood"):
         hoopgen.batch(file, release=PLACE)
+
+
+@pytest.mark.parametrize("reads", [",", ";"])
+@pytest.mark.parametrize("writes", [",", ";", "\t"])
+def test_results_that_a_spreadsheet_saved_again_are_read(
+    reads: str, writes: str, thrown: Path, tmp_path: Path
+) -> None:
+    file = tmp_path / "r.csv"
+    hoopgen.batch(thrown, file, columns=MAPPED, parameters={"restitution": 0.6})
+    about, *lines = file.read_text(encoding="utf-8").splitlines()
+    rows = [about.split(reads), *csv.reader(lines)]
+    width = max(map(len, rows))
+    again = tmp_path / "again.csv"
+    with again.open("w", encoding="utf-8-sig", newline="") as saved:
+        writer = csv.writer(saved, delimiter=writes)
+        writer.writerows([[*row, *[""] * (width - len(row))] for row in rows[:1]] + rows[1:])
+    assert again.read_bytes().startswith(b'\xef\xbb\xbf"# hoopgen: {""version')
+    found, expected = (hoopgen.batch(one, tmp_path / "o.parquet") for one in (again, file))
+    assert (found.scene, dict(found)) == (expected.scene, dict(expected))
+    assert "restitution 0.6" in found.scene
+
+
+@pytest.mark.parametrize("size", [3_000_000, 9_000_000, 20_000_000])
+def test_a_comment_line_of_any_length_is_read_or_refused_in_a_line(
+    size: int, thrown: Path, tmp_path: Path
+) -> None:
+    file = tmp_path / "r.csv"
+    hoopgen.batch(thrown, file, columns=MAPPED)
+    about, rows = file.read_text(encoding="utf-8").split("\n", 1)
+    longer = about.replace("{", f'{{"text": "{"x" * size}", ', 1)
+    file.write_text(f"{longer}\n{rows}", encoding="utf-8")
+    if size < 1 << 24:
+        assert len(Source(file).whole()) == 6
+        return
+    with pytest.raises(ValueError, match=r"its comment line.* is longer than 16,777,216 bytes"):
+        Source(file).whole()
 
 
 def test_results_may_be_in_us_units(thrown: Path, tmp_path: Path) -> None:
@@ -552,7 +589,7 @@ def test_events_of_rows_that_are_invalid_or_left_out_are_none(tmp_path: Path) ->
 @pytest.mark.parametrize(
     ("events", "said"),
     [
-        ("e.txt", r"events: expected a file \.parquet or \.pq or \.csv or \.tsv, got .*e\.txt"),
+        ("e.txt", r"events: expected a file \.csv, \.tsv, \.parquet, .* or \.ipc, got .*e\.txt"),
         ("o.csv", "events: .*o.csv is the file of results"),
         ("thrown.csv", "events: .*thrown.csv is the source"),
     ],
