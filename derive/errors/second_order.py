@@ -42,7 +42,7 @@ d²t and d²n change, is at most
     d²w = m g d²t/R_B + (m |v|/R_B + 2 (1 - f) |w|) d²n + m a N/R_B
           + (1 - f) (2 W N + (|w| + W) N²).
 
-The engine carries no bounds of the second order. `docs/exactness.md` has their sizes.
+`contact_frames` adds them to the bounds that it carries.
 """
 
 from __future__ import annotations

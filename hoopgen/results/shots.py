@@ -79,6 +79,7 @@ class Shots:
     time_error, state_error
         float64 (n,) and (n, 3), if requested by name: bounds on the errors of `time` and of each
         component of the position, velocity and spin in `state`, for shots that are not uncertain.
+        In `HOOP` they are proved, as is that no decision of such a shot is wrong.
     grip_lost
         float64 (n,), s, if requested by name, where a ball may roll: the time at which rolling
         first needed more friction than the body has; infinite if never. The ball rolls on.
