@@ -28,10 +28,10 @@ therefore off the computed one by the linear image of the errors at the start, a
 r and u (|v| + g t). The exact flight from the computed start reaches the surface, or on a return
 the level of its start, within A_F/V of that time (`tests/derive/errors/test_ring_roots.py`,
 `test_plane_roots.py`, and `root_offset`). So the exact ball has there a distance from the surface
-of at most A_n, the first row of the flight's matrix times B, with r and A_F and the curvature's
-share K A²/2 * 1.02, where A bounds the norm of its error. On a return both balls count from the
-level of the computed start, which is q_n off: an offset q_n at the start shifts the whole flight,
-and changes the distance by (n·n_0 - 1) q_n.
+of at most A_n, the first row of the flight's matrix times B, with A_F and the curvature's share
+K A², where A bounds the norm of its error. The computed place is off that flight by r. On a return
+both balls count from the level of the computed start, which is q_n off: an offset q_n at the start
+shifts the whole flight, and changes the distance by (n·n_0 - 1) q_n.
 
 With the ball at the nearest point of the surface, which has the same normal, as the first ball of
 the lemma in `second_order`, and A_n in place of A in the delay, the exact ball meets the surface
@@ -39,11 +39,13 @@ once within S = 1.1 A_n/V, and all that its derivative leaves out is at most d²
 The law is the same in every frame. A change of the normal by the error q is the rotation Ω q, so
 in the turned frame the impact multiplies y by its constant matrix: -e along n, and along the
 surface the shares that stay and that friction gives. That is T. The computed impact differs from
-the exact one by 7 roundings of each of its terms, and by those of the normal that it is given.
+the exact one by 14 u (|v| + R_B |w|), sums of components (`test_kernel_roundings.py`), and by what
+the normal is off that it is given: its roundings, and off the surface its length.
 
-The computed place is off the surface by A_F and r, on a return by q_n besides; that is B'_n. On a
-plane it is put there. What of dw is not in the coordinates, y_z, is made by each contact anew, of
-roundings and the second order: without slip w = n × v/R_B along the surface. ∎
+The computed place is off the surface by A_F and r, on a return to the level of its start by q_n
+besides; that is B'_n (`root_level`). On a plane it is put there. What of dw is not in the
+coordinates, y_z, is made by each contact anew, of roundings and the second order: without slip
+w = n × v/R_B along the surface. ∎
 
 If the lemma's conditions do not hold the bounds are infinite, and the shot is uncertain.
 """
@@ -85,10 +87,11 @@ BENDS = sp.symbols("bend_s bend_e", nonnegative=True)
 LEFT_TANGENT = sp.symbols("left_ex left_ey", real=True)
 LEFT_BENDS = sp.symbols("left_bend_s left_bend_e", nonnegative=True)
 """The same where the flight began, beside its normal."""
-sharpest_bend, root_offset, normal_rounding = sp.symbols(
-    "sharpest_bend root_offset normal_rounding", nonnegative=True
+sharpest_bend, root_offset, root_level, normal_rounding = sp.symbols(
+    "sharpest_bend root_offset root_level normal_rounding", nonnegative=True
 )
-"""K, A_F, and a bound on the norm of the rounding of the normal."""
+"""K, A_F, how far the exact flight from the computed start is off the surface at most, and a bound
+on the norm of the rounding of the normal."""
 normal_velocity = sp.Symbol("normal_velocity", real=True)
 """n·v before the impact, in double precision, since a sum of larger terms may nearly cancel."""
 back = sp.Symbol("back", nonnegative=True)
@@ -96,7 +99,7 @@ back = sp.Symbol("back", nonnegative=True)
 
 ARGUMENTS = (
     *(*BOUNDS, *NORMS, *TANGENT, *BENDS, *LEFT_TANGENT, *LEFT_BENDS),
-    *(sharpest_bend, root_offset, normal_rounding, normal_velocity, back),
+    *(sharpest_bend, root_offset, root_level, normal_rounding, normal_velocity, back),
 )
 """Arguments of the kernels of this module besides those of `propagation`, in calling order."""
 
@@ -447,7 +450,7 @@ class _Rest:
             for them in (here.turned(moving), here.turned(turning))
         )
         paces = [barrier(pace + speeds + flight.strength * delay) for pace in paces]
-        self.level = barrier(back * BOUNDS[0] + normals + root_offset + place)
+        self.level = barrier(normals + root_level + place)
         longer = barrier(here.bends[0] * self.level)
         law = barrier(LAW_ROUNDINGS * UNIT_ROUNDOFF * self.speed_after + FLOOR)
         rubbing = barrier(rubbed * spinning * barrier(normal_rounding + longer))
@@ -553,6 +556,12 @@ def tangents(surface: Surface, flight: Parabola) -> dict[str, sp.Expr]:
     at most 2 R (u (16 + 2 R_H/R) ℓ + 3/2 K p ℓ). Newton's method leaves 9/8 of these roundings, or
     2^-49 F'²/C <= 2^-48 R² V²/v² (`events/ring/double.py`). The distance is F/(2 R).
 
+    A search takes F less its value at the start where the margin of F/t times t is less than that
+    of F (`events/predicates.py`). With V_T the speed at the end T of its windows that is so if
+    V_T t <= min(R, R_H - R)/4: its terms are then at most three quarters of those of the latter,
+    in either precision. There |z| <= R, so g T <= 2 max(0, vz) + 2 sqrt(g R) with vz at the start.
+    On a longer return either may be taken, and F itself is off by the level of the start besides.
+
     Parameters
     ----------
     surface
@@ -565,12 +574,8 @@ def tangents(surface: Surface, flight: Parabola) -> dict[str, sp.Expr]:
     if isinstance(surface, Plane):
         axis = next(k for k, d in enumerate(surface.direction) if d)
         along = barrier(absolute(velocity[axis]) + absolute(_means(flight)[axis])) * t
-        values = (
-            *((1, 0) if axis == 1 else (0, 1)),
-            *(0, 0, 0),
-            UNIT_ROUNDOFF * barrier(absolute(position[axis]) + 4 * along) + FLOOR,
-            0,
-        )
+        off = barrier(UNIT_ROUNDOFF * barrier(absolute(position[axis]) + 4 * along) + FLOOR)
+        values = (*((1, 0) if axis == 1 else (0, 1)), *(0, 0, 0), off, off, 0)
     else:
         if not isinstance(surface, Ring):
             raise TypeError(f"expected a ring or a plane across an axis, got {surface.name}")
@@ -585,12 +590,23 @@ def tangents(surface: Surface, flight: Parabola) -> dict[str, sp.Expr]:
             + barrier(sp.Rational(3, 2) * barrier(sum(places)) * path) * surface.curvature
         )
         once = barrier(UNIT_ROUNDOFF * barrier(2 * rho + sp.Rational(7, 2) * reach) + rounded)
-        noise = barrier(IfLess(0, back, again, once))
-        residue = barrier(16 * UNIT_ROUNDOFF * barrier(reach * IfLess(0, back, steep, 1)))
+        residue = barrier(16 * UNIT_ROUNDOFF * barrier(reach * steep))
+        again, once = (
+            barrier(noise + maximum(sp.Rational(9, 8) * noise, residue) + FLOOR)
+            for noise in (again, once)
+        )
+        begun = barrier(sum(map(absolute, velocity)) + flight.strength * t)
+        rising = maximum(0, barrier(velocity[2] + flight.strength * t))
+        fallen = barrier(rising + barrier(sp.sqrt(flight.strength * reach)))
+        swept = barrier(begun + 2 * fallen) * t
+        short = 4 * barrier(swept * surface.curvature)
+        kept = barrier(BOUNDS[0] + again)
+        offset = IfAtMost(short, 1, again, maximum(again, barrier(once + BOUNDS[0])))
+        level = IfAtMost(short, 1, kept, maximum(kept, once))
         values = (
             *(-y * per_rho, x * per_rho, per_reach, per_rho, surface.curvature),
-            noise + maximum(sp.Rational(9, 8) * noise, residue) + FLOOR,
+            *(IfLess(0, back, on_return, once) for on_return in (offset, level)),
             UNIT_ROUNDOFF * barrier(2 * wide + 7),
         )
-    names = (*TANGENT, *BENDS, sharpest_bend, root_offset, normal_rounding)
+    names = (*TANGENT, *BENDS, sharpest_bend, root_offset, root_level, normal_rounding)
     return {s.name: sp.sympify(value) for s, value in zip(names, values, strict=True)}

@@ -14,9 +14,9 @@ from .symbols import spin, velocity
 
 DECISION_FACTOR = 16
 """Decisions allow for this many times the carried errors. Where errors have grown beyond single
-roundings, true errors were up to eleven times as large in most shots, and every decision allows for more than
-twice its errors besides. At one contact in 10,000 of the hoop they were larger, up to 87 times the
-carried ones, mostly near single roundings."""
+roundings, true errors were up to eleven times as large in most shots, and every decision allows
+for more than twice its errors besides. At one contact in 10,000 of the hoop they were larger, up to
+87 times the carried ones, mostly near single roundings."""
 
 dx = sp.symbols("dx dy dz", real=True)
 dv = sp.symbols("dvx dvy dvz", real=True)

@@ -1,6 +1,6 @@
 /* Kernels of the scene hoop, in C.
 
-   Generated from templates/c/kernels.h.j2, scene hoop, derivation eb553e9a2c366767,
+   Generated from templates/c/kernels.h.j2, scene hoop, derivation 863acc6ac95c3dee,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -984,13 +984,13 @@ LANES(hoop_impact)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V _c0, 
 }
 
 /* Bounds on errors after a contact, from those at the departure before it.
-   derivative of the frame-free Eq. 17, with roundings. 933 operations: 260 additions, 64 subtractions, 465 multiplications, 5 divisions, 37 negations, 82 absolute values, 6 comparisons, 14 selections. */
+   derivative of the frame-free Eq. 17, with roundings. 931 operations: 259 additions, 64 subtractions, 464 multiplications, 5 divisions, 37 negations, 82 absolute values, 6 comparisons, 14 selections. */
 typedef struct {
     S place_n, place_s, place_e, pace_n, pace_s, pace_e, turn_n, turn_z, position_bound, velocity_bound, spin_bound, left_nx, left_ny, left_nz, left_ex, left_ey, left_bend_s, left_bend_e, delay;
 } LANES(hoop_carry_impact_out);
 
 LANES_INLINE LANES(hoop_carry_impact_out)
-LANES(hoop_carry_impact)(S t, S x, S y, S z, S vx, S vy, S vz, S wx, S wy, S wz, S nx, S ny, S nz, S clock, S left_nx, S left_ny, S left_nz, S place_n, S place_s, S place_e, S pace_n, S pace_s, S pace_e, S turn_n, S turn_z, S position_bound, S velocity_bound, S spin_bound, S tangent_x, S tangent_y, S bend_s, S bend_e, S left_ex, S left_ey, S left_bend_s, S left_bend_e, S sharpest_bend, S root_offset, S normal_rounding, S normal_velocity, S back, S _c0, S _c1, S _c2, S _c3, S _c4, S _c5, S _c6, S _c7, S _c8, S _c9)
+LANES(hoop_carry_impact)(S t, S x, S y, S z, S vx, S vy, S vz, S wx, S wy, S wz, S nx, S ny, S nz, S clock, S left_nx, S left_ny, S left_nz, S place_n, S place_s, S place_e, S pace_n, S pace_s, S pace_e, S turn_n, S turn_z, S position_bound, S velocity_bound, S spin_bound, S tangent_x, S tangent_y, S bend_s, S bend_e, S left_ex, S left_ey, S left_bend_s, S left_bend_e, S sharpest_bend, S root_offset, S root_level, S normal_rounding, S normal_velocity, S back, S _c0, S _c1, S _c2, S _c3, S _c4, S _c5, S _c6, S _c7, S _c8, S _c9)
 {
     const S _s0 = singles_abs(vx);
     const S _s1 = singles_mul(KS(2.0), t);
@@ -1046,7 +1046,7 @@ LANES(hoop_carry_impact)(S t, S x, S y, S z, S vx, S vy, S vz, S wx, S wy, S wz,
     const S _s51 = singles_add(singles_mul(_c3, singles_mul(_s39, _s39)), singles_mul(_s39, _s42));
     const S _s52 = singles_div(singles_add(singles_mul(KS(0.51), singles_mul(_s48, _s46)), _s51), _s37);
     const S _s53 = singles_add(singles_mul(_s52, _s44), _s51);
-    const S _s54 = singles_add(singles_add(singles_add(root_offset, singles_mul(place_n, back)), _s53), singles_add(singles_add(singles_mul(singles_abs(nx), _s2), singles_mul(singles_abs(ny), _s4)), singles_mul(singles_abs(nz), _s6)));
+    const S _s54 = singles_add(singles_add(root_level, _s53), singles_add(singles_add(singles_mul(singles_abs(nx), _s2), singles_mul(singles_abs(ny), _s4)), singles_mul(singles_abs(nz), _s6)));
     const Q _s55 = singles_at_most(singles_max(_s49, _s50), KS(0.0));
     const S _s56 = singles_select(_s55, singles_mul(KS(1.0009765625), _s54), KS(INFINITY));
     const S _s57 = singles_mul(nz, tangent_y);
@@ -1187,7 +1187,7 @@ LANES(hoop_carry_impact)(S t, S x, S y, S z, S vx, S vy, S vz, S wx, S wy, S wz,
     const S _s192 = singles_select(_s55, _s191, KS(INFINITY));
     const S _s193 = singles_add(singles_mul(bend_s, _s82), singles_mul(bend_e, _s96));
     const S _s194 = singles_add(_s156, _s173);
-    return (LANES(hoop_carry_impact_out)){ _s56, _s82, _s96, _s126, _s156, _s173, _s187, _s192, singles_mul(KS(1.0009765625), singles_add(singles_add(_s96, _s82), _s56)), singles_mul(KS(1.0009765625), singles_add(singles_add(singles_mul(_s107, _s193), _s194), _s126)), singles_mul(KS(1.0009765625), singles_add(singles_add(singles_add(singles_div(_s194, _c0), singles_mul(_s193, _s177)), singles_mul(KS(2.0), _s192)), _s187)), nx, ny, nz, tangent_x, tangent_y, bend_s, bend_e, singles_add(singles_mul(KS(4.440892098500626e-16), singles_add(t, clock)), singles_select(_s55, singles_mul(KS(1.0009765625), _s39), KS(INFINITY))) };
+    return (LANES(hoop_carry_impact_out)){ _s56, _s82, _s96, _s126, _s156, _s173, _s187, _s192, singles_mul(KS(1.0009765625), singles_add(singles_add(_s56, _s96), _s82)), singles_mul(KS(1.0009765625), singles_add(singles_add(singles_mul(_s107, _s193), _s194), _s126)), singles_mul(KS(1.0009765625), singles_add(singles_add(singles_add(singles_div(_s194, _c0), singles_mul(_s193, _s177)), singles_mul(KS(2.0), _s192)), _s187)), nx, ny, nz, tangent_x, tangent_y, bend_s, bend_e, singles_add(singles_mul(KS(4.440892098500626e-16), singles_add(t, clock)), singles_select(_s55, singles_mul(KS(1.0009765625), _s39), KS(INFINITY))) };
 }
 
 /* Outward unit normal n3 at a contact.
@@ -1205,31 +1205,41 @@ LANES(hoop_ring_normal)(V x, V y, V z, V _c0, V _c1)
 }
 
 /* Tangent and curvatures at a contact, and bounds on the roundings there.
-   Table 2, running error analysis. 74 operations: 23 additions, 31 multiplications, 3 divisions, 1 square root, 1 negation, 10 absolute values, 2 comparisons, 3 selections. */
+   Table 2, running error analysis. 101 operations: 33 additions, 36 multiplications, 4 divisions, 1 square root, 1 negation, 10 absolute values, 7 comparisons, 9 selections. */
 typedef struct {
-    S tangent_x, tangent_y, bend_s, bend_e, sharpest_bend, root_offset, normal_rounding;
+    S tangent_x, tangent_y, bend_s, bend_e, sharpest_bend, root_offset, root_level, normal_rounding;
 } LANES(hoop_ring_tangents_out);
 
 LANES_INLINE LANES(hoop_ring_tangents_out)
-LANES(hoop_ring_tangents)(S t, S x, S y, S z, S vx, S vy, S vz, S nx, S ny, S nz, S normal_velocity, S back, S _c0, S _c1, S _c2, S _c3, S _c4, S _c5, S _c6, S _c7, S _c8)
+LANES(hoop_ring_tangents)(S t, S x, S y, S z, S vx, S vy, S vz, S nx, S ny, S nz, S place_n, S normal_velocity, S back, S _c0, S _c1, S _c2, S _c3, S _c4, S _c5, S _c6, S _c7, S _c8, S _c9)
 {
     const S _s0 = singles_sqrt(singles_add(singles_mul(x, x), singles_mul(y, y)));
     const S _s1 = singles_div(KS(1.0), _s0);
-    const S _s2 = singles_mul(t, t);
-    const S _s3 = singles_abs(vx);
-    const S _s4 = singles_abs(vy);
-    const S _s5 = singles_add(singles_mul(_c0, _s2), singles_mul(t, singles_add(singles_add(_s3, _s4), singles_abs(vz))));
-    const S _s6 = singles_mul(KS(2.0), t);
-    const S _s7 = singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), singles_add(singles_mul(_s6, _s3), singles_abs(x))));
-    const S _s8 = singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), singles_add(singles_mul(_s6, _s4), singles_abs(y))));
-    const S _s9 = singles_add(singles_add(singles_mul(_c5, _s2), singles_mul(_s6, singles_abs(singles_add(vz, singles_mul(_c5, t))))), singles_abs(z));
-    const S _s10 = singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), _s9));
-    const Q _s11 = singles_less(KS(0.0), back);
-    const S _s12 = singles_select(_s11, singles_add(singles_div(singles_mul(singles_mul(KS(1.5), _s5), singles_add(singles_add(_s7, _s8), _s10)), _c3), singles_mul(_c6, _s5)), singles_add(singles_mul(KS(1.1102230246251565e-16), singles_add(_c7, singles_mul(KS(2.0), _s0))), singles_add(singles_add(singles_mul(singles_abs(nx), _s7), singles_mul(singles_abs(ny), _s8)), singles_mul(singles_abs(nz), _s10))));
-    const S _s13 = singles_mul(KS(1.125), _s12);
-    const S _s14 = singles_mul(_c1, singles_select(_s11, singles_div(singles_mul(normal_velocity, normal_velocity), singles_add(singles_add(singles_mul(vx, vx), singles_mul(vy, vy)), singles_mul(vz, vz))), KS(1.0)));
-    const S _s15 = singles_mul(KS(1.7763568394002505e-15), _s14);
-    return (LANES(hoop_ring_tangents_out)){ singles_neg(singles_mul(y, _s1)), singles_mul(x, _s1), _c2, _s1, _c4, singles_add(singles_add(KS(7.888609052210118e-31), _s12), singles_max(_s13, _s15)), _c8 };
+    const S _s2 = singles_mul(_c0, t);
+    const S _s3 = singles_add(vz, _s2);
+    const S _s4 = singles_abs(vx);
+    const S _s5 = singles_abs(vy);
+    const S _s6 = singles_abs(vz);
+    const S _s7 = singles_div(singles_mul(t, singles_add(singles_mul(KS(2.0), singles_add(_c5, singles_max(KS(0.0), _s3))), singles_add(singles_add(singles_add(_s2, _s4), _s5), _s6))), _c3);
+    const S _s8 = singles_mul(t, t);
+    const S _s9 = singles_add(singles_mul(_c0, _s8), singles_mul(t, singles_add(singles_add(_s4, _s5), _s6)));
+    const S _s10 = singles_mul(KS(2.0), t);
+    const S _s11 = singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), singles_add(singles_mul(_s10, _s4), singles_abs(x))));
+    const S _s12 = singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), singles_add(singles_mul(_s10, _s5), singles_abs(y))));
+    const S _s13 = singles_add(singles_add(singles_mul(_c6, _s8), singles_mul(_s10, singles_abs(singles_add(vz, singles_mul(_c6, t))))), singles_abs(z));
+    const S _s14 = singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), _s13));
+    const S _s15 = singles_add(singles_div(singles_mul(singles_mul(KS(1.5), _s9), singles_add(singles_add(_s11, _s12), _s14)), _c3), singles_mul(_c7, _s9));
+    const S _s16 = singles_mul(KS(1.125), _s15);
+    const S _s17 = singles_mul(KS(1.7763568394002505e-15), singles_mul(singles_div(singles_mul(normal_velocity, normal_velocity), singles_add(singles_add(singles_mul(vx, vx), singles_mul(vy, vy)), singles_mul(vz, vz))), _c1));
+    const S _s18 = singles_add(singles_add(KS(7.888609052210118e-31), _s15), singles_max(_s16, _s17));
+    const S _s19 = singles_add(singles_mul(KS(1.1102230246251565e-16), singles_add(_c8, singles_mul(KS(2.0), _s0))), singles_add(singles_add(singles_mul(singles_abs(nx), _s11), singles_mul(singles_abs(ny), _s12)), singles_mul(singles_abs(nz), _s14)));
+    const S _s20 = singles_mul(KS(1.125), _s19);
+    const S _s21 = singles_add(singles_add(KS(7.888609052210118e-31), _s19), singles_max(_s20, _s17));
+    const S _s22 = singles_add(place_n, _s21);
+    const Q _s23 = singles_at_most(singles_mul(KS(4.0), _s7), KS(1.0));
+    const Q _s24 = singles_less(KS(0.0), back);
+    const S _s25 = singles_add(place_n, _s18);
+    return (LANES(hoop_ring_tangents_out)){ singles_neg(singles_mul(y, _s1)), singles_mul(x, _s1), _c2, _s1, _c4, singles_select(_s24, singles_select(_s23, _s18, singles_max(_s18, _s22)), _s21), singles_select(_s24, singles_select(_s23, _s25, singles_max(_s25, _s21)), _s21), _c9 };
 }
 
 /* Positive if errors of the state exceed those that a search allows for.
@@ -1728,14 +1738,14 @@ LANES(hoop_backboard_normal)(void)
 /* Tangent and curvatures at a contact, and bounds on the roundings there.
    Table 2, running error analysis. 8 operations: 2 additions, 4 multiplications, 2 absolute values. */
 typedef struct {
-    S tangent_x, tangent_y, bend_s, bend_e, sharpest_bend, root_offset, normal_rounding;
+    S tangent_x, tangent_y, bend_s, bend_e, sharpest_bend, root_offset, root_level, normal_rounding;
 } LANES(hoop_backboard_tangents_out);
 
 LANES_INLINE LANES(hoop_backboard_tangents_out)
 LANES(hoop_backboard_tangents)(S t, S x, S vx)
 {
     const S _s0 = singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), singles_add(singles_mul(singles_mul(KS(4.0), t), singles_mul(KS(2.0), singles_abs(vx))), singles_abs(x))));
-    return (LANES(hoop_backboard_tangents_out)){ KS(0.0), KS(1.0), KS(0.0), KS(0.0), KS(0.0), _s0, KS(0.0) };
+    return (LANES(hoop_backboard_tangents_out)){ KS(0.0), KS(1.0), KS(0.0), KS(0.0), KS(0.0), _s0, _s0, KS(0.0) };
 }
 
 /* The g of Eq. 2: a contact counts if none is positive.
@@ -1830,14 +1840,15 @@ LANES(hoop_bridge_normal)(void)
 /* Tangent and curvatures at a contact, and bounds on the roundings there.
    Table 2, running error analysis. 11 operations: 4 additions, 4 multiplications, 3 absolute values. */
 typedef struct {
-    S tangent_x, tangent_y, bend_s, bend_e, sharpest_bend, root_offset, normal_rounding;
+    S tangent_x, tangent_y, bend_s, bend_e, sharpest_bend, root_offset, root_level, normal_rounding;
 } LANES(hoop_bridge_tangents_out);
 
 LANES_INLINE LANES(hoop_bridge_tangents_out)
 LANES(hoop_bridge_tangents)(S t, S z, S vz, S _c0)
 {
     const S _s0 = singles_add(singles_mul(singles_mul(KS(4.0), t), singles_add(singles_abs(vz), singles_abs(singles_add(vz, singles_mul(_c0, t))))), singles_abs(z));
-    return (LANES(hoop_bridge_tangents_out)){ KS(0.0), KS(1.0), KS(0.0), KS(0.0), KS(0.0), singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), _s0)), KS(0.0) };
+    const S _s1 = singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), _s0));
+    return (LANES(hoop_bridge_tangents_out)){ KS(0.0), KS(1.0), KS(0.0), KS(0.0), KS(0.0), _s1, _s1, KS(0.0) };
 }
 
 /* The g of Eq. 2: a contact counts if none is positive.
@@ -1936,14 +1947,15 @@ LANES(hoop_end_normal)(void)
 /* Tangent and curvatures at a contact, and bounds on the roundings there.
    Table 2, running error analysis. 11 operations: 4 additions, 4 multiplications, 3 absolute values. */
 typedef struct {
-    S tangent_x, tangent_y, bend_s, bend_e, sharpest_bend, root_offset, normal_rounding;
+    S tangent_x, tangent_y, bend_s, bend_e, sharpest_bend, root_offset, root_level, normal_rounding;
 } LANES(hoop_end_tangents_out);
 
 LANES_INLINE LANES(hoop_end_tangents_out)
 LANES(hoop_end_tangents)(S t, S z, S vz, S _c0)
 {
     const S _s0 = singles_add(singles_mul(singles_mul(KS(4.0), t), singles_add(singles_abs(vz), singles_abs(singles_add(vz, singles_mul(_c0, t))))), singles_abs(z));
-    return (LANES(hoop_end_tangents_out)){ KS(0.0), KS(1.0), KS(0.0), KS(0.0), KS(0.0), singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), _s0)), KS(0.0) };
+    const S _s1 = singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), _s0));
+    return (LANES(hoop_end_tangents_out)){ KS(0.0), KS(1.0), KS(0.0), KS(0.0), KS(0.0), _s1, _s1, KS(0.0) };
 }
 
 /* Time of the only arrival, the gap's first two derivatives there, and its apex.

@@ -1,6 +1,6 @@
 /* The event loop of the scene hoop, with or without bounds on errors.
 
-   Generated from templates/c/loop.h.j2, scene hoop, derivation eb553e9a2c366767,
+   Generated from templates/c/loop.h.j2, scene hoop, derivation 863acc6ac95c3dee,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by hoop_engine.h twice, BOUNDED being 1 where errors are bounded, else 0. The path is
@@ -473,12 +473,12 @@ static void LOOP(fix)(LOOP(worklist) *worklist)
         const S _s58 = singles_div(KS(1.0), _s6);
         const S _s60 = singles_sub(singles_sub(_p_ring_radius, _p_ball_radius), _p_wire_radius);
         const S _s61 = singles_min(_s60, _s6);
-        const S _s66 = singles_mul(KS(2.0), singles_mul(_p_ring_radius, _s58));
-        const S _s78 = singles_add(KS(0.6), _p_restitution);
-        const S _s82 = singles_div(KS(1.0), _p_ball_radius);
-        const S _s85 = singles_mul(KS(1.00048828125), _s11);
-        const S _s88 = singles_mul(KS(0.00048828125), _s11);
-        const S _s94 = singles_sub(_s13, _s88);
+        const S _s69 = singles_mul(KS(2.0), singles_mul(_p_ring_radius, _s58));
+        const S _s81 = singles_add(KS(0.6), _p_restitution);
+        const S _s85 = singles_div(KS(1.0), _p_ball_radius);
+        const S _s88 = singles_mul(KS(1.00048828125), _s11);
+        const S _s91 = singles_mul(KS(0.00048828125), _s11);
+        const S _s97 = singles_sub(_s13, _s91);
         FIX_SINGLE(0, _p_gravity); FIX_SINGLE(1, _s7);
         FIX_SINGLE(2, singles_mul(KS(2.0), _p_gravity));
         FIX_SINGLE(3, singles_div(KS(1.0), _p_gravity)); FIX_SINGLE(4, _s11);
@@ -498,19 +498,20 @@ static void LOOP(fix)(LOOP(worklist) *worklist)
         FIX_SINGLE(24, singles_mul(KS(9.5367431640625e-07), _s11));
         FIX_SINGLE(25, singles_add(singles_mul(KS(0.000244140625), _p_ball_radius), singles_mul(KS(0.000244140625), _p_wire_radius)));
         FIX_SINGLE(26, _s58); FIX_SINGLE(27, _s61); FIX_SINGLE(28, singles_div(KS(1.0), _s61));
-        FIX_SINGLE(29, singles_mul(KS(1.1102230246251565e-16), singles_add(KS(16.0), _s66)));
-        FIX_SINGLE(30, singles_mul(KS(3.5), _s6));
-        FIX_SINGLE(31, singles_mul(KS(1.1102230246251565e-16), singles_add(KS(7.0), _s66)));
-        FIX_SINGLE(32, _p_ball_radius); FIX_SINGLE(33, _p_restitution);
-        FIX_SINGLE(34, singles_abs(KS(0.0))); FIX_SINGLE(35, _s78);
-        FIX_SINGLE(36, singles_mul(KS(0.4), _p_ball_radius));
-        FIX_SINGLE(37, singles_mul(KS(2.0), _s78)); FIX_SINGLE(38, _s82);
-        FIX_SINGLE(39, singles_mul(KS(0.6), _s82)); FIX_SINGLE(40, singles_mul(_s85, _s85));
-        FIX_SINGLE(41, singles_add(_s7, _s88));
-        FIX_SINGLE(42, singles_sub(singles_sub(_p_ring_radius, singles_mul(KS(1.4143014047294855), _s6)), _s88));
-        FIX_SINGLE(43, _s94); FIX_SINGLE(44, singles_mul(_s94, _s94));
-        FIX_SINGLE(45, singles_mul(KS(128.0), _s11));
-        FIX_SINGLE(46, singles_mul(KS(1.52587890625e-05), _s11));
+        FIX_SINGLE(29, singles_mul(singles_sqrt(_p_gravity), singles_sqrt(_s6)));
+        FIX_SINGLE(30, singles_mul(KS(1.1102230246251565e-16), singles_add(KS(16.0), _s69)));
+        FIX_SINGLE(31, singles_mul(KS(3.5), _s6));
+        FIX_SINGLE(32, singles_mul(KS(1.1102230246251565e-16), singles_add(KS(7.0), _s69)));
+        FIX_SINGLE(33, _p_ball_radius); FIX_SINGLE(34, _p_restitution);
+        FIX_SINGLE(35, singles_abs(KS(0.0))); FIX_SINGLE(36, _s81);
+        FIX_SINGLE(37, singles_mul(KS(0.4), _p_ball_radius));
+        FIX_SINGLE(38, singles_mul(KS(2.0), _s81)); FIX_SINGLE(39, _s85);
+        FIX_SINGLE(40, singles_mul(KS(0.6), _s85)); FIX_SINGLE(41, singles_mul(_s88, _s88));
+        FIX_SINGLE(42, singles_add(_s7, _s91));
+        FIX_SINGLE(43, singles_sub(singles_sub(_p_ring_radius, singles_mul(KS(1.4143014047294855), _s6)), _s91));
+        FIX_SINGLE(44, _s97); FIX_SINGLE(45, singles_mul(_s97, _s97));
+        FIX_SINGLE(46, singles_mul(KS(128.0), _s11));
+        FIX_SINGLE(47, singles_mul(KS(1.52587890625e-05), _s11));
     }
 }
 
@@ -796,20 +797,21 @@ LANES_APART void LOOP(fix_rows_6)(LOOP(worklist) *worklist, size_t i)
         const S _s58 = singles_div(KS(1.0), _s6);
         const S _s60 = singles_sub(singles_sub(_p_ring_radius, _p_ball_radius), _p_wire_radius);
         const S _s61 = singles_min(_s60, _s6);
-        const S _s66 = singles_mul(KS(2.0), singles_mul(_p_ring_radius, _s58));
-        const S _s78 = singles_add(KS(0.6), _p_restitution);
-        const S _s82 = singles_div(KS(1.0), _p_ball_radius);
+        const S _s69 = singles_mul(KS(2.0), singles_mul(_p_ring_radius, _s58));
+        const S _s81 = singles_add(KS(0.6), _p_restitution);
+        const S _s85 = singles_div(KS(1.0), _p_ball_radius);
         FIX_SINGLE(0, _p_gravity); FIX_SINGLE(10, _s6);
         FIX_SINGLE(20, singles_mul(KS(0.5), _p_gravity)); FIX_SINGLE(26, _s58);
         FIX_SINGLE(27, _s61); FIX_SINGLE(28, singles_div(KS(1.0), _s61));
-        FIX_SINGLE(29, singles_mul(KS(1.1102230246251565e-16), singles_add(KS(16.0), _s66)));
-        FIX_SINGLE(30, singles_mul(KS(3.5), _s6));
-        FIX_SINGLE(31, singles_mul(KS(1.1102230246251565e-16), singles_add(KS(7.0), _s66)));
-        FIX_SINGLE(32, _p_ball_radius); FIX_SINGLE(33, _p_restitution);
-        FIX_SINGLE(34, singles_abs(KS(0.0))); FIX_SINGLE(35, _s78);
-        FIX_SINGLE(36, singles_mul(KS(0.4), _p_ball_radius));
-        FIX_SINGLE(37, singles_mul(KS(2.0), _s78)); FIX_SINGLE(38, _s82);
-        FIX_SINGLE(39, singles_mul(KS(0.6), _s82));
+        FIX_SINGLE(29, singles_mul(singles_sqrt(_p_gravity), singles_sqrt(_s6)));
+        FIX_SINGLE(30, singles_mul(KS(1.1102230246251565e-16), singles_add(KS(16.0), _s69)));
+        FIX_SINGLE(31, singles_mul(KS(3.5), _s6));
+        FIX_SINGLE(32, singles_mul(KS(1.1102230246251565e-16), singles_add(KS(7.0), _s69)));
+        FIX_SINGLE(33, _p_ball_radius); FIX_SINGLE(34, _p_restitution);
+        FIX_SINGLE(35, singles_abs(KS(0.0))); FIX_SINGLE(36, _s81);
+        FIX_SINGLE(37, singles_mul(KS(0.4), _p_ball_radius));
+        FIX_SINGLE(38, singles_mul(KS(2.0), _s81)); FIX_SINGLE(39, _s85);
+        FIX_SINGLE(40, singles_mul(KS(0.6), _s85));
 #endif
     }
 }
@@ -956,9 +958,9 @@ static size_t LOOP(launch)(LOOP(worklist) *worklist, const hoop_job *job, size_t
         CALL(hoop_missed, _missed_1)();
         EACH(GET, _missed_1, clear)
 #if BOUNDED
-        CALL(hoop_ring_drops_through, _ring_drops_through_1)(lanes_narrow(x), lanes_narrow(y), lanes_narrow(z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(vz), lanes_narrow(until), lanes_narrow(extent), lanes_narrow(speed), position_error, velocity_error, FIXED_SINGLE(0), FIXED_SINGLE(40), FIXED_SINGLE(3), FIXED_SINGLE(41), FIXED_SINGLE(20), FIXED_SINGLE(42), FIXED_SINGLE(43), FIXED_SINGLE(44), FIXED_SINGLE(45), FIXED_SINGLE(46));
+        CALL(hoop_ring_drops_through, _ring_drops_through_1)(lanes_narrow(x), lanes_narrow(y), lanes_narrow(z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(vz), lanes_narrow(until), lanes_narrow(extent), lanes_narrow(speed), position_error, velocity_error, FIXED_SINGLE(0), FIXED_SINGLE(41), FIXED_SINGLE(3), FIXED_SINGLE(42), FIXED_SINGLE(20), FIXED_SINGLE(43), FIXED_SINGLE(44), FIXED_SINGLE(45), FIXED_SINGLE(46), FIXED_SINGLE(47));
 #else
-        CALL(hoop_ring_drops_through, _ring_drops_through_1)(lanes_narrow(x), lanes_narrow(y), lanes_narrow(z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(vz), lanes_narrow(until), lanes_narrow(extent), lanes_narrow(speed), KS(0.0), KS(0.0), FIXED_SINGLE(0), FIXED_SINGLE(40), FIXED_SINGLE(3), FIXED_SINGLE(41), FIXED_SINGLE(20), FIXED_SINGLE(42), FIXED_SINGLE(43), FIXED_SINGLE(44), FIXED_SINGLE(45), FIXED_SINGLE(46));
+        CALL(hoop_ring_drops_through, _ring_drops_through_1)(lanes_narrow(x), lanes_narrow(y), lanes_narrow(z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(vz), lanes_narrow(until), lanes_narrow(extent), lanes_narrow(speed), KS(0.0), KS(0.0), FIXED_SINGLE(0), FIXED_SINGLE(41), FIXED_SINGLE(3), FIXED_SINGLE(42), FIXED_SINGLE(20), FIXED_SINGLE(43), FIXED_SINGLE(44), FIXED_SINGLE(45), FIXED_SINGLE(46), FIXED_SINGLE(47));
 #endif
         EACH(GET_MASK, _ring_drops_through_1, unproved)
         const M _if_unproved_1 = unproved;
@@ -2029,16 +2031,17 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
                 EACH(GET, _came_back_1, back)
                 CALL(hoop_end_tangents, _end_tangents_1)(lanes_narrow(when), lanes_narrow(z), lanes_narrow(vz), FIXED_SINGLE(20));
                 EACH(GET_SINGLE, _end_tangents_1, tangent_x, tangent_y, bend_s, bend_e)
-                EACH(GET_SINGLE, _end_tangents_1, sharpest_bend, root_offset, normal_rounding)
+                EACH(GET_SINGLE, _end_tangents_1, sharpest_bend, root_offset, root_level)
+                EACH(GET_SINGLE, _end_tangents_1, normal_rounding)
                 CALL(hoop_here, _here_5)(K(0.0), which);
                 EACH(SET, _here_5, here)
                 const M _if_here_5 = lanes_both(_if_meeting_1, here);
                 if (lanes_any(_if_here_5)) {
-                    CALL(hoop_ring_tangents, _ring_tangents_1)(lanes_narrow(when), lanes_narrow(x), lanes_narrow(y), lanes_narrow(z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(vz), lanes_narrow(nx), lanes_narrow(ny), lanes_narrow(nz), lanes_narrow(normal_velocity), lanes_narrow(back), FIXED_SINGLE(0), FIXED_SINGLE(10), FIXED_SINGLE(26), FIXED_SINGLE(27), FIXED_SINGLE(28), FIXED_SINGLE(20), FIXED_SINGLE(29), FIXED_SINGLE(30), FIXED_SINGLE(31));
+                    CALL(hoop_ring_tangents, _ring_tangents_1)(lanes_narrow(when), lanes_narrow(x), lanes_narrow(y), lanes_narrow(z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(vz), lanes_narrow(nx), lanes_narrow(ny), lanes_narrow(nz), place_n, lanes_narrow(normal_velocity), lanes_narrow(back), FIXED_SINGLE(0), FIXED_SINGLE(10), FIXED_SINGLE(26), FIXED_SINGLE(27), FIXED_SINGLE(28), FIXED_SINGLE(29), FIXED_SINGLE(20), FIXED_SINGLE(30), FIXED_SINGLE(31), FIXED_SINGLE(32));
                     EACH(SELECT_SINGLE, (_if_here_5, _ring_tangents_1), tangent_x, tangent_y)
                     EACH(SELECT_SINGLE, (_if_here_5, _ring_tangents_1), bend_s, bend_e)
                     EACH(SELECT_SINGLE, (_if_here_5, _ring_tangents_1), sharpest_bend, root_offset)
-                    EACH(SELECT_SINGLE, (_if_here_5, _ring_tangents_1), normal_rounding)
+                    EACH(SELECT_SINGLE, (_if_here_5, _ring_tangents_1), root_level, normal_rounding)
                 }
                 CALL(hoop_here, _here_6)(K(1.0), which);
                 EACH(SET, _here_6, here)
@@ -2049,6 +2052,7 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
                     EACH(SELECT_SINGLE, (_if_here_6, _backboard_tangents_1), bend_s, bend_e)
                     EACH(SELECT_SINGLE, (_if_here_6, _backboard_tangents_1), sharpest_bend)
                     EACH(SELECT_SINGLE, (_if_here_6, _backboard_tangents_1), root_offset)
+                    EACH(SELECT_SINGLE, (_if_here_6, _backboard_tangents_1), root_level)
                     EACH(SELECT_SINGLE, (_if_here_6, _backboard_tangents_1), normal_rounding)
                 }
                 CALL(hoop_here, _here_7)(K(2.0), which);
@@ -2059,7 +2063,7 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
                     EACH(SELECT_SINGLE, (_if_here_7, _bridge_tangents_1), tangent_x, tangent_y)
                     EACH(SELECT_SINGLE, (_if_here_7, _bridge_tangents_1), bend_s, bend_e)
                     EACH(SELECT_SINGLE, (_if_here_7, _bridge_tangents_1), sharpest_bend)
-                    EACH(SELECT_SINGLE, (_if_here_7, _bridge_tangents_1), root_offset)
+                    EACH(SELECT_SINGLE, (_if_here_7, _bridge_tangents_1), root_offset, root_level)
                     EACH(SELECT_SINGLE, (_if_here_7, _bridge_tangents_1), normal_rounding)
                 }
                 const M _if_ends_1 = lanes_both(_if_meeting_1, ends);
@@ -2075,7 +2079,7 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
                 const M _if_touches_1 = lanes_both(_if_meeting_1, touches);
                 if (LANES_USUAL(_if_touches_1)) {
 #if BOUNDED
-                    CALL(hoop_carry_impact, _carry_impact_1)(lanes_narrow(when), lanes_narrow(x), lanes_narrow(y), lanes_narrow(z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(vz), lanes_narrow(wx), lanes_narrow(wy), lanes_narrow(wz), lanes_narrow(nx), lanes_narrow(ny), lanes_narrow(nz), lanes_narrow(clock), left_nx, left_ny, left_nz, place_n, place_s, place_e, pace_n, pace_s, pace_e, turn_n, turn_z, position_bound, velocity_bound, spin_bound, tangent_x, tangent_y, bend_s, bend_e, left_ex, left_ey, left_bend_s, left_bend_e, sharpest_bend, root_offset, normal_rounding, lanes_narrow(normal_velocity), lanes_narrow(back), FIXED_SINGLE(32), FIXED_SINGLE(33), FIXED_SINGLE(0), FIXED_SINGLE(20), FIXED_SINGLE(34), FIXED_SINGLE(35), FIXED_SINGLE(36), FIXED_SINGLE(37), FIXED_SINGLE(38), FIXED_SINGLE(39));
+                    CALL(hoop_carry_impact, _carry_impact_1)(lanes_narrow(when), lanes_narrow(x), lanes_narrow(y), lanes_narrow(z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(vz), lanes_narrow(wx), lanes_narrow(wy), lanes_narrow(wz), lanes_narrow(nx), lanes_narrow(ny), lanes_narrow(nz), lanes_narrow(clock), left_nx, left_ny, left_nz, place_n, place_s, place_e, pace_n, pace_s, pace_e, turn_n, turn_z, position_bound, velocity_bound, spin_bound, tangent_x, tangent_y, bend_s, bend_e, left_ex, left_ey, left_bend_s, left_bend_e, sharpest_bend, root_offset, root_level, normal_rounding, lanes_narrow(normal_velocity), lanes_narrow(back), FIXED_SINGLE(33), FIXED_SINGLE(34), FIXED_SINGLE(0), FIXED_SINGLE(20), FIXED_SINGLE(35), FIXED_SINGLE(36), FIXED_SINGLE(37), FIXED_SINGLE(38), FIXED_SINGLE(39), FIXED_SINGLE(40));
                     EACH(SELECT_SINGLE, (_if_touches_1, _carry_impact_1), place_n, place_s, place_e)
                     EACH(SELECT_SINGLE, (_if_touches_1, _carry_impact_1), pace_n, pace_s, pace_e)
                     EACH(SELECT_SINGLE, (_if_touches_1, _carry_impact_1), turn_n, turn_z)

@@ -1,6 +1,6 @@
 /* The event loop of the scene hoop in CUDA: a thread takes one shot from its release to its end.
 
-   Generated from templates/cuda/scene.cu.j2, scene hoop, derivation eb553e9a2c366767,
+   Generated from templates/cuda/scene.cu.j2, scene hoop, derivation 863acc6ac95c3dee,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    It needs no header. To give the bits of NumPy and C it is compiled with --fmad=false, --ftz=false,
@@ -999,12 +999,12 @@ static __device__ __forceinline__ kernel_impact_out kernel_impact(double vx, dou
 }
 
 /* Bounds on errors after a contact, from those at the departure before it.
-   derivative of the frame-free Eq. 17, with roundings. 940 operations: 261 additions, 64 subtractions, 469 multiplications, 6 divisions, 37 negations, 83 absolute values, 6 comparisons, 14 selections. */
+   derivative of the frame-free Eq. 17, with roundings. 938 operations: 260 additions, 64 subtractions, 468 multiplications, 6 divisions, 37 negations, 83 absolute values, 6 comparisons, 14 selections. */
 struct kernel_carry_impact_out {
     float place_n, place_s, place_e, pace_n, pace_s, pace_e, turn_n, turn_z, position_bound, velocity_bound, spin_bound, left_nx, left_ny, left_nz, left_ex, left_ey, left_bend_s, left_bend_e, delay;
 };
 
-static __device__ __forceinline__ kernel_carry_impact_out kernel_carry_impact(float t, float x, float y, float z, float vx, float vy, float vz, float wx, float wy, float wz, float nx, float ny, float nz, float clock, float left_nx, float left_ny, float left_nz, float place_n, float place_s, float place_e, float pace_n, float pace_s, float pace_e, float turn_n, float turn_z, float position_bound, float velocity_bound, float spin_bound, float tangent_x, float tangent_y, float bend_s, float bend_e, float left_ex, float left_ey, float left_bend_s, float left_bend_e, float sharpest_bend, float root_offset, float normal_rounding, float normal_velocity, float back, float p_ball_radius, float p_restitution, float p_gravity)
+static __device__ __forceinline__ kernel_carry_impact_out kernel_carry_impact(float t, float x, float y, float z, float vx, float vy, float vz, float wx, float wy, float wz, float nx, float ny, float nz, float clock, float left_nx, float left_ny, float left_nz, float place_n, float place_s, float place_e, float pace_n, float pace_s, float pace_e, float turn_n, float turn_z, float position_bound, float velocity_bound, float spin_bound, float tangent_x, float tangent_y, float bend_s, float bend_e, float left_ex, float left_ey, float left_bend_s, float left_bend_e, float sharpest_bend, float root_offset, float root_level, float normal_rounding, float normal_velocity, float back, float p_ball_radius, float p_restitution, float p_gravity)
 {
     const float _s0 = fabsf(vx);
     const float _s1 = ((float)2.0) * t;
@@ -1061,7 +1061,7 @@ static __device__ __forceinline__ kernel_carry_impact_out kernel_carry_impact(fl
     const float _s52 = (_s5 * (_s40 * _s40)) + (_s40 * _s43);
     const float _s53 = ((((float)0.51) * (_s49 * _s47)) + _s52) / _s38;
     const float _s54 = (_s53 * _s45) + _s52;
-    const float _s55 = ((root_offset + (place_n * back)) + _s54) + (((fabsf(nx) * _s2) + (fabsf(ny) * _s4)) + (fabsf(nz) * _s7));
+    const float _s55 = (root_level + _s54) + (((fabsf(nx) * _s2) + (fabsf(ny) * _s4)) + (fabsf(nz) * _s7));
     const bool _s56 = larger(_s50, _s51) <= ((float)0.0);
     const float _s57 = choose(_s56, (((float)1.0009765625) * _s55), ((float)INFINITE));
     const float _s58 = nz * tangent_y;
@@ -1208,7 +1208,7 @@ static __device__ __forceinline__ kernel_carry_impact_out kernel_carry_impact(fl
     const float _s199 = choose(_s56, _s198, ((float)INFINITE));
     const float _s200 = (bend_s * _s83) + (bend_e * _s98);
     const float _s201 = _s162 + _s179;
-    return {_s57, _s83, _s98, _s131, _s162, _s179, _s194, _s199, ((float)1.0009765625) * ((_s98 + _s83) + _s57), ((float)1.0009765625) * (((_s111 * _s200) + _s201) + _s131), ((float)1.0009765625) * ((((_s201 / p_ball_radius) + (_s200 * _s184)) + (((float)2.0) * _s199)) + _s194), nx, ny, nz, tangent_x, tangent_y, bend_s, bend_e, (((float)4.440892098500626e-16) * (t + clock)) + choose(_s56, (((float)1.0009765625) * _s40), ((float)INFINITE))};
+    return {_s57, _s83, _s98, _s131, _s162, _s179, _s194, _s199, ((float)1.0009765625) * ((_s57 + _s98) + _s83), ((float)1.0009765625) * (((_s111 * _s200) + _s201) + _s131), ((float)1.0009765625) * ((((_s201 / p_ball_radius) + (_s200 * _s184)) + (((float)2.0) * _s199)) + _s194), nx, ny, nz, tangent_x, tangent_y, bend_s, bend_e, (((float)4.440892098500626e-16) * (t + clock)) + choose(_s56, (((float)1.0009765625) * _s40), ((float)INFINITE))};
 }
 
 /* Outward unit normal n3 at a contact.
@@ -1226,12 +1226,12 @@ static __device__ __forceinline__ kernel_ring_normal_out kernel_ring_normal(doub
 }
 
 /* Tangent and curvatures at a contact, and bounds on the roundings there.
-   Table 2, running error analysis. 89 operations: 26 additions, 2 subtractions, 37 multiplications, 5 divisions, 1 square root, 1 negation, 10 absolute values, 3 comparisons, 4 selections. */
+   Table 2, running error analysis. 119 operations: 36 additions, 2 subtractions, 43 multiplications, 6 divisions, 3 square roots, 1 negation, 10 absolute values, 8 comparisons, 10 selections. */
 struct kernel_ring_tangents_out {
-    float tangent_x, tangent_y, bend_s, bend_e, sharpest_bend, root_offset, normal_rounding;
+    float tangent_x, tangent_y, bend_s, bend_e, sharpest_bend, root_offset, root_level, normal_rounding;
 };
 
-static __device__ __forceinline__ kernel_ring_tangents_out kernel_ring_tangents(float t, float x, float y, float z, float vx, float vy, float vz, float nx, float ny, float nz, float normal_velocity, float back, float p_ball_radius, float p_ring_radius, float p_wire_radius, float p_gravity)
+static __device__ __forceinline__ kernel_ring_tangents_out kernel_ring_tangents(float t, float x, float y, float z, float vx, float vy, float vz, float nx, float ny, float nz, float place_n, float normal_velocity, float back, float p_ball_radius, float p_ring_radius, float p_wire_radius, float p_gravity)
 {
     const float _s0 = sqrtf(((x * x) + (y * y)));
     const float _s1 = ((float)1.0) / _s0;
@@ -1239,23 +1239,33 @@ static __device__ __forceinline__ kernel_ring_tangents_out kernel_ring_tangents(
     const float _s3 = ((float)1.0) / _s2;
     const float _s4 = (p_ring_radius - p_ball_radius) - p_wire_radius;
     const float _s5 = smaller(_s4, _s2);
-    const float _s6 = t * t;
-    const float _s7 = fabsf(vx);
-    const float _s8 = fabsf(vy);
-    const float _s9 = (p_gravity * _s6) + (t * ((_s7 + _s8) + fabsf(vz)));
-    const float _s10 = ((float)2.0) * t;
-    const float _s11 = ((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * ((_s10 * _s7) + fabsf(x)));
-    const float _s12 = ((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * ((_s10 * _s8) + fabsf(y)));
-    const float _s13 = ((float)0.5) * p_gravity;
-    const float _s14 = ((_s13 * _s6) + (_s10 * fabsf((vz + (_s13 * t))))) + fabsf(z);
-    const float _s15 = ((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * _s14);
-    const float _s16 = ((float)2.0) * (p_ring_radius * _s3);
-    const bool _s17 = ((float)0.0) < back;
-    const float _s18 = choose(_s17, ((((((float)1.5) * _s9) * ((_s11 + _s12) + _s15)) / _s5) + ((((float)1.1102230246251565e-16) * (((float)16.0) + _s16)) * _s9)), ((((float)1.1102230246251565e-16) * ((((float)3.5) * _s2) + (((float)2.0) * _s0))) + (((fabsf(nx) * _s11) + (fabsf(ny) * _s12)) + (fabsf(nz) * _s15))));
-    const float _s19 = ((float)1.125) * _s18;
-    const float _s20 = _s2 * choose(_s17, ((normal_velocity * normal_velocity) / (((vx * vx) + (vy * vy)) + (vz * vz))), ((float)1.0));
-    const float _s21 = ((float)1.7763568394002505e-15) * _s20;
-    return {-(y * _s1), x * _s1, _s3, _s1, ((float)1.0) / _s5, (((float)7.888609052210118e-31) + _s18) + larger(_s19, _s21), ((float)1.1102230246251565e-16) * (((float)7.0) + _s16)};
+    const float _s6 = p_gravity * t;
+    const float _s7 = vz + _s6;
+    const float _s8 = fabsf(vx);
+    const float _s9 = fabsf(vy);
+    const float _s10 = fabsf(vz);
+    const float _s11 = t * ((((float)2.0) * ((sqrtf(p_gravity) * sqrtf(_s2)) + larger(((float)0.0), _s7))) + (((_s6 + _s8) + _s9) + _s10));
+    const float _s12 = t * t;
+    const float _s13 = (p_gravity * _s12) + (t * ((_s8 + _s9) + _s10));
+    const float _s14 = ((float)2.0) * t;
+    const float _s15 = ((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * ((_s14 * _s8) + fabsf(x)));
+    const float _s16 = ((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * ((_s14 * _s9) + fabsf(y)));
+    const float _s17 = ((float)0.5) * p_gravity;
+    const float _s18 = ((_s17 * _s12) + (_s14 * fabsf((vz + (_s17 * t))))) + fabsf(z);
+    const float _s19 = ((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * _s18);
+    const float _s20 = ((float)2.0) * (p_ring_radius * _s3);
+    const float _s21 = (((((float)1.5) * _s13) * ((_s15 + _s16) + _s19)) / _s5) + ((((float)1.1102230246251565e-16) * (((float)16.0) + _s20)) * _s13);
+    const float _s22 = ((float)1.125) * _s21;
+    const float _s23 = ((float)1.7763568394002505e-15) * (((normal_velocity * normal_velocity) / (((vx * vx) + (vy * vy)) + (vz * vz))) * _s2);
+    const float _s24 = (((float)7.888609052210118e-31) + _s21) + larger(_s22, _s23);
+    const float _s25 = (((float)1.1102230246251565e-16) * ((((float)3.5) * _s2) + (((float)2.0) * _s0))) + (((fabsf(nx) * _s15) + (fabsf(ny) * _s16)) + (fabsf(nz) * _s19));
+    const float _s26 = ((float)1.125) * _s25;
+    const float _s27 = (((float)7.888609052210118e-31) + _s25) + larger(_s26, _s23);
+    const float _s28 = place_n + _s27;
+    const bool _s29 = (((float)4.0) * (_s11 / _s5)) <= ((float)1.0);
+    const bool _s30 = ((float)0.0) < back;
+    const float _s31 = place_n + _s24;
+    return {-(y * _s1), x * _s1, _s3, _s1, ((float)1.0) / _s5, choose(_s30, choose(_s29, _s24, larger(_s24, _s28)), _s27), choose(_s30, choose(_s29, _s31, larger(_s31, _s27)), _s27), ((float)1.1102230246251565e-16) * (((float)7.0) + _s20)};
 }
 
 /* Positive if errors of the state exceed those that a search allows for.
@@ -1784,13 +1794,13 @@ static __device__ __forceinline__ kernel_backboard_normal_out kernel_backboard_n
 /* Tangent and curvatures at a contact, and bounds on the roundings there.
    Table 2, running error analysis. 8 operations: 2 additions, 4 multiplications, 2 absolute values. */
 struct kernel_backboard_tangents_out {
-    float tangent_x, tangent_y, bend_s, bend_e, sharpest_bend, root_offset, normal_rounding;
+    float tangent_x, tangent_y, bend_s, bend_e, sharpest_bend, root_offset, root_level, normal_rounding;
 };
 
 static __device__ __forceinline__ kernel_backboard_tangents_out kernel_backboard_tangents(float t, float x, float vx)
 {
     const float _s0 = ((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * (((((float)4.0) * t) * (((float)2.0) * fabsf(vx))) + fabsf(x)));
-    return {(float)0.0, (float)1.0, (float)0.0, (float)0.0, (float)0.0, _s0, (float)0.0};
+    return {(float)0.0, (float)1.0, (float)0.0, (float)0.0, (float)0.0, _s0, _s0, (float)0.0};
 }
 
 /* The g of Eq. 2: a contact counts if none is positive.
@@ -1878,13 +1888,14 @@ static __device__ __forceinline__ kernel_bridge_normal_out kernel_bridge_normal(
 /* Tangent and curvatures at a contact, and bounds on the roundings there.
    Table 2, running error analysis. 12 operations: 4 additions, 5 multiplications, 3 absolute values. */
 struct kernel_bridge_tangents_out {
-    float tangent_x, tangent_y, bend_s, bend_e, sharpest_bend, root_offset, normal_rounding;
+    float tangent_x, tangent_y, bend_s, bend_e, sharpest_bend, root_offset, root_level, normal_rounding;
 };
 
 static __device__ __forceinline__ kernel_bridge_tangents_out kernel_bridge_tangents(float t, float z, float vz, float p_gravity)
 {
     const float _s0 = (((float)4.0) * t) * (fabsf(vz) + fabsf((vz + ((((float)0.5) * p_gravity) * t))));
-    return {(float)0.0, (float)1.0, (float)0.0, (float)0.0, (float)0.0, ((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * (_s0 + fabsf(z))), (float)0.0};
+    const float _s1 = ((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * (_s0 + fabsf(z)));
+    return {(float)0.0, (float)1.0, (float)0.0, (float)0.0, (float)0.0, _s1, _s1, (float)0.0};
 }
 
 /* The g of Eq. 2: a contact counts if none is positive.
@@ -1977,13 +1988,14 @@ static __device__ __forceinline__ kernel_end_normal_out kernel_end_normal()
 /* Tangent and curvatures at a contact, and bounds on the roundings there.
    Table 2, running error analysis. 12 operations: 4 additions, 5 multiplications, 3 absolute values. */
 struct kernel_end_tangents_out {
-    float tangent_x, tangent_y, bend_s, bend_e, sharpest_bend, root_offset, normal_rounding;
+    float tangent_x, tangent_y, bend_s, bend_e, sharpest_bend, root_offset, root_level, normal_rounding;
 };
 
 static __device__ __forceinline__ kernel_end_tangents_out kernel_end_tangents(float t, float z, float vz, float p_gravity)
 {
     const float _s0 = (((float)4.0) * t) * (fabsf(vz) + fabsf((vz + ((((float)0.5) * p_gravity) * t))));
-    return {(float)0.0, (float)1.0, (float)0.0, (float)0.0, (float)0.0, ((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * (_s0 + fabsf(z))), (float)0.0};
+    const float _s1 = ((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * (_s0 + fabsf(z)));
+    return {(float)0.0, (float)1.0, (float)0.0, (float)0.0, (float)0.0, _s1, _s1, (float)0.0};
 }
 
 /* Time of the only arrival, the gap's first two derivatives there, and its apex.
@@ -2117,8 +2129,8 @@ static __device__ __forceinline__ void hoop_loop(
         short_rho_rate = (float)0.0, short_rate_margin = (float)0.0, short_low1 = (float)0.0,
         short_high1 = (float)0.0, short_low2 = (float)0.0, short_high2 = (float)0.0,
         tangent_x = (float)0.0, tangent_y = (float)0.0, bend_s = (float)0.0, bend_e = (float)0.0,
-        sharpest_bend = (float)0.0, root_offset = (float)0.0, normal_rounding = (float)0.0,
-        belated = (float)0.0;
+        sharpest_bend = (float)0.0, root_offset = (float)0.0, root_level = (float)0.0,
+        normal_rounding = (float)0.0, belated = (float)0.0;
     bool permitted = false, in_range = false, close = false, limited = false, arrives = false,
         possible = false, released = false, reachable = false, undecided = false, open = false,
         certain = false, searching = false, representable = false, fits = false, stepping = false,
@@ -2723,17 +2735,19 @@ static __device__ __forceinline__ void hoop_loop(
                 bend_e = _o132.bend_e;
                 sharpest_bend = _o132.sharpest_bend;
                 root_offset = _o132.root_offset;
+                root_level = _o132.root_level;
                 normal_rounding = _o132.normal_rounding;
                 const kernel_here_out _o133 = kernel_here(0.0, which);
                 here = _o133.here;
                 if (here) {
-                    const kernel_ring_tangents_out _o134 = kernel_ring_tangents(when, x, y, z, vx, vy, vz, nx, ny, nz, normal_velocity, back, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                    const kernel_ring_tangents_out _o134 = kernel_ring_tangents(when, x, y, z, vx, vy, vz, nx, ny, nz, place_n, normal_velocity, back, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
                     tangent_x = _o134.tangent_x;
                     tangent_y = _o134.tangent_y;
                     bend_s = _o134.bend_s;
                     bend_e = _o134.bend_e;
                     sharpest_bend = _o134.sharpest_bend;
                     root_offset = _o134.root_offset;
+                    root_level = _o134.root_level;
                     normal_rounding = _o134.normal_rounding;
                 }
                 const kernel_here_out _o135 = kernel_here(1.0, which);
@@ -2746,6 +2760,7 @@ static __device__ __forceinline__ void hoop_loop(
                     bend_e = _o136.bend_e;
                     sharpest_bend = _o136.sharpest_bend;
                     root_offset = _o136.root_offset;
+                    root_level = _o136.root_level;
                     normal_rounding = _o136.normal_rounding;
                 }
                 const kernel_here_out _o137 = kernel_here(2.0, which);
@@ -2758,6 +2773,7 @@ static __device__ __forceinline__ void hoop_loop(
                     bend_e = _o138.bend_e;
                     sharpest_bend = _o138.sharpest_bend;
                     root_offset = _o138.root_offset;
+                    root_level = _o138.root_level;
                     normal_rounding = _o138.normal_rounding;
                 }
                 if (ends) {
@@ -2772,7 +2788,7 @@ static __device__ __forceinline__ void hoop_loop(
             }
             if (touches) {
                 if (BOUNDS) {
-                    const kernel_carry_impact_out _o141 = kernel_carry_impact(when, x, y, z, vx, vy, vz, wx, wy, wz, nx, ny, nz, clock, left_nx, left_ny, left_nz, place_n, place_s, place_e, pace_n, pace_s, pace_e, turn_n, turn_z, position_bound, velocity_bound, spin_bound, tangent_x, tangent_y, bend_s, bend_e, left_ex, left_ey, left_bend_s, left_bend_e, sharpest_bend, root_offset, normal_rounding, normal_velocity, back, p_ball_radius, p_restitution, p_gravity);
+                    const kernel_carry_impact_out _o141 = kernel_carry_impact(when, x, y, z, vx, vy, vz, wx, wy, wz, nx, ny, nz, clock, left_nx, left_ny, left_nz, place_n, place_s, place_e, pace_n, pace_s, pace_e, turn_n, turn_z, position_bound, velocity_bound, spin_bound, tangent_x, tangent_y, bend_s, bend_e, left_ex, left_ey, left_bend_s, left_bend_e, sharpest_bend, root_offset, root_level, normal_rounding, normal_velocity, back, p_ball_radius, p_restitution, p_gravity);
                     place_n = _o141.place_n;
                     place_s = _o141.place_s;
                     place_e = _o141.place_e;

@@ -1,6 +1,6 @@
 """NumPy kernels of the scene hoop.
 
-Generated from templates/numpy/kernels.py.j2, scene hoop, derivation eb553e9a2c366767,
+Generated from templates/numpy/kernels.py.j2, scene hoop, derivation 863acc6ac95c3dee,
 with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
 and run `make generate`.
 Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
@@ -355,7 +355,7 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "ring_coefficients": ("c0", "c1", "c2", "c3", "c4", "c5", "c6", "c7", "c8",),
     "ring_deflated": ("c0", "c1", "c2", "c3", "c4", "c5", "c6", "c7",),
     "ring_normal": ("nx", "ny", "nz",),
-    "ring_tangents": ("tangent_x", "tangent_y", "bend_s", "bend_e", "sharpest_bend", "root_offset", "normal_rounding",),
+    "ring_tangents": ("tangent_x", "tangent_y", "bend_s", "bend_e", "sharpest_bend", "root_offset", "root_level", "normal_rounding",),
     "ring_vary": ("contact_delay", "gap", "gap_change", "dx", "dy", "dz", "dvx", "dvy", "dvz", "dnx", "dny", "dnz",),
     "ring_excess": ("excess",),
     "ring_clear": ("clear",),
@@ -374,7 +374,7 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "backboard_coefficients": ("c0", "c1",),
     "backboard_deflated": ("c0",),
     "backboard_normal": ("nx", "ny", "nz",),
-    "backboard_tangents": ("tangent_x", "tangent_y", "bend_s", "bend_e", "sharpest_bend", "root_offset", "normal_rounding",),
+    "backboard_tangents": ("tangent_x", "tangent_y", "bend_s", "bend_e", "sharpest_bend", "root_offset", "root_level", "normal_rounding",),
     "backboard_vary": ("contact_delay", "gap", "gap_change", "dx", "dy", "dz", "dvx", "dvy", "dvz", "dnx", "dny", "dnz", "g0", "g0_change", "g1", "g1_change", "g2", "g2_change", "g3", "g3_change",),
     "backboard_bounds": ("g0", "g1", "g2", "g3",),
     "backboard_arrival": ("time", "rate", "bend", "apex", "height",),
@@ -385,7 +385,7 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "bridge_coefficients": ("c0", "c1", "c2",),
     "bridge_deflated": ("c0", "c1",),
     "bridge_normal": ("nx", "ny", "nz",),
-    "bridge_tangents": ("tangent_x", "tangent_y", "bend_s", "bend_e", "sharpest_bend", "root_offset", "normal_rounding",),
+    "bridge_tangents": ("tangent_x", "tangent_y", "bend_s", "bend_e", "sharpest_bend", "root_offset", "root_level", "normal_rounding",),
     "bridge_vary": ("contact_delay", "gap", "gap_change", "dx", "dy", "dz", "dvx", "dvy", "dvz", "dnx", "dny", "dnz", "g0", "g0_change", "g1", "g1_change", "g2", "g2_change", "g3", "g3_change", "g4", "g4_change",),
     "bridge_bounds": ("g0", "g1", "g2", "g3", "g4",),
     "bridge_arrival": ("time", "rate", "bend", "apex", "height",),
@@ -396,7 +396,7 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "end_coefficients": ("c0", "c1", "c2",),
     "end_deflated": ("c0", "c1",),
     "end_normal": ("nx", "ny", "nz",),
-    "end_tangents": ("tangent_x", "tangent_y", "bend_s", "bend_e", "sharpest_bend", "root_offset", "normal_rounding",),
+    "end_tangents": ("tangent_x", "tangent_y", "bend_s", "bend_e", "sharpest_bend", "root_offset", "root_level", "normal_rounding",),
     "end_vary": ("contact_delay", "gap", "gap_change", "dx", "dy", "dz", "dvx", "dvy", "dvz", "dnx", "dny", "dnz", "g0", "g0_change",),
     "end_arrival": ("time", "rate", "bend", "apex", "height",),
     "end_margin": ("margin",),
@@ -520,9 +520,9 @@ _k80 = _float32(4.0)
 _k81 = _float64(0.0625)
 _k82 = _scalar(_float32(1.5))
 _k83 = _float32(16.0)
-_k84 = _float32(3.5)
-_k85 = _scalar(_float32(1.125))
-_k86 = _scalar(_float32(1.7763568394002505e-15))
+_k84 = _scalar(_float32(1.125))
+_k85 = _scalar(_float32(1.7763568394002505e-15))
+_k86 = _float32(3.5)
 _k87 = _float32(7.0)
 _k88 = _float32(1.5)
 _k89 = _float32(1.125)
@@ -1434,12 +1434,12 @@ def impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, ny: An
     return _s2 - _multiply(_multiply(p_restitution, nx, _r5), _s1, _r5), _s3 - _multiply(_multiply(p_restitution, ny, _r5), _s1, _r5), _s4 - _multiply(_multiply(p_restitution, nz, _r5), _s1, _r5), _multiply(nx, _s5, _r5) + _multiply(_s6, _subtract(_multiply(ny, _s4, _r0), _multiply(nz, _s3, _r6), _r6), _r6), _multiply(ny, _s5, _r6) + _multiply(_s6, _subtract(_multiply(nz, _s2, _r5), _multiply(nx, _s4, _r3), _r3), _r3), _multiply(nz, _s5, _r4) + _multiply(_s6, _subtract(_multiply(nx, _s3, _r2), _multiply(ny, _s2, _r1), _r1), _r1)
 
 
-def carry_impact(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, ny: Any, nz: Any, clock: Any, left_nx: Any, left_ny: Any, left_nz: Any, place_n: Any, place_s: Any, place_e: Any, pace_n: Any, pace_s: Any, pace_e: Any, turn_n: Any, turn_z: Any, position_bound: Any, velocity_bound: Any, spin_bound: Any, tangent_x: Any, tangent_y: Any, bend_s: Any, bend_e: Any, left_ex: Any, left_ey: Any, left_bend_s: Any, left_bend_e: Any, sharpest_bend: Any, root_offset: Any, normal_rounding: Any, normal_velocity: Any, back: Any, p_ball_radius: Any, p_restitution: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+def carry_impact(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, ny: Any, nz: Any, clock: Any, left_nx: Any, left_ny: Any, left_nz: Any, place_n: Any, place_s: Any, place_e: Any, pace_n: Any, pace_s: Any, pace_e: Any, turn_n: Any, turn_z: Any, position_bound: Any, velocity_bound: Any, spin_bound: Any, tangent_x: Any, tangent_y: Any, bend_s: Any, bend_e: Any, left_ex: Any, left_ey: Any, left_bend_s: Any, left_bend_e: Any, sharpest_bend: Any, root_offset: Any, root_level: Any, normal_rounding: Any, normal_velocity: Any, back: Any, p_ball_radius: Any, p_restitution: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Bounds on errors after a contact, from those at the departure before it.
 
-    derivative of the frame-free Eq. 17, with roundings. 940 operations: 261 additions, 64 subtractions, 469 multiplications, 6 divisions, 37 negations, 83 absolute values, 6 comparisons, 14 selections.
+    derivative of the frame-free Eq. 17, with roundings. 938 operations: 260 additions, 64 subtractions, 468 multiplications, 6 divisions, 37 negations, 83 absolute values, 6 comparisons, 14 selections.
     """
-    t, x, y, z, vx, vy, vz, wx, wy, wz, nx, ny, nz, clock, left_nx, left_ny, left_nz, place_n, place_s, place_e, pace_n, pace_s, pace_e, turn_n, turn_z, position_bound, velocity_bound, spin_bound, tangent_x, tangent_y, bend_s, bend_e, left_ex, left_ey, left_bend_s, left_bend_e, sharpest_bend, root_offset, normal_rounding, normal_velocity, back, p_ball_radius, p_restitution, p_gravity, = [_single(value) for value in (t, x, y, z, vx, vy, vz, wx, wy, wz, nx, ny, nz, clock, left_nx, left_ny, left_nz, place_n, place_s, place_e, pace_n, pace_s, pace_e, turn_n, turn_z, position_bound, velocity_bound, spin_bound, tangent_x, tangent_y, bend_s, bend_e, left_ex, left_ey, left_bend_s, left_bend_e, sharpest_bend, root_offset, normal_rounding, normal_velocity, back, p_ball_radius, p_restitution, p_gravity,)]
+    t, x, y, z, vx, vy, vz, wx, wy, wz, nx, ny, nz, clock, left_nx, left_ny, left_nz, place_n, place_s, place_e, pace_n, pace_s, pace_e, turn_n, turn_z, position_bound, velocity_bound, spin_bound, tangent_x, tangent_y, bend_s, bend_e, left_ex, left_ey, left_bend_s, left_bend_e, sharpest_bend, root_offset, root_level, normal_rounding, normal_velocity, back, p_ball_radius, p_restitution, p_gravity, = [_single(value) for value in (t, x, y, z, vx, vy, vz, wx, wy, wz, nx, ny, nz, clock, left_nx, left_ny, left_nz, place_n, place_s, place_e, pace_n, pace_s, pace_e, turn_n, turn_z, position_bound, velocity_bound, spin_bound, tangent_x, tangent_y, bend_s, bend_e, left_ex, left_ey, left_bend_s, left_bend_e, sharpest_bend, root_offset, root_level, normal_rounding, normal_velocity, back, p_ball_radius, p_restitution, p_gravity,)]
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23, _r24, _r25, _r26, _r27, _r28, _r29, _r30, _r31, _r32, _r33, _r34, _r35, _r36, _r37, _r38, _r39, _r40, _r41, _r42, _r43, _r44, _r45, _r46, _r47, _r48, _r49, _r50, _r51, _r52, _r53, _r54, _r55, _r56, _r57, _r58, _r59, _r60, _r61, _r62, _r63, _r64, _r65, _r66, _r67, _r68, _r69, _r70, _r71, _r72, _r73, _r74, _r75, _r76 = _halves(_room[:77])
     _s0 = _absolute(vx, _r0)
     _s1 = _multiply(_k22, t, _r1)
@@ -1496,7 +1496,7 @@ def carry_impact(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, wx: 
     _s52 = _add(_multiply(_s5, _multiply(_s40, _s40, _r39), _r39), _multiply(_s40, _s43, _r29), _r29)
     _s53 = _divide(_add(_multiply(_k68, _multiply(_s49, _s47, _r39), _r39), _s52, _r39), _s38, _r39)
     _s54 = _add(_multiply(_s53, _s45, _r40), _s52, _r40)
-    _s55 = _add(_add(_add(root_offset, _multiply(place_n, back, _r29), _r29), _s54, _r29), _add(_add(_multiply(_absolute(nx, _r41), _s2, _r41), _multiply(_absolute(ny, _r42), _s4, _r42), _r42), _multiply(_absolute(nz, _r41), _s7, _r41), _r41), _r41)
+    _s55 = _add(_add(root_level, _s54, _r29), _add(_add(_multiply(_absolute(nx, _r41), _s2, _r41), _multiply(_absolute(ny, _r42), _s4, _r42), _r42), _multiply(_absolute(nz, _r41), _s7, _r41), _r41), _r41)
     _s56 = _select(_s50 < _s51, _s51, _s50, _r29) <= _k29
     _s57 = _result(_s56, _multiply(_k27, _s55, _r29), _k30, _r0)
     _s58 = _multiply(nz, tangent_y, _r38)
@@ -1643,7 +1643,7 @@ def carry_impact(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, wx: 
     _s199 = _result(_s56, _s198, _k30, _r0)
     _s200 = _add(_multiply(bend_s, _s83, _r36), _multiply(bend_e, _s98, _r30), _r30)
     _s201 = _add(_s162, _s179, _r49)
-    return _s57, _s83, _s98, _s131, _s162, _s179, _s194, _s199, _k27 * _add(_add(_s98, _s83, _r62), _s57, _r62), _k27 * _add(_add(_multiply(_s111, _s200, _r68), _s201, _r68), _s131, _r68), _k27 * _add(_add(_add(_divide(_s201, p_ball_radius, _r49), _multiply(_s200, _s184, _r30), _r30), _multiply(_k22, _s199, _r74), _r74), _s194, _r74), nx, ny, nz, tangent_x, tangent_y, bend_s, bend_e, _multiply(_k31, _add(t, clock, _r74), _r74) + _select(_s56, _multiply(_k27, _s40, _r33), _k30, _r18)
+    return _s57, _s83, _s98, _s131, _s162, _s179, _s194, _s199, _k27 * _add(_add(_s57, _s98, _r62), _s83, _r62), _k27 * _add(_add(_multiply(_s111, _s200, _r68), _s201, _r68), _s131, _r68), _k27 * _add(_add(_add(_divide(_s201, p_ball_radius, _r49), _multiply(_s200, _s184, _r30), _r30), _multiply(_k22, _s199, _r74), _r74), _s194, _r74), nx, ny, nz, tangent_x, tangent_y, bend_s, bend_e, _multiply(_k31, _add(t, clock, _r74), _r74) + _select(_s56, _multiply(_k27, _s40, _r33), _k30, _r18)
 
 
 def vary_impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, ny: Any, nz: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, dwz: Any, dnx: Any, dny: Any, dnz: Any, p_ball_radius: Any, p_restitution: Any, change_ball_radius: Any, change_restitution: Any) -> tuple[Any, ...]:
@@ -1732,36 +1732,46 @@ def ring_normal(x: Any, y: Any, z: Any, p_ball_radius: Any, p_ring_radius: Any, 
     return x * _s2, y * _s2, z * _s0
 
 
-def ring_tangents(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: Any, ny: Any, nz: Any, normal_velocity: Any, back: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+def ring_tangents(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: Any, ny: Any, nz: Any, place_n: Any, normal_velocity: Any, back: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Tangent and curvatures at a contact, and bounds on the roundings there.
 
-    Table 2, running error analysis. 89 operations: 26 additions, 2 subtractions, 37 multiplications, 5 divisions, 1 square root, 1 negation, 10 absolute values, 3 comparisons, 4 selections.
+    Table 2, running error analysis. 119 operations: 36 additions, 2 subtractions, 43 multiplications, 6 divisions, 3 square roots, 1 negation, 10 absolute values, 8 comparisons, 10 selections.
     """
-    t, x, y, z, vx, vy, vz, nx, ny, nz, normal_velocity, back, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity, = [_single(value) for value in (t, x, y, z, vx, vy, vz, nx, ny, nz, normal_velocity, back, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity,)]
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6 = _halves(_room[:7])
+    t, x, y, z, vx, vy, vz, nx, ny, nz, place_n, normal_velocity, back, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity, = [_single(value) for value in (t, x, y, z, vx, vy, vz, nx, ny, nz, place_n, normal_velocity, back, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity,)]
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9 = _halves(_room[:10])
     _s0 = _sqrt(_add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1), _r1)
     _s1 = _k64 / _s0
     _s2 = p_ball_radius + p_wire_radius
     _s3 = _k74 / _s2
     _s4 = (p_ring_radius - p_ball_radius) - p_wire_radius
     _s5 = _where(_s4 < _s2, _s4, _s2)
-    _s6 = _multiply(t, t, _r0)
-    _s7 = _absolute(vx, _r2)
-    _s8 = _absolute(vy, _r3)
-    _s9 = _add(_multiply(p_gravity, _s6, _r4), _multiply(t, _add(_add(_s7, _s8, _r5), _absolute(vz, _r6), _r6), _r6), _r6)
-    _s10 = _multiply(_k22, t, _r4)
-    _s11 = _add(_k24, _multiply(_k25, _add(_multiply(_s10, _s7, _r2), _absolute(x, _r5), _r5), _r5), _r5)
-    _s12 = _add(_k24, _multiply(_k25, _add(_multiply(_s10, _s8, _r3), _absolute(y, _r2), _r2), _r2), _r2)
-    _s13 = _k23 * p_gravity
-    _s14 = _add(_add(_multiply(_s13, _s6, _r0), _multiply(_s10, _absolute(_add(vz, _multiply(_s13, t, _r3), _r3), _r3), _r3), _r3), _absolute(z, _r0), _r0)
-    _s15 = _add(_k24, _multiply(_k25, _s14, _r0), _r0)
-    _s16 = _k36 * (p_ring_radius * _s3)
-    _s17 = _k29 < back
-    _s18 = _select(_s17, _add(_divide(_multiply(_multiply(_k82, _s9, _r3), _add(_add(_s11, _s12, _r4), _s15, _r4), _r3), _s5, _r3), _multiply(_k35 * (_k83 + _s16), _s9, _r6), _r6), _add(_multiply(_k25, _add(_k84 * _s2, _multiply(_k22, _s0, _r1), _r1), _r1), _add(_add(_multiply(_absolute(nx, _r3), _s11, _r3), _multiply(_absolute(ny, _r5), _s12, _r5), _r5), _multiply(_absolute(nz, _r3), _s15, _r3), _r3), _r3), _r1)
-    _s19 = _multiply(_k85, _s18, _r5)
-    _s20 = _multiply(_s2, _select(_s17, _divide(_multiply(normal_velocity, normal_velocity, _r0), _add(_add(_multiply(vx, vx, _r2), _multiply(vy, vy, _r4), _r4), _multiply(vz, vz, _r2), _r2), _r2), _k64, _r0), _r0)
-    _s21 = _multiply(_k86, _s20, _r0)
-    return -_multiply(y, _s1, _r2), x * _s1, _s3, _s1, _k74 / _s5, _add(_k24, _s18, _r1) + _select(_s19 < _s21, _s21, _s19, _r3), _k35 * (_k87 + _s16)
+    _s6 = _multiply(p_gravity, t, _r0)
+    _s7 = _add(vz, _s6, _r2)
+    _s8 = _absolute(vx, _r3)
+    _s9 = _absolute(vy, _r4)
+    _s10 = _absolute(vz, _r5)
+    _s11 = _multiply(t, _add(_multiply(_k22, _add(_sqrt(p_gravity) * _sqrt(_s2), _select(_k29 < _s7, _s7, _k29, _r6), _r6), _r6), _add(_add(_add(_s6, _s8, _r0), _s9, _r0), _s10, _r0), _r0), _r0)
+    _s12 = _multiply(t, t, _r6)
+    _s13 = _add(_multiply(p_gravity, _s12, _r2), _multiply(t, _add(_add(_s8, _s9, _r7), _s10, _r7), _r7), _r7)
+    _s14 = _multiply(_k22, t, _r2)
+    _s15 = _add(_k24, _multiply(_k25, _add(_multiply(_s14, _s8, _r3), _absolute(x, _r5), _r5), _r5), _r5)
+    _s16 = _add(_k24, _multiply(_k25, _add(_multiply(_s14, _s9, _r4), _absolute(y, _r3), _r3), _r3), _r3)
+    _s17 = _k23 * p_gravity
+    _s18 = _add(_add(_multiply(_s17, _s12, _r6), _multiply(_s14, _absolute(_add(vz, _multiply(_s17, t, _r4), _r4), _r4), _r4), _r4), _absolute(z, _r6), _r6)
+    _s19 = _add(_k24, _multiply(_k25, _s18, _r6), _r6)
+    _s20 = _k36 * (p_ring_radius * _s3)
+    _s21 = _add(_divide(_multiply(_multiply(_k82, _s13, _r4), _add(_add(_s15, _s16, _r2), _s19, _r2), _r4), _s5, _r4), _multiply(_k35 * (_k83 + _s20), _s13, _r7), _r7)
+    _s22 = _multiply(_k84, _s21, _r4)
+    _s23 = _multiply(_k85, _multiply(_divide(_multiply(normal_velocity, normal_velocity, _r2), _add(_add(_multiply(vx, vx, _r8), _multiply(vy, vy, _r9), _r9), _multiply(vz, vz, _r8), _r8), _r8), _s2, _r8), _r8)
+    _s24 = _add(_add(_k24, _s21, _r7), _select(_s22 < _s23, _s23, _s22, _r2), _r2)
+    _s25 = _add(_multiply(_k25, _add(_k86 * _s2, _multiply(_k22, _s0, _r1), _r1), _r1), _add(_add(_multiply(_absolute(nx, _r4), _s15, _r4), _multiply(_absolute(ny, _r5), _s16, _r5), _r5), _multiply(_absolute(nz, _r4), _s19, _r4), _r4), _r4)
+    _s26 = _multiply(_k84, _s25, _r1)
+    _s27 = _add(_add(_k24, _s25, _r4), _select(_s26 < _s23, _s23, _s26, _r5), _r5)
+    _s28 = _add(place_n, _s27, _r1)
+    _s29 = _multiply(_k72, _divide(_s11, _s5, _r0), _r0) <= _k64
+    _s30 = _k29 < back
+    _s31 = _add(place_n, _s24, _r0)
+    return -_multiply(y, _s1, _r4), x * _s1, _s3, _s1, _k74 / _s5, _result(_s30, _select(_s29, _s24, _select(_s24 < _s28, _s28, _s24, _r4), _r8), _s27, _r0), _result(_s30, _select(_s29, _s31, _select(_s31 < _s27, _s27, _s31, _r8), _r4), _s27, _r0), _k35 * (_k87 + _s20)
 
 
 def ring_vary(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: Any, ny: Any, nz: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, change_ball_radius: Any, change_ring_radius: Any, change_wire_radius: Any) -> tuple[Any, ...]:
@@ -2339,7 +2349,7 @@ def backboard_tangents(t: Any, x: Any, vx: Any, _room: Any = NO_ROWS) -> tuple[A
     t, x, vx, = [_single(value) for value in (t, x, vx,)]
     _r0, _r1 = _halves(_room[:2])
     _s0 = _k24 + _multiply(_k25, _add(_multiply(_multiply(_k72, t, _r0), _multiply(_k22, _absolute(vx, _r1), _r1), _r0), _absolute(x, _r1), _r1), _r1)
-    return _k37, _k74, _k37, _k37, _k37, _s0, _k37
+    return _k37, _k74, _k37, _k37, _k37, _s0, _s0, _k37
 
 
 def backboard_vary(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: Any, ny: Any, nz: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, p_ball_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_gravity: Any, change_ball_radius: Any, change_board_distance: Any, change_board_half_width: Any, change_board_bottom: Any, change_board_top: Any) -> tuple[Any, ...]:
@@ -2440,7 +2450,8 @@ def bridge_tangents(t: Any, z: Any, vz: Any, p_gravity: Any, _room: Any = NO_ROW
     t, z, vz, p_gravity, = [_single(value) for value in (t, z, vz, p_gravity,)]
     _r0, _r1, _r2 = _halves(_room[:3])
     _s0 = _multiply(_multiply(_k72, t, _r0), _add(_absolute(vz, _r1), _absolute(_add(vz, _multiply(_k23 * p_gravity, t, _r2), _r2), _r2), _r2), _r0)
-    return _k37, _k74, _k37, _k37, _k37, _k24 + _multiply(_k25, _add(_s0, _absolute(z, _r2), _r2), _r2), _k37
+    _s1 = _k24 + _multiply(_k25, _add(_s0, _absolute(z, _r2), _r2), _r2)
+    return _k37, _k74, _k37, _k37, _k37, _s1, _s1, _k37
 
 
 def bridge_vary(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: Any, ny: Any, nz: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_bridge_half_width: Any, p_gravity: Any, change_ball_radius: Any, change_ring_radius: Any, change_wire_radius: Any, change_board_distance: Any, change_bridge_half_width: Any) -> tuple[Any, ...]:
@@ -2550,7 +2561,8 @@ def end_tangents(t: Any, z: Any, vz: Any, p_gravity: Any, _room: Any = NO_ROWS) 
     t, z, vz, p_gravity, = [_single(value) for value in (t, z, vz, p_gravity,)]
     _r0, _r1, _r2 = _halves(_room[:3])
     _s0 = _multiply(_multiply(_k72, t, _r0), _add(_absolute(vz, _r1), _absolute(_add(vz, _multiply(_k23 * p_gravity, t, _r2), _r2), _r2), _r2), _r0)
-    return _k37, _k74, _k37, _k37, _k37, _k24 + _multiply(_k25, _add(_s0, _absolute(z, _r2), _r2), _r2), _k37
+    _s1 = _k24 + _multiply(_k25, _add(_s0, _absolute(z, _r2), _r2), _r2)
+    return _k37, _k74, _k37, _k37, _k37, _s1, _s1, _k37
 
 
 def end_vary(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: Any, ny: Any, nz: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, p_ring_radius: Any, p_gravity: Any, p_end_depth: Any, change_ring_radius: Any, change_end_depth: Any) -> tuple[Any, ...]:
@@ -4233,20 +4245,20 @@ def resolve_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _count_2_1, _nx_1, _ny_1, _nz_1 = _choose(_here_1, (_count_2_2, _nx_2, _ny_2, _nz_2,), (_count_2_1, _nx_1, _ny_1, _nz_1,))
         _normal_velocity_1, = normal_velocity(_vx_1, _vy_1, _vz_1, _nx_1, _ny_1, _nz_1)
         _back_1, = came_back(_last_1, _which_1)
-        _tangent_x_1, _tangent_y_1, _bend_s_1, _bend_e_1, _sharpest_bend_1, _root_offset_1, _normal_rounding_1 = end_tangents(_when_1, _z_1, _vz_1, _p_gravity_1, _room_1)
+        _tangent_x_1, _tangent_y_1, _bend_s_1, _bend_e_1, _sharpest_bend_1, _root_offset_1, _root_level_1, _normal_rounding_1 = end_tangents(_when_1, _z_1, _vz_1, _p_gravity_1, _room_1)
         _here_1, = here(0.0, _which_1)
         _rows3, _count4 = _most(_here_1, _count2)
         if _count4:
-            _back_2, _normal_velocity_2, _nx_2, _ny_2, _nz_2, _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _vx_2, _vy_2, _vz_2, _when_2, _x_2, _y_2, _z_2 = _taken(_rows3, _back_1, _normal_velocity_1, _nx_1, _ny_1, _nz_1, _p_ball_radius_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _vx_1, _vy_1, _vz_1, _when_1, _x_1, _y_1, _z_1)
+            _back_2, _normal_velocity_2, _nx_2, _ny_2, _nz_2, _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _place_n_2, _vx_2, _vy_2, _vz_2, _when_2, _x_2, _y_2, _z_2 = _taken(_rows3, _back_1, _normal_velocity_1, _nx_1, _ny_1, _nz_1, _p_ball_radius_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _place_n_1, _vx_1, _vy_1, _vz_1, _when_1, _x_1, _y_1, _z_1)
             _room_2 = room(_count4)
-            _tangent_x_2, _tangent_y_2, _bend_s_2, _bend_e_2, _sharpest_bend_2, _root_offset_2, _normal_rounding_2 = ring_tangents(_when_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _nx_2, _ny_2, _nz_2, _normal_velocity_2, _back_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
-            _bend_e_1, _bend_s_1, _normal_rounding_1, _root_offset_1, _sharpest_bend_1, _tangent_x_1, _tangent_y_1 = _put(_rows3, _count2, (_bend_e_1, _bend_s_1, _normal_rounding_1, _root_offset_1, _sharpest_bend_1, _tangent_x_1, _tangent_y_1,), (_bend_e_2, _bend_s_2, _normal_rounding_2, _root_offset_2, _sharpest_bend_2, _tangent_x_2, _tangent_y_2,), _here_1)
+            _tangent_x_2, _tangent_y_2, _bend_s_2, _bend_e_2, _sharpest_bend_2, _root_offset_2, _root_level_2, _normal_rounding_2 = ring_tangents(_when_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _nx_2, _ny_2, _nz_2, _place_n_2, _normal_velocity_2, _back_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
+            _bend_e_1, _bend_s_1, _normal_rounding_1, _root_level_1, _root_offset_1, _sharpest_bend_1, _tangent_x_1, _tangent_y_1 = _put(_rows3, _count2, (_bend_e_1, _bend_s_1, _normal_rounding_1, _root_level_1, _root_offset_1, _sharpest_bend_1, _tangent_x_1, _tangent_y_1,), (_bend_e_2, _bend_s_2, _normal_rounding_2, _root_level_2, _root_offset_2, _sharpest_bend_2, _tangent_x_2, _tangent_y_2,), _here_1)
         _here_1, = here(1.0, _which_1)
-        _tangent_x_2, _tangent_y_2, _bend_s_2, _bend_e_2, _sharpest_bend_2, _root_offset_2, _normal_rounding_2 = backboard_tangents(_when_1, _x_1, _vx_1, _room_1)
-        _bend_e_1, _bend_s_1, _normal_rounding_1, _root_offset_1, _sharpest_bend_1, _tangent_x_1, _tangent_y_1 = _choose(_here_1, (_bend_e_2, _bend_s_2, _normal_rounding_2, _root_offset_2, _sharpest_bend_2, _tangent_x_2, _tangent_y_2,), (_bend_e_1, _bend_s_1, _normal_rounding_1, _root_offset_1, _sharpest_bend_1, _tangent_x_1, _tangent_y_1,))
+        _tangent_x_2, _tangent_y_2, _bend_s_2, _bend_e_2, _sharpest_bend_2, _root_offset_2, _root_level_2, _normal_rounding_2 = backboard_tangents(_when_1, _x_1, _vx_1, _room_1)
+        _bend_e_1, _bend_s_1, _normal_rounding_1, _root_level_1, _root_offset_1, _sharpest_bend_1, _tangent_x_1, _tangent_y_1 = _choose(_here_1, (_bend_e_2, _bend_s_2, _normal_rounding_2, _root_level_2, _root_offset_2, _sharpest_bend_2, _tangent_x_2, _tangent_y_2,), (_bend_e_1, _bend_s_1, _normal_rounding_1, _root_level_1, _root_offset_1, _sharpest_bend_1, _tangent_x_1, _tangent_y_1,))
         _here_1, = here(2.0, _which_1)
-        _tangent_x_2, _tangent_y_2, _bend_s_2, _bend_e_2, _sharpest_bend_2, _root_offset_2, _normal_rounding_2 = bridge_tangents(_when_1, _z_1, _vz_1, _p_gravity_1, _room_1)
-        _bend_e_1, _bend_s_1, _normal_rounding_1, _root_offset_1, _sharpest_bend_1, _tangent_x_1, _tangent_y_1 = _choose(_here_1, (_bend_e_2, _bend_s_2, _normal_rounding_2, _root_offset_2, _sharpest_bend_2, _tangent_x_2, _tangent_y_2,), (_bend_e_1, _bend_s_1, _normal_rounding_1, _root_offset_1, _sharpest_bend_1, _tangent_x_1, _tangent_y_1,))
+        _tangent_x_2, _tangent_y_2, _bend_s_2, _bend_e_2, _sharpest_bend_2, _root_offset_2, _root_level_2, _normal_rounding_2 = bridge_tangents(_when_1, _z_1, _vz_1, _p_gravity_1, _room_1)
+        _bend_e_1, _bend_s_1, _normal_rounding_1, _root_level_1, _root_offset_1, _sharpest_bend_1, _tangent_x_1, _tangent_y_1 = _choose(_here_1, (_bend_e_2, _bend_s_2, _normal_rounding_2, _root_level_2, _root_offset_2, _sharpest_bend_2, _tangent_x_2, _tangent_y_2,), (_bend_e_1, _bend_s_1, _normal_rounding_1, _root_level_1, _root_offset_1, _sharpest_bend_1, _tangent_x_1, _tangent_y_1,))
         _rows5, _count6 = _most(_ends_1, _count2)
         if _count6:
             _clock_2, _clock_error_2, _normal_velocity_2, _p_gravity_2, _position_bound_2, _root_offset_2, _spin_bound_2, _velocity_bound_2, _vx_2, _vy_2, _vz_2, _when_2, _x_2, _y_2, _z_2 = _taken(_rows5, _clock_1, _clock_error_1, _normal_velocity_1, _p_gravity_1, _position_bound_1, _root_offset_1, _spin_bound_1, _velocity_bound_1, _vx_1, _vy_1, _vz_1, _when_1, _x_1, _y_1, _z_1)
@@ -4256,9 +4268,9 @@ def resolve_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             _clock_error_1, _position_bound_1, _spin_bound_1, _velocity_bound_1 = _put(_rows5, _count2, (_clock_error_1, _position_bound_1, _spin_bound_1, _velocity_bound_1,), (_clock_error_2, _position_bound_2, _spin_bound_2, _velocity_bound_2,), _ends_1)
         _rows7, _count8 = _most(_touches_1, _count2)
         if _count8:
-            _back_2, _bend_e_2, _bend_s_2, _clock_2, _clock_error_2, _left_bend_e_2, _left_bend_s_2, _left_ex_2, _left_ey_2, _left_nx_2, _left_ny_2, _left_nz_2, _normal_rounding_2, _normal_velocity_2, _nx_2, _ny_2, _nz_2, _p_ball_radius_2, _p_gravity_2, _p_restitution_2, _pace_e_2, _pace_n_2, _pace_s_2, _place_e_2, _place_n_2, _place_s_2, _position_bound_2, _root_offset_2, _sharpest_bend_2, _spin_bound_2, _tangent_x_2, _tangent_y_2, _turn_n_2, _turn_z_2, _velocity_bound_2, _vx_2, _vy_2, _vz_2, _when_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_rows7, _back_1, _bend_e_1, _bend_s_1, _clock_1, _clock_error_1, _left_bend_e_1, _left_bend_s_1, _left_ex_1, _left_ey_1, _left_nx_1, _left_ny_1, _left_nz_1, _normal_rounding_1, _normal_velocity_1, _nx_1, _ny_1, _nz_1, _p_ball_radius_1, _p_gravity_1, _p_restitution_1, _pace_e_1, _pace_n_1, _pace_s_1, _place_e_1, _place_n_1, _place_s_1, _position_bound_1, _root_offset_1, _sharpest_bend_1, _spin_bound_1, _tangent_x_1, _tangent_y_1, _turn_n_1, _turn_z_1, _velocity_bound_1, _vx_1, _vy_1, _vz_1, _when_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
+            _back_2, _bend_e_2, _bend_s_2, _clock_2, _clock_error_2, _left_bend_e_2, _left_bend_s_2, _left_ex_2, _left_ey_2, _left_nx_2, _left_ny_2, _left_nz_2, _normal_rounding_2, _normal_velocity_2, _nx_2, _ny_2, _nz_2, _p_ball_radius_2, _p_gravity_2, _p_restitution_2, _pace_e_2, _pace_n_2, _pace_s_2, _place_e_2, _place_n_2, _place_s_2, _position_bound_2, _root_level_2, _root_offset_2, _sharpest_bend_2, _spin_bound_2, _tangent_x_2, _tangent_y_2, _turn_n_2, _turn_z_2, _velocity_bound_2, _vx_2, _vy_2, _vz_2, _when_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_rows7, _back_1, _bend_e_1, _bend_s_1, _clock_1, _clock_error_1, _left_bend_e_1, _left_bend_s_1, _left_ex_1, _left_ey_1, _left_nx_1, _left_ny_1, _left_nz_1, _normal_rounding_1, _normal_velocity_1, _nx_1, _ny_1, _nz_1, _p_ball_radius_1, _p_gravity_1, _p_restitution_1, _pace_e_1, _pace_n_1, _pace_s_1, _place_e_1, _place_n_1, _place_s_1, _position_bound_1, _root_level_1, _root_offset_1, _sharpest_bend_1, _spin_bound_1, _tangent_x_1, _tangent_y_1, _turn_n_1, _turn_z_1, _velocity_bound_1, _vx_1, _vy_1, _vz_1, _when_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
             _room_2 = room(_count8)
-            _place_n_2, _place_s_2, _place_e_2, _pace_n_2, _pace_s_2, _pace_e_2, _turn_n_2, _turn_z_2, _position_bound_2, _velocity_bound_2, _spin_bound_2, _left_nx_2, _left_ny_2, _left_nz_2, _left_ex_2, _left_ey_2, _left_bend_s_2, _left_bend_e_2, _belated_2 = carry_impact(_when_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _nx_2, _ny_2, _nz_2, _clock_2, _left_nx_2, _left_ny_2, _left_nz_2, _place_n_2, _place_s_2, _place_e_2, _pace_n_2, _pace_s_2, _pace_e_2, _turn_n_2, _turn_z_2, _position_bound_2, _velocity_bound_2, _spin_bound_2, _tangent_x_2, _tangent_y_2, _bend_s_2, _bend_e_2, _left_ex_2, _left_ey_2, _left_bend_s_2, _left_bend_e_2, _sharpest_bend_2, _root_offset_2, _normal_rounding_2, _normal_velocity_2, _back_2, _p_ball_radius_2, _p_restitution_2, _p_gravity_2, _room_2)
+            _place_n_2, _place_s_2, _place_e_2, _pace_n_2, _pace_s_2, _pace_e_2, _turn_n_2, _turn_z_2, _position_bound_2, _velocity_bound_2, _spin_bound_2, _left_nx_2, _left_ny_2, _left_nz_2, _left_ex_2, _left_ey_2, _left_bend_s_2, _left_bend_e_2, _belated_2 = carry_impact(_when_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _nx_2, _ny_2, _nz_2, _clock_2, _left_nx_2, _left_ny_2, _left_nz_2, _place_n_2, _place_s_2, _place_e_2, _pace_n_2, _pace_s_2, _pace_e_2, _turn_n_2, _turn_z_2, _position_bound_2, _velocity_bound_2, _spin_bound_2, _tangent_x_2, _tangent_y_2, _bend_s_2, _bend_e_2, _left_ex_2, _left_ey_2, _left_bend_s_2, _left_bend_e_2, _sharpest_bend_2, _root_offset_2, _root_level_2, _normal_rounding_2, _normal_velocity_2, _back_2, _p_ball_radius_2, _p_restitution_2, _p_gravity_2, _room_2)
             _clock_error_2, = clock_error_sum(_belated_2, _clock_error_2)
             _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2 = impact(_vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _nx_2, _ny_2, _nz_2, _p_ball_radius_2, _p_restitution_2, _room_2)
             _clock_error_1, _left_bend_e_1, _left_bend_s_1, _left_ex_1, _left_ey_1, _left_nx_1, _left_ny_1, _left_nz_1, _pace_e_1, _pace_n_1, _pace_s_1, _place_e_1, _place_n_1, _place_s_1, _position_bound_1, _spin_bound_1, _turn_n_1, _turn_z_1, _velocity_bound_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1 = _put(_rows7, _count2, (_clock_error_1, _left_bend_e_1, _left_bend_s_1, _left_ex_1, _left_ey_1, _left_nx_1, _left_ny_1, _left_nz_1, _pace_e_1, _pace_n_1, _pace_s_1, _place_e_1, _place_n_1, _place_s_1, _position_bound_1, _spin_bound_1, _turn_n_1, _turn_z_1, _velocity_bound_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1,), (_clock_error_2, _left_bend_e_2, _left_bend_s_2, _left_ex_2, _left_ey_2, _left_nx_2, _left_ny_2, _left_nz_2, _pace_e_2, _pace_n_2, _pace_s_2, _place_e_2, _place_n_2, _place_s_2, _position_bound_2, _spin_bound_2, _turn_n_2, _turn_z_2, _velocity_bound_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2,), _touches_1)

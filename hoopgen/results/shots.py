@@ -78,8 +78,7 @@ class Shots:
         bool (n,), some decision of the shot lies within its rounding-error bound.
     time_error, state_error
         float64 (n,) and (n, 3), if requested by name: bounds on the errors of `time` and of each
-        component of the position, velocity and spin in `state`, for shots that are not uncertain.
-        In `HOOP` they are proved, as is that no decision of such a shot is wrong.
+        component of position, velocity and spin, of shots that are not uncertain; in `HOOP` proved.
     grip_lost
         float64 (n,), s, if requested by name, where a ball may roll: the time at which rolling
         first needed more friction than the body has; infinite if never. The ball rolls on.
