@@ -270,6 +270,9 @@ RESULTS: tuple[ResultField, ...] = (
 )
 """The results of a shot, in the order of the C struct."""
 
+DIAGNOSTIC_RESULTS = frozenset(result.name for result in RESULTS if result.is_diagnostic)
+"""The names of those that need bounds on errors."""
+
 ABSENT_RESULTS: tuple[ResultField, ...] = (
     ResultField(name="rolls", dtype="int32", columns=("rolls",), summary="how many times it began to roll", absence="no ball rolls", tally="rolled", tally_summary="shots that rolled", proved=0.0),
     ResultField(name="airless_rolls", dtype="bool", columns=("rolls",), summary="it rolled, without the air's force along the surface", absence="no ball rolls in air", tally="rolled_airless", tally_summary="shots that rolled without the air's force along the surface", proved=0.0),

@@ -144,7 +144,9 @@ def check_states(states: ArrayLike) -> NDArray[np.float64]:
     TypeError, ValueError
         If they are neither.
     """
-    array = as_doubles("states", _columns_of(states), "numbers of shape (n, 9) or (9,)")
+    # An array is the usual case, in which a call for one shot takes microseconds.
+    given = states if type(states) is np.ndarray else _columns_of(states)
+    array = as_doubles("states", given, "numbers of shape (n, 9) or (9,)")
     if array.ndim == 1:
         array = array[None]
     if array.ndim != 2 or array.shape[1] != len(hoop.STATE):

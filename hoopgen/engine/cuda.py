@@ -227,7 +227,7 @@ class CudaEngine:
         if not shots:
             return
         device = int(self._cupy.cuda.runtime.getDevice())
-        function = self._function(device, need_bounds(self._kernels.RESULTS, out.arrays))
+        function = self._function(device, need_bounds(self._kernels, out.arrays))
         many = self._shots_at_once(states, parameters, leaving, out)
         while start < shots and not stop[0]:
             rows = slice(start, min(start + many, shots))

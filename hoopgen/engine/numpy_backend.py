@@ -258,7 +258,7 @@ def run(
         **_switches(kernels, out),
     }
     last = last or SharedTail(1, len(states))
-    flights = Flights(kernels, need_bounds(kernels.RESULTS, out.arrays), job, last.shots)
+    flights = Flights(kernels, need_bounds(kernels, out.arrays), job, last.shots)
     begun = 0
     with np.errstate(all="ignore"):
         while not stopped():

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Container, Iterable, Mapping
+from collections.abc import Callable, Collection, Iterable, Mapping
 from types import ModuleType
 from typing import Any
 
@@ -21,17 +21,17 @@ def labels(result: ResultField) -> tuple[str, ...]:
     return result.labels or (result.name,)
 
 
-def need_bounds(results: Iterable[ResultField], fields: Container[str]) -> bool:
+def need_bounds(kernels: ModuleType, fields: Iterable[str]) -> bool:
     """Return whether any of a scene's results that are wanted needs bounds on errors.
 
     Parameters
     ----------
-    results
-        The results of the scene.
+    kernels
+        The scene's generated NumPy module.
     fields
-        The names of those that are wanted.
+        The names of the results that are wanted.
     """
-    return any(result.is_diagnostic and result.name in fields for result in results)
+    return not kernels.DIAGNOSTIC_RESULTS.isdisjoint(fields)
 
 
 class ResultArrays:

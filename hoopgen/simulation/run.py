@@ -216,7 +216,7 @@ def run(
     computed = tuple(dict.fromkeys((*wanted, *needed))) if needed else wanted
     inputs, left = engine.table.inputs(named), check_leaving(leaving, shots, engine.surfaces)
     limit = check_limit(time_limit, engine)
-    bounds = need_bounds(engine.kernels.RESULTS, computed)
+    bounds = need_bounds(engine.kernels, computed)
     library = find_library(backend, engine, shots, bounds=bounds)
     begun = without_false_starts(engine, releases, inputs, left, library)
     batch = _Batch(engine, begun, inputs, left, most, limit, library, np.zeros(1, np.int32))

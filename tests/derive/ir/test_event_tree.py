@@ -118,6 +118,6 @@ def test_the_plain_loop_reads_and_writes_nothing_that_bounds_errors() -> None:
 def test_the_plain_loop_flies_the_path_of_the_bounded_one() -> None:
     whole = flown(numpy_engine(hoop), tuple(RESULT))
     plain = flown(numpy_engine(hoop), PATH)
-    assert need_bounds(hoop.RESULTS, whole.arrays)
-    assert not need_bounds(hoop.RESULTS, plain.arrays)
+    assert need_bounds(hoop, whole.arrays)
+    assert not need_bounds(hoop, plain.arrays)
     assert_same(whole, plain, PATH)
